@@ -1,0 +1,114 @@
+//! Every formula, in the order of the book.
+
+use crate::formula::{Convention, Field, Fields, Formula, Kink, Spec, check};
+use crate::verify::{Audit, Options, audit, exactly, golden};
+use crate::{Error, Octuple, coulomb, slot};
+
+/// A formula whose inputs and outputs are not known to the compiler; every [`Formula`] is one.
+pub trait AnyFormula: Send + Sync {
+    /// What is said about it.
+    fn spec(&self) -> Spec;
+    /// Its inputs.
+    fn inputs(&self) -> &'static [Field];
+    /// Its outputs.
+    fn outputs(&self) -> &'static [Field];
+    /// The Rust path of the type that implements it.
+    fn path(&self) -> &'static str;
+    /// Where it has no derivative.
+    fn kinks(&self) -> Vec<KinkEntry>;
+    /// Its golden file, computed now.
+    fn golden(&self) -> golden::File;
+    /// Its audit, executed now.
+    fn audit(&self, options: &Options) -> Audit;
+    /// The outputs at input components given in order.
+    ///
+    /// # Errors
+    /// What [`check`] says; [`Error::Components`] where their number is wrong.
+    fn value(&self, components: &[f64]) -> Result<Vec<f64>, Error>;
+}
+
+/// A kink, with the derivatives on both sides.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KinkEntry {
+    /// The condition, in LaTeX.
+    pub condition: &'static str,
+    /// What is done there.
+    pub convention: Convention,
+    /// For every output component, the derivatives across the kink from below and from above.
+    pub one_sided: Vec<[f64; 2]>,
+}
+
+impl<F: Formula> AnyFormula for F {
+    fn spec(&self) -> Spec {
+        F::SPEC
+    }
+    fn inputs(&self) -> &'static [Field] {
+        F::Inputs::<f64>::FIELDS
+    }
+    fn outputs(&self) -> &'static [Field] {
+        F::Outputs::<f64>::FIELDS
+    }
+    fn path(&self) -> &'static str {
+        std::any::type_name::<F>()
+    }
+    fn kinks(&self) -> Vec<KinkEntry> {
+        F::kinks().iter().map(one_sided).collect()
+    }
+    fn golden(&self) -> golden::File {
+        golden::file::<F>()
+    }
+    fn audit(&self, options: &Options) -> Audit {
+        audit::<F>(options)
+    }
+    fn value(&self, components: &[f64]) -> Result<Vec<f64>, Error> {
+        let expected = F::Inputs::<f64>::len();
+        let inputs =
+            F::Inputs::from_slice(components).ok_or(Error::Components { found: components.len(), expected })?;
+        check::<F>(&inputs)?;
+        Ok(F::eval(&inputs).components())
+    }
+}
+
+/// One-sided differences in 237 bits, with a step so short that nothing else is near.
+fn one_sided<F: Formula>(kink: &Kink<F>) -> KinkEntry {
+    let at = exactly::<F>(&(kink.at)()).components();
+    let across = exactly::<F>(&(kink.across)()).components();
+    let step = Octuple::from(1e-40);
+    let value = |h: Octuple| {
+        let moved: Vec<_> = at.iter().zip(&across).map(|(&x, &direction)| x + direction * h).collect();
+        F::Inputs::from_slice(&moved).map_or_else(Vec::new, |i| F::eval(&i).components())
+    };
+    let (below, here, above) = (value(-step), value(step * 0.0), value(step));
+    let slope = |k: usize| [(here[k] - below[k]) / step, (above[k] - here[k]) / step].map(Octuple::to_f64);
+    KinkEntry {
+        condition: kink.condition,
+        convention: kink.convention,
+        one_sided: (0..here.len()).map(slope).collect(),
+    }
+}
+
+/// Every formula.
+pub const CATALOG: &[&dyn AnyFormula] = &[
+    &slot::RelativePosition,
+    &slot::Constraint,
+    &slot::Constraint2d,
+    &slot::ConstraintForce,
+    &slot::RelativeMotion,
+    &slot::KineticForce,
+    &slot::ContactForce,
+    &slot::NormalForce,
+    &slot::Friction,
+    &slot::Stop,
+    &coulomb::Yield,
+    &coulomb::ReturnMap,
+    // ALIGN, TRANSLATOR
+    // JOIN, UNIVERSAL, UJOINT
+    // SLIDER
+    // Slide lines
+    // Interaction laws
+];
+
+/// The formula of this identifier.
+pub fn find(id: &str) -> Option<&'static dyn AnyFormula> {
+    CATALOG.iter().copied().find(|formula| formula.spec().id == id)
+}

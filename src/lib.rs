@@ -1,0 +1,47 @@
+//! The documented equations of sliding and universal joints, coded once and proved.
+//!
+//! Finite-element manuals document connectors, constraints and contact by equations. Here each equation is written
+//! **once**, generic over its number type; everything else (value, check of the hand-derived Jacobian, exact
+//! reference, golden file, error figure, book entry) is derived from that one definition, so that none can drift.
+//!
+//! | module | what is in it |
+//! |---|---|
+//! | [`slot`], [`coulomb`] | the documents' rooms: formulas, Jacobians, hard cases, and the typed connectors |
+//! | [`frame`] | validated triads |
+//! | [`formula`], [`quantity`] | what a formula is; the vocabulary of symbols, units and domains |
+//! | [`scalar`] | the numbers a formula runs in: `f64`, [`Octuple`], [`Single`], dual numbers over them |
+//! | [`verify`] | the toolkit that proves a formula, yours too |
+//! | [`catalog`] | every formula by identifier |
+//!
+//! ```
+//! use jointproof::formula::{Formula, value_and_jacobian};
+//! use jointproof::slot::{ContactForce, CrossForces};
+//!
+//! let forces = CrossForces { f2: 3.0, f3: 4.0 };
+//! let (contact, jac) = value_and_jacobian::<ContactForce>(&forces)?;
+//! assert_eq!(contact.fc, 5.0);
+//! assert_eq!((jac.fc.f2, jac.fc.f3), (0.6, 0.8));
+//!
+//! // The same definition, in 237 bits.
+//! let exact = ContactForce::eval(&jointproof::verify::exactly::<ContactForce>(&forces));
+//! assert_eq!(exact.fc.to_f64(), 5.0);
+//! # Ok::<(), jointproof::Error>(())
+//! ```
+
+pub mod catalog;
+pub mod coulomb;
+mod error;
+pub mod formula;
+pub mod frame;
+mod newtype;
+mod octuple;
+pub mod quantity;
+pub mod scalar;
+mod single;
+pub mod slot;
+pub mod verify;
+
+pub use error::{Error, Name};
+pub use octuple::Octuple;
+pub use scalar::Scalar;
+pub use single::Single;

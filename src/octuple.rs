@@ -1,0 +1,84 @@
+//! [`Octuple`]: 237-bit arithmetic, the reference against which everything else is measured.
+
+mod convert;
+mod decimal;
+mod elementary;
+mod hyperbolic;
+mod power;
+#[cfg(test)]
+mod upstream;
+
+use f256::f256;
+
+use crate::newtype::{newtype_dual_num, newtype_number};
+
+/// A binary floating point number of 237 significant bits (71 decimal digits) and exponents up to ±262143: IEEE 754
+/// binary256, by the crate `f256`, with what that crate lacks or gets wrong made good.
+///
+/// It is `Copy`, it implements [`DualNum`](num_dual::DualNum) over `f64`, so every formula of this crate and every
+/// dual number of `num-dual` runs over it unchanged, and the same program gives the same bits on every machine:
+/// all of it is integer arithmetic.
+///
+/// # Accuracy
+///
+/// In units in the last place (ulps) of the result, where that is a normal number. Each bound is checked against
+/// exact values by `tests/octuple.rs`, which holds the same table.
+///
+/// | operation | error at most |
+/// |---|---|
+/// | + − × ÷ √ %, `mul_add`, conversion from and to `f64` and decimal | ½: the nearest number, ties to even |
+/// | `sin` `cos` `atan` `cbrt` `exp` `exp2` `ln` `log` `log2` `log10`, `powi` | 0.51 |
+/// | `tan` `asin` `acos` `atan2` `exp_m1` `ln_1p` `powf`, `sph_j0` | 1.5 |
+/// | `sinh` `cosh` `tanh` `asinh` `acosh` `atanh` | 2 |
+/// | `sph_j1` `sph_j2` | 4, counted at the larger of the value and 1/\|x\| |
+///
+/// Below 2^-261000 a function may round twice. Special values follow C99 Annex F (`f64` as documented): signed zeros, infinities,
+/// and NaN in, NaN out. No operation panics.
+///
+/// ```
+/// # use jointproof::Octuple;
+/// use num_dual::DualNum;
+/// let third = Octuple::from(1.0) / 3.0;
+/// assert_eq!(format!("{third:.40}"), "0.3333333333333333333333333333333333333333");
+/// assert_eq!(Octuple::from(2.0).sqrt().to_f64(), 2.0_f64.sqrt());
+/// ```
+#[derive(Clone, Copy, Default, PartialEq, PartialOrd)]
+pub struct Octuple(f256);
+
+newtype_number!(Octuple(f256), zero: f256::ZERO, one: f256::ONE);
+newtype_dual_num!(Octuple, elementary);
+
+impl Octuple {
+    /// π, correctly rounded.
+    pub const PI: Self = Self(::f256::consts::PI);
+    /// Euler's number e, correctly rounded.
+    pub const E: Self = Self(::f256::consts::E);
+    /// The distance from 1 to the next larger number, 2^-236 ≈ 9.06e-72.
+    pub const EPSILON: Self = Self(f256::EPSILON);
+    /// The largest finite number, about 1.6e78913.
+    pub const MAX: Self = Self(f256::MAX);
+    /// The smallest positive normal number, 2^-262142 ≈ 2.5e-78913.
+    pub const MIN_POSITIVE: Self = Self(f256::MIN_POSITIVE);
+    /// +∞.
+    pub const INFINITY: Self = Self(f256::INFINITY);
+    /// Not a number.
+    pub const NAN: Self = Self(f256::NAN);
+
+    /// Whether this is neither infinite nor NaN.
+    #[must_use]
+    pub const fn is_finite(self) -> bool {
+        self.0.is_finite()
+    }
+
+    /// Whether this is NaN.
+    #[must_use]
+    pub const fn is_nan(self) -> bool {
+        self.0.is_nan()
+    }
+
+    /// The distance to the next number further from zero: the unit in which errors are stated. NaN if not finite.
+    #[must_use]
+    pub fn ulp(self) -> Self {
+        Self(self.0.ulp())
+    }
+}

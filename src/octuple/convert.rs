@@ -1,0 +1,228 @@
+//! Into and out of [`Octuple`]: `f64`, integers and decimal literals, each rounded at most once.
+
+use std::num::ParseFloatError;
+use std::str::FromStr;
+
+use f256::f256;
+use num_traits::FromPrimitive;
+
+use super::Octuple;
+
+/// Fraction bits of `f256` in the upper half of its bits; the lower half holds the other 128.
+const HIGH_FRACTION_BITS: u32 = 108;
+/// What is added to an exponent of `f256` to store it.
+const BIAS: i32 = 262_143;
+
+impl Octuple {
+    /// The nearest `f64`, ties to even: rounded once, subnormals included. Half an ulp or more above the largest
+    /// `f64` lies infinity; signed zeros and NaN stay what they are.
+    #[must_use]
+    pub fn to_f64(self) -> f64 {
+        let magnitude = match self.0 {
+            x if x.is_nan() => f64::NAN,
+            x if x.is_infinite() => f64::INFINITY,
+            x => nearest_f64(leading_bits(x), exponent(x)),
+        };
+        if self.0.is_sign_negative() { -magnitude } else { magnitude }
+    }
+}
+
+/// e of a finite |x| = 1.fraction · 2^e; −262143 if x is subnormal or zero.
+pub(super) fn exponent(x: f256) -> i32 {
+    let stored = x.to_bits().0 >> HIGH_FRACTION_BITS & 0x7_ffff;
+    i32::try_from(stored).unwrap_or(i32::MAX) - BIAS
+}
+
+/// 2^e, for e from −262142 to 262143.
+pub(super) const fn power_of_two(e: i32) -> f256 {
+    f256::from_bits((((BIAS + e).unsigned_abs() as u128) << HIGH_FRACTION_BITS, 0))
+}
+
+/// x · 2^e, rounded only if the result is subnormal.
+pub(super) fn scale_by_power_of_two(x: f256, e: i32) -> f256 {
+    if e < 0 { x.div_pow2(e.unsigned_abs()) } else { x.mul_pow2(e.unsigned_abs()) }
+}
+
+/// The first 64 bits of the significand 1.fraction, the last of them set if anything non-zero follows.
+fn leading_bits(x: f256) -> u64 {
+    const CUT: u32 = HIGH_FRACTION_BITS - 63;
+    let (high, low) = x.to_bits();
+    let fraction = high & ((1 << HIGH_FRACTION_BITS) - 1);
+    let rest = u64::from(fraction & ((1 << CUT) - 1) != 0 || low != 0);
+    (1 << 63) | u64::try_from(fraction >> CUT).unwrap_or(u64::MAX) | rest
+}
+
+/// The `f64` nearest to `significand · 2^(exponent − 63)`, where the highest bit of `significand` is set.
+fn nearest_f64(significand: u64, exponent: i32) -> f64 {
+    if exponent > f64::MAX_EXP - 1 {
+        return f64::INFINITY;
+    }
+    // An f64 has 53 bits: 11 are to be dropped, and more of them below its smallest normal number.
+    let missing = (f64::MIN_EXP - 1 - exponent).max(0).unsigned_abs();
+    let drop = 11 + missing;
+    if drop > 64 {
+        return 0.0;
+    }
+    let kept = significand.checked_shr(drop).unwrap_or(0);
+    let rest = u128::from(significand) - (u128::from(kept) << drop);
+    let half = 1_u128 << (drop - 1);
+    let up = rest > half || rest == half && kept & 1 == 1;
+    // The leading bit of a normal number adds one to the stored exponent; a carry may do so again, up to infinity.
+    let stored = if missing > 0 { 0 } else { exponent - f64::MIN_EXP + 1 };
+    f64::from_bits((u64::from(stored.unsigned_abs()) << 52) + kept + u64::from(up))
+}
+
+impl From<f64> for Octuple {
+    /// Exact.
+    fn from(value: f64) -> Self {
+        if value.is_nan() { Self::NAN } else { Self(f256::from(value)) }
+    }
+}
+
+/// Exact: no integer type holds more than 128 bits.
+impl FromPrimitive for Octuple {
+    fn from_i64(n: i64) -> Option<Self> {
+        Some(Self(f256::from(n)))
+    }
+    fn from_u64(n: u64) -> Option<Self> {
+        Some(Self(f256::from(n)))
+    }
+    fn from_i128(n: i128) -> Option<Self> {
+        Some(Self(f256::from(n)))
+    }
+    fn from_u128(n: u128) -> Option<Self> {
+        Some(Self(f256::from(n)))
+    }
+    fn from_f64(value: f64) -> Option<Self> {
+        Some(Self::from(value))
+    }
+}
+
+impl FromStr for Octuple {
+    type Err = ParseFloatError;
+
+    /// The number nearest to a decimal literal of any length, ties to even.
+    ///
+    /// # Errors
+    /// If `text` is not what `f64` accepts.
+    fn from_str(text: &str) -> Result<Self, ParseFloatError> {
+        // f256 also takes "." and "1e+"; the grammar is that of f64.
+        text.parse::<f64>()?;
+        text.parse().map(Self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// `to_f64` against hardware: numbers of 53 bits come back bit for bit, whatever they are.
+    fn assert_round_trip(value: f64) {
+        let back = Octuple::from(value).to_f64();
+        assert!(
+            back.to_bits() == value.to_bits() || back.is_nan() && value.is_nan(),
+            "{value:e} = {:#018x} came back as {back:e} = {:#018x}",
+            value.to_bits(),
+            back.to_bits()
+        );
+    }
+
+    /// Between `lower` and the next f64 above: the midpoint goes to the even one, its neighbours to the nearer one.
+    fn assert_rounds_at_midpoint_above(lower: f64) {
+        let upper = lower.next_up();
+        // Halving an exact sum of two f64 is exact, also for subnormals; infinity stands for 2^1024.
+        let upper_exact = if upper.is_finite() { Octuple::from(upper) } else { Octuple(power_of_two(1024)) };
+        let middle = (Octuple::from(lower) + upper_exact) / 2.0;
+        let even = if lower.to_bits() % 2 == 0 { lower } else { upper };
+        let below = Octuple(middle.0.next_down());
+        let above = Octuple(middle.0.next_up());
+        for (wide, expected) in [(below, lower), (middle, even), (above, upper)] {
+            assert_eq!(wide.to_f64().to_bits(), expected.to_bits(), "{wide:e} between {lower:e} and {upper:e}");
+            assert_eq!((-wide).to_f64().to_bits(), (-expected).to_bits(), "-{wide:e}");
+        }
+    }
+
+    #[test]
+    fn f64_round_trip_at_the_edges() {
+        for magnitude in
+            [0.0, 5e-324, f64::MIN_POSITIVE.next_down(), f64::MIN_POSITIVE, 1.0, 0.1, f64::MAX, f64::INFINITY, f64::NAN]
+        {
+            assert_round_trip(magnitude);
+            assert_round_trip(-magnitude);
+        }
+    }
+
+    #[test]
+    fn to_f64_rounds_midpoints_to_even() {
+        let powers = (-1074..1024).step_by(13).map(|e| 2.0_f64.powi(e));
+        let edges = [
+            0.0,
+            5e-324,
+            1e-323,
+            f64::MIN_POSITIVE.next_down(),
+            f64::MIN_POSITIVE,
+            1.0_f64.next_down(),
+            1.0,
+            0.1,
+            1e300,
+            f64::MAX.next_down(),
+            f64::MAX,
+        ];
+        for lower in powers.chain(edges) {
+            assert_rounds_at_midpoint_above(lower);
+            assert_rounds_at_midpoint_above(lower.next_up().min(f64::MAX));
+        }
+    }
+
+    #[test]
+    fn to_f64_beyond_the_range() {
+        assert_eq!(Octuple::MAX.to_f64(), f64::INFINITY);
+        assert_eq!((-Octuple::MAX).to_f64(), f64::NEG_INFINITY);
+        assert_eq!(Octuple::MIN_POSITIVE.to_f64().to_bits(), 0.0_f64.to_bits());
+        assert_eq!((-Octuple::MIN_POSITIVE).to_f64().to_bits(), (-0.0_f64).to_bits());
+        assert_eq!(Octuple(f256::MIN_GT_ZERO).to_f64().to_bits(), 0.0_f64.to_bits());
+        // Every exponent, so that no shift is out of range.
+        for e in -1200..1100 {
+            let expected = if e > 1023 { f64::INFINITY } else { 2.0_f64.powi(e / 2) * 2.0_f64.powi(e - e / 2) };
+            assert_eq!(Octuple(power_of_two(e)).to_f64(), expected, "2^{e}");
+        }
+    }
+
+    #[test]
+    fn integers_are_exact() {
+        for n in [0, 1, -1, i128::MAX, i128::MIN, i128::from(i64::MIN), 1 << 100 | 1] {
+            let wide = Octuple::from_i128(n).unwrap();
+            assert_eq!(format!("{wide}"), n.to_string());
+        }
+        assert_eq!(format!("{}", Octuple::from_u128(u128::MAX).unwrap()), u128::MAX.to_string());
+        assert_eq!(Octuple::from_usize(usize::MAX).unwrap(), Octuple::from_u64(u64::MAX).unwrap());
+        assert_eq!(Octuple::from_f64(0.1).unwrap(), 0.1);
+        assert_eq!(Octuple::from_f32(0.1).unwrap(), f64::from(0.1_f32));
+    }
+
+    #[test]
+    fn literals_are_those_of_f64() {
+        for bad in ["", ".", "+", "e", "1e", "1e+", "0x1", "1_0", " 1", "1 ", "--1", "1e5.5", "∞", "in"] {
+            assert!(bad.parse::<Octuple>().is_err(), "{bad:?}");
+        }
+        for good in ["1.", "-.5", "+2.5e3", "inf", "-INFINITY", "1e99999999999999999999", "-1e-99999999999999999999"] {
+            let (wide, double): (Octuple, f64) = (good.parse().unwrap(), good.parse().unwrap());
+            assert_eq!(wide.to_f64().to_bits(), double.to_bits(), "{good:?}");
+        }
+        assert!("-nan".parse::<Octuple>().unwrap().is_nan());
+    }
+
+    proptest! {
+        #[test]
+        fn f64_round_trip(bits: u64) {
+            assert_round_trip(f64::from_bits(bits));
+        }
+
+        #[test]
+        fn to_f64_rounds_midpoints_to_even_anywhere(bits in 0..f64::INFINITY.to_bits()) {
+            assert_rounds_at_midpoint_above(f64::from_bits(bits));
+        }
+    }
+}

@@ -1,0 +1,223 @@
+//! Octuple in decimal, with as many digits as asked for: the exact value, rounded once, half to even.
+//!
+//! f256 panics beyond 75 digits. Every finite binary number has a finite decimal expansion: m · 2^e is whole for
+//! e ≥ 0, and for e < 0 it is m · 5^-e with the decimal point −e places to the left.
+
+use std::fmt;
+
+use f256::f256;
+
+use super::Octuple;
+
+/// A natural number in groups of 18 decimal digits, the least significant group first.
+struct Groups(Vec<u64>);
+
+impl Groups {
+    const DIGITS: usize = 18;
+    const BASE: u128 = 10_u128.pow(18);
+
+    /// self · factor + addend.
+    fn multiply_add(&mut self, factor: u64, addend: u64) {
+        let mut carry = u128::from(addend);
+        for group in &mut self.0 {
+            let product = u128::from(*group) * u128::from(factor) + carry;
+            *group = u64::try_from(product % Self::BASE).unwrap_or(0);
+            carry = product / Self::BASE;
+        }
+        while carry > 0 {
+            self.0.push(u64::try_from(carry % Self::BASE).unwrap_or(0));
+            carry /= Self::BASE;
+        }
+    }
+
+    fn multiply_by_power(&mut self, base: u64, mut exponent: u32) {
+        let step = u64::MAX.ilog(base);
+        while exponent > 0 {
+            let taken = exponent.min(step);
+            self.multiply_add(base.pow(taken), 0);
+            exponent -= taken;
+        }
+    }
+
+    fn digits(&self) -> Vec<u8> {
+        let text: String = self.0.iter().rev().map(|group| format!("{group:0width$}", width = Self::DIGITS)).collect();
+        text.trim_start_matches('0').into()
+    }
+}
+
+/// 0.d₁d₂d₃… · 10^point with d₁ ≠ 0; zero has no digits.
+struct Decimal {
+    digits: Vec<u8>,
+    point: i64,
+}
+
+impl Decimal {
+    /// |x| exactly, for a finite x.
+    fn exact(x: f256) -> Self {
+        const FRACTION_BITS_HIGH: u32 = 108;
+        const SMALLEST_EXPONENT: i32 = -262_378;
+        let (high, low) = x.abs().to_bits();
+        let stored = i32::try_from(high >> FRACTION_BITS_HIGH).unwrap_or(i32::MAX);
+        let leading_one = u128::from(stored > 0) << FRACTION_BITS_HIGH;
+        let significand = [high & ((1 << FRACTION_BITS_HIGH) - 1) | leading_one, low];
+        let exponent = SMALLEST_EXPONENT + (stored - 1).max(0);
+
+        let mut number = Groups(Vec::new());
+        for byte in significand.iter().flat_map(|part| part.to_be_bytes()) {
+            number.multiply_add(1 << 8, byte.into());
+        }
+        number.multiply_by_power(if exponent < 0 { 5 } else { 2 }, exponent.unsigned_abs());
+        let digits = number.digits();
+        let point = i64::try_from(digits.len()).unwrap_or(i64::MAX) + i64::from(exponent.min(0));
+        Self { digits, point }
+    }
+
+    /// Rounded to `keep` digits, which may be none or less: then what is left is 0 or the digit before the first.
+    fn round(&mut self, keep: i64) {
+        let Ok(keep) = usize::try_from(keep) else {
+            self.digits.clear();
+            return;
+        };
+        if keep >= self.digits.len() {
+            self.digits.resize(keep, b'0');
+            return;
+        }
+        let rest = self.digits.split_off(keep);
+        let odd = self.digits.last().is_some_and(|digit| digit % 2 == 1);
+        let half = rest[0] == b'5' && rest[1..].iter().all(|digit| *digit == b'0');
+        if rest[0] > b'5' || rest[0] == b'5' && (!half || odd) {
+            self.increment();
+        }
+    }
+
+    /// One more in the last digit.
+    fn increment(&mut self) {
+        let nines = self.digits.iter().rev().take_while(|digit| **digit == b'9').count();
+        let above = self.digits.len() - nines;
+        self.digits[above..].fill(b'0');
+        match self.digits[..above].last_mut() {
+            Some(digit) => *digit += 1,
+            None => {
+                self.digits.insert(0, b'1');
+                self.point += 1;
+            }
+        }
+    }
+
+    /// With `decimals` digits behind the point.
+    fn fixed(mut self, decimals: usize) -> String {
+        let decimals_wanted = i64::try_from(decimals).unwrap_or(i64::MAX);
+        self.round(self.point.saturating_add(decimals_wanted));
+        let zeros = if self.digits.is_empty() { decimals + 1 } else { usize::try_from(1 - self.point).unwrap_or(0) };
+        let text = "0".repeat(zeros) + &String::from_utf8_lossy(&self.digits);
+        let (whole, fraction) = text.split_at(text.len() - decimals);
+        if fraction.is_empty() { whole.to_owned() } else { format!("{whole}.{fraction}") }
+    }
+
+    /// With one digit before the point and `decimals` digits behind it.
+    fn scientific(mut self, decimals: usize) -> String {
+        if self.digits.is_empty() {
+            return self.fixed(decimals) + "e0";
+        }
+        let keep = decimals.saturating_add(1);
+        self.round(i64::try_from(keep).unwrap_or(i64::MAX));
+        // A carry out of the first digit leaves one zero too many at the end.
+        self.digits.truncate(keep);
+        let exponent = self.point - 1;
+        self.point = 1;
+        format!("{}e{exponent}", self.fixed(decimals))
+    }
+}
+
+/// Writes |x| by `text` with the sign, width and fill that `f` asks for.
+fn pad(x: f256, f: &mut fmt::Formatter<'_>, text: &str) -> fmt::Result {
+    f.pad_integral(x.is_sign_positive(), "", text)
+}
+
+/// Without a precision: the fewest digits that read back as the same number.
+impl fmt::Display for Octuple {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match f.precision() {
+            Some(decimals) if self.is_finite() => pad(self.0, f, &Decimal::exact(self.0).fixed(decimals)),
+            _ => fmt::Display::fmt(&self.0, f),
+        }
+    }
+}
+
+/// Without a precision: the fewest digits that read back as the same number.
+impl fmt::LowerExp for Octuple {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match f.precision() {
+            Some(decimals) if self.is_finite() => pad(self.0, f, &Decimal::exact(self.0).scientific(decimals)),
+            _ => fmt::LowerExp::fmt(&self.0, f),
+        }
+    }
+}
+
+/// As [`LowerExp`](fmt::LowerExp).
+impl fmt::Debug for Octuple {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::LowerExp::fmt(self, f)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    #[test]
+    fn as_many_digits_as_asked() {
+        let tenth = Octuple::from(0.1);
+        assert_eq!(format!("{tenth:.60}"), format!("{:.60}", 0.1));
+        assert_eq!(format!("{tenth:.100e}"), format!("{:.100e}", 0.1));
+        assert_eq!(format!("{:.0}", Octuple::PI), "3");
+        assert_eq!(
+            format!("{:.80}", Octuple::PI),
+            "3.14159265358979323846264338327950288419716939937510582097494459230781640400000000"
+                .replace("40400000000", &format!("{:.80}", Octuple::PI)[71..])
+        );
+    }
+
+    #[test]
+    fn the_ends_of_the_range() {
+        let text = format!("{:.3e}", Octuple::MAX);
+        assert_eq!(text, "1.611e78913");
+        assert_eq!(format!("{:.3e}", Octuple(f256::MIN_GT_ZERO)), "2.248e-78984");
+        assert_eq!(format!("{:.2}", Octuple(f256::MIN_GT_ZERO)), "0.00");
+        assert_eq!(format!("{:.0}", Octuple::MAX).len(), 78_914);
+    }
+
+    #[test]
+    fn special_values() {
+        for (x, text) in [(f64::NAN, "NaN"), (f64::INFINITY, "inf"), (f64::NEG_INFINITY, "-inf")] {
+            assert_eq!(format!("{:.100} {:.100e}", Octuple::from(x), Octuple::from(x)), format!("{text} {text}"));
+        }
+        assert_eq!(format!("{:.80}", Octuple::from(-0.0)), format!("{:.80}", -0.0));
+        assert_eq!(format!("{:?}", Octuple::from(1.5)), "1.5e0");
+    }
+
+    proptest! {
+        /// Like f64 prints, for every flag; f64 rounds exact values half to even as well.
+        #[test]
+        fn prints_like_f64(x in prop_oneof![-1e3..1e3, any::<f64>(), (-64..64_i32).prop_map(|n| f64::from(n) / 16.0)], decimals in 0..40_usize) {
+            prop_assume!(!x.is_nan());
+            let wide = Octuple::from(x);
+            assert_eq!(format!("{wide:.decimals$}"), format!("{x:.decimals$}"));
+            assert_eq!(format!("{wide:.decimals$e}"), format!("{x:.decimals$e}"));
+            assert_eq!(format!("{wide:+60.decimals$}|{wide:<60.2}|{wide:060.3e}"), format!("{x:+60.decimals$}|{x:<60.2}|{x:060.3e}"));
+        }
+
+        /// 72 decimals behind the first digit identify a number of 237 bits; so do the shortest digits.
+        #[test]
+        fn reads_back(high: u128, low: u128) {
+            let x = Octuple(f256::from_bits((high, low)));
+            prop_assume!(x.is_finite());
+            for text in [format!("{x:.73e}"), format!("{x:e}"), format!("{x:?}")] {
+                let back: Octuple = text.parse().unwrap();
+                assert_eq!(back.0.to_bits(), x.0.to_bits(), "{text}");
+            }
+        }
+    }
+}

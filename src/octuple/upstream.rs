@@ -1,0 +1,82 @@
+//! What is wrong with `f256` 0.11.3, as tests that pass while it is wrong.
+//!
+//! When one of them fails after an update, the repair it names can be deleted. What the repaired functions return is
+//! tested elsewhere; nothing here concerns them.
+
+use std::panic::{UnwindSafe, catch_unwind};
+
+use f256::f256;
+
+use super::convert::power_of_two;
+
+/// Asserts that `f256` still does the wrong thing.
+fn still(wrong: bool, defect: &str) {
+    assert!(wrong, "mended upstream: {defect}; its repair can go");
+}
+
+/// Panics, or would if debug assertions were on (and then returns something else).
+fn fails<T: PartialEq>(right: &T, call: impl FnOnce() -> T + UnwindSafe) -> bool {
+    catch_unwind(call).map_or(true, |value| value != *right)
+}
+
+fn positive(x: f256) -> bool {
+    x.is_sign_positive()
+}
+
+#[test]
+fn atan2() {
+    let (one, infinity) = (f256::ONE, f256::INFINITY);
+    still(one.atan2(&one) != f256::consts::FRAC_PI_4, "atan2(x, x) = π/2");
+    still(positive(f256::NEG_ZERO.atan2(&-one)), "atan2(−0, −1) = +π");
+    still(!one.atan2(&infinity).eq_zero(), "atan2(1, ∞) = π/4");
+    still(power_of_two(-600).atan2(&one).eq_zero(), "atan2(2^-600, 1) = 0");
+}
+
+#[test]
+fn asin_acos() {
+    let x = f256::ONE - f256::EPSILON;
+    // arccos(1 − ε) = √(2ε) (1 + ε/12 + …)
+    let expected = f256::EPSILON.mul2().sqrt();
+    still(((x.acos() - expected) / expected).abs() > power_of_two(-200), "acos near 1");
+    let complement = f256::consts::FRAC_PI_2 - expected;
+    still((x.asin() - complement).abs() > power_of_two(-220), "asin near 1");
+}
+
+#[test]
+fn sin_tan() {
+    still(positive(f256::NEG_ZERO.sin()) && positive(f256::NEG_ZERO.tan()), "sin −0 = tan −0 = +0");
+    still(positive(f256::NEG_ZERO.sin_cos().0), "sin_cos −0 = (+0, 1)");
+    let small = power_of_two(-490) / f256::from(3);
+    still(fails(&small, move || small.sin()), "sin 2^-490 has two bits");
+}
+
+#[test]
+fn exponentials() {
+    still((-f256::from(181_710)).exp().eq_zero(), "exp −181710 = 0");
+    still((-f256::from(262_150.5)).exp2().eq_zero(), "exp2 −262150.5 = 0");
+    still(positive(f256::NEG_ZERO.exp_m1()), "exp_m1 −0 = +0");
+    still(f256::MIN_GT_ZERO.exp_m1().eq_zero(), "exp_m1 of a subnormal number = 0");
+    still(f256::from(-0.25).ln_1p().is_nan(), "ln_1p −1/4 = NaN");
+}
+
+#[test]
+fn powers() {
+    still(f256::from(0.9).powi(300_000).eq_zero(), "powi underflows early below 1");
+    still(fails(&f256::ZERO, || f256::TEN.powi(i32::MIN)), "powi panics at i32::MIN");
+    still(positive(f256::NEG_ZERO.powi(3)), "(−0)³ = +0");
+    still(fails(&f256::ONE, || f256::TEN.powf(&power_of_two(-600))), "powf panics at a tiny exponent");
+    still(fails(&f256::INFINITY, || f256::from(1.5).powf(&power_of_two(40))), "powf panics at a huge whole exponent");
+    still(fails(&f256::INFINITY, || f256::TEN.powf(&f256::INFINITY)), "powf panics at an infinite exponent");
+}
+
+#[test]
+fn mul_add() {
+    let tiny = f256::MIN_GT_ZERO;
+    still(fails(&tiny, || f256::EPSILON.mul_add(f256::MIN_GT_ZERO, f256::MIN_GT_ZERO)), "mul_add near underflow");
+}
+
+#[test]
+fn decimal() {
+    still(fails(&80, || format!("{:.78}", f256::ONE).len()), "more than 75 digits panic");
+    still(".".parse::<f256>().is_ok() && "1e+".parse::<f256>().is_ok(), "literals that f64 refuses");
+}

@@ -1,0 +1,233 @@
+//! The vocabulary: every quantity of the documents, with symbol, shape, unit, allowed values and meaning, said once.
+//!
+//! A formula's inputs and outputs are fields that refer to these constants (see [`fields!`](crate::fields)); the
+//! sampler, the input check, the golden files, the book and the error messages all read them from here.
+
+use std::fmt;
+
+/// Powers of length, force and time; radians and plain numbers have none.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Unit {
+    /// Power of the unit of length.
+    pub length: i32,
+    /// Power of the unit of force.
+    pub force: i32,
+    /// Power of the unit of time.
+    pub time: i32,
+}
+
+impl Unit {
+    /// Radians, direction cosines, ratios.
+    pub const ONE: Self = Self::new(0, 0, 0);
+    /// Length.
+    pub const L: Self = Self::new(1, 0, 0);
+    /// Force.
+    pub const F: Self = Self::new(0, 1, 0);
+    /// Moment.
+    pub const FL: Self = Self::new(1, 1, 0);
+
+    /// The unit LᵃFᵇTᶜ.
+    pub const fn new(length: i32, force: i32, time: i32) -> Self {
+        Self { length, force, time }
+    }
+
+    /// The unit of a quotient, as of a Jacobian entry.
+    pub const fn per(self, other: Self) -> Self {
+        Self::new(self.length - other.length, self.force - other.force, self.time - other.time)
+    }
+}
+
+/// `1`, `L`, `F`, `FL`, `F/L^2`, `FT/L^3` …
+impl fmt::Display for Unit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let powers = [("F", self.force), ("L", self.length), ("T", self.time)];
+        let factor = |sign: i32| {
+            let of_sign = powers.iter().filter(move |(_, power)| power * sign > 0);
+            of_sign
+                .map(|(symbol, power)| match power.abs() {
+                    1 => (*symbol).to_string(),
+                    power => format!("{symbol}^{power}"),
+                })
+                .collect::<String>()
+        };
+        match (factor(1), factor(-1)) {
+            (above, below) if below.is_empty() => f.write_str(if above.is_empty() { "1" } else { &above }),
+            (above, below) => write!(f, "{}/{below}", if above.is_empty() { "1" } else { &above }),
+        }
+    }
+}
+
+/// How many components a quantity has: a scalar, or a column of two or three.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// One number.
+    Scalar,
+    /// A column of two: (x, y) or (r, z).
+    Vec2,
+    /// A column of three.
+    Vec3,
+}
+
+impl Shape {
+    /// The number of components.
+    #[expect(clippy::len_without_is_empty, reason = "a shape is never empty")]
+    pub const fn len(self) -> usize {
+        match self {
+            Self::Scalar => 1,
+            Self::Vec2 => 2,
+            Self::Vec3 => 3,
+        }
+    }
+
+    /// As golden files print it: `[]`, `[2]`, `[3]`.
+    pub fn dimensions(self) -> Vec<usize> {
+        match self {
+            Self::Scalar => Vec::new(),
+            vector => vec![vector.len()],
+        }
+    }
+}
+
+/// A node of a connector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Node {
+    /// The first node, whose triad carries the connector.
+    A,
+    /// The second node, at which the constraint acts.
+    B,
+}
+
+/// What values a quantity may take, how the sampler draws it, and how it changes when the whole model is moved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Domain {
+    /// Any finite number; drawn with either sign and a magnitude from 2⁻¹⁰ to 2¹⁰.
+    Real,
+    /// A finite number ≥ 0; drawn positive, since 0 is a hard case and not a random one.
+    NonNegative,
+    /// A finite number > 0.
+    Positive,
+    /// An angle; any finite number, drawn from (−π, π).
+    Angle,
+    /// A number strictly between the bounds.
+    Between(f64, f64),
+    /// A number between the bounds or on them.
+    Within(f64, f64),
+    /// A point: moves and turns with the model.
+    Point,
+    /// A free vector (a displacement, a force): turns with the model.
+    Vector,
+    /// Unit vector of a triad, by node and axis 1, 2 or 3: turns with the model. The vectors of one node are drawn as
+    /// one rotation, never the identity.
+    Triad(Node, usize),
+}
+
+impl Domain {
+    /// Whether a finite number is in the domain.
+    pub fn allows(self, x: f64) -> bool {
+        match self {
+            Self::NonNegative => x >= 0.0,
+            Self::Positive => x > 0.0,
+            Self::Between(low, high) => low < x && x < high,
+            Self::Within(low, high) => low <= x && x <= high,
+            _ => true,
+        }
+    }
+
+    /// The allowed values in words, for error messages and the book.
+    pub fn allowed(self) -> String {
+        match self {
+            Self::NonNegative => "a finite number ≥ 0".into(),
+            Self::Positive => "a finite number > 0".into(),
+            Self::Between(low, high) => format!("a number > {low} and < {high}"),
+            Self::Within(low, high) => format!("a number ≥ {low} and ≤ {high}"),
+            _ => "a finite number".into(),
+        }
+    }
+}
+
+/// A quantity of the documents.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quantity {
+    /// Its symbol in LaTeX.
+    pub latex: &'static str,
+    /// The number of its components.
+    pub shape: Shape,
+    /// Its unit.
+    pub unit: Unit,
+    /// Its allowed values.
+    pub domain: Domain,
+    /// What it is, with frame and sign.
+    pub meaning: &'static str,
+}
+
+/// The table below: a constant and its documentation from one row.
+macro_rules! quantities {
+    ($($name:ident: $latex:literal, $shape:ident, $unit:expr, $domain:expr, $meaning:literal;)*) => {
+        $(
+            #[doc = concat!("$", $latex, "$: ", $meaning, ".")]
+            pub const $name: Quantity = Quantity {
+                latex: $latex, shape: Shape::$shape, unit: $unit, domain: $domain, meaning: $meaning,
+            };
+        )*
+    };
+}
+
+use Domain::{NonNegative, Point, Real, Triad, Vector};
+use Node::{A, B};
+
+const ONE: Unit = Unit::ONE;
+const L: Unit = Unit::L;
+const F: Unit = Unit::F;
+
+quantities! {
+    E1A: r"\mathbf{e}_{1a}", Vec3, ONE, Triad(A, 1), "first unit vector of node a's triad, in the global frame";
+    E2A: r"\mathbf{e}_{2a}", Vec3, ONE, Triad(A, 2), "second unit vector of node a's triad, in the global frame";
+    E3A: r"\mathbf{e}_{3a}", Vec3, ONE, Triad(A, 3), "third unit vector of node a's triad, in the global frame";
+    E1B: r"\mathbf{e}_{1b}", Vec3, ONE, Triad(B, 1), "first unit vector of node b's triad, in the global frame";
+    E2B: r"\mathbf{e}_{2b}", Vec3, ONE, Triad(B, 2), "second unit vector of node b's triad, in the global frame";
+    E3B: r"\mathbf{e}_{3b}", Vec3, ONE, Triad(B, 3), "third unit vector of node b's triad, in the global frame";
+    XA: r"\mathbf{x}_a", Vec3, L, Point, "position of node a, in the global frame";
+    XB: r"\mathbf{x}_b", Vec3, L, Point, "position of node b, in the global frame";
+    E2A_PLANE: r"\mathbf{e}_{2a}", Vec2, ONE, Triad(A, 2), "second unit vector of node a's triad in the plane, in the global frame";
+    XA_PLANE: r"\mathbf{x}_a", Vec2, L, Point, "position of node a in the plane, in the global frame";
+    XB_PLANE: r"\mathbf{x}_b", Vec2, L, Point, "position of node b in the plane, in the global frame";
+
+    X: r"x", Scalar, L, Real, "relative position of b along e1a, positive in its direction";
+    Y: r"y", Scalar, L, Real, "relative position of b along e2a, positive in its direction";
+    Z: r"z", Scalar, L, Real, "relative position of b along e3a, positive in its direction";
+    X0: r"x_0", Scalar, L, Real, "initial relative position along e1a";
+    Y0: r"y_0", Scalar, L, Real, "initial relative position along e2a, at which the slot lies";
+    Z0: r"z_0", Scalar, L, Real, "initial relative position along e3a, at which the slot lies";
+    GY: r"g_y", Scalar, L, Real, "constraint residual along e2a, zero when b is on the slot";
+    GZ: r"g_z", Scalar, L, Real, "constraint residual along e3a, zero when b is on the slot";
+    L1_REF: r"l_1^{\mathrm{ref}}", Scalar, L, Real, "constitutive reference length along e1a";
+    L1_MIN: r"l_1^{\min}", Scalar, L, Real, "lower stop: least relative position along e1a";
+    L1_MAX: r"l_1^{\max}", Scalar, L, Real, "upper stop: greatest relative position along e1a";
+    U1: r"u_1", Scalar, L, Real, "available displacement along e1a, zero at the start";
+    U1_MAT: r"u_1^{\mathrm{mat}}", Scalar, L, Real, "constitutive displacement along e1a, zero at the reference length";
+    GAP_MIN: r"\mathit{gap}_{\min}", Scalar, L, Real, "distance to the lower stop, negative beyond it";
+    GAP_MAX: r"\mathit{gap}_{\max}", Scalar, L, Real, "distance to the upper stop, negative beyond it";
+
+    F1: r"f_1", Scalar, F, Real, "force along e1a on node b";
+    F2: r"f_2", Scalar, F, Real, "force along e2a on node b";
+    F3: r"f_3", Scalar, F, Real, "force along e3a on node b";
+    FORCE: r"\mathbf{f}", Vec3, F, Vector, "force on node b, in the global frame";
+    F_TRIAL: r"f^{\mathrm{trial}}", Scalar, F, Real, "tangential force if the contact stuck";
+    F_TANGENTIAL: r"f", Scalar, F, Real, "tangential force that friction transmits";
+    FC: r"F_C", Scalar, F, NonNegative, "contact force that the connector's loads produce";
+    FC_INT: r"F_C^{\mathrm{int}}", Scalar, F, Real, "self-equilibrated internal contact force, as of a press fit";
+    FN: r"F_N", Scalar, F, NonNegative, "normal force that produces friction";
+    MU: r"\mu", Scalar, ONE, NonNegative, "friction coefficient";
+    P: r"P", Scalar, F, NonNegative, "magnitude of the frictional tangential tractions";
+    PHI: r"\Phi", Scalar, F, Real, "yield function: stick below 0, slip at 0";
+
+    // ALIGN, TRANSLATOR
+
+    // JOIN, UNIVERSAL, UJOINT
+
+    // SLIDER
+
+    // Slide lines
+
+    // Interaction laws
+}

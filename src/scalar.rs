@@ -1,0 +1,278 @@
+//! What a formula may do to a number.
+//!
+//! A formula is written once, generic over [`Scalar`], and runs in `f64`, in [`Octuple`] (237 bits, the exact
+//! reference), in [`Single`] (for the speed/error report) and in every dual number of `num-dual` over these.
+//!
+//! Three functions live here because the plain ones lose their derivative, or their value, at ordinary positions
+//! of a joint. [`norm`] neither overflows nor underflows and has derivative 0 at the zero vector; [`atan2`] has the
+//! right derivative at ±90° and ±180°; [`abs`] has derivative 0 at 0. All three hold for second derivatives too.
+//!
+//! Comparisons between dual numbers look at the real part only, which is what a branch of a formula means; to
+//! compare derivatives, compare the parts.
+
+use crate::{Octuple, Single};
+use nalgebra::{Const, U1};
+use num_dual::{Derivative, Dual, Dual2, Dual2SVec, DualNum, DualSVec, HyperDual};
+
+/// A number that formulas compute with: real, or carrying derivatives.
+///
+/// `Primitive = f64` lets formulas be written with plain literals, `2.0 * x` as `x * 2.0`, for every scalar alike.
+/// The methods are the guarded elementary functions; call them by the free functions [`norm`], [`atan2`] and [`abs`].
+pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scalar {
+    /// See [`norm`].
+    fn norm_of<const N: usize>(x: [Self; N]) -> Self;
+    /// See [`atan2`].
+    fn angle_of(y: Self, x: Self) -> Self;
+    /// See [`abs`].
+    #[inline]
+    fn abs_of(x: Self) -> Self {
+        match sign(x) {
+            0.0 => x * 0.0 + 0.0, // +0 for either zero, NaN for NaN, and no derivative
+            sign => x * sign,
+        }
+    }
+}
+
+/// √(Σ xᵢ²), right to about an ulp for every representable input, subnormal or near the overflow threshold.
+///
+/// At the zero vector the derivative is 0, the minimum-norm subgradient.
+///
+/// ```
+/// use jointproof::scalar::norm;
+/// assert_eq!(norm([3.0, 4.0]), 5.0);
+/// assert_eq!(norm([3e-200, 4e-200]), 5e-200); // the squares would underflow
+/// assert_eq!(norm([3e200, 4e200]), 5e200);    // the squares would overflow
+/// ```
+#[inline]
+pub fn norm<D: Scalar, const N: usize>(x: [D; N]) -> D {
+    D::norm_of(x)
+}
+
+/// x/|x|, the derivative of [`norm`]; the zero vector at the zero vector.
+///
+/// ```
+/// assert_eq!(jointproof::scalar::direction([3.0, 4.0]), [0.6, 0.8]);
+/// assert_eq!(jointproof::scalar::direction([0.0, 0.0]), [0.0, 0.0]);
+/// ```
+#[inline]
+pub fn direction<D: Scalar, const N: usize>(x: [D; N]) -> [D; N] {
+    norm_and_direction(x).1
+}
+
+/// Both of [`norm`] and [`direction`], for one square root.
+#[inline]
+pub fn norm_and_direction<D: Scalar, const N: usize>(x: [D; N]) -> (D, [D; N]) {
+    let length = norm(x);
+    if length >= f64::MIN_POSITIVE { (length, divide(x, length)) } else { (length, direction_of_subnormal(x)) }
+}
+
+/// A subnormal length has lost digits that the direction needs; a power of two brings them back.
+#[cold]
+fn direction_of_subnormal<D: Scalar, const N: usize>(x: [D; N]) -> [D; N] {
+    let x = x.map(|x| x * power_of_two(60));
+    divide(x, norm(x))
+}
+
+/// The angle of the point (x, y), in (−π, π], with the derivative (x dy − y dx)/(x² + y²) everywhere but at the origin.
+///
+/// At the origin the angle has no derivative; this function then returns derivative 0, and a formula that can get
+/// there rejects the input (`Formula::validate`).
+///
+/// ```
+/// use jointproof::scalar::atan2;
+/// use num_dual::Dual64;
+/// let upright = atan2(Dual64::from_re(2.0), Dual64::from_re(0.0).derivative());
+/// assert_eq!(upright.re, std::f64::consts::FRAC_PI_2);
+/// assert_eq!(upright.eps, -0.5); // num-dual's own atan2 gives NaN here
+/// ```
+#[inline]
+pub fn atan2<D: Scalar>(y: D, x: D) -> D {
+    D::angle_of(y, x)
+}
+
+/// |x|, with derivative 0 at 0.
+///
+/// ```
+/// use num_dual::Dual64;
+/// assert_eq!(jointproof::scalar::abs(Dual64::from_re(-2.0).derivative()).eps, -1.0);
+/// assert_eq!(jointproof::scalar::abs(Dual64::from_re(-0.0).derivative()).eps, 0.0);
+/// ```
+#[inline]
+pub fn abs<D: Scalar>(x: D) -> D {
+    D::abs_of(x)
+}
+
+/// −1, 0 or 1: the derivative of [`abs`].
+#[inline]
+pub fn sign<D: Scalar>(x: D) -> f64 {
+    if x > 0.0 {
+        1.0
+    } else if x < 0.0 {
+        -1.0
+    } else {
+        0.0
+    }
+}
+
+/// x/length, or zeros where the length is 0.
+#[inline]
+fn divide<D: Scalar, const N: usize>(x: [D; N], length: D) -> [D; N] {
+    if length == 0.0 { [D::zero(); N] } else { x.map(|x| x / length) }
+}
+
+#[inline]
+fn sum_of_squares<D: Scalar, const N: usize>(x: [D; N]) -> D {
+    x.iter().fold(D::zero(), |sum, &x| sum + x * x)
+}
+
+/// Where squares can be summed as they are, and the power of two that brings everything else there.
+struct Squares {
+    smallest: f64,
+    largest: f64,
+    rescale: f64,
+}
+
+impl Squares {
+    /// 2⁻⁹⁰⁰ … 2¹⁰⁰⁰, factor 2⁶⁰⁰.
+    const DOUBLE: Self = Self::new(-900, 1000, 600);
+    /// 2⁻⁷⁰ … 2¹²⁰, factor 2⁹⁰.
+    const SINGLE: Self = Self::new(-70, 120, 90);
+
+    const fn new(smallest: i64, largest: i64, rescale: i64) -> Self {
+        Self { smallest: power_of_two(smallest), largest: power_of_two(largest), rescale: power_of_two(rescale) }
+    }
+
+    #[inline]
+    fn norm<D: Scalar, const N: usize>(&self, x: [D; N]) -> D {
+        let sum = sum_of_squares(x);
+        if sum > self.smallest && sum < self.largest { sum.sqrt() } else { self.rescaled(x) }
+    }
+
+    #[cold]
+    fn rescaled<D: Scalar, const N: usize>(&self, x: [D; N]) -> D {
+        let large = x.iter().any(|&x| abs(x) > 1.0);
+        let factor = if large { self.rescale.recip() } else { self.rescale };
+        sum_of_squares(x.map(|x| x * factor)).sqrt() / factor
+    }
+}
+
+const fn power_of_two(exponent: i64) -> f64 {
+    #[expect(clippy::cast_sign_loss, reason = "the biased exponent of a normal double is positive")]
+    f64::from_bits(((exponent + 1023) as u64) << 52)
+}
+
+impl Scalar for f64 {
+    #[inline]
+    fn norm_of<const N: usize>(x: [Self; N]) -> Self {
+        Squares::DOUBLE.norm(x)
+    }
+    #[inline]
+    fn angle_of(y: Self, x: Self) -> Self {
+        y.atan2(x)
+    }
+    #[inline]
+    fn abs_of(x: Self) -> Self {
+        x.abs()
+    }
+}
+
+impl Scalar for Single {
+    #[inline]
+    fn norm_of<const N: usize>(x: [Self; N]) -> Self {
+        Squares::SINGLE.norm(x)
+    }
+    #[inline]
+    fn angle_of(y: Self, x: Self) -> Self {
+        DualNum::atan2(&y, x)
+    }
+}
+
+/// The exponent range of 237-bit numbers is so wide that no square of a double leaves it.
+impl Scalar for Octuple {
+    fn norm_of<const N: usize>(x: [Self; N]) -> Self {
+        DualNum::sqrt(&sum_of_squares(x))
+    }
+    fn angle_of(y: Self, x: Self) -> Self {
+        DualNum::atan2(&y, x)
+    }
+}
+
+/// First-order duals: the value in `T`, and the chain rule with the partial derivatives taken in `T` too, so that
+/// nesting gives second derivatives. Written out, because a dual number that squares its own derivative part (as
+/// √(x²) does) overflows where the norm itself does not.
+macro_rules! first_order {
+    ([$($generics:tt)*] $dual:ty) => {
+        impl<T: Scalar $($generics)*> Scalar for $dual {
+            #[inline]
+            fn norm_of<const COUNT: usize>(x: [Self; COUNT]) -> Self {
+                let (length, n) = norm_and_direction(x.map(|x| x.re));
+                let mut result = Self::from_re(length);
+                for (x, n) in x.into_iter().zip(n) {
+                    result.eps = result.eps + x.eps * n;
+                }
+                result
+            }
+            #[inline]
+            fn angle_of(y: Self, x: Self) -> Self {
+                let length = norm([x.re, y.re]);
+                let tangent = divide([-y.re, x.re], length);
+                let [dx, dy] = divide(tangent, length);
+                let mut result = Self::from_re(atan2(y.re, x.re));
+                result.eps = x.eps * dx + y.eps * dy;
+                result
+            }
+        }
+    };
+}
+
+first_order!([] Dual<T>);
+first_order!([, const N: usize] DualSVec<T, N>);
+
+/// Second-order duals, as the nested first-order ones that they are equal to.
+macro_rules! second_order {
+    ([$($generics:tt)*] $dual:ty, $unfold:ident, $fold:ident) => {
+        impl<T: Scalar $($generics)*> Scalar for $dual {
+            fn norm_of<const COUNT: usize>(x: [Self; COUNT]) -> Self {
+                $fold(norm(x.map($unfold)))
+            }
+            fn angle_of(y: Self, x: Self) -> Self {
+                $fold(atan2($unfold(y), $unfold(x)))
+            }
+        }
+    };
+}
+
+second_order!([] HyperDual<T>, unfold_hyper, fold_hyper);
+second_order!([] Dual2<T>, unfold_second, fold_second);
+second_order!([, const N: usize] Dual2SVec<T, N>, unfold_hessian, fold_hessian);
+
+fn unfold_hyper<T: Scalar>(x: HyperDual<T>) -> Dual<Dual<T>> {
+    Dual::new(Dual::new(x.re, x.eps1), Dual::new(x.eps2, x.eps1eps2))
+}
+
+fn fold_hyper<T: Scalar>(x: Dual<Dual<T>>) -> HyperDual<T> {
+    HyperDual::new(x.re.re, x.re.eps, x.eps.re, x.eps.eps)
+}
+
+fn unfold_second<T: Scalar>(x: Dual2<T>) -> Dual<Dual<T>> {
+    Dual::new(Dual::new(x.re, x.v1), Dual::new(x.v1, x.v2))
+}
+
+fn fold_second<T: Scalar>(x: Dual<Dual<T>>) -> Dual2<T> {
+    Dual2::new(x.re.re, x.re.eps, x.eps.eps)
+}
+
+fn unfold_hessian<T: Scalar, const N: usize>(x: Dual2SVec<T, N>) -> DualSVec<DualSVec<T, N>, N> {
+    let gradient = x.v1.unwrap_generic(U1, Const::<N>);
+    let hessian = x.v2.unwrap_generic(Const::<N>, Const::<N>);
+    let row = |re: T, eps| DualSVec::new(re, Derivative::some(eps));
+    let rows = nalgebra::SVector::<_, N>::from_fn(|i, _| row(gradient[i], hessian.row(i).transpose()));
+    DualSVec::new(row(x.re, gradient.transpose()), Derivative::some(rows))
+}
+
+fn fold_hessian<T: Scalar, const N: usize>(x: DualSVec<DualSVec<T, N>, N>) -> Dual2SVec<T, N> {
+    let unwrap = |eps: Derivative<T, Const<N>, U1>| eps.unwrap_generic(Const::<N>, U1);
+    let rows = x.eps.unwrap_generic(Const::<N>, U1).map(|row| unwrap(row.eps));
+    let hessian = nalgebra::SMatrix::from_fn(|i, j| rows[i][j]);
+    Dual2SVec::new(x.re.re, Derivative::some(unwrap(x.re.eps).transpose()), Derivative::some(hessian))
+}

@@ -1,0 +1,91 @@
+//! [`Single`]: 24-bit arithmetic behind the interface of the other scalars.
+
+use std::fmt;
+use std::num::ParseFloatError;
+use std::str::FromStr;
+
+use num_traits::FromPrimitive;
+
+use crate::newtype::{newtype_dual_num, newtype_number};
+
+/// An `f32` that reads and speaks `f64`: every operation rounds to 24 bits, every `f64` operand is rounded to `f32`
+/// on entry (in comparisons too, so that `Single::from(0.1) == 0.1`).
+///
+/// It answers what a formula would cost and lose in single precision. Its functions are those of `f32` in the
+/// standard library, whose last bit may differ between platforms; the spherical Bessel functions are the project's
+/// own, within four ulps of the larger of the value and 1/|x|.
+///
+/// ```
+/// # use jointproof::Single;
+/// use num_dual::DualNum;
+/// assert_eq!((Single::from(2.0).sqrt() * 3.0).to_f64(), f64::from(2.0f32.sqrt() * 3.0));
+/// ```
+#[derive(Clone, Copy, Default, PartialEq, PartialOrd)]
+pub struct Single(f32);
+
+impl Single {
+    /// The value, exactly.
+    #[must_use]
+    pub fn to_f64(self) -> f64 {
+        f64::from(self.0)
+    }
+}
+
+newtype_number!(Single(f32), zero: 0.0, one: 1.0);
+newtype_dual_num!(Single, f32);
+
+impl From<f64> for Single {
+    /// The nearest `f32`, ties to even.
+    #[expect(clippy::cast_possible_truncation, reason = "rounding is the purpose")]
+    fn from(value: f64) -> Self {
+        Self(value as f32)
+    }
+}
+
+/// Rounds once: an integer does not pass through `f64` on its way.
+impl FromPrimitive for Single {
+    fn from_i64(n: i64) -> Option<Self> {
+        f32::from_i64(n).map(Self)
+    }
+    fn from_u64(n: u64) -> Option<Self> {
+        f32::from_u64(n).map(Self)
+    }
+    fn from_i128(n: i128) -> Option<Self> {
+        f32::from_i128(n).map(Self)
+    }
+    fn from_u128(n: u128) -> Option<Self> {
+        f32::from_u128(n).map(Self)
+    }
+    fn from_f32(value: f32) -> Option<Self> {
+        Some(Self(value))
+    }
+    fn from_f64(value: f64) -> Option<Self> {
+        Some(Self::from(value))
+    }
+}
+
+impl FromStr for Single {
+    type Err = ParseFloatError;
+    /// The `f32` nearest to a decimal literal.
+    fn from_str(text: &str) -> Result<Self, ParseFloatError> {
+        text.parse().map(Self)
+    }
+}
+
+impl fmt::Display for Single {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(&self.0, f)
+    }
+}
+
+impl fmt::Debug for Single {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Debug::fmt(&self.0, f)
+    }
+}
+
+impl fmt::LowerExp for Single {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::LowerExp::fmt(&self.0, f)
+    }
+}

@@ -1,0 +1,41 @@
+//! Jacobians by differences, to judge automatic differentiation itself.
+
+use crate::Octuple;
+use crate::formula::{Fields, Formula};
+use num_traits::{Signed, Zero};
+
+/// The gradient of every output with respect to input component `k`, by fourth-order central differences in 237 bits:
+/// (8(y₊₁ − y₋₁) − (y₊₂ − y₋₂)) / 12h, with h = `step` times the size of the input (where it is 0, of its field or of what has its unit).
+///
+/// Rounding costs about 2⁻²³⁶/`step` and truncation `step`⁴: at 1e-18 both are far below 1e-50. Near a kink the step
+/// must be shorter than the distance to it, and fewer digits remain.
+pub fn central_differences<F: Formula>(inputs: &[Octuple], k: usize, step: f64) -> Vec<Octuple> {
+    let h = size::<F>(inputs, k) * step;
+    let shifted = |steps: f64| -> Vec<Octuple> {
+        let mut moved = inputs.to_vec();
+        if let Some(x) = moved.get_mut(k) {
+            *x += h * steps;
+        }
+        F::Inputs::from_slice(&moved).map_or_else(Vec::new, |i| F::eval(&i).components())
+    };
+    let [far_below, below, above, far_above] = [-2.0, -1.0, 1.0, 2.0].map(shifted);
+    let near = above.iter().zip(&below).map(|(&above, &below)| (above - below) * 8.0);
+    let far = far_above.iter().zip(&far_below).map(|(&above, &below)| above - below);
+    near.zip(far).map(|(near, far)| (near - far) / (h * 12.0)).collect()
+}
+
+/// |x|, or the largest of its field where x is 0, or the largest of its unit where the whole field is 0, or 1.
+fn size<F: Formula>(inputs: &[Octuple], k: usize) -> Octuple {
+    let fields = F::Inputs::<f64>::FIELDS;
+    let field_of: Vec<_> = fields.iter().enumerate().flat_map(|(f, field)| vec![f; field.len()]).collect();
+    let largest_where = |counts: &dyn Fn(usize) -> bool| {
+        let sizes = inputs.iter().zip(&field_of).filter(|(_, field)| counts(**field)).map(|(x, _)| x.abs());
+        sizes.fold(Octuple::zero(), |largest, x| if x > largest { x } else { largest })
+    };
+    let (Some(own), Some(&field)) = (inputs.get(k).map(Signed::abs), field_of.get(k)) else {
+        return Octuple::from(1.0);
+    };
+    let unit = |f: usize| fields[f].quantity.unit;
+    let candidates = [own, largest_where(&|f| f == field), largest_where(&|f| unit(f) == unit(field))];
+    candidates.into_iter().find(|size| !size.is_zero()).unwrap_or_else(|| Octuple::from(1.0))
+}

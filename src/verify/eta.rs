@@ -1,0 +1,54 @@
+//! The error measures.
+
+use crate::Octuple;
+use num_traits::{Signed, Zero};
+
+/// Unit roundoff of `f64`, 2⁻⁵³.
+const U: f64 = f64::EPSILON / 2.0;
+
+/// Σ |∂y/∂xᵢ · xᵢ|: by how much y changes when every input changes by one part.
+#[derive(Clone, Copy, Debug)]
+pub struct Sensitivity(Octuple);
+
+impl Sensitivity {
+    /// From the gradient of y and the inputs.
+    pub fn new(gradient: &[Octuple], inputs: &[Octuple]) -> Self {
+        let terms = gradient.iter().zip(inputs).map(|(&g, &x)| (g * x).abs());
+        Self(terms.fold(Octuple::zero(), |sum, term| sum + term))
+    }
+
+    /// Together with |y| itself.
+    #[must_use]
+    pub fn plus(self, y: Octuple) -> Self {
+        Self(self.0 + y.abs())
+    }
+
+    /// Per |x|; 0 where x is 0.
+    pub fn per(self, x: Octuple) -> Octuple {
+        if x.is_zero() { Octuple::zero() } else { self.0 / x.abs() }
+    }
+}
+
+/// Backward error of a computed number in units of u = 2⁻⁵³: η = |ŷ − y| / (u (Σᵢ |∂y/∂xᵢ · xᵢ| + |y|)).
+///
+/// An algorithm with η of a few does as well as its inputs allow, however ill-conditioned the problem is. Half the
+/// smallest subnormal is added to the denominator, since no double is closer to an exact result than that.
+/// A computed NaN has η = ∞.
+pub fn eta(computed: f64, exact: Octuple, sensitivity: Sensitivity) -> f64 {
+    // The smallest subnormal, 2⁻¹⁰⁷⁴.
+    let underflow = Octuple::from(f64::from_bits(1));
+    let unit = (sensitivity.0 + exact.abs()) * U + underflow * 0.5;
+    let eta = ((Octuple::from(computed) - exact).abs() / unit).to_f64();
+    if eta.is_nan() { f64::INFINITY } else { eta }
+}
+
+/// |a − b| / max(|a|, |b|); 0 for two zeros, ∞ where one is NaN.
+pub fn relative(a: Octuple, b: Octuple) -> f64 {
+    let difference = (a - b).abs();
+    if difference.is_zero() {
+        return 0.0;
+    }
+    let largest = if a.abs() > b.abs() { a.abs() } else { b.abs() };
+    let relative = (difference / largest).to_f64();
+    if relative.is_nan() { f64::INFINITY } else { relative }
+}

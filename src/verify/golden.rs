@@ -1,0 +1,396 @@
+//! Golden files: the cases of a formula with their exact results, to test any code in any language against.
+//!
+//! Values and Jacobians are computed in 237 bits and rounded once to the nearest double, so that a file has the same
+//! bytes on every machine.
+
+use super::{Sampler, exactly, kink, rounded};
+use crate::Octuple;
+use crate::formula::{Case, Convention, Field, Fields, Flag, Formula, check};
+use crate::quantity::Domain;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+use std::fmt;
+
+/// At least this many valid cases a formula.
+pub const LEAST_CASES: usize = 32;
+/// Of which at least this many drawn at random.
+const LEAST_RANDOM: usize = 16;
+/// The seed of the random cases.
+const SEED: u64 = 0;
+
+/// The golden file of one formula.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct File {
+    /// Where the schema of this file is.
+    pub schema: String,
+    /// The formula's identifier.
+    pub formula: String,
+    /// Its title.
+    pub title: String,
+    /// The document and section it is from.
+    pub source: String,
+    /// The equation.
+    pub latex: String,
+    /// What goes in.
+    pub inputs: Vec<Description>,
+    /// What comes out.
+    pub outputs: Vec<Description>,
+    /// The cases.
+    pub cases: Vec<Record>,
+}
+
+/// An input or output.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Description {
+    /// Its name.
+    pub name: String,
+    /// `[]` for a scalar, `[n]` for a column.
+    pub shape: Vec<usize>,
+    /// Its unit in powers of L, F and T; `1` for none.
+    pub unit: String,
+}
+
+/// A case.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Record {
+    /// Identifier, unique within the file.
+    pub id: String,
+    /// What the case is for.
+    pub flags: Vec<Flag>,
+    /// What is to be seen in it.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub comment: String,
+    /// The inputs by name: exact doubles, or "NaN", "Infinity", "-Infinity".
+    #[serde(rename = "in")]
+    pub inputs: Map<String, Value>,
+    /// The outputs by name.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub out: Option<Map<String, Value>>,
+    /// The Jacobian: `jac[out][in]`, a number, an array, or an array of rows.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub jac: Option<Map<String, Value>>,
+    /// The error with which the case is rejected.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub error: Option<String>,
+}
+
+/// The golden file of `F`, computed now.
+pub fn file<F: Formula>() -> File {
+    let spec = F::SPEC;
+    File {
+        schema: "schema.json".into(),
+        formula: spec.id.into(),
+        title: spec.title.into(),
+        source: format!("{}, {} ({})", spec.source.title, spec.source.section, spec.source.file),
+        latex: spec.latex.into(),
+        inputs: describe(F::Inputs::<f64>::FIELDS),
+        outputs: describe(F::Outputs::<f64>::FIELDS),
+        cases: cases::<F>().iter().map(record::<F>).collect(),
+    }
+}
+
+fn describe(fields: &[Field]) -> Vec<Description> {
+    let description = |field: &Field| Description {
+        name: field.name.into(),
+        shape: field.quantity.shape.dimensions(),
+        unit: field.quantity.unit.to_string(),
+    };
+    fields.iter().map(description).collect()
+}
+
+/// All cases of a formula: its own, random ones, and every way to be invalid.
+pub fn cases<F: Formula>() -> Vec<Case<F::Inputs<f64>>> {
+    let mut cases = F::cases();
+    let mut sampler = Sampler::new::<F>(SEED);
+    let random = LEAST_RANDOM.max(LEAST_CASES.saturating_sub(cases.len()));
+    cases.extend((1..=random).map(|k| Case::new(Flag::Random, format!("random-{k}"), "", sampler.inputs::<F>())));
+    cases.extend(out_of_domain::<F>());
+    cases.extend(F::invalid_cases());
+    cases
+}
+
+/// Every input in turn not finite, and outside its domain.
+fn out_of_domain<F: Formula>() -> Vec<Case<F::Inputs<f64>>> {
+    let valid = Sampler::new::<F>(SEED).inputs::<F>().components();
+    let mut invalid = Vec::new();
+    let mut end = 0;
+    for field in F::Inputs::<f64>::FIELDS {
+        end += field.len();
+        for (what, value) in bad_values(field.quantity.domain) {
+            let mut components = valid.clone();
+            components[end - 1] = value;
+            if let Some(inputs) = F::Inputs::from_slice(&components) {
+                invalid.push(Case::invalid(format!("{}-{what}", field.name), "", inputs));
+            }
+        }
+    }
+    invalid
+}
+
+fn bad_values(domain: Domain) -> Vec<(&'static str, f64)> {
+    let mut bad = vec![("nan", f64::NAN), ("infinite", f64::INFINITY), ("negative-infinite", f64::NEG_INFINITY)];
+    match domain {
+        Domain::NonNegative => bad.push(("negative", -1.0)),
+        Domain::Positive => bad.extend([("zero", 0.0), ("negative", -1.0)]),
+        Domain::Between(low, high) => bad.extend([("too-small", low), ("too-large", high)]),
+        Domain::Within(low, high) => bad.extend([("too-small", low.next_down()), ("too-large", high.next_up())]),
+        _ => {}
+    }
+    bad
+}
+
+fn record<F: Formula>(case: &Case<F::Inputs<f64>>) -> Record {
+    let mut record = Record {
+        id: case.id.clone(),
+        flags: vec![case.flag],
+        comment: case.comment.into(),
+        inputs: named::<F::Inputs<f64>>(&case.inputs.components()),
+        out: None,
+        jac: None,
+        error: None,
+    };
+    if let Err(error) = check::<F>(&case.inputs) {
+        record.error = Some(error.kind().into());
+        return record;
+    }
+    let kink = kink::<F>(&case.inputs);
+    if kink.is_some() {
+        record.flags.push(Flag::Kink);
+    }
+    let exact = exactly::<F>(&case.inputs);
+    record.out = Some(named::<F::Outputs<f64>>(&rounded(&F::eval(&exact).components())));
+    if kink != Some(Convention::Switch) {
+        let gradients = F::jacobian(&exact).components();
+        record.jac = Some(named_jacobian::<F>(&gradients));
+    }
+    record
+}
+
+/// `jac[out][in]`.
+fn named_jacobian<F: Formula>(gradients: &[F::Inputs<Octuple>]) -> Map<String, Value> {
+    let mut rest = gradients;
+    let mut jacobian = Map::new();
+    for output in F::Outputs::<f64>::FIELDS {
+        let (rows, tail) = rest.split_at(output.len());
+        rest = tail;
+        let rows: Vec<_> = rows.iter().map(|row| named::<F::Inputs<f64>>(&rounded(&row.components()))).collect();
+        let mut by_input = Map::new();
+        for input in F::Inputs::<f64>::FIELDS {
+            let columns = rows.iter().map(|row| row.get(input.name).cloned().unwrap_or_default());
+            let entry = match output.len() {
+                1 => columns.last().unwrap_or_default(),
+                _ => Value::Array(columns.collect()),
+            };
+            by_input.insert(input.name.into(), entry);
+        }
+        jacobian.insert(output.name.into(), by_input.into());
+    }
+    jacobian
+}
+
+/// Components by the names of their fields.
+pub(crate) fn named<I: Fields<f64>>(components: &[f64]) -> Map<String, Value> {
+    let mut rest = components.iter().map(|&x| number(x));
+    let mut part = |field: &Field| match field.len() {
+        1 => rest.next().unwrap_or_default(),
+        len => Value::Array(rest.by_ref().take(len).collect()),
+    };
+    I::FIELDS.iter().map(|field| (field.name.to_string(), part(field))).collect()
+}
+
+/// A double, in JSON, which has no NaN and no infinity.
+fn number(x: f64) -> Value {
+    serde_json::Number::from_f64(x).map_or_else(
+        || {
+            Value::from(if x.is_nan() {
+                "NaN"
+            } else if x > 0.0 {
+                "Infinity"
+            } else {
+                "-Infinity"
+            })
+        },
+        Value::Number,
+    )
+}
+
+impl File {
+    /// The text of the file.
+    ///
+    /// # Errors
+    /// None in practice; those of `serde_json` are passed on.
+    pub fn render(&self) -> serde_json::Result<String> {
+        let mut text = Vec::new();
+        let mut serializer = serde_json::Serializer::with_formatter(&mut text, Layout::default());
+        self.serialize(&mut serializer)?;
+        text.push(b'\n');
+        String::from_utf8(text).map_err(serde::ser::Error::custom)
+    }
+
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// What is wrong with the text, and where.
+    pub fn parse(text: &str) -> serde_json::Result<Self> {
+        serde_json::from_str(text)
+    }
+
+    /// What differs in `other`, which has been read from the committed file, from this one.
+    pub fn differences(&self, other: &Self) -> Vec<Difference> {
+        let mut differences = Vec::new();
+        for case in &self.cases {
+            match other.cases.iter().find(|candidate| candidate.id == case.id) {
+                None => differences.push(Difference::new(&case.id, "", "absent", "present")),
+                Some(committed) => case.compare(committed, &mut differences),
+            }
+        }
+        for case in &other.cases {
+            if !self.cases.iter().any(|candidate| candidate.id == case.id) {
+                differences.push(Difference::new(&case.id, "", "present", "absent"));
+            }
+        }
+        differences
+    }
+}
+
+impl Record {
+    fn compare(&self, committed: &Self, differences: &mut Vec<Difference>) {
+        let tree = |record: &Self| serde_json::to_value(record).unwrap_or_default();
+        compare_values(&self.id, "", &tree(committed), &tree(self), differences);
+    }
+}
+
+fn compare_values(case: &str, field: &str, committed: &Value, now: &Value, differences: &mut Vec<Difference>) {
+    match (committed, now) {
+        (Value::Object(committed), Value::Object(now)) => {
+            let mut names: Vec<_> = committed.keys().chain(now.keys()).collect();
+            names.sort();
+            names.dedup();
+            for name in names {
+                let part = |map: &Map<_, _>| map.get(name).cloned().unwrap_or_default();
+                let path = if field.is_empty() { name.clone() } else { format!("{field}.{name}") };
+                compare_values(case, &path, &part(committed), &part(now), differences);
+            }
+        }
+        (Value::Array(committed), Value::Array(now)) if committed.len() == now.len() => {
+            for (k, (committed, now)) in committed.iter().zip(now).enumerate() {
+                compare_values(case, &format!("{field}[{k}]"), committed, now, differences);
+            }
+        }
+        _ if committed.to_string() == now.to_string() => {}
+        _ => {
+            let mut difference = Difference::new(case, field, &committed.to_string(), &now.to_string());
+            difference.ulps = committed.as_f64().zip(now.as_f64()).map(|(a, b)| ulps(a, b));
+            differences.push(difference);
+        }
+    }
+}
+
+/// How many doubles lie between two doubles.
+pub fn ulps(a: f64, b: f64) -> u64 {
+    let ordered = |x: f64| {
+        let magnitude = i128::from(x.abs().to_bits());
+        if x.is_sign_negative() { -magnitude } else { magnitude }
+    };
+    u64::try_from(ordered(a).abs_diff(ordered(b))).unwrap_or(u64::MAX)
+}
+
+/// A difference between a committed golden file and what the code says.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Difference {
+    /// The case.
+    pub case: String,
+    /// The field: `out.fc`, `jac.fc.f2`; empty where the whole case differs.
+    pub field: String,
+    /// What the committed file says.
+    pub committed: String,
+    /// What the code says.
+    pub now: String,
+    /// Their distance, for numbers.
+    pub ulps: Option<u64>,
+}
+
+impl Difference {
+    fn new(case: &str, field: &str, committed: &str, now: &str) -> Self {
+        let [case, field, committed, now] = [case, field, committed, now].map(String::from);
+        Self { case, field, committed, now, ulps: None }
+    }
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "case {}", self.case)?;
+        if !self.field.is_empty() {
+            write!(f, ", {}", self.field)?;
+        }
+        write!(f, ": committed {}, computed {}", self.committed, self.now)?;
+        self.ulps.map_or(Ok(()), |ulps| write!(f, " ({ulps} ulps apart)"))
+    }
+}
+
+/// Objects are opened down to the fields of a case, everything below stands on one line.
+#[derive(Default)]
+struct Layout {
+    depth: usize,
+}
+
+/// Root, list of cases, case, its inputs.
+const OPEN: usize = 4;
+
+impl Layout {
+    fn line<W: ?Sized + std::io::Write>(&self, writer: &mut W) -> std::io::Result<()> {
+        write!(writer, "\n{:1$}", "", 2 * self.depth)
+    }
+
+    fn begin<W: ?Sized + std::io::Write>(&mut self, writer: &mut W, bracket: &[u8]) -> std::io::Result<()> {
+        self.depth += 1;
+        writer.write_all(bracket)
+    }
+
+    fn separate<W: ?Sized + std::io::Write>(&self, writer: &mut W, first: bool, open: bool) -> std::io::Result<()> {
+        match (open, first) {
+            (true, true) => self.line(writer),
+            (true, false) => writer.write_all(b",").and_then(|()| self.line(writer)),
+            (false, true) => Ok(()),
+            (false, false) => writer.write_all(b", "),
+        }
+    }
+
+    fn end<W: ?Sized + std::io::Write>(&mut self, writer: &mut W, bracket: &[u8], open: bool) -> std::io::Result<()> {
+        self.depth -= 1;
+        if open {
+            self.line(writer)?;
+        }
+        writer.write_all(bracket)
+    }
+}
+
+impl serde_json::ser::Formatter for Layout {
+    fn begin_array<W: ?Sized + std::io::Write>(&mut self, writer: &mut W) -> std::io::Result<()> {
+        self.begin(writer, b"[")
+    }
+    fn end_array<W: ?Sized + std::io::Write>(&mut self, writer: &mut W) -> std::io::Result<()> {
+        let open = self.depth == 2;
+        self.end(writer, b"]", open)
+    }
+    fn begin_array_value<W: ?Sized + std::io::Write>(&mut self, writer: &mut W, first: bool) -> std::io::Result<()> {
+        self.separate(writer, first, self.depth == 2)
+    }
+    fn begin_object<W: ?Sized + std::io::Write>(&mut self, writer: &mut W) -> std::io::Result<()> {
+        self.begin(writer, b"{")
+    }
+    fn end_object<W: ?Sized + std::io::Write>(&mut self, writer: &mut W) -> std::io::Result<()> {
+        let open = self.depth <= OPEN;
+        self.end(writer, b"}", open)
+    }
+    fn begin_object_key<W: ?Sized + std::io::Write>(&mut self, writer: &mut W, first: bool) -> std::io::Result<()> {
+        self.separate(writer, first, self.depth <= OPEN)
+    }
+    fn begin_object_value<W: ?Sized + std::io::Write>(&mut self, writer: &mut W) -> std::io::Result<()> {
+        writer.write_all(b": ")
+    }
+}

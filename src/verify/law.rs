@@ -1,0 +1,132 @@
+//! Laws: what physics demands of every formula, and the words to state more.
+
+use crate::formula::{Equation, Fields, Formula, Law, turns};
+use crate::quantity::{Domain, Shape, Unit};
+use crate::scalar::norm;
+use crate::verify::sample::rotation;
+use crate::{Octuple, Scalar};
+use nalgebra::Vector3;
+use num_traits::{Signed, Zero};
+
+/// Two numbers are equal.
+pub fn equal(left: Octuple, right: Octuple) -> Vec<Equation> {
+    equal_all([(left, right)])
+}
+
+/// Two numbers are equal that were summed from terms of the size of `term`.
+pub fn equal_with(left: Octuple, right: Octuple, term: Octuple) -> Vec<Equation> {
+    vec![Equation { left, right, scale: left.abs() + right.abs() + term.abs() }]
+}
+
+/// Pairs of numbers are equal.
+pub fn equal_all(pairs: impl IntoIterator<Item = (Octuple, Octuple)>) -> Vec<Equation> {
+    let equation = |(left, right): (Octuple, Octuple)| Equation { left, right, scale: left.abs() + right.abs() };
+    pairs.into_iter().map(equation).collect()
+}
+
+/// Two vectors are equal, relative to their length.
+pub fn equal_vectors(left: Vector3<Octuple>, right: Vector3<Octuple>) -> Vec<Equation> {
+    let scale = norm([left.x, left.y, left.z]) + norm([right.x, right.y, right.z]);
+    let equation = |(&left, &right)| Equation { left, right, scale };
+    left.iter().zip(right.iter()).map(equation).collect()
+}
+
+/// A force does no work in a direction.
+pub fn no_work(force: Vector3<Octuple>, direction: Vector3<Octuple>) -> Vec<Equation> {
+    let scale = norm([force.x, force.y, force.z]) * norm([direction.x, direction.y, direction.z]);
+    vec![Equation { left: force.dot(&direction), right: Octuple::zero(), scale }]
+}
+
+/// A right-handed orthonormal triad to 237 bits from one that is so to 53: the first vector is kept in direction, the
+/// second in the plane of the first two.
+pub fn orthonormal<D: Scalar>([first, second, _]: [Vector3<D>; 3]) -> [Vector3<D>; 3] {
+    let unit = |v: Vector3<D>| v / norm([v.x, v.y, v.z]);
+    let first = unit(first);
+    let third = unit(first.cross(&second));
+    [first, third.cross(&first), third]
+}
+
+/// By how much the two sides differ, relative to their scale; 0 where all is 0.
+pub fn residual(equation: &Equation) -> f64 {
+    let difference = (equation.left - equation.right).abs();
+    if difference.is_zero() { 0.0 } else { (difference / equation.scale).to_f64() }
+}
+
+/// The laws that every formula obeys, then its own.
+pub fn all<F: Formula>() -> Vec<Law<F>> {
+    let homogeneity = Law {
+        statement: "dimensional homogeneity: other units of length, force and time only rescale the outputs",
+        sides: homogeneity::<F>,
+    };
+    let indifference = Law {
+        statement: "frame indifference: moving and turning the model moves and turns the outputs",
+        sides: indifference::<F>,
+    };
+    let mut laws = vec![homogeneity];
+    if F::SPEC.objective {
+        laws.push(indifference);
+    }
+    laws.extend(F::laws());
+    laws
+}
+
+/// Scales every field by its unit.
+fn rescale<I: Fields<Octuple>>(i: &I) -> I {
+    let factor = |unit: Unit| Octuple::from(2.0_f64.powi(3 * unit.length - 5 * unit.force + 7 * unit.time));
+    let factors = I::FIELDS.iter().flat_map(|field| vec![factor(field.quantity.unit); field.len()]);
+    let mut scaled = i.components().into_iter().zip(factors).map(|(x, factor)| x * factor);
+    I::from_components(&mut || scaled.next().unwrap_or_else(Octuple::zero))
+}
+
+fn homogeneity<F: Formula>(i: &F::Inputs<Octuple>) -> Vec<Equation> {
+    let scaled_inputs = F::eval(&rescale(i)).components();
+    let scaled_outputs = rescale(&F::eval(i)).components();
+    equal_all(scaled_inputs.into_iter().zip(scaled_outputs))
+}
+
+/// Turns vectors, and turns and moves points.
+fn moved<I: Fields<Octuple>>(i: &I) -> I {
+    let components = i.components();
+    let mut rest = components.as_slice();
+    let mut result = Vec::new();
+    for field in I::FIELDS {
+        let (part, tail) = rest.split_at(field.len().min(rest.len()));
+        rest = tail;
+        result.extend(move_part(part, field.quantity.domain, field.quantity.shape));
+    }
+    let mut next = result.into_iter();
+    I::from_components(&mut || next.next().unwrap_or_else(Octuple::zero))
+}
+
+fn move_part(part: &[Octuple], domain: Domain, shape: Shape) -> Vec<Octuple> {
+    if !turns(domain) || shape == Shape::Scalar {
+        return part.to_vec();
+    }
+    let triad = match shape {
+        // In the plane (3-4-5), and in space (a quaternion of length 1 to 237 bits).
+        Shape::Vec2 => {
+            let (c, s) = (Octuple::from(3.0) / Octuple::from(5.0), Octuple::from(4.0) / Octuple::from(5.0));
+            let zero = Octuple::zero();
+            [[c, s, zero], [-s, c, zero], [zero; 3]]
+        }
+        _ => {
+            let [w, x, y, z] =
+                [2.0, -1.0, 3.0, 4.0].map(|q| Octuple::from(q) / norm([2.0, -1.0, 3.0, 4.0].map(Octuple::from)));
+            rotation(w, x, y, z)
+        }
+    };
+    let translation = [1.25, -7.0, 3.5].map(Octuple::from);
+    let shift = |axis: usize| if domain == Domain::Point { translation[axis] } else { Octuple::zero() };
+    (0..part.len())
+        .map(|axis| part.iter().enumerate().fold(shift(axis), |sum, (k, &x)| sum + x * triad[k][axis]))
+        .collect()
+}
+
+fn indifference<F: Formula>(i: &F::Inputs<Octuple>) -> Vec<Equation> {
+    let of_moved = F::eval(&moved(i)).components();
+    let moved_outputs = moved(&F::eval(i)).components();
+    // Cancellation leaves a rounding of the inputs' size in outputs of any size.
+    let size = i.components().iter().fold(Octuple::from(1.0), |size, x| size + x.abs());
+    let equation = |(left, right): (Octuple, Octuple)| Equation { left, right, scale: size * size + left.abs() };
+    of_moved.into_iter().zip(moved_outputs).map(equation).collect()
+}
