@@ -1,7 +1,7 @@
 //! Every formula, in the order of the book.
 
-use crate::formula::{Convention, Field, Fields, Formula, Kink, Spec, check};
-use crate::verify::{Audit, Options, audit, exactly, golden};
+use crate::formula::{Convention, Field, Fields, Formula, Kink, Spec, value};
+use crate::verify::{Audit, Options, audit, audit_at, exactly, golden};
 use crate::{Error, Octuple, coulomb, slot};
 
 /// A formula whose inputs and outputs are not known to the compiler; every [`Formula`] is one.
@@ -20,10 +20,15 @@ pub trait AnyFormula: Send + Sync {
     fn golden(&self) -> golden::File;
     /// Its audit, executed now.
     fn audit(&self, options: &Options) -> Audit;
+    /// Its audit at one point, given by components in order.
+    ///
+    /// # Errors
+    /// As [`AnyFormula::value`].
+    fn audit_at(&self, components: &[f64]) -> Result<Audit, Error>;
     /// The outputs at input components given in order.
     ///
     /// # Errors
-    /// What [`check`] says; [`Error::Components`] where their number is wrong.
+    /// What [`value`] says; [`Error::Components`] where their number is wrong.
     fn value(&self, components: &[f64]) -> Result<Vec<f64>, Error>;
 }
 
@@ -60,13 +65,17 @@ impl<F: Formula> AnyFormula for F {
     fn audit(&self, options: &Options) -> Audit {
         audit::<F>(options)
     }
-    fn value(&self, components: &[f64]) -> Result<Vec<f64>, Error> {
-        let expected = F::Inputs::<f64>::len();
-        let inputs =
-            F::Inputs::from_slice(components).ok_or(Error::Components { found: components.len(), expected })?;
-        check::<F>(&inputs)?;
-        Ok(F::eval(&inputs).components())
+    fn audit_at(&self, components: &[f64]) -> Result<Audit, Error> {
+        audit_at::<F>(&from_components::<F>(components)?)
     }
+    fn value(&self, components: &[f64]) -> Result<Vec<f64>, Error> {
+        Ok(value::<F>(&from_components::<F>(components)?)?.components())
+    }
+}
+
+fn from_components<F: Formula>(components: &[f64]) -> Result<F::Inputs<f64>, Error> {
+    let (found, expected) = (components.len(), F::Inputs::<f64>::len());
+    F::Inputs::from_slice(components).ok_or(Error::Components { found, expected })
 }
 
 /// One-sided differences in 237 bits, with a step so short that nothing else is near.

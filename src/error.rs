@@ -9,7 +9,7 @@ use std::fmt;
 #[non_exhaustive]
 pub enum Error {
     /// An input is NaN or infinite.
-    #[error("{name} is {value}; allowed is {allowed}")]
+    #[error("{name} is {value:?}; allowed is {allowed}")]
     NonFinite {
         /// The input.
         name: Name,
@@ -19,7 +19,7 @@ pub enum Error {
         allowed: String,
     },
     /// An input is outside its domain.
-    #[error("{name} is {value}; allowed is {allowed}")]
+    #[error("{name} is {value:?}; allowed is {allowed}")]
     OutOfRange {
         /// The input.
         name: Name,
@@ -29,7 +29,7 @@ pub enum Error {
         allowed: String,
     },
     /// A lower bound is above its upper bound.
-    #[error("{lower} = {lower_value} is above {upper} = {upper_value}; allowed is {lower} ≤ {upper}")]
+    #[error("{lower} = {lower_value:?} is above {upper} = {upper_value:?}; allowed is {lower} ≤ {upper}")]
     OutOfOrder {
         /// The lower bound.
         lower: &'static str,
@@ -41,7 +41,7 @@ pub enum Error {
         upper_value: f64,
     },
     /// A vector of a triad is not of length 1.
-    #[error("{name} has length {length}; allowed is 1 within {tolerance}")]
+    #[error("{name} has length {length:?}; allowed is 1 within {tolerance:?}")]
     NotUnit {
         /// The vector.
         name: &'static str,
@@ -51,7 +51,7 @@ pub enum Error {
         tolerance: f64,
     },
     /// Two vectors of a triad are not perpendicular.
-    #[error("{first}·{second} is {product}; allowed is 0 within {tolerance}")]
+    #[error("{first}·{second} is {product:?}; allowed is 0 within {tolerance:?}")]
     NotPerpendicular {
         /// One vector.
         first: &'static str,
@@ -72,16 +72,31 @@ pub enum Error {
         /// The third vector.
         third: &'static str,
     },
+    /// An input given by name cannot be read.
+    #[error("{name} is {found}; allowed is {allowed}")]
+    Unreadable {
+        /// The input.
+        name: String,
+        /// What was found.
+        found: String,
+        /// What is allowed.
+        allowed: String,
+    },
     /// A list of components has the wrong length.
-    #[error("{found} components were given; allowed are exactly {expected}")]
+    #[error("{found} components; allowed are exactly {expected}")]
     Components {
         /// How many were given.
         found: usize,
         /// How many there must be.
         expected: usize,
     },
+    /// The directions of a triad in the plane turn clockwise.
+    #[error("e2 points to the right of e1; allowed is e1 turned left by 90° (reverse one vector)")]
+    Clockwise,
     /// The inputs are allowed, but a result is too large for a double.
-    #[error("{name} is too large for a double; use units in which the inputs are closer to 1")]
+    #[error(
+        "{name} is too large for a double; allowed are results below 1.8e308 (use units in which the inputs are closer to 1)"
+    )]
     Overflow {
         /// The output.
         name: &'static str,
@@ -151,6 +166,8 @@ impl Error {
             Self::NotUnit { .. } => "NotUnit",
             Self::NotPerpendicular { .. } => "NotPerpendicular",
             Self::LeftHanded { .. } => "LeftHanded",
+            Self::Clockwise => "Clockwise",
+            Self::Unreadable { .. } => "Unreadable",
             Self::Components { .. } => "Components",
             Self::Overflow { .. } => "Overflow",
         }

@@ -341,6 +341,20 @@ pub enum Flag {
     Invalid,
 }
 
+impl Flag {
+    /// The name in golden files.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Hand => "hand",
+            Self::Limit => "limit",
+            Self::Random => "random",
+            Self::Hard => "hard",
+            Self::Kink => "kink",
+            Self::Invalid => "invalid",
+        }
+    }
+}
+
 /// A named case.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Case<I> {

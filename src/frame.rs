@@ -86,7 +86,7 @@ impl PlaneTriad {
         check_unit("e2", e2)?;
         check_perpendicular(("e1", e1), ("e2", e2))?;
         if e1.perp(&e2) < 0.0 {
-            return Err(Error::LeftHanded { first: "the plane's normal", second: "e1", third: "e2" });
+            return Err(Error::Clockwise);
         }
         Ok(Self { e1, e2 })
     }

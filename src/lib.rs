@@ -34,10 +34,10 @@ mod error;
 pub mod formula;
 pub mod frame;
 mod newtype;
-mod octuple;
+pub mod octuple;
 pub mod quantity;
 pub mod scalar;
-mod single;
+pub mod single;
 pub mod slot;
 pub mod verify;
 

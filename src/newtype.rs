@@ -6,14 +6,15 @@
 
 pub(crate) mod spherical_bessel;
 
-/// `$Op` of the newtype with itself by value and by reference, and with `f64`; `$OpAssign` likewise.
+/// `$Op` of the newtype with itself by value and by reference, and with `f64`; `$OpAssign` likewise; all of them
+/// `$function` of the two floats inside.
 macro_rules! newtype_operator {
-    ($type:ident, $op:ident, $method:ident, $op_assign:ident, $method_assign:ident) => {
+    ($type:ident, $op:ident, $method:ident, $op_assign:ident, $method_assign:ident, $function:path) => {
         impl ::std::ops::$op for $type {
             type Output = $type;
             #[inline]
             fn $method(self, rhs: $type) -> $type {
-                $type(::std::ops::$op::$method(self.0, rhs.0))
+                $type($function(self.0, rhs.0))
             }
         }
         impl ::std::ops::$op<&$type> for $type {
@@ -63,12 +64,12 @@ macro_rules! newtype_operator {
 ///
 /// `$type` is a tuple struct around `$float`, with `From<f64>` and `FromStr<Err = ParseFloatError>`.
 macro_rules! newtype_number {
-    ($type:ident($float:ty), zero: $zero:expr, one: $one:expr) => {
-        $crate::newtype::newtype_operator!($type, Add, add, AddAssign, add_assign);
-        $crate::newtype::newtype_operator!($type, Sub, sub, SubAssign, sub_assign);
-        $crate::newtype::newtype_operator!($type, Mul, mul, MulAssign, mul_assign);
-        $crate::newtype::newtype_operator!($type, Div, div, DivAssign, div_assign);
-        $crate::newtype::newtype_operator!($type, Rem, rem, RemAssign, rem_assign);
+    ($type:ident($float:ty), zero: $zero:expr, one: $one:expr, rem: $rem:path) => {
+        $crate::newtype::newtype_operator!($type, Add, add, AddAssign, add_assign, ::std::ops::Add::add);
+        $crate::newtype::newtype_operator!($type, Sub, sub, SubAssign, sub_assign, ::std::ops::Sub::sub);
+        $crate::newtype::newtype_operator!($type, Mul, mul, MulAssign, mul_assign, ::std::ops::Mul::mul);
+        $crate::newtype::newtype_operator!($type, Div, div, DivAssign, div_assign, ::std::ops::Div::div);
+        $crate::newtype::newtype_operator!($type, Rem, rem, RemAssign, rem_assign, $rem);
 
         impl ::std::ops::Neg for $type {
             type Output = $type;

@@ -27,13 +27,13 @@ use crate::newtype::{newtype_dual_num, newtype_number};
 /// | operation | error at most |
 /// |---|---|
 /// | + − × ÷ √ %, `mul_add`, conversion from and to `f64` and decimal | ½: the nearest number, ties to even |
-/// | `sin` `cos` `atan` `cbrt` `exp` `exp2` `ln` `log` `log2` `log10`, `powi` | 0.51 |
-/// | `tan` `asin` `acos` `atan2` `exp_m1` `ln_1p` `powf`, `sph_j0` | 1.5 |
-/// | `sinh` `cosh` `tanh` `asinh` `acosh` `atanh` | 2 |
-/// | `sph_j1` `sph_j2` | 4, counted at the larger of the value and 1/\|x\| |
+/// | `sin` `cos` `cbrt` `exp` `exp2` `ln` `log` `log2` `log10`, `powi` | 0.51 |
+/// | `asin` `atan` `atan2` `exp_m1` | 1 |
+/// | `tan` `acos` `ln_1p` `powf`, hyperbolic functions and their inverses, `sph_j0` | 2 |
+/// | `sph_j1` `sph_j2` | 4, in ulps of the larger of the value and 1/\|x\| |
 ///
-/// Below 2^-261000 a function may round twice. Special values follow C99 Annex F (`f64` as documented): signed zeros, infinities,
-/// and NaN in, NaN out. No operation panics.
+/// A result below 2^-261000 may be rounded twice. Special values are those of `f64` (C99, Annex F): zeros and
+/// infinities with their signs, NaN. No operation panics, whatever its operands.
 ///
 /// ```
 /// # use jointproof::Octuple;
@@ -45,7 +45,7 @@ use crate::newtype::{newtype_dual_num, newtype_number};
 #[derive(Clone, Copy, Default, PartialEq, PartialOrd)]
 pub struct Octuple(f256);
 
-newtype_number!(Octuple(f256), zero: f256::ZERO, one: f256::ONE);
+newtype_number!(Octuple(f256), zero: f256::ZERO, one: f256::ONE, rem: elementary::rem);
 newtype_dual_num!(Octuple, elementary);
 
 impl Octuple {

@@ -31,7 +31,7 @@ impl Single {
     }
 }
 
-newtype_number!(Single(f32), zero: 0.0, one: 1.0);
+newtype_number!(Single(f32), zero: 0.0, one: 1.0, rem: ::std::ops::Rem::rem);
 newtype_dual_num!(Single, f32);
 
 impl From<f64> for Single {

@@ -108,8 +108,27 @@ impl FromStr for Octuple {
     fn from_str(text: &str) -> Result<Self, ParseFloatError> {
         // f256 also takes "." and "1e+"; the grammar is that of f64.
         text.parse::<f64>()?;
-        text.parse().map(Self)
+        let value: f256 = text.parse()?;
+        // f256: zero for numbers below 1e-78980 if they are written with more than 70 digits.
+        let shortened = if value.eq_zero() { shortened_literal(text) } else { None };
+        shortened.map_or(Ok(value), |text| text.parse()).map(Self)
     }
+}
+
+/// A literal of 72 digits for one of more: cut off, with a last digit 1 for all that was not zero. This may go the
+/// wrong way within 10^-71 of halfway between two numbers, which here have less than 20 bits.
+fn shortened_literal(text: &str) -> Option<String> {
+    const DIGITS: usize = 72;
+    let (number, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+    let (whole, fraction) = number.split_once('.').unwrap_or((number, ""));
+    let sign = if whole.starts_with('-') { "-" } else { "" };
+    let digits = whole.trim_start_matches(['+', '-']).to_owned() + fraction;
+    let point = exponent.parse::<i64>().ok()?.checked_sub(i64::try_from(fraction.len()).ok()?)?;
+    let digits = digits.trim_start_matches('0');
+    let (kept, rest) = digits.split_at_checked(DIGITS - 1)?;
+    let last = u8::from(rest.bytes().any(|digit| digit != b'0'));
+    let point = point.checked_add(i64::try_from(rest.len()).ok()? - 1)?;
+    Some(format!("{sign}{kept}{last}e{point}"))
 }
 
 #[cfg(test)]
@@ -135,7 +154,7 @@ mod tests {
         // Halving an exact sum of two f64 is exact, also for subnormals; infinity stands for 2^1024.
         let upper_exact = if upper.is_finite() { Octuple::from(upper) } else { Octuple(power_of_two(1024)) };
         let middle = (Octuple::from(lower) + upper_exact) / 2.0;
-        let even = if lower.to_bits() % 2 == 0 { lower } else { upper };
+        let even = if lower.to_bits().is_multiple_of(2) { lower } else { upper };
         let below = Octuple(middle.0.next_down());
         let above = Octuple(middle.0.next_up());
         for (wide, expected) in [(below, lower), (middle, even), (above, upper)] {
@@ -178,15 +197,15 @@ mod tests {
 
     #[test]
     fn to_f64_beyond_the_range() {
-        assert_eq!(Octuple::MAX.to_f64(), f64::INFINITY);
-        assert_eq!((-Octuple::MAX).to_f64(), f64::NEG_INFINITY);
+        assert_eq!(Octuple::MAX.to_f64().to_bits(), f64::INFINITY.to_bits());
+        assert_eq!((-Octuple::MAX).to_f64().to_bits(), f64::NEG_INFINITY.to_bits());
         assert_eq!(Octuple::MIN_POSITIVE.to_f64().to_bits(), 0.0_f64.to_bits());
         assert_eq!((-Octuple::MIN_POSITIVE).to_f64().to_bits(), (-0.0_f64).to_bits());
         assert_eq!(Octuple(f256::MIN_GT_ZERO).to_f64().to_bits(), 0.0_f64.to_bits());
         // Every exponent, so that no shift is out of range.
         for e in -1200..1100 {
             let expected = if e > 1023 { f64::INFINITY } else { 2.0_f64.powi(e / 2) * 2.0_f64.powi(e - e / 2) };
-            assert_eq!(Octuple(power_of_two(e)).to_f64(), expected, "2^{e}");
+            assert_eq!(Octuple(power_of_two(e)).to_f64().to_bits(), expected.to_bits(), "2^{e}");
         }
     }
 
@@ -212,6 +231,21 @@ mod tests {
             assert_eq!(wide.to_f64().to_bits(), double.to_bits(), "{good:?}");
         }
         assert!("-nan".parse::<Octuple>().unwrap().is_nan());
+    }
+
+    #[test]
+    fn literals_of_the_smallest_numbers() {
+        let smallest = Octuple(f256::MIN_GT_ZERO);
+        for x in [smallest, -smallest * 5000.0] {
+            for text in [format!("{x:.70e}"), format!("{x:.100e}")] {
+                assert_eq!(text.parse::<Octuple>().unwrap(), x, "{}", &text[..40]);
+            }
+        }
+        // Just below half of the smallest number, and just above.
+        let half = "1.124003543238518286485093073881325912986804591330501381471744872738546";
+        assert_eq!(format!("{half}e-78984").parse::<Octuple>().unwrap(), 0.0);
+        assert_eq!(format!("-{half}9999e-78984").parse::<Octuple>().unwrap(), -smallest);
+        assert_eq!("1.2e-78984".parse::<Octuple>().unwrap(), smallest);
     }
 
     proptest! {

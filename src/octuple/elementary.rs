@@ -22,6 +22,12 @@ const FRAC_PI_2_TAIL: f256 = f256::from_bits((
     0x9e69_d218_d981_5853_6f92_f8a1_ba7f_09ab,
 ));
 
+/// f256: a remainder of zero is +0 even if x is negative.
+pub(super) fn rem(x: f256, y: f256) -> f256 {
+    let remainder = x % y;
+    if remainder.eq_zero() { remainder.copysign(x) } else { remainder }
+}
+
 pub(super) fn recip(x: f256) -> f256 {
     f256::ONE / x
 }
@@ -88,8 +94,10 @@ pub(super) fn ln(x: f256) -> f256 {
     x.ln()
 }
 
+/// f256: the logarithm of 1 is +0 also for bases below 1, where ln 1 / ln base is −0.
 pub(super) fn log(x: f256, base: f256) -> f256 {
-    x.log(&base)
+    let quotient = x.log(&base);
+    if x == f256::ONE && base < f256::ONE { -quotient.abs() } else { quotient }
 }
 
 pub(super) fn log2(x: f256) -> f256 {

@@ -129,7 +129,7 @@ macro_rules! line_options {
 /// assert_eq!(slot.friction(-2.0, 3.0, 4.0)?.phi, 0.5);
 ///
 /// let error = slot.with_stops(4.0, 0.0).unwrap_err();
-/// assert_eq!(error.to_string(), "l1_min = 4 is above l1_max = 0; allowed is l1_min ≤ l1_max");
+/// assert_eq!(error.to_string(), "l1_min = 4.0 is above l1_max = 0.0; allowed is l1_min ≤ l1_max");
 /// # Ok::<(), jointproof::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -163,7 +163,10 @@ impl Formula for Constraint {
                     let [e2a, e3a, e1a] = law::orthonormal([i.e2a, i.e3a, i.e2a.cross(&i.e3a)]);
                     let moved = |xb| Self::eval(&SlotPositions { e2a, e3a, xb, ..*i });
                     let (here, there) = (moved(i.xb), moved(i.xb + e1a));
-                    law::equal_all([(here.gy, there.gy), (here.gz, there.gz)])
+                    law::equal_all_with(
+                        [(here.gy, there.gy), (here.gz, there.gz)],
+                        law::length(i.xa) + law::length(i.xb),
+                    )
                 },
             },
             Law {
@@ -370,7 +373,7 @@ impl Formula for RelativeMotion {
             statement: "both displacements grow as x does",
             sides: |i| {
                 let (here, there) = (Self::eval(i), Self::eval(&SlotLengths { x: i.x + 1.0, ..*i }));
-                law::equal_all([(there.u1 - here.u1, 1.0.into()), (there.u1_mat - here.u1_mat, 1.0.into())])
+                law::equal_all_with([(there.u1 - here.u1, 1.0.into()), (there.u1_mat - here.u1_mat, 1.0.into())], i.x)
             },
         }]
     }

@@ -4,9 +4,9 @@
 //! bytes on every machine.
 
 use super::{Sampler, exactly, kink, rounded};
-use crate::Octuple;
 use crate::formula::{Case, Convention, Field, Fields, Flag, Formula, check};
 use crate::quantity::Domain;
+use crate::{Error, Octuple};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
@@ -200,6 +200,47 @@ pub(crate) fn named<I: Fields<f64>>(components: &[f64]) -> Map<String, Value> {
         len => Value::Array(rest.by_ref().take(len).collect()),
     };
     I::FIELDS.iter().map(|field| (field.name.to_string(), part(field))).collect()
+}
+
+/// The components of inputs that are given by name, as in golden files.
+///
+/// # Errors
+/// [`Error::Unreadable`] naming what is missing, unknown, or not of its shape.
+pub fn components(fields: &[Field], inputs: &Map<String, Value>) -> Result<Vec<f64>, Error> {
+    if let Some(unknown) = inputs.keys().find(|name| fields.iter().all(|field| field.name != *name)) {
+        let names: Vec<_> = fields.iter().map(|field| field.name).collect();
+        return Err(Error::Unreadable { name: unknown.clone(), found: "no input".into(), allowed: names.join(", ") });
+    }
+    let mut components = Vec::new();
+    for field in fields {
+        let value = inputs.get(field.name).unwrap_or(&Value::Null);
+        let part = match (field.len(), value) {
+            (1, value) => double(value).map(|x| vec![x]),
+            (len, Value::Array(part)) if part.len() == len => part.iter().map(double).collect(),
+            _ => None,
+        };
+        components.extend(part.ok_or_else(|| unreadable(field, value))?);
+    }
+    Ok(components)
+}
+
+fn unreadable(field: &Field, value: &Value) -> Error {
+    let allowed = match field.len() {
+        1 => "a number".into(),
+        len => format!("an array of {len} numbers"),
+    };
+    let found = if value.is_null() { "missing".into() } else { value.to_string() };
+    Error::Unreadable { name: field.name.into(), found, allowed }
+}
+
+/// The reverse of [`number`].
+fn double(value: &Value) -> Option<f64> {
+    match value.as_str() {
+        Some("NaN") => Some(f64::NAN),
+        Some("Infinity") => Some(f64::INFINITY),
+        Some("-Infinity") => Some(f64::NEG_INFINITY),
+        _ => value.as_f64(),
+    }
 }
 
 /// A double, in JSON, which has no NaN and no infinity.

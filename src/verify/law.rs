@@ -15,25 +15,35 @@ pub fn equal(left: Octuple, right: Octuple) -> Vec<Equation> {
 
 /// Two numbers are equal that were summed from terms of the size of `term`.
 pub fn equal_with(left: Octuple, right: Octuple, term: Octuple) -> Vec<Equation> {
-    vec![Equation { left, right, scale: left.abs() + right.abs() + term.abs() }]
+    equal_all_with([(left, right)], term)
+}
+
+/// Pairs of numbers are equal that were summed from terms of the size of `term`.
+pub fn equal_all_with(pairs: impl IntoIterator<Item = (Octuple, Octuple)>, term: Octuple) -> Vec<Equation> {
+    let scale = |left: Octuple, right: Octuple| left.abs() + right.abs() + term.abs();
+    pairs.into_iter().map(|(left, right)| Equation { left, right, scale: scale(left, right) }).collect()
 }
 
 /// Pairs of numbers are equal.
 pub fn equal_all(pairs: impl IntoIterator<Item = (Octuple, Octuple)>) -> Vec<Equation> {
-    let equation = |(left, right): (Octuple, Octuple)| Equation { left, right, scale: left.abs() + right.abs() };
-    pairs.into_iter().map(equation).collect()
+    equal_all_with(pairs, Octuple::zero())
+}
+
+/// The length of a vector.
+pub fn length(v: Vector3<Octuple>) -> Octuple {
+    norm([v.x, v.y, v.z])
 }
 
 /// Two vectors are equal, relative to their length.
 pub fn equal_vectors(left: Vector3<Octuple>, right: Vector3<Octuple>) -> Vec<Equation> {
-    let scale = norm([left.x, left.y, left.z]) + norm([right.x, right.y, right.z]);
+    let scale = length(left) + length(right);
     let equation = |(&left, &right)| Equation { left, right, scale };
     left.iter().zip(right.iter()).map(equation).collect()
 }
 
 /// A force does no work in a direction.
 pub fn no_work(force: Vector3<Octuple>, direction: Vector3<Octuple>) -> Vec<Equation> {
-    let scale = norm([force.x, force.y, force.z]) * norm([direction.x, direction.y, direction.z]);
+    let scale = length(force) * length(direction);
     vec![Equation { left: force.dot(&direction), right: Octuple::zero(), scale }]
 }
 

@@ -52,7 +52,7 @@ mod jet;
 pub mod law;
 mod sample;
 
-pub use audit::{Audit, Claim, Deviation, Options, audit};
+pub use audit::{Audit, Claim, Deviation, Options, audit, audit_at};
 pub use difference::central_differences;
 pub use eta::{Sensitivity, eta, relative};
 pub use jet::{derivative_of_jacobian, jacobian_by_ad};

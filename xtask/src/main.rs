@@ -1,1 +1,52 @@
-fn main() {}
+//! `cargo xtask`: golden files, audits and the book, all from the one definition of each formula.
+
+mod audit;
+mod book;
+mod console;
+mod evidence;
+mod files;
+mod golden;
+mod selection;
+mod verify;
+
+use clap::{Parser, Subcommand};
+use std::process::ExitCode;
+
+/// Golden files, audits and the book of jointproof.
+///
+/// Results go to standard output, everything else to standard error. The exit code is 0 if all is well, 1 if something
+/// is off (it says what, where and by how much), 2 for bad usage.
+#[derive(Parser)]
+#[command(name = "cargo xtask", bin_name = "cargo xtask", version, max_term_width = 100)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Verify(verify::Arguments),
+    Golden(golden::Arguments),
+    Audit(audit::Arguments),
+    Book(book::command::Arguments),
+}
+
+/// How a command ended.
+type Outcome = anyhow::Result<ExitCode>;
+
+fn main() -> ExitCode {
+    let outcome = match Arguments::parse().command {
+        Command::Verify(arguments) => verify::run(&arguments),
+        Command::Golden(arguments) => golden::run(&arguments),
+        Command::Audit(arguments) => audit::run(&arguments),
+        Command::Book(arguments) => book::command::run(&arguments),
+    };
+    outcome.unwrap_or_else(|error| match error.downcast_ref::<std::io::Error>() {
+        // The reader, as `head`, has seen enough.
+        Some(error) if error.kind() == std::io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+        _ => {
+            console::error(&format!("{error:#}"));
+            ExitCode::FAILURE
+        }
+    })
+}

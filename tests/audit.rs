@@ -1,0 +1,211 @@
+//! The audit passes on the catalog, and catches what is planted: a wrong sign, a missing factor 2, a swapped index, a
+//! wrong value at a kink, an inaccurate algorithm.
+
+use jointproof::catalog::CATALOG;
+use jointproof::formula::{Case, Convention, Element, Formula, Jacobian, Kink, Source, Spec};
+use jointproof::quantity::{F2, F3, FC};
+use jointproof::scalar::{Scalar, abs, direction, norm, sign};
+use jointproof::verify::{Options, audit};
+use jointproof::{fields, verify};
+use std::collections::HashSet;
+
+#[test]
+fn every_formula_of_the_catalog_passes() {
+    for formula in CATALOG {
+        let audit = formula.audit(&Options { samples: 100, seed: 2 });
+        assert!(audit.passed(), "{audit:#?}");
+    }
+}
+
+#[test]
+fn the_hard_cases_alone_pass() {
+    for formula in CATALOG {
+        for case in formula.golden().cases.iter().filter(|case| case.error.is_none()) {
+            let inputs = verify::golden::components(formula.inputs(), &case.inputs).unwrap();
+            let audit = formula.audit_at(&inputs).unwrap();
+            let failed: Vec<_> = audit.claims().filter(|claim| claim.failures > 0).collect();
+            assert!(failed.is_empty(), "{} {}: {failed:#?}", audit.formula, case.id);
+        }
+    }
+}
+
+#[test]
+fn identifiers_are_unique_and_families_are_rooms() {
+    let mut seen = HashSet::new();
+    for formula in CATALOG {
+        let id = formula.spec().id;
+        assert!(seen.insert(id), "two formulas are named {id}");
+        let family = id.split('.').next().unwrap();
+        assert!(formula.path().contains(&format!("::{family}::")), "{id} is implemented by {}", formula.path());
+    }
+}
+
+#[test]
+fn both_one_sided_derivatives_at_a_kink_are_finite_and_differ() {
+    for formula in CATALOG {
+        for kink in formula.kinks() {
+            let context = format!("{} at {}: {:?}", formula.spec().id, kink.condition, kink.one_sided);
+            assert!(kink.one_sided.iter().flatten().all(|slope| slope.is_finite()), "{context}");
+            assert!(kink.one_sided.iter().any(|[below, above]| below != above), "{context}");
+        }
+    }
+}
+
+fields! { struct Inputs<T> { f2: T = F2, f3: T = F3 } }
+fields! { struct Outputs<T> { fc: T = FC } }
+
+/// √(f2² + f3²) with a fault planted in value or Jacobian.
+trait Fault: Copy + Send + Sync + 'static {
+    fn value<D: Scalar>(i: &Inputs<D>) -> D {
+        norm([i.f2, i.f3])
+    }
+    fn gradient<D: Scalar>(i: &Inputs<D>) -> [D; 2] {
+        direction([i.f2, i.f3])
+    }
+}
+
+#[derive(Clone, Copy)]
+struct Planted<T>(T);
+
+impl<T: Fault> Formula for Planted<T> {
+    const SPEC: Spec = Spec {
+        id: "planted.fault",
+        title: "Planted fault",
+        latex: "",
+        source: Source::SLOT,
+        eta: 2.0,
+        eta_jacobian: 2.0,
+        objective: true,
+    };
+    type Inputs<E: Element> = Inputs<E>;
+    type Outputs<E: Element> = Outputs<E>;
+    fn eval<D: Scalar>(i: &Inputs<D>) -> Outputs<D> {
+        Outputs { fc: T::value(i) }
+    }
+    fn jacobian<D: Scalar>(i: &Inputs<D>) -> Jacobian<Self, D> {
+        let [f2, f3] = T::gradient(i);
+        Outputs { fc: Inputs { f2, f3 } }
+    }
+    fn cases() -> Vec<Case<Inputs<f64>>> {
+        vec![
+            Case::hard("zero", "", Inputs { f2: 0.0, f3: 0.0 }),
+            Case::hard("huge", "", Inputs { f2: 3e200, f3: 4e200 }),
+        ]
+    }
+    fn kinks() -> Vec<Kink<Self>> {
+        vec![Kink {
+            condition: "f_2 = f_3 = 0",
+            convention: Convention::Subgradient,
+            holds: |i| i.f2 == 0.0 && i.f3 == 0.0,
+            at: || Inputs { f2: 0.0, f3: 0.0 },
+            across: || Inputs { f2: 1.0, f3: 0.0 },
+        }]
+    }
+}
+
+/// The claims that failed, with the entry and point of the worst deviation.
+fn caught<T: Fault>() -> Vec<(String, String, String)> {
+    let audit = audit::<Planted<T>>(&Options { samples: 20, seed: 3 });
+    let failed = audit.claims().filter(|claim| claim.failures > 0).cloned();
+    failed.filter_map(|claim| claim.worst.map(|worst| (claim.claim, worst.entry, worst.point))).collect()
+}
+
+fn assert_names(caught: &[(String, String, String)], claim: &str, entry: &str) {
+    let named = caught.iter().any(|(failed, at, _)| failed.contains(claim) && at == entry);
+    assert!(named, "{claim} at {entry} is not among {caught:?}");
+}
+
+#[test]
+fn without_a_fault_nothing_is_caught() {
+    #[derive(Clone, Copy)]
+    struct None;
+    impl Fault for None {}
+    assert!(audit::<Planted<None>>(&Options { samples: 20, seed: 3 }).passed());
+}
+
+#[test]
+fn a_wrong_sign_is_caught() {
+    #[derive(Clone, Copy)]
+    struct WrongSign;
+    impl Fault for WrongSign {
+        fn gradient<D: Scalar>(i: &Inputs<D>) -> [D; 2] {
+            let [f2, f3] = direction([i.f2, i.f3]);
+            [f2, -f3]
+        }
+    }
+    assert_names(&caught::<WrongSign>(), "closed form = automatic", "∂fc/∂f3");
+}
+
+#[test]
+fn a_missing_factor_two_is_caught() {
+    #[derive(Clone, Copy)]
+    struct MissingFactor;
+    impl Fault for MissingFactor {
+        fn gradient<D: Scalar>(i: &Inputs<D>) -> [D; 2] {
+            let [f2, f3] = direction([i.f2, i.f3]);
+            [f2 * 0.5, f3]
+        }
+    }
+    assert_names(&caught::<MissingFactor>(), "closed form = automatic", "∂fc/∂f2");
+}
+
+#[test]
+fn a_swapped_index_is_caught() {
+    #[derive(Clone, Copy)]
+    struct Swapped;
+    impl Fault for Swapped {
+        fn gradient<D: Scalar>(i: &Inputs<D>) -> [D; 2] {
+            let [f2, f3] = direction([i.f2, i.f3]);
+            [f3, f2]
+        }
+    }
+    let caught = caught::<Swapped>();
+    assert!(
+        caught.iter().any(|(claim, entry, _)| claim.contains("closed form = automatic") && entry.starts_with("∂fc/∂f")),
+        "{caught:?}"
+    );
+}
+
+#[test]
+fn a_wrong_value_at_a_kink_is_caught() {
+    #[derive(Clone, Copy)]
+    struct WrongAtKink;
+    impl Fault for WrongAtKink {
+        fn gradient<D: Scalar>(i: &Inputs<D>) -> [D; 2] {
+            if i.f2 == 0.0 && i.f3 == 0.0 { [D::one(), D::zero()] } else { direction([i.f2, i.f3]) }
+        }
+    }
+    let caught = caught::<WrongAtKink>();
+    assert_names(&caught, "closed form = automatic", "∂fc/∂f2");
+    assert!(caught.iter().all(|(.., point)| point == "zero"), "{caught:?}");
+}
+
+#[test]
+fn an_overflowing_algorithm_is_caught() {
+    #[derive(Clone, Copy)]
+    struct Naive;
+    impl Fault for Naive {
+        fn value<D: Scalar>(i: &Inputs<D>) -> D {
+            let sum = i.f2 * i.f2 + i.f3 * i.f3;
+            if sum == 0.0 { D::zero() } else { sum.sqrt() }
+        }
+    }
+    let caught = caught::<Naive>();
+    assert_names(&caught, "η of the value", "fc");
+    assert!(caught.iter().any(|(.., point)| point == "huge"), "{caught:?}");
+}
+
+#[test]
+fn a_law_that_does_not_hold_is_caught() {
+    #[derive(Clone, Copy)]
+    struct NotHomogeneous;
+    impl Fault for NotHomogeneous {
+        fn value<D: Scalar>(i: &Inputs<D>) -> D {
+            abs(i.f2) + 1.0
+        }
+        fn gradient<D: Scalar>(i: &Inputs<D>) -> [D; 2] {
+            [D::from(sign(i.f2)), D::zero()]
+        }
+    }
+    assert_names(&caught::<NotHomogeneous>(), "homogeneity", "equation 0");
+}

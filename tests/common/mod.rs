@@ -1,0 +1,71 @@
+//! Shared property-test strategies: inputs of any formula, drawn from the domains that its fields declare.
+
+#![allow(dead_code, reason = "each test file uses its part")]
+
+use jointproof::catalog::AnyFormula;
+use jointproof::quantity::{Domain, Node, Shape};
+use proptest::prelude::*;
+
+/// A number of either sign with a magnitude from 2⁻⁴⁰ to 2⁴⁰.
+pub fn signed() -> impl Strategy<Value = f64> {
+    (magnitude(), any::<bool>()).prop_map(|(x, negative)| if negative { -x } else { x })
+}
+
+/// A positive number from 2⁻⁴⁰ to 2⁴⁰, every power of two equally likely.
+pub fn magnitude() -> impl Strategy<Value = f64> {
+    (1.0..2.0_f64, -40..40).prop_map(|(mantissa, exponent)| mantissa * 2.0_f64.powi(exponent))
+}
+
+/// Any double at all: NaN, infinities, zeros and subnormals among them.
+pub fn anything() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        4 => any::<f64>(),
+        1 => prop::sample::select(vec![0.0, -0.0, 1.0, -1.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, f64::MIN_POSITIVE, 5e-324]),
+    ]
+}
+
+/// A right-handed orthonormal triad, a row per vector.
+pub fn rotation() -> impl Strategy<Value = [[f64; 3]; 3]> {
+    let component = || prop_oneof![-1.0..-0.1, 0.1..1.0];
+    [component(), component(), component(), component()].prop_map(|q: [f64; 4]| {
+        let length = q.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let [w, x, y, z] = q.map(|x| x / length);
+        [
+            [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + z * w), 2.0 * (x * z - y * w)],
+            [2.0 * (x * y - z * w), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + x * w)],
+            [2.0 * (x * z + y * w), 2.0 * (y * z - x * w), 1.0 - 2.0 * (x * x + y * y)],
+        ]
+    })
+}
+
+/// Inputs of a formula that its domains allow; `validate` may still reject them.
+pub fn inputs(formula: &'static dyn AnyFormula) -> BoxedStrategy<Vec<f64>> {
+    let fields = formula.inputs();
+    let plane = fields.iter().any(|field| field.quantity.shape == Shape::Vec2);
+    let numbers: usize = fields.iter().map(|field| field.len()).sum();
+    (
+        rotation(),
+        rotation(),
+        0.1..6.2_f64,
+        prop::collection::vec((magnitude(), any::<bool>(), 0.001..0.999_f64), numbers),
+    )
+        .prop_map(move |(a, b, angle, raw)| {
+            let (s, c) = angle.sin_cos();
+            let triads = if plane { [[[c, s, 0.0], [-s, c, 0.0], [0.0; 3]]; 2] } else { [a, b] };
+            let mut raw = raw.into_iter();
+            let mut number = |domain: Domain, component: usize| {
+                let (size, negative, fraction) = raw.next().unwrap();
+                match domain {
+                    Domain::NonNegative | Domain::Positive => size,
+                    Domain::Angle => (fraction - 0.5) * std::f64::consts::TAU,
+                    Domain::Between(low, high) | Domain::Within(low, high) => low + fraction * (high - low),
+                    Domain::Triad(node, axis) => triads[usize::from(node == Node::B)][axis - 1][component],
+                    _ if negative => -size,
+                    _ => size,
+                }
+            };
+            let components = fields.iter().flat_map(|field| (0..field.len()).map(|k| (field.quantity.domain, k)));
+            components.map(|(domain, k)| number(domain, k)).collect()
+        })
+        .boxed()
+}

@@ -1,0 +1,100 @@
+//! The committed golden files are what the code says, and are fit to test other code with.
+
+use jointproof::catalog::{AnyFormula, CATALOG, find};
+use jointproof::formula::Flag;
+use jointproof::verify::golden::{File, LEAST_CASES};
+use std::collections::HashSet;
+use std::path::PathBuf;
+
+fn directory() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("golden")
+}
+
+fn committed(formula: &dyn AnyFormula) -> String {
+    let path = directory().join(format!("{}.json", formula.spec().id));
+    std::fs::read_to_string(&path)
+        .unwrap_or_else(|error| panic!("{}: {error}; run: cargo xtask golden", path.display()))
+}
+
+#[test]
+fn files_are_what_the_code_says_byte_for_byte() {
+    for formula in CATALOG {
+        let (committed, now) = (committed(*formula), formula.golden());
+        if now.render().unwrap() != committed {
+            let differences: Vec<_> = now.differences(&File::parse(&committed).unwrap());
+            let shown: Vec<_> = differences.iter().take(5).map(ToString::to_string).collect();
+            panic!("{}: {shown:#?}; to accept: cargo xtask golden", formula.spec().id);
+        }
+    }
+}
+
+#[test]
+fn files_read_back_to_what_was_written() {
+    for formula in CATALOG {
+        let file = formula.golden();
+        let back = File::parse(&file.render().unwrap()).unwrap();
+        assert!(back == file, "{}: {:?}", file.formula, file.differences(&back));
+    }
+}
+
+#[test]
+fn every_formula_has_enough_valid_cases_of_every_kind() {
+    for formula in CATALOG {
+        let file = formula.golden();
+        let with = |flag| file.cases.iter().filter(|case| case.flags.contains(&flag)).count();
+        let id = &file.formula;
+        assert!(file.cases.len() - with(Flag::Invalid) >= LEAST_CASES, "{id}: too few valid cases");
+        assert!(with(Flag::Hand) > 0, "{id}: nothing worked by hand");
+        assert!(with(Flag::Hard) > 0, "{id}: no hard case");
+        assert!(
+            with(Flag::Invalid) >= 3 * formula.inputs().len(),
+            "{id}: an input is not tried with NaN and infinities"
+        );
+        assert!(formula.kinks().is_empty() == (with(Flag::Kink) == 0), "{id}: kinks and cases on them do not match");
+    }
+}
+
+#[test]
+fn case_identifiers_are_unique() {
+    for formula in CATALOG {
+        let mut seen = HashSet::new();
+        for case in formula.golden().cases {
+            assert!(seen.insert(case.id.clone()), "{}: two cases are named {}", formula.spec().id, case.id);
+        }
+    }
+}
+
+#[test]
+fn only_invalid_cases_have_errors_and_only_they_lack_results() {
+    for formula in CATALOG {
+        for case in formula.golden().cases {
+            let invalid = case.flags.contains(&Flag::Invalid);
+            let context = format!("{} {}: {:?}", formula.spec().id, case.id, case.error);
+            assert_eq!(invalid, case.error.is_some(), "{context}");
+            assert_eq!(invalid, case.out.is_none(), "{context}");
+            let kink = case.flags.contains(&Flag::Kink);
+            assert!(case.jac.is_some() || invalid || kink, "{context}");
+        }
+    }
+}
+
+#[test]
+fn no_golden_number_is_infinite_or_nan() {
+    for formula in CATALOG {
+        for case in formula.golden().cases.iter().filter(|case| case.error.is_none()) {
+            let text = serde_json::to_string(case).unwrap();
+            assert!(!text.contains("NaN") && !text.contains("Infinity"), "{} {}", formula.spec().id, case.id);
+        }
+    }
+}
+
+#[test]
+fn no_file_is_without_a_formula() {
+    for entry in std::fs::read_dir(directory()).unwrap() {
+        let path = entry.unwrap().path();
+        let id = path.file_stem().unwrap().to_string_lossy().into_owned();
+        if path.is_file() && id != "schema" {
+            assert!(find(&id).is_some(), "{} has no formula; run: cargo xtask golden", path.display());
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! Properties of every formula of the catalog, tried by proptest on inputs from the declared domains.
+
+mod common;
+
+use jointproof::catalog::{AnyFormula, CATALOG};
+use jointproof::formula::Field;
+use jointproof::quantity::Unit;
+use proptest::prelude::*;
+use proptest::test_runner::{Config, TestRunner};
+
+/// Runs a property on every formula, at `cases` points each.
+fn for_every_formula(cases: u32, property: impl Fn(&'static dyn AnyFormula, &[f64]) -> Result<(), TestCaseError>) {
+    for formula in CATALOG {
+        let mut runner = TestRunner::new(Config { cases, failure_persistence: None, ..Config::default() });
+        let outcome = runner.run(&common::inputs(*formula), |inputs| property(*formula, &inputs));
+        outcome.unwrap_or_else(|error| panic!("{}: {error}", formula.spec().id));
+    }
+}
+
+/// Components in units of length 2ᵃ, force 2ᵇ and time 2ᶜ.
+fn in_units(components: &[f64], fields: &[Field], [a, b, c]: [i32; 3]) -> Vec<f64> {
+    let power = |unit: Unit| unit.length * a + unit.force * b + unit.time * c;
+    let factors = fields.iter().flat_map(|field| vec![2.0_f64.powi(power(field.quantity.unit)); field.len()]);
+    components.iter().zip(factors).map(|(x, factor)| x * factor).collect()
+}
+
+/// Other units rescale the result, bit for bit: a wrong unit or a missing factor cannot hide.
+#[test]
+fn formulas_are_dimensionally_homogeneous_to_the_last_bit() {
+    for_every_formula(64, |formula, inputs| {
+        let Ok(value) = formula.value(inputs) else { return Ok(()) };
+        for units in [[3, 0, 0], [0, -5, 0], [0, 0, 7], [-11, 13, -2]] {
+            let scaled = formula.value(&in_units(inputs, formula.inputs(), units)).unwrap();
+            prop_assert_eq!(scaled, in_units(&value, formula.outputs(), units));
+        }
+        Ok(())
+    });
+}
+
+/// Derivatives, accuracy and laws, at points that the sampler would not draw.
+#[test]
+fn audits_hold_at_any_point() {
+    for_every_formula(24, |formula, inputs| {
+        let Ok(audit) = formula.audit_at(inputs) else { return Ok(()) };
+        prop_assert!(audit.no_claim_failed(), "{audit:#?}");
+        Ok(())
+    });
+}
+
+/// Whatever the input, a result or a typed error, and no panic.
+#[test]
+fn no_input_panics() {
+    for formula in CATALOG {
+        let components: usize = formula.inputs().iter().map(Field::len).sum();
+        let mut runner = TestRunner::new(Config { cases: 256, failure_persistence: None, ..Config::default() });
+        let anything = prop::collection::vec(common::anything(), components);
+        let outcome = runner.run(&anything, |inputs| {
+            if let Ok(outputs) = formula.value(&inputs) {
+                prop_assert!(inputs.iter().all(|x| x.is_finite()));
+                prop_assert!(outputs.iter().all(|y| y.is_finite()), "{:?} gives {:?}", inputs, outputs);
+            }
+            Ok(())
+        });
+        outcome.unwrap_or_else(|error| panic!("{}: {error}", formula.spec().id));
+    }
+}

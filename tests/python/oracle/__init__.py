@@ -1,0 +1,17 @@
+"""An oracle for every formula of the formulary, independent of the Rust code.
+
+Each module is one family of documented pages and states its equations in the plainest way, over mpmath numbers of
+thousands of bits. Jacobians are never derived by hand: `core` forms central differences with a step so small that
+hundreds of digits are right.
+
+    >>> from oracle import evaluate, jacobian
+    >>> float(evaluate("slot.contact_force", {"f2": 3.0, "f3": 4.0})["fc"])
+    5.0
+    >>> float(jacobian("slot.contact_force", {"f2": 3.0, "f3": 4.0})["fc"]["f2"])
+    0.6
+"""
+
+from . import interaction, slide_line, slider, slot, translator, ujoint  # noqa: F401  (importing fills CATALOG)
+from .core import CATALOG, Ambiguous, OutsideDomain, evaluate, jacobian, kinks
+
+__all__ = ["CATALOG", "Ambiguous", "OutsideDomain", "evaluate", "jacobian", "kinks"]

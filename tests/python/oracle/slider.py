@@ -1,0 +1,117 @@
+"""SLIDER, the sliding multi-point constraint (seed 002): node m stays on the line from x1 to xn.
+
+Wherever the direction n enters only through ratios, d = xn - x1 is used instead, which is exact.
+"""
+
+from mpmath import mpf
+
+from .core import OutsideDomain, add, branch, cross, dot, formula, norm, scale, sub, unit
+
+I, K = [mpf(1), mpf(0), mpf(0)], [mpf(0), mpf(0), mpf(1)]
+LINE = "x1:3 xn:3"
+
+
+def tangent_axis(n):
+    """The axis e of t1 = n x e / abs(n x e): i, or k where n lies along i exactly."""
+    return branch(K if n[1] == 0 and n[2] == 0 else I)
+
+
+def pivots(d):
+    """(i, j, k), counted from 0: eliminate components i and j, keep k."""
+    a1, a2, a3 = map(abs, d)
+    if a2 == 0 and a3 == 0:
+        return 1, 2, 0
+    p, q = max(a2, a3), min(a2, a3)
+    i = 1 if a3 >= a2 else 2
+    j = 0 if p * p + q * q >= a1 * p else 3 - i  # p (1 + (q/p)^2) >= abs(d1), multiplied by p
+    return i, j, 3 - i - j
+
+
+def span_of(x1, xn):
+    d = sub(xn, x1)
+    if not any(d):
+        raise OutsideDomain("the line has no length")
+    return d
+
+
+def blend(x1, xn, xm, dx1, dxn):
+    """w = (1 - xi) dx1 + xi dxn with xi = (xm - x1) . n / l."""
+    d = span_of(x1, xn)
+    xi = dot(sub(xm, x1), d) / dot(d, d)
+    return add(scale(1 - xi, dx1), scale(xi, dxn))
+
+
+@formula("slider.line", LINE, "n:3 l")
+def line(x1, xn):
+    d = span_of(x1, xn)
+    return dict(n=unit(d), l=norm(*d))
+
+
+@formula("slider.basis", "n:3", "t1:3 t2:3")
+def basis(n):
+    t1 = unit(cross(n, tangent_axis(n)))
+    return dict(t1=t1, t2=cross(n, t1))
+
+
+@formula("slider.constraint", LINE + " xm:3", "g1 g2")
+def constraint(x1, xn, xm):
+    t1, t2 = basis(unit(span_of(x1, xn))).values()
+    r = sub(xm, x1)
+    return dict(g1=dot(r, t1), g2=dot(r, t2))
+
+
+@formula("slider.eliminate", LINE + " xmk", "xmi xmj")
+def eliminate(x1, xn, xmk):
+    d = span_of(x1, xn)
+    i, j, k = branch(pivots(d))
+    return dict(xmi=x1[i] + d[i] / d[k] * (xmk - x1[k]), xmj=x1[j] + d[j] / d[k] * (xmk - x1[k]))
+
+
+@formula("slider.direction_variation", LINE + " dx1:3 dxn:3", "dn:3 dl")
+def direction_variation(x1, xn, dx1, dxn):
+    d = span_of(x1, xn)
+    n, l = unit(d), norm(*d)
+    dd = sub(dxn, dx1)
+    # n (n . dd) = d (d . dd)/(d . d): the same without a root
+    dn = scale(1 / l, sub(dd, scale(dot(d, dd) / dot(d, d), d)))
+    return dict(dn=dn, dl=dot(n, dd))
+
+
+@formula("slider.basis_variation", "n:3 dn:3", "dt1:3 dt2:3")
+def basis_variation(n, dn):
+    """With a = n x e: t1 = a/abs(a), dt1 = (da - t1 (t1 . da))/abs(a), da = dn x e; dt2 = dn x t1 + n x dt1."""
+    e = tangent_axis(n)
+    a, da = cross(n, e), cross(dn, e)
+    t1 = unit(a)
+    dt1 = scale(1 / norm(*a), sub(da, scale(dot(a, da) / dot(a, a), a)))
+    return dict(dt1=dt1, dt2=add(cross(dn, t1), cross(n, dt1)))
+
+
+@formula("slider.incremental_constraint", LINE + " xm:3 dx1:3 dxn:3 dxm:3", "r1 r2")
+def incremental_constraint(x1, xn, xm, dx1, dxn, dxm):
+    t1, t2 = basis(unit(span_of(x1, xn))).values()
+    r = sub(dxm, blend(x1, xn, xm, dx1, dxn))
+    return dict(r1=dot(t1, r), r2=dot(t2, r))
+
+
+@formula("slider.increment", LINE + " xm:3 dx1:3 dxn:3 dxmk", "dxmi dxmj")
+def increment(x1, xn, xm, dx1, dxn, dxmk):
+    d = span_of(x1, xn)
+    i, j, k = branch(pivots(d))
+    w = blend(x1, xn, xm, dx1, dxn)
+    return dict(dxmi=w[i] + d[i] / d[k] * (dxmk - w[k]), dxmj=w[j] + d[j] / d[k] * (dxmk - w[k]))
+
+
+@formula("slider.constraint_2d", "x1:2 xn:2 xm:2", "g")
+def constraint_2d(x1, xn, xm):
+    n = unit(span_of(x1, xn))
+    return dict(g=dot(sub(xm, x1), [-n[1], n[0]]))
+
+
+@formula("slider.increment_2d", "x1:2 xn:2 xm:2 dx1:2 dxn:2 dxmk", "dxmi")
+def increment_2d(x1, xn, xm, dx1, dxn, dxmk):
+    d = span_of(x1, xn)
+    k = branch(0 if abs(d[0]) >= abs(d[1]) else 1)
+    i = 1 - k
+    w = blend(x1, xn, xm, dx1, dxn)
+    return dict(dxmi=w[i] + d[i] / d[k] * (dxmk - w[k]))

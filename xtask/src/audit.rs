@@ -1,0 +1,181 @@
+//! `cargo xtask audit`: closed form against automatic differentiation against differences, and the laws.
+
+use crate::console::{bold, green, print, progress, red};
+use crate::evidence::Evidence;
+use crate::selection::Selection;
+use crate::{Outcome, golden};
+use anyhow::{Context, bail};
+use indicatif::ParallelProgressIterator;
+use jointproof::catalog::AnyFormula;
+use jointproof::verify::golden::components;
+use jointproof::verify::{Audit, Claim, Deviation, Options};
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use std::fmt::Write;
+use std::process::ExitCode;
+
+/// Check every claim about the formulas: derivatives, accuracy, laws
+///
+/// Each formula's closed-form Jacobian is compared with automatic differentiation, and that with differences, in 237
+/// bits; value and Jacobian in f64 are compared with the exact ones; its laws are tried at random points. The worst
+/// point is printed with its inputs, which can be given back with --point.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  cargo xtask audit                                       every formula at 1000 random points each
+  cargo xtask audit --filter 'slot.*' --format markdown   to paste into a code review
+  cargo xtask audit --samples 100000 --seed 7             a longer look elsewhere
+  cargo xtask audit --filter slot.contact_force --point '{\"f2\": 3e-200, \"f3\": 4e-200}'")]
+pub(crate) struct Arguments {
+    #[command(flatten)]
+    selection: Selection,
+    /// Random points a formula
+    #[arg(long, value_name = "N", default_value_t = Options::default().samples)]
+    samples: usize,
+    /// Seed of the random points
+    #[arg(long, value_name = "S", default_value_t = Options::default().seed)]
+    seed: u64,
+    /// How to write the result
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// Audit one formula at this point only: its inputs as a JSON object, as golden files and audits give them
+    #[arg(long, value_name = "JSON")]
+    point: Option<String>,
+}
+
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum Format {
+    /// For a terminal
+    Text,
+    /// For a code review
+    Markdown,
+    /// For a program
+    Json,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Outcome {
+    let formulas = arguments.selection.formulas()?;
+    let audits = match &arguments.point {
+        Some(point) => vec![at_point(&formulas, point)?],
+        None => audit(&formulas, &Options { samples: arguments.samples, seed: arguments.seed })?,
+    };
+    print(&match arguments.format {
+        Format::Text => text(&audits)?,
+        Format::Markdown => markdown(&formulas, &audits)?,
+        Format::Json => serde_json::to_string_pretty(&audits)?,
+    })?;
+    let passed = if arguments.point.is_some() { Audit::no_claim_failed } else { Audit::passed };
+    Ok(if audits.iter().all(passed) { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+fn at_point(formulas: &[&dyn AnyFormula], point: &str) -> anyhow::Result<Audit> {
+    let [formula] = formulas else {
+        bail!("--point needs a --filter that matches one formula, not {}", formulas.len())
+    };
+    let inputs = serde_json::from_str(point).context("--point is not a JSON object")?;
+    Ok(formula.audit_at(&components(formula.inputs(), &inputs)?)?)
+}
+
+/// Audits formulas on all cores, and keeps what was found as evidence.
+pub(crate) fn audit(formulas: &[&dyn AnyFormula], options: &Options) -> anyhow::Result<Vec<Audit>> {
+    let bar = progress("audit", formulas.len());
+    let audits: Vec<_> = formulas.par_iter().progress_with(bar).map(|formula| formula.audit(options)).collect();
+    let mut evidence = Evidence::load();
+    evidence.audits.extend(audits.iter().map(|audit| (audit.formula.clone(), audit.clone())));
+    evidence.save()?;
+    Ok(audits)
+}
+
+/// What failed, in full, then a line a formula.
+pub(crate) fn text(audits: &[Audit]) -> anyhow::Result<String> {
+    let mut text = String::new();
+    for audit in audits {
+        let verdict = if audit.passed() { green("ok ") } else { red("off") };
+        let points = audit.named_points + audit.random_points;
+        writeln!(text, "{verdict} {} at {points} points", bold(&audit.formula))?;
+        writeln!(text, "    {:>9} {:>8} {:>7}", "checked", "worst", "bound")?;
+        for claim in audit.claims() {
+            writeln!(text, "    {}", line(claim))?;
+        }
+        for claim in audit.claims().filter(|claim| !claim.held() || is_error_figure(claim)) {
+            text += &claim.worst.as_ref().map_or(String::new(), |worst| in_full(claim, worst));
+        }
+    }
+    let failed = audits.iter().filter(|audit| !audit.passed()).count();
+    let checks: usize = audits.iter().flat_map(Audit::claims).map(|claim| claim.checks).sum();
+    writeln!(text, "{} formulas, {checks} comparisons, {failed} formulas off", audits.len())?;
+    Ok(text)
+}
+
+/// A figure worth its worst point even if it is within its bound.
+fn is_error_figure(claim: &Claim) -> bool {
+    claim.claim.starts_with('η') && claim.worst.as_ref().is_some_and(|worst| worst.size > 0.0)
+}
+
+fn line(claim: &Claim) -> String {
+    let Claim { claim, bound, checks, failures, worst } = claim;
+    let verdict = match (checks, failures) {
+        (0, _) => red("  NOT CHECKED"),
+        (_, 0) => String::new(),
+        (_, failures) => red(format!("  FAILED {failures} TIMES")),
+    };
+    let worst = figure(worst.as_ref().map_or(0.0, |worst| worst.size));
+    format!("{checks:>9} {worst:>8} {:>7}  {claim}{verdict}", figure(*bound))
+}
+
+/// A deviation in two or three digits.
+pub(crate) fn figure(size: f64) -> String {
+    match size {
+        0.0 => "0".into(),
+        size if (1e-2..1e4).contains(&size) => format!("{size:.2}"),
+        size => format!("{size:.0e}"),
+    }
+}
+
+fn in_full(claim: &Claim, worst: &Deviation) -> String {
+    let Deviation { size, entry, point, found, expected, inputs } = worst;
+    format!(
+        "    worst of {}: {} at {entry}, {point}\n      found {found:?}, expected {expected:?}\n      --point '{inputs}'\n",
+        claim.claim,
+        figure(*size),
+    )
+}
+
+fn markdown(formulas: &[&dyn AnyFormula], audits: &[Audit]) -> anyhow::Result<String> {
+    let failed: Vec<_> = audits.iter().filter(|audit| !audit.passed()).map(|audit| audit.formula.as_str()).collect();
+    let mut text = String::from("## Audit of derivatives\n\n");
+    match failed.as_slice() {
+        [] => writeln!(text, "{} formulas audited, every claim held.\n", audits.len())?,
+        failed => writeln!(text, "**Off: {}**\n", failed.join(", "))?,
+    }
+    for audit in audits {
+        writeln!(text, "### {} `{}`\n", if audit.passed() { "✅" } else { "❌" }, audit.formula)?;
+        writeln!(text, "{} named and {} random points.\n", audit.named_points, audit.random_points)?;
+        writeln!(text, "| claim | checked | failed | worst | bound | at |\n|---|--:|--:|--:|--:|---|")?;
+        for claim in audit.claims() {
+            let worst = claim.worst.as_ref();
+            let size = figure(worst.map_or(0.0, |worst| worst.size));
+            let at = worst
+                .filter(|worst| worst.size > 0.0)
+                .map_or(String::new(), |worst| format!("`{}`, {}", worst.entry, worst.point));
+            let Claim { claim, bound, checks, failures, .. } = claim;
+            writeln!(text, "| {claim} | {checks} | {failures} | {size} | {} | {at} |", figure(*bound))?;
+        }
+        text.push('\n');
+        for claim in audit.claims().filter(|claim| !claim.held()) {
+            let Some(worst) = &claim.worst else { continue };
+            writeln!(text, "Worst of *{}*: found {:?}, expected {:?} at\n", claim.claim, worst.found, worst.expected)?;
+            writeln!(text, "```json\n{}\n```\n", worst.inputs)?;
+        }
+        let formula = formulas.iter().find(|formula| formula.spec().id == audit.formula);
+        match formula.and_then(|formula| golden::changes(*formula)) {
+            None => writeln!(text, "Against the committed golden file: no change.\n")?,
+            Some(changes) => {
+                writeln!(text, "Against the committed golden file: {} changes.\n", changes.len())?;
+                for change in changes.iter().take(5) {
+                    writeln!(text, "- {change}")?;
+                }
+                text.push('\n');
+            }
+        }
+    }
+    Ok(text)
+}

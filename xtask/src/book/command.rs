@@ -1,0 +1,187 @@
+//! `cargo xtask book`: fills the seam from the catalog, the golden files and the evidence, and builds.
+
+use super::content::{Content, Entry, GoldenCounts, GoldenFile, Kink, Source, SourceFile, Symbol};
+use super::fault::Faults;
+use super::locate::Index;
+use super::{Options, Summary, build};
+use crate::evidence::Evidence;
+use crate::{Outcome, console, files};
+use anyhow::Context;
+use jointproof::catalog::{AnyFormula, CATALOG, KinkEntry};
+use jointproof::formula::{Convention, Field};
+use jointproof::quantity::Shape;
+use jointproof::verify::golden::File;
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode, Stdio};
+
+/// Build the book: every formula with its source, code, tests, golden cases and evidence
+///
+/// The evidence shown is what the last `golden --check` and `audit` found about this very version of the code.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  cargo xtask book           build into target/book; open target/book/index.html, no server needed
+  cargo xtask book --open    and show it in the browser")]
+pub(crate) struct Arguments {
+    /// Show the book in the browser
+    #[arg(long)]
+    open: bool,
+    /// Where to put the book
+    #[arg(long, value_name = "FOLDER")]
+    out: Option<PathBuf>,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Outcome {
+    let summary = build_book(arguments.out.clone())?;
+    console::print(&format!("{}\n", files::shown(&summary.index)))?;
+    console::say(&format!(
+        "{} chapters, {} formulas, {} listings in {:.1} s",
+        summary.chapters,
+        summary.formulas,
+        summary.listings,
+        summary.elapsed.as_secs_f64()
+    ));
+    if arguments.open {
+        open(&summary.index)?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Builds the book, and lists all that is wrong with it if it is.
+pub(crate) fn build_book(out: Option<PathBuf>) -> anyhow::Result<Summary> {
+    let out = out.or_else(|| files::target().parent().map(|target| target.join("book")));
+    build(files::root(), &Options { out }, content()?).map_err(|error| match error.downcast::<Faults>() {
+        Ok(faults) => anyhow::anyhow!("the book cannot be built\n{faults}"),
+        Err(error) => error,
+    })
+}
+
+fn open(index: &Path) -> anyhow::Result<()> {
+    let opener = match std::env::consts::OS {
+        "macos" => "open",
+        "windows" => "explorer",
+        _ => "xdg-open",
+    };
+    let shown = index.display();
+    Command::new(opener)
+        .arg(index)
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .with_context(|| format!("cannot run {opener}; open {shown} by hand"))?;
+    Ok(())
+}
+
+fn content() -> anyhow::Result<Content> {
+    let mut sources = Vec::new();
+    for directory in ["src", "tests"] {
+        read_sources(&files::root().join(directory), &mut sources)?;
+    }
+    sources.sort_by(|a, b| a.path.cmp(&b.path));
+    let index = Index::new(&sources);
+    let evidence = Evidence::load();
+    let entries = CATALOG.iter().map(|formula| entry(*formula, &index, &evidence)).collect();
+    let mut golden = Vec::new();
+    for formula in CATALOG {
+        let name = format!("{}.json", formula.spec().id);
+        let path = files::root().join("golden").join(&name);
+        // A formula without its file is an off of `golden --check`; the entry says so.
+        if let Ok(bytes) = std::fs::read(path) {
+            golden.push(GoldenFile { name, bytes });
+        }
+    }
+    Ok(Content { entries, sources, golden })
+}
+
+fn read_sources(path: &Path, sources: &mut Vec<SourceFile>) -> anyhow::Result<()> {
+    if path.is_dir() {
+        for entry in std::fs::read_dir(path).with_context(|| format!("cannot list {}", path.display()))? {
+            read_sources(&entry?.path(), sources)?;
+        }
+    } else if path.extension().is_some_and(|extension| extension == "rs") {
+        let text = std::fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
+        sources.push(SourceFile { path: files::shown(path).replace('\\', "/"), text });
+    }
+    Ok(())
+}
+
+fn entry(formula: &dyn AnyFormula, index: &Index<'_>, evidence: &Evidence) -> Entry {
+    let spec = formula.spec();
+    let (file, type_name) = place(formula.path());
+    let golden = std::fs::read_to_string(files::root().join("golden").join(format!("{}.json", spec.id)));
+    let checked = evidence.golden.get(spec.id);
+    Entry {
+        id: spec.id.into(),
+        title: spec.title.into(),
+        latex: spec.latex.into(),
+        source: Source {
+            name: spec.source.title.into(),
+            citation: format!("{} (`seeds/{}`)", spec.source.title, spec.source.file),
+            place: format!("section “{}”", spec.source.section),
+        },
+        inputs: formula.inputs().iter().map(symbol).collect(),
+        outputs: formula.outputs().iter().map(symbol).collect(),
+        kinks: formula.kinks().iter().map(|entry| kink(entry, formula.outputs())).collect(),
+        code: index.functions(&file, type_name, &["eval", "jacobian"]),
+        tests: index.tests_naming(spec.id, type_name),
+        golden: golden.ok().and_then(|text| File::parse(&text).ok()).map(|file| counts(&file)),
+        evidence: super::content::Evidence {
+            golden_cases: checked.filter(|check| check.same).map(|check| check.cases),
+            audit: evidence.audits.get(spec.id).cloned(),
+        },
+    }
+}
+
+/// The file and name of a type from its path: `jointproof::slot::friction::Friction` is in `src/slot/friction.rs`.
+fn place(path: &str) -> (String, &str) {
+    let (modules, name) = path.rsplit_once("::").unwrap_or(("", path));
+    let modules: Vec<_> = modules.split("::").skip(1).collect();
+    (format!("src/{}.rs", modules.join("/")), name)
+}
+
+fn symbol(field: &Field) -> Symbol {
+    let quantity = field.quantity;
+    let shape = match quantity.shape {
+        Shape::Scalar => "scalar",
+        Shape::Vec2 => "vec2",
+        Shape::Vec3 => "vec3",
+    };
+    Symbol {
+        name: field.name.into(),
+        latex: quantity.latex.into(),
+        shape: shape.into(),
+        unit: quantity.unit.to_string(),
+        allowed: quantity.domain.allowed(),
+        meaning: quantity.meaning.into(),
+    }
+}
+
+/// The kink as the output that bends most shows it.
+fn kink(entry: &KinkEntry, outputs: &[Field]) -> Kink {
+    let names = outputs.iter().flat_map(|field| vec![field; field.len()]);
+    let jump = |[below, above]: &[f64; 2]| (above - below).abs();
+    let bent = names.zip(&entry.one_sided).max_by(|(_, a), (_, b)| jump(a).total_cmp(&jump(b)));
+    let Some((output, [below, above])) = bent else { return Kink::default() };
+    let convention = match entry.convention {
+        Convention::Subgradient => "0 is returned, the subgradient of least norm",
+        Convention::Switch => "the value is defined; the Jacobian is one-sided and left out of the golden file",
+    };
+    Kink {
+        at: format!("${}$", entry.condition),
+        derivative: format!("the derivative of ${}$ across it", output.quantity.latex),
+        left: format!("{below:.4}"),
+        right: format!("{above:.4}"),
+        convention: convention.into(),
+    }
+}
+
+fn counts(file: &File) -> GoldenCounts {
+    let mut flags: Vec<(String, usize)> = Vec::new();
+    for flag in file.cases.iter().flat_map(|case| &case.flags) {
+        let name = flag.name();
+        match flags.iter_mut().find(|(present, _)| present == name) {
+            Some((_, count)) => *count += 1,
+            None => flags.push((name.into(), 1)),
+        }
+    }
+    GoldenCounts { file: format!("{}.json", file.formula), total: file.cases.len(), flags }
+}

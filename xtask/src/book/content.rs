@@ -1,0 +1,151 @@
+//! The seam: everything the book needs to know about the formulas, as plain data.
+//!
+//! The book machinery never looks into the library. Whoever calls [`super::build`] fills these structs from the
+//! catalog, the last audit and the golden files; what is `None` or empty here is printed as "not run", never as proof.
+//!
+//! Fields called *text* hold plain words in which `$…$` is mathematics and `` `…` `` is code.
+
+use jointproof::verify::Audit;
+
+/// What the book is made from, besides the chapters on disk.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Content {
+    /// Every catalog formula, in book order.
+    pub(crate) entries: Vec<Entry>,
+    /// Rust files that get a listing page; code and tests link into them.
+    pub(crate) sources: Vec<SourceFile>,
+    /// Golden files to be copied beside the pages.
+    pub(crate) golden: Vec<GoldenFile>,
+}
+
+/// One Rust file of the repository.
+#[derive(Debug, Clone)]
+pub(crate) struct SourceFile {
+    /// Path from the repository root with forward slashes, for instance `src/slot.rs`.
+    pub(crate) path: String,
+    /// The whole file.
+    pub(crate) text: String,
+}
+
+/// One golden file, byte for byte.
+#[derive(Debug, Clone)]
+pub(crate) struct GoldenFile {
+    /// File name, for instance `slot.contact_force.json`.
+    pub(crate) name: String,
+    /// The bytes of the file.
+    pub(crate) bytes: Vec<u8>,
+}
+
+/// One documented formula.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Entry {
+    /// Stable identifier, for instance `slot.contact_force`; also the anchor in the book.
+    pub(crate) id: String,
+    /// Heading (text).
+    pub(crate) title: String,
+    /// The equation, in LaTeX without dollar signs.
+    pub(crate) latex: String,
+    /// Where the equation comes from.
+    pub(crate) source: Source,
+    /// Inputs in the order of the golden file.
+    pub(crate) inputs: Vec<Symbol>,
+    /// Outputs in the order of the golden file.
+    pub(crate) outputs: Vec<Symbol>,
+    /// Points where the derivative jumps.
+    pub(crate) kinks: Vec<Kink>,
+    /// The functions to show, normally `eval` and `jacobian`.
+    pub(crate) code: Vec<CodeSpan>,
+    /// Tests that name the id.
+    pub(crate) tests: Vec<TestRef>,
+    /// Golden cases by what they are for.
+    pub(crate) golden: Option<GoldenCounts>,
+    /// What was executed on the formula.
+    pub(crate) evidence: Evidence,
+}
+
+/// The document an equation was taken from.
+#[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Source {
+    /// Short name, for instance `SLOT`.
+    pub(crate) name: String,
+    /// Full citation (text).
+    pub(crate) citation: String,
+    /// Place within the document (text); may be empty.
+    pub(crate) place: String,
+}
+
+/// One named field of a formula's inputs or outputs.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Symbol {
+    /// The name in Rust, in golden files and in reports.
+    pub(crate) name: String,
+    /// The symbol in LaTeX.
+    pub(crate) latex: String,
+    /// `scalar`, `vec2`, `vec3`.
+    pub(crate) shape: String,
+    /// `L`, `F`, `FL` or `1`.
+    pub(crate) unit: String,
+    /// Values allowed (text); empty means any finite number.
+    pub(crate) allowed: String,
+    /// What it stands for (text).
+    pub(crate) meaning: String,
+}
+
+/// A point where the formula has no derivative, and what is returned there.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Kink {
+    /// Where it is (text), for instance `$f_2 = f_3 = 0$`.
+    pub(crate) at: String,
+    /// Which derivative is meant (text), for instance `$\partial F_C/\partial f_2$`.
+    pub(crate) derivative: String,
+    /// One-sided derivative from below (text).
+    pub(crate) left: String,
+    /// One-sided derivative from above (text).
+    pub(crate) right: String,
+    /// The value returned, and by which convention (text).
+    pub(crate) convention: String,
+}
+
+/// A run of lines in a source file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct CodeSpan {
+    /// The name of the function, for instance `eval`.
+    pub(crate) name: String,
+    /// Path as in [`SourceFile::path`].
+    pub(crate) file: String,
+    /// First line, counted from 1.
+    pub(crate) first: usize,
+    /// Last line, inclusive.
+    pub(crate) last: usize,
+}
+
+/// A test that names a formula.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct TestRef {
+    /// The test function.
+    pub(crate) name: String,
+    /// Path as in [`SourceFile::path`].
+    pub(crate) file: String,
+    /// Line of the function.
+    pub(crate) line: usize,
+}
+
+/// How many golden cases carry which flag. A case may carry several.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct GoldenCounts {
+    /// File name as in [`GoldenFile::name`].
+    pub(crate) file: String,
+    /// All cases.
+    pub(crate) total: usize,
+    /// Flag and number of cases, in the order to be shown.
+    pub(crate) flags: Vec<(String, usize)>,
+}
+
+/// What the last golden check and audit of this version of the code executed.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Evidence {
+    /// Golden cases regenerated and found in the file, byte for byte.
+    pub(crate) golden_cases: Option<usize>,
+    /// The audit.
+    pub(crate) audit: Option<Audit>,
+}

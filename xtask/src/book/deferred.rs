@@ -1,0 +1,62 @@
+//! HTML that is put into the pages after mdBook has rendered them.
+//!
+//! mdBook parses and rewrites every piece of HTML it is given, and its search index takes in all the text. `MathML`, figures
+//! and code go around both: a chapter carries a numbered placeholder, and [`Deferred::fill`] replaces it in the finished
+//! page. A placeholder may hold words; those, and nothing else, are what search sees.
+
+use std::cell::RefCell;
+
+use super::html::escape_markdown;
+
+/// How a placeholder begins; its number and `">` follow.
+const OPEN: &str = "<span data-later=\"";
+
+/// The pieces of HTML of one build.
+#[derive(Debug, Default)]
+pub(crate) struct Deferred {
+    /// The pieces; a placeholder holds the index of its own.
+    pieces: RefCell<Vec<String>>,
+}
+
+impl Deferred {
+    /// Keeps `html` for later and returns the placeholder, which is safe in Markdown and in HTML alike.
+    pub(crate) fn keep(&self, html: String, words_for_search: &str) -> String {
+        let mut pieces = self.pieces.borrow_mut();
+        pieces.push(html);
+        format!("{OPEN}{}\">{}</span>", pieces.len() - 1, escape_markdown(words_for_search))
+    }
+
+    /// Replaces every placeholder in a finished page.
+    pub(crate) fn fill(&self, page: &str) -> String {
+        let pieces = self.pieces.borrow();
+        let mut out = String::with_capacity(page.len() * 2);
+        let mut rest = page;
+        while let Some(start) = rest.find(OPEN) {
+            out.push_str(&rest[..start]);
+            rest = &rest[start + OPEN.len()..];
+            let Some((number, tail)) = rest.split_once("\">") else {
+                break;
+            };
+            let piece = number.parse().ok().and_then(|n: usize| pieces.get(n));
+            out.push_str(piece.map_or("", String::as_str));
+            rest = tail.split_once("</span>").map_or("", |(_, after)| after);
+        }
+        out.push_str(rest);
+        out
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn placeholders_are_replaced_with_their_words() {
+        let later = Deferred::default();
+        let a = later.keep("<b>A</b>".into(), "a_1");
+        let b = later.keep("<b>B</b>".into(), "");
+        assert!(a.contains("a&#95;1"));
+        assert_eq!(later.fill(&format!("x {a} y {b} z")), "x <b>A</b> y <b>B</b> z");
+        assert_eq!(later.fill("nothing"), "nothing");
+    }
+}

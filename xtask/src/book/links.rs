@@ -1,0 +1,118 @@
+//! Follows every link inside the finished book, so that none leads nowhere.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+
+use anyhow::Result;
+
+use super::fault::Faults;
+
+/// One page: the anchors it offers and the links it has.
+#[derive(Default)]
+struct Page {
+    /// All `id`s.
+    anchors: BTreeSet<String>,
+    /// All `href`s within the book.
+    links: BTreeSet<String>,
+}
+
+/// Notes each local link that names no file, or no anchor of its page.
+///
+/// # Errors
+/// If a page cannot be read.
+pub(crate) fn check(root: &Path, faults: &mut Faults) -> Result<()> {
+    let mut pages = BTreeMap::new();
+    for path in html_files(root)? {
+        let text = std::fs::read_to_string(&path)?;
+        pages.insert(path, Page { anchors: values(&text, "id"), links: values(&text, "href") });
+    }
+    for (path, page) in &pages {
+        for link in page.links.iter().filter(|link| is_local(link)) {
+            if let Some(reason) = dead(root, path, link, &pages) {
+                let name = path.strip_prefix(root).unwrap_or(path).to_string_lossy();
+                faults.push(&name, 0, format!("the link `{link}` {reason}"));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Why a link leads nowhere.
+fn dead(root: &Path, from: &Path, link: &str, pages: &BTreeMap<PathBuf, Page>) -> Option<String> {
+    let (file, anchor) = link.split_once('#').unwrap_or((link, ""));
+    let target = if file.is_empty() { from.to_path_buf() } else { normal(&from.parent().unwrap_or(root).join(file)) };
+    if !target.starts_with(root) || !target.is_file() {
+        return Some("names no file of the book".to_owned());
+    }
+    let page = pages.get(&target)?;
+    (!anchor.is_empty() && !page.anchors.contains(anchor)).then(|| "names an anchor its page does not have".to_owned())
+}
+
+/// The path without `..`.
+fn normal(path: &Path) -> PathBuf {
+    let mut out = PathBuf::new();
+    for part in path.components() {
+        if part.as_os_str() == ".." {
+            out.pop();
+        } else {
+            out.push(part);
+        }
+    }
+    out
+}
+
+/// Whether a link stays in the book.
+fn is_local(link: &str) -> bool {
+    let before_slash = link.split(['/', '#', '?']).next().unwrap_or("");
+    !before_slash.contains(':') && !link.starts_with("//") && link != "#"
+}
+
+/// The values of an attribute in tags; scripts hold no `<a` or `id=` of ours.
+fn values(text: &str, attribute: &str) -> BTreeSet<String> {
+    let pattern = format!(" {attribute}=\"");
+    let value = |(at, _): (usize, &str)| text[at + pattern.len()..].split('"').next().map(|v| v.replace("&amp;", "&"));
+    text.match_indices(&pattern).filter_map(value).collect()
+}
+
+/// All pages but the two whose links mdBook rewrites for another place.
+fn html_files(folder: &Path) -> Result<Vec<PathBuf>> {
+    let mut files = Vec::new();
+    for entry in std::fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            files.extend(html_files(&path)?);
+        } else if path.extension().is_some_and(|e| e == "html")
+            && !path.ends_with("print.html")
+            && !path.ends_with("404.html")
+        {
+            files.push(path);
+        }
+    }
+    Ok(files)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn dead_links_are_named_and_live_ones_are_not() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::create_dir(folder.path().join("s")).unwrap();
+        let good =
+            "<h1 id=\"top\"></h1> <a href=\"s/b.html#L1\"></a> <a href=\"#top\"></a> <a href=\"https://x.y/#z\"></a>";
+        std::fs::write(folder.path().join("a.html"), format!("{good} <a href=\"c.html\"></a> <a href=\"#no\"></a>"))
+            .unwrap();
+        std::fs::write(folder.path().join("s/b.html"), "<b id=\"L1\"></b> <a href=\"../a.html\"></a>").unwrap();
+        let mut faults = Faults::default();
+        check(folder.path(), &mut faults).unwrap();
+        let text: Vec<String> = faults.0.iter().map(ToString::to_string).collect();
+        assert_eq!(
+            text,
+            [
+                "a.html: the link `#no` names an anchor its page does not have",
+                "a.html: the link `c.html` names no file of the book"
+            ]
+        );
+    }
+}

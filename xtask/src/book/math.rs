@@ -1,0 +1,98 @@
+//! LaTeX to `MathML` at build time, so that the book needs neither network nor script to show mathematics.
+
+use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
+
+use super::html::escape;
+
+/// Why a formula could not be set: the reason, and the place in the formula.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("cannot set the formula `{latex}`: {reason} (at character {at})")]
+pub(crate) struct MathError {
+    /// The formula as written.
+    pub(crate) latex: String,
+    /// What the converter says.
+    pub(crate) reason: String,
+    /// Character offset in the formula, from 1.
+    pub(crate) at: usize,
+}
+
+/// The converter of one build.
+pub(crate) struct Math {
+    /// The LaTeX reader, without macros: a formula must read the same in golden files and in the book.
+    converter: LatexToMathML,
+}
+
+impl Math {
+    /// A converter without macros.
+    pub(crate) fn new() -> Self {
+        let converter = LatexToMathML::new(MathCoreConfig::default());
+        Self { converter: converter.unwrap_or_else(|_| unreachable!("no macros, so none can be wrong")) }
+    }
+
+    /// A formula within a line.
+    ///
+    /// # Errors
+    /// If the LaTeX is wrong or uses a command the converter does not know.
+    pub(crate) fn inline(&self, latex: &str) -> Result<String, MathError> {
+        self.convert(latex, MathDisplay::Inline)
+    }
+
+    /// A formula on its own line, in a box that scrolls when the page is narrower.
+    ///
+    /// # Errors
+    /// As [`Math::inline`].
+    pub(crate) fn block(&self, latex: &str) -> Result<String, MathError> {
+        let mathml = self.convert(latex, MathDisplay::Block)?;
+        Ok(format!("<span class=\"math-block\" tabindex=\"0\">{mathml}</span>"))
+    }
+
+    /// The `MathML`, with the LaTeX as its alternative text.
+    fn convert(&self, latex: &str, display: MathDisplay) -> Result<String, MathError> {
+        let latex = latex.trim();
+        let result = self.converter.convert_with_local_state(latex, display).map_err(|error| MathError {
+            latex: latex.to_owned(),
+            reason: error.error_message(),
+            at: latex.get(..error.0.start).map_or(0, |before| before.chars().count()) + 1,
+        })?;
+        let alternative = escape(latex);
+        Ok(result.mathml.replacen("<math", &format!("<math alttext=\"{alternative}\""), 1))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whatever the formulary uses must be understood.
+    const USED: &[&str] = &[
+        r"F_C = \sqrt{f_2^2 + f_3^2}",
+        r"\mathbf{e}_{1a}\cdot(\mathbf{x}_b-\mathbf{x}_a)",
+        r"\begin{cases} f & \text{if } \lvert f\rvert < \mu F_N \\ \mu F_N \operatorname{sign}(f) & \text{otherwise} \end{cases}",
+        r"\begin{aligned} x &= 1 \\ y &= 2 \end{aligned}",
+        r"-\operatorname{atan2}\!\left(\tfrac12, \frac{\partial\Phi}{\partial f}\right)",
+        r"\begin{pmatrix} 1 & 0 \\ 0 & 1 \end{pmatrix}\hat{\mathbf{n}}\bar f^{\mathsf T}",
+    ];
+
+    #[test]
+    fn everything_the_formulary_uses_is_set() {
+        let math = Math::new();
+        for latex in USED {
+            let mathml = math.block(latex).unwrap_or_else(|e| panic!("{e}"));
+            assert!(mathml.contains("<math alttext=") && !mathml.contains('\n'), "{mathml}");
+        }
+    }
+
+    #[test]
+    fn a_wrong_formula_names_itself_and_the_place() {
+        let error = Math::new().inline(r"a + \nonsense b").unwrap_err();
+        assert_eq!(error.at, 5);
+        let text = error.to_string();
+        assert!(text.contains(r"a + \nonsense b") && text.contains("Unknown command"), "{text}");
+    }
+
+    #[test]
+    fn less_than_is_escaped() {
+        let mathml = Math::new().inline("a < b").unwrap();
+        assert!(mathml.contains("<mo>&lt;</mo>") && mathml.contains("alttext=\"a &lt; b\""), "{mathml}");
+    }
+}

@@ -1,0 +1,105 @@
+//! What every renderer needs at hand: the content, the converter, where each entry stands, and the list of faults.
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
+use super::content::{Content, Entry};
+use super::deferred::Deferred;
+use super::fault::Faults;
+use super::html::{escape, relative, text_of};
+use super::math::{Math, MathError};
+
+/// A place in the book: a chapter, a line in it, and the page it becomes.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Place {
+    /// The Markdown file, for fault messages.
+    pub(crate) file: String,
+    /// The line, from 1.
+    pub(crate) line: usize,
+    /// The page, from the root of the book.
+    pub(crate) page: String,
+}
+
+/// The state shared by everything that renders.
+pub(crate) struct Pages<'a> {
+    /// The formulas and files.
+    pub(crate) content: &'a Content,
+    /// The LaTeX converter.
+    pub(crate) math: Math,
+    /// HTML to be put in after rendering.
+    pub(crate) later: &'a Deferred,
+    /// Where each formula has its entry.
+    pub(crate) places: BTreeMap<String, Place>,
+    /// What is wrong so far.
+    pub(crate) faults: RefCell<Faults>,
+}
+
+impl<'a> Pages<'a> {
+    /// No entry placed and nothing wrong yet.
+    pub(crate) fn new(content: &'a Content, later: &'a Deferred) -> Self {
+        let (places, faults) = (BTreeMap::new(), RefCell::default());
+        Self { content, math: Math::new(), later, places, faults }
+    }
+
+    /// Notes a fault.
+    pub(crate) fn fault(&self, at: &Place, message: impl Into<String>) {
+        self.faults.borrow_mut().push(&at.file, at.line, message);
+    }
+
+    /// The formula called `id`.
+    pub(crate) fn entry(&self, id: &str) -> Option<&'a Entry> {
+        self.content.entries.iter().find(|entry| entry.id == id)
+    }
+
+    /// A link from the page `from` to the entry of `id`, or bare code if it has none.
+    pub(crate) fn link(&self, from: &str, id: &str) -> String {
+        let code = format!("<code>{}</code>", escape(id));
+        match self.places.get(id) {
+            Some(place) if place.page == from => format!("<a href=\"#{id}\">{code}</a>"),
+            Some(place) => format!("<a href=\"{}#{id}\">{code}</a>", relative(from, &place.page)),
+            None => code,
+        }
+    }
+
+    /// A formula within a line, whose bare letters search can see; a fault if it cannot be set.
+    pub(crate) fn inline_math(&self, at: &Place, latex: &str) -> String {
+        let mathml = self.or_fault(at, self.math.inline(latex));
+        let words = text_of(&mathml);
+        self.later.keep(mathml, &words)
+    }
+
+    /// A formula on its own line; a fault if it cannot be set.
+    pub(crate) fn block_math(&self, at: &Place, latex: &str) -> String {
+        self.later.keep(self.or_fault(at, self.math.block(latex)), "")
+    }
+
+    /// *Text* as HTML: `$…$` is mathematics, `` `…` `` is code, everything else is words.
+    pub(crate) fn text(&self, at: &Place, text: &str) -> String {
+        let mut out = String::new();
+        let mut rest = text;
+        while let Some(open) = rest.find(['$', '`']) {
+            let (before, from) = rest.split_at(open);
+            let mark = &from[..1];
+            let Some((inner, after)) = from[1..].split_once(mark) else {
+                self.fault(at, format!("unclosed `{mark}` in the catalog text {text:?}"));
+                break;
+            };
+            out.push_str(&escape(before));
+            if mark == "$" {
+                out.push_str(&self.inline_math(at, inner));
+            } else {
+                out.extend(["<code>", &escape(inner), "</code>"]);
+            }
+            rest = after;
+        }
+        out + &escape(rest)
+    }
+
+    /// The HTML, or nothing and a fault.
+    fn or_fault(&self, at: &Place, result: Result<String, MathError>) -> String {
+        result.unwrap_or_else(|error| {
+            self.fault(at, error.to_string());
+            String::new()
+        })
+    }
+}

@@ -1,0 +1,151 @@
+//! The mdBook preprocessor, run within this process: directives become entries and pages, LaTeX becomes `MathML`.
+
+use std::path::PathBuf;
+use std::rc::Rc;
+
+use mdbook_preprocessor::book::{Book, Chapter};
+use mdbook_preprocessor::errors::Result;
+use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
+
+use super::content::Content;
+use super::deferred::Deferred;
+use super::markdown::{Found, Piece, scan};
+use super::pages::{Pages, Place};
+use super::{entry, figure, tables};
+
+/// Expands chapters; see the module.
+pub(crate) struct Formulary {
+    /// The formulas and files.
+    pub(crate) content: Rc<Content>,
+    /// Where the HTML goes that is put in after rendering.
+    pub(crate) later: Rc<Deferred>,
+    /// The folder of the figures.
+    pub(crate) figures: PathBuf,
+}
+
+impl Preprocessor for Formulary {
+    fn name(&self) -> &'static str {
+        "formulary"
+    }
+
+    fn run(&self, _: &PreprocessorContext, mut book: Book) -> Result<Book> {
+        let mut pages = Pages::new(&self.content, &self.later);
+        let mut scans = Vec::new();
+        book.for_each_chapter_mut(|chapter| scans.push(read(chapter, &mut pages)));
+        coverage(&pages);
+        let mut scans = scans.into_iter();
+        book.for_each_chapter_mut(|chapter| {
+            let found = scans.next().unwrap_or_default();
+            chapter.content = self.expand(&pages, chapter, &found);
+        });
+        pages.faults.into_inner().into_result()?;
+        Ok(book)
+    }
+}
+
+impl Formulary {
+    /// The chapter with every piece replaced.
+    fn expand(&self, pages: &Pages<'_>, chapter: &Chapter, found: &[Found]) -> String {
+        let mut out = String::with_capacity(chapter.content.len() * 2);
+        let mut done = 0;
+        for Found { piece, range, line } in found {
+            out.push_str(&chapter.content[done..range.start]);
+            match self.replacement(pages, &place(chapter, *line), piece) {
+                Some(replacement) => out.push_str(&replacement),
+                None => out.push_str(&chapter.content[range.clone()]),
+            }
+            done = range.end;
+        }
+        out + &chapter.content[done..]
+    }
+
+    /// What stands in the place of a piece; `None` leaves it as it is.
+    fn replacement(&self, pages: &Pages<'_>, at: &Place, piece: &Piece) -> Option<String> {
+        match piece {
+            Piece::InlineMath(latex) => Some(pages.inline_math(at, latex)),
+            Piece::DisplayMath(latex) => Some(pages.block_math(at, latex)),
+            Piece::Code(text) => pages.places.contains_key(text).then(|| pages.link(&at.page, text)),
+            Piece::Directive { name, argument } => Some(format!("\n{}\n", self.directive(pages, at, name, argument))),
+        }
+    }
+
+    /// What a directive stands for; a fault if there is no such directive.
+    fn directive(&self, pages: &Pages<'_>, at: &Place, name: &str, argument: &str) -> String {
+        match (name, argument) {
+            ("formula", id) => pages.entry(id).map(|formula| entry::entry(pages, at, formula)).unwrap_or_default(),
+            ("figure", argument) => figure::figure(pages, at, &self.figures, argument),
+            ("symbols", "") => tables::symbols(pages, at),
+            ("kinks", "") => tables::kinks(pages, at),
+            ("evidence", "") => tables::evidence(pages, at),
+            ("sources", "") => tables::sources(pages, at),
+            _ => {
+                let known = "formula ID, figure NAME, symbols, kinks, evidence and sources";
+                let written = format!("{name} {argument}");
+                pages.fault(at, format!("unknown directive `{{{{#{}}}}}`; there are {known}", written.trim()));
+                String::new()
+            }
+        }
+    }
+}
+
+/// A line of a chapter.
+fn place(chapter: &Chapter, line: usize) -> Place {
+    let path = |path: &Option<PathBuf>| path.clone().unwrap_or_default().to_string_lossy().replace('\\', "/");
+    let page = PathBuf::from(path(&chapter.path)).with_extension("html").to_string_lossy().into_owned();
+    Place { file: format!("book/src/{}", path(&chapter.source_path)), line, page }
+}
+
+/// Finds the pieces of a chapter, and notes where formulas have their entries.
+fn read(chapter: &Chapter, pages: &mut Pages<'_>) -> Vec<Found> {
+    let (found, faults) = scan(&chapter.content);
+    for (line, message) in faults {
+        pages.fault(&place(chapter, line), message);
+    }
+    for Found { piece, line, .. } in &found {
+        if let Piece::Directive { name, argument } = piece
+            && name == "formula"
+        {
+            note(pages, argument, place(chapter, *line));
+        }
+    }
+    found
+}
+
+/// Notes an entry; a fault if the formula does not exist or has an entry already.
+fn note(pages: &mut Pages<'_>, id: &str, at: Place) {
+    if pages.entry(id).is_none() {
+        let hint = nearest(pages.content, id).map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
+        pages.fault(&at, format!("no formula `{id}` in the catalog{hint}"));
+    } else if let Some(first) = pages.places.get(id) {
+        pages.fault(&at, format!("formula `{id}` has its entry already, at {}:{}", first.file, first.line));
+    } else {
+        pages.places.insert(id.to_owned(), at);
+    }
+}
+
+/// Every formula of the catalog must be in the book.
+fn coverage(pages: &Pages<'_>) {
+    for entry in &pages.content.entries {
+        if !pages.places.contains_key(&entry.id) {
+            let message = format!(
+                "formula `{}` is in the catalog but in no chapter; add `{{{{#formula {}}}}}`",
+                entry.id, entry.id
+            );
+            pages.faults.borrow_mut().push("book/src", 0, message);
+        }
+    }
+}
+
+/// The catalog's id that begins or ends like `id`, for a hint.
+fn nearest<'a>(content: &'a Content, id: &str) -> Option<&'a str> {
+    let alike = |known: &str| {
+        let front = known.chars().zip(id.chars()).take_while(|(a, b)| a == b).count();
+        let back = known.chars().rev().zip(id.chars().rev()).take_while(|(a, b)| a == b).count();
+        front + back
+    };
+    let ids = content.entries.iter().map(|entry| entry.id.as_str());
+    ids.map(|known| (alike(known), known))
+        .filter(|(score, known)| score * 2 >= known.len())
+        .max()
+        .map(|(_, known)| known)
+}

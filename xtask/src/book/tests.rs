@@ -1,0 +1,159 @@
+//! Whole small books: what they hold, what fails them, and what a failed build leaves behind.
+
+use std::fs;
+use std::path::Path;
+
+use super::content::{CodeSpan, Content, Entry, GoldenFile, SourceFile, Symbol};
+use super::fault::Faults;
+use super::{Options, build};
+
+/// Two formulas, one of them with code.
+fn content() -> Content {
+    let symbol = |name: &str, latex: &str| Symbol {
+        name: name.into(),
+        latex: latex.into(),
+        unit: "F".into(),
+        ..Symbol::default()
+    };
+    let entry = |id: &str, latex: &str| Entry {
+        id: id.into(),
+        title: format!("Title of {id}"),
+        latex: latex.into(),
+        inputs: vec![symbol("f2", "f_2")],
+        outputs: vec![symbol("fc", "F_C")],
+        ..Entry::default()
+    };
+    let mut first = entry("t.first", r"F_C = \lvert f_2 \rvert");
+    first.code = vec![CodeSpan { name: "eval".into(), file: "src/t.rs".into(), first: 2, last: 4 }];
+    let text = "//! Room.\nfn eval() {\n\n    unusual_word < 1\n}\n".to_owned();
+    Content {
+        entries: vec![first, entry("t.second", "P = f_1")],
+        sources: vec![SourceFile { path: "src/t.rs".into(), text }],
+        golden: vec![GoldenFile { name: "t.first.json".into(), bytes: b"{}".to_vec() }],
+    }
+}
+
+/// Writes a book of one chapter and builds it.
+fn book(root: &Path, chapter: &str) -> anyhow::Result<()> {
+    let file = |path: &str, text: &str| super::write(&root.join("book").join(path), text.as_bytes()).unwrap();
+    file(
+        "book.toml",
+        "[book]\ntitle = \"T\"\n[output.html]\nadditional-css = [\"theme/book.css\", \"theme/code.css\"]\n",
+    );
+    file("src/SUMMARY.md", "# Summary\n\n- [One](one.md)\n");
+    file("src/one.md", chapter);
+    file("figures/plain.svg", "<svg viewBox=\"0 0 1 1\"><title>Plain</title><path d=\"M0 0\"/></svg>\n");
+    file("theme/book.css", "");
+    file("theme/code.css", "");
+    build(root, &Options::default(), content()).map(|_| ())
+}
+
+/// The page of the chapter.
+fn page(root: &Path) -> String {
+    fs::read_to_string(root.join("target/book/one.html")).unwrap()
+}
+
+/// The faults of a book of one chapter.
+fn faults(chapter: &str) -> Vec<String> {
+    let root = tempfile::tempdir().unwrap();
+    let error = book(root.path(), chapter).unwrap_err();
+    let faults = error.downcast_ref::<Faults>().unwrap_or_else(|| panic!("{error:?}"));
+    faults.0.iter().map(ToString::to_string).collect()
+}
+
+const GOOD: &str = "# One\n\n{{#formula t.first}}\n\n{{#formula t.second}}\n\n";
+
+#[test]
+fn a_good_book_has_anchors_mathematics_code_and_golden_files() {
+    let root = tempfile::tempdir().unwrap();
+    book(root.path(), &format!("{GOOD}See `t.first` and $x^2$.\n\n{{{{#figure plain A $y$}}}}\n\n{{{{#symbols}}}}\n"))
+        .unwrap();
+    let page = page(root.path());
+    for expected in [
+        "<h3 id=\"t.first\"><a class=\"header\" href=\"#t.first\">",
+        "<math alttext=\"F_C = \\lvert f_2 \\rvert\" display=\"block\">",
+        "href=\"source/src/t.rs.html#L2\"",
+        "unusual_word &lt; <i class=\"rn\">1</i>",
+        "See <a href=\"#t.first\"><code>t.first</code></a> and <math alttext=\"x^2\">",
+        "viewBox=\"0 0 1 1\"",
+        "<figcaption>A <math",
+        "<a href=\"#t.second\"><code>t.second</code></a>",
+    ] {
+        assert!(page.contains(expected), "{expected} is not in\n{page}");
+    }
+    assert!(!page.contains("data-later") && !page.contains("{{#"));
+    assert_eq!(fs::read(root.path().join("target/book/golden/t.first.json")).unwrap(), b"{}");
+}
+
+#[test]
+fn search_sees_words_but_neither_code_nor_listings() {
+    let root = tempfile::tempdir().unwrap();
+    book(root.path(), GOOD).unwrap();
+    let index = fs::read_to_string(root.path().join("target/book/searchindex.js")).unwrap();
+    assert!(index.contains("t.second") && !index.contains("unusual"));
+    let listing = fs::read_to_string(root.path().join("target/book/source/src/t.rs.html")).unwrap();
+    assert!(listing.contains("id=\"L4\"") && listing.contains("unusual_word"));
+}
+
+#[test]
+fn every_fault_is_named_at_once_with_chapter_and_line() {
+    let chapter = "# One\n\n{{#formula t.first}}\n\n{{#formula t.frist}}\n\n{{#formula t.first}}\n\n{{#nonsense}}\n\n\
+                   {{#figure nothing}}\n\nBad $\\frac a$ here.\n\nCosts $ 5 {\n";
+    let faults = faults(chapter);
+    let expected = [
+        "book/src: formula `t.second` is in the catalog but in no chapter; add `{{#formula t.second}}`",
+        "book/src/one.md:5: no formula `t.frist` in the catalog; did you mean `t.first`?",
+        "book/src/one.md:7: formula `t.first` has its entry already, at book/src/one.md:3",
+        "book/src/one.md:9: unknown directive `{{#nonsense}}`",
+        "book/src/one.md:11: no figure `nothing` in book/figures, which has: plain",
+        "book/src/one.md:13: cannot set the formula `\\frac a`",
+        "book/src/one.md:15: no formula is closed in `$ 5 {`",
+    ];
+    assert_eq!(faults.len(), expected.len(), "{faults:#?}");
+    for (fault, expected) in faults.iter().zip(expected) {
+        assert!(fault.starts_with(expected), "{fault}");
+    }
+}
+
+#[test]
+fn dead_links_fail_the_build() {
+    assert_eq!(
+        faults(&format!("{GOOD}[x](two.md)\n")),
+        [
+            "index.html: the link `two.html` names no file of the book",
+            "one.html: the link `two.html` names no file of the book",
+        ]
+    );
+}
+
+#[test]
+fn code_shows_directives_and_dollars_as_they_are() {
+    let root = tempfile::tempdir().unwrap();
+    book(
+        root.path(),
+        &format!("{GOOD}Write `{{{{#formula x}}}}`, ``a`b`` or `$x$`.\n\n```text\n{{{{#formula x}}}}\n$x$\n```\n"),
+    )
+    .unwrap();
+    let page = page(root.path());
+    assert_eq!(page.matches("{{#formula x}}").count(), 2);
+    assert!(page.contains("<code>a`b</code>") && page.contains("<code>$x$</code>"));
+}
+
+#[test]
+fn a_failed_build_leaves_the_last_good_book_and_nothing_else() {
+    let root = tempfile::tempdir().unwrap();
+    book(root.path(), GOOD).unwrap();
+    let before = page(root.path());
+    book(root.path(), "# Nothing\n").unwrap_err();
+    assert_eq!(page(root.path()), before);
+    let left: Vec<_> = fs::read_dir(root.path().join("target")).unwrap().map(|e| e.unwrap().file_name()).collect();
+    assert_eq!(left, ["book"]);
+}
+
+#[test]
+fn files_can_be_included() {
+    let root = tempfile::tempdir().unwrap();
+    super::write(&root.path().join("tools/read.py"), b"price = '$5'\n").unwrap();
+    book(root.path(), &format!("{GOOD}```python\n{{{{#include ../../tools/read.py}}}}\n```\n")).unwrap();
+    assert!(page(root.path()).contains("price = '$5'"));
+}

@@ -1,0 +1,54 @@
+//! Output: results to standard output, messages and progress to standard error, colours only where they are wanted.
+
+use indicatif::{ProgressBar, ProgressStyle};
+use std::io::Write;
+
+const RED: &str = "\x1b[31m";
+const GREEN: &str = "\x1b[32m";
+const BOLD: &str = "\x1b[1m";
+const PLAIN: &str = "\x1b[0m";
+
+/// Red text; the stream drops the colour where it is not a terminal, or `NO_COLOR` is set.
+pub(crate) fn red(text: impl std::fmt::Display) -> String {
+    format!("{RED}{text}{PLAIN}")
+}
+
+/// Green text.
+pub(crate) fn green(text: impl std::fmt::Display) -> String {
+    format!("{GREEN}{text}{PLAIN}")
+}
+
+/// Bold text.
+pub(crate) fn bold(text: impl std::fmt::Display) -> String {
+    format!("{BOLD}{text}{PLAIN}")
+}
+
+/// Writes a result.
+pub(crate) fn print(text: &str) -> anyhow::Result<()> {
+    let mut out = anstream::stdout().lock();
+    out.write_all(text.as_bytes())?;
+    if !text.ends_with('\n') {
+        out.write_all(b"\n")?;
+    }
+    Ok(out.flush()?)
+}
+
+/// Says something that is not a result. A standard error that is closed is not worth failing for.
+pub(crate) fn say(text: &str) {
+    let _ = writeln!(anstream::stderr(), "{text}");
+}
+
+/// Says what went wrong.
+pub(crate) fn error(text: &str) {
+    say(&format!("{} {text}", red("error:")));
+}
+
+/// A progress bar, drawn only on a terminal.
+pub(crate) fn progress(what: &'static str, steps: usize) -> ProgressBar {
+    let style = ProgressStyle::with_template("{prefix:>8} [{wide_bar}] {pos}/{len} {eta} {msg}");
+    let bar = ProgressBar::new(steps as u64).with_prefix(what);
+    match style {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
+    }
+}

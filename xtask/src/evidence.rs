@@ -1,0 +1,69 @@
+//! What was executed: kept between commands, and shown in the book.
+//!
+//! A record counts only for the code it was made with: each carries a fingerprint of the sources and golden files, and
+//! one of another version is as good as none.
+
+use crate::files;
+use jointproof::verify::Audit;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::hash::{DefaultHasher, Hasher};
+use std::path::Path;
+
+/// What the last golden check and audit found about this version of the code.
+#[derive(Debug, Default, Serialize, Deserialize)]
+pub(crate) struct Evidence {
+    fingerprint: u64,
+    /// By formula.
+    pub(crate) golden: BTreeMap<String, GoldenCheck>,
+    /// By formula.
+    pub(crate) audits: BTreeMap<String, Audit>,
+}
+
+/// What a golden check compared.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub(crate) struct GoldenCheck {
+    /// Cases regenerated and compared.
+    pub(crate) cases: usize,
+    /// Whether the file was what the code says, byte for byte.
+    pub(crate) same: bool,
+}
+
+impl Evidence {
+    /// The evidence on this version of the code; empty if there is none.
+    pub(crate) fn load() -> Self {
+        let fingerprint = fingerprint();
+        let text = std::fs::read_to_string(path()).unwrap_or_default();
+        let stored: Option<Self> = serde_json::from_str(&text).ok();
+        stored.filter(|stored| stored.fingerprint == fingerprint).unwrap_or(Self { fingerprint, ..Self::default() })
+    }
+
+    /// Keeps it.
+    pub(crate) fn save(&self) -> anyhow::Result<()> {
+        files::write(&path(), &serde_json::to_string_pretty(self)?).map(drop)
+    }
+}
+
+fn path() -> std::path::PathBuf {
+    files::target().join("evidence.json")
+}
+
+/// A hash of all sources and golden files.
+fn fingerprint() -> u64 {
+    let mut hasher = DefaultHasher::new();
+    for directory in ["src", "golden"] {
+        add(&files::root().join(directory), &mut hasher);
+    }
+    hasher.finish()
+}
+
+fn add(path: &Path, hasher: &mut impl Hasher) {
+    if let Ok(entries) = std::fs::read_dir(path) {
+        let mut paths: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();
+        paths.sort();
+        paths.iter().for_each(|path| add(path, hasher));
+    } else {
+        hasher.write(path.to_string_lossy().as_bytes());
+        hasher.write(&std::fs::read(path).unwrap_or_default());
+    }
+}

@@ -1,0 +1,201 @@
+//! `cargo xtask golden`: the golden files, written or checked.
+
+use crate::console::{bold, green, print, progress, red, say};
+use crate::evidence::{Evidence, GoldenCheck};
+use crate::selection::Selection;
+use crate::{Outcome, files};
+use anyhow::Context;
+use indicatif::ParallelProgressIterator;
+use jointproof::catalog::{AnyFormula, find};
+use jointproof::verify::golden::{Difference, File};
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use std::fmt::Write;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Write the golden files, or check that they are what the code says
+///
+/// Values and Jacobians are computed in 237 bits and rounded once, so the files have the same bytes on every machine.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  cargo xtask golden                     write what has changed, remove what has no formula
+  cargo xtask golden --check             regenerate in memory and compare, write nothing
+  cargo xtask golden --filter 'slot.*'   only the SLOT formulas")]
+pub(crate) struct Arguments {
+    /// Compare with the committed files and write nothing; exit 1 on any difference
+    #[arg(long)]
+    check: bool,
+    #[command(flatten)]
+    selection: Selection,
+}
+
+/// Differences shown per file before the rest is only counted.
+const SHOWN: usize = 10;
+
+pub(crate) fn run(arguments: &Arguments) -> Outcome {
+    if arguments.check {
+        let checked = check(&arguments.selection)?;
+        print(&checked.report)?;
+        Ok(if checked.passed { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    } else {
+        print(&write(&arguments.selection)?)?;
+        Ok(ExitCode::SUCCESS)
+    }
+}
+
+/// A golden file as the code says it is.
+struct Regenerated {
+    path: PathBuf,
+    file: File,
+    text: String,
+}
+
+fn regenerate(selection: &Selection) -> anyhow::Result<Vec<Regenerated>> {
+    let formulas = selection.formulas()?;
+    let bar = progress("golden", formulas.len());
+    let one = |formula: &&dyn AnyFormula| {
+        let file = formula.golden();
+        Ok(Regenerated { path: path(formula.spec().id), text: file.render()?, file })
+    };
+    formulas.par_iter().progress_with(bar).map(one).collect()
+}
+
+fn directory() -> PathBuf {
+    files::root().join("golden")
+}
+
+fn path(id: &str) -> PathBuf {
+    directory().join(format!("{id}.json"))
+}
+
+/// The schema of golden files, made from the types that write them.
+fn schema() -> anyhow::Result<(PathBuf, String)> {
+    let schema = schemars::schema_for!(File);
+    Ok((directory().join("schema.json"), serde_json::to_string_pretty(&schema)? + "\n"))
+}
+
+/// Golden files of formulas that no longer exist.
+fn orphans() -> anyhow::Result<Vec<PathBuf>> {
+    let entries = match std::fs::read_dir(directory()) {
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(Vec::new()),
+        entries => entries.context("cannot list golden/")?,
+    };
+    let mut orphans = Vec::new();
+    for entry in entries {
+        let path = entry?.path();
+        let id = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+        let golden = path.extension().is_some_and(|extension| extension == "json") && id != "schema";
+        if golden && find(&id).is_none() {
+            orphans.push(path);
+        }
+    }
+    orphans.sort();
+    Ok(orphans)
+}
+
+fn write(selection: &Selection) -> anyhow::Result<String> {
+    let regenerated = regenerate(selection)?;
+    let mut report = String::new();
+    let mut outputs: Vec<_> = regenerated.iter().map(|golden| (&golden.path, &golden.text)).collect();
+    let (schema_path, schema) = schema()?;
+    outputs.push((&schema_path, &schema));
+    for (path, text) in outputs {
+        if files::write(path, text)? {
+            writeln!(report, "wrote {}", files::shown(path))?;
+        }
+    }
+    for orphan in if selection.is_all() { orphans()? } else { Vec::new() } {
+        std::fs::remove_file(&orphan).with_context(|| format!("cannot remove {}", files::shown(&orphan)))?;
+        writeln!(report, "removed {}: no such formula", files::shown(&orphan))?;
+    }
+    let cases: usize = regenerated.iter().map(|golden| golden.file.cases.len()).sum();
+    writeln!(report, "{} formulas, {cases} cases", regenerated.len())?;
+    Ok(report)
+}
+
+/// What a check found.
+pub(crate) struct Checked {
+    pub(crate) passed: bool,
+    pub(crate) cases: usize,
+    pub(crate) formulas: usize,
+    pub(crate) report: String,
+}
+
+pub(crate) fn check(selection: &Selection) -> anyhow::Result<Checked> {
+    let regenerated = regenerate(selection)?;
+    let mut evidence = Evidence::load();
+    let mut report = String::new();
+    let mut off = 0;
+    for golden in &regenerated {
+        let same = std::fs::read_to_string(&golden.path).is_ok_and(|committed| committed == golden.text);
+        if !same {
+            off += 1;
+            report += &explain(golden);
+        }
+        let check = GoldenCheck { cases: golden.file.cases.len(), same };
+        evidence.golden.insert(golden.file.formula.clone(), check);
+    }
+    let (path, schema) = schema()?;
+    if !std::fs::read_to_string(&path).is_ok_and(|committed| committed == schema) {
+        off += 1;
+        writeln!(report, "{} is not the schema that the code writes", bold(files::shown(&path)))?;
+    }
+    for orphan in orphans()? {
+        off += 1;
+        writeln!(report, "{} has no formula", bold(files::shown(&orphan)))?;
+    }
+    let cases = regenerated.iter().map(|golden| golden.file.cases.len()).sum();
+    let summary = format!("{} formulas, {cases} cases", regenerated.len());
+    if off == 0 {
+        writeln!(report, "{} {summary}: every file is what the code says", green("ok"))?;
+    } else {
+        writeln!(report, "{} {summary}: {off} files differ", red("off"))?;
+        say("to make the files what the code says: cargo xtask golden");
+    }
+    evidence.save()?;
+    Ok(Checked { passed: off == 0, cases, formulas: regenerated.len(), report })
+}
+
+/// What differs in a committed file.
+fn explain(golden: &Regenerated) -> String {
+    let name = bold(files::shown(&golden.path));
+    let committed = match std::fs::read_to_string(&golden.path) {
+        Ok(committed) => committed,
+        Err(error) => return format!("{name}: {error}\n"),
+    };
+    let committed = match File::parse(&committed) {
+        Ok(committed) => committed,
+        Err(error) => return format!("{name} is not a golden file: {error}\n"),
+    };
+    let differences = golden.file.differences(&committed);
+    if differences.is_empty() {
+        return format!("{name}: the cases agree, the description or the layout differs\n");
+    }
+    let mut text = format!("{name}: {} differences\n", differences.len());
+    for difference in differences.iter().take(SHOWN) {
+        text += &show(difference);
+    }
+    if differences.len() > SHOWN {
+        text += &format!("  … and {} more\n", differences.len() - SHOWN);
+    }
+    text
+}
+
+fn show(difference: &Difference) -> String {
+    let Difference { case, field, committed, now, ulps } = difference;
+    let distance = ulps.map_or(String::new(), |ulps| format!("  ({ulps} ulps apart)"));
+    format!(
+        "  case {case} {field}{distance}\n    {}\n    {}\n",
+        red(format!("- {committed}")),
+        green(format!("+ {now}"))
+    )
+}
+
+/// What has changed in a formula against its committed golden file, for a review; `None` if nothing has.
+pub(crate) fn changes(formula: &dyn AnyFormula) -> Option<Vec<Difference>> {
+    let committed = std::fs::read_to_string(path(formula.spec().id)).ok();
+    let committed = committed.and_then(|text| File::parse(&text).ok());
+    let now = formula.golden();
+    let differences = committed.map_or_else(Vec::new, |committed| now.differences(&committed));
+    (!differences.is_empty()).then_some(differences)
+}
