@@ -225,6 +225,9 @@ pub struct Spec {
 /// The Jacobian of `F`: its outputs, every component replaced by its gradient.
 pub type Jacobian<F, D> = <F as Formula>::Outputs<<F as Formula>::Inputs<D>>;
 
+/// Value and Jacobian of `F`.
+pub type ValueAndJacobian<F, D> = (<F as Formula>::Outputs<D>, Jacobian<F, D>);
+
 /// A documented equation: value, closed-form Jacobian, and where it is hard.
 pub trait Formula: Copy + Send + Sync + 'static {
     /// What is said about it.
@@ -292,7 +295,7 @@ pub fn value<F: Formula>(i: &F::Inputs<f64>) -> Result<F::Outputs<f64>, Error> {
 ///
 /// # Errors
 /// As [`value`].
-pub fn value_and_jacobian<F: Formula>(i: &F::Inputs<f64>) -> Result<(F::Outputs<f64>, Jacobian<F, f64>), Error> {
+pub fn value_and_jacobian<F: Formula>(i: &F::Inputs<f64>) -> Result<ValueAndJacobian<F, f64>, Error> {
     Ok((value::<F>(i)?, F::jacobian(i)))
 }
 

@@ -208,7 +208,7 @@ macro_rules! first_order {
                 let (length, n) = norm_and_direction(x.map(|x| x.re));
                 let mut result = Self::from_re(length);
                 for (x, n) in x.into_iter().zip(n) {
-                    result.eps = result.eps + x.eps * n;
+                    result.eps += x.eps * n;
                 }
                 result
             }

@@ -180,10 +180,10 @@ fn named_jacobian<F: Formula>(gradients: &[F::Inputs<Octuple>]) -> Map<String, V
         let rows: Vec<_> = rows.iter().map(|row| named::<F::Inputs<f64>>(&rounded(&row.components()))).collect();
         let mut by_input = Map::new();
         for input in F::Inputs::<f64>::FIELDS {
-            let columns = rows.iter().map(|row| row.get(input.name).cloned().unwrap_or_default());
-            let entry = match output.len() {
-                1 => columns.last().unwrap_or_default(),
-                _ => Value::Array(columns.collect()),
+            let of_input = |row: &Map<_, _>| row.get(input.name).cloned().unwrap_or_default();
+            let entry = match rows.as_slice() {
+                [row] => of_input(row),
+                rows => Value::Array(rows.iter().map(of_input).collect()),
             };
             by_input.insert(input.name.into(), entry);
         }
@@ -322,13 +322,18 @@ fn compare_values(case: &str, field: &str, committed: &Value, now: &Value, diffe
                 compare_values(case, &format!("{field}[{k}]"), committed, now, differences);
             }
         }
-        _ if committed.to_string() == now.to_string() => {}
+        // -0.0 and 0.0 are equal, but not the same text.
+        _ if text(committed) == text(now) => {}
         _ => {
-            let mut difference = Difference::new(case, field, &committed.to_string(), &now.to_string());
+            let mut difference = Difference::new(case, field, &text(committed), &text(now));
             difference.ulps = committed.as_f64().zip(now.as_f64()).map(|(a, b)| ulps(a, b));
             differences.push(difference);
         }
     }
+}
+
+fn text(value: &Value) -> String {
+    value.to_string()
 }
 
 /// How many doubles lie between two doubles.

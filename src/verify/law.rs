@@ -2,7 +2,7 @@
 
 use crate::formula::{Equation, Fields, Formula, Law, turns};
 use crate::quantity::{Domain, Shape, Unit};
-use crate::scalar::norm;
+use crate::scalar::{direction, norm};
 use crate::verify::sample::rotation;
 use crate::{Octuple, Scalar};
 use nalgebra::Vector3;
@@ -112,18 +112,13 @@ fn move_part(part: &[Octuple], domain: Domain, shape: Shape) -> Vec<Octuple> {
     if !turns(domain) || shape == Shape::Scalar {
         return part.to_vec();
     }
-    let triad = match shape {
-        // In the plane (3-4-5), and in space (a quaternion of length 1 to 237 bits).
-        Shape::Vec2 => {
-            let (c, s) = (Octuple::from(3.0) / Octuple::from(5.0), Octuple::from(4.0) / Octuple::from(5.0));
-            let zero = Octuple::zero();
-            [[c, s, zero], [-s, c, zero], [zero; 3]]
-        }
-        _ => {
-            let [w, x, y, z] =
-                [2.0, -1.0, 3.0, 4.0].map(|q| Octuple::from(q) / norm([2.0, -1.0, 3.0, 4.0].map(Octuple::from)));
-            rotation(w, x, y, z)
-        }
+    let number = Octuple::from;
+    let triad = if shape == Shape::Vec2 {
+        let (c, s, zero) = (number(3.0) / 5.0, number(4.0) / 5.0, number(0.0));
+        [[c, s, zero], [-s, c, zero], [zero; 3]]
+    } else {
+        let [w, x, y, z] = direction([2.0, -1.0, 3.0, 4.0].map(number));
+        rotation(w, x, y, z)
     };
     let translation = [1.25, -7.0, 3.5].map(Octuple::from);
     let shift = |axis: usize| if domain == Domain::Point { translation[axis] } else { Octuple::zero() };

@@ -65,7 +65,7 @@ use crate::formula::{Fields, Formula};
 pub fn exactly<F: Formula>(i: &F::Inputs<f64>) -> F::Inputs<Octuple> {
     let components = i.components();
     let mut next = components.iter().map(|&x| Octuple::from(x));
-    F::Inputs::from_components(&mut || next.next().unwrap_or_else(|| Octuple::NAN))
+    F::Inputs::from_components(&mut || next.next().unwrap_or(Octuple::NAN))
 }
 
 /// 237-bit numbers as the nearest doubles.

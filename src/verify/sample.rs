@@ -71,6 +71,10 @@ impl Sampler {
         odd * (f64::EPSILON / 2.0)
     }
 
+    fn coin(&mut self) -> bool {
+        self.0.next_u32().is_multiple_of(2)
+    }
+
     fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }
@@ -84,7 +88,7 @@ impl Sampler {
 
     fn signed(&mut self) -> f64 {
         let magnitude = self.magnitude();
-        if self.0.next_u32() % 2 == 0 { magnitude } else { -magnitude }
+        if self.coin() { magnitude } else { -magnitude }
     }
 
     /// A rotation far from the identity, in space from a random quaternion, in the plane from a random direction.
@@ -101,7 +105,7 @@ impl Sampler {
     fn direction<const N: usize>(&mut self) -> [f64; N] {
         let sides = [(); N].map(|()| {
             let side = self.between(0.1, 1.0);
-            if self.0.next_u32() % 2 == 0 { side } else { -side }
+            if self.coin() { side } else { -side }
         });
         crate::scalar::direction(sides)
     }

@@ -3,6 +3,7 @@
 #![allow(dead_code, reason = "each test file uses its part")]
 
 use jointproof::catalog::AnyFormula;
+use jointproof::formula::Field;
 use jointproof::quantity::{Domain, Node, Shape};
 use proptest::prelude::*;
 
@@ -42,7 +43,7 @@ pub fn rotation() -> impl Strategy<Value = [[f64; 3]; 3]> {
 pub fn inputs(formula: &'static dyn AnyFormula) -> BoxedStrategy<Vec<f64>> {
     let fields = formula.inputs();
     let plane = fields.iter().any(|field| field.quantity.shape == Shape::Vec2);
-    let numbers: usize = fields.iter().map(|field| field.len()).sum();
+    let numbers: usize = fields.iter().map(Field::len).sum();
     (
         rotation(),
         rotation(),

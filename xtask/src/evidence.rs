@@ -61,7 +61,9 @@ fn add(path: &Path, hasher: &mut impl Hasher) {
     if let Ok(entries) = std::fs::read_dir(path) {
         let mut paths: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();
         paths.sort();
-        paths.iter().for_each(|path| add(path, hasher));
+        for path in paths {
+            add(&path, hasher);
+        }
     } else {
         hasher.write(path.to_string_lossy().as_bytes());
         hasher.write(&std::fs::read(path).unwrap_or_default());

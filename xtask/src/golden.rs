@@ -171,14 +171,12 @@ fn explain(golden: &Regenerated) -> String {
     if differences.is_empty() {
         return format!("{name}: the cases agree, the description or the layout differs\n");
     }
-    let mut text = format!("{name}: {} differences\n", differences.len());
-    for difference in differences.iter().take(SHOWN) {
-        text += &show(difference);
-    }
-    if differences.len() > SHOWN {
-        text += &format!("  … and {} more\n", differences.len() - SHOWN);
-    }
-    text
+    let shown: String = differences.iter().take(SHOWN).map(show).collect();
+    let rest = match differences.len().saturating_sub(SHOWN) {
+        0 => String::new(),
+        rest => format!("  … and {rest} more\n"),
+    };
+    format!("{name}: {} differences\n{shown}{rest}", differences.len())
 }
 
 fn show(difference: &Difference) -> String {

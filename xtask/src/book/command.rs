@@ -80,6 +80,7 @@ fn content() -> anyhow::Result<Content> {
     let index = Index::new(&sources);
     let evidence = Evidence::load();
     let entries = CATALOG.iter().map(|formula| entry(*formula, &index, &evidence)).collect();
+    let catalog_tests = index.tests_over_catalog();
     let mut golden = Vec::new();
     for formula in CATALOG {
         let name = format!("{}.json", formula.spec().id);
@@ -89,7 +90,7 @@ fn content() -> anyhow::Result<Content> {
             golden.push(GoldenFile { name, bytes });
         }
     }
-    Ok(Content { entries, sources, golden })
+    Ok(Content { entries, sources, catalog_tests, golden })
 }
 
 fn read_sources(path: &Path, sources: &mut Vec<SourceFile>) -> anyhow::Result<()> {
@@ -168,10 +169,15 @@ fn kink(entry: &KinkEntry, outputs: &[Field]) -> Kink {
     Kink {
         at: format!("${}$", entry.condition),
         derivative: format!("the derivative of ${}$ across it", output.quantity.latex),
-        left: format!("{below:.4}"),
-        right: format!("{above:.4}"),
+        left: four_digits(*below),
+        right: four_digits(*above),
         convention: convention.into(),
     }
+}
+
+/// To four decimals, without zeros that say nothing, with a true minus sign.
+fn four_digits(x: f64) -> String {
+    ((x * 1e4).round() / 1e4).to_string().replace('-', "−")
 }
 
 fn counts(file: &File) -> GoldenCounts {

@@ -14,6 +14,8 @@ pub(crate) struct Content {
     pub(crate) entries: Vec<Entry>,
     /// Rust files that get a listing page; code and tests link into them.
     pub(crate) sources: Vec<SourceFile>,
+    /// Tests that run over the whole catalog.
+    pub(crate) catalog_tests: Vec<TestRef>,
     /// Golden files to be copied beside the pages.
     pub(crate) golden: Vec<GoldenFile>,
 }

@@ -1,6 +1,6 @@
 //! One formula's entry: equation, symbols, source, kinks, evidence, golden cases, code and tests.
 
-use super::content::{CodeSpan, Entry, Evidence, GoldenCounts, Kink, Symbol};
+use super::content::{CodeSpan, Entry, Evidence, GoldenCounts, Kink, Symbol, TestRef};
 use super::html::{each, escape, number, relative};
 use super::pages::{Pages, Place};
 use super::rust;
@@ -171,19 +171,25 @@ fn code(pages: &Pages<'_>, at: &Place, span: &CodeSpan) -> String {
     )
 }
 
-/// The tests that name the formula.
+/// The tests that name the formula, and those that run over the whole catalog.
 fn tests(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
-    if entry.tests.is_empty() {
-        return "<p class=\"missing\">No test names this formula.</p>".to_owned();
-    }
-    let items = each(&entry.tests, |test| {
+    let named = test_list(pages, at, &entry.tests, "names this formula", "name this formula");
+    let catalog = &pages.content.catalog_tests;
+    named + &test_list(pages, at, catalog, "runs over every formula", "run over every formula")
+}
+
+/// A folded list of tests.
+fn test_list(pages: &Pages<'_>, at: &Place, tests: &[TestRef], singular: &str, plural: &str) -> String {
+    let items = each(tests, |test| {
         let place = format!("{}:{}", escape(&test.file), test.line);
         let link = format!("{}#L{}", relative(&at.page, &listing_page(&test.file)), test.line);
         let listed = pages.content.sources.iter().any(|source| source.path == test.file);
         let place = if listed { format!("<a href=\"{}\">{place}</a>", escape(&link)) } else { place };
         format!("<li><code>{}</code> {place}</li>", escape(&test.name))
     });
-    let count = entry.tests.len();
-    let noun = if count == 1 { "test names" } else { "tests name" };
-    format!("<details><summary>{count} {noun} this formula</summary><ul>{items}</ul></details>")
+    match tests.len() {
+        0 => String::new(),
+        1 => format!("<details><summary>1 test {singular}</summary><ul>{items}</ul></details>"),
+        count => format!("<details><summary>{count} tests {plural}</summary><ul>{items}</ul></details>"),
+    }
 }

@@ -56,18 +56,25 @@ impl<'a> Index<'a> {
     pub(crate) fn tests_naming(&self, id: &str, type_name: &str) -> Vec<TestRef> {
         let literal = format!("\"{id}\"");
         let family = id.split('.').next().unwrap_or(id);
+        self.tests(|source, token| {
+            token.text == literal
+                || (source.path.contains(family) && token.kind == Kind::Type && token.text == type_name)
+        })
+    }
+
+    /// Every test function that runs over the whole catalog.
+    pub(crate) fn tests_over_catalog(&self) -> Vec<TestRef> {
+        self.tests(|source, token| {
+            source.path.starts_with("tests/") && ["CATALOG", "for_every_formula"].contains(&token.text)
+        })
+    }
+
+    /// Every test function with a token that `counts`.
+    fn tests(&self, counts: impl Fn(&SourceFile, &Token<'_>) -> bool) -> Vec<TestRef> {
         let mut found: Vec<TestRef> = Vec::new();
         for (source, tokens) in &self.files {
-            let of_family = source.path.contains(family);
-            for (at, token) in tokens.iter().enumerate() {
-                let names_it =
-                    token.text == literal || (of_family && token.kind == Kind::Type && token.text == type_name);
-                let Some(test) = names_it.then(|| enclosing_test(source, tokens, at)).flatten() else {
-                    continue;
-                };
-                if !found.contains(&test) {
-                    found.push(test);
-                }
+            for (at, _) in tokens.iter().enumerate().filter(|(_, token)| counts(source, token)) {
+                found.extend(enclosing_test(source, tokens, at).filter(|test| !found.contains(test)));
             }
         }
         found

@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 
 use super::content::{Entry, Symbol};
 use super::entry::worst;
-use super::html::{each, escape};
+use super::html::{each, escape, number};
 use super::pages::{Pages, Place};
+use jointproof::verify::Claim;
 
 /// A table that scrolls inside its box on narrow screens.
 fn table(class: &str, head: &[&str], rows: &str) -> String {
@@ -103,10 +104,15 @@ fn evidence_row(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
         ("figure", (audit.named_points + audit.random_points).to_string()),
         ("figure", worst(&audit.eta)),
         ("figure", worst(&audit.eta_jacobian)),
-        ("figure", worst(&audit.closed_against_ad)),
-        ("figure", worst(&audit.ad_against_differences)),
+        ("figure", gap(&audit.closed_against_ad)),
+        ("figure", gap(&audit.ad_against_differences)),
         ("figure", format!("{held} of {}", audit.laws.len())),
     ])
+}
+
+/// The worst deviation where the bound is the same for every formula.
+fn gap(claim: &Claim) -> String {
+    claim.worst.as_ref().filter(|_| claim.held()).map_or_else(|| worst(claim), |worst| number(worst.size))
 }
 
 /// `{{#sources}}`: every document cited, with the formulas taken from it.
