@@ -214,7 +214,9 @@ quantities! {
     FORCE: r"\mathbf{f}", Vec3, F, Vector, "force on node b, in the global frame";
     F_TRIAL: r"f^{\mathrm{trial}}", Scalar, F, Real, "tangential force if the contact stuck";
     F_TANGENTIAL: r"f", Scalar, F, Real, "tangential force that friction transmits";
+    // ANCHOR: example
     FC: r"F_C", Scalar, F, NonNegative, "contact force that the connector's loads produce";
+    // ANCHOR_END: example
     FC_INT: r"F_C^{\mathrm{int}}", Scalar, F, Real, "self-equilibrated internal contact force, as of a press fit";
     FN: r"F_N", Scalar, F, NonNegative, "normal force that produces friction";
     MU: r"\mu", Scalar, ONE, NonNegative, "friction coefficient";
