@@ -1,7 +1,7 @@
 //! The toolkit that proves a formula: sampler, automatic differentiation, exact reference, error measure, laws, audit
 //! and golden files.
 //!
-//! Everything here takes any type that implements [`Formula`](crate::formula::Formula), so that a formula of another
+//! Everything here takes any type that implements [`Formula`], so that a formula of another
 //! crate is audited by the same machinery:
 //!
 //! ```
