@@ -3,6 +3,8 @@
 //! Values and Jacobians are computed in 237 bits and rounded once to the nearest double, so that a file has the same
 //! bytes on every machine.
 
+mod schema;
+
 use super::{Sampler, exactly, kink, rounded};
 use crate::formula::{Case, Convention, Field, Fields, Flag, Formula, check};
 use crate::quantity::Domain;
@@ -22,22 +24,31 @@ const SEED: u64 = 0;
 /// The golden file of one formula.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "Golden file", extend("$id" = "urn:jointproof:golden"))]
 pub struct File {
     /// Where the schema of this file is.
+    #[schemars(extend("const" = "schema.json"))]
     pub schema: String,
-    /// The formula's identifier.
+    /// The formula's identifier, which is also the file's name.
+    #[schemars(regex(pattern = r"^[a-z][a-z0-9_]*\.[a-z][a-z0-9_]*$"))]
     pub formula: String,
     /// Its title.
+    #[schemars(length(min = 1))]
     pub title: String,
     /// The document and section it is from.
+    #[schemars(length(min = 1))]
     pub source: String,
     /// The equation.
+    #[schemars(length(min = 1))]
     pub latex: String,
     /// What goes in.
+    #[schemars(length(min = 1))]
     pub inputs: Vec<Description>,
     /// What comes out.
+    #[schemars(length(min = 1))]
     pub outputs: Vec<Description>,
     /// The cases.
+    #[schemars(length(min = LEAST_CASES))]
     pub cases: Vec<Record>,
 }
 
@@ -45,36 +56,56 @@ pub struct File {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Description {
-    /// Its name.
+    /// Its name, by which the cases refer to it.
+    #[schemars(regex(pattern = r"^[a-z][a-z0-9_]*$"))]
     pub name: String,
     /// `[]` for a scalar, `[n]` for a column.
+    #[schemars(length(max = 1), inner(range(min = 2)))]
     pub shape: Vec<usize>,
-    /// Its unit in powers of L, F and T; `1` for none.
+    /// Its unit in powers of force F, length L and time T, as `F/L^2`; `1` for none.
+    #[schemars(regex(pattern = r"^(1|([FLT](\^[2-9])?)+)(/([FLT](\^[2-9])?)+)?$"))]
     pub unit: String,
 }
 
-/// A case.
+/// A case: rejected with an error, or answered by `out` and, except on a kink, `jac`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(extend(
+    "if" = {"properties": {"flags": {"contains": {"const": "invalid"}}}},
+    "then" = {"required": ["error"], "properties": {"out": false, "jac": false}},
+    "else" = {
+        "required": ["out"],
+        "properties": {"error": false},
+        "if": {"properties": {"flags": {"not": {"contains": {"const": "kink"}}}}},
+        "then": {"required": ["jac"]},
+    },
+))]
 pub struct Record {
     /// Identifier, unique within the file.
+    #[schemars(regex(pattern = r"^\S+$"))]
     pub id: String,
     /// What the case is for.
+    #[schemars(length(min = 1), extend("uniqueItems" = true))]
     pub flags: Vec<Flag>,
     /// What is to be seen in it.
     #[serde(default, skip_serializing_if = "String::is_empty")]
+    #[schemars(length(min = 1))]
     pub comment: String,
     /// The inputs by name: exact doubles, or "NaN", "Infinity", "-Infinity".
     #[serde(rename = "in")]
+    #[schemars(with = "schema::Inputs", extend("minProperties" = 1))]
     pub inputs: Map<String, Value>,
-    /// The outputs by name.
+    /// The outputs by name: exact at the inputs, rounded once to the nearest double.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "schema::Outputs", extend("minProperties" = 1))]
     pub out: Option<Map<String, Value>>,
-    /// The Jacobian: `jac[out][in]`, a number, an array, or an array of rows.
+    /// The Jacobian `jac[out][in]`, exact at the inputs, rounded once to the nearest double.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "schema::Jacobian", extend("minProperties" = 1))]
     pub jac: Option<Map<String, Value>>,
-    /// The error with which the case is rejected.
+    /// The kind of error with which the case is rejected.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "String", regex(pattern = r"^[A-Z][A-Za-z]+$"))]
     pub error: Option<String>,
 }
 
@@ -374,7 +405,7 @@ impl fmt::Display for Difference {
             write!(f, ", {}", self.field)?;
         }
         write!(f, ": committed {}, computed {}", self.committed, self.now)?;
-        self.ulps.map_or(Ok(()), |ulps| write!(f, " ({ulps} ulps apart)"))
+        self.ulps.map_or(Ok(()), |ulps| write!(f, " ({ulps} ulp apart)"))
     }
 }
 

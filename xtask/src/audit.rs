@@ -1,12 +1,12 @@
 //! `cargo xtask audit`: closed form against automatic differentiation against differences, and the laws.
 
-use crate::console::{bold, green, print, progress, red};
+use crate::console::{bold, count, green, print, progress, red};
 use crate::evidence::Evidence;
 use crate::selection::Selection;
-use crate::{Outcome, golden};
-use anyhow::{Context, bail};
+use crate::{Outcome, Usage, golden};
 use indicatif::ParallelProgressIterator;
 use jointproof::catalog::AnyFormula;
+use jointproof::formula::Field;
 use jointproof::verify::golden::components;
 use jointproof::verify::{Audit, Claim, Deviation, Options};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
@@ -37,7 +37,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
     /// Audit one formula at this point only: its inputs as a JSON object, as golden files and audits give them
-    #[arg(long, value_name = "JSON")]
+    #[arg(long, value_name = "JSON", requires = "filter", conflicts_with_all = ["samples", "seed"])]
     point: Option<String>,
 }
 
@@ -57,21 +57,28 @@ pub(crate) fn run(arguments: &Arguments) -> Outcome {
         Some(point) => vec![at_point(&formulas, point)?],
         None => audit(&formulas, &Options { samples: arguments.samples, seed: arguments.seed })?,
     };
+    // At a single point on a kink there is nothing to check some claims with.
+    let passed = if arguments.point.is_some() { Audit::no_claim_failed } else { Audit::passed };
     print(&match arguments.format {
-        Format::Text => text(&audits)?,
-        Format::Markdown => markdown(&formulas, &audits)?,
+        Format::Text => text(&audits, passed)?,
+        Format::Markdown => markdown(&formulas, &audits, passed)?,
         Format::Json => serde_json::to_string_pretty(&audits)?,
     })?;
-    let passed = if arguments.point.is_some() { Audit::no_claim_failed } else { Audit::passed };
     Ok(if audits.iter().all(passed) { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
 fn at_point(formulas: &[&dyn AnyFormula], point: &str) -> anyhow::Result<Audit> {
     let [formula] = formulas else {
-        bail!("--point needs a --filter that matches one formula, not {}", formulas.len())
+        return Err(Usage(format!("--point needs a --filter that matches one formula, not {}", formulas.len())).into());
     };
-    let inputs = serde_json::from_str(point).context("--point is not a JSON object")?;
-    Ok(formula.audit_at(&components(formula.inputs(), &inputs)?)?)
+    let inputs = serde_json::from_str(point)
+        .map_err(|error| Usage(format!("--point is not a JSON object of {}: {error}", names(formula.inputs()))))?;
+    let audit = components(formula.inputs(), &inputs).and_then(|point| formula.audit_at(&point));
+    audit.map_err(|error| Usage(format!("--point of {}: {error}", formula.spec().id)).into())
+}
+
+fn names(fields: &[Field]) -> String {
+    fields.iter().map(|field| field.name).collect::<Vec<_>>().join(", ")
 }
 
 /// Audits formulas on all cores, and keeps what was found as evidence.
@@ -85,12 +92,12 @@ pub(crate) fn audit(formulas: &[&dyn AnyFormula], options: &Options) -> anyhow::
 }
 
 /// What failed, in full, then a line a formula.
-pub(crate) fn text(audits: &[Audit]) -> anyhow::Result<String> {
+pub(crate) fn text(audits: &[Audit], passed: fn(&Audit) -> bool) -> anyhow::Result<String> {
     let mut text = String::new();
     for audit in audits {
-        let verdict = if audit.passed() { green("ok ") } else { red("off") };
+        let verdict = if passed(audit) { green("ok ") } else { red("off") };
         let points = audit.named_points + audit.random_points;
-        writeln!(text, "{verdict} {} at {points} points", bold(&audit.formula))?;
+        writeln!(text, "{verdict} {} at {}", bold(&audit.formula), count(points, "point"))?;
         writeln!(text, "    {:>9} {:>8} {:>7}", "checked", "worst", "bound")?;
         for claim in audit.claims() {
             writeln!(text, "    {}", line(claim))?;
@@ -99,9 +106,11 @@ pub(crate) fn text(audits: &[Audit]) -> anyhow::Result<String> {
             text += &claim.worst.as_ref().map_or(String::new(), |worst| in_full(claim, worst));
         }
     }
-    let failed = audits.iter().filter(|audit| !audit.passed()).count();
+    let failed = audits.iter().filter(|audit| !passed(audit)).count();
     let checks: usize = audits.iter().flat_map(Audit::claims).map(|claim| claim.checks).sum();
-    writeln!(text, "{} formulas, {checks} comparisons, {failed} formulas off", audits.len())?;
+    let [audited, checks, off] = [(audits.len(), "formula"), (checks, "comparison"), (failed, "formula")]
+        .map(|(number, noun)| count(number, noun));
+    writeln!(text, "{audited}, {checks}, {off} off")?;
     Ok(text)
 }
 
@@ -139,15 +148,15 @@ fn in_full(claim: &Claim, worst: &Deviation) -> String {
     )
 }
 
-fn markdown(formulas: &[&dyn AnyFormula], audits: &[Audit]) -> anyhow::Result<String> {
-    let failed: Vec<_> = audits.iter().filter(|audit| !audit.passed()).map(|audit| audit.formula.as_str()).collect();
+fn markdown(formulas: &[&dyn AnyFormula], audits: &[Audit], passed: fn(&Audit) -> bool) -> anyhow::Result<String> {
+    let failed: Vec<_> = audits.iter().filter(|audit| !passed(audit)).map(|audit| audit.formula.as_str()).collect();
     let mut text = String::from("## Audit of derivatives\n\n");
     match failed.as_slice() {
         [] => writeln!(text, "{} formulas audited, every claim held.\n", audits.len())?,
         failed => writeln!(text, "**Off: {}**\n", failed.join(", "))?,
     }
     for audit in audits {
-        writeln!(text, "### {} `{}`\n", if audit.passed() { "✅" } else { "❌" }, audit.formula)?;
+        writeln!(text, "### {} `{}`\n", if passed(audit) { "✅" } else { "❌" }, audit.formula)?;
         writeln!(text, "{} named and {} random points.\n", audit.named_points, audit.random_points)?;
         writeln!(text, "| claim | checked | failed | worst | bound | at |\n|---|--:|--:|--:|--:|---|")?;
         for claim in audit.claims() {
@@ -166,16 +175,26 @@ fn markdown(formulas: &[&dyn AnyFormula], audits: &[Audit]) -> anyhow::Result<St
             writeln!(text, "```json\n{}\n```\n", worst.inputs)?;
         }
         let formula = formulas.iter().find(|formula| formula.spec().id == audit.formula);
-        match formula.and_then(|formula| golden::changes(*formula)) {
-            None => writeln!(text, "Against the committed golden file: no change.\n")?,
-            Some(changes) => {
-                writeln!(text, "Against the committed golden file: {} changes.\n", changes.len())?;
-                for change in changes.iter().take(5) {
-                    writeln!(text, "- {change}")?;
-                }
-                text.push('\n');
-            }
-        }
+        text += &formula.map_or(String::new(), |formula| against_golden(*formula));
     }
     Ok(text)
+}
+
+/// Changes against a golden file that are listed before the rest is only counted.
+const LISTED: usize = 5;
+
+/// What has changed against the committed golden file.
+fn against_golden(formula: &dyn AnyFormula) -> String {
+    match golden::changes(formula).as_deref() {
+        Err(reason) => format!("There is no committed golden file to compare with: {reason}\n\n"),
+        Ok([]) => "Against the committed golden file: no change.\n\n".into(),
+        Ok(changes) => {
+            let mut listed: Vec<_> = changes.iter().take(LISTED).map(ToString::to_string).collect();
+            if changes.len() > LISTED {
+                listed.push(format!("… and {} more", changes.len() - LISTED));
+            }
+            let changed = count(changes.len(), "change");
+            format!("Against the committed golden file: {changed}.\n\n- {}\n\n", listed.join("\n- "))
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! `cargo xtask golden`: the golden files, written or checked.
 
-use crate::console::{bold, green, print, progress, red, say};
+use crate::console::{bold, count, green, print, progress, red, say};
 use crate::evidence::{Evidence, GoldenCheck};
 use crate::selection::Selection;
 use crate::{Outcome, files};
@@ -29,6 +29,8 @@ pub(crate) struct Arguments {
     selection: Selection,
 }
 
+/// What to do about a difference.
+pub(crate) const MEND: &str = "to make the files what the code says: cargo xtask golden";
 /// Differences shown per file before the rest is only counted.
 const SHOWN: usize = 10;
 
@@ -36,6 +38,9 @@ pub(crate) fn run(arguments: &Arguments) -> Outcome {
     if arguments.check {
         let checked = check(&arguments.selection)?;
         print(&checked.report)?;
+        if !checked.passed {
+            say(MEND);
+        }
         Ok(if checked.passed { ExitCode::SUCCESS } else { ExitCode::FAILURE })
     } else {
         print(&write(&arguments.selection)?)?;
@@ -109,7 +114,7 @@ fn write(selection: &Selection) -> anyhow::Result<String> {
         writeln!(report, "removed {}: no such formula", files::shown(&orphan))?;
     }
     let cases: usize = regenerated.iter().map(|golden| golden.file.cases.len()).sum();
-    writeln!(report, "{} formulas, {cases} cases", regenerated.len())?;
+    writeln!(report, "{}, {}", count(regenerated.len(), "formula"), count(cases, "case"))?;
     Ok(report)
 }
 
@@ -145,12 +150,11 @@ pub(crate) fn check(selection: &Selection) -> anyhow::Result<Checked> {
         writeln!(report, "{} has no formula", bold(files::shown(&orphan)))?;
     }
     let cases = regenerated.iter().map(|golden| golden.file.cases.len()).sum();
-    let summary = format!("{} formulas, {cases} cases", regenerated.len());
+    let summary = format!("{}, {}", count(regenerated.len(), "formula"), count(cases, "case"));
     if off == 0 {
         writeln!(report, "{} {summary}: every file is what the code says", green("ok"))?;
     } else {
-        writeln!(report, "{} {summary}: {off} files differ", red("off"))?;
-        say("to make the files what the code says: cargo xtask golden");
+        writeln!(report, "{} {summary}: {} off", red("off"), count(off, "file"))?;
     }
     evidence.save()?;
     Ok(Checked { passed: off == 0, cases, formulas: regenerated.len(), report })
@@ -176,24 +180,23 @@ fn explain(golden: &Regenerated) -> String {
         0 => String::new(),
         rest => format!("  … and {rest} more\n"),
     };
-    format!("{name}: {} differences\n{shown}{rest}", differences.len())
+    format!("{name}: {}\n{shown}{rest}", count(differences.len(), "difference"))
 }
 
 fn show(difference: &Difference) -> String {
     let Difference { case, field, committed, now, ulps } = difference;
-    let distance = ulps.map_or(String::new(), |ulps| format!("  ({ulps} ulps apart)"));
-    format!(
-        "  case {case} {field}{distance}\n    {}\n    {}\n",
-        red(format!("- {committed}")),
-        green(format!("+ {now}"))
-    )
+    let field = if field.is_empty() { String::new() } else { format!(" {field}") };
+    let distance = ulps.map_or(String::new(), |ulps| format!("  ({ulps} ulp apart)"));
+    let (committed, now) = (red(format!("- {committed}")), green(format!("+ {now}")));
+    format!("  case {case}{field}{distance}\n    {committed}\n    {now}\n")
 }
 
-/// What has changed in a formula against its committed golden file, for a review; `None` if nothing has.
-pub(crate) fn changes(formula: &dyn AnyFormula) -> Option<Vec<Difference>> {
-    let committed = std::fs::read_to_string(path(formula.spec().id)).ok();
-    let committed = committed.and_then(|text| File::parse(&text).ok());
-    let now = formula.golden();
-    let differences = committed.map_or_else(Vec::new, |committed| now.differences(&committed));
-    (!differences.is_empty()).then_some(differences)
+/// What has changed in a formula against its committed golden file, for a review.
+///
+/// # Errors
+/// Why the committed file cannot be compared with.
+pub(crate) fn changes(formula: &dyn AnyFormula) -> Result<Vec<Difference>, String> {
+    let committed = std::fs::read_to_string(path(formula.spec().id)).map_err(|error| error.to_string())?;
+    let committed = File::parse(&committed).map_err(|error| error.to_string())?;
+    Ok(formula.golden().differences(&committed))
 }

@@ -12,6 +12,9 @@ mod verify;
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
+/// The exit code of bad usage, which is also clap's.
+const BAD_USAGE: u8 = 2;
+
 /// Golden files, audits and the book of jointproof.
 ///
 /// Results go to standard output, everything else to standard error. The exit code is 0 if all is well, 1 if something
@@ -34,6 +37,11 @@ enum Command {
 /// How a command ended.
 type Outcome = anyhow::Result<ExitCode>;
 
+/// Bad usage that only the command can see, as a filter that matches nothing.
+#[derive(Debug, thiserror::Error)]
+#[error("{0}")]
+struct Usage(String);
+
 fn main() -> ExitCode {
     let outcome = match Arguments::parse().command {
         Command::Verify(arguments) => verify::run(&arguments),
@@ -41,12 +49,8 @@ fn main() -> ExitCode {
         Command::Audit(arguments) => audit::run(&arguments),
         Command::Book(arguments) => book::command::run(&arguments),
     };
-    outcome.unwrap_or_else(|error| match error.downcast_ref::<std::io::Error>() {
-        // The reader, as `head`, has seen enough.
-        Some(error) if error.kind() == std::io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
-        _ => {
-            console::error(&format!("{error:#}"));
-            ExitCode::FAILURE
-        }
+    outcome.unwrap_or_else(|error| {
+        console::error(&format!("{error:#}"));
+        if error.is::<Usage>() { ExitCode::from(BAD_USAGE) } else { ExitCode::FAILURE }
     })
 }

@@ -1,6 +1,6 @@
 //! Which formulas a command works on.
 
-use anyhow::{Context, bail};
+use crate::Usage;
 use jointproof::catalog::{AnyFormula, CATALOG};
 
 /// `--filter`
@@ -23,12 +23,14 @@ impl Selection {
     /// The formulas selected, in the order of the catalog.
     pub(crate) fn formulas(&self) -> anyhow::Result<Vec<&'static dyn AnyFormula>> {
         let Some(filter) = &self.filter else { return Ok(CATALOG.to_vec()) };
-        let glob = globset::Glob::new(filter).with_context(|| format!("--filter {filter} is not a pattern"))?;
+        let glob = globset::Glob::new(filter).map_err(|error| Usage(format!("--filter is not a pattern: {error}")))?;
         let matcher = glob.compile_matcher();
         let selected: Vec<_> = CATALOG.iter().copied().filter(|f| matcher.is_match(f.spec().id)).collect();
         if selected.is_empty() {
             let ids: Vec<_> = CATALOG.iter().map(|formula| formula.spec().id).collect();
-            bail!("--filter {filter} matches no formula; there are {}", ids.join(", "));
+            return Err(
+                Usage(format!("--filter '{filter}' matches no formula; there are\n  {}", ids.join("\n  "))).into()
+            );
         }
         Ok(selected)
     }

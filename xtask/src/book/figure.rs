@@ -34,10 +34,10 @@ fn read(folder: &Path, name: &str) -> Option<String> {
     if plain { std::fs::read_to_string(folder.join(format!("{name}.svg"))).ok() } else { None }
 }
 
-/// All figures there are.
+/// All drawings there are.
 fn names(folder: &Path) -> Vec<String> {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
-    let stem = |path: std::path::PathBuf| Some(path.file_stem()?.to_str()?.to_owned());
+    let stem = |path: std::path::PathBuf| Some(path.file_name()?.to_str()?.strip_suffix(".svg")?.to_owned());
     let mut names: Vec<String> = entries.filter_map(|entry| stem(entry.path())).collect();
     names.sort();
     names

@@ -28,7 +28,7 @@ use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
-use anyhow::{Context as _, Result};
+use anyhow::{Context as _, Result, bail};
 use mdbook_driver::MDBook;
 use mdbook_driver::builtin_preprocessors::LinkPreprocessor;
 use mdbook_driver::config::Config;
@@ -146,6 +146,9 @@ impl Partial {
     /// An empty folder beside `out`, named after this process; old leftovers of interrupted runs are removed.
     fn beside(out: &Path) -> Result<Self> {
         let name = out.file_name().with_context(|| format!("{} cannot hold a book", out.display()))?;
+        if !may_hold_a_book(out) {
+            bail!("{} holds something else than a book; give a new or an empty folder", out.display());
+        }
         let prefix = format!("{}.partial-", name.to_string_lossy());
         let parent = out.parent().unwrap_or(Path::new("."));
         fs::create_dir_all(parent)?;
@@ -177,6 +180,14 @@ impl Partial {
             fs::remove_dir_all(&old)?;
         }
         Ok(())
+    }
+}
+
+/// Whether nothing but an older book is lost when a book is put there.
+fn may_hold_a_book(out: &Path) -> bool {
+    match fs::read_dir(out) {
+        Ok(mut entries) => entries.next().is_none() || (out.join(".nojekyll").exists() && out.join("toc.js").exists()),
+        Err(_) => !out.exists(),
     }
 }
 

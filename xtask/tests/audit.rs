@@ -1,0 +1,129 @@
+//! `cargo xtask audit`: its formats, and points that are given back.
+
+mod common;
+
+use common::Bench;
+use jointproof::verify::golden::File;
+use jointproof::verify::{Audit, Claim, Deviation};
+
+const ID: &str = "slot.friction";
+
+/// The audit of one formula as JSON.
+fn audit(arguments: &[&str]) -> Audit {
+    let ran = Bench::new().run(&[&["audit", "--format", "json", "--filter", ID], arguments].concat()).quiet();
+    let mut audits: Vec<Audit> = serde_json::from_str(&ran.stdout).unwrap();
+    assert_eq!(audits.len(), 1);
+    audits.remove(0)
+}
+
+#[test]
+fn json_holds_what_was_asked_for() {
+    let audit = audit(&["--samples", "17", "--seed", "5"]);
+    assert_eq!((audit.formula.as_str(), audit.random_points, audit.seed), (ID, 17, 5));
+    assert!(audit.passed());
+}
+
+#[test]
+fn a_seed_gives_the_same_points_again_and_another_gives_others() {
+    let seed = |seed| audit(&["--samples", "5", "--seed", seed]);
+    assert_eq!(seed("5"), seed("5"));
+    assert_ne!(seed("5").eta.worst, seed("6").eta.worst);
+}
+
+#[test]
+fn markdown_has_a_row_for_every_claim() {
+    let ran = Bench::new()
+        .run(&["audit", "--filter", ID, "--samples", "5", "--format", "markdown"])
+        .quiet()
+        .prints("### ✅ `slot.friction`")
+        .prints("Against the committed golden file: no change.");
+    for claim in audit(&["--samples", "5"]).claims() {
+        let row = format!("| {} | {} | 0 | ", claim.claim, claim.checks);
+        assert_eq!(ran.stdout.matches(&row).count(), 1, "{row}\n{}", ran.stdout);
+    }
+    let rows = ran.stdout.lines().filter(|line| line.starts_with('|'));
+    rows.for_each(|row| assert_eq!(row.matches('|').count(), 7, "{row}"));
+}
+
+#[test]
+fn text_has_a_line_for_every_claim() {
+    let ran = Bench::new().run(&["audit", "--filter", ID, "--samples", "5"]).quiet();
+    for claim in audit(&["--samples", "5"]).claims() {
+        assert_eq!(ran.stdout.lines().filter(|line| line.ends_with(&claim.claim)).count(), 1, "{claim:?}");
+    }
+}
+
+#[test]
+fn the_worst_point_can_be_given_back() {
+    type Figure = fn(&Audit) -> &Claim;
+    let figures: [(&str, Figure); 2] = [("value", |audit| &audit.eta), ("Jacobian", |audit| &audit.eta_jacobian)];
+    let audited = audit(&["--samples", "50"]);
+    for (name, figure) in figures {
+        let worst = figure(&audited).worst.as_ref().unwrap();
+        assert!(worst.size > 0.0, "{name}");
+        let again = audit(&["--point", &worst.inputs.to_string()]);
+        let there = figure(&again).worst.as_ref().unwrap();
+        let compared = |worst: &Deviation| (worst.entry.clone(), worst.size, worst.found, worst.expected);
+        assert_eq!(compared(there), compared(worst), "{name}");
+    }
+}
+
+#[test]
+fn the_text_gives_a_point_as_the_option_takes_it() {
+    let ran = Bench::new().run(&["audit", "--filter", ID, "--samples", "5"]).quiet();
+    let line = ran.stdout.lines().find_map(|line| line.trim().strip_prefix("--point '")).unwrap();
+    let again = audit(&["--point", line.strip_suffix('\'').unwrap()]);
+    assert_eq!((again.named_points, again.random_points), (1, 0));
+}
+
+#[test]
+fn a_point_on_a_kink_is_audited_as_far_as_can_be() {
+    let point = r#"{"f_trial": 2.0, "mu": 0.5, "fn": 4.0}"#;
+    Bench::new()
+        .run(&["audit", "--filter", "coulomb.return_map", "--point", point])
+        .quiet()
+        .prints("ok  coulomb.return_map at 1 point\n")
+        .prints("NOT CHECKED")
+        .prints(" 0 formulas off");
+}
+
+#[test]
+fn markdown_says_what_changed_against_the_committed_golden_file() {
+    let audit = ["audit", "--filter", ID, "--samples", "1", "--format", "markdown"];
+    let bench = Bench::with(&["golden"]);
+    let path = bench.path("golden/slot.friction.json");
+    let mut file = File::parse(&std::fs::read_to_string(&path).unwrap()).unwrap();
+    let outputs = file.cases[0].out.as_mut().unwrap();
+    let right = outputs.insert("fn".into(), 1e9.into()).unwrap();
+    std::fs::write(&path, file.render().unwrap()).unwrap();
+    bench
+        .run(&audit)
+        .quiet()
+        .prints("Against the committed golden file: 1 change.\n\n")
+        .prints(&format!("- case {}, out.fn: committed 1000000000.0, computed {right} (", file.cases[0].id));
+    std::fs::remove_file(path).unwrap();
+    bench.run(&audit).quiet().prints("There is no committed golden file to compare with: No such file");
+}
+
+#[test]
+fn a_point_that_cannot_be_audited_is_bad_usage() {
+    let refused = |filter, point, expected| {
+        Bench::new().run(&["audit", "--filter", filter, "--point", point]).bad_usage(expected);
+    };
+    let force = "slot.contact_force";
+    refused(force, r#"{"f2": 3, "f4": 4}"#, "--point of slot.contact_force: f4 is no input; allowed is f2, f3");
+    refused(force, r#"{"f2": 3}"#, "f3 is missing; allowed is a number");
+    refused(force, r#"{"f2": 3, "f3": [4]}"#, "f3 is [4]; allowed is a number");
+    refused(force, r#"{"f2": 3, "f3": "NaN"}"#, "f3 is NaN; allowed is a finite number");
+    refused(force, r#"{"f2": 3, "f3": "-Infinity"}"#, "f3 is -inf; allowed is a finite number");
+    refused(force, r#"{"f2": 3, "f3": 1e999}"#, "--point is not a JSON object of f2, f3: number out of range");
+    refused(force, "{f2: 3}", "--point is not a JSON object of f2, f3: key must be a string");
+    refused(force, "[3, 4]", "--point is not a JSON object of f2, f3: invalid type: sequence");
+    refused("slot.constraint_2d", r#"{"e2a": 1}"#, "e2a is 1; allowed is an array of 2 numbers");
+    refused("coulomb.yield", r#"{"p": 1, "mu": -0.1, "fn": 1}"#, "mu is -0.1; allowed is a finite number ≥ 0");
+    refused("slot.*", "{}", "--point needs a --filter that matches one formula, not 10");
+    Bench::new().run(&["audit", "--point", "{}"]).bad_usage("--filter <GLOB>");
+    Bench::new()
+        .run(&["audit", "--filter", force, "--samples", "9", "--point", "{}"])
+        .bad_usage("'--samples <N>' cannot be used with '--point <JSON>'");
+}

@@ -1,0 +1,126 @@
+//! The real book: whole, complete, and content with no network.
+
+mod common;
+
+use common::{Bench, repository};
+use jointproof::catalog::CATALOG;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+
+/// The book, built once for all tests here, in a folder that only they use.
+static BOOK: LazyLock<PathBuf> = LazyLock::new(|| {
+    let bench = Bench::new();
+    let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("book");
+    bench.run(&["book", "--out", out.to_str().unwrap()]).exits(0);
+    out
+});
+
+/// All files below a folder whose names end so.
+fn files(folder: &Path, extensions: &[&str]) -> Vec<(String, String)> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            found.extend(files(&path, extensions));
+        } else if extensions.iter().any(|extension| path.extension().is_some_and(|x| x == *extension)) {
+            found.push((path.display().to_string(), fs::read_to_string(&path).unwrap()));
+        }
+    }
+    found
+}
+
+/// The pages that chapters became, without the one that holds them all and the listings.
+fn chapters() -> impl Iterator<Item = (String, String)> {
+    let listings = BOOK.join("source").display().to_string();
+    files(&BOOK, &["html"])
+        .into_iter()
+        .filter(move |(name, _)| !name.starts_with(&listings) && !name.ends_with("print.html"))
+}
+
+#[test]
+fn every_formula_has_exactly_one_directive() {
+    let chapters = files(&repository().join("book/src"), &["md"]);
+    let lines: Vec<_> = chapters.iter().flat_map(|(_, text)| outside_listings(text)).collect();
+    for formula in CATALOG {
+        let directive = format!("{{{{#formula {}}}}}", formula.spec().id);
+        let count = lines.iter().filter(|line| **line == directive).count();
+        assert_eq!(count, 1, "{directive} in book/src");
+    }
+}
+
+#[test]
+fn every_formula_has_one_anchor_and_its_equation_as_mathml() {
+    let pages: Vec<_> = chapters().collect();
+    for formula in CATALOG {
+        let anchor = format!("<h3 id=\"{}\">", formula.spec().id);
+        let entries: Vec<_> = pages.iter().filter_map(|(_, page)| page.split_once(&anchor)).collect();
+        // The first chapter is the index too.
+        assert_eq!(entries.len(), 1, "{anchor}");
+        let entry = entries[0].1.split("</section>").next().unwrap();
+        assert!(entry.contains("display=\"block\""), "{} has no equation", formula.spec().id);
+        let rows = entry.matches("<tr><td><math").count();
+        assert_eq!(rows, formula.inputs().len() + formula.outputs().len(), "symbols of {}", formula.spec().id);
+    }
+}
+
+#[test]
+fn no_mathematics_is_left_as_latex() {
+    for (name, page) in chapters() {
+        let shown = shown(&page);
+        for left in ["\\frac", "\\sqrt", "\\mathrm", "\\lvert", "\\begin{", "{{#"] {
+            assert!(!shown.contains(left), "{name} shows {left}");
+        }
+        assert!(!page.contains("MathJax") && !page.contains("katex"), "{name} wants a script for its mathematics");
+    }
+}
+
+#[test]
+fn nothing_is_fetched_from_the_network() {
+    for (name, page) in files(&BOOK, &["html", "css", "svg"]) {
+        for how in ["src=\"", "href=\"", "action=\"", "data=\"", "url(", "url(\"", "url('", "@import \"", "@import '"] {
+            for scheme in ["http:", "https:", "//"] {
+                let fetched = format!("{how}{scheme}");
+                assert!(!page.contains(&fetched), "{name} has {fetched}");
+            }
+        }
+    }
+    // The script that runs Rust code in a playground is mdBook's own; nothing here may call it.
+    for (name, page) in chapters() {
+        assert!(!page.contains("class=\"playground\""), "{name} has code that is run elsewhere");
+    }
+}
+
+#[test]
+fn a_folder_that_holds_something_else_is_not_replaced() {
+    let bench = Bench::new();
+    fs::create_dir(bench.path("letters")).unwrap();
+    fs::write(bench.path("letters/dear.txt"), "Dear").unwrap();
+    let out = bench.path("letters");
+    bench.run(&["book", "--out", out.to_str().unwrap()]).exits(1).says("holds something else than a book");
+    assert_eq!(fs::read_to_string(bench.path("letters/dear.txt")).unwrap(), "Dear");
+    assert_eq!(bench.files("letters").len(), 1);
+}
+
+/// The lines of a chapter that are not in a fenced listing.
+fn outside_listings(chapter: &str) -> impl Iterator<Item = &str> {
+    let mut listing = false;
+    chapter.lines().map(str::trim_end).filter(move |line| {
+        let fence = line.starts_with("```");
+        listing ^= fence;
+        !listing && !fence
+    })
+}
+
+/// What a reader sees of a page, without code.
+fn shown(page: &str) -> String {
+    let mut shown = String::new();
+    let mut rest = page;
+    while let Some((text, tag)) = rest.split_once('<') {
+        shown += text;
+        let hidden = ["code", "script", "style"].iter().find(|name| tag.starts_with(**name));
+        let end = hidden.map_or(">".into(), |name| format!("</{name}>"));
+        rest = tag.split_once(&end).map_or("", |(_, rest)| rest);
+    }
+    shown + rest
+}

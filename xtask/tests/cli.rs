@@ -1,0 +1,120 @@
+//! The command line: exit codes, help, colours, closed pipes, and which stream says what.
+
+mod common;
+
+use common::{Bench, Ran};
+use jointproof::catalog::CATALOG;
+use std::process::Stdio;
+
+/// The commands that the help lists.
+fn commands() -> Vec<String> {
+    let help = Bench::new().run(&["--help"]).quiet().stdout;
+    let (_, after) = help.split_once("Commands:\n").unwrap();
+    let names = after.lines().take_while(|line| !line.is_empty()).filter_map(|line| line.split_whitespace().next());
+    names.filter(|name| *name != "help").map(String::from).collect()
+}
+
+#[test]
+fn help_of_every_command_shows_examples_of_it() {
+    let commands = commands();
+    assert!(commands.len() >= 4, "{commands:?}");
+    for command in commands {
+        let help = Bench::new().run(&[&command, "--help"]).quiet().stdout;
+        let (_, examples) =
+            help.split_once("Examples:\n").unwrap_or_else(|| panic!("{command} has no examples\n{help}"));
+        for example in examples.lines() {
+            assert!(example.trim_start().starts_with(&format!("cargo xtask {command}")), "{example}");
+        }
+    }
+}
+
+#[test]
+fn the_readme_lists_every_command_and_no_other() {
+    let readme = std::fs::read_to_string(common::repository().join("README.md")).unwrap();
+    let rows = readme.lines().filter_map(|line| line.strip_prefix("| `cargo xtask "));
+    let listed: Vec<_> = rows.filter_map(|row| row.split('`').next()).collect();
+    assert_eq!(listed, commands());
+}
+
+#[test]
+fn an_unknown_command_or_option_is_bad_usage() {
+    let bench = Bench::new();
+    bench.run(&["goldne"]).bad_usage("golden");
+    bench.run(&["golden", "--chekc"]).bad_usage("--check");
+    bench.run(&["audit", "--samples", "many"]).bad_usage("many");
+    bench.run(&["audit", "--format", "yaml"]).bad_usage("[possible values: text, markdown, json]");
+    // Without a command, the help.
+    bench.run(&[]).exits(2).says("Commands:");
+}
+
+#[test]
+fn a_filter_that_is_no_pattern_is_bad_usage() {
+    for command in ["golden", "audit"] {
+        Bench::new().run(&[command, "--filter", "slot.[a"]).bad_usage("--filter is not a pattern");
+    }
+}
+
+#[test]
+fn a_filter_that_matches_nothing_is_bad_usage_and_lists_what_there_is() {
+    for command in ["golden", "audit"] {
+        let ran = Bench::new().run(&[command, "--filter", "slit.*"]).bad_usage("--filter 'slit.*' matches no formula");
+        let listed: Vec<_> = ran.stderr.lines().skip(1).map(str::trim).collect();
+        let expected: Vec<_> = CATALOG.iter().map(|formula| formula.spec().id).collect();
+        assert_eq!(listed, expected);
+    }
+}
+
+#[test]
+fn results_are_printed_and_nothing_else_is_said() {
+    let bench = Bench::new();
+    let quick = ["audit", "--filter", "slot.contact_force", "--samples", "3"];
+    bench.run(&quick).quiet().prints("slot.contact_force");
+    bench.run(&["golden", "--check", "--filter", "slot.contact_force"]).quiet().prints("ok 1 formula, ");
+}
+
+/// A check that prints a coloured difference.
+fn coloured(variables: &[(&str, &str)]) -> Ran {
+    let bench = Bench::with(&["golden/schema.json"]);
+    let mut command = bench.command(&["golden", "--check", "--filter", "slot.stop"]);
+    Ran::from(command.envs(variables.iter().copied()).output().unwrap()).exits(1)
+}
+
+#[test]
+fn colours_are_for_terminals_unless_forced() {
+    const RED: &str = "\u{1b}[31m";
+    assert!(!coloured(&[]).stdout.contains('\u{1b}'), "not a terminal");
+    assert!(coloured(&[("CLICOLOR_FORCE", "1")]).stdout.contains(RED), "forced");
+    assert!(!coloured(&[("CLICOLOR_FORCE", "1"), ("NO_COLOR", "1")]).stdout.contains('\u{1b}'), "not wanted");
+}
+
+/// Runs a command whose reader has gone before it prints.
+fn into_closed_pipe(bench: &Bench, arguments: &[&str]) -> Ran {
+    let mut child = bench.command(arguments).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    drop(child.stdout.take());
+    Ran::from(child.wait_with_output().unwrap())
+}
+
+#[test]
+fn a_closed_pipe_ends_a_command_quietly() {
+    let bench = Bench::new();
+    for arguments in [&["--help"][..], &["audit", "--help"], &["audit", "--filter", "slot.*_force", "--samples", "3"]] {
+        into_closed_pipe(&bench, arguments).quiet();
+    }
+}
+
+#[test]
+fn a_closed_pipe_does_not_hide_that_something_is_off() {
+    let bench = Bench::with(&["golden/schema.json"]);
+    into_closed_pipe(&bench, &["golden", "--check", "--filter", "slot.stop"]).exits(1);
+}
+
+#[test]
+fn verify_gives_every_verdict_even_if_all_is_off() {
+    let bench = Bench::with(&["src", "tests", "book", "golden"]);
+    std::fs::write(bench.path("golden/slot.stop.json"), "{}").unwrap();
+    std::fs::write(bench.path("book/src/slot.md"), "# Slot\n").unwrap();
+    let ran = bench.run(&["verify", "--samples", "2"]).exits(1);
+    let verdicts: Vec<_> = ran.stdout.lines().map(|line| line.split_whitespace().take(2).collect::<Vec<_>>()).collect();
+    assert_eq!(verdicts, [["off", "golden"], ["ok", "audit"], ["off", "book"]], "{ran:#?}");
+    ran.says("golden/slot.stop.json").says("cargo xtask golden").says("formula `slot.stop` is in the catalog");
+}

@@ -1,0 +1,136 @@
+//! The command as a user runs it, in surroundings that a test decides.
+#![allow(dead_code, reason = "each test file is a crate of its own and uses what it needs")]
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use tempfile::TempDir;
+
+/// The repository.
+pub fn repository() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap()
+}
+
+/// A folder to work in: commands keep their evidence and put the book there, and if a part of the repository has been
+/// copied into it they take it for the repository.
+pub struct Bench {
+    directory: TempDir,
+    is_root: bool,
+}
+
+impl Bench {
+    /// To work on the repository itself, which stays as it is.
+    pub fn new() -> Self {
+        Self { directory: tempfile::tempdir().unwrap(), is_root: false }
+    }
+
+    /// To work on copies of these files and folders of the repository.
+    pub fn with(parts: &[&str]) -> Self {
+        let bench = Self { directory: tempfile::tempdir().unwrap(), is_root: true };
+        for part in parts {
+            copy(&repository().join(part), &bench.path(part));
+        }
+        bench
+    }
+
+    /// A path in the folder.
+    pub fn path(&self, part: &str) -> PathBuf {
+        self.directory.path().join(part)
+    }
+
+    /// The command, not yet run. Nothing of the surroundings of the test itself gets in.
+    pub fn command(&self, arguments: &[&str]) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_xtask"));
+        for variable in ["NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE", "RAYON_NUM_THREADS", "JOINTPROOF_ROOT"] {
+            command.env_remove(variable);
+        }
+        command.args(arguments).env("CARGO_TARGET_DIR", self.path("target"));
+        if self.is_root {
+            command.env("JOINTPROOF_ROOT", self.directory.path());
+        }
+        command
+    }
+
+    /// Runs the command.
+    pub fn run(&self, arguments: &[&str]) -> Ran {
+        Ran::from(self.command(arguments).output().unwrap())
+    }
+
+    /// Every file of a folder, by name, with its bytes and the time it was written.
+    pub fn files(&self, folder: &str) -> BTreeMap<String, (Vec<u8>, std::time::SystemTime)> {
+        let entry = |entry: fs::DirEntry| {
+            let name = entry.file_name().into_string().unwrap();
+            (name, (fs::read(entry.path()).unwrap(), entry.metadata().unwrap().modified().unwrap()))
+        };
+        fs::read_dir(self.path(folder)).unwrap().map(|file| entry(file.unwrap())).collect()
+    }
+}
+
+fn copy(from: &Path, to: &Path) {
+    if from.is_dir() {
+        for entry in fs::read_dir(from).unwrap() {
+            let name = entry.unwrap().file_name();
+            copy(&from.join(&name), &to.join(&name));
+        }
+    } else {
+        fs::create_dir_all(to.parent().unwrap()).unwrap();
+        fs::copy(from, to).unwrap();
+    }
+}
+
+/// How a command ended.
+#[derive(Debug)]
+pub struct Ran {
+    /// The exit code; `None` if a signal ended it.
+    pub code: Option<i32>,
+    pub stdout: String,
+    pub stderr: String,
+}
+
+impl From<Output> for Ran {
+    fn from(output: Output) -> Self {
+        let text = |bytes| String::from_utf8(bytes).unwrap();
+        Self { code: output.status.code(), stdout: text(output.stdout), stderr: text(output.stderr) }
+    }
+}
+
+impl Ran {
+    /// Asserts the exit code.
+    #[track_caller]
+    pub fn exits(self, code: i32) -> Self {
+        assert_eq!(self.code, Some(code), "{self:#?}");
+        self
+    }
+
+    /// Asserts that it ended quietly: that all went well and that there was nothing to say beside the results.
+    #[track_caller]
+    pub fn quiet(self) -> Self {
+        let ran = self.exits(0);
+        assert_eq!(ran.stderr, "");
+        ran
+    }
+
+    /// Asserts what is among the results.
+    #[track_caller]
+    pub fn prints(self, expected: &str) -> Self {
+        assert!(self.stdout.contains(expected), "{expected:?} is not in the standard output of\n{self:#?}");
+        self
+    }
+
+    /// Asserts what is among the messages.
+    #[track_caller]
+    pub fn says(self, expected: &str) -> Self {
+        assert!(self.stderr.contains(expected), "{expected:?} is not in the standard error of\n{self:#?}");
+        self
+    }
+
+    /// Asserts bad usage: exit code 2, no results, and this said.
+    #[track_caller]
+    pub fn bad_usage(self, expected: &str) -> Self {
+        let ran = self.exits(2).says(expected);
+        assert_eq!(ran.stdout, "", "{ran:#?}");
+        assert!(ran.stderr.starts_with("error: "), "{ran:#?}");
+        ran
+    }
+}
