@@ -45,3 +45,8 @@ pub use error::{Error, Name};
 pub use octuple::Octuple;
 pub use scalar::Scalar;
 pub use single::Single;
+
+/// The examples of the README are compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
