@@ -72,6 +72,28 @@ pub enum Error {
         /// The third vector.
         third: &'static str,
     },
+    /// An angle is not defined, because both arguments of its two-argument arc tangent are 0.
+    #[error(
+        "{angle} is undefined, since {sine} = 0 and {cosine} = 0 (gimbal lock); allowed is at least one that is not 0"
+    )]
+    GimbalLock {
+        /// The angle.
+        angle: &'static str,
+        /// What is proportional to its sine.
+        sine: &'static str,
+        /// What is proportional to its cosine.
+        cosine: &'static str,
+    },
+    /// A scalar product that must have an arc sine is above 1 in size, as rounding alone can make it.
+    #[error(
+        "|{product}| is above 1 by {excess:e}; allowed is at most 1 (or use the two-argument angle, which has no such limit)"
+    )]
+    NoArcSine {
+        /// The scalar product.
+        product: &'static str,
+        /// By how much its size is above 1.
+        excess: f64,
+    },
     /// A list of components has the wrong length.
     #[error("{found} components were given; allowed are exactly {expected}")]
     Components {
@@ -151,6 +173,8 @@ impl Error {
             Self::NotUnit { .. } => "NotUnit",
             Self::NotPerpendicular { .. } => "NotPerpendicular",
             Self::LeftHanded { .. } => "LeftHanded",
+            Self::GimbalLock { .. } => "GimbalLock",
+            Self::NoArcSine { .. } => "NoArcSine",
             Self::Components { .. } => "Components",
             Self::Overflow { .. } => "Overflow",
         }

@@ -172,7 +172,7 @@ macro_rules! quantities {
     };
 }
 
-use Domain::{NonNegative, Point, Real, Triad, Vector};
+use Domain::{Angle, NonNegative, Point, Real, Triad, Vector};
 use Node::{A, B};
 
 const ONE: Unit = Unit::ONE;
@@ -222,6 +222,9 @@ quantities! {
     PHI: r"\Phi", Scalar, F, Real, "yield function: stick below 0, slip at 0";
 
     // ALIGN, TRANSLATOR
+    ALPHA: r"\alpha", Scalar, ONE, Angle, "first Cardan angle of b's triad relative to a's, about e1a, from −π to below π";
+    BETA: r"\beta", Scalar, ONE, Angle, "second Cardan angle of b's triad relative to a's, from −π/2 to π/2";
+    GAMMA: r"\gamma", Scalar, ONE, Angle, "third Cardan angle of b's triad relative to a's, about e3b, from −π to below π";
 
     // JOIN, UNIVERSAL, UJOINT
 

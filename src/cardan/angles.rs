@@ -1,0 +1,214 @@
+//! The three angles as documented, β by the arc sine.
+
+use super::{alpha, alpha_gradient, check_alpha, check_gamma, gamma, gamma_gradient};
+use crate::error::Error;
+use crate::fields;
+use crate::formula::{Case, Convention, Element, Fields, Formula, Jacobian, Kink, Source, Spec};
+use crate::quantity::{ALPHA, BETA, E1A, E1B, E2A, E2B, E3A, E3B, GAMMA};
+use crate::scalar::{Scalar, abs, atan2, sign};
+use crate::verify::hard;
+use nalgebra::Vector3;
+
+fields! {
+    /// How both nodes are turned.
+    pub struct Triads<T> {
+        e1a: Vector3<T> = E1A, e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A,
+        e1b: Vector3<T> = E1B, e2b: Vector3<T> = E2B, e3b: Vector3<T> = E3B,
+    }
+}
+
+impl<T: Element> Triads<T> {
+    /// From the triads of a and of b.
+    pub fn new([e1a, e2a, e3a]: [Vector3<T>; 3], [e1b, e2b, e3b]: [Vector3<T>; 3]) -> Self {
+        Self { e1a, e2a, e3a, e1b, e2b, e3b }
+    }
+}
+
+fields! {
+    /// Cardan angles of b relative to a.
+    pub struct Angles<T> { alpha: T = ALPHA, beta: T = BETA, gamma: T = GAMMA }
+}
+
+/// Cardan angles: α = −atan2(e2a·e3b, e3a·e3b), β = asin(e1a·e3b), γ = −atan2(e1a·e2b, e1a·e1b).
+///
+/// |e1a·e3b| > 1 is rejected. At exactly ±1 the arc sine ends upright: β is ±90°, and its derivative, which is
+/// infinite, is replaced by that of the constant beyond, 0.
+#[derive(Clone, Copy, Debug)]
+pub struct CardanAngles;
+
+impl Formula for CardanAngles {
+    const SPEC: Spec = Spec {
+        id: "cardan.angles",
+        title: "Cardan angles",
+        latex: r"\alpha = -\operatorname{atan2}(\mathbf{e}_{2a}\cdot\mathbf{e}_{3b},\ \mathbf{e}_{3a}\cdot\mathbf{e}_{3b}),\quad \beta = \arcsin(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b}),\quad \gamma = -\operatorname{atan2}(\mathbf{e}_{1a}\cdot\mathbf{e}_{2b},\ \mathbf{e}_{1a}\cdot\mathbf{e}_{1b})",
+        source: Source::TRANSLATOR.section("Description"),
+        eta: 4.0,
+        eta_jacobian: 4.0,
+        objective: true,
+    };
+    type Inputs<T: Element> = Triads<T>;
+    type Outputs<T: Element> = Angles<T>;
+
+    fn eval<D: Scalar>(i: &Triads<D>) -> Angles<D> {
+        Angles {
+            alpha: alpha(&i.e2a, &i.e3a, &i.e3b),
+            beta: arc_sine(&i.e1a, &i.e3b),
+            gamma: gamma(&i.e1a, &i.e1b, &i.e2b),
+        }
+    }
+
+    fn jacobian<D: Scalar>(i: &Triads<D>) -> Jacobian<Self, D> {
+        let zero = Triads::filled(D::zero());
+        let slope = arc_sine_slope(&i.e1a, &i.e3b);
+        let beta = Triads { e1a: i.e3b * slope, e3b: i.e1a * slope, ..zero };
+        let [e2a, e3a, e3b] = alpha_gradient(&i.e2a, &i.e3a, &i.e3b);
+        let alpha = Triads { e2a, e3a, e3b, ..zero };
+        let [e1a, e1b, e2b] = gamma_gradient(&i.e1a, &i.e1b, &i.e2b);
+        let gamma = Triads { e1a, e1b, e2b, ..zero };
+        Angles { alpha, beta, gamma }
+    }
+
+    fn validate(i: &Triads<f64>) -> Result<(), Error> {
+        check_arc_sine(&i.e1a, &i.e3b)?;
+        check_alpha(&i.e2a, &i.e3a, &i.e3b)?;
+        check_gamma(&i.e1a, &i.e1b, &i.e2b)
+    }
+
+    fn cases() -> Vec<Case<Triads<f64>>> {
+        let [x, y, z] = [Vector3::x(), Vector3::y(), Vector3::z()];
+        let hand = Triads::new([x, y, z], [x + y, y - x, Vector3::new(0.5, -0.5, 0.5)]);
+        let mut cases = vec![
+            Case::limit("aligned", "all zero where both triads are the same", Triads::new([x, y, z], [x, y, z])),
+            Case::hand("45-30-45", "exact components, though not of length 1: atan 1, asin 0.5, atan 1", hand),
+            Case::hard(
+                "right-angle",
+                "e1a·e3b = 1: β = 90°, where the derivative of the arc sine is infinite",
+                Triads { e3b: Vector3::new(1.0, -0.5, 0.5), ..hand },
+            ),
+            Case::hard(
+                "right-angle-back",
+                "e1a·e3b = -1: β = -90°",
+                Triads { e3b: Vector3::new(-1.0, -0.5, 0.5), ..hand },
+            ),
+            Case::hard(
+                "below-right-angle",
+                "e1a·e3b = 1 - 2⁻⁵³, the last double before 1",
+                Triads { e3b: Vector3::new(1.0_f64.next_down(), -0.5, 0.5), ..hand },
+            ),
+            Case::hard(
+                "nearly-right-angle",
+                "e1a·e3b = 1 - 2⁻⁶⁰, which rounds to 1",
+                Triads { e1a: Vector3::new(1.0, 1.0, 0.0), e3b: Vector3::new(1.0, -(2.0_f64.powi(-60)), 0.5), ..hand },
+            ),
+        ];
+        cases.extend(hard::triads().into_iter().map(|pair| {
+            let [a, b] = pair.value;
+            Case::hard(pair.id, pair.comment, Triads::new(a, b))
+        }));
+        cases
+    }
+
+    fn invalid_cases() -> Vec<Case<Triads<f64>>> {
+        let hand = Triads::new([Vector3::x(), Vector3::y(), Vector3::z()], hard::triad());
+        let steep = |x, y| Triads { e1a: Vector3::new(1.0, 1.0, 0.0), e3b: Vector3::new(x, y, 0.5), ..hand };
+        let locked = hard::gimbal_locked().into_iter();
+        let mut cases: Vec<_> = locked
+            .map(|pair| Case::invalid(pair.id, pair.comment, Triads::new(pair.value[0], pair.value[1])))
+            .collect();
+        cases.extend([
+            Case::invalid("above-1", "e1a·e3b = 1 + 2⁻⁵² has no arc sine", steep(1.0_f64.next_up(), 0.0)),
+            Case::invalid("below-minus-1", "e1a·e3b = -1 - 2⁻⁵²", steep(-1.0_f64.next_up(), 0.0)),
+            Case::invalid("barely-above-1", "e1a·e3b = 1 + 2⁻⁶⁰, which rounds to 1", steep(1.0, 2.0_f64.powi(-60))),
+        ]);
+        cases
+    }
+
+    fn kinks() -> Vec<Kink<Self>> {
+        vec![
+            Kink {
+                condition: r"\lvert\mathbf{e}_{1a}\cdot\mathbf{e}_{3b}\rvert = 1",
+                convention: Convention::Switch,
+                holds: |i| abs(i.e1a.dot(&i.e3b)) == 1.0,
+                at: || Triads { e3b: Vector3::new(1.0, -0.5, 0.5), ..of_axes([1, 2, 3]) },
+                across: || Triads { e1a: Vector3::x(), ..Triads::filled(0.0) },
+            },
+            Kink {
+                condition: r"\alpha = -\pi",
+                convention: Convention::Cut,
+                holds: |i| i.e2a.dot(&i.e3b) == 0.0 && i.e3a.dot(&i.e3b) < 0.0,
+                at: || of_axes([1, -2, -3]),
+                across: || Triads { e3b: Vector3::y(), ..Triads::filled(0.0) },
+            },
+            Kink {
+                condition: r"\gamma = -\pi",
+                convention: Convention::Cut,
+                holds: |i| i.e1a.dot(&i.e2b) == 0.0 && i.e1a.dot(&i.e1b) < 0.0,
+                at: || of_axes([-1, -2, 3]),
+                across: || Triads { e2b: Vector3::x(), ..Triads::filled(0.0) },
+            },
+        ]
+    }
+}
+
+/// Node a along the global axes, node b along these of them.
+fn of_axes(of_b: [i32; 3]) -> Triads<f64> {
+    let [a, b] = hard::axes(of_b);
+    Triads::new(a, b)
+}
+
+/// Above this |sin β| the difference 1 − |sin β| is formed without rounding.
+const STEEP: f64 = 0.99;
+
+/// asin(a·b), ±90° beyond ±1.
+#[inline]
+pub(crate) fn arc_sine<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
+    let sine = a.dot(b);
+    if abs(sine) < STEEP {
+        return sine.asin();
+    }
+    let cosine = steep_cosine(a, b);
+    if cosine == 0.0 { D::from(sign(sine)).asin() } else { atan2(sine, cosine) }
+}
+
+/// The derivative of [`arc_sine`] with respect to a·b: 1/√(1 − (a·b)²); 0 beyond ±1.
+#[inline]
+pub(crate) fn arc_sine_slope<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
+    let sine = a.dot(b);
+    if abs(sine) < STEEP {
+        return ((-sine + 1.0) * (sine + 1.0)).sqrt().recip();
+    }
+    let cosine = steep_cosine(a, b);
+    if cosine == 0.0 { D::zero() } else { cosine.recip() }
+}
+
+/// √(1 − (a·b)²) where |a·b| is close to 1; 0 beyond.
+#[cold]
+fn steep_cosine<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
+    let shortfall = shortfall(a, b);
+    if shortfall > 0.0 { (shortfall * (-shortfall + 2.0)).sqrt() } else { D::zero() }
+}
+
+/// 1 − |a·b| as if computed with twice the digits, so that its sign and its leading digits are right even where a·b
+/// rounds to ±1: products and sums are taken together with their rounding errors.
+fn shortfall<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
+    let side = -sign(a.dot(b));
+    let (mut sum, mut errors) = (D::one(), D::zero());
+    for (&a, &b) in a.iter().zip(b) {
+        let b = b * side;
+        let product = a * b;
+        let before = sum;
+        sum = before + product;
+        let added = sum - before;
+        errors = errors + a.mul_add(b, -product) + ((before - (sum - added)) + (product - added));
+    }
+    sum + errors
+}
+
+/// Rejects |e1a·e3b| > 1, which has no arc sine.
+///
+/// # Errors
+/// [`Error::NoArcSine`].
+pub(crate) fn check_arc_sine(e1a: &Vector3<f64>, e3b: &Vector3<f64>) -> Result<(), Error> {
+    let excess = -shortfall(e1a, e3b);
+    if excess > 0.0 { Err(Error::NoArcSine { product: "e1a·e3b", excess }) } else { Ok(()) }
+}

@@ -1,0 +1,1 @@
+//! β by the two-argument arc tangent, accurate up to ±90°.
