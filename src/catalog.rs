@@ -2,9 +2,8 @@
 
 use crate::formula::{Convention, Field, Fields, Formula, Kink, Spec, check};
 use crate::scalar::{abs, sign};
-use crate::verify::{Audit, Options, audit, exactly, golden};
+use crate::verify::{Audit, Options, audit, exactly, golden, hard};
 use crate::{Error, Octuple, cardan, coulomb, slot};
-use num_dual::DualNum;
 
 /// A formula whose inputs and outputs are not known to the compiler; every [`Formula`] is one.
 pub trait AnyFormula: Send + Sync {
@@ -81,7 +80,7 @@ fn one_sided<F: Formula>(kink: &Kink<F>) -> KinkEntry {
         F::Inputs::from_slice(&moved).map_or_else(Vec::new, |i| F::eval(&i).components())
     };
     let (below, here, above) = (value(-step), value(step * 0.0), value(step));
-    let half_turn = (-Octuple::from(1.0)).acos();
+    let half_turn = hard::half_turn();
     let difference = |to: Octuple, from: Octuple| match kink.convention {
         Convention::Cut if abs(to - from) > half_turn => to - from - half_turn * (2.0 * sign(to - from)),
         _ => to - from,
@@ -110,6 +109,7 @@ pub const CATALOG: &[&dyn AnyFormula] = &[
     &coulomb::ReturnMap,
     // ALIGN, TRANSLATOR
     &cardan::CardanAngles,
+    &cardan::BetaTwoArgument,
     // JOIN, UNIVERSAL, UJOINT
     // SLIDER
     // Slide lines

@@ -72,7 +72,7 @@ pub enum Error {
         /// The third vector.
         third: &'static str,
     },
-    /// An angle is not defined, because both arguments of its two-argument arc tangent are 0.
+    /// At gimbal lock, β = ±90°, the Cardan angles α and γ turn about one axis and neither is defined.
     #[error(
         "{angle} is undefined, since {sine} = 0 and {cosine} = 0 (gimbal lock); allowed is at least one that is not 0"
     )]
@@ -83,6 +83,16 @@ pub enum Error {
         sine: &'static str,
         /// What is proportional to its cosine.
         cosine: &'static str,
+    },
+    /// An angle is undefined, since a vector is perpendicular to all axes between which it is measured.
+    #[error("{angle} is undefined, since {vector} is perpendicular to {axes}; allowed is a unit vector and a triad")]
+    UndefinedAngle {
+        /// The angle.
+        angle: &'static str,
+        /// The vector.
+        vector: &'static str,
+        /// The axes.
+        axes: &'static str,
     },
     /// A scalar product that must have an arc sine is above 1 in size, as rounding alone can make it.
     #[error(
@@ -174,6 +184,7 @@ impl Error {
             Self::NotPerpendicular { .. } => "NotPerpendicular",
             Self::LeftHanded { .. } => "LeftHanded",
             Self::GimbalLock { .. } => "GimbalLock",
+            Self::UndefinedAngle { .. } => "UndefinedAngle",
             Self::NoArcSine { .. } => "NoArcSine",
             Self::Components { .. } => "Components",
             Self::Overflow { .. } => "Overflow",

@@ -1,13 +1,15 @@
 //! The three angles as documented, β by the arc sine.
 
-use super::{alpha, alpha_gradient, check_alpha, check_gamma, gamma, gamma_gradient};
+use super::{alpha, alpha_gradient, check_turns, gamma, gamma_gradient, rotation};
+use crate::Octuple;
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Case, Convention, Element, Fields, Formula, Jacobian, Kink, Source, Spec};
+use crate::formula::{Case, Convention, Element, Fields, Formula, Jacobian, Kink, Law, Source, Spec};
 use crate::quantity::{ALPHA, BETA, E1A, E1B, E2A, E2B, E3A, E3B, GAMMA};
 use crate::scalar::{Scalar, abs, atan2, sign};
-use crate::verify::hard;
+use crate::verify::{hard, law};
 use nalgebra::Vector3;
+use num_dual::DualNum;
 
 fields! {
     /// How both nodes are turned.
@@ -19,8 +21,25 @@ fields! {
 
 impl<T: Element> Triads<T> {
     /// From the triads of a and of b.
-    pub fn new([e1a, e2a, e3a]: [Vector3<T>; 3], [e1b, e2b, e3b]: [Vector3<T>; 3]) -> Self {
+    pub const fn new([e1a, e2a, e3a]: [Vector3<T>; 3], [e1b, e2b, e3b]: [Vector3<T>; 3]) -> Self {
         Self { e1a, e2a, e3a, e1b, e2b, e3b }
+    }
+}
+
+impl<D: Scalar> Triads<D> {
+    /// The moments on a and on b of a unit multiplier whose residual has this gradient: with δe = ω × e in every vector
+    /// of a node, Σ (∂g/∂e)·δe = ω·Σ e × ∂g/∂e.
+    pub fn moments(&self, gradient: &Self) -> [Vector3<D>; 2] {
+        let moment = |e: Vector3<D>, slope: Vector3<D>| e.cross(&slope);
+        let on_a = moment(self.e1a, gradient.e1a) + moment(self.e2a, gradient.e2a) + moment(self.e3a, gradient.e3a);
+        let on_b = moment(self.e1b, gradient.e1b) + moment(self.e2b, gradient.e2b) + moment(self.e3b, gradient.e3b);
+        [on_a, on_b]
+    }
+
+    /// Both triads, orthonormal to 237 bits.
+    pub(crate) fn orthonormal(&self) -> ([Vector3<D>; 3], [Vector3<D>; 3]) {
+        let Self { e1a, e2a, e3a, e1b, e2b, e3b } = *self;
+        (law::orthonormal([e1a, e2a, e3a]), law::orthonormal([e1b, e2b, e3b]))
     }
 }
 
@@ -70,8 +89,7 @@ impl Formula for CardanAngles {
 
     fn validate(i: &Triads<f64>) -> Result<(), Error> {
         check_arc_sine(&i.e1a, &i.e3b)?;
-        check_alpha(&i.e2a, &i.e3a, &i.e3b)?;
-        check_gamma(&i.e1a, &i.e1b, &i.e2b)
+        check_turns(i)
     }
 
     fn cases() -> Vec<Case<Triads<f64>>> {
@@ -145,6 +163,67 @@ impl Formula for CardanAngles {
                 holds: |i| i.e1a.dot(&i.e2b) == 0.0 && i.e1a.dot(&i.e1b) < 0.0,
                 at: || of_axes([-1, -2, 3]),
                 across: || Triads { e2b: Vector3::x(), ..Triads::filled(0.0) },
+            },
+        ]
+    }
+
+    fn laws() -> Vec<Law<Self>> {
+        vec![
+            Law {
+                statement: "R1(α) R2(β) R3(γ) rebuilds every e_ia·e_jb, on orthonormal triads",
+                sides: |i| {
+                    let (a, b) = i.orthonormal();
+                    let Angles { alpha, beta, gamma } = Self::eval(&Triads::new(a, b));
+                    let rebuilt = rotation(alpha, beta, gamma);
+                    let pairs = (0..9).map(|k| (k / 3, k % 3));
+                    pairs.flat_map(|(i, j)| law::equal_with(rebuilt[(i, j)], a[i].dot(&b[j]), 1.0.into())).collect()
+                },
+            },
+            Law {
+                statement: "reversing two axes of both nodes reverses the angles about those two",
+                sides: |i| {
+                    let Angles { alpha, beta, gamma } = Self::eval(i);
+                    let about_1 = Self::eval(&Triads { e2a: -i.e2a, e3a: -i.e3a, e2b: -i.e2b, e3b: -i.e3b, ..*i });
+                    let about_2 = Self::eval(&Triads { e1a: -i.e1a, e3a: -i.e3a, e1b: -i.e1b, e3b: -i.e3b, ..*i });
+                    let about_3 = Self::eval(&Triads { e1a: -i.e1a, e2a: -i.e2a, e1b: -i.e1b, e2b: -i.e2b, ..*i });
+                    law::equal_all([
+                        (about_1.alpha, alpha),
+                        (about_1.beta, -beta),
+                        (about_1.gamma, -gamma),
+                        (about_2.alpha, -alpha),
+                        (about_2.beta, beta),
+                        (about_2.gamma, -gamma),
+                        (about_3.alpha, -alpha),
+                        (about_3.beta, -beta),
+                        (about_3.gamma, gamma),
+                    ])
+                },
+            },
+            Law {
+                statement: "exchanging the nodes and the names of axes 1 and 3 exchanges −α and γ",
+                sides: |i| {
+                    let exchanged = Triads::new([i.e3b, -i.e2b, i.e1b], [i.e3a, -i.e2a, i.e1a]);
+                    let (here, there) = (Self::eval(i), Self::eval(&exchanged));
+                    law::equal_all([(there.alpha, -here.gamma), (there.beta, here.beta), (there.gamma, -here.alpha)])
+                },
+            },
+            Law {
+                statement: "spinning b about e1a, the line of nodes or e3b changes α, β or γ alone, at rate 1",
+                sides: |i| {
+                    let (a, b) = i.orthonormal();
+                    let triads = Triads::new(a, b);
+                    let alpha = Self::eval(&triads).alpha;
+                    let line_of_nodes = a[1] * alpha.cos() + a[2] * alpha.sin();
+                    let jac = Self::jacobian(&triads);
+                    let rates = |gradient: &Triads<Octuple>| {
+                        let [_, moment] = triads.moments(gradient);
+                        [a[0], line_of_nodes, b[2]].map(|spin| moment.dot(&spin))
+                    };
+                    let found = [jac.alpha, jac.beta, jac.gamma].iter().flat_map(rates).collect::<Vec<_>>();
+                    let expected = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0].map(Octuple::from);
+                    let pairs = found.into_iter().zip(expected);
+                    pairs.flat_map(|(found, expected)| law::equal_with(found, expected, 1.0.into())).collect()
+                },
             },
         ]
     }
