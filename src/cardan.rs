@@ -20,11 +20,16 @@
 
 mod accurate;
 mod angles;
+mod arc_sine;
 mod beta;
+mod triads;
 
 pub use accurate::*;
-pub use angles::*;
+pub(crate) use angles::kinks;
+pub use angles::{Angles, CardanAngles};
 pub use beta::*;
+pub(crate) use triads::Oriented;
+pub use triads::Triads;
 
 use crate::error::Error;
 use crate::scalar::{Scalar, atan2, norm, norm_and_direction};

@@ -3,7 +3,7 @@
 use crate::formula::{Convention, Field, Fields, Formula, Kink, Spec, check};
 use crate::scalar::{abs, sign};
 use crate::verify::{Audit, Options, audit, exactly, golden, hard};
-use crate::{Error, Octuple, cardan, coulomb, slot};
+use crate::{Error, Octuple, align, cardan, coulomb, slot, translator};
 
 /// A formula whose inputs and outputs are not known to the compiler; every [`Formula`] is one.
 pub trait AnyFormula: Send + Sync {
@@ -110,6 +110,14 @@ pub const CATALOG: &[&dyn AnyFormula] = &[
     // ALIGN, TRANSLATOR
     &cardan::CardanAngles,
     &cardan::BetaTwoArgument,
+    &align::Constraint,
+    &align::ConstraintMoment,
+    &translator::Constraint,
+    &translator::TorqueForce,
+    &translator::RadialForce,
+    &translator::BendingForce,
+    &translator::ContactForce,
+    &translator::Friction,
     // JOIN, UNIVERSAL, UJOINT
     // SLIDER
     // Slide lines

@@ -1,47 +1,16 @@
 //! The three angles as documented, β by the arc sine.
 
-use super::{alpha, alpha_gradient, check_turns, gamma, gamma_gradient, rotation};
+use super::arc_sine::{arc_sine, arc_sine_slope, check_arc_sine};
+use super::{Oriented, Triads, alpha, alpha_gradient, check_turns, gamma, gamma_gradient, rotation};
 use crate::Octuple;
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Case, Convention, Element, Fields, Formula, Jacobian, Kink, Law, Source, Spec};
-use crate::quantity::{ALPHA, BETA, E1A, E1B, E2A, E2B, E3A, E3B, GAMMA};
-use crate::scalar::{Scalar, abs, atan2, sign};
+use crate::quantity::{ALPHA, BETA, GAMMA};
+use crate::scalar::{Scalar, abs};
 use crate::verify::{hard, law};
 use nalgebra::Vector3;
 use num_dual::DualNum;
-
-fields! {
-    /// How both nodes are turned.
-    pub struct Triads<T> {
-        e1a: Vector3<T> = E1A, e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A,
-        e1b: Vector3<T> = E1B, e2b: Vector3<T> = E2B, e3b: Vector3<T> = E3B,
-    }
-}
-
-impl<T: Element> Triads<T> {
-    /// From the triads of a and of b.
-    pub const fn new([e1a, e2a, e3a]: [Vector3<T>; 3], [e1b, e2b, e3b]: [Vector3<T>; 3]) -> Self {
-        Self { e1a, e2a, e3a, e1b, e2b, e3b }
-    }
-}
-
-impl<D: Scalar> Triads<D> {
-    /// The moments on a and on b of a unit multiplier whose residual has this gradient: with δe = ω × e in every vector
-    /// of a node, Σ (∂g/∂e)·δe = ω·Σ e × ∂g/∂e.
-    pub fn moments(&self, gradient: &Self) -> [Vector3<D>; 2] {
-        let moment = |e: Vector3<D>, slope: Vector3<D>| e.cross(&slope);
-        let on_a = moment(self.e1a, gradient.e1a) + moment(self.e2a, gradient.e2a) + moment(self.e3a, gradient.e3a);
-        let on_b = moment(self.e1b, gradient.e1b) + moment(self.e2b, gradient.e2b) + moment(self.e3b, gradient.e3b);
-        [on_a, on_b]
-    }
-
-    /// Both triads, orthonormal to 237 bits.
-    pub(crate) fn orthonormal(&self) -> ([Vector3<D>; 3], [Vector3<D>; 3]) {
-        let Self { e1a, e2a, e3a, e1b, e2b, e3b } = *self;
-        (law::orthonormal([e1a, e2a, e3a]), law::orthonormal([e1b, e2b, e3b]))
-    }
-}
 
 fields! {
     /// Cardan angles of b relative to a.
@@ -142,29 +111,7 @@ impl Formula for CardanAngles {
     }
 
     fn kinks() -> Vec<Kink<Self>> {
-        vec![
-            Kink {
-                condition: r"\lvert\mathbf{e}_{1a}\cdot\mathbf{e}_{3b}\rvert = 1",
-                convention: Convention::Switch,
-                holds: |i| abs(i.e1a.dot(&i.e3b)) == 1.0,
-                at: || Triads { e3b: Vector3::new(1.0, -0.5, 0.5), ..of_axes([1, 2, 3]) },
-                across: || Triads { e1a: Vector3::x(), ..Triads::filled(0.0) },
-            },
-            Kink {
-                condition: r"\alpha = -\pi",
-                convention: Convention::Cut,
-                holds: |i| i.e2a.dot(&i.e3b) == 0.0 && i.e3a.dot(&i.e3b) < 0.0,
-                at: || of_axes([1, -2, -3]),
-                across: || Triads { e3b: Vector3::y(), ..Triads::filled(0.0) },
-            },
-            Kink {
-                condition: r"\gamma = -\pi",
-                convention: Convention::Cut,
-                holds: |i| i.e1a.dot(&i.e2b) == 0.0 && i.e1a.dot(&i.e1b) < 0.0,
-                at: || of_axes([-1, -2, 3]),
-                across: || Triads { e2b: Vector3::x(), ..Triads::filled(0.0) },
-            },
-        ]
+        kinks()
     }
 
     fn laws() -> Vec<Law<Self>> {
@@ -229,65 +176,48 @@ impl Formula for CardanAngles {
     }
 }
 
+/// The kinks of the three angles, in any formula that contains them.
+pub(crate) fn kinks<F: Formula>() -> Vec<Kink<F>>
+where
+    F::Inputs<f64>: Oriented<f64>,
+    F::Inputs<Octuple>: Oriented<Octuple>,
+{
+    vec![
+        Kink {
+            condition: r"\lvert\mathbf{e}_{1a}\cdot\mathbf{e}_{3b}\rvert = 1",
+            convention: Convention::Switch,
+            holds: |i| {
+                let Triads { e1a, e3b, .. } = i.triads();
+                abs(e1a.dot(&e3b)) == 1.0
+            },
+            at: || Oriented::of(Triads { e3b: Vector3::new(1.0, -0.5, 0.5), ..of_axes([1, 2, 3]) }),
+            across: || Oriented::of(Triads { e1a: Vector3::x(), ..Triads::filled(0.0) }),
+        },
+        Kink {
+            condition: r"\alpha = -\pi",
+            convention: Convention::Cut,
+            holds: |i| {
+                let Triads { e2a, e3a, e3b, .. } = i.triads();
+                e2a.dot(&e3b) == 0.0 && e3a.dot(&e3b) < 0.0
+            },
+            at: || Oriented::of(of_axes([1, -2, -3])),
+            across: || Oriented::of(Triads { e3b: Vector3::y(), ..Triads::filled(0.0) }),
+        },
+        Kink {
+            condition: r"\gamma = -\pi",
+            convention: Convention::Cut,
+            holds: |i| {
+                let Triads { e1a, e1b, e2b, .. } = i.triads();
+                e1a.dot(&e2b) == 0.0 && e1a.dot(&e1b) < 0.0
+            },
+            at: || Oriented::of(of_axes([-1, -2, 3])),
+            across: || Oriented::of(Triads { e2b: Vector3::x(), ..Triads::filled(0.0) }),
+        },
+    ]
+}
+
 /// Node a along the global axes, node b along these of them.
 fn of_axes(of_b: [i32; 3]) -> Triads<f64> {
     let [a, b] = hard::axes(of_b);
     Triads::new(a, b)
-}
-
-/// Above this |sin β| the difference 1 − |sin β| is formed without rounding.
-const STEEP: f64 = 0.99;
-
-/// asin(a·b), ±90° beyond ±1.
-#[inline]
-pub(crate) fn arc_sine<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
-    let sine = a.dot(b);
-    if abs(sine) < STEEP {
-        return sine.asin();
-    }
-    let cosine = steep_cosine(a, b);
-    if cosine == 0.0 { D::from(sign(sine)).asin() } else { atan2(sine, cosine) }
-}
-
-/// The derivative of [`arc_sine`] with respect to a·b: 1/√(1 − (a·b)²); 0 beyond ±1.
-#[inline]
-pub(crate) fn arc_sine_slope<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
-    let sine = a.dot(b);
-    if abs(sine) < STEEP {
-        return ((-sine + 1.0) * (sine + 1.0)).sqrt().recip();
-    }
-    let cosine = steep_cosine(a, b);
-    if cosine == 0.0 { D::zero() } else { cosine.recip() }
-}
-
-/// √(1 − (a·b)²) where |a·b| is close to 1; 0 beyond.
-#[cold]
-fn steep_cosine<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
-    let shortfall = shortfall(a, b);
-    if shortfall > 0.0 { (shortfall * (-shortfall + 2.0)).sqrt() } else { D::zero() }
-}
-
-/// 1 − |a·b| as if computed with twice the digits, so that its sign and its leading digits are right even where a·b
-/// rounds to ±1: products and sums are taken together with their rounding errors.
-fn shortfall<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
-    let side = -sign(a.dot(b));
-    let (mut sum, mut errors) = (D::one(), D::zero());
-    for (&a, &b) in a.iter().zip(b) {
-        let b = b * side;
-        let product = a * b;
-        let before = sum;
-        sum = before + product;
-        let added = sum - before;
-        errors = errors + a.mul_add(b, -product) + ((before - (sum - added)) + (product - added));
-    }
-    sum + errors
-}
-
-/// Rejects |e1a·e3b| > 1, which has no arc sine.
-///
-/// # Errors
-/// [`Error::NoArcSine`].
-pub(crate) fn check_arc_sine(e1a: &Vector3<f64>, e3b: &Vector3<f64>) -> Result<(), Error> {
-    let excess = -shortfall(e1a, e3b);
-    if excess > 0.0 { Err(Error::NoArcSine { product: "e1a·e3b", excess }) } else { Ok(()) }
 }
