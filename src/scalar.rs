@@ -214,11 +214,17 @@ macro_rules! first_order {
             }
             #[inline]
             fn angle_of(y: Self, x: Self) -> Self {
-                let length = norm([x.re, y.re]);
-                let tangent = divide([-y.re, x.re], length);
-                let [dx, dy] = divide(tangent, length);
                 let mut result = Self::from_re(atan2(y.re, x.re));
-                result.eps = x.eps * dx + y.eps * dy;
+                let square = x.re * x.re + y.re * y.re;
+                result.eps = if square > 1e-30 && square < 1e30 {
+                    // The difference comes first: where the point moves straight away from the origin, it is exactly 0.
+                    (y.eps * x.re - x.eps * y.re) * square.recip()
+                } else {
+                    let length = norm([x.re, y.re]);
+                    let tangent = divide([-y.re, x.re], length);
+                    let [dx, dy] = divide(tangent, length);
+                    x.eps * dx + y.eps * dy
+                };
                 result
             }
         }
