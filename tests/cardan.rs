@@ -10,7 +10,7 @@ use jointproof::formula::{Fields, Formula, check, value, value_and_jacobian};
 use jointproof::frame::Triad;
 use jointproof::verify::{eta, exactly, hard};
 use jointproof::{Error, Octuple};
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Rotation3, Vector3};
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -171,6 +171,20 @@ proptest! {
         prop_assert!(apart(found.alpha, alpha) < conditioned, "{found:?}");
         prop_assert!((found.beta - beta).abs() < 1e-15, "{found:?}");
         prop_assert!(apart(found.gamma, gamma) < conditioned, "{found:?}");
+    }
+
+    /// Somebody else's code: nalgebra's Euler angles (roll, pitch, yaw) of a matrix are those of R3(yaw) R2(pitch) R1(roll), so of the
+    /// transposed R they are our angles, reversed.
+    #[test]
+    fn the_angles_are_those_of_nalgebra(alpha in -3.0..3.0, beta in -1.5..1.5, gamma in -3.0..3.0) {
+        let triads = at(alpha, beta, gamma);
+        let [a, b] = [[triads.e1a, triads.e2a, triads.e3a], [triads.e1b, triads.e2b, triads.e3b]];
+        let r = Matrix3::from_fn(|i, j| a[i].dot(&b[j]));
+        let (roll, pitch, yaw) = Rotation3::from_matrix_unchecked(r.transpose()).euler_angles();
+        let found = value::<CardanAngles>(&triads).unwrap();
+        for (ours, theirs) in [(found.alpha, -roll), (found.beta, -pitch), (found.gamma, -yaw)] {
+            prop_assert!((ours - theirs).abs() < 1e-14 / beta.cos(), "{ours} {theirs}");
+        }
     }
 
     /// Components of any kind, zeros and extremes included: a typed error, or numbers throughout.

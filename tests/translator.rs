@@ -3,12 +3,12 @@
 #![expect(clippy::float_cmp, reason = "exact results are expected exactly")]
 
 use jointproof::align::{self, Align};
-use jointproof::cardan::{rotation, turned};
+use jointproof::cardan::{Angles, rotation, turned};
 use jointproof::formula::{Fields, check, value};
 use jointproof::frame::Triad;
 use jointproof::slot::Slot;
 use jointproof::translator::{ContactForce, ContactLoads, Friction, FrictionLoads, Gradient, Loads, Pose, Translator};
-use jointproof::{Error, formula, translator};
+use jointproof::{Error, catalog, formula, translator};
 use nalgebra::Vector3;
 use proptest::prelude::*;
 use std::f64::consts::PI;
@@ -58,6 +58,43 @@ fn it_is_slot_and_align_assembled() {
     assert_eq!(translator.relative_motion(&now).unwrap(), slot.relative_motion(&now.slot()).unwrap());
     assert_eq!(translator.relative_position(&now).unwrap(), slot.relative_position(&now.slot()).unwrap());
     assert_eq!(translator.gaps(&now).unwrap(), None);
+}
+
+/// What the catalog's formula of this identifier makes of these inputs.
+fn by_formula(id: &str, inputs: &[f64]) -> Vec<f64> {
+    catalog::find(id).unwrap().value(inputs).unwrap()
+}
+
+#[test]
+fn the_connectors_say_what_the_formulas_say() {
+    let (start, now) = (Pose { triad_b: triad(0.1, 0.2, 0.3), xb: Vector3::zeros(), ..pose() }, pose());
+    let translator = Translator::new(&start).unwrap().with_levers(0.5, 2.0).unwrap().with_friction(0.25, -3.0).unwrap();
+    let triads = jointproof::cardan::Triads::from((&now.triad_a, &now.triad_b)).components();
+    let Angles { alpha, beta, gamma } = translator.align().initial();
+    let initial = Slot::new(&start.slot()).unwrap().relative_position(&start.slot()).unwrap();
+    let positions: Vec<_> = now.xa.iter().chain(now.xb.iter()).copied().collect();
+
+    let found = translator.constraint(&now).unwrap().components();
+    let documented = [&triads[..], &positions, &[initial.y, initial.z, alpha, beta, gamma]].concat();
+    let documented = by_formula("translator.constraint", &documented);
+    assert!(found.iter().zip(&documented).all(|(a, b)| (a - b).abs() < 1e-15), "{found:?} {documented:?}");
+    let aligned = by_formula("align.constraint", &[&triads[..], &[alpha, beta, gamma]].concat());
+    assert_eq!(aligned, documented[2..]);
+
+    let loads = Loads { f1: 1.0, f2: 3.0, f3: -4.0, m1: 0.5, m2: 7.0, m3: -2.0 };
+    let Loads { f1, f2, f3, m1, m2, m3 } = loads;
+    let moment = by_formula("align.constraint_moment", &[&triads[..9], &[m1, m2, m3]].concat());
+    assert_eq!(translator.constraint_moment(&now.triad_a, &loads).unwrap().m.as_slice(), moment);
+    let friction = translator.friction(&loads).unwrap();
+    assert_eq!(
+        by_formula("translator.friction", &[f1, f2, f3, m1, m2, m3, 0.5, 2.0, -3.0, 0.25]),
+        friction.components()
+    );
+    let parts = by_formula("translator.torque_force", &[m1, 0.5])[1]
+        + by_formula("translator.radial_force", &[f2, f3])[0]
+        + by_formula("translator.bending_force", &[m2, m3, 2.0])[1];
+    assert_eq!(by_formula("translator.contact_force", &[f2, f3, m1, m2, m3, 0.5, 2.0]), [parts]);
+    assert_eq!(friction.r#fn, (parts - 3.0).abs());
 }
 
 #[test]
