@@ -1,19 +1,19 @@
 //! The toolkit that proves a formula: sampler, automatic differentiation, exact reference, error measure, laws, audit
 //! and golden files.
 //!
-//! Everything here takes any type that implements [`Formula`](crate::formula::Formula), so that a formula of another
-//! crate is audited by the same machinery:
+//! Everything here takes any type that implements [`Formula`], so that a formula of another crate is audited by the same
+//! machinery:
 //!
 //! ```
 //! use jointproof::formula::{Element, Formula, Jacobian, Source, Spec};
-//! use jointproof::quantity::{F, L, Domain, Quantity, Shape, Unit};
+//! use jointproof::quantity::{Domain, Quantity, Shape, Unit};
 //! use jointproof::{Scalar, fields, verify};
 //!
 //! const STIFFNESS: Quantity = Quantity {
 //!     latex: "k", shape: Shape::Scalar, unit: Unit::new(-1, 1, 0), domain: Domain::Positive, meaning: "spring stiffness",
 //! };
 //! const LENGTH: Quantity = Quantity {
-//!     latex: "x", shape: Shape::Scalar, unit: L, domain: Domain::Real, meaning: "elongation",
+//!     latex: "x", shape: Shape::Scalar, unit: Unit::L, domain: Domain::Real, meaning: "elongation",
 //! };
 //! const ENERGY: Quantity = Quantity {
 //!     latex: "W", shape: Shape::Scalar, unit: Unit::FL, domain: Domain::NonNegative, meaning: "stored energy",
