@@ -1,8 +1,9 @@
 //! Every formula, in the order of the book.
 
 use crate::formula::{Convention, Field, Fields, Formula, Kink, Spec, value};
-use crate::verify::{Audit, Options, audit, audit_at, exactly, golden};
-use crate::{Error, Octuple, coulomb, slot};
+use crate::scalar::{abs, sign};
+use crate::verify::{Audit, Options, audit, audit_at, exactly, golden, hard};
+use crate::{Error, Octuple, align, cardan, coulomb, slot, translator};
 
 /// A formula whose inputs and outputs are not known to the compiler; every [`Formula`] is one.
 pub trait AnyFormula: Send + Sync {
@@ -88,7 +89,12 @@ fn one_sided<F: Formula>(kink: &Kink<F>) -> KinkEntry {
         F::Inputs::from_slice(&moved).map_or_else(Vec::new, |i| F::eval(&i).components())
     };
     let (below, here, above) = (value(-step), value(step * 0.0), value(step));
-    let slope = |k: usize| [(here[k] - below[k]) / step, (above[k] - here[k]) / step].map(Octuple::to_f64);
+    let half_turn = hard::half_turn();
+    let difference = |to: Octuple, from: Octuple| match kink.convention {
+        Convention::Cut if abs(to - from) > half_turn => to - from - half_turn * (2.0 * sign(to - from)),
+        _ => to - from,
+    };
+    let slope = |k: usize| [difference(here[k], below[k]), difference(above[k], here[k])].map(|d| (d / step).to_f64());
     KinkEntry {
         condition: kink.condition,
         convention: kink.convention,
@@ -111,6 +117,16 @@ pub const CATALOG: &[&dyn AnyFormula] = &[
     &coulomb::Yield,
     &coulomb::ReturnMap,
     // ALIGN, TRANSLATOR
+    &cardan::CardanAngles,
+    &cardan::BetaTwoArgument,
+    &align::Constraint,
+    &align::ConstraintMoment,
+    &translator::Constraint,
+    &translator::TorqueForce,
+    &translator::RadialForce,
+    &translator::BendingForce,
+    &translator::ContactForce,
+    &translator::Friction,
     // JOIN, UNIVERSAL, UJOINT
     // SLIDER
     // Slide lines

@@ -82,6 +82,38 @@ pub enum Error {
         /// What is allowed.
         allowed: String,
     },
+    /// At gimbal lock, β = ±90°, the Cardan angles α and γ turn about one axis and neither is defined.
+    #[error(
+        "{angle} is undefined, since {sine} = 0 and {cosine} = 0 (gimbal lock); allowed is at least one that is not 0"
+    )]
+    GimbalLock {
+        /// The angle.
+        angle: &'static str,
+        /// What is proportional to its sine.
+        sine: &'static str,
+        /// What is proportional to its cosine.
+        cosine: &'static str,
+    },
+    /// An angle is undefined, since a vector is perpendicular to all axes between which it is measured.
+    #[error("{angle} is undefined, since {vector} is perpendicular to {axes}; allowed is a unit vector and a triad")]
+    UndefinedAngle {
+        /// The angle.
+        angle: &'static str,
+        /// The vector.
+        vector: &'static str,
+        /// The axes.
+        axes: &'static str,
+    },
+    /// A scalar product that must have an arc sine is above 1 in size, as rounding alone can make it.
+    #[error(
+        "|{product}| is above 1 by {excess:e}; allowed is at most 1 (or use the two-argument angle, which has no such limit)"
+    )]
+    NoArcSine {
+        /// The scalar product.
+        product: &'static str,
+        /// By how much its size is above 1.
+        excess: f64,
+    },
     /// A list of components has the wrong length.
     #[error("{found} components; allowed are exactly {expected}")]
     Components {
@@ -168,6 +200,9 @@ impl Error {
             Self::LeftHanded { .. } => "LeftHanded",
             Self::Clockwise => "Clockwise",
             Self::Unreadable { .. } => "Unreadable",
+            Self::GimbalLock { .. } => "GimbalLock",
+            Self::UndefinedAngle { .. } => "UndefinedAngle",
+            Self::NoArcSine { .. } => "NoArcSine",
             Self::Components { .. } => "Components",
             Self::Overflow { .. } => "Overflow",
         }

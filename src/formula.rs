@@ -401,6 +401,8 @@ pub enum Convention {
     Subgradient,
     /// The value is defined; the Jacobian is one of the one-sided ones and is left out of golden files.
     Switch,
+    /// An angle jumps by a full turn; its derivative is the same on both sides and is given as anywhere else.
+    Cut,
 }
 
 /// A place where a formula has no derivative.

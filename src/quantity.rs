@@ -172,12 +172,13 @@ macro_rules! quantities {
     };
 }
 
-use Domain::{NonNegative, Point, Real, Triad, Vector};
+use Domain::{Angle, NonNegative, Point, Real, Triad, Vector};
 use Node::{A, B};
 
 const ONE: Unit = Unit::ONE;
 const L: Unit = Unit::L;
 const F: Unit = Unit::F;
+const FL: Unit = Unit::FL;
 
 quantities! {
     E1A: r"\mathbf{e}_{1a}", Vec3, ONE, Triad(A, 1), "first unit vector of node a's triad, in the global frame";
@@ -214,7 +215,9 @@ quantities! {
     FORCE: r"\mathbf{f}", Vec3, F, Vector, "force on node b, in the global frame";
     F_TRIAL: r"f^{\mathrm{trial}}", Scalar, F, Real, "tangential force if the contact stuck";
     F_TANGENTIAL: r"f", Scalar, F, Real, "tangential force that friction transmits";
+    // ANCHOR: example
     FC: r"F_C", Scalar, F, NonNegative, "contact force that the connector's loads produce";
+    // ANCHOR_END: example
     FC_INT: r"F_C^{\mathrm{int}}", Scalar, F, Real, "self-equilibrated internal contact force, as of a press fit";
     FN: r"F_N", Scalar, F, NonNegative, "normal force that produces friction";
     MU: r"\mu", Scalar, ONE, NonNegative, "friction coefficient";
@@ -222,6 +225,26 @@ quantities! {
     PHI: r"\Phi", Scalar, F, Real, "yield function: stick below 0, slip at 0";
 
     // ALIGN, TRANSLATOR
+    ALPHA: r"\alpha", Scalar, ONE, Angle, "first Cardan angle of b's triad relative to a's, about e1a, from −π to below π";
+    BETA: r"\beta", Scalar, ONE, Angle, "second Cardan angle of b's triad relative to a's, from −π/2 to π/2";
+    GAMMA: r"\gamma", Scalar, ONE, Angle, "third Cardan angle of b's triad relative to a's, about e3b, from −π to below π";
+    ALPHA0: r"\alpha_0", Scalar, ONE, Angle, "initial value of the first Cardan angle";
+    BETA0: r"\beta_0", Scalar, ONE, Angle, "initial value of the second Cardan angle";
+    GAMMA0: r"\gamma_0", Scalar, ONE, Angle, "initial value of the third Cardan angle";
+    UR1: r"u_{r1}", Scalar, ONE, Angle, "constraint residual of the first Cardan angle, zero when it has its initial value";
+    UR2: r"u_{r2}", Scalar, ONE, Angle, "constraint residual of the second Cardan angle, zero when it has its initial value";
+    UR3: r"u_{r3}", Scalar, ONE, Angle, "constraint residual of the third Cardan angle, zero when it has its initial value";
+    M1: r"m_1", Scalar, FL, Real, "moment about e1a on node b";
+    M2: r"m_2", Scalar, FL, Real, "moment about e2a on node b";
+    M3: r"m_3", Scalar, FL, Real, "moment about e3a on node b";
+    MOMENT: r"\mathbf{m}", Vec3, FL, Vector, "moment on node b, in the global frame";
+    RR: r"R_r", Scalar, L, NonNegative, "effective radius of the shaft across the slot; at 0 the torque produces no friction";
+    L_OVERLAP: r"L", Scalar, L, NonNegative, "characteristic overlapping length along the slot; at 0 bending produces no friction";
+    M_TORQ: r"M_{\mathrm{torq}}", Scalar, FL, NonNegative, "magnitude of the torque about the slot";
+    F_TORQ: r"F_{\mathrm{torq}}", Scalar, F, NonNegative, "contact force that the torque produces";
+    FR: r"F_r", Scalar, F, NonNegative, "magnitude of the constraint force across the slot";
+    M_BEND: r"M_{\mathrm{bend}}", Scalar, FL, NonNegative, "magnitude of the bending moment";
+    F_BEND: r"F_{\mathrm{bend}}", Scalar, F, NonNegative, "contact force that bending produces";
 
     // JOIN, UNIVERSAL, UJOINT
 

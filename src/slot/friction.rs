@@ -84,6 +84,7 @@ impl Formula for ContactForce {
     }
 }
 
+// ANCHOR: normal_force
 fields! {
     /// Contact force of the loads, and the internal one.
     pub struct ContactForces<T> { fc: T = FC, fc_int: T = FC_INT }
@@ -118,6 +119,8 @@ impl Formula for NormalForce {
         let s = D::from(sign(i.fc + i.fc_int));
         Normal { r#fn: ContactForces { fc: s, fc_int: s } }
     }
+
+    // ANCHOR_END: normal_force
 
     fn cases() -> Vec<Case<ContactForces<f64>>> {
         let hand = ContactForces { fc: 5.0, fc_int: 2.0 };

@@ -224,7 +224,7 @@ impl Audit {
         }
         self.check_value(point, &names, &inputs, &values, &ad);
         if point.kink != Some(Convention::Switch) {
-            self.check_jacobian(point, &names, &inputs, &closed);
+            self.check_jacobian(point, &names, &inputs, &ad);
         }
     }
 
@@ -280,10 +280,11 @@ impl Audit {
         }
     }
 
-    fn check_jacobian<F: Formula>(&mut self, point: &Point<F>, names: &Names, inputs: &[Octuple], closed: &[Octuple]) {
+    /// The closed form in `f64` is judged against automatic differentiation, so that a wrong one cannot be its own judge.
+    fn check_jacobian<F: Formula>(&mut self, point: &Point<F>, names: &Names, inputs: &[Octuple], ad: &[Octuple]) {
         let computed: Vec<f64> = entries::<F, _>(&F::jacobian(&point.inputs));
         let gradients = derivative_of_jacobian::<F, _>(&point.exact);
-        for (entry, ((&computed, &exact), gradient)) in computed.iter().zip(closed).zip(&gradients).enumerate() {
+        for (entry, ((&computed, &exact), gradient)) in computed.iter().zip(ad).zip(&gradients).enumerate() {
             let size = eta(computed, exact, Sensitivity::new(gradient, inputs));
             let describe = |size| point.deviation(size, names.entry(entry), computed, exact.to_f64());
             self.eta_jacobian.record(size, F::SPEC.eta_jacobian, describe);

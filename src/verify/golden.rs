@@ -189,7 +189,7 @@ fn record<F: Formula>(case: &Case<F::Inputs<f64>>) -> Record {
         return record;
     }
     let kink = kink::<F>(&case.inputs);
-    if kink.is_some() {
+    if kink.is_some_and(|convention| convention != Convention::Cut) {
         record.flags.push(Flag::Kink);
     }
     let exact = exactly::<F>(&case.inputs);

@@ -1,8 +1,8 @@
 //! The toolkit that proves a formula: sampler, automatic differentiation, exact reference, error measure, laws, audit
 //! and golden files.
 //!
-//! Everything here takes any type that implements [`Formula`], so that a formula of another crate is audited by the same
-//! machinery:
+//! Everything here takes any type that implements [`Formula`], so that a formula of another
+//! crate is audited by the same machinery:
 //!
 //! ```
 //! use jointproof::formula::{Element, Formula, Jacobian, Source, Spec};

@@ -122,12 +122,12 @@ fn is_error_figure(claim: &Claim) -> bool {
 fn line(claim: &Claim) -> String {
     let Claim { claim, bound, checks, failures, worst } = claim;
     let verdict = match (checks, failures) {
-        (0, _) => red("  NOT CHECKED"),
+        (0, _) => red("NOT CHECKED: "),
         (_, 0) => String::new(),
-        (_, failures) => red(format!("  FAILED {failures} TIMES")),
+        (_, failures) => red(format!("FAILED {failures} TIMES: ")),
     };
     let worst = figure(worst.as_ref().map_or(0.0, |worst| worst.size));
-    format!("{checks:>9} {worst:>8} {:>7}  {claim}{verdict}", figure(*bound))
+    format!("{checks:>9} {worst:>8} {:>7}  {verdict}{claim}", figure(*bound))
 }
 
 /// A deviation in two or three digits.

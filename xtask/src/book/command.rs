@@ -3,7 +3,7 @@
 use super::content::{Content, Entry, GoldenCounts, GoldenFile, Kink, Source, SourceFile, Symbol};
 use super::fault::Faults;
 use super::locate::Index;
-use super::{Options, Summary, build};
+use super::{Options, Summary, build, worked_example};
 use crate::evidence::Evidence;
 use crate::{Outcome, console, files};
 use anyhow::Context;
@@ -90,7 +90,13 @@ fn content() -> anyhow::Result<Content> {
             golden.push(GoldenFile { name, bytes });
         }
     }
-    Ok(Content { entries, sources, catalog_tests, golden })
+    let outputs = vec![("audit".to_owned(), plain(&crate::audit::text(&[worked_example::run()])?))];
+    Ok(Content { entries, sources, catalog_tests, figures: Vec::new(), outputs, golden })
+}
+
+/// Text without colours.
+fn plain(text: &str) -> String {
+    anstream::adapter::strip_str(text).to_string()
 }
 
 fn read_sources(path: &Path, sources: &mut Vec<SourceFile>) -> anyhow::Result<()> {

@@ -16,6 +16,10 @@ pub(crate) struct Content {
     pub(crate) sources: Vec<SourceFile>,
     /// Tests that run over the whole catalog.
     pub(crate) catalog_tests: Vec<TestRef>,
+    /// Figures made by the build, by name: SVG elements as in `book/figures`.
+    pub(crate) figures: Vec<(String, String)>,
+    /// What programs printed for this build, by name.
+    pub(crate) outputs: Vec<(String, String)>,
     /// Golden files to be copied beside the pages.
     pub(crate) golden: Vec<GoldenFile>,
 }

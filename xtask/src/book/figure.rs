@@ -1,4 +1,5 @@
-//! `{{#figure name caption}}`: a drawing from `book/figures`, put into the page itself so that it takes the theme's colours.
+//! `{{#figure name caption}}`: a drawing from `book/figures` or made by the build, put into the page itself so that it takes
+//! the theme's colours.
 
 use std::path::Path;
 
@@ -8,9 +9,11 @@ use super::pages::{Pages, Place};
 /// The figure with its caption; a fault if there is no such file, or it is not fit to be inlined.
 pub(crate) fn figure(pages: &Pages<'_>, at: &Place, folder: &Path, argument: &str) -> String {
     let (name, caption) = argument.split_once(char::is_whitespace).unwrap_or((argument, ""));
-    let Some(svg) = read(folder, name) else {
-        let known = names(folder).join(", ");
-        pages.fault(at, format!("no figure `{name}` in book/figures, which has: {known}"));
+    let made = pages.content.figures.iter().find(|(known, _)| known == name).map(|(_, svg)| svg.clone());
+    let Some(svg) = made.or_else(|| read(folder, name)) else {
+        let made = pages.content.figures.iter().map(|(name, _)| name.clone());
+        let known: Vec<_> = made.chain(names(folder)).collect();
+        pages.fault(at, format!("no figure `{name}`; there are: {}", known.join(", ")));
         return String::new();
     };
     if let Some(reason) = unfit(&svg) {

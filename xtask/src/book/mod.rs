@@ -21,6 +21,7 @@ mod source;
 mod tables;
 #[cfg(test)]
 mod tests;
+mod worked_example;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -9,6 +9,7 @@ use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
 
 use super::content::Content;
 use super::deferred::Deferred;
+use super::html::escape;
 use super::markdown::{Found, Piece, scan};
 use super::pages::{Pages, Place};
 use super::{entry, figure, tables};
@@ -74,17 +75,28 @@ impl Formulary {
         match (name, argument) {
             ("formula", id) => pages.entry(id).map(|formula| entry::entry(pages, at, formula)).unwrap_or_default(),
             ("figure", argument) => figure::figure(pages, at, &self.figures, argument),
+            ("output", name) => Self::output(pages, at, name),
             ("symbols", "") => tables::symbols(pages, at),
             ("kinks", "") => tables::kinks(pages, at),
             ("evidence", "") => tables::evidence(pages, at),
             ("sources", "") => tables::sources(pages, at),
             _ => {
-                let known = "formula ID, figure NAME, symbols, kinks, evidence and sources";
+                let known = "formula ID, figure NAME, output NAME, symbols, kinks, evidence and sources";
                 let written = format!("{name} {argument}");
                 pages.fault(at, format!("unknown directive `{{{{#{}}}}}`; there are {known}", written.trim()));
                 String::new()
             }
         }
+    }
+
+    /// `{{#output name}}`: what a program printed for this build.
+    fn output(pages: &Pages<'_>, at: &Place, name: &str) -> String {
+        let Some((_, text)) = pages.content.outputs.iter().find(|(known, _)| known == name) else {
+            let known: Vec<_> = pages.content.outputs.iter().map(|(name, _)| name.as_str()).collect();
+            pages.fault(at, format!("no output `{name}`; there are: {}", known.join(", ")));
+            return String::new();
+        };
+        pages.later.keep(format!("<pre class=\"output\"><code>{}</code></pre>", escape(text)), "")
     }
 }
 

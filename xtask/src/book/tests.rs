@@ -29,8 +29,8 @@ fn content() -> Content {
     Content {
         entries: vec![first, entry("t.second", "P = f_1")],
         sources: vec![SourceFile { path: "src/t.rs".into(), text }],
-        catalog_tests: Vec::new(),
         golden: vec![GoldenFile { name: "t.first.json".into(), bytes: b"{}".to_vec() }],
+        ..Content::default()
     }
 }
 

@@ -1,0 +1,138 @@
+//! Cardan angles of node b's triad relative to node a's.
+//!
+//! With R_ij = e_ia·e_jb, the angles are those of R = R1(α) R2(β) R3(γ) ([`rotation`]), so that
+//!
+//! ```text
+//!     ⎡  cos β cos γ   −cos β sin γ         sin β  ⎤
+//! R = ⎢       …              …        −sin α cos β ⎥
+//!     ⎣       …              …         cos α cos β ⎦
+//! ```
+//!
+//! α turns about e1a, γ about e3b, and β about the line of nodes between them, cos α e2a + sin α e3a.
+//!
+//! [`alpha`] and [`gamma`] with [`alpha_gradient`] and [`gamma_gradient`] are right at every angle, ±90° and ±180°
+//! included: value and derivative need no quotient of the two scalar products. They lie in [−π, π); half a turn is −π.
+//! Only at gimbal lock, where β = ±90° and both scalar products vanish, are they undefined, in mathematics as
+//! here: [`check_alpha`] and [`check_gamma`] reject it.
+//!
+//! β has two forms. [`CardanAngles`] is the documented arc sine. [`BetaTwoArgument`] is ours: equal on orthonormal
+//! triads and accurate up to ±90°, where the arc sine makes 1e-8 of a rounding of 1e-16. [`between`] takes ours.
+
+mod accurate;
+mod angles;
+mod arc_sine;
+mod beta;
+mod triads;
+
+pub use accurate::*;
+pub(crate) use angles::kinks;
+pub use angles::{Angles, CardanAngles};
+pub use beta::*;
+pub(crate) use triads::Oriented;
+pub use triads::Triads;
+
+use crate::error::Error;
+use crate::scalar::{Scalar, atan2, norm, norm_and_direction};
+use nalgebra::{Matrix3, Vector3};
+
+/// The first angle, α = −atan2(e2a·e3b, e3a·e3b).
+#[inline]
+pub fn alpha<D: Scalar>(e2a: &Vector3<D>, e3a: &Vector3<D>, e3b: &Vector3<D>) -> D {
+    turn(e3b, e2a, e3a)
+}
+
+/// The derivatives of [`alpha`] with respect to its arguments, in their order.
+#[inline]
+pub fn alpha_gradient<D: Scalar>(e2a: &Vector3<D>, e3a: &Vector3<D>, e3b: &Vector3<D>) -> [Vector3<D>; 3] {
+    let [by_e3b, by_e2a, by_e3a] = turn_gradient([e3b, e2a, e3a], (e3b.dot(e2a), e3b.dot(e3a)));
+    [by_e2a, by_e3a, by_e3b]
+}
+
+/// Rejects inputs at which [`alpha`] is undefined.
+///
+/// # Errors
+/// [`Error::GimbalLock`].
+pub fn check_alpha(e2a: &Vector3<f64>, e3a: &Vector3<f64>, e3b: &Vector3<f64>) -> Result<(), Error> {
+    let lock = Error::GimbalLock { angle: "alpha", sine: "e2a·e3b", cosine: "e3a·e3b" };
+    if is_turn(e3b, e2a, e3a) { Ok(()) } else { Err(lock) }
+}
+
+/// The third angle, γ = −atan2(e1a·e2b, e1a·e1b).
+#[inline]
+pub fn gamma<D: Scalar>(e1a: &Vector3<D>, e1b: &Vector3<D>, e2b: &Vector3<D>) -> D {
+    turn(e1a, e2b, e1b)
+}
+
+/// The derivatives of [`gamma`] with respect to its arguments, in their order.
+#[inline]
+pub fn gamma_gradient<D: Scalar>(e1a: &Vector3<D>, e1b: &Vector3<D>, e2b: &Vector3<D>) -> [Vector3<D>; 3] {
+    let [by_e1a, by_e2b, by_e1b] = turn_gradient([e1a, e2b, e1b], (e1a.dot(e2b), e1a.dot(e1b)));
+    [by_e1a, by_e1b, by_e2b]
+}
+
+/// Rejects inputs at which [`gamma`] is undefined.
+///
+/// # Errors
+/// [`Error::GimbalLock`].
+pub fn check_gamma(e1a: &Vector3<f64>, e1b: &Vector3<f64>, e2b: &Vector3<f64>) -> Result<(), Error> {
+    let lock = Error::GimbalLock { angle: "gamma", sine: "e1a·e2b", cosine: "e1a·e1b" };
+    if is_turn(e1a, e2b, e1b) { Ok(()) } else { Err(lock) }
+}
+
+/// −atan2(v·p, v·q), blind to the signs of zeros: half a turn is −π, no turn is +0.
+#[inline]
+fn turn<D: Scalar>(v: &Vector3<D>, p: &Vector3<D>, q: &Vector3<D>) -> D {
+    D::zero() - atan2(v.dot(p) + 0.0, v.dot(q))
+}
+
+/// The derivatives of −atan2(v·p, v·q) with respect to v, p and q, from v·p and v·q.
+///
+/// With s and c for the two: −c v and s v for p and q, s q − c p for v, all over s² + c². The last is
+/// (p × q) × v, which knows that lengthening v does not turn it: the two terms cancel where v lies near an axis, the
+/// double product does not.
+#[inline]
+fn turn_gradient<D: Scalar>([v, p, q]: [&Vector3<D>; 3], (sine, cosine): (D, D)) -> [Vector3<D>; 3] {
+    let by_v = p.cross(q).cross(v);
+    let square = sine * sine + cosine * cosine;
+    if square > 1e-30 && square < 1e30 {
+        let by = square.recip();
+        return [by_v * by, v * (-cosine * by), v * (sine * by)];
+    }
+    let (length, [sine, cosine]) = norm_and_direction([sine, cosine]);
+    let by = length.recip();
+    [by_v * by * by, v * (-cosine * by), v * (sine * by)]
+}
+
+/// Whether [`turn`] and its derivatives are defined.
+fn is_turn(v: &Vector3<f64>, p: &Vector3<f64>, q: &Vector3<f64>) -> bool {
+    norm([v.dot(p), v.dot(q)]) >= f64::MIN_POSITIVE
+}
+
+/// R1(α) R2(β) R3(γ): three turns about the first, the second and the third axis, each about the axes as the turns
+/// before have left them. Row i, column j is e_ia·e_jb.
+///
+/// ```
+/// use jointproof::cardan::rotation;
+/// let quarter = std::f64::consts::FRAC_PI_2;
+/// let r = rotation(quarter, 0.0, 0.0); // b turned by 90° about the first axis: e2b is e3a, e3b is −e2a
+/// assert!((r[(2, 1)] - 1.0).abs() < 1e-15 && (r[(1, 2)] + 1.0).abs() < 1e-15);
+/// ```
+pub fn rotation<D: Scalar>(alpha: D, beta: D, gamma: D) -> Matrix3<D> {
+    let [(sa, ca), (sb, cb), (sc, cc)] = [alpha, beta, gamma].map(|angle| angle.sin_cos());
+    Matrix3::new(
+        cb * cc,
+        -cb * sc,
+        sb,
+        ca * sc + sa * sb * cc,
+        ca * cc - sa * sb * sc,
+        -sa * cb,
+        sa * sc - ca * sb * cc,
+        sa * cc + ca * sb * sc,
+        ca * cb,
+    )
+}
+
+/// The triad of b that stands at these angles to the triad of a.
+pub fn turned<D: Scalar>(a: &[Vector3<D>; 3], r: &Matrix3<D>) -> [Vector3<D>; 3] {
+    std::array::from_fn(|j| a[0] * r[(0, j)] + a[1] * r[(1, j)] + a[2] * r[(2, j)])
+}

@@ -1,0 +1,57 @@
+//! The triads of both nodes.
+
+use crate::fields;
+use crate::formula::Element;
+use crate::quantity::{E1A, E1B, E2A, E2B, E3A, E3B};
+use crate::scalar::Scalar;
+use crate::verify::law;
+use nalgebra::Vector3;
+
+fields! {
+    /// How both nodes are turned.
+    pub struct Triads<T> {
+        e1a: Vector3<T> = E1A, e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A,
+        e1b: Vector3<T> = E1B, e2b: Vector3<T> = E2B, e3b: Vector3<T> = E3B,
+    }
+}
+
+impl<T: Element> Triads<T> {
+    /// From the triads of a and of b.
+    pub const fn new([e1a, e2a, e3a]: [Vector3<T>; 3], [e1b, e2b, e3b]: [Vector3<T>; 3]) -> Self {
+        Self { e1a, e2a, e3a, e1b, e2b, e3b }
+    }
+}
+
+impl<D: Scalar> Triads<D> {
+    /// The moments on a and on b of a unit multiplier whose residual has this gradient: with δe = ω × e in every vector
+    /// of a node, Σ (∂g/∂e)·δe = ω·Σ e × ∂g/∂e.
+    pub fn moments(&self, gradient: &Self) -> [Vector3<D>; 2] {
+        let moment = |e: Vector3<D>, slope: Vector3<D>| e.cross(&slope);
+        let on_a = moment(self.e1a, gradient.e1a) + moment(self.e2a, gradient.e2a) + moment(self.e3a, gradient.e3a);
+        let on_b = moment(self.e1b, gradient.e1b) + moment(self.e2b, gradient.e2b) + moment(self.e3b, gradient.e3b);
+        [on_a, on_b]
+    }
+
+    /// Both triads, orthonormal to 237 bits.
+    pub(crate) fn orthonormal(&self) -> ([Vector3<D>; 3], [Vector3<D>; 3]) {
+        let Self { e1a, e2a, e3a, e1b, e2b, e3b } = *self;
+        (law::orthonormal([e1a, e2a, e3a]), law::orthonormal([e1b, e2b, e3b]))
+    }
+}
+
+/// Inputs that contain both triads.
+pub(crate) trait Oriented<T> {
+    /// The triads.
+    fn triads(&self) -> Triads<T>;
+    /// Inputs with these triads and zeros for the rest.
+    fn of(triads: Triads<T>) -> Self;
+}
+
+impl<D: Scalar> Oriented<D> for Triads<D> {
+    fn triads(&self) -> Self {
+        *self
+    }
+    fn of(triads: Self) -> Self {
+        triads
+    }
+}

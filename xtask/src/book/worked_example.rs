@@ -1,0 +1,50 @@
+//! The worked example of the chapter on code review: a derivative as somebody submitted it, and what the audit says.
+
+use jointproof::formula::{Element, Formula, Jacobian, Source, Spec};
+use jointproof::scalar::{Scalar, direction, norm};
+use jointproof::slot::{Contact, CrossForces};
+use jointproof::verify::{Audit, Options, audit};
+
+// ANCHOR: submitted
+/// The contact force as submitted for review.
+#[derive(Clone, Copy)]
+struct Submitted;
+
+impl Formula for Submitted {
+    const SPEC: Spec = Spec {
+        id: "review.contact_force",
+        title: "Contact force, as submitted",
+        latex: r"F_C = \sqrt{f_2^2 + f_3^2}",
+        source: Source::document("pull-request.txt", "A pull request"),
+        eta: 2.0,
+        eta_jacobian: 2.0,
+        objective: true,
+    };
+    type Inputs<T: Element> = CrossForces<T>;
+    type Outputs<T: Element> = Contact<T>;
+
+    fn eval<D: Scalar>(i: &CrossForces<D>) -> Contact<D> {
+        Contact { fc: norm([i.f2, i.f3]) }
+    }
+
+    fn jacobian<D: Scalar>(i: &CrossForces<D>) -> Jacobian<Self, D> {
+        let [f2, f3] = direction([i.f2, i.f3]);
+        Contact { fc: CrossForces { f2, f3: -f3 } }
+    }
+}
+// ANCHOR_END: submitted
+
+/// What the audit finds.
+pub(crate) fn run() -> Audit {
+    audit::<Submitted>(&Options { samples: 200, seed: 1 })
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn the_audit_names_the_wrong_entry() {
+        let audit = super::run();
+        let worst = audit.closed_against_ad.worst.as_ref().unwrap();
+        assert_eq!((audit.passed(), worst.entry.as_str()), (false, "∂fc/∂f3"));
+    }
+}
