@@ -10,6 +10,7 @@ use anyhow::Context;
 use jointproof::catalog::{AnyFormula, CATALOG, KinkEntry};
 use jointproof::formula::{Convention, Field};
 use jointproof::quantity::Shape;
+use jointproof::verify::Audit;
 use jointproof::verify::golden::File;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
@@ -90,7 +91,7 @@ fn content() -> anyhow::Result<Content> {
             golden.push(GoldenFile { name, bytes });
         }
     }
-    let outputs = vec![("audit".to_owned(), plain(&crate::audit::text(&[worked_example::run()])?))];
+    let outputs = vec![("audit".to_owned(), plain(&crate::audit::text(&[worked_example::run()], Audit::passed)?))];
     Ok(Content { entries, sources, catalog_tests, figures: Vec::new(), outputs, golden })
 }
 
@@ -171,6 +172,7 @@ fn kink(entry: &KinkEntry, outputs: &[Field]) -> Kink {
     let convention = match entry.convention {
         Convention::Subgradient => "0 is returned, the subgradient of least norm",
         Convention::Switch => "the value is defined; the Jacobian is one-sided and left out of the golden file",
+        Convention::Cut => "the value jumps by a whole turn there, its derivative does not",
     };
     Kink {
         at: format!("${}$", entry.condition),
