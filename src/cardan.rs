@@ -1,6 +1,6 @@
 //! Cardan angles of node b's triad relative to node a's.
 //!
-//! With R_ij = e_ia·e_jb, the angles are those of R = R1(α) R2(β) R3(γ) ([`rotation`]), so that
+//! With `R_ij = e_ia·e_jb`, the angles are those of R = R1(α) R2(β) R3(γ) ([`rotation`]), so that
 //!
 //! ```text
 //!     ⎡  cos β cos γ   −cos β sin γ         sin β  ⎤
@@ -92,15 +92,20 @@ fn turn<D: Scalar>(v: &Vector3<D>, p: &Vector3<D>, q: &Vector3<D>) -> D {
 /// double product does not.
 #[inline]
 fn turn_gradient<D: Scalar>([v, p, q]: [&Vector3<D>; 3], (sine, cosine): (D, D)) -> [Vector3<D>; 3] {
-    let by_v = p.cross(q).cross(v);
     let square = sine * sine + cosine * cosine;
-    if square > 1e-30 && square < 1e30 {
-        let by = square.recip();
-        return [by_v * by, v * (-cosine * by), v * (sine * by)];
+    if !(square > 1e-30 && square < 1e30) {
+        return extreme_turn_gradient([v, p, q], (sine, cosine));
     }
+    let by = square.recip();
+    [p.cross(q).cross(v) * by, v * (-cosine * by), v * (sine * by)]
+}
+
+/// [`turn_gradient`] where squares under- or overflow.
+#[cold]
+fn extreme_turn_gradient<D: Scalar>([v, p, q]: [&Vector3<D>; 3], (sine, cosine): (D, D)) -> [Vector3<D>; 3] {
     let (length, [sine, cosine]) = norm_and_direction([sine, cosine]);
     let by = length.recip();
-    [by_v * by * by, v * (-cosine * by), v * (sine * by)]
+    [p.cross(q).cross(v) * by * by, v * (-cosine * by), v * (sine * by)]
 }
 
 /// Whether [`turn`] and its derivatives are defined.
@@ -109,7 +114,7 @@ fn is_turn(v: &Vector3<f64>, p: &Vector3<f64>, q: &Vector3<f64>) -> bool {
 }
 
 /// R1(α) R2(β) R3(γ): three turns about the first, the second and the third axis, each about the axes as the turns
-/// before have left them. Row i, column j is e_ia·e_jb.
+/// before have left them. Row i, column j is `e_ia·e_jb`.
 ///
 /// ```
 /// use jointproof::cardan::rotation;

@@ -133,6 +133,12 @@ pub enum Error {
         /// The output.
         name: &'static str,
     },
+    /// The inputs and the result are allowed, but a derivative is too large for a double.
+    #[error("a derivative of {name} is too large for a double; use units in which the inputs are closer to 1")]
+    DerivativeOverflow {
+        /// The output.
+        name: &'static str,
+    },
 }
 
 /// An input, or one component of it, counted from 0: `f2`, `e1a[2]`.
@@ -205,6 +211,7 @@ impl Error {
             Self::NoArcSine { .. } => "NoArcSine",
             Self::Components { .. } => "Components",
             Self::Overflow { .. } => "Overflow",
+            Self::DerivativeOverflow { .. } => "DerivativeOverflow",
         }
     }
 }

@@ -294,9 +294,18 @@ pub fn value<F: Formula>(i: &F::Inputs<f64>) -> Result<F::Outputs<f64>, Error> {
 /// Value and closed-form Jacobian of a formula at inputs that were checked.
 ///
 /// # Errors
-/// As [`value`].
+/// As [`value`], or naming the output with a derivative that overflowed.
 pub fn value_and_jacobian<F: Formula>(i: &F::Inputs<f64>) -> Result<ValueAndJacobian<F, f64>, Error> {
-    Ok((value::<F>(i)?, F::jacobian(i)))
+    let (out, jacobian) = (value::<F>(i)?, F::jacobian(i));
+    let is_finite = |gradient: F::Inputs<f64>| {
+        let mut all = true;
+        Fields::for_each_component(&gradient, &mut |slope: f64| all &= slope.is_finite());
+        all
+    };
+    match first_where(&jacobian, |gradient| !is_finite(gradient)) {
+        Some(field) => Err(Error::DerivativeOverflow { name: field.name }),
+        None => Ok((out, jacobian)),
+    }
 }
 
 /// Whether the inputs are finite, in their domains, and valid together.
@@ -315,13 +324,26 @@ pub fn check<F: Formula>(i: &F::Inputs<f64>) -> Result<(), Error> {
 }
 
 fn finite<F: Formula>(out: &F::Outputs<f64>) -> Result<(), Error> {
-    let mut components = out.components().into_iter();
-    for field in F::Outputs::<f64>::FIELDS {
-        if components.by_ref().take(field.len()).any(|value| !value.is_finite()) {
-            return Err(Error::Overflow { name: field.name });
-        }
+    match first_where(out, |value| !value.is_finite()) {
+        Some(field) => Err(Error::Overflow { name: field.name }),
+        None => Ok(()),
     }
-    Ok(())
+}
+
+/// The first field with a component like this.
+fn first_where<T: Element, I: Fields<T>>(fields: &I, is_so: impl Fn(T) -> bool) -> Option<&'static Field> {
+    let (mut place, mut found) = (0, None);
+    fields.for_each_component(&mut |component| {
+        if found.is_none() && is_so(component) {
+            found = Some(place);
+        }
+        place += 1;
+    });
+    let (found, mut end): (usize, _) = (found?, 0);
+    I::FIELDS.iter().find(|field| {
+        end += field.len();
+        found < end
+    })
 }
 
 /// What a case is for.

@@ -62,7 +62,7 @@ impl Formula for Constraint {
         latex: r"u_{r1} = \alpha - \alpha_0,\quad u_{r2} = \beta - \beta_0,\quad u_{r3} = \gamma - \gamma_0",
         source: Source::TRANSLATOR.section("Description"),
         eta: 2.0,
-        eta_jacobian: 3.0,
+        eta_jacobian: 4.0,
         objective: true,
     };
     type Inputs<T: Element> = Orientations<T>;
@@ -204,7 +204,7 @@ impl Formula for ConstraintMoment {
         title: "Constraint moment",
         latex: r"\mathbf{m} = m_1\,\mathbf{e}_{1a} + m_2\,\mathbf{e}_{2a} + m_3\,\mathbf{e}_{3a}",
         source: Source::TRANSLATOR.section("Summary"),
-        eta: 2.0,
+        eta: 1.5,
         eta_jacobian: 0.0,
         objective: true,
     };

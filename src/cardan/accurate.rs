@@ -2,7 +2,7 @@
 
 use super::{
     Angles, Beta, BetaAxes, BetaTwoArgument, CardanAngles, Triads, alpha, alpha_gradient, check_alpha, check_gamma,
-    gamma, gamma_gradient,
+    gamma, gamma_gradient, rotation, turned,
 };
 use crate::Octuple;
 use crate::error::Error;
@@ -104,8 +104,7 @@ fn errors_at(distance: f64) -> NearRightAngle {
 
     let mut worst = NearRightAngle { distance, arc_sine: 0.0, rejected: 0.0, two_argument: 0.0 };
     for pose in poses {
-        let [a, b] = hard::at_angles(pose);
-        let triads = Triads::new(a, b);
+        let triads = rounded_triads(pose);
         worst.two_argument = worst.two_argument.max(error(accurate(&triads).beta));
         match value::<CardanAngles>(&triads) {
             Ok(angles) => worst.arc_sine = worst.arc_sine.max(error(angles.beta)),
@@ -113,4 +112,13 @@ fn errors_at(distance: f64) -> NearRightAngle {
         }
     }
     worst
+}
+
+/// Triads that stand at these angles to one another, neither along the global axes, every component rounded once.
+fn rounded_triads([alpha, beta, gamma]: [Octuple; 3]) -> Triads<f64> {
+    let [global, _] = hard::axes([1, 2, 3]);
+    let a = turned(&global.map(|e| e.map(Octuple::from)), &rotation(alpha, gamma * 0.25, gamma - alpha));
+    let b = turned(&a, &rotation(alpha, beta, gamma));
+    let [a, b] = [a, b].map(|triad| triad.map(|e| e.map(Octuple::to_f64)));
+    Triads::new(a, b)
 }

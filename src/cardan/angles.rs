@@ -30,7 +30,7 @@ impl Formula for CardanAngles {
         title: "Cardan angles",
         latex: r"\alpha = -\operatorname{atan2}(\mathbf{e}_{2a}\cdot\mathbf{e}_{3b},\ \mathbf{e}_{3a}\cdot\mathbf{e}_{3b}),\quad \beta = \arcsin(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b}),\quad \gamma = -\operatorname{atan2}(\mathbf{e}_{1a}\cdot\mathbf{e}_{2b},\ \mathbf{e}_{1a}\cdot\mathbf{e}_{1b})",
         source: Source::TRANSLATOR.section("Description"),
-        eta: 4.0,
+        eta: 2.0,
         eta_jacobian: 4.0,
         objective: true,
     };

@@ -41,7 +41,7 @@ impl Formula for BetaTwoArgument {
         title: "Second Cardan angle, two-argument form",
         latex: r"\beta = \operatorname{atan2}\!\left(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b},\ \sqrt{(\mathbf{e}_{1a}\cdot\mathbf{e}_{1b})^2 + (\mathbf{e}_{1a}\cdot\mathbf{e}_{2b})^2}\right)",
         source: Source::TRANSLATOR.section("Description"),
-        eta: 4.0,
+        eta: 2.0,
         eta_jacobian: 4.0,
         objective: true,
     };

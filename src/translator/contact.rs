@@ -17,7 +17,7 @@ fields! {
     pub struct TorqueContact<T> { m_torq: T = M_TORQ, f_torq: T = F_TORQ }
 }
 
-/// Contact force from torque: M_torq = |m1|, F_torq = M_torq/R_r; 0 if R_r = 0.
+/// Contact force from torque: `M_torq = |m1|`, `F_torq = M_torq/R_r`; 0 if `R_r = 0`.
 #[derive(Clone, Copy, Debug)]
 pub struct TorqueForce;
 
@@ -103,7 +103,7 @@ fields! {
     pub struct RadialContact<T> { fr: T = FR }
 }
 
-/// Contact force from the force across the slot, which is that of a SLOT: F_r = √(f2² + f3²).
+/// Contact force from the force across the slot, which is that of a SLOT: `F_r = √(f2² + f3²)`.
 #[derive(Clone, Copy, Debug)]
 pub struct RadialForce;
 
@@ -113,8 +113,8 @@ impl Formula for RadialForce {
         title: "Radial contact force",
         latex: r"F_r = \sqrt{f_2^2 + f_3^2}",
         source: Source::TRANSLATOR.section("Friction"),
-        eta: 2.0,
-        eta_jacobian: 2.0,
+        eta: 1.0,
+        eta_jacobian: 3.0,
         objective: true,
     };
     type Inputs<T: Element> = CrossForces<T>;
@@ -169,7 +169,7 @@ fields! {
     pub struct BendingContact<T> { m_bend: T = M_BEND, f_bend: T = F_BEND }
 }
 
-/// Contact force from bending: M_bend = √(m2² + m3²), F_bend = 2 M_bend/L; 0 if L = 0.
+/// Contact force from bending: `M_bend = √(m2² + m3²)`, `F_bend = 2 M_bend/L`; 0 if L = 0.
 #[derive(Clone, Copy, Debug)]
 pub struct BendingForce;
 
@@ -179,8 +179,8 @@ impl Formula for BendingForce {
         title: "Contact force from bending",
         latex: r"M_{\mathrm{bend}} = \sqrt{m_2^2 + m_3^2},\quad F_{\mathrm{bend}} = \frac{2 M_{\mathrm{bend}}}{L}\quad(0\text{ if }L = 0)",
         source: Source::TRANSLATOR.section("Friction"),
-        eta: 2.0,
-        eta_jacobian: 2.0,
+        eta: 1.0,
+        eta_jacobian: 3.0,
         objective: true,
     };
     type Inputs<T: Element> = Bending<T>;
@@ -199,8 +199,7 @@ impl Formula for BendingForce {
             f_bend: if i.l == 0.0 {
                 Bending { m2: zero, m3: zero, l: zero }
             } else {
-                let per_moment = i.l.recip() * 2.0;
-                Bending { m2: n2 * per_moment, m3: n3 * per_moment, l: -m_bend * per_moment / i.l }
+                Bending { m2: n2 * 2.0 / i.l, m3: n3 * 2.0 / i.l, l: -m_bend * 2.0 / i.l / i.l }
             },
         }
     }

@@ -31,7 +31,7 @@ impl<T: Element> ContactLoads<T> {
     }
 }
 
-/// Contact force of a TRANSLATOR: F_C = F_torq + F_r + F_bend.
+/// Contact force of a TRANSLATOR: `F_C = F_torq + F_r + F_bend`.
 #[derive(Clone, Copy, Debug)]
 pub struct ContactForce;
 
@@ -42,7 +42,7 @@ impl Formula for ContactForce {
         latex: r"F_C = F_{\mathrm{torq}} + F_r + F_{\mathrm{bend}} = \left\lvert\frac{m_1}{R_r}\right\rvert + \sqrt{f_2^2 + f_3^2} + \sqrt{(\beta m_2)^2 + (\beta m_3)^2},\quad \beta = \frac{2}{L}",
         source: Source::TRANSLATOR.section("Friction"),
         eta: 2.0,
-        eta_jacobian: 2.0,
+        eta_jacobian: 3.0,
         objective: true,
     };
     type Inputs<T: Element> = ContactLoads<T>;
@@ -217,7 +217,7 @@ impl<T: Element> FrictionLoads<T> {
     }
 }
 
-/// The friction of a TRANSLATOR: P = |f1|, F_N = |F_C + F_C_int|, Φ = P − μ F_N.
+/// The friction of a TRANSLATOR: `P = |f1|`, `F_N = |F_C + F_C_int|`, `Φ = P − μ F_N`.
 #[derive(Clone, Copy, Debug)]
 pub struct Friction;
 
@@ -228,7 +228,7 @@ impl Formula for Friction {
         latex: r"P = \lvert f_1\rvert,\quad F_N = \left\lvert F_C + F_C^{\mathrm{int}}\right\rvert,\quad \Phi = P - \mu F_N",
         source: Source::TRANSLATOR.section("Friction"),
         eta: 4.0,
-        eta_jacobian: 4.0,
+        eta_jacobian: 3.0,
         objective: true,
     };
     type Inputs<T: Element> = FrictionLoads<T>;

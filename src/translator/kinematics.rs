@@ -67,8 +67,8 @@ impl Formula for Constraint {
         title: "Constraint",
         latex: r"\begin{aligned} g_y &= \mathbf{e}_{2a}\cdot(\mathbf{x}_b-\mathbf{x}_a) - y_0, & g_z &= \mathbf{e}_{3a}\cdot(\mathbf{x}_b-\mathbf{x}_a) - z_0,\\ u_{r1} &= \alpha - \alpha_0, & u_{r2} &= \beta - \beta_0,\quad u_{r3} = \gamma - \gamma_0 \end{aligned}",
         source: Source::TRANSLATOR.section("Description"),
-        eta: 4.0,
-        eta_jacobian: 3.0,
+        eta: 2.5,
+        eta_jacobian: 4.0,
         objective: true,
     };
     type Inputs<T: Element> = Placement<T>;

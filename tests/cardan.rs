@@ -1,0 +1,208 @@
+//! Cardan angles: right at every angle, and rejected where they do not exist.
+
+#![expect(clippy::float_cmp, reason = "exact results are expected exactly")]
+
+use jointproof::cardan::{
+    Angles, BetaAxes, BetaTwoArgument, CardanAngles, Triads, accurate, accurate_jacobian, between,
+    errors_near_right_angle, rotation, turned,
+};
+use jointproof::formula::{Fields, Formula, check, value, value_and_jacobian};
+use jointproof::frame::Triad;
+use jointproof::verify::{eta, exactly, hard};
+use jointproof::{Error, Octuple};
+use nalgebra::Vector3;
+use proptest::prelude::*;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+fn axes(of_b: [i32; 3]) -> Triads<f64> {
+    let [a, b] = hard::axes(of_b);
+    Triads::new(a, b)
+}
+
+/// Node a along the global axes, node b at these angles to it.
+fn at(alpha: f64, beta: f64, gamma: f64) -> Triads<f64> {
+    let a = [Vector3::x(), Vector3::y(), Vector3::z()];
+    Triads::new(a, turned(&a, &rotation(alpha, beta, gamma)))
+}
+
+#[test]
+fn quarter_and_half_turns_have_exact_values_and_derivatives() {
+    for (of_b, alpha, gamma) in [
+        ([1, 2, 3], 0.0, 0.0),
+        ([1, 3, -2], FRAC_PI_2, 0.0),
+        ([1, -3, 2], -FRAC_PI_2, 0.0),
+        ([1, -2, -3], -PI, 0.0),
+        ([2, -1, 3], 0.0, FRAC_PI_2),
+        ([-2, 1, 3], 0.0, -FRAC_PI_2),
+        ([-1, -2, 3], 0.0, -PI),
+        ([-1, 2, -3], -PI, -PI),
+    ] {
+        let triads = axes(of_b);
+        let expected = Angles { alpha, beta: 0.0, gamma };
+        let (angles, jac) = value_and_jacobian::<CardanAngles>(&triads).unwrap();
+        assert_eq!(angles, expected, "{of_b:?}");
+        assert_eq!(accurate(&triads), expected, "{of_b:?}");
+        // Spinning b about e1a turns α alone, at rate 1.
+        let [_, about] = triads.moments(&jac.alpha);
+        assert_eq!(about, Vector3::x(), "{of_b:?}");
+    }
+}
+
+#[test]
+fn the_sign_of_zero_does_not_count() {
+    let mut triads = axes([1, -2, -3]);
+    for zero in [0.0, -0.0] {
+        triads.e2a = Vector3::new(zero, 1.0, zero);
+        triads.e3b = Vector3::new(zero, zero, -1.0);
+        triads.e1a = Vector3::new(1.0, zero, zero);
+        let angles = accurate(&triads);
+        assert_eq!(angles.alpha.to_bits(), (-PI).to_bits());
+        assert_eq!(angles.beta.to_bits(), 0.0_f64.to_bits());
+        assert_eq!(angles.gamma.to_bits(), 0.0_f64.to_bits());
+    }
+}
+
+#[test]
+fn gimbal_lock_is_named() {
+    for pair in hard::gimbal_locked() {
+        let [a, b] = pair.value.map(|[e1, e2, e3]| Triad::new(e1, e2, e3).unwrap());
+        let error = between(&a, &b).unwrap_err();
+        assert!(matches!(error, Error::GimbalLock { angle: "alpha", .. }), "{error}");
+        let error = check::<CardanAngles>(&Triads::from((&a, &b))).unwrap_err();
+        assert!(matches!(error, Error::GimbalLock { .. }), "{error}");
+        // The second angle alone is there.
+        let beta = value::<BetaTwoArgument>(&BetaAxes::from(&Triads::from((&a, &b)))).unwrap().beta;
+        assert_eq!(beta.abs(), FRAC_PI_2);
+    }
+}
+
+#[test]
+fn only_gamma_can_be_undefined_in_inputs_that_are_no_rotations() {
+    let mut triads = axes([1, 2, 3]);
+    triads.e1b = Vector3::z();
+    let error = check::<CardanAngles>(&triads).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "gamma is undefined, since e1a·e2b = 0 and e1a·e1b = 0 (gimbal lock); allowed is at least one that is not 0"
+    );
+}
+
+#[test]
+fn an_arc_sine_beyond_1_is_rejected_even_where_the_scalar_product_rounds_to_1() {
+    let mut triads = axes([1, 2, 3]);
+    triads.e1a = Vector3::new(1.0, 1.0, 0.0);
+    triads.e3b = Vector3::new(1.0, 2.0_f64.powi(-60), 0.5);
+    assert_eq!(triads.e1a.dot(&triads.e3b), 1.0);
+    assert_eq!(
+        value::<CardanAngles>(&triads).unwrap_err().to_string(),
+        "|e1a·e3b| is above 1 by 8.673617379884035e-19; allowed is at most 1 (or use the two-argument angle, which has \
+         no such limit)"
+    );
+    // As far below 1, value and derivative are right to an ulp.
+    triads.e3b.y *= -1.0;
+    let (angles, jac) = value_and_jacobian::<CardanAngles>(&triads).unwrap();
+    let exact = exactly::<CardanAngles>(&triads);
+    assert_eq!(angles.beta, CardanAngles::eval(&exact).beta.to_f64());
+    let expected = CardanAngles::jacobian(&exact).beta.e1a.x.to_f64();
+    assert!((jac.beta.e1a.x / expected - 1.0).abs() < 4e-16, "{} {expected}", jac.beta.e1a.x);
+}
+
+#[test]
+fn a_zero_axis_has_no_second_angle() {
+    let mut triads = axes([1, 2, 3]);
+    triads.e1a = Vector3::zeros();
+    assert_eq!(
+        value::<BetaTwoArgument>(&BetaAxes::from(&triads)).unwrap_err().to_string(),
+        "beta is undefined, since e1a is perpendicular to e1b, e2b and e3b; allowed is a unit vector and a triad"
+    );
+}
+
+#[test]
+fn at_90_degrees_to_rounding_the_two_argument_form_is_right() {
+    let quarter = hard::half_turn() / 2.0;
+    for (beta, expected) in [(quarter, FRAC_PI_2), (-quarter, -FRAC_PI_2)] {
+        let [a, b] = hard::at_angles([Octuple::from(0.3), beta, Octuple::from(-0.7)]);
+        let axes = BetaAxes::from(&Triads::new(a, b));
+        let (angle, jac) = value_and_jacobian::<BetaTwoArgument>(&axes).unwrap();
+        assert!((angle.beta - expected).abs() <= f64::EPSILON, "{}", angle.beta);
+        assert!(jac.beta.components().iter().all(|slope| slope.abs() <= 1.0 + f64::EPSILON), "{jac:?}");
+    }
+}
+
+/// The rounding of an orthonormal triad, u = 2⁻⁵³, becomes an error of about u/(90° − β) in the arc sine; the
+/// two-argument form stays at u. No arithmetic can help the arc sine: the error is in the components.
+#[test]
+fn the_arc_sine_loses_half_of_the_digits_near_90_degrees() {
+    let u = f64::EPSILON / 2.0;
+    let table = errors_near_right_angle(&[1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8]);
+    for near in &table {
+        assert!(near.two_argument < 2.0 * u, "{near:?}");
+        assert!(near.arc_sine * near.distance < 3.0 * u, "{near:?}");
+        assert!(near.arc_sine * near.distance > 0.2 * u, "{near:?}");
+    }
+    let [first, .., last] = table[..] else { panic!("eight rows") };
+    assert_eq!(first.rejected, 0.0);
+    assert!(last.rejected > 0.1 && last.arc_sine > 1e-9, "{last:?}");
+}
+
+#[test]
+fn accurate_and_documented_angles_have_the_same_derivative_along_rotations() {
+    let triads = at(0.3, -1.2, 2.5);
+    let (ours, documented) = (accurate_jacobian(&triads), CardanAngles::jacobian(&triads));
+    assert_eq!((ours.alpha, ours.gamma), (documented.alpha, documented.gamma));
+    let [ours, documented] = [ours.beta, documented.beta].map(|gradient| triads.moments(&gradient));
+    for node in 0..2 {
+        assert!((ours[node] - documented[node]).norm() < 1e-14);
+    }
+}
+
+proptest! {
+    #[test]
+    fn any_angles_come_back(
+        alpha in -PI..PI,
+        beta in -FRAC_PI_2..FRAC_PI_2,
+        gamma in -PI..PI,
+    ) {
+        let triads = at(alpha, beta, gamma);
+        let found = accurate(&triads);
+        // Near gimbal lock α and γ feel the rounding of the triads as much as cos β is small.
+        let conditioned = 1e-15 / beta.cos() + 1e-15;
+        let apart = |a: f64, b: f64| ((a - b + PI).rem_euclid(2.0 * PI) - PI).abs();
+        prop_assert!(apart(found.alpha, alpha) < conditioned, "{found:?}");
+        prop_assert!((found.beta - beta).abs() < 1e-15, "{found:?}");
+        prop_assert!(apart(found.gamma, gamma) < conditioned, "{found:?}");
+    }
+
+    /// Components of any kind, zeros and extremes included: a typed error, or numbers throughout.
+    #[test]
+    fn no_input_gives_nan(components in proptest::collection::vec(
+        prop_oneof![Just(0.0), Just(1.0), Just(-1.0), Just(0.5), -1.0..1.0, Just(1e-160), Just(-1e-200), Just(1e160)],
+        18,
+    )) {
+        let triads = Triads::from_slice(&components).unwrap();
+        if let Ok((angles, jac)) = value_and_jacobian::<CardanAngles>(&triads) {
+            prop_assert!(angles.components().iter().all(|angle| angle.is_finite()));
+            let entries = jac.components().into_iter().flat_map(|row| row.components());
+            prop_assert!(entries.into_iter().all(f64::is_finite), "{jac:?}");
+        }
+        let axes = BetaAxes::from(&triads);
+        if let Ok((_, jac)) = value_and_jacobian::<BetaTwoArgument>(&axes) {
+            prop_assert!(jac.beta.components().into_iter().all(f64::is_finite), "{jac:?}");
+        }
+    }
+
+    /// The stated bound, on points that the sampler's rotations do not reach.
+    #[test]
+    fn the_stated_error_bound_holds_for_any_vectors(components in proptest::collection::vec(-1.0..1.0, 18)) {
+        let triads = Triads::from_slice(&components).unwrap();
+        prop_assume!(check::<CardanAngles>(&triads).is_ok());
+        let exact = exactly::<CardanAngles>(&triads);
+        let gradients = CardanAngles::jacobian(&exact).components();
+        let inputs = exact.components();
+        let values = CardanAngles::eval(&exact).components();
+        for ((computed, exact), gradient) in CardanAngles::eval(&triads).components().into_iter().zip(values).zip(gradients) {
+            let size = eta(computed, exact, jointproof::verify::Sensitivity::new(&gradient.components(), &inputs));
+            prop_assert!(size <= CardanAngles::SPEC.eta, "η = {size}");
+        }
+    }
+}
