@@ -106,7 +106,7 @@ fn every_fault_is_named_at_once_with_chapter_and_line() {
         "book/src/one.md:5: no formula `t.frist` in the catalog; did you mean `t.first`?",
         "book/src/one.md:7: formula `t.first` has its entry already, at book/src/one.md:3",
         "book/src/one.md:9: unknown directive `{{#nonsense}}`",
-        "book/src/one.md:11: no figure `nothing` in book/figures, which has: plain",
+        "book/src/one.md:11: no figure `nothing`; there are: plain",
         "book/src/one.md:13: cannot set the formula `\\frac a`",
         "book/src/one.md:15: no formula is closed in `$ 5 {`",
     ];
