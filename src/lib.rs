@@ -35,6 +35,7 @@ pub mod coulomb;
 mod error;
 pub mod formula;
 pub mod frame;
+pub mod join;
 mod newtype;
 pub mod octuple;
 pub mod quantity;
@@ -42,6 +43,7 @@ pub mod scalar;
 pub mod single;
 pub mod slot;
 pub mod translator;
+pub mod universal;
 pub mod verify;
 
 pub use error::{Error, Name};
