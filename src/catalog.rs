@@ -2,7 +2,7 @@
 
 use crate::formula::{Convention, Field, Fields, Formula, Kink, Spec, value};
 use crate::verify::{Audit, Options, audit, audit_at, exactly, golden};
-use crate::{Error, Octuple, coulomb, slot};
+use crate::{Error, Octuple, coulomb, slider, slot};
 
 /// A formula whose inputs and outputs are not known to the compiler; every [`Formula`] is one.
 pub trait AnyFormula: Send + Sync {
@@ -113,6 +113,16 @@ pub const CATALOG: &[&dyn AnyFormula] = &[
     // ALIGN, TRANSLATOR
     // JOIN, UNIVERSAL, UJOINT
     // SLIDER
+    &slider::Line,
+    &slider::Basis,
+    &slider::Constraint,
+    &slider::Eliminate,
+    &slider::DirectionVariation,
+    &slider::BasisVariation,
+    &slider::IncrementalConstraint,
+    &slider::Increment,
+    &slider::Constraint2d,
+    &slider::Increment2d,
     // Slide lines
     // Interaction laws
 ];

@@ -23,6 +23,8 @@ pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scal
     fn norm_of<const N: usize>(x: [Self; N]) -> Self;
     /// See [`atan2`].
     fn angle_of(y: Self, x: Self) -> Self;
+    /// The real part, not rounded: for the rare decision that rounding must not make.
+    fn exact(self) -> Octuple;
     /// See [`abs`].
     #[inline]
     fn abs_of(x: Self) -> Self {
@@ -171,6 +173,10 @@ impl Scalar for f64 {
         y.atan2(x)
     }
     #[inline]
+    fn exact(self) -> Octuple {
+        self.into()
+    }
+    #[inline]
     fn abs_of(x: Self) -> Self {
         x.abs()
     }
@@ -185,6 +191,9 @@ impl Scalar for Single {
     fn angle_of(y: Self, x: Self) -> Self {
         DualNum::atan2(&y, x)
     }
+    fn exact(self) -> Octuple {
+        self.to_f64().into()
+    }
 }
 
 /// The exponent range of 237-bit numbers is so wide that no square of a double leaves it.
@@ -194,6 +203,9 @@ impl Scalar for Octuple {
     }
     fn angle_of(y: Self, x: Self) -> Self {
         DualNum::atan2(&y, x)
+    }
+    fn exact(self) -> Octuple {
+        self
     }
 }
 
@@ -221,6 +233,9 @@ macro_rules! first_order {
                 result.eps = x.eps * dx + y.eps * dy;
                 result
             }
+            fn exact(self) -> Octuple {
+                self.re.exact()
+            }
         }
     };
 }
@@ -237,6 +252,9 @@ macro_rules! second_order {
             }
             fn angle_of(y: Self, x: Self) -> Self {
                 $fold(atan2($unfold(y), $unfold(x)))
+            }
+            fn exact(self) -> Octuple {
+                self.re.exact()
             }
         }
     };

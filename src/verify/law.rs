@@ -47,6 +47,23 @@ pub fn no_work(force: Vector3<Octuple>, direction: Vector3<Octuple>) -> Vec<Equa
     vec![Equation { left: force.dot(&direction), right: Octuple::zero(), scale }]
 }
 
+/// Two vectors are parallel.
+pub fn parallel(left: Vector3<Octuple>, right: Vector3<Octuple>) -> Vec<Equation> {
+    let scale = length(left) * length(right);
+    left.cross(&right).iter().map(|&left| Equation { left, right: Octuple::zero(), scale }).collect()
+}
+
+/// Every number is 0 that was summed from terms of the size of `term`.
+pub fn vanish(numbers: impl IntoIterator<Item = Octuple>, term: Octuple) -> Vec<Equation> {
+    let equation = |left: Octuple| Equation { left, right: Octuple::zero(), scale: left.abs() + term.abs() };
+    numbers.into_iter().map(equation).collect()
+}
+
+/// The length of a vector.
+pub fn length(v: Vector3<Octuple>) -> Octuple {
+    norm([v.x, v.y, v.z])
+}
+
 /// A right-handed orthonormal triad to 237 bits from one that is so to 53: the first vector is kept in direction, the
 /// second in the plane of the first two.
 pub fn orthonormal<D: Scalar>([first, second, _]: [Vector3<D>; 3]) -> [Vector3<D>; 3] {
