@@ -225,7 +225,7 @@ impl Formula for BasisVariation {
                 },
             ),
         ];
-        let dn = Vector3::new(0.25, -0.75, 0.5);
+        let dn = Vector3::new(0.25, 0.5, 0.625);
         cases.extend(directions().map(|(id, comment, n)| Case::hard(id, comment, TurningDirection { n, dn })));
         cases
     }
@@ -253,9 +253,10 @@ impl Formula for BasisVariation {
                     let jac = Basis::jacobian(&LineDirection { n: i.n });
                     let along = |row: LineDirection<_>| row.n.dot(&i.dn);
                     let TangentChanges { dt1, dt2 } = Self::eval(i);
-                    let mut sides = law::equal_vectors(dt1, jac.t1.map(along));
-                    sides.extend(law::equal_vectors(dt2, jac.t2.map(along)));
-                    sides
+                    let spin = law::length(i.dn) / Azimuth::new(&i.n).h;
+                    let first = dt1.iter().zip(&jac.t1).map(|(&dt, &row)| (dt, along(row)));
+                    let second = dt2.iter().zip(&jac.t2).map(|(&dt, &row)| (dt, along(row)));
+                    law::equal_all_with(first.chain(second), spin * law::length(i.n))
                 },
             },
             Law {
@@ -263,7 +264,8 @@ impl Formula for BasisVariation {
                 sides: |i| {
                     let Tangents { t1, t2 } = Basis::eval(&LineDirection { n: i.n });
                     let TangentChanges { dt1, dt2 } = Self::eval(i);
-                    law::equal_all([(i.n.dot(&dt1), -i.dn.dot(&t1)), (i.n.dot(&dt2), -i.dn.dot(&t2))])
+                    let pairs = [(i.n.dot(&dt1), -i.dn.dot(&t1)), (i.n.dot(&dt2), -i.dn.dot(&t2))];
+                    law::equal_all_with(pairs, law::length(i.dn) * (law::length(i.n) + 1.0))
                 },
             },
         ]

@@ -9,7 +9,7 @@ use crate::formula::{Case, Convention, Element, Formula, Jacobian, Kink, Law, So
 use crate::quantity::{
     SLIDER_DX1, SLIDER_DXM, SLIDER_DXN, SLIDER_G1, SLIDER_G2, SLIDER_R1, SLIDER_R2, SLIDER_X1, SLIDER_XM, SLIDER_XN,
 };
-use crate::scalar::{Scalar, norm_and_direction};
+use crate::scalar::{Scalar, abs, norm_and_direction};
 use crate::verify::law;
 use nalgebra::{Vector2, Vector3};
 
@@ -158,8 +158,10 @@ impl Formula for Constraint {
                 sides: |i| {
                     let Distances { g1, g2 } = Self::eval(i);
                     let d = i.xn - i.x1;
-                    let moment = (i.xm - i.x1).cross(&d);
-                    law::equal((g1 * g1 + g2 * g2) * d.dot(&d), moment.dot(&moment))
+                    let offset = i.xm - i.x1;
+                    let moment = offset.cross(&d);
+                    let size = d.dot(&d) * offset.dot(&offset);
+                    law::equal_with((g1 * g1 + g2 * g2) * d.dot(&d), moment.dot(&moment), size)
                 },
             },
             Law {
@@ -310,7 +312,8 @@ impl Formula for IncrementalConstraint {
                     let jac = Constraint::jacobian(&Nodes { x1: at.x1, xn: at.xn, xm });
                     let along = |row: Nodes<_>| row.x1.dot(&at.dx1) + row.xn.dot(&at.dxn) + row.xm.dot(&at.dxm);
                     let IncrementalResiduals { r1, r2 } = Self::eval(&at);
-                    law::equal_all([(r1, along(jac.g1)), (r2, along(jac.g2))])
+                    let size = (law::length(at.dx1) + law::length(at.dxn)) * (abs(i.xm.x) + 1.0);
+                    law::equal_all_with([(r1, along(jac.g1)), (r2, along(jac.g2))], size)
                 },
             },
             Law {

@@ -80,7 +80,7 @@ pub(super) fn lines() -> Vec<HardLine<3>> {
         from_origin("extremal", "both comparisons tie, and |n_k| = 1/√6", [2.0, 1.0, 1.0]),
         from_origin("second-tie", "p² + q² = p |d1|, q < p", [-5.0, 2.0, 4.0]),
         from_origin("extremal-above", beside, [2.0_f64.next_up(), 1.0, 1.0_f64.next_down()]),
-        from_origin("extremal-below", beside, [2.0, 1.0, 1.0_f64.next_up()]),
+        from_origin("extremal-below", beside, [2.0_f64.next_down(), 1.0, 1.0_f64.next_up()]),
         from_origin("second-tie-above", beside, [-5.0_f64.next_up(), 2.0, 4.0]),
         from_origin("second-tie-below", beside, [-5.0_f64.next_down(), 2.0, 4.0]),
         HardLine::new(

@@ -192,11 +192,14 @@ impl Formula for DirectionVariation {
             Law {
                 statement: "it is the derivative of the line along (dx1, dxn)",
                 sides: |i| {
-                    let jac = Line::jacobian(&Ends { x1: i.x1, xn: i.xn });
+                    let ends = Ends { x1: i.x1, xn: i.xn };
+                    let jac = Line::jacobian(&ends);
                     let along = |row: Ends<_>| row.x1.dot(&i.dx1) + row.xn.dot(&i.dxn);
                     let DirectionChange { dn, dl } = Self::eval(i);
-                    let mut sides = law::equal_vectors(dn, jac.n.map(along));
-                    sides.extend(law::equal(dl, along(jac.l)));
+                    let size = law::length(i.dx1) + law::length(i.dxn);
+                    let mut sides = law::equal_with(dl, along(jac.l), size);
+                    let turning = dn.iter().zip(&jac.n).map(|(&dn, &row)| (dn, along(row)));
+                    sides.extend(law::equal_all_with(turning, size / Line::eval(&ends).l));
                     sides
                 },
             },

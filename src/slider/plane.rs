@@ -1,10 +1,10 @@
 //! The sliding constraint in the plane: one condition, and one coordinate eliminated.
 
-use super::Pivots2d;
 use super::hard::{plane_lines, scenes};
 use super::slide::Slide;
 use super::station::Station;
 use super::{Constraint, Increment, KeptIncrement, Nodes};
+use super::{Pivots, Pivots2d};
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Case, Convention, Element, Fields, Formula, Jacobian, Kink, Law, Source, Spec};
@@ -88,13 +88,16 @@ impl Formula for Constraint2d {
 
     fn laws() -> Vec<Law<Self>> {
         vec![Law {
-            statement: "in the plane z = 0 of space g1 = 0, and g2 is g, with the sign of n2",
+            statement: "in the plane z = 0 of space (g1, g2) is (0, g sign n2); along i it is (−g, 0)",
             sides: |i| {
                 let zero = num_traits::Zero::zero();
                 let space = |v: Vector2<_>| Vector3::new(v.x, v.y, zero);
                 let nodes = Nodes { x1: space(i.x1), xn: space(i.xn), xm: space(i.xm) };
                 let (flat, full) = (Self::eval(i).g, Constraint::eval(&nodes));
-                law::equal_all([(full.g1, zero), (full.g2, flat * sign(i.xn.y - i.x1.y))])
+                match sign(i.xn.y - i.x1.y) {
+                    0.0 => law::equal_all([(full.g1, -flat), (full.g2, zero)]),
+                    sign => law::equal_all([(full.g1, zero), (full.g2, flat * sign)]),
+                }
             },
         }]
     }
@@ -201,13 +204,19 @@ impl Formula for Increment2d {
 
     fn laws() -> Vec<Law<Self>> {
         vec![Law {
-            statement: "in the plane z = 0 of space it is the eliminated increment that is not along z",
+            statement: "in the plane z = 0 of space it is the eliminated increment that is not along z, where no tie lets \
+                        both keep different axes",
             sides: |i| {
                 let zero = num_traits::Zero::zero();
                 let space = |v: Vector2<_>| Vector3::new(v.x, v.y, zero);
                 let [x1, xn, xm, dx1, dxn] = [i.x1, i.xn, i.xm, i.dx1, i.dxn].map(space);
                 let full = Increment::eval(&KeptIncrement { x1, xn, xm, dx1, dxn, dxmk: i.dxmk });
-                law::equal_all([(full.dxmi, zero), (full.dxmj, Self::eval(i).dxmi)])
+                let (axes, flat) = (Pivots::new(&x1, &xn), Self::eval(i).dxmi);
+                match axes {
+                    axes if axes.k != Pivots2d::new(&i.x1, &i.xn).k => Vec::new(),
+                    Pivots { i: 2, .. } => law::equal_all([(full.dxmi, zero), (full.dxmj, flat)]),
+                    _ => law::equal_all([(full.dxmi, flat), (full.dxmj, zero)]),
+                }
             },
         }]
     }
