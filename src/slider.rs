@@ -6,8 +6,9 @@
 //! [`Slider`] and [`Slider2d`] are what a program calls. The formulas behind them take the direct route, by the ratios
 //! n_i/n_k; the [`documented`] route, through directions t1, t2 across the line, is their definition, and equal to them.
 
-mod azimuth;
+mod across;
 mod basis;
+mod binade;
 mod constraint;
 pub mod documented;
 mod eliminate;
@@ -16,7 +17,7 @@ mod line;
 mod pivots;
 mod plane;
 mod slide;
-mod station;
+mod span;
 
 pub use basis::*;
 pub use constraint::*;

@@ -1,8 +1,9 @@
 //! The documented directions across the line, t1 and t2, and how they vary with it.
 
+use super::Ends;
+use super::across::Across;
 use super::hard::lines;
 use super::line::Line;
-use super::{Ends, azimuth::Azimuth};
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Case, Convention, Element, Formula, Jacobian, Kink, Law, Source, Spec};
@@ -40,27 +41,23 @@ impl Formula for Basis {
     type Outputs<T: Element> = Tangents<T>;
 
     fn eval<D: Scalar>(i: &LineDirection<D>) -> Tangents<D> {
-        let around = Azimuth::new(&i.n);
-        Tangents { t1: around.t1(), t2: around.t2(around.h, i.n[around.axis]) }
+        let across = Across::new(&i.n);
+        let ([ray_1, _], [root, _]) = (across.rays(), across.roots);
+        let [ca, cb] = across.c.map(|c| c * i.n[across.axis] / root);
+        Tangents { t1: ray_1 / root, t2: across.vector(-root * across.sideways.unit, ca, cb) }
     }
 
     fn jacobian<D: Scalar>(i: &LineDirection<D>) -> Jacobian<Self, D> {
-        let around = Azimuth::new(&i.n);
-        let Azimuth { axis, a, b, h, c: [ca, cb] } = around;
-        let polar = i.n[axis];
-        let row = |by_axis: D, by_a: D, by_b: D| {
-            let mut n = Vector3::from_element(D::zero());
-            (n[axis], n[a], n[b]) = (by_axis, by_a, by_b);
-            LineDirection { n }
-        };
-        // ∂(ca, cb)/∂(n_a, n_b) = [[cb², −ca cb], [−ca cb, ca²]]/h.
-        let (aa, bb, ab) = (cb * cb / h, ca * ca / h, -ca * cb / h);
-        let zero = D::zero();
-        let mut rows = Tangents { t1: [row(zero, zero, zero); 3].into(), t2: [row(zero, -ca, -cb); 3].into() };
-        rows.t1[a] = row(zero, ab, bb);
-        rows.t1[b] = row(zero, -aa, -ab);
-        rows.t2[a] = row(ca, polar * aa, polar * ab);
-        rows.t2[b] = row(cb, polar * ab, polar * bb);
+        let across = Across::new(&i.n);
+        let Azimuth { ca, cb, ca_n, cb_n } = Azimuth::new(&across);
+        let (polar, zero) = (i.n[across.axis], D::zero());
+        let row = |by_axis: D, [by_a, by_b]: [D; 2]| LineDirection { n: across.vector(by_axis, by_a, by_b) };
+        let nothing = row(zero, [zero; 2]);
+        let mut rows = Tangents { t1: [nothing; 3].into(), t2: [row(zero, [-ca, -cb]); 3].into() };
+        rows.t1[across.a] = row(zero, cb_n);
+        rows.t1[across.b] = row(zero, ca_n.map(|x| -x));
+        rows.t2[across.a] = row(ca, ca_n.map(|x| polar * x));
+        rows.t2[across.b] = row(cb, cb_n.map(|x| polar * x));
         rows
     }
 
@@ -123,6 +120,29 @@ impl Formula for Basis {
     }
 }
 
+/// The unit vector (ca, cb) away from the axis, and the gradients of its components by (n_a, n_b).
+struct Azimuth<D> {
+    ca: D,
+    cb: D,
+    ca_n: [D; 2],
+    cb_n: [D; 2],
+}
+
+impl<D: Scalar> Azimuth<D> {
+    fn new(across: &Across<D>) -> Self {
+        let [root, _] = across.roots;
+        let [ca, cb] = across.c.map(|c| c / root);
+        let h = root * across.sideways.unit;
+        Self { ca, cb, ca_n: [cb * cb / h, -ca * cb / h], cb_n: [-ca * cb / h, ca * ca / h] }
+    }
+}
+
+/// The angular velocity of n about the axis, (n_a dn_b − n_b dn_a)/h².
+fn spin<D: Scalar>(across: &Across<D>, dn: &Vector3<D>) -> D {
+    let [ca, cb] = across.c;
+    (ca * dn[across.b] - cb * dn[across.a]) / across.square * across.sideways.per_unit
+}
+
 /// The directions of the hard lines, as a program would compute them.
 fn directions() -> impl Iterator<Item = (&'static str, &'static str, Vector3<f64>)> {
     lines().into_iter().map(|line| (line.id, line.comment, Line::eval(&Ends { x1: line.x1, xn: line.xn }).n))
@@ -159,50 +179,51 @@ impl Formula for BasisVariation {
     type Outputs<T: Element> = TangentChanges<T>;
 
     fn eval<D: Scalar>(i: &TurningDirection<D>) -> TangentChanges<D> {
-        let Azimuth { axis, a, b, h, c: [ca, cb] } = Azimuth::new(&i.n);
-        let (polar, dn) = (i.n[axis], &i.dn);
-        let omega = (ca * dn[b] - cb * dn[a]) / h;
-        let mut dt1 = Vector3::from_element(D::zero());
-        (dt1[a], dt1[b]) = (ca * omega, cb * omega);
-        let mut dt2 = dt1;
-        dt2[axis] = -(ca * dn[a] + cb * dn[b]);
-        dt2[a] = ca * dn[axis] - polar * cb * omega;
-        dt2[b] = cb * dn[axis] + polar * ca * omega;
-        TangentChanges { dt1, dt2 }
+        let across = Across::new(&i.n);
+        let Azimuth { ca, cb, .. } = Azimuth::new(&across);
+        let (polar, dn) = (i.n[across.axis], &i.dn);
+        let (dn_axis, omega) = (dn[across.axis], spin(&across, dn));
+        TangentChanges {
+            dt1: across.vector(D::zero(), ca * omega, cb * omega),
+            dt2: across.vector(
+                -(ca * dn[across.a] + cb * dn[across.b]),
+                ca * dn_axis - polar * cb * omega,
+                cb * dn_axis + polar * ca * omega,
+            ),
+        }
     }
 
     fn jacobian<D: Scalar>(i: &TurningDirection<D>) -> Jacobian<Self, D> {
-        let Azimuth { axis, a, b, h, c: [ca, cb] } = Azimuth::new(&i.n);
-        let (polar, dn) = (i.n[axis], &i.dn);
-        let omega = (ca * dn[b] - cb * dn[a]) / h;
-        // Gradients of ω and of (ca, cb) along a and b; of n first, of dn second.
+        let across = Across::new(&i.n);
+        let Azimuth { ca, cb, ca_n, cb_n } = Azimuth::new(&across);
+        let (polar, dn) = (i.n[across.axis], &i.dn);
+        let (dn_axis, dn_a, dn_b) = (dn[across.axis], dn[across.a], dn[across.b]);
+        let h = across.roots[0] * across.sideways.unit;
+        let omega = spin(&across, dn);
         let (sum, difference) = (ca * cb * 2.0, (cb - ca) * (cb + ca));
-        let omega_n = [(difference * dn[b] + sum * dn[a]) / h / h, (difference * dn[a] - sum * dn[b]) / h / h];
+        let omega_n = [difference * dn_b + sum * dn_a, difference * dn_a - sum * dn_b].map(|x| x / h / h);
         let omega_dn = [-cb / h, ca / h];
-        let ca_n = [cb * cb / h, -ca * cb / h];
-        let cb_n = [-ca * cb / h, ca * ca / h];
-        let zero = D::zero();
-        let place = |by_axis: D, by: [D; 2]| {
-            let mut v = Vector3::from_element(zero);
-            (v[axis], v[a], v[b]) = (by_axis, by[0], by[1]);
-            v
-        };
+
+        // Gradients along a and b: of x u + y v, where x and y are held; of c ω, by n and by dn.
         let sum_of = |x: D, u: [D; 2], y: D, v: [D; 2]| [x * u[0] + y * v[0], x * u[1] + y * v[1]];
-        let row = |n: Vector3<D>, dn: Vector3<D>| TurningDirection { n, dn };
-        let nothing = row(place(zero, [zero; 2]), place(zero, [zero; 2]));
-        // c ω, for both components c.
-        let spin = |c: D, c_n: [D; 2]| (sum_of(omega, c_n, c, omega_n), omega_dn.map(|w| c * w));
-        let (spin_a, spin_b) = (spin(ca, ca_n), spin(cb, cb_n));
-        let mut rows = TangentChanges { dt1: [nothing; 3].into(), dt2: [nothing; 3].into() };
-        rows.dt1[a] = row(place(zero, spin_a.0), place(zero, spin_a.1));
-        rows.dt1[b] = row(place(zero, spin_b.0), place(zero, spin_b.1));
-        let slope = sum_of(-dn[a], ca_n, -dn[b], cb_n);
-        rows.dt2[axis] = row(place(zero, slope), place(zero, [-ca, -cb]));
-        let [minus, plus] = [-polar, polar];
-        rows.dt2[a] =
-            row(place(-cb * omega, sum_of(dn[axis], ca_n, minus, spin_b.0)), place(ca, spin_b.1.map(|w| minus * w)));
-        rows.dt2[b] =
-            row(place(ca * omega, sum_of(dn[axis], cb_n, plus, spin_a.0)), place(cb, spin_a.1.map(|w| plus * w)));
+        let (a_n, a_dn) = (sum_of(omega, ca_n, ca, omega_n), omega_dn.map(|x| ca * x));
+        let (b_n, b_dn) = (sum_of(omega, cb_n, cb, omega_n), omega_dn.map(|x| cb * x));
+
+        let zero = D::zero();
+        let place = |by_axis: D, [by_a, by_b]: [D; 2]| across.vector(by_axis, by_a, by_b);
+        let nothing = TurningDirection { n: place(zero, [zero; 2]), dn: place(zero, [zero; 2]) };
+        let spread = TurningDirection { n: place(zero, sum_of(-dn_a, ca_n, -dn_b, cb_n)), dn: place(zero, [-ca, -cb]) };
+        let mut rows = TangentChanges { dt1: [nothing; 3].into(), dt2: [spread; 3].into() };
+        rows.dt1[across.a] = TurningDirection { n: place(zero, a_n), dn: place(zero, a_dn) };
+        rows.dt1[across.b] = TurningDirection { n: place(zero, b_n), dn: place(zero, b_dn) };
+        rows.dt2[across.a] = TurningDirection {
+            n: place(-cb * omega, sum_of(dn_axis, ca_n, -polar, b_n)),
+            dn: place(ca, b_dn.map(|x| -polar * x)),
+        };
+        rows.dt2[across.b] = TurningDirection {
+            n: place(ca * omega, sum_of(dn_axis, cb_n, polar, a_n)),
+            dn: place(cb, a_dn.map(|x| polar * x)),
+        };
         rows
     }
 
@@ -253,7 +274,8 @@ impl Formula for BasisVariation {
                     let jac = Basis::jacobian(&LineDirection { n: i.n });
                     let along = |row: LineDirection<_>| row.n.dot(&i.dn);
                     let TangentChanges { dt1, dt2 } = Self::eval(i);
-                    let spin = law::length(i.dn) / Azimuth::new(&i.n).h;
+                    let across = Across::new(&i.n);
+                    let spin = law::length(i.dn) / (across.roots[0] * across.sideways.unit);
                     let first = dt1.iter().zip(&jac.t1).map(|(&dt, &row)| (dt, along(row)));
                     let second = dt2.iter().zip(&jac.t2).map(|(&dt, &row)| (dt, along(row)));
                     law::equal_all_with(first.chain(second), spin * law::length(i.n))

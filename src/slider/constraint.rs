@@ -1,57 +1,18 @@
 //! The two conditions that hold node m on the line, and what they demand of increments.
 
-use super::azimuth::Azimuth;
+use super::across::Across;
 use super::hard::{lines, scenes};
-use super::station::Station;
+use super::span::{Span, Station};
+use super::{Constraint2d, Nodes2d};
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Case, Convention, Element, Formula, Jacobian, Kink, Law, Source, Spec};
 use crate::quantity::{
     SLIDER_DX1, SLIDER_DXM, SLIDER_DXN, SLIDER_G1, SLIDER_G2, SLIDER_R1, SLIDER_R2, SLIDER_X1, SLIDER_XM, SLIDER_XN,
 };
-use crate::scalar::{Scalar, abs, norm_and_direction};
+use crate::scalar::{Scalar, abs};
 use crate::verify::law;
 use nalgebra::{Vector2, Vector3};
-
-/// The line as seen from its directions across: around axis e, n = cos e + sin (c_a e_a + c_b e_b).
-#[derive(Clone, Copy, Debug)]
-struct Polar<D> {
-    around: Azimuth<D>,
-    l: D,
-    sin: D,
-    cos: D,
-}
-
-impl<D: Scalar> Polar<D> {
-    #[inline]
-    fn new(d: &Vector3<D>) -> Self {
-        let around = Azimuth::new(d);
-        let (l, [sin, cos]) = norm_and_direction([around.h, d[around.axis]]);
-        Self { around, l, sin, cos }
-    }
-
-    #[inline]
-    fn n(&self) -> Vector3<D> {
-        let Azimuth { a, b, c: [ca, cb], .. } = self.around;
-        let mut n = Vector3::from_element(self.cos);
-        (n[a], n[b]) = (self.sin * ca, self.sin * cb);
-        n
-    }
-
-    /// (v·t1, v·t2).
-    #[inline]
-    fn across(&self, v: &Vector3<D>) -> [D; 2] {
-        let [along_t1, outward] = self.around.components(v);
-        [along_t1, self.cos * outward - self.sin * v[self.around.axis]]
-    }
-
-    /// v·n.
-    #[inline]
-    fn along(&self, v: &Vector3<D>) -> D {
-        let [_, outward] = self.around.components(v);
-        self.sin * outward + self.cos * v[self.around.axis]
-    }
-}
 
 fields! {
     /// The line, and node m.
@@ -68,13 +29,36 @@ fields! {
 #[derive(Clone, Copy, Debug)]
 pub struct Constraint;
 
-impl Constraint {
-    /// Where m is along the line as t1 sees it: in the projection along the axis of the azimuth.
-    #[inline]
-    fn projected<D: Scalar>(i: &Nodes<D>, around: &Azimuth<D>) -> Station<D, 2> {
-        let project = |v: &Vector3<D>| Vector2::new(v[around.a], v[around.b]);
-        Station::new([&project(&i.x1), &project(&i.xn), &project(&i.xm)], &around.c.into(), around.h)
-    }
+/// The nodes as t1 sees them, projected along its axis: a line in the plane.
+#[inline]
+fn projected<D: Scalar>(i: &Nodes<D>, across: &Across<D>) -> Nodes2d<D> {
+    let project = |v: &Vector3<D>| Vector2::new(v[across.a], v[across.b]);
+    Nodes2d { x1: project(&i.x1), xn: project(&i.xn), xm: project(&i.xm) }
+}
+
+/// How g2 varies with the component of an end of the line along a or b ("own"), in proportion:
+/// c_other (c_other p_own − c_own p_other) − share c·c c_own, where p leads to m from any point of the projected line.
+///
+/// The share is ξ for node n, and ξ − 1 for node 1, where the sign changes too. Node 1, node n, or one of them together with the
+/// part of xm − x1 across the line will do for p. The three sums are equal, but where one is what a cancellation leaves, another
+/// need not be: the one of the smallest terms is taken, so that rounding does no more harm than that of the inputs.
+fn bend<D: Scalar>(
+    own: usize,
+    c: Vector2<D>,
+    share: D,
+    from_ends: [Vector2<D>; 2],
+    aside: Vector2<D>,
+    end: usize,
+) -> D {
+    let other = 1 - own;
+    let terms = |p: D, q: D, last: D| [c[other] * c[other] * p, -c[other] * c[own] * q, -share * last];
+    let whole = c.dot(&c) * c[own];
+    let [first, second] = from_ends.map(|p| terms(p[own], p[other], whole));
+    let mixed = terms(aside[own], from_ends[end][other], c[own] * c[own] * c[own]);
+    let size = |terms: [D; 3]| terms.iter().fold(D::zero(), |sum, &term| sum + abs(term));
+    let smaller = |x: [D; 3], y: [D; 3]| if size(y) < size(x) { y } else { x };
+    let [p, q, last] = smaller(smaller(first, second), mixed);
+    p + q + last
 }
 
 impl Formula for Constraint {
@@ -91,29 +75,32 @@ impl Formula for Constraint {
     type Outputs<T: Element> = Distances<T>;
 
     fn eval<D: Scalar>(i: &Nodes<D>) -> Distances<D> {
-        let polar = Polar::new(&(i.xn - i.x1));
-        let [ca, cb] = polar.around.c;
-        let projected = Self::projected(i, &polar.around).offset;
-        let [_, g2] = polar.across(&Station::new([&i.x1, &i.xn, &i.xm], &polar.n(), polar.l).offset);
-        Distances { g1: cb * projected.x - ca * projected.y, g2 }
+        let across = Across::new(&(i.xn - i.x1));
+        let station = Station::new(&Span::new(&i.x1, &i.xn), &i.x1, &i.xn, &i.xm);
+        let [_, along_2] = across.along_rays(&station.offset);
+        Distances { g1: -Constraint2d::eval(&projected(i, &across)).g, g2: along_2 / across.roots[1] }
     }
 
-    /// With the projected share ξ′ of m, and κ = n·e/h: ∂g1/∂xn = −ξ′ t1, ∂g1/∂x1 = −(1 − ξ′) t1, ∂g2/∂xn = −ξ t2 + κ g1 t1,
-    /// ∂g2/∂x1 = −(1 − ξ) t2 − κ g1 t1.
+    /// Of g1, ∂g1/∂xn = −ξ′ t1 and ∂g1/∂x1 = −(1 − ξ′) t1 with the share ξ′ of m in the projection along e. Of g2, along e,
+    /// ∂g2/∂xn = −ξ t2 and ∂g2/∂x1 = −(1 − ξ) t2; along a and b see [`bend`].
     fn jacobian<D: Scalar>(i: &Nodes<D>) -> Jacobian<Self, D> {
-        let polar = Polar::new(&(i.xn - i.x1));
-        let around = &polar.around;
-        let (t1, t2) = (around.t1(), around.t2(polar.sin, polar.cos));
-        let projected = Self::projected(i, around);
-        let [share_1, rest_1] = projected.shares();
-        let [share_2, rest_2] = Station::new([&i.x1, &i.xn, &i.xm], &polar.n(), polar.l).shares();
-        let [ca, cb] = around.c;
-        let g1 = cb * projected.offset.x - ca * projected.offset.y;
-        let twist = t1 * (polar.cos * (g1 / around.h));
-        Distances {
-            g1: Nodes { x1: t1 * -rest_1, xn: t1 * -share_1, xm: t1 },
-            g2: Nodes { x1: t2 * -rest_2 - twist, xn: t2 * -share_2 + twist, xm: t2 },
-        }
+        let (span, across) = (Span::new(&i.x1, &i.xn), Across::new(&(i.xn - i.x1)));
+        let ([_, ray], [_, root]) = (across.rays(), across.roots);
+        let station = Station::new(&span, &i.x1, &i.xn, &i.xm);
+        let side = |v: Vector3<D>| Vector2::new(v[across.a], v[across.b]) * D::from(across.sideways.per_unit);
+        let ends = [side(i.xm - i.x1), side(i.xm - i.xn)];
+        let aside = side(station.aside(&span));
+        let size = across.along / across.square;
+        let row = |end: usize, share: D| {
+            let by = |own: usize| bend(own, across.c.into(), share, ends, aside, end) * size;
+            across.vector(-ray[across.axis] * share, by(0), by(1)) / root
+        };
+        let [share, rest] = station.shares();
+        let g2 = Nodes { x1: -row(1, -rest), xn: row(0, share), xm: ray / root };
+
+        let Nodes2d { x1, xn, xm } = Constraint2d::jacobian(&projected(i, &across)).g;
+        let lift = |v: Vector2<D>| across.vector(D::zero(), -v.x, -v.y);
+        Distances { g1: Nodes { x1: lift(x1), xn: lift(xn), xm: lift(xm) }, g2 }
     }
 
     fn validate(i: &Nodes<f64>) -> Result<(), Error> {
@@ -207,35 +194,35 @@ impl Formula for IncrementalConstraint {
     type Outputs<T: Element> = IncrementalResiduals<T>;
 
     fn eval<D: Scalar>(i: &MovingNodes<D>) -> IncrementalResiduals<D> {
-        let polar = Polar::new(&(i.xn - i.x1));
-        let station = Station::new([&i.x1, &i.xn, &i.xm], &polar.n(), polar.l);
-        let [r1, r2] = polar.across(&(i.dxm - station.blend(&i.dx1, &i.dxn)));
-        IncrementalResiduals { r1, r2 }
+        let station = Station::new(&Span::new(&i.x1, &i.xn), &i.x1, &i.xn, &i.xm);
+        let across = Across::new(&(i.xn - i.x1));
+        let ([along_1, along_2], [root_1, root_2]) =
+            (across.along_rays(&(i.dxm - station.blend(&i.dx1, &i.dxn))), across.roots);
+        IncrementalResiduals { r1: along_1 / root_1, r2: along_2 / root_2 }
     }
 
     /// With v = dxm − (1−ξ) dx1 − ξ dxn and γ_q = t_q·(dxn − dx1), the line enters through t_q, whose variation is that in
     /// [`Constraint`] with v for xm − x1, and through ξ: ∂r_q = v·∂t_q − γ_q ∂ξ.
     fn jacobian<D: Scalar>(i: &MovingNodes<D>) -> Jacobian<Self, D> {
-        let d = i.xn - i.x1;
-        let polar = Polar::new(&d);
-        let (around, l, n) = (&polar.around, polar.l, polar.n());
-        let t = [around.t1(), around.t2(polar.sin, polar.cos)];
-        let station = Station::new([&i.x1, &i.xn, &i.xm], &n, l);
-        let [share, rest] = station.shares();
+        let (span, across) = (Span::new(&i.x1, &i.xn), Across::new(&(i.xn - i.x1)));
+        let station = Station::new(&span, &i.x1, &i.xn, &i.xm);
+        let ([share, rest], [share_x1, share_xn, share_xm]) = (station.shares(), station.gradients(&span));
         let v = i.dxm - station.blend(&i.dx1, &i.dxn);
-        let [r1, outward] = around.components(&v);
-        let turning =
-            [t[0] * -(outward / around.h), t[0] * (polar.cos * (r1 / around.h)) - t[1] * (polar.along(&v) / l)];
-        let gain = polar.across(&(i.dxn - i.dx1));
-        let aside = station.aside(&d) / l;
-        let (share_xn, share_x1) = ((aside - n * share) / l, -(aside + n * rest) / l);
-        let row = |q: usize| MovingNodes {
-            x1: -turning[q] - share_x1 * gain[q],
-            xn: turning[q] - share_xn * gain[q],
-            xm: n * -(gain[q] / l),
-            dx1: t[q] * -rest,
-            dxn: t[q] * -share,
-            dxm: t[q],
+        let share_v = v.dot(&span.d) * span.binade.per_unit / span.square;
+        // Everything times the length of the ray, by which the rows are divided in the end.
+        let (ray, gain) = (across.rays(), across.along_rays(&(i.dxn - i.dx1)));
+        let twist = across.twist(across.sideward(v[across.a], v[across.b]));
+        let turning = [ray[0] * -across.share_outward(&v), twist - ray[1] * share_v];
+        let row = |q: usize| {
+            let root = across.roots[q];
+            MovingNodes {
+                x1: -(turning[q] + share_x1 * gain[q]) / root,
+                xn: (turning[q] - share_xn * gain[q]) / root,
+                xm: share_xm * -gain[q] / root,
+                dx1: ray[q] * -rest / root,
+                dxn: ray[q] * -share / root,
+                dxm: ray[q] / root,
+            }
         };
         IncrementalResiduals { r1: row(0), r2: row(1) }
     }
@@ -312,7 +299,8 @@ impl Formula for IncrementalConstraint {
                     let jac = Constraint::jacobian(&Nodes { x1: at.x1, xn: at.xn, xm });
                     let along = |row: Nodes<_>| row.x1.dot(&at.dx1) + row.xn.dot(&at.dxn) + row.xm.dot(&at.dxm);
                     let IncrementalResiduals { r1, r2 } = Self::eval(&at);
-                    let size = (law::length(at.dx1) + law::length(at.dxn)) * (abs(i.xm.x) + 1.0);
+                    let motion = law::length(at.dx1) + law::length(at.dxn);
+                    let size = motion * (abs(i.xm.x) + 1.0) + law::length(at.dxm);
                     law::equal_all_with([(r1, along(jac.g1)), (r2, along(jac.g2))], size)
                 },
             },

@@ -2,6 +2,7 @@
 
 use super::hard::{lines, scenes};
 use super::slide::Slide;
+use super::span::Span;
 use super::{IncrementalConstraint, MovingNodes, Pivots, documented};
 use crate::Octuple;
 use crate::error::Error;
@@ -30,10 +31,11 @@ fields! {
 #[derive(Clone, Copy, Debug)]
 pub struct Eliminate;
 
-/// What value and Jacobian share: slopes n/n_k, the nearer end, and the shares of nodes n and 1 in the place of m.
+/// What value and Jacobian share: d, the nearer end, how far m is ahead of it, and the shares of nodes n and 1 in the place of m.
 struct Elimination<D> {
     pivots: Pivots,
-    slope: Vector3<D>,
+    /// In units of the line's size.
+    d: Vector3<D>,
     end: Vector3<D>,
     ahead: D,
     share: D,
@@ -44,14 +46,13 @@ impl<D: Scalar> Elimination<D> {
     #[inline]
     fn new(i: &KeptCoordinate<D>) -> Self {
         let pivots = Pivots::new(&i.x1, &i.xn);
-        let k = pivots.k;
-        let d = i.xn - i.x1;
+        let (k, span) = (pivots.k, Span::new(&i.x1, &i.xn));
         let (from_1, from_n) = (i.xmk - i.x1[k], i.xmk - i.xn[k]);
         let nearer_to_n = abs(from_n) < abs(from_1);
         let (end, ahead) = if nearer_to_n { (i.xn, from_n) } else { (i.x1, from_1) };
-        let tau = ahead / d[k];
+        let tau = ahead * span.binade.per_unit / span.d[k];
         let (share, rest) = if nearer_to_n { (tau + 1.0, -tau) } else { (tau, -tau + 1.0) };
-        Self { pivots, slope: d / d[k], end, ahead, share, rest }
+        Self { pivots, d: span.d, end, ahead, share, rest }
     }
 }
 
@@ -70,19 +71,20 @@ impl Formula for Eliminate {
 
     #[inline]
     fn eval<D: Scalar>(i: &KeptCoordinate<D>) -> Coordinates<D> {
-        let Elimination { pivots, slope, end, ahead, .. } = Elimination::new(i);
-        let coordinate = |axis: usize| end[axis] + slope[axis] * ahead;
+        let Elimination { pivots, d, end, ahead, .. } = Elimination::new(i);
+        let coordinate = |axis: usize| end[axis] + d[axis] * ahead / d[pivots.k];
         Coordinates { xmi: coordinate(pivots.i), xmj: coordinate(pivots.j) }
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &KeptCoordinate<D>) -> Jacobian<Self, D> {
-        let Elimination { pivots, slope, share, rest, .. } = Elimination::new(i);
+        let Elimination { pivots, d, share, rest, .. } = Elimination::new(i);
         let row = |axis: usize| {
+            let slope = d[axis] / d[pivots.k];
             let mut row = KeptCoordinate::filled(D::zero());
-            (row.x1[axis], row.x1[pivots.k]) = (rest, -slope[axis] * rest);
-            (row.xn[axis], row.xn[pivots.k]) = (share, -slope[axis] * share);
-            row.xmk = slope[axis];
+            (row.x1[axis], row.x1[pivots.k]) = (rest, -slope * rest);
+            (row.xn[axis], row.xn[pivots.k]) = (share, -slope * share);
+            row.xmk = slope;
             row
         };
         Coordinates { xmi: row(pivots.i), xmj: row(pivots.j) }
@@ -210,16 +212,15 @@ impl Formula for Increment {
     #[inline]
     fn eval<D: Scalar>(i: &KeptIncrement<D>) -> Increments<D> {
         let Pivots { i: axis_i, j: axis_j, k } = Pivots::new(&i.x1, &i.xn);
-        let slide = Slide::new(i.x1, i.xn, i.xm, k);
-        let w = slide.station.blend(&i.dx1, &i.dxn);
-        let increment = |axis: usize| w[axis] + slide.slope[axis] * (i.dxmk - w[k]);
-        Increments { dxmi: increment(axis_i), dxmj: increment(axis_j) }
+        let slide = Slide::new(&i.x1, &i.xn, &i.xm, k);
+        let [dxmi, dxmj] = slide.increments([axis_i, axis_j], &i.dx1, &i.dxn, i.dxmk);
+        Increments { dxmi, dxmj }
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &KeptIncrement<D>) -> Jacobian<Self, D> {
         let Pivots { i: axis_i, j: axis_j, k } = Pivots::new(&i.x1, &i.xn);
-        let rows = Slide::new(i.x1, i.xn, i.xm, k).gradients(&i.dx1, &i.dxn, i.dxmk);
+        let rows = Slide::new(&i.x1, &i.xn, &i.xm, k).gradients(&i.dx1, &i.dxn, i.dxmk);
         let row = |axis: usize| {
             let row = rows.row(axis);
             KeptIncrement { x1: row.x1, xn: row.xn, xm: row.xm, dx1: row.dx1, dxn: row.dxn, dxmk: row.dxmk }

@@ -136,14 +136,13 @@ impl Formula for DirectionVariation {
         DirectionChange { dn: n.cross(&motion.cross(&n)) / l, dl: n.dot(&motion) }
     }
 
+    /// ∂dn/∂dxn = (I − n nᵀ)/l and ∂dn/∂xn = −(dn nᵀ + n dnᵀ + (dl/l)(I − n nᵀ))/l, symmetric matrices both.
     fn jacobian<D: Scalar>(i: &MovingEnds<D>) -> Jacobian<Self, D> {
         let Direction { n, l } = Line::eval(&Ends { x1: i.x1, xn: i.xn });
         let DirectionChange { dn, dl } = Self::eval(i);
-        let across = across(&n);
-        let turn = across / l;
-        // ∂dn/∂xn = −(dn nᵀ + n dnᵀ + (dl/l)(I − n nᵀ))/l, a symmetric matrix.
+        let turn = across(&n) / l;
         let outer = dn * n.transpose();
-        let bend = -(outer + outer.transpose() + across * (dl / l)) / l;
+        let bend = -(outer + outer.transpose() + turn * dl) / l;
         let row = |xn: Vector3<D>, dxn: Vector3<D>| MovingEnds { x1: -xn, xn, dx1: -dxn, dxn };
         let rows = [0, 1, 2].map(|axis| row(bend.column(axis).into_owned(), turn.column(axis).into_owned()));
         DirectionChange { dn: rows.into(), dl: row(dn, n) }

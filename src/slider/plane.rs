@@ -2,7 +2,7 @@
 
 use super::hard::{plane_lines, scenes};
 use super::slide::Slide;
-use super::station::Station;
+use super::span::{Span, Station};
 use super::{Constraint, Increment, KeptIncrement, Nodes};
 use super::{Pivots, Pivots2d};
 use crate::error::Error;
@@ -12,7 +12,7 @@ use crate::quantity::{
     SLIDER_DX1_PLANE, SLIDER_DXMI, SLIDER_DXMK, SLIDER_DXN_PLANE, SLIDER_G, SLIDER_X1_PLANE, SLIDER_XM_PLANE,
     SLIDER_XN_PLANE,
 };
-use crate::scalar::{Scalar, abs, norm_and_direction, sign};
+use crate::scalar::{Scalar, abs, sign};
 use crate::verify::law;
 use nalgebra::{Vector2, Vector3};
 
@@ -48,17 +48,17 @@ impl Formula for Constraint2d {
 
     #[inline]
     fn eval<D: Scalar>(i: &Nodes2d<D>) -> Distance2d<D> {
-        let (l, n) = norm_and_direction((i.xn - i.x1).into());
-        let offset = Station::new([&i.x1, &i.xn, &i.xm], &n.into(), l).offset;
-        Distance2d { g: n[0] * offset.y - n[1] * offset.x }
+        let span = Span::new(&i.x1, &i.xn);
+        let offset = Station::new(&span, &i.x1, &i.xn, &i.xm).offset;
+        Distance2d { g: span.d.perp(&offset) / span.square.sqrt() }
     }
 
     /// ∂g/∂xn = −ξ t, ∂g/∂x1 = −(1 − ξ) t: as if m were a point of a rigid bar.
     #[inline]
     fn jacobian<D: Scalar>(i: &Nodes2d<D>) -> Jacobian<Self, D> {
-        let (l, n) = norm_and_direction((i.xn - i.x1).into());
-        let [share, rest] = Station::new([&i.x1, &i.xn, &i.xm], &n.into(), l).shares();
-        let t = Vector2::new(-n[1], n[0]);
+        let span = Span::new(&i.x1, &i.xn);
+        let [share, rest] = Station::new(&span, &i.x1, &i.xn, &i.xm).shares();
+        let t = Vector2::new(-span.d.y, span.d.x) / span.square.sqrt();
         Distance2d { g: Nodes2d { x1: t * -rest, xn: t * -share, xm: t } }
     }
 
@@ -136,15 +136,15 @@ impl Formula for Increment2d {
     #[inline]
     fn eval<D: Scalar>(i: &KeptIncrement2d<D>) -> Increment2dOutput<D> {
         let pivots = Pivots2d::new(&i.x1, &i.xn);
-        let slide = Slide::new(i.x1, i.xn, i.xm, pivots.k);
-        let w = slide.station.blend(&i.dx1, &i.dxn);
-        Increment2dOutput { dxmi: w[pivots.i] + slide.slope[pivots.i] * (i.dxmk - w[pivots.k]) }
+        let slide = Slide::new(&i.x1, &i.xn, &i.xm, pivots.k);
+        let [dxmi] = slide.increments([pivots.i], &i.dx1, &i.dxn, i.dxmk);
+        Increment2dOutput { dxmi }
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &KeptIncrement2d<D>) -> Jacobian<Self, D> {
         let pivots = Pivots2d::new(&i.x1, &i.xn);
-        let row = Slide::new(i.x1, i.xn, i.xm, pivots.k).gradients(&i.dx1, &i.dxn, i.dxmk).row(pivots.i);
+        let row = Slide::new(&i.x1, &i.xn, &i.xm, pivots.k).gradients(&i.dx1, &i.dxn, i.dxmk).row(pivots.i);
         Increment2dOutput {
             dxmi: KeptIncrement2d { x1: row.x1, xn: row.xn, xm: row.xm, dx1: row.dx1, dxn: row.dxn, dxmk: row.dxmk },
         }

@@ -1,18 +1,15 @@
-//! The direct route to increments, in space and in the plane: slopes n/n_k instead of directions across the line.
+//! The direct route to increments, in space and in the plane: ratios n_i/n_k instead of directions across the line.
 
-use super::station::Station;
+use super::span::{Span, Station};
 use crate::scalar::Scalar;
 use nalgebra::SVector;
 
-/// The line in units of its k-th component: slope = d/d_k, with `slope[k]` = 1.
+/// The line, the place of node m, and the axis k whose coordinate is kept.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slide<D, const N: usize> {
-    d: SVector<D, N>,
+    span: Span<D, N>,
+    station: Station<D, N>,
     k: usize,
-    pub(super) slope: SVector<D, N>,
-    /// d·d/d_k, so that ξ = (xm − x1)·slope / length.
-    length: D,
-    pub(super) station: Station<D, N>,
 }
 
 /// The gradient of one eliminated increment.
@@ -27,62 +24,74 @@ pub(super) struct Row<D, const N: usize> {
 
 impl<D: Scalar, const N: usize> Slide<D, N> {
     #[inline]
-    pub(super) fn new(x1: SVector<D, N>, xn: SVector<D, N>, xm: SVector<D, N>, k: usize) -> Self {
-        let d = xn - x1;
-        let slope = d / d[k];
-        let length = slope.dot(&slope) * d[k];
-        Self { d, k, slope, length, station: Station::new([&x1, &xn, &xm], &slope, length) }
+    pub(super) fn new(x1: &SVector<D, N>, xn: &SVector<D, N>, xm: &SVector<D, N>, k: usize) -> Self {
+        let span = Span::new(x1, xn);
+        Self { span, station: Station::new(&span, x1, xn, xm), k }
+    }
+
+    /// The increments dxm_axis = w_axis + (n_axis/n_k)(dxm_k − w_k) of some axes, for w = (1−ξ) dx1 + ξ dxn.
+    #[inline]
+    pub(super) fn increments<const M: usize>(
+        &self,
+        axes: [usize; M],
+        dx1: &SVector<D, N>,
+        dxn: &SVector<D, N>,
+        dxmk: D,
+    ) -> [D; M] {
+        let (d, w) = (&self.span.d, self.station.blend(dx1, dxn));
+        axes.map(|axis| w[axis] + d[axis] * (dxmk - w[self.k]) / d[self.k])
     }
 
     /// What the gradients of all increments share.
     #[inline]
-    pub(super) fn gradients(self, dx1: &SVector<D, N>, dxn: &SVector<D, N>, dxmk: D) -> Gradients<D, N> {
-        let [share, rest] = self.station.shares();
-        let (per_length, per_dk) = (self.length.recip(), self.d[self.k].recip());
-        let aside = self.station.aside(&self.d) * per_dk;
+    pub(super) fn gradients(&self, dx1: &SVector<D, N>, dxn: &SVector<D, N>, dxmk: D) -> Gradients<D, N> {
+        let per_dk = self.span.d[self.k].recip();
+        let excess = dxmk - self.station.blend(dx1, dxn)[self.k];
         Gradients {
-            share,
-            rest,
+            d: self.span.d,
+            k: self.k,
+            per_dk,
+            shares: self.station.shares(),
+            by_share: self.station.gradients(&self.span),
             relative: dxn - dx1,
-            share_x1: (aside + self.slope * rest) * -per_length,
-            share_xn: (aside - self.slope * share) * per_length,
-            share_xm: self.slope * per_length,
-            lever: (dxmk - self.station.blend(dx1, dxn)[self.k]) * per_dk,
-            slide: self,
+            lever: excess * per_dk * self.span.binade.per_unit,
         }
     }
 }
 
-/// ξ, 1 − ξ and the gradient of ξ; dxn − dx1; and (dxm_k − w_k)/d_k, by which an increment grows with d_i.
+/// d, k and 1/d_k in units of the line's size; ξ and 1 − ξ; the gradients of ξ; dxn − dx1; and (dxm_k − w_k)/d_k, by which an
+/// increment grows with the component of d along its axis.
 pub(super) struct Gradients<D, const N: usize> {
-    slide: Slide<D, N>,
-    share: D,
-    rest: D,
+    d: SVector<D, N>,
+    k: usize,
+    per_dk: D,
+    shares: [D; 2],
+    by_share: [SVector<D, N>; 3],
     relative: SVector<D, N>,
-    share_x1: SVector<D, N>,
-    share_xn: SVector<D, N>,
-    share_xm: SVector<D, N>,
     lever: D,
 }
 
 impl<D: Scalar, const N: usize> Gradients<D, N> {
-    /// The gradient of dxm_axis = w_axis + slope_axis (dxm_k − w_k).
+    /// The gradient of dxm_axis.
     #[inline]
     pub(super) fn row(&self, axis: usize) -> Row<D, N> {
-        let (k, slope) = (self.slide.k, self.slide.slope[axis]);
-        // The gradient of x_axis − slope_axis x_k, times a factor.
+        let (d, k, relative) = (&self.d, self.k, &self.relative);
+        let slope = d[axis] * self.per_dk;
+        // The gradient of x_axis − slope x_k, times a factor.
         let off_slope = |factor: D| {
             let mut v = SVector::from_element(D::zero());
             (v[axis], v[k]) = (factor, -slope * factor);
             v
         };
-        let gain = self.relative[axis] - slope * self.relative[k];
+        let gain = (relative[axis] * d[k] - d[axis] * relative[k]) * self.per_dk;
+        let [share, rest] = self.shares;
+        let [by_x1, by_xn, by_xm] = self.by_share;
         Row {
-            x1: self.share_x1 * gain - off_slope(self.lever),
-            xn: self.share_xn * gain + off_slope(self.lever),
-            xm: self.share_xm * gain,
-            dx1: off_slope(self.rest),
-            dxn: off_slope(self.share),
+            x1: by_x1 * gain - off_slope(self.lever),
+            xn: by_xn * gain + off_slope(self.lever),
+            xm: by_xm * gain,
+            dx1: off_slope(rest),
+            dxn: off_slope(share),
             dxmk: slope,
         }
     }
