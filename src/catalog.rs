@@ -3,7 +3,7 @@
 use crate::formula::{Convention, Field, Fields, Formula, Kink, Spec, value};
 use crate::scalar::{abs, sign};
 use crate::verify::{Audit, Options, audit, audit_at, exactly, golden, hard};
-use crate::{Error, Octuple, align, cardan, coulomb, join, slot, translator, universal};
+use crate::{Error, Octuple, align, cardan, coulomb, join, slider, slot, translator, universal};
 
 /// A formula whose inputs and outputs are not known to the compiler; every [`Formula`] is one.
 pub trait AnyFormula: Send + Sync {
@@ -135,6 +135,16 @@ pub const CATALOG: &[&dyn AnyFormula] = &[
     &universal::ConstraintMoment,
     &universal::KineticMoment,
     // SLIDER
+    &slider::Line,
+    &slider::Basis,
+    &slider::Constraint,
+    &slider::Eliminate,
+    &slider::DirectionVariation,
+    &slider::BasisVariation,
+    &slider::IncrementalConstraint,
+    &slider::Increment,
+    &slider::Constraint2d,
+    &slider::Increment2d,
     // Slide lines
     // Interaction laws
 ];

@@ -1,0 +1,78 @@
+//! The line from node 1 to node n, and where node m is along it, told from the end that is nearer to it.
+
+use super::binade::Binade;
+use crate::scalar::{Scalar, abs};
+use nalgebra::SVector;
+
+/// d = xn − x1 in units of a power of two, and its square.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Span<D, const N: usize> {
+    pub(super) d: SVector<D, N>,
+    pub(super) square: D,
+    pub(super) binade: Binade,
+}
+
+impl<D: Scalar, const N: usize> Span<D, N> {
+    #[inline]
+    pub(super) fn new(x1: &SVector<D, N>, xn: &SVector<D, N>) -> Self {
+        let d = xn - x1;
+        let binade = Binade::of(d.as_slice());
+        let d = d * D::from(binade.per_unit);
+        Self { d, square: d.dot(&d), binade }
+    }
+}
+
+/// The place of m: m − end = τ (xn − x1) + something across the line, where "end" is the nearer of nodes 1 and n.
+///
+/// With ξ = (xm − x1)·d/d·d, τ is ξ if the end is node 1 and ξ − 1 if it is node n. Told from the far end, the position of
+/// m would carry the rounding errors of distances that are much larger than those which matter.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Station<D, const N: usize> {
+    nearer_to_n: bool,
+    /// m − end.
+    pub(super) offset: SVector<D, N>,
+    tau: D,
+}
+
+impl<D: Scalar, const N: usize> Station<D, N> {
+    #[inline]
+    pub(super) fn new(span: &Span<D, N>, x1: &SVector<D, N>, xn: &SVector<D, N>, xm: &SVector<D, N>) -> Self {
+        let (from_1, from_n) = (xm - x1, xm - xn);
+        let (ahead_of_1, ahead_of_n) = (from_1.dot(&span.d), from_n.dot(&span.d));
+        let nearer_to_n = abs(ahead_of_n) < abs(ahead_of_1);
+        let (offset, ahead) = if nearer_to_n { (from_n, ahead_of_n) } else { (from_1, ahead_of_1) };
+        Self { nearer_to_n, offset, tau: ahead * span.binade.per_unit / span.square }
+    }
+
+    /// ξ and 1 − ξ, both without loss.
+    #[inline]
+    pub(super) fn shares(&self) -> [D; 2] {
+        let tau = self.tau;
+        if self.nearer_to_n { [tau + 1.0, -tau] } else { [tau, -tau + 1.0] }
+    }
+
+    /// (1 − ξ) u1 + ξ un.
+    #[inline]
+    pub(super) fn blend(&self, u1: &SVector<D, N>, un: &SVector<D, N>) -> SVector<D, N> {
+        let end = if self.nearer_to_n { un } else { u1 };
+        end + (un - u1) * self.tau
+    }
+
+    /// The part of m − x1 across the line.
+    #[inline]
+    pub(super) fn aside(&self, span: &Span<D, N>) -> SVector<D, N> {
+        self.offset - span.d * (self.tau * span.binade.unit)
+    }
+
+    /// The gradients of ξ with respect to x1, xn and xm.
+    ///
+    /// With the part f of m − x1 across the line: ∂ξ/∂xm = d/d·d, ∂ξ/∂xn = (f − ξ d)/d·d, ∂ξ/∂x1 = −(f + (1 − ξ) d)/d·d.
+    #[inline]
+    pub(super) fn gradients(&self, span: &Span<D, N>) -> [SVector<D, N>; 3] {
+        let [share, rest] = self.shares();
+        let per_unit = D::from(span.binade.per_unit);
+        let factor = per_unit / span.square;
+        let aside = self.offset * per_unit - span.d * self.tau;
+        [(aside + span.d * rest) * -factor, (aside - span.d * share) * factor, span.d * factor]
+    }
+}
