@@ -183,8 +183,12 @@ fn kink(entry: &KinkEntry, outputs: &[Field]) -> Kink {
     }
 }
 
-/// To four decimals, without zeros that say nothing, with a true minus sign.
+/// To four decimals, without zeros that say nothing, with a true minus sign. A difference over a step of 1e-40 that is
+/// this large has no limit.
 fn four_digits(x: f64) -> String {
+    if x.abs() > 1e15 {
+        return "without bound".into();
+    }
     ((x * 1e4).round() / 1e4).to_string().replace('-', "−")
 }
 
