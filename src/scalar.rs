@@ -236,7 +236,7 @@ macro_rules! first_order {
                 let direction = std::array::from_fn(|c| {
                     let mut result = Self::from_re(n[c]);
                     for b in (0..COUNT).filter(|&b| b != c && length != 0.0) {
-                        result.eps = result.eps + (x[c].eps * n[b] - x[b].eps * n[c]) * n[b] / length;
+                        result.eps += (x[c].eps * n[b] - x[b].eps * n[c]) * n[b] / length;
                     }
                     result
                 });

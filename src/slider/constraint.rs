@@ -82,7 +82,7 @@ impl Formula for Constraint {
     }
 
     /// Of g1, ∂g1/∂xn = −ξ′ t1 and ∂g1/∂x1 = −(1 − ξ′) t1 with the share ξ′ of m in the projection along e. Of g2, along e,
-    /// ∂g2/∂xn = −ξ t2 and ∂g2/∂x1 = −(1 − ξ) t2; along a and b see [`bend`].
+    /// ∂g2/∂xn = −ξ t2 and ∂g2/∂x1 = −(1 − ξ) t2; along a and b see `bend`.
     fn jacobian<D: Scalar>(i: &Nodes<D>) -> Jacobian<Self, D> {
         let (span, across) = (Span::new(&i.x1, &i.xn), Across::new(&(i.xn - i.x1)));
         let ([_, ray], [_, root]) = (across.rays(), across.roots);

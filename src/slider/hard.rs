@@ -95,7 +95,7 @@ pub(super) fn lines() -> Vec<HardLine<3>> {
             "offset-tilt",
             offset,
             [1e12, -1e12, 1e12],
-            [1e12 + 1e3, -1e12 - 0.00048828125, 1e12 + 0.0009765625],
+            [1e12 + 1e3, -1e12 - 0.000_488_281_25, 1e12 + 0.000_976_562_5],
         ),
         from_origin("length-1e-12", "a short line", [0.75e-12, -0.5e-12, 0.4375e-12]),
         from_origin("length-1e12", "a long line", [0.75e12, -0.5e12, 0.4375e12]),

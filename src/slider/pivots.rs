@@ -55,7 +55,7 @@ impl Pivots {
     /// assert_eq!(Pivots::largest(&Vector3::zeros(), &Vector3::new(2.0, 1.0, 1.0)), Pivots { i: 1, j: 2, k: 0 });
     /// ```
     pub fn largest<D: Scalar>(x1: &Vector3<D>, xn: &Vector3<D>) -> Self {
-        let first = if at_least(x1, xn, 0, 1) { 0 } else { 1 };
+        let first = usize::from(!at_least(x1, xn, 0, 1));
         match if at_least(x1, xn, first, 2) { first } else { 2 } {
             0 => Self { i: 1, j: 2, k: 0 },
             1 => Self { i: 0, j: 2, k: 1 },
