@@ -166,13 +166,16 @@ fn gimbal_lock_is_rejected_at_the_start_and_later() {
 fn bad_parameters_are_named() {
     let translator = Translator::new(&pose()).unwrap();
     let message = |result: Result<Translator, Error>| result.unwrap_err().to_string();
-    assert_eq!(message(translator.with_levers(-1.0, 1.0)), "rr is -1; allowed is a finite number ≥ 0");
-    assert_eq!(message(translator.with_levers(1.0, -1.0)), "l is -1; allowed is a finite number ≥ 0");
+    assert_eq!(message(translator.with_levers(-1.0, 1.0)), "rr is -1.0; allowed is a finite number ≥ 0");
+    assert_eq!(message(translator.with_levers(1.0, -1.0)), "l is -1.0; allowed is a finite number ≥ 0");
     assert_eq!(message(translator.with_levers(1.0, f64::INFINITY)), "l is inf; allowed is a finite number ≥ 0");
     assert_eq!(message(translator.with_friction(-0.1, 0.0)), "mu is -0.1; allowed is a finite number ≥ 0");
     assert_eq!(message(translator.with_friction(0.1, f64::NAN)), "fc_int is NaN; allowed is a finite number");
     assert_eq!(message(translator.with_reference_length(f64::NAN)), "l1_ref is NaN; allowed is a finite number");
-    assert_eq!(message(translator.with_stops(2.0, 1.0)), "l1_min = 2 is above l1_max = 1; allowed is l1_min ≤ l1_max");
+    assert_eq!(
+        message(translator.with_stops(2.0, 1.0)),
+        "l1_min = 2.0 is above l1_max = 1.0; allowed is l1_min ≤ l1_max"
+    );
     let loads = Loads { m2: f64::NAN, ..Loads::default() };
     assert_eq!(translator.friction(&loads).unwrap_err().to_string(), "m2 is NaN; allowed is a finite number");
     let far = Pose { xb: Vector3::new(f64::NAN, 0.0, 0.0), ..pose() };

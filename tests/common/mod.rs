@@ -7,14 +7,14 @@ use jointproof::formula::Field;
 use jointproof::quantity::{Domain, Node, Shape};
 use proptest::prelude::*;
 
-/// A number of either sign with a magnitude from 2⁻⁴⁰ to 2⁴⁰.
+/// A number of either sign with a magnitude from 2⁻¹⁰ to 2¹⁰, as the bounds are stated for.
 pub fn signed() -> impl Strategy<Value = f64> {
     (magnitude(), any::<bool>()).prop_map(|(x, negative)| if negative { -x } else { x })
 }
 
-/// A positive number from 2⁻⁴⁰ to 2⁴⁰, every power of two equally likely.
+/// A positive number from 2⁻¹⁰ to 2¹⁰, as the bounds are stated for, every power of two equally likely.
 pub fn magnitude() -> impl Strategy<Value = f64> {
-    (1.0..2.0_f64, -40..40).prop_map(|(mantissa, exponent)| mantissa * 2.0_f64.powi(exponent))
+    (1.0..2.0_f64, -10..10).prop_map(|(mantissa, exponent)| mantissa * 2.0_f64.powi(exponent))
 }
 
 /// Any double at all: NaN, infinities, zeros and subnormals among them.
@@ -61,6 +61,7 @@ pub fn inputs(formula: &'static dyn AnyFormula) -> BoxedStrategy<Vec<f64>> {
                     Domain::Angle => (fraction - 0.5) * std::f64::consts::TAU,
                     Domain::Between(low, high) | Domain::Within(low, high) => low + fraction * (high - low),
                     Domain::Triad(node, axis) => triads[usize::from(node == Node::B)][axis - 1][component],
+                    Domain::Direction => (0.1 + 0.9 * fraction) * if negative { -1.0 } else { 1.0 },
                     _ if negative => -size,
                     _ => size,
                 }
