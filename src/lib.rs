@@ -39,6 +39,7 @@ pub mod quantity;
 pub mod scalar;
 mod single;
 pub mod slot;
+pub mod ujoint;
 pub mod verify;
 
 pub use error::{Error, Name};

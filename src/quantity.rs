@@ -172,12 +172,13 @@ macro_rules! quantities {
     };
 }
 
-use Domain::{NonNegative, Point, Real, Triad, Vector};
+use Domain::{NonNegative, Point, Positive, Real, Triad, Vector};
 use Node::{A, B};
 
 const ONE: Unit = Unit::ONE;
 const L: Unit = Unit::L;
 const F: Unit = Unit::F;
+const FL: Unit = Unit::FL;
 
 quantities! {
     E1A: r"\mathbf{e}_{1a}", Vec3, ONE, Triad(A, 1), "first unit vector of node a's triad, in the global frame";
@@ -224,6 +225,46 @@ quantities! {
     // ALIGN, TRANSLATOR
 
     // JOIN, UNIVERSAL, UJOINT
+    D0: r"\mathbf{d}_0", Vec3, L, Real, "initial position of b relative to a, as components in a's triad";
+    G_JOIN: r"\mathbf{g}", Vec3, L, Real, "residual of JOIN as components in a's triad, zero when b is in its place";
+    C0: r"c_0", Scalar, ONE, Real, "initial value of e1a·e3b, the sine of the second Cardan angle";
+    G_UNIVERSAL: r"g", Scalar, ONE, Real, "residual of UNIVERSAL, zero when e1a and e3b stand at their initial angle";
+    G_ROT: r"g_{\mathrm{rot}}", Scalar, ONE, Real, "residual of UNIVERSAL in UJOINT, zero when e1a and e3b stand at their initial angle";
+    TWIST_M2: r"m_2", Scalar, FL, Real, "constraint moment of UNIVERSAL on node b, about the direction cos α e2a + sin α e3a";
+    CROSS_M1: r"m_1", Scalar, FL, Real, "moment about e1a on node b";
+    CROSS_M3: r"m_3", Scalar, FL, Real, "moment about e3b on node b";
+    FR: r"F_r", Scalar, F, NonNegative, "reaction force: magnitude of the force that JOIN transmits";
+    E_CROSS: r"\mathbf{e}_{\mathrm{cross}}", Vec3, ONE, Vector, "normal of the cross plane, e1a × e3b, in the global frame";
+    RP: r"R_p", Scalar, L, Positive, "average radius of the pins at the ends of the cross";
+    LA: r"L_a", Scalar, L, Positive, "length of a cross arm, from the centre to the pin";
+    RA: r"R_a", Scalar, L, NonNegative, "effective friction arm of the axial force of a pin; 0 leaves that force out";
+    LS: r"L_s", Scalar, L, NonNegative, "length over which pin and sleeve overlap; 0 leaves the bending moments out";
+    ALPHA_TWIST: r"\alpha_{\mathrm{twist}}", Scalar, ONE, NonNegative, "share of the twisting moment that bends a hinge";
+    BETA_TWIST: r"\beta_{\mathrm{twist}}", Scalar, ONE, NonNegative, "transverse force on a hinge per twisting moment over arm length";
+    ALPHA_AXIAL: r"\alpha_{\mathrm{axial}}", Scalar, ONE, NonNegative, "share of a force along an axis of the cross that a hinge on that axis carries";
+    BETA_AXIAL: r"\beta_{\mathrm{axial}}", Scalar, ONE, NonNegative, "share of a force along an axis of the cross that a hinge on the other axis carries";
+    F_AXIAL1: r"F_{\mathrm{axial1}}", Scalar, F, Real, "force along e1a at the centre of the cross";
+    F_AXIAL3: r"F_{\mathrm{axial3}}", Scalar, F, Real, "force along e3b at the centre of the cross";
+    F_BEND: r"F_{\mathrm{bend}}", Scalar, F, Real, "force along e1a × e3b at the centre of the cross, which bends its arms";
+    M_TWIST_HINGE: r"M_{\mathrm{twist}}^{\mathrm{hinge}}", Scalar, FL, NonNegative, "bending moment on each hinge from the twisting moment";
+    F_TWIST_HINGE: r"F_{\mathrm{twist}}^{\mathrm{hinge}}", Scalar, F, NonNegative, "transverse force on each hinge from the twisting moment";
+    F_AXIAL_HINGE1: r"F_{\mathrm{axial1}}^{\mathrm{hinge}}", Scalar, F, NonNegative, "axial force on each hinge along e1a";
+    F_AXIAL_HINGE3: r"F_{\mathrm{axial3}}^{\mathrm{hinge}}", Scalar, F, NonNegative, "axial force on each hinge along e3b";
+    F_TRANSV_HINGE1: r"F_{\mathrm{transv1}}^{\mathrm{hinge}}", Scalar, F, NonNegative, "transverse force on each hinge along e1a from the force along e3b";
+    F_TRANSV_HINGE3: r"F_{\mathrm{transv3}}^{\mathrm{hinge}}", Scalar, F, NonNegative, "transverse force on each hinge along e3b from the force along e1a";
+    F_TOTAL_HINGE1: r"F_{\mathrm{total1}}^{\mathrm{hinge}}", Scalar, F, NonNegative, "whole transverse force on each hinge along e1a";
+    F_TOTAL_HINGE3: r"F_{\mathrm{total3}}^{\mathrm{hinge}}", Scalar, F, NonNegative, "whole transverse force on each hinge along e3b";
+    M_BEND_HINGE: r"M_{\mathrm{bend}}^{\mathrm{hinge}}", Scalar, FL, NonNegative, "bending moment on each hinge from the force across the cross";
+    M_TOTAL_HINGE: r"M_{\mathrm{total}}^{\mathrm{hinge}}", Scalar, FL, NonNegative, "whole bending moment on each hinge";
+    F_TOTAL_BEND: r"F_{\mathrm{total}}^{\mathrm{bend}}", Scalar, F, NonNegative, "contact force by which a sleeve resists the whole bending moment";
+    MC1: r"M_{C1}", Scalar, FL, Real, "contact moment of a hinge along e1a, which the connector's loads produce";
+    MC3: r"M_{C3}", Scalar, FL, Real, "contact moment of a hinge along e3b, which the connector's loads produce";
+    MC1_INT: r"M_{C1}^{\mathrm{int}}", Scalar, FL, Real, "self-equilibrated internal contact moment about e1a, as of a press fit";
+    MC3_INT: r"M_{C3}^{\mathrm{int}}", Scalar, FL, Real, "self-equilibrated internal contact moment about e3b, as of a press fit";
+    MN1: r"M_{N1}", Scalar, FL, NonNegative, "normal moment that produces friction about e1a";
+    MN3: r"M_{N3}", Scalar, FL, NonNegative, "normal moment that produces friction about e3b";
+    PHI1: r"\Phi_1", Scalar, FL, Real, "yield function about e1a: stick below 0, slip at 0";
+    PHI3: r"\Phi_3", Scalar, FL, Real, "yield function about e3b: stick below 0, slip at 0";
 
     // SLIDER
 
