@@ -31,6 +31,11 @@ pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scal
             sign => x * sign,
         }
     }
+    /// The number in 237 bits; of a dual number its value.
+    fn exact(self) -> Octuple;
+    /// This number with another value, rounded once; derivatives stay.
+    #[must_use]
+    fn with_value(self, value: Octuple) -> Self;
 }
 
 /// √(Σ xᵢ²), right to about an ulp for every representable input, subnormal or near the overflow threshold.
@@ -174,6 +179,12 @@ impl Scalar for f64 {
     fn abs_of(x: Self) -> Self {
         x.abs()
     }
+    fn exact(self) -> Octuple {
+        self.into()
+    }
+    fn with_value(self, value: Octuple) -> Self {
+        value.to_f64()
+    }
 }
 
 impl Scalar for Single {
@@ -185,6 +196,12 @@ impl Scalar for Single {
     fn angle_of(y: Self, x: Self) -> Self {
         DualNum::atan2(&y, x)
     }
+    fn exact(self) -> Octuple {
+        self.to_f64().into()
+    }
+    fn with_value(self, value: Octuple) -> Self {
+        value.to_f64().into()
+    }
 }
 
 /// The exponent range of 237-bit numbers is so wide that no square of a double leaves it.
@@ -194,6 +211,12 @@ impl Scalar for Octuple {
     }
     fn angle_of(y: Self, x: Self) -> Self {
         DualNum::atan2(&y, x)
+    }
+    fn exact(self) -> Octuple {
+        self
+    }
+    fn with_value(self, value: Octuple) -> Self {
+        value
     }
 }
 
@@ -221,6 +244,12 @@ macro_rules! first_order {
                 result.eps = x.eps * dx + y.eps * dy;
                 result
             }
+            fn exact(self) -> Octuple {
+                self.re.exact()
+            }
+            fn with_value(self, value: Octuple) -> Self {
+                Self { re: self.re.with_value(value), ..self }
+            }
         }
     };
 }
@@ -237,6 +266,12 @@ macro_rules! second_order {
             }
             fn angle_of(y: Self, x: Self) -> Self {
                 $fold(atan2($unfold(y), $unfold(x)))
+            }
+            fn exact(self) -> Octuple {
+                self.re.exact()
+            }
+            fn with_value(self, value: Octuple) -> Self {
+                Self { re: self.re.with_value(value), ..self }
             }
         }
     };

@@ -16,9 +16,9 @@
 pub mod arm;
 //mod contact;
 //mod hinge;
-//mod loads;
+mod loads;
 
 pub use arm::{AxialFactors, AxialShares, Arm, TwistFactors, TwistShares};
 //pub use contact::*;
 //pub use hinge::*;
-//pub use loads::*;
+pub use loads::*;

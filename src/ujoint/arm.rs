@@ -11,7 +11,7 @@
 //! neighbouring models beside them.
 
 use crate::fields;
-use crate::formula::{Case, Element, Fields, Formula, Jacobian, Law, Source, Spec};
+use crate::formula::{Case, Element, Formula, Jacobian, Law, Source, Spec};
 use crate::quantity::{ALPHA_AXIAL, ALPHA_TWIST, BETA_AXIAL, BETA_TWIST, LA, RP};
 use crate::Octuple;
 use crate::scalar::Scalar;
