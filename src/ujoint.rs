@@ -14,11 +14,11 @@
 //! | friction | normal moments and yield functions |
 
 pub mod arm;
-//mod contact;
-//mod hinge;
+mod contact;
+mod hinge;
 mod loads;
 
 pub use arm::{AxialFactors, AxialShares, Arm, TwistFactors, TwistShares};
-//pub use contact::*;
-//pub use hinge::*;
+pub use contact::*;
+pub use hinge::*;
 pub use loads::*;

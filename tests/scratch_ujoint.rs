@@ -3,7 +3,7 @@ use jointproof::ujoint::*;
 use jointproof::verify::Options;
 
 fn formulas() -> Vec<&'static dyn AnyFormula> {
-    vec![&TwistFactors, &AxialFactors, &Reaction, &CrossDirection, &Decomposition]
+    vec![&TwistFactors, &AxialFactors, &Reaction, &CrossDirection, &Decomposition, &HingeTwist, &HingeAxial, &HingeTransverse, &HingeBending]
 }
 
 #[test]

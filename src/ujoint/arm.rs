@@ -23,7 +23,7 @@ fields! {
     pub struct Arm<T> { la: T = LA, rp: T = RP }
 }
 
-/// σ = λ²/(λ² + k) with 1 − σ and the gradient of σ.
+/// σ = λ²/(λ² + k), 1 − σ, and the gradient of σ.
 struct Slenderness<D> {
     slender: D,
     rigid: D,
@@ -31,18 +31,38 @@ struct Slenderness<D> {
 }
 
 impl<D: Scalar> Arm<D> {
-    /// σ with k = `above`/`below`.
-    ///
-    /// The lengths enter by the smaller over the larger, so that no square overflows and none that counts is lost. From
-    /// λ dσ/dλ = 2σ(1 − σ) the gradient is 2 σ (1 − σ) (1/La, −1/Rp).
+    /// σ with k = `above`/`below`, both integers, since k is not always a double.
     #[inline]
     fn slenderness(&self, above: f64, below: f64) -> Slenderness<D> {
-        let one = D::one();
-        let (l, r, larger) = if self.la > self.rp { (one, self.rp / self.la, self.la) } else { (self.la / self.rp, one, self.rp) };
-        let (slender, rigid) = (l * l * below, r * r * above);
+        let squares = self.la * self.la + self.rp * self.rp;
+        if squares > 1e-60 && squares < 1e60 {
+            self.regular_slenderness(above, below)
+        } else {
+            self.rescaled_slenderness(above, below)
+        }
+    }
+
+    /// σ = below La²/(below La² + above Rp²). From λ dσ/dλ = 2σ(1 − σ) its gradient is 2σ(1 − σ) (1/La, −1/Rp).
+    #[inline]
+    fn regular_slenderness(&self, above: f64, below: f64) -> Slenderness<D> {
+        let Self { la, rp } = *self;
+        let (slender, rigid) = (la * la * below, rp * rp * above);
         let inverse = (slender + rigid).recip();
-        let slope = l * r * (2.0 * above * below) * inverse * inverse / larger;
-        Slenderness { slender: slender * inverse, rigid: rigid * inverse, gradient: Arm { la: slope * r, rp: -slope * l } }
+        let slope = la * rp * (2.0 * above * below) * inverse * inverse;
+        Slenderness {
+            slender: slender * inverse,
+            rigid: rigid * inverse,
+            gradient: Self { la: slope * rp, rp: -slope * la },
+        }
+    }
+
+    /// Only the ratio of the lengths counts: brings the larger to 1, lest squares under- or overflow.
+    #[cold]
+    fn rescaled_slenderness(self, above: f64, below: f64) -> Slenderness<D> {
+        let larger = if self.la > self.rp { self.la } else { self.rp };
+        let Slenderness { slender, rigid, gradient } =
+            Self { la: self.la / larger, rp: self.rp / larger }.regular_slenderness(above, below);
+        Slenderness { slender, rigid, gradient: Self { la: gradient.la / larger, rp: gradient.rp / larger } }
     }
 
     /// With the k of the twisting moment: ¾ φ λ² = ¾ · 44/5.
@@ -61,6 +81,14 @@ impl<D: Scalar> Arm<D> {
 fields! {
     /// What share of the twisting moment a hinge carries: as moment, and as force times arm length.
     pub struct TwistShares<T> { alpha_twist: T = ALPHA_TWIST, beta_twist: T = BETA_TWIST }
+}
+
+impl<D: Scalar> TwistShares<D> {
+    #[inline]
+    fn new(slenderness: &Slenderness<D>) -> Self {
+        let alpha_twist = slenderness.slender * 0.125;
+        Self { alpha_twist, beta_twist: alpha_twist + 0.25 }
+    }
 }
 
 /// Shares of the twisting moment: α_twist = 1/(8 + 6φ), β_twist = 1/4 + α_twist, φ = (44/5)/λ², λ = La/Rp.
@@ -84,15 +112,20 @@ impl Formula for TwistFactors {
 
     #[inline]
     fn eval<D: Scalar>(i: &Arm<D>) -> TwistShares<D> {
-        let alpha_twist = i.twist_slenderness().slender * 0.125;
-        TwistShares { alpha_twist, beta_twist: alpha_twist + 0.25 }
+        TwistShares::new(&i.twist_slenderness())
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &Arm<D>) -> Jacobian<Self, D> {
-        let Arm { la, rp } = i.twist_slenderness().gradient;
-        let row = Arm { la: la * 0.125, rp: rp * 0.125 };
-        TwistShares { alpha_twist: row, beta_twist: row }
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &Arm<D>) -> (TwistShares<D>, Jacobian<Self, D>) {
+        let slenderness = i.twist_slenderness();
+        let Arm { la, rp } = slenderness.gradient;
+        let slope = Arm { la: la * 0.125, rp: rp * 0.125 };
+        (TwistShares::new(&slenderness), TwistShares { alpha_twist: slope, beta_twist: slope })
     }
 
     fn cases() -> Vec<Case<Arm<f64>>> {
@@ -159,6 +192,13 @@ fields! {
     pub struct AxialShares<T> { alpha_axial: T = ALPHA_AXIAL, beta_axial: T = BETA_AXIAL }
 }
 
+impl<D: Scalar> AxialShares<D> {
+    #[inline]
+    fn new(slenderness: &Slenderness<D>) -> Self {
+        Self { alpha_axial: slenderness.slender * 0.25 + 0.25, beta_axial: slenderness.rigid * 0.25 }
+    }
+}
+
 /// Shares of an axial force: α_axial = (λ² + 3)/(2(λ² + 6)) along the loaded axis, β_axial = 3/(2(λ² + 6)) across the other,
 /// λ = La/Rp.
 ///
@@ -181,15 +221,20 @@ impl Formula for AxialFactors {
 
     #[inline]
     fn eval<D: Scalar>(i: &Arm<D>) -> AxialShares<D> {
-        let Slenderness { slender, rigid, .. } = i.axial_slenderness();
-        AxialShares { alpha_axial: slender * 0.25 + 0.25, beta_axial: rigid * 0.25 }
+        AxialShares::new(&i.axial_slenderness())
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &Arm<D>) -> Jacobian<Self, D> {
-        let Arm { la, rp } = i.axial_slenderness().gradient;
-        let alpha_axial = Arm { la: la * 0.25, rp: rp * 0.25 };
-        AxialShares { alpha_axial, beta_axial: Arm { la: -alpha_axial.la, rp: -alpha_axial.rp } }
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &Arm<D>) -> (AxialShares<D>, Jacobian<Self, D>) {
+        let slenderness = i.axial_slenderness();
+        let (la, rp) = (slenderness.gradient.la * 0.25, slenderness.gradient.rp * 0.25);
+        let slopes = AxialShares { alpha_axial: Arm { la, rp }, beta_axial: Arm { la: -la, rp: -rp } };
+        (AxialShares::new(&slenderness), slopes)
     }
 
     fn cases() -> Vec<Case<Arm<f64>>> {
@@ -233,10 +278,13 @@ impl Formula for AxialFactors {
 }
 
 fn of_arms() -> impl Iterator<Item = Case<Arm<f64>>> {
-    hard::arms().into_iter().map(|arm| {
+    let subnormal = ["lambda-1e-160", "lambda-1e160"].into_iter().zip([[1e-160, 1.0], [1.0, 1e-160]]);
+    let subnormal = subnormal.map(|(id, [la, rp])| Case::hard(id, "λ² or its inverse is subnormal", Arm { la, rp }));
+    let of_arms = hard::arms().into_iter().map(|arm| {
         let [la, rp] = arm.value;
         Case::hard(arm.id, arm.comment, Arm { la, rp })
-    })
+    });
+    of_arms.chain(subnormal)
 }
 
 /// The four shares by one model of the arm.

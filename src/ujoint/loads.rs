@@ -217,7 +217,7 @@ impl<D: Scalar> CrossLoads<D> {
 
     /// Replaces what rounding may have spoilt by what 237 bits give.
     #[cold]
-    fn recomputed(&self, rough: CrossForces<D>) -> CrossForces<D> {
+    fn recomputed(self, rough: CrossForces<D>) -> CrossForces<D> {
         let exact = |v: &Vector3<D>| v.map(Scalar::exact);
         let [e1a, e2a, e3a, e3b] = [&self.e1a, &self.e2a, &self.e3a, &self.e3b].map(exact);
         let [f1, f2, f3] = [self.f1, self.f2, self.f3].map(Scalar::exact);
