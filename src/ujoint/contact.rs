@@ -64,23 +64,32 @@ impl Formula for ContactMoments {
         Self::linearized(i).1
     }
 
-    /// The chain rule, link by link.
+    /// The chain rule in two links: the moments by the loads at the centre, and these by the force and the vectors.
     #[inline]
     fn linearized<D: Scalar>(i: &JointLoads<D>) -> (ContactMomentPair<D>, Jacobian<Self, D>) {
-        let JointLoads { e1a, e2a, e3a, e3b, f1, f2, f3, m2, rp, la, ra, ls } = *i;
-        let cross_loads = i.cross_loads();
+        let at_centre = Decomposition::eval(&i.cross_loads());
+        let (moments, by) = i.by_centre_loads(at_centre);
+        let f = Forces::new(i);
+        (moments, ContactMomentPair { mc1: f.row(i, &by.mc1), mc3: f.row(i, &by.mc3) })
+    }
+}
 
-        // 1. The loads at the centre, and each hinge's share of them.
-        let CrossForces { f_axial1, f_axial3, f_bend } = Decomposition::eval(&cross_loads);
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Slopes<D> { f_axial1: D, f_axial3: D, f_bend: D, m2: D, rp: D, la: D, ra: D, ls: D }
+
+impl<D: Scalar> JointLoads<D> {
+    #[inline]
+    fn by_centre_loads(&self, CrossForces { f_axial1, f_axial3, f_bend }: CrossForces<D>) -> (ContactMomentPair<D>, ContactMomentPair<Slopes<D>>) {
+        let Self { m2, rp, la, ra, ls, .. } = *self;
         let (twist, by_twist) = HingeTwist::linearized(&Twist { m2, la, rp });
         let (axial, by_axial) = HingeAxial::linearized(&AxialForces { f_axial1, f_axial3, la, rp });
 
-        // 2. The sums at right angles; their derivatives by their terms are the directions.
+        // The sums at right angles; their derivatives by their terms are the directions.
         let [hinge1, hinge3] = transverse(f_bend, &twist, &axial);
         let [bend, twist] = bending(f_bend, la, &twist);
         let [hinge1, hinge3, (m_total, [bend, twist, _])] = sizes_and_directions([hinge1, hinge3, [bend, twist, D::zero()]]);
 
-        // 3. The contact force of the bending moment, by the loads at the centre and the lengths: alike for all hinges.
+        // The contact force of the bending moment is alike for all hinges.
         let pressed = in_sleeve(m_total, ls);
         let (bend, twist) = (in_sleeve(bend, ls), in_sleeve(twist, ls));
         let pressed_by = Bending {
@@ -92,46 +101,47 @@ impl Formula for ContactMoments {
         };
         let by_twist = by_twist.f_twist_hinge;
 
-        // 4. What all rows need of the force and the cross: F·e_cross by e1a and by e3b.
-        let beside = cross_loads.force_beside_e1a();
-        let force = e1a * f1 + beside;
-        let e_cross = cross_loads.e_cross();
-        let (bend_by_e1a, bend_by_e3b) = (e3b.cross(&beside), beside.cross(&e1a));
-
-        // 5. A contact moment, by the loads at the centre, then by what these are made of.
         macro_rules! slopes { ($axial:expr, $by_axial:expr, $hinge:expr, $by_transv:expr, $own:ident, $other:ident) => {{
             let (axial, by_axial, (total, [bend, twist, transv]), by_transv) = ($axial, $by_axial, $hinge, $by_transv);
-            let by_bend = (bend * 0.25 + pressed_by.f_bend) * rp;
-            let by_own = by_axial.$own * ra;
-            let by_other = transv * by_transv.$other * rp;
-            (by_own, by_other, by_bend, [
-                (twist * by_twist.m2 + pressed_by.m2) * rp,
-                (twist * by_twist.rp + transv * by_transv.rp + pressed_by.rp) * rp + by_axial.rp * ra + total + pressed,
-                (twist * by_twist.la + transv * by_transv.la + pressed_by.la) * rp + by_axial.la * ra,
-                if ra == 0.0 { ra } else { axial },
-                pressed_by.ls * rp,
-            ], moment(axial, total + pressed, ra, rp))
+            (moment(axial, total + pressed, ra, rp), Slopes {
+                f_bend: (bend * 0.25 + pressed_by.f_bend) * rp,
+                $own: by_axial.$own * ra,
+                $other: transv * by_transv.$other * rp,
+                m2: (twist * by_twist.m2 + pressed_by.m2) * rp,
+                rp: (twist * by_twist.rp + transv * by_transv.rp + pressed_by.rp) * rp + by_axial.rp * ra + total + pressed,
+                la: (twist * by_twist.la + transv * by_transv.la + pressed_by.la) * rp + by_axial.la * ra,
+                ra: if ra == 0.0 { ra } else { axial },
+                ls: pressed_by.ls * rp,
+            })
         }} }
-        macro_rules! row { ($by_1:expr, $by_3:expr, $by_bend:expr, $rest:expr) => {{
-            let (by_1, by_3, by_bend, [m2, rp, la, ra, ls]) = ($by_1, $by_3, $by_bend, $rest);
-            let in_plane = e1a * by_1 + e3b * by_3;
-            let by_force = in_plane + e_cross * by_bend;
-            JointLoads {
-                e1a: in_plane * f1 + force * by_1 + bend_by_e1a * by_bend,
-                e2a: by_force * f2,
-                e3a: by_force * f3,
-                e3b: force * by_3 + bend_by_e3b * by_bend,
-                f1: e1a.dot(&in_plane),
-                f2: e2a.dot(&by_force),
-                f3: e3a.dot(&by_force),
-                m2, rp, la, ra, ls
-            }
-        }} }
-        let (own1, other1, bend1, rest1, mc1) = slopes!(axial.f_axial_hinge1, by_axial.f_axial_hinge1, hinge1, by_axial.f_transv_hinge1, f_axial1, f_axial3);
-        let (own3, other3, bend3, rest3, mc3) = slopes!(axial.f_axial_hinge3, by_axial.f_axial_hinge3, hinge3, by_axial.f_transv_hinge3, f_axial3, f_axial1);
-        let by_1 = row!(own1, other1, bend1, rest1);
-        let by_3 = row!(other3, own3, bend3, rest3);
+        let (mc1, by_1) = slopes!(axial.f_axial_hinge1, by_axial.f_axial_hinge1, hinge1, by_axial.f_transv_hinge1, f_axial1, f_axial3);
+        let (mc3, by_3) = slopes!(axial.f_axial_hinge3, by_axial.f_axial_hinge3, hinge3, by_axial.f_transv_hinge3, f_axial3, f_axial1);
         (ContactMomentPair { mc1, mc3 }, ContactMomentPair { mc1: by_1, mc3: by_3 })
+    }
+}
+
+struct Forces<D> { force: Vector3<D>, e_cross: Vector3<D>, bend_by_e1a: Vector3<D>, bend_by_e3b: Vector3<D> }
+impl<D: Scalar> Forces<D> {
+    #[inline]
+    fn new(i: &JointLoads<D>) -> Self {
+        let cross_loads = i.cross_loads();
+        let beside = cross_loads.force_beside_e1a();
+        Self { force: i.e1a * i.f1 + beside, e_cross: cross_loads.e_cross(), bend_by_e1a: i.e3b.cross(&beside), bend_by_e3b: beside.cross(&i.e1a) }
+    }
+    #[inline]
+    fn row(&self, i: &JointLoads<D>, by: &Slopes<D>) -> JointLoads<D> {
+        let in_plane = i.e1a * by.f_axial1 + i.e3b * by.f_axial3;
+        let by_force = in_plane + self.e_cross * by.f_bend;
+        JointLoads {
+            e1a: in_plane * i.f1 + self.force * by.f_axial1 + self.bend_by_e1a * by.f_bend,
+            e2a: by_force * i.f2,
+            e3a: by_force * i.f3,
+            e3b: self.force * by.f_axial3 + self.bend_by_e3b * by.f_bend,
+            f1: i.e1a.dot(&in_plane),
+            f2: i.e2a.dot(&by_force),
+            f3: i.e3a.dot(&by_force),
+            m2: by.m2, rp: by.rp, la: by.la, ra: by.ra, ls: by.ls,
+        }
     }
 }
 
