@@ -91,27 +91,28 @@ impl<D: Scalar> JointLoads<D> {
 
         // The contact force of the bending moment is alike for all hinges.
         let pressed = in_sleeve(m_total, ls);
-        let (bend, twist) = (in_sleeve(bend, ls), in_sleeve(twist, ls));
+        let (bend, twist) = (in_sleeve(bend * rp, ls), in_sleeve(twist * rp, ls));
         let pressed_by = Bending {
             f_bend: bend * la * (0.125 * sign(f_bend)),
             m2: twist * by_twist.m_twist_hinge.m2,
             la: bend * abs(f_bend) * 0.125 + twist * by_twist.m_twist_hinge.la,
-            rp: twist * by_twist.m_twist_hinge.rp,
-            ls: if ls == 0.0 { ls } else { -pressed / ls },
+            rp: twist * by_twist.m_twist_hinge.rp + pressed,
+            ls: if ls == 0.0 { ls } else { -pressed * rp / ls },
         };
         let by_twist = by_twist.f_twist_hinge;
 
         macro_rules! slopes { ($axial:expr, $by_axial:expr, $hinge:expr, $by_transv:expr, $own:ident, $other:ident) => {{
             let (axial, by_axial, (total, [bend, twist, transv]), by_transv) = ($axial, $by_axial, $hinge, $by_transv);
+            let (bend, twist, transv) = (bend * rp, twist * rp, transv * rp);
             (moment(axial, total + pressed, ra, rp), Slopes {
-                f_bend: (bend * 0.25 + pressed_by.f_bend) * rp,
+                f_bend: bend * 0.25 + pressed_by.f_bend,
                 $own: by_axial.$own * ra,
-                $other: transv * by_transv.$other * rp,
-                m2: (twist * by_twist.m2 + pressed_by.m2) * rp,
-                rp: (twist * by_twist.rp + transv * by_transv.rp + pressed_by.rp) * rp + by_axial.rp * ra + total + pressed,
-                la: (twist * by_twist.la + transv * by_transv.la + pressed_by.la) * rp + by_axial.la * ra,
+                $other: transv * by_transv.$other,
+                m2: twist * by_twist.m2 + pressed_by.m2,
+                rp: twist * by_twist.rp + transv * by_transv.rp + by_axial.rp * ra + total + pressed_by.rp,
+                la: twist * by_twist.la + transv * by_transv.la + by_axial.la * ra + pressed_by.la,
                 ra: if ra == 0.0 { ra } else { axial },
-                ls: pressed_by.ls * rp,
+                ls: pressed_by.ls,
             })
         }} }
         let (mc1, by_1) = slopes!(axial.f_axial_hinge1, by_axial.f_axial_hinge1, hinge1, by_axial.f_transv_hinge1, f_axial1, f_axial3);

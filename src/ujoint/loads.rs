@@ -199,20 +199,12 @@ impl<D: Scalar> CrossLoads<D> {
     /// Whether rounding may have decided a sign.
     #[inline]
     fn is_doubtful(&self, rough: &CrossForces<D>) -> bool {
-        let size = |v: &Vector3<D>| v.map(|x| x.re().abs());
-        let [e1a, e2a, e3a, e3b] = [&self.e1a, &self.e2a, &self.e3a, &self.e3b].map(size);
-        let [f1, f2, f3] = [self.f1, self.f2, self.f3].map(|f| f.re().abs());
-        let beside = e2a * f2 + e3a * f3;
-        let force = e1a * f1 + beside;
-        let cross = Vector3::new(
-            e1a.y * e3b.z + e1a.z * e3b.y,
-            e1a.z * e3b.x + e1a.x * e3b.z,
-            e1a.x * e3b.y + e1a.y * e3b.x,
-        );
+        let size = |v: &Vector3<D>| v.x.re().abs() + v.y.re().abs() + v.z.re().abs();
+        let (e1a, e3b) = (size(&self.e1a), size(&self.e3b));
+        let beside = size(&self.e2a) * self.f2.re().abs() + size(&self.e3a) * self.f3.re().abs();
+        let force = e1a * self.f1.re().abs() + beside;
         let is_lost = |x: D, size: f64| x.re().abs() < size * ROUNDING;
-        is_lost(rough.f_axial1, force.dot(&e1a))
-            | is_lost(rough.f_axial3, force.dot(&e3b))
-            | is_lost(rough.f_bend, beside.dot(&cross))
+        is_lost(rough.f_axial1, force * e1a) | is_lost(rough.f_axial3, force * e3b) | is_lost(rough.f_bend, beside * (e1a * e3b))
     }
 
     /// Replaces what rounding may have spoilt by what 237 bits give.
