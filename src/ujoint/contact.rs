@@ -68,8 +68,8 @@ impl Formula for ContactMoments {
     #[inline]
     fn linearized<D: Scalar>(i: &JointLoads<D>) -> (ContactMomentPair<D>, Jacobian<Self, D>) {
         let at_centre = Decomposition::eval(&i.cross_loads());
-        let (moments, by) = i.by_centre_loads(at_centre);
         let f = Forces::new(i);
+        let (moments, by) = i.by_centre_loads(at_centre);
         (moments, ContactMomentPair { mc1: f.row(i, &by.mc1), mc3: f.row(i, &by.mc3) })
     }
 }
