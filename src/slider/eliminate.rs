@@ -62,8 +62,8 @@ impl Formula for Eliminate {
         title: "Elimination",
         latex: r"x_{m,i} = x_{1,i} + \frac{n_i}{n_k}(x_{m,k}-x_{1,k}),\quad x_{m,j} = x_{1,j} + \frac{n_j}{n_k}(x_{m,k}-x_{1,k})",
         source: Source::SLIDER.section("Elimination"),
-        eta: 4.0,
-        eta_jacobian: 4.0,
+        eta: 2.0,
+        eta_jacobian: 2.0,
         objective: false,
     };
     type Inputs<T: Element> = KeptCoordinate<T>;
@@ -202,8 +202,8 @@ impl Formula for Increment {
         title: "Eliminated increments",
         latex: r"\mathrm{d}x_{m,i} = w_i + \frac{n_i}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathrm{d}x_{m,j} = w_j + \frac{n_j}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathbf{w} = (1-\xi)\,\mathrm{d}\mathbf{x}_1 + \xi\,\mathrm{d}\mathbf{x}_n",
         source: Source::SLIDER.section("Elimination of the increments"),
-        eta: 8.0,
-        eta_jacobian: 8.0,
+        eta: 3.0,
+        eta_jacobian: 5.0,
         objective: false,
     };
     type Inputs<T: Element> = KeptIncrement<T>;

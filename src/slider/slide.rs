@@ -79,9 +79,12 @@ impl<D: Scalar, const N: usize> Gradients<D, N> {
         let slope = d[axis] * self.per_dk;
         // The gradient of x_axis − slope x_k, times a factor.
         let off_slope = |factor: D| {
-            let mut v = SVector::from_element(D::zero());
-            (v[axis], v[k]) = (factor, -slope * factor);
-            v
+            let component = |c: usize| match c {
+                c if c == axis => factor,
+                c if c == k => -slope * factor,
+                _ => D::zero(),
+            };
+            SVector::from_fn(|c, _| component(c))
         };
         let gain = (relative[axis] * d[k] - d[axis] * relative[k]) * self.per_dk;
         let [share, rest] = self.shares;
