@@ -2,7 +2,7 @@
 
 use crate::formula::{Convention, Field, Fields, Formula, Kink, Spec, check};
 use crate::verify::{Audit, Options, audit, exactly, golden};
-use crate::{Error, Octuple, coulomb, slot};
+use crate::{Error, Octuple, coulomb, interaction, slide_line, slot};
 
 /// A formula whose inputs and outputs are not known to the compiler; every [`Formula`] is one.
 pub trait AnyFormula: Send + Sync {
@@ -105,7 +105,25 @@ pub const CATALOG: &[&dyn AnyFormula] = &[
     // JOIN, UNIVERSAL, UJOINT
     // SLIDER
     // Slide lines
+    &slide_line::LocalBasis,
+    &slide_line::LinearPoint,
+    &slide_line::ParabolicPoint,
+    &slide_line::SmoothedLinearPoint,
+    &slide_line::SmoothedParabolicPoint,
+    &slide_line::ClosestLinear,
+    &slide_line::ClosestParabolic,
+    &slide_line::ClosestSmoothedLinear,
+    &slide_line::ClosestSmoothedParabolic,
+    &slide_line::SlipIncrementLinear,
+    &slide_line::SlipIncrementParabolic,
+    &slide_line::ContactAreaLinear,
+    &slide_line::ContactAreaParabolic,
+    &slide_line::TorqueLinear,
+    &slide_line::TorqueParabolic,
     // Interaction laws
+    &interaction::PressureLinear,
+    &interaction::PressureExponential,
+    &interaction::Damping,
 ];
 
 /// The formula of this identifier.

@@ -72,6 +72,30 @@ pub enum Error {
         /// The third vector.
         third: &'static str,
     },
+    /// A vector that gives a direction is zero.
+    #[error("{name} is the zero vector, which has no direction; allowed is any other vector")]
+    ZeroVector {
+        /// The vector.
+        name: &'static str,
+    },
+    /// Two points that must differ are at one place.
+    #[error("{first} and {second} are at one place; allowed are different places")]
+    Coincident {
+        /// One point.
+        first: &'static str,
+        /// The other.
+        second: &'static str,
+    },
+    /// A curve stands still where its tangent is asked for.
+    #[error(
+        "the curve has no tangent at {coordinate} = {value}: a midside node is at the quarter point, or the curve folds back"
+    )]
+    NoTangent {
+        /// The coordinate along the curve.
+        coordinate: &'static str,
+        /// Its value.
+        value: f64,
+    },
     /// A list of components has the wrong length.
     #[error("{found} components were given; allowed are exactly {expected}")]
     Components {
@@ -151,6 +175,9 @@ impl Error {
             Self::NotUnit { .. } => "NotUnit",
             Self::NotPerpendicular { .. } => "NotPerpendicular",
             Self::LeftHanded { .. } => "LeftHanded",
+            Self::ZeroVector { .. } => "ZeroVector",
+            Self::Coincident { .. } => "Coincident",
+            Self::NoTangent { .. } => "NoTangent",
             Self::Components { .. } => "Components",
             Self::Overflow { .. } => "Overflow",
         }

@@ -33,11 +33,13 @@ pub mod coulomb;
 mod error;
 pub mod formula;
 pub mod frame;
+pub mod interaction;
 mod newtype;
 mod octuple;
 pub mod quantity;
 pub mod scalar;
 mod single;
+pub mod slide_line;
 pub mod slot;
 pub mod verify;
 

@@ -17,10 +17,22 @@ use num_dual::{Derivative, Dual, Dual2, Dual2SVec, DualNum, DualSVec, HyperDual}
 /// A number that formulas compute with: real, or carrying derivatives.
 ///
 /// `Primitive = f64` lets formulas be written with plain literals, `2.0 * x` as `x * 2.0`, for every scalar alike.
-/// The methods are the guarded elementary functions; call them by the free functions [`norm`], [`atan2`] and [`abs`].
+/// The methods are the guarded elementary functions; call them by the free functions [`norm`], [`length_and_tangent`],
+/// [`atan2`] and [`abs`].
 pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scalar {
+    /// The number without its derivatives.
+    type Leaf: Leaf;
+    /// See [`leaf`].
+    fn leaf_of(x: Self) -> Self::Leaf;
+    /// See [`constant`].
+    fn constant_of(x: Self::Leaf) -> Self;
     /// See [`norm`].
     fn norm_of<const N: usize>(x: [Self; N]) -> Self;
+    /// See [`length_and_tangent`].
+    #[inline]
+    fn polar_of(v: [Self; 2]) -> (Self, [Self; 2]) {
+        norm_and_direction(v)
+    }
     /// See [`atan2`].
     fn angle_of(y: Self, x: Self) -> Self;
     /// See [`abs`].
@@ -31,6 +43,60 @@ pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scal
             sign => x * sign,
         }
     }
+}
+
+/// A number without derivatives, the leaf of a tree of dual numbers: `f64`, [`Octuple`], [`Single`].
+///
+/// An iteration, such as the search for a root, runs on these; what it found becomes a [`constant`] again, and one
+/// step of Newton's method on the full scalar brings the derivatives (the implicit function theorem).
+pub trait Leaf: Scalar<Leaf = Self> {
+    /// The distance from 1 to the next larger number.
+    const EPSILON: f64;
+    /// A constant of mathematics: the double nearest to it, and what it is to 237 bits.
+    ///
+    /// `f64` takes the double as it is, so that no formula pays for the digits it does not need.
+    fn known(nearest: f64, exact: impl FnOnce() -> Octuple) -> Self;
+}
+
+/// The number without its derivatives.
+///
+/// ```
+/// use num_dual::Dual64;
+/// assert_eq!(jointproof::scalar::leaf(Dual64::from_re(2.0).derivative()), 2.0);
+/// ```
+#[inline]
+pub fn leaf<D: Scalar>(x: D) -> D::Leaf {
+    D::leaf_of(x)
+}
+
+/// A number as a constant, whose derivatives are 0; unlike `D::from(f64)` it keeps every digit of an [`Octuple`].
+#[inline]
+pub fn constant<D: Scalar>(x: D::Leaf) -> D {
+    D::constant_of(x)
+}
+
+/// π, correctly rounded in every scalar.
+///
+/// ```
+/// use jointproof::{Octuple, scalar::pi};
+/// assert_eq!(pi::<f64>(), std::f64::consts::PI);
+/// assert_eq!(pi::<Octuple>(), Octuple::PI);
+/// ```
+#[inline]
+pub fn pi<D: Scalar>() -> D {
+    constant(D::Leaf::known(std::f64::consts::PI, || Octuple::PI))
+}
+
+/// e − 1, right to an ulp in every scalar.
+///
+/// ```
+/// use jointproof::{Octuple, scalar::e_minus_one};
+/// assert_eq!(e_minus_one::<f64>(), 1.0_f64.exp_m1());
+/// assert_eq!(e_minus_one::<Octuple>(), Octuple::E - 1.0);
+/// ```
+#[inline]
+pub fn e_minus_one<D: Scalar>() -> D {
+    constant(D::Leaf::known(1.718_281_828_459_045_2, || Octuple::E - 1.0))
 }
 
 /// √(Σ xᵢ²), right to about an ulp for every representable input, subnormal or near the overflow threshold.
@@ -64,6 +130,20 @@ pub fn direction<D: Scalar, const N: usize>(x: [D; N]) -> [D; N] {
 pub fn norm_and_direction<D: Scalar, const N: usize>(x: [D; N]) -> (D, [D; N]) {
     let length = norm(x);
     if length >= f64::MIN_POSITIVE { (length, divide(x, length)) } else { (length, direction_of_subnormal(x)) }
+}
+
+/// Both of [`norm`] and [`direction`] in the plane, with derivatives that keep their digits: t turns by n (n·δv)/|v|,
+/// where n is t turned left by 90°, so that a change of v along t leaves t exactly alone.
+///
+/// ```
+/// use jointproof::scalar::length_and_tangent;
+/// use num_dual::Dual64;
+/// let stretched = [Dual64::from_re(3e-8).derivative(), Dual64::from_re(0.0)];
+/// assert_eq!(length_and_tangent(stretched).1[0].eps, 0.0);
+/// ```
+#[inline]
+pub fn length_and_tangent<D: Scalar>(v: [D; 2]) -> (D, [D; 2]) {
+    D::polar_of(v)
 }
 
 /// A subnormal length has lost digits that the direction needs; a power of two brings them back.
@@ -161,7 +241,61 @@ const fn power_of_two(exponent: i64) -> f64 {
     f64::from_bits(((exponent + 1023) as u64) << 52)
 }
 
+/// A leaf is its own leaf.
+macro_rules! itself {
+    () => {
+        type Leaf = Self;
+        #[inline]
+        fn leaf_of(x: Self) -> Self {
+            x
+        }
+        #[inline]
+        fn constant_of(x: Self) -> Self {
+            x
+        }
+    };
+}
+
+/// The leaf of a dual number is that of its real part.
+macro_rules! inside {
+    () => {
+        type Leaf = T::Leaf;
+        #[inline]
+        fn leaf_of(x: Self) -> Self::Leaf {
+            T::leaf_of(x.re)
+        }
+        #[inline]
+        fn constant_of(x: Self::Leaf) -> Self {
+            Self::from_re(T::constant_of(x))
+        }
+    };
+}
+
+impl Leaf for f64 {
+    const EPSILON: f64 = Self::EPSILON;
+    #[inline]
+    fn known(nearest: f64, _: impl FnOnce() -> Octuple) -> Self {
+        nearest
+    }
+}
+
+impl Leaf for Single {
+    const EPSILON: f64 = f32::EPSILON as f64;
+    #[inline]
+    fn known(nearest: f64, _: impl FnOnce() -> Octuple) -> Self {
+        Self::from(nearest)
+    }
+}
+
+impl Leaf for Octuple {
+    const EPSILON: f64 = power_of_two(-236);
+    fn known(_: f64, exact: impl FnOnce() -> Octuple) -> Self {
+        exact()
+    }
+}
+
 impl Scalar for f64 {
+    itself!();
     #[inline]
     fn norm_of<const N: usize>(x: [Self; N]) -> Self {
         Squares::DOUBLE.norm(x)
@@ -177,6 +311,7 @@ impl Scalar for f64 {
 }
 
 impl Scalar for Single {
+    itself!();
     #[inline]
     fn norm_of<const N: usize>(x: [Self; N]) -> Self {
         Squares::SINGLE.norm(x)
@@ -189,6 +324,7 @@ impl Scalar for Single {
 
 /// The exponent range of 237-bit numbers is so wide that no square of a double leaves it.
 impl Scalar for Octuple {
+    itself!();
     fn norm_of<const N: usize>(x: [Self; N]) -> Self {
         DualNum::sqrt(&sum_of_squares(x))
     }
@@ -203,6 +339,7 @@ impl Scalar for Octuple {
 macro_rules! first_order {
     ([$($generics:tt)*] $dual:ty) => {
         impl<T: Scalar $($generics)*> Scalar for $dual {
+            inside!();
             #[inline]
             fn norm_of<const COUNT: usize>(x: [Self; COUNT]) -> Self {
                 let (length, n) = norm_and_direction(x.map(|x| x.re));
@@ -211,6 +348,18 @@ macro_rules! first_order {
                     result.eps = result.eps + x.eps * n;
                 }
                 result
+            }
+            #[inline]
+            fn polar_of([x, y]: [Self; 2]) -> (Self, [Self; 2]) {
+                let (re, t) = length_and_tangent([x.re, y.re]);
+                let mut length = Self::from_re(re);
+                length.eps = x.eps * t[0] + y.eps * t[1];
+                let [mut first, mut second] = t.map(Self::from_re);
+                let [n0, n1] = divide([-t[1], t[0]], re);
+                let turn = x.eps * n0 + y.eps * n1;
+                first.eps = turn * -t[1];
+                second.eps = turn * t[0];
+                (length, [first, second])
             }
             #[inline]
             fn angle_of(y: Self, x: Self) -> Self {
@@ -232,8 +381,13 @@ first_order!([, const N: usize] DualSVec<T, N>);
 macro_rules! second_order {
     ([$($generics:tt)*] $dual:ty, $unfold:ident, $fold:ident) => {
         impl<T: Scalar $($generics)*> Scalar for $dual {
+            inside!();
             fn norm_of<const COUNT: usize>(x: [Self; COUNT]) -> Self {
                 $fold(norm(x.map($unfold)))
+            }
+            fn polar_of(v: [Self; 2]) -> (Self, [Self; 2]) {
+                let (length, tangent) = length_and_tangent(v.map($unfold));
+                ($fold(length), tangent.map($fold))
             }
             fn angle_of(y: Self, x: Self) -> Self {
                 $fold(atan2($unfold(y), $unfold(x)))
