@@ -6,6 +6,7 @@
 //! inputs. `jac.fc.f2` is ∂fc/∂f2.
 
 use crate::error::Error;
+use crate::measure::Way;
 use crate::quantity::{Domain, Quantity};
 use crate::{Octuple, Scalar};
 use nalgebra::{Vector2, Vector3};
@@ -46,11 +47,20 @@ pub trait Fields<T: Element>: Element {
     /// The fields in order.
     const FIELDS: &'static [Field];
 
+    /// The number of components.
+    const LEN: usize = components_of(Self::FIELDS);
+
+    /// The components as an array.
+    type Array: Element + AsRef<[T]> + AsMut<[T]>;
+
     /// Builds the struct from its components in order.
     fn from_components(next: &mut impl FnMut() -> T) -> Self;
 
     /// Hands out the components in order.
     fn for_each_component(&self, visit: &mut impl FnMut(T));
+
+    /// An array with room for the components.
+    fn array_of(value: T) -> Self::Array;
 
     /// The struct with every component equal to `value`.
     fn filled(value: T) -> Self {
@@ -66,7 +76,7 @@ pub trait Fields<T: Element>: Element {
 
     /// The number of components.
     fn len() -> usize {
-        Self::FIELDS.iter().map(Field::len).sum()
+        Self::LEN
     }
 
     /// The struct of these components; `None` where their number is not the struct's.
@@ -74,6 +84,13 @@ pub trait Fields<T: Element>: Element {
         let fallback = *components.first()?;
         let mut rest = components.iter().copied();
         (components.len() == Self::len()).then(|| Self::from_components(&mut || rest.next().unwrap_or(fallback)))
+    }
+}
+
+const fn components_of(fields: &[Field]) -> usize {
+    match fields {
+        [] => 0,
+        [first, rest @ ..] => first.len() + components_of(rest),
     }
 }
 
@@ -156,6 +173,7 @@ macro_rules! fields {
                 );)*
                 &[$($crate::formula::Field::new(stringify!($field), &$quantity)),*]
             };
+            type Array = [$T; <$name<f64> as $crate::formula::Fields<f64>>::LEN];
             #[inline]
             fn from_components(next: &mut impl FnMut() -> $T) -> Self {
                 Self { $($field: $crate::formula::Part::from_components(next)),* }
@@ -163,6 +181,10 @@ macro_rules! fields {
             #[inline]
             fn for_each_component(&self, visit: &mut impl FnMut($T)) {
                 $($crate::formula::Part::for_each_component(&self.$field, visit);)*
+            }
+            #[inline]
+            fn array_of(value: $T) -> Self::Array {
+                [value; <$name<f64> as $crate::formula::Fields<f64>>::LEN]
             }
         }
     };
@@ -243,6 +265,14 @@ pub trait Formula: Copy + Send + Sync + 'static {
     /// Its derivative, derived by hand: `jacobian(i).out.input` is ∂out/∂input.
     fn jacobian<D: Scalar>(i: &Self::Inputs<D>) -> Jacobian<Self, D>;
 
+    /// Value and Jacobian at once, as a solver wants them: for formulas whose `jacobian` needs what `eval` has computed.
+    ///
+    /// Whoever overrides it writes `jacobian` as its second half.
+    #[inline]
+    fn value_and_jacobian<D: Scalar>(i: &Self::Inputs<D>) -> ValueAndJacobian<Self, D> {
+        (Self::eval(i), Self::jacobian(i))
+    }
+
     /// What makes inputs invalid beyond the domains of the single fields.
     ///
     /// # Errors
@@ -270,6 +300,12 @@ pub trait Formula: Copy + Send + Sync + 'static {
     fn laws() -> Vec<Law<Self>> {
         Vec::new()
     }
+
+    /// Other ways to compute the value, as textbooks have it or as the document words it, to be measured beside
+    /// [`eval`](Self::eval).
+    fn ways() -> Vec<Way<Self>> {
+        Vec::new()
+    }
 }
 
 /// Value of a formula at inputs that were checked.
@@ -286,9 +322,7 @@ pub trait Formula: Copy + Send + Sync + 'static {
 /// ```
 pub fn value<F: Formula>(i: &F::Inputs<f64>) -> Result<F::Outputs<f64>, Error> {
     check::<F>(i)?;
-    let out = F::eval(i);
-    finite::<F>(&out)?;
-    Ok(out)
+    finite::<F>(F::eval(i))
 }
 
 /// Value and closed-form Jacobian of a formula at inputs that were checked.
@@ -296,7 +330,9 @@ pub fn value<F: Formula>(i: &F::Inputs<f64>) -> Result<F::Outputs<f64>, Error> {
 /// # Errors
 /// As [`value`].
 pub fn value_and_jacobian<F: Formula>(i: &F::Inputs<f64>) -> Result<ValueAndJacobian<F, f64>, Error> {
-    Ok((value::<F>(i)?, F::jacobian(i)))
+    check::<F>(i)?;
+    let (out, jacobian) = F::value_and_jacobian(i);
+    Ok((finite::<F>(out)?, jacobian))
 }
 
 /// Whether the inputs are finite, in their domains, and valid together.
@@ -314,14 +350,15 @@ pub fn check<F: Formula>(i: &F::Inputs<f64>) -> Result<(), Error> {
     F::validate(i)
 }
 
-fn finite<F: Formula>(out: &F::Outputs<f64>) -> Result<(), Error> {
+/// The outputs, unless one has overflowed.
+fn finite<F: Formula>(out: F::Outputs<f64>) -> Result<F::Outputs<f64>, Error> {
     let mut components = out.components().into_iter();
     for field in F::Outputs::<f64>::FIELDS {
         if components.by_ref().take(field.len()).any(|value| !value.is_finite()) {
             return Err(Error::Overflow { name: field.name });
         }
     }
-    Ok(())
+    Ok(out)
 }
 
 /// What a case is for.

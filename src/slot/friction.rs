@@ -4,7 +4,7 @@ use crate::coulomb::{Tractions, Yield};
 use crate::fields;
 use crate::formula::{Case, Convention, Element, Formula, Jacobian, Kink, Law, Source, Spec};
 use crate::quantity::{F1, F2, F3, FC, FC_INT, FN, MU, P, PHI};
-use crate::scalar::{Scalar, abs, direction, norm, sign};
+use crate::scalar::{Scalar, abs, direction, norm, norm_and_direction, sign};
 use crate::verify::{hard, law};
 
 fields! {
@@ -33,10 +33,12 @@ impl Formula for ContactForce {
     type Inputs<T: Element> = CrossForces<T>;
     type Outputs<T: Element> = Contact<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &CrossForces<D>) -> Contact<D> {
         Contact { fc: norm([i.f2, i.f3]) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &CrossForces<D>) -> Jacobian<Self, D> {
         let [f2, f3] = direction([i.f2, i.f3]);
         Contact { fc: CrossForces { f2, f3 } }
@@ -110,10 +112,12 @@ impl Formula for NormalForce {
     type Inputs<T: Element> = ContactForces<T>;
     type Outputs<T: Element> = Normal<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &ContactForces<D>) -> Normal<D> {
         Normal { r#fn: abs(i.fc + i.fc_int) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &ContactForces<D>) -> Jacobian<Self, D> {
         let s = D::from(sign(i.fc + i.fc_int));
         Normal { r#fn: ContactForces { fc: s, fc_int: s } }
@@ -195,6 +199,7 @@ impl Formula for Friction {
     type Inputs<T: Element> = SlotLoads<T>;
     type Outputs<T: Element> = FrictionOutputs<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &SlotLoads<D>) -> FrictionOutputs<D> {
         let fc = ContactForce::eval(&CrossForces { f2: i.f2, f3: i.f3 }).fc;
         let r#fn = NormalForce::eval(&ContactForces { fc, fc_int: i.fc_int }).r#fn;
@@ -202,10 +207,11 @@ impl Formula for Friction {
         FrictionOutputs { p, r#fn, phi: Yield::eval(&Tractions { p, mu: i.mu, r#fn }).phi }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &SlotLoads<D>) -> Jacobian<Self, D> {
         let zero = D::zero();
-        let sum = norm([i.f2, i.f3]) + i.fc_int;
-        let [n2, n3] = direction([i.f2, i.f3]);
+        let (fc, [n2, n3]) = norm_and_direction([i.f2, i.f3]);
+        let sum = fc + i.fc_int;
         let (s1, s) = (D::from(sign(i.f1)), D::from(sign(sum)));
         let slope = -i.mu * s; // ∂Φ/∂(F_C + F_C_int)
         FrictionOutputs {

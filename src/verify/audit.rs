@@ -5,7 +5,7 @@ use super::{
     Sampler, Sensitivity, central_differences, derivative_of_jacobian, eta, exactly, golden, jacobian_by_ad, kink, law,
     relative,
 };
-use crate::formula::{Convention, Field, Fields, Formula, check};
+use crate::formula::{Convention, Field, Fields, Formula, Kink, check};
 use crate::{Error, Octuple};
 use num_traits::Signed;
 use serde::{Deserialize, Serialize};
@@ -194,19 +194,24 @@ impl<F: Formula> Point<F> {
 /// The formula's own cases, and points on both sides of every kink and on it.
 fn named_points<F: Formula>() -> Vec<Point<F>> {
     let cases = F::cases().into_iter().map(|case| (case.id, case.inputs));
-    let beside_kinks = F::kinks().into_iter().flat_map(|kink| {
+    cases
+        .chain(beside_kinks::<F>())
+        .filter(|(_, inputs)| check::<F>(inputs).is_ok())
+        .map(|(label, inputs)| Point::new(label, false, inputs))
+        .collect()
+}
+
+/// Points on every kink and on both sides of it, near and nearer, each with its name; some may be invalid inputs.
+pub(crate) fn beside_kinks<F: Formula>() -> Vec<(String, F::Inputs<f64>)> {
+    let around = |kink: Kink<F>| {
         let (at, across) = ((kink.at)().components(), (kink.across)().components());
         [0.0, 2e-3, -2e-3, 1e-9, -1e-9].map(|step| {
             let moved: Vec<_> = at.iter().zip(&across).map(|(x, direction)| x + step * direction).collect();
             let inputs = F::Inputs::from_slice(&moved).unwrap_or_else(kink.at);
             (format!("kink {} {step:+}", kink.condition), inputs)
         })
-    });
-    cases
-        .chain(beside_kinks)
-        .filter(|(_, inputs)| check::<F>(inputs).is_ok())
-        .map(|(label, inputs)| Point::new(label, false, inputs))
-        .collect()
+    };
+    F::kinks().into_iter().flat_map(around).collect()
 }
 
 /// The four claims made about every formula.

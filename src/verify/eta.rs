@@ -23,6 +23,11 @@ impl Sensitivity {
         Self(self.0 + y.abs())
     }
 
+    /// The sum itself.
+    pub(crate) fn size(self) -> Octuple {
+        self.0
+    }
+
     /// Per |x|; 0 where x is 0.
     pub fn per(self, x: Octuple) -> Octuple {
         if x.is_zero() { Octuple::zero() } else { self.0 / x.abs() }
