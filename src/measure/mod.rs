@@ -62,7 +62,7 @@ pub struct Options {
 impl Options {
     /// About a quarter of a second for a formula.
     pub const fn quick() -> Self {
-        Self { seed: 1, random_points: 24, timing_points: 128, steps_per_decade: 1, rounds: 21, turn_ns: 40e3 }
+        Self { seed: 1, random_points: 24, timing_points: 128, steps_per_decade: 1, rounds: 31, turn_ns: 40e3 }
     }
 
     /// Some seconds for a formula.

@@ -3,6 +3,7 @@
 use crate::coulomb::{Tractions, Yield};
 use crate::fields;
 use crate::formula::{Case, Convention, Element, Formula, Jacobian, Kink, Law, Source, Spec};
+use crate::measure::Way;
 use crate::quantity::{F1, F2, F3, FC, FC_INT, FN, MU, P, PHI};
 use crate::scalar::{Scalar, abs, direction, norm, norm_and_direction, sign};
 use crate::verify::{hard, law};
@@ -14,6 +15,11 @@ fields! {
 fields! {
     /// Contact force.
     pub struct Contact<T> { fc: T = FC }
+}
+
+/// The equation as it stands, whose squares over- and underflow, and which has no derivative at zero.
+fn plain_contact_force<D: Scalar>(i: &CrossForces<D>) -> Contact<D> {
+    Contact { fc: (i.f2 * i.f2 + i.f3 * i.f3).sqrt() }
 }
 
 /// Contact force that produces friction in a SLOT: F_C = √(f2² + f3²).
@@ -83,6 +89,10 @@ impl Formula for ContactForce {
                 ])
             },
         }]
+    }
+
+    fn ways() -> Vec<Way<Self>> {
+        vec![Way::new("plain", "plain square root of the sum", plain_contact_force, plain_contact_force)]
     }
 }
 

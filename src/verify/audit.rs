@@ -277,16 +277,18 @@ impl Audit {
         values: &[Octuple],
         ad: &[Octuple],
     ) {
-        let computed = F::eval(&point.inputs).components();
-        for (output, (&computed, &value)) in computed.iter().zip(values).enumerate() {
-            let sensitivity = Sensitivity::new(&ad[output * inputs.len()..], inputs);
-            let describe = |size| point.deviation(size, names.outputs[output].clone(), computed, value.to_f64());
-            self.eta.record(eta(computed, value, sensitivity), F::SPEC.eta, describe);
+        // The value alone, and the value that comes with the Jacobian.
+        for computed in [F::eval(&point.inputs), F::value_and_jacobian(&point.inputs).0] {
+            for (output, (&computed, &value)) in computed.components().iter().zip(values).enumerate() {
+                let sensitivity = Sensitivity::new(&ad[output * inputs.len()..], inputs);
+                let describe = |size| point.deviation(size, names.outputs[output].clone(), computed, value.to_f64());
+                self.eta.record(eta(computed, value, sensitivity), F::SPEC.eta, describe);
+            }
         }
     }
 
     fn check_jacobian<F: Formula>(&mut self, point: &Point<F>, names: &Names, inputs: &[Octuple], closed: &[Octuple]) {
-        let computed: Vec<f64> = entries::<F, _>(&F::jacobian(&point.inputs));
+        let computed: Vec<f64> = entries::<F, _>(&F::value_and_jacobian(&point.inputs).1);
         let gradients = derivative_of_jacobian::<F, _>(&point.exact);
         for (entry, ((&computed, &exact), gradient)) in computed.iter().zip(closed).zip(&gradients).enumerate() {
             let size = eta(computed, exact, Sensitivity::new(gradient, inputs));

@@ -2,6 +2,7 @@
 
 use crate::book::command::build_book;
 use crate::console::{green, print, red, say};
+use crate::report::data::Report;
 use crate::selection::Selection;
 use crate::{Outcome, audit, files, golden};
 use jointproof::verify::{Audit, Options};
@@ -68,7 +69,7 @@ fn check_audit(samples: usize) -> anyhow::Result<(bool, String)> {
 }
 
 fn check_book() -> anyhow::Result<(bool, String)> {
-    let summary = build_book(None)?;
+    let summary = build_book(None, Report::kept())?;
     let index = files::shown(&summary.index);
     Ok((true, format!("{} chapters, {} formulas: {index}", summary.chapters, summary.formulas)))
 }

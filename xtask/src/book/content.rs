@@ -5,6 +5,7 @@
 //!
 //! Fields called *text* hold plain words in which `$…$` is mathematics and `` `…` `` is code.
 
+use crate::report::data::Report;
 use jointproof::verify::Audit;
 
 /// What the book is made from, besides the chapters on disk.
@@ -16,6 +17,8 @@ pub(crate) struct Content {
     pub(crate) sources: Vec<SourceFile>,
     /// Tests that run over the whole catalog.
     pub(crate) catalog_tests: Vec<TestRef>,
+    /// The last report on speed and error.
+    pub(crate) report: Option<Report>,
     /// Golden files to be copied beside the pages.
     pub(crate) golden: Vec<GoldenFile>,
 }

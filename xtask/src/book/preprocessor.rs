@@ -11,7 +11,7 @@ use super::content::Content;
 use super::deferred::Deferred;
 use super::markdown::{Found, Piece, scan};
 use super::pages::{Pages, Place};
-use super::{entry, figure, tables};
+use super::{entry, figure, speed, tables};
 
 /// Expands chapters; see the module.
 pub(crate) struct Formulary {
@@ -78,14 +78,18 @@ impl Formulary {
             ("kinks", "") => tables::kinks(pages, at),
             ("evidence", "") => tables::evidence(pages, at),
             ("sources", "") => tables::sources(pages, at),
-            _ => {
-                let known = "formula ID, figure NAME, symbols, kinks, evidence and sources";
-                let written = format!("{name} {argument}");
-                pages.fault(at, format!("unknown directive `{{{{#{}}}}}`; there are {known}", written.trim()));
-                String::new()
-            }
+            ("speed", part) => speed::part(pages, at, part).unwrap_or_else(|| unknown(pages, at, name, argument)),
+            _ => unknown(pages, at, name, argument),
         }
     }
+}
+
+/// Nothing, and a fault.
+fn unknown(pages: &Pages<'_>, at: &Place, name: &str, argument: &str) -> String {
+    let known = format!("formula ID, figure NAME, symbols, kinks, evidence, sources, {}", speed::PARTS);
+    let written = format!("{name} {argument}");
+    pages.fault(at, format!("unknown directive `{{{{#{}}}}}`; there are {known}", written.trim()));
+    String::new()
 }
 
 /// A line of a chapter.

@@ -30,6 +30,7 @@ fn content() -> Content {
         entries: vec![first, entry("t.second", "P = f_1")],
         sources: vec![SourceFile { path: "src/t.rs".into(), text }],
         catalog_tests: Vec::new(),
+        report: None,
         golden: vec![GoldenFile { name: "t.first.json".into(), bytes: b"{}".to_vec() }],
     }
 }
