@@ -78,7 +78,7 @@ impl Report {
 
     /// Keeps it for the book.
     pub(super) fn keep(&self) -> anyhow::Result<PathBuf> {
-        files::write(&place(), &(serde_json::to_string_pretty(self)? + "\n"))?;
+        files::write(&place(), &serde_json::to_string(self)?)?;
         Ok(place())
     }
 }
