@@ -3,7 +3,8 @@
 use crate::formula::{Convention, Field, Fields, Formula, Kink, Spec, value};
 use crate::scalar::{abs, sign};
 use crate::verify::{Audit, Options, audit, audit_at, exactly, golden, hard};
-use crate::{Error, Octuple, align, cardan, coulomb, slot, translator};
+use crate::{Error, Octuple, align, cardan, coulomb, slider, slot, translator};
+
 
 /// A formula whose inputs and outputs are not known to the compiler; every [`Formula`] is one.
 pub trait AnyFormula: Send + Sync {
@@ -129,6 +130,16 @@ pub const CATALOG: &[&dyn AnyFormula] = &[
     &translator::Friction,
     // JOIN, UNIVERSAL, UJOINT
     // SLIDER
+    &slider::Line,
+    &slider::Basis,
+    &slider::Constraint,
+    &slider::Eliminate,
+    &slider::DirectionVariation,
+    &slider::BasisVariation,
+    &slider::IncrementalConstraint,
+    &slider::Increment,
+    &slider::Constraint2d,
+    &slider::Increment2d,
     // Slide lines
     // Interaction laws
 ];

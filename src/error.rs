@@ -1,6 +1,7 @@
 //! What can be wrong with an input, and what is allowed instead.
 
 use crate::quantity::Domain;
+use crate::scalar::norm;
 use nalgebra::SVector;
 use std::fmt;
 
@@ -114,6 +115,28 @@ pub enum Error {
         /// By how much its size is above 1.
         excess: f64,
     },
+    /// Two points that must differ are at one place, or so near that the reciprocal of their distance overflows.
+    #[error("{first} and {second} are {distance} apart; allowed is a distance ≥ {least}")]
+    TooClose {
+        /// One point.
+        first: &'static str,
+        /// The other.
+        second: &'static str,
+        /// Their distance.
+        distance: f64,
+        /// The least distance allowed.
+        least: f64,
+    },
+    /// A vector that must have a direction is zero, or so short that the reciprocal of its length overflows.
+    #[error("{name} has length {length}; allowed is a length ≥ {least}")]
+    TooShort {
+        /// The vector.
+        name: &'static str,
+        /// Its length.
+        length: f64,
+        /// The least length allowed.
+        least: f64,
+    },
     /// A list of components has the wrong length.
     #[error("{found} components; allowed are exactly {expected}")]
     Components {
@@ -195,6 +218,27 @@ impl Error {
         Err(Self::OutOfOrder { lower: lower.0, lower_value: lower.1, upper: upper.0, upper_value: upper.1 })
     }
 
+    /// Checks that two points do not coincide.
+    ///
+    /// # Errors
+    /// [`Error::TooClose`].
+    pub fn check_apart<const N: usize>(
+        (first, a): (&'static str, SVector<f64, N>),
+        (second, b): (&'static str, SVector<f64, N>),
+    ) -> Result<(), Self> {
+        let (distance, least) = (norm(<[f64; N]>::from(b - a)), f64::MIN_POSITIVE);
+        if distance >= least { Ok(()) } else { Err(Self::TooClose { first, second, distance, least }) }
+    }
+
+    /// Checks that a vector has a direction.
+    ///
+    /// # Errors
+    /// [`Error::TooShort`].
+    pub fn check_direction<const N: usize>(name: &'static str, v: SVector<f64, N>) -> Result<(), Self> {
+        let (length, least) = (norm(<[f64; N]>::from(v)), f64::MIN_POSITIVE);
+        if length >= least { Ok(()) } else { Err(Self::TooShort { name, length, least }) }
+    }
+
     /// The variant's name, as golden files give it.
     pub fn kind(&self) -> &'static str {
         match self {
@@ -209,6 +253,8 @@ impl Error {
             Self::GimbalLock { .. } => "GimbalLock",
             Self::UndefinedAngle { .. } => "UndefinedAngle",
             Self::NoArcSine { .. } => "NoArcSine",
+            Self::TooClose { .. } => "TooClose",
+            Self::TooShort { .. } => "TooShort",
             Self::Components { .. } => "Components",
             Self::Overflow { .. } => "Overflow",
             Self::DerivativeOverflow { .. } => "DerivativeOverflow",

@@ -472,5 +472,5 @@ pub fn along<D: Scalar>(i: usize, value: D) -> Vector3<D> {
 
 /// Whether a field turns with the model.
 pub fn turns(domain: Domain) -> bool {
-    matches!(domain, Domain::Point | Domain::Vector | Domain::Triad(..))
+    matches!(domain, Domain::Point | Domain::Vector | Domain::Direction | Domain::Triad(..))
 }

@@ -6,7 +6,7 @@
 //!
 //! | module | what is in it |
 //! |---|---|
-//! | [`slot`], [`coulomb`], [`cardan`], [`align`], [`translator`] | the documents' rooms: formulas, Jacobians, hard cases, and the typed connectors |
+//! | [`slot`], [`coulomb`], [`cardan`], [`align`], [`translator`], [`slider`] | the documents' rooms: formulas, Jacobians, hard cases, and the typed connectors |
 //! | [`frame`] | validated triads |
 //! | [`formula`], [`quantity`] | what a formula is; the vocabulary of symbols, units and domains |
 //! | [`scalar`] | the numbers a formula runs in: `f64`, [`Octuple`], [`Single`], dual numbers over them |
@@ -40,6 +40,7 @@ pub mod octuple;
 pub mod quantity;
 pub mod scalar;
 pub mod single;
+pub mod slider;
 pub mod slot;
 pub mod translator;
 pub mod verify;

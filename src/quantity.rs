@@ -116,6 +116,8 @@ pub enum Domain {
     Point,
     /// A free vector (a displacement, a force): turns with the model.
     Vector,
+    /// A unit vector: turns with the model.
+    Direction,
     /// Unit vector of a triad, by node and axis 1, 2 or 3: turns with the model. The vectors of one node are drawn as
     /// one rotation, never the identity.
     Triad(Node, usize),
@@ -172,7 +174,7 @@ macro_rules! quantities {
     };
 }
 
-use Domain::{Angle, NonNegative, Point, Real, Triad, Vector};
+use Domain::{Angle, Direction, NonNegative, Point, Positive, Real, Triad, Vector};
 use Node::{A, B};
 
 const ONE: Unit = Unit::ONE;
@@ -249,6 +251,36 @@ quantities! {
     // JOIN, UNIVERSAL, UJOINT
 
     // SLIDER
+    SLIDER_X1: r"\mathbf{x}_1", Vec3, L, Point, "position of node 1, where the line begins";
+    SLIDER_XN: r"\mathbf{x}_n", Vec3, L, Point, "position of node n, where the line ends";
+    SLIDER_XM: r"\mathbf{x}_m", Vec3, L, Point, "position of node m, which must lie on the line";
+    SLIDER_XMK: r"x_{m,k}", Scalar, L, Real, "coordinate of node m along the axis k that is kept";
+    SLIDER_XMI: r"x_{m,i}", Scalar, L, Real, "coordinate of node m along the first eliminated axis, i";
+    SLIDER_XMJ: r"x_{m,j}", Scalar, L, Real, "coordinate of node m along the second eliminated axis, j";
+    SLIDER_N: r"\mathbf{n}", Vec3, ONE, Direction, "direction of the line, from node 1 to node n";
+    SLIDER_LENGTH: r"l", Scalar, L, Positive, "distance from node 1 to node n";
+    SLIDER_T1: r"\mathbf{t}_1", Vec3, ONE, Vector, "first direction across the line";
+    SLIDER_T2: r"\mathbf{t}_2", Vec3, ONE, Vector, "second direction across the line";
+    SLIDER_G1: r"g_1", Scalar, L, Real, "distance of node m from the line along t1, zero when m is on the line";
+    SLIDER_G2: r"g_2", Scalar, L, Real, "distance of node m from the line along t2, zero when m is on the line";
+    SLIDER_DX1: r"\mathrm{d}\mathbf{x}_1", Vec3, L, Vector, "increment of the position of node 1";
+    SLIDER_DXN: r"\mathrm{d}\mathbf{x}_n", Vec3, L, Vector, "increment of the position of node n";
+    SLIDER_DXM: r"\mathrm{d}\mathbf{x}_m", Vec3, L, Vector, "increment of the position of node m";
+    SLIDER_DXMK: r"\mathrm{d}x_{m,k}", Scalar, L, Real, "increment of the kept coordinate of node m";
+    SLIDER_DXMI: r"\mathrm{d}x_{m,i}", Scalar, L, Real, "increment of the first eliminated coordinate of node m";
+    SLIDER_DXMJ: r"\mathrm{d}x_{m,j}", Scalar, L, Real, "increment of the second eliminated coordinate of node m";
+    SLIDER_DN: r"\mathrm{d}\mathbf{n}", Vec3, ONE, Vector, "variation of the direction of the line";
+    SLIDER_DL: r"\mathrm{d}l", Scalar, L, Real, "variation of the distance from node 1 to node n";
+    SLIDER_DT1: r"\mathrm{d}\mathbf{t}_1", Vec3, ONE, Vector, "variation of the first direction across the line";
+    SLIDER_DT2: r"\mathrm{d}\mathbf{t}_2", Vec3, ONE, Vector, "variation of the second direction across the line";
+    SLIDER_R1: r"r_1", Scalar, L, Real, "by how much the increments violate the first condition";
+    SLIDER_R2: r"r_2", Scalar, L, Real, "by how much the increments violate the second condition";
+    SLIDER_X1_PLANE: r"\mathbf{x}_1", Vec2, L, Point, "position of node 1 in the plane, where the line begins";
+    SLIDER_XN_PLANE: r"\mathbf{x}_n", Vec2, L, Point, "position of node n in the plane, where the line ends";
+    SLIDER_XM_PLANE: r"\mathbf{x}_m", Vec2, L, Point, "position of node m in the plane, which must lie on the line";
+    SLIDER_DX1_PLANE: r"\mathrm{d}\mathbf{x}_1", Vec2, L, Vector, "increment of the position of node 1 in the plane";
+    SLIDER_DXN_PLANE: r"\mathrm{d}\mathbf{x}_n", Vec2, L, Vector, "increment of the position of node n in the plane";
+    SLIDER_G: r"g", Scalar, L, Real, "distance of node m from the line along t, positive to the left of the direction of travel";
 
     // Slide lines
 

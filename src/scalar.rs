@@ -21,8 +21,16 @@ use num_dual::{Derivative, Dual, Dual2, Dual2SVec, DualNum, DualSVec, HyperDual}
 pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scalar {
     /// See [`norm`].
     fn norm_of<const N: usize>(x: [Self; N]) -> Self;
+    /// See [`norm_and_direction`].
+    #[inline]
+    fn norm_and_direction_of<const N: usize>(x: [Self; N]) -> (Self, [Self; N]) {
+        let length = norm(x);
+        if length >= f64::MIN_POSITIVE { (length, divide(x, length)) } else { (length, direction_of_subnormal(x)) }
+    }
     /// See [`atan2`].
     fn angle_of(y: Self, x: Self) -> Self;
+    /// The real part, not rounded: for the rare decision that rounding must not make.
+    fn exact(self) -> Octuple;
     /// See [`abs`].
     #[inline]
     fn abs_of(x: Self) -> Self {
@@ -62,8 +70,7 @@ pub fn direction<D: Scalar, const N: usize>(x: [D; N]) -> [D; N] {
 /// Both of [`norm`] and [`direction`], for one square root.
 #[inline]
 pub fn norm_and_direction<D: Scalar, const N: usize>(x: [D; N]) -> (D, [D; N]) {
-    let length = norm(x);
-    if length >= f64::MIN_POSITIVE { (length, divide(x, length)) } else { (length, direction_of_subnormal(x)) }
+    D::norm_and_direction_of(x)
 }
 
 /// A subnormal length has lost digits that the direction needs; a power of two brings them back.
@@ -171,6 +178,10 @@ impl Scalar for f64 {
         y.atan2(x)
     }
     #[inline]
+    fn exact(self) -> Octuple {
+        self.into()
+    }
+    #[inline]
     fn abs_of(x: Self) -> Self {
         x.abs()
     }
@@ -185,6 +196,9 @@ impl Scalar for Single {
     fn angle_of(y: Self, x: Self) -> Self {
         DualNum::atan2(&y, x)
     }
+    fn exact(self) -> Octuple {
+        self.to_f64().into()
+    }
 }
 
 /// The exponent range of 237-bit numbers is so wide that no square of a double leaves it.
@@ -194,6 +208,9 @@ impl Scalar for Octuple {
     }
     fn angle_of(y: Self, x: Self) -> Self {
         DualNum::atan2(&y, x)
+    }
+    fn exact(self) -> Octuple {
+        self
     }
 }
 
@@ -212,6 +229,19 @@ macro_rules! first_order {
                 }
                 result
             }
+            /// dn = (I − n nᵀ) dx/|x|, summed from terms n_b (n_b dx_c − n_c dx_b), so that nothing cancels that need not.
+            #[inline]
+            fn norm_and_direction_of<const COUNT: usize>(x: [Self; COUNT]) -> (Self, [Self; COUNT]) {
+                let (length, n) = norm_and_direction(x.map(|x| x.re));
+                let direction = std::array::from_fn(|c| {
+                    let mut result = Self::from_re(n[c]);
+                    for b in (0..COUNT).filter(|&b| b != c && length != 0.0) {
+                        result.eps = result.eps + (x[c].eps * n[b] - x[b].eps * n[c]) * n[b] / length;
+                    }
+                    result
+                });
+                (norm(x), direction)
+            }
             #[inline]
             fn angle_of(y: Self, x: Self) -> Self {
                 let mut result = Self::from_re(atan2(y.re, x.re));
@@ -227,6 +257,9 @@ macro_rules! first_order {
                 };
                 result
             }
+            fn exact(self) -> Octuple {
+                self.re.exact()
+            }
         }
     };
 }
@@ -241,8 +274,15 @@ macro_rules! second_order {
             fn norm_of<const COUNT: usize>(x: [Self; COUNT]) -> Self {
                 $fold(norm(x.map($unfold)))
             }
+            fn norm_and_direction_of<const COUNT: usize>(x: [Self; COUNT]) -> (Self, [Self; COUNT]) {
+                let (length, n) = norm_and_direction(x.map($unfold));
+                ($fold(length), n.map($fold))
+            }
             fn angle_of(y: Self, x: Self) -> Self {
                 $fold(atan2($unfold(y), $unfold(x)))
+            }
+            fn exact(self) -> Octuple {
+                self.re.exact()
             }
         }
     };

@@ -1,9 +1,9 @@
 //! The audit: every claim about a formula, checked at its cases, beside its kinks and at random points.
 
+use super::difference::step_size;
 use super::jet::entries;
 use super::{
     Sampler, Sensitivity, central_differences, derivative_of_jacobian, eta, exactly, golden, jacobian_by_ad, kink, law,
-    relative,
 };
 use crate::formula::{Convention, Field, Fields, Formula, check};
 use crate::{Error, Octuple};
@@ -216,26 +216,37 @@ impl Audit {
         let values = F::eval(&point.exact).components();
         let closed = entries::<F, _>(&F::jacobian(&point.exact));
         let ad = entries::<F, _>(&jacobian_by_ad::<F, _>(&point.exact));
+        let gradients = derivative_of_jacobian::<F, _>(&point.exact);
+        let bends: Vec<_> = gradients.iter().map(|gradient| Sensitivity::new(gradient, &inputs)).collect();
         let names = Names::new::<F>();
 
-        self.check_closed_form(point, &names, &closed, &ad);
+        self.check_closed_form(point, &names, &closed, &ad, &bends);
         if point.kink.is_none() {
             self.check_ad(point, &names, &inputs, &values, &ad);
         }
         self.check_value(point, &names, &inputs, &values, &ad);
         if point.kink != Some(Convention::Switch) {
-            self.check_jacobian(point, &names, &inputs, &ad);
+            self.check_jacobian(point, &names, &ad, &bends);
         }
     }
 
-    fn check_closed_form<F: Formula>(&mut self, point: &Point<F>, names: &Names, closed: &[Octuple], ad: &[Octuple]) {
-        for (k, (&closed, &ad)) in closed.iter().zip(ad).enumerate() {
+    /// Judged against the entry and what rounding of the inputs can do to it: an entry may be what a cancellation left.
+    fn check_closed_form<F: Formula>(
+        &mut self,
+        point: &Point<F>,
+        names: &Names,
+        closed: &[Octuple],
+        ad: &[Octuple],
+        bends: &[Sensitivity],
+    ) {
+        for (k, ((&closed, &ad), bend)) in closed.iter().zip(ad).zip(bends).enumerate() {
             let describe = |size| point.deviation(size, names.entry(k), closed.to_f64(), ad.to_f64());
-            self.closed_against_ad.record(relative(closed, ad), CLOSED_AGAINST_AD, describe);
+            self.closed_against_ad.record(bend.plus(ad).share_of(closed - ad), CLOSED_AGAINST_AD, describe);
         }
     }
 
-    /// Differences are judged against the entry and what rounding of the value can do to it, |y|/|x|.
+    /// Differences are judged against the entry and what rounding of the value can do to it, |y|/|x|, where |x| is the
+    /// size that the step is a part of.
     fn check_ad<F: Formula>(
         &mut self,
         point: &Point<F>,
@@ -251,7 +262,7 @@ impl Audit {
             for (output, &value) in values.iter().enumerate() {
                 let entry = output * inputs.len() + input;
                 let gradient = &ad[output * inputs.len()..][..inputs.len()];
-                let size = Sensitivity::new(gradient, inputs).plus(value).per(inputs[input]);
+                let size = Sensitivity::new(gradient, inputs).plus(value).per(step_size::<F>(inputs, input));
                 let scale = ad[entry].abs() + size;
                 let deviations = attempts.iter().map(|rows| (ad[entry] - rows[output]).abs());
                 let best = deviations.reduce(|best, next| if next < best { next } else { best });
@@ -281,11 +292,16 @@ impl Audit {
     }
 
     /// The closed form in `f64` is judged against automatic differentiation, so that a wrong one cannot be its own judge.
-    fn check_jacobian<F: Formula>(&mut self, point: &Point<F>, names: &Names, inputs: &[Octuple], ad: &[Octuple]) {
+    fn check_jacobian<F: Formula>(
+        &mut self,
+        point: &Point<F>,
+        names: &Names,
+        ad: &[Octuple],
+        bends: &[Sensitivity],
+    ) {
         let computed: Vec<f64> = entries::<F, _>(&F::jacobian(&point.inputs));
-        let gradients = derivative_of_jacobian::<F, _>(&point.exact);
-        for (entry, ((&computed, &exact), gradient)) in computed.iter().zip(ad).zip(&gradients).enumerate() {
-            let size = eta(computed, exact, Sensitivity::new(gradient, inputs));
+        for (entry, ((&computed, &exact), &bend)) in computed.iter().zip(ad).zip(bends).enumerate() {
+            let size = eta(computed, exact, bend);
             let describe = |size| point.deviation(size, names.entry(entry), computed, exact.to_f64());
             self.eta_jacobian.record(size, F::SPEC.eta_jacobian, describe);
         }

@@ -10,7 +10,7 @@ use num_traits::{Signed, Zero};
 /// Rounding costs about 2⁻²³⁶/`step` and truncation `step`⁴: at 1e-18 both are far below 1e-50. Near a kink the step
 /// must be shorter than the distance to it, and fewer digits remain.
 pub fn central_differences<F: Formula>(inputs: &[Octuple], k: usize, step: f64) -> Vec<Octuple> {
-    let h = size::<F>(inputs, k) * step;
+    let h = step_size::<F>(inputs, k) * step;
     let shifted = |steps: f64| -> Vec<Octuple> {
         let mut moved = inputs.to_vec();
         if let Some(x) = moved.get_mut(k) {
@@ -25,7 +25,7 @@ pub fn central_differences<F: Formula>(inputs: &[Octuple], k: usize, step: f64) 
 }
 
 /// |x|, or the largest of its field where x is 0, or the largest of its unit where the whole field is 0, or 1.
-fn size<F: Formula>(inputs: &[Octuple], k: usize) -> Octuple {
+pub(super) fn step_size<F: Formula>(inputs: &[Octuple], k: usize) -> Octuple {
     let fields = F::Inputs::<f64>::FIELDS;
     let field_of: Vec<_> = fields.iter().enumerate().flat_map(|(f, field)| vec![f; field.len()]).collect();
     let largest_where = |counts: &dyn Fn(usize) -> bool| {

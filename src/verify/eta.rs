@@ -23,9 +23,18 @@ impl Sensitivity {
         Self(self.0 + y.abs())
     }
 
-    /// Per |x|; 0 where x is 0.
-    pub fn per(self, x: Octuple) -> Octuple {
-        if x.is_zero() { Octuple::zero() } else { self.0 / x.abs() }
+    /// The deviation relative to this; 0 where there is none, ∞ where it is NaN.
+    pub fn share_of(self, deviation: Octuple) -> f64 {
+        if deviation.is_zero() {
+            return 0.0;
+        }
+        let share = (deviation.abs() / self.0).to_f64();
+        if share.is_nan() { f64::INFINITY } else { share }
+    }
+
+    /// Per size of an input.
+    pub fn per(self, size: Octuple) -> Octuple {
+        self.0 / size
     }
 }
 

@@ -6,7 +6,7 @@ use crate::scalar::{direction, norm};
 use crate::verify::sample::rotation;
 use crate::{Octuple, Scalar};
 use nalgebra::Vector3;
-use num_traits::{Signed, Zero};
+use num_traits::{One, Signed, Zero};
 
 /// Two numbers are equal.
 pub fn equal(left: Octuple, right: Octuple) -> Vec<Equation> {
@@ -45,6 +45,17 @@ pub fn equal_vectors(left: Vector3<Octuple>, right: Vector3<Octuple>) -> Vec<Equ
 pub fn no_work(force: Vector3<Octuple>, direction: Vector3<Octuple>) -> Vec<Equation> {
     let scale = length(force) * length(direction);
     vec![Equation { left: force.dot(&direction), right: Octuple::zero(), scale }]
+}
+
+/// Two vectors are parallel.
+pub fn parallel(left: Vector3<Octuple>, right: Vector3<Octuple>) -> Vec<Equation> {
+    let scale = length(left) * length(right);
+    left.cross(&right).iter().map(|&left| Equation { left, right: Octuple::zero(), scale }).collect()
+}
+
+/// Numbers are 0 that were summed from terms of the size of `term`.
+pub fn vanish(numbers: impl IntoIterator<Item = Octuple>, term: Octuple) -> Vec<Equation> {
+    equal_all_with(numbers.into_iter().map(|number| (number, Octuple::zero())), term)
 }
 
 /// A right-handed orthonormal triad to 237 bits from one that is so to 53: the first vector is kept in direction, the
@@ -94,21 +105,31 @@ fn homogeneity<F: Formula>(i: &F::Inputs<Octuple>) -> Vec<Equation> {
     equal_all(scaled_inputs.into_iter().zip(scaled_outputs))
 }
 
+/// The largest coordinate of a point, or 1: the translation is in proportion, lest it swallow a small model.
+fn reach<I: Fields<Octuple>>(i: &I) -> Octuple {
+    let is_point = I::FIELDS.iter().flat_map(|field| vec![field.quantity.domain == Domain::Point; field.len()]);
+    let coordinates = i.components().into_iter().zip(is_point).filter(|(_, is_point)| *is_point).map(|(x, _)| x.abs());
+    coordinates
+        .reduce(|largest, x| if x > largest { x } else { largest })
+        .filter(|x| !x.is_zero())
+        .unwrap_or_else(Octuple::one)
+}
+
 /// Turns vectors, and turns and moves points.
-fn moved<I: Fields<Octuple>>(i: &I) -> I {
+fn moved<I: Fields<Octuple>>(i: &I, reach: Octuple) -> I {
     let components = i.components();
     let mut rest = components.as_slice();
     let mut result = Vec::new();
     for field in I::FIELDS {
         let (part, tail) = rest.split_at(field.len().min(rest.len()));
         rest = tail;
-        result.extend(move_part(part, field.quantity.domain, field.quantity.shape));
+        result.extend(move_part(part, field.quantity.domain, field.quantity.shape, reach));
     }
     let mut next = result.into_iter();
     I::from_components(&mut || next.next().unwrap_or_else(Octuple::zero))
 }
 
-fn move_part(part: &[Octuple], domain: Domain, shape: Shape) -> Vec<Octuple> {
+fn move_part(part: &[Octuple], domain: Domain, shape: Shape, reach: Octuple) -> Vec<Octuple> {
     if !turns(domain) || shape == Shape::Scalar {
         return part.to_vec();
     }
@@ -120,7 +141,7 @@ fn move_part(part: &[Octuple], domain: Domain, shape: Shape) -> Vec<Octuple> {
         let [w, x, y, z] = direction([2.0, -1.0, 3.0, 4.0].map(number));
         rotation(w, x, y, z)
     };
-    let translation = [1.25, -7.0, 3.5].map(Octuple::from);
+    let translation = [1.25, -7.0, 3.5].map(|x| reach * x);
     let shift = |axis: usize| if domain == Domain::Point { translation[axis] } else { Octuple::zero() };
     (0..part.len())
         .map(|axis| part.iter().enumerate().fold(shift(axis), |sum, (k, &x)| sum + x * triad[k][axis]))
@@ -128,8 +149,9 @@ fn move_part(part: &[Octuple], domain: Domain, shape: Shape) -> Vec<Octuple> {
 }
 
 fn indifference<F: Formula>(i: &F::Inputs<Octuple>) -> Vec<Equation> {
-    let of_moved = F::eval(&moved(i)).components();
-    let moved_outputs = moved(&F::eval(i)).components();
+    let reach = reach(i);
+    let of_moved = F::eval(&moved(i, reach)).components();
+    let moved_outputs = moved(&F::eval(i), reach).components();
     // Cancellation leaves a rounding of the inputs' size in outputs of any size.
     let size = i.components().iter().fold(Octuple::from(1.0), |size, x| size + x.abs());
     let equation = |(left, right): (Octuple, Octuple)| Equation { left, right, scale: size * size + left.abs() };

@@ -54,6 +54,7 @@ impl Sampler {
             Domain::NonNegative | Domain::Positive => self.magnitude(),
             Domain::Angle => self.between(-std::f64::consts::PI, std::f64::consts::PI),
             Domain::Between(low, high) | Domain::Within(low, high) => self.between(low, high),
+            Domain::Direction => triads[0][0][component],
             Domain::Triad(node, axis) => {
                 let triad = match node {
                     Node::A => triads[0],

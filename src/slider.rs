@@ -1,0 +1,26 @@
+//! SLIDER: node m stays on the straight line through nodes 1 and n, which may move.
+//!
+//! The line runs from x1 to xn, with d = xn − x1, l = |d| and n = d/l. Node m sits at the share ξ = (xm − x1)·n/l of
+//! the way. Two of its three coordinates follow from the third; which two, [`Pivots`] says.
+//!
+//! [`Slider`] and [`Slider2d`] are what a program calls. The formulas behind them take the direct route, by the ratios
+//! n_i/n_k; the [`documented`] route, through directions t1, t2 across the line, is their definition, and equal to them.
+
+mod azimuth;
+mod basis;
+mod constraint;
+pub mod documented;
+mod eliminate;
+mod hard;
+mod line;
+mod pivots;
+mod plane;
+mod slide;
+mod station;
+
+pub use basis::*;
+pub use constraint::*;
+pub use eliminate::*;
+pub use line::*;
+pub use pivots::*;
+pub use plane::*;

@@ -1,0 +1,273 @@
+//! The documented directions across the line, t1 and t2, and how they vary with it.
+
+use super::hard::lines;
+use super::line::Line;
+use super::{Ends, azimuth::Azimuth};
+use crate::error::Error;
+use crate::fields;
+use crate::formula::{Case, Convention, Element, Formula, Jacobian, Kink, Law, Source, Spec};
+use crate::quantity::{SLIDER_DN, SLIDER_DT1, SLIDER_DT2, SLIDER_N, SLIDER_T1, SLIDER_T2};
+use crate::scalar::Scalar;
+use crate::verify::law;
+use nalgebra::Vector3;
+
+fields! {
+    /// The direction of the line.
+    pub struct LineDirection<T> { n: Vector3<T> = SLIDER_N }
+}
+fields! {
+    /// Two directions across the line, perpendicular to it and to each other.
+    pub struct Tangents<T> { t1: Vector3<T> = SLIDER_T1, t2: Vector3<T> = SLIDER_T2 }
+}
+
+/// The directions across: t1 = n×i/|n×i|, or n×k/|n×k| where n2 = n3 = 0 exactly; t2 = n×t1.
+///
+/// With h = |(n2, n3)|: t1 = (0, n3, −n2)/h and t2 = (−h, n1 n2/h, n1 n3/h).
+#[derive(Clone, Copy, Debug)]
+pub struct Basis;
+
+impl Formula for Basis {
+    const SPEC: Spec = Spec {
+        id: "slider.basis",
+        title: "Directions across the line",
+        latex: r"\mathbf{t}_1 = \begin{cases} \mathbf{n}\times\mathbf{i}/\lvert\mathbf{n}\times\mathbf{i}\rvert & \mathbf{n}\times\mathbf{i}\ne\mathbf{0} \\ \mathbf{n}\times\mathbf{k}/\lvert\mathbf{n}\times\mathbf{k}\rvert & \text{otherwise}\end{cases},\quad \mathbf{t}_2 = \mathbf{n}\times\mathbf{t}_1",
+        source: Source::SLIDER.section("Directions across the line"),
+        eta: 3.0,
+        eta_jacobian: 4.0,
+        objective: false,
+    };
+    type Inputs<T: Element> = LineDirection<T>;
+    type Outputs<T: Element> = Tangents<T>;
+
+    fn eval<D: Scalar>(i: &LineDirection<D>) -> Tangents<D> {
+        let around = Azimuth::new(&i.n);
+        Tangents { t1: around.t1(), t2: around.t2(around.h, i.n[around.axis]) }
+    }
+
+    fn jacobian<D: Scalar>(i: &LineDirection<D>) -> Jacobian<Self, D> {
+        let around = Azimuth::new(&i.n);
+        let Azimuth { axis, a, b, h, c: [ca, cb] } = around;
+        let polar = i.n[axis];
+        let row = |by_axis: D, by_a: D, by_b: D| {
+            let mut n = Vector3::from_element(D::zero());
+            (n[axis], n[a], n[b]) = (by_axis, by_a, by_b);
+            LineDirection { n }
+        };
+        // ∂(ca, cb)/∂(n_a, n_b) = [[cb², −ca cb], [−ca cb, ca²]]/h.
+        let (aa, bb, ab) = (cb * cb / h, ca * ca / h, -ca * cb / h);
+        let zero = D::zero();
+        let mut rows = Tangents { t1: [row(zero, zero, zero); 3].into(), t2: [row(zero, -ca, -cb); 3].into() };
+        rows.t1[a] = row(zero, ab, bb);
+        rows.t1[b] = row(zero, -aa, -ab);
+        rows.t2[a] = row(ca, polar * aa, polar * ab);
+        rows.t2[b] = row(cb, polar * ab, polar * bb);
+        rows
+    }
+
+    fn validate(i: &LineDirection<f64>) -> Result<(), Error> {
+        Error::check_direction("n", i.n)
+    }
+
+    fn cases() -> Vec<Case<LineDirection<f64>>> {
+        let hand = LineDirection { n: Vector3::new(0.0, 0.6, 0.8) };
+        let mut cases = vec![
+            Case::hand("across-i", "t1 = (0, 0.8, -0.6), t2 = (-1, 0, 0)", hand),
+            Case::hand("j", "t1 = (0, 0, -1), t2 = (-1, 0, 0)", LineDirection { n: Vector3::y() }),
+            Case::limit(
+                "i",
+                "n = i: n×k takes over, t1 = (0, -1, 0), t2 = (0, 0, -1)",
+                LineDirection { n: Vector3::x() },
+            ),
+            Case::limit("minus-i", "n = -i: t1 = (0, 1, 0), t2 = (0, 0, -1)", LineDirection { n: -Vector3::x() }),
+            Case::hard("tiny", "squares underflow", LineDirection { n: Vector3::new(3e-200, -4e-200, 12e-200) }),
+            Case::hard("huge", "squares overflow", LineDirection { n: Vector3::new(3e200, -4e200, 12e200) }),
+        ];
+        cases.extend(directions().map(|(id, comment, n)| Case::hard(id, comment, LineDirection { n })));
+        cases
+    }
+
+    fn invalid_cases() -> Vec<Case<LineDirection<f64>>> {
+        vec![Case::invalid("zero", "the zero vector has no direction", LineDirection { n: Vector3::zeros() })]
+    }
+
+    fn kinks() -> Vec<Kink<Self>> {
+        vec![Kink {
+            condition: "n_2 = n_3 = 0",
+            convention: Convention::Switch,
+            holds: |i| i.n.y == 0.0 && i.n.z == 0.0,
+            at: || LineDirection { n: Vector3::x() },
+            across: || LineDirection { n: Vector3::new(0.0, 3.0, 4.0) },
+        }]
+    }
+
+    fn laws() -> Vec<Law<Self>> {
+        vec![
+            Law {
+                statement: "t1 is a unit vector across the line and across i",
+                sides: |i| {
+                    let t1 = Self::eval(i).t1;
+                    let mut sides = law::equal(t1.dot(&t1), 1.0.into());
+                    sides.extend(law::no_work(t1, i.n));
+                    sides.extend(law::no_work(t1, Vector3::x()));
+                    sides
+                },
+            },
+            Law {
+                statement: "t1, t2 and n are right-handed: t1×t2 = n",
+                sides: |i| {
+                    let Tangents { t1, t2 } = Self::eval(i);
+                    law::equal_vectors(t1.cross(&t2), i.n)
+                },
+            },
+        ]
+    }
+}
+
+/// The directions of the hard lines, as a program would compute them.
+fn directions() -> impl Iterator<Item = (&'static str, &'static str, Vector3<f64>)> {
+    lines().into_iter().map(|line| (line.id, line.comment, Line::eval(&Ends { x1: line.x1, xn: line.xn }).n))
+}
+
+fields! {
+    /// The direction of the line, and its variation.
+    pub struct TurningDirection<T> { n: Vector3<T> = SLIDER_N, dn: Vector3<T> = SLIDER_DN }
+}
+fields! {
+    /// Variations of the two directions across the line.
+    pub struct TangentChanges<T> { dt1: Vector3<T> = SLIDER_DT1, dt2: Vector3<T> = SLIDER_DT2 }
+}
+
+/// The directional derivative of [`Basis`] along dn.
+///
+/// With t1 = (0, c3, −c2), (c2, c3) = (n2, n3)/h and the angular velocity ω = (c2 dn3 − c3 dn2)/h around axis 1:
+/// dt1 = (0, c2 ω, c3 ω), dt2 = (−(c2 dn2 + c3 dn3), c2 dn1 − n1 c3 ω, c3 dn1 + n1 c2 ω). As n approaches ±i, ω grows
+/// without bound; where n2 = n3 = 0 exactly, the axes are those of n×k, as in [`Basis`].
+#[derive(Clone, Copy, Debug)]
+pub struct BasisVariation;
+
+impl Formula for BasisVariation {
+    const SPEC: Spec = Spec {
+        id: "slider.basis_variation",
+        title: "Variation of the directions across",
+        latex: r"\mathrm{d}\mathbf{t}_q = \frac{\partial\mathbf{t}_q}{\partial\mathbf{n}}\,\mathrm{d}\mathbf{n},\quad q = 1, 2",
+        source: Source::SLIDER.section("Variations"),
+        eta: 6.0,
+        eta_jacobian: 8.0,
+        objective: false,
+    };
+    type Inputs<T: Element> = TurningDirection<T>;
+    type Outputs<T: Element> = TangentChanges<T>;
+
+    fn eval<D: Scalar>(i: &TurningDirection<D>) -> TangentChanges<D> {
+        let Azimuth { axis, a, b, h, c: [ca, cb] } = Azimuth::new(&i.n);
+        let (polar, dn) = (i.n[axis], &i.dn);
+        let omega = (ca * dn[b] - cb * dn[a]) / h;
+        let mut dt1 = Vector3::from_element(D::zero());
+        (dt1[a], dt1[b]) = (ca * omega, cb * omega);
+        let mut dt2 = dt1;
+        dt2[axis] = -(ca * dn[a] + cb * dn[b]);
+        dt2[a] = ca * dn[axis] - polar * cb * omega;
+        dt2[b] = cb * dn[axis] + polar * ca * omega;
+        TangentChanges { dt1, dt2 }
+    }
+
+    fn jacobian<D: Scalar>(i: &TurningDirection<D>) -> Jacobian<Self, D> {
+        let Azimuth { axis, a, b, h, c: [ca, cb] } = Azimuth::new(&i.n);
+        let (polar, dn) = (i.n[axis], &i.dn);
+        let omega = (ca * dn[b] - cb * dn[a]) / h;
+        // Gradients of ω and of (ca, cb) along a and b; of n first, of dn second.
+        let (sum, difference) = (ca * cb * 2.0, (cb - ca) * (cb + ca));
+        let omega_n = [(difference * dn[b] + sum * dn[a]) / h / h, (difference * dn[a] - sum * dn[b]) / h / h];
+        let omega_dn = [-cb / h, ca / h];
+        let ca_n = [cb * cb / h, -ca * cb / h];
+        let cb_n = [-ca * cb / h, ca * ca / h];
+        let zero = D::zero();
+        let place = |by_axis: D, by: [D; 2]| {
+            let mut v = Vector3::from_element(zero);
+            (v[axis], v[a], v[b]) = (by_axis, by[0], by[1]);
+            v
+        };
+        let sum_of = |x: D, u: [D; 2], y: D, v: [D; 2]| [x * u[0] + y * v[0], x * u[1] + y * v[1]];
+        let row = |n: Vector3<D>, dn: Vector3<D>| TurningDirection { n, dn };
+        let nothing = row(place(zero, [zero; 2]), place(zero, [zero; 2]));
+        // c ω, for both components c.
+        let spin = |c: D, c_n: [D; 2]| (sum_of(omega, c_n, c, omega_n), omega_dn.map(|w| c * w));
+        let (spin_a, spin_b) = (spin(ca, ca_n), spin(cb, cb_n));
+        let mut rows = TangentChanges { dt1: [nothing; 3].into(), dt2: [nothing; 3].into() };
+        rows.dt1[a] = row(place(zero, spin_a.0), place(zero, spin_a.1));
+        rows.dt1[b] = row(place(zero, spin_b.0), place(zero, spin_b.1));
+        let slope = sum_of(-dn[a], ca_n, -dn[b], cb_n);
+        rows.dt2[axis] = row(place(zero, slope), place(zero, [-ca, -cb]));
+        let [minus, plus] = [-polar, polar];
+        rows.dt2[a] =
+            row(place(-cb * omega, sum_of(dn[axis], ca_n, minus, spin_b.0)), place(ca, spin_b.1.map(|w| minus * w)));
+        rows.dt2[b] =
+            row(place(ca * omega, sum_of(dn[axis], cb_n, plus, spin_a.0)), place(cb, spin_a.1.map(|w| plus * w)));
+        rows
+    }
+
+    fn validate(i: &TurningDirection<f64>) -> Result<(), Error> {
+        Error::check_direction("n", i.n)
+    }
+
+    fn cases() -> Vec<Case<TurningDirection<f64>>> {
+        let hand = TurningDirection { n: Vector3::y(), dn: Vector3::new(0.5, 0.0, 2.0) };
+        let mut cases = vec![
+            Case::hand("across-j", "ω = 2: dt1 = (0, 2, 0), dt2 = (0, 0.5, 0)", hand),
+            Case::hand("still", "no variation", TurningDirection { dn: Vector3::zeros(), ..hand }),
+            Case::limit("i", "n = i exactly: the axes of n×k", TurningDirection { n: Vector3::x(), ..hand }),
+            Case::hard(
+                "tiny",
+                "squares underflow",
+                TurningDirection {
+                    n: Vector3::new(3e-200, -4e-200, 12e-200),
+                    dn: Vector3::new(1e-200, 2e-200, -3e-200),
+                },
+            ),
+        ];
+        let dn = Vector3::new(0.25, 0.5, 0.625);
+        cases.extend(directions().map(|(id, comment, n)| Case::hard(id, comment, TurningDirection { n, dn })));
+        cases
+    }
+
+    fn invalid_cases() -> Vec<Case<TurningDirection<f64>>> {
+        let inputs = TurningDirection { n: Vector3::zeros(), dn: Vector3::x() };
+        vec![Case::invalid("zero", "the zero vector has no direction", inputs)]
+    }
+
+    fn kinks() -> Vec<Kink<Self>> {
+        vec![Kink {
+            condition: "n_2 = n_3 = 0",
+            convention: Convention::Switch,
+            holds: |i| i.n.y == 0.0 && i.n.z == 0.0,
+            at: || TurningDirection { n: Vector3::x(), dn: Vector3::new(0.25, -0.75, 0.5) },
+            across: || TurningDirection { n: Vector3::new(0.0, 3.0, 4.0), dn: Vector3::zeros() },
+        }]
+    }
+
+    fn laws() -> Vec<Law<Self>> {
+        vec![
+            Law {
+                statement: "it is the derivative of the directions across along dn",
+                sides: |i| {
+                    let jac = Basis::jacobian(&LineDirection { n: i.n });
+                    let along = |row: LineDirection<_>| row.n.dot(&i.dn);
+                    let TangentChanges { dt1, dt2 } = Self::eval(i);
+                    let spin = law::length(i.dn) / Azimuth::new(&i.n).h;
+                    let first = dt1.iter().zip(&jac.t1).map(|(&dt, &row)| (dt, along(row)));
+                    let second = dt2.iter().zip(&jac.t2).map(|(&dt, &row)| (dt, along(row)));
+                    law::equal_all_with(first.chain(second), spin * law::length(i.n))
+                },
+            },
+            Law {
+                statement: "the directions stay across the line: n·dt_q + dn·t_q = 0",
+                sides: |i| {
+                    let Tangents { t1, t2 } = Basis::eval(&LineDirection { n: i.n });
+                    let TangentChanges { dt1, dt2 } = Self::eval(i);
+                    let pairs = [(i.n.dot(&dt1), -i.dn.dot(&t1)), (i.n.dot(&dt2), -i.dn.dot(&t2))];
+                    law::equal_all_with(pairs, law::length(i.dn) * (law::length(i.n) + 1.0))
+                },
+            },
+        ]
+    }
+}

@@ -1,0 +1,133 @@
+//! Which coordinates of node m are eliminated, and which one is kept.
+
+use crate::scalar::{Scalar, abs};
+use nalgebra::{SVector, Vector2, Vector3};
+
+/// The axes of elimination in space, counted from 0: coordinates i and j of node m follow from coordinate k.
+///
+/// The rule is the documented one: i is the axis of the largest |t1|, and j, of the other two, that of the larger |t2|.
+/// With d = xn − x1, t1 ∥ (0, d3, −d2) and t2 ∥ (−(d2² + d3²), d1 d2, d1 d3), so it can be read off d. Let p and q be
+/// the larger and the smaller of |d2| and |d3|; then i is the axis of q, and j is axis 1 if p² + q² ≥ p |d1|, else the axis
+/// of p. Equal sizes count as "larger" for i = 2 and for j = 1; at d2 = d3 = 0 the axes are (i, j, k) = (2, 3, 1).
+///
+/// # Guarantee
+/// |n_k| ≥ 1/√6 ([`Pivots::LEAST`]), with equality at d ∝ (±2, ±1, ±1): the division by n_k is always safe.
+///
+/// Equal sizes are recognised although d is rounded: every comparison is made on the exact differences.
+///
+/// ```
+/// use jointproof::slider::Pivots;
+/// use nalgebra::Vector3;
+/// let from_origin = |x, y, z| Pivots::new(&Vector3::zeros(), &Vector3::new(x, y, z));
+/// assert_eq!(from_origin(5.0, 1.0, 2.0), Pivots { i: 1, j: 2, k: 0 });
+/// assert_eq!(from_origin(2.0, 1.0, 1.0), Pivots { i: 1, j: 0, k: 2 }); // both comparisons are ties
+/// assert_eq!(from_origin(-1.0, 0.0, 0.0), Pivots { i: 1, j: 2, k: 0 });
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Pivots {
+    /// The axis of the first eliminated coordinate.
+    pub i: usize,
+    /// The axis of the second eliminated coordinate.
+    pub j: usize,
+    /// The axis of the coordinate that is kept.
+    pub k: usize,
+}
+
+impl Pivots {
+    /// The least |n_k| that the rule leaves, 1/√6.
+    pub const LEAST: f64 = 0.408_248_290_463_863;
+    /// The least |n_k| that [`Pivots::largest`] leaves, 1/√3.
+    pub const LEAST_OF_LARGEST: f64 = 0.577_350_269_189_625_8;
+
+    /// The pivots of the line from x1 to xn.
+    #[inline]
+    pub fn new<D: Scalar>(x1: &Vector3<D>, xn: &Vector3<D>) -> Self {
+        let (i, far) = if at_least(x1, xn, 2, 1) { (1, 2) } else { (2, 1) };
+        if steep(x1, xn, i, far) { Self { i, j: 0, k: far } } else { Self { i, j: far, k: 0 } }
+    }
+
+    /// The alternative rule: keep the axis of the largest |n_k|, the first on a tie, so that |n_k| ≥ 1/√3. The
+    /// formulas do not use it; it stands here for comparison, and because `CalculiX` chooses so.
+    ///
+    /// ```
+    /// use jointproof::slider::Pivots;
+    /// use nalgebra::Vector3;
+    /// assert_eq!(Pivots::largest(&Vector3::zeros(), &Vector3::new(2.0, 1.0, 1.0)), Pivots { i: 1, j: 2, k: 0 });
+    /// ```
+    pub fn largest<D: Scalar>(x1: &Vector3<D>, xn: &Vector3<D>) -> Self {
+        let first = if at_least(x1, xn, 0, 1) { 0 } else { 1 };
+        match if at_least(x1, xn, first, 2) { first } else { 2 } {
+            0 => Self { i: 1, j: 2, k: 0 },
+            1 => Self { i: 0, j: 2, k: 1 },
+            k => Self { i: 0, j: 1, k },
+        }
+    }
+}
+
+/// The axes of elimination in the plane, counted from 0: coordinate i of node m follows from coordinate k, the axis of the
+/// larger |n_k|, axis 1 on a tie. So |n_k| ≥ 1/√2.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Pivots2d {
+    /// The axis of the eliminated coordinate.
+    pub i: usize,
+    /// The axis of the coordinate that is kept.
+    pub k: usize,
+}
+
+impl Pivots2d {
+    /// The pivots of the line from x1 to xn.
+    #[inline]
+    pub fn new<D: Scalar>(x1: &Vector2<D>, xn: &Vector2<D>) -> Self {
+        if at_least(x1, xn, 0, 1) { Self { i: 1, k: 0 } } else { Self { i: 0, k: 1 } }
+    }
+}
+
+/// Whether |d_a| ≥ |d_b|, for the exact d = xn − x1.
+///
+/// Rounding is monotonic: where the rounded differences differ, they decide; where they are equal, what was rounded off
+/// decides.
+#[inline]
+fn at_least<D: Scalar, const N: usize>(x1: &SVector<D, N>, xn: &SVector<D, N>, a: usize, b: usize) -> bool {
+    let size = |axis: usize| abs(xn[axis] - x1[axis]);
+    let rest = |axis: usize| rounded_off(xn[axis], x1[axis]);
+    if size(a) == size(b) { rest(a) >= rest(b) } else { size(a) > size(b) }
+}
+
+/// What must be added to the rounded |a − b| to make it exact, itself exact (Knuth's two-sum).
+fn rounded_off<D: Scalar>(a: D, b: D) -> D {
+    let difference = a - b;
+    let b_part = a - difference;
+    let rest = (a - (difference + b_part)) + (b_part - b);
+    if difference < 0.0 { -rest } else { rest }
+}
+
+/// Whether p² + q² ≥ p |d1|, for the exact d; p = |d_far| ≥ q = |d_near|. False for p = 0, a line along axis 1.
+///
+/// The products are computed in D. Where they come so near that rounding could decide, or where they over- or
+/// underflow, 237 bits decide.
+#[inline]
+fn steep<D: Scalar>(x1: &Vector3<D>, xn: &Vector3<D>, near: usize, far: usize) -> bool {
+    let [along, p, q] = [0, far, near].map(|axis| abs(xn[axis] - x1[axis]));
+    if q == 0.0 {
+        return p > 0.0 && at_least(x1, xn, far, 0);
+    }
+    let excess = q * q - p * (along - p);
+    let doubt = p * (along + p) * DOUBT + f64::MIN_POSITIVE;
+    if excess > doubt {
+        true
+    } else if excess < -doubt {
+        false
+    } else {
+        steep_exactly(x1, xn, near, far)
+    }
+}
+
+/// 32 roundings of `f64`; those of differences, products and sums in [`steep`] add up to at most 9.
+const DOUBT: f64 = 16.0 * f64::EPSILON;
+
+#[cold]
+#[inline(never)]
+fn steep_exactly<D: Scalar>(x1: &Vector3<D>, xn: &Vector3<D>, near: usize, far: usize) -> bool {
+    let [along, p, q] = [0, far, near].map(|axis| abs(xn[axis].exact() - x1[axis].exact()));
+    q * q >= p * (along - p)
+}
