@@ -5,7 +5,6 @@ use crate::scalar::{abs, sign};
 use crate::verify::{Audit, Options, audit, audit_at, exactly, golden, hard};
 use crate::{Error, Octuple, align, cardan, coulomb, slider, slot, translator};
 
-
 /// A formula whose inputs and outputs are not known to the compiler; every [`Formula`] is one.
 pub trait AnyFormula: Send + Sync {
     /// What is said about it.

@@ -292,13 +292,7 @@ impl Audit {
     }
 
     /// The closed form in `f64` is judged against automatic differentiation, so that a wrong one cannot be its own judge.
-    fn check_jacobian<F: Formula>(
-        &mut self,
-        point: &Point<F>,
-        names: &Names,
-        ad: &[Octuple],
-        bends: &[Sensitivity],
-    ) {
+    fn check_jacobian<F: Formula>(&mut self, point: &Point<F>, names: &Names, ad: &[Octuple], bends: &[Sensitivity]) {
         let computed: Vec<f64> = entries::<F, _>(&F::jacobian(&point.inputs));
         for (entry, ((&computed, &exact), &bend)) in computed.iter().zip(ad).zip(bends).enumerate() {
             let size = eta(computed, exact, bend);
