@@ -213,7 +213,7 @@ impl Checks {
 /// Components that no formula rejects, where only parameters are in question.
 fn harmless(domain: Domain, len: usize) -> Vec<f64> {
     match domain {
-        Domain::Triad(_, axis) => (1..=len).map(|k| f64::from(u8::from(k == usize::from(axis)))).collect(),
+        Domain::Triad(_, axis) => (1..=len).map(|k| f64::from(u8::from(k == axis))).collect(),
         Domain::Positive => vec![1.0; len],
         _ => vec![0.0; len],
     }

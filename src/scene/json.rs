@@ -369,9 +369,9 @@ impl<'t> Reader<'t> {
             return Ok(inside.to_owned());
         }
         let quoted = self.text.get(start..self.at).unwrap_or_default();
-        serde_json::from_str(quoted).or_else(|_| {
+        serde_json::from_str(quoted).map_err(|_| {
             self.fault(start, excerpt(quoted), "a string with JSON's escapes");
-            Err(Stop)
+            Stop
         })
     }
 }

@@ -89,7 +89,7 @@ pub(super) struct Motion {
 pub(super) struct Load {
     pub(super) element: u32,
     /// In the order of [`Kind::loads`].
-    pub(super) load: u16,
+    pub(super) index: u16,
     pub(super) value: f64,
 }
 

@@ -55,7 +55,7 @@ fn scene(reader: &mut Reader) -> Read<Option<Scene>> {
     let [title, dimension, orientations, nodes, elements, frames, outputs] = parts;
     for (key, part) in KEYS.iter().zip(parts) {
         if part.is_none() && ["dimension", "nodes", "elements"].contains(key) {
-            reader.fault(start, format!("no {key:?}"), format!("a scene with dimension, nodes and elements"));
+            reader.fault(start, format!("no {key:?}"), "a scene with dimension, nodes and elements");
         }
     }
     let title = part(reader, "title", title, |reader| reader.string("a string"))?.flatten().unwrap_or_default();
@@ -120,7 +120,10 @@ pub(super) fn named<'t, T>(
     Ok(all)
 }
 
-/// A place and a name that must be one of those known.
+/// Names that an error lists.
+const SHOWN: usize = 8;
+
+/// A name that must be one of those known.
 pub(super) fn refer<T>(
     reader: &mut Reader,
     known: &IndexMap<Box<str>, T>,
@@ -131,7 +134,6 @@ pub(super) fn refer<T>(
     if let Some(index) = known.get_index_of(name) {
         return u32::try_from(index).ok();
     }
-    const SHOWN: usize = 8;
     let mut names: Vec<_> = known.keys().take(SHOWN).map(|name| format!("{name:?}")).collect();
     if known.len() > SHOWN {
         names.push("…".into());
@@ -318,8 +320,8 @@ fn loads_of(reader: &mut Reader, scene: &Scene, loads: &mut Vec<Load>) -> Read<b
         let names: Vec<_> = of.kind.loads().collect();
         reader.record(&names, |reader, key| {
             let domain = of.kind.field(names[key]).map_or(Domain::Real, |field| field.quantity.domain);
-            if let (Some(value), Ok(load)) = (reader.number(domain)?, u16::try_from(key)) {
-                loads.push(Load { element, load, value });
+            if let (Some(value), Ok(index)) = (reader.number(domain)?, u16::try_from(key)) {
+                loads.push(Load { element, index, value });
             }
             Ok(())
         })?;

@@ -4,7 +4,7 @@
 //! depend on how many threads there are. What lasts from state to state is what the plan keeps per element, the
 //! results of the last state, and position and triad per node.
 
-use super::model::{Axes, Frame, Scene, exactly, global, turned};
+use super::model::{Axes, Frame, Orientation, Scene, exactly, global, turned};
 use super::plan::{Group, Plan};
 use super::recipe::{Planned, Recipe, Span};
 use super::step::{Failure, Lanes, Number};
@@ -134,7 +134,7 @@ impl<'s, T: Number> Run<'s, T> {
             else {
                 continue;
             };
-            if let Some(Some(span)) = group.recipe.loads.get(usize::from(load.load)) {
+            if let Some(Some(span)) = group.recipe.loads.get(usize::from(load.index)) {
                 state.kept[place as usize * group.recipe.kept + span.at] = T::exactly(load.value);
             }
         }
@@ -195,7 +195,7 @@ fn problem(scene: &Scene, group: &Group, state: Option<usize>, failure: Failure)
 impl<T: Number> Nodes<T> {
     fn new(scene: &Scene, plan: &Plan) -> Self {
         let mut orientations = vec![global()];
-        orientations.extend(scene.orientations.iter().map(|orientation| orientation.axes()));
+        orientations.extend(scene.orientations.iter().map(Orientation::axes));
         let turning = plan.groups.iter().any(|group| !group.recipe.axes.is_empty());
         let triad = |orientation: Option<u32>| orientations[orientation.map_or(0, |index| index as usize + 1)];
         let triads =
@@ -274,7 +274,7 @@ impl<T: Number> State<T> {
                 gather(scene, &group.recipe, nodes, element, registers, &mut all_kept[..kept]);
             }
             for planned in steps {
-                T::run(planned.step, &planned.wiring, Lanes { registers, stride }, failures);
+                T::run(planned.step, &planned.wiring, &mut Lanes { registers, stride }, failures);
             }
             let lanes = registers.chunks_exact(stride).zip(all_kept.chunks_exact_mut(kept.max(1)));
             for ((registers, all_kept), results) in lanes.zip(results.chunks_exact_mut(width)) {

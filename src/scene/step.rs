@@ -26,7 +26,7 @@ pub trait Number: Scalar {
     /// What [`Formula::validate`] says.
     fn validate<F: Formula>(i: &F::Inputs<Self>) -> Result<(), Error>;
     /// Runs a step in this number.
-    fn run(step: &dyn Step, wiring: &Wiring, lanes: Lanes<'_, Self>, failures: &mut Vec<Failure>);
+    fn run(step: &dyn Step, wiring: &Wiring, lanes: &mut Lanes<'_, Self>, failures: &mut Vec<Failure>);
 }
 
 /// The registers of a block of elements, `stride` to each.
@@ -63,9 +63,9 @@ pub trait Step: Sync {
     /// As [`check`](crate::formula::check).
     fn check(&self, components: &[f64]) -> Result<(), Error>;
     /// Evaluates every lane in `f64`.
-    fn run_double(&self, wiring: &Wiring, lanes: Lanes<'_, f64>, failures: &mut Vec<Failure>);
+    fn run_double(&self, wiring: &Wiring, lanes: &mut Lanes<'_, f64>, failures: &mut Vec<Failure>);
     /// Evaluates every lane in 237 bits.
-    fn run_exact(&self, wiring: &Wiring, lanes: Lanes<'_, Octuple>, failures: &mut Vec<Failure>);
+    fn run_exact(&self, wiring: &Wiring, lanes: &mut Lanes<'_, Octuple>, failures: &mut Vec<Failure>);
 }
 
 impl<F: Formula> Step for F {
@@ -86,15 +86,15 @@ impl<F: Formula> Step for F {
         let inputs = F::Inputs::from_slice(components).ok_or(Error::Components { found, expected })?;
         crate::formula::check::<F>(&inputs)
     }
-    fn run_double(&self, wiring: &Wiring, lanes: Lanes<'_, f64>, failures: &mut Vec<Failure>) {
+    fn run_double(&self, wiring: &Wiring, lanes: &mut Lanes<'_, f64>, failures: &mut Vec<Failure>) {
         run::<F, f64>(wiring, lanes, failures);
     }
-    fn run_exact(&self, wiring: &Wiring, lanes: Lanes<'_, Octuple>, failures: &mut Vec<Failure>) {
+    fn run_exact(&self, wiring: &Wiring, lanes: &mut Lanes<'_, Octuple>, failures: &mut Vec<Failure>) {
         run::<F, Octuple>(wiring, lanes, failures);
     }
 }
 
-fn run<F: Formula, T: Number>(wiring: &Wiring, lanes: Lanes<'_, T>, failures: &mut Vec<Failure>) {
+fn run<F: Formula, T: Number>(wiring: &Wiring, lanes: &mut Lanes<'_, T>, failures: &mut Vec<Failure>) {
     for (lane, registers) in lanes.registers.chunks_exact_mut(lanes.stride.max(1)).enumerate() {
         let mut from = wiring.inputs.iter();
         let inputs = F::Inputs::from_components(&mut || match from.next() {
@@ -147,7 +147,7 @@ impl Number for f64 {
     fn validate<F: Formula>(i: &F::Inputs<Self>) -> Result<(), Error> {
         F::validate(i)
     }
-    fn run(step: &dyn Step, wiring: &Wiring, lanes: Lanes<'_, Self>, failures: &mut Vec<Failure>) {
+    fn run(step: &dyn Step, wiring: &Wiring, lanes: &mut Lanes<'_, Self>, failures: &mut Vec<Failure>) {
         step.run_double(wiring, lanes, failures);
     }
 }
@@ -162,7 +162,7 @@ impl Number for Octuple {
     fn validate<F: Formula>(_: &F::Inputs<Self>) -> Result<(), Error> {
         Ok(())
     }
-    fn run(step: &dyn Step, wiring: &Wiring, lanes: Lanes<'_, Self>, failures: &mut Vec<Failure>) {
+    fn run(step: &dyn Step, wiring: &Wiring, lanes: &mut Lanes<'_, Self>, failures: &mut Vec<Failure>) {
         step.run_exact(wiring, lanes, failures);
     }
 }
