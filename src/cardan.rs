@@ -25,8 +25,8 @@ mod beta;
 mod triads;
 
 pub use accurate::*;
-pub(crate) use angles::kinks;
 pub use angles::{Angles, CardanAngles};
+pub(crate) use angles::{cuts, kinks};
 pub use beta::*;
 pub(crate) use triads::Oriented;
 pub use triads::Triads;

@@ -3,7 +3,7 @@
 use crate::formula::{Convention, Field, Fields, Formula, Kink, Spec, value};
 use crate::scalar::{abs, sign};
 use crate::verify::{Audit, Options, audit, audit_at, exactly, golden, hard};
-use crate::{Error, Octuple, align, cardan, coulomb, slider, slot, translator};
+use crate::{Error, Octuple, align, cardan, coulomb, join, slider, slot, translator, universal};
 
 /// A formula whose inputs and outputs are not known to the compiler; every [`Formula`] is one.
 pub trait AnyFormula: Send + Sync {
@@ -128,6 +128,12 @@ pub const CATALOG: &[&dyn AnyFormula] = &[
     &translator::ContactForce,
     &translator::Friction,
     // JOIN, UNIVERSAL, UJOINT
+    &join::Constraint,
+    &universal::Constraint,
+    &universal::Angles,
+    &universal::RelativeMotion,
+    &universal::ConstraintMoment,
+    &universal::KineticMoment,
     // SLIDER
     &slider::Line,
     &slider::Basis,

@@ -36,6 +36,7 @@ pub mod coulomb;
 mod error;
 pub mod formula;
 pub mod frame;
+pub mod join;
 mod newtype;
 pub mod octuple;
 pub mod quantity;
@@ -45,6 +46,7 @@ pub mod single;
 pub mod slider;
 pub mod slot;
 pub mod translator;
+pub mod universal;
 pub mod verify;
 
 pub use error::{Error, Name};

@@ -249,6 +249,19 @@ quantities! {
     F_BEND: r"F_{\mathrm{bend}}", Scalar, F, NonNegative, "contact force that bending produces";
 
     // JOIN, UNIVERSAL, UJOINT
+    D0: r"\mathbf{d}_0", Vec3, L, Real, "initial position of b relative to a, as components in a's triad";
+    G_JOIN: r"\mathbf{g}", Vec3, L, Real, "residual of JOIN as components in a's triad, zero when b is in its place";
+    C0: r"c_0", Scalar, ONE, Real, "initial value of e1a·e3b, the sine of the second Cardan angle";
+    G_UNIVERSAL: r"g", Scalar, ONE, Real, "residual of UNIVERSAL, zero when e1a and e3b stand at their initial angle";
+    THETA1_REF: r"\theta_1^{\mathrm{ref}}", Scalar, ONE, Angle, "constitutive reference angle about e1a";
+    THETA3_REF: r"\theta_3^{\mathrm{ref}}", Scalar, ONE, Angle, "constitutive reference angle about e3b";
+    U_R1: r"u_{r1}", Scalar, ONE, Angle, "available rotation about e1a, zero at the start";
+    U_R3: r"u_{r3}", Scalar, ONE, Angle, "available rotation about e3b, zero at the start";
+    U_R1_MAT: r"u_{r1}^{\mathrm{mat}}", Scalar, ONE, Angle, "constitutive rotation about e1a, zero at the reference angle";
+    U_R3_MAT: r"u_{r3}^{\mathrm{mat}}", Scalar, ONE, Angle, "constitutive rotation about e3b, zero at the reference angle";
+    TWIST_M2: r"m_2", Scalar, FL, Real, "constraint moment of UNIVERSAL on node b, about the direction cos α e2a + sin α e3a";
+    CROSS_M1: r"m_1", Scalar, FL, Real, "moment about e1a on node b";
+    CROSS_M3: r"m_3", Scalar, FL, Real, "moment about e3b on node b";
 
     // SLIDER
     SLIDER_X1: r"\mathbf{x}_1", Vec3, L, Point, "position of node 1, where the line begins";

@@ -182,17 +182,26 @@ where
     F::Inputs<f64>: Oriented<f64>,
     F::Inputs<Octuple>: Oriented<Octuple>,
 {
-    vec![
-        Kink {
-            condition: r"\lvert\mathbf{e}_{1a}\cdot\mathbf{e}_{3b}\rvert = 1",
-            convention: Convention::Switch,
-            holds: |i| {
-                let Triads { e1a, e3b, .. } = i.triads();
-                abs(e1a.dot(&e3b)) == 1.0
-            },
-            at: || Oriented::of(Triads { e3b: Vector3::new(1.0, -0.5, 0.5), ..of_axes([1, 2, 3]) }),
-            across: || Oriented::of(Triads { e1a: Vector3::x(), ..Triads::filled(0.0) }),
+    let arc_sine = Kink {
+        condition: r"\lvert\mathbf{e}_{1a}\cdot\mathbf{e}_{3b}\rvert = 1",
+        convention: Convention::Switch,
+        holds: |i: &F::Inputs<Octuple>| {
+            let Triads { e1a, e3b, .. } = i.triads();
+            abs(e1a.dot(&e3b)) == 1.0
         },
+        at: || Oriented::of(Triads { e3b: Vector3::new(1.0, -0.5, 0.5), ..of_axes([1, 2, 3]) }),
+        across: || Oriented::of(Triads { e1a: Vector3::x(), ..Triads::filled(0.0) }),
+    };
+    std::iter::once(arc_sine).chain(cuts()).collect()
+}
+
+/// The cuts of α and γ at half a turn, in any formula that contains them.
+pub(crate) fn cuts<F: Formula>() -> Vec<Kink<F>>
+where
+    F::Inputs<f64>: Oriented<f64>,
+    F::Inputs<Octuple>: Oriented<Octuple>,
+{
+    vec![
         Kink {
             condition: r"\alpha = -\pi",
             convention: Convention::Cut,

@@ -4,6 +4,7 @@ mod audit;
 mod book;
 mod console;
 mod evidence;
+mod figures;
 mod files;
 mod golden;
 mod selection;

@@ -5,7 +5,7 @@ use super::fault::Faults;
 use super::locate::Index;
 use super::{Options, Summary, build, worked_example};
 use crate::evidence::Evidence;
-use crate::{Outcome, console, files};
+use crate::{Outcome, console, figures, files};
 use anyhow::Context;
 use jointproof::catalog::{AnyFormula, CATALOG, KinkEntry};
 use jointproof::formula::{Convention, Field};
@@ -92,7 +92,7 @@ fn content() -> anyhow::Result<Content> {
         }
     }
     let outputs = vec![("audit".to_owned(), plain(&crate::audit::text(&[worked_example::run()], Audit::passed)?))];
-    Ok(Content { entries, sources, catalog_tests, figures: Vec::new(), outputs, golden })
+    Ok(Content { entries, sources, catalog_tests, figures: figures::all(), outputs, golden })
 }
 
 /// Text without colours.

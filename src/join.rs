@@ -1,0 +1,170 @@
+//! JOIN: node b stays at its initial position in the triad of node a.
+//!
+//! With d = xb − xa, the components e1a·d, e2a·d, e3a·d keep their initial values d0, which are 0 where the nodes
+//! coincide. [`Join`] is what a program calls.
+
+use crate::error::Error;
+use crate::fields;
+use crate::formula::{
+    Case, Element, Formula, Jacobian, Law, Source, Spec, ValueAndJacobian, value, value_and_jacobian,
+};
+use crate::quantity::{D0, E1A, E2A, E3A, G_JOIN, XA, XB};
+use crate::scalar::Scalar;
+use crate::slot::{Pose, Positions, RelativePosition};
+use crate::verify::{hard, law};
+use nalgebra::Vector3;
+
+fields! {
+    /// Where the nodes are, how node a is turned, and where b was at the start.
+    pub struct Joined<T> {
+        e1a: Vector3<T> = E1A, e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A,
+        xa: Vector3<T> = XA, xb: Vector3<T> = XB, d0: Vector3<T> = D0,
+    }
+}
+fields! {
+    /// By how much b is out of its place.
+    pub struct Displaced<T> { g: Vector3<T> = G_JOIN }
+}
+
+impl<T: Element> Joined<T> {
+    /// Without the initial position.
+    const fn positions(&self) -> Positions<T> {
+        let Self { e1a, e2a, e3a, xa, xb, .. } = *self;
+        Positions { e1a, e2a, e3a, xa, xb }
+    }
+
+    const fn of(positions: Positions<T>, d0: Vector3<T>) -> Self {
+        let Positions { e1a, e2a, e3a, xa, xb } = positions;
+        Self { e1a, e2a, e3a, xa, xb, d0 }
+    }
+}
+
+/// The three conditions that keep b in its place: g_i = e_ia·(xb − xa) − d0_i.
+#[derive(Clone, Copy, Debug)]
+pub struct Constraint;
+
+impl Formula for Constraint {
+    const SPEC: Spec = Spec {
+        id: "join.constraint",
+        title: "Constraint",
+        latex: r"g_i = \mathbf{e}_{ia}\cdot(\mathbf{x}_b-\mathbf{x}_a) - d_{0i},\quad i = 1, 2, 3",
+        source: Source::UJOINT.section("Description"),
+        eta: 2.0,
+        eta_jacobian: 1.0,
+        objective: true,
+    };
+    type Inputs<T: Element> = Joined<T>;
+    type Outputs<T: Element> = Displaced<T>;
+
+    fn eval<D: Scalar>(i: &Joined<D>) -> Displaced<D> {
+        let here = RelativePosition::eval(&i.positions());
+        Displaced { g: Vector3::new(here.x, here.y, here.z) - i.d0 }
+    }
+
+    fn jacobian<D: Scalar>(i: &Joined<D>) -> Jacobian<Self, D> {
+        let here = RelativePosition::jacobian(&i.positions());
+        let row = |k: usize, gradient| {
+            let mut d0 = Vector3::from_element(D::zero());
+            d0[k] = -D::one();
+            Joined::of(gradient, d0)
+        };
+        Displaced { g: Vector3::new(row(0, here.x), row(1, here.y), row(2, here.z)) }
+    }
+
+    fn cases() -> Vec<Case<Joined<f64>>> {
+        let [e1a, e2a, e3a] = hard::triad();
+        let axes = Positions {
+            e1a: Vector3::x(),
+            e2a: Vector3::y(),
+            e3a: Vector3::z(),
+            xa: Vector3::new(1.0, 2.0, 3.0),
+            xb: Vector3::new(4.0, 6.0, 15.0),
+        };
+        let mut cases = vec![
+            Case::limit(
+                "in-place",
+                "b at its initial position (3, 4, 12)",
+                Joined::of(axes, Vector3::new(3.0, 4.0, 12.0)),
+            ),
+            Case::hand(
+                "pulled-off",
+                "the whole distance is the residual where the nodes coincided",
+                Joined::of(axes, Vector3::zeros()),
+            ),
+        ];
+        cases.extend(hard::places().into_iter().map(|place| {
+            let [xa, xb] = place.value;
+            let here = Positions { e1a, e2a, e3a, xa, xb };
+            Case::hard(place.id, place.comment, Joined::of(here, Vector3::new(0.25, -0.5, 0.125)))
+        }));
+        cases
+    }
+
+    fn laws() -> Vec<Law<Self>> {
+        vec![Law {
+            statement: "the force on b is Jacobianᵀ · multipliers: Σ f_i ∂g_i/∂xb = f1 e1a + f2 e2a + f3 e3a, and a takes the opposite",
+            sides: |i| {
+                let jac = Self::jacobian(i);
+                let f = i.d0; // any three numbers will do
+                let on_b = jac.g[0].xb * f[0] + jac.g[1].xb * f[1] + jac.g[2].xb * f[2];
+                let on_a = jac.g[0].xa * f[0] + jac.g[1].xa * f[1] + jac.g[2].xa * f[2];
+                let documented = i.e1a * f[0] + i.e2a * f[1] + i.e3a * f[2];
+                [law::equal_vectors(on_b, documented), law::equal_vectors(on_a, -documented)].concat()
+            },
+        }]
+    }
+}
+
+/// A JOIN connector.
+///
+/// ```
+/// use jointproof::{frame::Triad, join::Join, slot::Pose};
+/// use nalgebra::Vector3;
+///
+/// let mut pose = Pose { triad: Triad::global(), xa: Vector3::zeros(), xb: Vector3::new(1.0, 0.0, 0.0) };
+/// let join = Join::new(&pose)?;
+/// pose.xb.y = 0.5;
+/// assert_eq!(join.constraint(&pose)?.g, Vector3::new(0.0, 0.5, 0.0));
+/// # Ok::<(), jointproof::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Join {
+    d0: Vector3<f64>,
+}
+
+impl Join {
+    /// Keeps b where it is in the triad of a.
+    ///
+    /// # Errors
+    /// A position that is not finite, or so far that the relative position overflows.
+    pub fn new(initial: &Pose) -> Result<Self, Error> {
+        let none = Self { d0: Vector3::zeros() };
+        Ok(Self { d0: none.constraint(initial)?.g })
+    }
+
+    /// The initial position of b, as components in the triad of a.
+    pub const fn initial_position(&self) -> Vector3<f64> {
+        self.d0
+    }
+
+    /// By how much b is out of its place ([`Constraint`]).
+    ///
+    /// # Errors
+    /// As [`Join::new`].
+    pub fn constraint(&self, pose: &Pose) -> Result<Displaced<f64>, Error> {
+        value::<Constraint>(&self.inputs(pose))
+    }
+
+    /// The constraint with its derivatives.
+    ///
+    /// # Errors
+    /// As [`Join::new`].
+    pub fn constraint_jacobian(&self, pose: &Pose) -> Result<ValueAndJacobian<Constraint, f64>, Error> {
+        value_and_jacobian::<Constraint>(&self.inputs(pose))
+    }
+
+    fn inputs(&self, pose: &Pose) -> Joined<f64> {
+        let Pose { triad, xa, xb } = *pose;
+        Joined { e1a: triad.e1(), e2a: triad.e2(), e3a: triad.e3(), xa, xb, d0: self.d0 }
+    }
+}
