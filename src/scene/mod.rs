@@ -53,6 +53,7 @@ mod recipe;
 mod results;
 pub mod rules;
 mod run;
+mod schema;
 mod step;
 
 pub use fault::{Fault, Faults};
@@ -61,4 +62,5 @@ pub use model::Scene;
 pub use plan::{Line, Plan};
 pub use results::{Results, Series};
 pub use run::{Problem, Problems, Run};
+pub use schema::schema;
 pub use step::{Failure, Lanes, Number, Step, Wiring};

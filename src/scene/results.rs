@@ -57,20 +57,36 @@ impl Results {
     }
 
     fn in_number<T: Number>(scene: &Scene, plan: &Plan) -> Result<Self, Problems> {
+        Self::collect::<T>(scene, plan, usize::MAX, || ())
+    }
+
+    /// Evaluates a plan and keeps the results of the first elements; `each` is called after every state.
+    ///
+    /// # Errors
+    /// As [`Results::of`].
+    pub fn collect<T: Number>(
+        scene: &Scene,
+        plan: &Plan,
+        elements: usize,
+        mut each: impl FnMut(),
+    ) -> Result<Self, Problems> {
         let mut run = Run::<T>::new(scene, plan)?;
         let mut series: Vec<Series> = Vec::new();
         let mut times = Vec::new();
         for time in scene.times() {
             run.advance()?;
+            each();
             let first = times.is_empty();
             times.push(time);
             let mut index = 0;
-            run.for_each_result(|element, output, components| {
+            run.for_each_result(elements, |element, output, components| {
                 let values: Vec<f64> = components.iter().map(|value| value.rounded()).collect();
                 if first {
                     series.push(Series { element: element.into(), output, values: Vec::new() });
                 }
-                series[index].values.push(values);
+                if let Some(series) = series.get_mut(index) {
+                    series.values.push(values);
+                }
                 index += 1;
             });
         }

@@ -159,9 +159,9 @@ impl<'s, T: Number> Run<'s, T> {
         if problems.is_empty() { Ok(true) } else { Err(Problems(problems)) }
     }
 
-    /// Results of the current state: for every element in the order of the file, output by output, the components.
-    pub fn for_each_result<'r>(&'r self, mut visit: impl FnMut(&'s str, &'static str, &'r [T])) {
-        for (name, &[group, place]) in self.scene.elements.keys().zip(&self.places) {
+    /// Results of the current state: for the first elements in the order of the file, output by output, the components.
+    pub fn for_each_result<'r>(&'r self, elements: usize, mut visit: impl FnMut(&'s str, &'static str, &'r [T])) {
+        for (name, &[group, place]) in self.scene.elements.keys().zip(&self.places).take(elements) {
             let Some((group, state)) = self.plan.groups.get(group as usize).zip(self.groups.get(group as usize)) else {
                 continue;
             };
