@@ -69,6 +69,16 @@ pub enum Fallback {
     As(&'static str),
 }
 
+impl std::fmt::Display for Fallback {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Required => f.write_str("must be given where an output needs it"),
+            Self::Number(number) => write!(f, "{number} if not given"),
+            Self::As(other) => write!(f, "{other} if not given"),
+        }
+    }
+}
+
 impl Fallback {
     /// The number, if it is one.
     pub const fn number(self) -> Option<f64> {
