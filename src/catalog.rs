@@ -3,7 +3,7 @@
 use crate::formula::{Convention, Field, Fields, Formula, Kink, Spec, value};
 use crate::scalar::{abs, sign};
 use crate::verify::{Audit, Options, audit, audit_at, exactly, golden, hard};
-use crate::{Error, Octuple, align, cardan, coulomb, join, slider, slot, translator, universal};
+use crate::{Error, Octuple, align, cardan, coulomb, join, slider, slot, translator, ujoint, universal};
 
 /// A formula whose inputs and outputs are not known to the compiler; every [`Formula`] is one.
 pub trait AnyFormula: Send + Sync {
@@ -134,6 +134,20 @@ pub const CATALOG: &[&dyn AnyFormula] = &[
     &universal::RelativeMotion,
     &universal::ConstraintMoment,
     &universal::KineticMoment,
+    &ujoint::Constraint,
+    &ujoint::Reaction,
+    &ujoint::CrossDirection,
+    &ujoint::TwistFactors,
+    &ujoint::AxialFactors,
+    &ujoint::Decomposition,
+    &ujoint::HingeTwist,
+    &ujoint::HingeAxial,
+    &ujoint::HingeTransverse,
+    &ujoint::HingeBending,
+    &ujoint::ContactMoments,
+    &ujoint::NormalMoments,
+    &ujoint::Friction,
+    &ujoint::Stop,
     // SLIDER
     &slider::Line,
     &slider::Basis,

@@ -44,6 +44,7 @@ pub mod single;
 pub mod slider;
 pub mod slot;
 pub mod translator;
+pub mod ujoint;
 pub mod universal;
 pub mod verify;
 
