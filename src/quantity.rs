@@ -271,7 +271,7 @@ quantities! {
     CROSS_M1: r"m_1", Scalar, FL, Real, "moment about e1a on node b";
     CROSS_M3: r"m_3", Scalar, FL, Real, "moment about e3b on node b";
     G_ROT: r"g_{\mathrm{rot}}", Scalar, ONE, Real, "residual of UNIVERSAL in UJOINT, zero when e1a and e3b stand at their initial angle";
-    FR: r"F_r", Scalar, F, NonNegative, "reaction force: magnitude of the force that JOIN transmits";
+    UJOINT_FR: r"F_r", Scalar, F, NonNegative, "reaction force: magnitude of the force that JOIN transmits";
     E_CROSS: r"\mathbf{e}_{\mathrm{cross}}", Vec3, ONE, Vector, "normal of the cross plane, e1a × e3b, in the global frame";
     RP: r"R_p", Scalar, L, Positive, "average radius of the pins at the ends of the cross";
     LA: r"L_a", Scalar, L, Positive, "length of a cross arm, from the centre to the pin";
@@ -283,7 +283,7 @@ quantities! {
     BETA_AXIAL: r"\beta_{\mathrm{axial}}", Scalar, ONE, NonNegative, "share of a force along an axis of the cross that a hinge on the other axis carries";
     F_AXIAL1: r"F_{\mathrm{axial1}}", Scalar, F, Real, "force along e1a at the centre of the cross";
     F_AXIAL3: r"F_{\mathrm{axial3}}", Scalar, F, Real, "force along e3b at the centre of the cross";
-    F_BEND: r"F_{\mathrm{bend}}", Scalar, F, Real, "force along e1a × e3b at the centre of the cross, which bends its arms";
+    CROSS_F_BEND: r"F_{\mathrm{bend}}", Scalar, F, Real, "force along e1a × e3b at the centre of the cross, which bends its arms";
     M_TWIST_HINGE: r"M_{\mathrm{twist}}^{\mathrm{hinge}}", Scalar, FL, NonNegative, "bending moment on each hinge from the twisting moment";
     F_TWIST_HINGE: r"F_{\mathrm{twist}}^{\mathrm{hinge}}", Scalar, F, NonNegative, "transverse force on each hinge from the twisting moment";
     F_AXIAL_HINGE1: r"F_{\mathrm{axial1}}^{\mathrm{hinge}}", Scalar, F, NonNegative, "axial force on each hinge along e1a";

@@ -221,7 +221,7 @@ impl Formula for Friction {
 
     fn kinks() -> Vec<Kink<Self>> {
         let convention = Convention::Subgradient;
-        let mut kinks = vec![
+        vec![
             Kink {
                 condition: "R_a = 0",
                 convention: Convention::Switch,
@@ -260,8 +260,6 @@ impl Formula for Friction {
                 at: || FrictionLoads { f2: 0.0, f3: 0.0, m2: 0.0, ..regular() },
                 across: || FrictionLoads { m2: 1.0, ..FrictionLoads::filled(0.0) },
             },
-        ];
-        kinks.extend([
             Kink {
                 condition: "m_1 = 0",
                 convention,
@@ -290,8 +288,7 @@ impl Formula for Friction {
                 at: || FrictionLoads { mc3_int: 0.0, ..regular() },
                 across: || FrictionLoads { mc3_int: 1.0, ..FrictionLoads::filled(0.0) },
             },
-        ]);
-        kinks
+        ]
     }
 
     fn laws() -> Vec<Law<Self>> {

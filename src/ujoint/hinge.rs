@@ -4,7 +4,7 @@ use super::{Arm, AxialFactors, AxialShares, TwistFactors, TwistShares};
 use crate::fields;
 use crate::formula::{Case, Convention, Element, Fields, Formula, Jacobian, Kink, Law, Source, Spec};
 use crate::quantity::{
-    F_AXIAL_HINGE1, F_AXIAL_HINGE3, F_AXIAL1, F_AXIAL3, F_BEND, F_TOTAL_BEND, F_TOTAL_HINGE1, F_TOTAL_HINGE3,
+    F_AXIAL_HINGE1, F_AXIAL_HINGE3, F_AXIAL1, F_AXIAL3, CROSS_F_BEND, F_TOTAL_BEND, F_TOTAL_HINGE1, F_TOTAL_HINGE3,
     F_TRANSV_HINGE1, F_TRANSV_HINGE3, F_TWIST_HINGE, LA, LS, M_BEND_HINGE, M_TOTAL_HINGE, M_TWIST_HINGE, RP, TWIST_M2,
 };
 use crate::scalar::{Scalar, abs, direction, norm, norm_and_direction, sign};
@@ -250,7 +250,7 @@ impl<D: Scalar> AxialForces<D> {
 fields! {
     /// All loads at the centre of the cross, and an arm.
     pub struct CentreLoads<T> {
-        f_axial1: T = F_AXIAL1, f_axial3: T = F_AXIAL3, f_bend: T = F_BEND, m2: T = TWIST_M2, la: T = LA, rp: T = RP,
+        f_axial1: T = F_AXIAL1, f_axial3: T = F_AXIAL3, f_bend: T = CROSS_F_BEND, m2: T = TWIST_M2, la: T = LA, rp: T = RP,
     }
 }
 fields! {
@@ -404,7 +404,7 @@ impl Formula for HingeTransverse {
 
 fields! {
     /// What bends the arms, an arm, and the length of its sleeve.
-    pub struct Bending<T> { f_bend: T = F_BEND, m2: T = TWIST_M2, la: T = LA, rp: T = RP, ls: T = LS }
+    pub struct Bending<T> { f_bend: T = CROSS_F_BEND, m2: T = TWIST_M2, la: T = LA, rp: T = RP, ls: T = LS }
 }
 fields! {
     /// Bending moments on each hinge, and the contact force that resists them.

@@ -2,7 +2,7 @@
 
 use crate::fields;
 use crate::formula::{Case, Convention, Element, Fields, Formula, Jacobian, Kink, Law, Source, Spec, along};
-use crate::quantity::{E1A, E2A, E3A, E3B, E_CROSS, F_AXIAL1, F_AXIAL3, F_BEND, F1, F2, F3, FR};
+use crate::quantity::{E1A, E2A, E3A, E3B, E_CROSS, F_AXIAL1, F_AXIAL3, CROSS_F_BEND, F1, F2, F3, UJOINT_FR};
 use crate::scalar::{Scalar, direction, norm};
 use crate::verify::{hard, law};
 use crate::Octuple;
@@ -14,7 +14,7 @@ fields! {
 }
 fields! {
     /// Its magnitude.
-    pub struct ReactionForce<T> { fr: T = FR }
+    pub struct ReactionForce<T> { fr: T = UJOINT_FR }
 }
 
 /// Reaction force: Fr = √(f1² + f2² + f3²).
@@ -160,7 +160,7 @@ fields! {
 }
 fields! {
     /// The force along the axes of the cross and across them.
-    pub struct CrossForces<T> { f_axial1: T = F_AXIAL1, f_axial3: T = F_AXIAL3, f_bend: T = F_BEND }
+    pub struct CrossForces<T> { f_axial1: T = F_AXIAL1, f_axial3: T = F_AXIAL3, f_bend: T = CROSS_F_BEND }
 }
 
 /// The force F = f1 e1a + f2 e2a + f3 e3a along the axes of the cross and across them: F·e1a, F·e3b, F·(e1a × e3b).
