@@ -10,10 +10,10 @@
 //! with k = 33/5 for the twisting moment and k = 6 for axial forces. The book derives both. [`curves`] sets the
 //! neighbouring models beside them.
 
+use crate::Octuple;
 use crate::fields;
 use crate::formula::{Case, Element, Formula, Jacobian, Law, Source, Spec};
 use crate::quantity::{ALPHA_AXIAL, ALPHA_TWIST, BETA_AXIAL, BETA_TWIST, LA, RP};
-use crate::Octuple;
 use crate::scalar::Scalar;
 use crate::verify::{hard, law};
 use num_dual::DualNum;
@@ -43,17 +43,20 @@ impl<D: Scalar> Arm<D> {
     }
 
     /// σ = below La²/(below La² + above Rp²). From λ dσ/dλ = 2σ(1 − σ) its gradient is 2σ(1 − σ) (1/La, −1/Rp).
+    ///
+    /// Only the smaller of σ and 1 − σ is a quotient, and the other is what is left of 1: the derivative of the larger
+    /// quotient, as automatic differentiation takes it, is the difference of two terms that hardly differ.
     #[inline]
     fn regular_slenderness(&self, above: f64, below: f64) -> Slenderness<D> {
         let Self { la, rp } = *self;
         let (slender, rigid) = (la * la * below, rp * rp * above);
         let inverse = (slender + rigid).recip();
+        let is_slender = slender > rigid;
+        let smaller = if is_slender { rigid } else { slender } * inverse;
+        let larger = -smaller + 1.0;
+        let (slender, rigid) = if is_slender { (larger, smaller) } else { (smaller, larger) };
         let slope = la * rp * (2.0 * above * below) * inverse * inverse;
-        Slenderness {
-            slender: slender * inverse,
-            rigid: rigid * inverse,
-            gradient: Self { la: slope * rp, rp: -slope * la },
-        }
+        Slenderness { slender, rigid, gradient: Self { la: slope * rp, rp: -slope * la } }
     }
 
     /// Only the ratio of the lengths counts: brings the larger to 1, lest squares under- or overflow.

@@ -6,8 +6,8 @@ use crate::coulomb::{Tractions, Yield};
 use crate::fields;
 use crate::formula::{Case, Convention, Element, Fields, Formula, Jacobian, Kink, Law, Source, Spec};
 use crate::quantity::{
-    CROSS_M1, CROSS_M3, E1A, E2A, E3A, E3B, F1, F2, F3, LA, LS, MC1, MC1_INT, MC3, MC3_INT, MN1, MN3, MU, PHI1, PHI3, RA, RP,
-    TWIST_M2,
+    CROSS_M1, CROSS_M3, E1A, E2A, E3A, E3B, F1, F2, F3, LA, LS, MC1, MC1_INT, MC3, MC3_INT, MN1, MN3, MU, PHI1, PHI3,
+    RA, RP, TWIST_M2,
 };
 use crate::scalar::{Scalar, abs, sign};
 use crate::verify::{hard, law};
@@ -201,7 +201,8 @@ impl Formula for Friction {
     }
 
     fn cases() -> Vec<Case<FrictionLoads<f64>>> {
-        let rest = FrictionLoads { m1: -20.0, m3: 30.0, mc1_int: 1.0, mc3_int: -2.0, mu: 0.25, ..FrictionLoads::filled(0.0) };
+        let rest =
+            FrictionLoads { m1: -20.0, m3: 30.0, mc1_int: 1.0, mc3_int: -2.0, mu: 0.25, ..FrictionLoads::filled(0.0) };
         let of = |case: Case<JointLoads<f64>>| Case {
             id: case.id,
             flag: case.flag,
@@ -212,8 +213,16 @@ impl Formula for Friction {
         if let Some(hand) = cases.first().map(|case| case.inputs) {
             cases.extend([
                 Case::limit("frictionless", "μ = 0: Φ = |m|", FrictionLoads { mu: 0.0, ..hand }),
-                Case::limit("no-press-fit", "no internal moments", FrictionLoads { mc1_int: 0.0, mc3_int: 0.0, ..hand }),
-                Case::hard("no-moment", "m1 = m3 = 0: derivative 0 by convention", FrictionLoads { m1: 0.0, m3: 0.0, ..hand }),
+                Case::limit(
+                    "no-press-fit",
+                    "no internal moments",
+                    FrictionLoads { mc1_int: 0.0, mc3_int: 0.0, ..hand },
+                ),
+                Case::hard(
+                    "no-moment",
+                    "m1 = m3 = 0: derivative 0 by convention",
+                    FrictionLoads { m1: 0.0, m3: 0.0, ..hand },
+                ),
             ]);
         }
         cases

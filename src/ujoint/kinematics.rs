@@ -1,17 +1,17 @@
 //! What a universal joint holds, and how far its free angles go.
 
+use crate::Octuple;
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Case, Element, Fields, Formula, Jacobian, Law, Source, Spec};
 use crate::join::{self, Joined};
 use crate::quantity::{
-    ALPHA, C0, D0, E1A, E2A, E3A, E3B, G_JOIN, G_ROT, GAMMA, GAP1_MAX, GAP1_MIN, GAP3_MAX, GAP3_MIN, THETA1_MAX, THETA1_MIN,
-    THETA3_MAX, THETA3_MIN, XA, XB,
+    ALPHA, C0, D0, E1A, E2A, E3A, E3B, G_JOIN, G_ROT, GAMMA, GAP1_MAX, GAP1_MIN, GAP3_MAX, GAP3_MIN, THETA1_MAX,
+    THETA1_MIN, THETA3_MAX, THETA3_MIN, XA, XB,
 };
 use crate::scalar::Scalar;
 use crate::universal::{self, Shafts};
 use crate::verify::{hard, law};
-use crate::Octuple;
 use nalgebra::Vector3;
 
 fields! {
@@ -134,9 +134,8 @@ impl Formula for Constraint {
                     let force = i.e1a * f.x + i.e2a * f.y + i.e3a * f.z;
                     let moment = i.e3b.cross(&i.e1a) * m2;
                     // What a spin does to a vector: δe = ω × e, so that e × ∂g/∂e is the moment.
-                    let on_a = |row: &Jointed<Octuple>| {
-                        i.e1a.cross(&row.e1a) + i.e2a.cross(&row.e2a) + i.e3a.cross(&row.e3a)
-                    };
+                    let on_a =
+                        |row: &Jointed<Octuple>| i.e1a.cross(&row.e1a) + i.e2a.cross(&row.e2a) + i.e3a.cross(&row.e3a);
                     let moment_on_a = on_a(&jac.g.x) * f.x + on_a(&jac.g.y) * f.y + on_a(&jac.g.z) * f.z;
                     let on_b = jac.g.x.xb * f.x + jac.g.y.xb * f.y + jac.g.z.xb * f.z;
                     let on_a_force = jac.g.x.xa * f.x + jac.g.y.xa * f.y + jac.g.z.xa * f.z;
@@ -219,7 +218,11 @@ impl Formula for Stop {
         };
         vec![
             Case::hand("between", "1.25, 0.5, 1, 2", hand),
-            Case::limit("at-the-stops", "α at its upper, γ at its lower stop", StopAngles { alpha: 0.75, gamma: -1.5, ..hand }),
+            Case::limit(
+                "at-the-stops",
+                "α at its upper, γ at its lower stop",
+                StopAngles { alpha: 0.75, gamma: -1.5, ..hand },
+            ),
             Case::hand("beyond", "negative gaps", StopAngles { alpha: 1.0, gamma: -2.0, ..hand }),
             Case::limit("locked", "both stops at one angle", StopAngles { theta1_min: 0.75, theta3_min: 1.5, ..hand }),
             Case::hard(
@@ -227,7 +230,11 @@ impl Formula for Stop {
                 "one ulp from the stops",
                 StopAngles { alpha: 0.75_f64.next_down(), gamma: -1.5_f64.next_down(), ..hand },
             ),
-            Case::hard("tiny", "angles of 1e-200", StopAngles { alpha: 1e-200, gamma: -3e-200, theta1_min: 0.0, ..hand }),
+            Case::hard(
+                "tiny",
+                "angles of 1e-200",
+                StopAngles { alpha: 1e-200, gamma: -3e-200, theta1_min: 0.0, ..hand },
+            ),
         ]
     }
 
@@ -235,8 +242,16 @@ impl Formula for Stop {
         let hand =
             StopAngles { alpha: 0.0, gamma: 0.0, theta1_min: -1.0, theta1_max: 1.0, theta3_min: -1.0, theta3_max: 1.0 };
         vec![
-            Case::invalid("crossed-stops-1", "the lower stop of α is above the upper", StopAngles { theta1_min: 2.0, ..hand }),
-            Case::invalid("crossed-stops-3", "the lower stop of γ is above the upper", StopAngles { theta3_max: -2.0, ..hand }),
+            Case::invalid(
+                "crossed-stops-1",
+                "the lower stop of α is above the upper",
+                StopAngles { theta1_min: 2.0, ..hand },
+            ),
+            Case::invalid(
+                "crossed-stops-3",
+                "the lower stop of γ is above the upper",
+                StopAngles { theta3_max: -2.0, ..hand },
+            ),
         ]
     }
 

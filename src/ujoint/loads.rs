@@ -1,11 +1,11 @@
 //! The force at the centre of the cross, and its parts along the axes of the cross.
 
+use crate::Octuple;
 use crate::fields;
 use crate::formula::{Case, Convention, Element, Fields, Formula, Jacobian, Kink, Law, Source, Spec, along};
-use crate::quantity::{E1A, E2A, E3A, E3B, E_CROSS, F_AXIAL1, F_AXIAL3, CROSS_F_BEND, F1, F2, F3, UJOINT_FR};
+use crate::quantity::{CROSS_F_BEND, E_CROSS, E1A, E2A, E3A, E3B, F_AXIAL1, F_AXIAL3, F1, F2, F3, UJOINT_FR};
 use crate::scalar::{Scalar, direction, norm};
 use crate::verify::{hard, law};
-use crate::Octuple;
 use nalgebra::Vector3;
 
 fields! {
@@ -124,7 +124,9 @@ impl Formula for CrossDirection {
             Case::hard("off-axis", "e1a × e3a = -e2a, every component a difference", CrossAxes { e1a, e3b: e3a }),
             Case::hard("parallel", "the zero vector: every product cancels", CrossAxes { e1a, e3b: -e1a }),
         ];
-        for (id, angle) in [("nearly-parallel-1e-4", 1e-4), ("nearly-parallel-1e-8", 1e-8), ("nearly-parallel-1e-12", 1e-12)] {
+        for (id, angle) in
+            [("nearly-parallel-1e-4", 1e-4), ("nearly-parallel-1e-8", 1e-8), ("nearly-parallel-1e-12", 1e-12)]
+        {
             let e3b = e1a + e2a * angle;
             cases.push(Case::hard(id, "axes of the cross that nearly coincide", CrossAxes { e1a, e3b }));
         }
@@ -188,7 +190,11 @@ impl<D: Scalar> CrossLoads<D> {
     fn decomposed(&self) -> CrossForces<D> {
         let beside = self.force_beside_e1a();
         let force = self.e1a * self.f1 + beside;
-        CrossForces { f_axial1: force.dot(&self.e1a), f_axial3: force.dot(&self.e3b), f_bend: beside.dot(&self.e_cross()) }
+        CrossForces {
+            f_axial1: force.dot(&self.e1a),
+            f_axial3: force.dot(&self.e3b),
+            f_bend: beside.dot(&self.e_cross()),
+        }
     }
 }
 
@@ -204,7 +210,9 @@ impl<D: Scalar> CrossLoads<D> {
         let beside = size(&self.e2a) * self.f2.re().abs() + size(&self.e3a) * self.f3.re().abs();
         let force = e1a * self.f1.re().abs() + beside;
         let is_lost = |x: D, size: f64| x.re().abs() < size * ROUNDING;
-        is_lost(rough.f_axial1, force * e1a) | is_lost(rough.f_axial3, force * e3b) | is_lost(rough.f_bend, beside * (e1a * e3b))
+        is_lost(rough.f_axial1, force * e1a)
+            | is_lost(rough.f_axial3, force * e3b)
+            | is_lost(rough.f_bend, beside * (e1a * e3b))
     }
 
     /// Replaces what rounding may have spoilt by what 237 bits give.
@@ -289,7 +297,11 @@ impl Formula for Decomposition {
             f3: 10.0,
         };
         let mut cases = vec![
-            Case::hand("bent", "sin α = 0.6: 2, -0.6 × 5 + 0.8 × 10 = 5, e_cross = (0, -0.8, -0.6): -4 - 6 = -10", hand),
+            Case::hand(
+                "bent",
+                "sin α = 0.6: 2, -0.6 × 5 + 0.8 × 10 = 5, e_cross = (0, -0.8, -0.6): -4 - 6 = -10",
+                hand,
+            ),
             Case::hand("straight", "e3b = e3a: 2, 10, -5", CrossLoads { e3b: Vector3::z(), ..hand }),
         ];
         cases.extend(hard_loads().into_iter().map(|load| Case::hard(load.id, load.comment, load.inputs)));
@@ -371,7 +383,8 @@ pub(super) fn hard_loads() -> Vec<HardLoads> {
         let forces = [3.0, -4.0, 12.0].map(|f| f * size);
         add(format!("forces-{size:e}"), "forces of extreme size", hard::triad(), bent, forces);
     }
-    for (id, forces) in [("large-f1", [1e17, 1.0, 1.0]), ("large-f2", [1.0, 1e17, 1.0]), ("large-f3", [1.0, 1.0, 1e17])] {
+    for (id, forces) in [("large-f1", [1e17, 1.0, 1.0]), ("large-f2", [1.0, 1e17, 1.0]), ("large-f3", [1.0, 1.0, 1e17])]
+    {
         add(id.into(), "one force 1e17 times the others", hard::triad(), bent, forces);
     }
     loads
