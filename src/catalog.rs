@@ -1,7 +1,8 @@
 //! Every formula, in the order of the book.
 
-use crate::formula::{Convention, Field, Fields, Formula, Kink, Spec, value};
+use crate::formula::{Convention, Field, Fields, Formula, Kink, Spec, check, value, value_and_jacobian};
 use crate::scalar::{abs, sign};
+use crate::verify::jet::entries;
 use crate::verify::{Audit, Options, audit, audit_at, exactly, golden, hard};
 use crate::{Error, Octuple, align, cardan, coulomb, join, slider, slot, translator, ujoint, universal};
 
@@ -31,6 +32,16 @@ pub trait AnyFormula: Send + Sync {
     /// # Errors
     /// What [`value`] says; [`Error::Components`] where their number is wrong.
     fn value(&self, components: &[f64]) -> Result<Vec<f64>, Error>;
+    /// The entries of the closed-form Jacobian, output by output, each over all inputs.
+    ///
+    /// # Errors
+    /// As [`AnyFormula::value`], but for overflow, which is not looked for.
+    fn jacobian(&self, components: &[f64]) -> Result<Vec<f64>, Error>;
+    /// Outputs and Jacobian computed together.
+    ///
+    /// # Errors
+    /// As [`AnyFormula::value`], and [`Error::DerivativeOverflow`].
+    fn value_and_jacobian(&self, components: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Error>;
 }
 
 /// A kink, with the derivatives on both sides.
@@ -71,6 +82,15 @@ impl<F: Formula> AnyFormula for F {
     }
     fn value(&self, components: &[f64]) -> Result<Vec<f64>, Error> {
         Ok(value::<F>(&from_components::<F>(components)?)?.components())
+    }
+    fn jacobian(&self, components: &[f64]) -> Result<Vec<f64>, Error> {
+        let inputs = from_components::<F>(components)?;
+        check::<F>(&inputs)?;
+        Ok(entries::<F, _>(&F::jacobian(&inputs)))
+    }
+    fn value_and_jacobian(&self, components: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Error> {
+        let (out, jacobian) = value_and_jacobian::<F>(&from_components::<F>(components)?)?;
+        Ok((out.components(), entries::<F, _>(&jacobian)))
     }
 }
 

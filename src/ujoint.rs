@@ -12,15 +12,20 @@
 //! | hinge | forces and moments on the hinges |
 //! | contact | contact moments, with their derivative by all 20 inputs |
 //! | friction | normal moments and yield functions |
+//!
+//! [`UJoint`] is what a program calls.
 
 pub mod arm;
+mod connector;
 mod contact;
 mod friction;
 mod hinge;
 mod kinematics;
 mod loads;
 
+pub use crate::translator::{Gradient, Pose};
 pub use arm::{Arm, AxialFactors, AxialShares, TwistFactors, TwistShares};
+pub use connector::{Cross, Loads, Stops, UJoint};
 pub use contact::*;
 pub use friction::*;
 pub use hinge::*;

@@ -17,6 +17,7 @@ use crate::quantity::{ALPHA_AXIAL, ALPHA_TWIST, BETA_AXIAL, BETA_TWIST, LA, RP};
 use crate::scalar::Scalar;
 use crate::verify::{hard, law};
 use num_dual::DualNum;
+use std::hint::select_unpredictable;
 
 fields! {
     /// An arm of the cross.
@@ -52,9 +53,9 @@ impl<D: Scalar> Arm<D> {
         let (slender, rigid) = (la * la * below, rp * rp * above);
         let inverse = (slender + rigid).recip();
         let is_slender = slender > rigid;
-        let smaller = if is_slender { rigid } else { slender } * inverse;
+        let smaller = select_unpredictable(is_slender, rigid, slender) * inverse;
         let larger = -smaller + 1.0;
-        let (slender, rigid) = if is_slender { (larger, smaller) } else { (smaller, larger) };
+        let (slender, rigid) = select_unpredictable(is_slender, (larger, smaller), (smaller, larger));
         let slope = la * rp * (2.0 * above * below) * inverse * inverse;
         Slenderness { slender, rigid, gradient: Self { la: slope * rp, rp: -slope * la } }
     }

@@ -100,7 +100,7 @@ impl Formula for ContactMoments {
     }
 
     fn cases() -> Vec<Case<JointLoads<f64>>> {
-        hard_cases(|_| true).into_iter().collect()
+        hard_cases()
     }
 
     fn kinks() -> Vec<Kink<Self>> {
@@ -221,7 +221,7 @@ fn hand() -> JointLoads<f64> {
 }
 
 /// The cases of the contact moments, and of what is made of them.
-pub(super) fn hard_cases(keep: impl Fn(&str) -> bool) -> Vec<Case<JointLoads<f64>>> {
+pub(super) fn hard_cases() -> Vec<Case<JointLoads<f64>>> {
     let hand = hand();
     let mut cases = vec![
         Case::hand("straight", "α_axial = 0.35, β_axial = 0.15, F_bend = 16, M_bend = 4", hand),
@@ -245,17 +245,20 @@ pub(super) fn hard_cases(keep: impl Fn(&str) -> bool) -> Vec<Case<JointLoads<f64
             JointLoads { f1, f2, f3, m2, ..off_axis },
         ));
     }
-    cases.push(Case::hard(
-        "m2-alone",
-        "the twisting moment alone",
-        JointLoads { f1: 0.0, f2: 0.0, f3: 0.0, m2: -2.5, ..off_axis },
-    ));
+    for (id, m2) in [("m2-alone", -2.5), ("m2-alone-1e-150", 1e-150), ("m2-alone-1e150", -1e150)] {
+        let alone = JointLoads { f1: 0.0, f2: 0.0, f3: 0.0, m2, ..off_axis };
+        cases.push(Case::hard(id, "the twisting moment alone", alone));
+    }
     cases.extend(hard::arms().into_iter().map(|arm| {
         let [la, rp] = arm.value;
         let larger = if la > rp { la } else { rp };
         Case::hard(arm.id, arm.comment, JointLoads { la, rp, m2: -2.5 * la, ra: rp, ls: larger, ..off_axis })
     }));
-    cases.retain(|case| keep(&case.id));
+    cases.extend(hard::loaded_arms().into_iter().map(|arm| {
+        let [la, rp, size] = arm.value;
+        let [f1, f2, f3, m2] = [3.0, -4.0, 12.0, -5.0].map(|load| load * size);
+        Case::hard(arm.id, arm.comment, JointLoads { f1, f2, f3, m2, la, rp, ra: rp, ls: la, ..off_axis })
+    }));
     cases
 }
 

@@ -209,7 +209,7 @@ impl Formula for Friction {
             comment: case.comment,
             inputs: FrictionLoads::of(case.inputs, rest),
         };
-        let mut cases: Vec<_> = hard_cases(|_| true).into_iter().map(of).collect();
+        let mut cases: Vec<_> = hard_cases().into_iter().map(of).collect();
         if let Some(hand) = cases.first().map(|case| case.inputs) {
             cases.extend([
                 Case::limit("frictionless", "μ = 0: Φ = |m|", FrictionLoads { mu: 0.0, ..hand }),

@@ -27,8 +27,8 @@ impl Formula for Reaction {
         title: "Reaction force",
         latex: r"F_r = \sqrt{f_1^2 + f_2^2 + f_3^2}",
         source: Source::UJOINT.section("Friction"),
-        eta: 2.0,
-        eta_jacobian: 2.0,
+        eta: 1.5,
+        eta_jacobian: 3.5,
         objective: true,
     };
     type Inputs<T: Element> = JoinForces<T>;
@@ -363,6 +363,8 @@ pub(super) fn hard_loads() -> Vec<HardLoads> {
     let positions = [
         ("straight", "the other forces are 0: on kinks", axes, axes[2]),
         ("quarter", "α = 90°", axes, -axes[1]),
+        ("quarter-back", "α = -90°", axes, axes[1]),
+        ("half", "α = ±180°", axes, -axes[2]),
         ("off-axis-straight", lost, hard::triad(), e3a),
         ("off-axis-quarter", lost, hard::triad(), -e2a),
         ("off-axis-bent", lost, hard::triad(), e3a * 0.8 - e2a * 0.6),
@@ -382,6 +384,12 @@ pub(super) fn hard_loads() -> Vec<HardLoads> {
     for size in [1e-200, 1e-150, 1e-100, 1e100, 1e150, 1e200] {
         let forces = [3.0, -4.0, 12.0].map(|f| f * size);
         add(format!("forces-{size:e}"), "forces of extreme size", hard::triad(), bent, forces);
+    }
+    for size in [1e-150, 1e150] {
+        let alone = "one force of extreme size alone";
+        add(format!("f1-alone-{size:e}"), alone, hard::triad(), bent, [-size, 0.0, 0.0]);
+        add(format!("f2-alone-{size:e}"), alone, hard::triad(), bent, [0.0, size, 0.0]);
+        add(format!("f3-alone-{size:e}"), alone, hard::triad(), bent, [0.0, 0.0, size]);
     }
     for (id, forces) in [("large-f1", [1e17, 1.0, 1.0]), ("large-f2", [1.0, 1e17, 1.0]), ("large-f3", [1.0, 1.0, 1e17])]
     {

@@ -83,6 +83,17 @@ pub fn arms() -> Vec<Hard<[f64; 2]>> {
     ]
 }
 
+/// Length and radius of an arm of extreme slenderness, and an extreme size for its loads.
+pub fn loaded_arms() -> Vec<Hard<[f64; 3]>> {
+    let both = "an extreme arm under extreme loads";
+    vec![
+        Hard::new("lambda-1e-12-loads-1e-150", both, [3e-12, 3.0, 1e-150]),
+        Hard::new("lambda-1e-12-loads-1e150", both, [3e-12, 3.0, 1e150]),
+        Hard::new("lambda-1e12-loads-1e-150", both, [3.0, 3e-12, 1e-150]),
+        Hard::new("lambda-1e12-loads-1e150", both, [3.0, 3e-12, 1e150]),
+    ]
+}
+
 /// A triad in space away from every axis, right to an ulp: the quaternion (1, 2, 3, 4)/√30.
 pub fn triad() -> [Vector3<f64>; 3] {
     FIFTEENTHS.map(|row| Vector3::from(row) / 15.0)

@@ -48,7 +48,7 @@ mod difference;
 mod eta;
 pub mod golden;
 pub mod hard;
-mod jet;
+pub(crate) mod jet;
 pub mod law;
 mod sample;
 

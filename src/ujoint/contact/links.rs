@@ -64,13 +64,11 @@ fn first_link<D: Scalar>(i: &JointLoads<D>, loads: &CrossForces<D>) -> [(D, ByLo
         [m_bend, m_twist, D::zero()],
     ]);
 
-    // F_total^bend = 2 M_total/Ls presses alike on every hinge, with the lever Rp.
-    let pressing = in_sleeve(m_total, ls);
-    let per_moment = in_sleeve(rp, ls);
-    let by_pressing =
-        i.bending(f_bend).slope_of_moments([bend * per_moment, twist * per_moment], &by_twist.m_twist_hinge);
-    let by_pressing =
-        Bending { rp: by_pressing.rp + pressing, ls: if ls == 0.0 { ls } else { -pressing * rp / ls }, ..by_pressing };
+    // F_total^bend = 2 M_total/Ls presses alike on every hinge, with the lever Rp; 2 Rp/Ls is its moment per M_total.
+    let (pressing, per_moment) = (in_sleeve(m_total, ls), in_sleeve(rp, ls));
+    let weights = [bend * per_moment, twist * per_moment];
+    let by_pressing = i.bending(f_bend).slope_of_moments(weights, &by_twist.m_twist_hinge);
+    let by_pressing = Bending { rp: by_pressing.rp + pressing, ls: -pressing * per_moment * 0.5, ..by_pressing };
 
     let common = Common { by_twist: by_twist.f_twist_hinge, pressing, by_pressing };
     [common.hinge(i, &pull1, &push1, sum1), common.hinge(i, &pull3, &push3, sum3)]
@@ -123,7 +121,7 @@ fn sizes_and_directions<D: Scalar>(sums: [[D; 3]; 3]) -> [(D, [D; 3]); 3] {
     let [a, b, c] = sums;
     let square = |x: [D; 3]| x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
     let (aa, bb, cc) = (square(a), square(b), square(c));
-    let regular = |square: D| (square > 1e-270) & (square < 1e300);
+    let regular = |square: D| square > 1e-270 && square < 1e300;
     if !(regular(aa) & regular(bb) & regular(cc)) {
         return irregular(sums);
     }

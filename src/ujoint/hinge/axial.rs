@@ -83,6 +83,11 @@ impl Formula for HingeAxial {
             let [la, rp] = arm.value;
             Case::hard(arm.id, arm.comment, AxialForces { la, rp, ..hand })
         }));
+        cases.extend(hard::loaded_arms().into_iter().map(|arm| {
+            let [la, rp, size] = arm.value;
+            let (f_axial1, f_axial3) = (-3.0 * size, 7.0 * size);
+            Case::hard(arm.id, arm.comment, AxialForces { f_axial1, f_axial3, la, rp })
+        }));
         cases
     }
 

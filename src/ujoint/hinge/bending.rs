@@ -115,6 +115,10 @@ impl Formula for HingeBending {
             let [la, rp] = arm.value;
             Case::hard(arm.id, arm.comment, Bending { m2: -2.5 * la, la, rp, ls: la, ..hand })
         }));
+        cases.extend(hard::loaded_arms().into_iter().map(|arm| {
+            let [la, rp, size] = arm.value;
+            Case::hard(arm.id, arm.comment, Bending { f_bend: 5.0 * size, m2: -11.0 * size, la, rp, ls: rp })
+        }));
         cases
     }
 

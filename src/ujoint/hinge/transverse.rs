@@ -119,6 +119,11 @@ impl Formula for HingeTransverse {
             let [la, rp] = arm.value;
             Case::hard(arm.id, arm.comment, CentreLoads { m2: -2.5 * la, la, rp, ..hand })
         }));
+        cases.extend(hard::loaded_arms().into_iter().map(|arm| {
+            let [la, rp, size] = arm.value;
+            let [f_axial1, f_axial3, f_bend, m2] = [-3.0, 7.0, 5.0, -11.0].map(|load| load * size);
+            Case::hard(arm.id, arm.comment, CentreLoads { f_axial1, f_axial3, f_bend, m2, la, rp })
+        }));
         cases
     }
 

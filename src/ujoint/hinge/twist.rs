@@ -79,6 +79,10 @@ impl Formula for HingeTwist {
             let [la, rp] = arm.value;
             Case::hard(arm.id, arm.comment, Twist { m2: -2.5 * la, la, rp })
         }));
+        cases.extend(hard::loaded_arms().into_iter().map(|arm| {
+            let [la, rp, m2] = arm.value;
+            Case::hard(arm.id, arm.comment, Twist { m2, la, rp })
+        }));
         cases
     }
 
