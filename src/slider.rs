@@ -8,17 +8,20 @@
 mod across;
 mod basis;
 mod binade;
+mod connector;
 mod constraint;
 pub mod documented;
 mod eliminate;
 mod hard;
 mod line;
 mod pivots;
+mod place;
 mod plane;
 mod slide;
 mod span;
 
 pub use basis::*;
+pub use connector::{Coefficients, Coefficients2d, Slider, Slider2d, Variations};
 pub use constraint::*;
 pub use eliminate::*;
 pub use line::*;

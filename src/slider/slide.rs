@@ -1,5 +1,6 @@
 //! The direct route to increments, in space and in the plane: ratios n_i/n_k instead of directions across the line.
 
+use super::place::off_slope;
 use super::span::{Span, Station};
 use crate::scalar::Scalar;
 use nalgebra::SVector;
@@ -77,12 +78,7 @@ impl<D: Scalar, const N: usize> Gradients<D, N> {
     pub(super) fn row(&self, axis: usize) -> Row<D, N> {
         let (d, k, relative) = (&self.d, self.k, &self.relative);
         let slope = d[axis] * self.per_dk;
-        // The gradient of x_axis − slope x_k, times a factor.
-        let off_slope = |factor: D| {
-            let mut v = SVector::from_element(D::zero());
-            (v[axis], v[k]) = (factor, -slope * factor);
-            v
-        };
+        let off_slope = |factor: D| off_slope(axis, k, slope, factor);
         let gain = (relative[axis] * d[k] - d[axis] * relative[k]) * self.per_dk;
         let [share, rest] = self.shares;
         let [by_x1, by_xn, by_xm] = self.by_share;
