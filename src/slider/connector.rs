@@ -1,10 +1,8 @@
-//! The slider as a program uses it: a line checked once, then evaluated by the formulas.
+//! The slider in space as a program uses it: a line checked once, then evaluated by the formulas.
 
-use super::place::Place;
 use super::{
-    Basis, Constraint, Constraint2d, Coordinates, Direction, Distance2d, Distances, Eliminate, Ends, Increment,
-    Increment2d, Increments, KeptCoordinate, KeptIncrement, KeptIncrement2d, Line, LineDirection, Nodes, Nodes2d, Pivots,
-    Pivots2d, Tangents,
+    Basis, Constraint, Coordinates, Direction, Distances, Eliminate, Ends, Increment, Increments, KeptCoordinate,
+    KeptIncrement, Line, LineDirection, Nodes, Pivots, Tangents,
 };
 use crate::error::Error;
 use crate::formula::{Fields, Formula, Jacobian, value, value_and_jacobian};
@@ -33,23 +31,6 @@ use num_dual::Dual2_64;
 pub struct Slider {
     x1: Vector3<f64>,
     xn: Vector3<f64>,
-}
-
-/// The line in the plane.
-///
-/// ```
-/// use jointproof::slider::{Pivots2d, Slider2d};
-/// use nalgebra::Vector2;
-///
-/// let slider = Slider2d::new(Vector2::zeros(), Vector2::new(4.0, 2.0))?;
-/// assert_eq!(slider.pivots(), Pivots2d { i: 1, k: 0 }); // y follows from x
-/// assert_eq!(slider.place(Vector2::new(2.0, 7.0))?, Vector2::new(2.0, 1.0));
-/// # Ok::<(), jointproof::Error>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Slider2d {
-    x1: Vector2<f64>,
-    xn: Vector2<f64>,
 }
 
 /// What a finite-element code needs of an eliminated node: the increments (δxm_i, δxm_j) as a linear function of
@@ -91,27 +72,7 @@ impl Coefficients {
     }
 }
 
-/// As [`Coefficients`], in the plane: δxm_i as a linear function of δx1, δxn and δxm_k.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Coefficients2d {
-    /// The axes: eliminated i, kept k.
-    pub pivots: Pivots2d,
-    /// Coefficients of δx1.
-    pub x1: Vector2<f64>,
-    /// Coefficients of δxn.
-    pub xn: Vector2<f64>,
-    /// Coefficient of δxm_k.
-    pub xmk: f64,
-}
-
-impl Coefficients2d {
-    /// All of them: columns δx1 (2), δxn (2), δxm_k.
-    pub fn matrix(&self) -> SMatrix<f64, 1, 5> {
-        SMatrix::from([[self.x1.x], [self.x1.y], [self.xn.x], [self.xn.y], [self.xmk]])
-    }
-}
-
-/// A function of the nodes, and its first and second derivative along a motion of them.
+/// The constraint, and its first and second derivative along a motion of the nodes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Variations {
     /// The value.
@@ -159,29 +120,31 @@ impl Slider {
     ///
     /// # Errors
     /// A position that is not finite.
-    pub fn constraint_jacobian(
-        &self,
-        xm: Vector3<f64>,
-    ) -> Result<(Distances<f64>, Jacobian<Constraint, f64>), Error> {
+    pub fn constraint_jacobian(&self, xm: Vector3<f64>) -> Result<(Distances<f64>, Jacobian<Constraint, f64>), Error> {
         value_and_jacobian::<Constraint>(&self.nodes(xm))
     }
 
-    /// The constraint with its first and second derivative along a motion of the three nodes, as Newton's method needs them.
+    /// The constraint with its first and second derivative along a motion of the three nodes: δg = ∂g·δ and δ²g = δ·∂²g·δ,
+    /// by second-order dual numbers.
+    ///
+    /// Newton's method needs both: the first is a row of the constraint's matrix, and the second, times the Lagrange
+    /// multiplier, is what the constraint adds to the stiffness, along this motion. Two motions u and v mixed follow from three calls:
+    /// 2 u·∂²g·v = δ²g(u + v) − δ²g(u) − δ²g(v).
     ///
     /// ```
     /// use jointproof::slider::{Nodes, Slider};
     /// use nalgebra::Vector3;
     ///
     /// let slider = Slider::new(Vector3::zeros(), Vector3::new(0.0, 4.0, 0.0))?;
-    /// // Node n moves sideways by z; m, half-way, stays behind by z/2: g1 = −(0 − z/2)/√(1 + z²/16) …
+    /// // Node n moves sideways by z: g1 = (2z − 4)/√(16 + z²).
     /// let motion = Nodes { x1: Vector3::zeros(), xn: Vector3::z(), xm: Vector3::zeros() };
-    /// let g1 = slider.variations(Vector3::new(0.0, 2.0, 0.0), &motion)?;
-    /// assert_eq!((g1.value.g1, g1.first.g1, g1.second.g1), (0.0, 0.5, 0.0));
+    /// let g = slider.variations(Vector3::new(0.0, 2.0, 1.0), &motion)?;
+    /// assert_eq!((g.value.g1, g.first.g1, g.second.g1), (-1.0, 0.5, 0.0625));
     /// # Ok::<(), jointproof::Error>(())
     /// ```
     ///
     /// # Errors
-    /// A position or motion that is not finite.
+    /// A position or motion that is not finite, or a derivative that overflows.
     pub fn variations(&self, xm: Vector3<f64>, motion: &Nodes<f64>) -> Result<Variations, Error> {
         let nodes = self.nodes(xm);
         value::<Constraint>(&nodes)?;
@@ -194,6 +157,11 @@ impl Slider {
             xn: nodes.xn.zip_map(&motion.xn, along),
             xm: nodes.xm.zip_map(&motion.xm, along),
         });
+        for (name, g) in [("g1", g1), ("g2", g2)] {
+            if !(g.v1.is_finite() && g.v2.is_finite()) {
+                return Err(Error::DerivativeOverflow { name });
+            }
+        }
         Ok(Variations {
             value: Distances { g1: g1.re, g2: g2.re },
             first: Distances { g1: g1.v1, g2: g2.v1 },
@@ -222,6 +190,18 @@ impl Slider {
 
     /// The increment of m for increments of the nodes and the kept one of its own ([`Increment`]).
     ///
+    /// ```
+    /// use jointproof::slider::Slider;
+    /// use nalgebra::Vector3;
+    ///
+    /// let slider = Slider::new(Vector3::zeros(), Vector3::new(2.0, 1.0, 4.0))?;
+    /// let middle = Vector3::new(1.0, 0.5, 2.0);
+    /// // m in the middle follows half of node n, and keeps its z.
+    /// let dxm = slider.increment(middle, Vector3::zeros(), Vector3::new(0.5, 1.0, 0.0), 0.0)?;
+    /// assert_eq!(dxm, Vector3::new(0.25, 0.5, 0.0));
+    /// # Ok::<(), jointproof::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// An increment or position that is not finite, or so large that a result overflows.
     pub fn increment(
@@ -245,14 +225,12 @@ impl Slider {
         let Self { x1, xn } = *self;
         let inputs = KeptIncrement { x1, xn, xm, ..KeptIncrement::filled(0.0) };
         let (_, Increments { dxmi, dxmj }) = value_and_jacobian::<Increment>(&inputs)?;
-        let coefficients = Coefficients {
+        Ok(Coefficients {
             pivots: self.pivots(),
             x1: Matrix2x3::from_rows(&[dxmi.dx1.transpose(), dxmj.dx1.transpose()]),
             xn: Matrix2x3::from_rows(&[dxmi.dxn.transpose(), dxmj.dxn.transpose()]),
             xmk: Vector2::new(dxmi.dxmk, dxmj.dxmk),
-        };
-        finite("coefficients", coefficients.matrix().as_slice())?;
-        Ok(coefficients)
+        })
     }
 
     fn nodes(&self, xm: Vector3<f64>) -> Nodes<f64> {
@@ -260,90 +238,9 @@ impl Slider {
     }
 }
 
-impl Slider2d {
-    /// The line through two nodes.
-    ///
-    /// # Errors
-    /// As [`Slider::new`].
-    pub fn new(x1: Vector2<f64>, xn: Vector2<f64>) -> Result<Self, Error> {
-        value::<Constraint2d>(&Nodes2d { x1, xn, xm: x1 })?;
-        Ok(Self { x1, xn })
-    }
-
-    /// Which coordinate of m is eliminated, and which is kept.
-    pub fn pivots(&self) -> Pivots2d {
-        Pivots2d::new(&self.x1, &self.xn)
-    }
-
-    /// How far m is off the line ([`Constraint2d`]).
-    ///
-    /// # Errors
-    /// A position that is not finite.
-    pub fn constraint(&self, xm: Vector2<f64>) -> Result<Distance2d<f64>, Error> {
-        value::<Constraint2d>(&Nodes2d { x1: self.x1, xn: self.xn, xm })
-    }
-
-    /// The constraint with its derivatives.
-    ///
-    /// # Errors
-    /// A position that is not finite.
-    pub fn constraint_jacobian(
-        &self,
-        xm: Vector2<f64>,
-    ) -> Result<(Distance2d<f64>, Jacobian<Constraint2d, f64>), Error> {
-        value_and_jacobian::<Constraint2d>(&Nodes2d { x1: self.x1, xn: self.xn, xm })
-    }
-
-    /// Puts m on the line: keeps its coordinate k and replaces the other.
-    ///
-    /// # Errors
-    /// As [`Slider::eliminate`].
-    pub fn place(&self, xm: Vector2<f64>) -> Result<Vector2<f64>, Error> {
-        Error::check_vector("xm", xm)?;
-        let Pivots2d { i, k } = self.pivots();
-        let xmi = Place::new(&self.x1, &self.xn, k, xm[k]).coordinate(i);
-        finite("xm", &[xmi])?;
-        Ok(placed([(i, xmi), (k, xm[k])]))
-    }
-
-    /// The increment of m for increments of the nodes and the kept one of its own ([`Increment2d`]).
-    ///
-    /// # Errors
-    /// As [`Slider::increment`].
-    pub fn increment(
-        &self,
-        xm: Vector2<f64>,
-        dx1: Vector2<f64>,
-        dxn: Vector2<f64>,
-        dxmk: f64,
-    ) -> Result<Vector2<f64>, Error> {
-        let Self { x1, xn } = *self;
-        let Pivots2d { i, k } = self.pivots();
-        let dxmi = value::<Increment2d>(&KeptIncrement2d { x1, xn, xm, dx1, dxn, dxmk })?.dxmi;
-        Ok(placed([(i, dxmi), (k, dxmk)]))
-    }
-
-    /// The eliminated increment as a linear function of the others.
-    ///
-    /// # Errors
-    /// As [`Slider::coefficients`].
-    pub fn coefficients(&self, xm: Vector2<f64>) -> Result<Coefficients2d, Error> {
-        let Self { x1, xn } = *self;
-        let inputs = KeptIncrement2d { x1, xn, xm, ..KeptIncrement2d::filled(0.0) };
-        let KeptIncrement2d { dx1, dxn, dxmk, .. } = value_and_jacobian::<Increment2d>(&inputs)?.1.dxmi;
-        let coefficients = Coefficients2d { pivots: self.pivots(), x1: dx1, xn: dxn, xmk: dxmk };
-        finite("coefficients", coefficients.matrix().as_slice())?;
-        Ok(coefficients)
-    }
-}
-
 /// A vector from its components by axis.
-fn placed<const N: usize>(components: [(usize, f64); N]) -> SVector<f64, N> {
+pub(super) fn placed<const N: usize>(components: [(usize, f64); N]) -> SVector<f64, N> {
     let mut v = SVector::zeros();
     components.into_iter().for_each(|(axis, x)| v[axis] = x);
     v
-}
-
-fn finite(name: &'static str, numbers: &[f64]) -> Result<(), Error> {
-    if numbers.iter().all(|x| x.is_finite()) { Ok(()) } else { Err(Error::Overflow { name }) }
 }
