@@ -236,6 +236,10 @@ class HandWorked(unittest.TestCase):
             ("translator.torque_force", dict(m1=1.0, rr=0.0), {"switch"}),
             ("translator.torque_force", dict(m1=0.0, rr=1.0), {"kink"}),
             ("ujoint.hinge_bending", dict(f_bend=0.0, m2=0.0, la=1.0, rp=1.0, ls=0.0), {"kink", "switch"}),
+            # |m2| is squared under a root that is not zero: smooth.
+            ("ujoint.hinge_bending", dict(f_bend=3.0, m2=0.0, la=1.0, rp=1.0, ls=1.0), set()),
+            ("ujoint.hinge_bending", dict(f_bend=0.0, m2=3.0, la=1.0, rp=1.0, ls=1.0), {"kink"}),
+            ("ujoint.hinge_bending", dict(f_bend=1e-200, m2=0.0, la=1e200, rp=1.0, ls=1.0), set()),
         ]:
             self.assertEqual(kinks(id, inputs), want, (id, inputs))
 

@@ -131,8 +131,8 @@ def at_a_neighbour() -> bool:
     return _replayed is not None
 
 
-# Kinks: `norm` and `magnitude` note that they stand at zero ("kink": derivative 0 by convention), formulas that they
-# stand on a corner between two branches ("switch": no derivative).
+# Kinks: `norm` and `magnitude` note that they stand at zero ("kink": derivative 0 by convention, if the formula as a
+# whole has a corner there), formulas that they stand on a corner between two branches ("switch": no derivative).
 
 _noted: set[str] = set()
 
@@ -143,9 +143,46 @@ def noteworthy(kind: str, condition: bool) -> None:
 
 
 def kinks(id: str, inputs: dict[str, Any]) -> set[str]:
-    """Which of 'kink' and 'switch' these inputs are."""
-    evaluate(id, inputs)
-    return set(_noted)
+    """Which of 'kink' and 'switch' these inputs are. A zero magnitude inside a norm that is not zero is neither."""
+    entry, p = CATALOG[id], precision_for(inputs)
+    with mp.workprec(p.working):
+        point = _exact(entry, inputs)
+        value, decisions = _call(entry, point, None)
+        found = set(_noted)
+        if "kink" in found and not _has_corner(entry, point, value, decisions, p):
+            found.remove("kink")
+    return found
+
+
+def _has_corner(entry, point, value, decisions, p: Precision) -> bool:
+    """Whether the slopes ahead and behind differ in some direction: along an input, or across all of them.
+
+    f(x + h) + f(x - h) - 2 f(x) goes with h at a corner and with h^2 where f is smooth.
+    """
+    places = [(name, k) for name, length in entry.inputs.items() for k in range(length or 1)]
+    askew = {place: mpf(1) + mpf(k * k) / 7 for k, place in enumerate(places)}
+
+    def bends(direction: dict[tuple[str, int], Number], step: int) -> list[Number]:
+        ends = []
+        for h in (mp.ldexp(mpf(1), step), -mp.ldexp(mpf(1), step)):
+            moved = {}
+            for name, length in entry.inputs.items():
+                by = [h * direction.get((name, k), 0) for k in range(length or 1)]
+                moved[name] = add(point[name], by) if length else point[name] + by[0]
+            ends.append(_flat(entry, _call(entry, moved, decisions)[0]))
+        return [a + b - 2 * v for a, b, v in zip(*ends, _flat(entry, value), strict=True)]
+
+    for direction in [{place: mpf(1)} for place in places] + [askew]:
+        for long, short in zip(bends(direction, p.step), bends(direction, p.step - 64), strict=True):
+            if short != 0 and mag(long) - mag(short) < 96:  # 64 at a corner, 128 where smooth
+                return True
+    return False
+
+
+def _flat(entry: Formula, outputs: dict[str, Any]) -> list[Number]:
+    """The components of the outputs that are not angles: those jump by a whole turn, and have no corners."""
+    listed = (outputs[name] if length else [outputs[name]] for name, length in entry.outputs.items())
+    return [x for name, xs in zip(entry.outputs, listed, strict=True) if name not in entry.angles for x in xs]
 
 
 def _call(entry: Formula, inputs: dict[str, Any], decisions: list[Any] | None) -> tuple[dict[str, Any], list[Any]]:
