@@ -21,6 +21,7 @@ mod place;
 mod plane;
 mod slide;
 mod span;
+mod stability;
 
 pub use basis::*;
 pub use connector::{Coefficients, Slider, Variations};
@@ -30,3 +31,4 @@ pub use eliminate::*;
 pub use line::*;
 pub use pivots::*;
 pub use plane::*;
+pub use stability::{RouteErrors, Setting};

@@ -24,7 +24,7 @@ use num_dual::Dual2_64;
 /// assert_eq!(slider.constraint(m)?.g1, 0.0);
 ///
 /// let error = Slider::new(m, m).unwrap_err();
-/// assert_eq!(error.to_string(), "x1 and xn are 0 apart; allowed is a distance ≥ 2.2250738585072014e-308");
+/// assert_eq!(error.to_string(), "x1 and xn are 0.0 apart; allowed is a distance ≥ 2.2250738585072014e-308");
 /// # Ok::<(), jointproof::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
