@@ -116,7 +116,7 @@ pub enum Error {
         excess: f64,
     },
     /// Two points that must differ are at one place, or so near that the reciprocal of their distance overflows.
-    #[error("{first} and {second} are {distance} apart; allowed is a distance ≥ {least}")]
+    #[error("{first} and {second} are {distance:?} apart; allowed is a distance ≥ {least:?}")]
     TooClose {
         /// One point.
         first: &'static str,
@@ -128,7 +128,7 @@ pub enum Error {
         least: f64,
     },
     /// A vector that must have a direction is zero, or so short that the reciprocal of its length overflows.
-    #[error("{name} has length {length}; allowed is a length ≥ {least}")]
+    #[error("{name} has length {length:?}; allowed is a length ≥ {least:?}")]
     TooShort {
         /// The vector.
         name: &'static str,

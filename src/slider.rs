@@ -3,24 +3,32 @@
 //! The line runs from x1 to xn, with d = xn − x1, l = |d| and n = d/l. Node m sits at the share ξ = (xm − x1)·n/l of
 //! the way. Two of its three coordinates follow from the third; which two, [`Pivots`] says.
 //!
-//! The formulas take the direct route, by the ratios n_i/n_k; the [`documented`] route, through directions t1, t2 across the line, is their definition, and equal to them.
+//! The formulas take the direct route, by the ratios n_i/n_k. The [`documented`] route, through directions t1, t2 across the
+//! line, is their definition, and equal to them.
 
 mod across;
 mod basis;
 mod binade;
+mod connector;
+mod connector_plane;
 mod constraint;
 pub mod documented;
 mod eliminate;
 mod hard;
 mod line;
 mod pivots;
+mod place;
 mod plane;
 mod slide;
 mod span;
+mod stability;
 
 pub use basis::*;
+pub use connector::{Coefficients, Slider, Variations};
+pub use connector_plane::{Coefficients2d, Slider2d};
 pub use constraint::*;
 pub use eliminate::*;
 pub use line::*;
 pub use pivots::*;
 pub use plane::*;
+pub use stability::{RouteErrors, Setting};

@@ -34,7 +34,7 @@ impl Formula for Basis {
         latex: r"\mathbf{t}_1 = \begin{cases} \mathbf{n}\times\mathbf{i}/\lvert\mathbf{n}\times\mathbf{i}\rvert & \mathbf{n}\times\mathbf{i}\ne\mathbf{0} \\ \mathbf{n}\times\mathbf{k}/\lvert\mathbf{n}\times\mathbf{k}\rvert & \text{otherwise}\end{cases},\quad \mathbf{t}_2 = \mathbf{n}\times\mathbf{t}_1",
         source: Source::SLIDER.section("Directions across the line"),
         eta: 3.0,
-        eta_jacobian: 4.0,
+        eta_jacobian: 5.0,
         objective: false,
     };
     type Inputs<T: Element> = LineDirection<T>;
@@ -171,8 +171,8 @@ impl Formula for BasisVariation {
         title: "Variation of the directions across",
         latex: r"\mathrm{d}\mathbf{t}_q = \frac{\partial\mathbf{t}_q}{\partial\mathbf{n}}\,\mathrm{d}\mathbf{n},\quad q = 1, 2",
         source: Source::SLIDER.section("Variations"),
-        eta: 6.0,
-        eta_jacobian: 8.0,
+        eta: 3.0,
+        eta_jacobian: 5.0,
         objective: false,
     };
     type Inputs<T: Element> = TurningDirection<T>;

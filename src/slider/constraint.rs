@@ -67,7 +67,7 @@ impl Formula for Constraint {
         title: "Constraint",
         latex: r"g_q = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{t}_q,\quad q = 1, 2",
         source: Source::SLIDER.section("Constraint"),
-        eta: 6.0,
+        eta: 4.0,
         eta_jacobian: 8.0,
         objective: false,
     };
@@ -186,8 +186,8 @@ impl Formula for IncrementalConstraint {
         title: "Incremental constraint",
         latex: r"r_q = \mathbf{t}_q\cdot\bigl(\mathrm{d}\mathbf{x}_m - (1-\xi)\,\mathrm{d}\mathbf{x}_1 - \xi\,\mathrm{d}\mathbf{x}_n\bigr),\quad \xi = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{n}/l,\quad q = 1, 2",
         source: Source::SLIDER.section("Incremental constraint"),
-        eta: 8.0,
-        eta_jacobian: 16.0,
+        eta: 4.0,
+        eta_jacobian: 8.0,
         objective: false,
     };
     type Inputs<T: Element> = MovingNodes<T>;

@@ -1,8 +1,8 @@
 //! Elimination: two coordinates of node m, and two of its increments, from the third.
 
 use super::hard::{lines, scenes};
+use super::place::Place;
 use super::slide::Slide;
-use super::span::Span;
 use super::{IncrementalConstraint, MovingNodes, Pivots, documented};
 use crate::Octuple;
 use crate::error::Error;
@@ -31,39 +31,14 @@ fields! {
 #[derive(Clone, Copy, Debug)]
 pub struct Eliminate;
 
-/// What value and Jacobian share: d, the nearer end, how far m is ahead of it, and the shares of nodes n and 1 in the place of m.
-struct Elimination<D> {
-    pivots: Pivots,
-    /// In units of the line's size.
-    d: Vector3<D>,
-    end: Vector3<D>,
-    ahead: D,
-    share: D,
-    rest: D,
-}
-
-impl<D: Scalar> Elimination<D> {
-    #[inline]
-    fn new(i: &KeptCoordinate<D>) -> Self {
-        let pivots = Pivots::new(&i.x1, &i.xn);
-        let (k, span) = (pivots.k, Span::new(&i.x1, &i.xn));
-        let (from_1, from_n) = (i.xmk - i.x1[k], i.xmk - i.xn[k]);
-        let nearer_to_n = abs(from_n) < abs(from_1);
-        let (end, ahead) = if nearer_to_n { (i.xn, from_n) } else { (i.x1, from_1) };
-        let tau = ahead * span.binade.per_unit / span.d[k];
-        let (share, rest) = if nearer_to_n { (tau + 1.0, -tau) } else { (tau, -tau + 1.0) };
-        Self { pivots, d: span.d, end, ahead, share, rest }
-    }
-}
-
 impl Formula for Eliminate {
     const SPEC: Spec = Spec {
         id: "slider.eliminate",
         title: "Elimination",
         latex: r"x_{m,i} = x_{1,i} + \frac{n_i}{n_k}(x_{m,k}-x_{1,k}),\quad x_{m,j} = x_{1,j} + \frac{n_j}{n_k}(x_{m,k}-x_{1,k})",
         source: Source::SLIDER.section("Elimination"),
-        eta: 4.0,
-        eta_jacobian: 4.0,
+        eta: 2.0,
+        eta_jacobian: 2.0,
         objective: false,
     };
     type Inputs<T: Element> = KeptCoordinate<T>;
@@ -71,21 +46,18 @@ impl Formula for Eliminate {
 
     #[inline]
     fn eval<D: Scalar>(i: &KeptCoordinate<D>) -> Coordinates<D> {
-        let Elimination { pivots, d, end, ahead, .. } = Elimination::new(i);
-        let coordinate = |axis: usize| end[axis] + d[axis] * ahead / d[pivots.k];
-        Coordinates { xmi: coordinate(pivots.i), xmj: coordinate(pivots.j) }
+        let pivots = Pivots::new(&i.x1, &i.xn);
+        let place = Place::new(&i.x1, &i.xn, pivots.k, i.xmk);
+        Coordinates { xmi: place.coordinate(pivots.i), xmj: place.coordinate(pivots.j) }
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &KeptCoordinate<D>) -> Jacobian<Self, D> {
-        let Elimination { pivots, d, share, rest, .. } = Elimination::new(i);
+        let pivots = Pivots::new(&i.x1, &i.xn);
+        let place = Place::new(&i.x1, &i.xn, pivots.k, i.xmk);
         let row = |axis: usize| {
-            let slope = d[axis] / d[pivots.k];
-            let mut row = KeptCoordinate::filled(D::zero());
-            (row.x1[axis], row.x1[pivots.k]) = (rest, -slope * rest);
-            (row.xn[axis], row.xn[pivots.k]) = (share, -slope * share);
-            row.xmk = slope;
-            row
+            let [x1, xn] = place.gradients(axis);
+            KeptCoordinate { x1, xn, xmk: place.slope(axis) }
         };
         Coordinates { xmi: row(pivots.i), xmj: row(pivots.j) }
     }
@@ -202,8 +174,8 @@ impl Formula for Increment {
         title: "Eliminated increments",
         latex: r"\mathrm{d}x_{m,i} = w_i + \frac{n_i}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathrm{d}x_{m,j} = w_j + \frac{n_j}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathbf{w} = (1-\xi)\,\mathrm{d}\mathbf{x}_1 + \xi\,\mathrm{d}\mathbf{x}_n",
         source: Source::SLIDER.section("Elimination of the increments"),
-        eta: 8.0,
-        eta_jacobian: 8.0,
+        eta: 3.0,
+        eta_jacobian: 5.0,
         objective: false,
     };
     type Inputs<T: Element> = KeptIncrement<T>;
@@ -219,13 +191,13 @@ impl Formula for Increment {
 
     #[inline]
     fn jacobian<D: Scalar>(i: &KeptIncrement<D>) -> Jacobian<Self, D> {
-        let Pivots { i: axis_i, j: axis_j, k } = Pivots::new(&i.x1, &i.xn);
-        let rows = Slide::new(&i.x1, &i.xn, &i.xm, k).gradients(&i.dx1, &i.dxn, i.dxmk);
-        let row = |axis: usize| {
-            let row = rows.row(axis);
-            KeptIncrement { x1: row.x1, xn: row.xn, xm: row.xm, dx1: row.dx1, dxn: row.dxn, dxmk: row.dxmk }
-        };
-        Increments { dxmi: row(axis_i), dxmj: row(axis_j) }
+        // The axes as constants, so that no index is looked up: half as long in f64.
+        match Pivots::new(&i.x1, &i.xn) {
+            Pivots { i: 1, j: 0, .. } => gradients::<D, 1, 0, 2>(i),
+            Pivots { i: 1, .. } => gradients::<D, 1, 2, 0>(i),
+            Pivots { j: 0, .. } => gradients::<D, 2, 0, 1>(i),
+            Pivots { .. } => gradients::<D, 2, 1, 0>(i),
+        }
     }
 
     fn validate(i: &KeptIncrement<f64>) -> Result<(), Error> {
@@ -338,6 +310,19 @@ impl Formula for Increment {
             },
         ]
     }
+}
+
+/// The Jacobian of [`Increment`] for these axes.
+#[inline]
+fn gradients<D: Scalar, const I: usize, const J: usize, const K: usize>(
+    i: &KeptIncrement<D>,
+) -> Increments<KeptIncrement<D>> {
+    let rows = Slide::new(&i.x1, &i.xn, &i.xm, K).gradients(&i.dx1, &i.dxn, i.dxmk);
+    let row = |axis: usize| {
+        let row = rows.row(axis);
+        KeptIncrement { x1: row.x1, xn: row.xn, xm: row.xm, dx1: row.dx1, dxn: row.dxn, dxmk: row.dxmk }
+    };
+    Increments { dxmi: row(I), dxmj: row(J) }
 }
 
 /// A point of the line with the k-th coordinate of xm.

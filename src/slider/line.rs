@@ -28,8 +28,8 @@ impl Formula for Line {
         title: "Line",
         latex: r"l = \lvert\mathbf{x}_n-\mathbf{x}_1\rvert,\quad \mathbf{n} = (\mathbf{x}_n-\mathbf{x}_1)/l",
         source: Source::SLIDER.section("Direction of the line"),
-        eta: 4.0,
-        eta_jacobian: 4.0,
+        eta: 3.0,
+        eta_jacobian: 5.0,
         objective: true,
     };
     type Inputs<T: Element> = Ends<T>;
@@ -122,8 +122,8 @@ impl Formula for DirectionVariation {
         title: "Variation of the direction",
         latex: r"\mathrm{d}l = \mathbf{n}\cdot(\mathrm{d}\mathbf{x}_n-\mathrm{d}\mathbf{x}_1),\quad \mathrm{d}\mathbf{n} = \bigl((\mathrm{d}\mathbf{x}_n-\mathrm{d}\mathbf{x}_1) - \mathrm{d}l\,\mathbf{n}\bigr)/l",
         source: Source::SLIDER.section("Variations"),
-        eta: 6.0,
-        eta_jacobian: 8.0,
+        eta: 5.0,
+        eta_jacobian: 6.0,
         objective: true,
     };
     type Inputs<T: Element> = MovingEnds<T>;

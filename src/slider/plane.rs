@@ -39,8 +39,8 @@ impl Formula for Constraint2d {
         title: "Constraint in the plane",
         latex: r"g = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{t},\quad \mathbf{t} = \mathbf{s}\times\mathbf{n} = (-n_2, n_1)",
         source: Source::SLIDER.section("Two-dimensional case"),
-        eta: 6.0,
-        eta_jacobian: 8.0,
+        eta: 3.0,
+        eta_jacobian: 5.0,
         objective: true,
     };
     type Inputs<T: Element> = Nodes2d<T>;
@@ -126,8 +126,8 @@ impl Formula for Increment2d {
         title: "Eliminated increment in the plane",
         latex: r"\mathrm{d}x_{m,i} = w_i + \frac{n_i}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathbf{w} = (1-\xi)\,\mathrm{d}\mathbf{x}_1 + \xi\,\mathrm{d}\mathbf{x}_n",
         source: Source::SLIDER.section("Two-dimensional case"),
-        eta: 8.0,
-        eta_jacobian: 8.0,
+        eta: 3.0,
+        eta_jacobian: 5.0,
         objective: false,
     };
     type Inputs<T: Element> = KeptIncrement2d<T>;

@@ -1,5 +1,6 @@
 //! The direct route to increments, in space and in the plane: ratios n_i/n_k instead of directions across the line.
 
+use super::place::off_slope;
 use super::span::{Span, Station};
 use crate::scalar::Scalar;
 use nalgebra::SVector;
@@ -45,28 +46,31 @@ impl<D: Scalar, const N: usize> Slide<D, N> {
     /// What the gradients of all increments share.
     #[inline]
     pub(super) fn gradients(&self, dx1: &SVector<D, N>, dxn: &SVector<D, N>, dxmk: D) -> Gradients<D, N> {
-        let per_dk = self.span.d[self.k].recip();
-        let excess = dxmk - self.station.blend(dx1, dxn)[self.k];
+        let Self { span, station, k } = *self;
+        let (per_dk, per_unit) = (span.d[k].recip(), D::from(span.binade.per_unit));
+        let excess = dxmk - station.blend(dx1, dxn)[k];
         Gradients {
-            d: self.span.d,
-            k: self.k,
+            d: span.d,
+            k,
             per_dk,
-            shares: self.station.shares(),
-            by_share: self.station.gradients(&self.span),
+            shares: station.shares(),
+            by_share: station.unscaled_gradients(&span),
+            factor: per_unit / span.square * per_dk,
             relative: dxn - dx1,
-            lever: excess * per_dk * self.span.binade.per_unit,
+            lever: excess * per_dk * per_unit,
         }
     }
 }
 
-/// d, k and 1/d_k in units of the line's size; ξ and 1 − ξ; the gradients of ξ; dxn − dx1; and (dxm_k − w_k)/d_k, by which an
-/// increment grows with the component of d along its axis.
+/// d, k and 1/d_k in units of the line's size; ξ and 1 − ξ; the gradients of ξ without their factor, and the factor over d_k;
+/// dxn − dx1; and (dxm_k − w_k)/d_k, by which an increment grows with the component of d along its axis.
 pub(super) struct Gradients<D, const N: usize> {
     d: SVector<D, N>,
     k: usize,
     per_dk: D,
     shares: [D; 2],
-    by_share: [SVector<D, N>; 3],
+    by_share: [SVector<D, N>; 2],
+    factor: D,
     relative: SVector<D, N>,
     lever: D,
 }
@@ -77,19 +81,14 @@ impl<D: Scalar, const N: usize> Gradients<D, N> {
     pub(super) fn row(&self, axis: usize) -> Row<D, N> {
         let (d, k, relative) = (&self.d, self.k, &self.relative);
         let slope = d[axis] * self.per_dk;
-        // The gradient of x_axis − slope x_k, times a factor.
-        let off_slope = |factor: D| {
-            let mut v = SVector::from_element(D::zero());
-            (v[axis], v[k]) = (factor, -slope * factor);
-            v
-        };
-        let gain = (relative[axis] * d[k] - d[axis] * relative[k]) * self.per_dk;
-        let [share, rest] = self.shares;
-        let [by_x1, by_xn, by_xm] = self.by_share;
+        let off_slope = |factor: D| off_slope(axis, k, slope, factor);
+        let gain = (relative[axis] * d[k] - d[axis] * relative[k]) * self.factor;
+        let ([share, rest], [by_x1, by_xn]) = (self.shares, self.by_share);
+        let leaning = off_slope(self.lever);
         Row {
-            x1: by_x1 * gain - off_slope(self.lever),
-            xn: by_xn * gain + off_slope(self.lever),
-            xm: by_xm * gain,
+            x1: -(by_x1 * gain + leaning),
+            xn: by_xn * gain + leaning,
+            xm: d * gain,
             dx1: off_slope(rest),
             dxn: off_slope(share),
             dxmk: slope,

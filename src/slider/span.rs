@@ -69,10 +69,16 @@ impl<D: Scalar, const N: usize> Station<D, N> {
     /// With the part f of m − x1 across the line: ∂ξ/∂xm = d/d·d, ∂ξ/∂xn = (f − ξ d)/d·d, ∂ξ/∂x1 = −(f + (1 − ξ) d)/d·d.
     #[inline]
     pub(super) fn gradients(&self, span: &Span<D, N>) -> [SVector<D, N>; 3] {
+        let factor = D::from(span.binade.per_unit) / span.square;
+        let [by_x1, by_xn] = self.unscaled_gradients(span);
+        [by_x1 * -factor, by_xn * factor, span.d * factor]
+    }
+
+    /// f + (1 − ξ) d and f − ξ d, in units of the line's size.
+    #[inline]
+    pub(super) fn unscaled_gradients(&self, span: &Span<D, N>) -> [SVector<D, N>; 2] {
         let [share, rest] = self.shares();
-        let per_unit = D::from(span.binade.per_unit);
-        let factor = per_unit / span.square;
-        let aside = self.offset * per_unit - span.d * self.tau;
-        [(aside + span.d * rest) * -factor, (aside - span.d * share) * factor, span.d * factor]
+        let aside = self.offset * D::from(span.binade.per_unit) - span.d * self.tau;
+        [aside + span.d * rest, aside - span.d * share]
     }
 }

@@ -1,0 +1,225 @@
+//! SLIDER against CalculiX, whose `*MPC STRAIGHT` holds a node on the line through two others.
+//!
+//! Models of three nodes and three springs: nodes 1 and n move as told, and so does one coordinate of m; the program finds the
+//! other two. It keeps the axis of the largest component of the undeformed line ([`Pivots::largest`]), whatever the line
+//! becomes, and iterates until m is on the deformed line.
+//!
+//! Without `ccx` (Debian package `calculix-ccx`) the tests are skipped, unless `JOINTPROOF_REQUIRE_CCX` is set, as in
+//! .ci/run.
+
+use jointproof::formula::value;
+use jointproof::slider::{Increment, KeptIncrement, Pivots, Slider};
+use nalgebra::Vector3;
+use std::fmt::Write;
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+
+/// A line with m on it, how nodes 1 and n are moved, and how far m is along the kept axis.
+#[derive(Clone, Copy, Debug)]
+struct Model {
+    name: &'static str,
+    x1: [f64; 3],
+    xn: [f64; 3],
+    xm: [f64; 3],
+    u1: [f64; 3],
+    un: [f64; 3],
+    umk: f64,
+}
+
+const MODELS: [Model; 6] = [
+    Model {
+        name: "generic",
+        x1: [1.0, 2.0, 3.0],
+        xn: [3.0, 2.5, 3.75],
+        xm: [1.5, 2.125, 3.1875],
+        u1: [0.1, -0.2, 0.3],
+        un: [0.2, 1.0, -0.5],
+        umk: 0.7,
+    },
+    Model {
+        name: "along-x",
+        x1: [1.0, 2.0, 3.0],
+        xn: [3.0, 2.0, 3.0],
+        xm: [1.5, 2.0, 3.0],
+        u1: [0.1, -0.2, 0.3],
+        un: [0.2, 1.0, -0.5],
+        umk: 0.7,
+    },
+    Model {
+        name: "stays-along-x",
+        x1: [1.0, 0.0, 0.0],
+        xn: [3.0, 0.0, 0.0],
+        xm: [1.5, 0.0, 0.0],
+        u1: [0.1, 0.0, 0.0],
+        un: [0.2, 1e-7, -2e-7],
+        umk: 0.7,
+    },
+    Model {
+        name: "in-the-plane",
+        x1: [1.0, 2.0, 0.0],
+        xn: [2.0, 4.5, 0.0],
+        xm: [1.5, 3.25, 0.0],
+        u1: [0.1, -0.2, 0.0],
+        un: [0.2, 1.0, 0.0],
+        umk: 0.7,
+    },
+    Model {
+        name: "extremal-pivot",
+        x1: [0.0, 0.0, 0.0],
+        xn: [2.0, 1.0, 1.0],
+        xm: [1.0, 0.5, 0.5],
+        u1: [0.1, -0.2, 0.1],
+        un: [0.2, 0.1, -0.3],
+        umk: 0.25,
+    },
+    Model {
+        name: "m-outside",
+        x1: [1.0, 2.0, 3.0],
+        xn: [1.25, 1.0, 5.0],
+        xm: [2.0, -2.0, 11.0],
+        u1: [0.1, -0.2, 0.3],
+        un: [0.2, 0.1, -0.5],
+        umk: 0.7,
+    },
+];
+
+impl Model {
+    /// The axis that CalculiX keeps.
+    fn kept(&self) -> usize {
+        Pivots::largest(&Vector3::from(self.x1), &Vector3::from(self.xn)).k
+    }
+
+    /// The same motions, so small that only their first order counts.
+    fn scaled(&self, factor: f64) -> Self {
+        let [u1, un] = [self.u1, self.un].map(|u| u.map(|x| x * factor));
+        Self { u1, un, umk: self.umk * factor, ..*self }
+    }
+
+    /// The input; CalculiX reads 20 characters a number.
+    fn input(&self) -> String {
+        let mut input = String::from("*NODE, NSET=ALL\n");
+        let mut line = |text: std::fmt::Arguments<'_>| {
+            let _ = writeln!(input, "{text}");
+        };
+        for (node, [x, y, z]) in (1..).zip([self.x1, self.xn, self.xm]) {
+            line(format_args!("{node}, {x:.12e}, {y:.12e}, {z:.12e}"));
+        }
+        for axis in 1..=3 {
+            line(format_args!("*ELEMENT, TYPE=SPRING1, ELSET=E{axis}\n{axis}, 3\n*SPRING, ELSET=E{axis}\n{axis}\n1."));
+        }
+        line(format_args!("*MPC\nSTRAIGHT, 1, 2, 3\n*STEP, NLGEOM, INC=1000\n*STATIC\n1., 1.\n*BOUNDARY"));
+        for (node, motion) in (1..).zip([self.u1, self.un]) {
+            for (axis, u) in (1..).zip(motion) {
+                line(format_args!("{node}, {axis}, {axis}, {u:.12e}"));
+            }
+        }
+        let axis = self.kept() + 1;
+        line(format_args!("3, {axis}, {axis}, {:.12e}", self.umk));
+        line(format_args!("*NODE PRINT, NSET=ALL, FREQUENCY=1000\nU\n*END STEP"));
+        input
+    }
+
+    /// The displacement of m that CalculiX prints, and half a unit of the last digit of each component.
+    fn run(&self) -> (Vector3<f64>, Vector3<f64>) {
+        let folder = Folder::new(self.name);
+        std::fs::write(folder.0.join("model.inp"), self.input()).unwrap();
+        let run = Command::new("ccx").arg("model").current_dir(&folder.0).stdin(Stdio::null()).output().unwrap();
+        let log = String::from_utf8_lossy(&run.stdout);
+        assert!(run.status.success() && !log.contains("*ERROR"), "{}: {log}", self.name);
+        let printed = std::fs::read_to_string(folder.0.join("model.dat")).unwrap();
+        let of_m = printed.lines().filter_map(|line| line.trim_start().strip_prefix("3 ")).next_back();
+        let numbers: Vec<_> = of_m.unwrap_or_else(|| panic!("no node 3 in {printed}")).split_whitespace().collect();
+        let value = |axis: usize| numbers[axis].parse::<f64>().unwrap();
+        // 1.234567E-01: six digits behind the point.
+        let half_unit = |axis: usize| {
+            let (mantissa, exponent) = numbers[axis].split_once('E').unwrap();
+            assert_eq!(mantissa.trim_start_matches('-').len(), 8, "{printed}");
+            format!("0.5e{}", exponent.parse::<i32>().unwrap() - 6).parse().unwrap()
+        };
+        (Vector3::from_fn(|axis, _| value(axis)), Vector3::from_fn(|axis, _| half_unit(axis)))
+    }
+}
+
+/// A temporary folder that goes when it is done with.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        static COUNT: std::sync::atomic::AtomicU32 = std::sync::atomic::AtomicU32::new(0);
+        let count = COUNT.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+        let path = std::env::temp_dir().join(format!("jointproof-{}-{name}-{count}", std::process::id()));
+        std::fs::create_dir(&path).unwrap();
+        Self(path)
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+/// Whether `ccx` is there.
+fn calculix() -> bool {
+    let found = Command::new("ccx").arg("-v").stdout(Stdio::null()).stderr(Stdio::null()).stdin(Stdio::null()).status();
+    if found.is_ok() {
+        return true;
+    }
+    assert!(
+        std::env::var_os("JOINTPROOF_REQUIRE_CCX").is_none(),
+        "JOINTPROOF_REQUIRE_CCX is set, but ccx is not found: apt-get install calculix-ccx"
+    );
+    eprintln!("skipped: ccx is not found; apt-get install calculix-ccx to compare SLIDER with CalculiX");
+    false
+}
+
+#[test]
+fn calculix_puts_m_where_the_elimination_does() {
+    if !calculix() {
+        return;
+    }
+    for model in MODELS {
+        let (u, half_unit) = model.run();
+        let [x1, xn, xm] = [model.x1, model.xn, model.xm].map(Vector3::from);
+        let slider = Slider::new(x1 + Vector3::from(model.u1), xn + Vector3::from(model.un)).unwrap();
+        let ours = Pivots::new(&(x1 + Vector3::from(model.u1)), &(xn + Vector3::from(model.un)));
+        let (k, mut kept) = (model.kept(), xm + u);
+        kept[k] = xm[k] + model.umk; // what it was told, not what is printed of it
+        if ours.k != k {
+            // The deformed line has another kept axis: that coordinate of m is known to the printed digits only.
+            assert_eq!(model.name, "extremal-pivot");
+        }
+        let placed = slider.place(kept).unwrap();
+        // Half a unit of the last digit of the coordinate that is kept is worth up to |n_axis/n_k| ≤ √5 of it.
+        let slack = if ours.k == k { 0.0 } else { 5.0_f64.sqrt() * half_unit[ours.k] };
+        for axis in 0..3 {
+            let error = (placed[axis] - kept[axis]).abs();
+            let allowed = half_unit[axis] + slack + 1e-14;
+            assert!(error <= allowed, "{}, axis {axis}: {} {} ± {allowed:e}", model.name, placed[axis], kept[axis]);
+        }
+    }
+}
+
+#[test]
+fn small_motions_in_calculix_are_the_eliminated_increments() {
+    if !calculix() {
+        return;
+    }
+    for model in MODELS.map(|model| model.scaled(1e-6)) {
+        let (u, half_unit) = model.run();
+        let [x1, xn, xm, dx1, dxn] = [model.x1, model.xn, model.xm, model.u1, model.un].map(Vector3::from);
+        let Pivots { i, j, k } = Pivots::new(&x1, &xn);
+        if k != model.kept() {
+            assert_eq!(model.name, "extremal-pivot");
+            continue; // The rules keep different axes, so that other numbers are given.
+        }
+        let expected = value::<Increment>(&KeptIncrement { x1, xn, xm, dx1, dxn, dxmk: model.umk }).unwrap();
+        // What is left is of second order in the motion: |dx|²/l, times how far out m is.
+        let size = dx1.amax().max(dxn.amax()).max(model.umk.abs());
+        let second_order = 4.0 * size * size * (1.0 + (xm - x1).norm() / (xn - x1).norm());
+        for (axis, expected) in [(i, expected.dxmi), (j, expected.dxmj)] {
+            let (error, allowed) = ((u[axis] - expected).abs(), half_unit[axis] + second_order);
+            assert!(error <= allowed, "{}, axis {axis}: {} {expected} ± {allowed:e}", model.name, u[axis]);
+        }
+    }
+}
