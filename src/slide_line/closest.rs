@@ -32,7 +32,6 @@ use crate::error::Error;
 use crate::scalar::{Leaf, Scalar, abs, constant, leaf};
 use arrayvec::ArrayVec;
 use nalgebra::Vector2;
-use num_dual::DualNum;
 use std::cmp::Ordering;
 use std::marker::PhantomData;
 
