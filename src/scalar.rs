@@ -98,7 +98,7 @@ pub fn pi<D: Scalar>() -> D {
 /// ```
 #[inline]
 pub fn e_minus_one<D: Scalar>() -> D {
-    constant(D::Leaf::known(1.718_281_828_459_045_2, || Octuple::E - 1.0))
+    constant(D::Leaf::known(1.718_281_828_459_045, || Octuple::E - 1.0))
 }
 
 /// √(Σ xᵢ²), right to about an ulp for every representable input, subnormal or near the overflow threshold.

@@ -26,7 +26,7 @@ pub use smoothed_linear::*;
 pub use smoothed_parabolic::*;
 
 use super::basis::length_and_tangent;
-use super::left;
+use super::{left, length};
 use super::shape::{Shape, combination, gap};
 use crate::error::Error;
 use crate::scalar::{Leaf, Scalar, abs, constant, leaf};
@@ -77,14 +77,6 @@ impl<D: Scalar, S: Shape<N>, const N: usize> View<D, S, N> {
     /// A derivative with respect to a position, back in the model's unit of length.
     fn per_unit(&self, gradient: Vector2<D>) -> Vector2<D> {
         self.in_unit(gradient)
-    }
-
-    /// (x1 − x2) × (x3 − x2) of three nodes, from the two shorter sides of their triangle.
-    fn turn(&self) -> D {
-        let [x1, x2, x3] = [0, 1, 2].map(|k| self.nodes[k]);
-        let size = |v: Vector2<D>| abs(v.x) + abs(v.y);
-        let (arm, chord) = (x3 - x2, x3 - x1);
-        self.in_unit(x1 - x2).perp(&self.in_unit(if size(chord) < size(arm) { chord } else { arm }))
     }
 
     /// Whether two places of the whole curve are equally near.
@@ -188,18 +180,21 @@ struct Candidates<L> {
 
 impl<L: Leaf> Candidates<L> {
     /// Between two coordinates.
-    fn new<D: Scalar<Leaf = L>, S: Shape<N>, const N: usize>(view: &View<D, S, N>, [from, to]: [L; 2]) -> Self {
+    ///
+    /// Whether the distance falls at the ends is told by the full equation, and the search is held to it. So either an
+    /// end counts or, between ends towards which it rises, a root is found, however near to an end.
+    fn new<D: Scalar<Leaf = L>, S: Shape<N>, const N: usize>(view: &View<D, S, N>, ends: [L; 2]) -> Self {
         let expansion = view.expansion();
-        let residual_at = |u| leaf(view.at(constant(u)).residual());
+        let [low, high] = ends.map(|u| leaf(view.at(constant(u)).residual()));
         let mut places = ArrayVec::new();
-        if residual_at(from) <= 0.0 {
-            places.push((from, false));
+        if low <= 0.0 {
+            places.push((ends[0], false));
         }
-        let inner = roots::falling(&expansion.residual(), from, to);
-        places.extend(inner.into_iter().filter(|&u| from < u && u < to).map(|u| (u, true)));
+        let roots = roots::falling(&expansion.residual(), ends, [low, high]);
+        places.extend(roots.into_iter().map(|u| (u, true)));
         // Also where nothing was found because a number overflowed: the result then says so.
-        if residual_at(to) >= 0.0 || places.is_empty() {
-            places.push((to, false));
+        if high >= 0.0 || places.is_empty() {
+            places.push((ends[1], false));
         }
         Self { expansion, places }
     }
@@ -223,6 +218,8 @@ impl<L: Leaf> Candidates<L> {
 #[derive(Clone, Copy, Debug)]
 struct Foot<D, const N: usize> {
     u: D,
+    /// What the foot is from u, as far as the numbers tell: less than half the distance to the next.
+    missing: D,
     /// The weights of the nodes in X, for a change of the separation.
     ///
     /// Beyond an end they are those of the point of the tangent that is closest to the slave point.
@@ -273,18 +270,25 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
             }
         }
         // The foot is between two neighbouring numbers. At the tip of a bent segment the tangent turns within a few
-        // of them, so what is missing is carried on to it, and to the weights.
+        // of them, so what is missing is carried on to all that depends on it.
         let missing = constant::<D>(place.newton_step());
         let moved = |n: [D; N], rates: [D; N], step: D| std::array::from_fn(|k| n[k] + rates[k] * step);
         let rates = S::rates(view.f, u);
         let weights = moved(S::weights(view.f, u), rates, S::factor(view.f) * missing);
+        let place = Place {
+            gap: view.gap(weights),
+            rate: place.rate + place.bend * missing,
+            bend: place.bend + view.combination(S::jolts(view.f)) * missing,
+            ..place
+        };
         let slope = place.slope();
         Self {
             u,
+            missing,
             weights,
             rates: moved(rates, S::bends(view.f, u), missing),
-            gap: view.gap(weights),
-            rate: place.rate + place.bend * missing,
+            gap: place.gap,
+            rate: place.rate,
             per_slope: if slope == 0.0 { D::zero() } else { slope.recip() },
             beyond: D::zero(),
             inside: true,
@@ -295,13 +299,12 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
         let place = view.at(u);
         let (length, t) = length_and_tangent(place.rate);
         let beyond = place.gap.dot(&t) / length;
-        let rates = S::rates(view.f, u);
-        let tangent = |weights: [D; N]| std::array::from_fn(|k| weights[k] + rates[k] * beyond);
-        let weights = S::straight_end(view.xs, &view.nodes, u).unwrap_or_else(|| tangent(S::weights(view.f, u)));
+        let weights = S::on_end_tangent(view.xs, &view.nodes, view.f, u);
         Self {
             u,
+            missing: D::zero(),
             weights,
-            rates,
+            rates: S::rates(view.f, u),
             gap: view.gap(weights),
             rate: place.rate,
             per_slope: D::zero(),
@@ -312,6 +315,16 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
 
     fn normal(&self) -> Vector2<D> {
         left(length_and_tangent(self.rate).1)
+    }
+
+    /// 1 − u and u of a corner, with what is missing.
+    fn parts(&self) -> [D; 2] {
+        [-self.u + 1.0 - self.missing, self.u + self.missing]
+    }
+
+    /// |Y′| in the model's unit of length.
+    fn speed<S: Shape<N>>(&self, view: &View<D, S, N>) -> D {
+        length(self.rate) * view.unit
     }
 
     /// n·(xs − X).

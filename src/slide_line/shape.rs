@@ -5,6 +5,7 @@
 //! no digits, and the rounding of no node counts for much more than its weight.
 
 use super::basis::length_and_tangent;
+use super::points::Sides;
 use crate::Scalar;
 use crate::scalar::abs;
 use nalgebra::Vector2;
@@ -35,11 +36,11 @@ pub(super) trait Shape<const N: usize> {
         D::one()
     }
 
-    /// Where the curve goes on straight through two nodes at the end u: the weights of the point of that straight line
-    /// which is closest to xs. They do not depend on f.
-    fn straight_end<D: Scalar>(_: Vector2<D>, _: &[Vector2<D>; N], _: D) -> Option<[D; N]> {
-        None
-    }
+    /// The weights of the point closest to xs on the tangent at an end.
+    ///
+    /// Each is summed from differences to xs: as the weights of the end and a step along the tangent they would be
+    /// differences, and the smaller ones wrong.
+    fn on_end_tangent<D: Scalar>(xs: Vector2<D>, nodes: &[Vector2<D>; N], f: D, u: D) -> [D; N];
 }
 
 /// Weights of x1, x2 on a straight segment.
@@ -67,6 +68,20 @@ impl Shape<3> for Parabola {
     fn bends<D: Scalar>(_: D, _: D) -> [D; 3] {
         [1.0, -2.0, 1.0].map(D::from)
     }
+    fn on_end_tangent<D: Scalar>(xs: Vector2<D>, nodes: &[Vector2<D>; 3], _: D, g: D) -> [D; 3] {
+        let square = |x: D| x * x * 0.5;
+        on_tangent(xs, nodes, g, [square(-g + 1.0), square(g), square(g + 1.0)])
+    }
+}
+
+/// The weights of the point closest to xs on the tangent of a parabola at g; given ½(1−g)², ½g² and ½(1+g)².
+///
+/// A point Σ wᵢ xᵢ of the tangent has the weights w = N + τ N′. With τ = (xs − X)·X′/|X′|² every weight is
+/// wⱼ = Σᵢ (Nᵢ Nⱼ′ − Nᵢ′ Nⱼ) (xs − xᵢ)·X′/|X′|², and these Wronskians are the three squares, with signs.
+fn on_tangent<D: Scalar>(xs: Vector2<D>, nodes: &[Vector2<D>; 3], g: D, [left, middle, right]: [D; 3]) -> [D; 3] {
+    let (length, along) = length_and_tangent(Sides::new(*nodes).rate(g));
+    let [d1, d2, d3] = nodes.map(|x| (xs - x).dot(&along) / length);
+    [middle * d3 - left * d2, left * d1 - right * d3, right * d2 - middle * d1]
 }
 
 /// Weights of x1, x2, x3 on a parabola.
@@ -104,19 +119,20 @@ impl Shape<3> for LinearCorner {
     fn bends<D: Scalar>(_: D, _: D) -> [D; 3] {
         [2.0, -4.0, 2.0].map(D::from)
     }
-    fn straight_end<D: Scalar>(xs: Vector2<D>, [x1, x2, x3]: &[Vector2<D>; 3], t: D) -> Option<[D; 3]> {
+    /// The tangents are the straight segments, whatever f.
+    fn on_end_tangent<D: Scalar>(xs: Vector2<D>, [x1, x2, x3]: &[Vector2<D>; 3], _: D, t: D) -> [D; 3] {
         let zero = D::zero();
-        let weight = |far: &Vector2<D>| {
+        let weights = |far: &Vector2<D>| {
             let (length, along) = length_and_tangent(far - x2);
-            (xs - x2).dot(&along) / length
+            [(xs - x2).dot(&along) / length, (far - xs).dot(&along) / length]
         };
-        Some(if t < 0.5 {
-            let n1 = weight(x1);
-            [n1, -n1 + 1.0, zero]
+        if t < 0.5 {
+            let [n1, n2] = weights(x1);
+            [n1, n2, zero]
         } else {
-            let n3 = weight(x3);
-            [zero, -n3 + 1.0, n3]
-        })
+            let [n3, n2] = weights(x3);
+            [zero, n2, n3]
+        }
     }
     #[inline]
     fn factor<D: Scalar>(f: D) -> D {
@@ -184,6 +200,18 @@ impl Shape<5> for ParabolicCorner {
     #[inline]
     fn jolts<D: Scalar>(f: D) -> [D; 5] {
         [-24.0, 48.0, 0.0, -48.0, 24.0].map(|jolt| f * jolt)
+    }
+    fn on_end_tangent<D: Scalar>(xs: Vector2<D>, [x1, x2, x3, x4, x5]: &[Vector2<D>; 5], f: D, t: D) -> [D; 5] {
+        let (zero, g) = (D::zero(), -(f * 2.0) + 1.0);
+        let rest = -f + 1.0;
+        let [near, middle, far] = [f * f * 2.0, g * g * 0.5, rest * rest * 2.0];
+        if t < 0.5 {
+            let [n1, n2, n3] = on_tangent(xs, &[*x1, *x2, *x3], g, [near, middle, far]);
+            [n1, n2, n3, zero, zero]
+        } else {
+            let [n3, n4, n5] = on_tangent(xs, &[*x3, *x4, *x5], -g, [far, middle, near]);
+            [zero, zero, n3, n4, n5]
+        }
     }
     #[inline]
     fn factor<D: Scalar>(f: D) -> D {

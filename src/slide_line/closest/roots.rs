@@ -16,21 +16,24 @@ use arrayvec::ArrayVec;
 /// A double has 1074 + 53 binary places; more halvings cannot be needed.
 const MOST_STEPS: usize = 1200;
 
-/// Where the polynomial, its constant term first, falls through zero between `from` and `to`; `to` itself counts.
-pub(super) fn falling<L: Leaf>(p: &[L; 6], from: L, to: L) -> ArrayVec<L, 5> {
+/// Where the polynomial, its constant term first, falls through zero between two ends.
+///
+/// Its values at the ends are given, since the caller may know their signs better; where they are 0 no end counts. If
+/// the first is positive and the last negative, there is at least one root.
+pub(super) fn falling<L: Leaf>(p: &[L; 6], ends: [L; 2], values: [L; 2]) -> ArrayVec<L, 5> {
     let p = trimmed(p);
-    let mut roots = ArrayVec::new();
-    for bracket in brackets(p, from, to) {
-        if bracket.low > 0.0 && bracket.high <= 0.0 {
-            roots.push(bracket.crossing(p));
-        }
+    let mut brackets = brackets(p, ends, values);
+    if let Some(last) = brackets.last_mut().filter(|last| last.high == 0.0) {
+        last.high = last.low; // no change of sign
     }
-    roots
+    let falls = brackets.into_iter().filter(|b| b.low > 0.0 && b.high <= 0.0);
+    falls.map(|bracket| bracket.crossing(p)).collect()
 }
 
 /// Where it changes sign, either way.
-fn crossings<L: Leaf>(p: &[L], from: L, to: L) -> ArrayVec<L, 5> {
-    let changes = brackets(p, from, to).into_iter().filter(|b| (b.low < 0.0) != (b.high < 0.0));
+fn crossings<L: Leaf>(p: &[L], ends: [L; 2]) -> ArrayVec<L, 5> {
+    let values = ends.map(|u| value_and_slope(p, u).0);
+    let changes = brackets(p, ends, values).into_iter().filter(|b| (b.low < 0.0) != (b.high < 0.0));
     changes.map(|bracket| bracket.crossing(p)).collect()
 }
 
@@ -42,16 +45,15 @@ struct Bracket<L> {
     high: L,
 }
 
-fn brackets<L: Leaf>(p: &[L], from: L, to: L) -> ArrayVec<Bracket<L>, 5> {
-    let mut edges = match p.len() {
-        0..=2 => ArrayVec::<L, 5>::new(),
-        _ => crossings(trimmed(&derivative(p)), from, to),
+fn brackets<L: Leaf>(p: &[L], ends: [L; 2], [first, last]: [L; 2]) -> ArrayVec<Bracket<L>, 5> {
+    let extrema = match p.len() {
+        0..=2 => ArrayVec::new(),
+        _ => crossings(trimmed(&derivative(p)), ends),
     };
-    edges.push(to);
-    let mut start = (from, value_and_slope(p, from).0);
+    let inner = extrema.into_iter().map(|u| (u, value_and_slope(p, u).0));
+    let mut start = (ends[0], first);
     let mut brackets = ArrayVec::new();
-    for edge in edges {
-        let end = (edge, value_and_slope(p, edge).0);
+    for end in inner.chain([(ends[1], last)]) {
         brackets.push(Bracket { from: start.0, to: end.0, low: start.1, high: end.1 });
         start = end;
     }

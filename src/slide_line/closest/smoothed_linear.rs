@@ -8,6 +8,7 @@ use crate::formula::{Case, Convention, Element, Fields, Formula, Jacobian, Kink,
 use crate::quantity::{CORNER_T, FRACTION, SEPARATION, X1, X2, X3, XS};
 use crate::scalar::Scalar;
 use crate::slide_line::corners::linear_corners;
+use crate::slide_line::points::Sides;
 use crate::slide_line::shape::LinearCorner;
 use crate::slide_line::{
     ClosestLinear, LinearCornerPlace, LinearSlave, SmoothedLinearPoint, check_distinct, left, length,
@@ -55,31 +56,30 @@ impl Formula for ClosestSmoothedLinear {
         CornerFoot { t: foot.u, separation: foot.separation() * view.unit }
     }
 
-    /// With respect to f: ∂X/∂f = s² (x1−x2) + t² (x3−x2), and n·∂X/∂f = −2st (x1−x2) × (x3−x2)/|Y′|, since n ⟂ Y′.
+    /// With respect to f: ∂X/∂f = (X − x2)/f, so Y′·∂X/∂f = Y′·(xs − x2)/f at the foot, and since n ⟂ Y′,
+    /// n·∂X/∂f = 2st (x2−x1) × (x3−x2)/|Y′|.
     fn jacobian<D: Scalar>(i: &LinearCornerSlave<D>) -> Jacobian<Self, D> {
         let view = i.view();
         let foot = Foot::on(&view);
         let ([n1, n2, n3], [m1, m2, m3]) = (foot.weights, foot.rates);
         let t = |n, m| view.per_unit(foot.coordinate_by(n, m));
         let normal = foot.normal();
-        let (s, zero) = (-foot.u + 1.0, D::zero());
-        let (first, last) = (s * s, foot.u * foot.u);
-        let bulge = view.combination([first, -(first + last), last]);
-        let opening = if foot.inside { s * foot.u * 2.0 * view.turn() / length(foot.rate) } else { zero };
+        let [before, behind] = foot.parts();
+        let opening = Sides::new([i.x1, i.x2, i.x3]).turn(foot.speed(&view)) * before * behind * -2.0;
         CornerFoot {
             t: LinearCornerSlave {
-                xs: t(-D::one(), zero),
+                xs: t(-D::one(), D::zero()),
                 x1: t(n1, m1),
                 x2: t(n2, m2),
                 x3: t(n3, m3),
-                f: bulge.dot(&foot.rate) * foot.per_slope,
+                f: view.in_unit(i.xs - i.x2).dot(&foot.rate) / i.f * foot.per_slope,
             },
             separation: LinearCornerSlave {
                 xs: normal,
                 x1: normal * -n1,
                 x2: normal * -n2,
                 x3: normal * -n3,
-                f: opening * view.unit,
+                f: if foot.inside { opening } else { D::zero() },
             },
         }
     }

@@ -8,7 +8,8 @@ use crate::formula::{Case, Convention, Element, Fields, Formula, Jacobian, Kink,
 use crate::quantity::{FRACTION, X1, X2, X3, X4, X5, XS};
 use crate::scalar::Scalar;
 use crate::slide_line::corners::{curved_corner, parabolic_corners};
-use crate::slide_line::shape::ParabolicCorner;
+use crate::slide_line::points::Sides;
+use crate::slide_line::shape::{ParabolicCorner, Shape};
 use crate::slide_line::{
     ClosestSmoothedLinear, LinearCornerSlave, ParabolicCornerPlace, SmoothedParabolicPoint, check_distinct, left, length,
 };
@@ -30,6 +31,16 @@ pub struct ClosestSmoothedParabolic;
 impl<D: Scalar> ParabolicCornerSlave<D> {
     fn view(&self) -> View<D, ParabolicCorner, 5> {
         View::new(self.xs, [self.x1, self.x2, self.x3, self.x4, self.x5], self.f)
+    }
+
+    /// ∂E11/∂f beyond an end: ∂Y′/∂f = ∓8 X″ there, with X″ of the segment that the corner is tangent to.
+    fn end_turning(&self, view: &View<D, ParabolicCorner, 5>, foot: &Foot<D, 5>) -> D {
+        let (sides, weight) = if foot.u < 0.5 {
+            ([self.x1, self.x2, self.x3], 32.0)
+        } else {
+            ([self.x3, self.x4, self.x5], -32.0)
+        };
+        Sides::new(sides).turn(foot.speed(view)) * foot.beyond * weight
     }
 }
 
@@ -60,7 +71,8 @@ impl Formula for ClosestSmoothedParabolic {
         let t = |n, m| view.per_unit(foot.coordinate_by(n, m));
         let normal = foot.normal();
         let [point, rate] = ParabolicCorner::by_fraction(i.f, foot.u).map(|weights| view.combination(weights));
-        let across = if foot.inside { point } else { rate * foot.beyond };
+        let rate_of_point = view.combination(ParabolicCorner::rates(i.f * 2.0, foot.u));
+        let point = point + rate_of_point * foot.missing;
         CornerFoot {
             t: ParabolicCornerSlave {
                 xs: t(-D::one(), D::zero()),
@@ -78,7 +90,7 @@ impl Formula for ClosestSmoothedParabolic {
                 x3: normal * -n3,
                 x4: normal * -n4,
                 x5: normal * -n5,
-                f: -(normal.dot(&across) * view.unit),
+                f: if foot.inside { -(normal.dot(&point) * view.unit) } else { i.end_turning(&view, &foot) },
             },
         }
     }
