@@ -46,7 +46,9 @@ impl Formula for PressureLinear {
     }
 
     fn jacobian<D: Scalar>(i: &LinearContact<D>) -> Jacobian<Self, D> {
-        ContactPressure { p: if i.h > 0.0 { LinearContact { h: i.k, k: i.h } } else { LinearContact::filled(D::zero()) } }
+        ContactPressure {
+            p: if i.h > 0.0 { LinearContact { h: i.k, k: i.h } } else { LinearContact::filled(D::zero()) },
+        }
     }
 
     fn cases() -> Vec<Case<LinearContact<f64>>> {
@@ -126,11 +128,7 @@ impl Formula for PressureExponential {
         }
         let growth = s.exp_m1();
         let slope = i.p0 / e_minus_one::<D>() * ((s + 1.0) * growth + s) / i.c0;
-        let p = ExponentialContact {
-            h: slope,
-            c0: -(slope * (i.h / i.c0)),
-            p0: s * (growth / e_minus_one::<D>()),
-        };
+        let p = ExponentialContact { h: slope, c0: -(slope * (i.h / i.c0)), p0: s * (growth / e_minus_one::<D>()) };
         ContactPressure { p }
     }
 
@@ -164,7 +162,11 @@ impl Formula for PressureExponential {
             ),
             Case::hard("deep", "s = 101: e^101", ExponentialContact { h: 200.0, ..hand }),
             Case::hard("deepest", "s = 691: e^691, near the largest double", ExponentialContact { h: 1380.0, ..hand }),
-            Case::hard("hard-limit", "c0 = 1e-12: nearly hard contact", ExponentialContact { h: 3e-12, c0: 1e-12, p0: 1.0 }),
+            Case::hard(
+                "hard-limit",
+                "c0 = 1e-12: nearly hard contact",
+                ExponentialContact { h: 3e-12, c0: 1e-12, p0: 1.0 },
+            ),
             Case::hard("wide", "c0 = 1e12", ExponentialContact { h: -0.25, c0: 1e12, p0: 1.0 }),
             Case::hard("tiny", "lengths of 1e-200", ExponentialContact { h: 1e-200, c0: 3e-200, p0: 1e-50 }),
         ]
@@ -276,11 +278,19 @@ impl Formula for Damping {
             Case::hand("separating", "damping resists opening too", DampingContact { v: -2.0, ..hand }),
             Case::limit("corner-full", "clearance η c0", DampingContact { h: -1.0, ..hand }),
             Case::limit("corner-none", "clearance c0", DampingContact { h: -4.0, ..hand }),
-            Case::limit("no-plateau", "η = 0: the ramp begins at touching", DampingContact { h: -2.0, eta: 0.0, ..hand }),
+            Case::limit(
+                "no-plateau",
+                "η = 0: the ramp begins at touching",
+                DampingContact { h: -2.0, eta: 0.0, ..hand },
+            ),
             Case::limit("undamped", "μ0 = 0", DampingContact { mu0: 0.0, ..hand }),
             Case::limit("at-rest", "v = 0", DampingContact { v: 0.0, h: -2.0, ..hand }),
             Case::hard("touching", "η = 0 and h = 0: on the corner", DampingContact { h: 0.0, eta: 0.0, ..hand }),
-            Case::hard("ulp-inside", "one ulp inside the clearance", DampingContact { h: (-4.0_f64).next_up(), ..hand }),
+            Case::hard(
+                "ulp-inside",
+                "one ulp inside the clearance",
+                DampingContact { h: (-4.0_f64).next_up(), ..hand },
+            ),
             Case::hard("ulp-beyond", "one ulp beyond it", DampingContact { h: (-4.0_f64).next_down(), ..hand }),
             Case::hard(
                 "steep",

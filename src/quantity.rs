@@ -178,9 +178,7 @@ macro_rules! quantities {
     };
 }
 
-use Domain::{
-    Angle, Between, Direction, HalfOpen, NonNegative, Point, Positive, Real, Triad, Vector, Within,
-};
+use Domain::{Angle, Between, Direction, HalfOpen, NonNegative, Point, Positive, Real, Triad, Vector, Within};
 use Node::{A, B};
 
 const ONE: Unit = Unit::ONE;

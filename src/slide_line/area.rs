@@ -176,11 +176,8 @@ impl Formula for ContactAreaParabolic {
     }
 
     fn cases() -> Vec<Case<ParabolicNodes<f64>>> {
-        let nodes = |x1: [f64; 2], x2: [f64; 2], x3: [f64; 2]| ParabolicNodes {
-            x1: x1.into(),
-            x2: x2.into(),
-            x3: x3.into(),
-        };
+        let nodes =
+            |x1: [f64; 2], x2: [f64; 2], x3: [f64; 2]| ParabolicNodes { x1: x1.into(), x2: x2.into(), x3: x3.into() };
         let mut cases = vec![
             Case::hand("cylinder", "radius 2, length 6: 4π, 16π, 4π", nodes([2.0, 0.0], [2.0, 3.0], [2.0, 6.0])),
             Case::hand("cone", "ℓ = 10: 20π/6, 200π/3, 70π/6", nodes([1.0, 0.0], [4.0, 4.0], [7.0, 8.0])),

@@ -26,8 +26,8 @@ pub use smoothed_linear::*;
 pub use smoothed_parabolic::*;
 
 use super::basis::length_and_tangent;
-use super::{left, length};
 use super::shape::{Shape, combination, gap};
+use super::{left, length};
 use crate::error::Error;
 use crate::scalar::{Leaf, Scalar, abs, constant, leaf};
 use arrayvec::ArrayVec;
@@ -91,7 +91,11 @@ impl<D: Scalar, S: Shape<N>, const N: usize> View<D, S, N> {
         let jolt = self.combination(S::jolts(self.f));
         let leaves = |v: Vector2<D>, factor: f64| v.map(|x| leaf(x * factor));
         let sixth = |v: Vector2<D>| v.map(|x| leaf(x / 6.0));
-        Expansion { gap: leaves(gap, 1.0), factor: leaf(factor), y: [leaves(rate, 1.0), leaves(bend, 0.5), sixth(jolt)] }
+        Expansion {
+            gap: leaves(gap, 1.0),
+            factor: leaf(factor),
+            y: [leaves(rate, 1.0), leaves(bend, 0.5), sixth(jolt)],
+        }
     }
 }
 

@@ -5,12 +5,12 @@
 
 use super::points::{CurvePoint, LinearPlace, LinearPoint, ParabolicPlace, ParabolicPoint, reversed, same, size};
 use super::shape::{LinearCorner, ParabolicCorner, Shape, combination, gap};
+use crate::Octuple;
 use crate::fields;
 use crate::formula::{Case, Element, Fields, Formula, Jacobian, Law, Source, Spec, along};
 use crate::quantity::{CORNER_T, FRACTION, X1, X2, X3, X4, X5};
 use crate::scalar::Scalar;
 use crate::verify::Hard;
-use crate::Octuple;
 use nalgebra::Vector2;
 
 /// Σ wᵢ xᵢ.

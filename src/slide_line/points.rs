@@ -81,8 +81,7 @@ impl Formula for LinearPoint {
                 statement: "it is the parabola whose midside node is in the middle",
                 sides: |i| {
                     let middle = (i.x1 + i.x2) * Octuple::from(0.5);
-                    let parabola =
-                        ParabolicPoint::eval(&ParabolicPlace { x1: i.x1, x2: middle, x3: i.x2, g: i.g });
+                    let parabola = ParabolicPoint::eval(&ParabolicPlace { x1: i.x1, x2: middle, x3: i.x2, g: i.g });
                     same(&Self::eval(i), &parabola, size(&i.components()))
                 },
             },
@@ -112,19 +111,26 @@ impl Formula for ParabolicPoint {
     type Inputs<T: Element> = ParabolicPlace<T>;
     type Outputs<T: Element> = CurvePoint<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &ParabolicPlace<D>) -> CurvePoint<D> {
         let [n1, n2, n3] = shape::parabolic(i.g);
         CurvePoint { x: i.x1 * n1 + i.x2 * n2 + i.x3 * n3, dx: Sides::new([i.x1, i.x2, i.x3]).rate(i.g) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &ParabolicPlace<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &ParabolicPlace<D>) -> (CurvePoint<D>, Jacobian<Self, D>) {
         let [n1, n2, n3] = shape::parabolic(i.g);
         let [r1, r2, r3] = shape::parabolic_rates(i.g);
-        let sides = Sides::new([i.x1, i.x2, i.x3]);
-        let (dx, bend) = (sides.rate(i.g), sides.bend());
-        let x = |k| ParabolicPlace { x1: along(k, n1), x2: along(k, n2), x3: along(k, n3), g: dx[k] };
+        let point = Self::eval(i);
+        let bend = Sides::new([i.x1, i.x2, i.x3]).bend();
+        let x = |k| ParabolicPlace { x1: along(k, n1), x2: along(k, n2), x3: along(k, n3), g: point.dx[k] };
         let rate = |k| ParabolicPlace { x1: along(k, r1), x2: along(k, r2), x3: along(k, r3), g: bend[k] };
-        CurvePoint { x: Vector2::new(x(0), x(1)), dx: Vector2::new(rate(0), rate(1)) }
+        (point, CurvePoint { x: Vector2::new(x(0), x(1)), dx: Vector2::new(rate(0), rate(1)) })
     }
 
     fn cases() -> Vec<Case<ParabolicPlace<f64>>> {
@@ -238,20 +244,11 @@ pub(super) fn parabolas() -> Vec<Hard<[Vector2<f64>; 3]>> {
 
 /// The same point, and the opposite derivative.
 pub(super) fn reversed(here: &CurvePoint<Octuple>, back: &CurvePoint<Octuple>) -> Vec<crate::formula::Equation> {
-    law::equal_all([
-        (here.x.x, back.x.x),
-        (here.x.y, back.x.y),
-        (here.dx.x, -back.dx.x),
-        (here.dx.y, -back.dx.y),
-    ])
+    law::equal_all([(here.x.x, back.x.x), (here.x.y, back.x.y), (here.dx.x, -back.dx.x), (here.dx.y, -back.dx.y)])
 }
 
 /// The same point and derivative, of terms up to `size`.
-pub(super) fn same(
-    a: &CurvePoint<Octuple>,
-    b: &CurvePoint<Octuple>,
-    size: Octuple,
-) -> Vec<crate::formula::Equation> {
+pub(super) fn same(a: &CurvePoint<Octuple>, b: &CurvePoint<Octuple>, size: Octuple) -> Vec<crate::formula::Equation> {
     let pairs = a.components().into_iter().zip(b.components());
     pairs.flat_map(|(a, b)| law::equal_with(a, b, size)).collect()
 }

@@ -92,11 +92,7 @@ impl Formula for SlipIncrementLinear {
                 "no slip when slave and segment move alike",
                 LinearMotion { dx1: hand.dxs, dx2: hand.dxs, ..hand },
             ),
-            Case::limit(
-                "normal",
-                "no slip along the normal",
-                LinearMotion { dxs: Vector2::new(-4.0, 3.0), ..hand },
-            ),
+            Case::limit("normal", "no slip along the normal", LinearMotion { dxs: Vector2::new(-4.0, 3.0), ..hand }),
             Case::limit("still", "nothing moves", LinearMotion { dxs: still, ..hand }),
         ];
         let [dxs, dx1, dx2] = steps();
@@ -214,7 +210,11 @@ impl Formula for SlipIncrementParabolic {
 
     fn validate(i: &ParabolicMotion<f64>) -> Result<(), Error> {
         check_distinct(&[("x1", i.x1), ("x2", i.x2), ("x3", i.x3)])?;
-        if Self::sides(i).rate(i.g) == Vector2::zeros() { Err(Error::NoTangent { coordinate: "g", value: i.g }) } else { Ok(()) }
+        if Self::sides(i).rate(i.g) == Vector2::zeros() {
+            Err(Error::NoTangent { coordinate: "g", value: i.g })
+        } else {
+            Ok(())
+        }
     }
 
     fn cases() -> Vec<Case<ParabolicMotion<f64>>> {
@@ -231,7 +231,11 @@ impl Formula for SlipIncrementParabolic {
         };
         let mut cases = vec![
             Case::hand("arch", "z = 2 - 2(r - 2)² at g = 3/8 has X' = (1, -1.5)", hand),
-            Case::hand("crown", "at the crown t = (1, 0): 5 along r is a slip of 5", ParabolicMotion { g: 0.0, ..hand }),
+            Case::hand(
+                "crown",
+                "at the crown t = (1, 0): 5 along r is a slip of 5",
+                ParabolicMotion { g: 0.0, ..hand },
+            ),
             Case::limit(
                 "together",
                 "no slip when slave and segment move alike",
@@ -247,13 +251,7 @@ impl Formula for SlipIncrementParabolic {
         cases.push(Case::hard(
             "nearly-together",
             "increments of 1e8 that differ by 1",
-            ParabolicMotion {
-                dxs: carried(dxs),
-                dx1: carried(dx1),
-                dx2: carried(dx2),
-                dx3: carried(dx3),
-                ..hand
-            },
+            ParabolicMotion { dxs: carried(dxs), dx1: carried(dx1), dx2: carried(dx2), dx3: carried(dx3), ..hand },
         ));
         cases
     }
@@ -274,8 +272,7 @@ impl Formula for SlipIncrementParabolic {
             sides: |i| {
                 let half = Octuple::from(0.5);
                 let straight = ParabolicMotion { x2: (i.x1 + i.x3) * half, dx2: (i.dx1 + i.dx3) * half, ..*i };
-                let linear =
-                    LinearMotion { x1: i.x1, x2: i.x3, g: i.g, dxs: i.dxs, dx1: i.dx1, dx2: i.dx3 };
+                let linear = LinearMotion { x1: i.x1, x2: i.x3, g: i.g, dxs: i.dxs, dx1: i.dx1, dx2: i.dx3 };
                 let size = norm([i.dxs.x, i.dxs.y, i.dx1.x, i.dx1.y, i.dx3.x, i.dx3.y]);
                 law::equal_with(Self::eval(&straight).dslip, SlipIncrementLinear::eval(&linear).dslip, size)
             },

@@ -1,8 +1,8 @@
 //! The greatest torque that a slide line transmits: T = ∬ r² p ds dθ, as if the friction coefficient were 1.
 
 use super::basis::length_and_tangent;
-use super::check_radii;
 use super::points::parabolas;
+use super::{check_radii, length};
 use crate::Octuple;
 use crate::error::Error;
 use crate::fields;
@@ -14,8 +14,8 @@ use nalgebra::Vector2;
 use num_dual::DualNum;
 use std::sync::LazyLock;
 
-const SOURCE: Source =
-    Source::SLIDE_LINE.section("Obtaining the \"maximum torque\" that can be transmitted across axisymmetric slide lines");
+const SOURCE: Source = Source::SLIDE_LINE
+    .section("Obtaining the \"maximum torque\" that can be transmitted across axisymmetric slide lines");
 
 fields! {
     /// The two nodes of an ISL21A element, and the pressures there.
@@ -179,18 +179,18 @@ static EXACT_RULE: LazyLock<[[Octuple; 6]; 3]> = LazyLock::new(|| {
     })
 });
 
-/// What one integration point contributes.
+/// One integration point, and what it contributes.
 struct Station<D> {
     /// Weights of the nodes.
     n: [D; 3],
     /// Weights of x2 − x1 and x3 − x2 in X′.
     m: [D; 2],
-    /// 2πw.
-    weight: D,
-    radius: D,
-    pressure: D,
-    length: D,
-    tangent: Vector2<D>,
+    /// Torque.
+    torque: D,
+    /// Torque by the pressure here, by the radius here, and by X′.
+    by_pressure: D,
+    by_radius: D,
+    by_rate: Vector2<D>,
 }
 
 impl<D: Scalar> Station<D> {
@@ -201,21 +201,28 @@ impl<D: Scalar> Station<D> {
         let (n, m) = if mirrored { ([n3, n2, n1], [m2, m1]) } else { ([n1, n2, n3], [m1, m2]) };
         // In the middle x2 drops out, and must do so in rounded numbers too.
         let rate = if row == 0 { (i.x3 - i.x1) * m[0] } else { (i.x2 - i.x1) * m[0] + (i.x3 - i.x2) * m[1] };
-        let (length, tangent) = length_and_tangent(rate);
+        let radius = i.x1.x * n[0] + i.x2.x * n[1] + i.x3.x * n[2];
+        let pressure = i.p1 * n[0] + i.p2 * n[1] + i.p3 * n[2];
+        let length = length(rate);
+        let moment = weight * radius;
+        let by_pressure = moment * radius * length;
+        let per_radius = moment * pressure;
+        let along = if length == 0.0 { D::zero() } else { per_radius * radius / length };
         Self {
             n,
             m,
-            weight,
-            radius: i.x1.x * n[0] + i.x2.x * n[1] + i.x3.x * n[2],
-            pressure: i.p1 * n[0] + i.p2 * n[1] + i.p3 * n[2],
-            length,
-            tangent,
+            torque: by_pressure * pressure,
+            by_pressure,
+            by_radius: per_radius * length * 2.0,
+            by_rate: rate * along,
         }
     }
 
+    /// The middle, and the points on both sides of it in pairs.
     #[inline]
-    fn all(i: &ParabolicPressures<D>) -> [Self; 5] {
-        [(2, true), (1, true), (0, false), (1, false), (2, false)].map(|(row, mirrored)| Self::new(i, row, mirrored))
+    fn all(i: &ParabolicPressures<D>) -> (Self, [[Self; 2]; 2]) {
+        let pair = |row| [Self::new(i, row, false), Self::new(i, row, true)];
+        (Self::new(i, 0, false), [pair(1), pair(2)])
     }
 }
 
@@ -227,37 +234,45 @@ impl Formula for TorqueParabolic {
         source: SOURCE,
         // A quadratic that is ≥ 0 at the nodes can be negative between them, and the weights of a node always are
         // somewhere: terms of either sign then cancel in the sum.
-        eta: 32.0,
-        eta_jacobian: 128.0,
+        eta: 8.0,
+        eta_jacobian: 32.0,
         objective: false,
     };
     type Inputs<T: Element> = ParabolicPressures<T>;
     type Outputs<T: Element> = Torque<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &ParabolicPressures<D>) -> Torque<D> {
-        let terms = Station::all(i).map(|s| s.weight * s.length * (s.radius * s.radius) * s.pressure);
-        Torque { t: terms.into_iter().fold(D::zero(), |sum, term| sum + term) }
+        let (middle, pairs) = Station::all(i);
+        Torque { t: pairs.iter().fold(middle.torque, |t, [after, before]| t + (after.torque + before.torque)) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &ParabolicPressures<D>) -> Jacobian<Self, D> {
-        let mut p = [D::zero(); 3];
-        let mut x = [Vector2::from_element(D::zero()); 3];
-        for s in &Station::all(i) {
-            let moment = s.weight * s.radius;
-            let by_pressure = moment * s.radius * s.length;
-            let by_radius = moment * s.pressure * s.length * 2.0;
-            let by_rate = s.tangent * (moment * s.radius * s.pressure);
-            let (before, after) = (by_rate * s.m[0], by_rate * s.m[1]);
-            x[0] -= before;
-            x[1] += before - after;
-            x[2] += after;
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &ParabolicPressures<D>) -> (Torque<D>, Jacobian<Self, D>) {
+        let (middle, pairs) = Station::all(i);
+        let zero = D::zero();
+        let mut t = middle.torque;
+        let (mut p, mut r) = ([zero, middle.by_pressure, zero], [zero, middle.by_radius, zero]);
+        let mut sides = middle.m.map(|m| middle.by_rate * m);
+        for [after, before] in &pairs {
+            t += after.torque + before.torque;
             for k in 0..3 {
-                p[k] += by_pressure * s.n[k];
-                x[k].x += by_radius * s.n[k];
+                p[k] += after.by_pressure * after.n[k] + before.by_pressure * before.n[k];
+                r[k] += after.by_radius * after.n[k] + before.by_radius * before.n[k];
+            }
+            for (k, side) in sides.iter_mut().enumerate() {
+                *side += after.by_rate * after.m[k] + before.by_rate * before.m[k];
             }
         }
-        let ([x1, x2, x3], [p1, p2, p3]) = (x, p);
-        Torque { t: ParabolicPressures { x1, x2, x3, p1, p2, p3 } }
+        let ([p1, p2, p3], [before, after]) = (p, sides);
+        let radial = r.map(|r| Vector2::new(r, zero));
+        let [x1, x2, x3] = [radial[0] - before, radial[1] + (before - after), radial[2] + after];
+        (Torque { t }, Torque { t: ParabolicPressures { x1, x2, x3, p1, p2, p3 } })
     }
 
     fn validate(i: &ParabolicPressures<f64>) -> Result<(), Error> {
@@ -286,14 +301,14 @@ impl Formula for TorqueParabolic {
                 "p = (r/6)² on that disc: 2π/36 × 6⁵/5",
                 on([[0.0, 1.0], [3.0, 1.0], [6.0, 1.0]], [0.0, 0.25, 1.0]),
             ),
-            Case::limit("axis", "r → 0: nothing on the axis", on([[0.0, 1.0], [0.0, 2.0], [0.0, 2.5]], [5.0, 6.0, 7.0])),
+            Case::limit(
+                "axis",
+                "r → 0: nothing on the axis",
+                on([[0.0, 1.0], [0.0, 2.0], [0.0, 2.5]], [5.0, 6.0, 7.0]),
+            ),
             Case::limit("open", "no pressure, no torque", on(bowl, [0.0; 3])),
             Case::hand("bowl", "a curved element", on(bowl, [0.5, 0.25, 0.75])),
-            Case::hard(
-                "near-axis",
-                "r = 1e-200",
-                on([[1e-200, 1.0], [1e-200, 2.0], [1e-200, 3.5]], [5.0, 6.0, 7.0]),
-            ),
+            Case::hard("near-axis", "r = 1e-200", on([[1e-200, 1.0], [1e-200, 2.0], [1e-200, 3.5]], [5.0, 6.0, 7.0])),
             Case::hard("closed", "x1 = x3, X'(0) = 0", on([[1.0, 1.0], [2.0, 1.5], [1.0, 1.0]], [1.0, 2.0, 3.0])),
             Case::hard("coincident", "all nodes at one place", on([[1.5, 1.0]; 3], [1.0, 2.0, 3.0])),
         ];

@@ -54,7 +54,9 @@ impl Sampler {
             Domain::NonNegative | Domain::Positive => self.magnitude(),
             Domain::Angle => self.between(-std::f64::consts::PI, std::f64::consts::PI),
             Domain::Direction => triads[0][0][component],
-            Domain::Between(low, high) | Domain::Within(low, high) | Domain::HalfOpen(low, high) => self.between(low, high),
+            Domain::Between(low, high) | Domain::Within(low, high) | Domain::HalfOpen(low, high) => {
+                self.between(low, high)
+            }
             Domain::Triad(node, axis) => {
                 let triad = match node {
                     Node::A => triads[0],

@@ -28,10 +28,11 @@ pub struct ClosestLinear;
 
 /// What value and Jacobian have in common.
 struct Projection<D> {
-    length: D,
+    /// 1/ℓ.
+    per_length: D,
     t: Vector2<D>,
-    /// xs from the nearer node.
-    gap: Vector2<D>,
+    /// Distance of the slave point from the straight line, to the left of it.
+    separation: D,
     /// Weights of the nodes at the foot on the whole line: inside the segment where both are positive.
     weights: [D; 2],
 }
@@ -40,9 +41,12 @@ impl<D: Scalar> Projection<D> {
     #[inline]
     fn new(i: &LinearSlave<D>) -> Self {
         let (length, t) = length_and_tangent(i.x2 - i.x1);
+        let per_length = length.recip();
         let (from_1, from_2) = (i.xs - i.x1, i.xs - i.x2);
-        let (n1, n2) = (-from_2.dot(&t) / length, from_1.dot(&t) / length);
-        Self { length, t, gap: if n1 > n2 { from_1 } else { from_2 }, weights: [n1, n2] }
+        let (n1, n2) = (-from_2.dot(&t) * per_length, from_1.dot(&t) * per_length);
+        // From the nearer node, so that the far one does not blur it.
+        let gap = if n1 > n2 { from_1 } else { from_2 };
+        Self { per_length, t, separation: t.perp(&gap), weights: [n1, n2] }
     }
 
     /// −1 or 1 at an end, 0 inside.
@@ -50,6 +54,28 @@ impl<D: Scalar> Projection<D> {
     fn end(&self) -> f64 {
         let [n1, n2] = self.weights;
         f64::from(n1 <= 0.0) - f64::from(n2 <= 0.0)
+    }
+
+    #[inline]
+    fn foot(&self) -> SegmentFoot<D> {
+        let ([n1, n2], end) = (self.weights, self.end());
+        SegmentFoot { g: if end == 0.0 { n2 - n1 } else { D::from(end) }, separation: self.separation }
+    }
+
+    /// ∂g/∂xs = 2t/ℓ, and a turn of the segment moves the foot by the separation.
+    #[inline]
+    fn gradients(&self) -> SegmentFoot<LinearSlave<D>> {
+        let [n1, n2] = self.weights;
+        let n = left(self.t);
+        let separation = LinearSlave { xs: n, x1: n * -n1, x2: n * -n2 };
+        if self.end() != 0.0 {
+            return SegmentFoot { g: LinearSlave::filled(D::zero()), separation };
+        }
+        let rate = self.per_length * 2.0;
+        let along = self.t * rate;
+        let across = n * (self.separation * self.per_length * rate);
+        let g = LinearSlave { xs: along, x1: along * -n1 - across, x2: across - along * n2 };
+        SegmentFoot { g, separation }
     }
 }
 
@@ -66,28 +92,20 @@ impl Formula for ClosestLinear {
     type Inputs<T: Element> = LinearSlave<T>;
     type Outputs<T: Element> = SegmentFoot<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &LinearSlave<D>) -> SegmentFoot<D> {
-        let foot = Projection::new(i);
-        let [n1, n2] = foot.weights;
-        let end = foot.end();
-        let g = if end == 0.0 { n2 - n1 } else { D::from(end) };
-        SegmentFoot { g, separation: foot.t.perp(&foot.gap) }
+        Projection::new(i).foot()
     }
 
-    /// ∂g/∂xs = 2t/ℓ, and a turn of the segment moves the foot by the separation.
+    #[inline]
     fn jacobian<D: Scalar>(i: &LinearSlave<D>) -> Jacobian<Self, D> {
-        let foot = Projection::new(i);
-        let [n1, n2] = foot.weights;
-        let n = left(foot.t);
-        let separation = LinearSlave { xs: n, x1: n * -n1, x2: n * -n2 };
-        if foot.end() != 0.0 {
-            return SegmentFoot { g: LinearSlave::filled(D::zero()), separation };
-        }
-        let rate = D::from(2.0) / foot.length;
-        let along = foot.t * rate;
-        let across = n * (foot.t.perp(&foot.gap) * rate * rate * 0.5);
-        let g = LinearSlave { xs: along, x1: along * -n1 - across, x2: across - along * n2 };
-        SegmentFoot { g, separation }
+        Projection::new(i).gradients()
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &LinearSlave<D>) -> (SegmentFoot<D>, Jacobian<Self, D>) {
+        let projection = Projection::new(i);
+        (projection.foot(), projection.gradients())
     }
 
     fn validate(i: &LinearSlave<f64>) -> Result<(), Error> {
@@ -100,7 +118,11 @@ impl Formula for ClosestLinear {
         let mut cases = vec![
             Case::hand("open", "a quarter of the way, 2 above: g = -0.5", flat([2.0, 2.0])),
             Case::hand("closed", "2 below: penetration", flat([2.0, -2.0])),
-            Case::hand("inclined", "3-4-5: the foot is (4, 5), the separation 5", on([0.0, 8.0], [1.0, 1.0], [7.0, 9.0])),
+            Case::hand(
+                "inclined",
+                "3-4-5: the foot is (4, 5), the separation 5",
+                on([0.0, 8.0], [1.0, 1.0], [7.0, 9.0]),
+            ),
             Case::limit("on-the-segment", "separation 0", on([2.5, 3.0], [1.0, 1.0], [7.0, 9.0])),
             Case::limit("beyond-first", "the foot stays at the first node", flat([-2.0, 2.0])),
             Case::limit("beyond-last", "the foot stays at the last node", flat([9.0, -2.0])),
@@ -110,7 +132,11 @@ impl Formula for ClosestLinear {
             Case::hard("outside-last", "one ulp behind the last node", flat([5.0_f64.next_up(), 2.0])),
             Case::hard("far-slave", "the slave point 1e12 away", flat([2.0, 1e12])),
             Case::hard("near-slave", "the slave point 1e-12 away", flat([2.25, 1e-12])),
-            Case::hard("end-at-origin", "the far node must not blur the foot", on([1e-9, 2e-9], [-3.0, -4.0], [0.0, 0.0])),
+            Case::hard(
+                "end-at-origin",
+                "the far node must not blur the foot",
+                on([1e-9, 2e-9], [-3.0, -4.0], [0.0, 0.0]),
+            ),
         ];
         let places = hard::places().into_iter().filter(|place| place.id != "coincident");
         cases.extend(places.map(|place| {

@@ -68,7 +68,11 @@ impl Formula for ClosestParabolic {
 
     fn cases() -> Vec<Case<ParabolicSlave<f64>>> {
         let mut cases = vec![
-            Case::hand("below-centre", "on the axis of z = (r-2)², below the centre of curvature (2, 0.5)", in_bowl(2.0, 0.25)),
+            Case::hand(
+                "below-centre",
+                "on the axis of z = (r-2)², below the centre of curvature (2, 0.5)",
+                in_bowl(2.0, 0.25),
+            ),
             Case::hand("on-the-curve", "separation 0", in_bowl(2.5, 0.25)),
             Case::hand("outside", "penetration of 3 at the vertex", in_bowl(2.0, -3.0)),
             Case::hand("tied", "(2, 1) is as near to g = -√½ as to g = √½: the smaller is taken", in_bowl(2.0, 1.0)),
@@ -125,7 +129,11 @@ impl Formula for ClosestParabolic {
         vec![
             Case::invalid("coincident", "two nodes at one place", at([1.0, 3.0], [x1, x2, x2])),
             Case::invalid("quarter-point-end", "foot where X' = 0", at([0.0, 1.0], quarter_point())),
-            Case::invalid("folded", "the curve turns back on itself before it reaches the slave point", at([9.0, 9.0], folded)),
+            Case::invalid(
+                "folded",
+                "the curve turns back on itself before it reaches the slave point",
+                at([9.0, 9.0], folded),
+            ),
         ]
     }
 

@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::fields;
 use crate::formula::{Case, Convention, Element, Fields, Formula, Jacobian, Kink, Law, Source, Spec};
 use crate::quantity::{CORNER_T, FRACTION, SEPARATION, X1, X2, X3, XS};
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, abs};
 use crate::slide_line::corners::linear_corners;
 use crate::slide_line::points::Sides;
 use crate::slide_line::shape::LinearCorner;
@@ -35,6 +35,18 @@ impl<D: Scalar> LinearCornerSlave<D> {
     fn view(&self) -> View<D, LinearCorner, 3> {
         View::new(self.xs, [self.x1, self.x2, self.x3], self.f)
     }
+
+    /// What has the product with Y′ that ∂X/∂f = s² (x1−x2) + t² (x3−x2) has.
+    ///
+    /// ∂X/∂f = (X − x2)/f, and at the foot Y′·X = Y′·xs: where the slave point is near the corner (xs − x2)/f is free
+    /// of the cancellation in the sum.
+    fn bulge(&self, view: &View<D, LinearCorner, 3>, foot: &Foot<D, 3>) -> Vector2<D> {
+        let size = |v: Vector2<D>| abs(v.x) + abs(v.y);
+        let [s, t] = foot.parts();
+        let (first, last) = (view.in_unit(self.x1 - self.x2) * (s * s), view.in_unit(self.x3 - self.x2) * (t * t));
+        let arm = view.in_unit(self.xs - self.x2);
+        if size(arm) < self.f * (size(first) + size(last)) { arm / self.f } else { first + last }
+    }
 }
 
 impl Formula for ClosestSmoothedLinear {
@@ -56,8 +68,7 @@ impl Formula for ClosestSmoothedLinear {
         CornerFoot { t: foot.u, separation: foot.separation() * view.unit }
     }
 
-    /// With respect to f: ∂X/∂f = (X − x2)/f, so Y′·∂X/∂f = Y′·(xs − x2)/f at the foot, and since n ⟂ Y′,
-    /// n·∂X/∂f = 2st (x2−x1) × (x3−x2)/|Y′|.
+    /// With respect to f: since n ⟂ Y′, n·∂X/∂f = 2st (x2−x1) × (x3−x2)/|Y′|.
     fn jacobian<D: Scalar>(i: &LinearCornerSlave<D>) -> Jacobian<Self, D> {
         let view = i.view();
         let foot = Foot::on(&view);
@@ -72,7 +83,7 @@ impl Formula for ClosestSmoothedLinear {
                 x1: t(n1, m1),
                 x2: t(n2, m2),
                 x3: t(n3, m3),
-                f: view.in_unit(i.xs - i.x2).dot(&foot.rate) / i.f * foot.per_slope,
+                f: i.bulge(&view, &foot).dot(&foot.rate) * foot.per_slope,
             },
             separation: LinearCornerSlave {
                 xs: normal,
@@ -128,7 +139,11 @@ impl Formula for ClosestSmoothedLinear {
         };
         vec![
             Case::invalid("coincident", "two nodes at one place", at([0.0, 1.0], [[1.0, 0.0], [2.0, 0.0], [2.0, 0.0]])),
-            Case::invalid("folded", "the line turns straight back", at([9.0, 0.0], [[1.0, 0.0], [3.0, 0.0], [1.0, 0.0]])),
+            Case::invalid(
+                "folded",
+                "the line turns straight back",
+                at([9.0, 0.0], [[1.0, 0.0], [3.0, 0.0], [1.0, 0.0]]),
+            ),
         ]
     }
 

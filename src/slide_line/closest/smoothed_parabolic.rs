@@ -11,7 +11,8 @@ use crate::slide_line::corners::{curved_corner, parabolic_corners};
 use crate::slide_line::points::Sides;
 use crate::slide_line::shape::{ParabolicCorner, Shape};
 use crate::slide_line::{
-    ClosestSmoothedLinear, LinearCornerSlave, ParabolicCornerPlace, SmoothedParabolicPoint, check_distinct, left, length,
+    ClosestSmoothedLinear, LinearCornerSlave, ParabolicCornerPlace, SmoothedParabolicPoint, check_distinct, left,
+    length,
 };
 use crate::verify::law;
 use nalgebra::Vector2;
@@ -35,11 +36,8 @@ impl<D: Scalar> ParabolicCornerSlave<D> {
 
     /// ∂E11/∂f beyond an end: ∂Y′/∂f = ∓8 X″ there, with X″ of the segment that the corner is tangent to.
     fn end_turning(&self, view: &View<D, ParabolicCorner, 5>, foot: &Foot<D, 5>) -> D {
-        let (sides, weight) = if foot.u < 0.5 {
-            ([self.x1, self.x2, self.x3], 32.0)
-        } else {
-            ([self.x3, self.x4, self.x5], -32.0)
-        };
+        let (sides, weight) =
+            if foot.u < 0.5 { ([self.x1, self.x2, self.x3], 32.0) } else { ([self.x3, self.x4, self.x5], -32.0) };
         Sides::new(sides).turn(foot.speed(view)) * foot.beyond * weight
     }
 }
@@ -51,7 +49,7 @@ impl Formula for ClosestSmoothedParabolic {
         latex: r"(\mathbf{x}_s-\mathbf{X}(t))\cdot\mathbf{X}'(t) = 0,\quad 0 \le t \le 1,\qquad E_{11} = (\mathbf{x}_s-\mathbf{X})\cdot\mathbf{n}",
         source: Source::SLIDE_LINE.section("Smoothing the slide line"),
         eta: 8.0,
-        eta_jacobian: 16.0,
+        eta_jacobian: 24.0,
         objective: true,
     };
     type Inputs<T: Element> = ParabolicCornerSlave<T>;
