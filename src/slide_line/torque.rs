@@ -258,20 +258,23 @@ impl Formula for TorqueParabolic {
         let zero = D::zero();
         let mut t = middle.torque;
         let (mut p, mut r) = ([zero, middle.by_pressure, zero], [zero, middle.by_radius, zero]);
-        let mut sides = middle.m.map(|m| middle.by_rate * m);
+        // X′ = (½−g)(x2−x1) + (½+g)(x3−x2), in which x2 weighs −2g.
+        let (mut x1, mut x3) = (middle.by_rate * -middle.m[0], middle.by_rate * middle.m[1]);
+        let mut x2 = Vector2::from_element(zero);
         for [after, before] in &pairs {
             t += after.torque + before.torque;
             for k in 0..3 {
                 p[k] += after.by_pressure * after.n[k] + before.by_pressure * before.n[k];
                 r[k] += after.by_radius * after.n[k] + before.by_radius * before.n[k];
             }
-            for (k, side) in sides.iter_mut().enumerate() {
-                *side += after.by_rate * after.m[k] + before.by_rate * before.m[k];
-            }
+            x1 -= after.by_rate * after.m[0] + before.by_rate * before.m[0];
+            x2 += (after.by_rate - before.by_rate) * (after.m[0] - after.m[1]);
+            x3 += after.by_rate * after.m[1] + before.by_rate * before.m[1];
         }
-        let ([p1, p2, p3], [before, after]) = (p, sides);
-        let radial = r.map(|r| Vector2::new(r, zero));
-        let [x1, x2, x3] = [radial[0] - before, radial[1] + (before - after), radial[2] + after];
+        for (x, r) in [&mut x1, &mut x2, &mut x3].into_iter().zip(r) {
+            x.x += r;
+        }
+        let [p1, p2, p3] = p;
         (Torque { t }, Torque { t: ParabolicPressures { x1, x2, x3, p1, p2, p3 } })
     }
 
