@@ -162,7 +162,7 @@ impl Formula for SmoothedParabolicPoint {
         let rates = ParabolicCorner::rates(f, i.t).map(|rate| rate * f);
         let rate = combination(&nodes, rates);
         let bend = combination(&nodes, ParabolicCorner::bends(f, i.t)) * f;
-        let [x_by_f, _] = ParabolicCorner::by_fraction(f, i.t).map(|weights| combination(&nodes, weights));
+        let [x_by_f, ..] = ParabolicCorner::by_fraction(f, i.t).map(|weights| combination(&nodes, weights));
         // The rates are linear in f: f times them has the derivative that they have at 2f.
         let rate_by_f = combination(&nodes, ParabolicCorner::rates(f * 2.0, i.t));
         let row = |k, [n1, n2, n3, n4, n5]: [D; 5], f, t| ParabolicCornerPlace {

@@ -148,9 +148,9 @@ impl Shape<3> for LinearCorner {
 pub(super) struct ParabolicCorner;
 
 impl ParabolicCorner {
-    /// The derivatives of weights and rates with respect to f.
+    /// The derivatives of weights, rates and bends with respect to f.
     #[inline]
-    pub(super) fn by_fraction<D: Scalar>(f: D, t: D) -> [[D; 5]; 2] {
+    pub(super) fn by_fraction<D: Scalar>(f: D, t: D) -> [[D; 5]; 3] {
         let s = -t + 1.0;
         let rest = -(f * 4.0) + 1.0;
         let weights = both_sides(s, t, |near, other| {
@@ -161,8 +161,12 @@ impl ParabolicCorner {
             let turn = (-(near * 3.0) + 1.0) * near;
             [turn * 4.0, turn * -8.0]
         });
+        let bends = both_sides(s, t, |near, _| {
+            let turn = -(near * 6.0) + 1.0;
+            [turn * -4.0, turn * 8.0]
+        });
         let middle = f * 4.0 - 3.0 + (-(f * 16.0) + 6.0) * s * t;
-        [with_middle(weights, middle), with_middle(against(rates), (s - t) * -8.0)]
+        [with_middle(weights, middle), with_middle(against(rates), (s - t) * -8.0), with_middle(bends, D::from(16.0))]
     }
 }
 

@@ -68,9 +68,10 @@ impl Formula for ClosestSmoothedParabolic {
         let ([n1, n2, n3, n4, n5], [m1, m2, m3, m4, m5]) = (foot.weights, foot.rates);
         let t = |n, m| view.per_unit(foot.coordinate_by(n, m));
         let normal = foot.normal();
-        let [point, rate] = ParabolicCorner::by_fraction(i.f, foot.u).map(|weights| view.combination(weights));
+        // By f: of X, Y′ and Y″, and of X′, which is f Y′ and hence quadratic in f.
+        let [point, rate, bend] = ParabolicCorner::by_fraction(i.f, foot.u).map(|weights| view.combination(weights));
         let rate_of_point = view.combination(ParabolicCorner::rates(i.f * 2.0, foot.u));
-        let point = point + rate_of_point * foot.missing;
+        let (point, rate) = (point + rate_of_point * foot.missing, rate + bend * foot.missing);
         CornerFoot {
             t: ParabolicCornerSlave {
                 xs: t(-D::one(), D::zero()),
