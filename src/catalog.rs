@@ -3,7 +3,9 @@
 use crate::formula::{Convention, Field, Fields, Formula, Kink, Spec, value};
 use crate::scalar::{abs, sign};
 use crate::verify::{Audit, Options, audit, audit_at, exactly, golden, hard};
-use crate::{Error, Octuple, align, cardan, coulomb, interaction, join, slide_line, slider, slot, translator, universal};
+use crate::{
+    Error, Octuple, align, cardan, coulomb, interaction, join, slide_line, slider, slot, translator, universal,
+};
 
 /// A formula whose inputs and outputs are not known to the compiler; every [`Formula`] is one.
 pub trait AnyFormula: Send + Sync {

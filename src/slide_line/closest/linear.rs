@@ -59,7 +59,9 @@ impl<D: Scalar> Projection<D> {
     #[inline]
     fn foot(&self) -> SegmentFoot<D> {
         let ([n1, n2], end) = (self.weights, self.end());
-        SegmentFoot { g: if end == 0.0 { n2 - n1 } else { D::from(end) }, separation: self.separation }
+        // From the smaller weight, which keeps g between the ends: the rounded weights do not add up to 1.
+        let inside = if n1 > n2 { n2 * 2.0 - 1.0 } else { -(n1 * 2.0) + 1.0 };
+        SegmentFoot { g: if end == 0.0 { inside } else { D::from(end) }, separation: self.separation }
     }
 
     /// ∂g/∂xs = 2t/ℓ, and a turn of the segment moves the foot by the separation.
