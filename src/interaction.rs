@@ -108,7 +108,7 @@ impl Formula for PressureExponential {
         title: "Exponential pressure–overclosure law",
         latex: r"p = \begin{cases} \dfrac{p_0}{e-1}\,s\,(e^s - 1) & s > 0 \\ 0 & \text{otherwise}\end{cases}\qquad s = \frac{h}{c_0} + 1",
         source: SOURCE,
-        eta: 8.0,
+        eta: 5.0,
         eta_jacobian: 8.0,
         objective: true,
     };
@@ -236,8 +236,8 @@ impl Formula for Damping {
         title: "Viscous contact damping",
         latex: r"p = v \begin{cases} \mu_0 & -h \le \eta c_0 \\ \mu_0\,\dfrac{c_0 + h}{(1-\eta)\,c_0} & \eta c_0 < -h < c_0 \\ 0 & \text{otherwise}\end{cases}",
         source: SOURCE,
-        eta: 4.0,
-        eta_jacobian: 6.0,
+        eta: 2.0,
+        eta_jacobian: 2.0,
         objective: true,
     };
     type Inputs<T: Element> = DampingContact<T>;

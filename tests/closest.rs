@@ -1,6 +1,6 @@
 //! The closest point is the global one, on every kind of curve, and no input makes the search loop or panic.
 
-use jointproof::formula::{Element, Fields, Formula, check, value, value_and_jacobian};
+use jointproof::formula::{Element, Fields, Formula, Jacobian, check, value, value_and_jacobian};
 use jointproof::slide_line::{
     ClosestLinear, ClosestParabolic, ClosestSmoothedLinear, ClosestSmoothedParabolic, CornerFoot, LinearCornerPlace,
     LinearCornerSlave, LinearPlace, LinearPoint, LinearSlave, ParabolicCornerPlace, ParabolicCornerSlave,
@@ -208,12 +208,17 @@ fn any_double() -> impl Strategy<Value = f64> {
 fn answers<F: Curve>(components: &[f64]) -> Result<(), TestCaseError> {
     let Some(i) = F::Inputs::from_slice(components) else { return Err(TestCaseError::fail("components")) };
     // Without the checks too: what a solver calls in its inner loop may be anything.
-    let (_, _) = F::linearized(&i);
+    let (out, gradients) = F::linearized(&i);
+    let bits = |components: Vec<f64>| {
+        components.into_iter().map(|x| if x.is_nan() { None } else { Some(x.to_bits()) }).collect::<Vec<_>>()
+    };
+    prop_assert_eq!(bits(out.components()), bits(F::eval(&i).components()));
+    let entries = |rows: Jacobian<F, f64>| rows.components().iter().flat_map(Fields::components).collect::<Vec<_>>();
+    prop_assert_eq!(bits(entries(gradients)), bits(entries(F::jacobian(&i))));
     if let Ok((foot, jacobian)) = value_and_jacobian::<F>(&i) {
         prop_assert!((F::ENDS[0]..=F::ENDS[1]).contains(&F::coordinate(&foot)));
         prop_assert!(foot.components().iter().all(|x| x.is_finite()));
-        let entries = jacobian.components();
-        prop_assert!(entries.iter().flat_map(Fields::components).all(f64::is_finite));
+        prop_assert!(entries(jacobian).into_iter().all(f64::is_finite));
     }
     Ok(())
 }

@@ -33,7 +33,7 @@ impl Formula for ContactAreaLinear {
         title: "Contact areas of ISL21A",
         latex: r"A_i = 2\pi r_i\,\tfrac{\ell}{2},\quad \ell = \lvert\mathbf{x}_2-\mathbf{x}_1\rvert",
         source: SOURCE,
-        eta: 4.0,
+        eta: 3.0,
         eta_jacobian: 4.0,
         objective: false,
     };
@@ -145,7 +145,7 @@ impl Formula for ContactAreaParabolic {
         title: "Contact areas of ISL22A",
         latex: r"A_i = 2\pi r_i\,w_i\,\lvert\mathbf{X}'(g_i)\rvert,\quad w = \tfrac13, \tfrac43, \tfrac13\ \text{at}\ g = -1, 0, 1",
         source: SOURCE,
-        eta: 4.0,
+        eta: 3.0,
         eta_jacobian: 6.0,
         objective: false,
     };

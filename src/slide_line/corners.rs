@@ -39,8 +39,8 @@ impl Formula for SmoothedLinearPoint {
         title: "Point of a smoothed corner between straight segments",
         latex: r"\mathbf{X} = \mathbf{x}_2 + f\bigl[(1-t)^2(\mathbf{x}_1-\mathbf{x}_2) + t^2(\mathbf{x}_3-\mathbf{x}_2)\bigr]",
         source: SOURCE,
-        eta: 6.0,
-        eta_jacobian: 4.0,
+        eta: 3.0,
+        eta_jacobian: 3.0,
         objective: true,
     };
     type Inputs<T: Element> = LinearCornerPlace<T>;
@@ -141,8 +141,8 @@ impl Formula for SmoothedParabolicPoint {
         title: "Point of a smoothed corner between parabolic segments",
         latex: r"\mathbf{X} = (1-t)^3\mathbf{A} + 3(1-t)^2 t\,\bigl(\mathbf{A}+\tfrac{4f}{3}\mathbf{A}'\bigr) + 3(1-t)t^2\bigl(\mathbf{B}-\tfrac{4f}{3}\mathbf{B}'\bigr) + t^3\mathbf{B}",
         source: SOURCE,
-        eta: 8.0,
-        eta_jacobian: 8.0,
+        eta: 4.0,
+        eta_jacobian: 5.0,
         objective: true,
     };
     type Inputs<T: Element> = ParabolicCornerPlace<T>;
@@ -188,7 +188,7 @@ impl Formula for SmoothedParabolicPoint {
             Case::limit("start", "t = 0: on the segment before the corner", place(curved_corner(), 0.25, 0.0)),
             Case::limit("end", "t = 1: on the segment behind the corner", place(curved_corner(), 0.25, 1.0)),
             Case::limit("default", "the default fraction 0.2", place(curved_corner(), 0.2, 0.25)),
-            Case::hard("sharp", "f → 0: the corner itself", place(curved_corner(), 1e-200, 0.25)),
+            Case::hard("sharp", "f → 0: the corner itself", place(curved_corner(), 1e-60, 0.25)),
             Case::hard(
                 "widest",
                 "f → 1/2: from midside node to midside node",

@@ -30,8 +30,8 @@ impl Formula for LinearPoint {
         title: "Point of a straight segment",
         latex: r"\mathbf{X} = \tfrac12(1-g)\,\mathbf{x}_1 + \tfrac12(1+g)\,\mathbf{x}_2,\quad \mathbf{X}' = \tfrac12(\mathbf{x}_2-\mathbf{x}_1)",
         source: Source::SLIDE_LINE.section("Defining a linear slide line"),
-        eta: 4.0,
-        eta_jacobian: 2.0,
+        eta: 2.0,
+        eta_jacobian: 1.0,
         objective: true,
     };
     type Inputs<T: Element> = LinearPlace<T>;
@@ -104,8 +104,8 @@ impl Formula for ParabolicPoint {
         title: "Point of a parabolic segment",
         latex: r"\mathbf{X} = \tfrac12 g(g-1)\,\mathbf{x}_1 + (1-g^2)\,\mathbf{x}_2 + \tfrac12 g(g+1)\,\mathbf{x}_3",
         source: Source::SLIDE_LINE.section("Defining a parabolic slide line"),
-        eta: 6.0,
-        eta_jacobian: 4.0,
+        eta: 3.0,
+        eta_jacobian: 3.0,
         objective: true,
     };
     type Inputs<T: Element> = ParabolicPlace<T>;

@@ -44,8 +44,8 @@ impl Formula for SlipIncrementLinear {
         title: "Slip increment on a straight segment",
         latex: r"\Delta E_{12} = \mathbf{t}\cdot\Bigl(\Delta\mathbf{x}_s - \sum_i N_i(g)\,\Delta\mathbf{x}_i\Bigr)",
         source: Source::SLIDE_LINE.section("Element output"),
-        eta: 6.0,
-        eta_jacobian: 8.0,
+        eta: 4.0,
+        eta_jacobian: 5.0,
         objective: true,
     };
     type Inputs<T: Element> = LinearMotion<T>;
@@ -92,7 +92,7 @@ impl Formula for SlipIncrementLinear {
                 "no slip when slave and segment move alike",
                 LinearMotion { dx1: hand.dxs, dx2: hand.dxs, ..hand },
             ),
-            Case::limit("normal", "no slip along the normal", LinearMotion { dxs: Vector2::new(-4.0, 3.0), ..hand }),
+            Case::limit("normal", "no slip along the normal", LinearMotion { x2: Vector2::new(1.0, 5.0), ..hand }),
             Case::limit("still", "nothing moves", LinearMotion { dxs: still, ..hand }),
         ];
         let [dxs, dx1, dx2] = steps();
@@ -172,8 +172,8 @@ impl Formula for SlipIncrementParabolic {
         title: "Slip increment on a parabolic segment",
         latex: r"\Delta E_{12} = \mathbf{t}\cdot\Bigl(\Delta\mathbf{x}_s - \sum_i N_i(g)\,\Delta\mathbf{x}_i\Bigr)",
         source: Source::SLIDE_LINE.section("Element output"),
-        eta: 8.0,
-        eta_jacobian: 8.0,
+        eta: 4.0,
+        eta_jacobian: 5.0,
         objective: true,
     };
     type Inputs<T: Element> = ParabolicMotion<T>;

@@ -122,10 +122,10 @@ impl Formula for ClosestLinear {
             Case::hand("closed", "2 below: penetration", flat([2.0, -2.0])),
             Case::hand(
                 "inclined",
-                "3-4-5: the foot is (4, 5), the separation 5",
-                on([0.0, 8.0], [1.0, 1.0], [7.0, 9.0]),
+                "3-4-5: the foot is (4, 5), the separation 5, g = -0.5",
+                on([0.0, 8.0], [1.0, 1.0], [13.0, 17.0]),
             ),
-            Case::limit("on-the-segment", "separation 0", on([2.5, 3.0], [1.0, 1.0], [7.0, 9.0])),
+            Case::limit("on-the-segment", "separation 0", flat([2.5, 0.0])),
             Case::limit("beyond-first", "the foot stays at the first node", flat([-2.0, 2.0])),
             Case::limit("beyond-last", "the foot stays at the last node", flat([9.0, -2.0])),
             Case::hard("at-first", "foot exactly at the first node: g has a kink", flat([1.0, 2.0])),

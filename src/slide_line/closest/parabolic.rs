@@ -36,8 +36,8 @@ impl Formula for ClosestParabolic {
         title: "Closest point of a parabolic segment",
         latex: r"(\mathbf{x}_s-\mathbf{X}(g))\cdot\mathbf{X}'(g) = 0,\quad -1 \le g \le 1,\qquad E_{11} = (\mathbf{x}_s-\mathbf{X})\cdot\mathbf{n}",
         source: Source::SLIDE_LINE.section("Element output"),
-        eta: 8.0,
-        eta_jacobian: 16.0,
+        eta: 4.0,
+        eta_jacobian: 12.0,
         objective: true,
     };
     type Inputs<T: Element> = ParabolicSlave<T>;
@@ -50,15 +50,21 @@ impl Formula for ClosestParabolic {
     }
 
     fn jacobian<D: Scalar>(i: &ParabolicSlave<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    fn linearized<D: Scalar>(i: &ParabolicSlave<D>) -> (SegmentFoot<D>, Jacobian<Self, D>) {
         let view = i.view();
         let foot = Foot::on(&view);
+        let value = SegmentFoot { g: foot.u, separation: foot.separation() * view.unit };
         let ([n1, n2, n3], [m1, m2, m3]) = (foot.weights, foot.rates);
         let g = |n, m| view.per_unit(foot.coordinate_by(n, m));
         let normal = foot.normal();
-        SegmentFoot {
+        let gradients = SegmentFoot {
             g: ParabolicSlave { xs: g(-D::one(), D::zero()), x1: g(n1, m1), x2: g(n2, m2), x3: g(n3, m3) },
             separation: ParabolicSlave { xs: normal, x1: normal * -n1, x2: normal * -n2, x3: normal * -n3 },
-        }
+        };
+        (value, gradients)
     }
 
     fn validate(i: &ParabolicSlave<f64>) -> Result<(), Error> {

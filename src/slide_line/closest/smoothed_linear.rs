@@ -55,7 +55,7 @@ impl Formula for ClosestSmoothedLinear {
         title: "Closest point of a smoothed corner between straight segments",
         latex: r"(\mathbf{x}_s-\mathbf{X}(t))\cdot\mathbf{X}'(t) = 0,\quad 0 \le t \le 1,\qquad E_{11} = (\mathbf{x}_s-\mathbf{X})\cdot\mathbf{n}",
         source: Source::SLIDE_LINE.section("Smoothing the slide line"),
-        eta: 8.0,
+        eta: 4.0,
         eta_jacobian: 16.0,
         objective: true,
     };
@@ -68,16 +68,21 @@ impl Formula for ClosestSmoothedLinear {
         CornerFoot { t: foot.u, separation: foot.separation() * view.unit }
     }
 
-    /// With respect to f: since n ⟂ Y′, n·∂X/∂f = 2st (x2−x1) × (x3−x2)/|Y′|.
     fn jacobian<D: Scalar>(i: &LinearCornerSlave<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    /// With respect to f: since n ⟂ Y′, n·∂X/∂f = 2st (x2−x1) × (x3−x2)/|Y′|.
+    fn linearized<D: Scalar>(i: &LinearCornerSlave<D>) -> (CornerFoot<D>, Jacobian<Self, D>) {
         let view = i.view();
         let foot = Foot::on(&view);
+        let value = CornerFoot { t: foot.u, separation: foot.separation() * view.unit };
         let ([n1, n2, n3], [m1, m2, m3]) = (foot.weights, foot.rates);
         let t = |n, m| view.per_unit(foot.coordinate_by(n, m));
         let normal = foot.normal();
         let [before, behind] = foot.parts();
         let opening = Sides::new([i.x1, i.x2, i.x3]).turn(foot.speed(&view)) * before * behind * -2.0;
-        CornerFoot {
+        let gradients = CornerFoot {
             t: LinearCornerSlave {
                 xs: t(-D::one(), D::zero()),
                 x1: t(n1, m1),
@@ -92,7 +97,8 @@ impl Formula for ClosestSmoothedLinear {
                 x3: normal * -n3,
                 f: if foot.inside { opening } else { D::zero() },
             },
-        }
+        };
+        (value, gradients)
     }
 
     fn validate(i: &LinearCornerSlave<f64>) -> Result<(), Error> {
