@@ -137,6 +137,16 @@ pub enum Error {
         /// The least length allowed.
         least: f64,
     },
+    /// A curve stands still where its tangent is asked for.
+    #[error(
+        "the curve has no tangent at {coordinate} = {value}: a midside node is at the quarter point, or the curve folds back"
+    )]
+    NoTangent {
+        /// The coordinate along the curve.
+        coordinate: &'static str,
+        /// Its value.
+        value: f64,
+    },
     /// A list of components has the wrong length.
     #[error("{found} components; allowed are exactly {expected}")]
     Components {
@@ -255,6 +265,7 @@ impl Error {
             Self::NoArcSine { .. } => "NoArcSine",
             Self::TooClose { .. } => "TooClose",
             Self::TooShort { .. } => "TooShort",
+            Self::NoTangent { .. } => "NoTangent",
             Self::Components { .. } => "Components",
             Self::Overflow { .. } => "Overflow",
             Self::DerivativeOverflow { .. } => "DerivativeOverflow",

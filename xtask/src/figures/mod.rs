@@ -3,9 +3,17 @@
 mod arm;
 mod cardan;
 mod chart;
+mod slide_line;
 
 /// Every figure, by the name that `{{#figure name}}` gives.
 pub(crate) fn all() -> Vec<(String, String)> {
-    let charts = [cardan::beta_near_90(), arm::twist(), arm::axial()];
+    let charts = [
+        cardan::beta_near_90(),
+        arm::twist(),
+        arm::axial(),
+        slide_line::line(),
+        slide_line::pressure_laws(),
+        slide_line::damping_coefficient(),
+    ];
     charts.iter().map(|chart| (chart.name.to_owned(), chart.svg())).collect()
 }
