@@ -6,7 +6,8 @@
 //!
 //! | module | what is in it |
 //! |---|---|
-//! | [`slot`], [`coulomb`], [`cardan`], [`align`], [`translator`], [`join`], [`universal`], [`ujoint`], [`slider`] | the documents' rooms: formulas, Jacobians, hard cases, and the typed connectors |
+//! | [`slot`], [`coulomb`], [`cardan`], [`align`], [`translator`], [`join`], [`universal`], [`ujoint`], [`slider`], [`slide_line`], [`interaction`] | the documents' rooms: formulas, Jacobians, hard cases, and the typed connectors |
+//! | [`isl`] | the axisymmetric elements that slide along a slide line |
 //! | [`frame`] | validated triads |
 //! | [`formula`], [`quantity`] | what a formula is; the vocabulary of symbols, units and domains |
 //! | [`scalar`] | the numbers a formula runs in: `f64`, [`Octuple`], [`Single`], dual numbers over them |
@@ -36,6 +37,7 @@ mod error;
 pub mod formula;
 pub mod frame;
 pub mod interaction;
+pub mod isl;
 pub mod join;
 mod newtype;
 pub mod octuple;

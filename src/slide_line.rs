@@ -5,21 +5,32 @@
 //! side of the slave. A slave point has a nearest place on the line, at the coordinate g ∈ [−1, 1] of a segment or
 //! t ∈ [0, 1] of a smoothed corner, and from it the separation E11 = (xs − X)·n, positive when open.
 //!
-//! One room per topic: the local basis, points of the curves, the closest point, slip, contact area and torque.
+//! One room per topic: the local basis, points of the curves, the closest point, slip, contact area and torque; and the
+//! line as a model states it, [`SlideLine`], with the closest point of the whole of it. The elements on it are in
+//! [`isl`](crate::isl).
 
 mod area;
 mod basis;
 mod closest;
 mod corners;
+mod line;
+mod nodes;
+mod place;
+mod placed;
 mod points;
 mod shape;
 mod slip;
 mod torque;
+mod tree;
 
 pub use area::*;
 pub use basis::*;
 pub use closest::*;
 pub use corners::*;
+pub use line::{Kind, SlideLine};
+pub use nodes::Nodes;
+pub use place::{ClosestPoint, OverclosureVariation, Place};
+pub use placed::PlacedLine;
 pub use points::*;
 pub use slip::*;
 pub use torque::*;

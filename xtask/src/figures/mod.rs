@@ -4,6 +4,7 @@ mod arm;
 mod cardan;
 mod chart;
 mod slide_line;
+mod thread;
 
 /// Every figure, by the name that `{{#figure name}}` gives.
 pub(crate) fn all() -> Vec<(String, String)> {
@@ -14,6 +15,8 @@ pub(crate) fn all() -> Vec<(String, String)> {
         slide_line::line(),
         slide_line::pressure_laws(),
         slide_line::damping_coefficient(),
+        thread::torque_of_a_thread(),
+        thread::tilted_flank(),
     ];
     charts.iter().map(|chart| (chart.name.to_owned(), chart.svg())).collect()
 }
