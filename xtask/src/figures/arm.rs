@@ -42,15 +42,47 @@ pub(crate) fn twist() -> Chart {
     }
 }
 
-/// The axial shares of the model used.
+/// The axial shares of the model used, and α_axial of beams.
 pub(crate) fn axial() -> Chart {
     Chart {
         name: "arm-axial",
         title: "The shares of a force along an arm",
-        description: "α_axial and β_axial over the slenderness λ from 0.1 to 1000. Both are 1/4 for a rigid cross; for a slender \
-            one the hinges on the arm carry 1/2 each and those on the other arm nothing.",
+        description: "α_axial and β_axial over the slenderness λ from 0.1 to 1000. By the model used both are 1/4 for a rigid \
+            cross; for a slender one the hinges on the arm carry 1/2 each and those on the other arm nothing. The α_axial of \
+            Timoshenko arms ends at 22/59 for stubby arms, that of Euler–Bernoulli arms at 0.",
         x: slenderness(),
         y: Axis { label: "share", from: 0.0, to: 0.6, logarithmic: false, ticks: vec![0.0, 0.25, 0.5] },
-        curves: vec![curve("α axial", 130, |at| at.used.alpha_axial), curve("β axial", 130, |at| at.used.beta_axial)],
+        curves: vec![
+            curve("α axial", 130, |at| at.used.alpha_axial),
+            curve("β axial", 100, |at| at.used.beta_axial),
+            curve("α of Timoshenko arms", 12, |at| at.timoshenko.alpha_axial),
+            curve("α of Euler–Bernoulli arms", 4, |at| at.euler_bernoulli.alpha_axial),
+        ],
+    }
+}
+
+/// How far α_twist of every other model is from the one used.
+pub(crate) fn apart() -> Chart {
+    let apart = |other: f64, used: f64| (other - used).abs();
+    Chart {
+        name: "arm-apart",
+        title: "The distance of the models of an arm",
+        description: "Logarithmic axes: |α_twist − α_twist of the model used| over the slenderness λ from 0.1 to 1000. The \
+            Timoshenko arm is 0.25 away at the left, crosses 0.001 near λ = 8 and falls with the fourth power of λ. The \
+            Euler–Bernoulli arm is 0.125 away at the left, 0.002 at λ = 20, and falls with the square. The rigid arm rises \
+            with the square and ends 0.125 away.",
+        x: slenderness(),
+        y: Axis {
+            label: "distance in α twist",
+            from: 1e-7,
+            to: 1.0,
+            logarithmic: true,
+            ticks: vec![1e-6, 1e-4, 1e-2, 1.0],
+        },
+        curves: vec![
+            curve("Timoshenko", 92, |at| apart(at.timoshenko.alpha_twist, at.used.alpha_twist)),
+            curve("Euler–Bernoulli", 118, |at| apart(at.euler_bernoulli.alpha_twist, at.used.alpha_twist)),
+            curve("rigid", 12, |at| apart(at.rigid.alpha_twist, at.used.alpha_twist)),
+        ],
     }
 }

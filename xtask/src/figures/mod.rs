@@ -12,6 +12,7 @@ pub(crate) fn all() -> Vec<(String, String)> {
         cardan::beta_near_90(),
         arm::twist(),
         arm::axial(),
+        arm::apart(),
         slide_line::line(),
         slide_line::pressure_laws(),
         slide_line::damping_coefficient(),
