@@ -68,7 +68,7 @@ pub(crate) fn apart() -> Chart {
         name: "arm-apart",
         title: "The distance of the models of an arm",
         description: "Logarithmic axes: |α_twist − α_twist of the model used| over the slenderness λ from 0.1 to 1000. The \
-            Timoshenko arm is 0.25 away at the left, crosses 0.001 near λ = 8 and falls with the fourth power of λ. The \
+            Timoshenko arm is 0.25 away at the left, is below 0.001 beyond λ = 7.5 and falls with the fourth power of λ. The \
             Euler–Bernoulli arm is 0.125 away at the left, 0.002 at λ = 20, and falls with the square. The rigid arm rises \
             with the square and ends 0.125 away.",
         x: slenderness(),
