@@ -7,27 +7,32 @@
 //! | room | formulas |
 //! |---|---|
 //! | kinematics | the constraint, which is JOIN's and UNIVERSAL's, and the stops |
-//! | loads | reaction force, direction across the cross, decomposition of the force |
+//! | loads | reaction force, direction across the cross |
+//! | decomposition | the force along the axes of the cross and across them |
 //! | [`arm`] | how slender a cross arm is, and what share of a load that makes a hinge carry |
 //! | hinge | forces and moments on the hinges |
 //! | contact | contact moments, with their derivative by all 20 inputs |
-//! | friction | normal moments and yield functions |
+//! | normal, friction | normal moments and yield functions |
 //!
 //! [`UJoint`] is what a program calls.
 
 pub mod arm;
 mod connector;
 mod contact;
+mod decomposition;
 mod friction;
 mod hinge;
 mod kinematics;
 mod loads;
+mod normal;
 
 pub use crate::translator::{Gradient, Pose};
 pub use arm::{Arm, AxialFactors, AxialShares, TwistFactors, TwistShares};
 pub use connector::{Cross, Loads, Stops, UJoint};
 pub use contact::*;
+pub use decomposition::*;
 pub use friction::*;
 pub use hinge::*;
 pub use kinematics::*;
 pub use loads::*;
+pub use normal::*;

@@ -10,13 +10,16 @@
 //! with k = 33/5 for the twisting moment and k = 6 for axial forces. The book derives both. [`curves`] sets the
 //! neighbouring models beside them.
 
+mod models;
+
+pub use models::{Model, Models, curves};
+
 use crate::Octuple;
 use crate::fields;
 use crate::formula::{Case, Element, Formula, Jacobian, Law, Source, Spec};
 use crate::quantity::{ALPHA_AXIAL, ALPHA_TWIST, BETA_AXIAL, BETA_TWIST, LA, RP};
 use crate::scalar::Scalar;
 use crate::verify::{hard, law};
-use num_dual::DualNum;
 use std::hint::select_unpredictable;
 
 fields! {
@@ -289,78 +292,4 @@ fn of_arms() -> impl Iterator<Item = Case<Arm<f64>>> {
         Case::hard(arm.id, arm.comment, Arm { la, rp })
     });
     of_arms.chain(subnormal)
-}
-
-/// The four shares by one model of the arm.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Model {
-    /// Share of the twisting moment that bends a hinge.
-    pub alpha_twist: f64,
-    /// Transverse force on a hinge per twisting moment over arm length.
-    pub beta_twist: f64,
-    /// Share of an axial force on a hinge of the loaded axis.
-    pub alpha_axial: f64,
-    /// Share of an axial force on a hinge of the other axis.
-    pub beta_axial: f64,
-}
-
-impl Model {
-    /// From α_twist and from how stiff a bent arm is beside a stretched one: both equilibria give the rest.
-    fn new(alpha_twist: f64, bent_to_stretched: f64) -> Self {
-        let alpha_axial = 0.5 / (1.0 + bent_to_stretched);
-        Self { alpha_twist, beta_twist: 0.25 + alpha_twist, alpha_axial, beta_axial: bent_to_stretched * alpha_axial }
-    }
-}
-
-/// The models of the arm at one slenderness.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Models {
-    /// λ = La/Rp.
-    pub lambda: f64,
-    /// The model used here: [`TwistFactors`] and [`AxialFactors`].
-    pub used: Model,
-    /// A rigid arm.
-    pub rigid: Model,
-    /// A clamped Timoshenko beam. Below λ = √4.4 its α_twist is negative, against the source.
-    pub timoshenko: Model,
-    /// A clamped Euler–Bernoulli beam.
-    pub euler_bernoulli: Model,
-}
-
-/// All models of the arm at `count` slendernesses, evenly spaced on a logarithmic scale from 10^`first` to 10^`last`: the
-/// data of the book's plot. The same on every machine.
-///
-/// ```
-/// use jointproof::ujoint::arm::curves;
-/// let curves = curves(-1, 3, 101);
-/// let (first, last) = (curves.first().unwrap(), curves.last().unwrap());
-/// assert_eq!((first.lambda, last.lambda), (0.1, 1000.0));
-/// // The printed limits.
-/// assert!(first.used.alpha_twist < 2e-4 && (first.used.beta_twist - 0.25).abs() < 2e-4);
-/// assert!((last.used.alpha_twist - 0.125).abs() < 2e-6 && (last.used.beta_twist - 0.375).abs() < 2e-6);
-/// // A stubby Timoshenko arm contradicts them.
-/// assert!(first.timoshenko.alpha_twist < -0.24);
-/// ```
-pub fn curves(first: i32, last: i32, count: u32) -> Vec<Models> {
-    let (first, last) = (Octuple::from(f64::from(first)), Octuple::from(f64::from(last)));
-    let at = |k: u32| {
-        let exponent = first + (last - first) * f64::from(k) / f64::from(count.saturating_sub(1).max(1));
-        models(Octuple::from(10.0).powd(exponent).to_f64())
-    };
-    (0..count).map(at).collect()
-}
-
-/// All models at one slenderness.
-fn models(lambda: f64) -> Models {
-    let arm = Arm { la: lambda, rp: 1.0 };
-    let TwistShares { alpha_twist, beta_twist } = TwistFactors::eval(&arm);
-    let AxialShares { alpha_axial, beta_axial } = AxialFactors::eval(&arm);
-    let (phi, bent_to_stretched) = (phi(&arm), 3.0 / (lambda * lambda));
-    Models {
-        lambda,
-        used: Model { alpha_twist, beta_twist, alpha_axial, beta_axial },
-        rigid: Model::new(0.0, 1.0),
-        timoshenko: Model::new(timoshenko(phi), bent_to_stretched / (1.0 + phi)),
-        euler_bernoulli: Model::new(0.125, bent_to_stretched),
-    }
 }

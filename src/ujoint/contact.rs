@@ -2,8 +2,8 @@
 
 mod links;
 
+use super::decomposition::{HardLoads, hard_loads};
 use super::hinge::{bending, in_sleeve, transverse};
-use super::loads::{HardLoads, hard_loads};
 use super::{
     Arm, AxialForces, Bending, CentreLoads, CrossForces, CrossLoads, Decomposition, HingeAxial, HingeBending,
     HingeTransverse, HingeTwist, Twist, TwistFactors,
@@ -68,8 +68,8 @@ impl Formula for ContactMoments {
         title: "Contact moments",
         latex: r"M_{Ck} = F_{\mathrm{axial}k}^{\mathrm{hinge}} R_a + \left(F_{\mathrm{total}k}^{\mathrm{hinge}} + F_{\mathrm{total}}^{\mathrm{bend}}\right) R_p\quad (k = 1, 3)",
         source: Source::UJOINT.section("Friction"),
-        eta: 4.0,
-        eta_jacobian: 8.0,
+        eta: 2.0,
+        eta_jacobian: 6.0,
         objective: true,
     };
     type Inputs<T: Element> = JointLoads<T>;

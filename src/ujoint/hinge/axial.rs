@@ -31,7 +31,7 @@ impl Formula for HingeAxial {
         latex: r"F_{\mathrm{axial}k}^{\mathrm{hinge}} = \alpha_{\mathrm{axial}}\lvert F_{\mathrm{axial}k}\rvert\ (k = 1, 3),\quad F_{\mathrm{transv1}}^{\mathrm{hinge}} = \beta_{\mathrm{axial}}\lvert F_{\mathrm{axial3}}\rvert,\quad F_{\mathrm{transv3}}^{\mathrm{hinge}} = \beta_{\mathrm{axial}}\lvert F_{\mathrm{axial1}}\rvert",
         source: Source::UJOINT.section("Friction"),
         eta: 2.0,
-        eta_jacobian: 4.0,
+        eta_jacobian: 3.0,
         objective: true,
     };
     type Inputs<T: Element> = AxialForces<T>;

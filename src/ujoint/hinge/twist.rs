@@ -28,7 +28,7 @@ impl Formula for HingeTwist {
         latex: r"M_{\mathrm{twist}}^{\mathrm{hinge}} = \alpha_{\mathrm{twist}}\lvert m_2\rvert,\quad F_{\mathrm{twist}}^{\mathrm{hinge}} = \beta_{\mathrm{twist}}\frac{\lvert m_2\rvert}{L_a}",
         source: Source::UJOINT.section("Friction"),
         eta: 2.0,
-        eta_jacobian: 4.0,
+        eta_jacobian: 3.0,
         objective: true,
     };
     type Inputs<T: Element> = Twist<T>;

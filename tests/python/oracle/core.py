@@ -157,8 +157,10 @@ def kinks(id: str, inputs: dict[str, Any]) -> set[str]:
 def _has_corner(entry, point, value, decisions, p: Precision) -> bool:
     """Whether the slopes ahead and behind differ in some direction: along an input, or across all of them.
 
-    f(x + h) + f(x - h) - 2 f(x) goes with h at a corner and with h^2 where f is smooth.
+    f(x + h) + f(x - h) - 2 f(x) goes with h at a corner and with h^2 where f is smooth. Where f is linear, rounding is
+    all that is left of it; a corner is far above that.
     """
+    noise = [mag(v) - p.working + 64 for v in _flat(entry, value)]
     places = [(name, k) for name, length in entry.inputs.items() for k in range(length or 1)]
     askew = {place: mpf(1) + mpf(k * k) / 7 for k, place in enumerate(places)}
 
@@ -173,8 +175,8 @@ def _has_corner(entry, point, value, decisions, p: Precision) -> bool:
         return [a + b - 2 * v for a, b, v in zip(*ends, _flat(entry, value), strict=True)]
 
     for direction in [{place: mpf(1)} for place in places] + [askew]:
-        for long, short in zip(bends(direction, p.step), bends(direction, p.step - 64), strict=True):
-            if short != 0 and mag(long) - mag(short) < 96:  # 64 at a corner, 128 where smooth
+        for long, short, least in zip(bends(direction, p.step), bends(direction, p.step - 64), noise, strict=True):
+            if short != 0 and mag(short) > least and mag(long) - mag(short) < 96:  # 64 at a corner, 128 where smooth
                 return True
     return False
 
