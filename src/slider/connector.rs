@@ -241,6 +241,8 @@ impl Slider {
 /// A vector from its components by axis.
 pub(super) fn placed<const N: usize>(components: [(usize, f64); N]) -> SVector<f64, N> {
     let mut v = SVector::zeros();
-    components.into_iter().for_each(|(axis, x)| v[axis] = x);
+    for (axis, x) in components {
+        v[axis] = x;
+    }
     v
 }

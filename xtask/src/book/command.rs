@@ -91,7 +91,8 @@ fn content() -> anyhow::Result<Content> {
             golden.push(GoldenFile { name, bytes });
         }
     }
-    let outputs = vec![("audit".to_owned(), plain(&crate::audit::text(&[worked_example::run()], Audit::passed)?))];
+    let mut outputs = vec![("audit".to_owned(), plain(&crate::audit::text(&[worked_example::run()], Audit::passed)?))];
+    outputs.extend(figures::outputs());
     Ok(Content { entries, sources, catalog_tests, figures: figures::all(), outputs, golden })
 }
 

@@ -4,11 +4,12 @@ mod arm;
 mod cardan;
 mod chart;
 mod slide_line;
+mod slider;
 mod thread;
 
 /// Every figure, by the name that `{{#figure name}}` gives.
 pub(crate) fn all() -> Vec<(String, String)> {
-    let charts = [
+    let mut charts = vec![
         cardan::beta_near_90(),
         arm::twist(),
         arm::axial(),
@@ -19,5 +20,11 @@ pub(crate) fn all() -> Vec<(String, String)> {
         thread::torque_of_a_thread(),
         thread::tilted_flank(),
     ];
+    charts.extend(slider::charts());
     charts.iter().map(|chart| (chart.name.to_owned(), chart.svg())).collect()
+}
+
+/// Every table, by the name that `{{#output name}}` gives.
+pub(crate) fn outputs() -> Vec<(String, String)> {
+    slider::outputs()
 }
