@@ -29,8 +29,8 @@ pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scal
     fn norm_of<const N: usize>(x: [Self; N]) -> Self;
     /// See [`norms`].
     #[inline]
-    fn norms_of<const N: usize, const COUNT: usize>(x: [[Self; N]; COUNT]) -> [Self; COUNT] {
-        x.map(norm)
+    fn norms_of<const N: usize>([x, y]: [[Self; N]; 2]) -> [Self; 2] {
+        [norm(x), norm(y)]
     }
     /// See [`norm_and_direction`].
     #[inline]
@@ -121,13 +121,14 @@ pub fn norm<D: Scalar, const N: usize>(x: [D; N]) -> D {
     D::norm_of(x)
 }
 
-/// [`norm`] of several vectors, with one decision for all of them whether their squares can be summed as they are.
+/// [`norm`] of two vectors, with one decision for both whether their squares can be summed as they are, so that
+/// processors can take both roots at once.
 ///
 /// ```
 /// assert_eq!(jointproof::scalar::norms([[3.0, 4.0], [-5.0, 12.0]]), [5.0, 13.0]);
 /// ```
 #[inline]
-pub fn norms<D: Scalar, const N: usize, const COUNT: usize>(x: [[D; N]; COUNT]) -> [D; COUNT] {
+pub fn norms<D: Scalar, const N: usize>(x: [[D; N]; 2]) -> [D; 2] {
     D::norms_of(x)
 }
 
@@ -231,10 +232,9 @@ impl Squares {
     }
 
     #[inline]
-    fn norms<D: Scalar, const N: usize, const COUNT: usize>(&self, x: [[D; N]; COUNT]) -> [D; COUNT] {
-        let sums = x.map(sum_of_squares);
-        let all = sums.iter().fold(true, |all, &sum| all & self.hold(sum));
-        if all { sums.map(|sum| sum.sqrt()) } else { x.map(|x| self.norm(x)) }
+    fn norms<D: Scalar, const N: usize>(&self, [x, y]: [[D; N]; 2]) -> [D; 2] {
+        let (p, q) = (sum_of_squares(x), sum_of_squares(y));
+        if self.hold(p) & self.hold(q) { [p.sqrt(), q.sqrt()] } else { [self.norm(x), self.norm(y)] }
     }
 
     /// Whether a sum of squares has neither over- nor underflown.
@@ -316,7 +316,7 @@ impl Scalar for f64 {
         Squares::DOUBLE.norm(x)
     }
     #[inline]
-    fn norms_of<const N: usize, const COUNT: usize>(x: [[Self; N]; COUNT]) -> [Self; COUNT] {
+    fn norms_of<const N: usize>(x: [[Self; N]; 2]) -> [Self; 2] {
         Squares::DOUBLE.norms(x)
     }
     #[inline]

@@ -1,8 +1,8 @@
 //! The greatest torque that a slide line transmits: T = ∬ r² p ds dθ, as if the friction coefficient were 1.
 
 use super::basis::length_and_tangent;
-use super::check_radii;
 use super::points::parabolas;
+use super::{check_radii, length};
 use crate::Octuple;
 use crate::error::Error;
 use crate::fields;
@@ -225,18 +225,15 @@ impl<D: Scalar> Station<D> {
     #[inline]
     fn all(i: &ParabolicPressures<D>) -> (Self, [[Self; 2]; 2]) {
         let (before, after) = (i.x2 - i.x1, i.x3 - i.x2);
-        let rates = |row| {
-            let [m1, m2]: [D; 2] = [4, 5].map(|k| entry(row, k));
-            [before * m1 + after * m2, before * m2 + after * m1]
+        let pair = |row| {
+            let (m1, m2): (D, D) = (entry(row, 4), entry(row, 5));
+            let (a, b) = (before * m1 + after * m2, before * m2 + after * m1);
+            let [length_a, length_b] = norms([[a.x, a.y], [b.x, b.y]]);
+            [Self::new(i, row, false, a, length_a), Self::new(i, row, true, b, length_b)]
         };
-        let [near, far] = [rates(1), rates(2)];
         // In the middle x2 drops out, and must do so in rounded numbers too.
         let middle = (i.x3 - i.x1) * D::from(0.5);
-        let [l0, l1, l2, l3, l4] = norms([middle, near[0], near[1], far[0], far[1]].map(|rate| [rate.x, rate.y]));
-        let pair = |row, rates: [Vector2<D>; 2], lengths: [D; 2]| {
-            [Self::new(i, row, false, rates[0], lengths[0]), Self::new(i, row, true, rates[1], lengths[1])]
-        };
-        (Self::new(i, 0, false, middle, l0), [pair(1, near, [l1, l2]), pair(2, far, [l3, l4])])
+        (Self::new(i, 0, false, middle, length(middle)), [pair(1), pair(2)])
     }
 }
 
