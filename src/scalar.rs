@@ -27,11 +27,6 @@ pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scal
     fn constant_of(x: Self::Leaf) -> Self;
     /// See [`norm`].
     fn norm_of<const N: usize>(x: [Self; N]) -> Self;
-    /// See [`norms`].
-    #[inline]
-    fn norms_of<const N: usize>([x, y]: [[Self; N]; 2]) -> [Self; 2] {
-        [norm(x), norm(y)]
-    }
     /// See [`norm_and_direction`].
     #[inline]
     fn norm_and_direction_of<const N: usize>(x: [Self; N]) -> (Self, [Self; N]) {
@@ -119,17 +114,6 @@ pub fn e_minus_one<D: Scalar>() -> D {
 #[inline]
 pub fn norm<D: Scalar, const N: usize>(x: [D; N]) -> D {
     D::norm_of(x)
-}
-
-/// [`norm`] of two vectors, with one decision for both whether their squares can be summed as they are, so that
-/// processors can take both roots at once.
-///
-/// ```
-/// assert_eq!(jointproof::scalar::norms([[3.0, 4.0], [-5.0, 12.0]]), [5.0, 13.0]);
-/// ```
-#[inline]
-pub fn norms<D: Scalar, const N: usize>(x: [[D; N]; 2]) -> [D; 2] {
-    D::norms_of(x)
 }
 
 /// x/|x|, the derivative of [`norm`]; the zero vector at the zero vector.
@@ -228,19 +212,7 @@ impl Squares {
     #[inline]
     fn norm<D: Scalar, const N: usize>(&self, x: [D; N]) -> D {
         let sum = sum_of_squares(x);
-        if self.hold(sum) { sum.sqrt() } else { self.rescaled(x) }
-    }
-
-    #[inline]
-    fn norms<D: Scalar, const N: usize>(&self, [x, y]: [[D; N]; 2]) -> [D; 2] {
-        let (p, q) = (sum_of_squares(x), sum_of_squares(y));
-        if self.hold(p) & self.hold(q) { [p.sqrt(), q.sqrt()] } else { [self.norm(x), self.norm(y)] }
-    }
-
-    /// Whether a sum of squares has neither over- nor underflown.
-    #[inline]
-    fn hold<D: Scalar>(&self, sum: D) -> bool {
-        (sum > self.smallest) & (sum < self.largest)
+        if sum > self.smallest && sum < self.largest { sum.sqrt() } else { self.rescaled(x) }
     }
 
     #[cold]
@@ -314,10 +286,6 @@ impl Scalar for f64 {
     #[inline]
     fn norm_of<const N: usize>(x: [Self; N]) -> Self {
         Squares::DOUBLE.norm(x)
-    }
-    #[inline]
-    fn norms_of<const N: usize>(x: [[Self; N]; 2]) -> [Self; 2] {
-        Squares::DOUBLE.norms(x)
     }
     #[inline]
     fn angle_of(y: Self, x: Self) -> Self {
