@@ -27,11 +27,6 @@ pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scal
     fn constant_of(x: Self::Leaf) -> Self;
     /// See [`norm`].
     fn norm_of<const N: usize>(x: [Self; N]) -> Self;
-    /// See [`norms`].
-    #[inline]
-    fn norms_of<const N: usize, const COUNT: usize>(x: [[Self; N]; COUNT]) -> [Self; COUNT] {
-        x.map(norm)
-    }
     /// See [`norm_and_direction`].
     #[inline]
     fn norm_and_direction_of<const N: usize>(x: [Self; N]) -> (Self, [Self; N]) {
@@ -122,16 +117,6 @@ pub fn e_minus_one<D: Scalar>() -> D {
 #[inline]
 pub fn norm<D: Scalar, const N: usize>(x: [D; N]) -> D {
     D::norm_of(x)
-}
-
-/// [`norm`] of several vectors, with one decision for all of them whether their squares can be summed as they are.
-///
-/// ```
-/// assert_eq!(jointproof::scalar::norms([[3.0, 4.0], [-5.0, 12.0]]), [5.0, 13.0]);
-/// ```
-#[inline]
-pub fn norms<D: Scalar, const N: usize, const COUNT: usize>(x: [[D; N]; COUNT]) -> [D; COUNT] {
-    D::norms_of(x)
 }
 
 /// x/|x|, the derivative of [`norm`]; the zero vector at the zero vector.
@@ -230,20 +215,7 @@ impl Squares {
     #[inline]
     fn norm<D: Scalar, const N: usize>(&self, x: [D; N]) -> D {
         let sum = sum_of_squares(x);
-        if self.hold(sum) { sum.sqrt() } else { self.rescaled(x) }
-    }
-
-    #[inline]
-    fn norms<D: Scalar, const N: usize, const COUNT: usize>(&self, x: [[D; N]; COUNT]) -> [D; COUNT] {
-        let sums = x.map(sum_of_squares);
-        let all = sums.iter().fold(true, |all, &sum| all & self.hold(sum));
-        if all { sums.map(|sum| sum.sqrt()) } else { x.map(|x| self.norm(x)) }
-    }
-
-    /// Whether a sum of squares has neither over- nor underflown.
-    #[inline]
-    fn hold<D: Scalar>(&self, sum: D) -> bool {
-        (sum > self.smallest) & (sum < self.largest)
+        if sum > self.smallest && sum < self.largest { sum.sqrt() } else { self.rescaled(x) }
     }
 
     #[cold]
@@ -317,10 +289,6 @@ impl Scalar for f64 {
     #[inline]
     fn norm_of<const N: usize>(x: [Self; N]) -> Self {
         Squares::DOUBLE.norm(x)
-    }
-    #[inline]
-    fn norms_of<const N: usize, const COUNT: usize>(x: [[Self; N]; COUNT]) -> [Self; COUNT] {
-        Squares::DOUBLE.norms(x)
     }
     #[inline]
     fn angle_of(y: Self, x: Self) -> Self {

@@ -1,14 +1,14 @@
 //! The greatest torque that a slide line transmits: T = ∬ r² p ds dθ, as if the friction coefficient were 1.
 
 use super::basis::length_and_tangent;
-use super::check_radii;
 use super::points::parabolas;
+use super::{check_radii, length};
 use crate::Octuple;
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Case, Convention, Element, Formula, Jacobian, Kink, Law, Source, Spec};
 use crate::quantity::{P1, P2, P3, TORQUE, X1, X2, X3};
-use crate::scalar::{self, Leaf, Scalar, norms, pi};
+use crate::scalar::{self, Leaf, Scalar, pi};
 use crate::verify::{hard, law};
 use nalgebra::Vector2;
 use num_dual::DualNum;
@@ -179,12 +179,6 @@ static EXACT_RULE: LazyLock<[[Octuple; 6]; 3]> = LazyLock::new(|| {
     })
 });
 
-/// An entry of the rule, in the digits of the scalar.
-#[inline]
-fn entry<D: Scalar>(row: usize, k: usize) -> D {
-    scalar::constant(D::Leaf::known(RULE[row][k], || EXACT_RULE[row][k]))
-}
-
 /// One integration point, and what it contributes.
 struct Station<D> {
     /// Weights of the nodes.
@@ -200,13 +194,16 @@ struct Station<D> {
 }
 
 impl<D: Scalar> Station<D> {
-    /// Where X′ and its length are known; with the nodes in reverse where the point is the mirror image of the row's.
     #[inline]
-    fn new(i: &ParabolicPressures<D>, row: usize, mirrored: bool, rate: Vector2<D>, length: D) -> Self {
-        let [weight, n1, n2, n3, m1, m2] = [0, 1, 2, 3, 4, 5].map(|k| entry(row, k));
+    fn new(i: &ParabolicPressures<D>, row: usize, mirrored: bool) -> Self {
+        let entry = |k: usize| scalar::constant::<D>(D::Leaf::known(RULE[row][k], || EXACT_RULE[row][k]));
+        let [weight, n1, n2, n3, m1, m2] = [0, 1, 2, 3, 4, 5].map(entry);
         let (n, m) = if mirrored { ([n3, n2, n1], [m2, m1]) } else { ([n1, n2, n3], [m1, m2]) };
+        // In the middle x2 drops out, and must do so in rounded numbers too.
+        let rate = if row == 0 { (i.x3 - i.x1) * m[0] } else { (i.x2 - i.x1) * m[0] + (i.x3 - i.x2) * m[1] };
         let radius = i.x1.x * n[0] + i.x2.x * n[1] + i.x3.x * n[2];
         let pressure = i.p1 * n[0] + i.p2 * n[1] + i.p3 * n[2];
+        let length = length(rate);
         let moment = weight * radius;
         let by_pressure = moment * radius * length;
         let per_radius = moment * pressure;
@@ -224,19 +221,8 @@ impl<D: Scalar> Station<D> {
     /// The middle, and the points on both sides of it in pairs.
     #[inline]
     fn all(i: &ParabolicPressures<D>) -> (Self, [[Self; 2]; 2]) {
-        let (before, after) = (i.x2 - i.x1, i.x3 - i.x2);
-        let rates = |row| {
-            let [m1, m2]: [D; 2] = [4, 5].map(|k| entry(row, k));
-            [before * m1 + after * m2, before * m2 + after * m1]
-        };
-        let [near, far] = [rates(1), rates(2)];
-        // In the middle x2 drops out, and must do so in rounded numbers too.
-        let middle = (i.x3 - i.x1) * D::from(0.5);
-        let [l0, l1, l2, l3, l4] = norms([middle, near[0], near[1], far[0], far[1]].map(|rate| [rate.x, rate.y]));
-        let pair = |row, rates: [Vector2<D>; 2], lengths: [D; 2]| {
-            [Self::new(i, row, false, rates[0], lengths[0]), Self::new(i, row, true, rates[1], lengths[1])]
-        };
-        (Self::new(i, 0, false, middle, l0), [pair(1, near, [l1, l2]), pair(2, far, [l3, l4])])
+        let pair = |row| [Self::new(i, row, false), Self::new(i, row, true)];
+        (Self::new(i, 0, false), [pair(1), pair(2)])
     }
 }
 

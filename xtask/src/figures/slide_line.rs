@@ -14,7 +14,7 @@ use nalgebra::Vector2;
 type Point = Vector2<f64>;
 
 const NODES: [[f64; 2]; 4] = [[0.6, 1.3], [2.4, 0.7], [4.3, 2.2], [6.1, 1.7]];
-const SLAVES: [[f64; 2]; 6] = [[1.5, 2.2], [2.5, 1.9], [3.2, 2.7], [4.4, 3.3], [5.1, 1.2], [6.5, 2.6]];
+const SLAVES: [[f64; 2]; 6] = [[1.5, 2.2], [2.2, 1.8], [3.2, 2.7], [4.4, 3.3], [5.1, 1.2], [6.5, 2.6]];
 const FRACTION: f64 = 0.2;
 /// Points of a drawn corner.
 const STEPS: u32 = 16;
@@ -103,7 +103,7 @@ pub(crate) fn line() -> Chart {
         x: axis("r", 7.0, vec![0.0, 2.0, 4.0, 6.0]),
         y: axis("z", 7.0 * 270.0 / 476.0, vec![0.0, 1.0, 2.0, 3.0]),
         curves: vec![
-            Curve { name: "slide line", label_at: 0, points: smoothed },
+            Curve { name: "", label_at: 0, points: smoothed },
             Curve { name: "", label_at: 0, points: sharp },
             Curve { name: "", label_at: 0, points: projections },
         ],
