@@ -81,6 +81,9 @@ fn chart(
     setting: impl Fn(f64) -> Setting,
 ) -> Chart {
     let errors: Vec<_> = values.iter().map(|&value| (value, setting(value).increment_errors())).collect();
+    // Where both errors stay low, the name of the lower curve goes below it: to a point from which it rises.
+    let rises = |&k: &usize| to > 1.0 || errors[k + 1].1.direct > 1.2 * errors[k].1.direct;
+    let direct_at = (values.len() * 2 / 3..values.len() - 3).find(rises).unwrap_or_default();
     Chart {
         name,
         title,
@@ -90,7 +93,7 @@ fn chart(
         curves: vec![
             Curve {
                 name: "direct",
-                label_at: values.len() * 2 / 3,
+                label_at: direct_at,
                 points: errors.iter().map(|(x, errors)| (*x, errors.direct)).collect(),
             },
             Curve {
