@@ -68,7 +68,7 @@ impl Formula for Constraint {
         latex: r"g_q = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{t}_q,\quad q = 1, 2",
         source: Source::SLIDER.section("Constraint"),
         eta: 4.0,
-        eta_jacobian: 8.0,
+        eta_jacobian: 10.0,
         objective: false,
     };
     type Inputs<T: Element> = Nodes<T>;
@@ -187,7 +187,7 @@ impl Formula for IncrementalConstraint {
         latex: r"r_q = \mathbf{t}_q\cdot\bigl(\mathrm{d}\mathbf{x}_m - (1-\xi)\,\mathrm{d}\mathbf{x}_1 - \xi\,\mathrm{d}\mathbf{x}_n\bigr),\quad \xi = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{n}/l,\quad q = 1, 2",
         source: Source::SLIDER.section("Incremental constraint"),
         eta: 4.0,
-        eta_jacobian: 8.0,
+        eta_jacobian: 16.0,
         objective: false,
     };
     type Inputs<T: Element> = MovingNodes<T>;

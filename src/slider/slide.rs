@@ -86,7 +86,7 @@ impl<D: Scalar, const N: usize> Gradients<D, N> {
         let ([share, rest], [by_x1, by_xn]) = (self.shares, self.by_share);
         let leaning = off_slope(self.lever);
         Row {
-            x1: -(by_x1 * gain + leaning),
+            x1: by_x1 * -gain - leaning,
             xn: by_xn * gain + leaning,
             xm: d * gain,
             dx1: off_slope(rest),

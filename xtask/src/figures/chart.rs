@@ -135,7 +135,10 @@ impl Chart {
         let _ = writeln!(svg, r#"  <path d="{path}" stroke="{colour}" stroke-width="2" stroke-dasharray="{dashes}"/>"#);
         if let Some(&point) = curve.points.get(curve.label_at) {
             let (x, y) = self.place(point);
-            let _ = writeln!(svg, r#"  <text x="{x:.1}" y="{:.1}" fill="{colour}">{}</text>"#, y - 8.0, curve.name);
+            // To the right of the point, and below a curve that rises there, so that it does not run through its name.
+            let next = curve.points.get(curve.label_at + 1).map_or(y, |&next| self.place(next).1);
+            let beside = if next < y - 3.0 { 16.0 } else { -8.0 };
+            let _ = writeln!(svg, r#"  <text x="{x:.1}" y="{:.1}" fill="{colour}">{}</text>"#, y + beside, curve.name);
         }
     }
 }
