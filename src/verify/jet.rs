@@ -9,6 +9,8 @@ use num_dual::DualSVec;
 /// Directions a sweep carries. Chunks of a fixed width keep the number of inputs out of the types.
 const WIDTH: usize = 4;
 pub(super) type Sweep<T> = DualSVec<T, WIDTH>;
+/// A function of components, in dual numbers.
+type Swept<T> = dyn Fn(&[Sweep<T>]) -> Vec<Sweep<T>>;
 
 /// The Jacobian of `F` at `i`, by differentiating `F::eval`.
 pub fn jacobian_by_ad<F: Formula, T: Scalar>(i: &F::Inputs<T>) -> Jacobian<F, T> {
@@ -24,7 +26,7 @@ pub fn derivative_of_jacobian<F: Formula, T: Scalar>(i: &F::Inputs<T>) -> Vec<Ve
 }
 
 /// The gradient of every number that `function` returns.
-pub(super) fn differentiate<T: Scalar>(inputs: &[T], function: &dyn Fn(&[Sweep<T>]) -> Vec<Sweep<T>>) -> Vec<Vec<T>> {
+pub(super) fn differentiate<T: Scalar>(inputs: &[T], function: &Swept<T>) -> Vec<Vec<T>> {
     let mut rows: Vec<Vec<T>> = Vec::new();
     for start in (0..inputs.len()).step_by(WIDTH) {
         let seeded: Vec<_> = inputs.iter().enumerate().map(|(k, &x)| seed(x, k.checked_sub(start))).collect();

@@ -31,11 +31,14 @@ pub(crate) struct Subject {
     pub(crate) laws: Vec<Law>,
 }
 
+/// A function of components.
+type AtComponents<T> = Box<dyn Fn(&[Octuple]) -> T>;
+
 /// A [kink](formula::Kink) without its types.
 pub(crate) struct Kink {
     pub(crate) condition: &'static str,
     pub(crate) convention: Convention,
-    pub(crate) holds: Box<dyn Fn(&[Octuple]) -> bool>,
+    pub(crate) holds: AtComponents<bool>,
     pub(crate) at: Vec<f64>,
     pub(crate) across: Vec<f64>,
 }
@@ -43,7 +46,7 @@ pub(crate) struct Kink {
 /// A [law](formula::Law) without its types.
 pub(crate) struct Law {
     pub(crate) statement: &'static str,
-    pub(crate) sides: Box<dyn Fn(&[Octuple]) -> Vec<Equation>>,
+    pub(crate) sides: AtComponents<Vec<Equation>>,
 }
 
 impl Subject {

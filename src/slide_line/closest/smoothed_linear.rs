@@ -36,16 +36,17 @@ impl<D: Scalar> LinearCornerSlave<D> {
         View::new(self.xs, [self.x1, self.x2, self.x3], self.f)
     }
 
-    /// What has the product with Y′ that ∂X/∂f = s² (x1−x2) + t² (x3−x2) has.
+    /// Y′·∂X/∂f with ∂X/∂f = s² (x1−x2) + t² (x3−x2).
     ///
-    /// ∂X/∂f = (X − x2)/f, and at the foot Y′·X = Y′·xs: where the slave point is near the corner (xs − x2)/f is free
+    /// ∂X/∂f = (X − x2)/f, and at the foot Y′·X = Y′·xs: where the terms of Y′·(xs − x2)/f are the smaller ones, it is free
     /// of the cancellation in the sum.
-    fn bulge(&self, view: &View<D, LinearCorner, 3>, foot: &Foot<D, 3>) -> Vector2<D> {
-        let size = |v: Vector2<D>| abs(v.x) + abs(v.y);
+    fn bulge(&self, view: &View<D, LinearCorner, 3>, foot: &Foot<D, 3>) -> D {
+        let terms = |v: Vector2<D>| abs(v.x * foot.rate.x) + abs(v.y * foot.rate.y);
         let [s, t] = foot.parts();
         let (first, last) = (view.in_unit(self.x1 - self.x2) * (s * s), view.in_unit(self.x3 - self.x2) * (t * t));
         let arm = view.in_unit(self.xs - self.x2);
-        if size(arm) < self.f * (size(first) + size(last)) { arm / self.f } else { first + last }
+        let bulge = if terms(arm) < self.f * (terms(first) + terms(last)) { arm / self.f } else { first + last };
+        bulge.dot(&foot.rate)
     }
 }
 
@@ -89,7 +90,7 @@ impl Formula for ClosestSmoothedLinear {
                 x1: t(n1, m1),
                 x2: t(n2, m2),
                 x3: t(n3, m3),
-                f: i.bulge(&view, &foot).dot(&foot.rate) * foot.per_slope,
+                f: i.bulge(&view, &foot) * foot.per_slope,
             },
             separation: LinearCornerSlave {
                 xs: normal,

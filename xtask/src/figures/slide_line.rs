@@ -41,7 +41,7 @@ impl Piece {
     /// Its point that is closest to the slave point.
     fn foot(&self, xs: Point) -> Option<Point> {
         let part = match *self {
-            Self::Straight([x1, x2]) => (value::<ClosestLinear>(&LinearSlave { xs, x1, x2 }).ok()?.g + 1.0) / 2.0,
+            Self::Straight([x1, x2]) => f64::midpoint(value::<ClosestLinear>(&LinearSlave { xs, x1, x2 }).ok()?.g, 1.0),
             Self::Corner([x1, x2, x3]) => {
                 value::<ClosestSmoothedLinear>(&LinearCornerSlave { xs, x1, x2, x3, f: FRACTION }).ok()?.t
             }
