@@ -1,6 +1,7 @@
 //! Every formula, in the order of the book.
 
 use crate::formula::{Convention, Field, Fields, Formula, Kink, Spec, value};
+use crate::measure::{self, Measurement};
 use crate::scalar::{abs, sign};
 use crate::verify::{Audit, Options, audit, audit_at, exactly, golden, hard};
 use crate::{Error, Octuple, align, cardan, coulomb, join, slider, slot, translator, universal};
@@ -31,6 +32,12 @@ pub trait AnyFormula: Send + Sync {
     /// # Errors
     /// What [`value`] says; [`Error::Components`] where their number is wrong.
     fn value(&self, components: &[f64]) -> Result<Vec<f64>, Error>;
+    /// The errors of every way to compute it, found now.
+    fn errors(&self, options: &measure::Options) -> Measurement;
+    /// Times every way to compute it, now, and enters that where the errors are known.
+    fn times(&self, options: &measure::Options, measurement: &mut Measurement);
+    /// The points over which time is taken: all components of the first point, then of the next.
+    fn timing_inputs(&self, options: &measure::Options) -> Vec<f64>;
 }
 
 /// A kink, with the derivatives on both sides.
@@ -72,6 +79,15 @@ impl<F: Formula> AnyFormula for F {
     fn value(&self, components: &[f64]) -> Result<Vec<f64>, Error> {
         Ok(value::<F>(&from_components::<F>(components)?)?.components())
     }
+    fn errors(&self, options: &measure::Options) -> Measurement {
+        measure::errors::<F>(options)
+    }
+    fn times(&self, options: &measure::Options, measurement: &mut Measurement) {
+        measure::times::<F>(options, measurement);
+    }
+    fn timing_inputs(&self, options: &measure::Options) -> Vec<f64> {
+        options.timing_inputs::<F>().iter().flat_map(Fields::components).collect()
+    }
 }
 
 fn from_components<F: Formula>(components: &[f64]) -> Result<F::Inputs<f64>, Error> {
@@ -103,7 +119,9 @@ fn one_sided<F: Formula>(kink: &Kink<F>) -> KinkEntry {
 }
 
 /// Every formula.
-pub const CATALOG: &[&dyn AnyFormula] = &[
+///
+/// A `static`, so that all of its code is compiled here, once, and not again in every program that reads it.
+pub static CATALOG: &[&dyn AnyFormula] = &[
     &slot::RelativePosition,
     &slot::Constraint,
     &slot::Constraint2d,

@@ -5,7 +5,7 @@ use super::jet::entries;
 use super::{
     Sampler, Sensitivity, central_differences, derivative_of_jacobian, eta, exactly, golden, jacobian_by_ad, kink, law,
 };
-use crate::formula::{Convention, Field, Fields, Formula, check};
+use crate::formula::{Convention, Field, Fields, Formula, Kink, check};
 use crate::{Error, Octuple};
 use num_traits::Signed;
 use serde::{Deserialize, Serialize};
@@ -194,19 +194,24 @@ impl<F: Formula> Point<F> {
 /// The formula's own cases, and points on both sides of every kink and on it.
 fn named_points<F: Formula>() -> Vec<Point<F>> {
     let cases = F::cases().into_iter().map(|case| (case.id, case.inputs));
-    let beside_kinks = F::kinks().into_iter().flat_map(|kink| {
+    cases
+        .chain(beside_kinks::<F>())
+        .filter(|(_, inputs)| check::<F>(inputs).is_ok())
+        .map(|(label, inputs)| Point::new(label, false, inputs))
+        .collect()
+}
+
+/// Points on every kink and on both sides of it, near and nearer, each with its name; some may be invalid inputs.
+pub(crate) fn beside_kinks<F: Formula>() -> Vec<(String, F::Inputs<f64>)> {
+    let around = |kink: Kink<F>| {
         let (at, across) = ((kink.at)().components(), (kink.across)().components());
         [0.0, 2e-3, -2e-3, 1e-9, -1e-9].map(|step| {
             let moved: Vec<_> = at.iter().zip(&across).map(|(x, direction)| x + step * direction).collect();
             let inputs = F::Inputs::from_slice(&moved).unwrap_or_else(kink.at);
             (format!("kink {} {step:+}", kink.condition), inputs)
         })
-    });
-    cases
-        .chain(beside_kinks)
-        .filter(|(_, inputs)| check::<F>(inputs).is_ok())
-        .map(|(label, inputs)| Point::new(label, false, inputs))
-        .collect()
+    };
+    F::kinks().into_iter().flat_map(around).collect()
 }
 
 /// The four claims made about every formula.
@@ -283,21 +288,26 @@ impl Audit {
         values: &[Octuple],
         ad: &[Octuple],
     ) {
-        let computed = F::eval(&point.inputs).components();
-        for (output, (&computed, &value)) in computed.iter().zip(values).enumerate() {
-            let sensitivity = Sensitivity::new(&ad[output * inputs.len()..], inputs);
-            let describe = |size| point.deviation(size, names.outputs[output].clone(), computed, value.to_f64());
-            self.eta.record(eta(computed, value, sensitivity), F::SPEC.eta, describe);
+        // The value alone, and the value that comes with the Jacobian.
+        for computed in [F::eval(&point.inputs), F::linearized(&point.inputs).0] {
+            for (output, (&computed, &value)) in computed.components().iter().zip(values).enumerate() {
+                let sensitivity = Sensitivity::new(&ad[output * inputs.len()..], inputs);
+                let describe = |size| point.deviation(size, names.outputs[output].clone(), computed, value.to_f64());
+                self.eta.record(eta(computed, value, sensitivity), F::SPEC.eta, describe);
+            }
         }
     }
 
     /// The closed form in `f64` is judged against automatic differentiation, so that a wrong one cannot be its own judge.
     fn check_jacobian<F: Formula>(&mut self, point: &Point<F>, names: &Names, ad: &[Octuple], bends: &[Sensitivity]) {
-        let computed: Vec<f64> = entries::<F, _>(&F::jacobian(&point.inputs));
-        for (entry, ((&computed, &exact), &bend)) in computed.iter().zip(ad).zip(bends).enumerate() {
-            let size = eta(computed, exact, bend);
-            let describe = |size| point.deviation(size, names.entry(entry), computed, exact.to_f64());
-            self.eta_jacobian.record(size, F::SPEC.eta_jacobian, describe);
+        // The Jacobian alone, and the one that comes with the value.
+        for computed in [F::jacobian(&point.inputs), F::linearized(&point.inputs).1] {
+            let computed: Vec<f64> = entries::<F, _>(&computed);
+            for (entry, ((&computed, &exact), &bend)) in computed.iter().zip(ad).zip(bends).enumerate() {
+                let size = eta(computed, exact, bend);
+                let describe = |size| point.deviation(size, names.entry(entry), computed, exact.to_f64());
+                self.eta_jacobian.record(size, F::SPEC.eta_jacobian, describe);
+            }
         }
     }
 }

@@ -52,9 +52,11 @@ mod jet;
 pub mod law;
 mod sample;
 
+pub(crate) use audit::beside_kinks;
 pub use audit::{Audit, Claim, Deviation, Options, audit, audit_at};
 pub use difference::central_differences;
 pub use eta::{Sensitivity, eta, relative};
+pub(crate) use jet::entries;
 pub use jet::{derivative_of_jacobian, jacobian_by_ad};
 pub use sample::Sampler;
 
