@@ -5,7 +5,7 @@ use crate::fields;
 use crate::formula::{Case, Convention, Element, Formula, Jacobian, Kink, Law, Source, Spec};
 use crate::measure::Way;
 use crate::quantity::{F1, F2, F3, FC, FC_INT, FN, MU, P, PHI};
-use crate::scalar::{Scalar, abs, direction, norm, norm_and_direction, sign};
+use crate::scalar::{Scalar, abs, norm, norm_and_direction, sign};
 use crate::verify::{hard, law};
 
 fields! {
@@ -46,8 +46,13 @@ impl Formula for ContactForce {
 
     #[inline]
     fn jacobian<D: Scalar>(i: &CrossForces<D>) -> Jacobian<Self, D> {
-        let [f2, f3] = direction([i.f2, i.f3]);
-        Contact { fc: CrossForces { f2, f3 } }
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &CrossForces<D>) -> (Contact<D>, Jacobian<Self, D>) {
+        let (fc, [f2, f3]) = norm_and_direction([i.f2, i.f3]);
+        (Contact { fc }, Contact { fc: CrossForces { f2, f3 } })
     }
 
     fn cases() -> Vec<Case<CrossForces<f64>>> {
@@ -222,16 +227,24 @@ impl Formula for Friction {
 
     #[inline]
     fn jacobian<D: Scalar>(i: &SlotLoads<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &SlotLoads<D>) -> (FrictionOutputs<D>, Jacobian<Self, D>) {
         let zero = D::zero();
         let (fc, [n2, n3]) = norm_and_direction([i.f2, i.f3]);
-        let sum = fc + i.fc_int;
+        let (p, sum) = (abs(i.f1), fc + i.fc_int);
+        let r#fn = NormalForce::eval(&ContactForces { fc, fc_int: i.fc_int }).r#fn;
+        let value = FrictionOutputs { p, r#fn, phi: Yield::eval(&Tractions { p, mu: i.mu, r#fn }).phi };
         let (s1, s) = (D::from(sign(i.f1)), D::from(sign(sum)));
         let slope = -i.mu * s; // ∂Φ/∂(F_C + F_C_int)
-        FrictionOutputs {
+        let jacobian = FrictionOutputs {
             p: SlotLoads { f1: s1, f2: zero, f3: zero, fc_int: zero, mu: zero },
             r#fn: SlotLoads { f1: zero, f2: s * n2, f3: s * n3, fc_int: s, mu: zero },
-            phi: SlotLoads { f1: s1, f2: slope * n2, f3: slope * n3, fc_int: slope, mu: -abs(sum) },
-        }
+            phi: SlotLoads { f1: s1, f2: slope * n2, f3: slope * n3, fc_int: slope, mu: -r#fn },
+        };
+        (value, jacobian)
     }
 
     fn cases() -> Vec<Case<SlotLoads<f64>>> {
