@@ -86,7 +86,7 @@ impl<F: Formula> AnyFormula for F {
         measure::times::<F>(options, measurement);
     }
     fn timing_inputs(&self, options: &measure::Options) -> Vec<f64> {
-        options.timing_inputs::<F>().iter().flat_map(Fields::components).collect()
+        options.timing_inputs::<F>().concat()
     }
 }
 

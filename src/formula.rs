@@ -301,7 +301,7 @@ pub trait Formula: Copy + Send + Sync + 'static {
 
     /// Other ways to compute the value, as textbooks have it or as the document words it, to be measured beside
     /// [`eval`](Self::eval).
-    fn ways() -> Vec<Way<Self>> {
+    fn ways() -> Vec<Way> {
         Vec::new()
     }
 }

@@ -3,6 +3,7 @@
 use super::way::{Kernel, Runner, Way};
 use super::{Figures, Measurement, Options, Time};
 use crate::formula::{Fields, Formula};
+use crate::verify::typed;
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -25,18 +26,23 @@ struct Contestant {
 }
 
 /// Fills in the times of a measurement.
-pub(super) fn time<F: Formula>(ways: &[Way<F>], options: &Options, measurement: &mut Measurement) {
-    let points = options.timing_inputs::<F>();
-    let of_way = |way: &Way<F>| {
+pub(super) fn time(
+    ways: &[Way],
+    copy: &Kernel,
+    points: &[Vec<f64>],
+    options: &Options,
+    measurement: &mut Measurement,
+) {
+    let of_way = |way: &Way| {
         let kernels = [(&way.value, false), (&way.jacobian, true)];
-        let contestant = |(kernel, with_jacobian): (&Option<Kernel<F>>, bool)| {
-            let run = (kernel.as_ref()?.runner)(&points);
+        let contestant = |(kernel, with_jacobian): (&Option<Kernel>, bool)| {
+            let run = (kernel.as_ref()?.runner)(points);
             Some(Contestant::new(way.id, with_jacobian, run, options))
         };
         kernels.map(contestant)
     };
     let mut contestants: Vec<_> = ways.iter().flat_map(of_way).flatten().collect();
-    contestants.push(Contestant::new(COPY, true, (copy::<F>().runner)(&points), options));
+    contestants.push(Contestant::new(COPY, true, (copy.runner)(points), options));
     contestants.push(Contestant::new(YARDSTICK, false, yardstick(), options));
     for round in 0..options.rounds.max(1) {
         // Each round begins with another one, so that none always follows the same neighbour's caches.
@@ -119,13 +125,13 @@ fn enter(contestants: &[Contestant], measurement: &mut Measurement) {
 }
 
 /// Reads every input and writes every output and Jacobian entry, and does nothing else.
-fn copy<F: Formula>() -> Kernel<F> {
+pub(super) fn copy<F: Formula>() -> Kernel {
     let written = (F::Outputs::filled(1.0), F::Outputs::filled(F::Inputs::filled(1.0)));
     let compute = move |i: &F::Inputs<f64>| {
         black_box(&{ *i });
         *black_box(&written)
     };
-    Kernel::new(|i| *i, compute, |_| Vec::new())
+    Kernel::new(typed::<F, f64>, compute, |_| Vec::new())
 }
 
 /// A chain of multiplications, divisions and square roots, each waiting for the one before.

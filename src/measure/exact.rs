@@ -2,49 +2,52 @@
 
 use super::{Errors, Options};
 use crate::Octuple;
-use crate::formula::{Convention, Fields, Flag, Formula, check};
-use crate::verify::{
-    Sampler, Sensitivity, beside_kinks, derivative_of_jacobian, entries, eta, exactly, kink, relative,
-};
+use crate::formula::{Convention, Flag};
+use crate::verify::{Sampler, Sensitivity, Subject, beside_kinks, eta, exact, relative};
 use num_traits::Signed;
 
 /// Random and hard points of a formula.
-pub(super) struct Points<F: Formula> {
-    pub(super) random: Vec<Point<F>>,
-    pub(super) hard: Vec<Point<F>>,
+pub(super) struct Points {
+    pub(super) random: Vec<Point>,
+    pub(super) hard: Vec<Point>,
 }
 
-impl<F: Formula> Points<F> {
-    pub(super) fn new(options: &Options) -> Self {
-        let mut sampler = Sampler::new::<F>(options.seed);
-        let random = (0..options.random_points).map(|_| Point::new(sampler.inputs::<F>())).collect();
-        let cases = F::cases().into_iter().filter(|case| case.flag == Flag::Hard).map(|case| case.inputs);
-        let kinks = beside_kinks::<F>().into_iter().map(|(_, inputs)| inputs);
-        let hard = cases.chain(kinks).filter(|inputs| check::<F>(inputs).is_ok()).map(Point::new).collect();
+impl Points {
+    pub(super) fn new(subject: &Subject, options: &Options) -> Self {
+        let point = |inputs: Vec<f64>| Point::new(subject, inputs);
+        let random = random(subject, options.seed, options.random_points).into_iter().map(point).collect();
+        let cases = (subject.cases)().into_iter().filter(|case| case.flag == Flag::Hard).map(|case| case.inputs);
+        let kinks = beside_kinks(subject).map(|(_, inputs)| inputs);
+        let hard = cases.chain(kinks).filter(|inputs| (subject.check)(inputs).is_ok()).map(point).collect();
         Self { random, hard }
     }
 }
 
+/// The first random inputs of a seed.
+pub(super) fn random(subject: &Subject, seed: u64, count: usize) -> Vec<Vec<f64>> {
+    let mut sampler = Sampler::for_formula(subject.spec.id, seed);
+    (0..count).map(|_| sampler.components(subject)).collect()
+}
+
 /// A point, and what is right there.
-pub(super) struct Point<F: Formula> {
-    pub(super) inputs: F::Inputs<f64>,
+pub(super) struct Point {
+    pub(super) inputs: Vec<f64>,
     /// Output by output.
     pub(super) value: Vec<Exact>,
     /// Output by output, each over all inputs; `None` where the formula has no derivative.
     pub(super) jacobian: Option<Vec<Exact>>,
 }
 
-impl<F: Formula> Point<F> {
-    fn new(inputs: F::Inputs<f64>) -> Self {
-        let point = exactly::<F>(&inputs);
-        let x = point.components();
-        let jacobian = entries::<F, _>(&F::jacobian(&point));
-        let values = F::eval(&point).components();
+impl Point {
+    fn new(subject: &Subject, inputs: Vec<f64>) -> Self {
+        let x = exact(&inputs);
+        let jacobian = (subject.exact_jacobian)(&x);
+        let values = (subject.exact_value)(&x);
         let value = values.iter().zip(jacobian.chunks(x.len()));
         let value = value.map(|(&y, gradient)| Exact::new(y, Sensitivity::new(gradient, &x))).collect();
-        let differentiable = kink::<F>(&inputs) != Some(Convention::Switch);
+        let differentiable = subject.kink(&x) != Some(Convention::Switch);
         let jacobian = differentiable.then(|| {
-            let gradients = derivative_of_jacobian::<F, _>(&point);
+            let gradients = subject.second_derivative(&x);
             let exact = jacobian.iter().zip(&gradients);
             exact.map(|(&entry, gradient)| Exact::new(entry, Sensitivity::new(gradient, &x))).collect()
         });

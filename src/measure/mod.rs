@@ -37,7 +37,7 @@ pub use forward::{Jet, value_and_jacobian_by_ad};
 pub use way::Way;
 
 use crate::formula::{Fields, Formula};
-use crate::verify::Sampler;
+use crate::verify::Subject;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -70,10 +70,9 @@ impl Options {
         Self { seed: 1, random_points: 400, timing_points: 128, steps_per_decade: 4, rounds: 101, turn_ns: 150e3 }
     }
 
-    /// The points over which time is taken.
-    pub fn timing_inputs<F: Formula>(&self) -> Vec<F::Inputs<f64>> {
-        let mut sampler = Sampler::new::<F>(self.seed);
-        (0..self.timing_points).map(|_| sampler.inputs::<F>()).collect()
+    /// The points over which time is taken, by components.
+    pub fn timing_inputs<F: Formula>(&self) -> Vec<Vec<f64>> {
+        exact::random(&Subject::of::<F>(), self.seed, self.timing_points)
     }
 }
 
@@ -86,8 +85,8 @@ pub fn measure<F: Formula>(options: &Options) -> Measurement {
 
 /// The errors of every way; times are still missing.
 pub fn errors<F: Formula>(options: &Options) -> Measurement {
-    let points = exact::Points::<F>::new(options);
-    let curves = Scheme::ALL.map(|scheme| difference::curve(scheme, &points, options));
+    let points = exact::Points::new(&Subject::of::<F>(), options);
+    let curves = Scheme::ALL.map(|scheme| difference::curve(scheme, &way::differences::<F>, &points, options));
     let ways = way::all::<F>(&curves).iter().map(|way| way.errors(&points)).collect();
     Measurement {
         formula: F::SPEC.id.into(),
@@ -105,5 +104,6 @@ pub fn errors<F: Formula>(options: &Options) -> Measurement {
 /// Times every way of a measurement whose errors are known.
 pub fn times<F: Formula>(options: &Options, measurement: &mut Measurement) {
     let ways = way::all::<F>(&measurement.curves);
-    clock::time(&ways, options, measurement);
+    let points = options.timing_inputs::<F>();
+    clock::time(&ways, &clock::copy::<F>(), &points, options, measurement);
 }

@@ -1,14 +1,14 @@
 //! The ways to compute a formula, each compiled as one piece, so that nothing is called through a pointer while it is timed.
 
 use super::exact::{self, Exact, Point, Points};
-use super::forward::{Jet, differentiate, to_array};
-use super::{Curve, Errors, Figures, WayFigures};
+use super::forward::{Jet, differentiate};
+use super::{Curve, Errors, Figures, Scheme, WayFigures};
 use crate::formula::{Fields, Formula};
-use crate::verify::{entries, exactly, jacobian_by_ad, rounded};
+use crate::verify::{Subject, entries, exact, rounded, typed};
 use crate::{Octuple, Single};
 use std::hint::black_box;
 
-/// One way to compute `F`: its value, its Jacobian, or both.
+/// One way to compute a formula: its value, its Jacobian, or both.
 ///
 /// A formula registers its own in [`Formula::ways`], by one function that is generic over the scalar:
 ///
@@ -20,27 +20,27 @@ use std::hint::black_box;
 /// fn plain<D: Scalar>(i: &CrossForces<D>) -> Contact<D> {
 ///     Contact { fc: (i.f2 * i.f2 + i.f3 * i.f3).sqrt() }
 /// }
-/// let way: Way<ContactForce> = Way::new("plain", "the square root of the sum", plain, plain);
+/// let way = Way::new::<ContactForce>("plain", "the square root of the sum", plain, plain);
 /// ```
-pub struct Way<F: Formula> {
+pub struct Way {
     pub(super) id: &'static str,
     title: &'static str,
     step: Option<f64>,
-    pub(super) value: Option<Kernel<F>>,
-    pub(super) jacobian: Option<Kernel<F>>,
+    pub(super) value: Option<Kernel>,
+    pub(super) jacobian: Option<Kernel>,
 }
 
-impl<F: Formula> Way<F> {
+impl Way {
     /// A way to compute the value, given twice: for the value itself, and for automatic differentiation of it.
-    pub fn new(
+    pub fn new<F: Formula>(
         id: &'static str,
         title: &'static str,
         value: impl Fn(&F::Inputs<f64>) -> F::Outputs<f64> + Copy + 'static,
         differentiated: impl Fn(&F::Inputs<Jet>) -> F::Outputs<Jet> + Copy + 'static,
     ) -> Self {
         let jacobian = move |i: &_| differentiate::<F>(i, differentiated);
-        Self::of(id, title).value(Kernel::new(same, value, |out| out.components())).jacobian(Kernel::new(
-            same,
+        Self::of(id, title).value(Kernel::new(typed::<F, f64>, value, |out| out.components())).jacobian(Kernel::new(
+            typed::<F, f64>,
             jacobian,
             |(_, jacobian)| entries::<F, _>(jacobian),
         ))
@@ -50,17 +50,17 @@ impl<F: Formula> Way<F> {
         Self { id, title, step: None, value: None, jacobian: None }
     }
 
-    fn value(self, kernel: Kernel<F>) -> Self {
+    fn value(self, kernel: Kernel) -> Self {
         Self { value: Some(kernel), ..self }
     }
 
-    fn jacobian(self, kernel: Kernel<F>) -> Self {
+    fn jacobian(self, kernel: Kernel) -> Self {
         Self { jacobian: Some(kernel), ..self }
     }
 
     /// Its errors, without times.
-    pub(super) fn errors(&self, points: &Points<F>) -> WayFigures {
-        let figures = |kernel: &Kernel<F>, exact: fn(&Point<F>) -> Option<&Vec<Exact>>| Figures {
+    pub(super) fn errors(&self, points: &Points) -> WayFigures {
+        let figures = |kernel: &Kernel, exact: fn(&Point) -> Option<&Vec<Exact>>| Figures {
             time: None,
             ratio: None,
             random: kernel.errors(&points.random, exact),
@@ -74,30 +74,36 @@ impl<F: Formula> Way<F> {
             jacobian: self.jacobian.as_ref().map(|kernel| figures(kernel, |point| point.jacobian.as_ref())),
         }
     }
+
+    /// The errors of the Jacobian at these points.
+    pub(super) fn jacobian_errors(&self, points: &[Point]) -> Errors {
+        let errors = |kernel: &Kernel| kernel.errors(points, |point| point.jacobian.as_ref());
+        self.jacobian.as_ref().map_or_else(|| Errors::of([]), errors)
+    }
 }
 
 /// Runs over the points from an index on, so many of them.
 pub(super) type Runner = Box<dyn FnMut(usize, usize)>;
 
 /// A computation, to be looked at and to be timed.
-pub(super) struct Kernel<F: Formula> {
-    /// What it computes, as doubles in order.
-    results: Box<dyn Fn(&F::Inputs<f64>) -> Vec<f64>>,
+pub(super) struct Kernel {
+    /// What it computes of components, as doubles in order.
+    results: Box<dyn Fn(&[f64]) -> Vec<f64>>,
     /// The loop to be timed, over inputs converted beforehand.
-    pub(super) runner: Box<dyn Fn(&[F::Inputs<f64>]) -> Runner>,
+    pub(super) runner: Box<dyn Fn(&[Vec<f64>]) -> Runner>,
 }
 
-impl<F: Formula> Kernel<F> {
+impl Kernel {
     /// `convert` makes the computation's own inputs, `compute` is what is timed, `doubles` reads the result.
     pub(super) fn new<I: 'static, O>(
-        convert: impl Fn(&F::Inputs<f64>) -> I + Copy + 'static,
+        convert: impl Fn(&[f64]) -> I + Copy + 'static,
         compute: impl Fn(&I) -> O + Copy + 'static,
         doubles: impl Fn(&O) -> Vec<f64> + 'static,
     ) -> Self {
         Self {
             results: Box::new(move |i| doubles(&compute(&convert(i)))),
             runner: Box::new(move |points| {
-                let points: Vec<I> = points.iter().map(convert).collect();
+                let points: Vec<I> = points.iter().map(|point| convert(point)).collect();
                 Box::new(move |from, count| {
                     for i in &points[from..from + count] {
                         black_box(&compute(black_box(i)));
@@ -107,67 +113,61 @@ impl<F: Formula> Kernel<F> {
         }
     }
 
-    fn errors(&self, points: &[Point<F>], exact: fn(&Point<F>) -> Option<&Vec<Exact>>) -> Errors {
+    fn errors(&self, points: &[Point], exact: fn(&Point) -> Option<&Vec<Exact>>) -> Errors {
         exact::errors(points.iter().filter_map(|point| Some((exact(point)?, (self.results)(&point.inputs)))))
     }
 }
 
 /// Every way to compute `F`, the closed form first.
-pub(super) fn all<F: Formula>(curves: &[Curve]) -> Vec<Way<F>> {
-    let mut ways = vec![closed(), single(), ad()];
-    ways.extend(curves.iter().filter_map(differences));
-    ways.extend([octuple(), octuple_ad()]);
+pub(super) fn all<F: Formula>(curves: &[Curve]) -> Vec<Way> {
+    let mut ways = vec![closed::<F>(), single::<F>(), ad::<F>()];
+    ways.extend(curves.iter().filter_map(|curve| Some(differences::<F>(curve.scheme, curve.best()?.step))));
+    ways.extend(octuple(&Subject::of::<F>()));
     ways.extend(F::ways());
     ways
 }
 
-fn closed<F: Formula>() -> Way<F> {
+fn closed<F: Formula>() -> Way {
+    let jacobian = Kernel::new(typed::<F, f64>, F::linearized, |(_, jacobian)| entries::<F, _>(jacobian));
     Way::of("closed", "closed form")
-        .value(Kernel::new(same, F::eval::<f64>, |out| out.components()))
-        .jacobian(Kernel::new(same, F::linearized, |(_, jacobian)| entries::<F, _>(jacobian)))
+        .value(Kernel::new(typed::<F, f64>, F::eval, |out| out.components()))
+        .jacobian(jacobian)
 }
 
-fn single<F: Formula>() -> Way<F> {
+fn single<F: Formula>() -> Way {
     let doubles = |x: Vec<Single>| x.into_iter().map(Single::to_f64).collect();
-    let convert = |i: &F::Inputs<f64>| {
-        let x = to_array(i);
-        let mut x = x.as_ref().iter();
-        F::Inputs::from_components(&mut || x.next().map_or(Single::from(f64::NAN), |&x| Single::from(x)))
-    };
+    let convert = |i: &[f64]| typed::<F, Single>(&i.iter().map(|&x| Single::from(x)).collect::<Vec<_>>());
     Way::of("single", "closed form in single precision")
-        .value(Kernel::new(convert, F::eval::<Single>, move |out| doubles(out.components())))
+        .value(Kernel::new(convert, F::eval, move |out| doubles(out.components())))
         .jacobian(Kernel::new(convert, F::linearized, move |(_, jacobian)| doubles(entries::<F, _>(jacobian))))
 }
 
-fn ad<F: Formula>() -> Way<F> {
+fn ad<F: Formula>() -> Way {
     let jacobian = |i: &_| super::value_and_jacobian_by_ad::<F>(i);
     Way::of("ad", "automatic differentiation")
-        .jacobian(Kernel::new(same, jacobian, |(_, jacobian)| entries::<F, _>(jacobian)))
+        .jacobian(Kernel::new(typed::<F, f64>, jacobian, |(_, jacobian)| entries::<F, _>(jacobian)))
 }
 
-/// Differences with the step that is best on this formula.
-fn differences<F: Formula>(curve: &Curve) -> Option<Way<F>> {
-    let scheme = curve.scheme;
-    let step = curve.best()?.step;
+/// Differences with a step.
+pub(super) fn differences<F: Formula>(scheme: Scheme, step: f64) -> Way {
     let jacobian = move |i: &_| scheme.value_and_jacobian::<F>(step, i);
-    let kernel = Kernel::new(same, jacobian, |(_, jacobian)| entries::<F, _>(jacobian));
-    Some(Way { step: Some(step), ..Way::of(scheme.id(), scheme.title()).jacobian(kernel) })
+    let kernel = Kernel::new(typed::<F, f64>, jacobian, |(_, jacobian)| entries::<F, _>(jacobian));
+    Way { step: Some(step), ..Way::of(scheme.id(), scheme.title()).jacobian(kernel) }
 }
 
-fn octuple<F: Formula>() -> Way<F> {
-    Way::of("octuple", "closed form in 237 bits")
-        .value(Kernel::new(exactly::<F>, F::eval::<Octuple>, |out| rounded(&out.components())))
-        .jacobian(Kernel::new(exactly::<F>, F::linearized, |(_, jacobian)| rounded(&entries::<F, _>(jacobian))))
-}
-
-fn octuple_ad<F: Formula>() -> Way<F> {
-    Way::of("octuple-ad", "automatic differentiation in 237 bits").jacobian(Kernel::new(
-        exactly::<F>,
-        |i| (F::eval(i), jacobian_by_ad::<F, Octuple>(i)),
-        |(_, jacobian)| rounded(&entries::<F, _>(jacobian)),
-    ))
-}
-
-fn same<T: Copy>(x: &T) -> T {
-    *x
+/// The ways in 237 bits. They go through slices, which costs nothing beside what a multiplication costs there.
+fn octuple(subject: &Subject) -> [Way; 2] {
+    let (value, jacobian, derivative) = (subject.exact_value, subject.exact_jacobian, subject.derivative_of());
+    let both = move |x: &Vec<Octuple>| (value(x), jacobian(x));
+    let differentiated = move |x: &Vec<Octuple>| (value(x), derivative(x));
+    [
+        Way::of("octuple", "closed form in 237 bits")
+            .value(Kernel::new(exact, move |x: &Vec<Octuple>| value(x), |out| rounded(out)))
+            .jacobian(Kernel::new(exact, both, |(_, jacobian)| rounded(jacobian))),
+        Way::of("octuple-ad", "automatic differentiation in 237 bits").jacobian(Kernel::new(
+            exact,
+            differentiated,
+            |(_, jacobian)| rounded(jacobian),
+        )),
+    ]
 }

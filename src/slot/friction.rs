@@ -96,8 +96,8 @@ impl Formula for ContactForce {
         }]
     }
 
-    fn ways() -> Vec<Way<Self>> {
-        vec![Way::new("plain", "plain square root of the sum", plain_contact_force, plain_contact_force)]
+    fn ways() -> Vec<Way> {
+        vec![Way::new::<Self>("plain", "plain square root of the sum", plain_contact_force, plain_contact_force)]
     }
 }
 

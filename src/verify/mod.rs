@@ -60,7 +60,7 @@ pub use eta::{Sensitivity, eta, relative};
 pub use jet::{derivative_of_jacobian, jacobian_by_ad};
 pub use sample::Sampler;
 
-pub(crate) use subject::{Kink, Subject, entries};
+pub(crate) use subject::{Kink, Subject, entries, typed};
 
 use crate::Octuple;
 use crate::formula::{Fields, Formula};

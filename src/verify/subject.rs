@@ -74,7 +74,13 @@ impl Subject {
 
     /// The Jacobian by automatic differentiation.
     pub(crate) fn derivative(&self, exact: &[Octuple]) -> Vec<Octuple> {
-        differentiate(exact, &self.dual_value).concat()
+        self.derivative_of()(exact)
+    }
+
+    /// [`derivative`](Self::derivative), to be kept.
+    pub(crate) fn derivative_of(&self) -> impl Fn(&[Octuple]) -> Vec<Octuple> + Copy + 'static {
+        let value = self.dual_value;
+        move |exact| differentiate(exact, &value).concat()
     }
 
     /// The gradient of every entry of the Jacobian.
@@ -122,7 +128,7 @@ pub(crate) fn entries<F: Formula, T: Scalar>(jacobian: &Jacobian<F, T>) -> Vec<T
 }
 
 /// The inputs of these components. The toolkit hands out as many as there are fields for.
-fn typed<F: Formula, T: Element + From<f64>>(components: &[T]) -> F::Inputs<T> {
+pub(crate) fn typed<F: Formula, T: Element + From<f64>>(components: &[T]) -> F::Inputs<T> {
     F::Inputs::from_slice(components).unwrap_or_else(|| F::Inputs::filled(T::from(f64::NAN)))
 }
 
