@@ -101,7 +101,7 @@ impl Formula for BetaTwoArgument {
     }
 
     fn ways() -> Vec<Way> {
-        vec![Way::new::<Self>("arc-sine", "plain arc sine", arc_sine, arc_sine)]
+        vec![Way::of_value::<Self>("arc-sine", "plain arc sine", arc_sine)]
     }
 
     fn invalid_cases() -> Vec<Case<BetaAxes<f64>>> {

@@ -26,13 +26,7 @@ struct Contestant {
 }
 
 /// Fills in the times of a measurement.
-pub(super) fn time(
-    ways: &[Way],
-    copy: &Kernel,
-    points: &[Vec<f64>],
-    options: &Options,
-    measurement: &mut Measurement,
-) {
+pub(super) fn time(ways: &[Way], copy: &Kernel, points: &[Vec<f64>], options: &Options, measurement: &mut Measurement) {
     let of_way = |way: &Way| {
         let kernels = [(&way.value, false), (&way.jacobian, true)];
         let contestant = |(kernel, with_jacobian): (&Option<Kernel>, bool)| {

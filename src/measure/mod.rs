@@ -60,14 +60,14 @@ pub struct Options {
 }
 
 impl Options {
-    /// About a quarter of a second for a formula.
+    /// About a tenth of a second for a formula.
     pub const fn quick() -> Self {
-        Self { seed: 1, random_points: 24, timing_points: 128, steps_per_decade: 1, rounds: 31, turn_ns: 40e3 }
+        Self { seed: 1, random_points: 50, timing_points: 128, steps_per_decade: 2, rounds: 61, turn_ns: 60e3 }
     }
 
     /// Some seconds for a formula.
     pub const fn full() -> Self {
-        Self { seed: 1, random_points: 400, timing_points: 128, steps_per_decade: 4, rounds: 101, turn_ns: 150e3 }
+        Self { seed: 1, random_points: 1000, timing_points: 128, steps_per_decade: 4, rounds: 301, turn_ns: 300e3 }
     }
 
     /// The points over which time is taken, by components.

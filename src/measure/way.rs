@@ -46,6 +46,15 @@ impl Way {
         ))
     }
 
+    /// A way to compute the value whose derivative is another: equal where the inputs keep to conditions among themselves.
+    pub fn of_value<F: Formula>(
+        id: &'static str,
+        title: &'static str,
+        value: impl Fn(&F::Inputs<f64>) -> F::Outputs<f64> + Copy + 'static,
+    ) -> Self {
+        Self::of(id, title).value(Kernel::new(typed::<F, f64>, value, |out| out.components()))
+    }
+
     fn of(id: &'static str, title: &'static str) -> Self {
         Self { id, title, step: None, value: None, jacobian: None }
     }

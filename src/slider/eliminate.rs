@@ -110,7 +110,12 @@ impl Formula for Eliminate {
     }
 
     fn ways() -> Vec<Way> {
-        vec![Way::new::<Self>("documented", "documented route: t1, t2 and a 2×2 system", documented::eliminate, documented::eliminate)]
+        vec![Way::new::<Self>(
+            "documented",
+            "documented route: t1, t2 and a 2×2 system",
+            documented::eliminate,
+            documented::eliminate,
+        )]
     }
 
     fn invalid_cases() -> Vec<Case<KeptCoordinate<f64>>> {
@@ -269,7 +274,12 @@ impl Formula for Increment {
     }
 
     fn ways() -> Vec<Way> {
-        vec![Way::new::<Self>("documented", "documented route, m put on the line", documented::increment_on_line, documented::increment_on_line)]
+        vec![Way::new::<Self>(
+            "documented",
+            "documented route, m put on the line",
+            documented::increment_on_line,
+            documented::increment_on_line,
+        )]
     }
 
     fn invalid_cases() -> Vec<Case<KeptIncrement<f64>>> {

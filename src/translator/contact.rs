@@ -49,11 +49,8 @@ impl Formula for TorqueForce {
     fn linearized<D: Scalar>(i: &Torque<D>) -> (TorqueContact<D>, Jacobian<Self, D>) {
         let (zero, s) = (D::zero(), D::from(sign(i.m1)));
         let TorqueContact { m_torq, f_torq } = Self::eval(i);
-        let by_lever = if i.rr == 0.0 {
-            Torque { m1: zero, rr: zero }
-        } else {
-            Torque { m1: s / i.rr, rr: -f_torq / i.rr }
-        };
+        let by_lever =
+            if i.rr == 0.0 { Torque { m1: zero, rr: zero } } else { Torque { m1: s / i.rr, rr: -f_torq / i.rr } };
         (TorqueContact { m_torq, f_torq }, TorqueContact { m_torq: Torque { m1: s, rr: zero }, f_torq: by_lever })
     }
 

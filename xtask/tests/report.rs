@@ -174,7 +174,8 @@ fn the_book_shows_the_report_that_is_kept() {
     let out = bench.path("book");
     bench.run(&["book", "--out", out.to_str().unwrap()]).exits(0);
     let pages: Vec<_> = fs::read_dir(&out).unwrap().map(|entry| entry.unwrap().path()).collect();
-    let pages = pages.iter().filter(|path| path.extension().is_some_and(|x| x == "html") && !path.ends_with("print.html"));
+    let pages =
+        pages.iter().filter(|path| path.extension().is_some_and(|x| x == "html") && !path.ends_with("print.html"));
     let text: String = pages.map(|path| fs::read_to_string(path).unwrap()).collect();
     for formula in CATALOG {
         let id = formula.spec().id;

@@ -4,8 +4,8 @@ use super::content::{CodeSpan, Entry, Evidence, GoldenCounts, Kink, Symbol, Test
 use super::html::{each, escape, number, relative};
 use super::pages::{Pages, Place};
 use super::rust;
-use super::speed;
 use super::source::listing_page;
+use super::speed;
 use jointproof::verify::{Audit, Claim};
 
 /// The entry as one line of HTML.

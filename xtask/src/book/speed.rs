@@ -71,7 +71,8 @@ fn worst(errors: Option<&Errors>) -> String {
 }
 
 /// The parts of the chapter, by the argument of `{{#speed …}}`.
-pub(crate) const PARTS: &str = "speed about, speed verdict, speed overviews, speed table, speed differences and speed own";
+pub(crate) const PARTS: &str =
+    "speed about, speed verdict, speed overviews, speed table, speed differences and speed own";
 
 /// One part of the chapter; `None` if there is no such part.
 pub(crate) fn part(pages: &Pages<'_>, at: &Place, name: &str) -> Option<String> {
@@ -163,8 +164,19 @@ fn overviews(pages: &Pages<'_>, report: &Report) -> String {
 
 /// A row a formula.
 fn overall(pages: &Pages<'_>, at: &Place, report: &Report) -> String {
-    let head =
-        ["Formula", "Copying", "Value", "With Jacobian", "Spread", "Single", "AD", "Central", "237 bits", "η Jacobian, AD"];
+    let head = [
+        "Formula",
+        "Copying",
+        "Value",
+        "With Jacobian",
+        "Spread",
+        "Single",
+        "AD",
+        "Central",
+        "237 bits",
+        "η Jacobian, AD",
+        "Faster, as accurate",
+    ];
     let rows = each(&report.formulas, |measurement| {
         let jacobian = |id| measurement.way(id).and_then(|way| way.jacobian.as_ref());
         let together = |id| jacobian(id).and_then(|figures: &Figures| figures.time);
@@ -186,6 +198,7 @@ fn overall(pages: &Pages<'_>, at: &Place, report: &Report) -> String {
             ("figure", ratio("central")),
             ("figure", ratio("octuple")),
             ("figure", format!("{}, {}", eta("closed"), eta("ad"))),
+            ("", Verdict::of(measurement).map_or("–", |verdict| verdict.in_short()).into()),
         ])
     });
     table("speed", &head, &rows)

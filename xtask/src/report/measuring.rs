@@ -6,7 +6,7 @@ use anyhow::{Context, bail};
 use indicatif::ProgressBar;
 use jointproof::measure::{Measurement, Options};
 use measure::{Build, Event, Request};
-use std::io::{BufRead, BufReader};
+use std::io::{BufRead, BufReader, IsTerminal};
 use std::process::{Command, Stdio};
 
 /// What the measuring program was and what it found.
@@ -35,7 +35,11 @@ struct Record {
 impl Record {
     fn note(&mut self, event: Event) {
         match event {
-            Event::Begun(build) => self.build = Some(build),
+            Event::Begun(build) => {
+                self.build = Some(build);
+                // What it took to compile says nothing about the rest.
+                self.bar.reset();
+            }
             Event::Compared(formula) => self.step(format!("errors of {formula}")),
             Event::Measured(measurement) => {
                 self.step(format!("times of {}", measurement.formula));
@@ -55,7 +59,9 @@ fn ask(request: &Request, record: &mut Record) -> anyhow::Result<()> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let manifest = concat!(env!("CARGO_MANIFEST_DIR"), "/measure/Cargo.toml");
     let mut child = Command::new(&cargo)
-        .args(["run", "--release", "--quiet", "--manifest-path", manifest])
+        .args(["run", "--release", "--manifest-path", manifest])
+        // Compiling takes a while the first time; somebody who watches should see that.
+        .args((!std::io::stderr().is_terminal()).then_some("--quiet"))
         .current_dir(files::root())
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())

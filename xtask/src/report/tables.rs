@@ -84,7 +84,8 @@ pub(super) fn text(report: &Report) -> anyhow::Result<String> {
     let mut text = String::new();
     for measurement in &report.formulas {
         let Measurement { formula, inputs, outputs, random_points, hard_points, .. } = measurement;
-        let copy = measurement.copy.map_or(String::new(), |copy| format!("; copying all takes {}", duration(copy.median)));
+        let copy =
+            measurement.copy.map_or(String::new(), |copy| format!("; copying all takes {}", duration(copy.median)));
         writeln!(text, "{} {outputs} outputs of {inputs} inputs{copy}", bold(formula))?;
         writeln!(text, "  errors at {random_points} random and {hard_points} hard points")?;
         let rows: Vec<_> = measurement.ways.iter().map(cells).collect();

@@ -45,6 +45,17 @@ impl Verdict {
         self.speed == Speed::Faster && self.accurate
     }
 
+    /// The claim in a word or two.
+    pub(crate) fn in_short(&self) -> &'static str {
+        match (self.speed, self.accurate) {
+            (Speed::Faster, true) => "yes",
+            (Speed::Same, true) => "as fast",
+            (Speed::Slower, true) => "slower",
+            (Speed::Faster, false) => "less accurate",
+            (_, false) => "no",
+        }
+    }
+
     /// Why the claim does not hold; empty where it does.
     pub(crate) fn exception(&self) -> String {
         let speed = match self.speed {
@@ -60,7 +71,12 @@ impl Verdict {
             )),
         };
         let [closed, ad] = self.eta;
-        let accuracy = (!self.accurate).then(|| format!("η of the closed form is up to {closed:.2}, of the other {ad:.2}"));
+        let accuracy = (!self.accurate).then(|| {
+            format!(
+                "η of the closed form is up to {closed:.2}, of the other {ad:.2}: both are within a few roundings, taken in \
+                 another order"
+            )
+        });
         speed.into_iter().chain(accuracy).collect::<Vec<_>>().join("; ")
     }
 }
