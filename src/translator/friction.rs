@@ -275,9 +275,10 @@ impl Formula for Friction {
             rr: by.rr * k,
             l: by.l * k,
         };
+        let none = ContactLoads { f2: zero, f3: zero, m1: zero, m2: zero, m3: zero, rr: zero, l: zero };
         let slope = -i.mu * s; // ∂Φ/∂(F_C + F_C_int)
         let jacobian = FrictionOutputs {
-            p: FrictionLoads { f1: s1, ..FrictionLoads::filled(zero) },
+            p: FrictionLoads::new(s1, &none, zero, zero),
             r#fn: FrictionLoads::new(zero, &times(s), s, zero),
             phi: FrictionLoads::new(s1, &times(slope), slope, -r#fn),
         };

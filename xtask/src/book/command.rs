@@ -135,7 +135,7 @@ fn entry(formula: &dyn AnyFormula, index: &Index<'_>, evidence: &Evidence) -> En
         inputs: formula.inputs().iter().map(symbol).collect(),
         outputs: formula.outputs().iter().map(symbol).collect(),
         kinks: formula.kinks().iter().map(|entry| kink(entry, formula.outputs())).collect(),
-        code: index.functions(&file, type_name, &["eval", "jacobian"]),
+        code: index.functions(&file, type_name, &["eval", "jacobian", "linearized"]),
         tests: index.tests_naming(spec.id, type_name),
         golden: golden.ok().and_then(|text| File::parse(&text).ok()).map(|file| counts(&file)),
         evidence: super::content::Evidence {

@@ -62,6 +62,8 @@ fn time(time: Option<Time>) -> String {
 fn worst(errors: Option<&Errors>) -> String {
     match errors {
         None => "–".into(),
+        // Beyond 2⁵³ no digit is right; where the exact number is 0, anything else is without measure.
+        Some(Errors { not_finite: 0, eta, .. }) if eta.max > 1e18 => "no digit right".into(),
         Some(Errors { not_finite: 0, eta, .. }) => number(eta.max),
         Some(Errors { not_finite, points, .. }) if not_finite == points => "not finite".into(),
         Some(Errors { not_finite, points, eta, .. }) => {

@@ -46,12 +46,13 @@ pub(crate) fn curve(measurement: &Measurement) -> String {
 }
 
 fn legend(drawing: &mut Drawing, curves: &[Curve]) {
-    let mut y = 36.0;
+    // Below the curves, which fall from the left.
+    let (x, mut y) = (LEFT + 16.0, 150.0);
     for curve in curves {
         let style = style(curve.scheme.id());
-        drawing.line(&format!("curve way-difference dash-{}", curve.scheme.id()), [252.0, y], [280.0, y]);
-        drawing.mark(&style, [266.0, y]);
-        drawing.text("label", [286.0, y + 3.5], style.name);
+        drawing.line(&format!("curve way-difference dash-{}", curve.scheme.id()), [x, y], [x + 28.0, y]);
+        drawing.mark(&style, [x + 14.0, y]);
+        drawing.text("label", [x + 34.0, y + 3.5], style.name);
         y += 14.0;
     }
 }

@@ -12,6 +12,8 @@ const BOTTOM: f64 = 232.0;
 
 /// η below this is drawn here.
 const FLOOR: f64 = 0.1;
+/// η above this is drawn here: no digit is right, or something is not 0 where the exact number is.
+const CEILING: f64 = 1e18;
 
 /// A way in the plane.
 struct Point<'a> {
@@ -32,7 +34,7 @@ pub(crate) fn plane(measurement: &Measurement) -> String {
         .filter_map(|way| point(way).map(|(time, eta)| Point { id: &way.id, time, eta }))
         .collect();
     let x = Axis::around(points.iter().map(|point| point.time), 0.1, [LEFT, WIDTH - 12.0]);
-    let y = Axis::around(points.iter().map(|point| point.eta).chain([1.0]), FLOOR, [BOTTOM, 26.0]);
+    let y = Axis::around(points.iter().map(|point| point.eta.min(CEILING)).chain([1.0]), FLOOR, [BOTTOM, 26.0]);
     let places: Vec<_> = points.iter().map(|point| [x.at(point.time), y.at(point.eta.max(FLOOR))]).collect();
     // What is drawn in one place is equal here too.
     let ranked: Vec<_> = points.iter().map(|point| (point.time, point.eta.max(FLOOR))).collect();
