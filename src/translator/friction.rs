@@ -31,6 +31,14 @@ impl<T: Element> ContactLoads<T> {
     }
 }
 
+impl<D: Scalar> ContactLoads<D> {
+    #[inline]
+    fn times(&self, k: D) -> Self {
+        let Self { f2, f3, m1, m2, m3, rr, l } = *self;
+        Self { f2: f2 * k, f3: f3 * k, m1: m1 * k, m2: m2 * k, m3: m3 * k, rr: rr * k, l: l * k }
+    }
+}
+
 /// Contact force of a TRANSLATOR: `F_C = F_torq + F_r + F_bend`.
 #[derive(Clone, Copy, Debug)]
 pub struct ContactForce;
@@ -217,6 +225,7 @@ fields! {
 }
 
 impl<T: Element> FrictionLoads<T> {
+    #[inline]
     const fn new(f1: T, contact: &ContactLoads<T>, fc_int: T, mu: T) -> Self {
         let ContactLoads { f2, f3, m1, m2, m3, rr, l } = *contact;
         Self { f1, f2, f3, m1, m2, m3, rr, l, fc_int, mu }
@@ -264,25 +273,18 @@ impl Formula for Friction {
         let (Contact { fc }, Contact { fc: by }) = ContactForce::linearized(&i.contact());
         let (p, sum) = (abs(i.f1), fc + i.fc_int);
         let r#fn = NormalForce::eval(&ContactForces { fc, fc_int: i.fc_int }).r#fn;
-        let value = FrictionOutputs { p, r#fn, phi: Yield::eval(&Tractions { p, mu: i.mu, r#fn }).phi };
+        let phi = Yield::eval(&Tractions { p, mu: i.mu, r#fn }).phi;
         let (s1, s) = (D::from(sign(i.f1)), D::from(sign(sum)));
-        let times = |k: D| ContactLoads {
-            f2: by.f2 * k,
-            f3: by.f3 * k,
-            m1: by.m1 * k,
-            m2: by.m2 * k,
-            m3: by.m3 * k,
-            rr: by.rr * k,
-            l: by.l * k,
-        };
         let none = ContactLoads { f2: zero, f3: zero, m1: zero, m2: zero, m3: zero, rr: zero, l: zero };
         let slope = -i.mu * s; // ∂Φ/∂(F_C + F_C_int)
-        let jacobian = FrictionOutputs {
-            p: FrictionLoads::new(s1, &none, zero, zero),
-            r#fn: FrictionLoads::new(zero, &times(s), s, zero),
-            phi: FrictionLoads::new(s1, &times(slope), slope, -r#fn),
-        };
-        (value, jacobian)
+        (
+            FrictionOutputs { p, r#fn, phi },
+            FrictionOutputs {
+                p: FrictionLoads::new(s1, &none, zero, zero),
+                r#fn: FrictionLoads::new(zero, &by.times(s), s, zero),
+                phi: FrictionLoads::new(s1, &by.times(slope), slope, -r#fn),
+            },
+        )
     }
 
     fn cases() -> Vec<Case<FrictionLoads<f64>>> {

@@ -27,11 +27,12 @@ use std::process::ExitCode;
 /// by a program built in release mode, which the first run compiles. A report on all formulas is kept for the book.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
-  cargo xtask report                                     everything, some minutes
-  cargo xtask report --quick --filter 'slot.*'           a first look
-  cargo xtask report --format json > old.json            to keep
-  cargo xtask report --against old.json                  what became slower or less accurate; exit 1 if anything did
-  cargo xtask report --inputs points --timing-json t.json   for a program in another language to be timed beside")]
+  cargo xtask report                              everything, some minutes
+  cargo xtask report --quick --filter 'slot.*'    a first look
+  cargo xtask report --format json > old.json     to keep
+  cargo xtask report --against old.json           what became worse; exit 1 if anything did
+  cargo xtask report --inputs points              points for a program in another language
+  cargo xtask report --timing-json times.json     times of the closed forms at these points")]
 pub(crate) struct Arguments {
     #[command(flatten)]
     selection: Selection,
