@@ -53,12 +53,11 @@ impl Contestant {
         let all = options.timing_points.max(1);
         let mut contestant = Self { way, with_jacobian, run, points: 1, calls: 1, every: 1, samples: Vec::new() };
         let mut one = contestant.turn(0);
-        if one * (all as f64) < options.turn_ns {
+        if one * number(all) < options.turn_ns {
             contestant.points = all;
             one = contestant.turn(0).min(contestant.turn(0));
         }
-        let whole = |x: f64| x.clamp(1.0, 1e9) as usize;
-        let call = (one * contestant.points as f64).max(1.0);
+        let call = (one * number(contestant.points)).max(1.0);
         contestant.calls = whole(options.turn_ns / call);
         if contestant.points == 1 {
             contestant.points = whole(options.turn_ns / call).min(all);
@@ -76,7 +75,7 @@ impl Contestant {
         for _ in 0..self.calls {
             (self.run)(from, self.points);
         }
-        start.elapsed().as_secs_f64() * 1e9 / (self.calls * self.points) as f64
+        start.elapsed().as_secs_f64() * 1e9 / number(self.calls * self.points)
     }
 
     fn take_turn(&mut self, round: usize) {
@@ -96,6 +95,17 @@ impl Contestant {
     fn time(&self) -> Option<Time> {
         Time::of(self.samples.iter().map(|sample| sample.1).collect())
     }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "counts of points and calls are small")]
+fn number(count: usize) -> f64 {
+    count as f64
+}
+
+/// The count below, at least 1.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
+fn whole(x: f64) -> usize {
+    x.clamp(1.0, 1e9) as usize
 }
 
 /// Puts the times where they belong.

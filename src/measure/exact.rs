@@ -57,7 +57,7 @@ impl Point {
 
 /// An exact number, prepared so that the error of a double against it is found by a few operations.
 pub(super) struct Exact {
-    exact: Octuple,
+    number: Octuple,
     sensitivity: Sensitivity,
     /// The nearest double, what is left over, and the size that η refers to; `None` at the ends of the exponent range,
     /// where doubles lose digits.
@@ -72,13 +72,13 @@ impl Exact {
         let ordinary = |x: f64| (1e-250..1e250).contains(&x);
         let exact_zero = near == 0.0 && exact.abs() == 0.0;
         let usable = (exact_zero && size == 0.0) || (ordinary(size) && (exact_zero || ordinary(near.abs())));
-        Self { exact, sensitivity, near: usable.then_some((near, rest, size + f64::MIN_POSITIVE)) }
+        Self { number: exact, sensitivity, near: usable.then_some((near, rest, size + f64::MIN_POSITIVE)) }
     }
 
     /// η and the relative error of a computed number.
     fn error(&self, computed: f64) -> (f64, f64) {
         let Some((near, rest, size)) = self.near else {
-            return (eta(computed, self.exact, self.sensitivity), relative(Octuple::from(computed), self.exact));
+            return (eta(computed, self.number, self.sensitivity), relative(Octuple::from(computed), self.number));
         };
         let difference = ((computed - near) - rest).abs();
         if difference == 0.0 {

@@ -39,7 +39,7 @@ impl Way {
         differentiated: impl Fn(&F::Inputs<Jet>) -> F::Outputs<Jet> + Copy + 'static,
     ) -> Self {
         let jacobian = move |i: &_| differentiate::<F>(i, differentiated);
-        Self::of(id, title).value(Kernel::new(typed::<F, f64>, value, |out| out.components())).jacobian(Kernel::new(
+        Self::of(id, title).value(Kernel::new(typed::<F, f64>, value, Fields::components)).jacobian(Kernel::new(
             typed::<F, f64>,
             jacobian,
             |(_, jacobian)| entries::<F, _>(jacobian),
@@ -52,7 +52,7 @@ impl Way {
         title: &'static str,
         value: impl Fn(&F::Inputs<f64>) -> F::Outputs<f64> + Copy + 'static,
     ) -> Self {
-        Self::of(id, title).value(Kernel::new(typed::<F, f64>, value, |out| out.components()))
+        Self::of(id, title).value(Kernel::new(typed::<F, f64>, value, Fields::components))
     }
 
     fn of(id: &'static str, title: &'static str) -> Self {
@@ -94,12 +94,17 @@ impl Way {
 /// Runs over the points from an index on, so many of them.
 pub(super) type Runner = Box<dyn FnMut(usize, usize)>;
 
+/// The results at components, as doubles in order.
+type Results = Box<dyn Fn(&[f64]) -> Vec<f64>>;
+/// Makes the loop to be timed over points.
+type MakeRunner = Box<dyn Fn(&[Vec<f64>]) -> Runner>;
+
 /// A computation, to be looked at and to be timed.
 pub(super) struct Kernel {
     /// What it computes of components, as doubles in order.
-    results: Box<dyn Fn(&[f64]) -> Vec<f64>>,
+    results: Results,
     /// The loop to be timed, over inputs converted beforehand.
-    pub(super) runner: Box<dyn Fn(&[Vec<f64>]) -> Runner>,
+    pub(super) runner: MakeRunner,
 }
 
 impl Kernel {
@@ -138,9 +143,7 @@ pub(super) fn all<F: Formula>(curves: &[Curve]) -> Vec<Way> {
 
 fn closed<F: Formula>() -> Way {
     let jacobian = Kernel::new(typed::<F, f64>, F::linearized, |(_, jacobian)| entries::<F, _>(jacobian));
-    Way::of("closed", "closed form")
-        .value(Kernel::new(typed::<F, f64>, F::eval, |out| out.components()))
-        .jacobian(jacobian)
+    Way::of("closed", "closed form").value(Kernel::new(typed::<F, f64>, F::eval, Fields::components)).jacobian(jacobian)
 }
 
 fn single<F: Formula>() -> Way {

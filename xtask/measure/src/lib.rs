@@ -48,11 +48,12 @@ pub struct Build {
 impl Build {
     /// Of the program that runs.
     pub fn this() -> Self {
+        const FLAGS: &str = env!("BUILT_WITH");
         Self {
             compiler: env!("BUILT_BY").into(),
             target: env!("BUILT_FOR").into(),
             profile: env!("BUILT_IN").into(),
-            flags: env!("BUILT_WITH").into(),
+            flags: FLAGS.into(),
         }
     }
 }

@@ -77,7 +77,7 @@ struct Timing<'a> {
     machine: &'a Machine,
     build: &'a Build,
     /// The points are those that `--inputs` writes.
-    timing_points: usize,
+    points: usize,
     seed: u64,
     formulas: BTreeMap<&'a str, Nanoseconds>,
 }
@@ -105,7 +105,7 @@ pub(super) fn timing(path: &Path, report: &Report) -> anyhow::Result<()> {
         created: &report.created,
         machine: &report.machine,
         build: &report.build,
-        timing_points: report.options.timing_points,
+        points: report.options.timing_points,
         seed: report.options.seed,
         formulas: report.formulas.iter().map(|m| (m.formula.as_str(), of_formula(m))).collect(),
     };

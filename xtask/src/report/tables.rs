@@ -95,8 +95,8 @@ pub(super) fn text(report: &Report) -> anyhow::Result<String> {
         };
         for row in std::iter::once(&HEAD.map(String::from)).chain(&rows) {
             let first = format!("{:<w$}", row[0], w = width(0));
-            let rest: String = (1..row.len()).map(|k| format!("  {:>w$}", row[k], w = width(k))).collect();
-            writeln!(text, "    {first}{rest}")?;
+            let rest: Vec<_> = (1..row.len()).map(|k| format!("{:>w$}", row[k], w = width(k))).collect();
+            writeln!(text, "    {first}  {}", rest.join("  "))?;
         }
         if let Some(verdict) = Verdict::of(measurement) {
             let (mark, why) = if verdict.holds() {

@@ -148,7 +148,7 @@ fn style(id: &str) -> Style {
         "fourth" => ("way-difference", BAR, "4th order"),
         "octuple" => ("way-octuple", CIRCLE, "237 bits"),
         "octuple-ad" => ("way-octuple", UP, "AD, 237 bits"),
-        _ => ("way-own", if id.len() % 2 == 0 { DOWN } else { HOURGLASS }, ""),
+        _ => ("way-own", if id.len().is_multiple_of(2) { DOWN } else { HOURGLASS }, ""),
     };
     Style { class, shape, name }
 }
