@@ -1,8 +1,9 @@
 //! Every formula, in the order of the book.
 
-use crate::formula::{Convention, Field, Fields, Formula, Jacobian, Spec, check, value, value_and_jacobian};
+use crate::formula::{Convention, Field, Fields, Formula, Spec, check, value, value_and_jacobian};
+use crate::measure::{self, Measurement};
 use crate::scalar::{abs, sign};
-use crate::verify::{Audit, Kink, Options, Subject, audit, audit_at, exact, golden, hard};
+use crate::verify::{Audit, Kink, Options, Subject, audit, audit_at, entries, exact, golden, hard};
 use crate::{
     Error, Octuple, align, cardan, coulomb, interaction, join, slide_line, slider, slot, translator, ujoint, universal,
 };
@@ -43,6 +44,12 @@ pub trait AnyFormula: Send + Sync {
     /// # Errors
     /// As [`AnyFormula::value`], and [`Error::DerivativeOverflow`].
     fn value_and_jacobian(&self, components: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Error>;
+    /// The errors of every way to compute it, found now.
+    fn errors(&self, options: &measure::Options) -> Measurement;
+    /// Times every way to compute it, now, and enters that where the errors are known.
+    fn times(&self, options: &measure::Options, measurement: &mut Measurement);
+    /// The points over which time is taken: all components of the first point, then of the next.
+    fn timing_inputs(&self, options: &measure::Options) -> Vec<f64>;
 }
 
 /// A kink, with the derivatives on both sides.
@@ -87,22 +94,26 @@ impl<F: Formula> AnyFormula for F {
     fn jacobian(&self, components: &[f64]) -> Result<Vec<f64>, Error> {
         let inputs = from_components::<F>(components)?;
         check::<F>(&inputs)?;
-        Ok(entries::<F>(&F::jacobian(&inputs)))
+        Ok(entries::<F, _>(&F::jacobian(&inputs)))
     }
     fn value_and_jacobian(&self, components: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Error> {
         let (out, jacobian) = value_and_jacobian::<F>(&from_components::<F>(components)?)?;
-        Ok((out.components(), entries::<F>(&jacobian)))
+        Ok((out.components(), entries::<F, _>(&jacobian)))
+    }
+    fn errors(&self, options: &measure::Options) -> Measurement {
+        measure::errors::<F>(options)
+    }
+    fn times(&self, options: &measure::Options, measurement: &mut Measurement) {
+        measure::times::<F>(options, measurement);
+    }
+    fn timing_inputs(&self, options: &measure::Options) -> Vec<f64> {
+        options.timing_inputs::<F>().concat()
     }
 }
 
 fn from_components<F: Formula>(components: &[f64]) -> Result<F::Inputs<f64>, Error> {
     let (found, expected) = (components.len(), F::Inputs::<f64>::len());
     F::Inputs::from_slice(components).ok_or(Error::Components { found, expected })
-}
-
-/// The entries of a Jacobian, output by output, each over all inputs.
-fn entries<F: Formula>(jacobian: &Jacobian<F, f64>) -> Vec<f64> {
-    jacobian.components().iter().flat_map(Fields::components).collect()
 }
 
 /// One-sided differences in 237 bits, with a step so short that nothing else is near.
@@ -128,7 +139,9 @@ fn one_sided(subject: &Subject) -> Vec<KinkEntry> {
 }
 
 /// Every formula.
-pub const CATALOG: &[&dyn AnyFormula] = &[
+///
+/// A `static`, so that all of its code is compiled here, once, and not again in every program that reads it.
+pub static CATALOG: &[&dyn AnyFormula] = &[
     &slot::RelativePosition,
     &slot::Constraint,
     &slot::Constraint2d,

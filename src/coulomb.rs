@@ -32,10 +32,12 @@ impl Formula for Yield {
     type Inputs<T: Element> = Tractions<T>;
     type Outputs<T: Element> = YieldFunction<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Tractions<D>) -> YieldFunction<D> {
         YieldFunction { phi: i.p - i.mu * i.r#fn }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Tractions<D>) -> Jacobian<Self, D> {
         YieldFunction { phi: Tractions { p: D::one(), mu: -i.r#fn, r#fn: -i.mu } }
     }
@@ -102,11 +104,13 @@ impl Formula for ReturnMap {
     type Inputs<T: Element> = Trial<T>;
     type Outputs<T: Element> = Tangential<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Trial<D>) -> Tangential<D> {
         let f = if sticks(i) { i.f_trial } else { i.mu * i.r#fn * sign(i.f_trial) };
         Tangential { f }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Trial<D>) -> Jacobian<Self, D> {
         let zero = D::zero();
         let s = sign(i.f_trial);

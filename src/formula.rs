@@ -6,6 +6,7 @@
 //! inputs. `jac.fc.f2` is ∂fc/∂f2.
 
 use crate::error::Error;
+use crate::measure::Way;
 use crate::quantity::{Domain, Quantity};
 use crate::{Octuple, Scalar};
 use nalgebra::{SVector, Vector2, Vector3};
@@ -46,11 +47,20 @@ pub trait Fields<T: Element>: Element {
     /// The fields in order.
     const FIELDS: &'static [Field];
 
+    /// The number of components.
+    const LEN: usize = components_of(Self::FIELDS);
+
+    /// The components as an array.
+    type Array: Element + AsRef<[T]> + AsMut<[T]>;
+
     /// Builds the struct from its components in order.
     fn from_components(next: &mut impl FnMut() -> T) -> Self;
 
     /// Hands out the components in order.
     fn for_each_component(&self, visit: &mut impl FnMut(T));
+
+    /// An array with room for the components.
+    fn array_of(value: T) -> Self::Array;
 
     /// The struct with every component equal to `value`.
     fn filled(value: T) -> Self {
@@ -66,7 +76,7 @@ pub trait Fields<T: Element>: Element {
 
     /// The number of components.
     fn len() -> usize {
-        Self::FIELDS.iter().map(Field::len).sum()
+        Self::LEN
     }
 
     /// The struct of these components; `None` where their number is not the struct's.
@@ -74,6 +84,13 @@ pub trait Fields<T: Element>: Element {
         let fallback = *components.first()?;
         let mut rest = components.iter().copied();
         (components.len() == Self::len()).then(|| Self::from_components(&mut || rest.next().unwrap_or(fallback)))
+    }
+}
+
+const fn components_of(fields: &[Field]) -> usize {
+    match fields {
+        [] => 0,
+        [first, rest @ ..] => first.len() + components_of(rest),
     }
 }
 
@@ -156,6 +173,7 @@ macro_rules! fields {
                 );)*
                 &[$($crate::formula::Field::new(stringify!($field), &$quantity)),*]
             };
+            type Array = [$T; <$name<f64> as $crate::formula::Fields<f64>>::LEN];
             #[inline]
             fn from_components(next: &mut impl FnMut() -> $T) -> Self {
                 Self { $($field: $crate::formula::Part::from_components(next)),* }
@@ -163,6 +181,10 @@ macro_rules! fields {
             #[inline]
             fn for_each_component(&self, visit: &mut impl FnMut($T)) {
                 $($crate::formula::Part::for_each_component(&self.$field, visit);)*
+            }
+            #[inline]
+            fn array_of(value: $T) -> Self::Array {
+                [value; <$name<f64> as $crate::formula::Fields<f64>>::LEN]
             }
         }
     };
@@ -274,6 +296,12 @@ pub trait Formula: Copy + Send + Sync + 'static {
 
     /// What physics demands of it beyond frame indifference and homogeneity, which are checked for every formula.
     fn laws() -> Vec<Law<Self>> {
+        Vec::new()
+    }
+
+    /// Other ways to compute the value, as textbooks have it or as the document words it, to be measured beside
+    /// [`eval`](Self::eval).
+    fn ways() -> Vec<Way> {
         Vec::new()
     }
 }

@@ -12,6 +12,7 @@
 //! | [`formula`], [`quantity`] | what a formula is; the vocabulary of symbols, units and domains |
 //! | [`scalar`] | the numbers a formula runs in: `f64`, [`Octuple`], [`Single`], dual numbers over them |
 //! | [`verify`] | the toolkit that proves a formula, yours too |
+//! | [`measure`] | how fast and how wrong every way to compute a formula is |
 //! | [`catalog`] | every formula by identifier |
 //!
 //! ```
@@ -39,6 +40,7 @@ pub mod frame;
 pub mod interaction;
 pub mod isl;
 pub mod join;
+pub mod measure;
 mod newtype;
 pub mod octuple;
 pub mod quantity;

@@ -6,6 +6,7 @@ use crate::Octuple;
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Case, Convention, Element, Fields, Formula, Jacobian, Kink, Law, Source, Spec};
+use crate::measure::Way;
 use crate::quantity::{ALPHA, BETA, GAMMA};
 use crate::scalar::{Scalar, abs};
 use crate::verify::{hard, law};
@@ -95,6 +96,10 @@ impl Formula for CardanAngles {
         cases
     }
 
+    fn ways() -> Vec<Way> {
+        vec![Way::new::<Self>("unguarded", "plain arc sine and arc tangent", unguarded, unguarded)]
+    }
+
     fn invalid_cases() -> Vec<Case<Triads<f64>>> {
         let hand = Triads::new([Vector3::x(), Vector3::y(), Vector3::z()], hard::triad());
         let steep = |x, y| Triads { e1a: Vector3::new(1.0, 1.0, 0.0), e3b: Vector3::new(x, y, 0.5), ..hand };
@@ -173,6 +178,16 @@ impl Formula for CardanAngles {
                 },
             },
         ]
+    }
+}
+
+/// As the document words it: without care for what a scalar product loses near ±1, and with the quotient rule for the derivative
+/// of the arc tangent, which fails at right angles.
+fn unguarded<D: Scalar>(i: &Triads<D>) -> Angles<D> {
+    Angles {
+        alpha: -i.e2a.dot(&i.e3b).atan2(i.e3a.dot(&i.e3b)),
+        beta: i.e1a.dot(&i.e3b).asin(),
+        gamma: -i.e1a.dot(&i.e2b).atan2(i.e1a.dot(&i.e1b)),
     }
 }
 

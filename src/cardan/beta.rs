@@ -5,6 +5,7 @@ use crate::Octuple;
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Case, Convention, Element, Fields, Formula, Jacobian, Kink, Law, Source, Spec};
+use crate::measure::Way;
 use crate::quantity::{BETA, E1A, E1B, E2B, E3B};
 use crate::scalar::{Scalar, atan2, norm, norm_and_direction};
 use crate::verify::{hard, law};
@@ -26,6 +27,11 @@ impl<T: Element> From<&Triads<T>> for BetaAxes<T> {
     fn from(i: &Triads<T>) -> Self {
         Self { e1a: i.e1a, e1b: i.e1b, e2b: i.e2b, e3b: i.e3b }
     }
+}
+
+/// The documented form, equal on orthonormal triads only, and these are orthonormal to rounding only.
+fn arc_sine<D: Scalar>(i: &BetaAxes<D>) -> Beta<D> {
+    Beta { beta: i.e1a.dot(&i.e3b).asin() }
 }
 
 /// The second Cardan angle from its sine and its cosine: β = atan2(e1a·e3b, √((e1a·e1b)² + (e1a·e2b)²)).
@@ -92,6 +98,10 @@ impl Formula for BetaTwoArgument {
             Case::hard(pair.id, pair.comment, BetaAxes { e1a, e1b, e2b, e3b })
         }));
         cases
+    }
+
+    fn ways() -> Vec<Way> {
+        vec![Way::of_value::<Self>("arc-sine", "plain arc sine", arc_sine)]
     }
 
     fn invalid_cases() -> Vec<Case<BetaAxes<f64>>> {

@@ -42,23 +42,25 @@ fn projected<D: Scalar>(i: &Nodes<D>, across: &Across<D>) -> Nodes2d<D> {
 /// The share is ξ for node n, and ξ − 1 for node 1, where the sign changes too. Node 1, node n, or one of them together with the
 /// part of xm − x1 across the line will do for p. The three sums are equal, but where one is what a cancellation leaves, another
 /// need not be: the one of the smallest terms is taken, so that rounding does no more harm than that of the inputs.
-fn bend<D: Scalar>(
-    own: usize,
+#[inline]
+fn bend<D: Scalar, const OWN: usize>(
     c: Vector2<D>,
     share: D,
     from_ends: [Vector2<D>; 2],
     aside: Vector2<D>,
     end: usize,
 ) -> D {
-    let other = 1 - own;
-    let terms = |p: D, q: D, last: D| [c[other] * c[other] * p, -c[other] * c[own] * q, -share * last];
+    let (own, other) = (OWN, 1 - OWN);
+    // A sum with the size of its terms: numbers are selected without a branch, which would be mispredicted at every other line.
+    let sum = |p: D, q: D, last: D| {
+        let [p, q, last] = [c[other] * c[other] * p, -c[other] * c[own] * q, -share * last];
+        (p + q + last, abs(p) + abs(q) + abs(last))
+    };
     let whole = c.dot(&c) * c[own];
-    let [first, second] = from_ends.map(|p| terms(p[own], p[other], whole));
-    let mixed = terms(aside[own], from_ends[end][other], c[own] * c[own] * c[own]);
-    let size = |terms: [D; 3]| terms.iter().fold(D::zero(), |sum, &term| sum + abs(term));
-    let smaller = |x: [D; 3], y: [D; 3]| if size(y) < size(x) { y } else { x };
-    let [p, q, last] = smaller(smaller(first, second), mixed);
-    p + q + last
+    let [first, second] = from_ends.map(|p| sum(p[own], p[other], whole));
+    let mixed = sum(aside[own], from_ends[end][other], c[own] * c[own] * c[own]);
+    let smaller = |x: (D, D), y: (D, D)| if y.1 < x.1 { y } else { x };
+    smaller(smaller(first, second), mixed).0
 }
 
 impl Formula for Constraint {
@@ -74,6 +76,7 @@ impl Formula for Constraint {
     type Inputs<T: Element> = Nodes<T>;
     type Outputs<T: Element> = Distances<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Nodes<D>) -> Distances<D> {
         let across = Across::new(&(i.xn - i.x1));
         let station = Station::new(&Span::new(&i.x1, &i.xn), &i.x1, &i.xn, &i.xm);
@@ -83,6 +86,7 @@ impl Formula for Constraint {
 
     /// Of g1, ∂g1/∂xn = −ξ′ t1 and ∂g1/∂x1 = −(1 − ξ′) t1 with the share ξ′ of m in the projection along e. Of g2, along e,
     /// ∂g2/∂xn = −ξ t2 and ∂g2/∂x1 = −(1 − ξ) t2; along a and b see `bend`.
+    #[inline]
     fn jacobian<D: Scalar>(i: &Nodes<D>) -> Jacobian<Self, D> {
         let (span, across) = (Span::new(&i.x1, &i.xn), Across::new(&(i.xn - i.x1)));
         let ([_, ray], [_, root]) = (across.rays(), across.roots);
@@ -92,8 +96,10 @@ impl Formula for Constraint {
         let aside = side(station.aside(&span));
         let size = across.along / across.square;
         let row = |end: usize, share: D| {
-            let by = |own: usize| bend(own, across.c.into(), share, ends, aside, end) * size;
-            across.vector(-ray[across.axis] * share, by(0), by(1)) / root
+            let c = across.c.into();
+            let by_a = bend::<D, 0>(c, share, ends, aside, end) * size;
+            let by_b = bend::<D, 1>(c, share, ends, aside, end) * size;
+            across.vector(-ray[across.axis] * share, by_a, by_b) / root
         };
         let [share, rest] = station.shares();
         let g2 = Nodes { x1: -row(1, -rest), xn: row(0, share), xm: ray / root };

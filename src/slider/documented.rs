@@ -44,6 +44,13 @@ pub fn increment<D: Scalar>(i: &KeptIncrement<D>) -> Increments<D> {
     Increments { dxmi: i.dx1[pivots.i] + along_i, dxmj: i.dx1[pivots.j] + along_j }
 }
 
+/// [`increment`] at the foot of m on the line, x1 + ξ (xn − x1): what [`Increment`](super::Increment) computes, wherever m is.
+pub fn increment_on_line<D: Scalar>(i: &KeptIncrement<D>) -> Increments<D> {
+    let d = i.xn - i.x1;
+    let share = (i.xm - i.x1).dot(&d) / d.dot(&d);
+    increment(&KeptIncrement { xm: i.x1 + d * share, ..*i })
+}
+
 /// (v_i, v_j) of the vector v with t_q·v = −turning_q and the given v_k. The determinant is ±n_k.
 fn solve<D: Scalar>(basis: &Tangents<D>, pivots: Pivots, turning: [D; 2], kept: D) -> [D; 2] {
     let Pivots { i, j, k } = pivots;

@@ -8,6 +8,7 @@ use crate::Octuple;
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Case, Convention, Element, Fields, Formula, Jacobian, Kink, Law, Source, Spec};
+use crate::measure::Way;
 use crate::quantity::{
     SLIDER_DX1, SLIDER_DXMI, SLIDER_DXMJ, SLIDER_DXMK, SLIDER_DXN, SLIDER_X1, SLIDER_XM, SLIDER_XMI, SLIDER_XMJ,
     SLIDER_XMK, SLIDER_XN,
@@ -78,6 +79,15 @@ impl Formula for Eliminate {
             Case::hard(id, line.comment, KeptCoordinate { x1: line.x1, xn: line.xn, xmk })
         }));
         cases
+    }
+
+    fn ways() -> Vec<Way> {
+        vec![Way::new::<Self>(
+            "documented",
+            "documented route: t1, t2 and a 2×2 system",
+            documented::eliminate,
+            documented::eliminate,
+        )]
     }
 
     fn invalid_cases() -> Vec<Case<KeptCoordinate<f64>>> {
@@ -233,6 +243,15 @@ impl Formula for Increment {
             Case::hard(id, line.comment, KeptIncrement { x1: line.x1, xn: line.xn, xm, dx1, dxn, dxmk })
         }));
         cases
+    }
+
+    fn ways() -> Vec<Way> {
+        vec![Way::new::<Self>(
+            "documented",
+            "documented route, m put on the line",
+            documented::increment_on_line,
+            documented::increment_on_line,
+        )]
     }
 
     fn invalid_cases() -> Vec<Case<KeptIncrement<f64>>> {

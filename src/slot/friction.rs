@@ -3,8 +3,9 @@
 use crate::coulomb::{Tractions, Yield};
 use crate::fields;
 use crate::formula::{Case, Convention, Element, Formula, Jacobian, Kink, Law, Source, Spec};
+use crate::measure::Way;
 use crate::quantity::{F1, F2, F3, FC, FC_INT, FN, MU, P, PHI};
-use crate::scalar::{Scalar, abs, direction, norm, sign};
+use crate::scalar::{Scalar, abs, norm, norm_and_direction, sign};
 use crate::verify::{hard, law};
 
 fields! {
@@ -14,6 +15,11 @@ fields! {
 fields! {
     /// Contact force.
     pub struct Contact<T> { fc: T = FC }
+}
+
+/// The equation as it stands, whose squares over- and underflow, and which has no derivative at zero.
+fn plain_contact_force<D: Scalar>(i: &CrossForces<D>) -> Contact<D> {
+    Contact { fc: (i.f2 * i.f2 + i.f3 * i.f3).sqrt() }
 }
 
 /// Contact force that produces friction in a SLOT: F_C = √(f2² + f3²).
@@ -33,13 +39,20 @@ impl Formula for ContactForce {
     type Inputs<T: Element> = CrossForces<T>;
     type Outputs<T: Element> = Contact<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &CrossForces<D>) -> Contact<D> {
         Contact { fc: norm([i.f2, i.f3]) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &CrossForces<D>) -> Jacobian<Self, D> {
-        let [f2, f3] = direction([i.f2, i.f3]);
-        Contact { fc: CrossForces { f2, f3 } }
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &CrossForces<D>) -> (Contact<D>, Jacobian<Self, D>) {
+        let (fc, [f2, f3]) = norm_and_direction([i.f2, i.f3]);
+        (Contact { fc }, Contact { fc: CrossForces { f2, f3 } })
     }
 
     fn cases() -> Vec<Case<CrossForces<f64>>> {
@@ -82,6 +95,10 @@ impl Formula for ContactForce {
             },
         }]
     }
+
+    fn ways() -> Vec<Way> {
+        vec![Way::new::<Self>("plain", "plain square root of the sum", plain_contact_force, plain_contact_force)]
+    }
 }
 
 // ANCHOR: normal_force
@@ -111,10 +128,12 @@ impl Formula for NormalForce {
     type Inputs<T: Element> = ContactForces<T>;
     type Outputs<T: Element> = Normal<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &ContactForces<D>) -> Normal<D> {
         Normal { r#fn: abs(i.fc + i.fc_int) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &ContactForces<D>) -> Jacobian<Self, D> {
         let s = D::from(sign(i.fc + i.fc_int));
         Normal { r#fn: ContactForces { fc: s, fc_int: s } }
@@ -198,6 +217,7 @@ impl Formula for Friction {
     type Inputs<T: Element> = SlotLoads<T>;
     type Outputs<T: Element> = FrictionOutputs<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &SlotLoads<D>) -> FrictionOutputs<D> {
         let fc = ContactForce::eval(&CrossForces { f2: i.f2, f3: i.f3 }).fc;
         let r#fn = NormalForce::eval(&ContactForces { fc, fc_int: i.fc_int }).r#fn;
@@ -205,17 +225,26 @@ impl Formula for Friction {
         FrictionOutputs { p, r#fn, phi: Yield::eval(&Tractions { p, mu: i.mu, r#fn }).phi }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &SlotLoads<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &SlotLoads<D>) -> (FrictionOutputs<D>, Jacobian<Self, D>) {
         let zero = D::zero();
-        let sum = norm([i.f2, i.f3]) + i.fc_int;
-        let [n2, n3] = direction([i.f2, i.f3]);
+        let (fc, [n2, n3]) = norm_and_direction([i.f2, i.f3]);
+        let (p, sum) = (abs(i.f1), fc + i.fc_int);
+        let r#fn = NormalForce::eval(&ContactForces { fc, fc_int: i.fc_int }).r#fn;
+        let value = FrictionOutputs { p, r#fn, phi: Yield::eval(&Tractions { p, mu: i.mu, r#fn }).phi };
         let (s1, s) = (D::from(sign(i.f1)), D::from(sign(sum)));
         let slope = -i.mu * s; // ∂Φ/∂(F_C + F_C_int)
-        FrictionOutputs {
+        let jacobian = FrictionOutputs {
             p: SlotLoads { f1: s1, f2: zero, f3: zero, fc_int: zero, mu: zero },
             r#fn: SlotLoads { f1: zero, f2: s * n2, f3: s * n3, fc_int: s, mu: zero },
-            phi: SlotLoads { f1: s1, f2: slope * n2, f3: slope * n3, fc_int: slope, mu: -abs(sum) },
-        }
+            phi: SlotLoads { f1: s1, f2: slope * n2, f3: slope * n3, fc_int: slope, mu: -r#fn },
+        };
+        (value, jacobian)
     }
 
     fn cases() -> Vec<Case<SlotLoads<f64>>> {

@@ -40,11 +40,13 @@ impl Formula for RelativePosition {
     type Inputs<T: Element> = Positions<T>;
     type Outputs<T: Element> = Relative<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Positions<D>) -> Relative<D> {
         let d = i.xb - i.xa;
         Relative { x: i.e1a.dot(&d), y: i.e2a.dot(&d), z: i.e3a.dot(&d) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Positions<D>) -> Jacobian<Self, D> {
         let d = i.xb - i.xa;
         let zero = Positions::filled(D::zero());
@@ -120,11 +122,13 @@ impl Formula for Constraint {
     type Inputs<T: Element> = SlotPositions<T>;
     type Outputs<T: Element> = Residuals<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &SlotPositions<D>) -> Residuals<D> {
         let d = i.xb - i.xa;
         Residuals { gy: i.e2a.dot(&d) - i.y0, gz: i.e3a.dot(&d) - i.z0 }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &SlotPositions<D>) -> Jacobian<Self, D> {
         let d = i.xb - i.xa;
         let zero = SlotPositions::filled(D::zero());
@@ -210,10 +214,12 @@ impl Formula for Constraint2d {
     type Inputs<T: Element> = SlotPositions2d<T>;
     type Outputs<T: Element> = Residual2d<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &SlotPositions2d<D>) -> Residual2d<D> {
         Residual2d { gy: i.e2a.dot(&(i.xb - i.xa)) - i.y0 }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &SlotPositions2d<D>) -> Jacobian<Self, D> {
         Residual2d { gy: SlotPositions2d { e2a: i.xb - i.xa, xa: -i.e2a, xb: i.e2a, y0: -D::one() } }
     }
@@ -276,10 +282,12 @@ impl Formula for ConstraintForce {
     type Inputs<T: Element> = CrossFrame<T>;
     type Outputs<T: Element> = Force<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &CrossFrame<D>) -> Force<D> {
         Force { f: i.e2a * i.f2 + i.e3a * i.f3 }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &CrossFrame<D>) -> Jacobian<Self, D> {
         let row = |k| CrossFrame { e2a: along(k, i.f2), e3a: along(k, i.f3), f2: i.e2a[k], f3: i.e3a[k] };
         Force { f: Vector3::new(row(0), row(1), row(2)) }
@@ -336,10 +344,12 @@ impl Formula for RelativeMotion {
     type Inputs<T: Element> = SlotLengths<T>;
     type Outputs<T: Element> = Displacements<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &SlotLengths<D>) -> Displacements<D> {
         Displacements { u1: i.x - i.x0, u1_mat: i.x - i.l1_ref }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(_: &SlotLengths<D>) -> Jacobian<Self, D> {
         let (zero, one) = (D::zero(), D::one());
         Displacements {
@@ -401,10 +411,12 @@ impl Formula for KineticForce {
     type Inputs<T: Element> = SlotForce<T>;
     type Outputs<T: Element> = Force<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &SlotForce<D>) -> Force<D> {
         Force { f: i.e1a * i.f1 }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &SlotForce<D>) -> Jacobian<Self, D> {
         let row = |k| SlotForce { e1a: along(k, i.f1), f1: i.e1a[k] };
         Force { f: Vector3::new(row(0), row(1), row(2)) }
@@ -454,10 +466,12 @@ impl Formula for Stop {
     type Inputs<T: Element> = StopLengths<T>;
     type Outputs<T: Element> = Gaps<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &StopLengths<D>) -> Gaps<D> {
         Gaps { gap_min: i.x - i.l1_min, gap_max: i.l1_max - i.x }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(_: &StopLengths<D>) -> Jacobian<Self, D> {
         let (zero, one) = (D::zero(), D::one());
         Gaps {

@@ -34,21 +34,24 @@ impl Formula for TorqueForce {
     type Inputs<T: Element> = Torque<T>;
     type Outputs<T: Element> = TorqueContact<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Torque<D>) -> TorqueContact<D> {
         let m_torq = abs(i.m1);
         TorqueContact { m_torq, f_torq: if i.rr == 0.0 { D::zero() } else { m_torq / i.rr } }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Torque<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &Torque<D>) -> (TorqueContact<D>, Jacobian<Self, D>) {
         let (zero, s) = (D::zero(), D::from(sign(i.m1)));
-        TorqueContact {
-            m_torq: Torque { m1: s, rr: zero },
-            f_torq: if i.rr == 0.0 {
-                Torque { m1: zero, rr: zero }
-            } else {
-                Torque { m1: s / i.rr, rr: -abs(i.m1) / i.rr / i.rr }
-            },
-        }
+        let TorqueContact { m_torq, f_torq } = Self::eval(i);
+        let by_lever =
+            if i.rr == 0.0 { Torque { m1: zero, rr: zero } } else { Torque { m1: s / i.rr, rr: -f_torq / i.rr } };
+        (TorqueContact { m_torq, f_torq }, TorqueContact { m_torq: Torque { m1: s, rr: zero }, f_torq: by_lever })
     }
 
     fn cases() -> Vec<Case<Torque<f64>>> {
@@ -120,12 +123,20 @@ impl Formula for RadialForce {
     type Inputs<T: Element> = CrossForces<T>;
     type Outputs<T: Element> = RadialContact<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &CrossForces<D>) -> RadialContact<D> {
         RadialContact { fr: slot::ContactForce::eval(i).fc }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &CrossForces<D>) -> Jacobian<Self, D> {
         RadialContact { fr: slot::ContactForce::jacobian(i).fc }
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &CrossForces<D>) -> (RadialContact<D>, Jacobian<Self, D>) {
+        let (value, jacobian) = slot::ContactForce::linearized(i);
+        (RadialContact { fr: value.fc }, RadialContact { fr: jacobian.fc })
     }
 
     fn cases() -> Vec<Case<CrossForces<f64>>> {
@@ -186,22 +197,29 @@ impl Formula for BendingForce {
     type Inputs<T: Element> = Bending<T>;
     type Outputs<T: Element> = BendingContact<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Bending<D>) -> BendingContact<D> {
         let m_bend = norm([i.m2, i.m3]);
         BendingContact { m_bend, f_bend: if i.l == 0.0 { D::zero() } else { m_bend * 2.0 / i.l } }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Bending<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &Bending<D>) -> (BendingContact<D>, Jacobian<Self, D>) {
         let zero = D::zero();
         let (m_bend, [n2, n3]) = norm_and_direction([i.m2, i.m3]);
-        BendingContact {
-            m_bend: Bending { m2: n2, m3: n3, l: zero },
-            f_bend: if i.l == 0.0 {
-                Bending { m2: zero, m3: zero, l: zero }
-            } else {
-                Bending { m2: n2 * 2.0 / i.l, m3: n3 * 2.0 / i.l, l: -m_bend * 2.0 / i.l / i.l }
-            },
-        }
+        let by_moment = Bending { m2: n2, m3: n3, l: zero };
+        let (f_bend, by_length) = if i.l == 0.0 {
+            (zero, Bending { m2: zero, m3: zero, l: zero })
+        } else {
+            let f_bend = m_bend * 2.0 / i.l;
+            (f_bend, Bending { m2: n2 * 2.0 / i.l, m3: n3 * 2.0 / i.l, l: -f_bend / i.l })
+        };
+        (BendingContact { m_bend, f_bend }, BendingContact { m_bend: by_moment, f_bend: by_length })
     }
 
     fn cases() -> Vec<Case<Bending<f64>>> {

@@ -31,6 +31,14 @@ impl<T: Element> ContactLoads<T> {
     }
 }
 
+impl<D: Scalar> ContactLoads<D> {
+    #[inline]
+    fn times(&self, k: D) -> Self {
+        let Self { f2, f3, m1, m2, m3, rr, l } = *self;
+        Self { f2: f2 * k, f3: f3 * k, m1: m1 * k, m2: m2 * k, m3: m3 * k, rr: rr * k, l: l * k }
+    }
+}
+
 /// Contact force of a TRANSLATOR: `F_C = F_torq + F_r + F_bend`.
 #[derive(Clone, Copy, Debug)]
 pub struct ContactForce;
@@ -48,6 +56,7 @@ impl Formula for ContactForce {
     type Inputs<T: Element> = ContactLoads<T>;
     type Outputs<T: Element> = Contact<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &ContactLoads<D>) -> Contact<D> {
         let f_torq = TorqueForce::eval(&i.torque()).f_torq;
         let fr = RadialForce::eval(&i.radial()).fr;
@@ -55,11 +64,21 @@ impl Formula for ContactForce {
         Contact { fc: f_torq + fr + f_bend }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &ContactLoads<D>) -> Jacobian<Self, D> {
-        let Torque { m1, rr } = TorqueForce::jacobian(&i.torque()).f_torq;
-        let CrossForces { f2, f3 } = RadialForce::jacobian(&i.radial()).fr;
-        let Bending { m2, m3, l } = BendingForce::jacobian(&i.bending()).f_bend;
-        Contact { fc: ContactLoads { f2, f3, m1, m2, m3, rr, l } }
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &ContactLoads<D>) -> (Contact<D>, Jacobian<Self, D>) {
+        let (torque, by_torque) = TorqueForce::linearized(&i.torque());
+        let (radial, by_radial) = RadialForce::linearized(&i.radial());
+        let (bending, by_bending) = BendingForce::linearized(&i.bending());
+        let Torque { m1, rr } = by_torque.f_torq;
+        let CrossForces { f2, f3 } = by_radial.fr;
+        let Bending { m2, m3, l } = by_bending.f_bend;
+        let fc = torque.f_torq + radial.fr + bending.f_bend;
+        (Contact { fc }, Contact { fc: ContactLoads { f2, f3, m1, m2, m3, rr, l } })
     }
 
     fn cases() -> Vec<Case<ContactLoads<f64>>> {
@@ -206,6 +225,7 @@ fields! {
 }
 
 impl<T: Element> FrictionLoads<T> {
+    #[inline]
     const fn new(f1: T, contact: &ContactLoads<T>, fc_int: T, mu: T) -> Self {
         let ContactLoads { f2, f3, m1, m2, m3, rr, l } = *contact;
         Self { f1, f2, f3, m1, m2, m3, rr, l, fc_int, mu }
@@ -234,6 +254,7 @@ impl Formula for Friction {
     type Inputs<T: Element> = FrictionLoads<T>;
     type Outputs<T: Element> = FrictionOutputs<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &FrictionLoads<D>) -> FrictionOutputs<D> {
         let fc = ContactForce::eval(&i.contact()).fc;
         let r#fn = NormalForce::eval(&ContactForces { fc, fc_int: i.fc_int }).r#fn;
@@ -241,26 +262,29 @@ impl Formula for Friction {
         FrictionOutputs { p, r#fn, phi: Yield::eval(&Tractions { p, mu: i.mu, r#fn }).phi }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &FrictionLoads<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &FrictionLoads<D>) -> (FrictionOutputs<D>, Jacobian<Self, D>) {
         let zero = D::zero();
-        let sum = ContactForce::eval(&i.contact()).fc + i.fc_int;
-        let by = ContactForce::jacobian(&i.contact()).fc;
+        let (Contact { fc }, Contact { fc: by }) = ContactForce::linearized(&i.contact());
+        let (p, sum) = (abs(i.f1), fc + i.fc_int);
+        let r#fn = NormalForce::eval(&ContactForces { fc, fc_int: i.fc_int }).r#fn;
+        let phi = Yield::eval(&Tractions { p, mu: i.mu, r#fn }).phi;
         let (s1, s) = (D::from(sign(i.f1)), D::from(sign(sum)));
-        let times = |k: D| ContactLoads {
-            f2: by.f2 * k,
-            f3: by.f3 * k,
-            m1: by.m1 * k,
-            m2: by.m2 * k,
-            m3: by.m3 * k,
-            rr: by.rr * k,
-            l: by.l * k,
-        };
+        let none = ContactLoads { f2: zero, f3: zero, m1: zero, m2: zero, m3: zero, rr: zero, l: zero };
         let slope = -i.mu * s; // ∂Φ/∂(F_C + F_C_int)
-        FrictionOutputs {
-            p: FrictionLoads { f1: s1, ..FrictionLoads::filled(zero) },
-            r#fn: FrictionLoads::new(zero, &times(s), s, zero),
-            phi: FrictionLoads::new(s1, &times(slope), slope, -abs(sum)),
-        }
+        (
+            FrictionOutputs { p, r#fn, phi },
+            FrictionOutputs {
+                p: FrictionLoads::new(s1, &none, zero, zero),
+                r#fn: FrictionLoads::new(zero, &by.times(s), s, zero),
+                phi: FrictionLoads::new(s1, &by.times(slope), slope, -r#fn),
+            },
+        )
     }
 
     fn cases() -> Vec<Case<FrictionLoads<f64>>> {

@@ -199,17 +199,21 @@ impl<'a> Point<'a> {
 /// The formula's own cases, and points on both sides of every kink and on it.
 fn named_points(subject: &Subject) -> Vec<Point<'_>> {
     let cases = (subject.cases)().into_iter().map(|case| (case.id, case.inputs));
-    let beside_kinks = subject.kinks.iter().flat_map(|kink| {
+    cases
+        .chain(beside_kinks(subject))
+        .filter(|(_, inputs)| (subject.check)(inputs).is_ok())
+        .map(|(label, inputs)| Point::new(subject, label, false, inputs))
+        .collect()
+}
+
+/// Points on every kink and on both sides of it, near and nearer, each with its name; some may be invalid inputs.
+pub(crate) fn beside_kinks(subject: &Subject) -> impl Iterator<Item = (String, Vec<f64>)> {
+    subject.kinks.iter().flat_map(|kink| {
         [0.0, 2e-3, -2e-3, 1e-9, -1e-9].map(|step| {
             let moved = kink.at.iter().zip(&kink.across).map(|(x, direction)| x + step * direction).collect();
             (format!("kink {} {step:+}", kink.condition), moved)
         })
-    });
-    cases
-        .chain(beside_kinks)
-        .filter(|(_, inputs)| (subject.check)(inputs).is_ok())
-        .map(|(label, inputs)| Point::new(subject, label, false, inputs))
-        .collect()
+    })
 }
 
 /// What is known exactly at a point.
@@ -276,21 +280,25 @@ impl Audit {
     }
 
     fn check_value(&mut self, point: &Point, names: &Names, exact: &Exact) {
-        let computed = (point.subject.value)(&point.inputs);
-        for (output, (&computed, &value)) in computed.iter().zip(&exact.values).enumerate() {
-            let sensitivity = Sensitivity::new(&exact.ad[output * point.exact.len()..], &point.exact);
-            let describe = |size| point.deviation(size, names.outputs[output].clone(), computed, value.to_f64());
-            self.eta.record(eta(computed, value, sensitivity), self.eta.bound, describe);
+        // The value alone, and the value that comes with the Jacobian.
+        for computed in [(point.subject.value)(&point.inputs), (point.subject.linearized)(&point.inputs).0] {
+            for (output, (&computed, &value)) in computed.iter().zip(&exact.values).enumerate() {
+                let sensitivity = Sensitivity::new(&exact.ad[output * point.exact.len()..], &point.exact);
+                let describe = |size| point.deviation(size, names.outputs[output].clone(), computed, value.to_f64());
+                self.eta.record(eta(computed, value, sensitivity), self.eta.bound, describe);
+            }
         }
     }
 
     /// The closed form in `f64` is judged against automatic differentiation, so that a wrong one cannot be its own judge.
     fn check_jacobian(&mut self, point: &Point, names: &Names, exact: &Exact) {
-        let computed = (point.subject.jacobian)(&point.inputs);
-        for (entry, ((&computed, &ad), &bend)) in computed.iter().zip(&exact.ad).zip(&exact.bends).enumerate() {
-            let size = eta(computed, ad, bend);
-            let describe = |size| point.deviation(size, names.entry(entry), computed, ad.to_f64());
-            self.eta_jacobian.record(size, self.eta_jacobian.bound, describe);
+        // The Jacobian alone, and the one that comes with the value.
+        for computed in [(point.subject.jacobian)(&point.inputs), (point.subject.linearized)(&point.inputs).1] {
+            for (entry, ((&computed, &ad), &bend)) in computed.iter().zip(&exact.ad).zip(&exact.bends).enumerate() {
+                let size = eta(computed, ad, bend);
+                let describe = |size| point.deviation(size, names.entry(entry), computed, ad.to_f64());
+                self.eta_jacobian.record(size, self.eta_jacobian.bound, describe);
+            }
         }
     }
 }

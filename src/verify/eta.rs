@@ -23,6 +23,11 @@ impl Sensitivity {
         Self(self.0 + y.abs())
     }
 
+    /// The sum itself.
+    pub(crate) fn size(self) -> Octuple {
+        self.0
+    }
+
     /// The deviation relative to this; 0 where there is none, ∞ where it is NaN.
     pub fn share_of(self, deviation: Octuple) -> f64 {
         if deviation.is_zero() {

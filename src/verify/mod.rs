@@ -53,6 +53,7 @@ pub mod law;
 mod sample;
 mod subject;
 
+pub(crate) use audit::beside_kinks;
 pub use audit::{Audit, Claim, Deviation, Options, audit, audit_at};
 pub use difference::central_differences;
 pub use eta::{Sensitivity, eta, relative};
@@ -60,7 +61,7 @@ pub use hard::Hard;
 pub use jet::{derivative_of_jacobian, jacobian_by_ad};
 pub use sample::Sampler;
 
-pub(crate) use subject::{Kink, Subject};
+pub(crate) use subject::{Kink, Subject, entries, typed};
 
 use crate::Octuple;
 use crate::formula::{Fields, Formula};

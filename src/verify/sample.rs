@@ -19,7 +19,7 @@ impl Sampler {
         Self::for_formula(F::SPEC.id, seed)
     }
 
-    pub(super) fn for_formula(id: &str, seed: u64) -> Self {
+    pub(crate) fn for_formula(id: &str, seed: u64) -> Self {
         // FNV-1a of the identifier.
         let hash = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
         let stream = id.bytes().fold(0xcbf2_9ce4_8422_2325, hash);
@@ -35,7 +35,7 @@ impl Sampler {
     }
 
     /// The components of valid inputs.
-    pub(super) fn components(&mut self, subject: &Subject) -> Vec<f64> {
+    pub(crate) fn components(&mut self, subject: &Subject) -> Vec<f64> {
         // Nearly every draw is valid; the bound only makes the loop's end evident.
         for _ in 0..1000 {
             let inputs = self.fields(subject.inputs);

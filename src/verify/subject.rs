@@ -4,7 +4,7 @@
 //! formula.
 
 use super::jet::{Sweep, differentiate};
-use crate::formula::{self, Case, Convention, Element, Equation, Field, Fields, Formula, Spec};
+use crate::formula::{self, Case, Convention, Element, Equation, Field, Fields, Formula, Jacobian, Spec};
 use crate::scalar::Scalar;
 use crate::{Error, Octuple};
 
@@ -18,6 +18,8 @@ pub(crate) struct Subject {
     /// The value, and the closed-form Jacobian output by output.
     pub(crate) value: fn(&[f64]) -> Vec<f64>,
     pub(crate) jacobian: fn(&[f64]) -> Vec<f64>,
+    /// Both at once.
+    pub(crate) linearized: fn(&[f64]) -> (Vec<f64>, Vec<f64>),
     /// The same in 237 bits.
     pub(crate) exact_value: fn(&[Octuple]) -> Vec<Octuple>,
     pub(crate) exact_jacobian: fn(&[Octuple]) -> Vec<Octuple>,
@@ -58,6 +60,10 @@ impl Subject {
             check: |i| formula::check::<F>(&typed::<F, _>(i)),
             value: value::<F, _>,
             jacobian: jacobian::<F, _>,
+            linearized: |i| {
+                let (value, jacobian) = F::linearized(&typed::<F, _>(i));
+                (value.components(), entries::<F, _>(&jacobian))
+            },
             exact_value: value::<F, _>,
             exact_jacobian: jacobian::<F, _>,
             dual_value: value::<F, _>,
@@ -71,7 +77,13 @@ impl Subject {
 
     /// The Jacobian by automatic differentiation.
     pub(crate) fn derivative(&self, exact: &[Octuple]) -> Vec<Octuple> {
-        differentiate(exact, &self.dual_value).concat()
+        self.derivative_of()(exact)
+    }
+
+    /// [`derivative`](Self::derivative), to be kept.
+    pub(crate) fn derivative_of(&self) -> impl Fn(&[Octuple]) -> Vec<Octuple> + Copy + 'static {
+        let value = self.dual_value;
+        move |exact| differentiate(exact, &value).concat()
     }
 
     /// The gradient of every entry of the Jacobian.
@@ -108,13 +120,18 @@ pub(super) fn value<F: Formula, T: Scalar>(i: &[T]) -> Vec<T> {
     F::eval(&typed::<F, T>(i)).components()
 }
 
-/// The entries of the Jacobian, output by output, each over all inputs.
+/// The entries of the Jacobian at these components.
 pub(super) fn jacobian<F: Formula, T: Scalar>(i: &[T]) -> Vec<T> {
-    F::jacobian(&typed::<F, T>(i)).components().iter().flat_map(Fields::components).collect()
+    entries::<F, T>(&F::jacobian(&typed::<F, T>(i)))
+}
+
+/// The entries of a Jacobian, output by output, each over all inputs.
+pub(crate) fn entries<F: Formula, T: Scalar>(jacobian: &Jacobian<F, T>) -> Vec<T> {
+    jacobian.components().iter().flat_map(Fields::components).collect()
 }
 
 /// The inputs of these components. The toolkit hands out as many as there are fields for.
-fn typed<F: Formula, T: Element + From<f64>>(components: &[T]) -> F::Inputs<T> {
+pub(crate) fn typed<F: Formula, T: Element + From<f64>>(components: &[T]) -> F::Inputs<T> {
     F::Inputs::from_slice(components).unwrap_or_else(|| F::Inputs::filled(T::from(f64::NAN)))
 }
 

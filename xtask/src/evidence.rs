@@ -49,7 +49,7 @@ fn path() -> std::path::PathBuf {
 }
 
 /// A hash of all sources and golden files.
-fn fingerprint() -> u64 {
+pub(crate) fn fingerprint() -> u64 {
     let mut hasher = DefaultHasher::new();
     for directory in ["src", "golden"] {
         add(&files::root().join(directory), &mut hasher);

@@ -1,4 +1,4 @@
-//! `cargo xtask`: golden files, audits and the book, all from the one definition of each formula.
+//! `cargo xtask`: golden files, audits, reports and the book, all from the one definition of each formula.
 
 mod audit;
 mod book;
@@ -7,6 +7,7 @@ mod evidence;
 mod figures;
 mod files;
 mod golden;
+mod report;
 mod selection;
 mod verify;
 
@@ -16,7 +17,7 @@ use std::process::ExitCode;
 /// The exit code of bad usage, which is also clap's.
 const BAD_USAGE: u8 = 2;
 
-/// Golden files, audits and the book of jointproof.
+/// Golden files, audits, reports and the book of jointproof.
 ///
 /// Results go to standard output, everything else to standard error. The exit code is 0 if all is well, 1 if something
 /// is off (it says what, where and by how much), 2 for bad usage.
@@ -32,6 +33,7 @@ enum Command {
     Verify(verify::Arguments),
     Golden(golden::Arguments),
     Audit(audit::Arguments),
+    Report(report::Arguments),
     Book(book::command::Arguments),
 }
 
@@ -48,6 +50,7 @@ fn main() -> ExitCode {
         Command::Verify(arguments) => verify::run(&arguments),
         Command::Golden(arguments) => golden::run(&arguments),
         Command::Audit(arguments) => audit::run(&arguments),
+        Command::Report(arguments) => report::run(&arguments),
         Command::Book(arguments) => book::command::run(&arguments),
     };
     outcome.unwrap_or_else(|error| {

@@ -3,6 +3,7 @@
 use crate::book::Summary;
 use crate::book::command::build_book;
 use crate::console::{self, count, green, print, red, say};
+use crate::report::data::Report;
 use crate::selection::Selection;
 use crate::{Outcome, audit, files, golden};
 use jointproof::verify::{Audit, Options};
@@ -73,7 +74,7 @@ fn check_audit(samples: usize) -> anyhow::Result<(bool, String)> {
 }
 
 fn check_book() -> (bool, String) {
-    match build_book(None) {
+    match build_book(None, Report::kept()) {
         Ok(Summary { chapters, formulas, index, .. }) => {
             (true, format!("{chapters} chapters, {formulas} formulas: {}", files::shown(&index)))
         }

@@ -12,7 +12,7 @@ use std::sync::LazyLock;
 static BOOK: LazyLock<PathBuf> = LazyLock::new(|| {
     let bench = Bench::new();
     let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("book");
-    bench.run(&["book", "--out", out.to_str().unwrap()]).exits(0);
+    bench.run(&["book", "--unmeasured", "--out", out.to_str().unwrap()]).exits(0);
     out
 });
 
@@ -97,7 +97,10 @@ fn a_folder_that_holds_something_else_is_not_replaced() {
     fs::create_dir(bench.path("letters")).unwrap();
     fs::write(bench.path("letters/dear.txt"), "Dear").unwrap();
     let out = bench.path("letters");
-    bench.run(&["book", "--out", out.to_str().unwrap()]).exits(1).says("holds something else than a book");
+    bench
+        .run(&["book", "--unmeasured", "--out", out.to_str().unwrap()])
+        .exits(1)
+        .says("holds something else than a book");
     assert_eq!(fs::read_to_string(bench.path("letters/dear.txt")).unwrap(), "Dear");
     assert_eq!(bench.files("letters").len(), 1);
 }

@@ -5,6 +5,7 @@ use super::fault::Faults;
 use super::locate::Index;
 use super::{Options, Summary, build, worked_example};
 use crate::evidence::Evidence;
+use crate::report::{self, data::Report};
 use crate::{Outcome, console, figures, files};
 use anyhow::Context;
 use jointproof::catalog::{AnyFormula, CATALOG, KinkEntry};
@@ -17,7 +18,8 @@ use std::process::{Command, ExitCode, Stdio};
 
 /// Build the book: every formula with its source, code, tests, golden cases and evidence
 ///
-/// The evidence shown is what the last `golden --check` and `audit` found about this very version of the code.
+/// The evidence shown is what the last `golden --check` and `audit` found about this very version of the code; speed and
+/// error are those of the last `report` on all formulas, or of a quick one made now if there is none.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   cargo xtask book           build into target/book; open target/book/index.html, no server needed
@@ -29,10 +31,14 @@ pub(crate) struct Arguments {
     /// Where to put the book
     #[arg(long, value_name = "FOLDER")]
     out: Option<PathBuf>,
+    /// Leave speed and error out if no report is kept, and measure nothing
+    #[arg(long)]
+    unmeasured: bool,
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Outcome {
-    let summary = build_book(arguments.out.clone())?;
+    let report = if arguments.unmeasured { Report::kept() } else { Some(report::kept_or_quick()?) };
+    let summary = build_book(arguments.out.clone(), report)?;
     console::print(&format!("{}\n", files::shown(&summary.index)))?;
     console::say(&format!(
         "{} chapters, {} formulas, {} listings in {:.1} s",
@@ -48,9 +54,9 @@ pub(crate) fn run(arguments: &Arguments) -> Outcome {
 }
 
 /// Builds the book, and lists all that is wrong with it if it is.
-pub(crate) fn build_book(out: Option<PathBuf>) -> anyhow::Result<Summary> {
+pub(crate) fn build_book(out: Option<PathBuf>, report: Option<Report>) -> anyhow::Result<Summary> {
     let out = out.or_else(|| files::target().parent().map(|target| target.join("book")));
-    build(files::root(), &Options { out }, content()?).map_err(|error| match error.downcast::<Faults>() {
+    build(files::root(), &Options { out }, content(report)?).map_err(|error| match error.downcast::<Faults>() {
         Ok(faults) => anyhow::anyhow!("the book cannot be built\n{faults}"),
         Err(error) => error,
     })
@@ -72,7 +78,7 @@ fn open(index: &Path) -> anyhow::Result<()> {
     Ok(())
 }
 
-fn content() -> anyhow::Result<Content> {
+fn content(report: Option<Report>) -> anyhow::Result<Content> {
     let mut sources = Vec::new();
     for directory in ["src", "tests"] {
         read_sources(&files::root().join(directory), &mut sources)?;
@@ -93,7 +99,7 @@ fn content() -> anyhow::Result<Content> {
     }
     let mut outputs = vec![("audit".to_owned(), plain(&crate::audit::text(&[worked_example::run()], Audit::passed)?))];
     outputs.extend(figures::outputs());
-    Ok(Content { entries, sources, catalog_tests, figures: figures::all(), outputs, golden })
+    Ok(Content { entries, sources, catalog_tests, figures: figures::all(), outputs, report, golden })
 }
 
 /// Text without colours.
@@ -130,7 +136,7 @@ fn entry(formula: &dyn AnyFormula, index: &Index<'_>, evidence: &Evidence) -> En
         inputs: formula.inputs().iter().map(symbol).collect(),
         outputs: formula.outputs().iter().map(symbol).collect(),
         kinks: formula.kinks().iter().map(|entry| kink(entry, formula.outputs())).collect(),
-        code: index.functions(&file, type_name, &["eval", "jacobian"]),
+        code: index.functions(&file, type_name, &["eval", "jacobian", "linearized"]),
         tests: index.tests_naming(spec.id, type_name),
         golden: golden.ok().and_then(|text| File::parse(&text).ok()).map(|file| counts(&file)),
         evidence: super::content::Evidence {

@@ -5,6 +5,7 @@
 //!
 //! Fields called *text* hold plain words in which `$…$` is mathematics and `` `…` `` is code.
 
+use crate::report::data::Report;
 use jointproof::verify::Audit;
 
 /// What the book is made from, besides the chapters on disk.
@@ -20,6 +21,8 @@ pub(crate) struct Content {
     pub(crate) figures: Vec<(String, String)>,
     /// What programs printed for this build, by name.
     pub(crate) outputs: Vec<(String, String)>,
+    /// The last report on speed and error.
+    pub(crate) report: Option<Report>,
     /// Golden files to be copied beside the pages.
     pub(crate) golden: Vec<GoldenFile>,
 }

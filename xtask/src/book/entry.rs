@@ -5,6 +5,7 @@ use super::html::{each, escape, number, relative};
 use super::pages::{Pages, Place};
 use super::rust;
 use super::source::listing_page;
+use super::speed;
 use jointproof::verify::{Audit, Claim};
 
 /// The entry as one line of HTML.
@@ -13,10 +14,11 @@ pub(crate) fn entry(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let title = pages.text(at, &entry.title);
     format!(
         "<section class=\"entry\"><h3 id=\"{id}\"><a class=\"header\" href=\"#{id}\">{title}</a> \
-         <code class=\"entry-id\">{id}</code></h3>{}{}<dl class=\"facts\">{}</dl>{}{}</section>",
+         <code class=\"entry-id\">{id}</code></h3>{}{}<dl class=\"facts\">{}</dl>{}{}{}</section>",
         pages.block_math(at, &entry.latex),
         symbols(pages, at, entry),
         facts(pages, at, entry),
+        speed::folded(pages, entry),
         each(&entry.code, |span| code(pages, at, span)),
         tests(pages, at, entry)
     )

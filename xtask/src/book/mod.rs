@@ -18,6 +18,7 @@ mod pages;
 mod preprocessor;
 mod rust;
 mod source;
+mod speed;
 mod tables;
 #[cfg(test)]
 mod tests;

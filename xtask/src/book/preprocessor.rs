@@ -12,7 +12,7 @@ use super::deferred::Deferred;
 use super::html::escape;
 use super::markdown::{Found, Piece, scan};
 use super::pages::{Pages, Place};
-use super::{entry, figure, tables};
+use super::{entry, figure, speed, tables};
 
 /// Expands chapters; see the module.
 pub(crate) struct Formulary {
@@ -80,12 +80,8 @@ impl Formulary {
             ("kinks", "") => tables::kinks(pages, at),
             ("evidence", "") => tables::evidence(pages, at),
             ("sources", "") => tables::sources(pages, at),
-            _ => {
-                let known = "formula ID, figure NAME, output NAME, symbols, kinks, evidence and sources";
-                let written = format!("{name} {argument}");
-                pages.fault(at, format!("unknown directive `{{{{#{}}}}}`; there are {known}", written.trim()));
-                String::new()
-            }
+            ("speed", part) => speed::part(pages, at, part).unwrap_or_else(|| unknown(pages, at, name, argument)),
+            _ => unknown(pages, at, name, argument),
         }
     }
 
@@ -98,6 +94,14 @@ impl Formulary {
         };
         pages.later.keep(format!("<pre class=\"output\"><code>{}</code></pre>", escape(text)), "")
     }
+}
+
+/// Nothing, and a fault.
+fn unknown(pages: &Pages<'_>, at: &Place, name: &str, argument: &str) -> String {
+    let known = format!("formula ID, figure NAME, output NAME, symbols, kinks, evidence, sources, {}", speed::PARTS);
+    let written = format!("{name} {argument}");
+    pages.fault(at, format!("unknown directive `{{{{#{}}}}}`; there are {known}", written.trim()));
+    String::new()
 }
 
 /// A line of a chapter.

@@ -9,7 +9,7 @@ use super::pages::{Pages, Place};
 use jointproof::verify::Claim;
 
 /// A table that scrolls inside its box on narrow screens.
-fn table(class: &str, head: &[&str], rows: &str) -> String {
+pub(crate) fn table(class: &str, head: &[&str], rows: &str) -> String {
     let head = each(head, |name| format!("<th>{name}</th>"));
     format!(
         "<div class=\"table-wrapper\" tabindex=\"0\"><table class=\"{class}\"><thead><tr>{head}</tr></thead>\
@@ -18,7 +18,7 @@ fn table(class: &str, head: &[&str], rows: &str) -> String {
 }
 
 /// A row; a cell whose text can be long is `wide`, a number is a `figure`.
-fn row(cells: &[(&str, String)]) -> String {
+pub(crate) fn row(cells: &[(&str, String)]) -> String {
     let cell = |(class, html): &(&str, String)| format!("<td class=\"{class}\">{html}</td>");
     format!("<tr>{}</tr>", each(cells, cell))
 }

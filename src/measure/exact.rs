@@ -1,0 +1,139 @@
+//! The points at which errors are found, with the exact value and Jacobian there.
+
+use super::{Errors, Options};
+use crate::Octuple;
+use crate::formula::{Convention, Flag};
+use crate::verify::{Sampler, Sensitivity, Subject, beside_kinks, eta, exact, relative};
+use num_traits::Signed;
+
+/// Random and hard points of a formula.
+pub(super) struct Points {
+    pub(super) random: Vec<Point>,
+    pub(super) hard: Vec<Point>,
+}
+
+impl Points {
+    pub(super) fn new(subject: &Subject, options: &Options) -> Self {
+        let point = |inputs: Vec<f64>| Point::new(subject, inputs);
+        let random = random(subject, options.seed, options.random_points).into_iter().map(point).collect();
+        let cases = (subject.cases)().into_iter().filter(|case| case.flag == Flag::Hard).map(|case| case.inputs);
+        let kinks = beside_kinks(subject).map(|(_, inputs)| inputs);
+        let hard = cases.chain(kinks).filter(|inputs| (subject.check)(inputs).is_ok()).map(point).collect();
+        Self { random, hard }
+    }
+}
+
+/// The first random inputs of a seed.
+pub(super) fn random(subject: &Subject, seed: u64, count: usize) -> Vec<Vec<f64>> {
+    let mut sampler = Sampler::for_formula(subject.spec.id, seed);
+    (0..count).map(|_| sampler.components(subject)).collect()
+}
+
+/// A point, and what is right there.
+pub(super) struct Point {
+    pub(super) inputs: Vec<f64>,
+    /// Output by output.
+    pub(super) value: Vec<Exact>,
+    /// Output by output, each over all inputs; `None` where the formula has no derivative.
+    pub(super) jacobian: Option<Vec<Exact>>,
+}
+
+impl Point {
+    fn new(subject: &Subject, inputs: Vec<f64>) -> Self {
+        let x = exact(&inputs);
+        let jacobian = (subject.exact_jacobian)(&x);
+        let values = (subject.exact_value)(&x);
+        let value = values.iter().zip(jacobian.chunks(x.len()));
+        let value = value.map(|(&y, gradient)| Exact::new(y, Sensitivity::new(gradient, &x))).collect();
+        let differentiable = subject.kink(&x) != Some(Convention::Switch);
+        let jacobian = differentiable.then(|| {
+            let gradients = subject.second_derivative(&x);
+            let exact = jacobian.iter().zip(&gradients);
+            exact.map(|(&entry, gradient)| Exact::new(entry, Sensitivity::new(gradient, &x))).collect()
+        });
+        Self { inputs, value, jacobian }
+    }
+}
+
+/// An exact number, prepared so that the error of a double against it is found by a few operations.
+pub(super) struct Exact {
+    number: Octuple,
+    sensitivity: Sensitivity,
+    /// The nearest double, what is left over, and the size that η refers to; `None` at the ends of the exponent range,
+    /// where doubles lose digits.
+    near: Option<(f64, f64, f64)>,
+}
+
+impl Exact {
+    fn new(exact: Octuple, sensitivity: Sensitivity) -> Self {
+        let near = exact.to_f64();
+        let rest = (exact - Octuple::from(near)).to_f64();
+        let size = sensitivity.plus(exact).size().to_f64();
+        let ordinary = |x: f64| (1e-250..1e250).contains(&x);
+        let exact_zero = near == 0.0 && exact.abs() == 0.0;
+        let usable = (exact_zero && size == 0.0) || (ordinary(size) && (exact_zero || ordinary(near.abs())));
+        Self { number: exact, sensitivity, near: usable.then_some((near, rest, size + f64::MIN_POSITIVE)) }
+    }
+
+    /// η and the relative error of a computed number.
+    fn error(&self, computed: f64) -> (f64, f64) {
+        let Some((near, rest, size)) = self.near else {
+            return (eta(computed, self.number, self.sensitivity), relative(Octuple::from(computed), self.number));
+        };
+        let difference = ((computed - near) - rest).abs();
+        if difference == 0.0 {
+            return (0.0, 0.0);
+        }
+        // Twice, because the unit roundoff is half of EPSILON.
+        let eta = difference / size / f64::EPSILON * 2.0;
+        let largest = if near.abs() > computed.abs() { near } else { computed };
+        let finite = |x: f64| if x.is_nan() { f64::INFINITY } else { x };
+        (finite(eta), finite(difference / largest.abs()))
+    }
+}
+
+/// The errors of computed numbers at points, each point counting by the worst of its numbers.
+pub(super) fn errors<'a>(points: impl IntoIterator<Item = (&'a Vec<Exact>, Vec<f64>)>) -> Errors {
+    Errors::of(points.into_iter().map(|(exact, computed)| {
+        let errors = exact.iter().zip(computed).map(|(exact, computed)| exact.error(computed));
+        errors.fold((0.0, 0.0), |(eta, relative): (f64, f64), error| (eta.max(error.0), relative.max(error.1)))
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The quick path must say what the exact one says.
+    #[test]
+    fn errors_by_doubles_are_those_by_237_bits() {
+        let third = Octuple::from(1.0) / 3.0;
+        for (exact, gradient) in [(third, 2.0), (third * 1e200, -1e199), (-third * 1e-200, 0.0), (third * 0.0, 1.0)] {
+            let sensitivity = Sensitivity::new(&[Octuple::from(gradient)], &[Octuple::from(1.5)]);
+            let quick = Exact::new(exact, sensitivity);
+            assert!(quick.near.is_some());
+            let near = exact.to_f64();
+            for computed in [near, near.next_up(), near * 1.001, near * -3.0, near + gradient, 0.0] {
+                let (by_doubles, relative_by_doubles) = quick.error(computed);
+                let by_octuple = eta(computed, exact, sensitivity);
+                assert!((by_doubles - by_octuple).abs() <= 1e-12 * by_octuple, "{by_doubles} {by_octuple}");
+                let relative_by_octuple = relative(Octuple::from(computed), exact);
+                assert!((relative_by_doubles - relative_by_octuple).abs() <= 1e-12 * relative_by_octuple);
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_not_finite_has_an_infinite_error() {
+        let exact = Exact::new(Octuple::from(1.0), Sensitivity::new(&[], &[]));
+        assert_eq!(exact.error(f64::NAN), (f64::INFINITY, f64::INFINITY));
+        assert_eq!(exact.error(f64::INFINITY).0, f64::INFINITY);
+    }
+
+    #[test]
+    fn at_the_ends_of_the_exponent_range_237_bits_decide() {
+        let tiny = Octuple::from(5e-324) / 3.0;
+        let exact = Exact::new(tiny, Sensitivity::new(&[], &[]));
+        assert!(exact.near.is_none() && exact.error(0.0).0 < 1.0);
+    }
+}

@@ -1,0 +1,135 @@
+//! What a measurement says, as plain data.
+
+use super::Scheme;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// All figures of one formula.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Measurement {
+    /// The formula's identifier.
+    pub formula: String,
+    /// Number of input components.
+    pub inputs: usize,
+    /// Number of output components.
+    pub outputs: usize,
+    /// Random points at which errors were found.
+    pub random_points: usize,
+    /// Hard points: the cases flagged hard, and points beside every kink and on it.
+    pub hard_points: usize,
+    /// Time to copy inputs, outputs and a dense Jacobian, and do nothing else.
+    pub copy: Option<Time>,
+    /// Time of a fixed piece of arithmetic, the same for every formula: how fast the machine was meanwhile.
+    pub yardstick: Option<Time>,
+    /// The ways, the closed form first.
+    pub ways: Vec<WayFigures>,
+    /// Error of differences over their step.
+    pub curves: Vec<Curve>,
+}
+
+impl Measurement {
+    /// The way of this identifier.
+    pub fn way(&self, id: &str) -> Option<&WayFigures> {
+        self.ways.iter().find(|way| way.id == id)
+    }
+}
+
+/// The figures of one way to compute a formula.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WayFigures {
+    /// Its identifier, as `closed` or `ad`.
+    pub id: String,
+    /// What it is.
+    pub title: String,
+    /// Of differences: their step, the best of the sweep.
+    pub step: Option<f64>,
+    /// The value alone, where the way has one of its own.
+    pub value: Option<Figures>,
+    /// The Jacobian; its time is that of value and Jacobian together.
+    pub jacobian: Option<Figures>,
+}
+
+/// How fast, and how wrong.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Figures {
+    /// Nanoseconds an evaluation.
+    pub time: Option<Time>,
+    /// Time in units of the closed form's value alone, measured in the same round.
+    pub ratio: Option<Time>,
+    /// Errors at random points.
+    pub random: Errors,
+    /// Errors at hard points, where the formula has any.
+    pub hard: Option<Errors>,
+}
+
+/// A time, or a ratio of times: the median of the rounds, and between what values four of five rounds were.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Time {
+    /// The median.
+    pub median: f64,
+    /// The 10th percentile.
+    pub low: f64,
+    /// The 90th percentile.
+    pub high: f64,
+}
+
+/// Errors over a set of points, each point counting by the worst of its numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Errors {
+    /// How many points.
+    pub points: usize,
+    /// At how many of them the result was not finite; the quantiles leave these out.
+    pub not_finite: usize,
+    /// Backward error in units of 2⁻⁵³, see [`eta`](crate::verify::eta).
+    pub eta: Quantiles,
+    /// Relative error, see [`relative`](crate::verify::relative): 1 means that no digit is right.
+    pub relative: Quantiles,
+}
+
+/// What a set of errors looks like; zeros where it is empty.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Quantiles {
+    /// The median.
+    pub median: f64,
+    /// The 99th percentile.
+    pub p99: f64,
+    /// The largest.
+    pub max: f64,
+}
+
+/// Error of a scheme of differences over its step.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Curve {
+    /// The scheme.
+    pub scheme: Scheme,
+    /// From the longest step to the shortest.
+    pub steps: Vec<Step>,
+}
+
+impl Curve {
+    /// The step of the least median relative error at random points.
+    pub fn best(&self) -> Option<&Step> {
+        let error = |step: &&Step| (step.errors.not_finite, step.errors.relative.median);
+        self.steps.iter().min_by(|a, b| {
+            let (a, b) = (error(a), error(b));
+            a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+        })
+    }
+}
+
+/// Error at one step.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Step {
+    /// The step, in units of the input's size.
+    pub step: f64,
+    /// Errors of the Jacobian at random points.
+    pub errors: Errors,
+}

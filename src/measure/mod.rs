@@ -1,0 +1,109 @@
+//! How fast and how wrong: every way to compute a formula, timed and compared with the exact value.
+//!
+//! | way | value | Jacobian |
+//! |---|---|---|
+//! | `closed` | `eval` in `f64` | `jacobian` in `f64` |
+//! | `single` | `eval` in [`Single`](crate::Single) | `jacobian` in it |
+//! | `ad` | | forward automatic differentiation of `eval` in `f64` |
+//! | `forward`, `central`, `fourth` | | differences of `eval` in `f64` |
+//! | `octuple` | `eval` in 237 bits, rounded | `jacobian` in 237 bits, rounded |
+//! | `octuple-ad` | | automatic differentiation in 237 bits, rounded |
+//! | the formula's own, see [`Formula::ways`] | as given | its automatic differentiation in `f64` |
+//!
+//! Errors are the same on every machine with the same mathematical library; they are found first, and may be found for
+//! many formulas at once. Times want a machine that does nothing else.
+//!
+//! ```
+//! use jointproof::measure::{Options, measure};
+//! use jointproof::slot::ContactForce;
+//!
+//! let measured = measure::<ContactForce>(&Options::quick());
+//! let closed = measured.way("closed").unwrap();
+//! let eta = closed.jacobian.as_ref().unwrap().random.eta;
+//! assert!(eta.median <= eta.max && eta.max < 2.0);
+//! ```
+
+mod clock;
+mod difference;
+mod exact;
+mod figures;
+mod forward;
+mod quantile;
+mod way;
+
+pub use difference::Scheme;
+pub use figures::{Curve, Errors, Figures, Measurement, Quantiles, Step, Time, WayFigures};
+pub use forward::{Jet, value_and_jacobian_by_ad};
+pub use way::Way;
+
+use crate::formula::{Fields, Formula};
+use crate::verify::Subject;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// How much to measure.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Options {
+    /// Seed of the random points.
+    pub seed: u64,
+    /// Random points at which errors are found.
+    pub random_points: usize,
+    /// Random points over which time is taken; the first of the same sequence.
+    pub timing_points: usize,
+    /// Steps a decade in the sweep of differences from 1e-2 to 1e-16.
+    pub steps_per_decade: u32,
+    /// How often each way is timed, all ways taking turns.
+    pub rounds: usize,
+    /// How long one turn lasts, in nanoseconds.
+    pub turn_ns: f64,
+}
+
+impl Options {
+    /// About a tenth of a second for a formula.
+    pub const fn quick() -> Self {
+        Self { seed: 1, random_points: 50, timing_points: 128, steps_per_decade: 2, rounds: 61, turn_ns: 60e3 }
+    }
+
+    /// Some seconds for a formula.
+    pub const fn full() -> Self {
+        Self { seed: 1, random_points: 1000, timing_points: 128, steps_per_decade: 4, rounds: 301, turn_ns: 300e3 }
+    }
+
+    /// The points over which time is taken, by components.
+    pub fn timing_inputs<F: Formula>(&self) -> Vec<Vec<f64>> {
+        exact::random(&Subject::of::<F>(), self.seed, self.timing_points)
+    }
+}
+
+/// Measures one formula: its errors, then its times.
+pub fn measure<F: Formula>(options: &Options) -> Measurement {
+    let mut measurement = errors::<F>(options);
+    times::<F>(options, &mut measurement);
+    measurement
+}
+
+/// The errors of every way; times are still missing.
+pub fn errors<F: Formula>(options: &Options) -> Measurement {
+    let points = exact::Points::new(&Subject::of::<F>(), options);
+    let curves = Scheme::ALL.map(|scheme| difference::curve(scheme, &way::differences::<F>, &points, options));
+    let ways = way::all::<F>(&curves).iter().map(|way| way.errors(&points)).collect();
+    Measurement {
+        formula: F::SPEC.id.into(),
+        inputs: F::Inputs::<f64>::LEN,
+        outputs: F::Outputs::<f64>::LEN,
+        random_points: points.random.len(),
+        hard_points: points.hard.len(),
+        copy: None,
+        yardstick: None,
+        ways,
+        curves: curves.into(),
+    }
+}
+
+/// Times every way of a measurement whose errors are known.
+pub fn times<F: Formula>(options: &Options, measurement: &mut Measurement) {
+    let ways = way::all::<F>(&measurement.curves);
+    let points = options.timing_inputs::<F>();
+    clock::time(&ways, &clock::copy::<F>(), &points, options, measurement);
+}

@@ -1,0 +1,106 @@
+//! What `cargo xtask report` asks to be measured, and what it is told.
+//!
+//! Times must be those of an optimised program, whereas the tasks are built for quick turnaround. So the measuring is a
+//! program of its own, `src/main.rs`: it reads a [`Request`] and writes an [`Event`] a line.
+
+use jointproof::catalog::{AnyFormula, find};
+use jointproof::measure::{Measurement, Options};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc;
+use std::thread;
+
+/// What is to be measured.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Request {
+    /// Identifiers of formulas.
+    pub formulas: Vec<String>,
+    /// How much.
+    pub options: Options,
+}
+
+/// What happens while measuring.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Event {
+    /// The measuring has begun.
+    Begun(Build),
+    /// The errors of this formula are known.
+    Compared(String),
+    /// This formula is done.
+    Measured(Box<Measurement>),
+}
+
+/// How the measured program was built.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Build {
+    /// The compiler's version.
+    pub compiler: String,
+    /// The platform it was built for.
+    pub target: String,
+    /// Cargo profile and optimisation level.
+    pub profile: String,
+    /// Flags given beside those of the profile; empty by default.
+    pub flags: String,
+}
+
+impl Build {
+    /// Of the program that runs.
+    pub fn this() -> Self {
+        const FLAGS: &str = env!("BUILT_WITH");
+        Self {
+            compiler: env!("BUILT_BY").into(),
+            target: env!("BUILT_FOR").into(),
+            profile: env!("BUILT_IN").into(),
+            flags: FLAGS.into(),
+        }
+    }
+}
+
+/// Measures: errors on all cores, then times, one formula after the other on a machine that does nothing else.
+///
+/// # Errors
+/// What `tell` says; it is not told more after that.
+pub fn measure<E>(request: &Request, mut tell: impl FnMut(Event) -> Result<(), E>) -> Result<(), E> {
+    tell(Event::Begun(Build::this()))?;
+    let formulas: Vec<_> = request.formulas.iter().filter_map(|id| find(id)).collect();
+    let mut compared = compare(&formulas, &request.options, |id| tell(Event::Compared(id)))?;
+    compared.sort_by_key(|(k, _)| *k);
+    for (k, mut measurement) in compared {
+        formulas[k].times(&request.options, &mut measurement);
+        tell(Event::Measured(Box::new(measurement)))?;
+    }
+    Ok(())
+}
+
+/// The errors of every formula, with its number.
+fn compare<E>(
+    formulas: &[&dyn AnyFormula],
+    options: &Options,
+    mut tell: impl FnMut(String) -> Result<(), E>,
+) -> Result<Vec<(usize, Measurement)>, E> {
+    let next = AtomicUsize::new(0);
+    let (done, results) = mpsc::channel();
+    thread::scope(|scope| {
+        for _ in 0..thread::available_parallelism().map_or(1, usize::from) {
+            let (next, done) = (&next, done.clone());
+            scope.spawn(move || {
+                loop {
+                    let k = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(formula) = formulas.get(k) else { break };
+                    if done.send((k, formula.errors(options))).is_err() {
+                        break;
+                    }
+                }
+            });
+        }
+        drop(done);
+        let mut compared = Vec::new();
+        for result in results {
+            tell(result.1.formula.clone())?;
+            compared.push(result);
+        }
+        Ok(compared)
+    })
+}

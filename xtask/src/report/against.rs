@@ -1,0 +1,266 @@
+//! `--against`: what became slower or less accurate beyond the noise.
+//!
+//! Times of two runs differ as a whole when the machine was busier, or is another one. That drift is the median, over
+//! all formulas, of what became of the copying and of the yardstick, which contain none of the code compared; the old
+//! times are multiplied by it. What then differs by more than both spreads, and by more than a tenth, is a change.
+//!
+//! Errors are exact figures of fixed points, so they are compared as they are where both runs had the same points, and
+//! otherwise by medians only, with a factor of two for the different points.
+
+use super::data::Report;
+use super::tables::duration;
+use crate::audit::figure;
+use crate::console::{bold, green, red};
+use jointproof::measure::{Errors, Figures, Measurement, Time, WayFigures};
+
+/// What two reports differ by.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Comparison {
+    /// New times of what did not change, in units of the old.
+    pub(crate) drift: f64,
+    /// Formulas that are in both.
+    pub(crate) formulas: usize,
+    /// What became worse.
+    pub(crate) changes: Vec<Change>,
+    /// What stands in the way of a full comparison.
+    pub(crate) notes: Vec<String>,
+}
+
+/// One figure that became worse.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Change {
+    /// The formula, the way, and what of it.
+    pub(crate) what: String,
+    /// `slower`, `less accurate`, `fails at more points`, `missing`.
+    pub(crate) how: &'static str,
+    /// Before and now.
+    pub(crate) figures: String,
+}
+
+/// A change of less than this is none.
+const LEAST: f64 = 1.1;
+/// A time within this of another is the same: a cycle or two.
+const LEAST_NS: f64 = 0.5;
+/// η within this of another is the same.
+const LEAST_ETA: f64 = 0.05;
+
+/// Compares.
+pub(crate) fn compare(old: &Report, new: &Report) -> Comparison {
+    let pairs: Vec<_> = new.formulas.iter().filter_map(|now| Some((old.formula(&now.formula)?, now))).collect();
+    let mut notes = Vec::new();
+    let drift = drift(&pairs).unwrap_or_else(|| {
+        notes.push("no times in common: only errors are compared".to_owned());
+        1.0
+    });
+    if old.machine != new.machine || old.build != new.build {
+        notes.push("the machine or the build is another one; times are compared after scaling".to_owned());
+    }
+    let same_points = old.options.seed == new.options.seed && old.options.random_points == new.options.random_points;
+    if !same_points {
+        notes.push("other points or another number of them: of errors only medians are compared".to_owned());
+    }
+    let missing = new.formulas.iter().filter(|now| old.formula(&now.formula).is_none()).count();
+    if missing > 0 {
+        notes.push(format!("{missing} formulas are not in the old report"));
+    }
+    let changes = pairs.iter().flat_map(|(old, new)| formula(old, new, drift, same_points)).collect();
+    Comparison { drift, formulas: pairs.len(), changes, notes }
+}
+
+fn drift(pairs: &[(&Measurement, &Measurement)]) -> Option<f64> {
+    let ratio = |(old, new): (Option<Time>, Option<Time>)| Some(new?.median / old?.median);
+    let of_pair = |(old, new): &(&Measurement, &Measurement)| {
+        [(old.copy, new.copy), (old.yardstick, new.yardstick)].into_iter().filter_map(ratio).collect::<Vec<_>>()
+    };
+    let mut ratios: Vec<f64> = pairs.iter().flat_map(of_pair).collect();
+    ratios.sort_by(f64::total_cmp);
+    ratios.get(ratios.len() / 2).copied()
+}
+
+fn formula(old: &Measurement, new: &Measurement, drift: f64, same_points: bool) -> Vec<Change> {
+    let of_way = |before: &WayFigures| {
+        let name = format!("{} {}", new.formula, before.id);
+        let Some(now) = new.way(&before.id) else {
+            return vec![Change { what: name, how: "missing", figures: "no longer measured".into() }];
+        };
+        let parts = [("value", &before.value, &now.value), ("Jacobian", &before.jacobian, &now.jacobian)];
+        parts
+            .into_iter()
+            .filter_map(|(part, before, now)| Some((part, before.as_ref()?, now.as_ref()?)))
+            .flat_map(|(part, before, now)| figures(&format!("{name} {part}"), before, now, drift, same_points))
+            .collect()
+    };
+    old.ways.iter().flat_map(of_way).collect()
+}
+
+fn figures(what: &str, old: &Figures, new: &Figures, drift: f64, same_points: bool) -> Vec<Change> {
+    let mut changes = Vec::new();
+    if let (Some(before), Some(now)) = (old.time, new.time)
+        && slower(before, now, drift)
+    {
+        let scaled = if (drift - 1.0).abs() < 0.005 { String::new() } else { format!(" × drift {drift:.2}") };
+        let figures = format!("{}{scaled} → {}", duration(before.median), duration(now.median));
+        changes.push(Change { what: what.into(), how: "slower", figures });
+    }
+    changes.extend(errors(&format!("{what}, random points"), &old.random, &new.random, same_points));
+    if let (Some(old), Some(new)) = (&old.hard, &new.hard) {
+        // Hard points are the same in every run, as long as the formula's cases are.
+        changes.extend(errors(&format!("{what}, hard points"), old, new, old.points == new.points));
+    }
+    changes
+}
+
+fn slower(before: Time, now: Time, drift: f64) -> bool {
+    let (median, high) = (before.median * drift, before.high * drift);
+    now.low > high && now.median > median * LEAST && now.median > median + LEAST_NS
+}
+
+fn errors(what: &str, old: &Errors, new: &Errors, same_points: bool) -> Option<Change> {
+    let change = |how, figures| Some(Change { what: what.into(), how, figures });
+    if same_points && new.not_finite > old.not_finite {
+        return change("fails at more points", format!("{} → {}", old.not_finite, new.not_finite));
+    }
+    let quantiles = [
+        ("median", old.eta.median, new.eta.median),
+        ("99 %", old.eta.p99, new.eta.p99),
+        ("max", old.eta.max, new.eta.max),
+    ];
+    let (compared, factor) = if same_points { (&quantiles[..], LEAST) } else { (&quantiles[..1], 2.0) };
+    let worse = compared.iter().find(|(_, before, now)| *now > before * factor && *now > before + LEAST_ETA)?;
+    let (quantile, before, now) = worse;
+    change("less accurate", format!("η {quantile} {} → {}", figure(*before), figure(*now)))
+}
+
+impl Comparison {
+    /// For a terminal.
+    pub(crate) fn text(&self) -> String {
+        let notes = self.notes.iter().map(|note| format!("note: {note}\n")).collect::<Vec<_>>().concat();
+        let line = |change: &Change| format!("{} {}: {}\n", red(change.how), bold(&change.what), change.figures);
+        let changes = self.changes.iter().map(line).collect::<Vec<_>>().concat();
+        let Self { drift, formulas, .. } = self;
+        let verdict = match self.changes.len() {
+            0 => format!("{} nothing became slower or less accurate", green("ok")),
+            count => format!("{} {count} figures became worse", red("off")),
+        };
+        format!("{notes}{changes}{verdict} in {formulas} formulas; unchanged code took {drift:.2} of its old time\n")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::data::Machine;
+    use jointproof::measure::{Options, Quantiles};
+    use measure::Build;
+
+    fn time(median: f64) -> Time {
+        Time { median, low: 0.95 * median, high: 1.05 * median }
+    }
+
+    fn report(scale: f64) -> Report {
+        let errors = Errors {
+            points: 24,
+            not_finite: 0,
+            eta: Quantiles { median: 0.3, p99: 1.0, max: 1.2 },
+            relative: Quantiles::default(),
+        };
+        let figures =
+            |ns| Some(Figures { time: Some(time(ns * scale)), ratio: None, random: errors, hard: Some(errors) });
+        let way = |id: &str, ns| WayFigures {
+            id: id.into(),
+            title: id.into(),
+            step: None,
+            value: figures(ns),
+            jacobian: figures(2.0 * ns),
+        };
+        let measurement = |id: &str| Measurement {
+            formula: id.into(),
+            inputs: 2,
+            outputs: 1,
+            random_points: 24,
+            hard_points: 24,
+            copy: Some(time(3.0 * scale)),
+            yardstick: Some(time(12.0 * scale)),
+            ways: vec![way("closed", 10.0), way("ad", 100.0)],
+            curves: Vec::new(),
+        };
+        let text = |text: &str| text.to_owned();
+        Report {
+            version: 1,
+            created: text("2025-01-01T00:00:00Z"),
+            sources: String::new(),
+            machine: Machine { processor: text("p"), cores: 2, system: text("s") },
+            build: Build { compiler: text("c"), target: text("t"), profile: text("p"), flags: text("") },
+            options: Options::quick(),
+            formulas: vec![measurement("t.first"), measurement("t.second")],
+        }
+    }
+
+    /// The changes between a report and one that was tampered with.
+    fn changes(tamper: impl FnOnce(&mut Report)) -> Vec<(String, &'static str)> {
+        let mut new = report(1.0);
+        tamper(&mut new);
+        compare(&report(1.0), &new).changes.into_iter().map(|change| (change.what, change.how)).collect()
+    }
+
+    fn closed(report: &mut Report) -> &mut Figures {
+        report.formulas[1].ways[0].jacobian.as_mut().unwrap()
+    }
+
+    #[test]
+    fn the_same_report_has_no_changes() {
+        assert_eq!(changes(|_| ()), []);
+    }
+
+    #[test]
+    fn a_slower_machine_is_drift_and_no_change() {
+        let comparison = compare(&report(1.0), &report(1.7));
+        assert!((comparison.drift - 1.7).abs() < 1e-12);
+        assert_eq!(comparison.changes, []);
+    }
+
+    #[test]
+    fn a_planted_slowdown_is_found_and_named() {
+        let found = changes(|new| closed(new).time = Some(time(26.0)));
+        assert_eq!(found, [("t.second closed Jacobian".to_owned(), "slower")]);
+        let mut slow = report(1.7);
+        closed(&mut slow).time = Some(time(26.0 * 1.7));
+        assert_eq!(compare(&report(1.0), &slow).changes.len(), 1, "on a slower machine too");
+    }
+
+    #[test]
+    fn a_slowdown_within_the_spread_is_noise() {
+        assert_eq!(changes(|new| closed(new).time = Some(time(21.5))), []);
+        let wide = Some(Time { median: 26.0, low: 20.0, high: 40.0 });
+        assert_eq!(changes(|new| closed(new).time = wide), []);
+    }
+
+    #[test]
+    fn a_planted_error_is_found_and_named() {
+        let found = changes(|new| closed(new).random.eta.max = 1.4);
+        assert_eq!(found, [("t.second closed Jacobian, random points".to_owned(), "less accurate")]);
+        assert_eq!(changes(|new| closed(new).random.eta.max = 1.23), [], "a fiftieth more");
+        let found = changes(|new| closed(new).hard.as_mut().unwrap().not_finite = 1);
+        assert_eq!(found, [("t.second closed Jacobian, hard points".to_owned(), "fails at more points")]);
+    }
+
+    #[test]
+    fn with_other_points_only_medians_count() {
+        let other = |new: &mut Report| new.options.random_points = 400;
+        let mut greater_maximum = report(1.0);
+        other(&mut greater_maximum);
+        closed(&mut greater_maximum).random.eta.max = 1.9;
+        assert_eq!(compare(&report(1.0), &greater_maximum).changes, []);
+        closed(&mut greater_maximum).random.eta.median = 0.7;
+        assert_eq!(compare(&report(1.0), &greater_maximum).changes.len(), 1);
+    }
+
+    #[test]
+    fn a_way_that_is_gone_is_a_change_and_a_new_formula_is_not() {
+        let found = changes(|new| drop(new.formulas[0].ways.pop()));
+        assert_eq!(found, [("t.first ad".to_owned(), "missing")]);
+        let mut old = report(1.0);
+        old.formulas.pop();
+        assert_eq!(compare(&old, &report(1.0)).changes, []);
+    }
+}

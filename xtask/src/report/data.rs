@@ -1,0 +1,144 @@
+//! A report: what was measured, where, when and with what.
+
+use crate::{evidence, files};
+use anyhow::Context;
+use jointproof::catalog::CATALOG;
+use jointproof::measure::{Measurement, Options};
+use measure::Build;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::path::{Path, PathBuf};
+use std::time::{SystemTime, UNIX_EPOCH};
+
+/// Everything a run of `cargo xtask report` found.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Report {
+    /// The layout of this file.
+    pub(crate) version: u32,
+    /// When it was made, in UTC.
+    pub(crate) created: String,
+    /// Fingerprint of the sources it is about.
+    pub(crate) sources: String,
+    /// Where it was made.
+    pub(crate) machine: Machine,
+    /// With what the measured program was built.
+    pub(crate) build: Build,
+    /// How much was measured.
+    pub(crate) options: Options,
+    /// What was found.
+    pub(crate) formulas: Vec<Measurement>,
+}
+
+/// The layout written by this version.
+const VERSION: u32 = 1;
+
+/// A machine.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Machine {
+    /// The processor.
+    pub(crate) processor: String,
+    /// Its cores, as far as the program may use them.
+    pub(crate) cores: usize,
+    /// The operating system.
+    pub(crate) system: String,
+}
+
+impl Report {
+    /// Made now, here.
+    pub(super) fn new(build: Build, options: Options, formulas: Vec<Measurement>) -> Self {
+        let machine = Machine::this();
+        Self { version: VERSION, created: now(), sources: sources(), machine, build, options, formulas }
+    }
+
+    /// The measurement of this formula.
+    pub(crate) fn formula(&self, id: &str) -> Option<&Measurement> {
+        self.formulas.iter().find(|measurement| measurement.formula == id)
+    }
+
+    /// Whether it is about this very version of the code.
+    pub(crate) fn is_current(&self) -> bool {
+        self.sources == sources()
+    }
+
+    /// The report in a file.
+    pub(super) fn read(path: &Path) -> anyhow::Result<Self> {
+        let shown = path.display();
+        let text = std::fs::read_to_string(path).with_context(|| format!("cannot read {shown}"))?;
+        serde_json::from_str(&text)
+            .with_context(|| format!("{shown} is not a report; `cargo xtask report --format json` writes one"))
+    }
+
+    /// The report kept for the book, if it is about every formula.
+    pub(crate) fn kept() -> Option<Self> {
+        let kept = Self::read(&place()).ok()?;
+        CATALOG.iter().all(|formula| kept.formula(formula.spec().id).is_some()).then_some(kept)
+    }
+
+    /// Keeps it for the book.
+    pub(super) fn keep(&self) -> anyhow::Result<PathBuf> {
+        files::write(&place(), &serde_json::to_string(self)?)?;
+        Ok(place())
+    }
+}
+
+fn place() -> PathBuf {
+    files::target().join("report.json")
+}
+
+fn sources() -> String {
+    format!("{:016x}", evidence::fingerprint())
+}
+
+impl Machine {
+    fn this() -> Self {
+        let cpuinfo = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+        let model = cpuinfo.lines().find_map(|line| line.strip_prefix("model name")?.split_once(": "));
+        Self {
+            processor: model.map_or_else(|| std::env::consts::ARCH.to_owned(), |(_, name)| name.trim().to_owned()),
+            cores: std::thread::available_parallelism().map_or(1, usize::from),
+            system: std::env::consts::OS.to_owned(),
+        }
+    }
+}
+
+/// The time as `2025-06-01T12:34:56Z`.
+fn now() -> String {
+    let seconds = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |elapsed| elapsed.as_secs());
+    utc(seconds)
+}
+
+/// Seconds since 1970 as a date, by counting years of 366 or 365 days from there.
+fn utc(seconds: u64) -> String {
+    let leap = |year: u64| year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400));
+    let (mut year, mut day) = (1970, seconds / 86400);
+    while day >= 365 + u64::from(leap(year)) {
+        day -= 365 + u64::from(leap(year));
+        year += 1;
+    }
+    let mut month = 1;
+    for days in [31, 28 + u64::from(leap(year)), 31, 30, 31, 30, 31, 31, 30, 31, 30] {
+        if day < days {
+            break;
+        }
+        day -= days;
+        month += 1;
+    }
+    let [hour, minute, second] = [seconds / 3600 % 24, seconds / 60 % 60, seconds % 60];
+    format!("{year:04}-{month:02}-{:02}T{hour:02}:{minute:02}:{second:02}Z", day + 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn dates_are_those_of_the_calendar() {
+        assert_eq!(utc(0), "1970-01-01T00:00:00Z");
+        assert_eq!(utc(951_782_399), "2000-02-28T23:59:59Z");
+        assert_eq!(utc(951_782_400), "2000-02-29T00:00:00Z");
+        assert_eq!(utc(1_735_689_599), "2024-12-31T23:59:59Z");
+        assert_eq!(utc(4_107_542_400), "2100-03-01T00:00:00Z", "2100 is no leap year");
+    }
+}

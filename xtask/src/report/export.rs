@@ -1,0 +1,116 @@
+//! For programs in other languages: the points over which time is taken, and the times here.
+
+use super::data::{Machine, Report};
+use crate::console::say;
+use crate::files;
+use anyhow::Context;
+use jointproof::catalog::AnyFormula;
+use jointproof::formula::Field;
+use jointproof::measure::{Figures, Options, Time};
+use measure::Build;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// What a file of points holds.
+#[derive(Serialize)]
+struct Description {
+    formula: &'static str,
+    /// The file of doubles.
+    file: String,
+    /// How to read it.
+    layout: &'static str,
+    /// Points in it.
+    count: usize,
+    /// Doubles a point.
+    stride: usize,
+    seed: u64,
+    inputs: Vec<FieldDescription>,
+    outputs: Vec<FieldDescription>,
+}
+
+#[derive(Serialize)]
+struct FieldDescription {
+    name: &'static str,
+    shape: Vec<usize>,
+    unit: String,
+}
+
+impl From<&Field> for FieldDescription {
+    fn from(field: &Field) -> Self {
+        let quantity = field.quantity;
+        Self { name: field.name, shape: quantity.shape.dimensions(), unit: quantity.unit.to_string() }
+    }
+}
+
+/// Writes `<id>.f64` and `<id>.json` for every formula.
+pub(super) fn inputs(folder: &Path, formulas: &[&dyn AnyFormula], options: &Options) -> anyhow::Result<()> {
+    std::fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
+    for formula in formulas {
+        let id = formula.spec().id;
+        let doubles = formula.timing_inputs(options);
+        let file = format!("{id}.f64");
+        let bytes: Vec<u8> = doubles.iter().flat_map(|x| x.to_le_bytes()).collect();
+        let path = folder.join(&file);
+        std::fs::write(&path, bytes).with_context(|| format!("cannot write {}", path.display()))?;
+        let description = Description {
+            formula: id,
+            file,
+            layout: "little-endian IEEE doubles without header; all inputs of the first point, then of the next",
+            count: options.timing_points,
+            stride: doubles.len() / options.timing_points.max(1),
+            seed: options.seed,
+            inputs: formula.inputs().iter().map(Into::into).collect(),
+            outputs: formula.outputs().iter().map(Into::into).collect(),
+        };
+        let text = serde_json::to_string_pretty(&description)? + "\n";
+        files::write(&folder.join(format!("{id}.json")), &text)?;
+    }
+    say(&format!("wrote the points of {} formulas into {}", formulas.len(), folder.display()));
+    Ok(())
+}
+
+/// Times of the closed form, for comparison with another program's.
+#[derive(Serialize)]
+struct Timing<'a> {
+    created: &'a str,
+    machine: &'a Machine,
+    build: &'a Build,
+    /// The points are those that `--inputs` writes.
+    points: usize,
+    seed: u64,
+    formulas: BTreeMap<&'a str, Nanoseconds>,
+}
+
+/// Nanoseconds an evaluation: the median, and between what values four of five rounds were.
+#[derive(Serialize)]
+struct Nanoseconds {
+    value: Option<Time>,
+    value_and_jacobian: Option<Time>,
+    copy: Option<Time>,
+}
+
+/// Writes the times of the closed forms.
+pub(super) fn timing(path: &Path, report: &Report) -> anyhow::Result<()> {
+    let of_formula = |measurement: &jointproof::measure::Measurement| {
+        let closed = measurement.way("closed");
+        let time = |figures: Option<&Figures>| figures.and_then(|figures| figures.time);
+        Nanoseconds {
+            value: time(closed.and_then(|way| way.value.as_ref())),
+            value_and_jacobian: time(closed.and_then(|way| way.jacobian.as_ref())),
+            copy: measurement.copy,
+        }
+    };
+    let timing = Timing {
+        created: &report.created,
+        machine: &report.machine,
+        build: &report.build,
+        points: report.options.timing_points,
+        seed: report.options.seed,
+        formulas: report.formulas.iter().map(|m| (m.formula.as_str(), of_formula(m))).collect(),
+    };
+    let path = std::path::absolute(path)?;
+    files::write(&path, &(serde_json::to_string_pretty(&timing)? + "\n"))?;
+    say(&format!("wrote times of {} formulas into {}", report.formulas.len(), path.display()));
+    Ok(())
+}

@@ -1,0 +1,81 @@
+//! Has the measuring program built and run, and follows it.
+
+use crate::console::progress;
+use crate::files;
+use anyhow::{Context, bail};
+use indicatif::ProgressBar;
+use jointproof::measure::{Measurement, Options};
+use measure::{Build, Event, Request};
+use std::io::{BufRead, BufReader, IsTerminal};
+use std::process::{Command, Stdio};
+
+/// What the measuring program was and what it found.
+pub(super) fn run(formulas: Vec<String>, options: Options, here: bool) -> anyhow::Result<(Build, Vec<Measurement>)> {
+    let mut record = Record { build: None, measured: Vec::new(), bar: progress("report", 2 * formulas.len()) };
+    let request = Request { formulas, options };
+    if here {
+        measure::measure(&request, |event| {
+            record.note(event);
+            Ok::<_, anyhow::Error>(())
+        })?;
+    } else {
+        ask(&request, &mut record)?;
+    }
+    record.bar.finish_and_clear();
+    Ok((record.build.context("the measuring program did not say how it was built")?, record.measured))
+}
+
+/// What was said so far.
+struct Record {
+    build: Option<Build>,
+    measured: Vec<Measurement>,
+    bar: ProgressBar,
+}
+
+impl Record {
+    fn note(&mut self, event: Event) {
+        match event {
+            Event::Begun(build) => {
+                self.build = Some(build);
+                // What it took to compile says nothing about the rest.
+                self.bar.reset();
+            }
+            Event::Compared(formula) => self.step(format!("errors of {formula}")),
+            Event::Measured(measurement) => {
+                self.step(format!("times of {}", measurement.formula));
+                self.measured.push(*measurement);
+            }
+        }
+    }
+
+    fn step(&self, what: String) {
+        self.bar.set_message(what);
+        self.bar.inc(1);
+    }
+}
+
+/// Builds the program with optimisation, by the same cargo, and asks it.
+fn ask(request: &Request, record: &mut Record) -> anyhow::Result<()> {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let manifest = concat!(env!("CARGO_MANIFEST_DIR"), "/measure/Cargo.toml");
+    let mut child = Command::new(&cargo)
+        .args(["run", "--release", "--manifest-path", manifest])
+        // Compiling takes a while the first time; somebody who watches should see that.
+        .args((!std::io::stderr().is_terminal()).then_some("--quiet"))
+        .current_dir(files::root())
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .with_context(|| format!("cannot run {}", cargo.display()))?;
+    // The end of the pipe must be dropped, so that the program sees the end of the request.
+    serde_json::to_writer(child.stdin.take().context("the measuring program takes no input")?, request)?;
+    let out = child.stdout.take().context("the measuring program has no output")?;
+    for line in BufReader::new(out).lines() {
+        record.note(serde_json::from_str(&line?).context("the measuring program said something unexpected")?);
+    }
+    let status = child.wait()?;
+    if !status.success() {
+        bail!("`cargo run --release --manifest-path {manifest}` ended with {status}; what it said is above");
+    }
+    Ok(())
+}

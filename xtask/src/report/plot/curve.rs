@@ -1,0 +1,67 @@
+//! The error of differences over their step.
+
+use super::{Axis, Drawing, power, style};
+use crate::audit::figure;
+use jointproof::measure::{Curve, Measurement};
+
+const WIDTH: f64 = 360.0;
+const HEIGHT: f64 = 270.0;
+const LEFT: f64 = 46.0;
+const BOTTOM: f64 = 232.0;
+
+/// Errors below this are drawn here; it is below the roundoff of `f64`.
+const FLOOR: f64 = 1e-17;
+
+/// Median relative error of the Jacobian over the step, for each scheme, with the least of each marked.
+pub(crate) fn curve(measurement: &Measurement) -> String {
+    let curves = &measurement.curves;
+    let steps = curves.iter().flat_map(|curve| curve.steps.iter().map(|step| step.step));
+    let x = Axis::around(steps, 1e-16, [LEFT, WIDTH - 12.0]);
+    let errors = curves.iter().flat_map(|curve| curve.steps.iter().map(|step| step.errors.relative.median));
+    let y = Axis::around(errors.chain([FLOOR, 1.0]), FLOOR, [BOTTOM, 26.0]);
+
+    let title = format!("{}: error of differences over their step", measurement.formula);
+    let mut drawing = Drawing::new(WIDTH, HEIGHT, &title, &description(curves));
+    drawing.below(&x, BOTTOM, y.ends[1], "step, relative to the input", power);
+    drawing.left(&y, LEFT, x.ends[1], "relative error of the Jacobian (median)", power);
+    let closed = measurement.way("closed").and_then(|way| way.jacobian.as_ref());
+    if let Some(closed) = closed {
+        let error = closed.random.relative.median;
+        let height = y.at(error.max(FLOOR));
+        drawing.line("curve way-closed", [LEFT, height], [x.ends[1], height]);
+        let name = if error == 0.0 { "closed form: exact" } else { "closed form" };
+        drawing.text("label", [LEFT + 4.0, height - 5.0], name);
+    }
+    for curve in curves {
+        let at = |step: f64, error: f64| [x.at(step), y.at(error.max(FLOOR))];
+        let points: Vec<_> = curve.steps.iter().map(|step| at(step.step, step.errors.relative.median)).collect();
+        let id = curve.scheme.id();
+        drawing.path(&format!("curve way-difference dash-{id}"), &points);
+        if let Some(best) = curve.best() {
+            drawing.mark(&style(id), at(best.step, best.errors.relative.median));
+        }
+    }
+    legend(&mut drawing, curves);
+    drawing.finish()
+}
+
+fn legend(drawing: &mut Drawing, curves: &[Curve]) {
+    // Below the curves, which fall from the left.
+    let (x, mut y) = (LEFT + 16.0, 150.0);
+    for curve in curves {
+        let style = style(curve.scheme.id());
+        drawing.line(&format!("curve way-difference dash-{}", curve.scheme.id()), [x, y], [x + 28.0, y]);
+        drawing.mark(&style, [x + 14.0, y]);
+        drawing.text("label", [x + 34.0, y + 3.5], style.name);
+        y += 14.0;
+    }
+}
+
+fn description(curves: &[Curve]) -> String {
+    let one = |curve: &Curve| {
+        let best = curve.best()?;
+        let error = figure(best.errors.relative.median);
+        Some(format!("{} are best at step {} with error {error}", curve.scheme.title(), figure(best.step)))
+    };
+    curves.iter().filter_map(one).collect::<Vec<_>>().join("; ")
+}

@@ -1,0 +1,130 @@
+//! The speed/error plane of one formula.
+
+use super::{Axis, Drawing, power, style, time};
+use crate::report::pareto::front;
+use crate::report::tables::duration;
+use jointproof::measure::Measurement;
+
+const WIDTH: f64 = 360.0;
+const HEIGHT: f64 = 270.0;
+const LEFT: f64 = 46.0;
+const BOTTOM: f64 = 232.0;
+
+/// η below this is drawn here.
+const FLOOR: f64 = 0.1;
+/// η above this is drawn here: no digit is right, or something is not 0 where the exact number is.
+const CEILING: f64 = 1e18;
+
+/// A way in the plane.
+struct Point<'a> {
+    id: &'a str,
+    time: f64,
+    eta: f64,
+}
+
+/// Time of value and Jacobian against η of the Jacobian, with the ways that no other beats joined by a line.
+pub(crate) fn plane(measurement: &Measurement) -> String {
+    let point = |way: &'_ jointproof::measure::WayFigures| {
+        let jacobian = way.jacobian.as_ref()?;
+        Some((jacobian.time?.median, jacobian.random.eta.p99))
+    };
+    let points: Vec<Point<'_>> = measurement
+        .ways
+        .iter()
+        .filter_map(|way| point(way).map(|(time, eta)| Point { id: &way.id, time, eta }))
+        .collect();
+    let x = Axis::around(points.iter().map(|point| point.time), 0.1, [LEFT, WIDTH - 12.0]);
+    let y = Axis::around(points.iter().map(|point| point.eta.min(CEILING)).chain([1.0]), FLOOR, [BOTTOM, 26.0]);
+    let places: Vec<_> = points.iter().map(|point| [x.at(point.time), y.at(point.eta.max(FLOOR))]).collect();
+    // What is drawn in one place is equal here too.
+    let ranked: Vec<_> = points.iter().map(|point| (point.time, point.eta.max(FLOOR))).collect();
+    let unbeaten = front(&ranked);
+
+    let mut drawing = Drawing::new(WIDTH, HEIGHT, &title(measurement), &description(&points, &unbeaten));
+    drawing.below(&x, BOTTOM, y.ends[1], "time for value and Jacobian", time);
+    let label = |exponent| if exponent == -1 { "≤ 0.1".to_owned() } else { power(exponent) };
+    drawing.left(&y, LEFT, x.ends[1], "η of the Jacobian (99 % of random points)", label);
+    drawing.path("front", &unbeaten.iter().map(|&k| places[k]).collect::<Vec<_>>());
+    for (point, &place) in points.iter().zip(&places) {
+        drawing.mark(&style(point.id), place);
+    }
+    let mut taken: Vec<Box> = places.iter().map(|&[x, y]| Box { left: x - 5.0, right: x + 5.0, middle: y }).collect();
+    for (point, &place) in points.iter().zip(&places) {
+        let name = match style(point.id).name {
+            "" => point.id,
+            name => name,
+        };
+        let (class, at) = label_place(name, place, &mut taken);
+        drawing.text(&format!("label {class}"), at, name);
+    }
+    drawing.finish()
+}
+
+fn title(measurement: &Measurement) -> String {
+    format!("{}: speed against error", measurement.formula)
+}
+
+fn description(points: &[Point<'_>], unbeaten: &[usize]) -> String {
+    let one = |point: &Point<'_>| format!("{} takes {} with η {:.2e}", point.id, duration(point.time), point.eta);
+    let all: Vec<_> = points.iter().map(one).collect();
+    let best: Vec<_> = unbeaten.iter().map(|&k| points[k].id).collect();
+    format!("{}. Unbeaten in speed or error: {}.", all.join("; "), best.join(", "))
+}
+
+/// What a label or a mark covers, one line high.
+struct Box {
+    left: f64,
+    right: f64,
+    middle: f64,
+}
+
+/// The first place around a mark where its label covers nothing.
+fn label_place(name: &str, [x, y]: [f64; 2], taken: &mut Vec<Box>) -> (&'static str, [f64; 2]) {
+    #[expect(clippy::cast_precision_loss, reason = "a short name")]
+    let width = 5.6 * name.chars().count() as f64;
+    let candidates = [
+        ("", x + 8.0, y),
+        ("end", x - 8.0, y),
+        ("middle", x, y - 13.0),
+        ("middle", x, y + 13.0),
+        ("", x + 6.0, y - 12.0),
+        ("", x + 6.0, y + 12.0),
+        ("end", x - 6.0, y - 12.0),
+        ("end", x - 6.0, y + 12.0),
+        ("middle", x, y - 24.0),
+        ("middle", x, y + 24.0),
+    ];
+    let covered = |&(class, x, y): &(&str, f64, f64)| {
+        let left = match class {
+            "end" => x - width,
+            "middle" => x - width / 2.0,
+            _ => x,
+        };
+        Box { left, right: left + width, middle: y }
+    };
+    let free = |candidate: &&(&str, f64, f64)| {
+        let here = covered(candidate);
+        let inside = here.left > LEFT && here.right < WIDTH && here.middle > 20.0 && here.middle < BOTTOM;
+        let apart = |other: &Box| {
+            here.right < other.left || other.right < here.left || (here.middle - other.middle).abs() > 10.0
+        };
+        inside && taken.iter().all(apart)
+    };
+    let chosen = candidates.iter().find(free).unwrap_or(&candidates[0]);
+    taken.push(covered(chosen));
+    (chosen.0, [chosen.1, chosen.2 + 3.5])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn labels_evade_each_other() {
+        let mut taken = vec![Box { left: 95.0, right: 105.0, middle: 100.0 }];
+        let first = label_place("closed form", [100.0, 100.0], &mut taken);
+        let second = label_place("closed form", [102.0, 100.0], &mut taken);
+        assert_eq!(first.0, "");
+        assert_ne!(first.1, second.1);
+    }
+}

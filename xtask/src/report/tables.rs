@@ -1,0 +1,162 @@
+//! A report in words and columns.
+
+use super::data::Report;
+use super::verdict::Verdict;
+use crate::audit::figure;
+use crate::console::{bold, green, red};
+use jointproof::measure::{Errors, Measurement, Time, WayFigures};
+use std::fmt::Write;
+
+/// Nanoseconds in three digits, with the unit that suits them.
+pub(crate) fn duration(nanoseconds: f64) -> String {
+    let (number, unit) = match nanoseconds {
+        t if t < 1e3 => (t, "ns"),
+        t if t < 1e6 => (t / 1e3, "µs"),
+        t => (t / 1e6, "ms"),
+    };
+    let digits = match number {
+        x if x < 9.995 => 2,
+        x if x < 99.95 => 1,
+        _ => 0,
+    };
+    format!("{number:.digits$} {unit}")
+}
+
+/// By how much four of five rounds were off the median, in percent.
+pub(crate) fn spread(time: Time) -> String {
+    let off = (time.high - time.median).max(time.median - time.low);
+    format!("±{:.0}%", 100.0 * off / time.median)
+}
+
+/// The largest error, and at how many points there was none to tell.
+pub(crate) fn worst(errors: Option<Errors>) -> String {
+    match errors {
+        None => "–".into(),
+        Some(Errors { not_finite: 0, eta, .. }) => figure(eta.max),
+        Some(Errors { not_finite, points, .. }) if not_finite == points => "not finite".into(),
+        Some(Errors { not_finite, eta, .. }) => format!("{}, {not_finite} not finite", figure(eta.max)),
+    }
+}
+
+/// The step of differences, as it is appended to their name.
+pub(crate) fn step(way: &WayFigures) -> String {
+    way.step.map_or(String::new(), |step| format!(", step {}", figure(step)))
+}
+
+/// The cells of a way: value, value and Jacobian, its spread, ratio, errors of the value and of the Jacobian.
+fn cells(way: &WayFigures) -> [String; 11] {
+    let time = |time: Option<Time>| time.map_or("–".into(), |time| duration(time.median));
+    let value = way.value.as_ref();
+    let jacobian = way.jacobian.as_ref();
+    let together = jacobian.and_then(|figures| figures.time);
+    let random = jacobian.map(|figures| figures.random);
+    let eta = |of: fn(&Errors) -> f64| random.as_ref().map_or("–".into(), |random| figure(of(random)));
+    [
+        format!("{}{}", way.title, step(way)),
+        time(value.and_then(|figures| figures.time)),
+        time(together),
+        together.map_or(String::new(), spread),
+        jacobian.and_then(|figures| figures.ratio).map_or("–".into(), |ratio| figure(ratio.median)),
+        worst(value.map(|figures| figures.random)),
+        worst(value.and_then(|figures| figures.hard)),
+        eta(|errors| errors.eta.median),
+        worst(random),
+        worst(jacobian.and_then(|figures| figures.hard)),
+        eta(|errors| errors.relative.median),
+    ]
+}
+
+const HEAD: [&str; 11] = [
+    "way",
+    "value",
+    "with Jacobian",
+    "spread",
+    "ratio",
+    "η value",
+    "hard",
+    "η Jacobian median",
+    "worst",
+    "hard",
+    "relative",
+];
+
+pub(super) fn text(report: &Report) -> anyhow::Result<String> {
+    let mut text = String::new();
+    for measurement in &report.formulas {
+        let Measurement { formula, inputs, outputs, random_points, hard_points, .. } = measurement;
+        let copy =
+            measurement.copy.map_or(String::new(), |copy| format!("; copying all takes {}", duration(copy.median)));
+        writeln!(text, "{} {outputs} outputs of {inputs} inputs{copy}", bold(formula))?;
+        writeln!(text, "  errors at {random_points} random and {hard_points} hard points")?;
+        let rows: Vec<_> = measurement.ways.iter().map(cells).collect();
+        let width = |k: usize| {
+            let cells = rows.iter().map(|row| row[k].chars().count());
+            cells.chain([HEAD[k].chars().count()]).max().unwrap_or(0)
+        };
+        for row in std::iter::once(&HEAD.map(String::from)).chain(&rows) {
+            let first = format!("{:<w$}", row[0], w = width(0));
+            let rest: Vec<_> = (1..row.len()).map(|k| format!("{:>w$}", row[k], w = width(k))).collect();
+            writeln!(text, "    {first}  {}", rest.join("  "))?;
+        }
+        if let Some(verdict) = Verdict::of(measurement) {
+            let (mark, why) = if verdict.holds() {
+                (green("yes"), format!("automatic differentiation takes {:.1} times as long", verdict.speedup))
+            } else {
+                (red("not quite"), verdict.exception())
+            };
+            writeln!(text, "    closed form faster and at least as accurate: {mark}, {why}")?;
+        }
+        text.push('\n');
+    }
+    text += &footer(report);
+    Ok(text)
+}
+
+/// What the columns mean, and where the figures are from.
+fn footer(report: &Report) -> String {
+    let Report { created, machine, build, options, .. } = report;
+    let flags = if build.flags.is_empty() { "default flags" } else { &build.flags };
+    format!(
+        "Times are medians of up to {} interleaved rounds over {} points; the spread holds four of five rounds.\n\
+         The ratio is to the closed form's value alone. η is in units of 2^-53, each point counting by its worst entry.\n\
+         {created}, {} ({} cores), {}, {} {}, {flags}, seed {}\n",
+        options.rounds,
+        options.timing_points,
+        machine.processor,
+        machine.cores,
+        build.compiler,
+        build.target,
+        build.profile,
+        options.seed,
+    )
+}
+
+pub(super) fn markdown(report: &Report) -> anyhow::Result<String> {
+    let mut text = String::from("## Speed against error\n\n");
+    for measurement in &report.formulas {
+        writeln!(text, "### `{}`\n", measurement.formula)?;
+        writeln!(text, "| {} |\n|---|{}", HEAD.join(" | "), "--:|".repeat(HEAD.len() - 1))?;
+        for way in &measurement.ways {
+            writeln!(text, "| {} |", cells(way).join(" | "))?;
+        }
+        text.push('\n');
+    }
+    text += &footer(report);
+    Ok(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn durations_have_three_digits_and_a_fitting_unit() {
+        let shown = [0.5124, 9.99, 12.34, 456.7, 1234.0, 2.5e7].map(duration);
+        assert_eq!(shown, ["0.51 ns", "9.99 ns", "12.3 ns", "457 ns", "1.23 µs", "25.0 ms"]);
+    }
+
+    #[test]
+    fn a_spread_is_the_larger_side() {
+        assert_eq!(spread(Time { low: 9.0, median: 10.0, high: 10.5 }), "±10%");
+    }
+}

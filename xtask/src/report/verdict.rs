@@ -1,0 +1,120 @@
+//! The claim "the closed form is faster than automatic differentiation, and at least as accurate", formula by formula.
+
+use jointproof::measure::{Figures, Measurement, Time};
+
+/// What a run says about the claim.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Verdict {
+    /// Time of automatic differentiation in units of the closed form's.
+    pub(crate) speedup: f64,
+    /// What holds of the speed.
+    pub(crate) speed: Speed,
+    /// Whether the closed form is at least as accurate.
+    pub(crate) accurate: bool,
+    /// Greatest η of the closed form and of automatic differentiation, at random and hard points.
+    pub(crate) eta: [f64; 2],
+}
+
+/// Which one is faster, the closed form or automatic differentiation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Speed {
+    /// The closed form, beyond the spread of both.
+    Faster,
+    /// Neither, within the spread of both, or within a nanosecond, which is what the loop round them takes.
+    Same,
+    /// Automatic differentiation, beyond the spread of both.
+    Slower,
+}
+
+/// η that two correct roundings of one number can differ by.
+const ROUNDING: f64 = 0.5;
+
+impl Verdict {
+    /// Of a complete measurement.
+    pub(crate) fn of(measurement: &Measurement) -> Option<Self> {
+        let jacobian = |id| measurement.way(id)?.jacobian.as_ref();
+        let (closed, ad) = (jacobian("closed")?, jacobian("ad")?);
+        let times = (closed.time?, ad.time?);
+        let eta = [greatest(closed), greatest(ad)];
+        let accurate = failures(closed) <= failures(ad) && eta[0] <= eta[1] + ROUNDING;
+        Some(Self { speedup: times.1.median / times.0.median, speed: speed(times.0, times.1), accurate, eta })
+    }
+
+    /// Whether the claim holds without qualification.
+    pub(crate) fn holds(&self) -> bool {
+        self.speed == Speed::Faster && self.accurate
+    }
+
+    /// The claim in a word or two.
+    pub(crate) fn in_short(&self) -> &'static str {
+        match (self.speed, self.accurate) {
+            (Speed::Faster, true) => "yes",
+            (Speed::Same, true) => "as fast",
+            (Speed::Slower, true) => "slower",
+            (Speed::Faster, false) => "less accurate",
+            (_, false) => "no",
+        }
+    }
+
+    /// Why the claim does not hold; empty where it does.
+    pub(crate) fn exception(&self) -> String {
+        let speed = match self.speed {
+            Speed::Faster => None,
+            Speed::Same => Some(
+                "as fast as each other within the spread: so little is computed that the compiler makes the same of both"
+                    .to_owned(),
+            ),
+            Speed::Slower => Some(format!(
+                "automatic differentiation takes {:.2} of the closed form's time: the Jacobian is mostly constants, \
+                 which the compiler sees through as well",
+                self.speedup
+            )),
+        };
+        let [closed, ad] = self.eta;
+        let accuracy = (!self.accurate).then(|| {
+            format!(
+                "η of the closed form is up to {closed:.2}, of the other {ad:.2}: both are within a few roundings, taken in \
+                 another order"
+            )
+        });
+        speed.into_iter().chain(accuracy).collect::<Vec<_>>().join("; ")
+    }
+}
+
+fn speed(closed: Time, ad: Time) -> Speed {
+    if (closed.median - ad.median).abs() < 1.0 {
+        Speed::Same
+    } else if closed.high < ad.low || closed.median * 1.25 < ad.median {
+        Speed::Faster
+    } else if ad.high < closed.low {
+        Speed::Slower
+    } else {
+        Speed::Same
+    }
+}
+
+fn greatest(figures: &Figures) -> f64 {
+    let hard = figures.hard.map_or(0.0, |hard| hard.eta.max);
+    figures.random.eta.max.max(hard)
+}
+
+fn failures(figures: &Figures) -> usize {
+    figures.random.not_finite + figures.hard.map_or(0, |hard| hard.not_finite)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn time(low: f64, median: f64, high: f64) -> Time {
+        Time { median, low, high }
+    }
+
+    #[test]
+    fn speeds_are_told_apart_beyond_their_spread_only() {
+        assert_eq!(speed(time(4.0, 5.0, 6.0), time(30.0, 31.0, 32.0)), Speed::Faster);
+        assert_eq!(speed(time(30.0, 31.0, 32.0), time(4.0, 5.0, 6.0)), Speed::Slower);
+        assert_eq!(speed(time(9.0, 10.0, 13.0), time(11.0, 12.0, 14.0)), Speed::Same);
+        assert_eq!(speed(time(1.4, 1.4, 1.4), time(0.7, 0.7, 0.7)), Speed::Same, "less than a nanosecond apart");
+    }
+}

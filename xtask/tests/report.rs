@@ -1,0 +1,191 @@
+//! `cargo xtask report`: its JSON, its completeness, its files, its place in the book, and what `--against` says. No
+//! time is judged here.
+
+mod common;
+
+use common::{Bench, Ran};
+use jointproof::catalog::{AnyFormula, CATALOG};
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+use std::sync::LazyLock;
+
+/// A quick report on every formula, measured within the task's own process.
+static REPORT: LazyLock<String> =
+    LazyLock::new(|| Bench::new().run(&["report", "--here", "--quick", "--format", "json"]).quiet().stdout);
+
+fn report() -> Value {
+    serde_json::from_str(&REPORT).unwrap()
+}
+
+/// A quick report on some formulas, made here and now.
+fn quick(bench: &Bench, filter: &str, more: &[&str]) -> Ran {
+    bench.run(&[&["report", "--here", "--quick", "--filter", filter], more].concat())
+}
+
+#[test]
+fn the_quick_report_keeps_to_its_schema() {
+    let schema: Value = serde_json::from_str(&Bench::new().run(&["report", "--schema"]).quiet().stdout).unwrap();
+    let validator = jsonschema::validator_for(&schema).unwrap();
+    let errors: Vec<_> = validator.iter_errors(&report()).map(|error| error.to_string()).collect();
+    assert_eq!(errors, [""; 0]);
+    let mut other = report();
+    other["formulas"][0]["ways"][0]["title"] = Value::Null;
+    assert!(!validator.is_valid(&other), "a way without a title is accepted");
+    let mut other = report();
+    other["author"] = "me".into();
+    assert!(!validator.is_valid(&other), "an extra key is accepted");
+}
+
+#[test]
+fn every_formula_of_the_catalog_is_in_it_with_finite_figures() {
+    let report = report();
+    let formulas = report["formulas"].as_array().unwrap();
+    let ids: Vec<_> = formulas.iter().map(|formula| formula["formula"].as_str().unwrap()).collect();
+    assert_eq!(ids, CATALOG.iter().map(|formula| formula.spec().id).collect::<Vec<_>>());
+    for formula in formulas {
+        let id = &formula["formula"];
+        assert!(formula["random_points"].as_u64() > Some(0), "{id}");
+        assert_figures(&formula["copy"], &format!("{id} copy"));
+        assert_eq!(formula["curves"].as_array().unwrap().len(), 3, "{id}");
+        let ways = formula["ways"].as_array().unwrap();
+        for expected in ["closed", "single", "ad", "forward", "central", "fourth", "octuple", "octuple-ad"] {
+            let way = ways.iter().find(|way| way["id"] == expected);
+            let way = way.unwrap_or_else(|| panic!("{id} has no way {expected}"));
+            assert_figures(&way["jacobian"], &format!("{id} {expected}"));
+        }
+        for way in ways.iter().filter(|way| !way["value"].is_null()) {
+            assert_figures(&way["value"], &format!("{id} {way}"));
+        }
+        let closed = &ways[0]["jacobian"]["random"];
+        assert_eq!(closed["not_finite"], 0, "{id}: the closed form fails at a random point");
+    }
+}
+
+/// Every number is there, finite and not negative; null stands only where there are no hard points.
+fn assert_figures(figures: &Value, what: &str) {
+    match figures {
+        Value::Number(number) => assert!(number.as_f64().is_some_and(|x| x.is_finite() && x >= 0.0), "{what}"),
+        Value::Object(fields) => {
+            for (name, value) in fields.iter().filter(|(name, value)| *name != "hard" || !value.is_null()) {
+                assert_figures(value, &format!("{what} {name}"));
+            }
+        }
+        other => panic!("{what} is {other}"),
+    }
+}
+
+/// Writes a report that is the quick one with a change to `slot.contact_force`.
+fn tampered(path: &Path, tamper: impl Fn(&mut Value)) {
+    let mut report = report();
+    let formulas = report["formulas"].as_array_mut().unwrap();
+    formulas.iter_mut().filter(|formula| formula["formula"] == "slot.contact_force").for_each(tamper);
+    fs::write(path, report.to_string()).unwrap();
+}
+
+#[test]
+fn a_planted_loss_of_accuracy_is_named_and_exits_1() {
+    let bench = Bench::new();
+    let old = bench.path("old.json");
+    tampered(&old, |formula| formula["ways"][0]["jacobian"]["random"]["eta"]["max"] = 0.01.into());
+    let ran = quick(&bench, "slot.contact_force", &["--against", old.to_str().unwrap()]).exits(1);
+    let ran = ran.prints("slot.contact_force closed Jacobian, random points").prints("less accurate");
+    let count = ran.stdout.matches("less accurate slot").count();
+    assert_eq!(count, 1, "errors are the same in every run: {ran:#?}");
+}
+
+#[test]
+fn a_planted_slowdown_is_named_and_exits_1() {
+    let bench = Bench::new();
+    let old = bench.path("old.json");
+    tampered(&old, |formula| {
+        for figure in ["median", "low", "high"] {
+            let time = &mut formula["ways"][0]["jacobian"]["time"][figure];
+            *time = (time.as_f64().unwrap() / 1000.0).into();
+        }
+    });
+    let ran = quick(&bench, "slot.contact_force", &["--against", old.to_str().unwrap()]).exits(1);
+    let ran = ran.prints("slot.contact_force closed Jacobian: ");
+    assert!(ran.stdout.contains("slower"), "{ran:#?}");
+}
+
+#[test]
+fn two_reports_on_everything_can_be_compared() {
+    let bench = Bench::new();
+    let old = bench.path("old.json");
+    fs::write(&old, &*REPORT).unwrap();
+    let ran = quick(&bench, "slot.*", &["--against", old.to_str().unwrap()]);
+    // Whether something became slower is chance here, on a machine that runs other tests; errors are the same.
+    assert!(matches!(ran.code, Some(0 | 1)), "{ran:#?}");
+    for worse in ["less accurate slot", "fails at more points slot", "missing slot"] {
+        assert!(!ran.stdout.contains(worse), "{ran:#?}");
+    }
+}
+
+#[test]
+fn the_points_are_written_for_other_programs() {
+    let bench = Bench::new();
+    let (points, timing) = (bench.path("points"), bench.path("timing.json"));
+    let more = ["--inputs", points.to_str().unwrap(), "--timing-json", timing.to_str().unwrap()];
+    quick(&bench, "slot.friction", &more).exits(0);
+    let read = |path: &Path| -> Value { serde_json::from_slice(&fs::read(path).unwrap()).unwrap() };
+    let description = read(&points.join("slot.friction.json"));
+    let [count, stride] = ["count", "stride"].map(|name| usize::try_from(description[name].as_u64().unwrap()).unwrap());
+    let names: Vec<_> = description["inputs"].as_array().unwrap().iter().map(|field| &field["name"]).collect();
+    assert_eq!(names, ["f1", "f2", "f3", "fc_int", "mu"]);
+    assert_eq!(stride, 5);
+    let bytes = fs::read(points.join(description["file"].as_str().unwrap())).unwrap();
+    let doubles: Vec<_> = bytes.chunks(8).map(|b| f64::from_le_bytes(b.try_into().unwrap())).collect();
+    assert_eq!(doubles.len(), count * stride);
+    let friction: &dyn AnyFormula = &jointproof::slot::Friction;
+    for point in doubles.chunks(stride) {
+        assert!(friction.value(point).is_ok(), "{point:?}");
+    }
+    let times = &read(&timing)["formulas"]["slot.friction"];
+    for part in ["value", "value_and_jacobian", "copy"] {
+        assert!(times[part]["median"].as_f64() > Some(0.0), "{part}: {times}");
+    }
+}
+
+#[test]
+fn every_format_shows_every_way() {
+    let bench = Bench::new();
+    for format in ["text", "markdown"] {
+        let ran = quick(&bench, "slot.contact_force", &["--format", format]).exits(0);
+        for way in ["closed form", "automatic differentiation", "central differences", "plain square root"] {
+            assert!(ran.stdout.contains(way), "{format} has no {way}: {ran:#?}");
+        }
+    }
+}
+
+#[test]
+fn what_is_no_report_is_refused_with_advice() {
+    let manifest = common::repository().join("Cargo.toml");
+    let ran = Bench::new().run(&["report", "--against", manifest.to_str().unwrap()]).exits(1);
+    ran.says("is not a report").says("--format json");
+}
+
+#[test]
+fn the_book_shows_the_report_that_is_kept() {
+    let bench = Bench::new();
+    let kept = bench.path("target/jointproof");
+    fs::create_dir_all(&kept).unwrap();
+    fs::write(kept.join("report.json"), &*REPORT).unwrap();
+    let out = bench.path("book");
+    bench.run(&["book", "--out", out.to_str().unwrap()]).exits(0);
+    let pages: Vec<_> = fs::read_dir(&out).unwrap().map(|entry| entry.unwrap().path()).collect();
+    let pages =
+        pages.iter().filter(|path| path.extension().is_some_and(|x| x == "html") && !path.ends_with("print.html"));
+    let text: String = pages.map(|path| fs::read_to_string(path).unwrap()).collect();
+    for formula in CATALOG {
+        let id = formula.spec().id;
+        for plot in ["speed against error", "error of differences over their step"] {
+            assert!(text.contains(&format!("<title>{id}: {plot}</title>")), "{id} has no plot of {plot}");
+        }
+    }
+    let speed = fs::read_to_string(out.join("speed.html")).unwrap();
+    assert!(!speed.contains("Not measured"));
+    for formula in CATALOG {
+        assert!(speed.contains(&format!("#{}\"", formula.spec().id)), "{} is not in the table", formula.spec().id);
+    }
+}
