@@ -36,6 +36,7 @@ mod error;
 pub mod formula;
 pub mod frame;
 pub mod interaction;
+pub mod isl;
 pub mod join;
 mod newtype;
 pub mod octuple;

@@ -16,12 +16,14 @@
 
 mod linear;
 mod parabolic;
+mod piece;
 mod roots;
 mod smoothed_linear;
 mod smoothed_parabolic;
 
 pub use linear::*;
 pub use parabolic::*;
+pub(super) use piece::{PieceFoot, curved_foot, straight_foot};
 pub use smoothed_linear::*;
 pub use smoothed_parabolic::*;
 
