@@ -104,17 +104,11 @@ impl Element {
     ///
     /// # Errors
     /// As [`Self::areas`], or whatever `pressure` of a node answers with.
-    pub fn torque<D: Scalar>(
-        &self,
-        nodes: &Nodes<D>,
-        pressure: impl Fn(u32) -> Result<D, Error>,
-    ) -> Result<D, Error> {
+    pub fn torque<D: Scalar>(&self, nodes: &Nodes<D>, pressure: impl Fn(u32) -> Result<D, Error>) -> Result<D, Error> {
         let places = self.places(nodes)?;
         let pressures = self.nodes.iter().map(|&node| pressure(node)).collect::<Result<ArrayVec<_, 3>, _>>()?;
         let t = match (places.as_slice(), pressures.as_slice()) {
-            (&[x1, x2, x3], &[p1, p2, p3]) => {
-                TorqueParabolic::eval(&ParabolicPressures { x1, x2, x3, p1, p2, p3 }).t
-            }
+            (&[x1, x2, x3], &[p1, p2, p3]) => TorqueParabolic::eval(&ParabolicPressures { x1, x2, x3, p1, p2, p3 }).t,
             (&[x1, x2], &[p1, p2]) => TorqueLinear::eval(&LinearPressures { x1, x2, p1, p2 }).t,
             _ => D::zero(),
         };

@@ -171,12 +171,17 @@ impl<D: Scalar> PlacedLine<D> {
         let gap = xs - self.nodes[first];
         let side = if middle.dot(&gap) < 0.0 { -D::one() } else { D::one() };
         let distance = length(gap);
-        let normal = if distance > 0.0 { gap * (side / distance) } else { middle / length(middle) };
+        let (normal, separation) = if distance > 0.0 {
+            (gap * (side / distance), distance * side)
+        } else {
+            let normal = middle / length(middle);
+            (normal, normal.dot(&gap))
+        };
         Ok(ClosestPoint {
             place: Place::Node { number },
             tangent: -left(normal),
             normal,
-            separation: distance * side,
+            separation,
             first,
             weights: std::iter::once((number, D::one())).collect(),
             evaluated,
