@@ -7,6 +7,7 @@
 //! | module | what is in it |
 //! |---|---|
 //! | [`slot`], [`coulomb`], [`cardan`], [`align`], [`translator`], [`join`], [`universal`], [`slider`] | the documents' rooms: formulas, Jacobians, hard cases, and the typed connectors |
+//! | [`isl`] | the axisymmetric elements that slide along a slide line |
 //! | [`frame`] | validated triads |
 //! | [`formula`], [`quantity`] | what a formula is; the vocabulary of symbols, units and domains |
 //! | [`scalar`] | the numbers a formula runs in: `f64`, [`Octuple`], [`Single`], dual numbers over them |

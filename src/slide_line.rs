@@ -5,7 +5,9 @@
 //! side of the slave. A slave point has a nearest place on the line, at the coordinate g ∈ [−1, 1] of a segment or
 //! t ∈ [0, 1] of a smoothed corner, and from it the separation E11 = (xs − X)·n, positive when open.
 //!
-//! One room per topic: the local basis, points of the curves, the closest point, slip, contact area and torque.
+//! One room per topic: the local basis, points of the curves, the closest point, slip, contact area and torque; and the
+//! line as a model states it, [`SlideLine`], with the closest point of the whole of it. The elements on it are in
+//! [`isl`](crate::isl).
 
 mod area;
 mod basis;

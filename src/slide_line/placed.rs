@@ -8,6 +8,7 @@ use super::{LinearMotion, LinearSlave, ParabolicMotion, SlipIncrementLinear, Sli
 use crate::Scalar;
 use crate::error::Error;
 use crate::formula::Formula;
+use arrayvec::ArrayVec;
 use nalgebra::Vector2;
 use std::ops::RangeInclusive;
 
@@ -75,7 +76,8 @@ impl<D: Scalar> PlacedLine<D> {
     /// A box around the points that span a piece: the control points of its Bézier form.
     fn bounds(&self, piece: usize) -> Rectangle {
         let (segment, corner) = self.piece(piece);
-        let x: Vec<_> = self.nodes[self.range(segment, corner)].iter().map(|x| x.map(|x| x.re())).collect();
+        let nodes = self.nodes[self.range(segment, corner)].iter();
+        let x: ArrayVec<Vector2<f64>, 5> = nodes.map(|x| x.map(|x| x.re())).collect();
         let f = self.smoothing.unwrap_or_default();
         match *x {
             [a, b, c] if corner => Rectangle::around(&[b + (a - b) * f, b, b + (c - b) * f]),
@@ -110,7 +112,9 @@ impl<D: Scalar> PlacedLine<D> {
 
     /// How far a farther piece may be, up to rounding, to matter still.
     fn offer(&self, nearest: &mut Nearest<D>, piece: usize, xs: Vector2<D>) -> f64 {
-        nearest.offer(piece, self.foot(piece, xs), self.tree.size(piece))
+        let foot = self.foot(piece, xs);
+        let blur = self.tree.blur(piece, foot.distance);
+        nearest.offer(piece, foot, blur)
     }
 
     fn foot(&self, piece: usize, xs: Vector2<D>) -> PieceFoot<D> {
@@ -229,8 +233,7 @@ impl<D: Scalar> Nearest<D> {
         Self { reach: f64::INFINITY, tied: Vec::new() }
     }
 
-    fn offer(&mut self, piece: usize, foot: PieceFoot<D>, size: f64) -> f64 {
-        let blur = BLUR * (foot.distance + size);
+    fn offer(&mut self, piece: usize, foot: PieceFoot<D>, blur: f64) -> f64 {
         let (least, most) = (foot.distance - blur, foot.distance + blur);
         if most < self.reach {
             self.reach = most;

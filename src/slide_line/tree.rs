@@ -32,15 +32,15 @@ impl Rectangle {
         Self { low: self.low.inf(&other.low), high: self.high.sup(&other.high) }
     }
 
-    /// No less than the distance between any two points inside.
-    pub(super) fn size(&self) -> f64 {
-        (self.high - self.low).sum()
+    /// The rounding of a distance from it, as far as it comes from its size.
+    fn blur(&self) -> f64 {
+        (self.high * BLUR - self.low * BLUR).sum()
     }
 
     /// No more than the distance of a point from any piece inside, even after rounding by [`BLUR`].
     fn bound(&self, x: Vector2<f64>) -> f64 {
         let outside = (self.low - x).sup(&(x - self.high)).map(|d| d.max(0.0));
-        norm([outside.x, outside.y]) * (1.0 - 2.0 * BLUR) - 2.0 * BLUR * self.size()
+        norm([outside.x, outside.y]) * (1.0 - 2.0 * BLUR) - 2.0 * self.blur()
     }
 }
 
@@ -62,9 +62,9 @@ impl Tree {
         Self { levels }
     }
 
-    /// The size of a piece.
-    pub(super) fn size(&self, piece: usize) -> f64 {
-        self.levels[0][piece].size()
+    /// The rounding of a distance from a piece.
+    pub(super) fn blur(&self, piece: usize, distance: f64) -> f64 {
+        self.levels[0][piece].blur() + distance * BLUR
     }
 
     /// Calls `visit` for pieces, nearer ones first, and leaves out those that are surely farther than the distance that
