@@ -117,8 +117,8 @@ const ROOF: [[f64; 2]; 3] = [[0.0, 0.0], [2.0, 2.0], [4.0, 0.0]];
 fn the_place_is_a_segment_a_corner_a_node_or_past_an_end() {
     let on_roof = |xs| closest(Kind::Linear, &ROOF, None, xs);
     let slope = on_roof([0.0, 2.0]);
-    assert_eq!(slope.place, Place::Segment { index: 0, g: 0.0 });
-    assert!(is(slope.separation, 2.0_f64.sqrt()));
+    let Place::Segment { index: 0, g } = slope.place else { panic!("{slope:?}") };
+    assert!(is(g, 0.0) && is(slope.separation, 2.0_f64.sqrt()));
     let ridge = on_roof([2.0, 5.0]);
     assert_eq!((ridge.place, ridge.separation), (Place::Node { number: 2 }, 3.0));
     assert_eq!((ridge.normal.y, ridge.tangent.x), (1.0, 1.0));

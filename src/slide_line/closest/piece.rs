@@ -66,7 +66,11 @@ pub(in crate::slide_line) fn curved_foot<D: Scalar, S: Shape<N>, const N: usize>
 ) -> PieceFoot<D> {
     let view = View::<D, S, N>::new(xs, nodes, D::from(f));
     let foot = Foot::between(&view, [from, to].map(D::Leaf::from));
-    let gap = if foot.inside { foot.gap } else { view.gap(S::weights(view.f, foot.u)) };
+    let at_end = S::weights(view.f, foot.u);
+    let gap = if foot.inside { foot.gap } else { view.gap(at_end) };
+    // At an end the weights are those of the end and a step along the tangent, so that they add up to 1 whatever the step.
+    let on_tangent = std::array::from_fn(|k| at_end[k] + foot.rates[k] * foot.beyond);
+    let weights: [D; N] = if foot.inside { foot.weights } else { on_tangent };
     let tangent = length_and_tangent(foot.rate).1;
     let outward = if foot.u.re() == from { -1.0 } else { 1.0 };
     PieceFoot {
@@ -76,7 +80,7 @@ pub(in crate::slide_line) fn curved_foot<D: Scalar, S: Shape<N>, const N: usize>
         beyond: if foot.inside { D::zero() } else { gap.dot(&tangent) * (view.unit * outward) },
         tangent,
         separation: foot.separation() * view.unit,
-        weights: foot.weights.into_iter().collect(),
+        weights: weights.into_iter().collect(),
         stands_still: stands_still(&view, &foot),
     }
 }
