@@ -15,7 +15,7 @@
 //! Forces and areas are those of the whole circumference. All is in the axes (r, z), in any consistent units.
 //!
 //! ```
-//! use jointproof::isl::{Contact, Element, ElementSet, Interaction, Step};
+//! use jointproof::isl::{Contact, Element, ElementSet, Interaction, Increment};
 //! use jointproof::slide_line::{Kind, Nodes, SlideLine};
 //!
 //! // A ring of radius 2 presses from above on a flat washer.
@@ -27,8 +27,8 @@
 //!     Nodes::new([(1, [1.0, 0.0]), (2, [5.0, 0.0]), (3, [slave_r, slave_z]), (4, [slave_r + 0.5, slave_z])])
 //! };
 //! let start = contact.start(at(2.0, 0.125)?)?;
-//! let state = contact.advance(&start, at(2.0, -0.125)?, &Step::new(1.0)?)?;
-//! let state = contact.advance(&state, at(2.25, -0.125)?, &Step::new(1.0)?)?;
+//! let state = contact.advance(&start, at(2.0, -0.125)?, &Increment::new(1.0)?)?;
+//! let state = contact.advance(&state, at(2.25, -0.125)?, &Increment::new(1.0)?)?;
 //!
 //! let node = state.node(3)?;
 //! assert_eq!((node.e11, node.s11), (-0.125, 125.0));
@@ -43,7 +43,7 @@ mod interaction;
 mod state;
 mod torque_print;
 
-pub use contact::{Contact, Step};
+pub use contact::{Contact, Increment};
 pub use element::{Element, ElementSet};
 pub use interaction::{Interaction, Pressure};
 pub use state::{SlaveNode, State};

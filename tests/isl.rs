@@ -4,7 +4,7 @@
 
 use jointproof::formula::value;
 use jointproof::interaction::{Damping, DampingContact, ExponentialContact, PressureExponential};
-use jointproof::isl::{Contact, Element, ElementSet, Interaction, State, Step, TorquePrint};
+use jointproof::isl::{Contact, Element, ElementSet, Increment, Interaction, State, TorquePrint};
 use jointproof::slide_line::{Kind, LinearMotion, Nodes, Place, SlideLine, SlipIncrementLinear};
 use jointproof::{Error, Octuple};
 use nalgebra::Vector2;
@@ -23,8 +23,8 @@ fn ring(r: f64, z: f64) -> Nodes {
     Nodes::new([(1, [1.0, 0.0]), (2, [5.0, 0.0]), (3, [r, z]), (4, [r + 1.0, z])]).unwrap()
 }
 
-fn second() -> Step {
-    Step::new(1.0).unwrap()
+fn second() -> Increment {
+    Increment::new(1.0).unwrap()
 }
 
 #[test]
@@ -35,7 +35,7 @@ fn bad_elements_and_steps_are_named() {
     assert_eq!(message(Element::isl22a(9, [1, 2, 1]).unwrap_err()), format!("element 9 {twice}"));
     let empty = ElementSet::new("flank", []).unwrap_err();
     assert_eq!(message(empty), "the element set flank is empty; allowed is at least one element");
-    assert_eq!(message(Step::new(0.0).unwrap_err()), "duration is 0.0; allowed is a finite number > 0");
+    assert_eq!(message(Increment::new(0.0).unwrap_err()), "duration is 0.0; allowed is a finite number > 0");
     let pulling = second().with_pressures([(3, f64::NAN)]).unwrap_err();
     assert_eq!(message(pulling), "node 3 has the pressure NaN; allowed are finite pressures ≥ 0");
 
@@ -99,7 +99,8 @@ fn the_laws_are_the_formulas() {
     let contact = flat(Interaction::exponential(c0, p0).unwrap().with_damping(mu0, c0, eta).unwrap());
     let start = contact.start(ring(2.0, 0.5)).unwrap();
     for z in [0.3, 0.2, 0.1, 0.0, -0.25] {
-        let node = contact.advance(&start, ring(2.0, z), &Step::new(0.5).unwrap()).unwrap().node(3).unwrap().clone();
+        let node =
+            contact.advance(&start, ring(2.0, z), &Increment::new(0.5).unwrap()).unwrap().node(3).unwrap().clone();
         let law = value::<PressureExponential>(&ExponentialContact { h: -z, c0, p0 }).unwrap().p;
         let v = (0.5 - z) / 0.5;
         let damping = value::<Damping>(&DampingContact { h: -z, v, mu0, c0, eta }).unwrap().p;

@@ -11,19 +11,19 @@ use std::collections::BTreeMap;
 /// An increment: how long it lasts, and the pressures of hard contact at its end.
 ///
 /// ```
-/// use jointproof::isl::Step;
-/// let step = Step::new(0.5)?.with_pressures([(3, 20.0), (4, 25.0)])?;
-/// let error = step.with_pressures([(3, -1.0)]).unwrap_err();
+/// use jointproof::isl::Increment;
+/// let increment = Increment::new(0.5)?.with_pressures([(3, 20.0), (4, 25.0)])?;
+/// let error = increment.with_pressures([(3, -1.0)]).unwrap_err();
 /// assert_eq!(error.to_string(), "node 3 has the pressure -1; allowed are finite pressures ≥ 0");
 /// # Ok::<(), jointproof::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Step {
+pub struct Increment {
     duration: f64,
     pressures: BTreeMap<u32, f64>,
 }
 
-impl Step {
+impl Increment {
     /// An increment of this duration > 0 (T), by which closing rates are measured.
     ///
     /// # Errors
@@ -50,7 +50,7 @@ impl Step {
 }
 
 /// What an increment brings to a slave node, and what it had before.
-struct Increment<D> {
+struct Change<D> {
     e12: D,
     s12: D,
     slip: D,
@@ -90,8 +90,8 @@ impl Contact {
     /// [`PlacedLine::closest`]; [`Error::Overflow`].
     pub fn start<D: Scalar>(&self, places: Nodes<D>) -> Result<State<D>, Error> {
         let zero = D::zero();
-        let rest = Increment { e12: zero, s12: zero, slip: zero, closing: zero, multiplier: zero };
-        self.state(places, |_, _, _, _| Ok(Increment { ..rest }))
+        let rest = Change { e12: zero, s12: zero, slip: zero, closing: zero, multiplier: zero };
+        self.state(places, |_, _, _, _| Ok(Change { ..rest }))
     }
 
     /// The state at the end of an increment that began in the state `before`; the nodes are now at `places`.
@@ -101,9 +101,14 @@ impl Contact {
     /// slave node past an end of the line nothing is transmitted.
     ///
     /// # Errors
-    /// As [`Self::start`]; [`Error::Node`] where the step names a pressure for a node that is not a slave.
-    pub fn advance<D: Scalar>(&self, before: &State<D>, places: Nodes<D>, step: &Step) -> Result<State<D>, Error> {
-        if let Some(&node) = step.pressures.keys().find(|node| !before.slaves.contains_key(node)) {
+    /// As [`Self::start`]; [`Error::Node`] where the increment names a pressure for a node that is not a slave.
+    pub fn advance<D: Scalar>(
+        &self,
+        before: &State<D>,
+        places: Nodes<D>,
+        increment: &Increment,
+    ) -> Result<State<D>, Error> {
+        if let Some(&node) = increment.pressures.keys().find(|node| !before.slaves.contains_key(node)) {
             let fault = "has a pressure, but no element".into();
             return Err(Error::Node { node, fault, allowed: "pressures of slave nodes" });
         }
@@ -113,12 +118,12 @@ impl Contact {
             let dx = closest.weights.iter().map(|&(node, _)| moved(node)).collect::<Result<ArrayVec<_, 5>, _>>()?;
             let approach = -closest.normal.dot(&closest.relative_motion(dxs, &dx));
             let SlaveNode { e12, s12, .. } = *before.node(node)?;
-            Ok(Increment {
+            Ok(Change {
                 e12,
                 s12,
                 slip: line.slip_increment(closest, dxs, &dx),
-                closing: approach / step.duration,
-                multiplier: step.pressures.get(&node).copied().unwrap_or_default().into(),
+                closing: approach / increment.duration,
+                multiplier: increment.pressures.get(&node).copied().unwrap_or_default().into(),
             })
         })
     }
@@ -127,13 +132,13 @@ impl Contact {
     fn state<D: Scalar>(
         &self,
         places: Nodes<D>,
-        increment: impl Fn(&PlacedLine<D>, &Nodes<D>, u32, &ClosestPoint<D>) -> Result<Increment<D>, Error>,
+        change: impl Fn(&PlacedLine<D>, &Nodes<D>, u32, &ClosestPoint<D>) -> Result<Change<D>, Error>,
     ) -> Result<State<D>, Error> {
         let line = self.line.place(&places)?;
         let slave = |(node, area)| {
             let closest = line.closest(places.position(node)?)?;
-            let increment = increment(&line, &places, node, &closest)?;
-            Ok((node, self.respond(closest, area, &increment)?))
+            let change = change(&line, &places, node, &closest)?;
+            Ok((node, self.respond(closest, area, &change)?))
         };
         let slaves = self.areas(&places)?.into_iter().map(slave).collect::<Result<_, Error>>()?;
         Ok(State { places, slaves })
@@ -150,19 +155,14 @@ impl Contact {
         Ok(areas)
     }
 
-    fn respond<D: Scalar>(
-        &self,
-        closest: ClosestPoint<D>,
-        area: D,
-        increment: &Increment<D>,
-    ) -> Result<SlaveNode<D>, Error> {
+    fn respond<D: Scalar>(&self, closest: ClosestPoint<D>, area: D, change: &Change<D>) -> Result<SlaveNode<D>, Error> {
         let e11 = closest.separation;
-        let e12 = increment.e12 + increment.slip;
+        let e12 = change.e12 + change.slip;
         let s11 = match closest.place {
             Place::Beyond { .. } => D::zero(),
-            _ => self.interaction.pressure(-e11, increment.closing, increment.multiplier),
+            _ => self.interaction.pressure(-e11, change.closing, change.multiplier),
         };
-        let s12 = self.interaction.shear(increment.s12, increment.slip, s11);
+        let s12 = self.interaction.shear(change.s12, change.slip, s11);
         let overflow = [("e12", e12), ("s11", s11), ("s12", s12)].into_iter().find(|(_, x)| !x.re().is_finite());
         match overflow {
             Some((name, _)) => Err(Error::Overflow { name }),

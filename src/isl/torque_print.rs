@@ -33,9 +33,9 @@ pub struct TorqueRow {
 /// assert_eq!(
 ///     table.to_string(),
 ///     " INCREMENT  SLIDE LINE          TORQUE\n\
-///      \x20        2  flank        2.500000e1\n\
-///      \x20        4  flank        5.000000e1\n\
-///      \x20        5  flank        6.250000e1\n"
+///      \x20        2  flank           2.500000e1\n\
+///      \x20        4  flank           5.000000e1\n\
+///      \x20        5  flank           6.250000e1\n"
 /// );
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -2,7 +2,7 @@
 
 use super::chart::{Axis, Chart, Curve};
 use jointproof::Error;
-use jointproof::isl::{Contact, Element, ElementSet, Interaction, State, Step, TorquePrint};
+use jointproof::isl::{Contact, Element, ElementSet, Increment, Interaction, State, TorquePrint};
 use jointproof::slide_line::{Kind, Nodes, SlideLine};
 use std::f64::consts::PI;
 
@@ -52,7 +52,7 @@ fn make_up(increments: u32, advance: f64, frequency: u32) -> Result<TorquePrint,
     for increment in 1..=increments {
         let now = places(f64::from(increment) * advance)?;
         for (flank, state) in flanks.iter().zip(&mut states) {
-            *state = flank.advance(state, now.clone(), &Step::new(1.0)?)?;
+            *state = flank.advance(state, now.clone(), &Increment::new(1.0)?)?;
         }
         table.print(increment, increment == increments, flanks.iter().zip(&states))?;
     }
@@ -130,9 +130,8 @@ fn error_of_a_tilted_flank(elements: u32, closed: f64) -> Result<f64, Error> {
     let c = closed.min(1.0);
     // ∫ r² (closed − s) ds from 0 to c, with r² = 47² + 8·47 s + 16 s².
     let [r0, r1, r2] = [47.0 * 47.0, 8.0 * 47.0, 16.0];
-    let antiderivative = |s: f64| {
-        closed * s * (r0 + s * (r1 / 2.0 + s * r2 / 3.0)) - s * s * (r0 / 2.0 + s * (r1 / 3.0 + s * r2 / 4.0))
-    };
+    let antiderivative =
+        |s: f64| closed * s * (r0 + s * (r1 / 2.0 + s * r2 / 3.0)) - s * s * (r0 / 2.0 + s * (r1 / 3.0 + s * r2 / 4.0));
     // The element is inclined by its overclosure, so a little longer than 4.
     let length = 4.0_f64.hypot(0.004);
     let exact = 2.0 * PI * STIFFNESS * 0.004 * length * antiderivative(c);
@@ -197,6 +196,9 @@ mod tests {
 
     #[test]
     fn the_table_in_the_book_is_what_is_printed() {
-        assert_eq!(make_up(5, 0.001, 2).unwrap().to_string(), include_str!("../../../book/examples/thread_torque.txt"));
+        assert_eq!(
+            make_up(5, 0.0012, 2).unwrap().to_string(),
+            include_str!("../../../book/examples/thread_torque.txt")
+        );
     }
 }
