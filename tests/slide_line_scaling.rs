@@ -9,13 +9,15 @@ use std::time::Instant;
 
 const SEGMENTS: [u32; 3] = [10, 1_000, 100_000];
 const SLAVES: u32 = 2_000;
-const ROUNDS: usize = 31;
+/// A batch is short, so that most of them are not interrupted by whatever else the machine does.
+const BATCH: usize = 50;
+const ROUNDS: usize = 801;
 
 /// A bumpy line along r with segments of about 1 length unit.
 fn bumpy(kind: Kind, segments: u32, smoothed: bool) -> PlacedLine {
     let stride = if kind == Kind::Linear { 1 } else { 2 };
     let count = segments * stride + 1;
-    let node = |k: u32| (k + 1, [f64::from(k) / f64::from(stride), f64::from(k * k % 7) / 16.0]);
+    let node = |k: u32| (k + 1, [f64::from(k) / f64::from(stride), f64::from((k % 7) * (k % 7) % 7) / 16.0]);
     let line = SlideLine::generate(kind, 1, count, 1).unwrap();
     let line = if smoothed { line.smoothed(SlideLine::SMOOTHING).unwrap() } else { line };
     line.place(&Nodes::new((0..count).map(node)).unwrap()).unwrap()
@@ -55,14 +57,15 @@ fn slide_line_scaling() {
     {
         let benches = SEGMENTS.map(|segments| (bumpy(kind, segments, smoothed), slaves(segments)));
         let mut times = SEGMENTS.map(|_| Vec::new());
-        // Interleaved, so that whatever else the machine does falls on all alike.
-        for _ in 0..ROUNDS {
+        // Interleaved, so that a change of the machine's speed falls on all alike.
+        for round in 0..ROUNDS {
             for ((line, slaves), times) in benches.iter().zip(&mut times) {
+                let batch = slaves.chunks(BATCH).nth(round % (slaves.len() / BATCH)).unwrap();
                 let start = Instant::now();
-                for &xs in slaves {
+                for &xs in batch {
                     black_box(line.closest(black_box(xs)).unwrap());
                 }
-                times.push(start.elapsed().as_secs_f64() * 1e9 / f64::from(SLAVES));
+                times.push(start.elapsed().as_secs_f64() * 1e9 / f64::from(u32::try_from(batch.len()).unwrap()));
             }
         }
         let medians = times.map(median);
