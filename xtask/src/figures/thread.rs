@@ -77,8 +77,13 @@ fn closed_form(makeup: f64) -> f64 {
 /// Torque against make-up, by the elements and in closed form.
 pub(crate) fn torque_of_a_thread() -> Chart {
     let kilo = 1e-6;
-    let exact = (0..=60).map(|k| f64::from(k) * 0.1).map(|x| (x, closed_form(x * 1e-3) * kilo)).collect();
-    let found = torques(6, 0.001).unwrap_or_default().into_iter().map(|(x, t)| (x * 1e3, t * kilo)).collect();
+    let exact = (0..=60).map(|k| f64::from(k) * 0.1).map(|x| (x, closed_form(x * 1e-3) * kilo));
+    let found = torques(6, 0.001).unwrap_or_default().into_iter().map(|(x, t)| (x * 1e3, t * kilo));
+    // The curves are one on the other, so their names stand beside them: at a point of its own, past a lifted pen.
+    let named = |points: Vec<(f64, f64)>, name, place| {
+        let points = [points, vec![(f64::NAN, f64::NAN), place]].concat();
+        Curve { name, label_at: points.len() - 1, points }
+    };
     Chart {
         name: "thread-torque",
         title: "Greatest torque of a threaded connector during make-up",
@@ -100,8 +105,8 @@ pub(crate) fn torque_of_a_thread() -> Chart {
             ticks: vec![0.0, 50.0, 100.0, 150.0, 200.0, 250.0],
         },
         curves: vec![
-            Curve { name: "closed form", label_at: 30, points: exact },
-            Curve { name: "elements", label_at: 4, points: found },
+            named(exact.collect(), "closed form", (1.5, 90.0)),
+            named([(0.0, 0.0)].into_iter().chain(found).collect(), "elements", (4.5, 90.0)),
         ],
     }
 }
