@@ -281,7 +281,8 @@ impl Audit {
 
     fn check_value(&mut self, point: &Point, names: &Names, exact: &Exact) {
         // The value alone, and the value that comes with the Jacobian.
-        for computed in [(point.subject.value)(&point.inputs), (point.subject.linearized)(&point.inputs).0] {
+        let [linearized, _] = (point.subject.linearized)(&point.inputs);
+        for computed in [(point.subject.value)(&point.inputs), linearized] {
             for (output, (&computed, &value)) in computed.iter().zip(&exact.values).enumerate() {
                 let sensitivity = Sensitivity::new(&exact.ad[output * point.exact.len()..], &point.exact);
                 let describe = |size| point.deviation(size, names.outputs[output].clone(), computed, value.to_f64());
@@ -293,7 +294,8 @@ impl Audit {
     /// The closed form in `f64` is judged against automatic differentiation, so that a wrong one cannot be its own judge.
     fn check_jacobian(&mut self, point: &Point, names: &Names, exact: &Exact) {
         // The Jacobian alone, and the one that comes with the value.
-        for computed in [(point.subject.jacobian)(&point.inputs), (point.subject.linearized)(&point.inputs).1] {
+        let [_, linearized] = (point.subject.linearized)(&point.inputs);
+        for computed in [(point.subject.jacobian)(&point.inputs), linearized] {
             for (entry, ((&computed, &ad), &bend)) in computed.iter().zip(&exact.ad).zip(&exact.bends).enumerate() {
                 let size = eta(computed, ad, bend);
                 let describe = |size| point.deviation(size, names.entry(entry), computed, ad.to_f64());

@@ -19,7 +19,7 @@ pub(crate) struct Subject {
     pub(crate) value: fn(&[f64]) -> Vec<f64>,
     pub(crate) jacobian: fn(&[f64]) -> Vec<f64>,
     /// Both at once.
-    pub(crate) linearized: fn(&[f64]) -> (Vec<f64>, Vec<f64>),
+    pub(crate) linearized: fn(&[f64]) -> [Vec<f64>; 2],
     /// The same in 237 bits.
     pub(crate) exact_value: fn(&[Octuple]) -> Vec<Octuple>,
     pub(crate) exact_jacobian: fn(&[Octuple]) -> Vec<Octuple>,
@@ -62,7 +62,7 @@ impl Subject {
             jacobian: jacobian::<F, _>,
             linearized: |i| {
                 let (value, jacobian) = F::linearized(&typed::<F, _>(i));
-                (value.components(), entries::<F, _>(&jacobian))
+                [value.components(), entries::<F, _>(&jacobian)]
             },
             exact_value: value::<F, _>,
             exact_jacobian: jacobian::<F, _>,
