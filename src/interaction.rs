@@ -5,6 +5,7 @@
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Case, Convention, Element, Fields, Formula, Jacobian, Kink, Law, Source, Spec};
+use crate::measure::Way;
 use crate::quantity::{
     CLEARANCE, CLOSING_RATE, DAMPING_FRACTION, MU0, OVERCLOSURE, PRESSURE, PRESSURE_AT_TOUCH, STIFFNESS,
 };
@@ -102,6 +103,12 @@ impl PressureExponential {
     }
 }
 
+/// As a textbook has it: eˢ − 1 cancels where s is small.
+fn plain_exponential<D: Scalar>(i: &ExponentialContact<D>) -> ContactPressure<D> {
+    let s = i.h / i.c0 + 1.0;
+    ContactPressure { p: if s > 0.0 { i.p0 / e_minus_one::<D>() * s * (s.exp() - 1.0) } else { D::zero() } }
+}
+
 impl Formula for PressureExponential {
     const SPEC: Spec = Spec {
         id: "interaction.pressure_exponential",
@@ -135,6 +142,10 @@ impl Formula for PressureExponential {
     fn validate(i: &ExponentialContact<f64>) -> Result<(), Error> {
         let slopes = Self::jacobian(i).p.components();
         if slopes.iter().all(|slope| slope.is_finite()) { Ok(()) } else { Err(Error::Overflow { name: "p" }) }
+    }
+
+    fn ways() -> Vec<Way> {
+        vec![Way::new::<Self>("plain", "exponential function minus one", plain_exponential, plain_exponential)]
     }
 
     fn cases() -> Vec<Case<ExponentialContact<f64>>> {
