@@ -139,7 +139,7 @@ pub enum Error {
     },
     /// A curve stands still where its tangent is asked for.
     #[error(
-        "the curve has no tangent at {coordinate} = {value}: a midside node is at the quarter point, or the curve folds back"
+        "the curve has no tangent at {coordinate} = {value}; allowed is a midside node short of the quarter point, and no fold"
     )]
     NoTangent {
         /// The coordinate along the curve.

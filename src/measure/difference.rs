@@ -140,7 +140,8 @@ mod tests {
         let i = CrossForces { f2: 3.0, f3: 4.0 };
         let error = |scheme: Scheme, step| (scheme.value_and_jacobian::<ContactForce>(step, &i).1.fc.f2 - 0.6).abs();
         for (scheme, order) in Scheme::ALL.into_iter().zip([1, 2, 4]) {
-            let gain = error(scheme, 1e-2) / error(scheme, 1e-3);
+            // At smaller steps the rounding of the fourth order shows.
+            let gain = error(scheme, 1e-1) / error(scheme, 1e-2);
             let expected = 10.0_f64.powi(order);
             assert!((0.5 * expected..2.0 * expected).contains(&gain), "{}: {gain}", scheme.id());
         }

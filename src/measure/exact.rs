@@ -3,7 +3,7 @@
 use super::{Errors, Options};
 use crate::Octuple;
 use crate::formula::{Convention, Flag};
-use crate::verify::{Sampler, Sensitivity, Subject, beside_kinks, eta, exact, relative};
+use crate::verify::{Sampler, Sensitivity, Subject, U, beside_kinks, eta, exact, relative};
 use num_traits::Signed;
 
 /// Random and hard points of a formula.
@@ -84,8 +84,8 @@ impl Exact {
         if difference == 0.0 {
             return (0.0, 0.0);
         }
-        // Twice, because the unit roundoff is half of EPSILON.
-        let eta = difference / size / f64::EPSILON * 2.0;
+        // In this order neither a subnormal difference nor a huge one leaves the range.
+        let eta = if difference < size { difference / U / size } else { difference / size / U };
         let largest = if near.abs() > computed.abs() { near } else { computed };
         let finite = |x: f64| if x.is_nan() { f64::INFINITY } else { x };
         (finite(eta), finite(difference / largest.abs()))

@@ -4,7 +4,7 @@ use crate::Octuple;
 use num_traits::{Signed, Zero};
 
 /// Unit roundoff of `f64`, 2⁻⁵³.
-const U: f64 = f64::EPSILON / 2.0;
+pub(crate) const U: f64 = f64::EPSILON / 2.0;
 
 /// Σ |∂y/∂xᵢ · xᵢ|: by how much y changes when every input changes by one part.
 #[derive(Clone, Copy, Debug)]
