@@ -11,6 +11,7 @@
 //! | [`formula`], [`quantity`] | what a formula is; the vocabulary of symbols, units and domains |
 //! | [`scalar`] | the numbers a formula runs in: `f64`, [`Octuple`], [`Single`], dual numbers over them |
 //! | [`verify`] | the toolkit that proves a formula, yours too |
+//! | [`scene`] | scene files: parsed, validated, planned, evaluated |
 //! | [`catalog`] | every formula by identifier |
 //!
 //! ```
@@ -40,6 +41,7 @@ mod newtype;
 pub mod octuple;
 pub mod quantity;
 pub mod scalar;
+pub mod scene;
 pub mod single;
 pub mod slider;
 pub mod slot;

@@ -104,6 +104,8 @@ fn write(selection: &Selection) -> anyhow::Result<String> {
     let mut outputs: Vec<_> = regenerated.iter().map(|golden| (&golden.path, &golden.text)).collect();
     let (schema_path, schema) = schema()?;
     outputs.push((&schema_path, &schema));
+    let scenes = if selection.is_all() { crate::scene::regenerate()? } else { Vec::new() };
+    outputs.extend(scenes.iter().map(|(path, text)| (path, text)));
     for (path, text) in outputs {
         if files::write(path, text)? {
             writeln!(report, "wrote {}", files::shown(path))?;
@@ -144,6 +146,12 @@ pub(crate) fn check(selection: &Selection) -> anyhow::Result<Checked> {
     if !std::fs::read_to_string(&path).is_ok_and(|committed| committed == schema) {
         off += 1;
         writeln!(report, "{} is not the schema that the code writes", bold(files::shown(&path)))?;
+    }
+    for (path, text) in if selection.is_all() { crate::scene::regenerate()? } else { Vec::new() } {
+        if !std::fs::read_to_string(&path).is_ok_and(|committed| committed == text) {
+            off += 1;
+            writeln!(report, "{} is not what the scene gives", bold(files::shown(&path)))?;
+        }
     }
     for orphan in orphans()? {
         off += 1;

@@ -7,6 +7,7 @@ mod evidence;
 mod figures;
 mod files;
 mod golden;
+mod scene;
 mod selection;
 mod verify;
 
@@ -33,6 +34,7 @@ enum Command {
     Golden(golden::Arguments),
     Audit(audit::Arguments),
     Book(book::command::Arguments),
+    Scene(scene::Arguments),
 }
 
 /// How a command ended.
@@ -49,6 +51,7 @@ fn main() -> ExitCode {
         Command::Golden(arguments) => golden::run(&arguments),
         Command::Audit(arguments) => audit::run(&arguments),
         Command::Book(arguments) => book::command::run(&arguments),
+        Command::Scene(arguments) => scene::run(&arguments),
     };
     outcome.unwrap_or_else(|error| {
         console::error(&format!("{error:#}"));

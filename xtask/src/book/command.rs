@@ -5,7 +5,7 @@ use super::fault::Faults;
 use super::locate::Index;
 use super::{Options, Summary, build, worked_example};
 use crate::evidence::Evidence;
-use crate::{Outcome, console, figures, files};
+use crate::{Outcome, console, figures, files, scene};
 use anyhow::Context;
 use jointproof::catalog::{AnyFormula, CATALOG, KinkEntry};
 use jointproof::formula::{Convention, Field};
@@ -91,8 +91,12 @@ fn content() -> anyhow::Result<Content> {
             golden.push(GoldenFile { name, bytes });
         }
     }
-    let outputs = vec![("audit".to_owned(), plain(&crate::audit::text(&[worked_example::run()], Audit::passed)?))];
-    Ok(Content { entries, sources, catalog_tests, figures: figures::all(), outputs, golden })
+    let outputs = vec![
+        ("audit".to_owned(), plain(&crate::audit::text(&[worked_example::run()], Audit::passed)?)),
+        ("scenes".to_owned(), scene::table()),
+    ];
+    let figures = [figures::all(), scene::figures()?].concat();
+    Ok(Content { entries, sources, catalog_tests, figures, outputs, golden })
 }
 
 /// Text without colours.

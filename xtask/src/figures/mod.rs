@@ -1,7 +1,7 @@
 //! Figures made by the build: each from what the library computes.
 
 mod cardan;
-mod chart;
+pub(crate) mod chart;
 
 /// Every figure, by the name that `{{#figure name}}` gives.
 pub(crate) fn all() -> Vec<(String, String)> {
