@@ -146,8 +146,32 @@ fn every_output_of_every_kind_evaluates() {
 /// Replaces, drops, doubles or retypes a piece of a scene's text.
 fn mutated() -> impl Strategy<Value = String> {
     let junk = prop::sample::select(vec![
-        "", "null", "true", "\"NaN\"", "1e400", "-1e400", "-0", "[]", "{}", "[[[[[[", "}", "]", ",", ":", "\"", "\\", "\\u0000",
-        "\"a\"", "1e-400", "99999999999999999999", "\u{1F529}", "\u{0}", "\"kind\"", "\"slot\"", "[0,0,0]", "\n",
+        "",
+        "null",
+        "true",
+        "\"NaN\"",
+        "1e400",
+        "-1e400",
+        "-0",
+        "[]",
+        "{}",
+        "[[[[[[",
+        "}",
+        "]",
+        ",",
+        ":",
+        "\"",
+        "\\",
+        "\\u0000",
+        "\"a\"",
+        "1e-400",
+        "99999999999999999999",
+        "\u{1F529}",
+        "\u{0}",
+        "\"kind\"",
+        "\"slot\"",
+        "[0,0,0]",
+        "\n",
     ]);
     let mutation = (any::<prop::sample::Index>(), any::<prop::sample::Index>(), junk, 0..4_u8);
     (0..SCENES.len(), prop::collection::vec(mutation, 1..4)).prop_map(|(scene, mutations)| {

@@ -54,8 +54,10 @@ fn no_third_axis_in_the_plane() {
     assert_eq!(results.get("e", "U1", 0), Some(&[0.5][..]));
     assert_eq!(results.get("e", "GY", 0), Some(&[0.25][..]));
     assert_eq!(results.get("e", "RF", 0), Some(&[0.0, -3.0, 0.0][..]));
-    let error = Scene::parse(r#"{"dimension": "2d", "nodes": {"a": {"at": [0, 0]}}, "elements":
-        {"e": {"kind": "slot", "nodes": ["a", "a"]}}, "frames": [{"time": 0, "loads": {"e": {"f3": 1}}}]}"#);
+    let error = Scene::parse(
+        r#"{"dimension": "2d", "nodes": {"a": {"at": [0, 0]}}, "elements":
+        {"e": {"kind": "slot", "nodes": ["a", "a"]}}, "frames": [{"time": 0, "loads": {"e": {"f3": 1}}}]}"#,
+    );
     assert!(error.unwrap_err().to_string().contains("unknown key \"f3\"; allowed is one of f1, f2"));
 }
 
@@ -72,7 +74,10 @@ fn a_reference_length_saves_the_initial_one() {
     let motion = |given| plan(&one("3d", &format!(r#""kind": "slot"{given}"#), r#"["U1MAT"]"#));
     assert_eq!(motion("").len(), 3);
     // relative_motion gives u1 too, which needs x0.
-    assert_eq!(motion(r#", "l1_ref": 2"#), ["start: slot.relative_position", "slot.relative_position", "slot.relative_motion"]);
+    assert_eq!(
+        motion(r#", "l1_ref": 2"#),
+        ["start: slot.relative_position", "slot.relative_position", "slot.relative_motion"]
+    );
 }
 
 #[test]

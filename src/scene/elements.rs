@@ -102,12 +102,8 @@ fn element(
             }
             _ => {
                 let index = key - KEYS.len();
-                let domain = kind.field(parameters[index]).map_or(Domain::Real, |field| field.quantity.domain);
-                given[index] = reader.number(domain)?;
-                if given[index].is_none() {
-                    // It was given, if badly: that is not also a missing parameter.
-                    given[index] = Some(0.0);
-                }
+                // One that was given badly is not also a missing one.
+                given[index] = reader.number(kind.domain(parameters[index]))?.or(Some(0.0));
             }
         }
         Ok(())
@@ -181,7 +177,7 @@ impl Checks {
         let needs = self.known.entry(signature).or_insert_with(|| Needs::of_outputs(&signature));
         for &(name, origin) in &needs.given {
             if origin == Origin::Parameter(Fallback::Required) && !signature.gives(name) {
-                let meaning = element.kind.field(name).map_or("", |field| field.quantity.meaning);
+                let meaning = element.kind.quantity(name).map_or("", |quantity| quantity.meaning);
                 let why = needs.reasons(name);
                 reader.fault(place, format!("no {name:?}, needed for {why}"), format!("a number, the {meaning}"));
             }

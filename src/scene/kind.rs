@@ -2,10 +2,11 @@
 //!
 //! The tables say only what nothing else says. Formulas are wired by the names of their fields: an input `x` is read from
 //! the output `x` of another formula, or from what the element is given by that name. What a name means, its unit and its
-//! allowed values stand with the field's [`Quantity`](crate::quantity::Quantity).
+//! allowed values stand with the field's [`Quantity`].
 
 use super::step::Step;
 use crate::formula::Field;
+use crate::quantity::{Domain, Quantity};
 
 /// The space that a scene lives in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -155,6 +156,8 @@ pub struct Kind {
     pub given: &'static [(&'static str, Origin)],
     /// Its formulas, the preferred first where several compute the same.
     pub formulas: &'static [Use],
+    /// Registers that hold something else here than the fields of their formulas say.
+    pub meanings: &'static [(&'static str, &'static Quantity)],
     /// Its outputs: the name in scene files, and the register that is shown.
     pub outputs: &'static [(&'static str, &'static str)],
 }
@@ -175,10 +178,21 @@ impl Kind {
         self.given.iter().find(|(name, _)| *name == register).map(|&(_, from)| from)
     }
 
-    /// What is known about a register: the field of a formula that writes or reads it.
-    pub fn field(&self, register: &str) -> Option<&'static Field> {
+    /// The field of a formula that writes or reads a register.
+    pub(super) fn field(&self, register: &str) -> Option<&'static Field> {
         let writes = self.formulas.iter().find_map(|formula| formula.writes(register));
         writes.or_else(|| self.formulas.iter().find_map(|formula| formula.reads(register)))
+    }
+
+    /// What a register holds.
+    pub fn quantity(&self, register: &str) -> Option<&'static Quantity> {
+        let meaning = self.meanings.iter().find(|(name, _)| *name == register).map(|(_, quantity)| *quantity);
+        meaning.or_else(|| self.field(register).map(|field| field.quantity))
+    }
+
+    /// The values that a register may be given.
+    pub(super) fn domain(&self, register: &str) -> Domain {
+        self.quantity(register).map_or(Domain::Real, |quantity| quantity.domain)
     }
 
     /// The parameters, in order.

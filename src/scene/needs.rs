@@ -91,9 +91,10 @@ impl Needs {
             let (formula, mut whys) = waiting.remove(ready.unwrap_or(0));
             whys.sort();
             whys.dedup();
+            // A field may be a part of its register: in the plane, formulas read two components of three.
             let mut registers = |fields: &'static [crate::formula::Field]| -> Vec<u16> {
-                let spans = fields.iter().map(|field| layout.span(formula.register(field.name)));
-                let all: Vec<usize> = spans.flat_map(|span| span.at..span.at + span.len).collect();
+                let spans = fields.iter().map(|field| (layout.span(formula.register(field.name)).at, field.len()));
+                let all: Vec<usize> = spans.flat_map(|(at, len)| at..at + len).collect();
                 all.into_iter().map(|at| u16::try_from(at).unwrap_or(u16::MAX)).collect()
             };
             let wiring =

@@ -1,12 +1,16 @@
 //! From the text of a scene file to a checked [`Scene`].
 
+mod frames;
+mod orientations;
+
 use super::elements::Outputs;
 use super::fault::Faults;
 use super::json::{Read, Reader};
 use super::kind::Dimension;
-use super::model::{Frame, Load, Motion, Node, Orientation, Scene};
-use crate::quantity::Domain;
+use super::model::{Frame, Node, Orientation, Scene};
+use frames::frames_of;
 use indexmap::IndexMap;
+use orientations::orientations_of;
 
 /// The keys of a scene.
 pub(super) const KEYS: [&str; 7] = ["title", "dimension", "orientations", "nodes", "elements", "frames", "outputs"];
@@ -15,9 +19,6 @@ pub(super) const FRAME_KEYS: [&str; 3] = ["time", "nodes", "loads"];
 pub(super) const MOTION_KEYS: [&str; 2] = ["u", "ur"];
 pub(super) const SPACE_ORIENTATION_KEYS: [&str; 3] = ["axes", "rotation", "quaternion"];
 pub(super) const PLANE_ORIENTATION_KEYS: [&str; 1] = ["angle"];
-
-/// How parallel two axes may be: the least sine of the angle between them.
-const PARALLEL: f64 = 1e-6;
 
 impl Scene {
     /// Reads a scene file and checks it.
@@ -144,71 +145,6 @@ pub(super) fn refer<T>(
     None
 }
 
-fn orientations_of(reader: &mut Reader, dimension: Dimension) -> Read<IndexMap<Box<str>, Orientation>> {
-    named(reader, |reader| {
-        let place = reader.place();
-        let mut found = Vec::new();
-        if dimension == Dimension::Space {
-            reader.record(&SPACE_ORIENTATION_KEYS, |reader, key| {
-                found.push(match key {
-                    0 => axes(reader)?,
-                    1 => reader.vector()?.map(Orientation::Rotation),
-                    _ => quaternion(reader)?,
-                });
-                Ok(())
-            })?;
-        } else {
-            reader.record(&PLANE_ORIENTATION_KEYS, |reader, _| {
-                let angle = reader.number(Domain::Angle)?;
-                found.push(angle.map(|angle| Orientation::Rotation([0.0, 0.0, angle])));
-                Ok(())
-            })?;
-        }
-        if found.len() != 1 {
-            let keys: &[&str] =
-                if dimension == Dimension::Space { &SPACE_ORIENTATION_KEYS } else { &PLANE_ORIENTATION_KEYS };
-            reader.fault(place, format!("{} descriptions", found.len()), format!("exactly one of {}", keys.join(", ")));
-        }
-        // A faulty one still has a name that nodes may refer to.
-        Ok(Some(found.into_iter().flatten().next().unwrap_or(Orientation::Rotation([0.0; 3]))))
-    })
-}
-
-fn axes(reader: &mut Reader) -> Read<Option<Orientation>> {
-    let place = reader.place();
-    let mut axes = Vec::new();
-    let is_array = reader.array("an array of two vectors", |reader, _| {
-        axes.push(reader.vector()?);
-        Ok(())
-    })?;
-    let [Some(first), Some(second)] = axes[..] else {
-        if is_array && axes.len() != 2 {
-            reader.fault(
-                place,
-                format!("{} vectors", axes.len()),
-                "two: along the first axis, and in the plane of the first two",
-            );
-        }
-        return Ok(None);
-    };
-    let [a, b] = [first, second].map(|v| nalgebra::Vector3::from(crate::scalar::direction(v)));
-    if a.cross(&b).norm() < PARALLEL {
-        reader.fault(place, "two vectors that are parallel, or zero", "two vectors that span a plane");
-        return Ok(None);
-    }
-    Ok(Some(Orientation::Axes(first, second)))
-}
-
-fn quaternion(reader: &mut Reader) -> Read<Option<Orientation>> {
-    let place = reader.place();
-    let Some(quaternion) = reader.vector()? else { return Ok(None) };
-    if quaternion == [0.0; 4] {
-        reader.fault(place, "the quaternion 0", "a quaternion other than 0, real part first");
-        return Ok(None);
-    }
-    Ok(Some(Orientation::Quaternion(quaternion)))
-}
-
 /// Coordinates or a displacement.
 fn point(reader: &mut Reader, dimension: Dimension) -> Read<Option<[f64; 3]>> {
     if dimension == Dimension::Space {
@@ -239,92 +175,5 @@ fn nodes_of(
             reader.fault(place, "a node without \"at\"", "a node with its coordinates");
         }
         Ok(Some(node))
-    })
-}
-
-fn frames_of(reader: &mut Reader, scene: &Scene) -> Read<Vec<Frame>> {
-    let mut frames: Vec<Frame> = Vec::new();
-    let place = reader.place();
-    // The last frame that moved each node.
-    let mut moved = vec![usize::MAX; scene.nodes.len()];
-    let is_array = reader.array("an array of frames", |reader, index| {
-        let place = reader.place();
-        let mut frame = Frame { time: f64::NAN, motions: Vec::new(), loads: Vec::new() };
-        let is_object = reader.record(&FRAME_KEYS, |reader, key| {
-            match key {
-                0 => {
-                    let place = reader.place();
-                    frame.time = reader.number(Domain::Real)?.unwrap_or(f64::INFINITY);
-                    if let Some(last) = frames.last().map(|last| last.time).filter(|&last| frame.time <= last) {
-                        reader.fault(
-                            place,
-                            format!("{:?}", frame.time),
-                            format!("a time after the last frame's, {last:?}"),
-                        );
-                    }
-                }
-                1 => {
-                    motions_of(reader, scene, index, &mut moved, &mut frame.motions)?;
-                }
-                _ => {
-                    loads_of(reader, scene, &mut frame.loads)?;
-                }
-            }
-            Ok(())
-        })?;
-        if is_object && frame.time.is_nan() {
-            reader.fault(place, "a frame without \"time\"", "a frame with its time");
-        }
-        frames.push(frame);
-        Ok(())
-    })?;
-    if is_array && frames.is_empty() {
-        reader.fault(place, "no frame", "one frame or more (or no \"frames\" for the initial configuration alone)");
-    }
-    Ok(frames)
-}
-
-fn motions_of(
-    reader: &mut Reader,
-    scene: &Scene,
-    frame: usize,
-    moved: &mut [usize],
-    motions: &mut Vec<Motion>,
-) -> Read<bool> {
-    let dimension = scene.dimension;
-    reader.object("an object of nodes", |reader, name, place| {
-        let Some(node) = refer(reader, &scene.nodes, place, name, "node") else { return reader.skip() };
-        let mut motion = Motion { node, u: None, ur: None };
-        let last = moved.get_mut(node as usize);
-        if last.is_some_and(|last| std::mem::replace(last, frame) == frame) {
-            reader.fault(place, format!("{name:?} for the second time"), "each name once");
-        }
-        let keys = if dimension == Dimension::Axisymmetric { &MOTION_KEYS[..1] } else { &MOTION_KEYS };
-        reader.record(keys, |reader, key| {
-            match key {
-                0 => motion.u = point(reader, dimension)?,
-                _ if dimension == Dimension::Space => motion.ur = reader.vector()?,
-                _ => motion.ur = reader.number(Domain::Angle)?.map(|angle| [0.0, 0.0, angle]),
-            }
-            Ok(())
-        })?;
-        motions.push(motion);
-        Ok(())
-    })
-}
-
-fn loads_of(reader: &mut Reader, scene: &Scene, loads: &mut Vec<Load>) -> Read<bool> {
-    reader.object("an object of elements", |reader, name, place| {
-        let Some(element) = refer(reader, &scene.elements, place, name, "element") else { return reader.skip() };
-        let Some((_, of)) = scene.elements.get_index(element as usize) else { return reader.skip() };
-        let names: Vec<_> = of.kind.loads().collect();
-        reader.record(&names, |reader, key| {
-            let domain = of.kind.field(names[key]).map_or(Domain::Real, |field| field.quantity.domain);
-            if let (Some(value), Ok(index)) = (reader.number(domain)?, u16::try_from(key)) {
-                loads.push(Load { element, index, value });
-            }
-            Ok(())
-        })?;
-        Ok(())
     })
 }

@@ -2,8 +2,7 @@
 
 use super::kind::{Dimension, Fallback, Kind};
 use super::{elements, read};
-use crate::formula::Field;
-use crate::quantity::Domain;
+use crate::quantity::{Domain, Quantity};
 use serde_json::{Map, Value, json};
 
 /// The schema: an editor that knows it completes names and marks mistakes while one writes.
@@ -81,8 +80,8 @@ fn of_dimension(dimension: Dimension) -> Value {
 }
 
 /// A number of a quantity.
-fn number(field: Option<&Field>) -> Value {
-    let Some(quantity) = field.map(|field| field.quantity) else { return json!({ "type": "number" }) };
+fn number(quantity: Option<&Quantity>) -> Value {
+    let Some(quantity) = quantity else { return json!({ "type": "number" }) };
     let mut schema = json!({ "type": "number", "description": format!("{} ({})", quantity.meaning, quantity.unit) });
     let bounds: &[(&str, f64)] = match quantity.domain {
         Domain::NonNegative => &[("minimum", 0.0)],
@@ -110,7 +109,7 @@ fn of_kind(kind: &Kind) -> Value {
         ],
     );
     for (name, fallback) in kind.parameters() {
-        let mut schema = number(kind.field(name));
+        let mut schema = number(kind.quantity(name));
         if let Fallback::Number(fallback) = fallback {
             schema["default"] = json!(fallback);
         }
@@ -120,5 +119,5 @@ fn of_kind(kind: &Kind) -> Value {
 }
 
 fn of_loads(kind: &Kind) -> Value {
-    record(kind.loads().map(|name| (name.into(), number(kind.field(name)))).collect(), &[])
+    record(kind.loads().map(|name| (name.into(), number(kind.quantity(name)))).collect(), &[])
 }

@@ -91,12 +91,11 @@ fn content() -> anyhow::Result<Content> {
             golden.push(GoldenFile { name, bytes });
         }
     }
-    let outputs = vec![
-        ("audit".to_owned(), plain(&crate::audit::text(&[worked_example::run()], Audit::passed)?)),
-        ("scenes".to_owned(), scene::table()),
-    ];
+    let mut outputs = vec![("audit".to_owned(), crate::audit::text(&[worked_example::run()], Audit::passed)?)];
+    outputs.extend(scene::outputs()?);
+    outputs.iter_mut().for_each(|(_, text)| *text = plain(text));
     let figures = [figures::all(), scene::figures()?].concat();
-    Ok(Content { entries, sources, catalog_tests, figures, outputs, golden })
+    Ok(Content { entries, sources, catalog_tests, figures, outputs, golden, kinds: scene::kinds() })
 }
 
 /// Text without colours.

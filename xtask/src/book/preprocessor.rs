@@ -80,8 +80,10 @@ impl Formulary {
             ("kinks", "") => tables::kinks(pages, at),
             ("evidence", "") => tables::evidence(pages, at),
             ("sources", "") => tables::sources(pages, at),
+            ("kinds", dimension) => tables::kinds(pages, at, dimension),
             _ => {
-                let known = "formula ID, figure NAME, output NAME, symbols, kinks, evidence and sources";
+                let known =
+                    "formula ID, figure NAME, output NAME, kinds DIMENSION, symbols, kinks, evidence and sources";
                 let written = format!("{name} {argument}");
                 pages.fault(at, format!("unknown directive `{{{{#{}}}}}`; there are {known}", written.trim()));
                 String::new()

@@ -3,10 +3,12 @@
 mod benchmark;
 mod examples;
 mod generate;
+mod kinds;
 mod plot;
 mod show;
 
-pub(crate) use examples::{figures, regenerate, table};
+pub(crate) use examples::{Checked, check, figures, orphans, outputs, regenerate};
+pub(crate) use kinds::kinds;
 
 use crate::console::{print, progress, say};
 use crate::{Outcome, files};
@@ -55,7 +57,7 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(arguments: &Arguments) -> Outcome {
     if let Some(elements) = arguments.generate {
-        generate::write(elements, &mut anstream::stdout().lock())?;
+        piped(generate::write(elements, &mut anstream::stdout().lock()))?;
         return Ok(ExitCode::SUCCESS);
     }
     if arguments.benchmark {
@@ -81,6 +83,14 @@ pub(crate) fn run(arguments: &Arguments) -> Outcome {
     Ok(ExitCode::SUCCESS)
 }
 
+/// A reader that has seen enough, as `head`, is no error.
+fn piped(written: anyhow::Result<()>) -> anyhow::Result<()> {
+    written.or_else(|error| match error.downcast_ref::<std::io::Error>().map(std::io::Error::kind) {
+        Some(std::io::ErrorKind::BrokenPipe) => Ok(()),
+        _ => Err(error),
+    })
+}
+
 /// The scene in a file, or what is wrong with it.
 fn read(path: &Path) -> anyhow::Result<Result<Scene, String>> {
     let shown = path.display();
@@ -102,7 +112,7 @@ fn one(arguments: &Arguments, path: &Path, scene: &Scene) -> anyhow::Result<()> 
         return print(&show::plan(scene, &plan, arguments.format)?);
     }
     if arguments.format == show::Format::Csv && !arguments.error && arguments.plot.is_none() {
-        return show::stream(scene, &plan, &mut anstream::stdout().lock());
+        return piped(show::stream(scene, &plan, &mut anstream::stdout().lock()));
     }
     let limit = if arguments.format == show::Format::Text { show::SHOWN } else { usize::MAX };
     let (results, time) = timed("f64", scene, |each| Results::collect::<f64>(scene, &plan, limit, each))?;

@@ -156,8 +156,8 @@ fn table(text: &mut String, columns: &[Column]) -> std::fmt::Result {
 /// What an output is, with its unit.
 fn meaning(scene: &Scene, output: &str) -> String {
     let kinds = Kind::all().filter(|kind| kind.dimension == scene.dimension());
-    let field = kinds.filter_map(|kind| kind.output(output).and_then(|register| kind.field(register))).next();
-    field.map_or_else(String::new, |field| format!("{} ({})", field.quantity.meaning, field.quantity.unit))
+    let mut quantities = kinds.filter_map(|kind| kind.output(output).and_then(|register| kind.quantity(register)));
+    quantities.next().map_or_else(String::new, |quantity| format!("{} ({})", quantity.meaning, quantity.unit))
 }
 
 /// A CSV field.
