@@ -1,8 +1,8 @@
 //! Every formula, in the order of the book.
 
-use crate::formula::{Convention, Field, Fields, Formula, Kink, Spec, value};
+use crate::formula::{Convention, Field, Fields, Formula, Spec, value};
 use crate::scalar::{abs, sign};
-use crate::verify::{Audit, Options, audit, audit_at, exactly, golden, hard};
+use crate::verify::{Audit, Kink, Options, Subject, audit, audit_at, exact, golden, hard};
 use crate::{Error, Octuple, align, cardan, coulomb, join, slider, slot, translator, universal};
 
 /// A formula whose inputs and outputs are not known to the compiler; every [`Formula`] is one.
@@ -58,7 +58,7 @@ impl<F: Formula> AnyFormula for F {
         std::any::type_name::<F>()
     }
     fn kinks(&self) -> Vec<KinkEntry> {
-        F::kinks().iter().map(one_sided).collect()
+        one_sided(&Subject::of::<F>())
     }
     fn golden(&self) -> golden::File {
         golden::file::<F>()
@@ -80,26 +80,25 @@ fn from_components<F: Formula>(components: &[f64]) -> Result<F::Inputs<f64>, Err
 }
 
 /// One-sided differences in 237 bits, with a step so short that nothing else is near.
-fn one_sided<F: Formula>(kink: &Kink<F>) -> KinkEntry {
-    let at = exactly::<F>(&(kink.at)()).components();
-    let across = exactly::<F>(&(kink.across)()).components();
-    let step = Octuple::from(1e-40);
-    let value = |h: Octuple| {
-        let moved: Vec<_> = at.iter().zip(&across).map(|(&x, &direction)| x + direction * h).collect();
-        F::Inputs::from_slice(&moved).map_or_else(Vec::new, |i| F::eval(&i).components())
+fn one_sided(subject: &Subject) -> Vec<KinkEntry> {
+    let entry = |kink: &Kink| {
+        let (at, across) = (exact(&kink.at), exact(&kink.across));
+        let step = Octuple::from(1e-40);
+        let value = |h: Octuple| {
+            let moved: Vec<_> = at.iter().zip(&across).map(|(&x, &direction)| x + direction * h).collect();
+            (subject.exact_value)(&moved)
+        };
+        let (below, here, above) = (value(-step), value(step * 0.0), value(step));
+        let half_turn = hard::half_turn();
+        let difference = |to: Octuple, from: Octuple| match kink.convention {
+            Convention::Cut if abs(to - from) > half_turn => to - from - half_turn * (2.0 * sign(to - from)),
+            _ => to - from,
+        };
+        let sides = |k: usize| [difference(here[k], below[k]), difference(above[k], here[k])];
+        let one_sided = (0..here.len()).map(|k| sides(k).map(|d| (d / step).to_f64())).collect();
+        KinkEntry { condition: kink.condition, convention: kink.convention, one_sided }
     };
-    let (below, here, above) = (value(-step), value(step * 0.0), value(step));
-    let half_turn = hard::half_turn();
-    let difference = |to: Octuple, from: Octuple| match kink.convention {
-        Convention::Cut if abs(to - from) > half_turn => to - from - half_turn * (2.0 * sign(to - from)),
-        _ => to - from,
-    };
-    let slope = |k: usize| [difference(here[k], below[k]), difference(above[k], here[k])].map(|d| (d / step).to_f64());
-    KinkEntry {
-        condition: kink.condition,
-        convention: kink.convention,
-        one_sided: (0..here.len()).map(slope).collect(),
-    }
+    subject.kinks.iter().map(entry).collect()
 }
 
 /// Every formula.

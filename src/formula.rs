@@ -313,14 +313,19 @@ pub fn value_and_jacobian<F: Formula>(i: &F::Inputs<f64>) -> Result<ValueAndJaco
 /// # Errors
 /// The first input that is not.
 pub fn check<F: Formula>(i: &F::Inputs<f64>) -> Result<(), Error> {
-    let mut components = i.components().into_iter();
-    for field in F::Inputs::<f64>::FIELDS {
-        for (component, value) in components.by_ref().take(field.len()).enumerate() {
+    check_domains(F::Inputs::<f64>::FIELDS, &i.components())?;
+    F::validate(i)
+}
+
+fn check_domains(fields: &[Field], components: &[f64]) -> Result<(), Error> {
+    let mut components = components.iter();
+    for field in fields {
+        for (component, &value) in components.by_ref().take(field.len()).enumerate() {
             let component = (field.len() > 1).then_some(component);
             Error::check(field.name, component, value, field.quantity.domain)?;
         }
     }
-    F::validate(i)
+    Ok(())
 }
 
 fn finite<F: Formula>(out: &F::Outputs<f64>) -> Result<(), Error> {

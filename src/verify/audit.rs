@@ -1,10 +1,8 @@
 //! The audit: every claim about a formula, checked at its cases, beside its kinks and at random points.
 
-use super::difference::step_size;
-use super::jet::entries;
-use super::{
-    Sampler, Sensitivity, central_differences, derivative_of_jacobian, eta, exactly, golden, jacobian_by_ad, kink, law,
-};
+use super::difference::{differences, step_size};
+use super::subject::{Law, Subject};
+use super::{Sampler, Sensitivity, eta, exact, golden, law};
 use crate::formula::{Convention, Field, Fields, Formula, check};
 use crate::{Error, Octuple};
 use num_traits::Signed;
@@ -132,13 +130,14 @@ impl Claim {
 
 /// Audits one formula.
 pub fn audit<F: Formula>(options: &Options) -> Audit {
-    let named = named_points::<F>();
-    let mut sampler = Sampler::new::<F>(options.seed);
-    let random: Vec<_> = (0..options.samples)
-        .map(|k| Point::<F>::new(format!("random {k} of seed {}", options.seed), true, sampler.inputs::<F>()))
-        .collect();
-
-    audit_points(&named, &random, options.seed)
+    let subject = Subject::of::<F>();
+    let mut sampler = Sampler::for_formula(F::SPEC.id, options.seed);
+    let mut random = |k| {
+        let label = format!("random {k} of seed {}", options.seed);
+        Point::new(&subject, label, true, sampler.components(&subject))
+    };
+    let random: Vec<_> = (0..options.samples).map(&mut random).collect();
+    audit_points(&subject, &named_points(&subject), &random, options.seed)
 }
 
 /// Audits one formula at one point.
@@ -147,14 +146,16 @@ pub fn audit<F: Formula>(options: &Options) -> Audit {
 /// The input that is not valid.
 pub fn audit_at<F: Formula>(inputs: &F::Inputs<f64>) -> Result<Audit, Error> {
     check::<F>(inputs)?;
-    Ok(audit_points(&[Point::<F>::new("given".into(), false, *inputs)], &[], 0))
+    let subject = Subject::of::<F>();
+    let given = Point::new(&subject, "given".into(), false, inputs.components());
+    Ok(audit_points(&subject, &[given], &[], 0))
 }
 
-fn audit_points<F: Formula>(named: &[Point<F>], random: &[Point<F>], seed: u64) -> Audit {
+fn audit_points(subject: &Subject, named: &[Point], random: &[Point], seed: u64) -> Audit {
     // Laws hold at points in general position; at a single given point they are checked there.
     let general = if random.is_empty() { named } else { random };
     let mut audit = Audit {
-        formula: F::SPEC.id.into(),
+        formula: subject.spec.id.into(),
         named_points: named.len(),
         random_points: random.len(),
         seed,
@@ -163,83 +164,87 @@ fn audit_points<F: Formula>(named: &[Point<F>], random: &[Point<F>], seed: u64) 
             "automatic differentiation = differences, in 237 bits",
             AD_AGAINST_DIFFERENCES,
         ),
-        eta: Claim::new("η of the value in f64", F::SPEC.eta),
-        eta_jacobian: Claim::new("η of the closed-form Jacobian in f64", F::SPEC.eta_jacobian),
-        laws: law::all::<F>().iter().map(|law| check_law(law, general)).collect(),
+        eta: Claim::new("η of the value in f64", subject.spec.eta),
+        eta_jacobian: Claim::new("η of the closed-form Jacobian in f64", subject.spec.eta_jacobian),
+        laws: law::of_all(subject).iter().chain(&subject.laws).map(|law| check_law(law, general)).collect(),
     };
-    named.iter().chain(random).for_each(|point| audit.check(point));
+    let names = Names::new(subject);
+    named.iter().chain(random).for_each(|point| audit.check(point, &names));
     audit
 }
 
-/// A point, with all that is compared there.
-struct Point<F: Formula> {
+/// A point of a formula.
+struct Point<'a> {
+    subject: &'a Subject,
     label: String,
     random: bool,
-    inputs: F::Inputs<f64>,
-    exact: F::Inputs<Octuple>,
+    inputs: Vec<f64>,
+    exact: Vec<Octuple>,
     kink: Option<Convention>,
 }
 
-impl<F: Formula> Point<F> {
-    fn new(label: String, random: bool, inputs: F::Inputs<f64>) -> Self {
-        Self { label, random, inputs, exact: exactly::<F>(&inputs), kink: kink::<F>(&inputs) }
+impl<'a> Point<'a> {
+    fn new(subject: &'a Subject, label: String, random: bool, inputs: Vec<f64>) -> Self {
+        let exact = exact(&inputs);
+        let kink = subject.kink(&exact);
+        Self { subject, label, random, inputs, exact, kink }
     }
 
     fn deviation(&self, size: f64, entry: String, found: f64, expected: f64) -> Deviation {
-        let inputs = golden::named::<F::Inputs<f64>>(&self.inputs.components()).into();
+        let inputs = golden::named(self.subject.inputs, &self.inputs).into();
         Deviation { size, entry, point: self.label.clone(), found, expected, inputs }
     }
 }
 
 /// The formula's own cases, and points on both sides of every kink and on it.
-fn named_points<F: Formula>() -> Vec<Point<F>> {
-    let cases = F::cases().into_iter().map(|case| (case.id, case.inputs));
-    let beside_kinks = F::kinks().into_iter().flat_map(|kink| {
-        let (at, across) = ((kink.at)().components(), (kink.across)().components());
+fn named_points(subject: &Subject) -> Vec<Point<'_>> {
+    let cases = (subject.cases)().into_iter().map(|case| (case.id, case.inputs));
+    let beside_kinks = subject.kinks.iter().flat_map(|kink| {
         [0.0, 2e-3, -2e-3, 1e-9, -1e-9].map(|step| {
-            let moved: Vec<_> = at.iter().zip(&across).map(|(x, direction)| x + step * direction).collect();
-            let inputs = F::Inputs::from_slice(&moved).unwrap_or_else(kink.at);
-            (format!("kink {} {step:+}", kink.condition), inputs)
+            let moved = kink.at.iter().zip(&kink.across).map(|(x, direction)| x + step * direction).collect();
+            (format!("kink {} {step:+}", kink.condition), moved)
         })
     });
     cases
         .chain(beside_kinks)
-        .filter(|(_, inputs)| check::<F>(inputs).is_ok())
-        .map(|(label, inputs)| Point::new(label, false, inputs))
+        .filter(|(_, inputs)| (subject.check)(inputs).is_ok())
+        .map(|(label, inputs)| Point::new(subject, label, false, inputs))
         .collect()
+}
+
+/// What is known exactly at a point.
+struct Exact {
+    values: Vec<Octuple>,
+    /// The Jacobian by automatic differentiation.
+    ad: Vec<Octuple>,
+    /// How much every entry of it changes with the inputs.
+    bends: Vec<Sensitivity>,
 }
 
 /// The four claims made about every formula.
 impl Audit {
-    fn check<F: Formula>(&mut self, point: &Point<F>) {
-        let inputs = point.exact.components();
-        let values = F::eval(&point.exact).components();
-        let closed = entries::<F, _>(&F::jacobian(&point.exact));
-        let ad = entries::<F, _>(&jacobian_by_ad::<F, _>(&point.exact));
-        let gradients = derivative_of_jacobian::<F, _>(&point.exact);
-        let bends: Vec<_> = gradients.iter().map(|gradient| Sensitivity::new(gradient, &inputs)).collect();
-        let names = Names::new::<F>();
-
-        self.check_closed_form(point, &names, &closed, &ad, &bends);
+    fn check(&mut self, point: &Point, names: &Names) {
+        let (subject, inputs) = (point.subject, &point.exact);
+        let gradients = subject.second_derivative(inputs);
+        let exact = Exact {
+            values: (subject.exact_value)(inputs),
+            ad: subject.derivative(inputs),
+            bends: gradients.iter().map(|gradient| Sensitivity::new(gradient, inputs)).collect(),
+        };
+        self.check_closed_form(point, names, &exact);
         if point.kink.is_none() {
-            self.check_ad(point, &names, &inputs, &values, &ad);
+            self.check_ad(point, names, &exact);
         }
-        self.check_value(point, &names, &inputs, &values, &ad);
+        self.check_value(point, names, &exact);
         if point.kink != Some(Convention::Switch) {
-            self.check_jacobian(point, &names, &ad, &bends);
+            self.check_jacobian(point, names, &exact);
         }
     }
 
     /// Judged against the entry and what rounding of the inputs can do to it: an entry may be what a cancellation left.
-    fn check_closed_form<F: Formula>(
-        &mut self,
-        point: &Point<F>,
-        names: &Names,
-        closed: &[Octuple],
-        ad: &[Octuple],
-        bends: &[Sensitivity],
-    ) {
-        for (k, ((&closed, &ad), bend)) in closed.iter().zip(ad).zip(bends).enumerate() {
+    fn check_closed_form(&mut self, point: &Point, names: &Names, exact: &Exact) {
+        let closed = (point.subject.exact_jacobian)(&point.exact);
+        for (k, ((&closed, &ad), bend)) in closed.iter().zip(&exact.ad).zip(&exact.bends).enumerate() {
             let describe = |size| point.deviation(size, names.entry(k), closed.to_f64(), ad.to_f64());
             self.closed_against_ad.record(bend.plus(ad).share_of(closed - ad), CLOSED_AGAINST_AD, describe);
         }
@@ -247,22 +252,17 @@ impl Audit {
 
     /// Differences are judged against the entry and what rounding of the value can do to it, |y|/|x|, where |x| is the
     /// size that the step is a part of.
-    fn check_ad<F: Formula>(
-        &mut self,
-        point: &Point<F>,
-        names: &Names,
-        inputs: &[Octuple],
-        values: &[Octuple],
-        ad: &[Octuple],
-    ) {
+    fn check_ad(&mut self, point: &Point, names: &Names, exact: &Exact) {
+        let (inputs, ad) = (point.exact.as_slice(), &exact.ad);
         let steps = if point.random { &STEPS[..1] } else { &STEPS[..] };
         let bound = if point.random { AD_AGAINST_DIFFERENCES } else { AD_AGAINST_DIFFERENCES_HARD };
         for input in 0..inputs.len() {
-            let attempts: Vec<_> = steps.iter().map(|&step| central_differences::<F>(inputs, input, step)).collect();
-            for (output, &value) in values.iter().enumerate() {
+            let attempts: Vec<_> = steps.iter().map(|&step| differences(point.subject, inputs, input, step)).collect();
+            for (output, &value) in exact.values.iter().enumerate() {
                 let entry = output * inputs.len() + input;
                 let gradient = &ad[output * inputs.len()..][..inputs.len()];
-                let size = Sensitivity::new(gradient, inputs).plus(value).per(step_size::<F>(inputs, input));
+                let step = step_size(point.subject.inputs, inputs, input);
+                let size = Sensitivity::new(gradient, inputs).plus(value).per(step);
                 let scale = ad[entry].abs() + size;
                 let deviations = attempts.iter().map(|rows| (ad[entry] - rows[output]).abs());
                 let best = deviations.reduce(|best, next| if next < best { next } else { best });
@@ -275,34 +275,27 @@ impl Audit {
         }
     }
 
-    fn check_value<F: Formula>(
-        &mut self,
-        point: &Point<F>,
-        names: &Names,
-        inputs: &[Octuple],
-        values: &[Octuple],
-        ad: &[Octuple],
-    ) {
-        let computed = F::eval(&point.inputs).components();
-        for (output, (&computed, &value)) in computed.iter().zip(values).enumerate() {
-            let sensitivity = Sensitivity::new(&ad[output * inputs.len()..], inputs);
+    fn check_value(&mut self, point: &Point, names: &Names, exact: &Exact) {
+        let computed = (point.subject.value)(&point.inputs);
+        for (output, (&computed, &value)) in computed.iter().zip(&exact.values).enumerate() {
+            let sensitivity = Sensitivity::new(&exact.ad[output * point.exact.len()..], &point.exact);
             let describe = |size| point.deviation(size, names.outputs[output].clone(), computed, value.to_f64());
-            self.eta.record(eta(computed, value, sensitivity), F::SPEC.eta, describe);
+            self.eta.record(eta(computed, value, sensitivity), self.eta.bound, describe);
         }
     }
 
     /// The closed form in `f64` is judged against automatic differentiation, so that a wrong one cannot be its own judge.
-    fn check_jacobian<F: Formula>(&mut self, point: &Point<F>, names: &Names, ad: &[Octuple], bends: &[Sensitivity]) {
-        let computed: Vec<f64> = entries::<F, _>(&F::jacobian(&point.inputs));
-        for (entry, ((&computed, &exact), &bend)) in computed.iter().zip(ad).zip(bends).enumerate() {
-            let size = eta(computed, exact, bend);
-            let describe = |size| point.deviation(size, names.entry(entry), computed, exact.to_f64());
-            self.eta_jacobian.record(size, F::SPEC.eta_jacobian, describe);
+    fn check_jacobian(&mut self, point: &Point, names: &Names, exact: &Exact) {
+        let computed = (point.subject.jacobian)(&point.inputs);
+        for (entry, ((&computed, &ad), &bend)) in computed.iter().zip(&exact.ad).zip(&exact.bends).enumerate() {
+            let size = eta(computed, ad, bend);
+            let describe = |size| point.deviation(size, names.entry(entry), computed, ad.to_f64());
+            self.eta_jacobian.record(size, self.eta_jacobian.bound, describe);
         }
     }
 }
 
-fn check_law<F: Formula>(law: &crate::formula::Law<F>, points: &[Point<F>]) -> Claim {
+fn check_law(law: &Law, points: &[Point]) -> Claim {
     let mut claim = Claim::new(law.statement, LAW);
     // On a kink or a cut a law may hold from one side only.
     for point in points.iter().filter(|point| point.kink.is_none()) {
@@ -322,8 +315,8 @@ struct Names {
 }
 
 impl Names {
-    fn new<F: Formula>() -> Self {
-        Self { inputs: names(F::Inputs::<f64>::FIELDS), outputs: names(F::Outputs::<f64>::FIELDS) }
+    fn new(subject: &Subject) -> Self {
+        Self { inputs: names(subject.inputs), outputs: names(subject.outputs) }
     }
 
     /// Of the k-th Jacobian entry.

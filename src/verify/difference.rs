@@ -1,7 +1,8 @@
 //! Jacobians by differences, to judge automatic differentiation itself.
 
+use super::subject::Subject;
 use crate::Octuple;
-use crate::formula::{Fields, Formula};
+use crate::formula::{Field, Formula};
 use num_traits::{Signed, Zero};
 
 /// The gradient of every output with respect to input component `k`, by fourth-order central differences in 237 bits:
@@ -10,13 +11,18 @@ use num_traits::{Signed, Zero};
 /// Rounding costs about 2⁻²³⁶/`step` and truncation `step`⁴: at 1e-18 both are far below 1e-50. Near a kink the step
 /// must be shorter than the distance to it, and fewer digits remain.
 pub fn central_differences<F: Formula>(inputs: &[Octuple], k: usize, step: f64) -> Vec<Octuple> {
-    let h = step_size::<F>(inputs, k) * step;
+    differences(&Subject::of::<F>(), inputs, k, step)
+}
+
+/// [`central_differences`] of a formula without its types.
+pub(super) fn differences(subject: &Subject, inputs: &[Octuple], k: usize, step: f64) -> Vec<Octuple> {
+    let h = step_size(subject.inputs, inputs, k) * step;
     let shifted = |steps: f64| -> Vec<Octuple> {
         let mut moved = inputs.to_vec();
         if let Some(x) = moved.get_mut(k) {
             *x += h * steps;
         }
-        F::Inputs::from_slice(&moved).map_or_else(Vec::new, |i| F::eval(&i).components())
+        (subject.exact_value)(&moved)
     };
     let [far_below, below, above, far_above] = [-2.0, -1.0, 1.0, 2.0].map(shifted);
     let near = above.iter().zip(&below).map(|(&above, &below)| (above - below) * 8.0);
@@ -25,8 +31,7 @@ pub fn central_differences<F: Formula>(inputs: &[Octuple], k: usize, step: f64) 
 }
 
 /// |x|, or the largest of its field where x is 0, or the largest of its unit where the whole field is 0, or 1.
-pub(super) fn step_size<F: Formula>(inputs: &[Octuple], k: usize) -> Octuple {
-    let fields = F::Inputs::<f64>::FIELDS;
+pub(super) fn step_size(fields: &[Field], inputs: &[Octuple], k: usize) -> Octuple {
     let field_of: Vec<_> = fields.iter().enumerate().flat_map(|(f, field)| vec![f; field.len()]).collect();
     let largest_where = |counts: &dyn Fn(usize) -> bool| {
         let sizes = inputs.iter().zip(&field_of).filter(|(_, field)| counts(**field)).map(|(x, _)| x.abs());

@@ -5,10 +5,11 @@
 
 mod schema;
 
-use super::{Sampler, exactly, kink, rounded};
-use crate::formula::{Case, Convention, Field, Fields, Flag, Formula, check};
+use super::subject::Subject;
+use super::{Sampler, exact, rounded};
+use crate::Error;
+use crate::formula::{Case, Convention, Field, Flag, Formula};
 use crate::quantity::Domain;
-use crate::{Error, Octuple};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
@@ -111,16 +112,20 @@ pub struct Record {
 
 /// The golden file of `F`, computed now.
 pub fn file<F: Formula>() -> File {
-    let spec = F::SPEC;
+    of(&Subject::of::<F>())
+}
+
+fn of(subject: &Subject) -> File {
+    let spec = subject.spec;
     File {
         schema: "schema.json".into(),
         formula: spec.id.into(),
         title: spec.title.into(),
         source: format!("{}, {} ({})", spec.source.title, spec.source.section, spec.source.file),
         latex: spec.latex.into(),
-        inputs: describe(F::Inputs::<f64>::FIELDS),
-        outputs: describe(F::Outputs::<f64>::FIELDS),
-        cases: cases::<F>().iter().map(record::<F>).collect(),
+        inputs: describe(subject.inputs),
+        outputs: describe(subject.outputs),
+        cases: cases(subject).iter().map(|case| record(subject, case)).collect(),
     }
 }
 
@@ -134,29 +139,27 @@ fn describe(fields: &[Field]) -> Vec<Description> {
 }
 
 /// All cases of a formula: its own, random ones, and every way to be invalid.
-pub fn cases<F: Formula>() -> Vec<Case<F::Inputs<f64>>> {
-    let mut cases = F::cases();
-    let mut sampler = Sampler::new::<F>(SEED);
+fn cases(subject: &Subject) -> Vec<Case<Vec<f64>>> {
+    let mut cases = (subject.cases)();
+    let mut sampler = Sampler::for_formula(subject.spec.id, SEED);
     let random = LEAST_RANDOM.max(LEAST_CASES.saturating_sub(cases.len()));
-    cases.extend((1..=random).map(|k| Case::new(Flag::Random, format!("random-{k}"), "", sampler.inputs::<F>())));
-    cases.extend(out_of_domain::<F>());
-    cases.extend(F::invalid_cases());
+    cases.extend((1..=random).map(|k| Case::new(Flag::Random, format!("random-{k}"), "", sampler.components(subject))));
+    cases.extend(out_of_domain(subject));
+    cases.extend((subject.invalid_cases)());
     cases
 }
 
 /// Every input in turn not finite, and outside its domain.
-fn out_of_domain<F: Formula>() -> Vec<Case<F::Inputs<f64>>> {
-    let valid = Sampler::new::<F>(SEED).inputs::<F>().components();
+fn out_of_domain(subject: &Subject) -> Vec<Case<Vec<f64>>> {
+    let valid = Sampler::for_formula(subject.spec.id, SEED).components(subject);
     let mut invalid = Vec::new();
     let mut end = 0;
-    for field in F::Inputs::<f64>::FIELDS {
+    for field in subject.inputs {
         end += field.len();
         for (what, value) in bad_values(field.quantity.domain) {
             let mut components = valid.clone();
             components[end - 1] = value;
-            if let Some(inputs) = F::Inputs::from_slice(&components) {
-                invalid.push(Case::invalid(format!("{}-{what}", field.name), "", inputs));
-            }
+            invalid.push(Case::invalid(format!("{}-{what}", field.name), "", components));
         }
     }
     invalid
@@ -174,43 +177,41 @@ fn bad_values(domain: Domain) -> Vec<(&'static str, f64)> {
     bad
 }
 
-fn record<F: Formula>(case: &Case<F::Inputs<f64>>) -> Record {
+fn record(subject: &Subject, case: &Case<Vec<f64>>) -> Record {
     let mut record = Record {
         id: case.id.clone(),
         flags: vec![case.flag],
         comment: case.comment.into(),
-        inputs: named::<F::Inputs<f64>>(&case.inputs.components()),
+        inputs: named(subject.inputs, &case.inputs),
         out: None,
         jac: None,
         error: None,
     };
-    if let Err(error) = check::<F>(&case.inputs) {
+    if let Err(error) = (subject.check)(&case.inputs) {
         record.error = Some(error.kind().into());
         return record;
     }
-    let kink = kink::<F>(&case.inputs);
+    let exact = exact(&case.inputs);
+    let kink = subject.kink(&exact);
     if kink.is_some_and(|convention| convention != Convention::Cut) {
         record.flags.push(Flag::Kink);
     }
-    let exact = exactly::<F>(&case.inputs);
-    record.out = Some(named::<F::Outputs<f64>>(&rounded(&F::eval(&exact).components())));
+    record.out = Some(named(subject.outputs, &rounded(&(subject.exact_value)(&exact))));
     if kink != Some(Convention::Switch) {
-        let gradients = F::jacobian(&exact).components();
-        record.jac = Some(named_jacobian::<F>(&gradients));
+        record.jac = Some(named_jacobian(subject, &rounded(&(subject.exact_jacobian)(&exact))));
     }
     record
 }
 
 /// `jac[out][in]`.
-fn named_jacobian<F: Formula>(gradients: &[F::Inputs<Octuple>]) -> Map<String, Value> {
-    let mut rest = gradients;
+fn named_jacobian(subject: &Subject, entries: &[f64]) -> Map<String, Value> {
+    let columns = subject.inputs.iter().map(Field::len).sum();
+    let mut rows = entries.chunks(columns).map(|row| named(subject.inputs, row));
     let mut jacobian = Map::new();
-    for output in F::Outputs::<f64>::FIELDS {
-        let (rows, tail) = rest.split_at(output.len());
-        rest = tail;
-        let rows: Vec<_> = rows.iter().map(|row| named::<F::Inputs<f64>>(&rounded(&row.components()))).collect();
+    for output in subject.outputs {
+        let rows: Vec<_> = rows.by_ref().take(output.len()).collect();
         let mut by_input = Map::new();
-        for input in F::Inputs::<f64>::FIELDS {
+        for input in subject.inputs {
             let of_input = |row: &Map<_, _>| row.get(input.name).cloned().unwrap_or_default();
             let entry = match rows.as_slice() {
                 [row] => of_input(row),
@@ -224,13 +225,13 @@ fn named_jacobian<F: Formula>(gradients: &[F::Inputs<Octuple>]) -> Map<String, V
 }
 
 /// Components by the names of their fields.
-pub(crate) fn named<I: Fields<f64>>(components: &[f64]) -> Map<String, Value> {
+pub(crate) fn named(fields: &[Field], components: &[f64]) -> Map<String, Value> {
     let mut rest = components.iter().map(|&x| number(x));
     let mut part = |field: &Field| match field.len() {
         1 => rest.next().unwrap_or_default(),
         len => Value::Array(rest.by_ref().take(len).collect()),
     };
-    I::FIELDS.iter().map(|field| (field.name.to_string(), part(field))).collect()
+    fields.iter().map(|field| (field.name.to_string(), part(field))).collect()
 }
 
 /// The components of inputs that are given by name, as in golden files.

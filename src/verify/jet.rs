@@ -1,5 +1,6 @@
 //! Jacobians by forward automatic differentiation.
 
+use super::subject::{jacobian, value};
 use crate::Scalar;
 use crate::formula::{Fields, Formula, Jacobian};
 use nalgebra::{Const, U1};
@@ -7,11 +8,11 @@ use num_dual::DualSVec;
 
 /// Directions a sweep carries. Chunks of a fixed width keep the number of inputs out of the types.
 const WIDTH: usize = 4;
-type Sweep<T> = DualSVec<T, WIDTH>;
+pub(super) type Sweep<T> = DualSVec<T, WIDTH>;
 
 /// The Jacobian of `F` at `i`, by differentiating `F::eval`.
 pub fn jacobian_by_ad<F: Formula, T: Scalar>(i: &F::Inputs<T>) -> Jacobian<F, T> {
-    let rows = differentiate::<F, T>(i, |i| F::eval(i).components());
+    let rows = differentiate(&i.components(), &value::<F, _>);
     let mut next = rows.iter();
     let zero = F::Inputs::filled(T::zero());
     F::Outputs::from_components(&mut || next.next().and_then(|row| F::Inputs::from_slice(row)).unwrap_or(zero))
@@ -19,24 +20,14 @@ pub fn jacobian_by_ad<F: Formula, T: Scalar>(i: &F::Inputs<T>) -> Jacobian<F, T>
 
 /// The derivative of every entry of the closed-form Jacobian: a row per output and input, in order.
 pub fn derivative_of_jacobian<F: Formula, T: Scalar>(i: &F::Inputs<T>) -> Vec<Vec<T>> {
-    differentiate::<F, T>(i, |i| entries::<F, _>(&F::jacobian(i)))
-}
-
-/// The entries of a Jacobian, output by output, each over all inputs.
-pub(crate) fn entries<F: Formula, T: Scalar>(jacobian: &Jacobian<F, T>) -> Vec<T> {
-    jacobian.components().iter().flat_map(Fields::components).collect()
+    differentiate(&i.components(), &jacobian::<F, _>)
 }
 
 /// The gradient of every number that `function` returns.
-fn differentiate<F: Formula, T: Scalar>(
-    i: &F::Inputs<T>,
-    function: impl Fn(&F::Inputs<Sweep<T>>) -> Vec<Sweep<T>>,
-) -> Vec<Vec<T>> {
-    let inputs = i.components();
+pub(super) fn differentiate<T: Scalar>(inputs: &[T], function: &dyn Fn(&[Sweep<T>]) -> Vec<Sweep<T>>) -> Vec<Vec<T>> {
     let mut rows: Vec<Vec<T>> = Vec::new();
     for start in (0..inputs.len()).step_by(WIDTH) {
         let seeded: Vec<_> = inputs.iter().enumerate().map(|(k, &x)| seed(x, k.checked_sub(start))).collect();
-        let Some(seeded) = F::Inputs::from_slice(&seeded) else { continue };
         let results = function(&seeded);
         rows.resize(results.len(), Vec::new());
         for (row, result) in rows.iter_mut().zip(results) {

@@ -1,6 +1,7 @@
 //! Laws: what physics demands of every formula, and the words to state more.
 
-use crate::formula::{Equation, Fields, Formula, Law, turns};
+use super::subject::{Law, Subject};
+use crate::formula::{Equation, Field, turns};
 use crate::quantity::{Domain, Shape, Unit};
 use crate::scalar::{direction, norm};
 use crate::verify::sample::rotation;
@@ -73,42 +74,37 @@ pub fn residual(equation: &Equation) -> f64 {
     if difference.is_zero() { 0.0 } else { (difference / equation.scale).to_f64() }
 }
 
-/// The laws that every formula obeys, then its own.
-pub fn all<F: Formula>() -> Vec<Law<F>> {
+/// The laws that every formula obeys.
+pub(crate) fn of_all(subject: &Subject) -> Vec<Law> {
+    let (inputs, outputs, value) = (subject.inputs, subject.outputs, subject.exact_value);
     let homogeneity = Law {
         statement: "dimensional homogeneity: other units of length, force and time only rescale the outputs",
-        sides: homogeneity::<F>,
+        sides: Box::new(move |i| equal_all(value(&rescale(inputs, i)).into_iter().zip(rescale(outputs, &value(i))))),
     };
     let indifference = Law {
         statement: "frame indifference: moving and turning the model moves and turns the outputs",
-        sides: indifference::<F>,
+        sides: Box::new(move |i| {
+            let reach = reach(inputs, i);
+            let sides = value(&moved(inputs, i, reach)).into_iter().zip(moved(outputs, &value(i), reach));
+            // Cancellation leaves a rounding of the inputs' size in outputs of any size.
+            let size = i.iter().fold(Octuple::from(1.0), |size, x| size + x.abs());
+            sides.map(|(left, right)| Equation { left, right, scale: size * size + left.abs() }).collect()
+        }),
     };
-    let mut laws = vec![homogeneity];
-    if F::SPEC.objective {
-        laws.push(indifference);
-    }
-    laws.extend(F::laws());
-    laws
+    if subject.spec.objective { vec![homogeneity, indifference] } else { vec![homogeneity] }
 }
 
 /// Scales every field by its unit.
-fn rescale<I: Fields<Octuple>>(i: &I) -> I {
+fn rescale(fields: &[Field], components: &[Octuple]) -> Vec<Octuple> {
     let factor = |unit: Unit| Octuple::from(2.0_f64.powi(3 * unit.length - 5 * unit.force + 7 * unit.time));
-    let factors = I::FIELDS.iter().flat_map(|field| vec![factor(field.quantity.unit); field.len()]);
-    let mut scaled = i.components().into_iter().zip(factors).map(|(x, factor)| x * factor);
-    I::from_components(&mut || scaled.next().unwrap_or_else(Octuple::zero))
-}
-
-fn homogeneity<F: Formula>(i: &F::Inputs<Octuple>) -> Vec<Equation> {
-    let scaled_inputs = F::eval(&rescale(i)).components();
-    let scaled_outputs = rescale(&F::eval(i)).components();
-    equal_all(scaled_inputs.into_iter().zip(scaled_outputs))
+    let factors = fields.iter().flat_map(|field| vec![factor(field.quantity.unit); field.len()]);
+    components.iter().zip(factors).map(|(&x, factor)| x * factor).collect()
 }
 
 /// The largest coordinate of a point, or 1: the translation is in proportion, lest it swallow a small model.
-fn reach<I: Fields<Octuple>>(i: &I) -> Octuple {
-    let is_point = I::FIELDS.iter().flat_map(|field| vec![field.quantity.domain == Domain::Point; field.len()]);
-    let coordinates = i.components().into_iter().zip(is_point).filter(|(_, is_point)| *is_point).map(|(x, _)| x.abs());
+fn reach(fields: &[Field], components: &[Octuple]) -> Octuple {
+    let is_point = fields.iter().flat_map(|field| vec![field.quantity.domain == Domain::Point; field.len()]);
+    let coordinates = components.iter().zip(is_point).filter(|(_, is_point)| *is_point).map(|(x, _)| x.abs());
     coordinates
         .reduce(|largest, x| if x > largest { x } else { largest })
         .filter(|x| !x.is_zero())
@@ -116,17 +112,15 @@ fn reach<I: Fields<Octuple>>(i: &I) -> Octuple {
 }
 
 /// Turns vectors, and turns and moves points.
-fn moved<I: Fields<Octuple>>(i: &I, reach: Octuple) -> I {
-    let components = i.components();
-    let mut rest = components.as_slice();
+fn moved(fields: &[Field], components: &[Octuple], reach: Octuple) -> Vec<Octuple> {
+    let mut rest = components;
     let mut result = Vec::new();
-    for field in I::FIELDS {
+    for field in fields {
         let (part, tail) = rest.split_at(field.len().min(rest.len()));
         rest = tail;
         result.extend(move_part(part, field.quantity.domain, field.quantity.shape, reach));
     }
-    let mut next = result.into_iter();
-    I::from_components(&mut || next.next().unwrap_or_else(Octuple::zero))
+    result
 }
 
 fn move_part(part: &[Octuple], domain: Domain, shape: Shape, reach: Octuple) -> Vec<Octuple> {
@@ -146,14 +140,4 @@ fn move_part(part: &[Octuple], domain: Domain, shape: Shape, reach: Octuple) -> 
     (0..part.len())
         .map(|axis| part.iter().enumerate().fold(shift(axis), |sum, (k, &x)| sum + x * triad[k][axis]))
         .collect()
-}
-
-fn indifference<F: Formula>(i: &F::Inputs<Octuple>) -> Vec<Equation> {
-    let reach = reach(i);
-    let of_moved = F::eval(&moved(i, reach)).components();
-    let moved_outputs = moved(&F::eval(i), reach).components();
-    // Cancellation leaves a rounding of the inputs' size in outputs of any size.
-    let size = i.components().iter().fold(Octuple::from(1.0), |size, x| size + x.abs());
-    let equation = |(left, right): (Octuple, Octuple)| Equation { left, right, scale: size * size + left.abs() };
-    of_moved.into_iter().zip(moved_outputs).map(equation).collect()
 }

@@ -51,6 +51,7 @@ pub mod hard;
 mod jet;
 pub mod law;
 mod sample;
+mod subject;
 
 pub use audit::{Audit, Claim, Deviation, Options, audit, audit_at};
 pub use difference::central_differences;
@@ -58,14 +59,20 @@ pub use eta::{Sensitivity, eta, relative};
 pub use jet::{derivative_of_jacobian, jacobian_by_ad};
 pub use sample::Sampler;
 
+pub(crate) use subject::{Kink, Subject};
+
 use crate::Octuple;
 use crate::formula::{Fields, Formula};
 
 /// Doubles as exact 237-bit numbers.
 pub fn exactly<F: Formula>(i: &F::Inputs<f64>) -> F::Inputs<Octuple> {
-    let components = i.components();
-    let mut next = components.iter().map(|&x| Octuple::from(x));
+    let mut next = exact(&i.components()).into_iter();
     F::Inputs::from_components(&mut || next.next().unwrap_or(Octuple::NAN))
+}
+
+/// Components as exact 237-bit numbers.
+pub(crate) fn exact(components: &[f64]) -> Vec<Octuple> {
+    components.iter().map(|&x| x.into()).collect()
 }
 
 /// 237-bit numbers as the nearest doubles.
@@ -75,6 +82,5 @@ pub(crate) fn rounded(x: &[Octuple]) -> Vec<f64> {
 
 /// Whether the inputs are on a kink, and the convention there.
 pub fn kink<F: Formula>(i: &F::Inputs<f64>) -> Option<crate::formula::Convention> {
-    let exact = exactly::<F>(i);
-    F::kinks().into_iter().find(|kink| (kink.holds)(&exact)).map(|kink| kink.convention)
+    Subject::of::<F>().kink(&exact(&i.components()))
 }

@@ -1,6 +1,7 @@
 //! Test points, drawn from the declared domains, the same on every machine.
 
-use crate::formula::{Fields, Formula};
+use super::subject::Subject;
+use crate::formula::{Field, Fields, Formula};
 use crate::quantity::{Domain, Node, Shape};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -15,9 +16,13 @@ type Triads = [[[f64; 3]; 3]; 2];
 impl Sampler {
     /// A sampler with this seed; a formula's points do not depend on which other formulas are sampled.
     pub fn new<F: Formula>(seed: u64) -> Self {
+        Self::for_formula(F::SPEC.id, seed)
+    }
+
+    pub(super) fn for_formula(id: &str, seed: u64) -> Self {
         // FNV-1a of the identifier.
         let hash = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-        let stream = F::SPEC.id.bytes().fold(0xcbf2_9ce4_8422_2325, hash);
+        let stream = id.bytes().fold(0xcbf2_9ce4_8422_2325, hash);
         Self(ChaCha8Rng::seed_from_u64(seed ^ stream))
     }
 
@@ -25,27 +30,32 @@ impl Sampler {
     ///
     /// Triads are true rotations, never the identity and never the same at both nodes; no number is 0.
     pub fn inputs<F: Formula>(&mut self) -> F::Inputs<f64> {
+        let mut drawn = self.components(&Subject::of::<F>()).into_iter();
+        F::Inputs::from_components(&mut || drawn.next().unwrap_or(f64::NAN))
+    }
+
+    /// The components of valid inputs.
+    pub(super) fn components(&mut self, subject: &Subject) -> Vec<f64> {
         // Nearly every draw is valid; the bound only makes the loop's end evident.
         for _ in 0..1000 {
-            let inputs = self.fields();
-            if crate::formula::check::<F>(&inputs).is_ok() {
+            let inputs = self.fields(subject.inputs);
+            if (subject.check)(&inputs).is_ok() {
                 return inputs;
             }
         }
-        self.fields()
+        self.fields(subject.inputs)
     }
 
-    fn fields<I: Fields<f64>>(&mut self) -> I {
-        let plane = I::FIELDS.iter().any(|field| field.quantity.shape == Shape::Vec2);
+    fn fields(&mut self, fields: &[Field]) -> Vec<f64> {
+        let plane = fields.iter().any(|field| field.quantity.shape == Shape::Vec2);
         let triads = [self.triad(plane), self.triad(plane)];
         let mut drawn = Vec::new();
-        for field in I::FIELDS {
+        for field in fields {
             for component in 0..field.len() {
                 drawn.push(self.number(field.quantity.domain, &triads, component));
             }
         }
-        let mut next = drawn.into_iter();
-        I::from_components(&mut || next.next().unwrap_or(f64::NAN))
+        drawn
     }
 
     fn number(&mut self, domain: Domain, triads: &Triads, component: usize) -> f64 {
