@@ -8,7 +8,7 @@ pub(crate) fn kinds() -> Vec<KindOfElement> {
     Kind::all().map(described).collect()
 }
 
-fn described(kind: &Kind) -> KindOfElement {
+fn described(kind: &'static Kind) -> KindOfElement {
     let parameter = |(name, fallback): (&str, Fallback)| Given {
         name: name.into(),
         meaning: meaning(kind, name),
