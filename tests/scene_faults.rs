@@ -43,7 +43,7 @@ fn every_mistake_is_reported_with_its_place() {
         "colour (line 3, column 3): unknown key \"colour\"; allowed is one of title, dimension, orientations, nodes, elements, frames, outputs",
         "nodes.a.at (line 5, column 18): an array of 2; allowed is an array of 3 numbers",
         "nodes.b.at[1] (line 6, column 22): \"NaN\"; allowed is a finite number",
-        "nodes.b.orientation (line 6, column 49): no orientation \"none\"; allowed is no orientation, there are none",
+        "nodes.b.orientation (line 6, column 48): no orientation \"none\"; allowed is no orientation, there are none",
         "nodes.b (line 7, column 5): \"b\" for the second time; allowed is each name once",
         "outputs[1] (line 20, column 21): \"U1\" for the second time; allowed is each output once",
         "outputs[2] (line 20, column 27): no output \"U9\"; allowed is one of ",
@@ -124,7 +124,7 @@ fn every_output_of_every_kind_evaluates() {
         };
         let nodes: Vec<_> = places.iter().enumerate().map(|(i, at)| format!(r#""n{i}": {{"at": {at}}}"#)).collect();
         let ends: Vec<_> = (0..kind.nodes.len()).map(|i| format!("\"n{i}\"")).collect();
-        let parameters: String = kind.parameters().map(|(name, _)| format!(r#", "{name}": 1"#)).collect();
+        let parameters = kind.parameters().map(|(name, _)| format!(r#", "{name}": 1"#)).collect::<Vec<_>>().concat();
         let all: Vec<_> = kind.outputs.iter().map(|(name, _)| format!("{name:?}")).collect();
         for outputs in all.iter().cloned().chain([all.join(", ")]) {
             let text = format!(

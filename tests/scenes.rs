@@ -9,6 +9,7 @@ use nalgebra::Vector3;
 const TELESCOPE: &str = include_str!("../golden/scenes/telescope.json");
 const DRIVE_SHAFT: &str = include_str!("../golden/scenes/drive-shaft.json");
 const INTERFACE: &str = include_str!("../golden/scenes/interface.json");
+const RAIL: &str = include_str!("../golden/scenes/rail.json");
 
 fn scene(text: &str) -> Scene {
     Scene::parse(text).unwrap_or_else(|faults| panic!("{faults}"))
@@ -78,6 +79,19 @@ fn a_reference_length_saves_the_initial_one() {
         motion(r#", "l1_ref": 2"#),
         ["start: slot.relative_position", "slot.relative_position", "slot.relative_motion"]
     );
+}
+
+#[test]
+fn the_scene_of_the_readme_is_the_first_example() {
+    let readme = include_str!("../README.md");
+    let block = readme.split("```json").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    let of_readme: serde_json::Value = serde_json::from_str(block).unwrap();
+    let mut of_example: serde_json::Value = serde_json::from_str(RAIL).unwrap();
+    of_example.as_object_mut().unwrap().remove("title");
+    assert_eq!(of_readme, of_example);
+    let results = Results::of(&scene(block)).unwrap();
+    assert_eq!(results.get("guide", "CSF1", 0), Some(&[1.0][..]), "it sticks");
+    assert_eq!(results.get("guide", "CSF1", 1), Some(&[1.25][..]), "it slips at μ times 5");
 }
 
 #[test]
@@ -194,7 +208,7 @@ fn sliders_stay_on_the_line_until_one_leaves_it() {
 
 #[test]
 fn doubles_are_close_to_exact() {
-    for text in [TELESCOPE, DRIVE_SHAFT, INTERFACE] {
+    for text in [RAIL, TELESCOPE, DRIVE_SHAFT, INTERFACE] {
         let scene = scene(text);
         let (doubles, exact) = (Results::of(&scene).unwrap(), Results::exact(&scene).unwrap());
         for (series, exact) in doubles.series.iter().zip(&exact.series) {
@@ -207,7 +221,8 @@ fn doubles_are_close_to_exact() {
 
 #[test]
 fn golden_results_are_what_the_scenes_give() {
-    for (name, text) in [("telescope", TELESCOPE), ("drive-shaft", DRIVE_SHAFT), ("interface", INTERFACE)] {
+    let scenes = [("rail", RAIL), ("telescope", TELESCOPE), ("drive-shaft", DRIVE_SHAFT), ("interface", INTERFACE)];
+    for (name, text) in scenes {
         let path = format!("{}/golden/scenes/{name}.result.json", env!("CARGO_MANIFEST_DIR"));
         let committed = std::fs::read_to_string(&path).unwrap();
         let now = Results::exact(&scene(text)).unwrap().golden().unwrap();
@@ -217,7 +232,7 @@ fn golden_results_are_what_the_scenes_give() {
 
 #[test]
 fn threads_change_no_bit() {
-    let nodes: String = (0..500).map(|i| format!(r#""a{i}": {{"at": [{i}, 0.1, 0]}}, "#)).collect();
+    let nodes = (0..500).map(|i| format!(r#""a{i}": {{"at": [{i}, 0.1, 0]}}, "#)).collect::<Vec<_>>().concat();
     let elements: Vec<_> = (1..500)
         .map(|i| format!(r#""e{i}": {{"kind": "slot", "nodes": ["a0", "a{i}"], "mu": 0.{i}, "k_stick": 1e4}}"#))
         .collect();

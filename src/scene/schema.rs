@@ -17,7 +17,7 @@ pub fn schema() -> Value {
 }
 
 /// An object with fixed keys.
-fn record(properties: Map<String, Value>, required: &[&str]) -> Value {
+fn record(properties: &Map<String, Value>, required: &[&str]) -> Value {
     json!({ "type": "object", "additionalProperties": false, "required": required, "properties": properties })
 }
 
@@ -45,11 +45,11 @@ fn of_dimension(dimension: Dimension) -> Value {
         let all = entries(read::SPACE_ORIENTATION_KEYS, [axes, vector(3), vector(4)]);
         json!({ "minProperties": 1, "maxProperties": 1, "type": "object", "additionalProperties": false, "properties": all })
     } else {
-        record(entries(read::PLANE_ORIENTATION_KEYS, [json!({ "type": "number" })]), &read::PLANE_ORIENTATION_KEYS)
+        record(&entries(read::PLANE_ORIENTATION_KEYS, [json!({ "type": "number" })]), &read::PLANE_ORIENTATION_KEYS)
     };
-    let node = record(entries(read::NODE_KEYS, [point.clone(), json!({ "type": "string" })]), &["at"]);
+    let node = record(&entries(read::NODE_KEYS, [point.clone(), json!({ "type": "string" })]), &["at"]);
     let motion = record(
-        entries(
+        &entries(
             read::MOTION_KEYS,
             [point, angle].into_iter().take(if dimension == Dimension::Axisymmetric { 1 } else { 2 }),
         ),
@@ -57,13 +57,13 @@ fn of_dimension(dimension: Dimension) -> Value {
     );
     let loads: Vec<_> = kinds.iter().map(|kind| of_loads(kind)).collect();
     let loads = named(&json!({ "anyOf": loads }));
-    let frame = record(entries(read::FRAME_KEYS, [json!({ "type": "number" }), named(&motion), loads]), &["time"]);
+    let frame = record(&entries(read::FRAME_KEYS, [json!({ "type": "number" }), named(&motion), loads]), &["time"]);
     let elements: Vec<_> = kinds.iter().map(|kind| of_kind(kind)).collect();
     let mut outputs: Vec<_> = kinds.iter().flat_map(|kind| kind.outputs).map(|(name, _)| *name).collect();
     outputs.sort_unstable();
     outputs.dedup();
     record(
-        entries(
+        &entries(
             read::KEYS,
             [
                 json!({ "type": "string" }),
@@ -115,9 +115,9 @@ fn of_kind(kind: &Kind) -> Value {
         }
         properties.insert(name.into(), schema);
     }
-    record(properties, &["kind", "nodes"])
+    record(&properties, &["kind", "nodes"])
 }
 
 fn of_loads(kind: &Kind) -> Value {
-    record(kind.loads().map(|name| (name.into(), number(kind.quantity(name)))).collect(), &[])
+    record(&kind.loads().map(|name| (name.into(), number(kind.quantity(name)))).collect(), &[])
 }

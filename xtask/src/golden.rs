@@ -57,7 +57,8 @@ pub(crate) fn run(arguments: &Arguments) -> Outcome {
 /// The verdict on the scenes, and the files that are off.
 pub(crate) fn scene_report(checked: &scene::Checked) -> (bool, String) {
     let summary = format!("{}, {}", count(checked.scenes, "scene"), count(checked.numbers, "number"));
-    let lines: String = checked.off.iter().map(|path| format!("{} differs\n", bold(files::shown(path)))).collect();
+    let differs = |path: &PathBuf| format!("{} differs\n", bold(files::shown(path)));
+    let lines = checked.off.iter().map(differs).collect::<Vec<_>>().concat();
     let verdict = if checked.off.is_empty() { green("ok") } else { red("off") };
     (checked.off.is_empty(), format!("{lines}{verdict} {summary}\n"))
 }

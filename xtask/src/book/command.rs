@@ -93,7 +93,9 @@ fn content() -> anyhow::Result<Content> {
     }
     let mut outputs = vec![("audit".to_owned(), crate::audit::text(&[worked_example::run()], Audit::passed)?)];
     outputs.extend(scene::outputs()?);
-    outputs.iter_mut().for_each(|(_, text)| *text = plain(text));
+    for (_, text) in &mut outputs {
+        *text = plain(text);
+    }
     let figures = [figures::all(), scene::figures()?].concat();
     Ok(Content { entries, sources, catalog_tests, figures, outputs, golden, kinds: scene::kinds() })
 }

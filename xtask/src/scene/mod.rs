@@ -74,6 +74,8 @@ pub(crate) fn run(arguments: &Arguments) -> Outcome {
     if scenes.len() < arguments.files.len() {
         return Ok(ExitCode::FAILURE);
     }
+    // Threads are started before the time is taken.
+    rayon::broadcast(|_| ());
     for (path, scene) in &scenes {
         if arguments.files.len() > 1 && arguments.format == show::Format::Text {
             print(&format!("{}\n", path.display()))?;
@@ -100,7 +102,7 @@ fn read(path: &Path) -> anyhow::Result<Result<Scene, String>> {
         Err(error) => return Ok(Err(format!("{shown}: byte {} is not UTF-8", error.utf8_error().valid_up_to()))),
     };
     Ok(Scene::parse(&text).map_err(|faults| {
-        let lines: String = faults.list().iter().map(|fault| format!("{shown}: {fault}\n")).collect();
+        let lines = faults.list().iter().map(|fault| format!("{shown}: {fault}\n")).collect::<Vec<_>>().concat();
         let count = faults.len();
         format!("{lines}{shown}: {count} {}", if count == 1 { "fault" } else { "faults" })
     }))

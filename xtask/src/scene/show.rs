@@ -125,13 +125,25 @@ fn add_columns(columns: &mut Vec<Column>, series: &Series, exact: Option<&Series
             (0..series.values.len()).map(|state| digits(of(state))).collect()
         };
         let value = |state: usize| series.values[state][component];
-        columns.push(Column { heading, numbers: numbers(&value, &|x| format!("{x:.9}")) });
+        columns.push(Column { heading, numbers: numbers(&value, &digits) });
         if let Some(exact) = exact {
             let error = |state: usize| value(state) - exact.values[state][component];
             let numbers = numbers(&error, &|x| if x == 0.0 { "0".into() } else { format!("{x:.1e}") });
             columns.push(Column { heading: "error".into(), numbers });
         }
     }
+}
+
+/// Nine significant digits, without zeros that say nothing.
+fn digits(x: f64) -> String {
+    let magnitude = if x == 0.0 { 0.0 } else { x.abs().log10().floor() };
+    if !(-5.0..9.0).contains(&magnitude) {
+        return format!("{x:.8e}");
+    }
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to 13")]
+    let decimals = (8.0 - magnitude) as usize;
+    let text = format!("{x:.decimals$}");
+    if decimals == 0 { text } else { text.trim_end_matches('0').trim_end_matches('.').into() }
 }
 
 fn table(text: &mut String, columns: &[Column]) -> std::fmt::Result {
@@ -205,4 +217,22 @@ pub(crate) fn stream(scene: &Scene, plan: &Plan, out: &mut impl Write) -> anyhow
     }
     bar.finish_and_clear();
     Ok(out.flush()?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_nine_digits_and_no_more() {
+        let shown = [0.0, 1.0, -0.25, 1.0 / 3.0, 1e-7, 123_456_789.5, 2e10, -1e-200].map(digits);
+        let expected =
+            ["0", "1", "-0.25", "0.333333333", "1.00000000e-7", "123456790", "2.00000000e10", "-1.00000000e-200"];
+        assert_eq!(shown, expected);
+    }
+
+    #[test]
+    fn a_comma_in_a_name_is_quoted() {
+        assert_eq!(quoted(r#"a "b", c"#), r#""a ""b"", c""#);
+    }
 }
