@@ -1,9 +1,9 @@
 //! Every formula, in the order of the book.
 
-use crate::formula::{Convention, Field, Fields, Formula, Spec, value};
+use crate::formula::{Convention, Field, Fields, Formula, Jacobian, Spec, check, value, value_and_jacobian};
 use crate::scalar::{abs, sign};
 use crate::verify::{Audit, Kink, Options, Subject, audit, audit_at, exact, golden, hard};
-use crate::{Error, Octuple, align, cardan, coulomb, join, slider, slot, translator, universal};
+use crate::{Error, Octuple, align, cardan, coulomb, join, slider, slot, translator, ujoint, universal};
 
 /// A formula whose inputs and outputs are not known to the compiler; every [`Formula`] is one.
 pub trait AnyFormula: Send + Sync {
@@ -31,6 +31,16 @@ pub trait AnyFormula: Send + Sync {
     /// # Errors
     /// What [`value`] says; [`Error::Components`] where their number is wrong.
     fn value(&self, components: &[f64]) -> Result<Vec<f64>, Error>;
+    /// The entries of the closed-form Jacobian, output by output, each over all inputs.
+    ///
+    /// # Errors
+    /// As [`AnyFormula::value`], but for overflow, which is not looked for.
+    fn jacobian(&self, components: &[f64]) -> Result<Vec<f64>, Error>;
+    /// Outputs and Jacobian computed together.
+    ///
+    /// # Errors
+    /// As [`AnyFormula::value`], and [`Error::DerivativeOverflow`].
+    fn value_and_jacobian(&self, components: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Error>;
 }
 
 /// A kink, with the derivatives on both sides.
@@ -72,11 +82,25 @@ impl<F: Formula> AnyFormula for F {
     fn value(&self, components: &[f64]) -> Result<Vec<f64>, Error> {
         Ok(value::<F>(&from_components::<F>(components)?)?.components())
     }
+    fn jacobian(&self, components: &[f64]) -> Result<Vec<f64>, Error> {
+        let inputs = from_components::<F>(components)?;
+        check::<F>(&inputs)?;
+        Ok(entries::<F>(&F::jacobian(&inputs)))
+    }
+    fn value_and_jacobian(&self, components: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Error> {
+        let (out, jacobian) = value_and_jacobian::<F>(&from_components::<F>(components)?)?;
+        Ok((out.components(), entries::<F>(&jacobian)))
+    }
 }
 
 fn from_components<F: Formula>(components: &[f64]) -> Result<F::Inputs<f64>, Error> {
     let (found, expected) = (components.len(), F::Inputs::<f64>::len());
     F::Inputs::from_slice(components).ok_or(Error::Components { found, expected })
+}
+
+/// The entries of a Jacobian, output by output, each over all inputs.
+fn entries<F: Formula>(jacobian: &Jacobian<F, f64>) -> Vec<f64> {
+    jacobian.components().iter().flat_map(Fields::components).collect()
 }
 
 /// One-sided differences in 237 bits, with a step so short that nothing else is near.
@@ -133,6 +157,20 @@ pub const CATALOG: &[&dyn AnyFormula] = &[
     &universal::RelativeMotion,
     &universal::ConstraintMoment,
     &universal::KineticMoment,
+    &ujoint::Constraint,
+    &ujoint::Reaction,
+    &ujoint::CrossDirection,
+    &ujoint::TwistFactors,
+    &ujoint::AxialFactors,
+    &ujoint::Decomposition,
+    &ujoint::HingeTwist,
+    &ujoint::HingeAxial,
+    &ujoint::HingeTransverse,
+    &ujoint::HingeBending,
+    &ujoint::ContactMoments,
+    &ujoint::NormalMoments,
+    &ujoint::Friction,
+    &ujoint::Stop,
     // SLIDER
     &slider::Line,
     &slider::Basis,

@@ -243,6 +243,12 @@ pub trait Formula: Copy + Send + Sync + 'static {
     /// Its derivative, derived by hand: `jacobian(i).out.input` is ∂out/∂input.
     fn jacobian<D: Scalar>(i: &Self::Inputs<D>) -> Jacobian<Self, D>;
 
+    /// Both at once; overridden where they share work. The value has the bits of [`eval`](Self::eval).
+    #[inline]
+    fn linearized<D: Scalar>(i: &Self::Inputs<D>) -> (Self::Outputs<D>, Jacobian<Self, D>) {
+        (Self::eval(i), Self::jacobian(i))
+    }
+
     /// What makes inputs invalid beyond the domains of the single fields.
     ///
     /// # Errors
@@ -296,7 +302,9 @@ pub fn value<F: Formula>(i: &F::Inputs<f64>) -> Result<F::Outputs<f64>, Error> {
 /// # Errors
 /// As [`value`], or naming the output with a derivative that overflowed.
 pub fn value_and_jacobian<F: Formula>(i: &F::Inputs<f64>) -> Result<ValueAndJacobian<F, f64>, Error> {
-    let (out, jacobian) = (value::<F>(i)?, F::jacobian(i));
+    check::<F>(i)?;
+    let (out, jacobian) = F::linearized(i);
+    finite::<F>(&out)?;
     let is_finite = |gradient: F::Inputs<f64>| {
         let mut all = true;
         Fields::for_each_component(&gradient, &mut |slope: f64| all &= slope.is_finite());

@@ -8,9 +8,10 @@ use crate::fields;
 use crate::formula::{
     Case, Element, Formula, Jacobian, Law, Source, Spec, ValueAndJacobian, value, value_and_jacobian,
 };
+use crate::frame::Triad;
 use crate::quantity::{D0, E1A, E2A, E3A, G_JOIN, XA, XB};
 use crate::scalar::Scalar;
-use crate::slot::{Pose, Positions, RelativePosition};
+use crate::slot::{ConstraintForce, CrossFrame, Force, KineticForce, Pose, Positions, RelativePosition, SlotForce};
 use crate::verify::{hard, law};
 use nalgebra::Vector3;
 
@@ -161,6 +162,17 @@ impl Join {
     /// As [`Join::new`].
     pub fn constraint_jacobian(&self, pose: &Pose) -> Result<ValueAndJacobian<Constraint, f64>, Error> {
         value_and_jacobian::<Constraint>(&self.inputs(pose))
+    }
+
+    /// The force on b that holds it in its place, in the global frame: f1 e1a + f2 e2a + f3 e3a.
+    ///
+    /// # Errors
+    /// A force that is not finite, or one so large that the sum overflows.
+    pub fn constraint_force(&self, triad_a: &Triad, [f1, f2, f3]: [f64; 3]) -> Result<Force<f64>, Error> {
+        let along = value::<KineticForce>(&SlotForce { e1a: triad_a.e1(), f1 })?.f;
+        let across = value::<ConstraintForce>(&CrossFrame { e2a: triad_a.e2(), e3a: triad_a.e3(), f2, f3 })?.f;
+        let f = along + across;
+        if f.iter().all(|f| f.is_finite()) { Ok(Force { f }) } else { Err(Error::Overflow { name: "f" }) }
     }
 
     fn inputs(&self, pose: &Pose) -> Joined<f64> {

@@ -6,7 +6,7 @@
 //!
 //! | module | what is in it |
 //! |---|---|
-//! | [`slot`], [`coulomb`], [`cardan`], [`align`], [`translator`], [`join`], [`universal`], [`slider`] | the documents' rooms: formulas, Jacobians, hard cases, and the typed connectors |
+//! | [`slot`], [`coulomb`], [`cardan`], [`align`], [`translator`], [`join`], [`universal`], [`ujoint`], [`slider`] | the documents' rooms: formulas, Jacobians, hard cases, and the typed connectors |
 //! | [`frame`] | validated triads |
 //! | [`formula`], [`quantity`] | what a formula is; the vocabulary of symbols, units and domains |
 //! | [`scalar`] | the numbers a formula runs in: `f64`, [`Octuple`], [`Single`], dual numbers over them |
@@ -46,6 +46,7 @@ pub mod single;
 pub mod slider;
 pub mod slot;
 pub mod translator;
+pub mod ujoint;
 pub mod universal;
 pub mod verify;
 

@@ -39,6 +39,9 @@ pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scal
             sign => x * sign,
         }
     }
+    /// This number with another value, rounded once; derivatives stay.
+    #[must_use]
+    fn with_value(self, value: Octuple) -> Self;
 }
 
 /// √(Σ xᵢ²), right to about an ulp for every representable input, subnormal or near the overflow threshold.
@@ -185,6 +188,9 @@ impl Scalar for f64 {
     fn abs_of(x: Self) -> Self {
         x.abs()
     }
+    fn with_value(self, value: Octuple) -> Self {
+        value.to_f64()
+    }
 }
 
 impl Scalar for Single {
@@ -199,6 +205,9 @@ impl Scalar for Single {
     fn exact(self) -> Octuple {
         self.to_f64().into()
     }
+    fn with_value(self, value: Octuple) -> Self {
+        value.to_f64().into()
+    }
 }
 
 /// The exponent range of 237-bit numbers is so wide that no square of a double leaves it.
@@ -211,6 +220,9 @@ impl Scalar for Octuple {
     }
     fn exact(self) -> Octuple {
         self
+    }
+    fn with_value(self, value: Octuple) -> Self {
+        value
     }
 }
 
@@ -260,6 +272,9 @@ macro_rules! first_order {
             fn exact(self) -> Octuple {
                 self.re.exact()
             }
+            fn with_value(self, value: Octuple) -> Self {
+                Self { re: self.re.with_value(value), ..self }
+            }
         }
     };
 }
@@ -283,6 +298,9 @@ macro_rules! second_order {
             }
             fn exact(self) -> Octuple {
                 self.re.exact()
+            }
+            fn with_value(self, value: Octuple) -> Self {
+                Self { re: self.re.with_value(value), ..self }
             }
         }
     };

@@ -5,6 +5,7 @@ mod common;
 use jointproof::catalog::{AnyFormula, CATALOG};
 use jointproof::formula::Field;
 use jointproof::quantity::Unit;
+use jointproof::verify::golden;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
@@ -45,6 +46,28 @@ fn audits_hold_at_any_point() {
     for_every_formula(24, |formula, inputs| {
         let Ok(audit) = formula.audit_at(inputs) else { return Ok(()) };
         prop_assert!(audit.no_claim_failed(), "{audit:#?}");
+        Ok(())
+    });
+}
+
+/// Where value and Jacobian share work, both have the bits of each computed alone.
+#[test]
+fn together_value_and_jacobian_are_those_of_each_alone() {
+    let compare = |formula: &dyn AnyFormula, inputs: &[f64]| {
+        let Ok((value, jacobian)) = formula.value_and_jacobian(inputs) else { return false };
+        let bits = |numbers: Vec<f64>| numbers.into_iter().map(f64::to_bits).collect::<Vec<_>>();
+        assert_eq!(bits(value), bits(formula.value(inputs).unwrap()), "{} at {inputs:?}", formula.spec().id);
+        assert_eq!(bits(jacobian), bits(formula.jacobian(inputs).unwrap()), "{} at {inputs:?}", formula.spec().id);
+        true
+    };
+    for formula in CATALOG {
+        let golden = formula.golden();
+        let inputs = golden.cases.iter().map(|case| golden::components(formula.inputs(), &case.inputs).unwrap());
+        let compared = inputs.filter(|inputs| compare(*formula, inputs)).count();
+        assert!(compared >= golden::LEAST_CASES, "{}: {compared}", formula.spec().id);
+    }
+    for_every_formula(64, |formula, inputs| {
+        compare(formula, inputs);
         Ok(())
     });
 }

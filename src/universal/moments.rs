@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::fields;
 use crate::formula::{Case, Element, Formula, Jacobian, Law, Source, Spec, along};
 use crate::quantity::{CROSS_M1, CROSS_M3, E1A, E2A, E3A, E3B, MOMENT, TWIST_M2};
-use crate::scalar::{Scalar, norm_and_direction};
+use crate::scalar::{Scalar, norm, norm_and_direction};
 use crate::verify::{hard, law};
 use nalgebra::Vector3;
 
@@ -128,14 +128,14 @@ impl Formula for ConstraintMoment {
                 },
             },
             Law {
-                statement: "on perpendicular shafts it is the multiplier -m2 on ∂g/∂(spin of b): Jacobianᵀ · multiplier",
+                statement: "in any position Jacobianᵀ · m2, with the constraint of UNIVERSAL and the spin of b, is cos β times it",
                 sides: |i| {
                     let [e2a, e3a, e1a] = law::orthonormal([i.e2a, i.e3a, i.e2a.cross(&i.e3a)]);
-                    let across = i.e3b - e1a * e1a.dot(&i.e3b);
-                    let e3b = across / law::length(across);
+                    let e3b = i.e3b / law::length(i.e3b);
                     let jac = super::Constraint::jacobian(&super::Shafts { e1a, e3b, c0: i.m2 });
                     let on_b = e3b.cross(&jac.g.e3b) * i.m2;
-                    law::equal_vectors(on_b, Self::eval(&Twisted { e2a, e3a, e3b, ..*i }).m)
+                    let cos_beta = norm([e2a.dot(&e3b), e3a.dot(&e3b)]);
+                    law::equal_vectors(on_b, Self::eval(&Twisted { e2a, e3a, e3b, ..*i }).m * cos_beta)
                 },
             },
         ]

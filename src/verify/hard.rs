@@ -62,6 +62,38 @@ pub fn norms<const N: usize>() -> Vec<Hard<[f64; N]>> {
     ]
 }
 
+/// As [`norms`], for loads that are multiplied before a norm is taken: subnormal ones would lose their digits there.
+pub fn loads<const N: usize>() -> Vec<Hard<[f64; N]>> {
+    norms().into_iter().filter(|load| load.id != "subnormal").collect()
+}
+
+/// Length and radius of an arm, from stubby to slender.
+pub fn arms() -> Vec<Hard<[f64; 2]>> {
+    vec![
+        Hard::new("rigid", "λ = 1e-200: the limit of a rigid arm, to every digit", [1e-200, 1.0]),
+        Hard::new("slender", "λ = 1e200: the limit of a slender arm, to every digit", [1.0, 1e-200]),
+        Hard::new("lambda-1e-12", "a disc with pins", [3e-12, 3.0]),
+        Hard::new("lambda-1e-4", "a stubby arm", [2e-4, 2.0]),
+        Hard::new("lambda-1", "as long as thick", [0.7, 0.7]),
+        Hard::new("lambda-2.1", "near φ = 2, where a Timoshenko arm would turn negative", [2.1, 1.0]),
+        Hard::new("lambda-20", "where slender arms begin", [5.0, 0.25]),
+        Hard::new("lambda-1e12", "a hair", [3.0, 3e-12]),
+        Hard::new("large", "lengths of 1e200", [3e200, 1e200]),
+        Hard::new("small", "lengths of 1e-150", [3e-150, 1e-150]),
+    ]
+}
+
+/// Length and radius of an arm of extreme slenderness, and an extreme size for its loads.
+pub fn loaded_arms() -> Vec<Hard<[f64; 3]>> {
+    let both = "an extreme arm under extreme loads";
+    vec![
+        Hard::new("lambda-1e-12-loads-1e-150", both, [3e-12, 3.0, 1e-150]),
+        Hard::new("lambda-1e-12-loads-1e150", both, [3e-12, 3.0, 1e150]),
+        Hard::new("lambda-1e12-loads-1e-150", both, [3.0, 3e-12, 1e-150]),
+        Hard::new("lambda-1e12-loads-1e150", both, [3.0, 3e-12, 1e150]),
+    ]
+}
+
 /// A triad in space away from every axis, right to an ulp: the quaternion (1, 2, 3, 4)/√30.
 pub fn triad() -> [Vector3<f64>; 3] {
     FIFTEENTHS.map(|row| Vector3::from(row) / 15.0)

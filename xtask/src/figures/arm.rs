@@ -1,0 +1,56 @@
+//! The models of a cross arm over its slenderness.
+
+use super::chart::{Axis, Chart, Curve};
+use jointproof::ujoint::arm::{Models, curves};
+
+fn slenderness() -> Axis {
+    Axis {
+        label: "λ = La/Rp",
+        from: 0.1,
+        to: 1000.0,
+        logarithmic: true,
+        ticks: vec![0.1, 1.0, 10.0, 20.0, 100.0, 1000.0],
+    }
+}
+
+fn curve(name: &'static str, label_at: usize, share: impl Fn(&Models) -> f64) -> Curve {
+    Curve { name, label_at, points: curves(-1, 3, 161).iter().map(|at| (at.lambda, share(at))).collect() }
+}
+
+/// α_twist of all models, and the printed limits as grid lines.
+pub(crate) fn twist() -> Chart {
+    Chart {
+        name: "arm-twist",
+        title: "The share of the twisting moment, by model",
+        description: "α_twist over the slenderness λ from 0.1 to 1000. The model used rises from the printed limit 0 to the \
+            printed limit 1/8. The Timoshenko arm agrees with it beyond λ = 20 and turns negative below λ = 2.1. The \
+            Euler–Bernoulli arm is 1/8 throughout, the rigid arm 0.",
+        x: slenderness(),
+        y: Axis {
+            label: "α twist",
+            from: -0.05,
+            to: 0.15,
+            logarithmic: false,
+            ticks: vec![-0.05, 0.0, 0.05, 0.1, 0.125],
+        },
+        curves: vec![
+            curve("used", 62, |at| at.used.alpha_twist),
+            curve("Timoshenko", 54, |at| at.timoshenko.alpha_twist),
+            curve("Euler–Bernoulli", 4, |at| at.euler_bernoulli.alpha_twist),
+            curve("rigid", 130, |at| at.rigid.alpha_twist),
+        ],
+    }
+}
+
+/// The axial shares of the model used.
+pub(crate) fn axial() -> Chart {
+    Chart {
+        name: "arm-axial",
+        title: "The shares of a force along an arm",
+        description: "α_axial and β_axial over the slenderness λ from 0.1 to 1000. Both are 1/4 for a rigid cross; for a slender \
+            one the hinges on the arm carry 1/2 each and those on the other arm nothing.",
+        x: slenderness(),
+        y: Axis { label: "share", from: 0.0, to: 0.6, logarithmic: false, ticks: vec![0.0, 0.25, 0.5] },
+        curves: vec![curve("α axial", 130, |at| at.used.alpha_axial), curve("β axial", 130, |at| at.used.beta_axial)],
+    }
+}
