@@ -3,7 +3,7 @@
 use crate::formula::{Convention, Field, Fields, Formula, Jacobian, Spec, check, value, value_and_jacobian};
 use crate::scalar::{abs, sign};
 use crate::verify::{Audit, Kink, Options, Subject, audit, audit_at, exact, golden, hard};
-use crate::{Error, Octuple, align, cardan, coulomb, join, slider, slot, translator, ujoint, universal};
+use crate::{Error, Octuple, align, cardan, coulomb, interaction, join, slide_line, slider, slot, translator, ujoint, universal};
 
 /// A formula whose inputs and outputs are not known to the compiler; every [`Formula`] is one.
 pub trait AnyFormula: Send + Sync {
@@ -183,7 +183,25 @@ pub const CATALOG: &[&dyn AnyFormula] = &[
     &slider::Constraint2d,
     &slider::Increment2d,
     // Slide lines
+    &slide_line::LocalBasis,
+    &slide_line::LinearPoint,
+    &slide_line::ParabolicPoint,
+    &slide_line::SmoothedLinearPoint,
+    &slide_line::SmoothedParabolicPoint,
+    &slide_line::ClosestLinear,
+    &slide_line::ClosestParabolic,
+    &slide_line::ClosestSmoothedLinear,
+    &slide_line::ClosestSmoothedParabolic,
+    &slide_line::SlipIncrementLinear,
+    &slide_line::SlipIncrementParabolic,
+    &slide_line::ContactAreaLinear,
+    &slide_line::ContactAreaParabolic,
+    &slide_line::TorqueLinear,
+    &slide_line::TorqueParabolic,
     // Interaction laws
+    &interaction::PressureLinear,
+    &interaction::PressureExponential,
+    &interaction::Damping,
 ];
 
 /// The formula of this identifier.

@@ -137,6 +137,82 @@ pub enum Error {
         /// The least length allowed.
         least: f64,
     },
+    /// A curve stands still where its tangent is asked for.
+    #[error(
+        "the curve has no tangent at {coordinate} = {value}: a midside node is at the quarter point, or the curve folds back"
+    )]
+    NoTangent {
+        /// The coordinate along the curve.
+        coordinate: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A node is referred to that has no coordinates.
+    #[error("node {node} is unknown; allowed are nodes with coordinates")]
+    UnknownNode {
+        /// Its number.
+        node: u32,
+    },
+    /// Something is wrong with a node.
+    #[error("node {node} {fault}; allowed are {allowed}")]
+    Node {
+        /// Its number.
+        node: u32,
+        /// What is wrong.
+        fault: String,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// Two nodes of a segment or an element are at one place.
+    #[error("nodes {first} and {second} are at one place; allowed are different places")]
+    CoincidentNodes {
+        /// One node.
+        first: u32,
+        /// The other.
+        second: u32,
+    },
+    /// A slide line has too few nodes, or a parabolic one an even number.
+    #[error("{count} nodes are given; allowed is {allowed}")]
+    NodeCount {
+        /// How many.
+        count: usize,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// Nodes cannot be generated with this increment.
+    #[error(
+        "increment {increment} does not lead from node {first} to node {last}; allowed is a divisor of {last} - {first} with its sign"
+    )]
+    Increment {
+        /// The first node.
+        first: u32,
+        /// The last node.
+        last: u32,
+        /// The increment.
+        increment: i64,
+    },
+    /// A slide line turns straight back at a node, so that no side of it is the slave's.
+    #[error("the slide line turns straight back at node {node}; allowed is any other angle")]
+    FoldsBack {
+        /// The node.
+        node: u32,
+    },
+    /// Something is wrong with an element.
+    #[error("element {element} {fault}; allowed are {allowed}")]
+    Element {
+        /// Its number.
+        element: u32,
+        /// What is wrong.
+        fault: &'static str,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// A set of elements is empty.
+    #[error("the element set {name} is empty; allowed is at least one element")]
+    EmptySet {
+        /// The name of the set.
+        name: String,
+    },
     /// A list of components has the wrong length.
     #[error("{found} components; allowed are exactly {expected}")]
     Components {
@@ -255,6 +331,15 @@ impl Error {
             Self::NoArcSine { .. } => "NoArcSine",
             Self::TooClose { .. } => "TooClose",
             Self::TooShort { .. } => "TooShort",
+            Self::NoTangent { .. } => "NoTangent",
+            Self::UnknownNode { .. } => "UnknownNode",
+            Self::Node { .. } => "Node",
+            Self::CoincidentNodes { .. } => "CoincidentNodes",
+            Self::NodeCount { .. } => "NodeCount",
+            Self::Increment { .. } => "Increment",
+            Self::FoldsBack { .. } => "FoldsBack",
+            Self::Element { .. } => "Element",
+            Self::EmptySet { .. } => "EmptySet",
             Self::Components { .. } => "Components",
             Self::Overflow { .. } => "Overflow",
             Self::DerivativeOverflow { .. } => "DerivativeOverflow",

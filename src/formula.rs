@@ -8,7 +8,7 @@
 use crate::error::Error;
 use crate::quantity::{Domain, Quantity};
 use crate::{Octuple, Scalar};
-use nalgebra::{Vector2, Vector3};
+use nalgebra::{SVector, Vector2, Vector3};
 use std::fmt::Debug;
 
 /// What a field may hold: a number, or a gradient of numbers.
@@ -477,10 +477,8 @@ pub struct Equation {
 
 /// A unit vector of the i-th axis times `value`: the gradient of a product's i-th component.
 #[inline]
-pub fn along<D: Scalar>(i: usize, value: D) -> Vector3<D> {
-    let mut v = Vector3::from_element(D::zero());
-    v[i] = value;
-    v
+pub fn along<D: Scalar, const N: usize>(i: usize, value: D) -> SVector<D, N> {
+    SVector::from_fn(|k, _| if k == i { value } else { D::zero() })
 }
 
 /// Whether a field turns with the model.

@@ -7,6 +7,7 @@
 //! | module | what is in it |
 //! |---|---|
 //! | [`slot`], [`coulomb`], [`cardan`], [`align`], [`translator`], [`join`], [`universal`], [`ujoint`], [`slider`] | the documents' rooms: formulas, Jacobians, hard cases, and the typed connectors |
+//! | [`isl`] | the axisymmetric elements that slide along a slide line |
 //! | [`frame`] | validated triads |
 //! | [`formula`], [`quantity`] | what a formula is; the vocabulary of symbols, units and domains |
 //! | [`scalar`] | the numbers a formula runs in: `f64`, [`Octuple`], [`Single`], dual numbers over them |
@@ -36,6 +37,8 @@ pub mod coulomb;
 mod error;
 pub mod formula;
 pub mod frame;
+pub mod interaction;
+pub mod isl;
 pub mod join;
 mod newtype;
 pub mod octuple;
@@ -43,6 +46,7 @@ pub mod quantity;
 pub mod scalar;
 pub mod scene;
 pub mod single;
+pub mod slide_line;
 pub mod slider;
 pub mod slot;
 pub mod translator;

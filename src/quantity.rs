@@ -112,6 +112,8 @@ pub enum Domain {
     Between(f64, f64),
     /// A number between the bounds or on them.
     Within(f64, f64),
+    /// A number between the bounds or on the lower one.
+    HalfOpen(f64, f64),
     /// A point: moves and turns with the model.
     Point,
     /// A free vector (a displacement, a force): turns with the model.
@@ -131,6 +133,7 @@ impl Domain {
             Self::Positive => x > 0.0,
             Self::Between(low, high) => low < x && x < high,
             Self::Within(low, high) => low <= x && x <= high,
+            Self::HalfOpen(low, high) => low <= x && x < high,
             _ => true,
         }
     }
@@ -142,6 +145,7 @@ impl Domain {
             Self::Positive => "a finite number > 0".into(),
             Self::Between(low, high) => format!("a number > {low} and < {high}"),
             Self::Within(low, high) => format!("a number ≥ {low} and ≤ {high}"),
+            Self::HalfOpen(low, high) => format!("a number ≥ {low} and < {high}"),
             _ => "a finite number".into(),
         }
     }
@@ -174,13 +178,14 @@ macro_rules! quantities {
     };
 }
 
-use Domain::{Angle, Direction, NonNegative, Point, Positive, Real, Triad, Vector};
+use Domain::{Angle, Between, Direction, HalfOpen, NonNegative, Point, Positive, Real, Triad, Vector, Within};
 use Node::{A, B};
 
 const ONE: Unit = Unit::ONE;
 const L: Unit = Unit::L;
 const F: Unit = Unit::F;
 const FL: Unit = Unit::FL;
+const PRESSURE_UNIT: Unit = Unit::new(-2, 1, 0);
 
 quantities! {
     E1A: r"\mathbf{e}_{1a}", Vec3, ONE, Triad(A, 1), "first unit vector of node a's triad, in the global frame";
@@ -337,6 +342,40 @@ quantities! {
     SLIDER_G: r"g", Scalar, L, Real, "distance of node m from the line along t, positive to the left of the direction of travel";
 
     // Slide lines
+    XS: r"\mathbf{x}_s", Vec2, L, Point, "position of the slave point, in the plane (r, z)";
+    X1: r"\mathbf{x}_1", Vec2, L, Point, "position of the first node in sequence, in the plane (r, z)";
+    X2: r"\mathbf{x}_2", Vec2, L, Point, "position of the second node in sequence, in the plane (r, z)";
+    X3: r"\mathbf{x}_3", Vec2, L, Point, "position of the third node in sequence, in the plane (r, z)";
+    X4: r"\mathbf{x}_4", Vec2, L, Point, "position of the fourth node in sequence, in the plane (r, z)";
+    X5: r"\mathbf{x}_5", Vec2, L, Point, "position of the fifth node in sequence, in the plane (r, z)";
+    CURVE: r"\mathbf{X}", Vec2, L, Point, "point of the slide line, in the plane (r, z)";
+    CURVE_RATE: r"\mathbf{X}'", Vec2, L, Vector, "derivative of the point with respect to its coordinate, along the tangent";
+    TANGENT: r"\mathbf{t}", Vec2, ONE, Vector, "unit tangent of the slide line, in the sequence of its nodes";
+    NORMAL: r"\mathbf{n}", Vec2, ONE, Vector, "unit normal of the slide line, 90° to the left of the tangent, towards the slave";
+    SEGMENT_G: r"g", Scalar, ONE, Within(-1.0, 1.0), "coordinate along a segment, from -1 at its first node to 1 at its last";
+    CORNER_T: r"t", Scalar, ONE, Within(0.0, 1.0), "coordinate along a smoothed corner, from 0 at its start to 1 at its end";
+    FRACTION: r"f", Scalar, ONE, Between(0.0, 0.5), "smoothing fraction: the part of each segment that a smoothed corner replaces";
+    SEPARATION: r"E_{11}", Scalar, L, Real, "separation of the slave point from the slide line along its normal, positive when open";
+    DXS: r"\Delta\mathbf{x}_s", Vec2, L, Vector, "displacement increment of the slave point";
+    DX1: r"\Delta\mathbf{x}_1", Vec2, L, Vector, "displacement increment of the first node in sequence";
+    DX2: r"\Delta\mathbf{x}_2", Vec2, L, Vector, "displacement increment of the second node in sequence";
+    DX3: r"\Delta\mathbf{x}_3", Vec2, L, Vector, "displacement increment of the third node in sequence";
+    DSLIP: r"\Delta E_{12}", Scalar, L, Real, "increment of the tangential displacement of the slave point relative to the slide line";
+    A1: r"A_1", Scalar, Unit::new(2, 0, 0), NonNegative, "contact area of the first node, around the whole circumference";
+    A2: r"A_2", Scalar, Unit::new(2, 0, 0), NonNegative, "contact area of the second node, around the whole circumference";
+    A3: r"A_3", Scalar, Unit::new(2, 0, 0), NonNegative, "contact area of the third node, around the whole circumference";
+    P1: r"p_1", Scalar, PRESSURE_UNIT, NonNegative, "contact pressure at the first node, positive when it pushes";
+    P2: r"p_2", Scalar, PRESSURE_UNIT, NonNegative, "contact pressure at the second node, positive when it pushes";
+    P3: r"p_3", Scalar, PRESSURE_UNIT, NonNegative, "contact pressure at the third node, positive when it pushes";
+    TORQUE: r"T", Scalar, Unit::FL, Real, "greatest torque about the z axis that the interface transmits with friction coefficient 1";
 
     // Interaction laws
+    OVERCLOSURE: r"h", Scalar, L, Real, "overclosure, the separation with the opposite sign: positive when the surfaces overlap";
+    STIFFNESS: r"k", Scalar, Unit::new(-3, 1, 0), Positive, "contact stiffness, pressure per overclosure";
+    CLEARANCE: r"c_0", Scalar, L, Positive, "clearance at which contact begins to act";
+    PRESSURE_AT_TOUCH: r"p_0", Scalar, PRESSURE_UNIT, Positive, "contact pressure at zero overclosure";
+    PRESSURE: r"p", Scalar, PRESSURE_UNIT, Real, "contact pressure, positive when it pushes";
+    CLOSING_RATE: r"v", Scalar, Unit::new(1, 0, -1), Real, "rate of the overclosure, positive while the surfaces approach";
+    MU0: r"\mu_0", Scalar, Unit::new(-3, 1, 1), NonNegative, "damping coefficient in full contact, pressure per closing rate";
+    DAMPING_FRACTION: r"\eta", Scalar, ONE, HalfOpen(0.0, 1.0), "part of the clearance over which damping acts in full";
 }

@@ -19,6 +19,12 @@ use num_dual::{Derivative, Dual, Dual2, Dual2SVec, DualNum, DualSVec, HyperDual}
 /// `Primitive = f64` lets formulas be written with plain literals, `2.0 * x` as `x * 2.0`, for every scalar alike.
 /// The methods are the guarded elementary functions; call them by the free functions [`norm`], [`atan2`] and [`abs`].
 pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scalar {
+    /// The number without its derivatives.
+    type Leaf: Leaf;
+    /// See [`leaf`].
+    fn leaf_of(x: Self) -> Self::Leaf;
+    /// See [`constant`].
+    fn constant_of(x: Self::Leaf) -> Self;
     /// See [`norm`].
     fn norm_of<const N: usize>(x: [Self; N]) -> Self;
     /// See [`norm_and_direction`].
@@ -42,6 +48,60 @@ pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scal
     /// This number with another value, rounded once; derivatives stay.
     #[must_use]
     fn with_value(self, value: Octuple) -> Self;
+}
+
+/// A number without derivatives, the leaf of a tree of dual numbers: `f64`, [`Octuple`], [`Single`].
+///
+/// An iteration, such as the search for a root, runs on these; what it found becomes a [`constant`] again, and one
+/// step of Newton's method on the full scalar brings the derivatives (the implicit function theorem).
+pub trait Leaf: Scalar<Leaf = Self> {
+    /// The distance from 1 to the next larger number.
+    const EPSILON: f64;
+    /// A constant of mathematics: the double nearest to it, and what it is to 237 bits.
+    ///
+    /// `f64` takes the double as it is, so that no formula pays for the digits it does not need.
+    fn known(nearest: f64, exact: impl FnOnce() -> Octuple) -> Self;
+}
+
+/// The number without its derivatives.
+///
+/// ```
+/// use num_dual::Dual64;
+/// assert_eq!(jointproof::scalar::leaf(Dual64::from_re(2.0).derivative()), 2.0);
+/// ```
+#[inline]
+pub fn leaf<D: Scalar>(x: D) -> D::Leaf {
+    D::leaf_of(x)
+}
+
+/// A number as a constant, whose derivatives are 0; unlike `D::from(f64)` it keeps every digit of an [`Octuple`].
+#[inline]
+pub fn constant<D: Scalar>(x: D::Leaf) -> D {
+    D::constant_of(x)
+}
+
+/// π, correctly rounded in every scalar.
+///
+/// ```
+/// use jointproof::{Octuple, scalar::pi};
+/// assert_eq!(pi::<f64>(), std::f64::consts::PI);
+/// assert_eq!(pi::<Octuple>(), Octuple::PI);
+/// ```
+#[inline]
+pub fn pi<D: Scalar>() -> D {
+    constant(D::Leaf::known(std::f64::consts::PI, || Octuple::PI))
+}
+
+/// e − 1, right to an ulp in every scalar.
+///
+/// ```
+/// use jointproof::{Octuple, scalar::e_minus_one};
+/// assert_eq!(e_minus_one::<f64>(), 1.0_f64.exp_m1());
+/// assert_eq!(e_minus_one::<Octuple>(), Octuple::E - 1.0);
+/// ```
+#[inline]
+pub fn e_minus_one<D: Scalar>() -> D {
+    constant(D::Leaf::known(1.718_281_828_459_045, || Octuple::E - 1.0))
 }
 
 /// √(Σ xᵢ²), right to about an ulp for every representable input, subnormal or near the overflow threshold.
@@ -171,7 +231,61 @@ const fn power_of_two(exponent: i64) -> f64 {
     f64::from_bits(((exponent + 1023) as u64) << 52)
 }
 
+/// A leaf is its own leaf.
+macro_rules! itself {
+    () => {
+        type Leaf = Self;
+        #[inline]
+        fn leaf_of(x: Self) -> Self {
+            x
+        }
+        #[inline]
+        fn constant_of(x: Self) -> Self {
+            x
+        }
+    };
+}
+
+/// The leaf of a dual number is that of its real part.
+macro_rules! inside {
+    () => {
+        type Leaf = T::Leaf;
+        #[inline]
+        fn leaf_of(x: Self) -> Self::Leaf {
+            T::leaf_of(x.re)
+        }
+        #[inline]
+        fn constant_of(x: Self::Leaf) -> Self {
+            Self::from_re(T::constant_of(x))
+        }
+    };
+}
+
+impl Leaf for f64 {
+    const EPSILON: f64 = Self::EPSILON;
+    #[inline]
+    fn known(nearest: f64, _: impl FnOnce() -> Octuple) -> Self {
+        nearest
+    }
+}
+
+impl Leaf for Single {
+    const EPSILON: f64 = f32::EPSILON as f64;
+    #[inline]
+    fn known(nearest: f64, _: impl FnOnce() -> Octuple) -> Self {
+        Self::from(nearest)
+    }
+}
+
+impl Leaf for Octuple {
+    const EPSILON: f64 = power_of_two(-236);
+    fn known(_: f64, exact: impl FnOnce() -> Octuple) -> Self {
+        exact()
+    }
+}
+
 impl Scalar for f64 {
+    itself!();
     #[inline]
     fn norm_of<const N: usize>(x: [Self; N]) -> Self {
         Squares::DOUBLE.norm(x)
@@ -194,6 +308,7 @@ impl Scalar for f64 {
 }
 
 impl Scalar for Single {
+    itself!();
     #[inline]
     fn norm_of<const N: usize>(x: [Self; N]) -> Self {
         Squares::SINGLE.norm(x)
@@ -212,6 +327,7 @@ impl Scalar for Single {
 
 /// The exponent range of 237-bit numbers is so wide that no square of a double leaves it.
 impl Scalar for Octuple {
+    itself!();
     fn norm_of<const N: usize>(x: [Self; N]) -> Self {
         DualNum::sqrt(&sum_of_squares(x))
     }
@@ -232,6 +348,7 @@ impl Scalar for Octuple {
 macro_rules! first_order {
     ([$($generics:tt)*] $dual:ty) => {
         impl<T: Scalar $($generics)*> Scalar for $dual {
+            inside!();
             #[inline]
             fn norm_of<const COUNT: usize>(x: [Self; COUNT]) -> Self {
                 let (length, n) = norm_and_direction(x.map(|x| x.re));
@@ -286,6 +403,7 @@ first_order!([, const N: usize] DualSVec<T, N>);
 macro_rules! second_order {
     ([$($generics:tt)*] $dual:ty, $unfold:ident, $fold:ident) => {
         impl<T: Scalar $($generics)*> Scalar for $dual {
+            inside!();
             fn norm_of<const COUNT: usize>(x: [Self; COUNT]) -> Self {
                 $fold(norm(x.map($unfold)))
             }

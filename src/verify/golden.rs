@@ -171,6 +171,7 @@ fn bad_values(domain: Domain) -> Vec<(&'static str, f64)> {
         Domain::NonNegative => bad.push(("negative", -1.0)),
         Domain::Positive => bad.extend([("zero", 0.0), ("negative", -1.0)]),
         Domain::Between(low, high) => bad.extend([("too-small", low), ("too-large", high)]),
+        Domain::HalfOpen(low, high) => bad.extend([("too-small", low.next_down()), ("too-large", high)]),
         Domain::Within(low, high) => bad.extend([("too-small", low.next_down()), ("too-large", high.next_up())]),
         _ => {}
     }

@@ -17,7 +17,8 @@ pub struct Hard<T> {
 }
 
 impl<T> Hard<T> {
-    const fn new(id: &'static str, comment: &'static str, value: T) -> Self {
+    /// A hard value.
+    pub const fn new(id: &'static str, comment: &'static str, value: T) -> Self {
         Self { id, comment, value }
     }
 }

@@ -56,6 +56,7 @@ mod subject;
 pub use audit::{Audit, Claim, Deviation, Options, audit, audit_at};
 pub use difference::central_differences;
 pub use eta::{Sensitivity, eta, relative};
+pub use hard::Hard;
 pub use jet::{derivative_of_jacobian, jacobian_by_ad};
 pub use sample::Sampler;
 

@@ -63,8 +63,10 @@ impl Sampler {
             Domain::Real | Domain::Point | Domain::Vector => self.signed(),
             Domain::NonNegative | Domain::Positive => self.magnitude(),
             Domain::Angle => self.between(-std::f64::consts::PI, std::f64::consts::PI),
-            Domain::Between(low, high) | Domain::Within(low, high) => self.between(low, high),
             Domain::Direction => triads[0][0][component],
+            Domain::Between(low, high) | Domain::Within(low, high) | Domain::HalfOpen(low, high) => {
+                self.between(low, high)
+            }
             Domain::Triad(node, axis) => {
                 let triad = match node {
                     Node::A => triads[0],

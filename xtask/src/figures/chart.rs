@@ -23,7 +23,7 @@ pub(crate) struct Curve<'a> {
     pub(crate) name: &'a str,
     /// Which point carries the name.
     pub(crate) label_at: usize,
-    /// The points; what is not finite is left out.
+    /// The points; one that is not finite is left out and breaks the line.
     pub(crate) points: Vec<(f64, f64)>,
 }
 
@@ -120,16 +120,19 @@ impl Chart<'_> {
     }
 
     fn curve(&self, svg: &mut String, curve: &Curve<'_>, colour: &str, dashes: &str) {
-        let seen = curve.points.iter().filter(|(x, y)| {
-            let inside = |axis: &Axis<'_>, value: f64| (-0.001..=1.001).contains(&axis.share(value));
-            inside(&self.x, *x) && inside(&self.y, *y)
-        });
-        let path: Vec<_> = seen.map(|&point| self.place(point)).map(|(x, y)| format!("{x:.1} {y:.1}")).collect();
-        let _ = writeln!(
-            svg,
-            r#"  <path d="M{}" stroke="{colour}" stroke-width="2" stroke-dasharray="{dashes}"/>"#,
-            path.join("L")
-        );
+        let inside = |axis: &Axis<'_>, value: f64| (-0.001..=1.001).contains(&axis.share(value));
+        let mut path = String::new();
+        let mut pen = 'M';
+        for &point in &curve.points {
+            if inside(&self.x, point.0) && inside(&self.y, point.1) {
+                let (x, y) = self.place(point);
+                let _ = write!(path, "{pen}{x:.1} {y:.1}");
+                pen = 'L';
+            } else if !(point.0.is_finite() && point.1.is_finite()) {
+                pen = 'M';
+            }
+        }
+        let _ = writeln!(svg, r#"  <path d="{path}" stroke="{colour}" stroke-width="2" stroke-dasharray="{dashes}"/>"#);
         if let Some(&point) = curve.points.get(curve.label_at) {
             let (x, y) = self.place(point);
             let _ = writeln!(svg, r#"  <text x="{x:.1}" y="{:.1}" fill="{colour}">{}</text>"#, y - 8.0, curve.name);

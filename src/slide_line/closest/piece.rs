@@ -1,0 +1,94 @@
+//! The closest point of one piece of a slide line: of a segment, or of what smoothed corners leave of it, or of a corner.
+
+use super::{ClosestLinear, Foot, LinearSlave, View};
+use crate::Scalar;
+use crate::formula::Formula;
+use crate::scalar::norm;
+use crate::slide_line::basis::length_and_tangent;
+use crate::slide_line::shape::{self, Shape};
+use arrayvec::ArrayVec;
+use nalgebra::Vector2;
+
+/// The closest point of one piece.
+#[derive(Clone, Debug)]
+pub(in crate::slide_line) struct PieceFoot<D> {
+    /// The coordinate.
+    pub(in crate::slide_line) u: D,
+    /// Whether it is between the ends, where the gap is perpendicular to the piece.
+    pub(in crate::slide_line) inside: bool,
+    /// The distance to the piece.
+    pub(in crate::slide_line) distance: f64,
+    /// How far the slave point is past an end, along the outward tangent there.
+    pub(in crate::slide_line) beyond: D,
+    pub(in crate::slide_line) tangent: Vector2<D>,
+    /// From the tangent.
+    pub(in crate::slide_line) separation: D,
+    /// Of the piece's nodes; they add up to 1.
+    pub(in crate::slide_line) weights: ArrayVec<D, 5>,
+    /// Whether the curve stands still there and the tangent is only the rounding of its terms.
+    pub(in crate::slide_line) stands_still: bool,
+}
+
+/// On the part of a straight segment between two coordinates.
+pub(in crate::slide_line) fn straight_foot<D: Scalar>(i: &LinearSlave<D>, [from, to]: [f64; 2]) -> PieceFoot<D> {
+    let whole = ClosestLinear::eval(i);
+    let (length, tangent) = length_and_tangent(i.x2 - i.x1);
+    let inside = from < whole.g.re() && whole.g.re() < to;
+    if inside {
+        let weights = shape::linear(whole.g).into_iter().collect();
+        let distance = whole.separation.re().abs();
+        let beyond = D::zero();
+        let (u, separation) = (whole.g, whole.separation);
+        return PieceFoot { u, inside, distance, beyond, tangent, separation, weights, stands_still: false };
+    }
+    let end = if whole.g <= from { from } else { to };
+    let u = D::from(end);
+    let gap = shape::gap(i.xs, &[i.x1, i.x2], shape::linear(u));
+    let along = gap.dot(&tangent);
+    PieceFoot {
+        u,
+        inside,
+        distance: size(gap),
+        beyond: along * end.signum(),
+        tangent,
+        separation: whole.separation,
+        weights: shape::linear(along / length * 2.0 + u).into_iter().collect(),
+        stands_still: false,
+    }
+}
+
+/// On the part of a curve between two coordinates.
+pub(in crate::slide_line) fn curved_foot<D: Scalar, S: Shape<N>, const N: usize>(
+    xs: Vector2<D>,
+    nodes: [Vector2<D>; N],
+    f: f64,
+    [from, to]: [f64; 2],
+) -> PieceFoot<D> {
+    let view = View::<D, S, N>::new(xs, nodes, D::from(f));
+    let foot = Foot::between(&view, [from, to].map(D::Leaf::from));
+    let gap = if foot.inside { foot.gap } else { view.gap(S::weights(view.f, foot.u)) };
+    let tangent = length_and_tangent(foot.rate).1;
+    let outward = if foot.u.re() == from { -1.0 } else { 1.0 };
+    PieceFoot {
+        u: foot.u,
+        inside: foot.inside,
+        distance: size(gap) * view.unit,
+        beyond: if foot.inside { D::zero() } else { gap.dot(&tangent) * (view.unit * outward) },
+        tangent,
+        separation: foot.separation() * view.unit,
+        weights: foot.weights.into_iter().collect(),
+        stands_still: stands_still(&view, &foot),
+    }
+}
+
+/// Whether Y′ is no more than the rounding of its terms.
+fn stands_still<D: Scalar, S: Shape<N>, const N: usize>(view: &View<D, S, N>, foot: &Foot<D, N>) -> bool {
+    let base = view.nodes[N / 2];
+    let size = |v: Vector2<D>| v.x.re().abs() + v.y.re().abs();
+    let terms: f64 = view.nodes.iter().zip(foot.rates).map(|(x, rate)| size(view.in_unit((x - base) * rate))).sum();
+    size(foot.rate) <= 8.0 * f64::EPSILON * terms
+}
+
+fn size<D: Scalar>(v: Vector2<D>) -> f64 {
+    norm([v.x.re(), v.y.re()])
+}

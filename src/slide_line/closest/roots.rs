@@ -1,0 +1,127 @@
+//! Roots of polynomials of degree 5 and less in an interval, in any precision.
+//!
+//! Between two neighbouring extrema a polynomial crosses zero at most once, and its extrema are the roots of its
+//! derivative: so the roots of every degree are bracketed by those one degree lower, down to the straight line
+//! (Yuksel 2022, "High-Performance Polynomial Root Finding for Graphics"). Inside a bracket every step is Newton's as
+//! long as that stays inside and at least halves the last step, and a bisection otherwise, so each step halves either
+//! the step or the bracket, and the search ends whatever the polynomial.
+//!
+//! The crate polycool does the same in `f64`. The exact reference needs all 237 bits, and where two feet merge, at a
+//! centre of curvature, a root found in `f64` is wrong after eight digits or is not found at all; hence this one, which
+//! the tests compare with polycool.
+
+use crate::scalar::{Leaf, abs};
+use arrayvec::ArrayVec;
+
+/// A double has 1074 + 53 binary places; more halvings cannot be needed.
+const MOST_STEPS: usize = 1200;
+
+/// Where the polynomial, its constant term first, falls through zero between two ends.
+///
+/// Its values at the ends are given, since the caller may know their signs better; where they are 0 no end counts. If
+/// the first is positive and the last negative, there is at least one root.
+pub(super) fn falling<L: Leaf>(p: &[L; 6], ends: [L; 2], values: [L; 2]) -> ArrayVec<L, 5> {
+    let p = trimmed(p);
+    let mut brackets = brackets(p, ends, values);
+    if let Some(last) = brackets.last_mut().filter(|last| last.high == 0.0) {
+        last.high = last.low; // no change of sign
+    }
+    let falls = brackets.into_iter().filter(|b| b.low > 0.0 && b.high <= 0.0);
+    falls.map(|bracket| bracket.crossing(p)).collect()
+}
+
+/// Where it changes sign, either way.
+fn crossings<L: Leaf>(p: &[L], ends: [L; 2]) -> ArrayVec<L, 5> {
+    let values = ends.map(|u| value_and_slope(p, u).0);
+    let changes = brackets(p, ends, values).into_iter().filter(|b| (b.low < 0.0) != (b.high < 0.0));
+    changes.map(|bracket| bracket.crossing(p)).collect()
+}
+
+/// An interval without an extremum inside, and the values at its ends.
+struct Bracket<L> {
+    from: L,
+    to: L,
+    low: L,
+    high: L,
+}
+
+fn brackets<L: Leaf>(p: &[L], ends: [L; 2], [first, last]: [L; 2]) -> ArrayVec<Bracket<L>, 5> {
+    let extrema = match p.len() {
+        0..=2 => ArrayVec::new(),
+        _ => crossings(trimmed(&derivative(p)), ends),
+    };
+    let inner = extrema.into_iter().map(|u| (u, value_and_slope(p, u).0));
+    let mut start = (ends[0], first);
+    let mut brackets = ArrayVec::new();
+    for end in inner.chain([(ends[1], last)]) {
+        brackets.push(Bracket { from: start.0, to: end.0, low: start.1, high: end.1 });
+        start = end;
+    }
+    brackets
+}
+
+impl<L: Leaf> Bracket<L> {
+    /// The place where the polynomial changes sign.
+    fn crossing(&self, p: &[L]) -> L {
+        let Self { mut from, mut to, low, high } = *self;
+        if high == 0.0 {
+            return to;
+        }
+        let middle = |from: L, to: L| from + (to - from) * 0.5;
+        let mut u = middle(from, to);
+        let mut step = to - from;
+        let mut looked_for_short = false;
+        for _ in 0..MOST_STEPS {
+            let (value, slope) = value_and_slope(p, u);
+            if value == 0.0 {
+                return u;
+            }
+            if (value > 0.0) == (low > 0.0) {
+                from = u;
+            } else {
+                to = u;
+            }
+            let newton = u - value / slope;
+            let halves = abs(newton - u) <= abs(step) * 0.5;
+            let next = if from < newton && newton < to && halves { newton } else { middle(from, to) };
+            step = next - u;
+            if step == 0.0 || next == from || next == to {
+                return next;
+            }
+            u = next;
+            if !looked_for_short && abs(step) < SHORT * SHORT {
+                looked_for_short = true;
+                let short = short_fraction(u);
+                if value_and_slope(p, short).0 == 0.0 {
+                    return short;
+                }
+            }
+        }
+        u
+    }
+}
+
+/// Fractions of this size are looked for among the roots.
+const SHORT: f64 = 1.0 / (1 << 20) as f64;
+
+/// The nearest multiple of [`SHORT`]. Roots of model problems often are, and then they are met exactly, multiple ones
+/// too, which Newton's method only creeps towards.
+fn short_fraction<L: Leaf>(u: L) -> L {
+    L::from((u.re() / SHORT).round() * SHORT)
+}
+
+/// Without zeros in the highest places.
+fn trimmed<L: Leaf>(p: &[L]) -> &[L] {
+    let degree = p.iter().rposition(|&c| c != 0.0).map_or(0, |k| k + 1);
+    p.get(..degree).unwrap_or(p)
+}
+
+fn derivative<L: Leaf>(p: &[L]) -> ArrayVec<L, 5> {
+    let powers = [1.0, 2.0, 3.0, 4.0, 5.0];
+    p.iter().skip(1).zip(powers).map(|(&c, power)| c * power).collect()
+}
+
+/// Horner's scheme.
+fn value_and_slope<L: Leaf>(p: &[L], u: L) -> (L, L) {
+    p.iter().rev().fold((L::zero(), L::zero()), |(value, slope), &c| (value * u + c, slope * u + value))
+}

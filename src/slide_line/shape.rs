@@ -1,0 +1,264 @@
+//! The curves of a slide line, by what every node weighs in their points.
+//!
+//! A point is X(u) = Σ Nᵢ(u) xᵢ with weights that add up to 1; their derivatives add up to 0. Points and derivatives are
+//! evaluated from differences of nodes, taken from the node that weighs most: then a common offset of all nodes costs
+//! no digits, and the rounding of no node counts for much more than its weight.
+
+use super::basis::length_and_tangent;
+use super::points::Sides;
+use crate::Scalar;
+use crate::scalar::abs;
+use nalgebra::Vector2;
+
+/// A curve through N nodes, with a parameter f (the smoothing fraction; unused by segments).
+///
+/// At a smoothed corner all derivatives carry f as a factor. It is left out of them here, and told by `factor`.
+pub(super) trait Shape<const N: usize> {
+    /// The coordinates of the ends.
+    const ENDS: [f64; 2];
+
+    /// N(u).
+    fn weights<D: Scalar>(f: D, u: D) -> [D; N];
+
+    /// N′(u)/factor.
+    fn rates<D: Scalar>(f: D, u: D) -> [D; N];
+
+    /// N″(u)/factor.
+    fn bends<D: Scalar>(f: D, u: D) -> [D; N];
+
+    /// N‴/factor.
+    fn jolts<D: Scalar>(_: D) -> [D; N] {
+        [D::zero(); N]
+    }
+
+    /// What the derivatives are multiplied by.
+    fn factor<D: Scalar>(_: D) -> D {
+        D::one()
+    }
+
+    /// The weights of the point closest to xs on the tangent at an end.
+    ///
+    /// Each is summed from differences to xs: as the weights of the end and a step along the tangent they would be
+    /// differences, and the smaller ones wrong.
+    fn on_end_tangent<D: Scalar>(xs: Vector2<D>, nodes: &[Vector2<D>; N], f: D, u: D) -> [D; N];
+}
+
+/// Weights of x1, x2 on a straight segment.
+#[inline]
+pub(super) fn linear<D: Scalar>(g: D) -> [D; 2] {
+    [(-g + 1.0) * 0.5, (g + 1.0) * 0.5]
+}
+
+/// A parabolic segment x1, x2, x3 with midside node x2, and −1 ≤ g ≤ 1.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Parabola;
+
+impl Shape<3> for Parabola {
+    const ENDS: [f64; 2] = [-1.0, 1.0];
+
+    #[inline]
+    fn weights<D: Scalar>(_: D, g: D) -> [D; 3] {
+        parabolic(g)
+    }
+    #[inline]
+    fn rates<D: Scalar>(_: D, g: D) -> [D; 3] {
+        parabolic_rates(g)
+    }
+    #[inline]
+    fn bends<D: Scalar>(_: D, _: D) -> [D; 3] {
+        [1.0, -2.0, 1.0].map(D::from)
+    }
+    fn on_end_tangent<D: Scalar>(xs: Vector2<D>, nodes: &[Vector2<D>; 3], _: D, g: D) -> [D; 3] {
+        let square = |x: D| x * x * 0.5;
+        on_tangent(xs, nodes, g, [square(-g + 1.0), square(g), square(g + 1.0)])
+    }
+}
+
+/// The weights of the point closest to xs on the tangent of a parabola at g; given ½(1−g)², ½g² and ½(1+g)².
+///
+/// A point Σ wᵢ xᵢ of the tangent has the weights w = N + τ N′. With τ = (xs − X)·X′/|X′|² every weight is
+/// wⱼ = Σᵢ (Nᵢ Nⱼ′ − Nᵢ′ Nⱼ) (xs − xᵢ)·X′/|X′|², and these Wronskians are the three squares, with signs.
+fn on_tangent<D: Scalar>(xs: Vector2<D>, nodes: &[Vector2<D>; 3], g: D, [left, middle, right]: [D; 3]) -> [D; 3] {
+    let (length, along) = length_and_tangent(Sides::new(*nodes).rate(g));
+    let [d1, d2, d3] = nodes.map(|x| (xs - x).dot(&along) / length);
+    [middle * d3 - left * d2, left * d1 - right * d3, right * d2 - middle * d1]
+}
+
+/// Weights of x1, x2, x3 on a parabola.
+#[inline]
+pub(super) fn parabolic<D: Scalar>(g: D) -> [D; 3] {
+    let half = g * 0.5;
+    [half * (g - 1.0), (-g + 1.0) * (g + 1.0), half * (g + 1.0)]
+}
+
+/// Their derivatives.
+#[inline]
+pub(super) fn parabolic_rates<D: Scalar>(g: D) -> [D; 3] {
+    [g - 0.5, g * -2.0, g + 0.5]
+}
+
+/// The smoothed corner x2 between straight segments, with 0 ≤ t ≤ 1 and s = 1 − t.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LinearCorner;
+
+impl Shape<3> for LinearCorner {
+    const ENDS: [f64; 2] = [0.0, 1.0];
+
+    #[inline]
+    fn weights<D: Scalar>(f: D, t: D) -> [D; 3] {
+        let s = -t + 1.0;
+        let (first, last) = (f * s * s, f * t * t);
+        [first, -(first + last) + 1.0, last]
+    }
+    #[inline]
+    fn rates<D: Scalar>(_: D, t: D) -> [D; 3] {
+        let s = -t + 1.0;
+        [s * -2.0, (s - t) * 2.0, t * 2.0]
+    }
+    #[inline]
+    fn bends<D: Scalar>(_: D, _: D) -> [D; 3] {
+        [2.0, -4.0, 2.0].map(D::from)
+    }
+    /// The tangents are the straight segments, whatever f.
+    fn on_end_tangent<D: Scalar>(xs: Vector2<D>, [x1, x2, x3]: &[Vector2<D>; 3], _: D, t: D) -> [D; 3] {
+        let zero = D::zero();
+        let weights = |far: &Vector2<D>| {
+            let (length, along) = length_and_tangent(far - x2);
+            [(xs - x2).dot(&along) / length, (far - xs).dot(&along) / length]
+        };
+        if t < 0.5 {
+            let [n1, n2] = weights(x1);
+            [n1, n2, zero]
+        } else {
+            let [n3, n2] = weights(x3);
+            [zero, n2, n3]
+        }
+    }
+    #[inline]
+    fn factor<D: Scalar>(f: D) -> D {
+        f
+    }
+}
+
+/// The smoothed corner x3 between parabolas, with 0 ≤ t ≤ 1 and s = 1 − t: the cubic of Bézier, collected by nodes.
+///
+/// The nodes on either side have the same functions, of s before the corner and of t behind it. For 0 < f < ½ none of the
+/// weights is a difference of nearly equal terms.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ParabolicCorner;
+
+impl ParabolicCorner {
+    /// The derivatives of weights, rates and bends with respect to f.
+    #[inline]
+    pub(super) fn by_fraction<D: Scalar>(f: D, t: D) -> [[D; 5]; 3] {
+        let s = -t + 1.0;
+        let rest = -(f * 4.0) + 1.0;
+        let weights = both_sides(s, t, |near, other| {
+            let square = near * near;
+            [-(square * (rest + f * other * 8.0)), square * (-(f * 2.0) + 1.0 + f * other * 4.0) * 4.0]
+        });
+        let rates = both_sides(s, t, |near, _| {
+            let turn = (-(near * 3.0) + 1.0) * near;
+            [turn * 4.0, turn * -8.0]
+        });
+        let bends = both_sides(s, t, |near, _| {
+            let turn = -(near * 6.0) + 1.0;
+            [turn * -4.0, turn * 8.0]
+        });
+        let middle = f * 4.0 - 3.0 + (-(f * 16.0) + 6.0) * s * t;
+        [with_middle(weights, middle), with_middle(against(rates), (s - t) * -8.0), with_middle(bends, D::from(16.0))]
+    }
+}
+
+impl Shape<5> for ParabolicCorner {
+    const ENDS: [f64; 2] = [0.0, 1.0];
+
+    #[inline]
+    fn weights<D: Scalar>(f: D, t: D) -> [D; 5] {
+        let s = -t + 1.0;
+        let rest = -(f * 2.0) + 1.0;
+        let sides = both_sides(s, t, |near, other| {
+            let square = f * near * near;
+            [-(square * (rest + f * other * 4.0)), square * (-f + 1.0 + f * other * 2.0) * 4.0]
+        });
+        with_middle(sides, rest * (-f + 1.0) + f * (-(f * 4.0) + 3.0) * s * t * 2.0)
+    }
+    #[inline]
+    fn rates<D: Scalar>(f: D, t: D) -> [D; 5] {
+        let s = -t + 1.0;
+        let sides = both_sides(s, t, |near, _| {
+            let turn = f * (-(near * 3.0) + 1.0);
+            [near * (turn * 2.0 + 1.0) * 2.0, near * (turn + 1.0) * -8.0]
+        });
+        with_middle(against(sides), (s - t) * (-(f * 8.0) + 6.0))
+    }
+    #[inline]
+    fn bends<D: Scalar>(f: D, t: D) -> [D; 5] {
+        let s = -t + 1.0;
+        let sides = both_sides(s, t, |near, _| {
+            let turn = f * (-(near * 6.0) + 1.0);
+            [-(turn * 4.0 + 2.0), turn * 8.0 + 8.0]
+        });
+        with_middle(sides, f * 16.0 - 12.0)
+    }
+    #[inline]
+    fn jolts<D: Scalar>(f: D) -> [D; 5] {
+        [-24.0, 48.0, 0.0, -48.0, 24.0].map(|jolt| f * jolt)
+    }
+    fn on_end_tangent<D: Scalar>(xs: Vector2<D>, [x1, x2, x3, x4, x5]: &[Vector2<D>; 5], f: D, t: D) -> [D; 5] {
+        let (zero, g) = (D::zero(), -(f * 2.0) + 1.0);
+        let rest = -f + 1.0;
+        let [near, middle, far] = [f * f * 2.0, g * g * 0.5, rest * rest * 2.0];
+        if t < 0.5 {
+            let [n1, n2, n3] = on_tangent(xs, &[*x1, *x2, *x3], g, [near, middle, far]);
+            [n1, n2, n3, zero, zero]
+        } else {
+            let [n3, n4, n5] = on_tangent(xs, &[*x3, *x4, *x5], -g, [far, middle, near]);
+            [zero, zero, n3, n4, n5]
+        }
+    }
+    #[inline]
+    fn factor<D: Scalar>(f: D) -> D {
+        f
+    }
+}
+
+/// Far node and midside node before the corner, then those behind it.
+#[inline]
+fn both_sides<D: Scalar>(s: D, t: D, side: impl Fn(D, D) -> [D; 2]) -> [[D; 2]; 2] {
+    [side(s, t), side(t, s)]
+}
+
+/// Behind the corner the coordinate runs the other way.
+#[inline]
+fn against<D: Scalar>([before, after]: [[D; 2]; 2]) -> [[D; 2]; 2] {
+    [before, after.map(|n| -n)]
+}
+
+#[inline]
+fn with_middle<D: Scalar>([[n1, n2], [n5, n4]]: [[D; 2]; 2], n3: D) -> [D; 5] {
+    [n1, n2, n3, n4, n5]
+}
+
+/// Σ wᵢ xᵢ for weights that add up to 0.
+pub(super) fn combination<D: Scalar, const N: usize>(nodes: &[Vector2<D>; N], weights: [D; N]) -> Vector2<D> {
+    let base = heaviest(nodes, weights.map(abs));
+    nodes.iter().zip(weights).fold(Vector2::from_element(D::zero()), |sum, (x, w)| sum + (x - base) * w)
+}
+
+/// xs − Σ wᵢ xᵢ for weights that add up to 1.
+pub(super) fn gap<D: Scalar, const N: usize>(xs: Vector2<D>, nodes: &[Vector2<D>; N], weights: [D; N]) -> Vector2<D> {
+    let base = heaviest(nodes, weights);
+    nodes.iter().zip(weights).fold(xs - base, |gap, (x, w)| gap - (x - base) * w)
+}
+
+/// The node of the largest weight.
+fn heaviest<D: Scalar, const N: usize>(nodes: &[Vector2<D>; N], weights: [D; N]) -> Vector2<D> {
+    let mut best = (nodes[0], weights[0]);
+    for (&x, &w) in nodes.iter().zip(&weights) {
+        if w > best.1 {
+            best = (x, w);
+        }
+    }
+    best.0
+}

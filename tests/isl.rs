@@ -1,0 +1,294 @@
+//! ISL21A and ISL22A as a program uses them, and what they reject.
+
+#![expect(clippy::float_cmp, reason = "exact results are expected exactly")]
+
+use jointproof::formula::value;
+use jointproof::interaction::{Damping, DampingContact, ExponentialContact, PressureExponential};
+use jointproof::isl::{Contact, Element, ElementSet, Interaction, State, Step, TorquePrint};
+use jointproof::slide_line::{Kind, LinearMotion, Nodes, Place, SlideLine, SlipIncrementLinear};
+use jointproof::{Error, Octuple};
+use nalgebra::Vector2;
+use proptest::prelude::*;
+use std::collections::BTreeMap;
+use std::f64::consts::PI;
+
+/// A flat line from (1, 0) to (5, 0), nodes 1 and 2, and an ISL21A with nodes 3 and 4.
+fn flat(interaction: Interaction) -> Contact {
+    let line = SlideLine::new(Kind::Linear, [1, 2]).unwrap();
+    Contact::new(line, ElementSet::new("ring", [Element::isl21a(10, [3, 4]).unwrap()]).unwrap(), interaction)
+}
+
+/// The element at the height z, its first node at the radius r.
+fn ring(r: f64, z: f64) -> Nodes {
+    Nodes::new([(1, [1.0, 0.0]), (2, [5.0, 0.0]), (3, [r, z]), (4, [r + 1.0, z])]).unwrap()
+}
+
+fn second() -> Step {
+    Step::new(1.0).unwrap()
+}
+
+#[test]
+fn bad_elements_and_steps_are_named() {
+    let message = |error: Error| error.to_string();
+    let twice = "has a node twice; allowed are different nodes";
+    assert_eq!(message(Element::isl21a(8, [1, 1]).unwrap_err()), format!("element 8 {twice}"));
+    assert_eq!(message(Element::isl22a(9, [1, 2, 1]).unwrap_err()), format!("element 9 {twice}"));
+    let empty = ElementSet::new("flank", []).unwrap_err();
+    assert_eq!(message(empty), "the element set flank is empty; allowed is at least one element");
+    assert_eq!(message(Step::new(0.0).unwrap_err()), "duration is 0.0; allowed is a finite number > 0");
+    let pulling = second().with_pressures([(3, f64::NAN)]).unwrap_err();
+    assert_eq!(message(pulling), "node 3 has the pressure NaN; allowed are finite pressures ≥ 0");
+
+    let contact = flat(Interaction::default());
+    let start = contact.start(ring(2.0, 0.0)).unwrap();
+    let elsewhere = second().with_pressures([(1, 5.0)]).unwrap();
+    assert_eq!(
+        message(contact.advance(&start, ring(2.0, 0.0), &elsewhere).unwrap_err()),
+        "node 1 has a pressure, but no element; allowed are pressures of slave nodes"
+    );
+    assert_eq!(message(start.node(1).unwrap_err()), "node 1 is unknown; allowed are nodes with coordinates");
+    let missing = Nodes::new([(1, [1.0, 0.0]), (2, [5.0, 0.0]), (3, [2.0, 0.0])]).unwrap();
+    assert!(matches!(contact.start(missing), Err(Error::UnknownNode { node: 4 })));
+    let flattened = Nodes::new([(1, [1.0, 0.0]), (2, [5.0, 0.0]), (3, [2.0, 0.0]), (4, [2.0, 0.0])]).unwrap();
+    assert!(matches!(contact.start(flattened), Err(Error::CoincidentNodes { first: 3, second: 4 })));
+}
+
+#[test]
+fn bad_interactions_are_named() {
+    let message = |result: Result<Interaction, Error>| result.unwrap_err().to_string();
+    assert_eq!(message(Interaction::hard(-1.0)), "tolerance is -1.0; allowed is a finite number ≥ 0");
+    assert_eq!(message(Interaction::linear(0.0)), "k is 0.0; allowed is a finite number > 0");
+    assert_eq!(message(Interaction::exponential(0.0, 1.0)), "c0 is 0.0; allowed is a finite number > 0");
+    assert_eq!(message(Interaction::exponential(1.0, f64::NAN)), "p0 is NaN; allowed is a finite number > 0");
+    let hard = Interaction::default();
+    assert_eq!(message(hard.with_damping(-1.0, 1.0, 0.0)), "mu0 is -1.0; allowed is a finite number ≥ 0");
+    assert_eq!(message(hard.with_damping(1.0, 0.0, 0.0)), "c0 is 0.0; allowed is a finite number > 0");
+    assert_eq!(message(hard.with_damping(1.0, 1.0, 1.0)), "eta is 1.0; allowed is a number ≥ 0 and < 1");
+    assert_eq!(message(hard.with_friction(0.1, 0.0)), "stiffness is 0.0; allowed is a finite number > 0");
+}
+
+#[test]
+fn areas_add_up_at_shared_nodes() {
+    let line = SlideLine::new(Kind::Linear, [1, 2]).unwrap();
+    let elements = [Element::isl21a(10, [3, 4]).unwrap(), Element::isl21a(11, [4, 5]).unwrap()];
+    let contact = Contact::new(line, ElementSet::new("two", elements).unwrap(), Interaction::default());
+    let places = [(1, [0.0, 0.0]), (2, [9.0, 0.0]), (3, [1.0, 0.0]), (4, [2.0, 0.0]), (5, [4.0, 0.0])];
+    let state = contact.start(Nodes::new(places).unwrap()).unwrap();
+    let areas: Vec<_> = state.nodes().values().map(|node| node.area).collect();
+    assert_eq!(areas, [PI, 2.0 * PI + 4.0 * PI, 8.0 * PI]);
+}
+
+#[test]
+fn hard_contact_presses_only_when_closed() {
+    let contact = flat(Interaction::default());
+    let pressed = second().with_pressures([(3, 20.0), (4, 30.0)]).unwrap();
+    let start = contact.start(ring(2.0, 0.0)).unwrap();
+    assert_eq!(start.node(3).unwrap().s11, 0.0);
+    let pressures = |z| {
+        let state = contact.advance(&start, ring(2.0, z), &pressed).unwrap();
+        [3, 4].map(|node| state.node(node).unwrap().s11)
+    };
+    assert_eq!((pressures(0.0), pressures(-1e-9), pressures(1e-9)), ([20.0, 30.0], [20.0, 30.0], [0.0, 0.0]));
+    let tolerant = flat(Interaction::hard(1e-6).unwrap());
+    assert_eq!(tolerant.advance(&start, ring(2.0, 1e-9), &pressed).unwrap().node(4).unwrap().s11, 30.0);
+}
+
+#[test]
+fn the_laws_are_the_formulas() {
+    let (c0, p0, mu0, eta) = (0.25, 40.0, 6.0, 0.5);
+    let contact = flat(Interaction::exponential(c0, p0).unwrap().with_damping(mu0, c0, eta).unwrap());
+    let start = contact.start(ring(2.0, 0.5)).unwrap();
+    for z in [0.3, 0.2, 0.1, 0.0, -0.25] {
+        let node = contact.advance(&start, ring(2.0, z), &Step::new(0.5).unwrap()).unwrap().node(3).unwrap().clone();
+        let law = value::<PressureExponential>(&ExponentialContact { h: -z, c0, p0 }).unwrap().p;
+        let v = (0.5 - z) / 0.5;
+        let damping = value::<Damping>(&DampingContact { h: -z, v, mu0, c0, eta }).unwrap().p;
+        assert_eq!((node.e11, node.s11), (z, law + damping));
+    }
+}
+
+#[test]
+fn friction_sticks_slips_and_returns() {
+    let contact = flat(Interaction::linear(100.0).unwrap().with_friction(0.5, 40.0).unwrap());
+    let mut state = contact.start(ring(2.0, -0.25)).unwrap();
+    // p = 25, so that it slips from S12 = 12.5 on; it sticks on the way back until that is turned around.
+    let history = [(2.25, 0.25, 10.0), (2.5, 0.5, 12.5), (2.75, 0.75, 12.5), (2.5, 0.5, 2.5), (2.0, 0.0, -12.5)];
+    for (r, e12, s12) in history {
+        state = contact.advance(&state, ring(r, -0.25), &second()).unwrap();
+        let node = state.node(3).unwrap();
+        assert_eq!((node.e12, node.s11, node.s12), (e12, 25.0, s12), "at {r}");
+        // Friction pushes back: along −r while S12 > 0.
+        assert_eq!(node.force(), Vector2::new(-s12, 25.0) * node.area);
+    }
+    // Lifted off, nothing is left of the shear stress; the slip stays.
+    state = contact.advance(&state, ring(2.5, 0.25), &second()).unwrap();
+    let node = state.node(3).unwrap();
+    assert_eq!((node.e12, node.s11, node.s12), (0.5, 0.0, 0.0));
+}
+
+#[test]
+fn the_slip_is_the_formula_and_a_common_motion_is_none() {
+    let contact = flat(Interaction::linear(100.0).unwrap().with_friction(0.5, 40.0).unwrap());
+    let start = contact.start(ring(2.0, -0.25)).unwrap();
+    let places = [(1, [1.5, 0.0]), (2, [5.25, 0.5]), (3, [2.5, 0.0]), (4, [3.5, 0.25])];
+    let state = contact.advance(&start, Nodes::new(places).unwrap(), &second()).unwrap();
+    let node = state.node(3).unwrap();
+    let Place::Segment { g, .. } = node.closest.place else { panic!() };
+    let motion = LinearMotion {
+        x1: Vector2::new(1.5, 0.0),
+        x2: Vector2::new(5.25, 0.5),
+        g,
+        dxs: Vector2::new(0.5, 0.25),
+        dx1: Vector2::new(0.5, 0.0),
+        dx2: Vector2::new(0.25, 0.5),
+    };
+    assert_eq!(node.e12, value::<SlipIncrementLinear>(&motion).unwrap().dslip);
+
+    let carried = [(1, [65.0, 3.0]), (2, [69.0, 3.0]), (3, [66.0, 2.75]), (4, [67.0, 2.75])];
+    let state = contact.advance(&start, Nodes::new(carried).unwrap(), &second()).unwrap();
+    assert_eq!((state.node(3).unwrap().e12, state.node(3).unwrap().s12), (0.0, 0.0));
+}
+
+#[test]
+fn past_the_end_of_the_line_nothing_is_transmitted() {
+    let contact = flat(Interaction::linear(100.0).unwrap().with_friction(0.5, 40.0).unwrap());
+    let start = contact.start(ring(3.75, -0.25)).unwrap();
+    let state = contact.advance(&start, ring(4.25, -0.25), &second()).unwrap();
+    let [inside, outside] = [3, 4].map(|node| state.node(node).unwrap());
+    assert_eq!((inside.s11, outside.s11, outside.s12), (25.0, 0.0, 0.0));
+    assert_eq!(outside.closest.place, Place::Beyond { number: 2, distance: 0.25 });
+    assert_eq!(outside.e11, -0.25);
+}
+
+// --- Equilibrium -----------------------------------------------------------------------------------------------------
+
+/// A corner that is curved, smoothed or sharp, and elements of both types that press into it.
+fn pressed(kind: Kind, smoothing: Option<f64>, slave: [[f64; 2]; 5], shift: [f64; 2]) -> Result<[State; 2], Error> {
+    let line = SlideLine::generate(kind, 1, 5, 1)?;
+    let line = if let Some(f) = smoothing { line.smoothed(f)? } else { line };
+    let elements = [Element::isl21a(1, [11, 12])?, Element::isl22a(2, [13, 14, 15])?];
+    let interaction = Interaction::exponential(0.5, 10.0)?.with_friction(0.3, 25.0)?.with_damping(2.0, 1.0, 0.5)?;
+    let contact = Contact::new(line, ElementSet::new("both", elements)?, interaction);
+    let master = [[1.0, 2.0], [2.0, 1.25], [3.0, 1.0], [4.0, 1.5], [5.0, 2.5]];
+    let places = |by: [f64; 2]| {
+        let slaves = (11..).zip(slave.map(|[r, z]| [r + by[0], z + by[1]]));
+        Nodes::new((1..).zip(master).chain(slaves))
+    };
+    let start = contact.start(places([0.0, 0.0])?)?;
+    let end = contact.advance(&start, places(shift)?, &second())?;
+    Ok([start, end])
+}
+
+fn moments(forces: &BTreeMap<u32, Vector2<f64>>, places: &Nodes) -> f64 {
+    forces.iter().map(|(&node, force)| places.position(node).unwrap().perp(force)).sum()
+}
+
+proptest! {
+    #[test]
+    fn slave_and_master_forces_balance(
+        parabolic: bool,
+        smoothing in prop_oneof![Just(None), Just(Some(0.2)), Just(Some(0.45))],
+        slave in [[0.5..5.5, 1.0..2.5], [0.5..5.5, 1.0..2.5], [0.5..5.5, 1.0..2.5], [0.5..5.5, 1.0..2.5], [0.5..5.5, 1.0..2.5]],
+        shift in [-0.25..0.25, -0.25..0.25],
+    ) {
+        let kind = if parabolic { Kind::Parabolic } else { Kind::Linear };
+        let Ok([_, state]) = pressed(kind, smoothing, slave, shift) else { return Ok(()) };
+        let forces = state.forces();
+        let size = 1.0 + forces.values().map(Vector2::norm).sum::<f64>();
+        prop_assert!(forces.values().sum::<Vector2<f64>>().norm() < 1e-14 * size);
+        // Friction acts at the slave node and, E11 away from it, on the line. That leaves a couple, and nothing else does.
+        let couple: f64 = state.nodes().values().map(|node| node.area * node.s12 * node.e11).sum();
+        prop_assert!((moments(&forces, state.places()) - couple).abs() < 1e-12 * size, "{state:?}");
+    }
+
+    #[test]
+    fn the_forces_do_the_work_of_pressure_and_shear(
+        smoothing in prop_oneof![Just(None), Just(Some(0.2))],
+        slave in [[0.5..5.5, 1.0..2.5], [0.5..5.5, 1.0..2.5], [0.5..5.5, 1.0..2.5], [0.5..5.5, 1.0..2.5], [0.5..5.5, 1.0..2.5]],
+        motion in proptest::collection::vec([-1.0..1.0, -1.0..1.0], 16),
+    ) {
+        let Ok([_, state]) = pressed(Kind::Parabolic, smoothing, slave, [0.1, -0.1]) else { return Ok(()) };
+        let moved = |node: u32| Vector2::from(motion[node as usize]);
+        let work: f64 = state.forces().iter().map(|(&node, force)| force.dot(&moved(node))).sum();
+        let expected: f64 = state.nodes().iter().map(|(&number, node)| {
+            let variation = node.closest.overclosure_variation();
+            let masters = variation.masters.iter().map(|&(node, gradient)| gradient.dot(&moved(node)));
+            let closing = variation.slave.dot(&moved(number)) + masters.sum::<f64>();
+            let dx: Vec<_> = node.closest.weights.iter().map(|&(node, _)| moved(node)).collect();
+            let slip = node.closest.tangent.dot(&node.closest.relative_motion(moved(number), &dx));
+            -node.area * (node.s11 * closing + node.s12 * slip)
+        }).sum();
+        prop_assert!((work - expected).abs() < 1e-11 * (1.0 + expected.abs()), "{work} {expected}");
+    }
+
+    #[test]
+    fn the_same_input_gives_the_same_bits(
+        slave in [[0.5..5.5, 1.0..2.5], [0.5..5.5, 1.0..2.5], [0.5..5.5, 1.0..2.5], [0.5..5.5, 1.0..2.5], [0.5..5.5, 1.0..2.5]],
+    ) {
+        let run = || pressed(Kind::Linear, Some(0.2), slave, [0.1, -0.1]);
+        prop_assert_eq!(format!("{:?}", run().map(|states| states.map(|s| (s.forces(), s.nodes().clone())))),
+            format!("{:?}", run().map(|states| states.map(|s| (s.forces(), s.nodes().clone())))));
+    }
+
+    #[test]
+    fn no_input_makes_it_panic(
+        r in prop_oneof![0.0..1e308, 0.0..8.0, any::<f64>()],
+        z in prop_oneof![-1e308..1e308, -2.0..2.0, any::<f64>()],
+        k in prop_oneof![1e-300..1e300, any::<f64>()],
+        mu in prop_oneof![0.0..1.0, any::<f64>()],
+    ) {
+        let Ok(interaction) = Interaction::exponential(k, 1.0).and_then(|law| law.with_friction(mu, 1.0)) else { return Ok(()) };
+        let contact = flat(interaction);
+        let places = [(1, [1.0, 0.0]), (2, [5.0, 0.0]), (3, [r, z]), (4, [2.0, z])];
+        let Ok(nodes) = Nodes::new(places) else { return Ok(()) };
+        if let Ok(state) = contact.start(ring(2.0, 0.25)).and_then(|start| contact.advance(&start, nodes, &second())) {
+            prop_assert!(state.nodes().values().all(|node| node.s11.is_finite() && node.s12.is_finite()));
+        }
+    }
+}
+
+// --- Torque ----------------------------------------------------------------------------------------------------------
+
+#[test]
+fn the_torque_is_that_of_the_pressures() {
+    // p = 25 on the flat ring from r = 2 to 3: 2π p (3³ − 2³)/3.
+    let contact = flat(Interaction::linear(100.0).unwrap());
+    let state = contact.start(ring(2.0, -0.25)).unwrap();
+    let expected = 2.0 * PI * 25.0 * 19.0 / 3.0;
+    assert!((contact.torque(&state).unwrap() / expected - 1.0).abs() < 4.0 * f64::EPSILON);
+    assert_eq!(contact.torque(&contact.start(ring(2.0, 0.25)).unwrap()).unwrap(), 0.0);
+
+    let exact = contact.start(ring(2.0, -0.25).convert::<Octuple>()).unwrap();
+    let expected = Octuple::PI * 2.0 * 25.0 * 19.0 / 3.0;
+    assert!((contact.torque(&exact).unwrap() / expected - 1.0).to_f64().abs() < 1e-70);
+}
+
+#[test]
+fn the_table_prints_as_often_as_asked() {
+    let contact = flat(Interaction::linear(100.0).unwrap());
+    let run = |frequency| {
+        let mut table = TorquePrint::every(frequency);
+        let mut state = contact.start(ring(2.0, 0.0)).unwrap();
+        for increment in 1..=7 {
+            state = contact.advance(&state, ring(2.0, -0.03125 * f64::from(increment)), &second()).unwrap();
+            table.print(increment, increment == 7, [(&contact, &state)]).unwrap();
+        }
+        table
+    };
+    let increments = |frequency| run(frequency).rows().iter().map(|row| row.increment).collect::<Vec<_>>();
+    assert_eq!(increments(1), [1, 2, 3, 4, 5, 6, 7]);
+    assert_eq!(increments(3), [3, 6, 7]);
+    assert_eq!(increments(100), [7]);
+    assert!(increments(0).is_empty());
+    assert_eq!(TorquePrint::default(), TorquePrint::every(1));
+
+    let table = run(3);
+    let row = &table.rows()[1];
+    assert_eq!((row.slide_line.as_str(), row.torque), ("ring", 2.0 * table.rows()[0].torque));
+    let lines: Vec<_> = table.to_string().lines().map(str::to_owned).collect();
+    assert_eq!(lines[0], " INCREMENT  SLIDE LINE          TORQUE");
+    assert_eq!(lines[1], format!("         3  ring        {:>14.6e}", table.rows()[0].torque));
+    let json = serde_json::to_string(&table).unwrap();
+    assert!(json.contains(r#"{"increment":3,"slide_line":"ring","torque":"#), "{json}");
+    assert_eq!(serde_json::from_str::<TorquePrint>(&json).unwrap(), table);
+}
