@@ -4,10 +4,11 @@ use jointproof::scene::{Kind, Plan, Results, Scene};
 use proptest::prelude::*;
 use std::time::{Duration, Instant};
 
-const SCENES: [&str; 3] = [
+const SCENES: [&str; 4] = [
     include_str!("../golden/scenes/telescope.json"),
     include_str!("../golden/scenes/drive-shaft.json"),
     include_str!("../golden/scenes/interface.json"),
+    include_str!("../golden/scenes/thread.json"),
 ];
 
 fn faults(text: &str) -> Vec<String> {
@@ -40,7 +41,7 @@ fn every_mistake_is_reported_with_its_place() {
 }"#;
     let found = faults(text);
     let expected = [
-        "colour (line 3, column 3): unknown key \"colour\"; allowed is one of title, dimension, orientations, nodes, elements, frames, outputs",
+        "colour (line 3, column 3): unknown key \"colour\"; allowed is one of title, dimension, orientations, nodes, slide_lines, elements, frames, outputs",
         "nodes.a.at (line 5, column 18): an array of 2; allowed is an array of 3 numbers",
         "nodes.b.at[1] (line 6, column 22): \"NaN\"; allowed is a finite number",
         "nodes.b.orientation (line 6, column 48): no orientation \"none\"; allowed is no orientation, there are none",
@@ -125,11 +126,18 @@ fn every_output_of_every_kind_evaluates() {
         let nodes: Vec<_> = places.iter().enumerate().map(|(i, at)| format!(r#""n{i}": {{"at": {at}}}"#)).collect();
         let ends: Vec<_> = (0..kind.nodes.len()).map(|i| format!("\"n{i}\"")).collect();
         let parameters = kind.parameters().map(|(name, _)| format!(r#", "{name}": 1"#)).collect::<Vec<_>>().concat();
+        let (lines, on_line) = match kind.slides() {
+            true => (
+                r#""slide_lines": {"l": {"type": "linear", "nodes": ["n0", "n2"], "friction": {"mu": 0.1, "k_stick": 1}}},"#,
+                r#", "slide_line": "l""#,
+            ),
+            false => ("", ""),
+        };
         let all: Vec<_> = kind.outputs.iter().map(|(name, _)| format!("{name:?}")).collect();
         for outputs in all.iter().cloned().chain([all.join(", ")]) {
             let text = format!(
-                r#"{{"dimension": "{}", "nodes": {{{}}}, "outputs": [{outputs}],
-                "elements": {{"e": {{"kind": "{}", "nodes": [{}]{parameters}}}}}}}"#,
+                r#"{{"dimension": "{}", "nodes": {{{}}}, "outputs": [{outputs}], {lines}
+                "elements": {{"e": {{"kind": "{}", "nodes": [{}]{parameters}{on_line}}}}}}}"#,
                 kind.dimension.name(),
                 nodes.join(", "),
                 kind.name,
@@ -137,7 +145,8 @@ fn every_output_of_every_kind_evaluates() {
             );
             let scene = Scene::parse(&text).unwrap_or_else(|faults| panic!("{kind:?} {outputs}: {faults}"));
             let results = Results::of(&scene).unwrap_or_else(|problems| panic!("{kind:?} {outputs}: {problems}"));
-            assert_eq!(results.series.len(), outputs.split(", ").count(), "{kind:?} {outputs}");
+            let torque = usize::from(kind.slides() && outputs.contains("\"T\""));
+            assert_eq!(results.series.len(), outputs.split(", ").count() + torque, "{kind:?} {outputs}");
             assert!(!Plan::new(&scene).lines().is_empty());
         }
     }

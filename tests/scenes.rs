@@ -9,6 +9,7 @@ use nalgebra::Vector3;
 const TELESCOPE: &str = include_str!("../golden/scenes/telescope.json");
 const DRIVE_SHAFT: &str = include_str!("../golden/scenes/drive-shaft.json");
 const INTERFACE: &str = include_str!("../golden/scenes/interface.json");
+const THREAD: &str = include_str!("../golden/scenes/thread.json");
 const RAIL: &str = include_str!("../golden/scenes/rail.json");
 
 fn scene(text: &str) -> Scene {
@@ -209,7 +210,7 @@ fn sliders_stay_on_the_line_until_one_leaves_it() {
 
 #[test]
 fn doubles_are_close_to_exact() {
-    for text in [RAIL, TELESCOPE, DRIVE_SHAFT, INTERFACE] {
+    for text in [RAIL, TELESCOPE, DRIVE_SHAFT, INTERFACE, THREAD] {
         let scene = scene(text);
         let (doubles, exact) = (Results::of(&scene).unwrap(), Results::exact(&scene).unwrap());
         for (series, exact) in doubles.series.iter().zip(&exact.series) {
@@ -222,7 +223,7 @@ fn doubles_are_close_to_exact() {
 
 #[test]
 fn golden_results_are_what_the_scenes_give() {
-    let scenes = [("rail", RAIL), ("telescope", TELESCOPE), ("drive-shaft", DRIVE_SHAFT), ("interface", INTERFACE)];
+    let scenes = [("rail", RAIL), ("telescope", TELESCOPE), ("drive-shaft", DRIVE_SHAFT), ("interface", INTERFACE), ("thread", THREAD)];
     for (name, text) in scenes {
         let path = format!("{}/golden/scenes/{name}.result.json", env!("CARGO_MANIFEST_DIR"));
         let committed = std::fs::read_to_string(&path).unwrap();

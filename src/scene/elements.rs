@@ -1,17 +1,26 @@
 //! The elements of a scene file, and the outputs that are wanted of them.
 
+use super::contact::Line;
 use super::json::{Read, Reader};
 use super::kind::{Dimension, Fallback, Kind, Origin};
 use super::model::{Element, Node};
 use super::needs::Needs;
 use super::plan::Signature;
-use super::read::{named, refer};
+use super::read::{named, refer, refer_all};
 use crate::quantity::Domain;
 use indexmap::IndexMap;
 use std::collections::HashMap;
 
 /// The keys of every element; those of its kind's parameters follow.
 pub(super) const KEYS: [&str; 3] = ["kind", "nodes", "outputs"];
+/// The keys of an element that slides.
+pub(super) const SLIDING_KEYS: [&str; 4] = ["kind", "nodes", "outputs", "slide_line"];
+
+/// What elements may refer to.
+pub(super) struct Known<'k> {
+    pub(super) nodes: &'k IndexMap<Box<str>, Node>,
+    pub(super) lines: &'k IndexMap<Box<str>, Line>,
+}
 
 /// Outputs wanted of all elements that have them, each with the place where it stands.
 #[derive(Debug, Default)]
@@ -54,14 +63,14 @@ impl Outputs {
 pub(super) fn read(
     reader: &mut Reader,
     dimension: Dimension,
-    nodes: &IndexMap<Box<str>, Node>,
+    known: &Known<'_>,
     wanted: &Outputs,
 ) -> Read<IndexMap<Box<str>, Element>> {
     let mut checks = Checks::default();
     let mut masks = HashMap::new();
     let elements = named(reader, |reader| {
         let element =
-            element(reader, dimension, nodes, |kind| *masks.entry(kind.name).or_insert_with(|| wanted.mask(kind)))?;
+            element(reader, dimension, known, |kind| *masks.entry(kind.name).or_insert_with(|| wanted.mask(kind)))?;
         let Some((element, place)) = element else { return Ok(None) };
         checks.run(reader, &element, place);
         Ok(Some(element))
@@ -82,26 +91,33 @@ pub(super) fn read(
 fn element(
     reader: &mut Reader,
     dimension: Dimension,
-    nodes: &IndexMap<Box<str>, Node>,
+    known: &Known<'_>,
     mut wanted: impl FnMut(&'static Kind) -> u64,
 ) -> Read<Option<(Element, usize)>> {
     let place = reader.place();
     let Some(kind) = kind_of(reader, dimension, place)? else { return Ok(None) };
     reader.go(place);
     let parameters: Vec<_> = kind.parameters().map(|(name, _)| name).collect();
-    let keys: Vec<_> = KEYS.into_iter().chain(parameters.iter().copied()).collect();
+    let own = if kind.slides() { &SLIDING_KEYS[..] } else { &KEYS };
+    let keys: Vec<_> = own.iter().chain(&parameters).copied().collect();
     let mut given = vec![None; parameters.len()];
-    let (mut ends, mut outputs) = (None, None);
+    let (mut ends, mut outputs, mut line) = (None, None, None);
     reader.record(&keys, |reader, key| {
         match key {
             0 => reader.skip()?,
-            1 => ends = Some(nodes_of(reader, kind, nodes)?),
+            1 => ends = Some(nodes_of(reader, kind, known.nodes)?),
             2 => {
                 let known: Vec<_> = kind.outputs.iter().map(|&(name, _)| name).collect();
                 outputs = Some(Outputs::of(reader, &known)?.mask(kind));
             }
+            3 if kind.slides() => {
+                let place = reader.place();
+                let name = reader.string("the name of a slide line")?;
+                // One that is not known is a fault, but not also a missing one.
+                line = Some(name.and_then(|name| refer(reader, known.lines, place, &name, "slide line")).unwrap_or(0));
+            }
             _ => {
-                let index = key - KEYS.len();
+                let index = key - own.len();
                 // One that was given badly is not also a missing one.
                 given[index] = reader.number(kind.domain(parameters[index]))?.or(Some(0.0));
             }
@@ -113,11 +129,14 @@ fn element(
         reader.fault(place, "an element without \"nodes\"", format!("an array of {} nodes: {roles}", kind.nodes.len()));
         return Ok(None);
     };
+    if kind.slides() && line.is_none() {
+        reader.fault(place, "an element without \"slide_line\"", "an element with the slide line that it slides on");
+    }
     // Nodes that were not found are faults already.
     let mut ends = ends;
     ends.resize(kind.nodes.len(), 0);
     let outputs = outputs.unwrap_or_else(|| wanted(kind));
-    Ok(Some((Element { kind, nodes: ends.into(), parameters: given.into(), outputs }, place)))
+    Ok(Some((Element { kind, nodes: ends.into(), line, parameters: given.into(), outputs }, place)))
 }
 
 /// The kind, which decides about the other keys, wherever it stands among them.
@@ -150,19 +169,11 @@ fn kind_of(reader: &mut Reader, dimension: Dimension, place: usize) -> Read<Opti
 fn nodes_of(reader: &mut Reader, kind: &Kind, nodes: &IndexMap<Box<str>, Node>) -> Read<Vec<u32>> {
     let place = reader.place();
     let allowed = format!("an array of {} nodes: {}", kind.nodes.len(), kind.nodes.join(", "));
-    let (mut ends, mut count) = (Vec::new(), 0);
-    let is_array = reader.array(&allowed, |reader, _| {
-        count += 1;
-        let place = reader.place();
-        if let Some(name) = reader.string("the name of a node")? {
-            ends.extend(refer(reader, nodes, place, &name, "node"));
-        }
-        Ok(())
-    })?;
-    if is_array && count != kind.nodes.len() {
+    let ends = refer_all(reader, nodes, &allowed, "node")?;
+    if let Some(count) = ends.as_ref().map(Vec::len).filter(|&count| count != kind.nodes.len()) {
         reader.fault(place, format!("an array of {count}"), allowed);
     }
-    Ok(ends)
+    Ok(ends.unwrap_or_default())
 }
 
 /// What the needed formulas say about parameters, worked out once for elements alike.
@@ -198,9 +209,7 @@ impl Checks {
                 None => harmless(field.quantity.domain, field.len()),
             });
             if let Err(error) = formula.step.check(&components.collect::<Vec<_>>()) {
-                let message = error.to_string();
-                let (found, allowed) = message.split_once("; allowed is ").unwrap_or((&message, "something else"));
-                reader.fault(place, found, allowed);
+                reader.reject(place, &error);
             }
         }
     }

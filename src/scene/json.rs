@@ -76,6 +76,13 @@ impl<'t> Reader<'t> {
         self.faults.push(Fault { path, line, column, found: found.into(), allowed: allowed.into() });
     }
 
+    /// Records what a typed constructor says.
+    pub(super) fn reject(&mut self, place: usize, error: &Error) {
+        let message = error.to_string();
+        let (found, allowed) = message.split_once("; allowed is ").unwrap_or((&message, "something else"));
+        self.fault(place, found, allowed);
+    }
+
     fn stop<T>(&mut self, allowed: &str) -> Read<T> {
         let found = match self.text.get(self.at..).and_then(|rest| rest.chars().next()) {
             None => "the end of the file".into(),

@@ -224,6 +224,11 @@ impl Kind {
         self.parameters().enumerate().fold(0, |bits, (bit, (name, _))| bits | u64::from(decides(name)) << bit)
     }
 
+    /// Whether it slides on a slide line.
+    pub fn slides(&self) -> bool {
+        self.dimension == Dimension::Axisymmetric
+    }
+
     /// The register behind an output.
     pub fn output(&self, name: &str) -> Option<&'static str> {
         self.outputs.iter().find(|(output, _)| *output == name).map(|&(_, register)| register)

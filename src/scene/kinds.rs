@@ -1,5 +1,6 @@
 //! The tables of the kinds: a room each, and here what several of them have.
 
+mod slide_line;
 mod slider;
 mod slot;
 mod translator;
@@ -12,8 +13,16 @@ use Fallback::{As, Number, Required};
 use Origin::{Before, Initial, Parameter};
 
 /// Every kind of element.
-pub(super) static KINDS: &[Kind] =
-    &[slot::SLOT, slot::SLOT_2D, translator::TRANSLATOR, ujoint::UJOINT, slider::SLIDER, slider::SLIDER_2D];
+pub(super) static KINDS: &[Kind] = &[
+    slot::SLOT,
+    slot::SLOT_2D,
+    translator::TRANSLATOR,
+    ujoint::UJOINT,
+    slider::SLIDER,
+    slider::SLIDER_2D,
+    slide_line::ISL21A,
+    slide_line::ISL22A,
+];
 
 type Given = (&'static str, Origin);
 

@@ -29,7 +29,7 @@
 //! assert_eq!(
 //!     faults.to_string(),
 //!     "output (line 1, column 55): unknown key \"output\"; \
-//!      allowed is one of title, dimension, orientations, nodes, elements, frames, outputs",
+//!      allowed is one of title, dimension, orientations, nodes, slide_lines, elements, frames, outputs",
 //! );
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -40,6 +40,7 @@
 //! have the same bits for every number of threads. Memory is bounded by what [`Run::bytes`] states, whatever
 //! the number of states.
 
+mod contact;
 mod elements;
 mod fault;
 mod json;

@@ -1,5 +1,6 @@
 //! A scene as it was read and checked.
 
+use super::contact::Line;
 use super::kind::{Dimension, Kind};
 use super::step::Number;
 use crate::scalar::norm_and_direction;
@@ -13,6 +14,8 @@ pub struct Scene {
     pub(super) dimension: Dimension,
     pub(super) orientations: Vec<Orientation>,
     pub(super) nodes: IndexMap<Box<str>, Node>,
+    /// Of axisymmetric scenes only.
+    pub(super) lines: IndexMap<Box<str>, Line>,
     pub(super) elements: IndexMap<Box<str>, Element>,
     pub(super) frames: Vec<Frame>,
 }
@@ -62,6 +65,8 @@ pub(super) struct Node {
 pub(super) struct Element {
     pub(super) kind: &'static Kind,
     pub(super) nodes: Box<[u32]>,
+    /// The slide line of an element that slides.
+    pub(super) line: Option<u32>,
     /// In the order of [`Kind::parameters`]; `None` where the scene gives none.
     pub(super) parameters: Box<[Option<f64>]>,
     /// A bit per output of the kind.
@@ -74,6 +79,15 @@ pub(super) struct Frame {
     pub(super) time: f64,
     pub(super) motions: Vec<Motion>,
     pub(super) loads: Vec<Load>,
+    /// Nodes on slide lines, and their pressures of hard contact.
+    pub(super) pressures: Vec<(u32, f64)>,
+}
+
+impl Frame {
+    /// A state in which nothing changes.
+    pub(super) fn at(time: f64) -> Self {
+        Self { time, motions: Vec::new(), loads: Vec::new(), pressures: Vec::new() }
+    }
 }
 
 #[derive(Clone, Copy, Debug)]

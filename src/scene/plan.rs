@@ -1,5 +1,6 @@
 //! From wanted outputs to the formulas they need, and to nothing else.
 
+use super::contact::ContactPlan;
 use super::kind::{Kind, When};
 use super::model::{Element, Scene};
 use super::recipe::{Planned, Recipe};
@@ -10,6 +11,9 @@ use std::fmt;
 #[derive(Debug)]
 pub struct Plan {
     pub(super) groups: Vec<Group>,
+    pub(super) contacts: Vec<ContactPlan>,
+    /// What is evaluated on slide lines.
+    contact_lines: Vec<Line>,
 }
 
 /// Elements for which the same formulas are evaluated.
@@ -49,7 +53,7 @@ impl Plan {
         let mut known = HashMap::new();
         let mut groups: Vec<Group> = Vec::new();
         for (index, element) in (0..).zip(scene.elements.values()) {
-            if element.outputs == 0 {
+            if element.outputs == 0 || element.line.is_some() {
                 continue;
             }
             let group = *known.entry(Signature::of(element)).or_insert_with_key(|signature| {
@@ -58,7 +62,9 @@ impl Plan {
             });
             groups[group].elements.push(index);
         }
-        Self { groups }
+        let contacts = ContactPlan::all(scene);
+        let contact_lines = contacts.iter().flat_map(|contact| contact.lines(scene)).collect();
+        Self { groups, contacts, contact_lines }
     }
 
     /// The plan, a line a formula and group of elements, in the order of evaluation.
@@ -76,7 +82,7 @@ impl Plan {
                 .into_iter()
                 .chain(group.recipe.steps.iter().map(|planned| line(group, planned, false)).collect::<Vec<_>>())
         };
-        self.groups.iter().flat_map(of_group).collect()
+        self.groups.iter().flat_map(of_group).chain(self.contact_lines.iter().cloned()).collect()
     }
 
     /// How often each formula is evaluated over this many states, in the order of evaluation.

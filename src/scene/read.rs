@@ -3,7 +3,8 @@
 mod frames;
 mod orientations;
 
-use super::elements::Outputs;
+use super::contact::lines_of;
+use super::elements::{Known, Outputs};
 use super::fault::Faults;
 use super::json::{Read, Reader};
 use super::kind::Dimension;
@@ -13,9 +14,12 @@ use indexmap::IndexMap;
 use orientations::orientations_of;
 
 /// The keys of a scene.
-pub(super) const KEYS: [&str; 7] = ["title", "dimension", "orientations", "nodes", "elements", "frames", "outputs"];
+pub(super) const KEYS: [&str; 8] =
+    ["title", "dimension", "orientations", "nodes", "slide_lines", "elements", "frames", "outputs"];
 pub(super) const NODE_KEYS: [&str; 2] = ["at", "orientation"];
 pub(super) const FRAME_KEYS: [&str; 3] = ["time", "nodes", "loads"];
+/// Those of a frame of an axisymmetric scene.
+pub(super) const SLIDING_FRAME_KEYS: [&str; 3] = ["time", "nodes", "pressures"];
 pub(super) const MOTION_KEYS: [&str; 2] = ["u", "ur"];
 pub(super) const SPACE_ORIENTATION_KEYS: [&str; 3] = ["axes", "rotation", "quaternion"];
 pub(super) const PLANE_ORIENTATION_KEYS: [&str; 1] = ["angle"];
@@ -53,7 +57,7 @@ fn scene(reader: &mut Reader) -> Read<Option<Scene>> {
     if !is_object {
         return Ok(None);
     }
-    let [title, dimension, orientations, nodes, elements, frames, outputs] = parts;
+    let [title, dimension, orientations, nodes, lines, elements, frames, outputs] = parts;
     for (key, part) in KEYS.iter().zip(parts) {
         if part.is_none() && ["dimension", "nodes", "elements"].contains(key) {
             reader.fault(start, format!("no {key:?}"), "a scene with dimension, nodes and elements");
@@ -65,15 +69,21 @@ fn scene(reader: &mut Reader) -> Read<Option<Scene>> {
     let turns = part(reader, "orientations", orientations, |reader| orientations_of(reader, dimension))?;
     let turns = turns.unwrap_or_default();
     let nodes = part(reader, "nodes", nodes, |reader| nodes_of(reader, dimension, &turns))?.unwrap_or_default();
+    if let Some(place) = lines.filter(|_| dimension != Dimension::Axisymmetric) {
+        reader.go(place);
+        reader.below("slide_lines", |reader| reader.fault(place, "slide lines", "none but in an axisymmetric scene"));
+    }
+    let lines = lines.filter(|_| dimension == Dimension::Axisymmetric);
+    let lines = part(reader, "slide_lines", lines, |reader| lines_of(reader, &nodes))?.unwrap_or_default();
     let outputs = part(reader, "outputs", outputs, |reader| Outputs::read(reader, dimension))?.unwrap_or_default();
     let elements =
-        part(reader, "elements", elements, |reader| super::elements::read(reader, dimension, &nodes, &outputs))?;
+        part(reader, "elements", elements, |reader| super::elements::read(reader, dimension, &Known { nodes: &nodes, lines: &lines }, &outputs))?;
     let elements = elements.unwrap_or_default();
     let mut scene =
-        Scene { title, dimension, orientations: turns.into_values().collect(), nodes, elements, frames: Vec::new() };
+        Scene { title, dimension, orientations: turns.into_values().collect(), nodes, lines, elements, frames: Vec::new() };
     scene.frames = match part(reader, "frames", frames, |reader| frames_of(reader, &scene))? {
         Some(frames) => frames,
-        None => vec![Frame { time: 0.0, motions: Vec::new(), loads: Vec::new() }],
+        None => vec![Frame::at(0.0)],
     };
     Ok(Some(scene))
 }
@@ -119,6 +129,24 @@ pub(super) fn named<'t, T>(
         Ok(())
     })?;
     Ok(all)
+}
+
+/// An array of names that must be known: what each of those that are has for its place.
+pub(super) fn refer_all<T>(
+    reader: &mut Reader,
+    known: &IndexMap<Box<str>, T>,
+    allowed: &str,
+    what: &str,
+) -> Read<Option<Vec<u32>>> {
+    let mut found = Vec::new();
+    let is_array = reader.array(allowed, |reader, _| {
+        let place = reader.place();
+        if let Some(name) = reader.string(&format!("the name of a {what}"))? {
+            found.push(refer(reader, known, place, &name, what).unwrap_or(0));
+        }
+        Ok(())
+    })?;
+    Ok(is_array.then_some(found))
 }
 
 /// Names that an error lists.

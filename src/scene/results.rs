@@ -90,7 +90,12 @@ impl Results {
                 index += 1;
             });
         }
-        Ok(Self { title: scene.title().into(), counts: plan.counts(times.len()), times, series })
+        let mut counts = plan.counts(times.len());
+        for (formula, pieces) in run.looked_at() {
+            // The plan counts nodes; what counts in the end is how many segments and corners they were compared with.
+            counts.iter_mut().filter(|(id, _)| *id == formula).for_each(|(_, count)| *count = pieces);
+        }
+        Ok(Self { title: scene.title().into(), counts, times, series })
     }
 
     /// The components of an element's output in a state counted from 0.

@@ -70,6 +70,54 @@ impl Formula for Stick {
     }
 }
 
+/// Stick stiffness of a joint that turns.
+pub const TURN_STICK: Quantity =
+    scalar(r"k", Unit::FL, Domain::Positive, "moment per radian of the contact while it sticks");
+/// Rotation at the end of the increment.
+pub const TURN: Quantity = scalar(r"u_r", Unit::ONE, Domain::Angle, "available rotation");
+/// Rotation at the start of the increment.
+pub const TURN_BEFORE: Quantity = scalar(r"u_r^-", Unit::ONE, Domain::Angle, "available rotation in the last state");
+/// Friction moment at the start of the increment.
+pub const MOMENT_BEFORE: Quantity = scalar(r"m^-", Unit::FL, Domain::Real, "friction moment in the last state");
+/// Friction moment if the contact stuck.
+pub const MOMENT_TRIAL: Quantity =
+    scalar(r"m^{\mathrm{trial}}", Unit::FL, Domain::Real, "friction moment if the contact stuck");
+
+fields! {
+    /// Rotation now and before, moment before, stiffness.
+    pub struct TurnLoads<T> {
+        ur: T = TURN, ur_before: T = TURN_BEFORE, m_before: T = MOMENT_BEFORE, k_stick: T = TURN_STICK,
+    }
+}
+fields! {
+    /// Moment if the contact stuck.
+    pub struct TrialMoment<T> { m_trial: T = MOMENT_TRIAL }
+}
+
+/// The friction moment if the contact sticks over the increment: m_trial = m⁻ + k (u_r − u_r⁻), the difference taken as an
+/// angle from −π to π.
+#[derive(Clone, Copy, Debug)]
+pub struct TurnStick;
+
+impl Formula for TurnStick {
+    const SPEC: Spec = spec(
+        "scene.turn_stick",
+        "Trial moment of an increment",
+        r"m^{\mathrm{trial}} = m^- + k\,(u_r - u_r^-),\quad u_r - u_r^- \pmod{2\pi}",
+    );
+    type Inputs<T: Element> = TurnLoads<T>;
+    type Outputs<T: Element> = TrialMoment<T>;
+
+    fn eval<D: Scalar>(i: &TurnLoads<D>) -> TrialMoment<D> {
+        TrialMoment { m_trial: i.m_before + i.k_stick * wrapped(i.ur - i.ur_before) }
+    }
+
+    fn jacobian<D: Scalar>(i: &TurnLoads<D>) -> Jacobian<Self, D> {
+        let (ur, k_stick) = (i.k_stick, wrapped(i.ur - i.ur_before));
+        TrialMoment { m_trial: TurnLoads { ur, ur_before: -ur, m_before: D::one(), k_stick } }
+    }
+}
+
 fields! {
     /// What the increment did to displacement and force, and the slip so far.
     pub struct SlipLoads<T> {
@@ -225,4 +273,4 @@ impl Formula for KeptAxis {
 }
 
 /// The formulas of this module.
-pub const RULES: &[&dyn crate::catalog::AnyFormula] = &[&Stick, &Slip, &Turns, &Alignment, &KeptAxis];
+pub const RULES: &[&dyn crate::catalog::AnyFormula] = &[&Stick, &TurnStick, &Slip, &Turns, &Alignment, &KeptAxis];

@@ -7,11 +7,13 @@
 mod nodes;
 mod state;
 
-use super::model::Scene;
+use super::contact::{Contact, Motion};
+use super::model::{Frame, Scene};
 use super::plan::{Group, Plan};
 use super::recipe::Span;
 use super::step::{Failure, Number};
 use crate::error::Error;
+use nalgebra::Vector3;
 use nodes::Nodes;
 use state::State;
 
@@ -64,6 +66,9 @@ pub struct Run<'s, T> {
     groups: Vec<State<T>>,
     /// Group, and place in it, of every element; `u32::MAX` for those of which nothing is wanted.
     places: Vec<[u32; 2]>,
+    contacts: Vec<Contact<'s, T>>,
+    /// Where the nodes were, if a slide line asks.
+    before: Vec<Vector3<T>>,
 }
 
 impl<'s, T: Number> Run<'s, T> {
@@ -80,7 +85,9 @@ impl<'s, T: Number> Run<'s, T> {
         }
         let nodes = Nodes::new(scene, plan);
         let groups = plan.groups.iter().map(|group| State::new(scene, group, &nodes)).collect();
-        let mut run = Self { scene, plan, state: 0, nodes, groups, places };
+        let contacts: Vec<_> = plan.contacts.iter().filter_map(|contact| Contact::new(scene, contact)).collect();
+        let before = if contacts.is_empty() { Vec::new() } else { nodes.positions.clone() };
+        let mut run = Self { scene, plan, state: 0, nodes, groups, places, contacts, before };
         run.start()?;
         Ok(run)
     }
@@ -136,13 +143,36 @@ impl<'s, T: Number> Run<'s, T> {
             });
             problems.extend(failures.into_iter().map(|failure| problem(scene, group, Some(self.state), failure)));
         }
+        problems.extend(self.slide(frame));
         self.state += 1;
         problems.truncate(LISTED);
         if problems.is_empty() { Ok(true) } else { Err(Problems(problems)) }
     }
 
-    /// Results of the current state: for the first elements in the order of the file, output by output, the components.
-    pub fn for_each_result<'r>(&'r self, elements: usize, mut visit: impl FnMut(&'s str, &'static str, &'r [T])) {
+    /// The next state of the slide lines.
+    fn slide(&mut self, frame: &Frame) -> Vec<Problem> {
+        let last = self.state.checked_sub(1).and_then(|last| self.scene.frames.get(last));
+        let duration = last.map(|last| frame.time - last.time);
+        let motion = Motion { now: &self.nodes.positions, before: &self.before, duration };
+        let mut problems = Vec::new();
+        for contact in &mut self.contacts {
+            frame.pressures.iter().for_each(|&(node, pressure)| contact.press(node, pressure));
+            let failures = contact.advance(&motion).err().unwrap_or_default();
+            let problem = |(formula, error)| Problem { element: contact.name().into(), state: Some(self.state), formula, error };
+            problems.extend(failures.into_iter().map(problem));
+        }
+        if !self.contacts.is_empty() {
+            self.before.copy_from_slice(&self.nodes.positions);
+        }
+        problems
+    }
+
+    /// Results of the current state: for the first elements in the order of the file, output by output, the components;
+    /// then for every slide line of which it is wanted the torque.
+    pub fn for_each_result(&self, elements: usize, mut visit: impl FnMut(&'s str, &'static str, &[T])) {
+        for contact in &self.contacts {
+            contact.for_each_result(self.scene, elements, &mut visit);
+        }
         for (name, &[group, place]) in self.scene.elements.keys().zip(&self.places).take(elements) {
             let Some((group, state)) = self.plan.groups.get(group as usize).zip(self.groups.get(group as usize)) else {
                 continue;
@@ -155,11 +185,17 @@ impl<'s, T: Number> Run<'s, T> {
         }
     }
 
+    /// How many segments and corners of slide lines were looked at so far, and by which formula.
+    pub fn looked_at(&self) -> impl Iterator<Item = (&'static str, usize)> {
+        self.contacts.iter().map(Contact::looked_at)
+    }
+
     /// Bytes that last from state to state: of elements, and of nodes.
     pub fn bytes(&self) -> [usize; 2] {
         let numbers: usize = self.groups.iter().map(|state| state.kept.capacity() + state.results.capacity()).sum();
-        let elements = numbers * size_of::<T>() + self.places.len() * size_of::<[u32; 2]>();
-        let nodes = size_of_val(&*self.nodes.positions) + size_of_val(&*self.nodes.triads);
+        let sliding: usize = self.contacts.iter().map(Contact::bytes).sum();
+        let elements = numbers * size_of::<T>() + self.places.len() * size_of::<[u32; 2]>() + sliding;
+        let nodes = size_of_val(&*self.nodes.positions) + size_of_val(&*self.before) + size_of_val(&*self.nodes.triads);
         [elements, nodes]
     }
 }

@@ -1,6 +1,6 @@
 //! The history of a scene: what moves, and what is loaded.
 
-use super::{FRAME_KEYS, MOTION_KEYS, point, refer};
+use super::{FRAME_KEYS, MOTION_KEYS, SLIDING_FRAME_KEYS, point, refer};
 use crate::quantity::Domain;
 use crate::scene::json::{Read, Reader};
 use crate::scene::kind::Dimension;
@@ -8,13 +8,15 @@ use crate::scene::model::{Frame, Load, Motion, Scene};
 
 pub(super) fn frames_of(reader: &mut Reader, scene: &Scene) -> Read<Vec<Frame>> {
     let mut frames: Vec<Frame> = Vec::new();
+    let sliding = scene.dimension == Dimension::Axisymmetric;
+    let keys = if sliding { &SLIDING_FRAME_KEYS } else { &FRAME_KEYS };
     let place = reader.place();
     // The last frame that moved each node.
     let mut moved = vec![usize::MAX; scene.nodes.len()];
     let is_array = reader.array("an array of frames", |reader, index| {
         let place = reader.place();
-        let mut frame = Frame { time: f64::NAN, motions: Vec::new(), loads: Vec::new() };
-        let is_object = reader.record(&FRAME_KEYS, |reader, key| {
+        let mut frame = Frame::at(f64::NAN);
+        let is_object = reader.record(keys, |reader, key| {
             match key {
                 0 => {
                     let place = reader.place();
@@ -29,6 +31,9 @@ pub(super) fn frames_of(reader: &mut Reader, scene: &Scene) -> Read<Vec<Frame>> 
                 }
                 1 => {
                     motions_of(reader, scene, index, &mut moved, &mut frame.motions)?;
+                }
+                _ if sliding => {
+                    pressures_of(reader, scene, &mut frame.pressures)?;
                 }
                 _ => {
                     loads_of(reader, scene, &mut frame.loads)?;
@@ -73,6 +78,18 @@ fn motions_of(
             Ok(())
         })?;
         motions.push(motion);
+        Ok(())
+    })
+}
+
+/// Pressures of hard contact, of nodes that slide.
+fn pressures_of(reader: &mut Reader, scene: &Scene, pressures: &mut Vec<(u32, f64)>) -> Read<bool> {
+    reader.object("an object of nodes", |reader, name, place| {
+        let Some(node) = refer(reader, &scene.nodes, place, name, "node") else { return reader.skip() };
+        if !scene.elements.values().any(|element| element.nodes.contains(&node)) {
+            reader.fault(place, format!("node {name:?}, which is of no element"), "a node that slides on a line");
+        }
+        pressures.extend(reader.number(Domain::NonNegative)?.map(|pressure| (node, pressure)));
         Ok(())
     })
 }

@@ -103,6 +103,8 @@ struct Figure {
     scene: &'static str,
     output: &'static str,
     label: &'static str,
+    /// The elements that are shown.
+    of: &'static [&'static str],
     /// What there is to see, for readers who cannot.
     description: &'static str,
 }
@@ -112,6 +114,7 @@ const FIGURES: &[Figure] = &[
         scene: "telescope",
         output: "CSF1",
         label: "friction force",
+        of: &["telescope"],
         description: "The friction force of the telescope over time: it grows while the contact sticks, stays at the limit \
             while it slips, grows with the load, and turns its sign when the telescope is pushed back.",
     },
@@ -119,6 +122,7 @@ const FIGURES: &[Figure] = &[
         scene: "telescope",
         output: "CASU1",
         label: "accumulated slip",
+        of: &["telescope"],
         description: "The slip of the telescope, added up: it rises while the contact slips in either direction and \
             never falls.",
     },
@@ -126,13 +130,31 @@ const FIGURES: &[Figure] = &[
         scene: "drive-shaft",
         output: "ALPHA",
         label: "angle at the cross, in radians",
+        of: &["first", "second"],
         description: "The angle of the cross about the input yoke over one turn of the shaft, for both joints: it swings \
             between minus and plus the bend of the joint, twice in opposite phase.",
+    },
+    Figure {
+        scene: "drive-shaft",
+        output: "CSM1",
+        label: "friction moment",
+        of: &["first"],
+        description: "The moment of friction about the arm of the input yoke over one turn: it stays at the limit while the \
+            cross swings one way, and passes over to the other limit where the swing turns back.",
+    },
+    Figure {
+        scene: "thread",
+        output: "T",
+        label: "torque",
+        of: &["box"],
+        description: "The torque that the thread can transmit over its history: zero until the flanks touch, then in \
+            proportion to how far the pin is made up, and back to zero as it is backed off.",
     },
     Figure {
         scene: "interface",
         output: "G1",
         label: "distance from the normal",
+        of: &["inner", "middle", "outer"],
         description: "The distances of the nodes through the thickness from the shell's normal: zero up to rounding until \
             in the last state the outer node leaves it.",
     },
@@ -143,9 +165,11 @@ pub(crate) fn figures() -> anyhow::Result<Vec<(String, String)>> {
     let mut drawn = Vec::new();
     for (name, scene) in scenes()? {
         let results = Results::exact(&scene).with_context(|| name.clone())?;
-        for Figure { output, label, description, .. } in FIGURES.iter().filter(|figure| figure.scene == name) {
+        for Figure { output, label, of, description, .. } in FIGURES.iter().filter(|figure| figure.scene == name) {
+            let mut shown = results.clone();
+            shown.series.retain(|series| of.contains(&series.element.as_str()));
             let figure = format!("scene-{name}-{output}");
-            drawn.push((figure.clone(), plot::chart(&results, output, &figure, label, description)));
+            drawn.push((figure.clone(), plot::chart(&shown, output, &figure, label, description)));
         }
     }
     Ok(drawn)
