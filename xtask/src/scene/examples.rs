@@ -131,7 +131,7 @@ const FIGURES: &[Figure] = &[
     },
     Figure {
         scene: "interface",
-        output: "G1",
+        output: "G2",
         label: "distance from the normal",
         description: "The distances of the nodes through the thickness from the shell's normal: zero up to rounding until \
             in the last state the outer node leaves it.",
