@@ -7,7 +7,8 @@ use serde_json::{Map, Value, json};
 
 /// The schema: an editor that knows it completes names and marks mistakes while one writes.
 pub fn schema() -> Value {
-    let dimensions: Vec<_> = Dimension::ALL.into_iter().map(of_dimension).collect();
+    let used = |dimension: &Dimension| Kind::all().any(|kind| kind.dimension == *dimension);
+    let dimensions: Vec<_> = Dimension::ALL.into_iter().filter(used).map(of_dimension).collect();
     json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "Scene",

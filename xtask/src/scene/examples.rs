@@ -152,7 +152,7 @@ const FIGURES: &[Figure] = &[
     },
     Figure {
         scene: "interface",
-        output: "G1",
+        output: "G2",
         label: "distance from the normal",
         of: &["inner", "middle", "outer"],
         description: "The distances of the nodes through the thickness from the shell's normal: zero up to rounding until \

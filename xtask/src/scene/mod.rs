@@ -24,13 +24,13 @@ use std::time::{Duration, Instant};
 /// Every mistake in a scene is reported with its JSON path, line and column, all at once, and nothing is written then.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
-  cargo xtask scene golden/scenes/telescope.json                       a table per output
-  cargo xtask scene golden/scenes/telescope.json --plan                which formulas, how often, and why
-  cargo xtask scene golden/scenes/telescope.json --error               every number with its error against 237 bits
-  cargo xtask scene golden/scenes/telescope.json --format csv > t.csv  for a spreadsheet
-  cargo xtask scene golden/scenes/telescope.json --plot plots          an SVG per output over the history
-  cargo xtask scene --generate 10000 > many.json                       a scene to measure with
-  cargo xtask scene --benchmark                                        what an element costs per state")]
+  cargo xtask scene golden/scenes/rail.json            a table per output
+  cargo xtask scene golden/scenes/rail.json --plan     which formulas, how often, and why
+  cargo xtask scene golden/scenes/rail.json --error    each number with its error against 237 bits
+  cargo xtask scene golden/scenes/rail.json --plot .   an SVG per output over the history
+  cargo xtask scene *.json --format csv > all.csv      for a spreadsheet
+  cargo xtask scene --generate 10000 > many.json       a scene to measure with
+  cargo xtask scene --benchmark                        what an element costs per state")]
 pub(crate) struct Arguments {
     /// Scene files
     #[arg(value_name = "FILE", required_unless_present_any = ["generate", "benchmark"])]
