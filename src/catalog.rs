@@ -3,7 +3,9 @@
 use crate::formula::{Convention, Field, Fields, Formula, Jacobian, Spec, check, value, value_and_jacobian};
 use crate::scalar::{abs, sign};
 use crate::verify::{Audit, Kink, Options, Subject, audit, audit_at, exact, golden, hard};
-use crate::{Error, Octuple, align, cardan, coulomb, interaction, join, slide_line, slider, slot, translator, ujoint, universal};
+use crate::{
+    Error, Octuple, align, cardan, coulomb, interaction, join, slide_line, slider, slot, translator, ujoint, universal,
+};
 
 /// A formula whose inputs and outputs are not known to the compiler; every [`Formula`] is one.
 pub trait AnyFormula: Send + Sync {

@@ -62,6 +62,8 @@ fn far_segments_are_not_looked_at() {
 fn the_thread_closes_slips_sticks_and_carries_torque() {
     let results = Results::exact(&scene(THREAD)).unwrap();
     let (sine, cosine) = taper();
+    let torque_of_cone =
+        |pressure: f64| 2.0 * std::f64::consts::PI * pressure * (52.7_f64.powi(3) - 50.2_f64.powi(3)) / (3.0 * sine);
     let way = [0.0, 0.4, 0.8, 1.2, 1.6, 2.0, 1.999, 1.8, 1.0, 0.0];
     for (state, way) in way.into_iter().enumerate() {
         let closure = (way / 16.0 - 0.05) * cosine;
@@ -72,9 +74,9 @@ fn the_thread_closes_slips_sticks_and_carries_torque() {
             close(results.get("thread 2", "E12", state).unwrap()[node], -way * cosine);
             close(pressures[node], pressure);
         }
-        let torque = 2.0 * std::f64::consts::PI * pressure * (52.7_f64.powi(3) - 50.2_f64.powi(3)) / (3.0 * sine);
-        let total = results.get("box", "T", state).unwrap()[0];
-        assert!((total - torque).abs() <= 1e-10 * torque.abs() + 1e-6, "{total} is not {torque}");
+        // Where the flanks just touch, the pressure is what the rounding of the coordinates has left.
+        let (torque, total) = (torque_of_cone(pressure), results.get("box", "T", state).unwrap()[0]);
+        assert!((total - torque).abs() <= 1e-10 * torque_of_cone(150.0), "{total} is not {torque}");
     }
     let shear = |state| results.get("thread 1", "S12", state).unwrap()[0];
     let pressure = |state| results.get("thread 1", "S11", state).unwrap()[0];
@@ -151,5 +153,18 @@ fn a_line_that_cannot_be_slid_on_is_named_with_the_state() {
         "elements": {"ring": {"kind": "isl21a", "nodes": ["m", "n"], "slide_line": "plate"}},
         "frames": [{"time": 0}, {"time": 1, "nodes": {"b": {"u": [-4, 0]}}}], "outputs": ["E11"]}"#;
     let problems = Results::of(&scene(text)).unwrap_err().to_string();
-    assert!(problems.contains("\"plate\", frames[1]") && problems.contains("nodes 1 and 2 are at one place"), "{problems}");
+    assert!(
+        problems.contains("\"plate\", frames[1]") && problems.contains("nodes 1 and 2 are at one place"),
+        "{problems}"
+    );
+}
+
+#[test]
+fn threads_change_no_bit() {
+    let scene = scene(THREAD);
+    let with = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| Results::of(&scene).unwrap())
+    };
+    assert_eq!(with(1), with(5));
 }

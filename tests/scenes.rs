@@ -223,7 +223,13 @@ fn doubles_are_close_to_exact() {
 
 #[test]
 fn golden_results_are_what_the_scenes_give() {
-    let scenes = [("rail", RAIL), ("telescope", TELESCOPE), ("drive-shaft", DRIVE_SHAFT), ("interface", INTERFACE), ("thread", THREAD)];
+    let scenes = [
+        ("rail", RAIL),
+        ("telescope", TELESCOPE),
+        ("drive-shaft", DRIVE_SHAFT),
+        ("interface", INTERFACE),
+        ("thread", THREAD),
+    ];
     for (name, text) in scenes {
         let path = format!("{}/golden/scenes/{name}.result.json", env!("CARGO_MANIFEST_DIR"));
         let committed = std::fs::read_to_string(&path).unwrap();

@@ -34,7 +34,9 @@ fn median(mut times: Vec<f64>) -> f64 {
 
 #[test]
 fn a_longer_line_costs_few_more_evaluations() {
-    for (kind, smoothed) in [(Kind::Linear, false), (Kind::Linear, true), (Kind::Parabolic, false), (Kind::Parabolic, true)] {
+    for (kind, smoothed) in
+        [(Kind::Linear, false), (Kind::Linear, true), (Kind::Parabolic, false), (Kind::Parabolic, true)]
+    {
         for segments in SEGMENTS {
             let line = bumpy(kind, segments, smoothed);
             let evaluated = slaves(segments).into_iter().take(200).map(|xs| line.closest(xs).unwrap().evaluated);
@@ -48,7 +50,9 @@ fn a_longer_line_costs_few_more_evaluations() {
 #[ignore = "a measurement, to be run alone and in release"]
 fn slide_line_scaling() {
     println!("{:30} {:>9} {:>12} {:>12}", "line", "segments", "ns per point", "to 10");
-    for (kind, smoothed) in [(Kind::Linear, false), (Kind::Linear, true), (Kind::Parabolic, false), (Kind::Parabolic, true)] {
+    for (kind, smoothed) in
+        [(Kind::Linear, false), (Kind::Linear, true), (Kind::Parabolic, false), (Kind::Parabolic, true)]
+    {
         let benches = SEGMENTS.map(|segments| (bumpy(kind, segments, smoothed), slaves(segments)));
         let mut times = SEGMENTS.map(|_| Vec::new());
         // Interleaved, so that whatever else the machine does falls on all alike.

@@ -76,11 +76,19 @@ fn scene(reader: &mut Reader) -> Read<Option<Scene>> {
     let lines = lines.filter(|_| dimension == Dimension::Axisymmetric);
     let lines = part(reader, "slide_lines", lines, |reader| lines_of(reader, &nodes))?.unwrap_or_default();
     let outputs = part(reader, "outputs", outputs, |reader| Outputs::read(reader, dimension))?.unwrap_or_default();
-    let elements =
-        part(reader, "elements", elements, |reader| super::elements::read(reader, dimension, &Known { nodes: &nodes, lines: &lines }, &outputs))?;
+    let elements = part(reader, "elements", elements, |reader| {
+        super::elements::read(reader, dimension, &Known { nodes: &nodes, lines: &lines }, &outputs)
+    })?;
     let elements = elements.unwrap_or_default();
-    let mut scene =
-        Scene { title, dimension, orientations: turns.into_values().collect(), nodes, lines, elements, frames: Vec::new() };
+    let mut scene = Scene {
+        title,
+        dimension,
+        orientations: turns.into_values().collect(),
+        nodes,
+        lines,
+        elements,
+        frames: Vec::new(),
+    };
     scene.frames = match part(reader, "frames", frames, |reader| frames_of(reader, &scene))? {
         Some(frames) => frames,
         None => vec![Frame::at(0.0)],

@@ -158,7 +158,8 @@ impl<'s, T: Number> Run<'s, T> {
         for contact in &mut self.contacts {
             frame.pressures.iter().for_each(|&(node, pressure)| contact.press(node, pressure));
             let failures = contact.advance(&motion).err().unwrap_or_default();
-            let problem = |(formula, error)| Problem { element: contact.name().into(), state: Some(self.state), formula, error };
+            let problem =
+                |(formula, error)| Problem { element: contact.name().into(), state: Some(self.state), formula, error };
             problems.extend(failures.into_iter().map(problem));
         }
         if !self.contacts.is_empty() {

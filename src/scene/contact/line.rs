@@ -128,7 +128,11 @@ fn all_of<const N: usize>(reader: &mut Reader, keys: [(&str, Domain); N]) -> Rea
     let place = reader.place();
     let Some(given) = numbers(reader, keys)? else { return Ok(None) };
     if given.contains(&None) {
-        reader.fault(place, format!("{} parameters", given.iter().flatten().count()), format!("all of {}", keys.map(|(name, _)| name).join(", ")));
+        reader.fault(
+            place,
+            format!("{} parameters", given.iter().flatten().count()),
+            format!("all of {}", keys.map(|(name, _)| name).join(", ")),
+        );
         return Ok(None);
     }
     Ok(Some(given.map(Option::unwrap_or_default)))

@@ -135,8 +135,7 @@ impl ContactPlan {
         };
         let nodes = |wanted: fn(&Needs) -> bool| self.slaves.iter().filter(|slave| wanted(&slave.needs)).count();
         let parabolic = line.line.kind() == slide_line::Kind::Parabolic;
-        let slip =
-            if parabolic { "slide_line.slip_increment_parabolic" } else { "slide_line.slip_increment_linear" };
+        let slip = if parabolic { "slide_line.slip_increment_parabolic" } else { "slide_line.slip_increment_linear" };
         add(Self::search(line), self.slaves.len(), "the place of every node, among the near segments only");
         add(slip, nodes(|needs| needs.slip), "output E12, trial of coulomb.return_map");
         if let Some(law) = line.law() {

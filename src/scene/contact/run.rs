@@ -1,14 +1,12 @@
 //! Evaluating a slide line, state by state.
 
-use super::plan::{ContactPlan, Output, Slave, Wanted};
 use super::Line;
+use super::plan::{ContactPlan, Output, Slave, Wanted};
 use crate::error::Error;
 use crate::formula::Formula;
 use crate::scene::model::Scene;
 use crate::scene::step::Number;
-use crate::slide_line::{
-    LinearPressures, Nodes, ParabolicPressures, Place, PlacedLine, TorqueLinear, TorqueParabolic,
-};
+use crate::slide_line::{LinearPressures, Nodes, ParabolicPressures, Place, PlacedLine, TorqueLinear, TorqueParabolic};
 use arrayvec::ArrayVec;
 use nalgebra::{Vector2, Vector3};
 use rayon::prelude::*;
@@ -79,13 +77,14 @@ impl<'s, T: Number> Contact<'s, T> {
         let line = self.place(motion).map_err(|error| vec![(search, error)])?;
         let advance = |(state, slave): (&mut State<T>, &Slave)| state.advance(self.line, &line, slave, motion);
         let found: Vec<_> = self.slaves.par_iter_mut().zip(&self.plan.slaves).map(advance).collect();
-        let failures: Vec<_> = found.iter().filter_map(|found| found.clone().err()).map(|error| (search, error)).collect();
+        let failures: Vec<_> =
+            found.iter().filter_map(|found| found.clone().err()).map(|error| (search, error)).collect();
         if !failures.is_empty() {
             return Err(failures);
         }
         self.pieces += found.into_iter().flatten().sum::<usize>();
         if self.plan.torque() {
-            self.turn(motion).map_err(|error| vec![("slide_line.torque", error)])?;
+            self.turn(motion).map_err(|error| vec![("slide_line.torque_linear", error)])?;
         }
         Ok(())
     }

@@ -16,9 +16,14 @@ const E12: Quantity = Quantity {
     domain: Domain::Real,
     meaning: "accumulated relative tangential displacement of each node, positive along the line",
 };
-const S11: Quantity = Quantity { latex: "S11", unit: STRESS, meaning: "pressure at each node, positive when it pushes", ..E12 };
-const S12: Quantity =
-    Quantity { latex: "S12", unit: STRESS, meaning: "shear stress at each node, positive when it resists positive slip", ..E12 };
+const S11: Quantity =
+    Quantity { latex: "S11", unit: STRESS, meaning: "pressure at each node, positive when it pushes", ..E12 };
+const S12: Quantity = Quantity {
+    latex: "S12",
+    unit: STRESS,
+    meaning: "shear stress at each node, positive when it resists positive slip",
+    ..E12
+};
 
 /// A coordinate along the line is no output.
 const FOOT: &[(&str, &str)] = &[("g", "coordinate"), ("t", "coordinate"), ("separation", "e11")];

@@ -22,14 +22,28 @@ const MAP: [&[(&str, &str)]; 2] = [
     &[("f_trial", "m3_trial"), ("fn", "mn3"), ("f", "csm3")],
 ];
 const SLIP: [&[(&str, &str)]; 2] = [
-    &[("f_trial", "m1_trial"), ("csf", "csm1"), ("slip_before", "slip1_before"), ("slip", "slip1"), ("slip_total", "slip1_total")],
-    &[("f_trial", "m3_trial"), ("csf", "csm3"), ("slip_before", "slip3_before"), ("slip", "slip3"), ("slip_total", "slip3_total")],
+    &[
+        ("f_trial", "m1_trial"),
+        ("csf", "csm1"),
+        ("slip_before", "slip1_before"),
+        ("slip", "slip1"),
+        ("slip_total", "slip1_total"),
+    ],
+    &[
+        ("f_trial", "m3_trial"),
+        ("csf", "csm3"),
+        ("slip_before", "slip3_before"),
+        ("slip", "slip3"),
+        ("slip_total", "slip3_total"),
+    ],
 ];
 
 const CSM1: Quantity = scalar(r"m_1", Unit::FL, Domain::Real, "moment about e1a that friction transmits");
 const CSM3: Quantity = scalar(r"m_3", Unit::FL, Domain::Real, "moment about e3b that friction transmits");
-const SLIP1: Quantity = scalar(r"\Delta s_1", Unit::ONE, Domain::Real, "slip about e1a in this increment, 0 while it sticks");
-const SLIP3: Quantity = scalar(r"\Delta s_3", Unit::ONE, Domain::Real, "slip about e3b in this increment, 0 while it sticks");
+const SLIP1: Quantity =
+    scalar(r"\Delta s_1", Unit::ONE, Domain::Real, "slip about e1a in this increment, 0 while it sticks");
+const SLIP3: Quantity =
+    scalar(r"\Delta s_3", Unit::ONE, Domain::Real, "slip about e3b in this increment, 0 while it sticks");
 const TOTAL1: Quantity = scalar(r"s_1", Unit::ONE, Domain::NonNegative, "accumulated slip about e1a, never falling");
 const TOTAL3: Quantity = scalar(r"s_3", Unit::ONE, Domain::NonNegative, "accumulated slip about e3b, never falling");
 

@@ -130,9 +130,8 @@ fn error_of_a_tilted_flank(elements: u32, closed: f64) -> Result<f64, Error> {
     let c = closed.min(1.0);
     // ∫ r² (closed − s) ds from 0 to c, with r² = 47² + 8·47 s + 16 s².
     let [r0, r1, r2] = [47.0 * 47.0, 8.0 * 47.0, 16.0];
-    let antiderivative = |s: f64| {
-        closed * s * (r0 + s * (r1 / 2.0 + s * r2 / 3.0)) - s * s * (r0 / 2.0 + s * (r1 / 3.0 + s * r2 / 4.0))
-    };
+    let antiderivative =
+        |s: f64| closed * s * (r0 + s * (r1 / 2.0 + s * r2 / 3.0)) - s * s * (r0 / 2.0 + s * (r1 / 3.0 + s * r2 / 4.0));
     // The element is inclined by its overclosure, so a little longer than 4.
     let length = 4.0_f64.hypot(0.004);
     let exact = 2.0 * PI * STIFFNESS * 0.004 * length * antiderivative(c);
