@@ -35,7 +35,7 @@ fn best(elements: usize, states: usize, mut job: impl FnMut()) -> f64 {
 pub(crate) fn run() -> anyhow::Result<()> {
     let mut report = format!(
         "{} threads, {STATES} states, outputs GY GZ U1 CSF1 CASU1 of a slot with friction\n\
-        {:>9} {:>10} {:>12} {:>12} {:>7} {:>16} {:>12}\n",
+        {:>9} {:>9} {:>9} {:>9} {:>7} {:>13} {:>11} {:>13}\n",
         rayon::current_num_threads(),
         "elements",
         "read ns",
@@ -44,6 +44,7 @@ pub(crate) fn run() -> anyhow::Result<()> {
         "ratio",
         "bytes/element",
         "bytes/node",
+        "resident",
     );
     for elements in SIZES {
         say(&format!("{elements} elements"));
@@ -55,9 +56,9 @@ pub(crate) fn run() -> anyhow::Result<()> {
         #[expect(clippy::cast_precision_loss, reason = "counts far below 2^53")]
         let reading = start.elapsed().as_secs_f64() * 1e9 / elements as f64;
         drop(text);
+        let resident = resident().map_or_else(|| "unknown".into(), |bytes| format!("{:.0}", per(bytes, elements)));
         let plan = Plan::new(&scene);
-        let mut failed = None;
-        let mut bytes = [0, 0];
+        let (mut failed, mut bytes) = (None, [0, 0]);
         // The states only: what comes before is reading.
         let mut fastest = f64::INFINITY;
         for _ in 0..(100_000 / elements).clamp(5, 1000) {
@@ -72,13 +73,20 @@ pub(crate) fn run() -> anyhow::Result<()> {
         let bare = bare(elements);
         writeln!(
             report,
-            "{elements:>9} {reading:>10.0} {fastest:>12.1} {bare:>12.1} {:>7.2} {:>16.1} {:>12.1}",
+            "{elements:>9} {reading:>9.0} {fastest:>9.1} {bare:>9.1} {:>7.2} {:>13.1} {:>11.1} {resident:>13}",
             fastest / bare,
             per(bytes[0], elements),
             per(bytes[1], scene.nodes()),
         )?;
     }
     print(&report)
+}
+
+/// Bytes of memory that this process has, where the system tells.
+fn resident() -> Option<usize> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
+    line.split_whitespace().next()?.parse::<usize>().ok().map(|kilobytes| kilobytes * 1024)
 }
 
 #[expect(clippy::cast_precision_loss, reason = "counts far below 2^53")]
