@@ -68,11 +68,8 @@ fn the_thread_closes_slips_sticks_and_carries_torque() {
     for (state, way) in way.into_iter().enumerate() {
         let closure = (way / 16.0 - 0.05) * cosine;
         let pressure = 2000.0 * closure.max(0.0);
-        let pressures = results.get("thread 2", "S11", state).unwrap();
-        for node in 0..2 {
-            close(results.get("thread 2", "E11", state).unwrap()[node], -closure);
-            close(results.get("thread 2", "E12", state).unwrap()[node], -way * cosine);
-            close(pressures[node], pressure);
+        for (output, expected) in [("E11", -closure), ("E12", -way * cosine), ("S11", pressure)] {
+            results.get("thread 2", output, state).unwrap().iter().for_each(|&found| close(found, expected));
         }
         // Where the flanks just touch, the pressure is what the rounding of the coordinates has left.
         let (torque, total) = (torque_of_cone(pressure), results.get("box", "T", state).unwrap()[0]);

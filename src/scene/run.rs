@@ -97,9 +97,9 @@ impl<'s, T: Number> Run<'s, T> {
         for (group, state) in self.plan.groups.iter().zip(&mut self.groups) {
             let recipe = &group.recipe;
             let (scene, nodes) = (self.scene, &self.nodes);
-            let failures = state.blocks(scene, group, nodes, &recipe.start, |kept, registers, _| {
+            let failures = state.blocks(group, nodes, &recipe.start, |kept, lanes, lane, _| {
                 for (from, to) in recipe.initial.iter().chain(&recipe.fallbacks) {
-                    kept[range(*to)].copy_from_slice(&registers[range(*from)]);
+                    lanes.take(lane, from.at, &mut kept[range(*to)]);
                 }
             });
             problems.extend(failures.into_iter().map(|failure| problem(scene, group, None, failure)));
@@ -131,13 +131,13 @@ impl<'s, T: Number> Run<'s, T> {
         for (group, state) in self.plan.groups.iter().zip(&mut self.groups) {
             let recipe = &group.recipe;
             let (scene, nodes) = (self.scene, &self.nodes);
-            let failures = state.blocks(scene, group, nodes, &recipe.steps, |kept, registers, results| {
+            let failures = state.blocks(group, nodes, &recipe.steps, |kept, lanes, lane, results| {
                 for (from, to) in &recipe.before {
-                    kept[range(*to)].copy_from_slice(&registers[range(*from)]);
+                    lanes.take(lane, from.at, &mut kept[range(*to)]);
                 }
                 let mut at = 0;
                 for (_, span) in &recipe.outputs {
-                    results[at..at + span.len].copy_from_slice(&registers[range(*span)]);
+                    lanes.take(lane, span.at, &mut results[at..at + span.len]);
                     at += span.len;
                 }
             });
@@ -194,8 +194,10 @@ impl<'s, T: Number> Run<'s, T> {
     /// Bytes that last from state to state: of elements, and of nodes.
     pub fn bytes(&self) -> [usize; 2] {
         let numbers: usize = self.groups.iter().map(|state| state.kept.capacity() + state.results.capacity()).sum();
+        let ends: usize = self.groups.iter().map(|state| state.ends.len() * size_of::<u32>()).sum();
         let sliding: usize = self.contacts.iter().map(Contact::bytes).sum();
-        let elements = numbers * size_of::<T>() + self.places.len() * size_of::<[u32; 2]>() + sliding;
+        let places = self.places.len() * size_of::<[u32; 2]>();
+        let elements = numbers * size_of::<T>() + places + ends + sliding;
         let nodes = size_of_val(&*self.nodes.positions) + size_of_val(&*self.before) + size_of_val(&*self.nodes.triads);
         [elements, nodes]
     }

@@ -103,17 +103,13 @@ fn frame(dimension: Dimension, kinds: &[&Kind]) -> Value {
         let all = std::iter::once(vector(dimension.coordinates())).chain(turn);
         named(&record(&entries(read::MOTION_KEYS, all), &[]))
     };
-    let angle = || json!({ "type": "number" });
-    let all = match dimension {
-        Dimension::Axisymmetric => {
-            entries(read::SLIDING_FRAME_KEYS, [time, motion(None), named(&of_domain(Domain::NonNegative))])
-        }
-        _ => {
-            let turn = if dimension == Dimension::Space { vector(3) } else { angle() };
-            let loads: Vec<_> = kinds.iter().map(|kind| of_loads(kind)).collect();
-            entries(read::FRAME_KEYS, [time, motion(Some(turn)), named(&json!({ "anyOf": loads }))])
-        }
-    };
+    if dimension == Dimension::Axisymmetric {
+        let all = entries(read::SLIDING_FRAME_KEYS, [time, motion(None), named(&of_domain(Domain::NonNegative))]);
+        return record(&all, &["time"]);
+    }
+    let turn = if dimension == Dimension::Space { vector(3) } else { json!({ "type": "number" }) };
+    let loads: Vec<_> = kinds.iter().map(|kind| of_loads(kind)).collect();
+    let all = entries(read::FRAME_KEYS, [time, motion(Some(turn)), named(&json!({ "anyOf": loads }))]);
     record(&all, &["time"])
 }
 

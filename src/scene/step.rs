@@ -4,6 +4,7 @@ use crate::error::Error;
 use crate::formula::{Field, Fields, Formula};
 use crate::scalar::abs;
 use crate::{Octuple, Scalar};
+use std::cell::Cell;
 
 /// Where in the registers a step finds its inputs and puts its outputs, component by component.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -29,11 +30,31 @@ pub trait Number: Scalar {
     fn run(step: &dyn Step, wiring: &Wiring, lanes: &mut Lanes<'_, Self>, failures: &mut Vec<Failure>);
 }
 
-/// The registers of a block of elements, `stride` to each.
+/// Elements that are evaluated together: few enough for their registers to stay in the first-level cache.
+pub(super) const LANES: usize = 32;
+
+/// The registers of a block of elements: of each register the values of all lanes, then of the next.
 #[derive(Debug)]
 pub struct Lanes<'r, T> {
     pub(super) registers: &'r mut [T],
-    pub(super) stride: usize,
+    /// How many lanes hold an element.
+    pub(super) count: usize,
+}
+
+impl<T: Copy> Lanes<'_, T> {
+    /// Writes a run of registers of a lane.
+    pub(super) fn put(&mut self, lane: usize, at: usize, values: &[T]) {
+        for (k, &value) in values.iter().enumerate() {
+            self.registers[(at + k) * LANES + lane] = value;
+        }
+    }
+
+    /// Reads a run of registers of a lane.
+    pub(super) fn take(&self, lane: usize, at: usize, values: &mut [T]) {
+        for (k, value) in values.iter_mut().enumerate() {
+            *value = self.registers[(at + k) * LANES + lane];
+        }
+    }
 }
 
 /// A formula that rejected its inputs or overflowed, and the lane where.
@@ -94,22 +115,49 @@ impl<F: Formula> Step for F {
     }
 }
 
+/// Components that a formula has at most, in or out.
+const MOST: usize = 32;
+
+/// The number of components of these fields.
+const fn components(fields: &[Field]) -> usize {
+    let (mut sum, mut k) = (0, 0);
+    while k < fields.len() {
+        sum += fields[k].len();
+        k += 1;
+    }
+    sum
+}
+
 fn run<F: Formula, T: Number>(wiring: &Wiring, lanes: &mut Lanes<'_, T>, failures: &mut Vec<Failure>) {
-    for (lane, registers) in lanes.registers.chunks_exact_mut(lanes.stride.max(1)).enumerate() {
-        let mut from = wiring.inputs.iter();
-        let inputs = F::Inputs::from_components(&mut || match from.next() {
-            Some(&register) => registers[usize::from(register)],
-            None => T::zero(),
+    const {
+        assert!(components(F::Inputs::<T>::FIELDS) <= MOST && components(F::Outputs::<T>::FIELDS) <= MOST);
+    }
+    let cells = Cell::from_mut(&mut *lanes.registers).as_slice_of_cells();
+    let (columns, _) = cells.as_chunks::<LANES>();
+    let Some(first) = columns.first() else { return };
+    // Looked up once a block, so that the loop below knows where everything is.
+    let wired = |registers: &[u16]| {
+        let mut wired = [first; MOST];
+        for (place, &at) in wired.iter_mut().zip(registers) {
+            *place = columns.get(usize::from(at)).unwrap_or(first);
+        }
+        wired
+    };
+    let (from, to) = (wired(&wiring.inputs), wired(&wiring.outputs));
+    for lane in 0..lanes.count.min(LANES) {
+        let mut next = 0;
+        let inputs = F::Inputs::from_components(&mut || {
+            let value = from[next % MOST][lane].get();
+            next += 1;
+            value
         });
         let mut failed = T::validate::<F>(&inputs).err();
         let outputs = F::eval(&inputs);
-        let mut to = wiring.outputs.iter();
-        let mut finite = true;
+        let (mut next, mut finite) = (0, true);
         outputs.for_each_component(&mut |value| {
             finite &= is_double(value);
-            if let Some(&register) = to.next() {
-                registers[usize::from(register)] = value;
-            }
+            to[next % MOST][lane].set(value);
+            next += 1;
         });
         if !finite && failed.is_none() {
             failed = Some(Error::Overflow { name: overflown::<F, T>(&outputs) });

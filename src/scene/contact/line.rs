@@ -27,7 +27,7 @@ pub(in crate::scene) const TYPES: [(&str, Kind); 2] = [("linear", Kind::Linear),
 /// A slide line and what acts on it. Its nodes are numbered by their place in the scene, from 1.
 #[derive(Clone, Debug)]
 pub(in crate::scene) struct Line {
-    pub(super) line: SlideLine,
+    pub(super) path: SlideLine,
     pub(super) interaction: Interaction,
     pub(super) damped: bool,
     pub(super) rubs: bool,
@@ -68,9 +68,9 @@ fn line(reader: &mut Reader, nodes: &IndexMap<Box<str>, Node>) -> Read<Option<Li
         None => Ok(line),
     });
     let interaction = complete(interaction, damping, friction);
-    match made.and_then(|line| Ok((line, interaction?))) {
-        Ok((line, interaction)) => {
-            Ok(Some(Line { line, interaction, damped: damping.is_some(), rubs: friction.is_some() }))
+    match made.and_then(|path| Ok((path, interaction?))) {
+        Ok((path, interaction)) => {
+            Ok(Some(Line { path, interaction, damped: damping.is_some(), rubs: friction.is_some() }))
         }
         Err(error) => {
             reader.reject(place, &error);

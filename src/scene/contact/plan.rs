@@ -27,6 +27,7 @@ pub(super) struct Slave {
 
 /// What is needed beyond the separation, which is always known.
 #[derive(Clone, Copy, Debug, Default)]
+#[expect(clippy::struct_excessive_bools, reason = "four things, each needed or not")]
 pub(super) struct Needs {
     pub(super) slip: bool,
     /// Motion along the normal, for damping.
@@ -100,7 +101,9 @@ impl ContactPlan {
                     plan.slaves.push(Slave { node, needs: Needs::default() });
                     plan.slaves.len() - 1
                 });
-                outputs.iter().for_each(|output| plan.slaves[place].needs.and(output.needs(line)));
+                for output in &outputs {
+                    plan.slaves[place].needs.and(output.needs(line));
+                }
                 nodes.push(place);
             }
             plan.elements.push(Wanted { element: index, nodes, outputs });
@@ -116,7 +119,7 @@ impl ContactPlan {
 
     /// The formula by which a foot is found, which also counts how many pieces of the line were looked at.
     pub(super) fn search(line: &Line) -> &'static str {
-        match (line.line.kind(), line.line.smoothing()) {
+        match (line.path.kind(), line.path.smoothing()) {
             (slide_line::Kind::Linear, None) => "slide_line.closest_linear",
             (slide_line::Kind::Linear, Some(_)) => "slide_line.closest_smoothed_linear",
             (slide_line::Kind::Parabolic, None) => "slide_line.closest_parabolic",
@@ -134,7 +137,7 @@ impl ContactPlan {
             }
         };
         let nodes = |wanted: fn(&Needs) -> bool| self.slaves.iter().filter(|slave| wanted(&slave.needs)).count();
-        let parabolic = line.line.kind() == slide_line::Kind::Parabolic;
+        let parabolic = line.path.kind() == slide_line::Kind::Parabolic;
         let slip = if parabolic { "slide_line.slip_increment_parabolic" } else { "slide_line.slip_increment_linear" };
         add(Self::search(line), self.slaves.len(), "the place of every node, among the near segments only");
         add(slip, nodes(|needs| needs.slip), "output E12, trial of coulomb.return_map");

@@ -75,7 +75,7 @@ impl<'s, T: Number> Contact<'s, T> {
     pub(in crate::scene) fn advance(&mut self, motion: &Motion<'_, T>) -> Result<(), Vec<(&'static str, Error)>> {
         let search = ContactPlan::search(self.line);
         let line = self.place(motion).map_err(|error| vec![(search, error)])?;
-        let advance = |(state, slave): (&mut State<T>, &Slave)| state.advance(self.line, &line, slave, motion);
+        let advance = |(state, &slave): (&mut State<T>, &Slave)| state.advance(self.line, &line, slave, motion);
         let found: Vec<_> = self.slaves.par_iter_mut().zip(&self.plan.slaves).map(advance).collect();
         let failures: Vec<_> =
             found.iter().filter_map(|found| found.clone().err()).map(|error| (search, error)).collect();
@@ -90,11 +90,11 @@ impl<'s, T: Number> Contact<'s, T> {
     }
 
     fn place(&self, motion: &Motion<'_, T>) -> Result<PlacedLine<T>, Error> {
-        let mut nodes: Vec<_> = self.line.line.nodes().collect();
+        let mut nodes: Vec<_> = self.line.path.nodes().collect();
         nodes.sort_unstable();
         nodes.dedup();
         let at = |number: u32| (number, <[T; 2]>::from(motion.at(number - 1)));
-        self.line.line.place(&Nodes::new(nodes.into_iter().map(at))?)
+        self.line.path.place(&Nodes::new(nodes.into_iter().map(at))?)
     }
 
     /// The torques, from the pressures that push.
@@ -107,12 +107,11 @@ impl<'s, T: Number> Contact<'s, T> {
             }
             let x = |k: usize| motion.at(self.plan.slaves[element.nodes[k]].node);
             let p = |k: usize| Some(self.slaves[element.nodes[k]].s11).filter(|&p| p > zero).unwrap_or(zero);
-            *torque = match element.nodes.len() {
-                2 => TorqueLinear::eval(&LinearPressures { x1: x(0), x2: x(1), p1: p(0), p2: p(1) }).t,
-                _ => {
-                    let (x1, x2, x3, p1, p2, p3) = (x(0), x(1), x(2), p(0), p(1), p(2));
-                    TorqueParabolic::eval(&ParabolicPressures { x1, x2, x3, p1, p2, p3 }).t
-                }
+            *torque = if element.nodes.len() == 2 {
+                TorqueLinear::eval(&LinearPressures { x1: x(0), x2: x(1), p1: p(0), p2: p(1) }).t
+            } else {
+                let (x1, x2, x3, p1, p2, p3) = (x(0), x(1), x(2), p(0), p(1), p(2));
+                TorqueParabolic::eval(&ParabolicPressures { x1, x2, x3, p1, p2, p3 }).t
             };
             self.total += *torque;
         }
@@ -164,7 +163,7 @@ impl<T: Number> State<T> {
         &mut self,
         Line { interaction, .. }: &Line,
         line: &PlacedLine<T>,
-        slave: &Slave,
+        slave: Slave,
         motion: &Motion<'_, T>,
     ) -> Result<usize, Error> {
         let (needs, zero) = (slave.needs, T::zero());
