@@ -34,7 +34,7 @@ pub(crate) fn twist() -> Chart<'static> {
             ticks: vec![-0.05, 0.0, 0.05, 0.1, 0.125],
         },
         curves: vec![
-            curve("used", 33, |at| at.used.alpha_twist),
+            curve("used", 20, |at| at.used.alpha_twist),
             // The wide space keeps the name off the steep curve.
             curve("\u{2003}Timoshenko", 50, |at| at.timoshenko.alpha_twist),
             curve("Euler–Bernoulli", 4, |at| at.euler_bernoulli.alpha_twist),
@@ -54,10 +54,10 @@ pub(crate) fn axial() -> Chart<'static> {
         x: slenderness(),
         y: Axis { label: "share", from: 0.0, to: 0.6, logarithmic: false, ticks: vec![0.0, 0.25, 0.5] },
         curves: vec![
-            curve("α axial", 130, |at| at.used.alpha_axial),
-            curve("β axial", 100, |at| at.used.beta_axial),
-            curve("α of Timoshenko arms", 12, |at| at.timoshenko.alpha_axial),
-            curve("α of Euler–Bernoulli arms", 4, |at| at.euler_bernoulli.alpha_axial),
+            curve("α, used", 130, |at| at.used.alpha_axial),
+            curve("β, used", 100, |at| at.used.beta_axial),
+            curve("α, Timoshenko", 2, |at| at.timoshenko.alpha_axial),
+            curve("α, Euler–Bernoulli", 52, |at| at.euler_bernoulli.alpha_axial),
         ],
     }
 }
@@ -83,7 +83,7 @@ pub(crate) fn apart() -> Chart<'static> {
         curves: vec![
             curve("Timoshenko", 92, |at| apart(at.timoshenko.alpha_twist, at.used.alpha_twist)),
             curve("Euler–Bernoulli", 118, |at| apart(at.euler_bernoulli.alpha_twist, at.used.alpha_twist)),
-            curve("rigid", 12, |at| apart(at.rigid.alpha_twist, at.used.alpha_twist)),
+            curve("rigid", 130, |at| apart(at.rigid.alpha_twist, at.used.alpha_twist)),
         ],
     }
 }
