@@ -13,6 +13,7 @@
 //! | [`scalar`] | the numbers a formula runs in: `f64`, [`Octuple`], [`Single`], dual numbers over them |
 //! | [`verify`] | the toolkit that proves a formula, yours too |
 //! | [`measure`] | how fast and how wrong every way to compute a formula is |
+//! | [`scene`] | scene files: parsed, validated, planned, evaluated |
 //! | [`catalog`] | every formula by identifier |
 //!
 //! ```
@@ -45,6 +46,7 @@ mod newtype;
 pub mod octuple;
 pub mod quantity;
 pub mod scalar;
+pub mod scene;
 pub mod single;
 pub mod slide_line;
 pub mod slider;

@@ -3,7 +3,7 @@
 use crate::console::{bold, count, green, print, progress, red, say};
 use crate::evidence::{Evidence, GoldenCheck};
 use crate::selection::Selection;
-use crate::{Outcome, files};
+use crate::{Outcome, files, scene};
 use anyhow::Context;
 use indicatif::ParallelProgressIterator;
 use jointproof::catalog::{AnyFormula, find};
@@ -38,14 +38,29 @@ pub(crate) fn run(arguments: &Arguments) -> Outcome {
     if arguments.check {
         let checked = check(&arguments.selection)?;
         print(&checked.report)?;
-        if !checked.passed {
+        let mut passed = checked.passed;
+        if arguments.selection.is_all() {
+            let scenes = scene_report(&scene::check()?);
+            print(&scenes.1)?;
+            passed &= scenes.0;
+        }
+        if !passed {
             say(MEND);
         }
-        Ok(if checked.passed { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+        Ok(if passed { ExitCode::SUCCESS } else { ExitCode::FAILURE })
     } else {
         print(&write(&arguments.selection)?)?;
         Ok(ExitCode::SUCCESS)
     }
+}
+
+/// The verdict on the scenes, and the files that are off.
+pub(crate) fn scene_report(checked: &scene::Checked) -> (bool, String) {
+    let summary = format!("{}, {}", count(checked.scenes, "scene"), count(checked.numbers, "number"));
+    let differs = |path: &PathBuf| format!("{} differs\n", bold(files::shown(path)));
+    let lines = checked.off.iter().map(differs).collect::<Vec<_>>().concat();
+    let verdict = if checked.off.is_empty() { green("ok") } else { red("off") };
+    (checked.off.is_empty(), format!("{lines}{verdict} {summary}\n"))
 }
 
 /// A golden file as the code says it is.
@@ -104,14 +119,17 @@ fn write(selection: &Selection) -> anyhow::Result<String> {
     let mut outputs: Vec<_> = regenerated.iter().map(|golden| (&golden.path, &golden.text)).collect();
     let (schema_path, schema) = schema()?;
     outputs.push((&schema_path, &schema));
+    let scenes = if selection.is_all() { scene::regenerate()? } else { Vec::new() };
+    outputs.extend(scenes.iter().map(|(path, text)| (path, text)));
     for (path, text) in outputs {
         if files::write(path, text)? {
             writeln!(report, "wrote {}", files::shown(path))?;
         }
     }
-    for orphan in if selection.is_all() { orphans()? } else { Vec::new() } {
+    let orphans = if selection.is_all() { [orphans()?, scene::orphans(&scenes)?].concat() } else { Vec::new() };
+    for orphan in orphans {
         std::fs::remove_file(&orphan).with_context(|| format!("cannot remove {}", files::shown(&orphan)))?;
-        writeln!(report, "removed {}: no such formula", files::shown(&orphan))?;
+        writeln!(report, "removed {}: no such formula or scene", files::shown(&orphan))?;
     }
     let cases: usize = regenerated.iter().map(|golden| golden.file.cases.len()).sum();
     writeln!(report, "{}, {}", count(regenerated.len(), "formula"), count(cases, "case"))?;

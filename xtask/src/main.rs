@@ -8,6 +8,7 @@ mod figures;
 mod files;
 mod golden;
 mod report;
+mod scene;
 mod selection;
 mod verify;
 
@@ -35,6 +36,7 @@ enum Command {
     Audit(audit::Arguments),
     Report(report::Arguments),
     Book(book::command::Arguments),
+    Scene(scene::Arguments),
 }
 
 /// How a command ended.
@@ -52,6 +54,7 @@ fn main() -> ExitCode {
         Command::Audit(arguments) => audit::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
         Command::Book(arguments) => book::command::run(&arguments),
+        Command::Scene(arguments) => scene::run(&arguments),
     };
     outcome.unwrap_or_else(|error| {
         console::error(&format!("{error:#}"));

@@ -1,17 +1,17 @@
-//! `cargo xtask verify`: golden check, audit and book, with a short summary.
+//! `cargo xtask verify`: golden files, scenes, audit and book, with a short summary.
 
 use crate::book::Summary;
 use crate::book::command::build_book;
 use crate::console::{self, count, green, print, red, say};
 use crate::report::data::Report;
 use crate::selection::Selection;
-use crate::{Outcome, audit, files, golden};
+use crate::{Outcome, audit, files, golden, scene};
 use jointproof::verify::{Audit, Options};
 use std::fmt::Write;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-/// Check everything: golden files, audit, book
+/// Check everything: golden files, scenes, audit, book
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   cargo xtask verify                  the main job
@@ -33,6 +33,7 @@ struct Step {
 pub(crate) fn run(arguments: &Arguments) -> Outcome {
     let steps = [
         step("golden", check_golden)?,
+        step("scenes", check_scenes)?,
         step("audit", || check_audit(arguments.samples))?,
         step("book", || Ok(check_book()))?,
     ];
@@ -58,6 +59,16 @@ fn check_golden() -> anyhow::Result<(bool, String)> {
         say(golden::MEND);
     }
     Ok((checked.passed, format!("{}, {}", count(checked.formulas, "file"), count(checked.cases, "case"))))
+}
+
+fn check_scenes() -> anyhow::Result<(bool, String)> {
+    let checked = scene::check()?;
+    let (passed, report) = golden::scene_report(&checked);
+    if !passed {
+        say(report.trim_end());
+        say(golden::MEND);
+    }
+    Ok((passed, format!("{}, {}", count(checked.scenes, "scene"), count(checked.numbers, "number"))))
 }
 
 fn check_audit(samples: usize) -> anyhow::Result<(bool, String)> {

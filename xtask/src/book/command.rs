@@ -6,7 +6,7 @@ use super::locate::Index;
 use super::{Options, Summary, build, worked_example};
 use crate::evidence::Evidence;
 use crate::report::{self, data::Report};
-use crate::{Outcome, console, figures, files};
+use crate::{Outcome, console, figures, files, scene};
 use anyhow::Context;
 use jointproof::catalog::{AnyFormula, CATALOG, KinkEntry};
 use jointproof::formula::{Convention, Field};
@@ -97,9 +97,14 @@ fn content(report: Option<Report>) -> anyhow::Result<Content> {
             golden.push(GoldenFile { name, bytes });
         }
     }
-    let mut outputs = vec![("audit".to_owned(), plain(&crate::audit::text(&[worked_example::run()], Audit::passed)?))];
+    let mut outputs = vec![("audit".to_owned(), crate::audit::text(&[worked_example::run()], Audit::passed)?)];
     outputs.extend(figures::outputs());
-    Ok(Content { entries, sources, catalog_tests, figures: figures::all(), outputs, report, golden })
+    outputs.extend(scene::outputs()?);
+    for (_, text) in &mut outputs {
+        *text = plain(text);
+    }
+    let figures = [figures::all(), scene::figures()?].concat();
+    Ok(Content { entries, sources, catalog_tests, figures, outputs, report, golden, kinds: scene::kinds() })
 }
 
 /// Text without colours.

@@ -81,6 +81,7 @@ impl Formulary {
             ("evidence", "") => tables::evidence(pages, at),
             ("sources", "") => tables::sources(pages, at),
             ("speed", part) => speed::part(pages, at, part).unwrap_or_else(|| unknown(pages, at, name, argument)),
+            ("kinds", dimension) => tables::kinds(pages, at, dimension),
             _ => unknown(pages, at, name, argument),
         }
     }
@@ -98,7 +99,10 @@ impl Formulary {
 
 /// Nothing, and a fault.
 fn unknown(pages: &Pages<'_>, at: &Place, name: &str, argument: &str) -> String {
-    let known = format!("formula ID, figure NAME, output NAME, symbols, kinks, evidence, sources, {}", speed::PARTS);
+    let known = format!(
+        "formula ID, figure NAME, output NAME, kinds DIMENSION, symbols, kinks, evidence, sources, {}",
+        speed::PARTS
+    );
     let written = format!("{name} {argument}");
     pages.fault(at, format!("unknown directive `{{{{#{}}}}}`; there are {known}", written.trim()));
     String::new()

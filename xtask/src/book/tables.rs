@@ -1,8 +1,8 @@
-//! The generated pages: symbols, kinks, evidence, sources.
+//! The generated pages and tables: symbols, kinks, evidence, sources, kinds of elements.
 
 use std::collections::BTreeMap;
 
-use super::content::{Entry, Symbol};
+use super::content::{Entry, Given, Kind, Symbol};
 use super::entry::worst;
 use super::html::{each, escape, number};
 use super::pages::{Pages, Place};
@@ -125,4 +125,30 @@ pub(crate) fn sources(pages: &Pages<'_>, at: &Place) -> String {
         row(&[("", pages.text(at, name)), ("wide", pages.text(at, citation)), ("wide", links(pages, at, ids))])
     });
     table("sources", &["Source", "Document", "Formulas"], &rows)
+}
+
+/// `{{#kinds 3d}}`: what the elements of a dimension are given, and their outputs with the formulas behind them.
+pub(crate) fn kinds(pages: &Pages<'_>, at: &Place, dimension: &str) -> String {
+    let kinds: Vec<_> = pages.content.kinds.iter().filter(|kind| kind.dimension == dimension).collect();
+    if kinds.is_empty() {
+        pages.fault(at, format!("no kinds of elements in the dimension `{dimension}`"));
+    }
+    each(kinds, |kind| kind_of_element(pages, at, kind))
+}
+
+fn kind_of_element(pages: &Pages<'_>, at: &Place, kind: &Kind) -> String {
+    let Kind { name, nodes, parameters, loads, outputs, .. } = kind;
+    let code = |name: &str| ("", format!("<code>{}</code>", escape(name)));
+    let given = |given: &Given, without: &str| {
+        row(&[code(&given.name), ("wide", pages.text(at, &given.meaning)), ("", pages.text(at, without))])
+    };
+    let rows = each(parameters, |parameter| given(parameter, &parameter.without))
+        + &each(loads, |load| given(load, "a load, 0 until a frame gives it"));
+    let inputs = if rows.is_empty() { rows } else { table("index", &["Given", "Meaning", "If not given"], &rows) };
+    let rows = each(outputs, |output| {
+        let formulas: Vec<_> = output.formulas.iter().map(String::as_str).collect();
+        row(&[code(&output.name), ("wide", pages.text(at, &output.meaning)), ("wide", links(pages, at, &formulas))])
+    });
+    let outputs = table("index", &["Output", "Meaning", "Formula"], &rows);
+    format!("<p><strong><code>{}</code></strong>, nodes {}</p>{inputs}{outputs}", escape(name), escape(nodes))
 }

@@ -3,7 +3,7 @@
 use super::chart::{Axis, Chart, Curve};
 use jointproof::ujoint::arm::{Models, curves};
 
-fn slenderness() -> Axis {
+fn slenderness() -> Axis<'static> {
     Axis {
         label: "λ = La/Rp",
         from: 0.1,
@@ -13,12 +13,12 @@ fn slenderness() -> Axis {
     }
 }
 
-fn curve(name: &'static str, label_at: usize, share: impl Fn(&Models) -> f64) -> Curve {
+fn curve(name: &'static str, label_at: usize, share: impl Fn(&Models) -> f64) -> Curve<'static> {
     Curve { name, label_at, points: curves(-1, 3, 161).iter().map(|at| (at.lambda, share(at))).collect() }
 }
 
 /// α_twist of all models, and the printed limits as grid lines.
-pub(crate) fn twist() -> Chart {
+pub(crate) fn twist() -> Chart<'static> {
     Chart {
         name: "arm-twist",
         title: "The share of the twisting moment, by model",
@@ -44,7 +44,7 @@ pub(crate) fn twist() -> Chart {
 }
 
 /// The axial shares of the model used, and α_axial of beams.
-pub(crate) fn axial() -> Chart {
+pub(crate) fn axial() -> Chart<'static> {
     Chart {
         name: "arm-axial",
         title: "The shares of a force along an arm",
@@ -63,7 +63,7 @@ pub(crate) fn axial() -> Chart {
 }
 
 /// How far α_twist of every other model is from the one used.
-pub(crate) fn apart() -> Chart {
+pub(crate) fn apart() -> Chart<'static> {
     let apart = |other: f64, used: f64| (other - used).abs();
     Chart {
         name: "arm-apart",

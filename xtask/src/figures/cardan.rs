@@ -10,7 +10,7 @@ const DISTANCES: [f64; 15] = [1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e
 const FLOOR: f64 = f64::EPSILON / 2.0;
 
 /// Both errors over the distance, on logarithmic axes.
-pub(crate) fn beta_near_90() -> Chart {
+pub(crate) fn beta_near_90() -> Chart<'static> {
     let table = errors_near_right_angle(&DISTANCES);
     let arc_sine = table.iter().map(|row| (row.distance, row.arc_sine.max(FLOOR))).collect();
     let two_argument = table.iter().map(|row| (row.distance, row.two_argument.max(FLOOR))).collect();

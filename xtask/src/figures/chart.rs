@@ -4,9 +4,9 @@
 use std::fmt::Write;
 
 /// An axis, linear or logarithmic.
-pub(crate) struct Axis {
+pub(crate) struct Axis<'a> {
     /// What it shows, with unit.
-    pub(crate) label: &'static str,
+    pub(crate) label: &'a str,
     /// The value at the left or the bottom.
     pub(crate) from: f64,
     /// The value at the right or the top; less than `from` to run backwards.
@@ -18,9 +18,9 @@ pub(crate) struct Axis {
 }
 
 /// A curve with its name, written at its end.
-pub(crate) struct Curve {
+pub(crate) struct Curve<'a> {
     /// The name, written beside the point numbered `label_at`.
-    pub(crate) name: &'static str,
+    pub(crate) name: &'a str,
     /// Which point carries the name.
     pub(crate) label_at: usize,
     /// The points; one that is not finite is left out and breaks the line.
@@ -28,19 +28,19 @@ pub(crate) struct Curve {
 }
 
 /// The chart.
-pub(crate) struct Chart {
+pub(crate) struct Chart<'a> {
     /// The name of the figure, part of the identifiers in the drawing.
-    pub(crate) name: &'static str,
+    pub(crate) name: &'a str,
     /// What it shows, in a few words.
-    pub(crate) title: &'static str,
+    pub(crate) title: &'a str,
     /// What there is to see, for readers who cannot.
-    pub(crate) description: &'static str,
+    pub(crate) description: &'a str,
     /// Horizontal axis.
-    pub(crate) x: Axis,
+    pub(crate) x: Axis<'a>,
     /// Vertical axis.
-    pub(crate) y: Axis,
+    pub(crate) y: Axis<'a>,
     /// The curves.
-    pub(crate) curves: Vec<Curve>,
+    pub(crate) curves: Vec<Curve<'a>>,
 }
 
 const LEFT: f64 = 84.0;
@@ -56,7 +56,7 @@ const STYLES: [(&str, &str); 4] = [
     ("currentColor", "10 3 2 3"),
 ];
 
-impl Axis {
+impl Axis<'_> {
     /// Where a value lies between the ends, from 0 to 1.
     fn share(&self, value: f64) -> f64 {
         let scale = |x: f64| if self.logarithmic { x.log10() } else { x };
@@ -73,7 +73,7 @@ impl Axis {
     }
 }
 
-impl Chart {
+impl Chart<'_> {
     /// The SVG element.
     pub(crate) fn svg(&self) -> String {
         let Self { name, title, description, .. } = self;
@@ -119,8 +119,8 @@ impl Chart {
         );
     }
 
-    fn curve(&self, svg: &mut String, curve: &Curve, colour: &str, dashes: &str) {
-        let inside = |axis: &Axis, value: f64| (-0.001..=1.001).contains(&axis.share(value));
+    fn curve(&self, svg: &mut String, curve: &Curve<'_>, colour: &str, dashes: &str) {
+        let inside = |axis: &Axis<'_>, value: f64| (-0.001..=1.001).contains(&axis.share(value));
         let mut path = String::new();
         let mut pen = 'M';
         for &point in &curve.points {

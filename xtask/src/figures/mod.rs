@@ -2,7 +2,7 @@
 
 mod arm;
 mod cardan;
-mod chart;
+pub(crate) mod chart;
 mod slide_line;
 mod slider;
 mod thread;

@@ -70,7 +70,7 @@ fn closest(pieces: &[Piece], xs: Point) -> Option<Point> {
 }
 
 /// The line, what smoothing cuts off, and slave points with their closest points.
-pub(crate) fn line() -> Chart {
+pub(crate) fn line() -> Chart<'static> {
     let drawn = |x: Point| (x.x, x.y);
     let pieces = pieces(&NODES.map(Point::from));
     let mut smoothed = Vec::new();
@@ -116,7 +116,7 @@ fn steps(from: f64, to: f64) -> impl Iterator<Item = f64> {
 }
 
 /// The pressure laws in units of c0 and p0.
-pub(crate) fn pressure_laws() -> Chart {
+pub(crate) fn pressure_laws() -> Chart<'static> {
     let linear = |h| value::<PressureLinear>(&LinearContact { h, k: 1.0 }).map_or(f64::NAN, |out| out.p);
     let exponential =
         |h| value::<PressureExponential>(&ExponentialContact { h, c0: 1.0, p0: 1.0 }).map_or(f64::NAN, |out| out.p);
@@ -144,7 +144,7 @@ pub(crate) fn pressure_laws() -> Chart {
 }
 
 /// The damping coefficient over the clearance.
-pub(crate) fn damping_coefficient() -> Chart {
+pub(crate) fn damping_coefficient() -> Chart<'static> {
     let coefficient = |clearance: f64| {
         let contact = DampingContact { h: -clearance, v: 1.0, mu0: 1.0, c0: 1.0, eta: 0.4 };
         value::<Damping>(&contact).map_or(f64::NAN, |out| out.p)

@@ -18,7 +18,7 @@ const LARGE: [f64; 13] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10
 const ORDINARY: Setting = Setting { tilt: 1.0, length: 1.0, share: 0.5, offset: 1.0 };
 
 /// The errors of the increments, a chart for each way in which a line is hard.
-pub(super) fn charts() -> Vec<Chart> {
+pub(super) fn charts() -> Vec<Chart<'static>> {
     let down = |label, to| Axis { label, from: 1e0, to, logarithmic: true, ticks: vec![1e0, 1e-4, 1e-8, 1e-12] };
     let up = |label| Axis { label, from: 1e0, to: 1e12, logarithmic: true, ticks: vec![1e0, 1e3, 1e6, 1e9, 1e12] };
     let mut tilt = down("angle between the line and the x axis", 1e-16);
@@ -75,11 +75,11 @@ fn chart(
     name: &'static str,
     title: &'static str,
     description: &'static str,
-    x: Axis,
+    x: Axis<'static>,
     (to, ticks): (f64, Vec<f64>),
     values: &[f64],
     setting: impl Fn(f64) -> Setting,
-) -> Chart {
+) -> Chart<'static> {
     let errors: Vec<_> = values.iter().map(|&value| (value, setting(value).increment_errors())).collect();
     // Where both errors stay low, the name of the lower curve goes below it: to a point from which it rises.
     let rises = |&k: &usize| to > 1.0 || errors[k + 1].1.direct > 1.2 * errors[k].1.direct;

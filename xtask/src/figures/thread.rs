@@ -75,7 +75,7 @@ fn closed_form(makeup: f64) -> f64 {
 }
 
 /// Torque against make-up, by the elements and in closed form.
-pub(crate) fn torque_of_a_thread() -> Chart {
+pub(crate) fn torque_of_a_thread() -> Chart<'static> {
     let kilo = 1e-6;
     let exact = (0..=60).map(|k| f64::from(k) * 0.1).map(|x| (x, closed_form(x * 1e-3) * kilo));
     let found = torques(6, 0.001).unwrap_or_default().into_iter().map(|(x, t)| (x * 1e3, t * kilo));
@@ -144,7 +144,7 @@ fn error_of_a_tilted_flank(elements: u32, closed: f64) -> Result<f64, Error> {
 }
 
 /// The error of a tilted flank, closed all along and in part.
-pub(crate) fn tilted_flank() -> Chart {
+pub(crate) fn tilted_flank() -> Chart<'static> {
     let errors = |closed: f64| {
         let error = |n: u32| error_of_a_tilted_flank(n, closed).unwrap_or(f64::NAN).max(f64::EPSILON / 2.0);
         DIVISIONS.iter().map(|&n| (f64::from(n), error(n))).collect()

@@ -1,0 +1,145 @@
+//! The tokens of JSON, and stepping over values.
+
+use super::{Read, Reader, Stop};
+
+/// How deep a value may be nested; a scene needs 5.
+const DEPTH: usize = 32;
+
+impl Reader<'_> {
+    /// Steps over any value, without recursion.
+    pub(in crate::scene) fn skip(&mut self) -> Read<()> {
+        let mut open: Vec<u8> = Vec::new();
+        loop {
+            self.blank();
+            match self.peek() {
+                Some(bracket @ (b'{' | b'[')) => {
+                    if open.len() + self.path.len() >= DEPTH {
+                        self.fault(self.at, "one more level of nesting", format!("a depth of {DEPTH}"));
+                        return Err(Stop);
+                    }
+                    self.at += 1;
+                    // An ASCII bracket and the one that closes it are two apart.
+                    open.push(bracket + 2);
+                    self.blank();
+                    if self.peek() != open.last().copied() {
+                        self.name_in(&open)?;
+                        continue;
+                    }
+                }
+                Some(b'"') => drop(self.quoted()?),
+                _ => self.plain()?,
+            }
+            // A value is over; so may be what it is in.
+            while let Some(&close) = open.last() {
+                if self.take(b',') {
+                    self.name_in(&open)?;
+                    break;
+                }
+                if !self.take(close) {
+                    return self.stop("a comma or the closing bracket");
+                }
+                open.pop();
+            }
+            if open.is_empty() {
+                return Ok(());
+            }
+        }
+    }
+
+    /// Steps over the name of the next member if the innermost bracket is a brace.
+    fn name_in(&mut self, open: &[u8]) -> Read<()> {
+        if open.last() != Some(&b'}') {
+            return Ok(());
+        }
+        self.blank();
+        if self.peek() != Some(b'"') {
+            return self.stop("a name in double quotes");
+        }
+        self.quoted()?;
+        if self.take(b':') { Ok(()) } else { self.stop("a colon") }
+    }
+
+    /// Steps over a number, `true`, `false` or `null`.
+    fn plain(&mut self) -> Read<()> {
+        for word in ["true", "false", "null"] {
+            if self.text.get(self.at..).is_some_and(|rest| rest.starts_with(word)) {
+                self.at += word.len();
+                return Ok(());
+            }
+        }
+        if self.numeral()?.is_some() { Ok(()) } else { self.stop("a JSON value") }
+    }
+
+    /// A number as JSON writes it: −, digits without leading zeros, fraction, exponent.
+    pub(super) fn numeral(&mut self) -> Read<Option<f64>> {
+        self.blank();
+        let start = self.at;
+        self.at += usize::from(self.peek() == Some(b'-'));
+        let whole = self.digits();
+        if whole == 0 {
+            if self.at > start {
+                return self.stop("a digit after the minus sign");
+            }
+            return Ok(None);
+        }
+        if whole > 1 && self.text.as_bytes().get(self.at - whole) == Some(&b'0') {
+            self.at -= whole - 1;
+            return self.stop("a number without leading zeros");
+        }
+        if self.peek() == Some(b'.') {
+            self.at += 1;
+            if self.digits() == 0 {
+                return self.stop("a digit after the point");
+            }
+        }
+        if matches!(self.peek(), Some(b'e' | b'E')) {
+            self.at += 1;
+            self.at += usize::from(matches!(self.peek(), Some(b'+' | b'-')));
+            if self.digits() == 0 {
+                return self.stop("a digit in the exponent");
+            }
+        }
+        Ok(self.text.get(start..self.at).and_then(|numeral| numeral.parse().ok()))
+    }
+
+    fn digits(&mut self) -> usize {
+        let start = self.at;
+        while matches!(self.peek(), Some(b'0'..=b'9')) {
+            self.at += 1;
+        }
+        self.at - start
+    }
+
+    /// A string, whose opening quote is next. What is between the quotes is decoded by `serde_json`.
+    pub(super) fn quoted(&mut self) -> Read<String> {
+        let start = self.at;
+        self.at += 1;
+        loop {
+            match self.peek() {
+                Some(b'"') => break,
+                Some(b'\\') => self.at += 2,
+                Some(byte) if byte >= b' ' => self.at += 1,
+                _ => return self.stop("a closing quote"),
+            }
+        }
+        self.at += 1;
+        let inside = self.text.get(start + 1..self.at - 1).unwrap_or_default();
+        if !inside.contains('\\') {
+            return Ok(inside.to_owned());
+        }
+        let quoted = self.text.get(start..self.at).unwrap_or_default();
+        serde_json::from_str(quoted).map_err(|_| {
+            self.fault(start, excerpt(quoted), "a string with JSON's escapes");
+            Stop
+        })
+    }
+}
+
+/// A value as it stands in the file, shortened.
+pub(super) fn excerpt(value: &str) -> String {
+    const SHOWN: usize = 40;
+    match value.char_indices().nth(SHOWN) {
+        None => value.to_owned(),
+        Some((cut, _)) => format!("{}…", value.get(..cut).unwrap_or_default()),
+    }
+}

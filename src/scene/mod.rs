@@ -1,0 +1,67 @@
+//! Scenes: connectors and constraints evaluated together, over a history of states, and nothing that is not wanted.
+//!
+//! A scene is a JSON file: a dimension, nodes with orientations, elements of a [`Kind`] with parameters, frames that move
+//! nodes and load elements, and the outputs wanted, by name. [`Scene::parse`] reads it and reports every mistake
+//! with its place; [`Plan`] finds the least set of formulas that the outputs need; [`Run`] evaluates them state by state in
+//! `f64` or in 237 bits; [`Results`] collects what comes out.
+//!
+//! ```
+//! use jointproof::scene::{Results, Scene};
+//!
+//! let scene = Scene::parse(r#"{
+//!     "dimension": "3d",
+//!     "nodes": { "rail": { "at": [0, 0, 0] }, "car": { "at": [1, 2, 3] } },
+//!     "elements": { "guide": { "kind": "slot", "nodes": ["rail", "car"], "mu": 0.25 } },
+//!     "frames": [ { "time": 1, "nodes": { "car": { "u": [2.5, 0, 0] } }, "loads": { "guide": { "f2": 3, "f3": 4 } } } ],
+//!     "outputs": ["U1", "FN"]
+//! }"#)?;
+//! let results = Results::of(&scene)?;
+//! assert_eq!(results.get("guide", "U1", 0), Some(&[2.5][..]));
+//! assert_eq!(results.get("guide", "FN", 0), Some(&[5.0][..]));
+//! assert_eq!(results.counts.iter().map(|(formula, _)| *formula).collect::<Vec<_>>(), [
+//!     "slot.relative_position", // twice: once at the start
+//!     "slot.relative_motion",
+//!     "slot.contact_force",
+//!     "slot.normal_force",
+//! ]);
+//!
+//! let faults = Scene::parse(r#"{ "dimension": "3d", "nodes": {}, "elements": {}, "output": [] }"#).unwrap_err();
+//! assert_eq!(
+//!     faults.to_string(),
+//!     "output (line 1, column 55): unknown key \"output\"; \
+//!      allowed is one of title, dimension, orientations, nodes, slide_lines, elements, frames, outputs",
+//! );
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Cost
+//!
+//! Time is linear in elements and states, and elements are spread over all cores; no element sees another, so the results
+//! have the same bits for every number of threads. Memory is bounded by what [`Run::bytes`] states, whatever
+//! the number of states.
+
+mod contact;
+mod elements;
+mod fault;
+mod json;
+mod kind;
+mod kinds;
+mod model;
+mod needs;
+mod plan;
+mod read;
+mod recipe;
+mod results;
+pub mod rules;
+mod run;
+mod schema;
+mod step;
+
+pub use fault::{Fault, Faults};
+pub use kind::{Dimension, Fallback, Kind, Origin, Use, When};
+pub use model::Scene;
+pub use plan::{Line, Plan};
+pub use results::{Results, Series};
+pub use run::{Problem, Problems, Run};
+pub use schema::schema;
+pub use step::{Failure, Lanes, Number, Step, Wiring};

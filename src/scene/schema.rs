@@ -1,0 +1,167 @@
+//! The JSON Schema of scene files, made from the tables that read them.
+
+use super::kind::{Dimension, Fallback, Kind};
+use super::{contact, elements, read};
+use crate::quantity::{Domain, FRACTION, Quantity};
+use serde_json::{Map, Value, json};
+
+/// The schema: an editor that knows it completes names and marks mistakes while one writes.
+pub fn schema() -> Value {
+    let used = |dimension: &Dimension| Kind::all().any(|kind| kind.dimension == *dimension);
+    let dimensions: Vec<_> = Dimension::ALL.into_iter().filter(used).map(of_dimension).collect();
+    json!({
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "Scene",
+        "description": "Connectors and constraints to be evaluated over a history of states",
+        "oneOf": dimensions,
+    })
+}
+
+/// An object with fixed keys.
+fn record(properties: &Map<String, Value>, required: &[&str]) -> Value {
+    json!({ "type": "object", "additionalProperties": false, "required": required, "properties": properties })
+}
+
+/// An object whose keys are names.
+fn named(of: &Value) -> Value {
+    json!({ "type": "object", "propertyNames": { "minLength": 1 }, "additionalProperties": of })
+}
+
+fn vector(len: usize) -> Value {
+    json!({ "type": "array", "items": { "type": "number" }, "minItems": len, "maxItems": len })
+}
+
+fn entries<'k>(keys: impl IntoIterator<Item = &'k str>, values: impl IntoIterator<Item = Value>) -> Map<String, Value> {
+    keys.into_iter().map(String::from).zip(values).collect()
+}
+
+fn text() -> Value {
+    json!({ "type": "string" })
+}
+
+fn of_dimension(dimension: Dimension) -> Value {
+    let kinds: Vec<_> = Kind::all().filter(|kind| kind.dimension == dimension).collect();
+    let node = record(&entries(read::NODE_KEYS, [vector(dimension.coordinates()), text()]), &["at"]);
+    let elements: Vec<_> = kinds.iter().map(|kind| of_kind(kind)).collect();
+    let mut outputs: Vec<_> = kinds.iter().flat_map(|kind| kind.outputs).map(|(name, _)| *name).collect();
+    outputs.sort_unstable();
+    outputs.dedup();
+    let mut properties = entries(
+        read::KEYS,
+        [
+            text(),
+            json!({ "const": dimension.name() }),
+            named(&orientation(dimension)),
+            named(&node),
+            named(&slide_line()),
+            named(&json!({ "oneOf": elements })),
+            json!({ "type": "array", "items": frame(dimension, &kinds), "minItems": 1 }),
+            json!({ "type": "array", "items": { "enum": outputs }, "uniqueItems": true }),
+        ],
+    );
+    if dimension != Dimension::Axisymmetric {
+        properties.remove("slide_lines");
+    }
+    record(&properties, &["dimension", "nodes", "elements"])
+}
+
+fn orientation(dimension: Dimension) -> Value {
+    if dimension != Dimension::Space {
+        let angle = entries(read::PLANE_ORIENTATION_KEYS, [json!({ "type": "number" })]);
+        return record(&angle, &read::PLANE_ORIENTATION_KEYS);
+    }
+    let axes = json!({ "type": "array", "items": vector(3), "minItems": 2, "maxItems": 2,
+        "description": "along the first axis, and in the plane of the first two" });
+    let mut schema = record(&entries(read::SPACE_ORIENTATION_KEYS, [axes, vector(3), vector(4)]), &[]);
+    schema["minProperties"] = json!(1);
+    schema["maxProperties"] = json!(1);
+    schema
+}
+
+/// A slide line; the reader says which parameters of a law go together.
+fn slide_line() -> Value {
+    let numbers = |keys: &[(&str, Domain)], required: &[&str]| {
+        record(&keys.iter().map(|&(name, domain)| (name.into(), of_domain(domain))).collect(), required)
+    };
+    let all = entries(
+        contact::LINE_KEYS,
+        [
+            json!({ "enum": contact::TYPES.map(|(name, _)| name) }),
+            json!({ "type": "array", "items": text(), "minItems": 2 }),
+            of_domain(FRACTION.domain),
+            numbers(&contact::PRESSURE_KEYS, &[]),
+            numbers(&contact::DAMPING_KEYS, &contact::DAMPING_KEYS.map(|(name, _)| name)),
+            numbers(&contact::FRICTION_KEYS, &contact::FRICTION_KEYS.map(|(name, _)| name)),
+        ],
+    );
+    record(&all, &["type", "nodes"])
+}
+
+fn frame(dimension: Dimension, kinds: &[&Kind]) -> Value {
+    let time = json!({ "type": "number" });
+    let motion = |turn: Option<Value>| {
+        let all = std::iter::once(vector(dimension.coordinates())).chain(turn);
+        named(&record(&entries(read::MOTION_KEYS, all), &[]))
+    };
+    if dimension == Dimension::Axisymmetric {
+        let all = entries(read::SLIDING_FRAME_KEYS, [time, motion(None), named(&of_domain(Domain::NonNegative))]);
+        return record(&all, &["time"]);
+    }
+    let turn = if dimension == Dimension::Space { vector(3) } else { json!({ "type": "number" }) };
+    let loads: Vec<_> = kinds.iter().map(|kind| of_loads(kind)).collect();
+    let all = entries(read::FRAME_KEYS, [time, motion(Some(turn)), named(&json!({ "anyOf": loads }))]);
+    record(&all, &["time"])
+}
+
+/// A number of a quantity.
+fn number(quantity: Option<&Quantity>) -> Value {
+    let Some(quantity) = quantity else { return json!({ "type": "number" }) };
+    let mut schema = of_domain(quantity.domain);
+    schema["description"] = json!(format!("{} ({})", quantity.meaning, quantity.unit));
+    schema
+}
+
+fn of_domain(domain: Domain) -> Value {
+    let mut schema = json!({ "type": "number" });
+    let bounds: &[(&str, f64)] = match domain {
+        Domain::NonNegative => &[("minimum", 0.0)],
+        Domain::Positive => &[("exclusiveMinimum", 0.0)],
+        Domain::Between(low, high) => &[("exclusiveMinimum", low), ("exclusiveMaximum", high)],
+        Domain::Within(low, high) => &[("minimum", low), ("maximum", high)],
+        _ => &[],
+    };
+    for &(key, bound) in bounds {
+        schema[key] = json!(bound);
+    }
+    schema
+}
+
+fn of_kind(kind: &Kind) -> Value {
+    let count = kind.nodes.len();
+    let outputs: Vec<_> = kind.outputs.iter().map(|(name, _)| name).collect();
+    let mut properties = entries(
+        elements::SLIDING_KEYS,
+        [
+            json!({ "const": kind.name }),
+            json!({ "type": "array", "items": { "type": "string" }, "minItems": count, "maxItems": count,
+                "description": kind.nodes.join(", ") }),
+            json!({ "type": "array", "items": { "enum": outputs }, "uniqueItems": true }),
+            text(),
+        ],
+    );
+    if !kind.slides() {
+        properties.remove("slide_line");
+    }
+    for (name, fallback) in kind.parameters() {
+        let mut schema = number(kind.quantity(name));
+        if let Fallback::Number(fallback) = fallback {
+            schema["default"] = json!(fallback);
+        }
+        properties.insert(name.into(), schema);
+    }
+    record(&properties, if kind.slides() { &["kind", "nodes", "slide_line"] } else { &["kind", "nodes"] })
+}
+
+fn of_loads(kind: &Kind) -> Value {
+    record(&kind.loads().map(|name| (name.into(), number(kind.quantity(name)))).collect(), &[])
+}

@@ -1,0 +1,234 @@
+//! Mistakes in scene files: each with its place, several at once, and never a panic or a hang.
+
+use jointproof::scene::{Kind, Plan, Results, Scene};
+use proptest::prelude::*;
+use std::time::{Duration, Instant};
+
+const SCENES: [&str; 4] = [
+    include_str!("../golden/scenes/telescope.json"),
+    include_str!("../golden/scenes/drive-shaft.json"),
+    include_str!("../golden/scenes/interface.json"),
+    include_str!("../golden/scenes/thread.json"),
+];
+
+fn faults(text: &str) -> Vec<String> {
+    let faults = Scene::parse(text).expect_err("this scene is wrong");
+    faults.list().iter().map(ToString::to_string).collect()
+}
+
+#[test]
+fn every_mistake_is_reported_with_its_place() {
+    let text = r#"{
+  "dimension": "3d",
+  "colour": "red",
+  "nodes": {
+    "a": { "at": [0, 0] },
+    "b": { "at": [0, "NaN", 0], "orientation": "none" },
+    "b": { "at": [1, 2, 3] }
+  },
+  "elements": {
+    "s 1": { "kind": "slot", "nodes": ["a", "c"], "mu": -0.5, "l1_min": 2, "l1_max": 1, "outputs": ["GAPMIN", "CSF1"] },
+    "s 2": { "kind": "slott", "nodes": ["a", "b"] },
+    "s 3": { "nodes": ["a"] },
+    "s 4": { "kind": "translator", "nodes": ["a"], "mu": 1e400 }
+  },
+  "frames": [
+    { "time": 0, "loads": { "s 1": { "f9": 1, "f1": null } } },
+    { "time": 0, "nodes": { "q": { "u": [0, 0, 0] } } },
+    {}
+  ],
+  "outputs": ["U1", "U1", "U9", "UR1", "ALPHA"]
+}"#;
+    let found = faults(text);
+    let expected = [
+        "colour (line 3, column 3): unknown key \"colour\"; allowed is one of title, dimension, orientations, nodes, slide_lines, elements, frames, outputs",
+        "nodes.a.at (line 5, column 18): an array of 2; allowed is an array of 3 numbers",
+        "nodes.b.at[1] (line 6, column 22): \"NaN\"; allowed is a finite number",
+        "nodes.b.orientation (line 6, column 48): no orientation \"none\"; allowed is no orientation, there are none",
+        "nodes.b (line 7, column 5): \"b\" for the second time; allowed is each name once",
+        "outputs[1] (line 20, column 21): \"U1\" for the second time; allowed is each output once",
+        "outputs[2] (line 20, column 27): no output \"U9\"; allowed is one of ",
+        "elements.\"s 1\".nodes[1] (line 10, column 45): no node \"c\"; allowed is one of \"a\", \"b\"",
+        "elements.\"s 1\".mu (line 10, column 57): -0.5; allowed is a finite number ≥ 0",
+        "elements.\"s 1\" (line 10, column 12): no \"k_stick\", needed for scene.stick; allowed is a number, the stiffness of the contact while it sticks",
+        "elements.\"s 1\" (line 10, column 12): l1_min = 2.0 is above l1_max = 1.0; allowed is l1_min ≤ l1_max",
+        "elements.\"s 2\".kind (line 11, column 22): no kind \"slott\"; allowed is one of slot, translator, ujoint, slider",
+        "elements.\"s 3\" (line 12, column 12): an element without \"kind\"; allowed is one of slot, translator, ujoint, slider",
+        "elements.\"s 4\".nodes (line 13, column 45): an array of 1; allowed is an array of 2 nodes: a, b",
+        "elements.\"s 4\".mu (line 13, column 58): 1e400, which no double can hold; allowed is a finite number ≥ 0",
+        "elements (line 20, column 40): output \"ALPHA\", which no element here has; allowed is an output of one of the elements",
+        "frames[0].loads.\"s 1\".f9 (line 16, column 38): unknown key \"f9\"; allowed is one of f1, f2, f3",
+        "frames[0].loads.\"s 1\".f1 (line 16, column 53): null; allowed is a finite number",
+        "frames[1].time (line 17, column 15): 0.0; allowed is a time after the last frame's, 0.0",
+        "frames[1].nodes.q (line 17, column 29): no node \"q\"; allowed is one of \"a\", \"b\"",
+        "frames[2] (line 18, column 5): a frame without \"time\"; allowed is a frame with its time",
+    ];
+    for (found, expected) in found.iter().zip(expected) {
+        assert!(found.starts_with(expected), "found    {found}\nexpected {expected}");
+    }
+    assert_eq!(found.len(), expected.len(), "{found:#?}");
+}
+
+#[test]
+fn text_that_is_not_json_ends_the_reading_where_it_is() {
+    for (text, expected) in [
+        ("", "line 1, column 1"),
+        ("{", "found"),
+        (r#"{"dimension": "3d",}"#, "'}'; allowed is a name in double quotes"),
+        (r#"{"dimension": 01}"#, "a number without leading zeros"),
+        (r#"{"dimension": -}"#, "a digit after the minus sign"),
+        (r#"{"dimension": 1.}"#, "a digit after the point"),
+        (r#"{"dimension": 1e}"#, "a digit in the exponent"),
+        (r#"{"dimension": "3d" "nodes"}"#, "a comma or"),
+        (r#"{"dimension": "3d}"#, "a closing quote"),
+        (r#"{"dimension": "\q"}"#, "a string with JSON's escapes"),
+        (r#"{"dimension": "3d", "nodes": {}, "elements": {}} x"#, "nothing after the scene"),
+        (r#"{"dimension": NaN}"#, "a JSON value"),
+        (r#"{"a": [1 2]}"#, "a comma or the closing bracket"),
+        ("[]", "an array; allowed is an object"),
+        ("7", "7; allowed is an object"),
+    ] {
+        let found = faults(text).join("\n");
+        assert!(expected == "found" || found.contains(expected), "{text}: {found}");
+    }
+}
+
+#[test]
+fn ten_megabytes_of_brackets_are_an_error_and_take_no_time() {
+    for bracket in ["[", "{\"a\":", "[{\"a\":", "[[],", "\"", "9", "["] {
+        let text = bracket.repeat(10_000_000 / bracket.len());
+        for text in [text.clone(), format!("{{\"dimension\": \"3d\", \"nodes\": {text}")] {
+            let start = Instant::now();
+            assert!(!faults(&text).is_empty());
+            assert!(start.elapsed() < Duration::from_secs(10), "{bracket}: {:?}", start.elapsed());
+        }
+    }
+}
+
+#[test]
+fn a_hundred_faults_are_listed_and_the_rest_is_counted() {
+    let nodes: Vec<_> = (0..100_000).map(|i| format!("\"n{i}\": 0")).collect();
+    let text = format!(r#"{{"dimension": "3d", "nodes": {{{}}}, "elements": {{}}}}"#, nodes.join(","));
+    let faults = Scene::parse(&text).unwrap_err();
+    assert_eq!((faults.list().len(), faults.len()), (100, 100_000));
+    assert!(faults.to_string().ends_with("… and 99900 more"));
+}
+
+/// Every output of every kind can be planned and evaluated, alone and all together.
+#[test]
+fn every_output_of_every_kind_evaluates() {
+    for kind in Kind::all() {
+        let places = if kind.dimension.coordinates() == 3 {
+            ["[0, 0, 0]", "[1, 0.5, 0.25]", "[0.5, 0.25, 0.125]"]
+        } else {
+            ["[0, 0]", "[1, 0.5]", "[0.5, 0.25]"]
+        };
+        let nodes: Vec<_> = places.iter().enumerate().map(|(i, at)| format!(r#""n{i}": {{"at": {at}}}"#)).collect();
+        let ends: Vec<_> = (0..kind.nodes.len()).map(|i| format!("\"n{i}\"")).collect();
+        let parameters = kind.parameters().map(|(name, _)| format!(r#", "{name}": 1"#)).collect::<Vec<_>>().concat();
+        let (lines, on_line) = match kind.slides() {
+            true => (
+                r#""slide_lines": {"l": {"type": "linear", "nodes": ["n0", "n2"], "friction": {"mu": 0.1, "k_stick": 1}}},"#,
+                r#", "slide_line": "l""#,
+            ),
+            false => ("", ""),
+        };
+        let all: Vec<_> = kind.outputs.iter().map(|(name, _)| format!("{name:?}")).collect();
+        for outputs in all.iter().cloned().chain([all.join(", ")]) {
+            let text = format!(
+                r#"{{"dimension": "{}", "nodes": {{{}}}, "outputs": [{outputs}], {lines}
+                "elements": {{"e": {{"kind": "{}", "nodes": [{}]{parameters}{on_line}}}}}}}"#,
+                kind.dimension.name(),
+                nodes.join(", "),
+                kind.name,
+                ends.join(", ")
+            );
+            let scene = Scene::parse(&text).unwrap_or_else(|faults| panic!("{kind:?} {outputs}: {faults}"));
+            let results = Results::of(&scene).unwrap_or_else(|problems| panic!("{kind:?} {outputs}: {problems}"));
+            let torque = usize::from(kind.slides() && outputs.contains("\"T\""));
+            assert_eq!(results.series.len(), outputs.split(", ").count() + torque, "{kind:?} {outputs}");
+            assert!(!Plan::new(&scene).lines().is_empty());
+        }
+    }
+}
+
+/// Replaces, drops, doubles or retypes a piece of a scene's text.
+fn mutated() -> impl Strategy<Value = String> {
+    let junk = prop::sample::select(vec![
+        "",
+        "null",
+        "true",
+        "\"NaN\"",
+        "1e400",
+        "-1e400",
+        "-0",
+        "[]",
+        "{}",
+        "[[[[[[",
+        "}",
+        "]",
+        ",",
+        ":",
+        "\"",
+        "\\",
+        "\\u0000",
+        "\"a\"",
+        "1e-400",
+        "99999999999999999999",
+        "\u{1F529}",
+        "\u{0}",
+        "\"kind\"",
+        "\"slot\"",
+        "[0,0,0]",
+        "\n",
+    ]);
+    let mutation = (any::<prop::sample::Index>(), any::<prop::sample::Index>(), junk, 0..4_u8);
+    (0..SCENES.len(), prop::collection::vec(mutation, 1..4)).prop_map(|(scene, mutations)| {
+        let mut text = SCENES[scene].to_owned();
+        for (from, to, junk, how) in mutations {
+            // Cut at characters that end tokens, so that many mutants are still JSON.
+            let cuts: Vec<_> = text.match_indices([',', ':', '{', '}', '[', ']', '"']).map(|(at, _)| at).collect();
+            if cuts.len() < 2 {
+                break;
+            }
+            let start = from.index(cuts.len() - 1);
+            let near = (start + 1 + to.index(6)).min(cuts.len() - 1);
+            let (start, end) = (cuts[start], cuts[near]);
+            let piece = text[start..end].to_owned();
+            match how {
+                0 => text.replace_range(start..end, junk),
+                1 => text.insert_str(end, &piece),
+                2 => text.replace_range(start..end, ""),
+                _ => text.insert_str(start, junk),
+            }
+        }
+        text
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(600))]
+
+    /// An error or a result; every fault has a place in the text.
+    #[test]
+    fn a_mutant_is_an_error_or_a_result(text in mutated()) {
+        match Scene::parse(&text) {
+            Ok(scene) => drop(Results::of(&scene)),
+            Err(faults) => {
+                prop_assert!(!faults.list().is_empty());
+                for fault in faults.list() {
+                    prop_assert!(fault.line >= 1 && fault.line <= text.lines().count().max(1) + 1);
+                    prop_assert!(fault.column >= 1 && !fault.found.is_empty() && !fault.allowed.is_empty());
+                }
+            }
+        }
+    }
+
+    /// What the reader takes for JSON is JSON.
+    #[test]
+    fn no_scene_that_is_not_json(text in mutated()) {
+        if Scene::parse(&text).is_ok() {
+            prop_assert!(serde_json::from_str::<serde_json::Value>(&text).is_ok());
+        }
+    }
+}

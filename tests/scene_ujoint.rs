@@ -1,0 +1,80 @@
+//! UJOINT in scenes: plans held to the least, results of the typed connector, friction over a turn.
+
+use jointproof::frame::Triad;
+use jointproof::scene::{Plan, Results, Scene};
+use jointproof::ujoint::{Cross, Loads, Pose, UJoint};
+use nalgebra::Vector3;
+
+const DRIVE_SHAFT: &str = include_str!("../golden/scenes/drive-shaft.json");
+
+/// A joint at rest under a load, its triads at an angle.
+fn joint(outputs: &str) -> Scene {
+    let text = format!(
+        r#"{{"dimension": "3d", "orientations": {{"turned": {{"axes": [[1, 0, 0], [0, 0.6, 0.8]]}}}},
+        "nodes": {{"a": {{"at": [0, 0, 0]}}, "b": {{"at": [0, 0, 0], "orientation": "turned"}}}},
+        "elements": {{"e": {{"kind": "ujoint", "nodes": ["a", "b"], "rp": 1, "la": 2, "ra": 0.5, "ls": 4, "mu": 0.25,
+            "mc1_int": 4, "k_stick": 10, "theta1_min": -2, "theta1_max": 2, "theta3_min": -1, "theta3_max": 1}}}},
+        "frames": [{{"time": 0, "loads": {{"e": {{"f1": 3, "f2": -4, "f3": 16, "m1": 4, "m2": 2.5, "m3": -1}}}}}}],
+        "outputs": {outputs}}}"#
+    );
+    Scene::parse(&text).unwrap_or_else(|faults| panic!("{faults}"))
+}
+
+fn plan(outputs: &str) -> Vec<String> {
+    let lines = Plan::new(&joint(outputs)).lines();
+    lines.iter().map(|line| format!("{}{}", if line.once { "start: " } else { "" }, line.formula)).collect()
+}
+
+#[test]
+fn only_what_an_output_needs_is_evaluated() {
+    assert_eq!(plan(r#"["MC1"]"#), ["ujoint.contact_moments"]);
+    assert_eq!(plan(r#"["MN1", "MN3"]"#), ["ujoint.contact_moments", "ujoint.normal_moments"]);
+    assert_eq!(plan(r#"["PHI1", "PHI3"]"#), ["ujoint.friction"]);
+    assert_eq!(plan(r#"["GAP1MAX"]"#), ["universal.angles", "ujoint.stop"]);
+    assert_eq!(plan(r#"["FBEND"]"#), ["ujoint.decomposition"]);
+    assert_eq!(plan(r#"["GROT"]"#), ["start: universal.constraint", "universal.constraint"]);
+    let friction = plan(r#"["CSM1"]"#);
+    let count = |formula: &str| friction.iter().filter(|line| *line == formula).count();
+    // About one axis only, so one trial and one return map.
+    assert_eq!(
+        (count("scene.turn_stick"), count("coulomb.return_map"), count("scene.slip")),
+        (1, 1, 0),
+        "{friction:?}"
+    );
+}
+
+#[test]
+fn results_are_those_of_the_typed_connector() {
+    let results = Results::of(&joint(r#"["MC1", "MC3", "PHI1", "PHI3", "GAP1MIN", "FR"]"#)).unwrap();
+    let turned = Triad::new(Vector3::x(), Vector3::new(0.0, 0.6, 0.8), Vector3::new(0.0, -0.8, 0.6)).unwrap();
+    let pose = Pose { triad_a: Triad::global(), triad_b: turned, xa: Vector3::zeros(), xb: Vector3::zeros() };
+    let cross = Cross { rp: 1.0, la: 2.0, ra: 0.5, ls: 4.0, mu: 0.25, mc1_int: 4.0, mc3_int: 0.0 };
+    let joint = UJoint::new(&pose).unwrap().with_friction(&cross).unwrap();
+    let loads = Loads { f1: 3.0, f2: -4.0, f3: 16.0, m1: 4.0, m2: 2.5, m3: -1.0 };
+    let moments = joint.contact_moments(&pose, &loads).unwrap().unwrap();
+    let friction = joint.friction(&pose, &loads).unwrap().unwrap();
+    let expected = [("MC1", moments.mc1), ("MC3", moments.mc3), ("PHI1", friction.phi1), ("PHI3", friction.phi3)];
+    for (output, expected) in expected {
+        let found = results.get("e", output, 0).unwrap()[0];
+        assert!((found - expected).abs() <= 1e-14 * expected.abs(), "{output}: {found} is not {expected}");
+    }
+    assert_eq!(results.get("e", "FR", 0), Some(&[281.0_f64.sqrt()][..]));
+}
+
+#[test]
+fn friction_of_the_drive_shaft_stays_within_its_limit_and_turns_with_the_swing() {
+    let scene = Scene::parse(DRIVE_SHAFT).unwrap_or_else(|faults| panic!("{faults}"));
+    let results = Results::of(&scene).unwrap();
+    let at = |output, state| results.get("first", output, state).unwrap()[0];
+    let states = results.times.len();
+    for state in 0..states {
+        let limit = 0.08 * at("MN1", state);
+        assert!(at("CSM1", state).abs() <= limit * (1.0 + 1e-15), "state {state}");
+        assert!(state == 0 || at("CASUR1", state) >= at("CASUR1", state - 1));
+        assert!(at("GAP1MAX", state) > 0.0, "the stop is never reached");
+    }
+    let moments: Vec<_> = (0..states).map(|state| at("CSM1", state)).collect();
+    assert!(moments.iter().any(|&moment| moment > 0.0) && moments.iter().any(|&moment| moment < 0.0), "{moments:?}");
+    // The second joint is asked for less, and gives no more.
+    assert!(results.get("second", "CSM1", 0).is_none() && results.get("second", "ALPHA", 0).is_some());
+}

@@ -1,0 +1,282 @@
+//! Scenes: plans held to the least, histories, results against the typed API and against closed forms.
+
+use jointproof::scene::rules::RULES;
+use jointproof::scene::{Plan, Results, Scene};
+use jointproof::slot::{Pose, Slot};
+use jointproof::verify::Options;
+use nalgebra::Vector3;
+
+const TELESCOPE: &str = include_str!("../golden/scenes/telescope.json");
+const DRIVE_SHAFT: &str = include_str!("../golden/scenes/drive-shaft.json");
+const INTERFACE: &str = include_str!("../golden/scenes/interface.json");
+const THREAD: &str = include_str!("../golden/scenes/thread.json");
+const RAIL: &str = include_str!("../golden/scenes/rail.json");
+
+fn scene(text: &str) -> Scene {
+    Scene::parse(text).unwrap_or_else(|faults| panic!("{faults}"))
+}
+
+/// A slot with two loads, a third if there is room for it.
+fn one(dimension: &str, element: &str, outputs: &str) -> Scene {
+    let (b, u) = if dimension == "3d" { ("[1, 2, 3]", "[0.5, 0, 0.25]") } else { ("[1, 2]", "[0.5, 0.25]") };
+    let a = if dimension == "3d" { "[0, 0, 0]" } else { "[0, 0]" };
+    scene(&format!(
+        r#"{{"dimension": "{dimension}", "nodes": {{"a": {{"at": {a}}}, "b": {{"at": {b}}}}},
+        "elements": {{"e": {{{element}, "nodes": ["a", "b"]}}}},
+        "frames": [{{"time": 0, "nodes": {{"b": {{"u": {u}}}}}, "loads": {{"e": {{"f1": 7, "f2": -3}}}}}}],
+        "outputs": {outputs}}}"#
+    ))
+}
+
+/// The formulas of a plan in their order, those at the start marked.
+fn plan(scene: &Scene) -> Vec<String> {
+    let lines = Plan::new(scene).lines();
+    lines.iter().map(|line| format!("{}{}", if line.once { "start: " } else { "" }, line.formula)).collect()
+}
+
+#[test]
+fn plans_hold_nothing_that_no_output_needs() {
+    let slot = |outputs| plan(&one("3d", r#""kind": "slot""#, outputs));
+    assert_eq!(slot("[]"), [""; 0]);
+    assert_eq!(slot(r#"["FC"]"#), ["slot.contact_force"]);
+    assert_eq!(slot(r#"["X"]"#), ["slot.relative_position"]);
+    assert_eq!(slot(r#"["GY"]"#), ["start: slot.relative_position", "slot.constraint"]);
+    // One formula gives both, so the normal force is not computed twice.
+    assert_eq!(slot(r#"["FN", "PHI"]"#), ["slot.friction"]);
+    assert_eq!(slot(r#"["FN"]"#), ["slot.contact_force", "slot.normal_force"]);
+}
+
+#[test]
+fn no_third_axis_in_the_plane() {
+    let constraint = plan(&one("2d", r#""kind": "slot""#, r#"["GY"]"#));
+    assert_eq!(constraint, ["start: slot.relative_position", "slot.constraint_2d"]);
+    let scene = one("2d", r#""kind": "slot""#, r#"["FC", "U1", "GY", "RF"]"#);
+    let results = Results::of(&scene).unwrap();
+    assert_eq!(results.get("e", "FC", 0), Some(&[3.0][..]));
+    assert_eq!(results.get("e", "U1", 0), Some(&[0.5][..]));
+    assert_eq!(results.get("e", "GY", 0), Some(&[0.25][..]));
+    assert_eq!(results.get("e", "RF", 0), Some(&[0.0, -3.0, 0.0][..]));
+    let error = Scene::parse(
+        r#"{"dimension": "2d", "nodes": {"a": {"at": [0, 0]}}, "elements":
+        {"e": {"kind": "slot", "nodes": ["a", "a"]}}, "frames": [{"time": 0, "loads": {"e": {"f3": 1}}}]}"#,
+    );
+    assert!(error.unwrap_err().to_string().contains("unknown key \"f3\"; allowed is one of f1, f2"));
+}
+
+#[test]
+fn no_lever_no_moment_term() {
+    let translator = |levers| plan(&one("3d", &format!(r#""kind": "translator"{levers}"#), r#"["FC", "PHI"]"#));
+    assert_eq!(translator(""), ["slot.contact_force", "slot.friction"]);
+    assert_eq!(translator(r#", "rr": 0, "l": 0"#), ["slot.contact_force", "slot.friction"]);
+    assert_eq!(translator(r#", "rr": 2"#), ["translator.contact_force", "translator.friction"]);
+}
+
+#[test]
+fn a_reference_length_saves_the_initial_one() {
+    let motion = |given| plan(&one("3d", &format!(r#""kind": "slot"{given}"#), r#"["U1MAT"]"#));
+    assert_eq!(motion("").len(), 3);
+    // relative_motion gives u1 too, which needs x0.
+    assert_eq!(
+        motion(r#", "l1_ref": 2"#),
+        ["start: slot.relative_position", "slot.relative_position", "slot.relative_motion"]
+    );
+}
+
+#[test]
+fn the_scene_of_the_readme_is_the_first_example() {
+    let readme = include_str!("../README.md");
+    let block = readme.split("```json").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    let of_readme: serde_json::Value = serde_json::from_str(block).unwrap();
+    let mut of_example: serde_json::Value = serde_json::from_str(RAIL).unwrap();
+    of_example.as_object_mut().unwrap().remove("title");
+    assert_eq!(of_readme, of_example);
+    let results = Results::of(&scene(block)).unwrap();
+    let sticking = results.get("guide", "CSF1", 0).unwrap()[0];
+    assert!((sticking - 1.0).abs() < 1e-12, "it sticks: 1000 times 0.001, less the rounding of the way");
+    assert_eq!(results.get("guide", "CSF1", 1), Some(&[1.25][..]), "it slips at μ times 5");
+}
+
+#[test]
+fn counts_are_what_ran() {
+    let results = Results::of(&scene(TELESCOPE)).unwrap();
+    assert_eq!(results.times.len(), 9);
+    let count = |id| results.counts.iter().find(|(formula, _)| *formula == id).map_or(0, |&(_, count)| count);
+    assert_eq!((count("slot.constraint"), count("slot.relative_position"), count("scene.angles")), (9, 10, 1));
+    assert_eq!((count("translator.friction"), count("slot.friction")), (0, 0));
+}
+
+#[test]
+fn an_unrelated_element_changes_no_bit() {
+    let alone = Results::of(&scene(TELESCOPE)).unwrap();
+    let element = r#""elements": { "other": { "kind": "slot", "nodes": ["inner", "outer"], "mu": 0.5, "k_stick": 10,
+        "outputs": ["CSF1", "GZ"] }, "#;
+    let more = Results::of(&scene(&TELESCOPE.replace("\"elements\": {", element))).unwrap();
+    for series in &alone.series {
+        assert!(more.series.contains(series), "{} has changed", series.output);
+    }
+    assert_eq!(more.series.len(), alone.series.len() + 2);
+}
+
+#[test]
+fn results_are_those_of_the_typed_api() {
+    let scene = one("3d", r#""kind": "slot", "mu": 0.25, "fc_int": 2"#, r#"["GY", "GZ", "U1", "P", "FN", "PHI"]"#);
+    let results = Results::of(&scene).unwrap();
+    let triad = jointproof::frame::Triad::global();
+    let mut pose = Pose { triad, xa: Vector3::zeros(), xb: Vector3::new(1.0, 2.0, 3.0) };
+    let slot = Slot::new(&pose).unwrap().with_friction(0.25, 2.0).unwrap();
+    pose.xb += Vector3::new(0.5, 0.0, 0.25);
+    let (g, u, friction) =
+        (slot.constraint(&pose).unwrap(), slot.relative_motion(&pose).unwrap(), slot.friction(7.0, -3.0, 0.0).unwrap());
+    let expected =
+        [("GY", g.gy), ("GZ", g.gz), ("U1", u.u1), ("P", friction.p), ("FN", friction.r#fn), ("PHI", friction.phi)];
+    for (output, expected) in expected {
+        assert_eq!(results.get("e", output, 0), Some(&[expected][..]), "{output}");
+    }
+}
+
+#[test]
+fn the_telescope_sticks_slips_turns_back_and_meets_its_stops() {
+    let results = Results::exact(&scene(TELESCOPE)).unwrap();
+    let at = |output, state| results.get("telescope", output, state).unwrap()[0];
+    // 1.5/0.02 + |(30, -40)| + 2 |(6, -8)|/0.25 + 20 of press fit
+    assert_eq!(at("FN", 0), 225.0);
+    assert_eq!(at("CSF1", 0), 0.0);
+    // 200 µm need 40 of force, the limit is 33.75: the rest is slip.
+    assert_eq!(at("CSF1", 1), 33.75);
+    assert!((at("CASU1", 1) - (0.0002 - 33.75 / 200_000.0)).abs() < 1e-18);
+    assert_eq!(at("CSF1", 2), 33.75);
+    // It turns back by 250 µm: the force falls by 50 and nothing slips.
+    assert_eq!(at("CASU1", 6), at("CASU1", 5));
+    assert!((at("CSF1", 5) - at("CSF1", 6) - 50.0).abs() < 1e-9);
+    assert!(at("CSF1", 7) < 0.0 && at("FTORQ", 7) == 0.0);
+    let slips = (1..9).all(|state| at("CASU1", state) >= at("CASU1", state - 1));
+    assert!(slips, "accumulated slip never falls");
+    assert!((at("GAPMIN", 0) - 0.1).abs() < 1e-15 && at("GAPMAX", 5).abs() < 1e-15, "the upper stop closes");
+    assert!(at("GAPMIN", 8).abs() < 1e-15, "the lower stop closes");
+}
+
+/// tan θ2 = tan θ1 / cos δ, where the arm of the input yoke starts in the plane of the shafts.
+#[test]
+fn universal_joints_turn_as_the_closed_form_says() {
+    let results = Results::of(&scene(DRIVE_SHAFT)).unwrap();
+    for series in results.series.iter().filter(|series| ["GROT", "G"].contains(&series.output)) {
+        let worst = series.values.iter().flatten().fold(0.0_f64, |worst, g| worst.max(g.abs()));
+        assert!(worst < 1e-15, "{} {}: {worst:e}", series.element, series.output);
+    }
+    // The residual changes its sign where the closed form says, and nowhere near.
+    let delta = std::f64::consts::FRAC_PI_6;
+    for degrees in [10.0_f64, 40.0, 75.0, 130.0, 200.0, 300.0] {
+        let theta = degrees.to_radians();
+        let turned = theta.sin().atan2(theta.cos() * delta.cos());
+        let residual = |off: f64| {
+            let (axis, angle) = ([delta.cos(), delta.sin()], turned + off);
+            let frame = format!(
+                r#""frames": [{{"time": 0, "nodes": {{"input": {{"ur": [{theta}, 0, 0]}},
+                "middle 1": {{"ur": [{}, {}, 0]}}}}}}], "outputs": ["GROT"]}}"#,
+                axis[0] * angle,
+                axis[1] * angle
+            );
+            let text = DRIVE_SHAFT.split("\"frames\"").next().unwrap().to_owned() + &frame;
+            Results::of(&scene(&text)).unwrap().get("first", "GROT", 0).unwrap()[0]
+        };
+        assert!(residual(0.0).abs() < 1e-15);
+        assert!(residual(1e-6) * residual(-1e-6) < 0.0, "{degrees}°");
+    }
+}
+
+#[test]
+fn two_joints_in_phase_keep_the_ratio_constant() {
+    // The scene turns input and output alike; the second joint's residual says that this is where the output must be.
+    let results = Results::exact(&scene(DRIVE_SHAFT)).unwrap();
+    for state in 0..results.times.len() {
+        assert!(results.get("second", "GROT", state).unwrap()[0].abs() < 1e-15);
+    }
+}
+
+#[test]
+fn sliders_stay_on_the_line_until_one_leaves_it() {
+    let results = Results::of(&scene(INTERFACE)).unwrap();
+    let off = |element, state| {
+        let g = |output| results.get(element, output, state).unwrap()[0];
+        g("G1").hypot(g("G2"))
+    };
+    for element in ["inner", "middle", "outer"] {
+        assert!((0..5).all(|state| off(element, state) < 1e-11));
+    }
+    assert!(off("middle", 5) < 1e-11);
+    let expected = 0.01 * 0.25_f64.cos();
+    assert!((off("outer", 5) - expected).abs() < 1e-10, "{} {expected}", off("outer", 5));
+}
+
+#[test]
+fn doubles_are_close_to_exact() {
+    for text in [RAIL, TELESCOPE, DRIVE_SHAFT, INTERFACE, THREAD] {
+        let scene = scene(text);
+        let (doubles, exact) = (Results::of(&scene).unwrap(), Results::exact(&scene).unwrap());
+        for (series, exact) in doubles.series.iter().zip(&exact.series) {
+            // Where a history ends in a small difference, its error is that of the large values before it.
+            let size = exact.values.iter().flatten().fold(1.0_f64, |size, value| size.max(value.abs()));
+            for (a, b) in series.values.iter().flatten().zip(exact.values.iter().flatten()) {
+                assert!((a - b).abs() <= 1e-12 * size, "{} {}: {a} {b}", series.element, series.output);
+            }
+        }
+    }
+}
+
+#[test]
+fn golden_results_are_what_the_scenes_give() {
+    let scenes = [
+        ("rail", RAIL),
+        ("telescope", TELESCOPE),
+        ("drive-shaft", DRIVE_SHAFT),
+        ("interface", INTERFACE),
+        ("thread", THREAD),
+    ];
+    for (name, text) in scenes {
+        let path = format!("{}/golden/scenes/{name}.result.json", env!("CARGO_MANIFEST_DIR"));
+        let committed = std::fs::read_to_string(&path).unwrap();
+        let now = Results::exact(&scene(text)).unwrap().golden().unwrap();
+        assert!(committed == now, "{path} differs; cargo xtask golden writes what the code says");
+    }
+}
+
+#[test]
+fn threads_change_no_bit() {
+    let nodes = (0..500).map(|i| format!(r#""a{i}": {{"at": [{i}, 0.1, 0]}}, "#)).collect::<Vec<_>>().concat();
+    let elements: Vec<_> = (1..500)
+        .map(|i| format!(r#""e{i}": {{"kind": "slot", "nodes": ["a0", "a{i}"], "mu": 0.{i}, "k_stick": 1e4}}"#))
+        .collect();
+    let moves: Vec<_> = (1..500).map(|i| format!(r#""a{i}": {{"u": [0.00{i}, 0.1, 0.2]}}"#)).collect();
+    let scene = scene(&format!(
+        r#"{{"dimension": "3d", "nodes": {{{nodes}"z": {{"at": [0, 0, 0]}}}}, "elements": {{{}}},
+        "frames": [{{"time": 0, "loads": {{"e7": {{"f2": 3}}}}}}, {{"time": 1, "nodes": {{{}}}}}],
+        "outputs": ["GY", "GZ", "U1", "CSF1", "CASU1", "PHI"]}}"#,
+        elements.join(", "),
+        moves.join(", ")
+    ));
+    let with = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| Results::of(&scene).unwrap())
+    };
+    assert_eq!(with(1), with(5));
+}
+
+#[test]
+fn the_rules_of_scenes_pass_the_audit() {
+    for rule in RULES {
+        let audit = rule.audit(&Options { samples: 60, ..Options::default() });
+        assert!(audit.passed(), "{audit:#?}");
+    }
+}
+
+#[test]
+fn what_a_formula_rejects_in_a_state_names_element_and_state() {
+    let scene = scene(
+        r#"{"dimension": "3d", "nodes": {"a": {"at": [0, 0, 0]}, "b": {"at": [0, 0, 1]}, "m": {"at": [0, 0, 0.5]}},
+        "elements": {"rail": {"kind": "slider", "nodes": ["a", "b", "m"]}},
+        "frames": [{"time": 0}, {"time": 1, "nodes": {"b": {"u": [0, 0, -1]}}}], "outputs": ["G1"]}"#,
+    );
+    let problems = Results::of(&scene).unwrap_err().to_string();
+    assert!(problems.starts_with("element \"rail\", frames[1], slider.constraint: x1 and xn are 0"), "{problems}");
+    assert_eq!(Results::exact(&scene).unwrap_err().to_string(), problems);
+}

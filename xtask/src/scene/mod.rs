@@ -1,0 +1,153 @@
+//! `cargo xtask scene`: scene files evaluated, planned, compared with the exact values, plotted.
+
+mod benchmark;
+mod examples;
+mod generate;
+mod kinds;
+mod plot;
+mod show;
+
+pub(crate) use examples::{Checked, check, figures, orphans, outputs, regenerate};
+pub(crate) use kinds::kinds;
+
+use crate::console::{print, progress, say};
+use crate::{Outcome, files};
+use anyhow::Context;
+use jointproof::Octuple;
+use jointproof::scene::{Plan, Results, Scene};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::{Duration, Instant};
+
+/// Evaluate scenes: connectors and constraints together, over a history of states
+///
+/// Every mistake in a scene is reported with its JSON path, line and column, all at once, and nothing is written then.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  cargo xtask scene golden/scenes/rail.json            a table per output
+  cargo xtask scene golden/scenes/rail.json --plan     which formulas, how often, and why
+  cargo xtask scene golden/scenes/rail.json --error    each number with its error against 237 bits
+  cargo xtask scene golden/scenes/rail.json --plot .   an SVG per output over the history
+  cargo xtask scene *.json --format csv > all.csv      for a spreadsheet
+  cargo xtask scene --generate 10000 > many.json       a scene to measure with
+  cargo xtask scene --benchmark                        what an element costs per state")]
+pub(crate) struct Arguments {
+    /// Scene files
+    #[arg(value_name = "FILE", required_unless_present_any = ["generate", "benchmark"])]
+    files: Vec<PathBuf>,
+    /// Print which formulas would be evaluated, how often and why; evaluate nothing
+    #[arg(long)]
+    plan: bool,
+    /// How to print the results
+    #[arg(long, value_enum, default_value_t = show::Format::Text)]
+    format: show::Format,
+    /// Evaluate in 237 bits too, and give the error of every number
+    #[arg(long)]
+    error: bool,
+    /// Draw every output over the history into this folder, an SVG each
+    #[arg(long, value_name = "FOLDER")]
+    plot: Option<PathBuf>,
+    /// Print a scene of N sliding connectors over 5 states
+    #[arg(long, value_name = "N", conflicts_with_all = ["files", "benchmark"])]
+    generate: Option<usize>,
+    /// Measure scenes of 10, 10,000 and 1,000,000 elements against a bare loop of the same formulas
+    #[arg(long, conflicts_with = "files")]
+    benchmark: bool,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Outcome {
+    if let Some(elements) = arguments.generate {
+        piped(generate::write(elements, &mut anstream::stdout().lock()))?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    if arguments.benchmark {
+        benchmark::run()?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    let mut scenes = Vec::new();
+    for path in &arguments.files {
+        match read(path)? {
+            Ok(scene) => scenes.push((path, scene)),
+            Err(report) => say(&report),
+        }
+    }
+    if scenes.len() < arguments.files.len() {
+        return Ok(ExitCode::FAILURE);
+    }
+    // Threads are started before the time is taken.
+    rayon::broadcast(|_| ());
+    for (path, scene) in &scenes {
+        if arguments.files.len() > 1 && arguments.format == show::Format::Text {
+            print(&format!("{}\n", path.display()))?;
+        }
+        one(arguments, path, scene)?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// A reader that has seen enough, as `head`, is no error.
+fn piped(written: anyhow::Result<()>) -> anyhow::Result<()> {
+    written.or_else(|error| match error.downcast_ref::<std::io::Error>().map(std::io::Error::kind) {
+        Some(std::io::ErrorKind::BrokenPipe) => Ok(()),
+        _ => Err(error),
+    })
+}
+
+/// The scene in a file, or what is wrong with it.
+fn read(path: &Path) -> anyhow::Result<Result<Scene, String>> {
+    let shown = path.display();
+    let bytes = std::fs::read(path).with_context(|| format!("cannot read {shown}"))?;
+    let text = match String::from_utf8(bytes) {
+        Ok(text) => text,
+        Err(error) => return Ok(Err(format!("{shown}: byte {} is not UTF-8", error.utf8_error().valid_up_to()))),
+    };
+    Ok(Scene::parse(&text).map_err(|faults| {
+        let lines = faults.list().iter().map(|fault| format!("{shown}: {fault}\n")).collect::<Vec<_>>().concat();
+        let count = faults.len();
+        format!("{lines}{shown}: {count} {}", if count == 1 { "fault" } else { "faults" })
+    }))
+}
+
+fn one(arguments: &Arguments, path: &Path, scene: &Scene) -> anyhow::Result<()> {
+    let plan = Plan::new(scene);
+    if arguments.plan {
+        return print(&show::plan(scene, &plan, arguments.format)?);
+    }
+    if arguments.format == show::Format::Csv && !arguments.error && arguments.plot.is_none() {
+        return piped(show::stream(scene, &plan, &mut anstream::stdout().lock()));
+    }
+    let limit = if arguments.format == show::Format::Text { show::SHOWN } else { usize::MAX };
+    let (results, time) = timed("f64", scene, |each| Results::collect::<f64>(scene, &plan, limit, each))?;
+    let exact = if arguments.error {
+        Some(timed("237 bits", scene, |each| Results::collect::<Octuple>(scene, &plan, limit, each))?)
+    } else {
+        None
+    };
+    print(&show::results(scene, &results, exact.as_ref().map(|(exact, _)| exact), arguments.format)?)?;
+    if let Some((_, exact_time)) = exact {
+        let microseconds = |time: Duration| time.as_secs_f64() * 1e6;
+        say(&format!("{:.1} µs in f64, {:.1} µs in 237 bits", microseconds(time), microseconds(exact_time)));
+    }
+    if let Some(folder) = &arguments.plot {
+        let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+        for (output, svg) in plot::charts(&results) {
+            let target = folder.join(format!("{stem}.{output}.svg"));
+            files::write(&target, &svg)?;
+            say(&format!("wrote {}", files::shown(&target)));
+        }
+    }
+    Ok(())
+}
+
+fn timed<R, E: std::error::Error + Send + Sync + 'static>(
+    what: &'static str,
+    scene: &Scene,
+    job: impl FnOnce(&mut dyn FnMut()) -> Result<R, E>,
+) -> anyhow::Result<(R, Duration)> {
+    let bar = progress(what, scene.times().len());
+    let start = Instant::now();
+    let result = job(&mut || bar.inc(1))?;
+    let time = start.elapsed();
+    bar.finish_and_clear();
+    Ok((result, time))
+}

@@ -1,0 +1,68 @@
+//! Results over the history, drawn.
+
+use crate::figures::chart::{Axis, Chart, Curve};
+use jointproof::scene::Results;
+
+/// Curves in a chart; a fifth could not be told from the first.
+const CURVES: usize = 4;
+
+/// An SVG per output of one component; none where there is but one state.
+pub(crate) fn charts(results: &Results) -> Vec<(&'static str, String)> {
+    let mut outputs: Vec<&'static str> = Vec::new();
+    for series in &results.series {
+        let drawable = results.times.len() > 1 && series.values.iter().all(|values| values.len() == 1);
+        if drawable && !outputs.contains(&series.output) {
+            outputs.push(series.output);
+        }
+    }
+    outputs.into_iter().map(|output| (output, chart(results, output, output, output, ""))).collect()
+}
+
+/// One output over time.
+pub(crate) fn chart(results: &Results, output: &str, name: &str, label: &str, description: &str) -> String {
+    let of_output = results.series.iter().filter(|series| series.output == output).take(CURVES);
+    let curves: Vec<_> = of_output
+        .enumerate()
+        .map(|(k, series)| {
+            let values = series.values.iter().filter_map(|values| values.first());
+            let points: Vec<_> = results.times.iter().copied().zip(values.copied()).collect();
+            // The names stand beside different points, so as not to cover each other.
+            let label_at = points.len() * (k + 1) / (CURVES + 1);
+            Curve { name: &series.element, label_at, points }
+        })
+        .collect();
+    let values = || curves.iter().flat_map(|curve| curve.points.iter().map(|&(_, value)| value));
+    let title = format!("{label} over time");
+    let description = if description.is_empty() { &title } else { description };
+    Chart {
+        name,
+        title: &title,
+        description,
+        x: axis("time", results.times.iter().copied()),
+        y: axis(label, values()),
+        curves,
+    }
+    .svg()
+}
+
+/// A linear axis with round ticks that holds the values.
+fn axis(label: &str, values: impl Iterator<Item = f64>) -> Axis<'_> {
+    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+    // A constant still needs room.
+    let room = if high > low { 0.0 } else { high.abs().max(1e-300) * 0.5 };
+    let (low, high) = (low - room, high + room);
+    let rough = (high - low) / 5.0;
+    let decade = 10_f64.powf(rough.log10().floor());
+    let step =
+        [1.0, 2.0, 5.0, 10.0].map(|factor| factor * decade).into_iter().find(|&step| step >= rough).unwrap_or(rough);
+    let (first, last) = ((low / step).floor(), (high / step).ceil());
+    // Divided by the reciprocal where that is the whole number, so that 0.1 × 3 is printed as 0.3.
+    let tick = |k: f64| if step < 1.0 { k / (1.0 / step).round() } else { k * step };
+    let mut ticks = Vec::new();
+    let mut k = first;
+    while k <= last && ticks.len() < 20 {
+        ticks.push(tick(k));
+        k += 1.0;
+    }
+    Axis { label, from: first * step, to: last * step, logarithmic: false, ticks }
+}

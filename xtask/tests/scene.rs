@@ -1,0 +1,130 @@
+//! `cargo xtask scene`: what it prints, what it says about mistakes, and the schema of its files.
+
+mod common;
+
+use common::{Bench, repository};
+use serde_json::{Value, json};
+use std::fs;
+
+const TELESCOPE: &str = "golden/scenes/telescope.json";
+const WRONG: &str = r#"{
+  "dimension": "3d",
+  "nodes": { "a": { "at": [0, 0] } },
+  "elements": { "s": { "kind": "slot", "nodes": ["a", "b"], "mu": -1 } },
+  "outputs": ["U1"]
+}"#;
+
+/// The path of a scene of the repository.
+fn scene(name: &str) -> String {
+    repository().join("golden/scenes").join(name).to_string_lossy().into_owned()
+}
+
+#[test]
+fn all_mistakes_are_said_with_their_places_and_nothing_is_written() {
+    let bench = Bench::new();
+    let (wrong, plots) = (bench.path("wrong.json"), bench.path("plots"));
+    fs::write(&wrong, WRONG).unwrap();
+    let (wrong, folder) = (wrong.to_string_lossy(), plots.to_string_lossy());
+    // A scene that is right does not run beside one that is wrong.
+    let ran = bench.run(&["scene", &scene("rail.json"), &wrong, "--plot", &folder]).exits(1);
+    assert_eq!(ran.stdout, "");
+    assert!(!plots.exists());
+    ran.says("wrong.json: nodes.a.at (line 3, column 27): an array of 2; allowed is an array of 3 numbers\n")
+        .says("wrong.json: elements.s.nodes[1] (line 4, column 55): no node \"b\"; allowed is one of \"a\"\n")
+        .says("wrong.json: elements.s.mu (line 4, column 67): -1; allowed is a finite number ≥ 0\n")
+        .says("wrong.json: 3 faults\n");
+}
+
+#[test]
+fn text_has_a_table_for_every_output() {
+    let ran = Bench::new().run(&["scene", &scene("rail.json")]).quiet();
+    for heading in ["A car on a rail", "U1  ", "FN  ", "CSF1  ", "CASU1  ", "formulas evaluated"] {
+        assert!(ran.stdout.contains(heading), "{heading}: {}", ran.stdout);
+    }
+}
+
+#[test]
+fn errors_stand_beside_the_numbers() {
+    let file = scene("telescope.json");
+    let ran = Bench::new().run(&["scene", &file, "--error", "--format", "csv"]).exits(0).says("µs in f64");
+    let mut lines = ran.stdout.lines();
+    assert_eq!(lines.next(), Some("time,element,output,component,value,error"));
+    let errors: Vec<f64> = lines.map(|line| line.rsplit(',').next().unwrap().parse().unwrap()).collect();
+    assert!(errors.iter().all(|error| error.abs() < 1e-9) && errors.iter().any(|error| *error != 0.0));
+}
+
+#[test]
+fn json_reads_back_as_the_library_gives_it() {
+    let ran = Bench::new().run(&["scene", &scene("rail.json"), "--format", "json"]).quiet();
+    let value: Value = serde_json::from_str(&ran.stdout).unwrap();
+    assert_eq!(value["times"], json!([1.0, 2.0]));
+    assert_eq!(value["counts"]["slot.contact_force"], 2);
+    assert_eq!(value["series"][0]["output"], "U1");
+    assert_eq!(value["series"][0]["values"][1], json!([2.5]));
+}
+
+#[test]
+fn a_plan_evaluates_nothing() {
+    let ran = Bench::new().run(&["scene", &scene("rail.json"), "--plan"]).quiet();
+    assert!(
+        ran.stdout.lines().all(|line| line.contains('×') || line.ends_with("evaluations over 2 states")),
+        "{ran:?}"
+    );
+    ran.prints("slot.contact_force").prints("output FN").prints("at the start");
+}
+
+#[test]
+fn plots_are_drawings_of_every_output() {
+    let bench = Bench::new();
+    let folder = bench.path("plots");
+    bench.run(&["scene", &scene("telescope.json"), "--plot", &folder.to_string_lossy()]).exits(0).says("wrote");
+    let svg = fs::read_to_string(folder.join("telescope.CSF1.svg")).unwrap();
+    assert!(svg.starts_with("<svg") && svg.contains("<title") && !svg.contains("NaN"), "{svg}");
+}
+
+#[test]
+fn a_generated_scene_runs() {
+    let bench = Bench::new();
+    let file = bench.path("many.json");
+    let generated = bench.run(&["scene", "--generate", "100"]).quiet();
+    fs::write(&file, generated.stdout).unwrap();
+    let ran = bench.run(&["scene", &file.to_string_lossy(), "--format", "csv"]).quiet();
+    assert_eq!(ran.stdout.lines().count(), 1 + 100 * 5 * 5);
+}
+
+/// What a mutation does to a scene.
+type Mutation = fn(&mut Value);
+
+#[test]
+fn the_schema_takes_every_scene_and_refuses_what_the_reader_refuses() {
+    let read = |path: &str| -> Value { serde_json::from_str(&fs::read_to_string(scene(path)).unwrap()).unwrap() };
+    let schema = read("schema.json");
+    jsonschema::meta::validate(&schema).unwrap_or_else(|error| panic!("{}: {error}", error.instance_path()));
+    let validator = jsonschema::draft202012::new(&schema).unwrap();
+    let scenes = fs::read_dir(repository().join("golden/scenes")).unwrap().map(|entry| entry.unwrap().file_name());
+    for name in scenes.map(|name| name.into_string().unwrap()).filter(|name| name.matches('.').count() == 1) {
+        if name != "schema.json" {
+            let faults: Vec<_> = validator.iter_errors(&read(&name)).map(|error| error.to_string()).collect();
+            assert_eq!(faults, [""; 0], "{name}");
+        }
+    }
+    let telescope: Value = serde_json::from_str(&fs::read_to_string(repository().join(TELESCOPE)).unwrap()).unwrap();
+    let mutations: [(&str, Mutation); 9] = [
+        ("an unknown key", |scene| scene["colour"] = json!("red")),
+        ("another dimension", |scene| scene["dimension"] = json!("4d")),
+        ("an unknown kind", |scene| scene["elements"]["telescope"]["kind"] = json!("slott")),
+        ("an unknown parameter", |scene| scene["elements"]["telescope"]["mew"] = json!(1)),
+        ("a parameter out of its domain", |scene| scene["elements"]["telescope"]["mu"] = json!(-1)),
+        ("a coordinate too few", |scene| scene["nodes"]["inner"]["at"] = json!([0, 0])),
+        ("text for a number", |scene| scene["frames"][0]["time"] = json!("NaN")),
+        ("an unknown output", |scene| scene["outputs"] = json!(["U9"])),
+        ("two descriptions of a triad", |scene| scene["orientations"]["tube"]["rotation"] = json!([0, 0, 1])),
+    ];
+    for (what, mutate) in mutations {
+        let mut wrong = telescope.clone();
+        mutate(&mut wrong);
+        assert!(!validator.is_valid(&wrong), "{what} is accepted by the schema");
+        let text = serde_json::to_string(&wrong).unwrap();
+        assert!(jointproof::scene::Scene::parse(&text).is_err(), "{what} is accepted by the reader");
+    }
+}
