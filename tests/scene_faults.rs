@@ -126,12 +126,13 @@ fn every_output_of_every_kind_evaluates() {
         let nodes: Vec<_> = places.iter().enumerate().map(|(i, at)| format!(r#""n{i}": {{"at": {at}}}"#)).collect();
         let ends: Vec<_> = (0..kind.nodes.len()).map(|i| format!("\"n{i}\"")).collect();
         let parameters = kind.parameters().map(|(name, _)| format!(r#", "{name}": 1"#)).collect::<Vec<_>>().concat();
-        let (lines, on_line) = match kind.slides() {
-            true => (
+        let (lines, on_line) = if kind.slides() {
+            (
                 r#""slide_lines": {"l": {"type": "linear", "nodes": ["n0", "n2"], "friction": {"mu": 0.1, "k_stick": 1}}},"#,
                 r#", "slide_line": "l""#,
-            ),
-            false => ("", ""),
+            )
+        } else {
+            ("", "")
         };
         let all: Vec<_> = kind.outputs.iter().map(|(name, _)| format!("{name:?}")).collect();
         for outputs in all.iter().cloned().chain([all.join(", ")]) {
