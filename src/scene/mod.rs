@@ -28,7 +28,7 @@
 //! let faults = Scene::parse(r#"{ "dimension": "3d", "nodes": {}, "elements": {}, "output": [] }"#).unwrap_err();
 //! assert_eq!(
 //!     faults.to_string(),
-//!     "output (line 1, column 55): unknown key \"output\"; \
+//!     "output (line 1, column 51): unknown key \"output\"; \
 //!      allowed is one of title, dimension, orientations, nodes, slide_lines, elements, frames, outputs",
 //! );
 //! # Ok::<(), Box<dyn std::error::Error>>(())
