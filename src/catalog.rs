@@ -3,7 +3,7 @@
 use crate::formula::{Convention, Field, Fields, Formula, Spec, check, value, value_and_jacobian};
 use crate::measure::{self, Measurement};
 use crate::scalar::{abs, sign};
-use crate::verify::{Audit, Kink, Options, Subject, audit, audit_at, entries, exact, golden, hard};
+use crate::verify::{Audit, Kink, Options, Subject, audit, audit_at, entries, exact, golden};
 use crate::{
     Error, Octuple, align, cardan, coulomb, interaction, join, slide_line, slider, slot, translator, ujoint, universal,
 };
@@ -126,9 +126,8 @@ fn one_sided(subject: &Subject) -> Vec<KinkEntry> {
             (subject.exact_value)(&moved)
         };
         let (below, here, above) = (value(-step), value(step * 0.0), value(step));
-        let half_turn = hard::half_turn();
         let difference = |to: Octuple, from: Octuple| match kink.convention {
-            Convention::Cut if abs(to - from) > half_turn => to - from - half_turn * (2.0 * sign(to - from)),
+            Convention::Cut if abs(to - from) > Octuple::PI => to - from - Octuple::PI * (2.0 * sign(to - from)),
             _ => to - from,
         };
         let sides = |k: usize| [difference(here[k], below[k]), difference(above[k], here[k])];

@@ -119,7 +119,7 @@ fn a_zero_axis_has_no_second_angle() {
 
 #[test]
 fn at_90_degrees_to_rounding_the_two_argument_form_is_right() {
-    let quarter = hard::half_turn() / 2.0;
+    let quarter = Octuple::PI / 2.0;
     for (beta, expected) in [(quarter, FRAC_PI_2), (-quarter, -FRAC_PI_2)] {
         let [a, b] = hard::at_angles([Octuple::from(0.3), beta, Octuple::from(-0.7)]);
         let axes = BetaAxes::from(&Triads::new(a, b));

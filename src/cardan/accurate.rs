@@ -97,7 +97,7 @@ pub fn errors_near_right_angle(distances: &[f64]) -> Vec<NearRightAngle> {
 }
 
 fn errors_at(distance: f64) -> NearRightAngle {
-    let beta = hard::half_turn() / 2.0 - distance;
+    let beta = Octuple::PI / 2.0 - distance;
     let turns = (0..8).map(|k| Octuple::from(-2.75) + f64::from(k) * 0.75);
     let poses = turns.clone().flat_map(|alpha| turns.clone().map(move |gamma| [alpha, beta, gamma]));
     let error = |found: f64| ((Octuple::from(found) - beta) / beta).abs().to_f64();

@@ -81,7 +81,7 @@ impl Formula for BetaTwoArgument {
             let [[e1a, ..], [e1b, e2b, e3b]] = hard::at_angles([Octuple::from(0.3), beta, Octuple::from(-0.7)]);
             BetaAxes { e1a, e1b, e2b, e3b }
         };
-        let quarter = hard::half_turn() / 2.0;
+        let quarter = Octuple::PI / 2.0;
         let mut cases = vec![
             Case::limit("aligned", "zero where both triads are the same", BetaAxes { e1a: x, e1b: x, e2b: y, e3b: z }),
             Case::hand(

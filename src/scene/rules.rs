@@ -13,12 +13,12 @@ use crate::quantity::{
     Domain, F_TANGENTIAL, F_TRIAL, Quantity, SLIDER_DXM, SLIDER_DXMK, SLIDER_X1, SLIDER_XM, SLIDER_XMK, SLIDER_XN,
     Shape, U1, Unit,
 };
-use crate::scalar::{Scalar, abs, sign};
+use crate::scalar::{Scalar, abs, pi, sign};
 use crate::slider::Pivots;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
-const fn scalar(latex: &'static str, unit: Unit, domain: Domain, meaning: &'static str) -> Quantity {
+pub(super) const fn scalar(latex: &'static str, unit: Unit, domain: Domain, meaning: &'static str) -> Quantity {
     Quantity { latex, shape: Shape::Scalar, unit, domain, meaning }
 }
 
@@ -224,7 +224,7 @@ fn wrapped<D: Scalar>(difference: D) -> D {
     if abs(difference) <= PI {
         return difference;
     }
-    difference - D::one().atan() * (8.0 * sign(difference))
+    difference - pi::<D>() * (2.0 * sign(difference))
 }
 
 fields! {

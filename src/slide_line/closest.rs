@@ -14,6 +14,7 @@
 //! At a centre of curvature r′ = 0: two feet merge, and the coordinate u has no derivative; it is set to 0 there.
 //! Near it u is as ill-conditioned as 1/r′, but the separation is not.
 
+mod corner;
 mod linear;
 mod parabolic;
 mod piece;
@@ -244,6 +245,14 @@ struct Foot<D, const N: usize> {
 }
 
 impl<D: Scalar, const N: usize> Foot<D, N> {
+    /// Whether Y′ is no more than the rounding of its terms.
+    fn stands_still<S: Shape<N>>(&self, view: &View<D, S, N>) -> bool {
+        let base = view.nodes[N / 2];
+        let size = |v: Vector2<D>| v.x.re().abs() + v.y.re().abs();
+        let terms: f64 = view.nodes.iter().zip(self.rates).map(|(x, rate)| size(view.in_unit((x - base) * rate))).sum();
+        size(self.rate) <= 8.0 * f64::EPSILON * terms
+    }
+
     /// On the whole curve.
     fn on<S: Shape<N>>(view: &View<D, S, N>) -> Self {
         Self::between(view, S::ENDS.map(D::Leaf::from))
@@ -361,14 +370,8 @@ fn unit_of<D: Scalar>(sides: impl Iterator<Item = Vector2<D>>) -> f64 {
     f64::from_bits(largest.to_bits() & f64::INFINITY.to_bits())
 }
 
-/// Rejects a curve that stands still at the foot: whose Y′ is no more than the rounding of its terms.
+/// Rejects a curve that [stands still](Foot::stands_still) at the foot.
 fn check_tangent<S: Shape<N>, const N: usize>(view: &View<f64, S, N>, coordinate: &'static str) -> Result<(), Error> {
-    let Foot { u, rate, rates, .. } = Foot::on(view);
-    let base = view.nodes[N / 2];
-    let size = |v: Vector2<f64>| v.x.abs() + v.y.abs();
-    let terms: f64 = view.nodes.iter().zip(rates).map(|(x, rate)| size(view.in_unit((x - base) * rate))).sum();
-    if size(rate) <= 8.0 * f64::EPSILON * terms {
-        return Err(Error::NoTangent { coordinate, value: u });
-    }
-    Ok(())
+    let foot = Foot::on(view);
+    if foot.stands_still(view) { Err(Error::NoTangent { coordinate, value: foot.u }) } else { Ok(()) }
 }

@@ -239,9 +239,11 @@ impl Audit {
         if point.kink.is_none() {
             self.check_ad(point, names, &exact);
         }
-        self.check_value(point, names, &exact);
+        // The value and the Jacobian alone, and as they come together.
+        let [value, jacobian] = (subject.linearized)(&point.inputs);
+        self.check_value(point, names, &exact, [(subject.value)(&point.inputs), value]);
         if point.kink != Some(Convention::Switch) {
-            self.check_jacobian(point, names, &exact);
+            self.check_jacobian(point, names, &exact, [(subject.jacobian)(&point.inputs), jacobian]);
         }
     }
 
@@ -261,11 +263,11 @@ impl Audit {
         let steps = if point.random { &STEPS[..1] } else { &STEPS[..] };
         let bound = if point.random { AD_AGAINST_DIFFERENCES } else { AD_AGAINST_DIFFERENCES_HARD };
         for input in 0..inputs.len() {
+            let step = step_size(point.subject.inputs, inputs, input);
             let attempts: Vec<_> = steps.iter().map(|&step| differences(point.subject, inputs, input, step)).collect();
             for (output, &value) in exact.values.iter().enumerate() {
                 let entry = output * inputs.len() + input;
                 let gradient = &ad[output * inputs.len()..][..inputs.len()];
-                let step = step_size(point.subject.inputs, inputs, input);
                 let size = Sensitivity::new(gradient, inputs).plus(value).per(step);
                 let scale = ad[entry].abs() + size;
                 let deviations = attempts.iter().map(|rows| (ad[entry] - rows[output]).abs());
@@ -279,10 +281,8 @@ impl Audit {
         }
     }
 
-    fn check_value(&mut self, point: &Point, names: &Names, exact: &Exact) {
-        // The value alone, and the value that comes with the Jacobian.
-        let [linearized, _] = (point.subject.linearized)(&point.inputs);
-        for computed in [(point.subject.value)(&point.inputs), linearized] {
+    fn check_value(&mut self, point: &Point, names: &Names, exact: &Exact, values: [Vec<f64>; 2]) {
+        for computed in values {
             for (output, (&computed, &value)) in computed.iter().zip(&exact.values).enumerate() {
                 let sensitivity = Sensitivity::new(&exact.ad[output * point.exact.len()..], &point.exact);
                 let describe = |size| point.deviation(size, names.outputs[output].clone(), computed, value.to_f64());
@@ -292,10 +292,8 @@ impl Audit {
     }
 
     /// The closed form in `f64` is judged against automatic differentiation, so that a wrong one cannot be its own judge.
-    fn check_jacobian(&mut self, point: &Point, names: &Names, exact: &Exact) {
-        // The Jacobian alone, and the one that comes with the value.
-        let [_, linearized] = (point.subject.linearized)(&point.inputs);
-        for computed in [(point.subject.jacobian)(&point.inputs), linearized] {
+    fn check_jacobian(&mut self, point: &Point, names: &Names, exact: &Exact, jacobians: [Vec<f64>; 2]) {
+        for computed in jacobians {
             for (entry, ((&computed, &ad), &bend)) in computed.iter().zip(&exact.ad).zip(&exact.bends).enumerate() {
                 let size = eta(computed, ad, bend);
                 let describe = |size| point.deviation(size, names.entry(entry), computed, ad.to_f64());

@@ -3,7 +3,6 @@
 use crate::Octuple;
 use crate::cardan::{rotation, turned};
 use nalgebra::{SVector, Vector2, Vector3};
-use num_dual::DualNum;
 
 /// A named value, and what is hard about it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -112,7 +111,7 @@ pub type Triads = [[Vector3<f64>; 3]; 2];
 
 /// Triads at angles where naive code loses value or derivative; all Cardan angles are defined.
 pub fn triads() -> Vec<Hard<Triads>> {
-    let quarter = half_turn() / 2.0;
+    let quarter = Octuple::PI / 2.0;
     let small = |size: f64| Octuple::from(size);
     let [alpha, gamma] = [0.3, -0.7].map(Octuple::from);
     let (zero, beta) = (small(0.0), small(0.4));
@@ -150,11 +149,6 @@ pub fn triads() -> Vec<Hard<Triads>> {
         Hard::new("beta+1e-8", "β within 1e-8 of -90°", at_angles([alpha, -quarter + 1e-8, gamma])),
         Hard::new("alpha-zero", "a turn about the second and third axes alone", at_angles([zero, beta, gamma])),
     ]
-}
-
-/// π in 237 bits.
-pub fn half_turn() -> Octuple {
-    (-Octuple::from(1.0)).acos()
 }
 
 /// Gimbal lock: β = ±90°, where α and γ turn about the same axis and neither is defined.

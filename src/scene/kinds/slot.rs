@@ -108,7 +108,6 @@ pub(super) const SLOT_2D: Kind = Kind {
         RETURN_MAP,
         SLIP,
     ],
-    meanings: &[],
     outputs: &[
         ("X", "x"),
         ("Y", "y"),

@@ -62,7 +62,7 @@ pub(super) const TRANSLATOR: Kind = Kind {
         always(&translator::TorqueForce),
         always(&translator::RadialForce),
         always(&translator::BendingForce),
-        renamed(&slot::ContactForce, &[]).when(When::AllZero(LEVERS)),
+        always(&slot::ContactForce).when(When::AllZero(LEVERS)),
         always(&translator::ContactForce).when(When::NotAllZero(LEVERS)),
         NORMAL,
         always(&slot::Friction).when(When::AllZero(LEVERS)),

@@ -1,16 +1,12 @@
 //! UJOINT: JOIN and UNIVERSAL, with the friction of the cross.
 
 use crate::coulomb::ReturnMap;
-use crate::quantity::{Domain, Quantity, Shape, Unit};
+use crate::quantity::{Domain, Quantity, Unit};
 use crate::scene::kind::{Dimension, Fallback, Kind, Origin, Use, always, renamed};
-use crate::scene::rules::{self, Slip, TurnStick};
+use crate::scene::rules::{self, Slip, TurnStick, scalar};
 use crate::{join, ujoint, universal};
 use Fallback::{As, Number, Required};
 use Origin::{Axis, Before, Initial, Load, Parameter, Position, Zero};
-
-const fn scalar(latex: &'static str, unit: Unit, domain: Domain, meaning: &'static str) -> Quantity {
-    Quantity { latex, shape: Shape::Scalar, unit, domain, meaning }
-}
 
 /// What friction about an axis is called in the formulas that all connectors share, and here: the first axis, the third.
 const TURN: [&[(&str, &str)]; 2] = [

@@ -81,16 +81,8 @@ pub(in crate::slide_line) fn curved_foot<D: Scalar, S: Shape<N>, const N: usize>
         tangent,
         separation: foot.separation() * view.unit,
         weights: weights.into_iter().collect(),
-        stands_still: stands_still(&view, &foot),
+        stands_still: foot.stands_still(&view),
     }
-}
-
-/// Whether Y′ is no more than the rounding of its terms.
-fn stands_still<D: Scalar, S: Shape<N>, const N: usize>(view: &View<D, S, N>, foot: &Foot<D, N>) -> bool {
-    let base = view.nodes[N / 2];
-    let size = |v: Vector2<D>| v.x.re().abs() + v.y.re().abs();
-    let terms: f64 = view.nodes.iter().zip(foot.rates).map(|(x, rate)| size(view.in_unit((x - base) * rate))).sum();
-    size(foot.rate) <= 8.0 * f64::EPSILON * terms
 }
 
 fn size<D: Scalar>(v: Vector2<D>) -> f64 {

@@ -1,10 +1,10 @@
 //! The closest point of a smoothed corner between parabolic segments.
 
-use super::{CornerFoot, Foot, View, check_tangent};
+use super::{CornerFoot, Foot, View, check_tangent, corner};
 use crate::Octuple;
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Case, Convention, Element, Fields, Formula, Jacobian, Kink, Law, Source, Spec};
+use crate::formula::{Case, Element, Fields, Formula, Jacobian, Kink, Law, Source, Spec};
 use crate::quantity::{FRACTION, X1, X2, X3, X4, X5, XS};
 use crate::scalar::Scalar;
 use crate::slide_line::corners::{curved_corner, parabolic_corners};
@@ -109,21 +109,9 @@ impl Formula for ClosestSmoothedParabolic {
     }
 
     fn cases() -> Vec<Case<ParabolicCornerSlave<f64>>> {
-        let mut cases = vec![
-            Case::hand("open", "straight segments, z = r² + 1/4: foot (0, 0.25) at t = 1/2", at_corner(0.0, 0.5)),
-            Case::hand("on-the-curve", "separation 0", at_corner(0.25, 0.3125)),
-            Case::hand("closed", "penetration of 1/4", at_corner(0.0, 0.0)),
-            Case::hand("tied", "two places inside are equally near: the first is taken", at_corner(0.0, 0.875)),
-            Case::hand("tied-ends", "both ends are equally near: the first is taken", at_corner(0.0, 3.0)),
-            Case::limit("before-start", "the foot stays at t = 0", at_corner(-2.0, 1.0)),
-            Case::limit("behind-end", "the foot stays at t = 1", at_corner(2.0, 1.0)),
-            Case::hand("at-start", "foot exactly at t = 0", at_corner(-1.0, 0.0)),
-            Case::hand("at-end", "foot exactly at t = 1", at_corner(1.0, 0.0)),
-            Case::hard("centre", "on the centre of curvature: three feet merge", at_corner(0.0, 0.75)),
-            Case::hard("near-centre-1e-4", "1e-4 beside the centre of curvature", at_corner(1e-4, 0.75)),
-            Case::hard("near-centre-1e-8", "1e-8 beside the centre of curvature", at_corner(1e-8, 0.75)),
-            Case::hard("near-medial", "1e-12 beside the medial axis", at_corner(1e-12, 0.875)),
-        ];
+        let mut cases =
+            vec![Case::hand("open", "straight segments, z = r² + 1/4: foot (0, 0.25) at t = 1/2", at_corner(0.0, 0.5))];
+        cases.extend(corner::cases(at_corner));
         let beside = |[x1, x2, x3, x4, x5]: [Vector2<f64>; 5], f, t| {
             let on = SmoothedParabolicPoint::eval(&ParabolicCornerPlace { x1, x2, x3, x4, x5, f, t });
             ParabolicCornerSlave { xs: on.x + left(on.dx) * 0.3125, x1, x2, x3, x4, x5, f }
@@ -157,29 +145,15 @@ impl Formula for ClosestSmoothedParabolic {
     }
 
     fn kinks() -> Vec<Kink<Self>> {
-        vec![
-            Kink {
-                condition: r"(\mathbf{x}_s-\mathbf{X})\cdot\mathbf{X}' = 0 \text{ at } t = 0 \text{ or } 1",
-                convention: Convention::Switch,
-                holds: |i| Foot::on(&i.view()).is_exactly_at_end(&i.view()),
-                at: || at_corner(1.0, 0.0),
-                across: along_r,
-            },
-            Kink {
-                condition: r"\text{two places equally near}",
-                convention: Convention::Switch,
-                holds: |i| i.view().is_tied(),
-                at: || at_corner(0.0, 0.875),
-                across: along_r,
-            },
-            Kink {
-                condition: r"\mathbf{x}_s \text{ on the centre of curvature}",
-                convention: Convention::Switch,
-                holds: |i| Foot::on(&i.view()).is_centre_of_curvature(),
-                at: || at_corner(0.0, 0.75),
-                across: along_r,
-            },
-        ]
+        corner::kinks::<Self>(
+            [
+                |i| Foot::on(&i.view()).is_exactly_at_end(&i.view()),
+                |i| i.view().is_tied(),
+                |i| Foot::on(&i.view()).is_centre_of_curvature(),
+            ],
+            [|| at_corner(1.0, 0.0), || at_corner(0.0, 0.875), || at_corner(0.0, 0.75)],
+            along_r,
+        )
     }
 
     fn laws() -> Vec<Law<Self>> {

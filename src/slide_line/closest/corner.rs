@@ -1,0 +1,38 @@
+//! What both smoothed corners are tried with: the corner z = r² + 1/4, which straight segments and parabolas share.
+
+use crate::Octuple;
+use crate::formula::{Case, Convention, Formula, Kink};
+
+/// Slave points about the corner, given by their place (r, z) seen from the vertex; but for the first, which names it.
+pub(super) fn cases<I>(at_corner: fn(f64, f64) -> I) -> Vec<Case<I>> {
+    vec![
+        Case::hand("on-the-curve", "separation 0", at_corner(0.25, 0.3125)),
+        Case::hand("closed", "penetration of 1/4", at_corner(0.0, 0.0)),
+        Case::hand("tied", "two places inside are equally near: the first is taken", at_corner(0.0, 0.875)),
+        Case::hand("tied-ends", "both ends are equally near: the first is taken", at_corner(0.0, 3.0)),
+        Case::limit("before-start", "the foot stays at t = 0", at_corner(-2.0, 1.0)),
+        Case::limit("behind-end", "the foot stays at t = 1", at_corner(2.0, 1.0)),
+        Case::hand("at-start", "foot exactly at t = 0", at_corner(-1.0, 0.0)),
+        Case::hand("at-end", "foot exactly at t = 1", at_corner(1.0, 0.0)),
+        Case::hard("centre", "on the centre of curvature: three feet merge", at_corner(0.0, 0.75)),
+        Case::hard("near-centre-1e-4", "1e-4 beside the centre of curvature", at_corner(1e-4, 0.75)),
+        Case::hard("near-centre-1e-8", "1e-8 beside the centre of curvature", at_corner(1e-8, 0.75)),
+        Case::hard("near-medial", "1e-12 beside the medial axis", at_corner(1e-12, 0.875)),
+    ]
+}
+
+/// Whether inputs are on a kink.
+type Holds<F> = fn(&<F as Formula>::Inputs<Octuple>) -> bool;
+/// A point on it, or a direction across.
+type Inputs<F> = fn() -> <F as Formula>::Inputs<f64>;
+
+/// Where the foot has no derivative: it enters or leaves an end, there are two, or several merge.
+pub(super) fn kinks<F: Formula>(holds: [Holds<F>; 3], at: [Inputs<F>; 3], across: Inputs<F>) -> Vec<Kink<F>> {
+    let conditions = [
+        r"(\mathbf{x}_s-\mathbf{X})\cdot\mathbf{X}' = 0 \text{ at } t = 0 \text{ or } 1",
+        r"\text{two places equally near}",
+        r"\mathbf{x}_s \text{ on the centre of curvature}",
+    ];
+    let switch = |(condition, (holds, at))| Kink { condition, convention: Convention::Switch, holds, at, across };
+    conditions.into_iter().zip(holds.into_iter().zip(at)).map(switch).collect()
+}
