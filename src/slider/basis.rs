@@ -4,13 +4,14 @@ use super::Ends;
 use super::across::Across;
 use super::hard::lines;
 use super::line::Line;
+use super::span::Span;
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Case, Convention, Element, Formula, Jacobian, Kink, Law, Source, Spec};
 use crate::quantity::{SLIDER_DN, SLIDER_DT1, SLIDER_DT2, SLIDER_N, SLIDER_T1, SLIDER_T2};
 use crate::scalar::Scalar;
 use crate::verify::law;
-use nalgebra::Vector3;
+use nalgebra::{Vector2, Vector3};
 
 fields! {
     /// The direction of the line.
@@ -43,21 +44,23 @@ impl Formula for Basis {
     fn eval<D: Scalar>(i: &LineDirection<D>) -> Tangents<D> {
         let across = Across::new(&i.n);
         let ([ray_1, _], [root, _]) = (across.rays(), across.roots);
-        let [ca, cb] = across.c.map(|c| c * i.n[across.axis] / root);
-        Tangents { t1: ray_1 / root, t2: across.vector(-root * across.sideways.unit, ca, cb) }
+        let Span { d: c, binade, .. } = across.projected;
+        let tilted = c * across.split(&i.n).0 / root;
+        Tangents { t1: ray_1 / root, t2: across.vector(-root * binade.unit, tilted.x, tilted.y) }
     }
 
     fn jacobian<D: Scalar>(i: &LineDirection<D>) -> Jacobian<Self, D> {
         let across = Across::new(&i.n);
         let Azimuth { ca, cb, ca_n, cb_n } = Azimuth::new(&across);
-        let (polar, zero) = (i.n[across.axis], D::zero());
+        let (polar, zero) = (across.split(&i.n).0, D::zero());
         let row = |by_axis: D, [by_a, by_b]: [D; 2]| LineDirection { n: across.vector(by_axis, by_a, by_b) };
         let nothing = row(zero, [zero; 2]);
         let mut rows = Tangents { t1: [nothing; 3].into(), t2: [row(zero, [-ca, -cb]); 3].into() };
-        rows.t1[across.a] = row(zero, cb_n);
-        rows.t1[across.b] = row(zero, ca_n.map(|x| -x));
-        rows.t2[across.a] = row(ca, ca_n.map(|x| polar * x));
-        rows.t2[across.b] = row(cb, cb_n.map(|x| polar * x));
+        let [_, a, b] = across.axes();
+        rows.t1[a] = row(zero, cb_n);
+        rows.t1[b] = row(zero, ca_n.map(|x| -x));
+        rows.t2[a] = row(ca, ca_n.map(|x| polar * x));
+        rows.t2[b] = row(cb, cb_n.map(|x| polar * x));
         rows
     }
 
@@ -131,16 +134,16 @@ struct Azimuth<D> {
 impl<D: Scalar> Azimuth<D> {
     fn new(across: &Across<D>) -> Self {
         let [root, _] = across.roots;
-        let [ca, cb] = across.c.map(|c| c / root);
-        let h = root * across.sideways.unit;
+        let Span { d: c, binade, .. } = across.projected;
+        let (ca, cb, h) = (c.x / root, c.y / root, root * binade.unit);
         Self { ca, cb, ca_n: [cb * cb / h, -ca * cb / h], cb_n: [-ca * cb / h, ca * ca / h] }
     }
 }
 
 /// The angular velocity of n about the axis, (n_a dn_b − n_b dn_a)/h².
-fn spin<D: Scalar>(across: &Across<D>, dn: &Vector3<D>) -> D {
-    let [ca, cb] = across.c;
-    (ca * dn[across.b] - cb * dn[across.a]) / across.square * across.sideways.per_unit
+fn spin<D: Scalar>(across: &Across<D>, dn: &Vector2<D>) -> D {
+    let Span { d: c, square, binade } = across.projected;
+    c.perp(dn) / square * binade.per_unit
 }
 
 /// The directions of the hard lines, as a program would compute them.
@@ -181,12 +184,12 @@ impl Formula for BasisVariation {
     fn eval<D: Scalar>(i: &TurningDirection<D>) -> TangentChanges<D> {
         let across = Across::new(&i.n);
         let Azimuth { ca, cb, .. } = Azimuth::new(&across);
-        let (polar, dn) = (i.n[across.axis], &i.dn);
-        let (dn_axis, omega) = (dn[across.axis], spin(&across, dn));
+        let ((polar, _), (dn_axis, dn)) = (across.split(&i.n), across.split(&i.dn));
+        let omega = spin(&across, &dn);
         TangentChanges {
             dt1: across.vector(D::zero(), ca * omega, cb * omega),
             dt2: across.vector(
-                -(ca * dn[across.a] + cb * dn[across.b]),
+                -(ca * dn.x + cb * dn.y),
                 ca * dn_axis - polar * cb * omega,
                 cb * dn_axis + polar * ca * omega,
             ),
@@ -196,10 +199,9 @@ impl Formula for BasisVariation {
     fn jacobian<D: Scalar>(i: &TurningDirection<D>) -> Jacobian<Self, D> {
         let across = Across::new(&i.n);
         let Azimuth { ca, cb, ca_n, cb_n } = Azimuth::new(&across);
-        let (polar, dn) = (i.n[across.axis], &i.dn);
-        let (dn_axis, dn_a, dn_b) = (dn[across.axis], dn[across.a], dn[across.b]);
-        let h = across.roots[0] * across.sideways.unit;
-        let omega = spin(&across, dn);
+        let ((polar, _), (dn_axis, dn)) = (across.split(&i.n), across.split(&i.dn));
+        let (dn_a, dn_b, omega) = (dn.x, dn.y, spin(&across, &dn));
+        let h = across.roots[0] * across.projected.binade.unit;
         let (sum, difference) = (ca * cb * 2.0, (cb - ca) * (cb + ca));
         let omega_n = [difference * dn_b + sum * dn_a, difference * dn_a - sum * dn_b].map(|x| x / h / h);
         let omega_dn = [-cb / h, ca / h];
@@ -214,13 +216,14 @@ impl Formula for BasisVariation {
         let nothing = TurningDirection { n: place(zero, [zero; 2]), dn: place(zero, [zero; 2]) };
         let spread = TurningDirection { n: place(zero, sum_of(-dn_a, ca_n, -dn_b, cb_n)), dn: place(zero, [-ca, -cb]) };
         let mut rows = TangentChanges { dt1: [nothing; 3].into(), dt2: [spread; 3].into() };
-        rows.dt1[across.a] = TurningDirection { n: place(zero, a_n), dn: place(zero, a_dn) };
-        rows.dt1[across.b] = TurningDirection { n: place(zero, b_n), dn: place(zero, b_dn) };
-        rows.dt2[across.a] = TurningDirection {
+        let [_, a, b] = across.axes();
+        rows.dt1[a] = TurningDirection { n: place(zero, a_n), dn: place(zero, a_dn) };
+        rows.dt1[b] = TurningDirection { n: place(zero, b_n), dn: place(zero, b_dn) };
+        rows.dt2[a] = TurningDirection {
             n: place(-cb * omega, sum_of(dn_axis, ca_n, -polar, b_n)),
             dn: place(ca, b_dn.map(|x| -polar * x)),
         };
-        rows.dt2[across.b] = TurningDirection {
+        rows.dt2[b] = TurningDirection {
             n: place(ca * omega, sum_of(dn_axis, cb_n, polar, a_n)),
             dn: place(cb, a_dn.map(|x| polar * x)),
         };
@@ -275,7 +278,7 @@ impl Formula for BasisVariation {
                     let along = |row: LineDirection<_>| row.n.dot(&i.dn);
                     let TangentChanges { dt1, dt2 } = Self::eval(i);
                     let across = Across::new(&i.n);
-                    let spin = law::length(i.dn) / (across.roots[0] * across.sideways.unit);
+                    let spin = law::length(i.dn) / (across.roots[0] * across.projected.binade.unit);
                     let first = dt1.iter().zip(&jac.t1).map(|(&dt, &row)| (dt, along(row)));
                     let second = dt2.iter().zip(&jac.t2).map(|(&dt, &row)| (dt, along(row)));
                     law::equal_all_with(first.chain(second), spin * law::length(i.n))

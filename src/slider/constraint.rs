@@ -3,7 +3,6 @@
 use super::across::Across;
 use super::hard::{lines, scenes};
 use super::span::{Span, Station};
-use super::{Constraint2d, Nodes2d};
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Case, Convention, Element, Formula, Jacobian, Kink, Law, Source, Spec};
@@ -12,7 +11,7 @@ use crate::quantity::{
 };
 use crate::scalar::{Scalar, abs};
 use crate::verify::law;
-use nalgebra::{Vector2, Vector3};
+use nalgebra::Vector3;
 
 fields! {
     /// The line, and node m.
@@ -29,38 +28,49 @@ fields! {
 #[derive(Clone, Copy, Debug)]
 pub struct Constraint;
 
-/// The nodes as t1 sees them, projected along its axis: a line in the plane.
-#[inline]
-fn projected<D: Scalar>(i: &Nodes<D>, across: &Across<D>) -> Nodes2d<D> {
-    let project = |v: &Vector3<D>| Vector2::new(v[across.a], v[across.b]);
-    Nodes2d { x1: project(&i.x1), xn: project(&i.xn), xm: project(&i.xm) }
+/// Node m as both directions across the line see it.
+struct View<D> {
+    across: Across<D>,
+    /// Along the line.
+    station: Station<D, 3>,
+    /// Along the projection of the line that t1 sees.
+    projected: Station<D, 2>,
 }
 
-/// How g2 varies with the component of an end of the line along a or b ("own"), in proportion:
-/// c_other (c_other p_own − c_own p_other) − share c·c c_own, where p leads to m from any point of the projected line.
-///
-/// The share is ξ for node n, and ξ − 1 for node 1, where the sign changes too. Node 1, node n, or one of them together with the
-/// part of xm − x1 across the line will do for p. The three sums are equal, but where one is what a cancellation leaves, another
-/// need not be: the one of the smallest terms is taken, so that rounding does no more harm than that of the inputs.
-#[inline]
-fn bend<D: Scalar, const OWN: usize>(
-    c: Vector2<D>,
-    share: D,
-    from_ends: [Vector2<D>; 2],
-    aside: Vector2<D>,
-    end: usize,
-) -> D {
-    let (own, other) = (OWN, 1 - OWN);
-    // A sum with the size of its terms: numbers are selected without a branch, which would be mispredicted at every other line.
-    let sum = |p: D, q: D, last: D| {
-        let [p, q, last] = [c[other] * c[other] * p, -c[other] * c[own] * q, -share * last];
-        (p + q + last, abs(p) + abs(q) + abs(last))
-    };
-    let whole = c.dot(&c) * c[own];
-    let [first, second] = from_ends.map(|p| sum(p[own], p[other], whole));
-    let mixed = sum(aside[own], from_ends[end][other], c[own] * c[own] * c[own]);
-    let smaller = |x: (D, D), y: (D, D)| if y.1 < x.1 { y } else { x };
-    smaller(smaller(first, second), mixed).0
+impl<D: Scalar> View<D> {
+    #[inline]
+    fn new(i: &Nodes<D>) -> Self {
+        let across = Across::new(&(i.xn - i.x1));
+        let project = |v: &Vector3<D>| across.split(v).1;
+        let projected = Station::new(&across.projected, &project(&i.x1), &project(&i.xn), &project(&i.xm));
+        Self { across, station: Station::new(&Span::new(&i.x1, &i.xn), &i.x1, &i.xn, &i.xm), projected }
+    }
+
+    /// g1 times the length of its ray.
+    #[inline]
+    fn sideward(&self) -> D {
+        self.projected.offset.perp(&self.across.projected.d)
+    }
+
+    #[inline]
+    fn distances(&self) -> Distances<D> {
+        let ([_, along_2], [root_1, root_2]) = (self.across.along_rays(&self.station.offset), self.across.roots);
+        Distances { g1: self.sideward() / root_1, g2: along_2 / root_2 }
+    }
+
+    /// With d = xn − x1, ∂g1/∂d = −ξ′ t1, where ξ′ is the share of m in the projection that t1 sees, and ∂g2/∂d = −ξ t2 +
+    /// (n·i) g1/|i × d| t1: t2 turns with the line, and with t1 about i.
+    #[inline]
+    fn gradients(&self) -> Distances<Nodes<D>> {
+        let ([ray_1, ray_2], [root_1, root_2]) = (self.across.rays(), self.across.roots);
+        let (per_1, per_2) = (root_1.recip(), root_2.recip());
+        let (t1, t2, turn) = (ray_1 * per_1, ray_2 * per_2, self.across.twist(self.sideward()) * per_2);
+        let ([share, rest], [share_1, rest_1]) = (self.station.shares(), self.projected.shares());
+        Distances {
+            g1: Nodes { x1: t1 * -rest_1, xn: t1 * -share_1, xm: t1 },
+            g2: Nodes { x1: -turn - t2 * rest, xn: turn - t2 * share, xm: t2 },
+        }
+    }
 }
 
 impl Formula for Constraint {
@@ -70,7 +80,8 @@ impl Formula for Constraint {
         latex: r"g_q = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{t}_q,\quad q = 1, 2",
         source: Source::SLIDER.section("Constraint"),
         eta: 4.0,
-        eta_jacobian: 10.0,
+        // An entry of ∂g2 is a sum of a turn about i and one across it; where they cancel, the sum keeps their roundings.
+        eta_jacobian: 24.0,
         objective: false,
     };
     type Inputs<T: Element> = Nodes<T>;
@@ -78,35 +89,18 @@ impl Formula for Constraint {
 
     #[inline]
     fn eval<D: Scalar>(i: &Nodes<D>) -> Distances<D> {
-        let across = Across::new(&(i.xn - i.x1));
-        let station = Station::new(&Span::new(&i.x1, &i.xn), &i.x1, &i.xn, &i.xm);
-        let [_, along_2] = across.along_rays(&station.offset);
-        Distances { g1: -Constraint2d::eval(&projected(i, &across)).g, g2: along_2 / across.roots[1] }
+        View::new(i).distances()
     }
 
-    /// Of g1, ∂g1/∂xn = −ξ′ t1 and ∂g1/∂x1 = −(1 − ξ′) t1 with the share ξ′ of m in the projection along e. Of g2, along e,
-    /// ∂g2/∂xn = −ξ t2 and ∂g2/∂x1 = −(1 − ξ) t2; along a and b see `bend`.
     #[inline]
     fn jacobian<D: Scalar>(i: &Nodes<D>) -> Jacobian<Self, D> {
-        let (span, across) = (Span::new(&i.x1, &i.xn), Across::new(&(i.xn - i.x1)));
-        let ([_, ray], [_, root]) = (across.rays(), across.roots);
-        let station = Station::new(&span, &i.x1, &i.xn, &i.xm);
-        let side = |v: Vector3<D>| Vector2::new(v[across.a], v[across.b]) * D::from(across.sideways.per_unit);
-        let ends = [side(i.xm - i.x1), side(i.xm - i.xn)];
-        let aside = side(station.aside(&span));
-        let size = across.along / across.square;
-        let row = |end: usize, share: D| {
-            let c = across.c.into();
-            let by_a = bend::<D, 0>(c, share, ends, aside, end) * size;
-            let by_b = bend::<D, 1>(c, share, ends, aside, end) * size;
-            across.vector(-ray[across.axis] * share, by_a, by_b) / root
-        };
-        let [share, rest] = station.shares();
-        let g2 = Nodes { x1: -row(1, -rest), xn: row(0, share), xm: ray / root };
+        View::new(i).gradients()
+    }
 
-        let Nodes2d { x1, xn, xm } = Constraint2d::jacobian(&projected(i, &across)).g;
-        let lift = |v: Vector2<D>| across.vector(D::zero(), -v.x, -v.y);
-        Distances { g1: Nodes { x1: lift(x1), xn: lift(xn), xm: lift(xm) }, g2 }
+    #[inline]
+    fn linearized<D: Scalar>(i: &Nodes<D>) -> (Distances<D>, Jacobian<Self, D>) {
+        let view = View::new(i);
+        (view.distances(), view.gradients())
     }
 
     fn validate(i: &Nodes<f64>) -> Result<(), Error> {
@@ -217,7 +211,7 @@ impl Formula for IncrementalConstraint {
         let share_v = v.dot(&span.d) * span.binade.per_unit / span.square;
         // Everything times the length of the ray, by which the rows are divided in the end.
         let (ray, gain) = (across.rays(), across.along_rays(&(i.dxn - i.dx1)));
-        let twist = across.twist(across.sideward(v[across.a], v[across.b]));
+        let twist = across.twist(across.split(&v).1.perp(&across.projected.d));
         let turning = [ray[0] * -across.share_outward(&v), twist - ray[1] * share_v];
         let row = |q: usize| {
             let root = across.roots[q];

@@ -201,12 +201,17 @@ impl Formula for Increment {
 
     #[inline]
     fn jacobian<D: Scalar>(i: &KeptIncrement<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &KeptIncrement<D>) -> (Increments<D>, Jacobian<Self, D>) {
         // The axes as constants, so that no index is looked up: half as long in f64.
         match Pivots::new(&i.x1, &i.xn) {
-            Pivots { i: 1, j: 0, .. } => gradients::<D, 1, 0, 2>(i),
-            Pivots { i: 1, .. } => gradients::<D, 1, 2, 0>(i),
-            Pivots { j: 0, .. } => gradients::<D, 2, 0, 1>(i),
-            Pivots { .. } => gradients::<D, 2, 1, 0>(i),
+            Pivots { i: 1, j: 0, .. } => along_axes::<D, 1, 0, 2>(i),
+            Pivots { i: 1, .. } => along_axes::<D, 1, 2, 0>(i),
+            Pivots { j: 0, .. } => along_axes::<D, 2, 0, 1>(i),
+            Pivots { .. } => along_axes::<D, 2, 1, 0>(i),
         }
     }
 
@@ -331,17 +336,19 @@ impl Formula for Increment {
     }
 }
 
-/// The Jacobian of [`Increment`] for these axes.
+/// Value and Jacobian of [`Increment`] for these axes.
 #[inline]
-fn gradients<D: Scalar, const I: usize, const J: usize, const K: usize>(
+fn along_axes<D: Scalar, const I: usize, const J: usize, const K: usize>(
     i: &KeptIncrement<D>,
-) -> Increments<KeptIncrement<D>> {
-    let rows = Slide::new(&i.x1, &i.xn, &i.xm, K).gradients(&i.dx1, &i.dxn, i.dxmk);
+) -> (Increments<D>, Increments<KeptIncrement<D>>) {
+    let slide = Slide::new(&i.x1, &i.xn, &i.xm, K);
+    let [dxmi, dxmj] = slide.increments([I, J], &i.dx1, &i.dxn, i.dxmk);
+    let rows = slide.gradients(&i.dx1, &i.dxn, i.dxmk);
     let row = |axis: usize| {
         let row = rows.row(axis);
         KeptIncrement { x1: row.x1, xn: row.xn, xm: row.xm, dx1: row.dx1, dxn: row.dxn, dxmk: row.dxmk }
     };
-    Increments { dxmi: row(I), dxmj: row(J) }
+    (Increments { dxmi, dxmj }, Increments { dxmi: row(I), dxmj: row(J) })
 }
 
 /// A point of the line with the k-th coordinate of xm.

@@ -15,7 +15,12 @@ pub(super) struct Span<D, const N: usize> {
 impl<D: Scalar, const N: usize> Span<D, N> {
     #[inline]
     pub(super) fn new(x1: &SVector<D, N>, xn: &SVector<D, N>) -> Self {
-        let d = xn - x1;
+        Self::along(xn - x1)
+    }
+
+    /// The line with this d.
+    #[inline]
+    pub(super) fn along(d: SVector<D, N>) -> Self {
         let binade = Binade::of(d.as_slice());
         let d = d * D::from(binade.per_unit);
         Self { d, square: d.dot(&d), binade }
@@ -56,12 +61,6 @@ impl<D: Scalar, const N: usize> Station<D, N> {
     pub(super) fn blend(&self, u1: &SVector<D, N>, un: &SVector<D, N>) -> SVector<D, N> {
         let end = if self.nearer_to_n { un } else { u1 };
         end + (un - u1) * self.tau
-    }
-
-    /// The part of m − x1 across the line.
-    #[inline]
-    pub(super) fn aside(&self, span: &Span<D, N>) -> SVector<D, N> {
-        self.offset - span.d * (self.tau * span.binade.unit)
     }
 
     /// The gradients of ξ with respect to x1, xn and xm.
