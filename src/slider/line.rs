@@ -45,8 +45,8 @@ impl Formula for Line {
         let Direction { n, l } = Self::eval(i);
         let turn = across(&n) / l;
         let row = |by_xn: Vector3<D>| Ends { x1: -by_xn, xn: by_xn };
-        let rows = [0, 1, 2].map(|axis| row(turn.column(axis).into_owned()));
-        Direction { n: rows.into(), l: row(n) }
+        let along = |axis: usize| row(turn.column(axis).into_owned());
+        Direction { n: Vector3::new(along(0), along(1), along(2)), l: row(n) }
     }
 
     fn validate(i: &Ends<f64>) -> Result<(), Error> {
@@ -144,8 +144,8 @@ impl Formula for DirectionVariation {
         let outer = dn * n.transpose();
         let bend = -(outer + outer.transpose() + turn * dl) / l;
         let row = |xn: Vector3<D>, dxn: Vector3<D>| MovingEnds { x1: -xn, xn, dx1: -dxn, dxn };
-        let rows = [0, 1, 2].map(|axis| row(bend.column(axis).into_owned(), turn.column(axis).into_owned()));
-        DirectionChange { dn: rows.into(), dl: row(dn, n) }
+        let along = |axis: usize| row(bend.column(axis).into_owned(), turn.column(axis).into_owned());
+        DirectionChange { dn: Vector3::new(along(0), along(1), along(2)), dl: row(dn, n) }
     }
 
     fn validate(i: &MovingEnds<f64>) -> Result<(), Error> {

@@ -72,12 +72,13 @@ fn worst(errors: Option<&Errors>) -> String {
     }
 }
 
-/// The parts of the chapter, by the argument of `{{#speed …}}`.
+/// The parts of the chapter, by the argument of `{{#speed …}}`; a family may follow, as in `{{#speed own slider}}`.
 pub(crate) const PARTS: &str =
     "speed about, speed verdict, speed overviews, speed table, speed differences and speed own";
 
-/// One part of the chapter; `None` if there is no such part.
-pub(crate) fn part(pages: &Pages<'_>, at: &Place, name: &str) -> Option<String> {
+/// One part of the chapter, of all formulas or of a family; `None` if there is no such part.
+pub(crate) fn part(pages: &Pages<'_>, at: &Place, argument: &str) -> Option<String> {
+    let (name, family) = argument.split_once(' ').unwrap_or((argument, ""));
     let part: fn(&Pages<'_>, &Place, &Report) -> String = match name {
         "about" => |_, _, report| about(report),
         "verdict" => verdict,
@@ -88,7 +89,8 @@ pub(crate) fn part(pages: &Pages<'_>, at: &Place, name: &str) -> Option<String> 
         _ => return None,
     };
     Some(match &pages.content.report {
-        Some(report) => part(pages, at, report),
+        Some(report) if family.is_empty() => part(pages, at, report),
+        Some(report) => part(pages, at, &report.of_family(family)),
         None => "<p class=\"missing\">Not measured; <code>cargo xtask report</code> does.</p>".into(),
     })
 }

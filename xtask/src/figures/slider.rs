@@ -1,14 +1,9 @@
-//! SLIDER by both routes: errors where a line is hard, the jump of t1 and t2, and times.
+//! SLIDER by both routes: errors where a line is hard, and the jump of t1 and t2.
 
 use super::chart::{Axis, Chart, Curve};
-use jointproof::formula::Formula;
-use jointproof::slider::{
-    Eliminate, Increment, KeptCoordinate, KeptIncrement, Nodes, Pivots, Setting, Slider, documented,
-};
+use jointproof::slider::{Nodes, Setting, Slider};
 use nalgebra::Vector3;
 use std::fmt::Write;
-use std::hint::black_box;
-use std::time::{Duration, Instant};
 
 /// Powers of ten, as decimal literals: they are the same doubles everywhere.
 const SMALL: [f64; 17] =
@@ -107,9 +102,7 @@ fn chart(
 
 /// The tables that the chapter shows, by name.
 pub(super) fn outputs() -> Vec<(String, String)> {
-    [("slider-errors", errors()), ("slider-jump", jump()), ("slider-times", times())]
-        .map(|(name, text)| (name.to_owned(), text))
-        .into()
+    [("slider-errors", errors()), ("slider-jump", jump())].map(|(name, text)| (name.to_owned(), text)).into()
 }
 
 fn errors() -> String {
@@ -163,44 +156,4 @@ fn jump() -> String {
 /// To 12 decimals, without a negative zero.
 fn plain(x: f64) -> f64 {
     (x * 1e12).round() / 1e12 + 0.0
-}
-
-/// How long one evaluation takes, on this machine and in this build.
-fn times() -> String {
-    let mut text = format!("{:38}{:>14}{:>14}{:>10}\n", "time of one value", "documented", "direct", "ratio");
-    for (name, tilt) in [("an ordinary line", 1.0), ("angle 1e-8", 1e-8), ("along the x axis", 0.0)] {
-        let scenes = Setting { tilt, ..ORDINARY }.scenes();
-        let kept = |i: &KeptIncrement<f64>| {
-            let k = Pivots::new(&i.x1, &i.xn).k;
-            KeptCoordinate { x1: i.x1, xn: i.xn, xmk: i.xm[k] }
-        };
-        let lines: Vec<_> = scenes.iter().map(kept).collect();
-        let rows = [
-            ("increments", nanoseconds(&scenes, documented::increment), nanoseconds(&scenes, Increment::eval)),
-            ("elimination", nanoseconds(&lines, documented::eliminate), nanoseconds(&lines, Eliminate::eval)),
-        ];
-        for (what, documented, direct) in rows {
-            let _ = writeln!(
-                text,
-                "{:38}{documented:>11.0} ns{direct:>11.0} ns{:>10.1}",
-                format!("{what}, {name}"),
-                documented / direct
-            );
-        }
-    }
-    text
-}
-
-/// The least of many rounds: what interrupts a round makes it longer, and nothing makes it shorter.
-fn nanoseconds<I, O>(inputs: &[I], evaluate: impl Fn(&I) -> O) -> f64 {
-    let round = || {
-        let start = Instant::now();
-        for input in inputs {
-            black_box(evaluate(black_box(input)));
-        }
-        start.elapsed()
-    };
-    let least = (0..2000).map(|_| round()).min().unwrap_or(Duration::MAX);
-    let evaluations = inputs.iter().fold(0.0, |count, _| count + 1.0);
-    least.as_secs_f64() * 1e9 / evaluations
 }

@@ -57,6 +57,12 @@ impl Report {
         self.formulas.iter().find(|measurement| measurement.formula == id)
     }
 
+    /// What it says of the formulas of a family, as `slider`.
+    pub(crate) fn of_family(&self, family: &str) -> Self {
+        let belongs = |measurement: &&Measurement| measurement.formula.split('.').next() == Some(family);
+        Self { formulas: self.formulas.iter().filter(belongs).cloned().collect(), ..self.clone() }
+    }
+
     /// Whether it is about this very version of the code.
     pub(crate) fn is_current(&self) -> bool {
         self.sources == sources()

@@ -29,6 +29,9 @@ pub(crate) enum Speed {
 /// η that two correct roundings of one number can differ by.
 const ROUNDING: f64 = 0.5;
 
+/// η that a few roundings make.
+const FEW: f64 = 8.0;
+
 impl Verdict {
     /// Of a complete measurement.
     pub(crate) fn of(measurement: &Measurement) -> Option<Self> {
@@ -72,10 +75,12 @@ impl Verdict {
         };
         let [closed, ad] = self.eta;
         let accuracy = (!self.accurate).then(|| {
-            format!(
-                "η of the closed form is up to {closed:.2}, of the other {ad:.2}: both are within a few roundings, taken in \
-                 another order"
-            )
+            let why = if closed.max(ad) <= FEW {
+                "both are within a few roundings, taken in another order"
+            } else {
+                "terms cancel in both, and are summed in another order"
+            };
+            format!("η of the closed form is up to {closed:.2}, of the other {ad:.2}: {why}")
         });
         speed.into_iter().chain(accuracy).collect::<Vec<_>>().join("; ")
     }
