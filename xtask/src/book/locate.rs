@@ -56,24 +56,27 @@ impl<'a> Index<'a> {
     pub(crate) fn tests_naming(&self, id: &str, type_name: &str) -> Vec<TestRef> {
         let literal = format!("\"{id}\"");
         let family = id.split('.').next().unwrap_or(id);
-        self.tests(|source, token| {
-            token.text == literal
-                || (source.path.contains(family) && token.kind == Kind::Type && token.text == type_name)
+        self.tests(|source| {
+            let of_family = source.path.contains(family);
+            let literal = &literal;
+            move |token| token.text == literal || (of_family && token.kind == Kind::Type && token.text == type_name)
         })
     }
 
     /// Every test function that runs over the whole catalog.
     pub(crate) fn tests_over_catalog(&self) -> Vec<TestRef> {
-        self.tests(|source, token| {
-            source.path.starts_with("tests/") && ["CATALOG", "for_every_formula"].contains(&token.text)
+        self.tests(|source| {
+            let of_tests = source.path.starts_with("tests/");
+            move |token| of_tests && ["CATALOG", "for_every_formula"].contains(&token.text)
         })
     }
 
-    /// Every test function with a token that `counts`.
-    fn tests(&self, counts: impl Fn(&SourceFile, &Token<'_>) -> bool) -> Vec<TestRef> {
+    /// Every test function with a token that counts; `counting` says for a file which do.
+    fn tests<C: Fn(&Token<'_>) -> bool>(&self, counting: impl Fn(&SourceFile) -> C) -> Vec<TestRef> {
         let mut found: Vec<TestRef> = Vec::new();
         for (source, tokens) in &self.files {
-            for (at, _) in tokens.iter().enumerate().filter(|(_, token)| counts(source, token)) {
+            let counts = counting(source);
+            for (at, _) in tokens.iter().enumerate().filter(|(_, token)| counts(token)) {
                 found.extend(enclosing_test(source, tokens, at).filter(|test| !found.contains(test)));
             }
         }
