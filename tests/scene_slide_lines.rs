@@ -129,7 +129,7 @@ fn what_is_wrong_with_slide_lines_is_said_with_its_place() {
         "elements.e (line 10, column 10): an element without \"slide_line\"",
         "elements.f.slide_line (line 11, column 65): no slide line \"z\"",
         "frames[0].loads (line 13, column 28): unknown key \"loads\"; allowed is one of time, nodes, pressures",
-        "frames[0].pressures.b (line 13, column 56): node \"b\", which is of no element",
+        "frames[0].pressures.b (line 13, column 56): a node of no element",
         "frames[0].pressures.b (line 13, column 61): -1; allowed is a finite number ≥ 0",
     ];
     for (found, expected) in found.iter().zip(expected) {

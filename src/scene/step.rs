@@ -17,6 +17,8 @@ pub struct Wiring {
 
 /// A number in which a plan is evaluated: `f64` for results, [`Octuple`] for their errors.
 pub trait Number: Scalar {
+    /// How many blocks of elements make a task that is worth a thread.
+    const BLOCKS: usize;
     /// An exact double as this number.
     fn exactly(x: f64) -> Self;
     /// The nearest double.
@@ -33,35 +35,32 @@ pub trait Number: Scalar {
 /// Elements that are evaluated together: few enough for their registers to stay in the first-level cache.
 pub(super) const LANES: usize = 32;
 
-/// The registers of a block of elements: of each register the values of all lanes, then of the next.
+/// What the elements of a block have in one register.
+pub(super) type Column<T> = [T; LANES];
+
+/// The registers of a block of elements, a column each: first those that last from state to state, then the others.
 #[derive(Debug)]
 pub struct Lanes<'r, T> {
-    pub(super) registers: &'r mut [T],
+    pub(super) lasting: &'r mut [Column<T>],
+    pub(super) scratch: &'r mut [Column<T>],
+    /// The first element, by its place in its group.
+    pub(super) first: usize,
     /// How many lanes hold an element.
     pub(super) count: usize,
 }
 
 impl<T: Copy> Lanes<'_, T> {
-    /// Writes a run of registers of a lane.
-    pub(super) fn put(&mut self, lane: usize, at: usize, values: &[T]) {
-        for (k, &value) in values.iter().enumerate() {
-            self.registers[(at + k) * LANES + lane] = value;
-        }
-    }
-
-    /// Reads a run of registers of a lane.
-    pub(super) fn take(&self, lane: usize, at: usize, values: &mut [T]) {
-        for (k, value) in values.iter_mut().enumerate() {
-            *value = self.registers[(at + k) * LANES + lane];
-        }
+    pub(super) fn column(&mut self, register: usize) -> &mut Column<T> {
+        let lasting = self.lasting.len();
+        if register < lasting { &mut self.lasting[register] } else { &mut self.scratch[register - lasting] }
     }
 }
 
-/// A formula that rejected its inputs or overflowed, and the lane where.
+/// A formula that rejected its inputs or overflowed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Failure {
-    /// The element, counted from the start of the block.
-    pub lane: usize,
+    /// The element, by its place in its group.
+    pub element: usize,
     /// The formula.
     pub formula: &'static str,
     /// What it says.
@@ -132,48 +131,59 @@ fn run<F: Formula, T: Number>(wiring: &Wiring, lanes: &mut Lanes<'_, T>, failure
     const {
         assert!(components(F::Inputs::<T>::FIELDS) <= MOST && components(F::Outputs::<T>::FIELDS) <= MOST);
     }
-    let cells = Cell::from_mut(&mut *lanes.registers).as_slice_of_cells();
-    let (columns, _) = cells.as_chunks::<LANES>();
-    let Some(first) = columns.first() else { return };
+    let lasting = Cell::from_mut(&mut *lanes.lasting).as_slice_of_cells();
+    let scratch = Cell::from_mut(&mut *lanes.scratch).as_slice_of_cells();
+    let Some(first) = lasting.first() else { return };
     // Looked up once a block, so that the loop below knows where everything is.
     let wired = |registers: &[u16]| {
-        let mut wired = [first; MOST];
+        let mut wired = [first.as_array_of_cells(); MOST];
         for (place, &at) in wired.iter_mut().zip(registers) {
-            *place = columns.get(usize::from(at)).unwrap_or(first);
+            let at = usize::from(at);
+            let column = lasting.get(at).unwrap_or_else(|| &scratch[at - lasting.len()]);
+            *place = column.as_array_of_cells();
         }
         wired
     };
     let (from, to) = (wired(&wiring.inputs), wired(&wiring.outputs));
-    for lane in 0..lanes.count.min(LANES) {
+    let inputs = |lane: usize| {
         let mut next = 0;
-        let inputs = F::Inputs::from_components(&mut || {
+        F::Inputs::from_components(&mut || {
             let value = from[next % MOST][lane].get();
             next += 1;
             value
-        });
-        let mut failed = T::validate::<F>(&inputs).err();
-        let outputs = F::eval(&inputs);
-        let (mut next, mut finite) = (0, true);
-        outputs.for_each_component(&mut |value| {
-            finite &= is_double(value);
+        })
+    };
+    let count = lanes.count.min(LANES);
+    let mut sound = true;
+    for lane in 0..count {
+        let inputs = inputs(lane);
+        sound &= T::validate::<F>(&inputs).is_ok();
+        let mut next = 0;
+        F::eval(&inputs).for_each_component(&mut |value| {
+            sound &= is_double(value);
             to[next % MOST][lane].set(value);
             next += 1;
         });
-        if !finite && failed.is_none() {
-            failed = Some(Error::Overflow { name: overflown::<F, T>(&outputs) });
-        }
-        if let Some(error) = failed {
-            failures.push(Failure { lane, formula: F::SPEC.id, error });
-        }
+    }
+    if !sound {
+        // No formula writes what it reads, so the inputs are still there.
+        failures.extend((0..count).filter_map(|lane| {
+            let error = error_of::<F, T>(&inputs(lane))?;
+            Some(Failure { element: lanes.first + lane, formula: F::SPEC.id, error })
+        }));
     }
 }
 
-/// The first output that is not finite.
+/// What is wrong with these inputs, or with what comes out.
 #[cold]
-fn overflown<F: Formula, T: Number>(outputs: &F::Outputs<T>) -> &'static str {
-    let mut components = outputs.components().into_iter();
-    let mut overflows = |field: &Field| components.by_ref().take(field.len()).any(|value| !is_double(value));
-    F::Outputs::<T>::FIELDS.iter().find(|field| overflows(field)).map_or("a result", |field| field.name)
+fn error_of<F: Formula, T: Number>(inputs: &F::Inputs<T>) -> Option<Error> {
+    if let Err(error) = T::validate::<F>(inputs) {
+        return Some(error);
+    }
+    let mut components = F::eval(inputs).components().into_iter();
+    let mut overflows = |field: &&Field| components.by_ref().take(field.len()).any(|value| !is_double(value));
+    let field = F::Outputs::<T>::FIELDS.iter().find(|field| overflows(field))?;
+    Some(Error::Overflow { name: field.name })
 }
 
 /// Neither NaN nor beyond the largest double.
@@ -183,6 +193,7 @@ fn is_double<T: Number>(x: T) -> bool {
 }
 
 impl Number for f64 {
+    const BLOCKS: usize = 32;
     #[inline]
     fn exactly(x: f64) -> Self {
         x
@@ -201,6 +212,7 @@ impl Number for f64 {
 }
 
 impl Number for Octuple {
+    const BLOCKS: usize = 1;
     fn exactly(x: f64) -> Self {
         Self::from(x)
     }
