@@ -149,9 +149,12 @@ fn a_line_that_cannot_be_slid_on_is_named_with_the_state() {
         "slide_lines": {"plate": {"type": "linear", "nodes": ["a", "b"]}},
         "elements": {"ring": {"kind": "isl21a", "nodes": ["m", "n"], "slide_line": "plate"}},
         "frames": [{"time": 0}, {"time": 1, "nodes": {"b": {"u": [-4, 0]}}}], "outputs": ["E11"]}"#;
+    let inside_out = text.replace("\"u\": [-4, 0]", "\"u\": [-6, 0]");
+    let problems = Results::of(&scene(&inside_out)).unwrap_err().to_string();
+    assert!(problems.contains("node \"b\" has the radius -1"), "{problems}");
     let problems = Results::of(&scene(text)).unwrap_err().to_string();
     assert!(
-        problems.contains("\"plate\", frames[1]") && problems.contains("nodes 1 and 2 are at one place"),
+        problems.contains("\"plate\", frames[1]") && problems.contains("nodes \"a\" and \"b\" are at one place"),
         "{problems}"
     );
 }

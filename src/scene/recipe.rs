@@ -5,6 +5,7 @@ use super::needs::{Needs, wanted};
 use super::plan::Signature;
 use super::step::{Step, Wiring};
 use std::fmt;
+use std::ops::Range;
 
 /// A formula with its wiring.
 pub(super) struct Planned {
@@ -24,6 +25,12 @@ impl fmt::Debug for Planned {
 pub(super) struct Span {
     pub(super) at: usize,
     pub(super) len: usize,
+}
+
+impl Span {
+    pub(super) fn range(self) -> Range<usize> {
+        self.at..self.at + self.len
+    }
 }
 
 /// What is done for every element of a group.
@@ -47,6 +54,8 @@ pub(super) struct Recipe {
 /// Formulas that are evaluated together, and what must be there before.
 #[derive(Debug)]
 pub(super) struct Pass {
+    /// The registers that last and are changed; those before them are not.
+    pub(super) changed: Range<usize>,
     /// What the last state has left, and where it is wanted now.
     pub(super) before: Vec<(Span, Span)>,
     /// What is read of the nodes.
@@ -75,10 +84,11 @@ impl Recipe {
                 parameters.push((index, fallback.number().unwrap_or(0.0), layout.span(name).at));
             }
         }
-        let loads = kind.loads().map(|name| given(name).then(|| layout.span(name).at)).collect();
         for (_, name) in &initial {
             layout.span(name);
         }
+        let unchanged = layout.end;
+        let loads = kind.loads().map(|name| given(name).then(|| layout.span(name).at)).collect();
         for (name, fallback) in kind.parameters().filter(|(name, _)| given(name) && !signature.gives(name)) {
             if let Fallback::As(of) = fallback {
                 layout.share(name, of);
@@ -99,22 +109,25 @@ impl Recipe {
         }
         let lasting = layout.end;
         start_layout.end = lasting;
-        let (start, state) = (Pass::new(&at_start, &mut start_layout), Pass::new(&needs, &mut layout));
+        let start = Pass::new(&at_start, &mut start_layout, 0..unchanged);
+        let state = Pass::new(&needs, &mut layout, unchanged..lasting);
         Self { lasting, registers: layout.end.max(start_layout.end), parameters, loads, start, state, outputs }
     }
 }
 
 impl Pass {
-    fn new(needs: &Needs, layout: &mut Layout) -> Self {
+    fn new(needs: &Needs, layout: &mut Layout, changed: Range<usize>) -> Self {
         let (mut before, mut reads) = (Vec::new(), Vec::new());
         for &(name, origin) in &needs.given {
             match origin {
                 Origin::Before(of) => before.push((layout.span(of), layout.span(name))),
-                Origin::Position(_) | Origin::Increment(_) | Origin::Axis(..) => reads.push((origin, layout.span(name))),
+                Origin::Position(_) | Origin::Increment(_) | Origin::Axis(..) => {
+                    reads.push((origin, layout.span(name)))
+                }
                 _ => {}
             }
         }
-        Self { before, reads, steps: needs.wire(layout) }
+        Self { changed, before, reads, steps: needs.wire(layout) }
     }
 }
 

@@ -28,14 +28,16 @@ pub struct Problem {
     pub formula: &'static str,
     /// What it says.
     pub error: Error,
+    /// The same in words, with nodes called as the scene calls them.
+    pub message: String,
 }
 
 impl std::fmt::Display for Problem {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { element, state, formula, error } = self;
+        let Self { element, state, formula, message, .. } = self;
         match state {
-            Some(state) => write!(f, "element {element:?}, frames[{state}], {formula}: {error}"),
-            None => write!(f, "element {element:?}, initial configuration, {formula}: {error}"),
+            Some(state) => write!(f, "element {element:?}, frames[{state}], {formula}: {message}"),
+            None => write!(f, "element {element:?}, initial configuration, {formula}: {message}"),
         }
     }
 }
@@ -115,7 +117,8 @@ impl<'s, T: Number> Run<'s, T> {
             problems.extend(failures.into_iter().take(LISTED).map(|Failure { element, formula, error }| {
                 let name = self.scene.elements.get_index(group.elements[element] as usize);
                 let element = name.map_or_else(String::new, |(name, _)| name.to_string());
-                Problem { element, state: frame.map(|_| self.state), formula, error }
+                let message = error.to_string();
+                Problem { element, state: frame.map(|_| self.state), formula, error, message }
             }));
         }
         problems.truncate(LISTED);
@@ -131,8 +134,13 @@ impl<'s, T: Number> Run<'s, T> {
         let mut problems = Vec::new();
         for contact in &mut self.contacts {
             let failures = contact.advance(&motion).err().unwrap_or_default();
-            let problem =
-                |(formula, error)| Problem { element: contact.name().into(), state: Some(self.state), formula, error };
+            // Slide lines number the nodes by their place in the scene, from 1.
+            let node = |number: u32| self.scene.nodes.get_index(number as usize - 1);
+            let name = |number: u32| node(number).map_or_else(|| number.to_string(), |(name, _)| format!("{name:?}"));
+            let problem = |(formula, error): (_, Error)| {
+                let message = error.with_names(name);
+                Problem { element: contact.name().into(), state: Some(self.state), formula, error, message }
+            };
             problems.extend(failures.into_iter().map(problem));
         }
         problems
@@ -168,12 +176,18 @@ impl<'s, T: Number> Run<'s, T> {
     }
 }
 
-/// Does a job in pieces of some thousand items; `job` is told where each begins.
-fn chunks<T: Send>(all: &mut [T], job: impl Fn(usize, &mut [T]) + Sync) {
-    const CHUNK: usize = 4096;
-    if all.len() <= CHUNK {
-        job(0, all);
+/// How many of so many items make a task: as many as are worth a thread at least, and few enough for every thread to get
+/// several.
+fn task(items: usize, least: usize) -> usize {
+    items.div_ceil(8 * rayon::current_num_threads()).max(least)
+}
+
+/// Does a job for all items, on all cores if they are many; `job` is told where its share begins.
+fn shared<T: Send>(items: &mut [T], job: impl Fn(usize, &mut [T]) + Sync) {
+    let share = task(items.len(), 4096);
+    if items.len() <= share {
+        job(0, items);
     } else {
-        all.par_chunks_mut(CHUNK).enumerate().for_each(|(index, chunk)| job(index * CHUNK, chunk));
+        items.par_chunks_mut(share).enumerate().for_each(|(index, items)| job(index * share, items));
     }
 }

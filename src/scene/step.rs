@@ -1,9 +1,11 @@
 //! A formula as a step of a plan: it reads its inputs from an element's registers and writes its outputs there.
 
+use super::recipe::Span;
 use crate::error::Error;
 use crate::formula::{Field, Fields, Formula};
 use crate::scalar::abs;
 use crate::{Octuple, Scalar};
+use nalgebra::Vector3;
 use std::cell::Cell;
 
 /// Where in the registers a step finds its inputs and puts its outputs, component by component.
@@ -19,6 +21,8 @@ pub struct Wiring {
 pub trait Number: Scalar {
     /// How many blocks of elements make a task that is worth a thread.
     const BLOCKS: usize;
+    /// Whether lanes that hold no element are left out. To tell them apart costs a double more than to evaluate them.
+    const SPARES: bool;
     /// An exact double as this number.
     fn exactly(x: f64) -> Self;
     /// The nearest double.
@@ -33,26 +37,42 @@ pub trait Number: Scalar {
 }
 
 /// Elements that are evaluated together: few enough for their registers to stay in the first-level cache.
-pub(super) const LANES: usize = 32;
+pub(super) const LANES: usize = 64;
+/// Lanes that are evaluated side by side, for which the compiler may then use vector instructions.
+const ABREAST: usize = 8;
 
 /// What the elements of a block have in one register.
-pub(super) type Column<T> = [T; LANES];
+pub(super) type Column<T> = [[T; ABREAST]; LANES / ABREAST];
 
-/// The registers of a block of elements, a column each: first those that last from state to state, then the others.
+/// A column that is the same for all.
+pub(super) fn column<T: Number>(value: T) -> Column<T> {
+    [[value; ABREAST]; LANES / ABREAST]
+}
+
+/// A block of elements: a column per register.
 #[derive(Debug)]
 pub struct Lanes<'r, T> {
-    pub(super) lasting: &'r mut [Column<T>],
-    pub(super) scratch: &'r mut [Column<T>],
+    pub(super) registers: &'r mut [Column<T>],
     /// The first element, by its place in its group.
     pub(super) first: usize,
     /// How many lanes hold an element.
     pub(super) count: usize,
 }
 
-impl<T: Copy> Lanes<'_, T> {
-    pub(super) fn column(&mut self, register: usize) -> &mut Column<T> {
-        let lasting = self.lasting.len();
-        if register < lasting { &mut self.lasting[register] } else { &mut self.scratch[register - lasting] }
+impl<T: Number> Lanes<'_, T> {
+    /// Fills the registers of a vector, or of its part in the plane.
+    pub(super) fn fill(&mut self, span: Span, vectors: impl Iterator<Item = Vector3<T>>) {
+        match &mut self.registers[span.range()] {
+            [x, y, z] => {
+                let [x, y, z] = [x, y, z].map(|column| column.as_flattened_mut());
+                vectors.zip(x).zip(y).zip(z).for_each(|(((v, x), y), z)| (*x, *y, *z) = (v.x, v.y, v.z));
+            }
+            [x, y] => {
+                let [x, y] = [x, y].map(|column| column.as_flattened_mut());
+                vectors.zip(x).zip(y).for_each(|((v, x), y)| (*x, *y) = (v.x, v.y));
+            }
+            _ => {}
+        }
     }
 }
 
@@ -128,50 +148,72 @@ const fn components(fields: &[Field]) -> usize {
 }
 
 fn run<F: Formula, T: Number>(wiring: &Wiring, lanes: &mut Lanes<'_, T>, failures: &mut Vec<Failure>) {
+    let (reads, writes) =
+        (const { components(F::Inputs::<f64>::FIELDS) }, const { components(F::Outputs::<f64>::FIELDS) });
     const {
-        assert!(components(F::Inputs::<T>::FIELDS) <= MOST && components(F::Outputs::<T>::FIELDS) <= MOST);
+        assert!(components(F::Inputs::<f64>::FIELDS) <= MOST && components(F::Outputs::<f64>::FIELDS) <= MOST);
     }
-    let lasting = Cell::from_mut(&mut *lanes.lasting).as_slice_of_cells();
-    let scratch = Cell::from_mut(&mut *lanes.scratch).as_slice_of_cells();
-    let Some(first) = lasting.first() else { return };
+    let columns = Cell::from_mut(&mut *lanes.registers).as_slice_of_cells();
+    let column = |register: u16| columns[usize::from(register)].as_array_of_cells();
     // Looked up once a block, so that the loop below knows where everything is.
-    let wired = |registers: &[u16]| {
-        let mut wired = [first.as_array_of_cells(); MOST];
-        for (place, &at) in wired.iter_mut().zip(registers) {
-            let at = usize::from(at);
-            let column = lasting.get(at).unwrap_or_else(|| &scratch[at - lasting.len()]);
-            *place = column.as_array_of_cells();
-        }
-        wired
-    };
-    let (from, to) = (wired(&wiring.inputs), wired(&wiring.outputs));
-    let inputs = |lane: usize| {
-        let mut next = 0;
-        F::Inputs::from_components(&mut || {
-            let value = from[next % MOST][lane].get();
-            next += 1;
-            value
-        })
-    };
-    let count = lanes.count.min(LANES);
+    let mut from = [column(0); MOST];
+    let mut to = from;
+    for k in 0..reads {
+        from[k] = column(wiring.inputs[k]);
+    }
+    for k in 0..writes {
+        to[k] = column(wiring.outputs[k]);
+    }
     let mut sound = true;
-    for lane in 0..count {
-        let inputs = inputs(lane);
-        sound &= T::validate::<F>(&inputs).is_ok();
-        let mut next = 0;
-        F::eval(&inputs).for_each_component(&mut |value| {
-            sound &= is_double(value);
-            to[next % MOST][lane].set(value);
-            next += 1;
-        });
+    let (mut inputs, mut outputs) = ([[T::zero(); ABREAST]; MOST], [[T::zero(); ABREAST]; MOST]);
+    for (pack, first) in (0..lanes.count.min(LANES)).step_by(ABREAST).enumerate() {
+        let count = (lanes.count - first).min(ABREAST);
+        for k in 0..reads {
+            inputs[k] = from[k][pack].get();
+        }
+        let mut valid = [true; ABREAST];
+        for j in 0..if T::SPARES { count } else { ABREAST } {
+            let inputs = inputs_of::<F, T>(&inputs, j);
+            valid[j] = T::validate::<F>(&inputs).map_or_else(rejected, |()| true);
+            let mut next = 0;
+            F::eval(&inputs).for_each_component(&mut |value| {
+                outputs[next % MOST][j] = value;
+                next += 1;
+            });
+        }
+        for k in 0..writes {
+            to[k][pack].set(outputs[k]);
+            for j in 0..ABREAST {
+                valid[j] &= is_double(outputs[k][j]);
+            }
+        }
+        sound &= valid[..count].iter().all(|&valid| valid);
     }
     if !sound {
         // No formula writes what it reads, so the inputs are still there.
-        failures.extend((0..count).filter_map(|lane| {
-            let error = error_of::<F, T>(&inputs(lane))?;
+        failures.extend((0..lanes.count).filter_map(|lane| {
+            let inputs = from.map(|column| column[lane / ABREAST].get());
+            let error = error_of::<F, T>(&inputs_of::<F, T>(&inputs, lane % ABREAST))?;
             Some(Failure { element: lanes.first + lane, formula: F::SPEC.id, error })
         }));
     }
+}
+
+/// The inputs of one of the lanes that stand side by side.
+#[inline]
+fn inputs_of<F: Formula, T: Number>(columns: &[[T; ABREAST]; MOST], lane: usize) -> F::Inputs<T> {
+    let mut next = 0;
+    F::Inputs::from_components(&mut || {
+        let value = columns[next % MOST][lane];
+        next += 1;
+        value
+    })
+}
+
+/// Kept apart from the loop, which goes on without it.
+#[cold]
+fn rejected(_: Error) -> bool {
+    false
 }
 
 /// What is wrong with these inputs, or with what comes out.
@@ -193,7 +235,8 @@ fn is_double<T: Number>(x: T) -> bool {
 }
 
 impl Number for f64 {
-    const BLOCKS: usize = 32;
+    const BLOCKS: usize = 16;
+    const SPARES: bool = false;
     #[inline]
     fn exactly(x: f64) -> Self {
         x
@@ -213,6 +256,7 @@ impl Number for f64 {
 
 impl Number for Octuple {
     const BLOCKS: usize = 1;
+    const SPARES: bool = true;
     fn exactly(x: f64) -> Self {
         Self::from(x)
     }

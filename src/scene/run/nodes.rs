@@ -1,6 +1,6 @@
 //! Where the nodes are.
 
-use super::chunks;
+use super::shared;
 use crate::scene::kind::Origin;
 use crate::scene::model::{Axes, Frame, Motion, Orientation, Scene, exactly, global, turned};
 use crate::scene::plan::Plan;
@@ -67,22 +67,22 @@ impl<T: Number> Nodes<T> {
             self.before.copy_from_slice(&self.positions);
         }
         let initial = &self.initial;
-        chunks(&mut self.positions, |first, positions| {
+        shared(&mut self.positions, |first, positions| {
             for motion in among(&frame.moves, first, positions.len()) {
                 let node = motion.node as usize;
                 positions[node - first] = exactly::<T>(initial[node]) + exactly(motion.by);
             }
         });
         let turning = &self.turning;
-        let shared = self.triads.len() - turning.len();
-        let (shared, own) = self.triads.split_at_mut(shared);
-        chunks(own, |first, triads| {
+        let common = self.triads.len() - turning.len();
+        let (common, own) = self.triads.split_at_mut(common);
+        shared(own, |first, triads| {
             let turning = &turning[first..first + triads.len()];
             let (Some((from, _)), Some((to, _))) = (turning.first(), turning.last()) else { return };
             let mut triads = turning.iter().zip(triads);
             for motion in among(&frame.turns, *from as usize, (to - from) as usize + 1) {
                 if let Some(((_, of), triad)) = triads.find(|((node, _), _)| *node == motion.node) {
-                    *triad = turned(&shared[*of as usize], motion.by);
+                    *triad = turned(&common[*of as usize], motion.by);
                 }
             }
         });
@@ -99,9 +99,9 @@ impl<T: Number> Nodes<T> {
     }
 }
 
-/// The motions of this many nodes.
+/// The motions of this many nodes, of which each has one at most.
 fn among(motions: &[Motion], first: usize, count: usize) -> &[Motion] {
     let from = motions.partition_point(|motion| (motion.node as usize) < first);
-    let rest = &motions[from..];
-    &rest[..rest.partition_point(|motion| (motion.node as usize) < first + count)]
+    let some = &motions[from..motions.len().min(from + count)];
+    &some[..some.partition_point(|motion| (motion.node as usize) < first + count)]
 }
