@@ -261,7 +261,8 @@ fn threads_change_no_bit() {
     // Of two kinds by turns, and in the frames the last comes first.
     let nodes = (0..5000).map(|i| format!(r#""a{i}": {{"at": [{i}, 0.1, 0]}}, "#)).collect::<Vec<_>>().concat();
     let kind = |i: usize| if i.is_multiple_of(3) { "translator" } else { "slot" };
-    let element = |i| format!(r#""e{i}": {{"kind": "{}", "nodes": ["a0", "a{i}"], "mu": 0.{i}, "k_stick": 1e4}}"#, kind(i));
+    let element =
+        |i| format!(r#""e{i}": {{"kind": "{}", "nodes": ["a0", "a{i}"], "mu": 0.{i}, "k_stick": 1e4}}"#, kind(i));
     let elements: Vec<_> = (1..5000).map(element).collect();
     let moved = |i| format!(r#""a{i}": {{"u": [0.00{i}, 0.1, 0.2], "ur": [0, 0.0{i}, 0.1]}}"#);
     let moves: Vec<_> = (1..5000).rev().map(moved).collect();

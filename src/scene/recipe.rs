@@ -109,7 +109,7 @@ impl Recipe {
         }
         let lasting = layout.end;
         start_layout.end = lasting;
-        let start = Pass::new(&at_start, &mut start_layout, 0..unchanged);
+        let start = Pass::new(&at_start, &mut start_layout, 0..lasting);
         let state = Pass::new(&needs, &mut layout, unchanged..lasting);
         Self { lasting, registers: layout.end.max(start_layout.end), parameters, loads, start, state, outputs }
     }

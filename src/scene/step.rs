@@ -60,7 +60,14 @@ pub struct Lanes<'r, T> {
 }
 
 impl<T: Number> Lanes<'_, T> {
-    /// Fills the registers of a vector, or of its part in the plane.
+    /// Fills the registers of a vector, or of its part in the plane, with the same for all lanes.
+    pub(super) fn spread(&mut self, span: Span, vector: Vector3<T>) {
+        for (register, &component) in self.registers[span.range()].iter_mut().zip(&vector) {
+            *register = column(component);
+        }
+    }
+
+    /// Fills them with a vector for each lane.
     pub(super) fn fill(&mut self, span: Span, vectors: impl Iterator<Item = Vector3<T>>) {
         match &mut self.registers[span.range()] {
             [x, y, z] => {

@@ -61,6 +61,12 @@ impl<T: Number> Nodes<T> {
         &self.triads[self.triad_of[node] as usize]
     }
 
+    /// The current triad of all these nodes, if it is one.
+    pub(super) fn common_triad(&self, mut nodes: impl Iterator<Item = usize>) -> Option<&Axes<T>> {
+        let first = self.triad_of[nodes.next()?];
+        nodes.all(|node| self.triad_of[node] == first).then(|| &self.triads[first as usize])
+    }
+
     /// Moves and turns them.
     pub(super) fn advance(&mut self, frame: &Frame) {
         if !self.before.is_empty() {

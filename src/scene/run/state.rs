@@ -133,13 +133,24 @@ impl<T: Number> Inputs<'_, T> {
     fn read(&self, pass: &Pass, ends: &[u32], lanes: &mut Lanes<'_, T>) {
         let nodes = self.nodes;
         let of = |node: usize| ends.chunks_exact(self.group.kind.nodes.len()).map(move |ends| ends[node] as usize);
+        let mut common = None;
         for &(origin, span) in &pass.reads {
             match origin {
                 Origin::Position(node) => lanes.fill(span, of(node).map(|node| nodes.positions[node])),
                 Origin::Increment(node) => {
                     lanes.fill(span, of(node).map(|node| nodes.positions[node] - nodes.before[node]));
                 }
-                Origin::Axis(node, axis) => lanes.fill(span, of(node).map(|node| nodes.triad(node)[axis])),
+                Origin::Axis(node, axis) => {
+                    let triad = match common {
+                        Some((last, triad)) if last == node => triad,
+                        _ => nodes.common_triad(of(node)),
+                    };
+                    common = Some((node, triad));
+                    match triad {
+                        Some(triad) => lanes.spread(span, triad[axis]),
+                        None => lanes.fill(span, of(node).map(|node| nodes.triad(node)[axis])),
+                    }
+                }
                 _ => {}
             }
         }
