@@ -122,7 +122,7 @@ impl Pass {
             match origin {
                 Origin::Before(of) => before.push((layout.span(of), layout.span(name))),
                 Origin::Position(_) | Origin::Increment(_) | Origin::Axis(..) => {
-                    reads.push((origin, layout.span(name)))
+                    reads.push((origin, layout.span(name)));
                 }
                 _ => {}
             }

@@ -155,8 +155,8 @@ const fn components(fields: &[Field]) -> usize {
 }
 
 fn run<F: Formula, T: Number>(wiring: &Wiring, lanes: &mut Lanes<'_, T>, failures: &mut Vec<Failure>) {
-    let (reads, writes) =
-        (const { components(F::Inputs::<f64>::FIELDS) }, const { components(F::Outputs::<f64>::FIELDS) });
+    let reads = const { components(F::Inputs::<f64>::FIELDS) };
+    let writes = const { components(F::Outputs::<f64>::FIELDS) };
     const {
         assert!(components(F::Inputs::<f64>::FIELDS) <= MOST && components(F::Outputs::<f64>::FIELDS) <= MOST);
     }
@@ -165,36 +165,37 @@ fn run<F: Formula, T: Number>(wiring: &Wiring, lanes: &mut Lanes<'_, T>, failure
     // Looked up once a block, so that the loop below knows where everything is.
     let mut from = [column(0); MOST];
     let mut to = from;
-    for k in 0..reads {
-        from[k] = column(wiring.inputs[k]);
+    for (place, &register) in from[..reads].iter_mut().zip(&wiring.inputs[..reads]) {
+        *place = column(register);
     }
-    for k in 0..writes {
-        to[k] = column(wiring.outputs[k]);
+    for (place, &register) in to[..writes].iter_mut().zip(&wiring.outputs[..writes]) {
+        *place = column(register);
     }
     let mut sound = true;
     let (mut inputs, mut outputs) = ([[T::zero(); ABREAST]; MOST], [[T::zero(); ABREAST]; MOST]);
     for (pack, first) in (0..lanes.count.min(LANES)).step_by(ABREAST).enumerate() {
         let count = (lanes.count - first).min(ABREAST);
-        for k in 0..reads {
-            inputs[k] = from[k][pack].get();
+        for (input, column) in inputs[..reads].iter_mut().zip(&from[..reads]) {
+            *input = column[pack].get();
         }
         let mut valid = [true; ABREAST];
-        for j in 0..if T::SPARES { count } else { ABREAST } {
+        for (j, valid) in valid.iter_mut().enumerate().take(if T::SPARES { count } else { ABREAST }) {
             let inputs = inputs_of::<F, T>(&inputs, j);
-            valid[j] = T::validate::<F>(&inputs).map_or_else(rejected, |()| true);
+            *valid = T::validate::<F>(&inputs).map_or_else(rejected, |()| true);
             let mut next = 0;
             F::eval(&inputs).for_each_component(&mut |value| {
                 outputs[next % MOST][j] = value;
                 next += 1;
             });
         }
-        for k in 0..writes {
-            to[k][pack].set(outputs[k]);
-            for j in 0..ABREAST {
-                valid[j] &= is_double(outputs[k][j]);
+        for (output, column) in outputs[..writes].iter().zip(&to[..writes]) {
+            column[pack].set(*output);
+            for (valid, &value) in valid.iter_mut().zip(output) {
+                *valid &= is_double(value);
             }
         }
-        sound &= valid[..count].iter().all(|&valid| valid);
+        valid[count..].fill(true);
+        sound &= valid == [true; ABREAST];
     }
     if !sound {
         // No formula writes what it reads, so the inputs are still there.

@@ -15,7 +15,7 @@ pub(super) fn frames_of(reader: &mut Reader, scene: &Scene) -> Read<Vec<Frame>> 
     let mut moved = Mentioned::none(&scene.nodes, "node");
     let mut pressed = Mentioned::none(&scene.nodes, "node");
     let mut loaded = Mentioned::none(&scene.elements, "element");
-    let slides = sliding.then(|| nodes_of_elements(scene)).unwrap_or_default();
+    let slides = if sliding { nodes_of_elements(scene) } else { Vec::new() };
     let is_array = reader.array("an array of frames", |reader, index| {
         let place = reader.place();
         let mut frame = Frame::at(f64::NAN);
