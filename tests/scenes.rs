@@ -56,6 +56,11 @@ fn no_third_axis_in_the_plane() {
     assert_eq!(results.get("e", "U1", 0), Some(&[0.5][..]));
     assert_eq!(results.get("e", "GY", 0), Some(&[0.25][..]));
     assert_eq!(results.get("e", "RF", 0), Some(&[0.0, -3.0, 0.0][..]));
+    // What the start has computed is not taken for the force that there is not.
+    for outputs in [r#"["FC", "GY"]"#, r#"["FC", "U1"]"#, r#"["FC", "U1", "GY"]"#, r#"["FC", "X", "GY"]"#] {
+        let results = Results::of(&one("2d", r#""kind": "slot""#, outputs)).unwrap();
+        assert_eq!(results.get("e", "FC", 0), Some(&[3.0][..]), "{outputs}");
+    }
     let error = Scene::parse(
         r#"{"dimension": "2d", "nodes": {"a": {"at": [0, 0]}}, "elements":
         {"e": {"kind": "slot", "nodes": ["a", "a"]}}, "frames": [{"time": 0, "loads": {"e": {"f3": 1}}}]}"#,

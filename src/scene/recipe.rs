@@ -108,10 +108,11 @@ impl Recipe {
             }
         }
         let lasting = layout.end;
-        start_layout.end = lasting;
-        let start = Pass::new(&at_start, &mut start_layout, 0..lasting);
         let state = Pass::new(&needs, &mut layout, unchanged..lasting);
-        Self { lasting, registers: layout.end.max(start_layout.end), parameters, loads, start, state, outputs }
+        // The start has registers of its own, so that what it leaves there is not taken for the zeros of a state.
+        start_layout.end = layout.end;
+        let start = Pass::new(&at_start, &mut start_layout, 0..lasting);
+        Self { lasting, registers: start_layout.end, parameters, loads, start, state, outputs }
     }
 }
 
