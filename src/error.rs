@@ -148,13 +148,13 @@ pub enum Error {
         value: f64,
     },
     /// A node is referred to that has no coordinates.
-    #[error("node {node} is unknown; allowed are nodes with coordinates")]
+    #[error("{}", self.with_names(|node| node.to_string()))]
     UnknownNode {
         /// Its number.
         node: u32,
     },
     /// Something is wrong with a node.
-    #[error("node {node} {fault}; allowed are {allowed}")]
+    #[error("{}", self.with_names(|node| node.to_string()))]
     Node {
         /// Its number.
         node: u32,
@@ -164,7 +164,7 @@ pub enum Error {
         allowed: &'static str,
     },
     /// Two nodes of a segment or an element are at one place.
-    #[error("nodes {first} and {second} are at one place; allowed are different places")]
+    #[error("{}", self.with_names(|node| node.to_string()))]
     CoincidentNodes {
         /// One node.
         first: u32,
@@ -192,7 +192,7 @@ pub enum Error {
         increment: i64,
     },
     /// A slide line turns straight back at a node, so that no side of it is the slave's.
-    #[error("the slide line turns straight back at node {node}; allowed is any other angle")]
+    #[error("{}", self.with_names(|node| node.to_string()))]
     FoldsBack {
         /// The node.
         node: u32,
@@ -259,6 +259,23 @@ impl fmt::Display for Name {
 }
 
 impl Error {
+    /// What it says, with nodes called by these names instead of their numbers.
+    pub fn with_names(&self, name: impl Fn(u32) -> String) -> String {
+        match self {
+            Self::UnknownNode { node } => {
+                format!("node {} is unknown; allowed are nodes with coordinates", name(*node))
+            }
+            Self::Node { node, fault, allowed } => format!("node {} {fault}; allowed are {allowed}", name(*node)),
+            Self::CoincidentNodes { first, second } => {
+                format!("nodes {} and {} are at one place; allowed are different places", name(*first), name(*second))
+            }
+            Self::FoldsBack { node } => {
+                format!("the slide line turns straight back at node {}; allowed is any other angle", name(*node))
+            }
+            other => other.to_string(),
+        }
+    }
+
     /// Checks one number against its domain.
     ///
     /// # Errors

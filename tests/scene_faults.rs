@@ -70,6 +70,21 @@ fn every_mistake_is_reported_with_its_place() {
 }
 
 #[test]
+fn a_frame_says_everything_once() {
+    let found = faults(
+        r#"{"dimension": "2d", "nodes": {"a": {"at": [0, 0]}, "b": {"at": [1, 0]}},
+  "elements": {"s": {"kind": "slot", "nodes": ["a", "b"]}}, "outputs": ["FC"],
+  "frames": [{"time": 0, "loads": {"s": {"f2": 1}}, "nodes": {"a": {"u": [0, 0]}}},
+    {"time": 1, "loads": {"s": {"f2": 1}, "s": {"f2": 2}}, "nodes": {"a": {"u": [0, 0]}, "a": {"ur": 0}}}]}"#,
+    );
+    let expected = [
+        "frames[1].loads.s (line 4, column 43): \"s\" for the second time; allowed is each name once",
+        "frames[1].nodes.a (line 4, column 90): \"a\" for the second time; allowed is each name once",
+    ];
+    assert_eq!(found, expected);
+}
+
+#[test]
 fn text_that_is_not_json_ends_the_reading_where_it_is() {
     for (text, expected) in [
         ("", "line 1, column 1"),

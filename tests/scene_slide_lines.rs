@@ -129,7 +129,7 @@ fn what_is_wrong_with_slide_lines_is_said_with_its_place() {
         "elements.e (line 10, column 10): an element without \"slide_line\"",
         "elements.f.slide_line (line 11, column 65): no slide line \"z\"",
         "frames[0].loads (line 13, column 28): unknown key \"loads\"; allowed is one of time, nodes, pressures",
-        "frames[0].pressures.b (line 13, column 56): node \"b\", which is of no element",
+        "frames[0].pressures.b (line 13, column 56): a node of no element",
         "frames[0].pressures.b (line 13, column 61): -1; allowed is a finite number ≥ 0",
     ];
     for (found, expected) in found.iter().zip(expected) {
@@ -149,9 +149,12 @@ fn a_line_that_cannot_be_slid_on_is_named_with_the_state() {
         "slide_lines": {"plate": {"type": "linear", "nodes": ["a", "b"]}},
         "elements": {"ring": {"kind": "isl21a", "nodes": ["m", "n"], "slide_line": "plate"}},
         "frames": [{"time": 0}, {"time": 1, "nodes": {"b": {"u": [-4, 0]}}}], "outputs": ["E11"]}"#;
+    let inside_out = text.replace("\"u\": [-4, 0]", "\"u\": [-6, 0]");
+    let problems = Results::of(&scene(&inside_out)).unwrap_err().to_string();
+    assert!(problems.contains("node \"b\" has the radius -1"), "{problems}");
     let problems = Results::of(&scene(text)).unwrap_err().to_string();
     assert!(
-        problems.contains("\"plate\", frames[1]") && problems.contains("nodes 1 and 2 are at one place"),
+        problems.contains("\"plate\", frames[1]") && problems.contains("nodes \"a\" and \"b\" are at one place"),
         "{problems}"
     );
 }

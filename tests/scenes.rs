@@ -56,6 +56,11 @@ fn no_third_axis_in_the_plane() {
     assert_eq!(results.get("e", "U1", 0), Some(&[0.5][..]));
     assert_eq!(results.get("e", "GY", 0), Some(&[0.25][..]));
     assert_eq!(results.get("e", "RF", 0), Some(&[0.0, -3.0, 0.0][..]));
+    // What the start has computed is not taken for the force that there is not.
+    for outputs in [r#"["FC", "GY"]"#, r#"["FC", "U1"]"#, r#"["FC", "U1", "GY"]"#, r#"["FC", "X", "GY"]"#] {
+        let results = Results::of(&one("2d", r#""kind": "slot""#, outputs)).unwrap();
+        assert_eq!(results.get("e", "FC", 0), Some(&[3.0][..]), "{outputs}");
+    }
     let error = Scene::parse(
         r#"{"dimension": "2d", "nodes": {"a": {"at": [0, 0]}}, "elements":
         {"e": {"kind": "slot", "nodes": ["a", "a"]}}, "frames": [{"time": 0, "loads": {"e": {"f3": 1}}}]}"#,
@@ -208,6 +213,22 @@ fn sliders_stay_on_the_line_until_one_leaves_it() {
     assert!((off("outer", 5) - expected).abs() < 1e-10, "{} {expected}", off("outer", 5));
 }
 
+/// On a line that turns, the increment that follows from the documented one is that of the node, which stays on it.
+#[test]
+fn a_slider_in_the_plane_follows_its_line() {
+    let scene = scene(
+        r#"{"dimension": "2d", "nodes": {"a": {"at": [0, 0]}, "b": {"at": [4, 2]}, "m": {"at": [2, 1]}},
+        "elements": {"rail": {"kind": "slider", "nodes": ["a", "b", "m"]}},
+        "frames": [{"time": 0}, {"time": 1, "nodes": {"m": {"u": [1, 0.5]}}},
+        {"time": 2, "nodes": {"b": {"u": [0, 4]}, "m": {"u": [1, 3.5]}}}], "outputs": ["G", "DXMI"]}"#,
+    );
+    let results = Results::exact(&scene).unwrap();
+    let at = |output, state| results.get("rail", output, state).unwrap()[0];
+    assert_eq!([at("G", 0), at("G", 1), at("DXMI", 0), at("DXMI", 1)], [0.0, 0.0, 0.0, 0.5]);
+    // The line is now steep, so that x follows from y: w = (0, 3), dx = 2/3 × (3 - 3).
+    assert_eq!([at("G", 2), at("DXMI", 2)], [0.0, 0.0]);
+}
+
 #[test]
 fn doubles_are_close_to_exact() {
     for text in [RAIL, TELESCOPE, DRIVE_SHAFT, INTERFACE, THREAD] {
@@ -242,23 +263,39 @@ fn golden_results_are_what_the_scenes_give() {
 
 #[test]
 fn threads_change_no_bit() {
-    let nodes = (0..500).map(|i| format!(r#""a{i}": {{"at": [{i}, 0.1, 0]}}, "#)).collect::<Vec<_>>().concat();
-    let elements: Vec<_> = (1..500)
-        .map(|i| format!(r#""e{i}": {{"kind": "slot", "nodes": ["a0", "a{i}"], "mu": 0.{i}, "k_stick": 1e4}}"#))
-        .collect();
-    let moves: Vec<_> = (1..500).map(|i| format!(r#""a{i}": {{"u": [0.00{i}, 0.1, 0.2]}}"#)).collect();
-    let scene = scene(&format!(
-        r#"{{"dimension": "3d", "nodes": {{{nodes}"z": {{"at": [0, 0, 0]}}}}, "elements": {{{}}},
-        "frames": [{{"time": 0, "loads": {{"e7": {{"f2": 3}}}}}}, {{"time": 1, "nodes": {{{}}}}}],
-        "outputs": ["GY", "GZ", "U1", "CSF1", "CASU1", "PHI"]}}"#,
-        elements.join(", "),
-        moves.join(", ")
-    ));
+    // Of two kinds by turns, and in the frames the last comes first.
+    let nodes = (0..5000).map(|i| format!(r#""a{i}": {{"at": [{i}, 0.1, 0]}}, "#)).collect::<Vec<_>>().concat();
+    let kind = |i: usize| if i.is_multiple_of(3) { "translator" } else { "slot" };
+    let element =
+        |i| format!(r#""e{i}": {{"kind": "{}", "nodes": ["a0", "a{i}"], "mu": 0.{i}, "k_stick": 1e4}}"#, kind(i));
+    let elements: Vec<_> = (1..5000).map(element).collect();
+    let moved = |i| format!(r#""a{i}": {{"u": [0.00{i}, 0.1, 0.2], "ur": [0, 0.0{i}, 0.1]}}"#);
+    let moves: Vec<_> = (1..5000).rev().map(moved).collect();
+    let loads: Vec<_> = (1..5000).rev().map(|i| format!(r#""e{i}": {{"f3": 0.5, "f2": {i}}}"#)).collect();
+    let of = |elements: &[String], loads: &[String]| {
+        scene(&format!(
+            r#"{{"dimension": "3d", "nodes": {{{nodes}"z": {{"at": [0, 0, 0]}}}}, "elements": {{{}}}, "frames": [
+            {{"time": 0, "loads": {{{}}}}}, {{"time": 1, "nodes": {{{}}}}}, {{"time": 2, "nodes": {{"a1": {{"u": [0, 0, 0]}}}}}}],
+            "outputs": ["GY", "GZ", "U1", "CSF1", "CASU1", "PHI"]}}"#,
+            elements.join(", "),
+            loads.join(", "),
+            moves.join(", ")
+        ))
+    };
+    let only = |i: usize| of(&elements[i - 1..i], &loads[4999 - i..5000 - i]);
+    let scene = of(&elements, &loads);
     let with = |threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| Results::of(&scene).unwrap())
     };
-    assert_eq!(with(1), with(5));
+    let results = with(1);
+    assert_eq!(results, with(5));
+    // One by one, they give the same.
+    for i in [1, 64, 66, 4095, 4999] {
+        let alone = Results::of(&only(i)).unwrap();
+        let of_element = results.series.iter().filter(|series| series.element == format!("e{i}"));
+        assert!(of_element.eq(&alone.series), "e{i}");
+    }
 }
 
 #[test]

@@ -77,26 +77,36 @@ pub(super) struct Element {
 #[derive(Clone, Debug)]
 pub(super) struct Frame {
     pub(super) time: f64,
-    pub(super) motions: Vec<Motion>,
+    /// Displacements from the initial positions, in the order of the nodes.
+    pub(super) moves: Vec<Motion>,
+    /// Rotation vectors from the initial orientations, in the order of the nodes.
+    pub(super) turns: Vec<Motion>,
+    /// In the order of the elements.
     pub(super) loads: Vec<Load>,
-    /// Nodes on slide lines, and their pressures of hard contact.
+    /// Nodes on slide lines and their pressures of hard contact, in the order of the nodes.
     pub(super) pressures: Vec<(u32, f64)>,
 }
 
 impl Frame {
     /// A state in which nothing changes.
     pub(super) fn at(time: f64) -> Self {
-        Self { time, motions: Vec::new(), loads: Vec::new(), pressures: Vec::new() }
+        Self { time, moves: Vec::new(), turns: Vec::new(), loads: Vec::new(), pressures: Vec::new() }
+    }
+
+    /// Entries are unique; those that stand in another order than what they refer to are sorted.
+    pub(super) fn sorted(mut self) -> Self {
+        self.moves.sort_unstable_by_key(|motion| motion.node);
+        self.turns.sort_unstable_by_key(|motion| motion.node);
+        self.loads.sort_unstable_by_key(|load| (load.element, load.index));
+        self.pressures.sort_unstable_by_key(|&(node, _)| node);
+        self
     }
 }
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Motion {
     pub(super) node: u32,
-    /// Displacement from the initial position.
-    pub(super) u: Option<[f64; 3]>,
-    /// Rotation vector from the initial orientation.
-    pub(super) ur: Option<[f64; 3]>,
+    pub(super) by: [f64; 3],
 }
 
 #[derive(Clone, Copy, Debug)]

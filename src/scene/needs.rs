@@ -1,6 +1,6 @@
 //! Which formulas a set of outputs needs.
 
-use super::kind::{Kind, Origin, Use};
+use super::kind::{Fallback, Kind, Origin, Use};
 use super::plan::Signature;
 use super::recipe::{Layout, Planned};
 use super::step::Wiring;
@@ -42,8 +42,12 @@ impl Needs {
                 if let Some(origin) = kind.given(register) {
                     if !needs.given.iter().any(|(name, _)| *name == register) {
                         needs.given.push((register, origin));
-                        if let Origin::Before(of) = origin {
-                            next.push((of, format!("{register} of the next state")));
+                        match origin {
+                            Origin::Before(of) => next.push((of, format!("{register} of the next state"))),
+                            Origin::Parameter(Fallback::As(of)) if !signature.gives(register) => {
+                                next.push((of, format!("{register}, which is not given")));
+                            }
+                            _ => {}
                         }
                     }
                     continue;

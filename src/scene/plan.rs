@@ -77,10 +77,10 @@ impl Plan {
             why: planned.why.clone(),
         };
         let of_group = |group: &Group| {
-            let start: Vec<_> = group.recipe.start.iter().map(|planned| line(group, planned, true)).collect();
+            let start: Vec<_> = group.recipe.start.steps.iter().map(|planned| line(group, planned, true)).collect();
             start
                 .into_iter()
-                .chain(group.recipe.steps.iter().map(|planned| line(group, planned, false)).collect::<Vec<_>>())
+                .chain(group.recipe.state.steps.iter().map(|planned| line(group, planned, false)).collect::<Vec<_>>())
         };
         self.groups.iter().flat_map(of_group).chain(self.contact_lines.iter().cloned()).collect()
     }

@@ -5,6 +5,7 @@ use super::needs::{Needs, wanted};
 use super::plan::Signature;
 use super::step::{Step, Wiring};
 use std::fmt;
+use std::ops::Range;
 
 /// A formula with its wiring.
 pub(super) struct Planned {
@@ -26,117 +27,113 @@ pub(super) struct Span {
     pub(super) len: usize,
 }
 
-/// What is done for every element of a group. Registers below `kept` last from state to state.
-#[derive(Debug, Default)]
+impl Span {
+    pub(super) fn range(self) -> Range<usize> {
+        self.at..self.at + self.len
+    }
+}
+
+/// What is done for every element of a group.
+#[derive(Debug)]
 pub(super) struct Recipe {
-    pub(super) stride: usize,
-    pub(super) kept: usize,
-    /// Parameter, by its place in the kind, and its register.
-    pub(super) parameters: Vec<(usize, Span)>,
+    /// How many registers last from state to state; they are numbered first.
+    pub(super) lasting: usize,
+    pub(super) registers: usize,
+    /// Parameter, by its place in the kind, what it is if not given, and its register.
+    pub(super) parameters: Vec<(usize, f64, usize)>,
     /// The register of each load of the kind, if it is needed.
-    pub(super) loads: Vec<Option<Span>>,
-    /// Copied at the end of the start: from a computed register to a kept one.
-    pub(super) initial: Vec<(Span, Span)>,
-    /// Parameters that are not given, after the initial values: from, to.
-    pub(super) fallbacks: Vec<(Span, Span)>,
-    /// Copied at the end of a state.
-    pub(super) before: Vec<(Span, Span)>,
-    /// Node and register.
-    pub(super) positions: Vec<(usize, Span)>,
-    /// Node, register of the increment, register of the position before.
-    pub(super) increments: Vec<(usize, Span, Span)>,
-    /// Node, axis, register.
-    pub(super) axes: Vec<(usize, usize, Span)>,
-    pub(super) start: Vec<Planned>,
-    pub(super) steps: Vec<Planned>,
-    /// Name and register of each output.
+    pub(super) loads: Vec<Option<usize>>,
+    /// In the initial configuration.
+    pub(super) start: Pass,
+    /// In every state.
+    pub(super) state: Pass,
+    /// Name and registers of each output.
     pub(super) outputs: Vec<(&'static str, Span)>,
+}
+
+/// Formulas that are evaluated together, and what must be there before.
+#[derive(Debug)]
+pub(super) struct Pass {
+    /// The registers that last and are changed; those before them are not.
+    pub(super) changed: Range<usize>,
+    /// What the last state has left, and where it is wanted now.
+    pub(super) before: Vec<(Span, Span)>,
+    /// What is read of the nodes.
+    pub(super) reads: Vec<(Origin, Span)>,
+    pub(super) steps: Vec<Planned>,
 }
 
 impl Recipe {
     pub(super) fn new(signature: &Signature) -> Self {
         let kind = signature.kind;
-        let every = Needs::of_outputs(signature);
-        let mut at_start = Vec::new();
-        for &(name, origin) in &every.given {
-            match origin {
-                Origin::Initial(of) => at_start.push((of, format!("{name}, the initial value"))),
-                Origin::Parameter(Fallback::As(of)) if !signature.gives(name) => {
-                    if let Some(Origin::Initial(initial)) = kind.given(of) {
-                        at_start.push((initial, format!("{name}, which is not given")));
-                    }
-                }
-                _ => {}
-            }
-        }
-        let start = Needs::of(signature, at_start.into_iter());
-        let mut layout = Layout { kind, spans: Vec::new(), end: 0 };
-        let mut recipe = Self::default();
-        recipe.keep(signature, &every, &mut layout);
-        recipe.gather(every.given.iter().chain(&start.given), &mut layout);
-        recipe.start = start.wire(&mut layout);
-        recipe.steps = every.wire(&mut layout);
-        for &(name, origin) in &every.given {
-            match origin {
-                Origin::Initial(of) => recipe.initial.push((layout.span(of), layout.span(name))),
-                Origin::Before(of) => recipe.before.push((layout.span(of), layout.span(name))),
-                Origin::Parameter(Fallback::As(of)) if !signature.gives(name) => {
-                    let of = match kind.given(of) {
-                        Some(Origin::Initial(initial)) => initial,
-                        _ => of,
-                    };
-                    recipe.fallbacks.push((layout.span(of), layout.span(name)));
-                }
-                _ => {}
-            }
-        }
-        recipe.outputs =
-            wanted(kind, signature.outputs).map(|(name, register)| (name, layout.span(register))).collect();
-        recipe.stride = layout.end;
-        recipe
-    }
+        let needs = Needs::of_outputs(signature);
+        let initial = needs.given.iter().filter_map(|&(name, origin)| match origin {
+            Origin::Initial(of) => Some((of, name)),
+            _ => None,
+        });
+        let initial: Vec<_> = initial.collect();
+        let at_start = initial.iter().map(|&(of, name)| (of, format!("{name}, the initial value")));
+        let at_start = Needs::of(signature, at_start);
 
-    /// Lays out what lasts from state to state.
-    fn keep(&mut self, signature: &Signature, needs: &Needs, layout: &mut Layout) {
-        let given = |name: &str| needs.given.iter().any(|(other, _)| *other == name);
-        for (index, (name, _)) in signature.kind.parameters().enumerate() {
-            if given(name) {
-                self.parameters.push((index, layout.span(name)));
+        // What an element is given lasts.
+        let mut layout = Layout { kind, spans: Vec::new(), end: 0 };
+        let given = |name: &str| needs.given.iter().chain(&at_start.given).any(|(other, _)| *other == name);
+        let mut parameters = Vec::new();
+        for (index, (name, fallback)) in kind.parameters().enumerate() {
+            if given(name) && signature.gives(name) {
+                parameters.push((index, fallback.number().unwrap_or(0.0), layout.span(name).at));
             }
         }
-        self.loads = signature.kind.loads().map(|name| given(name).then(|| layout.span(name))).collect();
+        for (_, name) in &initial {
+            layout.span(name);
+        }
+        let unchanged = layout.end;
+        let loads = kind.loads().map(|name| given(name).then(|| layout.span(name).at)).collect();
+        for (name, fallback) in kind.parameters().filter(|(name, _)| given(name) && !signature.gives(name)) {
+            if let Fallback::As(of) = fallback {
+                layout.share(name, of);
+            }
+        }
+        // At the start, what becomes an initial value is computed where it is kept, and everything else is forgotten.
+        let mut start_layout = layout.clone();
+        for (of, name) in initial {
+            start_layout.share(of, name);
+        }
+        // What is computed lasts where it is wanted later: by who asks for the outputs, or in the next state.
+        let wanted = wanted(kind, signature.outputs);
+        let outputs = wanted.map(|(name, register)| (name, layout.span(register))).collect();
+        for &(_, origin) in &needs.given {
+            if let Origin::Before(of) = origin {
+                layout.span(of);
+            }
+        }
+        let lasting = layout.end;
+        let state = Pass::new(&needs, &mut layout, unchanged..lasting);
+        // The start has registers of its own, so that what it leaves there is not taken for the zeros of a state.
+        start_layout.end = layout.end;
+        let start = Pass::new(&at_start, &mut start_layout, 0..lasting);
+        Self { lasting, registers: start_layout.end, parameters, loads, start, state, outputs }
+    }
+}
+
+impl Pass {
+    fn new(needs: &Needs, layout: &mut Layout, changed: Range<usize>) -> Self {
+        let (mut before, mut reads) = (Vec::new(), Vec::new());
         for &(name, origin) in &needs.given {
             match origin {
-                Origin::Initial(_) | Origin::Before(_) => drop(layout.span(name)),
-                Origin::Increment(node) => {
-                    let before = layout.extra(layout.len(name));
-                    self.increments.push((node, Span { at: 0, len: 0 }, before));
+                Origin::Before(of) => before.push((layout.span(of), layout.span(name))),
+                Origin::Position(_) | Origin::Increment(_) | Origin::Axis(..) => {
+                    reads.push((origin, layout.span(name)));
                 }
                 _ => {}
             }
         }
-        self.kept = layout.end;
-        let increments = needs.given.iter().filter(|(_, origin)| matches!(origin, Origin::Increment(_)));
-        for (increment, (name, _)) in self.increments.iter_mut().zip(increments) {
-            increment.1 = layout.span(name);
-        }
-    }
-
-    /// Lays out what comes from the nodes.
-    fn gather<'n>(&mut self, given: impl Iterator<Item = &'n (&'static str, Origin)>, layout: &mut Layout) {
-        for &(name, origin) in given {
-            let known = layout.spans.iter().any(|(other, _)| *other == name);
-            let span = layout.span(name);
-            match origin {
-                Origin::Position(node) if !known => self.positions.push((node, span)),
-                Origin::Axis(node, axis) if !known => self.axes.push((node, axis, span)),
-                _ => {}
-            }
-        }
+        Self { changed, before, reads, steps: needs.wire(layout) }
     }
 }
 
 /// Registers by name.
+#[derive(Clone)]
 pub(super) struct Layout {
     kind: &'static Kind,
     spans: Vec<(&'static str, Span)>,
@@ -144,21 +141,21 @@ pub(super) struct Layout {
 }
 
 impl Layout {
-    fn len(&self, register: &str) -> usize {
-        self.kind.field(register).map_or(1, crate::formula::Field::len)
-    }
-
-    fn extra(&mut self, len: usize) -> Span {
-        self.end += len;
-        Span { at: self.end - len, len }
-    }
-
-    pub(super) fn span(&mut self, register: &'static str) -> Span {
-        if let Some((_, span)) = self.spans.iter().find(|(name, _)| *name == register) {
+    /// The registers of this name, new ones at the end if there are none yet.
+    pub(super) fn span(&mut self, name: &'static str) -> Span {
+        if let Some((_, span)) = self.spans.iter().find(|(other, _)| *other == name) {
             return *span;
         }
-        let span = self.extra(self.len(register));
-        self.spans.push((register, span));
+        let len = self.kind.field(name).map_or(1, crate::formula::Field::len);
+        let span = Span { at: self.end, len };
+        self.end += len;
+        self.spans.push((name, span));
         span
+    }
+
+    /// Gives registers a second name.
+    fn share(&mut self, name: &'static str, with: &'static str) {
+        let span = self.span(with);
+        self.spans.push((name, span));
     }
 }

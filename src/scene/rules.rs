@@ -10,12 +10,12 @@ use crate::error::Error;
 use crate::fields;
 use crate::formula::{Element, Formula, Jacobian, Source, Spec};
 use crate::quantity::{
-    Domain, F_TANGENTIAL, F_TRIAL, Quantity, SLIDER_DXM, SLIDER_DXMK, SLIDER_X1, SLIDER_XM, SLIDER_XMK, SLIDER_XN,
-    Shape, U1, Unit,
+    Domain, F_TANGENTIAL, F_TRIAL, Quantity, SLIDER_DXM, SLIDER_DXMK, SLIDER_X1, SLIDER_X1_PLANE, SLIDER_XM,
+    SLIDER_XM_PLANE, SLIDER_XMK, SLIDER_XN, SLIDER_XN_PLANE, Shape, U1, Unit,
 };
 use crate::scalar::{Scalar, abs, pi, sign};
-use crate::slider::Pivots;
-use nalgebra::Vector3;
+use crate::slider::{Pivots, Pivots2d};
+use nalgebra::{Vector2, Vector3};
 use std::f64::consts::PI;
 
 pub(super) const fn scalar(latex: &'static str, unit: Unit, domain: Domain, meaning: &'static str) -> Quantity {
@@ -272,5 +272,43 @@ impl Formula for KeptAxis {
     }
 }
 
+/// Increment of node m in the plane.
+pub const DXM_PLANE: Quantity = Quantity { shape: Shape::Vec2, ..SLIDER_DXM };
+
+fields! {
+    /// The line, node m and its increment, in the plane.
+    pub struct KeptNodes2d<T> {
+        x1: Vector2<T> = SLIDER_X1_PLANE, xn: Vector2<T> = SLIDER_XN_PLANE, xm: Vector2<T> = SLIDER_XM_PLANE,
+        dxm: Vector2<T> = DXM_PLANE,
+    }
+}
+
+/// As [`KeptAxis`], in the plane.
+#[derive(Clone, Copy, Debug)]
+pub struct KeptAxis2d;
+
+impl Formula for KeptAxis2d {
+    const SPEC: Spec = Spec { id: "scene.kept_axis_2d", ..KeptAxis::SPEC };
+    type Inputs<T: Element> = KeptNodes2d<T>;
+    type Outputs<T: Element> = Kept<T>;
+
+    fn eval<D: Scalar>(i: &KeptNodes2d<D>) -> Kept<D> {
+        let k = Pivots2d::new(&i.x1, &i.xn).k;
+        Kept { xmk: i.xm[k], dxmk: i.dxm[k] }
+    }
+
+    fn jacobian<D: Scalar>(i: &KeptNodes2d<D>) -> Jacobian<Self, D> {
+        let k = Pivots2d::new(&i.x1, &i.xn).k;
+        let (zero, axis) = (Vector2::from_element(D::zero()), crate::formula::along(k, D::one()));
+        let none = KeptNodes2d { x1: zero, xn: zero, xm: zero, dxm: zero };
+        Kept { xmk: KeptNodes2d { xm: axis, ..none }, dxmk: KeptNodes2d { dxm: axis, ..none } }
+    }
+
+    fn validate(i: &KeptNodes2d<f64>) -> Result<(), Error> {
+        Error::check_apart(("x1", i.x1), ("xn", i.xn))
+    }
+}
+
 /// The formulas of this module.
-pub const RULES: &[&dyn crate::catalog::AnyFormula] = &[&Stick, &TurnStick, &Slip, &Turns, &Alignment, &KeptAxis];
+pub const RULES: &[&dyn crate::catalog::AnyFormula] =
+    &[&Stick, &TurnStick, &Slip, &Turns, &Alignment, &KeptAxis, &KeptAxis2d];

@@ -9,13 +9,13 @@ mod state;
 
 use super::contact::{Contact, Motion};
 use super::model::{Frame, Scene};
-use super::plan::{Group, Plan};
-use super::recipe::Span;
+use super::plan::Plan;
 use super::step::{Failure, Number};
 use crate::error::Error;
-use nalgebra::Vector3;
+use arrayvec::ArrayVec;
 use nodes::Nodes;
-use state::State;
+use rayon::prelude::*;
+use state::{Inputs, State};
 
 /// A formula that rejected its inputs during a run.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,14 +28,16 @@ pub struct Problem {
     pub formula: &'static str,
     /// What it says.
     pub error: Error,
+    /// The same in words, with nodes called as the scene calls them.
+    pub message: String,
 }
 
 impl std::fmt::Display for Problem {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { element, state, formula, error } = self;
+        let Self { element, state, formula, message, .. } = self;
         match state {
-            Some(state) => write!(f, "element {element:?}, frames[{state}], {formula}: {error}"),
-            None => write!(f, "element {element:?}, initial configuration, {formula}: {error}"),
+            Some(state) => write!(f, "element {element:?}, frames[{state}], {formula}: {message}"),
+            None => write!(f, "element {element:?}, initial configuration, {formula}: {message}"),
         }
     }
 }
@@ -67,8 +69,6 @@ pub struct Run<'s, T> {
     /// Group, and place in it, of every element; `u32::MAX` for those of which nothing is wanted.
     places: Vec<[u32; 2]>,
     contacts: Vec<Contact<'s, T>>,
-    /// Where the nodes were, if a slide line asks.
-    before: Vec<Vector3<T>>,
 }
 
 impl<'s, T: Number> Run<'s, T> {
@@ -84,28 +84,11 @@ impl<'s, T: Number> Run<'s, T> {
             }
         }
         let nodes = Nodes::new(scene, plan);
-        let groups = plan.groups.iter().map(|group| State::new(scene, group, &nodes)).collect();
-        let contacts: Vec<_> = plan.contacts.iter().filter_map(|contact| Contact::new(scene, contact)).collect();
-        let before = if contacts.is_empty() { Vec::new() } else { nodes.positions.clone() };
-        let mut run = Self { scene, plan, state: 0, nodes, groups, places, contacts, before };
-        run.start()?;
-        Ok(run)
-    }
-
-    fn start(&mut self) -> Result<(), Problems> {
-        let mut problems = Vec::new();
-        for (group, state) in self.plan.groups.iter().zip(&mut self.groups) {
-            let recipe = &group.recipe;
-            let (scene, nodes) = (self.scene, &self.nodes);
-            let failures = state.blocks(group, nodes, &recipe.start, |kept, lanes, lane, _| {
-                for (from, to) in recipe.initial.iter().chain(&recipe.fallbacks) {
-                    lanes.take(lane, from.at, &mut kept[range(*to)]);
-                }
-            });
-            problems.extend(failures.into_iter().map(|failure| problem(scene, group, None, failure)));
-        }
-        problems.truncate(LISTED);
-        if problems.is_empty() { Ok(()) } else { Err(Problems(problems)) }
+        let groups = plan.groups.iter().map(|group| State::new(scene, group)).collect();
+        let contacts = plan.contacts.iter().filter_map(|contact| Contact::new(scene, contact)).collect();
+        let mut run = Self { scene, plan, state: 0, nodes, groups, places, contacts };
+        let problems = run.evaluate(None);
+        if problems.is_empty() { Ok(run) } else { Err(Problems(problems)) }
     }
 
     /// The next state; `false` if there is none.
@@ -116,54 +99,49 @@ impl<'s, T: Number> Run<'s, T> {
         let Some(frame) = self.scene.frames.get(self.state) else {
             return Ok(false);
         };
-        self.nodes.apply(self.scene, frame);
-        for load in &frame.loads {
-            let [group, place] = self.places[load.element as usize];
-            let Some((group, state)) = self.plan.groups.get(group as usize).zip(self.groups.get_mut(group as usize))
-            else {
-                continue;
-            };
-            if let Some(Some(span)) = group.recipe.loads.get(usize::from(load.index)) {
-                state.kept[place as usize * group.recipe.kept + span.at] = T::exactly(load.value);
-            }
-        }
+        self.nodes.advance(frame);
+        let mut problems = self.evaluate(Some(frame));
+        problems.extend(self.slide(frame));
+        problems.truncate(LISTED);
+        self.state += 1;
+        if problems.is_empty() { Ok(true) } else { Err(Problems(problems)) }
+    }
+
+    /// Evaluates every element in a frame, or without one in the initial configuration.
+    fn evaluate(&mut self, frame: Option<&Frame>) -> Vec<Problem> {
         let mut problems = Vec::new();
         for (group, state) in self.plan.groups.iter().zip(&mut self.groups) {
-            let recipe = &group.recipe;
-            let (scene, nodes) = (self.scene, &self.nodes);
-            let failures = state.blocks(group, nodes, &recipe.steps, |kept, lanes, lane, results| {
-                for (from, to) in &recipe.before {
-                    lanes.take(lane, from.at, &mut kept[range(*to)]);
-                }
-                let mut at = 0;
-                for (_, span) in &recipe.outputs {
-                    lanes.take(lane, span.at, &mut results[at..at + span.len]);
-                    at += span.len;
-                }
-            });
-            problems.extend(failures.into_iter().map(|failure| problem(scene, group, Some(self.state), failure)));
+            let pass = if frame.is_some() { &group.recipe.state } else { &group.recipe.start };
+            let loads = frame.map_or(&[][..], |frame| &frame.loads);
+            let failures = state.evaluate(pass, &Inputs { group, nodes: &self.nodes, loads });
+            problems.extend(failures.into_iter().take(LISTED).map(|Failure { element, formula, error }| {
+                let name = self.scene.elements.get_index(group.elements[element] as usize);
+                let element = name.map_or_else(String::new, |(name, _)| name.to_string());
+                let message = error.to_string();
+                Problem { element, state: frame.map(|_| self.state), formula, error, message }
+            }));
         }
-        problems.extend(self.slide(frame));
-        self.state += 1;
         problems.truncate(LISTED);
-        if problems.is_empty() { Ok(true) } else { Err(Problems(problems)) }
+        problems
     }
 
     /// The next state of the slide lines.
     fn slide(&mut self, frame: &Frame) -> Vec<Problem> {
         let last = self.state.checked_sub(1).and_then(|last| self.scene.frames.get(last));
         let duration = last.map(|last| frame.time - last.time);
-        let motion = Motion { now: &self.nodes.positions, before: &self.before, duration };
+        let Nodes { positions: now, before, .. } = &self.nodes;
+        let motion = Motion { now, before, duration, pressures: &frame.pressures };
         let mut problems = Vec::new();
         for contact in &mut self.contacts {
-            frame.pressures.iter().for_each(|&(node, pressure)| contact.press(node, pressure));
             let failures = contact.advance(&motion).err().unwrap_or_default();
-            let problem =
-                |(formula, error)| Problem { element: contact.name().into(), state: Some(self.state), formula, error };
+            // Slide lines number the nodes by their place in the scene, from 1.
+            let node = |number: u32| self.scene.nodes.get_index(number as usize - 1);
+            let name = |number: u32| node(number).map_or_else(|| number.to_string(), |(name, _)| format!("{name:?}"));
+            let problem = |(formula, error): (_, Error)| {
+                let message = error.with_names(name);
+                Problem { element: contact.name().into(), state: Some(self.state), formula, error, message }
+            };
             problems.extend(failures.into_iter().map(problem));
-        }
-        if !self.contacts.is_empty() {
-            self.before.copy_from_slice(&self.nodes.positions);
         }
         problems
     }
@@ -178,10 +156,9 @@ impl<'s, T: Number> Run<'s, T> {
             let Some((group, state)) = self.plan.groups.get(group as usize).zip(self.groups.get(group as usize)) else {
                 continue;
             };
-            let mut at = place as usize * state.width;
-            for (output, span) in &group.recipe.outputs {
-                visit(name, output, &state.results[at..at + span.len]);
-                at += span.len;
+            for &(output, span) in &group.recipe.outputs {
+                let components: ArrayVec<T, 3> = state.output(group, place as usize, span).collect();
+                visit(name, output, &components);
             }
         }
     }
@@ -193,22 +170,24 @@ impl<'s, T: Number> Run<'s, T> {
 
     /// Bytes that last from state to state: of elements, and of nodes.
     pub fn bytes(&self) -> [usize; 2] {
-        let numbers: usize = self.groups.iter().map(|state| state.kept.capacity() + state.results.capacity()).sum();
-        let ends: usize = self.groups.iter().map(|state| state.ends.len() * size_of::<u32>()).sum();
+        let evaluated: usize = self.groups.iter().map(State::bytes).sum();
         let sliding: usize = self.contacts.iter().map(Contact::bytes).sum();
-        let places = self.places.len() * size_of::<[u32; 2]>();
-        let elements = numbers * size_of::<T>() + places + ends + sliding;
-        let nodes = size_of_val(&*self.nodes.positions) + size_of_val(&*self.before) + size_of_val(&*self.nodes.triads);
-        [elements, nodes]
+        [evaluated + sliding + size_of_val(&*self.places), self.nodes.bytes()]
     }
 }
 
-fn range(span: Span) -> std::ops::Range<usize> {
-    span.at..span.at + span.len
+/// How many of so many items make a task: as many as are worth a thread at least, and few enough for every thread to get
+/// several.
+fn task(items: usize, least: usize) -> usize {
+    items.div_ceil(8 * rayon::current_num_threads()).max(least)
 }
 
-fn problem(scene: &Scene, group: &Group, state: Option<usize>, failure: Failure) -> Problem {
-    let Failure { lane, formula, error } = failure;
-    let name = group.elements.get(lane).and_then(|&element| scene.elements.get_index(element as usize));
-    Problem { element: name.map_or_else(String::new, |(name, _)| name.to_string()), state, formula, error }
+/// Does a job for all items, on all cores if they are many; `job` is told where its share begins.
+fn shared<T: Send>(items: &mut [T], job: impl Fn(usize, &mut [T]) + Sync) {
+    let share = task(items.len(), 4096);
+    if items.len() <= share {
+        job(0, items);
+    } else {
+        items.par_chunks_mut(share).enumerate().for_each(|(index, items)| job(index * share, items));
+    }
 }

@@ -1,9 +1,11 @@
 //! A formula as a step of a plan: it reads its inputs from an element's registers and writes its outputs there.
 
+use super::recipe::Span;
 use crate::error::Error;
 use crate::formula::{Field, Fields, Formula};
 use crate::scalar::abs;
 use crate::{Octuple, Scalar};
+use nalgebra::Vector3;
 use std::cell::Cell;
 
 /// Where in the registers a step finds its inputs and puts its outputs, component by component.
@@ -17,6 +19,10 @@ pub struct Wiring {
 
 /// A number in which a plan is evaluated: `f64` for results, [`Octuple`] for their errors.
 pub trait Number: Scalar {
+    /// How many blocks of elements make a task that is worth a thread.
+    const BLOCKS: usize;
+    /// Whether lanes that hold no element are left out. To tell them apart costs a double more than to evaluate them.
+    const SPARES: bool;
     /// An exact double as this number.
     fn exactly(x: f64) -> Self;
     /// The nearest double.
@@ -31,37 +37,57 @@ pub trait Number: Scalar {
 }
 
 /// Elements that are evaluated together: few enough for their registers to stay in the first-level cache.
-pub(super) const LANES: usize = 32;
+pub(super) const LANES: usize = 64;
+/// Lanes that are evaluated side by side, for which the compiler may then use vector instructions.
+const ABREAST: usize = 8;
 
-/// The registers of a block of elements: of each register the values of all lanes, then of the next.
+/// What the elements of a block have in one register.
+pub(super) type Column<T> = [[T; ABREAST]; LANES / ABREAST];
+
+/// A column that is the same for all.
+pub(super) fn column<T: Number>(value: T) -> Column<T> {
+    [[value; ABREAST]; LANES / ABREAST]
+}
+
+/// A block of elements: a column per register.
 #[derive(Debug)]
 pub struct Lanes<'r, T> {
-    pub(super) registers: &'r mut [T],
+    pub(super) registers: &'r mut [Column<T>],
+    /// The first element, by its place in its group.
+    pub(super) first: usize,
     /// How many lanes hold an element.
     pub(super) count: usize,
 }
 
-impl<T: Copy> Lanes<'_, T> {
-    /// Writes a run of registers of a lane.
-    pub(super) fn put(&mut self, lane: usize, at: usize, values: &[T]) {
-        for (k, &value) in values.iter().enumerate() {
-            self.registers[(at + k) * LANES + lane] = value;
+impl<T: Number> Lanes<'_, T> {
+    /// Fills the registers of a vector, or of its part in the plane, with the same for all lanes.
+    pub(super) fn spread(&mut self, span: Span, vector: Vector3<T>) {
+        for (register, &component) in self.registers[span.range()].iter_mut().zip(&vector) {
+            *register = column(component);
         }
     }
 
-    /// Reads a run of registers of a lane.
-    pub(super) fn take(&self, lane: usize, at: usize, values: &mut [T]) {
-        for (k, value) in values.iter_mut().enumerate() {
-            *value = self.registers[(at + k) * LANES + lane];
+    /// Fills them with a vector for each lane.
+    pub(super) fn fill(&mut self, span: Span, vectors: impl Iterator<Item = Vector3<T>>) {
+        match &mut self.registers[span.range()] {
+            [x, y, z] => {
+                let [x, y, z] = [x, y, z].map(|column| column.as_flattened_mut());
+                vectors.zip(x).zip(y).zip(z).for_each(|(((v, x), y), z)| (*x, *y, *z) = (v.x, v.y, v.z));
+            }
+            [x, y] => {
+                let [x, y] = [x, y].map(|column| column.as_flattened_mut());
+                vectors.zip(x).zip(y).for_each(|((v, x), y)| (*x, *y) = (v.x, v.y));
+            }
+            _ => {}
         }
     }
 }
 
-/// A formula that rejected its inputs or overflowed, and the lane where.
+/// A formula that rejected its inputs or overflowed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Failure {
-    /// The element, counted from the start of the block.
-    pub lane: usize,
+    /// The element, by its place in its group.
+    pub element: usize,
     /// The formula.
     pub formula: &'static str,
     /// What it says.
@@ -129,51 +155,85 @@ const fn components(fields: &[Field]) -> usize {
 }
 
 fn run<F: Formula, T: Number>(wiring: &Wiring, lanes: &mut Lanes<'_, T>, failures: &mut Vec<Failure>) {
+    let reads = const { components(F::Inputs::<f64>::FIELDS) };
+    let writes = const { components(F::Outputs::<f64>::FIELDS) };
     const {
-        assert!(components(F::Inputs::<T>::FIELDS) <= MOST && components(F::Outputs::<T>::FIELDS) <= MOST);
+        assert!(components(F::Inputs::<f64>::FIELDS) <= MOST && components(F::Outputs::<f64>::FIELDS) <= MOST);
     }
-    let cells = Cell::from_mut(&mut *lanes.registers).as_slice_of_cells();
-    let (columns, _) = cells.as_chunks::<LANES>();
-    let Some(first) = columns.first() else { return };
+    let columns = Cell::from_mut(&mut *lanes.registers).as_slice_of_cells();
+    let column = |register: u16| columns[usize::from(register)].as_array_of_cells();
     // Looked up once a block, so that the loop below knows where everything is.
-    let wired = |registers: &[u16]| {
-        let mut wired = [first; MOST];
-        for (place, &at) in wired.iter_mut().zip(registers) {
-            *place = columns.get(usize::from(at)).unwrap_or(first);
+    let mut from = [column(0); MOST];
+    let mut to = from;
+    for (place, &register) in from[..reads].iter_mut().zip(&wiring.inputs[..reads]) {
+        *place = column(register);
+    }
+    for (place, &register) in to[..writes].iter_mut().zip(&wiring.outputs[..writes]) {
+        *place = column(register);
+    }
+    let mut sound = true;
+    let (mut inputs, mut outputs) = ([[T::zero(); ABREAST]; MOST], [[T::zero(); ABREAST]; MOST]);
+    for (pack, first) in (0..lanes.count.min(LANES)).step_by(ABREAST).enumerate() {
+        let count = (lanes.count - first).min(ABREAST);
+        for (input, column) in inputs[..reads].iter_mut().zip(&from[..reads]) {
+            *input = column[pack].get();
         }
-        wired
-    };
-    let (from, to) = (wired(&wiring.inputs), wired(&wiring.outputs));
-    for lane in 0..lanes.count.min(LANES) {
-        let mut next = 0;
-        let inputs = F::Inputs::from_components(&mut || {
-            let value = from[next % MOST][lane].get();
-            next += 1;
-            value
-        });
-        let mut failed = T::validate::<F>(&inputs).err();
-        let outputs = F::eval(&inputs);
-        let (mut next, mut finite) = (0, true);
-        outputs.for_each_component(&mut |value| {
-            finite &= is_double(value);
-            to[next % MOST][lane].set(value);
-            next += 1;
-        });
-        if !finite && failed.is_none() {
-            failed = Some(Error::Overflow { name: overflown::<F, T>(&outputs) });
+        let mut valid = [true; ABREAST];
+        for (j, valid) in valid.iter_mut().enumerate().take(if T::SPARES { count } else { ABREAST }) {
+            let inputs = inputs_of::<F, T>(&inputs, j);
+            *valid = T::validate::<F>(&inputs).map_or_else(rejected, |()| true);
+            let mut next = 0;
+            F::eval(&inputs).for_each_component(&mut |value| {
+                outputs[next % MOST][j] = value;
+                next += 1;
+            });
         }
-        if let Some(error) = failed {
-            failures.push(Failure { lane, formula: F::SPEC.id, error });
+        for (output, column) in outputs[..writes].iter().zip(&to[..writes]) {
+            column[pack].set(*output);
+            for (valid, &value) in valid.iter_mut().zip(output) {
+                *valid &= is_double(value);
+            }
         }
+        valid[count..].fill(true);
+        sound &= valid == [true; ABREAST];
+    }
+    if !sound {
+        // No formula writes what it reads, so the inputs are still there.
+        failures.extend((0..lanes.count).filter_map(|lane| {
+            let inputs = from.map(|column| column[lane / ABREAST].get());
+            let error = error_of::<F, T>(&inputs_of::<F, T>(&inputs, lane % ABREAST))?;
+            Some(Failure { element: lanes.first + lane, formula: F::SPEC.id, error })
+        }));
     }
 }
 
-/// The first output that is not finite.
+/// The inputs of one of the lanes that stand side by side.
+#[inline]
+fn inputs_of<F: Formula, T: Number>(columns: &[[T; ABREAST]; MOST], lane: usize) -> F::Inputs<T> {
+    let mut next = 0;
+    F::Inputs::from_components(&mut || {
+        let value = columns[next % MOST][lane];
+        next += 1;
+        value
+    })
+}
+
+/// Kept apart from the loop, which goes on without it.
 #[cold]
-fn overflown<F: Formula, T: Number>(outputs: &F::Outputs<T>) -> &'static str {
-    let mut components = outputs.components().into_iter();
-    let mut overflows = |field: &Field| components.by_ref().take(field.len()).any(|value| !is_double(value));
-    F::Outputs::<T>::FIELDS.iter().find(|field| overflows(field)).map_or("a result", |field| field.name)
+fn rejected(_: Error) -> bool {
+    false
+}
+
+/// What is wrong with these inputs, or with what comes out.
+#[cold]
+fn error_of<F: Formula, T: Number>(inputs: &F::Inputs<T>) -> Option<Error> {
+    if let Err(error) = T::validate::<F>(inputs) {
+        return Some(error);
+    }
+    let mut components = F::eval(inputs).components().into_iter();
+    let mut overflows = |field: &&Field| components.by_ref().take(field.len()).any(|value| !is_double(value));
+    let field = F::Outputs::<T>::FIELDS.iter().find(|field| overflows(field))?;
+    Some(Error::Overflow { name: field.name })
 }
 
 /// Neither NaN nor beyond the largest double.
@@ -183,6 +243,8 @@ fn is_double<T: Number>(x: T) -> bool {
 }
 
 impl Number for f64 {
+    const BLOCKS: usize = 16;
+    const SPARES: bool = false;
     #[inline]
     fn exactly(x: f64) -> Self {
         x
@@ -201,6 +263,8 @@ impl Number for f64 {
 }
 
 impl Number for Octuple {
+    const BLOCKS: usize = 1;
+    const SPARES: bool = true;
     fn exactly(x: f64) -> Self {
         Self::from(x)
     }

@@ -152,9 +152,4 @@ impl ContactPlan {
         }
         lines
     }
-
-    /// The place of a node among the slaves.
-    pub(super) fn place(&self, node: u32) -> Option<usize> {
-        self.slaves.iter().position(|slave| slave.node == node)
-    }
 }

@@ -43,6 +43,8 @@ pub(in crate::scene) struct Motion<'m, T> {
     pub(in crate::scene) before: &'m [Vector3<T>],
     /// Unknown in the first state, which nothing leads to.
     pub(in crate::scene) duration: Option<f64>,
+    /// Of hard contact, from now on, in the order of the nodes.
+    pub(in crate::scene) pressures: &'m [(u32, f64)],
 }
 
 impl<T: Number> Motion<'_, T> {
@@ -62,13 +64,6 @@ impl<'s, T: Number> Contact<'s, T> {
         let slave = State { e11: zero, e12: zero, s11: zero, s12: zero, multiplier: 0.0 };
         let slaves = vec![slave; plan.slaves.len()];
         Some(Self { name, line, plan, slaves, torques: vec![zero; plan.elements.len()], total: zero, pieces: 0 })
-    }
-
-    /// Gives a node the pressure of hard contact, from now on.
-    pub(in crate::scene) fn press(&mut self, node: u32, pressure: f64) {
-        if let Some(slave) = self.plan.place(node).and_then(|place| self.slaves.get_mut(place)) {
-            slave.multiplier = pressure;
-        }
     }
 
     /// The next state. What goes wrong is told with the formula that says so.
@@ -167,6 +162,9 @@ impl<T: Number> State<T> {
         motion: &Motion<'_, T>,
     ) -> Result<usize, Error> {
         let (needs, zero) = (slave.needs, T::zero());
+        if let Ok(given) = motion.pressures.binary_search_by_key(&slave.node, |&(node, _)| node) {
+            self.multiplier = motion.pressures[given].1;
+        }
         let closest = line.closest(motion.at(slave.node))?;
         self.e11 = closest.separation;
         let (mut slip, mut closing) = (zero, zero);

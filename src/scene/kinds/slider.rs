@@ -42,9 +42,7 @@ pub(super) const SLIDER: Kind = Kind {
 
 pub(super) const SLIDER_2D: Kind = Kind {
     dimension: Dimension::Plane,
-    given: &[("x1", Position(0)), ("xn", Position(1)), ("xm", Position(2))],
-    formulas: &[always(&slider::Constraint2d)],
-    meanings: &[],
-    outputs: &[("G", "g")],
+    formulas: &[always(&slider::Constraint2d), always(&rules::KeptAxis2d), always(&slider::Increment2d)],
+    outputs: &[("G", "g"), ("DXMI", "dxmi")],
     ..SLIDER
 };

@@ -5,46 +5,44 @@ use crate::quantity::Domain;
 use crate::scene::json::{Read, Reader};
 use crate::scene::kind::Dimension;
 use crate::scene::model::{Frame, Load, Motion, Scene};
+use indexmap::IndexMap;
 
 pub(super) fn frames_of(reader: &mut Reader, scene: &Scene) -> Read<Vec<Frame>> {
     let mut frames: Vec<Frame> = Vec::new();
     let sliding = scene.dimension == Dimension::Axisymmetric;
     let keys = if sliding { &SLIDING_FRAME_KEYS } else { &FRAME_KEYS };
     let place = reader.place();
-    // The last frame that moved each node.
-    let mut moved = vec![usize::MAX; scene.nodes.len()];
+    let mut moved = Mentioned::none(&scene.nodes, "node");
+    let mut pressed = Mentioned::none(&scene.nodes, "node");
+    let mut loaded = Mentioned::none(&scene.elements, "element");
+    let slides = if sliding { nodes_of_elements(scene) } else { Vec::new() };
     let is_array = reader.array("an array of frames", |reader, index| {
         let place = reader.place();
         let mut frame = Frame::at(f64::NAN);
-        let is_object = reader.record(keys, |reader, key| {
-            match key {
-                0 => {
-                    let place = reader.place();
-                    frame.time = reader.number(Domain::Real)?.unwrap_or(f64::INFINITY);
-                    if let Some(last) = frames.last().map(|last| last.time).filter(|&last| frame.time <= last) {
-                        reader.fault(
-                            place,
-                            format!("{:?}", frame.time),
-                            format!("a time after the last frame's, {last:?}"),
-                        );
-                    }
+        let is_object = reader.record(keys, |reader, key| match key {
+            0 => {
+                let place = reader.place();
+                frame.time = reader.number(Domain::Real)?.unwrap_or(f64::INFINITY);
+                if let Some(last) = frames.last().map(|last| last.time).filter(|&last| frame.time <= last) {
+                    let found = format!("{:?}", frame.time);
+                    reader.fault(place, found, format!("a time after the last frame's, {last:?}"));
                 }
-                1 => {
-                    motions_of(reader, scene, index, &mut moved, &mut frame.motions)?;
-                }
-                _ if sliding => {
-                    pressures_of(reader, scene, &mut frame.pressures)?;
-                }
-                _ => {
-                    loads_of(reader, scene, &mut frame.loads)?;
-                }
+                Ok(())
             }
-            Ok(())
+            1 => moved.each(reader, index, |reader, node, _| motion_of(reader, scene.dimension, node, &mut frame)),
+            _ if sliding => pressed.each(reader, index, |reader, node, place| {
+                if !slides[node as usize] {
+                    reader.fault(place, "a node of no element", "a node that slides on a line");
+                }
+                frame.pressures.extend(reader.number(Domain::NonNegative)?.map(|pressure| (node, pressure)));
+                Ok(())
+            }),
+            _ => loaded.each(reader, index, |reader, element, _| loads_of(reader, scene, element, &mut frame)),
         })?;
         if is_object && frame.time.is_nan() {
             reader.fault(place, "a frame without \"time\"", "a frame with its time");
         }
-        frames.push(frame);
+        frames.push(frame.sorted());
         Ok(())
     })?;
     if is_array && frames.is_empty() {
@@ -53,59 +51,66 @@ pub(super) fn frames_of(reader: &mut Reader, scene: &Scene) -> Read<Vec<Frame>> 
     Ok(frames)
 }
 
-fn motions_of(
-    reader: &mut Reader,
-    scene: &Scene,
-    frame: usize,
-    moved: &mut [usize],
-    motions: &mut Vec<Motion>,
-) -> Read<bool> {
-    let dimension = scene.dimension;
-    reader.object("an object of nodes", |reader, name, place| {
-        let Some(node) = refer(reader, &scene.nodes, place, name, "node") else { return reader.skip() };
-        let mut motion = Motion { node, u: None, ur: None };
-        let last = moved.get_mut(node as usize);
-        if last.is_some_and(|last| std::mem::replace(last, frame) == frame) {
-            reader.fault(place, format!("{name:?} for the second time"), "each name once");
-        }
-        let keys = if dimension == Dimension::Axisymmetric { &MOTION_KEYS[..1] } else { &MOTION_KEYS };
-        reader.record(keys, |reader, key| {
-            match key {
-                0 => motion.u = point(reader, dimension)?,
-                _ if dimension == Dimension::Space => motion.ur = reader.vector()?,
-                _ => motion.ur = reader.number(Domain::Angle)?.map(|angle| [0.0, 0.0, angle]),
-            }
-            Ok(())
-        })?;
-        motions.push(motion);
-        Ok(())
-    })
+/// Whether each node is one of an element.
+fn nodes_of_elements(scene: &Scene) -> Vec<bool> {
+    let mut is_one = vec![false; scene.nodes.len()];
+    scene.elements.values().flat_map(|element| &element.nodes).for_each(|&node| is_one[node as usize] = true);
+    is_one
 }
 
-/// Pressures of hard contact, of nodes that slide.
-fn pressures_of(reader: &mut Reader, scene: &Scene, pressures: &mut Vec<(u32, f64)>) -> Read<bool> {
-    reader.object("an object of nodes", |reader, name, place| {
-        let Some(node) = refer(reader, &scene.nodes, place, name, "node") else { return reader.skip() };
-        if !scene.elements.values().any(|element| element.nodes.contains(&node)) {
-            reader.fault(place, format!("node {name:?}, which is of no element"), "a node that slides on a line");
-        }
-        pressures.extend(reader.number(Domain::NonNegative)?.map(|pressure| (node, pressure)));
-        Ok(())
-    })
+/// What frames mention by name, each once a frame.
+struct Mentioned<'k, T> {
+    known: &'k IndexMap<Box<str>, T>,
+    what: &'static str,
+    /// The last frame that mentioned each.
+    last: Vec<usize>,
 }
 
-fn loads_of(reader: &mut Reader, scene: &Scene, loads: &mut Vec<Load>) -> Read<bool> {
-    reader.object("an object of elements", |reader, name, place| {
-        let Some(element) = refer(reader, &scene.elements, place, name, "element") else { return reader.skip() };
-        let Some((_, of)) = scene.elements.get_index(element as usize) else { return reader.skip() };
-        let names: Vec<_> = of.kind.loads().collect();
-        reader.record(&names, |reader, key| {
-            let domain = of.kind.domain(names[key]);
-            if let (Some(value), Ok(index)) = (reader.number(domain)?, u16::try_from(key)) {
-                loads.push(Load { element, index, value });
+impl<'k, T> Mentioned<'k, T> {
+    fn none(known: &'k IndexMap<Box<str>, T>, what: &'static str) -> Self {
+        Self { known, what, last: vec![usize::MAX; known.len()] }
+    }
+
+    /// The members of an object whose keys are names of these; `read` is told which, and where its key stands.
+    fn each(
+        &mut self,
+        reader: &mut Reader,
+        frame: usize,
+        mut read: impl FnMut(&mut Reader, u32, usize) -> Read<()>,
+    ) -> Read<()> {
+        let Self { known, what, last } = self;
+        reader.object(&format!("an object of {what}s"), |reader, name, place| {
+            let Some(index) = refer(reader, known, place, name, what) else { return reader.skip() };
+            if std::mem::replace(&mut last[index as usize], frame) == frame {
+                reader.fault(place, format!("{name:?} for the second time"), "each name once");
             }
-            Ok(())
+            read(reader, index, place)
         })?;
         Ok(())
-    })
+    }
+}
+
+fn motion_of(reader: &mut Reader, dimension: Dimension, node: u32, frame: &mut Frame) -> Read<()> {
+    let keys = if dimension == Dimension::Axisymmetric { &MOTION_KEYS[..1] } else { &MOTION_KEYS };
+    reader.record(keys, |reader, key| {
+        let (motions, by) = match key {
+            0 => (&mut frame.moves, point(reader, dimension)?),
+            _ if dimension == Dimension::Space => (&mut frame.turns, reader.vector()?),
+            _ => (&mut frame.turns, reader.number(Domain::Angle)?.map(|angle| [0.0, 0.0, angle])),
+        };
+        motions.extend(by.map(|by| Motion { node, by }));
+        Ok(())
+    })?;
+    Ok(())
+}
+
+fn loads_of(reader: &mut Reader, scene: &Scene, element: u32, frame: &mut Frame) -> Read<()> {
+    let kind = scene.elements[element as usize].kind;
+    let names: Vec<_> = kind.loads().collect();
+    reader.record(&names, |reader, key| {
+        let value = reader.number(kind.domain(names[key]))?;
+        frame.loads.extend(value.zip(u16::try_from(key).ok()).map(|(value, index)| Load { element, index, value }));
+        Ok(())
+    })?;
+    Ok(())
 }

@@ -1,116 +1,163 @@
-//! The elements of a group: what they keep, and how their formulas are run, block by block.
+//! The elements of a group: what they keep, and how their formulas are evaluated, block by block.
 
 use super::nodes::Nodes;
-use super::range;
-use crate::scene::model::Scene;
+use super::task;
+use crate::scene::kind::Origin;
+use crate::scene::model::{Load, Scene};
 use crate::scene::plan::Group;
-use crate::scene::recipe::{Planned, Recipe};
-use crate::scene::step::{Failure, LANES, Lanes, Number};
+use crate::scene::recipe::{Pass, Span};
+use crate::scene::step::{Column, Failure, LANES, Lanes, Number, column};
 use rayon::prelude::*;
 
-/// What a group of elements keeps, and its results, element by element.
+/// What the elements of a group keep from state to state, their results among it.
 #[derive(Debug)]
 pub(super) struct State<T> {
-    pub(super) kept: Vec<T>,
-    pub(super) results: Vec<T>,
-    pub(super) width: usize,
+    /// Block by block, a column per register that lasts.
+    lasting: Vec<Column<T>>,
+    /// Room for all registers of a block.
+    registers: Vec<Column<T>>,
     /// The nodes of every element, side by side.
-    pub(super) ends: Vec<u32>,
+    ends: Vec<u32>,
 }
 
 impl<T: Number> State<T> {
-    pub(super) fn new(scene: &Scene, group: &Group, nodes: &Nodes<T>) -> Self {
-        let Recipe { kept, parameters, increments, outputs, .. } = &group.recipe;
-        let width = outputs.iter().map(|(_, span)| span.len).sum();
-        let ends = |&element: &u32| scene.elements.get_index(element as usize).map_or(&[][..], |(_, of)| &of.nodes);
-        let mut state = Self {
-            ends: group.elements.iter().flat_map(ends).copied().collect(),
-            kept: vec![T::zero(); kept * group.elements.len()],
-            results: vec![T::zero(); width * group.elements.len()],
-            width,
-        };
-        for (kept, &element) in state.kept.chunks_exact_mut((*kept).max(1)).zip(&group.elements) {
-            let Some((_, element)) = scene.elements.get_index(element as usize) else { continue };
-            for (index, span) in parameters {
-                let fallback = element.kind.parameters().nth(*index).and_then(|(_, fallback)| fallback.number());
-                kept[span.at] = T::exactly(element.parameters[*index].or(fallback).unwrap_or(0.0));
-            }
-            for (node, _, before) in increments {
-                let position = nodes.positions[element.nodes[*node] as usize];
-                kept[range(*before)].copy_from_slice(&position.as_slice()[..before.len]);
+    /// The elements with their parameters, and zeros.
+    pub(super) fn new(scene: &Scene, group: &Group) -> Self {
+        let recipe = &group.recipe;
+        let zeros = |columns: usize| vec![column(T::zero()); columns];
+        let mut lasting = zeros(group.elements.len().div_ceil(LANES) * recipe.lasting);
+        let mut ends = Vec::with_capacity(group.elements.len() * group.kind.nodes.len());
+        for (place, &element) in group.elements.iter().enumerate() {
+            let element = &scene.elements[element as usize];
+            ends.extend_from_slice(&element.nodes);
+            let (block, lane) = (place / LANES * recipe.lasting, place % LANES);
+            for &(index, fallback, register) in &recipe.parameters {
+                lasting[block + register].as_flattened_mut()[lane] =
+                    T::exactly(element.parameters[index].unwrap_or(fallback));
             }
         }
-        state
+        Self { lasting, registers: zeros(recipe.registers), ends }
     }
 
-    /// Runs steps for all elements; `finish` sees what each keeps, its lane of the registers, and its results.
-    pub(super) fn blocks(
-        &mut self,
-        group: &Group,
-        nodes: &Nodes<T>,
-        steps: &[Planned],
-        finish: impl Fn(&mut [T], &Lanes<'_, T>, usize, &mut [T]) + Sync,
-    ) -> Vec<Failure> {
-        let Recipe { stride, kept, .. } = group.recipe;
-        if group.elements.is_empty() || (steps.is_empty() && group.recipe.outputs.is_empty()) {
-            return Vec::new();
+    /// Evaluates the formulas of a pass for every element.
+    pub(super) fn evaluate(&mut self, pass: &Pass, inputs: &Inputs<'_, T>) -> Vec<Failure> {
+        let Group { kind, elements, recipe } = inputs.group;
+        let blocks = task(elements.len().div_ceil(LANES), T::BLOCKS);
+        if elements.len() <= blocks * LANES {
+            return inputs.evaluate(pass, 0, &mut self.lasting, &mut self.registers, &self.ends);
         }
-        // A group that keeps nothing still needs its blocks.
-        let mut nothing = vec![T::zero(); if kept == 0 { group.elements.len() } else { 0 }];
-        let all_kept = if kept == 0 { &mut nothing } else { &mut self.kept };
-        let (width, ends) = (self.width, group.kind.nodes.len());
-        let blocks = all_kept
-            .par_chunks_mut(LANES * kept.max(1))
-            .zip(self.results.par_chunks_mut(LANES * width))
-            .zip(self.ends.par_chunks(LANES * ends))
-            .enumerate();
-        let scratch = || (vec![T::zero(); LANES * stride], Vec::new());
-        let block = |(registers, failures): &mut (Vec<T>, Vec<Failure>),
-                     (index, ((all_kept, results), all_ends)): Block<'_, T>| {
-            let mut lanes = Lanes { registers, count: all_ends.len() / ends };
-            let all = all_kept.chunks_exact_mut(kept.max(1)).zip(all_ends.chunks_exact(ends));
-            for (lane, (all_kept, ends)) in all.enumerate() {
-                lanes.put(lane, 0, &all_kept[..kept]);
-                gather(&group.recipe, nodes, ends, (lane, &mut lanes), &mut all_kept[..kept]);
-            }
-            for planned in steps {
-                T::run(planned.step, &planned.wiring, &mut lanes, failures);
-            }
-            let all = all_kept.chunks_exact_mut(kept.max(1)).zip(results.chunks_exact_mut(width));
-            for (lane, (all_kept, results)) in all.enumerate() {
-                finish(&mut all_kept[..kept], &lanes, lane, results);
-            }
-            let found: Vec<Failure> =
-                failures.drain(..).map(|f| Failure { lane: f.lane + index * LANES, ..f }).collect();
-            found
+        let ends = self.ends.par_chunks(blocks * LANES * kind.nodes.len());
+        let tasks = self.lasting.par_chunks_mut(blocks * recipe.lasting).zip(ends).enumerate();
+        let evaluate = |registers: &mut Vec<_>, (task, (lasting, ends)): (usize, (&mut [_], &[_]))| {
+            inputs.evaluate(pass, task * blocks * LANES, lasting, registers, ends)
         };
-        blocks.map_init(scratch, block).flatten_iter().collect()
+        tasks.map_with(self.registers.clone(), evaluate).flatten_iter().collect()
+    }
+
+    /// The components of an output of an element.
+    pub(super) fn output(&self, group: &Group, element: usize, span: Span) -> impl Iterator<Item = T> {
+        let block = &self.lasting[element / LANES * group.recipe.lasting..];
+        block[span.range()].iter().map(move |column| column.as_flattened()[element % LANES])
+    }
+
+    /// Bytes that last from state to state.
+    pub(super) fn bytes(&self) -> usize {
+        size_of_val(&*self.lasting) + size_of_val(&*self.ends)
     }
 }
 
-type Block<'b, T> = (usize, ((&'b mut [T], &'b mut [T]), &'b [u32]));
+/// What a state is evaluated from.
+pub(super) struct Inputs<'i, T> {
+    pub(super) group: &'i Group,
+    pub(super) nodes: &'i Nodes<T>,
+    /// What changes of the loads, in the order of the elements.
+    pub(super) loads: &'i [Load],
+}
 
-/// Reads what an element needs of its nodes.
-fn gather<T: Number>(
-    recipe: &Recipe,
-    nodes: &Nodes<T>,
-    ends: &[u32],
-    (lane, lanes): (usize, &mut Lanes<'_, T>),
-    kept: &mut [T],
-) {
-    let position = |node: usize| &nodes.positions[ends[node] as usize];
-    for &(node, span) in &recipe.positions {
-        lanes.put(lane, span.at, &position(node).as_slice()[..span.len]);
+impl<T: Number> Inputs<'_, T> {
+    /// The elements of a task, of which the first has this place in the group, block by block.
+    fn evaluate(
+        &self,
+        pass: &Pass,
+        first: usize,
+        lasting: &mut [Column<T>],
+        registers: &mut [Column<T>],
+        ends: &[u32],
+    ) -> Vec<Failure> {
+        let Group { kind, elements, recipe } = self.group;
+        let mut failures = Vec::new();
+        let mut loads = self.loads_from(elements[first]);
+        let blocks = lasting.chunks_exact_mut(recipe.lasting).zip(ends.chunks(LANES * kind.nodes.len()));
+        for (first, (lasting, ends)) in (first..).step_by(LANES).zip(blocks) {
+            registers[..recipe.lasting].copy_from_slice(lasting);
+            for (of, before) in &pass.before {
+                registers.copy_within(of.range(), before.at);
+            }
+            let mut lanes = Lanes { registers, first, count: ends.len() / kind.nodes.len() };
+            self.load(&elements[first..first + lanes.count], &mut loads, &mut lanes);
+            self.read(pass, ends, &mut lanes);
+            for planned in &pass.steps {
+                T::run(planned.step, &planned.wiring, &mut lanes, &mut failures);
+            }
+            lasting[pass.changed.clone()].copy_from_slice(&registers[pass.changed.clone()]);
+        }
+        failures
     }
-    for &(node, axis, span) in &recipe.axes {
-        let axes = &nodes.triads[ends[node] as usize];
-        lanes.put(lane, span.at, &axes[axis].as_slice()[..span.len]);
+
+    /// The loads from this element on, if any is needed.
+    fn loads_from(&self, element: u32) -> &[Load] {
+        let needed = self.group.recipe.loads.iter().any(Option::is_some);
+        if needed { from(self.loads, element) } else { &[] }
     }
-    for &(node, span, before) in &recipe.increments {
-        let position = position(node);
-        for k in 0..span.len {
-            lanes.put(lane, span.at + k, &[position[k] - kept[before.at + k]]);
-            kept[before.at + k] = position[k];
+
+    /// Takes over the loads of a block's elements.
+    fn load(&self, elements: &[u32], loads: &mut &[Load], lanes: &mut Lanes<'_, T>) {
+        let mut lane = 0;
+        while let Some((load, rest)) = loads.split_first() {
+            while elements.get(lane).is_some_and(|&element| element < load.element) {
+                lane += 1;
+            }
+            let Some(&element) = elements.get(lane) else { return };
+            if element > load.element {
+                *loads = from(loads, element);
+                continue;
+            }
+            if let Some(register) = self.group.recipe.loads[usize::from(load.index)] {
+                lanes.registers[register].as_flattened_mut()[lane] = T::exactly(load.value);
+            }
+            *loads = rest;
         }
     }
+
+    /// Reads what a block's elements need of their nodes.
+    fn read(&self, pass: &Pass, ends: &[u32], lanes: &mut Lanes<'_, T>) {
+        let nodes = self.nodes;
+        let of = |node: usize| ends.chunks_exact(self.group.kind.nodes.len()).map(move |ends| ends[node] as usize);
+        let mut common = None;
+        for &(origin, span) in &pass.reads {
+            match origin {
+                Origin::Position(node) => lanes.fill(span, of(node).map(|node| nodes.positions[node])),
+                Origin::Increment(node) => {
+                    lanes.fill(span, of(node).map(|node| nodes.positions[node] - nodes.before[node]));
+                }
+                Origin::Axis(node, axis) => {
+                    let triad = match common {
+                        Some((last, triad)) if last == node => triad,
+                        _ => nodes.common_triad(of(node)),
+                    };
+                    common = Some((node, triad));
+                    match triad {
+                        Some(triad) => lanes.spread(span, triad[axis]),
+                        None => lanes.fill(span, of(node).map(|node| nodes.triad(node)[axis])),
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+}
+
+/// The loads from this element on.
+fn from(loads: &[Load], element: u32) -> &[Load] {
+    &loads[loads.partition_point(|load| load.element < element)..]
 }

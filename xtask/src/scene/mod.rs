@@ -1,5 +1,6 @@
 //! `cargo xtask scene`: scene files evaluated, planned, compared with the exact values, plotted.
 
+mod bare;
 mod benchmark;
 mod examples;
 mod generate;
