@@ -52,9 +52,12 @@ pub fn alpha_gradient<D: Scalar>(e2a: &Vector3<D>, e3a: &Vector3<D>, e3b: &Vecto
 ///
 /// # Errors
 /// [`Error::GimbalLock`].
+#[inline]
 pub fn check_alpha(e2a: &Vector3<f64>, e3a: &Vector3<f64>, e3b: &Vector3<f64>) -> Result<(), Error> {
-    let lock = Error::GimbalLock { angle: "alpha", sine: "e2a·e3b", cosine: "e3a·e3b" };
-    if is_turn(e3b, e2a, e3a) { Ok(()) } else { Err(lock) }
+    if is_turn(e3b, e2a, e3a) {
+        return Ok(());
+    }
+    Err(Error::GimbalLock { angle: "alpha", sine: "e2a·e3b", cosine: "e3a·e3b" })
 }
 
 /// The third angle, γ = −atan2(e1a·e2b, e1a·e1b).
@@ -74,9 +77,12 @@ pub fn gamma_gradient<D: Scalar>(e1a: &Vector3<D>, e1b: &Vector3<D>, e2b: &Vecto
 ///
 /// # Errors
 /// [`Error::GimbalLock`].
+#[inline]
 pub fn check_gamma(e1a: &Vector3<f64>, e1b: &Vector3<f64>, e2b: &Vector3<f64>) -> Result<(), Error> {
-    let lock = Error::GimbalLock { angle: "gamma", sine: "e1a·e2b", cosine: "e1a·e1b" };
-    if is_turn(e1a, e2b, e1b) { Ok(()) } else { Err(lock) }
+    if is_turn(e1a, e2b, e1b) {
+        return Ok(());
+    }
+    Err(Error::GimbalLock { angle: "gamma", sine: "e1a·e2b", cosine: "e1a·e1b" })
 }
 
 /// −atan2(v·p, v·q), blind to the signs of zeros: half a turn is −π, no turn is +0.

@@ -47,12 +47,14 @@ impl From<(&Triad, &Triad)> for Triads<f64> {
 ///
 /// # Errors
 /// [`Error::GimbalLock`].
+#[inline]
 pub fn check_turns(i: &Triads<f64>) -> Result<(), Error> {
     check_alpha(&i.e2a, &i.e3a, &i.e3b)?;
     check_gamma(&i.e1a, &i.e1b, &i.e2b)
 }
 
 /// As [`CardanAngles`], with β from [`BetaTwoArgument`].
+#[inline]
 pub fn accurate<D: Scalar>(i: &Triads<D>) -> Angles<D> {
     Angles {
         alpha: alpha(&i.e2a, &i.e3a, &i.e3b),

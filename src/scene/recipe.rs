@@ -28,6 +28,7 @@ pub(super) struct Span {
 }
 
 impl Span {
+    #[inline]
     pub(super) fn range(self) -> Range<usize> {
         self.at..self.at + self.len
     }
@@ -38,7 +39,8 @@ impl Span {
 pub(super) struct Recipe {
     /// How many registers last from state to state; they are numbered first.
     pub(super) lasting: usize,
-    pub(super) registers: usize,
+    /// How many there are beside them.
+    pub(super) passing: usize,
     /// Parameter, by its place in the kind, what it is if not given, and its register.
     pub(super) parameters: Vec<(usize, f64, usize)>,
     /// The register of each load of the kind, if it is needed.
@@ -54,8 +56,6 @@ pub(super) struct Recipe {
 /// Formulas that are evaluated together, and what must be there before.
 #[derive(Debug)]
 pub(super) struct Pass {
-    /// The registers that last and are changed; those before them are not.
-    pub(super) changed: Range<usize>,
     /// What the last state has left, and where it is wanted now.
     pub(super) before: Vec<(Span, Span)>,
     /// What is read of the nodes.
@@ -87,7 +87,6 @@ impl Recipe {
         for (_, name) in &initial {
             layout.span(name);
         }
-        let unchanged = layout.end;
         let loads = kind.loads().map(|name| given(name).then(|| layout.span(name).at)).collect();
         for (name, fallback) in kind.parameters().filter(|(name, _)| given(name) && !signature.gives(name)) {
             if let Fallback::As(of) = fallback {
@@ -108,16 +107,16 @@ impl Recipe {
             }
         }
         let lasting = layout.end;
-        let state = Pass::new(&needs, &mut layout, unchanged..lasting);
+        let state = Pass::new(&needs, &mut layout);
         // The start has registers of its own, so that what it leaves there is not taken for the zeros of a state.
         start_layout.end = layout.end;
-        let start = Pass::new(&at_start, &mut start_layout, 0..lasting);
-        Self { lasting, registers: start_layout.end, parameters, loads, start, state, outputs }
+        let start = Pass::new(&at_start, &mut start_layout);
+        Self { lasting, passing: start_layout.end - lasting, parameters, loads, start, state, outputs }
     }
 }
 
 impl Pass {
-    fn new(needs: &Needs, layout: &mut Layout, changed: Range<usize>) -> Self {
+    fn new(needs: &Needs, layout: &mut Layout) -> Self {
         let (mut before, mut reads) = (Vec::new(), Vec::new());
         for &(name, origin) in &needs.given {
             match origin {
@@ -128,7 +127,7 @@ impl Pass {
                 _ => {}
             }
         }
-        Self { changed, before, reads, steps: needs.wire(layout) }
+        Self { before, reads, steps: needs.wire(layout) }
     }
 }
 

@@ -52,7 +52,10 @@ pub(super) fn column<T: Number>(value: T) -> Column<T> {
 /// A block of elements: a column per register.
 #[derive(Debug)]
 pub struct Lanes<'r, T> {
-    pub(super) registers: &'r mut [Column<T>],
+    /// The registers that last from state to state.
+    pub(super) lasting: &'r mut [Column<T>],
+    /// The registers after them, which every block of a task uses in turn.
+    pub(super) passing: &'r mut [Column<T>],
     /// The first element, by its place in its group.
     pub(super) first: usize,
     /// How many lanes hold an element.
@@ -60,16 +63,32 @@ pub struct Lanes<'r, T> {
 }
 
 impl<T: Number> Lanes<'_, T> {
+    /// What all lanes have in these registers.
+    pub(super) fn columns(&mut self, span: Span) -> &mut [Column<T>] {
+        match span.at.checked_sub(self.lasting.len()) {
+            Some(at) => &mut self.passing[at..at + span.len],
+            None => &mut self.lasting[span.range()],
+        }
+    }
+
+    /// Copies registers to others.
+    pub(super) fn copy(&mut self, from: Span, to: Span) {
+        for k in 0..from.len {
+            let column = self.columns(from)[k];
+            self.columns(to)[k] = column;
+        }
+    }
+
     /// Fills the registers of a vector, or of its part in the plane, with the same for all lanes.
     pub(super) fn spread(&mut self, span: Span, vector: Vector3<T>) {
-        for (register, &component) in self.registers[span.range()].iter_mut().zip(&vector) {
+        for (register, &component) in self.columns(span).iter_mut().zip(&vector) {
             *register = column(component);
         }
     }
 
     /// Fills them with a vector for each lane.
     pub(super) fn fill(&mut self, span: Span, vectors: impl Iterator<Item = Vector3<T>>) {
-        match &mut self.registers[span.range()] {
+        match self.columns(span) {
             [x, y, z] => {
                 let [x, y, z] = [x, y, z].map(|column| column.as_flattened_mut());
                 vectors.zip(x).zip(y).zip(z).for_each(|(((v, x), y), z)| (*x, *y, *z) = (v.x, v.y, v.z));
@@ -160,8 +179,13 @@ fn run<F: Formula, T: Number>(wiring: &Wiring, lanes: &mut Lanes<'_, T>, failure
     const {
         assert!(components(F::Inputs::<f64>::FIELDS) <= MOST && components(F::Outputs::<f64>::FIELDS) <= MOST);
     }
-    let columns = Cell::from_mut(&mut *lanes.registers).as_slice_of_cells();
-    let column = |register: u16| columns[usize::from(register)].as_array_of_cells();
+    let lasting = Cell::from_mut(&mut *lanes.lasting).as_slice_of_cells();
+    let passing = Cell::from_mut(&mut *lanes.passing).as_slice_of_cells();
+    let column = |register: u16| {
+        let register = usize::from(register);
+        let column = lasting.get(register).unwrap_or_else(|| &passing[register - lasting.len()]);
+        column.as_array_of_cells()
+    };
     // Looked up once a block, so that the loop below knows where everything is.
     let mut from = [column(0); MOST];
     let mut to = from;

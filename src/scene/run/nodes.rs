@@ -61,10 +61,15 @@ impl<T: Number> Nodes<T> {
         &self.triads[self.triad_of[node] as usize]
     }
 
-    /// The current triad of all these nodes, if it is one.
-    pub(super) fn common_triad(&self, mut nodes: impl Iterator<Item = usize>) -> Option<&Axes<T>> {
+    /// The number of the triad of all these nodes, if it is one.
+    pub(super) fn common_triad(&self, mut nodes: impl Iterator<Item = usize>) -> Option<u32> {
         let first = self.triad_of[nodes.next()?];
-        nodes.all(|node| self.triad_of[node] == first).then(|| &self.triads[first as usize])
+        nodes.all(|node| self.triad_of[node] == first).then_some(first)
+    }
+
+    /// A current triad by its number.
+    pub(super) fn shared_triad(&self, number: u32) -> &Axes<T> {
+        &self.triads[number as usize]
     }
 
     /// Moves and turns them.

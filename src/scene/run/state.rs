@@ -14,8 +14,8 @@ use rayon::prelude::*;
 pub(super) struct State<T> {
     /// Block by block, a column per register that lasts.
     lasting: Vec<Column<T>>,
-    /// Room for all registers of a block.
-    registers: Vec<Column<T>>,
+    /// Room for the other registers of a block.
+    passing: Vec<Column<T>>,
     /// The nodes of every element, side by side.
     ends: Vec<u32>,
 }
@@ -24,7 +24,8 @@ impl<T: Number> State<T> {
     /// The elements with their parameters, and zeros.
     pub(super) fn new(scene: &Scene, group: &Group) -> Self {
         let recipe = &group.recipe;
-        let zeros = |columns: usize| vec![column(T::zero()); columns];
+        // Written, where `vec!` would leave it to the first state to have the pages mapped.
+        let zeros = |columns: usize| -> Vec<_> { std::iter::repeat_n(column(T::zero()), columns).collect() };
         let mut lasting = zeros(group.elements.len().div_ceil(LANES) * recipe.lasting);
         let mut ends = Vec::with_capacity(group.elements.len() * group.kind.nodes.len());
         for (place, &element) in group.elements.iter().enumerate() {
@@ -36,7 +37,7 @@ impl<T: Number> State<T> {
                     T::exactly(element.parameters[index].unwrap_or(fallback));
             }
         }
-        Self { lasting, registers: zeros(recipe.registers), ends }
+        Self { lasting, passing: zeros(recipe.passing), ends }
     }
 
     /// Evaluates the formulas of a pass for every element.
@@ -44,14 +45,14 @@ impl<T: Number> State<T> {
         let Group { kind, elements, recipe } = inputs.group;
         let blocks = task(elements.len().div_ceil(LANES), T::BLOCKS);
         if elements.len() <= blocks * LANES {
-            return inputs.evaluate(pass, 0, &mut self.lasting, &mut self.registers, &self.ends);
+            return inputs.evaluate(pass, 0, &mut self.lasting, &mut self.passing, &self.ends);
         }
         let ends = self.ends.par_chunks(blocks * LANES * kind.nodes.len());
         let tasks = self.lasting.par_chunks_mut(blocks * recipe.lasting).zip(ends).enumerate();
-        let evaluate = |registers: &mut Vec<_>, (task, (lasting, ends)): (usize, (&mut [_], &[_]))| {
-            inputs.evaluate(pass, task * blocks * LANES, lasting, registers, ends)
+        let evaluate = |passing: &mut Vec<_>, (task, (lasting, ends)): (usize, (&mut [_], &[_]))| {
+            inputs.evaluate(pass, task * blocks * LANES, lasting, passing, ends)
         };
-        tasks.map_with(self.registers.clone(), evaluate).flatten_iter().collect()
+        tasks.map_with(self.passing.clone(), evaluate).flatten_iter().collect()
     }
 
     /// The components of an output of an element.
@@ -81,25 +82,24 @@ impl<T: Number> Inputs<'_, T> {
         pass: &Pass,
         first: usize,
         lasting: &mut [Column<T>],
-        registers: &mut [Column<T>],
+        passing: &mut [Column<T>],
         ends: &[u32],
     ) -> Vec<Failure> {
         let Group { kind, elements, recipe } = self.group;
         let mut failures = Vec::new();
         let mut loads = self.loads_from(elements[first]);
+        let mut spread = vec![None; pass.reads.len()];
         let blocks = lasting.chunks_exact_mut(recipe.lasting).zip(ends.chunks(LANES * kind.nodes.len()));
         for (first, (lasting, ends)) in (first..).step_by(LANES).zip(blocks) {
-            registers[..recipe.lasting].copy_from_slice(lasting);
-            for (of, before) in &pass.before {
-                registers.copy_within(of.range(), before.at);
+            let mut lanes = Lanes { lasting, passing, first, count: ends.len() / kind.nodes.len() };
+            for &(of, before) in &pass.before {
+                lanes.copy(of, before);
             }
-            let mut lanes = Lanes { registers, first, count: ends.len() / kind.nodes.len() };
-            self.load(&elements[first..first + lanes.count], &mut loads, &mut lanes);
-            self.read(pass, ends, &mut lanes);
+            loads = self.load(&elements[first..first + lanes.count], loads, &mut lanes);
+            self.read(pass, ends, &mut lanes, &mut spread);
             for planned in &pass.steps {
                 T::run(planned.step, &planned.wiring, &mut lanes, &mut failures);
             }
-            lasting[pass.changed.clone()].copy_from_slice(&registers[pass.changed.clone()]);
         }
         failures
     }
@@ -110,31 +110,32 @@ impl<T: Number> Inputs<'_, T> {
         if needed { from(self.loads, element) } else { &[] }
     }
 
-    /// Takes over the loads of a block's elements.
-    fn load(&self, elements: &[u32], loads: &mut &[Load], lanes: &mut Lanes<'_, T>) {
+    /// Takes over the loads of a block's elements; gives the loads after them.
+    fn load<'l>(&self, elements: &[u32], mut loads: &'l [Load], lanes: &mut Lanes<'_, T>) -> &'l [Load] {
         let mut lane = 0;
         while let Some((load, rest)) = loads.split_first() {
             while elements.get(lane).is_some_and(|&element| element < load.element) {
                 lane += 1;
             }
-            let Some(&element) = elements.get(lane) else { return };
+            let Some(&element) = elements.get(lane) else { break };
             if element > load.element {
-                *loads = from(loads, element);
+                loads = from(loads, element);
                 continue;
             }
             if let Some(register) = self.group.recipe.loads[usize::from(load.index)] {
-                lanes.registers[register].as_flattened_mut()[lane] = T::exactly(load.value);
+                lanes.lasting[register].as_flattened_mut()[lane] = T::exactly(load.value);
             }
-            *loads = rest;
+            loads = rest;
         }
+        loads
     }
 
-    /// Reads what a block's elements need of their nodes.
-    fn read(&self, pass: &Pass, ends: &[u32], lanes: &mut Lanes<'_, T>) {
+    /// Reads what a block's elements need of their nodes. A triad that all of them share stays where it was spread.
+    fn read(&self, pass: &Pass, ends: &[u32], lanes: &mut Lanes<'_, T>, spread: &mut [Option<u32>]) {
         let nodes = self.nodes;
         let of = |node: usize| ends.chunks_exact(self.group.kind.nodes.len()).map(move |ends| ends[node] as usize);
         let mut common = None;
-        for &(origin, span) in &pass.reads {
+        for (&(origin, span), spread) in pass.reads.iter().zip(spread) {
             match origin {
                 Origin::Position(node) => lanes.fill(span, of(node).map(|node| nodes.positions[node])),
                 Origin::Increment(node) => {
@@ -147,9 +148,11 @@ impl<T: Number> Inputs<'_, T> {
                     };
                     common = Some((node, triad));
                     match triad {
-                        Some(triad) => lanes.spread(span, triad[axis]),
                         None => lanes.fill(span, of(node).map(|node| nodes.triad(node)[axis])),
+                        Some(triad) if *spread != Some(triad) => lanes.spread(span, nodes.shared_triad(triad)[axis]),
+                        Some(_) => {}
                     }
+                    *spread = triad;
                 }
                 _ => {}
             }

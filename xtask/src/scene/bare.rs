@@ -1,82 +1,159 @@
 //! The generated scene without scenes: the loop that one would write by hand for these connectors and nothing else.
 //!
-//! It does what the scene does: every state's displacements and forces are read from memory, the same formulas are
-//! evaluated for the same connectors on all cores, and the same five results are left for every connector. What it knows
+//! It does what the scene does: every state's displacements and loads are read from memory, the same formulas are
+//! evaluated for the same connectors on all cores, and the same results are left for every connector. What it knows
 //! beforehand the scene must find out: which formulas there are, that only second nodes move, that nothing turns, and
 //! that nothing is checked. The benchmark compares the results bit for bit.
 
-use super::generate::{self, K_STICK, RAIL, STATES};
+use super::generate::{self, CAR, K_STICK, LENGTH, RADIUS, RAIL, STATES};
+use jointproof::align::Orientations;
+use jointproof::cardan::Triads;
 use jointproof::coulomb::{ReturnMap, Trial};
 use jointproof::formula::Formula;
-use jointproof::scene::rules::{Slip, SlipLoads, Stick, StickLoads};
+use jointproof::scene::rules::{Alignment, Slip, SlipLoads, Stick, StickLoads, Turns};
 use jointproof::slot::{
-    Constraint, ContactForce, ContactForces, CrossForces, NormalForce, Positions, RelativeMotion, RelativePosition,
+    self, Constraint, ContactForces, CrossForces, NormalForce, Positions, RelativeMotion, RelativePosition,
     SlotLengths, SlotPositions,
 };
+use jointproof::translator::{self, ContactLoads};
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
+/// The vectors of a triad.
+type Axes = [Vector3<f64>; 3];
+
+/// What one sort of connector has beside what all have.
+pub(crate) trait Joint: Copy + Default + Send + Sync {
+    /// What loads it in a state.
+    type Loads: Copy + Send + Sync;
+    /// The second node turned like this at first.
+    fn new(rail: &Axes, car: &Axes) -> Self;
+    /// Its loads, of all that there are.
+    fn loads(all: [f64; 5]) -> Self::Loads;
+    /// Turns, and gives the contact force.
+    fn contact_force(&mut self, rail: &Axes, car: &Axes, loads: &Self::Loads) -> f64;
+    /// By how much it has turned.
+    fn turns(&self) -> &[f64];
+}
+
+/// A SLOT has nothing else.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Slot;
+
+impl Joint for Slot {
+    type Loads = [f64; 2];
+    fn new(_: &Axes, _: &Axes) -> Self {
+        Self
+    }
+    fn loads([f2, f3, ..]: [f64; 5]) -> [f64; 2] {
+        [f2, f3]
+    }
+    #[inline]
+    fn contact_force(&mut self, _: &Axes, _: &Axes, &[f2, f3]: &[f64; 2]) -> f64 {
+        slot::ContactForce::eval(&CrossForces { f2, f3 }).fc
+    }
+    fn turns(&self) -> &[f64] {
+        &[]
+    }
+}
+
+/// A TRANSLATOR keeps its initial angles and its turns.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Translator {
+    initial: [f64; 3],
+    turns: [f64; 3],
+}
+
+impl Joint for Translator {
+    type Loads = [f64; 5];
+    fn new(&[e1a, e2a, e3a]: &Axes, &[e1b, e2b, e3b]: &Axes) -> Self {
+        let angles = Turns::eval(&Triads { e1a, e2a, e3a, e1b, e2b, e3b });
+        Self { initial: [angles.alpha, angles.beta, angles.gamma], turns: [0.0; 3] }
+    }
+    fn loads(all: [f64; 5]) -> [f64; 5] {
+        all
+    }
+    #[inline]
+    fn contact_force(
+        &mut self,
+        &[e1a, e2a, e3a]: &Axes,
+        &[e1b, e2b, e3b]: &Axes,
+        &[f2, f3, m1, m2, m3]: &[f64; 5],
+    ) -> f64 {
+        let [alpha0, beta0, gamma0] = self.initial;
+        let turns = Alignment::eval(&Orientations { e1a, e2a, e3a, e1b, e2b, e3b, alpha0, beta0, gamma0 });
+        self.turns = [turns.ur1, turns.ur2, turns.ur3];
+        translator::ContactForce::eval(&ContactLoads { f2, f3, m1, m2, m3, rr: RADIUS, l: LENGTH }).fc
+    }
+    fn turns(&self) -> &[f64] {
+        &self.turns
+    }
+}
+
 /// The generated scene, in arrays.
-pub(crate) struct Bare {
-    connectors: Vec<Connector>,
+pub(crate) struct Bare<J: Joint> {
+    connectors: Vec<Connector<J>>,
     /// Initial positions, two for every connector.
     nodes: Vec<Vector3<f64>>,
-    /// What rails stand like; there is but one.
-    triads: Vec<[Vector3<f64>; 3]>,
+    /// What nodes stand like: the rails, and what slides.
+    triads: [Axes; 2],
     /// Displacements of the second nodes, state by state.
     displacements: Vec<Vec<Vector3<f64>>>,
-    /// Forces f2 and f3, state by state.
-    loads: Vec<Vec<[f64; 2]>>,
+    /// Loads, state by state.
+    loads: Vec<Vec<J::Loads>>,
 }
 
 /// What one connector keeps; its history begins with zeros.
 #[derive(Clone, Copy, Default)]
-pub(crate) struct Connector {
+pub(crate) struct Connector<J> {
     nodes: [u32; 2],
-    triad: usize,
+    triads: [u32; 2],
     mu: f64,
     k_stick: f64,
     /// Initial coordinates of the second node in the rail's triad.
     initial: [f64; 3],
-    pub(crate) gy: f64,
-    pub(crate) gz: f64,
-    pub(crate) u1: f64,
-    pub(crate) csf: f64,
-    pub(crate) slip: f64,
+    gy: f64,
+    gz: f64,
+    u1: f64,
+    csf: f64,
+    slip: f64,
+    joint: J,
 }
 
-impl Bare {
+impl<J: Joint> Bare<J> {
     pub(crate) fn new(connectors: usize) -> Self {
         let nodes: Vec<_> = (0..connectors).flat_map(generate::nodes).map(Vector3::from).collect();
-        let rail = RAIL.map(Vector3::from);
+        let triads @ [rail, car] = [RAIL, CAR].map(|triad| triad.map(Vector3::from));
         let connector = |(index, first): (usize, u32)| {
             let [a, b] = generate::nodes(index).map(Vector3::from);
             let initial = RelativePosition::eval(&positions(&rail, a, b));
             let initial = [initial.x, initial.y, initial.z];
             let (nodes, mu) = ([first, first + 1], generate::mu(index));
-            Connector { nodes, mu, k_stick: K_STICK, initial, ..Connector::default() }
+            let joint = J::new(&rail, &car);
+            Connector { nodes, triads: [0, 1], mu, k_stick: K_STICK, initial, joint, ..Connector::default() }
         };
         let states = 0..STATES;
         let displacement = |state, index| Vector3::from(generate::displacement(state, index));
+        let loads = |state, index| J::loads(generate::loads(state, index));
         Self {
             connectors: (0..connectors).zip((0..).step_by(2)).map(connector).collect(),
             nodes,
-            triads: vec![rail],
+            triads,
             displacements: states.clone().map(|k| (0..connectors).map(|i| displacement(k, i)).collect()).collect(),
-            loads: states.map(|k| (0..connectors).map(|i| generate::loads(k, i)).collect()).collect(),
+            loads: states.map(|k| (0..connectors).map(|i| loads(k, i)).collect()).collect(),
         }
     }
 
     /// Forgets the history.
     pub(crate) fn restart(&mut self) {
         for connector in &mut self.connectors {
-            let Connector { nodes, triad, mu, k_stick, initial, .. } = *connector;
-            *connector = Connector { nodes, triad, mu, k_stick, initial, ..Connector::default() };
+            let Connector { nodes, triads, mu, k_stick, initial, joint, .. } = *connector;
+            *connector = Connector { nodes, triads, mu, k_stick, initial, joint, ..Connector::default() };
         }
     }
 
     /// Every state.
-    pub(crate) fn run(&mut self) -> &[Connector] {
+    pub(crate) fn run(&mut self) {
         // So many are worth a thread.
         const TASK: usize = 1024;
         let (nodes, triads) = (&self.nodes, &self.triads);
@@ -90,31 +167,32 @@ impl Bare {
                 all.for_each(|((connector, u), loads)| connector.advance(nodes, triads, u, loads));
             }
         }
-        &self.connectors
+    }
+
+    /// The results, in the order in which a scene gives them.
+    pub(crate) fn results(&self) -> impl Iterator<Item = f64> {
+        let before = |c: &Connector<J>| [c.u1, c.gy, c.gz];
+        let after = |c: &Connector<J>| [c.csf, c.slip];
+        self.connectors.iter().flat_map(move |c| before(c).into_iter().chain(c.joint.turns().to_vec()).chain(after(c)))
     }
 }
 
-fn positions(&[e1a, e2a, e3a]: &[Vector3<f64>; 3], xa: Vector3<f64>, xb: Vector3<f64>) -> Positions<f64> {
+fn positions(&[e1a, e2a, e3a]: &Axes, xa: Vector3<f64>, xb: Vector3<f64>) -> Positions<f64> {
     Positions { e1a, e2a, e3a, xa, xb }
 }
 
-impl Connector {
+impl<J: Joint> Connector<J> {
     /// The next state.
     #[inline]
-    fn advance(
-        &mut self,
-        nodes: &[Vector3<f64>],
-        triads: &[[Vector3<f64>; 3]],
-        displacement: &Vector3<f64>,
-        &[f2, f3]: &[f64; 2],
-    ) {
+    fn advance(&mut self, nodes: &[Vector3<f64>], triads: &[Axes; 2], displacement: &Vector3<f64>, loads: &J::Loads) {
         let ([a, b], [x0, y0, z0], k_stick) = (self.nodes, self.initial, self.k_stick);
-        let positions = positions(&triads[self.triad], nodes[a as usize], nodes[b as usize] + displacement);
+        let [rail, car] = self.triads.map(|triad| &triads[triad as usize]);
+        let positions = positions(rail, nodes[a as usize], nodes[b as usize] + displacement);
         let Positions { e2a, e3a, xa, xb, .. } = positions;
         let residuals = Constraint::eval(&SlotPositions { e2a, e3a, xa, xb, y0, z0 });
         let x = RelativePosition::eval(&positions).x;
         let u1 = RelativeMotion::eval(&SlotLengths { x, x0, l1_ref: x0 }).u1;
-        let fc = ContactForce::eval(&CrossForces { f2, f3 }).fc;
+        let fc = self.joint.contact_force(rail, car, loads);
         let normal = NormalForce::eval(&ContactForces { fc, fc_int: 0.0 }).r#fn;
         let f_trial = Stick::eval(&StickLoads { u1, u1_before: self.u1, f_before: self.csf, k_stick }).f_trial;
         let csf = ReturnMap::eval(&Trial { f_trial, mu: self.mu, r#fn: normal }).f;

@@ -1,7 +1,7 @@
 //! What an element of a scene costs per state, against a bare loop of the same formulas.
 
-use super::bare::{Bare, Connector};
-use super::generate::{self, STATES};
+use super::bare::{Bare, Joint, Slot, Translator};
+use super::generate::{self, Connector, STATES};
 use crate::console::{print, say};
 use anyhow::ensure;
 use jointproof::scene::{Plan, Run, Scene};
@@ -13,10 +13,20 @@ use std::time::Instant;
 const SIZES: [(usize, usize); 3] = [(10, 4001), (10_000, 401), (1_000_000, 21)];
 
 pub(crate) fn run() -> anyhow::Result<()> {
-    let mut report = format!(
-        "{} threads, {STATES} states, outputs U1 GY GZ CSF1 CASU1 of a slot with friction; medians\n\
-        {:>9} {:>9} {:>9} {:>9} {:>7} {:>13} {:>11} {:>13}\n",
-        rayon::current_num_threads(),
+    let mut report = format!("{} threads, {STATES} states, medians\n", rayon::current_num_threads());
+    of::<Slot>(Connector::Slot, &mut report)?;
+    of::<Translator>(Connector::Translator, &mut report)?;
+    print(&report)
+}
+
+/// Measures one sort of connector.
+fn of<J: Joint>(connector: Connector, report: &mut String) -> anyhow::Result<()> {
+    let kind = connector.kind();
+    writeln!(
+        report,
+        "\n{kind} with friction, outputs {}\n\
+        {:>9} {:>9} {:>9} {:>9} {:>7} {:>13} {:>11} {:>13}",
+        connector.outputs().join(" "),
         "elements",
         "read ns",
         "scene ns",
@@ -25,20 +35,22 @@ pub(crate) fn run() -> anyhow::Result<()> {
         "bytes/element",
         "bytes/node",
         "resident",
-    );
+    )?;
     for (elements, times) in SIZES {
-        say(&format!("{elements} elements"));
+        say(&format!("{elements} elements of kind {kind}"));
         let before = resident();
         let mut text = Vec::new();
-        generate::write(elements, &mut text)?;
+        generate::write(connector, elements, &mut text)?;
         let text = String::from_utf8(text)?;
         let start = Instant::now();
         let scene = Scene::parse(&text)?;
         let reading = per(start.elapsed().as_secs_f64() * 1e9, elements);
         drop(text);
-        let resident = resident().zip(before).map(|(now, before)| per_count(now.saturating_sub(before), elements));
-        let resident = resident.map_or_else(|| "unknown".into(), |bytes| format!("{bytes:.0}"));
-        let Measured { scene: of_scene, bare, bytes } = measure(&scene, elements, times)?;
+        // What a small scene takes is lost in what the process has reserved.
+        let resident = resident().zip(before).filter(|_| elements > 100_000);
+        let resident = resident.map(|(now, before)| per_count(now.saturating_sub(before), elements));
+        let resident = resident.map_or_else(|| "–".into(), |bytes| format!("{bytes:.0}"));
+        let Measured { scene: of_scene, bare, bytes } = measure::<J>(&scene, elements, times)?;
         writeln!(
             report,
             "{elements:>9} {reading:>9.0} {of_scene:>9.1} {bare:>9.1} {:>7.2} {:>13.1} {:>11.1} {resident:>13}",
@@ -47,7 +59,7 @@ pub(crate) fn run() -> anyhow::Result<()> {
             per_count(bytes[1], scene.nodes()),
         )?;
     }
-    print(&report)
+    Ok(())
 }
 
 /// Nanoseconds per element and state, and the bytes of elements and nodes.
@@ -58,9 +70,9 @@ struct Measured {
 }
 
 /// Both by turns, so that what slows the machine down slows both; the states only, because what comes before is reading.
-fn measure(scene: &Scene, elements: usize, times: usize) -> anyhow::Result<Measured> {
+fn measure<J: Joint>(scene: &Scene, elements: usize, times: usize) -> anyhow::Result<Measured> {
     let plan = Plan::new(scene);
-    let mut bare = Bare::new(elements);
+    let mut bare = Bare::<J>::new(elements);
     let (mut of_scene, mut of_bare) = (Vec::new(), Vec::new());
     let mut bytes = [0, 0];
     for _ in 0..times {
@@ -71,10 +83,10 @@ fn measure(scene: &Scene, elements: usize, times: usize) -> anyhow::Result<Measu
         bytes = run.bytes();
         bare.restart();
         let start = Instant::now();
-        let results = black_box(&mut bare).run();
+        black_box(&mut bare).run();
         of_bare.push(start.elapsed().as_secs_f64());
         if of_bare.len() == times {
-            compare(&run, results)?;
+            compare(&run, &bare)?;
         }
     }
     let median = |mut seconds: Vec<f64>| {
@@ -85,8 +97,8 @@ fn measure(scene: &Scene, elements: usize, times: usize) -> anyhow::Result<Measu
 }
 
 /// The results of the last state have the same bits.
-fn compare(run: &Run<'_, f64>, bare: &[Connector]) -> anyhow::Result<()> {
-    let mut expected = bare.iter().flat_map(|c| [c.u1, c.gy, c.gz, c.csf, c.slip]);
+fn compare<J: Joint>(run: &Run<'_, f64>, bare: &Bare<J>) -> anyhow::Result<()> {
+    let mut expected = bare.results();
     let mut same = true;
     run.for_each_result(usize::MAX, |_, _, components| same &= expected.next() == components.first().copied());
     ensure!(same && expected.next().is_none(), "the scene and the bare loop differ");

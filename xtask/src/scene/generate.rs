@@ -1,15 +1,66 @@
 //! Scenes of any size, to measure with: sliding connectors side by side, each with friction and its own motion.
 
+use std::fmt::Write as _;
 use std::io::{BufWriter, Write};
 
 /// States of a generated scene.
 pub(crate) const STATES: usize = 5;
+
+/// What a generated scene is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum Connector {
+    /// The lightest connector there is: ten nanoseconds of formulas
+    Slot,
+    /// With its angles, and friction from forces and moments
+    Translator,
+}
+
+impl Connector {
+    /// Its kind in the scene.
+    pub(crate) fn kind(self) -> &'static str {
+        match self {
+            Self::Slot => "slot",
+            Self::Translator => "translator",
+        }
+    }
+
+    /// What is wanted of it, in the order in which it comes.
+    pub(crate) fn outputs(self) -> &'static [&'static str] {
+        match self {
+            Self::Slot => &["U1", "GY", "GZ", "CSF1", "CASU1"],
+            Self::Translator => &["U1", "GY", "GZ", "UR1", "UR2", "UR3", "CSF1", "CASU1"],
+        }
+    }
+
+    /// The forces and moments that load it, of those in [`loads`].
+    fn loads(self) -> &'static [&'static str] {
+        match self {
+            Self::Slot => &["f2", "f3"],
+            Self::Translator => &["f2", "f3", "m1", "m2", "m3"],
+        }
+    }
+
+    /// Parameters beside those of every connector, and what stands before them.
+    fn levers(self) -> String {
+        match self {
+            Self::Slot => String::new(),
+            Self::Translator => format!(",\"rr\":{RADIUS},\"l\":{LENGTH}"),
+        }
+    }
+}
 
 /// Stick stiffness of every connector.
 pub(crate) const K_STICK: f64 = 1e5;
 
 /// How the rail of every connector stands.
 pub(crate) const RAIL: [[f64; 3]; 3] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]];
+
+/// How what slides in a translator stands.
+pub(crate) const CAR: [[f64; 3]; 3] = [[0.0, 0.8, 0.6], [0.0, -0.6, 0.8], [1.0, 0.0, 0.0]];
+
+/// The levers of a translator's moments.
+pub(crate) const RADIUS: f64 = 0.25;
+pub(crate) const LENGTH: f64 = 2.0;
 
 /// Where the nodes of a connector are initially: the rail, and what slides on it.
 #[expect(clippy::cast_precision_loss, reason = "counts far below 2^53")]
@@ -30,33 +81,40 @@ pub(crate) fn displacement(state: usize, connector: usize) -> [f64; 3] {
     [0.001, (10 * state + connector % 10) as f64 / 1000.0, 0.0]
 }
 
-/// The forces across a connector in a state.
+/// The forces f2 and f3 across a connector in a state, and the moments on it.
 #[expect(clippy::cast_precision_loss, reason = "counts far below 2^53")]
-pub(crate) fn loads(state: usize, connector: usize) -> [f64; 2] {
-    [(connector % 100) as f64 + 0.5, -(state as f64)]
+pub(crate) fn loads(state: usize, connector: usize) -> [f64; 5] {
+    let (force, moment) = ((connector % 100) as f64, state as f64);
+    [force + 0.5, -moment, moment + 0.25, force, -0.75]
 }
 
 /// Writes the scene as it is made.
-pub(crate) fn write(connectors: usize, out: &mut impl Write) -> anyhow::Result<()> {
+pub(crate) fn write(connector: Connector, connectors: usize, out: &mut impl Write) -> anyhow::Result<()> {
     let mut out = BufWriter::with_capacity(1 << 20, out);
     let comma = |index: usize| if index == 0 { "" } else { "," };
-    let [first, second, _] = RAIL;
+    let ([first, second, _], [car, beside, _]) = (RAIL, CAR);
+    let kind = connector.kind();
     write!(
         out,
-        "{{\"title\":\"{connectors} sliding connectors\",\n\"dimension\":\"3d\",\n\
-        \"orientations\":{{\"rail\":{{\"axes\":[{first:?},{second:?}]}}}},\n\"nodes\":{{"
+        "{{\"title\":\"{connectors} connectors of kind {kind}\",\n\"dimension\":\"3d\",\n\
+        \"orientations\":{{\"rail\":{{\"axes\":[{first:?},{second:?}]}},\"car\":{{\"axes\":[{car:?},{beside:?}]}}}},\n\"nodes\":{{"
     )?;
     for i in 0..connectors {
         let [a, b] = nodes(i);
-        write!(out, "{}\n\"a{i}\":{{\"at\":{a:?},\"orientation\":\"rail\"}},\"b{i}\":{{\"at\":{b:?}}}", comma(i))?;
+        write!(
+            out,
+            "{}\n\"a{i}\":{{\"at\":{a:?},\"orientation\":\"rail\"}},\"b{i}\":{{\"at\":{b:?},\"orientation\":\"car\"}}",
+            comma(i)
+        )?;
     }
     write!(out, "}},\n\"elements\":{{")?;
     for i in 0..connectors {
         write!(
             out,
-            "{}\n\"s{i}\":{{\"kind\":\"slot\",\"nodes\":[\"a{i}\",\"b{i}\"],\"mu\":{},\"k_stick\":{K_STICK}}}",
+            "{}\n\"s{i}\":{{\"kind\":\"{kind}\",\"nodes\":[\"a{i}\",\"b{i}\"],\"mu\":{},\"k_stick\":{K_STICK}{}}}",
             comma(i),
-            mu(i)
+            mu(i),
+            connector.levers(),
         )?;
     }
     write!(out, "}},\n\"frames\":[")?;
@@ -67,11 +125,14 @@ pub(crate) fn write(connectors: usize, out: &mut impl Write) -> anyhow::Result<(
         }
         write!(out, "}},\"loads\":{{")?;
         for i in 0..connectors {
-            let [f2, f3] = loads(state, i);
-            write!(out, "{}\"s{i}\":{{\"f2\":{f2},\"f3\":{f3}}}", comma(i))?;
+            let mut given = String::new();
+            for (load, value) in connector.loads().iter().zip(loads(state, i)) {
+                write!(given, "{}\"{load}\":{value}", if given.is_empty() { "" } else { "," })?;
+            }
+            write!(out, "{}\"s{i}\":{{{given}}}", comma(i))?;
         }
         write!(out, "}}}}")?;
     }
-    writeln!(out, "],\n\"outputs\":[\"GY\",\"GZ\",\"U1\",\"CSF1\",\"CASU1\"]}}")?;
+    writeln!(out, "],\n\"outputs\":{:?}}}", connector.outputs())?;
     Ok(out.flush()?)
 }

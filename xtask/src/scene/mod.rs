@@ -31,7 +31,7 @@ use std::time::{Duration, Instant};
   cargo xtask scene golden/scenes/rail.json --plot .   an SVG per output over the history
   cargo xtask scene *.json --format csv > all.csv      for a spreadsheet
   cargo xtask scene --generate 10000 > many.json       a scene to measure with
-  cargo xtask scene --benchmark                        what an element costs per state")]
+  cargo run --release -p xtask -- scene --benchmark    what an element costs per state")]
 pub(crate) struct Arguments {
     /// Scene files
     #[arg(value_name = "FILE", required_unless_present_any = ["generate", "benchmark"])]
@@ -51,6 +51,9 @@ pub(crate) struct Arguments {
     /// Print a scene of N sliding connectors over 5 states
     #[arg(long, value_name = "N", conflicts_with_all = ["files", "benchmark"])]
     generate: Option<usize>,
+    /// What a generated scene is made of
+    #[arg(long, value_enum, requires = "generate", default_value_t = generate::Connector::Slot)]
+    of: generate::Connector,
     /// Measure scenes of 10, 10,000 and 1,000,000 elements against a bare loop of the same formulas
     #[arg(long, conflicts_with = "files")]
     benchmark: bool,
@@ -58,7 +61,7 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(arguments: &Arguments) -> Outcome {
     if let Some(elements) = arguments.generate {
-        piped(generate::write(elements, &mut anstream::stdout().lock()))?;
+        piped(generate::write(arguments.of, elements, &mut anstream::stdout().lock()))?;
         return Ok(ExitCode::SUCCESS);
     }
     if arguments.benchmark {
