@@ -14,6 +14,9 @@ const SIZES: [(usize, usize); 3] = [(10, 4001), (10_000, 401), (1_000_000, 21)];
 
 pub(crate) fn run() -> anyhow::Result<()> {
     let mut report = format!("{} threads, {STATES} states, medians\n", rayon::current_num_threads());
+    if cfg!(debug_assertions) {
+        say("this build is not optimised; `cargo run --release -p xtask -- scene --benchmark` is");
+    }
     of::<Slot>(Connector::Slot, &mut report)?;
     of::<Translator>(Connector::Translator, &mut report)?;
     print(&report)
