@@ -52,10 +52,10 @@ impl Contestant {
     fn new(way: &'static str, with_jacobian: bool, run: Runner, options: &Options) -> Self {
         let all = options.timing_points.max(1);
         let mut contestant = Self { way, with_jacobian, run, points: 1, calls: 1, every: 1, samples: Vec::new() };
-        let mut one = contestant.turn(0);
+        let mut one = contestant.least();
         if one * number(all) < options.turn_ns {
             contestant.points = all;
-            one = contestant.turn(0).min(contestant.turn(0));
+            one = contestant.least();
         }
         let call = (one * number(contestant.points)).max(1.0);
         contestant.calls = whole(options.turn_ns / call);
@@ -67,6 +67,11 @@ impl Contestant {
         let long = whole(one / options.turn_ns / 4.0);
         contestant.every = long.min(options.rounds / 5).max(1);
         contestant
+    }
+
+    /// The least of some turns: the first is cold, and another may be interrupted.
+    fn least(&mut self) -> f64 {
+        (0..4).map(|_| self.turn(0)).fold(f64::INFINITY, f64::min)
     }
 
     /// Nanoseconds an evaluation in one turn.
