@@ -216,19 +216,19 @@ impl<D: Scalar> Station<D> {
     /// Torque by the pressure here.
     #[inline(always)]
     fn by_pressure(&self) -> D {
-        self.moment * self.radius * self.length
+        self.moment * self.length * self.radius
     }
 
     /// Half of torque by the radius here.
     #[inline(always)]
     fn by_radius(&self) -> D {
-        self.moment * self.pressure * self.length
+        self.moment * self.length * self.pressure
     }
 
     /// Torque by X′ here.
     #[inline(always)]
     fn by_rate(&self) -> Vector2<D> {
-        let along = self.moment * self.radius * self.pressure / self.length;
+        let along = self.moment * (self.radius * self.pressure) / self.length;
         self.rate * if self.length == 0.0 { D::zero() } else { along }
     }
 }
