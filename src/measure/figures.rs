@@ -29,6 +29,23 @@ pub struct Measurement {
 }
 
 impl Measurement {
+    /// With the rounds of another measurement of the same formula: medians are halfway between both, and the spread
+    /// holds either.
+    #[must_use]
+    pub fn and(mut self, other: &Self) -> Self {
+        for (ours, theirs) in self.ways.iter_mut().zip(&other.ways) {
+            for (ours, theirs) in [(&mut ours.value, &theirs.value), (&mut ours.jacobian, &theirs.jacobian)] {
+                if let (Some(ours), Some(theirs)) = (ours, theirs) {
+                    ours.time = Time::of_both(ours.time, theirs.time);
+                    ours.ratio = Time::of_both(ours.ratio, theirs.ratio);
+                }
+            }
+        }
+        self.copy = Time::of_both(self.copy, other.copy);
+        self.yardstick = Time::of_both(self.yardstick, other.yardstick);
+        self
+    }
+
     /// The way of this identifier.
     pub fn way(&self, id: &str) -> Option<&WayFigures> {
         self.ways.iter().find(|way| way.id == id)
@@ -65,7 +82,8 @@ pub struct Figures {
     pub hard: Option<Errors>,
 }
 
-/// A time, or a ratio of times: the median of the rounds, and between what values four of five rounds were.
+/// A time, or a ratio of times: the median of the rounds, and between what values four of five rounds were. Of rounds in
+/// two parts, the mean of the medians, and a spread for both.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Time {
@@ -75,6 +93,13 @@ pub struct Time {
     pub low: f64,
     /// The 90th percentile.
     pub high: f64,
+}
+
+impl Time {
+    fn of_both(one: Option<Self>, other: Option<Self>) -> Option<Self> {
+        let (a, b) = (one?, other?);
+        Some(Self { median: f64::midpoint(a.median, b.median), low: a.low.min(b.low), high: a.high.max(b.high) })
+    }
 }
 
 /// Errors over a set of points, each point counting by the worst of its numbers.

@@ -27,6 +27,8 @@ pub enum Event {
     Begun(Build),
     /// The errors of this formula are known.
     Compared(String),
+    /// This formula was timed for the first time.
+    Timed(String),
     /// This formula is done.
     Measured(Box<Measurement>),
 }
@@ -58,7 +60,8 @@ impl Build {
     }
 }
 
-/// Measures: errors on all cores, then times, one formula after the other on a machine that does nothing else.
+/// Measures: errors on all cores, then times, one formula after the other on a machine that does nothing else, and all of
+/// them once more: what disturbs the machine for some seconds falls on one half of the rounds only, and is seen in the spread.
 ///
 /// # Errors
 /// What `tell` says; it is not told more after that.
@@ -67,9 +70,15 @@ pub fn measure<E>(request: &Request, mut tell: impl FnMut(Event) -> Result<(), E
     let formulas: Vec<_> = request.formulas.iter().filter_map(|id| find(id)).collect();
     let mut compared = compare(&formulas, &request.options, |id| tell(Event::Compared(id)))?;
     compared.sort_by_key(|(k, _)| *k);
-    for (k, mut measurement) in compared {
-        formulas[k].times(&request.options, &mut measurement);
-        tell(Event::Measured(Box::new(measurement)))?;
+    let half = Options { rounds: request.options.rounds.div_ceil(2), ..request.options };
+    for (k, first) in &mut compared {
+        formulas[*k].times(&half, first);
+        tell(Event::Timed(first.formula.clone()))?;
+    }
+    for (k, first) in compared {
+        let mut second = first.clone();
+        formulas[k].times(&half, &mut second);
+        tell(Event::Measured(Box::new(first.and(&second))))?;
     }
     Ok(())
 }

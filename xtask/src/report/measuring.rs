@@ -11,7 +11,7 @@ use std::process::{Command, Stdio};
 
 /// What the measuring program was and what it found.
 pub(super) fn run(formulas: Vec<String>, options: Options, here: bool) -> anyhow::Result<(Build, Vec<Measurement>)> {
-    let mut record = Record { build: None, measured: Vec::new(), bar: progress("report", 2 * formulas.len()) };
+    let mut record = Record { build: None, measured: Vec::new(), bar: progress("report", 3 * formulas.len()) };
     let request = Request { formulas, options };
     if here {
         measure::measure(&request, |event| {
@@ -41,8 +41,9 @@ impl Record {
                 self.bar.reset();
             }
             Event::Compared(formula) => self.step(format!("errors of {formula}")),
+            Event::Timed(formula) => self.step(format!("times of {formula}")),
             Event::Measured(measurement) => {
-                self.step(format!("times of {}", measurement.formula));
+                self.step(format!("times of {} again", measurement.formula));
                 self.measured.push(*measurement);
             }
         }
