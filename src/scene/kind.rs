@@ -152,8 +152,8 @@ pub struct Kind {
     pub dimension: Dimension,
     /// Its nodes, by their roles.
     pub nodes: &'static [&'static str],
-    /// Registers that no formula computes, and where they come from.
-    pub given: &'static [(&'static str, Origin)],
+    /// Registers that no formula computes, and where they come from; in groups, some of which several kinds have.
+    pub given: &'static [&'static [(&'static str, Origin)]],
     /// Its formulas, the preferred first where several compute the same.
     pub formulas: &'static [Use],
     /// Registers that hold something else here than the fields of their formulas say.
@@ -173,9 +173,14 @@ impl Kind {
         Self::all().find(|kind| kind.name == name && kind.dimension == dimension)
     }
 
+    /// The registers that no formula computes, and where they come from.
+    fn registers(&self) -> impl Iterator<Item = (&'static str, Origin)> + use<> {
+        self.given.iter().copied().flatten().copied()
+    }
+
     /// Where a register comes from, if no formula computes it.
     pub fn given(&self, register: &str) -> Option<Origin> {
-        self.given.iter().find(|(name, _)| *name == register).map(|&(_, from)| from)
+        self.registers().find(|(name, _)| *name == register).map(|(_, from)| from)
     }
 
     /// The field of a formula that writes or reads a register.
@@ -197,7 +202,7 @@ impl Kind {
 
     /// The parameters, in order.
     pub fn parameters(&self) -> impl Iterator<Item = (&'static str, Fallback)> {
-        self.given.iter().filter_map(|&(name, from)| match from {
+        self.registers().filter_map(|(name, from)| match from {
             Origin::Parameter(default) => Some((name, default)),
             _ => None,
         })
@@ -205,7 +210,7 @@ impl Kind {
 
     /// The loads, in order.
     pub fn loads(&self) -> impl Iterator<Item = &'static str> {
-        self.given.iter().filter(|(_, from)| *from == Origin::Load).map(|&(name, _)| name)
+        self.registers().filter(|(_, from)| *from == Origin::Load).map(|(name, _)| name)
     }
 
     /// The formulas that compute a register.

@@ -10,7 +10,7 @@ use super::kind::{Fallback, Kind, Origin, Use, always, renamed};
 use super::rules;
 use crate::{coulomb, slot as formulas};
 use Fallback::{As, Number, Required};
-use Origin::{Before, Initial, Parameter};
+use Origin::{Axis, Before, Initial, Load, Parameter, Position};
 
 /// Every kind of element.
 pub(super) static KINDS: &[Kind] = &[
@@ -26,21 +26,24 @@ pub(super) static KINDS: &[Kind] = &[
 
 type Given = (&'static str, Origin);
 
-/// What friction over increments is given, in every connector with a slot.
-const STICK: [Given; 4] = [
+/// Two nodes, and the triad of the first, in every connector.
+const NODES: &[Given] =
+    &[("xa", Position(0)), ("xb", Position(1)), ("e1a", Axis(0, 0)), ("e2a", Axis(0, 1)), ("e3a", Axis(0, 2))];
+const FORCES: &[Given] = &[("f1", Load), ("f2", Load), ("f3", Load)];
+const MOMENTS: &[Given] = &[("m1", Load), ("m2", Load), ("m3", Load)];
+
+/// What motion and friction along a slot are given, in every connector with one; friction goes over increments.
+const INITIAL: &[Given] = &[("x0", Initial("x")), ("y0", Initial("y")), ("z0", Initial("z"))];
+const LENGTHS: &[Given] =
+    &[("l1_ref", Parameter(As("x0"))), ("l1_min", Parameter(Required)), ("l1_max", Parameter(Required))];
+const FRICTION: &[Given] = &[
+    ("mu", Parameter(Number(0.0))),
+    ("fc_int", Parameter(Number(0.0))),
     ("k_stick", Parameter(Required)),
     ("u1_before", Before("u1")),
     ("f_before", Before("csf")),
     ("slip_before", Before("slip_total")),
 ];
-const MU: Given = ("mu", Parameter(Number(0.0)));
-const FC_INT: Given = ("fc_int", Parameter(Number(0.0)));
-const X0: Given = ("x0", Initial("x"));
-const Y0: Given = ("y0", Initial("y"));
-const Z0: Given = ("z0", Initial("z"));
-const L1_REF: Given = ("l1_ref", Parameter(As("x0")));
-const L1_MIN: Given = ("l1_min", Parameter(Required));
-const L1_MAX: Given = ("l1_max", Parameter(Required));
 
 /// Formulas of motion and friction along a slot, in every connector with one.
 const MOTION: Use = always(&formulas::RelativeMotion);

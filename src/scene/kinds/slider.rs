@@ -9,14 +9,14 @@ pub(super) const SLIDER: Kind = Kind {
     name: "slider",
     dimension: Dimension::Space,
     nodes: &["first", "last", "node"],
-    given: &[
+    given: &[&[
         ("x1", Position(0)),
         ("xn", Position(1)),
         ("xm", Position(2)),
         ("dx1", Increment(0)),
         ("dxn", Increment(1)),
         ("dxm", Increment(2)),
-    ],
+    ]],
     formulas: &[
         always(&slider::Line),
         always(&slider::Constraint),

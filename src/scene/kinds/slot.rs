@@ -1,39 +1,18 @@
 //! SLOT, in space and in the plane.
 
 use super::{
-    CONSTRAINT_FORCE, FC_INT, KINETIC_FORCE, L1_MAX, L1_MIN, L1_REF, MOTION, MU, NORMAL, RETURN_MAP, SLIP, STICK, STOP,
-    TRIAL, X0, Y0, Z0,
+    CONSTRAINT_FORCE, FORCES, FRICTION, INITIAL, KINETIC_FORCE, LENGTHS, MOTION, NODES, NORMAL, RETURN_MAP, SLIP, STOP,
+    TRIAL,
 };
 use crate::scene::kind::{Dimension, Kind, Origin, always};
 use crate::slot;
-use Origin::{Axis, Load, Position, Zero};
+use Origin::Zero;
 
 pub(super) const SLOT: Kind = Kind {
     name: "slot",
     dimension: Dimension::Space,
     nodes: &["a", "b"],
-    given: &[
-        ("xa", Position(0)),
-        ("xb", Position(1)),
-        ("e1a", Axis(0, 0)),
-        ("e2a", Axis(0, 1)),
-        ("e3a", Axis(0, 2)),
-        X0,
-        Y0,
-        Z0,
-        L1_REF,
-        L1_MIN,
-        L1_MAX,
-        MU,
-        FC_INT,
-        STICK[0],
-        STICK[1],
-        STICK[2],
-        STICK[3],
-        ("f1", Load),
-        ("f2", Load),
-        ("f3", Load),
-    ],
+    given: &[NODES, INITIAL, LENGTHS, FRICTION, FORCES],
     formulas: &[
         always(&slot::RelativePosition),
         always(&slot::Constraint),
@@ -73,27 +52,7 @@ pub(super) const SLOT: Kind = Kind {
 
 pub(super) const SLOT_2D: Kind = Kind {
     dimension: Dimension::Plane,
-    given: &[
-        ("xa", Position(0)),
-        ("xb", Position(1)),
-        ("e1a", Axis(0, 0)),
-        ("e2a", Axis(0, 1)),
-        ("e3a", Axis(0, 2)),
-        X0,
-        Y0,
-        L1_REF,
-        L1_MIN,
-        L1_MAX,
-        MU,
-        FC_INT,
-        STICK[0],
-        STICK[1],
-        STICK[2],
-        STICK[3],
-        ("f1", Load),
-        ("f2", Load),
-        ("f3", Zero),
-    ],
+    given: &[NODES, &[INITIAL[0], INITIAL[1]], LENGTHS, FRICTION, &[FORCES[0], FORCES[1], ("f3", Zero)]],
     formulas: &[
         always(&slot::RelativePosition),
         always(&slot::Constraint2d),

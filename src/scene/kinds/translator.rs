@@ -1,14 +1,14 @@
 //! TRANSLATOR: SLOT and ALIGN.
 
 use super::{
-    CONSTRAINT_FORCE, FC_INT, KINETIC_FORCE, L1_MAX, L1_MIN, L1_REF, MOTION, MU, NORMAL, RETURN_MAP, SLIP, STICK, STOP,
-    TRIAL, X0, Y0, Z0,
+    CONSTRAINT_FORCE, FORCES, FRICTION, INITIAL, KINETIC_FORCE, LENGTHS, MOMENTS, MOTION, NODES, NORMAL, RETURN_MAP,
+    SLIP, STOP, TRIAL,
 };
 use crate::scene::kind::{Dimension, Fallback, Kind, Origin, When, always, renamed};
 use crate::scene::rules;
 use crate::{align, slot, translator};
 use Fallback::Number;
-use Origin::{Axis, Initial, Load, Parameter, Position};
+use Origin::{Axis, Initial, Parameter};
 
 /// The levers of a TRANSLATOR's moments; where both are 0, its friction is that of the SLOT.
 const LEVERS: &[&str] = &["rr", "l"];
@@ -18,37 +18,15 @@ pub(super) const TRANSLATOR: Kind = Kind {
     dimension: Dimension::Space,
     nodes: &["a", "b"],
     given: &[
-        ("xa", Position(0)),
-        ("xb", Position(1)),
-        ("e1a", Axis(0, 0)),
-        ("e2a", Axis(0, 1)),
-        ("e3a", Axis(0, 2)),
-        ("e1b", Axis(1, 0)),
-        ("e2b", Axis(1, 1)),
-        ("e3b", Axis(1, 2)),
-        X0,
-        Y0,
-        Z0,
-        ("alpha0", Initial("alpha")),
-        ("beta0", Initial("beta")),
-        ("gamma0", Initial("gamma")),
-        L1_REF,
-        L1_MIN,
-        L1_MAX,
-        ("rr", Parameter(Number(0.0))),
-        ("l", Parameter(Number(0.0))),
-        MU,
-        FC_INT,
-        STICK[0],
-        STICK[1],
-        STICK[2],
-        STICK[3],
-        ("f1", Load),
-        ("f2", Load),
-        ("f3", Load),
-        ("m1", Load),
-        ("m2", Load),
-        ("m3", Load),
+        NODES,
+        &[("e1b", Axis(1, 0)), ("e2b", Axis(1, 1)), ("e3b", Axis(1, 2))],
+        INITIAL,
+        &[("alpha0", Initial("alpha")), ("beta0", Initial("beta")), ("gamma0", Initial("gamma"))],
+        LENGTHS,
+        &[("rr", Parameter(Number(0.0))), ("l", Parameter(Number(0.0)))],
+        FRICTION,
+        FORCES,
+        MOMENTS,
     ],
     formulas: &[
         always(&slot::RelativePosition),

@@ -1,12 +1,13 @@
 //! UJOINT: JOIN and UNIVERSAL, with the friction of the cross.
 
+use super::{FORCES, MOMENTS, NODES};
 use crate::coulomb::ReturnMap;
 use crate::quantity::{Domain, Quantity, Unit};
 use crate::scene::kind::{Dimension, Fallback, Kind, Origin, Use, always, renamed};
 use crate::scene::rules::{self, Slip, TurnStick, scalar};
 use crate::{join, ujoint, universal};
 use Fallback::{As, Number, Required};
-use Origin::{Axis, Before, Initial, Load, Parameter, Position, Zero};
+use Origin::{Axis, Before, Initial, Parameter, Zero};
 
 /// What friction about an axis is called in the formulas that all connectors share, and here: the first axis, the third.
 const TURN: [&[(&str, &str)]; 2] = [
@@ -51,46 +52,40 @@ pub(super) const UJOINT: Kind = Kind {
     dimension: Dimension::Space,
     nodes: &["a", "b"],
     given: &[
-        ("xa", Position(0)),
-        ("xb", Position(1)),
-        ("e1a", Axis(0, 0)),
-        ("e2a", Axis(0, 1)),
-        ("e3a", Axis(0, 2)),
-        ("e1b", Axis(1, 0)),
-        ("e2b", Axis(1, 1)),
-        ("e3b", Axis(1, 2)),
-        ("no_vector", Zero),
-        ("no_number", Zero),
-        ("d0", Initial("d")),
-        ("c0", Initial("c")),
-        ("alpha0", Initial("alpha")),
-        ("gamma0", Initial("gamma")),
-        ("theta1_ref", Parameter(As("alpha0"))),
-        ("theta3_ref", Parameter(As("gamma0"))),
-        ("theta1_min", Parameter(Required)),
-        ("theta1_max", Parameter(Required)),
-        ("theta3_min", Parameter(Required)),
-        ("theta3_max", Parameter(Required)),
-        ("rp", Parameter(Required)),
-        ("la", Parameter(Required)),
-        ("ra", Parameter(Number(0.0))),
-        ("ls", Parameter(Number(0.0))),
-        ("mu", Parameter(Number(0.0))),
-        ("mc1_int", Parameter(Number(0.0))),
-        ("mc3_int", Parameter(Number(0.0))),
-        ("k_stick", Parameter(Required)),
-        ("ur1_before", Before("ur1")),
-        ("ur3_before", Before("ur3")),
-        ("m1_before", Before("csm1")),
-        ("m3_before", Before("csm3")),
-        ("slip1_before", Before("slip1_total")),
-        ("slip3_before", Before("slip3_total")),
-        ("f1", Load),
-        ("f2", Load),
-        ("f3", Load),
-        ("m1", Load),
-        ("m2", Load),
-        ("m3", Load),
+        NODES,
+        &[
+            ("e1b", Axis(1, 0)),
+            ("e2b", Axis(1, 1)),
+            ("e3b", Axis(1, 2)),
+            ("no_vector", Zero),
+            ("no_number", Zero),
+            ("d0", Initial("d")),
+            ("c0", Initial("c")),
+            ("alpha0", Initial("alpha")),
+            ("gamma0", Initial("gamma")),
+            ("theta1_ref", Parameter(As("alpha0"))),
+            ("theta3_ref", Parameter(As("gamma0"))),
+            ("theta1_min", Parameter(Required)),
+            ("theta1_max", Parameter(Required)),
+            ("theta3_min", Parameter(Required)),
+            ("theta3_max", Parameter(Required)),
+            ("rp", Parameter(Required)),
+            ("la", Parameter(Required)),
+            ("ra", Parameter(Number(0.0))),
+            ("ls", Parameter(Number(0.0))),
+            ("mu", Parameter(Number(0.0))),
+            ("mc1_int", Parameter(Number(0.0))),
+            ("mc3_int", Parameter(Number(0.0))),
+            ("k_stick", Parameter(Required)),
+            ("ur1_before", Before("ur1")),
+            ("ur3_before", Before("ur3")),
+            ("m1_before", Before("csm1")),
+            ("m3_before", Before("csm3")),
+            ("slip1_before", Before("slip1_total")),
+            ("slip3_before", Before("slip3_total")),
+        ],
+        FORCES,
+        MOMENTS,
     ],
     formulas: &[
         always(&join::Constraint),

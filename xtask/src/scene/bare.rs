@@ -5,7 +5,7 @@
 //! beforehand the scene must find out: which formulas there are, that only second nodes move, that nothing turns, and
 //! that nothing is checked. The benchmark compares the results bit for bit.
 
-use super::generate::{self, CAR, K_STICK, LENGTH, RADIUS, RAIL, STATES};
+use super::generate::{self, CAR, Connector as Sort, K_STICK, LENGTH, RADIUS, RAIL, STATES};
 use jointproof::align::Orientations;
 use jointproof::cardan::Triads;
 use jointproof::coulomb::{ReturnMap, Trial};
@@ -24,6 +24,8 @@ type Axes = [Vector3<f64>; 3];
 
 /// What one sort of connector has beside what all have.
 pub(crate) trait Joint: Copy + Default + Send + Sync {
+    /// What the generator calls it.
+    const SORT: Sort;
     /// What loads it in a state.
     type Loads: Copy + Send + Sync;
     /// The second node turned like this at first.
@@ -41,6 +43,7 @@ pub(crate) trait Joint: Copy + Default + Send + Sync {
 pub(crate) struct Slot;
 
 impl Joint for Slot {
+    const SORT: Sort = Sort::Slot;
     type Loads = [f64; 2];
     fn new(_: &Axes, _: &Axes) -> Self {
         Self
@@ -65,6 +68,7 @@ pub(crate) struct Translator {
 }
 
 impl Joint for Translator {
+    const SORT: Sort = Sort::Translator;
     type Loads = [f64; 5];
     fn new(&[e1a, e2a, e3a]: &Axes, &[e1b, e2b, e3b]: &Axes) -> Self {
         let angles = Turns::eval(&Triads { e1a, e2a, e3a, e1b, e2b, e3b });

@@ -1,7 +1,7 @@
 //! What an element of a scene costs per state, against a bare loop of the same formulas.
 
 use super::bare::{Bare, Joint, Slot, Translator};
-use super::generate::{self, Connector, STATES};
+use super::generate::{self, STATES};
 use crate::console::{print, say};
 use anyhow::ensure;
 use jointproof::scene::{Plan, Run, Scene};
@@ -17,19 +17,19 @@ pub(crate) fn run() -> anyhow::Result<()> {
     if cfg!(debug_assertions) {
         say("this build is not optimised; `cargo run --release -p xtask -- scene --benchmark` is");
     }
-    of::<Slot>(Connector::Slot, &mut report)?;
-    of::<Translator>(Connector::Translator, &mut report)?;
+    of::<Slot>(&mut report)?;
+    of::<Translator>(&mut report)?;
     print(&report)
 }
 
 /// Measures one sort of connector.
-fn of<J: Joint>(connector: Connector, report: &mut String) -> anyhow::Result<()> {
-    let kind = connector.kind();
+fn of<J: Joint>(report: &mut String) -> anyhow::Result<()> {
+    let kind = J::SORT.kind();
     writeln!(
         report,
         "\n{kind} with friction, outputs {}\n\
         {:>9} {:>9} {:>9} {:>9} {:>7} {:>13} {:>11} {:>13}",
-        connector.outputs().join(" "),
+        J::SORT.outputs().join(" "),
         "elements",
         "read ns",
         "scene ns",
@@ -43,7 +43,7 @@ fn of<J: Joint>(connector: Connector, report: &mut String) -> anyhow::Result<()>
         say(&format!("{elements} elements of kind {kind}"));
         let before = resident();
         let mut text = Vec::new();
-        generate::write(connector, elements, &mut text)?;
+        generate::write(J::SORT, elements, &mut text)?;
         let text = String::from_utf8(text)?;
         let start = Instant::now();
         let scene = Scene::parse(&text)?;
