@@ -106,11 +106,11 @@ pub trait Part<T> {
 
 impl<T: Element> Part<T> for T {
     const LEN: usize = 1;
-    #[inline]
+    #[inline(always)]
     fn from_components(next: &mut impl FnMut() -> T) -> Self {
         next()
     }
-    #[inline]
+    #[inline(always)]
     fn for_each_component(&self, visit: &mut impl FnMut(T)) {
         visit(*self);
     }
@@ -118,25 +118,28 @@ impl<T: Element> Part<T> for T {
 
 impl<T: Element> Part<T> for Vector2<T> {
     const LEN: usize = 2;
-    #[inline]
+    #[inline(always)]
     fn from_components(next: &mut impl FnMut() -> T) -> Self {
-        Vector2::from_fn(|_, _| next())
+        Vector2::new(next(), next())
     }
-    #[inline]
+    #[inline(always)]
     fn for_each_component(&self, visit: &mut impl FnMut(T)) {
-        self.iter().for_each(|&component| visit(component));
+        visit(self.x);
+        visit(self.y);
     }
 }
 
 impl<T: Element> Part<T> for Vector3<T> {
     const LEN: usize = 3;
-    #[inline]
+    #[inline(always)]
     fn from_components(next: &mut impl FnMut() -> T) -> Self {
-        Vector3::from_fn(|_, _| next())
+        Vector3::new(next(), next(), next())
     }
-    #[inline]
+    #[inline(always)]
     fn for_each_component(&self, visit: &mut impl FnMut(T)) {
-        self.iter().for_each(|&component| visit(component));
+        visit(self.x);
+        visit(self.y);
+        visit(self.z);
     }
 }
 
@@ -174,15 +177,15 @@ macro_rules! fields {
                 &[$($crate::formula::Field::new(stringify!($field), &$quantity)),*]
             };
             type Array = [$T; <$name<f64> as $crate::formula::Fields<f64>>::LEN];
-            #[inline]
+            #[inline(always)]
             fn from_components(next: &mut impl FnMut() -> $T) -> Self {
                 Self { $($field: $crate::formula::Part::from_components(next)),* }
             }
-            #[inline]
+            #[inline(always)]
             fn for_each_component(&self, visit: &mut impl FnMut($T)) {
                 $($crate::formula::Part::for_each_component(&self.$field, visit);)*
             }
-            #[inline]
+            #[inline(always)]
             fn array_of(value: $T) -> Self::Array {
                 [value; <$name<f64> as $crate::formula::Fields<f64>>::LEN]
             }

@@ -6,6 +6,7 @@ use super::step::Number;
 use crate::scalar::norm_and_direction;
 use indexmap::IndexMap;
 use nalgebra::Vector3;
+use std::ops::Range;
 
 /// A model over a history of states, and what is wanted of it; made by [`Scene::parse`].
 #[derive(Clone, Debug)]
@@ -74,47 +75,66 @@ pub(super) struct Element {
 }
 
 /// A state: what changes from the state before. What is not mentioned stays.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Frame {
     pub(super) time: f64,
-    /// Displacements from the initial positions, in the order of the nodes.
-    pub(super) moves: Vec<Motion>,
-    /// Rotation vectors from the initial orientations, in the order of the nodes.
-    pub(super) turns: Vec<Motion>,
-    /// In the order of the elements.
-    pub(super) loads: Vec<Load>,
-    /// Nodes on slide lines and their pressures of hard contact, in the order of the nodes.
-    pub(super) pressures: Vec<(u32, f64)>,
+    /// Displacements of nodes from their initial positions.
+    pub(super) moves: Changes<[f64; 3]>,
+    /// Rotation vectors of nodes from their initial orientations.
+    pub(super) turns: Changes<[f64; 3]>,
+    /// Loads of elements, in the order of [`Kind::loads`].
+    pub(super) loads: Vec<Changes<f64>>,
+    /// Pressures of hard contact of nodes on slide lines.
+    pub(super) pressures: Changes<f64>,
 }
 
 impl Frame {
-    /// A state in which nothing changes.
-    pub(super) fn at(time: f64) -> Self {
-        Self { time, moves: Vec::new(), turns: Vec::new(), loads: Vec::new(), pressures: Vec::new() }
-    }
-
-    /// Entries are unique; those that stand in another order than what they refer to are sorted.
+    /// Brings into order what stands in another order than what it refers to.
     pub(super) fn sorted(mut self) -> Self {
-        self.moves.sort_unstable_by_key(|motion| motion.node);
-        self.turns.sort_unstable_by_key(|motion| motion.node);
-        self.loads.sort_unstable_by_key(|load| (load.element, load.index));
-        self.pressures.sort_unstable_by_key(|&(node, _)| node);
+        self.moves.sort();
+        self.turns.sort();
+        self.loads.iter_mut().for_each(Changes::sort);
+        self.pressures.sort();
         self
     }
 }
 
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Motion {
-    pub(super) node: u32,
-    pub(super) by: [f64; 3],
+/// New values of some nodes or elements: which they are, each once and in their order, and beside it their values.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Changes<V> {
+    pub(super) of: Vec<u32>,
+    pub(super) to: Vec<V>,
 }
 
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Load {
-    pub(super) element: u32,
-    /// In the order of [`Kind::loads`].
-    pub(super) index: u16,
-    pub(super) value: f64,
+impl<V: Copy> Changes<V> {
+    /// Another, if there is one.
+    pub(super) fn extend(&mut self, of: u32, to: Option<V>) {
+        self.of.extend(to.map(|_| of));
+        self.to.extend(to);
+    }
+
+    fn sort(&mut self) {
+        if !self.of.is_sorted() {
+            let mut changes: Vec<_> = self.iter(0..self.of.len()).collect();
+            changes.sort_unstable_by_key(|&(of, _)| of);
+            (self.of, self.to) = changes.into_iter().unzip();
+        }
+    }
+
+    /// Those from this place on and before another.
+    pub(super) fn iter(&self, places: Range<usize>) -> impl Iterator<Item = (u32, V)> {
+        self.of[places.clone()].iter().copied().zip(self.to[places].iter().copied())
+    }
+
+    /// The place of the first, from this place on, that does not come before a node or element.
+    pub(super) fn place(&self, from: usize, of: u32) -> usize {
+        from + self.of[from..].partition_point(|&other| other < of)
+    }
+
+    /// The value of one.
+    pub(super) fn get(&self, of: u32) -> Option<V> {
+        self.of.binary_search(&of).ok().map(|place| self.to[place])
+    }
 }
 
 /// The vectors of a triad.

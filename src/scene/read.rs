@@ -91,7 +91,7 @@ fn scene(reader: &mut Reader) -> Read<Option<Scene>> {
     };
     scene.frames = match part(reader, "frames", frames, |reader| frames_of(reader, &scene))? {
         Some(frames) => frames,
-        None => vec![Frame::at(0.0)],
+        None => vec![Frame::default()],
     };
     Ok(Some(scene))
 }

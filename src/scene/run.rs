@@ -4,7 +4,8 @@
 //! depend on how many threads there are. What lasts from state to state is what the plan keeps per element, the
 //! results of the last state, and position and triad per node.
 
-mod nodes;
+mod blocks;
+pub(super) mod nodes;
 mod state;
 
 use super::contact::{Contact, Motion};
@@ -64,7 +65,7 @@ pub struct Run<'s, T> {
     scene: &'s Scene,
     plan: &'s Plan,
     state: usize,
-    nodes: Nodes<T>,
+    nodes: Nodes<'s, T>,
     groups: Vec<State<T>>,
     /// Group, and place in it, of every element; `u32::MAX` for those of which nothing is wanted.
     places: Vec<[u32; 2]>,
@@ -84,7 +85,7 @@ impl<'s, T: Number> Run<'s, T> {
             }
         }
         let nodes = Nodes::new(scene, plan);
-        let groups = plan.groups.iter().map(|group| State::new(scene, group)).collect();
+        let groups = plan.groups.iter().map(|group| State::new(scene, group, &nodes)).collect();
         let contacts = plan.contacts.iter().filter_map(|contact| Contact::new(scene, contact)).collect();
         let mut run = Self { scene, plan, state: 0, nodes, groups, places, contacts };
         let problems = run.evaluate(None);
@@ -112,7 +113,7 @@ impl<'s, T: Number> Run<'s, T> {
         let mut problems = Vec::new();
         for (group, state) in self.plan.groups.iter().zip(&mut self.groups) {
             let pass = if frame.is_some() { &group.recipe.state } else { &group.recipe.start };
-            let loads = frame.map_or(&[][..], |frame| &frame.loads);
+            let loads = frame.map_or(&[][..], |frame| &frame.loads[..]);
             let failures = state.evaluate(pass, &Inputs { group, nodes: &self.nodes, loads });
             problems.extend(failures.into_iter().take(LISTED).map(|Failure { element, formula, error }| {
                 let name = self.scene.elements.get_index(group.elements[element] as usize);
@@ -129,8 +130,7 @@ impl<'s, T: Number> Run<'s, T> {
     fn slide(&mut self, frame: &Frame) -> Vec<Problem> {
         let last = self.state.checked_sub(1).and_then(|last| self.scene.frames.get(last));
         let duration = last.map(|last| frame.time - last.time);
-        let Nodes { positions: now, before, .. } = &self.nodes;
-        let motion = Motion { now, before, duration, pressures: &frame.pressures };
+        let motion = Motion { nodes: &self.nodes, duration, pressures: &frame.pressures };
         let mut problems = Vec::new();
         for contact in &mut self.contacts {
             let failures = contact.advance(&motion).err().unwrap_or_default();

@@ -7,6 +7,7 @@ use crate::scalar::abs;
 use crate::{Octuple, Scalar};
 use nalgebra::Vector3;
 use std::cell::Cell;
+use std::marker::PhantomData;
 
 /// Where in the registers a step finds its inputs and puts its outputs, component by component.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -38,18 +39,11 @@ pub trait Number: Scalar {
 
 /// Elements that are evaluated together: few enough for their registers to stay in the first-level cache.
 pub(super) const LANES: usize = 64;
-/// Lanes that are evaluated side by side, for which the compiler may then use vector instructions.
-const ABREAST: usize = 8;
 
 /// What the elements of a block have in one register.
-pub(super) type Column<T> = [[T; ABREAST]; LANES / ABREAST];
+pub(super) type Column<T> = [T; LANES];
 
-/// A column that is the same for all.
-pub(super) fn column<T: Number>(value: T) -> Column<T> {
-    [[value; ABREAST]; LANES / ABREAST]
-}
-
-/// A block of elements: a column per register.
+/// A block of elements: a column per register. Lanes beyond the last element repeat it, without its loads.
 #[derive(Debug)]
 pub struct Lanes<'r, T> {
     /// The registers that last from state to state.
@@ -64,38 +58,41 @@ pub struct Lanes<'r, T> {
 
 impl<T: Number> Lanes<'_, T> {
     /// What all lanes have in these registers.
-    pub(super) fn columns(&mut self, span: Span) -> &mut [Column<T>] {
+    fn columns(&mut self, span: Span) -> &mut [Column<T>] {
         match span.at.checked_sub(self.lasting.len()) {
             Some(at) => &mut self.passing[at..at + span.len],
             None => &mut self.lasting[span.range()],
         }
     }
 
-    /// Copies registers to others.
-    pub(super) fn copy(&mut self, from: Span, to: Span) {
-        for k in 0..from.len {
-            let column = self.columns(from)[k];
-            self.columns(to)[k] = column;
-        }
+    /// Copies registers that last to others that do not.
+    pub(super) fn copy(&mut self, lasting: Span, passing: Span) {
+        let at = passing.at - self.lasting.len();
+        self.passing[at..at + passing.len].copy_from_slice(&self.lasting[lasting.range()]);
     }
 
     /// Fills the registers of a vector, or of its part in the plane, with the same for all lanes.
     pub(super) fn spread(&mut self, span: Span, vector: Vector3<T>) {
         for (register, &component) in self.columns(span).iter_mut().zip(&vector) {
-            *register = column(component);
+            *register = [component; LANES];
         }
     }
 
-    /// Fills them with a vector for each lane.
-    pub(super) fn fill(&mut self, span: Span, vectors: impl Iterator<Item = Vector3<T>>) {
+    /// Fills them with a vector of each lane's node.
+    #[inline]
+    pub(super) fn fill(&mut self, span: Span, nodes: &Column<u32>, vector: impl Fn(u32) -> Vector3<T>) {
         match self.columns(span) {
             [x, y, z] => {
-                let [x, y, z] = [x, y, z].map(|column| column.as_flattened_mut());
-                vectors.zip(x).zip(y).zip(z).for_each(|(((v, x), y), z)| (*x, *y, *z) = (v.x, v.y, v.z));
+                for lane in 0..LANES {
+                    let vector = vector(nodes[lane]);
+                    (x[lane], y[lane], z[lane]) = (vector.x, vector.y, vector.z);
+                }
             }
             [x, y] => {
-                let [x, y] = [x, y].map(|column| column.as_flattened_mut());
-                vectors.zip(x).zip(y).for_each(|((v, x), y)| (*x, *y) = (v.x, v.y));
+                for lane in 0..LANES {
+                    let vector = vector(nodes[lane]);
+                    (x[lane], y[lane]) = (vector.x, vector.y);
+                }
             }
             _ => {}
         }
@@ -153,90 +150,80 @@ impl<F: Formula> Step for F {
         crate::formula::check::<F>(&inputs)
     }
     fn run_double(&self, wiring: &Wiring, lanes: &mut Lanes<'_, f64>, failures: &mut Vec<Failure>) {
-        run::<F, f64>(wiring, lanes, failures);
+        pulp::Arch::new().dispatch(Vectors::<F> { wiring, lanes, failures, formula: PhantomData });
     }
     fn run_exact(&self, wiring: &Wiring, lanes: &mut Lanes<'_, Octuple>, failures: &mut Vec<Failure>) {
         run::<F, Octuple>(wiring, lanes, failures);
     }
 }
 
+/// A step in `f64`, compiled a second time for processors that have vectors of four doubles. Both give the same bits.
+struct Vectors<'j, 'r, F> {
+    wiring: &'j Wiring,
+    lanes: &'j mut Lanes<'r, f64>,
+    failures: &'j mut Vec<Failure>,
+    formula: PhantomData<F>,
+}
+
+impl<F: Formula> pulp::WithSimd for Vectors<'_, '_, F> {
+    type Output = ();
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) {
+        run::<F, f64>(self.wiring, self.lanes, self.failures);
+    }
+}
+
 /// Components that a formula has at most, in or out.
 const MOST: usize = 32;
 
-/// The number of components of these fields.
-const fn components(fields: &[Field]) -> usize {
-    let (mut sum, mut k) = (0, 0);
-    while k < fields.len() {
-        sum += fields[k].len();
-        k += 1;
-    }
-    sum
-}
-
+#[inline(always)]
 fn run<F: Formula, T: Number>(wiring: &Wiring, lanes: &mut Lanes<'_, T>, failures: &mut Vec<Failure>) {
-    let reads = const { components(F::Inputs::<f64>::FIELDS) };
-    let writes = const { components(F::Outputs::<f64>::FIELDS) };
-    const {
-        assert!(components(F::Inputs::<f64>::FIELDS) <= MOST && components(F::Outputs::<f64>::FIELDS) <= MOST);
-    }
+    const { assert!(F::Inputs::<f64>::LEN <= MOST && F::Outputs::<f64>::LEN <= MOST) };
     let lasting = Cell::from_mut(&mut *lanes.lasting).as_slice_of_cells();
     let passing = Cell::from_mut(&mut *lanes.passing).as_slice_of_cells();
     let column = |register: u16| {
         let register = usize::from(register);
-        let column = lasting.get(register).unwrap_or_else(|| &passing[register - lasting.len()]);
-        column.as_array_of_cells()
+        lasting.get(register).unwrap_or_else(|| &passing[register - lasting.len()])
     };
-    // Looked up once a block, so that the loop below knows where everything is.
-    let mut from = [column(0); MOST];
-    let mut to = from;
-    for (place, &register) in from[..reads].iter_mut().zip(&wiring.inputs[..reads]) {
-        *place = column(register);
+    // Looked up once a block, so that the loops below know where everything is.
+    let mut from = [column(0).as_array_of_cells(); MOST];
+    for (place, &register) in from.iter_mut().zip(&wiring.inputs) {
+        *place = column(register).as_array_of_cells();
     }
-    for (place, &register) in to[..writes].iter_mut().zip(&wiring.outputs[..writes]) {
-        *place = column(register);
+    let count = if T::SPARES { lanes.count } else { LANES };
+    // Apart from the registers, so that no input waits for an output that might be the same.
+    let mut outputs = F::Outputs::<Column<T>>::array_of([T::zero(); LANES]);
+    let outputs = outputs.as_mut();
+    for lane in 0..count {
+        let mut next = 0;
+        F::eval(&inputs_of::<F, T>(&from, lane)).for_each_component(&mut |value| {
+            outputs[next][lane] = value;
+            next += 1;
+        });
     }
     let mut sound = true;
-    let (mut inputs, mut outputs) = ([[T::zero(); ABREAST]; MOST], [[T::zero(); ABREAST]; MOST]);
-    for (pack, first) in (0..lanes.count.min(LANES)).step_by(ABREAST).enumerate() {
-        let count = (lanes.count - first).min(ABREAST);
-        for (input, column) in inputs[..reads].iter_mut().zip(&from[..reads]) {
-            *input = column[pack].get();
-        }
-        let mut valid = [true; ABREAST];
-        for (j, valid) in valid.iter_mut().enumerate().take(if T::SPARES { count } else { ABREAST }) {
-            let inputs = inputs_of::<F, T>(&inputs, j);
-            *valid = T::validate::<F>(&inputs).map_or_else(rejected, |()| true);
-            let mut next = 0;
-            F::eval(&inputs).for_each_component(&mut |value| {
-                outputs[next % MOST][j] = value;
-                next += 1;
-            });
-        }
-        for (output, column) in outputs[..writes].iter().zip(&to[..writes]) {
-            column[pack].set(*output);
-            for (valid, &value) in valid.iter_mut().zip(output) {
-                *valid &= is_double(value);
-            }
-        }
-        valid[count..].fill(true);
-        sound &= valid == [true; ABREAST];
+    for lane in 0..count {
+        sound &= T::validate::<F>(&inputs_of::<F, T>(&from, lane)).map_or_else(rejected, |()| true);
+    }
+    for (output, &register) in outputs.iter().zip(&wiring.outputs) {
+        sound &= output[..count].iter().fold(true, |sound, &value| sound & is_double(value));
+        // No formula writes what it reads, so the inputs are still there.
+        column(register).set(*output);
     }
     if !sound {
-        // No formula writes what it reads, so the inputs are still there.
         failures.extend((0..lanes.count).filter_map(|lane| {
-            let inputs = from.map(|column| column[lane / ABREAST].get());
-            let error = error_of::<F, T>(&inputs_of::<F, T>(&inputs, lane % ABREAST))?;
+            let error = error_of::<F, T>(&inputs_of::<F, T>(&from, lane))?;
             Some(Failure { element: lanes.first + lane, formula: F::SPEC.id, error })
         }));
     }
 }
 
-/// The inputs of one of the lanes that stand side by side.
+/// The inputs of a lane.
 #[inline]
-fn inputs_of<F: Formula, T: Number>(columns: &[[T; ABREAST]; MOST], lane: usize) -> F::Inputs<T> {
+fn inputs_of<F: Formula, T: Number>(columns: &[&[Cell<T>; LANES]; MOST], lane: usize) -> F::Inputs<T> {
     let mut next = 0;
     F::Inputs::from_components(&mut || {
-        let value = columns[next % MOST][lane];
+        let value = columns[next % MOST][lane].get();
         next += 1;
         value
     })

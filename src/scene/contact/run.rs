@@ -4,11 +4,12 @@ use super::Line;
 use super::plan::{ContactPlan, Output, Slave, Wanted};
 use crate::error::Error;
 use crate::formula::Formula;
-use crate::scene::model::Scene;
+use crate::scene::model::{Changes, Scene};
+use crate::scene::run::nodes::Nodes as SceneNodes;
 use crate::scene::step::Number;
 use crate::slide_line::{LinearPressures, Nodes, ParabolicPressures, Place, PlacedLine, TorqueLinear, TorqueParabolic};
 use arrayvec::ArrayVec;
-use nalgebra::{Vector2, Vector3};
+use nalgebra::Vector2;
 use rayon::prelude::*;
 
 /// A slide line that is being evaluated.
@@ -17,6 +18,8 @@ pub(in crate::scene) struct Contact<'s, T> {
     name: &'s str,
     line: &'s Line,
     plan: &'s ContactPlan,
+    /// The nodes of the line, in order.
+    masters: Vec<u32>,
     slaves: Vec<State<T>>,
     /// The torque of every element, and that of the line.
     torques: Vec<T>,
@@ -39,21 +42,20 @@ struct State<T> {
 /// Where nodes are and were, and how long it took them.
 #[derive(Debug)]
 pub(in crate::scene) struct Motion<'m, T> {
-    pub(in crate::scene) now: &'m [Vector3<T>],
-    pub(in crate::scene) before: &'m [Vector3<T>],
+    pub(in crate::scene) nodes: &'m SceneNodes<'m, T>,
     /// Unknown in the first state, which nothing leads to.
     pub(in crate::scene) duration: Option<f64>,
-    /// Of hard contact, from now on, in the order of the nodes.
-    pub(in crate::scene) pressures: &'m [(u32, f64)],
+    /// What changes of the pressures of hard contact.
+    pub(in crate::scene) pressures: &'m Changes<f64>,
 }
 
 impl<T: Number> Motion<'_, T> {
     fn at(&self, node: u32) -> Vector2<T> {
-        self.now[node as usize].xy()
+        self.nodes.positions()(self.nodes.place(node)).xy()
     }
 
     fn of(&self, node: u32) -> Vector2<T> {
-        self.at(node) - self.before[node as usize].xy()
+        self.nodes.increments()(self.nodes.place(node)).xy()
     }
 }
 
@@ -63,7 +65,11 @@ impl<'s, T: Number> Contact<'s, T> {
         let zero = T::zero();
         let slave = State { e11: zero, e12: zero, s11: zero, s12: zero, multiplier: 0.0 };
         let slaves = vec![slave; plan.slaves.len()];
-        Some(Self { name, line, plan, slaves, torques: vec![zero; plan.elements.len()], total: zero, pieces: 0 })
+        let torques = vec![zero; plan.elements.len()];
+        let mut masters: Vec<_> = line.path.nodes().collect();
+        masters.sort_unstable();
+        masters.dedup();
+        Some(Self { name, line, plan, masters, slaves, torques, total: zero, pieces: 0 })
     }
 
     /// The next state. What goes wrong is told with the formula that says so.
@@ -85,11 +91,8 @@ impl<'s, T: Number> Contact<'s, T> {
     }
 
     fn place(&self, motion: &Motion<'_, T>) -> Result<PlacedLine<T>, Error> {
-        let mut nodes: Vec<_> = self.line.path.nodes().collect();
-        nodes.sort_unstable();
-        nodes.dedup();
-        let at = |number: u32| (number, <[T; 2]>::from(motion.at(number - 1)));
-        self.line.path.place(&Nodes::new(nodes.into_iter().map(at))?)
+        let at = |&number: &u32| (number, <[T; 2]>::from(motion.at(number - 1)));
+        self.line.path.place(&Nodes::new(self.masters.iter().map(at))?)
     }
 
     /// The torques, from the pressures that push.
@@ -162,9 +165,7 @@ impl<T: Number> State<T> {
         motion: &Motion<'_, T>,
     ) -> Result<usize, Error> {
         let (needs, zero) = (slave.needs, T::zero());
-        if let Ok(given) = motion.pressures.binary_search_by_key(&slave.node, |&(node, _)| node) {
-            self.multiplier = motion.pressures[given].1;
-        }
+        self.multiplier = motion.pressures.get(slave.node).unwrap_or(self.multiplier);
         let closest = line.closest(motion.at(slave.node))?;
         self.e11 = closest.separation;
         let (mut slip, mut closing) = (zero, zero);

@@ -4,7 +4,7 @@ use super::{FRAME_KEYS, MOTION_KEYS, SLIDING_FRAME_KEYS, point, refer};
 use crate::quantity::Domain;
 use crate::scene::json::{Read, Reader};
 use crate::scene::kind::Dimension;
-use crate::scene::model::{Frame, Load, Motion, Scene};
+use crate::scene::model::{Changes, Frame, Scene};
 use indexmap::IndexMap;
 
 pub(super) fn frames_of(reader: &mut Reader, scene: &Scene) -> Read<Vec<Frame>> {
@@ -18,7 +18,7 @@ pub(super) fn frames_of(reader: &mut Reader, scene: &Scene) -> Read<Vec<Frame>> 
     let slides = if sliding { nodes_of_elements(scene) } else { Vec::new() };
     let is_array = reader.array("an array of frames", |reader, index| {
         let place = reader.place();
-        let mut frame = Frame::at(f64::NAN);
+        let mut frame = Frame { time: f64::NAN, ..Frame::default() };
         let is_object = reader.record(keys, |reader, key| match key {
             0 => {
                 let place = reader.place();
@@ -34,7 +34,7 @@ pub(super) fn frames_of(reader: &mut Reader, scene: &Scene) -> Read<Vec<Frame>> 
                 if !slides[node as usize] {
                     reader.fault(place, "a node of no element", "a node that slides on a line");
                 }
-                frame.pressures.extend(reader.number(Domain::NonNegative)?.map(|pressure| (node, pressure)));
+                frame.pressures.extend(node, reader.number(Domain::NonNegative)?);
                 Ok(())
             }),
             _ => loaded.each(reader, index, |reader, element, _| loads_of(reader, scene, element, &mut frame)),
@@ -98,7 +98,7 @@ fn motion_of(reader: &mut Reader, dimension: Dimension, node: u32, frame: &mut F
             _ if dimension == Dimension::Space => (&mut frame.turns, reader.vector()?),
             _ => (&mut frame.turns, reader.number(Domain::Angle)?.map(|angle| [0.0, 0.0, angle])),
         };
-        motions.extend(by.map(|by| Motion { node, by }));
+        motions.extend(node, by);
         Ok(())
     })?;
     Ok(())
@@ -109,7 +109,10 @@ fn loads_of(reader: &mut Reader, scene: &Scene, element: u32, frame: &mut Frame)
     let names: Vec<_> = kind.loads().collect();
     reader.record(&names, |reader, key| {
         let value = reader.number(kind.domain(names[key]))?;
-        frame.loads.extend(value.zip(u16::try_from(key).ok()).map(|(value, index)| Load { element, index, value }));
+        if frame.loads.len() <= key {
+            frame.loads.resize_with(key + 1, Changes::default);
+        }
+        frame.loads[key].extend(element, value);
         Ok(())
     })?;
     Ok(())

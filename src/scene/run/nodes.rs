@@ -1,37 +1,51 @@
 //! Where the nodes are.
 
+use super::blocks::prefetch;
 use super::shared;
 use crate::scene::kind::Origin;
-use crate::scene::model::{Axes, Frame, Motion, Orientation, Scene, exactly, global, turned};
+use crate::scene::model::{Axes, Changes, Frame, Orientation, Scene, exactly, global, turned};
 use crate::scene::plan::Plan;
 use crate::scene::step::Number;
 use nalgebra::Vector3;
+use std::borrow::Cow;
 
-/// Where the nodes are now, and where they were.
+/// Where the nodes are now, and where they were. Nodes that never move come first, then those that do.
 #[derive(Debug)]
-pub(super) struct Nodes<T> {
+pub(in crate::scene) struct Nodes<'s, T> {
+    /// The place here of each node of the scene.
+    places: Vec<u32>,
     initial: Vec<[f64; 3]>,
-    pub(super) positions: Vec<Vector3<T>>,
-    /// Positions in the last state, if anything asks for increments.
-    pub(super) before: Vec<Vector3<T>>,
-    /// The triad of every node, if an element reads one.
+    /// The nodes that move in some state, by their numbers in the scene.
+    moving: Vec<u32>,
+    /// Their displacements: those of a frame, if it tells all of them.
+    displacements: Cow<'s, [[f64; 3]]>,
+    /// Displacements in the last state, if anything asks for increments.
+    before: Option<Cow<'s, [[f64; 3]]>>,
+    /// The triad of every node, by its place here, if an element reads one.
     triad_of: Vec<u32>,
     /// The global triad and the orientations of the scene, which nodes share; then those of the nodes that turn.
     triads: Vec<Axes<T>>,
-    /// The nodes that turn in some state, in order, and the triads they turn from.
+    /// The nodes that turn in some state, by their numbers in the scene, and the triads they turn from.
     turning: Vec<(u32, u32)>,
 }
 
-impl<T: Number> Nodes<T> {
-    pub(super) fn new(scene: &Scene, plan: &Plan) -> Self {
+impl<'s, T: Number> Nodes<'s, T> {
+    pub(super) fn new(scene: &'s Scene, plan: &Plan) -> Self {
         let passes = || plan.groups.iter().flat_map(|group| [&group.recipe.start, &group.recipe.state]);
         let reads = |is: fn(Origin) -> bool| passes().any(|pass| pass.reads.iter().any(|&(origin, _)| is(origin)));
-        let positions: Vec<_> = scene.nodes.values().map(|node| exactly(node.at)).collect();
-        let moves = reads(|origin| matches!(origin, Origin::Increment(_))) || !plan.contacts.is_empty();
+        let increments = reads(|origin| matches!(origin, Origin::Increment(_))) || !plan.contacts.is_empty();
+        let (fixed, moving) = changed(scene, |frame| &frame.moves);
+        let mut places = vec![0; scene.nodes.len()];
+        for (&node, place) in fixed.iter().chain(&moving).zip(0..) {
+            places[node as usize] = place;
+        }
+        let displacements: Cow<'s, [_]> = Cow::Owned(vec![[0.0; 3]; moving.len()]);
         let mut nodes = Self {
-            initial: scene.nodes.values().map(|node| node.at).collect(),
-            before: if moves { positions.clone() } else { Vec::new() },
-            positions,
+            places,
+            initial: fixed.iter().chain(&moving).map(|&node| scene.nodes[node as usize].at).collect(),
+            moving,
+            before: increments.then(|| displacements.clone()),
+            displacements,
             triad_of: Vec::new(),
             triads: std::iter::once(global()).chain(scene.orientations.iter().map(Orientation::axes)).collect(),
             turning: Vec::new(),
@@ -44,75 +58,145 @@ impl<T: Number> Nodes<T> {
 
     /// Every node has the triad of its orientation; those that turn in some state, one of their own.
     fn share_triads(&mut self, scene: &Scene) {
-        let shared = |orientation: Option<u32>| orientation.map_or(0, |index| index + 1);
-        self.triad_of = scene.nodes.values().map(|node| shared(node.orientation)).collect();
-        let mut turns = vec![false; scene.nodes.len()];
-        scene.frames.iter().flat_map(|frame| &frame.turns).for_each(|turn| turns[turn.node as usize] = true);
-        let mut own = (0..).skip(self.triads.len());
-        for (node, triad) in (0..).zip(&mut self.triad_of).filter(|(node, _)| turns[*node as usize]) {
+        self.triad_of = vec![0; scene.nodes.len()];
+        for (node, &place) in scene.nodes.values().zip(&self.places) {
+            self.triad_of[place as usize] = node.orientation.map_or(0, |index| index + 1);
+        }
+        let (_, turning) = changed(scene, |frame| &frame.turns);
+        for (node, own) in turning.into_iter().zip(self.triads.len()..) {
+            let triad = &mut self.triad_of[self.places[node as usize] as usize];
             self.turning.push((node, *triad));
             self.triads.push(self.triads[*triad as usize]);
-            *triad = own.next().unwrap_or(*triad);
+            *triad = u32::try_from(own).unwrap_or(u32::MAX);
         }
     }
 
-    /// The current triad of a node.
-    pub(super) fn triad(&self, node: usize) -> &Axes<T> {
-        &self.triads[self.triad_of[node] as usize]
+    /// The place here of a node of the scene.
+    pub(in crate::scene) fn place(&self, node: u32) -> u32 {
+        self.places[node as usize]
+    }
+
+    /// Where a node is, by its place here.
+    #[inline]
+    pub(in crate::scene) fn positions(&self) -> impl Fn(u32) -> Vector3<T> {
+        let (initial, displacements) = (&*self.initial, &*self.displacements);
+        let fixed = initial.len() - displacements.len();
+        move |place| {
+            let (place, at) = (place as usize, exactly(initial[place as usize]));
+            if place < fixed { at } else { at + exactly(displacements[place - fixed]) }
+        }
+    }
+
+    /// By how much a node has moved since the last state.
+    #[inline]
+    pub(in crate::scene) fn increments(&self) -> impl Fn(u32) -> Vector3<T> {
+        let (now, before) = (&*self.displacements, self.before.as_deref().unwrap_or_default());
+        let fixed = self.initial.len() - now.len();
+        move |place| {
+            let Some(moving) = (place as usize).checked_sub(fixed) else { return exactly([0.0; 3]) };
+            exactly::<T>(now[moving]) - exactly(before[moving])
+        }
+    }
+
+    /// Has what tells where a node is fetched.
+    #[inline]
+    pub(super) fn prefetch(&self) -> impl Fn(u32) {
+        let (initial, displacements) = (&*self.initial, &*self.displacements);
+        let fixed = initial.len() - displacements.len();
+        move |place| {
+            prefetch(&initial[place as usize]);
+            if let Some(moving) = (place as usize).checked_sub(fixed) {
+                prefetch(&displacements[moving]);
+            }
+        }
+    }
+
+    /// The number of a node's triad.
+    #[inline]
+    pub(super) fn triad_of(&self, place: u32) -> u32 {
+        self.triad_of[place as usize]
     }
 
     /// The number of the triad of all these nodes, if it is one.
-    pub(super) fn common_triad(&self, mut nodes: impl Iterator<Item = usize>) -> Option<u32> {
-        let first = self.triad_of[nodes.next()?];
-        nodes.all(|node| self.triad_of[node] == first).then_some(first)
+    pub(super) fn common_triad(&self, places: &[u32]) -> Option<u32> {
+        let triad = |&place: &u32| self.triad_of.get(place as usize).copied();
+        let first = triad(places.first()?)?;
+        places.iter().all(|place| triad(place) == Some(first)).then_some(first)
     }
 
     /// A current triad by its number.
-    pub(super) fn shared_triad(&self, number: u32) -> &Axes<T> {
+    #[inline]
+    pub(super) fn triad(&self, number: u32) -> &Axes<T> {
         &self.triads[number as usize]
     }
 
     /// Moves and turns them.
-    pub(super) fn advance(&mut self, frame: &Frame) {
-        if !self.before.is_empty() {
-            self.before.copy_from_slice(&self.positions);
+    pub(super) fn advance(&mut self, frame: &'s Frame) {
+        if let Some(before) = &mut self.before {
+            before.clone_from(&self.displacements);
         }
-        let initial = &self.initial;
-        shared(&mut self.positions, |first, positions| {
-            for motion in among(&frame.moves, first, positions.len()) {
-                let node = motion.node as usize;
-                positions[node - first] = exactly::<T>(initial[node]) + exactly(motion.by);
+        if frame.moves.of.len() == self.moving.len() {
+            self.displacements = Cow::Borrowed(&frame.moves.to);
+        } else if !frame.moves.of.is_empty() {
+            self.move_some(frame);
+        }
+        if !frame.turns.of.is_empty() {
+            self.turn_some(frame);
+        }
+    }
+
+    fn move_some(&mut self, frame: &Frame) {
+        let (moving, places) = (&self.moving, &self.places);
+        let fixed = self.initial.len() - moving.len();
+        shared(self.displacements.to_mut(), |first, displacements| {
+            for (node, by) in among(&frame.moves, &moving[first..first + displacements.len()], |&node| node) {
+                displacements[places[node as usize] as usize - fixed - first] = by;
             }
         });
-        let turning = &self.turning;
+    }
+
+    fn turn_some(&mut self, frame: &Frame) {
+        let (turning, places, triad_of) = (&self.turning, &self.places, &self.triad_of);
         let common = self.triads.len() - turning.len();
         let (common, own) = self.triads.split_at_mut(common);
         shared(own, |first, triads| {
             let turning = &turning[first..first + triads.len()];
-            let (Some((from, _)), Some((to, _))) = (turning.first(), turning.last()) else { return };
-            let mut triads = turning.iter().zip(triads);
-            for motion in among(&frame.turns, *from as usize, (to - from) as usize + 1) {
-                if let Some(((_, of), triad)) = triads.find(|((node, _), _)| *node == motion.node) {
-                    *triad = turned(&common[*of as usize], motion.by);
-                }
+            for (node, by) in among(&frame.turns, turning, |&(node, _)| node) {
+                let own = triad_of[places[node as usize] as usize] as usize - common.len() - first;
+                triads[own] = turned(&common[turning[own].1 as usize], by);
             }
         });
     }
 
     /// Bytes that last from state to state.
     pub(super) fn bytes(&self) -> usize {
-        size_of_val(&*self.initial)
-            + size_of_val(&*self.positions)
-            + size_of_val(&*self.before)
+        let owned = |displacements: &Cow<'_, [[f64; 3]]>| match displacements {
+            Cow::Borrowed(_) => 0,
+            Cow::Owned(own) => size_of_val(&**own),
+        };
+        size_of_val(&*self.places)
+            + size_of_val(&*self.initial)
+            + size_of_val(&*self.moving)
+            + owned(&self.displacements)
+            + self.before.as_ref().map_or(0, owned)
             + size_of_val(&*self.triad_of)
             + size_of_val(&*self.triads)
             + size_of_val(&*self.turning)
     }
 }
 
-/// The motions of this many nodes, of which each has one at most.
-fn among(motions: &[Motion], first: usize, count: usize) -> &[Motion] {
-    let from = motions.partition_point(|motion| (motion.node as usize) < first);
-    let some = &motions[from..motions.len().min(from + count)];
-    &some[..some.partition_point(|motion| (motion.node as usize) < first + count)]
+/// The nodes of which no frame changes something, and those of which one does, by their numbers in the scene.
+fn changed(scene: &Scene, changes: impl Fn(&Frame) -> &Changes<[f64; 3]>) -> (Vec<u32>, Vec<u32>) {
+    let mut is_changed = vec![false; scene.nodes.len()];
+    let all = scene.frames.iter().flat_map(|frame| &changes(frame).of);
+    all.for_each(|&node| is_changed[node as usize] = true);
+    let nodes = 0..u32::try_from(scene.nodes.len()).unwrap_or(u32::MAX);
+    nodes.partition(|&node| !is_changed[node as usize])
+}
+
+/// The changes of these nodes, which are in order.
+fn among<N, V: Copy>(changes: &Changes<V>, nodes: &[N], number: impl Fn(&N) -> u32) -> impl Iterator<Item = (u32, V)> {
+    let from = nodes.first().map_or(0, |first| changes.place(0, number(first)));
+    let to = nodes.last().map_or(from, |last| changes.place(from, number(last) + 1));
+    changes.iter(from..to)
 }

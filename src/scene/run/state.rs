@@ -1,12 +1,13 @@
 //! The elements of a group: what they keep, and how their formulas are evaluated, block by block.
 
+use super::blocks::{Blocks, End};
 use super::nodes::Nodes;
 use super::task;
 use crate::scene::kind::Origin;
-use crate::scene::model::{Load, Scene};
+use crate::scene::model::{Changes, Scene};
 use crate::scene::plan::Group;
 use crate::scene::recipe::{Pass, Span};
-use crate::scene::step::{Column, Failure, LANES, Lanes, Number, column};
+use crate::scene::step::{Column, Failure, LANES, Lanes, Number};
 use rayon::prelude::*;
 
 /// What the elements of a group keep from state to state, their results among it.
@@ -16,26 +17,28 @@ pub(super) struct State<T> {
     lasting: Vec<Column<T>>,
     /// Room for the other registers of a block.
     passing: Vec<Column<T>>,
-    /// The nodes of every element, side by side.
-    ends: Vec<u32>,
+    /// Block by block, node by node.
+    ends: Vec<End>,
 }
 
 impl<T: Number> State<T> {
     /// The elements with their parameters, and zeros.
-    pub(super) fn new(scene: &Scene, group: &Group) -> Self {
+    pub(super) fn new(scene: &Scene, group: &Group, nodes: &Nodes<'_, T>) -> Self {
         let recipe = &group.recipe;
         // Written, where `vec!` would leave it to the first state to have the pages mapped.
-        let zeros = |columns: usize| -> Vec<_> { std::iter::repeat_n(column(T::zero()), columns).collect() };
+        let zeros = |columns: usize| -> Vec<_> { std::iter::repeat_n([T::zero(); LANES], columns).collect() };
         let mut lasting = zeros(group.elements.len().div_ceil(LANES) * recipe.lasting);
-        let mut ends = Vec::with_capacity(group.elements.len() * group.kind.nodes.len());
-        for (place, &element) in group.elements.iter().enumerate() {
-            let element = &scene.elements[element as usize];
-            ends.extend_from_slice(&element.nodes);
-            let (block, lane) = (place / LANES * recipe.lasting, place % LANES);
+        let mut ends = Vec::new();
+        for (block, lasting) in group.elements.chunks(LANES).zip(lasting.chunks_exact_mut(recipe.lasting)) {
+            let element = |lane: usize| &scene.elements[block[lane.min(block.len() - 1)] as usize];
             for &(index, fallback, register) in &recipe.parameters {
-                lasting[block + register].as_flattened_mut()[lane] =
-                    T::exactly(element.parameters[index].unwrap_or(fallback));
+                let given = |lane| element(lane).parameters[index].unwrap_or(fallback);
+                lasting[register] = std::array::from_fn(|lane| T::exactly(given(lane)));
             }
+            ends.extend((0..group.kind.nodes.len()).map(|node| {
+                let places = std::array::from_fn(|lane| nodes.place(element(lane).nodes[node]));
+                End { places, triad: nodes.common_triad(&places) }
+            }));
         }
         Self { lasting, passing: zeros(recipe.passing), ends }
     }
@@ -47,7 +50,7 @@ impl<T: Number> State<T> {
         if elements.len() <= blocks * LANES {
             return inputs.evaluate(pass, 0, &mut self.lasting, &mut self.passing, &self.ends);
         }
-        let ends = self.ends.par_chunks(blocks * LANES * kind.nodes.len());
+        let ends = self.ends.par_chunks(blocks * kind.nodes.len());
         let tasks = self.lasting.par_chunks_mut(blocks * recipe.lasting).zip(ends).enumerate();
         let evaluate = |passing: &mut Vec<_>, (task, (lasting, ends)): (usize, (&mut [_], &[_]))| {
             inputs.evaluate(pass, task * blocks * LANES, lasting, passing, ends)
@@ -58,7 +61,7 @@ impl<T: Number> State<T> {
     /// The components of an output of an element.
     pub(super) fn output(&self, group: &Group, element: usize, span: Span) -> impl Iterator<Item = T> {
         let block = &self.lasting[element / LANES * group.recipe.lasting..];
-        block[span.range()].iter().map(move |column| column.as_flattened()[element % LANES])
+        block[span.range()].iter().map(move |column| column[element % LANES])
     }
 
     /// Bytes that last from state to state.
@@ -70,9 +73,9 @@ impl<T: Number> State<T> {
 /// What a state is evaluated from.
 pub(super) struct Inputs<'i, T> {
     pub(super) group: &'i Group,
-    pub(super) nodes: &'i Nodes<T>,
-    /// What changes of the loads, in the order of the elements.
-    pub(super) loads: &'i [Load],
+    pub(super) nodes: &'i Nodes<'i, T>,
+    /// What changes of the loads, in the order of [`Kind::loads`](crate::scene::kind::Kind::loads).
+    pub(super) loads: &'i [Changes<f64>],
 }
 
 impl<T: Number> Inputs<'_, T> {
@@ -83,76 +86,53 @@ impl<T: Number> Inputs<'_, T> {
         first: usize,
         lasting: &mut [Column<T>],
         passing: &mut [Column<T>],
-        ends: &[u32],
+        ends: &[End],
     ) -> Vec<Failure> {
-        let Group { kind, elements, recipe } = self.group;
+        let elements = &self.group.elements[first..];
         let mut failures = Vec::new();
-        let mut loads = self.loads_from(elements[first]);
+        let mut loads = self.loads_from(elements[0]);
         let mut spread = vec![None; pass.reads.len()];
-        let blocks = lasting.chunks_exact_mut(recipe.lasting).zip(ends.chunks(LANES * kind.nodes.len()));
-        for (first, (lasting, ends)) in (first..).step_by(LANES).zip(blocks) {
-            let mut lanes = Lanes { lasting, passing, first, count: ends.len() / kind.nodes.len() };
+        let mut blocks = Blocks { group: self.group, nodes: self.nodes, lasting, ends };
+        for (first, elements) in (first..).step_by(LANES).zip(elements.chunks(LANES)) {
+            let Some((lasting, ends)) = blocks.next() else { break };
+            let mut lanes = Lanes { lasting, passing, first, count: elements.len() };
             for &(of, before) in &pass.before {
                 lanes.copy(of, before);
             }
-            loads = self.load(&elements[first..first + lanes.count], loads, &mut lanes);
+            for (register, changes, place) in &mut loads {
+                *place = take_over(changes, *place, elements, &mut lanes.lasting[*register]);
+            }
             self.read(pass, ends, &mut lanes, &mut spread);
-            for planned in &pass.steps {
+            for (part, planned) in pass.steps.iter().enumerate() {
+                blocks.prefetch(part, pass.steps.len());
                 T::run(planned.step, &planned.wiring, &mut lanes, &mut failures);
             }
         }
         failures
     }
 
-    /// The loads from this element on, if any is needed.
-    fn loads_from(&self, element: u32) -> &[Load] {
-        let needed = self.group.recipe.loads.iter().any(Option::is_some);
-        if needed { from(self.loads, element) } else { &[] }
-    }
-
-    /// Takes over the loads of a block's elements; gives the loads after them.
-    fn load<'l>(&self, elements: &[u32], mut loads: &'l [Load], lanes: &mut Lanes<'_, T>) -> &'l [Load] {
-        let mut lane = 0;
-        while let Some((load, rest)) = loads.split_first() {
-            while elements.get(lane).is_some_and(|&element| element < load.element) {
-                lane += 1;
-            }
-            let Some(&element) = elements.get(lane) else { break };
-            if element > load.element {
-                loads = from(loads, element);
-                continue;
-            }
-            if let Some(register) = self.group.recipe.loads[usize::from(load.index)] {
-                lanes.lasting[register].as_flattened_mut()[lane] = T::exactly(load.value);
-            }
-            loads = rest;
-        }
-        loads
+    /// The loads that are needed: their registers, what changes of them, and the place there of the first from this
+    /// element on.
+    fn loads_from(&self, element: u32) -> Vec<(usize, &Changes<f64>, usize)> {
+        let loads = self.group.recipe.loads.iter().zip(self.loads);
+        loads.filter_map(|(register, changes)| Some(((*register)?, changes, changes.place(0, element)))).collect()
     }
 
     /// Reads what a block's elements need of their nodes. A triad that all of them share stays where it was spread.
-    fn read(&self, pass: &Pass, ends: &[u32], lanes: &mut Lanes<'_, T>, spread: &mut [Option<u32>]) {
+    fn read(&self, pass: &Pass, ends: &[End], lanes: &mut Lanes<'_, T>, spread: &mut [Option<u32>]) {
         let nodes = self.nodes;
-        let of = |node: usize| ends.chunks_exact(self.group.kind.nodes.len()).map(move |ends| ends[node] as usize);
-        let mut common = None;
         for (&(origin, span), spread) in pass.reads.iter().zip(spread) {
             match origin {
-                Origin::Position(node) => lanes.fill(span, of(node).map(|node| nodes.positions[node])),
-                Origin::Increment(node) => {
-                    lanes.fill(span, of(node).map(|node| nodes.positions[node] - nodes.before[node]));
-                }
+                Origin::Position(node) => lanes.fill(span, &ends[node].places, nodes.positions()),
+                Origin::Increment(node) => lanes.fill(span, &ends[node].places, nodes.increments()),
                 Origin::Axis(node, axis) => {
-                    let triad = match common {
-                        Some((last, triad)) if last == node => triad,
-                        _ => nodes.common_triad(of(node)),
-                    };
-                    common = Some((node, triad));
-                    match triad {
-                        None => lanes.fill(span, of(node).map(|node| nodes.triad(node)[axis])),
-                        Some(triad) if *spread != Some(triad) => lanes.spread(span, nodes.shared_triad(triad)[axis]),
+                    let End { places, triad } = &ends[node];
+                    match *triad {
+                        None => lanes.fill(span, places, |place| nodes.triad(nodes.triad_of(place))[axis]),
+                        Some(triad) if *spread != Some(triad) => lanes.spread(span, nodes.triad(triad)[axis]),
                         Some(_) => {}
                     }
-                    *spread = triad;
+                    *spread = *triad;
                 }
                 _ => {}
             }
@@ -160,7 +140,22 @@ impl<T: Number> Inputs<'_, T> {
     }
 }
 
-/// The loads from this element on.
-fn from(loads: &[Load], element: u32) -> &[Load] {
-    &loads[loads.partition_point(|load| load.element < element)..]
+/// Takes over what changes of these elements, from a place of the changes on; gives the place after them.
+fn take_over<T: Number>(changes: &Changes<f64>, place: usize, elements: &[u32], column: &mut [T]) -> usize {
+    let all = place..place + elements.len();
+    if changes.of.get(all.clone()) == Some(elements) {
+        column.iter_mut().zip(&changes.to[all.clone()]).for_each(|(load, &value)| *load = T::exactly(value));
+        return all.end;
+    }
+    let mut place = place;
+    for (&element, load) in elements.iter().zip(column) {
+        if changes.of.get(place).is_some_and(|&next| next < element) {
+            place = changes.place(place, element);
+        }
+        if changes.of.get(place) == Some(&element) {
+            *load = T::exactly(changes.to[place]);
+            place += 1;
+        }
+    }
+    place
 }
