@@ -106,11 +106,11 @@ pub trait Part<T> {
 
 impl<T: Element> Part<T> for T {
     const LEN: usize = 1;
-    #[inline(always)]
+    #[inline]
     fn from_components(next: &mut impl FnMut() -> T) -> Self {
         next()
     }
-    #[inline(always)]
+    #[inline]
     fn for_each_component(&self, visit: &mut impl FnMut(T)) {
         visit(*self);
     }
@@ -118,11 +118,11 @@ impl<T: Element> Part<T> for T {
 
 impl<T: Element> Part<T> for Vector2<T> {
     const LEN: usize = 2;
-    #[inline(always)]
+    #[inline]
     fn from_components(next: &mut impl FnMut() -> T) -> Self {
         Vector2::new(next(), next())
     }
-    #[inline(always)]
+    #[inline]
     fn for_each_component(&self, visit: &mut impl FnMut(T)) {
         visit(self.x);
         visit(self.y);
@@ -131,11 +131,11 @@ impl<T: Element> Part<T> for Vector2<T> {
 
 impl<T: Element> Part<T> for Vector3<T> {
     const LEN: usize = 3;
-    #[inline(always)]
+    #[inline]
     fn from_components(next: &mut impl FnMut() -> T) -> Self {
         Vector3::new(next(), next(), next())
     }
-    #[inline(always)]
+    #[inline]
     fn for_each_component(&self, visit: &mut impl FnMut(T)) {
         visit(self.x);
         visit(self.y);
@@ -177,15 +177,15 @@ macro_rules! fields {
                 &[$($crate::formula::Field::new(stringify!($field), &$quantity)),*]
             };
             type Array = [$T; <$name<f64> as $crate::formula::Fields<f64>>::LEN];
-            #[inline(always)]
+            #[inline]
             fn from_components(next: &mut impl FnMut() -> $T) -> Self {
                 Self { $($field: $crate::formula::Part::from_components(next)),* }
             }
-            #[inline(always)]
+            #[inline]
             fn for_each_component(&self, visit: &mut impl FnMut($T)) {
                 $($crate::formula::Part::for_each_component(&self.$field, visit);)*
             }
-            #[inline(always)]
+            #[inline]
             fn array_of(value: $T) -> Self::Array {
                 [value; <$name<f64> as $crate::formula::Fields<f64>>::LEN]
             }

@@ -298,6 +298,50 @@ fn threads_change_no_bit() {
     }
 }
 
+/// Frames that say everything again give what frames give that say only what changes.
+#[test]
+fn what_a_frame_does_not_mention_stays() {
+    let results = |frames: [&str; 4]| {
+        Results::of(&scene(&format!(
+            r#"{{"dimension": "3d",
+            "nodes": {{"a": {{"at": [0, 0, 0]}}, "b": {{"at": [4, 2, 1]}}, "m": {{"at": [2, 1, 0.5]}}, "n": {{"at": [3, 1, 0]}}}},
+            "elements": {{
+                "rail": {{"kind": "slider", "nodes": ["a", "b", "m"], "outputs": ["G1", "G2", "R1", "DXMI"]}},
+                "pin": {{"kind": "translator", "nodes": ["a", "n"], "mu": 0.5, "k_stick": 10, "rr": 1, "l": 2,
+                    "outputs": ["U1", "UR1", "FC", "CSF1"]}},
+                "guide": {{"kind": "translator", "nodes": ["n", "m"], "mu": 0.5, "k_stick": 10, "rr": 1, "l": 2,
+                    "outputs": ["U1", "UR1", "FC", "CSF1"]}}
+            }}, "frames": [{}]}}"#,
+            frames.join(", ")
+        )))
+        .unwrap()
+    };
+    let brief = results([
+        r#"{"time": 0, "loads": {"pin": {"f2": 3, "m1": 1}, "guide": {"f2": 1}}}"#,
+        r#"{"time": 1, "nodes": {"m": {"u": [1, 0.5, 0.25]}, "n": {"u": [1, 0, 0], "ur": [0.1, 0, 0]}, "b": {"u": [0, 0, 1]}}}"#,
+        r#"{"time": 2, "nodes": {"b": {"u": [0, 1, 0]}}, "loads": {"guide": {"f2": -2, "f3": 5}}}"#,
+        r#"{"time": 3}"#,
+    ]);
+    let [pin, m] = [r#""pin": {"f2": 3, "f3": 0, "m1": 1}"#, r#""m": {"u": [1, 0.5, 0.25], "ur": [0, 0, 0]}"#];
+    let n = r#""n": {"u": [1, 0, 0], "ur": [0.1, 0, 0]}"#;
+    let last = format!(
+        r#""nodes": {{"b": {{"u": [0, 1, 0]}}, {n}, {m}}}, "loads": {{{pin}, "guide": {{"m1": 0, "f3": 5, "f2": -2}}}}"#
+    );
+    let full = results([
+        &format!(
+            r#"{{"time": 0, "nodes": {{"n": {{"u": [0, 0, 0]}}, "m": {{"u": [0, 0, 0]}}, "b": {{"u": [0, 0, 0]}}}}, "loads": {{"guide": {{"f2": 1}}, {pin}}}}}"#
+        ),
+        &format!(
+            r#"{{"time": 1, "nodes": {{{m}, {n}, "b": {{"u": [0, 0, 1]}}}}, "loads": {{{pin}, "guide": {{"f2": 1, "f3": 0}}}}}}"#
+        ),
+        &format!(r#"{{"time": 2, {last}}}"#),
+        &format!(r#"{{"time": 3, {last}}}"#),
+    ]);
+    assert_eq!(brief.series, full.series);
+    let moved = |state| brief.get("rail", "DXMI", state).unwrap()[0];
+    assert_eq!([moved(0) != 0.0, moved(1) != 0.0, moved(2) != 0.0, moved(3) != 0.0], [false, true, true, false]);
+}
+
 #[test]
 fn the_rules_of_scenes_pass_the_audit() {
     for rule in RULES {

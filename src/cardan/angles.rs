@@ -38,6 +38,7 @@ impl Formula for CardanAngles {
     type Inputs<T: Element> = Triads<T>;
     type Outputs<T: Element> = Angles<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Triads<D>) -> Angles<D> {
         Angles {
             alpha: alpha(&i.e2a, &i.e3a, &i.e3b),
@@ -57,6 +58,7 @@ impl Formula for CardanAngles {
         Angles { alpha, beta, gamma }
     }
 
+    #[inline]
     fn validate(i: &Triads<f64>) -> Result<(), Error> {
         check_arc_sine(&i.e1a, &i.e3b)?;
         check_turns(i)

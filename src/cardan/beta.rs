@@ -54,6 +54,7 @@ impl Formula for BetaTwoArgument {
     type Inputs<T: Element> = BetaAxes<T>;
     type Outputs<T: Element> = Beta<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &BetaAxes<D>) -> Beta<D> {
         let cosine = norm([i.e1a.dot(&i.e1b), i.e1a.dot(&i.e2b)]);
         Beta { beta: atan2(i.e1a.dot(&i.e3b) + 0.0, cosine) }
@@ -68,6 +69,7 @@ impl Formula for BetaTwoArgument {
         Beta { beta: BetaAxes { e1a: -by_e1a, e1b: by_m * -n1, e2b: by_m * -n2, e3b: -by_e3b } }
     }
 
+    #[inline]
     fn validate(i: &BetaAxes<f64>) -> Result<(), Error> {
         if norm([i.e1a.dot(&i.e1b), i.e1a.dot(&i.e2b), i.e1a.dot(&i.e3b)]) >= f64::MIN_POSITIVE {
             return Ok(());

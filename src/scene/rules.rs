@@ -60,6 +60,7 @@ impl Formula for Stick {
     type Inputs<T: Element> = StickLoads<T>;
     type Outputs<T: Element> = TrialForce<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &StickLoads<D>) -> TrialForce<D> {
         TrialForce { f_trial: i.f_before + i.k_stick * (i.u1 - i.u1_before) }
     }
@@ -108,6 +109,7 @@ impl Formula for TurnStick {
     type Inputs<T: Element> = TurnLoads<T>;
     type Outputs<T: Element> = TrialMoment<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &TurnLoads<D>) -> TrialMoment<D> {
         TrialMoment { m_trial: i.m_before + i.k_stick * wrapped(i.ur - i.ur_before) }
     }
@@ -142,6 +144,7 @@ impl Formula for Slip {
     type Inputs<T: Element> = SlipLoads<T>;
     type Outputs<T: Element> = SlipTotals<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &SlipLoads<D>) -> SlipTotals<D> {
         let slip = (i.f_trial - i.csf) / i.k_stick;
         SlipTotals { slip, slip_total: i.slip_before + abs(slip) }
@@ -176,12 +179,14 @@ impl Formula for Turns {
     type Inputs<T: Element> = Triads<T>;
     type Outputs<T: Element> = Angles<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Triads<D>) -> Angles<D> {
         accurate(i)
     }
     fn jacobian<D: Scalar>(i: &Triads<D>) -> Jacobian<Self, D> {
         accurate_jacobian(i)
     }
+    #[inline]
     fn validate(i: &Triads<f64>) -> Result<(), Error> {
         check_turns(i)
     }
@@ -200,6 +205,7 @@ impl Formula for Alignment {
     type Inputs<T: Element> = Orientations<T>;
     type Outputs<T: Element> = Misalignment<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Orientations<D>) -> Misalignment<D> {
         let Angles { alpha, beta, gamma } = accurate(&i.triads());
         Misalignment { ur1: wrapped(alpha - i.alpha0), ur2: beta - i.beta0, ur3: wrapped(gamma - i.gamma0) }
@@ -214,6 +220,7 @@ impl Formula for Alignment {
         }
     }
 
+    #[inline]
     fn validate(i: &Orientations<f64>) -> Result<(), Error> {
         check_turns(&i.triads())
     }
@@ -254,6 +261,7 @@ impl Formula for KeptAxis {
     type Inputs<T: Element> = KeptNodes<T>;
     type Outputs<T: Element> = Kept<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &KeptNodes<D>) -> Kept<D> {
         let k = Pivots::new(&i.x1, &i.xn).k;
         Kept { xmk: i.xm[k], dxmk: i.dxm[k] }
@@ -267,6 +275,7 @@ impl Formula for KeptAxis {
         Kept { xmk: KeptNodes { xm: axis, ..none }, dxmk: KeptNodes { dxm: axis, ..none } }
     }
 
+    #[inline]
     fn validate(i: &KeptNodes<f64>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }
@@ -292,6 +301,7 @@ impl Formula for KeptAxis2d {
     type Inputs<T: Element> = KeptNodes2d<T>;
     type Outputs<T: Element> = Kept<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &KeptNodes2d<D>) -> Kept<D> {
         let k = Pivots2d::new(&i.x1, &i.xn).k;
         Kept { xmk: i.xm[k], dxmk: i.dxm[k] }
@@ -304,6 +314,7 @@ impl Formula for KeptAxis2d {
         Kept { xmk: KeptNodes2d { xm: axis, ..none }, dxmk: KeptNodes2d { dxm: axis, ..none } }
     }
 
+    #[inline]
     fn validate(i: &KeptNodes2d<f64>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }

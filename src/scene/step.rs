@@ -22,8 +22,6 @@ pub struct Wiring {
 pub trait Number: Scalar {
     /// How many blocks of elements make a task that is worth a thread.
     const BLOCKS: usize;
-    /// Whether lanes that hold no element are left out. To tell them apart costs a double more than to evaluate them.
-    const SPARES: bool;
     /// An exact double as this number.
     fn exactly(x: f64) -> Self;
     /// The nearest double.
@@ -43,7 +41,7 @@ pub(super) const LANES: usize = 64;
 /// What the elements of a block have in one register.
 pub(super) type Column<T> = [T; LANES];
 
-/// A block of elements: a column per register. Lanes beyond the last element repeat it, without its loads.
+/// A block of elements: a column per register. Lanes beyond the last element are not touched.
 #[derive(Debug)]
 pub struct Lanes<'r, T> {
     /// The registers that last from state to state.
@@ -81,15 +79,16 @@ impl<T: Number> Lanes<'_, T> {
     /// Fills them with a vector of each lane's node.
     #[inline]
     pub(super) fn fill(&mut self, span: Span, nodes: &Column<u32>, vector: impl Fn(u32) -> Vector3<T>) {
+        let count = self.count.min(LANES);
         match self.columns(span) {
             [x, y, z] => {
-                for lane in 0..LANES {
+                for lane in 0..count {
                     let vector = vector(nodes[lane]);
                     (x[lane], y[lane], z[lane]) = (vector.x, vector.y, vector.z);
                 }
             }
             [x, y] => {
-                for lane in 0..LANES {
+                for lane in 0..count {
                     let vector = vector(nodes[lane]);
                     (x[lane], y[lane]) = (vector.x, vector.y);
                 }
@@ -167,6 +166,7 @@ struct Vectors<'j, 'r, F> {
 
 impl<F: Formula> pulp::WithSimd for Vectors<'_, '_, F> {
     type Output = ();
+    #[expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, _: S) {
         run::<F, f64>(self.wiring, self.lanes, self.failures);
@@ -176,6 +176,9 @@ impl<F: Formula> pulp::WithSimd for Vectors<'_, '_, F> {
 /// Components that a formula has at most, in or out.
 const MOST: usize = 32;
 
+/// Evaluates a formula for every lane. Nothing in the loops depends on another lane, so that the compiler may take several
+/// at once.
+#[expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
 #[inline(always)]
 fn run<F: Formula, T: Number>(wiring: &Wiring, lanes: &mut Lanes<'_, T>, failures: &mut Vec<Failure>) {
     const { assert!(F::Inputs::<f64>::LEN <= MOST && F::Outputs::<f64>::LEN <= MOST) };
@@ -190,15 +193,14 @@ fn run<F: Formula, T: Number>(wiring: &Wiring, lanes: &mut Lanes<'_, T>, failure
     for (place, &register) in from.iter_mut().zip(&wiring.inputs) {
         *place = column(register).as_array_of_cells();
     }
-    let count = if T::SPARES { lanes.count } else { LANES };
+    let count = lanes.count.min(LANES);
     // Apart from the registers, so that no input waits for an output that might be the same.
     let mut outputs = F::Outputs::<Column<T>>::array_of([T::zero(); LANES]);
     let outputs = outputs.as_mut();
     for lane in 0..count {
-        let mut next = 0;
+        let mut columns = outputs.iter_mut();
         F::eval(&inputs_of::<F, T>(&from, lane)).for_each_component(&mut |value| {
-            outputs[next][lane] = value;
-            next += 1;
+            columns.next().into_iter().for_each(|column| column[lane] = value);
         });
     }
     let mut sound = true;
@@ -211,7 +213,7 @@ fn run<F: Formula, T: Number>(wiring: &Wiring, lanes: &mut Lanes<'_, T>, failure
         column(register).set(*output);
     }
     if !sound {
-        failures.extend((0..lanes.count).filter_map(|lane| {
+        failures.extend((0..count).filter_map(|lane| {
             let error = error_of::<F, T>(&inputs_of::<F, T>(&from, lane))?;
             Some(Failure { element: lanes.first + lane, formula: F::SPEC.id, error })
         }));
@@ -255,7 +257,6 @@ fn is_double<T: Number>(x: T) -> bool {
 
 impl Number for f64 {
     const BLOCKS: usize = 16;
-    const SPARES: bool = false;
     #[inline]
     fn exactly(x: f64) -> Self {
         x
@@ -275,7 +276,6 @@ impl Number for f64 {
 
 impl Number for Octuple {
     const BLOCKS: usize = 1;
-    const SPARES: bool = true;
     fn exactly(x: f64) -> Self {
         Self::from(x)
     }

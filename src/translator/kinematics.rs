@@ -74,6 +74,7 @@ impl Formula for Constraint {
     type Inputs<T: Element> = Placement<T>;
     type Outputs<T: Element> = AllResiduals<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Placement<D>) -> AllResiduals<D> {
         let Residuals { gy, gz } = slot::Constraint::eval(&i.slot());
         let Misalignment { ur1, ur2, ur3 } = align::Constraint::eval(&i.align());
@@ -92,6 +93,7 @@ impl Formula for Constraint {
         AllResiduals { gy: of_slot(gy), gz: of_slot(gz), ur1: of_align(ur1), ur2: of_align(ur2), ur3: of_align(ur3) }
     }
 
+    #[inline]
     fn validate(i: &Placement<f64>) -> Result<(), Error> {
         align::Constraint::validate(&i.align())
     }

@@ -30,14 +30,17 @@ impl<T: Number> State<T> {
         let mut lasting = zeros(group.elements.len().div_ceil(LANES) * recipe.lasting);
         let mut ends = Vec::new();
         for (block, lasting) in group.elements.chunks(LANES).zip(lasting.chunks_exact_mut(recipe.lasting)) {
-            let element = |lane: usize| &scene.elements[block[lane.min(block.len() - 1)] as usize];
-            for &(index, fallback, register) in &recipe.parameters {
-                let given = |lane| element(lane).parameters[index].unwrap_or(fallback);
-                lasting[register] = std::array::from_fn(|lane| T::exactly(given(lane)));
+            for (lane, &element) in block.iter().enumerate() {
+                let given = &scene.elements[element as usize].parameters;
+                for &(index, fallback, register) in &recipe.parameters {
+                    lasting[register][lane] = T::exactly(given[index].unwrap_or(fallback));
+                }
             }
             ends.extend((0..group.kind.nodes.len()).map(|node| {
-                let places = std::array::from_fn(|lane| nodes.place(element(lane).nodes[node]));
-                End { places, triad: nodes.common_triad(&places) }
+                let place = |&element: &u32| nodes.place(scene.elements[element as usize].nodes[node]);
+                let mut places = [0; LANES];
+                places.iter_mut().zip(block).for_each(|(end, element)| *end = place(element));
+                End { places, triad: nodes.common_triad(&places[..block.len()]) }
             }));
         }
         Self { lasting, passing: zeros(recipe.passing), ends }
