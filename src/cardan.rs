@@ -32,7 +32,7 @@ pub(crate) use triads::Oriented;
 pub use triads::Triads;
 
 use crate::error::Error;
-use crate::scalar::{Scalar, abs, atan2, norm, norm_and_direction};
+use crate::scalar::{Scalar, atan2, has_length, norm_and_direction};
 use nalgebra::{Matrix3, Vector3};
 
 /// The first angle, α = −atan2(e2a·e3b, e3a·e3b).
@@ -114,12 +114,10 @@ fn extreme_turn_gradient<D: Scalar>([v, p, q]: [&Vector3<D>; 3], (sine, cosine):
     [p.cross(q).cross(v) * by * by, v * (-cosine * by), v * (sine * by)]
 }
 
-/// Whether [`turn`] and its derivatives are defined: where the length of (v·p, v·q) is a normal number. Their sum says so
-/// without a root, but for lengths at the very limit.
+/// Whether [`turn`] and its derivatives are defined.
 #[inline]
 fn is_turn(v: &Vector3<f64>, p: &Vector3<f64>, q: &Vector3<f64>) -> bool {
-    let (sine, cosine) = (v.dot(p), v.dot(q));
-    abs(sine) + abs(cosine) >= 2.0 * f64::MIN_POSITIVE || norm([sine, cosine]) >= f64::MIN_POSITIVE
+    has_length([v.dot(p), v.dot(q)])
 }
 
 /// R1(α) R2(β) R3(γ): three turns about the first, the second and the third axis, each about the axes as the turns

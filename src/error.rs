@@ -1,7 +1,7 @@
 //! What can be wrong with an input, and what is allowed instead.
 
 use crate::quantity::Domain;
-use crate::scalar::norm;
+use crate::scalar::{has_length, norm};
 use nalgebra::SVector;
 use std::fmt;
 
@@ -315,21 +315,28 @@ impl Error {
     ///
     /// # Errors
     /// [`Error::TooClose`].
+    #[inline]
     pub fn check_apart<const N: usize>(
         (first, a): (&'static str, SVector<f64, N>),
         (second, b): (&'static str, SVector<f64, N>),
     ) -> Result<(), Self> {
-        let (distance, least) = (norm(<[f64; N]>::from(b - a)), f64::MIN_POSITIVE);
-        if distance >= least { Ok(()) } else { Err(Self::TooClose { first, second, distance, least }) }
+        let between = <[f64; N]>::from(b - a);
+        if has_length(between) {
+            return Ok(());
+        }
+        Err(Self::TooClose { first, second, distance: norm(between), least: f64::MIN_POSITIVE })
     }
 
     /// Checks that a vector has a direction.
     ///
     /// # Errors
     /// [`Error::TooShort`].
+    #[inline]
     pub fn check_direction<const N: usize>(name: &'static str, v: SVector<f64, N>) -> Result<(), Self> {
-        let (length, least) = (norm(<[f64; N]>::from(v)), f64::MIN_POSITIVE);
-        if length >= least { Ok(()) } else { Err(Self::TooShort { name, length, least }) }
+        if has_length(v.into()) {
+            return Ok(());
+        }
+        Err(Self::TooShort { name, length: norm(<[f64; N]>::from(v)), least: f64::MIN_POSITIVE })
     }
 
     /// The variant's name, as golden files give it.

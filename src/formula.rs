@@ -104,38 +104,41 @@ pub trait Part<T> {
     fn for_each_component(&self, visit: &mut impl FnMut(T));
 }
 
+#[expect(clippy::inline_always, reason = "a call for a component costs more than the component")]
 impl<T: Element> Part<T> for T {
     const LEN: usize = 1;
-    #[inline]
+    #[inline(always)]
     fn from_components(next: &mut impl FnMut() -> T) -> Self {
         next()
     }
-    #[inline]
+    #[inline(always)]
     fn for_each_component(&self, visit: &mut impl FnMut(T)) {
         visit(*self);
     }
 }
 
+#[expect(clippy::inline_always, reason = "a call for a component costs more than the component")]
 impl<T: Element> Part<T> for Vector2<T> {
     const LEN: usize = 2;
-    #[inline]
+    #[inline(always)]
     fn from_components(next: &mut impl FnMut() -> T) -> Self {
         Vector2::new(next(), next())
     }
-    #[inline]
+    #[inline(always)]
     fn for_each_component(&self, visit: &mut impl FnMut(T)) {
         visit(self.x);
         visit(self.y);
     }
 }
 
+#[expect(clippy::inline_always, reason = "a call for a component costs more than the component")]
 impl<T: Element> Part<T> for Vector3<T> {
     const LEN: usize = 3;
-    #[inline]
+    #[inline(always)]
     fn from_components(next: &mut impl FnMut() -> T) -> Self {
         Vector3::new(next(), next(), next())
     }
-    #[inline]
+    #[inline(always)]
     fn for_each_component(&self, visit: &mut impl FnMut(T)) {
         visit(self.x);
         visit(self.y);
@@ -177,15 +180,15 @@ macro_rules! fields {
                 &[$($crate::formula::Field::new(stringify!($field), &$quantity)),*]
             };
             type Array = [$T; <$name<f64> as $crate::formula::Fields<f64>>::LEN];
-            #[inline]
+            #[inline(always)]
             fn from_components(next: &mut impl FnMut() -> $T) -> Self {
                 Self { $($field: $crate::formula::Part::from_components(next)),* }
             }
-            #[inline]
+            #[inline(always)]
             fn for_each_component(&self, visit: &mut impl FnMut($T)) {
                 $($crate::formula::Part::for_each_component(&self.$field, visit);)*
             }
-            #[inline]
+            #[inline(always)]
             fn array_of(value: $T) -> Self::Array {
                 [value; <$name<f64> as $crate::formula::Fields<f64>>::LEN]
             }

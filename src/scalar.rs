@@ -119,6 +119,14 @@ pub fn norm<D: Scalar, const N: usize>(x: [D; N]) -> D {
     D::norm_of(x)
 }
 
+/// Whether the length of a vector is a normal number, so that it has a direction. The sum of the magnitudes tells without a
+/// root, but for lengths near the limit (for 16 components at most, whose length is a quarter of their sum at least).
+#[inline]
+pub(crate) fn has_length<const N: usize>(x: [f64; N]) -> bool {
+    const { assert!(N <= 16) };
+    x.iter().map(|x| x.abs()).sum::<f64>() > 4.0 * f64::MIN_POSITIVE || norm(x) >= f64::MIN_POSITIVE
+}
+
 /// x/|x|, the derivative of [`norm`]; the zero vector at the zero vector.
 ///
 /// ```

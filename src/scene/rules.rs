@@ -205,7 +205,8 @@ impl Formula for Alignment {
     type Inputs<T: Element> = Orientations<T>;
     type Outputs<T: Element> = Misalignment<T>;
 
-    #[inline]
+    #[expect(clippy::inline_always, reason = "a call would write 21 numbers to memory and wait for them")]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &Orientations<D>) -> Misalignment<D> {
         let Angles { alpha, beta, gamma } = accurate(&i.triads());
         Misalignment { ur1: wrapped(alpha - i.alpha0), ur2: beta - i.beta0, ur3: wrapped(gamma - i.gamma0) }

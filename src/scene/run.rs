@@ -2,7 +2,7 @@
 //!
 //! Elements are taken in blocks; each block has its own registers, and no element sees another, so the results do not
 //! depend on how many threads there are. What lasts from state to state is what the plan keeps per element, the
-//! results of the last state, and position and triad per node.
+//! results of the last state, and initial position and triad per node; displacements are read where the frame holds them.
 
 mod blocks;
 pub(super) mod nodes;

@@ -221,7 +221,8 @@ fn run<F: Formula, T: Number>(wiring: &Wiring, lanes: &mut Lanes<'_, T>, failure
 }
 
 /// The inputs of a lane.
-#[inline]
+#[expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
+#[inline(always)]
 fn inputs_of<F: Formula, T: Number>(columns: &[&[Cell<T>; LANES]; MOST], lane: usize) -> F::Inputs<T> {
     let mut next = 0;
     F::Inputs::from_components(&mut || {

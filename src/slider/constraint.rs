@@ -38,7 +38,8 @@ struct View<D> {
 }
 
 impl<D: Scalar> View<D> {
-    #[inline]
+    #[expect(clippy::inline_always, reason = "a call would write nine numbers to memory and wait for them")]
+    #[inline(always)]
     fn new(i: &Nodes<D>) -> Self {
         let across = Across::new(&(i.xn - i.x1));
         let project = |v: &Vector3<D>| across.split(v).1;
@@ -103,6 +104,7 @@ impl Formula for Constraint {
         (view.distances(), view.gradients())
     }
 
+    #[inline]
     fn validate(i: &Nodes<f64>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }
