@@ -4,6 +4,8 @@
 //! These are [`Formula`]s like any other, so the audit of this crate proves their Jacobians too; they are
 //! not in the [catalog](crate::catalog), which holds what the documents print.
 
+#![expect(clippy::inline_always, reason = "a call would write the inputs to memory, and wait for them there")]
+
 use crate::align::{Misalignment, Orientations};
 use crate::cardan::{Angles, Oriented, Triads, accurate, accurate_jacobian, check_turns};
 use crate::error::Error;
@@ -60,7 +62,7 @@ impl Formula for Stick {
     type Inputs<T: Element> = StickLoads<T>;
     type Outputs<T: Element> = TrialForce<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &StickLoads<D>) -> TrialForce<D> {
         TrialForce { f_trial: i.f_before + i.k_stick * (i.u1 - i.u1_before) }
     }
@@ -109,7 +111,7 @@ impl Formula for TurnStick {
     type Inputs<T: Element> = TurnLoads<T>;
     type Outputs<T: Element> = TrialMoment<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &TurnLoads<D>) -> TrialMoment<D> {
         TrialMoment { m_trial: i.m_before + i.k_stick * wrapped(i.ur - i.ur_before) }
     }
@@ -144,7 +146,7 @@ impl Formula for Slip {
     type Inputs<T: Element> = SlipLoads<T>;
     type Outputs<T: Element> = SlipTotals<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &SlipLoads<D>) -> SlipTotals<D> {
         let slip = (i.f_trial - i.csf) / i.k_stick;
         SlipTotals { slip, slip_total: i.slip_before + abs(slip) }
@@ -179,7 +181,7 @@ impl Formula for Turns {
     type Inputs<T: Element> = Triads<T>;
     type Outputs<T: Element> = Angles<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &Triads<D>) -> Angles<D> {
         accurate(i)
     }
@@ -205,7 +207,6 @@ impl Formula for Alignment {
     type Inputs<T: Element> = Orientations<T>;
     type Outputs<T: Element> = Misalignment<T>;
 
-    #[expect(clippy::inline_always, reason = "a call would write 21 numbers to memory and wait for them")]
     #[inline(always)]
     fn eval<D: Scalar>(i: &Orientations<D>) -> Misalignment<D> {
         let Angles { alpha, beta, gamma } = accurate(&i.triads());
@@ -262,7 +263,7 @@ impl Formula for KeptAxis {
     type Inputs<T: Element> = KeptNodes<T>;
     type Outputs<T: Element> = Kept<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &KeptNodes<D>) -> Kept<D> {
         let k = Pivots::new(&i.x1, &i.xn).k;
         Kept { xmk: i.xm[k], dxmk: i.dxm[k] }
@@ -302,7 +303,7 @@ impl Formula for KeptAxis2d {
     type Inputs<T: Element> = KeptNodes2d<T>;
     type Outputs<T: Element> = Kept<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &KeptNodes2d<D>) -> Kept<D> {
         let k = Pivots2d::new(&i.x1, &i.xn).k;
         Kept { xmk: i.xm[k], dxmk: i.dxm[k] }

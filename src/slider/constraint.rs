@@ -1,5 +1,7 @@
 //! The two conditions that hold node m on the line, and what they demand of increments.
 
+#![expect(clippy::inline_always, reason = "a call would write the coordinates to memory, and wait for them there")]
+
 use super::across::Across;
 use super::hard::{lines, scenes};
 use super::span::{Span, Station};
@@ -38,7 +40,6 @@ struct View<D> {
 }
 
 impl<D: Scalar> View<D> {
-    #[expect(clippy::inline_always, reason = "a call would write nine numbers to memory and wait for them")]
     #[inline(always)]
     fn new(i: &Nodes<D>) -> Self {
         let across = Across::new(&(i.xn - i.x1));
@@ -88,7 +89,7 @@ impl Formula for Constraint {
     type Inputs<T: Element> = Nodes<T>;
     type Outputs<T: Element> = Distances<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &Nodes<D>) -> Distances<D> {
         View::new(i).distances()
     }
@@ -195,6 +196,7 @@ impl Formula for IncrementalConstraint {
     type Inputs<T: Element> = MovingNodes<T>;
     type Outputs<T: Element> = IncrementalResiduals<T>;
 
+    #[inline(always)]
     fn eval<D: Scalar>(i: &MovingNodes<D>) -> IncrementalResiduals<D> {
         let station = Station::new(&Span::new(&i.x1, &i.xn), &i.x1, &i.xn, &i.xm);
         let across = Across::new(&(i.xn - i.x1));

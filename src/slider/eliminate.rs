@@ -1,5 +1,7 @@
 //! Elimination: two coordinates of node m, and two of its increments, from the third.
 
+#![expect(clippy::inline_always, reason = "a call would write the coordinates to memory, and wait for them there")]
+
 use super::hard::{lines, scenes};
 use super::place::Place;
 use super::slide::Slide;
@@ -45,7 +47,7 @@ impl Formula for Eliminate {
     type Inputs<T: Element> = KeptCoordinate<T>;
     type Outputs<T: Element> = Coordinates<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &KeptCoordinate<D>) -> Coordinates<D> {
         let pivots = Pivots::new(&i.x1, &i.xn);
         let place = Place::new(&i.x1, &i.xn, pivots.k, i.xmk);
@@ -191,7 +193,7 @@ impl Formula for Increment {
     type Inputs<T: Element> = KeptIncrement<T>;
     type Outputs<T: Element> = Increments<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &KeptIncrement<D>) -> Increments<D> {
         let Pivots { i: axis_i, j: axis_j, k } = Pivots::new(&i.x1, &i.xn);
         let slide = Slide::new(&i.x1, &i.xn, &i.xm, k);

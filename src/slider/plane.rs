@@ -1,5 +1,7 @@
 //! The sliding constraint in the plane: one condition, and one coordinate eliminated.
 
+#![expect(clippy::inline_always, reason = "a call would write the coordinates to memory, and wait for them there")]
+
 use super::hard::{plane_lines, scenes};
 use super::slide::Slide;
 use super::span::{Span, Station};
@@ -46,7 +48,7 @@ impl Formula for Constraint2d {
     type Inputs<T: Element> = Nodes2d<T>;
     type Outputs<T: Element> = Distance2d<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &Nodes2d<D>) -> Distance2d<D> {
         let span = Span::new(&i.x1, &i.xn);
         let offset = Station::new(&span, &i.x1, &i.xn, &i.xm).offset;
@@ -133,7 +135,7 @@ impl Formula for Increment2d {
     type Inputs<T: Element> = KeptIncrement2d<T>;
     type Outputs<T: Element> = Increment2dOutput<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &KeptIncrement2d<D>) -> Increment2dOutput<D> {
         let pivots = Pivots2d::new(&i.x1, &i.xn);
         let slide = Slide::new(&i.x1, &i.xn, &i.xm, pivots.k);
