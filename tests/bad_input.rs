@@ -4,6 +4,7 @@ use jointproof::Error;
 use jointproof::catalog::CATALOG;
 use jointproof::formula::Flag;
 use jointproof::frame::{PlaneTriad, Triad};
+use jointproof::scalar::norm;
 use jointproof::slot::{Pose, Pose2d, Slot, Slot2d};
 use jointproof::verify::golden::components;
 use nalgebra::{Vector2, Vector3};
@@ -92,4 +93,22 @@ fn plane_slots_too() {
     assert_message(Slot2d::new(&pose), "xb[1] is NaN; allowed is a finite number");
     let slot = Slot2d::new(&Pose2d { xb: Vector2::x(), ..pose }).unwrap();
     assert_message(slot.with_friction(f64::NAN, 0.0), "mu is NaN; allowed is a finite number ≥ 0");
+}
+
+/// Whether two points coincide is mostly decided by a sum of magnitudes; at the limit it must be the length that decides.
+#[test]
+fn points_are_apart_where_their_distance_is_a_normal_number() {
+    let directions = [[1.0, 0.0, 0.0], [0.0, -1.0, 1.0], [1.0, 1.0, -1.0], [0.6, 0.0, 0.8], [1.0, 1e-3, 0.0]];
+    let sizes = (0..=600).map(|k| f64::MIN_POSITIVE * (f64::from(k) / 100.0)).chain([1e-300, 1.0, f64::MAX]);
+    let mut decided = [0, 0];
+    for (direction, size) in sizes.flat_map(|size| directions.map(|direction| (Vector3::from(direction), size))) {
+        let x = direction * size;
+        let apart = Error::check_apart(("a", Vector3::zeros()), ("b", x)).is_ok();
+        assert_eq!(apart, norm(<[f64; 3]>::from(x)) >= f64::MIN_POSITIVE, "{x:?}");
+        assert_eq!(apart, Error::check_direction("d", x).is_ok());
+        decided[usize::from(apart)] += 1;
+    }
+    assert!(decided.iter().all(|&count| count > 300), "{decided:?}");
+    let nowhere = Vector3::new(1.0, f64::NAN, f64::INFINITY);
+    assert!(Error::check_apart(("a", Vector3::zeros()), ("b", nowhere)).is_err());
 }
