@@ -5,6 +5,8 @@
 //! `Outputs<Inputs<D>>`: the outputs, with every component replaced by its gradient, whose fields have the names of the
 //! inputs. `jac.fc.f2` is ∂fc/∂f2.
 
+#![expect(clippy::inline_always, reason = "a call for a component costs more than the component")]
+
 use crate::error::Error;
 use crate::measure::Way;
 use crate::quantity::{Domain, Quantity};
@@ -104,7 +106,6 @@ pub trait Part<T> {
     fn for_each_component(&self, visit: &mut impl FnMut(T));
 }
 
-#[expect(clippy::inline_always, reason = "a call for a component costs more than the component")]
 impl<T: Element> Part<T> for T {
     const LEN: usize = 1;
     #[inline(always)]
@@ -117,7 +118,6 @@ impl<T: Element> Part<T> for T {
     }
 }
 
-#[expect(clippy::inline_always, reason = "a call for a component costs more than the component")]
 impl<T: Element> Part<T> for Vector2<T> {
     const LEN: usize = 2;
     #[inline(always)]
@@ -131,7 +131,6 @@ impl<T: Element> Part<T> for Vector2<T> {
     }
 }
 
-#[expect(clippy::inline_always, reason = "a call for a component costs more than the component")]
 impl<T: Element> Part<T> for Vector3<T> {
     const LEN: usize = 3;
     #[inline(always)]

@@ -6,6 +6,8 @@
 //! The formulas take the direct route, by the ratios n_i/n_k. The [`documented`] route, through directions t1, t2 across the
 //! line, is their definition, and equal to them.
 
+#![expect(clippy::inline_always, reason = "a call would write the coordinates to memory, and wait for them there")]
+
 mod across;
 mod basis;
 mod binade;

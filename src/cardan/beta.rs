@@ -7,7 +7,7 @@ use crate::fields;
 use crate::formula::{Case, Convention, Element, Fields, Formula, Jacobian, Kink, Law, Source, Spec};
 use crate::measure::Way;
 use crate::quantity::{BETA, E1A, E1B, E2B, E3B};
-use crate::scalar::{Scalar, atan2, norm, norm_and_direction};
+use crate::scalar::{Scalar, atan2, has_length, norm, norm_and_direction};
 use crate::verify::{hard, law};
 use nalgebra::Vector3;
 use num_dual::DualNum;
@@ -71,7 +71,7 @@ impl Formula for BetaTwoArgument {
 
     #[inline]
     fn validate(i: &BetaAxes<f64>) -> Result<(), Error> {
-        if norm([i.e1a.dot(&i.e1b), i.e1a.dot(&i.e2b), i.e1a.dot(&i.e3b)]) >= f64::MIN_POSITIVE {
+        if has_length([i.e1a.dot(&i.e1b), i.e1a.dot(&i.e2b), i.e1a.dot(&i.e3b)]) {
             return Ok(());
         }
         Err(Error::UndefinedAngle { angle: "beta", vector: "e1a", axes: "e1b, e2b and e3b" })

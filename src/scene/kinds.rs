@@ -29,6 +29,8 @@ type Given = (&'static str, Origin);
 /// Two nodes, and the triad of the first, in every connector.
 const NODES: &[Given] =
     &[("xa", Position(0)), ("xb", Position(1)), ("e1a", Axis(0, 0)), ("e2a", Axis(0, 1)), ("e3a", Axis(0, 2))];
+/// The triad of the second, where angles are measured.
+const SECOND_TRIAD: &[Given] = &[("e1b", Axis(1, 0)), ("e2b", Axis(1, 1)), ("e3b", Axis(1, 2))];
 const FORCES: &[Given] = &[("f1", Load), ("f2", Load), ("f3", Load)];
 const MOMENTS: &[Given] = &[("m1", Load), ("m2", Load), ("m3", Load)];
 

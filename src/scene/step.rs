@@ -1,5 +1,7 @@
 //! A formula as a step of a plan: it reads its inputs from an element's registers and writes its outputs there.
 
+#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
+
 use super::recipe::Span;
 use crate::error::Error;
 use crate::formula::{Field, Fields, Formula};
@@ -166,7 +168,6 @@ struct Vectors<'j, 'r, F> {
 
 impl<F: Formula> pulp::WithSimd for Vectors<'_, '_, F> {
     type Output = ();
-    #[expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, _: S) {
         run::<F, f64>(self.wiring, self.lanes, self.failures);
@@ -178,7 +179,6 @@ const MOST: usize = 32;
 
 /// Evaluates a formula for every lane. Nothing in the loops depends on another lane, so that the compiler may take several
 /// at once.
-#[expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
 #[inline(always)]
 fn run<F: Formula, T: Number>(wiring: &Wiring, lanes: &mut Lanes<'_, T>, failures: &mut Vec<Failure>) {
     const { assert!(F::Inputs::<f64>::LEN <= MOST && F::Outputs::<f64>::LEN <= MOST) };
@@ -221,7 +221,6 @@ fn run<F: Formula, T: Number>(wiring: &Wiring, lanes: &mut Lanes<'_, T>, failure
 }
 
 /// The inputs of a lane.
-#[expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
 #[inline(always)]
 fn inputs_of<F: Formula, T: Number>(columns: &[&[Cell<T>; LANES]; MOST], lane: usize) -> F::Inputs<T> {
     let mut next = 0;

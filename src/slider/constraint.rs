@@ -1,7 +1,5 @@
 //! The two conditions that hold node m on the line, and what they demand of increments.
 
-#![expect(clippy::inline_always, reason = "a call would write the coordinates to memory, and wait for them there")]
-
 use super::across::Across;
 use super::hard::{lines, scenes};
 use super::span::{Span, Station};

@@ -1,7 +1,5 @@
 //! Elimination: two coordinates of node m, and two of its increments, from the third.
 
-#![expect(clippy::inline_always, reason = "a call would write the coordinates to memory, and wait for them there")]
-
 use super::hard::{lines, scenes};
 use super::place::Place;
 use super::slide::Slide;

@@ -1,7 +1,5 @@
 //! The sliding constraint in the plane: one condition, and one coordinate eliminated.
 
-#![expect(clippy::inline_always, reason = "a call would write the coordinates to memory, and wait for them there")]
-
 use super::hard::{plane_lines, scenes};
 use super::slide::Slide;
 use super::span::{Span, Station};

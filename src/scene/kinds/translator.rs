@@ -2,13 +2,13 @@
 
 use super::{
     CONSTRAINT_FORCE, FORCES, FRICTION, INITIAL, KINETIC_FORCE, LENGTHS, MOMENTS, MOTION, NODES, NORMAL, RETURN_MAP,
-    SLIP, STOP, TRIAL,
+    SECOND_TRIAD, SLIP, STOP, TRIAL,
 };
 use crate::scene::kind::{Dimension, Fallback, Kind, Origin, When, always, renamed};
 use crate::scene::rules;
 use crate::{align, slot, translator};
 use Fallback::Number;
-use Origin::{Axis, Initial, Parameter};
+use Origin::{Initial, Parameter};
 
 /// The levers of a TRANSLATOR's moments; where both are 0, its friction is that of the SLOT.
 const LEVERS: &[&str] = &["rr", "l"];
@@ -19,7 +19,7 @@ pub(super) const TRANSLATOR: Kind = Kind {
     nodes: &["a", "b"],
     given: &[
         NODES,
-        &[("e1b", Axis(1, 0)), ("e2b", Axis(1, 1)), ("e3b", Axis(1, 2))],
+        SECOND_TRIAD,
         INITIAL,
         &[("alpha0", Initial("alpha")), ("beta0", Initial("beta")), ("gamma0", Initial("gamma"))],
         LENGTHS,

@@ -1,13 +1,13 @@
 //! UJOINT: JOIN and UNIVERSAL, with the friction of the cross.
 
-use super::{FORCES, MOMENTS, NODES};
+use super::{FORCES, MOMENTS, NODES, SECOND_TRIAD};
 use crate::coulomb::ReturnMap;
 use crate::quantity::{Domain, Quantity, Unit};
 use crate::scene::kind::{Dimension, Fallback, Kind, Origin, Use, always, renamed};
 use crate::scene::rules::{self, Slip, TurnStick, scalar};
 use crate::{join, ujoint, universal};
 use Fallback::{As, Number, Required};
-use Origin::{Axis, Before, Initial, Parameter, Zero};
+use Origin::{Before, Initial, Parameter, Zero};
 
 /// What friction about an axis is called in the formulas that all connectors share, and here: the first axis, the third.
 const TURN: [&[(&str, &str)]; 2] = [
@@ -53,10 +53,8 @@ pub(super) const UJOINT: Kind = Kind {
     nodes: &["a", "b"],
     given: &[
         NODES,
+        SECOND_TRIAD,
         &[
-            ("e1b", Axis(1, 0)),
-            ("e2b", Axis(1, 1)),
-            ("e3b", Axis(1, 2)),
             ("no_vector", Zero),
             ("no_number", Zero),
             ("d0", Initial("d")),

@@ -76,11 +76,16 @@ impl<'s, T: Number> Nodes<'s, T> {
         self.places[node as usize]
     }
 
+    /// How many nodes never move.
+    #[inline]
+    fn fixed(&self) -> usize {
+        self.initial.len() - self.moving.len()
+    }
+
     /// Where a node is, by its place here.
     #[inline]
     pub(in crate::scene) fn positions(&self) -> impl Fn(u32) -> Vector3<T> {
-        let (initial, displacements) = (&*self.initial, &*self.displacements);
-        let fixed = initial.len() - displacements.len();
+        let (initial, displacements, fixed) = (&*self.initial, &*self.displacements, self.fixed());
         move |place| {
             let (place, at) = (place as usize, exactly(initial[place as usize]));
             if place < fixed { at } else { at + exactly(displacements[place - fixed]) }
@@ -91,7 +96,7 @@ impl<'s, T: Number> Nodes<'s, T> {
     #[inline]
     pub(in crate::scene) fn increments(&self) -> impl Fn(u32) -> Vector3<T> {
         let (now, before) = (&*self.displacements, self.before.as_deref().unwrap_or_default());
-        let fixed = self.initial.len() - now.len();
+        let fixed = self.fixed();
         move |place| {
             let Some(moving) = (place as usize).checked_sub(fixed) else { return exactly([0.0; 3]) };
             exactly::<T>(now[moving]) - exactly(before[moving])
@@ -101,8 +106,7 @@ impl<'s, T: Number> Nodes<'s, T> {
     /// Has what tells where a node is fetched.
     #[inline]
     pub(super) fn prefetch(&self) -> impl Fn(u32) {
-        let (initial, displacements) = (&*self.initial, &*self.displacements);
-        let fixed = initial.len() - displacements.len();
+        let (initial, displacements, fixed) = (&*self.initial, &*self.displacements, self.fixed());
         move |place| {
             prefetch(&initial[place as usize]);
             if let Some(moving) = (place as usize).checked_sub(fixed) {
@@ -146,8 +150,7 @@ impl<'s, T: Number> Nodes<'s, T> {
     }
 
     fn move_some(&mut self, frame: &Frame) {
-        let (moving, places) = (&self.moving, &self.places);
-        let fixed = self.initial.len() - moving.len();
+        let (moving, places, fixed) = (&self.moving, &self.places, self.fixed());
         shared(self.displacements.to_mut(), |first, displacements| {
             for (node, by) in among(&frame.moves, &moving[first..first + displacements.len()], |&node| node) {
                 displacements[places[node as usize] as usize - fixed - first] = by;
