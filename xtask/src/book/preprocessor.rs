@@ -81,15 +81,15 @@ impl Formulary {
             ("evidence", "") => tables::evidence(pages, at),
             ("sources", "") => tables::sources(pages, at),
             ("speed", part) => speed::part(pages, at, part).unwrap_or_else(|| unknown(pages, at, name, argument)),
-            ("kinds", dimension) => tables::kinds(pages, at, dimension),
+            ("table", name) => tables::named(pages, at, name),
             _ => unknown(pages, at, name, argument),
         }
     }
 
     /// `{{#output name}}`: what a program printed for this build.
     fn output(pages: &Pages<'_>, at: &Place, name: &str) -> String {
-        let Some((_, text)) = pages.content.outputs.iter().find(|(known, _)| known == name) else {
-            let known: Vec<_> = pages.content.outputs.iter().map(|(name, _)| name.as_str()).collect();
+        let Some((_, text)) = pages.content.exhibits.outputs.iter().find(|(known, _)| known == name) else {
+            let known: Vec<_> = pages.content.exhibits.outputs.iter().map(|(name, _)| name.as_str()).collect();
             pages.fault(at, format!("no output `{name}`; there are: {}", known.join(", ")));
             return String::new();
         };
@@ -100,7 +100,7 @@ impl Formulary {
 /// Nothing, and a fault.
 fn unknown(pages: &Pages<'_>, at: &Place, name: &str, argument: &str) -> String {
     let known = format!(
-        "formula ID, figure NAME, output NAME, kinds DIMENSION, symbols, kinks, evidence, sources, {}",
+        "formula ID, figure NAME, output NAME, table NAME, symbols, kinks, evidence, sources, {}",
         speed::PARTS
     );
     let written = format!("{name} {argument}");
