@@ -23,10 +23,11 @@ mod angles;
 mod arc_sine;
 mod beta;
 mod triads;
+#[cfg(feature = "verify")]
+pub mod turns;
 
 pub use accurate::*;
 pub use angles::{Angles, CardanAngles};
-pub(crate) use angles::{cuts, kinks};
 pub use beta::*;
 pub(crate) use triads::Oriented;
 pub use triads::Triads;

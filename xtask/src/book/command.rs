@@ -9,7 +9,8 @@ use crate::report::{self, data::Report};
 use crate::{Outcome, console, figures, files, scene};
 use anyhow::Context;
 use jointproof::catalog::{AnyFormula, CATALOG, KinkEntry};
-use jointproof::formula::{Convention, Field};
+use jointproof::formula::Field;
+use jointproof::proof::Convention;
 use jointproof::quantity::Shape;
 use jointproof::verify::Audit;
 use jointproof::verify::golden::File;
@@ -135,7 +136,7 @@ fn entry(formula: &dyn AnyFormula, index: &Index<'_>, evidence: &Evidence) -> En
         latex: spec.latex.into(),
         source: Source {
             name: spec.source.title.into(),
-            citation: format!("{} (`seeds/{}`)", spec.source.title, spec.source.file),
+            citation: spec.source.title.into(),
             place: format!("section “{}”", spec.source.section),
         },
         inputs: formula.inputs().iter().map(symbol).collect(),
@@ -164,6 +165,7 @@ fn symbol(field: &Field) -> Symbol {
         Shape::Scalar => "scalar",
         Shape::Vec2 => "vec2",
         Shape::Vec3 => "vec3",
+        Shape::Mat3 => "mat3",
     };
     Symbol {
         name: field.name.into(),
