@@ -1,14 +1,15 @@
 //! Every formula, in the order of the book.
 
-use crate::formula::{Convention, Field, Fields, Formula, Spec, check, value, value_and_jacobian};
+use crate::formula::{Field, Fields, Formula, Spec, check, entries, value, value_and_jacobian};
 use crate::measure::{self, Measurement};
+use crate::proof::{Convention, Proved};
 use crate::scalar::{abs, sign};
-use crate::verify::{Audit, Kink, Options, Subject, audit, audit_at, entries, exact, golden};
+use crate::verify::{Audit, Kink, Options, Subject, audit, audit_at, exact, golden};
 use crate::{
     Error, Octuple, align, cardan, coulomb, interaction, join, slide_line, slider, slot, translator, ujoint, universal,
 };
 
-/// A formula whose inputs and outputs are not known to the compiler; every [`Formula`] is one.
+/// A formula whose inputs and outputs are not known to the compiler; every [`Proved`] one is.
 pub trait AnyFormula: Send + Sync {
     /// What is said about it.
     fn spec(&self) -> Spec;
@@ -56,14 +57,14 @@ pub trait AnyFormula: Send + Sync {
 #[derive(Clone, Debug, PartialEq)]
 pub struct KinkEntry {
     /// The condition, in LaTeX.
-    pub condition: &'static str,
+    pub condition: String,
     /// What is done there.
     pub convention: Convention,
     /// For every output component, the derivatives across the kink from below and from above.
     pub one_sided: Vec<[f64; 2]>,
 }
 
-impl<F: Formula> AnyFormula for F {
+impl<F: Proved> AnyFormula for F {
     fn spec(&self) -> Spec {
         F::SPEC
     }
@@ -94,11 +95,11 @@ impl<F: Formula> AnyFormula for F {
     fn jacobian(&self, components: &[f64]) -> Result<Vec<f64>, Error> {
         let inputs = from_components::<F>(components)?;
         check::<F>(&inputs)?;
-        Ok(entries::<F, _>(&F::jacobian(&inputs)))
+        Ok(entries(&F::jacobian(&inputs)))
     }
     fn value_and_jacobian(&self, components: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Error> {
         let (out, jacobian) = value_and_jacobian::<F>(&from_components::<F>(components)?)?;
-        Ok((out.components(), entries::<F, _>(&jacobian)))
+        Ok((out.components(), entries(&jacobian)))
     }
     fn errors(&self, options: &measure::Options) -> Measurement {
         measure::errors::<F>(options)
@@ -112,7 +113,7 @@ impl<F: Formula> AnyFormula for F {
 }
 
 fn from_components<F: Formula>(components: &[f64]) -> Result<F::Inputs<f64>, Error> {
-    let (found, expected) = (components.len(), F::Inputs::<f64>::len());
+    let (found, expected) = (components.len(), F::Inputs::<f64>::LEN);
     F::Inputs::from_slice(components).ok_or(Error::Components { found, expected })
 }
 
@@ -132,7 +133,7 @@ fn one_sided(subject: &Subject) -> Vec<KinkEntry> {
         };
         let sides = |k: usize| [difference(here[k], below[k]), difference(above[k], here[k])];
         let one_sided = (0..here.len()).map(|k| sides(k).map(|d| (d / step).to_f64())).collect();
-        KinkEntry { condition: kink.condition, convention: kink.convention, one_sided }
+        KinkEntry { condition: kink.condition.clone(), convention: kink.convention, one_sided }
     };
     subject.kinks.iter().map(entry).collect()
 }

@@ -1,18 +1,24 @@
 //! JOIN: node b stays at its initial position in the triad of node a.
 //!
-//! With d = xb − xa, the components e1a·d, e2a·d, e3a·d keep their initial values d0, which are 0 where the nodes
-//! coincide. [`Join`] is what a program calls.
+//! | | |
+//! |---|---|
+//! | frames | the triad e1a, e2a, e3a of node a; node b has none |
+//! | position | d = xb − xa in that triad: (e1a·d, e2a·d, e3a·d) = Rᵀ d, with R of the columns e1a, e2a, e3a |
+//! | zero position | where the analysis begins, d0, which is 0 where the nodes coincide |
+//! | signs | f1 e1a + f2 e2a + f3 e3a acts on b |
+//!
+//! [`Join`] is what a program calls.
+
+#[cfg(feature = "verify")]
+mod proof;
 
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{
-    Case, Element, Formula, Jacobian, Law, Source, Spec, ValueAndJacobian, value, value_and_jacobian,
-};
+use crate::formula::{Component, Formula, Jacobian, Source, Spec, ValueAndJacobian, value, value_and_jacobian};
 use crate::frame::Triad;
 use crate::quantity::{D0, E1A, E2A, E3A, G_JOIN, XA, XB};
 use crate::scalar::Scalar;
 use crate::slot::{ConstraintForce, CrossFrame, Force, KineticForce, Pose, Positions, RelativePosition, SlotForce};
-use crate::verify::{hard, law};
 use nalgebra::Vector3;
 
 fields! {
@@ -27,7 +33,7 @@ fields! {
     pub struct Displaced<T> { g: Vector3<T> = G_JOIN }
 }
 
-impl<T: Element> Joined<T> {
+impl<T: Component> Joined<T> {
     /// Without the initial position.
     const fn positions(&self) -> Positions<T> {
         let Self { e1a, e2a, e3a, xa, xb, .. } = *self;
@@ -45,17 +51,11 @@ impl<T: Element> Joined<T> {
 pub struct Constraint;
 
 impl Formula for Constraint {
-    const SPEC: Spec = Spec {
-        id: "join.constraint",
-        title: "Constraint",
-        latex: r"g_i = \mathbf{e}_{ia}\cdot(\mathbf{x}_b-\mathbf{x}_a) - d_{0i},\quad i = 1, 2, 3",
-        source: Source::UJOINT.section("Description"),
-        eta: 2.0,
-        eta_jacobian: 1.0,
-        objective: true,
-    };
-    type Inputs<T: Element> = Joined<T>;
-    type Outputs<T: Element> = Displaced<T>;
+    const SPEC: Spec = Spec::new("join.constraint", "Constraint", Source::UJOINT.section("Description"))
+        .equation(r"g_i = \mathbf{e}_{ia}\cdot(\mathbf{x}_b-\mathbf{x}_a) - d_{0i},\quad i = 1, 2, 3")
+        .eta(2.0, 1.0);
+    type Inputs<T: Component> = Joined<T>;
+    type Outputs<T: Component> = Displaced<T>;
 
     fn eval<D: Scalar>(i: &Joined<D>) -> Displaced<D> {
         let here = RelativePosition::eval(&i.positions());
@@ -70,49 +70,6 @@ impl Formula for Constraint {
             Joined::of(gradient, d0)
         };
         Displaced { g: Vector3::new(row(0, here.x), row(1, here.y), row(2, here.z)) }
-    }
-
-    fn cases() -> Vec<Case<Joined<f64>>> {
-        let [e1a, e2a, e3a] = hard::triad();
-        let axes = Positions {
-            e1a: Vector3::x(),
-            e2a: Vector3::y(),
-            e3a: Vector3::z(),
-            xa: Vector3::new(1.0, 2.0, 3.0),
-            xb: Vector3::new(4.0, 6.0, 15.0),
-        };
-        let mut cases = vec![
-            Case::limit(
-                "in-place",
-                "b at its initial position (3, 4, 12)",
-                Joined::of(axes, Vector3::new(3.0, 4.0, 12.0)),
-            ),
-            Case::hand(
-                "pulled-off",
-                "the whole distance is the residual where the nodes coincided",
-                Joined::of(axes, Vector3::zeros()),
-            ),
-        ];
-        cases.extend(hard::places().into_iter().map(|place| {
-            let [xa, xb] = place.value;
-            let here = Positions { e1a, e2a, e3a, xa, xb };
-            Case::hard(place.id, place.comment, Joined::of(here, Vector3::new(0.25, -0.5, 0.125)))
-        }));
-        cases
-    }
-
-    fn laws() -> Vec<Law<Self>> {
-        vec![Law {
-            statement: "the force on b is Jacobianᵀ · multipliers: Σ f_i ∂g_i/∂xb = f1 e1a + f2 e2a + f3 e3a, and a takes the opposite",
-            sides: |i| {
-                let jac = Self::jacobian(i);
-                let f = i.d0; // any three numbers will do
-                let on_b = jac.g[0].xb * f[0] + jac.g[1].xb * f[1] + jac.g[2].xb * f[2];
-                let on_a = jac.g[0].xa * f[0] + jac.g[1].xa * f[1] + jac.g[2].xa * f[2];
-                let documented = i.e1a * f[0] + i.e2a * f[1] + i.e3a * f[2];
-                [law::equal_vectors(on_b, documented), law::equal_vectors(on_a, -documented)].concat()
-            },
-        }]
     }
 }
 

@@ -33,6 +33,7 @@
 
 pub mod align;
 pub mod cardan;
+#[cfg(feature = "verify")]
 pub mod catalog;
 pub mod coulomb;
 mod error;
@@ -41,12 +42,19 @@ pub mod frame;
 pub mod interaction;
 pub mod isl;
 pub mod join;
+#[cfg(feature = "measure")]
 pub mod measure;
+#[cfg(feature = "verify")]
 mod newtype;
+#[cfg(feature = "verify")]
 pub mod octuple;
+#[cfg(feature = "verify")]
+pub mod proof;
 pub mod quantity;
 pub mod scalar;
+#[cfg(feature = "scene")]
 pub mod scene;
+#[cfg(feature = "verify")]
 pub mod single;
 pub mod slide_line;
 pub mod slider;
@@ -54,11 +62,14 @@ pub mod slot;
 pub mod translator;
 pub mod ujoint;
 pub mod universal;
+#[cfg(feature = "verify")]
 pub mod verify;
 
 pub use error::{Error, Name};
+#[cfg(feature = "verify")]
 pub use octuple::Octuple;
 pub use scalar::Scalar;
+#[cfg(feature = "verify")]
 pub use single::Single;
 
 /// The examples of the README are compiled and run.

@@ -5,8 +5,9 @@
 
 use std::fmt;
 
-/// Powers of length, force and time; radians and plain numbers have none.
+/// Powers of length, force, time and temperature; radians and plain numbers have none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Unit {
     /// Power of the unit of length.
     pub length: i32,
@@ -14,6 +15,8 @@ pub struct Unit {
     pub force: i32,
     /// Power of the unit of time.
     pub time: i32,
+    /// Power of the unit of temperature.
+    pub temperature: i32,
 }
 
 impl Unit {
@@ -26,21 +29,48 @@ impl Unit {
     /// Moment.
     pub const FL: Self = Self::new(1, 1, 0);
 
+    /// Time.
+    pub const T: Self = Self::new(0, 0, 1);
+    /// Temperature.
+    pub const TEMPERATURE: Self = Self { temperature: 1, ..Self::ONE };
+
     /// The unit LᵃFᵇTᶜ.
     pub const fn new(length: i32, force: i32, time: i32) -> Self {
-        Self { length, force, time }
+        Self { length, force, time, temperature: 0 }
+    }
+
+    /// The unit of a product.
+    ///
+    /// ```
+    /// use jointproof::quantity::Unit;
+    /// let power = Unit::FL.per(Unit::T);
+    /// let conductance = power.per(Unit::L.times(Unit::L).times(Unit::TEMPERATURE));
+    /// assert_eq!(conductance.to_string(), "F/LTΘ");
+    /// ```
+    pub const fn times(self, other: Self) -> Self {
+        Self {
+            length: self.length + other.length,
+            force: self.force + other.force,
+            time: self.time + other.time,
+            temperature: self.temperature + other.temperature,
+        }
     }
 
     /// The unit of a quotient, as of a Jacobian entry.
     pub const fn per(self, other: Self) -> Self {
-        Self::new(self.length - other.length, self.force - other.force, self.time - other.time)
+        Self {
+            length: self.length - other.length,
+            force: self.force - other.force,
+            time: self.time - other.time,
+            temperature: self.temperature - other.temperature,
+        }
     }
 }
 
 /// `1`, `L`, `F`, `FL`, `F/L^2`, `FT/L^3` …
 impl fmt::Display for Unit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let powers = [("F", self.force), ("L", self.length), ("T", self.time)];
+        let powers = [("F", self.force), ("L", self.length), ("T", self.time), ("Θ", self.temperature)];
         let factor = |sign: i32| {
             let of_sign = powers.iter().filter(move |(_, power)| power * sign > 0);
             of_sign
@@ -57,7 +87,7 @@ impl fmt::Display for Unit {
     }
 }
 
-/// How many components a quantity has: a scalar, or a column of two or three.
+/// How many components a quantity has: a scalar, a column of two or three, or a 3×3 matrix.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// One number.
@@ -66,6 +96,8 @@ pub enum Shape {
     Vec2,
     /// A column of three.
     Vec3,
+    /// A 3×3 matrix, row by row.
+    Mat3,
 }
 
 impl Shape {
@@ -76,29 +108,34 @@ impl Shape {
             Self::Scalar => 1,
             Self::Vec2 => 2,
             Self::Vec3 => 3,
+            Self::Mat3 => 9,
         }
     }
 
-    /// As golden files print it: `[]`, `[2]`, `[3]`.
+    /// As golden files print it: `[]`, `[2]`, `[3]`, `[3, 3]`.
     pub fn dimensions(self) -> Vec<usize> {
         match self {
             Self::Scalar => Vec::new(),
-            vector => vec![vector.len()],
+            Self::Vec2 | Self::Vec3 => vec![self.len()],
+            Self::Mat3 => vec![3, 3],
         }
     }
 }
 
-/// A node of a connector.
+/// A node, by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Node {
-    /// The first node, whose triad carries the connector.
-    A,
-    /// The second node, at which the constraint acts.
-    B,
+pub struct Node(pub &'static str);
+
+impl Node {
+    /// The first node of a connector, whose triad carries it.
+    pub const A: Self = Self("a");
+    /// The second node of a connector, at which the constraint acts.
+    pub const B: Self = Self("b");
 }
 
 /// What values a quantity may take, how the sampler draws it, and how it changes when the whole model is moved.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Domain {
     /// Any finite number; drawn with either sign and a magnitude from 2⁻¹⁰ to 2¹⁰.
     Real,
@@ -138,6 +175,11 @@ impl Domain {
         }
     }
 
+    /// Whether what has it turns with the model.
+    pub const fn turns(self) -> bool {
+        matches!(self, Self::Point | Self::Vector | Self::Direction | Self::Triad(..))
+    }
+
     /// The allowed values in words, for error messages and the book.
     pub fn allowed(self) -> String {
         match self {
@@ -152,7 +194,16 @@ impl Domain {
 }
 
 /// A quantity of the documents.
+///
+/// ```
+/// use jointproof::quantity::{Domain, Quantity, Shape, Unit};
+/// const PLACE: Quantity =
+///     Quantity::new(r"\mathbf{x}", Shape::Vec3, Unit::L, Domain::Point, "where the hub is");
+/// const MASS: Quantity = Quantity::scalar("m", Unit::new(-1, 1, 2), Domain::Positive, "mass of the hub");
+/// assert_eq!((PLACE.shape.len(), MASS.unit.to_string()), (3, "FT^2/L".into()));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Quantity {
     /// Its symbol in LaTeX.
     pub latex: &'static str,
@@ -164,6 +215,18 @@ pub struct Quantity {
     pub domain: Domain,
     /// What it is, with frame and sign.
     pub meaning: &'static str,
+}
+
+impl Quantity {
+    /// A quantity of any shape.
+    pub const fn new(latex: &'static str, shape: Shape, unit: Unit, domain: Domain, meaning: &'static str) -> Self {
+        Self { latex, shape, unit, domain, meaning }
+    }
+
+    /// A number.
+    pub const fn scalar(latex: &'static str, unit: Unit, domain: Domain, meaning: &'static str) -> Self {
+        Self::new(latex, Shape::Scalar, unit, domain, meaning)
+    }
 }
 
 /// The table below: a constant and its documentation from one row.
@@ -179,7 +242,6 @@ macro_rules! quantities {
 }
 
 use Domain::{Angle, Between, Direction, HalfOpen, NonNegative, Point, Positive, Real, Triad, Vector, Within};
-use Node::{A, B};
 
 const ONE: Unit = Unit::ONE;
 const L: Unit = Unit::L;
@@ -188,15 +250,15 @@ const FL: Unit = Unit::FL;
 const PRESSURE_UNIT: Unit = Unit::new(-2, 1, 0);
 
 quantities! {
-    E1A: r"\mathbf{e}_{1a}", Vec3, ONE, Triad(A, 1), "first unit vector of node a's triad, in the global frame";
-    E2A: r"\mathbf{e}_{2a}", Vec3, ONE, Triad(A, 2), "second unit vector of node a's triad, in the global frame";
-    E3A: r"\mathbf{e}_{3a}", Vec3, ONE, Triad(A, 3), "third unit vector of node a's triad, in the global frame";
-    E1B: r"\mathbf{e}_{1b}", Vec3, ONE, Triad(B, 1), "first unit vector of node b's triad, in the global frame";
-    E2B: r"\mathbf{e}_{2b}", Vec3, ONE, Triad(B, 2), "second unit vector of node b's triad, in the global frame";
-    E3B: r"\mathbf{e}_{3b}", Vec3, ONE, Triad(B, 3), "third unit vector of node b's triad, in the global frame";
+    E1A: r"\mathbf{e}_{1a}", Vec3, ONE, Triad(Node::A, 1), "first unit vector of node a's triad, in the global frame";
+    E2A: r"\mathbf{e}_{2a}", Vec3, ONE, Triad(Node::A, 2), "second unit vector of node a's triad, in the global frame";
+    E3A: r"\mathbf{e}_{3a}", Vec3, ONE, Triad(Node::A, 3), "third unit vector of node a's triad, in the global frame";
+    E1B: r"\mathbf{e}_{1b}", Vec3, ONE, Triad(Node::B, 1), "first unit vector of node b's triad, in the global frame";
+    E2B: r"\mathbf{e}_{2b}", Vec3, ONE, Triad(Node::B, 2), "second unit vector of node b's triad, in the global frame";
+    E3B: r"\mathbf{e}_{3b}", Vec3, ONE, Triad(Node::B, 3), "third unit vector of node b's triad, in the global frame";
     XA: r"\mathbf{x}_a", Vec3, L, Point, "position of node a, in the global frame";
     XB: r"\mathbf{x}_b", Vec3, L, Point, "position of node b, in the global frame";
-    E2A_PLANE: r"\mathbf{e}_{2a}", Vec2, ONE, Triad(A, 2), "second unit vector of node a's triad in the plane, in the global frame";
+    E2A_PLANE: r"\mathbf{e}_{2a}", Vec2, ONE, Triad(Node::A, 2), "second unit vector of node a's triad in the plane, in the global frame";
     XA_PLANE: r"\mathbf{x}_a", Vec2, L, Point, "position of node a in the plane, in the global frame";
     XB_PLANE: r"\mathbf{x}_b", Vec2, L, Point, "position of node b in the plane, in the global frame";
 

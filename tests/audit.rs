@@ -2,7 +2,8 @@
 //! wrong value at a kink, an inaccurate algorithm.
 
 use jointproof::catalog::CATALOG;
-use jointproof::formula::{Case, Convention, Element, Formula, Jacobian, Kink, Source, Spec};
+use jointproof::formula::{Component, Formula, Jacobian, Source, Spec};
+use jointproof::proof::{Case, Convention, Kink, Proved};
 use jointproof::quantity::{F2, F3, FC};
 use jointproof::scalar::{Scalar, abs, direction, norm, sign};
 use jointproof::verify::{Options, audit};
@@ -77,17 +78,9 @@ trait Fault: Copy + Send + Sync + 'static {
 struct Planted<T>(T);
 
 impl<T: Fault> Formula for Planted<T> {
-    const SPEC: Spec = Spec {
-        id: "planted.fault",
-        title: "Planted fault",
-        latex: "",
-        source: Source::SLOT,
-        eta: 2.0,
-        eta_jacobian: 2.0,
-        objective: true,
-    };
-    type Inputs<E: Element> = Inputs<E>;
-    type Outputs<E: Element> = Outputs<E>;
+    const SPEC: Spec = Spec::new("planted.fault", "Planted fault", Source::SLOT).equation("").eta(2.0, 2.0);
+    type Inputs<E: Component> = Inputs<E>;
+    type Outputs<E: Component> = Outputs<E>;
     fn eval<D: Scalar>(i: &Inputs<D>) -> Outputs<D> {
         Outputs { fc: T::value(i) }
     }
@@ -95,6 +88,9 @@ impl<T: Fault> Formula for Planted<T> {
         let [f2, f3] = T::gradient(i);
         Outputs { fc: Inputs { f2, f3 } }
     }
+}
+
+impl<T: Fault> Proved for Planted<T> {
     fn cases() -> Vec<Case<Inputs<f64>>> {
         vec![
             Case::hard("zero", "", Inputs { f2: 0.0, f3: 0.0 }),
@@ -102,13 +98,7 @@ impl<T: Fault> Formula for Planted<T> {
         ]
     }
     fn kinks() -> Vec<Kink<Self>> {
-        vec![Kink {
-            condition: "f_2 = f_3 = 0",
-            convention: Convention::Subgradient,
-            holds: |i| i.f2 == 0.0 && i.f3 == 0.0,
-            at: || Inputs { f2: 0.0, f3: 0.0 },
-            across: || Inputs { f2: 1.0, f3: 0.0 },
-        }]
+        vec![Kink::<Self>::of_norm(Inputs { f2: 0.0, f3: 0.0 }, |i| [i.f2, i.f3])]
     }
 }
 

@@ -2,8 +2,8 @@
 
 use jointproof::Error;
 use jointproof::catalog::CATALOG;
-use jointproof::formula::Flag;
 use jointproof::frame::{PlaneTriad, Triad};
+use jointproof::proof::Flag;
 use jointproof::scalar::norm;
 use jointproof::slot::{Pose, Pose2d, Slot, Slot2d};
 use jointproof::verify::golden::components;

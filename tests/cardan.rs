@@ -2,20 +2,21 @@
 
 #![expect(clippy::float_cmp, reason = "exact results are expected exactly")]
 
+use jointproof::cardan::turns;
 use jointproof::cardan::{
     Angles, BetaAxes, BetaTwoArgument, CardanAngles, Triads, accurate, accurate_jacobian, between,
     errors_near_right_angle, rotation, turned,
 };
 use jointproof::formula::{Fields, Formula, check, value, value_and_jacobian};
 use jointproof::frame::Triad;
-use jointproof::verify::{eta, exactly, hard};
+use jointproof::verify::{eta, exactly};
 use jointproof::{Error, Octuple};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 fn axes(of_b: [i32; 3]) -> Triads<f64> {
-    let [a, b] = hard::axes(of_b);
+    let [a, b] = turns::axes(of_b);
     Triads::new(a, b)
 }
 
@@ -64,7 +65,7 @@ fn the_sign_of_zero_does_not_count() {
 
 #[test]
 fn gimbal_lock_is_named() {
-    for pair in hard::gimbal_locked() {
+    for pair in turns::gimbal_locked() {
         let [a, b] = pair.value.map(|[e1, e2, e3]| Triad::new(e1, e2, e3).unwrap());
         let error = between(&a, &b).unwrap_err();
         assert!(matches!(error, Error::GimbalLock { angle: "alpha", .. }), "{error}");
@@ -121,7 +122,7 @@ fn a_zero_axis_has_no_second_angle() {
 fn at_90_degrees_to_rounding_the_two_argument_form_is_right() {
     let quarter = Octuple::PI / 2.0;
     for (beta, expected) in [(quarter, FRAC_PI_2), (-quarter, -FRAC_PI_2)] {
-        let [a, b] = hard::at_angles([Octuple::from(0.3), beta, Octuple::from(-0.7)]);
+        let [a, b] = turns::at_angles([Octuple::from(0.3), beta, Octuple::from(-0.7)]);
         let axes = BetaAxes::from(&Triads::new(a, b));
         let (angle, jac) = value_and_jacobian::<BetaTwoArgument>(&axes).unwrap();
         assert!((angle.beta - expected).abs() <= f64::EPSILON, "{}", angle.beta);

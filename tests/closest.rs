@@ -1,6 +1,6 @@
 //! The closest point is the global one, on every kind of curve, and no input makes the search loop or panic.
 
-use jointproof::formula::{Element, Fields, Formula, Jacobian, check, value, value_and_jacobian};
+use jointproof::formula::{Component, Fields, Formula, Jacobian, check, value, value_and_jacobian};
 use jointproof::slide_line::{
     ClosestLinear, ClosestParabolic, ClosestSmoothedLinear, ClosestSmoothedParabolic, CornerFoot, LinearCornerPlace,
     LinearCornerSlave, LinearPlace, LinearPoint, LinearSlave, ParabolicCornerPlace, ParabolicCornerSlave,
@@ -18,8 +18,8 @@ trait Curve: Formula {
     const ENDS: [f64; 2];
     fn slave(i: &Self::Inputs<f64>) -> Point;
     fn at(i: &Self::Inputs<f64>, u: f64) -> Point;
-    fn coordinate<T: Element>(foot: &Self::Outputs<T>) -> T;
-    fn separation<T: Element>(foot: &Self::Outputs<T>) -> T;
+    fn coordinate<T: Component>(foot: &Self::Outputs<T>) -> T;
+    fn separation<T: Component>(foot: &Self::Outputs<T>) -> T;
 }
 
 /// Names where a formula keeps its parts.
@@ -33,10 +33,10 @@ macro_rules! curve {
             fn at(i: &$inputs<f64>, u: f64) -> Point {
                 <$point>::eval(&$place { $($field: i.$field,)* $u: u }).x
             }
-            fn coordinate<T: Element>(foot: &$foot<T>) -> T {
+            fn coordinate<T: Component>(foot: &$foot<T>) -> T {
                 foot.$u
             }
-            fn separation<T: Element>(foot: &$foot<T>) -> T {
+            fn separation<T: Component>(foot: &$foot<T>) -> T {
                 foot.separation
             }
         }

@@ -1,7 +1,7 @@
 //! The committed golden files are what the code says, and are fit to test other code with.
 
 use jointproof::catalog::{AnyFormula, CATALOG, find};
-use jointproof::formula::{Convention, Flag};
+use jointproof::proof::{Convention, Flag};
 use jointproof::verify::golden::{File, LEAST_CASES};
 use std::collections::HashSet;
 use std::path::PathBuf;

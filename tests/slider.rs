@@ -3,6 +3,7 @@
 mod common;
 
 use jointproof::formula::{Fields, Formula};
+use jointproof::proof::Proved;
 use jointproof::scalar::{Scalar, abs};
 use jointproof::slider::{
     Basis, Constraint, Coordinates, Distances, Eliminate, Increment, IncrementalConstraint, Increments, KeptCoordinate,
@@ -19,7 +20,7 @@ const AXES: [Vector3<f64>; 3] = [Vector3::new(1.0, 0.0, 0.0), Vector3::new(0.0, 
 /// Distances of n from ±i at which t1 and t2 turn ever faster.
 const TILTS: [f64; 4] = [1e-16, 1e-12, 1e-8, 1e-4];
 
-fn sampled<F: Formula>(points: usize) -> Vec<F::Inputs<f64>> {
+fn sampled<F: Proved>(points: usize) -> Vec<F::Inputs<f64>> {
     let mut sampler = Sampler::new::<F>(4);
     (0..points).map(|_| sampler.inputs::<F>()).collect()
 }

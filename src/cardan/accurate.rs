@@ -1,5 +1,6 @@
 //! The three angles as programs should take them, β in the two-argument form; and what the arc sine loses.
 
+use super::turns;
 use super::{
     Angles, Beta, BetaAxes, BetaTwoArgument, CardanAngles, Triads, alpha, alpha_gradient, check_alpha, check_gamma,
     gamma, gamma_gradient, rotation, turned,
@@ -9,7 +10,6 @@ use crate::error::Error;
 use crate::formula::{Fields, Formula, value};
 use crate::frame::Triad;
 use crate::scalar::Scalar;
-use crate::verify::hard;
 use num_traits::Signed;
 
 /// The Cardan angles of b relative to a.
@@ -118,7 +118,7 @@ fn errors_at(distance: f64) -> NearRightAngle {
 
 /// Triads that stand at these angles to one another, neither along the global axes, every component rounded once.
 fn rounded_triads([alpha, beta, gamma]: [Octuple; 3]) -> Triads<f64> {
-    let [global, _] = hard::axes([1, 2, 3]);
+    let [global, _] = turns::axes([1, 2, 3]);
     let a = turned(&global.map(|e| e.map(Octuple::from)), &rotation(alpha, gamma * 0.25, gamma - alpha));
     let b = turned(&a, &rotation(alpha, beta, gamma));
     let [a, b] = [a, b].map(|triad| triad.map(|e| e.map(Octuple::to_f64)));

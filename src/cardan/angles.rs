@@ -1,17 +1,15 @@
 //! The three angles as documented, β by the arc sine.
 
+#[cfg(feature = "verify")]
+mod proof;
+
 use super::arc_sine::{arc_sine, arc_sine_slope, check_arc_sine};
-use super::{Oriented, Triads, alpha, alpha_gradient, check_turns, gamma, gamma_gradient, rotation};
-use crate::Octuple;
+use super::{Triads, alpha, alpha_gradient, check_turns, gamma, gamma_gradient};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Case, Convention, Element, Fields, Formula, Jacobian, Kink, Law, Source, Spec};
-use crate::measure::Way;
+use crate::formula::{Component, Fields, Formula, Jacobian, Source, Spec};
 use crate::quantity::{ALPHA, BETA, GAMMA};
-use crate::scalar::{Scalar, abs};
-use crate::verify::{hard, law};
-use nalgebra::Vector3;
-use num_dual::DualNum;
+use crate::scalar::Scalar;
 
 fields! {
     /// Cardan angles of b relative to a.
@@ -26,17 +24,11 @@ fields! {
 pub struct CardanAngles;
 
 impl Formula for CardanAngles {
-    const SPEC: Spec = Spec {
-        id: "cardan.angles",
-        title: "Cardan angles",
-        latex: r"\alpha = -\operatorname{atan2}(\mathbf{e}_{2a}\cdot\mathbf{e}_{3b},\ \mathbf{e}_{3a}\cdot\mathbf{e}_{3b}),\quad \beta = \arcsin(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b}),\quad \gamma = -\operatorname{atan2}(\mathbf{e}_{1a}\cdot\mathbf{e}_{2b},\ \mathbf{e}_{1a}\cdot\mathbf{e}_{1b})",
-        source: Source::TRANSLATOR.section("Description"),
-        eta: 2.0,
-        eta_jacobian: 4.0,
-        objective: true,
-    };
-    type Inputs<T: Element> = Triads<T>;
-    type Outputs<T: Element> = Angles<T>;
+    const SPEC: Spec = Spec::new("cardan.angles", "Cardan angles", Source::TRANSLATOR.section("Description"))
+.equation(r"\alpha = -\operatorname{atan2}(\mathbf{e}_{2a}\cdot\mathbf{e}_{3b},\ \mathbf{e}_{3a}\cdot\mathbf{e}_{3b}),\quad \beta = \arcsin(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b}),\quad \gamma = -\operatorname{atan2}(\mathbf{e}_{1a}\cdot\mathbf{e}_{2b},\ \mathbf{e}_{1a}\cdot\mathbf{e}_{1b})")
+.eta(2.0, 4.0);
+    type Inputs<T: Component> = Triads<T>;
+    type Outputs<T: Component> = Angles<T>;
 
     #[inline]
     fn eval<D: Scalar>(i: &Triads<D>) -> Angles<D> {
@@ -63,187 +55,4 @@ impl Formula for CardanAngles {
         check_arc_sine(&i.e1a, &i.e3b)?;
         check_turns(i)
     }
-
-    fn cases() -> Vec<Case<Triads<f64>>> {
-        let [x, y, z] = [Vector3::x(), Vector3::y(), Vector3::z()];
-        let hand = Triads::new([x, y, z], [x + y, y - x, Vector3::new(0.5, -0.5, 0.5)]);
-        let mut cases = vec![
-            Case::limit("aligned", "all zero where both triads are the same", Triads::new([x, y, z], [x, y, z])),
-            Case::hand("45-30-45", "exact components, though not of length 1: atan 1, asin 0.5, atan 1", hand),
-            Case::hard(
-                "right-angle",
-                "e1a·e3b = 1: β = 90°, where the derivative of the arc sine is infinite",
-                Triads { e3b: Vector3::new(1.0, -0.5, 0.5), ..hand },
-            ),
-            Case::hard(
-                "right-angle-back",
-                "e1a·e3b = -1: β = -90°",
-                Triads { e3b: Vector3::new(-1.0, -0.5, 0.5), ..hand },
-            ),
-            Case::hard(
-                "below-right-angle",
-                "e1a·e3b = 1 - 2⁻⁵³, the last double before 1",
-                Triads { e3b: Vector3::new(1.0_f64.next_down(), -0.5, 0.5), ..hand },
-            ),
-            Case::hard(
-                "nearly-right-angle",
-                "e1a·e3b = 1 - 2⁻⁶⁰, which rounds to 1",
-                Triads { e1a: Vector3::new(1.0, 1.0, 0.0), e3b: Vector3::new(1.0, -(2.0_f64.powi(-60)), 0.5), ..hand },
-            ),
-        ];
-        cases.extend(hard::triads().into_iter().map(|pair| {
-            let [a, b] = pair.value;
-            Case::hard(pair.id, pair.comment, Triads::new(a, b))
-        }));
-        cases
-    }
-
-    fn ways() -> Vec<Way> {
-        vec![Way::new::<Self>("unguarded", "plain arc sine and arc tangent", unguarded, unguarded)]
-    }
-
-    fn invalid_cases() -> Vec<Case<Triads<f64>>> {
-        let hand = Triads::new([Vector3::x(), Vector3::y(), Vector3::z()], hard::triad());
-        let steep = |x, y| Triads { e1a: Vector3::new(1.0, 1.0, 0.0), e3b: Vector3::new(x, y, 0.5), ..hand };
-        let locked = hard::gimbal_locked().into_iter();
-        let mut cases: Vec<_> = locked
-            .map(|pair| Case::invalid(pair.id, pair.comment, Triads::new(pair.value[0], pair.value[1])))
-            .collect();
-        cases.extend([
-            Case::invalid("above-1", "e1a·e3b = 1 + 2⁻⁵² has no arc sine", steep(1.0_f64.next_up(), 0.0)),
-            Case::invalid("below-minus-1", "e1a·e3b = -1 - 2⁻⁵²", steep(-1.0_f64.next_up(), 0.0)),
-            Case::invalid("barely-above-1", "e1a·e3b = 1 + 2⁻⁶⁰, which rounds to 1", steep(1.0, 2.0_f64.powi(-60))),
-        ]);
-        cases
-    }
-
-    fn kinks() -> Vec<Kink<Self>> {
-        kinks()
-    }
-
-    fn laws() -> Vec<Law<Self>> {
-        vec![
-            Law {
-                statement: "R1(α) R2(β) R3(γ) rebuilds every e_ia·e_jb, on orthonormal triads",
-                sides: |i| {
-                    let (a, b) = i.orthonormal();
-                    let Angles { alpha, beta, gamma } = Self::eval(&Triads::new(a, b));
-                    let rebuilt = rotation(alpha, beta, gamma);
-                    let pairs = (0..9).map(|k| (k / 3, k % 3));
-                    pairs.flat_map(|(i, j)| law::equal_with(rebuilt[(i, j)], a[i].dot(&b[j]), 1.0.into())).collect()
-                },
-            },
-            Law {
-                statement: "reversing two axes of both nodes reverses the angles about those two",
-                sides: |i| {
-                    let Angles { alpha, beta, gamma } = Self::eval(i);
-                    let about_1 = Self::eval(&Triads { e2a: -i.e2a, e3a: -i.e3a, e2b: -i.e2b, e3b: -i.e3b, ..*i });
-                    let about_2 = Self::eval(&Triads { e1a: -i.e1a, e3a: -i.e3a, e1b: -i.e1b, e3b: -i.e3b, ..*i });
-                    let about_3 = Self::eval(&Triads { e1a: -i.e1a, e2a: -i.e2a, e1b: -i.e1b, e2b: -i.e2b, ..*i });
-                    law::equal_all([
-                        (about_1.alpha, alpha),
-                        (about_1.beta, -beta),
-                        (about_1.gamma, -gamma),
-                        (about_2.alpha, -alpha),
-                        (about_2.beta, beta),
-                        (about_2.gamma, -gamma),
-                        (about_3.alpha, -alpha),
-                        (about_3.beta, -beta),
-                        (about_3.gamma, gamma),
-                    ])
-                },
-            },
-            Law {
-                statement: "exchanging the nodes and the names of axes 1 and 3 exchanges −α and γ",
-                sides: |i| {
-                    let exchanged = Triads::new([i.e3b, -i.e2b, i.e1b], [i.e3a, -i.e2a, i.e1a]);
-                    let (here, there) = (Self::eval(i), Self::eval(&exchanged));
-                    law::equal_all([(there.alpha, -here.gamma), (there.beta, here.beta), (there.gamma, -here.alpha)])
-                },
-            },
-            Law {
-                statement: "spinning b about e1a, the line of nodes or e3b changes α, β or γ alone, at rate 1",
-                sides: |i| {
-                    let (a, b) = i.orthonormal();
-                    let triads = Triads::new(a, b);
-                    let alpha = Self::eval(&triads).alpha;
-                    let line_of_nodes = a[1] * alpha.cos() + a[2] * alpha.sin();
-                    let jac = Self::jacobian(&triads);
-                    let rates = |gradient: &Triads<Octuple>| {
-                        let [_, moment] = triads.moments(gradient);
-                        [a[0], line_of_nodes, b[2]].map(|spin| moment.dot(&spin))
-                    };
-                    let found = [jac.alpha, jac.beta, jac.gamma].iter().flat_map(rates).collect::<Vec<_>>();
-                    let expected = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0].map(Octuple::from);
-                    let pairs = found.into_iter().zip(expected);
-                    pairs.flat_map(|(found, expected)| law::equal_with(found, expected, 1.0.into())).collect()
-                },
-            },
-        ]
-    }
-}
-
-/// As the document words it: without care for what a scalar product loses near ±1, and with the quotient rule for the derivative
-/// of the arc tangent, which fails at right angles.
-fn unguarded<D: Scalar>(i: &Triads<D>) -> Angles<D> {
-    Angles {
-        alpha: -i.e2a.dot(&i.e3b).atan2(i.e3a.dot(&i.e3b)),
-        beta: i.e1a.dot(&i.e3b).asin(),
-        gamma: -i.e1a.dot(&i.e2b).atan2(i.e1a.dot(&i.e1b)),
-    }
-}
-
-/// The kinks of the three angles, in any formula that contains them.
-pub(crate) fn kinks<F: Formula>() -> Vec<Kink<F>>
-where
-    F::Inputs<f64>: Oriented<f64>,
-    F::Inputs<Octuple>: Oriented<Octuple>,
-{
-    let arc_sine = Kink {
-        condition: r"\lvert\mathbf{e}_{1a}\cdot\mathbf{e}_{3b}\rvert = 1",
-        convention: Convention::Switch,
-        holds: |i: &F::Inputs<Octuple>| {
-            let Triads { e1a, e3b, .. } = i.triads();
-            abs(e1a.dot(&e3b)) == 1.0
-        },
-        at: || Oriented::of(Triads { e3b: Vector3::new(1.0, -0.5, 0.5), ..of_axes([1, 2, 3]) }),
-        across: || Oriented::of(Triads { e1a: Vector3::x(), ..Triads::filled(0.0) }),
-    };
-    std::iter::once(arc_sine).chain(cuts()).collect()
-}
-
-/// The cuts of α and γ at half a turn, in any formula that contains them.
-pub(crate) fn cuts<F: Formula>() -> Vec<Kink<F>>
-where
-    F::Inputs<f64>: Oriented<f64>,
-    F::Inputs<Octuple>: Oriented<Octuple>,
-{
-    vec![
-        Kink {
-            condition: r"\alpha = -\pi",
-            convention: Convention::Cut,
-            holds: |i| {
-                let Triads { e2a, e3a, e3b, .. } = i.triads();
-                e2a.dot(&e3b) == 0.0 && e3a.dot(&e3b) < 0.0
-            },
-            at: || Oriented::of(of_axes([1, -2, -3])),
-            across: || Oriented::of(Triads { e3b: Vector3::y(), ..Triads::filled(0.0) }),
-        },
-        Kink {
-            condition: r"\gamma = -\pi",
-            convention: Convention::Cut,
-            holds: |i| {
-                let Triads { e1a, e1b, e2b, .. } = i.triads();
-                e1a.dot(&e2b) == 0.0 && e1a.dot(&e1b) < 0.0
-            },
-            at: || Oriented::of(of_axes([-1, -2, 3])),
-            across: || Oriented::of(Triads { e2b: Vector3::x(), ..Triads::filled(0.0) }),
-        },
-    ]
-}
-
-/// Node a along the global axes, node b along these of them.
-fn of_axes(of_b: [i32; 3]) -> Triads<f64> {
-    let [a, b] = hard::axes(of_b);
-    Triads::new(a, b)
 }

@@ -1,10 +1,9 @@
 //! The triads of both nodes.
 
 use crate::fields;
-use crate::formula::Element;
+use crate::formula::Component;
 use crate::quantity::{E1A, E1B, E2A, E2B, E3A, E3B};
 use crate::scalar::Scalar;
-use crate::verify::law;
 use nalgebra::Vector3;
 
 fields! {
@@ -15,7 +14,7 @@ fields! {
     }
 }
 
-impl<T: Element> Triads<T> {
+impl<T: Component> Triads<T> {
     /// From the triads of a and of b.
     pub const fn new([e1a, e2a, e3a]: [Vector3<T>; 3], [e1b, e2b, e3b]: [Vector3<T>; 3]) -> Self {
         Self { e1a, e2a, e3a, e1b, e2b, e3b }
@@ -30,12 +29,6 @@ impl<D: Scalar> Triads<D> {
         let on_a = moment(self.e1a, gradient.e1a) + moment(self.e2a, gradient.e2a) + moment(self.e3a, gradient.e3a);
         let on_b = moment(self.e1b, gradient.e1b) + moment(self.e2b, gradient.e2b) + moment(self.e3b, gradient.e3b);
         [on_a, on_b]
-    }
-
-    /// Both triads, orthonormal to 237 bits.
-    pub(crate) fn orthonormal(&self) -> ([Vector3<D>; 3], [Vector3<D>; 3]) {
-        let Self { e1a, e2a, e3a, e1b, e2b, e3b } = *self;
-        (law::orthonormal([e1a, e2a, e3a]), law::orthonormal([e1b, e2b, e3b]))
     }
 }
 

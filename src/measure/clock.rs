@@ -1,9 +1,9 @@
 //! Taking time: all ways take turns, round after round, so that a slow moment of the machine falls on all alike.
 
-use super::way::{Kernel, Runner, Way};
 use super::{Figures, Measurement, Options, Time};
-use crate::formula::{Fields, Formula};
-use crate::verify::typed;
+use crate::formula::{Fields, typed};
+use crate::proof::Proved;
+use crate::proof::way::{Kernel, Runner, Way};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -134,13 +134,13 @@ fn enter(contestants: &[Contestant], measurement: &mut Measurement) {
 }
 
 /// Reads every input and writes every output and Jacobian entry, and does nothing else.
-pub(super) fn copy<F: Formula>() -> Kernel {
+pub(super) fn copy<F: Proved>() -> Kernel {
     let written = (F::Outputs::filled(1.0), F::Outputs::filled(F::Inputs::filled(1.0)));
     let compute = move |i: &F::Inputs<f64>| {
         black_box(&{ *i });
         *black_box(&written)
     };
-    Kernel::new(typed::<F, f64>, compute, |_| Vec::new())
+    Kernel::new(typed, compute, |_| Vec::new())
 }
 
 /// A chain of multiplications, divisions and square roots, each waiting for the one before.

@@ -1,10 +1,10 @@
 //! Jacobians by differences in `f64`, as a program without derivatives computes them.
 
 use super::exact::Points;
-use super::forward::{Array, from_array, jacobian, no_rows, to_array};
-use super::way::Way;
+use super::ways::jacobian_errors;
 use super::{Curve, Options, Step};
 use crate::formula::{Fields, Formula, ValueAndJacobian};
+use crate::proof::{Array, Way, from_array, jacobian_of, no_rows, to_array};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -65,7 +65,7 @@ impl Scheme {
                 k += 1;
             }
         }
-        (here, jacobian::<F>(&rows))
+        (here, jacobian_of::<F>(&rows))
     }
 
     /// The derivatives with respect to input component `k`.
@@ -124,7 +124,7 @@ pub(super) fn curve(scheme: Scheme, way: &dyn Fn(Scheme, f64) -> Way, points: &P
     let per_decade = options.steps_per_decade.max(1);
     let steps = (0..=14 * per_decade).map(|n| {
         let step = 10.0_f64.powf(-2.0 - f64::from(n) / f64::from(per_decade));
-        Step { step, errors: way(scheme, step).jacobian_errors(&points.random) }
+        Step { step, errors: jacobian_errors(&way(scheme, step), &points.random) }
     });
     Curve { scheme, steps: steps.collect() }
 }

@@ -2,7 +2,7 @@
 
 use super::{Errors, Options};
 use crate::Octuple;
-use crate::formula::{Convention, Flag};
+use crate::proof::{Convention, Flag};
 use crate::verify::{Sampler, Sensitivity, Subject, U, beside_kinks, eta, exact, relative};
 use num_traits::Signed;
 

@@ -8,7 +8,7 @@
 //! | `forward`, `central`, `fourth` | | differences of `eval` in `f64` |
 //! | `octuple` | `eval` in 237 bits, rounded | `jacobian` in 237 bits, rounded |
 //! | `octuple-ad` | | automatic differentiation in 237 bits, rounded |
-//! | the formula's own, see [`Formula::ways`] | as given | its automatic differentiation in `f64` |
+//! | the formula's own, see [`Proved::ways`] | as given | its automatic differentiation in `f64` |
 //!
 //! Errors are the same on every machine with the same mathematical library; they are found first, and may be found for
 //! many formulas at once. Times want a machine that does nothing else.
@@ -27,16 +27,14 @@ mod clock;
 mod difference;
 mod exact;
 mod figures;
-mod forward;
 mod quantile;
-mod way;
+mod ways;
 
 pub use difference::Scheme;
 pub use figures::{Curve, Errors, Figures, Measurement, Quantiles, Step, Time, WayFigures};
-pub use forward::{Jet, value_and_jacobian_by_ad};
-pub use way::Way;
 
-use crate::formula::{Fields, Formula};
+use crate::formula::Fields;
+use crate::proof::Proved;
 use crate::verify::Subject;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -71,23 +69,23 @@ impl Options {
     }
 
     /// The points over which time is taken, by components.
-    pub fn timing_inputs<F: Formula>(&self) -> Vec<Vec<f64>> {
+    pub fn timing_inputs<F: Proved>(&self) -> Vec<Vec<f64>> {
         exact::random(&Subject::of::<F>(), self.seed, self.timing_points)
     }
 }
 
 /// Measures one formula: its errors, then its times.
-pub fn measure<F: Formula>(options: &Options) -> Measurement {
+pub fn measure<F: Proved>(options: &Options) -> Measurement {
     let mut measurement = errors::<F>(options);
     times::<F>(options, &mut measurement);
     measurement
 }
 
 /// The errors of every way; times are still missing.
-pub fn errors<F: Formula>(options: &Options) -> Measurement {
+pub fn errors<F: Proved>(options: &Options) -> Measurement {
     let points = exact::Points::new(&Subject::of::<F>(), options);
-    let curves = Scheme::ALL.map(|scheme| difference::curve(scheme, &way::differences::<F>, &points, options));
-    let ways = way::all::<F>(&curves).iter().map(|way| way.errors(&points)).collect();
+    let curves = Scheme::ALL.map(|scheme| difference::curve(scheme, &ways::differences::<F>, &points, options));
+    let ways = ways::all::<F>(&curves).iter().map(|way| ways::errors(way, &points)).collect();
     Measurement {
         formula: F::SPEC.id.into(),
         inputs: F::Inputs::<f64>::LEN,
@@ -102,8 +100,8 @@ pub fn errors<F: Formula>(options: &Options) -> Measurement {
 }
 
 /// Times every way of a measurement whose errors are known.
-pub fn times<F: Formula>(options: &Options, measurement: &mut Measurement) {
-    let ways = way::all::<F>(&measurement.curves);
+pub fn times<F: Proved>(options: &Options, measurement: &mut Measurement) {
+    let ways = ways::all::<F>(&measurement.curves);
     let points = options.timing_inputs::<F>();
     clock::time(&ways, &clock::copy::<F>(), &points, options, measurement);
 }

@@ -6,11 +6,14 @@
 
 #![expect(clippy::inline_always, reason = "a call would write the inputs to memory, and wait for them there")]
 
+#[cfg(feature = "verify")]
+mod proof;
+
 use crate::align::{Misalignment, Orientations};
 use crate::cardan::{Angles, Oriented, Triads, accurate, accurate_jacobian, check_turns};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Element, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Formula, Jacobian, Source, Spec};
 use crate::quantity::{
     Domain, F_TANGENTIAL, F_TRIAL, Quantity, SLIDER_DXM, SLIDER_DXMK, SLIDER_X1, SLIDER_X1_PLANE, SLIDER_XM,
     SLIDER_XM_PLANE, SLIDER_XMK, SLIDER_XN, SLIDER_XN_PLANE, Shape, U1, Unit,
@@ -39,8 +42,7 @@ pub const TOTAL: Quantity = scalar(r"s", Unit::L, Domain::NonNegative, "accumula
 pub const TOTAL_BEFORE: Quantity = scalar(r"s^-", Unit::L, Domain::NonNegative, "accumulated slip in the last state");
 
 const fn spec(id: &'static str, title: &'static str, latex: &'static str) -> Spec {
-    let source = Source { file: "src/scene/rules.rs", title: "Scenes", section: title };
-    Spec { id, title, latex, source, eta: 4.0, eta_jacobian: 4.0, objective: true }
+    Spec::new(id, title, Source::new("Scenes").section(title)).equation(latex).eta(4.0, 4.0)
 }
 
 fields! {
@@ -59,8 +61,8 @@ pub struct Stick;
 impl Formula for Stick {
     const SPEC: Spec =
         spec("scene.stick", "Trial force of an increment", r"f^{\mathrm{trial}} = f^- + k\,(u_1 - u_1^-)");
-    type Inputs<T: Element> = StickLoads<T>;
-    type Outputs<T: Element> = TrialForce<T>;
+    type Inputs<T: Component> = StickLoads<T>;
+    type Outputs<T: Component> = TrialForce<T>;
 
     #[inline(always)]
     fn eval<D: Scalar>(i: &StickLoads<D>) -> TrialForce<D> {
@@ -108,8 +110,8 @@ impl Formula for TurnStick {
         "Trial moment of an increment",
         r"m^{\mathrm{trial}} = m^- + k\,(u_r - u_r^-),\quad u_r - u_r^- \pmod{2\pi}",
     );
-    type Inputs<T: Element> = TurnLoads<T>;
-    type Outputs<T: Element> = TrialMoment<T>;
+    type Inputs<T: Component> = TurnLoads<T>;
+    type Outputs<T: Component> = TrialMoment<T>;
 
     #[inline(always)]
     fn eval<D: Scalar>(i: &TurnLoads<D>) -> TrialMoment<D> {
@@ -143,8 +145,8 @@ impl Formula for Slip {
         "Slip of an increment",
         r"\Delta s = (f^{\mathrm{trial}} - f)/k,\quad s = s^- + \lvert\Delta s\rvert",
     );
-    type Inputs<T: Element> = SlipLoads<T>;
-    type Outputs<T: Element> = SlipTotals<T>;
+    type Inputs<T: Component> = SlipLoads<T>;
+    type Outputs<T: Component> = SlipTotals<T>;
 
     #[inline(always)]
     fn eval<D: Scalar>(i: &SlipLoads<D>) -> SlipTotals<D> {
@@ -178,8 +180,8 @@ impl Formula for Turns {
         "Cardan angles, β from two arguments",
         r"\alpha, \gamma \text{ as documented},\quad \beta = \operatorname{atan2}\bigl(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b},\ \sqrt{(\mathbf{e}_{1a}\cdot\mathbf{e}_{1b})^2 + (\mathbf{e}_{1a}\cdot\mathbf{e}_{2b})^2}\bigr)",
     );
-    type Inputs<T: Element> = Triads<T>;
-    type Outputs<T: Element> = Angles<T>;
+    type Inputs<T: Component> = Triads<T>;
+    type Outputs<T: Component> = Angles<T>;
 
     #[inline(always)]
     fn eval<D: Scalar>(i: &Triads<D>) -> Angles<D> {
@@ -204,8 +206,8 @@ impl Formula for Alignment {
         "Residuals of ALIGN, without jumps",
         r"u_{r1} = \alpha - \alpha_0,\quad u_{r2} = \beta - \beta_0,\quad u_{r3} = \gamma - \gamma_0 \pmod{2\pi}",
     );
-    type Inputs<T: Element> = Orientations<T>;
-    type Outputs<T: Element> = Misalignment<T>;
+    type Inputs<T: Component> = Orientations<T>;
+    type Outputs<T: Component> = Misalignment<T>;
 
     #[inline(always)]
     fn eval<D: Scalar>(i: &Orientations<D>) -> Misalignment<D> {
@@ -260,8 +262,8 @@ impl Formula for KeptAxis {
             r"x_{m,k} = \mathbf{x}_m\cdot\mathbf{i}_k,\quad \mathrm{d}x_{m,k} = \mathrm{d}\mathbf{x}_m\cdot\mathbf{i}_k",
         )
     };
-    type Inputs<T: Element> = KeptNodes<T>;
-    type Outputs<T: Element> = Kept<T>;
+    type Inputs<T: Component> = KeptNodes<T>;
+    type Outputs<T: Component> = Kept<T>;
 
     #[inline(always)]
     fn eval<D: Scalar>(i: &KeptNodes<D>) -> Kept<D> {
@@ -300,8 +302,8 @@ pub struct KeptAxis2d;
 
 impl Formula for KeptAxis2d {
     const SPEC: Spec = Spec { id: "scene.kept_axis_2d", ..KeptAxis::SPEC };
-    type Inputs<T: Element> = KeptNodes2d<T>;
-    type Outputs<T: Element> = Kept<T>;
+    type Inputs<T: Component> = KeptNodes2d<T>;
+    type Outputs<T: Component> = Kept<T>;
 
     #[inline(always)]
     fn eval<D: Scalar>(i: &KeptNodes2d<D>) -> Kept<D> {

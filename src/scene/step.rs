@@ -146,7 +146,7 @@ impl<F: Formula> Step for F {
         F::Outputs::<f64>::FIELDS
     }
     fn check(&self, components: &[f64]) -> Result<(), Error> {
-        let (found, expected) = (components.len(), F::Inputs::<f64>::len());
+        let (found, expected) = (components.len(), F::Inputs::<f64>::LEN);
         let inputs = F::Inputs::from_slice(components).ok_or(Error::Components { found, expected })?;
         crate::formula::check::<F>(&inputs)
     }

@@ -14,7 +14,8 @@
 //! At a centre of curvature r′ = 0: two feet merge, and the coordinate u has no derivative; it is set to 0 there.
 //! Near it u is as ill-conditioned as 1/r′, but the separation is not.
 
-mod corner;
+#[cfg(feature = "verify")]
+mod evidence;
 mod linear;
 mod parabolic;
 mod piece;
@@ -22,11 +23,11 @@ mod roots;
 mod smoothed_linear;
 mod smoothed_parabolic;
 
-pub use linear::*;
-pub use parabolic::*;
+pub use linear::{ClosestLinear, LinearSlave, SegmentFoot};
+pub use parabolic::{ClosestParabolic, ParabolicSlave};
 pub(super) use piece::{PieceFoot, curved_foot, straight_foot};
-pub use smoothed_linear::*;
-pub use smoothed_parabolic::*;
+pub use smoothed_linear::{ClosestSmoothedLinear, CornerFoot, LinearCornerSlave};
+pub use smoothed_parabolic::{ClosestSmoothedParabolic, ParabolicCornerSlave};
 
 use super::basis::length_and_tangent;
 use super::shape::{Shape, combination, gap};
@@ -80,11 +81,6 @@ impl<D: Scalar, S: Shape<N>, const N: usize> View<D, S, N> {
     /// A derivative with respect to a position, back in the model's unit of length.
     fn per_unit(&self, gradient: Vector2<D>) -> Vector2<D> {
         self.in_unit(gradient)
-    }
-
-    /// Whether two places of the whole curve are equally near.
-    fn is_tied(&self) -> bool {
-        Candidates::new(self, S::ENDS.map(D::Leaf::from)).tied()
     }
 
     /// For the search of the foot.
@@ -212,12 +208,6 @@ impl<L: Leaf> Candidates<L> {
             if self.expansion.compare(next.0, best.0).is_lt() { next } else { best }
         };
         self.places.iter().copied().reduce(nearer).unwrap_or((L::from(f64::NAN), false))
-    }
-
-    /// Whether another place is as near as the nearest.
-    fn tied(&self) -> bool {
-        let (best, _) = self.nearest();
-        self.places.iter().any(|&(u, _)| u != best && self.expansion.compare(u, best).is_eq())
     }
 }
 
@@ -352,14 +342,6 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
     /// The slave point is a node of weights −1 and 0.
     fn coordinate_by(&self, n: D, m: D) -> Vector2<D> {
         (self.rate * n - self.gap * m) * self.per_slope
-    }
-
-    fn is_exactly_at_end<S: Shape<N>>(&self, view: &View<D, S, N>) -> bool {
-        !self.inside && view.at(self.u).residual() == 0.0
-    }
-
-    fn is_centre_of_curvature(&self) -> bool {
-        self.inside && self.per_slope == 0.0
     }
 }
 

@@ -1,5 +1,8 @@
 //! The documented directions across the line, t1 and t2, and how they vary with it.
 
+#[cfg(feature = "verify")]
+mod proof;
+
 use super::Ends;
 use super::across::Across;
 use super::hard::lines;
@@ -7,10 +10,9 @@ use super::line::Line;
 use super::span::Span;
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Case, Convention, Element, Formula, Jacobian, Kink, Law, Source, Spec};
+use crate::formula::{Component, Formula, Jacobian, Source, Spec};
 use crate::quantity::{SLIDER_DN, SLIDER_DT1, SLIDER_DT2, SLIDER_N, SLIDER_T1, SLIDER_T2};
 use crate::scalar::Scalar;
-use crate::verify::law;
 use nalgebra::{Vector2, Vector3};
 
 fields! {
@@ -29,17 +31,12 @@ fields! {
 pub struct Basis;
 
 impl Formula for Basis {
-    const SPEC: Spec = Spec {
-        id: "slider.basis",
-        title: "Directions across the line",
-        latex: r"\mathbf{t}_1 = \begin{cases} \mathbf{n}\times\mathbf{i}/\lvert\mathbf{n}\times\mathbf{i}\rvert & \mathbf{n}\times\mathbf{i}\ne\mathbf{0} \\ \mathbf{n}\times\mathbf{k}/\lvert\mathbf{n}\times\mathbf{k}\rvert & \text{otherwise}\end{cases},\quad \mathbf{t}_2 = \mathbf{n}\times\mathbf{t}_1",
-        source: Source::SLIDER.section("Directions across the line"),
-        eta: 3.0,
-        eta_jacobian: 5.0,
-        objective: false,
-    };
-    type Inputs<T: Element> = LineDirection<T>;
-    type Outputs<T: Element> = Tangents<T>;
+    const SPEC: Spec = Spec::new("slider.basis", "Directions across the line", Source::SLIDER.section("Directions across the line"))
+.equation(r"\mathbf{t}_1 = \begin{cases} \mathbf{n}\times\mathbf{i}/\lvert\mathbf{n}\times\mathbf{i}\rvert & \mathbf{n}\times\mathbf{i}\ne\mathbf{0} \\ \mathbf{n}\times\mathbf{k}/\lvert\mathbf{n}\times\mathbf{k}\rvert & \text{otherwise}\end{cases},\quad \mathbf{t}_2 = \mathbf{n}\times\mathbf{t}_1")
+.eta(3.0, 5.0)
+.not_objective();
+    type Inputs<T: Component> = LineDirection<T>;
+    type Outputs<T: Component> = Tangents<T>;
 
     fn eval<D: Scalar>(i: &LineDirection<D>) -> Tangents<D> {
         let across = Across::new(&i.n);
@@ -66,60 +63,6 @@ impl Formula for Basis {
 
     fn validate(i: &LineDirection<f64>) -> Result<(), Error> {
         Error::check_direction("n", i.n)
-    }
-
-    fn cases() -> Vec<Case<LineDirection<f64>>> {
-        let hand = LineDirection { n: Vector3::new(0.0, 0.6, 0.8) };
-        let mut cases = vec![
-            Case::hand("across-i", "t1 = (0, 0.8, -0.6), t2 = (-1, 0, 0)", hand),
-            Case::hand("j", "t1 = (0, 0, -1), t2 = (-1, 0, 0)", LineDirection { n: Vector3::y() }),
-            Case::limit(
-                "i",
-                "n = i: n×k takes over, t1 = (0, -1, 0), t2 = (0, 0, -1)",
-                LineDirection { n: Vector3::x() },
-            ),
-            Case::limit("minus-i", "n = -i: t1 = (0, 1, 0), t2 = (0, 0, -1)", LineDirection { n: -Vector3::x() }),
-            Case::hard("tiny", "squares underflow", LineDirection { n: Vector3::new(3e-200, -4e-200, 12e-200) }),
-            Case::hard("huge", "squares overflow", LineDirection { n: Vector3::new(3e200, -4e200, 12e200) }),
-        ];
-        cases.extend(directions().map(|(id, comment, n)| Case::hard(id, comment, LineDirection { n })));
-        cases
-    }
-
-    fn invalid_cases() -> Vec<Case<LineDirection<f64>>> {
-        vec![Case::invalid("zero", "the zero vector has no direction", LineDirection { n: Vector3::zeros() })]
-    }
-
-    fn kinks() -> Vec<Kink<Self>> {
-        vec![Kink {
-            condition: "n_2 = n_3 = 0",
-            convention: Convention::Switch,
-            holds: |i| i.n.y == 0.0 && i.n.z == 0.0,
-            at: || LineDirection { n: Vector3::x() },
-            across: || LineDirection { n: Vector3::new(0.0, 3.0, 4.0) },
-        }]
-    }
-
-    fn laws() -> Vec<Law<Self>> {
-        vec![
-            Law {
-                statement: "t1 is a unit vector across the line and across i",
-                sides: |i| {
-                    let t1 = Self::eval(i).t1;
-                    let mut sides = law::equal(t1.dot(&t1), 1.0.into());
-                    sides.extend(law::no_work(t1, i.n));
-                    sides.extend(law::no_work(t1, Vector3::x()));
-                    sides
-                },
-            },
-            Law {
-                statement: "t1, t2 and n are right-handed: t1×t2 = n",
-                sides: |i| {
-                    let Tangents { t1, t2 } = Self::eval(i);
-                    law::equal_vectors(t1.cross(&t2), i.n)
-                },
-            },
-        ]
     }
 }
 
@@ -169,17 +112,12 @@ fields! {
 pub struct BasisVariation;
 
 impl Formula for BasisVariation {
-    const SPEC: Spec = Spec {
-        id: "slider.basis_variation",
-        title: "Variation of the directions across",
-        latex: r"\mathrm{d}\mathbf{t}_q = \frac{\partial\mathbf{t}_q}{\partial\mathbf{n}}\,\mathrm{d}\mathbf{n},\quad q = 1, 2",
-        source: Source::SLIDER.section("Variations"),
-        eta: 3.0,
-        eta_jacobian: 5.0,
-        objective: false,
-    };
-    type Inputs<T: Element> = TurningDirection<T>;
-    type Outputs<T: Element> = TangentChanges<T>;
+    const SPEC: Spec = Spec::new("slider.basis_variation", "Variation of the directions across", Source::SLIDER.section("Variations"))
+.equation(r"\mathrm{d}\mathbf{t}_q = \frac{\partial\mathbf{t}_q}{\partial\mathbf{n}}\,\mathrm{d}\mathbf{n},\quad q = 1, 2")
+.eta(3.0, 5.0)
+.not_objective();
+    type Inputs<T: Component> = TurningDirection<T>;
+    type Outputs<T: Component> = TangentChanges<T>;
 
     fn eval<D: Scalar>(i: &TurningDirection<D>) -> TangentChanges<D> {
         let across = Across::new(&i.n);
@@ -232,67 +170,5 @@ impl Formula for BasisVariation {
 
     fn validate(i: &TurningDirection<f64>) -> Result<(), Error> {
         Error::check_direction("n", i.n)
-    }
-
-    fn cases() -> Vec<Case<TurningDirection<f64>>> {
-        let hand = TurningDirection { n: Vector3::y(), dn: Vector3::new(0.5, 0.0, 2.0) };
-        let mut cases = vec![
-            Case::hand("across-j", "ω = 2: dt1 = (0, 2, 0), dt2 = (0, 0.5, 0)", hand),
-            Case::hand("still", "no variation", TurningDirection { dn: Vector3::zeros(), ..hand }),
-            Case::limit("i", "n = i exactly: the axes of n×k", TurningDirection { n: Vector3::x(), ..hand }),
-            Case::hard(
-                "tiny",
-                "squares underflow",
-                TurningDirection {
-                    n: Vector3::new(3e-200, -4e-200, 12e-200),
-                    dn: Vector3::new(1e-200, 2e-200, -3e-200),
-                },
-            ),
-        ];
-        let dn = Vector3::new(0.25, 0.5, 0.625);
-        cases.extend(directions().map(|(id, comment, n)| Case::hard(id, comment, TurningDirection { n, dn })));
-        cases
-    }
-
-    fn invalid_cases() -> Vec<Case<TurningDirection<f64>>> {
-        let inputs = TurningDirection { n: Vector3::zeros(), dn: Vector3::x() };
-        vec![Case::invalid("zero", "the zero vector has no direction", inputs)]
-    }
-
-    fn kinks() -> Vec<Kink<Self>> {
-        vec![Kink {
-            condition: "n_2 = n_3 = 0",
-            convention: Convention::Switch,
-            holds: |i| i.n.y == 0.0 && i.n.z == 0.0,
-            at: || TurningDirection { n: Vector3::x(), dn: Vector3::new(0.25, -0.75, 0.5) },
-            across: || TurningDirection { n: Vector3::new(0.0, 3.0, 4.0), dn: Vector3::zeros() },
-        }]
-    }
-
-    fn laws() -> Vec<Law<Self>> {
-        vec![
-            Law {
-                statement: "it is the derivative of the directions across along dn",
-                sides: |i| {
-                    let jac = Basis::jacobian(&LineDirection { n: i.n });
-                    let along = |row: LineDirection<_>| row.n.dot(&i.dn);
-                    let TangentChanges { dt1, dt2 } = Self::eval(i);
-                    let across = Across::new(&i.n);
-                    let spin = law::length(i.dn) / (across.roots[0] * across.projected.binade.unit);
-                    let first = dt1.iter().zip(&jac.t1).map(|(&dt, &row)| (dt, along(row)));
-                    let second = dt2.iter().zip(&jac.t2).map(|(&dt, &row)| (dt, along(row)));
-                    law::equal_all_with(first.chain(second), spin * law::length(i.n))
-                },
-            },
-            Law {
-                statement: "the directions stay across the line: n·dt_q + dn·t_q = 0",
-                sides: |i| {
-                    let Tangents { t1, t2 } = Basis::eval(&LineDirection { n: i.n });
-                    let TangentChanges { dt1, dt2 } = Self::eval(i);
-                    let pairs = [(i.n.dot(&dt1), -i.dn.dot(&t1)), (i.n.dot(&dt2), -i.dn.dot(&t2))];
-                    law::equal_all_with(pairs, law::length(i.dn) * (law::length(i.n) + 1.0))
-                },
-            },
-        ]
     }
 }

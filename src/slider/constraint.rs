@@ -1,16 +1,17 @@
 //! The two conditions that hold node m on the line, and what they demand of increments.
 
+#[cfg(feature = "verify")]
+mod proof;
+
 use super::across::Across;
-use super::hard::{lines, scenes};
 use super::span::{Span, Station};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Case, Convention, Element, Formula, Jacobian, Kink, Law, Source, Spec};
+use crate::formula::{Component, Formula, Jacobian, Source, Spec};
 use crate::quantity::{
     SLIDER_DX1, SLIDER_DXM, SLIDER_DXN, SLIDER_G1, SLIDER_G2, SLIDER_R1, SLIDER_R2, SLIDER_X1, SLIDER_XM, SLIDER_XN,
 };
-use crate::scalar::{Scalar, abs};
-use crate::verify::law;
+use crate::scalar::Scalar;
 use nalgebra::Vector3;
 
 fields! {
@@ -74,18 +75,12 @@ impl<D: Scalar> View<D> {
 }
 
 impl Formula for Constraint {
-    const SPEC: Spec = Spec {
-        id: "slider.constraint",
-        title: "Constraint",
-        latex: r"g_q = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{t}_q,\quad q = 1, 2",
-        source: Source::SLIDER.section("Constraint"),
-        eta: 4.0,
-        // An entry of ∂g2 is a sum of a turn about i and one across it; where they cancel, the sum keeps their roundings.
-        eta_jacobian: 24.0,
-        objective: false,
-    };
-    type Inputs<T: Element> = Nodes<T>;
-    type Outputs<T: Element> = Distances<T>;
+    const SPEC: Spec = Spec::new("slider.constraint", "Constraint", Source::SLIDER.section("Constraint"))
+        .equation(r"g_q = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{t}_q,\quad q = 1, 2")
+        .eta(4.0, 24.0)
+        .not_objective();
+    type Inputs<T: Component> = Nodes<T>;
+    type Outputs<T: Component> = Distances<T>;
 
     #[inline(always)]
     fn eval<D: Scalar>(i: &Nodes<D>) -> Distances<D> {
@@ -107,61 +102,6 @@ impl Formula for Constraint {
     fn validate(i: &Nodes<f64>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }
-
-    fn cases() -> Vec<Case<Nodes<f64>>> {
-        let hand =
-            Nodes { x1: Vector3::new(1.0, 1.0, 1.0), xn: Vector3::new(1.0, 4.0, 5.0), xm: Vector3::new(3.0, 5.0, 4.0) };
-        let mut cases = vec![
-            Case::hand("off-the-line", "t1 = (0, 0.8, -0.6), t2 = (-1, 0, 0): g1 = 3.2 - 1.8, g2 = -2", hand),
-            Case::hand("at-node-1", "both residuals vanish", Nodes { xm: hand.x1, ..hand }),
-            Case::hand("at-node-n", "both residuals vanish", Nodes { xm: hand.xn, ..hand }),
-        ];
-        cases.extend(
-            scenes(lines())
-                .into_iter()
-                .map(|(id, line, xm)| Case::hard(id, line.comment, Nodes { x1: line.x1, xn: line.xn, xm })),
-        );
-        cases
-    }
-
-    fn invalid_cases() -> Vec<Case<Nodes<f64>>> {
-        let x1 = Vector3::new(1.0, 2.0, 3.0);
-        vec![Case::invalid("coincident", "nodes 1 and n at one place", Nodes { x1, xn: x1, xm: Vector3::zeros() })]
-    }
-
-    fn kinks() -> Vec<Kink<Self>> {
-        vec![Kink {
-            condition: r"\mathbf{n} = \pm\mathbf{i}",
-            convention: Convention::Switch,
-            holds: |i| i.xn.y == i.x1.y && i.xn.z == i.x1.z,
-            at: || Nodes { x1: Vector3::zeros(), xn: Vector3::new(2.0, 0.0, 0.0), xm: Vector3::new(1.0, 0.5, -0.25) },
-            across: || Nodes { x1: Vector3::zeros(), xn: Vector3::new(0.0, 3.0, 4.0), xm: Vector3::zeros() },
-        }]
-    }
-
-    fn laws() -> Vec<Law<Self>> {
-        vec![
-            Law {
-                statement: "g1² + g2² is the squared distance of m from the line, whatever t1 and t2 are",
-                sides: |i| {
-                    let Distances { g1, g2 } = Self::eval(i);
-                    let d = i.xn - i.x1;
-                    let offset = i.xm - i.x1;
-                    let moment = offset.cross(&d);
-                    let size = d.dot(&d) * offset.dot(&offset);
-                    law::equal_with((g1 * g1 + g2 * g2) * d.dot(&d), moment.dot(&moment), size)
-                },
-            },
-            Law {
-                statement: "it vanishes on the line",
-                sides: |i| {
-                    let xm = i.x1 + (i.xn - i.x1) * i.xm.x; // any share will do
-                    let Distances { g1, g2 } = Self::eval(&Nodes { xm, ..*i });
-                    law::vanish([g1, g2], law::length(i.x1) + law::length(xm))
-                },
-            },
-        ]
-    }
 }
 
 fields! {
@@ -182,17 +122,12 @@ fields! {
 pub struct IncrementalConstraint;
 
 impl Formula for IncrementalConstraint {
-    const SPEC: Spec = Spec {
-        id: "slider.incremental_constraint",
-        title: "Incremental constraint",
-        latex: r"r_q = \mathbf{t}_q\cdot\bigl(\mathrm{d}\mathbf{x}_m - (1-\xi)\,\mathrm{d}\mathbf{x}_1 - \xi\,\mathrm{d}\mathbf{x}_n\bigr),\quad \xi = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{n}/l,\quad q = 1, 2",
-        source: Source::SLIDER.section("Incremental constraint"),
-        eta: 4.0,
-        eta_jacobian: 16.0,
-        objective: false,
-    };
-    type Inputs<T: Element> = MovingNodes<T>;
-    type Outputs<T: Element> = IncrementalResiduals<T>;
+    const SPEC: Spec = Spec::new("slider.incremental_constraint", "Incremental constraint", Source::SLIDER.section("Incremental constraint"))
+.equation(r"r_q = \mathbf{t}_q\cdot\bigl(\mathrm{d}\mathbf{x}_m - (1-\xi)\,\mathrm{d}\mathbf{x}_1 - \xi\,\mathrm{d}\mathbf{x}_n\bigr),\quad \xi = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{n}/l,\quad q = 1, 2")
+.eta(4.0, 16.0)
+.not_objective();
+    type Inputs<T: Component> = MovingNodes<T>;
+    type Outputs<T: Component> = IncrementalResiduals<T>;
 
     #[inline(always)]
     fn eval<D: Scalar>(i: &MovingNodes<D>) -> IncrementalResiduals<D> {
@@ -231,88 +166,5 @@ impl Formula for IncrementalConstraint {
 
     fn validate(i: &MovingNodes<f64>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
-    }
-
-    fn cases() -> Vec<Case<MovingNodes<f64>>> {
-        let hand = MovingNodes {
-            x1: Vector3::zeros(),
-            xn: Vector3::new(0.0, 3.0, 4.0),
-            xm: Vector3::new(0.0, 1.5, 2.0),
-            dx1: Vector3::zeros(),
-            dxn: Vector3::new(0.5, 1.0, 0.0),
-            dxm: Vector3::new(0.25, 0.5, 0.0),
-        };
-        let same = Vector3::new(1.0, -2.0, 3.0);
-        let mut cases = vec![
-            Case::hand("half-way", "m in the middle follows half of node n", hand),
-            Case::hand(
-                "lagging",
-                "t1 = (0, 0.8, -0.6), t2 = (-1, 0, 0): r1 = -0.4, r2 = 0.25",
-                MovingNodes { dxm: Vector3::zeros(), ..hand },
-            ),
-            Case::hand("translation", "all nodes move alike", MovingNodes { dx1: same, dxn: same, dxm: same, ..hand }),
-            Case::hand(
-                "sliding",
-                "m moves along the line",
-                MovingNodes { dxn: Vector3::zeros(), dxm: Vector3::new(0.0, 3.0, 4.0), ..hand },
-            ),
-        ];
-        cases.extend(scenes(lines()).into_iter().map(|(id, line, xm)| {
-            let [dx1, dxn] = line.motion();
-            let dxm = (dx1 + dxn) * 0.5;
-            Case::hard(id, line.comment, MovingNodes { x1: line.x1, xn: line.xn, xm, dx1, dxn, dxm })
-        }));
-        cases
-    }
-
-    fn invalid_cases() -> Vec<Case<MovingNodes<f64>>> {
-        let (x1, zero) = (Vector3::new(1.0, 2.0, 3.0), Vector3::zeros());
-        let inputs = MovingNodes { x1, xn: x1, xm: zero, dx1: zero, dxn: zero, dxm: zero };
-        vec![Case::invalid("coincident", "nodes 1 and n at one place", inputs)]
-    }
-
-    fn kinks() -> Vec<Kink<Self>> {
-        vec![Kink {
-            condition: r"\mathbf{n} = \pm\mathbf{i}",
-            convention: Convention::Switch,
-            holds: |i| i.xn.y == i.x1.y && i.xn.z == i.x1.z,
-            at: || MovingNodes {
-                x1: Vector3::zeros(),
-                xn: Vector3::new(2.0, 0.0, 0.0),
-                xm: Vector3::new(1.0, 0.0, 0.0),
-                dx1: Vector3::new(0.25, -0.5, 0.75),
-                dxn: Vector3::new(-0.5, 0.125, 0.25),
-                dxm: Vector3::new(0.5, 0.5, -0.25),
-            },
-            across: || {
-                let zero = Vector3::zeros();
-                MovingNodes { x1: zero, xn: Vector3::new(0.0, 3.0, 4.0), xm: zero, dx1: zero, dxn: zero, dxm: zero }
-            },
-        }]
-    }
-
-    fn laws() -> Vec<Law<Self>> {
-        vec![
-            Law {
-                statement: "on the line it is the variation of the constraint: t1, t2 and their variations drop out",
-                sides: |i| {
-                    let xm = i.x1 + (i.xn - i.x1) * i.xm.x; // any share will do
-                    let at = MovingNodes { xm, ..*i };
-                    let jac = Constraint::jacobian(&Nodes { x1: at.x1, xn: at.xn, xm });
-                    let along = |row: Nodes<_>| row.x1.dot(&at.dx1) + row.xn.dot(&at.dxn) + row.xm.dot(&at.dxm);
-                    let IncrementalResiduals { r1, r2 } = Self::eval(&at);
-                    let motion = law::length(at.dx1) + law::length(at.dxn);
-                    let size = motion * (abs(i.xm.x) + 1.0) + law::length(at.dxm);
-                    law::equal_all_with([(r1, along(jac.g1)), (r2, along(jac.g2))], size)
-                },
-            },
-            Law {
-                statement: "a translation of all three nodes is free",
-                sides: |i| {
-                    let IncrementalResiduals { r1, r2 } = Self::eval(&MovingNodes { dx1: i.dxm, dxn: i.dxm, ..*i });
-                    law::vanish([r1, r2], law::length(i.dxm))
-                },
-            },
-        ]
     }
 }

@@ -1,12 +1,13 @@
 //! The line through nodes 1 and n, and how it varies when they move.
 
-use super::hard::lines;
+#[cfg(feature = "verify")]
+mod proof;
+
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Case, Element, Formula, Jacobian, Law, Source, Spec};
+use crate::formula::{Component, Formula, Jacobian, Source, Spec};
 use crate::quantity::{SLIDER_DL, SLIDER_DN, SLIDER_DX1, SLIDER_DXN, SLIDER_LENGTH, SLIDER_N, SLIDER_X1, SLIDER_XN};
 use crate::scalar::{Scalar, norm_and_direction};
-use crate::verify::law;
 use nalgebra::{Matrix3, Vector3};
 
 fields! {
@@ -23,17 +24,11 @@ fields! {
 pub struct Line;
 
 impl Formula for Line {
-    const SPEC: Spec = Spec {
-        id: "slider.line",
-        title: "Line",
-        latex: r"l = \lvert\mathbf{x}_n-\mathbf{x}_1\rvert,\quad \mathbf{n} = (\mathbf{x}_n-\mathbf{x}_1)/l",
-        source: Source::SLIDER.section("Direction of the line"),
-        eta: 3.0,
-        eta_jacobian: 5.0,
-        objective: true,
-    };
-    type Inputs<T: Element> = Ends<T>;
-    type Outputs<T: Element> = Direction<T>;
+    const SPEC: Spec = Spec::new("slider.line", "Line", Source::SLIDER.section("Direction of the line"))
+        .equation(r"l = \lvert\mathbf{x}_n-\mathbf{x}_1\rvert,\quad \mathbf{n} = (\mathbf{x}_n-\mathbf{x}_1)/l")
+        .eta(3.0, 5.0);
+    type Inputs<T: Component> = Ends<T>;
+    type Outputs<T: Component> = Direction<T>;
 
     #[inline]
     fn eval<D: Scalar>(i: &Ends<D>) -> Direction<D> {
@@ -51,42 +46,6 @@ impl Formula for Line {
 
     fn validate(i: &Ends<f64>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
-    }
-
-    fn cases() -> Vec<Case<Ends<f64>>> {
-        let hand = Ends { x1: Vector3::new(1.0, 1.0, 1.0), xn: Vector3::new(3.0, 4.0, 7.0) };
-        let mut cases = vec![
-            Case::hand("pythagoras", "d = (2, 3, 6): l = 7", hand),
-            Case::hand("reversed", "n changes sign, l does not", Ends { x1: hand.xn, xn: hand.x1 }),
-        ];
-        cases.extend(
-            lines().into_iter().map(|line| Case::hard(line.id, line.comment, Ends { x1: line.x1, xn: line.xn })),
-        );
-        cases
-    }
-
-    fn invalid_cases() -> Vec<Case<Ends<f64>>> {
-        let x1 = Vector3::new(1.0, 2.0, 3.0);
-        vec![Case::invalid("coincident", "both nodes at one place", Ends { x1, xn: x1 })]
-    }
-
-    fn laws() -> Vec<Law<Self>> {
-        vec![
-            Law {
-                statement: "l n leads from node 1 to node n",
-                sides: |i| {
-                    let Direction { n, l } = Self::eval(i);
-                    law::equal_vectors(n * l, i.xn - i.x1)
-                },
-            },
-            Law {
-                statement: "n has length 1",
-                sides: |i| {
-                    let n = Self::eval(i).n;
-                    law::equal(n.dot(&n), 1.0.into())
-                },
-            },
-        ]
     }
 }
 
@@ -117,17 +76,11 @@ fields! {
 pub struct DirectionVariation;
 
 impl Formula for DirectionVariation {
-    const SPEC: Spec = Spec {
-        id: "slider.direction_variation",
-        title: "Variation of the direction",
-        latex: r"\mathrm{d}l = \mathbf{n}\cdot(\mathrm{d}\mathbf{x}_n-\mathrm{d}\mathbf{x}_1),\quad \mathrm{d}\mathbf{n} = \bigl((\mathrm{d}\mathbf{x}_n-\mathrm{d}\mathbf{x}_1) - \mathrm{d}l\,\mathbf{n}\bigr)/l",
-        source: Source::SLIDER.section("Variations"),
-        eta: 5.0,
-        eta_jacobian: 6.0,
-        objective: true,
-    };
-    type Inputs<T: Element> = MovingEnds<T>;
-    type Outputs<T: Element> = DirectionChange<T>;
+    const SPEC: Spec = Spec::new("slider.direction_variation", "Variation of the direction", Source::SLIDER.section("Variations"))
+.equation(r"\mathrm{d}l = \mathbf{n}\cdot(\mathrm{d}\mathbf{x}_n-\mathrm{d}\mathbf{x}_1),\quad \mathrm{d}\mathbf{n} = \bigl((\mathrm{d}\mathbf{x}_n-\mathrm{d}\mathbf{x}_1) - \mathrm{d}l\,\mathbf{n}\bigr)/l")
+.eta(5.0, 6.0);
+    type Inputs<T: Component> = MovingEnds<T>;
+    type Outputs<T: Component> = DirectionChange<T>;
 
     #[inline]
     fn eval<D: Scalar>(i: &MovingEnds<D>) -> DirectionChange<D> {
@@ -150,65 +103,5 @@ impl Formula for DirectionVariation {
 
     fn validate(i: &MovingEnds<f64>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
-    }
-
-    fn cases() -> Vec<Case<MovingEnds<f64>>> {
-        let hand = MovingEnds {
-            x1: Vector3::zeros(),
-            xn: Vector3::new(2.0, 0.0, 0.0),
-            dx1: Vector3::zeros(),
-            dxn: Vector3::new(0.5, 1.0, -3.0),
-        };
-        let same = Vector3::new(1.0, -2.0, 3.0);
-        let mut cases = vec![
-            Case::hand("along-x", "dl = 0.5, dn = (0, 0.5, -1.5)", hand),
-            Case::hand(
-                "translation",
-                "moving both nodes alike changes nothing",
-                MovingEnds { dx1: same, dxn: same, ..hand },
-            ),
-            Case::hard(
-                "stretch",
-                "moving n along the line only stretches it: dn is what is left of a cancellation",
-                MovingEnds { xn: Vector3::new(0.1, 0.2, 0.3), dxn: Vector3::new(1e-3, 2e-3, 3e-3), ..hand },
-            ),
-        ];
-        cases.extend(lines().into_iter().map(|line| {
-            let [dx1, dxn] = line.motion();
-            Case::hard(line.id, line.comment, MovingEnds { x1: line.x1, xn: line.xn, dx1, dxn })
-        }));
-        cases
-    }
-
-    fn invalid_cases() -> Vec<Case<MovingEnds<f64>>> {
-        let x1 = Vector3::new(1.0, 2.0, 3.0);
-        let inputs = MovingEnds { x1, xn: x1, dx1: Vector3::x(), dxn: Vector3::y() };
-        vec![Case::invalid("coincident", "both nodes at one place", inputs)]
-    }
-
-    fn laws() -> Vec<Law<Self>> {
-        vec![
-            Law {
-                statement: "it is the derivative of the line along (dx1, dxn)",
-                sides: |i| {
-                    let ends = Ends { x1: i.x1, xn: i.xn };
-                    let jac = Line::jacobian(&ends);
-                    let along = |row: Ends<_>| row.x1.dot(&i.dx1) + row.xn.dot(&i.dxn);
-                    let DirectionChange { dn, dl } = Self::eval(i);
-                    let size = law::length(i.dx1) + law::length(i.dxn);
-                    let mut sides = law::equal_with(dl, along(jac.l), size);
-                    let turning = dn.iter().zip(&jac.n).map(|(&dn, &row)| (dn, along(row)));
-                    sides.extend(law::equal_all_with(turning, size / Line::eval(&ends).l));
-                    sides
-                },
-            },
-            Law {
-                statement: "the direction stays a unit vector: n·dn = 0",
-                sides: |i| {
-                    let n = Line::eval(&Ends { x1: i.x1, xn: i.xn }).n;
-                    law::no_work(n, Self::eval(i).dn)
-                },
-            },
-        ]
     }
 }

@@ -1,20 +1,20 @@
 //! The sliding constraint in the plane: one condition, and one coordinate eliminated.
 
-use super::hard::{plane_lines, scenes};
+#[cfg(feature = "verify")]
+mod proof;
+
+use super::Pivots2d;
 use super::slide::Slide;
 use super::span::{Span, Station};
-use super::{Constraint, Increment, KeptIncrement, Nodes};
-use super::{Pivots, Pivots2d};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Case, Convention, Element, Fields, Formula, Jacobian, Kink, Law, Source, Spec};
+use crate::formula::{Component, Formula, Jacobian, Source, Spec};
 use crate::quantity::{
     SLIDER_DX1_PLANE, SLIDER_DXMI, SLIDER_DXMK, SLIDER_DXN_PLANE, SLIDER_G, SLIDER_X1_PLANE, SLIDER_XM_PLANE,
     SLIDER_XN_PLANE,
 };
-use crate::scalar::{Scalar, abs, sign};
-use crate::verify::law;
-use nalgebra::{Vector2, Vector3};
+use crate::scalar::Scalar;
+use nalgebra::Vector2;
 
 fields! {
     /// The line, and node m, in the plane.
@@ -34,17 +34,17 @@ fields! {
 pub struct Constraint2d;
 
 impl Formula for Constraint2d {
-    const SPEC: Spec = Spec {
-        id: "slider.constraint_2d",
-        title: "Constraint in the plane",
-        latex: r"g = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{t},\quad \mathbf{t} = \mathbf{s}\times\mathbf{n} = (-n_2, n_1)",
-        source: Source::SLIDER.section("Two-dimensional case"),
-        eta: 3.0,
-        eta_jacobian: 5.0,
-        objective: true,
-    };
-    type Inputs<T: Element> = Nodes2d<T>;
-    type Outputs<T: Element> = Distance2d<T>;
+    const SPEC: Spec = Spec::new(
+        "slider.constraint_2d",
+        "Constraint in the plane",
+        Source::SLIDER.section("Two-dimensional case"),
+    )
+    .equation(
+        r"g = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{t},\quad \mathbf{t} = \mathbf{s}\times\mathbf{n} = (-n_2, n_1)",
+    )
+    .eta(3.0, 5.0);
+    type Inputs<T: Component> = Nodes2d<T>;
+    type Outputs<T: Component> = Distance2d<T>;
 
     #[inline(always)]
     fn eval<D: Scalar>(i: &Nodes2d<D>) -> Distance2d<D> {
@@ -64,42 +64,6 @@ impl Formula for Constraint2d {
 
     fn validate(i: &Nodes2d<f64>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
-    }
-
-    fn cases() -> Vec<Case<Nodes2d<f64>>> {
-        let hand = Nodes2d { x1: Vector2::new(1.0, 1.0), xn: Vector2::new(4.0, 5.0), xm: Vector2::new(2.0, 4.0) };
-        let mut cases = vec![
-            Case::hand("left", "t = (-0.8, 0.6): g = -0.8 + 1.8", hand),
-            Case::hand("right", "the same on the other side", Nodes2d { xm: Vector2::new(2.0, 0.0), ..hand }),
-            Case::hand("at-node-n", "on the line", Nodes2d { xm: hand.xn, ..hand }),
-        ];
-        cases.extend(
-            scenes(plane_lines())
-                .into_iter()
-                .map(|(id, line, xm)| Case::hard(id, line.comment, Nodes2d { x1: line.x1, xn: line.xn, xm })),
-        );
-        cases
-    }
-
-    fn invalid_cases() -> Vec<Case<Nodes2d<f64>>> {
-        let x1 = Vector2::new(1.0, 2.0);
-        vec![Case::invalid("coincident", "nodes 1 and n at one place", Nodes2d { x1, xn: x1, xm: Vector2::zeros() })]
-    }
-
-    fn laws() -> Vec<Law<Self>> {
-        vec![Law {
-            statement: "in the plane z = 0 of space (g1, g2) is (0, g sign n2); along i it is (−g, 0)",
-            sides: |i| {
-                let zero = num_traits::Zero::zero();
-                let space = |v: Vector2<_>| Vector3::new(v.x, v.y, zero);
-                let nodes = Nodes { x1: space(i.x1), xn: space(i.xn), xm: space(i.xm) };
-                let (flat, full) = (Self::eval(i).g, Constraint::eval(&nodes));
-                match sign(i.xn.y - i.x1.y) {
-                    0.0 => law::equal_all([(full.g1, -flat), (full.g2, zero)]),
-                    sign => law::equal_all([(full.g1, zero), (full.g2, flat * sign)]),
-                }
-            },
-        }]
     }
 }
 
@@ -121,17 +85,12 @@ fields! {
 pub struct Increment2d;
 
 impl Formula for Increment2d {
-    const SPEC: Spec = Spec {
-        id: "slider.increment_2d",
-        title: "Eliminated increment in the plane",
-        latex: r"\mathrm{d}x_{m,i} = w_i + \frac{n_i}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathbf{w} = (1-\xi)\,\mathrm{d}\mathbf{x}_1 + \xi\,\mathrm{d}\mathbf{x}_n",
-        source: Source::SLIDER.section("Two-dimensional case"),
-        eta: 3.0,
-        eta_jacobian: 5.0,
-        objective: false,
-    };
-    type Inputs<T: Element> = KeptIncrement2d<T>;
-    type Outputs<T: Element> = Increment2dOutput<T>;
+    const SPEC: Spec = Spec::new("slider.increment_2d", "Eliminated increment in the plane", Source::SLIDER.section("Two-dimensional case"))
+.equation(r"\mathrm{d}x_{m,i} = w_i + \frac{n_i}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathbf{w} = (1-\xi)\,\mathrm{d}\mathbf{x}_1 + \xi\,\mathrm{d}\mathbf{x}_n")
+.eta(3.0, 5.0)
+.not_objective();
+    type Inputs<T: Component> = KeptIncrement2d<T>;
+    type Outputs<T: Component> = Increment2dOutput<T>;
 
     #[inline(always)]
     fn eval<D: Scalar>(i: &KeptIncrement2d<D>) -> Increment2dOutput<D> {
@@ -152,72 +111,5 @@ impl Formula for Increment2d {
 
     fn validate(i: &KeptIncrement2d<f64>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
-    }
-
-    fn cases() -> Vec<Case<KeptIncrement2d<f64>>> {
-        let hand = KeptIncrement2d {
-            x1: Vector2::zeros(),
-            xn: Vector2::new(4.0, 2.0),
-            xm: Vector2::new(2.0, 1.0),
-            dx1: Vector2::zeros(),
-            dxn: Vector2::new(0.0, 1.0),
-            dxmk: 0.0,
-        };
-        let mut cases = vec![
-            Case::hand("half-way", "m in the middle follows half of node n", hand),
-            Case::hand(
-                "sliding",
-                "m moves along the resting line: dxm2 = 2/4 × 3",
-                KeptIncrement2d { dxn: Vector2::zeros(), dxmk: 3.0, ..hand },
-            ),
-        ];
-        cases.extend(scenes(plane_lines()).into_iter().map(|(id, line, xm)| {
-            let [dx1, dxn] = line.motion();
-            let dxmk = dx1.x + dxn.y;
-            Case::hard(id, line.comment, KeptIncrement2d { x1: line.x1, xn: line.xn, xm, dx1, dxn, dxmk })
-        }));
-        cases
-    }
-
-    fn invalid_cases() -> Vec<Case<KeptIncrement2d<f64>>> {
-        let (x1, zero) = (Vector2::new(1.0, 2.0), Vector2::zeros());
-        let inputs = KeptIncrement2d { x1, xn: x1, xm: zero, dx1: zero, dxn: zero, dxmk: 0.0 };
-        vec![Case::invalid("coincident", "nodes 1 and n at one place", inputs)]
-    }
-
-    fn kinks() -> Vec<Kink<Self>> {
-        vec![Kink {
-            condition: r"\lvert d_1\rvert = \lvert d_2\rvert",
-            convention: Convention::Switch,
-            holds: |i| abs(i.xn.x - i.x1.x) == abs(i.xn.y - i.x1.y),
-            at: || KeptIncrement2d {
-                x1: Vector2::zeros(),
-                xn: Vector2::new(2.0, -2.0),
-                xm: Vector2::new(0.5, 1.0),
-                dx1: Vector2::new(0.25, -0.5),
-                dxn: Vector2::new(-0.5, 0.125),
-                dxmk: 0.375,
-            },
-            across: || KeptIncrement2d { xn: Vector2::new(1.0, 0.0), ..KeptIncrement2d::filled(0.0) },
-        }]
-    }
-
-    fn laws() -> Vec<Law<Self>> {
-        vec![Law {
-            statement: "in the plane z = 0 of space it is the eliminated increment that is not along z, where no tie lets \
-                        both keep different axes",
-            sides: |i| {
-                let zero = num_traits::Zero::zero();
-                let space = |v: Vector2<_>| Vector3::new(v.x, v.y, zero);
-                let [x1, xn, xm, dx1, dxn] = [i.x1, i.xn, i.xm, i.dx1, i.dxn].map(space);
-                let full = Increment::eval(&KeptIncrement { x1, xn, xm, dx1, dxn, dxmk: i.dxmk });
-                let (axes, flat) = (Pivots::new(&x1, &xn), Self::eval(i).dxmi);
-                match axes {
-                    axes if axes.k != Pivots2d::new(&i.x1, &i.xn).k => Vec::new(),
-                    Pivots { i: 2, .. } => law::equal_all([(full.dxmi, zero), (full.dxmj, flat)]),
-                    _ => law::equal_all([(full.dxmi, flat), (full.dxmj, zero)]),
-                }
-            },
-        }]
     }
 }

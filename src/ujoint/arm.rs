@@ -10,16 +10,18 @@
 //! with k = 33/5 for the twisting moment and k = 6 for axial forces. The book derives both. [`curves`] sets the
 //! neighbouring models beside them.
 
+#[cfg(feature = "verify")]
+mod proof;
+
+#[cfg(feature = "verify")]
 mod models;
 
 pub use models::{Model, Models, curves};
 
-use crate::Octuple;
 use crate::fields;
-use crate::formula::{Case, Element, Formula, Jacobian, Law, Source, Spec};
+use crate::formula::{Component, Formula, Jacobian, Source, Spec};
 use crate::quantity::{ALPHA_AXIAL, ALPHA_TWIST, BETA_AXIAL, BETA_TWIST, LA, RP};
 use crate::scalar::Scalar;
-use crate::verify::{hard, law};
 use std::hint::select_unpredictable;
 
 fields! {
@@ -105,17 +107,11 @@ impl<D: Scalar> TwistShares<D> {
 pub struct TwistFactors;
 
 impl Formula for TwistFactors {
-    const SPEC: Spec = Spec {
-        id: "ujoint.twist_factors",
-        title: "Shares of the twisting moment",
-        latex: r"\alpha_{\mathrm{twist}} = \frac{1}{8+6\varphi},\quad \beta_{\mathrm{twist}} = \tfrac14 + \alpha_{\mathrm{twist}},\quad \varphi = \frac{44}{5\lambda^2},\quad \lambda = \frac{L_a}{R_p}",
-        source: Source::UJOINT.section("Friction"),
-        eta: 2.0,
-        eta_jacobian: 4.0,
-        objective: true,
-    };
-    type Inputs<T: Element> = Arm<T>;
-    type Outputs<T: Element> = TwistShares<T>;
+    const SPEC: Spec = Spec::new("ujoint.twist_factors", "Shares of the twisting moment", Source::UJOINT.section("Friction"))
+.equation(r"\alpha_{\mathrm{twist}} = \frac{1}{8+6\varphi},\quad \beta_{\mathrm{twist}} = \tfrac14 + \alpha_{\mathrm{twist}},\quad \varphi = \frac{44}{5\lambda^2},\quad \lambda = \frac{L_a}{R_p}")
+.eta(2.0, 4.0);
+    type Inputs<T: Component> = Arm<T>;
+    type Outputs<T: Component> = TwistShares<T>;
 
     #[inline]
     fn eval<D: Scalar>(i: &Arm<D>) -> TwistShares<D> {
@@ -134,64 +130,6 @@ impl Formula for TwistFactors {
         let slope = Arm { la: la * 0.125, rp: rp * 0.125 };
         (TwistShares::new(&slenderness), TwistShares { alpha_twist: slope, beta_twist: slope })
     }
-
-    fn cases() -> Vec<Case<Arm<f64>>> {
-        let mut cases = vec![
-            Case::hand("lambda-6.6", "σ = 33/38: α = 33/304, β = 109/304", Arm { la: 33.0, rp: 5.0 }),
-            Case::limit("stubby", "λ → 0: a rigid arm, α → 0, β → 1/4", Arm { la: 1e-9, rp: 1.0 }),
-            Case::limit("long", "λ → ∞: a clamped Euler–Bernoulli arm, α → 1/8, β → 3/8", Arm { la: 1e9, rp: 1.0 }),
-        ];
-        cases.extend(of_arms());
-        cases
-    }
-
-    fn laws() -> Vec<Law<Self>> {
-        vec![
-            Law {
-                statement: "moments about the centre: the hinges bear (β − α) on each of four arms, together the whole moment",
-                sides: |i| {
-                    let TwistShares { alpha_twist, beta_twist } = Self::eval(i);
-                    law::equal((beta_twist - alpha_twist) * 4.0, 1.0.into())
-                },
-            },
-            Law {
-                statement: "an Euler–Bernoulli arm that ends in a rotational spring of stiffness 4EI/(La φ) gives the same α",
-                sides: |i| {
-                    // Unit rotation at the centre, in units of EI/La: M = 4 + 2θ there, 2 + 4θ = −kθ at the spring.
-                    let k = Octuple::from(4.0) / phi(i);
-                    let theta = Octuple::from(-2.0) / (k + 4.0);
-                    law::equal(Self::eval(i).alpha_twist, -k * theta / (theta * 2.0 + 4.0) * 0.25)
-                },
-            },
-            Law {
-                statement: "the Timoshenko arm is met to first order in φ: α is above it by 6φ²/((8 + 6φ)(16 + 4φ))",
-                sides: |i| {
-                    let phi = phi(i);
-                    let above = phi * phi * 6.0 / ((phi * 6.0 + 8.0) * (phi * 4.0 + 16.0));
-                    law::equal_with(Self::eval(i).alpha_twist - timoshenko(phi), above, timoshenko(phi))
-                },
-            },
-            Law {
-                statement: "α grows with λ, between 0 and 1/8",
-                sides: |i| {
-                    let (alpha, slope) = (Self::eval(i).alpha_twist, Self::jacobian(i).alpha_twist);
-                    let inside = alpha > 0.0 && alpha < 0.125 && slope.la > 0.0 && slope.rp < 0.0;
-                    law::equal(Octuple::from(f64::from(inside)), 1.0.into())
-                },
-            },
-        ]
-    }
-}
-
-/// φ = 12 EI/(κ G A La²) = (7 + 6ν)/λ² for a round arm of ν = 0.3: how much the arm shears for how much it bends.
-fn phi<D: Scalar>(arm: &Arm<D>) -> D {
-    let ratio = arm.rp / arm.la;
-    ratio * ratio * 44.0 / 5.0
-}
-
-/// α_twist of a clamped Timoshenko arm.
-fn timoshenko<D: Scalar>(phi: D) -> D {
-    (-phi + 2.0) / ((phi + 4.0) * 4.0)
 }
 
 fields! {
@@ -214,17 +152,11 @@ impl<D: Scalar> AxialShares<D> {
 pub struct AxialFactors;
 
 impl Formula for AxialFactors {
-    const SPEC: Spec = Spec {
-        id: "ujoint.axial_factors",
-        title: "Shares of an axial force",
-        latex: r"\alpha_{\mathrm{axial}} = \frac{\lambda^2+3}{2(\lambda^2+6)},\quad \beta_{\mathrm{axial}} = \frac{3}{2(\lambda^2+6)},\quad \lambda = \frac{L_a}{R_p}",
-        source: Source::UJOINT.section("Friction"),
-        eta: 2.0,
-        eta_jacobian: 4.0,
-        objective: true,
-    };
-    type Inputs<T: Element> = Arm<T>;
-    type Outputs<T: Element> = AxialShares<T>;
+    const SPEC: Spec = Spec::new("ujoint.axial_factors", "Shares of an axial force", Source::UJOINT.section("Friction"))
+.equation(r"\alpha_{\mathrm{axial}} = \frac{\lambda^2+3}{2(\lambda^2+6)},\quad \beta_{\mathrm{axial}} = \frac{3}{2(\lambda^2+6)},\quad \lambda = \frac{L_a}{R_p}")
+.eta(2.0, 4.0);
+    type Inputs<T: Component> = Arm<T>;
+    type Outputs<T: Component> = AxialShares<T>;
 
     #[inline]
     fn eval<D: Scalar>(i: &Arm<D>) -> AxialShares<D> {
@@ -243,53 +175,4 @@ impl Formula for AxialFactors {
         let slopes = AxialShares { alpha_axial: Arm { la, rp }, beta_axial: Arm { la: -la, rp: -rp } };
         (AxialShares::new(&slenderness), slopes)
     }
-
-    fn cases() -> Vec<Case<Arm<f64>>> {
-        let mut cases = vec![
-            Case::hand("lambda-2", "σ = 4/10: α = 0.35, β = 0.15", Arm { la: 2.0, rp: 1.0 }),
-            Case::hand("lambda-3", "σ = 9/15: α = 0.4, β = 0.1", Arm { la: 4.5, rp: 1.5 }),
-            Case::limit("stubby", "λ → 0: four hinges share alike, α, β → 1/4", Arm { la: 1e-9, rp: 1.0 }),
-            Case::limit("long", "λ → ∞: two hinges carry all, α → 1/2, β → 0", Arm { la: 1e9, rp: 1.0 }),
-        ];
-        cases.extend(of_arms());
-        cases
-    }
-
-    fn laws() -> Vec<Law<Self>> {
-        vec![
-            Law {
-                statement: "the four hinges carry the whole force: 2α + 2β = 1",
-                sides: |i| {
-                    let AxialShares { alpha_axial, beta_axial } = Self::eval(i);
-                    law::equal((alpha_axial + beta_axial) * 2.0, 1.0.into())
-                },
-            },
-            Law {
-                statement: "the shares are as the stiffnesses: β/α = 3/(3 + λ²)",
-                sides: |i| {
-                    let AxialShares { alpha_axial, beta_axial } = Self::eval(i);
-                    let lambda = i.la / i.rp;
-                    law::equal(beta_axial * (lambda * lambda + 3.0), alpha_axial * 3.0)
-                },
-            },
-            Law {
-                statement: "α grows with λ, between 1/4 and 1/2",
-                sides: |i| {
-                    let (alpha, slope) = (Self::eval(i).alpha_axial, Self::jacobian(i).alpha_axial);
-                    let inside = alpha > 0.25 && alpha < 0.5 && slope.la > 0.0 && slope.rp < 0.0;
-                    law::equal(Octuple::from(f64::from(inside)), 1.0.into())
-                },
-            },
-        ]
-    }
-}
-
-fn of_arms() -> impl Iterator<Item = Case<Arm<f64>>> {
-    let subnormal = ["lambda-1e-160", "lambda-1e160"].into_iter().zip([[1e-160, 1.0], [1.0, 1e-160]]);
-    let subnormal = subnormal.map(|(id, [la, rp])| Case::hard(id, "λ² or its inverse is subnormal", Arm { la, rp }));
-    let of_arms = hard::arms().into_iter().map(|arm| {
-        let [la, rp] = arm.value;
-        Case::hard(arm.id, arm.comment, Arm { la, rp })
-    });
-    of_arms.chain(subnormal)
 }

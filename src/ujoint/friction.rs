@@ -1,17 +1,16 @@
 //! The friction that the normal moments allow.
 
-use super::contact::hard_cases;
-use super::{
-    AllContactMoments, ContactMomentPair, ContactMoments, CrossForces, JointLoads, NormalMomentPair, NormalMoments,
-};
+#[cfg(feature = "verify")]
+mod proof;
+
+use super::{AllContactMoments, ContactMomentPair, ContactMoments, JointLoads, NormalMomentPair, NormalMoments};
 use crate::coulomb::{Tractions, Yield};
 use crate::fields;
-use crate::formula::{Case, Convention, Element, Fields, Formula, Jacobian, Kink, Law, Source, Spec};
+use crate::formula::{Component, Fields, Formula, Jacobian, Source, Spec};
 use crate::quantity::{
     CROSS_M1, CROSS_M3, E1A, E2A, E3A, E3B, F1, F2, F3, LA, LS, MC1_INT, MC3_INT, MU, PHI1, PHI3, RA, RP, TWIST_M2,
 };
 use crate::scalar::{Scalar, abs, sign};
-use crate::verify::law;
 use nalgebra::Vector3;
 
 fields! {
@@ -27,7 +26,7 @@ fields! {
     pub struct YieldPair<T> { phi1: T = PHI1, phi3: T = PHI3 }
 }
 
-impl<T: Element> FrictionLoads<T> {
+impl<T: Component> FrictionLoads<T> {
     /// Without what [`ContactMoments`] does not take.
     pub(super) const fn joint(&self) -> JointLoads<T> {
         let Self { e1a, e2a, e3a, e3b, f1, f2, f3, m2, rp, la, ra, ls, .. } = *self;
@@ -46,17 +45,11 @@ impl<T: Element> FrictionLoads<T> {
 pub struct Friction;
 
 impl Formula for Friction {
-    const SPEC: Spec = Spec {
-        id: "ujoint.friction",
-        title: "Friction",
-        latex: r"\Phi_k = \lvert m_k\rvert - \mu M_{Nk}\quad (k = 1, 3)",
-        source: Source::UJOINT.section("Friction"),
-        eta: 2.0,
-        eta_jacobian: 6.0,
-        objective: true,
-    };
-    type Inputs<T: Element> = FrictionLoads<T>;
-    type Outputs<T: Element> = YieldPair<T>;
+    const SPEC: Spec = Spec::new("ujoint.friction", "Friction", Source::UJOINT.section("Friction"))
+        .equation(r"\Phi_k = \lvert m_k\rvert - \mu M_{Nk}\quad (k = 1, 3)")
+        .eta(2.0, 6.0);
+    type Inputs<T: Component> = FrictionLoads<T>;
+    type Outputs<T: Component> = YieldPair<T>;
 
     fn eval<D: Scalar>(i: &FrictionLoads<D>) -> YieldPair<D> {
         let ContactMomentPair { mc1, mc3 } = ContactMoments::eval(&i.joint());
@@ -96,155 +89,5 @@ impl Formula for Friction {
             phi1: FrictionLoads { m1: D::from(sign(i.m1)), mc1_int: -mu * normal.mn1.mc1_int, mu: -mn1, ..row1 },
             phi3: FrictionLoads { m3: D::from(sign(i.m3)), mc3_int: -mu * normal.mn3.mc3_int, mu: -mn3, ..row3 },
         }
-    }
-
-    fn cases() -> Vec<Case<FrictionLoads<f64>>> {
-        let rest =
-            FrictionLoads { m1: -20.0, m3: 30.0, mc1_int: 1.0, mc3_int: -2.0, mu: 0.25, ..FrictionLoads::filled(0.0) };
-        let of = |case: Case<JointLoads<f64>>| Case {
-            id: case.id,
-            flag: case.flag,
-            comment: case.comment,
-            inputs: FrictionLoads::of(case.inputs, rest),
-        };
-        let mut cases: Vec<_> = hard_cases().into_iter().map(of).collect();
-        if let Some(hand) = cases.first().map(|case| case.inputs) {
-            cases.extend([
-                Case::limit("frictionless", "μ = 0: Φ = |m|", FrictionLoads { mu: 0.0, ..hand }),
-                Case::limit(
-                    "no-press-fit",
-                    "no internal moments",
-                    FrictionLoads { mc1_int: 0.0, mc3_int: 0.0, ..hand },
-                ),
-                Case::hard(
-                    "no-moment",
-                    "m1 = m3 = 0: derivative 0 by convention",
-                    FrictionLoads { m1: 0.0, m3: 0.0, ..hand },
-                ),
-            ]);
-        }
-        cases
-    }
-
-    fn kinks() -> Vec<Kink<Self>> {
-        let convention = Convention::Subgradient;
-        vec![
-            Kink {
-                condition: "R_a = 0",
-                convention: Convention::Switch,
-                holds: |i| i.ra == 0.0,
-                at: || FrictionLoads { ra: 0.0, ..regular() },
-                across: || FrictionLoads { ra: 1.0, ..FrictionLoads::filled(0.0) },
-            },
-            Kink {
-                condition: "L_s = 0",
-                convention: Convention::Switch,
-                holds: |i| i.ls == 0.0,
-                at: || FrictionLoads { ls: 0.0, ..regular() },
-                across: || FrictionLoads { ls: 1.0, ..FrictionLoads::filled(0.0) },
-            },
-            Kink {
-                condition: r"F_{\mathrm{axial1}} = 0,\ \mu > 0",
-                convention,
-                holds: |i| i.mu > 0.0 && i.joint().at_centre().f_axial1 == 0.0,
-                at: || FrictionLoads { f1: 0.0, ..regular() },
-                across: || FrictionLoads { f1: 1.0, ..FrictionLoads::filled(0.0) },
-            },
-            Kink {
-                condition: r"F_{\mathrm{axial3}} = 0,\ \mu > 0",
-                convention,
-                holds: |i| i.mu > 0.0 && i.joint().at_centre().f_axial3 == 0.0,
-                at: || FrictionLoads { f2: 0.0, f3: 0.0, ..regular() },
-                across: || FrictionLoads { f3: 1.0, ..FrictionLoads::filled(0.0) },
-            },
-            Kink {
-                condition: r"F_{\mathrm{bend}} = m_2 = 0,\ \mu > 0",
-                convention,
-                holds: |i| {
-                    let CrossForces { f_bend, .. } = i.joint().at_centre();
-                    i.mu > 0.0 && i.m2 == 0.0 && f_bend == 0.0
-                },
-                at: || FrictionLoads { f2: 0.0, f3: 0.0, m2: 0.0, ..regular() },
-                across: || FrictionLoads { m2: 1.0, ..FrictionLoads::filled(0.0) },
-            },
-            Kink {
-                condition: "m_1 = 0",
-                convention,
-                holds: |i| i.m1 == 0.0,
-                at: || FrictionLoads { m1: 0.0, ..regular() },
-                across: || FrictionLoads { m1: 1.0, ..FrictionLoads::filled(0.0) },
-            },
-            Kink {
-                condition: "m_3 = 0",
-                convention,
-                holds: |i| i.m3 == 0.0,
-                at: || FrictionLoads { m3: 0.0, ..regular() },
-                across: || FrictionLoads { m3: 1.0, ..FrictionLoads::filled(0.0) },
-            },
-            Kink {
-                condition: r"M_{C1}^{\mathrm{int}} = 0,\ \mu > 0",
-                convention,
-                holds: |i| i.mu > 0.0 && i.mc1_int == 0.0,
-                at: || FrictionLoads { mc1_int: 0.0, ..regular() },
-                across: || FrictionLoads { mc1_int: 1.0, ..FrictionLoads::filled(0.0) },
-            },
-            Kink {
-                condition: r"M_{C3}^{\mathrm{int}} = 0,\ \mu > 0",
-                convention,
-                holds: |i| i.mu > 0.0 && i.mc3_int == 0.0,
-                at: || FrictionLoads { mc3_int: 0.0, ..regular() },
-                across: || FrictionLoads { mc3_int: 1.0, ..FrictionLoads::filled(0.0) },
-            },
-        ]
-    }
-
-    fn laws() -> Vec<Law<Self>> {
-        vec![
-            Law {
-                statement: "reversing all loads leaves them",
-                sides: |i| {
-                    let out = Self::eval(i);
-                    let FrictionLoads { f1, f2, f3, m1, m2, m3, .. } = *i;
-                    let reversed = FrictionLoads { f1: -f1, f2: -f2, f3: -f3, m1: -m1, m2: -m2, m3: -m3, ..*i };
-                    let reversed = Self::eval(&reversed);
-                    law::equal_all([(out.phi1, reversed.phi1), (out.phi3, reversed.phi3)])
-                },
-            },
-            Law {
-                statement: "at the friction moments μ M_N they are 0",
-                sides: |i| {
-                    let ContactMomentPair { mc1, mc3 } = ContactMoments::eval(&i.joint());
-                    let all = AllContactMoments { mc1, mc3, mc1_int: i.mc1_int, mc3_int: i.mc3_int };
-                    let NormalMomentPair { mn1, mn3 } = NormalMoments::eval(&all);
-                    let (m1, m3) = (i.mu * mn1, -i.mu * mn3);
-                    let out = Self::eval(&FrictionLoads { m1, m3, ..*i });
-                    let zero = num_traits::Zero::zero();
-                    [law::equal_with(out.phi1, zero, m1), law::equal_with(out.phi3, zero, m3)].concat()
-                },
-            },
-        ]
-    }
-}
-
-/// A point away from all kinks.
-fn regular() -> FrictionLoads<f64> {
-    FrictionLoads {
-        e1a: Vector3::x(),
-        e2a: Vector3::y(),
-        e3a: Vector3::z(),
-        e3b: Vector3::z(),
-        f1: 20.0,
-        f2: -16.0,
-        f3: 80.0,
-        m2: 152.0,
-        rp: 1.0,
-        la: 2.0,
-        ra: 0.5,
-        ls: 4.0,
-        m1: -20.0,
-        m3: 30.0,
-        mc1_int: 1.0,
-        mc3_int: -2.0,
-        mu: 0.25,
     }
 }

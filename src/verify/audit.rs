@@ -2,8 +2,10 @@
 
 use super::difference::{differences, step_size};
 use super::subject::{Law, Subject};
-use super::{Sampler, Sensitivity, eta, exact, golden, law};
-use crate::formula::{Convention, Field, Fields, Formula, check};
+use super::{Sampler, Sensitivity, eta, exact, golden, invariance};
+use crate::formula::{Field, Fields, check};
+use crate::proof::law::residual;
+use crate::proof::{Convention, Proved};
 use crate::{Error, Octuple};
 use num_traits::Signed;
 use serde::{Deserialize, Serialize};
@@ -129,7 +131,7 @@ impl Claim {
 }
 
 /// Audits one formula.
-pub fn audit<F: Formula>(options: &Options) -> Audit {
+pub fn audit<F: Proved>(options: &Options) -> Audit {
     let subject = Subject::of::<F>();
     let mut sampler = Sampler::for_formula(F::SPEC.id, options.seed);
     let mut random = |k| {
@@ -144,7 +146,7 @@ pub fn audit<F: Formula>(options: &Options) -> Audit {
 ///
 /// # Errors
 /// The input that is not valid.
-pub fn audit_at<F: Formula>(inputs: &F::Inputs<f64>) -> Result<Audit, Error> {
+pub fn audit_at<F: Proved>(inputs: &F::Inputs<f64>) -> Result<Audit, Error> {
     check::<F>(inputs)?;
     let subject = Subject::of::<F>();
     let given = Point::new(&subject, "given".into(), false, inputs.components());
@@ -166,7 +168,7 @@ fn audit_points(subject: &Subject, named: &[Point], random: &[Point], seed: u64)
         ),
         eta: Claim::new("η of the value in f64", subject.spec.eta),
         eta_jacobian: Claim::new("η of the closed-form Jacobian in f64", subject.spec.eta_jacobian),
-        laws: law::of_all(subject).iter().chain(&subject.laws).map(|law| check_law(law, general)).collect(),
+        laws: invariance::of_all(subject).iter().chain(&subject.laws).map(|law| check_law(law, general)).collect(),
     };
     let names = Names::new(subject);
     named.iter().chain(random).for_each(|point| audit.check(point, &names));
@@ -304,13 +306,13 @@ impl Audit {
 }
 
 fn check_law(law: &Law, points: &[Point]) -> Claim {
-    let mut claim = Claim::new(law.statement, LAW);
+    let mut claim = Claim::new(law.statement.as_str(), LAW);
     // On a kink or a cut a law may hold from one side only.
     for point in points.iter().filter(|point| point.kink.is_none()) {
         for (k, equation) in (law.sides)(&point.exact).iter().enumerate() {
             let (left, right) = (equation.left.to_f64(), equation.right.to_f64());
             let describe = |size| point.deviation(size, format!("equation {k}"), left, right);
-            claim.record(law::residual(equation), LAW, describe);
+            claim.record(residual(equation), LAW, describe);
         }
     }
     claim

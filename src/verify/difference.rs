@@ -2,7 +2,8 @@
 
 use super::subject::Subject;
 use crate::Octuple;
-use crate::formula::{Field, Formula};
+use crate::formula::Field;
+use crate::proof::Proved;
 use num_traits::{Signed, Zero};
 
 /// The gradient of every output with respect to input component `k`, by fourth-order central differences in 237 bits:
@@ -10,7 +11,7 @@ use num_traits::{Signed, Zero};
 ///
 /// Rounding costs about 2⁻²³⁶/`step` and truncation `step`⁴: at 1e-18 both are far below 1e-50. Near a kink the step
 /// must be shorter than the distance to it, and fewer digits remain.
-pub fn central_differences<F: Formula>(inputs: &[Octuple], k: usize, step: f64) -> Vec<Octuple> {
+pub fn central_differences<F: Proved>(inputs: &[Octuple], k: usize, step: f64) -> Vec<Octuple> {
     differences(&Subject::of::<F>(), inputs, k, step)
 }
 

@@ -8,7 +8,8 @@ mod schema;
 use super::subject::Subject;
 use super::{Sampler, exact, rounded};
 use crate::Error;
-use crate::formula::{Case, Convention, Field, Flag, Formula};
+use crate::formula::Field;
+use crate::proof::{Case, Convention, Flag, Proved};
 use crate::quantity::Domain;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -111,7 +112,7 @@ pub struct Record {
 }
 
 /// The golden file of `F`, computed now.
-pub fn file<F: Formula>() -> File {
+pub fn file<F: Proved>() -> File {
     of(&Subject::of::<F>())
 }
 
@@ -121,7 +122,7 @@ fn of(subject: &Subject) -> File {
         schema: "schema.json".into(),
         formula: spec.id.into(),
         title: spec.title.into(),
-        source: format!("{}, {} ({})", spec.source.title, spec.source.section, spec.source.file),
+        source: format!("{}, {}", spec.source.title, spec.source.section),
         latex: spec.latex.into(),
         inputs: describe(subject.inputs),
         outputs: describe(subject.outputs),

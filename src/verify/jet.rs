@@ -2,7 +2,7 @@
 
 use super::subject::{jacobian, value};
 use crate::Scalar;
-use crate::formula::{Fields, Formula, Jacobian};
+use crate::formula::{Fields, Formula, Jacobian, typed};
 use nalgebra::{Const, U1};
 use num_dual::DualSVec;
 
@@ -15,9 +15,7 @@ type Swept<T> = dyn Fn(&[Sweep<T>]) -> Vec<Sweep<T>>;
 /// The Jacobian of `F` at `i`, by differentiating `F::eval`.
 pub fn jacobian_by_ad<F: Formula, T: Scalar>(i: &F::Inputs<T>) -> Jacobian<F, T> {
     let rows = differentiate(&i.components(), &value::<F, _>);
-    let mut next = rows.iter();
-    let zero = F::Inputs::filled(T::zero());
-    F::Outputs::from_components(&mut || next.next().and_then(|row| F::Inputs::from_slice(row)).unwrap_or(zero))
+    typed(&rows.iter().map(|row| typed(row)).collect::<Vec<_>>())
 }
 
 /// The derivative of every entry of the closed-form Jacobian: a row per output and input, in order.

@@ -1,7 +1,8 @@
 //! Test points, drawn from the declared domains, the same on every machine.
 
 use super::subject::Subject;
-use crate::formula::{Field, Fields, Formula};
+use crate::formula::{Field, typed};
+use crate::proof::Proved;
 use crate::quantity::{Domain, Node, Shape};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -10,12 +11,15 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 #[derive(Clone, Debug)]
 pub struct Sampler(ChaCha8Rng);
 
-/// The triads of the two nodes, a row per unit vector, in space or in the plane.
-type Triads = [[[f64; 3]; 3]; 2];
+/// So many draws refused one after another are no chance: `validate` and the domains contradict each other.
+const DRAWS: usize = 1000;
+
+/// A triad, a row per unit vector, in space or in the plane.
+type Triad = [[f64; 3]; 3];
 
 impl Sampler {
     /// A sampler with this seed; a formula's points do not depend on which other formulas are sampled.
-    pub fn new<F: Formula>(seed: u64) -> Self {
+    pub fn new<F: Proved>(seed: u64) -> Self {
         Self::for_formula(F::SPEC.id, seed)
     }
 
@@ -29,50 +33,51 @@ impl Sampler {
     /// Inputs of a formula that are valid together.
     ///
     /// Triads are true rotations, never the identity and never the same at both nodes; no number is 0.
-    pub fn inputs<F: Formula>(&mut self) -> F::Inputs<f64> {
-        let mut drawn = self.components(&Subject::of::<F>()).into_iter();
-        F::Inputs::from_components(&mut || drawn.next().unwrap_or(f64::NAN))
+    pub fn inputs<F: Proved>(&mut self) -> F::Inputs<f64> {
+        typed(&self.components(&Subject::of::<F>()))
     }
 
     /// The components of valid inputs.
+    ///
+    /// # Panics
+    /// If the formula refuses whatever is drawn from its domains, which only its author can mend.
     pub(crate) fn components(&mut self, subject: &Subject) -> Vec<f64> {
-        // Nearly every draw is valid; the bound only makes the loop's end evident.
-        for _ in 0..1000 {
+        for _ in 0..DRAWS {
             let inputs = self.fields(subject.inputs);
             if (subject.check)(&inputs).is_ok() {
                 return inputs;
             }
         }
-        self.fields(subject.inputs)
+        panic!("{}: {DRAWS} points drawn from the domains were all refused; narrow the domains", subject.spec.id)
     }
 
     fn fields(&mut self, fields: &[Field]) -> Vec<f64> {
         let plane = fields.iter().any(|field| field.quantity.shape == Shape::Vec2);
-        let triads = [self.triad(plane), self.triad(plane)];
+        let nodes = nodes(fields);
+        let triads: Vec<_> = nodes.iter().map(|_| self.triad(plane)).collect();
         let mut drawn = Vec::new();
         for field in fields {
             for component in 0..field.len() {
-                drawn.push(self.number(field.quantity.domain, &triads, component));
+                drawn.push(match field.quantity.domain {
+                    Domain::Direction => triads[0][0][component],
+                    Domain::Triad(node, axis) => {
+                        let triad = nodes.iter().zip(&triads).find(|(name, _)| **name == node);
+                        triad.expect("every node of a field is in the list of nodes").1[(axis - 1) % 3][component]
+                    }
+                    domain => self.number(domain),
+                });
             }
         }
         drawn
     }
 
-    fn number(&mut self, domain: Domain, triads: &Triads, component: usize) -> f64 {
+    fn number(&mut self, domain: Domain) -> f64 {
         match domain {
-            Domain::Real | Domain::Point | Domain::Vector => self.signed(),
+            Domain::Real | Domain::Point | Domain::Vector | Domain::Direction | Domain::Triad(..) => self.signed(),
             Domain::NonNegative | Domain::Positive => self.magnitude(),
             Domain::Angle => self.between(-std::f64::consts::PI, std::f64::consts::PI),
-            Domain::Direction => triads[0][0][component],
             Domain::Between(low, high) | Domain::Within(low, high) | Domain::HalfOpen(low, high) => {
                 self.between(low, high)
-            }
-            Domain::Triad(node, axis) => {
-                let triad = match node {
-                    Node::A => triads[0],
-                    Node::B => triads[1],
-                };
-                triad[(axis - 1) % 3][component]
             }
         }
     }
@@ -105,7 +110,7 @@ impl Sampler {
     }
 
     /// A rotation far from the identity, in space from a random quaternion, in the plane from a random direction.
-    fn triad(&mut self, plane: bool) -> [[f64; 3]; 3] {
+    fn triad(&mut self, plane: bool) -> Triad {
         if plane {
             let [c, s] = self.direction();
             return [[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]];
@@ -122,6 +127,19 @@ impl Sampler {
         });
         crate::scalar::direction(sides)
     }
+}
+
+/// The nodes that have a triad: a and b, and whatever others the fields name.
+fn nodes(fields: &[Field]) -> Vec<Node> {
+    let mut nodes = vec![Node::A, Node::B];
+    for field in fields {
+        if let Domain::Triad(node, _) = field.quantity.domain
+            && !nodes.contains(&node)
+        {
+            nodes.push(node);
+        }
+    }
+    nodes
 }
 
 /// The triad of a unit quaternion, a row per unit vector.

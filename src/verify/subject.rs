@@ -4,7 +4,8 @@
 //! formula.
 
 use super::jet::{Sweep, differentiate};
-use crate::formula::{self, Case, Convention, Element, Equation, Field, Fields, Formula, Jacobian, Spec};
+use crate::formula::{self, Field, Fields, Formula, Spec, entries, typed};
+use crate::proof::{self, Case, Convention, Equation, Proved};
 use crate::scalar::Scalar;
 use crate::{Error, Octuple};
 
@@ -36,33 +37,33 @@ pub(crate) struct Subject {
 /// A function of components.
 type AtComponents<T> = Box<dyn Fn(&[Octuple]) -> T>;
 
-/// A [kink](formula::Kink) without its types.
+/// A [kink](proof::Kink) without its types.
 pub(crate) struct Kink {
-    pub(crate) condition: &'static str,
+    pub(crate) condition: String,
     pub(crate) convention: Convention,
     pub(crate) holds: AtComponents<bool>,
     pub(crate) at: Vec<f64>,
     pub(crate) across: Vec<f64>,
 }
 
-/// A [law](formula::Law) without its types.
+/// A [law](proof::Law) without its types.
 pub(crate) struct Law {
-    pub(crate) statement: &'static str,
+    pub(crate) statement: String,
     pub(crate) sides: AtComponents<Vec<Equation>>,
 }
 
 impl Subject {
-    pub(crate) fn of<F: Formula>() -> Self {
+    pub(crate) fn of<F: Proved>() -> Self {
         Self {
             spec: F::SPEC,
             inputs: F::Inputs::<f64>::FIELDS,
             outputs: F::Outputs::<f64>::FIELDS,
-            check: |i| formula::check::<F>(&typed::<F, _>(i)),
+            check: |i| formula::check::<F>(&typed(i)),
             value: value::<F, _>,
             jacobian: jacobian::<F, _>,
             linearized: |i| {
-                let (value, jacobian) = F::linearized(&typed::<F, _>(i));
-                [value.components(), entries::<F, _>(&jacobian)]
+                let (value, jacobian) = F::linearized(&typed(i));
+                [value.components(), entries(&jacobian)]
             },
             exact_value: value::<F, _>,
             exact_jacobian: jacobian::<F, _>,
@@ -98,41 +99,31 @@ impl Subject {
 }
 
 impl Kink {
-    fn of<F: Formula>(kink: formula::Kink<F>) -> Self {
+    fn of<F: Formula>(kink: proof::Kink<F>) -> Self {
         Self {
             condition: kink.condition,
             convention: kink.convention,
-            holds: Box::new(move |i| (kink.holds)(&typed::<F, _>(i))),
-            at: (kink.at)().components(),
-            across: (kink.across)().components(),
+            holds: Box::new(move |i| (kink.holds)(&typed(i))),
+            at: kink.at.components(),
+            across: kink.across.components(),
         }
     }
 }
 
 impl Law {
-    fn of<F: Formula>(law: formula::Law<F>) -> Self {
-        Self { statement: law.statement, sides: Box::new(move |i| (law.sides)(&typed::<F, _>(i))) }
+    fn of<F: Formula>(law: proof::Law<F>) -> Self {
+        Self { statement: law.statement, sides: Box::new(move |i| (law.sides)(&typed(i))) }
     }
 }
 
 /// The components of the value.
 pub(super) fn value<F: Formula, T: Scalar>(i: &[T]) -> Vec<T> {
-    F::eval(&typed::<F, T>(i)).components()
+    F::eval(&typed(i)).components()
 }
 
 /// The entries of the Jacobian at these components.
 pub(super) fn jacobian<F: Formula, T: Scalar>(i: &[T]) -> Vec<T> {
-    entries::<F, T>(&F::jacobian(&typed::<F, T>(i)))
-}
-
-/// The entries of a Jacobian, output by output, each over all inputs.
-pub(crate) fn entries<F: Formula, T: Scalar>(jacobian: &Jacobian<F, T>) -> Vec<T> {
-    jacobian.components().iter().flat_map(Fields::components).collect()
-}
-
-/// The inputs of these components. The toolkit hands out as many as there are fields for.
-pub(crate) fn typed<F: Formula, T: Element + From<f64>>(components: &[T]) -> F::Inputs<T> {
-    F::Inputs::from_slice(components).unwrap_or_else(|| F::Inputs::filled(T::from(f64::NAN)))
+    entries(&F::jacobian(&typed(i)))
 }
 
 fn flat<F: Formula>(case: Case<F::Inputs<f64>>) -> Case<Vec<f64>> {

@@ -1,6 +1,7 @@
 //! The worked example of the chapter on code review: a derivative as somebody submitted it, and what the audit says.
 
-use jointproof::formula::{Element, Formula, Jacobian, Source, Spec};
+use jointproof::formula::{Component, Formula, Jacobian, Source, Spec};
+use jointproof::proof::Proved;
 use jointproof::scalar::{Scalar, direction, norm};
 use jointproof::slot::{Contact, CrossForces};
 use jointproof::verify::{Audit, Options, audit};
@@ -11,17 +12,11 @@ use jointproof::verify::{Audit, Options, audit};
 struct Submitted;
 
 impl Formula for Submitted {
-    const SPEC: Spec = Spec {
-        id: "review.contact_force",
-        title: "Contact force, as submitted",
-        latex: r"F_C = \sqrt{f_2^2 + f_3^2}",
-        source: Source::document("pull-request.txt", "A pull request"),
-        eta: 2.0,
-        eta_jacobian: 2.0,
-        objective: true,
-    };
-    type Inputs<T: Element> = CrossForces<T>;
-    type Outputs<T: Element> = Contact<T>;
+    const SPEC: Spec = Spec::new("review.contact_force", "Contact force, as submitted", Source::new("A pull request"))
+        .equation(r"F_C = \sqrt{f_2^2 + f_3^2}")
+        .eta(2.0, 2.0);
+    type Inputs<T: Component> = CrossForces<T>;
+    type Outputs<T: Component> = Contact<T>;
 
     fn eval<D: Scalar>(i: &CrossForces<D>) -> Contact<D> {
         Contact { fc: norm([i.f2, i.f3]) }
@@ -32,6 +27,7 @@ impl Formula for Submitted {
         Contact { fc: CrossForces { f2, f3: -f3 } }
     }
 }
+impl Proved for Submitted {}
 // ANCHOR_END: submitted
 
 /// What the audit finds.

@@ -1,8 +1,8 @@
 //! The models of the arm side by side.
 
-use super::{Arm, AxialFactors, AxialShares, TwistFactors, TwistShares, phi, timoshenko};
-use crate::Octuple;
+use super::{Arm, AxialFactors, AxialShares, TwistFactors, TwistShares};
 use crate::formula::Formula;
+use crate::{Octuple, Scalar};
 use num_dual::DualNum;
 
 /// The four shares by one model of the arm.
@@ -77,4 +77,15 @@ fn models(lambda: f64) -> Models {
         timoshenko: Model::new(timoshenko(phi), bent_to_stretched / (1.0 + phi)),
         euler_bernoulli: Model::new(0.125, bent_to_stretched),
     }
+}
+
+/// α_twist of a clamped Timoshenko arm.
+pub(super) fn timoshenko<D: Scalar>(phi: D) -> D {
+    (-phi + 2.0) / ((phi + 4.0) * 4.0)
+}
+
+/// φ = 12 EI/(κ G A La²) = (7 + 6ν)/λ² for a round arm of ν = 0.3: how much the arm shears for how much it bends.
+pub(super) fn phi<D: Scalar>(arm: &Arm<D>) -> D {
+    let ratio = arm.rp / arm.la;
+    ratio * ratio * 44.0 / 5.0
 }

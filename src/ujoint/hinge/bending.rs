@@ -1,11 +1,13 @@
 //! The bending moments on a hinge.
 
+#[cfg(feature = "verify")]
+mod proof;
+
 use super::{HingeTwist, Twist, TwistLoads};
 use crate::fields;
-use crate::formula::{Case, Convention, Element, Fields, Formula, Jacobian, Kink, Law, Source, Spec};
+use crate::formula::{Component, Formula, Jacobian, Source, Spec};
 use crate::quantity::{CROSS_F_BEND, F_TOTAL_BEND, LA, LS, M_BEND_HINGE, M_TOTAL_HINGE, RP, TWIST_M2};
 use crate::scalar::{Scalar, abs, norm, norm_and_direction, sign};
-use crate::verify::{hard, law};
 
 fields! {
     /// What bends the arms, an arm, and the length of its sleeve.
@@ -56,17 +58,11 @@ pub(in crate::ujoint) fn in_sleeve<D: Scalar>(moment: D, ls: D) -> D {
 }
 
 impl Formula for HingeBending {
-    const SPEC: Spec = Spec {
-        id: "ujoint.hinge_bending",
-        title: "Bending moment on a hinge",
-        latex: r"M_{\mathrm{bend}}^{\mathrm{hinge}} = \tfrac18\lvert F_{\mathrm{bend}}\rvert L_a,\quad M_{\mathrm{total}}^{\mathrm{hinge}} = \sqrt{\left(M_{\mathrm{bend}}^{\mathrm{hinge}}\right)^2 + \left(M_{\mathrm{twist}}^{\mathrm{hinge}}\right)^2},\quad F_{\mathrm{total}}^{\mathrm{bend}} = \frac{2 M_{\mathrm{total}}^{\mathrm{hinge}}}{L_s}\ (0\text{ if }L_s = 0)",
-        source: Source::UJOINT.section("Friction"),
-        eta: 2.0,
-        eta_jacobian: 4.0,
-        objective: true,
-    };
-    type Inputs<T: Element> = Bending<T>;
-    type Outputs<T: Element> = BendingLoads<T>;
+    const SPEC: Spec = Spec::new("ujoint.hinge_bending", "Bending moment on a hinge", Source::UJOINT.section("Friction"))
+.equation(r"M_{\mathrm{bend}}^{\mathrm{hinge}} = \tfrac18\lvert F_{\mathrm{bend}}\rvert L_a,\quad M_{\mathrm{total}}^{\mathrm{hinge}} = \sqrt{\left(M_{\mathrm{bend}}^{\mathrm{hinge}}\right)^2 + \left(M_{\mathrm{twist}}^{\mathrm{hinge}}\right)^2},\quad F_{\mathrm{total}}^{\mathrm{bend}} = \frac{2 M_{\mathrm{total}}^{\mathrm{hinge}}}{L_s}\ (0\text{ if }L_s = 0)")
+.eta(2.0, 4.0);
+    type Inputs<T: Component> = Bending<T>;
+    type Outputs<T: Component> = BendingLoads<T>;
 
     #[inline]
     fn eval<D: Scalar>(i: &Bending<D>) -> BendingLoads<D> {
@@ -88,83 +84,5 @@ impl Formula for HingeBending {
                 ..i.slope_of_moments(direction.map(press), &by_twist)
             },
         }
-    }
-
-    fn cases() -> Vec<Case<Bending<f64>>> {
-        let hand = Bending { f_bend: -8.0, m2: 304.0, la: 44.0, rp: 20.0 / 3.0, ls: 11.0 };
-        let mut cases = vec![
-            Case::hand("pythagoras", "λ = 6.6 but for rounding: M_bend = 44, M_twist = 33, M_total = 55, F = 10", hand),
-            Case::hand("force-alone", "M_bend = 44, F = 8", Bending { m2: 0.0, ..hand }),
-            Case::hand(
-                "moment-alone",
-                "M_twist = 33: |F_bend| at 0",
-                Bending { f_bend: 0.0, la: 33.0, rp: 5.0, ..hand },
-            ),
-            Case::limit("no-sleeve", "Ls = 0: M_total is left out", Bending { ls: 0.0, ..hand }),
-            Case::limit("stubby", "λ → 0: the twisting moment does not bend", Bending { la: 1e-9, ..hand }),
-            Case::limit("long", "λ → ∞: |m2|/8", Bending { la: 1e9, ..hand }),
-            Case::hard("no-sleeve-unloaded", "Ls = 0 and no load", Bending { f_bend: 0.0, m2: 0.0, ls: 0.0, ..hand }),
-            Case::hard("short-sleeve", "Ls of 1e-12", Bending { ls: 1e-12, ..hand }),
-            Case::hard("vanishing-sleeve", "Ls of 1e-100", Bending { ls: 1e-100, ..hand }),
-        ];
-        cases.extend(hard::loads().into_iter().map(|load| {
-            let [f_bend, m2] = load.value;
-            Case::hard(format!("loads-{}", load.id), load.comment, Bending { f_bend, m2, ..hand })
-        }));
-        cases.extend(hard::arms().into_iter().map(|arm| {
-            let [la, rp] = arm.value;
-            Case::hard(arm.id, arm.comment, Bending { m2: -2.5 * la, la, rp, ls: la, ..hand })
-        }));
-        cases.extend(hard::loaded_arms().into_iter().map(|arm| {
-            let [la, rp, size] = arm.value;
-            Case::hard(arm.id, arm.comment, Bending { f_bend: 5.0 * size, m2: -11.0 * size, la, rp, ls: rp })
-        }));
-        cases
-    }
-
-    fn kinks() -> Vec<Kink<Self>> {
-        vec![
-            Kink {
-                condition: "L_s = 0",
-                convention: Convention::Switch,
-                holds: |i| i.ls == 0.0,
-                at: || Bending { f_bend: -8.0, m2: 304.0, la: 33.0, rp: 5.0, ls: 0.0 },
-                across: || Bending { ls: 1.0, ..Bending::filled(0.0) },
-            },
-            Kink {
-                condition: r"F_{\mathrm{bend}} = 0",
-                convention: Convention::Subgradient,
-                holds: |i| i.f_bend == 0.0,
-                at: || Bending { f_bend: 0.0, m2: 304.0, la: 33.0, rp: 5.0, ls: 11.0 },
-                across: || Bending { f_bend: 1.0, ..Bending::filled(0.0) },
-            },
-            Kink {
-                condition: r"F_{\mathrm{bend}} = m_2 = 0",
-                convention: Convention::Subgradient,
-                holds: |i| i.f_bend == 0.0 && i.m2 == 0.0,
-                at: || Bending { f_bend: 0.0, m2: 0.0, la: 33.0, rp: 5.0, ls: 11.0 },
-                across: || Bending { m2: 1.0, ..Bending::filled(0.0) },
-            },
-        ]
-    }
-
-    fn laws() -> Vec<Law<Self>> {
-        vec![
-            Law {
-                statement: "the contact force, half of it at either end of the sleeve, resists the moment: F Ls/2 = M_total",
-                sides: |i| {
-                    let out = Self::eval(i);
-                    law::equal(out.f_total_bend * i.ls * 0.5, out.m_total_hinge)
-                },
-            },
-            Law {
-                statement: "M_bend and M_twist are at right angles",
-                sides: |i| {
-                    let (out, twist) = (Self::eval(i), HingeTwist::eval(&i.twist()).m_twist_hinge);
-                    let squares = out.m_bend_hinge * out.m_bend_hinge + twist * twist;
-                    law::equal(out.m_total_hinge * out.m_total_hinge, squares)
-                },
-            },
-        ]
     }
 }

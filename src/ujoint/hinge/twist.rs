@@ -1,11 +1,13 @@
 //! What the twisting moment makes on a hinge.
 
+#[cfg(feature = "verify")]
+mod proof;
+
 use crate::fields;
-use crate::formula::{Case, Convention, Element, Formula, Jacobian, Kink, Law, Source, Spec};
+use crate::formula::{Component, Formula, Jacobian, Source, Spec};
 use crate::quantity::{F_TWIST_HINGE, LA, M_TWIST_HINGE, RP, TWIST_M2};
 use crate::scalar::{Scalar, abs, sign};
 use crate::ujoint::{Arm, TwistFactors, TwistShares};
-use crate::verify::{hard, law};
 
 fields! {
     /// The twisting moment, and an arm.
@@ -22,17 +24,11 @@ fields! {
 pub struct HingeTwist;
 
 impl Formula for HingeTwist {
-    const SPEC: Spec = Spec {
-        id: "ujoint.hinge_twist",
-        title: "Hinge loads of the twisting moment",
-        latex: r"M_{\mathrm{twist}}^{\mathrm{hinge}} = \alpha_{\mathrm{twist}}\lvert m_2\rvert,\quad F_{\mathrm{twist}}^{\mathrm{hinge}} = \beta_{\mathrm{twist}}\frac{\lvert m_2\rvert}{L_a}",
-        source: Source::UJOINT.section("Friction"),
-        eta: 2.0,
-        eta_jacobian: 3.0,
-        objective: true,
-    };
-    type Inputs<T: Element> = Twist<T>;
-    type Outputs<T: Element> = TwistLoads<T>;
+    const SPEC: Spec = Spec::new("ujoint.hinge_twist", "Hinge loads of the twisting moment", Source::UJOINT.section("Friction"))
+.equation(r"M_{\mathrm{twist}}^{\mathrm{hinge}} = \alpha_{\mathrm{twist}}\lvert m_2\rvert,\quad F_{\mathrm{twist}}^{\mathrm{hinge}} = \beta_{\mathrm{twist}}\frac{\lvert m_2\rvert}{L_a}")
+.eta(2.0, 3.0);
+    type Inputs<T: Component> = Twist<T>;
+    type Outputs<T: Component> = TwistLoads<T>;
 
     #[inline]
     fn eval<D: Scalar>(i: &Twist<D>) -> TwistLoads<D> {
@@ -62,48 +58,6 @@ impl Formula for HingeTwist {
             },
         };
         (i.loads(&shares), jacobian)
-    }
-
-    fn cases() -> Vec<Case<Twist<f64>>> {
-        let hand = Twist { m2: -304.0, la: 33.0, rp: 5.0 };
-        let mut cases = vec![
-            Case::hand("lambda-6.6", "α = 33/304, β = 109/304: M = 33, F = 109/33", hand),
-            Case::limit("stubby", "λ → 0: no moment, a quarter of |m2|/La", Twist { m2: 8.0, la: 1e-9, rp: 1.0 }),
-            Case::limit("long", "λ → ∞: |m2|/8, 3/8 of |m2|/La", Twist { m2: 8.0, la: 1e9, rp: 1.0 }),
-        ];
-        cases.extend(hard::norms().into_iter().map(|load| {
-            let [m2] = load.value;
-            Case::hard(format!("moment-{}", load.id), load.comment, Twist { m2, ..hand })
-        }));
-        cases.extend(hard::arms().into_iter().map(|arm| {
-            let [la, rp] = arm.value;
-            Case::hard(arm.id, arm.comment, Twist { m2: -2.5 * la, la, rp })
-        }));
-        cases.extend(hard::loaded_arms().into_iter().map(|arm| {
-            let [la, rp, m2] = arm.value;
-            Case::hard(arm.id, arm.comment, Twist { m2, la, rp })
-        }));
-        cases
-    }
-
-    fn kinks() -> Vec<Kink<Self>> {
-        vec![Kink {
-            condition: "m_2 = 0",
-            convention: Convention::Subgradient,
-            holds: |i| i.m2 == 0.0,
-            at: || Twist { m2: 0.0, la: 33.0, rp: 5.0 },
-            across: || Twist { m2: 1.0, la: 0.0, rp: 0.0 },
-        }]
-    }
-
-    fn laws() -> Vec<Law<Self>> {
-        vec![Law {
-            statement: "moments about the centre: four hinges bear F La − M each, together |m2|",
-            sides: |i| {
-                let TwistLoads { m_twist_hinge, f_twist_hinge } = Self::eval(i);
-                law::equal((f_twist_hinge * i.la - m_twist_hinge) * 4.0, abs(i.m2))
-            },
-        }]
     }
 }
 

@@ -76,10 +76,10 @@ pub(crate) struct Entry {
 /// The document an equation was taken from.
 #[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Source {
-    /// Short name, for instance `SLOT`.
-    pub(crate) name: String,
-    /// Full citation (text).
-    pub(crate) citation: String,
+    /// Its title (text), for instance `SLOT`.
+    pub(crate) title: String,
+    /// Where it can be read; may be empty.
+    pub(crate) link: String,
     /// Place within the document (text); may be empty.
     pub(crate) place: String,
 }
@@ -91,7 +91,7 @@ pub(crate) struct Symbol {
     pub(crate) name: String,
     /// The symbol in LaTeX.
     pub(crate) latex: String,
-    /// `scalar`, `vec2`, `vec3`.
+    /// `scalar`, `vec2`, `vec3`, `mat3`.
     pub(crate) shape: String,
     /// `L`, `F`, `FL` or `1`.
     pub(crate) unit: String,

@@ -1,6 +1,6 @@
 //! Fills the seam from the catalog, the sources, the golden files and what was executed.
 
-use super::content::{self, Content, Entry, GoldenCounts, GoldenFile, Kink, Source, SourceFile, Symbol};
+use super::content::{self, Content, Entry, GoldenCounts, GoldenFile, Kink, SourceFile, Symbol};
 use super::locate::Index;
 use crate::evidence::Evidence;
 use crate::golden;
@@ -8,7 +8,8 @@ use crate::project::Project;
 use crate::report::data::Report;
 use anyhow::Context;
 use jointproof::catalog::{AnyFormula, KinkEntry};
-use jointproof::formula::{Convention, Field};
+use jointproof::formula::{Field, Source};
+use jointproof::proof::Convention;
 use jointproof::quantity::Shape;
 use jointproof::verify::golden::File;
 use std::path::Path;
@@ -65,11 +66,7 @@ fn entry(project: &Project, formula: &dyn AnyFormula, index: &Index<'_>, evidenc
         id: spec.id.into(),
         title: spec.title.into(),
         latex: spec.latex.into(),
-        source: Source {
-            name: spec.source.title.into(),
-            citation: format!("{} (`seeds/{}`)", spec.source.title, spec.source.file),
-            place: format!("section “{}”", spec.source.section),
-        },
+        source: source(spec.source),
         inputs: formula.inputs().iter().map(symbol).collect(),
         outputs: formula.outputs().iter().map(symbol).collect(),
         kinks: formula.kinks().iter().map(|entry| kink(entry, formula.outputs())).collect(),
@@ -81,6 +78,11 @@ fn entry(project: &Project, formula: &dyn AnyFormula, index: &Index<'_>, evidenc
             audit: evidence.audits.get(spec.id).cloned(),
         },
     }
+}
+
+fn source(source: Source) -> content::Source {
+    let place = if source.section.is_empty() { String::new() } else { format!("section “{}”", source.section) };
+    content::Source { title: source.title.into(), link: source.link.into(), place }
 }
 
 /// The file and name of a type from its path: `jointproof::slot::friction::Friction` is in `src/slot/friction.rs`.
@@ -96,6 +98,7 @@ fn symbol(field: &Field) -> Symbol {
         Shape::Scalar => "scalar",
         Shape::Vec2 => "vec2",
         Shape::Vec3 => "vec3",
+        Shape::Mat3 => "mat3",
     };
     Symbol {
         name: field.name.into(),

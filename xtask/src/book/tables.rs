@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::content::{Entry, Symbol};
-use super::entry::worst;
+use super::content::{Entry, Source, Symbol};
+use super::entry::{document, worst};
 use super::html::{each, escape, number, row, table};
 use super::pages::{Pages, Place};
 use crate::extension::Table;
@@ -103,14 +103,15 @@ fn gap(claim: &Claim) -> String {
 
 /// `{{#sources}}`: every document cited, with the formulas taken from it.
 pub(crate) fn sources(pages: &Pages<'_>, at: &Place) -> String {
-    let mut index: BTreeMap<(&str, &str), Vec<&str>> = BTreeMap::new();
+    let mut index: BTreeMap<(&str, &str), (&Source, Vec<&str>)> = BTreeMap::new();
     for entry in &pages.content.entries {
-        index.entry((&entry.source.name, &entry.source.citation)).or_default().push(&entry.id);
+        let key: (&str, &str) = (&entry.source.title, &entry.source.link);
+        index.entry(key).or_insert((&entry.source, Vec::new())).1.push(&entry.id);
     }
-    let rows = each(&index, |((name, citation), ids)| {
-        row(&[("", pages.text(at, name)), ("wide", pages.text(at, citation)), ("wide", links(pages, at, ids))])
+    let rows = each(index.values(), |(source, ids)| {
+        row(&[("wide", document(pages, at, source)), ("wide", links(pages, at, ids))])
     });
-    table("sources", &["Source", "Document", "Formulas"], &rows)
+    table("sources", &["Document", "Formulas"], &rows)
 }
 
 /// `{{#table name}}`: what the project shows under this name.

@@ -1,6 +1,6 @@
 //! Forward automatic differentiation in `f64` as fast as dual numbers make it: no allocation, fixed arrays.
 
-use crate::formula::{Element, Fields, Formula, Jacobian, ValueAndJacobian};
+use crate::formula::{Component, Fields, Formula, Jacobian, ValueAndJacobian};
 use nalgebra::{Const, SVector, U1};
 use num_dual::{Derivative, DualSVec};
 
@@ -11,10 +11,10 @@ const WIDTH: usize = 4;
 pub type Jet = DualSVec<f64, WIDTH>;
 
 /// The components of `I`.
-pub(super) type Array<I, T = f64> = <I as Fields<T>>::Array;
+pub(crate) type Array<I, T = f64> = <I as Fields<T>>::Array;
 
 /// The rows of the Jacobian of `F`, one an output.
-pub(super) type Rows<F> = Array<<F as Formula>::Outputs<Row<F>>, Row<F>>;
+pub(crate) type Rows<F> = Array<<F as Formula>::Outputs<Row<F>>, Row<F>>;
 type Row<F> = Array<<F as Formula>::Inputs<f64>>;
 
 /// Value and Jacobian of `F` by differentiating `F::eval`, in chunks of a few directions.
@@ -24,7 +24,7 @@ type Row<F> = Array<<F as Formula>::Inputs<f64>>;
 /// ```
 /// use jointproof::slot::{ContactForce, CrossForces};
 /// let forces = CrossForces { f2: 3.0, f3: 4.0 };
-/// let (value, jac) = jointproof::measure::value_and_jacobian_by_ad::<ContactForce>(&forces);
+/// let (value, jac) = jointproof::proof::value_and_jacobian_by_ad::<ContactForce>(&forces);
 /// assert_eq!((value.fc, jac.fc.f2, jac.fc.f3), (5.0, 0.6, 0.8));
 /// ```
 #[inline]
@@ -34,7 +34,7 @@ pub fn value_and_jacobian_by_ad<F: Formula>(i: &F::Inputs<f64>) -> ValueAndJacob
 
 /// As [`value_and_jacobian_by_ad`], of any way to compute `F`.
 #[inline]
-pub(super) fn differentiate<F: Formula>(
+pub(crate) fn differentiate<F: Formula>(
     i: &F::Inputs<f64>,
     eval: impl Fn(&F::Inputs<Jet>) -> F::Outputs<Jet>,
 ) -> ValueAndJacobian<F, f64> {
@@ -57,7 +57,7 @@ pub(super) fn differentiate<F: Formula>(
             k += 1;
         });
     }
-    (from_array(&value), jacobian::<F>(&rows))
+    (from_array(&value), jacobian_of::<F>(&rows))
 }
 
 /// Written without a store to a place known at run time only, for which the processor would wait.
@@ -69,7 +69,7 @@ fn seed(x: f64, direction: usize) -> Jet {
 
 /// The components in order.
 #[inline]
-pub(super) fn to_array<I: Fields<f64>>(i: &I) -> I::Array {
+pub(crate) fn to_array<I: Fields<f64>>(i: &I) -> I::Array {
     let mut array = I::array_of(0.0);
     let mut k = 0;
     i.for_each_component(&mut |x| {
@@ -81,7 +81,7 @@ pub(super) fn to_array<I: Fields<f64>>(i: &I) -> I::Array {
 
 /// The struct of these components.
 #[inline]
-pub(super) fn from_array<T: Element, I: Fields<T>>(array: &I::Array) -> I {
+pub(crate) fn from_array<T: Component, I: Fields<T>>(array: &I::Array) -> I {
     let mut k = 0;
     I::from_components(&mut || {
         k += 1;
@@ -91,13 +91,13 @@ pub(super) fn from_array<T: Element, I: Fields<T>>(array: &I::Array) -> I {
 
 /// Rows to be filled in.
 #[inline]
-pub(super) fn no_rows<F: Formula>() -> Rows<F> {
+pub(crate) fn no_rows<F: Formula>() -> Rows<F> {
     F::Outputs::array_of(F::Inputs::array_of(0.0))
 }
 
 /// The Jacobian of these rows.
 #[inline]
-pub(super) fn jacobian<F: Formula>(rows: &Rows<F>) -> Jacobian<F, f64> {
+pub(crate) fn jacobian_of<F: Formula>(rows: &Rows<F>) -> Jacobian<F, f64> {
     let mut k = 0;
     F::Outputs::from_components(&mut || {
         k += 1;

@@ -1,7 +1,12 @@
-//! What both smoothed corners are tried with: the corner z = r² + 1/4, which straight segments and parabolas share.
+//! What the evidence of the closest points shares: the corner z = r² + 1/4, which straight segments and parabolas have in
+//! common, and where a foot has no derivative.
 
+use super::{Candidates, Foot, View};
 use crate::Octuple;
-use crate::formula::{Case, Convention, Formula, Kink};
+use crate::formula::Formula;
+use crate::proof::{Case, Kink};
+use crate::scalar::{Leaf, Scalar};
+use crate::slide_line::shape::Shape;
 
 /// Slave points about the corner, given by their place (r, z) seen from the vertex; but for the first, which names it.
 pub(super) fn cases<I>(at_corner: fn(f64, f64) -> I) -> Vec<Case<I>> {
@@ -33,6 +38,33 @@ pub(super) fn kinks<F: Formula>(holds: [Holds<F>; 3], at: [Inputs<F>; 3], across
         r"\text{two places equally near}",
         r"\mathbf{x}_s \text{ on the centre of curvature}",
     ];
-    let switch = |(condition, (holds, at))| Kink { condition, convention: Convention::Switch, holds, at, across };
-    conditions.into_iter().zip(holds.into_iter().zip(at)).map(switch).collect()
+    let switch = |k: usize| Kink::<F>::switch(conditions[k], holds[k], at[k](), across());
+    (0..3).map(switch).collect()
+}
+
+impl<D: Scalar, S: Shape<N>, const N: usize> View<D, S, N> {
+    /// Whether two places of the whole curve are equally near.
+    pub(super) fn is_tied(&self) -> bool {
+        Candidates::new(self, S::ENDS.map(D::Leaf::from)).tied()
+    }
+}
+
+impl<D: Scalar, const N: usize> Foot<D, N> {
+    /// Whether the slave point is exactly where the foot enters or leaves an end.
+    pub(super) fn is_exactly_at_end<S: Shape<N>>(&self, view: &View<D, S, N>) -> bool {
+        !self.inside && view.at(self.u).residual() == 0.0
+    }
+
+    /// Whether several feet merge here.
+    pub(super) fn is_centre_of_curvature(&self) -> bool {
+        self.inside && self.per_slope == 0.0
+    }
+}
+
+impl<L: Leaf> Candidates<L> {
+    /// Whether another place is as near as the nearest.
+    fn tied(&self) -> bool {
+        let (best, _) = self.nearest();
+        self.places.iter().any(|&(u, _)| u != best && self.expansion.compare(u, best).is_eq())
+    }
 }

@@ -1,7 +1,5 @@
 //! Points of interest, declared once: every formula that takes positions, norms or loads is tested on these.
 
-use crate::Octuple;
-use crate::cardan::{rotation, turned};
 use nalgebra::{SVector, Vector2, Vector3};
 
 /// A named value, and what is hard about it.
@@ -99,76 +97,10 @@ pub fn triad() -> [Vector3<f64>; 3] {
     FIFTEENTHS.map(|row| Vector3::from(row) / 15.0)
 }
 
-const FIFTEENTHS: [[f64; 3]; 3] = [[-10.0, 10.0, 5.0], [2.0, -5.0, 14.0], [11.0, 10.0, 2.0]];
+/// The components of [`triad`] in fifteenths.
+pub(crate) const FIFTEENTHS: [[f64; 3]; 3] = [[-10.0, 10.0, 5.0], [2.0, -5.0, 14.0], [11.0, 10.0, 2.0]];
 
 /// A direction in the plane away from both axes (5-12-13), and its left normal.
 pub fn plane_triad() -> [Vector2<f64>; 2] {
     [Vector2::new(5.0, 12.0) / 13.0, Vector2::new(-12.0, 5.0) / 13.0]
-}
-
-/// The triads of node a and node b.
-pub type Triads = [[Vector3<f64>; 3]; 2];
-
-/// Triads at angles where naive code loses value or derivative; all Cardan angles are defined.
-pub fn triads() -> Vec<Hard<Triads>> {
-    let quarter = Octuple::PI / 2.0;
-    let small = |size: f64| Octuple::from(size);
-    let [alpha, gamma] = [0.3, -0.7].map(Octuple::from);
-    let (zero, beta) = (small(0.0), small(0.4));
-    vec![
-        Hard::new("equal-axes", "both triads are the global axes", axes([1, 2, 3])),
-        Hard::new("equal", "equal triads off the axes", [triad(), triad()]),
-        Hard::new("tiny", "angles of 1e-9", at_angles([small(1e-9), small(-2e-9), small(3e-9)])),
-        Hard::new("alpha+90", "α = 90°: e3a·e3b is 0", axes([1, 3, -2])),
-        Hard::new("alpha-90", "α = -90°: e3a·e3b is 0", axes([1, -3, 2])),
-        Hard::new("alpha-180", "α = ±180°: the value is -π, the derivative that of any other angle", axes([1, -2, -3])),
-        Hard::new("gamma+90", "γ = 90°: e1a·e1b is 0", axes([2, -1, 3])),
-        Hard::new("gamma-90", "γ = -90°: e1a·e1b is 0", axes([-2, 1, 3])),
-        Hard::new("gamma-180", "γ = ±180°: the value is -π, the derivative that of any other angle", axes([-1, -2, 3])),
-        Hard::new("flipped", "half a turn about the second axis: β = 0, α = γ = -π", axes([-1, 2, -3])),
-        Hard::new(
-            "alpha+90-gamma-90",
-            "a quarter turn about the first axis, one back about the third",
-            axes([-3, 1, -2]),
-        ),
-        Hard::new("alpha+90-off-axis", "α = 90° to rounding", at_angles([quarter, beta, gamma])),
-        Hard::new("gamma-90-off-axis", "γ = -90° to rounding", at_angles([alpha, beta, -quarter])),
-        Hard::new(
-            "below-180",
-            "α, γ 1e-8 inside the cut",
-            at_angles([quarter * 2.0 - 1e-8, beta, -quarter * 2.0 + 1e-8]),
-        ),
-        Hard::new(
-            "beyond-180",
-            "α, γ 1e-8 beyond the cut",
-            at_angles([quarter * 2.0 + 1e-8, beta, -quarter * 2.0 - 1e-8]),
-        ),
-        Hard::new("beta-1e-4", "β within 1e-4 of 90°", at_angles([alpha, quarter - 1e-4, gamma])),
-        Hard::new("beta-1e-8", "β within 1e-8 of 90°", at_angles([alpha, quarter - 1e-8, gamma])),
-        Hard::new("beta+1e-4", "β within 1e-4 of -90°", at_angles([alpha, -quarter + 1e-4, gamma])),
-        Hard::new("beta+1e-8", "β within 1e-8 of -90°", at_angles([alpha, -quarter + 1e-8, gamma])),
-        Hard::new("alpha-zero", "a turn about the second and third axes alone", at_angles([zero, beta, gamma])),
-    ]
-}
-
-/// Gimbal lock: β = ±90°, where α and γ turn about the same axis and neither is defined.
-pub fn gimbal_locked() -> Vec<Hard<Triads>> {
-    vec![
-        Hard::new("gimbal+90", "β = 90°: α and γ are undefined", axes([-3, 2, 1])),
-        Hard::new("gimbal-90", "β = -90°: α and γ are undefined", axes([3, 2, -1])),
-    ]
-}
-
-/// Node a along the global axes, node b along these of them, counted from 1, reversed where negative.
-pub fn axes(of_b: [i32; 3]) -> Triads {
-    let [x, y, z] = [Vector3::x(), Vector3::y(), Vector3::z()];
-    let axis = |k: i32| [x, y, z][(k.unsigned_abs() as usize - 1) % 3] * f64::from(k.signum());
-    [[x, y, z], of_b.map(axis)]
-}
-
-/// Node a as [`triad`], node b at these Cardan angles to it, every component rounded once.
-pub fn at_angles([alpha, beta, gamma]: [Octuple; 3]) -> Triads {
-    let a = FIFTEENTHS.map(|row| Vector3::from(row.map(Octuple::from)) / Octuple::from(15.0));
-    let b = turned(&a, &rotation(alpha, beta, gamma));
-    [a, b].map(|triad| triad.map(|e| e.map(Octuple::to_f64)))
 }

@@ -1,0 +1,221 @@
+//! Structs of named fields: what goes into a formula and what comes out of it.
+
+#![expect(clippy::inline_always, reason = "a call for a component costs more than the component")]
+
+use crate::quantity::Quantity;
+use nalgebra::{Matrix3, Vector2, Vector3};
+use std::fmt::Debug;
+
+/// What a field may hold: a number, or a gradient of numbers.
+pub trait Component: Copy + Debug + PartialEq + 'static {}
+impl<T: Copy + Debug + PartialEq + 'static> Component for T {}
+
+/// A named input or output.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Field {
+    /// The name, the same in Rust, golden files, book, reports and messages.
+    pub name: &'static str,
+    /// What it is.
+    pub quantity: &'static Quantity,
+}
+
+impl Field {
+    /// The field of this identifier; `r#fn` is named `fn`.
+    pub const fn new(identifier: &'static str, quantity: &'static Quantity) -> Self {
+        let name = match identifier.as_bytes() {
+            [b'r', b'#', ..] => identifier.split_at(2).1,
+            _ => identifier,
+        };
+        Self { name, quantity }
+    }
+
+    /// The number of components.
+    #[expect(clippy::len_without_is_empty, reason = "a field is never empty")]
+    pub const fn len(&self) -> usize {
+        self.quantity.shape.len()
+    }
+}
+
+/// A struct of named fields, each a scalar, a [`Vector2`], a [`Vector3`] or a [`Matrix3`] of `T`; made by [`fields!`](crate::fields).
+pub trait Fields<T: Component>: Component {
+    /// The fields in order.
+    const FIELDS: &'static [Field];
+
+    /// The number of components.
+    const LEN: usize = components_of(Self::FIELDS);
+
+    /// The components as an array.
+    type Array: Component + AsRef<[T]> + AsMut<[T]>;
+
+    /// Builds the struct from its components in order.
+    fn from_components(next: &mut impl FnMut() -> T) -> Self;
+
+    /// Hands out the components in order.
+    fn for_each_component(&self, visit: &mut impl FnMut(T));
+
+    /// An array with room for the components.
+    fn array_of(value: T) -> Self::Array;
+
+    /// The struct with every component equal to `value`.
+    fn filled(value: T) -> Self {
+        Self::from_components(&mut || value)
+    }
+
+    /// The components in order.
+    fn components(&self) -> Vec<T> {
+        let mut all = Vec::new();
+        self.for_each_component(&mut |component| all.push(component));
+        all
+    }
+
+    /// The struct of these components; `None` where their number is not the struct's.
+    fn from_slice(components: &[T]) -> Option<Self> {
+        let mut k = 0;
+        (components.len() == Self::LEN).then(|| {
+            Self::from_components(&mut || {
+                k += 1;
+                components[k - 1]
+            })
+        })
+    }
+}
+
+const fn components_of(fields: &[Field]) -> usize {
+    match fields {
+        [] => 0,
+        [first, rest @ ..] => first.len() + components_of(rest),
+    }
+}
+
+/// One field's worth of components: a scalar, a short column, or a 3×3 matrix row by row.
+pub trait Part<T> {
+    /// How many.
+    const LEN: usize;
+    /// Builds the part from its components in order.
+    fn from_components(next: &mut impl FnMut() -> T) -> Self;
+    /// Hands out the components in order.
+    fn for_each_component(&self, visit: &mut impl FnMut(T));
+}
+
+impl<T: Component> Part<T> for T {
+    const LEN: usize = 1;
+    #[inline(always)]
+    fn from_components(next: &mut impl FnMut() -> T) -> Self {
+        next()
+    }
+    #[inline(always)]
+    fn for_each_component(&self, visit: &mut impl FnMut(T)) {
+        visit(*self);
+    }
+}
+
+impl<T: Component> Part<T> for Vector2<T> {
+    const LEN: usize = 2;
+    #[inline(always)]
+    fn from_components(next: &mut impl FnMut() -> T) -> Self {
+        Vector2::new(next(), next())
+    }
+    #[inline(always)]
+    fn for_each_component(&self, visit: &mut impl FnMut(T)) {
+        visit(self.x);
+        visit(self.y);
+    }
+}
+
+impl<T: Component> Part<T> for Vector3<T> {
+    const LEN: usize = 3;
+    #[inline(always)]
+    fn from_components(next: &mut impl FnMut() -> T) -> Self {
+        Vector3::new(next(), next(), next())
+    }
+    #[inline(always)]
+    fn for_each_component(&self, visit: &mut impl FnMut(T)) {
+        visit(self.x);
+        visit(self.y);
+        visit(self.z);
+    }
+}
+
+/// Row by row.
+impl<T: Component> Part<T> for Matrix3<T> {
+    const LEN: usize = 9;
+    #[inline(always)]
+    fn from_components(next: &mut impl FnMut() -> T) -> Self {
+        let rows = [(); 3].map(|()| [next(), next(), next()]);
+        Matrix3::from_fn(|row, column| rows[row][column])
+    }
+    #[inline(always)]
+    fn for_each_component(&self, visit: &mut impl FnMut(T)) {
+        for row in 0..3 {
+            for column in 0..3 {
+                visit(self[(row, column)]);
+            }
+        }
+    }
+}
+
+/// Declares a struct of named fields, each tied to its [`Quantity`].
+///
+/// ```
+/// use jointproof::{fields, formula::Fields, quantity};
+/// fields! {
+///     /// The force across a slot.
+///     pub struct CrossForces<T> { f2: T = quantity::F2, f3: T = quantity::F3 }
+/// }
+/// assert_eq!(CrossForces::<f64>::FIELDS[1].name, "f3");
+/// assert_eq!(CrossForces { f2: 3.0, f3: 4.0 }.components(), [3.0, 4.0]);
+/// ```
+#[macro_export]
+macro_rules! fields {
+    ($(#[$attribute:meta])* $visibility:vis struct $name:ident<$T:ident> {
+        $($field:ident: $part:ty = $quantity:expr),* $(,)?
+    }) => {
+        $(#[$attribute])*
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        $visibility struct $name<$T> {
+            $(
+                #[doc = concat!("[`", stringify!($quantity), "`]")]
+                pub $field: $part,
+            )*
+        }
+
+        impl<$T: $crate::formula::Component> $crate::formula::Fields<$T> for $name<$T> {
+            const FIELDS: &'static [$crate::formula::Field] = {
+                $(assert!(
+                    <$part as $crate::formula::Part<$T>>::LEN == $quantity.shape.len(),
+                    "the field's type has not the shape of its quantity"
+                );)*
+                &[$($crate::formula::Field::new(stringify!($field), &$quantity)),*]
+            };
+            type Array = [$T; <$name<f64> as $crate::formula::Fields<f64>>::LEN];
+            #[inline(always)]
+            fn from_components(next: &mut impl FnMut() -> $T) -> Self {
+                Self { $($field: $crate::formula::Part::from_components(next)),* }
+            }
+            #[inline(always)]
+            fn for_each_component(&self, visit: &mut impl FnMut($T)) {
+                $($crate::formula::Part::for_each_component(&self.$field, visit);)*
+            }
+            #[inline(always)]
+            fn array_of(value: $T) -> Self::Array {
+                [value; <$name<f64> as $crate::formula::Fields<f64>>::LEN]
+            }
+        }
+    };
+}
+
+#[cfg(feature = "verify")]
+/// The entries of a Jacobian, output by output, each over all inputs.
+pub(crate) fn entries<T: Component, I: Fields<T>>(jacobian: &impl Fields<I>) -> Vec<T> {
+    jacobian.components().iter().flat_map(Fields::components).collect()
+}
+
+/// The struct of as many components as it has.
+///
+/// # Panics
+/// If their number is another one: the caller, who has counted them, would be wrong.
+#[cfg(feature = "verify")]
+pub(crate) fn typed<T: Component, I: Fields<T>>(components: &[T]) -> I {
+    I::from_slice(components)
+        .unwrap_or_else(|| panic!("{} components were counted, {} are there", I::LEN, components.len()))
+}

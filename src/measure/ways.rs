@@ -1,0 +1,87 @@
+//! Every way to compute a formula: the closed form in several numbers, derivatives by other means, and its own.
+
+use super::exact::{self, Exact, Point, Points};
+use super::{Curve, Errors, Figures, Scheme, WayFigures};
+use crate::formula::{Fields, entries, typed};
+use crate::proof::way::Kernel;
+use crate::proof::{Proved, Way, value_and_jacobian_by_ad};
+use crate::verify::{Subject, exact, rounded};
+use crate::{Octuple, Single};
+
+/// Every way to compute `F`, the closed form first.
+pub(super) fn all<F: Proved>(curves: &[Curve]) -> Vec<Way> {
+    let mut ways = vec![closed::<F>(), single::<F>(), ad::<F>()];
+    ways.extend(curves.iter().filter_map(|curve| Some(differences::<F>(curve.scheme, curve.best()?.step))));
+    ways.extend(octuple(&Subject::of::<F>()));
+    ways.extend(F::ways());
+    ways
+}
+
+/// The errors of a way, without times.
+pub(super) fn errors(way: &Way, points: &Points) -> WayFigures {
+    let figures = |kernel: &Kernel, exact: fn(&Point) -> Option<&Vec<Exact>>| Figures {
+        time: None,
+        ratio: None,
+        random: errors_of(kernel, &points.random, exact),
+        hard: (!points.hard.is_empty()).then(|| errors_of(kernel, &points.hard, exact)),
+    };
+    WayFigures {
+        id: way.id.into(),
+        title: way.title.into(),
+        step: way.step,
+        value: way.value.as_ref().map(|kernel| figures(kernel, |point| Some(&point.value))),
+        jacobian: way.jacobian.as_ref().map(|kernel| figures(kernel, |point| point.jacobian.as_ref())),
+    }
+}
+
+/// The errors of a way's Jacobian at these points.
+pub(super) fn jacobian_errors(way: &Way, points: &[Point]) -> Errors {
+    let errors = |kernel: &Kernel| errors_of(kernel, points, |point| point.jacobian.as_ref());
+    way.jacobian.as_ref().map_or_else(|| Errors::of([]), errors)
+}
+
+fn errors_of(kernel: &Kernel, points: &[Point], exact: fn(&Point) -> Option<&Vec<Exact>>) -> Errors {
+    exact::errors(points.iter().filter_map(|point| Some((exact(point)?, (kernel.results)(&point.inputs)))))
+}
+
+fn closed<F: Proved>() -> Way {
+    let jacobian = Kernel::new(typed, F::linearized::<f64>, |(_, jacobian)| entries(jacobian));
+    Way::of("closed", "closed form").value(Kernel::new(typed, F::eval::<f64>, Fields::components)).jacobian(jacobian)
+}
+
+fn single<F: Proved>() -> Way {
+    let doubles = |x: Vec<Single>| x.into_iter().map(Single::to_f64).collect();
+    let convert = |i: &[f64]| typed(&i.iter().map(|&x| Single::from(x)).collect::<Vec<_>>());
+    Way::of("single", "closed form in single precision")
+        .value(Kernel::new(convert, F::eval::<Single>, move |out| doubles(out.components())))
+        .jacobian(Kernel::new(convert, F::linearized::<Single>, move |(_, jacobian)| doubles(entries(jacobian))))
+}
+
+fn ad<F: Proved>() -> Way {
+    let jacobian = |i: &_| value_and_jacobian_by_ad::<F>(i);
+    Way::of("ad", "automatic differentiation").jacobian(Kernel::new(typed, jacobian, |(_, jacobian)| entries(jacobian)))
+}
+
+/// Differences with a step.
+pub(super) fn differences<F: Proved>(scheme: Scheme, step: f64) -> Way {
+    let jacobian = move |i: &_| scheme.value_and_jacobian::<F>(step, i);
+    let kernel = Kernel::new(typed, jacobian, |(_, jacobian)| entries(jacobian));
+    Way { step: Some(step), ..Way::of(scheme.id(), scheme.title()).jacobian(kernel) }
+}
+
+/// The ways in 237 bits. They go through slices, which costs nothing beside what a multiplication costs there.
+fn octuple(subject: &Subject) -> [Way; 2] {
+    let (value, jacobian, derivative) = (subject.exact_value, subject.exact_jacobian, subject.derivative_of());
+    let both = move |x: &Vec<Octuple>| (value(x), jacobian(x));
+    let differentiated = move |x: &Vec<Octuple>| (value(x), derivative(x));
+    [
+        Way::of("octuple", "closed form in 237 bits")
+            .value(Kernel::new(exact, move |x: &Vec<Octuple>| value(x), |out| rounded(out)))
+            .jacobian(Kernel::new(exact, both, |(_, jacobian)| rounded(jacobian))),
+        Way::of("octuple-ad", "automatic differentiation in 237 bits").jacobian(Kernel::new(
+            exact,
+            differentiated,
+            |(_, jacobian)| rounded(jacobian),
+        )),
+    ]
+}

@@ -1,0 +1,106 @@
+//! The ways to compute a formula, each compiled as one piece, so that nothing is called through a pointer while it is timed.
+
+use super::forward::{Jet, differentiate};
+use crate::formula::{Fields, Formula, entries, typed};
+use std::hint::black_box;
+
+/// One way to compute a formula: its value, its Jacobian, or both.
+///
+/// A formula registers its own in [`Proved::ways`](super::Proved::ways), by one function that is generic over the scalar:
+///
+/// ```
+/// use jointproof::Scalar;
+/// use jointproof::proof::Way;
+/// use jointproof::slot::{Contact, ContactForce, CrossForces};
+///
+/// fn plain<D: Scalar>(i: &CrossForces<D>) -> Contact<D> {
+///     Contact { fc: (i.f2 * i.f2 + i.f3 * i.f3).sqrt() }
+/// }
+/// let way = Way::new::<ContactForce>("plain", "the square root of the sum", plain, plain);
+/// ```
+pub struct Way {
+    pub(crate) id: &'static str,
+    pub(crate) title: &'static str,
+    /// The step, if it is one of differences.
+    pub(crate) step: Option<f64>,
+    pub(crate) value: Option<Kernel>,
+    pub(crate) jacobian: Option<Kernel>,
+}
+
+impl Way {
+    /// A way to compute the value, given twice: for the value itself, and for automatic differentiation of it.
+    pub fn new<F: Formula>(
+        id: &'static str,
+        title: &'static str,
+        value: impl Fn(&F::Inputs<f64>) -> F::Outputs<f64> + Copy + 'static,
+        differentiated: impl Fn(&F::Inputs<Jet>) -> F::Outputs<Jet> + Copy + 'static,
+    ) -> Self {
+        let jacobian = move |i: &_| differentiate::<F>(i, differentiated);
+        Self::of(id, title).value(Kernel::new(typed, value, Fields::components)).jacobian(Kernel::new(
+            typed,
+            jacobian,
+            |(_, jacobian)| entries(jacobian),
+        ))
+    }
+
+    /// A way to compute the value whose derivative is another: equal where the inputs keep to conditions among themselves.
+    pub fn of_value<F: Formula>(
+        id: &'static str,
+        title: &'static str,
+        value: impl Fn(&F::Inputs<f64>) -> F::Outputs<f64> + Copy + 'static,
+    ) -> Self {
+        Self::of(id, title).value(Kernel::new(typed, value, Fields::components))
+    }
+
+    /// A way that computes nothing yet.
+    pub(crate) fn of(id: &'static str, title: &'static str) -> Self {
+        Self { id, title, step: None, value: None, jacobian: None }
+    }
+
+    /// The way with this value.
+    pub(crate) fn value(self, kernel: Kernel) -> Self {
+        Self { value: Some(kernel), ..self }
+    }
+
+    /// The way with this Jacobian.
+    pub(crate) fn jacobian(self, kernel: Kernel) -> Self {
+        Self { jacobian: Some(kernel), ..self }
+    }
+}
+
+/// Runs over the points from an index on, so many of them.
+pub(crate) type Runner = Box<dyn FnMut(usize, usize)>;
+
+/// The results at components, as doubles in order.
+type Results = Box<dyn Fn(&[f64]) -> Vec<f64>>;
+/// Makes the loop to be timed over points.
+type MakeRunner = Box<dyn Fn(&[Vec<f64>]) -> Runner>;
+
+/// A computation, to be looked at and to be timed.
+pub(crate) struct Kernel {
+    /// What it computes of components, as doubles in order.
+    pub(crate) results: Results,
+    /// The loop to be timed, over inputs converted beforehand.
+    pub(crate) runner: MakeRunner,
+}
+
+impl Kernel {
+    /// `convert` makes the computation's own inputs, `compute` is what is timed, `doubles` reads the result.
+    pub(crate) fn new<I: 'static, O>(
+        convert: impl Fn(&[f64]) -> I + Copy + 'static,
+        compute: impl Fn(&I) -> O + Copy + 'static,
+        doubles: impl Fn(&O) -> Vec<f64> + 'static,
+    ) -> Self {
+        Self {
+            results: Box::new(move |i| doubles(&compute(&convert(i)))),
+            runner: Box::new(move |points| {
+                let points: Vec<I> = points.iter().map(|point| convert(point)).collect();
+                Box::new(move |from, count| {
+                    for i in &points[from..from + count] {
+                        black_box(&compute(black_box(i)));
+                    }
+                })
+            }),
+        }
+    }
+}
