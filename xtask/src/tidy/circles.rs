@@ -63,19 +63,14 @@ fn way<'a>(file: &'a str, folders: &BTreeSet<&'a str>) -> Vec<&'a str> {
     folders_of(file).chain(own.copied()).chain([file]).collect()
 }
 
-/// A tangle, with circles in which each of its uses is to be seen.
+/// A tangle and its circles, with a place for each use in them.
 fn finding(what: &str, tangle: &Tangle<&str>, uses: &Uses<'_>) -> Finding {
-    let (mut shown, mut details) = (BTreeSet::new(), Vec::new());
+    let mut details = Vec::new();
     for circle in &tangle.circles {
-        let steps: Vec<_> = circle.iter().copied().zip(circle.iter().copied().cycle().skip(1)).collect();
-        if steps.iter().all(|step| shown.contains(step)) {
-            continue;
-        }
         details.push(format!("circle of {}: {} → {}", circle.len(), circle.join(" → "), circle[0]));
-        for step in steps {
-            let (file, Place { line, text }) = uses[&step];
+        for (&from, &to) in circle.iter().zip(circle.iter().cycle().skip(1)) {
+            let (file, Place { line, text }) = uses[&(from, to)];
             details.push(format!("  {file}:{line}: {text}"));
-            shown.insert(step);
         }
     }
     let first = &tangle.circles[0];

@@ -27,17 +27,19 @@ impl<N: Copy + Ord> Graph<N> {
         Self { uses }
     }
 
-    /// The graph without the nodes that use none or that none uses, as they are in no circle. Without circles nothing stays.
-    fn peeled(&self) -> Self {
+    /// The graph without what uses nothing or is used by nothing, again and again. Without circles nothing stays.
+    fn core(&self) -> Self {
         let mut uses = self.uses.clone();
         loop {
-            let using: BTreeSet<N> = uses.keys().copied().collect();
+            let before = uses.len();
             let used: BTreeSet<N> = uses.values().flatten().copied().collect();
-            let before = (using.len(), used.len());
             uses.retain(|node, _| used.contains(node));
-            uses.values_mut().for_each(|to| to.retain(|node| using.contains(node)));
-            uses.retain(|_, to| !to.is_empty());
-            if before == (uses.len(), uses.values().flatten().collect::<BTreeSet<_>>().len()) {
+            let using: BTreeSet<N> = uses.keys().copied().collect();
+            for next in uses.values_mut() {
+                next.retain(|node| using.contains(node));
+            }
+            uses.retain(|_, next| !next.is_empty());
+            if uses.len() == before {
                 return Self { uses };
             }
         }
@@ -45,7 +47,7 @@ impl<N: Copy + Ord> Graph<N> {
 
     /// Every tangle, the smallest first.
     pub(super) fn tangles(&self) -> Vec<Tangle<N>> {
-        let core = self.peeled();
+        let core = self.core();
         let mut tangles: Vec<Tangle<N>> = Vec::new();
         for (&from, next) in &core.uses {
             for circle in next.iter().filter_map(|&to| core.circle(from, to)) {

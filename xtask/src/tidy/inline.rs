@@ -1,9 +1,9 @@
 //! Evaluations are `#[inline]`.
 //!
-//! `eval`, `jacobian` and `linearized` are generic, so each crate that calls them compiles them; but it does so once, in one of
-//! the pieces into which a release build is cut. Without the attribute it is chance whether a caller is in the same
-//! piece, and a call costs more than many an equation: a scene was three times slower in a build of sixteen pieces.
-//! With the attribute every piece may inline it, and the compiler decides. `#[inline(always)]` is for where it decides wrongly.
+//! `eval`, `jacobian` and `linearized` are generic, so each crate that calls them compiles them; but it does so once, in one
+//! of the pieces into which a build is cut. Without the attribute it is chance whether a caller is in the same piece, and
+//! many an equation costs less than the call. With it every piece may inline them, the compiler decides, and value and
+//! Jacobian side by side share what they have in common. `#[inline(always)]` is for where it decides wrongly.
 
 use super::finding::Finding;
 use super::tree::Tree;

@@ -113,6 +113,20 @@ fn a_circle_is_found_through_re_exports_globs_macros_and_functions() {
 }
 
 #[test]
+fn a_library_is_known_by_its_own_name() {
+    let manifest = format!("{}[lib]\nname = \"other\"\n", TIDY[0].1);
+    one(
+        &[
+            ("Cargo.toml", &manifest),
+            ("src/lib.rs", "mod x;\nmod y;\n"),
+            ("src/x.rs", "use other::y::Y;\npub struct X;\n"),
+            ("src/y.rs", "use super::x::X as _;\npub struct Y;\n"),
+        ],
+        &["src/x.rs:1: use other::y::Y", "src/y.rs:1: use super::x::X as _"],
+    );
+}
+
+#[test]
 fn a_file_that_uses_what_it_re_exports_is_in_a_circle_and_one_that_passes_it_on_is_not() {
     let tree = |p: &str| {
         let c = ("src/p/c.rs", "use super::P;\npub struct C(P);\n");

@@ -59,13 +59,14 @@ pub(super) struct Module {
 
 #[derive(Deserialize)]
 struct Manifest {
-    package: Option<Package>,
+    package: Option<Named>,
+    lib: Option<Named>,
     workspace: Option<Workspace>,
 }
 
 #[derive(Deserialize)]
-struct Package {
-    name: String,
+struct Named {
+    name: Option<String>,
 }
 
 #[derive(Deserialize)]
@@ -89,7 +90,8 @@ impl Tree {
 
     /// Reads the crates of a member: `lib.rs` and `main.rs`.
     fn member(&mut self, root: &Path, member: &str) -> anyhow::Result<()> {
-        let Some(package) = manifest(&root.join(member).join("Cargo.toml"))?.package else { return Ok(()) };
+        let Manifest { package, lib, .. } = manifest(&root.join(member).join("Cargo.toml"))?;
+        let library = lib.and_then(|lib| lib.name).or_else(|| Some(package?.name?.replace('-', "_")));
         let folder = if member.is_empty() { "src".to_owned() } else { format!("{member}/src") };
         let mut texts = Vec::new();
         texts_below(root, &folder, &mut texts)?;
@@ -104,7 +106,7 @@ impl Tree {
             let Some(source) = sources.remove(&format!("{folder}/{head}")) else { continue };
             let root = self.modules.len();
             if head == "lib.rs" {
-                self.libraries.insert(package.name.replace('-', "_"), root);
+                self.libraries.extend(library.clone().map(|name| (name, root)));
             }
             self.file(source, Module { root, ..Module::default() }, &folder, &mut sources);
         }
