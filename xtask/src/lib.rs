@@ -43,6 +43,8 @@ mod selection;
 mod verify;
 
 #[cfg(feature = "commands")]
+pub use book::{Fault, uncovered};
+#[cfg(feature = "commands")]
 pub use commands::main;
 #[cfg(feature = "commands")]
 pub use extension::{Beside, Exhibits, Table};

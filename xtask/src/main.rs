@@ -1,17 +1,19 @@
-//! `cargo xtask`: the commands of the kit, and what is only ours: scenes, and the exhibits of our book.
+//! `cargo xtask`: the commands of the kit, and what is only ours: scenes, tidiness, and the exhibits of our book.
 
-#[cfg(feature = "commands")]
+#[cfg(feature = "ours")]
 mod exhibits;
-#[cfg(feature = "commands")]
+#[cfg(feature = "ours")]
 mod figures;
-#[cfg(feature = "commands")]
+#[cfg(feature = "ours")]
 mod scene;
-#[cfg(feature = "commands")]
+#[cfg(feature = "ours")]
+mod tidy;
+#[cfg(feature = "ours")]
 mod worked_example;
 
 use jointproof::catalog::CATALOG;
 use kit::Project;
-#[cfg(feature = "commands")]
+#[cfg(feature = "ours")]
 use kit::{Outcome, console, files};
 use std::process::ExitCode;
 
@@ -20,18 +22,19 @@ fn main() -> ExitCode {
 }
 
 /// With what the repository has beside formulas.
-#[cfg(feature = "commands")]
+#[cfg(feature = "ours")]
 fn ours(project: Project) -> Project {
     project
         .in_folder("..")
         .called("cargo xtask")
         .with_command("scene", scene::run)
+        .with_command("tidy", tidy::run)
         .with_golden("scenes", scene::golden)
         .with_exhibits(exhibits::all)
 }
 
 /// The program that is measured has formulas only.
-#[cfg(not(feature = "commands"))]
+#[cfg(not(feature = "ours"))]
 fn ours(project: Project) -> Project {
     project
 }

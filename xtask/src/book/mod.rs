@@ -3,6 +3,7 @@
 mod build;
 mod command;
 mod content;
+pub(crate) mod coverage;
 mod deferred;
 mod entry;
 mod fault;
@@ -24,3 +25,5 @@ mod tests;
 
 pub(crate) use build::Summary;
 pub(crate) use command::{Arguments, build_book, run};
+pub use coverage::uncovered;
+pub use fault::Fault;
