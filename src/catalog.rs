@@ -2,7 +2,7 @@
 
 use crate::formula::{Field, Fields, Formula, Spec, check, entries, value, value_and_jacobian};
 use crate::measure::{self, Measurement};
-use crate::proof::{Convention, Proved};
+use crate::proof::{Convention, Flag, Proved};
 use crate::scalar::{abs, sign};
 use crate::verify::{Audit, Kink, Options, Subject, audit, audit_at, exact, golden};
 use crate::{
@@ -19,6 +19,10 @@ pub trait AnyFormula: Send + Sync {
     fn outputs(&self) -> &'static [Field];
     /// The Rust path of the type that implements it.
     fn path(&self) -> &'static str;
+    /// What its own cases are for.
+    fn cases(&self) -> Vec<Flag>;
+    /// Its own laws in words.
+    fn laws(&self) -> Vec<String>;
     /// Where it has no derivative.
     fn kinks(&self) -> Vec<KinkEntry>;
     /// Its golden file, computed now.
@@ -76,6 +80,12 @@ impl<F: Proved> AnyFormula for F {
     }
     fn path(&self) -> &'static str {
         std::any::type_name::<F>()
+    }
+    fn cases(&self) -> Vec<Flag> {
+        F::cases().iter().map(|case| case.flag).collect()
+    }
+    fn laws(&self) -> Vec<String> {
+        F::laws().into_iter().map(|law| law.statement).collect()
     }
     fn kinks(&self) -> Vec<KinkEntry> {
         one_sided(&Subject::of::<F>())

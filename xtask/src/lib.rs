@@ -36,6 +36,8 @@ mod golden;
 #[cfg(feature = "commands")]
 mod outcome;
 #[cfg(feature = "commands")]
+mod owed;
+#[cfg(feature = "commands")]
 mod report;
 #[cfg(feature = "commands")]
 mod selection;
