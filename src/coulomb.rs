@@ -65,8 +65,8 @@ fn sticks<D: Scalar>(i: &Trial<D>) -> bool {
 
 impl Formula for ReturnMap {
     const SPEC: Spec = Spec::new("coulomb.return_map", "Return map", Source::SLOT.section("Friction"))
-.equation(r"f = \begin{cases} f^{\mathrm{trial}} & \lvert f^{\mathrm{trial}}\rvert < \mu F_N \\ \mu F_N \operatorname{sign} f^{\mathrm{trial}} & \text{otherwise}\end{cases}")
-.eta(1.0, 0.0);
+        .equation(r"f = \begin{cases} f^{\mathrm{trial}} & \lvert f^{\mathrm{trial}}\rvert < \mu F_N \\ \mu F_N \operatorname{sign} f^{\mathrm{trial}} & \text{otherwise}\end{cases}")
+        .eta(1.0, 0.0);
     type Inputs<T: Component> = Trial<T>;
     type Outputs<T: Component> = Tangential<T>;
 
