@@ -350,8 +350,6 @@ fn at_the_x_axis_directions_jump_and_what_they_constrain_does_not() {
     }
 }
 
-// ---- pivots
-
 // ---- second derivatives
 
 /// The constraint along a motion, at a time.
