@@ -32,9 +32,11 @@
 //! ```
 
 pub mod align;
+mod binade;
 pub mod cardan;
 pub mod catalog;
 pub mod coulomb;
+mod eft;
 mod error;
 pub mod formula;
 pub mod frame;

@@ -10,7 +10,6 @@
 
 mod across;
 mod basis;
-mod binade;
 mod connector;
 mod connector_plane;
 mod constraint;

@@ -1,6 +1,8 @@
 //! Which coordinates of node m are eliminated, and which one is kept.
 
-use crate::scalar::{Scalar, abs};
+use crate::binade::Binade;
+use crate::eft::{Expansion, Pair};
+use crate::scalar::{Leaf, Scalar, abs, leaf};
 use nalgebra::{SVector, Vector2, Vector3};
 
 /// The axes of elimination in space, counted from 0: coordinates i and j of node m follow from coordinate k.
@@ -88,46 +90,46 @@ impl Pivots2d {
 /// decides.
 #[inline]
 fn at_least<D: Scalar, const N: usize>(x1: &SVector<D, N>, xn: &SVector<D, N>, a: usize, b: usize) -> bool {
-    let size = |axis: usize| abs(xn[axis] - x1[axis]);
-    let rest = |axis: usize| rounded_off(xn[axis], x1[axis]);
-    if size(a) == size(b) { rest(a) >= rest(b) } else { size(a) > size(b) }
-}
-
-/// What must be added to the rounded |a − b| to make it exact, itself exact (Knuth's two-sum).
-fn rounded_off<D: Scalar>(a: D, b: D) -> D {
-    let difference = a - b;
-    let b_part = a - difference;
-    let rest = (a - (difference + b_part)) + (b_part - b);
-    if difference < 0.0 { -rest } else { rest }
+    let [a, b] = [a, b].map(|axis| Pair::difference(leaf(xn[axis]), leaf(x1[axis])).abs());
+    if a.high == b.high { a.low >= b.low } else { a.high > b.high }
 }
 
 /// Whether p² + q² ≥ p |d1|, for the exact d; p = |d_far| ≥ q = |d_near|. False for p = 0, a line along axis 1.
 ///
-/// The products are computed in D. Where they come so near that rounding could decide, or where they over- or
-/// underflow, 237 bits decide.
+/// Where the products come so near that rounding could decide, or where they over- or underflow, exact ones decide.
 #[inline]
 fn steep<D: Scalar>(x1: &Vector3<D>, xn: &Vector3<D>, near: usize, far: usize) -> bool {
-    let [along, p, q] = [0, far, near].map(|axis| abs(xn[axis] - x1[axis]));
+    let [along, p, q] = [0, far, near].map(|axis| abs(leaf(xn[axis]) - leaf(x1[axis])));
     if q == 0.0 {
         return p > 0.0 && at_least(x1, xn, far, 0);
     }
     let excess = q * q - p * (along - p);
-    let doubt = p * (along + p) * DOUBT + f64::MIN_POSITIVE;
+    let doubt = p * (along + p) * doubt::<D::Leaf>() + f64::MIN_POSITIVE;
     if excess > doubt {
         true
     } else if excess < -doubt {
         false
     } else {
-        steep_exactly(x1, xn, near, far)
+        steep_exactly(&x1.map(leaf), &xn.map(leaf), near, far)
     }
 }
 
-/// 32 roundings of `f64`; those of differences, products and sums in [`steep`] add up to at most 9.
-const DOUBT: f64 = 16.0 * f64::EPSILON;
+/// 32 roundings; those of differences, products and sums in [`steep`] add up to at most 9.
+const fn doubt<L: Leaf>() -> f64 {
+    16.0 * L::EPSILON
+}
 
 #[cold]
 #[inline(never)]
-fn steep_exactly<D: Scalar>(x1: &Vector3<D>, xn: &Vector3<D>, near: usize, far: usize) -> bool {
-    let [along, p, q] = [0, far, near].map(|axis| abs(xn[axis].exact() - x1[axis].exact()));
-    q * q >= p * (along - p)
+fn steep_exactly<L: Leaf>(x1: &Vector3<L>, xn: &Vector3<L>, near: usize, far: usize) -> bool {
+    let per_unit = Binade::of(x1.iter().chain(xn).copied()).per_unit;
+    let difference = |axis: usize| Pair::difference(xn[axis] * per_unit, x1[axis] * per_unit).abs();
+    let [along, p, q] = [0, far, near].map(difference);
+    let mut excess = Expansion::<L, 24>::new();
+    for (a, b) in [(q, q), (p, p), (-p, along)] {
+        for (a, b) in [(a.low, b.low), (a.low, b.high), (a.high, b.low), (a.high, b.high)] {
+            excess.add_product(a, b);
+        }
+    }
+    excess.value() >= 0.0
 }
