@@ -128,3 +128,46 @@ fn settled<L: Leaf, const N: usize>(
 fn are_dependent<L: Leaf>([a, b, c]: [&Vector3<L>; 3]) -> bool {
     [(a, b), (b, c), (c, a)].iter().any(|&(v, w)| v == w || *v == -w)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::formula::Formula;
+    use crate::ujoint::Decomposition;
+    use num_dual::Dual64;
+    use proptest::prelude::*;
+
+    fn vector() -> impl Strategy<Value = Vector3<f64>> {
+        prop::array::uniform3(-1000..1000_i32).prop_map(|v| Vector3::from(v.map(f64::from)) / 1024.0)
+    }
+
+    proptest! {
+        /// Where large terms cancel exactly, tiny ones remain, which no rounding touches.
+        #[test]
+        fn what_remains_beside_terms_that_cancel_is_told(
+            e1a in vector(), e3a in vector(), factors in prop::array::uniform2(-8..8_i8), size in -600..600_i32,
+        ) {
+            let [m, n] = factors.map(f64::from);
+            let e2a = Vector3::new(e1a.y, -e1a.x, 0.0);
+            let large = 1.1 * 2.0_f64.powi(size);
+            let tiny = -large * 2.0_f64.powi(-300);
+            let i = CrossLoads { e1a, e2a, e3a, e3b: e1a * m + e2a * n, f1: 0.0, f2: large, f3: tiny };
+            let out = Decomposition::eval(&i);
+            prop_assert_eq!(out.f_axial1, tiny * e3a.dot(&e1a));
+            prop_assert_eq!(out.f_bend, tiny * e3a.dot(&i.e1a.cross(&i.e3b)));
+            let alone = Decomposition::eval(&CrossLoads { f3: 0.0, ..i });
+            prop_assert_eq!((alone.f_axial1, alone.f_bend), (0.0, 0.0));
+        }
+    }
+
+    #[test]
+    fn derivatives_stay() {
+        let [x, y] = [0.6, 0.8].map(Dual64::from);
+        let zero = Dual64::from(0.0);
+        let (e1a, e2a) = (Vector3::new(x, y, zero), Vector3::new(-y, x.derivative(), zero));
+        let e3 = Vector3::new(zero, zero, Dual64::from(1.0));
+        let out =
+            Decomposition::eval(&CrossLoads { e1a, e2a, e3a: e3, e3b: e3, f1: zero, f2: Dual64::from(2.3), f3: zero });
+        assert_eq!((out.f_axial1.re, out.f_axial1.eps), (0.0, 2.3 * 0.8));
+    }
+}
