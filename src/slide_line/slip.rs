@@ -149,8 +149,3 @@ impl Formula for SlipIncrementParabolic {
         }
     }
 }
-
-/// A step on top of a large common displacement.
-fn carried(step: Vector2<f64>) -> Vector2<f64> {
-    step + Vector2::new(1e8, -1e8)
-}

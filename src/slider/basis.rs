@@ -3,10 +3,7 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::Ends;
 use super::across::Across;
-use super::hard::lines;
-use super::line::Line;
 use super::span::Span;
 use crate::error::Error;
 use crate::fields;
@@ -89,11 +86,6 @@ impl<D: Scalar> Azimuth<D> {
 fn spin<D: Scalar>(across: &Across<D>, dn: &Vector2<D>) -> D {
     let Span { d: c, square, binade } = across.projected;
     c.perp(dn) / square * binade.per_unit
-}
-
-/// The directions of the hard lines, as a program would compute them.
-fn directions() -> impl Iterator<Item = (&'static str, &'static str, Vector3<f64>)> {
-    lines().into_iter().map(|line| (line.id, line.comment, Line::eval(&Ends { x1: line.x1, xn: line.xn }).n))
 }
 
 fields! {

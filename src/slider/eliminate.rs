@@ -32,6 +32,22 @@ fields! {
 #[derive(Clone, Copy, Debug)]
 pub struct Eliminate;
 
+impl<D: Scalar> KeptCoordinate<D> {
+    /// The axes, and where on the line m is.
+    #[inline(always)]
+    fn place(&self) -> (Pivots, Place<D, 3>) {
+        let pivots = Pivots::new(&self.x1, &self.xn);
+        (pivots, Place::new(&self.x1, &self.xn, pivots.k, self.xmk))
+    }
+}
+
+impl Pivots {
+    #[inline(always)]
+    fn coordinates<D: Scalar>(self, place: &Place<D, 3>) -> Coordinates<D> {
+        Coordinates { xmi: place.coordinate(self.i), xmj: place.coordinate(self.j) }
+    }
+}
+
 impl Formula for Eliminate {
     const SPEC: Spec = Spec::new("slider.eliminate", "Elimination", Source::SLIDER.section("Elimination"))
         .equation(r"x_{m,i} = x_{1,i} + \frac{n_i}{n_k}(x_{m,k}-x_{1,k}),\quad x_{m,j} = x_{1,j} + \frac{n_j}{n_k}(x_{m,k}-x_{1,k})")
@@ -42,20 +58,23 @@ impl Formula for Eliminate {
 
     #[inline(always)]
     fn eval<D: Scalar>(i: &KeptCoordinate<D>) -> Coordinates<D> {
-        let pivots = Pivots::new(&i.x1, &i.xn);
-        let place = Place::new(&i.x1, &i.xn, pivots.k, i.xmk);
-        Coordinates { xmi: place.coordinate(pivots.i), xmj: place.coordinate(pivots.j) }
+        let (pivots, place) = i.place();
+        pivots.coordinates(&place)
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &KeptCoordinate<D>) -> Jacobian<Self, D> {
-        let pivots = Pivots::new(&i.x1, &i.xn);
-        let place = Place::new(&i.x1, &i.xn, pivots.k, i.xmk);
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &KeptCoordinate<D>) -> (Coordinates<D>, Jacobian<Self, D>) {
+        let (pivots, place) = i.place();
         let row = |axis: usize| {
             let [x1, xn] = place.gradients(axis);
             KeptCoordinate { x1, xn, xmk: place.slope(axis) }
         };
-        Coordinates { xmi: row(pivots.i), xmj: row(pivots.j) }
+        (pivots.coordinates(&place), Coordinates { xmi: row(pivots.i), xmj: row(pivots.j) })
     }
 
     fn validate(i: &KeptCoordinate<f64>) -> Result<(), Error> {

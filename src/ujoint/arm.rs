@@ -7,16 +7,11 @@
 //! σ(λ) = λ²/(λ² + k),   0 for a rigid arm, 1 for a slender one
 //! ```
 //!
-//! with k = 33/5 for the twisting moment and k = 6 for axial forces. The book derives both. [`curves`] sets the
-//! neighbouring models beside them.
+//! with k = 33/5 for the twisting moment and k = 6 for axial forces. The book derives both and sets
+//! the neighbouring models beside them; [`timoshenko`] is the nearest.
 
 #[cfg(feature = "verify")]
 mod proof;
-
-#[cfg(feature = "verify")]
-mod models;
-
-pub use models::{Model, Models, curves};
 
 use crate::fields;
 use crate::formula::{Component, Formula, Jacobian, Source, Spec};
@@ -175,4 +170,17 @@ impl Formula for AxialFactors {
         let slopes = AxialShares { alpha_axial: Arm { la, rp }, beta_axial: Arm { la: -la, rp: -rp } };
         (AxialShares::new(&slenderness), slopes)
     }
+}
+
+/// α_twist of a clamped Timoshenko arm.
+#[inline]
+pub fn timoshenko<D: Scalar>(phi: D) -> D {
+    (-phi + 2.0) / ((phi + 4.0) * 4.0)
+}
+
+/// φ = 12 EI/(κ G A La²) = (7 + 6ν)/λ² for a round arm of ν = 0.3: how much the arm shears for how much it bends.
+#[inline]
+pub fn phi<D: Scalar>(arm: &Arm<D>) -> D {
+    let ratio = arm.rp / arm.la;
+    ratio * ratio * 44.0 / 5.0
 }

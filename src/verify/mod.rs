@@ -51,9 +51,11 @@ mod jet;
 mod sample;
 mod subject;
 
+#[cfg(feature = "measure")]
 pub(crate) use audit::beside_kinks;
 pub use audit::{Audit, Claim, Deviation, Options, audit, audit_at};
 pub use difference::central_differences;
+#[cfg(feature = "measure")]
 pub(crate) use eta::U;
 pub use eta::{Sensitivity, eta, relative};
 pub use jet::{derivative_of_jacobian, jacobian_by_ad};

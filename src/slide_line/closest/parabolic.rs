@@ -41,7 +41,7 @@ impl Formula for ClosestParabolic {
     fn eval<D: Scalar>(i: &ParabolicSlave<D>) -> SegmentFoot<D> {
         let view = i.view();
         let foot = Foot::on(&view);
-        SegmentFoot { g: foot.u, separation: foot.separation() * view.unit }
+        SegmentFoot { g: foot.u, separation: foot.separation() * view.binade.unit }
     }
 
     #[inline]
@@ -53,7 +53,7 @@ impl Formula for ClosestParabolic {
     fn linearized<D: Scalar>(i: &ParabolicSlave<D>) -> (SegmentFoot<D>, Jacobian<Self, D>) {
         let view = i.view();
         let foot = Foot::on(&view);
-        let value = SegmentFoot { g: foot.u, separation: foot.separation() * view.unit };
+        let value = SegmentFoot { g: foot.u, separation: foot.separation() * view.binade.unit };
         let ([n1, n2, n3], [m1, m2, m3]) = (foot.weights, foot.rates);
         let g = |n, m| view.per_unit(foot.coordinate_by(n, m));
         let normal = foot.normal();

@@ -59,7 +59,7 @@ impl Formula for ClosestSmoothedLinear {
     fn eval<D: Scalar>(i: &LinearCornerSlave<D>) -> CornerFoot<D> {
         let view = i.view();
         let foot = Foot::on(&view);
-        CornerFoot { t: foot.u, separation: foot.separation() * view.unit }
+        CornerFoot { t: foot.u, separation: foot.separation() * view.binade.unit }
     }
 
     #[inline]
@@ -72,7 +72,7 @@ impl Formula for ClosestSmoothedLinear {
     fn linearized<D: Scalar>(i: &LinearCornerSlave<D>) -> (CornerFoot<D>, Jacobian<Self, D>) {
         let view = i.view();
         let foot = Foot::on(&view);
-        let value = CornerFoot { t: foot.u, separation: foot.separation() * view.unit };
+        let value = CornerFoot { t: foot.u, separation: foot.separation() * view.binade.unit };
         let ([n1, n2, n3], [m1, m2, m3]) = (foot.weights, foot.rates);
         let t = |n, m| view.per_unit(foot.coordinate_by(n, m));
         let normal = foot.normal();

@@ -50,7 +50,7 @@ impl Formula for ClosestSmoothedParabolic {
     fn eval<D: Scalar>(i: &ParabolicCornerSlave<D>) -> CornerFoot<D> {
         let view = i.view();
         let foot = Foot::on(&view);
-        CornerFoot { t: foot.u, separation: foot.separation() * view.unit }
+        CornerFoot { t: foot.u, separation: foot.separation() * view.binade.unit }
     }
 
     #[inline]
@@ -63,7 +63,7 @@ impl Formula for ClosestSmoothedParabolic {
     fn linearized<D: Scalar>(i: &ParabolicCornerSlave<D>) -> (CornerFoot<D>, Jacobian<Self, D>) {
         let view = i.view();
         let foot = Foot::on(&view);
-        let value = CornerFoot { t: foot.u, separation: foot.separation() * view.unit };
+        let value = CornerFoot { t: foot.u, separation: foot.separation() * view.binade.unit };
         let ([n1, n2, n3, n4, n5], [m1, m2, m3, m4, m5]) = (foot.weights, foot.rates);
         let t = |n, m| view.per_unit(foot.coordinate_by(n, m));
         let normal = foot.normal();
@@ -88,7 +88,7 @@ impl Formula for ClosestSmoothedParabolic {
                 x3: normal * -n3,
                 x4: normal * -n4,
                 x5: normal * -n5,
-                f: if foot.inside { -(normal.dot(&point) * view.unit) } else { i.end_turning(&view, &foot) },
+                f: if foot.inside { -(normal.dot(&point) * view.binade.unit) } else { i.end_turning(&view, &foot) },
             },
         };
         (value, gradients)

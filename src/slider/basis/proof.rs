@@ -1,9 +1,11 @@
 //! Evidence for the formulas next door: cases, kinks, laws.
 
-use super::{Basis, BasisVariation, LineDirection, TangentChanges, Tangents, TurningDirection, directions};
+use super::{Basis, BasisVariation, LineDirection, TangentChanges, Tangents, TurningDirection};
 use crate::formula::Formula;
 use crate::proof::{Case, Kink, Law, Proved, law};
 use crate::slider::across::Across;
+use crate::slider::hard::lines;
+use crate::slider::{Ends, Line};
 use nalgebra::Vector3;
 
 impl Proved for Basis {
@@ -110,4 +112,9 @@ impl Proved for BasisVariation {
             }),
         ]
     }
+}
+
+/// The directions of the hard lines, as a program would compute them.
+fn directions() -> impl Iterator<Item = (&'static str, &'static str, Vector3<f64>)> {
+    lines().into_iter().map(|line| (line.id, line.comment, Line::eval(&Ends { x1: line.x1, xn: line.xn }).n))
 }

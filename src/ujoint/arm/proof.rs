@@ -1,7 +1,6 @@
 //! Evidence for the formulas next door: cases, laws.
 
-use super::models::{phi, timoshenko};
-use super::{Arm, AxialFactors, AxialShares, TwistFactors, TwistShares};
+use super::{Arm, AxialFactors, AxialShares, TwistFactors, TwistShares, phi, timoshenko};
 use crate::Octuple;
 use crate::formula::Formula;
 use crate::proof::{Case, Law, Proved, hard, law};
