@@ -8,7 +8,7 @@ mod links;
 use super::hinge::{bending, in_sleeve, transverse};
 use super::{Arm, AxialForces, Bending, CrossForces, CrossLoads, Decomposition, HingeAxial, HingeTwist, Twist};
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{E1A, E2A, E3A, E3B, F1, F2, F3, LA, LS, MC1, MC3, RA, RP, TWIST_M2};
 use crate::scalar::{Scalar, norm};
 use nalgebra::Vector3;
@@ -60,7 +60,7 @@ impl<D: Scalar> JointLoads<D> {
 }
 
 impl Formula for ContactMoments {
-    const SPEC: Spec = Spec::new("ujoint.contact_moments", "Contact moments", Source::UJOINT.section("Friction"))
+    const SPEC: Spec = Spec::new("ujoint.contact_moments", "Contact moments", Document::UJOINT.printed("Friction"))
 .equation(r"M_{Ck} = F_{\mathrm{axial}k}^{\mathrm{hinge}} R_a + \left(F_{\mathrm{total}k}^{\mathrm{hinge}} + F_{\mathrm{total}}^{\mathrm{bend}}\right) R_p\quad (k = 1, 3)")
 .eta(2.0, 6.0);
     type Inputs<T: Component> = JointLoads<T>;

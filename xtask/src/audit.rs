@@ -98,6 +98,7 @@ pub(crate) fn text(audits: &[Audit], passed: fn(&Audit) -> bool) -> anyhow::Resu
         let verdict = if passed(audit) { green("ok ") } else { red("off") };
         let points = audit.named_points + audit.random_points;
         writeln!(text, "{verdict} {} at {}", bold(&audit.formula), count(points, "point"))?;
+        writeln!(text, "    {}", audit.provenance)?;
         writeln!(text, "    {:>9} {:>8} {:>7}", "checked", "worst", "bound")?;
         for claim in audit.claims() {
             writeln!(text, "    {}", line(claim))?;
@@ -157,6 +158,7 @@ fn markdown(formulas: &[&dyn AnyFormula], audits: &[Audit], passed: fn(&Audit) -
     }
     for audit in audits {
         writeln!(text, "### {} `{}`\n", if passed(audit) { "✅" } else { "❌" }, audit.formula)?;
+        writeln!(text, "{}.\n", audit.provenance)?;
         writeln!(text, "{} named and {} random points.\n", audit.named_points, audit.random_points)?;
         writeln!(text, "| claim | checked | failed | worst | bound | at |\n|---|--:|--:|--:|--:|---|")?;
         for claim in audit.claims() {

@@ -135,9 +135,13 @@ fn entry(formula: &dyn AnyFormula, index: &Index<'_>, evidence: &Evidence) -> En
         title: spec.title.into(),
         latex: spec.latex.into(),
         source: Source {
-            name: spec.source.title.into(),
-            citation: spec.source.title.into(),
-            place: format!("section “{}”", spec.source.section),
+            name: spec.source.document.title.into(),
+            citation: spec.source.document.title.into(),
+            place: match spec.source.section {
+                "" => String::new(),
+                section => format!("section “{section}”"),
+            },
+            provenance: spec.source.provenance.to_string(),
         },
         inputs: formula.inputs().iter().map(symbol).collect(),
         outputs: formula.outputs().iter().map(symbol).collect(),
