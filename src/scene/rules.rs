@@ -13,7 +13,7 @@ use crate::align::{Misalignment, Orientations};
 use crate::cardan::{Angles, Oriented, Triads, accurate, accurate_jacobian, check_turns};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{
     Domain, F_TANGENTIAL, F_TRIAL, Quantity, SLIDER_DXM, SLIDER_DXMK, SLIDER_X1, SLIDER_X1_PLANE, SLIDER_XM,
     SLIDER_XM_PLANE, SLIDER_XMK, SLIDER_XN, SLIDER_XN_PLANE, Shape, U1, Unit,
@@ -41,8 +41,11 @@ pub const TOTAL: Quantity = scalar(r"s", Unit::L, Domain::NonNegative, "accumula
 /// Accumulated slip at the start of the increment.
 pub const TOTAL_BEFORE: Quantity = scalar(r"s^-", Unit::L, Domain::NonNegative, "accumulated slip in the last state");
 
+/// Why all of these are ours.
+const WHY: &str = "the page says when it sticks, and not how one state follows from another";
+
 const fn spec(id: &'static str, title: &'static str, latex: &'static str) -> Spec {
-    Spec::new(id, title, Source::new("Scenes").section(title)).equation(latex).eta(4.0, 4.0)
+    Spec::new(id, title, Document::SLOT.ours("Friction", WHY)).equation(latex).eta(4.0, 4.0)
 }
 
 fields! {

@@ -9,7 +9,7 @@ pub(super) mod proof;
 use super::points::CurvePoint;
 use super::shape::{LinearCorner, ParabolicCorner, Shape, combination, gap};
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec, along};
+use crate::formula::{Component, Document, Formula, Jacobian, Source, Spec, along};
 use crate::quantity::{CORNER_T, FRACTION, X1, X2, X3, X4, X5};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
@@ -19,7 +19,8 @@ fn point<D: Scalar, const N: usize>(nodes: &[Vector2<D>; N], weights: [D; N]) ->
     -gap(Vector2::from_element(D::zero()), nodes, weights)
 }
 
-const SOURCE: Source = Source::SLIDE_LINE.section("Smoothing the slide line");
+const SOURCE: Source =
+    Document::SLIDE_LINE.ours("Smoothing the slide line", "the section on smoothing that it refers to was not given");
 
 fields! {
     /// A smoothed corner between two straight segments, and a place on it.

@@ -8,7 +8,7 @@ use super::points::Sides;
 use super::{check_distinct, left, shape};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{DSLIP, DX1, DX2, DX3, DXS, SEGMENT_G, X1, X2, X3};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
@@ -43,7 +43,8 @@ impl Formula for SlipIncrementLinear {
     const SPEC: Spec = Spec::new(
         "slide_line.slip_increment_linear",
         "Slip increment on a straight segment",
-        Source::SLIDE_LINE.section("Element output"),
+        Document::SLIDE_LINE
+            .ours("Element output", "the section says accumulated tangential displacement, and prints no equation"),
     )
     .equation(r"\Delta E_{12} = \mathbf{t}\cdot\Bigl(\Delta\mathbf{x}_s - \sum_i N_i(g)\,\Delta\mathbf{x}_i\Bigr)")
     .eta(4.0, 5.0);
@@ -102,7 +103,8 @@ impl Formula for SlipIncrementParabolic {
     const SPEC: Spec = Spec::new(
         "slide_line.slip_increment_parabolic",
         "Slip increment on a parabolic segment",
-        Source::SLIDE_LINE.section("Element output"),
+        Document::SLIDE_LINE
+            .ours("Element output", "the section says accumulated tangential displacement, and prints no equation"),
     )
     .equation(r"\Delta E_{12} = \mathbf{t}\cdot\Bigl(\Delta\mathbf{x}_s - \sum_i N_i(g)\,\Delta\mathbf{x}_i\Bigr)")
     .eta(4.0, 5.0);

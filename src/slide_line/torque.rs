@@ -6,14 +6,16 @@ mod proof;
 use super::basis::length_and_tangent;
 use super::{check_radii, length};
 use crate::error::Error;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Source, Spec};
 use crate::quantity::{P1, P2, P3, TORQUE, X1, X2, X3};
 use crate::scalar::{Leaf, Scalar, pi};
 use crate::{fields, scalar};
 use nalgebra::Vector2;
 
-const SOURCE: Source = Source::SLIDE_LINE
-    .section("Obtaining the \"maximum torque\" that can be transmitted across axisymmetric slide lines");
+const SOURCE: Source = Document::SLIDE_LINE.ours(
+    "Obtaining the “maximum torque” that can be transmitted across axisymmetric slide lines",
+    "the integral of r² p is printed; how r and p go along an element, and the integration, are ours",
+);
 
 fields! {
     /// The two nodes of an ISL21A element, and the pressures there.

@@ -7,7 +7,7 @@ use super::across::Across;
 use super::span::Span;
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{SLIDER_DN, SLIDER_DT1, SLIDER_DT2, SLIDER_N, SLIDER_T1, SLIDER_T2};
 use crate::scalar::Scalar;
 use nalgebra::{Vector2, Vector3};
@@ -28,7 +28,14 @@ fields! {
 pub struct Basis;
 
 impl Formula for Basis {
-    const SPEC: Spec = Spec::new("slider.basis", "Directions across the line", Source::SLIDER.section("Directions across the line"))
+    const SPEC: Spec = Spec::new(
+        "slider.basis",
+        "Directions across the line",
+        Document::SLIDER.reconstructed(
+            "",
+            "every symbol was lost; the words: a unit normal to the line, unless it vanishes, and the orthogonal normal",
+        ),
+    )
         .equation(r"\mathbf{t}_1 = \begin{cases} \mathbf{n}\times\mathbf{i}/\lvert\mathbf{n}\times\mathbf{i}\rvert & \mathbf{n}\times\mathbf{i}\ne\mathbf{0} \\ \mathbf{n}\times\mathbf{k}/\lvert\mathbf{n}\times\mathbf{k}\rvert & \text{otherwise}\end{cases},\quad \mathbf{t}_2 = \mathbf{n}\times\mathbf{t}_1")
         .eta(3.0, 5.0)
         .not_objective();
@@ -106,7 +113,14 @@ fields! {
 pub struct BasisVariation;
 
 impl Formula for BasisVariation {
-    const SPEC: Spec = Spec::new("slider.basis_variation", "Variation of the directions across", Source::SLIDER.section("Variations"))
+    const SPEC: Spec = Spec::new(
+        "slider.basis_variation",
+        "Variation of the directions across",
+        Document::SLIDER.reconstructed(
+            "",
+            "every symbol was lost; the words: the changes of both normals in the derivatives of the constraints",
+        ),
+    )
         .equation(r"\mathrm{d}\mathbf{t}_q = \frac{\partial\mathbf{t}_q}{\partial\mathbf{n}}\,\mathrm{d}\mathbf{n},\quad q = 1, 2")
         .eta(3.0, 5.0)
         .not_objective();

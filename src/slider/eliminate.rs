@@ -9,7 +9,7 @@ use super::place::Place;
 use super::slide::Slide;
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{
     SLIDER_DX1, SLIDER_DXMI, SLIDER_DXMJ, SLIDER_DXMK, SLIDER_DXN, SLIDER_X1, SLIDER_XM, SLIDER_XMI, SLIDER_XMJ,
     SLIDER_XMK, SLIDER_XN,
@@ -49,7 +49,14 @@ impl Pivots {
 }
 
 impl Formula for Eliminate {
-    const SPEC: Spec = Spec::new("slider.eliminate", "Elimination", Source::SLIDER.section("Elimination"))
+    const SPEC: Spec = Spec::new(
+        "slider.eliminate",
+        "Elimination",
+        Document::SLIDER.reconstructed(
+            "",
+            "every symbol was lost; the words: eliminate i and j, the axes of the largest projections of the normals",
+        ),
+    )
         .equation(r"x_{m,i} = x_{1,i} + \frac{n_i}{n_k}(x_{m,k}-x_{1,k}),\quad x_{m,j} = x_{1,j} + \frac{n_j}{n_k}(x_{m,k}-x_{1,k})")
         .eta(2.0, 2.0)
         .not_objective();
@@ -102,7 +109,14 @@ fields! {
 pub struct Increment;
 
 impl Formula for Increment {
-    const SPEC: Spec = Spec::new("slider.increment", "Eliminated increments", Source::SLIDER.section("Elimination of the increments"))
+    const SPEC: Spec = Spec::new(
+        "slider.increment",
+        "Eliminated increments",
+        Document::SLIDER.reconstructed(
+            "",
+            "every symbol was lost; the words: the incremental constraints, solved for the eliminated increments",
+        ),
+    )
         .equation(r"\mathrm{d}x_{m,i} = w_i + \frac{n_i}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathrm{d}x_{m,j} = w_j + \frac{n_j}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathbf{w} = (1-\xi)\,\mathrm{d}\mathbf{x}_1 + \xi\,\mathrm{d}\mathbf{x}_n")
         .eta(3.0, 5.0)
         .not_objective();

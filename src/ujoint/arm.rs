@@ -14,7 +14,7 @@
 mod proof;
 
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{ALPHA_AXIAL, ALPHA_TWIST, BETA_AXIAL, BETA_TWIST, LA, RP};
 use crate::scalar::Scalar;
 use std::hint::select_unpredictable;
@@ -102,7 +102,14 @@ impl<D: Scalar> TwistShares<D> {
 pub struct TwistFactors;
 
 impl Formula for TwistFactors {
-    const SPEC: Spec = Spec::new("ujoint.twist_factors", "Shares of the twisting moment", Source::UJOINT.section("Friction"))
+    const SPEC: Spec = Spec::new(
+        "ujoint.twist_factors",
+        "Shares of the twisting moment",
+        Document::UJOINT.ours(
+            "Friction",
+            "the page prints the limits and names the beam theories; the curve between is ours",
+        ),
+    )
         .equation(r"\alpha_{\mathrm{twist}} = \frac{1}{8+6\varphi},\quad \beta_{\mathrm{twist}} = \tfrac14 + \alpha_{\mathrm{twist}},\quad \varphi = \frac{44}{5\lambda^2},\quad \lambda = \frac{L_a}{R_p}")
         .eta(2.0, 4.0);
     type Inputs<T: Component> = Arm<T>;
@@ -147,7 +154,11 @@ impl<D: Scalar> AxialShares<D> {
 pub struct AxialFactors;
 
 impl Formula for AxialFactors {
-    const SPEC: Spec = Spec::new("ujoint.axial_factors", "Shares of an axial force", Source::UJOINT.section("Friction"))
+    const SPEC: Spec = Spec::new(
+        "ujoint.axial_factors",
+        "Shares of an axial force",
+        Document::UJOINT.ours("Friction", "the page uses both factors and defines neither"),
+    )
         .equation(r"\alpha_{\mathrm{axial}} = \frac{\lambda^2+3}{2(\lambda^2+6)},\quad \beta_{\mathrm{axial}} = \frac{3}{2(\lambda^2+6)},\quad \lambda = \frac{L_a}{R_p}")
         .eta(2.0, 4.0);
     type Inputs<T: Component> = Arm<T>;

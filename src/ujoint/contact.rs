@@ -11,7 +11,7 @@ pub use loads::{ContactMomentPair, JointLoads};
 
 use super::hinge::{bending, in_sleeve, transverse};
 use super::{AxialForces, CrossForces, HingeAxial, HingeTwist};
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::scalar::{Scalar, norm};
 
 /// The contact moment of a hinge.
@@ -19,7 +19,7 @@ use crate::scalar::{Scalar, norm};
 pub struct ContactMoments;
 
 impl Formula for ContactMoments {
-    const SPEC: Spec = Spec::new("ujoint.contact_moments", "Contact moments", Source::UJOINT.section("Friction"))
+    const SPEC: Spec = Spec::new("ujoint.contact_moments", "Contact moments", Document::UJOINT.printed("Friction"))
         .equation(r"M_{Ck} = F_{\mathrm{axial}k}^{\mathrm{hinge}} R_a + \left(F_{\mathrm{total}k}^{\mathrm{hinge}} + F_{\mathrm{total}}^{\mathrm{bend}}\right) R_p\quad (k = 1, 3)")
         .eta(2.0, 6.0);
     type Inputs<T: Component> = JointLoads<T>;

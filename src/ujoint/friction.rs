@@ -6,7 +6,7 @@ mod proof;
 use super::{AllContactMoments, ContactMomentPair, ContactMoments, JointLoads, NormalMomentPair, NormalMoments};
 use crate::coulomb::{Tractions, Yield};
 use crate::fields;
-use crate::formula::{Component, Fields, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Fields, Formula, Jacobian, Spec};
 use crate::quantity::{
     CROSS_M1, CROSS_M3, E1A, E2A, E3A, E3B, F1, F2, F3, LA, LS, MC1_INT, MC3_INT, MU, PHI1, PHI3, RA, RP, TWIST_M2,
 };
@@ -60,7 +60,7 @@ impl<D: Scalar> FrictionLoads<D> {
 pub struct Friction;
 
 impl Formula for Friction {
-    const SPEC: Spec = Spec::new("ujoint.friction", "Friction", Source::UJOINT.section("Friction"))
+    const SPEC: Spec = Spec::new("ujoint.friction", "Friction", Document::UJOINT.printed("Friction"))
         .equation(r"\Phi_k = \lvert m_k\rvert - \mu M_{Nk}\quad (k = 1, 3)")
         .eta(2.0, 6.0);
     type Inputs<T: Component> = FrictionLoads<T>;

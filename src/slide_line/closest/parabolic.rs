@@ -6,7 +6,7 @@ mod proof;
 use super::{Foot, SegmentFoot, View, check_tangent};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{X1, X2, X3, XS};
 use crate::scalar::Scalar;
 use crate::slide_line::check_distinct;
@@ -31,7 +31,11 @@ impl<D: Scalar> ParabolicSlave<D> {
 }
 
 impl Formula for ClosestParabolic {
-    const SPEC: Spec = Spec::new("slide_line.closest_parabolic", "Closest point of a parabolic segment", Source::SLIDE_LINE.section("Element output"))
+    const SPEC: Spec = Spec::new(
+        "slide_line.closest_parabolic",
+        "Closest point of a parabolic segment",
+        Document::SLIDE_LINE.ours("Element output", "the section says separation, and prints no equation"),
+    )
         .equation(r"(\mathbf{x}_s-\mathbf{X}(g))\cdot\mathbf{X}'(g) = 0,\quad -1 \le g \le 1,\qquad E_{11} = (\mathbf{x}_s-\mathbf{X})\cdot\mathbf{n}")
         .eta(4.0, 12.0);
     type Inputs<T: Component> = ParabolicSlave<T>;

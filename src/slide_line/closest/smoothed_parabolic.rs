@@ -6,7 +6,7 @@ mod proof;
 use super::{CornerFoot, Foot, View, check_tangent};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{FRACTION, X1, X2, X3, X4, X5, XS};
 use crate::scalar::Scalar;
 use crate::slide_line::check_distinct;
@@ -40,7 +40,14 @@ impl<D: Scalar> ParabolicCornerSlave<D> {
 }
 
 impl Formula for ClosestSmoothedParabolic {
-    const SPEC: Spec = Spec::new("slide_line.closest_smoothed_parabolic", "Closest point of a smoothed corner between parabolic segments", Source::SLIDE_LINE.section("Smoothing the slide line"))
+    const SPEC: Spec = Spec::new(
+        "slide_line.closest_smoothed_parabolic",
+        "Closest point of a smoothed corner between parabolic segments",
+        Document::SLIDE_LINE.ours(
+            "Smoothing the slide line",
+            "the section on smoothing that it refers to was not given",
+        ),
+    )
         .equation(r"(\mathbf{x}_s-\mathbf{X}(t))\cdot\mathbf{X}'(t) = 0,\quad 0 \le t \le 1,\qquad E_{11} = (\mathbf{x}_s-\mathbf{X})\cdot\mathbf{n}")
         .eta(4.0, 128.0);
     type Inputs<T: Component> = ParabolicCornerSlave<T>;

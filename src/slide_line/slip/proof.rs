@@ -27,13 +27,13 @@ impl Proved for SlipIncrementLinear {
                 "the material under the slave moves by a quarter and three quarters of the nodes' increments: 3 - 1.2",
                 LinearMotion { dx1: Vector2::new(2.0, 0.0), dx2: Vector2::new(2.0, 0.0), ..hand },
             ),
-            Case::limit(
+            Case::hand(
                 "together",
                 "no slip when slave and segment move alike",
                 LinearMotion { dx1: hand.dxs, dx2: hand.dxs, ..hand },
             ),
-            Case::limit("normal", "no slip along the normal", LinearMotion { x2: Vector2::new(1.0, 5.0), ..hand }),
-            Case::limit("still", "nothing moves", LinearMotion { dxs: still, ..hand }),
+            Case::hand("normal", "no slip along the normal", LinearMotion { x2: Vector2::new(1.0, 5.0), ..hand }),
+            Case::hand("still", "nothing moves", LinearMotion { dxs: still, ..hand }),
         ];
         let [dxs, dx1, dx2] = steps();
         let places = hard::places().into_iter().filter(|place| place.id != "coincident");
@@ -97,12 +97,12 @@ impl Proved for SlipIncrementParabolic {
                 "at the crown t = (1, 0): 5 along r is a slip of 5",
                 ParabolicMotion { g: 0.0, ..hand },
             ),
-            Case::limit(
+            Case::hand(
                 "together",
                 "no slip when slave and segment move alike",
                 ParabolicMotion { dx1: hand.dxs, dx2: hand.dxs, dx3: hand.dxs, ..hand },
             ),
-            Case::limit("still", "nothing moves", ParabolicMotion { dxs: still, ..hand }),
+            Case::hand("still", "nothing moves", ParabolicMotion { dxs: still, ..hand }),
         ];
         cases.extend(parabolas().into_iter().map(|p| {
             let width = p.value[2].x - p.value[0].x;
