@@ -92,9 +92,8 @@ impl Formula for Decomposition {
     #[inline]
     fn eval<D: Scalar>(i: &CrossLoads<D>) -> CrossForces<D> {
         let rough = i.decomposed();
-        let doubtful = i.doubtful(&rough);
-        let any = doubtful.f_axial1 | doubtful.f_axial3 | doubtful.f_bend;
-        if any { i.settled(rough, doubtful) } else { rough }
+        let CrossForces { f_axial1, f_axial3, f_bend } = i.doubtful(&rough);
+        if f_axial1 | f_axial3 | f_bend { i.settled(rough) } else { rough }
     }
 
     #[inline]

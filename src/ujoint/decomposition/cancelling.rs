@@ -17,7 +17,8 @@ const fn rounding_of_pairs<L: Leaf>() -> f64 {
 impl<D: Scalar> CrossLoads<D> {
     /// Replaces what rounding may have spoilt.
     #[cold]
-    pub(super) fn settled(&self, rough: CrossForces<D>, doubtful: CrossForces<bool>) -> CrossForces<D> {
+    pub(super) fn settled(&self, rough: CrossForces<D>) -> CrossForces<D> {
+        let doubtful = self.doubtful(&rough);
         // Forces near 1: no product leaves the range of the numbers.
         let Binade { unit, per_unit } = Binade::of([self.f1, self.f2, self.f3]);
         let loads = self.leaves(per_unit);
