@@ -77,6 +77,7 @@ impl Formula for Friction {
         Self::linearized(i).1
     }
 
+    #[inline]
     fn linearized<D: Scalar>(i: &FrictionLoads<D>) -> (YieldPair<D>, Jacobian<Self, D>) {
         let (moments, contact) = ContactMoments::linearized(&i.joint());
         let (NormalMomentPair { mn1, mn3 }, normal) = NormalMoments::linearized(&i.moments(moments));
