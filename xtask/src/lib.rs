@@ -34,6 +34,8 @@ pub mod files;
 #[cfg(feature = "commands")]
 mod golden;
 #[cfg(feature = "commands")]
+mod new;
+#[cfg(feature = "commands")]
 mod outcome;
 #[cfg(feature = "commands")]
 mod owed;

@@ -121,6 +121,11 @@ impl Project {
         self.root.join("golden")
     }
 
+    /// Whether there are chapters of a book.
+    pub fn has_book(&self) -> bool {
+        self.root.join("book/src").exists()
+    }
+
     /// The golden file of the formula of this identifier.
     pub fn golden_file(&self, id: &str) -> PathBuf {
         self.golden().join(format!("{id}.json"))

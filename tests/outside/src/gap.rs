@@ -1,6 +1,6 @@
 //! Across the gap between two surfaces, heat takes two ways: through the gas, and through the spots that touch.
 
-use crate::quantity::{A, C, G, KG, P, Q, T1, T2, TEXTBOOK};
+use crate::quantity::{A, C, G, KG, P, Q, T1, T2, TWO_WAYS};
 use jointproof::formula::{Component, Formula, Jacobian, Spec};
 use jointproof::proof::{Case, Law, Proved, law};
 use jointproof::{Scalar, fields};
@@ -13,7 +13,7 @@ fields! { pub struct Heat<T> { q: T = Q } }
 pub struct Flux;
 
 impl Formula for Flux {
-    const SPEC: Spec = Spec::new("gap.flux", "Heat flux across a gap", TEXTBOOK.section("Thermal resistance"))
+    const SPEC: Spec = Spec::new("gap.flux", "Heat flux across a gap", TWO_WAYS)
         .equation(r"q = \left(\frac{k_g}{c + g} + a p\right)(T_1 - T_2)")
         .eta(4.0, 4.0);
     type Inputs<T: Component> = Gap<T>;

@@ -1,11 +1,15 @@
 //! The quantities of this field. Temperatures are absolute; heat flows from side 1 to side 2.
 
-use jointproof::formula::Source;
+use jointproof::formula::{Document, Source};
 use jointproof::quantity::Domain::{NonNegative, Positive, Real};
 use jointproof::quantity::{Quantity, Unit};
 
-/// Where the equations are from.
-pub const TEXTBOOK: Source = Source::new("J. H. Lienhard, A Heat Transfer Textbook").link("https://ahtt.mit.edu/");
+const TEXTBOOK: Document = Document::new("J. H. Lienhard, A Heat Transfer Textbook").link("https://ahtt.mit.edu/");
+/// Where the flux across a gap is from.
+pub const TWO_WAYS: Source = TEXTBOOK.ours(SECTION, "the conductance is written as the sum of gas and touching spots");
+/// Where the flux through a wall is from.
+pub const IN_SERIES: Source = TEXTBOOK.ours(SECTION, "resistances in series, written for two layers and their contact");
+const SECTION: &str = "Thermal resistance and the electrical analogy";
 
 const K: Unit = Unit::TEMPERATURE;
 const CONDUCTIVITY: Unit = Unit::F.per(Unit::T.times(K));

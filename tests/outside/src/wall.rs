@@ -1,7 +1,7 @@
 //! Through a wall of two layers in contact, the resistances of layers and contact add up.
 
 use crate::gap::Heat;
-use crate::quantity::{H, KA, KB, LA, LB, T1, T2, TEXTBOOK};
+use crate::quantity::{H, IN_SERIES, KA, KB, LA, LB, T1, T2};
 use jointproof::formula::{Component, Formula, Jacobian, Spec};
 use jointproof::proof::{Case, Law, Proved, law};
 use jointproof::{Scalar, fields};
@@ -13,7 +13,7 @@ fields! { pub struct Wall<T> { t1: T = T1, t2: T = T2, la: T = LA, ka: T = KA, l
 pub struct Flux;
 
 impl Formula for Flux {
-    const SPEC: Spec = Spec::new("wall.flux", "Heat flux through a wall", TEXTBOOK.section("Thermal resistance"))
+    const SPEC: Spec = Spec::new("wall.flux", "Heat flux through a wall", IN_SERIES)
         .equation(r"q = \frac{T_1 - T_2}{L_a/k_a + L_b/k_b + 1/h}")
         .eta(4.0, 8.0);
     type Inputs<T: Component> = Wall<T>;
