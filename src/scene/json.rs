@@ -78,9 +78,7 @@ impl<'t> Reader<'t> {
 
     /// Records what a typed constructor says.
     pub(super) fn reject(&mut self, place: usize, error: &Error) {
-        let message = error.to_string();
-        let (found, allowed) = message.split_once("; allowed is ").unwrap_or((&message, "something else"));
-        self.fault(place, found, allowed);
+        self.fault(place, error.found(), error.allowed());
     }
 
     fn stop<T>(&mut self, allowed: &str) -> Read<T> {
