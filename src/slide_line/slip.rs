@@ -1,8 +1,9 @@
 //! Slip: how far the slave point moves along the line, relative to the material under it.
 
 use super::basis::length_and_tangent;
-use super::points::{Sides, arch, parabolas};
-use super::{check_distinct, left, shape};
+use super::points::{arch, parabolas};
+use super::shape::{self, Sides};
+use super::{check_distinct, left};
 use crate::Octuple;
 use crate::error::Error;
 use crate::fields;

@@ -6,7 +6,7 @@ use crate::quantity::{CLEARANCE, DAMPING_FRACTION, Domain, FRACTION, MU, MU0, PR
 use crate::scene::json::{Read, Reader};
 use crate::scene::model::Node;
 use crate::scene::read::{named, refer_all};
-use crate::slide_line::{Kind, SlideLine};
+use crate::slide_line::{Interpolation, SlideLine};
 use indexmap::IndexMap;
 
 /// The keys of a slide line.
@@ -22,7 +22,7 @@ pub(in crate::scene) const DAMPING_KEYS: [(&str, Domain); 3] =
     [("mu0", MU0.domain), ("c0", CLEARANCE.domain), ("eta", DAMPING_FRACTION.domain)];
 pub(in crate::scene) const FRICTION_KEYS: [(&str, Domain); 2] = [("mu", MU.domain), ("k_stick", STIFFNESS.domain)];
 /// The types of segments.
-pub(in crate::scene) const TYPES: [(&str, Kind); 2] = [("linear", Kind::Linear), ("parabolic", Kind::Parabolic)];
+pub(in crate::scene) const TYPES: [(&str, Interpolation); 2] = [("linear", Interpolation::Linear), ("parabolic", Interpolation::Parabolic)];
 
 /// A slide line and what acts on it. Its nodes are numbered by their place in the scene, from 1.
 #[derive(Clone, Debug)]
@@ -94,7 +94,7 @@ fn complete(
     }
 }
 
-fn type_of(reader: &mut Reader) -> Read<Option<Kind>> {
+fn type_of(reader: &mut Reader) -> Read<Option<Interpolation>> {
     let allowed = TYPES.map(|(name, _)| name).join(" or ");
     let place = reader.place();
     let Some(name) = reader.string(&allowed)? else { return Ok(None) };

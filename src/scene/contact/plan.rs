@@ -119,11 +119,11 @@ impl ContactPlan {
 
     /// The formula by which a foot is found, which also counts how many pieces of the line were looked at.
     pub(super) fn search(line: &Line) -> &'static str {
-        match (line.path.kind(), line.path.smoothing()) {
-            (slide_line::Kind::Linear, None) => "slide_line.closest_linear",
-            (slide_line::Kind::Linear, Some(_)) => "slide_line.closest_smoothed_linear",
-            (slide_line::Kind::Parabolic, None) => "slide_line.closest_parabolic",
-            (slide_line::Kind::Parabolic, Some(_)) => "slide_line.closest_smoothed_parabolic",
+        match (line.path.interpolation(), line.path.smoothing()) {
+            (slide_line::Interpolation::Linear, None) => "slide_line.closest_linear",
+            (slide_line::Interpolation::Linear, Some(_)) => "slide_line.closest_smoothed_linear",
+            (slide_line::Interpolation::Parabolic, None) => "slide_line.closest_parabolic",
+            (slide_line::Interpolation::Parabolic, Some(_)) => "slide_line.closest_smoothed_parabolic",
         }
     }
 
@@ -137,7 +137,7 @@ impl ContactPlan {
             }
         };
         let nodes = |wanted: fn(&Needs) -> bool| self.slaves.iter().filter(|slave| wanted(&slave.needs)).count();
-        let parabolic = line.path.kind() == slide_line::Kind::Parabolic;
+        let parabolic = line.path.interpolation() == slide_line::Interpolation::Parabolic;
         let slip = if parabolic { "slide_line.slip_increment_parabolic" } else { "slide_line.slip_increment_linear" };
         add(Self::search(line), self.slaves.len(), "the place of every node, among the near segments only");
         add(slip, nodes(|needs| needs.slip), "output E12, trial of coulomb.return_map");

@@ -8,8 +8,7 @@ use crate::formula::{Case, Element, Fields, Formula, Jacobian, Kink, Law, Source
 use crate::quantity::{CORNER_T, FRACTION, SEPARATION, X1, X2, X3, XS};
 use crate::scalar::{Scalar, abs};
 use crate::slide_line::corners::linear_corners;
-use crate::slide_line::points::Sides;
-use crate::slide_line::shape::LinearCorner;
+use crate::slide_line::shape::{LinearCorner, Sides};
 use crate::slide_line::{
     ClosestLinear, LinearCornerPlace, LinearSlave, SmoothedLinearPoint, check_distinct, left, length,
 };

@@ -8,8 +8,7 @@ use crate::formula::{Case, Element, Fields, Formula, Jacobian, Kink, Law, Source
 use crate::quantity::{FRACTION, X1, X2, X3, X4, X5, XS};
 use crate::scalar::Scalar;
 use crate::slide_line::corners::{curved_corner, parabolic_corners};
-use crate::slide_line::points::Sides;
-use crate::slide_line::shape::{ParabolicCorner, Shape};
+use crate::slide_line::shape::{ParabolicCorner, Shape, Sides};
 use crate::slide_line::{
     ClosestSmoothedLinear, LinearCornerSlave, ParabolicCornerPlace, SmoothedParabolicPoint, check_distinct, left,
     length,
@@ -76,9 +75,9 @@ impl Formula for ClosestSmoothedParabolic {
         let t = |n, m| view.per_unit(foot.coordinate_by(n, m));
         let normal = foot.normal();
         // By f: of X, Y′ and Y″, and of X′, which is f Y′ and hence quadratic in f.
-        let [point, rate, bend] = ParabolicCorner::by_fraction(i.f, foot.u).map(|weights| view.combination(weights));
+        let [point, rate, second] = ParabolicCorner::by_fraction(i.f, foot.u).map(|weights| view.combination(weights));
         let rate_of_point = view.combination(ParabolicCorner::rates(i.f * 2.0, foot.u));
-        let (point, rate) = (point + rate_of_point * foot.missing, rate + bend * foot.missing);
+        let (point, rate) = (point + rate_of_point * foot.missing, rate + second * foot.missing);
         let gradients = CornerFoot {
             t: ParabolicCornerSlave {
                 xs: t(-D::one(), D::zero()),

@@ -1,43 +1,61 @@
 //! A slide line where its nodes are: the closest point of the whole line.
 
-use super::closest::{PieceFoot, curved_foot, straight_foot};
-use super::shape::{self, LinearCorner, Parabola, ParabolicCorner, Shape};
+use super::interpolation::Interpolation;
+use super::place::{ClosestPoint, Place};
 use super::tree::{BLUR, Rectangle, Tree};
-use super::{ClosestPoint, Kind, Place, left, length};
-use super::{LinearMotion, LinearSlave, ParabolicMotion, SlipIncrementLinear, SlipIncrementParabolic};
 use crate::Scalar;
 use crate::error::Error;
 use crate::formula::Formula;
-use arrayvec::ArrayVec;
+use crate::slide_line::closest::{PieceFoot, curved_foot, straight_foot};
+use crate::slide_line::shape::{self, LinearCorner, Parabola, ParabolicCorner, Shape};
+use crate::slide_line::{LinearMotion, LinearSlave, ParabolicMotion, SlipIncrementLinear, SlipIncrementParabolic};
+use crate::slide_line::{left, length};
 use nalgebra::Vector2;
 use std::ops::RangeInclusive;
+use std::sync::Arc;
 
 /// A slide line where its nodes are, with a spatial index. Made by [`SlideLine::place`](super::SlideLine::place).
 #[derive(Clone, Debug)]
 pub struct PlacedLine<D = f64> {
-    kind: Kind,
+    interpolation: Interpolation,
     smoothing: Option<f64>,
-    numbers: Vec<u32>,
+    numbers: Arc<[u32]>,
     nodes: Vec<Vector2<D>>,
     tree: Tree,
 }
 
+/// What a line is made of.
+#[derive(Clone, Copy, Debug)]
+enum Piece {
+    /// A segment, by its index.
+    Segment(usize),
+    /// The corner behind a segment, smoothed over this fraction.
+    Corner(usize, f64),
+}
+
+impl Piece {
+    fn is_corner(self) -> bool {
+        matches!(self, Self::Corner(..))
+    }
+}
+
 impl<D: Scalar> PlacedLine<D> {
+    /// A line of at least one whole segment, as [`SlideLine`](super::SlideLine) sees to.
     pub(super) fn new(
-        kind: Kind,
+        interpolation: Interpolation,
         smoothing: Option<f64>,
-        numbers: Vec<u32>,
+        numbers: Arc<[u32]>,
         nodes: Vec<Vector2<D>>,
     ) -> Result<Self, Error> {
-        let mut line = Self { kind, smoothing, numbers, nodes, tree: Tree::new(Vec::new()) };
+        let mut line = Self { interpolation, smoothing, numbers, nodes, tree: Tree::new(Vec::new()) };
         (0..line.segments()).try_for_each(|segment| line.check_segment(segment))?;
-        line.tree = Tree::new((0..line.pieces()).map(|piece| line.bounds(piece)).collect());
+        line.tree = Tree::new((0..line.pieces()).map(|piece| line.bounds(line.piece(piece))).collect());
         Ok(line)
     }
 
     /// The number of segments.
     pub fn segments(&self) -> usize {
-        self.nodes.len().saturating_sub(1) / self.kind.stride()
+        (self.nodes.len() - 1) / self.interpolation.stride()
     }
 
     /// Segments and smoothed corners, in order along the line.
@@ -46,19 +64,32 @@ impl<D: Scalar> PlacedLine<D> {
         self.segments() + corners
     }
 
-    /// The segment of a piece, and whether the piece is the corner behind it.
-    fn piece(&self, piece: usize) -> (usize, bool) {
-        if self.smoothing.is_some() { (piece / 2, piece % 2 == 1) } else { (piece, false) }
+    fn piece(&self, index: usize) -> Piece {
+        match self.smoothing {
+            None => Piece::Segment(index),
+            Some(f) if index % 2 == 1 => Piece::Corner(index / 2, f),
+            Some(_) => Piece::Segment(index / 2),
+        }
     }
 
     /// The indices of the nodes of a segment, or of the two that meet at the corner behind it.
-    fn range(&self, segment: usize, corner: bool) -> RangeInclusive<usize> {
-        let (stride, reach) = (self.kind.stride(), if corner { 2 } else { 1 });
-        segment * stride..=(segment + reach) * stride
+    fn range(&self, piece: Piece) -> RangeInclusive<usize> {
+        let (first, segments) = match piece {
+            Piece::Segment(segment) => (segment, 1),
+            Piece::Corner(segment, _) => (segment, 2),
+        };
+        let stride = self.interpolation.stride();
+        first * stride..=(first + segments) * stride
+    }
+
+    /// The nodes of a piece that has so many.
+    fn nodes_of<const N: usize>(&self, piece: Piece) -> [Vector2<D>; N] {
+        let nodes = &self.nodes[self.range(piece)];
+        *nodes.as_array().expect("the interpolation and the piece tell how many nodes there are")
     }
 
     fn check_segment(&self, segment: usize) -> Result<(), Error> {
-        let range = self.range(segment, false);
+        let range = self.range(Piece::Segment(segment));
         let at = |k: usize| self.nodes[k].map(|x| x.re());
         let mut pairs = range.clone().flat_map(|k| range.clone().skip_while(move |&j| j <= k).map(move |j| (k, j)));
         match pairs.find(|&(k, j)| at(k) == at(j)) {
@@ -68,30 +99,37 @@ impl<D: Scalar> PlacedLine<D> {
     }
 
     /// The part of a piece that counts: of a segment, what its smoothed corners leave of it.
-    fn ends(&self, segment: usize, corner: bool) -> [f64; 2] {
-        let cut = |at_corner: bool| 1.0 - self.smoothing.filter(|_| at_corner).map_or(0.0, |f| 2.0 * f);
-        if corner { [0.0, 1.0] } else { [-cut(segment > 0), cut(segment + 1 < self.segments())] }
+    fn ends(&self, piece: Piece) -> [f64; 2] {
+        let Piece::Segment(segment) = piece else { return [0.0, 1.0] };
+        let end = |at_corner: bool| match self.smoothing {
+            Some(f) if at_corner => 1.0 - 2.0 * f,
+            _ => 1.0,
+        };
+        [-end(segment > 0), end(segment + 1 < self.segments())]
     }
 
     /// A box around the points that span a piece: the control points of its Bézier form.
-    fn bounds(&self, piece: usize) -> Rectangle {
-        let (segment, corner) = self.piece(piece);
-        let nodes = self.nodes[self.range(segment, corner)].iter();
-        let x: ArrayVec<Vector2<f64>, 5> = nodes.map(|x| x.map(|x| x.re())).collect();
-        let f = self.smoothing.unwrap_or_default();
-        match *x {
-            [a, b, c] if corner => Rectangle::around(&[b + (a - b) * f, b, b + (c - b) * f]),
-            [a, b, c] => Rectangle::around(&[a, b * 2.0 - (a + c) * 0.5, c]),
-            [a, b, c, d, e] => {
+    fn bounds(&self, piece: Piece) -> Rectangle {
+        let leaves = |x: Vector2<D>| x.map(|x| x.re());
+        match (self.interpolation, piece) {
+            (Interpolation::Linear, Piece::Segment(_)) => Rectangle::around(&self.nodes_of::<2>(piece).map(leaves)),
+            (Interpolation::Linear, Piece::Corner(_, f)) => {
+                let [a, b, c] = self.nodes_of::<3>(piece).map(leaves);
+                Rectangle::around(&[b + (a - b) * f, b, b + (c - b) * f])
+            }
+            (Interpolation::Parabolic, Piece::Segment(_)) => {
+                let [a, b, c] = self.nodes_of::<3>(piece).map(leaves);
+                Rectangle::around(&[a, b * 2.0 - (a + c) * 0.5, c])
+            }
+            (Interpolation::Parabolic, Piece::Corner(_, f)) => {
                 // A third of X′ leads to the inner control point, forwards at the start and backwards at the end.
-                let nodes = [a, b, c, d, e];
+                let nodes = self.nodes_of::<5>(piece).map(leaves);
                 let controls = [(0.0, f / 3.0), (1.0, -f / 3.0)].map(|(t, third)| {
                     let end = -shape::gap(Vector2::zeros(), &nodes, ParabolicCorner::weights(f, t));
                     [end, end + shape::combination(&nodes, ParabolicCorner::rates(f, t)) * third]
                 });
                 Rectangle::around(controls.as_flattened())
             }
-            _ => Rectangle::around(&x),
         }
     }
 
@@ -112,35 +150,44 @@ impl<D: Scalar> PlacedLine<D> {
 
     /// How far a farther piece may be, up to rounding, to matter still.
     fn offer(&self, nearest: &mut Nearest<D>, piece: usize, xs: Vector2<D>) -> f64 {
-        let foot = self.foot(piece, xs);
+        let foot = self.foot(self.piece(piece), xs);
         let blur = self.tree.blur(piece, foot.distance);
         nearest.offer(piece, foot, blur)
     }
 
-    fn foot(&self, piece: usize, xs: Vector2<D>) -> PieceFoot<D> {
-        let (segment, corner) = self.piece(piece);
-        let ends = self.ends(segment, corner);
-        let f = self.smoothing.unwrap_or_default();
-        match self.nodes[self.range(segment, corner)] {
-            [x1, x2, x3, x4, x5] => curved_foot::<_, ParabolicCorner, 5>(xs, [x1, x2, x3, x4, x5], f, ends),
-            [x1, x2, x3] if corner => curved_foot::<_, LinearCorner, 3>(xs, [x1, x2, x3], f, ends),
-            [x1, x2, x3] => curved_foot::<_, Parabola, 3>(xs, [x1, x2, x3], f, ends),
-            ref x => straight_foot(&LinearSlave { xs, x1: x[0], x2: x[1] }, ends),
+    fn foot(&self, piece: Piece, xs: Vector2<D>) -> PieceFoot<D> {
+        let ends = self.ends(piece);
+        match (self.interpolation, piece) {
+            (Interpolation::Linear, Piece::Segment(_)) => {
+                let [x1, x2] = self.nodes_of(piece);
+                straight_foot(&LinearSlave { xs, x1, x2 }, ends)
+            }
+            (Interpolation::Linear, Piece::Corner(_, f)) => {
+                curved_foot::<_, LinearCorner, 3>(xs, self.nodes_of(piece), f, ends)
+            }
+            // A segment has no fraction; its shape does not read it.
+            (Interpolation::Parabolic, Piece::Segment(_)) => {
+                curved_foot::<_, Parabola, 3>(xs, self.nodes_of(piece), 0.0, ends)
+            }
+            (Interpolation::Parabolic, Piece::Corner(_, f)) => {
+                curved_foot::<_, ParabolicCorner, 5>(xs, self.nodes_of(piece), f, ends)
+            }
         }
     }
 
     fn settle(&self, nearest: Nearest<D>, xs: Vector2<D>, evaluated: usize) -> Result<ClosestPoint<D>, Error> {
         let overflow = Error::Overflow { name: "separation" };
         let (piece, foot) = nearest.best().ok_or(overflow.clone())?;
-        let (index, corner) = self.piece(piece);
-        let coordinate = if corner { "t" } else { "g" };
+        let piece = self.piece(piece);
+        let (Piece::Segment(index) | Piece::Corner(index, _)) = piece;
+        let coordinate = if piece.is_corner() { "t" } else { "g" };
         if foot.stands_still {
             return Err(Error::NoTangent { coordinate, value: foot.u.re() });
         }
-        let range = self.range(index, corner);
+        let range = self.range(piece);
         let at_start = foot.u < 0.0;
         let is_end = if at_start { index == 0 } else { index + 1 == self.segments() };
-        let place = match (corner, foot.inside) {
+        let place = match (piece.is_corner(), foot.inside) {
             (true, _) => Place::Corner { index, t: foot.u },
             (false, false) if is_end && foot.beyond > 0.0 => {
                 let node = if at_start { *range.start() } else { *range.end() };
@@ -166,7 +213,7 @@ impl<D: Scalar> PlacedLine<D> {
     /// At the node where a segment begins and the one before it ends. The sign of the separation is that of the side on
     /// which the slave point lies of both together; at the node itself the normal halves the angle.
     fn at_vertex(&self, segment: usize, xs: Vector2<D>, evaluated: usize) -> Result<ClosestPoint<D>, Error> {
-        let first = *self.range(segment, false).start();
+        let first = *self.range(Piece::Segment(segment)).start();
         let number = self.numbers[first];
         let middle = left(self.tangent(segment - 1, 1.0)? + self.tangent(segment, -1.0)?);
         if middle.iter().all(|x| x.re().abs() <= BLUR) {
@@ -194,10 +241,13 @@ impl<D: Scalar> PlacedLine<D> {
 
     /// The unit tangent at an end of a segment.
     fn tangent(&self, segment: usize, end: f64) -> Result<Vector2<D>, Error> {
-        let rate = match self.nodes[self.range(segment, false)] {
-            [x1, x2, x3] => shape::combination(&[x1, x2, x3], shape::parabolic_rates(D::from(end))),
-            [x1, x2] => x2 - x1,
-            _ => Vector2::from_element(D::zero()),
+        let piece = Piece::Segment(segment);
+        let rate = match self.interpolation {
+            Interpolation::Parabolic => shape::combination(&self.nodes_of(piece), shape::parabolic_rates(D::from(end))),
+            Interpolation::Linear => {
+                let [x1, x2] = self.nodes_of(piece);
+                x2 - x1
+            }
         };
         let size = length(rate);
         if size > 0.0 { Ok(rate / size) } else { Err(Error::NoTangent { coordinate: "g", value: end }) }
@@ -207,11 +257,11 @@ impl<D: Scalar> PlacedLine<D> {
     ///
     /// `dx` are the displacement increments of the nodes of [`ClosestPoint::weights`].
     pub fn slip_increment(&self, at: &ClosestPoint<D>, dxs: Vector2<D>, dx: &[Vector2<D>]) -> D {
-        match (at.place, self.nodes.get(at.first..).unwrap_or_default(), dx) {
-            (Place::Segment { g, .. }, &[x1, x2, x3, ..], &[dx1, dx2, dx3]) => {
+        match (at.place, self.nodes.get(at.first..), dx) {
+            (Place::Segment { g, .. }, Some(&[x1, x2, x3, ..]), &[dx1, dx2, dx3]) => {
                 SlipIncrementParabolic::eval(&ParabolicMotion { x1, x2, x3, g, dxs, dx1, dx2, dx3 }).dslip
             }
-            (Place::Segment { g, .. }, &[x1, x2, ..], &[dx1, dx2]) => {
+            (Place::Segment { g, .. }, Some(&[x1, x2, ..]), &[dx1, dx2]) => {
                 SlipIncrementLinear::eval(&LinearMotion { x1, x2, g, dxs, dx1, dx2 }).dslip
             }
             // On smoothed corners and at nodes it is the same sum over other nodes.

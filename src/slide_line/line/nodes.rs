@@ -30,16 +30,8 @@ impl<D: Scalar> Nodes<D> {
     pub fn new(nodes: impl IntoIterator<Item = (u32, [D; 2])>) -> Result<Self, Error> {
         let mut positions = HashMap::new();
         for (node, x) in nodes {
-            let [r, z] = x.map(|x| x.re());
-            let fault = if !(r.is_finite() && z.is_finite()) {
-                Some(format!("is at ({r}, {z})"))
-            } else if r < 0.0 {
-                Some(format!("has the radius {r}"))
-            } else {
-                positions.insert(node, Vector2::from(x)).map(|_| "is given twice".into())
-            };
-            if let Some(fault) = fault {
-                return Err(Error::Node { node, fault, allowed: "finite coordinates with r ≥ 0, once per node" });
+            if positions.insert(node, check_position(node, x.into())?).is_some() {
+                return Err(bad_position(node, "is given twice".into()));
             }
         }
         Ok(Self(positions))
@@ -67,4 +59,20 @@ impl Nodes {
     pub fn convert<D: Scalar>(&self) -> Nodes<D> {
         Nodes(self.0.iter().map(|(&node, x)| (node, x.map(D::from))).collect())
     }
+}
+
+/// A position that a node may have.
+pub(crate) fn check_position<D: Scalar>(node: u32, x: Vector2<D>) -> Result<Vector2<D>, Error> {
+    let [r, z] = [x.x.re(), x.y.re()];
+    if !(r.is_finite() && z.is_finite()) {
+        Err(bad_position(node, format!("is at ({r}, {z})")))
+    } else if r < 0.0 {
+        Err(bad_position(node, format!("has the radius {r}")))
+    } else {
+        Ok(x)
+    }
+}
+
+fn bad_position(node: u32, fault: String) -> Error {
+    Error::Node { node, fault, allowed: "finite coordinates with r ≥ 0, once per node" }
 }

@@ -33,7 +33,7 @@ proptest! {
         slaves in proptest::collection::vec((coordinate(), coordinate()), 20),
         offset in prop_oneof![Just(0.0), Just(1e8)],
     ) {
-        let kind = if parabolic { Kind::Parabolic } else { Kind::Linear };
+        let kind = if parabolic { Interpolation::Parabolic } else { Interpolation::Linear };
         let count = segments * kind.stride() + 1;
         let nodes = places.iter().zip(1..).map(|(&(r, z), number)| (number, [r + offset, z - offset]));
         let nodes = Nodes::new(nodes).unwrap();

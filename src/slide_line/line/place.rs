@@ -70,9 +70,9 @@ impl<D: Scalar> ClosestPoint<D> {
     /// coordinate g or t.
     ///
     /// ```
-    /// use jointproof::slide_line::{Kind, Nodes, SlideLine};
+    /// use jointproof::slide_line::{Interpolation, Nodes, SlideLine};
     /// let nodes = Nodes::new([(1, [1.0, 0.0]), (2, [5.0, 0.0])])?;
-    /// let closest = SlideLine::new(Kind::Linear, [1, 2])?.place(&nodes)?.closest([2.0, 1.0].into())?;
+    /// let closest = SlideLine::new(Interpolation::Linear, [1, 2])?.place(&nodes)?.closest([2.0, 1.0].into())?;
     /// let variation = closest.overclosure_variation();
     /// assert_eq!((variation.slave.x, variation.slave.y), (0.0, -1.0));
     /// assert_eq!((variation.masters[0].0, variation.masters[0].1.y), (1, 0.75));
