@@ -22,7 +22,7 @@ fn described(kind: &'static Kind) -> KindOfElement {
     let output = |&(name, register): &(&str, &str)| Shown {
         name: name.into(),
         meaning: meaning(kind, register),
-        formulas: kind.writers(register).map(|formula| formula.step.id().into()).collect(),
+        formulas: kind.writers(register).map(|formula| formula.id().into()).collect(),
     };
     KindOfElement {
         name: kind.name.into(),
