@@ -4,8 +4,8 @@
 mod proof;
 
 use super::basis::length_and_tangent;
-use super::points::Sides;
-use super::{check_distinct, left, shape};
+use super::shape::{self, Sides};
+use super::{check_distinct, left};
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Formula, Jacobian, Spec};

@@ -10,8 +10,7 @@ use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{CORNER_T, FRACTION, SEPARATION, X1, X2, X3, XS};
 use crate::scalar::{Scalar, abs};
 use crate::slide_line::check_distinct;
-use crate::slide_line::points::Sides;
-use crate::slide_line::shape::LinearCorner;
+use crate::slide_line::shape::{LinearCorner, Sides};
 use nalgebra::Vector2;
 
 fields! {

@@ -10,8 +10,7 @@ use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{FRACTION, X1, X2, X3, X4, X5, XS};
 use crate::scalar::Scalar;
 use crate::slide_line::check_distinct;
-use crate::slide_line::points::Sides;
-use crate::slide_line::shape::{ParabolicCorner, Shape};
+use crate::slide_line::shape::{ParabolicCorner, Shape, Sides};
 use nalgebra::Vector2;
 
 fields! {
@@ -75,9 +74,9 @@ impl Formula for ClosestSmoothedParabolic {
         let t = |n, m| view.per_unit(foot.coordinate_by(n, m));
         let normal = foot.normal();
         // By f: of X, Y′ and Y″, and of X′, which is f Y′ and hence quadratic in f.
-        let [point, rate, bend] = ParabolicCorner::by_fraction(i.f, foot.u).map(|weights| view.combination(weights));
+        let [point, rate, second] = ParabolicCorner::by_fraction(i.f, foot.u).map(|weights| view.combination(weights));
         let rate_of_point = view.combination(ParabolicCorner::rates(i.f * 2.0, foot.u));
-        let (point, rate) = (point + rate_of_point * foot.missing, rate + bend * foot.missing);
+        let (point, rate) = (point + rate_of_point * foot.missing, rate + second * foot.missing);
         let gradients = CornerFoot {
             t: ParabolicCornerSlave {
                 xs: t(-D::one(), D::zero()),
