@@ -72,8 +72,8 @@ impl Formula for ReturnMap {
             "the page says when it sticks and that the force is then μ F_N; the return of a trial force is the usual one",
         ),
     )
-.equation(r"f = \begin{cases} f^{\mathrm{trial}} & \lvert f^{\mathrm{trial}}\rvert < \mu F_N \\ \mu F_N \operatorname{sign} f^{\mathrm{trial}} & \text{otherwise}\end{cases}")
-.eta(1.0, 0.0);
+    .equation(r"f = \begin{cases} f^{\mathrm{trial}} & \lvert f^{\mathrm{trial}}\rvert < \mu F_N \\ \mu F_N \operatorname{sign} f^{\mathrm{trial}} & \text{otherwise}\end{cases}")
+    .eta(1.0, 0.0);
     type Inputs<T: Component> = Trial<T>;
     type Outputs<T: Component> = Tangential<T>;
 

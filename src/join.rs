@@ -61,11 +61,13 @@ impl Formula for Constraint {
     type Inputs<T: Component> = Joined<T>;
     type Outputs<T: Component> = Displaced<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Joined<D>) -> Displaced<D> {
         let here = RelativePosition::eval(&i.positions());
         Displaced { g: Vector3::new(here.x, here.y, here.z) - i.d0 }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Joined<D>) -> Jacobian<Self, D> {
         let here = RelativePosition::jacobian(&i.positions());
         let row = |k: usize, gradient| {

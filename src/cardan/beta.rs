@@ -44,8 +44,8 @@ impl Formula for BetaTwoArgument {
             "the page of ALIGN was not given; this form of the second angle is accurate up to 90°",
         ),
     )
-.equation(r"\beta = \operatorname{atan2}\!\left(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b},\ \sqrt{(\mathbf{e}_{1a}\cdot\mathbf{e}_{1b})^2 + (\mathbf{e}_{1a}\cdot\mathbf{e}_{2b})^2}\right)")
-.eta(2.0, 4.0);
+    .equation(r"\beta = \operatorname{atan2}\!\left(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b},\ \sqrt{(\mathbf{e}_{1a}\cdot\mathbf{e}_{1b})^2 + (\mathbf{e}_{1a}\cdot\mathbf{e}_{2b})^2}\right)")
+    .eta(2.0, 4.0);
     type Inputs<T: Component> = BetaAxes<T>;
     type Outputs<T: Component> = Beta<T>;
 
@@ -57,6 +57,7 @@ impl Formula for BetaTwoArgument {
 
     /// The cosine is e1a·m with m = n1 e1b + n2 e2b, n the direction of (e1a·e1b, e1a·e2b), and a change of n leaves it to
     /// first order. So β is the angle of e1a between the axes m and e3b, and m may be taken as fixed.
+    #[inline]
     fn jacobian<D: Scalar>(i: &BetaAxes<D>) -> Jacobian<Self, D> {
         let (cosine, [n1, n2]) = norm_and_direction([i.e1a.dot(&i.e1b), i.e1a.dot(&i.e2b)]);
         let m = i.e1b * n1 + i.e2b * n2;

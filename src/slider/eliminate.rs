@@ -1,5 +1,6 @@
 //! Elimination: two coordinates of node m, and two of its increments, from the third.
 
+pub mod documented;
 #[cfg(feature = "verify")]
 mod proof;
 
@@ -40,9 +41,9 @@ impl Formula for Eliminate {
             "every symbol was lost; the words: eliminate i and j, the axes of the largest projections of the normals",
         ),
     )
-.equation(r"x_{m,i} = x_{1,i} + \frac{n_i}{n_k}(x_{m,k}-x_{1,k}),\quad x_{m,j} = x_{1,j} + \frac{n_j}{n_k}(x_{m,k}-x_{1,k})")
-.eta(2.0, 2.0)
-.not_objective();
+    .equation(r"x_{m,i} = x_{1,i} + \frac{n_i}{n_k}(x_{m,k}-x_{1,k}),\quad x_{m,j} = x_{1,j} + \frac{n_j}{n_k}(x_{m,k}-x_{1,k})")
+    .eta(2.0, 2.0)
+    .not_objective();
     type Inputs<T: Component> = KeptCoordinate<T>;
     type Outputs<T: Component> = Coordinates<T>;
 
@@ -97,9 +98,9 @@ impl Formula for Increment {
             "every symbol was lost; the words: the incremental constraints, solved for the eliminated increments",
         ),
     )
-.equation(r"\mathrm{d}x_{m,i} = w_i + \frac{n_i}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathrm{d}x_{m,j} = w_j + \frac{n_j}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathbf{w} = (1-\xi)\,\mathrm{d}\mathbf{x}_1 + \xi\,\mathrm{d}\mathbf{x}_n")
-.eta(3.0, 5.0)
-.not_objective();
+    .equation(r"\mathrm{d}x_{m,i} = w_i + \frac{n_i}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathrm{d}x_{m,j} = w_j + \frac{n_j}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathbf{w} = (1-\xi)\,\mathrm{d}\mathbf{x}_1 + \xi\,\mathrm{d}\mathbf{x}_n")
+    .eta(3.0, 5.0)
+    .not_objective();
     type Inputs<T: Component> = KeptIncrement<T>;
     type Outputs<T: Component> = Increments<T>;
 

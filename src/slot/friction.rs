@@ -101,8 +101,8 @@ impl Formula for Friction {
         "Friction",
         Document::SLOT.reconstructed("Friction", "the root in F_C was lost"),
     )
-.equation(r"P = \lvert f_1\rvert,\quad F_N = \left\lvert\sqrt{f_2^2+f_3^2} + F_C^{\mathrm{int}}\right\rvert,\quad \Phi = P - \mu F_N")
-.eta(4.0, 4.0);
+    .equation(r"P = \lvert f_1\rvert,\quad F_N = \left\lvert\sqrt{f_2^2+f_3^2} + F_C^{\mathrm{int}}\right\rvert,\quad \Phi = P - \mu F_N")
+    .eta(4.0, 4.0);
     type Inputs<T: Component> = SlotLoads<T>;
     type Outputs<T: Component> = FrictionOutputs<T>;
 

@@ -115,8 +115,8 @@ impl Formula for TwistFactors {
             "the page prints the limits and names the beam theories; the curve between is ours",
         ),
     )
-.equation(r"\alpha_{\mathrm{twist}} = \frac{1}{8+6\varphi},\quad \beta_{\mathrm{twist}} = \tfrac14 + \alpha_{\mathrm{twist}},\quad \varphi = \frac{44}{5\lambda^2},\quad \lambda = \frac{L_a}{R_p}")
-.eta(2.0, 4.0);
+    .equation(r"\alpha_{\mathrm{twist}} = \frac{1}{8+6\varphi},\quad \beta_{\mathrm{twist}} = \tfrac14 + \alpha_{\mathrm{twist}},\quad \varphi = \frac{44}{5\lambda^2},\quad \lambda = \frac{L_a}{R_p}")
+    .eta(2.0, 4.0);
     type Inputs<T: Component> = Arm<T>;
     type Outputs<T: Component> = TwistShares<T>;
 
@@ -164,8 +164,8 @@ impl Formula for AxialFactors {
         "Shares of an axial force",
         Document::UJOINT.ours("Friction", "the page uses both factors and defines neither"),
     )
-.equation(r"\alpha_{\mathrm{axial}} = \frac{\lambda^2+3}{2(\lambda^2+6)},\quad \beta_{\mathrm{axial}} = \frac{3}{2(\lambda^2+6)},\quad \lambda = \frac{L_a}{R_p}")
-.eta(2.0, 4.0);
+    .equation(r"\alpha_{\mathrm{axial}} = \frac{\lambda^2+3}{2(\lambda^2+6)},\quad \beta_{\mathrm{axial}} = \frac{3}{2(\lambda^2+6)},\quad \lambda = \frac{L_a}{R_p}")
+    .eta(2.0, 4.0);
     type Inputs<T: Component> = Arm<T>;
     type Outputs<T: Component> = AxialShares<T>;
 

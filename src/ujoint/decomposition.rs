@@ -93,8 +93,8 @@ impl Formula for Decomposition {
         "Force in the axes of the cross",
         Document::UJOINT.printed("Friction"),
     )
-.equation(r"F_{\mathrm{axial1}} = \mathbf{F}\cdot\mathbf{e}_{1a},\quad F_{\mathrm{axial3}} = \mathbf{F}\cdot\mathbf{e}_{3b},\quad F_{\mathrm{bend}} = \mathbf{F}\cdot\mathbf{e}_{\mathrm{cross}},\quad \mathbf{F} = f_1\mathbf{e}_{1a} + f_2\mathbf{e}_{2a} + f_3\mathbf{e}_{3a}")
-.eta(2.0, 2.0);
+    .equation(r"F_{\mathrm{axial1}} = \mathbf{F}\cdot\mathbf{e}_{1a},\quad F_{\mathrm{axial3}} = \mathbf{F}\cdot\mathbf{e}_{3b},\quad F_{\mathrm{bend}} = \mathbf{F}\cdot\mathbf{e}_{\mathrm{cross}},\quad \mathbf{F} = f_1\mathbf{e}_{1a} + f_2\mathbf{e}_{2a} + f_3\mathbf{e}_{3a}")
+    .eta(2.0, 2.0);
     type Inputs<T: Component> = CrossLoads<T>;
     type Outputs<T: Component> = CrossForces<T>;
 
@@ -104,6 +104,7 @@ impl Formula for Decomposition {
         if i.is_doubtful(&rough) { i.recomputed(rough) } else { rough }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &CrossLoads<D>) -> Jacobian<Self, D> {
         let beside = i.force_beside_e1a();
         let force = i.e1a * i.f1 + beside;

@@ -88,8 +88,8 @@ impl Formula for ClosestLinear {
         "Closest point of a straight segment",
         Document::SLIDE_LINE.ours("Element output", "the section says separation, and prints no equation"),
     )
-.equation(r"(\mathbf{x}_s-\mathbf{X}(g))\cdot\mathbf{X}' = 0,\quad -1 \le g \le 1,\qquad E_{11} = (\mathbf{x}_s-\mathbf{X})\cdot\mathbf{n}")
-.eta(6.0, 8.0);
+    .equation(r"(\mathbf{x}_s-\mathbf{X}(g))\cdot\mathbf{X}' = 0,\quad -1 \le g \le 1,\qquad E_{11} = (\mathbf{x}_s-\mathbf{X})\cdot\mathbf{n}")
+    .eta(6.0, 8.0);
     type Inputs<T: Component> = LinearSlave<T>;
     type Outputs<T: Component> = SegmentFoot<T>;
 

@@ -48,8 +48,8 @@ impl Formula for HingeTransverse {
         "Transverse force on a hinge",
         Document::UJOINT.reconstructed("Friction", "the root and the quotient by 4 were lost"),
     )
-.equation(r"F_{\mathrm{total}k}^{\mathrm{hinge}} = \sqrt{\left(\tfrac14 F_{\mathrm{bend}}\right)^2 + \left(F_{\mathrm{twist}}^{\mathrm{hinge}}\right)^2 + \left(F_{\mathrm{transv}k}^{\mathrm{hinge}}\right)^2}\quad (k = 1, 3)")
-.eta(2.0, 4.0);
+    .equation(r"F_{\mathrm{total}k}^{\mathrm{hinge}} = \sqrt{\left(\tfrac14 F_{\mathrm{bend}}\right)^2 + \left(F_{\mathrm{twist}}^{\mathrm{hinge}}\right)^2 + \left(F_{\mathrm{transv}k}^{\mathrm{hinge}}\right)^2}\quad (k = 1, 3)")
+    .eta(2.0, 4.0);
     type Inputs<T: Component> = CentreLoads<T>;
     type Outputs<T: Component> = TransverseForces<T>;
 

@@ -29,8 +29,8 @@ impl Formula for HingeTwist {
         "Hinge loads of the twisting moment",
         Document::UJOINT.reconstructed("Friction", "the quotient by L_a was lost"),
     )
-.equation(r"M_{\mathrm{twist}}^{\mathrm{hinge}} = \alpha_{\mathrm{twist}}\lvert m_2\rvert,\quad F_{\mathrm{twist}}^{\mathrm{hinge}} = \beta_{\mathrm{twist}}\frac{\lvert m_2\rvert}{L_a}")
-.eta(2.0, 3.0);
+    .equation(r"M_{\mathrm{twist}}^{\mathrm{hinge}} = \alpha_{\mathrm{twist}}\lvert m_2\rvert,\quad F_{\mathrm{twist}}^{\mathrm{hinge}} = \beta_{\mathrm{twist}}\frac{\lvert m_2\rvert}{L_a}")
+    .eta(2.0, 3.0);
     type Inputs<T: Component> = Twist<T>;
     type Outputs<T: Component> = TwistLoads<T>;
 
