@@ -133,7 +133,7 @@ fn record(subject: &Subject, case: &Case<Vec<f64>>) -> Record {
     record
 }
 
-/// Of every number y, with its gradient, Σᵢ |∂y/∂xᵢ · xᵢ| + |y|: rounded once, then up to four digits.
+/// Of every number y, with its gradient, Σᵢ |∂y/∂xᵢ · xᵢ| + |y|: rounded up to four digits.
 fn scales<'a>(numbers: &[Octuple], gradients: impl Iterator<Item = &'a [Octuple]>, inputs: &[Octuple]) -> Vec<f64> {
     let scale = |(&y, gradient): (&Octuple, _)| Sensitivity::new(gradient, inputs).plus(y).size();
     numbers.iter().zip(gradients).map(scale).map(|scale| four_digits_up(scale.to_f64())).collect()

@@ -138,7 +138,7 @@ pub struct Record {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(with = "schema::Outputs", extend("minProperties" = 1))]
     pub out: Option<Map<String, Value>>,
-    /// The scale of every output y, Σᵢ |∂y/∂xᵢ · xᵢ| + |y| over all inputs: rounded once, then up to four digits.
+    /// The scale of every output y, Σᵢ |∂y/∂xᵢ · xᵢ| + |y| over all inputs, rounded up to four digits.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(with = "schema::OutputScales", extend("minProperties" = 1))]
     pub out_scale: Option<Map<String, Value>>,
