@@ -11,6 +11,7 @@
 //! | [`frame`] | validated triads |
 //! | [`formula`], [`quantity`] | what a formula is; the vocabulary of symbols, units and domains |
 //! | [`scalar`] | the numbers a formula runs in: `f64`, [`Octuple`], [`Single`], dual numbers over them |
+//! | [`equation`] | the printed equation, read and executed |
 //! | [`verify`] | the toolkit that proves a formula, yours too |
 //! | [`measure`] | how fast and how wrong every way to compute a formula is |
 //! | [`scene`] | scene files: parsed, validated, planned, evaluated |
@@ -36,6 +37,8 @@ pub mod cardan;
 #[cfg(feature = "verify")]
 pub mod catalog;
 pub mod coulomb;
+#[cfg(feature = "verify")]
+pub mod equation;
 mod error;
 pub mod formula;
 pub mod frame;

@@ -56,6 +56,7 @@ pub use audit::{Audit, Claim, Deviation, Options, audit, audit_at};
 pub use difference::central_differences;
 pub(crate) use eta::U;
 pub use eta::{Sensitivity, eta, relative};
+pub(crate) use jet::differentiate;
 pub use jet::{derivative_of_jacobian, jacobian_by_ad};
 pub use sample::Sampler;
 
