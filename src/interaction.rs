@@ -1,6 +1,8 @@
 //! Contact pressure against overclosure, and contact damping.
 //!
-//! The overclosure h is the separation with the opposite sign: positive when the surfaces overlap, −h is the clearance.
+//! The overclosure h is the separation with the opposite sign: positive when the surfaces overlap, −h is the clearance,
+//! and h = 0 where they touch. Its rate v is positive while the surfaces approach. A pressure is positive when it pushes
+//! them apart.
 
 #[cfg(feature = "verify")]
 mod proof;
@@ -37,10 +39,12 @@ impl Formula for PressureLinear {
     type Inputs<T: Component> = LinearContact<T>;
     type Outputs<T: Component> = ContactPressure<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &LinearContact<D>) -> ContactPressure<D> {
         ContactPressure { p: if i.h > 0.0 { i.k * i.h } else { D::zero() } }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &LinearContact<D>) -> Jacobian<Self, D> {
         ContactPressure {
             p: if i.h > 0.0 { LinearContact { h: i.k, k: i.h } } else { LinearContact::filled(D::zero()) },
@@ -67,17 +71,19 @@ impl PressureExponential {
 
 impl Formula for PressureExponential {
     const SPEC: Spec = Spec::new("interaction.pressure_exponential", "Exponential pressure–overclosure law", SOURCE)
-.equation(r"p = \begin{cases} \dfrac{p_0}{e-1}\,s\,(e^s - 1) & s > 0 \\ 0 & \text{otherwise}\end{cases}\qquad s = \frac{h}{c_0} + 1")
-.eta(5.0, 8.0);
+        .equation(r"p = \begin{cases} \dfrac{p_0}{e-1}\,s\,(e^s - 1) & s > 0 \\ 0 & \text{otherwise}\end{cases}\qquad s = \frac{h}{c_0} + 1")
+        .eta(5.0, 8.0);
     type Inputs<T: Component> = ExponentialContact<T>;
     type Outputs<T: Component> = ContactPressure<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &ExponentialContact<D>) -> ContactPressure<D> {
         let s = Self::closure(i);
         ContactPressure { p: if s > 0.0 { i.p0 * (s * (s.exp_m1() / e_minus_one::<D>())) } else { D::zero() } }
     }
 
     /// d(s(eˢ − 1))/ds = (1 + s)(eˢ − 1) + s, and ds = (dh − (s − 1) dc0)/c0.
+    #[inline]
     fn jacobian<D: Scalar>(i: &ExponentialContact<D>) -> Jacobian<Self, D> {
         let s = Self::closure(i);
         if s <= 0.0 {
@@ -129,11 +135,12 @@ impl Zone {
 
 impl Formula for Damping {
     const SPEC: Spec = Spec::new("interaction.damping", "Viscous contact damping", SOURCE)
-.equation(r"p = v \begin{cases} \mu_0 & -h \le \eta c_0 \\ \mu_0\,\dfrac{c_0 + h}{(1-\eta)\,c_0} & \eta c_0 < -h < c_0 \\ 0 & \text{otherwise}\end{cases}")
-.eta(2.0, 2.0);
+        .equation(r"p = v \begin{cases} \mu_0 & -h \le \eta c_0 \\ \mu_0\,\dfrac{c_0 + h}{(1-\eta)\,c_0} & \eta c_0 < -h < c_0 \\ 0 & \text{otherwise}\end{cases}")
+        .eta(2.0, 2.0);
     type Inputs<T: Component> = DampingContact<T>;
     type Outputs<T: Component> = ContactPressure<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &DampingContact<D>) -> ContactPressure<D> {
         let p = match Zone::of(i) {
             Zone::Full => i.mu0 * i.v,
@@ -143,6 +150,7 @@ impl Formula for Damping {
         ContactPressure { p }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &DampingContact<D>) -> Jacobian<Self, D> {
         let zero = DampingContact::filled(D::zero());
         let p = match Zone::of(i) {

@@ -1,5 +1,6 @@
 //! [`Octuple`]: 237-bit arithmetic, the reference against which everything else is measured.
 
+mod bits;
 mod convert;
 mod decimal;
 mod elementary;

@@ -61,11 +61,13 @@ impl Formula for Constraint {
     type Inputs<T: Component> = Orientations<T>;
     type Outputs<T: Component> = Misalignment<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Orientations<D>) -> Misalignment<D> {
         let Angles { alpha, beta, gamma } = CardanAngles::eval(&i.triads());
         Misalignment { ur1: alpha - i.alpha0, ur2: beta - i.beta0, ur3: gamma - i.gamma0 }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Orientations<D>) -> Jacobian<Self, D> {
         let Angles { alpha, beta, gamma } = CardanAngles::jacobian(&i.triads());
         Misalignment {
@@ -105,10 +107,12 @@ impl Formula for ConstraintMoment {
     type Inputs<T: Component> = Moments<T>;
     type Outputs<T: Component> = Moment<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Moments<D>) -> Moment<D> {
         Moment { m: i.e1a * i.m1 + i.e2a * i.m2 + i.e3a * i.m3 }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Moments<D>) -> Jacobian<Self, D> {
         let row = |k| Moments {
             e1a: along(k, i.m1),

@@ -2,8 +2,8 @@
 
 use super::turns;
 use super::{
-    Angles, Beta, BetaAxes, BetaTwoArgument, CardanAngles, Triads, alpha, alpha_gradient, check_alpha, check_gamma,
-    gamma, gamma_gradient, rotation, turned,
+    Angles, Beta, BetaAxes, BetaTwoArgument, CardanAngles, Triads, alpha, alpha_gradient, check_turns, gamma,
+    gamma_gradient, rotation, turned,
 };
 use crate::Octuple;
 use crate::error::Error;
@@ -41,16 +41,6 @@ impl From<(&Triad, &Triad)> for Triads<f64> {
     fn from((a, b): (&Triad, &Triad)) -> Self {
         Self { e1a: a.e1(), e2a: a.e2(), e3a: a.e3(), e1b: b.e1(), e2b: b.e2(), e3b: b.e3() }
     }
-}
-
-/// Rejects gimbal lock, at which α and γ are undefined.
-///
-/// # Errors
-/// [`Error::GimbalLock`].
-#[inline]
-pub fn check_turns(i: &Triads<f64>) -> Result<(), Error> {
-    check_alpha(&i.e2a, &i.e3a, &i.e3b)?;
-    check_gamma(&i.e1a, &i.e1b, &i.e2b)
 }
 
 /// As [`CardanAngles`], with β from [`BetaTwoArgument`].

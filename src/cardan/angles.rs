@@ -25,8 +25,8 @@ pub struct CardanAngles;
 
 impl Formula for CardanAngles {
     const SPEC: Spec = Spec::new("cardan.angles", "Cardan angles", Source::TRANSLATOR.section("Description"))
-.equation(r"\alpha = -\operatorname{atan2}(\mathbf{e}_{2a}\cdot\mathbf{e}_{3b},\ \mathbf{e}_{3a}\cdot\mathbf{e}_{3b}),\quad \beta = \arcsin(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b}),\quad \gamma = -\operatorname{atan2}(\mathbf{e}_{1a}\cdot\mathbf{e}_{2b},\ \mathbf{e}_{1a}\cdot\mathbf{e}_{1b})")
-.eta(2.0, 4.0);
+        .equation(r"\alpha = -\operatorname{atan2}(\mathbf{e}_{2a}\cdot\mathbf{e}_{3b},\ \mathbf{e}_{3a}\cdot\mathbf{e}_{3b}),\quad \beta = \arcsin(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b}),\quad \gamma = -\operatorname{atan2}(\mathbf{e}_{1a}\cdot\mathbf{e}_{2b},\ \mathbf{e}_{1a}\cdot\mathbf{e}_{1b})")
+        .eta(2.0, 4.0);
     type Inputs<T: Component> = Triads<T>;
     type Outputs<T: Component> = Angles<T>;
 
@@ -39,6 +39,7 @@ impl Formula for CardanAngles {
         }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Triads<D>) -> Jacobian<Self, D> {
         let zero = Triads::filled(D::zero());
         let slope = arc_sine_slope(&i.e1a, &i.e3b);

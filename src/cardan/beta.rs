@@ -37,8 +37,8 @@ pub struct BetaTwoArgument;
 
 impl Formula for BetaTwoArgument {
     const SPEC: Spec = Spec::new("cardan.beta_two_argument", "Second Cardan angle, two-argument form", Source::TRANSLATOR.section("Description"))
-.equation(r"\beta = \operatorname{atan2}\!\left(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b},\ \sqrt{(\mathbf{e}_{1a}\cdot\mathbf{e}_{1b})^2 + (\mathbf{e}_{1a}\cdot\mathbf{e}_{2b})^2}\right)")
-.eta(2.0, 4.0);
+        .equation(r"\beta = \operatorname{atan2}\!\left(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b},\ \sqrt{(\mathbf{e}_{1a}\cdot\mathbf{e}_{1b})^2 + (\mathbf{e}_{1a}\cdot\mathbf{e}_{2b})^2}\right)")
+        .eta(2.0, 4.0);
     type Inputs<T: Component> = BetaAxes<T>;
     type Outputs<T: Component> = Beta<T>;
 
@@ -50,6 +50,7 @@ impl Formula for BetaTwoArgument {
 
     /// The cosine is e1a·m with m = n1 e1b + n2 e2b, n the direction of (e1a·e1b, e1a·e2b), and a change of n leaves it to
     /// first order. So β is the angle of e1a between the axes m and e3b, and m may be taken as fixed.
+    #[inline]
     fn jacobian<D: Scalar>(i: &BetaAxes<D>) -> Jacobian<Self, D> {
         let (cosine, [n1, n2]) = norm_and_direction([i.e1a.dot(&i.e1b), i.e1a.dot(&i.e2b)]);
         let m = i.e1b * n1 + i.e2b * n2;

@@ -7,7 +7,7 @@
 
 use f256::f256;
 
-use super::convert::{power_of_two, scale_by_power_of_two};
+use super::bits::{power_of_two, scale_by_power_of_two};
 use super::elementary::{exp, mul_add, significand};
 
 /// (high + low) · 2^exponent, with 1 ≤ |high| < 2 before, and |low| at most an ulp of high: 470 bits and more.
@@ -56,7 +56,7 @@ impl Pair {
     fn round(self) -> f256 {
         let limit = 1_000_000;
         let exponent = self.exponent.clamp(-limit, limit);
-        scale_by_power_of_two(self.high + self.low, i32::try_from(exponent).unwrap_or(0))
+        scale_by_power_of_two(self.high + self.low, i32::try_from(exponent).expect("a million fits"))
     }
 }
 

@@ -69,6 +69,7 @@ impl Formula for Stick {
         TrialForce { f_trial: i.f_before + i.k_stick * (i.u1 - i.u1_before) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &StickLoads<D>) -> Jacobian<Self, D> {
         let (u1, k_stick) = (i.k_stick, i.u1 - i.u1_before);
         TrialForce { f_trial: StickLoads { u1, u1_before: -u1, f_before: D::one(), k_stick } }
@@ -118,6 +119,7 @@ impl Formula for TurnStick {
         TrialMoment { m_trial: i.m_before + i.k_stick * wrapped(i.ur - i.ur_before) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &TurnLoads<D>) -> Jacobian<Self, D> {
         let (ur, k_stick) = (i.k_stick, wrapped(i.ur - i.ur_before));
         TrialMoment { m_trial: TurnLoads { ur, ur_before: -ur, m_before: D::one(), k_stick } }
@@ -154,6 +156,7 @@ impl Formula for Slip {
         SlipTotals { slip, slip_total: i.slip_before + abs(slip) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &SlipLoads<D>) -> Jacobian<Self, D> {
         let f_trial = D::one() / i.k_stick;
         let k_stick = -(i.f_trial - i.csf) / (i.k_stick * i.k_stick);
@@ -187,6 +190,7 @@ impl Formula for Turns {
     fn eval<D: Scalar>(i: &Triads<D>) -> Angles<D> {
         accurate(i)
     }
+    #[inline]
     fn jacobian<D: Scalar>(i: &Triads<D>) -> Jacobian<Self, D> {
         accurate_jacobian(i)
     }
@@ -215,6 +219,7 @@ impl Formula for Alignment {
         Misalignment { ur1: wrapped(alpha - i.alpha0), ur2: beta - i.beta0, ur3: wrapped(gamma - i.gamma0) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Orientations<D>) -> Jacobian<Self, D> {
         let Angles { alpha, beta, gamma } = accurate_jacobian(&i.triads());
         Misalignment {
@@ -271,6 +276,7 @@ impl Formula for KeptAxis {
         Kept { xmk: i.xm[k], dxmk: i.dxm[k] }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &KeptNodes<D>) -> Jacobian<Self, D> {
         let k = Pivots::new(&i.x1, &i.xn).k;
         let zero = Vector3::from_element(D::zero());
@@ -311,6 +317,7 @@ impl Formula for KeptAxis2d {
         Kept { xmk: i.xm[k], dxmk: i.dxm[k] }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &KeptNodes2d<D>) -> Jacobian<Self, D> {
         let k = Pivots2d::new(&i.x1, &i.xn).k;
         let (zero, axis) = (Vector2::from_element(D::zero()), crate::formula::along(k, D::one()));

@@ -26,17 +26,19 @@ pub struct LocalBasis;
 
 impl Formula for LocalBasis {
     const SPEC: Spec = Spec::new("slide_line.basis", "Local basis", Source::SLIDE_LINE.section("Defining the local basis system"))
-.equation(r"\mathbf{t} = \frac{\mathbf{X}'}{\lvert\mathbf{X}'\rvert},\quad \mathbf{n} = \mathbf{s}\times\mathbf{t} = (-t_2, t_1)")
-.eta(2.0, 4.0);
+        .equation(r"\mathbf{t} = \frac{\mathbf{X}'}{\lvert\mathbf{X}'\rvert},\quad \mathbf{n} = \mathbf{s}\times\mathbf{t} = (-t_2, t_1)")
+        .eta(2.0, 4.0);
     type Inputs<T: Component> = Direction<T>;
     type Outputs<T: Component> = Basis<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Direction<D>) -> Basis<D> {
         let (_, t) = length_and_tangent(i.dx);
         Basis { t, n: left(t) }
     }
 
     /// δt = n (n·δdx)/|dx| and δn = −t (n·δdx)/|dx|: a change of dx along t does nothing.
+    #[inline]
     fn jacobian<D: Scalar>(i: &Direction<D>) -> Jacobian<Self, D> {
         let (length, t) = length_and_tangent(i.dx);
         let n = left(t);

@@ -47,6 +47,7 @@ impl Formula for SmoothedLinearPoint {
     type Inputs<T: Component> = LinearCornerPlace<T>;
     type Outputs<T: Component> = CurvePoint<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &LinearCornerPlace<D>) -> CurvePoint<D> {
         let nodes = [i.x1, i.x2, i.x3];
         CurvePoint {
@@ -55,6 +56,7 @@ impl Formula for SmoothedLinearPoint {
         }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &LinearCornerPlace<D>) -> Jacobian<Self, D> {
         let (f, nodes) = (i.f, [i.x1, i.x2, i.x3]);
         let s = -i.t + 1.0;
@@ -92,11 +94,12 @@ pub struct SmoothedParabolicPoint;
 
 impl Formula for SmoothedParabolicPoint {
     const SPEC: Spec = Spec::new("slide_line.smoothed_parabolic_point", "Point of a smoothed corner between parabolic segments", SOURCE)
-.equation(r"\mathbf{X} = (1-t)^3\mathbf{A} + 3(1-t)^2 t\,\bigl(\mathbf{A}+\tfrac{4f}{3}\mathbf{A}'\bigr) + 3(1-t)t^2\bigl(\mathbf{B}-\tfrac{4f}{3}\mathbf{B}'\bigr) + t^3\mathbf{B}")
-.eta(4.0, 5.0);
+        .equation(r"\mathbf{X} = (1-t)^3\mathbf{A} + 3(1-t)^2 t\,\bigl(\mathbf{A}+\tfrac{4f}{3}\mathbf{A}'\bigr) + 3(1-t)t^2\bigl(\mathbf{B}-\tfrac{4f}{3}\mathbf{B}'\bigr) + t^3\mathbf{B}")
+        .eta(4.0, 5.0);
     type Inputs<T: Component> = ParabolicCornerPlace<T>;
     type Outputs<T: Component> = CurvePoint<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &ParabolicCornerPlace<D>) -> CurvePoint<D> {
         let nodes = [i.x1, i.x2, i.x3, i.x4, i.x5];
         CurvePoint {
@@ -105,6 +108,7 @@ impl Formula for SmoothedParabolicPoint {
         }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &ParabolicCornerPlace<D>) -> Jacobian<Self, D> {
         let (f, nodes) = (i.f, [i.x1, i.x2, i.x3, i.x4, i.x5]);
         let weights = ParabolicCorner::weights(f, i.t);

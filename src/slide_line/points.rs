@@ -26,16 +26,18 @@ pub struct LinearPoint;
 
 impl Formula for LinearPoint {
     const SPEC: Spec = Spec::new("slide_line.linear_point", "Point of a straight segment", Source::SLIDE_LINE.section("Defining a linear slide line"))
-.equation(r"\mathbf{X} = \tfrac12(1-g)\,\mathbf{x}_1 + \tfrac12(1+g)\,\mathbf{x}_2,\quad \mathbf{X}' = \tfrac12(\mathbf{x}_2-\mathbf{x}_1)")
-.eta(2.0, 1.0);
+        .equation(r"\mathbf{X} = \tfrac12(1-g)\,\mathbf{x}_1 + \tfrac12(1+g)\,\mathbf{x}_2,\quad \mathbf{X}' = \tfrac12(\mathbf{x}_2-\mathbf{x}_1)")
+        .eta(2.0, 1.0);
     type Inputs<T: Component> = LinearPlace<T>;
     type Outputs<T: Component> = CurvePoint<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &LinearPlace<D>) -> CurvePoint<D> {
         let [n1, n2] = shape::linear(i.g);
         CurvePoint { x: i.x1 * n1 + i.x2 * n2, dx: (i.x2 - i.x1) * D::from(0.5) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &LinearPlace<D>) -> Jacobian<Self, D> {
         let [n1, n2] = shape::linear(i.g);
         let dx = (i.x2 - i.x1) * D::from(0.5);

@@ -50,12 +50,14 @@ impl Formula for SlipIncrementLinear {
     type Inputs<T: Component> = LinearMotion<T>;
     type Outputs<T: Component> = Slip<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &LinearMotion<D>) -> Slip<D> {
         let (_, t) = length_and_tangent(i.x2 - i.x1);
         Slip { dslip: t.dot(&Self::relative_motion(i)) }
     }
 
     /// The segment turns by n·(δx2 − δx1)/ℓ, which brings n·motion into the slip.
+    #[inline]
     fn jacobian<D: Scalar>(i: &LinearMotion<D>) -> Jacobian<Self, D> {
         let (length, t) = length_and_tangent(i.x2 - i.x1);
         let [n1, n2] = shape::linear(i.g);
@@ -107,12 +109,14 @@ impl Formula for SlipIncrementParabolic {
     type Inputs<T: Component> = ParabolicMotion<T>;
     type Outputs<T: Component> = Slip<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &ParabolicMotion<D>) -> Slip<D> {
         let (_, t) = length_and_tangent(Self::sides(i).rate(i.g));
         Slip { dslip: t.dot(&Self::relative_motion(i)) }
     }
 
     /// The tangent turns by n·δX′/|X′|, with δX′ = Σ Nᵢ′ δxᵢ + X″ δg.
+    #[inline]
     fn jacobian<D: Scalar>(i: &ParabolicMotion<D>) -> Jacobian<Self, D> {
         let [n1, n2, n3] = shape::parabolic(i.g);
         let [r1, r2, r3] = shape::parabolic_rates(i.g);

@@ -34,12 +34,13 @@ pub struct TorqueLinear;
 
 impl Formula for TorqueLinear {
     const SPEC: Spec = Spec::new("slide_line.torque_linear", "Torque over ISL21A", SOURCE)
-.equation(r"T = 2\pi\ell\left[p_1\Bigl(\tfrac{r_1^2}{4}+\tfrac{r_1 r_2}{6}+\tfrac{r_2^2}{12}\Bigr) + p_2\Bigl(\tfrac{r_1^2}{12}+\tfrac{r_1 r_2}{6}+\tfrac{r_2^2}{4}\Bigr)\right]")
-.eta(3.0, 8.0)
-.not_objective();
+        .equation(r"T = 2\pi\ell\left[p_1\Bigl(\tfrac{r_1^2}{4}+\tfrac{r_1 r_2}{6}+\tfrac{r_2^2}{12}\Bigr) + p_2\Bigl(\tfrac{r_1^2}{12}+\tfrac{r_1 r_2}{6}+\tfrac{r_2^2}{4}\Bigr)\right]")
+        .eta(3.0, 8.0)
+        .not_objective();
     type Inputs<T: Component> = LinearPressures<T>;
     type Outputs<T: Component> = Torque<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &LinearPressures<D>) -> Torque<D> {
         let (length, _) = length_and_tangent(i.x2 - i.x1);
         let (r1, r2) = (i.x1.x, i.x2.x);
@@ -48,6 +49,7 @@ impl Formula for TorqueLinear {
         Torque { t: pi::<D>() / 6.0 * length * moment }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &LinearPressures<D>) -> Jacobian<Self, D> {
         let (length, t) = length_and_tangent(i.x2 - i.x1);
         let (r1, r2) = (i.x1.x, i.x2.x);

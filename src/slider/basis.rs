@@ -32,12 +32,13 @@ pub struct Basis;
 
 impl Formula for Basis {
     const SPEC: Spec = Spec::new("slider.basis", "Directions across the line", Source::SLIDER.section("Directions across the line"))
-.equation(r"\mathbf{t}_1 = \begin{cases} \mathbf{n}\times\mathbf{i}/\lvert\mathbf{n}\times\mathbf{i}\rvert & \mathbf{n}\times\mathbf{i}\ne\mathbf{0} \\ \mathbf{n}\times\mathbf{k}/\lvert\mathbf{n}\times\mathbf{k}\rvert & \text{otherwise}\end{cases},\quad \mathbf{t}_2 = \mathbf{n}\times\mathbf{t}_1")
-.eta(3.0, 5.0)
-.not_objective();
+        .equation(r"\mathbf{t}_1 = \begin{cases} \mathbf{n}\times\mathbf{i}/\lvert\mathbf{n}\times\mathbf{i}\rvert & \mathbf{n}\times\mathbf{i}\ne\mathbf{0} \\ \mathbf{n}\times\mathbf{k}/\lvert\mathbf{n}\times\mathbf{k}\rvert & \text{otherwise}\end{cases},\quad \mathbf{t}_2 = \mathbf{n}\times\mathbf{t}_1")
+        .eta(3.0, 5.0)
+        .not_objective();
     type Inputs<T: Component> = LineDirection<T>;
     type Outputs<T: Component> = Tangents<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &LineDirection<D>) -> Tangents<D> {
         let across = Across::new(&i.n);
         let ([ray_1, _], [root, _]) = (across.rays(), across.roots);
@@ -46,6 +47,7 @@ impl Formula for Basis {
         Tangents { t1: ray_1 / root, t2: across.vector(-root * binade.unit, tilted.x, tilted.y) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &LineDirection<D>) -> Jacobian<Self, D> {
         let across = Across::new(&i.n);
         let Azimuth { ca, cb, ca_n, cb_n } = Azimuth::new(&across);
@@ -113,12 +115,13 @@ pub struct BasisVariation;
 
 impl Formula for BasisVariation {
     const SPEC: Spec = Spec::new("slider.basis_variation", "Variation of the directions across", Source::SLIDER.section("Variations"))
-.equation(r"\mathrm{d}\mathbf{t}_q = \frac{\partial\mathbf{t}_q}{\partial\mathbf{n}}\,\mathrm{d}\mathbf{n},\quad q = 1, 2")
-.eta(3.0, 5.0)
-.not_objective();
+        .equation(r"\mathrm{d}\mathbf{t}_q = \frac{\partial\mathbf{t}_q}{\partial\mathbf{n}}\,\mathrm{d}\mathbf{n},\quad q = 1, 2")
+        .eta(3.0, 5.0)
+        .not_objective();
     type Inputs<T: Component> = TurningDirection<T>;
     type Outputs<T: Component> = TangentChanges<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &TurningDirection<D>) -> TangentChanges<D> {
         let across = Across::new(&i.n);
         let Azimuth { ca, cb, .. } = Azimuth::new(&across);
@@ -134,6 +137,7 @@ impl Formula for BasisVariation {
         }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &TurningDirection<D>) -> Jacobian<Self, D> {
         let across = Across::new(&i.n);
         let Azimuth { ca, cb, ca_n, cb_n } = Azimuth::new(&across);

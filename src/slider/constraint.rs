@@ -123,9 +123,9 @@ pub struct IncrementalConstraint;
 
 impl Formula for IncrementalConstraint {
     const SPEC: Spec = Spec::new("slider.incremental_constraint", "Incremental constraint", Source::SLIDER.section("Incremental constraint"))
-.equation(r"r_q = \mathbf{t}_q\cdot\bigl(\mathrm{d}\mathbf{x}_m - (1-\xi)\,\mathrm{d}\mathbf{x}_1 - \xi\,\mathrm{d}\mathbf{x}_n\bigr),\quad \xi = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{n}/l,\quad q = 1, 2")
-.eta(4.0, 16.0)
-.not_objective();
+        .equation(r"r_q = \mathbf{t}_q\cdot\bigl(\mathrm{d}\mathbf{x}_m - (1-\xi)\,\mathrm{d}\mathbf{x}_1 - \xi\,\mathrm{d}\mathbf{x}_n\bigr),\quad \xi = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{n}/l,\quad q = 1, 2")
+        .eta(4.0, 16.0)
+        .not_objective();
     type Inputs<T: Component> = MovingNodes<T>;
     type Outputs<T: Component> = IncrementalResiduals<T>;
 
@@ -140,6 +140,7 @@ impl Formula for IncrementalConstraint {
 
     /// With v = dxm − (1−ξ) dx1 − ξ dxn and γ_q = t_q·(dxn − dx1), the line enters through t_q, whose variation is that in
     /// [`Constraint`] with v for xm − x1, and through ξ: ∂r_q = v·∂t_q − γ_q ∂ξ.
+    #[inline]
     fn jacobian<D: Scalar>(i: &MovingNodes<D>) -> Jacobian<Self, D> {
         let (span, across) = (Span::new(&i.x1, &i.xn), Across::new(&(i.xn - i.x1)));
         let station = Station::new(&span, &i.x1, &i.xn, &i.xm);

@@ -1,5 +1,6 @@
 //! Elimination: two coordinates of node m, and two of its increments, from the third.
 
+pub mod documented;
 #[cfg(feature = "verify")]
 mod proof;
 
@@ -33,9 +34,9 @@ pub struct Eliminate;
 
 impl Formula for Eliminate {
     const SPEC: Spec = Spec::new("slider.eliminate", "Elimination", Source::SLIDER.section("Elimination"))
-.equation(r"x_{m,i} = x_{1,i} + \frac{n_i}{n_k}(x_{m,k}-x_{1,k}),\quad x_{m,j} = x_{1,j} + \frac{n_j}{n_k}(x_{m,k}-x_{1,k})")
-.eta(2.0, 2.0)
-.not_objective();
+        .equation(r"x_{m,i} = x_{1,i} + \frac{n_i}{n_k}(x_{m,k}-x_{1,k}),\quad x_{m,j} = x_{1,j} + \frac{n_j}{n_k}(x_{m,k}-x_{1,k})")
+        .eta(2.0, 2.0)
+        .not_objective();
     type Inputs<T: Component> = KeptCoordinate<T>;
     type Outputs<T: Component> = Coordinates<T>;
 
@@ -83,9 +84,9 @@ pub struct Increment;
 
 impl Formula for Increment {
     const SPEC: Spec = Spec::new("slider.increment", "Eliminated increments", Source::SLIDER.section("Elimination of the increments"))
-.equation(r"\mathrm{d}x_{m,i} = w_i + \frac{n_i}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathrm{d}x_{m,j} = w_j + \frac{n_j}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathbf{w} = (1-\xi)\,\mathrm{d}\mathbf{x}_1 + \xi\,\mathrm{d}\mathbf{x}_n")
-.eta(3.0, 5.0)
-.not_objective();
+        .equation(r"\mathrm{d}x_{m,i} = w_i + \frac{n_i}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathrm{d}x_{m,j} = w_j + \frac{n_j}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathbf{w} = (1-\xi)\,\mathrm{d}\mathbf{x}_1 + \xi\,\mathrm{d}\mathbf{x}_n")
+        .eta(3.0, 5.0)
+        .not_objective();
     type Inputs<T: Component> = KeptIncrement<T>;
     type Outputs<T: Component> = Increments<T>;
 

@@ -36,6 +36,7 @@ impl Formula for Line {
         Direction { n: n.into(), l }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Ends<D>) -> Jacobian<Self, D> {
         let Direction { n, l } = Self::eval(i);
         let turn = across(&n) / l;
@@ -77,8 +78,8 @@ pub struct DirectionVariation;
 
 impl Formula for DirectionVariation {
     const SPEC: Spec = Spec::new("slider.direction_variation", "Variation of the direction", Source::SLIDER.section("Variations"))
-.equation(r"\mathrm{d}l = \mathbf{n}\cdot(\mathrm{d}\mathbf{x}_n-\mathrm{d}\mathbf{x}_1),\quad \mathrm{d}\mathbf{n} = \bigl((\mathrm{d}\mathbf{x}_n-\mathrm{d}\mathbf{x}_1) - \mathrm{d}l\,\mathbf{n}\bigr)/l")
-.eta(5.0, 6.0);
+        .equation(r"\mathrm{d}l = \mathbf{n}\cdot(\mathrm{d}\mathbf{x}_n-\mathrm{d}\mathbf{x}_1),\quad \mathrm{d}\mathbf{n} = \bigl((\mathrm{d}\mathbf{x}_n-\mathrm{d}\mathbf{x}_1) - \mathrm{d}l\,\mathbf{n}\bigr)/l")
+        .eta(5.0, 6.0);
     type Inputs<T: Component> = MovingEnds<T>;
     type Outputs<T: Component> = DirectionChange<T>;
 
@@ -90,6 +91,7 @@ impl Formula for DirectionVariation {
     }
 
     /// ∂dn/∂dxn = (I − n nᵀ)/l and ∂dn/∂xn = −(dn nᵀ + n dnᵀ + (dl/l)(I − n nᵀ))/l, symmetric matrices both.
+    #[inline]
     fn jacobian<D: Scalar>(i: &MovingEnds<D>) -> Jacobian<Self, D> {
         let Direction { n, l } = Line::eval(&Ends { x1: i.x1, xn: i.xn });
         let DirectionChange { dn, dl } = Self::eval(i);

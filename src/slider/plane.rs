@@ -86,9 +86,9 @@ pub struct Increment2d;
 
 impl Formula for Increment2d {
     const SPEC: Spec = Spec::new("slider.increment_2d", "Eliminated increment in the plane", Source::SLIDER.section("Two-dimensional case"))
-.equation(r"\mathrm{d}x_{m,i} = w_i + \frac{n_i}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathbf{w} = (1-\xi)\,\mathrm{d}\mathbf{x}_1 + \xi\,\mathrm{d}\mathbf{x}_n")
-.eta(3.0, 5.0)
-.not_objective();
+        .equation(r"\mathrm{d}x_{m,i} = w_i + \frac{n_i}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathbf{w} = (1-\xi)\,\mathrm{d}\mathbf{x}_1 + \xi\,\mathrm{d}\mathbf{x}_n")
+        .eta(3.0, 5.0)
+        .not_objective();
     type Inputs<T: Component> = KeptIncrement2d<T>;
     type Outputs<T: Component> = Increment2dOutput<T>;
 

@@ -96,8 +96,8 @@ pub struct Friction;
 
 impl Formula for Friction {
     const SPEC: Spec = Spec::new("slot.friction", "Friction", Source::SLOT.section("Friction"))
-.equation(r"P = \lvert f_1\rvert,\quad F_N = \left\lvert\sqrt{f_2^2+f_3^2} + F_C^{\mathrm{int}}\right\rvert,\quad \Phi = P - \mu F_N")
-.eta(4.0, 4.0);
+        .equation(r"P = \lvert f_1\rvert,\quad F_N = \left\lvert\sqrt{f_2^2+f_3^2} + F_C^{\mathrm{int}}\right\rvert,\quad \Phi = P - \mu F_N")
+        .eta(4.0, 4.0);
     type Inputs<T: Component> = SlotLoads<T>;
     type Outputs<T: Component> = FrictionOutputs<T>;
 

@@ -31,8 +31,8 @@ pub struct RelativePosition;
 
 impl Formula for RelativePosition {
     const SPEC: Spec = Spec::new("slot.relative_position", "Relative position", Source::SLOT.section("Description"))
-.equation(r"x = \mathbf{e}_{1a}\cdot(\mathbf{x}_b-\mathbf{x}_a),\quad y = \mathbf{e}_{2a}\cdot(\mathbf{x}_b-\mathbf{x}_a),\quad z = \mathbf{e}_{3a}\cdot(\mathbf{x}_b-\mathbf{x}_a)")
-.eta(4.0, 1.0);
+        .equation(r"x = \mathbf{e}_{1a}\cdot(\mathbf{x}_b-\mathbf{x}_a),\quad y = \mathbf{e}_{2a}\cdot(\mathbf{x}_b-\mathbf{x}_a),\quad z = \mathbf{e}_{3a}\cdot(\mathbf{x}_b-\mathbf{x}_a)")
+        .eta(4.0, 1.0);
     type Inputs<T: Component> = Positions<T>;
     type Outputs<T: Component> = Relative<T>;
 
@@ -72,8 +72,8 @@ pub struct Constraint;
 
 impl Formula for Constraint {
     const SPEC: Spec = Spec::new("slot.constraint", "Constraint", Source::SLOT.section("Description"))
-.equation(r"g_y = \mathbf{e}_{2a}\cdot(\mathbf{x}_b-\mathbf{x}_a) - y_0,\quad g_z = \mathbf{e}_{3a}\cdot(\mathbf{x}_b-\mathbf{x}_a) - z_0")
-.eta(4.0, 1.0);
+        .equation(r"g_y = \mathbf{e}_{2a}\cdot(\mathbf{x}_b-\mathbf{x}_a) - y_0,\quad g_z = \mathbf{e}_{3a}\cdot(\mathbf{x}_b-\mathbf{x}_a) - z_0")
+        .eta(4.0, 1.0);
     type Inputs<T: Component> = SlotPositions<T>;
     type Outputs<T: Component> = Residuals<T>;
 

@@ -44,8 +44,8 @@ pub struct ContactForce;
 
 impl Formula for ContactForce {
     const SPEC: Spec = Spec::new("translator.contact_force", "Contact force", Source::TRANSLATOR.section("Friction"))
-.equation(r"F_C = F_{\mathrm{torq}} + F_r + F_{\mathrm{bend}} = \left\lvert\frac{m_1}{R_r}\right\rvert + \sqrt{f_2^2 + f_3^2} + \sqrt{(\beta m_2)^2 + (\beta m_3)^2},\quad \beta = \frac{2}{L}")
-.eta(2.0, 3.0);
+        .equation(r"F_C = F_{\mathrm{torq}} + F_r + F_{\mathrm{bend}} = \left\lvert\frac{m_1}{R_r}\right\rvert + \sqrt{f_2^2 + f_3^2} + \sqrt{(\beta m_2)^2 + (\beta m_3)^2},\quad \beta = \frac{2}{L}")
+        .eta(2.0, 3.0);
     type Inputs<T: Component> = ContactLoads<T>;
     type Outputs<T: Component> = Contact<T>;
 
@@ -102,8 +102,8 @@ pub struct Friction;
 
 impl Formula for Friction {
     const SPEC: Spec = Spec::new("translator.friction", "Friction", Source::TRANSLATOR.section("Friction"))
-.equation(r"P = \lvert f_1\rvert,\quad F_N = \left\lvert F_C + F_C^{\mathrm{int}}\right\rvert,\quad \Phi = P - \mu F_N")
-.eta(4.0, 3.0);
+        .equation(r"P = \lvert f_1\rvert,\quad F_N = \left\lvert F_C + F_C^{\mathrm{int}}\right\rvert,\quad \Phi = P - \mu F_N")
+        .eta(4.0, 3.0);
     type Inputs<T: Component> = FrictionLoads<T>;
     type Outputs<T: Component> = FrictionOutputs<T>;
 

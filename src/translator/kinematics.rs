@@ -63,8 +63,8 @@ pub struct Constraint;
 
 impl Formula for Constraint {
     const SPEC: Spec = Spec::new("translator.constraint", "Constraint", Source::TRANSLATOR.section("Description"))
-.equation(r"\begin{aligned} g_y &= \mathbf{e}_{2a}\cdot(\mathbf{x}_b-\mathbf{x}_a) - y_0, & g_z &= \mathbf{e}_{3a}\cdot(\mathbf{x}_b-\mathbf{x}_a) - z_0,\\ u_{r1} &= \alpha - \alpha_0, & u_{r2} &= \beta - \beta_0,\quad u_{r3} = \gamma - \gamma_0 \end{aligned}")
-.eta(2.5, 4.0);
+        .equation(r"\begin{aligned} g_y &= \mathbf{e}_{2a}\cdot(\mathbf{x}_b-\mathbf{x}_a) - y_0, & g_z &= \mathbf{e}_{3a}\cdot(\mathbf{x}_b-\mathbf{x}_a) - z_0,\\ u_{r1} &= \alpha - \alpha_0, & u_{r2} &= \beta - \beta_0,\quad u_{r3} = \gamma - \gamma_0 \end{aligned}")
+        .eta(2.5, 4.0);
     type Inputs<T: Component> = Placement<T>;
     type Outputs<T: Component> = AllResiduals<T>;
 
@@ -75,6 +75,7 @@ impl Formula for Constraint {
         AllResiduals { gy, gz, ur1, ur2, ur3 }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Placement<D>) -> Jacobian<Self, D> {
         let Residuals { gy, gz } = slot::Constraint::jacobian(&i.slot());
         let Misalignment { ur1, ur2, ur3 } = align::Constraint::jacobian(&i.align());

@@ -108,8 +108,8 @@ pub struct TwistFactors;
 
 impl Formula for TwistFactors {
     const SPEC: Spec = Spec::new("ujoint.twist_factors", "Shares of the twisting moment", Source::UJOINT.section("Friction"))
-.equation(r"\alpha_{\mathrm{twist}} = \frac{1}{8+6\varphi},\quad \beta_{\mathrm{twist}} = \tfrac14 + \alpha_{\mathrm{twist}},\quad \varphi = \frac{44}{5\lambda^2},\quad \lambda = \frac{L_a}{R_p}")
-.eta(2.0, 4.0);
+        .equation(r"\alpha_{\mathrm{twist}} = \frac{1}{8+6\varphi},\quad \beta_{\mathrm{twist}} = \tfrac14 + \alpha_{\mathrm{twist}},\quad \varphi = \frac{44}{5\lambda^2},\quad \lambda = \frac{L_a}{R_p}")
+        .eta(2.0, 4.0);
     type Inputs<T: Component> = Arm<T>;
     type Outputs<T: Component> = TwistShares<T>;
 
@@ -153,8 +153,8 @@ pub struct AxialFactors;
 
 impl Formula for AxialFactors {
     const SPEC: Spec = Spec::new("ujoint.axial_factors", "Shares of an axial force", Source::UJOINT.section("Friction"))
-.equation(r"\alpha_{\mathrm{axial}} = \frac{\lambda^2+3}{2(\lambda^2+6)},\quad \beta_{\mathrm{axial}} = \frac{3}{2(\lambda^2+6)},\quad \lambda = \frac{L_a}{R_p}")
-.eta(2.0, 4.0);
+        .equation(r"\alpha_{\mathrm{axial}} = \frac{\lambda^2+3}{2(\lambda^2+6)},\quad \beta_{\mathrm{axial}} = \frac{3}{2(\lambda^2+6)},\quad \lambda = \frac{L_a}{R_p}")
+        .eta(2.0, 4.0);
     type Inputs<T: Component> = Arm<T>;
     type Outputs<T: Component> = AxialShares<T>;
 

@@ -89,8 +89,8 @@ impl<D: Scalar> CrossLoads<D> {
 
 impl Formula for Decomposition {
     const SPEC: Spec = Spec::new("ujoint.decomposition", "Force in the axes of the cross", Source::UJOINT.section("Friction"))
-.equation(r"F_{\mathrm{axial1}} = \mathbf{F}\cdot\mathbf{e}_{1a},\quad F_{\mathrm{axial3}} = \mathbf{F}\cdot\mathbf{e}_{3b},\quad F_{\mathrm{bend}} = \mathbf{F}\cdot\mathbf{e}_{\mathrm{cross}},\quad \mathbf{F} = f_1\mathbf{e}_{1a} + f_2\mathbf{e}_{2a} + f_3\mathbf{e}_{3a}")
-.eta(2.0, 2.0);
+        .equation(r"F_{\mathrm{axial1}} = \mathbf{F}\cdot\mathbf{e}_{1a},\quad F_{\mathrm{axial3}} = \mathbf{F}\cdot\mathbf{e}_{3b},\quad F_{\mathrm{bend}} = \mathbf{F}\cdot\mathbf{e}_{\mathrm{cross}},\quad \mathbf{F} = f_1\mathbf{e}_{1a} + f_2\mathbf{e}_{2a} + f_3\mathbf{e}_{3a}")
+        .eta(2.0, 2.0);
     type Inputs<T: Component> = CrossLoads<T>;
     type Outputs<T: Component> = CrossForces<T>;
 
@@ -100,6 +100,7 @@ impl Formula for Decomposition {
         if i.is_doubtful(&rough) { i.recomputed(rough) } else { rough }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &CrossLoads<D>) -> Jacobian<Self, D> {
         let beside = i.force_beside_e1a();
         let force = i.e1a * i.f1 + beside;

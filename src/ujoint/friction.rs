@@ -51,6 +51,7 @@ impl Formula for Friction {
     type Inputs<T: Component> = FrictionLoads<T>;
     type Outputs<T: Component> = YieldPair<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &FrictionLoads<D>) -> YieldPair<D> {
         let ContactMomentPair { mc1, mc3 } = ContactMoments::eval(&i.joint());
         let FrictionLoads { mc1_int, mc3_int, mu, .. } = *i;
@@ -59,6 +60,7 @@ impl Formula for Friction {
         YieldPair { phi1: phi(i.m1, mn1), phi3: phi(i.m3, mn3) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &FrictionLoads<D>) -> Jacobian<Self, D> {
         let (ContactMomentPair { mc1, mc3 }, contact) = ContactMoments::linearized(&i.joint());
         let FrictionLoads { mc1_int, mc3_int, mu, .. } = *i;

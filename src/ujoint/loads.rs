@@ -29,10 +29,12 @@ impl Formula for Reaction {
     type Inputs<T: Component> = JoinForces<T>;
     type Outputs<T: Component> = ReactionForce<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &JoinForces<D>) -> ReactionForce<D> {
         ReactionForce { fr: norm([i.f1, i.f2, i.f3]) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &JoinForces<D>) -> Jacobian<Self, D> {
         let [f1, f2, f3] = direction([i.f1, i.f2, i.f3]);
         ReactionForce { fr: JoinForces { f1, f2, f3 } }
@@ -65,6 +67,7 @@ impl Formula for CrossDirection {
         CrossNormal { e_cross: i.e1a.cross(&i.e3b) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &CrossAxes<D>) -> Jacobian<Self, D> {
         let row = |k| {
             let unit = along(k, D::one());

@@ -33,10 +33,12 @@ impl Formula for Constraint {
     type Inputs<T: Component> = Shafts<T>;
     type Outputs<T: Component> = Skew<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Shafts<D>) -> Skew<D> {
         Skew { g: i.e1a.dot(&i.e3b) - i.c0 }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Shafts<D>) -> Jacobian<Self, D> {
         Skew { g: Shafts { e1a: i.e3b, e3b: i.e1a, c0: -D::one() } }
     }
@@ -47,21 +49,23 @@ fields! {
     pub struct Turns<T> { alpha: T = ALPHA, gamma: T = GAMMA }
 }
 
-/// The free angles: α about e1a and γ about e3b, as in [`CardanAngles`](cardan::CardanAngles).
+/// The free angles: α about e1a and γ about e3b, as in [`CardanAngles`](crate::cardan::CardanAngles).
 #[derive(Clone, Copy, Debug)]
 pub struct Angles;
 
 impl Formula for Angles {
     const SPEC: Spec = Spec::new("universal.angles", "Angles", Source::UJOINT.section("Summary"))
-.equation(r"\alpha = -\operatorname{atan2}(\mathbf{e}_{2a}\cdot\mathbf{e}_{3b},\ \mathbf{e}_{3a}\cdot\mathbf{e}_{3b}),\quad \gamma = -\operatorname{atan2}(\mathbf{e}_{1a}\cdot\mathbf{e}_{2b},\ \mathbf{e}_{1a}\cdot\mathbf{e}_{1b})")
-.eta(2.0, 8.0);
+        .equation(r"\alpha = -\operatorname{atan2}(\mathbf{e}_{2a}\cdot\mathbf{e}_{3b},\ \mathbf{e}_{3a}\cdot\mathbf{e}_{3b}),\quad \gamma = -\operatorname{atan2}(\mathbf{e}_{1a}\cdot\mathbf{e}_{2b},\ \mathbf{e}_{1a}\cdot\mathbf{e}_{1b})")
+        .eta(2.0, 8.0);
     type Inputs<T: Component> = Triads<T>;
     type Outputs<T: Component> = Turns<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Triads<D>) -> Turns<D> {
         Turns { alpha: alpha(&i.e2a, &i.e3a, &i.e3b), gamma: gamma(&i.e1a, &i.e1b, &i.e2b) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Triads<D>) -> Jacobian<Self, D> {
         let zero = Triads::filled(D::zero());
         let [e2a, e3a, e3b] = alpha_gradient(&i.e2a, &i.e3a, &i.e3b);
@@ -93,11 +97,12 @@ pub struct RelativeMotion;
 
 impl Formula for RelativeMotion {
     const SPEC: Spec = Spec::new("universal.relative_motion", "Relative motion", Source::UJOINT.section("Summary"))
-.equation(r"u_{r1} = \alpha-\alpha_0,\quad u_{r3} = \gamma-\gamma_0,\quad u_{r1}^{\mathrm{mat}} = \alpha-\theta_1^{\mathrm{ref}},\quad u_{r3}^{\mathrm{mat}} = \gamma-\theta_3^{\mathrm{ref}}")
-.eta(1.0, 0.0);
+        .equation(r"u_{r1} = \alpha-\alpha_0,\quad u_{r3} = \gamma-\gamma_0,\quad u_{r1}^{\mathrm{mat}} = \alpha-\theta_1^{\mathrm{ref}},\quad u_{r3}^{\mathrm{mat}} = \gamma-\theta_3^{\mathrm{ref}}")
+        .eta(1.0, 0.0);
     type Inputs<T: Component> = TurnsSince<T>;
     type Outputs<T: Component> = Rotations<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &TurnsSince<D>) -> Rotations<D> {
         Rotations {
             ur1: i.alpha - i.alpha0,
@@ -107,6 +112,7 @@ impl Formula for RelativeMotion {
         }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(_: &TurnsSince<D>) -> Jacobian<Self, D> {
         let (one, zero) = (D::one(), TurnsSince::filled(D::zero()));
         Rotations {

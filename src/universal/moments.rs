@@ -42,11 +42,13 @@ impl Formula for ConstraintMoment {
     type Inputs<T: Component> = Twisted<T>;
     type Outputs<T: Component> = Moment<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Twisted<D>) -> Moment<D> {
         let (_, [cosine, sine]) = turn(i);
         Moment { m: (i.e2a * cosine + i.e3a * sine) * i.m2 }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Twisted<D>) -> Jacobian<Self, D> {
         let (length, [cosine, sine]) = turn(i);
         let line_of_nodes = i.e2a * cosine + i.e3a * sine;
@@ -89,10 +91,12 @@ impl Formula for KineticMoment {
     type Inputs<T: Component> = Driven<T>;
     type Outputs<T: Component> = Moment<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Driven<D>) -> Moment<D> {
         Moment { m: i.e1a * i.m1 + i.e3b * i.m3 }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Driven<D>) -> Jacobian<Self, D> {
         let row = |k: usize| Driven { e1a: along(k, i.m1), e3b: along(k, i.m3), m1: i.e1a[k], m3: i.e3b[k] };
         Moment { m: Vector3::new(row(0), row(1), row(2)) }

@@ -84,8 +84,8 @@ impl<D: Scalar> Projection<D> {
 
 impl Formula for ClosestLinear {
     const SPEC: Spec = Spec::new("slide_line.closest_linear", "Closest point of a straight segment", Source::SLIDE_LINE.section("Element output"))
-.equation(r"(\mathbf{x}_s-\mathbf{X}(g))\cdot\mathbf{X}' = 0,\quad -1 \le g \le 1,\qquad E_{11} = (\mathbf{x}_s-\mathbf{X})\cdot\mathbf{n}")
-.eta(6.0, 8.0);
+        .equation(r"(\mathbf{x}_s-\mathbf{X}(g))\cdot\mathbf{X}' = 0,\quad -1 \le g \le 1,\qquad E_{11} = (\mathbf{x}_s-\mathbf{X})\cdot\mathbf{n}")
+        .eta(6.0, 8.0);
     type Inputs<T: Component> = LinearSlave<T>;
     type Outputs<T: Component> = SegmentFoot<T>;
 

@@ -32,21 +32,24 @@ impl<D: Scalar> ParabolicSlave<D> {
 
 impl Formula for ClosestParabolic {
     const SPEC: Spec = Spec::new("slide_line.closest_parabolic", "Closest point of a parabolic segment", Source::SLIDE_LINE.section("Element output"))
-.equation(r"(\mathbf{x}_s-\mathbf{X}(g))\cdot\mathbf{X}'(g) = 0,\quad -1 \le g \le 1,\qquad E_{11} = (\mathbf{x}_s-\mathbf{X})\cdot\mathbf{n}")
-.eta(4.0, 12.0);
+        .equation(r"(\mathbf{x}_s-\mathbf{X}(g))\cdot\mathbf{X}'(g) = 0,\quad -1 \le g \le 1,\qquad E_{11} = (\mathbf{x}_s-\mathbf{X})\cdot\mathbf{n}")
+        .eta(4.0, 12.0);
     type Inputs<T: Component> = ParabolicSlave<T>;
     type Outputs<T: Component> = SegmentFoot<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &ParabolicSlave<D>) -> SegmentFoot<D> {
         let view = i.view();
         let foot = Foot::on(&view);
         SegmentFoot { g: foot.u, separation: foot.separation() * view.unit }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &ParabolicSlave<D>) -> Jacobian<Self, D> {
         Self::linearized(i).1
     }
 
+    #[inline]
     fn linearized<D: Scalar>(i: &ParabolicSlave<D>) -> (SegmentFoot<D>, Jacobian<Self, D>) {
         let view = i.view();
         let foot = Foot::on(&view);

@@ -50,22 +50,25 @@ impl<D: Scalar> LinearCornerSlave<D> {
 
 impl Formula for ClosestSmoothedLinear {
     const SPEC: Spec = Spec::new("slide_line.closest_smoothed_linear", "Closest point of a smoothed corner between straight segments", Source::SLIDE_LINE.section("Smoothing the slide line"))
-.equation(r"(\mathbf{x}_s-\mathbf{X}(t))\cdot\mathbf{X}'(t) = 0,\quad 0 \le t \le 1,\qquad E_{11} = (\mathbf{x}_s-\mathbf{X})\cdot\mathbf{n}")
-.eta(4.0, 48.0);
+        .equation(r"(\mathbf{x}_s-\mathbf{X}(t))\cdot\mathbf{X}'(t) = 0,\quad 0 \le t \le 1,\qquad E_{11} = (\mathbf{x}_s-\mathbf{X})\cdot\mathbf{n}")
+        .eta(4.0, 48.0);
     type Inputs<T: Component> = LinearCornerSlave<T>;
     type Outputs<T: Component> = CornerFoot<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &LinearCornerSlave<D>) -> CornerFoot<D> {
         let view = i.view();
         let foot = Foot::on(&view);
         CornerFoot { t: foot.u, separation: foot.separation() * view.unit }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &LinearCornerSlave<D>) -> Jacobian<Self, D> {
         Self::linearized(i).1
     }
 
     /// With respect to f: since n ⟂ Y′, n·∂X/∂f = 2st (x2−x1) × (x3−x2)/|Y′|.
+    #[inline]
     fn linearized<D: Scalar>(i: &LinearCornerSlave<D>) -> (CornerFoot<D>, Jacobian<Self, D>) {
         let view = i.view();
         let foot = Foot::on(&view);

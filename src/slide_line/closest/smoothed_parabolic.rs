@@ -41,22 +41,25 @@ impl<D: Scalar> ParabolicCornerSlave<D> {
 
 impl Formula for ClosestSmoothedParabolic {
     const SPEC: Spec = Spec::new("slide_line.closest_smoothed_parabolic", "Closest point of a smoothed corner between parabolic segments", Source::SLIDE_LINE.section("Smoothing the slide line"))
-.equation(r"(\mathbf{x}_s-\mathbf{X}(t))\cdot\mathbf{X}'(t) = 0,\quad 0 \le t \le 1,\qquad E_{11} = (\mathbf{x}_s-\mathbf{X})\cdot\mathbf{n}")
-.eta(4.0, 128.0);
+        .equation(r"(\mathbf{x}_s-\mathbf{X}(t))\cdot\mathbf{X}'(t) = 0,\quad 0 \le t \le 1,\qquad E_{11} = (\mathbf{x}_s-\mathbf{X})\cdot\mathbf{n}")
+        .eta(4.0, 128.0);
     type Inputs<T: Component> = ParabolicCornerSlave<T>;
     type Outputs<T: Component> = CornerFoot<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &ParabolicCornerSlave<D>) -> CornerFoot<D> {
         let view = i.view();
         let foot = Foot::on(&view);
         CornerFoot { t: foot.u, separation: foot.separation() * view.unit }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &ParabolicCornerSlave<D>) -> Jacobian<Self, D> {
         Self::linearized(i).1
     }
 
     /// With respect to f an end moves along its own tangent, so only the turning of that matters there.
+    #[inline]
     fn linearized<D: Scalar>(i: &ParabolicCornerSlave<D>) -> (CornerFoot<D>, Jacobian<Self, D>) {
         let view = i.view();
         let foot = Foot::on(&view);

@@ -28,8 +28,8 @@ pub struct HingeAxial;
 
 impl Formula for HingeAxial {
     const SPEC: Spec = Spec::new("ujoint.hinge_axial", "Hinge loads of the axial forces", Source::UJOINT.section("Friction"))
-.equation(r"F_{\mathrm{axial}k}^{\mathrm{hinge}} = \alpha_{\mathrm{axial}}\lvert F_{\mathrm{axial}k}\rvert\ (k = 1, 3),\quad F_{\mathrm{transv1}}^{\mathrm{hinge}} = \beta_{\mathrm{axial}}\lvert F_{\mathrm{axial3}}\rvert,\quad F_{\mathrm{transv3}}^{\mathrm{hinge}} = \beta_{\mathrm{axial}}\lvert F_{\mathrm{axial1}}\rvert")
-.eta(2.0, 3.0);
+        .equation(r"F_{\mathrm{axial}k}^{\mathrm{hinge}} = \alpha_{\mathrm{axial}}\lvert F_{\mathrm{axial}k}\rvert\ (k = 1, 3),\quad F_{\mathrm{transv1}}^{\mathrm{hinge}} = \beta_{\mathrm{axial}}\lvert F_{\mathrm{axial3}}\rvert,\quad F_{\mathrm{transv3}}^{\mathrm{hinge}} = \beta_{\mathrm{axial}}\lvert F_{\mathrm{axial1}}\rvert")
+        .eta(2.0, 3.0);
     type Inputs<T: Component> = AxialForces<T>;
     type Outputs<T: Component> = AxialLoads<T>;
 

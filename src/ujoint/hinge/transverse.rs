@@ -44,8 +44,8 @@ pub(in crate::ujoint) fn transverse<D: Scalar>(f_bend: D, twist: &TwistLoads<D>,
 
 impl Formula for HingeTransverse {
     const SPEC: Spec = Spec::new("ujoint.hinge_transverse", "Transverse force on a hinge", Source::UJOINT.section("Friction"))
-.equation(r"F_{\mathrm{total}k}^{\mathrm{hinge}} = \sqrt{\left(\tfrac14 F_{\mathrm{bend}}\right)^2 + \left(F_{\mathrm{twist}}^{\mathrm{hinge}}\right)^2 + \left(F_{\mathrm{transv}k}^{\mathrm{hinge}}\right)^2}\quad (k = 1, 3)")
-.eta(2.0, 4.0);
+        .equation(r"F_{\mathrm{total}k}^{\mathrm{hinge}} = \sqrt{\left(\tfrac14 F_{\mathrm{bend}}\right)^2 + \left(F_{\mathrm{twist}}^{\mathrm{hinge}}\right)^2 + \left(F_{\mathrm{transv}k}^{\mathrm{hinge}}\right)^2}\quad (k = 1, 3)")
+        .eta(2.0, 4.0);
     type Inputs<T: Component> = CentreLoads<T>;
     type Outputs<T: Component> = TransverseForces<T>;
 

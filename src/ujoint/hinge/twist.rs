@@ -25,8 +25,8 @@ pub struct HingeTwist;
 
 impl Formula for HingeTwist {
     const SPEC: Spec = Spec::new("ujoint.hinge_twist", "Hinge loads of the twisting moment", Source::UJOINT.section("Friction"))
-.equation(r"M_{\mathrm{twist}}^{\mathrm{hinge}} = \alpha_{\mathrm{twist}}\lvert m_2\rvert,\quad F_{\mathrm{twist}}^{\mathrm{hinge}} = \beta_{\mathrm{twist}}\frac{\lvert m_2\rvert}{L_a}")
-.eta(2.0, 3.0);
+        .equation(r"M_{\mathrm{twist}}^{\mathrm{hinge}} = \alpha_{\mathrm{twist}}\lvert m_2\rvert,\quad F_{\mathrm{twist}}^{\mathrm{hinge}} = \beta_{\mathrm{twist}}\frac{\lvert m_2\rvert}{L_a}")
+        .eta(2.0, 3.0);
     type Inputs<T: Component> = Twist<T>;
     type Outputs<T: Component> = TwistLoads<T>;
 

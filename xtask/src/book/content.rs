@@ -5,6 +5,7 @@
 //!
 //! Fields called *text* hold plain words in which `$…$` is mathematics and `` `…` `` is code.
 
+use crate::extension::Exhibits;
 use crate::report::data::Report;
 use jointproof::verify::Audit;
 
@@ -17,55 +18,14 @@ pub(crate) struct Content {
     pub(crate) sources: Vec<SourceFile>,
     /// Tests that run over the whole catalog.
     pub(crate) catalog_tests: Vec<TestRef>,
-    /// Figures made by the build, by name: SVG elements as in `book/figures`.
-    pub(crate) figures: Vec<(String, String)>,
-    /// What programs printed for this build, by name.
-    pub(crate) outputs: Vec<(String, String)>,
+    /// What the project shows beside its formulas.
+    pub(crate) exhibits: Exhibits,
     /// The last report on speed and error.
     pub(crate) report: Option<Report>,
+    /// Whether it is about this very version of the code.
+    pub(crate) is_current: bool,
     /// Golden files to be copied beside the pages.
     pub(crate) golden: Vec<GoldenFile>,
-    /// The kinds of elements that a scene may have.
-    pub(crate) kinds: Vec<Kind>,
-}
-
-/// A kind of element of a scene.
-#[derive(Debug, Clone)]
-pub(crate) struct Kind {
-    /// The name in scene files, for instance `slot`.
-    pub(crate) name: String,
-    /// The dimension, for instance `3d`.
-    pub(crate) dimension: String,
-    /// The roles of its nodes.
-    pub(crate) nodes: String,
-    /// Its parameters.
-    pub(crate) parameters: Vec<Given>,
-    /// Its loads.
-    pub(crate) loads: Vec<Given>,
-    /// Its outputs.
-    pub(crate) outputs: Vec<Shown>,
-}
-
-/// What a scene gives to an element.
-#[derive(Debug, Clone)]
-pub(crate) struct Given {
-    /// The name in scene files.
-    pub(crate) name: String,
-    /// What it is, with its unit (text).
-    pub(crate) meaning: String,
-    /// What it is where it is not given (text); empty for a load, which stays as it was.
-    pub(crate) without: String,
-}
-
-/// An output of an element.
-#[derive(Debug, Clone)]
-pub(crate) struct Shown {
-    /// The name in scene files, for instance `CSF1`.
-    pub(crate) name: String,
-    /// What it is, with its unit (text).
-    pub(crate) meaning: String,
-    /// The formulas that compute it.
-    pub(crate) formulas: Vec<String>,
 }
 
 /// One Rust file of the repository.
@@ -116,10 +76,10 @@ pub(crate) struct Entry {
 /// The document an equation was taken from.
 #[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Source {
-    /// Short name, for instance `SLOT`.
-    pub(crate) name: String,
-    /// Full citation (text).
-    pub(crate) citation: String,
+    /// Its title (text), for instance `SLOT`.
+    pub(crate) title: String,
+    /// Where it can be read; may be empty.
+    pub(crate) link: String,
     /// Place within the document (text); may be empty.
     pub(crate) place: String,
 }
@@ -131,7 +91,7 @@ pub(crate) struct Symbol {
     pub(crate) name: String,
     /// The symbol in LaTeX.
     pub(crate) latex: String,
-    /// `scalar`, `vec2`, `vec3`.
+    /// `scalar`, `vec2`, `vec3`, `mat3`.
     pub(crate) shape: String,
     /// `L`, `F`, `FL` or `1`.
     pub(crate) unit: String,

@@ -1,6 +1,6 @@
 //! One formula's entry: equation, symbols, source, kinks, evidence, golden cases, code and tests.
 
-use super::content::{CodeSpan, Entry, Evidence, GoldenCounts, Kink, Symbol, TestRef};
+use super::content::{CodeSpan, Entry, Evidence, GoldenCounts, Kink, Source, Symbol, TestRef};
 use super::html::{each, escape, number, relative};
 use super::pages::{Pages, Place};
 use super::rust;
@@ -63,11 +63,20 @@ fn symbol_row(pages: &Pages<'_>, at: &Place, symbol: &Symbol) -> String {
 fn facts(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let source = &entry.source;
     let place = if source.place.is_empty() { String::new() } else { format!(", {}", pages.text(at, &source.place)) };
-    let mut out = fact("Source", &format!("{}{place}", pages.text(at, &source.citation)));
+    let mut out = fact("Source", &format!("{}{place}", document(pages, at, source)));
     out += &fact("Kinks", &kinks(pages, at, &entry.kinks));
     out += &fact("Golden cases", &golden(at, entry.golden.as_ref()));
     out += &fact("Evidence", &evidence(&entry.evidence));
     out + &fact("Laws", &laws(entry.evidence.audit.as_ref()))
+}
+
+/// The title of a document, as a link where it can be read.
+pub(crate) fn document(pages: &Pages<'_>, at: &Place, source: &Source) -> String {
+    let title = pages.text(at, &source.title);
+    match &*source.link {
+        "" => title,
+        link => format!("<a href=\"{}\">{title}</a>", escape(link)),
+    }
 }
 
 /// One row of the list of facts.

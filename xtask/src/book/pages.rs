@@ -75,6 +75,15 @@ impl<'a> Pages<'a> {
 
     /// *Text* as HTML: `$…$` is mathematics, `` `…` `` is code, everything else is words.
     pub(crate) fn text(&self, at: &Place, text: &str) -> String {
+        self.text_with(at, text, |code| format!("<code>{}</code>", escape(code)))
+    }
+
+    /// As [`Pages::text`], with a link where code names a formula.
+    pub(crate) fn linked_text(&self, at: &Place, text: &str) -> String {
+        self.text_with(at, text, |code| self.link(&at.page, code))
+    }
+
+    fn text_with(&self, at: &Place, text: &str, code: impl Fn(&str) -> String) -> String {
         let mut out = String::new();
         let mut rest = text;
         while let Some(open) = rest.find(['$', '`']) {
@@ -88,7 +97,7 @@ impl<'a> Pages<'a> {
             if mark == "$" {
                 out.push_str(&self.inline_math(at, inner));
             } else {
-                out.extend(["<code>", &escape(inner), "</code>"]);
+                out += &code(inner);
             }
             rest = after;
         }

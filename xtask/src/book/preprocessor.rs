@@ -8,6 +8,7 @@ use mdbook_preprocessor::errors::Result;
 use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
 
 use super::content::Content;
+use super::coverage::{self, Directive};
 use super::deferred::Deferred;
 use super::html::escape;
 use super::markdown::{Found, Piece, scan};
@@ -31,9 +32,9 @@ impl Preprocessor for Formulary {
 
     fn run(&self, _: &PreprocessorContext, mut book: Book) -> Result<Book> {
         let mut pages = Pages::new(&self.content, &self.later);
-        let mut scans = Vec::new();
-        book.for_each_chapter_mut(|chapter| scans.push(read(chapter, &mut pages)));
-        coverage(&pages);
+        let (mut scans, mut entries) = (Vec::new(), Vec::new());
+        book.for_each_chapter_mut(|chapter| scans.push(read(chapter, &pages, &mut entries)));
+        note(entries, &mut pages);
         let mut scans = scans.into_iter();
         book.for_each_chapter_mut(|chapter| {
             let found = scans.next().unwrap_or_default();
@@ -81,15 +82,15 @@ impl Formulary {
             ("evidence", "") => tables::evidence(pages, at),
             ("sources", "") => tables::sources(pages, at),
             ("speed", part) => speed::part(pages, at, part).unwrap_or_else(|| unknown(pages, at, name, argument)),
-            ("kinds", dimension) => tables::kinds(pages, at, dimension),
+            ("table", name) => tables::named(pages, at, name),
             _ => unknown(pages, at, name, argument),
         }
     }
 
     /// `{{#output name}}`: what a program printed for this build.
     fn output(pages: &Pages<'_>, at: &Place, name: &str) -> String {
-        let Some((_, text)) = pages.content.outputs.iter().find(|(known, _)| known == name) else {
-            let known: Vec<_> = pages.content.outputs.iter().map(|(name, _)| name.as_str()).collect();
+        let Some((_, text)) = pages.content.exhibits.outputs.iter().find(|(known, _)| known == name) else {
+            let known: Vec<_> = pages.content.exhibits.outputs.iter().map(|(name, _)| name.as_str()).collect();
             pages.fault(at, format!("no output `{name}`; there are: {}", known.join(", ")));
             return String::new();
         };
@@ -100,7 +101,7 @@ impl Formulary {
 /// Nothing, and a fault.
 fn unknown(pages: &Pages<'_>, at: &Place, name: &str, argument: &str) -> String {
     let known = format!(
-        "formula ID, figure NAME, output NAME, kinds DIMENSION, symbols, kinks, evidence, sources, {}",
+        "formula ID, figure NAME, output NAME, table NAME, symbols, kinks, evidence, sources, {}",
         speed::PARTS
     );
     let written = format!("{name} {argument}");
@@ -116,7 +117,7 @@ fn place(chapter: &Chapter, line: usize) -> Place {
 }
 
 /// Finds the pieces of a chapter, and notes where formulas have their entries.
-fn read(chapter: &Chapter, pages: &mut Pages<'_>) -> Vec<Found> {
+fn read(chapter: &Chapter, pages: &Pages<'_>, entries: &mut Vec<(Directive, Place)>) -> Vec<Found> {
     let (found, faults) = scan(&chapter.content);
     for (line, message) in faults {
         pages.fault(&place(chapter, line), message);
@@ -125,47 +126,19 @@ fn read(chapter: &Chapter, pages: &mut Pages<'_>) -> Vec<Found> {
         if let Piece::Directive { name, argument } = piece
             && name == "formula"
         {
-            note(pages, argument, place(chapter, *line));
+            let at = place(chapter, *line);
+            entries.push((Directive { id: argument.clone(), file: at.file.clone(), line: at.line }, at));
         }
     }
     found
 }
 
-/// Notes an entry; a fault if the formula does not exist or has an entry already.
-fn note(pages: &mut Pages<'_>, id: &str, at: Place) {
-    if pages.entry(id).is_none() {
-        let hint = nearest(pages.content, id).map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
-        pages.fault(&at, format!("no formula `{id}` in the catalog{hint}"));
-    } else if let Some(first) = pages.places.get(id) {
-        pages.fault(&at, format!("formula `{id}` has its entry already, at {}:{}", first.file, first.line));
-    } else {
-        pages.places.insert(id.to_owned(), at);
+/// Keeps the place of each formula's first entry; what [`coverage`] finds is a fault.
+fn note(entries: Vec<(Directive, Place)>, pages: &mut Pages<'_>) {
+    let ids: Vec<&str> = pages.content.entries.iter().map(|entry| entry.id.as_str()).collect();
+    let (directives, places): (Vec<_>, Vec<_>) = entries.into_iter().unzip();
+    pages.faults.borrow_mut().0.extend(coverage::faults(&ids, &directives));
+    for (directive, at) in directives.into_iter().zip(places) {
+        pages.places.entry(directive.id).or_insert(at);
     }
-}
-
-/// Every formula of the catalog must be in the book.
-fn coverage(pages: &Pages<'_>) {
-    for entry in &pages.content.entries {
-        if !pages.places.contains_key(&entry.id) {
-            let message = format!(
-                "formula `{}` is in the catalog but in no chapter; add `{{{{#formula {}}}}}`",
-                entry.id, entry.id
-            );
-            pages.faults.borrow_mut().push("book/src", 0, message);
-        }
-    }
-}
-
-/// The catalog's id that begins or ends like `id`, for a hint.
-fn nearest<'a>(content: &'a Content, id: &str) -> Option<&'a str> {
-    let alike = |known: &str| {
-        let front = known.chars().zip(id.chars()).take_while(|(a, b)| a == b).count();
-        let back = known.chars().rev().zip(id.chars().rev()).take_while(|(a, b)| a == b).count();
-        front + back
-    };
-    let ids = content.entries.iter().map(|entry| entry.id.as_str());
-    ids.map(|known| (alike(known), known))
-        .filter(|(score, known)| score * 2 >= known.len())
-        .max()
-        .map(|(_, known)| known)
 }

@@ -18,10 +18,12 @@ impl Formula for Submitted {
     type Inputs<T: Component> = CrossForces<T>;
     type Outputs<T: Component> = Contact<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &CrossForces<D>) -> Contact<D> {
         Contact { fc: norm([i.f2, i.f3]) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &CrossForces<D>) -> Jacobian<Self, D> {
         let [f2, f3] = direction([i.f2, i.f3]);
         Contact { fc: CrossForces { f2, f3: -f3 } }

@@ -1,0 +1,15 @@
+//! What our book shows beside entries: figures of the connectors, what scenes print, and the worked example of an audit.
+
+use crate::{figures, scene, worked_example};
+use jointproof::verify::Audit;
+use kit::{Exhibits, Project, audit};
+
+/// All of it.
+pub(crate) fn all(project: &Project) -> anyhow::Result<Exhibits> {
+    let audit = ("audit".to_owned(), audit::text(&[worked_example::run()], Audit::passed)?);
+    Ok(Exhibits {
+        figures: [figures::all(), scene::figures(project)?].concat(),
+        outputs: [vec![audit], figures::outputs(), scene::outputs(project)?].concat(),
+        tables: scene::tables(),
+    })
+}

@@ -1,0 +1,36 @@
+//! What a project has beside its formulas: other golden files, and exhibits for its book.
+
+use std::path::PathBuf;
+
+/// Golden files that are not of formulas.
+#[derive(Clone, Debug, Default)]
+pub struct Beside {
+    /// Each file, and what the code says that it holds.
+    pub files: Vec<(PathBuf, String)>,
+    /// Files that nothing stands behind any more.
+    pub orphans: Vec<PathBuf>,
+    /// How much that is, as `3 scenes, 120 numbers`.
+    pub counts: String,
+}
+
+/// What the chapters of a book can show beside entries, each by the name that a directive gives.
+#[derive(Clone, Debug, Default)]
+pub struct Exhibits {
+    /// `{{#figure name caption}}`: SVG elements.
+    pub figures: Vec<(String, String)>,
+    /// `{{#output name}}`: what programs print.
+    pub outputs: Vec<(String, String)>,
+    /// `{{#table name}}`: tables, one below the other.
+    pub tables: Vec<(String, Vec<Table>)>,
+}
+
+/// A table of texts, in which `$…$` is mathematics and `` `…` `` is code; code that names a formula links to it.
+#[derive(Clone, Debug, Default)]
+pub struct Table {
+    /// What stands above it; may be empty.
+    pub title: String,
+    /// The heads of the columns.
+    pub head: Vec<String>,
+    /// The rows, each as long as the head.
+    pub rows: Vec<Vec<String>>,
+}
