@@ -42,9 +42,12 @@
 //! # Ok::<(), jointproof::equation::Error>(())
 //! ```
 
+mod cursor;
+mod error;
 mod lower;
 mod name;
 mod parse;
+mod rounding;
 mod scope;
 mod statement;
 mod symbol;
@@ -53,51 +56,14 @@ mod tape;
 mod token;
 
 use crate::formula::{Field, Given, Spec};
+use crate::octuple::Octuple;
 use crate::scalar::Scalar;
-use crate::verify::differentiate;
-use crate::Octuple;
+pub use error::Error;
 use lower::{Place, Value, Writer};
 use name::Name;
-use num_traits::Zero;
 use scope::Entries;
-use std::fmt;
 use syntax::Body;
 use tape::{Id, Op, Tape};
-
-/// Why an equation cannot be executed, and where.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Error {
-    at: usize,
-    what: String,
-    entry: Option<(String, &'static str)>,
-}
-
-impl Error {
-    fn new(at: usize, what: impl Into<String>) -> Self {
-        Self { at, what: what.into(), entry: None }
-    }
-
-    /// With the entry and the part of it, unless it is known already.
-    fn of_entry(self, id: &str, part: &'static str) -> Self {
-        Self { entry: self.entry.or_else(|| Some((id.into(), part))), ..self }
-    }
-
-    /// The byte of the LaTeX at which it was found.
-    pub fn at(&self) -> usize {
-        self.at
-    }
-}
-
-impl fmt::Display for Error {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some((id, part)) = &self.entry {
-            write!(f, "the {part} of {id}, ")?;
-        }
-        write!(f, "byte {}: {}", self.at, self.what)
-    }
-}
-
-impl std::error::Error for Error {}
 
 /// An equation that can be executed.
 #[derive(Clone, Debug)]
@@ -123,19 +89,25 @@ struct Smallest {
     slope: Id,
 }
 
-/// An equation at a point, in 237 bits.
-pub(crate) struct Found {
-    pub(crate) values: Vec<Octuple>,
-    /// A row per output.
-    pub(crate) jacobian: Vec<Octuple>,
+/// What an equation gives at a point.
+pub(crate) struct Results<D> {
+    pub(crate) outputs: Vec<D>,
     /// Numbers that are printed as equal.
-    pub(crate) equal: Vec<(Octuple, Octuple)>,
-    /// By how much another place is better than the one that should be best, relatively.
-    pub(crate) better: Option<Octuple>,
+    pub(crate) equal: Vec<(D, D)>,
+    pub(crate) smallest: Option<SmallestAt<D>>,
 }
 
-/// Between its bounds the smallest of something is looked for at so many steps.
-const STEPS: u8 = 24;
+/// The place of something smallest: known, not searched.
+pub(crate) struct SmallestAt<D> {
+    /// Which component of the outputs.
+    pub(crate) output: usize,
+    pub(crate) place: D,
+    pub(crate) low: D,
+    pub(crate) high: D,
+    pub(crate) objective: D,
+    /// The derivative of the objective by the place.
+    pub(crate) slope: D,
+}
 
 impl Equation {
     /// The printed equation of a formula.
@@ -198,81 +170,52 @@ impl Equation {
         Ok(Self { tape, outputs: ids, equal, smallest })
     }
 
-    /// The outputs. Where one is the place of something smallest, the place is not searched but taken from known outputs.
+    /// The outputs. Where one is the place of something smallest, it is not searched but taken from known outputs.
     pub fn values<D: Scalar>(&self, inputs: &[D], known: &[D]) -> Vec<D> {
-        let all = self.tape.run(&self.with_place(inputs, known));
-        self.outputs.iter().map(|&id| all[id]).collect()
+        self.run(&self.point(inputs, known)).outputs
     }
 
     /// The inputs, and behind them the place of something smallest.
-    fn with_place<D: Scalar>(&self, inputs: &[D], known: &[D]) -> Vec<D> {
+    pub(crate) fn point<D: Scalar>(&self, inputs: &[D], known: &[D]) -> Vec<D> {
         let nowhere = || D::from(f64::NAN);
         let place = self.smallest.iter().map(|s| known.get(s.output).copied().unwrap_or_else(nowhere));
         inputs.iter().copied().chain(place).collect()
     }
 
-    /// Values, Jacobian and checks at a point.
-    pub(crate) fn at(&self, inputs: &[Octuple], known: &[Octuple]) -> Found {
-        let point = self.with_place(inputs, known);
-        let all = self.tape.run(&point);
-        let slope = self.smallest.iter().map(|s| s.slope);
-        let wanted: Vec<_> = self.outputs.iter().copied().chain(slope).collect();
-        let rows = differentiate(&point, &|moved| {
-            let all = self.tape.run(moved);
-            wanted.iter().map(|&id| all[id]).collect()
+    /// Everything at a [`point`](Self::point).
+    pub(crate) fn run<D: Scalar>(&self, point: &[D]) -> Results<D> {
+        let all = self.tape.run(point);
+        let smallest = self.smallest.as_ref().map(|s| SmallestAt {
+            output: s.output,
+            place: all[s.place],
+            low: all[s.low],
+            high: all[s.high],
+            objective: all[s.objective],
+            slope: all[s.slope],
         });
-        let mut values: Vec<_> = self.outputs.iter().map(|&id| all[id]).collect();
-        let mut motion = vec![Octuple::zero(); inputs.len()];
-        if let Some(smallest) = &self.smallest {
-            values[smallest.output] = smallest.settled(&all, &rows[self.outputs.len()], &mut motion);
-        }
-        let row = |row: &Vec<Octuple>| -> Vec<Octuple> {
-            let by_place = row.get(inputs.len()).copied().unwrap_or_else(Octuple::zero);
-            row.iter().zip(&motion).map(|(&direct, &motion)| direct + by_place * motion).collect()
-        };
-        Found {
-            values,
-            jacobian: rows[..self.outputs.len()].iter().flat_map(row).collect(),
-            equal: self.equal.iter().map(|&(a, b)| (all[a], all[b])).collect(),
-            better: self.smallest.as_ref().map(|smallest| smallest.better(&self.tape, point, &all)),
-        }
+        let outputs = self.outputs.iter().map(|&id| all[id]).collect();
+        Results { outputs, equal: self.equal.iter().map(|&(a, b)| (all[a], all[b])).collect(), smallest }
     }
 }
 
-impl Smallest {
-    /// The place itself by one step of Newton's method from where it is known to be, and how it moves with the inputs.
-    /// At a bound it stays, if the objective rises from there.
-    fn settled(&self, all: &[Octuple], slopes: &[Octuple], motion: &mut [Octuple]) -> Octuple {
-        let (low, high, slope) = (all[self.low], all[self.high], all[self.slope]);
-        let (place, curvature) = match slopes.split_last() {
-            Some((&curvature, _)) => (all[self.place], curvature),
-            None => return Octuple::NAN,
-        };
-        let zero = Octuple::zero();
-        if place == low && slope >= zero || place == high && slope <= zero {
-            return place;
-        }
-        if !(low < place && place < high) {
-            return Octuple::NAN;
-        }
-        for (motion, &by_input) in motion.iter_mut().zip(slopes) {
-            *motion = -by_input / curvature;
-        }
-        place - slope / curvature
+/// How large the terms are from which a number of the equation is summed, at a [`point`](Equation::point): rounding
+/// them may change it by so many roundings.
+impl Equation {
+    /// Of an output, or of its derivative by a number of the point.
+    pub(crate) fn terms_of_output(&self, output: usize, by: Option<usize>, point: &[Octuple]) -> Octuple {
+        self.terms(self.outputs[output], by, point)
     }
 
-    /// The relative excess of the objective over that of the best of some other places, 0 where none is better.
-    fn better(&self, tape: &Tape, mut point: Vec<Octuple>, all: &[Octuple]) -> Octuple {
-        let (low, high, here) = (all[self.low], all[self.high], all[self.objective]);
-        let last = point.len() - 1;
-        let mut worst = Octuple::zero();
-        for step in 0..=STEPS {
-            point[last] = low + (high - low) * (f64::from(step) / f64::from(STEPS));
-            let there = tape.run(&point)[self.objective];
-            let excess = (here - there) / (here + there);
-            worst = if excess > worst { excess } else { worst };
-        }
-        worst
+    /// Of the derivative of the slope that vanishes at the place of something smallest, and of that slope.
+    pub(crate) fn terms_of_slope(&self, by: Option<usize>, point: &[Octuple]) -> Octuple {
+        self.smallest.as_ref().map_or_else(Octuple::default, |smallest| self.terms(smallest.slope, by, point))
+    }
+
+    fn terms(&self, of: Id, by: Option<usize>, point: &[Octuple]) -> Octuple {
+        let Some(by) = by else { return rounding::terms(&self.tape, point)[of] };
+        let mut tape = self.tape.clone();
+        let slope = tape.derivative(of, by);
+        rounding::terms(&tape, point)[slope]
     }
 }
 
@@ -287,7 +230,7 @@ fn symbol_of(latex: &str) -> Result<Name, Error> {
     match one {
         Ok(Some((name, parameters))) if parameters.is_empty() => Ok(name),
         Ok(_) => Err(Error::new(0, format!("`{latex}` is not one symbol"))),
-        Err(error) => Err(Error { what: format!("the symbol `{latex}`: {}", error.what), ..error }),
+        Err(error) => Err(error.of_symbol(latex)),
     }
 }
 

@@ -6,7 +6,7 @@ mod proof;
 use crate::cardan::{Angles, CardanAngles, Oriented, Triads};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Fields, Formula, Jacobian, Source, Spec, along};
+use crate::formula::{Component, Fields, Formula, Given, Jacobian, Source, Spec, along};
 use crate::quantity::{ALPHA0, BETA0, E1A, E1B, E2A, E2B, E3A, E3B, GAMMA0, M1, M2, M3, MOMENT, UR1, UR2, UR3};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
@@ -57,6 +57,7 @@ pub struct Constraint;
 impl Formula for Constraint {
     const SPEC: Spec = Spec::new("align.constraint", "Constraint", Source::TRANSLATOR.section("Description"))
         .equation(r"u_{r1} = \alpha - \alpha_0,\quad u_{r2} = \beta - \beta_0,\quad u_{r3} = \gamma - \gamma_0")
+        .given(&[Given::new(r"\alpha,\ \beta,\ \gamma", &CardanAngles::SPEC)])
         .eta(2.0, 4.0);
     type Inputs<T: Component> = Orientations<T>;
     type Outputs<T: Component> = Misalignment<T>;

@@ -1,6 +1,6 @@
 //! Symbols get their meaning, vectors fall apart into components, and the list of operations is written.
 
-use super::Error;
+use super::error::Error;
 use super::name::Name;
 use super::scope::Entries;
 use super::syntax::{Body, Condition, Expr, Function, Kind, Operator, Relation, Statement, small};
@@ -126,11 +126,18 @@ impl<'e> Writer<'e> {
         }
         if let Some((statement, parameters)) = self.statement(name, place) {
             // Without a bracket behind it a function means: of the symbols of its parameters.
-            let bound = parameters.iter().map(|p| Ok((p.clone(), self.symbol(p, at, place)?))).collect::<Result<Vec<_>, _>>()?;
+            let bound = parameters
+                .iter()
+                .map(|p| Ok((p.clone(), self.symbol(p, at, place)?)))
+                .collect::<Result<Vec<_>, _>>()?;
             return self.body(statement, &Place { bound: &bound, depth: place.depth + 1, ..place }).map(Some);
         }
         if let Some((_, from)) = self.taken(name, place) {
-            return self.defined(name, at, Place { entry: from, bound: &[], parent: Some(&place), depth: place.depth + 1 });
+            return self.defined(
+                name,
+                at,
+                Place { entry: from, bound: &[], parent: Some(&place), depth: place.depth + 1 },
+            );
         }
         match place.parent {
             Some(parent) => self.defined(name, at, Place { depth: place.depth + 1, ..*parent }),
@@ -183,7 +190,9 @@ impl<'e> Writer<'e> {
     fn note_equal(&mut self, first: &Value, next: &Value, at: usize, place: &Place<'_>) -> Result<(), Error> {
         let pairs: Vec<_> = match (first, next) {
             (Value::Scalar(a), Value::Scalar(b)) => vec![(*a, *b)],
-            (Value::Vector(a), Value::Vector(b)) if a.len() == b.len() => a.iter().copied().zip(b.iter().copied()).collect(),
+            (Value::Vector(a), Value::Vector(b)) if a.len() == b.len() => {
+                a.iter().copied().zip(b.iter().copied()).collect()
+            }
             _ => return Err(Error::new(at, "the two sides have not the same shape")),
         };
         if place.entry == 0 {
@@ -197,7 +206,10 @@ impl<'e> Writer<'e> {
         let values = arguments.iter().map(|e| self.expression(e, place)).collect::<Result<Vec<_>, _>>()?;
         let bind = |parameters: &[Name]| -> Result<Vec<(Name, Value)>, Error> {
             if parameters.len() != values.len() {
-                return Err(Error::new(at, format!("{name} is a function of {}, not {}", parameters.len(), values.len())));
+                return Err(Error::new(
+                    at,
+                    format!("{name} is a function of {}, not {}", parameters.len(), values.len()),
+                ));
             }
             Ok(parameters.iter().cloned().zip(values.iter().cloned()).collect())
         };
@@ -279,7 +291,9 @@ impl<'e> Writer<'e> {
         match value {
             Value::Scalar(id) => Ok(Value::Scalar(change(&mut self.tape, id))),
             Value::Vector(parts) => Ok(Value::Vector(parts.into_iter().map(|id| change(&mut self.tape, id)).collect())),
-            Value::Normal | Value::Zero => Err(Error::new(at, "only a cross product or a comparison is written with this")),
+            Value::Normal | Value::Zero => {
+                Err(Error::new(at, "only a cross product or a comparison is written with this"))
+            }
         }
     }
 

@@ -1,53 +1,12 @@
 //! Expressions.
 
-use super::Error;
+use super::cursor::Parser;
+use super::error::Error;
 use super::name::Name;
-use super::syntax::{Condition, Expr, Function, Kind, Operator, Relation, small};
+use super::syntax::{Condition, Expr, Function, Kind, Operator, Relation};
 use super::token::{Kind as Word, Token};
 
-/// Reads from the tokens of one equation.
-pub(super) struct Parser<'a> {
-    pub(super) tokens: Vec<Token<'a>>,
-    pub(super) next: usize,
-    /// Names that are functions where a bracket follows.
-    pub(super) functions: Vec<Name>,
-}
-
-impl<'a> Parser<'a> {
-    pub(super) fn peek(&self) -> Token<'a> {
-        self.tokens[self.next.min(self.tokens.len() - 1)]
-    }
-
-    pub(super) fn take(&mut self) -> Token<'a> {
-        let token = self.peek();
-        self.next += 1;
-        token
-    }
-
-    pub(super) fn sees(&self, sign: char) -> bool {
-        self.peek().kind == Word::Sign(sign)
-    }
-
-    /// Takes a token if it is this one.
-    pub(super) fn took(&mut self, kind: Word<'_>) -> bool {
-        let is_so = self.peek().kind == kind;
-        self.next += usize::from(is_so);
-        is_so
-    }
-
-    pub(super) fn took_sign(&mut self, sign: char) -> bool {
-        self.took(Word::Sign(sign))
-    }
-
-    pub(super) fn expect(&mut self, sign: char) -> Result<(), Error> {
-        if self.took_sign(sign) { Ok(()) } else { Err(self.expected(&format!("`{sign}`"))) }
-    }
-
-    /// What was expected here.
-    pub(super) fn expected(&self, what: &str) -> Error {
-        Error::new(self.peek().at, format!("{what} was expected here"))
-    }
-
+impl Parser<'_> {
     /// Sums of terms.
     pub(super) fn expression(&mut self) -> Result<Expr, Error> {
         let mut sum = self.term()?;
@@ -97,8 +56,8 @@ impl<'a> Parser<'a> {
         match self.peek().kind {
             // `(k = 1, 3)` is a range.
             Word::Sign('(') => self.tokens.get(self.next + 2).is_none_or(|token| token.kind != Word::Sign('=')),
-            Word::Letter(_) | Word::Digit(_) | Word::Sign('[') => true,
-            Word::Command(name) => !matches!(name, "rvert" | "end" | "le" | "ge" | "ne" | "cdot" | "times"),
+            Word::Letter(_) | Word::Digit(_) | Word::Sign('[') | Word::BeginCases => true,
+            Word::Command(name) => !matches!(name, "rvert" | "le" | "ge" | "ne" | "cdot" | "times"),
             _ => false,
         }
     }
@@ -142,6 +101,7 @@ impl<'a> Parser<'a> {
             Word::Digit(_) => self.number()?,
             Word::Sign('(') => self.bracket(')')?,
             Word::Sign('[') => self.bracket(']')?,
+            Word::BeginCases => self.cases()?,
             Word::Command(command) => match self.command(command, at)? {
                 Some(kind) => kind,
                 None => self.symbol()?,
@@ -192,17 +152,6 @@ impl<'a> Parser<'a> {
         Ok(Kind::Binary(Operator::Divide, number(whole.0 * scale + decimals), number(scale)))
     }
 
-    /// The digits here as a number, and ten to their count.
-    fn digits(&mut self) -> (f64, f64) {
-        let (mut value, mut scale) = (0.0, 1.0);
-        while let Word::Digit(digit) = self.peek().kind {
-            value = value * 10.0 + digit.to_digit(10).map_or(f64::NAN, f64::from);
-            scale *= 10.0;
-            self.next += 1;
-        }
-        (value, scale)
-    }
-
     /// What a command begins; nothing where it begins a symbol.
     fn command(&mut self, command: &str, at: usize) -> Result<Option<Kind>, Error> {
         let start = self.next;
@@ -225,7 +174,6 @@ impl<'a> Parser<'a> {
                 }
                 Ok(Some(Kind::Size(Box::new(inside))))
             }
-            "begin" => self.cases().map(Some),
             "sum" => self.sum().map(Some),
             _ => {
                 self.next = start;
@@ -259,23 +207,9 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// Letters and digits in braces.
-    pub(super) fn word(&mut self) -> Result<String, Error> {
-        self.expect('{')?;
-        let mut word = String::new();
-        while let Word::Letter(c) | Word::Digit(c) = self.peek().kind {
-            word.push(c);
-            self.next += 1;
-        }
-        self.expect('}')?;
-        Ok(word)
-    }
-
     /// `\begin{cases} value & condition \\ … \end{cases}`.
     fn cases(&mut self) -> Result<Kind, Error> {
-        if self.word()? != "cases" {
-            return Err(self.expected("an environment `cases` or `aligned`"));
-        }
+        self.next += 1;
         let mut rows = Vec::new();
         loop {
             let value = self.expression()?;
@@ -286,7 +220,7 @@ impl<'a> Parser<'a> {
             if self.took(Word::Row) {
                 continue;
             }
-            if self.took(Word::Command("end")) && self.word()? == "cases" {
+            if self.took(Word::EndCases) {
                 return Ok(Kind::Cases(rows));
             }
             return Err(self.expected("the end of the cases"));
@@ -345,15 +279,6 @@ impl<'a> Parser<'a> {
             self.expect('}')?;
         }
         Ok(Kind::Sum { index: index.into(), from, to, body: Box::new(self.term()?) })
-    }
-
-    /// A number that counts.
-    pub(super) fn integer(&mut self) -> Result<usize, Error> {
-        if !matches!(self.peek().kind, Word::Digit(_)) {
-            return Err(self.expected("a whole number"));
-        }
-        let value = self.digits().0;
-        (0..100).find(|&k| small(k) == value).ok_or_else(|| self.expected("a number below 100 before this"))
     }
 }
 

@@ -1,6 +1,6 @@
 //! Which definitions an equation's symbols can mean: its own, and those it takes from others by "where".
 
-use super::Error;
+use super::error::Error;
 use super::name::Name;
 use super::statement::{statements, symbols};
 use super::syntax::{Body, Statement};

@@ -1,8 +1,8 @@
 //! Statements: definitions, ranges, remarks.
 
-use super::Error;
+use super::cursor::Parser;
+use super::error::Error;
 use super::name::Name;
-use super::parse::Parser;
 use super::syntax::{Body, Expr, Kind, Statement};
 use super::token::{Kind as Word, Token, tokens};
 
@@ -82,7 +82,8 @@ impl Parser<'_> {
         for start in 0..self.tokens.len() {
             let begins = start == 0 || matches!(self.tokens[start - 1].kind, Word::Gap | Word::Sign(','));
             self.next = start;
-            if begins && let Ok(Some(name)) = self.name()
+            if begins
+                && let Ok(Some(name)) = self.name()
                 && self.sees('(')
                 && self.names().is_ok()
                 && self.sees('=')
@@ -175,7 +176,10 @@ impl Parser<'_> {
         self.expect('}')?;
         let at_most = Some(super::syntax::Relation::LessOrEqual);
         if (first, second) != (at_most, at_most) || name.as_ref() != names.first() || names.len() != 1 {
-            return Err(Error::new(at, "the defined symbol between its bounds was expected here, as in `0 \\le t \\le 1`"));
+            return Err(Error::new(
+                at,
+                "the defined symbol between its bounds was expected here, as in `0 \\le t \\le 1`",
+            ));
         }
         Ok(Body::ArgMin { low, high, objective: self.expression()? })
     }

@@ -22,7 +22,12 @@ pub(super) enum Kind {
     /// Absolute value or length.
     Size(Box<Expr>),
     Cases(Vec<(Expr, Condition)>),
-    Sum { index: String, from: usize, to: usize, body: Box<Expr> },
+    Sum {
+        index: String,
+        from: usize,
+        to: usize,
+        body: Box<Expr>,
+    },
     Tuple(Vec<Expr>),
     /// The k-th of a tuple, counted from 0.
     Item(Box<Expr>, usize),

@@ -55,6 +55,11 @@ impl Tape {
         self.push(Op::Number(value.to_bits()))
     }
 
+    /// The operations in order.
+    pub(super) fn ops(&self) -> &[Op] {
+        &self.ops
+    }
+
     pub(super) fn op(&self, id: Id) -> Op {
         self.ops[id]
     }

@@ -1,6 +1,6 @@
 //! LaTeX as tokens, with what only sets type left out.
 
-use super::Error;
+use super::error::Error;
 
 /// What a token is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,7 +15,9 @@ pub(super) enum Kind<'a> {
     Sign(char),
     /// The content of `\text{…}`.
     Text(&'a str),
-    /// `\\` and `&` between the cells of `cases`.
+    /// `\begin{cases}`, `\end{cases}`, and `\\` and `&` between its cells.
+    BeginCases,
+    EndCases,
     Row,
     Cell,
     /// `\quad` or the end of a line, between statements.
@@ -38,7 +40,7 @@ const TYPOGRAPHY: &[&str] = &[
 
 /// The tokens of an equation; the last one is [`Kind::End`].
 pub(super) fn tokens(latex: &str) -> Result<Vec<Token<'_>>, Error> {
-    let mut reader = Reader { latex, at: 0, aligned: false };
+    let mut reader = Reader { latex, at: 0, aligned: Vec::new() };
     let mut all = Vec::new();
     loop {
         let token = reader.next()?;
@@ -52,13 +54,17 @@ pub(super) fn tokens(latex: &str) -> Result<Vec<Token<'_>>, Error> {
 struct Reader<'a> {
     latex: &'a str,
     at: usize,
-    /// Inside `aligned`, whose cells and lines only arrange statements.
-    aligned: bool,
+    /// Of the environments around this place, whether it is `aligned`, whose cells and lines only arrange statements.
+    aligned: Vec<bool>,
 }
 
 impl<'a> Reader<'a> {
     fn rest(&self) -> &'a str {
         &self.latex[self.at..]
+    }
+
+    fn is_aligned(&self) -> bool {
+        self.aligned.last() == Some(&true)
     }
 
     /// The next token; nothing where there is only typography.
@@ -70,13 +76,12 @@ impl<'a> Reader<'a> {
         self.at += first.len_utf8();
         let kind = match first {
             '\\' => return Ok(self.command(at)?.map(|kind| Token { kind, at })),
-            '&' => (!self.aligned).then_some(Kind::Cell),
+            '&' => (!self.is_aligned()).then_some(Kind::Cell),
             _ if first.is_whitespace() => None,
             _ if first.is_ascii_alphabetic() => Some(Kind::Letter(first)),
             _ if first.is_ascii_digit() => Some(Kind::Digit(first)),
-            '+' | '-' | '=' | ',' | '.' | '(' | ')' | '[' | ']' | '/' | '<' | '>' | '\'' | '^' | '_' | '{' | '}' | '*' => {
-                Some(Kind::Sign(first))
-            }
+            '+' | '-' | '=' | ',' | '.' | '(' | ')' | '[' | ']' | '/' | '<' | '>' | '\'' | '^' | '_' | '{' | '}'
+            | '*' => Some(Kind::Sign(first)),
             _ => return Err(Error::new(at, format!("`{first}` is no mathematics that is read here"))),
         };
         Ok(kind.map(|kind| Token { kind, at }))
@@ -93,14 +98,24 @@ impl<'a> Reader<'a> {
         self.at += length;
         Ok(Some(match name {
             _ if TYPOGRAPHY.contains(&name) => return Ok(None),
-            "\\" if self.aligned => Kind::Gap,
+            "\\" if self.is_aligned() => Kind::Gap,
             "\\" => Kind::Row,
             "quad" | "qquad" => Kind::Gap,
             "text" => Kind::Text(self.group(at)?),
-            "begin" | "end" if self.rest().starts_with("{aligned}") => {
-                self.group(at)?;
-                self.aligned = name == "begin";
-                Kind::Gap
+            "begin" | "end" => {
+                let environment = self.group(at)?;
+                let aligned = environment == "aligned";
+                if name == "begin" {
+                    self.aligned.push(aligned);
+                } else if self.aligned.pop() != Some(aligned) {
+                    return Err(Error::new(at, format!("no environment {environment} was begun")));
+                }
+                match (environment, name) {
+                    ("aligned", _) => Kind::Gap,
+                    ("cases", "begin") => Kind::BeginCases,
+                    ("cases", _) => Kind::EndCases,
+                    _ => return Err(Error::new(at, "an environment is `cases` or `aligned`")),
+                }
             }
             _ => Kind::Command(name),
         }))

@@ -10,7 +10,7 @@ use super::line::Line;
 use super::span::Span;
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Formula, Given, Jacobian, Source, Spec};
 use crate::quantity::{SLIDER_DN, SLIDER_DT1, SLIDER_DT2, SLIDER_N, SLIDER_T1, SLIDER_T2};
 use crate::scalar::Scalar;
 use nalgebra::{Vector2, Vector3};
@@ -115,7 +115,8 @@ pub struct BasisVariation;
 
 impl Formula for BasisVariation {
     const SPEC: Spec = Spec::new("slider.basis_variation", "Variation of the directions across", Source::SLIDER.section("Variations"))
-        .equation(r"\mathrm{d}\mathbf{t}_q = \frac{\partial\mathbf{t}_q}{\partial\mathbf{n}}\,\mathrm{d}\mathbf{n},\quad q = 1, 2")
+        .equation(r"\mathrm{d}\mathbf{t}_1 = \frac{\mathrm{d}\mathbf{n}\times\mathbf{e} - \bigl(\mathbf{t}_1\cdot(\mathrm{d}\mathbf{n}\times\mathbf{e})\bigr)\,\mathbf{t}_1}{\lvert\mathbf{n}\times\mathbf{e}\rvert},\quad \mathrm{d}\mathbf{t}_2 = \mathrm{d}\mathbf{n}\times\mathbf{t}_1 + \mathbf{n}\times\mathrm{d}\mathbf{t}_1,\quad \mathbf{e} = \begin{cases} \mathbf{i} & \mathbf{n}\times\mathbf{i} \ne \mathbf{0} \\ \mathbf{k} & \text{otherwise} \end{cases}")
+.given(&[Given::new(r"\mathbf{t}_1", &Basis::SPEC)])
         .eta(3.0, 5.0)
         .not_objective();
     type Inputs<T: Component> = TurningDirection<T>;

@@ -3,10 +3,11 @@
 #[cfg(feature = "verify")]
 mod proof;
 
+use super::kinematics::Angles;
 use crate::cardan::{alpha_gradient, check_alpha};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec, along};
+use crate::formula::{Component, Formula, Given, Jacobian, Source, Spec, along};
 use crate::quantity::{CROSS_M1, CROSS_M3, E1A, E2A, E3A, E3B, MOMENT, TWIST_M2};
 use crate::scalar::{Scalar, norm_and_direction};
 use nalgebra::Vector3;
@@ -38,6 +39,7 @@ impl Formula for ConstraintMoment {
     const SPEC: Spec =
         Spec::new("universal.constraint_moment", "Constraint moment", Source::UJOINT.section("Friction"))
             .equation(r"\mathbf{m} = m_2\,(\cos\alpha\,\mathbf{e}_{2a} + \sin\alpha\,\mathbf{e}_{3a})")
+            .given(&[Given::new(r"\alpha", &Angles::SPEC)])
             .eta(6.0, 8.0);
     type Inputs<T: Component> = Twisted<T>;
     type Outputs<T: Component> = Moment<T>;

@@ -1,9 +1,13 @@
 //! The audit: every claim about a formula, checked at its cases, beside its kinks and at random points.
 
+use super::claim::Claim;
 use super::difference::{differences, step_size};
+use super::point::{Names, Point};
+use super::printed::found;
 use super::subject::{Law, Subject};
-use super::{Sampler, Sensitivity, eta, exact, golden, invariance};
-use crate::formula::{Field, Fields, check};
+use super::{Sampler, Sensitivity, eta, invariance};
+use crate::equation::Equation;
+use crate::formula::{Fields, check};
 use crate::proof::law::residual;
 use crate::proof::{Convention, Proved};
 use crate::{Error, Octuple};
@@ -32,6 +36,8 @@ const CLOSED_AGAINST_AD: f64 = 1e-60;
 const AD_AGAINST_DIFFERENCES: f64 = 1e-50;
 /// At hard points the step of differences must be shorter than the distance to the next kink, and digits are lost.
 const AD_AGAINST_DIFFERENCES_HARD: f64 = 1e-35;
+/// The printed equation and the code agree in 237 bits to this.
+const EQUATION: f64 = 1e-55;
 /// Laws hold in 237 bits to this.
 const LAW: f64 = 1e-60;
 
@@ -57,6 +63,10 @@ pub struct Audit {
     pub eta: Claim,
     /// The closed-form Jacobian in `f64` is accurate.
     pub eta_jacobian: Claim,
+    /// The printed equation is the value, in 237 bits.
+    pub equation: Claim,
+    /// The derivative of the printed equation is the closed form, in 237 bits.
+    pub equation_jacobian: Claim,
     /// Homogeneity, frame indifference, and the formula's own laws.
     pub laws: Vec<Claim>,
 }
@@ -65,7 +75,8 @@ impl Audit {
     /// Every claim.
     pub fn claims(&self) -> impl Iterator<Item = &Claim> {
         let derivatives = [&self.closed_against_ad, &self.ad_against_differences, &self.eta, &self.eta_jacobian];
-        derivatives.into_iter().chain(&self.laws)
+        let printed = [&self.equation, &self.equation_jacobian];
+        derivatives.into_iter().chain(printed).chain(&self.laws)
     }
 
     /// Whether no claim failed. At a single point on a kink there may be claims that cannot be checked.
@@ -76,57 +87,6 @@ impl Audit {
     /// Whether every claim was checked, and none failed.
     pub fn passed(&self) -> bool {
         self.claims().all(Claim::held)
-    }
-}
-
-/// A claim about a formula.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Claim {
-    /// What is claimed.
-    pub claim: String,
-    /// The largest deviation allowed.
-    pub bound: f64,
-    /// How many numbers were compared.
-    pub checks: usize,
-    /// How many deviated by more than the bound.
-    pub failures: usize,
-    /// The largest deviation.
-    pub worst: Option<Deviation>,
-}
-
-/// One comparison.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Deviation {
-    /// Its size, in the unit of the claim.
-    pub size: f64,
-    /// The entry: `fc`, or `∂fc/∂f2`.
-    pub entry: String,
-    /// The case, or the number of the random point.
-    pub point: String,
-    /// What was found.
-    pub found: f64,
-    /// What was expected.
-    pub expected: f64,
-    /// The inputs, as golden files give them, to be pasted back.
-    pub inputs: serde_json::Value,
-}
-
-impl Claim {
-    fn new(claim: impl Into<String>, bound: f64) -> Self {
-        Self { claim: claim.into(), bound, checks: 0, failures: 0, worst: None }
-    }
-
-    /// Whether something was checked and nothing deviated by more than the bound.
-    pub fn held(&self) -> bool {
-        self.checks > 0 && self.failures == 0
-    }
-
-    fn record(&mut self, size: f64, bound: f64, describe: impl FnOnce(f64) -> Deviation) {
-        self.checks += 1;
-        self.failures += usize::from(size > bound);
-        if self.worst.as_ref().is_none_or(|worst| size > worst.size) {
-            self.worst = Some(describe(size));
-        }
     }
 }
 
@@ -168,34 +128,17 @@ fn audit_points(subject: &Subject, named: &[Point], random: &[Point], seed: u64)
         ),
         eta: Claim::new("η of the value in f64", subject.spec.eta),
         eta_jacobian: Claim::new("η of the closed-form Jacobian in f64", subject.spec.eta_jacobian),
+        equation: Claim::new("printed equation = value, in 237 bits", EQUATION),
+        equation_jacobian: Claim::new("derivative of the printed equation = closed form, in 237 bits", EQUATION),
         laws: invariance::of_all(subject).iter().chain(&subject.laws).map(|law| check_law(law, general)).collect(),
     };
     let names = Names::new(subject);
-    named.iter().chain(random).for_each(|point| audit.check(point, &names));
+    let equation = Equation::of(&subject.spec, subject.inputs, subject.outputs);
+    if let Err(error) = &equation {
+        audit.equation.fail(error.to_string());
+    }
+    named.iter().chain(random).for_each(|point| audit.check(point, &names, equation.as_ref().ok()));
     audit
-}
-
-/// A point of a formula.
-struct Point<'a> {
-    subject: &'a Subject,
-    label: String,
-    random: bool,
-    inputs: Vec<f64>,
-    exact: Vec<Octuple>,
-    kink: Option<Convention>,
-}
-
-impl<'a> Point<'a> {
-    fn new(subject: &'a Subject, label: String, random: bool, inputs: Vec<f64>) -> Self {
-        let exact = exact(&inputs);
-        let kink = subject.kink(&exact);
-        Self { subject, label, random, inputs, exact, kink }
-    }
-
-    fn deviation(&self, size: f64, entry: String, found: f64, expected: f64) -> Deviation {
-        let inputs = golden::named(self.subject.inputs, &self.inputs).into();
-        Deviation { size, entry, point: self.label.clone(), found, expected, inputs }
-    }
 }
 
 /// The formula's own cases, and points on both sides of every kink and on it.
@@ -227,9 +170,9 @@ struct Exact {
     bends: Vec<Sensitivity>,
 }
 
-/// The four claims made about every formula.
+/// The claims made about every formula.
 impl Audit {
-    fn check(&mut self, point: &Point, names: &Names) {
+    fn check(&mut self, point: &Point, names: &Names, equation: Option<&Equation>) {
         let (subject, inputs) = (point.subject, &point.exact);
         let gradients = subject.second_derivative(inputs);
         let exact = Exact {
@@ -237,9 +180,11 @@ impl Audit {
             ad: subject.derivative(inputs),
             bends: gradients.iter().map(|gradient| Sensitivity::new(gradient, inputs)).collect(),
         };
-        self.check_closed_form(point, names, &exact);
+        let closed = (subject.exact_jacobian)(inputs);
+        self.check_closed_form(point, names, &exact, &closed);
         if point.kink.is_none() {
             self.check_ad(point, names, &exact);
+            equation.into_iter().for_each(|equation| self.check_equation(point, names, &exact, &closed, equation));
         }
         // The value and the Jacobian alone, and as they come together.
         let [value, jacobian] = (subject.linearized)(&point.inputs);
@@ -250,8 +195,7 @@ impl Audit {
     }
 
     /// Judged against the entry and what rounding of the inputs can do to it: an entry may be what a cancellation left.
-    fn check_closed_form(&mut self, point: &Point, names: &Names, exact: &Exact) {
-        let closed = (point.subject.exact_jacobian)(&point.exact);
+    fn check_closed_form(&mut self, point: &Point, names: &Names, exact: &Exact, closed: &[Octuple]) {
         for (k, ((&closed, &ad), bend)) in closed.iter().zip(&exact.ad).zip(&exact.bends).enumerate() {
             let describe = |size| point.deviation(size, names.entry(k), closed.to_f64(), ad.to_f64());
             self.closed_against_ad.record(bend.plus(ad).share_of(closed - ad), CLOSED_AGAINST_AD, describe);
@@ -283,6 +227,32 @@ impl Audit {
         }
     }
 
+    /// Value and Jacobian of the printed equation, each judged as those of the code are.
+    fn check_equation(&mut self, point: &Point, names: &Names, exact: &Exact, closed: &[Octuple], equation: &Equation) {
+        let found = found(equation, &point.exact, &exact.values);
+        for (output, (&printed, &value)) in found.values.iter().zip(&exact.values).enumerate() {
+            let size = Sensitivity::new(&exact.ad[output * point.exact.len()..], &point.exact).plus(value);
+            let describe =
+                |size| point.deviation(size, names.outputs[output].clone(), printed.to_f64(), value.to_f64());
+            let share = judged(size, printed - value, || found.terms(output));
+            self.equation.record(share, EQUATION, describe);
+        }
+        for &(first, next) in &found.equal {
+            let size = Sensitivity::new(&[], &[]).plus(first).plus(next);
+            let describe = |size| point.deviation(size, "the next form".into(), next.to_f64(), first.to_f64());
+            self.equation.record(size.share_of(next - first), EQUATION, describe);
+        }
+        if let Some(better) = found.better {
+            let describe = |size| point.deviation(size, "another place is better".into(), better, 0.0);
+            self.equation.record(better, EQUATION, describe);
+        }
+        for (k, ((&printed, &closed), bend)) in found.jacobian.iter().zip(closed).zip(&exact.bends).enumerate() {
+            let describe = |size| point.deviation(size, names.entry(k), printed.to_f64(), closed.to_f64());
+            let share = judged(bend.plus(closed), printed - closed, || found.terms_of_entry(k));
+            self.equation_jacobian.record(share, EQUATION, describe);
+        }
+    }
+
     fn check_value(&mut self, point: &Point, names: &Names, exact: &Exact, values: [Vec<f64>; 2]) {
         for computed in values {
             for (output, (&computed, &value)) in computed.iter().zip(&exact.values).enumerate() {
@@ -305,6 +275,15 @@ impl Audit {
     }
 }
 
+/// A deviation of the printed equation, relative to the size of the number; where that would be too much, relative to the
+/// terms too from which the equation sums it: evaluated as it stands, it may lose digits that the code keeps.
+fn judged(size: Sensitivity, deviation: Octuple, terms: impl FnOnce() -> Octuple) -> f64 {
+    match size.share_of(deviation) {
+        share if share > EQUATION => size.plus(terms()).share_of(deviation),
+        share => share,
+    }
+}
+
 fn check_law(law: &Law, points: &[Point]) -> Claim {
     let mut claim = Claim::new(law.statement.as_str(), LAW);
     // On a kink or a cut a law may hold from one side only.
@@ -316,30 +295,4 @@ fn check_law(law: &Law, points: &[Point]) -> Claim {
         }
     }
     claim
-}
-
-/// Names of components: `x`, `xa[2]`.
-struct Names {
-    inputs: Vec<String>,
-    outputs: Vec<String>,
-}
-
-impl Names {
-    fn new(subject: &Subject) -> Self {
-        Self { inputs: names(subject.inputs), outputs: names(subject.outputs) }
-    }
-
-    /// Of the k-th Jacobian entry.
-    fn entry(&self, k: usize) -> String {
-        let (output, input) = (k / self.inputs.len(), k % self.inputs.len());
-        format!("∂{}/∂{}", self.outputs[output], self.inputs[input])
-    }
-}
-
-fn names(fields: &[Field]) -> Vec<String> {
-    let of_field = |field: &Field| match field.len() {
-        1 => vec![field.name.to_string()],
-        len => (0..len).map(|k| format!("{}[{k}]", field.name)).collect(),
-    };
-    fields.iter().flat_map(of_field).collect()
 }

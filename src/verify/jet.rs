@@ -23,7 +23,7 @@ pub fn derivative_of_jacobian<F: Formula, T: Scalar>(i: &F::Inputs<T>) -> Vec<Ve
 }
 
 /// The gradient of every number that `function` returns.
-pub(crate) fn differentiate<T: Scalar>(inputs: &[T], function: &Swept<'_, T>) -> Vec<Vec<T>> {
+pub(super) fn differentiate<T: Scalar>(inputs: &[T], function: &Swept<'_, T>) -> Vec<Vec<T>> {
     let mut rows: Vec<Vec<T>> = Vec::new();
     for start in (0..inputs.len()).step_by(WIDTH) {
         let seeded: Vec<_> = inputs.iter().enumerate().map(|(k, &x)| seed(x, k.checked_sub(start))).collect();

@@ -6,10 +6,12 @@ mod proof;
 use super::{Foot, SegmentFoot, View, check_tangent};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Formula, Given, Jacobian, Source, Spec};
 use crate::quantity::{X1, X2, X3, XS};
 use crate::scalar::Scalar;
+use crate::slide_line::basis::LocalBasis;
 use crate::slide_line::check_distinct;
+use crate::slide_line::points::ParabolicPoint;
 use crate::slide_line::shape::Parabola;
 use nalgebra::Vector2;
 
@@ -32,7 +34,8 @@ impl<D: Scalar> ParabolicSlave<D> {
 
 impl Formula for ClosestParabolic {
     const SPEC: Spec = Spec::new("slide_line.closest_parabolic", "Closest point of a parabolic segment", Source::SLIDE_LINE.section("Element output"))
-        .equation(r"(\mathbf{x}_s-\mathbf{X}(g))\cdot\mathbf{X}'(g) = 0,\quad -1 \le g \le 1,\qquad E_{11} = (\mathbf{x}_s-\mathbf{X})\cdot\mathbf{n}")
+        .equation(r"g = \operatorname*{arg\,min}_{-1 \le g \le 1}\,\lvert\mathbf{x}_s-\mathbf{X}(g)\rvert,\quad E_{11} = \bigl(\mathbf{x}_s-\mathbf{X}(g)\bigr)\cdot\mathbf{n}")
+.given(&[Given::new(r"\mathbf{X}(g),\ \mathbf{X}'", &ParabolicPoint::SPEC), Given::new(r"\mathbf{n}", &LocalBasis::SPEC)])
         .eta(4.0, 12.0);
     type Inputs<T: Component> = ParabolicSlave<T>;
     type Outputs<T: Component> = SegmentFoot<T>;
