@@ -30,7 +30,7 @@ mod triads;
 #[cfg(feature = "verify")]
 pub mod turns;
 
-pub use accurate::{NearRightAngle, accurate, accurate_jacobian, between, errors_near_right_angle};
+pub use accurate::{accurate, accurate_jacobian, between};
 pub use angles::{Angles, CardanAngles};
 pub use beta::{Beta, BetaAxes, BetaTwoArgument};
 pub(crate) use triads::Oriented;

@@ -9,14 +9,16 @@ mod proof;
 
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Fields, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Fields, Formula, Jacobian, Source, Spec};
 use crate::quantity::{
     CLEARANCE, CLOSING_RATE, DAMPING_FRACTION, MU0, OVERCLOSURE, PRESSURE, PRESSURE_AT_TOUCH, STIFFNESS,
 };
 use crate::scalar::{Scalar, e_minus_one};
 
-const SOURCE: Source =
-    Source::SLIDE_LINE.section("Defining nondefault mechanical surface interactions with slide line elements");
+const SOURCE: Source = Document::SLIDE_LINE.ours(
+    "Defining nondefault mechanical surface interactions with slide line elements",
+    "the section names the laws; those that it refers to were not given",
+);
 
 fields! {
     /// Contact pressure.

@@ -15,11 +15,11 @@
 
 mod across;
 mod basis;
-mod binade;
 mod connector;
 mod connector_plane;
 mod constraint;
 mod eliminate;
+#[cfg(feature = "verify")]
 mod hard;
 mod line;
 mod pivots;
@@ -27,7 +27,6 @@ mod place;
 mod plane;
 mod slide;
 mod span;
-mod stability;
 
 pub use basis::{Basis, BasisVariation, LineDirection, TangentChanges, Tangents, TurningDirection};
 pub use connector::{Coefficients, Slider, Variations};
@@ -37,4 +36,3 @@ pub use eliminate::{Coordinates, Eliminate, Increment, Increments, KeptCoordinat
 pub use line::{Direction, DirectionChange, DirectionVariation, Ends, Line, MovingEnds};
 pub use pivots::{Pivots, Pivots2d};
 pub use plane::{Constraint2d, Distance2d, Increment2d, Increment2dOutput, KeptIncrement2d, Nodes2d};
-pub use stability::{RouteErrors, Setting};

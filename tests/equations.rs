@@ -22,7 +22,13 @@ fn audits() {
         let audit = formula.audit(&Options { samples: 5, seed: 2 });
         for claim in [&audit.equation, &audit.equation_jacobian] {
             let worst = claim.worst.as_ref().map(|w| (w.size, w.entry.clone(), w.point.clone(), w.found, w.expected));
-            println!("{} {} {}/{} {worst:?}", if claim.held() { "ok" } else { "OFF" }, audit.formula, claim.failures, claim.checks);
+            println!(
+                "{} {} {}/{} {worst:?}",
+                if claim.held() { "ok" } else { "OFF" },
+                audit.formula,
+                claim.failures,
+                claim.checks
+            );
         }
     }
 }

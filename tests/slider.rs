@@ -1,19 +1,22 @@
 //! SLIDER as a program uses it: the typed API, both routes, the pivots, second derivatives, and any input at all.
 
 mod common;
+#[path = "../xtask/src/studies/routes.rs"]
+mod routes;
 
 use jointproof::formula::{Fields, Formula};
 use jointproof::proof::Proved;
 use jointproof::scalar::{Scalar, abs};
 use jointproof::slider::{
     Basis, Constraint, Coordinates, Distances, Eliminate, Increment, IncrementalConstraint, Increments, KeptCoordinate,
-    KeptIncrement, LineDirection, MovingNodes, Nodes, Pivots, Pivots2d, Setting, Slider, Slider2d, documented,
+    KeptIncrement, LineDirection, MovingNodes, Nodes, Pivots, Pivots2d, Slider, Slider2d, documented,
 };
 use jointproof::verify::{Sampler, Sensitivity, derivative_of_jacobian, eta, exactly, jacobian_by_ad};
 use jointproof::{Error, Octuple};
 use nalgebra::{Const, SMatrix, SVector, U1, Vector2, Vector3};
 use num_dual::{Dual2, DualSVec};
 use proptest::prelude::*;
+use routes::Setting;
 
 const AXES: [Vector3<f64>; 3] = [Vector3::new(1.0, 0.0, 0.0), Vector3::new(0.0, 1.0, 0.0), Vector3::new(0.0, 0.0, 1.0)];
 

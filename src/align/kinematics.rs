@@ -6,7 +6,7 @@ mod proof;
 use crate::cardan::{Angles, CardanAngles, Oriented, Triads};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Fields, Formula, Given, Jacobian, Source, Spec, along};
+use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Spec, along};
 use crate::quantity::{ALPHA0, BETA0, E1A, E1B, E2A, E2B, E3A, E3B, GAMMA0, M1, M2, M3, MOMENT, UR1, UR2, UR3};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
@@ -55,10 +55,15 @@ impl<D: Scalar> Oriented<D> for Orientations<D> {
 pub struct Constraint;
 
 impl Formula for Constraint {
-    const SPEC: Spec = Spec::new("align.constraint", "Constraint", Source::TRANSLATOR.section("Description"))
-        .equation(r"u_{r1} = \alpha - \alpha_0,\quad u_{r2} = \beta - \beta_0,\quad u_{r3} = \gamma - \gamma_0")
-        .given(&[Given::new(r"\alpha,\ \beta,\ \gamma", &CardanAngles::SPEC)])
-        .eta(2.0, 4.0);
+    const SPEC: Spec = Spec::new(
+        "align.constraint",
+        "Constraint",
+        Document::TRANSLATOR
+            .ours("Description", "the page of ALIGN was not given; the angles are held at their initial values"),
+    )
+    .equation(r"u_{r1} = \alpha - \alpha_0,\quad u_{r2} = \beta - \beta_0,\quad u_{r3} = \gamma - \gamma_0")
+    .given(&[Given::new(r"\alpha,\ \beta,\ \gamma", &CardanAngles::SPEC)])
+    .eta(2.0, 4.0);
     type Inputs<T: Component> = Orientations<T>;
     type Outputs<T: Component> = Misalignment<T>;
 
@@ -102,9 +107,14 @@ fields! {
 pub struct ConstraintMoment;
 
 impl Formula for ConstraintMoment {
-    const SPEC: Spec = Spec::new("align.constraint_moment", "Constraint moment", Source::TRANSLATOR.section("Summary"))
-        .equation(r"\mathbf{m} = m_1\,\mathbf{e}_{1a} + m_2\,\mathbf{e}_{2a} + m_3\,\mathbf{e}_{3a}")
-        .eta(1.5, 0.0);
+    const SPEC: Spec = Spec::new(
+        "align.constraint_moment",
+        "Constraint moment",
+        Document::TRANSLATOR
+            .ours("Summary", "the page names the components m1, m2, m3; that they are along the triad of a is ours"),
+    )
+    .equation(r"\mathbf{m} = m_1\,\mathbf{e}_{1a} + m_2\,\mathbf{e}_{2a} + m_3\,\mathbf{e}_{3a}")
+    .eta(1.5, 0.0);
     type Inputs<T: Component> = Moments<T>;
     type Outputs<T: Component> = Moment<T>;
 

@@ -8,12 +8,15 @@ use super::check_radii;
 use super::points::ParabolicPoint;
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Given, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Given, Jacobian, Source, Spec};
 use crate::quantity::{A1, A2, A3, X1, X2, X3};
 use crate::scalar::{Scalar, pi};
 use nalgebra::Vector2;
 
-const SOURCE: Source = Source::SLIDE_LINE.section("Defining slide line elements (slave surface)");
+const SOURCE: Source = Document::SLIDE_LINE.ours(
+    "Defining slide line elements (slave surface)",
+    "the section says current length times width; the shares of the nodes are ours",
+);
 
 fields! {
     /// The two nodes of an ISL21A element.

@@ -6,7 +6,7 @@ mod proof;
 use super::left;
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{CURVE_RATE, NORMAL, TANGENT};
 use crate::scalar::{Scalar, norm_and_direction};
 use nalgebra::Vector2;
@@ -25,7 +25,14 @@ fields! {
 pub struct LocalBasis;
 
 impl Formula for LocalBasis {
-    const SPEC: Spec = Spec::new("slide_line.basis", "Local basis", Source::SLIDE_LINE.section("Defining the local basis system"))
+    const SPEC: Spec = Spec::new(
+        "slide_line.basis",
+        "Local basis",
+        Document::SLIDE_LINE.reconstructed(
+            "Defining the local basis system",
+            "the symbol of the tangent was lost; its words: along the sequence of the nodes",
+        ),
+    )
         .equation(r"\mathbf{t} = \frac{\mathbf{X}'}{\lvert\mathbf{X}'\rvert},\quad \mathbf{n} = \mathbf{s}\times\mathbf{t} = (-t_2, t_1)")
         .eta(2.0, 4.0);
     type Inputs<T: Component> = Direction<T>;

@@ -9,7 +9,7 @@ pub(super) mod proof;
 use super::points::CurvePoint;
 use super::shape::{LinearCorner, ParabolicCorner, Shape, combination, gap};
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec, along};
+use crate::formula::{Component, Document, Formula, Jacobian, Source, Spec, along};
 use crate::quantity::{CORNER_T, FRACTION, X1, X2, X3, X4, X5};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
@@ -19,7 +19,8 @@ fn point<D: Scalar, const N: usize>(nodes: &[Vector2<D>; N], weights: [D; N]) ->
     -gap(Vector2::from_element(D::zero()), nodes, weights)
 }
 
-const SOURCE: Source = Source::SLIDE_LINE.section("Smoothing the slide line");
+const SOURCE: Source =
+    Document::SLIDE_LINE.ours("Smoothing the slide line", "the section on smoothing that it refers to was not given");
 
 fields! {
     /// A smoothed corner between two straight segments, and a place on it.
@@ -61,7 +62,7 @@ impl Formula for SmoothedLinearPoint {
         let (first, last) = (s * s, i.t * i.t);
         let rates = LinearCorner::rates(f, i.t);
         let (bulge, rate) = (combination(&nodes, [first, -(first + last), last]), combination(&nodes, rates));
-        let bend = combination(&nodes, LinearCorner::bends(f, i.t));
+        let second = combination(&nodes, LinearCorner::second_derivatives(f, i.t));
         let row = |k, [n1, n2, n3]: [D; 3], f, t| LinearCornerPlace {
             x1: along(k, n1),
             x2: along(k, n2),
@@ -70,7 +71,7 @@ impl Formula for SmoothedLinearPoint {
             t,
         };
         let x = |k| row(k, LinearCorner::weights(f, i.t), bulge[k], rate[k] * f);
-        let dx = |k| row(k, rates.map(|rate| rate * f), rate[k], bend[k] * f);
+        let dx = |k| row(k, rates.map(|rate| rate * f), rate[k], second[k] * f);
         CurvePoint { x: Vector2::new(x(0), x(1)), dx: Vector2::new(dx(0), dx(1)) }
     }
 }
@@ -112,7 +113,7 @@ impl Formula for SmoothedParabolicPoint {
         let weights = ParabolicCorner::weights(f, i.t);
         let rates = ParabolicCorner::rates(f, i.t).map(|rate| rate * f);
         let rate = combination(&nodes, rates);
-        let bend = combination(&nodes, ParabolicCorner::bends(f, i.t)) * f;
+        let second = combination(&nodes, ParabolicCorner::second_derivatives(f, i.t)) * f;
         let [x_by_f, ..] = ParabolicCorner::by_fraction(f, i.t).map(|weights| combination(&nodes, weights));
         // The rates are linear in f: f times them has the derivative that they have at 2f.
         let rate_by_f = combination(&nodes, ParabolicCorner::rates(f * 2.0, i.t));
@@ -126,7 +127,7 @@ impl Formula for SmoothedParabolicPoint {
             t,
         };
         let x = |k| row(k, weights, x_by_f[k], rate[k]);
-        let dx = |k| row(k, rates, rate_by_f[k], bend[k]);
+        let dx = |k| row(k, rates, rate_by_f[k], second[k]);
         CurvePoint { x: Vector2::new(x(0), x(1)), dx: Vector2::new(dx(0), dx(1)) }
     }
 }

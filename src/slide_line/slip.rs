@@ -3,12 +3,14 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::basis::{LocalBasis, length_and_tangent};
-use super::points::{LinearPoint, ParabolicPoint, Sides};
-use super::{check_distinct, left, shape};
+use super::basis::LocalBasis;
+use super::basis::length_and_tangent;
+use super::points::{LinearPoint, ParabolicPoint};
+use super::shape::{self, Sides};
+use super::{check_distinct, left};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Given, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec};
 use crate::quantity::{DSLIP, DX1, DX2, DX3, DXS, SEGMENT_G, X1, X2, X3};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
@@ -43,7 +45,8 @@ impl Formula for SlipIncrementLinear {
     const SPEC: Spec = Spec::new(
         "slide_line.slip_increment_linear",
         "Slip increment on a straight segment",
-        Source::SLIDE_LINE.section("Element output"),
+        Document::SLIDE_LINE
+            .ours("Element output", "the section says accumulated tangential displacement, and prints no equation"),
     )
     .equation(r"\Delta E_{12} = \mathbf{t}\cdot\Bigl(\Delta\mathbf{x}_s - \sum_{i=1}^{2} N_i\,\Delta\mathbf{x}_i\Bigr),\quad N_1 = \tfrac12(1-g),\quad N_2 = \tfrac12(1+g)")
 .given(&[Given::new(r"\mathbf{t}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &LinearPoint::SPEC)])
@@ -103,7 +106,8 @@ impl Formula for SlipIncrementParabolic {
     const SPEC: Spec = Spec::new(
         "slide_line.slip_increment_parabolic",
         "Slip increment on a parabolic segment",
-        Source::SLIDE_LINE.section("Element output"),
+        Document::SLIDE_LINE
+            .ours("Element output", "the section says accumulated tangential displacement, and prints no equation"),
     )
     .equation(r"\Delta E_{12} = \mathbf{t}\cdot\Bigl(\Delta\mathbf{x}_s - \sum_{i=1}^{3} N_i\,\Delta\mathbf{x}_i\Bigr),\quad N_1 = \tfrac12 g(g-1),\quad N_2 = 1-g^2,\quad N_3 = \tfrac12 g(g+1)")
 .given(&[Given::new(r"\mathbf{t}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &ParabolicPoint::SPEC)])
@@ -150,9 +154,4 @@ impl Formula for SlipIncrementParabolic {
             Ok(())
         }
     }
-}
-
-/// A step on top of a large common displacement.
-fn carried(step: Vector2<f64>) -> Vector2<f64> {
-    step + Vector2::new(1e8, -1e8)
 }

@@ -3,14 +3,11 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::Ends;
 use super::across::Across;
-use super::hard::lines;
-use super::line::Line;
 use super::span::Span;
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Given, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec};
 use crate::quantity::{SLIDER_DN, SLIDER_DT1, SLIDER_DT2, SLIDER_N, SLIDER_T1, SLIDER_T2};
 use crate::scalar::Scalar;
 use nalgebra::{Vector2, Vector3};
@@ -31,7 +28,14 @@ fields! {
 pub struct Basis;
 
 impl Formula for Basis {
-    const SPEC: Spec = Spec::new("slider.basis", "Directions across the line", Source::SLIDER.section("Directions across the line"))
+    const SPEC: Spec = Spec::new(
+        "slider.basis",
+        "Directions across the line",
+        Document::SLIDER.reconstructed(
+            "",
+            "every symbol was lost; the words: a unit normal to the line, unless it vanishes, and the orthogonal normal",
+        ),
+    )
         .equation(r"\mathbf{t}_1 = \begin{cases} \mathbf{n}\times\mathbf{i}/\lvert\mathbf{n}\times\mathbf{i}\rvert & \mathbf{n}\times\mathbf{i}\ne\mathbf{0} \\ \mathbf{n}\times\mathbf{k}/\lvert\mathbf{n}\times\mathbf{k}\rvert & \text{otherwise}\end{cases},\quad \mathbf{t}_2 = \mathbf{n}\times\mathbf{t}_1")
         .eta(3.0, 5.0)
         .not_objective();
@@ -91,11 +95,6 @@ fn spin<D: Scalar>(across: &Across<D>, dn: &Vector2<D>) -> D {
     c.perp(dn) / square * binade.per_unit
 }
 
-/// The directions of the hard lines, as a program would compute them.
-fn directions() -> impl Iterator<Item = (&'static str, &'static str, Vector3<f64>)> {
-    lines().into_iter().map(|line| (line.id, line.comment, Line::eval(&Ends { x1: line.x1, xn: line.xn }).n))
-}
-
 fields! {
     /// The direction of the line, and its variation.
     pub struct TurningDirection<T> { n: Vector3<T> = SLIDER_N, dn: Vector3<T> = SLIDER_DN }
@@ -114,7 +113,14 @@ fields! {
 pub struct BasisVariation;
 
 impl Formula for BasisVariation {
-    const SPEC: Spec = Spec::new("slider.basis_variation", "Variation of the directions across", Source::SLIDER.section("Variations"))
+    const SPEC: Spec = Spec::new(
+        "slider.basis_variation",
+        "Variation of the directions across",
+        Document::SLIDER.reconstructed(
+            "",
+            "every symbol was lost; the words: the changes of both normals in the derivatives of the constraints",
+        ),
+    )
         .equation(r"\mathrm{d}\mathbf{t}_1 = \frac{\mathrm{d}\mathbf{n}\times\mathbf{e} - \bigl(\mathbf{t}_1\cdot(\mathrm{d}\mathbf{n}\times\mathbf{e})\bigr)\,\mathbf{t}_1}{\lvert\mathbf{n}\times\mathbf{e}\rvert},\quad \mathrm{d}\mathbf{t}_2 = \mathrm{d}\mathbf{n}\times\mathbf{t}_1 + \mathbf{n}\times\mathrm{d}\mathbf{t}_1,\quad \mathbf{e} = \begin{cases} \mathbf{i} & \mathbf{n}\times\mathbf{i} \ne \mathbf{0} \\ \mathbf{k} & \text{otherwise} \end{cases}")
 .given(&[Given::new(r"\mathbf{t}_1", &Basis::SPEC)])
         .eta(3.0, 5.0)

@@ -9,7 +9,7 @@ use super::line::Line;
 use super::span::{Span, Station};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Given, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec};
 use crate::quantity::{
     SLIDER_DX1, SLIDER_DXM, SLIDER_DXN, SLIDER_G1, SLIDER_G2, SLIDER_R1, SLIDER_R2, SLIDER_X1, SLIDER_XM, SLIDER_XN,
 };
@@ -77,11 +77,18 @@ impl<D: Scalar> View<D> {
 }
 
 impl Formula for Constraint {
-    const SPEC: Spec = Spec::new("slider.constraint", "Constraint", Source::SLIDER.section("Constraint"))
-        .equation(r"g_q = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{t}_q,\quad q = 1, 2")
-        .given(&[Given::new(r"\mathbf{t}_1,\ \mathbf{t}_2", &Basis::SPEC), Given::new(r"\mathbf{n}", &Line::SPEC)])
-        .eta(4.0, 24.0)
-        .not_objective();
+    const SPEC: Spec = Spec::new(
+        "slider.constraint",
+        "Constraint",
+        Document::SLIDER.reconstructed(
+            "",
+            "every symbol was lost; the words: the line from node 1 to m is perpendicular to both normals",
+        ),
+    )
+    .equation(r"g_q = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{t}_q,\quad q = 1, 2")
+    .given(&[Given::new(r"\mathbf{t}_1,\ \mathbf{t}_2", &Basis::SPEC), Given::new(r"\mathbf{n}", &Line::SPEC)])
+    .eta(4.0, 24.0)
+    .not_objective();
     type Inputs<T: Component> = Nodes<T>;
     type Outputs<T: Component> = Distances<T>;
 
@@ -125,7 +132,14 @@ fields! {
 pub struct IncrementalConstraint;
 
 impl Formula for IncrementalConstraint {
-    const SPEC: Spec = Spec::new("slider.incremental_constraint", "Incremental constraint", Source::SLIDER.section("Incremental constraint"))
+    const SPEC: Spec = Spec::new(
+        "slider.incremental_constraint",
+        "Incremental constraint",
+        Document::SLIDER.reconstructed(
+            "",
+            "every symbol was lost; the words: the derivatives of the constraints, reduced",
+        ),
+    )
         .equation(r"r_q = \mathbf{t}_q\cdot\bigl(\mathrm{d}\mathbf{x}_m - (1-\xi)\,\mathrm{d}\mathbf{x}_1 - \xi\,\mathrm{d}\mathbf{x}_n\bigr),\quad \xi = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{n}/l,\quad q = 1, 2")
 .given(&[Given::new(r"\mathbf{t}_1,\ \mathbf{t}_2", &Basis::SPEC), Given::new(r"\mathbf{n},\ l", &Line::SPEC)])
         .eta(4.0, 16.0)

@@ -7,7 +7,7 @@ use super::kinematics::Angles;
 use crate::cardan::{alpha_gradient, check_alpha};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Given, Jacobian, Source, Spec, along};
+use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec, along};
 use crate::quantity::{CROSS_M1, CROSS_M3, E1A, E2A, E3A, E3B, MOMENT, TWIST_M2};
 use crate::scalar::{Scalar, norm_and_direction};
 use nalgebra::Vector3;
@@ -36,11 +36,15 @@ fn turn<D: Scalar>(i: &Twisted<D>) -> (D, [D; 2]) {
 }
 
 impl Formula for ConstraintMoment {
-    const SPEC: Spec =
-        Spec::new("universal.constraint_moment", "Constraint moment", Source::UJOINT.section("Friction"))
-            .equation(r"\mathbf{m} = m_2\,(\cos\alpha\,\mathbf{e}_{2a} + \sin\alpha\,\mathbf{e}_{3a})")
-            .given(&[Given::new(r"\alpha", &Angles::SPEC)])
-            .eta(6.0, 8.0);
+    const SPEC: Spec = Spec::new(
+        "universal.constraint_moment",
+        "Constraint moment",
+        Document::UJOINT
+            .ours("Friction", "the page prints the axis e1a × e3b; the sign follows the second Cardan angle"),
+    )
+    .equation(r"\mathbf{m} = m_2\,(\cos\alpha\,\mathbf{e}_{2a} + \sin\alpha\,\mathbf{e}_{3a})")
+    .given(&[Given::new(r"\alpha", &Angles::SPEC)])
+    .eta(6.0, 8.0);
     type Inputs<T: Component> = Twisted<T>;
     type Outputs<T: Component> = Moment<T>;
 
@@ -87,9 +91,13 @@ fields! {
 pub struct KineticMoment;
 
 impl Formula for KineticMoment {
-    const SPEC: Spec = Spec::new("universal.kinetic_moment", "Kinetic moment", Source::UJOINT.section("Summary"))
-        .equation(r"\mathbf{m} = m_1\,\mathbf{e}_{1a} + m_3\,\mathbf{e}_{3b}")
-        .eta(1.5, 0.0);
+    const SPEC: Spec = Spec::new(
+        "universal.kinetic_moment",
+        "Kinetic moment",
+        Document::UJOINT.ours("Summary", "the page names m1, m3 and the arms e1a, e3b, and prints no vector"),
+    )
+    .equation(r"\mathbf{m} = m_1\,\mathbf{e}_{1a} + m_3\,\mathbf{e}_{3b}")
+    .eta(1.5, 0.0);
     type Inputs<T: Component> = Driven<T>;
     type Outputs<T: Component> = Moment<T>;
 

@@ -102,6 +102,7 @@ pub fn text(audits: &[Audit], passed: fn(&Audit) -> bool) -> anyhow::Result<Stri
         let mark = if passed(audit) { green("ok ") } else { red("off") };
         let points = audit.named_points + audit.random_points;
         writeln!(text, "{mark} {} at {}", bold(&audit.formula), count(points, "point"))?;
+        writeln!(text, "    {}", audit.provenance)?;
         writeln!(text, "    {:>9} {:>8} {:>7}", "checked", "worst", "bound")?;
         for claim in audit.claims() {
             writeln!(text, "    {}", line(claim))?;
@@ -166,6 +167,7 @@ fn markdown(
     }
     for audit in audits {
         writeln!(text, "### {} `{}`\n", if passed(audit) { "✅" } else { "❌" }, audit.formula)?;
+        writeln!(text, "{}.\n", audit.provenance)?;
         writeln!(text, "{} named and {} random points.\n", audit.named_points, audit.random_points)?;
         writeln!(text, "| claim | checked | failed | worst | bound | at |\n|---|--:|--:|--:|--:|---|")?;
         for claim in audit.claims() {

@@ -7,6 +7,8 @@ mod figures;
 #[cfg(feature = "ours")]
 mod scene;
 #[cfg(feature = "ours")]
+mod studies;
+#[cfg(feature = "ours")]
 mod tidy;
 #[cfg(feature = "ours")]
 mod worked_example;

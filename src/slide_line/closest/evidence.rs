@@ -1,7 +1,9 @@
 //! What the evidence of the closest points shares: the corner z = r² + 1/4, which straight segments and parabolas have in
 //! common, and where a foot has no derivative.
 
-use super::{Candidates, Foot, View};
+use super::candidates::Candidates;
+use super::foot::Foot;
+use super::view::View;
 use crate::Octuple;
 use crate::formula::Formula;
 use crate::proof::{Case, Kink};
@@ -15,8 +17,8 @@ pub(super) fn cases<I>(at_corner: fn(f64, f64) -> I) -> Vec<Case<I>> {
         Case::hand("closed", "penetration of 1/4", at_corner(0.0, 0.0)),
         Case::hand("tied", "two places inside are equally near: the first is taken", at_corner(0.0, 0.875)),
         Case::hand("tied-ends", "both ends are equally near: the first is taken", at_corner(0.0, 3.0)),
-        Case::limit("before-start", "the foot stays at t = 0", at_corner(-2.0, 1.0)),
-        Case::limit("behind-end", "the foot stays at t = 1", at_corner(2.0, 1.0)),
+        Case::hand("before-start", "the foot stays at t = 0", at_corner(-2.0, 1.0)),
+        Case::hand("behind-end", "the foot stays at t = 1", at_corner(2.0, 1.0)),
         Case::hand("at-start", "foot exactly at t = 0", at_corner(-1.0, 0.0)),
         Case::hand("at-end", "foot exactly at t = 1", at_corner(1.0, 0.0)),
         Case::hard("centre", "on the centre of curvature: three feet merge", at_corner(0.0, 0.75)),

@@ -5,10 +5,11 @@ mod proof;
 
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Fields, Formula, Given, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Spec};
 use crate::quantity::{SEGMENT_G, SEPARATION, X1, X2, XS};
 use crate::scalar::Scalar;
-use crate::slide_line::basis::{LocalBasis, length_and_tangent};
+use crate::slide_line::basis::LocalBasis;
+use crate::slide_line::basis::length_and_tangent;
 use crate::slide_line::points::LinearPoint;
 use crate::slide_line::{check_distinct, left};
 use nalgebra::Vector2;
@@ -84,7 +85,11 @@ impl<D: Scalar> Projection<D> {
 }
 
 impl Formula for ClosestLinear {
-    const SPEC: Spec = Spec::new("slide_line.closest_linear", "Closest point of a straight segment", Source::SLIDE_LINE.section("Element output"))
+    const SPEC: Spec = Spec::new(
+        "slide_line.closest_linear",
+        "Closest point of a straight segment",
+        Document::SLIDE_LINE.ours("Element output", "the section says separation, and prints no equation"),
+    )
         .equation(r"g = \operatorname*{arg\,min}_{-1 \le g \le 1}\,\lvert\mathbf{x}_s-\mathbf{X}(g)\rvert,\quad E_{11} = \bigl(\mathbf{x}_s-\mathbf{X}(g)\bigr)\cdot\mathbf{n}")
 .given(&[Given::new(r"\mathbf{X}(g),\ \mathbf{X}'", &LinearPoint::SPEC), Given::new(r"\mathbf{n}", &LocalBasis::SPEC)])
         .eta(6.0, 8.0);

@@ -6,7 +6,7 @@ mod proof;
 use super::{Foot, SegmentFoot, View, check_tangent};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Given, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec};
 use crate::quantity::{X1, X2, X3, XS};
 use crate::scalar::Scalar;
 use crate::slide_line::basis::LocalBasis;
@@ -33,7 +33,11 @@ impl<D: Scalar> ParabolicSlave<D> {
 }
 
 impl Formula for ClosestParabolic {
-    const SPEC: Spec = Spec::new("slide_line.closest_parabolic", "Closest point of a parabolic segment", Source::SLIDE_LINE.section("Element output"))
+    const SPEC: Spec = Spec::new(
+        "slide_line.closest_parabolic",
+        "Closest point of a parabolic segment",
+        Document::SLIDE_LINE.ours("Element output", "the section says separation, and prints no equation"),
+    )
         .equation(r"g = \operatorname*{arg\,min}_{-1 \le g \le 1}\,\lvert\mathbf{x}_s-\mathbf{X}(g)\rvert,\quad E_{11} = \bigl(\mathbf{x}_s-\mathbf{X}(g)\bigr)\cdot\mathbf{n}")
 .given(&[Given::new(r"\mathbf{X}(g),\ \mathbf{X}'", &ParabolicPoint::SPEC), Given::new(r"\mathbf{n}", &LocalBasis::SPEC)])
         .eta(4.0, 12.0);
@@ -44,7 +48,7 @@ impl Formula for ClosestParabolic {
     fn eval<D: Scalar>(i: &ParabolicSlave<D>) -> SegmentFoot<D> {
         let view = i.view();
         let foot = Foot::on(&view);
-        SegmentFoot { g: foot.u, separation: foot.separation() * view.unit }
+        SegmentFoot { g: foot.u, separation: foot.separation() * view.binade.unit }
     }
 
     #[inline]
@@ -56,7 +60,7 @@ impl Formula for ClosestParabolic {
     fn linearized<D: Scalar>(i: &ParabolicSlave<D>) -> (SegmentFoot<D>, Jacobian<Self, D>) {
         let view = i.view();
         let foot = Foot::on(&view);
-        let value = SegmentFoot { g: foot.u, separation: foot.separation() * view.unit };
+        let value = SegmentFoot { g: foot.u, separation: foot.separation() * view.binade.unit };
         let ([n1, n2, n3], [m1, m2, m3]) = (foot.weights, foot.rates);
         let g = |n, m| view.per_unit(foot.coordinate_by(n, m));
         let normal = foot.normal();

@@ -6,14 +6,13 @@ mod proof;
 use super::{Foot, View, check_tangent};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Given, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec};
 use crate::quantity::{CORNER_T, FRACTION, SEPARATION, X1, X2, X3, XS};
 use crate::scalar::{Scalar, abs};
 use crate::slide_line::basis::LocalBasis;
 use crate::slide_line::check_distinct;
 use crate::slide_line::corners::SmoothedLinearPoint;
-use crate::slide_line::points::Sides;
-use crate::slide_line::shape::LinearCorner;
+use crate::slide_line::shape::{LinearCorner, Sides};
 use nalgebra::Vector2;
 
 fields! {
@@ -51,7 +50,14 @@ impl<D: Scalar> LinearCornerSlave<D> {
 }
 
 impl Formula for ClosestSmoothedLinear {
-    const SPEC: Spec = Spec::new("slide_line.closest_smoothed_linear", "Closest point of a smoothed corner between straight segments", Source::SLIDE_LINE.section("Smoothing the slide line"))
+    const SPEC: Spec = Spec::new(
+        "slide_line.closest_smoothed_linear",
+        "Closest point of a smoothed corner between straight segments",
+        Document::SLIDE_LINE.ours(
+            "Smoothing the slide line",
+            "the section on smoothing that it refers to was not given",
+        ),
+    )
         .equation(r"t = \operatorname*{arg\,min}_{0 \le t \le 1}\,\lvert\mathbf{x}_s-\mathbf{X}(t)\rvert,\quad E_{11} = \bigl(\mathbf{x}_s-\mathbf{X}(t)\bigr)\cdot\mathbf{n}")
 .given(&[Given::new(r"\mathbf{X}(t),\ \mathbf{X}'", &SmoothedLinearPoint::SPEC), Given::new(r"\mathbf{n}", &LocalBasis::SPEC)])
         .eta(4.0, 48.0);
@@ -62,7 +68,7 @@ impl Formula for ClosestSmoothedLinear {
     fn eval<D: Scalar>(i: &LinearCornerSlave<D>) -> CornerFoot<D> {
         let view = i.view();
         let foot = Foot::on(&view);
-        CornerFoot { t: foot.u, separation: foot.separation() * view.unit }
+        CornerFoot { t: foot.u, separation: foot.separation() * view.binade.unit }
     }
 
     #[inline]
@@ -75,7 +81,7 @@ impl Formula for ClosestSmoothedLinear {
     fn linearized<D: Scalar>(i: &LinearCornerSlave<D>) -> (CornerFoot<D>, Jacobian<Self, D>) {
         let view = i.view();
         let foot = Foot::on(&view);
-        let value = CornerFoot { t: foot.u, separation: foot.separation() * view.unit };
+        let value = CornerFoot { t: foot.u, separation: foot.separation() * view.binade.unit };
         let ([n1, n2, n3], [m1, m2, m3]) = (foot.weights, foot.rates);
         let t = |n, m| view.per_unit(foot.coordinate_by(n, m));
         let normal = foot.normal();

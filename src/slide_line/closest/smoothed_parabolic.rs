@@ -6,14 +6,13 @@ mod proof;
 use super::{CornerFoot, Foot, View, check_tangent};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Given, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec};
 use crate::quantity::{FRACTION, X1, X2, X3, X4, X5, XS};
 use crate::scalar::Scalar;
 use crate::slide_line::basis::LocalBasis;
 use crate::slide_line::check_distinct;
 use crate::slide_line::corners::SmoothedParabolicPoint;
-use crate::slide_line::points::Sides;
-use crate::slide_line::shape::{ParabolicCorner, Shape};
+use crate::slide_line::shape::{ParabolicCorner, Shape, Sides};
 use nalgebra::Vector2;
 
 fields! {
@@ -42,7 +41,14 @@ impl<D: Scalar> ParabolicCornerSlave<D> {
 }
 
 impl Formula for ClosestSmoothedParabolic {
-    const SPEC: Spec = Spec::new("slide_line.closest_smoothed_parabolic", "Closest point of a smoothed corner between parabolic segments", Source::SLIDE_LINE.section("Smoothing the slide line"))
+    const SPEC: Spec = Spec::new(
+        "slide_line.closest_smoothed_parabolic",
+        "Closest point of a smoothed corner between parabolic segments",
+        Document::SLIDE_LINE.ours(
+            "Smoothing the slide line",
+            "the section on smoothing that it refers to was not given",
+        ),
+    )
         .equation(r"t = \operatorname*{arg\,min}_{0 \le t \le 1}\,\lvert\mathbf{x}_s-\mathbf{X}(t)\rvert,\quad E_{11} = \bigl(\mathbf{x}_s-\mathbf{X}(t)\bigr)\cdot\mathbf{n}")
 .given(&[Given::new(r"\mathbf{X}(t),\ \mathbf{X}'", &SmoothedParabolicPoint::SPEC), Given::new(r"\mathbf{n}", &LocalBasis::SPEC)])
         .eta(4.0, 128.0);
@@ -53,7 +59,7 @@ impl Formula for ClosestSmoothedParabolic {
     fn eval<D: Scalar>(i: &ParabolicCornerSlave<D>) -> CornerFoot<D> {
         let view = i.view();
         let foot = Foot::on(&view);
-        CornerFoot { t: foot.u, separation: foot.separation() * view.unit }
+        CornerFoot { t: foot.u, separation: foot.separation() * view.binade.unit }
     }
 
     #[inline]
@@ -66,14 +72,14 @@ impl Formula for ClosestSmoothedParabolic {
     fn linearized<D: Scalar>(i: &ParabolicCornerSlave<D>) -> (CornerFoot<D>, Jacobian<Self, D>) {
         let view = i.view();
         let foot = Foot::on(&view);
-        let value = CornerFoot { t: foot.u, separation: foot.separation() * view.unit };
+        let value = CornerFoot { t: foot.u, separation: foot.separation() * view.binade.unit };
         let ([n1, n2, n3, n4, n5], [m1, m2, m3, m4, m5]) = (foot.weights, foot.rates);
         let t = |n, m| view.per_unit(foot.coordinate_by(n, m));
         let normal = foot.normal();
         // By f: of X, Y′ and Y″, and of X′, which is f Y′ and hence quadratic in f.
-        let [point, rate, bend] = ParabolicCorner::by_fraction(i.f, foot.u).map(|weights| view.combination(weights));
+        let [point, rate, second] = ParabolicCorner::by_fraction(i.f, foot.u).map(|weights| view.combination(weights));
         let rate_of_point = view.combination(ParabolicCorner::rates(i.f * 2.0, foot.u));
-        let (point, rate) = (point + rate_of_point * foot.missing, rate + bend * foot.missing);
+        let (point, rate) = (point + rate_of_point * foot.missing, rate + second * foot.missing);
         let gradients = CornerFoot {
             t: ParabolicCornerSlave {
                 xs: t(-D::one(), D::zero()),
@@ -91,7 +97,7 @@ impl Formula for ClosestSmoothedParabolic {
                 x3: normal * -n3,
                 x4: normal * -n4,
                 x5: normal * -n5,
-                f: if foot.inside { -(normal.dot(&point) * view.unit) } else { i.end_turning(&view, &foot) },
+                f: if foot.inside { -(normal.dot(&point) * view.binade.unit) } else { i.end_turning(&view, &foot) },
             },
         };
         (value, gradients)

@@ -82,6 +82,8 @@ pub(crate) struct Source {
     pub(crate) link: String,
     /// Place within the document (text); may be empty.
     pub(crate) place: String,
+    /// How much of the equation the document prints (text).
+    pub(crate) provenance: String,
 }
 
 /// One named field of a formula's inputs or outputs.

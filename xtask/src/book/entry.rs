@@ -59,11 +59,12 @@ fn symbol_row(pages: &Pages<'_>, at: &Place, symbol: &Symbol) -> String {
     )
 }
 
-/// Source, kinks, golden cases and evidence.
+/// Source, provenance, kinks, golden cases and evidence.
 fn facts(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let source = &entry.source;
     let place = if source.place.is_empty() { String::new() } else { format!(", {}", pages.text(at, &source.place)) };
     let mut out = fact("Source", &format!("{}{place}", document(pages, at, source)));
+    out += &fact("Provenance", &pages.text(at, &source.provenance));
     out += &fact("Kinks", &kinks(pages, at, &entry.kinks));
     out += &fact("Golden cases", &golden(at, entry.golden.as_ref()));
     out += &fact("Evidence", &evidence(&entry.evidence));

@@ -82,7 +82,12 @@ fn entry(project: &Project, formula: &dyn AnyFormula, index: &Index<'_>, evidenc
 
 fn source(source: Source) -> content::Source {
     let place = if source.section.is_empty() { String::new() } else { format!("section “{}”", source.section) };
-    content::Source { title: source.title.into(), link: source.link.into(), place }
+    content::Source {
+        title: source.document.title.into(),
+        link: source.document.link.into(),
+        place,
+        provenance: source.provenance.to_string(),
+    }
 }
 
 /// The file and name of a type from its path: `jointproof::slot::friction::Friction` is in `src/slot/friction.rs`.

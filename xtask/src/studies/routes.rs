@@ -1,0 +1,94 @@
+//! The errors of both routes, documented and direct, where a line is hard: near the x axis, short, far away, with m far out.
+
+use jointproof::Octuple;
+use jointproof::formula::{Fields, Formula};
+use jointproof::slider::{Eliminate, Increment, KeptCoordinate, KeptIncrement, Pivots, documented};
+use jointproof::verify::exactly;
+use nalgebra::Vector3;
+
+/// A line, and where m is on it. Every number is used as it is, so that the results are the same on every machine.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Setting {
+    /// The tangent of the angle between the line and the x axis; 0 for a line along it.
+    pub(crate) tilt: f64,
+    /// The extent of the line along the x axis.
+    pub(crate) length: f64,
+    /// The share ξ of m in the way from node 1 to node n.
+    pub(crate) share: f64,
+    /// The coordinates of node 1, in size.
+    pub(crate) offset: f64,
+}
+
+/// An ordinary line: as steep as it is long, one unit from the origin.
+impl Default for Setting {
+    fn default() -> Self {
+        Self { tilt: 1.0, length: 1.0, share: 0.5, offset: 1.0 }
+    }
+}
+
+/// The largest errors found on either route.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct RouteErrors {
+    /// Through t1, t2 and the system of two equations ([`documented`]).
+    pub(crate) documented: f64,
+    /// By the ratios n_i/n_k.
+    pub(crate) direct: f64,
+}
+
+impl Setting {
+    /// The largest errors of the increments of m at 64 lines and motions, relative to the largest component of that
+    /// increment. What is exact is [`Increment`] in 237 bits, at the same doubles: positions of m are rounded, so that it is off
+    /// the line by a rounding, as in any program.
+    pub(crate) fn increment_errors(&self) -> RouteErrors {
+        self.worst(|i| {
+            let exact = Increment::eval(&exactly::<Increment>(i)).components();
+            [documented::increment(i), Increment::eval(i)].map(|found| error(&found.components(), &exact, i.dxmk))
+        })
+    }
+
+    /// The largest errors of the place of m at the same lines, relative to its largest coordinate.
+    pub(crate) fn eliminate_errors(&self) -> RouteErrors {
+        self.worst(|i| {
+            let kept = KeptCoordinate { x1: i.x1, xn: i.xn, xmk: i.xm[Pivots::new(&i.x1, &i.xn).k] };
+            let exact = Eliminate::eval(&exactly::<Eliminate>(&kept)).components();
+            [documented::eliminate(&kept), Eliminate::eval(&kept)]
+                .map(|found| error(&found.components(), &exact, kept.xmk))
+        })
+    }
+
+    fn worst(&self, errors: impl Fn(&KeptIncrement<f64>) -> [f64; 2]) -> RouteErrors {
+        let [documented, direct] =
+            self.scenes().iter().map(errors).fold([0.0_f64; 2], |worst, [a, b]| [worst[0].max(a), worst[1].max(b)]);
+        RouteErrors { documented, direct }
+    }
+
+    /// Four lines about the x axis, four motions, four places of m.
+    pub(crate) fn scenes(&self) -> Vec<KeptIncrement<f64>> {
+        let x1 = Vector3::new(0.3, -0.7, 0.9) * self.offset;
+        let lines = [[1.0, 0.6, 0.8], [-1.0, 0.96, -0.28], [1.0, -0.8, 0.6], [-1.0, -0.28, -0.96]];
+        let motions = [
+            ([0.01, -0.02, 0.035], [-0.015, 0.03, 0.0125], 0.02),
+            ([0.03, 0.01, -0.02], [0.025, -0.02, 0.015], -0.01),
+            ([0.0, 0.0, 0.0], [0.01, 0.03, -0.035], 0.005),
+            ([-0.02, 0.015, 0.01], [0.0, 0.0, 0.0], 0.015),
+        ];
+        let mut scenes = Vec::new();
+        for [x, y, z] in lines {
+            let d = Vector3::new(x, y * self.tilt, z * self.tilt) * self.length;
+            for (dx1, dxn, dxmk) in motions {
+                for part in [0.7, 0.9, 1.1, 1.3] {
+                    let xm = x1 + d * (self.share * part);
+                    scenes.push(KeptIncrement { x1, xn: x1 + d, xm, dx1: dx1.into(), dxn: dxn.into(), dxmk });
+                }
+            }
+        }
+        scenes
+    }
+}
+
+/// The largest error of a component, relative to the largest component, the kept one among them.
+fn error(found: &[f64], exact: &[Octuple], kept: f64) -> f64 {
+    let size = exact.iter().fold(kept.abs(), |size, x| size.max(x.to_f64().abs()));
+    let errors = found.iter().zip(exact).map(|(&found, &exact)| (exact - found).to_f64().abs());
+    errors.fold(0.0, f64::max) / size
+}
