@@ -10,9 +10,7 @@ use loads::moment;
 pub use loads::{ContactMomentPair, JointLoads};
 
 use super::hinge::{bending, in_sleeve, transverse};
-use super::{
-    AxialForces, CrossForces, Decomposition, HingeAxial, HingeBending, HingeTransverse, HingeTwist,
-};
+use super::{AxialForces, CrossForces, Decomposition, HingeAxial, HingeBending, HingeTransverse, HingeTwist};
 use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec};
 use crate::scalar::{Scalar, norm};
 
