@@ -175,6 +175,11 @@ impl Equation {
         self.run(&self.point(inputs, known)).outputs
     }
 
+    /// Whether it has one value: on a kink, several places may be the smallest of something.
+    pub(crate) fn is_defined(&self, on_kink: bool) -> bool {
+        !on_kink || self.smallest.is_none()
+    }
+
     /// The inputs, and behind them the place of something smallest.
     pub(crate) fn point<D: Scalar>(&self, inputs: &[D], known: &[D]) -> Vec<D> {
         let nowhere = || D::from(f64::NAN);

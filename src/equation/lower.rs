@@ -107,8 +107,8 @@ impl<'e> Writer<'e> {
             Some(Value::Scalar(axis)) => axis,
             _ => return Err(Error::new(at, format!("{index} is neither a number nor the number of an axis"))),
         };
-        let (&last, first) = of.split_last().ok_or_else(|| Error::new(at, "a vector of nothing"))?;
-        let chosen = first.iter().enumerate().rev().fold(last, |other, (k, &id)| {
+        let nothing = self.tape.number(f64::NAN);
+        let chosen = of.iter().enumerate().rev().fold(nothing, |other, (k, &id)| {
             let number = self.tape.number(small(k + 1));
             let is_it = self.tape.push(Op::Compare(Relation::Equal, axis, number));
             self.tape.push(Op::Select(is_it, id, other))

@@ -254,7 +254,8 @@ fn call<D: Scalar>(function: Function, a: D, b: D) -> D {
         Function::Cos => a.cos(),
         Function::ArcSin => a.asin(),
         Function::Sign => D::from(sign(a)),
-        Function::Atan2 => atan2(a, b),
+        // Zeros of mathematics have no sign.
+        Function::Atan2 => atan2(a + 0.0, b),
     }
 }
 

@@ -3,7 +3,7 @@
 use super::claim::Claim;
 use super::difference::{differences, step_size};
 use super::point::{Names, Point};
-use super::printed::found;
+use super::printed::{EQUATION, Known, found};
 use super::subject::{Law, Subject};
 use super::{Sampler, Sensitivity, eta, invariance};
 use crate::equation::Equation;
@@ -36,8 +36,6 @@ const CLOSED_AGAINST_AD: f64 = 1e-60;
 const AD_AGAINST_DIFFERENCES: f64 = 1e-50;
 /// At hard points the step of differences must be shorter than the distance to the next kink, and digits are lost.
 const AD_AGAINST_DIFFERENCES_HARD: f64 = 1e-35;
-/// The printed equation and the code agree in 237 bits to this.
-const EQUATION: f64 = 1e-55;
 /// Laws hold in 237 bits to this.
 const LAW: f64 = 1e-60;
 
@@ -145,7 +143,7 @@ fn audit_points(subject: &Subject, named: &[Point], random: &[Point], seed: u64)
 }
 
 /// The formula's own cases, and points on both sides of every kink and on it.
-fn named_points(subject: &Subject) -> Vec<Point<'_>> {
+pub(super) fn named_points(subject: &Subject) -> Vec<Point<'_>> {
     let cases = (subject.cases)().into_iter().map(|case| (case.id, case.inputs));
     cases
         .chain(beside_kinks(subject))
@@ -187,7 +185,9 @@ impl Audit {
         self.check_closed_form(point, names, &exact, &closed);
         if point.kink.is_none() {
             self.check_ad(point, names, &exact);
-            equation.into_iter().for_each(|equation| self.check_equation(point, names, &exact, &closed, equation));
+        }
+        if let Some(equation) = equation.filter(|equation| equation.is_defined(point.kink.is_some())) {
+            self.check_equation(point, names, &exact, &closed, equation);
         }
         // The value and the Jacobian alone, and as they come together.
         let [value, jacobian] = (subject.linearized)(&point.inputs);
@@ -233,27 +233,16 @@ impl Audit {
     /// Value and Jacobian of the printed equation, each judged as those of the code are.
     fn check_equation(&mut self, point: &Point, names: &Names, exact: &Exact, closed: &[Octuple], equation: &Equation) {
         let found = found(equation, &point.exact, &exact.values);
-        for (output, (&printed, &value)) in found.values.iter().zip(&exact.values).enumerate() {
-            let size = Sensitivity::new(&exact.ad[output * point.exact.len()..], &point.exact).plus(value);
-            let describe =
-                |size| point.deviation(size, names.outputs[output].clone(), printed.to_f64(), value.to_f64());
-            let share = judged(size, printed - value, || found.terms(output));
-            self.equation.record(share, EQUATION, describe);
+        let sizes =
+            exact.ad.chunks(point.exact.len()).map(|gradient| Sensitivity::new(gradient, &point.exact)).collect();
+        let known = Known { values: exact.values.clone(), sizes };
+        let describe = |size, entry, found, expected| point.deviation(size, entry, found, expected);
+        found.record_values(&mut self.equation, &known, &names.outputs, describe);
+        if point.kink.is_some() {
+            return;
         }
-        for &(first, next) in &found.equal {
-            let size = Sensitivity::new(&[], &[]).plus(first).plus(next);
-            let describe = |size| point.deviation(size, "the next form".into(), next.to_f64(), first.to_f64());
-            self.equation.record(size.share_of(next - first), EQUATION, describe);
-        }
-        if let Some(better) = found.better {
-            let describe = |size| point.deviation(size, "another place is better".into(), better, 0.0);
-            self.equation.record(better, EQUATION, describe);
-        }
-        for (k, ((&printed, &closed), bend)) in found.jacobian.iter().zip(closed).zip(&exact.bends).enumerate() {
-            let describe = |size| point.deviation(size, names.entry(k), printed.to_f64(), closed.to_f64());
-            let share = judged(bend.plus(closed), printed - closed, || found.terms_of_entry(k));
-            self.equation_jacobian.record(share, EQUATION, describe);
-        }
+        let entry = |k| names.entry(k);
+        found.record_jacobian(&mut self.equation_jacobian, closed, &exact.bends, entry, describe);
     }
 
     fn check_value(&mut self, point: &Point, names: &Names, exact: &Exact, values: [Vec<f64>; 2]) {
@@ -275,15 +264,6 @@ impl Audit {
                 self.eta_jacobian.record(size, self.eta_jacobian.bound, describe);
             }
         }
-    }
-}
-
-/// A deviation of the printed equation, relative to the size of the number; where that would be too much, relative to the
-/// terms too from which the equation sums it: evaluated as it stands, it may lose digits that the code keeps.
-fn judged(size: Sensitivity, deviation: Octuple, terms: impl FnOnce() -> Octuple) -> f64 {
-    match size.share_of(deviation) {
-        share if share > EQUATION => size.plus(terms()).share_of(deviation),
-        share => share,
     }
 }
 

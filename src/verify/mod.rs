@@ -53,6 +53,7 @@ mod point;
 mod printed;
 mod sample;
 mod subject;
+mod trial;
 
 #[cfg(feature = "measure")]
 pub(crate) use audit::beside_kinks;
@@ -64,6 +65,7 @@ pub(crate) use eta::U;
 pub use eta::{Sensitivity, eta, relative};
 pub use jet::{derivative_of_jacobian, jacobian_by_ad};
 pub use sample::Sampler;
+pub use trial::Trial;
 
 pub(crate) use subject::{Kink, Subject};
 

@@ -1,10 +1,21 @@
 //! The printed equation at a point, in 237 bits: its values, its Jacobian by dual numbers, and whether what it calls
 //! smallest is so.
 
+use super::claim::{Claim, Deviation};
+use super::eta::Sensitivity;
 use super::jet::differentiate;
 use crate::Octuple;
 use crate::equation::{Equation, SmallestAt};
 use num_traits::{Signed, Zero};
+
+/// The printed equation and the code agree in 237 bits to this.
+pub(super) const EQUATION: f64 = 1e-55;
+
+/// What the code gives, and what rounding of the inputs can do to it.
+pub(super) struct Known {
+    pub(super) values: Vec<Octuple>,
+    pub(super) sizes: Vec<Sensitivity>,
+}
 
 /// What an equation gives.
 pub(super) struct Found<'a> {
@@ -15,13 +26,13 @@ pub(super) struct Found<'a> {
     curvature: Octuple,
     motion: Vec<Octuple>,
     by_place: Vec<Octuple>,
-    pub(super) values: Vec<Octuple>,
+    values: Vec<Octuple>,
     /// The entries, output by output.
-    pub(super) jacobian: Vec<Octuple>,
+    jacobian: Vec<Octuple>,
     /// Numbers that are printed as equal.
-    pub(super) equal: Vec<(Octuple, Octuple)>,
+    equal: Vec<(Octuple, Octuple)>,
     /// By how much another place is better than the one that should be best, relatively.
-    pub(super) better: Option<f64>,
+    better: Option<f64>,
 }
 
 /// So many steps between its bounds are tried for a better place.
@@ -60,10 +71,49 @@ pub(super) fn found<'a>(equation: &'a Equation, inputs: &[Octuple], known: &[Oct
     }
 }
 
-/// Sizes against which rounding is judged: of the terms from which a number is summed.
 impl Found<'_> {
-    /// Of an output.
-    pub(super) fn terms(&self, output: usize) -> Octuple {
+    /// Compares the values, and what the equation itself says is equal or smallest.
+    pub(super) fn record_values(
+        &self,
+        claim: &mut Claim,
+        known: &Known,
+        names: &[String],
+        describe: impl Fn(f64, String, f64, f64) -> Deviation,
+    ) {
+        for (output, (&value, &size)) in known.values.iter().zip(&known.sizes).enumerate() {
+            let found = self.values[output];
+            let share = judged(size.plus(value), found - value, || self.terms(output));
+            let entry = || names[output].clone();
+            claim.record(share, EQUATION, |share| describe(share, entry(), found.to_f64(), value.to_f64()));
+        }
+        for &(first, next) in &self.equal {
+            let share = Sensitivity::new(&[], &[]).plus(first).plus(next).share_of(next - first);
+            let entry = || "the form after the next sign of equality".into();
+            claim.record(share, EQUATION, |share| describe(share, entry(), next.to_f64(), first.to_f64()));
+        }
+        if let Some(better) = self.better {
+            let entry = || "the objective at a better place".into();
+            claim.record(better, EQUATION, |share| describe(share, entry(), better, 0.0));
+        }
+    }
+
+    /// Compares the Jacobian; every entry is judged against itself and what rounding of the inputs can do to it.
+    pub(super) fn record_jacobian(
+        &self,
+        claim: &mut Claim,
+        closed: &[Octuple],
+        bends: &[Sensitivity],
+        entry: impl Fn(usize) -> String,
+        describe: impl Fn(f64, String, f64, f64) -> Deviation,
+    ) {
+        for (k, ((&found, &closed), bend)) in self.jacobian.iter().zip(closed).zip(bends).enumerate() {
+            let share = judged(bend.plus(closed), found - closed, || self.terms_of_entry(k));
+            claim.record(share, EQUATION, |share| describe(share, entry(k), found.to_f64(), closed.to_f64()));
+        }
+    }
+
+    /// Against which rounding is judged: the size of the terms from which an output is summed.
+    fn terms(&self, output: usize) -> Octuple {
         let terms = self.equation.terms_of_output(output, None, &self.point);
         if self.curvature.is_zero() {
             return terms;
@@ -71,8 +121,8 @@ impl Found<'_> {
         terms + (self.equation.terms_of_slope(None, &self.point) / self.curvature).abs()
     }
 
-    /// Of an entry of the Jacobian.
-    pub(super) fn terms_of_entry(&self, entry: usize) -> Octuple {
+    /// The same of an entry of the Jacobian.
+    fn terms_of_entry(&self, entry: usize) -> Octuple {
         let (output, input, place) = (entry / self.motion.len(), entry % self.motion.len(), self.motion.len());
         let direct = self.equation.terms_of_output(output, Some(input), &self.point);
         if self.motion[input].is_zero() {
@@ -82,6 +132,15 @@ impl Found<'_> {
         let slope = |by| self.equation.terms_of_slope(Some(by), &self.point);
         let motion = (slope(input) + slope(place) * self.motion[input].abs()) / self.curvature.abs();
         direct + by_place * self.motion[input].abs() + motion * self.by_place[output].abs()
+    }
+}
+
+/// A deviation relative to the size of the number; where that would be too much, relative to the terms too from which
+/// the equation sums it: evaluated as it stands, it may lose digits that the code keeps.
+fn judged(size: Sensitivity, deviation: Octuple, terms: impl FnOnce() -> Octuple) -> f64 {
+    match size.share_of(deviation) {
+        share if share > EQUATION => size.plus(terms()).share_of(deviation),
+        share => share,
     }
 }
 
