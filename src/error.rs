@@ -230,15 +230,21 @@ impl Error {
     ///
     /// # Errors
     /// [`Error::NonFinite`] or [`Error::OutOfRange`].
+    #[inline]
     pub fn check(field: &'static str, component: Option<usize>, value: f64, domain: Domain) -> Result<(), Self> {
-        let name = Name { field, component };
-        let allowed = || domain.allowed();
-        if !value.is_finite() {
-            Err(Self::NonFinite { name, value, allowed: allowed() })
-        } else if !domain.allows(value) {
-            Err(Self::OutOfRange { name, value, allowed: allowed() })
+        if value.is_finite() && domain.allows(value) {
+            return Ok(());
+        }
+        Err(Self::not_allowed(Name { field, component }, value, domain))
+    }
+
+    #[cold]
+    fn not_allowed(name: Name, value: f64, domain: Domain) -> Self {
+        let allowed = domain.allowed();
+        if value.is_finite() {
+            Self::OutOfRange { name, value, allowed }
         } else {
-            Ok(())
+            Self::NonFinite { name, value, allowed }
         }
     }
 
@@ -254,6 +260,7 @@ impl Error {
     ///
     /// # Errors
     /// [`Error::OutOfOrder`].
+    #[inline]
     pub fn check_order(lower: (&'static str, f64), upper: (&'static str, f64)) -> Result<(), Self> {
         if lower.1 <= upper.1 {
             return Ok(());
@@ -274,7 +281,12 @@ impl Error {
         if has_length(between) {
             return Ok(());
         }
-        Err(Self::TooClose { first, second, distance: norm(between), least: f64::MIN_POSITIVE })
+        Err(Self::too_close(first, second, norm(between)))
+    }
+
+    #[cold]
+    fn too_close(first: &'static str, second: &'static str, distance: f64) -> Self {
+        Self::TooClose { first, second, distance, least: f64::MIN_POSITIVE }
     }
 
     /// Checks that a vector has a direction.
@@ -286,7 +298,12 @@ impl Error {
         if has_length(v.into()) {
             return Ok(());
         }
-        Err(Self::TooShort { name, length: norm(<[f64; N]>::from(v)), least: f64::MIN_POSITIVE })
+        Err(Self::too_short(name, norm(<[f64; N]>::from(v))))
+    }
+
+    #[cold]
+    fn too_short(name: &'static str, length: f64) -> Self {
+        Self::TooShort { name, length, least: f64::MIN_POSITIVE }
     }
 
     /// The variant's name, as golden files give it.

@@ -79,7 +79,7 @@ fn what_cannot_be_read_is_named_with_its_place() {
         (r"F = \lvert f_2 f_3\rvert", "byte 0: the output F_C is not defined"),
         (r"F_C = f_2 f_3,\quad x = f_2", "byte 20: x is defined and not needed"),
         (r"F_C = f_2 f_3,\quad F_C = f_2", "byte 20: F_C is defined twice"),
-        (r"F_C = a f_2 f_3,\quad a = b,\quad b = a", "b is defined by itself"),
+        (r"F_C = a f_2 f_3,\quad a = b,\quad b = a", "a is defined by itself"),
         (r"F_C = f_2/f_3 f_2", "byte 14: what follows a slash and its divisor is read in two ways: use a fraction"),
         (r"F_C = f_2 f_3\quad \text{if } f_2 > 0", "a symbol"),
         (r"F_C = f_2 f_3\quad\text{twice 2}", "byte 20: a remark holds words only, not `2`: mathematics is executed"),

@@ -80,7 +80,7 @@ impl Error {
             Self::Components { found, expected } => {
                 Message::are(format!("{found} components"), format!("exactly {expected}"))
             }
-            Self::Overflow { name } => Message::is(
+            Self::Overflow { name } => Message::are(
                 format!("{name} is too large for a double"),
                 "results below 1.8e308 (use units in which the inputs are closer to 1)",
             ),

@@ -18,12 +18,18 @@ pub(super) fn length<D: Scalar>(v: Vector2<D>) -> D {
 }
 
 /// Checks that the named points are all at different places.
-pub(super) fn check_distinct(points: &[(&'static str, Vector2<f64>)]) -> Result<(), Error> {
-    let mut pairs = points.iter().enumerate().flat_map(|(k, &a)| points.iter().skip(k + 1).map(move |&b| (a, b)));
-    pairs.try_for_each(|(a, b)| Error::check_apart(a, b))
+#[inline]
+pub(super) fn check_distinct<const N: usize>(points: [(&'static str, Vector2<f64>); N]) -> Result<(), Error> {
+    for (k, &a) in points.iter().enumerate() {
+        for &b in &points[k + 1..] {
+            Error::check_apart(a, b)?;
+        }
+    }
+    Ok(())
 }
 
 /// Checks that the named points are not left of the axis of revolution.
-pub(super) fn check_radii(points: &[(&'static str, Vector2<f64>)]) -> Result<(), Error> {
+#[inline]
+pub(super) fn check_radii<const N: usize>(points: [(&'static str, Vector2<f64>); N]) -> Result<(), Error> {
     points.iter().try_for_each(|&(name, x)| Error::check(name, Some(0), x.x, Domain::NonNegative))
 }

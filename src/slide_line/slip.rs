@@ -71,8 +71,9 @@ impl Formula for SlipIncrementLinear {
         Slip { dslip: LinearMotion { x1: -turned, x2: turned, g, dxs: t, dx1: t * -n1, dx2: t * -n2 } }
     }
 
+    #[inline]
     fn validate(i: &LinearMotion<f64>) -> Result<(), Error> {
-        check_distinct(&[("x1", i.x1), ("x2", i.x2)])
+        check_distinct([("x1", i.x1), ("x2", i.x2)])
     }
 }
 
@@ -146,8 +147,9 @@ impl Formula for SlipIncrementParabolic {
         }
     }
 
+    #[inline]
     fn validate(i: &ParabolicMotion<f64>) -> Result<(), Error> {
-        check_distinct(&[("x1", i.x1), ("x2", i.x2), ("x3", i.x3)])?;
+        check_distinct([("x1", i.x1), ("x2", i.x2), ("x3", i.x3)])?;
         if Self::sides(i).rate(i.g) == Vector2::zeros() {
             Err(Error::NoTangent { coordinate: "g", value: i.g })
         } else {

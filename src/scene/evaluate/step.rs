@@ -147,7 +147,7 @@ fn inputs_of<F: Formula, T: Number>(columns: &[&[Cell<T>; LANES]; MOST], lane: u
     })
 }
 
-/// Kept apart from the loop, which goes on without it.
+/// Cold and out of line, so that dropping an error costs the loop nothing.
 #[cold]
 fn rejected(_: Error) -> bool {
     false

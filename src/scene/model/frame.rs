@@ -17,7 +17,7 @@ pub(in crate::scene) struct Frame {
 }
 
 impl Frame {
-    /// Brings into order what stands in another order than what it refers to.
+    /// Sorts every list of changes by the node or element that changes.
     pub(in crate::scene) fn sorted(mut self) -> Self {
         self.moves.sort();
         self.turns.sort();
@@ -49,12 +49,12 @@ impl<V: Copy> Changes<V> {
         }
     }
 
-    /// Those from this place on and before another.
+    /// The changes at these places.
     pub(in crate::scene) fn iter(&self, places: Range<usize>) -> impl Iterator<Item = (u32, V)> {
         self.of[places.clone()].iter().copied().zip(self.to[places].iter().copied())
     }
 
-    /// The place of the first, from this place on, that does not come before a node or element.
+    /// The first place, from this one on, whose node or element is this one or a later one.
     pub(in crate::scene) fn place(&self, from: usize, of: u32) -> usize {
         from + self.of[from..].partition_point(|&other| other < of)
     }

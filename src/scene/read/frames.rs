@@ -66,7 +66,7 @@ impl<'k> History<'k> {
         Self { dimension, moved, pressed, loaded: Mentioned::none(elements, "element"), slides }
     }
 
-    /// A frame, and the time of the one before it.
+    /// Reads a frame; `last` is the time of the one before it.
     fn frame(&mut self, reader: &mut Reader, index: usize, last: Option<f64>) -> Read<ReadFrame> {
         let Self { dimension, moved, pressed, loaded, slides } = self;
         let sliding = *dimension == Dimension::Axisymmetric;

@@ -1,4 +1,4 @@
-//! Elements block by block, the next one on its way from memory while one is evaluated.
+//! Elements block by block; while one is evaluated, the next is brought from memory into the cache.
 
 use super::nodes::NodeStates;
 use super::prefetch::{LINE, prefetch};

@@ -27,7 +27,7 @@ impl<T: Number> GroupState<T> {
     /// The elements with their parameters, and zeros.
     pub(super) fn new(scene: &Scene, group: &Group, nodes: &NodeStates<'_, T>) -> Self {
         let recipe = &group.recipe;
-        // Written, where `vec!` would leave it to the first state to have the pages mapped.
+        // Written to here: pages of a zeroed `vec!` would be mapped one by one in the first state.
         let zeros = |columns: usize| -> Vec<_> { std::iter::repeat_n([T::zero(); LANES], columns).collect() };
         let mut lasting = zeros(group.elements.len().div_ceil(LANES) * recipe.lasting);
         let mut ends = Vec::new();

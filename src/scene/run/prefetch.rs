@@ -1,6 +1,6 @@
 //! Bringing values from memory before they are read.
 
-/// Bytes that are fetched together.
+/// Bytes of a cache line, which come together.
 pub(super) const LINE: usize = 64;
 
 /// Asks the processor to bring a value from memory into its cache, because it will be read soon. It is a hint: where there

@@ -143,11 +143,10 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
     }
 }
 
-/// Rejects a curve that [stands still](Foot::stands_still) at the foot.
-pub(super) fn check_tangent<S: Shape<N>, const N: usize>(
-    view: &View<f64, S, N>,
-    coordinate: &'static str,
-) -> Result<(), Error> {
-    let foot = Foot::on(view);
-    if foot.stands_still(view) { Err(Error::NoTangent { coordinate, value: foot.u }) } else { Ok(()) }
+impl<const N: usize> Foot<f64, N> {
+    /// On the whole curve, unless that [stands still](Self::stands_still) there.
+    pub(super) fn with_tangent<S: Shape<N>>(view: &View<f64, S, N>, coordinate: &'static str) -> Result<Self, Error> {
+        let foot = Self::on(view);
+        if foot.stands_still(view) { Err(Error::NoTangent { coordinate, value: foot.u }) } else { Ok(foot) }
+    }
 }

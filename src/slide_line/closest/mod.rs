@@ -39,7 +39,7 @@ pub(super) use piece::{PieceFoot, curved_foot, straight_foot};
 pub use smoothed_linear::{ClosestSmoothedLinear, CornerFoot, LinearCornerSlave};
 pub use smoothed_parabolic::{ClosestSmoothedParabolic, ParabolicCornerSlave};
 
-use foot::{Foot, check_tangent};
+use foot::Foot;
 use view::View;
 #[cfg(doc)]
 use {candidates::Candidates, expansion::Expansion};

@@ -3,10 +3,10 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::{CornerFoot, Foot, View, check_tangent};
+use super::{CornerFoot, Foot, View};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec};
+use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec, ValueAndJacobian};
 use crate::quantity::{FRACTION, X1, X2, X3, X4, X5, XS};
 use crate::scalar::Scalar;
 use crate::slide_line::basis::LocalBasis;
@@ -40,39 +40,30 @@ impl<D: Scalar> ParabolicCornerSlave<D> {
     }
 }
 
-impl Formula for ClosestSmoothedParabolic {
-    const SPEC: Spec = Spec::new(
-        "slide_line.closest_smoothed_parabolic",
-        "Closest point of a smoothed corner between parabolic segments",
-        Document::SLIDE_LINE.ours(
-            "Smoothing the slide line",
-            "the section on smoothing that it refers to was not given",
-        ),
-    )
-        .equation(r"t = \operatorname*{arg\,min}_{0 \le t \le 1}\,\lvert\mathbf{x}_s-\mathbf{X}(t)\rvert,\quad E_{11} = \bigl(\mathbf{x}_s-\mathbf{X}(t)\bigr)\cdot\mathbf{n}")
-.given(&[Given::new(r"\mathbf{X}(t),\ \mathbf{X}'", &SmoothedParabolicPoint::SPEC), Given::new(r"\mathbf{n}", &LocalBasis::SPEC)])
-        .eta(4.0, 128.0);
-    type Inputs<T: Component> = ParabolicCornerSlave<T>;
-    type Outputs<T: Component> = CornerFoot<T>;
+impl ParabolicCornerSlave<f64> {
+    /// The foot, unless two nodes coincide or the curve stands still there.
+    fn checked_foot(&self) -> Result<(View<f64, ParabolicCorner, 5>, Foot<f64, 5>), Error> {
+        check_distinct([("x1", self.x1), ("x2", self.x2), ("x3", self.x3)])?;
+        check_distinct([("x3", self.x3), ("x4", self.x4), ("x5", self.x5)])?;
+        let view = self.view();
+        let foot = Foot::with_tangent(&view, "t")?;
+        Ok((view, foot))
+    }
+}
 
-    #[inline]
-    fn eval<D: Scalar>(i: &ParabolicCornerSlave<D>) -> CornerFoot<D> {
-        let view = i.view();
-        let foot = Foot::on(&view);
+impl ClosestSmoothedParabolic {
+    fn value_at<D: Scalar>(view: &View<D, ParabolicCorner, 5>, foot: &Foot<D, 5>) -> CornerFoot<D> {
         CornerFoot { t: foot.u, separation: foot.separation() * view.binade.unit }
     }
 
-    #[inline]
-    fn jacobian<D: Scalar>(i: &ParabolicCornerSlave<D>) -> Jacobian<Self, D> {
-        Self::linearized(i).1
-    }
-
+    /// Value and Jacobian at the foot.
+    ///
     /// With respect to f an end moves along its own tangent, so only the turning of that matters there.
-    #[inline]
-    fn linearized<D: Scalar>(i: &ParabolicCornerSlave<D>) -> (CornerFoot<D>, Jacobian<Self, D>) {
-        let view = i.view();
-        let foot = Foot::on(&view);
-        let value = CornerFoot { t: foot.u, separation: foot.separation() * view.binade.unit };
+    fn linearized_at<D: Scalar>(
+        i: &ParabolicCornerSlave<D>,
+        view: &View<D, ParabolicCorner, 5>,
+        foot: &Foot<D, 5>,
+    ) -> (CornerFoot<D>, Jacobian<Self, D>) {
         let ([n1, n2, n3, n4, n5], [m1, m2, m3, m4, m5]) = (foot.weights, foot.rates);
         let t = |n, m| view.per_unit(foot.coordinate_by(n, m));
         let normal = foot.normal();
@@ -97,15 +88,57 @@ impl Formula for ClosestSmoothedParabolic {
                 x3: normal * -n3,
                 x4: normal * -n4,
                 x5: normal * -n5,
-                f: if foot.inside { -(normal.dot(&point) * view.binade.unit) } else { i.end_turning(&view, &foot) },
+                f: if foot.inside { -(normal.dot(&point) * view.binade.unit) } else { i.end_turning(view, foot) },
             },
         };
-        (value, gradients)
+        (Self::value_at(view, foot), gradients)
+    }
+}
+
+impl Formula for ClosestSmoothedParabolic {
+    const SPEC: Spec = Spec::new(
+        "slide_line.closest_smoothed_parabolic",
+        "Closest point of a smoothed corner between parabolic segments",
+        Document::SLIDE_LINE.ours(
+            "Smoothing the slide line",
+            "the section on smoothing that it refers to was not given",
+        ),
+    )
+        .equation(r"t = \operatorname*{arg\,min}_{0 \le t \le 1}\,\lvert\mathbf{x}_s-\mathbf{X}(t)\rvert,\quad E_{11} = \bigl(\mathbf{x}_s-\mathbf{X}(t)\bigr)\cdot\mathbf{n}")
+.given(&[Given::new(r"\mathbf{X}(t),\ \mathbf{X}'", &SmoothedParabolicPoint::SPEC), Given::new(r"\mathbf{n}", &LocalBasis::SPEC)])
+        .eta(4.0, 128.0);
+    type Inputs<T: Component> = ParabolicCornerSlave<T>;
+    type Outputs<T: Component> = CornerFoot<T>;
+
+    #[inline]
+    fn eval<D: Scalar>(i: &ParabolicCornerSlave<D>) -> CornerFoot<D> {
+        let view = i.view();
+        Self::value_at(&view, &Foot::on(&view))
     }
 
+    #[inline]
+    fn jacobian<D: Scalar>(i: &ParabolicCornerSlave<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &ParabolicCornerSlave<D>) -> (CornerFoot<D>, Jacobian<Self, D>) {
+        let view = i.view();
+        Self::linearized_at(i, &view, &Foot::on(&view))
+    }
+
+    #[inline]
     fn validate(i: &ParabolicCornerSlave<f64>) -> Result<(), Error> {
-        check_distinct(&[("x1", i.x1), ("x2", i.x2), ("x3", i.x3)])?;
-        check_distinct(&[("x3", i.x3), ("x4", i.x4), ("x5", i.x5)])?;
-        check_tangent(&i.view(), "t")
+        i.checked_foot().map(drop)
+    }
+
+    #[inline]
+    fn try_eval(i: &ParabolicCornerSlave<f64>) -> Result<CornerFoot<f64>, Error> {
+        i.checked_foot().map(|(view, foot)| Self::value_at(&view, &foot))
+    }
+
+    #[inline]
+    fn try_linearized(i: &ParabolicCornerSlave<f64>) -> Result<ValueAndJacobian<Self, f64>, Error> {
+        i.checked_foot().map(|(view, foot)| Self::linearized_at(i, &view, &foot))
     }
 }
