@@ -66,10 +66,6 @@ impl Formula for Friction {
             Given::new(r"M_{N1},\ M_{N3}", &NormalMoments::SPEC),
             Given::new(r"M_{C1},\ M_{C3}", &ContactMoments::SPEC),
         ])
-        .given(&[
-            Given::new(r"M_{N1},\ M_{N3}", &NormalMoments::SPEC),
-            Given::new(r"M_{C1},\ M_{C3}", &ContactMoments::SPEC),
-        ])
         .eta(2.0, 6.0);
     type Inputs<T: Component> = FrictionLoads<T>;
     type Outputs<T: Component> = YieldPair<T>;
