@@ -21,6 +21,8 @@ pub trait AnyFormula: Send + Sync {
     fn path(&self) -> &'static str;
     /// Where it has no derivative.
     fn kinks(&self) -> Vec<KinkEntry>;
+    /// Its laws, in words.
+    fn laws(&self) -> Vec<String>;
     /// Its golden file, computed now.
     fn golden(&self) -> golden::File;
     /// Its audit, executed now.
@@ -79,6 +81,9 @@ impl<F: Proved> AnyFormula for F {
     }
     fn kinks(&self) -> Vec<KinkEntry> {
         one_sided(&Subject::of::<F>())
+    }
+    fn laws(&self) -> Vec<String> {
+        F::laws().into_iter().map(|law| law.statement).collect()
     }
     fn golden(&self) -> golden::File {
         golden::file::<F>()
