@@ -1,12 +1,16 @@
 //! Cardan angles of node b's triad relative to node a's.
 //!
-//! With `R_ij = e_ia·e_jb`, the angles are those of R = R1(α) R2(β) R3(γ) ([`rotation`]), so that
+//! The frames are the triads of both nodes, orthonormal and right-handed. With `R_ij = e_ia·e_jb`, row i and column j, the
+//! angles are those of R = R1(α) R2(β) R3(γ) ([`rotation`]), three turns by the right-hand rule, each about the axes as the
+//! turns before have left them:
 //!
 //! ```text
-//!     ⎡  cos β cos γ   −cos β sin γ         sin β  ⎤
-//! R = ⎢       …              …        −sin α cos β ⎥
-//!     ⎣       …              …         cos α cos β ⎦
+//!     ⎡           cos β cos γ                      −cos β sin γ                   sin β    ⎤
+//! R = ⎢ cos α sin γ + sin α sin β cos γ   cos α cos γ − sin α sin β sin γ   −sin α cos β  ⎥
+//!     ⎣ sin α sin γ − cos α sin β cos γ   sin α cos γ + cos α sin β sin γ    cos α cos β  ⎦
 //! ```
+//!
+//! All three are 0 where both triads are equal.
 //!
 //! α turns about e1a, γ about e3b, and β about the line of nodes between them, cos α e2a + sin α e3a.
 //!
@@ -26,9 +30,9 @@ mod triads;
 #[cfg(feature = "verify")]
 pub mod turns;
 
-pub use accurate::*;
+pub use accurate::{NearRightAngle, accurate, accurate_jacobian, between, check_turns, errors_near_right_angle};
 pub use angles::{Angles, CardanAngles};
-pub use beta::*;
+pub use beta::{Beta, BetaAxes, BetaTwoArgument};
 pub(crate) use triads::Oriented;
 pub use triads::Triads;
 

@@ -1,4 +1,7 @@
-//! Triads of nodes, validated.
+//! Triads of nodes, validated: three unit vectors e1, e2, e3, perpendicular to one another and right-handed, e1 × e2 = e3.
+//!
+//! As columns they are the rotation R that turns the global axes into them; at the identity the node stands as the global
+//! axes do. In the plane e2 is e1 turned left by 90°.
 
 use crate::error::Error;
 use crate::scalar::norm;

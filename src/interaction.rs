@@ -1,6 +1,8 @@
 //! Contact pressure against overclosure, and contact damping.
 //!
-//! The overclosure h is the separation with the opposite sign: positive when the surfaces overlap, −h is the clearance.
+//! The overclosure h is the separation with the opposite sign: positive when the surfaces overlap, −h is the clearance,
+//! and h = 0 where they touch. Its rate v is positive while the surfaces approach. A pressure is positive when it pushes
+//! them apart.
 
 #[cfg(feature = "verify")]
 mod proof;

@@ -6,30 +6,50 @@
 //!
 //! | module | what is in it |
 //! |---|---|
-//! | [`slot`], [`coulomb`], [`cardan`], [`align`], [`translator`], [`join`], [`universal`], [`ujoint`], [`slider`], [`slide_line`], [`interaction`] | the documents' rooms: formulas, Jacobians, hard cases, and the typed connectors |
+//! | [`slot`], [`coulomb`], [`cardan`], [`align`], [`translator`], [`join`], [`universal`], [`ujoint`], [`slider`], [`slide_line`], [`interaction`] | the documents' rooms: formulas, Jacobians, and the typed connectors |
 //! | [`isl`] | the axisymmetric elements that slide along a slide line |
 //! | [`frame`] | validated triads |
 //! | [`formula`], [`quantity`] | what a formula is; the vocabulary of symbols, units and domains |
-//! | [`scalar`] | the numbers a formula runs in: `f64`, [`Octuple`], [`Single`], dual numbers over them |
-//! | [`verify`] | the toolkit that proves a formula, yours too |
-//! | [`measure`] | how fast and how wrong every way to compute a formula is |
-//! | [`scene`] | scene files: parsed, validated, planned, evaluated |
-//! | [`catalog`] | every formula by identifier |
+//! | [`scalar`] | the numbers a formula runs in: `f64`, dual numbers over it, and those of `verify` |
+//! | `proof` | what is said about a formula: cases, kinks, laws, other ways |
+//! | `verify`, `catalog` | the toolkit that proves a formula, yours too; every formula by identifier |
+//! | `measure` | how fast and how wrong every way to compute a formula is |
+//! | `scene` | scene files: parsed, validated, planned, evaluated |
+//!
+//! # Features
+//!
+//! Without features there are the formulas, their connectors and what these need. Nothing is on by default.
+//!
+//! | feature | what it adds |
+//! |---|---|
+//! | `verify` | `Octuple` (237 bits, the exact reference) and `Single`, `proof`, `verify`, `catalog` |
+//! | `measure` | `measure`, and `verify` with it |
+//! | `scene` | `scene`, and `verify` with it: a scene can show the error of every number |
 //!
 //! ```
-//! use jointproof::formula::{Formula, value_and_jacobian};
+//! use jointproof::formula::value_and_jacobian;
 //! use jointproof::slot::{ContactForce, CrossForces};
 //!
 //! let forces = CrossForces { f2: 3.0, f3: 4.0 };
 //! let (contact, jac) = value_and_jacobian::<ContactForce>(&forces)?;
 //! assert_eq!(contact.fc, 5.0);
 //! assert_eq!((jac.fc.f2, jac.fc.f3), (0.6, 0.8));
-//!
-//! // The same definition, in 237 bits.
-//! let exact = ContactForce::eval(&jointproof::verify::exactly::<ContactForce>(&forces));
-//! assert_eq!(exact.fc.to_f64(), 5.0);
 //! # Ok::<(), jointproof::Error>(())
 //! ```
+#![cfg_attr(
+    feature = "verify",
+    doc = "
+The same definition, in 237 bits:
+
+```
+use jointproof::formula::Formula;
+use jointproof::slot::{ContactForce, CrossForces};
+
+let forces = CrossForces { f2: 3.0, f3: 4.0 };
+let exact = ContactForce::eval(&jointproof::verify::exactly::<ContactForce>(&forces));
+assert_eq!(exact.fc.to_f64(), 5.0);
+```"
+)]
 
 pub mod align;
 pub mod cardan;
@@ -72,7 +92,11 @@ pub use scalar::Scalar;
 #[cfg(feature = "verify")]
 pub use single::Single;
 
-/// The examples of the README are compiled and run.
-#[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-struct Readme;
+/// The examples of both READMEs are compiled and run.
+#[cfg(all(doctest, feature = "verify"))]
+mod readme {
+    #[doc = include_str!("../README.md")]
+    struct OfTheRepository;
+    #[doc = include_str!("README.md")]
+    struct OfTheCrate;
+}

@@ -1,9 +1,12 @@
-//! Slide lines, and the axisymmetric elements that slide on them.
+//! Slide lines: chains of segments in the plane (r, z), straight or parabolic, whose corners may be smoothed.
 //!
-//! A slide line is a chain of segments in the plane (r, z), straight or parabolic, whose corners may be smoothed. Its
-//! tangent t follows the sequence of its nodes and its normal n = s × t = (−t₂, t₁), with s = (0, 0, 1), points to the
-//! side of the slave. A slave point has a nearest place on the line, at the coordinate g ∈ [−1, 1] of a segment or
-//! t ∈ [0, 1] of a smoothed corner, and from it the separation E11 = (xs − X)·n, positive when open.
+//! | | |
+//! |---|---|
+//! | frames | the plane (r, z), with s = (0, 0, 1) out of it; the tangent t follows the sequence of the nodes, the normal is n = s × t = (−t₂, t₁) |
+//! | matrix | the columns t, n turn (1, 0), (0, 1) to the left by the angle of t: [[t₁, −t₂], [t₂, t₁]] |
+//! | place | g ∈ [−1, 1] on a segment, from its first node to its last; t ∈ [0, 1] on a smoothed corner |
+//! | zero position | the slave point on the line: E11 = 0; no slip since the start: E12 = 0 |
+//! | signs | n points to the side of the slave, so E11 = (xs − X)·n is positive when open; slip is positive where the slave moves along t |
 //!
 //! One room per topic: the local basis, points of the curves, the closest point, slip, contact area and torque; and the
 //! line as a model states it, [`SlideLine`], with the closest point of the whole of it. The elements on it are in
@@ -23,17 +26,20 @@ mod slip;
 mod torque;
 mod tree;
 
-pub use area::*;
-pub use basis::*;
-pub use closest::*;
-pub use corners::*;
+pub use area::{ContactAreaLinear, ContactAreaParabolic, LinearNodes, ParabolicNodes, ThreeAreas, TwoAreas};
+pub use basis::{Basis, Direction, LocalBasis};
+pub use closest::{
+    ClosestLinear, ClosestParabolic, ClosestSmoothedLinear, ClosestSmoothedParabolic, CornerFoot, LinearCornerSlave,
+    LinearSlave, ParabolicCornerSlave, ParabolicSlave, SegmentFoot,
+};
+pub use corners::{LinearCornerPlace, ParabolicCornerPlace, SmoothedLinearPoint, SmoothedParabolicPoint};
 pub use line::{Kind, SlideLine};
 pub use nodes::Nodes;
 pub use place::{ClosestPoint, OverclosureVariation, Place};
 pub use placed::PlacedLine;
-pub use points::*;
-pub use slip::*;
-pub use torque::*;
+pub use points::{CurvePoint, LinearPlace, LinearPoint, ParabolicPlace, ParabolicPoint};
+pub use slip::{LinearMotion, ParabolicMotion, Slip, SlipIncrementLinear, SlipIncrementParabolic};
+pub use torque::{LinearPressures, ParabolicPressures, Torque, TorqueLinear, TorqueParabolic};
 
 use crate::Scalar;
 use crate::error::Error;

@@ -1,10 +1,15 @@
 //! SLIDER: node m stays on the straight line through nodes 1 and n, which may move.
 //!
-//! The line runs from x1 to xn, with d = xn − x1, l = |d| and n = d/l. Node m sits at the share ξ = (xm − x1)·n/l of
-//! the way. Two of its three coordinates follow from the third; which two, [`Pivots`] says.
+//! | | |
+//! |---|---|
+//! | frames | the global axes i, j, k; the line has d = xn − x1, l = abs(d), n = d/l |
+//! | matrix | the columns t1, t2, n are orthonormal and right-handed (t1 × t2 = n): t1 = n × i made a unit vector, or n × k where n is along i; t2 = n × t1 |
+//! | place | node m stands at the share ξ = (xm − x1)·n/l of the way: 0 at node 1, 1 at node n |
+//! | zero position | node m on the line: (xm − x1)·t1 = (xm − x1)·t2 = 0 |
+//! | signs | in the plane the distance g is positive to the left of the way from node 1 to node n |
 //!
-//! The formulas take the direct route, by the ratios n_i/n_k. The [`documented`] route, through directions t1, t2 across the
-//! line, is their definition, and equal to them.
+//! Two of the three coordinates of m follow from the third; which two, [`Pivots`] says. The formulas take the direct
+//! route, by the ratios n_i/n_k. The [`documented`] route, through t1 and t2, is their definition, and equal to them.
 
 #![expect(clippy::inline_always, reason = "a call would write the coordinates to memory, and wait for them there")]
 
@@ -25,12 +30,12 @@ mod slide;
 mod span;
 mod stability;
 
-pub use basis::*;
+pub use basis::{Basis, BasisVariation, LineDirection, TangentChanges, Tangents, TurningDirection};
 pub use connector::{Coefficients, Slider, Variations};
 pub use connector_plane::{Coefficients2d, Slider2d};
-pub use constraint::*;
-pub use eliminate::*;
-pub use line::*;
-pub use pivots::*;
-pub use plane::*;
+pub use constraint::{Constraint, Distances, IncrementalConstraint, IncrementalResiduals, MovingNodes, Nodes};
+pub use eliminate::{Coordinates, Eliminate, Increment, Increments, KeptCoordinate, KeptIncrement};
+pub use line::{Direction, DirectionChange, DirectionVariation, Ends, Line, MovingEnds};
+pub use pivots::{Pivots, Pivots2d};
+pub use plane::{Constraint2d, Distance2d, Increment2d, Increment2dOutput, KeptIncrement2d, Nodes2d};
 pub use stability::{RouteErrors, Setting};

@@ -1,7 +1,14 @@
 //! SLOT: node b stays on a line through its initial position along the first axis of node a.
 //!
-//! The triad of a is e1a, e2a, e3a; the slot runs along e1a at y = y0, z = z0. With d = xb − xa, the relative position
-//! is x = e1a·d, y = e2a·d, z = e3a·d. Forces act on node b. In the plane there is no third axis, no z and no f3.
+//! | | |
+//! |---|---|
+//! | frames | the triad e1a, e2a, e3a of node a, orthonormal and right-handed, which turns with a; node b has none |
+//! | position | d = xb − xa in that triad: x = e1a·d, y = e2a·d, z = e3a·d, that is (x, y, z) = Rᵀ d |
+//! | matrix | R has the columns e1a, e2a, e3a: `R[i][j]` is the i-th global component of e_(j+1)a |
+//! | zero position | where the analysis begins: x = x0, y = y0, z = z0 and u1 = 0, for any turn of a |
+//! | signs | u1 = x − x0 is positive where b has moved along e1a; f2 e2a + f3 e3a acts on b; a turn is positive by the right-hand rule |
+//!
+//! In the plane there is no third axis, no z and no f3.
 //!
 //! [`Slot`] and [`Slot2d`] are what a program calls; the formulas behind them stand in the two rooms
 //! below: positions, constraint and forces in one, contact force and friction in the other.
@@ -11,5 +18,11 @@ mod friction;
 mod kinematics;
 
 pub use connector::{Pose, Pose2d, Slot, Slot2d};
-pub use friction::*;
-pub use kinematics::*;
+pub use friction::{
+    Contact, ContactForce, ContactForces, CrossForces, Friction, FrictionOutputs, Normal, NormalForce, SlotLoads,
+};
+pub use kinematics::{
+    Constraint, Constraint2d, ConstraintForce, CrossFrame, Displacements, Force, Gaps, KineticForce, Positions,
+    Relative, RelativeMotion, RelativePosition, Residual2d, Residuals, SlotForce, SlotLengths, SlotPositions,
+    SlotPositions2d, Stop, StopLengths,
+};

@@ -68,7 +68,7 @@ pub fn axes(of_b: [i32; 3]) -> TriadPair {
     [[x, y, z], of_b.map(axis)]
 }
 
-/// Node a as [`triad`](crate::proof::hard::triad), node b at these Cardan angles to it, every component rounded once.
+/// Node a as [`triad`], node b at these Cardan angles to it, every component rounded once.
 pub fn at_angles([alpha, beta, gamma]: [Octuple; 3]) -> TriadPair {
     let a = FIFTEENTHS.map(|row| Vector3::from(row.map(Octuple::from)) / Octuple::from(15.0));
     let b = turned(&a, &rotation(alpha, beta, gamma));

@@ -30,7 +30,7 @@ impl Octuple {
 /// e of a finite |x| = 1.fraction · 2^e; −262143 if x is subnormal or zero.
 pub(super) fn exponent(x: f256) -> i32 {
     let stored = x.to_bits().0 >> HIGH_FRACTION_BITS & 0x7_ffff;
-    i32::try_from(stored).unwrap_or(i32::MAX) - BIAS
+    i32::try_from(stored).expect("19 bits fit") - BIAS
 }
 
 /// 2^e, for e from −262142 to 262143.
@@ -49,7 +49,7 @@ fn leading_bits(x: f256) -> u64 {
     let (high, low) = x.to_bits();
     let fraction = high & ((1 << HIGH_FRACTION_BITS) - 1);
     let rest = u64::from(fraction & ((1 << CUT) - 1) != 0 || low != 0);
-    (1 << 63) | u64::try_from(fraction >> CUT).unwrap_or(u64::MAX) | rest
+    (1 << 63) | u64::try_from(fraction >> CUT).expect("63 bits fit") | rest
 }
 
 /// The `f64` nearest to `significand · 2^(exponent − 63)`, where the highest bit of `significand` is set.
@@ -63,7 +63,7 @@ fn nearest_f64(significand: u64, exponent: i32) -> f64 {
     if drop > 64 {
         return 0.0;
     }
-    let kept = significand.checked_shr(drop).unwrap_or(0);
+    let kept = if drop < 64 { significand >> drop } else { 0 };
     let rest = u128::from(significand) - (u128::from(kept) << drop);
     let half = 1_u128 << (drop - 1);
     let up = rest > half || rest == half && kept & 1 == 1;

@@ -58,7 +58,7 @@ impl Decimal {
         const FRACTION_BITS_HIGH: u32 = 108;
         const SMALLEST_EXPONENT: i32 = -262_378;
         let (high, low) = x.abs().to_bits();
-        let stored = i32::try_from(high >> FRACTION_BITS_HIGH).unwrap_or(i32::MAX);
+        let stored = i32::try_from(high >> FRACTION_BITS_HIGH).expect("19 bits fit");
         let leading_one = u128::from(stored > 0) << FRACTION_BITS_HIGH;
         let significand = [high & ((1 << FRACTION_BITS_HIGH) - 1) | leading_one, low];
         let exponent = SMALLEST_EXPONENT + (stored - 1).max(0);
@@ -69,7 +69,7 @@ impl Decimal {
         }
         number.multiply_by_power(if exponent < 0 { 5 } else { 2 }, exponent.unsigned_abs());
         let digits = number.digits();
-        let point = i64::try_from(digits.len()).unwrap_or(i64::MAX) + i64::from(exponent.min(0));
+        let point = i64::try_from(digits.len()).expect("what is in memory can be counted") + i64::from(exponent.min(0));
         Self { digits, point }
     }
 
@@ -106,9 +106,10 @@ impl Decimal {
 
     /// With `decimals` digits behind the point.
     fn fixed(mut self, decimals: usize) -> String {
+        // More than fit are more than there are.
         let decimals_wanted = i64::try_from(decimals).unwrap_or(i64::MAX);
         self.round(self.point.saturating_add(decimals_wanted));
-        let zeros = if self.digits.is_empty() { decimals + 1 } else { usize::try_from(1 - self.point).unwrap_or(0) };
+        let zeros = if self.digits.is_empty() { decimals + 1 } else { usize::try_from((1 - self.point).max(0)).expect("as many zeros as digits were asked for") };
         let text = "0".repeat(zeros) + &String::from_utf8_lossy(&self.digits);
         let (whole, fraction) = text.split_at(text.len() - decimals);
         if fraction.is_empty() { whole.to_owned() } else { format!("{whole}.{fraction}") }

@@ -56,7 +56,7 @@ impl Pair {
     fn round(self) -> f256 {
         let limit = 1_000_000;
         let exponent = self.exponent.clamp(-limit, limit);
-        scale_by_power_of_two(self.high + self.low, i32::try_from(exponent).unwrap_or(0))
+        scale_by_power_of_two(self.high + self.low, i32::try_from(exponent).expect("a million fits"))
     }
 }
 

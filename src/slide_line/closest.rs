@@ -23,11 +23,11 @@ mod roots;
 mod smoothed_linear;
 mod smoothed_parabolic;
 
-pub use linear::*;
-pub use parabolic::*;
+pub use linear::{ClosestLinear, LinearSlave, SegmentFoot};
+pub use parabolic::{ClosestParabolic, ParabolicSlave};
 pub(super) use piece::{PieceFoot, curved_foot, straight_foot};
-pub use smoothed_linear::*;
-pub use smoothed_parabolic::*;
+pub use smoothed_linear::{ClosestSmoothedLinear, CornerFoot, LinearCornerSlave};
+pub use smoothed_parabolic::{ClosestSmoothedParabolic, ParabolicCornerSlave};
 
 use super::basis::length_and_tangent;
 use super::shape::{Shape, combination, gap};

@@ -47,7 +47,7 @@ fields! {
     pub struct Turns<T> { alpha: T = ALPHA, gamma: T = GAMMA }
 }
 
-/// The free angles: α about e1a and γ about e3b, as in [`CardanAngles`](cardan::CardanAngles).
+/// The free angles: α about e1a and γ about e3b, as in [`CardanAngles`](crate::cardan::CardanAngles).
 #[derive(Clone, Copy, Debug)]
 pub struct Angles;
 

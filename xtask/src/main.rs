@@ -10,6 +10,7 @@ mod golden;
 mod report;
 mod scene;
 mod selection;
+mod tidy;
 mod verify;
 
 use clap::{Parser, Subcommand};
@@ -37,6 +38,7 @@ enum Command {
     Report(report::Arguments),
     Book(book::command::Arguments),
     Scene(scene::Arguments),
+    Tidy(tidy::Arguments),
 }
 
 /// How a command ended.
@@ -55,6 +57,7 @@ fn main() -> ExitCode {
         Command::Report(arguments) => report::run(&arguments),
         Command::Book(arguments) => book::command::run(&arguments),
         Command::Scene(arguments) => scene::run(&arguments),
+        Command::Tidy(arguments) => tidy::run(&arguments),
     };
     outcome.unwrap_or_else(|error| {
         console::error(&format!("{error:#}"));

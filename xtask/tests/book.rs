@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{Bench, repository};
+use common::Bench;
 use jointproof::catalog::CATALOG;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -36,17 +36,6 @@ fn chapters() -> impl Iterator<Item = (String, String)> {
     files(&BOOK, &["html"])
         .into_iter()
         .filter(move |(name, _)| !name.starts_with(&listings) && !name.ends_with("print.html"))
-}
-
-#[test]
-fn every_formula_has_exactly_one_directive() {
-    let chapters = files(&repository().join("book/src"), &["md"]);
-    let lines: Vec<_> = chapters.iter().flat_map(|(_, text)| outside_listings(text)).collect();
-    for formula in CATALOG {
-        let directive = format!("{{{{#formula {}}}}}", formula.spec().id);
-        let count = lines.iter().filter(|line| **line == directive).count();
-        assert_eq!(count, 1, "{directive} in book/src");
-    }
 }
 
 #[test]
@@ -103,16 +92,6 @@ fn a_folder_that_holds_something_else_is_not_replaced() {
         .says("holds something else than a book");
     assert_eq!(fs::read_to_string(bench.path("letters/dear.txt")).unwrap(), "Dear");
     assert_eq!(bench.files("letters").len(), 1);
-}
-
-/// The lines of a chapter that are not in a fenced listing.
-fn outside_listings(chapter: &str) -> impl Iterator<Item = &str> {
-    let mut listing = false;
-    chapter.lines().map(str::trim_end).filter(move |line| {
-        let fence = line.starts_with("```");
-        listing ^= fence;
-        !listing && !fence
-    })
 }
 
 /// What a reader sees of a page, without code.

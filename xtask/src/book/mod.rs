@@ -5,6 +5,7 @@
 
 pub(crate) mod command;
 pub(crate) mod content;
+pub(crate) mod coverage;
 mod deferred;
 mod entry;
 pub(crate) mod fault;
@@ -12,7 +13,7 @@ mod figure;
 mod html;
 mod links;
 pub(crate) mod locate;
-mod markdown;
+pub(crate) mod markdown;
 mod math;
 mod pages;
 mod preprocessor;

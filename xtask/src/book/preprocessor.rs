@@ -8,6 +8,7 @@ use mdbook_preprocessor::errors::Result;
 use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
 
 use super::content::Content;
+use super::coverage::{self, Directive};
 use super::deferred::Deferred;
 use super::html::escape;
 use super::markdown::{Found, Piece, scan};
@@ -31,9 +32,9 @@ impl Preprocessor for Formulary {
 
     fn run(&self, _: &PreprocessorContext, mut book: Book) -> Result<Book> {
         let mut pages = Pages::new(&self.content, &self.later);
-        let mut scans = Vec::new();
-        book.for_each_chapter_mut(|chapter| scans.push(read(chapter, &mut pages)));
-        coverage(&pages);
+        let (mut scans, mut entries) = (Vec::new(), Vec::new());
+        book.for_each_chapter_mut(|chapter| scans.push(read(chapter, &pages, &mut entries)));
+        note(entries, &mut pages);
         let mut scans = scans.into_iter();
         book.for_each_chapter_mut(|chapter| {
             let found = scans.next().unwrap_or_default();
@@ -116,7 +117,7 @@ fn place(chapter: &Chapter, line: usize) -> Place {
 }
 
 /// Finds the pieces of a chapter, and notes where formulas have their entries.
-fn read(chapter: &Chapter, pages: &mut Pages<'_>) -> Vec<Found> {
+fn read(chapter: &Chapter, pages: &Pages<'_>, entries: &mut Vec<(String, Place)>) -> Vec<Found> {
     let (found, faults) = scan(&chapter.content);
     for (line, message) in faults {
         pages.fault(&place(chapter, line), message);
@@ -125,47 +126,18 @@ fn read(chapter: &Chapter, pages: &mut Pages<'_>) -> Vec<Found> {
         if let Piece::Directive { name, argument } = piece
             && name == "formula"
         {
-            note(pages, argument, place(chapter, *line));
+            entries.push((argument.clone(), place(chapter, *line)));
         }
     }
     found
 }
 
-/// Notes an entry; a fault if the formula does not exist or has an entry already.
-fn note(pages: &mut Pages<'_>, id: &str, at: Place) {
-    if pages.entry(id).is_none() {
-        let hint = nearest(pages.content, id).map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
-        pages.fault(&at, format!("no formula `{id}` in the catalog{hint}"));
-    } else if let Some(first) = pages.places.get(id) {
-        pages.fault(&at, format!("formula `{id}` has its entry already, at {}:{}", first.file, first.line));
-    } else {
-        pages.places.insert(id.to_owned(), at);
+/// Keeps the place of each formula's first entry; what [`coverage`] finds is a fault.
+fn note(entries: Vec<(String, Place)>, pages: &mut Pages<'_>) {
+    let ids: Vec<&str> = pages.content.entries.iter().map(|entry| entry.id.as_str()).collect();
+    let directives = entries.iter().map(|(id, at)| Directive { id, file: &at.file, line: at.line });
+    pages.faults.borrow_mut().0.extend(coverage::faults(&ids, directives));
+    for (id, at) in entries {
+        pages.places.entry(id).or_insert(at);
     }
-}
-
-/// Every formula of the catalog must be in the book.
-fn coverage(pages: &Pages<'_>) {
-    for entry in &pages.content.entries {
-        if !pages.places.contains_key(&entry.id) {
-            let message = format!(
-                "formula `{}` is in the catalog but in no chapter; add `{{{{#formula {}}}}}`",
-                entry.id, entry.id
-            );
-            pages.faults.borrow_mut().push("book/src", 0, message);
-        }
-    }
-}
-
-/// The catalog's id that begins or ends like `id`, for a hint.
-fn nearest<'a>(content: &'a Content, id: &str) -> Option<&'a str> {
-    let alike = |known: &str| {
-        let front = known.chars().zip(id.chars()).take_while(|(a, b)| a == b).count();
-        let back = known.chars().rev().zip(id.chars().rev()).take_while(|(a, b)| a == b).count();
-        front + back
-    };
-    let ids = content.entries.iter().map(|entry| entry.id.as_str());
-    ids.map(|known| (alike(known), known))
-        .filter(|(score, known)| score * 2 >= known.len())
-        .max()
-        .map(|(_, known)| known)
 }

@@ -1,0 +1,74 @@
+//! One `use`, taken apart: `use a::{b as c, d::*};` is two imports.
+
+use syn::{ItemUse, UseTree, Visibility};
+
+/// Under which name an import is known.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Known {
+    /// Its own, or the one behind `as`.
+    As(String),
+    /// `as _`: a trait whose methods are wanted.
+    Nameless,
+    /// `*`.
+    Glob,
+}
+
+/// One imported path.
+#[derive(Debug, Clone)]
+pub(super) struct Import {
+    /// Its segments, without the `*`.
+    pub(super) path: Vec<String>,
+    /// The name it gets.
+    pub(super) known: Known,
+    /// Whether others may import it from here: it is then a re-export.
+    pub(super) is_public: bool,
+    /// Its line.
+    pub(super) line: usize,
+}
+
+impl Import {
+    /// The imports of one `use`.
+    pub(super) fn of(item: &ItemUse) -> Vec<Self> {
+        let is_public = !matches!(item.vis, Visibility::Inherited);
+        let mut imports = Vec::new();
+        flatten(&item.tree, &mut Vec::new(), is_public, &mut imports);
+        imports
+    }
+
+    /// As one would write it alone.
+    pub(super) fn shown(&self) -> String {
+        let path = self.path.join("::");
+        match &self.known {
+            Known::Glob => format!("use {path}::*"),
+            Known::Nameless => format!("use {path} as _"),
+            Known::As(name) if self.path.last() == Some(name) => format!("use {path}"),
+            Known::As(name) => format!("use {path} as {name}"),
+        }
+    }
+}
+
+fn flatten(tree: &UseTree, path: &mut Vec<String>, is_public: bool, imports: &mut Vec<Import>) {
+    let mut leaf = |path: &[String], last: Option<&syn::Ident>, known: Known, line: usize| {
+        let last = last.map(ToString::to_string).filter(|last| last != "self" || path.is_empty());
+        let path = path.iter().cloned().chain(last).collect();
+        imports.push(Import { path, known, is_public, line });
+    };
+    match tree {
+        UseTree::Path(inner) => {
+            path.push(inner.ident.to_string());
+            flatten(&inner.tree, path, is_public, imports);
+            path.pop();
+        }
+        UseTree::Group(group) => group.items.iter().for_each(|tree| flatten(tree, path, is_public, imports)),
+        UseTree::Name(name) => {
+            let own = Some(&name.ident).filter(|ident| *ident != "self").map(ToString::to_string);
+            let known = own.or_else(|| path.last().cloned()).map_or(Known::Nameless, Known::As);
+            leaf(path, Some(&name.ident), known, name.ident.span().start().line);
+        }
+        UseTree::Rename(rename) => {
+            let known = if rename.rename == "_" { Known::Nameless } else { Known::As(rename.rename.to_string()) };
+            leaf(path, Some(&rename.ident), known, rename.ident.span().start().line);
+        }
+        UseTree::Glob(glob) => leaf(path, None, Known::Glob, glob.star_token.spans[0].start().line),
+    }
+}

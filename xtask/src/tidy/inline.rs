@@ -1,0 +1,27 @@
+//! Evaluations are `#[inline]`.
+//!
+//! `eval`, `jacobian` and `linearized` are generic, so each crate that calls them compiles them; but it does so once, in one
+//! of the pieces into which a build is cut. Without the attribute it is chance whether a caller is in the same piece, and
+//! many an equation costs less than the call. With it every piece may inline them, the compiler decides, and value and
+//! Jacobian side by side share what they have in common. `#[inline(always)]` is for where it decides wrongly.
+
+use super::finding::Finding;
+use super::tree::Tree;
+
+/// The functions of a formula that are called in loops.
+const EVALUATIONS: [&str; 3] = ["eval", "jacobian", "linearized"];
+
+/// Every evaluation without `#[inline]`.
+pub(super) fn missing(tree: &Tree) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for source in &tree.sources {
+        for formula in &source.formulas {
+            let evaluations = formula.functions.iter().filter(|(name, ..)| EVALUATIONS.contains(&name.as_str()));
+            findings.extend(evaluations.filter(|(.., is_inlined)| !is_inlined).map(|(name, line, _)| {
+                let what = format!("`{}::{name}` is not `#[inline]`; put that above it", formula.name);
+                Finding::new(&source.path, *line, what)
+            }));
+        }
+    }
+    findings
+}

@@ -1,0 +1,106 @@
+//! Which layer may use which. The lower know nothing of the higher, and formulas nothing of what is said about them.
+
+use super::edges::{Edges, Place};
+use super::finding::Finding;
+use super::tree::Tree;
+use std::collections::BTreeSet;
+
+/// A layer of the library.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Layer {
+    /// Numbers, quantities, errors.
+    Ground,
+    /// What a formula is.
+    Formula,
+    /// The formulas and connectors of one document.
+    Room,
+    /// What proves and measures a formula.
+    Toolkit,
+    /// Every formula by identifier.
+    Catalog,
+    /// Scene files.
+    Scene,
+}
+
+impl Layer {
+    /// The layer of a module at the root of the library; what is not named here is a room.
+    fn of(module: &str) -> Self {
+        match module {
+            "error" | "newtype" | "octuple" | "quantity" | "scalar" | "single" => Self::Ground,
+            "formula" => Self::Formula,
+            "verify" | "measure" => Self::Toolkit,
+            "catalog" => Self::Catalog,
+            "scene" => Self::Scene,
+            _ => Self::Room,
+        }
+    }
+}
+
+/// Layers that a layer may not use.
+struct Forbidden {
+    from: Layer,
+    to: &'static [Layer],
+    /// What is wrong with it, and what to do.
+    why: &'static str,
+}
+
+/// Every use that is forbidden between layers. Evidence is excepted: it stands in a room and uses the toolkit.
+const FORBIDDEN: &[Forbidden] = &[
+    Forbidden {
+        from: Layer::Ground,
+        to: &[Layer::Formula, Layer::Room, Layer::Toolkit, Layer::Catalog, Layer::Scene],
+        why: "numbers, quantities and errors stand below the formulas; hand it in, or move it up",
+    },
+    Forbidden {
+        from: Layer::Formula,
+        to: &[Layer::Room, Layer::Toolkit, Layer::Catalog, Layer::Scene],
+        why: "what a formula is does not depend on what is made of it or said about it; move it there",
+    },
+    Forbidden {
+        from: Layer::Room,
+        to: &[Layer::Toolkit],
+        why: "formulas and connectors compile without what proves them; move it to the evidence beside them",
+    },
+    Forbidden {
+        from: Layer::Room,
+        to: &[Layer::Catalog, Layer::Scene],
+        why: "a room knows only what is below it; let the caller hand it in",
+    },
+    Forbidden {
+        from: Layer::Toolkit,
+        to: &[Layer::Room, Layer::Catalog, Layer::Scene],
+        why: "the toolkit proves formulas of other crates too and knows none by name; hand it in, or move it down",
+    },
+];
+
+/// Every edge that crosses the layers the wrong way.
+pub(super) fn crossed(tree: &Tree, edges: &Edges) -> Vec<Finding> {
+    let evidence = evidence(tree);
+    let findings = edges.iter().filter_map(|(&(from, to), Place { line, text })| {
+        let path = &tree.sources[from].path;
+        let (lower, upper) = (layer(path)?, layer(&tree.sources[to].path)?);
+        let why = if upper == Layer::Toolkit && evidence.contains(&from) && lower == Layer::Room {
+            None
+        } else if upper == Layer::Toolkit && !tree.sources[from].formulas.is_empty() {
+            Some("a file of formulas imports neither `verify` nor `measure`; move the evidence to a file beside it")
+        } else {
+            let rules = FORBIDDEN.iter().filter(|rule| rule.from == lower && rule.to.contains(&upper));
+            rules.map(|rule| rule.why).next()
+        };
+        why.map(|why| Finding::new(path, *line, format!("`{text}`: {why}")))
+    });
+    findings.collect()
+}
+
+/// The layer of a file; `lib.rs`, which only lists the modules, and files of other crates have none.
+fn layer(path: &str) -> Option<Layer> {
+    let path = path.strip_prefix("src/").filter(|path| *path != "lib.rs")?;
+    Some(Layer::of(path.split(['/', '.']).next()?))
+}
+
+/// The files without a formula that prove one, or that are there only where formulas are proved.
+fn evidence(tree: &Tree) -> BTreeSet<usize> {
+    let gated = tree.modules.iter().filter(|module| module.is_proof).map(|module| module.file);
+    let proving = (0..tree.sources.len()).filter(|&file| tree.sources[file].proves);
+    gated.chain(proving).filter(|&file| tree.sources[file].formulas.is_empty()).collect()
+}

@@ -1,0 +1,122 @@
+//! `cargo xtask tidy`: what a machine can hold about the sources.
+//!
+//! # Uses
+//! A file uses another if it names something that the other defines: in a `use`, in a path within code, or by a bare name
+//! that a glob or its own re-export brought. Re-exports are followed to the file that defines. To re-export is not to use;
+//! neither is `mod`. Tests, attributes, documentation and the bodies of `macro_rules!` do not count, calls of macros do.
+//! A method or trait that is never named is not seen.
+//!
+//! # Circles
+//! None between files. None between what is side by side in a folder either: its files and its folders, each folder with
+//! all that is below it taken as one (`a.rs` belongs to the folder `a/`). So every use counts once, in the folder in which
+//! the ways to both files part. To take a folder's own files together as one would be too strict: some are what its folders
+//! are made from, others what is made of these.
+
+mod circles;
+mod directives;
+mod edges;
+mod finding;
+mod graph;
+mod ids;
+mod import;
+mod inline;
+mod layers;
+mod lengths;
+mod resolve;
+mod source;
+#[cfg(test)]
+mod tests;
+mod tree;
+mod words;
+
+use crate::console::{bold, count, green, print, red};
+use crate::{Outcome, files};
+use finding::Finding;
+use jointproof::catalog::CATALOG;
+use std::path::Path;
+use std::process::ExitCode;
+use tree::Tree;
+
+/// Check the sources: import circles, layers, typed identifiers, inlining, lengths
+///
+/// No file or folder may use another that uses it, directly or over others. A use is a `use` or a path in code that names
+/// something of another file, followed through re-exports to the file that defines it; tests do not count. Folders are
+/// compared side by side: in each folder its files and its folders, each folder with all below it taken as one. Of each
+/// circle one place a use is shown, the shortest circles first.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  cargo xtask tidy                   every rule
+  cargo xtask tidy circles layers    these two")]
+pub(crate) struct Arguments {
+    /// The rules to check [default: all]
+    #[arg(value_enum, value_name = "RULE")]
+    rules: Vec<Rule>,
+}
+
+/// What is held.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Rule {
+    /// Files and folders use one another in no circle
+    Circles,
+    /// No layer uses one above it, and files of formulas neither `verify` nor `measure`
+    Layers,
+    /// Identifiers of formulas come from `SPEC.id`
+    Ids,
+    /// Every `eval`, `jacobian` and `linearized` of a formula is `#[inline]`
+    Inline,
+    /// Every formula of the catalog has one directive in the book
+    Directives,
+    /// No file has more than 500 lines
+    Lengths,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Outcome {
+    let ids: Vec<&str> = CATALOG.iter().map(|formula| formula.spec().id).collect();
+    let Tidiness { findings, counts } = check(files::root(), &ids, &arguments.rules)?;
+    let lines: Vec<_> = findings.iter().map(ToString::to_string).collect();
+    let verdict = if findings.is_empty() { green("ok ") } else { red("off") };
+    let found = count(findings.len(), "finding");
+    let summary = format!("{verdict} {}: {found}; {counts}", bold("tidy"));
+    print(&lines.into_iter().chain([summary]).collect::<Vec<_>>().join("\n"))?;
+    Ok(if findings.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// How the sources are.
+#[derive(Debug)]
+struct Tidiness {
+    /// What is to be mended, by place.
+    findings: Vec<Finding>,
+    /// What was looked at, in a line.
+    counts: String,
+}
+
+/// Checks the workspace at `root` by these rules, or by all if none is named. `formulas` are the identifiers of the catalog.
+fn check(root: &Path, formulas: &[&str], rules: &[Rule]) -> anyhow::Result<Tidiness> {
+    let mut tree = Tree::read(root)?;
+    let mut findings = std::mem::take(&mut tree.faults);
+    let edges = edges::edges(&tree);
+    let circles = circles::circles(&tree, &edges);
+    let (mut too_long, files) = lengths::too_long(root, &tree)?;
+    let (with_formulas, median) = lengths::median(&tree);
+    too_long.extend(lengths::median_too_long(median));
+    let counts = format!(
+        "{}, {}, {} of files, {} with folders; {} with formulas, median {median} lines",
+        count(files, "file"),
+        count(edges.len(), "use"),
+        count(circles.of_files, "circle"),
+        circles.of_folders,
+        count(with_formulas, "file"),
+    );
+    let found = [
+        (Rule::Circles, circles.findings),
+        (Rule::Layers, layers::crossed(&tree, &edges)),
+        (Rule::Ids, ids::typed(&tree)),
+        (Rule::Inline, inline::missing(&tree)),
+        (Rule::Directives, directives::faults(root, formulas)?),
+        (Rule::Lengths, too_long),
+    ];
+    let wanted = found.into_iter().filter(|(rule, _)| rules.is_empty() || rules.contains(rule));
+    findings.extend(wanted.flat_map(|(_, found)| found));
+    findings.sort();
+    Ok(Tidiness { findings, counts })
+}

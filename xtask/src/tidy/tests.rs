@@ -1,0 +1,242 @@
+//! Each rule finds what is planted, and nothing in a tree that is as it should be.
+
+use super::*;
+use std::fs;
+use tempfile::TempDir;
+
+const IDS: [&str; 1] = ["a.one"];
+
+/// A room with one formula and its evidence, as it should be.
+const TIDY: [(&str, &str); 9] = [
+    ("Cargo.toml", "[workspace]\nmembers = [\"tool\"]\n[package]\nname = \"lib-a\"\n"),
+    (
+        "src/lib.rs",
+        "//! Doc.\npub mod formula;\npub mod a;\n#[cfg(feature = \"verify\")]\npub mod verify;\npub use a::One;\n",
+    ),
+    (
+        "src/formula.rs",
+        "pub trait Formula {}\n#[macro_export]\nmacro_rules! fields { () => { crate::verify::law() } }\n",
+    ),
+    ("src/a.rs", "//! `crate::verify::law`\nmod one;\n#[cfg(feature = \"verify\")]\nmod proof;\npub use one::*;\n"),
+    (
+        "src/a/one.rs",
+        "use crate::fields;\nuse crate::formula::Formula;\npub struct One;\nfields! {}\nimpl Formula for One {\n    const SPEC: Spec = \
+         Spec { id: \"a.one\" };\n    #[inline]\n    fn eval() {}\n    #[inline(always)]\n    fn jacobian() {}\n    fn laws() {}\n}\n\
+         #[cfg(test)]\nmod tests {\n    use crate::verify::law;\n    fn f() { law(\"a.one\") }\n}\n",
+    ),
+    ("src/a/proof.rs", "use super::One;\nuse crate::verify::law;\n"),
+    ("src/verify.rs", "use crate::formula::Formula;\npub fn law() {}\n"),
+    ("tool/src/main.rs", "fn main() { let _: (lib_a::One, &str) = (todo!(), \"b.txt\"); }\n"),
+    ("book/src/a.md", "# A\n\n{{#formula a.one}}\n\n`{{#formula a.two}}`\n"),
+];
+
+/// The tree, with some files put in place of others or beside them.
+fn planted(files: &[(&str, &str)]) -> TempDir {
+    let root = tempfile::tempdir().unwrap();
+    let manifest = ("tool/Cargo.toml", "[package]\nname = \"tool\"\n");
+    for (path, text) in TIDY.iter().chain([&manifest]).chain(files) {
+        let path = root.path().join(path);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, text).unwrap();
+    }
+    root
+}
+
+/// What is found with these files.
+fn found(files: &[(&str, &str)]) -> Vec<String> {
+    let tidiness = check(planted(files).path(), &IDS, &[]).unwrap();
+    tidiness.findings.iter().map(ToString::to_string).collect()
+}
+
+/// Asserts that there is one finding, and that it has all these parts.
+#[track_caller]
+fn one(files: &[(&str, &str)], parts: &[&str]) {
+    let found = found(files);
+    assert_eq!(found.len(), 1, "{found:#?}");
+    for part in parts {
+        assert!(found[0].contains(part), "{part:?} is not in\n{}", found[0]);
+    }
+}
+
+/// The room's file, with this before its last line.
+fn one_rs(more: &str) -> String {
+    TIDY[4].1.replace("fn laws() {}", &format!("fn laws() {{}}\n{more}"))
+}
+
+#[test]
+fn a_tree_as_it_should_be_is_clean() {
+    let tidiness = check(planted(&[]).path(), &IDS, &[]).unwrap();
+    assert_eq!(tidiness.findings, []);
+    // The formula, its evidence, verify and the tool use something; `a.rs` and `lib.rs` only pass it on.
+    assert_eq!(
+        tidiness.counts,
+        "7 files, 5 uses, 0 circles of files, 0 with folders; 1 file with formulas, median 17 lines"
+    );
+}
+
+#[test]
+fn a_circle_between_files_is_named_with_a_place_for_each_use() {
+    one(
+        &[
+            ("src/lib.rs", "pub mod x;\npub mod y;\n"),
+            ("src/x.rs", "use crate::{\n    y::{self, Y as Z},\n};\npub struct X;\n"),
+            ("src/y.rs", "pub struct Y;\nfn f() -> super::x::X { super::x::X }\n"),
+            ("book/src/a.md", "{{#formula a.one}}"),
+        ],
+        &[
+            "src/x.rs:2: 2 files use one another: src/x.rs, src/y.rs;",
+            "circle of 2: src/x.rs → src/y.rs → src/x.rs",
+            "src/x.rs:2: use crate::y::Y as Z",
+            "src/y.rs:2: super::x::X",
+        ],
+    );
+}
+
+#[test]
+fn a_circle_is_found_through_re_exports_globs_macros_and_functions() {
+    let x = "pub struct X;\n#[macro_export]\nmacro_rules! make { () => {} }\n";
+    for (uses_x, uses_y) in [
+        ("use crate::Renamed;", "use crate::X;"),
+        ("fn f() { vec![crate::all::Y] }", "use super::*;\nfn f(x: X) {}"),
+        ("fn f() {\n    use super::all::*;\n    let _ = Y {};\n}", "crate::make!();"),
+        ("use lib_a::y;\nfn f() { g::<y::Y>() }", "use crate::make;\nmake! {}"),
+        ("use self::super::y::Y as _;", "fn f() -> <crate::X as Clone>::T {}"),
+    ] {
+        let lib = "mod x;\nmod y;\nmod all { pub(crate) use super::y::*; }\npub use x::X;\npub use y::Y as Renamed;\n";
+        let x = format!("{x}{uses_x}\n");
+        let y = format!("pub struct Y;\n{uses_y}\n");
+        one(
+            &[("src/lib.rs", lib), ("src/x.rs", &x), ("src/y.rs", &y)],
+            &["circle of 2: src/x.rs → src/y.rs → src/x.rs"],
+        );
+    }
+}
+
+#[test]
+fn a_library_is_known_by_its_own_name() {
+    let manifest = format!("{}[lib]\nname = \"other\"\n", TIDY[0].1);
+    one(
+        &[
+            ("Cargo.toml", &manifest),
+            ("src/lib.rs", "mod x;\nmod y;\n"),
+            ("src/x.rs", "use other::y::Y;\npub struct X;\n"),
+            ("src/y.rs", "use super::x::X as _;\npub struct Y;\n"),
+        ],
+        &["src/x.rs:1: use other::y::Y", "src/y.rs:1: use super::x::X as _"],
+    );
+}
+
+#[test]
+fn a_file_that_uses_what_it_re_exports_is_in_a_circle_and_one_that_passes_it_on_is_not() {
+    let tree = |p: &str| {
+        let c = ("src/p/c.rs", "use super::P;\npub struct C(P);\n");
+        found(&[("src/lib.rs", "mod p;\n"), ("src/p.rs", &format!("mod c;\npub use c::C;\npub struct P;\n{p}\n")), c])
+    };
+    assert_eq!(tree(""), Vec::<String>::new());
+    let found = tree("fn f(c: C) {}");
+    assert_eq!(found.len(), 1, "{found:#?}");
+    assert!(found[0].contains("src/p.rs:4: C\n") && found[0].contains("src/p/c.rs:1: use super::P"), "{found:#?}");
+}
+
+#[test]
+fn names_that_are_no_uses_make_no_circle() {
+    let lib = "mod x;\nmod y;\npub use x::*;\npub use y::{Y, go};\n";
+    let y = "pub struct Y;\npub fn go() {}\n/// [`X`](crate::X)\n#[doc = \"crate::X\"]\nfn f(go: f64) -> f64 { go.x(go) }\n\
+             macro_rules! m { () => { crate::X } }\n#[cfg(all(test, unix))]\nuse crate::X;\nimpl Y { #[test] fn t() { crate::X } }\n";
+    assert_eq!(
+        found(&[("src/lib.rs", lib), ("src/x.rs", "use super::Y;\npub struct X;\n"), ("src/y.rs", y)]),
+        Vec::<String>::new()
+    );
+}
+
+#[test]
+fn a_circle_between_folders_is_found_where_no_file_is_in_one() {
+    let files = [
+        ("src/lib.rs", "mod p;\nmod q;\n"),
+        ("src/p.rs", "mod low;\nmod high;\n"),
+        ("src/p/low.rs", "pub struct Low;\n"),
+        ("src/p/high.rs", "use crate::q::Q;\n"),
+        ("src/q/mod.rs", "use crate::p::low::Low;\npub struct Q(Low);\n"),
+    ];
+    one(&files, &["2 folders or files use one another: src/p/, src/q/;", "src/p/high.rs:1: use crate::q::Q"]);
+    // The same within a folder, between its head and a folder in it.
+    let inner = [
+        ("src/lib.rs", "mod p;\n"),
+        ("src/p.rs", "mod c;\npub struct P;\nfn f() { c::low::g() }\n"),
+        ("src/p/c/mod.rs", "pub mod low;\nmod high;\n"),
+        ("src/p/c/low.rs", "pub fn g() {}\n"),
+        ("src/p/c/high.rs", "use crate::p::P;\n"),
+    ];
+    one(&inner, &["2 folders or files use one another: src/p.rs, src/p/c/;"]);
+}
+
+#[test]
+fn formulas_and_rooms_do_not_use_the_toolkit() {
+    let formula = one_rs("fn more() { crate::verify::law() }");
+    one(&[("src/a/one.rs", &formula)], &["src/a/one.rs:12: `crate::verify::law`: a file of formulas"]);
+    let ungated = "mod one;\nmod proof;\npub use one::*;\n";
+    one(
+        &[("src/a.rs", ungated)],
+        &["src/a/proof.rs:2: `use crate::verify::law`: formulas and connectors compile without"],
+    );
+    let proving = "use super::One;\nuse crate::verify::law;\nimpl Proved for One {}\n";
+    assert_eq!(found(&[("src/a.rs", ungated), ("src/a/proof.rs", proving)]), Vec::<String>::new());
+    let verify = "use crate::One;\npub fn law() {}\n";
+    let unproved = "pub mod formula;\npub mod a;\npub mod verify;\npub use a::One;\n";
+    one(
+        &[("src/verify.rs", verify), ("src/lib.rs", unproved), ("src/a.rs", "mod one;\npub use one::*;\n")],
+        &["src/verify.rs:1: `use crate::One`: the toolkit proves formulas of other crates too"],
+    );
+}
+
+#[test]
+fn a_typed_identifier_fails_with_what_to_write() {
+    let main = |id: &str| format!("fn main() {{\n    println!(\"{{}}\", \"{id}\");\n}}\n");
+    one(
+        &[("tool/src/main.rs", &main("a.one"))],
+        &["tool/src/main.rs:2: the identifier \"a.one\" is typed; write `One::SPEC.id`"],
+    );
+    one(&[("tool/src/main.rs", &main("a.on3"))], &["the identifier \"a.on3\" is typed; no formula is called so"]);
+    assert_eq!(found(&[("tool/src/main.rs", &main("motion.x1"))]), Vec::<String>::new());
+}
+
+#[test]
+fn an_evaluation_without_inline_fails() {
+    for name in ["eval", "jacobian", "linearized"] {
+        let formula = one_rs(&format!("    /// Doc.\n    fn {name}() {{}}"));
+        one(&[("src/a/one.rs", &formula)], &[&format!("src/a/one.rs:13: `One::{name}` is not `#[inline]`")]);
+    }
+}
+
+#[test]
+fn every_formula_has_one_directive() {
+    let book = |text: &'static str| [("book/src/a.md", text)];
+    one(
+        &book("{{#formula a.one}}\n\n{{#formula a.one}}\n"),
+        &["book/src/a.md:3: formula `a.one` has its entry already, at book/src/a.md:1"],
+    );
+    one(
+        &book("{{#formula a.one}}\n\n{{#formula a.on}}\n"),
+        &["book/src/a.md:3: no formula `a.on` in the catalog; did you mean `a.one`?"],
+    );
+    one(&book("# A\n"), &["book/src: formula `a.one` is in the catalog but in no chapter"]);
+}
+
+#[test]
+fn a_file_has_no_more_than_500_lines() {
+    let lines = |number: usize| "// A line.\n".repeat(number);
+    assert_eq!(found(&[("tests/long.rs", &lines(500))]), Vec::<String>::new());
+    one(&[("tests/long.rs", &lines(501))], &["tests/long.rs: 501 lines, allowed are 500"]);
+}
+
+#[test]
+fn a_file_that_is_not_rust_is_named_with_its_line() {
+    one(&[("src/verify.rs", "fn f() {}\nfn {\n")], &["src/verify.rs:2: this cannot be read"]);
+}
+
+#[test]
+fn a_rule_can_be_checked_alone() {
+    let root = planted(&[("book/src/a.md", "# A\n"), ("src/a/one.rs", &one_rs("    fn linearized() {}"))]);
+    let findings = |rules: &[Rule]| check(root.path(), &IDS, rules).unwrap().findings.len();
+    assert_eq!([findings(&[]), findings(&[Rule::Inline]), findings(&[Rule::Lengths])], [2, 1, 0]);
+}

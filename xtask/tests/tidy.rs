@@ -1,0 +1,49 @@
+//! `cargo xtask tidy` as a user runs it, on a copy of the repository.
+
+mod common;
+
+use common::Bench;
+use std::fs;
+
+const REPOSITORY: [&str; 5] = ["Cargo.toml", "book/src", "src", "tests", "xtask"];
+
+/// Puts a line at the end of a file.
+fn append(bench: &Bench, file: &str, line: &str) {
+    let text = fs::read_to_string(bench.path(file)).unwrap();
+    fs::write(bench.path(file), format!("{text}{line}\n")).unwrap();
+}
+
+#[test]
+fn a_circle_planted_in_the_repository_is_found() {
+    let bench = Bench::with(&REPOSITORY);
+    let before = bench.run(&["tidy", "circles"]);
+    assert!(!before.stdout.contains("src/quantity.rs"), "{before:#?}");
+    append(&bench, "src/quantity.rs", "use crate::slot::Friction as Planted;");
+    let ran = bench.run(&["tidy", "circles"]).exits(1);
+    ran.prints("src/quantity.rs → src/slot/")
+        .prints("use crate::slot::Friction as Planted")
+        .prints("use crate::quantity::");
+}
+
+#[test]
+fn what_is_planted_in_the_repository_is_found_by_each_rule() {
+    let bench = Bench::with(&REPOSITORY);
+    append(&bench, "src/scalar.rs", "const PLANTED: &str = \"slot.friction\";");
+    append(&bench, "src/scalar.rs", "type Planted = crate::slot::Friction;");
+    append(&bench, "src/scalar.rs", &"// Planted.\n".repeat(500));
+    append(&bench, "book/src/slot.md", "\n{{#formula slot.friction}}");
+    let mut ran = bench.run(&["tidy", "ids", "layers", "lengths", "directives"]).exits(1);
+    for expected in [
+        "the identifier \"slot.friction\" is typed; write `Friction::SPEC.id`",
+        "`crate::slot::Friction`: numbers, quantities and errors stand below the formulas",
+        "src/scalar.rs: ",
+        "formula `slot.friction` has its entry already, at book/src/slot.md:",
+    ] {
+        ran = ran.prints(expected);
+    }
+}
+
+#[test]
+fn an_unknown_rule_is_bad_usage() {
+    Bench::new().run(&["tidy", "circle"]).bad_usage("circles");
+}
