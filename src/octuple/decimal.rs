@@ -109,7 +109,11 @@ impl Decimal {
         // More than fit are more than there are.
         let decimals_wanted = i64::try_from(decimals).unwrap_or(i64::MAX);
         self.round(self.point.saturating_add(decimals_wanted));
-        let zeros = if self.digits.is_empty() { decimals + 1 } else { usize::try_from((1 - self.point).max(0)).expect("as many zeros as digits were asked for") };
+        let zeros = if self.digits.is_empty() {
+            decimals + 1
+        } else {
+            usize::try_from((1 - self.point).max(0)).expect("as many zeros as digits were asked for")
+        };
         let text = "0".repeat(zeros) + &String::from_utf8_lossy(&self.digits);
         let (whole, fraction) = text.split_at(text.len() - decimals);
         if fraction.is_empty() { whole.to_owned() } else { format!("{whole}.{fraction}") }

@@ -10,6 +10,7 @@ mod golden;
 mod report;
 mod scene;
 mod selection;
+mod statements;
 mod tidy;
 mod verify;
 

@@ -1,17 +1,17 @@
-//! `cargo xtask verify`: golden files, scenes, audit and book, with a short summary.
+//! `cargo xtask verify`: golden files, scenes, audit, statements of the documents and book, with a short summary.
 
 use crate::book::Summary;
 use crate::book::command::build_book;
 use crate::console::{self, count, green, print, red, say};
 use crate::report::data::Report;
 use crate::selection::Selection;
-use crate::{Outcome, audit, files, golden, scene};
+use crate::{Outcome, audit, files, golden, scene, statements};
 use jointproof::verify::{Audit, Options};
 use std::fmt::Write;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-/// Check everything: golden files, scenes, audit, book
+/// Check everything: golden files, scenes, audit, statements of the documents, book
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   cargo xtask verify                  the main job
@@ -35,12 +35,13 @@ pub(crate) fn run(arguments: &Arguments) -> Outcome {
         step("golden", check_golden)?,
         step("scenes", check_scenes)?,
         step("audit", || check_audit(arguments.samples))?,
+        step("statements", statements::verify)?,
         step("book", || Ok(check_book()))?,
     ];
     let mut summary = String::new();
     for Step { name, passed, counts, time } in &steps {
         let verdict = if *passed { green("ok ") } else { red("off") };
-        writeln!(summary, "{verdict} {name:<7} {counts} in {:.1} s", time.as_secs_f64())?;
+        writeln!(summary, "{verdict} {name:<10} {counts} in {:.1} s", time.as_secs_f64())?;
     }
     print(&summary)?;
     Ok(if steps.iter().all(|step| step.passed) { ExitCode::SUCCESS } else { ExitCode::FAILURE })

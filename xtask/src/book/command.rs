@@ -6,7 +6,7 @@ use super::locate::Index;
 use super::{Options, Summary, build, worked_example};
 use crate::evidence::Evidence;
 use crate::report::{self, data::Report};
-use crate::{Outcome, console, figures, files, scene};
+use crate::{Outcome, console, figures, files, scene, statements};
 use anyhow::Context;
 use jointproof::catalog::{AnyFormula, CATALOG, KinkEntry};
 use jointproof::formula::Field;
@@ -87,7 +87,12 @@ fn content(report: Option<Report>) -> anyhow::Result<Content> {
     sources.sort_by(|a, b| a.path.cmp(&b.path));
     let index = Index::new(&sources);
     let evidence = Evidence::load();
-    let entries = CATALOG.iter().map(|formula| entry(*formula, &index, &evidence)).collect();
+    let statements = statements::book::Named::read()?;
+    let entry_of = |formula: &&dyn AnyFormula| Entry {
+        statements: statements.of(formula.spec().id),
+        ..entry(*formula, &index, &evidence)
+    };
+    let entries = CATALOG.iter().map(entry_of).collect();
     let catalog_tests = index.tests_over_catalog();
     let mut golden = Vec::new();
     for formula in CATALOG {
@@ -105,7 +110,8 @@ fn content(report: Option<Report>) -> anyhow::Result<Content> {
         *text = plain(text);
     }
     let figures = [figures::all(), scene::figures()?].concat();
-    Ok(Content { entries, sources, catalog_tests, figures, outputs, report, golden, kinds: scene::kinds() })
+    let (texts, kinds) = (statements::book::texts()?, scene::kinds());
+    Ok(Content { entries, sources, catalog_tests, figures, texts, outputs, report, golden, kinds })
 }
 
 /// Text without colours.
@@ -141,6 +147,7 @@ fn entry(formula: &dyn AnyFormula, index: &Index<'_>, evidence: &Evidence) -> En
         },
         inputs: formula.inputs().iter().map(symbol).collect(),
         outputs: formula.outputs().iter().map(symbol).collect(),
+        statements: Vec::new(),
         kinks: formula.kinks().iter().map(|entry| kink(entry, formula.outputs())).collect(),
         code: index.functions(&file, type_name, &["eval", "jacobian", "linearized"]),
         tests: index.tests_naming(spec.id, type_name),

@@ -3,7 +3,8 @@
 //! The book machinery never looks into the library. Whoever calls [`super::build`] fills these structs from the
 //! catalog, the last audit and the golden files; what is `None` or empty here is printed as "not run", never as proof.
 //!
-//! Fields called *text* hold plain words in which `$…$` is mathematics and `` `…` `` is code.
+//! Fields called *text* hold plain words in which `$…$` is mathematics, `` `…` `` is code and `[…](…)` is a link from the
+//! root of the book.
 
 use crate::report::data::Report;
 use jointproof::verify::Audit;
@@ -19,6 +20,8 @@ pub(crate) struct Content {
     pub(crate) catalog_tests: Vec<TestRef>,
     /// Figures made by the build, by name: SVG elements as in `book/figures`.
     pub(crate) figures: Vec<(String, String)>,
+    /// Markdown made by the build, by name.
+    pub(crate) texts: Vec<(String, String)>,
     /// What programs printed for this build, by name.
     pub(crate) outputs: Vec<(String, String)>,
     /// The last report on speed and error.
@@ -97,6 +100,8 @@ pub(crate) struct Entry {
     pub(crate) latex: String,
     /// Where the equation comes from.
     pub(crate) source: Source,
+    /// What the documents say about it (texts with links).
+    pub(crate) statements: Vec<String>,
     /// Inputs in the order of the golden file.
     pub(crate) inputs: Vec<Symbol>,
     /// Outputs in the order of the golden file.

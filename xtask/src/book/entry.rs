@@ -59,11 +59,12 @@ fn symbol_row(pages: &Pages<'_>, at: &Place, symbol: &Symbol) -> String {
     )
 }
 
-/// Source, kinks, golden cases and evidence.
+/// Source, statements, kinks, golden cases and evidence.
 fn facts(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let source = &entry.source;
     let place = if source.place.is_empty() { String::new() } else { format!(", {}", pages.text(at, &source.place)) };
     let mut out = fact("Source", &format!("{}{place}", pages.text(at, &source.citation)));
+    out += &fact("Statements", &statements(pages, at, &entry.statements));
     out += &fact("Kinks", &kinks(pages, at, &entry.kinks));
     out += &fact("Golden cases", &golden(at, entry.golden.as_ref()));
     out += &fact("Evidence", &evidence(&entry.evidence));
@@ -73,6 +74,14 @@ fn facts(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
 /// One row of the list of facts.
 fn fact(name: &str, html: &str) -> String {
     format!("<dt>{name}</dt><dd>{html}</dd>")
+}
+
+/// What the documents say about it.
+fn statements(pages: &Pages<'_>, at: &Place, statements: &[String]) -> String {
+    if statements.is_empty() {
+        return "none: no document says it".to_owned();
+    }
+    format!("<ul>{}</ul>", each(statements, |statement| format!("<li>{}</li>", pages.text(at, statement))))
 }
 
 /// Where the derivative jumps, and what is returned there.

@@ -18,7 +18,7 @@ mod math;
 mod pages;
 mod preprocessor;
 mod rust;
-mod source;
+pub(crate) mod source;
 mod speed;
 mod tables;
 #[cfg(test)]

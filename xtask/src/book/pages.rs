@@ -73,8 +73,20 @@ impl<'a> Pages<'a> {
         self.later.keep(self.or_fault(at, self.math.block(latex)), "")
     }
 
-    /// *Text* as HTML: `$…$` is mathematics, `` `…` `` is code, everything else is words.
+    /// *Text* as HTML: `$…$` is mathematics, `` `…` `` is code, `[…](…)` is a link, everything else is words.
     pub(crate) fn text(&self, at: &Place, text: &str) -> String {
+        let mut out = String::new();
+        let mut rest = text;
+        while let Some((before, words, target, after)) = link(rest) {
+            let target = escape(&relative(&at.page, target));
+            out += &format!("{}<a href=\"{target}\">{}</a>", self.words(at, before), self.words(at, words));
+            rest = after;
+        }
+        out + &self.words(at, rest)
+    }
+
+    /// *Text* without links as HTML.
+    fn words(&self, at: &Place, text: &str) -> String {
         let mut out = String::new();
         let mut rest = text;
         while let Some(open) = rest.find(['$', '`']) {
@@ -102,4 +114,12 @@ impl<'a> Pages<'a> {
             String::new()
         })
     }
+}
+
+/// The first link of a text: what stands before it, its words, its target, what stands after it.
+fn link(text: &str) -> Option<(&str, &str, &str, &str)> {
+    let (head, tail) = text.split_once("](")?;
+    let (before, words) = head.rsplit_once('[')?;
+    let (target, after) = tail.split_once(')')?;
+    Some((before, words, target, after))
 }

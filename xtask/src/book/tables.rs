@@ -137,7 +137,7 @@ pub(crate) fn kinds(pages: &Pages<'_>, at: &Place, dimension: &str) -> String {
 }
 
 fn kind_of_element(pages: &Pages<'_>, at: &Place, kind: &Kind) -> String {
-    let Kind { name, nodes, parameters, loads, outputs, .. } = kind;
+    let Kind { name, dimension, nodes, parameters, loads, outputs } = kind;
     let code = |name: &str| ("", format!("<code>{}</code>", escape(name)));
     let given = |given: &Given, without: &str| {
         row(&[code(&given.name), ("wide", pages.text(at, &given.meaning)), ("", pages.text(at, without))])
@@ -150,5 +150,6 @@ fn kind_of_element(pages: &Pages<'_>, at: &Place, kind: &Kind) -> String {
         row(&[code(&output.name), ("wide", pages.text(at, &output.meaning)), ("wide", links(pages, at, &formulas))])
     });
     let outputs = table("index", &["Output", "Meaning", "Formula"], &rows);
-    format!("<p><strong><code>{}</code></strong>, nodes {}</p>{inputs}{outputs}", escape(name), escape(nodes))
+    let (name, nodes) = (escape(name), escape(nodes));
+    format!("<p id=\"{name}-{dimension}\"><strong><code>{name}</code></strong>, nodes {nodes}</p>{inputs}{outputs}")
 }

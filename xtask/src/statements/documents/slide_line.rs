@@ -47,14 +47,17 @@ fn basis() -> Vec<Statement> {
             .formulas(&[&slide_line::LocalBasis])
             .law(&slide_line::LocalBasis, "t and n are orthonormal")
             .cases(&slide_line::LocalBasis, &["along-r", "along-z"]),
-        covered("L3-s1", "The nodes i, j, k, … are given in order.").item::<SlideLine>().chapter("slide-line-elements.md#the-line"),
+        covered("L3-s1", "The nodes i, j, k, … are given in order.")
+            .item::<SlideLine>()
+            .chapter("slide-line-elements.md#the-line"),
         covered("L3-s2", "The nodes I, J, K, … are those of the elements on the line.").item::<ElementSet>(),
         covered("L3-s3", "Giving s, the normal of the contact plane, defines the line's normal.")
             .chapter("slide-line.md#tangent-and-normal"),
         covered("L5-15", "A figure of line, elements and basis.").chapter("slide-line.md#smoothed-corners"),
         covered("L16-s1", "t is the first local tangent t1.").chapter("slide-line.md#tangent-and-normal"),
         covered("L16-s2", "The second local tangent t2 is opposite to s.").chapter("slide-line.md#tangent-and-normal"),
-        covered("L18-s1", "A strict master–slave concept enforces the contact.").chapter("slide-line-elements.md#master-and-slave"),
+        covered("L18-s1", "A strict master–slave concept enforces the contact.")
+            .chapter("slide-line-elements.md#master-and-slave"),
         covered("L18-s2", "The elements are the slave, the line is the master.")
             .item::<Contact>()
             .chapter("slide-line-elements.md#master-and-slave"),
@@ -62,8 +65,11 @@ fn basis() -> Vec<Statement> {
             .formulas(&[&slide_line::ClosestLinear, &slide_line::ClosestParabolic])
             .outputs(&["isl21a/E11", "isl22a/E11"])
             .test("slide_line/main::a_point_on_the_wrong_side_penetrates"),
-        covered("L19", "The master should be the stiffer body, or the one with the coarser mesh; else the choice is free.")
-            .chapter("slide-line-elements.md#master-and-slave"),
+        covered(
+            "L19",
+            "The master should be the stiffer body, or the one with the coarser mesh; else the choice is free.",
+        )
+        .chapter("slide-line-elements.md#master-and-slave"),
     ]
 }
 
@@ -115,18 +121,31 @@ fn line() -> Vec<Statement> {
 
 fn elements() -> Vec<Statement> {
     vec![
-        outside("L45-s1", "Many models can use surfaces instead, see Chapter 36.", "that chapter is not among the documents"),
-        covered("L45-s2", "These elements are for special uses, as surfaces of substructures, or CAXA and SAXA elements.")
-            .chapter("slide-line-elements.md#which-elements"),
+        outside(
+            "L45-s1",
+            "Many models can use surfaces instead, see Chapter 36.",
+            "that chapter is not among the documents",
+        ),
+        covered(
+            "L45-s2",
+            "These elements are for special uses, as surfaces of substructures, or CAXA and SAXA elements.",
+        )
+        .chapter("slide-line-elements.md#which-elements"),
         covered("L46-s1", "The elements define the slave surface.")
             .item::<ElementSet>()
             .chapter("slide-line-elements.md#master-and-slave"),
-        mended("L46-s2", "A node's area follows from current length and a constant “width”, after the elements below.", "width-of-an-element")
-            .formulas(&[&slide_line::ContactAreaLinear, &slide_line::ContactAreaParabolic])
-            .law(&slide_line::ContactAreaLinear, "the areas add up")
-            .method(Element::areas::<f64>)
-            .chapter("slide-line.md#contact-area"),
-        covered("L48", "A line is associated with a set of elements.").item::<Contact>().chapter("scenes.md#slide-lines"),
+        mended(
+            "L46-s2",
+            "A node's area follows from current length and a constant “width”, after the elements below.",
+            "width-of-an-element",
+        )
+        .formulas(&[&slide_line::ContactAreaLinear, &slide_line::ContactAreaParabolic])
+        .law(&slide_line::ContactAreaLinear, "the areas add up")
+        .method(Element::areas::<f64>)
+        .chapter("slide-line.md#contact-area"),
+        covered("L48", "A line is associated with a set of elements.")
+            .item::<Contact>()
+            .chapter("scenes.md#slide-lines"),
         covered("L51", "A set of elements has section properties.").chapter("slide-line-elements.md#which-elements"),
         covered("L52", "Axisymmetric ones have no section data.").chapter("slide-line-elements.md#which-elements"),
         covered("L53", "Keyword: INTERFACE.").chapter("slide-line-elements.md#which-elements"),
@@ -150,17 +169,22 @@ fn interactions() -> Vec<Statement> {
             .method(Interaction::linear)
             .method(Interaction::exponential)
             .chapter("interaction.md#what-is-the-sources-and-what-is-ours"),
-        covered("L57-s3", "So is viscous damping.").formulas(&[&interaction::Damping]).method(Interaction::with_damping),
+        covered("L57-s3", "So is viscous damping.")
+            .formulas(&[&interaction::Damping])
+            .method(Interaction::with_damping),
     ]
 }
 
 fn torque() -> Vec<Statement> {
     vec![
-        covered("L59-s1", "With axisymmetric elements, CAX and CGAX, the greatest torque across a line can be calculated.")
-            .formulas(&[&slide_line::TorqueLinear, &slide_line::TorqueParabolic])
-            .method(Contact::torque::<f64>)
-            .outputs(&["isl21a/T", "isl22a/T"])
-            .chapter("threaded-connector.md#torque-of-a-threaded-connector"),
+        covered(
+            "L59-s1",
+            "With axisymmetric elements, CAX and CGAX, the greatest torque across a line can be calculated.",
+        )
+        .formulas(&[&slide_line::TorqueLinear, &slide_line::TorqueParabolic])
+        .method(Contact::torque::<f64>)
+        .outputs(&["isl21a/T", "isl22a/T"])
+        .chapter("threaded-connector.md#torque-of-a-threaded-connector"),
         covered("L59-s2", "It is of interest for threaded connectors.")
             .chapter("threaded-connector.md#torque-of-a-threaded-connector"),
         covered("L61", "T = ∬ r² p ds dθ.")
@@ -171,7 +195,9 @@ fn torque() -> Vec<Statement> {
         covered("L63", "p is the pressure, r the radius, s the current length; friction is taken as unity.")
             .formulas(&[&slide_line::TorqueLinear])
             .chapter("slide-line.md#torque"),
-        covered("L64-s1", "The torque can be printed.").item::<TorquePrint>().test("isl::the_table_prints_as_often_as_asked"),
+        covered("L64-s1", "The torque can be printed.")
+            .item::<TorquePrint>()
+            .test("isl::the_table_prints_as_often_as_asked"),
         covered("L64-s2", "It is given for every slide line.")
             .method(TorquePrint::rows)
             .outputs(&["isl21a/T"])
@@ -197,7 +223,8 @@ fn library() -> Vec<Statement> {
         covered("L81", "Two variables more at each node, for the contact stresses.")
             .chapter("slide-line-elements.md#what-is-the-sources-and-what-is-ours"),
         covered("L83", "The coordinates are r and z.").item::<Nodes>().test("slide_line/main::bad_nodes_are_named"),
-        covered("L85", "The property definition: SLIDE LINE and INTERFACE.").chapter("slide-line-elements.md#which-elements"),
+        covered("L85", "The property definition: SLIDE LINE and INTERFACE.")
+            .chapter("slide-line-elements.md#which-elements"),
         outside("L87", "There is no element loading.", "nothing to cover"),
         covered("L90", "S11: the pressure between node and line.")
             .formulas(&[&interaction::PressureLinear, &interaction::PressureExponential, &interaction::Damping])
@@ -217,12 +244,17 @@ fn library() -> Vec<Statement> {
             .law(&slide_line::ClosestParabolic, "the gap from the foot")
             .method(PlacedLine::<f64>::closest)
             .outputs(&["isl21a/E11", "isl22a/E11"]),
-        open("L94", "E12: the accumulated tangential displacement between node and line.", 10, "corners are of first order")
-            .formulas(&[&slide_line::SlipIncrementLinear, &slide_line::SlipIncrementParabolic])
-            .law(&slide_line::SlipIncrementLinear, "a common displacement")
-            .method(PlacedLine::<f64>::slip_increment)
-            .outputs(&["isl21a/E12", "isl22a/E12"])
-            .chapter("slide-line.md#slip"),
+        open(
+            "L94",
+            "E12: the accumulated tangential displacement between node and line.",
+            10,
+            "corners are of first order",
+        )
+        .formulas(&[&slide_line::SlipIncrementLinear, &slide_line::SlipIncrementParabolic])
+        .law(&slide_line::SlipIncrementLinear, "a common displacement")
+        .method(PlacedLine::<f64>::slip_increment)
+        .outputs(&["isl21a/E12", "isl22a/E12"])
+        .chapter("slide-line.md#slip"),
         covered("L95-124", "Figures: the order of the nodes; integration points are at the nodes.")
             .method(Element::areas::<f64>)
             .test("isl::areas_add_up_at_shared_nodes")

@@ -32,7 +32,8 @@ fn line() -> Vec<Statement> {
         covered("s3", "It keeps straight what was straight through the thickness of a shell.")
             .law(&slider::Eliminate, "m is on the line")
             .chapter("slider.md#slider"),
-        covered("s4", "On solids it is a kinematic approximation of compatibility with the shell.").chapter("slider.md#slider"),
+        covered("s4", "On solids it is a kinematic approximation of compatibility with the shell.")
+            .chapter("slider.md#slider"),
         covered("s5", "Two points define the line; node m must lie on it.")
             .formulas(&[&slider::Constraint])
             .method(Slider::new)
@@ -51,7 +52,9 @@ fn line() -> Vec<Statement> {
             .method(Slider::basis)
             .chapter("slider.md#two-directions-across-it"),
         covered("e3", "An orthogonal normal t2.").formulas(&[&slider::Basis]).law(&slider::Basis, "t1, t2 and n"),
-        covered("s6", "Together they are an orthonormal base.").formulas(&[&slider::Basis]).law(&slider::Basis, "t1, t2 and n"),
+        covered("s6", "Together they are an orthonormal base.")
+            .formulas(&[&slider::Basis])
+            .law(&slider::Basis, "t1, t2 and n"),
     ]
 }
 
@@ -70,13 +73,18 @@ fn constraint() -> Vec<Statement> {
             .cases(&slider::Eliminate, &["extremal"])
             .test("slider::the_pivots_are_those_of_t1_and_t2"),
         covered("e7", "The conditions in components of node m.").chapter("slider.md#eliminating-two-coordinates"),
-        open("e8", "Two coordinates of m are eliminated; the numbering avoids a division by 0.", 7, "XMI and XMJ do not say which axes")
-            .formulas(&[&slider::Eliminate])
-            .law(&slider::Eliminate, "the documented route")
-            .method(documented::eliminate::<f64>)
-            .method(Slider::eliminate)
-            .outputs(&["slider@3d/XMI", "slider@3d/XMJ"])
-            .test("slider::the_kept_axis_is_never_nearly_across_the_line"),
+        open(
+            "e8",
+            "Two coordinates of m are eliminated; the numbering avoids a division by 0.",
+            7,
+            "XMI and XMJ do not say which axes",
+        )
+        .formulas(&[&slider::Eliminate])
+        .law(&slider::Eliminate, "the documented route")
+        .method(documented::eliminate::<f64>)
+        .method(Slider::eliminate)
+        .outputs(&["slider@3d/XMI", "slider@3d/XMJ"])
+        .test("slider::the_kept_axis_is_never_nearly_across_the_line"),
     ]
 }
 

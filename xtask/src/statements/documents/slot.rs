@@ -96,7 +96,9 @@ fn position() -> Vec<Statement> {
             .cases(&slot::RelativeMotion, &["start"])
             .method(Slot::relative_motion)
             .outputs(&["slot/U1"]),
-        covered("L44", "x0 is the initial distance along the slot.").formulas(&[&slot::RelativeMotion]).method(Slot::new),
+        covered("L44", "x0 is the initial distance along the slot.")
+            .formulas(&[&slot::RelativeMotion])
+            .method(Slot::new),
         covered("L46", "The constitutive displacement is u1mat = x − l1ref.")
             .formulas(&[&slot::RelativeMotion])
             .law(&slot::RelativeMotion, "both displacements grow")
@@ -122,15 +124,23 @@ fn friction() -> Vec<Statement> {
             .method(Slot::friction)
             .outputs(&["slot/PHI"])
             .erratum("lost-sign"),
-        covered("L60-s1", "P is the size of the tangential tractions, FN the normal force, μ the friction coefficient.")
-            .formulas(&[&slot::Friction])
-            .outputs(&["slot/P", "slot/FN"])
-            .chapter("coulomb.md#stick-and-slip"),
-        open("L60-s2", "It sticks where Φ < 0, and slides where Φ = 0, with the friction force μFN.", 3, FRICTION_OF_SCENES)
-            .formulas(&[&coulomb::ReturnMap])
-            .law(&coulomb::ReturnMap, "what is transmitted never exceeds")
-            .cases(&coulomb::ReturnMap, &["stick", "slip"])
-            .chapter("coulomb.md#stick-and-slip"),
+        covered(
+            "L60-s1",
+            "P is the size of the tangential tractions, FN the normal force, μ the friction coefficient.",
+        )
+        .formulas(&[&slot::Friction])
+        .outputs(&["slot/P", "slot/FN"])
+        .chapter("coulomb.md#stick-and-slip"),
+        open(
+            "L60-s2",
+            "It sticks where Φ < 0, and slides where Φ = 0, with the friction force μFN.",
+            3,
+            FRICTION_OF_SCENES,
+        )
+        .formulas(&[&coulomb::ReturnMap])
+        .law(&coulomb::ReturnMap, "what is transmitted never exceeds")
+        .cases(&coulomb::ReturnMap, &["stick", "slip"])
+        .chapter("coulomb.md#stick-and-slip"),
         covered("L62", "FN = |FC + FCint|: the contact force, and one that is in equilibrium with itself.")
             .formulas(&[&slot::NormalForce])
             .cases(&slot::NormalForce, &["press-fit", "tension"])
@@ -142,10 +152,15 @@ fn friction() -> Vec<Statement> {
             .law(&slot::ContactForce, "turning the slot about its axis")
             .cases(&slot::ContactForce, &["pythagoras"])
             .outputs(&["slot/FC"]),
-        covered("L70", "P = |f1|.").formulas(&[&slot::Friction]).law(&slot::Friction, "reversing f1").outputs(&["slot/P"]),
+        covered("L70", "P = |f1|.")
+            .formulas(&[&slot::Friction])
+            .law(&slot::Friction, "reversing f1")
+            .outputs(&["slot/P"]),
         covered("L72-s1", "Combined with REVOLUTE or ALIGN, friction is computed in another way.")
             .chapter("slot.md#neighbours"),
-        covered("L72-s2", "See CYLINDRICAL and TRANSLATOR for it.").chapter("slot.md#neighbours").chapter("translator.md#friction"),
+        covered("L72-s2", "See CYLINDRICAL and TRANSLATOR for it.")
+            .chapter("slot.md#neighbours")
+            .chapter("translator.md#friction"),
     ]
 }
 
@@ -168,7 +183,9 @@ fn summary() -> Vec<Statement> {
             .method(Slot::with_stops)
             .outputs(&["slot/GAPMIN", "slot/GAPMAX"])
             .erratum("length-at-the-stops"),
-        covered("L85", "Constitutive reference length: l1ref.").method(Slot::with_reference_length).outputs(&["slot/U1MAT"]),
+        covered("L85", "Constitutive reference length: l1ref.")
+            .method(Slot::with_reference_length)
+            .outputs(&["slot/U1MAT"]),
         covered("L86", "Friction parameter, optional: FCint.")
             .method(Slot::with_friction)
             .cases(&slot::NormalForce, &["no-internal-force"]),

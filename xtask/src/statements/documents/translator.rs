@@ -51,8 +51,13 @@ fn description() -> Vec<Statement> {
             .chapter(NODES),
         covered("L20-s3", "They are read best with b at the centre of the device.").chapter(NODES),
         covered("L20-s4", "That is essential where friction follows from moments.").chapter(NODES),
-        open("L20-s5", "Enforcement does not depend on order and place of the nodes.", 8, "a law about exchanged nodes")
-            .chapter(NODES),
+        open(
+            "L20-s5",
+            "Enforcement does not depend on order and place of the nodes.",
+            8,
+            "a law about exchanged nodes",
+        )
+        .chapter(NODES),
     ]
 }
 
@@ -67,10 +72,15 @@ fn friction() -> Vec<Statement> {
             .method(Translator::friction)
             .outputs(&["translator/PHI"])
             .erratum("lost-sign"),
-        open("L30", "What P, FN and μ are; stick where Φ < 0, slip where Φ = 0, with the force μFN.", 3, FRICTION_OF_SCENES)
-            .formulas(&[&translator::Friction, &coulomb::ReturnMap])
-            .cases(&translator::Friction, &["stick", "slip"])
-            .chapter("coulomb.md#stick-and-slip"),
+        open(
+            "L30",
+            "What P, FN and μ are; stick where Φ < 0, slip where Φ = 0, with the force μFN.",
+            3,
+            FRICTION_OF_SCENES,
+        )
+        .formulas(&[&translator::Friction, &coulomb::ReturnMap])
+        .cases(&translator::Friction, &["stick", "slip"])
+        .chapter("coulomb.md#stick-and-slip"),
         covered("L32", "FN = |FC + FCint|.")
             .formulas(&[&slot::NormalForce])
             .outputs(&["translator/FN"])
@@ -145,6 +155,8 @@ fn summary() -> Vec<Statement> {
         covered("L78", "Friction parameters, all optional: Rr, L, FCint.")
             .method(Translator::with_friction)
             .test("translator::without_friction_parameters_there_is_no_friction"),
-        covered("L79", "Contact force reported: FC.").formulas(&[&translator::ContactForce]).outputs(&["translator/FC"]),
+        covered("L79", "Contact force reported: FC.")
+            .formulas(&[&translator::ContactForce])
+            .outputs(&["translator/FC"]),
     ]
 }

@@ -30,11 +30,14 @@ const NODES: &str = "conventions.md#node-a-and-node-b";
 
 fn description() -> Vec<Statement> {
     vec![
-        covered("L3-s1", "It joins the positions of two nodes and constrains their rotations as a universal joint does.")
-            .formulas(&[&join::Constraint, &universal::Constraint, &ujoint::Constraint])
-            .method(UJoint::new)
-            .method(UJoint::constraint)
-            .outputs(&["ujoint/G", "ujoint/GROT"]),
+        covered(
+            "L3-s1",
+            "It joins the positions of two nodes and constrains their rotations as a universal joint does.",
+        )
+        .formulas(&[&join::Constraint, &universal::Constraint, &ujoint::Constraint])
+        .method(UJoint::new)
+        .method(UJoint::constraint)
+        .outputs(&["ujoint/G", "ujoint/GROT"]),
         covered("L3-s2", "It cannot be used in two-dimensional or axisymmetric analysis.").chapter("ujoint.md#ujoint"),
         outside("L5-16", "Cross references, and the products that have it.", "refers to other pages"),
         covered("L18", "A figure of it.").chapter("ujoint.md#ujoint"),
@@ -50,8 +53,13 @@ fn description() -> Vec<Statement> {
             .chapter(NODES),
         covered("L22-s3", "They are read best with b at the centre of the device.").chapter(NODES),
         covered("L22-s4", "That is essential where friction follows from moments.").chapter(NODES),
-        open("L22-s5", "Enforcement does not depend on order and place of the nodes.", 8, "a law about exchanged nodes")
-            .chapter(NODES),
+        open(
+            "L22-s5",
+            "Enforcement does not depend on order and place of the nodes.",
+            8,
+            "a law about exchanged nodes",
+        )
+        .chapter(NODES),
     ]
 }
 
@@ -61,7 +69,8 @@ fn loads() -> Vec<Statement> {
             .formulas(&[&ujoint::Friction, &coulomb::ReturnMap])
             .outputs(&["ujoint/CSM1", "ujoint/CSM3"]),
         covered("L26-s2", "The joint has four hinges, at the ends of the cross.").chapter("ujoint.md#ujoint"),
-        covered("L26-s3", "The moments in the hinges are computed much as those of HINGE.").chapter("ujoint.md#on-a-hinge"),
+        covered("L26-s3", "The moments in the hinges are computed much as those of HINGE.")
+            .chapter("ujoint.md#on-a-hinge"),
         mended("L28", "Fr is the root of f1² + f2² + f3²; the root is lost in our text.", "lost-roots")
             .formulas(&[&ujoint::Reaction])
             .law(&ujoint::Reaction, "it is the length of")
@@ -83,15 +92,24 @@ fn loads() -> Vec<Statement> {
         covered("L35", "Mtwist bends each hinge with the moment αtwist Mtwist.")
             .formulas(&[&ujoint::HingeTwist, &ujoint::TwistFactors])
             .cases(&ujoint::HingeTwist, &["lambda-6.6"]),
-        mended("L39", "It pushes each hinge with βtwist Mtwist over La; the quotient is lost in our text.", "lost-quotients")
-            .formulas(&[&ujoint::HingeTwist])
-            .law(&ujoint::HingeTwist, "moments about the centre"),
-        covered("L41-s1", "La is the length from the centre to the ends of the cross.").item::<Cross>().chapter("ujoint.md#ujoint"),
-        covered("L41-s2", "The factors depend on La/Rp: rigid arms at 0, Timoshenko beams below 20, Euler–Bernoulli beams above.")
-            .formulas(&[&ujoint::TwistFactors])
-            .law(&ujoint::TwistFactors, "the Timoshenko arm is met")
-            .law(&ujoint::TwistFactors, "an Euler–Bernoulli arm")
-            .chapter("arm-model.md#the-twisting-moment"),
+        mended(
+            "L39",
+            "It pushes each hinge with βtwist Mtwist over La; the quotient is lost in our text.",
+            "lost-quotients",
+        )
+        .formulas(&[&ujoint::HingeTwist])
+        .law(&ujoint::HingeTwist, "moments about the centre"),
+        covered("L41-s1", "La is the length from the centre to the ends of the cross.")
+            .item::<Cross>()
+            .chapter("ujoint.md#ujoint"),
+        covered(
+            "L41-s2",
+            "The factors depend on La/Rp: rigid arms at 0, Timoshenko beams below 20, Euler–Bernoulli beams above.",
+        )
+        .formulas(&[&ujoint::TwistFactors])
+        .law(&ujoint::TwistFactors, "the Timoshenko arm is met")
+        .law(&ujoint::TwistFactors, "an Euler–Bernoulli arm")
+        .chapter("arm-model.md#the-twisting-moment"),
         covered("L41-s3", "They are chosen from La and Rp alone.")
             .formulas(&[&ujoint::TwistFactors])
             .method(UJoint::with_friction),
@@ -105,11 +123,16 @@ fn loads() -> Vec<Statement> {
 
 fn decomposition() -> Vec<Statement> {
     vec![
-        open("L45", "The force has the parts Fr·e1a and Fr·e3b along the arms, and Fr·ecross.", 7, "the label of FBEND")
-            .formulas(&[&ujoint::Decomposition])
-            .law(&ujoint::Decomposition, "where the axes of the cross")
-            .cases(&ujoint::Decomposition, &["straight"])
-            .outputs(&["ujoint/FAXIAL1", "ujoint/FAXIAL3", "ujoint/FBEND"]),
+        open(
+            "L45",
+            "The force has the parts Fr·e1a and Fr·e3b along the arms, and Fr·ecross.",
+            7,
+            "the label of FBEND",
+        )
+        .formulas(&[&ujoint::Decomposition])
+        .law(&ujoint::Decomposition, "where the axes of the cross")
+        .cases(&ujoint::Decomposition, &["straight"])
+        .outputs(&["ujoint/FAXIAL1", "ujoint/FAXIAL3", "ujoint/FBEND"]),
         open("L53", "As a vector the force is f1 e1a + f2 e2a + f3 e3a.", 3, "the vector as an output RF")
             .formulas(&[&ujoint::Decomposition])
             .law(&join::Constraint, "the force on b is Jacobianᵀ")
@@ -117,10 +140,13 @@ fn decomposition() -> Vec<Statement> {
         covered("L55-s1", "Friction is that of four hinges together.")
             .formulas(&[&ujoint::ContactMoments, &ujoint::NormalMoments])
             .chapter("ujoint.md#friction"),
-        covered("L55-s2", "Only rotations about the local 1- and 3-directions are possible; friction is CSM1 and CSM3.")
-            .formulas(&[&ujoint::Friction, &coulomb::ReturnMap])
-            .law(&universal::ConstraintMoment, "it does no work on turns")
-            .outputs(&["ujoint/CSM1", "ujoint/CSM3"]),
+        covered(
+            "L55-s2",
+            "Only rotations about the local 1- and 3-directions are possible; friction is CSM1 and CSM3.",
+        )
+        .formulas(&[&ujoint::Friction, &coulomb::ReturnMap])
+        .law(&universal::ConstraintMoment, "it does no work on turns")
+        .outputs(&["ujoint/CSM1", "ujoint/CSM3"]),
         covered("L55-s3", "The subscripts 1 and 3 name those directions.").formulas(&[&ujoint::Friction]),
     ]
 }
@@ -133,13 +159,21 @@ fn friction() -> Vec<Statement> {
             .method(UJoint::friction)
             .outputs(&["ujoint/PHI1", "ujoint/PHI3"])
             .erratum("lost-sign"),
-        covered("L60-s1", "P are moments of the tangential tractions, MN of the normal ones, μ is the friction coefficient.")
-            .formulas(&[&ujoint::Friction])
-            .outputs(&["ujoint/MN1", "ujoint/MN3"]),
-        open("L60-s2", "A direction sticks where its Φ < 0, and slides where it is 0, with the moment μMN.", 3, FRICTION_OF_SCENES)
-            .formulas(&[&coulomb::ReturnMap])
-            .outputs(&["ujoint/CSM1", "ujoint/CSM3", "ujoint/SLIPR1", "ujoint/SLIPR3"])
-            .test("scene_ujoint::friction_of_the_drive_shaft_stays_within_its_limit_and_turns_with_the_swing"),
+        covered(
+            "L60-s1",
+            "P are moments of the tangential tractions, MN of the normal ones, μ is the friction coefficient.",
+        )
+        .formulas(&[&ujoint::Friction])
+        .outputs(&["ujoint/MN1", "ujoint/MN3"]),
+        open(
+            "L60-s2",
+            "A direction sticks where its Φ < 0, and slides where it is 0, with the moment μMN.",
+            3,
+            FRICTION_OF_SCENES,
+        )
+        .formulas(&[&coulomb::ReturnMap])
+        .outputs(&["ujoint/CSM1", "ujoint/CSM3", "ujoint/SLIPR1", "ujoint/SLIPR3"])
+        .test("scene_ujoint::friction_of_the_drive_shaft_stays_within_its_limit_and_turns_with_the_swing"),
         covered("L62", "MN = 2|MC| + |MCint|, in either direction.")
             .formulas(&[&ujoint::NormalMoments])
             .law(&ujoint::NormalMoments, "reversing any moment")
@@ -158,24 +192,36 @@ fn contact_moments() -> Vec<Statement> {
             .formulas(&[&ujoint::ContactMoments])
             .law(&ujoint::ContactMoments, "the links of the chain")
             .outputs(&["ujoint/MC1", "ujoint/MC3"]),
-        mended("L71-s1", "The axial forces contribute αaxial Faxial Ra; αaxial is not defined.", "undefined-axial-factors")
-            .formulas(&[&ujoint::HingeAxial, &ujoint::AxialFactors])
-            .law(&ujoint::AxialFactors, "the four hinges carry")
-            .chapter("arm-model.md#a-force-along-an-arm")
-            .erratum("lost-bars"),
-        covered("L71-s2", "Ra is the effective friction arm of the axial force.").item::<Cross>().chapter("ujoint.md#ujoint"),
+        mended(
+            "L71-s1",
+            "The axial forces contribute αaxial Faxial Ra; αaxial is not defined.",
+            "undefined-axial-factors",
+        )
+        .formulas(&[&ujoint::HingeAxial, &ujoint::AxialFactors])
+        .law(&ujoint::AxialFactors, "the four hinges carry")
+        .chapter("arm-model.md#a-force-along-an-arm")
+        .erratum("lost-bars"),
+        covered("L71-s2", "Ra is the effective friction arm of the axial force.")
+            .item::<Cross>()
+            .chapter("ujoint.md#ujoint"),
         covered("L71-s3", "Where Ra is 0 the axial force is left out.")
             .cases(&ujoint::ContactMoments, &["no-axial-arm"])
             .test("ujoint::a_parameter_of_zero_drops_its_term_and_a_small_one_does_not"),
         covered("L73", "Normal forces contribute Fn Rp, Fn being a sum.")
             .formulas(&[&ujoint::ContactMoments])
             .law(&ujoint::ContactMoments, "the links of the chain"),
-        mended("L75", "Ftotal is the root of the squares of Fbend/4, the force of twisting and that of the other axis.", "parallel-forces")
+        mended(
+            "L75",
+            "Ftotal is the root of the squares of Fbend/4, the force of twisting and that of the other axis.",
+            "parallel-forces",
+        )
+        .formulas(&[&ujoint::HingeTransverse])
+        .law(&ujoint::HingeTransverse, "exchanging the axial forces")
+        .outputs(&["ujoint/FTOTAL1", "ujoint/FTOTAL3"])
+        .erratum("lost-roots"),
+        covered("L80-s1", "A hinge takes Fbend/4.")
             .formulas(&[&ujoint::HingeTransverse])
-            .law(&ujoint::HingeTransverse, "exchanging the axial forces")
-            .outputs(&["ujoint/FTOTAL1", "ujoint/FTOTAL3"])
-            .erratum("lost-roots"),
-        covered("L80-s1", "A hinge takes Fbend/4.").formulas(&[&ujoint::HingeTransverse]).cases(&ujoint::HingeTransverse, &["bending-alone"]),
+            .cases(&ujoint::HingeTransverse, &["bending-alone"]),
         mended("L80-s2", "It takes βaxial Faxial of the other axis; βaxial is not defined.", "undefined-axial-factors")
             .formulas(&[&ujoint::HingeAxial, &ujoint::AxialFactors])
             .law(&ujoint::HingeAxial, "two hinges along the force"),
@@ -231,12 +277,17 @@ fn summary() -> Vec<Statement> {
             .outputs(&["ujoint/KM"]),
         open("L104", "Orientation at a: required.", 6, ORIENTATION).method(UJoint::new),
         open("L105", "Orientation at b: optional.", 6, ORIENTATION).method(UJoint::new),
-        open("L106", "Stops bound γ between θ1min and θ1max, and between θ3min and θ3max.", 5, "a stop past half a turn is not reached")
-            .formulas(&[&ujoint::Stop])
-            .cases(&ujoint::Stop, &["between", "at-the-stops"])
-            .method(UJoint::with_stops)
-            .outputs(&["ujoint/GAP1MIN", "ujoint/GAP1MAX", "ujoint/GAP3MIN", "ujoint/GAP3MAX"])
-            .erratum("one-angle-twice"),
+        open(
+            "L106",
+            "Stops bound γ between θ1min and θ1max, and between θ3min and θ3max.",
+            5,
+            "a stop past half a turn is not reached",
+        )
+        .formulas(&[&ujoint::Stop])
+        .cases(&ujoint::Stop, &["between", "at-the-stops"])
+        .method(UJoint::with_stops)
+        .outputs(&["ujoint/GAP1MIN", "ujoint/GAP1MAX", "ujoint/GAP3MIN", "ujoint/GAP3MAX"])
+        .erratum("one-angle-twice"),
         covered("L108", "Constitutive reference angles: θ1ref, θ3ref.")
             .formulas(&[&universal::RelativeMotion])
             .method(UJoint::with_reference_angles)
