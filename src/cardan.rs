@@ -30,11 +30,11 @@ mod triads;
 #[cfg(feature = "verify")]
 pub mod turns;
 
-pub use accurate::{NearRightAngle, accurate, accurate_jacobian, between, check_turns, errors_near_right_angle};
+pub use accurate::{accurate, accurate_jacobian, between};
 pub use angles::{Angles, CardanAngles};
 pub use beta::{Beta, BetaAxes, BetaTwoArgument};
 pub(crate) use triads::Oriented;
-pub use triads::Triads;
+pub use triads::{Triads, check_turns};
 
 use crate::error::Error;
 use crate::scalar::{Scalar, atan2, has_length, norm_and_direction};

@@ -1,6 +1,7 @@
 //! Every formula, in the order of the book.
 
 use crate::formula::{Field, Fields, Formula, Spec, check, entries, value, value_and_jacobian};
+#[cfg(feature = "measure")]
 use crate::measure::{self, Measurement};
 use crate::proof::{Convention, Proved};
 use crate::scalar::{abs, sign};
@@ -47,10 +48,13 @@ pub trait AnyFormula: Send + Sync {
     /// # Errors
     /// As [`AnyFormula::value`], and [`Error::DerivativeOverflow`].
     fn value_and_jacobian(&self, components: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Error>;
+    #[cfg(feature = "measure")]
     /// The errors of every way to compute it, found now.
     fn errors(&self, options: &measure::Options) -> Measurement;
+    #[cfg(feature = "measure")]
     /// Times every way to compute it, now, and enters that where the errors are known.
     fn times(&self, options: &measure::Options, measurement: &mut Measurement);
+    #[cfg(feature = "measure")]
     /// The points over which time is taken: all components of the first point, then of the next.
     fn timing_inputs(&self, options: &measure::Options) -> Vec<f64>;
 }
@@ -106,12 +110,15 @@ impl<F: Proved> AnyFormula for F {
         let (out, jacobian) = value_and_jacobian::<F>(&from_components::<F>(components)?)?;
         Ok((out.components(), entries(&jacobian)))
     }
+    #[cfg(feature = "measure")]
     fn errors(&self, options: &measure::Options) -> Measurement {
         measure::errors::<F>(options)
     }
+    #[cfg(feature = "measure")]
     fn times(&self, options: &measure::Options, measurement: &mut Measurement) {
         measure::times::<F>(options, measurement);
     }
+    #[cfg(feature = "measure")]
     fn timing_inputs(&self, options: &measure::Options) -> Vec<f64> {
         options.timing_inputs::<F>().concat()
     }

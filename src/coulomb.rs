@@ -8,7 +8,7 @@
 mod proof;
 
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{F_TANGENTIAL, F_TRIAL, FN, MU, P, PHI};
 use crate::scalar::{Scalar, abs, sign};
 
@@ -26,7 +26,7 @@ fields! {
 pub struct Yield;
 
 impl Formula for Yield {
-    const SPEC: Spec = Spec::new("coulomb.yield", "Yield function", Source::SLOT.section("Friction"))
+    const SPEC: Spec = Spec::new("coulomb.yield", "Yield function", Document::SLOT.printed("Friction"))
         .equation(r"\Phi = P - \mu F_N")
         .eta(2.0, 0.0);
     type Inputs<T: Component> = Tractions<T>;
@@ -64,9 +64,16 @@ fn sticks<D: Scalar>(i: &Trial<D>) -> bool {
 }
 
 impl Formula for ReturnMap {
-    const SPEC: Spec = Spec::new("coulomb.return_map", "Return map", Source::SLOT.section("Friction"))
-.equation(r"f = \begin{cases} f^{\mathrm{trial}} & \lvert f^{\mathrm{trial}}\rvert < \mu F_N \\ \mu F_N \operatorname{sign} f^{\mathrm{trial}} & \text{otherwise}\end{cases}")
-.eta(1.0, 0.0);
+    const SPEC: Spec = Spec::new(
+        "coulomb.return_map",
+        "Return map",
+        Document::SLOT.ours(
+            "Friction",
+            "the page says when it sticks and that the force is then μ F_N; the return of a trial force is the usual one",
+        ),
+    )
+        .equation(r"f = \begin{cases} f^{\mathrm{trial}} & \lvert f^{\mathrm{trial}}\rvert < \mu F_N \\ \mu F_N \operatorname{sign} f^{\mathrm{trial}} & \text{otherwise}\end{cases}")
+        .eta(1.0, 0.0);
     type Inputs<T: Component> = Trial<T>;
     type Outputs<T: Component> = Tangential<T>;
 

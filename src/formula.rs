@@ -7,64 +7,24 @@
 
 mod checked;
 mod fields;
+mod source;
 
 pub use checked::{check, value, value_and_jacobian};
 pub use fields::{Component, Field, Fields, Part};
 #[cfg(feature = "verify")]
 pub(crate) use fields::{entries, typed};
+pub use source::{Document, Provenance, Source};
 
 use crate::error::Error;
 use crate::scalar::Scalar;
 use nalgebra::SVector;
 
-/// A source document, and the place in it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct Source {
-    /// The document's title.
-    pub title: &'static str,
-    /// Where it can be read; empty where it cannot be linked.
-    pub link: &'static str,
-    /// The section, in the document's own headings; empty where it has none.
-    pub section: &'static str,
-}
-
-impl Source {
-    /// The connector SLOT.
-    pub const SLOT: Self = Self::new("SLOT");
-    /// The connector UJOINT.
-    pub const UJOINT: Self = Self::new("UJOINT");
-    /// The sliding multi-point constraint.
-    pub const SLIDER: Self = Self::new("Sliding constraint");
-    /// The connector TRANSLATOR.
-    pub const TRANSLATOR: Self = Self::new("TRANSLATOR");
-    /// Slide lines and the elements on them.
-    pub const SLIDE_LINE: Self = Self::new("Slide lines");
-
-    /// A document as a whole.
-    pub const fn new(title: &'static str) -> Self {
-        Self { title, link: "", section: "" }
-    }
-
-    /// Where it can be read.
-    #[must_use]
-    pub const fn link(self, link: &'static str) -> Self {
-        Self { link, ..self }
-    }
-
-    /// A section of it.
-    #[must_use]
-    pub const fn section(self, section: &'static str) -> Self {
-        Self { section, ..self }
-    }
-}
-
 /// What is said about a formula, once.
 ///
 /// ```
-/// use jointproof::formula::{Source, Spec};
-/// const NOTES: Source = Source::new("My notes").link("https://example.org/notes");
-/// const SPEC: Spec = Spec::new("spring.energy", "Energy of a spring", NOTES.section("Springs"))
+/// use jointproof::formula::{Document, Spec};
+/// const NOTES: Document = Document::new("My notes").link("https://example.org/notes");
+/// const SPEC: Spec = Spec::new("spring.energy", "Energy of a spring", NOTES.printed("Springs"))
 ///     .equation(r"W = \tfrac12 k x^2")
 ///     .eta(2.0, 2.0);
 /// assert!(SPEC.objective);
@@ -76,7 +36,7 @@ pub struct Spec {
     pub id: &'static str,
     /// A title of a few words.
     pub title: &'static str,
-    /// Where it is documented.
+    /// Where it is documented, and how much of it.
     pub source: Source,
     /// The equation in LaTeX.
     pub latex: &'static str,

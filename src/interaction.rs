@@ -9,14 +9,16 @@ mod proof;
 
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Fields, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Fields, Formula, Jacobian, Source, Spec};
 use crate::quantity::{
     CLEARANCE, CLOSING_RATE, DAMPING_FRACTION, MU0, OVERCLOSURE, PRESSURE, PRESSURE_AT_TOUCH, STIFFNESS,
 };
 use crate::scalar::{Scalar, e_minus_one};
 
-const SOURCE: Source =
-    Source::SLIDE_LINE.section("Defining nondefault mechanical surface interactions with slide line elements");
+const SOURCE: Source = Document::SLIDE_LINE.ours(
+    "Defining nondefault mechanical surface interactions with slide line elements",
+    "the section names the laws; those that it refers to were not given",
+);
 
 fields! {
     /// Contact pressure.
@@ -39,10 +41,12 @@ impl Formula for PressureLinear {
     type Inputs<T: Component> = LinearContact<T>;
     type Outputs<T: Component> = ContactPressure<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &LinearContact<D>) -> ContactPressure<D> {
         ContactPressure { p: if i.h > 0.0 { i.k * i.h } else { D::zero() } }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &LinearContact<D>) -> Jacobian<Self, D> {
         ContactPressure {
             p: if i.h > 0.0 { LinearContact { h: i.k, k: i.h } } else { LinearContact::filled(D::zero()) },
@@ -69,17 +73,19 @@ impl PressureExponential {
 
 impl Formula for PressureExponential {
     const SPEC: Spec = Spec::new("interaction.pressure_exponential", "Exponential pressure–overclosure law", SOURCE)
-.equation(r"p = \begin{cases} \dfrac{p_0}{e-1}\,s\,(e^s - 1) & s > 0 \\ 0 & \text{otherwise}\end{cases}\qquad s = \frac{h}{c_0} + 1")
-.eta(5.0, 8.0);
+        .equation(r"p = \begin{cases} \dfrac{p_0}{e-1}\,s\,(e^s - 1) & s > 0 \\ 0 & \text{otherwise}\end{cases}\qquad s = \frac{h}{c_0} + 1")
+        .eta(5.0, 8.0);
     type Inputs<T: Component> = ExponentialContact<T>;
     type Outputs<T: Component> = ContactPressure<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &ExponentialContact<D>) -> ContactPressure<D> {
         let s = Self::closure(i);
         ContactPressure { p: if s > 0.0 { i.p0 * (s * (s.exp_m1() / e_minus_one::<D>())) } else { D::zero() } }
     }
 
     /// d(s(eˢ − 1))/ds = (1 + s)(eˢ − 1) + s, and ds = (dh − (s − 1) dc0)/c0.
+    #[inline]
     fn jacobian<D: Scalar>(i: &ExponentialContact<D>) -> Jacobian<Self, D> {
         let s = Self::closure(i);
         if s <= 0.0 {
@@ -131,11 +137,12 @@ impl Zone {
 
 impl Formula for Damping {
     const SPEC: Spec = Spec::new("interaction.damping", "Viscous contact damping", SOURCE)
-.equation(r"p = v \begin{cases} \mu_0 & -h \le \eta c_0 \\ \mu_0\,\dfrac{c_0 + h}{(1-\eta)\,c_0} & \eta c_0 < -h < c_0 \\ 0 & \text{otherwise}\end{cases}")
-.eta(2.0, 2.0);
+        .equation(r"p = v \begin{cases} \mu_0 & -h \le \eta c_0 \\ \mu_0\,\dfrac{c_0 + h}{(1-\eta)\,c_0} & \eta c_0 < -h < c_0 \\ 0 & \text{otherwise}\end{cases}")
+        .eta(2.0, 2.0);
     type Inputs<T: Component> = DampingContact<T>;
     type Outputs<T: Component> = ContactPressure<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &DampingContact<D>) -> ContactPressure<D> {
         let p = match Zone::of(i) {
             Zone::Full => i.mu0 * i.v,
@@ -145,6 +152,7 @@ impl Formula for Damping {
         ContactPressure { p }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &DampingContact<D>) -> Jacobian<Self, D> {
         let zero = DampingContact::filled(D::zero());
         let p = match Zone::of(i) {

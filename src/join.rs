@@ -14,7 +14,7 @@ mod proof;
 
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec, ValueAndJacobian, value, value_and_jacobian};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec, ValueAndJacobian, value, value_and_jacobian};
 use crate::frame::Triad;
 use crate::quantity::{D0, E1A, E2A, E3A, G_JOIN, XA, XB};
 use crate::scalar::Scalar;
@@ -51,17 +51,23 @@ impl<T: Component> Joined<T> {
 pub struct Constraint;
 
 impl Formula for Constraint {
-    const SPEC: Spec = Spec::new("join.constraint", "Constraint", Source::UJOINT.section("Description"))
-        .equation(r"g_i = \mathbf{e}_{ia}\cdot(\mathbf{x}_b-\mathbf{x}_a) - d_{0i},\quad i = 1, 2, 3")
-        .eta(2.0, 1.0);
+    const SPEC: Spec = Spec::new(
+        "join.constraint",
+        "Constraint",
+        Document::UJOINT.ours("Description", "the page of JOIN was not given; b is held where it was at the start"),
+    )
+    .equation(r"g_i = \mathbf{e}_{ia}\cdot(\mathbf{x}_b-\mathbf{x}_a) - d_{0i},\quad i = 1, 2, 3")
+    .eta(2.0, 1.0);
     type Inputs<T: Component> = Joined<T>;
     type Outputs<T: Component> = Displaced<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Joined<D>) -> Displaced<D> {
         let here = RelativePosition::eval(&i.positions());
         Displaced { g: Vector3::new(here.x, here.y, here.z) - i.d0 }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Joined<D>) -> Jacobian<Self, D> {
         let here = RelativePosition::jacobian(&i.positions());
         let row = |k: usize, gradient| {

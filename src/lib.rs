@@ -52,10 +52,12 @@ assert_eq!(exact.fc.to_f64(), 5.0);
 )]
 
 pub mod align;
+mod binade;
 pub mod cardan;
 #[cfg(feature = "verify")]
 pub mod catalog;
 pub mod coulomb;
+mod eft;
 mod error;
 pub mod formula;
 pub mod frame;

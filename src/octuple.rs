@@ -1,5 +1,6 @@
 //! [`Octuple`]: 237-bit arithmetic, the reference against which everything else is measured.
 
+mod bits;
 mod convert;
 mod decimal;
 mod elementary;
@@ -9,8 +10,11 @@ mod power;
 mod upstream;
 
 use f256::f256;
+use num_dual::DualNum;
 
+use crate::binade;
 use crate::newtype::{newtype_dual_num, newtype_number};
+use crate::scalar::{Leaf, Scalar, itself, sum_of_squares};
 
 /// A binary floating point number of 237 significant bits (71 decimal digits) and exponents up to ±262143: IEEE 754
 /// binary256, by the crate `f256`, with what that crate lacks or gets wrong made good.
@@ -80,5 +84,29 @@ impl Octuple {
     #[must_use]
     pub fn ulp(self) -> Self {
         Self(self.0.ulp())
+    }
+}
+
+impl Leaf for Octuple {
+    const EPSILON: f64 = binade::power_of_two(-236);
+    fn pi() -> Self {
+        Self::PI
+    }
+    fn e_minus_one() -> Self {
+        Self::E - 1.0
+    }
+    fn constants<const N: usize>(_: [f64; N], definition: impl FnOnce() -> [Self; N]) -> [Self; N] {
+        definition()
+    }
+}
+
+/// The range of exponents is so wide that no square of a double leaves it.
+impl Scalar for Octuple {
+    itself!();
+    fn norm_of<const N: usize>(x: [Self; N]) -> Self {
+        DualNum::sqrt(&sum_of_squares(x))
+    }
+    fn angle_of(y: Self, x: Self) -> Self {
+        DualNum::atan2(&y, x)
     }
 }

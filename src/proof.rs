@@ -11,6 +11,7 @@ pub mod law;
 pub(crate) mod way;
 
 pub use case::{Case, Flag};
+#[cfg(feature = "measure")]
 pub(crate) use forward::{Array, from_array, jacobian_of, no_rows, to_array};
 pub use forward::{Jet, value_and_jacobian_by_ad};
 pub use hard::Hard;

@@ -1,7 +1,7 @@
 //! What a formula may do to a number.
 //!
-//! A formula is written once, generic over [`Scalar`], and runs in `f64`, in [`Octuple`] (237 bits, the exact
-//! reference), in [`Single`] (for the speed/error report) and in every dual number of `num-dual` over these.
+//! A formula is written once, generic over [`Scalar`], and runs in `f64`, in other numbers without derivatives (the exact
+//! reference of 237 bits, single precision), and in every dual number of `num-dual` over these.
 //!
 //! Three functions live here because the plain ones lose their derivative, or their value, at ordinary positions
 //! of a joint. [`norm`] neither overflows nor underflows and has derivative 0 at the zero vector; [`atan2`] has the
@@ -10,7 +10,7 @@
 //! Comparisons between dual numbers look at the real part only, which is what a branch of a formula means; to
 //! compare derivatives, compare the parts.
 
-use crate::{Octuple, Single};
+use crate::binade::power_of_two;
 use nalgebra::{Const, U1};
 use num_dual::{Derivative, Dual, Dual2, Dual2SVec, DualNum, DualSVec, HyperDual};
 
@@ -35,8 +35,6 @@ pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scal
     }
     /// See [`atan2`].
     fn angle_of(y: Self, x: Self) -> Self;
-    /// The real part, not rounded: for the rare decision that rounding must not make.
-    fn exact(self) -> Octuple;
     /// See [`abs`].
     #[inline]
     fn abs_of(x: Self) -> Self {
@@ -45,22 +43,25 @@ pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scal
             sign => x * sign,
         }
     }
-    /// This number with another value, rounded once; derivatives stay.
-    #[must_use]
-    fn with_value(self, value: Octuple) -> Self;
 }
 
-/// A number without derivatives, the leaf of a tree of dual numbers: `f64`, [`Octuple`], [`Single`].
+/// A number without derivatives, the leaf of a tree of dual numbers: `f64` or another one of any precision.
+///
+/// Its arithmetic is binary and rounds to nearest.
 ///
 /// An iteration, such as the search for a root, runs on these; what it found becomes a [`constant`] again, and one
 /// step of Newton's method on the full scalar brings the derivatives (the implicit function theorem).
 pub trait Leaf: Scalar<Leaf = Self> {
     /// The distance from 1 to the next larger number.
     const EPSILON: f64;
-    /// A constant of mathematics: the double nearest to it, and what it is to 237 bits.
+    /// See [`pi`].
+    fn pi() -> Self;
+    /// See [`e_minus_one`].
+    fn e_minus_one() -> Self;
+    /// Constants: the doubles nearest to them, and what defines them, for numbers of more digits.
     ///
-    /// `f64` takes the double as it is, so that no formula pays for the digits it does not need.
-    fn known(nearest: f64, exact: impl FnOnce() -> Octuple) -> Self;
+    /// `f64` takes the doubles as they are, so that no formula pays for the digits it does not need.
+    fn constants<const N: usize>(nearest: [f64; N], definition: impl FnOnce() -> [Self; N]) -> [Self; N];
 }
 
 /// The number without its derivatives.
@@ -74,34 +75,36 @@ pub fn leaf<D: Scalar>(x: D) -> D::Leaf {
     D::leaf_of(x)
 }
 
-/// A number as a constant, whose derivatives are 0; unlike `D::from(f64)` it keeps every digit of an [`Octuple`].
+/// A number as a constant, whose derivatives are 0; unlike `D::from(f64)` it keeps every digit of the leaf.
 #[inline]
 pub fn constant<D: Scalar>(x: D::Leaf) -> D {
     D::constant_of(x)
 }
 
+/// A number with another value; derivatives stay.
+#[inline]
+pub(crate) fn with_leaf<D: Scalar>(x: D, value: D::Leaf) -> D {
+    x - constant::<D>(leaf(x)) + constant::<D>(value)
+}
+
 /// π, correctly rounded in every scalar.
 ///
 /// ```
-/// use jointproof::{Octuple, scalar::pi};
-/// assert_eq!(pi::<f64>(), std::f64::consts::PI);
-/// assert_eq!(pi::<Octuple>(), Octuple::PI);
+/// assert_eq!(jointproof::scalar::pi::<f64>(), std::f64::consts::PI);
 /// ```
 #[inline]
 pub fn pi<D: Scalar>() -> D {
-    constant(D::Leaf::known(std::f64::consts::PI, || Octuple::PI))
+    constant(D::Leaf::pi())
 }
 
 /// e − 1, right to an ulp in every scalar.
 ///
 /// ```
-/// use jointproof::{Octuple, scalar::e_minus_one};
-/// assert_eq!(e_minus_one::<f64>(), 1.0_f64.exp_m1());
-/// assert_eq!(e_minus_one::<Octuple>(), Octuple::E - 1.0);
+/// assert_eq!(jointproof::scalar::e_minus_one::<f64>(), 1.0_f64.exp_m1());
 /// ```
 #[inline]
 pub fn e_minus_one<D: Scalar>() -> D {
-    constant(D::Leaf::known(1.718_281_828_459_045, || Octuple::E - 1.0))
+    constant(D::Leaf::e_minus_one())
 }
 
 /// √(Σ xᵢ²), right to about an ulp for every representable input, subnormal or near the overflow threshold.
@@ -195,12 +198,12 @@ fn divide<D: Scalar, const N: usize>(x: [D; N], length: D) -> [D; N] {
 }
 
 #[inline]
-fn sum_of_squares<D: Scalar, const N: usize>(x: [D; N]) -> D {
+pub(crate) fn sum_of_squares<D: Scalar, const N: usize>(x: [D; N]) -> D {
     x.iter().fold(D::zero(), |sum, &x| sum + x * x)
 }
 
 /// Where squares can be summed as they are, and the power of two that brings everything else there.
-struct Squares {
+pub(crate) struct Squares {
     smallest: f64,
     largest: f64,
     rescale: f64,
@@ -209,15 +212,14 @@ struct Squares {
 impl Squares {
     /// 2⁻⁹⁰⁰ … 2¹⁰⁰⁰, factor 2⁶⁰⁰.
     const DOUBLE: Self = Self::new(-900, 1000, 600);
-    /// 2⁻⁷⁰ … 2¹²⁰, factor 2⁹⁰.
-    const SINGLE: Self = Self::new(-70, 120, 90);
 
-    const fn new(smallest: i64, largest: i64, rescale: i64) -> Self {
+    /// From the exponents of the two limits of the sum, and of the factor.
+    pub(crate) const fn new(smallest: i64, largest: i64, rescale: i64) -> Self {
         Self { smallest: power_of_two(smallest), largest: power_of_two(largest), rescale: power_of_two(rescale) }
     }
 
     #[inline]
-    fn norm<D: Scalar, const N: usize>(&self, x: [D; N]) -> D {
+    pub(crate) fn norm<D: Scalar, const N: usize>(&self, x: [D; N]) -> D {
         let sum = sum_of_squares(x);
         if sum > self.smallest && sum < self.largest { sum.sqrt() } else { self.rescaled(x) }
     }
@@ -228,11 +230,6 @@ impl Squares {
         let factor = if large { self.rescale.recip() } else { self.rescale };
         sum_of_squares(x.map(|x| x * factor)).sqrt() / factor
     }
-}
-
-const fn power_of_two(exponent: i64) -> f64 {
-    #[expect(clippy::cast_sign_loss, reason = "the biased exponent of a normal double is positive")]
-    f64::from_bits(((exponent + 1023) as u64) << 52)
 }
 
 /// A leaf is its own leaf.
@@ -249,6 +246,8 @@ macro_rules! itself {
         }
     };
 }
+#[cfg(feature = "verify")]
+pub(crate) use itself;
 
 /// The leaf of a dual number is that of its real part.
 macro_rules! inside {
@@ -268,23 +267,16 @@ macro_rules! inside {
 impl Leaf for f64 {
     const EPSILON: f64 = Self::EPSILON;
     #[inline]
-    fn known(nearest: f64, _: impl FnOnce() -> Octuple) -> Self {
-        nearest
+    fn pi() -> Self {
+        std::f64::consts::PI
     }
-}
-
-impl Leaf for Single {
-    const EPSILON: f64 = f32::EPSILON as f64;
     #[inline]
-    fn known(nearest: f64, _: impl FnOnce() -> Octuple) -> Self {
-        Self::from(nearest)
+    fn e_minus_one() -> Self {
+        1.718_281_828_459_045
     }
-}
-
-impl Leaf for Octuple {
-    const EPSILON: f64 = power_of_two(-236);
-    fn known(_: f64, exact: impl FnOnce() -> Octuple) -> Self {
-        exact()
+    #[inline]
+    fn constants<const N: usize>(nearest: [f64; N], _: impl FnOnce() -> [Self; N]) -> [Self; N] {
+        nearest
     }
 }
 
@@ -299,50 +291,8 @@ impl Scalar for f64 {
         y.atan2(x)
     }
     #[inline]
-    fn exact(self) -> Octuple {
-        self.into()
-    }
-    #[inline]
     fn abs_of(x: Self) -> Self {
         x.abs()
-    }
-    fn with_value(self, value: Octuple) -> Self {
-        value.to_f64()
-    }
-}
-
-impl Scalar for Single {
-    itself!();
-    #[inline]
-    fn norm_of<const N: usize>(x: [Self; N]) -> Self {
-        Squares::SINGLE.norm(x)
-    }
-    #[inline]
-    fn angle_of(y: Self, x: Self) -> Self {
-        DualNum::atan2(&y, x)
-    }
-    fn exact(self) -> Octuple {
-        self.to_f64().into()
-    }
-    fn with_value(self, value: Octuple) -> Self {
-        value.to_f64().into()
-    }
-}
-
-/// The exponent range of 237-bit numbers is so wide that no square of a double leaves it.
-impl Scalar for Octuple {
-    itself!();
-    fn norm_of<const N: usize>(x: [Self; N]) -> Self {
-        DualNum::sqrt(&sum_of_squares(x))
-    }
-    fn angle_of(y: Self, x: Self) -> Self {
-        DualNum::atan2(&y, x)
-    }
-    fn exact(self) -> Octuple {
-        self
-    }
-    fn with_value(self, value: Octuple) -> Self {
-        value
     }
 }
 
@@ -390,12 +340,6 @@ macro_rules! first_order {
                 };
                 result
             }
-            fn exact(self) -> Octuple {
-                self.re.exact()
-            }
-            fn with_value(self, value: Octuple) -> Self {
-                Self { re: self.re.with_value(value), ..self }
-            }
         }
     };
 }
@@ -417,12 +361,6 @@ macro_rules! second_order {
             }
             fn angle_of(y: Self, x: Self) -> Self {
                 $fold(atan2($unfold(y), $unfold(x)))
-            }
-            fn exact(self) -> Octuple {
-                self.re.exact()
-            }
-            fn with_value(self, value: Octuple) -> Self {
-                Self { re: self.re.with_value(value), ..self }
             }
         }
     };

@@ -4,9 +4,11 @@ use std::fmt;
 use std::num::ParseFloatError;
 use std::str::FromStr;
 
+use num_dual::DualNum;
 use num_traits::FromPrimitive;
 
 use crate::newtype::{newtype_dual_num, newtype_number};
+use crate::scalar::{Leaf, Scalar, Squares, e_minus_one, itself, pi};
 
 /// An `f32` that reads and speaks `f64`: every operation rounds to 24 bits, every `f64` operand is rounded to `f32`
 /// on entry (in comparisons too, so that `Single::from(0.1) == 0.1`).
@@ -33,6 +35,37 @@ impl Single {
 
 newtype_number!(Single(f32), zero: 0.0, one: 1.0, rem: ::std::ops::Rem::rem);
 newtype_dual_num!(Single, f32);
+
+impl Leaf for Single {
+    const EPSILON: f64 = f32::EPSILON as f64;
+    #[inline]
+    fn pi() -> Self {
+        Self::from(pi::<f64>())
+    }
+    #[inline]
+    fn e_minus_one() -> Self {
+        Self::from(e_minus_one::<f64>())
+    }
+    #[inline]
+    fn constants<const N: usize>(nearest: [f64; N], _: impl FnOnce() -> [Self; N]) -> [Self; N] {
+        nearest.map(Self::from)
+    }
+}
+
+/// 2⁻⁷⁰ … 2¹²⁰, factor 2⁹⁰.
+const SQUARES: Squares = Squares::new(-70, 120, 90);
+
+impl Scalar for Single {
+    itself!();
+    #[inline]
+    fn norm_of<const N: usize>(x: [Self; N]) -> Self {
+        SQUARES.norm(x)
+    }
+    #[inline]
+    fn angle_of(y: Self, x: Self) -> Self {
+        DualNum::atan2(&y, x)
+    }
+}
 
 impl From<f64> for Single {
     /// The nearest `f32`, ties to even.

@@ -15,12 +15,11 @@
 
 mod across;
 mod basis;
-mod binade;
 mod connector;
 mod connector_plane;
 mod constraint;
-pub mod documented;
 mod eliminate;
+#[cfg(feature = "verify")]
 mod hard;
 mod line;
 mod pivots;
@@ -28,14 +27,12 @@ mod place;
 mod plane;
 mod slide;
 mod span;
-mod stability;
 
 pub use basis::{Basis, BasisVariation, LineDirection, TangentChanges, Tangents, TurningDirection};
 pub use connector::{Coefficients, Slider, Variations};
 pub use connector_plane::{Coefficients2d, Slider2d};
 pub use constraint::{Constraint, Distances, IncrementalConstraint, IncrementalResiduals, MovingNodes, Nodes};
-pub use eliminate::{Coordinates, Eliminate, Increment, Increments, KeptCoordinate, KeptIncrement};
+pub use eliminate::{Coordinates, Eliminate, Increment, Increments, KeptCoordinate, KeptIncrement, documented};
 pub use line::{Direction, DirectionChange, DirectionVariation, Ends, Line, MovingEnds};
 pub use pivots::{Pivots, Pivots2d};
 pub use plane::{Constraint2d, Distance2d, Increment2d, Increment2dOutput, KeptIncrement2d, Nodes2d};
-pub use stability::{RouteErrors, Setting};

@@ -2,7 +2,7 @@
 //! wrong value at a kink, an inaccurate algorithm.
 
 use jointproof::catalog::CATALOG;
-use jointproof::formula::{Component, Formula, Jacobian, Source, Spec};
+use jointproof::formula::{Component, Document, Formula, Jacobian, Spec};
 use jointproof::proof::{Case, Convention, Kink, Proved};
 use jointproof::quantity::{F2, F3, FC};
 use jointproof::scalar::{Scalar, abs, direction, norm, sign};
@@ -78,7 +78,8 @@ trait Fault: Copy + Send + Sync + 'static {
 struct Planted<T>(T);
 
 impl<T: Fault> Formula for Planted<T> {
-    const SPEC: Spec = Spec::new("planted.fault", "Planted fault", Source::SLOT).equation("").eta(2.0, 2.0);
+    const SPEC: Spec =
+        Spec::new("planted.fault", "Planted fault", Document::SLOT.printed("Friction")).equation("").eta(2.0, 2.0);
     type Inputs<E: Component> = Inputs<E>;
     type Outputs<E: Component> = Outputs<E>;
     fn eval<D: Scalar>(i: &Inputs<D>) -> Outputs<D> {

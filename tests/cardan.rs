@@ -2,16 +2,19 @@
 
 #![expect(clippy::float_cmp, reason = "exact results are expected exactly")]
 
+#[path = "../xtask/src/studies/near_right_angle.rs"]
+mod near_right_angle;
+
 use jointproof::cardan::turns;
 use jointproof::cardan::{
-    Angles, BetaAxes, BetaTwoArgument, CardanAngles, Triads, accurate, accurate_jacobian, between,
-    errors_near_right_angle, rotation, turned,
+    Angles, BetaAxes, BetaTwoArgument, CardanAngles, Triads, accurate, accurate_jacobian, between, rotation, turned,
 };
 use jointproof::formula::{Fields, Formula, check, value, value_and_jacobian};
 use jointproof::frame::Triad;
 use jointproof::verify::{eta, exactly};
 use jointproof::{Error, Octuple};
 use nalgebra::{Matrix3, Rotation3, Vector3};
+use near_right_angle::errors_near_right_angle;
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -6,7 +6,7 @@ mod proof;
 use crate::cardan::{Angles, CardanAngles, Oriented, Triads};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Fields, Formula, Jacobian, Source, Spec, along};
+use crate::formula::{Component, Document, Fields, Formula, Jacobian, Spec, along};
 use crate::quantity::{ALPHA0, BETA0, E1A, E1B, E2A, E2B, E3A, E3B, GAMMA0, M1, M2, M3, MOMENT, UR1, UR2, UR3};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
@@ -55,17 +55,24 @@ impl<D: Scalar> Oriented<D> for Orientations<D> {
 pub struct Constraint;
 
 impl Formula for Constraint {
-    const SPEC: Spec = Spec::new("align.constraint", "Constraint", Source::TRANSLATOR.section("Description"))
-        .equation(r"u_{r1} = \alpha - \alpha_0,\quad u_{r2} = \beta - \beta_0,\quad u_{r3} = \gamma - \gamma_0")
-        .eta(2.0, 4.0);
+    const SPEC: Spec = Spec::new(
+        "align.constraint",
+        "Constraint",
+        Document::TRANSLATOR
+            .ours("Description", "the page of ALIGN was not given; the angles are held at their initial values"),
+    )
+    .equation(r"u_{r1} = \alpha - \alpha_0,\quad u_{r2} = \beta - \beta_0,\quad u_{r3} = \gamma - \gamma_0")
+    .eta(2.0, 4.0);
     type Inputs<T: Component> = Orientations<T>;
     type Outputs<T: Component> = Misalignment<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Orientations<D>) -> Misalignment<D> {
         let Angles { alpha, beta, gamma } = CardanAngles::eval(&i.triads());
         Misalignment { ur1: alpha - i.alpha0, ur2: beta - i.beta0, ur3: gamma - i.gamma0 }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Orientations<D>) -> Jacobian<Self, D> {
         let Angles { alpha, beta, gamma } = CardanAngles::jacobian(&i.triads());
         Misalignment {
@@ -99,16 +106,23 @@ fields! {
 pub struct ConstraintMoment;
 
 impl Formula for ConstraintMoment {
-    const SPEC: Spec = Spec::new("align.constraint_moment", "Constraint moment", Source::TRANSLATOR.section("Summary"))
-        .equation(r"\mathbf{m} = m_1\,\mathbf{e}_{1a} + m_2\,\mathbf{e}_{2a} + m_3\,\mathbf{e}_{3a}")
-        .eta(1.5, 0.0);
+    const SPEC: Spec = Spec::new(
+        "align.constraint_moment",
+        "Constraint moment",
+        Document::TRANSLATOR
+            .ours("Summary", "the page names the components m1, m2, m3; that they are along the triad of a is ours"),
+    )
+    .equation(r"\mathbf{m} = m_1\,\mathbf{e}_{1a} + m_2\,\mathbf{e}_{2a} + m_3\,\mathbf{e}_{3a}")
+    .eta(1.5, 0.0);
     type Inputs<T: Component> = Moments<T>;
     type Outputs<T: Component> = Moment<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Moments<D>) -> Moment<D> {
         Moment { m: i.e1a * i.m1 + i.e2a * i.m2 + i.e3a * i.m3 }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Moments<D>) -> Jacobian<Self, D> {
         let row = |k| Moments {
             e1a: along(k, i.m1),

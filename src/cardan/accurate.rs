@@ -1,16 +1,12 @@
 //! The three angles as programs should take them, β in the two-argument form; and what the arc sine loses.
 
-use super::turns;
 use super::{
-    Angles, Beta, BetaAxes, BetaTwoArgument, CardanAngles, Triads, alpha, alpha_gradient, check_alpha, check_gamma,
-    gamma, gamma_gradient, rotation, turned,
+    Angles, Beta, BetaAxes, BetaTwoArgument, Triads, alpha, alpha_gradient, check_turns, gamma, gamma_gradient,
 };
-use crate::Octuple;
 use crate::error::Error;
-use crate::formula::{Fields, Formula, value};
+use crate::formula::{Fields, Formula};
 use crate::frame::Triad;
 use crate::scalar::Scalar;
-use num_traits::Signed;
 
 /// The Cardan angles of b relative to a.
 ///
@@ -43,16 +39,6 @@ impl From<(&Triad, &Triad)> for Triads<f64> {
     }
 }
 
-/// Rejects gimbal lock, at which α and γ are undefined.
-///
-/// # Errors
-/// [`Error::GimbalLock`].
-#[inline]
-pub fn check_turns(i: &Triads<f64>) -> Result<(), Error> {
-    check_alpha(&i.e2a, &i.e3a, &i.e3b)?;
-    check_gamma(&i.e1a, &i.e1b, &i.e2b)
-}
-
 /// As [`CardanAngles`], with β from [`BetaTwoArgument`].
 #[inline]
 pub fn accurate<D: Scalar>(i: &Triads<D>) -> Angles<D> {
@@ -73,54 +59,4 @@ pub fn accurate_jacobian<D: Scalar>(i: &Triads<D>) -> Angles<Triads<D>> {
     let [e1a, e1b, e2b] = gamma_gradient(&i.e1a, &i.e1b, &i.e2b);
     let gamma = Triads { e1a, e1b, e2b, ..zero };
     Angles { alpha, beta, gamma }
-}
-
-/// What both forms of β make of triads that are rotations rounded to doubles.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NearRightAngle {
-    /// 90° − β, in radians.
-    pub distance: f64,
-    /// The largest relative error of the arc sine, where it exists.
-    pub arc_sine: f64,
-    /// The share of the poses at which rounding made |e1a·e3b| > 1, so that there is no arc sine.
-    pub rejected: f64,
-    /// The largest relative error of the two-argument form.
-    pub two_argument: f64,
-}
-
-/// Both forms of β at each of these distances from 90°, the worst of 64 poses: the figure of the book.
-///
-/// ```
-/// let [near] = jointproof::cardan::errors_near_right_angle(&[1e-6])[..] else { panic!() };
-/// assert!(near.arc_sine > 1e-12 && near.two_argument < 1e-15);
-/// ```
-pub fn errors_near_right_angle(distances: &[f64]) -> Vec<NearRightAngle> {
-    distances.iter().map(|&distance| errors_at(distance)).collect()
-}
-
-fn errors_at(distance: f64) -> NearRightAngle {
-    let beta = Octuple::PI / 2.0 - distance;
-    let turns = (0..8).map(|k| Octuple::from(-2.75) + f64::from(k) * 0.75);
-    let poses = turns.clone().flat_map(|alpha| turns.clone().map(move |gamma| [alpha, beta, gamma]));
-    let error = |found: f64| ((Octuple::from(found) - beta) / beta).abs().to_f64();
-
-    let mut worst = NearRightAngle { distance, arc_sine: 0.0, rejected: 0.0, two_argument: 0.0 };
-    for pose in poses {
-        let triads = rounded_triads(pose);
-        worst.two_argument = worst.two_argument.max(error(accurate(&triads).beta));
-        match value::<CardanAngles>(&triads) {
-            Ok(angles) => worst.arc_sine = worst.arc_sine.max(error(angles.beta)),
-            Err(_) => worst.rejected += 1.0 / 64.0,
-        }
-    }
-    worst
-}
-
-/// Triads that stand at these angles to one another, neither along the global axes, every component rounded once.
-fn rounded_triads([alpha, beta, gamma]: [Octuple; 3]) -> Triads<f64> {
-    let [global, _] = turns::axes([1, 2, 3]);
-    let a = turned(&global.map(|e| e.map(Octuple::from)), &rotation(alpha, gamma * 0.25, gamma - alpha));
-    let b = turned(&a, &rotation(alpha, beta, gamma));
-    let [a, b] = [a, b].map(|triad| triad.map(|e| e.map(Octuple::to_f64)));
-    Triads::new(a, b)
 }

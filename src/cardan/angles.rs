@@ -7,7 +7,7 @@ use super::arc_sine::{arc_sine, arc_sine_slope, check_arc_sine};
 use super::{Triads, alpha, alpha_gradient, check_turns, gamma, gamma_gradient};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Fields, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Fields, Formula, Jacobian, Spec};
 use crate::quantity::{ALPHA, BETA, GAMMA};
 use crate::scalar::Scalar;
 
@@ -24,9 +24,16 @@ fields! {
 pub struct CardanAngles;
 
 impl Formula for CardanAngles {
-    const SPEC: Spec = Spec::new("cardan.angles", "Cardan angles", Source::TRANSLATOR.section("Description"))
-.equation(r"\alpha = -\operatorname{atan2}(\mathbf{e}_{2a}\cdot\mathbf{e}_{3b},\ \mathbf{e}_{3a}\cdot\mathbf{e}_{3b}),\quad \beta = \arcsin(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b}),\quad \gamma = -\operatorname{atan2}(\mathbf{e}_{1a}\cdot\mathbf{e}_{2b},\ \mathbf{e}_{1a}\cdot\mathbf{e}_{1b})")
-.eta(2.0, 4.0);
+    const SPEC: Spec = Spec::new(
+        "cardan.angles",
+        "Cardan angles",
+        Document::TRANSLATOR.ours(
+            "Description",
+            "the page of ALIGN was not given; these are the angles of three turns about 1, 2 and 3",
+        ),
+    )
+        .equation(r"\alpha = -\operatorname{atan2}(\mathbf{e}_{2a}\cdot\mathbf{e}_{3b},\ \mathbf{e}_{3a}\cdot\mathbf{e}_{3b}),\quad \beta = \arcsin(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b}),\quad \gamma = -\operatorname{atan2}(\mathbf{e}_{1a}\cdot\mathbf{e}_{2b},\ \mathbf{e}_{1a}\cdot\mathbf{e}_{1b})")
+        .eta(2.0, 4.0);
     type Inputs<T: Component> = Triads<T>;
     type Outputs<T: Component> = Angles<T>;
 
@@ -39,6 +46,7 @@ impl Formula for CardanAngles {
         }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Triads<D>) -> Jacobian<Self, D> {
         let zero = Triads::filled(D::zero());
         let slope = arc_sine_slope(&i.e1a, &i.e3b);

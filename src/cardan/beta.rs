@@ -6,7 +6,7 @@ mod proof;
 use super::{Triads, turn_gradient};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{BETA, E1A, E1B, E2B, E3B};
 use crate::scalar::{Scalar, atan2, has_length, norm, norm_and_direction};
 use nalgebra::Vector3;
@@ -36,9 +36,16 @@ impl<T: Component> From<&Triads<T>> for BetaAxes<T> {
 pub struct BetaTwoArgument;
 
 impl Formula for BetaTwoArgument {
-    const SPEC: Spec = Spec::new("cardan.beta_two_argument", "Second Cardan angle, two-argument form", Source::TRANSLATOR.section("Description"))
-.equation(r"\beta = \operatorname{atan2}\!\left(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b},\ \sqrt{(\mathbf{e}_{1a}\cdot\mathbf{e}_{1b})^2 + (\mathbf{e}_{1a}\cdot\mathbf{e}_{2b})^2}\right)")
-.eta(2.0, 4.0);
+    const SPEC: Spec = Spec::new(
+        "cardan.beta_two_argument",
+        "Second Cardan angle, two-argument form",
+        Document::TRANSLATOR.ours(
+            "Description",
+            "the page of ALIGN was not given; this form of the second angle is accurate up to 90°",
+        ),
+    )
+        .equation(r"\beta = \operatorname{atan2}\!\left(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b},\ \sqrt{(\mathbf{e}_{1a}\cdot\mathbf{e}_{1b})^2 + (\mathbf{e}_{1a}\cdot\mathbf{e}_{2b})^2}\right)")
+        .eta(2.0, 4.0);
     type Inputs<T: Component> = BetaAxes<T>;
     type Outputs<T: Component> = Beta<T>;
 
@@ -50,6 +57,7 @@ impl Formula for BetaTwoArgument {
 
     /// The cosine is e1a·m with m = n1 e1b + n2 e2b, n the direction of (e1a·e1b, e1a·e2b), and a change of n leaves it to
     /// first order. So β is the angle of e1a between the axes m and e3b, and m may be taken as fixed.
+    #[inline]
     fn jacobian<D: Scalar>(i: &BetaAxes<D>) -> Jacobian<Self, D> {
         let (cosine, [n1, n2]) = norm_and_direction([i.e1a.dot(&i.e1b), i.e1a.dot(&i.e2b)]);
         let m = i.e1b * n1 + i.e2b * n2;

@@ -1,5 +1,7 @@
 //! The triads of both nodes.
 
+use super::{check_alpha, check_gamma};
+use crate::error::Error;
 use crate::fields;
 use crate::formula::Component;
 use crate::quantity::{E1A, E1B, E2A, E2B, E3A, E3B};
@@ -30,6 +32,16 @@ impl<D: Scalar> Triads<D> {
         let on_b = moment(self.e1b, gradient.e1b) + moment(self.e2b, gradient.e2b) + moment(self.e3b, gradient.e3b);
         [on_a, on_b]
     }
+}
+
+/// Rejects gimbal lock, at which α and γ are undefined.
+///
+/// # Errors
+/// [`Error::GimbalLock`].
+#[inline]
+pub fn check_turns(i: &Triads<f64>) -> Result<(), Error> {
+    check_alpha(&i.e2a, &i.e3a, &i.e3b)?;
+    check_gamma(&i.e1a, &i.e1b, &i.e2b)
 }
 
 /// Inputs that contain both triads.

@@ -11,8 +11,8 @@ impl Proved for Yield {
         vec![
             Case::hand("stick", "1 - 0.25 × 6 = -0.5", hand),
             Case::limit("slip", "P = μ F_N: Φ = 0", Tractions { p: 1.5, ..hand }),
-            Case::limit("frictionless", "μ = 0: Φ = P", Tractions { mu: 0.0, ..hand }),
-            Case::limit("open", "F_N = 0: Φ = P", Tractions { r#fn: 0.0, ..hand }),
+            Case::hand("frictionless", "μ = 0: Φ = P", Tractions { mu: 0.0, ..hand }),
+            Case::hand("open", "F_N = 0: Φ = P", Tractions { r#fn: 0.0, ..hand }),
             Case::hard("zero", "no force at all", Tractions { p: 0.0, ..hand }),
             Case::hard(
                 "cancelled",
@@ -39,8 +39,8 @@ impl Proved for ReturnMap {
             Case::hand("stick", "1 < 0.5 × 4", hand),
             Case::hand("slip", "3 > 0.5 × 4: 2 is transmitted", Trial { f_trial: 3.0, ..hand }),
             Case::hand("slip-back", "the friction force follows the sign", Trial { f_trial: -3.0, ..hand }),
-            Case::limit("frictionless", "μ = 0 transmits nothing", Trial { mu: 0.0, ..hand }),
-            Case::limit("open", "F_N = 0 transmits nothing", Trial { r#fn: 0.0, ..hand }),
+            Case::hand("frictionless", "μ = 0 transmits nothing", Trial { mu: 0.0, ..hand }),
+            Case::hand("open", "F_N = 0 transmits nothing", Trial { r#fn: 0.0, ..hand }),
             Case::hard("unloaded", "f_trial = 0 sticks", Trial { f_trial: 0.0, ..hand }),
             Case::hard(
                 "tie",

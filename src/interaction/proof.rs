@@ -13,7 +13,7 @@ impl Proved for PressureLinear {
         vec![
             Case::hand("closed", "8 × 0.5", hand),
             Case::hand("open", "no tension", LinearContact { h: -0.5, ..hand }),
-            Case::limit("touching", "h = 0: no pressure yet", LinearContact { h: 0.0, ..hand }),
+            Case::hand("touching", "h = 0: no pressure yet", LinearContact { h: 0.0, ..hand }),
             Case::hard("just-closed", "the least overclosure", LinearContact { h: 1e-200, ..hand }),
             Case::hard("just-open", "the least clearance", LinearContact { h: -1e-200, ..hand }),
             Case::hard("huge", "1e200 × 1e100", LinearContact { h: 1e200, k: 1e100 }),
@@ -43,7 +43,7 @@ impl Proved for PressureExponential {
         vec![
             Case::hand("touching", "h = 0: s = 1 and p = p0", hand),
             Case::hand("open", "beyond the clearance c0", ExponentialContact { h: -3.0, ..hand }),
-            Case::limit("onset", "h = -c0: s = 0", ExponentialContact { h: -2.0, ..hand }),
+            Case::hand("onset", "h = -c0: s = 0", ExponentialContact { h: -2.0, ..hand }),
             Case::hand("half-way", "h = -c0/2: s = 1/2", ExponentialContact { h: -1.0, ..hand }),
             Case::hand("closed", "s = 2", ExponentialContact { h: 2.0, ..hand }),
             Case::hard(
@@ -104,15 +104,15 @@ impl Proved for Damping {
             Case::hand("ramp", "clearance 2: two thirds of it", DampingContact { h: -2.0, ..hand }),
             Case::hand("open", "clearance 5 > c0", DampingContact { h: -5.0, ..hand }),
             Case::hand("separating", "damping resists opening too", DampingContact { v: -2.0, ..hand }),
-            Case::limit("corner-full", "clearance η c0", DampingContact { h: -1.0, ..hand }),
-            Case::limit("corner-none", "clearance c0", DampingContact { h: -4.0, ..hand }),
-            Case::limit(
+            Case::hand("corner-full", "clearance η c0", DampingContact { h: -1.0, ..hand }),
+            Case::hand("corner-none", "clearance c0", DampingContact { h: -4.0, ..hand }),
+            Case::hand(
                 "no-plateau",
                 "η = 0: the ramp begins at touching",
                 DampingContact { h: -2.0, eta: 0.0, ..hand },
             ),
-            Case::limit("undamped", "μ0 = 0", DampingContact { mu0: 0.0, ..hand }),
-            Case::limit("at-rest", "v = 0", DampingContact { v: 0.0, h: -2.0, ..hand }),
+            Case::hand("undamped", "μ0 = 0", DampingContact { mu0: 0.0, ..hand }),
+            Case::hand("at-rest", "v = 0", DampingContact { v: 0.0, h: -2.0, ..hand }),
             Case::hard("touching", "η = 0 and h = 0: on the corner", DampingContact { h: 0.0, eta: 0.0, ..hand }),
             Case::hard(
                 "ulp-inside",

@@ -3,11 +3,11 @@
 use super::{Contact, State};
 use crate::Scalar;
 use crate::error::Error;
-use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// A row of the torque table.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "verify", derive(serde::Serialize, serde::Deserialize))]
 pub struct TorqueRow {
     /// The increment, counted from 1.
     pub increment: u32,
@@ -38,7 +38,8 @@ pub struct TorqueRow {
 ///      \x20        5  flank           6.250000e1\n"
 /// );
 /// ```
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "verify", derive(serde::Serialize, serde::Deserialize))]
 pub struct TorquePrint {
     frequency: u32,
     rows: Vec<TorqueRow>,

@@ -17,7 +17,7 @@ impl Proved for Constraint {
             xb: Vector3::new(4.0, 6.0, 15.0),
         };
         let mut cases = vec![
-            Case::limit(
+            Case::hand(
                 "in-place",
                 "b at its initial position (3, 4, 12)",
                 Joined::of(axes, Vector3::new(3.0, 4.0, 12.0)),

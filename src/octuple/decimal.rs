@@ -170,7 +170,7 @@ impl fmt::Debug for Octuple {
 mod tests {
     use proptest::prelude::*;
 
-    use super::super::convert::{power_of_two, scale_by_power_of_two};
+    use super::super::bits::{power_of_two, scale_by_power_of_two};
     use super::*;
 
     #[test]

@@ -7,7 +7,7 @@
 use ::f256::consts::{FRAC_3_PI_2, FRAC_PI_2, FRAC_PI_4, PI};
 use f256::f256;
 
-use super::convert::{exponent, power_of_two, scale_by_power_of_two};
+use super::bits::{exponent, power_of_two, scale_by_power_of_two};
 pub(super) use super::hyperbolic::{acosh, asinh, atanh, cosh, sinh, tanh};
 pub(super) use super::power::{powf, powi};
 

@@ -11,7 +11,7 @@ use super::elementary::{TINY, exp, exp_m1, ln, ln_1p};
 /// From here on e^-2x vanishes beside 1.
 const LARGE: u8 = 90;
 /// From here on 1/x² vanishes beside 1.
-const HUGE: f256 = super::convert::power_of_two(120);
+const HUGE: f256 = super::bits::power_of_two(120);
 
 /// sinh x = (m + m/(m+1))/2 with m = e^x − 1.
 pub(super) fn sinh(x: f256) -> f256 {

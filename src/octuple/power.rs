@@ -7,7 +7,7 @@
 
 use f256::f256;
 
-use super::convert::{power_of_two, scale_by_power_of_two};
+use super::bits::{power_of_two, scale_by_power_of_two};
 use super::elementary::{exp, mul_add, significand};
 
 /// (high + low) · 2^exponent, with 1 ≤ |high| < 2 before, and |low| at most an ulp of high: 470 bits and more.

@@ -7,7 +7,7 @@ use std::panic::{UnwindSafe, catch_unwind};
 
 use f256::f256;
 
-use super::convert::power_of_two;
+use super::bits::power_of_two;
 
 /// Asserts that `f256` still does the wrong thing.
 fn still(wrong: bool, defect: &str) {

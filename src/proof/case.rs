@@ -8,7 +8,7 @@
 pub enum Flag {
     /// Worked by hand.
     Hand,
-    /// A limit that the source prints.
+    /// A limit that the document prints: of a factor, of a motion, or of a parameter that is ignored at 0.
     Limit,
     /// Drawn by the sampler.
     Random,
@@ -52,7 +52,7 @@ impl<I> Case<I> {
     pub fn hand(id: impl Into<String>, comment: &'static str, inputs: I) -> Self {
         Self::new(Flag::Hand, id, comment, inputs)
     }
-    /// A limit that the source prints.
+    /// A limit that the document prints.
     pub fn limit(id: impl Into<String>, comment: &'static str, inputs: I) -> Self {
         Self::new(Flag::Limit, id, comment, inputs)
     }

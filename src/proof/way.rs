@@ -18,6 +18,7 @@ use std::hint::black_box;
 /// }
 /// let way = Way::new::<ContactForce>("plain", "the square root of the sum", plain, plain);
 /// ```
+#[cfg_attr(not(feature = "measure"), expect(dead_code, reason = "what a way computes is read where it is measured"))]
 pub struct Way {
     pub(crate) id: &'static str,
     pub(crate) title: &'static str,
@@ -77,6 +78,7 @@ type Results = Box<dyn Fn(&[f64]) -> Vec<f64>>;
 type MakeRunner = Box<dyn Fn(&[Vec<f64>]) -> Runner>;
 
 /// A computation, to be looked at and to be timed.
+#[cfg_attr(not(feature = "measure"), expect(dead_code, reason = "what a way computes is read where it is measured"))]
 pub(crate) struct Kernel {
     /// What it computes of components, as doubles in order.
     pub(crate) results: Results,

@@ -13,7 +13,7 @@ use crate::align::{Misalignment, Orientations};
 use crate::cardan::{Angles, Oriented, Triads, accurate, accurate_jacobian, check_turns};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{
     Domain, F_TANGENTIAL, F_TRIAL, Quantity, SLIDER_DXM, SLIDER_DXMK, SLIDER_X1, SLIDER_X1_PLANE, SLIDER_XM,
     SLIDER_XM_PLANE, SLIDER_XMK, SLIDER_XN, SLIDER_XN_PLANE, Shape, U1, Unit,
@@ -41,8 +41,11 @@ pub const TOTAL: Quantity = scalar(r"s", Unit::L, Domain::NonNegative, "accumula
 /// Accumulated slip at the start of the increment.
 pub const TOTAL_BEFORE: Quantity = scalar(r"s^-", Unit::L, Domain::NonNegative, "accumulated slip in the last state");
 
+/// Why all of these are ours.
+const WHY: &str = "the page says when it sticks, and not how one state follows from another";
+
 const fn spec(id: &'static str, title: &'static str, latex: &'static str) -> Spec {
-    Spec::new(id, title, Source::new("Scenes").section(title)).equation(latex).eta(4.0, 4.0)
+    Spec::new(id, title, Document::SLOT.ours("Friction", WHY)).equation(latex).eta(4.0, 4.0)
 }
 
 fields! {
@@ -69,6 +72,7 @@ impl Formula for Stick {
         TrialForce { f_trial: i.f_before + i.k_stick * (i.u1 - i.u1_before) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &StickLoads<D>) -> Jacobian<Self, D> {
         let (u1, k_stick) = (i.k_stick, i.u1 - i.u1_before);
         TrialForce { f_trial: StickLoads { u1, u1_before: -u1, f_before: D::one(), k_stick } }
@@ -118,6 +122,7 @@ impl Formula for TurnStick {
         TrialMoment { m_trial: i.m_before + i.k_stick * wrapped(i.ur - i.ur_before) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &TurnLoads<D>) -> Jacobian<Self, D> {
         let (ur, k_stick) = (i.k_stick, wrapped(i.ur - i.ur_before));
         TrialMoment { m_trial: TurnLoads { ur, ur_before: -ur, m_before: D::one(), k_stick } }
@@ -154,6 +159,7 @@ impl Formula for Slip {
         SlipTotals { slip, slip_total: i.slip_before + abs(slip) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &SlipLoads<D>) -> Jacobian<Self, D> {
         let f_trial = D::one() / i.k_stick;
         let k_stick = -(i.f_trial - i.csf) / (i.k_stick * i.k_stick);
@@ -187,6 +193,7 @@ impl Formula for Turns {
     fn eval<D: Scalar>(i: &Triads<D>) -> Angles<D> {
         accurate(i)
     }
+    #[inline]
     fn jacobian<D: Scalar>(i: &Triads<D>) -> Jacobian<Self, D> {
         accurate_jacobian(i)
     }
@@ -215,6 +222,7 @@ impl Formula for Alignment {
         Misalignment { ur1: wrapped(alpha - i.alpha0), ur2: beta - i.beta0, ur3: wrapped(gamma - i.gamma0) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Orientations<D>) -> Jacobian<Self, D> {
         let Angles { alpha, beta, gamma } = accurate_jacobian(&i.triads());
         Misalignment {
@@ -271,6 +279,7 @@ impl Formula for KeptAxis {
         Kept { xmk: i.xm[k], dxmk: i.dxm[k] }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &KeptNodes<D>) -> Jacobian<Self, D> {
         let k = Pivots::new(&i.x1, &i.xn).k;
         let zero = Vector3::from_element(D::zero());
@@ -311,6 +320,7 @@ impl Formula for KeptAxis2d {
         Kept { xmk: i.xm[k], dxmk: i.dxm[k] }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &KeptNodes2d<D>) -> Jacobian<Self, D> {
         let k = Pivots2d::new(&i.x1, &i.xn).k;
         let (zero, axis) = (Vector2::from_element(D::zero()), crate::formula::along(k, D::one()));

@@ -7,12 +7,15 @@ use super::basis::length_and_tangent;
 use super::check_radii;
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Source, Spec};
 use crate::quantity::{A1, A2, A3, X1, X2, X3};
 use crate::scalar::{Scalar, pi};
 use nalgebra::Vector2;
 
-const SOURCE: Source = Source::SLIDE_LINE.section("Defining slide line elements (slave surface)");
+const SOURCE: Source = Document::SLIDE_LINE.ours(
+    "Defining slide line elements (slave surface)",
+    "the section says current length times width; the shares of the nodes are ours",
+);
 
 fields! {
     /// The two nodes of an ISL21A element.
@@ -35,12 +38,14 @@ impl Formula for ContactAreaLinear {
     type Inputs<T: Component> = LinearNodes<T>;
     type Outputs<T: Component> = TwoAreas<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &LinearNodes<D>) -> TwoAreas<D> {
         let (length, _) = length_and_tangent(i.x2 - i.x1);
         let band = pi::<D>() * length;
         TwoAreas { a1: band * i.x1.x, a2: band * i.x2.x }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &LinearNodes<D>) -> Jacobian<Self, D> {
         let (length, t) = length_and_tangent(i.x2 - i.x1);
         let band = pi::<D>() * length;
@@ -77,18 +82,20 @@ fn lengths<D: Scalar>(i: &ParabolicNodes<D>) -> [(D, Vector2<D>); 3] {
 
 impl Formula for ContactAreaParabolic {
     const SPEC: Spec = Spec::new("slide_line.contact_area_parabolic", "Contact areas of ISL22A", SOURCE)
-.equation(r"A_i = 2\pi r_i\,w_i\,\lvert\mathbf{X}'(g_i)\rvert,\quad w = \tfrac13, \tfrac43, \tfrac13\ \text{at}\ g = -1, 0, 1")
-.eta(3.0, 6.0)
-.not_objective();
+        .equation(r"A_i = 2\pi r_i\,w_i\,\lvert\mathbf{X}'(g_i)\rvert,\quad w = \tfrac13, \tfrac43, \tfrac13\ \text{at}\ g = -1, 0, 1")
+        .eta(3.0, 6.0)
+        .not_objective();
     type Inputs<T: Component> = ParabolicNodes<T>;
     type Outputs<T: Component> = ThreeAreas<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &ParabolicNodes<D>) -> ThreeAreas<D> {
         let [(first, _), (middle, _), (last, _)] = lengths(i);
         let third = pi::<D>() / 3.0;
         ThreeAreas { a1: third * i.x1.x * first, a2: third * 4.0 * i.x2.x * middle, a3: third * i.x3.x * last }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &ParabolicNodes<D>) -> Jacobian<Self, D> {
         let [(first, t1), (middle, t2), (last, t3)] = lengths(i);
         let third = pi::<D>() / 3.0;

@@ -6,7 +6,7 @@ mod proof;
 use super::left;
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{CURVE_RATE, NORMAL, TANGENT};
 use crate::scalar::{Scalar, norm_and_direction};
 use nalgebra::Vector2;
@@ -25,18 +25,27 @@ fields! {
 pub struct LocalBasis;
 
 impl Formula for LocalBasis {
-    const SPEC: Spec = Spec::new("slide_line.basis", "Local basis", Source::SLIDE_LINE.section("Defining the local basis system"))
-.equation(r"\mathbf{t} = \frac{\mathbf{X}'}{\lvert\mathbf{X}'\rvert},\quad \mathbf{n} = \mathbf{s}\times\mathbf{t} = (-t_2, t_1)")
-.eta(2.0, 4.0);
+    const SPEC: Spec = Spec::new(
+        "slide_line.basis",
+        "Local basis",
+        Document::SLIDE_LINE.reconstructed(
+            "Defining the local basis system",
+            "the symbol of the tangent was lost; its words: along the sequence of the nodes",
+        ),
+    )
+        .equation(r"\mathbf{t} = \frac{\mathbf{X}'}{\lvert\mathbf{X}'\rvert},\quad \mathbf{n} = \mathbf{s}\times\mathbf{t} = (-t_2, t_1)")
+        .eta(2.0, 4.0);
     type Inputs<T: Component> = Direction<T>;
     type Outputs<T: Component> = Basis<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Direction<D>) -> Basis<D> {
         let (_, t) = length_and_tangent(i.dx);
         Basis { t, n: left(t) }
     }
 
     /// δt = n (n·δdx)/|dx| and δn = −t (n·δdx)/|dx|: a change of dx along t does nothing.
+    #[inline]
     fn jacobian<D: Scalar>(i: &Direction<D>) -> Jacobian<Self, D> {
         let (length, t) = length_and_tangent(i.dx);
         let n = left(t);

@@ -32,6 +32,7 @@ pub use smoothed_parabolic::{ClosestSmoothedParabolic, ParabolicCornerSlave};
 use super::basis::length_and_tangent;
 use super::shape::{Shape, combination, gap};
 use super::{left, length};
+use crate::binade::Binade;
 use crate::error::Error;
 use crate::scalar::{Leaf, Scalar, abs, constant, leaf};
 use arrayvec::ArrayVec;
@@ -47,18 +48,19 @@ struct View<D, S, const N: usize> {
     xs: Vector2<D>,
     nodes: [Vector2<D>; N],
     f: D,
-    unit: f64,
+    binade: Binade,
     shape: PhantomData<S>,
 }
 
 impl<D: Scalar, S: Shape<N>, const N: usize> View<D, S, N> {
     fn new(xs: Vector2<D>, nodes: [Vector2<D>; N], f: D) -> Self {
         let sides = nodes.iter().map(|x| x - nodes[N / 2]);
-        Self { xs, nodes, f, unit: unit_of(sides), shape: PhantomData }
+        let binade = Binade::of(sides.flat_map(|side| [side.x, side.y]));
+        Self { xs, nodes, f, binade, shape: PhantomData }
     }
 
     fn in_unit(&self, v: Vector2<D>) -> Vector2<D> {
-        v * D::from(self.unit.recip())
+        v * D::from(self.binade.per_unit)
     }
 
     fn combination(&self, weights: [D; N]) -> Vector2<D> {
@@ -329,7 +331,7 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
 
     /// |Y′| in the model's unit of length.
     fn speed<S: Shape<N>>(&self, view: &View<D, S, N>) -> D {
-        length(self.rate) * view.unit
+        length(self.rate) * view.binade.unit
     }
 
     /// n·(xs − X).
@@ -343,13 +345,6 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
     fn coordinate_by(&self, n: D, m: D) -> Vector2<D> {
         (self.rate * n - self.gap * m) * self.per_slope
     }
-}
-
-/// The power of two next below the largest component, so that scaling by it neither rounds nor overflows.
-fn unit_of<D: Scalar>(sides: impl Iterator<Item = Vector2<D>>) -> f64 {
-    let components = sides.flat_map(|side| [side.x.re().abs(), side.y.re().abs()]);
-    let largest = components.fold(f64::MIN_POSITIVE, f64::max);
-    f64::from_bits(largest.to_bits() & f64::INFINITY.to_bits())
 }
 
 /// Rejects a curve that [stands still](Foot::stands_still) at the foot.

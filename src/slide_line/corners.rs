@@ -9,7 +9,7 @@ pub(super) mod proof;
 use super::points::CurvePoint;
 use super::shape::{LinearCorner, ParabolicCorner, Shape, combination, gap};
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec, along};
+use crate::formula::{Component, Document, Formula, Jacobian, Source, Spec, along};
 use crate::quantity::{CORNER_T, FRACTION, X1, X2, X3, X4, X5};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
@@ -19,7 +19,8 @@ fn point<D: Scalar, const N: usize>(nodes: &[Vector2<D>; N], weights: [D; N]) ->
     -gap(Vector2::from_element(D::zero()), nodes, weights)
 }
 
-const SOURCE: Source = Source::SLIDE_LINE.section("Smoothing the slide line");
+const SOURCE: Source =
+    Document::SLIDE_LINE.ours("Smoothing the slide line", "the section on smoothing that it refers to was not given");
 
 fields! {
     /// A smoothed corner between two straight segments, and a place on it.
@@ -47,6 +48,7 @@ impl Formula for SmoothedLinearPoint {
     type Inputs<T: Component> = LinearCornerPlace<T>;
     type Outputs<T: Component> = CurvePoint<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &LinearCornerPlace<D>) -> CurvePoint<D> {
         let nodes = [i.x1, i.x2, i.x3];
         CurvePoint {
@@ -55,6 +57,7 @@ impl Formula for SmoothedLinearPoint {
         }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &LinearCornerPlace<D>) -> Jacobian<Self, D> {
         let (f, nodes) = (i.f, [i.x1, i.x2, i.x3]);
         let s = -i.t + 1.0;
@@ -92,11 +95,12 @@ pub struct SmoothedParabolicPoint;
 
 impl Formula for SmoothedParabolicPoint {
     const SPEC: Spec = Spec::new("slide_line.smoothed_parabolic_point", "Point of a smoothed corner between parabolic segments", SOURCE)
-.equation(r"\mathbf{X} = (1-t)^3\mathbf{A} + 3(1-t)^2 t\,\bigl(\mathbf{A}+\tfrac{4f}{3}\mathbf{A}'\bigr) + 3(1-t)t^2\bigl(\mathbf{B}-\tfrac{4f}{3}\mathbf{B}'\bigr) + t^3\mathbf{B}")
-.eta(4.0, 5.0);
+        .equation(r"\mathbf{X} = (1-t)^3\mathbf{A} + 3(1-t)^2 t\,\bigl(\mathbf{A}+\tfrac{4f}{3}\mathbf{A}'\bigr) + 3(1-t)t^2\bigl(\mathbf{B}-\tfrac{4f}{3}\mathbf{B}'\bigr) + t^3\mathbf{B}")
+        .eta(4.0, 5.0);
     type Inputs<T: Component> = ParabolicCornerPlace<T>;
     type Outputs<T: Component> = CurvePoint<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &ParabolicCornerPlace<D>) -> CurvePoint<D> {
         let nodes = [i.x1, i.x2, i.x3, i.x4, i.x5];
         CurvePoint {
@@ -105,6 +109,7 @@ impl Formula for SmoothedParabolicPoint {
         }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &ParabolicCornerPlace<D>) -> Jacobian<Self, D> {
         let (f, nodes) = (i.f, [i.x1, i.x2, i.x3, i.x4, i.x5]);
         let weights = ParabolicCorner::weights(f, i.t);

@@ -5,7 +5,7 @@ pub(super) mod proof;
 
 use super::shape;
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec, along};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec, along};
 use crate::quantity::{CURVE, CURVE_RATE, SEGMENT_G, X1, X2, X3};
 use crate::scalar::{Scalar, abs};
 use nalgebra::Vector2;
@@ -25,17 +25,26 @@ fields! {
 pub struct LinearPoint;
 
 impl Formula for LinearPoint {
-    const SPEC: Spec = Spec::new("slide_line.linear_point", "Point of a straight segment", Source::SLIDE_LINE.section("Defining a linear slide line"))
-.equation(r"\mathbf{X} = \tfrac12(1-g)\,\mathbf{x}_1 + \tfrac12(1+g)\,\mathbf{x}_2,\quad \mathbf{X}' = \tfrac12(\mathbf{x}_2-\mathbf{x}_1)")
-.eta(2.0, 1.0);
+    const SPEC: Spec = Spec::new(
+        "slide_line.linear_point",
+        "Point of a straight segment",
+        Document::SLIDE_LINE.ours(
+            "Defining a linear slide line",
+            "the section says linear segments; the shape functions are the usual ones",
+        ),
+    )
+        .equation(r"\mathbf{X} = \tfrac12(1-g)\,\mathbf{x}_1 + \tfrac12(1+g)\,\mathbf{x}_2,\quad \mathbf{X}' = \tfrac12(\mathbf{x}_2-\mathbf{x}_1)")
+        .eta(2.0, 1.0);
     type Inputs<T: Component> = LinearPlace<T>;
     type Outputs<T: Component> = CurvePoint<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &LinearPlace<D>) -> CurvePoint<D> {
         let [n1, n2] = shape::linear(i.g);
         CurvePoint { x: i.x1 * n1 + i.x2 * n2, dx: (i.x2 - i.x1) * D::from(0.5) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &LinearPlace<D>) -> Jacobian<Self, D> {
         let [n1, n2] = shape::linear(i.g);
         let dx = (i.x2 - i.x1) * D::from(0.5);
@@ -59,7 +68,10 @@ impl Formula for ParabolicPoint {
     const SPEC: Spec = Spec::new(
         "slide_line.parabolic_point",
         "Point of a parabolic segment",
-        Source::SLIDE_LINE.section("Defining a parabolic slide line"),
+        Document::SLIDE_LINE.ours(
+            "Defining a parabolic slide line",
+            "the section says second-order segments; the shape functions are the usual ones",
+        ),
     )
     .equation(r"\mathbf{X} = \tfrac12 g(g-1)\,\mathbf{x}_1 + (1-g^2)\,\mathbf{x}_2 + \tfrac12 g(g+1)\,\mathbf{x}_3")
     .eta(3.0, 3.0);

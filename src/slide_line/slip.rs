@@ -8,7 +8,7 @@ use super::points::Sides;
 use super::{check_distinct, left, shape};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{DSLIP, DX1, DX2, DX3, DXS, SEGMENT_G, X1, X2, X3};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
@@ -43,19 +43,22 @@ impl Formula for SlipIncrementLinear {
     const SPEC: Spec = Spec::new(
         "slide_line.slip_increment_linear",
         "Slip increment on a straight segment",
-        Source::SLIDE_LINE.section("Element output"),
+        Document::SLIDE_LINE
+            .ours("Element output", "the section says accumulated tangential displacement, and prints no equation"),
     )
     .equation(r"\Delta E_{12} = \mathbf{t}\cdot\Bigl(\Delta\mathbf{x}_s - \sum_i N_i(g)\,\Delta\mathbf{x}_i\Bigr)")
     .eta(4.0, 5.0);
     type Inputs<T: Component> = LinearMotion<T>;
     type Outputs<T: Component> = Slip<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &LinearMotion<D>) -> Slip<D> {
         let (_, t) = length_and_tangent(i.x2 - i.x1);
         Slip { dslip: t.dot(&Self::relative_motion(i)) }
     }
 
     /// The segment turns by n·(δx2 − δx1)/ℓ, which brings n·motion into the slip.
+    #[inline]
     fn jacobian<D: Scalar>(i: &LinearMotion<D>) -> Jacobian<Self, D> {
         let (length, t) = length_and_tangent(i.x2 - i.x1);
         let [n1, n2] = shape::linear(i.g);
@@ -100,19 +103,22 @@ impl Formula for SlipIncrementParabolic {
     const SPEC: Spec = Spec::new(
         "slide_line.slip_increment_parabolic",
         "Slip increment on a parabolic segment",
-        Source::SLIDE_LINE.section("Element output"),
+        Document::SLIDE_LINE
+            .ours("Element output", "the section says accumulated tangential displacement, and prints no equation"),
     )
     .equation(r"\Delta E_{12} = \mathbf{t}\cdot\Bigl(\Delta\mathbf{x}_s - \sum_i N_i(g)\,\Delta\mathbf{x}_i\Bigr)")
     .eta(4.0, 5.0);
     type Inputs<T: Component> = ParabolicMotion<T>;
     type Outputs<T: Component> = Slip<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &ParabolicMotion<D>) -> Slip<D> {
         let (_, t) = length_and_tangent(Self::sides(i).rate(i.g));
         Slip { dslip: t.dot(&Self::relative_motion(i)) }
     }
 
     /// The tangent turns by n·δX′/|X′|, with δX′ = Σ Nᵢ′ δxᵢ + X″ δg.
+    #[inline]
     fn jacobian<D: Scalar>(i: &ParabolicMotion<D>) -> Jacobian<Self, D> {
         let [n1, n2, n3] = shape::parabolic(i.g);
         let [r1, r2, r3] = shape::parabolic_rates(i.g);
@@ -144,9 +150,4 @@ impl Formula for SlipIncrementParabolic {
             Ok(())
         }
     }
-}
-
-/// A step on top of a large common displacement.
-fn carried(step: Vector2<f64>) -> Vector2<f64> {
-    step + Vector2::new(1e8, -1e8)
 }

@@ -6,16 +6,16 @@ mod proof;
 use super::basis::length_and_tangent;
 use super::{check_radii, length};
 use crate::error::Error;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Source, Spec};
 use crate::quantity::{P1, P2, P3, TORQUE, X1, X2, X3};
 use crate::scalar::{Leaf, Scalar, pi};
-use crate::{Octuple, fields, scalar};
+use crate::{fields, scalar};
 use nalgebra::Vector2;
-use num_dual::DualNum;
-use std::sync::LazyLock;
 
-const SOURCE: Source = Source::SLIDE_LINE
-    .section("Obtaining the \"maximum torque\" that can be transmitted across axisymmetric slide lines");
+const SOURCE: Source = Document::SLIDE_LINE.ours(
+    "Obtaining the “maximum torque” that can be transmitted across axisymmetric slide lines",
+    "the integral of r² p is printed; how r and p go along an element, and the integration, are ours",
+);
 
 fields! {
     /// The two nodes of an ISL21A element, and the pressures there.
@@ -34,12 +34,13 @@ pub struct TorqueLinear;
 
 impl Formula for TorqueLinear {
     const SPEC: Spec = Spec::new("slide_line.torque_linear", "Torque over ISL21A", SOURCE)
-.equation(r"T = 2\pi\ell\left[p_1\Bigl(\tfrac{r_1^2}{4}+\tfrac{r_1 r_2}{6}+\tfrac{r_2^2}{12}\Bigr) + p_2\Bigl(\tfrac{r_1^2}{12}+\tfrac{r_1 r_2}{6}+\tfrac{r_2^2}{4}\Bigr)\right]")
-.eta(3.0, 8.0)
-.not_objective();
+        .equation(r"T = 2\pi\ell\left[p_1\Bigl(\tfrac{r_1^2}{4}+\tfrac{r_1 r_2}{6}+\tfrac{r_2^2}{12}\Bigr) + p_2\Bigl(\tfrac{r_1^2}{12}+\tfrac{r_1 r_2}{6}+\tfrac{r_2^2}{4}\Bigr)\right]")
+        .eta(3.0, 8.0)
+        .not_objective();
     type Inputs<T: Component> = LinearPressures<T>;
     type Outputs<T: Component> = Torque<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &LinearPressures<D>) -> Torque<D> {
         let (length, _) = length_and_tangent(i.x2 - i.x1);
         let (r1, r2) = (i.x1.x, i.x2.x);
@@ -48,6 +49,7 @@ impl Formula for TorqueLinear {
         Torque { t: pi::<D>() / 6.0 * length * moment }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &LinearPressures<D>) -> Jacobian<Self, D> {
         let (length, t) = length_and_tangent(i.x2 - i.x1);
         let (r1, r2) = (i.x1.x, i.x2.x);
@@ -101,18 +103,17 @@ const RULE: [[f64; 5]; 3] = [
     ],
 ];
 
-/// The same by its definition.
-static EXACT_RULE: LazyLock<[[Octuple; 5]; 3]> = LazyLock::new(|| {
-    let number = Octuple::from;
+/// A row of it by its definition, by roots of the Legendre polynomial.
+fn definition<L: Leaf>(row: usize) -> [L; 5] {
+    let number = |x: f64| L::from(x);
     let root = (number(10.0) / 7.0).sqrt() * 2.0;
     let [inner, outer] = [number(5.0) - root, number(5.0) + root].map(|square| square.sqrt() / 3.0);
     let root = number(70.0).sqrt() * 13.0;
     let [heavy, light] = [number(322.0) + root, number(322.0) - root].map(|w| w / 900.0);
-    [(number(0.0), number(128.0) / 225.0), (inner, heavy), (outer, light)].map(|(g, w)| {
-        let [n1, n2, n3] = super::shape::parabolic(g);
-        [Octuple::PI * 2.0 * w, g - 0.5, n1, n2, n3]
-    })
-});
+    let (g, w) = [(number(0.0), number(128.0) / 225.0), (inner, heavy), (outer, light)][row];
+    let [n1, n2, n3] = super::shape::parabolic(g);
+    [L::pi() * 2.0 * w, g - 0.5, n1, n2, n3]
+}
 
 /// An integration point: radius, pressure and X′ there, |X′|, and 2πw r.
 struct Station<D> {
@@ -174,8 +175,7 @@ impl<D: Scalar> Station<D> {
 #[expect(clippy::inline_always, reason = "constants should be seen as such")]
 #[inline(always)]
 fn rule<D: Scalar>(row: usize) -> [D; 5] {
-    let entry = |k: usize| scalar::constant(D::Leaf::known(RULE[row][k], || EXACT_RULE[row][k]));
-    [entry(0), entry(1), entry(2), entry(3), entry(4)]
+    D::Leaf::constants(RULE[row], || definition(row)).map(scalar::constant)
 }
 
 impl Formula for TorqueParabolic {
@@ -233,9 +233,10 @@ impl Formula for TorqueParabolic {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Octuple;
 
     #[test]
     fn the_rule_is_the_nearest_to_its_definition() {
-        assert_eq!(RULE, EXACT_RULE.map(|row| row.map(Octuple::to_f64)));
+        assert_eq!(RULE, [0, 1, 2].map(|row| definition::<Octuple>(row).map(Octuple::to_f64)));
     }
 }

@@ -1,7 +1,7 @@
 //! The directions across the line as quotients: a vector of polynomials, divided by a root.
 
-use super::binade::Binade;
 use super::span::Span;
+use crate::binade::Binade;
 use crate::scalar::Scalar;
 use nalgebra::{Vector2, Vector3};
 
@@ -29,7 +29,7 @@ impl<D: Scalar> Across<D> {
     pub(super) fn new(d: &Vector3<D>) -> Self {
         let along_i = d.y == 0.0 && d.z == 0.0;
         let (along, c) = split(along_i, d);
-        let (projected, whole) = (Span::along(c), Binade::of(d.as_slice()));
+        let (projected, whole) = (Span::along(c), Binade::of(d.iter().copied()));
         let along = along * whole.per_unit;
         let ratio = projected.binade.unit * whole.per_unit;
         let square = projected.square;

@@ -3,14 +3,11 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::Ends;
 use super::across::Across;
-use super::hard::lines;
-use super::line::Line;
 use super::span::Span;
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{SLIDER_DN, SLIDER_DT1, SLIDER_DT2, SLIDER_N, SLIDER_T1, SLIDER_T2};
 use crate::scalar::Scalar;
 use nalgebra::{Vector2, Vector3};
@@ -31,13 +28,21 @@ fields! {
 pub struct Basis;
 
 impl Formula for Basis {
-    const SPEC: Spec = Spec::new("slider.basis", "Directions across the line", Source::SLIDER.section("Directions across the line"))
-.equation(r"\mathbf{t}_1 = \begin{cases} \mathbf{n}\times\mathbf{i}/\lvert\mathbf{n}\times\mathbf{i}\rvert & \mathbf{n}\times\mathbf{i}\ne\mathbf{0} \\ \mathbf{n}\times\mathbf{k}/\lvert\mathbf{n}\times\mathbf{k}\rvert & \text{otherwise}\end{cases},\quad \mathbf{t}_2 = \mathbf{n}\times\mathbf{t}_1")
-.eta(3.0, 5.0)
-.not_objective();
+    const SPEC: Spec = Spec::new(
+        "slider.basis",
+        "Directions across the line",
+        Document::SLIDER.reconstructed(
+            "",
+            "every symbol was lost; the words: a unit normal to the line, unless it vanishes, and the orthogonal normal",
+        ),
+    )
+        .equation(r"\mathbf{t}_1 = \begin{cases} \mathbf{n}\times\mathbf{i}/\lvert\mathbf{n}\times\mathbf{i}\rvert & \mathbf{n}\times\mathbf{i}\ne\mathbf{0} \\ \mathbf{n}\times\mathbf{k}/\lvert\mathbf{n}\times\mathbf{k}\rvert & \text{otherwise}\end{cases},\quad \mathbf{t}_2 = \mathbf{n}\times\mathbf{t}_1")
+        .eta(3.0, 5.0)
+        .not_objective();
     type Inputs<T: Component> = LineDirection<T>;
     type Outputs<T: Component> = Tangents<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &LineDirection<D>) -> Tangents<D> {
         let across = Across::new(&i.n);
         let ([ray_1, _], [root, _]) = (across.rays(), across.roots);
@@ -46,6 +51,7 @@ impl Formula for Basis {
         Tangents { t1: ray_1 / root, t2: across.vector(-root * binade.unit, tilted.x, tilted.y) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &LineDirection<D>) -> Jacobian<Self, D> {
         let across = Across::new(&i.n);
         let Azimuth { ca, cb, ca_n, cb_n } = Azimuth::new(&across);
@@ -89,11 +95,6 @@ fn spin<D: Scalar>(across: &Across<D>, dn: &Vector2<D>) -> D {
     c.perp(dn) / square * binade.per_unit
 }
 
-/// The directions of the hard lines, as a program would compute them.
-fn directions() -> impl Iterator<Item = (&'static str, &'static str, Vector3<f64>)> {
-    lines().into_iter().map(|line| (line.id, line.comment, Line::eval(&Ends { x1: line.x1, xn: line.xn }).n))
-}
-
 fields! {
     /// The direction of the line, and its variation.
     pub struct TurningDirection<T> { n: Vector3<T> = SLIDER_N, dn: Vector3<T> = SLIDER_DN }
@@ -112,13 +113,21 @@ fields! {
 pub struct BasisVariation;
 
 impl Formula for BasisVariation {
-    const SPEC: Spec = Spec::new("slider.basis_variation", "Variation of the directions across", Source::SLIDER.section("Variations"))
-.equation(r"\mathrm{d}\mathbf{t}_q = \frac{\partial\mathbf{t}_q}{\partial\mathbf{n}}\,\mathrm{d}\mathbf{n},\quad q = 1, 2")
-.eta(3.0, 5.0)
-.not_objective();
+    const SPEC: Spec = Spec::new(
+        "slider.basis_variation",
+        "Variation of the directions across",
+        Document::SLIDER.reconstructed(
+            "",
+            "every symbol was lost; the words: the changes of both normals in the derivatives of the constraints",
+        ),
+    )
+        .equation(r"\mathrm{d}\mathbf{t}_q = \frac{\partial\mathbf{t}_q}{\partial\mathbf{n}}\,\mathrm{d}\mathbf{n},\quad q = 1, 2")
+        .eta(3.0, 5.0)
+        .not_objective();
     type Inputs<T: Component> = TurningDirection<T>;
     type Outputs<T: Component> = TangentChanges<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &TurningDirection<D>) -> TangentChanges<D> {
         let across = Across::new(&i.n);
         let Azimuth { ca, cb, .. } = Azimuth::new(&across);
@@ -134,6 +143,7 @@ impl Formula for BasisVariation {
         }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &TurningDirection<D>) -> Jacobian<Self, D> {
         let across = Across::new(&i.n);
         let Azimuth { ca, cb, ca_n, cb_n } = Azimuth::new(&across);

@@ -7,7 +7,7 @@ use super::across::Across;
 use super::span::{Span, Station};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{
     SLIDER_DX1, SLIDER_DXM, SLIDER_DXN, SLIDER_G1, SLIDER_G2, SLIDER_R1, SLIDER_R2, SLIDER_X1, SLIDER_XM, SLIDER_XN,
 };
@@ -75,10 +75,17 @@ impl<D: Scalar> View<D> {
 }
 
 impl Formula for Constraint {
-    const SPEC: Spec = Spec::new("slider.constraint", "Constraint", Source::SLIDER.section("Constraint"))
-        .equation(r"g_q = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{t}_q,\quad q = 1, 2")
-        .eta(4.0, 24.0)
-        .not_objective();
+    const SPEC: Spec = Spec::new(
+        "slider.constraint",
+        "Constraint",
+        Document::SLIDER.reconstructed(
+            "",
+            "every symbol was lost; the words: the line from node 1 to m is perpendicular to both normals",
+        ),
+    )
+    .equation(r"g_q = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{t}_q,\quad q = 1, 2")
+    .eta(4.0, 24.0)
+    .not_objective();
     type Inputs<T: Component> = Nodes<T>;
     type Outputs<T: Component> = Distances<T>;
 
@@ -122,10 +129,17 @@ fields! {
 pub struct IncrementalConstraint;
 
 impl Formula for IncrementalConstraint {
-    const SPEC: Spec = Spec::new("slider.incremental_constraint", "Incremental constraint", Source::SLIDER.section("Incremental constraint"))
-.equation(r"r_q = \mathbf{t}_q\cdot\bigl(\mathrm{d}\mathbf{x}_m - (1-\xi)\,\mathrm{d}\mathbf{x}_1 - \xi\,\mathrm{d}\mathbf{x}_n\bigr),\quad \xi = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{n}/l,\quad q = 1, 2")
-.eta(4.0, 16.0)
-.not_objective();
+    const SPEC: Spec = Spec::new(
+        "slider.incremental_constraint",
+        "Incremental constraint",
+        Document::SLIDER.reconstructed(
+            "",
+            "every symbol was lost; the words: the derivatives of the constraints, reduced",
+        ),
+    )
+        .equation(r"r_q = \mathbf{t}_q\cdot\bigl(\mathrm{d}\mathbf{x}_m - (1-\xi)\,\mathrm{d}\mathbf{x}_1 - \xi\,\mathrm{d}\mathbf{x}_n\bigr),\quad \xi = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{n}/l,\quad q = 1, 2")
+        .eta(4.0, 16.0)
+        .not_objective();
     type Inputs<T: Component> = MovingNodes<T>;
     type Outputs<T: Component> = IncrementalResiduals<T>;
 
@@ -140,6 +154,7 @@ impl Formula for IncrementalConstraint {
 
     /// With v = dxm − (1−ξ) dx1 − ξ dxn and γ_q = t_q·(dxn − dx1), the line enters through t_q, whose variation is that in
     /// [`Constraint`] with v for xm − x1, and through ξ: ∂r_q = v·∂t_q − γ_q ∂ξ.
+    #[inline]
     fn jacobian<D: Scalar>(i: &MovingNodes<D>) -> Jacobian<Self, D> {
         let (span, across) = (Span::new(&i.x1, &i.xn), Across::new(&(i.xn - i.x1)));
         let station = Station::new(&span, &i.x1, &i.xn, &i.xm);

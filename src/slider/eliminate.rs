@@ -1,5 +1,6 @@
 //! Elimination: two coordinates of node m, and two of its increments, from the third.
 
+pub mod documented;
 #[cfg(feature = "verify")]
 mod proof;
 
@@ -8,7 +9,7 @@ use super::place::Place;
 use super::slide::Slide;
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{
     SLIDER_DX1, SLIDER_DXMI, SLIDER_DXMJ, SLIDER_DXMK, SLIDER_DXN, SLIDER_X1, SLIDER_XM, SLIDER_XMI, SLIDER_XMJ,
     SLIDER_XMK, SLIDER_XN,
@@ -31,30 +32,56 @@ fields! {
 #[derive(Clone, Copy, Debug)]
 pub struct Eliminate;
 
+impl<D: Scalar> KeptCoordinate<D> {
+    /// The axes, and where on the line m is.
+    #[inline(always)]
+    fn place(&self) -> (Pivots, Place<D, 3>) {
+        let pivots = Pivots::new(&self.x1, &self.xn);
+        (pivots, Place::new(&self.x1, &self.xn, pivots.k, self.xmk))
+    }
+}
+
+impl Pivots {
+    #[inline(always)]
+    fn coordinates<D: Scalar>(self, place: &Place<D, 3>) -> Coordinates<D> {
+        Coordinates { xmi: place.coordinate(self.i), xmj: place.coordinate(self.j) }
+    }
+}
+
 impl Formula for Eliminate {
-    const SPEC: Spec = Spec::new("slider.eliminate", "Elimination", Source::SLIDER.section("Elimination"))
-.equation(r"x_{m,i} = x_{1,i} + \frac{n_i}{n_k}(x_{m,k}-x_{1,k}),\quad x_{m,j} = x_{1,j} + \frac{n_j}{n_k}(x_{m,k}-x_{1,k})")
-.eta(2.0, 2.0)
-.not_objective();
+    const SPEC: Spec = Spec::new(
+        "slider.eliminate",
+        "Elimination",
+        Document::SLIDER.reconstructed(
+            "",
+            "every symbol was lost; the words: eliminate i and j, the axes of the largest projections of the normals",
+        ),
+    )
+        .equation(r"x_{m,i} = x_{1,i} + \frac{n_i}{n_k}(x_{m,k}-x_{1,k}),\quad x_{m,j} = x_{1,j} + \frac{n_j}{n_k}(x_{m,k}-x_{1,k})")
+        .eta(2.0, 2.0)
+        .not_objective();
     type Inputs<T: Component> = KeptCoordinate<T>;
     type Outputs<T: Component> = Coordinates<T>;
 
     #[inline(always)]
     fn eval<D: Scalar>(i: &KeptCoordinate<D>) -> Coordinates<D> {
-        let pivots = Pivots::new(&i.x1, &i.xn);
-        let place = Place::new(&i.x1, &i.xn, pivots.k, i.xmk);
-        Coordinates { xmi: place.coordinate(pivots.i), xmj: place.coordinate(pivots.j) }
+        let (pivots, place) = i.place();
+        pivots.coordinates(&place)
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &KeptCoordinate<D>) -> Jacobian<Self, D> {
-        let pivots = Pivots::new(&i.x1, &i.xn);
-        let place = Place::new(&i.x1, &i.xn, pivots.k, i.xmk);
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &KeptCoordinate<D>) -> (Coordinates<D>, Jacobian<Self, D>) {
+        let (pivots, place) = i.place();
         let row = |axis: usize| {
             let [x1, xn] = place.gradients(axis);
             KeptCoordinate { x1, xn, xmk: place.slope(axis) }
         };
-        Coordinates { xmi: row(pivots.i), xmj: row(pivots.j) }
+        (pivots.coordinates(&place), Coordinates { xmi: row(pivots.i), xmj: row(pivots.j) })
     }
 
     fn validate(i: &KeptCoordinate<f64>) -> Result<(), Error> {
@@ -82,10 +109,17 @@ fields! {
 pub struct Increment;
 
 impl Formula for Increment {
-    const SPEC: Spec = Spec::new("slider.increment", "Eliminated increments", Source::SLIDER.section("Elimination of the increments"))
-.equation(r"\mathrm{d}x_{m,i} = w_i + \frac{n_i}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathrm{d}x_{m,j} = w_j + \frac{n_j}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathbf{w} = (1-\xi)\,\mathrm{d}\mathbf{x}_1 + \xi\,\mathrm{d}\mathbf{x}_n")
-.eta(3.0, 5.0)
-.not_objective();
+    const SPEC: Spec = Spec::new(
+        "slider.increment",
+        "Eliminated increments",
+        Document::SLIDER.reconstructed(
+            "",
+            "every symbol was lost; the words: the incremental constraints, solved for the eliminated increments",
+        ),
+    )
+        .equation(r"\mathrm{d}x_{m,i} = w_i + \frac{n_i}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathrm{d}x_{m,j} = w_j + \frac{n_j}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathbf{w} = (1-\xi)\,\mathrm{d}\mathbf{x}_1 + \xi\,\mathrm{d}\mathbf{x}_n")
+        .eta(3.0, 5.0)
+        .not_objective();
     type Inputs<T: Component> = KeptIncrement<T>;
     type Outputs<T: Component> = Increments<T>;
 

@@ -5,7 +5,7 @@ mod proof;
 
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{SLIDER_DL, SLIDER_DN, SLIDER_DX1, SLIDER_DXN, SLIDER_LENGTH, SLIDER_N, SLIDER_X1, SLIDER_XN};
 use crate::scalar::{Scalar, norm_and_direction};
 use nalgebra::{Matrix3, Vector3};
@@ -24,9 +24,14 @@ fields! {
 pub struct Line;
 
 impl Formula for Line {
-    const SPEC: Spec = Spec::new("slider.line", "Line", Source::SLIDER.section("Direction of the line"))
-        .equation(r"l = \lvert\mathbf{x}_n-\mathbf{x}_1\rvert,\quad \mathbf{n} = (\mathbf{x}_n-\mathbf{x}_1)/l")
-        .eta(3.0, 5.0);
+    const SPEC: Spec = Spec::new(
+        "slider.line",
+        "Line",
+        Document::SLIDER
+            .reconstructed("", "every symbol was lost; the words: the direction of the line, and its length"),
+    )
+    .equation(r"l = \lvert\mathbf{x}_n-\mathbf{x}_1\rvert,\quad \mathbf{n} = (\mathbf{x}_n-\mathbf{x}_1)/l")
+    .eta(3.0, 5.0);
     type Inputs<T: Component> = Ends<T>;
     type Outputs<T: Component> = Direction<T>;
 
@@ -36,6 +41,7 @@ impl Formula for Line {
         Direction { n: n.into(), l }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Ends<D>) -> Jacobian<Self, D> {
         let Direction { n, l } = Self::eval(i);
         let turn = across(&n) / l;
@@ -76,9 +82,16 @@ fields! {
 pub struct DirectionVariation;
 
 impl Formula for DirectionVariation {
-    const SPEC: Spec = Spec::new("slider.direction_variation", "Variation of the direction", Source::SLIDER.section("Variations"))
-.equation(r"\mathrm{d}l = \mathbf{n}\cdot(\mathrm{d}\mathbf{x}_n-\mathrm{d}\mathbf{x}_1),\quad \mathrm{d}\mathbf{n} = \bigl((\mathrm{d}\mathbf{x}_n-\mathrm{d}\mathbf{x}_1) - \mathrm{d}l\,\mathbf{n}\bigr)/l")
-.eta(5.0, 6.0);
+    const SPEC: Spec = Spec::new(
+        "slider.direction_variation",
+        "Variation of the direction",
+        Document::SLIDER.reconstructed(
+            "",
+            "every symbol was lost; the words: the change of the direction, from its definition",
+        ),
+    )
+        .equation(r"\mathrm{d}l = \mathbf{n}\cdot(\mathrm{d}\mathbf{x}_n-\mathrm{d}\mathbf{x}_1),\quad \mathrm{d}\mathbf{n} = \bigl((\mathrm{d}\mathbf{x}_n-\mathrm{d}\mathbf{x}_1) - \mathrm{d}l\,\mathbf{n}\bigr)/l")
+        .eta(5.0, 6.0);
     type Inputs<T: Component> = MovingEnds<T>;
     type Outputs<T: Component> = DirectionChange<T>;
 
@@ -90,6 +103,7 @@ impl Formula for DirectionVariation {
     }
 
     /// ∂dn/∂dxn = (I − n nᵀ)/l and ∂dn/∂xn = −(dn nᵀ + n dnᵀ + (dl/l)(I − n nᵀ))/l, symmetric matrices both.
+    #[inline]
     fn jacobian<D: Scalar>(i: &MovingEnds<D>) -> Jacobian<Self, D> {
         let Direction { n, l } = Line::eval(&Ends { x1: i.x1, xn: i.xn });
         let DirectionChange { dn, dl } = Self::eval(i);

@@ -1,6 +1,8 @@
 //! Which coordinates of node m are eliminated, and which one is kept.
 
-use crate::scalar::{Scalar, abs};
+use crate::binade::Binade;
+use crate::eft::{Expansion, Pair};
+use crate::scalar::{Leaf, Scalar, abs, leaf};
 use nalgebra::{SVector, Vector2, Vector3};
 
 /// The axes of elimination in space, counted from 0: coordinates i and j of node m follow from coordinate k.
@@ -88,46 +90,80 @@ impl Pivots2d {
 /// decides.
 #[inline]
 fn at_least<D: Scalar, const N: usize>(x1: &SVector<D, N>, xn: &SVector<D, N>, a: usize, b: usize) -> bool {
-    let size = |axis: usize| abs(xn[axis] - x1[axis]);
-    let rest = |axis: usize| rounded_off(xn[axis], x1[axis]);
-    if size(a) == size(b) { rest(a) >= rest(b) } else { size(a) > size(b) }
-}
-
-/// What must be added to the rounded |a − b| to make it exact, itself exact (Knuth's two-sum).
-fn rounded_off<D: Scalar>(a: D, b: D) -> D {
-    let difference = a - b;
-    let b_part = a - difference;
-    let rest = (a - (difference + b_part)) + (b_part - b);
-    if difference < 0.0 { -rest } else { rest }
+    let [a, b] = [a, b].map(|axis| Pair::difference(leaf(xn[axis]), leaf(x1[axis])).abs());
+    if a.high == b.high { a.low >= b.low } else { a.high > b.high }
 }
 
 /// Whether p² + q² ≥ p |d1|, for the exact d; p = |d_far| ≥ q = |d_near|. False for p = 0, a line along axis 1.
-///
-/// The products are computed in D. Where they come so near that rounding could decide, or where they over- or
-/// underflow, 237 bits decide.
 #[inline]
 fn steep<D: Scalar>(x1: &Vector3<D>, xn: &Vector3<D>, near: usize, far: usize) -> bool {
-    let [along, p, q] = [0, far, near].map(|axis| abs(xn[axis] - x1[axis]));
-    if q == 0.0 {
-        return p > 0.0 && at_least(x1, xn, far, 0);
+    let sizes = [0, far, near].map(|axis| abs(leaf(xn[axis]) - leaf(x1[axis])));
+    if sizes[2] == 0.0 {
+        return sizes[1] > 0.0 && at_least(x1, xn, far, 0);
     }
+    steep_if_certain(sizes).unwrap_or_else(|| steep_exactly(&x1.map(leaf), &xn.map(leaf), near, far))
+}
+
+/// The same for rounded sizes |d1|, p and q, unless they come so near to a tie that rounding could decide, or overflow.
+#[inline]
+fn steep_if_certain<L: Leaf>([along, p, q]: [L; 3]) -> Option<bool> {
+    // 32 roundings; those of differences, products and sums add up to at most 9.
+    let doubt = p * (along + p) * (16.0 * L::EPSILON) + f64::MIN_POSITIVE;
     let excess = q * q - p * (along - p);
-    let doubt = p * (along + p) * DOUBT + f64::MIN_POSITIVE;
     if excess > doubt {
-        true
+        Some(true)
     } else if excess < -doubt {
-        false
+        Some(false)
     } else {
-        steep_exactly(x1, xn, near, far)
+        None
     }
 }
 
-/// 32 roundings of `f64`; those of differences, products and sums in [`steep`] add up to at most 9.
-const DOUBT: f64 = 16.0 * f64::EPSILON;
-
 #[cold]
 #[inline(never)]
-fn steep_exactly<D: Scalar>(x1: &Vector3<D>, xn: &Vector3<D>, near: usize, far: usize) -> bool {
-    let [along, p, q] = [0, far, near].map(|axis| abs(xn[axis].exact() - x1[axis].exact()));
-    q * q >= p * (along - p)
+fn steep_exactly<L: Leaf>(x1: &Vector3<L>, xn: &Vector3<L>, near: usize, far: usize) -> bool {
+    let per_unit = Binade::of(x1.iter().chain(xn).copied()).per_unit;
+    let difference = |axis: usize| Pair::difference(xn[axis] * per_unit, x1[axis] * per_unit).abs();
+    let [along, p, q] = [0, far, near].map(difference);
+    if let Some(steep) = steep_if_certain([along.high, p.high, q.high]) {
+        return steep;
+    }
+    // q² − p (|d1| − p)
+    let mut overhang = Expansion::<L, 4>::new();
+    for part in [p.low, -along.low, p.high, -along.high] {
+        overhang.add(part);
+    }
+    let mut excess = Expansion::<L, 22>::new();
+    for (a, b) in [(q.low, q.low), (q.low * 2.0, q.high), (q.high, q.high)] {
+        excess.add_product(a, b);
+    }
+    excess.add_multiple(&overhang, p.low);
+    excess.add_multiple(&overhang, p.high);
+    excess.value() >= 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Octuple;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// At ties, and where the rounding of a coordinate moved the line beside one.
+        #[test]
+        fn pivots_are_those_of_the_exact_differences(
+            x1 in prop::array::uniform3(prop_oneof![Just(0.0), -2.0..2.0_f64]),
+            (along, p, q) in prop_oneof![Just((2.0, 1.0, 1.0)), Just((5.0, 4.0, 2.0)), Just((10.0, 9.0, 3.0)), Just((1.0, 1.0, 0.0))],
+            scale in prop_oneof![Just(1.0), Just(1e-150), Just(1e150), 0.1..10.0_f64],
+            exchanged: bool,
+        ) {
+            let x1 = Vector3::from(x1) * scale;
+            let xn = x1 + if exchanged { Vector3::new(-along, p, q) } else { Vector3::new(along, q, -p) } * scale;
+            let [d1, d2, d3] = [0, 1, 2].map(|c| abs(Octuple::from(xn[c]) - x1[c]));
+            let (i, far) = if d3 >= d2 { (1, 2) } else { (2, 1) };
+            let (p, q) = if d3 >= d2 { (d3, d2) } else { (d2, d3) };
+            let expected = if p * p + q * q >= p * d1 { Pivots { i, j: 0, k: far } } else { Pivots { i, j: far, k: 0 } };
+            prop_assert_eq!(Pivots::new(&x1, &xn), expected);
+        }
+    }
 }

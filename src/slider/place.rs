@@ -45,7 +45,8 @@ impl<D: Scalar, const N: usize> Place<D, N> {
     pub(super) fn gradients(&self, axis: usize) -> [SVector<D, N>; 2] {
         let tau = self.ahead * self.per_unit / self.d[self.k];
         let (rest, share) = if self.nearer_to_n { (-tau, tau + 1.0) } else { (-tau + 1.0, tau) };
-        [rest, share].map(|factor| off_slope(axis, self.k, self.slope(axis), factor))
+        let slope = self.slope(axis);
+        [off_slope(axis, self.k, slope, rest), off_slope(axis, self.k, slope, share)]
     }
 }
 

@@ -8,7 +8,7 @@ use super::slide::Slide;
 use super::span::{Span, Station};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{
     SLIDER_DX1_PLANE, SLIDER_DXMI, SLIDER_DXMK, SLIDER_DXN_PLANE, SLIDER_G, SLIDER_X1_PLANE, SLIDER_XM_PLANE,
     SLIDER_XN_PLANE,
@@ -37,7 +37,7 @@ impl Formula for Constraint2d {
     const SPEC: Spec = Spec::new(
         "slider.constraint_2d",
         "Constraint in the plane",
-        Source::SLIDER.section("Two-dimensional case"),
+        Document::SLIDER.reconstructed("", "every symbol was lost; the words: in the plane one constraint remains"),
     )
     .equation(
         r"g = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{t},\quad \mathbf{t} = \mathbf{s}\times\mathbf{n} = (-n_2, n_1)",
@@ -85,10 +85,17 @@ fields! {
 pub struct Increment2d;
 
 impl Formula for Increment2d {
-    const SPEC: Spec = Spec::new("slider.increment_2d", "Eliminated increment in the plane", Source::SLIDER.section("Two-dimensional case"))
-.equation(r"\mathrm{d}x_{m,i} = w_i + \frac{n_i}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathbf{w} = (1-\xi)\,\mathrm{d}\mathbf{x}_1 + \xi\,\mathrm{d}\mathbf{x}_n")
-.eta(3.0, 5.0)
-.not_objective();
+    const SPEC: Spec = Spec::new(
+        "slider.increment_2d",
+        "Eliminated increment in the plane",
+        Document::SLIDER.ours(
+            "",
+            "the derivative is there, its symbols lost; to solve it for the larger component is ours",
+        ),
+    )
+        .equation(r"\mathrm{d}x_{m,i} = w_i + \frac{n_i}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathbf{w} = (1-\xi)\,\mathrm{d}\mathbf{x}_1 + \xi\,\mathrm{d}\mathbf{x}_n")
+        .eta(3.0, 5.0)
+        .not_objective();
     type Inputs<T: Component> = KeptIncrement2d<T>;
     type Outputs<T: Component> = Increment2dOutput<T>;
 

@@ -1,6 +1,6 @@
 //! The line from node 1 to node n, and where node m is along it, told from the end that is nearer to it.
 
-use super::binade::Binade;
+use crate::binade::Binade;
 use crate::scalar::{Scalar, abs};
 use nalgebra::SVector;
 
@@ -21,7 +21,7 @@ impl<D: Scalar, const N: usize> Span<D, N> {
     /// The line with this d.
     #[inline]
     pub(super) fn along(d: SVector<D, N>) -> Self {
-        let binade = Binade::of(d.as_slice());
+        let binade = Binade::of(d.iter().copied());
         let d = d * D::from(binade.per_unit);
         Self { d, square: d.dot(&d), binade }
     }

@@ -5,7 +5,7 @@ mod proof;
 
 use crate::coulomb::{Tractions, Yield};
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{F1, F2, F3, FC, FC_INT, FN, MU, P, PHI};
 use crate::scalar::{Scalar, abs, norm, norm_and_direction, sign};
 
@@ -23,9 +23,10 @@ fields! {
 pub struct ContactForce;
 
 impl Formula for ContactForce {
-    const SPEC: Spec = Spec::new("slot.contact_force", "Contact force", Source::SLOT.section("Friction"))
-        .equation(r"F_C = \sqrt{f_2^2 + f_3^2}")
-        .eta(2.0, 2.0);
+    const SPEC: Spec =
+        Spec::new("slot.contact_force", "Contact force", Document::SLOT.reconstructed("Friction", "the root was lost"))
+            .equation(r"F_C = \sqrt{f_2^2 + f_3^2}")
+            .eta(2.0, 2.0);
     type Inputs<T: Component> = CrossForces<T>;
     type Outputs<T: Component> = Contact<T>;
 
@@ -61,7 +62,7 @@ fields! {
 pub struct NormalForce;
 
 impl Formula for NormalForce {
-    const SPEC: Spec = Spec::new("slot.normal_force", "Normal force", Source::SLOT.section("Friction"))
+    const SPEC: Spec = Spec::new("slot.normal_force", "Normal force", Document::SLOT.printed("Friction"))
         .equation(r"F_N = \lvert F_C + F_C^{\mathrm{int}}\rvert")
         .eta(1.0, 0.0);
     type Inputs<T: Component> = ContactForces<T>;
@@ -95,9 +96,13 @@ fields! {
 pub struct Friction;
 
 impl Formula for Friction {
-    const SPEC: Spec = Spec::new("slot.friction", "Friction", Source::SLOT.section("Friction"))
-.equation(r"P = \lvert f_1\rvert,\quad F_N = \left\lvert\sqrt{f_2^2+f_3^2} + F_C^{\mathrm{int}}\right\rvert,\quad \Phi = P - \mu F_N")
-.eta(4.0, 4.0);
+    const SPEC: Spec = Spec::new(
+        "slot.friction",
+        "Friction",
+        Document::SLOT.reconstructed("Friction", "the root in F_C was lost"),
+    )
+        .equation(r"P = \lvert f_1\rvert,\quad F_N = \left\lvert\sqrt{f_2^2+f_3^2} + F_C^{\mathrm{int}}\right\rvert,\quad \Phi = P - \mu F_N")
+        .eta(4.0, 4.0);
     type Inputs<T: Component> = SlotLoads<T>;
     type Outputs<T: Component> = FrictionOutputs<T>;
 

@@ -4,7 +4,7 @@
 mod proof;
 
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{F_BEND, F_TORQ, FR, L_OVERLAP, M_BEND, M_TORQ, M1, M2, M3, RR};
 use crate::scalar::{Scalar, abs, norm, norm_and_direction, sign};
 use crate::slot::{self, CrossForces};
@@ -23,9 +23,13 @@ fields! {
 pub struct TorqueForce;
 
 impl Formula for TorqueForce {
-    const SPEC: Spec = Spec::new("translator.torque_force", "Contact force from torque", Source::TRANSLATOR.section("Friction"))
-.equation(r"M_{\mathrm{torq}} = \lvert m_1\rvert,\quad F_{\mathrm{torq}} = \frac{M_{\mathrm{torq}}}{R_r}\quad(0\text{ if }R_r = 0)")
-.eta(0.5, 0.5);
+    const SPEC: Spec = Spec::new(
+        "translator.torque_force",
+        "Contact force from torque",
+        Document::TRANSLATOR.reconstructed("Friction", "the quotient by R_r was lost"),
+    )
+        .equation(r"M_{\mathrm{torq}} = \lvert m_1\rvert,\quad F_{\mathrm{torq}} = \frac{M_{\mathrm{torq}}}{R_r}\quad(0\text{ if }R_r = 0)")
+        .eta(0.5, 0.5);
     type Inputs<T: Component> = Torque<T>;
     type Outputs<T: Component> = TorqueContact<T>;
 
@@ -60,10 +64,13 @@ fields! {
 pub struct RadialForce;
 
 impl Formula for RadialForce {
-    const SPEC: Spec =
-        Spec::new("translator.radial_force", "Radial contact force", Source::TRANSLATOR.section("Friction"))
-            .equation(r"F_r = \sqrt{f_2^2 + f_3^2}")
-            .eta(1.0, 3.0);
+    const SPEC: Spec = Spec::new(
+        "translator.radial_force",
+        "Radial contact force",
+        Document::TRANSLATOR.reconstructed("Friction", "the root was lost"),
+    )
+    .equation(r"F_r = \sqrt{f_2^2 + f_3^2}")
+    .eta(1.0, 3.0);
     type Inputs<T: Component> = CrossForces<T>;
     type Outputs<T: Component> = RadialContact<T>;
 
@@ -98,9 +105,13 @@ fields! {
 pub struct BendingForce;
 
 impl Formula for BendingForce {
-    const SPEC: Spec = Spec::new("translator.bending_force", "Contact force from bending", Source::TRANSLATOR.section("Friction"))
-.equation(r"M_{\mathrm{bend}} = \sqrt{m_2^2 + m_3^2},\quad F_{\mathrm{bend}} = \frac{2 M_{\mathrm{bend}}}{L}\quad(0\text{ if }L = 0)")
-.eta(1.0, 3.0);
+    const SPEC: Spec = Spec::new(
+        "translator.bending_force",
+        "Contact force from bending",
+        Document::TRANSLATOR.reconstructed("Friction", "the root and the quotient by L were lost"),
+    )
+        .equation(r"M_{\mathrm{bend}} = \sqrt{m_2^2 + m_3^2},\quad F_{\mathrm{bend}} = \frac{2 M_{\mathrm{bend}}}{L}\quad(0\text{ if }L = 0)")
+        .eta(1.0, 3.0);
     type Inputs<T: Component> = Bending<T>;
     type Outputs<T: Component> = BendingContact<T>;
 

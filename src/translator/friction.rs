@@ -6,7 +6,7 @@ mod proof;
 use super::{Bending, BendingForce, RadialForce, Torque, TorqueForce};
 use crate::coulomb::{Tractions, Yield};
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{F1, F2, F3, FC_INT, L_OVERLAP, M1, M2, M3, MU, RR};
 use crate::scalar::{Scalar, abs, sign};
 use crate::slot::{Contact, ContactForces, CrossForces, FrictionOutputs, NormalForce};
@@ -43,9 +43,13 @@ impl<D: Scalar> ContactLoads<D> {
 pub struct ContactForce;
 
 impl Formula for ContactForce {
-    const SPEC: Spec = Spec::new("translator.contact_force", "Contact force", Source::TRANSLATOR.section("Friction"))
-.equation(r"F_C = F_{\mathrm{torq}} + F_r + F_{\mathrm{bend}} = \left\lvert\frac{m_1}{R_r}\right\rvert + \sqrt{f_2^2 + f_3^2} + \sqrt{(\beta m_2)^2 + (\beta m_3)^2},\quad \beta = \frac{2}{L}")
-.eta(2.0, 3.0);
+    const SPEC: Spec = Spec::new(
+        "translator.contact_force",
+        "Contact force",
+        Document::TRANSLATOR.reconstructed("Friction", "both roots and the quotients by R_r and L were lost"),
+    )
+        .equation(r"F_C = F_{\mathrm{torq}} + F_r + F_{\mathrm{bend}} = \left\lvert\frac{m_1}{R_r}\right\rvert + \sqrt{f_2^2 + f_3^2} + \sqrt{(\beta m_2)^2 + (\beta m_3)^2},\quad \beta = \frac{2}{L}")
+        .eta(2.0, 3.0);
     type Inputs<T: Component> = ContactLoads<T>;
     type Outputs<T: Component> = Contact<T>;
 
@@ -101,9 +105,9 @@ impl<T: Component> FrictionLoads<T> {
 pub struct Friction;
 
 impl Formula for Friction {
-    const SPEC: Spec = Spec::new("translator.friction", "Friction", Source::TRANSLATOR.section("Friction"))
-.equation(r"P = \lvert f_1\rvert,\quad F_N = \left\lvert F_C + F_C^{\mathrm{int}}\right\rvert,\quad \Phi = P - \mu F_N")
-.eta(4.0, 3.0);
+    const SPEC: Spec = Spec::new("translator.friction", "Friction", Document::TRANSLATOR.printed("Friction"))
+        .equation(r"P = \lvert f_1\rvert,\quad F_N = \left\lvert F_C + F_C^{\mathrm{int}}\right\rvert,\quad \Phi = P - \mu F_N")
+        .eta(4.0, 3.0);
     type Inputs<T: Component> = FrictionLoads<T>;
     type Outputs<T: Component> = FrictionOutputs<T>;
 

@@ -7,19 +7,14 @@
 //! σ(λ) = λ²/(λ² + k),   0 for a rigid arm, 1 for a slender one
 //! ```
 //!
-//! with k = 33/5 for the twisting moment and k = 6 for axial forces. The book derives both. [`curves`] sets the
-//! neighbouring models beside them.
+//! with k = 33/5 for the twisting moment and k = 6 for axial forces. The book derives both and sets
+//! the neighbouring models beside them; [`timoshenko`] is the nearest.
 
 #[cfg(feature = "verify")]
 mod proof;
 
-#[cfg(feature = "verify")]
-mod models;
-
-pub use models::{Model, Models, curves};
-
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{ALPHA_AXIAL, ALPHA_TWIST, BETA_AXIAL, BETA_TWIST, LA, RP};
 use crate::scalar::Scalar;
 use std::hint::select_unpredictable;
@@ -107,9 +102,16 @@ impl<D: Scalar> TwistShares<D> {
 pub struct TwistFactors;
 
 impl Formula for TwistFactors {
-    const SPEC: Spec = Spec::new("ujoint.twist_factors", "Shares of the twisting moment", Source::UJOINT.section("Friction"))
-.equation(r"\alpha_{\mathrm{twist}} = \frac{1}{8+6\varphi},\quad \beta_{\mathrm{twist}} = \tfrac14 + \alpha_{\mathrm{twist}},\quad \varphi = \frac{44}{5\lambda^2},\quad \lambda = \frac{L_a}{R_p}")
-.eta(2.0, 4.0);
+    const SPEC: Spec = Spec::new(
+        "ujoint.twist_factors",
+        "Shares of the twisting moment",
+        Document::UJOINT.ours(
+            "Friction",
+            "the page prints the limits and names the beam theories; the curve between is ours",
+        ),
+    )
+        .equation(r"\alpha_{\mathrm{twist}} = \frac{1}{8+6\varphi},\quad \beta_{\mathrm{twist}} = \tfrac14 + \alpha_{\mathrm{twist}},\quad \varphi = \frac{44}{5\lambda^2},\quad \lambda = \frac{L_a}{R_p}")
+        .eta(2.0, 4.0);
     type Inputs<T: Component> = Arm<T>;
     type Outputs<T: Component> = TwistShares<T>;
 
@@ -152,9 +154,13 @@ impl<D: Scalar> AxialShares<D> {
 pub struct AxialFactors;
 
 impl Formula for AxialFactors {
-    const SPEC: Spec = Spec::new("ujoint.axial_factors", "Shares of an axial force", Source::UJOINT.section("Friction"))
-.equation(r"\alpha_{\mathrm{axial}} = \frac{\lambda^2+3}{2(\lambda^2+6)},\quad \beta_{\mathrm{axial}} = \frac{3}{2(\lambda^2+6)},\quad \lambda = \frac{L_a}{R_p}")
-.eta(2.0, 4.0);
+    const SPEC: Spec = Spec::new(
+        "ujoint.axial_factors",
+        "Shares of an axial force",
+        Document::UJOINT.ours("Friction", "the page uses both factors and defines neither"),
+    )
+        .equation(r"\alpha_{\mathrm{axial}} = \frac{\lambda^2+3}{2(\lambda^2+6)},\quad \beta_{\mathrm{axial}} = \frac{3}{2(\lambda^2+6)},\quad \lambda = \frac{L_a}{R_p}")
+        .eta(2.0, 4.0);
     type Inputs<T: Component> = Arm<T>;
     type Outputs<T: Component> = AxialShares<T>;
 
@@ -175,4 +181,17 @@ impl Formula for AxialFactors {
         let slopes = AxialShares { alpha_axial: Arm { la, rp }, beta_axial: Arm { la: -la, rp: -rp } };
         (AxialShares::new(&slenderness), slopes)
     }
+}
+
+/// α_twist of a clamped Timoshenko arm.
+#[inline]
+pub fn timoshenko<D: Scalar>(phi: D) -> D {
+    (-phi + 2.0) / ((phi + 4.0) * 4.0)
+}
+
+/// φ = 12 EI/(κ G A La²) = (7 + 6ν)/λ² for a round arm of ν = 0.3: how much the arm shears for how much it bends.
+#[inline]
+pub fn phi<D: Scalar>(arm: &Arm<D>) -> D {
+    let ratio = arm.rp / arm.la;
+    ratio * ratio * 44.0 / 5.0
 }

@@ -1,13 +1,14 @@
 //! The force at the centre of the cross in parts along its axes and across them.
 
+mod cancelling;
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 
 use super::{CrossAxes, CrossDirection};
 use crate::fields;
-use crate::formula::{Component, Fields, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Fields, Formula, Jacobian, Spec};
 use crate::quantity::{CROSS_F_BEND, E1A, E2A, E3A, E3B, F_AXIAL1, F_AXIAL3, F1, F2, F3};
-use crate::scalar::Scalar;
+use crate::scalar::{Leaf, Scalar};
 use nalgebra::Vector3;
 
 fields! {
@@ -56,50 +57,46 @@ impl<D: Scalar> CrossLoads<D> {
 }
 
 /// The rounding error of [`CrossLoads::decomposed`] is below this part of the sum of the sizes of all products.
-const ROUNDING: f64 = 8.0 * f64::EPSILON / 2.0;
+const fn rounding<L: Leaf>() -> f64 {
+    4.0 * L::EPSILON
+}
 
 impl<D: Scalar> CrossLoads<D> {
-    /// Whether rounding may have decided a sign.
+    /// Which of them rounding may have given their sign.
     #[inline]
-    fn is_doubtful(&self, rough: &CrossForces<D>) -> bool {
+    fn doubtful(&self, rough: &CrossForces<D>) -> CrossForces<bool> {
         let size = |v: &Vector3<D>| v.x.re().abs() + v.y.re().abs() + v.z.re().abs();
         let (e1a, e3b) = (size(&self.e1a), size(&self.e3b));
         let beside = size(&self.e2a) * self.f2.re().abs() + size(&self.e3a) * self.f3.re().abs();
         let force = e1a * self.f1.re().abs() + beside;
-        let is_lost = |x: D, size: f64| x.re().abs() < size * ROUNDING;
-        is_lost(rough.f_axial1, force * e1a)
-            | is_lost(rough.f_axial3, force * e3b)
-            | is_lost(rough.f_bend, beside * (e1a * e3b))
-    }
-
-    /// Replaces what rounding may have spoilt by what 237 bits give.
-    #[cold]
-    fn recomputed(self, rough: CrossForces<D>) -> CrossForces<D> {
-        let exact = |v: &Vector3<D>| v.map(Scalar::exact);
-        let [e1a, e2a, e3a, e3b] = [&self.e1a, &self.e2a, &self.e3a, &self.e3b].map(exact);
-        let [f1, f2, f3] = [self.f1, self.f2, self.f3].map(Scalar::exact);
-        let exact = CrossLoads { e1a, e2a, e3a, e3b, f1, f2, f3 }.decomposed();
+        let is_lost = |x: D, size: f64| x.re().abs() < size * rounding::<D::Leaf>();
         CrossForces {
-            f_axial1: rough.f_axial1.with_value(exact.f_axial1),
-            f_axial3: rough.f_axial3.with_value(exact.f_axial3),
-            f_bend: rough.f_bend.with_value(exact.f_bend),
+            f_axial1: is_lost(rough.f_axial1, force * e1a),
+            f_axial3: is_lost(rough.f_axial3, force * e3b),
+            f_bend: is_lost(rough.f_bend, beside * (e1a * e3b)),
         }
     }
 }
 
 impl Formula for Decomposition {
-    const SPEC: Spec = Spec::new("ujoint.decomposition", "Force in the axes of the cross", Source::UJOINT.section("Friction"))
-.equation(r"F_{\mathrm{axial1}} = \mathbf{F}\cdot\mathbf{e}_{1a},\quad F_{\mathrm{axial3}} = \mathbf{F}\cdot\mathbf{e}_{3b},\quad F_{\mathrm{bend}} = \mathbf{F}\cdot\mathbf{e}_{\mathrm{cross}},\quad \mathbf{F} = f_1\mathbf{e}_{1a} + f_2\mathbf{e}_{2a} + f_3\mathbf{e}_{3a}")
-.eta(2.0, 2.0);
+    const SPEC: Spec = Spec::new(
+        "ujoint.decomposition",
+        "Force in the axes of the cross",
+        Document::UJOINT.printed("Friction"),
+    )
+        .equation(r"F_{\mathrm{axial1}} = \mathbf{F}\cdot\mathbf{e}_{1a},\quad F_{\mathrm{axial3}} = \mathbf{F}\cdot\mathbf{e}_{3b},\quad F_{\mathrm{bend}} = \mathbf{F}\cdot\mathbf{e}_{\mathrm{cross}},\quad \mathbf{F} = f_1\mathbf{e}_{1a} + f_2\mathbf{e}_{2a} + f_3\mathbf{e}_{3a}")
+        .eta(2.0, 2.0);
     type Inputs<T: Component> = CrossLoads<T>;
     type Outputs<T: Component> = CrossForces<T>;
 
     #[inline]
     fn eval<D: Scalar>(i: &CrossLoads<D>) -> CrossForces<D> {
         let rough = i.decomposed();
-        if i.is_doubtful(&rough) { i.recomputed(rough) } else { rough }
+        let CrossForces { f_axial1, f_axial3, f_bend } = i.doubtful(&rough);
+        if f_axial1 | f_axial3 | f_bend { i.settled(rough) } else { rough }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &CrossLoads<D>) -> Jacobian<Self, D> {
         let beside = i.force_beside_e1a();
         let force = i.e1a * i.f1 + beside;

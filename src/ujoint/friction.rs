@@ -6,7 +6,7 @@ mod proof;
 use super::{AllContactMoments, ContactMomentPair, ContactMoments, JointLoads, NormalMomentPair, NormalMoments};
 use crate::coulomb::{Tractions, Yield};
 use crate::fields;
-use crate::formula::{Component, Fields, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Fields, Formula, Jacobian, Spec};
 use crate::quantity::{
     CROSS_M1, CROSS_M3, E1A, E2A, E3A, E3B, F1, F2, F3, LA, LS, MC1_INT, MC3_INT, MU, PHI1, PHI3, RA, RP, TWIST_M2,
 };
@@ -40,30 +40,48 @@ impl<T: Component> FrictionLoads<T> {
     }
 }
 
+impl<D: Scalar> FrictionLoads<D> {
+    /// The contact moments of the loads, with the internal ones.
+    #[inline]
+    fn moments(&self, ContactMomentPair { mc1, mc3 }: ContactMomentPair<D>) -> AllContactMoments<D> {
+        AllContactMoments { mc1, mc3, mc1_int: self.mc1_int, mc3_int: self.mc3_int }
+    }
+
+    /// Φ for these normal moments.
+    #[inline]
+    fn yields(&self, mn1: D, mn3: D) -> YieldPair<D> {
+        let phi = |m, normal| Yield::eval(&Tractions { p: abs(m), mu: self.mu, r#fn: normal }).phi;
+        YieldPair { phi1: phi(self.m1, mn1), phi3: phi(self.m3, mn3) }
+    }
+}
+
 /// The friction of a universal joint about both axes of its cross: Φk = |mk| − μ M_Nk.
 #[derive(Clone, Copy, Debug)]
 pub struct Friction;
 
 impl Formula for Friction {
-    const SPEC: Spec = Spec::new("ujoint.friction", "Friction", Source::UJOINT.section("Friction"))
+    const SPEC: Spec = Spec::new("ujoint.friction", "Friction", Document::UJOINT.printed("Friction"))
         .equation(r"\Phi_k = \lvert m_k\rvert - \mu M_{Nk}\quad (k = 1, 3)")
         .eta(2.0, 6.0);
     type Inputs<T: Component> = FrictionLoads<T>;
     type Outputs<T: Component> = YieldPair<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &FrictionLoads<D>) -> YieldPair<D> {
-        let ContactMomentPair { mc1, mc3 } = ContactMoments::eval(&i.joint());
-        let FrictionLoads { mc1_int, mc3_int, mu, .. } = *i;
-        let NormalMomentPair { mn1, mn3 } = NormalMoments::eval(&AllContactMoments { mc1, mc3, mc1_int, mc3_int });
-        let phi = |m, normal| Yield::eval(&Tractions { p: abs(m), mu, r#fn: normal }).phi;
-        YieldPair { phi1: phi(i.m1, mn1), phi3: phi(i.m3, mn3) }
+        let NormalMomentPair { mn1, mn3 } = NormalMoments::eval(&i.moments(ContactMoments::eval(&i.joint())));
+        i.yields(mn1, mn3)
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &FrictionLoads<D>) -> Jacobian<Self, D> {
-        let (ContactMomentPair { mc1, mc3 }, contact) = ContactMoments::linearized(&i.joint());
-        let FrictionLoads { mc1_int, mc3_int, mu, .. } = *i;
-        let all = AllContactMoments { mc1, mc3, mc1_int, mc3_int };
-        let (NormalMomentPair { mn1, mn3 }, normal) = NormalMoments::linearized(&all);
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &FrictionLoads<D>) -> (YieldPair<D>, Jacobian<Self, D>) {
+        let (moments, contact) = ContactMoments::linearized(&i.joint());
+        let (NormalMomentPair { mn1, mn3 }, normal) = NormalMoments::linearized(&i.moments(moments));
+        let mu = i.mu;
         let zero = FrictionLoads::filled(D::zero());
         // −μ times the derivative of the normal moment by all that it hangs on.
         let of_contact = |by: D, contact: JointLoads<D>| {
@@ -85,9 +103,10 @@ impl Formula for Friction {
             FrictionLoads::of(scaled, zero)
         };
         let (row1, row3) = (of_contact(normal.mn1.mc1, contact.mc1), of_contact(normal.mn3.mc3, contact.mc3));
-        YieldPair {
+        let rows = YieldPair {
             phi1: FrictionLoads { m1: D::from(sign(i.m1)), mc1_int: -mu * normal.mn1.mc1_int, mu: -mn1, ..row1 },
             phi3: FrictionLoads { m3: D::from(sign(i.m3)), mc3_int: -mu * normal.mn3.mc3_int, mu: -mn3, ..row3 },
-        }
+        };
+        (i.yields(mn1, mn3), rows)
     }
 }

@@ -5,7 +5,7 @@ mod proof;
 
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Fields, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Fields, Formula, Jacobian, Spec};
 use crate::join::{self, Joined};
 use crate::quantity::{
     ALPHA, C0, D0, E1A, E2A, E3A, E3B, G_JOIN, G_ROT, GAMMA, GAP1_MAX, GAP1_MIN, GAP3_MAX, GAP3_MIN, THETA1_MAX,
@@ -43,17 +43,23 @@ impl<T: Component> Jointed<T> {
 pub struct Constraint;
 
 impl Formula for Constraint {
-    const SPEC: Spec = Spec::new("ujoint.constraint", "Constraint", Source::UJOINT.section("Description"))
-.equation(r"g_i = \mathbf{e}_{ia}\cdot(\mathbf{x}_b-\mathbf{x}_a) - d_{0i}\ (i = 1, 2, 3),\quad g_{\mathrm{rot}} = \mathbf{e}_{1a}\cdot\mathbf{e}_{3b} - c_0")
-.eta(2.0, 1.0);
+    const SPEC: Spec = Spec::new(
+        "ujoint.constraint",
+        "Constraint",
+        Document::UJOINT.ours("Description", "the pages of JOIN and UNIVERSAL were not given"),
+    )
+        .equation(r"g_i = \mathbf{e}_{ia}\cdot(\mathbf{x}_b-\mathbf{x}_a) - d_{0i}\ (i = 1, 2, 3),\quad g_{\mathrm{rot}} = \mathbf{e}_{1a}\cdot\mathbf{e}_{3b} - c_0")
+        .eta(2.0, 1.0);
     type Inputs<T: Component> = Jointed<T>;
     type Outputs<T: Component> = JointResiduals<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Jointed<D>) -> JointResiduals<D> {
         let g = join::Constraint::eval(&i.joined()).g;
         JointResiduals { g, g_rot: universal::Constraint::eval(&i.shafts()).g }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Jointed<D>) -> Jacobian<Self, D> {
         let zero = Jointed::filled(D::zero());
         let of_join = |Joined { e1a, e2a, e3a, xa, xb, d0 }| Jointed { e1a, e2a, e3a, xa, xb, d0, ..zero };
@@ -82,12 +88,20 @@ fields! {
 pub struct Stop;
 
 impl Formula for Stop {
-    const SPEC: Spec = Spec::new("ujoint.stop", "Stops", Source::UJOINT.section("Summary"))
-.equation(r"\mathit{gap}_{1\min} = \alpha - \theta_1^{\min},\quad \mathit{gap}_{1\max} = \theta_1^{\max} - \alpha,\quad \mathit{gap}_{3\min} = \gamma - \theta_3^{\min},\quad \mathit{gap}_{3\max} = \theta_3^{\max} - \gamma")
-.eta(1.0, 0.0);
+    const SPEC: Spec = Spec::new(
+        "ujoint.stop",
+        "Stops",
+        Document::UJOINT.reconstructed(
+            "Summary",
+            "the signs ≤ were lost; the first row is printed with γ, where α is meant",
+        ),
+    )
+        .equation(r"\mathit{gap}_{1\min} = \alpha - \theta_1^{\min},\quad \mathit{gap}_{1\max} = \theta_1^{\max} - \alpha,\quad \mathit{gap}_{3\min} = \gamma - \theta_3^{\min},\quad \mathit{gap}_{3\max} = \theta_3^{\max} - \gamma")
+        .eta(1.0, 0.0);
     type Inputs<T: Component> = StopAngles<T>;
     type Outputs<T: Component> = AngleGaps<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &StopAngles<D>) -> AngleGaps<D> {
         AngleGaps {
             gap1_min: i.alpha - i.theta1_min,
@@ -97,6 +111,7 @@ impl Formula for Stop {
         }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(_: &StopAngles<D>) -> Jacobian<Self, D> {
         let (one, zero) = (D::one(), StopAngles::filled(D::zero()));
         AngleGaps {

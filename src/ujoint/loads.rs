@@ -4,7 +4,7 @@
 mod proof;
 
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec, along};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec, along};
 use crate::quantity::{E_CROSS, E1A, E3B, F1, F2, F3, UJOINT_FR};
 use crate::scalar::{Scalar, direction, norm};
 use nalgebra::Vector3;
@@ -23,16 +23,19 @@ fields! {
 pub struct Reaction;
 
 impl Formula for Reaction {
-    const SPEC: Spec = Spec::new("ujoint.reaction", "Reaction force", Source::UJOINT.section("Friction"))
-        .equation(r"F_r = \sqrt{f_1^2 + f_2^2 + f_3^2}")
-        .eta(1.5, 3.5);
+    const SPEC: Spec =
+        Spec::new("ujoint.reaction", "Reaction force", Document::UJOINT.reconstructed("Friction", "the root was lost"))
+            .equation(r"F_r = \sqrt{f_1^2 + f_2^2 + f_3^2}")
+            .eta(1.5, 3.5);
     type Inputs<T: Component> = JoinForces<T>;
     type Outputs<T: Component> = ReactionForce<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &JoinForces<D>) -> ReactionForce<D> {
         ReactionForce { fr: norm([i.f1, i.f2, i.f3]) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &JoinForces<D>) -> Jacobian<Self, D> {
         let [f1, f2, f3] = direction([i.f1, i.f2, i.f3]);
         ReactionForce { fr: JoinForces { f1, f2, f3 } }
@@ -54,7 +57,7 @@ pub struct CrossDirection;
 
 impl Formula for CrossDirection {
     const SPEC: Spec =
-        Spec::new("ujoint.cross_direction", "Direction across the cross", Source::UJOINT.section("Friction"))
+        Spec::new("ujoint.cross_direction", "Direction across the cross", Document::UJOINT.printed("Friction"))
             .equation(r"\mathbf{e}_{\mathrm{cross}} = \mathbf{e}_{1a}\times\mathbf{e}_{3b}")
             .eta(1.0, 0.0);
     type Inputs<T: Component> = CrossAxes<T>;
@@ -65,6 +68,7 @@ impl Formula for CrossDirection {
         CrossNormal { e_cross: i.e1a.cross(&i.e3b) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &CrossAxes<D>) -> Jacobian<Self, D> {
         let row = |k| {
             let unit = along(k, D::one());

@@ -6,7 +6,7 @@ mod proof;
 use crate::cardan::{Triads, alpha, alpha_gradient, check_turns, gamma, gamma_gradient};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Fields, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Fields, Formula, Jacobian, Spec};
 use crate::quantity::{
     ALPHA, ALPHA0, C0, E1A, E3B, G_UNIVERSAL, GAMMA, GAMMA0, THETA1_REF, THETA3_REF, U_R1, U_R1_MAT, U_R3, U_R3_MAT,
 };
@@ -27,16 +27,23 @@ fields! {
 pub struct Constraint;
 
 impl Formula for Constraint {
-    const SPEC: Spec = Spec::new("universal.constraint", "Constraint", Source::UJOINT.section("Description"))
-        .equation(r"g = \mathbf{e}_{1a}\cdot\mathbf{e}_{3b} - c_0")
-        .eta(2.0, 0.0);
+    const SPEC: Spec = Spec::new(
+        "universal.constraint",
+        "Constraint",
+        Document::UJOINT
+            .ours("Description", "the page of UNIVERSAL was not given; the arms of the cross keep their initial angle"),
+    )
+    .equation(r"g = \mathbf{e}_{1a}\cdot\mathbf{e}_{3b} - c_0")
+    .eta(2.0, 0.0);
     type Inputs<T: Component> = Shafts<T>;
     type Outputs<T: Component> = Skew<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Shafts<D>) -> Skew<D> {
         Skew { g: i.e1a.dot(&i.e3b) - i.c0 }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Shafts<D>) -> Jacobian<Self, D> {
         Skew { g: Shafts { e1a: i.e3b, e3b: i.e1a, c0: -D::one() } }
     }
@@ -52,16 +59,25 @@ fields! {
 pub struct Angles;
 
 impl Formula for Angles {
-    const SPEC: Spec = Spec::new("universal.angles", "Angles", Source::UJOINT.section("Summary"))
-.equation(r"\alpha = -\operatorname{atan2}(\mathbf{e}_{2a}\cdot\mathbf{e}_{3b},\ \mathbf{e}_{3a}\cdot\mathbf{e}_{3b}),\quad \gamma = -\operatorname{atan2}(\mathbf{e}_{1a}\cdot\mathbf{e}_{2b},\ \mathbf{e}_{1a}\cdot\mathbf{e}_{1b})")
-.eta(2.0, 8.0);
+    const SPEC: Spec = Spec::new(
+        "universal.angles",
+        "Angles",
+        Document::UJOINT.ours(
+            "Summary",
+            "the page of UNIVERSAL was not given; these are the first and the third Cardan angle",
+        ),
+    )
+        .equation(r"\alpha = -\operatorname{atan2}(\mathbf{e}_{2a}\cdot\mathbf{e}_{3b},\ \mathbf{e}_{3a}\cdot\mathbf{e}_{3b}),\quad \gamma = -\operatorname{atan2}(\mathbf{e}_{1a}\cdot\mathbf{e}_{2b},\ \mathbf{e}_{1a}\cdot\mathbf{e}_{1b})")
+        .eta(2.0, 8.0);
     type Inputs<T: Component> = Triads<T>;
     type Outputs<T: Component> = Turns<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Triads<D>) -> Turns<D> {
         Turns { alpha: alpha(&i.e2a, &i.e3a, &i.e3b), gamma: gamma(&i.e1a, &i.e1b, &i.e2b) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Triads<D>) -> Jacobian<Self, D> {
         let zero = Triads::filled(D::zero());
         let [e2a, e3a, e3b] = alpha_gradient(&i.e2a, &i.e3a, &i.e3b);
@@ -92,12 +108,20 @@ fields! {
 pub struct RelativeMotion;
 
 impl Formula for RelativeMotion {
-    const SPEC: Spec = Spec::new("universal.relative_motion", "Relative motion", Source::UJOINT.section("Summary"))
-.equation(r"u_{r1} = \alpha-\alpha_0,\quad u_{r3} = \gamma-\gamma_0,\quad u_{r1}^{\mathrm{mat}} = \alpha-\theta_1^{\mathrm{ref}},\quad u_{r3}^{\mathrm{mat}} = \gamma-\theta_3^{\mathrm{ref}}")
-.eta(1.0, 0.0);
+    const SPEC: Spec = Spec::new(
+        "universal.relative_motion",
+        "Relative motion",
+        Document::UJOINT.ours(
+            "Summary",
+            "the page names the components and the reference angles, and prints no equation",
+        ),
+    )
+        .equation(r"u_{r1} = \alpha-\alpha_0,\quad u_{r3} = \gamma-\gamma_0,\quad u_{r1}^{\mathrm{mat}} = \alpha-\theta_1^{\mathrm{ref}},\quad u_{r3}^{\mathrm{mat}} = \gamma-\theta_3^{\mathrm{ref}}")
+        .eta(1.0, 0.0);
     type Inputs<T: Component> = TurnsSince<T>;
     type Outputs<T: Component> = Rotations<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &TurnsSince<D>) -> Rotations<D> {
         Rotations {
             ur1: i.alpha - i.alpha0,
@@ -107,6 +131,7 @@ impl Formula for RelativeMotion {
         }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(_: &TurnsSince<D>) -> Jacobian<Self, D> {
         let (one, zero) = (D::one(), TurnsSince::filled(D::zero()));
         Rotations {

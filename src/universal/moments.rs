@@ -6,7 +6,7 @@ mod proof;
 use crate::cardan::{alpha_gradient, check_alpha};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec, along};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec, along};
 use crate::quantity::{CROSS_M1, CROSS_M3, E1A, E2A, E3A, E3B, MOMENT, TWIST_M2};
 use crate::scalar::{Scalar, norm_and_direction};
 use nalgebra::Vector3;
@@ -35,18 +35,24 @@ fn turn<D: Scalar>(i: &Twisted<D>) -> (D, [D; 2]) {
 }
 
 impl Formula for ConstraintMoment {
-    const SPEC: Spec =
-        Spec::new("universal.constraint_moment", "Constraint moment", Source::UJOINT.section("Friction"))
-            .equation(r"\mathbf{m} = m_2\,(\cos\alpha\,\mathbf{e}_{2a} + \sin\alpha\,\mathbf{e}_{3a})")
-            .eta(6.0, 8.0);
+    const SPEC: Spec = Spec::new(
+        "universal.constraint_moment",
+        "Constraint moment",
+        Document::UJOINT
+            .ours("Friction", "the page prints the axis e1a × e3b; the sign follows the second Cardan angle"),
+    )
+    .equation(r"\mathbf{m} = m_2\,(\cos\alpha\,\mathbf{e}_{2a} + \sin\alpha\,\mathbf{e}_{3a})")
+    .eta(6.0, 8.0);
     type Inputs<T: Component> = Twisted<T>;
     type Outputs<T: Component> = Moment<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Twisted<D>) -> Moment<D> {
         let (_, [cosine, sine]) = turn(i);
         Moment { m: (i.e2a * cosine + i.e3a * sine) * i.m2 }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Twisted<D>) -> Jacobian<Self, D> {
         let (length, [cosine, sine]) = turn(i);
         let line_of_nodes = i.e2a * cosine + i.e3a * sine;
@@ -83,16 +89,22 @@ fields! {
 pub struct KineticMoment;
 
 impl Formula for KineticMoment {
-    const SPEC: Spec = Spec::new("universal.kinetic_moment", "Kinetic moment", Source::UJOINT.section("Summary"))
-        .equation(r"\mathbf{m} = m_1\,\mathbf{e}_{1a} + m_3\,\mathbf{e}_{3b}")
-        .eta(1.5, 0.0);
+    const SPEC: Spec = Spec::new(
+        "universal.kinetic_moment",
+        "Kinetic moment",
+        Document::UJOINT.ours("Summary", "the page names m1, m3 and the arms e1a, e3b, and prints no vector"),
+    )
+    .equation(r"\mathbf{m} = m_1\,\mathbf{e}_{1a} + m_3\,\mathbf{e}_{3b}")
+    .eta(1.5, 0.0);
     type Inputs<T: Component> = Driven<T>;
     type Outputs<T: Component> = Moment<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &Driven<D>) -> Moment<D> {
         Moment { m: i.e1a * i.m1 + i.e3b * i.m3 }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &Driven<D>) -> Jacobian<Self, D> {
         let row = |k: usize| Driven { e1a: along(k, i.m1), e3b: along(k, i.m3), m1: i.e1a[k], m3: i.e3b[k] };
         Moment { m: Vector3::new(row(0), row(1), row(2)) }

@@ -43,6 +43,8 @@ const STEPS: [f64; 4] = [1e-18, 1e-22, 1e-26, 1e-30];
 pub struct Audit {
     /// The formula's identifier.
     pub formula: String,
+    /// Document and section, and how much of the equation is printed there.
+    pub provenance: String,
     /// Named points: the cases, and points on and beside kinks.
     pub named_points: usize,
     /// Random points.
@@ -158,6 +160,7 @@ fn audit_points(subject: &Subject, named: &[Point], random: &[Point], seed: u64)
     let general = if random.is_empty() { named } else { random };
     let mut audit = Audit {
         formula: subject.spec.id.into(),
+        provenance: format!("{}; {}", subject.spec.source, subject.spec.source.provenance),
         named_points: named.len(),
         random_points: random.len(),
         seed,

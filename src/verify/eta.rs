@@ -24,6 +24,7 @@ impl Sensitivity {
     }
 
     /// The sum itself.
+    #[cfg(feature = "measure")]
     pub(crate) fn size(self) -> Octuple {
         self.0
     }

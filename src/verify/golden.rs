@@ -122,7 +122,7 @@ fn of(subject: &Subject) -> File {
         schema: "schema.json".into(),
         formula: spec.id.into(),
         title: spec.title.into(),
-        source: format!("{}, {}", spec.source.title, spec.source.section),
+        source: spec.source.to_string(),
         latex: spec.latex.into(),
         inputs: describe(subject.inputs),
         outputs: describe(subject.outputs),

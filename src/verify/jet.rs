@@ -1,8 +1,7 @@
 //! Jacobians by forward automatic differentiation.
 
-use super::subject::{jacobian, value};
 use crate::Scalar;
-use crate::formula::{Fields, Formula, Jacobian, typed};
+use crate::formula::{Fields, Formula, Jacobian, entries, typed};
 use nalgebra::{Const, U1};
 use num_dual::DualSVec;
 
@@ -43,4 +42,14 @@ fn seed<T: Scalar>(x: T, direction: Option<usize>) -> Sweep<T> {
         Some(direction) if direction < WIDTH => Sweep::from_re(x).derivative(direction),
         _ => Sweep::from_re(x),
     }
+}
+
+/// The components of the value.
+pub(super) fn value<F: Formula, T: Scalar>(i: &[T]) -> Vec<T> {
+    F::eval(&typed(i)).components()
+}
+
+/// The entries of the Jacobian at these components.
+pub(super) fn jacobian<F: Formula, T: Scalar>(i: &[T]) -> Vec<T> {
+    entries(&F::jacobian(&typed(i)))
 }

@@ -5,7 +5,7 @@
 //! machinery:
 //!
 //! ```
-//! use jointproof::formula::{Component, Formula, Jacobian, Source, Spec};
+//! use jointproof::formula::{Component, Document, Formula, Jacobian, Spec};
 //! use jointproof::proof::{Case, Proved};
 //! use jointproof::quantity::{Domain, Quantity, Unit};
 //! use jointproof::{Scalar, fields, verify};
@@ -20,7 +20,7 @@
 //! #[derive(Clone, Copy)]
 //! struct SpringEnergy;
 //! impl Formula for SpringEnergy {
-//!     const SPEC: Spec = Spec::new("spring.energy", "Energy of a spring", Source::new("My notes"))
+//!     const SPEC: Spec = Spec::new("spring.energy", "Energy of a spring", Document::new("My notes").printed(""))
 //!         .equation(r"W = \tfrac12 k x^2")
 //!         .eta(2.0, 2.0);
 //!     type Inputs<T: Component> = Spring<T>;
@@ -51,9 +51,11 @@ mod jet;
 mod sample;
 mod subject;
 
+#[cfg(feature = "measure")]
 pub(crate) use audit::beside_kinks;
 pub use audit::{Audit, Claim, Deviation, Options, audit, audit_at};
 pub use difference::central_differences;
+#[cfg(feature = "measure")]
 pub(crate) use eta::U;
 pub use eta::{Sensitivity, eta, relative};
 pub use jet::{derivative_of_jacobian, jacobian_by_ad};

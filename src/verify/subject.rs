@@ -3,10 +3,9 @@
 //! Everything else in the toolkit is written over slices and compiled once. Only what stands here is compiled once a
 //! formula.
 
-use super::jet::{Sweep, differentiate};
+use super::jet::{Sweep, differentiate, jacobian, value};
 use crate::formula::{self, Field, Fields, Formula, Spec, entries, typed};
 use crate::proof::{self, Case, Convention, Equation, Proved};
-use crate::scalar::Scalar;
 use crate::{Error, Octuple};
 
 /// A formula without its types.
@@ -114,16 +113,6 @@ impl Law {
     fn of<F: Formula>(law: proof::Law<F>) -> Self {
         Self { statement: law.statement, sides: Box::new(move |i| (law.sides)(&typed(i))) }
     }
-}
-
-/// The components of the value.
-pub(super) fn value<F: Formula, T: Scalar>(i: &[T]) -> Vec<T> {
-    F::eval(&typed(i)).components()
-}
-
-/// The entries of the Jacobian at these components.
-pub(super) fn jacobian<F: Formula, T: Scalar>(i: &[T]) -> Vec<T> {
-    entries(&F::jacobian(&typed(i)))
 }
 
 fn flat<F: Formula>(case: Case<F::Inputs<f64>>) -> Case<Vec<f64>> {

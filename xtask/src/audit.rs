@@ -1,9 +1,11 @@
-//! `cargo xtask audit`: closed form against automatic differentiation against differences, and the laws.
+//! `audit`: closed form against automatic differentiation against differences, and the laws.
 
 use crate::console::{bold, count, green, print, progress, red};
 use crate::evidence::Evidence;
+use crate::golden;
+use crate::outcome::{Outcome, Usage, verdict};
+use crate::project::Project;
 use crate::selection::Selection;
-use crate::{Outcome, Usage, golden};
 use indicatif::ParallelProgressIterator;
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
@@ -11,7 +13,6 @@ use jointproof::verify::golden::components;
 use jointproof::verify::{Audit, Claim, Deviation, Options};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::fmt::Write;
-use std::process::ExitCode;
 
 /// Check every claim about the formulas: derivatives, accuracy, laws
 ///
@@ -20,10 +21,10 @@ use std::process::ExitCode;
 /// point is printed with its inputs, which can be given back with --point.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
-  cargo xtask audit                                       every formula at 1000 random points each
-  cargo xtask audit --filter 'slot.*' --format markdown   to paste into a code review
-  cargo xtask audit --samples 100000 --seed 7             a longer look elsewhere
-  cargo xtask audit --filter slot.contact_force --point '{\"f2\": 3e-200, \"f3\": 4e-200}'")]
+  {command} audit                                every formula at 1000 random points each
+  {command} audit --samples 100000 --seed 7      a longer look elsewhere
+  {command} audit --filter '{family}.*' --format markdown  to paste into a code review
+  {command} audit --filter {formula} --point '{point}'")]
 pub(crate) struct Arguments {
     #[command(flatten)]
     selection: Selection,
@@ -51,20 +52,20 @@ enum Format {
     Json,
 }
 
-pub(crate) fn run(arguments: &Arguments) -> Outcome {
-    let formulas = arguments.selection.formulas()?;
+pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
+    let formulas = arguments.selection.formulas(project)?;
     let audits = match &arguments.point {
         Some(point) => vec![at_point(&formulas, point)?],
-        None => audit(&formulas, &Options { samples: arguments.samples, seed: arguments.seed })?,
+        None => audit(project, &formulas, &Options { samples: arguments.samples, seed: arguments.seed })?,
     };
     // At a single point on a kink there is nothing to check some claims with.
     let passed = if arguments.point.is_some() { Audit::no_claim_failed } else { Audit::passed };
     print(&match arguments.format {
         Format::Text => text(&audits, passed)?,
-        Format::Markdown => markdown(&formulas, &audits, passed)?,
+        Format::Markdown => markdown(project, &formulas, &audits, passed)?,
         Format::Json => serde_json::to_string_pretty(&audits)?,
     })?;
-    Ok(if audits.iter().all(passed) { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    Ok(verdict(audits.iter().all(passed)))
 }
 
 fn at_point(formulas: &[&dyn AnyFormula], point: &str) -> anyhow::Result<Audit> {
@@ -82,22 +83,26 @@ fn names(fields: &[Field]) -> String {
 }
 
 /// Audits formulas on all cores, and keeps what was found as evidence.
-pub(crate) fn audit(formulas: &[&dyn AnyFormula], options: &Options) -> anyhow::Result<Vec<Audit>> {
+pub(crate) fn audit(project: &Project, formulas: &[&dyn AnyFormula], options: &Options) -> anyhow::Result<Vec<Audit>> {
     let bar = progress("audit", formulas.len());
     let audits: Vec<_> = formulas.par_iter().progress_with(bar).map(|formula| formula.audit(options)).collect();
-    let mut evidence = Evidence::load();
+    let mut evidence = Evidence::load(project);
     evidence.audits.extend(audits.iter().map(|audit| (audit.formula.clone(), audit.clone())));
-    evidence.save()?;
+    evidence.save(project)?;
     Ok(audits)
 }
 
 /// What failed, in full, then a line a formula.
-pub(crate) fn text(audits: &[Audit], passed: fn(&Audit) -> bool) -> anyhow::Result<String> {
+///
+/// # Errors
+/// None in practice; those of formatting are passed on.
+pub fn text(audits: &[Audit], passed: fn(&Audit) -> bool) -> anyhow::Result<String> {
     let mut text = String::new();
     for audit in audits {
-        let verdict = if passed(audit) { green("ok ") } else { red("off") };
+        let mark = if passed(audit) { green("ok ") } else { red("off") };
         let points = audit.named_points + audit.random_points;
-        writeln!(text, "{verdict} {} at {}", bold(&audit.formula), count(points, "point"))?;
+        writeln!(text, "{mark} {} at {}", bold(&audit.formula), count(points, "point"))?;
+        writeln!(text, "    {}", audit.provenance)?;
         writeln!(text, "    {:>9} {:>8} {:>7}", "checked", "worst", "bound")?;
         for claim in audit.claims() {
             writeln!(text, "    {}", line(claim))?;
@@ -148,7 +153,12 @@ fn in_full(claim: &Claim, worst: &Deviation) -> String {
     )
 }
 
-fn markdown(formulas: &[&dyn AnyFormula], audits: &[Audit], passed: fn(&Audit) -> bool) -> anyhow::Result<String> {
+fn markdown(
+    project: &Project,
+    formulas: &[&dyn AnyFormula],
+    audits: &[Audit],
+    passed: fn(&Audit) -> bool,
+) -> anyhow::Result<String> {
     let failed: Vec<_> = audits.iter().filter(|audit| !passed(audit)).map(|audit| audit.formula.as_str()).collect();
     let mut text = String::from("## Audit of derivatives\n\n");
     match failed.as_slice() {
@@ -157,6 +167,7 @@ fn markdown(formulas: &[&dyn AnyFormula], audits: &[Audit], passed: fn(&Audit) -
     }
     for audit in audits {
         writeln!(text, "### {} `{}`\n", if passed(audit) { "✅" } else { "❌" }, audit.formula)?;
+        writeln!(text, "{}.\n", audit.provenance)?;
         writeln!(text, "{} named and {} random points.\n", audit.named_points, audit.random_points)?;
         writeln!(text, "| claim | checked | failed | worst | bound | at |\n|---|--:|--:|--:|--:|---|")?;
         for claim in audit.claims() {
@@ -175,7 +186,7 @@ fn markdown(formulas: &[&dyn AnyFormula], audits: &[Audit], passed: fn(&Audit) -
             writeln!(text, "```json\n{}\n```\n", worst.inputs)?;
         }
         let formula = formulas.iter().find(|formula| formula.spec().id == audit.formula);
-        text += &formula.map_or(String::new(), |formula| against_golden(*formula));
+        text += &formula.map_or(String::new(), |formula| against_golden(project, *formula));
     }
     Ok(text)
 }
@@ -184,8 +195,8 @@ fn markdown(formulas: &[&dyn AnyFormula], audits: &[Audit], passed: fn(&Audit) -
 const LISTED: usize = 5;
 
 /// What has changed against the committed golden file.
-fn against_golden(formula: &dyn AnyFormula) -> String {
-    match golden::changes(formula).as_deref() {
+fn against_golden(project: &Project, formula: &dyn AnyFormula) -> String {
+    match golden::changes(project, formula).as_deref() {
         Err(reason) => format!("There is no committed golden file to compare with: {reason}\n\n"),
         Ok([]) => "Against the committed golden file: no change.\n\n".into(),
         Ok(changes) => {

@@ -9,27 +9,30 @@ const BOLD: &str = "\x1b[1m";
 const PLAIN: &str = "\x1b[0m";
 
 /// Red text; the stream drops the colour where it is not a terminal, or `NO_COLOR` is set.
-pub(crate) fn red(text: impl std::fmt::Display) -> String {
+pub fn red(text: impl std::fmt::Display) -> String {
     format!("{RED}{text}{PLAIN}")
 }
 
 /// Green text.
-pub(crate) fn green(text: impl std::fmt::Display) -> String {
+pub fn green(text: impl std::fmt::Display) -> String {
     format!("{GREEN}{text}{PLAIN}")
 }
 
 /// Bold text.
-pub(crate) fn bold(text: impl std::fmt::Display) -> String {
+pub fn bold(text: impl std::fmt::Display) -> String {
     format!("{BOLD}{text}{PLAIN}")
 }
 
 /// `1 case`, `2 cases`.
-pub(crate) fn count(number: usize, noun: &str) -> String {
+pub fn count(number: usize, noun: &str) -> String {
     format!("{number} {noun}{}", if number == 1 { "" } else { "s" })
 }
 
 /// Writes a result. A reader that has seen enough, as `head`, changes nothing about the verdict, so it is no error.
-pub(crate) fn print(text: &str) -> anyhow::Result<()> {
+///
+/// # Errors
+/// What the stream says otherwise.
+pub fn print(text: &str) -> anyhow::Result<()> {
     let mut out = anstream::stdout().lock();
     let end = if text.ends_with('\n') { "" } else { "\n" };
     match write!(out, "{text}{end}").and_then(|()| out.flush()) {
@@ -39,17 +42,17 @@ pub(crate) fn print(text: &str) -> anyhow::Result<()> {
 }
 
 /// Says something that is not a result. A standard error that is closed is not worth failing for.
-pub(crate) fn say(text: &str) {
+pub fn say(text: &str) {
     let _ = writeln!(anstream::stderr(), "{text}");
 }
 
 /// Says what went wrong.
-pub(crate) fn error(text: &str) {
+pub fn error(text: &str) {
     say(&format!("{} {text}", red("error:")));
 }
 
 /// A progress bar, drawn only on a terminal.
-pub(crate) fn progress(what: &'static str, steps: usize) -> ProgressBar {
+pub fn progress(what: &'static str, steps: usize) -> ProgressBar {
     let style = ProgressStyle::with_template("{prefix:>8} [{wide_bar}] {pos}/{len} {eta} {msg}");
     let bar = ProgressBar::new(steps as u64).with_prefix(what);
     match style {

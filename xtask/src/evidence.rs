@@ -4,6 +4,7 @@
 //! one of another version is as good as none.
 
 use crate::files;
+use crate::project::Project;
 use jointproof::verify::Audit;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -31,28 +32,28 @@ pub(crate) struct GoldenCheck {
 
 impl Evidence {
     /// The evidence on this version of the code; empty if there is none.
-    pub(crate) fn load() -> Self {
-        let fingerprint = fingerprint();
-        let text = std::fs::read_to_string(path()).unwrap_or_default();
+    pub(crate) fn load(project: &Project) -> Self {
+        let fingerprint = fingerprint(project);
+        let text = std::fs::read_to_string(path(project)).unwrap_or_default();
         let stored: Option<Self> = serde_json::from_str(&text).ok();
         stored.filter(|stored| stored.fingerprint == fingerprint).unwrap_or(Self { fingerprint, ..Self::default() })
     }
 
     /// Keeps it.
-    pub(crate) fn save(&self) -> anyhow::Result<()> {
-        files::write(&path(), &serde_json::to_string_pretty(self)?).map(drop)
+    pub(crate) fn save(&self, project: &Project) -> anyhow::Result<()> {
+        files::write(&path(project), &serde_json::to_string_pretty(self)?).map(drop)
     }
 }
 
-fn path() -> std::path::PathBuf {
-    files::target().join("evidence.json")
+fn path(project: &Project) -> std::path::PathBuf {
+    project.kept("evidence.json")
 }
 
 /// A hash of all sources and golden files.
-pub(crate) fn fingerprint() -> u64 {
+pub(crate) fn fingerprint(project: &Project) -> u64 {
     let mut hasher = DefaultHasher::new();
     for directory in ["src", "golden"] {
-        add(&files::root().join(directory), &mut hasher);
+        add(&project.root().join(directory), &mut hasher);
     }
     hasher.finish()
 }

@@ -1,26 +1,28 @@
-//! `cargo xtask golden`: the golden files, written or checked.
+//! `golden`: the golden files, written or checked.
 
 use crate::console::{bold, count, green, print, progress, red, say};
 use crate::evidence::{Evidence, GoldenCheck};
+use crate::extension::Beside;
+use crate::files;
+use crate::outcome::{Outcome, verdict};
+use crate::project::Project;
 use crate::selection::Selection;
-use crate::{Outcome, files, scene};
 use anyhow::Context;
 use indicatif::ParallelProgressIterator;
-use jointproof::catalog::{AnyFormula, find};
+use jointproof::catalog::AnyFormula;
 use jointproof::verify::golden::{Difference, File};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::fmt::Write;
-use std::path::PathBuf;
-use std::process::ExitCode;
+use std::path::{Path, PathBuf};
 
 /// Write the golden files, or check that they are what the code says
 ///
 /// Values and Jacobians are computed in 237 bits and rounded once, so the files have the same bytes on every machine.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
-  cargo xtask golden                     write what has changed, remove what has no formula
-  cargo xtask golden --check             regenerate in memory and compare, write nothing
-  cargo xtask golden --filter 'slot.*'   only the SLOT formulas")]
+  {command} golden                       write what has changed, remove what has no formula
+  {command} golden --check               regenerate in memory and compare, write nothing
+  {command} golden --filter '{family}.*' only the formulas of a family")]
 pub(crate) struct Arguments {
     /// Compare with the committed files and write nothing; exit 1 on any difference
     #[arg(long)]
@@ -29,38 +31,29 @@ pub(crate) struct Arguments {
     selection: Selection,
 }
 
-/// What to do about a difference.
-pub(crate) const MEND: &str = "to make the files what the code says: cargo xtask golden";
+/// Says what to do about a difference.
+pub(crate) fn say_what_mends(project: &Project) {
+    say(&format!("to make the files what the code says: {} golden", project.command()));
+}
+
 /// Differences shown per file before the rest is only counted.
 const SHOWN: usize = 10;
 
-pub(crate) fn run(arguments: &Arguments) -> Outcome {
-    if arguments.check {
-        let checked = check(&arguments.selection)?;
-        print(&checked.report)?;
-        let mut passed = checked.passed;
-        if arguments.selection.is_all() {
-            let scenes = scene_report(&scene::check()?);
-            print(&scenes.1)?;
-            passed &= scenes.0;
-        }
-        if !passed {
-            say(MEND);
-        }
-        Ok(if passed { ExitCode::SUCCESS } else { ExitCode::FAILURE })
-    } else {
-        print(&write(&arguments.selection)?)?;
-        Ok(ExitCode::SUCCESS)
+pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
+    if !arguments.check {
+        print(&write(project, &arguments.selection)?)?;
+        return Ok(verdict(true));
     }
-}
-
-/// The verdict on the scenes, and the files that are off.
-pub(crate) fn scene_report(checked: &scene::Checked) -> (bool, String) {
-    let summary = format!("{}, {}", count(checked.scenes, "scene"), count(checked.numbers, "number"));
-    let differs = |path: &PathBuf| format!("{} differs\n", bold(files::shown(path)));
-    let lines = checked.off.iter().map(differs).collect::<Vec<_>>().concat();
-    let verdict = if checked.off.is_empty() { green("ok") } else { red("off") };
-    (checked.off.is_empty(), format!("{lines}{verdict} {summary}\n"))
+    let mut checks = vec![check(project, &arguments.selection)?];
+    if let Some((_, beside)) = project.extension.beside.filter(|_| arguments.selection.is_all()) {
+        checks.push(check_beside(project, &beside(project)?));
+    }
+    checks.iter().try_for_each(|checked| print(&checked.report))?;
+    let passed = checks.iter().all(|checked| checked.passed);
+    if !passed {
+        say_what_mends(project);
+    }
+    Ok(verdict(passed))
 }
 
 /// A golden file as the code says it is.
@@ -70,33 +63,30 @@ struct Regenerated {
     text: String,
 }
 
-fn regenerate(selection: &Selection) -> anyhow::Result<Vec<Regenerated>> {
-    let formulas = selection.formulas()?;
+fn regenerate(project: &Project, selection: &Selection) -> anyhow::Result<Vec<Regenerated>> {
+    let formulas = selection.formulas(project)?;
     let bar = progress("golden", formulas.len());
     let one = |formula: &&dyn AnyFormula| {
         let file = formula.golden();
-        Ok(Regenerated { path: path(formula.spec().id), text: file.render()?, file })
+        Ok(Regenerated { path: path(project, *formula), text: file.render()?, file })
     };
     formulas.par_iter().progress_with(bar).map(one).collect()
 }
 
-fn directory() -> PathBuf {
-    files::root().join("golden")
-}
-
-fn path(id: &str) -> PathBuf {
-    directory().join(format!("{id}.json"))
+/// Where the golden file of a formula is.
+pub(crate) fn path(project: &Project, formula: &dyn AnyFormula) -> PathBuf {
+    project.golden().join(format!("{}.json", formula.spec().id))
 }
 
 /// The schema of golden files, made from the types that write them.
-fn schema() -> anyhow::Result<(PathBuf, String)> {
+fn schema(project: &Project) -> anyhow::Result<(PathBuf, String)> {
     let schema = schemars::schema_for!(File);
-    Ok((directory().join("schema.json"), serde_json::to_string_pretty(&schema)? + "\n"))
+    Ok((project.golden().join("schema.json"), serde_json::to_string_pretty(&schema)? + "\n"))
 }
 
 /// Golden files of formulas that no longer exist.
-fn orphans() -> anyhow::Result<Vec<PathBuf>> {
-    let entries = match std::fs::read_dir(directory()) {
+fn orphans(project: &Project) -> anyhow::Result<Vec<PathBuf>> {
+    let entries = match std::fs::read_dir(project.golden()) {
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(Vec::new()),
         entries => entries.context("cannot list golden/")?,
     };
@@ -105,7 +95,7 @@ fn orphans() -> anyhow::Result<Vec<PathBuf>> {
         let path = entry?.path();
         let id = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
         let golden = path.extension().is_some_and(|extension| extension == "json") && id != "schema";
-        if golden && find(&id).is_none() {
+        if golden && project.find(&id).is_none() {
             orphans.push(path);
         }
     }
@@ -113,74 +103,96 @@ fn orphans() -> anyhow::Result<Vec<PathBuf>> {
     Ok(orphans)
 }
 
-fn write(selection: &Selection) -> anyhow::Result<String> {
-    let regenerated = regenerate(selection)?;
+fn write(project: &Project, selection: &Selection) -> anyhow::Result<String> {
+    let regenerated = regenerate(project, selection)?;
     let mut report = String::new();
     let mut outputs: Vec<_> = regenerated.iter().map(|golden| (&golden.path, &golden.text)).collect();
-    let (schema_path, schema) = schema()?;
+    let (schema_path, schema) = schema(project)?;
     outputs.push((&schema_path, &schema));
-    let scenes = if selection.is_all() { scene::regenerate()? } else { Vec::new() };
-    outputs.extend(scenes.iter().map(|(path, text)| (path, text)));
+    let beside = match project.extension.beside {
+        Some((_, beside)) if selection.is_all() => beside(project)?,
+        _ => Beside::default(),
+    };
+    outputs.extend(beside.files.iter().map(|(path, text)| (path, text)));
     for (path, text) in outputs {
         if files::write(path, text)? {
-            writeln!(report, "wrote {}", files::shown(path))?;
+            writeln!(report, "wrote {}", project.shown(path))?;
         }
     }
-    let orphans = if selection.is_all() { [orphans()?, scene::orphans(&scenes)?].concat() } else { Vec::new() };
-    for orphan in orphans {
-        std::fs::remove_file(&orphan).with_context(|| format!("cannot remove {}", files::shown(&orphan)))?;
-        writeln!(report, "removed {}: no such formula or scene", files::shown(&orphan))?;
+    let orphans = if selection.is_all() { orphans(project)? } else { Vec::new() };
+    let of_formulas = orphans.iter().map(|path| (path, "no such formula"));
+    for (orphan, why) in of_formulas.chain(beside.orphans.iter().map(|path| (path, "nothing makes it"))) {
+        let shown = project.shown(orphan);
+        std::fs::remove_file(orphan).with_context(|| format!("cannot remove {shown}"))?;
+        writeln!(report, "removed {shown}: {why}")?;
     }
-    let cases: usize = regenerated.iter().map(|golden| golden.file.cases.len()).sum();
-    writeln!(report, "{}, {}", count(regenerated.len(), "formula"), count(cases, "case"))?;
+    writeln!(report, "{}", counts(&regenerated))?;
     Ok(report)
+}
+
+fn counts(regenerated: &[Regenerated]) -> String {
+    let cases = regenerated.iter().map(|golden| golden.file.cases.len()).sum();
+    format!("{}, {}", count(regenerated.len(), "formula"), count(cases, "case"))
 }
 
 /// What a check found.
 pub(crate) struct Checked {
     pub(crate) passed: bool,
-    pub(crate) cases: usize,
-    pub(crate) formulas: usize,
+    /// How much was compared.
+    pub(crate) counts: String,
+    /// The verdict, and before it what is off.
     pub(crate) report: String,
 }
 
-pub(crate) fn check(selection: &Selection) -> anyhow::Result<Checked> {
-    let regenerated = regenerate(selection)?;
-    let mut evidence = Evidence::load();
-    let mut report = String::new();
-    let mut off = 0;
+/// Whether a committed file is what the code says.
+fn is_current(path: &Path, text: &str) -> bool {
+    std::fs::read_to_string(path).is_ok_and(|committed| committed == text)
+}
+
+/// Checks the golden files of formulas, and keeps what was found as evidence.
+pub(crate) fn check(project: &Project, selection: &Selection) -> anyhow::Result<Checked> {
+    let regenerated = regenerate(project, selection)?;
+    let mut evidence = Evidence::load(project);
+    let mut off = Vec::new();
     for golden in &regenerated {
-        let same = std::fs::read_to_string(&golden.path).is_ok_and(|committed| committed == golden.text);
+        let same = is_current(&golden.path, &golden.text);
         if !same {
-            off += 1;
-            report += &explain(golden);
+            off.push(explain(project, golden));
         }
         let check = GoldenCheck { cases: golden.file.cases.len(), same };
         evidence.golden.insert(golden.file.formula.clone(), check);
     }
-    let (path, schema) = schema()?;
-    if !std::fs::read_to_string(&path).is_ok_and(|committed| committed == schema) {
-        off += 1;
-        writeln!(report, "{} is not the schema that the code writes", bold(files::shown(&path)))?;
+    let (path, schema) = schema(project)?;
+    if !is_current(&path, &schema) {
+        off.push(format!("{} is not the schema that the code writes\n", bold(project.shown(&path))));
     }
-    for orphan in orphans()? {
-        off += 1;
-        writeln!(report, "{} has no formula", bold(files::shown(&orphan)))?;
-    }
-    let cases = regenerated.iter().map(|golden| golden.file.cases.len()).sum();
-    let summary = format!("{}, {}", count(regenerated.len(), "formula"), count(cases, "case"));
-    if off == 0 {
-        writeln!(report, "{} {summary}: every file is what the code says", green("ok"))?;
+    let orphan = |path: PathBuf| format!("{} has no formula\n", bold(project.shown(&path)));
+    off.extend(orphans(project)?.into_iter().map(orphan));
+    evidence.save(project)?;
+    Ok(checked(counts(&regenerated), &off))
+}
+
+/// Checks the golden files that are not of formulas.
+pub(crate) fn check_beside(project: &Project, beside: &Beside) -> Checked {
+    let changed = beside.files.iter().filter(|(path, text)| !is_current(path, text)).map(|(path, _)| path);
+    let differs = |path: &PathBuf| format!("{} differs\n", bold(project.shown(path)));
+    let off: Vec<_> = changed.chain(&beside.orphans).map(differs).collect();
+    checked(beside.counts.clone(), &off)
+}
+
+fn checked(counts: String, off: &[String]) -> Checked {
+    let (passed, lines) = (off.is_empty(), off.concat());
+    let verdict = if passed {
+        format!("{} {counts}: every file is what the code says\n", green("ok"))
     } else {
-        writeln!(report, "{} {summary}: {} off", red("off"), count(off, "file"))?;
-    }
-    evidence.save()?;
-    Ok(Checked { passed: off == 0, cases, formulas: regenerated.len(), report })
+        format!("{} {counts}: {} off\n", red("off"), count(off.len(), "file"))
+    };
+    Checked { passed, counts, report: lines + &verdict }
 }
 
 /// What differs in a committed file.
-fn explain(golden: &Regenerated) -> String {
-    let name = bold(files::shown(&golden.path));
+fn explain(project: &Project, golden: &Regenerated) -> String {
+    let name = bold(project.shown(&golden.path));
     let committed = match std::fs::read_to_string(&golden.path) {
         Ok(committed) => committed,
         Err(error) => return format!("{name}: {error}\n"),
@@ -213,8 +225,8 @@ fn show(difference: &Difference) -> String {
 ///
 /// # Errors
 /// Why the committed file cannot be compared with.
-pub(crate) fn changes(formula: &dyn AnyFormula) -> Result<Vec<Difference>, String> {
-    let committed = std::fs::read_to_string(path(formula.spec().id)).map_err(|error| error.to_string())?;
+pub(crate) fn changes(project: &Project, formula: &dyn AnyFormula) -> Result<Vec<Difference>, String> {
+    let committed = std::fs::read_to_string(path(project, formula)).map_err(|error| error.to_string())?;
     let committed = File::parse(&committed).map_err(|error| error.to_string())?;
     Ok(formula.golden().differences(&committed))
 }

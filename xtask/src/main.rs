@@ -1,67 +1,45 @@
-//! `cargo xtask`: golden files, audits, reports and the book, all from the one definition of each formula.
+//! `cargo xtask`: the commands of the kit, and what is only ours: scenes, tidiness, what the documents say, and the exhibits of our book.
 
-mod audit;
-mod book;
-mod console;
-mod evidence;
+#[cfg(feature = "ours")]
+mod exhibits;
+#[cfg(feature = "ours")]
 mod figures;
-mod files;
-mod golden;
-mod report;
+#[cfg(feature = "ours")]
 mod scene;
-mod selection;
+#[cfg(feature = "ours")]
 mod statements;
+#[cfg(feature = "ours")]
+mod studies;
+#[cfg(feature = "ours")]
 mod tidy;
-mod verify;
+#[cfg(feature = "ours")]
+mod worked_example;
 
-use clap::{Parser, Subcommand};
+use jointproof::catalog::CATALOG;
+use kit::Project;
+#[cfg(feature = "ours")]
+use kit::{Outcome, console, files};
 use std::process::ExitCode;
 
-/// The exit code of bad usage, which is also clap's.
-const BAD_USAGE: u8 = 2;
-
-/// Golden files, audits, reports and the book of jointproof.
-///
-/// Results go to standard output, everything else to standard error. The exit code is 0 if all is well, 1 if something
-/// is off (it says what, where and by how much), 2 for bad usage.
-#[derive(Parser)]
-#[command(name = "cargo xtask", bin_name = "cargo xtask", version, max_term_width = 100)]
-struct Arguments {
-    #[command(subcommand)]
-    command: Command,
-}
-
-#[derive(Subcommand)]
-enum Command {
-    Verify(verify::Arguments),
-    Golden(golden::Arguments),
-    Audit(audit::Arguments),
-    Report(report::Arguments),
-    Book(book::command::Arguments),
-    Scene(scene::Arguments),
-    Tidy(tidy::Arguments),
-}
-
-/// How a command ended.
-type Outcome = anyhow::Result<ExitCode>;
-
-/// Bad usage that only the command can see, as a filter that matches nothing.
-#[derive(Debug, thiserror::Error)]
-#[error("{0}")]
-struct Usage(String);
-
 fn main() -> ExitCode {
-    let outcome = match Arguments::parse().command {
-        Command::Verify(arguments) => verify::run(&arguments),
-        Command::Golden(arguments) => golden::run(&arguments),
-        Command::Audit(arguments) => audit::run(&arguments),
-        Command::Report(arguments) => report::run(&arguments),
-        Command::Book(arguments) => book::command::run(&arguments),
-        Command::Scene(arguments) => scene::run(&arguments),
-        Command::Tidy(arguments) => tidy::run(&arguments),
-    };
-    outcome.unwrap_or_else(|error| {
-        console::error(&format!("{error:#}"));
-        if error.is::<Usage>() { ExitCode::from(BAD_USAGE) } else { ExitCode::FAILURE }
-    })
+    kit::main(&ours(Project::new("jointproof", env!("CARGO_MANIFEST_DIR"), CATALOG)))
+}
+
+/// With what the repository has beside formulas.
+#[cfg(feature = "ours")]
+fn ours(project: Project) -> Project {
+    project
+        .in_folder("..")
+        .called("cargo xtask")
+        .with_command("scene", scene::run)
+        .with_command("tidy", tidy::run)
+        .with_golden("scenes", scene::golden)
+        .with_check("statements", statements::verify)
+        .with_exhibits(exhibits::all)
+}
+
+/// The program that is measured has formulas only.
+#[cfg(not(feature = "ours"))]
+fn ours(project: Project) -> Project {
+    project
 }

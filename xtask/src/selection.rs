@@ -1,12 +1,13 @@
 //! Which formulas a command works on.
 
-use crate::Usage;
-use jointproof::catalog::{AnyFormula, CATALOG};
+use crate::outcome::Usage;
+use crate::project::Project;
+use jointproof::catalog::AnyFormula;
 
 /// `--filter`
 #[derive(clap::Args)]
 pub(crate) struct Selection {
-    /// Only formulas whose identifier matches, as `slot.*` or `*.friction`
+    /// Only formulas whose identifier matches, `*` stands for anything
     #[arg(long, value_name = "GLOB")]
     filter: Option<String>,
 }
@@ -21,13 +22,14 @@ impl Selection {
     }
 
     /// The formulas selected, in the order of the catalog.
-    pub(crate) fn formulas(&self) -> anyhow::Result<Vec<&'static dyn AnyFormula>> {
-        let Some(filter) = &self.filter else { return Ok(CATALOG.to_vec()) };
+    pub(crate) fn formulas(&self, project: &Project) -> anyhow::Result<Vec<&'static dyn AnyFormula>> {
+        let catalog = project.catalog();
+        let Some(filter) = &self.filter else { return Ok(catalog.to_vec()) };
         let glob = globset::Glob::new(filter).map_err(|error| Usage(format!("--filter is not a pattern: {error}")))?;
         let matcher = glob.compile_matcher();
-        let selected: Vec<_> = CATALOG.iter().copied().filter(|f| matcher.is_match(f.spec().id)).collect();
+        let selected: Vec<_> = catalog.iter().copied().filter(|f| matcher.is_match(f.spec().id)).collect();
         if selected.is_empty() {
-            let ids: Vec<_> = CATALOG.iter().map(|formula| formula.spec().id).collect();
+            let ids: Vec<_> = catalog.iter().map(|formula| formula.spec().id).collect();
             return Err(
                 Usage(format!("--filter '{filter}' matches no formula; there are\n  {}", ids.join("\n  "))).into()
             );

@@ -1,21 +1,22 @@
-//! `cargo xtask verify`: golden files, scenes, audit, statements of the documents and book, with a short summary.
+//! `verify`: golden files, audit and book, with a short summary.
 
-use crate::book::Summary;
-use crate::book::command::build_book;
+use crate::audit;
+use crate::book::{Summary, build_book};
 use crate::console::{self, count, green, print, red, say};
+use crate::golden::{self, Checked};
+use crate::outcome::{Outcome, verdict};
+use crate::project::Project;
 use crate::report::data::Report;
 use crate::selection::Selection;
-use crate::{Outcome, audit, files, golden, scene, statements};
 use jointproof::verify::{Audit, Options};
 use std::fmt::Write;
-use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-/// Check everything: golden files, scenes, audit, statements of the documents, book
+/// Check everything: golden files, audit, book
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
-  cargo xtask verify                  the main job
-  cargo xtask verify --samples 100    a quicker audit")]
+  {command} verify                  the main job
+  {command} verify --samples 100    a quicker audit")]
 pub(crate) struct Arguments {
     /// Random points a formula in the audit
     #[arg(long, value_name = "N", default_value_t = Options::default().samples)]
@@ -30,21 +31,24 @@ struct Step {
     time: Duration,
 }
 
-pub(crate) fn run(arguments: &Arguments) -> Outcome {
-    let steps = [
-        step("golden", check_golden)?,
-        step("scenes", check_scenes)?,
-        step("audit", || check_audit(arguments.samples))?,
-        step("statements", statements::verify)?,
-        step("book", || Ok(check_book()))?,
-    ];
+pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
+    let mut steps = vec![step("golden", || Ok(told(project, golden::check(project, &Selection::ALL)?)))?];
+    if let Some((name, beside)) = project.extension.beside {
+        steps.push(step(name, || Ok(told(project, golden::check_beside(project, &beside(project)?))))?);
+    }
+    steps.push(step("audit", || check_audit(project, arguments.samples))?);
+    for (name, check) in &project.extension.checks {
+        steps.push(step(name, || check(project))?);
+    }
+    steps.push(step("book", || Ok(check_book(project)))?);
     let mut summary = String::new();
+    let width = steps.iter().map(|step| step.name.len()).max().unwrap_or(0);
     for Step { name, passed, counts, time } in &steps {
-        let verdict = if *passed { green("ok ") } else { red("off") };
-        writeln!(summary, "{verdict} {name:<10} {counts} in {:.1} s", time.as_secs_f64())?;
+        let mark = if *passed { green("ok ") } else { red("off") };
+        writeln!(summary, "{mark} {name:<width$} {counts} in {:.1} s", time.as_secs_f64())?;
     }
     print(&summary)?;
-    Ok(if steps.iter().all(|step| step.passed) { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    Ok(verdict(steps.iter().all(|step| step.passed)))
 }
 
 fn step(name: &'static str, job: impl FnOnce() -> anyhow::Result<(bool, String)>) -> anyhow::Result<Step> {
@@ -53,42 +57,35 @@ fn step(name: &'static str, job: impl FnOnce() -> anyhow::Result<(bool, String)>
     Ok(Step { name, passed, counts, time: start.elapsed() })
 }
 
-fn check_golden() -> anyhow::Result<(bool, String)> {
-    let checked = golden::check(&Selection::ALL)?;
-    if !checked.passed {
-        say(checked.report.trim_end());
-        say(golden::MEND);
-    }
-    Ok((checked.passed, format!("{}, {}", count(checked.formulas, "file"), count(checked.cases, "case"))))
-}
-
-fn check_scenes() -> anyhow::Result<(bool, String)> {
-    let checked = scene::check()?;
-    let (passed, report) = golden::scene_report(&checked);
+/// Says what is off with golden files, in full.
+fn told(project: &Project, Checked { passed, counts, report }: Checked) -> (bool, String) {
     if !passed {
         say(report.trim_end());
-        say(golden::MEND);
+        golden::say_what_mends(project);
     }
-    Ok((passed, format!("{}, {}", count(checked.scenes, "scene"), count(checked.numbers, "number"))))
+    (passed, counts)
 }
 
-fn check_audit(samples: usize) -> anyhow::Result<(bool, String)> {
-    let audits = audit::audit(&Selection::ALL.formulas()?, &Options { samples, ..Options::default() })?;
+fn check_audit(project: &Project, samples: usize) -> anyhow::Result<(bool, String)> {
+    let options = Options { samples, ..Options::default() };
+    let audits = audit::audit(project, project.catalog(), &options)?;
     let failed: Vec<Audit> = audits.iter().filter(|audit| !audit.passed()).cloned().collect();
     if !failed.is_empty() {
         say(audit::text(&failed, Audit::passed)?.trim_end());
     }
-    let comparisons: usize = audits.iter().flat_map(Audit::claims).map(|claim| claim.checks).sum();
-    Ok((
-        failed.is_empty(),
-        format!("{} formulas, {comparisons} comparisons, {} formulas off", audits.len(), failed.len()),
-    ))
+    let comparisons = audits.iter().flat_map(Audit::claims).map(|claim| claim.checks).sum();
+    let [audited, comparisons, off] =
+        [(audits.len(), "formula"), (comparisons, "comparison"), (failed.len(), "formula")]
+            .map(|(number, noun)| count(number, noun));
+    Ok((failed.is_empty(), format!("{audited}, {comparisons}, {off} off")))
 }
 
-fn check_book() -> (bool, String) {
-    match build_book(None, Report::kept()) {
+fn check_book(project: &Project) -> (bool, String) {
+    match build_book(project, None, Report::kept(project)) {
         Ok(Summary { chapters, formulas, index, .. }) => {
-            (true, format!("{chapters} chapters, {formulas} formulas: {}", files::shown(&index)))
+            let [chapters, formulas] =
+                [(chapters, "chapter"), (formulas, "formula")].map(|(number, noun)| count(number, noun));
+            (true, format!("{chapters}, {formulas}: {}", project.shown(&index)))
         }
         // The other verdicts stand whatever ails the book.
         Err(error) => {

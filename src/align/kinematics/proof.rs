@@ -17,7 +17,7 @@ impl Proved for Constraint {
         let [a, b] = turns::axes([1, 2, 3]);
         let aligned = Orientations::new(&Triads::new(a, b), &Angles::filled(0.0));
         let mut cases = vec![
-            Case::limit("aligned", "both triads agree, at the start and now: no residual", aligned),
+            Case::hand("aligned", "both triads agree, at the start and now: no residual", aligned),
             Case::hand(
                 "offset",
                 "both triads agree, which they did not at the start",

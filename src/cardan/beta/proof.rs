@@ -18,7 +18,7 @@ impl Proved for BetaTwoArgument {
         };
         let quarter = Octuple::PI / 2.0;
         let mut cases = vec![
-            Case::limit("aligned", "zero where both triads are the same", BetaAxes { e1a: x, e1b: x, e2b: y, e3b: z }),
+            Case::hand("aligned", "zero where both triads are the same", BetaAxes { e1a: x, e1b: x, e2b: y, e3b: z }),
             Case::hand(
                 "45",
                 "sine 5, cosine √(3² + 4²): 45° of vectors that are not of length 1",

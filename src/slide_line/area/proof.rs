@@ -15,8 +15,8 @@ impl Proved for ContactAreaLinear {
         let mut cases = vec![
             Case::hand("cylinder", "radius 2, length 3: 6π each, together 2π r ℓ", nodes([2.0, 0.0], [2.0, 3.0])),
             Case::hand("cone", "ℓ = 5: 5π and 20π", nodes([1.0, 0.0], [4.0, 4.0])),
-            Case::limit("axis", "r → 0: a node on the axis has no area", nodes([0.0, 1.0], [0.5, 1.0])),
-            Case::limit("on-the-axis", "both nodes on the axis", nodes([0.0, 1.0], [0.0, 2.0])),
+            Case::hand("axis", "r → 0: a node on the axis has no area", nodes([0.0, 1.0], [0.5, 1.0])),
+            Case::hand("on-the-axis", "both nodes on the axis", nodes([0.0, 1.0], [0.0, 2.0])),
             Case::hard("near-axis", "r = 1e-200", nodes([1e-200, 1.0], [0.5, 1.25])),
             Case::hard("coincident", "ℓ = 0: derivative 0 by convention", nodes([1.5, 1.0], [1.5, 1.0])),
         ];
@@ -70,7 +70,7 @@ impl Proved for ContactAreaParabolic {
         let mut cases = vec![
             Case::hand("cylinder", "radius 2, length 6: 4π, 16π, 4π", nodes([2.0, 0.0], [2.0, 3.0], [2.0, 6.0])),
             Case::hand("cone", "ℓ = 10: 20π/6, 200π/3, 70π/6", nodes([1.0, 0.0], [4.0, 4.0], [7.0, 8.0])),
-            Case::limit("axis", "r → 0: a node on the axis has no area", nodes([0.0, 1.0], [0.5, 1.0], [1.0, 1.5])),
+            Case::hand("axis", "r → 0: a node on the axis has no area", nodes([0.0, 1.0], [0.5, 1.0], [1.0, 1.5])),
             Case::hard("near-axis", "r = 1e-200", nodes([1e-200, 1.0], [0.5, 1.25], [1.0, 1.0])),
             Case::hard("closed", "x1 = x3: derivative 0 by convention", nodes([1.0, 1.0], [2.0, 1.5], [1.0, 1.0])),
             Case::hard("coincident", "all nodes at one place", nodes([1.5, 1.0], [1.5, 1.0], [1.5, 1.0])),

@@ -5,7 +5,7 @@ mod proof;
 
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Fields, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Fields, Formula, Jacobian, Spec};
 use crate::quantity::{SEGMENT_G, SEPARATION, X1, X2, XS};
 use crate::scalar::Scalar;
 use crate::slide_line::basis::length_and_tangent;
@@ -83,9 +83,13 @@ impl<D: Scalar> Projection<D> {
 }
 
 impl Formula for ClosestLinear {
-    const SPEC: Spec = Spec::new("slide_line.closest_linear", "Closest point of a straight segment", Source::SLIDE_LINE.section("Element output"))
-.equation(r"(\mathbf{x}_s-\mathbf{X}(g))\cdot\mathbf{X}' = 0,\quad -1 \le g \le 1,\qquad E_{11} = (\mathbf{x}_s-\mathbf{X})\cdot\mathbf{n}")
-.eta(6.0, 8.0);
+    const SPEC: Spec = Spec::new(
+        "slide_line.closest_linear",
+        "Closest point of a straight segment",
+        Document::SLIDE_LINE.ours("Element output", "the section says separation, and prints no equation"),
+    )
+        .equation(r"(\mathbf{x}_s-\mathbf{X}(g))\cdot\mathbf{X}' = 0,\quad -1 \le g \le 1,\qquad E_{11} = (\mathbf{x}_s-\mathbf{X})\cdot\mathbf{n}")
+        .eta(6.0, 8.0);
     type Inputs<T: Component> = LinearSlave<T>;
     type Outputs<T: Component> = SegmentFoot<T>;
 

@@ -6,7 +6,7 @@ mod proof;
 use super::{Foot, SegmentFoot, View, check_tangent};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{X1, X2, X3, XS};
 use crate::scalar::Scalar;
 use crate::slide_line::check_distinct;
@@ -31,26 +31,33 @@ impl<D: Scalar> ParabolicSlave<D> {
 }
 
 impl Formula for ClosestParabolic {
-    const SPEC: Spec = Spec::new("slide_line.closest_parabolic", "Closest point of a parabolic segment", Source::SLIDE_LINE.section("Element output"))
-.equation(r"(\mathbf{x}_s-\mathbf{X}(g))\cdot\mathbf{X}'(g) = 0,\quad -1 \le g \le 1,\qquad E_{11} = (\mathbf{x}_s-\mathbf{X})\cdot\mathbf{n}")
-.eta(4.0, 12.0);
+    const SPEC: Spec = Spec::new(
+        "slide_line.closest_parabolic",
+        "Closest point of a parabolic segment",
+        Document::SLIDE_LINE.ours("Element output", "the section says separation, and prints no equation"),
+    )
+        .equation(r"(\mathbf{x}_s-\mathbf{X}(g))\cdot\mathbf{X}'(g) = 0,\quad -1 \le g \le 1,\qquad E_{11} = (\mathbf{x}_s-\mathbf{X})\cdot\mathbf{n}")
+        .eta(4.0, 12.0);
     type Inputs<T: Component> = ParabolicSlave<T>;
     type Outputs<T: Component> = SegmentFoot<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &ParabolicSlave<D>) -> SegmentFoot<D> {
         let view = i.view();
         let foot = Foot::on(&view);
-        SegmentFoot { g: foot.u, separation: foot.separation() * view.unit }
+        SegmentFoot { g: foot.u, separation: foot.separation() * view.binade.unit }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &ParabolicSlave<D>) -> Jacobian<Self, D> {
         Self::linearized(i).1
     }
 
+    #[inline]
     fn linearized<D: Scalar>(i: &ParabolicSlave<D>) -> (SegmentFoot<D>, Jacobian<Self, D>) {
         let view = i.view();
         let foot = Foot::on(&view);
-        let value = SegmentFoot { g: foot.u, separation: foot.separation() * view.unit };
+        let value = SegmentFoot { g: foot.u, separation: foot.separation() * view.binade.unit };
         let ([n1, n2, n3], [m1, m2, m3]) = (foot.weights, foot.rates);
         let g = |n, m| view.per_unit(foot.coordinate_by(n, m));
         let normal = foot.normal();

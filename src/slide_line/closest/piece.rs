@@ -76,10 +76,10 @@ pub(in crate::slide_line) fn curved_foot<D: Scalar, S: Shape<N>, const N: usize>
     PieceFoot {
         u: foot.u,
         inside: foot.inside,
-        distance: size(gap) * view.unit,
-        beyond: if foot.inside { D::zero() } else { gap.dot(&tangent) * (view.unit * outward) },
+        distance: size(gap) * view.binade.unit,
+        beyond: if foot.inside { D::zero() } else { gap.dot(&tangent) * (view.binade.unit * outward) },
         tangent,
-        separation: foot.separation() * view.unit,
+        separation: foot.separation() * view.binade.unit,
         weights: weights.into_iter().collect(),
         stands_still: foot.stands_still(&view),
     }

@@ -6,7 +6,7 @@ mod proof;
 use super::{CornerFoot, Foot, View, check_tangent};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{FRACTION, X1, X2, X3, X4, X5, XS};
 use crate::scalar::Scalar;
 use crate::slide_line::check_distinct;
@@ -40,27 +40,37 @@ impl<D: Scalar> ParabolicCornerSlave<D> {
 }
 
 impl Formula for ClosestSmoothedParabolic {
-    const SPEC: Spec = Spec::new("slide_line.closest_smoothed_parabolic", "Closest point of a smoothed corner between parabolic segments", Source::SLIDE_LINE.section("Smoothing the slide line"))
-.equation(r"(\mathbf{x}_s-\mathbf{X}(t))\cdot\mathbf{X}'(t) = 0,\quad 0 \le t \le 1,\qquad E_{11} = (\mathbf{x}_s-\mathbf{X})\cdot\mathbf{n}")
-.eta(4.0, 128.0);
+    const SPEC: Spec = Spec::new(
+        "slide_line.closest_smoothed_parabolic",
+        "Closest point of a smoothed corner between parabolic segments",
+        Document::SLIDE_LINE.ours(
+            "Smoothing the slide line",
+            "the section on smoothing that it refers to was not given",
+        ),
+    )
+        .equation(r"(\mathbf{x}_s-\mathbf{X}(t))\cdot\mathbf{X}'(t) = 0,\quad 0 \le t \le 1,\qquad E_{11} = (\mathbf{x}_s-\mathbf{X})\cdot\mathbf{n}")
+        .eta(4.0, 128.0);
     type Inputs<T: Component> = ParabolicCornerSlave<T>;
     type Outputs<T: Component> = CornerFoot<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &ParabolicCornerSlave<D>) -> CornerFoot<D> {
         let view = i.view();
         let foot = Foot::on(&view);
-        CornerFoot { t: foot.u, separation: foot.separation() * view.unit }
+        CornerFoot { t: foot.u, separation: foot.separation() * view.binade.unit }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &ParabolicCornerSlave<D>) -> Jacobian<Self, D> {
         Self::linearized(i).1
     }
 
     /// With respect to f an end moves along its own tangent, so only the turning of that matters there.
+    #[inline]
     fn linearized<D: Scalar>(i: &ParabolicCornerSlave<D>) -> (CornerFoot<D>, Jacobian<Self, D>) {
         let view = i.view();
         let foot = Foot::on(&view);
-        let value = CornerFoot { t: foot.u, separation: foot.separation() * view.unit };
+        let value = CornerFoot { t: foot.u, separation: foot.separation() * view.binade.unit };
         let ([n1, n2, n3, n4, n5], [m1, m2, m3, m4, m5]) = (foot.weights, foot.rates);
         let t = |n, m| view.per_unit(foot.coordinate_by(n, m));
         let normal = foot.normal();
@@ -85,7 +95,7 @@ impl Formula for ClosestSmoothedParabolic {
                 x3: normal * -n3,
                 x4: normal * -n4,
                 x5: normal * -n5,
-                f: if foot.inside { -(normal.dot(&point) * view.unit) } else { i.end_turning(&view, &foot) },
+                f: if foot.inside { -(normal.dot(&point) * view.binade.unit) } else { i.end_turning(&view, &foot) },
             },
         };
         (value, gradients)

@@ -19,9 +19,9 @@ impl Proved for SmoothedLinearPoint {
         };
         let mut cases = vec![
             Case::hand("middle", "X = (-0.25, 0.125), X' = (1, 0.5)", hand),
-            Case::limit("start", "t = 0: at f ℓ before the corner", LinearCornerPlace { t: 0.0, ..hand }),
-            Case::limit("end", "t = 1: at f ℓ behind the corner", LinearCornerPlace { t: 1.0, ..hand }),
-            Case::limit("default", "the default fraction 0.2", LinearCornerPlace { f: 0.2, ..hand }),
+            Case::hand("start", "t = 0: at f ℓ before the corner", LinearCornerPlace { t: 0.0, ..hand }),
+            Case::hand("end", "t = 1: at f ℓ behind the corner", LinearCornerPlace { t: 1.0, ..hand }),
+            Case::hand("default", "the default fraction 0.2", LinearCornerPlace { f: 0.2, ..hand }),
             Case::hard("sharp", "f → 0: the corner itself", LinearCornerPlace { f: 1e-200, ..hand }),
             Case::hard("widest", "f → 1/2: the whole segments", LinearCornerPlace { f: 0.5_f64.next_down(), ..hand }),
             Case::hard("near-start", "t = 1e-9", LinearCornerPlace { t: 1e-9, ..hand }),
@@ -60,9 +60,9 @@ impl Proved for SmoothedParabolicPoint {
         let mut cases = vec![
             Case::hand("straight", "the parabola of a linear slide line: X = (-0.25, 0.125), X' = (1, 0.5)", hand),
             Case::hand("curved", "curved segments", place(curved_corner(), 0.25, 0.75)),
-            Case::limit("start", "t = 0: on the segment before the corner", place(curved_corner(), 0.25, 0.0)),
-            Case::limit("end", "t = 1: on the segment behind the corner", place(curved_corner(), 0.25, 1.0)),
-            Case::limit("default", "the default fraction 0.2", place(curved_corner(), 0.2, 0.25)),
+            Case::hand("start", "t = 0: on the segment before the corner", place(curved_corner(), 0.25, 0.0)),
+            Case::hand("end", "t = 1: on the segment behind the corner", place(curved_corner(), 0.25, 1.0)),
+            Case::hand("default", "the default fraction 0.2", place(curved_corner(), 0.2, 0.25)),
             Case::hard("sharp", "f → 0: the corner itself", place(curved_corner(), 1e-60, 0.25)),
             Case::hard(
                 "widest",

@@ -12,9 +12,9 @@ impl Proved for LinearPoint {
         let hand = LinearPlace { x1: Vector2::new(1.0, 2.0), x2: Vector2::new(5.0, -1.0), g: 0.5 };
         let mut cases = vec![
             Case::hand("three-quarters", "X = (4, -0.25), X' = (2, -1.5)", hand),
-            Case::limit("first-node", "g = -1 is the first node", LinearPlace { g: -1.0, ..hand }),
-            Case::limit("middle", "g = 0 is the middle", LinearPlace { g: 0.0, ..hand }),
-            Case::limit("last-node", "g = 1 is the last node", LinearPlace { g: 1.0, ..hand }),
+            Case::hand("first-node", "g = -1 is the first node", LinearPlace { g: -1.0, ..hand }),
+            Case::hand("middle", "g = 0 is the middle", LinearPlace { g: 0.0, ..hand }),
+            Case::hand("last-node", "g = 1 is the last node", LinearPlace { g: 1.0, ..hand }),
             Case::hard("near-first", "g one ulp above -1", LinearPlace { g: (-1.0_f64).next_up(), ..hand }),
             Case::hard("near-last", "g one ulp below 1", LinearPlace { g: 1.0_f64.next_down(), ..hand }),
         ];
@@ -46,9 +46,9 @@ impl Proved for ParabolicPoint {
         let hand = place(arch(1.0), 0.5);
         let mut cases = vec![
             Case::hand("arch", "the parabola z = 1 - (r - 2)² at r = 2.5: X = (2.5, 0.75), X' = (1, -1)", hand),
-            Case::limit("first-node", "g = -1 is the first node", ParabolicPlace { g: -1.0, ..hand }),
-            Case::limit("midside-node", "g = 0 is the midside node", ParabolicPlace { g: 0.0, ..hand }),
-            Case::limit("last-node", "g = 1 is the last node", ParabolicPlace { g: 1.0, ..hand }),
+            Case::hand("first-node", "g = -1 is the first node", ParabolicPlace { g: -1.0, ..hand }),
+            Case::hand("midside-node", "g = 0 is the midside node", ParabolicPlace { g: 0.0, ..hand }),
+            Case::hand("last-node", "g = 1 is the last node", ParabolicPlace { g: 1.0, ..hand }),
             Case::hard("near-first", "g one ulp above -1", ParabolicPlace { g: (-1.0_f64).next_up(), ..hand }),
             Case::hard("near-last", "g one ulp below 1", ParabolicPlace { g: 1.0_f64.next_down(), ..hand }),
             Case::hard("near-midside", "g = 1e-17", ParabolicPlace { g: 1e-17, ..hand }),

@@ -1,6 +1,6 @@
 //! Evidence for the formulas next door: cases, laws.
 
-use super::{LinearMotion, ParabolicMotion, SlipIncrementLinear, SlipIncrementParabolic, carried};
+use super::{LinearMotion, ParabolicMotion, SlipIncrementLinear, SlipIncrementParabolic};
 use crate::Octuple;
 use crate::formula::Formula;
 use crate::proof::{Case, Law, Proved, hard, law};
@@ -27,13 +27,13 @@ impl Proved for SlipIncrementLinear {
                 "the material under the slave moves by a quarter and three quarters of the nodes' increments: 3 - 1.2",
                 LinearMotion { dx1: Vector2::new(2.0, 0.0), dx2: Vector2::new(2.0, 0.0), ..hand },
             ),
-            Case::limit(
+            Case::hand(
                 "together",
                 "no slip when slave and segment move alike",
                 LinearMotion { dx1: hand.dxs, dx2: hand.dxs, ..hand },
             ),
-            Case::limit("normal", "no slip along the normal", LinearMotion { x2: Vector2::new(1.0, 5.0), ..hand }),
-            Case::limit("still", "nothing moves", LinearMotion { dxs: still, ..hand }),
+            Case::hand("normal", "no slip along the normal", LinearMotion { x2: Vector2::new(1.0, 5.0), ..hand }),
+            Case::hand("still", "nothing moves", LinearMotion { dxs: still, ..hand }),
         ];
         let [dxs, dx1, dx2] = steps();
         let places = hard::places().into_iter().filter(|place| place.id != "coincident");
@@ -97,12 +97,12 @@ impl Proved for SlipIncrementParabolic {
                 "at the crown t = (1, 0): 5 along r is a slip of 5",
                 ParabolicMotion { g: 0.0, ..hand },
             ),
-            Case::limit(
+            Case::hand(
                 "together",
                 "no slip when slave and segment move alike",
                 ParabolicMotion { dx1: hand.dxs, dx2: hand.dxs, dx3: hand.dxs, ..hand },
             ),
-            Case::limit("still", "nothing moves", ParabolicMotion { dxs: still, ..hand }),
+            Case::hand("still", "nothing moves", ParabolicMotion { dxs: still, ..hand }),
         ];
         cases.extend(parabolas().into_iter().map(|p| {
             let width = p.value[2].x - p.value[0].x;
@@ -144,4 +144,9 @@ impl Proved for SlipIncrementParabolic {
 /// Displacement increments without any pattern.
 fn steps() -> [Vector2<f64>; 3] {
     [Vector2::new(0.75, -0.25), Vector2::new(0.125, 0.375), Vector2::new(-0.5, 0.0625)]
+}
+
+/// A step on top of a large common displacement.
+fn carried(step: Vector2<f64>) -> Vector2<f64> {
+    step + Vector2::new(1e8, -1e8)
 }

@@ -1,9 +1,11 @@
 //! Evidence for the formulas next door: cases, kinks, laws.
 
-use super::{Basis, BasisVariation, LineDirection, TangentChanges, Tangents, TurningDirection, directions};
+use super::{Basis, BasisVariation, LineDirection, TangentChanges, Tangents, TurningDirection};
 use crate::formula::Formula;
 use crate::proof::{Case, Kink, Law, Proved, law};
 use crate::slider::across::Across;
+use crate::slider::hard::lines;
+use crate::slider::{Ends, Line};
 use nalgebra::Vector3;
 
 impl Proved for Basis {
@@ -12,12 +14,12 @@ impl Proved for Basis {
         let mut cases = vec![
             Case::hand("across-i", "t1 = (0, 0.8, -0.6), t2 = (-1, 0, 0)", hand),
             Case::hand("j", "t1 = (0, 0, -1), t2 = (-1, 0, 0)", LineDirection { n: Vector3::y() }),
-            Case::limit(
+            Case::hand(
                 "i",
                 "n = i: n×k takes over, t1 = (0, -1, 0), t2 = (0, 0, -1)",
                 LineDirection { n: Vector3::x() },
             ),
-            Case::limit("minus-i", "n = -i: t1 = (0, 1, 0), t2 = (0, 0, -1)", LineDirection { n: -Vector3::x() }),
+            Case::hand("minus-i", "n = -i: t1 = (0, 1, 0), t2 = (0, 0, -1)", LineDirection { n: -Vector3::x() }),
             Case::hard("tiny", "squares underflow", LineDirection { n: Vector3::new(3e-200, -4e-200, 12e-200) }),
             Case::hard("huge", "squares overflow", LineDirection { n: Vector3::new(3e200, -4e200, 12e200) }),
         ];
@@ -61,7 +63,7 @@ impl Proved for BasisVariation {
         let mut cases = vec![
             Case::hand("across-j", "ω = 2: dt1 = (0, 2, 0), dt2 = (0, 0.5, 0)", hand),
             Case::hand("still", "no variation", TurningDirection { dn: Vector3::zeros(), ..hand }),
-            Case::limit("i", "n = i exactly: the axes of n×k", TurningDirection { n: Vector3::x(), ..hand }),
+            Case::hand("i", "n = i exactly: the axes of n×k", TurningDirection { n: Vector3::x(), ..hand }),
             Case::hard(
                 "tiny",
                 "squares underflow",
@@ -110,4 +112,9 @@ impl Proved for BasisVariation {
             }),
         ]
     }
+}
+
+/// The directions of the hard lines, as a program would compute them.
+fn directions() -> impl Iterator<Item = (&'static str, &'static str, Vector3<f64>)> {
+    lines().into_iter().map(|line| (line.id, line.comment, Line::eval(&Ends { x1: line.x1, xn: line.xn }).n))
 }

@@ -9,11 +9,7 @@ impl Proved for ContactForce {
     fn cases() -> Vec<Case<CrossForces<f64>>> {
         let mut cases = vec![
             Case::hand("pythagoras", "3-4-5", CrossForces { f2: 3.0, f3: 4.0 }),
-            Case::limit(
-                "plane",
-                "in the plane f3 = 0 and the contact force is |f2|",
-                CrossForces { f2: -2.0, f3: 0.0 },
-            ),
+            Case::hand("plane", "in the plane f3 = 0 and the contact force is |f2|", CrossForces { f2: -2.0, f3: 0.0 }),
         ];
         cases.extend(hard::norms().into_iter().map(|load| {
             let [f2, f3] = load.value;
@@ -53,8 +49,8 @@ impl Proved for NormalForce {
                 "|5 - 9| = 4: an internal force against the contact force",
                 ContactForces { fc_int: -9.0, ..hand },
             ),
-            Case::limit("no-internal-force", "F_N = F_C", ContactForces { fc_int: 0.0, ..hand }),
-            Case::limit("unloaded", "F_N = |F_C_int|", ContactForces { fc: 0.0, fc_int: -3.0 }),
+            Case::hand("no-internal-force", "F_N = F_C", ContactForces { fc_int: 0.0, ..hand }),
+            Case::hand("unloaded", "F_N = |F_C_int|", ContactForces { fc: 0.0, fc_int: -3.0 }),
             Case::hard("zero", "no force at all", ContactForces { fc: 0.0, fc_int: 0.0 }),
             Case::hard(
                 "cancelled",
@@ -98,7 +94,7 @@ impl Proved for Friction {
         let mut cases = vec![
             Case::hand("stick", "P = 2, F_N = 6, Φ = 2 - 1.5 = 0.5: f1 cannot be transmitted", hand),
             Case::hand("slip", "P = 1.5 = μ F_N: Φ = 0", SlotLoads { f1: 1.5, ..hand }),
-            Case::limit("frictionless", "μ = 0: Φ = P", SlotLoads { mu: 0.0, ..hand }),
+            Case::hand("frictionless", "μ = 0: Φ = P", SlotLoads { mu: 0.0, ..hand }),
             Case::hard("no-axial-force", "f1 = 0: derivative 0 by convention", SlotLoads { f1: 0.0, ..hand }),
             Case::hard(
                 "cancelled",

@@ -143,7 +143,7 @@ impl Proved for RelativeMotion {
         let hand = SlotLengths { x: 5.0, x0: 2.0, l1_ref: 1.5 };
         vec![
             Case::hand("extended", "u1 = 5 - 2, u1_mat = 5 - 1.5", hand),
-            Case::limit("start", "no displacement at the start", SlotLengths { x: 2.0, ..hand }),
+            Case::hand("start", "no displacement at the start", SlotLengths { x: 2.0, ..hand }),
             Case::hard(
                 "far",
                 "lengths of 1e12 that differ by 1",
@@ -193,7 +193,7 @@ impl Proved for Stop {
             Case::limit("at-lower", "the lower gap is 0", StopLengths { x: 1.0, ..hand }),
             Case::limit("at-upper", "the upper gap is 0", StopLengths { x: 7.0, ..hand }),
             Case::hand("beyond", "the upper gap is negative", StopLengths { x: 8.0, ..hand }),
-            Case::limit("closed", "both stops at one place", StopLengths { l1_min: 7.0, ..hand }),
+            Case::hand("closed", "both stops at one place", StopLengths { l1_min: 7.0, ..hand }),
             Case::hard(
                 "ulp",
                 "one ulp from both stops",

@@ -14,7 +14,7 @@ impl Proved for ContactForce {
             Case::hand("all", "12 + 5 + 13", HAND),
             Case::limit("no-radius", "R_r = 0 ignores the torque: 5 + 13", ContactLoads { rr: 0.0, ..HAND }),
             Case::limit("no-length", "L = 0 ignores bending: 12 + 5", ContactLoads { l: 0.0, ..HAND }),
-            Case::limit("slot", "without moments it is the contact force of a SLOT", {
+            Case::hand("slot", "without moments it is the contact force of a SLOT", {
                 ContactLoads { m1: 0.0, m2: 0.0, m3: 0.0, ..HAND }
             }),
         ];
@@ -69,7 +69,7 @@ impl Proved for Friction {
         let mut cases = vec![
             Case::hand("stick", "F_N = 30 + 2, Φ = 6 - 8: sticks", hand),
             Case::hand("slip", "P = 8 = μ F_N: Φ = 0", FrictionLoads { f1: 8.0, ..hand }),
-            Case::limit("frictionless", "μ = 0: Φ = P", FrictionLoads { mu: 0.0, ..hand }),
+            Case::hand("frictionless", "μ = 0: Φ = P", FrictionLoads { mu: 0.0, ..hand }),
             Case::limit("no-levers", "R_r = L = 0: the friction of a SLOT", FrictionLoads { rr: 0.0, l: 0.0, ..hand }),
             Case::hard("no-axial-force", "f1 = 0: derivative 0 by convention", FrictionLoads { f1: 0.0, ..hand }),
             Case::hard("cancelled", "F_C + F_C_int = 0: derivative 0 by convention", {

@@ -24,7 +24,7 @@ impl Proved for Constraint {
             ..Placement::of(Triads::new([x, y, z], [x, y, z]))
         };
         let mut cases = vec![
-            Case::limit("aligned", "on the slot and aligned: no residual", aligned),
+            Case::hand("aligned", "on the slot and aligned: no residual", aligned),
             Case::hand(
                 "offset",
                 "2 - 5, -3 - 1, and minus the initial angles",

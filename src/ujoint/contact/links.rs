@@ -7,8 +7,8 @@
 //!    with the two axial forces exchanged, so that one function, [`Common::hinge`], serves both.
 //! 2. [`Force::chain`]: the three loads by forces and vectors.
 
-use super::{ContactMomentPair, ContactMoments, JointLoads, moment};
-use crate::formula::{Formula, Jacobian};
+use super::loads::{ContactMomentPair, JointLoads, moment};
+use crate::formula::Formula;
 use crate::scalar::{Scalar, norm_and_direction};
 use crate::ujoint::hinge::{Shared, bending, in_sleeve, share_of, transverse};
 use crate::ujoint::{AxialFactors, Bending, CrossForces, HingeTwist, Twist};
@@ -16,7 +16,7 @@ use nalgebra::Vector3;
 
 /// M_C of both axes, and their gradients.
 #[inline]
-pub(super) fn linearized<D: Scalar>(i: &JointLoads<D>) -> (ContactMomentPair<D>, Jacobian<ContactMoments, D>) {
+pub(super) fn linearized<D: Scalar>(i: &JointLoads<D>) -> (ContactMomentPair<D>, ContactMomentPair<JointLoads<D>>) {
     let loads = i.at_centre();
     let [(mc1, by1), (mc3, by3)] = first_link(i, &loads);
     let force = Force::new(i);

@@ -22,12 +22,8 @@ impl Proved for Friction {
         let mut cases: Vec<_> = hard_cases().into_iter().map(of).collect();
         if let Some(hand) = cases.first().map(|case| case.inputs) {
             cases.extend([
-                Case::limit("frictionless", "μ = 0: Φ = |m|", FrictionLoads { mu: 0.0, ..hand }),
-                Case::limit(
-                    "no-press-fit",
-                    "no internal moments",
-                    FrictionLoads { mc1_int: 0.0, mc3_int: 0.0, ..hand },
-                ),
+                Case::hand("frictionless", "μ = 0: Φ = |m|", FrictionLoads { mu: 0.0, ..hand }),
+                Case::hand("no-press-fit", "no internal moments", FrictionLoads { mc1_int: 0.0, mc3_int: 0.0, ..hand }),
                 Case::hard(
                     "no-moment",
                     "m1 = m3 = 0: derivative 0 by convention",

@@ -5,7 +5,7 @@ mod proof;
 
 use super::{HingeTwist, Twist, TwistLoads};
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{CROSS_F_BEND, F_TOTAL_BEND, LA, LS, M_BEND_HINGE, M_TOTAL_HINGE, RP, TWIST_M2};
 use crate::scalar::{Scalar, abs, norm, norm_and_direction, sign};
 
@@ -58,9 +58,16 @@ pub(in crate::ujoint) fn in_sleeve<D: Scalar>(moment: D, ls: D) -> D {
 }
 
 impl Formula for HingeBending {
-    const SPEC: Spec = Spec::new("ujoint.hinge_bending", "Bending moment on a hinge", Source::UJOINT.section("Friction"))
-.equation(r"M_{\mathrm{bend}}^{\mathrm{hinge}} = \tfrac18\lvert F_{\mathrm{bend}}\rvert L_a,\quad M_{\mathrm{total}}^{\mathrm{hinge}} = \sqrt{\left(M_{\mathrm{bend}}^{\mathrm{hinge}}\right)^2 + \left(M_{\mathrm{twist}}^{\mathrm{hinge}}\right)^2},\quad F_{\mathrm{total}}^{\mathrm{bend}} = \frac{2 M_{\mathrm{total}}^{\mathrm{hinge}}}{L_s}\ (0\text{ if }L_s = 0)")
-.eta(2.0, 4.0);
+    const SPEC: Spec = Spec::new(
+        "ujoint.hinge_bending",
+        "Bending moment on a hinge",
+        Document::UJOINT.reconstructed(
+            "Friction",
+            "the root and the quotients 1/8 and by L_s were lost; the bars are ours",
+        ),
+    )
+        .equation(r"M_{\mathrm{bend}}^{\mathrm{hinge}} = \tfrac18\lvert F_{\mathrm{bend}}\rvert L_a,\quad M_{\mathrm{total}}^{\mathrm{hinge}} = \sqrt{\left(M_{\mathrm{bend}}^{\mathrm{hinge}}\right)^2 + \left(M_{\mathrm{twist}}^{\mathrm{hinge}}\right)^2},\quad F_{\mathrm{total}}^{\mathrm{bend}} = \frac{2 M_{\mathrm{total}}^{\mathrm{hinge}}}{L_s}\ (0\text{ if }L_s = 0)")
+        .eta(2.0, 4.0);
     type Inputs<T: Component> = Bending<T>;
     type Outputs<T: Component> = BendingLoads<T>;
 

@@ -5,7 +5,7 @@ mod proof;
 
 use super::{AxialForces, HingeAxial, HingeTwist, Twist, TwistLoads};
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{CROSS_F_BEND, F_AXIAL1, F_AXIAL3, F_TOTAL_HINGE1, F_TOTAL_HINGE3, LA, RP, TWIST_M2};
 use crate::scalar::{Scalar, direction, norm};
 
@@ -46,9 +46,13 @@ pub(in crate::ujoint) fn transverse<D: Scalar>(f_bend: D, twist: &TwistLoads<D>,
 }
 
 impl Formula for HingeTransverse {
-    const SPEC: Spec = Spec::new("ujoint.hinge_transverse", "Transverse force on a hinge", Source::UJOINT.section("Friction"))
-.equation(r"F_{\mathrm{total}k}^{\mathrm{hinge}} = \sqrt{\left(\tfrac14 F_{\mathrm{bend}}\right)^2 + \left(F_{\mathrm{twist}}^{\mathrm{hinge}}\right)^2 + \left(F_{\mathrm{transv}k}^{\mathrm{hinge}}\right)^2}\quad (k = 1, 3)")
-.eta(2.0, 4.0);
+    const SPEC: Spec = Spec::new(
+        "ujoint.hinge_transverse",
+        "Transverse force on a hinge",
+        Document::UJOINT.reconstructed("Friction", "the root and the quotient by 4 were lost"),
+    )
+        .equation(r"F_{\mathrm{total}k}^{\mathrm{hinge}} = \sqrt{\left(\tfrac14 F_{\mathrm{bend}}\right)^2 + \left(F_{\mathrm{twist}}^{\mathrm{hinge}}\right)^2 + \left(F_{\mathrm{transv}k}^{\mathrm{hinge}}\right)^2}\quad (k = 1, 3)")
+        .eta(2.0, 4.0);
     type Inputs<T: Component> = CentreLoads<T>;
     type Outputs<T: Component> = TransverseForces<T>;
 

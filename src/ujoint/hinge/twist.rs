@@ -4,7 +4,7 @@
 mod proof;
 
 use crate::fields;
-use crate::formula::{Component, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
 use crate::quantity::{F_TWIST_HINGE, LA, M_TWIST_HINGE, RP, TWIST_M2};
 use crate::scalar::{Scalar, abs, sign};
 use crate::ujoint::{Arm, TwistFactors, TwistShares};
@@ -24,9 +24,13 @@ fields! {
 pub struct HingeTwist;
 
 impl Formula for HingeTwist {
-    const SPEC: Spec = Spec::new("ujoint.hinge_twist", "Hinge loads of the twisting moment", Source::UJOINT.section("Friction"))
-.equation(r"M_{\mathrm{twist}}^{\mathrm{hinge}} = \alpha_{\mathrm{twist}}\lvert m_2\rvert,\quad F_{\mathrm{twist}}^{\mathrm{hinge}} = \beta_{\mathrm{twist}}\frac{\lvert m_2\rvert}{L_a}")
-.eta(2.0, 3.0);
+    const SPEC: Spec = Spec::new(
+        "ujoint.hinge_twist",
+        "Hinge loads of the twisting moment",
+        Document::UJOINT.reconstructed("Friction", "the quotient by L_a was lost"),
+    )
+        .equation(r"M_{\mathrm{twist}}^{\mathrm{hinge}} = \alpha_{\mathrm{twist}}\lvert m_2\rvert,\quad F_{\mathrm{twist}}^{\mathrm{hinge}} = \beta_{\mathrm{twist}}\frac{\lvert m_2\rvert}{L_a}")
+        .eta(2.0, 3.0);
     type Inputs<T: Component> = Twist<T>;
     type Outputs<T: Component> = TwistLoads<T>;
 

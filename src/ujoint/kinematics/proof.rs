@@ -22,7 +22,7 @@ impl Proved for Constraint {
             c0: 0.0,
         };
         let mut cases = vec![
-            Case::limit("in-place", "b at (3, 4, 12) and e1a across e3b: no residual", hand),
+            Case::hand("in-place", "b at (3, 4, 12) and e1a across e3b: no residual", hand),
             Case::hand(
                 "off",
                 "(3, 4, 12) - (1, 1, 1), 0.6 - 0.5",
@@ -110,7 +110,7 @@ impl Proved for Stop {
                 StopAngles { alpha: 0.75, gamma: -1.5, ..hand },
             ),
             Case::hand("beyond", "negative gaps", StopAngles { alpha: 1.0, gamma: -2.0, ..hand }),
-            Case::limit("locked", "both stops at one angle", StopAngles { theta1_min: 0.75, theta3_min: 1.5, ..hand }),
+            Case::hand("locked", "both stops at one angle", StopAngles { theta1_min: 0.75, theta3_min: 1.5, ..hand }),
             Case::hard(
                 "ulp",
                 "one ulp from the stops",

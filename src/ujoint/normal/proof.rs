@@ -9,8 +9,8 @@ impl Proved for NormalMoments {
         let hand = AllContactMoments { mc1: 5.0, mc3: 2.0, mc1_int: -1.0, mc3_int: 3.0 };
         let mut cases = vec![
             Case::hand("press-fit", "2 × 5 + 1, 2 × 2 + 3", hand),
-            Case::limit("no-press-fit", "M_N = 2 M_C", AllContactMoments { mc1_int: 0.0, mc3_int: 0.0, ..hand }),
-            Case::limit("unloaded", "M_N = |M_C_int|", AllContactMoments { mc1: 0.0, mc3: 0.0, ..hand }),
+            Case::hand("no-press-fit", "M_N = 2 M_C", AllContactMoments { mc1_int: 0.0, mc3_int: 0.0, ..hand }),
+            Case::hand("unloaded", "M_N = |M_C_int|", AllContactMoments { mc1: 0.0, mc3: 0.0, ..hand }),
         ];
         cases.extend(hard::norms().into_iter().map(|moments| {
             let [mc1, mc3, mc1_int, mc3_int] = moments.value;

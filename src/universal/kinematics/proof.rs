@@ -12,7 +12,7 @@ impl Proved for Constraint {
     fn cases() -> Vec<Case<Shafts<f64>>> {
         let right = Shafts { e1a: Vector3::x(), e3b: Vector3::z(), c0: 0.0 };
         let mut cases = vec![
-            Case::limit("right-angle", "the cross as it is meant to be: no residual", right),
+            Case::hand("right-angle", "the cross as it is meant to be: no residual", right),
             Case::hand(
                 "oblique",
                 "0.6 against an initial cosine of 0.5",
@@ -48,7 +48,7 @@ impl Proved for Angles {
         let [a, b] = turns::axes([1, 2, 3]);
         let [x, y, z] = a;
         let mut cases = vec![
-            Case::limit("aligned", "both 0 where both triads are the same", Triads::new(a, b)),
+            Case::hand("aligned", "both 0 where both triads are the same", Triads::new(a, b)),
             Case::hand("quarter-turn-of-a-shaft", "b turned by 90° about e1a", Triads::new(a, [x, z, -y])),
             Case::hand("quarter-turn-of-b-shaft", "b turned by 90° about e3b", Triads::new(a, [y, -x, z])),
         ];
@@ -94,7 +94,7 @@ impl Proved for RelativeMotion {
         let turn = TurnsSince { alpha: 3.125, gamma: -3.125, alpha0: -3.125, gamma0: 3.125, ..hand };
         vec![
             Case::hand("turned", "0.5 and -0.75 from the start, 0.25 and 0.5 from the reference", hand),
-            Case::limit("start", "no rotation at the start", start),
+            Case::hand("start", "no rotation at the start", start),
             Case::hard("ulp", "one ulp from the start", ulp),
             Case::hard("across-180", "the plain difference is nearly a full turn", turn),
             Case::hard(

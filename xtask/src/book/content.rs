@@ -3,9 +3,9 @@
 //! The book machinery never looks into the library. Whoever calls [`super::build`] fills these structs from the
 //! catalog, the last audit and the golden files; what is `None` or empty here is printed as "not run", never as proof.
 //!
-//! Fields called *text* hold plain words in which `$…$` is mathematics, `` `…` `` is code and `[…](…)` is a link from the
-//! root of the book.
+//! Fields called *text* hold plain words in which `$…$` is mathematics and `` `…` `` is code.
 
+use crate::extension::Exhibits;
 use crate::report::data::Report;
 use jointproof::verify::Audit;
 
@@ -18,57 +18,14 @@ pub(crate) struct Content {
     pub(crate) sources: Vec<SourceFile>,
     /// Tests that run over the whole catalog.
     pub(crate) catalog_tests: Vec<TestRef>,
-    /// Figures made by the build, by name: SVG elements as in `book/figures`.
-    pub(crate) figures: Vec<(String, String)>,
-    /// Markdown made by the build, by name.
-    pub(crate) texts: Vec<(String, String)>,
-    /// What programs printed for this build, by name.
-    pub(crate) outputs: Vec<(String, String)>,
+    /// What the project shows beside its formulas.
+    pub(crate) exhibits: Exhibits,
     /// The last report on speed and error.
     pub(crate) report: Option<Report>,
+    /// Whether it is about this very version of the code.
+    pub(crate) is_current: bool,
     /// Golden files to be copied beside the pages.
     pub(crate) golden: Vec<GoldenFile>,
-    /// The kinds of elements that a scene may have.
-    pub(crate) kinds: Vec<Kind>,
-}
-
-/// A kind of element of a scene.
-#[derive(Debug, Clone)]
-pub(crate) struct Kind {
-    /// The name in scene files, for instance `slot`.
-    pub(crate) name: String,
-    /// The dimension, for instance `3d`.
-    pub(crate) dimension: String,
-    /// The roles of its nodes.
-    pub(crate) nodes: String,
-    /// Its parameters.
-    pub(crate) parameters: Vec<Given>,
-    /// Its loads.
-    pub(crate) loads: Vec<Given>,
-    /// Its outputs.
-    pub(crate) outputs: Vec<Shown>,
-}
-
-/// What a scene gives to an element.
-#[derive(Debug, Clone)]
-pub(crate) struct Given {
-    /// The name in scene files.
-    pub(crate) name: String,
-    /// What it is, with its unit (text).
-    pub(crate) meaning: String,
-    /// What it is where it is not given (text); empty for a load, which stays as it was.
-    pub(crate) without: String,
-}
-
-/// An output of an element.
-#[derive(Debug, Clone)]
-pub(crate) struct Shown {
-    /// The name in scene files, for instance `CSF1`.
-    pub(crate) name: String,
-    /// What it is, with its unit (text).
-    pub(crate) meaning: String,
-    /// The formulas that compute it.
-    pub(crate) formulas: Vec<String>,
 }
 
 /// One Rust file of the repository.
@@ -100,8 +57,6 @@ pub(crate) struct Entry {
     pub(crate) latex: String,
     /// Where the equation comes from.
     pub(crate) source: Source,
-    /// What the documents say about it (texts with links).
-    pub(crate) statements: Vec<String>,
     /// Inputs in the order of the golden file.
     pub(crate) inputs: Vec<Symbol>,
     /// Outputs in the order of the golden file.
@@ -121,12 +76,14 @@ pub(crate) struct Entry {
 /// The document an equation was taken from.
 #[derive(Debug, Clone, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Source {
-    /// Short name, for instance `SLOT`.
-    pub(crate) name: String,
-    /// Full citation (text).
-    pub(crate) citation: String,
+    /// Its title (text), for instance `SLOT`.
+    pub(crate) title: String,
+    /// Where it can be read; may be empty.
+    pub(crate) link: String,
     /// Place within the document (text); may be empty.
     pub(crate) place: String,
+    /// How much of the equation the document prints (text).
+    pub(crate) provenance: String,
 }
 
 /// One named field of a formula's inputs or outputs.
@@ -136,7 +93,7 @@ pub(crate) struct Symbol {
     pub(crate) name: String,
     /// The symbol in LaTeX.
     pub(crate) latex: String,
-    /// `scalar`, `vec2`, `vec3`.
+    /// `scalar`, `vec2`, `vec3`, `mat3`.
     pub(crate) shape: String,
     /// `L`, `F`, `FL` or `1`.
     pub(crate) unit: String,

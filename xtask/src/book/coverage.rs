@@ -1,39 +1,83 @@
 //! Every formula of the catalog has its entry in the book, and has it once.
 
 use super::fault::Fault;
+use super::markdown::{Found, Piece, scan};
+use anyhow::Context;
 use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+/// The folder of the chapters.
+const CHAPTERS: &str = "book/src";
 
 /// A `{{#formula id}}` in a chapter.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Directive<'a> {
+#[derive(Debug, Clone)]
+pub(crate) struct Directive {
     /// The formula it names.
-    pub(crate) id: &'a str,
+    pub(crate) id: String,
     /// The chapter.
-    pub(crate) file: &'a str,
+    pub(crate) file: String,
     /// Its line, from 1.
     pub(crate) line: usize,
 }
 
+/// What is wrong with the entries of the book at `root`: see [`faults`].
+///
+/// # Errors
+/// If a chapter cannot be read.
+pub fn uncovered(root: &Path, ids: &[&str]) -> anyhow::Result<Vec<Fault>> {
+    Ok(faults(ids, &directives(root)?))
+}
+
+/// Every entry in the chapters on disk, by the names of the chapters.
+pub(crate) fn directives(root: &Path) -> anyhow::Result<Vec<Directive>> {
+    let mut directives = Vec::new();
+    for (file, text) in chapters(root)? {
+        for Found { piece, line, .. } in scan(&text).0 {
+            if let Piece::Directive { name, argument: id } = piece
+                && name == "formula"
+            {
+                directives.push(Directive { id, file: file.clone(), line });
+            }
+        }
+    }
+    Ok(directives)
+}
+
+/// The chapters in the order of their names, with their paths from the root.
+fn chapters(root: &Path) -> anyhow::Result<BTreeMap<String, String>> {
+    let mut chapters = BTreeMap::new();
+    for entry in fs::read_dir(root.join(CHAPTERS)).with_context(|| format!("cannot read {CHAPTERS}"))? {
+        let path = entry.with_context(|| format!("cannot read {CHAPTERS}"))?.path();
+        if path.extension().is_some_and(|extension| extension == "md") {
+            let shown = format!("{CHAPTERS}/{}", path.file_name().unwrap_or_default().display());
+            let text = fs::read_to_string(&path).with_context(|| format!("cannot read {shown}"))?;
+            chapters.insert(shown, text);
+        }
+    }
+    Ok(chapters)
+}
+
 /// Directives that name no formula or one that has its entry already, and formulas without an entry.
-pub(crate) fn faults<'a>(ids: &[&str], directives: impl IntoIterator<Item = Directive<'a>>) -> Vec<Fault> {
-    let mut first = BTreeMap::new();
+pub(crate) fn faults(ids: &[&str], directives: &[Directive]) -> Vec<Fault> {
+    let mut first: BTreeMap<&str, &Directive> = BTreeMap::new();
     let mut faults = Vec::new();
     for directive in directives {
         let Directive { id, file, line } = directive;
-        let message = if !ids.contains(&id) {
+        let message = if !ids.contains(&id.as_str()) {
             let hint = nearest(ids, id).map(|near| format!("; did you mean `{near}`?")).unwrap_or_default();
             format!("no formula `{id}` in the catalog{hint}")
-        } else if let Some(Directive { file, line, .. }) = first.get(id) {
+        } else if let Some(Directive { file, line, .. }) = first.get(id.as_str()) {
             format!("formula `{id}` has its entry already, at {file}:{line}")
         } else {
             first.insert(id, directive);
             continue;
         };
-        faults.push(Fault { file: file.to_owned(), line, message });
+        faults.push(Fault { file: file.clone(), line: *line, message });
     }
     for id in ids.iter().filter(|id| !first.contains_key(*id)) {
         let message = format!("formula `{id}` is in the catalog but in no chapter; add `{{{{#formula {id}}}}}`");
-        faults.push(Fault { file: "book/src".to_owned(), line: 0, message });
+        faults.push(Fault { file: CHAPTERS.to_owned(), line: 0, message });
     }
     faults
 }

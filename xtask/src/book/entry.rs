@@ -1,11 +1,12 @@
 //! One formula's entry: equation, symbols, source, kinks, evidence, golden cases, code and tests.
 
-use super::content::{CodeSpan, Entry, Evidence, GoldenCounts, Kink, Symbol, TestRef};
+use super::content::{CodeSpan, Entry, Evidence, GoldenCounts, Kink, Source, Symbol, TestRef};
 use super::html::{each, escape, number, relative};
 use super::pages::{Pages, Place};
 use super::rust;
 use super::source::listing_page;
 use super::speed;
+use crate::extension::Fact;
 use jointproof::verify::{Audit, Claim};
 
 /// The entry as one line of HTML.
@@ -59,29 +60,34 @@ fn symbol_row(pages: &Pages<'_>, at: &Place, symbol: &Symbol) -> String {
     )
 }
 
-/// Source, statements, kinks, golden cases and evidence.
+/// Source, provenance, what the project adds, kinks, golden cases and evidence.
 fn facts(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let source = &entry.source;
     let place = if source.place.is_empty() { String::new() } else { format!(", {}", pages.text(at, &source.place)) };
-    let mut out = fact("Source", &format!("{}{place}", pages.text(at, &source.citation)));
-    out += &fact("Statements", &statements(pages, at, &entry.statements));
+    let mut out = fact("Source", &format!("{}{place}", document(pages, at, source)));
+    out += &fact("Provenance", &pages.text(at, &source.provenance));
+    for Fact { name, lines, .. } in pages.content.exhibits.facts.iter().filter(|fact| fact.formula == entry.id) {
+        let items = each(lines, |line| format!("<li>{}</li>", pages.text(at, line)));
+        out += &fact(&escape(name), &format!("<ul>{items}</ul>"));
+    }
     out += &fact("Kinks", &kinks(pages, at, &entry.kinks));
     out += &fact("Golden cases", &golden(at, entry.golden.as_ref()));
     out += &fact("Evidence", &evidence(&entry.evidence));
     out + &fact("Laws", &laws(entry.evidence.audit.as_ref()))
 }
 
+/// The title of a document, as a link where it can be read.
+pub(crate) fn document(pages: &Pages<'_>, at: &Place, source: &Source) -> String {
+    let title = pages.text(at, &source.title);
+    match &*source.link {
+        "" => title,
+        link => format!("<a href=\"{}\">{title}</a>", escape(link)),
+    }
+}
+
 /// One row of the list of facts.
 fn fact(name: &str, html: &str) -> String {
     format!("<dt>{name}</dt><dd>{html}</dd>")
-}
-
-/// What the documents say about it.
-fn statements(pages: &Pages<'_>, at: &Place, statements: &[String]) -> String {
-    if statements.is_empty() {
-        return "none: no document says it".to_owned();
-    }
-    format!("<ul>{}</ul>", each(statements, |statement| format!("<li>{}</li>", pages.text(at, statement))))
 }
 
 /// Where the derivative jumps, and what is returned there.

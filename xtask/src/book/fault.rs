@@ -4,13 +4,13 @@ use std::fmt;
 
 /// One thing that is wrong, and where.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Fault {
+pub struct Fault {
     /// The file, from the repository root or relative to `book/src`.
-    pub(crate) file: String,
+    pub file: String,
     /// Line counted from 1; 0 where the whole file is meant.
-    pub(crate) line: usize,
+    pub line: usize,
     /// What is wrong, and what would mend it.
-    pub(crate) message: String,
+    pub message: String,
 }
 
 impl fmt::Display for Fault {

@@ -9,9 +9,9 @@ use super::pages::{Pages, Place};
 /// The figure with its caption; a fault if there is no such file, or it is not fit to be inlined.
 pub(crate) fn figure(pages: &Pages<'_>, at: &Place, folder: &Path, argument: &str) -> String {
     let (name, caption) = argument.split_once(char::is_whitespace).unwrap_or((argument, ""));
-    let made = pages.content.figures.iter().find(|(known, _)| known == name).map(|(_, svg)| svg.clone());
+    let made = pages.content.exhibits.figures.iter().find(|(known, _)| known == name).map(|(_, svg)| svg.clone());
     let Some(svg) = made.or_else(|| read(folder, name)) else {
-        let made = pages.content.figures.iter().map(|(name, _)| name.clone());
+        let made = pages.content.exhibits.figures.iter().map(|(name, _)| name.clone());
         let known: Vec<_> = made.chain(names(folder)).collect();
         pages.fault(at, format!("no figure `{name}`; there are: {}", known.join(", ")));
         return String::new();

@@ -52,6 +52,21 @@ pub(crate) fn each<T>(items: impl IntoIterator<Item = T>, html: impl FnMut(T) ->
     items.into_iter().map(html).collect()
 }
 
+/// A table that scrolls inside its box on narrow screens.
+pub(crate) fn table(class: &str, head: &[&str], rows: &str) -> String {
+    let head = each(head, |name| format!("<th>{name}</th>"));
+    format!(
+        "<div class=\"table-wrapper\" tabindex=\"0\"><table class=\"{class}\"><thead><tr>{head}</tr></thead>\
+         <tbody>{rows}</tbody></table></div>"
+    )
+}
+
+/// A row; a cell whose text can be long is `wide`, a number is a `figure`.
+pub(crate) fn row(cells: &[(&str, String)]) -> String {
+    let cell = |(class, html): &(&str, String)| format!("<td class=\"{class}\">{html}</td>");
+    format!("<tr>{}</tr>", each(cells, cell))
+}
+
 /// A number as a reader likes it: `0.93`, `12`, or `3.1 × 10⁻⁷¹` with a real superscript.
 pub(crate) fn number(value: f64) -> String {
     let size = value.abs();

@@ -75,18 +75,28 @@ impl<'a> Pages<'a> {
 
     /// *Text* as HTML: `$…$` is mathematics, `` `…` `` is code, `[…](…)` is a link, everything else is words.
     pub(crate) fn text(&self, at: &Place, text: &str) -> String {
-        let mut out = String::new();
-        let mut rest = text;
-        while let Some((before, words, target, after)) = link(rest) {
-            let target = escape(&relative(&at.page, target));
-            out += &format!("{}<a href=\"{target}\">{}</a>", self.words(at, before), self.words(at, words));
-            rest = after;
-        }
-        out + &self.words(at, rest)
+        self.text_with(at, text, |code| format!("<code>{}</code>", escape(code)))
     }
 
-    /// *Text* without links as HTML.
-    fn words(&self, at: &Place, text: &str) -> String {
+    /// As [`Pages::text`], with a link where code names a formula.
+    pub(crate) fn linked_text(&self, at: &Place, text: &str) -> String {
+        self.text_with(at, text, |code| self.link(&at.page, code))
+    }
+
+    fn text_with(&self, at: &Place, text: &str, code: impl Fn(&str) -> String) -> String {
+        let mut out = String::new();
+        let mut rest = text;
+        while let Some(Link { before, words, target, after }) = Link::first(rest) {
+            out += &self.words_with(at, before, &code);
+            let words = self.words_with(at, words, |code| format!("<code>{}</code>", escape(code)));
+            out.extend(["<a href=\"", &escape(&relative(&at.page, target)), "\">", &words, "</a>"]);
+            rest = after;
+        }
+        out + &self.words_with(at, rest, &code)
+    }
+
+    /// A text without links.
+    fn words_with(&self, at: &Place, text: &str, code: impl Fn(&str) -> String) -> String {
         let mut out = String::new();
         let mut rest = text;
         while let Some(open) = rest.find(['$', '`']) {
@@ -100,7 +110,7 @@ impl<'a> Pages<'a> {
             if mark == "$" {
                 out.push_str(&self.inline_math(at, inner));
             } else {
-                out.extend(["<code>", &escape(inner), "</code>"]);
+                out += &code(inner);
             }
             rest = after;
         }
@@ -116,10 +126,20 @@ impl<'a> Pages<'a> {
     }
 }
 
-/// The first link of a text: what stands before it, its words, its target, what stands after it.
-fn link(text: &str) -> Option<(&str, &str, &str, &str)> {
-    let (head, tail) = text.split_once("](")?;
-    let (before, words) = head.rsplit_once('[')?;
-    let (target, after) = tail.split_once(')')?;
-    Some((before, words, target, after))
+/// A link in a text.
+struct Link<'t> {
+    before: &'t str,
+    words: &'t str,
+    target: &'t str,
+    after: &'t str,
+}
+
+impl<'t> Link<'t> {
+    /// The first one.
+    fn first(text: &'t str) -> Option<Self> {
+        let (head, tail) = text.split_once("](")?;
+        let (before, words) = head.rsplit_once('[')?;
+        let (target, after) = tail.split_once(')')?;
+        Some(Self { before, words, target, after })
+    }
 }

@@ -86,15 +86,15 @@ impl Formulary {
             ("evidence", "") => tables::evidence(pages, at),
             ("sources", "") => tables::sources(pages, at),
             ("speed", part) => speed::part(pages, at, part).unwrap_or_else(|| unknown(pages, at, name, argument)),
-            ("kinds", dimension) => tables::kinds(pages, at, dimension),
+            ("table", name) => tables::named(pages, at, name),
             _ => unknown(pages, at, name, argument),
         }
     }
 
     /// `{{#output name}}`: what a program printed for this build.
     fn output(pages: &Pages<'_>, at: &Place, name: &str) -> String {
-        let Some((_, text)) = pages.content.outputs.iter().find(|(known, _)| known == name) else {
-            let known: Vec<_> = pages.content.outputs.iter().map(|(name, _)| name.as_str()).collect();
+        let Some((_, text)) = pages.content.exhibits.outputs.iter().find(|(known, _)| known == name) else {
+            let known: Vec<_> = pages.content.exhibits.outputs.iter().map(|(name, _)| name.as_str()).collect();
             pages.fault(at, format!("no output `{name}`; there are: {}", known.join(", ")));
             return String::new();
         };
@@ -109,7 +109,7 @@ fn with_texts(content: &Content, chapter: &str) -> String {
     for Found { piece, range, .. } in scan(chapter).0 {
         if let Piece::Directive { name, argument } = piece
             && name == "text"
-            && let Some((_, text)) = content.texts.iter().find(|(known, _)| *known == argument)
+            && let Some((_, text)) = content.exhibits.texts.iter().find(|(known, _)| *known == argument)
         {
             out.extend([&chapter[done..range.start], text]);
             done = range.end;
@@ -120,7 +120,7 @@ fn with_texts(content: &Content, chapter: &str) -> String {
 
 /// Nothing, and a fault: a text of a known name was put in before.
 fn no_text(pages: &Pages<'_>, at: &Place, name: &str) -> String {
-    let known: Vec<_> = pages.content.texts.iter().map(|(name, _)| name.as_str()).collect();
+    let known: Vec<_> = pages.content.exhibits.texts.iter().map(|(name, _)| name.as_str()).collect();
     pages.fault(at, format!("no text `{name}`; there are: {}", known.join(", ")));
     String::new()
 }
@@ -128,7 +128,7 @@ fn no_text(pages: &Pages<'_>, at: &Place, name: &str) -> String {
 /// Nothing, and a fault.
 fn unknown(pages: &Pages<'_>, at: &Place, name: &str, argument: &str) -> String {
     let known = format!(
-        "formula ID, figure NAME, output NAME, text NAME, kinds DIMENSION, symbols, kinks, evidence, sources, {}",
+        "formula ID, figure NAME, output NAME, table NAME, text NAME, symbols, kinks, evidence, sources, {}",
         speed::PARTS
     );
     let written = format!("{name} {argument}");
@@ -144,7 +144,7 @@ fn place(chapter: &Chapter, line: usize) -> Place {
 }
 
 /// Finds the pieces of a chapter, and notes where formulas have their entries.
-fn read(chapter: &Chapter, pages: &Pages<'_>, entries: &mut Vec<(String, Place)>) -> Vec<Found> {
+fn read(chapter: &Chapter, pages: &Pages<'_>, entries: &mut Vec<(Directive, Place)>) -> Vec<Found> {
     let (found, faults) = scan(&chapter.content);
     for (line, message) in faults {
         pages.fault(&place(chapter, line), message);
@@ -153,18 +153,19 @@ fn read(chapter: &Chapter, pages: &Pages<'_>, entries: &mut Vec<(String, Place)>
         if let Piece::Directive { name, argument } = piece
             && name == "formula"
         {
-            entries.push((argument.clone(), place(chapter, *line)));
+            let at = place(chapter, *line);
+            entries.push((Directive { id: argument.clone(), file: at.file.clone(), line: at.line }, at));
         }
     }
     found
 }
 
 /// Keeps the place of each formula's first entry; what [`coverage`] finds is a fault.
-fn note(entries: Vec<(String, Place)>, pages: &mut Pages<'_>) {
+fn note(entries: Vec<(Directive, Place)>, pages: &mut Pages<'_>) {
     let ids: Vec<&str> = pages.content.entries.iter().map(|entry| entry.id.as_str()).collect();
-    let directives = entries.iter().map(|(id, at)| Directive { id, file: &at.file, line: at.line });
-    pages.faults.borrow_mut().0.extend(coverage::faults(&ids, directives));
-    for (id, at) in entries {
-        pages.places.entry(id).or_insert(at);
+    let (directives, places): (Vec<_>, Vec<_>) = entries.into_iter().unzip();
+    pages.faults.borrow_mut().0.extend(coverage::faults(&ids, &directives));
+    for (directive, at) in directives.into_iter().zip(places) {
+        pages.places.entry(directive.id).or_insert(at);
     }
 }

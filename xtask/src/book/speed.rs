@@ -1,9 +1,8 @@
 //! Speed against error: what an entry shows of the last report, and the parts of the chapter.
 
 use super::content::Entry;
-use super::html::{each, escape, number};
+use super::html::{each, escape, number, row, table};
 use super::pages::{Pages, Place};
-use super::tables::{row, table};
 use crate::report::data::Report;
 use crate::report::plot;
 use crate::report::tables::{duration, spread, step};
@@ -80,7 +79,7 @@ pub(crate) const PARTS: &str =
 pub(crate) fn part(pages: &Pages<'_>, at: &Place, argument: &str) -> Option<String> {
     let (name, family) = argument.split_once(' ').unwrap_or((argument, ""));
     let part: fn(&Pages<'_>, &Place, &Report) -> String = match name {
-        "about" => |_, _, report| about(report),
+        "about" => |pages, _, report| about(report, pages.content.is_current),
         "verdict" => verdict,
         "overviews" => |pages, _, report| overviews(pages, report),
         "table" => overall,
@@ -91,18 +90,18 @@ pub(crate) fn part(pages: &Pages<'_>, at: &Place, argument: &str) -> Option<Stri
     Some(match &pages.content.report {
         Some(report) if family.is_empty() => part(pages, at, report),
         Some(report) => part(pages, at, &report.of_family(family)),
-        None => "<p class=\"missing\">Not measured; <code>cargo xtask report</code> does.</p>".into(),
+        None => "<p class=\"missing\">Not measured; the command <code>report</code> does.</p>".into(),
     })
 }
 
 /// When and where.
-fn about(report: &Report) -> String {
+fn about(report: &Report, is_current: bool) -> String {
     let Report { created, machine, build, options, .. } = report;
     let flags = match &*build.flags {
         "" => "no flags beside those".to_owned(),
         flags => format!("the flags <code>{}</code>", escape(flags)),
     };
-    let version = if report.is_current() { "this version" } else { "<b>another version</b>" };
+    let version = if is_current { "this version" } else { "<b>another version</b>" };
     let processor = escape(&machine.processor);
     format!(
         "<p>All figures on this page and in the entries are from one run, on {version} of the code: {created}, on {processor} \

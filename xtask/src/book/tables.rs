@@ -1,27 +1,13 @@
-//! The generated pages and tables: symbols, kinks, evidence, sources, kinds of elements.
+//! The generated pages and tables: symbols, kinks, evidence, sources, and the project's own.
 
 use std::collections::BTreeMap;
 
-use super::content::{Entry, Given, Kind, Symbol};
-use super::entry::worst;
-use super::html::{each, escape, number};
+use super::content::{Entry, Source, Symbol};
+use super::entry::{document, worst};
+use super::html::{each, escape, number, row, table};
 use super::pages::{Pages, Place};
+use crate::extension::Table;
 use jointproof::verify::Claim;
-
-/// A table that scrolls inside its box on narrow screens.
-pub(crate) fn table(class: &str, head: &[&str], rows: &str) -> String {
-    let head = each(head, |name| format!("<th>{name}</th>"));
-    format!(
-        "<div class=\"table-wrapper\" tabindex=\"0\"><table class=\"{class}\"><thead><tr>{head}</tr></thead>\
-         <tbody>{rows}</tbody></table></div>"
-    )
-}
-
-/// A row; a cell whose text can be long is `wide`, a number is a `figure`.
-pub(crate) fn row(cells: &[(&str, String)]) -> String {
-    let cell = |(class, html): &(&str, String)| format!("<td class=\"{class}\">{html}</td>");
-    format!("<tr>{}</tr>", each(cells, cell))
-}
 
 /// Links to several formulas.
 fn links(pages: &Pages<'_>, at: &Place, ids: &[&str]) -> String {
@@ -117,39 +103,35 @@ fn gap(claim: &Claim) -> String {
 
 /// `{{#sources}}`: every document cited, with the formulas taken from it.
 pub(crate) fn sources(pages: &Pages<'_>, at: &Place) -> String {
-    let mut index: BTreeMap<(&str, &str), Vec<&str>> = BTreeMap::new();
+    let mut index: BTreeMap<(&str, &str), (&Source, Vec<&str>)> = BTreeMap::new();
     for entry in &pages.content.entries {
-        index.entry((&entry.source.name, &entry.source.citation)).or_default().push(&entry.id);
+        let key: (&str, &str) = (&entry.source.title, &entry.source.link);
+        index.entry(key).or_insert((&entry.source, Vec::new())).1.push(&entry.id);
     }
-    let rows = each(&index, |((name, citation), ids)| {
-        row(&[("", pages.text(at, name)), ("wide", pages.text(at, citation)), ("wide", links(pages, at, ids))])
+    let rows = each(index.values(), |(source, ids)| {
+        row(&[("wide", document(pages, at, source)), ("wide", links(pages, at, ids))])
     });
-    table("sources", &["Source", "Document", "Formulas"], &rows)
+    table("sources", &["Document", "Formulas"], &rows)
 }
 
-/// `{{#kinds 3d}}`: what the elements of a dimension are given, and their outputs with the formulas behind them.
-pub(crate) fn kinds(pages: &Pages<'_>, at: &Place, dimension: &str) -> String {
-    let kinds: Vec<_> = pages.content.kinds.iter().filter(|kind| kind.dimension == dimension).collect();
-    if kinds.is_empty() {
-        pages.fault(at, format!("no kinds of elements in the dimension `{dimension}`"));
-    }
-    each(kinds, |kind| kind_of_element(pages, at, kind))
-}
-
-fn kind_of_element(pages: &Pages<'_>, at: &Place, kind: &Kind) -> String {
-    let Kind { name, dimension, nodes, parameters, loads, outputs } = kind;
-    let code = |name: &str| ("", format!("<code>{}</code>", escape(name)));
-    let given = |given: &Given, without: &str| {
-        row(&[code(&given.name), ("wide", pages.text(at, &given.meaning)), ("", pages.text(at, without))])
+/// `{{#table name}}`: what the project shows under this name.
+pub(crate) fn named(pages: &Pages<'_>, at: &Place, name: &str) -> String {
+    let tables = &pages.content.exhibits.tables;
+    let Some((_, named)) = tables.iter().find(|(known, _)| known == name) else {
+        let known: Vec<_> = tables.iter().map(|(name, _)| name.as_str()).collect();
+        pages.fault(at, format!("no table `{name}`; there are: {}", known.join(", ")));
+        return String::new();
     };
-    let rows = each(parameters, |parameter| given(parameter, &parameter.without))
-        + &each(loads, |load| given(load, "a load, 0 until a frame gives it"));
-    let inputs = if rows.is_empty() { rows } else { table("index", &["Given", "Meaning", "If not given"], &rows) };
-    let rows = each(outputs, |output| {
-        let formulas: Vec<_> = output.formulas.iter().map(String::as_str).collect();
-        row(&[code(&output.name), ("wide", pages.text(at, &output.meaning)), ("wide", links(pages, at, &formulas))])
-    });
-    let outputs = table("index", &["Output", "Meaning", "Formula"], &rows);
-    let (name, nodes) = (escape(name), escape(nodes));
-    format!("<p id=\"{name}-{dimension}\"><strong><code>{name}</code></strong>, nodes {nodes}</p>{inputs}{outputs}")
+    each(named, |Table { anchor, title, head, rows }| {
+        let head: Vec<_> = head.iter().map(String::as_str).collect();
+        // A text of several words may take the room; a name may not be broken.
+        let class = |text: &String| if text.contains(' ') { "wide" } else { "" };
+        let cell = |text: &String| (class(text), pages.linked_text(at, text));
+        let cells = |texts: &Vec<String>| row(&texts.iter().map(cell).collect::<Vec<_>>());
+        let id = if anchor.is_empty() { String::new() } else { format!(" id=\"{}\"", escape(anchor)) };
+        let title = if title.is_empty() { String::new() } else { format!("<p{id}>{}</p>", pages.text(at, title)) };
+        // Nothing is said about what there is not.
+        let table = if rows.is_empty() { String::new() } else { table("index", &head, &each(rows, cells)) };
+        title + &table
+    })
 }

@@ -3,9 +3,9 @@
 use std::fs;
 use std::path::Path;
 
+use super::build::{Options, build, write};
 use super::content::{CodeSpan, Content, Entry, GoldenFile, SourceFile, Symbol};
 use super::fault::Faults;
-use super::{Options, build};
 
 /// Two formulas, one of them with code.
 fn content() -> Content {
@@ -36,7 +36,7 @@ fn content() -> Content {
 
 /// Writes a book of one chapter and builds it.
 fn book(root: &Path, chapter: &str) -> anyhow::Result<()> {
-    let file = |path: &str, text: &str| super::write(&root.join("book").join(path), text.as_bytes()).unwrap();
+    let file = |path: &str, text: &str| write(&root.join("book").join(path), text.as_bytes()).unwrap();
     file(
         "book.toml",
         "[book]\ntitle = \"T\"\n[output.html]\nadditional-css = [\"theme/book.css\", \"theme/code.css\"]\n",
@@ -154,7 +154,7 @@ fn a_failed_build_leaves_the_last_good_book_and_nothing_else() {
 #[test]
 fn files_can_be_included() {
     let root = tempfile::tempdir().unwrap();
-    super::write(&root.path().join("tools/read.py"), b"price = '$5'\n").unwrap();
+    write(&root.path().join("tools/read.py"), b"price = '$5'\n").unwrap();
     book(root.path(), &format!("{GOOD}```python\n{{{{#include ../../tools/read.py}}}}\n```\n")).unwrap();
     assert!(page(root.path()).contains("price = '$5'"));
 }

@@ -1,7 +1,7 @@
 //! The models of a cross arm over its slenderness.
 
 use super::chart::{Axis, Chart, Curve};
-use jointproof::ujoint::arm::{Models, curves};
+use crate::studies::arm_models::{Models, curves};
 
 fn slenderness() -> Axis<'static> {
     Axis {

@@ -1,7 +1,8 @@
 //! SLIDER by both routes: errors where a line is hard, and the jump of t1 and t2.
 
 use super::chart::{Axis, Chart, Curve};
-use jointproof::slider::{Nodes, Setting, Slider};
+use crate::studies::routes::Setting;
+use jointproof::slider::{Nodes, Slider};
 use nalgebra::Vector3;
 use std::fmt::Write;
 

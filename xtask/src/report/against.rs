@@ -149,9 +149,9 @@ impl Comparison {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::measuring::Build;
     use crate::report::data::Machine;
     use jointproof::measure::{Options, Quantiles};
-    use measure::Build;
 
     fn time(median: f64) -> Time {
         Time { median, low: 0.95 * median, high: 1.05 * median }

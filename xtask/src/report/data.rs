@@ -1,16 +1,16 @@
 //! A report: what was measured, where, when and with what.
 
+use crate::measuring::Build;
+use crate::project::Project;
 use crate::{evidence, files};
 use anyhow::Context;
-use jointproof::catalog::CATALOG;
 use jointproof::measure::{Measurement, Options};
-use measure::Build;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
 
-/// Everything a run of `cargo xtask report` found.
+/// Everything a run of `report` found.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Report {
@@ -47,9 +47,9 @@ pub(crate) struct Machine {
 
 impl Report {
     /// Made now, here.
-    pub(super) fn new(build: Build, options: Options, formulas: Vec<Measurement>) -> Self {
-        let machine = Machine::this();
-        Self { version: VERSION, created: now(), sources: sources(), machine, build, options, formulas }
+    pub(super) fn new(project: &Project, build: Build, options: Options, formulas: Vec<Measurement>) -> Self {
+        let (machine, sources) = (Machine::this(), sources(project));
+        Self { version: VERSION, created: now(), sources, machine, build, options, formulas }
     }
 
     /// The measurement of this formula.
@@ -64,8 +64,8 @@ impl Report {
     }
 
     /// Whether it is about this very version of the code.
-    pub(crate) fn is_current(&self) -> bool {
-        self.sources == sources()
+    pub(crate) fn is_current(&self, project: &Project) -> bool {
+        self.sources == sources(project)
     }
 
     /// The report in a file.
@@ -73,28 +73,29 @@ impl Report {
         let shown = path.display();
         let text = std::fs::read_to_string(path).with_context(|| format!("cannot read {shown}"))?;
         serde_json::from_str(&text)
-            .with_context(|| format!("{shown} is not a report; `cargo xtask report --format json` writes one"))
+            .with_context(|| format!("{shown} is not a report; `report --format json` writes one"))
     }
 
     /// The report kept for the book, if it is about every formula.
-    pub(crate) fn kept() -> Option<Self> {
-        let kept = Self::read(&place()).ok()?;
-        CATALOG.iter().all(|formula| kept.formula(formula.spec().id).is_some()).then_some(kept)
+    pub(crate) fn kept(project: &Project) -> Option<Self> {
+        let kept = Self::read(&place(project)).ok()?;
+        project.catalog().iter().all(|formula| kept.formula(formula.spec().id).is_some()).then_some(kept)
     }
 
     /// Keeps it for the book.
-    pub(super) fn keep(&self) -> anyhow::Result<PathBuf> {
-        files::write(&place(), &serde_json::to_string(self)?)?;
-        Ok(place())
+    pub(super) fn keep(&self, project: &Project) -> anyhow::Result<PathBuf> {
+        let place = place(project);
+        files::write(&place, &serde_json::to_string(self)?)?;
+        Ok(place)
     }
 }
 
-fn place() -> PathBuf {
-    files::target().join("report.json")
+fn place(project: &Project) -> PathBuf {
+    project.kept("report.json")
 }
 
-fn sources() -> String {
-    format!("{:016x}", evidence::fingerprint())
+fn sources(project: &Project) -> String {
+    format!("{:016x}", evidence::fingerprint(project))
 }
 
 impl Machine {

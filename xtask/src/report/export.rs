@@ -3,11 +3,11 @@
 use super::data::{Machine, Report};
 use crate::console::say;
 use crate::files;
+use crate::measuring::Build;
 use anyhow::Context;
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
 use jointproof::measure::{Figures, Options, Time};
-use measure::Build;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::Path;

@@ -1,25 +1,30 @@
 //! Has the measuring program built and run, and follows it.
 
 use crate::console::progress;
-use crate::files;
+use crate::measuring::{Build, Event, Request, measure};
+use crate::project::Project;
 use anyhow::{Context, bail};
 use indicatif::ProgressBar;
 use jointproof::measure::{Measurement, Options};
-use measure::{Build, Event, Request};
 use std::io::{BufRead, BufReader, IsTerminal};
 use std::process::{Command, Stdio};
 
 /// What the measuring program was and what it found.
-pub(super) fn run(formulas: Vec<String>, options: Options, here: bool) -> anyhow::Result<(Build, Vec<Measurement>)> {
+pub(super) fn run(
+    project: &Project,
+    formulas: Vec<String>,
+    options: Options,
+    here: bool,
+) -> anyhow::Result<(Build, Vec<Measurement>)> {
     let mut record = Record { build: None, measured: Vec::new(), bar: progress("report", 3 * formulas.len()) };
     let request = Request { formulas, options };
     if here {
-        measure::measure(&request, |event| {
+        measure(project, &request, |event| {
             record.note(event);
             Ok::<_, anyhow::Error>(())
         })?;
     } else {
-        ask(&request, &mut record)?;
+        ask(project, &request, &mut record)?;
     }
     record.bar.finish_and_clear();
     Ok((record.build.context("the measuring program did not say how it was built")?, record.measured))
@@ -55,15 +60,19 @@ impl Record {
     }
 }
 
-/// Builds the program with optimisation, by the same cargo, and asks it.
-fn ask(request: &Request, record: &mut Record) -> anyhow::Result<()> {
+/// Builds this program with optimisation and without what the commands need, by the same cargo, and asks it.
+fn ask(project: &Project, request: &Request, record: &mut Record) -> anyhow::Result<()> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let manifest = concat!(env!("CARGO_MANIFEST_DIR"), "/measure/Cargo.toml");
+    let this = std::env::current_exe()?;
+    let program = this.file_stem().context("this program has no name")?;
     let mut child = Command::new(&cargo)
-        .args(["run", "--release", "--manifest-path", manifest])
+        .args(["run", "--release", "--no-default-features", "--manifest-path"])
+        .arg(project.manifest())
+        .arg("--bin")
+        .arg(program)
         // Compiling takes a while the first time; somebody who watches should see that.
         .args((!std::io::stderr().is_terminal()).then_some("--quiet"))
-        .current_dir(files::root())
+        .args(["--", "measure"])
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .spawn()
@@ -76,7 +85,10 @@ fn ask(request: &Request, record: &mut Record) -> anyhow::Result<()> {
     }
     let status = child.wait()?;
     if !status.success() {
-        bail!("`cargo run --release --manifest-path {manifest}` ended with {status}; what it said is above");
+        let manifest = project.manifest().display();
+        bail!(
+            "`cargo run --release --no-default-features --manifest-path {manifest}` ended with {status}; what it said is above"
+        );
     }
     Ok(())
 }

@@ -1,6 +1,7 @@
-//! `cargo xtask report`: how fast and how wrong every way to compute every formula is.
+//! `report`: how fast and how wrong every way to compute every formula is.
 
 pub(crate) mod against;
+mod command;
 pub(crate) mod data;
 mod export;
 mod measuring;
@@ -9,112 +10,4 @@ pub(crate) mod plot;
 pub(crate) mod tables;
 pub(crate) mod verdict;
 
-use crate::Outcome;
-use crate::console::{print, say};
-use crate::files;
-use crate::selection::Selection;
-use anyhow::Context;
-use data::Report;
-use jointproof::catalog::AnyFormula;
-use jointproof::measure::Options;
-use std::path::PathBuf;
-use std::process::ExitCode;
-
-/// Measure how fast and how wrong every way to compute a formula is
-///
-/// Closed form, single precision, automatic differentiation, differences, 237-bit arithmetic and what else a formula
-/// registers are compared with the exact value at random and at hard points, and timed in turns. The measuring is done
-/// by a program built in release mode, which the first run compiles. A report on all formulas is kept for the book.
-#[derive(clap::Args)]
-#[command(after_help = "Examples:
-  cargo xtask report                              everything, some minutes
-  cargo xtask report --quick --filter 'slot.*'    a first look
-  cargo xtask report --format json > old.json     to keep
-  cargo xtask report --against old.json           what became worse; exit 1 if anything did
-  cargo xtask report --inputs points              points for a program in another language
-  cargo xtask report --timing-json times.json     times of the closed forms at these points")]
-pub(crate) struct Arguments {
-    #[command(flatten)]
-    selection: Selection,
-    /// Fewer points and rounds: under 20 s for all formulas
-    #[arg(long)]
-    quick: bool,
-    /// How to write the result
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    format: Format,
-    /// Compare with a report written by --format json
-    #[arg(long, value_name = "FILE")]
-    against: Option<PathBuf>,
-    /// Write the points over which time is taken, as little-endian doubles with a description in JSON beside
-    #[arg(long, value_name = "FOLDER")]
-    inputs: Option<PathBuf>,
-    /// Write nanoseconds a value and a value with Jacobian, by formula
-    #[arg(long, value_name = "FILE")]
-    timing_json: Option<PathBuf>,
-    /// Measure in this process as it was built, unoptimised: quick to start, for tests
-    #[arg(long)]
-    here: bool,
-    /// Print the schema of reports in JSON, and measure nothing
-    #[arg(long)]
-    schema: bool,
-}
-
-#[derive(Clone, Copy, clap::ValueEnum)]
-enum Format {
-    /// For a terminal
-    Text,
-    /// For a code review
-    Markdown,
-    /// For a program, and for --against
-    Json,
-}
-
-pub(crate) fn run(arguments: &Arguments) -> Outcome {
-    if arguments.schema {
-        print(&serde_json::to_string_pretty(&schemars::schema_for!(Report))?)?;
-        return Ok(ExitCode::SUCCESS);
-    }
-    let formulas = arguments.selection.formulas()?;
-    let old = arguments.against.as_deref().map(Report::read).transpose()?;
-    let options = if arguments.quick { Options::quick() } else { Options::full() };
-    if let Some(folder) = &arguments.inputs {
-        export::inputs(folder, &formulas, &options)?;
-    }
-    let report = measure(&formulas, options, arguments.here)?;
-    if arguments.selection.is_all() && !arguments.here {
-        say(&format!("kept for the book in {}", files::shown(&report.keep()?)));
-    }
-    if let Some(path) = &arguments.timing_json {
-        export::timing(path, &report)?;
-    }
-    let comparison = old.map(|old| against::compare(&old, &report));
-    match (arguments.format, &comparison) {
-        (Format::Json, _) => print(&serde_json::to_string_pretty(&report)?)?,
-        (Format::Text | Format::Markdown, Some(comparison)) => print(&comparison.text())?,
-        (Format::Text, None) => print(&tables::text(&report)?)?,
-        (Format::Markdown, None) => print(&tables::markdown(&report)?)?,
-    }
-    if let (Format::Json, Some(comparison)) = (arguments.format, &comparison) {
-        say(&comparison.text());
-    }
-    let worse = comparison.is_some_and(|comparison| !comparison.changes.is_empty());
-    Ok(if worse { ExitCode::FAILURE } else { ExitCode::SUCCESS })
-}
-
-/// Measures, in an optimised program unless `here`.
-fn measure(formulas: &[&dyn AnyFormula], options: Options, here: bool) -> anyhow::Result<Report> {
-    let ids = formulas.iter().map(|formula| formula.spec().id.to_owned()).collect();
-    let (build, formulas) = measuring::run(ids, options, here).context("the measuring failed")?;
-    Ok(Report::new(build, options, formulas))
-}
-
-/// The report kept for the book, or a quick one made now if none covers every formula.
-pub(crate) fn kept_or_quick() -> anyhow::Result<Report> {
-    if let Some(kept) = Report::kept() {
-        return Ok(kept);
-    }
-    say("no report on every formula is kept: measuring quickly; `cargo xtask report` measures thoroughly");
-    let report = measure(&Selection::ALL.formulas()?, Options::quick(), false)?;
-    report.keep()?;
-    Ok(report)
-}
+pub(crate) use command::{Arguments, kept_or_quick, run};

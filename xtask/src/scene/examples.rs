@@ -2,21 +2,22 @@
 
 use super::plot;
 use super::show::{self, Format};
-use crate::files;
+use crate::console::count;
 use anyhow::Context;
 use jointproof::scene::{Plan, Results, Scene, Series, schema};
+use kit::{Beside, Project};
 use std::path::PathBuf;
 
 /// How the name of a golden result ends.
 const RESULT: &str = ".result.json";
 
-fn folder() -> PathBuf {
-    files::root().join("golden").join("scenes")
+fn folder(project: &Project) -> PathBuf {
+    project.golden().join("scenes")
 }
 
 /// The files there, by name.
-fn files() -> anyhow::Result<Vec<PathBuf>> {
-    let entries = match std::fs::read_dir(folder()) {
+fn files(project: &Project) -> anyhow::Result<Vec<PathBuf>> {
+    let entries = match std::fs::read_dir(folder(project)) {
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(Vec::new()),
         entries => entries.context("cannot list golden/scenes/")?,
     };
@@ -26,9 +27,9 @@ fn files() -> anyhow::Result<Vec<PathBuf>> {
 }
 
 /// The scenes, by name.
-fn scenes() -> anyhow::Result<Vec<(String, Scene)>> {
+fn scenes(project: &Project) -> anyhow::Result<Vec<(String, Scene)>> {
     let mut scenes = Vec::new();
-    for path in files()? {
+    for path in files(project)? {
         let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let stem = name.strip_suffix(".json").filter(|_| !name.ends_with(RESULT) && name != "schema.json");
         if let Some(stem) = stem {
@@ -39,57 +40,28 @@ fn scenes() -> anyhow::Result<Vec<(String, Scene)>> {
     Ok(scenes)
 }
 
-/// A file beside the scenes, and what the code says that it is.
-type Regenerated = (PathBuf, String);
-
-/// The schema, and a result per scene, computed in 237 bits.
-pub(crate) fn regenerate() -> anyhow::Result<Vec<Regenerated>> {
-    let mut files = vec![(folder().join("schema.json"), serde_json::to_string_pretty(&schema())? + "\n")];
-    for (name, scene) in scenes()? {
-        let results = Results::exact(&scene).with_context(|| name.clone())?;
-        files.push((folder().join(format!("{name}.result.json")), results.golden()?));
-    }
-    Ok(files)
-}
-
-/// What a check of the scenes found.
-pub(crate) struct Checked {
-    /// Scenes, each with a golden result.
-    pub(crate) scenes: usize,
-    /// Numbers compared.
-    pub(crate) numbers: usize,
-    /// Files that are not what the code says.
-    pub(crate) off: Vec<PathBuf>,
-}
-
-/// Compares the committed files with what the code says, and looks for results that have no scene.
-pub(crate) fn check() -> anyhow::Result<Checked> {
-    let regenerated = regenerate()?;
-    let (mut numbers, mut off) = (0, Vec::new());
-    for (_, scene) in scenes()? {
+/// The schema, and a result per scene, computed in 237 bits; results whose scene is gone are orphans.
+pub(crate) fn golden(project: &Project) -> anyhow::Result<Beside> {
+    let (scenes, folder) = (scenes(project)?, folder(project));
+    let mut golden = vec![(folder.join("schema.json"), serde_json::to_string_pretty(&schema())? + "\n")];
+    let mut numbers = 0;
+    for (name, scene) in &scenes {
+        let results = Results::exact(scene).with_context(|| name.clone())?;
         let count = |series: &Series| series.values.iter().map(Vec::len).sum::<usize>();
-        numbers += Results::of(&scene)?.series.iter().map(count).sum::<usize>();
+        numbers += results.series.iter().map(count).sum::<usize>();
+        golden.push((folder.join(format!("{name}{RESULT}")), results.golden()?));
     }
-    for (path, text) in &regenerated {
-        if !std::fs::read_to_string(path).is_ok_and(|committed| committed == *text) {
-            off.push(path.clone());
-        }
-    }
-    off.extend(orphans(&regenerated)?);
-    Ok(Checked { scenes: regenerated.len() - 1, numbers, off })
-}
-
-/// Golden results whose scene is gone.
-pub(crate) fn orphans(regenerated: &[Regenerated]) -> anyhow::Result<Vec<PathBuf>> {
-    let results = files()?.into_iter().filter(|path| path.to_string_lossy().ends_with(RESULT));
-    Ok(results.filter(|path| regenerated.iter().all(|(known, _)| known != path)).collect())
+    let mut orphans = files(project)?;
+    orphans.retain(|path| path.to_string_lossy().ends_with(RESULT) && golden.iter().all(|(known, _)| known != path));
+    let counts = format!("{}, {}", count(scenes.len(), "scene"), count(numbers, "number"));
+    Ok(Beside { files: golden, orphans, counts })
 }
 
 /// What `cargo xtask scene` prints about the scenes, by the name that `{{#output name}}` gives: `plan-of-telescope`,
 /// `results-of-telescope`.
-pub(crate) fn outputs() -> anyhow::Result<Vec<(String, String)>> {
+pub(crate) fn outputs(project: &Project) -> anyhow::Result<Vec<(String, String)>> {
     let mut outputs = Vec::new();
-    for (name, scene) in scenes()? {
+    for (name, scene) in scenes(project)? {
         let plan = Plan::new(&scene);
         let (results, exact) = (Results::of(&scene)?, Results::exact(&scene)?);
         outputs.push((format!("plan-of-{name}"), show::plan(&scene, &plan, Format::Text)?));
@@ -161,9 +133,9 @@ const FIGURES: &[Figure] = &[
 ];
 
 /// The figures, by the name that `{{#figure name}}` gives: `scene-telescope-CSF1`.
-pub(crate) fn figures() -> anyhow::Result<Vec<(String, String)>> {
+pub(crate) fn figures(project: &Project) -> anyhow::Result<Vec<(String, String)>> {
     let mut drawn = Vec::new();
-    for (name, scene) in scenes()? {
+    for (name, scene) in scenes(project)? {
         let results = Results::exact(&scene).with_context(|| name.clone())?;
         for Figure { output, label, of, description, .. } in FIGURES.iter().filter(|figure| figure.scene == name) {
             let mut shown = results.clone();

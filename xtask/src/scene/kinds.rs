@@ -1,37 +1,55 @@
 //! What the book says about the kinds of elements, from the tables that the scenes are read with.
 
-use crate::book::content::{Given, Kind as KindOfElement, Shown};
 use jointproof::scene::{Fallback, Kind};
+use kit::Table;
 
-/// Every kind, in the order of the tables.
-pub(crate) fn kinds() -> Vec<KindOfElement> {
-    Kind::all().map(described).collect()
+/// The tables of every dimension, by the name that `{{#table name}}` gives: `kinds-3d`.
+pub(crate) fn tables() -> Vec<(String, Vec<Table>)> {
+    let mut tables: Vec<(String, Vec<Table>)> = Vec::new();
+    for kind in Kind::all() {
+        let name = format!("kinds-{}", kind.dimension.name());
+        match tables.iter_mut().find(|(known, _)| *known == name) {
+            Some((_, tables)) => tables.extend(described(kind)),
+            None => tables.push((name, described(kind).into())),
+        }
+    }
+    tables
 }
 
-fn described(kind: &'static Kind) -> KindOfElement {
-    let parameter = |(name, fallback): (&str, Fallback)| Given {
-        name: name.into(),
-        meaning: meaning(kind, name),
-        without: match fallback {
+/// Where the tables of a kind are in the chapter on scenes.
+pub(crate) fn anchor(kind: &Kind) -> String {
+    format!("{}-{}", kind.name, kind.dimension.name())
+}
+
+/// What a kind is given, and its outputs with the formulas behind them.
+fn described(kind: &'static Kind) -> [Table; 2] {
+    let parameter = |(name, fallback): (&str, Fallback)| {
+        let without = match fallback {
             Fallback::Required => "asked for".into(),
             Fallback::Number(number) => number.to_string(),
             Fallback::As(other) => format!("`{other}`"),
+        };
+        vec![format!("`{name}`"), meaning(kind, name), without]
+    };
+    let load = |name: &str| vec![format!("`{name}`"), meaning(kind, name), "a load, 0 until a frame gives it".into()];
+    let output = |&(name, register): &(&str, &str)| {
+        let formulas: Vec<_> = kind.writers(register).map(|formula| format!("`{}`", formula.step.id())).collect();
+        vec![format!("`{name}`"), meaning(kind, register), formulas.join(", ")]
+    };
+    let head = |names: [&str; 3]| names.map(String::from).into();
+    [
+        Table {
+            anchor: anchor(kind),
+            title: format!("`{}`, nodes {}", kind.name, kind.nodes.join(", ")),
+            head: head(["Given", "Meaning", "If not given"]),
+            rows: kind.parameters().map(parameter).chain(kind.loads().map(load)).collect(),
         },
-    };
-    let load = |name: &str| Given { name: name.into(), meaning: meaning(kind, name), without: String::new() };
-    let output = |&(name, register): &(&str, &str)| Shown {
-        name: name.into(),
-        meaning: meaning(kind, register),
-        formulas: kind.writers(register).map(|formula| formula.step.id().into()).collect(),
-    };
-    KindOfElement {
-        name: kind.name.into(),
-        dimension: kind.dimension.name().into(),
-        nodes: kind.nodes.join(", "),
-        parameters: kind.parameters().map(parameter).collect(),
-        loads: kind.loads().map(load).collect(),
-        outputs: kind.outputs.iter().map(output).collect(),
-    }
+        Table {
+            head: head(["Output", "Meaning", "Formula"]),
+            rows: kind.outputs.iter().map(output).collect(),
+            ..Table::default()
+        },
+    ]
 }
 
 /// What a register holds, and its unit.

@@ -8,14 +8,15 @@ mod kinds;
 mod plot;
 mod show;
 
-pub(crate) use examples::{Checked, check, figures, orphans, outputs, regenerate};
-pub(crate) use kinds::kinds;
+pub(crate) use examples::{figures, golden, outputs};
+pub(crate) use kinds::{anchor, tables};
 
 use crate::console::{print, progress, say};
 use crate::{Outcome, files};
 use anyhow::Context;
 use jointproof::Octuple;
 use jointproof::scene::{Plan, Results, Scene};
+use kit::Project;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
@@ -25,13 +26,13 @@ use std::time::{Duration, Instant};
 /// Every mistake in a scene is reported with its JSON path, line and column, all at once, and nothing is written then.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
-  cargo xtask scene golden/scenes/rail.json            a table per output
-  cargo xtask scene golden/scenes/rail.json --plan     which formulas, how often, and why
-  cargo xtask scene golden/scenes/rail.json --error    each number with its error against 237 bits
-  cargo xtask scene golden/scenes/rail.json --plot .   an SVG per output over the history
-  cargo xtask scene *.json --format csv > all.csv      for a spreadsheet
-  cargo xtask scene --generate 10000 > many.json       a scene to measure with
-  cargo xtask scene --benchmark                        what an element costs per state")]
+  {command} scene golden/scenes/rail.json            a table per output
+  {command} scene golden/scenes/rail.json --plan     which formulas, how often, and why
+  {command} scene golden/scenes/rail.json --error    each number with its error against 237 bits
+  {command} scene golden/scenes/rail.json --plot .   an SVG per output over the history
+  {command} scene *.json --format csv > all.csv      for a spreadsheet
+  {command} scene --generate 10000 > many.json       a scene to measure with
+  {command} scene --benchmark                        what an element costs per state")]
 pub(crate) struct Arguments {
     /// Scene files
     #[arg(value_name = "FILE", required_unless_present_any = ["generate", "benchmark"])]
@@ -60,7 +61,7 @@ pub(crate) struct Arguments {
     benchmark: bool,
 }
 
-pub(crate) fn run(arguments: &Arguments) -> Outcome {
+pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     if let Some(elements) = arguments.generate {
         piped(generate::write(arguments.of, elements, &mut anstream::stdout().lock()))?;
         return Ok(ExitCode::SUCCESS);
@@ -85,7 +86,7 @@ pub(crate) fn run(arguments: &Arguments) -> Outcome {
         if arguments.files.len() > 1 && arguments.format == show::Format::Text {
             print(&format!("{}\n", path.display()))?;
         }
-        one(arguments, path, scene)?;
+        one(project, arguments, path, scene)?;
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -113,7 +114,7 @@ fn read(path: &Path) -> anyhow::Result<Result<Scene, String>> {
     }))
 }
 
-fn one(arguments: &Arguments, path: &Path, scene: &Scene) -> anyhow::Result<()> {
+fn one(project: &Project, arguments: &Arguments, path: &Path, scene: &Scene) -> anyhow::Result<()> {
     let plan = Plan::new(scene);
     if arguments.plan {
         return print(&show::plan(scene, &plan, arguments.format)?);
@@ -138,7 +139,7 @@ fn one(arguments: &Arguments, path: &Path, scene: &Scene) -> anyhow::Result<()> 
         for (output, svg) in plot::charts(&results) {
             let target = folder.join(format!("{stem}.{output}.svg"));
             files::write(&target, &svg)?;
-            say(&format!("wrote {}", files::shown(&target)));
+            say(&format!("wrote {}", project.shown(&target)));
         }
     }
     Ok(())

@@ -5,15 +5,17 @@ use super::documents::{self, Document};
 use super::errata;
 use super::statement::{Cover, Statement, Status};
 use super::world::{self, World};
-use crate::book::source::listing_page;
+use crate::scene;
+use jointproof::catalog::CATALOG;
+use kit::{Fact, Project, listing_page};
 use std::fmt::Write;
 
 /// The page of the traceability.
 const PAGE: &str = "traceability.html";
 
 /// What chapters put in by `{{#text name}}`, in Markdown.
-pub(crate) fn texts() -> anyhow::Result<Vec<(String, String)>> {
-    let (documents, world) = (documents::all(), World::read()?);
+pub(crate) fn texts(project: &Project) -> anyhow::Result<Vec<(String, String)>> {
+    let (documents, world) = (documents::all(), World::read(project)?);
     let mut texts = vec![
         ("statements".to_owned(), traceability(&documents, &world)),
         ("documents".to_owned(), sources(&documents)),
@@ -22,25 +24,21 @@ pub(crate) fn texts() -> anyhow::Result<Vec<(String, String)>> {
     Ok(texts)
 }
 
+/// What every entry says: the statements that name its formula.
+pub(crate) fn facts(project: &Project) -> anyhow::Result<Vec<Fact>> {
+    let (documents, world) = (documents::all(), World::read(project)?);
+    let fact = |id: &str| {
+        let mut lines = of_formula(&documents, &world, id);
+        if lines.is_empty() {
+            lines.push("none: no document says it".into());
+        }
+        Fact { formula: id.into(), name: "Statements".into(), lines }
+    };
+    Ok(CATALOG.iter().map(|formula| fact(formula.spec().id)).collect())
+}
+
 /// The statements that name a formula, a line each (text).
-pub(crate) struct Named {
-    documents: Vec<Document>,
-    world: World,
-}
-
-impl Named {
-    /// Of all documents.
-    pub(crate) fn read() -> anyhow::Result<Self> {
-        Ok(Self { documents: documents::all(), world: World::read()? })
-    }
-
-    /// Those that name the formula `id`.
-    pub(crate) fn of(&self, id: &str) -> Vec<String> {
-        of_formula(&self.documents, &self.world, id)
-    }
-}
-
-fn of_formula(documents: &[Document], world: &World, id: &str) -> Vec<String> {
+pub(super) fn of_formula(documents: &[Document], world: &World, id: &str) -> Vec<String> {
     let lines = documents.iter().flat_map(|document| {
         document.statements.iter().filter(|statement| statement.names(id)).map(move |statement| {
             let others: Vec<_> = statement.covers.iter().filter_map(|cover| beside(cover, id, world)).collect();
@@ -108,7 +106,7 @@ fn reference(cover: &Cover, world: &World) -> String {
         Cover::Item(path) => linked(&short(path), world.item(path)),
         Cover::Test(test) => linked(&format!("test `{test}`"), world.test(test)),
         Cover::Output(name) => match world::output(name) {
-            Some(kind) => format!("[{name}](scenes.html#{}-{})", kind.name, kind.dimension.name()),
+            Some(kind) => format!("[{name}](scenes.html#{})", scene::anchor(kind)),
             None => name.to_owned(),
         },
         Cover::Chapter(place) => {

@@ -5,6 +5,7 @@ use super::errata::Erratum;
 use super::statement::{Cover, Formula, Statement, Status};
 use super::world::{self, World};
 use jointproof::catalog::CATALOG;
+use jointproof::formula::Provenance;
 use std::collections::BTreeSet;
 
 /// The chapter of the errata.
@@ -51,7 +52,7 @@ fn exists(cover: &Cover, errata: &[Erratum], world: &World) -> bool {
     match *cover {
         Cover::Formula(formula) => CATALOG.iter().any(|known| known.spec().id == formula.spec().id),
         Cover::Law(formula, words) => formula.laws().iter().filter(|law| law.starts_with(words)).count() == 1,
-        Cover::Case(formula, case) => world::has_case(formula.spec().id, case),
+        Cover::Case(formula, case) => world.has_case(formula.spec().id, case),
         Cover::Item(path) => world.item(path).is_some(),
         Cover::Output(name) => world::output(name).is_some(),
         Cover::Test(test) => world.test(test).is_some(),
@@ -74,11 +75,20 @@ fn reference(cover: &Cover) -> String {
     }
 }
 
-/// A formula that no statement names.
+/// A formula that no statement names, unless it is ours, or one whose section is none of its document's.
 fn unnamed(formula: Formula, documents: &[Document]) -> Option<String> {
-    let id = formula.spec().id;
+    let spec = formula.spec();
+    let (id, source) = (spec.id, spec.source);
     let named = documents.iter().flat_map(|document| &document.statements).any(|statement| statement.names(id));
-    (!named).then(|| format!("{id}: no statement of a document names this formula"))
+    let is_section = |document: &Document| source.section.is_empty() || document.sections.contains(&source.section);
+    let of_document = |document: &&Document| document.source == source.document;
+    if !named && !matches!(source.provenance, Provenance::Ours(_)) {
+        return Some(format!("{id}: no statement of a document names this formula, and it is not ours"));
+    }
+    if !documents.iter().find(of_document).is_some_and(is_section) {
+        return Some(format!("{id}: its section \"{}\" is not one of {}", source.section, source.document.title));
+    }
+    None
 }
 
 /// What is wrong with an erratum: what it shows, and its place in the chapter.

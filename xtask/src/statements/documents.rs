@@ -7,12 +7,12 @@ mod translator;
 mod ujoint;
 
 use super::statement::Statement;
-use jointproof::formula::Source;
+use jointproof::formula;
 
 /// A document that formulas were taken from.
 pub(crate) struct Document {
     /// What formulas call it.
-    pub(crate) source: Source,
+    pub(crate) source: formula::Document,
     /// The beginning of its statements' anchors.
     pub(crate) anchor: &'static str,
     /// What kind of text it is, and what it is about (Markdown).

@@ -77,9 +77,9 @@ impl Comparison {
         self.reading(Kind::Literal, "as printed".into(), latex, &[value], off)
     }
 
-    /// The document read as it stands, which is what the library does.
-    fn kept<F: Formula>(self, latex: &'static str, values: &[f64], off: f64) -> Self {
-        self.reading(Kind::Literal, format!("as printed, and here: `{}`", F::SPEC.id), latex, values, off)
+    /// A literal reading that the library keeps.
+    fn kept<F: Formula>(self, whose: &str, latex: &'static str, values: &[f64], off: f64) -> Self {
+        self.reading(Kind::Literal, format!("{whose}, and here: `{}`", F::SPEC.id), latex, values, off)
     }
 
     /// Another literal reading.
@@ -139,16 +139,22 @@ impl Erratum {
     pub(crate) fn markdown(&self) -> String {
         let mut text = String::new();
         for Comparison { at, law, readings, .. } in &self.comparisons {
-            let _ =
-                write!(text, "At {at}. The law: {law}.\n\n| Reading | | Value | Off the law by |\n|---|---|---|---|\n");
+            let head = "| Reading | Equation | Value | Off the law by |\n|---|---|---|---|";
+            let _ = writeln!(text, "*Point:* {at}. *Law:* {law}.\n\n{head}");
             for Reading { whose, latex, values, off, .. } in readings {
-                let values: Vec<_> = values.iter().map(|value| digits(*value)).collect();
-                let _ = writeln!(text, "| {whose} | ${latex}$ | {} | {} |", values.join(", "), digits(*off));
+                let _ = writeln!(text, "| {whose} | ${latex}$ | {} | {} |", all_digits(values), digits(*off));
             }
             text.push('\n');
         }
         text
     }
+}
+
+/// Four digits of each; what is rounding beside the largest is 0.
+fn all_digits(values: &[f64]) -> String {
+    let largest = values.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+    let shown = values.iter().map(|value| digits(if value.abs() < largest * 1e-12 { 0.0 } else { *value }));
+    shown.collect::<Vec<_>>().join(", ")
 }
 
 /// Four digits.

@@ -16,13 +16,14 @@ mod world;
 use crate::console::say;
 use check::faults;
 use documents::Document;
+use kit::Project;
 use statement::Status;
 use world::World;
 
 /// Checks all statements and errata: whether all is well, and counts.
-pub(crate) fn verify() -> anyhow::Result<(bool, String)> {
+pub(crate) fn verify(project: &Project) -> anyhow::Result<(bool, String)> {
     let (documents, errata) = (documents::all(), errata::all());
-    let faults = faults(&documents, &errata, &World::read()?);
+    let faults = faults(&documents, &errata, &World::read(project)?);
     for fault in &faults {
         say(fault);
     }

@@ -6,11 +6,14 @@ use super::errata::{self, Erratum};
 use super::statement::{Statement, covered, mended, open, outside};
 use super::world::{World, anchors};
 use super::{Counts, book};
+use jointproof::catalog::CATALOG;
 use jointproof::formula::Formula;
 use jointproof::slot::{self, Slot};
+use kit::Project;
 
 fn world() -> World {
-    World::read().unwrap()
+    let project = Project::new("jointproof", env!("CARGO_MANIFEST_DIR"), CATALOG).in_folder("..");
+    World::read(&project).unwrap()
 }
 
 /// What is wrong once a statement is added to ours.
@@ -70,7 +73,7 @@ fn a_formula_that_no_statement_names_fails() {
         document.statements.retain(|statement| !statement.names(id));
     }
     assert!(count(&documents) < before);
-    let expected = format!("{id}: no statement of a document names this formula");
+    let expected = format!("{id}: no statement of a document names this formula, and it is not ours");
     assert_eq!(faults(&documents, &errata::all(), &world()), [expected]);
 }
 
@@ -108,7 +111,7 @@ fn anchors_are_those_of_headings_and_entries() {
 
 #[test]
 fn an_entry_has_its_statements_with_links() {
-    let lines = book::Named::read().unwrap().of(slot::ConstraintForce::SPEC.id);
+    let lines = book::of_formula(&documents::all(), &world(), slot::ConstraintForce::SPEC.id);
     let line = lines.iter().find(|line| line.contains("[SLOT L32](traceability.html#slot-L32)")).unwrap();
     for link in [
         "[case `axes`](golden/slot.constraint_force.json)",

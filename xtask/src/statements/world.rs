@@ -1,12 +1,12 @@
 //! What there is to refer to: chapters and their anchors, golden cases, tests and other code, outputs of scenes.
 
-use crate::files;
 use anyhow::Context;
 use jointproof::scene::Kind;
 use jointproof::verify::golden;
+use kit::Project;
 use pulldown_cmark::{Event, HeadingLevel, Options, Parser, Tag, TagEnd};
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The repository, as far as a statement can refer to it.
 pub(super) struct World {
@@ -14,6 +14,8 @@ pub(super) struct World {
     chapters: BTreeMap<String, String>,
     /// The Rust files below `src` and `tests`, by path.
     code: BTreeMap<String, String>,
+    /// The folder of the golden files.
+    golden: PathBuf,
 }
 
 /// A line of a Rust file.
@@ -26,12 +28,11 @@ pub(super) struct Place {
 
 impl World {
     /// What is on disk now.
-    pub(super) fn read() -> anyhow::Result<Self> {
-        let root = files::root();
-        let mut world = Self { chapters: BTreeMap::new(), code: BTreeMap::new() };
-        read(&root.join("book/src"), "md", &mut world.chapters)?;
+    pub(super) fn read(project: &Project) -> anyhow::Result<Self> {
+        let mut world = Self { chapters: BTreeMap::new(), code: BTreeMap::new(), golden: project.golden() };
+        read(project, &project.root().join("book/src"), "md", &mut world.chapters)?;
         for folder in ["src", "tests"] {
-            read(&root.join(folder), "rs", &mut world.code)?;
+            read(project, &project.root().join(folder), "rs", &mut world.code)?;
         }
         Ok(world)
     }
@@ -45,6 +46,13 @@ impl World {
     pub(super) fn has_place(&self, place: &str) -> bool {
         let (file, anchor) = place.split_once('#').unwrap_or((place, ""));
         self.chapter(file).is_some_and(|text| anchor.is_empty() || anchors(text).contains(anchor))
+    }
+
+    /// Whether the golden file of a formula has a case.
+    pub(super) fn has_case(&self, formula: &str, case: &str) -> bool {
+        let text = std::fs::read_to_string(self.golden.join(format!("{formula}.json"))).ok();
+        let file = text.and_then(|text| golden::File::parse(&text).ok());
+        file.is_some_and(|file| file.cases.iter().any(|record| record.id == case))
     }
 
     /// Where a test is, given as `ujoint::a_name` of `tests/ujoint.rs`.
@@ -87,13 +95,6 @@ pub(super) fn output(name: &str) -> Option<&'static Kind> {
         candidate.name == kind && dimension.is_none_or(|dimension| candidate.dimension.name() == dimension)
     };
     Kind::all().filter(fits).find(|kind| kind.output(output).is_some())
-}
-
-/// Whether the golden file of a formula has a case.
-pub(super) fn has_case(formula: &str, case: &str) -> bool {
-    let path = files::root().join("golden").join(format!("{formula}.json"));
-    let file = std::fs::read_to_string(path).ok().and_then(|text| golden::File::parse(&text).ok());
-    file.is_some_and(|file| file.cases.iter().any(|record| record.id == case))
 }
 
 /// A path without type parameters.
@@ -158,14 +159,14 @@ fn normal(heading: &str) -> String {
 }
 
 /// Reads the files of a folder and below that have an ending.
-fn read(folder: &Path, ending: &str, into: &mut BTreeMap<String, String>) -> anyhow::Result<()> {
+fn read(project: &Project, folder: &Path, ending: &str, into: &mut BTreeMap<String, String>) -> anyhow::Result<()> {
     for entry in std::fs::read_dir(folder).with_context(|| format!("cannot list {}", folder.display()))? {
         let path = entry?.path();
         if path.is_dir() {
-            read(&path, ending, into)?;
+            read(project, &path, ending, into)?;
         } else if path.extension().is_some_and(|extension| extension == ending) {
             let text = std::fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
-            into.insert(files::shown(&path).replace('\\', "/"), text);
+            into.insert(project.shown(&path).replace('\\', "/"), text);
         }
     }
     Ok(())

@@ -22,6 +22,12 @@ impl Finding {
     }
 }
 
+impl From<kit::Fault> for Finding {
+    fn from(fault: kit::Fault) -> Self {
+        Self::new(fault.file, fault.line, fault.message)
+    }
+}
+
 impl Display for Finding {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match self.line {

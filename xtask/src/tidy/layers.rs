@@ -14,6 +14,8 @@ enum Layer {
     Formula,
     /// The formulas and connectors of one document.
     Room,
+    /// The vocabulary of evidence: cases, kinks, laws, other ways.
+    Proof,
     /// What proves and measures a formula.
     Toolkit,
     /// Every formula by identifier.
@@ -26,8 +28,9 @@ impl Layer {
     /// The layer of a module at the root of the library; what is not named here is a room.
     fn of(module: &str) -> Self {
         match module {
-            "error" | "newtype" | "octuple" | "quantity" | "scalar" | "single" => Self::Ground,
+            "binade" | "eft" | "error" | "newtype" | "octuple" | "quantity" | "scalar" | "single" => Self::Ground,
             "formula" => Self::Formula,
+            "proof" => Self::Proof,
             "verify" | "measure" => Self::Toolkit,
             "catalog" => Self::Catalog,
             "scene" => Self::Scene,
@@ -48,23 +51,28 @@ struct Forbidden {
 const FORBIDDEN: &[Forbidden] = &[
     Forbidden {
         from: Layer::Ground,
-        to: &[Layer::Formula, Layer::Room, Layer::Toolkit, Layer::Catalog, Layer::Scene],
+        to: &[Layer::Formula, Layer::Room, Layer::Proof, Layer::Toolkit, Layer::Catalog, Layer::Scene],
         why: "numbers, quantities and errors stand below the formulas; hand it in, or move it up",
     },
     Forbidden {
         from: Layer::Formula,
-        to: &[Layer::Room, Layer::Toolkit, Layer::Catalog, Layer::Scene],
+        to: &[Layer::Room, Layer::Proof, Layer::Toolkit, Layer::Catalog, Layer::Scene],
         why: "what a formula is does not depend on what is made of it or said about it; move it there",
     },
     Forbidden {
         from: Layer::Room,
-        to: &[Layer::Toolkit],
+        to: &[Layer::Proof, Layer::Toolkit],
         why: "formulas and connectors compile without what proves them; move it to the evidence beside them",
     },
     Forbidden {
         from: Layer::Room,
         to: &[Layer::Catalog, Layer::Scene],
         why: "a room knows only what is below it; let the caller hand it in",
+    },
+    Forbidden {
+        from: Layer::Proof,
+        to: &[Layer::Room, Layer::Toolkit, Layer::Catalog, Layer::Scene],
+        why: "in what words evidence is stated depends on no formula and on nothing that checks it; move it there",
     },
     Forbidden {
         from: Layer::Toolkit,
@@ -79,10 +87,11 @@ pub(super) fn crossed(tree: &Tree, edges: &Edges) -> Vec<Finding> {
     let findings = edges.iter().filter_map(|(&(from, to), Place { line, text })| {
         let path = &tree.sources[from].path;
         let (lower, upper) = (layer(path)?, layer(&tree.sources[to].path)?);
-        let why = if upper == Layer::Toolkit && evidence.contains(&from) && lower == Layer::Room {
+        let said = matches!(upper, Layer::Proof | Layer::Toolkit);
+        let why = if said && evidence.contains(&from) && lower == Layer::Room {
             None
-        } else if upper == Layer::Toolkit && !tree.sources[from].formulas.is_empty() {
-            Some("a file of formulas imports neither `verify` nor `measure`; move the evidence to a file beside it")
+        } else if said && lower == Layer::Room && !tree.sources[from].formulas.is_empty() {
+            Some("a file of formulas imports neither `proof` nor `verify` nor `measure`; move the evidence to a file beside it")
         } else {
             let rules = FORBIDDEN.iter().filter(|rule| rule.from == lower && rule.to.contains(&upper));
             rules.map(|rule| rule.why).next()

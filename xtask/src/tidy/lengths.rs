@@ -9,7 +9,7 @@ use std::path::Path;
 const MOST: usize = 500;
 
 /// Below this is the median of the files with formulas. `None` until the evidence has moved out of them: then 150.
-const MEDIAN_BELOW: Option<usize> = None;
+const MEDIAN_BELOW: Option<usize> = Some(150);
 
 /// Every file of a member of the workspace that is too long, and the number of files looked at.
 pub(super) fn too_long(root: &Path, tree: &Tree) -> anyhow::Result<(Vec<Finding>, usize)> {

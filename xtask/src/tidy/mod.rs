@@ -13,7 +13,6 @@
 //! are made from, others what is made of these.
 
 mod circles;
-mod directives;
 mod edges;
 mod finding;
 mod graph;
@@ -29,10 +28,10 @@ mod tests;
 mod tree;
 mod words;
 
+use crate::Outcome;
 use crate::console::{bold, count, green, print, red};
-use crate::{Outcome, files};
 use finding::Finding;
-use jointproof::catalog::CATALOG;
+use kit::Project;
 use std::path::Path;
 use std::process::ExitCode;
 use tree::Tree;
@@ -45,8 +44,8 @@ use tree::Tree;
 /// circle one place a use is shown, the shortest circles first.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
-  cargo xtask tidy                   every rule
-  cargo xtask tidy circles layers    these two")]
+  {command} tidy                   every rule
+  {command} tidy circles layers    these two")]
 pub(crate) struct Arguments {
     /// The rules to check [default: all]
     #[arg(value_enum, value_name = "RULE")]
@@ -70,9 +69,9 @@ enum Rule {
     Lengths,
 }
 
-pub(crate) fn run(arguments: &Arguments) -> Outcome {
-    let ids: Vec<&str> = CATALOG.iter().map(|formula| formula.spec().id).collect();
-    let Tidiness { findings, counts } = check(files::root(), &ids, &arguments.rules)?;
+pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
+    let ids: Vec<&str> = project.catalog().iter().map(|formula| formula.spec().id).collect();
+    let Tidiness { findings, counts } = check(project.root(), &ids, &arguments.rules)?;
     let lines: Vec<_> = findings.iter().map(ToString::to_string).collect();
     let verdict = if findings.is_empty() { green("ok ") } else { red("off") };
     let found = count(findings.len(), "finding");
@@ -112,7 +111,7 @@ fn check(root: &Path, formulas: &[&str], rules: &[Rule]) -> anyhow::Result<Tidin
         (Rule::Layers, layers::crossed(&tree, &edges)),
         (Rule::Ids, ids::typed(&tree)),
         (Rule::Inline, inline::missing(&tree)),
-        (Rule::Directives, directives::faults(root, formulas)?),
+        (Rule::Directives, kit::uncovered(root, formulas)?.into_iter().map(Finding::from).collect()),
         (Rule::Lengths, too_long),
     ];
     let wanted = found.into_iter().filter(|(rule, _)| rules.is_empty() || rules.contains(rule));

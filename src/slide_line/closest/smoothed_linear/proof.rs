@@ -15,7 +15,7 @@ impl Proved for ClosestSmoothedLinear {
             vec![Case::hand("open", "the corner is z = r² + 1/4: foot (0, 0.25) at t = 1/2", at_corner(0.0, 0.5))];
         cases.extend(evidence::cases(at_corner));
         cases.extend([
-            Case::limit("default", "the default fraction 0.2", LinearCornerSlave { f: 0.2, ..at_corner(0.125, 0.125) }),
+            Case::hand("default", "the default fraction 0.2", LinearCornerSlave { f: 0.2, ..at_corner(0.125, 0.125) }),
             Case::hard("sharp", "f → 0", LinearCornerSlave { f: 1e-8, ..at_corner(0.125, -0.375) }),
             Case::hard("widest", "f → 1/2", LinearCornerSlave { f: 0.5_f64.next_down(), ..at_corner(0.125, -0.375) }),
         ]);

@@ -22,7 +22,7 @@ impl Proved for ClosestSmoothedParabolic {
         };
         let curved = |f| ParabolicCornerSlave { f, ..beside(curved_corner(), 0.2, 0.375) };
         cases.extend([
-            Case::limit("default", "the default fraction 0.2", curved(0.2)),
+            Case::hand("default", "the default fraction 0.2", curved(0.2)),
             Case::hard("sharp", "f → 0", curved(1e-8)),
             Case::hard("widest", "f → 1/2", curved(0.5_f64.next_down())),
         ]);

@@ -14,8 +14,8 @@ impl Proved for HingeTransverse {
                 "a quarter of the force on each hinge",
                 CentreLoads { f_axial1: 0.0, f_axial3: 0.0, ..hand },
             ),
-            Case::limit("stubby", "λ → 0: quarters of all three", CentreLoads { m2: 8e-9, la: 1e-9, ..hand }),
-            Case::limit(
+            Case::hard("stubby", "λ → 0: quarters of all three", CentreLoads { m2: 8e-9, la: 1e-9, ..hand }),
+            Case::hard(
                 "long",
                 "λ → ∞: 3/8 of |m2|/La, nothing of the other axis",
                 CentreLoads { m2: 8e9, la: 1e9, ..hand },

@@ -1,6 +1,6 @@
 //! The error of differences over their step.
 
-use super::{Axis, Drawing, power, style};
+use super::drawing::{Axis, Drawing, power, style};
 use crate::audit::figure;
 use jointproof::measure::{Curve, Measurement};
 

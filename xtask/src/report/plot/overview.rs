@@ -1,6 +1,6 @@
 //! One family at a glance: a row a formula, time from left to right.
 
-use super::{Axis, Drawing, style, time};
+use super::drawing::{Axis, Drawing, style, time};
 use jointproof::measure::{Measurement, WayFigures};
 
 const WIDTH: f64 = 760.0;

@@ -1,6 +1,6 @@
 //! The speed/error plane of one formula.
 
-use super::{Axis, Drawing, power, style, time};
+use super::drawing::{Axis, Drawing, power, style, time};
 use crate::report::pareto::front;
 use crate::report::tables::duration;
 use jointproof::measure::Measurement;

@@ -2,14 +2,14 @@
 
 use super::Document;
 use crate::statements::statement::{Statement, covered, mended, open, outside};
-use jointproof::formula::Source;
+use jointproof::formula;
 use jointproof::isl::{Contact, Element, ElementSet, Interaction, TorquePrint};
 use jointproof::slide_line::{self, Kind, Nodes, PlacedLine, SlideLine};
 use jointproof::{coulomb, interaction};
 
 pub(super) fn document() -> Document {
     Document {
-        source: Source::SLIDE_LINE,
+        source: formula::Document::SLIDE_LINE,
         anchor: "slide-line",
         about: "A run of pages of a manual: the end of its Section 40.4.1, *Slide line contact elements*, from the local basis on, \
                 and Section 40.4.2, *Axisymmetric slide line element library*. What stands before the local basis was not in \
@@ -28,7 +28,14 @@ pub(super) fn document() -> Document {
             "Defining the slide line element’s section properties",
             "Defining nondefault mechanical surface interactions with slide line elements",
             "Obtaining the “maximum torque” that can be transmitted across axisymmetric slide lines",
-            "40.4.2 Axisymmetric slide line element library",
+            "40.4.2 AXISYMMETRIC SLIDE LINE ELEMENT LIBRARY",
+            "Overview",
+            "Element types",
+            "Nodal coordinates required",
+            "Element property definition",
+            "Element-based loading",
+            "Element output",
+            "Node ordering and integration point numbering",
         ],
         bytes: 9555,
         sha256: "937453e8b0f6469deb347e891b3df7eb420cec308cb14f4574a9806dc42f7d08",

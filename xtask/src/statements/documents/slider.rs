@@ -3,12 +3,12 @@
 
 use super::Document;
 use crate::statements::statement::{Statement, covered, mended, open, outside};
-use jointproof::formula::Source;
+use jointproof::formula;
 use jointproof::slider::{self, Pivots, Slider, Slider2d, documented};
 
 pub(super) fn document() -> Document {
     Document {
-        source: Source::SLIDER,
+        source: formula::Document::SLIDER,
         anchor: "slider",
         about: "The theory of a multi-point constraint that holds a node on the straight line through two others: the condition, \
                 its elimination, its derivative, and the case of two dimensions. The text that we had is one paragraph without \
@@ -67,11 +67,11 @@ fn constraint() -> Vec<Statement> {
         mended("e5", "i is the axis of t1's largest projection; the comparisons are lost.", "ties-of-the-pivot-rule")
             .item::<Pivots>()
             .cases(&slider::Eliminate, &["second-tie"])
-            .test("slider::the_pivots_are_those_of_t1_and_t2"),
+            .test("slider_pivots::the_pivots_are_those_of_t1_and_t2"),
         mended("e6", "j is chosen in the same way; the comparisons are lost.", "ties-of-the-pivot-rule")
             .item::<Pivots>()
             .cases(&slider::Eliminate, &["extremal"])
-            .test("slider::the_pivots_are_those_of_t1_and_t2"),
+            .test("slider_pivots::the_pivots_are_those_of_t1_and_t2"),
         covered("e7", "The conditions in components of node m.").chapter("slider.md#eliminating-two-coordinates"),
         open(
             "e8",
@@ -84,7 +84,7 @@ fn constraint() -> Vec<Statement> {
         .method(documented::eliminate::<f64>)
         .method(Slider::eliminate)
         .outputs(&["slider@3d/XMI", "slider@3d/XMJ"])
-        .test("slider::the_kept_axis_is_never_nearly_across_the_line"),
+        .test("slider_pivots::the_kept_axis_is_never_nearly_across_the_line"),
     ]
 }
 

@@ -3,12 +3,12 @@
 use super::Document;
 use crate::statements::statement::{Statement, covered, mended, open, outside};
 use jointproof::coulomb;
-use jointproof::formula::Source;
+use jointproof::formula;
 use jointproof::slot::{self, Slot, Slot2d};
 
 pub(super) fn document() -> Document {
     Document {
-        source: Source::SLOT,
+        source: formula::Document::SLOT,
         anchor: "slot",
         about: "A page of a library of connector elements: what the connection type SLOT holds, its forces, its friction, \
                 and a summary of what is given and reported.",

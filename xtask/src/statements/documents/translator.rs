@@ -2,13 +2,13 @@
 
 use super::Document;
 use crate::statements::statement::{Statement, covered, mended, open, outside};
-use jointproof::formula::Source;
+use jointproof::formula;
 use jointproof::translator::{self, Translator};
 use jointproof::{align, cardan, coulomb, slot};
 
 pub(super) fn document() -> Document {
     Document {
-        source: Source::TRANSLATOR,
+        source: formula::Document::TRANSLATOR,
         anchor: "translator",
         about: "A page of the same library as SLOT's: the connection type TRANSLATOR, which is SLOT and ALIGN together, and the \
                 three sources of its contact force.",

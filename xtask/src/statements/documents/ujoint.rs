@@ -2,13 +2,13 @@
 
 use super::Document;
 use crate::statements::statement::{Statement, covered, mended, open, outside};
-use jointproof::formula::Source;
+use jointproof::formula;
 use jointproof::ujoint::{self, Cross, UJoint};
 use jointproof::{coulomb, join, universal};
 
 pub(super) fn document() -> Document {
     Document {
-        source: Source::UJOINT,
+        source: formula::Document::UJOINT,
         anchor: "ujoint",
         about: "A page of the same library as SLOT's: the connection type UJOINT, which is JOIN and UNIVERSAL together, and how \
                 the loads at the centre of the cross become friction in its four hinges.",
@@ -219,7 +219,7 @@ fn contact_moments() -> Vec<Statement> {
         .law(&ujoint::HingeTransverse, "exchanging the axial forces")
         .outputs(&["ujoint/FTOTAL1", "ujoint/FTOTAL3"])
         .erratum("lost-roots"),
-        covered("L80-s1", "A hinge takes Fbend/4.")
+        mended("L80-s1", "A hinge takes Fbend/4; the quotient is lost in our text.", "lost-quotients")
             .formulas(&[&ujoint::HingeTransverse])
             .cases(&ujoint::HingeTransverse, &["bending-alone"]),
         mended("L80-s2", "It takes βaxial Faxial of the other axis; βaxial is not defined.", "undefined-axial-factors")
@@ -232,7 +232,7 @@ fn contact_moments() -> Vec<Statement> {
             .outputs(&["ujoint/MTOTAL"])
             .erratum("lost-quotients")
             .erratum("missing-end-moment"),
-        covered("L87-s1", "Mbend = Fbend La/8.")
+        mended("L87-s1", "Mbend = Fbend La/8; the quotient is lost in our text.", "lost-quotients")
             .formulas(&[&ujoint::HingeBending])
             .cases(&ujoint::HingeBending, &["force-alone"])
             .chapter("ujoint.md#on-a-hinge"),

@@ -20,7 +20,7 @@ fn width() -> Erratum {
         "width-of-an-element",
         vec![
             at(
-                "a straight element from $r = 1$ to $r = 3$",
+                "a straight element, from $r = 1$ to $r = 3$",
                 "the areas of its nodes add up to that of the ring between them",
             )
             .literal(

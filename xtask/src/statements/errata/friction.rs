@@ -66,6 +66,10 @@ fn quotients() -> Erratum {
         ujoint::HingeBending::eval(&ujoint::Bending { f_bend: 16.0, m2: 0.0, la, rp, ls }).f_total_bend
     };
     let sleeve_printed = |mm: f64| 2.0 * (6.0 * mm) * (0.5 * mm);
+    let (f_bend, la, rp) = (16.0, 3.0, 1.0);
+    let m_bend = ujoint::HingeBending::eval(&ujoint::Bending { f_bend, m2: 0.0, la, rp, ls: 0.5 }).m_bend_hinge;
+    let across = ujoint::CentreLoads { f_axial1: 0.0, f_axial3: 0.0, f_bend, m2: 0.0, la, rp };
+    let share = ujoint::HingeTransverse::eval(&across).f_total_hinge1;
     erratum(
         "lost-quotients",
         vec![
@@ -112,6 +116,23 @@ fn quotients() -> Erratum {
                     r"F_{\mathrm{totalbend}} = 2M_{\mathrm{total}}/L_s",
                     sleeve(1.0),
                     in_other_units(sleeve),
+                ),
+            at(
+                r"UJOINT, $F_{\mathrm{bend}} = 16$, $L_a = 3$",
+                r"half of the force on a beam of length $2L_a$ clamped at both ends: with the equal moment in its middle, $F_{\mathrm{bend}}L_a/4$",
+            )
+            .printed(r"M_{\mathrm{bend}} = 18 F_{\mathrm{bend}} L_a", 18.0 * f_bend * la, apart(2.0 * 18.0 * f_bend * la, f_bend * la / 4.0))
+            .here::<ujoint::HingeBending>(
+                r"M_{\mathrm{bend}} = \tfrac18 F_{\mathrm{bend}} L_a",
+                m_bend,
+                apart(2.0 * m_bend, f_bend * la / 4.0),
+            ),
+            at(r"UJOINT, $F_{\mathrm{bend}} = 16$ alone", "the four hinges carry the whole force")
+                .printed(r"F_{\mathrm{bend}}^{\mathrm{hinge}} = F_{\mathrm{bend}}\,4", f_bend * 4.0, apart(4.0 * 4.0 * f_bend, f_bend))
+                .here::<ujoint::HingeTransverse>(
+                    r"F_{\mathrm{bend}}^{\mathrm{hinge}} = F_{\mathrm{bend}}/4",
+                    share,
+                    apart(4.0 * share, f_bend),
                 ),
         ],
     )
@@ -195,7 +216,7 @@ fn stops() -> Erratum {
         "length-at-the-stops",
         vec![
             at(
-                r"b at $x = 4$, $y = y_0 = 3$, and $l_1^{\max} = 4.5$",
+                r"b is at $x = 4$, $y = y_0 = 3$, and $l_1^{\max} = 4.5$",
                 "moving b by 1 along the slot takes 1 off the gap",
             )
             .literal(

@@ -84,7 +84,7 @@ fn parallel_forces() -> Erratum {
                 r"$F_{\mathrm{axial}3} = 1000$ and a twisting moment that pushes as hard, $L_a/R_p = 3$; both hinges of axis 1",
                 r"between them the two hinges take $2\beta_{\mathrm{axial}}F_{\mathrm{axial}3}$",
             )
-            .kept::<ujoint::HingeTransverse>(
+            .kept::<ujoint::HingeTransverse>("as printed", 
                 r"\sqrt{F_{\mathrm{twist}}^2 + F_{\mathrm{transv}1}^2}\text{ on both}",
                 &both,
                 off(both),
@@ -113,6 +113,7 @@ fn end_moment() -> Erratum {
                 "the moments at the two ends of an arm balance the force on it",
             )
             .kept::<ujoint::HingeBending>(
+                "as printed",
                 r"M_{\mathrm{total}} = \sqrt{M_{\mathrm{bend}}^2 + M_{\mathrm{twist}}^2}",
                 &[documented],
                 off(documented),

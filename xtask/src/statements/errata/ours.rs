@@ -89,7 +89,7 @@ fn moment_of_align() -> Erratum {
         "moment-of-align",
         vec![
             at(r"$\alpha = 0.3$, $\beta = 0.4$, $m_3 = 10$ alone", r"its power at the rate $\dot\gamma = 1$ is $m_3$")
-                .kept::<align::ConstraintMoment>(r"m_3\,\mathbf{e}_{3a}\cdot\mathbf{e}_{3b}", &[by_components], apart(by_components, m3))
+                .kept::<align::ConstraintMoment>("by its components", r"m_3\,\mathbf{e}_{3a}\cdot\mathbf{e}_{3b}", &[by_components], apart(by_components, m3))
                 .right(
                     "the moment of the Jacobian",
                     r"\frac{m_3}{\cos\beta}(\cos\alpha\,\mathbf{e}_{3a} - \sin\alpha\,\mathbf{e}_{2a})\cdot\mathbf{e}_{3b}",

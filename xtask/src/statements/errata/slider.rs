@@ -109,7 +109,7 @@ fn on_the_line() -> Erratum {
                 r"$\mathbf{x}_n = (2, 2, 1)$, $\mathbf{x}_m = (1, 2, 0)$ off the line, $\mathrm{d}\mathbf{x}_n = (0.1, 0, 0.2)$, $\mathrm{d}\mathbf{x}_m = (0.05, 0.1, 0)$, node 1 at rest at the origin",
                 "it is the variation of the condition $g_1$",
             )
-            .kept::<slider::IncrementalConstraint>(
+            .kept::<slider::IncrementalConstraint>("by the words", 
                 r"r_1 = \mathbf{t}_1\cdot(\mathrm{d}\mathbf{x}_m - \mathbf{w})",
                 &[reduced],
                 apart(reduced, variation),

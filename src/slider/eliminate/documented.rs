@@ -1,15 +1,16 @@
 //! The documented route: through the directions across the line, t1 and t2, and a system of two equations.
 //!
-//! It defines what [`Eliminate`](super::Eliminate) and [`Increment`](super::Increment) compute by the direct route. In
+//! It defines what [`Eliminate`](crate::slider::Eliminate) and [`Increment`](crate::slider::Increment) compute by the direct route. In
 //! exact arithmetic both are the same; in doubles this one costs more, and its increments lose digits where t1 and t2
 //! turn fast, near n = ±i.
 
-use super::{
-    Basis, BasisVariation, Coordinates, Direction, DirectionChange, DirectionVariation, Ends, Increments,
-    KeptCoordinate, KeptIncrement, Line, LineDirection, MovingEnds, Pivots, TangentChanges, Tangents, TurningDirection,
-};
+use super::{Coordinates, Increments, KeptCoordinate, KeptIncrement};
 use crate::formula::Formula;
 use crate::scalar::Scalar;
+use crate::slider::{
+    Basis, BasisVariation, Direction, DirectionChange, DirectionVariation, Ends, Line, LineDirection, MovingEnds,
+    Pivots, TangentChanges, Tangents, TurningDirection,
+};
 use nalgebra::Vector3;
 
 /// Two coordinates of m from the third: t_q·(xm − x1) = 0 for q = 1, 2, solved for those of axes i and j.
@@ -31,7 +32,7 @@ pub fn eliminate<D: Scalar>(i: &KeptCoordinate<D>) -> Coordinates<D> {
 /// Two increments of m from the third: t_q·(dxm − dx1) + dt_q·(xm − x1) = 0 for q = 1, 2, solved for those of axes i and j.
 ///
 /// It presumes that m is on the line; off it, the turning of t1 and t2 adds to the result, which is then another than
-/// that of [`Increment`](super::Increment).
+/// that of [`Increment`](crate::slider::Increment).
 pub fn increment<D: Scalar>(i: &KeptIncrement<D>) -> Increments<D> {
     let Direction { n, .. } = Line::eval(&Ends { x1: i.x1, xn: i.xn });
     let DirectionChange { dn, .. } =
@@ -44,7 +45,7 @@ pub fn increment<D: Scalar>(i: &KeptIncrement<D>) -> Increments<D> {
     Increments { dxmi: i.dx1[pivots.i] + along_i, dxmj: i.dx1[pivots.j] + along_j }
 }
 
-/// [`increment`] at the foot of m on the line, x1 + ξ (xn − x1): what [`Increment`](super::Increment) computes, wherever m is.
+/// [`increment`] at the foot of m on the line, x1 + ξ (xn − x1): what [`Increment`](crate::slider::Increment) computes, wherever m is.
 pub fn increment_on_line<D: Scalar>(i: &KeptIncrement<D>) -> Increments<D> {
     let d = i.xn - i.x1;
     let share = (i.xm - i.x1).dot(&d) / d.dot(&d);

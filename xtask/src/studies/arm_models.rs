@@ -1,21 +1,21 @@
 //! The models of the arm side by side.
 
-use super::{Arm, AxialFactors, AxialShares, TwistFactors, TwistShares};
-use crate::formula::Formula;
-use crate::{Octuple, Scalar};
+use jointproof::Octuple;
+use jointproof::formula::Formula;
+use jointproof::ujoint::{Arm, AxialFactors, AxialShares, TwistFactors, TwistShares, arm};
 use num_dual::DualNum;
 
 /// The four shares by one model of the arm.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Model {
+pub(crate) struct Model {
     /// Share of the twisting moment that bends a hinge.
-    pub alpha_twist: f64,
+    pub(crate) alpha_twist: f64,
     /// Transverse force on a hinge per twisting moment over arm length.
-    pub beta_twist: f64,
+    pub(crate) beta_twist: f64,
     /// Share of an axial force on a hinge of the loaded axis.
-    pub alpha_axial: f64,
+    pub(crate) alpha_axial: f64,
     /// Share of an axial force on a hinge of the other axis.
-    pub beta_axial: f64,
+    pub(crate) beta_axial: f64,
 }
 
 impl Model {
@@ -28,34 +28,22 @@ impl Model {
 
 /// The models of the arm at one slenderness.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Models {
+pub(crate) struct Models {
     /// λ = La/Rp.
-    pub lambda: f64,
+    pub(crate) lambda: f64,
     /// The model used here: [`TwistFactors`] and [`AxialFactors`].
-    pub used: Model,
+    pub(crate) used: Model,
     /// A rigid arm.
-    pub rigid: Model,
+    pub(crate) rigid: Model,
     /// A clamped Timoshenko beam. Below λ = √4.4 its α_twist is negative, against the source.
-    pub timoshenko: Model,
+    pub(crate) timoshenko: Model,
     /// A clamped Euler–Bernoulli beam.
-    pub euler_bernoulli: Model,
+    pub(crate) euler_bernoulli: Model,
 }
 
 /// All models of the arm at `count` slendernesses, evenly spaced on a logarithmic scale from 10^`first` to 10^`last`: the
 /// data of the book's plot. The same on every machine.
-///
-/// ```
-/// use jointproof::ujoint::arm::curves;
-/// let curves = curves(-1, 3, 101);
-/// let (first, last) = (curves.first().unwrap(), curves.last().unwrap());
-/// assert_eq!((first.lambda, last.lambda), (0.1, 1000.0));
-/// // The printed limits.
-/// assert!(first.used.alpha_twist < 2e-4 && (first.used.beta_twist - 0.25).abs() < 2e-4);
-/// assert!((last.used.alpha_twist - 0.125).abs() < 2e-6 && (last.used.beta_twist - 0.375).abs() < 2e-6);
-/// // A stubby Timoshenko arm contradicts them.
-/// assert!(first.timoshenko.alpha_twist < -0.24);
-/// ```
-pub fn curves(first: i32, last: i32, count: u32) -> Vec<Models> {
+pub(crate) fn curves(first: i32, last: i32, count: u32) -> Vec<Models> {
     let (first, last) = (Octuple::from(f64::from(first)), Octuple::from(f64::from(last)));
     let at = |k: u32| {
         let exponent = first + (last - first) * f64::from(k) / f64::from(count.saturating_sub(1).max(1));
@@ -66,26 +54,30 @@ pub fn curves(first: i32, last: i32, count: u32) -> Vec<Models> {
 
 /// All models at one slenderness.
 fn models(lambda: f64) -> Models {
-    let arm = Arm { la: lambda, rp: 1.0 };
-    let TwistShares { alpha_twist, beta_twist } = TwistFactors::eval(&arm);
-    let AxialShares { alpha_axial, beta_axial } = AxialFactors::eval(&arm);
-    let (phi, bent_to_stretched) = (phi(&arm), 3.0 / (lambda * lambda));
+    let cross = Arm { la: lambda, rp: 1.0 };
+    let TwistShares { alpha_twist, beta_twist } = TwistFactors::eval(&cross);
+    let AxialShares { alpha_axial, beta_axial } = AxialFactors::eval(&cross);
+    let (phi, bent_to_stretched) = (arm::phi(&cross), 3.0 / (lambda * lambda));
     Models {
         lambda,
         used: Model { alpha_twist, beta_twist, alpha_axial, beta_axial },
         rigid: Model::new(0.0, 1.0),
-        timoshenko: Model::new(timoshenko(phi), bent_to_stretched / (1.0 + phi)),
+        timoshenko: Model::new(arm::timoshenko(phi), bent_to_stretched / (1.0 + phi)),
         euler_bernoulli: Model::new(0.125, bent_to_stretched),
     }
 }
 
-/// α_twist of a clamped Timoshenko arm.
-pub(super) fn timoshenko<D: Scalar>(phi: D) -> D {
-    (-phi + 2.0) / ((phi + 4.0) * 4.0)
-}
+#[cfg(test)]
+mod tests {
+    use super::curves;
 
-/// φ = 12 EI/(κ G A La²) = (7 + 6ν)/λ² for a round arm of ν = 0.3: how much the arm shears for how much it bends.
-pub(super) fn phi<D: Scalar>(arm: &Arm<D>) -> D {
-    let ratio = arm.rp / arm.la;
-    ratio * ratio * 44.0 / 5.0
+    #[test]
+    fn the_ends_are_the_printed_limits_but_for_timoshenko() {
+        let curves = curves(-1, 3, 101);
+        let (first, last) = (curves.first().unwrap(), curves.last().unwrap());
+        assert_eq!((first.lambda, last.lambda), (0.1, 1000.0));
+        assert!(first.used.alpha_twist < 2e-4 && (first.used.beta_twist - 0.25).abs() < 2e-4);
+        assert!((last.used.alpha_twist - 0.125).abs() < 2e-6 && (last.used.beta_twist - 0.375).abs() < 2e-6);
+        assert!(first.timoshenko.alpha_twist < -0.24);
+    }
 }

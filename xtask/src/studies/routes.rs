@@ -1,22 +1,22 @@
 //! The errors of both routes, documented and direct, where a line is hard: near the x axis, short, far away, with m far out.
 
-use super::{Eliminate, Increment, KeptCoordinate, KeptIncrement, Pivots, documented};
-use crate::Octuple;
-use crate::formula::{Fields, Formula};
-use crate::verify::exactly;
+use jointproof::Octuple;
+use jointproof::formula::{Fields, Formula};
+use jointproof::slider::{Eliminate, Increment, KeptCoordinate, KeptIncrement, Pivots, documented};
+use jointproof::verify::exactly;
 use nalgebra::Vector3;
 
 /// A line, and where m is on it. Every number is used as it is, so that the results are the same on every machine.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Setting {
+pub(crate) struct Setting {
     /// The tangent of the angle between the line and the x axis; 0 for a line along it.
-    pub tilt: f64,
+    pub(crate) tilt: f64,
     /// The extent of the line along the x axis.
-    pub length: f64,
+    pub(crate) length: f64,
     /// The share ξ of m in the way from node 1 to node n.
-    pub share: f64,
+    pub(crate) share: f64,
     /// The coordinates of node 1, in size.
-    pub offset: f64,
+    pub(crate) offset: f64,
 }
 
 /// An ordinary line: as steep as it is long, one unit from the origin.
@@ -28,24 +28,18 @@ impl Default for Setting {
 
 /// The largest errors found on either route.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RouteErrors {
+pub(crate) struct RouteErrors {
     /// Through t1, t2 and the system of two equations ([`documented`]).
-    pub documented: f64,
+    pub(crate) documented: f64,
     /// By the ratios n_i/n_k.
-    pub direct: f64,
+    pub(crate) direct: f64,
 }
 
 impl Setting {
     /// The largest errors of the increments of m at 64 lines and motions, relative to the largest component of that
     /// increment. What is exact is [`Increment`] in 237 bits, at the same doubles: positions of m are rounded, so that it is off
     /// the line by a rounding, as in any program.
-    ///
-    /// ```
-    /// use jointproof::slider::Setting;
-    /// let near_x = Setting { tilt: 1e-8, ..Setting::default() }.increment_errors();
-    /// assert!(near_x.documented > 1e-9 && near_x.direct < 1e-15);
-    /// ```
-    pub fn increment_errors(&self) -> RouteErrors {
+    pub(crate) fn increment_errors(&self) -> RouteErrors {
         self.worst(|i| {
             let exact = Increment::eval(&exactly::<Increment>(i)).components();
             [documented::increment(i), Increment::eval(i)].map(|found| error(&found.components(), &exact, i.dxmk))
@@ -53,7 +47,7 @@ impl Setting {
     }
 
     /// The largest errors of the place of m at the same lines, relative to its largest coordinate.
-    pub fn eliminate_errors(&self) -> RouteErrors {
+    pub(crate) fn eliminate_errors(&self) -> RouteErrors {
         self.worst(|i| {
             let kept = KeptCoordinate { x1: i.x1, xn: i.xn, xmk: i.xm[Pivots::new(&i.x1, &i.xn).k] };
             let exact = Eliminate::eval(&exactly::<Eliminate>(&kept)).components();
@@ -69,7 +63,7 @@ impl Setting {
     }
 
     /// Four lines about the x axis, four motions, four places of m.
-    pub fn scenes(&self) -> Vec<KeptIncrement<f64>> {
+    pub(crate) fn scenes(&self) -> Vec<KeptIncrement<f64>> {
         let x1 = Vector3::new(0.3, -0.7, 0.9) * self.offset;
         let lines = [[1.0, 0.6, 0.8], [-1.0, 0.96, -0.28], [1.0, -0.8, 0.6], [-1.0, -0.28, -0.96]];
         let motions = [

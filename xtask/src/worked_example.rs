@@ -1,6 +1,6 @@
 //! The worked example of the chapter on code review: a derivative as somebody submitted it, and what the audit says.
 
-use jointproof::formula::{Component, Formula, Jacobian, Source, Spec};
+use jointproof::formula::{Component, Document, Formula, Jacobian, Spec};
 use jointproof::proof::Proved;
 use jointproof::scalar::{Scalar, direction, norm};
 use jointproof::slot::{Contact, CrossForces};
@@ -12,16 +12,19 @@ use jointproof::verify::{Audit, Options, audit};
 struct Submitted;
 
 impl Formula for Submitted {
-    const SPEC: Spec = Spec::new("review.contact_force", "Contact force, as submitted", Source::new("A pull request"))
-        .equation(r"F_C = \sqrt{f_2^2 + f_3^2}")
-        .eta(2.0, 2.0);
+    const SPEC: Spec =
+        Spec::new("review.contact_force", "Contact force, as submitted", Document::SLOT.printed("Friction"))
+            .equation(r"F_C = \sqrt{f_2^2 + f_3^2}")
+            .eta(2.0, 2.0);
     type Inputs<T: Component> = CrossForces<T>;
     type Outputs<T: Component> = Contact<T>;
 
+    #[inline]
     fn eval<D: Scalar>(i: &CrossForces<D>) -> Contact<D> {
         Contact { fc: norm([i.f2, i.f3]) }
     }
 
+    #[inline]
     fn jacobian<D: Scalar>(i: &CrossForces<D>) -> Jacobian<Self, D> {
         let [f2, f3] = direction([i.f2, i.f3]);
         Contact { fc: CrossForces { f2, f3: -f3 } }

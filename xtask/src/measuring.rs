@@ -1,12 +1,17 @@
-//! What `cargo xtask report` asks to be measured, and what it is told.
+//! What `report` asks to be measured, and what it is told.
 //!
-//! Times must be those of an optimised program, whereas the tasks are built for quick turnaround. So the measuring is a
-//! program of its own, `src/main.rs`: it reads a [`Request`] and writes an [`Event`] a line.
+//! Times must be those of an optimised program, whereas the tasks are built for quick turnaround. So the measuring is done
+//! by the same program built once more, with optimisation and without the feature `commands`: it reads a [`Request`] and
+//! writes an [`Event`] a line.
 
-use jointproof::catalog::{AnyFormula, find};
+use crate::project::Project;
+use jointproof::catalog::AnyFormula;
 use jointproof::measure::{Measurement, Options};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::error::Error;
+use std::io::{Write, stdin, stdout};
+use std::process::ExitCode;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::thread;
@@ -60,14 +65,37 @@ impl Build {
     }
 }
 
+/// The program that is measured: reads a request from standard input and writes what happens to standard output.
+pub fn main(project: &Project) -> ExitCode {
+    match answer(project) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            // A standard error that is closed is not worth failing for twice.
+            let _ = writeln!(std::io::stderr(), "error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn answer(project: &Project) -> Result<(), Box<dyn Error>> {
+    let request = serde_json::from_reader(stdin().lock())
+        .map_err(|error| format!("no request of `report` on standard input (built without commands?): {error}"))?;
+    let mut out = stdout().lock();
+    measure(project, &request, |event| {
+        serde_json::to_writer(&mut out, &event)?;
+        out.write_all(b"\n")?;
+        Ok(out.flush()?)
+    })
+}
+
 /// Measures: errors on all cores, then times, one formula after the other on a machine that does nothing else, and all of
 /// them once more: what disturbs the machine for some seconds falls on one half of the rounds only, and is seen in the spread.
 ///
 /// # Errors
 /// What `tell` says; it is not told more after that.
-pub fn measure<E>(request: &Request, mut tell: impl FnMut(Event) -> Result<(), E>) -> Result<(), E> {
+pub fn measure<E>(project: &Project, request: &Request, mut tell: impl FnMut(Event) -> Result<(), E>) -> Result<(), E> {
     tell(Event::Begun(Build::this()))?;
-    let formulas: Vec<_> = request.formulas.iter().filter_map(|id| find(id)).collect();
+    let formulas: Vec<_> = request.formulas.iter().filter_map(|id| project.find(id)).collect();
     let mut compared = compare(&formulas, &request.options, |id| tell(Event::Compared(id)))?;
     compared.sort_by_key(|(k, _)| *k);
     let half = Options { rounds: request.options.rounds.div_ceil(2), ..request.options };

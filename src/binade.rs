@@ -1,0 +1,52 @@
+//! Powers of two: to scale by one of them does not round.
+
+use num_dual::DualNum;
+
+/// A power of two near the size of some numbers, and its reciprocal: in this unit, squares and products of the numbers
+/// neither over- nor underflow.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Binade {
+    pub(crate) unit: f64,
+    pub(crate) per_unit: f64,
+}
+
+/// The bits of the exponent.
+const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
+/// The exponent of 2¹⁰²², whose reciprocal is still a normal number.
+const LARGEST: u64 = 0x7fd0_0000_0000_0000;
+
+impl Binade {
+    /// The largest power of two that is not above the largest of the numbers, within 2⁻¹⁰²² … 2¹⁰²².
+    #[inline]
+    pub(crate) fn of<D: DualNum<Primitive = f64>>(numbers: impl IntoIterator<Item = D>) -> Self {
+        let largest = numbers.into_iter().fold(f64::MIN_POSITIVE, |largest, x| largest.max(x.re().abs()));
+        let exponent = (largest.to_bits() & EXPONENT).min(LARGEST);
+        Self { unit: f64::from_bits(exponent), per_unit: f64::from_bits(EXPONENT - (1 << 52) - exponent) }
+    }
+}
+
+/// 2^exponent, a normal number.
+pub(crate) const fn power_of_two(exponent: i64) -> f64 {
+    #[expect(clippy::cast_sign_loss, reason = "the biased exponent of a normal double is positive")]
+    f64::from_bits(((exponent + 1023) as u64) << 52)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Binade, power_of_two};
+
+    #[test]
+    fn the_unit_is_next_below_the_largest_number_and_both_powers_are_normal() {
+        for (numbers, exponent) in [
+            ([0.0, 0.0], -1022),
+            ([0.0, f64::from_bits(1)], -1022),
+            ([1.0, -1.0], 0),
+            ([0.1, -3.9], 1),
+            ([4.0, 1e-300], 2),
+            ([f64::MAX, -1.0], 1022),
+        ] {
+            let Binade { unit, per_unit } = Binade::of(numbers);
+            assert_eq!([unit, per_unit], [exponent, -exponent].map(power_of_two), "{numbers:?}");
+        }
+    }
+}

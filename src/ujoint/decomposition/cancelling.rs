@@ -1,0 +1,174 @@
+//! The three products where their terms cancel, in the numbers' own arithmetic, without losing the sign.
+//!
+//! Products of pairs double the digits. Where even these leave the sign open, which includes terms that cancel exactly,
+//! expansions decide.
+
+use super::{CrossForces, CrossLoads};
+use crate::binade::Binade;
+use crate::eft::{Expansion, Pair};
+use crate::scalar::{Leaf, Scalar, abs, leaf, with_leaf};
+use nalgebra::Vector3;
+
+/// The rounding error of a sum in pairs is below this part of the sum of the sizes of all products: at most 90 u² = 22.5 ε².
+const fn rounding_of_pairs<L: Leaf>() -> f64 {
+    32.0 * L::EPSILON * L::EPSILON
+}
+
+impl<D: Scalar> CrossLoads<D> {
+    /// Replaces what rounding may have spoilt.
+    #[cold]
+    pub(super) fn settled(&self, rough: CrossForces<D>) -> CrossForces<D> {
+        let doubtful = self.doubtful(&rough);
+        // Forces near 1: no product leaves the range of the numbers.
+        let Binade { unit, per_unit } = Binade::of([self.f1, self.f2, self.f3]);
+        let loads = self.leaves(per_unit);
+        let settle = |doubtful: bool, rough: D, settled: fn(&CrossLoads<D::Leaf>) -> D::Leaf| {
+            if !doubtful {
+                return rough;
+            }
+            let settled = settled(&loads) * unit;
+            // A zero keeps its sign. Vectors so far from unit length that a product overflows do not tell what was rounded off.
+            let is_new = settled != leaf(rough) && abs(settled) < f64::INFINITY;
+            if is_new { with_leaf(rough, settled) } else { rough }
+        };
+        CrossForces {
+            f_axial1: settle(doubtful.f_axial1, rough.f_axial1, |i| i.along(&i.e1a)),
+            f_axial3: settle(doubtful.f_axial3, rough.f_axial3, |i| i.along(&i.e3b)),
+            f_bend: settle(doubtful.f_bend, rough.f_bend, CrossLoads::across),
+        }
+    }
+
+    /// Without derivatives, and the forces in a unit.
+    fn leaves(&self, per_unit: f64) -> CrossLoads<D::Leaf> {
+        let vector = |v: &Vector3<D>| v.map(leaf);
+        let force = |f: D| leaf(f) * per_unit;
+        CrossLoads {
+            e1a: vector(&self.e1a),
+            e2a: vector(&self.e2a),
+            e3a: vector(&self.e3a),
+            e3b: vector(&self.e3b),
+            f1: force(self.f1),
+            f2: force(self.f2),
+            f3: force(self.f3),
+        }
+    }
+}
+
+impl<L: Leaf> CrossLoads<L> {
+    /// F·v.
+    fn along(&self, v: &Vector3<L>) -> L {
+        let size = |e: &Vector3<L>| e.map(abs).dot(&v.map(abs));
+        let in_pairs = |e: &Vector3<L>| {
+            let product = |c: usize| Pair::product(e[c], v[c]);
+            product(0) + product(1) + product(2)
+        };
+        let exact = |e: &Vector3<L>| {
+            let mut product = Expansion::new();
+            for c in 0..3 {
+                product.add_product(e[c], v[c]);
+            }
+            product
+        };
+        settled(&[(self.f1, self.e1a), (self.f2, self.e2a), (self.f3, self.e3a)], size, in_pairs, exact)
+    }
+
+    /// F·(a × b) for the axes a = e1a and b = e3b of the cross.
+    fn across(&self) -> L {
+        let (a, b) = (&self.e1a, &self.e3b);
+        // A force along an axis of the cross has nothing across; nor has any if the axes are one.
+        let across = |f: L, e: &Vector3<L>| if are_dependent([e, a, b]) { L::zero() } else { f };
+        let forces = [(across(self.f2, &self.e2a), self.e2a), (across(self.f3, &self.e3a), self.e3a)];
+
+        let both = |v: &Vector3<L>, w: &Vector3<L>| v.yzx().component_mul(&w.zxy());
+        let (a_sizes, b_sizes) = (a.map(abs), b.map(abs));
+        let cross_sizes = both(&a_sizes, &b_sizes) + both(&b_sizes, &a_sizes);
+        let cross = [(1, 2), (2, 0), (0, 1)].map(|(c, d)| Pair::product(a[c], b[d]) - Pair::product(a[d], b[c]));
+
+        let size = |e: &Vector3<L>| e.map(abs).dot(&cross_sizes);
+        let in_pairs = |e: &Vector3<L>| cross[0] * e.x + cross[1] * e.y + cross[2] * e.z;
+        let exact = |e: &Vector3<L>| {
+            let mut product = Expansion::new();
+            for (component, c, d) in [(e.x, 1, 2), (e.y, 2, 0), (e.z, 0, 1)] {
+                let mut cross = Expansion::<L, 4>::new();
+                cross.add_product(a[c], b[d]);
+                cross.add_product(-a[d], b[c]);
+                product.add_multiple(&cross, component);
+            }
+            product
+        };
+        settled(&forces, size, in_pairs, exact)
+    }
+}
+
+/// The sum of forces times what a product makes of their directions: from pairs, if its sign is certain beside the sum of the
+/// sizes; else exactly.
+#[inline]
+fn settled<L: Leaf, const N: usize>(
+    forces: &[(L, Vector3<L>); N],
+    size: impl Fn(&Vector3<L>) -> L,
+    in_pairs: impl Fn(&Vector3<L>) -> Pair<L>,
+    exact: impl Fn(&Vector3<L>) -> Expansion<L, 24>,
+) -> L {
+    let forces = || forces.iter().filter(|(f, _)| *f != 0.0);
+    let size = forces().fold(L::zero(), |sum, (f, e)| sum + abs(*f) * size(e));
+    if size == 0.0 {
+        return size;
+    }
+    let fine = forces().fold(Pair::from(L::zero()), |sum, (f, e)| sum + in_pairs(e) * *f).value();
+    if abs(fine) > size * rounding_of_pairs::<L>() {
+        return fine;
+    }
+    let mut sum = Expansion::<L, 144>::new();
+    for (f, e) in forces() {
+        sum.add_multiple(&exact(e), *f);
+    }
+    sum.value()
+}
+
+/// Whether two of three vectors are equal or opposite.
+fn are_dependent<L: Leaf>([a, b, c]: [&Vector3<L>; 3]) -> bool {
+    [(a, b), (b, c), (c, a)].iter().any(|&(v, w)| v == w || *v == -w)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::formula::Formula;
+    use crate::ujoint::Decomposition;
+    use num_dual::Dual64;
+    use proptest::prelude::*;
+
+    fn vector() -> impl Strategy<Value = Vector3<f64>> {
+        prop::array::uniform3(-1000..1000_i32).prop_map(|v| Vector3::from(v.map(f64::from)) / 1024.0)
+    }
+
+    proptest! {
+        /// Where large terms cancel exactly, tiny ones remain, which no rounding touches.
+        #[test]
+        fn what_remains_beside_terms_that_cancel_is_told(
+            e1a in vector(), e3a in vector(), factors in prop::array::uniform2(-8..8_i8), size in -600..600_i32,
+        ) {
+            let [m, n] = factors.map(f64::from);
+            let e2a = Vector3::new(e1a.y, -e1a.x, 0.0);
+            let large = 1.1 * 2.0_f64.powi(size);
+            let tiny = -large * 2.0_f64.powi(-300);
+            let i = CrossLoads { e1a, e2a, e3a, e3b: e1a * m + e2a * n, f1: 0.0, f2: large, f3: tiny };
+            let out = Decomposition::eval(&i);
+            prop_assert_eq!(out.f_axial1, tiny * e3a.dot(&e1a));
+            prop_assert_eq!(out.f_bend, tiny * e3a.dot(&i.e1a.cross(&i.e3b)));
+            let alone = Decomposition::eval(&CrossLoads { f3: 0.0, ..i });
+            prop_assert_eq!((alone.f_axial1, alone.f_bend), (0.0, 0.0));
+        }
+    }
+
+    #[test]
+    fn derivatives_stay() {
+        let [x, y] = [0.6, 0.8].map(Dual64::from);
+        let zero = Dual64::from(0.0);
+        let (e1a, e2a) = (Vector3::new(x, y, zero), Vector3::new(-y, x.derivative(), zero));
+        let e3 = Vector3::new(zero, zero, Dual64::from(1.0));
+        let out =
+            Decomposition::eval(&CrossLoads { e1a, e2a, e3a: e3, e3b: e3, f1: zero, f2: Dual64::from(2.3), f3: zero });
+        assert_eq!((out.f_axial1.re, out.f_axial1.eps), (0.0, 2.3 * 0.8));
+    }
+}

@@ -1,0 +1,157 @@
+//! Fills the seam from the catalog, the sources, the golden files and what was executed.
+
+use super::content::{self, Content, Entry, GoldenCounts, GoldenFile, Kink, SourceFile, Symbol};
+use super::locate::Index;
+use crate::evidence::Evidence;
+use crate::golden;
+use crate::project::Project;
+use crate::report::data::Report;
+use anyhow::Context;
+use jointproof::catalog::{AnyFormula, KinkEntry};
+use jointproof::formula::{Field, Source};
+use jointproof::proof::Convention;
+use jointproof::quantity::Shape;
+use jointproof::verify::golden::File;
+use std::path::Path;
+
+/// What the book of a project is made from.
+pub(crate) fn content(project: &Project, report: Option<Report>) -> anyhow::Result<Content> {
+    let mut sources = Vec::new();
+    for folder in ["src", "tests"].map(|name| project.root().join(name)).iter().filter(|folder| folder.exists()) {
+        read_sources(project, folder, &mut sources)?;
+    }
+    sources.sort_by(|a, b| a.path.cmp(&b.path));
+    let index = Index::new(&sources);
+    let evidence = Evidence::load(project);
+    let entries = project.catalog().iter().map(|formula| entry(project, *formula, &index, &evidence)).collect();
+    let catalog_tests = index.tests_over_catalog();
+    let mut golden = Vec::new();
+    for formula in project.catalog() {
+        // A formula without its file is an off of `golden --check`; the entry says so.
+        if let Ok(bytes) = std::fs::read(golden::path(project, *formula)) {
+            golden.push(GoldenFile { name: format!("{}.json", formula.spec().id), bytes });
+        }
+    }
+    let mut exhibits = project.extension.exhibits.map(|exhibits| exhibits(project)).transpose()?.unwrap_or_default();
+    for (_, text) in &mut exhibits.outputs {
+        *text = plain(text);
+    }
+    let is_current = report.as_ref().is_some_and(|report| report.is_current(project));
+    Ok(Content { entries, sources, catalog_tests, exhibits, report, is_current, golden })
+}
+
+/// Text without colours.
+fn plain(text: &str) -> String {
+    anstream::adapter::strip_str(text).to_string()
+}
+
+fn read_sources(project: &Project, path: &Path, sources: &mut Vec<SourceFile>) -> anyhow::Result<()> {
+    if path.is_dir() {
+        for entry in std::fs::read_dir(path).with_context(|| format!("cannot list {}", path.display()))? {
+            read_sources(project, &entry?.path(), sources)?;
+        }
+    } else if path.extension().is_some_and(|extension| extension == "rs") {
+        let text = std::fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
+        sources.push(SourceFile { path: project.shown(path).replace('\\', "/"), text });
+    }
+    Ok(())
+}
+
+fn entry(project: &Project, formula: &dyn AnyFormula, index: &Index<'_>, evidence: &Evidence) -> Entry {
+    let spec = formula.spec();
+    let (file, type_name) = place(formula.path());
+    let golden = std::fs::read_to_string(golden::path(project, formula));
+    let checked = evidence.golden.get(spec.id);
+    Entry {
+        id: spec.id.into(),
+        title: spec.title.into(),
+        latex: spec.latex.into(),
+        source: source(spec.source),
+        inputs: formula.inputs().iter().map(symbol).collect(),
+        outputs: formula.outputs().iter().map(symbol).collect(),
+        kinks: formula.kinks().iter().map(|entry| kink(entry, formula.outputs())).collect(),
+        code: index.functions(&file, type_name, &["eval", "jacobian", "linearized"]),
+        tests: index.tests_naming(spec.id, type_name),
+        golden: golden.ok().and_then(|text| File::parse(&text).ok()).map(|file| counts(&file)),
+        evidence: content::Evidence {
+            golden_cases: checked.filter(|check| check.same).map(|check| check.cases),
+            audit: evidence.audits.get(spec.id).cloned(),
+        },
+    }
+}
+
+fn source(source: Source) -> content::Source {
+    let place = if source.section.is_empty() { String::new() } else { format!("section “{}”", source.section) };
+    content::Source {
+        title: source.document.title.into(),
+        link: source.document.link.into(),
+        place,
+        provenance: source.provenance.to_string(),
+    }
+}
+
+/// The file and name of a type from its path: `jointproof::slot::friction::Friction` is in `src/slot/friction.rs`.
+fn place(path: &str) -> (String, &str) {
+    let (modules, name) = path.rsplit_once("::").unwrap_or(("", path));
+    let modules: Vec<_> = modules.split("::").skip(1).collect();
+    (format!("src/{}.rs", modules.join("/")), name)
+}
+
+fn symbol(field: &Field) -> Symbol {
+    let quantity = field.quantity;
+    let shape = match quantity.shape {
+        Shape::Scalar => "scalar",
+        Shape::Vec2 => "vec2",
+        Shape::Vec3 => "vec3",
+        Shape::Mat3 => "mat3",
+    };
+    Symbol {
+        name: field.name.into(),
+        latex: quantity.latex.into(),
+        shape: shape.into(),
+        unit: quantity.unit.to_string(),
+        allowed: quantity.domain.allowed(),
+        meaning: quantity.meaning.into(),
+    }
+}
+
+/// The kink as the output that bends most shows it.
+fn kink(entry: &KinkEntry, outputs: &[Field]) -> Kink {
+    let names = outputs.iter().flat_map(|field| vec![field; field.len()]);
+    let jump = |[below, above]: &[f64; 2]| (above - below).abs();
+    let bent = names.zip(&entry.one_sided).max_by(|(_, a), (_, b)| jump(a).total_cmp(&jump(b)));
+    let Some((output, [below, above])) = bent else { return Kink::default() };
+    let convention = match entry.convention {
+        Convention::Subgradient => "0 is returned, the subgradient of least norm",
+        Convention::Switch => "the value is defined; the Jacobian is one-sided and left out of the golden file",
+        Convention::Cut => "the value jumps by a whole turn there, its derivative does not",
+    };
+    Kink {
+        at: format!("${}$", entry.condition),
+        derivative: format!("the derivative of ${}$ across it", output.quantity.latex),
+        left: four_digits(*below),
+        right: four_digits(*above),
+        convention: convention.into(),
+    }
+}
+
+/// To four decimals, without zeros that say nothing, with a true minus sign. A difference over a step of 1e-40 that is
+/// this large has no limit.
+fn four_digits(x: f64) -> String {
+    if x.abs() > 1e15 {
+        return "without bound".into();
+    }
+    ((x * 1e4).round() / 1e4).to_string().replace('-', "−")
+}
+
+fn counts(file: &File) -> GoldenCounts {
+    let mut flags: Vec<(String, usize)> = Vec::new();
+    for flag in file.cases.iter().flat_map(|case| &case.flags) {
+        let name = flag.name();
+        match flags.iter_mut().find(|(present, _)| present == name) {
+            Some((_, count)) => *count += 1,
+            None => flags.push((name.into(), 1)),
+        }
+    }
+    GoldenCounts { file: format!("{}.json", file.formula), total: file.cases.len(), flags }
+}

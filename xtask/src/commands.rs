@@ -1,0 +1,104 @@
+//! The command line.
+
+use crate::outcome::{Outcome, Usage};
+use crate::project::Project;
+use crate::{audit, book, console, golden, measuring, report, verify};
+use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
+use jointproof::formula::Field;
+use std::process::ExitCode;
+
+/// The exit code of bad usage, which is also clap's.
+const BAD_USAGE: u8 = 2;
+
+/// Golden files, audits, reports and the book, all from the one definition of each formula.
+///
+/// Results go to standard output, everything else to standard error. The exit code is 0 if all is well, 1 if something
+/// is off (it says what, where and by how much), 2 for bad usage.
+#[derive(Parser)]
+#[command(version, max_term_width = 100)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    Verify(verify::Arguments),
+    Golden(golden::Arguments),
+    Audit(audit::Arguments),
+    Report(report::Arguments),
+    Book(book::Arguments),
+    /// Measure what standard input asks for, for `report`
+    #[command(hide = true)]
+    Measure,
+}
+
+/// Runs the command that the arguments of the program name.
+pub fn main(project: &Project) -> ExitCode {
+    run(project, &command_line(project).get_matches()).unwrap_or_else(|error| {
+        console::error(&format!("{error:#}"));
+        if error.is::<Usage>() { ExitCode::from(BAD_USAGE) } else { ExitCode::FAILURE }
+    })
+}
+
+fn run(project: &Project, matches: &ArgMatches) -> Outcome {
+    if let Some((name, matches)) = matches.subcommand()
+        && let Some((_, run)) = project.extension.commands.iter().find(|(command, _)| command.get_name() == name)
+    {
+        return run(project, matches);
+    }
+    match Arguments::from_arg_matches(matches)?.command {
+        Command::Verify(arguments) => verify::run(project, &arguments),
+        Command::Golden(arguments) => golden::run(project, &arguments),
+        Command::Audit(arguments) => audit::run(project, &arguments),
+        Command::Report(arguments) => report::run(project, &arguments),
+        Command::Book(arguments) => book::run(project, &arguments),
+        Command::Measure => Ok(measuring::main(project)),
+    }
+}
+
+/// All commands, with examples as one would type them in this project.
+fn command_line(project: &Project) -> clap::Command {
+    let own = project.extension.commands.iter().map(|(command, _)| command.clone());
+    let all = Arguments::command().name(project.command()).bin_name(project.command()).subcommands(own);
+    all.mut_subcommands(|command| match command.get_after_help() {
+        Some(help) => {
+            let help = examples(project, &help.to_string());
+            command.after_help(help)
+        }
+        None => command,
+    })
+}
+
+/// Examples with the project's command and its shortest formula in the places of `{command}`, `{family}`, `{formula}` and
+/// `{point}`.
+fn examples(project: &Project, text: &str) -> String {
+    let components = |fields: &[Field]| fields.iter().map(Field::len).sum::<usize>();
+    let shortest = project.catalog().iter().min_by_key(|formula| components(formula.inputs()));
+    let id = shortest.map_or("family.name", |formula| formula.spec().id);
+    let family = id.split('.').next().unwrap_or(id);
+    let one = |components: usize| if components == 1 { "1".to_owned() } else { format!("{:?}", vec![1; components]) };
+    let inputs = shortest.map_or(&[][..], |formula| formula.inputs());
+    let point: Vec<_> = inputs.iter().map(|field| format!("\"{}\": {}", field.name, one(field.len()))).collect();
+    let text = text
+        .replace("{command}", project.command())
+        .replace("{family}", family)
+        .replace("{formula}", id)
+        .replace("{point}", &format!("{{{}}}", point.join(", ")));
+    aligned(&text)
+}
+
+/// Lines with what stands behind two spaces moved into one column.
+fn aligned(text: &str) -> String {
+    let split = |line: &str| {
+        let (example, what) = line.trim_start().split_once("  ").unwrap_or((line.trim_start(), ""));
+        (example.to_owned(), what.trim().to_owned())
+    };
+    let rows: Vec<_> = text.lines().map(split).collect();
+    let width = rows.iter().filter(|row| !row.1.is_empty()).map(|row| row.0.chars().count()).max().unwrap_or(0);
+    let line = |(k, (example, what)): (usize, &(String, String))| {
+        let indent = if k == 0 { "" } else { "  " };
+        format!("{indent}{example:width$}   {what}").trim_end().to_owned()
+    };
+    rows.iter().enumerate().map(line).collect::<Vec<_>>().join("\n")
+}

@@ -1,0 +1,18 @@
+//! What our book shows beside entries: figures of the connectors, what scenes print, the worked example of an audit, and what
+//! the documents say.
+
+use crate::{figures, scene, statements, worked_example};
+use jointproof::verify::Audit;
+use kit::{Exhibits, Project, audit};
+
+/// All of it.
+pub(crate) fn all(project: &Project) -> anyhow::Result<Exhibits> {
+    let audit = ("audit".to_owned(), audit::text(&[worked_example::run()], Audit::passed)?);
+    Ok(Exhibits {
+        figures: [figures::all(), scene::figures(project)?].concat(),
+        outputs: [vec![audit], figures::outputs(), scene::outputs(project)?].concat(),
+        tables: scene::tables(),
+        texts: statements::book::texts(project)?,
+        facts: statements::book::facts(project)?,
+    })
+}

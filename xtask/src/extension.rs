@@ -1,0 +1,57 @@
+//! What a project has beside its formulas: other golden files, and exhibits for its book.
+
+use crate::project::Project;
+use std::path::PathBuf;
+
+/// Golden files that are not of formulas.
+#[derive(Clone, Debug, Default)]
+pub struct Beside {
+    /// Each file, and what the code says that it holds.
+    pub files: Vec<(PathBuf, String)>,
+    /// Files that nothing stands behind any more.
+    pub orphans: Vec<PathBuf>,
+    /// How much that is, as `3 scenes, 120 numbers`.
+    pub counts: String,
+}
+
+/// What the chapters of a book can show beside entries, each by the name that a directive gives.
+#[derive(Clone, Debug, Default)]
+pub struct Exhibits {
+    /// `{{#figure name caption}}`: SVG elements.
+    pub figures: Vec<(String, String)>,
+    /// `{{#output name}}`: what programs print.
+    pub outputs: Vec<(String, String)>,
+    /// `{{#table name}}`: tables, one below the other.
+    pub tables: Vec<(String, Vec<Table>)>,
+    /// `{{#text name}}`: Markdown, read as if it stood in the chapter.
+    pub texts: Vec<(String, String)>,
+    /// What entries say beside what the catalog knows.
+    pub facts: Vec<Fact>,
+}
+
+/// A fact on the entry of a formula.
+#[derive(Clone, Debug, Default)]
+pub struct Fact {
+    /// The identifier of the formula.
+    pub formula: String,
+    /// What it is about, in a word.
+    pub name: String,
+    /// The lines of it: texts, in which `[…](…)` is a link from the root of the book.
+    pub lines: Vec<String>,
+}
+
+/// A step more of `verify`: whether all is well, and how much was looked at. What is off is said on standard error.
+pub type Check = fn(&Project) -> anyhow::Result<(bool, String)>;
+
+/// A table of texts, in which `$…$` is mathematics and `` `…` `` is code; code that names a formula links to it.
+#[derive(Clone, Debug, Default)]
+pub struct Table {
+    /// Its anchor, for links; may be empty.
+    pub anchor: String,
+    /// What stands above it; may be empty.
+    pub title: String,
+    /// The heads of the columns.
+    pub head: Vec<String>,
+    /// The rows, each as long as the head.
+    pub rows: Vec<Vec<String>>,
+}

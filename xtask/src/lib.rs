@@ -1,0 +1,55 @@
+//! The kit: what proves a catalog of formulas, as commands.
+//!
+//! A crate with formulas of its own gets `verify`, `golden`, `audit`, `report`, `book` and `new` by a `main` like this:
+//!
+//! ```no_run
+//! use kit::Project;
+//! use std::process::ExitCode;
+//! # use jointproof::catalog::CATALOG;
+//!
+//! fn main() -> ExitCode {
+//!     kit::main(&Project::new(env!("CARGO_PKG_NAME"), env!("CARGO_MANIFEST_DIR"), CATALOG))
+//! }
+//! ```
+//!
+//! `report` times a program that is built with optimisation: the same one, without the feature `commands`.
+
+pub mod measuring;
+mod project;
+
+#[cfg(feature = "commands")]
+pub mod audit;
+#[cfg(feature = "commands")]
+mod book;
+#[cfg(feature = "commands")]
+mod commands;
+#[cfg(feature = "commands")]
+pub mod console;
+#[cfg(feature = "commands")]
+mod evidence;
+#[cfg(feature = "commands")]
+mod extension;
+#[cfg(feature = "commands")]
+pub mod files;
+#[cfg(feature = "commands")]
+mod golden;
+#[cfg(feature = "commands")]
+mod outcome;
+#[cfg(feature = "commands")]
+mod report;
+#[cfg(feature = "commands")]
+mod selection;
+#[cfg(feature = "commands")]
+mod verify;
+
+#[cfg(feature = "commands")]
+pub use book::{Fault, listing_page, uncovered};
+#[cfg(feature = "commands")]
+pub use commands::main;
+#[cfg(feature = "commands")]
+pub use extension::{Beside, Check, Exhibits, Fact, Table};
+#[cfg(not(feature = "commands"))]
+pub use measuring::main;
+#[cfg(feature = "commands")]
+pub use outcome::{Outcome, Usage};
+pub use project::{Catalog, Project};

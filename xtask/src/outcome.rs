@@ -1,0 +1,16 @@
+//! How a command ends.
+
+use std::process::ExitCode;
+
+/// How a command ended.
+pub type Outcome = anyhow::Result<ExitCode>;
+
+/// Bad usage that only the command can see, as a filter that matches nothing.
+#[derive(Debug, thiserror::Error)]
+#[error("{0}")]
+pub struct Usage(pub String);
+
+/// Success if all is well.
+pub(crate) fn verdict(well: bool) -> ExitCode {
+    if well { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}

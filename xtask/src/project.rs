@@ -1,0 +1,176 @@
+//! What the commands work on: a catalog of formulas, and the folder that its sources, golden files and book are in.
+
+#[cfg(feature = "commands")]
+use crate::{
+    extension::{Beside, Check, Exhibits},
+    outcome::Outcome,
+};
+#[cfg(feature = "commands")]
+use clap::{ArgMatches, Args, FromArgMatches};
+use jointproof::catalog::AnyFormula;
+use std::path::{Path, PathBuf};
+
+/// Every formula of a project, in the order of its book.
+pub type Catalog = &'static [&'static dyn AnyFormula];
+
+/// A catalog of formulas and where everything about it is.
+///
+/// In its folder, `src` and `tests` hold the sources, `golden` the golden files and `book` the book.
+pub struct Project {
+    name: &'static str,
+    command: &'static str,
+    manifest: PathBuf,
+    root: PathBuf,
+    catalog: Catalog,
+    #[cfg(feature = "commands")]
+    pub(crate) extension: Extension,
+}
+
+/// What a project adds to the commands.
+#[cfg(feature = "commands")]
+#[derive(Default)]
+pub(crate) struct Extension {
+    pub(crate) commands: Vec<Command>,
+    pub(crate) beside: Option<(&'static str, Golden)>,
+    pub(crate) checks: Vec<(&'static str, Check)>,
+    pub(crate) exhibits: Option<fn(&Project) -> anyhow::Result<Exhibits>>,
+}
+
+/// A command, and what runs it.
+#[cfg(feature = "commands")]
+type Command = (clap::Command, Box<dyn Fn(&Project, &ArgMatches) -> Outcome + Send + Sync>);
+
+/// What makes golden files that are not of formulas.
+#[cfg(feature = "commands")]
+type Golden = fn(&Project) -> anyhow::Result<Beside>;
+
+impl Project {
+    /// The project of a package: `Project::new(env!("CARGO_PKG_NAME"), env!("CARGO_MANIFEST_DIR"), CATALOG)`.
+    ///
+    /// The environment variable `JOINTPROOF_ROOT` lets the commands work on a copy of its folder.
+    pub fn new(name: &'static str, manifest_dir: &'static str, catalog: Catalog) -> Self {
+        let folder = Path::new(manifest_dir);
+        Self {
+            name,
+            command: "cargo run --",
+            manifest: folder.join("Cargo.toml"),
+            root: root_or(folder.to_path_buf()),
+            catalog,
+            #[cfg(feature = "commands")]
+            extension: Extension::default(),
+        }
+    }
+
+    /// With sources, golden files and book not in the package's own folder but in this one, seen from there, as `..`.
+    #[must_use]
+    pub fn in_folder(self, relative: &str) -> Self {
+        let mut folder = self.manifest.clone();
+        folder.pop();
+        for part in Path::new(relative) {
+            if part == ".." {
+                folder.pop();
+            } else {
+                folder.push(part);
+            }
+        }
+        Self { root: root_or(folder), ..self }
+    }
+
+    /// With another command to be named in help and messages than `cargo run --`.
+    #[must_use]
+    pub fn called(self, command: &'static str) -> Self {
+        Self { command, ..self }
+    }
+
+    /// The name, under which reports and evidence are kept.
+    pub fn name(&self) -> &'static str {
+        self.name
+    }
+
+    /// What one types before the name of a command.
+    pub fn command(&self) -> &'static str {
+        self.command
+    }
+
+    /// The manifest of the package whose program this is.
+    pub fn manifest(&self) -> &Path {
+        &self.manifest
+    }
+
+    /// The folder of the project.
+    pub fn root(&self) -> &Path {
+        &self.root
+    }
+
+    /// Every formula.
+    pub fn catalog(&self) -> Catalog {
+        self.catalog
+    }
+
+    /// The formula of this identifier.
+    pub fn find(&self, id: &str) -> Option<&'static dyn AnyFormula> {
+        self.catalog.iter().copied().find(|formula| formula.spec().id == id)
+    }
+
+    /// The folder of the golden files.
+    pub fn golden(&self) -> PathBuf {
+        self.root.join("golden")
+    }
+
+    /// Where what can be made again is put: the book, and below it reports and evidence.
+    pub fn target(&self) -> PathBuf {
+        std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| self.root.join("target"), PathBuf::from)
+    }
+
+    /// Where reports and evidence are kept between commands.
+    pub fn kept(&self, file: &str) -> PathBuf {
+        self.target().join(self.name).join(file)
+    }
+
+    /// A path as one would type it in the folder of the project.
+    pub fn shown(&self, path: &Path) -> String {
+        path.strip_prefix(&self.root).unwrap_or(path).display().to_string()
+    }
+}
+
+/// The folder of a project, unless commands are to work on a copy.
+fn root_or(folder: PathBuf) -> PathBuf {
+    std::env::var_os("JOINTPROOF_ROOT").map_or(folder, PathBuf::from)
+}
+
+#[cfg(feature = "commands")]
+impl Project {
+    /// With a command more. Its arguments are those that clap derives, whose examples name it as `{command} NAME …`.
+    #[must_use]
+    pub fn with_command<A: Args + FromArgMatches + 'static>(
+        mut self,
+        name: &'static str,
+        run: fn(&Self, &A) -> Outcome,
+    ) -> Self {
+        let command = A::augment_args(clap::Command::new(name));
+        let run = move |project: &Self, matches: &ArgMatches| run(project, &A::from_arg_matches(matches)?);
+        self.extension.commands.push((command, Box::new(run)));
+        self
+    }
+
+    /// With golden files beside those of the formulas, under a name for the summary of `verify`.
+    #[must_use]
+    pub fn with_golden(mut self, name: &'static str, files: Golden) -> Self {
+        self.extension.beside = Some((name, files));
+        self
+    }
+
+    /// With a step more in `verify`, under a name for its summary.
+    #[must_use]
+    pub fn with_check(mut self, name: &'static str, check: Check) -> Self {
+        self.extension.checks.push((name, check));
+        self
+    }
+
+    /// With exhibits for the book.
+    #[must_use]
+    pub fn with_exhibits(mut self, exhibits: fn(&Self) -> anyhow::Result<Exhibits>) -> Self {
+        self.extension.exhibits = Some(exhibits);
+        self
+    }
+}

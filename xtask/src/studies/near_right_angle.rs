@@ -1,0 +1,51 @@
+//! What both forms of β lose near 90°.
+
+use jointproof::Octuple;
+use jointproof::cardan::{CardanAngles, Triads, accurate, rotation, turned, turns};
+use jointproof::formula::value;
+use jointproof::scalar::abs;
+
+/// What both forms of β make of triads that are rotations rounded to doubles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct NearRightAngle {
+    /// 90° − β, in radians.
+    pub(crate) distance: f64,
+    /// The largest relative error of the arc sine, where it exists.
+    pub(crate) arc_sine: f64,
+    /// The share of the poses at which rounding made |e1a·e3b| > 1, so that there is no arc sine.
+    pub(crate) rejected: f64,
+    /// The largest relative error of the two-argument form.
+    pub(crate) two_argument: f64,
+}
+
+/// Both forms of β at each of these distances from 90°, the worst of 64 poses: the figure of the book.
+pub(crate) fn errors_near_right_angle(distances: &[f64]) -> Vec<NearRightAngle> {
+    distances.iter().map(|&distance| errors_at(distance)).collect()
+}
+
+fn errors_at(distance: f64) -> NearRightAngle {
+    let beta = Octuple::PI / 2.0 - distance;
+    let turns = (0..8).map(|k| Octuple::from(-2.75) + f64::from(k) * 0.75);
+    let poses = turns.clone().flat_map(|alpha| turns.clone().map(move |gamma| [alpha, beta, gamma]));
+    let error = |found: f64| abs((Octuple::from(found) - beta) / beta).to_f64();
+
+    let mut worst = NearRightAngle { distance, arc_sine: 0.0, rejected: 0.0, two_argument: 0.0 };
+    for pose in poses {
+        let triads = rounded_triads(pose);
+        worst.two_argument = worst.two_argument.max(error(accurate(&triads).beta));
+        match value::<CardanAngles>(&triads) {
+            Ok(angles) => worst.arc_sine = worst.arc_sine.max(error(angles.beta)),
+            Err(_) => worst.rejected += 1.0 / 64.0,
+        }
+    }
+    worst
+}
+
+/// Triads that stand at these angles to one another, neither along the global axes, every component rounded once.
+fn rounded_triads([alpha, beta, gamma]: [Octuple; 3]) -> Triads<f64> {
+    let [global, _] = turns::axes([1, 2, 3]);
+    let a = turned(&global.map(|e| e.map(Octuple::from)), &rotation(alpha, gamma * 0.25, gamma - alpha));
+    let b = turned(&a, &rotation(alpha, beta, gamma));
+    let [a, b] = [a, b].map(|triad| triad.map(|e| e.map(Octuple::to_f64)));
+    Triads::new(a, b)
+}
