@@ -1,6 +1,5 @@
 //! What a project has beside its formulas: other golden files, and exhibits for its book.
 
-use crate::project::Project;
 use std::path::PathBuf;
 
 /// Golden files that are not of formulas.
@@ -39,9 +38,6 @@ pub struct Fact {
     /// The lines of it: texts, in which `[…](…)` is a link from the root of the book.
     pub lines: Vec<String>,
 }
-
-/// A step more of `verify`: whether all is well, and how much was looked at. What is off is said on standard error.
-pub type Check = fn(&Project) -> anyhow::Result<(bool, String)>;
 
 /// A table of texts, in which `$…$` is mathematics and `` `…` `` is code; code that names a formula links to it.
 #[derive(Clone, Debug, Default)]

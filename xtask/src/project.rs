@@ -2,7 +2,7 @@
 
 #[cfg(feature = "commands")]
 use crate::{
-    extension::{Beside, Check, Exhibits},
+    extension::{Beside, Exhibits},
     outcome::Outcome,
 };
 #[cfg(feature = "commands")]
@@ -43,6 +43,10 @@ type Command = (clap::Command, Box<dyn Fn(&Project, &ArgMatches) -> Outcome + Se
 /// What makes golden files that are not of formulas.
 #[cfg(feature = "commands")]
 type Golden = fn(&Project) -> anyhow::Result<Beside>;
+
+/// A step more of `verify`: whether all is well, and how much was looked at. What is off is said on standard error.
+#[cfg(feature = "commands")]
+pub type Check = fn(&Project) -> anyhow::Result<(bool, String)>;
 
 impl Project {
     /// The project of a package: `Project::new(env!("CARGO_PKG_NAME"), env!("CARGO_MANIFEST_DIR"), CATALOG)`.

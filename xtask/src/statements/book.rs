@@ -1,9 +1,9 @@
 //! The statements in the book: traceability, sources, errata, and what an entry says.
 
-use super::Counts;
-use super::documents::{self, Document};
+use super::document::{Counts, Document};
+use super::documents;
 use super::errata;
-use super::statement::{Cover, Statement, Status};
+use super::statement::{Cover, Formula, Statement, Status};
 use super::world::{self, World};
 use crate::scene;
 use jointproof::catalog::CATALOG;
@@ -53,9 +53,8 @@ pub(super) fn of_formula(documents: &[Document], world: &World, id: &str) -> Vec
 /// A case, function, output or erratum of a statement, as an entry links it; the entry has its own laws.
 fn beside(cover: &Cover, id: &str, world: &World) -> Option<String> {
     match cover {
-        Cover::Case(formula, _) if formula.spec().id != id => None,
-        Cover::Case(..) | Cover::Item(_) | Cover::Output(_) => Some(reference(cover, world)),
-        Cover::Erratum(anchor) => Some(format!("[erratum](errata.html#{anchor})")),
+        Cover::Case(formula, case) if formula.spec().id == id => Some(golden(*formula, case)),
+        Cover::Item(_) | Cover::Output(_) | Cover::Erratum(_) => Some(reference(cover, world)),
         _ => None,
     }
 }
@@ -99,22 +98,37 @@ fn reference(cover: &Cover, world: &World) -> String {
     match *cover {
         Cover::Formula(formula) => format!("`{}`", formula.spec().id),
         Cover::Law(formula, words) => format!("law of `{}`: “{words} …”", formula.spec().id),
-        Cover::Case(formula, case) => {
-            let id = formula.spec().id;
-            format!("[case `{case}`](golden/{id}.json)")
-        }
+        Cover::Case(formula, case) => format!("{} of `{}`", golden(formula, case), formula.spec().id),
         Cover::Item(path) => linked(&short(path), world.item(path)),
         Cover::Test(test) => linked(&format!("test `{test}`"), world.test(test)),
-        Cover::Output(name) => match world::output(name) {
-            Some(kind) => format!("[{name}](scenes.html#{})", scene::anchor(kind)),
-            None => name.to_owned(),
-        },
-        Cover::Chapter(place) => {
-            let (page, anchor) = place.split_once('#').unwrap_or((place, ""));
-            format!("[{}]({}.html#{anchor})", anchor.replace('-', " "), page.trim_end_matches(".md"))
-        }
+        Cover::Output(name) => output(name),
+        Cover::Chapter(place) => chapter(place),
         Cover::Erratum(anchor) => format!("[erratum](errata.html#{anchor})"),
     }
+}
+
+/// A golden case, as a link to its file.
+fn golden(formula: Formula, case: &str) -> String {
+    format!("[case `{case}`](golden/{}.json)", formula.spec().id)
+}
+
+/// An output of scenes, as a link to the tables of its kind.
+fn output(name: &str) -> String {
+    let shown = match name.split_once('@').and_then(|(kind, rest)| Some((kind, rest.split_once('/')?))) {
+        Some((kind, (dimension, output))) => format!("{kind}/{output} in {dimension}"),
+        None => name.to_owned(),
+    };
+    match world::output(name) {
+        Some(kind) => format!("[{shown}](scenes.html#{})", scene::anchor(kind)),
+        None => shown,
+    }
+}
+
+/// A place in the book, as a link.
+fn chapter(place: &str) -> String {
+    let (file, anchor) = place.split_once('#').unwrap_or((place, ""));
+    let page = file.trim_end_matches(".md");
+    format!("[{page}: {}]({page}.html#{anchor})", anchor.replace('-', " "))
 }
 
 /// Words with a link into a listing.

@@ -1,7 +1,7 @@
 //! What can be wrong with the statements.
 
-use super::documents::Document;
-use super::errata::Erratum;
+use super::document::Document;
+use super::erratum::Erratum;
 use super::statement::{Cover, Formula, Statement, Status};
 use super::world::{self, World};
 use jointproof::catalog::CATALOG;
@@ -32,12 +32,12 @@ pub(super) fn faults(documents: &[Document], errata: &[Erratum], world: &World) 
 /// What is wrong with one statement.
 fn of_statement(statement: &Statement, errata: &[Erratum], world: &World) -> Vec<String> {
     let mut faults: Vec<_> =
-        statement.covers.iter().filter(|cover| !exists(cover, errata, world)).map(|cover| reference(cover)).collect();
+        statement.covers.iter().filter(|cover| !exists(cover, errata, world)).map(reference).collect();
     let has = |is: fn(&Cover) -> bool| statement.covers.iter().any(is);
     match statement.status {
         Status::Covered if statement.covers.is_empty() => faults.push("nothing covers it".into()),
         Status::Erratum if !has(|cover| !matches!(cover, Cover::Erratum(_))) => {
-            faults.push("nothing but an erratum covers it".into())
+            faults.push("nothing but an erratum covers it".into());
         }
         Status::Outside("") | Status::Open(_, "") => faults.push("it does not say why".into()),
         Status::Outside(_) if !statement.covers.is_empty() => faults.push("it is outside, and covered".into()),

@@ -6,8 +6,10 @@
 
 pub(crate) mod book;
 mod check;
+mod document;
 mod documents;
 mod errata;
+mod erratum;
 mod statement;
 #[cfg(test)]
 mod tests;
@@ -15,7 +17,7 @@ mod world;
 
 use crate::console::say;
 use check::faults;
-use documents::Document;
+use document::{Counts, Document};
 use kit::Project;
 use statement::Status;
 use world::World;
@@ -32,36 +34,6 @@ pub(crate) fn verify(project: &Project) -> anyhow::Result<(bool, String)> {
         say(&format!("open: {id}, {missing} (point {point})"));
     }
     Ok((faults.is_empty(), format!("{counts}; {} errata executed", errata.len())))
-}
-
-/// How many statements there are, and how they stand.
-struct Counts {
-    all: usize,
-    covered: usize,
-    errata: usize,
-    outside: usize,
-    open: usize,
-}
-
-impl Counts {
-    fn of(documents: &[Document]) -> Self {
-        let statuses: Vec<_> = documents.iter().flat_map(|document| &document.statements).map(|s| s.status).collect();
-        let number = |is: fn(&Status) -> bool| statuses.iter().filter(|status| is(status)).count();
-        Self {
-            all: statuses.len(),
-            covered: number(|status| *status == Status::Covered),
-            errata: number(|status| *status == Status::Erratum),
-            outside: number(|status| matches!(status, Status::Outside(_))),
-            open: number(|status| matches!(status, Status::Open(..))),
-        }
-    }
-}
-
-impl std::fmt::Display for Counts {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { all, covered, errata, outside, open } = self;
-        write!(f, "{all} statements: {covered} covered, {errata} errata, {outside} outside, {open} open")
-    }
 }
 
 /// The statements that are not covered yet: anchor, point of the issue, what is missing.

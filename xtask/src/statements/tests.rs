@@ -1,11 +1,13 @@
 //! Whole registries: ours, and planted ones with one thing wrong.
 
+use super::book;
 use super::check::faults;
-use super::documents::{self, Document};
-use super::errata::{self, Erratum};
+use super::document::{Counts, Document};
+use super::documents;
+use super::errata;
+use super::erratum::{Erratum, at};
 use super::statement::{Statement, covered, mended, open, outside};
 use super::world::{World, anchors};
-use super::{Counts, book};
 use jointproof::catalog::CATALOG;
 use jointproof::formula::Formula;
 use jointproof::slot::{self, Slot};
@@ -92,6 +94,18 @@ fn an_erratum_that_shows_nothing_fails() {
         Erratum { anchor: "empty", comparisons: Vec::new() }.faults(),
         ["erratum empty: no literal reading beside a right one"]
     );
+}
+
+#[test]
+fn a_literal_reading_that_obeys_and_a_right_one_that_breaks_the_law_fail() {
+    let comparison = at("", "the law").printed("", 1.0, 0.0).here::<slot::Stop>("", 1.0, 0.5);
+    let faults = Erratum { anchor: "wrong", comparisons: vec![comparison] }.faults();
+    let id = slot::Stop::SPEC.id;
+    let expected = [
+        "erratum wrong: as printed, it obeys the law \"the law\": off by 0e0".to_owned(),
+        format!("erratum wrong: here: `{id}`, it breaks the law \"the law\": off by 5e-1"),
+    ];
+    assert_eq!(faults, expected);
 }
 
 #[test]

@@ -114,10 +114,10 @@ pub(super) fn plain(path: &str) -> String {
 /// A function of a type, or, made by a macro for several types, the function of that name.
 fn method(lines: &[&str], owner: &str, name: &str) -> Option<usize> {
     let is_owners = |line: &&str| line.starts_with("impl") && line.contains(owner);
-    let start = lines.iter().position(|line| is_owners(&line))?;
+    let start = lines.iter().position(is_owners)?;
     let is_it = |line: &&str| defines(line, "fn", name);
-    let own = lines[start..].iter().position(|line| is_it(&line)).map(|line| start + line);
-    own.or_else(|| lines.iter().position(|line| is_it(&line)))
+    let own = lines[start..].iter().position(is_it).map(|line| start + line);
+    own.or_else(|| lines.iter().position(is_it))
 }
 
 /// Whether a line defines `fn name`, `struct name` and so on.

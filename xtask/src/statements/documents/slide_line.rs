@@ -1,6 +1,6 @@
 //! Slide lines and the elements on them, statement by statement.
 
-use super::Document;
+use crate::statements::document::Document;
 use crate::statements::statement::{Statement, covered, mended, open, outside};
 use jointproof::formula;
 use jointproof::isl::{Contact, Element, ElementSet, Interaction, TorquePrint};
@@ -71,7 +71,8 @@ fn basis() -> Vec<Statement> {
         covered("L18-s3", "Nodes of the slave must not penetrate the master.")
             .formulas(&[&slide_line::ClosestLinear, &slide_line::ClosestParabolic])
             .outputs(&["isl21a/E11", "isl22a/E11"])
-            .test("slide_line/main::a_point_on_the_wrong_side_penetrates"),
+            .test("slide_line/main::a_point_on_the_wrong_side_penetrates")
+            .chapter("slide-line-elements.md#what-is-the-sources-and-what-is-ours"),
         covered(
             "L19",
             "The master should be the stiffer body, or the one with the coarser mesh; else the choice is free.",

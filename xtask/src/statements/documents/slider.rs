@@ -1,7 +1,7 @@
 //! The sliding constraint, statement by statement: one paragraph, whose symbols are lost. `s` counts what it says, `e` its
 //! equations.
 
-use super::Document;
+use crate::statements::document::Document;
 use crate::statements::statement::{Statement, covered, mended, open, outside};
 use jointproof::formula;
 use jointproof::slider::{self, Pivots, Slider, Slider2d, documented};

@@ -1,6 +1,6 @@
 //! SLOT, statement by statement.
 
-use super::Document;
+use crate::statements::document::Document;
 use crate::statements::statement::{Statement, covered, mended, open, outside};
 use jointproof::coulomb;
 use jointproof::formula;

@@ -1,6 +1,6 @@
 //! UJOINT, statement by statement.
 
-use super::Document;
+use crate::statements::document::Document;
 use crate::statements::statement::{Statement, covered, mended, open, outside};
 use jointproof::formula;
 use jointproof::ujoint::{self, Cross, UJoint};

@@ -1,6 +1,6 @@
 //! Slide lines.
 
-use super::{Erratum, apart, at, erratum};
+use crate::statements::erratum::{Erratum, apart, at, erratum};
 use jointproof::formula::Formula;
 use jointproof::slide_line::{self, LinearNodes};
 use nalgebra::Vector2;

@@ -1,6 +1,6 @@
 //! Friction of SLOT, TRANSLATOR and UJOINT, and the stops.
 
-use super::{Erratum, apart, at, erratum};
+use crate::statements::erratum::{Erratum, apart, at, erratum};
 use jointproof::formula::Formula;
 use jointproof::{slot, translator, ujoint};
 

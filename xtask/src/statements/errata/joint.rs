@@ -1,6 +1,6 @@
 //! The hinges of UJOINT.
 
-use super::{Erratum, apart, at, erratum};
+use crate::statements::erratum::{Erratum, apart, at, erratum};
 use jointproof::formula::Formula;
 use jointproof::ujoint::{self, Arm, AxialForces, AxialShares, Bending, CentreLoads, JointLoads, StopAngles, Twist};
 use nalgebra::Vector3;

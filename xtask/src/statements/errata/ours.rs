@@ -1,6 +1,6 @@
 //! Rules that this library began with, and that did not hold.
 
-use super::{Erratum, apart, at, erratum};
+use crate::statements::erratum::{Erratum, apart, at, erratum};
 use jointproof::formula::Formula;
 use jointproof::slide_line::{self, ParabolicSlave};
 use jointproof::slider::Pivots;

@@ -1,6 +1,6 @@
 //! The sliding constraint.
 
-use super::{Erratum, apart, at, erratum};
+use crate::statements::erratum::{Erratum, apart, at, erratum};
 use jointproof::formula::Formula;
 use jointproof::slider::{self, MovingNodes, Nodes, Nodes2d, Pivots};
 use nalgebra::{Vector2, Vector3};
@@ -67,9 +67,9 @@ fn ties() -> Erratum {
     let d = Vector3::new(2.0, 1.0, 1.0);
     let t1 = slider::Basis::eval(&slider::LineDirection { n: d.normalize() }).t1;
     let larger_than_all = |i: &usize| (0..3).all(|other| other == *i || t1[*i].abs() > t1[other].abs());
-    let strict = (0..3).filter(larger_than_all).count() as f64;
+    let strict = (0..3).filter(larger_than_all).map(|_| 1.0).sum::<f64>();
     let chosen = Pivots::new(&Vector3::zeros(), &d);
-    let here = (0..3).filter(|axis| *axis == chosen.i).count() as f64;
+    let here = (0..3).filter(|axis| *axis == chosen.i).map(|_| 1.0).sum::<f64>();
     erratum(
         "ties-of-the-pivot-rule",
         vec![
