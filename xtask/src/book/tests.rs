@@ -113,10 +113,8 @@ fn texts_are_read_as_if_they_stood_in_the_chapter() {
 fn facts_of_the_project_stand_on_the_entry_with_their_links() {
     let root = tempfile::tempdir().unwrap();
     book(root.path(), GOOD).unwrap();
-    let fact =
-        "<dt>Said</dt><dd><ul><li>see <a href=\"golden/t.first.json\">the <code>file</code></a>, <math alttext=\"w\">";
-    let page = page(root.path());
-    assert!(page.contains(fact), "{fact} is not in\n{page}");
+    let fact = "see <a href=\"golden/t.first.json\">the <code>file</code></a>, <math alttext=\"w\">";
+    assert_eq!(page(root.path()).matches(fact).count(), 1);
 }
 
 #[test]
