@@ -3,7 +3,7 @@
 use crate::formula::{Field, Fields, Formula, Spec, check, entries, value, value_and_jacobian};
 #[cfg(feature = "measure")]
 use crate::measure::{self, Measurement};
-use crate::proof::{Convention, Proved};
+use crate::proof::{Convention, Flag, Proved};
 use crate::scalar::{abs, sign};
 use crate::verify::{Audit, Kink, Options, Subject, audit, audit_at, exact, golden};
 use crate::{
@@ -20,10 +20,12 @@ pub trait AnyFormula: Send + Sync {
     fn outputs(&self) -> &'static [Field];
     /// The Rust path of the type that implements it.
     fn path(&self) -> &'static str;
+    /// What its own cases are for.
+    fn cases(&self) -> Vec<Flag>;
+    /// Its own laws in words.
+    fn laws(&self) -> Vec<String>;
     /// Where it has no derivative.
     fn kinks(&self) -> Vec<KinkEntry>;
-    /// Its laws, in words.
-    fn laws(&self) -> Vec<String>;
     /// Its golden file, computed now.
     fn golden(&self) -> golden::File;
     /// Its audit, executed now.
@@ -48,6 +50,11 @@ pub trait AnyFormula: Send + Sync {
     /// # Errors
     /// As [`AnyFormula::value`], and [`Error::DerivativeOverflow`].
     fn value_and_jacobian(&self, components: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Error>;
+    /// As [`AnyFormula::value_and_jacobian`], written into slices of just as many numbers, without allocation.
+    ///
+    /// # Errors
+    /// As there, and [`Error::Components`] where a slice has another length; nothing is written then.
+    fn value_and_jacobian_into(&self, i: &[f64], value: &mut [f64], jacobian: &mut [f64]) -> Result<(), Error>;
     #[cfg(feature = "measure")]
     /// The errors of every way to compute it, found now.
     fn errors(&self, options: &measure::Options) -> Measurement;
@@ -83,11 +90,14 @@ impl<F: Proved> AnyFormula for F {
     fn path(&self) -> &'static str {
         std::any::type_name::<F>()
     }
-    fn kinks(&self) -> Vec<KinkEntry> {
-        one_sided(&Subject::of::<F>())
+    fn cases(&self) -> Vec<Flag> {
+        F::cases().iter().map(|case| case.flag).collect()
     }
     fn laws(&self) -> Vec<String> {
         F::laws().into_iter().map(|law| law.statement).collect()
+    }
+    fn kinks(&self) -> Vec<KinkEntry> {
+        one_sided(&Subject::of::<F>())
     }
     fn golden(&self) -> golden::File {
         golden::file::<F>()
@@ -107,8 +117,20 @@ impl<F: Proved> AnyFormula for F {
         Ok(entries(&F::jacobian(&inputs)))
     }
     fn value_and_jacobian(&self, components: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Error> {
-        let (out, jacobian) = value_and_jacobian::<F>(&from_components::<F>(components)?)?;
-        Ok((out.components(), entries(&jacobian)))
+        let mut value = vec![0.0; F::Outputs::<f64>::LEN];
+        let mut jacobian = vec![0.0; value.len() * F::Inputs::<f64>::LEN];
+        self.value_and_jacobian_into(components, &mut value, &mut jacobian)?;
+        Ok((value, jacobian))
+    }
+    fn value_and_jacobian_into(&self, i: &[f64], value: &mut [f64], jacobian: &mut [f64]) -> Result<(), Error> {
+        let i = from_components::<F>(i)?;
+        expect(F::Outputs::<f64>::LEN, value.len())?;
+        expect(F::Outputs::<f64>::LEN * F::Inputs::<f64>::LEN, jacobian.len())?;
+        let (out, gradients) = value_and_jacobian::<F>(&i)?;
+        write(&out, &mut value.iter_mut());
+        let places = &mut jacobian.iter_mut();
+        gradients.for_each_component(&mut |gradient| write(&gradient, places));
+        Ok(())
     }
     #[cfg(feature = "measure")]
     fn errors(&self, options: &measure::Options) -> Measurement {
@@ -127,6 +149,17 @@ impl<F: Proved> AnyFormula for F {
 fn from_components<F: Formula>(components: &[f64]) -> Result<F::Inputs<f64>, Error> {
     let (found, expected) = (components.len(), F::Inputs::<f64>::LEN);
     F::Inputs::from_slice(components).ok_or(Error::Components { found, expected })
+}
+
+/// Rejects another number of components.
+fn expect(expected: usize, found: usize) -> Result<(), Error> {
+    if found == expected { Ok(()) } else { Err(Error::Components { found, expected }) }
+}
+
+/// Writes the components in order, each into the next place; the places were counted.
+#[inline]
+fn write<'a>(fields: &impl Fields<f64>, places: &mut impl Iterator<Item = &'a mut f64>) {
+    fields.for_each_component(&mut |x| *places.next().expect("a place for every component") = x);
 }
 
 /// One-sided differences in 237 bits, with a step so short that nothing else is near.

@@ -1,16 +1,17 @@
 //! What can be wrong with an input, and what is allowed instead.
 
+mod message;
+
 use crate::quantity::Domain;
 use crate::scalar::{has_length, norm};
 use nalgebra::SVector;
 use std::fmt;
 
 /// An input was rejected. The message names the input, its value and what is allowed.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Error {
     /// An input is NaN or infinite.
-    #[error("{name} is {value:?}; allowed is {allowed}")]
     NonFinite {
         /// The input.
         name: Name,
@@ -20,7 +21,6 @@ pub enum Error {
         allowed: String,
     },
     /// An input is outside its domain.
-    #[error("{name} is {value:?}; allowed is {allowed}")]
     OutOfRange {
         /// The input.
         name: Name,
@@ -30,7 +30,6 @@ pub enum Error {
         allowed: String,
     },
     /// A lower bound is above its upper bound.
-    #[error("{lower} = {lower_value:?} is above {upper} = {upper_value:?}; allowed is {lower} ≤ {upper}")]
     OutOfOrder {
         /// The lower bound.
         lower: &'static str,
@@ -42,7 +41,6 @@ pub enum Error {
         upper_value: f64,
     },
     /// A vector of a triad is not of length 1.
-    #[error("{name} has length {length:?}; allowed is 1 within {tolerance:?}")]
     NotUnit {
         /// The vector.
         name: &'static str,
@@ -52,7 +50,6 @@ pub enum Error {
         tolerance: f64,
     },
     /// Two vectors of a triad are not perpendicular.
-    #[error("{first}·{second} is {product:?}; allowed is 0 within {tolerance:?}")]
     NotPerpendicular {
         /// One vector.
         first: &'static str,
@@ -64,7 +61,6 @@ pub enum Error {
         tolerance: f64,
     },
     /// A triad is left-handed.
-    #[error("{third} points against {first} × {second}; allowed is a right-handed triad (reverse one vector)")]
     LeftHanded {
         /// The first vector.
         first: &'static str,
@@ -74,7 +70,6 @@ pub enum Error {
         third: &'static str,
     },
     /// An input given by name cannot be read.
-    #[error("{name} is {found}; allowed is {allowed}")]
     Unreadable {
         /// The input.
         name: String,
@@ -84,9 +79,6 @@ pub enum Error {
         allowed: String,
     },
     /// At gimbal lock, β = ±90°, the Cardan angles α and γ turn about one axis and neither is defined.
-    #[error(
-        "{angle} is undefined, since {sine} = 0 and {cosine} = 0 (gimbal lock); allowed is at least one that is not 0"
-    )]
     GimbalLock {
         /// The angle.
         angle: &'static str,
@@ -96,7 +88,6 @@ pub enum Error {
         cosine: &'static str,
     },
     /// An angle is undefined, since a vector is perpendicular to all axes between which it is measured.
-    #[error("{angle} is undefined, since {vector} is perpendicular to {axes}; allowed is a unit vector and a triad")]
     UndefinedAngle {
         /// The angle.
         angle: &'static str,
@@ -106,9 +97,6 @@ pub enum Error {
         axes: &'static str,
     },
     /// A scalar product that must have an arc sine is above 1 in size, as rounding alone can make it.
-    #[error(
-        "|{product}| is above 1 by {excess:e}; allowed is at most 1 (or use the two-argument angle, which has no such limit)"
-    )]
     NoArcSine {
         /// The scalar product.
         product: &'static str,
@@ -116,7 +104,6 @@ pub enum Error {
         excess: f64,
     },
     /// Two points that must differ are at one place, or so near that the reciprocal of their distance overflows.
-    #[error("{first} and {second} are {distance:?} apart; allowed is a distance ≥ {least:?}")]
     TooClose {
         /// One point.
         first: &'static str,
@@ -128,7 +115,6 @@ pub enum Error {
         least: f64,
     },
     /// A vector that must have a direction is zero, or so short that the reciprocal of its length overflows.
-    #[error("{name} has length {length:?}; allowed is a length ≥ {least:?}")]
     TooShort {
         /// The vector.
         name: &'static str,
@@ -138,9 +124,6 @@ pub enum Error {
         least: f64,
     },
     /// A curve stands still where its tangent is asked for.
-    #[error(
-        "the curve has no tangent at {coordinate} = {value}; allowed is a midside node short of the quarter point, and no fold"
-    )]
     NoTangent {
         /// The coordinate along the curve.
         coordinate: &'static str,
@@ -148,13 +131,11 @@ pub enum Error {
         value: f64,
     },
     /// A node is referred to that has no coordinates.
-    #[error("{}", self.with_names(|node| node.to_string()))]
     UnknownNode {
         /// Its number.
         node: u32,
     },
     /// Something is wrong with a node.
-    #[error("{}", self.with_names(|node| node.to_string()))]
     Node {
         /// Its number.
         node: u32,
@@ -164,7 +145,6 @@ pub enum Error {
         allowed: &'static str,
     },
     /// Two nodes of a segment or an element are at one place.
-    #[error("{}", self.with_names(|node| node.to_string()))]
     CoincidentNodes {
         /// One node.
         first: u32,
@@ -172,7 +152,6 @@ pub enum Error {
         second: u32,
     },
     /// A slide line has too few nodes, or a parabolic one an even number.
-    #[error("{count} nodes are given; allowed is {allowed}")]
     NodeCount {
         /// How many.
         count: usize,
@@ -180,9 +159,6 @@ pub enum Error {
         allowed: &'static str,
     },
     /// Nodes cannot be generated with this increment.
-    #[error(
-        "increment {increment} does not lead from node {first} to node {last}; allowed is a divisor of {last} - {first} with its sign"
-    )]
     Increment {
         /// The first node.
         first: u32,
@@ -192,13 +168,11 @@ pub enum Error {
         increment: i64,
     },
     /// A slide line turns straight back at a node, so that no side of it is the slave's.
-    #[error("{}", self.with_names(|node| node.to_string()))]
     FoldsBack {
         /// The node.
         node: u32,
     },
     /// Something is wrong with an element.
-    #[error("element {element} {fault}; allowed are {allowed}")]
     Element {
         /// Its number.
         element: u32,
@@ -208,13 +182,11 @@ pub enum Error {
         allowed: &'static str,
     },
     /// A set of elements is empty.
-    #[error("the element set {name} is empty; allowed is at least one element")]
     EmptySet {
         /// The name of the set.
         name: String,
     },
     /// A list of components has the wrong length.
-    #[error("{found} components; allowed are exactly {expected}")]
     Components {
         /// How many were given.
         found: usize,
@@ -222,18 +194,13 @@ pub enum Error {
         expected: usize,
     },
     /// The directions of a triad in the plane turn clockwise.
-    #[error("e2 points to the right of e1; allowed is e1 turned left by 90° (reverse one vector)")]
     Clockwise,
     /// The inputs are allowed, but a result is too large for a double.
-    #[error(
-        "{name} is too large for a double; allowed are results below 1.8e308 (use units in which the inputs are closer to 1)"
-    )]
     Overflow {
         /// The output.
         name: &'static str,
     },
     /// The inputs and the result are allowed, but a derivative is too large for a double.
-    #[error("a derivative of {name} is too large for a double; use units in which the inputs are closer to 1")]
     DerivativeOverflow {
         /// The output.
         name: &'static str,
@@ -259,36 +226,25 @@ impl fmt::Display for Name {
 }
 
 impl Error {
-    /// What it says, with nodes called by these names instead of their numbers.
-    pub fn with_names(&self, name: impl Fn(u32) -> String) -> String {
-        match self {
-            Self::UnknownNode { node } => {
-                format!("node {} is unknown; allowed are nodes with coordinates", name(*node))
-            }
-            Self::Node { node, fault, allowed } => format!("node {} {fault}; allowed are {allowed}", name(*node)),
-            Self::CoincidentNodes { first, second } => {
-                format!("nodes {} and {} are at one place; allowed are different places", name(*first), name(*second))
-            }
-            Self::FoldsBack { node } => {
-                format!("the slide line turns straight back at node {}; allowed is any other angle", name(*node))
-            }
-            other => other.to_string(),
-        }
-    }
-
     /// Checks one number against its domain.
     ///
     /// # Errors
     /// [`Error::NonFinite`] or [`Error::OutOfRange`].
+    #[inline]
     pub fn check(field: &'static str, component: Option<usize>, value: f64, domain: Domain) -> Result<(), Self> {
-        let name = Name { field, component };
-        let allowed = || domain.allowed();
-        if !value.is_finite() {
-            Err(Self::NonFinite { name, value, allowed: allowed() })
-        } else if !domain.allows(value) {
-            Err(Self::OutOfRange { name, value, allowed: allowed() })
+        if value.is_finite() && domain.allows(value) {
+            return Ok(());
+        }
+        Err(Self::not_allowed(Name { field, component }, value, domain))
+    }
+
+    #[cold]
+    fn not_allowed(name: Name, value: f64, domain: Domain) -> Self {
+        let allowed = domain.allowed();
+        if value.is_finite() {
+            Self::OutOfRange { name, value, allowed }
         } else {
-            Ok(())
+            Self::NonFinite { name, value, allowed }
         }
     }
 
@@ -304,6 +260,7 @@ impl Error {
     ///
     /// # Errors
     /// [`Error::OutOfOrder`].
+    #[inline]
     pub fn check_order(lower: (&'static str, f64), upper: (&'static str, f64)) -> Result<(), Self> {
         if lower.1 <= upper.1 {
             return Ok(());
@@ -324,7 +281,12 @@ impl Error {
         if has_length(between) {
             return Ok(());
         }
-        Err(Self::TooClose { first, second, distance: norm(between), least: f64::MIN_POSITIVE })
+        Err(Self::too_close(first, second, norm(between)))
+    }
+
+    #[cold]
+    fn too_close(first: &'static str, second: &'static str, distance: f64) -> Self {
+        Self::TooClose { first, second, distance, least: f64::MIN_POSITIVE }
     }
 
     /// Checks that a vector has a direction.
@@ -336,7 +298,12 @@ impl Error {
         if has_length(v.into()) {
             return Ok(());
         }
-        Err(Self::TooShort { name, length: norm(<[f64; N]>::from(v)), least: f64::MIN_POSITIVE })
+        Err(Self::too_short(name, norm(<[f64; N]>::from(v))))
+    }
+
+    #[cold]
+    fn too_short(name: &'static str, length: f64) -> Self {
+        Self::TooShort { name, length, least: f64::MIN_POSITIVE }
     }
 
     /// The variant's name, as golden files give it.

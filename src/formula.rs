@@ -105,8 +105,29 @@ pub trait Formula: Copy + Send + Sync + 'static {
     ///
     /// # Errors
     /// What is wrong with which input.
+    #[inline]
     fn validate(_: &Self::Inputs<f64>) -> Result<(), Error> {
         Ok(())
+    }
+
+    /// [`eval`](Self::eval) of inputs that are valid together; overridden where telling that takes as long as the value.
+    ///
+    /// # Errors
+    /// As [`validate`](Self::validate).
+    #[inline]
+    fn try_eval(i: &Self::Inputs<f64>) -> Result<Self::Outputs<f64>, Error> {
+        Self::validate(i)?;
+        Ok(Self::eval(i))
+    }
+
+    /// [`linearized`](Self::linearized) of inputs that are valid together; overridden where [`try_eval`](Self::try_eval) is.
+    ///
+    /// # Errors
+    /// As [`validate`](Self::validate).
+    #[inline]
+    fn try_linearized(i: &Self::Inputs<f64>) -> Result<ValueAndJacobian<Self, f64>, Error> {
+        Self::validate(i)?;
+        Ok(Self::linearized(i))
     }
 }
 

@@ -15,12 +15,12 @@
 //! Forces and areas are those of the whole circumference. All is in the axes (r, z), in any consistent units.
 //!
 //! ```
-//! use jointproof::isl::{Contact, Element, ElementSet, Interaction, Increment};
-//! use jointproof::slide_line::{Kind, Nodes, SlideLine};
+//! use jointproof::isl::{Contact, ElementSet, Increment, Interaction, IslElement};
+//! use jointproof::slide_line::{Interpolation, Nodes, SlideLine};
 //!
 //! // A ring of radius 2 presses from above on a flat washer.
-//! let washer = SlideLine::new(Kind::Linear, [1, 2])?;
-//! let ring = ElementSet::new("ring", [Element::isl21a(10, [3, 4])?])?;
+//! let washer = SlideLine::new(Interpolation::Linear, [1, 2])?;
+//! let ring = ElementSet::new("ring", [IslElement::isl21a(10, [3, 4])?])?;
 //! let contact = Contact::new(washer, ring, Interaction::linear(1000.0)?.with_friction(0.25, 5000.0)?);
 //!
 //! let at = |slave_r: f64, slave_z: f64| {
@@ -39,12 +39,18 @@
 
 mod contact;
 mod element;
+#[cfg_attr(not(feature = "scene"), expect(dead_code, reason = "scenes ask for a part of it, and count what ran"))]
+mod engine;
 mod interaction;
 mod state;
 mod torque_print;
 
 pub use contact::{Contact, Increment};
-pub use element::{Element, ElementSet};
+pub use element::{ElementSet, IslElement};
+#[cfg(feature = "scene")]
+pub(crate) use engine::{
+    Culprit, Failure, Motion, Slave, SlaveState, Stage, Surface, Tally, Wanted, torque, total_torque,
+};
 pub use interaction::{Interaction, Pressure};
-pub use state::{SlaveNode, State};
+pub use state::{ContactState, SlaveNode};
 pub use torque_print::{TorquePrint, TorqueRow};

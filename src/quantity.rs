@@ -164,6 +164,7 @@ pub enum Domain {
 
 impl Domain {
     /// Whether a finite number is in the domain.
+    #[inline]
     pub fn allows(self, x: f64) -> bool {
         match self {
             Self::NonNegative => x >= 0.0,

@@ -17,14 +17,11 @@ mod basis;
 mod closest;
 mod corners;
 mod line;
-mod nodes;
-mod place;
-mod placed;
+mod plane;
 mod points;
 mod shape;
 mod slip;
 mod torque;
-mod tree;
 
 pub use area::{ContactAreaLinear, ContactAreaParabolic, LinearNodes, ParabolicNodes, ThreeAreas, TwoAreas};
 pub use basis::{Basis, Direction, LocalBasis};
@@ -33,37 +30,10 @@ pub use closest::{
     LinearSlave, ParabolicCornerSlave, ParabolicSlave, SegmentFoot,
 };
 pub use corners::{LinearCornerPlace, ParabolicCornerPlace, SmoothedLinearPoint, SmoothedParabolicPoint};
-pub use line::{Kind, SlideLine};
-pub use nodes::Nodes;
-pub use place::{ClosestPoint, OverclosureVariation, Place};
-pub use placed::PlacedLine;
+pub(crate) use line::check_position;
+pub use line::{ClosestPoint, Interpolation, Nodes, OverclosureVariation, Place, PlacedLine, SlideLine};
 pub use points::{CurvePoint, LinearPlace, LinearPoint, ParabolicPlace, ParabolicPoint};
 pub use slip::{LinearMotion, ParabolicMotion, Slip, SlipIncrementLinear, SlipIncrementParabolic};
 pub use torque::{LinearPressures, ParabolicPressures, Torque, TorqueLinear, TorqueParabolic};
 
-use crate::Scalar;
-use crate::error::Error;
-use nalgebra::Vector2;
-
-/// The vector turned left by 90°: the normal of a tangent.
-#[inline]
-pub(crate) fn left<D: Scalar>(v: Vector2<D>) -> Vector2<D> {
-    Vector2::new(-v.y, v.x)
-}
-
-/// The length of a vector.
-#[inline]
-fn length<D: Scalar>(v: Vector2<D>) -> D {
-    crate::scalar::norm([v.x, v.y])
-}
-
-/// Checks that the named points are all at different places.
-fn check_distinct(points: &[(&'static str, Vector2<f64>)]) -> Result<(), Error> {
-    let mut pairs = points.iter().enumerate().flat_map(|(k, &a)| points.iter().skip(k + 1).map(move |&b| (a, b)));
-    pairs.try_for_each(|(a, b)| Error::check_apart(a, b))
-}
-
-/// Checks that the named points are not left of the axis of revolution.
-fn check_radii(points: &[(&'static str, Vector2<f64>)]) -> Result<(), Error> {
-    points.iter().try_for_each(|&(name, x)| Error::check(name, Some(0), x.x, crate::quantity::Domain::NonNegative))
-}
+use plane::{check_distinct, check_radii, left, length};

@@ -1,11 +1,13 @@
 //! Bad input gets a typed error that names the parameter, its value and what is allowed.
 
 use jointproof::Error;
-use jointproof::catalog::CATALOG;
+use jointproof::catalog::{AnyFormula, CATALOG};
+use jointproof::formula::{Field, value, value_and_jacobian};
 use jointproof::frame::{PlaneTriad, Triad};
 use jointproof::proof::Flag;
+use jointproof::quantity::Domain;
 use jointproof::scalar::norm;
-use jointproof::slot::{Pose, Pose2d, Slot, Slot2d};
+use jointproof::slot::{Pose, Pose2d, Slot, Slot2d, Stop, StopLengths};
 use jointproof::verify::golden::components;
 use nalgebra::{Vector2, Vector3};
 
@@ -36,7 +38,156 @@ fn every_invalid_case_is_answered_by_its_error() {
 fn the_wrong_number_of_components_is_an_error() {
     for formula in CATALOG {
         assert_eq!(formula.value(&[]).unwrap_err().kind(), "Components");
+        let (inputs, [value, jacobian]) = (valid_inputs(*formula), lengths(*formula).map(|len| vec![0.5; len]));
+        for [short_value, short_jacobian] in [[1, 0], [0, 1]] {
+            let mut found = (value[short_value..].to_vec(), jacobian[short_jacobian..].to_vec());
+            let error = formula.value_and_jacobian_into(&inputs, &mut found.0, &mut found.1).unwrap_err();
+            assert_eq!(error.kind(), "Components");
+            assert!(found.0.iter().chain(&found.1).all(|&x| x == 0.5), "{} has written", formula.spec().id);
+        }
     }
+}
+
+/// The numbers of output components and of entries of the Jacobian.
+fn lengths(formula: &dyn AnyFormula) -> [usize; 2] {
+    let count = |fields: &[Field]| fields.iter().map(Field::len).sum::<usize>();
+    let outputs = count(formula.outputs());
+    [outputs, outputs * count(formula.inputs())]
+}
+
+/// The first of the golden cases that are valid.
+fn valid_inputs(formula: &dyn AnyFormula) -> Vec<f64> {
+    let golden = formula.golden();
+    let case = golden.cases.iter().find(|case| !case.flags.contains(&Flag::Invalid)).unwrap();
+    components(formula.inputs(), &case.inputs).unwrap()
+}
+
+/// Checked, one after the other, and beside each other, as the golden case says.
+#[test]
+fn what_is_checked_is_what_is_computed() {
+    for formula in CATALOG {
+        let id = formula.spec().id;
+        for case in formula.golden().cases.iter().filter(|case| !case.flags.contains(&Flag::Invalid)) {
+            let inputs = components(formula.inputs(), &case.inputs).unwrap();
+            let (alone, jacobian) = (formula.value(&inputs), formula.jacobian(&inputs).unwrap());
+            match formula.value_and_jacobian(&inputs) {
+                Ok((value, beside)) => {
+                    assert_eq!(bits(&value), bits(&alone.unwrap()), "{id} {}", case.id);
+                    assert_eq!(bits(&beside), bits(&jacobian), "{id} {}", case.id);
+                    assert!(value.iter().chain(&beside).all(|x| x.is_finite()), "{id} {}", case.id);
+                }
+                Err(Error::DerivativeOverflow { .. }) => assert!(jacobian.iter().any(|x| !x.is_finite())),
+                Err(error) => assert_eq!(alone.unwrap_err(), error, "{id} {}", case.id),
+            }
+        }
+    }
+}
+
+fn bits(x: &[f64]) -> Vec<u64> {
+    x.iter().map(|x| x.to_bits()).collect()
+}
+
+/// One component alone is bad, and then it and all behind it: the first bad one is named.
+#[test]
+fn every_component_that_is_bad_is_named() {
+    for formula in CATALOG {
+        let valid = valid_inputs(*formula);
+        let mut start = 0;
+        for field in formula.inputs() {
+            for component in 0..field.len() {
+                let name = match field.len() {
+                    1 => field.name.to_owned(),
+                    _ => format!("{}[{component}]", field.name),
+                };
+                let allowed = field.quantity.domain.allowed();
+                for bad in
+                    [f64::NAN, f64::INFINITY, f64::NEG_INFINITY].into_iter().chain(outside(field.quantity.domain))
+                {
+                    let mut inputs = valid.clone();
+                    inputs[start + component] = bad;
+                    assert_refused(*formula, &inputs, &format!("{name} is {bad:?}; allowed is {allowed}"));
+                    inputs[start + component + 1..].fill(f64::NAN);
+                    assert_refused(*formula, &inputs, &format!("{name} is {bad:?}; allowed is {allowed}"));
+                }
+            }
+            start += field.len();
+        }
+    }
+}
+
+#[track_caller]
+fn assert_refused(formula: &dyn AnyFormula, inputs: &[f64], message: &str) {
+    let [mut value, mut jacobian] = lengths(formula).map(|len| vec![0.0; len]);
+    let id = formula.spec().id;
+    assert_eq!(formula.value(inputs).unwrap_err().to_string(), message, "{id}");
+    assert_eq!(formula.jacobian(inputs).unwrap_err().to_string(), message, "{id}");
+    let error = formula.value_and_jacobian_into(inputs, &mut value, &mut jacobian).unwrap_err();
+    assert_eq!(error.to_string(), message, "{id}");
+}
+
+/// Finite numbers just outside of a domain.
+fn outside(domain: Domain) -> Vec<f64> {
+    match domain {
+        Domain::NonNegative => vec![-5e-324, -1.0],
+        Domain::Positive => vec![-0.0, 0.0, -5e-324],
+        Domain::Between(low, high) => vec![low, high],
+        Domain::Within(low, high) => vec![low.next_down(), high.next_up()],
+        Domain::HalfOpen(low, high) => vec![low.next_down(), high],
+        _ => Vec::new(),
+    }
+}
+
+/// What overflows is looked for in results that are known to be infinite: those of the formula without checks.
+#[test]
+fn outputs_and_derivatives_that_overflow_are_named() {
+    let mut found = [0; 2];
+    for formula in CATALOG {
+        for scale in [1e90, 1e155, 1e200, 1e300] {
+            let inputs: Vec<f64> = valid_inputs(*formula).iter().map(|x| x * scale).collect();
+            let Ok(jacobian) = formula.jacobian(&inputs) else { continue };
+            let id = formula.spec().id;
+            match (formula.value(&inputs), formula.value_and_jacobian(&inputs)) {
+                (Err(Error::Overflow { name }), beside) => {
+                    assert!(formula.outputs().iter().any(|field| field.name == name), "{id} {name}");
+                    assert_eq!(beside.unwrap_err(), Error::Overflow { name }, "{id}");
+                    found[0] += 1;
+                }
+                (Ok(value), Err(Error::DerivativeOverflow { name })) => {
+                    assert!(value.iter().all(|y| y.is_finite()), "{id}");
+                    let at = jacobian.iter().position(|slope| !slope.is_finite()).unwrap();
+                    assert_eq!(name, output_at(*formula, at / inputs.len()), "{id}");
+                    found[1] += 1;
+                }
+                (value, beside) => {
+                    assert_eq!(value.unwrap(), beside.unwrap().0, "{id}");
+                    assert!(jacobian.iter().all(|slope| slope.is_finite()), "{id}");
+                }
+            }
+        }
+    }
+    assert!(found.iter().all(|&count| count > 10), "{found:?}");
+}
+
+/// The output that this component belongs to.
+fn output_at(formula: &dyn AnyFormula, component: usize) -> &'static str {
+    let names = formula.outputs().iter().flat_map(|field| std::iter::repeat_n(field.name, field.len()));
+    names.collect::<Vec<_>>()[component]
+}
+
+#[test]
+fn the_first_output_that_overflows_is_named() {
+    let at = |x, size| StopLengths { x, l1_min: -size, l1_max: size };
+    let named = |stop: &StopLengths<f64>| {
+        let overflow = value::<Stop>(stop).unwrap_err();
+        assert_eq!(value_and_jacobian::<Stop>(stop).unwrap_err(), overflow);
+        overflow
+    };
+    assert!(value_and_jacobian::<Stop>(&at(1e307, 1e308)).is_ok());
+    assert_eq!(named(&at(f64::MAX, 1e308)), Error::Overflow { name: "gap_min" });
+    assert_eq!(named(&at(-f64::MAX, 1e308)), Error::Overflow { name: "gap_max" });
+    let both = StopLengths { x: f64::MAX, l1_min: -f64::MAX, l1_max: -f64::MAX };
+    assert!(value::<Stop>(&StopLengths { x: 0.0, ..both }).is_ok());
+    assert_eq!(named(&both), Error::Overflow { name: "gap_min" });
 }
 
 #[test]

@@ -4,8 +4,8 @@
 
 use jointproof::formula::value;
 use jointproof::interaction::{Damping, DampingContact, ExponentialContact, PressureExponential};
-use jointproof::isl::{Contact, Element, ElementSet, Increment, Interaction, State, TorquePrint};
-use jointproof::slide_line::{Kind, LinearMotion, Nodes, Place, SlideLine, SlipIncrementLinear};
+use jointproof::isl::{Contact, ContactState, ElementSet, Increment, Interaction, IslElement, TorquePrint};
+use jointproof::slide_line::{Interpolation, LinearMotion, Nodes, Place, SlideLine, SlipIncrementLinear};
 use jointproof::{Error, Octuple};
 use nalgebra::Vector2;
 use proptest::prelude::*;
@@ -14,8 +14,8 @@ use std::f64::consts::PI;
 
 /// A flat line from (1, 0) to (5, 0), nodes 1 and 2, and an ISL21A with nodes 3 and 4.
 fn flat(interaction: Interaction) -> Contact {
-    let line = SlideLine::new(Kind::Linear, [1, 2]).unwrap();
-    Contact::new(line, ElementSet::new("ring", [Element::isl21a(10, [3, 4]).unwrap()]).unwrap(), interaction)
+    let line = SlideLine::new(Interpolation::Linear, [1, 2]).unwrap();
+    Contact::new(line, ElementSet::new("ring", [IslElement::isl21a(10, [3, 4]).unwrap()]).unwrap(), interaction)
 }
 
 /// The element at the height z, its first node at the radius r.
@@ -31,8 +31,8 @@ fn second() -> Increment {
 fn bad_elements_and_steps_are_named() {
     let message = |error: Error| error.to_string();
     let twice = "has a node twice; allowed are different nodes";
-    assert_eq!(message(Element::isl21a(8, [1, 1]).unwrap_err()), format!("element 8 {twice}"));
-    assert_eq!(message(Element::isl22a(9, [1, 2, 1]).unwrap_err()), format!("element 9 {twice}"));
+    assert_eq!(message(IslElement::isl21a(8, [1, 1]).unwrap_err()), format!("element 8 {twice}"));
+    assert_eq!(message(IslElement::isl22a(9, [1, 2, 1]).unwrap_err()), format!("element 9 {twice}"));
     let empty = ElementSet::new("flank", []).unwrap_err();
     assert_eq!(message(empty), "the element set flank is empty; allowed is at least one element");
     assert_eq!(message(Increment::new(0.0).unwrap_err()), "duration is 0.0; allowed is a finite number > 0");
@@ -69,8 +69,8 @@ fn bad_interactions_are_named() {
 
 #[test]
 fn areas_add_up_at_shared_nodes() {
-    let line = SlideLine::new(Kind::Linear, [1, 2]).unwrap();
-    let elements = [Element::isl21a(10, [3, 4]).unwrap(), Element::isl21a(11, [4, 5]).unwrap()];
+    let line = SlideLine::new(Interpolation::Linear, [1, 2]).unwrap();
+    let elements = [IslElement::isl21a(10, [3, 4]).unwrap(), IslElement::isl21a(11, [4, 5]).unwrap()];
     let contact = Contact::new(line, ElementSet::new("two", elements).unwrap(), Interaction::default());
     let places = [(1, [0.0, 0.0]), (2, [9.0, 0.0]), (3, [1.0, 0.0]), (4, [2.0, 0.0]), (5, [4.0, 0.0])];
     let state = contact.start(Nodes::new(places).unwrap()).unwrap();
@@ -164,10 +164,15 @@ fn past_the_end_of_the_line_nothing_is_transmitted() {
 // --- Equilibrium -----------------------------------------------------------------------------------------------------
 
 /// A corner that is curved, smoothed or sharp, and elements of both types that press into it.
-fn pressed(kind: Kind, smoothing: Option<f64>, slave: [[f64; 2]; 5], shift: [f64; 2]) -> Result<[State; 2], Error> {
+fn pressed(
+    kind: Interpolation,
+    smoothing: Option<f64>,
+    slave: [[f64; 2]; 5],
+    shift: [f64; 2],
+) -> Result<[ContactState; 2], Error> {
     let line = SlideLine::generate(kind, 1, 5, 1)?;
     let line = if let Some(f) = smoothing { line.smoothed(f)? } else { line };
-    let elements = [Element::isl21a(1, [11, 12])?, Element::isl22a(2, [13, 14, 15])?];
+    let elements = [IslElement::isl21a(1, [11, 12])?, IslElement::isl22a(2, [13, 14, 15])?];
     let interaction = Interaction::exponential(0.5, 10.0)?.with_friction(0.3, 25.0)?.with_damping(2.0, 1.0, 0.5)?;
     let contact = Contact::new(line, ElementSet::new("both", elements)?, interaction);
     let master = [[1.0, 2.0], [2.0, 1.25], [3.0, 1.0], [4.0, 1.5], [5.0, 2.5]];
@@ -192,7 +197,7 @@ proptest! {
         slave in [[0.5..5.5, 1.0..2.5], [0.5..5.5, 1.0..2.5], [0.5..5.5, 1.0..2.5], [0.5..5.5, 1.0..2.5], [0.5..5.5, 1.0..2.5]],
         shift in [-0.25..0.25, -0.25..0.25],
     ) {
-        let kind = if parabolic { Kind::Parabolic } else { Kind::Linear };
+        let kind = if parabolic { Interpolation::Parabolic } else { Interpolation::Linear };
         let Ok([_, state]) = pressed(kind, smoothing, slave, shift) else { return Ok(()) };
         let forces = state.forces();
         let size = 1.0 + forces.values().map(Vector2::norm).sum::<f64>();
@@ -208,7 +213,7 @@ proptest! {
         slave in [[0.5..5.5, 1.0..2.5], [0.5..5.5, 1.0..2.5], [0.5..5.5, 1.0..2.5], [0.5..5.5, 1.0..2.5], [0.5..5.5, 1.0..2.5]],
         motion in proptest::collection::vec([-1.0..1.0, -1.0..1.0], 16),
     ) {
-        let Ok([_, state]) = pressed(Kind::Parabolic, smoothing, slave, [0.1, -0.1]) else { return Ok(()) };
+        let Ok([_, state]) = pressed(Interpolation::Parabolic, smoothing, slave, [0.1, -0.1]) else { return Ok(()) };
         let moved = |node: u32| Vector2::from(motion[node as usize]);
         let work: f64 = state.forces().iter().map(|(&node, force)| force.dot(&moved(node))).sum();
         let expected: f64 = state.nodes().iter().map(|(&number, node)| {
@@ -226,7 +231,7 @@ proptest! {
     fn the_same_input_gives_the_same_bits(
         slave in [[0.5..5.5, 1.0..2.5], [0.5..5.5, 1.0..2.5], [0.5..5.5, 1.0..2.5], [0.5..5.5, 1.0..2.5], [0.5..5.5, 1.0..2.5]],
     ) {
-        let run = || pressed(Kind::Linear, Some(0.2), slave, [0.1, -0.1]);
+        let run = || pressed(Interpolation::Linear, Some(0.2), slave, [0.1, -0.1]);
         prop_assert_eq!(format!("{:?}", run().map(|states| states.map(|s| (s.forces(), s.nodes().clone())))),
             format!("{:?}", run().map(|states| states.map(|s| (s.forces(), s.nodes().clone())))));
     }

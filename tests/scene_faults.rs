@@ -129,6 +129,44 @@ fn a_hundred_faults_are_listed_and_the_rest_is_counted() {
     assert!(faults.to_string().ends_with("… and 99900 more"));
 }
 
+/// The kinds say which parameters are in order, and so does the formula that reads them.
+#[test]
+fn stops_in_the_wrong_order_are_refused() {
+    let mut pairs = 0;
+    for kind in Kind::all() {
+        let at = if kind.dimension.coordinates() == 3 { "[1, 2, 3]" } else { "[1, 2]" };
+        for (lower, upper) in kind.ordered {
+            let with = |low: f64, high: f64| {
+                Scene::parse(&format!(
+                    r#"{{"dimension": "{}", "nodes": {{"a": {{"at": {at}}}, "b": {{"at": {at}}}}}, "elements":
+                    {{"e": {{"kind": "{}", "nodes": ["a", "b"], "{lower}": {low}, "{upper}": {high}}}}}}}"#,
+                    kind.dimension.name(),
+                    kind.name
+                ))
+            };
+            assert!(with(1.0, 1.0).is_ok());
+            let faults = with(1.0, 0.5).unwrap_err();
+            let fault = &faults.list()[0];
+            assert_eq!(fault.found, format!("{lower} = 1.0 is above {upper} = 0.5"));
+            assert_eq!((fault.allowed.as_str(), faults.len()), (format!("{lower} ≤ {upper}").as_str(), 1));
+            pairs += 1;
+        }
+    }
+    assert_eq!(pairs, 5);
+}
+
+#[test]
+fn what_refers_to_a_faulty_element_or_node_is_not_another_fault() {
+    let found = faults(
+        r#"{"dimension": "3d", "nodes": {"a": {"at": [0, 0]}, "b": {"at": [1, 0, 0]}},
+  "elements": {"s": {"kind": "slott", "nodes": ["a", "b"]}, "t": {"kind": "slot", "nodes": ["a", "b"], "mu": true}},
+  "frames": [{"time": 0, "loads": {"s": {"f2": 1}, "t": {"f2": 1}}, "nodes": {"a": {"u": [0, 0, 0]}}}]}"#,
+    );
+    let places = ["nodes.a.at (", "elements.s.kind (", "elements.t.mu ("];
+    assert!(found.iter().zip(places).all(|(found, place)| found.starts_with(place)), "{found:#?}");
+    assert_eq!(found.len(), places.len(), "{found:#?}");
+}
+
 /// Every output of every kind can be planned and evaluated, alone and all together.
 #[test]
 fn every_output_of_every_kind_evaluates() {

@@ -1,6 +1,8 @@
 //! Slide lines in scenes: the thread against closed forms, plans held to the least, hard contact, mistakes.
 
+use jointproof::isl::{Contact, ElementSet, Increment, Interaction, IslElement};
 use jointproof::scene::{Plan, Results, Scene};
+use jointproof::slide_line::{Interpolation, Nodes, SlideLine};
 
 const THREAD: &str = include_str!("../golden/scenes/thread.json");
 
@@ -167,4 +169,118 @@ fn threads_change_no_bit() {
         pool.install(|| Results::of(&scene).unwrap())
     };
     assert_eq!(with(1), with(5));
+}
+
+/// An ISL22A ring on a plate: how large it is, what acts between them, and what is wanted. The last frame presses it down
+/// by a thousandth of its height.
+fn ring(size: f64, interaction: &str, outputs: &str) -> String {
+    let at = |r: f64, z: f64| format!("[{:e}, {:e}]", r * size, z * size);
+    let nodes = RING.map(|(name, [r, z])| format!(r#""{name}": {{"at": {}}}"#, at(r, z)));
+    let pressed = ["m", "n", "o"].map(|name| format!(r#""{name}": {{"u": {}}}"#, at(PRESSED[0], PRESSED[1])));
+    format!(
+        r#"{{"dimension": "axisymmetric", "nodes": {{{}}},
+        "slide_lines": {{"plate": {{"type": "linear", "nodes": ["a", "b"], {interaction}}}}},
+        "elements": {{"ring": {{"kind": "isl22a", "nodes": ["m", "n", "o"], "slide_line": "plate"}}}},
+        "frames": [{{"time": 0}}, {{"time": 0.5, "nodes": {{{}}}}}], "outputs": {outputs}}}"#,
+        nodes.join(", "),
+        pressed.join(", ")
+    )
+}
+
+const RING: [(&str, [f64; 2]); 5] =
+    [("a", [1.0, 0.0]), ("b", [5.0, 0.0]), ("m", [2.0, 1.0]), ("n", [2.5, 1.0]), ("o", [3.0, 1.0])];
+const PRESSED: [f64; 2] = [0.5, -1.001];
+const ALL: &str = r#"["E11", "E12", "S11", "S12", "T"]"#;
+const RUBBING: &str = r#""pressure": {"c0": 0.1, "p0": 7}, "damping": {"mu0": 3, "c0": 0.2, "eta": 0.5},
+    "friction": {"mu": 0.25, "k_stick": 9}"#;
+
+#[test]
+fn an_overflow_is_blamed_on_the_formula_and_the_place_where_it_was() {
+    let expect = |text: &str, expected: &str| {
+        let problems = Results::of(&scene(text)).unwrap_err();
+        let first = problems.0[0].to_string();
+        assert!(first.starts_with(expected), "found    {first}\nexpected {expected}");
+    };
+    let node = |formula: &str| format!("node \"m\" on slide line \"plate\", frames[1], {formula}");
+    let steep = r#""pressure": {"k": 1e200}"#;
+    let of_element =
+        "element \"ring\" on slide line \"plate\", frames[1], slide_line.torque_parabolic: torque is too large";
+    expect(&ring(1e50, steep, r#"["T"]"#), of_element);
+    expect(&ring(1.0, r#""pressure": {"c0": 1e-9, "p0": 1}"#, r#"["S11"]"#), &node("interaction.pressure_exponential"));
+    let viscous = r#""damping": {"mu0": 1e308, "c0": 1, "eta": 0}"#;
+    expect(&ring(1e9, viscous, r#"["S11"]"#), &node("interaction.damping"));
+    let sticking = r#""pressure": {"k": 1}, "friction": {"mu": 1e308, "k_stick": 1e308}"#;
+    expect(&ring(1e9, sticking, r#"["S12"]"#), &node("coulomb.return_map: s12 is too large"));
+
+    // Two elements with torques that are doubles each, but not together.
+    let torque = Results::of(&scene(&ring(10.0, r#""pressure": {"k": 1}"#, r#"["T"]"#))).unwrap();
+    let k = 1.2e308 / torque.get("plate", "T", 1).unwrap()[0];
+    let one = ring(10.0, &format!(r#""pressure": {{"k": {k:e}}}"#), r#"["T"]"#);
+    assert!(Results::of(&scene(&one)).is_ok());
+    let element = one.split("\"ring\": ").nth(1).and_then(|rest| rest.split('}').next()).unwrap();
+    let two = one.replace("\"ring\": ", &format!("\"other\": {element}}}, \"ring\": "));
+    expect(&two, "slide line \"plate\", frames[1], slide_line.torque_parabolic: torque is too large");
+}
+
+#[test]
+fn a_scene_and_a_contact_give_the_same_bits() {
+    let results = Results::of(&scene(&ring(1.0, RUBBING, ALL))).unwrap();
+    let line = SlideLine::new(Interpolation::Linear, [0, 1]).unwrap();
+    let elements = ElementSet::new("ring", [IslElement::isl22a(0, [2, 3, 4]).unwrap()]).unwrap();
+    let interaction = Interaction::exponential(0.1, 7.0).unwrap().with_damping(3.0, 0.2, 0.5).unwrap();
+    let contact = Contact::new(line, elements, interaction.with_friction(0.25, 9.0).unwrap());
+    let places = |by: [f64; 2]| {
+        let by = |number| if number < 2 { [0.0; 2] } else { by };
+        let place = |(number, (_, [r, z])): (u32, (_, [f64; 2]))| (number, [r + by(number)[0], z + by(number)[1]]);
+        Nodes::new((0..).zip(RING).map(place)).unwrap()
+    };
+    let start = contact.start(places([0.0; 2])).unwrap();
+    let pressed = contact.advance(&start, places(PRESSED), &Increment::new(0.5).unwrap()).unwrap();
+    for (state, of_contact) in [start, pressed].iter().enumerate() {
+        let get = |output| results.get("ring", output, state).unwrap();
+        for (k, node) in of_contact.nodes().values().enumerate() {
+            let found = [get("E11")[k], get("E12")[k], get("S11")[k], get("S12")[k]];
+            // What a displacement is taken from rounds differently: here from the place, there from the frame.
+            for (found, expected) in found.into_iter().zip([node.e11, node.e12, node.s11, node.s12]) {
+                assert!((found - expected).abs() <= 4.0 * f64::EPSILON * expected.abs(), "{found} is not {expected}");
+            }
+        }
+        assert_eq!(get("T")[0], contact.torque(of_contact).unwrap());
+    }
+}
+
+#[test]
+fn what_ran_is_counted_where_it_runs() {
+    let plan_and_run = |text: &str| {
+        let scene = scene(text);
+        let planned = Plan::new(&scene).counts(scene.times().len());
+        (planned, Results::of(&scene).unwrap().counts)
+    };
+    for text in [ring(1.0, RUBBING, ALL), ring(1.0, RUBBING, r#"["E12"]"#), ring(1.0, RUBBING, r#"["T"]"#)] {
+        let (planned, ran) = plan_and_run(&text);
+        assert_eq!(planned, ran, "one segment: every node is compared with it alone");
+    }
+    // Past the end of the line nothing presses, so no law is asked.
+    let (planned, ran) =
+        plan_and_run(&ring(1.0, RUBBING, ALL).replace(r#""b": {"at": [5e0, 0e0]}"#, r#""b": {"at": [2.25, 0]}"#));
+    let count = |counts: &[(&str, usize)], id| counts.iter().find(|(formula, _)| *formula == id).unwrap().1;
+    let [law, slip] = ["interaction.pressure_exponential", "slide_line.slip_increment_linear"];
+    assert_eq!((count(&planned, law), count(&planned, slip)), (6, 6));
+    assert_eq!((count(&ran, law), count(&ran, slip)), (1, 6));
+}
+
+#[test]
+fn an_element_that_has_a_node_twice_is_refused() {
+    let text = ring(1.0, RUBBING, ALL).replace(r#"["m", "n", "o"]"#, r#"["m", "n", "m"]"#);
+    let faults = Scene::parse(&text).unwrap_err().to_string();
+    let expected = ": an element that has a node twice; allowed is different nodes";
+    assert!(faults.starts_with("elements.ring (line ") && faults.ends_with(expected), "{faults}");
+}
+
+#[test]
+fn a_fault_of_an_element_is_not_also_one_of_its_nodes() {
+    let text = ring(1.0, RUBBING, ALL)
+        .replace(r#""slide_line": "plate"}"#, r#""slide_line": "plateau"}"#)
+        .replace(r#""time": 0}"#, r#""time": 0, "pressures": {"m": 1}}"#);
+    assert_eq!(Scene::parse(&text).unwrap_err().len(), 1);
 }

@@ -2,7 +2,7 @@
 //!
 //! `cargo test --release --test slide_line_scaling -- --ignored --nocapture`
 
-use jointproof::slide_line::{Kind, Nodes, PlacedLine, SlideLine};
+use jointproof::slide_line::{Interpolation, Nodes, PlacedLine, SlideLine};
 use nalgebra::Vector2;
 use std::hint::black_box;
 use std::time::Instant;
@@ -14,8 +14,8 @@ const BATCH: usize = 50;
 const ROUNDS: usize = 801;
 
 /// A bumpy line along r with segments of about 1 length unit.
-fn bumpy(kind: Kind, segments: u32, smoothed: bool) -> PlacedLine {
-    let stride = if kind == Kind::Linear { 1 } else { 2 };
+fn bumpy(kind: Interpolation, segments: u32, smoothed: bool) -> PlacedLine {
+    let stride = if kind == Interpolation::Linear { 1 } else { 2 };
     let count = segments * stride + 1;
     let node = |k: u32| (k + 1, [f64::from(k) / f64::from(stride), f64::from((k % 7) * (k % 7) % 7) / 16.0]);
     let line = SlideLine::generate(kind, 1, count, 1).unwrap();
@@ -36,9 +36,12 @@ fn median(mut times: Vec<f64>) -> f64 {
 
 #[test]
 fn a_longer_line_costs_few_more_evaluations() {
-    for (kind, smoothed) in
-        [(Kind::Linear, false), (Kind::Linear, true), (Kind::Parabolic, false), (Kind::Parabolic, true)]
-    {
+    for (kind, smoothed) in [
+        (Interpolation::Linear, false),
+        (Interpolation::Linear, true),
+        (Interpolation::Parabolic, false),
+        (Interpolation::Parabolic, true),
+    ] {
         for segments in SEGMENTS {
             let line = bumpy(kind, segments, smoothed);
             let evaluated = slaves(segments).into_iter().take(200).map(|xs| line.closest(xs).unwrap().evaluated);
@@ -52,9 +55,12 @@ fn a_longer_line_costs_few_more_evaluations() {
 #[ignore = "a measurement, to be run alone and in release"]
 fn slide_line_scaling() {
     println!("{:30} {:>9} {:>12} {:>12}", "line", "segments", "ns per point", "to 10");
-    for (kind, smoothed) in
-        [(Kind::Linear, false), (Kind::Linear, true), (Kind::Parabolic, false), (Kind::Parabolic, true)]
-    {
+    for (kind, smoothed) in [
+        (Interpolation::Linear, false),
+        (Interpolation::Linear, true),
+        (Interpolation::Parabolic, false),
+        (Interpolation::Parabolic, true),
+    ] {
         let benches = SEGMENTS.map(|segments| (bumpy(kind, segments, smoothed), slaves(segments)));
         let mut times = SEGMENTS.map(|_| Vec::new());
         // Interleaved, so that a change of the machine's speed falls on all alike.

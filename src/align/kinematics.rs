@@ -39,6 +39,7 @@ impl<T: Component> Orientations<T> {
 }
 
 impl<D: Scalar> Oriented<D> for Orientations<D> {
+    #[inline]
     fn triads(&self) -> Triads<D> {
         let Self { e1a, e2a, e3a, e1b, e2b, e3b, .. } = *self;
         Triads { e1a, e2a, e3a, e1b, e2b, e3b }
@@ -82,6 +83,7 @@ impl Formula for Constraint {
         }
     }
 
+    #[inline]
     fn validate(i: &Orientations<f64>) -> Result<(), Error> {
         CardanAngles::validate(&i.triads())
     }

@@ -53,6 +53,7 @@ pub(crate) trait Oriented<T> {
 }
 
 impl<D: Scalar> Oriented<D> for Triads<D> {
+    #[inline]
     fn triads(&self) -> Self {
         *self
     }

@@ -1,4 +1,9 @@
 //! A formula at inputs that are checked, with a result that is.
+//!
+//! One pass over all numbers tells whether anything is wrong, and only then is it looked for. Inlined beside the formula,
+//! the pass costs nothing where an entry of the Jacobian is constant or equal to another number.
+
+#![expect(clippy::inline_always, reason = "what is constant is not checked only where the compiler sees it")]
 
 use super::{Component, Field, Fields, Formula, ValueAndJacobian};
 use crate::error::Error;
@@ -15,29 +20,29 @@ use crate::error::Error;
 /// assert_eq!(error.to_string(), "f2 is NaN; allowed is a finite number");
 /// # Ok::<(), jointproof::Error>(())
 /// ```
+#[inline]
 pub fn value<F: Formula>(i: &F::Inputs<f64>) -> Result<F::Outputs<f64>, Error> {
-    check::<F>(i)?;
-    let out = F::eval(i);
-    finite::<F>(&out)?;
-    Ok(out)
+    if !are_allowed(i) {
+        return Err(not_allowed(i));
+    }
+    let out = F::try_eval(i)?;
+    if are_finite(&out) { Ok(out) } else { Err(overflow::<F>(i)) }
 }
 
 /// Value and closed-form Jacobian of a formula at inputs that were checked.
 ///
 /// # Errors
 /// As [`value`], or naming the output with a derivative that overflowed.
+#[inline]
 pub fn value_and_jacobian<F: Formula>(i: &F::Inputs<f64>) -> Result<ValueAndJacobian<F, f64>, Error> {
-    check::<F>(i)?;
-    let (out, jacobian) = F::linearized(i);
-    finite::<F>(&out)?;
-    let is_finite = |gradient: F::Inputs<f64>| {
-        let mut all = true;
-        Fields::for_each_component(&gradient, &mut |slope: f64| all &= slope.is_finite());
-        all
-    };
-    match first_where(&jacobian, |gradient| !is_finite(gradient)) {
-        Some(field) => Err(Error::DerivativeOverflow { name: field.name }),
-        None => Ok((out, jacobian)),
+    if !are_allowed(i) {
+        return Err(not_allowed(i));
+    }
+    let (out, jacobian) = F::try_linearized(i)?;
+    if are_finite(&out) & are_finite_gradients(&jacobian) {
+        Ok((out, jacobian))
+    } else {
+        Err(derivative_overflow::<F>(i))
     }
 }
 
@@ -45,41 +50,81 @@ pub fn value_and_jacobian<F: Formula>(i: &F::Inputs<f64>) -> Result<ValueAndJaco
 ///
 /// # Errors
 /// The first input that is not.
+#[inline]
 pub fn check<F: Formula>(i: &F::Inputs<f64>) -> Result<(), Error> {
-    check_domains(F::Inputs::<f64>::FIELDS, &i.components())?;
-    F::validate(i)
+    if are_allowed(i) { F::validate(i) } else { Err(not_allowed(i)) }
 }
 
-fn check_domains(fields: &[Field], components: &[f64]) -> Result<(), Error> {
-    let mut components = components.iter();
-    for field in fields {
-        for (component, &value) in components.by_ref().take(field.len()).enumerate() {
-            let component = (field.len() > 1).then_some(component);
-            Error::check(field.name, component, value, field.quantity.domain)?;
+/// Whether every component is finite and in its domain.
+#[inline(always)]
+fn are_allowed(i: &impl Fields<f64>) -> bool {
+    let mut allowed = true;
+    i.for_each_of_field(&mut |field, x| allowed &= field.quantity.domain.allows(x));
+    allowed & are_finite(i)
+}
+
+#[inline(always)]
+fn are_finite(fields: &impl Fields<f64>) -> bool {
+    let mut bits = 0;
+    fields.for_each_component(&mut |x| bits |= bits_unless_finite(x));
+    bits == 0
+}
+
+#[inline(always)]
+fn are_finite_gradients<I: Fields<f64>>(jacobian: &impl Fields<I>) -> bool {
+    let mut bits = 0;
+    jacobian.for_each_component(&mut |gradient| gradient.for_each_component(&mut |x| bits |= bits_unless_finite(x)));
+    bits == 0
+}
+
+/// Zero where x is finite: x − x is 0 there, and NaN elsewhere. Two operations, which the compiler does two at a time.
+#[inline(always)]
+fn bits_unless_finite(x: f64) -> u64 {
+    (x - x).to_bits()
+}
+
+/// The first input that is not allowed.
+#[cold]
+#[inline(never)]
+fn not_allowed(i: &impl Fields<f64>) -> Error {
+    let (mut error, mut before) = (None, ("", 0));
+    i.for_each_of_field(&mut |field, x| {
+        let component = if before.0 == field.name { before.1 + 1 } else { 0 };
+        before = (field.name, component);
+        if error.is_none() {
+            error = Error::check(field.name, (field.len() > 1).then_some(component), x, field.quantity.domain).err();
         }
-    }
-    Ok(())
+    });
+    error.expect("one component was not allowed")
 }
 
-fn finite<F: Formula>(out: &F::Outputs<f64>) -> Result<(), Error> {
-    match first_where(out, |value| !value.is_finite()) {
-        Some(field) => Err(Error::Overflow { name: field.name }),
-        None => Ok(()),
+/// The first output that is not finite, computed once more.
+#[cold]
+#[inline(never)]
+fn overflow<F: Formula>(i: &F::Inputs<f64>) -> Error {
+    let name = first_where(&F::eval(i), |y| !y.is_finite()).expect("one output was not finite").name;
+    Error::Overflow { name }
+}
+
+/// The first output that is not finite, or else the first with a derivative that is not, computed once more.
+#[cold]
+#[inline(never)]
+fn derivative_overflow<F: Formula>(i: &F::Inputs<f64>) -> Error {
+    let (out, jacobian) = F::linearized(i);
+    if let Some(field) = first_where(&out, |y| !y.is_finite()) {
+        return Error::Overflow { name: field.name };
     }
+    let field = first_where(&jacobian, |gradient| !are_finite(&gradient));
+    Error::DerivativeOverflow { name: field.expect("one derivative was not finite").name }
 }
 
 /// The first field with a component like this.
-fn first_where<T: Component, I: Fields<T>>(fields: &I, is_so: impl Fn(T) -> bool) -> Option<&'static Field> {
-    let (mut place, mut found) = (0, None);
-    fields.for_each_component(&mut |component| {
+fn first_where<T: Component>(fields: &impl Fields<T>, is_so: impl Fn(T) -> bool) -> Option<&'static Field> {
+    let mut found = None;
+    fields.for_each_of_field(&mut |field, component| {
         if found.is_none() && is_so(component) {
-            found = Some(place);
+            found = Some(field);
         }
-        place += 1;
     });
-    let (found, mut end): (usize, _) = (found?, 0);
-    I::FIELDS.iter().find(|field| {
-        end += field.len();
-        found < end
-    })
+    found
 }

@@ -50,8 +50,14 @@ pub trait Fields<T: Component>: Component {
     /// Builds the struct from its components in order.
     fn from_components(next: &mut impl FnMut() -> T) -> Self;
 
+    /// Hands out the components in order, each with the field that it belongs to.
+    fn for_each_of_field(&self, visit: &mut impl FnMut(&'static Field, T));
+
     /// Hands out the components in order.
-    fn for_each_component(&self, visit: &mut impl FnMut(T));
+    #[inline(always)]
+    fn for_each_component(&self, visit: &mut impl FnMut(T)) {
+        self.for_each_of_field(&mut |_, component| visit(component));
+    }
 
     /// An array with room for the components.
     fn array_of(value: T) -> Self::Array;
@@ -69,6 +75,7 @@ pub trait Fields<T: Component>: Component {
     }
 
     /// The struct of these components; `None` where their number is not the struct's.
+    #[inline]
     fn from_slice(components: &[T]) -> Option<Self> {
         let mut k = 0;
         (components.len() == Self::LEN).then(|| {
@@ -193,8 +200,11 @@ macro_rules! fields {
                 Self { $($field: $crate::formula::Part::from_components(next)),* }
             }
             #[inline(always)]
-            fn for_each_component(&self, visit: &mut impl FnMut($T)) {
-                $($crate::formula::Part::for_each_component(&self.$field, visit);)*
+            fn for_each_of_field(&self, visit: &mut impl FnMut(&'static $crate::formula::Field, $T)) {
+                $({
+                    const FIELD: &$crate::formula::Field = &$crate::formula::Field::new(stringify!($field), &$quantity);
+                    $crate::formula::Part::for_each_component(&self.$field, &mut |component| visit(FIELD, component));
+                })*
             }
             #[inline(always)]
             fn array_of(value: $T) -> Self::Array {

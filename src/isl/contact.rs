@@ -1,11 +1,14 @@
 //! A set of elements on a slide line, increment by increment.
 
-use super::{ElementSet, Interaction, SlaveNode, State};
+use super::element::{ElementSet, IslElement};
+use super::engine::{self, Motion, Slave, SlaveState, Surface, Tally, Wanted};
+use super::interaction::Interaction;
+use super::state::{ContactState, SlaveNode};
 use crate::Scalar;
 use crate::error::Error;
 use crate::quantity::Domain;
-use crate::slide_line::{ClosestPoint, Nodes, Place, PlacedLine, SlideLine};
-use arrayvec::ArrayVec;
+use crate::slide_line::{Nodes, SlideLine};
+use nalgebra::Vector2;
 use std::collections::BTreeMap;
 
 /// An increment: how long it lasts, and the pressures of hard contact at its end.
@@ -47,30 +50,45 @@ impl Increment {
         }
         Ok(self)
     }
+
+    /// The pressure of hard contact of a node; 0 if it is not named.
+    fn pressure(&self, node: u32) -> f64 {
+        self.pressures.get(&node).map_or(0.0, |&pressure| pressure)
+    }
 }
 
-/// What an increment brings to a slave node, and what it had before.
-struct Change<D> {
-    e12: D,
-    s12: D,
-    slip: D,
-    closing: D,
-    /// The pressure of hard contact.
-    multiplier: D,
+/// Where the nodes are, and where they were when the increment began; at the start of the analysis they were nowhere else.
+struct Step<'m, D> {
+    places: &'m Nodes<D>,
+    before: Option<(&'m Nodes<D>, &'m Increment)>,
+}
+
+impl<D: Scalar> Motion<D> for Step<'_, D> {
+    fn position(&self, node: u32) -> Result<Vector2<D>, Error> {
+        self.places.position(node)
+    }
+    fn displacement(&self, node: u32) -> Result<Vector2<D>, Error> {
+        match self.before {
+            Some((before, _)) => self.places.displacement(before, node),
+            None => Ok(Vector2::from_element(D::zero())),
+        }
+    }
+    fn duration(&self) -> Option<f64> {
+        self.before.map(|(_, increment)| increment.duration)
+    }
 }
 
 /// A set of ISL21A or ISL22A elements that slide along a slide line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contact {
-    line: SlideLine,
+    surface: Surface,
     elements: ElementSet,
-    interaction: Interaction,
 }
 
 impl Contact {
     /// Associates the elements with the line.
     pub fn new(line: SlideLine, elements: ElementSet, interaction: Interaction) -> Self {
-        Self { line, elements, interaction }
+        Self { surface: Surface { line, interaction }, elements }
     }
 
     /// The name of the slide line: that of its element set.
@@ -87,11 +105,11 @@ impl Contact {
     ///
     /// # Errors
     /// What can be wrong with the places of the nodes: [`Error::UnknownNode`], [`Error::CoincidentNodes`], and the errors of
-    /// [`PlacedLine::closest`]; [`Error::Overflow`].
-    pub fn start<D: Scalar>(&self, places: Nodes<D>) -> Result<State<D>, Error> {
-        let zero = D::zero();
-        let rest = Change { e12: zero, s12: zero, slip: zero, closing: zero, multiplier: zero };
-        self.state(places, |_, _, _, _| Ok(Change { ..rest }))
+    /// [`PlacedLine::closest`](crate::slide_line::PlacedLine::closest); [`Error::Overflow`].
+    pub fn start<D: Scalar>(&self, places: Nodes<D>) -> Result<ContactState<D>, Error> {
+        let at_rest = |_| Ok((SlaveState::at_rest(), 0.0));
+        let slaves = self.slaves(&Step { places: &places, before: None }, at_rest)?;
+        Ok(ContactState { places, slaves })
     }
 
     /// The state at the end of an increment that began in the state `before`; the nodes are now at `places`.
@@ -104,44 +122,36 @@ impl Contact {
     /// As [`Self::start`]; [`Error::Node`] where the increment names a pressure for a node that is not a slave.
     pub fn advance<D: Scalar>(
         &self,
-        before: &State<D>,
+        before: &ContactState<D>,
         places: Nodes<D>,
         increment: &Increment,
-    ) -> Result<State<D>, Error> {
+    ) -> Result<ContactState<D>, Error> {
         if let Some(&node) = increment.pressures.keys().find(|node| !before.slaves.contains_key(node)) {
             let fault = "has a pressure, but no element".into();
             return Err(Error::Node { node, fault, allowed: "pressures of slave nodes" });
         }
-        self.state(places, |line, places, node, closest| {
-            let moved = |node| places.displacement(&before.places, node);
-            let dxs = moved(node)?;
-            let dx = closest.weights.iter().map(|&(node, _)| moved(node)).collect::<Result<ArrayVec<_, 5>, _>>()?;
-            let approach = -closest.normal.dot(&closest.relative_motion(dxs, &dx));
-            let SlaveNode { e12, s12, .. } = *before.node(node)?;
-            Ok(Change {
-                e12,
-                s12,
-                slip: line.slip_increment(closest, dxs, &dx),
-                closing: approach / increment.duration,
-                multiplier: increment.pressures.get(&node).copied().unwrap_or_default().into(),
-            })
-        })
+        let was = |node| Ok((before.node(node)?.engine_state(), increment.pressure(node)));
+        let slaves = self.slaves(&Step { places: &places, before: Some((&before.places, increment)) }, was)?;
+        Ok(ContactState { places, slaves })
     }
 
-    /// The state at these places, given what the increment brings to each slave node.
-    fn state<D: Scalar>(
+    /// The slave nodes at the end of a step, given what each was before and its pressure of hard contact.
+    fn slaves<D: Scalar>(
         &self,
-        places: Nodes<D>,
-        change: impl Fn(&PlacedLine<D>, &Nodes<D>, u32, &ClosestPoint<D>) -> Result<Change<D>, Error>,
-    ) -> Result<State<D>, Error> {
-        let line = self.line.place(&places)?;
+        step: &Step<'_, D>,
+        was: impl Fn(u32) -> Result<(SlaveState<D>, f64), Error>,
+    ) -> Result<BTreeMap<u32, SlaveNode<D>>, Error> {
+        let mut tally = Tally::default();
+        let placed = self.surface.place(step).map_err(|failure| failure.error)?;
         let slave = |(node, area)| {
-            let closest = line.closest(places.position(node)?)?;
-            let change = change(&line, &places, node, &closest)?;
-            Ok((node, self.respond(closest, area, &change)?))
+            let (mut state, multiplier) = was(node)?;
+            let slave = Slave { node, wanted: Wanted::ALL };
+            let closest = placed.advance(&mut state, slave, multiplier, step, &mut tally);
+            let closest = closest.map_err(|failure| failure.error)?;
+            let SlaveState { e11, e12, s11, s12 } = state;
+            Ok((node, SlaveNode { closest, area, e11, e12, s11, s12 }))
         };
-        let slaves = self.areas(&places)?.into_iter().map(slave).collect::<Result<_, Error>>()?;
-        Ok(State { places, slaves })
+        self.areas(step.places)?.into_iter().map(slave).collect()
     }
 
     /// The contact area of every slave node.
@@ -155,29 +165,20 @@ impl Contact {
         Ok(areas)
     }
 
-    fn respond<D: Scalar>(&self, closest: ClosestPoint<D>, area: D, change: &Change<D>) -> Result<SlaveNode<D>, Error> {
-        let e11 = closest.separation;
-        let e12 = change.e12 + change.slip;
-        let s11 = match closest.place {
-            Place::Beyond { .. } => D::zero(),
-            _ => self.interaction.pressure(-e11, change.closing, change.multiplier),
-        };
-        let s12 = self.interaction.shear(change.s12, change.slip, s11);
-        let overflow = [("e12", e12), ("s11", s11), ("s12", s12)].into_iter().find(|(_, x)| !x.re().is_finite());
-        match overflow {
-            Some((name, _)) => Err(Error::Overflow { name }),
-            None => Ok(SlaveNode { closest, area, e11, e12, s11, s12 }),
-        }
-    }
-
     /// The greatest torque about the z axis that the line transmits, as if the friction coefficient were 1: the sum over
     /// the elements, from the pressures at their nodes. Where damping pulls, the pressure counts as 0.
     ///
     /// # Errors
     /// [`Error::UnknownNode`] in a state of another contact; [`Error::Overflow`].
-    pub fn torque<D: Scalar>(&self, state: &State<D>) -> Result<D, Error> {
-        let pressure = |node| state.node(node).map(|slave| if slave.s11 > 0.0 { slave.s11 } else { D::zero() });
-        let torques = self.elements.elements().iter().map(|element| element.torque(&state.places, pressure));
-        torques.sum::<Result<D, _>>()
+    pub fn torque<D: Scalar>(&self, state: &ContactState<D>) -> Result<D, Error> {
+        let step = Step { places: &state.places, before: None };
+        let mut tally = Tally::default();
+        let mut add = |sum, element: &IslElement| {
+            let push = |k: usize| Ok(state.node(element.nodes()[k])?.engine_state().push());
+            let torque = engine::torque(element, &step, push, &mut tally)?;
+            engine::total_torque(sum, element, torque)
+        };
+        let total = self.elements.elements().iter().try_fold(D::zero(), &mut add);
+        total.map_err(|failure| failure.error)
     }
 }

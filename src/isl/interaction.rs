@@ -134,7 +134,16 @@ impl Interaction {
     ///
     /// `multiplier` is the pressure of hard contact, not used otherwise.
     pub fn pressure<D: Scalar>(&self, h: D, v: D, multiplier: D) -> D {
-        let p = match self.pressure {
+        let p = self.law(h, multiplier);
+        match self.damping(h, v) {
+            Some(damping) => p + damping,
+            None => p,
+        }
+    }
+
+    /// The pressure of the law alone.
+    pub(super) fn law<D: Scalar>(&self, h: D, multiplier: D) -> D {
+        match self.pressure {
             Pressure::Hard { tolerance } => {
                 if -h <= tolerance {
                     multiplier
@@ -146,13 +155,30 @@ impl Interaction {
             Pressure::Exponential { c0, p0 } => {
                 PressureExponential::eval(&ExponentialContact { h, c0: c0.into(), p0: p0.into() }).p
             }
-        };
-        match self.damping {
-            None => p,
-            Some(Viscous { mu0, c0, eta }) => {
-                p + Damping::eval(&DampingContact { h, v, mu0: mu0.into(), c0: c0.into(), eta: eta.into() }).p
-            }
         }
+    }
+
+    /// The formula of the law; hard contact has none.
+    pub(super) fn law_formula(&self) -> Option<&'static str> {
+        match self.pressure {
+            Pressure::Hard { .. } => None,
+            Pressure::Linear { .. } => Some(PressureLinear::SPEC.id),
+            Pressure::Exponential { .. } => Some(PressureExponential::SPEC.id),
+        }
+    }
+
+    /// The pressure of damping, if there is any.
+    pub(super) fn damping<D: Scalar>(&self, h: D, v: D) -> Option<D> {
+        let Viscous { mu0, c0, eta } = self.damping?;
+        Some(Damping::eval(&DampingContact { h, v, mu0: mu0.into(), c0: c0.into(), eta: eta.into() }).p)
+    }
+
+    pub(super) fn damping_formula(&self) -> Option<&'static str> {
+        self.damping.map(|_| Damping::SPEC.id)
+    }
+
+    pub(super) fn friction_formula(&self) -> Option<&'static str> {
+        self.friction.map(|_| ReturnMap::SPEC.id)
     }
 
     /// The shear stress S12 under the pressure `p` after the slip increment `slip`, from the shear stress `s12` before.

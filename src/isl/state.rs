@@ -1,5 +1,6 @@
 //! What a contact is in at the end of an increment.
 
+use super::engine::SlaveState;
 use crate::Scalar;
 use crate::error::Error;
 use crate::slide_line::{ClosestPoint, Nodes};
@@ -24,6 +25,11 @@ pub struct SlaveNode<D = f64> {
 }
 
 impl<D: Scalar> SlaveNode<D> {
+    /// What the engine goes on from.
+    pub(super) fn engine_state(&self) -> SlaveState<D> {
+        SlaveState { e11: self.e11, e12: self.e12, s11: self.s11, s12: self.s12 }
+    }
+
     /// The force on the slave node, in the axes (r, z): A (S11 n − S12 t).
     pub fn force(&self) -> Vector2<D> {
         (self.closest.normal * self.s11 - self.closest.tangent * self.s12) * self.area
@@ -39,12 +45,12 @@ impl<D: Scalar> SlaveNode<D> {
 /// The state of a contact, made by [`Contact::start`](super::Contact::start) and
 /// [`Contact::advance`](super::Contact::advance).
 #[derive(Clone, Debug, PartialEq)]
-pub struct State<D = f64> {
+pub struct ContactState<D = f64> {
     pub(super) places: Nodes<D>,
     pub(super) slaves: BTreeMap<u32, SlaveNode<D>>,
 }
 
-impl<D: Scalar> State<D> {
+impl<D: Scalar> ContactState<D> {
     /// The slave nodes by number.
     pub fn nodes(&self) -> &BTreeMap<u32, SlaveNode<D>> {
         &self.slaves

@@ -1,6 +1,7 @@
 //! The torque table (\*TORQUE PRINT).
 
-use super::{Contact, State};
+use super::contact::Contact;
+use super::state::ContactState;
 use crate::Scalar;
 use crate::error::Error;
 use std::fmt;
@@ -77,7 +78,7 @@ impl TorquePrint {
         &mut self,
         increment: u32,
         is_last: bool,
-        contacts: impl IntoIterator<Item = (&'a Contact, &'a State<D>)>,
+        contacts: impl IntoIterator<Item = (&'a Contact, &'a ContactState<D>)>,
     ) -> Result<bool, Error> {
         let is_due = self.is_due(increment, is_last);
         if is_due {
@@ -98,7 +99,7 @@ impl fmt::Display for TorquePrint {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let title = "SLIDE LINE";
         let names = self.rows.iter().map(|row| row.slide_line.chars().count());
-        let width = names.chain([title.len()]).max().unwrap_or_default();
+        let width = names.fold(title.len(), usize::max);
         writeln!(f, "{:>10}  {title:width$}  {:>14}", "INCREMENT", "TORQUE")?;
         let mut rows = self.rows.iter();
         rows.try_for_each(|TorqueRow { increment, slide_line, torque }| {

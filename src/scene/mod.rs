@@ -40,28 +40,21 @@
 //! have the same bits for every number of threads. Memory is bounded by what [`Run::bytes`] states, whatever
 //! the number of states.
 
-mod contact;
-mod elements;
-mod fault;
+mod evaluate;
 mod json;
 mod kind;
-mod kinds;
 mod model;
-mod needs;
 mod plan;
 mod read;
-mod recipe;
 mod results;
 pub mod rules;
 mod run;
 mod schema;
-mod step;
 
-pub use fault::{Fault, Faults};
+pub use json::{Fault, Faults};
 pub use kind::{Dimension, Fallback, Kind, Origin, Use, When};
 pub use model::Scene;
-pub use plan::{Line, Plan};
+pub use plan::{Plan, PlanLine};
 pub use results::{Results, Series};
-pub use run::{Problem, Problems, Run};
+pub use run::{Culprit, Problem, Problems, Run};
 pub use schema::schema;
-pub use step::{Failure, Lanes, Number, Step, Wiring};

@@ -1,9 +1,9 @@
 //! Results of a scene, collected.
 
+use super::evaluate::Number;
 use super::model::Scene;
 use super::plan::Plan;
 use super::run::{Problems, Run};
-use super::step::Number;
 use crate::Octuple;
 use serde::Serialize;
 
@@ -42,7 +42,7 @@ impl Results {
     /// # Errors
     /// A formula that is undefined in some state.
     pub fn of(scene: &Scene) -> Result<Self, Problems> {
-        Self::in_number::<f64>(scene, &Plan::new(scene))
+        Self::in_number::<f64>(&Plan::new(scene))
     }
 
     /// Evaluates a scene in 237 bits and rounds once: the same bytes on every machine.
@@ -52,50 +52,43 @@ impl Results {
     pub fn exact(scene: &Scene) -> Result<Self, Problems> {
         let plan = Plan::new(scene);
         // Whether inputs are allowed is asked in doubles.
-        Self::in_number::<f64>(scene, &plan)?;
-        Self::in_number::<Octuple>(scene, &plan)
+        Self::in_number::<f64>(&plan)?;
+        Self::in_number::<Octuple>(&plan)
     }
 
-    fn in_number<T: Number>(scene: &Scene, plan: &Plan) -> Result<Self, Problems> {
-        Self::collect::<T>(scene, plan, usize::MAX, || ())
+    fn in_number<T: Number>(plan: &Plan<'_>) -> Result<Self, Problems> {
+        Self::collect::<T>(plan, usize::MAX, || ())
     }
 
     /// Evaluates a plan and keeps the results of the first elements; `each` is called after every state.
     ///
     /// # Errors
     /// As [`Results::of`].
-    pub fn collect<T: Number>(
-        scene: &Scene,
-        plan: &Plan,
-        elements: usize,
-        mut each: impl FnMut(),
-    ) -> Result<Self, Problems> {
-        let mut run = Run::<T>::new(scene, plan)?;
+    pub fn collect<T: Number>(plan: &Plan<'_>, elements: usize, mut each: impl FnMut()) -> Result<Self, Problems> {
+        let mut run = Run::<T>::new(plan)?;
         let mut series: Vec<Series> = Vec::new();
         let mut times = Vec::new();
-        for time in scene.times() {
+        for time in plan.scene.times() {
             run.advance()?;
             each();
-            let first = times.is_empty();
             times.push(time);
-            let mut index = 0;
+            let mut of_state = Vec::new();
             run.for_each_result(elements, |element, output, components| {
-                let values: Vec<f64> = components.iter().map(|value| value.rounded()).collect();
-                if first {
-                    series.push(Series { element: element.into(), output, values: Vec::new() });
-                }
-                if let Some(series) = series.get_mut(index) {
-                    series.values.push(values);
-                }
-                index += 1;
+                of_state.push((element, output, components.iter().map(|value| value.rounded()).collect()));
             });
+            if series.is_empty() {
+                let named = |&(element, output, _): &(&str, _, _)| Series {
+                    element: element.into(),
+                    output,
+                    values: Vec::new(),
+                };
+                series = of_state.iter().map(named).collect();
+            }
+            for (series, (.., values)) in series.iter_mut().zip(of_state) {
+                series.values.push(values);
+            }
         }
-        let mut counts = plan.counts(times.len());
-        for (formula, pieces) in run.looked_at() {
-            // The plan counts nodes; what counts in the end is how many segments and corners they were compared with.
-            counts.iter_mut().filter(|(id, _)| *id == formula).for_each(|(_, count)| *count = pieces);
-        }
-        Ok(Self { title: scene.title().into(), counts, times, series })
+        Ok(Self { title: plan.scene.title().into(), counts: run.counts(), times, series })
     }
 
     /// The components of an element's output in a state counted from 0.

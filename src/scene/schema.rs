@@ -1,7 +1,7 @@
 //! The JSON Schema of scene files, made from the tables that read them.
 
 use super::kind::{Dimension, Fallback, Kind};
-use super::{contact, elements, read};
+use super::read::keys;
 use crate::quantity::{Domain, FRACTION, Quantity};
 use serde_json::{Map, Value, json};
 
@@ -41,13 +41,13 @@ fn text() -> Value {
 
 fn of_dimension(dimension: Dimension) -> Value {
     let kinds: Vec<_> = Kind::all().filter(|kind| kind.dimension == dimension).collect();
-    let node = record(&entries(read::NODE_KEYS, [vector(dimension.coordinates()), text()]), &["at"]);
+    let node = record(&entries(keys::NODE, [vector(dimension.coordinates()), text()]), &["at"]);
     let elements: Vec<_> = kinds.iter().map(|kind| of_kind(kind)).collect();
     let mut outputs: Vec<_> = kinds.iter().flat_map(|kind| kind.outputs).map(|(name, _)| *name).collect();
     outputs.sort_unstable();
     outputs.dedup();
     let mut properties = entries(
-        read::KEYS,
+        keys::SCENE,
         [
             text(),
             json!({ "const": dimension.name() }),
@@ -67,12 +67,12 @@ fn of_dimension(dimension: Dimension) -> Value {
 
 fn orientation(dimension: Dimension) -> Value {
     if dimension != Dimension::Space {
-        let angle = entries(read::PLANE_ORIENTATION_KEYS, [json!({ "type": "number" })]);
-        return record(&angle, &read::PLANE_ORIENTATION_KEYS);
+        let angle = entries(keys::PLANE_ORIENTATION, [json!({ "type": "number" })]);
+        return record(&angle, &keys::PLANE_ORIENTATION);
     }
     let axes = json!({ "type": "array", "items": vector(3), "minItems": 2, "maxItems": 2,
         "description": "along the first axis, and in the plane of the first two" });
-    let mut schema = record(&entries(read::SPACE_ORIENTATION_KEYS, [axes, vector(3), vector(4)]), &[]);
+    let mut schema = record(&entries(keys::SPACE_ORIENTATION, [axes, vector(3), vector(4)]), &[]);
     schema["minProperties"] = json!(1);
     schema["maxProperties"] = json!(1);
     schema
@@ -84,14 +84,14 @@ fn slide_line() -> Value {
         record(&keys.iter().map(|&(name, domain)| (name.into(), of_domain(domain))).collect(), required)
     };
     let all = entries(
-        contact::LINE_KEYS,
+        keys::SLIDE_LINE,
         [
-            json!({ "enum": contact::TYPES.map(|(name, _)| name) }),
+            json!({ "enum": keys::TYPES.map(|(name, _)| name) }),
             json!({ "type": "array", "items": text(), "minItems": 2 }),
             of_domain(FRACTION.domain),
-            numbers(&contact::PRESSURE_KEYS, &[]),
-            numbers(&contact::DAMPING_KEYS, &contact::DAMPING_KEYS.map(|(name, _)| name)),
-            numbers(&contact::FRICTION_KEYS, &contact::FRICTION_KEYS.map(|(name, _)| name)),
+            numbers(&keys::PRESSURE, &[]),
+            numbers(&keys::DAMPING, &keys::DAMPING.map(|(name, _)| name)),
+            numbers(&keys::FRICTION, &keys::FRICTION.map(|(name, _)| name)),
         ],
     );
     record(&all, &["type", "nodes"])
@@ -101,15 +101,15 @@ fn frame(dimension: Dimension, kinds: &[&Kind]) -> Value {
     let time = json!({ "type": "number" });
     let motion = |turn: Option<Value>| {
         let all = std::iter::once(vector(dimension.coordinates())).chain(turn);
-        named(&record(&entries(read::MOTION_KEYS, all), &[]))
+        named(&record(&entries(keys::MOTION, all), &[]))
     };
     if dimension == Dimension::Axisymmetric {
-        let all = entries(read::SLIDING_FRAME_KEYS, [time, motion(None), named(&of_domain(Domain::NonNegative))]);
+        let all = entries(keys::SLIDING_FRAME, [time, motion(None), named(&of_domain(Domain::NonNegative))]);
         return record(&all, &["time"]);
     }
     let turn = if dimension == Dimension::Space { vector(3) } else { json!({ "type": "number" }) };
     let loads: Vec<_> = kinds.iter().map(|kind| of_loads(kind)).collect();
-    let all = entries(read::FRAME_KEYS, [time, motion(Some(turn)), named(&json!({ "anyOf": loads }))]);
+    let all = entries(keys::FRAME, [time, motion(Some(turn)), named(&json!({ "anyOf": loads }))]);
     record(&all, &["time"])
 }
 
@@ -140,7 +140,7 @@ fn of_kind(kind: &Kind) -> Value {
     let count = kind.nodes.len();
     let outputs: Vec<_> = kind.outputs.iter().map(|(name, _)| name).collect();
     let mut properties = entries(
-        elements::SLIDING_KEYS,
+        keys::SLIDING_ELEMENT,
         [
             json!({ "const": kind.name }),
             json!({ "type": "array", "items": { "type": "string" }, "minItems": count, "maxItems": count,

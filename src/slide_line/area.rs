@@ -54,8 +54,9 @@ impl Formula for ContactAreaLinear {
         TwoAreas { a1: LinearNodes { x1: radius - s1, x2: s1 }, a2: LinearNodes { x1: -s2, x2: radius + s2 } }
     }
 
+    #[inline]
     fn validate(i: &LinearNodes<f64>) -> Result<(), Error> {
-        check_radii(&[("x1", i.x1), ("x2", i.x2)])
+        check_radii([("x1", i.x1), ("x2", i.x2)])
     }
 }
 
@@ -109,7 +110,8 @@ impl Formula for ContactAreaParabolic {
         }
     }
 
+    #[inline]
     fn validate(i: &ParabolicNodes<f64>) -> Result<(), Error> {
-        check_radii(&[("x1", i.x1), ("x2", i.x2), ("x3", i.x3)])
+        check_radii([("x1", i.x1), ("x2", i.x2), ("x3", i.x3)])
     }
 }

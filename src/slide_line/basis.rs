@@ -56,6 +56,7 @@ impl Formula for LocalBasis {
         }
     }
 
+    #[inline]
     fn validate(i: &Direction<f64>) -> Result<(), Error> {
         Error::check_direction("dx", i.dx)
     }

@@ -64,7 +64,7 @@ impl Formula for SmoothedLinearPoint {
         let (first, last) = (s * s, i.t * i.t);
         let rates = LinearCorner::rates(f, i.t);
         let (bulge, rate) = (combination(&nodes, [first, -(first + last), last]), combination(&nodes, rates));
-        let bend = combination(&nodes, LinearCorner::bends(f, i.t));
+        let second = combination(&nodes, LinearCorner::second_derivatives(f, i.t));
         let row = |k, [n1, n2, n3]: [D; 3], f, t| LinearCornerPlace {
             x1: along(k, n1),
             x2: along(k, n2),
@@ -73,7 +73,7 @@ impl Formula for SmoothedLinearPoint {
             t,
         };
         let x = |k| row(k, LinearCorner::weights(f, i.t), bulge[k], rate[k] * f);
-        let dx = |k| row(k, rates.map(|rate| rate * f), rate[k], bend[k] * f);
+        let dx = |k| row(k, rates.map(|rate| rate * f), rate[k], second[k] * f);
         CurvePoint { x: Vector2::new(x(0), x(1)), dx: Vector2::new(dx(0), dx(1)) }
     }
 }
@@ -115,7 +115,7 @@ impl Formula for SmoothedParabolicPoint {
         let weights = ParabolicCorner::weights(f, i.t);
         let rates = ParabolicCorner::rates(f, i.t).map(|rate| rate * f);
         let rate = combination(&nodes, rates);
-        let bend = combination(&nodes, ParabolicCorner::bends(f, i.t)) * f;
+        let second = combination(&nodes, ParabolicCorner::second_derivatives(f, i.t)) * f;
         let [x_by_f, ..] = ParabolicCorner::by_fraction(f, i.t).map(|weights| combination(&nodes, weights));
         // The rates are linear in f: f times them has the derivative that they have at 2f.
         let rate_by_f = combination(&nodes, ParabolicCorner::rates(f * 2.0, i.t));
@@ -129,7 +129,7 @@ impl Formula for SmoothedParabolicPoint {
             t,
         };
         let x = |k| row(k, weights, x_by_f[k], rate[k]);
-        let dx = |k| row(k, rates, rate_by_f[k], bend[k]);
+        let dx = |k| row(k, rates, rate_by_f[k], second[k]);
         CurvePoint { x: Vector2::new(x(0), x(1)), dx: Vector2::new(dx(0), dx(1)) }
     }
 }

@@ -3,11 +3,11 @@
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 
-use super::shape;
+use super::shape::{self, Sides};
 use crate::fields;
 use crate::formula::{Component, Document, Formula, Jacobian, Spec, along};
 use crate::quantity::{CURVE, CURVE_RATE, SEGMENT_G, X1, X2, X3};
-use crate::scalar::{Scalar, abs};
+use crate::scalar::Scalar;
 use nalgebra::Vector2;
 
 fields! {
@@ -94,54 +94,9 @@ impl Formula for ParabolicPoint {
         let [n1, n2, n3] = shape::parabolic(i.g);
         let [r1, r2, r3] = shape::parabolic_rates(i.g);
         let point = Self::eval(i);
-        let bend = Sides::new([i.x1, i.x2, i.x3]).bend();
+        let second = Sides::new([i.x1, i.x2, i.x3]).second_derivative();
         let x = |k| ParabolicPlace { x1: along(k, n1), x2: along(k, n2), x3: along(k, n3), g: point.dx[k] };
-        let rate = |k| ParabolicPlace { x1: along(k, r1), x2: along(k, r2), x3: along(k, r3), g: bend[k] };
+        let rate = |k| ParabolicPlace { x1: along(k, r1), x2: along(k, r2), x3: along(k, r3), g: second[k] };
         (point, CurvePoint { x: Vector2::new(x(0), x(1)), dx: Vector2::new(rate(0), rate(1)) })
-    }
-}
-
-/// The differences of the nodes of a parabola, of which its derivatives are made.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Sides<D> {
-    /// x2 − x1.
-    pub(super) before: Vector2<D>,
-    /// x3 − x2.
-    pub(super) after: Vector2<D>,
-    /// x3 − x1.
-    pub(super) chord: Vector2<D>,
-}
-
-impl<D: Scalar> Sides<D> {
-    #[inline]
-    pub(super) fn new([x1, x2, x3]: [Vector2<D>; 3]) -> Self {
-        Self { before: x2 - x1, after: x3 - x2, chord: x3 - x1 }
-    }
-
-    /// X′ = ½ chord + g (after − before) = (½−g) before + (½+g) after.
-    ///
-    /// The first form near the midside node, the second elsewhere: then no node has a weight much above its own, and
-    /// its rounding does no harm where it hardly matters.
-    #[inline]
-    pub(super) fn rate(&self, g: D) -> Vector2<D> {
-        if g < 0.25 && g > -0.25 {
-            self.chord * D::from(0.5) + self.bend() * g
-        } else {
-            self.before * (-g + 0.5) + self.after * (g + 0.5)
-        }
-    }
-
-    /// X″.
-    #[inline]
-    pub(super) fn bend(&self) -> Vector2<D> {
-        self.after - self.before
-    }
-
-    /// n·X″ = before × after / |X′|, with the chord in place of a longer side behind the midside node.
-    #[inline]
-    pub(super) fn turn(&self, speed: D) -> D {
-        let size = |v: Vector2<D>| abs(v.x) + abs(v.y);
-        let other = if size(self.chord) < size(self.after) { &self.chord } else { &self.after };
-        (self.before / speed).perp(other)
     }
 }

@@ -5,7 +5,6 @@
 //! no digits, and the rounding of no node counts for much more than its weight.
 
 use super::basis::length_and_tangent;
-use super::points::Sides;
 use crate::Scalar;
 use crate::scalar::abs;
 use nalgebra::Vector2;
@@ -24,10 +23,10 @@ pub(super) trait Shape<const N: usize> {
     fn rates<D: Scalar>(f: D, u: D) -> [D; N];
 
     /// N″(u)/factor.
-    fn bends<D: Scalar>(f: D, u: D) -> [D; N];
+    fn second_derivatives<D: Scalar>(f: D, u: D) -> [D; N];
 
     /// N‴/factor.
-    fn jolts<D: Scalar>(_: D) -> [D; N] {
+    fn third_derivatives<D: Scalar>(_: D) -> [D; N] {
         [D::zero(); N]
     }
 
@@ -41,6 +40,51 @@ pub(super) trait Shape<const N: usize> {
     /// Each is summed from differences to xs: as the weights of the end and a step along the tangent they would be
     /// differences, and the smaller ones wrong.
     fn on_end_tangent<D: Scalar>(xs: Vector2<D>, nodes: &[Vector2<D>; N], f: D, u: D) -> [D; N];
+}
+
+/// The differences of the nodes of a parabola, of which its derivatives are made.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sides<D> {
+    /// x2 − x1.
+    pub(super) before: Vector2<D>,
+    /// x3 − x2.
+    pub(super) after: Vector2<D>,
+    /// x3 − x1.
+    pub(super) chord: Vector2<D>,
+}
+
+impl<D: Scalar> Sides<D> {
+    #[inline]
+    pub(super) fn new([x1, x2, x3]: [Vector2<D>; 3]) -> Self {
+        Self { before: x2 - x1, after: x3 - x2, chord: x3 - x1 }
+    }
+
+    /// X′ = ½ chord + g (after − before) = (½−g) before + (½+g) after.
+    ///
+    /// The first form near the midside node, the second elsewhere: then no node has a weight much above its own, and
+    /// its rounding does no harm where it hardly matters.
+    #[inline]
+    pub(super) fn rate(&self, g: D) -> Vector2<D> {
+        if g < 0.25 && g > -0.25 {
+            self.chord * D::from(0.5) + self.second_derivative() * g
+        } else {
+            self.before * (-g + 0.5) + self.after * (g + 0.5)
+        }
+    }
+
+    /// X″.
+    #[inline]
+    pub(super) fn second_derivative(&self) -> Vector2<D> {
+        self.after - self.before
+    }
+
+    /// n·X″ = before × after / |X′|, with the chord in place of a longer side behind the midside node.
+    #[inline]
+    pub(super) fn turn(&self, speed: D) -> D {
+        let size = |v: Vector2<D>| abs(v.x) + abs(v.y);
+        let other = if size(self.chord) < size(self.after) { &self.chord } else { &self.after };
+        (self.before / speed).perp(other)
+    }
 }
 
 /// Weights of x1, x2 on a straight segment.
@@ -65,7 +109,7 @@ impl Shape<3> for Parabola {
         parabolic_rates(g)
     }
     #[inline]
-    fn bends<D: Scalar>(_: D, _: D) -> [D; 3] {
+    fn second_derivatives<D: Scalar>(_: D, _: D) -> [D; 3] {
         [1.0, -2.0, 1.0].map(D::from)
     }
     fn on_end_tangent<D: Scalar>(xs: Vector2<D>, nodes: &[Vector2<D>; 3], _: D, g: D) -> [D; 3] {
@@ -116,7 +160,7 @@ impl Shape<3> for LinearCorner {
         [s * -2.0, (s - t) * 2.0, t * 2.0]
     }
     #[inline]
-    fn bends<D: Scalar>(_: D, _: D) -> [D; 3] {
+    fn second_derivatives<D: Scalar>(_: D, _: D) -> [D; 3] {
         [2.0, -4.0, 2.0].map(D::from)
     }
     /// The tangents are the straight segments, whatever f.
@@ -148,7 +192,7 @@ impl Shape<3> for LinearCorner {
 pub(super) struct ParabolicCorner;
 
 impl ParabolicCorner {
-    /// The derivatives of weights, rates and bends with respect to f.
+    /// The derivatives of weights, rates and second derivatives with respect to f.
     #[inline]
     pub(super) fn by_fraction<D: Scalar>(f: D, t: D) -> [[D; 5]; 3] {
         let s = -t + 1.0;
@@ -161,12 +205,16 @@ impl ParabolicCorner {
             let turn = (-(near * 3.0) + 1.0) * near;
             [turn * 4.0, turn * -8.0]
         });
-        let bends = both_sides(s, t, |near, _| {
+        let second_derivatives = both_sides(s, t, |near, _| {
             let turn = -(near * 6.0) + 1.0;
             [turn * -4.0, turn * 8.0]
         });
         let middle = f * 4.0 - 3.0 + (-(f * 16.0) + 6.0) * s * t;
-        [with_middle(weights, middle), with_middle(against(rates), (s - t) * -8.0), with_middle(bends, D::from(16.0))]
+        [
+            with_middle(weights, middle),
+            with_middle(against(rates), (s - t) * -8.0),
+            with_middle(second_derivatives, D::from(16.0)),
+        ]
     }
 }
 
@@ -193,7 +241,7 @@ impl Shape<5> for ParabolicCorner {
         with_middle(against(sides), (s - t) * (-(f * 8.0) + 6.0))
     }
     #[inline]
-    fn bends<D: Scalar>(f: D, t: D) -> [D; 5] {
+    fn second_derivatives<D: Scalar>(f: D, t: D) -> [D; 5] {
         let s = -t + 1.0;
         let sides = both_sides(s, t, |near, _| {
             let turn = f * (-(near * 6.0) + 1.0);
@@ -202,8 +250,8 @@ impl Shape<5> for ParabolicCorner {
         with_middle(sides, f * 16.0 - 12.0)
     }
     #[inline]
-    fn jolts<D: Scalar>(f: D) -> [D; 5] {
-        [-24.0, 48.0, 0.0, -48.0, 24.0].map(|jolt| f * jolt)
+    fn third_derivatives<D: Scalar>(f: D) -> [D; 5] {
+        [-24.0, 48.0, 0.0, -48.0, 24.0].map(|weight| f * weight)
     }
     fn on_end_tangent<D: Scalar>(xs: Vector2<D>, [x1, x2, x3, x4, x5]: &[Vector2<D>; 5], f: D, t: D) -> [D; 5] {
         let (zero, g) = (D::zero(), -(f * 2.0) + 1.0);

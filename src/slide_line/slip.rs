@@ -4,8 +4,8 @@
 mod proof;
 
 use super::basis::length_and_tangent;
-use super::points::Sides;
-use super::{check_distinct, left, shape};
+use super::shape::{self, Sides};
+use super::{check_distinct, left};
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Formula, Jacobian, Spec};
@@ -68,8 +68,9 @@ impl Formula for SlipIncrementLinear {
         Slip { dslip: LinearMotion { x1: -turned, x2: turned, g, dxs: t, dx1: t * -n1, dx2: t * -n2 } }
     }
 
+    #[inline]
     fn validate(i: &LinearMotion<f64>) -> Result<(), Error> {
-        check_distinct(&[("x1", i.x1), ("x2", i.x2)])
+        check_distinct([("x1", i.x1), ("x2", i.x2)])
     }
 }
 
@@ -142,8 +143,9 @@ impl Formula for SlipIncrementParabolic {
         }
     }
 
+    #[inline]
     fn validate(i: &ParabolicMotion<f64>) -> Result<(), Error> {
-        check_distinct(&[("x1", i.x1), ("x2", i.x2), ("x3", i.x3)])?;
+        check_distinct([("x1", i.x1), ("x2", i.x2), ("x3", i.x3)])?;
         if Self::sides(i).rate(i.g) == Vector2::zeros() {
             Err(Error::NoTangent { coordinate: "g", value: i.g })
         } else {

@@ -65,8 +65,9 @@ impl Formula for TorqueLinear {
         Torque { t: LinearPressures { x1, x2, p1: band * m1, p2: band * m2 } }
     }
 
+    #[inline]
     fn validate(i: &LinearPressures<f64>) -> Result<(), Error> {
-        check_radii(&[("x1", i.x1), ("x2", i.x2)])
+        check_radii([("x1", i.x1), ("x2", i.x2)])
     }
 }
 
@@ -225,8 +226,9 @@ impl Formula for TorqueParabolic {
         (Torque { t }, Torque { t: ParabolicPressures { x1, x2, x3, p1, p2, p3 } })
     }
 
+    #[inline]
     fn validate(i: &ParabolicPressures<f64>) -> Result<(), Error> {
-        check_radii(&[("x1", i.x1), ("x2", i.x2), ("x3", i.x3)])
+        check_radii([("x1", i.x1), ("x2", i.x2), ("x3", i.x3)])
     }
 }
 

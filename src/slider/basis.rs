@@ -67,6 +67,7 @@ impl Formula for Basis {
         rows
     }
 
+    #[inline]
     fn validate(i: &LineDirection<f64>) -> Result<(), Error> {
         Error::check_direction("n", i.n)
     }
@@ -178,6 +179,7 @@ impl Formula for BasisVariation {
         rows
     }
 
+    #[inline]
     fn validate(i: &TurningDirection<f64>) -> Result<(), Error> {
         Error::check_direction("n", i.n)
     }

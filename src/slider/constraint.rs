@@ -179,6 +179,7 @@ impl Formula for IncrementalConstraint {
         IncrementalResiduals { r1: row(0), r2: row(1) }
     }
 
+    #[inline]
     fn validate(i: &MovingNodes<f64>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }

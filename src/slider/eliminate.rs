@@ -84,6 +84,7 @@ impl Formula for Eliminate {
         (pivots.coordinates(&place), Coordinates { xmi: row(pivots.i), xmj: row(pivots.j) })
     }
 
+    #[inline]
     fn validate(i: &KeptCoordinate<f64>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }
@@ -147,6 +148,7 @@ impl Formula for Increment {
         }
     }
 
+    #[inline]
     fn validate(i: &KeptIncrement<f64>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }

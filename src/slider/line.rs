@@ -50,6 +50,7 @@ impl Formula for Line {
         Direction { n: Vector3::new(along(0), along(1), along(2)), l: row(n) }
     }
 
+    #[inline]
     fn validate(i: &Ends<f64>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }
@@ -115,6 +116,7 @@ impl Formula for DirectionVariation {
         DirectionChange { dn: Vector3::new(along(0), along(1), along(2)), dl: row(dn, n) }
     }
 
+    #[inline]
     fn validate(i: &MovingEnds<f64>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }

@@ -62,6 +62,7 @@ impl Formula for Constraint2d {
         Distance2d { g: Nodes2d { x1: t * -rest, xn: t * -share, xm: t } }
     }
 
+    #[inline]
     fn validate(i: &Nodes2d<f64>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }
@@ -116,6 +117,7 @@ impl Formula for Increment2d {
         }
     }
 
+    #[inline]
     fn validate(i: &KeptIncrement2d<f64>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }

@@ -42,6 +42,7 @@ impl<T: Component> Placement<T> {
     }
 
     /// What ALIGN sees of it.
+    #[inline]
     pub const fn align(&self) -> Orientations<T> {
         let Self { e1a, e2a, e3a, e1b, e2b, e3b, alpha0, beta0, gamma0, .. } = *self;
         Orientations { e1a, e2a, e3a, e1b, e2b, e3b, alpha0, beta0, gamma0 }
@@ -49,6 +50,7 @@ impl<T: Component> Placement<T> {
 }
 
 impl<D: Scalar> Oriented<D> for Placement<D> {
+    #[inline]
     fn triads(&self) -> Triads<D> {
         self.align().triads()
     }

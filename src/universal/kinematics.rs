@@ -86,6 +86,7 @@ impl Formula for Angles {
         Turns { alpha: by_alpha, gamma: Triads { e1a, e1b, e2b, ..zero } }
     }
 
+    #[inline]
     fn validate(i: &Triads<f64>) -> Result<(), Error> {
         check_turns(i)
     }

@@ -74,6 +74,7 @@ impl Formula for ConstraintMoment {
         Moment { m: Vector3::new(row(0), row(1), row(2)) }
     }
 
+    #[inline]
     fn validate(i: &Twisted<f64>) -> Result<(), Error> {
         check_alpha(&i.e2a, &i.e3a, &i.e3b)
     }

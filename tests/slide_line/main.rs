@@ -5,19 +5,19 @@
 mod search;
 
 use jointproof::Error;
-use jointproof::slide_line::{ClosestPoint, Kind, Nodes, Place, SlideLine};
+use jointproof::slide_line::{ClosestPoint, Interpolation, Nodes, Place, SlideLine};
 
 /// Nodes numbered from 1.
 fn numbered(places: &[[f64; 2]]) -> Nodes {
     Nodes::new((1..).zip(places.iter().copied())).unwrap()
 }
 
-fn line(kind: Kind, count: usize, smoothing: Option<f64>) -> SlideLine {
+fn line(kind: Interpolation, count: usize, smoothing: Option<f64>) -> SlideLine {
     let line = SlideLine::generate(kind, 1, u32::try_from(count).unwrap(), 1).unwrap();
     smoothing.map_or(line.clone(), |f| line.smoothed(f).unwrap())
 }
 
-fn closest(kind: Kind, places: &[[f64; 2]], smoothing: Option<f64>, xs: [f64; 2]) -> ClosestPoint {
+fn closest(kind: Interpolation, places: &[[f64; 2]], smoothing: Option<f64>, xs: [f64; 2]) -> ClosestPoint {
     line(kind, places.len(), smoothing).place(&numbered(places)).unwrap().closest(xs.into()).unwrap()
 }
 
@@ -29,23 +29,26 @@ fn bad_lines_are_named() {
     let odd = "an odd number of nodes, at least 3, in a parabolic slide line";
     for (count, nodes) in [(0, vec![]), (1, vec![1]), (2, vec![1, 2]), (4, vec![1, 2, 3, 4])] {
         let expected = format!("{count} nodes are given; allowed is {odd}");
-        assert_eq!(message(SlideLine::new(Kind::Parabolic, nodes)), expected);
+        assert_eq!(message(SlideLine::new(Interpolation::Parabolic, nodes)), expected);
     }
     assert_eq!(
-        message(SlideLine::new(Kind::Linear, [7])),
+        message(SlideLine::new(Interpolation::Linear, [7])),
         "1 nodes are given; allowed is at least 2 nodes in a linear slide line"
     );
-    assert_eq!(message(SlideLine::generate(Kind::Parabolic, 1, 4, 1)), format!("4 nodes are given; allowed is {odd}"));
+    assert_eq!(
+        message(SlideLine::generate(Interpolation::Parabolic, 1, 4, 1)),
+        format!("4 nodes are given; allowed is {odd}")
+    );
     for (first, last, increment) in [(1, 9, 0), (1, 9, -2), (9, 1, 2), (1, 9, 3), (1, 1, 0), (1, 9, i64::MIN)] {
         assert_eq!(
-            message(SlideLine::generate(Kind::Linear, first, last, increment)),
+            message(SlideLine::generate(Interpolation::Linear, first, last, increment)),
             format!(
                 "increment {increment} does not lead from node {first} to node {last}; \
                  allowed is a divisor of {last} - {first} with its sign"
             )
         );
     }
-    let straight = || SlideLine::new(Kind::Linear, [1, 2]).unwrap();
+    let straight = || SlideLine::new(Interpolation::Linear, [1, 2]).unwrap();
     for (f, shown) in [(0.0, "0.0"), (0.5, "0.5"), (-0.2, "-0.2"), (f64::NAN, "NaN"), (f64::INFINITY, "inf")] {
         assert_eq!(message(straight().smoothed(f)), format!("f is {shown}; allowed is a number > 0 and < 0.5"));
     }
@@ -62,26 +65,29 @@ fn bad_nodes_are_named() {
 
     let place =
         |kind, count, places: &[[f64; 2]]| line(kind, count, None).place(&numbered(places)).unwrap_err().to_string();
-    assert_eq!(place(Kind::Linear, 3, &[[0.0; 2], [1.0; 2]]), "node 3 is unknown; allowed are nodes with coordinates");
+    assert_eq!(
+        place(Interpolation::Linear, 3, &[[0.0; 2], [1.0; 2]]),
+        "node 3 is unknown; allowed are nodes with coordinates"
+    );
     let coincident = "nodes 1 and 3 are at one place; allowed are different places";
-    assert_eq!(place(Kind::Parabolic, 3, &[[0.0; 2], [1.0; 2], [0.0; 2]]), coincident);
+    assert_eq!(place(Interpolation::Parabolic, 3, &[[0.0; 2], [1.0; 2], [0.0; 2]]), coincident);
     // Billions of nodes are not written out to find that one is unknown.
-    let endless = SlideLine::generate(Kind::Linear, 1, u32::MAX, 1).unwrap();
+    let endless = SlideLine::generate(Interpolation::Linear, 1, u32::MAX, 1).unwrap();
     assert!(matches!(endless.place(&numbered(&[[0.0; 2]])), Err(Error::UnknownNode { node: 2 })));
 }
 
 #[test]
 fn a_line_that_stands_still_or_folds_back_at_the_closest_point_is_rejected() {
     let there_and_back = numbered(&[[1.0, 0.0], [3.0, 0.0], [1.0, 0.0]]);
-    let folded = line(Kind::Linear, 3, None).place(&there_and_back).unwrap();
+    let folded = line(Interpolation::Linear, 3, None).place(&there_and_back).unwrap();
     let message = folded.closest([4.0, 0.0].into()).unwrap_err().to_string();
     assert_eq!(message, "the slide line turns straight back at node 2; allowed is any other angle");
     assert!(folded.closest([2.0, 1.0].into()).is_ok(), "elsewhere it has a side");
 
-    let smoothed = line(Kind::Linear, 3, Some(0.2)).place(&there_and_back).unwrap();
+    let smoothed = line(Interpolation::Linear, 3, Some(0.2)).place(&there_and_back).unwrap();
     assert!(matches!(smoothed.closest([4.0, 0.0].into()), Err(Error::NoTangent { coordinate: "t", .. })));
     let quarter_point = numbered(&[[0.0, 0.0], [0.25, 0.0], [1.0, 0.0]]);
-    let still = line(Kind::Parabolic, 3, None).place(&quarter_point).unwrap();
+    let still = line(Interpolation::Parabolic, 3, None).place(&quarter_point).unwrap();
     assert!(matches!(still.closest([0.0, 1.0].into()), Err(Error::NoTangent { coordinate: "g", value: -1.0 })));
 
     let message = still.closest([f64::NAN, 1.0].into()).unwrap_err().to_string();
@@ -91,13 +97,16 @@ fn a_line_that_stands_still_or_folds_back_at_the_closest_point_is_rejected() {
 #[test]
 fn generated_nodes_are_the_listed_ones() {
     let numbers = |first, last, increment| {
-        SlideLine::generate(Kind::Linear, first, last, increment).unwrap().nodes().collect::<Vec<_>>()
+        SlideLine::generate(Interpolation::Linear, first, last, increment).unwrap().nodes().collect::<Vec<_>>()
     };
     assert_eq!(numbers(10, 40, 10), [10, 20, 30, 40]);
     assert_eq!(numbers(5, 1, -2), [5, 3, 1]);
     let places = [[1.0, 0.0], [2.0, 0.5], [3.0, 0.0]];
-    let listed = SlideLine::new(Kind::Parabolic, [1, 2, 3]).unwrap().place(&numbered(&places)).unwrap();
-    assert_eq!(listed.closest([2.0, 2.0].into()).unwrap(), closest(Kind::Parabolic, &places, None, [2.0, 2.0]));
+    let listed = SlideLine::new(Interpolation::Parabolic, [1, 2, 3]).unwrap().place(&numbered(&places)).unwrap();
+    assert_eq!(
+        listed.closest([2.0, 2.0].into()).unwrap(),
+        closest(Interpolation::Parabolic, &places, None, [2.0, 2.0])
+    );
 }
 
 // --- The closest point -----------------------------------------------------------------------------------------------
@@ -110,7 +119,7 @@ const ROOF: [[f64; 2]; 3] = [[0.0, 0.0], [2.0, 2.0], [4.0, 0.0]];
 
 #[test]
 fn the_place_is_a_segment_a_corner_a_node_or_past_an_end() {
-    let on_roof = |xs| closest(Kind::Linear, &ROOF, None, xs);
+    let on_roof = |xs| closest(Interpolation::Linear, &ROOF, None, xs);
     let slope = on_roof([0.0, 2.0]);
     let Place::Segment { index: 0, g } = slope.place else { panic!("{slope:?}") };
     assert!(is(g, 0.0) && is(slope.separation, 2.0_f64.sqrt()));
@@ -126,44 +135,48 @@ fn the_place_is_a_segment_a_corner_a_node_or_past_an_end() {
     let at_the_eaves = on_roof([5.0, 1.0]);
     assert_eq!(at_the_eaves.place, Place::Segment { index: 1, g: 1.0 });
 
-    let smoothed = closest(Kind::Linear, &ROOF, Some(0.25), [2.0, 5.0]);
+    let smoothed = closest(Interpolation::Linear, &ROOF, Some(0.25), [2.0, 5.0]);
     assert_eq!((smoothed.place, smoothed.separation), (Place::Corner { index: 0, t: 0.5 }, 3.25));
     assert_eq!(smoothed.weights.iter().map(|(node, _)| *node).collect::<Vec<_>>(), [1, 2, 3]);
 }
 
 #[test]
 fn a_point_on_the_wrong_side_penetrates() {
-    assert!(is(closest(Kind::Linear, &ROOF, None, [1.0, 0.0]).separation, -(0.5_f64.sqrt())));
+    assert!(is(closest(Interpolation::Linear, &ROOF, None, [1.0, 0.0]).separation, -(0.5_f64.sqrt())));
     // The same line the other way round has the slave below.
     let back = [ROOF[2], ROOF[1], ROOF[0]];
-    assert!(is(closest(Kind::Linear, &back, None, [1.0, 0.0]).separation, 0.5_f64.sqrt()));
-    assert_eq!(closest(Kind::Linear, &back, None, [2.0, 5.0]).separation, -3.0);
+    assert!(is(closest(Interpolation::Linear, &back, None, [1.0, 0.0]).separation, 0.5_f64.sqrt()));
+    assert_eq!(closest(Interpolation::Linear, &back, None, [2.0, 5.0]).separation, -3.0);
 }
 
 #[test]
 fn ties_go_to_the_smaller_segment() {
     // Under the ridge both slopes are equally near; above a valley too.
-    let Place::Segment { index: 0, g } = closest(Kind::Linear, &ROOF, None, [2.0, 1.0]).place else { panic!() };
+    let Place::Segment { index: 0, g } = closest(Interpolation::Linear, &ROOF, None, [2.0, 1.0]).place else {
+        panic!()
+    };
     assert!(is(g, 0.5));
     let valley = [[0.0, 3.0], [1.1, 1.0], [2.2, 3.0]];
     for z in [1.25, 1.7, 2.3, 2.9] {
-        let Place::Segment { index: 0, .. } = closest(Kind::Linear, &valley, None, [1.1, z]).place else {
+        let Place::Segment { index: 0, .. } = closest(Interpolation::Linear, &valley, None, [1.1, z]).place else {
             panic!("{z}")
         };
         // A hair to the right of the medial axis it is the other one.
         let xs = [1.1 + 1e-12, z];
-        let Place::Segment { index: 1, .. } = closest(Kind::Linear, &valley, None, xs).place else { panic!("{z}") };
+        let Place::Segment { index: 1, .. } = closest(Interpolation::Linear, &valley, None, xs).place else {
+            panic!("{z}")
+        };
     }
     // Within a parabola the smaller coordinate.
     let bowl = [[0.0, 4.0], [2.0, 0.0], [4.0, 4.0]];
-    let Place::Segment { g, .. } = closest(Kind::Parabolic, &bowl, None, [2.0, 2.0]).place else { panic!() };
+    let Place::Segment { g, .. } = closest(Interpolation::Parabolic, &bowl, None, [2.0, 2.0]).place else { panic!() };
     assert!(g < 0.0, "{g}");
 }
 
 #[test]
 fn a_far_line_is_not_looked_at() {
     let places: Vec<_> = (0..10_001).map(|k| [f64::from(k), 0.25 * f64::from(k % 3)]).collect();
-    let placed = line(Kind::Linear, places.len(), None).place(&numbered(&places)).unwrap();
+    let placed = line(Interpolation::Linear, places.len(), None).place(&numbered(&places)).unwrap();
     for k in 0..1000 {
         let evaluated = placed.closest([10.0 * f64::from(k) + 0.3, 0.7].into()).unwrap().evaluated;
         assert!(evaluated <= 8, "{evaluated} of 10000 segments");

@@ -3,8 +3,8 @@
 use super::{line, numbered};
 use jointproof::formula::Formula;
 use jointproof::slide_line::{
-    ClosestPoint, Kind, LinearCornerPlace, LinearPlace, LinearPoint, Nodes, ParabolicCornerPlace, ParabolicPlace,
-    ParabolicPoint, Place, SlideLine, SmoothedLinearPoint, SmoothedParabolicPoint,
+    ClosestPoint, Interpolation, LinearCornerPlace, LinearPlace, LinearPoint, Nodes, ParabolicCornerPlace,
+    ParabolicPlace, ParabolicPoint, Place, SlideLine, SmoothedLinearPoint, SmoothedParabolicPoint,
 };
 use jointproof::{Error, Octuple};
 use nalgebra::Vector2;
@@ -12,10 +12,10 @@ use num_dual::Dual64;
 use proptest::prelude::*;
 
 /// Points of the whole line, close to each other: the curves as the formulas give them, cut where they are smoothed.
-fn dense(kind: Kind, x: &[Vector2<f64>], smoothing: Option<f64>) -> Vec<Vector2<f64>> {
+fn dense(kind: Interpolation, x: &[Vector2<f64>], smoothing: Option<f64>) -> Vec<Vector2<f64>> {
     const STEPS: u32 = 400;
     let share = |k: u32| f64::from(k) / f64::from(STEPS);
-    let stride = if kind == Kind::Linear { 1 } else { 2 };
+    let stride = if kind == Interpolation::Linear { 1 } else { 2 };
     let segments = (x.len() - 1) / stride;
     let cut = smoothing.map_or(0.0, |f| 2.0 * f);
     let mut points = Vec::new();
@@ -27,11 +27,13 @@ fn dense(kind: Kind, x: &[Vector2<f64>], smoothing: Option<f64>) -> Vec<Vector2<
             let (g, t) = (from + (to - from) * share(k), share(k));
             let here = &x[s * stride..];
             points.push(match kind {
-                Kind::Linear => LinearPoint::eval(&LinearPlace { x1: here[0], x2: here[1], g }).x,
-                Kind::Parabolic => ParabolicPoint::eval(&ParabolicPlace { x1: here[0], x2: here[1], x3: here[2], g }).x,
+                Interpolation::Linear => LinearPoint::eval(&LinearPlace { x1: here[0], x2: here[1], g }).x,
+                Interpolation::Parabolic => {
+                    ParabolicPoint::eval(&ParabolicPlace { x1: here[0], x2: here[1], x3: here[2], g }).x
+                }
             });
             points.extend(corner.map(|f| match (kind, here) {
-                (Kind::Linear, &[x1, x2, x3, ..]) => {
+                (Interpolation::Linear, &[x1, x2, x3, ..]) => {
                     SmoothedLinearPoint::eval(&LinearCornerPlace { x1, x2, x3, f, t }).x
                 }
                 (_, &[x1, x2, x3, x4, x5, ..]) => {
@@ -70,12 +72,12 @@ fn smoothing() -> impl Strategy<Value = Option<f64>> {
 }
 
 /// Any line: random, nearly straight, or with midside nodes at the quarter points.
-fn any_line() -> impl Strategy<Value = (Kind, Vec<[f64; 2]>, Option<f64>)> {
+fn any_line() -> impl Strategy<Value = (Interpolation, Vec<[f64; 2]>, Option<f64>)> {
     let midside = prop_oneof![Just(None), Just(Some((0.5, 0.0))), Just(Some((0.5, 1e-8))), Just(Some((0.25, 1e-3)))];
     (any::<bool>(), proptest::collection::vec(point(), 2..8), midside, smoothing()).prop_map(
         |(parabolic, corners, midside, smoothing)| {
             if !parabolic {
-                return (Kind::Linear, corners, smoothing);
+                return (Interpolation::Linear, corners, smoothing);
             }
             let mut nodes = vec![corners[0]];
             for pair in corners.windows(2) {
@@ -85,7 +87,7 @@ fn any_line() -> impl Strategy<Value = (Kind, Vec<[f64; 2]>, Option<f64>)> {
                 let middle = a + chord * along + Vector2::new(-chord.y, chord.x) * across;
                 nodes.extend([[middle.x.max(0.0), middle.y], pair[1]]);
             }
-            (Kind::Parabolic, nodes, smoothing)
+            (Interpolation::Parabolic, nodes, smoothing)
         },
     )
 }
@@ -152,7 +154,7 @@ proptest! {
         smooth: bool,
         xs in [any_double(), any_double()],
     ) {
-        let kind = if parabolic { Kind::Parabolic } else { Kind::Linear };
+        let kind = if parabolic { Interpolation::Parabolic } else { Interpolation::Linear };
         let Ok(nodes) = Nodes::new((1..).zip(places.iter().copied())) else { return Ok(()) };
         let numbers: Vec<_> = (1..=u32::try_from(places.len()).unwrap()).collect();
         let line = SlideLine::new(kind, numbers).and_then(|line| if smooth { line.smoothed(f) } else { Ok(line) });

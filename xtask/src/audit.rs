@@ -1,9 +1,10 @@
 //! `audit`: closed form against automatic differentiation against differences, and the laws.
 
-use crate::console::{bold, count, green, print, progress, red};
+use crate::console::{bold, count, green, print, progress, red, say};
 use crate::evidence::Evidence;
 use crate::golden;
 use crate::outcome::{Outcome, Usage, verdict};
+use crate::owed::owed;
 use crate::project::Project;
 use crate::selection::Selection;
 use indicatif::ParallelProgressIterator;
@@ -60,12 +61,23 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     };
     // At a single point on a kink there is nothing to check some claims with.
     let passed = if arguments.point.is_some() { Audit::no_claim_failed } else { Audit::passed };
+    // A point is looked at to find out something else.
+    let owed = if arguments.point.is_some() { Vec::new() } else { owed(project, &formulas)? };
     print(&match arguments.format {
-        Format::Text => text(&audits, passed)?,
-        Format::Markdown => markdown(project, &formulas, &audits, passed)?,
+        Format::Text => text(&audits, passed)? + &owed.concat(),
+        Format::Markdown => markdown(project, &formulas, &audits, passed)? + &fenced(&owed),
         Format::Json => serde_json::to_string_pretty(&audits)?,
     })?;
-    Ok(verdict(audits.iter().all(passed)))
+    if matches!(arguments.format, Format::Json) && !owed.is_empty() {
+        say(owed.concat().trim_end());
+    }
+    Ok(verdict(owed.is_empty() && audits.iter().all(passed)))
+}
+
+/// What is owed, for a code review.
+fn fenced(owed: &[String]) -> String {
+    let text = anstream::adapter::strip_str(&owed.concat()).to_string();
+    if text.is_empty() { text } else { format!("## Owed\n\n```text\n{text}```\n") }
 }
 
 fn at_point(formulas: &[&dyn AnyFormula], point: &str) -> anyhow::Result<Audit> {

@@ -2,7 +2,7 @@
 
 use crate::outcome::{Outcome, Usage};
 use crate::project::Project;
-use crate::{audit, book, console, golden, measuring, report, verify};
+use crate::{audit, book, console, golden, measuring, new, report, verify};
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 use jointproof::formula::Field;
 use std::process::ExitCode;
@@ -28,6 +28,7 @@ enum Command {
     Audit(audit::Arguments),
     Report(report::Arguments),
     Book(book::Arguments),
+    New(new::Arguments),
     /// Measure what standard input asks for, for `report`
     #[command(hide = true)]
     Measure,
@@ -53,6 +54,7 @@ fn run(project: &Project, matches: &ArgMatches) -> Outcome {
         Command::Audit(arguments) => audit::run(project, &arguments),
         Command::Report(arguments) => report::run(project, &arguments),
         Command::Book(arguments) => book::run(project, &arguments),
+        Command::New(arguments) => new::run(project, &arguments),
         Command::Measure => Ok(measuring::main(project)),
     }
 }

@@ -5,6 +5,7 @@ use crate::evidence::{Evidence, GoldenCheck};
 use crate::extension::Beside;
 use crate::files;
 use crate::outcome::{Outcome, verdict};
+use crate::owed::owed;
 use crate::project::Project;
 use crate::selection::Selection;
 use anyhow::Context;
@@ -40,20 +41,25 @@ pub(crate) fn say_what_mends(project: &Project) {
 const SHOWN: usize = 10;
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
+    let formulas = arguments.selection.formulas(project)?;
     if !arguments.check {
-        print(&write(project, &arguments.selection)?)?;
-        return Ok(verdict(true));
+        let written = write(project, &arguments.selection)?;
+        let owed = owed(project, &formulas)?;
+        print(&(written + &owed.concat()))?;
+        return Ok(verdict(owed.is_empty()));
     }
     let mut checks = vec![check(project, &arguments.selection)?];
     if let Some((_, beside)) = project.extension.beside.filter(|_| arguments.selection.is_all()) {
         checks.push(check_beside(project, &beside(project)?));
     }
-    checks.iter().try_for_each(|checked| print(&checked.report))?;
+    let owed = owed(project, &formulas)?;
+    let reports: String = checks.iter().map(|checked| checked.report.as_str()).collect();
+    print(&(reports + &owed.concat()))?;
     let passed = checks.iter().all(|checked| checked.passed);
     if !passed {
         say_what_mends(project);
     }
-    Ok(verdict(passed))
+    Ok(verdict(passed && owed.is_empty()))
 }
 
 /// A golden file as the code says it is.
@@ -68,14 +74,9 @@ fn regenerate(project: &Project, selection: &Selection) -> anyhow::Result<Vec<Re
     let bar = progress("golden", formulas.len());
     let one = |formula: &&dyn AnyFormula| {
         let file = formula.golden();
-        Ok(Regenerated { path: path(project, *formula), text: file.render()?, file })
+        Ok(Regenerated { path: project.golden_file(formula.spec().id), text: file.render()?, file })
     };
     formulas.par_iter().progress_with(bar).map(one).collect()
-}
-
-/// Where the golden file of a formula is.
-pub(crate) fn path(project: &Project, formula: &dyn AnyFormula) -> PathBuf {
-    project.golden().join(format!("{}.json", formula.spec().id))
 }
 
 /// The schema of golden files, made from the types that write them.
@@ -226,7 +227,8 @@ fn show(difference: &Difference) -> String {
 /// # Errors
 /// Why the committed file cannot be compared with.
 pub(crate) fn changes(project: &Project, formula: &dyn AnyFormula) -> Result<Vec<Difference>, String> {
-    let committed = std::fs::read_to_string(path(project, formula)).map_err(|error| error.to_string())?;
+    let committed =
+        std::fs::read_to_string(project.golden_file(formula.spec().id)).map_err(|error| error.to_string())?;
     let committed = File::parse(&committed).map_err(|error| error.to_string())?;
     Ok(formula.golden().differences(&committed))
 }

@@ -34,7 +34,11 @@ pub mod files;
 #[cfg(feature = "commands")]
 mod golden;
 #[cfg(feature = "commands")]
+mod new;
+#[cfg(feature = "commands")]
 mod outcome;
+#[cfg(feature = "commands")]
+mod owed;
 #[cfg(feature = "commands")]
 mod report;
 #[cfg(feature = "commands")]

@@ -34,11 +34,16 @@ pub(crate) struct Extension {
     pub(crate) beside: Option<(&'static str, Golden)>,
     pub(crate) checks: Vec<(&'static str, Check)>,
     pub(crate) exhibits: Option<fn(&Project) -> anyhow::Result<Exhibits>>,
+    pub(crate) debts: Vec<(&'static str, IsPaid, &'static str)>,
 }
 
 /// A command, and what runs it.
 #[cfg(feature = "commands")]
 type Command = (clap::Command, Box<dyn Fn(&Project, &ArgMatches) -> Outcome + Send + Sync>);
+
+/// Whether the formula of this identifier has what every formula owes.
+#[cfg(feature = "commands")]
+type IsPaid = fn(&Project, &str) -> bool;
 
 /// What makes golden files that are not of formulas.
 #[cfg(feature = "commands")]
@@ -121,6 +126,16 @@ impl Project {
         self.root.join("golden")
     }
 
+    /// Whether there are chapters of a book.
+    pub fn has_book(&self) -> bool {
+        self.root.join("book/src").exists()
+    }
+
+    /// The golden file of the formula of this identifier.
+    pub fn golden_file(&self, id: &str) -> PathBuf {
+        self.golden().join(format!("{id}.json"))
+    }
+
     /// Where what can be made again is put: the book, and below it reports and evidence.
     pub fn target(&self) -> PathBuf {
         std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| self.root.join("target"), PathBuf::from)
@@ -168,6 +183,13 @@ impl Project {
     #[must_use]
     pub fn with_check(mut self, name: &'static str, check: Check) -> Self {
         self.extension.checks.push((name, check));
+        self
+    }
+
+    /// With something more that every formula owes: what it is, who has it by identifier, and how it is written.
+    #[must_use]
+    pub fn with_debt(mut self, what: &'static str, is_paid: IsPaid, how: &'static str) -> Self {
+        self.extension.debts.push((what, is_paid, how));
         self
     }
 

@@ -1,6 +1,5 @@
-//! `verify`: golden files, audit and book, with a short summary.
+//! `verify`: what formulas owe, golden files, audit and book, with a short summary.
 
-use crate::audit;
 use crate::book::{Summary, build_book};
 use crate::console::{self, count, green, print, red, say};
 use crate::golden::{self, Checked};
@@ -8,11 +7,12 @@ use crate::outcome::{Outcome, verdict};
 use crate::project::Project;
 use crate::report::data::Report;
 use crate::selection::Selection;
+use crate::{audit, owed};
 use jointproof::verify::{Audit, Options};
 use std::fmt::Write;
 use std::time::{Duration, Instant};
 
-/// Check everything: golden files, audit, book
+/// Check everything: what formulas owe, golden files, audit, book
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   {command} verify                  the main job
@@ -32,7 +32,8 @@ struct Step {
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
-    let mut steps = vec![step("golden", || Ok(told(project, golden::check(project, &Selection::ALL)?)))?];
+    let mut steps = vec![step("owed", || check_owed(project))?];
+    steps.push(step("golden", || Ok(told(project, golden::check(project, &Selection::ALL)?)))?);
     if let Some((name, beside)) = project.extension.beside {
         steps.push(step(name, || Ok(told(project, golden::check_beside(project, &beside(project)?))))?);
     }
@@ -64,6 +65,14 @@ fn told(project: &Project, Checked { passed, counts, report }: Checked) -> (bool
         golden::say_what_mends(project);
     }
     (passed, counts)
+}
+
+fn check_owed(project: &Project) -> anyhow::Result<(bool, String)> {
+    let owed = owed::owed(project, project.catalog())?;
+    if !owed.is_empty() {
+        say(owed.concat().trim_end());
+    }
+    Ok((owed.is_empty(), owed::summary(project.catalog().len(), &owed)))
 }
 
 fn check_audit(project: &Project, samples: usize) -> anyhow::Result<(bool, String)> {

@@ -102,7 +102,8 @@ fn markdown_says_what_changed_against_the_committed_golden_file() {
         .prints("Against the committed golden file: 1 change.\n\n")
         .prints(&format!("- case {}, out.fn: committed 1000000000.0, computed {right} (", file.cases[0].id));
     std::fs::remove_file(path).unwrap();
-    bench.run(&audit).quiet().prints("There is no committed golden file to compare with: No such file");
+    let ran = bench.run(&audit).exits(1).prints("There is no committed golden file to compare with: No such file");
+    ran.prints("slot.friction owes\n    its golden file: cargo xtask golden --filter slot.friction\n");
 }
 
 #[test]

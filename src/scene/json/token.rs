@@ -1,6 +1,6 @@
 //! The tokens of JSON, and stepping over values.
 
-use super::{Read, Reader, Stop};
+use super::reader::{Read, Reader, Stop, excerpt};
 
 /// How deep a value may be nested; a scene needs 5.
 const DEPTH: usize = 32;
@@ -62,7 +62,7 @@ impl Reader<'_> {
     /// Steps over a number, `true`, `false` or `null`.
     fn plain(&mut self) -> Read<()> {
         for word in ["true", "false", "null"] {
-            if self.text.get(self.at..).is_some_and(|rest| rest.starts_with(word)) {
+            if self.text[self.at..].starts_with(word) {
                 self.at += word.len();
                 return Ok(());
             }
@@ -99,7 +99,7 @@ impl Reader<'_> {
                 return self.stop("a digit in the exponent");
             }
         }
-        Ok(self.text.get(start..self.at).and_then(|numeral| numeral.parse().ok()))
+        Ok(Some(self.text[start..self.at].parse().expect("Rust reads every numeral that JSON writes")))
     }
 
     fn digits(&mut self) -> usize {
@@ -117,29 +117,21 @@ impl Reader<'_> {
         loop {
             match self.peek() {
                 Some(b'"') => break,
-                Some(b'\\') => self.at += 2,
+                // Whatever it stands for, a quote behind it closes nothing.
+                Some(b'\\') => self.at += if self.at + 1 < self.text.len() { 2 } else { 1 },
                 Some(byte) if byte >= b' ' => self.at += 1,
                 _ => return self.stop("a closing quote"),
             }
         }
         self.at += 1;
-        let inside = self.text.get(start + 1..self.at - 1).unwrap_or_default();
+        let inside = &self.text[start + 1..self.at - 1];
         if !inside.contains('\\') {
             return Ok(inside.to_owned());
         }
-        let quoted = self.text.get(start..self.at).unwrap_or_default();
+        let quoted = &self.text[start..self.at];
         serde_json::from_str(quoted).map_err(|_| {
             self.fault(start, excerpt(quoted), "a string with JSON's escapes");
             Stop
         })
-    }
-}
-
-/// A value as it stands in the file, shortened.
-pub(super) fn excerpt(value: &str) -> String {
-    const SHOWN: usize = 40;
-    match value.char_indices().nth(SHOWN) {
-        None => value.to_owned(),
-        Some((cut, _)) => format!("{}…", value.get(..cut).unwrap_or_default()),
     }
 }

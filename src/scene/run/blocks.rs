@@ -1,8 +1,9 @@
-//! Elements block by block, the next one on its way from memory while one is evaluated.
+//! Elements block by block; while one is evaluated, the next is brought from memory into the cache.
 
-use super::nodes::Nodes;
+use super::nodes::NodeStates;
+use super::prefetch::{LINE, prefetch};
+use crate::scene::evaluate::{Column, LANES, Number};
 use crate::scene::plan::Group;
-use crate::scene::step::{Column, LANES, Number};
 
 /// One of the nodes of each element of a block.
 #[derive(Debug)]
@@ -16,7 +17,7 @@ pub(super) struct End {
 /// The blocks of a task that are still to come: what their elements keep, and their nodes.
 pub(super) struct Blocks<'b, T> {
     pub(super) group: &'b Group,
-    pub(super) nodes: &'b Nodes<'b, T>,
+    pub(super) nodes: &'b NodeStates<'b, T>,
     pub(super) lasting: &'b mut [Column<T>],
     pub(super) ends: &'b [End],
 }
@@ -32,7 +33,7 @@ impl<'b, T> Iterator for Blocks<'b, T> {
 }
 
 impl<T: Number> Blocks<'_, T> {
-    /// Has one of so many parts of the next block fetched. All at once would take longer than the memory needs for it.
+    /// Brings one of so many parts of the next block from memory. All at once would take longer than the memory needs.
     pub(super) fn prefetch(&self, part: usize, parts: usize) {
         let share = |of: usize| of * part / parts..of * (part + 1) / parts;
         let columns = self.group.recipe.lasting.min(self.lasting.len());
@@ -48,16 +49,4 @@ impl<T: Number> Blocks<'_, T> {
             }
         }
     }
-}
-
-/// Bytes that are fetched together.
-const LINE: usize = 64;
-
-/// Has a value fetched that will be needed soon, if the processor can be told.
-#[inline]
-pub(super) fn prefetch<V>(value: &V) {
-    #[cfg(target_arch = "x86_64")]
-    safe_arch::prefetch_t0(value);
-    #[cfg(not(target_arch = "x86_64"))]
-    let _ = value;
 }

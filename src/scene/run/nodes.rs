@@ -1,17 +1,17 @@
 //! Where the nodes are.
 
-use super::blocks::prefetch;
-use super::shared;
+use super::prefetch::prefetch;
+use super::share::shared;
+use crate::scene::evaluate::Number;
 use crate::scene::kind::Origin;
 use crate::scene::model::{Axes, Changes, Frame, Orientation, Scene, exactly, global, turned};
 use crate::scene::plan::Plan;
-use crate::scene::step::Number;
 use nalgebra::Vector3;
 use std::borrow::Cow;
 
 /// Where the nodes are now, and where they were. Nodes that never move come first, then those that do.
 #[derive(Debug)]
-pub(in crate::scene) struct Nodes<'s, T> {
+pub(super) struct NodeStates<'s, T> {
     /// The place here of each node of the scene.
     places: Vec<u32>,
     initial: Vec<[f64; 3]>,
@@ -29,8 +29,9 @@ pub(in crate::scene) struct Nodes<'s, T> {
     turning: Vec<(u32, u32)>,
 }
 
-impl<'s, T: Number> Nodes<'s, T> {
-    pub(super) fn new(scene: &'s Scene, plan: &Plan) -> Self {
+impl<'s, T: Number> NodeStates<'s, T> {
+    pub(super) fn new(plan: &Plan<'s>) -> Self {
+        let scene = plan.scene;
         let passes = || plan.groups.iter().flat_map(|group| [&group.recipe.start, &group.recipe.state]);
         let reads = |is: fn(Origin) -> bool| passes().any(|pass| pass.reads.iter().any(|&(origin, _)| is(origin)));
         let increments = reads(|origin| matches!(origin, Origin::Increment(_))) || !plan.contacts.is_empty();
@@ -42,12 +43,14 @@ impl<'s, T: Number> Nodes<'s, T> {
         let displacements: Cow<'s, [_]> = Cow::Owned(vec![[0.0; 3]; moving.len()]);
         let mut nodes = Self {
             places,
-            initial: fixed.iter().chain(&moving).map(|&node| scene.nodes[node as usize].at).collect(),
+            initial: fixed.iter().chain(&moving).map(|&node| scene.nodes[node].at).collect(),
             moving,
             before: increments.then(|| displacements.clone()),
             displacements,
             triad_of: Vec::new(),
-            triads: std::iter::once(global()).chain(scene.orientations.iter().map(Orientation::axes)).collect(),
+            triads: std::iter::once(global())
+                .chain(scene.orientations.things().iter().map(Orientation::axes))
+                .collect(),
             turning: Vec::new(),
         };
         if reads(|origin| matches!(origin, Origin::Axis(..))) {
@@ -59,20 +62,21 @@ impl<'s, T: Number> Nodes<'s, T> {
     /// Every node has the triad of its orientation; those that turn in some state, one of their own.
     fn share_triads(&mut self, scene: &Scene) {
         self.triad_of = vec![0; scene.nodes.len()];
-        for (node, &place) in scene.nodes.values().zip(&self.places) {
+        for (node, &place) in scene.nodes.things().iter().zip(&self.places) {
             self.triad_of[place as usize] = node.orientation.map_or(0, |index| index + 1);
         }
         let (_, turning) = changed(scene, |frame| &frame.turns);
-        for (node, own) in turning.into_iter().zip(self.triads.len()..) {
+        let first = u32::try_from(self.triads.len()).expect("orientations and nodes together are numbered in 32 bits");
+        for (node, own) in turning.into_iter().zip(first..) {
             let triad = &mut self.triad_of[self.places[node as usize] as usize];
             self.turning.push((node, *triad));
             self.triads.push(self.triads[*triad as usize]);
-            *triad = u32::try_from(own).unwrap_or(u32::MAX);
+            *triad = own;
         }
     }
 
     /// The place here of a node of the scene.
-    pub(in crate::scene) fn place(&self, node: u32) -> u32 {
+    pub(super) fn place(&self, node: u32) -> u32 {
         self.places[node as usize]
     }
 
@@ -84,7 +88,7 @@ impl<'s, T: Number> Nodes<'s, T> {
 
     /// Where a node is, by its place here.
     #[inline]
-    pub(in crate::scene) fn positions(&self) -> impl Fn(u32) -> Vector3<T> {
+    pub(super) fn positions(&self) -> impl Fn(u32) -> Vector3<T> {
         let (initial, displacements, fixed) = (&*self.initial, &*self.displacements, self.fixed());
         move |place| {
             let (place, at) = (place as usize, exactly(initial[place as usize]));
@@ -94,8 +98,9 @@ impl<'s, T: Number> Nodes<'s, T> {
 
     /// By how much a node has moved since the last state.
     #[inline]
-    pub(in crate::scene) fn increments(&self) -> impl Fn(u32) -> Vector3<T> {
-        let (now, before) = (&*self.displacements, self.before.as_deref().unwrap_or_default());
+    pub(super) fn increments(&self) -> impl Fn(u32) -> Vector3<T> {
+        let before = self.before.as_deref().expect("what asks for increments had them kept");
+        let now = &*self.displacements;
         let fixed = self.fixed();
         move |place| {
             let Some(moving) = (place as usize).checked_sub(fixed) else { return exactly([0.0; 3]) };
@@ -103,7 +108,7 @@ impl<'s, T: Number> Nodes<'s, T> {
         }
     }
 
-    /// Has what tells where a node is fetched.
+    /// Brings what tells where a node is from memory.
     #[inline]
     pub(super) fn prefetch(&self) -> impl Fn(u32) {
         let (initial, displacements, fixed) = (&*self.initial, &*self.displacements, self.fixed());
@@ -193,13 +198,17 @@ fn changed(scene: &Scene, changes: impl Fn(&Frame) -> &Changes<[f64; 3]>) -> (Ve
     let mut is_changed = vec![false; scene.nodes.len()];
     let all = scene.frames.iter().flat_map(|frame| &changes(frame).of);
     all.for_each(|&node| is_changed[node as usize] = true);
-    let nodes = 0..u32::try_from(scene.nodes.len()).unwrap_or(u32::MAX);
-    nodes.partition(|&node| !is_changed[node as usize])
+    (0..scene.nodes.next_number()).partition(|&node| !is_changed[node as usize])
 }
 
 /// The changes of these nodes, which are in order.
 fn among<N, V: Copy>(changes: &Changes<V>, nodes: &[N], number: impl Fn(&N) -> u32) -> impl Iterator<Item = (u32, V)> {
-    let from = nodes.first().map_or(0, |first| changes.place(0, number(first)));
-    let to = nodes.last().map_or(from, |last| changes.place(from, number(last) + 1));
-    changes.iter(from..to)
+    let places = match (nodes.first(), nodes.last()) {
+        (Some(first), Some(last)) => {
+            let from = changes.place(0, number(first));
+            from..changes.place(from, number(last) + 1)
+        }
+        _ => 0..0,
+    };
+    changes.iter(places)
 }

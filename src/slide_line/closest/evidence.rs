@@ -1,7 +1,9 @@
 //! What the evidence of the closest points shares: the corner z = r² + 1/4, which straight segments and parabolas have in
 //! common, and where a foot has no derivative.
 
-use super::{Candidates, Foot, View};
+use super::candidates::Candidates;
+use super::foot::Foot;
+use super::view::View;
 use crate::Octuple;
 use crate::formula::Formula;
 use crate::proof::{Case, Kink};

@@ -109,7 +109,8 @@ impl Formula for ClosestLinear {
         (projection.foot(), projection.gradients())
     }
 
+    #[inline]
     fn validate(i: &LinearSlave<f64>) -> Result<(), Error> {
-        check_distinct(&[("x1", i.x1), ("x2", i.x2)])
+        check_distinct([("x1", i.x1), ("x2", i.x2)])
     }
 }

@@ -3,10 +3,10 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::{Foot, SegmentFoot, View, check_tangent};
+use super::{Foot, SegmentFoot, View};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec, ValueAndJacobian};
 use crate::quantity::{X1, X2, X3, XS};
 use crate::scalar::Scalar;
 use crate::slide_line::check_distinct;
@@ -30,6 +30,34 @@ impl<D: Scalar> ParabolicSlave<D> {
     }
 }
 
+impl ParabolicSlave<f64> {
+    /// The foot, unless two nodes coincide or the curve stands still there.
+    fn checked_foot(&self) -> Result<(View<f64, Parabola, 3>, Foot<f64, 3>), Error> {
+        check_distinct([("x1", self.x1), ("x2", self.x2), ("x3", self.x3)])?;
+        let view = self.view();
+        let foot = Foot::with_tangent(&view, "g")?;
+        Ok((view, foot))
+    }
+}
+
+impl ClosestParabolic {
+    fn value_at<D: Scalar>(view: &View<D, Parabola, 3>, foot: &Foot<D, 3>) -> SegmentFoot<D> {
+        SegmentFoot { g: foot.u, separation: foot.separation() * view.binade.unit }
+    }
+
+    /// Value and Jacobian at the foot.
+    fn linearized_at<D: Scalar>(view: &View<D, Parabola, 3>, foot: &Foot<D, 3>) -> (SegmentFoot<D>, Jacobian<Self, D>) {
+        let ([n1, n2, n3], [m1, m2, m3]) = (foot.weights, foot.rates);
+        let g = |n, m| view.per_unit(foot.coordinate_by(n, m));
+        let normal = foot.normal();
+        let gradients = SegmentFoot {
+            g: ParabolicSlave { xs: g(-D::one(), D::zero()), x1: g(n1, m1), x2: g(n2, m2), x3: g(n3, m3) },
+            separation: ParabolicSlave { xs: normal, x1: normal * -n1, x2: normal * -n2, x3: normal * -n3 },
+        };
+        (Self::value_at(view, foot), gradients)
+    }
+}
+
 impl Formula for ClosestParabolic {
     const SPEC: Spec = Spec::new(
         "slide_line.closest_parabolic",
@@ -44,8 +72,7 @@ impl Formula for ClosestParabolic {
     #[inline]
     fn eval<D: Scalar>(i: &ParabolicSlave<D>) -> SegmentFoot<D> {
         let view = i.view();
-        let foot = Foot::on(&view);
-        SegmentFoot { g: foot.u, separation: foot.separation() * view.binade.unit }
+        Self::value_at(&view, &Foot::on(&view))
     }
 
     #[inline]
@@ -56,20 +83,21 @@ impl Formula for ClosestParabolic {
     #[inline]
     fn linearized<D: Scalar>(i: &ParabolicSlave<D>) -> (SegmentFoot<D>, Jacobian<Self, D>) {
         let view = i.view();
-        let foot = Foot::on(&view);
-        let value = SegmentFoot { g: foot.u, separation: foot.separation() * view.binade.unit };
-        let ([n1, n2, n3], [m1, m2, m3]) = (foot.weights, foot.rates);
-        let g = |n, m| view.per_unit(foot.coordinate_by(n, m));
-        let normal = foot.normal();
-        let gradients = SegmentFoot {
-            g: ParabolicSlave { xs: g(-D::one(), D::zero()), x1: g(n1, m1), x2: g(n2, m2), x3: g(n3, m3) },
-            separation: ParabolicSlave { xs: normal, x1: normal * -n1, x2: normal * -n2, x3: normal * -n3 },
-        };
-        (value, gradients)
+        Self::linearized_at(&view, &Foot::on(&view))
     }
 
+    #[inline]
     fn validate(i: &ParabolicSlave<f64>) -> Result<(), Error> {
-        check_distinct(&[("x1", i.x1), ("x2", i.x2), ("x3", i.x3)])?;
-        check_tangent(&i.view(), "g")
+        i.checked_foot().map(drop)
+    }
+
+    #[inline]
+    fn try_eval(i: &ParabolicSlave<f64>) -> Result<SegmentFoot<f64>, Error> {
+        i.checked_foot().map(|(view, foot)| Self::value_at(&view, &foot))
+    }
+
+    #[inline]
+    fn try_linearized(i: &ParabolicSlave<f64>) -> Result<ValueAndJacobian<Self, f64>, Error> {
+        i.checked_foot().map(|(view, foot)| Self::linearized_at(&view, &foot))
     }
 }

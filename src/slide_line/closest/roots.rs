@@ -113,7 +113,7 @@ fn short_fraction<L: Leaf>(u: L) -> L {
 /// Without zeros in the highest places.
 fn trimmed<L: Leaf>(p: &[L]) -> &[L] {
     let degree = p.iter().rposition(|&c| c != 0.0).map_or(0, |k| k + 1);
-    p.get(..degree).unwrap_or(p)
+    &p[..degree]
 }
 
 fn derivative<L: Leaf>(p: &[L]) -> ArrayVec<L, 5> {

@@ -3,15 +3,14 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::{Foot, View, check_tangent};
+use super::{Foot, View};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec, ValueAndJacobian};
 use crate::quantity::{CORNER_T, FRACTION, SEPARATION, X1, X2, X3, XS};
 use crate::scalar::{Scalar, abs};
 use crate::slide_line::check_distinct;
-use crate::slide_line::points::Sides;
-use crate::slide_line::shape::LinearCorner;
+use crate::slide_line::shape::{LinearCorner, Sides};
 use nalgebra::Vector2;
 
 fields! {
@@ -48,6 +47,55 @@ impl<D: Scalar> LinearCornerSlave<D> {
     }
 }
 
+impl LinearCornerSlave<f64> {
+    /// The foot, unless two nodes coincide or the curve stands still there.
+    fn checked_foot(&self) -> Result<(View<f64, LinearCorner, 3>, Foot<f64, 3>), Error> {
+        check_distinct([("x1", self.x1), ("x2", self.x2)])?;
+        check_distinct([("x2", self.x2), ("x3", self.x3)])?;
+        let view = self.view();
+        let foot = Foot::with_tangent(&view, "t")?;
+        Ok((view, foot))
+    }
+}
+
+impl ClosestSmoothedLinear {
+    fn value_at<D: Scalar>(view: &View<D, LinearCorner, 3>, foot: &Foot<D, 3>) -> CornerFoot<D> {
+        CornerFoot { t: foot.u, separation: foot.separation() * view.binade.unit }
+    }
+
+    /// Value and Jacobian at the foot.
+    ///
+    /// With respect to f: since n ⟂ Y′, n·∂X/∂f = 2st (x2−x1) × (x3−x2)/|Y′|.
+    fn linearized_at<D: Scalar>(
+        i: &LinearCornerSlave<D>,
+        view: &View<D, LinearCorner, 3>,
+        foot: &Foot<D, 3>,
+    ) -> (CornerFoot<D>, Jacobian<Self, D>) {
+        let ([n1, n2, n3], [m1, m2, m3]) = (foot.weights, foot.rates);
+        let t = |n, m| view.per_unit(foot.coordinate_by(n, m));
+        let normal = foot.normal();
+        let [before, behind] = foot.parts();
+        let opening = Sides::new([i.x1, i.x2, i.x3]).turn(foot.speed(view)) * before * behind * -2.0;
+        let gradients = CornerFoot {
+            t: LinearCornerSlave {
+                xs: t(-D::one(), D::zero()),
+                x1: t(n1, m1),
+                x2: t(n2, m2),
+                x3: t(n3, m3),
+                f: i.bulge(view, foot) * foot.per_slope,
+            },
+            separation: LinearCornerSlave {
+                xs: normal,
+                x1: normal * -n1,
+                x2: normal * -n2,
+                x3: normal * -n3,
+                f: if foot.inside { opening } else { D::zero() },
+            },
+        };
+        (Self::value_at(view, foot), gradients)
+    }
+}
+
 impl Formula for ClosestSmoothedLinear {
     const SPEC: Spec = Spec::new(
         "slide_line.closest_smoothed_linear",
@@ -65,8 +113,7 @@ impl Formula for ClosestSmoothedLinear {
     #[inline]
     fn eval<D: Scalar>(i: &LinearCornerSlave<D>) -> CornerFoot<D> {
         let view = i.view();
-        let foot = Foot::on(&view);
-        CornerFoot { t: foot.u, separation: foot.separation() * view.binade.unit }
+        Self::value_at(&view, &Foot::on(&view))
     }
 
     #[inline]
@@ -74,39 +121,24 @@ impl Formula for ClosestSmoothedLinear {
         Self::linearized(i).1
     }
 
-    /// With respect to f: since n ⟂ Y′, n·∂X/∂f = 2st (x2−x1) × (x3−x2)/|Y′|.
     #[inline]
     fn linearized<D: Scalar>(i: &LinearCornerSlave<D>) -> (CornerFoot<D>, Jacobian<Self, D>) {
         let view = i.view();
-        let foot = Foot::on(&view);
-        let value = CornerFoot { t: foot.u, separation: foot.separation() * view.binade.unit };
-        let ([n1, n2, n3], [m1, m2, m3]) = (foot.weights, foot.rates);
-        let t = |n, m| view.per_unit(foot.coordinate_by(n, m));
-        let normal = foot.normal();
-        let [before, behind] = foot.parts();
-        let opening = Sides::new([i.x1, i.x2, i.x3]).turn(foot.speed(&view)) * before * behind * -2.0;
-        let gradients = CornerFoot {
-            t: LinearCornerSlave {
-                xs: t(-D::one(), D::zero()),
-                x1: t(n1, m1),
-                x2: t(n2, m2),
-                x3: t(n3, m3),
-                f: i.bulge(&view, &foot) * foot.per_slope,
-            },
-            separation: LinearCornerSlave {
-                xs: normal,
-                x1: normal * -n1,
-                x2: normal * -n2,
-                x3: normal * -n3,
-                f: if foot.inside { opening } else { D::zero() },
-            },
-        };
-        (value, gradients)
+        Self::linearized_at(i, &view, &Foot::on(&view))
     }
 
+    #[inline]
     fn validate(i: &LinearCornerSlave<f64>) -> Result<(), Error> {
-        check_distinct(&[("x1", i.x1), ("x2", i.x2)])?;
-        check_distinct(&[("x2", i.x2), ("x3", i.x3)])?;
-        check_tangent(&i.view(), "t")
+        i.checked_foot().map(drop)
+    }
+
+    #[inline]
+    fn try_eval(i: &LinearCornerSlave<f64>) -> Result<CornerFoot<f64>, Error> {
+        i.checked_foot().map(|(view, foot)| Self::value_at(&view, &foot))
+    }
+
+    #[inline]
+    fn try_linearized(i: &LinearCornerSlave<f64>) -> Result<ValueAndJacobian<Self, f64>, Error> {
+        i.checked_foot().map(|(view, foot)| Self::linearized_at(i, &view, &foot))
     }
 }

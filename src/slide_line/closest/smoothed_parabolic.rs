@@ -3,15 +3,14 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::{CornerFoot, Foot, View, check_tangent};
+use super::{CornerFoot, Foot, View};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Formula, Jacobian, Spec, ValueAndJacobian};
 use crate::quantity::{FRACTION, X1, X2, X3, X4, X5, XS};
 use crate::scalar::Scalar;
 use crate::slide_line::check_distinct;
-use crate::slide_line::points::Sides;
-use crate::slide_line::shape::{ParabolicCorner, Shape};
+use crate::slide_line::shape::{ParabolicCorner, Shape, Sides};
 use nalgebra::Vector2;
 
 fields! {
@@ -39,45 +38,37 @@ impl<D: Scalar> ParabolicCornerSlave<D> {
     }
 }
 
-impl Formula for ClosestSmoothedParabolic {
-    const SPEC: Spec = Spec::new(
-        "slide_line.closest_smoothed_parabolic",
-        "Closest point of a smoothed corner between parabolic segments",
-        Document::SLIDE_LINE.ours(
-            "Smoothing the slide line",
-            "the section on smoothing that it refers to was not given",
-        ),
-    )
-        .equation(r"(\mathbf{x}_s-\mathbf{X}(t))\cdot\mathbf{X}'(t) = 0,\quad 0 \le t \le 1,\qquad E_{11} = (\mathbf{x}_s-\mathbf{X})\cdot\mathbf{n}")
-        .eta(4.0, 128.0);
-    type Inputs<T: Component> = ParabolicCornerSlave<T>;
-    type Outputs<T: Component> = CornerFoot<T>;
+impl ParabolicCornerSlave<f64> {
+    /// The foot, unless two nodes coincide or the curve stands still there.
+    fn checked_foot(&self) -> Result<(View<f64, ParabolicCorner, 5>, Foot<f64, 5>), Error> {
+        check_distinct([("x1", self.x1), ("x2", self.x2), ("x3", self.x3)])?;
+        check_distinct([("x3", self.x3), ("x4", self.x4), ("x5", self.x5)])?;
+        let view = self.view();
+        let foot = Foot::with_tangent(&view, "t")?;
+        Ok((view, foot))
+    }
+}
 
-    #[inline]
-    fn eval<D: Scalar>(i: &ParabolicCornerSlave<D>) -> CornerFoot<D> {
-        let view = i.view();
-        let foot = Foot::on(&view);
+impl ClosestSmoothedParabolic {
+    fn value_at<D: Scalar>(view: &View<D, ParabolicCorner, 5>, foot: &Foot<D, 5>) -> CornerFoot<D> {
         CornerFoot { t: foot.u, separation: foot.separation() * view.binade.unit }
     }
 
-    #[inline]
-    fn jacobian<D: Scalar>(i: &ParabolicCornerSlave<D>) -> Jacobian<Self, D> {
-        Self::linearized(i).1
-    }
-
+    /// Value and Jacobian at the foot.
+    ///
     /// With respect to f an end moves along its own tangent, so only the turning of that matters there.
-    #[inline]
-    fn linearized<D: Scalar>(i: &ParabolicCornerSlave<D>) -> (CornerFoot<D>, Jacobian<Self, D>) {
-        let view = i.view();
-        let foot = Foot::on(&view);
-        let value = CornerFoot { t: foot.u, separation: foot.separation() * view.binade.unit };
+    fn linearized_at<D: Scalar>(
+        i: &ParabolicCornerSlave<D>,
+        view: &View<D, ParabolicCorner, 5>,
+        foot: &Foot<D, 5>,
+    ) -> (CornerFoot<D>, Jacobian<Self, D>) {
         let ([n1, n2, n3, n4, n5], [m1, m2, m3, m4, m5]) = (foot.weights, foot.rates);
         let t = |n, m| view.per_unit(foot.coordinate_by(n, m));
         let normal = foot.normal();
         // By f: of X, Y′ and Y″, and of X′, which is f Y′ and hence quadratic in f.
-        let [point, rate, bend] = ParabolicCorner::by_fraction(i.f, foot.u).map(|weights| view.combination(weights));
+        let [point, rate, second] = ParabolicCorner::by_fraction(i.f, foot.u).map(|weights| view.combination(weights));
         let rate_of_point = view.combination(ParabolicCorner::rates(i.f * 2.0, foot.u));
-        let (point, rate) = (point + rate_of_point * foot.missing, rate + bend * foot.missing);
+        let (point, rate) = (point + rate_of_point * foot.missing, rate + second * foot.missing);
         let gradients = CornerFoot {
             t: ParabolicCornerSlave {
                 xs: t(-D::one(), D::zero()),
@@ -95,15 +86,56 @@ impl Formula for ClosestSmoothedParabolic {
                 x3: normal * -n3,
                 x4: normal * -n4,
                 x5: normal * -n5,
-                f: if foot.inside { -(normal.dot(&point) * view.binade.unit) } else { i.end_turning(&view, &foot) },
+                f: if foot.inside { -(normal.dot(&point) * view.binade.unit) } else { i.end_turning(view, foot) },
             },
         };
-        (value, gradients)
+        (Self::value_at(view, foot), gradients)
+    }
+}
+
+impl Formula for ClosestSmoothedParabolic {
+    const SPEC: Spec = Spec::new(
+        "slide_line.closest_smoothed_parabolic",
+        "Closest point of a smoothed corner between parabolic segments",
+        Document::SLIDE_LINE.ours(
+            "Smoothing the slide line",
+            "the section on smoothing that it refers to was not given",
+        ),
+    )
+        .equation(r"(\mathbf{x}_s-\mathbf{X}(t))\cdot\mathbf{X}'(t) = 0,\quad 0 \le t \le 1,\qquad E_{11} = (\mathbf{x}_s-\mathbf{X})\cdot\mathbf{n}")
+        .eta(4.0, 128.0);
+    type Inputs<T: Component> = ParabolicCornerSlave<T>;
+    type Outputs<T: Component> = CornerFoot<T>;
+
+    #[inline]
+    fn eval<D: Scalar>(i: &ParabolicCornerSlave<D>) -> CornerFoot<D> {
+        let view = i.view();
+        Self::value_at(&view, &Foot::on(&view))
     }
 
+    #[inline]
+    fn jacobian<D: Scalar>(i: &ParabolicCornerSlave<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &ParabolicCornerSlave<D>) -> (CornerFoot<D>, Jacobian<Self, D>) {
+        let view = i.view();
+        Self::linearized_at(i, &view, &Foot::on(&view))
+    }
+
+    #[inline]
     fn validate(i: &ParabolicCornerSlave<f64>) -> Result<(), Error> {
-        check_distinct(&[("x1", i.x1), ("x2", i.x2), ("x3", i.x3)])?;
-        check_distinct(&[("x3", i.x3), ("x4", i.x4), ("x5", i.x5)])?;
-        check_tangent(&i.view(), "t")
+        i.checked_foot().map(drop)
+    }
+
+    #[inline]
+    fn try_eval(i: &ParabolicCornerSlave<f64>) -> Result<CornerFoot<f64>, Error> {
+        i.checked_foot().map(|(view, foot)| Self::value_at(&view, &foot))
+    }
+
+    #[inline]
+    fn try_linearized(i: &ParabolicCornerSlave<f64>) -> Result<ValueAndJacobian<Self, f64>, Error> {
+        i.checked_foot().map(|(view, foot)| Self::linearized_at(i, &view, &foot))
     }
 }

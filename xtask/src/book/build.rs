@@ -19,6 +19,9 @@ use super::fault::Faults;
 use super::preprocessor::Formulary;
 use super::{links, source};
 
+/// How a book looks that has no `theme` of its own.
+const THEME: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../book/theme");
+
 /// How long a half-built folder of an interrupted run is left alone, in case that run is still going.
 const STALE: Duration = Duration::from_mins(10);
 
@@ -55,8 +58,10 @@ pub(crate) fn build(root: &Path, options: &Options, content: Content) -> Result<
     let partial = Partial::beside(&out)?;
     let content = Rc::new(content);
     let later = Rc::new(Deferred::default());
-    let (title, chapters) = render(&root.join("book"), &partial.0, &content, &later)?;
-    finish(&partial.0, &title, &content, &later)?;
+    let book = root.join("book");
+    let theme = if book.join("theme").exists() { book.join("theme") } else { PathBuf::from(THEME) };
+    let (title, chapters) = render(&book, &theme, &partial.0, &content, &later)?;
+    finish(&theme, &partial.0, &title, &content, &later)?;
     partial.replace(&out)?;
     Ok(Summary {
         index: out.join("index.html"),
@@ -68,13 +73,20 @@ pub(crate) fn build(root: &Path, options: &Options, content: Content) -> Result<
 }
 
 /// Runs mdBook; answers the title of the book and the number of its chapters.
-fn render(book: &Path, out: &Path, content: &Rc<Content>, later: &Rc<Deferred>) -> Result<(String, usize)> {
+fn render(
+    book: &Path,
+    theme: &Path,
+    out: &Path,
+    content: &Rc<Content>,
+    later: &Rc<Deferred>,
+) -> Result<(String, usize)> {
     let mut config = Config::from_disk(book.join("book.toml"))?;
     config.build.build_dir = out.to_path_buf();
     config.build.create_missing = false;
     config.build.use_default_preprocessors = false;
     // Listing pages and fonts name the style sheets by their plain names.
     config.set("output.html.hash-files", false)?;
+    config.set("output.html.theme", theme)?;
     let title = config.book.title.clone().unwrap_or_default();
     let mut book_on_disk = MDBook::load_with_config(book, config)?;
     let (content, later) = (Rc::clone(content), Rc::clone(later));
@@ -85,8 +97,11 @@ fn render(book: &Path, out: &Path, content: &Rc<Content>, later: &Rc<Deferred>) 
 }
 
 /// Puts in what was deferred, adds listings and golden files, and follows every link.
-fn finish(out: &Path, title: &str, content: &Content, later: &Deferred) -> Result<()> {
+fn finish(theme: &Path, out: &Path, title: &str, content: &Content, later: &Deferred) -> Result<()> {
     fill(out, later)?;
+    for sheet in ["book.css", "code.css"] {
+        write(&out.join("theme").join(sheet), &fs::read(theme.join(sheet))?)?;
+    }
     for source in &content.sources {
         write(&out.join(source::listing_page(&source.path)), source::listing(source, title).as_bytes())?;
     }

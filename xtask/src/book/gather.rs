@@ -3,7 +3,6 @@
 use super::content::{self, Content, Entry, GoldenCounts, GoldenFile, Kink, SourceFile, Symbol};
 use super::locate::Index;
 use crate::evidence::Evidence;
-use crate::golden;
 use crate::project::Project;
 use crate::report::data::Report;
 use anyhow::Context;
@@ -28,7 +27,7 @@ pub(crate) fn content(project: &Project, report: Option<Report>) -> anyhow::Resu
     let mut golden = Vec::new();
     for formula in project.catalog() {
         // A formula without its file is an off of `golden --check`; the entry says so.
-        if let Ok(bytes) = std::fs::read(golden::path(project, *formula)) {
+        if let Ok(bytes) = std::fs::read(project.golden_file(formula.spec().id)) {
             golden.push(GoldenFile { name: format!("{}.json", formula.spec().id), bytes });
         }
     }
@@ -60,7 +59,7 @@ fn read_sources(project: &Project, path: &Path, sources: &mut Vec<SourceFile>) -
 fn entry(project: &Project, formula: &dyn AnyFormula, index: &Index<'_>, evidence: &Evidence) -> Entry {
     let spec = formula.spec();
     let (file, type_name) = place(formula.path());
-    let golden = std::fs::read_to_string(golden::path(project, formula));
+    let golden = std::fs::read_to_string(project.golden_file(spec.id));
     let checked = evidence.golden.get(spec.id);
     Entry {
         id: spec.id.into(),

@@ -47,10 +47,7 @@ fn content() -> Content {
 /// Writes a book of one chapter and builds it.
 fn book(root: &Path, chapter: &str) -> anyhow::Result<()> {
     let file = |path: &str, text: &str| write(&root.join("book").join(path), text.as_bytes()).unwrap();
-    file(
-        "book.toml",
-        "[book]\ntitle = \"T\"\n[output.html]\nadditional-css = [\"theme/book.css\", \"theme/code.css\"]\n",
-    );
+    file("book.toml", "[book]\ntitle = \"T\"\n");
     file("src/SUMMARY.md", "# Summary\n\n- [One](one.md)\n");
     file("src/one.md", chapter);
     file("figures/plain.svg", "<svg viewBox=\"0 0 1 1\"><title>Plain</title><path d=\"M0 0\"/></svg>\n");

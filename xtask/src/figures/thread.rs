@@ -2,8 +2,8 @@
 
 use super::chart::{Axis, Chart, Curve};
 use jointproof::Error;
-use jointproof::isl::{Contact, Element, ElementSet, Increment, Interaction, State, TorquePrint};
-use jointproof::slide_line::{Kind, Nodes, SlideLine};
+use jointproof::isl::{Contact, ContactState, ElementSet, Increment, Interaction, IslElement, TorquePrint};
+use jointproof::slide_line::{Interpolation, Nodes, SlideLine};
 use std::f64::consts::PI;
 
 /// Lengths in mm, forces in N. The load flank of the box runs from the radius 46 to 52, that of the pin from 47 to 51.
@@ -20,8 +20,8 @@ const SLOPE: f64 = 0.75;
 fn flanks() -> Result<Vec<Contact>, Error> {
     (1..=4)
         .map(|flank| {
-            let line = SlideLine::new(Kind::Linear, [10 * flank + 1, 10 * flank + 2])?;
-            let pin = [Element::isl21a(flank, [10 * flank + 3, 10 * flank + 4])?];
+            let line = SlideLine::new(Interpolation::Linear, [10 * flank + 1, 10 * flank + 2])?;
+            let pin = [IslElement::isl21a(flank, [10 * flank + 3, 10 * flank + 4])?];
             let pin = ElementSet::new(format!("flank {flank}"), pin)?;
             Ok(Contact::new(line, pin, Interaction::linear(STIFFNESS)?))
         })
@@ -47,7 +47,8 @@ fn places(makeup: f64) -> Result<Nodes, Error> {
 fn make_up(increments: u32, advance: f64, frequency: u32) -> Result<TorquePrint, Error> {
     let flanks = flanks()?;
     let start = places(0.0)?;
-    let mut states: Vec<State> = flanks.iter().map(|flank| flank.start(start.clone())).collect::<Result<_, _>>()?;
+    let mut states: Vec<ContactState> =
+        flanks.iter().map(|flank| flank.start(start.clone())).collect::<Result<_, _>>()?;
     let mut table = TorquePrint::every(frequency);
     for increment in 1..=increments {
         let now = places(f64::from(increment) * advance)?;
@@ -123,8 +124,8 @@ fn tilted(share: f64, closed: f64) -> f64 {
 ///
 /// With h linear along the flank and r = 47 + 4 s, the closed form is 2π k ℓ ∫ r² h ds over the closed part.
 fn error_of_a_tilted_flank(elements: u32, closed: f64) -> Result<f64, Error> {
-    let set = (1..=elements).map(|e| Element::isl21a(e, [e + 2, e + 3])).collect::<Result<Vec<_>, _>>()?;
-    let line = SlideLine::new(Kind::Linear, [1, 2])?;
+    let set = (1..=elements).map(|e| IslElement::isl21a(e, [e + 2, e + 3])).collect::<Result<Vec<_>, _>>()?;
+    let line = SlideLine::new(Interpolation::Linear, [1, 2])?;
     let flank = Contact::new(line, ElementSet::new("tilted", set)?, Interaction::linear(STIFFNESS)?);
     let pin = (0..=elements).map(|e| {
         let share = f64::from(e) / f64::from(elements);

@@ -79,7 +79,7 @@ fn measure<J: Joint>(scene: &Scene, elements: usize, times: usize) -> anyhow::Re
     let (mut of_scene, mut of_bare) = (Vec::new(), Vec::new());
     let mut bytes = [0, 0];
     for _ in 0..times {
-        let mut run = Run::<f64>::new(scene, &plan)?;
+        let mut run = Run::<f64>::new(&plan)?;
         let start = Instant::now();
         while run.advance()? {}
         of_scene.push(start.elapsed().as_secs_f64());

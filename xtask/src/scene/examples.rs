@@ -64,7 +64,7 @@ pub(crate) fn outputs(project: &Project) -> anyhow::Result<Vec<(String, String)>
     for (name, scene) in scenes(project)? {
         let plan = Plan::new(&scene);
         let (results, exact) = (Results::of(&scene)?, Results::exact(&scene)?);
-        outputs.push((format!("plan-of-{name}"), show::plan(&scene, &plan, Format::Text)?));
+        outputs.push((format!("plan-of-{name}"), show::plan(&plan, Format::Text)?));
         outputs.push((format!("results-of-{name}"), show::results(&scene, &results, Some(&exact), Format::Text)?));
     }
     Ok(outputs)

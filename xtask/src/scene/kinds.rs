@@ -33,7 +33,7 @@ fn described(kind: &'static Kind) -> [Table; 2] {
     };
     let load = |name: &str| vec![format!("`{name}`"), meaning(kind, name), "a load, 0 until a frame gives it".into()];
     let output = |&(name, register): &(&str, &str)| {
-        let formulas: Vec<_> = kind.writers(register).map(|formula| format!("`{}`", formula.step.id())).collect();
+        let formulas: Vec<_> = kind.writers(register).map(|formula| format!("`{}`", formula.id())).collect();
         vec![format!("`{name}`"), meaning(kind, register), formulas.join(", ")]
     };
     let head = |names: [&str; 3]| names.map(String::from).into();

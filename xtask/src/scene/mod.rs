@@ -117,15 +117,15 @@ fn read(path: &Path) -> anyhow::Result<Result<Scene, String>> {
 fn one(project: &Project, arguments: &Arguments, path: &Path, scene: &Scene) -> anyhow::Result<()> {
     let plan = Plan::new(scene);
     if arguments.plan {
-        return print(&show::plan(scene, &plan, arguments.format)?);
+        return print(&show::plan(&plan, arguments.format)?);
     }
     if arguments.format == show::Format::Csv && !arguments.error && arguments.plot.is_none() {
-        return piped(show::stream(scene, &plan, &mut anstream::stdout().lock()));
+        return piped(show::stream(&plan, &mut anstream::stdout().lock()));
     }
     let limit = if arguments.format == show::Format::Text { show::SHOWN } else { usize::MAX };
-    let (results, time) = timed("f64", scene, |each| Results::collect::<f64>(scene, &plan, limit, each))?;
+    let (results, time) = timed("f64", scene, |each| Results::collect::<f64>(&plan, limit, each))?;
     let exact = if arguments.error {
-        Some(timed("237 bits", scene, |each| Results::collect::<Octuple>(scene, &plan, limit, each))?)
+        Some(timed("237 bits", scene, |each| Results::collect::<Octuple>(&plan, limit, each))?)
     } else {
         None
     };

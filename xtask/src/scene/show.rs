@@ -20,9 +20,9 @@ pub(crate) enum Format {
 /// Elements that a table on the terminal has.
 pub(crate) const SHOWN: usize = 8;
 
-pub(crate) fn plan(scene: &Scene, plan: &Plan, format: Format) -> anyhow::Result<String> {
+pub(crate) fn plan(plan: &Plan<'_>, format: Format) -> anyhow::Result<String> {
     let lines = plan.lines();
-    let states = scene.times().len();
+    let states = plan.scene().times().len();
     if format == Format::Text {
         let mut text = String::new();
         for line in &lines {
@@ -197,9 +197,10 @@ const HEAD: &str = "time,element,output,component,value\n";
 
 /// Evaluates and writes state by state, so that memory does not grow with the number of states. What was written before
 /// a formula turns out to be undefined is right, and the exit code says that there was no more.
-pub(crate) fn stream(scene: &Scene, plan: &Plan, out: &mut impl Write) -> anyhow::Result<()> {
+pub(crate) fn stream(plan: &Plan<'_>, out: &mut impl Write) -> anyhow::Result<()> {
     let mut out = BufWriter::with_capacity(1 << 20, out);
-    let mut run = Run::<f64>::new(scene, plan)?;
+    let scene = plan.scene();
+    let mut run = Run::<f64>::new(plan)?;
     let bar = progress("scene", scene.times().len());
     out.write_all(HEAD.as_bytes())?;
     for time in scene.times() {

@@ -3,8 +3,8 @@
 use crate::statements::document::Document;
 use crate::statements::statement::{Statement, covered, mended, open, outside};
 use jointproof::formula;
-use jointproof::isl::{Contact, Element, ElementSet, Interaction, TorquePrint};
-use jointproof::slide_line::{self, Kind, Nodes, PlacedLine, SlideLine};
+use jointproof::isl::{Contact, ElementSet, Interaction, IslElement, TorquePrint};
+use jointproof::slide_line::{self, Interpolation, Nodes, PlacedLine, SlideLine};
 use jointproof::{coulomb, interaction};
 
 pub(super) fn document() -> Document {
@@ -91,14 +91,14 @@ fn line() -> Vec<Statement> {
             .test("slide_line/main::bad_lines_are_named"),
         covered("L22-s3", "It defines the tangent.").formulas(&[&slide_line::LocalBasis]),
         covered("L22-s4", "Segments are linear or parabolic, after the order of the elements.")
-            .item::<Kind>()
+            .item::<Interpolation>()
             .formulas(&[&slide_line::LinearPoint, &slide_line::ParabolicPoint])
             .chapter("slide-line.md#segments"),
         covered("L22-s5", "Smoothing may improve convergence.").chapter("slide-line.md#smoothed-corners"),
         covered("L24", "First-order elements have a line of linear segments.")
             .formulas(&[&slide_line::LinearPoint])
             .cases(&slide_line::LinearPoint, &["first-node", "last-node"])
-            .item::<Kind>(),
+            .item::<Interpolation>(),
         covered("L25", "Keyword: SLIDE LINE, TYPE=LINEAR.").chapter("scenes.md#slide-lines"),
         outside("L26-30", "A figure of a linear line.", "shows what the words say"),
         covered("L32-s1", "Second-order elements have a line of second-order segments.")
@@ -149,7 +149,7 @@ fn elements() -> Vec<Statement> {
         )
         .formulas(&[&slide_line::ContactAreaLinear, &slide_line::ContactAreaParabolic])
         .law(&slide_line::ContactAreaLinear, "the areas add up")
-        .method(Element::areas::<f64>)
+        .method(IslElement::areas::<f64>)
         .chapter("slide-line.md#contact-area"),
         covered("L48", "A line is associated with a set of elements.")
             .item::<Contact>()
@@ -221,11 +221,11 @@ fn torque() -> Vec<Statement> {
 fn library() -> Vec<Statement> {
     vec![
         covered("L76", "ISL21A has two nodes, for first-order axisymmetric elements.")
-            .method(Element::isl21a)
+            .method(IslElement::isl21a)
             .outputs(&["isl21a/E11"])
             .chapter("scenes.md#slide-lines"),
         covered("L77", "ISL22A has three nodes, for second-order axisymmetric elements.")
-            .method(Element::isl22a)
+            .method(IslElement::isl22a)
             .outputs(&["isl22a/E11"]),
         covered("L79", "Degrees of freedom 1 and 2 at the nodes.").item::<Nodes>().chapter("scenes.md#slide-lines"),
         covered("L81", "Two variables more at each node, for the contact stresses.")
@@ -264,7 +264,7 @@ fn library() -> Vec<Statement> {
         .outputs(&["isl21a/E12", "isl22a/E12"])
         .chapter("slide-line.md#slip"),
         covered("L95-124", "Figures: the order of the nodes; integration points are at the nodes.")
-            .method(Element::areas::<f64>)
+            .method(IslElement::areas::<f64>)
             .test("isl::areas_add_up_at_shared_nodes")
             .chapter("slide-line.md#contact-area"),
         outside("L125-127", "The next section, rigid surfaces.", "not among the documents"),

@@ -1,0 +1,103 @@
+//! The registers of a block of elements, and how a formula is wired to them.
+
+use crate::Scalar;
+use crate::error::Error;
+use nalgebra::Vector3;
+use std::ops::Range;
+
+/// Where in the registers a step finds its inputs and puts its outputs, component by component.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Wiring {
+    /// A register per input component.
+    pub(in crate::scene) inputs: Vec<u16>,
+    /// A register per output component.
+    pub(in crate::scene) outputs: Vec<u16>,
+}
+
+/// A run of registers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::scene) struct Span {
+    pub(in crate::scene) at: usize,
+    pub(in crate::scene) len: usize,
+}
+
+impl Span {
+    #[inline]
+    pub(in crate::scene) fn range(self) -> Range<usize> {
+        self.at..self.at + self.len
+    }
+}
+
+/// Elements that are evaluated together: few enough for their registers to stay in the first-level cache.
+pub(in crate::scene) const LANES: usize = 64;
+
+/// What the elements of a block have in one register.
+pub(in crate::scene) type Column<T> = [T; LANES];
+
+/// A block of elements: a column per register. Lanes beyond the last element are not touched.
+#[derive(Debug)]
+pub struct Lanes<'r, T> {
+    /// The registers that last from state to state.
+    pub(in crate::scene) lasting: &'r mut [Column<T>],
+    /// The registers after them, which every block of a task uses in turn.
+    pub(in crate::scene) passing: &'r mut [Column<T>],
+    /// The first element, by its place in its group.
+    pub(in crate::scene) first: usize,
+    /// How many lanes hold an element.
+    pub(in crate::scene) count: usize,
+}
+
+impl<T: Scalar> Lanes<'_, T> {
+    /// What all lanes have in these registers.
+    fn columns(&mut self, span: Span) -> &mut [Column<T>] {
+        match span.at.checked_sub(self.lasting.len()) {
+            Some(at) => &mut self.passing[at..at + span.len],
+            None => &mut self.lasting[span.range()],
+        }
+    }
+
+    /// Copies registers that last to others that do not.
+    pub(in crate::scene) fn copy(&mut self, lasting: Span, passing: Span) {
+        let at = passing.at - self.lasting.len();
+        self.passing[at..at + passing.len].copy_from_slice(&self.lasting[lasting.range()]);
+    }
+
+    /// Fills the registers of a vector, or of its part in the plane, with the same for all lanes.
+    pub(in crate::scene) fn spread(&mut self, span: Span, vector: Vector3<T>) {
+        for (register, &component) in self.columns(span).iter_mut().zip(&vector) {
+            *register = [component; LANES];
+        }
+    }
+
+    /// Fills them with a vector of each lane's node.
+    #[inline]
+    pub(in crate::scene) fn fill(&mut self, span: Span, nodes: &Column<u32>, vector: impl Fn(u32) -> Vector3<T>) {
+        let count = self.count.min(LANES);
+        match self.columns(span) {
+            [x, y, z] => {
+                for lane in 0..count {
+                    let vector = vector(nodes[lane]);
+                    (x[lane], y[lane], z[lane]) = (vector.x, vector.y, vector.z);
+                }
+            }
+            [x, y] => {
+                for lane in 0..count {
+                    let vector = vector(nodes[lane]);
+                    (x[lane], y[lane]) = (vector.x, vector.y);
+                }
+            }
+            others => unreachable!("a position has two or three components, not {}", others.len()),
+        }
+    }
+}
+
+/// A formula that rejected its inputs or overflowed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Failure {
+    /// The element, by its place in its group.
+    pub element: usize,
+    /// The formula.
+    pub formula: &'static str,
+    /// What it says.
+    pub error: Error,
+}

@@ -1,0 +1,207 @@
+//! A formula as a step of a plan: it reads its inputs from an element's registers and writes its outputs there.
+
+#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
+
+use super::lanes::{Column, Failure, LANES, Lanes, Wiring};
+use crate::error::Error;
+use crate::formula::{Field, Fields, Formula};
+use crate::scalar::abs;
+use crate::{Octuple, Scalar};
+use std::cell::Cell;
+use std::marker::PhantomData;
+
+/// A number in which a plan is evaluated: `f64` for results, [`Octuple`] for their errors.
+pub trait Number: Scalar {
+    /// How many blocks of elements make a task that is worth a thread.
+    const BLOCKS: usize;
+    /// An exact double as this number.
+    fn exactly(x: f64) -> Self;
+    /// The nearest double.
+    fn rounded(self) -> f64;
+    /// Whether the inputs are valid together; doubles are asked, the exact run trusts the answer.
+    ///
+    /// # Errors
+    /// What [`Formula::validate`] says.
+    fn validate<F: Formula>(i: &F::Inputs<Self>) -> Result<(), Error>;
+    /// Runs a step in this number.
+    fn run(step: &dyn Step, wiring: &Wiring, lanes: &mut Lanes<'_, Self>, failures: &mut Vec<Failure>);
+}
+
+/// A [`Formula`] whose type is not known to the compiler, evaluated over registers; every formula is one.
+pub trait Step: Sync {
+    /// The identifier.
+    fn id(&self) -> &'static str;
+    /// The title.
+    fn title(&self) -> &'static str;
+    /// The inputs.
+    fn inputs(&self) -> &'static [Field];
+    /// The outputs.
+    fn outputs(&self) -> &'static [Field];
+    /// Whether these input components, in order, are allowed.
+    ///
+    /// # Errors
+    /// As [`check`](crate::formula::check).
+    fn check(&self, components: &[f64]) -> Result<(), Error>;
+    /// Evaluates every lane in `f64`.
+    fn run_double(&self, wiring: &Wiring, lanes: &mut Lanes<'_, f64>, failures: &mut Vec<Failure>);
+    /// Evaluates every lane in 237 bits.
+    fn run_exact(&self, wiring: &Wiring, lanes: &mut Lanes<'_, Octuple>, failures: &mut Vec<Failure>);
+}
+
+impl<F: Formula> Step for F {
+    fn id(&self) -> &'static str {
+        F::SPEC.id
+    }
+    fn title(&self) -> &'static str {
+        F::SPEC.title
+    }
+    fn inputs(&self) -> &'static [Field] {
+        F::Inputs::<f64>::FIELDS
+    }
+    fn outputs(&self) -> &'static [Field] {
+        F::Outputs::<f64>::FIELDS
+    }
+    fn check(&self, components: &[f64]) -> Result<(), Error> {
+        let (found, expected) = (components.len(), F::Inputs::<f64>::LEN);
+        let inputs = F::Inputs::from_slice(components).ok_or(Error::Components { found, expected })?;
+        crate::formula::check::<F>(&inputs)
+    }
+    fn run_double(&self, wiring: &Wiring, lanes: &mut Lanes<'_, f64>, failures: &mut Vec<Failure>) {
+        pulp::Arch::new().dispatch(Vectors::<F> { wiring, lanes, failures, formula: PhantomData });
+    }
+    fn run_exact(&self, wiring: &Wiring, lanes: &mut Lanes<'_, Octuple>, failures: &mut Vec<Failure>) {
+        run::<F, Octuple>(wiring, lanes, failures);
+    }
+}
+
+/// A step in `f64`, compiled a second time for processors that have vectors of four doubles. Both give the same bits.
+struct Vectors<'j, 'r, F> {
+    wiring: &'j Wiring,
+    lanes: &'j mut Lanes<'r, f64>,
+    failures: &'j mut Vec<Failure>,
+    formula: PhantomData<F>,
+}
+
+impl<F: Formula> pulp::WithSimd for Vectors<'_, '_, F> {
+    type Output = ();
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) {
+        run::<F, f64>(self.wiring, self.lanes, self.failures);
+    }
+}
+
+/// Components that a formula has at most, in or out.
+const MOST: usize = 32;
+
+/// Evaluates a formula for every lane. Nothing in the loops depends on another lane, so that the compiler may take several
+/// at once.
+#[inline(always)]
+fn run<F: Formula, T: Number>(wiring: &Wiring, lanes: &mut Lanes<'_, T>, failures: &mut Vec<Failure>) {
+    const { assert!(F::Inputs::<f64>::LEN <= MOST && F::Outputs::<f64>::LEN <= MOST) };
+    let lasting = Cell::from_mut(&mut *lanes.lasting).as_slice_of_cells();
+    let passing = Cell::from_mut(&mut *lanes.passing).as_slice_of_cells();
+    let column = |register: u16| {
+        let register = usize::from(register);
+        lasting.get(register).unwrap_or_else(|| &passing[register - lasting.len()])
+    };
+    // Looked up once a block, so that the loops below know where everything is.
+    let mut from = [column(0).as_array_of_cells(); MOST];
+    for (place, &register) in from.iter_mut().zip(&wiring.inputs) {
+        *place = column(register).as_array_of_cells();
+    }
+    let count = lanes.count.min(LANES);
+    // Apart from the registers, so that no input waits for an output that might be the same.
+    let mut outputs = F::Outputs::<Column<T>>::array_of([T::zero(); LANES]);
+    let outputs = outputs.as_mut();
+    for lane in 0..count {
+        let mut columns = outputs.iter_mut();
+        F::eval(&inputs_of::<F, T>(&from, lane)).for_each_component(&mut |value| {
+            columns.next().into_iter().for_each(|column| column[lane] = value);
+        });
+    }
+    let mut sound = true;
+    for lane in 0..count {
+        sound &= T::validate::<F>(&inputs_of::<F, T>(&from, lane)).map_or_else(rejected, |()| true);
+    }
+    for (output, &register) in outputs.iter().zip(&wiring.outputs) {
+        sound &= output[..count].iter().fold(true, |sound, &value| sound & is_double(value));
+        // No formula writes what it reads, so the inputs are still there.
+        column(register).set(*output);
+    }
+    if !sound {
+        failures.extend((0..count).filter_map(|lane| {
+            let error = error_of::<F, T>(&inputs_of::<F, T>(&from, lane))?;
+            Some(Failure { element: lanes.first + lane, formula: F::SPEC.id, error })
+        }));
+    }
+}
+
+/// The inputs of a lane.
+#[inline(always)]
+fn inputs_of<F: Formula, T: Number>(columns: &[&[Cell<T>; LANES]; MOST], lane: usize) -> F::Inputs<T> {
+    let mut next = 0;
+    F::Inputs::from_components(&mut || {
+        let value = columns[next % MOST][lane].get();
+        next += 1;
+        value
+    })
+}
+
+/// Cold and out of line, so that dropping an error costs the loop nothing.
+#[cold]
+fn rejected(_: Error) -> bool {
+    false
+}
+
+/// What is wrong with these inputs, or with what comes out.
+#[cold]
+fn error_of<F: Formula, T: Number>(inputs: &F::Inputs<T>) -> Option<Error> {
+    if let Err(error) = T::validate::<F>(inputs) {
+        return Some(error);
+    }
+    let mut components = F::eval(inputs).components().into_iter();
+    let mut overflows = |field: &&Field| components.by_ref().take(field.len()).any(|value| !is_double(value));
+    let field = F::Outputs::<T>::FIELDS.iter().find(|field| overflows(field))?;
+    Some(Error::Overflow { name: field.name })
+}
+
+/// Neither NaN nor beyond the largest double.
+#[inline]
+fn is_double<T: Number>(x: T) -> bool {
+    abs(x) <= f64::MAX
+}
+
+impl Number for f64 {
+    const BLOCKS: usize = 16;
+    #[inline]
+    fn exactly(x: f64) -> Self {
+        x
+    }
+    #[inline]
+    fn rounded(self) -> f64 {
+        self
+    }
+    #[inline]
+    fn validate<F: Formula>(i: &F::Inputs<Self>) -> Result<(), Error> {
+        F::validate(i)
+    }
+    fn run(step: &dyn Step, wiring: &Wiring, lanes: &mut Lanes<'_, Self>, failures: &mut Vec<Failure>) {
+        step.run_double(wiring, lanes, failures);
+    }
+}
+
+impl Number for Octuple {
+    const BLOCKS: usize = 1;
+    fn exactly(x: f64) -> Self {
+        Self::from(x)
+    }
+    fn rounded(self) -> f64 {
+        self.to_f64()
+    }
+    fn validate<F: Formula>(_: &F::Inputs<Self>) -> Result<(), Error> {
+        Ok(())
+    }
+    fn run(step: &dyn Step, wiring: &Wiring, lanes: &mut Lanes<'_, Self>, failures: &mut Vec<Failure>) {
+        step.run_exact(wiring, lanes, failures);
+    }
+}

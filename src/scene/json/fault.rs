@@ -1,0 +1,78 @@
+//! What is wrong with a scene, and where.
+
+use std::fmt;
+
+/// Faults that are listed; what is beyond is only counted.
+const LISTED: usize = 100;
+
+/// One mistake in a scene file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Fault {
+    /// The JSON path, as `elements."slot 1".mu` or `frames[2].time`; empty for the whole file.
+    pub path: String,
+    /// Line in the file, from 1.
+    pub line: usize,
+    /// Column in characters, from 1.
+    pub column: usize,
+    /// What stands there.
+    pub found: String,
+    /// What may stand there.
+    pub allowed: String,
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { path, line, column, found, allowed } = self;
+        let path = if path.is_empty() { "scene" } else { path };
+        write!(f, "{path} (line {line}, column {column}): {found}; allowed is {allowed}")
+    }
+}
+
+/// Everything that is wrong with a scene, in the order in which it was found.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Faults {
+    list: Vec<Fault>,
+    unlisted: usize,
+}
+
+impl Faults {
+    pub(in crate::scene) fn push(&mut self, fault: Fault) {
+        self.list.push(fault);
+    }
+
+    /// Whether the next fault is worth describing; it is counted if not.
+    pub(in crate::scene) fn room(&mut self) -> bool {
+        let room = self.list.len() < LISTED;
+        self.unlisted += usize::from(!room);
+        room
+    }
+
+    /// The faults; a hundred at most.
+    pub fn list(&self) -> &[Fault] {
+        &self.list
+    }
+
+    /// How many there are.
+    #[expect(clippy::len_without_is_empty, reason = "faults are an error: there is at least one")]
+    pub fn len(&self) -> usize {
+        self.list.len() + self.unlisted
+    }
+
+    pub(in crate::scene) fn none(&self) -> bool {
+        self.list.is_empty()
+    }
+}
+
+impl fmt::Display for Faults {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (k, fault) in self.list.iter().enumerate() {
+            write!(f, "{}{fault}", if k == 0 { "" } else { "\n" })?;
+        }
+        if self.unlisted > 0 {
+            write!(f, "\n… and {} more", self.unlisted)?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for Faults {}

@@ -1,0 +1,111 @@
+//! Where a reader is in the text, and the faults that it has found.
+
+use super::fault::{Fault, Faults};
+use crate::error::Error;
+use std::fmt::Write;
+
+/// The text is not JSON from here on; the fault is recorded.
+#[derive(Debug)]
+pub(in crate::scene) struct Stop;
+
+pub(in crate::scene) type Read<T> = Result<T, Stop>;
+
+/// A step of the path to a value.
+pub(super) enum Segment {
+    Key(String),
+    Index(usize),
+}
+
+pub(in crate::scene) struct Reader<'t> {
+    pub(super) text: &'t str,
+    pub(super) at: usize,
+    pub(super) path: Vec<Segment>,
+    pub(in crate::scene) faults: Faults,
+}
+
+impl<'t> Reader<'t> {
+    pub(in crate::scene) fn new(text: &'t str) -> Self {
+        Self { text: text.strip_prefix('\u{feff}').unwrap_or(text), at: 0, path: Vec::new(), faults: Faults::default() }
+    }
+
+    /// Where the next value begins.
+    pub(in crate::scene) fn place(&mut self) -> usize {
+        self.blank();
+        self.at
+    }
+
+    /// Goes to a place that [`place`](Self::place) gave.
+    pub(in crate::scene) fn go(&mut self, place: usize) {
+        self.at = place;
+    }
+
+    /// Does something below a key of the path.
+    pub(in crate::scene) fn below<T>(&mut self, key: &str, job: impl FnOnce(&mut Self) -> T) -> T {
+        self.path.push(Segment::Key(key.into()));
+        let result = job(self);
+        self.path.pop();
+        result
+    }
+
+    /// Records a fault at a place.
+    pub(in crate::scene) fn fault(&mut self, place: usize, found: impl Into<String>, allowed: impl Into<String>) {
+        if !self.faults.room() {
+            return;
+        }
+        let before = &self.text[..place];
+        let line = before.bytes().filter(|&byte| byte == b'\n').count() + 1;
+        let column = before.chars().rev().take_while(|&c| c != '\n').count() + 1;
+        let mut path = String::new();
+        for segment in &self.path {
+            let dot = if path.is_empty() { "" } else { "." };
+            let plain = |key: &str| key.chars().all(|c| c.is_alphanumeric() || c == '_');
+            // Writing to a string cannot fail.
+            let _ = match segment {
+                Segment::Key(key) if plain(key) => write!(path, "{dot}{key}"),
+                Segment::Key(key) => write!(path, "{dot}{key:?}"),
+                Segment::Index(index) => write!(path, "[{index}]"),
+            };
+        }
+        self.faults.push(Fault { path, line, column, found: found.into(), allowed: allowed.into() });
+    }
+
+    /// Records what a typed constructor says.
+    pub(in crate::scene) fn reject(&mut self, place: usize, error: &Error) {
+        self.fault(place, error.found(), error.allowed());
+    }
+
+    pub(super) fn stop<T>(&mut self, allowed: &str) -> Read<T> {
+        let found = match self.text[self.at..].chars().next() {
+            None => "the end of the file".into(),
+            Some(c) => format!("{c:?}"),
+        };
+        self.fault(self.at, found, allowed);
+        Err(Stop)
+    }
+
+    pub(super) fn peek(&self) -> Option<u8> {
+        self.text.as_bytes().get(self.at).copied()
+    }
+
+    pub(super) fn blank(&mut self) {
+        while matches!(self.peek(), Some(b' ' | b'\t' | b'\n' | b'\r')) {
+            self.at += 1;
+        }
+    }
+
+    pub(super) fn take(&mut self, byte: u8) -> bool {
+        self.blank();
+        let there = self.peek() == Some(byte);
+        self.at += usize::from(there);
+        there
+    }
+}
+
+/// A value as it stands in the file, shortened.
+pub(super) fn excerpt(value: &str) -> String {
+    const SHOWN: usize = 40;
+    match value.char_indices().nth(SHOWN) {
+        None => value.to_owned(),
+        Some((cut, _)) => format!("{}…", &value[..cut]),
+    }
+}

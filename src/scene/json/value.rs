@@ -1,0 +1,156 @@
+//! Values of the type that is expected, or a fault that says what stands there instead.
+
+use super::reader::{Read, Reader, Segment, excerpt};
+use crate::error::Error;
+use crate::quantity::Domain;
+
+impl Reader<'_> {
+    /// Steps over a value of the wrong type and says so.
+    fn mistyped(&mut self, allowed: &str) -> Read<()> {
+        let place = self.place();
+        let found = match self.peek() {
+            Some(b'{') => "an object".into(),
+            Some(b'[') => "an array".into(),
+            _ => String::new(),
+        };
+        self.skip()?;
+        let found = if found.is_empty() { excerpt(&self.text[place..self.at]) } else { found };
+        self.fault(place, found, allowed);
+        Ok(())
+    }
+
+    /// The members of an object, each with the place of its key; `false` if it is something else.
+    pub(in crate::scene) fn object(
+        &mut self,
+        allowed: &str,
+        mut member: impl FnMut(&mut Self, &str, usize) -> Read<()>,
+    ) -> Read<bool> {
+        if !self.take(b'{') {
+            self.mistyped(allowed)?;
+            return Ok(false);
+        }
+        if self.take(b'}') {
+            return Ok(true);
+        }
+        loop {
+            let place = self.place();
+            if self.peek() != Some(b'"') {
+                return self.stop("a name in double quotes");
+            }
+            let key = self.quoted()?;
+            if !self.take(b':') {
+                return self.stop("a colon");
+            }
+            self.path.push(Segment::Key(key.clone()));
+            let result = member(self, &key, place);
+            self.path.pop();
+            result?;
+            if self.take(b'}') {
+                return Ok(true);
+            }
+            if !self.take(b',') {
+                return self.stop("a comma or a closing brace");
+            }
+        }
+    }
+
+    /// The members of an object with fixed names; `member` is called with the index of the name.
+    pub(in crate::scene) fn record(
+        &mut self,
+        names: &[&str],
+        mut member: impl FnMut(&mut Self, usize) -> Read<()>,
+    ) -> Read<bool> {
+        let mut seen = vec![false; names.len()];
+        self.object("an object", |reader, key, place| match names.iter().position(|&name| name == key) {
+            None => {
+                reader.fault(place, format!("unknown key {key:?}"), format!("one of {}", names.join(", ")));
+                reader.skip()
+            }
+            Some(index) if seen[index] => {
+                reader.fault(place, format!("{key:?} for the second time"), "each key once");
+                reader.skip()
+            }
+            Some(index) => {
+                seen[index] = true;
+                member(reader, index)
+            }
+        })
+    }
+
+    /// The items of an array; `false` if it is something else.
+    pub(in crate::scene) fn array(
+        &mut self,
+        allowed: &str,
+        mut item: impl FnMut(&mut Self, usize) -> Read<()>,
+    ) -> Read<bool> {
+        if !self.take(b'[') {
+            self.mistyped(allowed)?;
+            return Ok(false);
+        }
+        if self.take(b']') {
+            return Ok(true);
+        }
+        for index in 0.. {
+            self.path.push(Segment::Index(index));
+            let result = item(self, index);
+            self.path.pop();
+            result?;
+            if self.take(b']') {
+                break;
+            }
+            if !self.take(b',') {
+                return self.stop("a comma or a closing bracket");
+            }
+        }
+        Ok(true)
+    }
+
+    /// A string.
+    pub(in crate::scene) fn string(&mut self, allowed: &str) -> Read<Option<String>> {
+        self.blank();
+        if self.peek() == Some(b'"') {
+            return self.quoted().map(Some);
+        }
+        self.mistyped(allowed).map(|()| None)
+    }
+
+    /// A number of a domain.
+    pub(in crate::scene) fn number(&mut self, domain: Domain) -> Read<Option<f64>> {
+        let place = self.place();
+        let Some(number) = self.numeral()? else {
+            return self.mistyped(&domain.allowed()).map(|()| None);
+        };
+        if Error::check("", None, number, domain).is_err() {
+            let found = excerpt(&self.text[place..self.at]);
+            let beyond = if number.is_finite() { "" } else { ", which no double can hold" };
+            self.fault(place, format!("{found}{beyond}"), domain.allowed());
+            return Ok(None);
+        }
+        Ok(Some(number))
+    }
+
+    /// An array of exactly `N` finite numbers.
+    pub(in crate::scene) fn vector<const N: usize>(&mut self) -> Read<Option<[f64; N]>> {
+        let place = self.place();
+        let allowed = format!("an array of {N} numbers");
+        let (mut vector, mut count, mut sound) = ([0.0; N], 0, true);
+        let is_array = self.array(&allowed, |reader, index| {
+            count += 1;
+            match reader.number(Domain::Real)? {
+                Some(number) => vector.get_mut(index).into_iter().for_each(|slot| *slot = number),
+                None => sound = false,
+            }
+            Ok(())
+        })?;
+        if is_array && count != N {
+            self.fault(place, format!("an array of {count}"), allowed);
+        }
+        Ok((is_array && sound && count == N).then_some(vector))
+    }
+
+    /// The end of the text.
+    pub(in crate::scene) fn end(&mut self) -> Read<()> {
+        self.blank();
+        if self.at < self.text.len() { self.stop("nothing after the scene") } else { Ok(()) }
+    }
+}

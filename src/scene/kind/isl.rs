@@ -1,0 +1,74 @@
+//! ISL21A and ISL22A, the axisymmetric elements that slide on a slide line.
+//!
+//! The formulas stand here for what they compute; which of them a node needs depends on where it is on its line, so that
+//! [`isl`](crate::isl) evaluates them, not the plan's registers.
+
+use super::dimension::Dimension;
+use super::table::{Kind, always, renamed};
+use crate::quantity::{Domain, Quantity, Shape, Unit};
+use crate::{coulomb, interaction, slide_line};
+
+const STRESS: Unit = Unit::new(-2, 1, 0);
+
+const E12: Quantity = Quantity {
+    latex: "E12",
+    shape: Shape::Scalar,
+    unit: Unit::L,
+    domain: Domain::Real,
+    meaning: "accumulated relative tangential displacement of each node, positive along the line",
+};
+const S11: Quantity =
+    Quantity { latex: "S11", unit: STRESS, meaning: "pressure at each node, positive when it pushes", ..E12 };
+const S12: Quantity = Quantity {
+    latex: "S12",
+    unit: STRESS,
+    meaning: "shear stress at each node, positive when it resists positive slip",
+    ..E12
+};
+
+/// A coordinate along the line is no output.
+const FOOT: &[(&str, &str)] = &[("g", "coordinate"), ("t", "coordinate"), ("separation", "e11")];
+const SLIP: &[(&str, &str)] = &[("dslip", "e12")];
+const PRESSURE: &[(&str, &str)] = &[("p", "s11")];
+
+pub(super) const ISL21A: Kind = Kind {
+    name: "isl21a",
+    dimension: Dimension::Axisymmetric,
+    nodes: &["1", "2"],
+    given: &[],
+    ordered: &[],
+    formulas: &[
+        renamed(&slide_line::ClosestLinear, FOOT),
+        renamed(&slide_line::ClosestSmoothedLinear, FOOT),
+        renamed(&slide_line::ClosestParabolic, FOOT),
+        renamed(&slide_line::ClosestSmoothedParabolic, FOOT),
+        renamed(&slide_line::SlipIncrementLinear, SLIP),
+        renamed(&slide_line::SlipIncrementParabolic, SLIP),
+        renamed(&interaction::PressureLinear, PRESSURE),
+        renamed(&interaction::PressureExponential, PRESSURE),
+        renamed(&interaction::Damping, PRESSURE),
+        renamed(&coulomb::ReturnMap, &[("f", "s12")]),
+        always(&slide_line::TorqueLinear),
+    ],
+    meanings: &[("e12", &E12), ("s11", &S11), ("s12", &S12)],
+    outputs: &[("E11", "e11"), ("E12", "e12"), ("S11", "s11"), ("S12", "s12"), ("T", "t")],
+};
+
+pub(super) const ISL22A: Kind = Kind {
+    name: "isl22a",
+    nodes: &["1", "2", "3"],
+    formulas: &[
+        ISL21A.formulas[0],
+        ISL21A.formulas[1],
+        ISL21A.formulas[2],
+        ISL21A.formulas[3],
+        ISL21A.formulas[4],
+        ISL21A.formulas[5],
+        ISL21A.formulas[6],
+        ISL21A.formulas[7],
+        ISL21A.formulas[8],
+        ISL21A.formulas[9],
+        always(&slide_line::TorqueParabolic),
+    ],
+    ..ISL21A
+};

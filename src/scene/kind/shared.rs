@@ -1,0 +1,43 @@
+//! What several kinds have.
+
+use super::table::{Fallback, Origin, Use, always, renamed};
+use crate::coulomb::ReturnMap;
+use crate::scene::rules::{Slip, Stick};
+use crate::slot::{ConstraintForce, KineticForce, NormalForce, RelativeMotion, Stop};
+use Fallback::{As, Number, Required};
+use Origin::{Axis, Before, Initial, Load, Parameter, Position};
+
+pub(super) type Given = (&'static str, Origin);
+
+/// Two nodes, and the triad of the first, in every connector.
+pub(super) const NODES: &[Given] =
+    &[("xa", Position(0)), ("xb", Position(1)), ("e1a", Axis(0, 0)), ("e2a", Axis(0, 1)), ("e3a", Axis(0, 2))];
+/// The triad of the second, where angles are measured.
+pub(super) const SECOND_TRIAD: &[Given] = &[("e1b", Axis(1, 0)), ("e2b", Axis(1, 1)), ("e3b", Axis(1, 2))];
+pub(super) const FORCES: &[Given] = &[("f1", Load), ("f2", Load), ("f3", Load)];
+pub(super) const MOMENTS: &[Given] = &[("m1", Load), ("m2", Load), ("m3", Load)];
+
+/// What motion and friction along a slot are given, in every connector with one; friction goes over increments.
+pub(super) const INITIAL: &[Given] = &[("x0", Initial("x")), ("y0", Initial("y")), ("z0", Initial("z"))];
+pub(super) const LENGTHS: &[Given] =
+    &[("l1_ref", Parameter(As("x0"))), ("l1_min", Parameter(Required)), ("l1_max", Parameter(Required))];
+/// The stops of a slot.
+pub(super) const ORDERED_LENGTHS: &[(&str, &str)] = &[("l1_min", "l1_max")];
+pub(super) const FRICTION: &[Given] = &[
+    ("mu", Parameter(Number(0.0))),
+    ("fc_int", Parameter(Number(0.0))),
+    ("k_stick", Parameter(Required)),
+    ("u1_before", Before("u1")),
+    ("f_before", Before("csf")),
+    ("slip_before", Before("slip_total")),
+];
+
+/// Formulas of motion and friction along a slot, in every connector with one.
+pub(super) const MOTION: Use = always(&RelativeMotion);
+pub(super) const STOP: Use = always(&Stop);
+pub(super) const NORMAL: Use = always(&NormalForce);
+pub(super) const TRIAL: Use = always(&Stick);
+pub(super) const RETURN_MAP: Use = renamed(&ReturnMap, &[("f", "csf")]);
+pub(super) const SLIP: Use = always(&Slip);
+pub(super) const CONSTRAINT_FORCE: Use = renamed(&ConstraintForce, &[("f", "rf")]);
+pub(super) const KINETIC_FORCE: Use = renamed(&KineticForce, &[("f", "kf")]);

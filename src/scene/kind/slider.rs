@@ -1,0 +1,50 @@
+//! SLIDER, in space and in the plane.
+
+use super::dimension::Dimension;
+use super::table::{Kind, Origin, always};
+use crate::scene::rules::{KeptAxis, KeptAxis2d};
+use crate::slider;
+use Origin::{Increment, Position};
+
+pub(super) const SLIDER: Kind = Kind {
+    name: "slider",
+    dimension: Dimension::Space,
+    nodes: &["first", "last", "node"],
+    given: &[&[
+        ("x1", Position(0)),
+        ("xn", Position(1)),
+        ("xm", Position(2)),
+        ("dx1", Increment(0)),
+        ("dxn", Increment(1)),
+        ("dxm", Increment(2)),
+    ]],
+    ordered: &[],
+    formulas: &[
+        always(&slider::Line),
+        always(&slider::Constraint),
+        always(&slider::IncrementalConstraint),
+        always(&KeptAxis),
+        always(&slider::Eliminate),
+        always(&slider::Increment),
+    ],
+    meanings: &[],
+    outputs: &[
+        ("N", "n"),
+        ("L", "l"),
+        ("G1", "g1"),
+        ("G2", "g2"),
+        ("R1", "r1"),
+        ("R2", "r2"),
+        ("XMI", "xmi"),
+        ("XMJ", "xmj"),
+        ("DXMI", "dxmi"),
+        ("DXMJ", "dxmj"),
+    ],
+};
+
+pub(super) const SLIDER_2D: Kind = Kind {
+    dimension: Dimension::Plane,
+    formulas: &[always(&slider::Constraint2d), always(&KeptAxis2d), always(&slider::Increment2d)],
+    outputs: &[("G", "g"), ("DXMI", "dxmi")],
+    ..SLIDER
+};

@@ -1,0 +1,219 @@
+//! What a table of a kind says.
+
+use super::dimension::Dimension;
+use crate::formula::Field;
+use crate::quantity::{Domain, Quantity};
+use crate::scene::evaluate::Step;
+
+/// Where a register gets its value from, if no formula computes it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Origin {
+    /// The current position of a node, by its place in the element's list.
+    Position(usize),
+    /// By how much that position changed since the last state.
+    Increment(usize),
+    /// A vector of a node's triad in its current orientation: node, axis from 0.
+    Axis(usize, usize),
+    /// The value that another register has in the initial configuration.
+    Initial(&'static str),
+    /// The value that another register had in the last state; 0 before the first.
+    Before(&'static str),
+    /// A parameter of the element.
+    Parameter(Fallback),
+    /// A force or moment of the element, given by the frames; 0 until given.
+    Load,
+    /// Zero: what this dimension does not have.
+    Zero,
+}
+
+/// What a parameter is where a scene does not give it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Fallback {
+    /// It must be given, if an output needs it.
+    Required,
+    /// A number.
+    Number(f64),
+    /// The value of another register.
+    As(&'static str),
+}
+
+impl std::fmt::Display for Fallback {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Required => f.write_str("must be given where an output needs it"),
+            Self::Number(number) => write!(f, "{number} if not given"),
+            Self::As(other) => write!(f, "{other} if not given"),
+        }
+    }
+}
+
+impl Fallback {
+    /// The number, if it is one.
+    pub const fn number(self) -> Option<f64> {
+        match self {
+            Self::Number(number) => Some(number),
+            _ => None,
+        }
+    }
+}
+
+/// When a formula is the one to take.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum When {
+    /// Always.
+    Always,
+    /// Only where all these parameters are 0, which switches their terms off.
+    AllZero(&'static [&'static str]),
+    /// Only where one of these parameters is not 0.
+    NotAllZero(&'static [&'static str]),
+}
+
+/// A formula of a kind.
+#[derive(Clone, Copy)]
+pub struct Use {
+    /// The formula.
+    pub(in crate::scene) step: &'static dyn Step,
+    /// Fields that have another name here: `(field, register)`.
+    renamed: &'static [(&'static str, &'static str)],
+    /// When it is taken.
+    pub(in crate::scene) when: When,
+}
+
+/// A formula under its own names.
+pub(in crate::scene) const fn always(step: &'static dyn Step) -> Use {
+    Use { step, renamed: &[], when: When::Always }
+}
+
+/// A formula with some fields renamed.
+pub(in crate::scene) const fn renamed(
+    step: &'static dyn Step,
+    renamed: &'static [(&'static str, &'static str)],
+) -> Use {
+    Use { step, renamed, when: When::Always }
+}
+
+impl Use {
+    /// The identifier of the formula.
+    pub fn id(&self) -> &'static str {
+        self.step.id()
+    }
+
+    /// Taken only in some cases.
+    pub(in crate::scene) const fn when(self, when: When) -> Self {
+        Self { when, ..self }
+    }
+
+    /// The register of a field.
+    pub fn register(&self, field: &'static str) -> &'static str {
+        self.renamed.iter().find(|(name, _)| *name == field).map_or(field, |(_, register)| register)
+    }
+
+    /// The field that this formula writes to a register.
+    pub fn writes(&self, register: &str) -> Option<&'static Field> {
+        self.step.outputs().iter().find(|field| self.register(field.name) == register)
+    }
+
+    /// The field that this formula reads from a register.
+    pub fn reads(&self, register: &str) -> Option<&'static Field> {
+        self.step.inputs().iter().find(|field| self.register(field.name) == register)
+    }
+}
+
+/// A kind of element in one dimension.
+pub struct Kind {
+    /// The name in scene files.
+    pub name: &'static str,
+    /// Where it can be used.
+    pub dimension: Dimension,
+    /// Its nodes, by their roles.
+    pub nodes: &'static [&'static str],
+    /// Registers that no formula computes, and where they come from; in groups, some of which several kinds have.
+    pub given: &'static [&'static [(&'static str, Origin)]],
+    /// Parameters of which the first must not be above the second.
+    pub ordered: &'static [(&'static str, &'static str)],
+    /// Its formulas, the preferred first where several compute the same.
+    pub formulas: &'static [Use],
+    /// Registers that hold something else here than the fields of their formulas say.
+    pub meanings: &'static [(&'static str, &'static Quantity)],
+    /// Its outputs: the name in scene files, and the register that is shown.
+    pub outputs: &'static [(&'static str, &'static str)],
+}
+
+impl Kind {
+    /// The registers that no formula computes, and where they come from.
+    fn registers(&self) -> impl Iterator<Item = (&'static str, Origin)> + use<> {
+        self.given.iter().copied().flatten().copied()
+    }
+
+    /// Where a register comes from, if no formula computes it.
+    pub fn given(&self, register: &str) -> Option<Origin> {
+        self.registers().find(|(name, _)| *name == register).map(|(_, from)| from)
+    }
+
+    /// The field of a formula that writes or reads a register.
+    pub(in crate::scene) fn field(&self, register: &str) -> Option<&'static Field> {
+        let writes = self.formulas.iter().find_map(|formula| formula.writes(register));
+        writes.or_else(|| self.formulas.iter().find_map(|formula| formula.reads(register)))
+    }
+
+    /// What a register holds.
+    pub fn quantity(&self, register: &str) -> Option<&'static Quantity> {
+        let meaning = self.meanings.iter().find(|(name, _)| *name == register).map(|(_, quantity)| *quantity);
+        meaning.or_else(|| self.field(register).map(|field| field.quantity))
+    }
+
+    /// What a register of this kind is, in words.
+    pub(in crate::scene) fn meaning(&self, register: &str) -> &'static str {
+        self.quantity(register).expect("a formula reads every register that is given").meaning
+    }
+
+    /// The values that a register of this kind may be given.
+    pub(in crate::scene) fn domain(&self, register: &str) -> Domain {
+        self.quantity(register).expect("a formula reads every register that is given").domain
+    }
+
+    /// The parameters, in order.
+    pub fn parameters(&self) -> impl Iterator<Item = (&'static str, Fallback)> {
+        self.registers().filter_map(|(name, from)| match from {
+            Origin::Parameter(default) => Some((name, default)),
+            _ => None,
+        })
+    }
+
+    /// The loads, in order.
+    pub fn loads(&self) -> impl Iterator<Item = &'static str> {
+        self.registers().filter(|(_, from)| *from == Origin::Load).map(|(name, _)| name)
+    }
+
+    /// The formulas that compute a register.
+    pub fn writers<'r>(&'static self, register: &'r str) -> impl Iterator<Item = &'static Use> + use<'r> {
+        self.formulas.iter().filter(move |formula| formula.writes(register).is_some())
+    }
+
+    /// A bit per parameter on which the choice of a formula depends.
+    pub(in crate::scene) fn switches(&self) -> u64 {
+        let decides = |name: &str| {
+            self.formulas.iter().any(|formula| match formula.when {
+                When::Always => false,
+                When::AllZero(names) | When::NotAllZero(names) => names.contains(&name),
+            })
+        };
+        self.parameters().enumerate().fold(0, |bits, (bit, (name, _))| bits | u64::from(decides(name)) << bit)
+    }
+
+    /// Whether it slides on a slide line.
+    pub fn slides(&self) -> bool {
+        self.dimension == Dimension::Axisymmetric
+    }
+
+    /// The register behind an output.
+    pub fn output(&self, name: &str) -> Option<&'static str> {
+        self.outputs.iter().find(|(output, _)| *output == name).map(|&(_, register)| register)
+    }
+}
+
+impl std::fmt::Debug for Kind {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} ({})", self.name, self.dimension.name())
+    }
+}

@@ -1,0 +1,24 @@
+//! The tables of the kinds.
+
+use super::dimension::Dimension;
+use super::isl::{ISL21A, ISL22A};
+use super::slider::{SLIDER, SLIDER_2D};
+use super::slot::{SLOT, SLOT_2D};
+use super::table::Kind;
+use super::translator::TRANSLATOR;
+use super::ujoint::UJOINT;
+
+/// Every kind of element.
+static KINDS: [Kind; 8] = [SLOT, SLOT_2D, TRANSLATOR, UJOINT, SLIDER, SLIDER_2D, ISL21A, ISL22A];
+
+impl Kind {
+    /// Every kind.
+    pub fn all() -> impl Iterator<Item = &'static Self> {
+        KINDS.iter()
+    }
+
+    /// The kind of this name and dimension.
+    pub fn find(name: &str, dimension: Dimension) -> Option<&'static Self> {
+        Self::all().find(|kind| kind.name == name && kind.dimension == dimension)
+    }
+}

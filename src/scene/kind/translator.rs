@@ -1,0 +1,83 @@
+//! TRANSLATOR: SLOT and ALIGN.
+
+use super::dimension::Dimension;
+use super::shared::{
+    CONSTRAINT_FORCE, FORCES, FRICTION, INITIAL, KINETIC_FORCE, LENGTHS, MOMENTS, MOTION, NODES, NORMAL,
+    ORDERED_LENGTHS, RETURN_MAP, SECOND_TRIAD, SLIP, STOP, TRIAL,
+};
+use super::table::{Fallback, Kind, Origin, When, always, renamed};
+use crate::scene::rules::{Alignment, Turns};
+use crate::{align, slot, translator};
+use Fallback::Number;
+use Origin::{Initial, Parameter};
+
+/// The levers of a TRANSLATOR's moments; where both are 0, its friction is that of the SLOT.
+const LEVERS: &[&str] = &["rr", "l"];
+
+pub(super) const TRANSLATOR: Kind = Kind {
+    name: "translator",
+    dimension: Dimension::Space,
+    nodes: &["a", "b"],
+    given: &[
+        NODES,
+        SECOND_TRIAD,
+        INITIAL,
+        &[("alpha0", Initial("alpha")), ("beta0", Initial("beta")), ("gamma0", Initial("gamma"))],
+        LENGTHS,
+        &[("rr", Parameter(Number(0.0))), ("l", Parameter(Number(0.0)))],
+        FRICTION,
+        FORCES,
+        MOMENTS,
+    ],
+    ordered: ORDERED_LENGTHS,
+    formulas: &[
+        always(&slot::RelativePosition),
+        always(&slot::Constraint),
+        always(&Turns),
+        always(&Alignment),
+        CONSTRAINT_FORCE,
+        renamed(&align::ConstraintMoment, &[("m", "rm")]),
+        MOTION,
+        KINETIC_FORCE,
+        always(&translator::TorqueForce),
+        always(&translator::RadialForce),
+        always(&translator::BendingForce),
+        always(&slot::ContactForce).when(When::AllZero(LEVERS)),
+        always(&translator::ContactForce).when(When::NotAllZero(LEVERS)),
+        NORMAL,
+        always(&slot::Friction).when(When::AllZero(LEVERS)),
+        always(&translator::Friction).when(When::NotAllZero(LEVERS)),
+        STOP,
+        TRIAL,
+        RETURN_MAP,
+        SLIP,
+    ],
+    meanings: &[],
+    outputs: &[
+        ("X", "x"),
+        ("Y", "y"),
+        ("Z", "z"),
+        ("U1", "u1"),
+        ("U1MAT", "u1_mat"),
+        ("GY", "gy"),
+        ("GZ", "gz"),
+        ("UR1", "ur1"),
+        ("UR2", "ur2"),
+        ("UR3", "ur3"),
+        ("GAPMIN", "gap_min"),
+        ("GAPMAX", "gap_max"),
+        ("RF", "rf"),
+        ("RM", "rm"),
+        ("KF", "kf"),
+        ("FTORQ", "f_torq"),
+        ("FR", "fr"),
+        ("FBEND", "f_bend"),
+        ("FC", "fc"),
+        ("FN", "fn"),
+        ("P", "p"),
+        ("PHI", "phi"),
+        ("CSF1", "csf"),
+        ("SLIP1", "slip"),
+        ("CASU1", "slip_total"),
+    ],
+};

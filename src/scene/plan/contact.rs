@@ -1,0 +1,139 @@
+//! What is evaluated on slide lines for the outputs that are wanted.
+//!
+//! A node of an ISL element is looked for on its line once a state, however many elements have it. What follows from
+//! where it is found is evaluated only as far as an output asks: slip, pressure, shear stress, torque.
+
+use super::line::PlanLine;
+use crate::coulomb::ReturnMap;
+use crate::formula::Formula;
+use crate::isl::{IslElement, Slave, Stage, Surface, Wanted};
+use crate::scene::model::{Scene, SceneElement, Sliding};
+use indexmap::IndexMap;
+use std::collections::HashMap;
+
+/// What is evaluated on a slide line.
+#[derive(Debug)]
+pub(in crate::scene) struct ContactPlan<'s> {
+    /// The name of the line.
+    pub(in crate::scene) name: &'s str,
+    pub(in crate::scene) surface: &'s Surface,
+    /// Every node that slides on it, once, by its place in the scene.
+    pub(in crate::scene) slaves: Vec<Slave>,
+    /// The elements of which something is wanted, in the order of the file.
+    pub(in crate::scene) elements: Vec<WantedElement<'s>>,
+}
+
+/// An element of which something is wanted.
+#[derive(Debug)]
+pub(in crate::scene) struct WantedElement<'s> {
+    pub(in crate::scene) name: &'s str,
+    pub(in crate::scene) element: &'s IslElement,
+    /// Its nodes, by their place among the slaves.
+    pub(in crate::scene) slaves: Vec<usize>,
+    pub(in crate::scene) outputs: Vec<Output>,
+}
+
+/// An output of an ISL element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::scene) enum Output {
+    E11,
+    E12,
+    S11,
+    S12,
+    Torque,
+}
+
+impl Output {
+    /// All, in the order of the outputs of the kinds.
+    const ALL: [Self; 5] = [Self::E11, Self::E12, Self::S11, Self::S12, Self::Torque];
+
+    pub(in crate::scene) fn name(self) -> &'static str {
+        match self {
+            Self::E11 => "E11",
+            Self::E12 => "E12",
+            Self::S11 => "S11",
+            Self::S12 => "S12",
+            Self::Torque => "T",
+        }
+    }
+
+    fn of(element: &SceneElement) -> Vec<Self> {
+        Self::ALL.into_iter().enumerate().filter(|(bit, _)| element.outputs >> bit & 1 == 1).map(|(_, o)| o).collect()
+    }
+
+    /// What is wanted of the nodes for it.
+    fn wanted(self) -> Wanted {
+        let (e12, s12) = (self == Self::E12, self == Self::S12);
+        Wanted { e12, s11: matches!(self, Self::S11 | Self::Torque), s12 }
+    }
+}
+
+impl<'s> ContactPlan<'s> {
+    /// A plan per slide line of which something is wanted.
+    pub(in crate::scene) fn all(scene: &'s Scene) -> Vec<Self> {
+        let plan = |(name, surface)| Self { name, surface, slaves: Vec::new(), elements: Vec::new() };
+        let mut plans: Vec<Self> = scene.lines.iter().map(plan).collect();
+        let mut places = HashMap::new();
+        for (name, element) in scene.elements.iter().filter(|(_, element)| element.outputs != 0) {
+            let Some(Sliding { line, element: isl }) = &element.sliding else { continue };
+            let plan = &mut plans[*line as usize];
+            let outputs = Output::of(element);
+            let wanted = outputs.iter().fold(Wanted::default(), |all, output| all.and(output.wanted()));
+            let place = |&node: &u32| {
+                let place = *places.entry((*line, node)).or_insert_with(|| {
+                    plan.slaves.push(Slave { node, wanted: Wanted::default() });
+                    plan.slaves.len() - 1
+                });
+                let slave = &mut plan.slaves[place];
+                slave.wanted = slave.wanted.and(wanted);
+                place
+            };
+            let slaves = isl.nodes().iter().map(place).collect();
+            plan.elements.push(WantedElement { name, element: isl, slaves, outputs });
+        }
+        plans.retain(|plan| !plan.elements.is_empty());
+        plans
+    }
+
+    /// Whether something asks for the torque of the line.
+    pub(in crate::scene) fn torque(&self) -> bool {
+        self.elements.iter().any(|element| element.outputs.contains(&Output::Torque))
+    }
+
+    /// The plan, a line a formula.
+    pub(in crate::scene) fn lines(&self) -> Vec<PlanLine> {
+        let mut stages: IndexMap<_, usize> = IndexMap::new();
+        for slave in &self.slaves {
+            for (stage, formula) in self.surface.formulas(slave.wanted) {
+                *stages.entry((stage, formula)).or_default() += 1;
+            }
+        }
+        stages.sort_unstable_keys();
+        let mut torques: IndexMap<_, usize> = IndexMap::new();
+        for WantedElement { element, .. } in self.elements.iter().filter(|element| element.turns()) {
+            *torques.entry(element.torque_formula()).or_default() += 1;
+        }
+        torques.sort_unstable_keys();
+        let line = |formula, elements, why| PlanLine { formula, kind: "slide line", elements, once: false, why };
+        let of_nodes = stages.into_iter().map(|((stage, formula), nodes)| line(formula, nodes, why(stage)));
+        of_nodes
+            .chain(torques.into_iter().map(|(formula, elements)| line(formula, elements, "output T".into())))
+            .collect()
+    }
+}
+
+impl WantedElement<'_> {
+    /// Whether its torque is wanted.
+    pub(in crate::scene) fn turns(&self) -> bool {
+        self.outputs.contains(&Output::Torque)
+    }
+}
+
+fn why(stage: Stage) -> String {
+    match stage {
+        Stage::Search => "the place of every node, among the near segments only".into(),
+        Stage::Slip => format!("output E12, trial of {}", ReturnMap::SPEC.id),
+        Stage::Law | Stage::Damping => "outputs S11, S12 and T".into(),
+        Stage::Friction => "output S12".into(),
+    }
+}

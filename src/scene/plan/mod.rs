@@ -1,0 +1,91 @@
+//! From wanted outputs to the formulas they need, and to nothing else.
+
+mod contact;
+mod line;
+mod needs;
+mod recipe;
+mod signature;
+
+pub(super) use contact::{ContactPlan, Output, WantedElement};
+pub use line::PlanLine;
+pub(super) use needs::Needs;
+pub(super) use recipe::{Parameter, Pass, Recipe};
+pub(super) use signature::Signature;
+
+use super::kind::Kind;
+use super::model::Scene;
+use indexmap::IndexMap;
+use std::collections::HashMap;
+
+/// Which formulas are evaluated, for which elements, in which order.
+#[derive(Debug)]
+pub struct Plan<'s> {
+    pub(super) scene: &'s Scene,
+    pub(super) groups: Vec<Group>,
+    pub(super) contacts: Vec<ContactPlan<'s>>,
+}
+
+/// Elements for which the same formulas are evaluated.
+#[derive(Debug)]
+pub(super) struct Group {
+    pub(super) kind: &'static Kind,
+    pub(super) elements: Vec<u32>,
+    pub(super) recipe: Recipe,
+}
+
+impl<'s> Plan<'s> {
+    /// The least that the scene's outputs need.
+    pub fn new(scene: &'s Scene) -> Self {
+        let mut known = HashMap::new();
+        let mut groups: Vec<Group> = Vec::new();
+        for (index, element) in (0..).zip(scene.elements.things()) {
+            if element.outputs == 0 || element.sliding.is_some() {
+                continue;
+            }
+            let group = *known.entry(Signature::of(element)).or_insert_with_key(|signature| {
+                groups.push(Group { kind: element.kind, elements: Vec::new(), recipe: Recipe::new(signature) });
+                groups.len() - 1
+            });
+            groups[group].elements.push(index);
+        }
+        Self { scene, groups, contacts: ContactPlan::all(scene) }
+    }
+
+    /// The scene.
+    pub fn scene(&self) -> &'s Scene {
+        self.scene
+    }
+
+    /// The plan, a line a formula and group of elements, in the order of evaluation.
+    pub fn lines(&self) -> Vec<PlanLine> {
+        let contacts = self.contacts.iter().flat_map(ContactPlan::lines);
+        self.groups.iter().flat_map(Group::lines).chain(contacts).collect()
+    }
+
+    /// How often each formula is to be evaluated over this many states, in the order of evaluation. Where a slide line is
+    /// searched that is as often as nodes are looked for; how many of its segments and corners that takes, a run says.
+    pub fn counts(&self, states: usize) -> Vec<(&'static str, usize)> {
+        let mut counts: IndexMap<_, usize> = IndexMap::new();
+        for line in self.lines() {
+            *counts.entry(line.formula).or_default() += line.elements * if line.once { 1 } else { states };
+        }
+        counts.into_iter().collect()
+    }
+}
+
+impl Group {
+    fn lines(&self) -> Vec<PlanLine> {
+        let of_pass = |pass: &Pass, once| {
+            let (kind, elements) = (self.kind.name, self.elements.len());
+            let line = |step: &recipe::Planned| PlanLine {
+                formula: step.step.id(),
+                kind,
+                elements,
+                once,
+                why: step.why.clone(),
+            };
+            pass.steps.iter().map(line).collect::<Vec<_>>()
+        };
+        [of_pass(&self.recipe.start, true), of_pass(&self.recipe.state, false)].concat()
+    }
+}

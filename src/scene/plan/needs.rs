@@ -1,0 +1,108 @@
+//! Which formulas a set of outputs needs.
+
+use super::signature::Signature;
+use crate::scene::kind::{Fallback, Kind, Origin, Use};
+
+/// Formulas that were chosen, and the registers they need that are given.
+#[derive(Default)]
+pub(in crate::scene) struct Needs {
+    pub(in crate::scene) formulas: Vec<(&'static Use, Vec<String>)>,
+    pub(in crate::scene) given: Vec<(&'static str, Origin)>,
+}
+
+/// Names and registers of the outputs whose bits are set.
+pub(in crate::scene) fn wanted(
+    kind: &'static Kind,
+    outputs: u64,
+) -> impl Iterator<Item = (&'static str, &'static str)> {
+    kind.outputs.iter().enumerate().filter(move |(bit, _)| outputs >> bit & 1 == 1).map(|(_, &output)| output)
+}
+
+impl Needs {
+    /// What the outputs of an element need.
+    pub(in crate::scene) fn of_outputs(signature: &Signature) -> Self {
+        let outputs = wanted(signature.kind, signature.outputs);
+        Self::of(signature, outputs.map(|(name, register)| (register, format!("output {name}"))))
+    }
+
+    /// Which outputs need a register, directly or not.
+    pub(in crate::scene) fn reasons(&self, register: &str) -> String {
+        let readers = self.formulas.iter().filter(|(formula, _)| formula.reads(register).is_some());
+        readers.map(|(formula, _)| formula.id()).collect::<Vec<_>>().join(", ")
+    }
+
+    /// What these registers need. Where several formulas compute a register, one that is needed anyway is taken, and the
+    /// first otherwise; so those without alternative are settled first.
+    pub(in crate::scene) fn of(signature: &Signature, wanted: impl Iterator<Item = (&'static str, String)>) -> Self {
+        let mut needs = Self::default();
+        let mut open: Vec<Wanted> = wanted.collect();
+        while !open.is_empty() {
+            let (mut later, mut next) = (Vec::new(), Vec::new());
+            for (register, why) in open {
+                needs.settle(signature, register, why, &mut next, &mut later);
+            }
+            if next.is_empty() && !later.is_empty() {
+                let (register, why) = later.remove(0);
+                needs.take(writers(signature, register).0, why, &mut next);
+            }
+            next.append(&mut later);
+            open = next;
+        }
+        needs
+    }
+
+    /// Settles where a register comes from, or leaves it for later where there is a choice.
+    fn settle(
+        &mut self,
+        signature: &Signature,
+        register: &'static str,
+        why: String,
+        next: &mut Vec<Wanted>,
+        later: &mut Vec<Wanted>,
+    ) {
+        if let Some(origin) = signature.kind.given(register) {
+            self.give(signature, register, origin, next);
+        } else if let Some((_, whys)) = self.formulas.iter_mut().find(|(f, _)| f.writes(register).is_some()) {
+            whys.push(why);
+        } else {
+            match writers(signature, register) {
+                (formula, None) => self.take(formula, why, next),
+                (_, Some(_)) => later.push((register, why)),
+            }
+        }
+    }
+
+    /// Takes a register that is given, and asks for what it is given from.
+    fn give(&mut self, signature: &Signature, register: &'static str, origin: Origin, next: &mut Vec<Wanted>) {
+        if self.given.iter().any(|(name, _)| *name == register) {
+            return;
+        }
+        self.given.push((register, origin));
+        match origin {
+            Origin::Before(of) => next.push((of, format!("{register} of the next state"))),
+            Origin::Parameter(Fallback::As(of)) if !signature.gives(register) => {
+                next.push((of, format!("{register}, which is not given")));
+            }
+            _ => {}
+        }
+    }
+
+    fn take(&mut self, formula: &'static Use, why: String, next: &mut Vec<Wanted>) {
+        let id = formula.id();
+        let input = |name| (formula.register(name), format!("{} of {id}", formula.register(name)));
+        next.extend(formula.step.inputs().iter().map(|field| input(field.name)));
+        self.formulas.push((formula, vec![why]));
+    }
+}
+
+/// A register that is wanted, and why.
+type Wanted = (&'static str, String);
+
+/// The formulas that compute a register: the preferred one, and another if there is one.
+fn writers(signature: &Signature, register: &'static str) -> (&'static Use, Option<&'static Use>) {
+    let kind = signature.kind;
+    let mut writers = kind.writers(register).filter(|formula| signature.applies(formula.when));
+    let first =
+        writers.next().unwrap_or_else(|| unreachable!("{kind:?} is not given {register}, and computes it nowhere"));
+    (first, writers.next())
+}

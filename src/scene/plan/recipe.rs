@@ -1,0 +1,183 @@
+//! What is done for every element of a group: registers, where they come from, and the steps.
+
+use super::needs::{Needs, wanted};
+use super::signature::Signature;
+use crate::formula::Field;
+use crate::scene::evaluate::{Span, Step, Wiring};
+use crate::scene::kind::{Fallback, Kind, Origin};
+use std::fmt;
+
+/// A formula with its wiring.
+pub(in crate::scene) struct Planned {
+    pub(in crate::scene) step: &'static dyn Step,
+    pub(in crate::scene) wiring: Wiring,
+    pub(in crate::scene) why: String,
+}
+
+impl fmt::Debug for Planned {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct(self.step.id()).field("wiring", &self.wiring).field("why", &self.why).finish()
+    }
+}
+
+/// What is done for every element of a group.
+#[derive(Debug)]
+pub(in crate::scene) struct Recipe {
+    /// How many registers last from state to state; they are numbered first.
+    pub(in crate::scene) lasting: usize,
+    /// How many there are beside them.
+    pub(in crate::scene) passing: usize,
+    pub(in crate::scene) parameters: Vec<Parameter>,
+    /// The register of each load of the kind, if it is needed.
+    pub(in crate::scene) loads: Vec<Option<usize>>,
+    /// In the initial configuration.
+    pub(in crate::scene) start: Pass,
+    /// In every state.
+    pub(in crate::scene) state: Pass,
+    /// Name and registers of each output.
+    pub(in crate::scene) outputs: Vec<(&'static str, Span)>,
+}
+
+/// A parameter that is a number.
+#[derive(Debug)]
+pub(in crate::scene) struct Parameter {
+    /// Its place in the kind.
+    pub(in crate::scene) index: usize,
+    /// The number where it is not given.
+    pub(in crate::scene) fallback: Option<f64>,
+    pub(in crate::scene) register: usize,
+}
+
+/// Formulas that are evaluated together, and what must be there before.
+#[derive(Debug)]
+pub(in crate::scene) struct Pass {
+    /// What the last state has left, and where it is wanted now.
+    pub(in crate::scene) before: Vec<(Span, Span)>,
+    /// What is read of the nodes.
+    pub(in crate::scene) reads: Vec<(Origin, Span)>,
+    pub(in crate::scene) steps: Vec<Planned>,
+}
+
+impl Recipe {
+    pub(in crate::scene) fn new(signature: &Signature) -> Self {
+        let kind = signature.kind;
+        let needs = Needs::of_outputs(signature);
+        let initial = needs.given.iter().filter_map(|&(name, origin)| match origin {
+            Origin::Initial(of) => Some((of, name)),
+            _ => None,
+        });
+        let initial: Vec<_> = initial.collect();
+        let at_start = initial.iter().map(|&(of, name)| (of, format!("{name}, the initial value")));
+        let at_start = Needs::of(signature, at_start);
+
+        // What an element is given lasts.
+        let mut layout = Layout { kind, spans: Vec::new(), end: 0 };
+        let given = |name: &str| needs.given.iter().chain(&at_start.given).any(|(other, _)| *other == name);
+        let mut parameters = Vec::new();
+        for (index, (name, fallback)) in kind.parameters().enumerate() {
+            if given(name) && signature.gives(name) {
+                parameters.push(Parameter { index, fallback: fallback.number(), register: layout.span(name).at });
+            }
+        }
+        for (_, name) in &initial {
+            layout.span(name);
+        }
+        let loads = kind.loads().map(|name| given(name).then(|| layout.span(name).at)).collect();
+        for (name, fallback) in kind.parameters().filter(|(name, _)| given(name) && !signature.gives(name)) {
+            if let Fallback::As(of) = fallback {
+                layout.share(name, of);
+            }
+        }
+        // At the start, what becomes an initial value is computed where it is kept, and everything else is forgotten.
+        let mut start_layout = layout.clone();
+        for (of, name) in initial {
+            start_layout.share(of, name);
+        }
+        // What is computed lasts where it is wanted later: by who asks for the outputs, or in the next state.
+        let wanted = wanted(kind, signature.outputs);
+        let outputs = wanted.map(|(name, register)| (name, layout.span(register))).collect();
+        for &(_, origin) in &needs.given {
+            if let Origin::Before(of) = origin {
+                layout.span(of);
+            }
+        }
+        let lasting = layout.end;
+        let state = Pass::new(&needs, &mut layout);
+        // The start has registers of its own, so that what it leaves there is not taken for the zeros of a state.
+        start_layout.end = layout.end;
+        let start = Pass::new(&at_start, &mut start_layout);
+        Self { lasting, passing: start_layout.end - lasting, parameters, loads, start, state, outputs }
+    }
+}
+
+impl Pass {
+    fn new(needs: &Needs, layout: &mut Layout) -> Self {
+        let (mut before, mut reads) = (Vec::new(), Vec::new());
+        for &(name, origin) in &needs.given {
+            match origin {
+                Origin::Before(of) => before.push((layout.span(of), layout.span(name))),
+                Origin::Position(_) | Origin::Increment(_) | Origin::Axis(..) => {
+                    reads.push((origin, layout.span(name)));
+                }
+                _ => {}
+            }
+        }
+        Self { before, reads, steps: wire(needs, layout) }
+    }
+}
+
+/// The needed formulas, each after those whose outputs it reads.
+fn wire(needs: &Needs, layout: &mut Layout) -> Vec<Planned> {
+    let mut waiting = needs.formulas.clone();
+    let mut wired = Vec::new();
+    while !waiting.is_empty() {
+        let awaited = |register: &str| waiting.iter().any(|(formula, _)| formula.writes(register).is_some());
+        let ready = waiting
+            .iter()
+            .position(|(formula, _)| formula.step.inputs().iter().all(|field| !awaited(formula.register(field.name))));
+        // A test plans every output of every kind.
+        let (formula, mut whys) = waiting.remove(ready.expect("no formula of a kind waits for itself"));
+        whys.sort();
+        whys.dedup();
+        // A field may be a part of its register: in the plane, formulas read two components of three.
+        let mut registers = |fields: &'static [Field]| -> Vec<u16> {
+            let spans = fields.iter().map(|field| (layout.span(formula.register(field.name)).at, field.len()));
+            spans.flat_map(|(at, len)| at..at + len).map(number_of).collect()
+        };
+        let wiring = Wiring { inputs: registers(formula.step.inputs()), outputs: registers(formula.step.outputs()) };
+        wired.push(Planned { step: formula.step, wiring, why: whys.join(", ") });
+    }
+    wired
+}
+
+fn number_of(register: usize) -> u16 {
+    u16::try_from(register).expect("no kind has anywhere near 65 536 registers")
+}
+
+/// Registers by name.
+#[derive(Clone)]
+pub(in crate::scene) struct Layout {
+    kind: &'static Kind,
+    spans: Vec<(&'static str, Span)>,
+    end: usize,
+}
+
+impl Layout {
+    /// The registers of this name, new ones at the end if there are none yet.
+    pub(in crate::scene) fn span(&mut self, name: &'static str) -> Span {
+        if let Some((_, span)) = self.spans.iter().find(|(other, _)| *other == name) {
+            return *span;
+        }
+        let len = self.kind.field(name).expect("every register is written or read by a formula").len();
+        let span = Span { at: self.end, len };
+        self.end += len;
+        self.spans.push((name, span));
+        span
+    }
+
+    /// Gives registers a second name.
+    fn share(&mut self, name: &'static str, with: &'static str) {
+        let span = self.span(with);
+        self.spans.push((name, span));
+    }
+}

@@ -1,0 +1,42 @@
+//! Numbers that a file may give.
+
+use crate::quantity::Domain;
+use crate::scene::json::{Read, Reader};
+
+/// What a file gives where it may give a number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Given {
+    Absent,
+    /// Something else, which is a fault already.
+    Faulty,
+    Number(f64),
+}
+
+impl Given {
+    pub(super) fn read(reader: &mut Reader, domain: Domain) -> Read<Self> {
+        Ok(reader.number(domain)?.map_or(Self::Faulty, Self::Number))
+    }
+
+    /// The number if it is one.
+    pub(super) fn number(self) -> Option<f64> {
+        match self {
+            Self::Number(number) => Some(number),
+            Self::Absent | Self::Faulty => None,
+        }
+    }
+}
+
+/// An object of numbers, each of its domain; `None` if it is something else.
+pub(super) fn numbers<const N: usize>(reader: &mut Reader, keys: [(&str, Domain); N]) -> Read<Option<[Given; N]>> {
+    let mut given = [Given::Absent; N];
+    let is_object = reader.record(&keys.map(|(name, _)| name), |reader, key| {
+        given[key] = Given::read(reader, keys[key].1)?;
+        Ok(())
+    })?;
+    Ok(is_object.then_some(given))
+}
+
+/// How many are there, faulty or not.
+pub(super) fn count(given: &[Given]) -> usize {
+    given.iter().filter(|&&given| given != Given::Absent).count()
+}

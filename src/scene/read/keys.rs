@@ -1,0 +1,34 @@
+//! The keys of a scene file, which the schema has too.
+
+use crate::quantity::{CLEARANCE, DAMPING_FRACTION, Domain, MU, MU0, PRESSURE_AT_TOUCH, STIFFNESS};
+use crate::slide_line::Interpolation;
+
+/// The keys of a scene.
+pub(in crate::scene) const SCENE: [&str; 8] =
+    ["title", "dimension", "orientations", "nodes", "slide_lines", "elements", "frames", "outputs"];
+pub(in crate::scene) const NODE: [&str; 2] = ["at", "orientation"];
+/// Of an orientation in space, of which one stands.
+pub(in crate::scene) const SPACE_ORIENTATION: [&str; 3] = ["axes", "rotation", "quaternion"];
+pub(in crate::scene) const PLANE_ORIENTATION: [&str; 1] = ["angle"];
+/// Of every element; those of its kind's parameters follow.
+pub(in crate::scene) const ELEMENT: [&str; 3] = ["kind", "nodes", "outputs"];
+/// Of an element that slides.
+pub(in crate::scene) const SLIDING_ELEMENT: [&str; 4] = ["kind", "nodes", "outputs", "slide_line"];
+pub(in crate::scene) const FRAME: [&str; 3] = ["time", "nodes", "loads"];
+/// Of a frame of an axisymmetric scene.
+pub(in crate::scene) const SLIDING_FRAME: [&str; 3] = ["time", "nodes", "pressures"];
+pub(in crate::scene) const MOTION: [&str; 2] = ["u", "ur"];
+pub(in crate::scene) const SLIDE_LINE: [&str; 6] = ["type", "nodes", "smoothing", "pressure", "damping", "friction"];
+/// The types of slide lines.
+pub(in crate::scene) const TYPES: [(&str, Interpolation); 2] =
+    [("linear", Interpolation::Linear), ("parabolic", Interpolation::Parabolic)];
+/// Of a pressure law: linear has the first, exponential the two in the middle, hard contact the last.
+pub(in crate::scene) const PRESSURE: [(&str, Domain); 4] = [
+    ("k", STIFFNESS.domain),
+    ("c0", CLEARANCE.domain),
+    ("p0", PRESSURE_AT_TOUCH.domain),
+    ("tolerance", Domain::NonNegative),
+];
+pub(in crate::scene) const DAMPING: [(&str, Domain); 3] =
+    [("mu0", MU0.domain), ("c0", CLEARANCE.domain), ("eta", DAMPING_FRACTION.domain)];
+pub(in crate::scene) const FRICTION: [(&str, Domain); 2] = [("mu", MU.domain), ("k_stick", STIFFNESS.domain)];

@@ -1,0 +1,115 @@
+//! From the text of a scene file to a checked [`Scene`].
+
+mod checks;
+mod elements;
+mod frames;
+mod given;
+pub(super) mod keys;
+mod names;
+mod nodes;
+mod outputs;
+mod slide_lines;
+
+use super::json::{Faults, Read, Reader};
+use super::kind::Dimension;
+use super::model::{Frame, Scene};
+use elements::{Draft, elements_of};
+use frames::frames_of;
+use nodes::{nodes_of, orientations_of};
+use outputs::Outputs;
+use slide_lines::slide_lines_of;
+
+impl Scene {
+    /// Reads a scene file and checks it.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it, each with its JSON path, line, column, what was found and what is allowed.
+    /// Text that is not JSON is the last fault that is found.
+    pub fn parse(text: &str) -> Result<Self, Faults> {
+        let mut reader = Reader::new(text);
+        let scene = scene(&mut reader);
+        match scene {
+            Ok(Some(scene)) if reader.faults.none() => Ok(scene),
+            _ => Err(reader.faults),
+        }
+    }
+}
+
+/// First where each part stands, then the parts in the order in which they refer to each other. `None` after a fault.
+fn scene(reader: &mut Reader) -> Read<Option<Scene>> {
+    let start = reader.place();
+    let mut parts = [None; keys::SCENE.len()];
+    let is_object = reader.record(&keys::SCENE, |reader, key| {
+        parts[key] = Some(reader.place());
+        reader.skip()
+    })?;
+    reader.end()?;
+    if !is_object {
+        return Ok(None);
+    }
+    for (key, part) in keys::SCENE.iter().zip(parts) {
+        if part.is_none() && ["dimension", "nodes", "elements"].contains(key) {
+            reader.fault(start, format!("no {key:?}"), "a scene with dimension, nodes and elements");
+        }
+    }
+    let [title, dimension, orientations, nodes, lines, elements, frames, outputs] = parts;
+    let title = part(reader, "title", title, |reader| reader.string("a string"))?.flatten().unwrap_or_default();
+    let dimension = part(reader, "dimension", dimension, dimension_of)?.flatten();
+    let Some(dimension) = dimension else { return Ok(None) };
+    let turns = part(reader, "orientations", orientations, |reader| orientations_of(reader, dimension))?;
+    let turns = turns.unwrap_or_default();
+    let nodes = part(reader, "nodes", nodes, |reader| nodes_of(reader, dimension, &turns))?.unwrap_or_default();
+    let lines = lines.filter(|&place| belongs(reader, place, dimension));
+    let lines = part(reader, "slide_lines", lines, |reader| slide_lines_of(reader, &nodes))?.unwrap_or_default();
+    let outputs = part(reader, "outputs", outputs, |reader| Outputs::read(reader, dimension))?.unwrap_or_default();
+    let elements =
+        part(reader, "elements", elements, |reader| elements_of(reader, dimension, &nodes, &lines, &outputs))?;
+    let elements = elements.unwrap_or_default();
+    let frames = part(reader, "frames", frames, |reader| frames_of(reader, dimension, &nodes, &elements))?;
+    let frames = frames.unwrap_or_else(|| vec![Frame::default()]);
+    let whole = || {
+        Some(Scene {
+            title,
+            dimension,
+            orientations: turns.each(|orientation| orientation)?,
+            nodes: nodes.each(|node| node)?,
+            lines: lines.each(|line| line)?,
+            elements: elements.each(Draft::whole)?,
+            frames,
+        })
+    };
+    Ok(whole())
+}
+
+/// Whether slide lines belong into the scene.
+fn belongs(reader: &mut Reader, lines: usize, dimension: Dimension) -> bool {
+    let belong = dimension == Dimension::Axisymmetric;
+    if !belong {
+        reader.go(lines);
+        reader.below("slide_lines", |reader| reader.fault(lines, "slide lines", "none but in an axisymmetric scene"));
+    }
+    belong
+}
+
+/// A part of the scene, if there is one.
+fn part<'t, T>(
+    reader: &mut Reader<'t>,
+    key: &str,
+    place: Option<usize>,
+    read: impl FnOnce(&mut Reader<'t>) -> Read<T>,
+) -> Read<Option<T>> {
+    let Some(place) = place else { return Ok(None) };
+    reader.go(place);
+    reader.below(key, read).map(Some)
+}
+
+fn dimension_of(reader: &mut Reader) -> Read<Option<Dimension>> {
+    let place = reader.place();
+    let allowed = Dimension::ALL.map(Dimension::name).join(", ");
+    let Some(name) = reader.string(&allowed)? else { return Ok(None) };
+    let dimension = Dimension::ALL.into_iter().find(|dimension| dimension.name() == name);
+    if dimension.is_none() {
+        reader.fault(place, format!("{name:?}"), allowed);
+    }
+    Ok(dimension)
+}

@@ -1,0 +1,69 @@
+//! Names of the author's choice, and references to them.
+
+use crate::scene::json::{Read, Reader};
+use crate::scene::model::Named;
+
+/// The members of an object whose keys are names, each once; `item` is told its number. An entry with a fault may have a
+/// name all the same, to which others may refer without another fault.
+pub(super) fn named<'t, T>(
+    reader: &mut Reader<'t>,
+    mut item: impl FnMut(&mut Reader<'t>, u32) -> Read<T>,
+) -> Read<Named<T>> {
+    let mut all = Named::default();
+    reader.object("an object of named entries", |reader, name, place| {
+        if name.is_empty() {
+            reader.fault(place, "an empty name", "a name");
+        }
+        let value = item(reader, all.next_number())?;
+        if all.number_of(name).is_some() {
+            reader.fault(place, format!("{name:?} for the second time"), "each name once");
+        } else if all.push(name, value).is_err() {
+            reader.fault(place, format!("{} entries and one more", all.len()), "no more than can be numbered");
+        }
+        Ok(())
+    })?;
+    Ok(all)
+}
+
+/// An array of names that must be known: the number of each that is.
+pub(super) fn refer_all<T>(
+    reader: &mut Reader,
+    known: &Named<T>,
+    allowed: &str,
+    what: &str,
+) -> Read<Option<Vec<Option<u32>>>> {
+    let mut found = Vec::new();
+    let is_array = reader.array(allowed, |reader, _| {
+        found.push(refer(reader, known, what)?);
+        Ok(())
+    })?;
+    Ok(is_array.then_some(found))
+}
+
+/// A name that must be known: its number if it is.
+pub(super) fn refer<T>(reader: &mut Reader, known: &Named<T>, what: &str) -> Read<Option<u32>> {
+    let place = reader.place();
+    let name = reader.string(&format!("the name of a {what}"))?;
+    Ok(name.and_then(|name| look_up(reader, known, place, &name, what)))
+}
+
+/// Names that an error lists.
+const SHOWN: usize = 8;
+
+/// The number of a name that must be known.
+pub(super) fn look_up<T>(reader: &mut Reader, known: &Named<T>, place: usize, name: &str, what: &str) -> Option<u32> {
+    let number = known.number_of(name);
+    if number.is_none() {
+        let mut names: Vec<_> = known.names().take(SHOWN).map(|name| format!("{name:?}")).collect();
+        if known.len() > SHOWN {
+            names.push("…".into());
+        }
+        let allowed = if names.is_empty() {
+            format!("no {what}, there are none")
+        } else {
+            format!("one of {}", names.join(", "))
+        };
+        reader.fault(place, format!("no {what} {name:?}"), allowed);
+    }
+    number
+}

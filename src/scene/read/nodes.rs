@@ -1,0 +1,100 @@
+//! Nodes, and how they stand: triads by two axes, as a rotation vector, as a quaternion, or by an angle in the plane.
+
+use super::keys;
+use super::names::{named, refer};
+use crate::quantity::Domain;
+use crate::scene::json::{Read, Reader};
+use crate::scene::kind::Dimension;
+use crate::scene::model::{Named, Orientation, SceneNode};
+
+/// How parallel two axes may be: the least sine of the angle between them.
+const PARALLEL: f64 = 1e-6;
+
+/// Coordinates or a displacement.
+pub(super) fn point(reader: &mut Reader, dimension: Dimension) -> Read<Option<[f64; 3]>> {
+    if dimension == Dimension::Space {
+        return reader.vector();
+    }
+    Ok(reader.vector()?.map(|[x, y]: [f64; 2]| [x, y, 0.0]))
+}
+
+pub(super) fn nodes_of(
+    reader: &mut Reader,
+    dimension: Dimension,
+    orientations: &Named<Option<Orientation>>,
+) -> Read<Named<Option<SceneNode>>> {
+    named(reader, |reader, _| {
+        let place = reader.place();
+        let (mut given, mut at, mut orientation) = (false, None, None);
+        let is_object = reader.record(&keys::NODE, |reader, key| {
+            if key == 0 {
+                given = true;
+                at = point(reader, dimension)?;
+            } else {
+                orientation = refer(reader, orientations, "orientation")?;
+            }
+            Ok(())
+        })?;
+        if is_object && !given {
+            reader.fault(place, "a node without \"at\"", "a node with its coordinates");
+        }
+        Ok(at.map(|at| SceneNode { at, orientation }))
+    })
+}
+
+pub(super) fn orientations_of(reader: &mut Reader, dimension: Dimension) -> Read<Named<Option<Orientation>>> {
+    let keys: &[&str] = if dimension == Dimension::Space { &keys::SPACE_ORIENTATION } else { &keys::PLANE_ORIENTATION };
+    named(reader, |reader, _| {
+        let place = reader.place();
+        let mut found = Vec::new();
+        reader.record(keys, |reader, key| {
+            found.push(match (dimension, key) {
+                (Dimension::Space, 0) => axes(reader)?,
+                (Dimension::Space, 1) => reader.vector()?.map(Orientation::Rotation),
+                (Dimension::Space, _) => quaternion(reader)?,
+                _ => reader.number(Domain::Angle)?.map(|angle| Orientation::Rotation([0.0, 0.0, angle])),
+            });
+            Ok(())
+        })?;
+        if let [orientation] = found[..] {
+            return Ok(orientation);
+        }
+        reader.fault(place, format!("{} descriptions", found.len()), format!("exactly one of {}", keys.join(", ")));
+        Ok(None)
+    })
+}
+
+fn axes(reader: &mut Reader) -> Read<Option<Orientation>> {
+    let place = reader.place();
+    let mut axes = Vec::new();
+    let is_array = reader.array("an array of two vectors", |reader, _| {
+        axes.push(reader.vector()?);
+        Ok(())
+    })?;
+    let [Some(first), Some(second)] = axes[..] else {
+        if is_array && axes.len() != 2 {
+            reader.fault(
+                place,
+                format!("{} vectors", axes.len()),
+                "two: along the first axis, and in the plane of the first two",
+            );
+        }
+        return Ok(None);
+    };
+    let [a, b] = [first, second].map(|v| nalgebra::Vector3::from(crate::scalar::direction(v)));
+    if a.cross(&b).norm() < PARALLEL {
+        reader.fault(place, "two vectors that are parallel, or zero", "two vectors that span a plane");
+        return Ok(None);
+    }
+    Ok(Some(Orientation::Axes(first, second)))
+}
+
+fn quaternion(reader: &mut Reader) -> Read<Option<Orientation>> {
+    let place = reader.place();
+    let Some(quaternion) = reader.vector()? else { return Ok(None) };
+    if quaternion == [0.0; 4] {
+        reader.fault(place, "the quaternion 0", "a quaternion other than 0, real part first");
+        return Ok(None);
+    }
+    Ok(Some(Orientation::Quaternion(quaternion)))
+}

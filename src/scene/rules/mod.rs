@@ -1,0 +1,344 @@
+//! What a scene needs between the documented formulas: friction over increments, angles fit for programs, and the
+//! coordinate that a sliding node keeps.
+//!
+//! These are [`Formula`]s like any other, so the audit of this crate proves their Jacobians too; they are
+//! not in the [catalog](crate::catalog), which holds what the documents print.
+
+#![expect(clippy::inline_always, reason = "a call would write the inputs to memory, and wait for them there")]
+
+#[cfg(feature = "verify")]
+mod proof;
+
+use crate::align::{Misalignment, Orientations};
+use crate::cardan::{Angles, Oriented, Triads, accurate, accurate_jacobian, check_turns};
+use crate::error::Error;
+use crate::fields;
+use crate::formula::{Component, Document, Formula, Jacobian, Spec};
+use crate::quantity::{
+    Domain, F_TANGENTIAL, F_TRIAL, Quantity, SLIDER_DXM, SLIDER_DXMK, SLIDER_X1, SLIDER_X1_PLANE, SLIDER_XM,
+    SLIDER_XM_PLANE, SLIDER_XMK, SLIDER_XN, SLIDER_XN_PLANE, Shape, U1, Unit,
+};
+use crate::scalar::{Scalar, abs, pi, sign};
+use crate::slider::{Pivots, Pivots2d};
+use nalgebra::{Vector2, Vector3};
+use std::f64::consts::PI;
+
+pub(in crate::scene) const fn scalar(
+    latex: &'static str,
+    unit: Unit,
+    domain: Domain,
+    meaning: &'static str,
+) -> Quantity {
+    Quantity { latex, shape: Shape::Scalar, unit, domain, meaning }
+}
+
+/// Stick stiffness.
+pub const K_STICK: Quantity =
+    scalar(r"k", Unit::new(-1, 1, 0), Domain::Positive, "stiffness of the contact while it sticks");
+/// Displacement at the start of the increment.
+pub const U1_BEFORE: Quantity = scalar(r"u_1^-", Unit::L, Domain::Real, "available displacement in the last state");
+/// Friction force at the start of the increment.
+pub const F_BEFORE: Quantity = scalar(r"f^-", Unit::F, Domain::Real, "friction force in the last state");
+/// Slip of the increment.
+pub const SLIP: Quantity = scalar(r"\Delta s", Unit::L, Domain::Real, "slip of this increment, 0 while it sticks");
+/// Accumulated slip.
+pub const TOTAL: Quantity = scalar(r"s", Unit::L, Domain::NonNegative, "accumulated slip, never falling");
+/// Accumulated slip at the start of the increment.
+pub const TOTAL_BEFORE: Quantity = scalar(r"s^-", Unit::L, Domain::NonNegative, "accumulated slip in the last state");
+
+/// Why all of these are ours.
+const WHY: &str = "the page says when it sticks, and not how one state follows from another";
+
+const fn spec(id: &'static str, title: &'static str, latex: &'static str) -> Spec {
+    Spec::new(id, title, Document::SLOT.ours("Friction", WHY)).equation(latex).eta(4.0, 4.0)
+}
+
+fields! {
+    /// Displacement now and before, force before, stiffness.
+    pub struct StickLoads<T> { u1: T = U1, u1_before: T = U1_BEFORE, f_before: T = F_BEFORE, k_stick: T = K_STICK }
+}
+fields! {
+    /// Force if the contact stuck.
+    pub struct TrialForce<T> { f_trial: T = F_TRIAL }
+}
+
+/// The friction force if the contact sticks over the increment: f_trial = f⁻ + k (u1 − u1⁻).
+#[derive(Clone, Copy, Debug)]
+pub struct Stick;
+
+impl Formula for Stick {
+    const SPEC: Spec =
+        spec("scene.stick", "Trial force of an increment", r"f^{\mathrm{trial}} = f^- + k\,(u_1 - u_1^-)");
+    type Inputs<T: Component> = StickLoads<T>;
+    type Outputs<T: Component> = TrialForce<T>;
+
+    #[inline(always)]
+    fn eval<D: Scalar>(i: &StickLoads<D>) -> TrialForce<D> {
+        TrialForce { f_trial: i.f_before + i.k_stick * (i.u1 - i.u1_before) }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &StickLoads<D>) -> Jacobian<Self, D> {
+        let (u1, k_stick) = (i.k_stick, i.u1 - i.u1_before);
+        TrialForce { f_trial: StickLoads { u1, u1_before: -u1, f_before: D::one(), k_stick } }
+    }
+}
+
+/// Stick stiffness of a joint that turns.
+pub const TURN_STICK: Quantity =
+    scalar(r"k", Unit::FL, Domain::Positive, "moment per radian of the contact while it sticks");
+/// Rotation at the end of the increment.
+pub const TURN: Quantity = scalar(r"u_r", Unit::ONE, Domain::Angle, "available rotation");
+/// Rotation at the start of the increment.
+pub const TURN_BEFORE: Quantity = scalar(r"u_r^-", Unit::ONE, Domain::Angle, "available rotation in the last state");
+/// Friction moment at the start of the increment.
+pub const MOMENT_BEFORE: Quantity = scalar(r"m^-", Unit::FL, Domain::Real, "friction moment in the last state");
+/// Friction moment if the contact stuck.
+pub const MOMENT_TRIAL: Quantity =
+    scalar(r"m^{\mathrm{trial}}", Unit::FL, Domain::Real, "friction moment if the contact stuck");
+
+fields! {
+    /// Rotation now and before, moment before, stiffness.
+    pub struct TurnLoads<T> {
+        ur: T = TURN, ur_before: T = TURN_BEFORE, m_before: T = MOMENT_BEFORE, k_stick: T = TURN_STICK,
+    }
+}
+fields! {
+    /// Moment if the contact stuck.
+    pub struct TrialMoment<T> { m_trial: T = MOMENT_TRIAL }
+}
+
+/// The friction moment if the contact sticks over the increment: m_trial = m⁻ + k (u_r − u_r⁻), the difference taken as an
+/// angle from −π to π.
+#[derive(Clone, Copy, Debug)]
+pub struct TurnStick;
+
+impl Formula for TurnStick {
+    const SPEC: Spec = spec(
+        "scene.turn_stick",
+        "Trial moment of an increment",
+        r"m^{\mathrm{trial}} = m^- + k\,(u_r - u_r^-),\quad u_r - u_r^- \pmod{2\pi}",
+    );
+    type Inputs<T: Component> = TurnLoads<T>;
+    type Outputs<T: Component> = TrialMoment<T>;
+
+    #[inline(always)]
+    fn eval<D: Scalar>(i: &TurnLoads<D>) -> TrialMoment<D> {
+        TrialMoment { m_trial: i.m_before + i.k_stick * wrapped(i.ur - i.ur_before) }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &TurnLoads<D>) -> Jacobian<Self, D> {
+        let (ur, k_stick) = (i.k_stick, wrapped(i.ur - i.ur_before));
+        TrialMoment { m_trial: TurnLoads { ur, ur_before: -ur, m_before: D::one(), k_stick } }
+    }
+}
+
+fields! {
+    /// What the increment did to displacement and force, and the slip so far.
+    pub struct SlipLoads<T> {
+        f_trial: T = F_TRIAL, csf: T = F_TANGENTIAL, k_stick: T = K_STICK, slip_before: T = TOTAL_BEFORE,
+    }
+}
+fields! {
+    /// Slip.
+    pub struct SlipTotals<T> { slip: T = SLIP, slip_total: T = TOTAL }
+}
+
+/// What the return map takes back is slip: Δs = (f_trial − f)/k, s = s⁻ + |Δs|.
+#[derive(Clone, Copy, Debug)]
+pub struct Slip;
+
+impl Formula for Slip {
+    const SPEC: Spec = spec(
+        "scene.slip",
+        "Slip of an increment",
+        r"\Delta s = (f^{\mathrm{trial}} - f)/k,\quad s = s^- + \lvert\Delta s\rvert",
+    );
+    type Inputs<T: Component> = SlipLoads<T>;
+    type Outputs<T: Component> = SlipTotals<T>;
+
+    #[inline(always)]
+    fn eval<D: Scalar>(i: &SlipLoads<D>) -> SlipTotals<D> {
+        let slip = (i.f_trial - i.csf) / i.k_stick;
+        SlipTotals { slip, slip_total: i.slip_before + abs(slip) }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &SlipLoads<D>) -> Jacobian<Self, D> {
+        let f_trial = D::one() / i.k_stick;
+        let k_stick = -(i.f_trial - i.csf) / (i.k_stick * i.k_stick);
+        let s = sign(i.f_trial - i.csf);
+        SlipTotals {
+            slip: SlipLoads { f_trial, csf: -f_trial, k_stick, slip_before: D::zero() },
+            slip_total: SlipLoads {
+                f_trial: f_trial * s,
+                csf: -f_trial * s,
+                k_stick: k_stick * s,
+                slip_before: D::one(),
+            },
+        }
+    }
+}
+
+/// The Cardan angles with β from two arguments, right up to ±90°.
+#[derive(Clone, Copy, Debug)]
+pub struct Turns;
+
+impl Formula for Turns {
+    const SPEC: Spec = spec(
+        "scene.angles",
+        "Cardan angles, β from two arguments",
+        r"\alpha, \gamma \text{ as documented},\quad \beta = \operatorname{atan2}\bigl(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b},\ \sqrt{(\mathbf{e}_{1a}\cdot\mathbf{e}_{1b})^2 + (\mathbf{e}_{1a}\cdot\mathbf{e}_{2b})^2}\bigr)",
+    );
+    type Inputs<T: Component> = Triads<T>;
+    type Outputs<T: Component> = Angles<T>;
+
+    #[inline(always)]
+    fn eval<D: Scalar>(i: &Triads<D>) -> Angles<D> {
+        accurate(i)
+    }
+    #[inline]
+    fn jacobian<D: Scalar>(i: &Triads<D>) -> Jacobian<Self, D> {
+        accurate_jacobian(i)
+    }
+    #[inline]
+    fn validate(i: &Triads<f64>) -> Result<(), Error> {
+        check_turns(i)
+    }
+}
+
+/// ALIGN's residuals with β from two arguments, and with differences of α and γ taken as angles from −π to π.
+#[derive(Clone, Copy, Debug)]
+pub struct Alignment;
+
+impl Formula for Alignment {
+    const SPEC: Spec = spec(
+        "scene.alignment",
+        "Residuals of ALIGN, without jumps",
+        r"u_{r1} = \alpha - \alpha_0,\quad u_{r2} = \beta - \beta_0,\quad u_{r3} = \gamma - \gamma_0 \pmod{2\pi}",
+    );
+    type Inputs<T: Component> = Orientations<T>;
+    type Outputs<T: Component> = Misalignment<T>;
+
+    #[inline(always)]
+    fn eval<D: Scalar>(i: &Orientations<D>) -> Misalignment<D> {
+        let Angles { alpha, beta, gamma } = accurate(&i.triads());
+        Misalignment { ur1: wrapped(alpha - i.alpha0), ur2: beta - i.beta0, ur3: wrapped(gamma - i.gamma0) }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &Orientations<D>) -> Jacobian<Self, D> {
+        let Angles { alpha, beta, gamma } = accurate_jacobian(&i.triads());
+        Misalignment {
+            ur1: Orientations { alpha0: -D::one(), ..Orientations::of(alpha) },
+            ur2: Orientations { beta0: -D::one(), ..Orientations::of(beta) },
+            ur3: Orientations { gamma0: -D::one(), ..Orientations::of(gamma) },
+        }
+    }
+
+    #[inline]
+    fn validate(i: &Orientations<f64>) -> Result<(), Error> {
+        check_turns(&i.triads())
+    }
+}
+
+/// The difference of two angles, less a full turn where it is beyond half a turn; π to the precision of `D`.
+fn wrapped<D: Scalar>(difference: D) -> D {
+    if abs(difference) <= PI {
+        return difference;
+    }
+    difference - pi::<D>() * (2.0 * sign(difference))
+}
+
+fields! {
+    /// The coordinate that is kept, and its increment.
+    pub struct Kept<T> { xmk: T = SLIDER_XMK, dxmk: T = SLIDER_DXMK }
+}
+fields! {
+    /// The line, node m and its increment.
+    pub struct KeptNodes<T> {
+        x1: Vector3<T> = SLIDER_X1, xn: Vector3<T> = SLIDER_XN, xm: Vector3<T> = SLIDER_XM, dxm: Vector3<T> = SLIDER_DXM,
+    }
+}
+
+/// The coordinate of node m along the axis that the documented pivots keep, and its increment.
+#[derive(Clone, Copy, Debug)]
+pub struct KeptAxis;
+
+impl Formula for KeptAxis {
+    const SPEC: Spec = Spec {
+        objective: false,
+        ..spec(
+            "scene.kept_axis",
+            "The coordinate that is kept",
+            r"x_{m,k} = \mathbf{x}_m\cdot\mathbf{i}_k,\quad \mathrm{d}x_{m,k} = \mathrm{d}\mathbf{x}_m\cdot\mathbf{i}_k",
+        )
+    };
+    type Inputs<T: Component> = KeptNodes<T>;
+    type Outputs<T: Component> = Kept<T>;
+
+    #[inline(always)]
+    fn eval<D: Scalar>(i: &KeptNodes<D>) -> Kept<D> {
+        let k = Pivots::new(&i.x1, &i.xn).k;
+        Kept { xmk: i.xm[k], dxmk: i.dxm[k] }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &KeptNodes<D>) -> Jacobian<Self, D> {
+        let k = Pivots::new(&i.x1, &i.xn).k;
+        let zero = Vector3::from_element(D::zero());
+        let axis = crate::formula::along(k, D::one());
+        let none = KeptNodes { x1: zero, xn: zero, xm: zero, dxm: zero };
+        Kept { xmk: KeptNodes { xm: axis, ..none }, dxmk: KeptNodes { dxm: axis, ..none } }
+    }
+
+    #[inline]
+    fn validate(i: &KeptNodes<f64>) -> Result<(), Error> {
+        Error::check_apart(("x1", i.x1), ("xn", i.xn))
+    }
+}
+
+/// Increment of node m in the plane.
+pub const DXM_PLANE: Quantity = Quantity { shape: Shape::Vec2, ..SLIDER_DXM };
+
+fields! {
+    /// The line, node m and its increment, in the plane.
+    pub struct KeptNodes2d<T> {
+        x1: Vector2<T> = SLIDER_X1_PLANE, xn: Vector2<T> = SLIDER_XN_PLANE, xm: Vector2<T> = SLIDER_XM_PLANE,
+        dxm: Vector2<T> = DXM_PLANE,
+    }
+}
+
+/// As [`KeptAxis`], in the plane.
+#[derive(Clone, Copy, Debug)]
+pub struct KeptAxis2d;
+
+impl Formula for KeptAxis2d {
+    const SPEC: Spec = Spec { id: "scene.kept_axis_2d", ..KeptAxis::SPEC };
+    type Inputs<T: Component> = KeptNodes2d<T>;
+    type Outputs<T: Component> = Kept<T>;
+
+    #[inline(always)]
+    fn eval<D: Scalar>(i: &KeptNodes2d<D>) -> Kept<D> {
+        let k = Pivots2d::new(&i.x1, &i.xn).k;
+        Kept { xmk: i.xm[k], dxmk: i.dxm[k] }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &KeptNodes2d<D>) -> Jacobian<Self, D> {
+        let k = Pivots2d::new(&i.x1, &i.xn).k;
+        let (zero, axis) = (Vector2::from_element(D::zero()), crate::formula::along(k, D::one()));
+        let none = KeptNodes2d { x1: zero, xn: zero, xm: zero, dxm: zero };
+        Kept { xmk: KeptNodes2d { xm: axis, ..none }, dxmk: KeptNodes2d { dxm: axis, ..none } }
+    }
+
+    #[inline]
+    fn validate(i: &KeptNodes2d<f64>) -> Result<(), Error> {
+        Error::check_apart(("x1", i.x1), ("xn", i.xn))
+    }
+}
+
+/// The formulas of this module.
+pub const RULES: &[&dyn crate::catalog::AnyFormula] =
+    &[&Stick, &TurnStick, &Slip, &Turns, &Alignment, &KeptAxis, &KeptAxis2d];

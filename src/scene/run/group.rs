@@ -1,0 +1,180 @@
+//! The elements of a group: what they keep, and how their formulas are evaluated, block by block.
+
+use super::blocks::{Blocks, End};
+use super::nodes::NodeStates;
+use super::share::task;
+use crate::scene::evaluate::{Column, Failure, LANES, Lanes, Number, Span};
+use crate::scene::kind::Origin;
+use crate::scene::model::{Changes, Frame, Scene};
+use crate::scene::plan::{Group, Parameter, Pass};
+use rayon::prelude::*;
+
+/// What the elements of a group keep from state to state, their results among it.
+#[derive(Debug)]
+pub(super) struct GroupState<T> {
+    /// Block by block, a column per register that lasts.
+    lasting: Vec<Column<T>>,
+    /// Room for the other registers of a block.
+    passing: Vec<Column<T>>,
+    /// Block by block, node by node.
+    ends: Vec<End>,
+    /// How often the initial configuration and a state were evaluated.
+    starts: usize,
+    states: usize,
+}
+
+impl<T: Number> GroupState<T> {
+    /// The elements with their parameters, and zeros.
+    pub(super) fn new(scene: &Scene, group: &Group, nodes: &NodeStates<'_, T>) -> Self {
+        let recipe = &group.recipe;
+        // Written to here: pages of a zeroed `vec!` would be mapped one by one in the first state.
+        let zeros = |columns: usize| -> Vec<_> { std::iter::repeat_n([T::zero(); LANES], columns).collect() };
+        let mut lasting = zeros(group.elements.len().div_ceil(LANES) * recipe.lasting);
+        let mut ends = Vec::new();
+        for (block, lasting) in group.elements.chunks(LANES).zip(lasting.chunks_exact_mut(recipe.lasting)) {
+            for (lane, &element) in block.iter().enumerate() {
+                let given = &scene.elements[element].parameters;
+                for &Parameter { index, fallback, register } in &recipe.parameters {
+                    let number = given[index].or(fallback).expect("elements of a group have the same numbers given");
+                    lasting[register][lane] = T::exactly(number);
+                }
+            }
+            ends.extend((0..group.kind.nodes.len()).map(|node| {
+                let place = |&element: &u32| nodes.place(scene.elements[element].nodes[node]);
+                let mut places = [0; LANES];
+                places.iter_mut().zip(block).for_each(|(end, element)| *end = place(element));
+                End { places, triad: nodes.common_triad(&places[..block.len()]) }
+            }));
+        }
+        Self { lasting, passing: zeros(recipe.passing), ends, starts: 0, states: 0 }
+    }
+
+    /// Evaluates the formulas of a pass for every element.
+    pub(super) fn evaluate(&mut self, inputs: &Inputs<'_, T>) -> Vec<Failure> {
+        let Group { kind, elements, recipe } = inputs.group;
+        let pass = if inputs.frame.is_some() { &recipe.state } else { &recipe.start };
+        let times = if inputs.frame.is_some() { &mut self.states } else { &mut self.starts };
+        *times += 1;
+        let blocks = task(elements.len().div_ceil(LANES), T::BLOCKS);
+        if elements.len() <= blocks * LANES {
+            return inputs.evaluate(pass, 0, &mut self.lasting, &mut self.passing, &self.ends);
+        }
+        let ends = self.ends.par_chunks(blocks * kind.nodes.len());
+        let tasks = self.lasting.par_chunks_mut(blocks * recipe.lasting).zip(ends).enumerate();
+        let evaluate = |passing: &mut Vec<_>, (task, (lasting, ends)): (usize, (&mut [_], &[_]))| {
+            inputs.evaluate(pass, task * blocks * LANES, lasting, passing, ends)
+        };
+        tasks.map_with(self.passing.clone(), evaluate).flatten_iter().collect()
+    }
+
+    /// How often each formula was evaluated so far.
+    pub(super) fn counts(&self, group: &Group) -> impl Iterator<Item = (&'static str, usize)> {
+        let elements = group.elements.len();
+        let passes = [(&group.recipe.start, self.starts), (&group.recipe.state, self.states)];
+        let evaluated = passes.into_iter().filter(|&(_, times)| times > 0);
+        evaluated
+            .flat_map(move |(pass, times)| pass.steps.iter().map(move |planned| (planned.step.id(), times * elements)))
+    }
+
+    /// The components of an output of an element.
+    pub(super) fn output(&self, group: &Group, element: usize, span: Span) -> impl Iterator<Item = T> {
+        let block = &self.lasting[element / LANES * group.recipe.lasting..];
+        block[span.range()].iter().map(move |column| column[element % LANES])
+    }
+
+    /// Bytes that last from state to state.
+    pub(super) fn bytes(&self) -> usize {
+        size_of_val(&*self.lasting) + size_of_val(&*self.ends)
+    }
+}
+
+/// What a state is evaluated from.
+pub(super) struct Inputs<'i, T> {
+    pub(super) group: &'i Group,
+    pub(super) nodes: &'i NodeStates<'i, T>,
+    /// A state; without one it is the initial configuration, without loads.
+    pub(super) frame: Option<&'i Frame>,
+}
+
+impl<T: Number> Inputs<'_, T> {
+    /// The elements of a task, of which the first has this place in the group, block by block.
+    fn evaluate(
+        &self,
+        pass: &Pass,
+        first: usize,
+        lasting: &mut [Column<T>],
+        passing: &mut [Column<T>],
+        ends: &[End],
+    ) -> Vec<Failure> {
+        let elements = &self.group.elements[first..];
+        let mut failures = Vec::new();
+        let mut loads = self.loads_from(elements[0]);
+        let mut spread = vec![None; pass.reads.len()];
+        let mut blocks = Blocks { group: self.group, nodes: self.nodes, lasting, ends };
+        for (first, elements) in (first..).step_by(LANES).zip(elements.chunks(LANES)) {
+            let Some((lasting, ends)) = blocks.next() else { break };
+            let mut lanes = Lanes { lasting, passing, first, count: elements.len() };
+            for &(of, before) in &pass.before {
+                lanes.copy(of, before);
+            }
+            for (register, changes, place) in &mut loads {
+                *place = take_over(changes, *place, elements, &mut lanes.lasting[*register]);
+            }
+            self.read(pass, ends, &mut lanes, &mut spread);
+            for (part, planned) in pass.steps.iter().enumerate() {
+                blocks.prefetch(part, pass.steps.len());
+                T::run(planned.step, &planned.wiring, &mut lanes, &mut failures);
+            }
+        }
+        failures
+    }
+
+    /// The loads that are needed: their registers, what changes of them, and the place there of the first from this
+    /// element on.
+    fn loads_from(&self, element: u32) -> Vec<(usize, &Changes<f64>, usize)> {
+        let changed = self.frame.into_iter().flat_map(|frame| &frame.loads);
+        let loads = self.group.recipe.loads.iter().zip(changed);
+        loads.filter_map(|(register, changes)| Some(((*register)?, changes, changes.place(0, element)))).collect()
+    }
+
+    /// Reads what a block's elements need of their nodes. A triad that all of them share stays where it was spread.
+    fn read(&self, pass: &Pass, ends: &[End], lanes: &mut Lanes<'_, T>, spread: &mut [Option<u32>]) {
+        let nodes = self.nodes;
+        for (&(origin, span), spread) in pass.reads.iter().zip(spread) {
+            match origin {
+                Origin::Position(node) => lanes.fill(span, &ends[node].places, nodes.positions()),
+                Origin::Increment(node) => lanes.fill(span, &ends[node].places, nodes.increments()),
+                Origin::Axis(node, axis) => {
+                    let End { places, triad } = &ends[node];
+                    match *triad {
+                        None => lanes.fill(span, places, |place| nodes.triad(nodes.triad_of(place))[axis]),
+                        Some(triad) if *spread != Some(triad) => lanes.spread(span, nodes.triad(triad)[axis]),
+                        Some(_) => {}
+                    }
+                    *spread = *triad;
+                }
+                _ => {}
+            }
+        }
+    }
+}
+
+/// Takes over what changes of these elements, from a place of the changes on; gives the place after them.
+fn take_over<T: Number>(changes: &Changes<f64>, place: usize, elements: &[u32], column: &mut [T]) -> usize {
+    let all = place..place + elements.len();
+    if changes.of.get(all.clone()) == Some(elements) {
+        column.iter_mut().zip(&changes.to[all.clone()]).for_each(|(load, &value)| *load = T::exactly(value));
+        return all.end;
+    }
+    let mut place = place;
+    for (&element, load) in elements.iter().zip(column) {
+        if changes.of.get(place).is_some_and(|&next| next < element) {
+            place = changes.place(place, element);
+        }
+        if changes.of.get(place) == Some(&element) {
+            *load = T::exactly(changes.to[place]);
+            place += 1;
+        }
+    }
+    place
+}

@@ -1,0 +1,19 @@
+//! Sharing work out to all cores.
+
+use rayon::prelude::*;
+
+/// How many of so many items make a task: as many as are worth a thread at least, and few enough for every thread to get
+/// several.
+pub(super) fn task(items: usize, least: usize) -> usize {
+    items.div_ceil(8 * rayon::current_num_threads()).max(least)
+}
+
+/// Does a job for all items, on all cores if they are many; `job` is told where its share begins.
+pub(super) fn shared<T: Send>(items: &mut [T], job: impl Fn(usize, &mut [T]) + Sync) {
+    let share = task(items.len(), 4096);
+    if items.len() <= share {
+        job(0, items);
+    } else {
+        items.par_chunks_mut(share).enumerate().for_each(|(index, items)| job(index * share, items));
+    }
+}

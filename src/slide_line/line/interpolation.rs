@@ -1,0 +1,31 @@
+//! How a slide line goes from node to node.
+
+/// How a slide line goes from node to node (TYPE).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Interpolation {
+    /// Straight, from node to node.
+    Linear,
+    /// Parabolic, over three nodes each.
+    Parabolic,
+}
+
+impl Interpolation {
+    /// How many nodes further the next segment begins.
+    pub(super) const fn stride(self) -> usize {
+        match self {
+            Self::Linear => 1,
+            Self::Parabolic => 2,
+        }
+    }
+
+    pub(super) fn allows(self, count: usize) -> bool {
+        count > self.stride() && (count - 1).is_multiple_of(self.stride())
+    }
+
+    pub(super) const fn allowed(self) -> &'static str {
+        match self {
+            Self::Linear => "at least 2 nodes in a linear slide line",
+            Self::Parabolic => "an odd number of nodes, at least 3, in a parabolic slide line",
+        }
+    }
+}

@@ -1,0 +1,15 @@
+//! Slide lines as a model has them: stated by node numbers, placed where the nodes are, searched as a whole.
+
+mod definition;
+mod interpolation;
+mod nodes;
+mod place;
+mod placed;
+mod tree;
+
+pub use definition::SlideLine;
+pub use interpolation::Interpolation;
+pub use nodes::Nodes;
+pub(crate) use nodes::check_position;
+pub use place::{ClosestPoint, OverclosureVariation, Place};
+pub use placed::PlacedLine;

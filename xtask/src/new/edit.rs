@@ -1,0 +1,122 @@
+//! The texts of a new formula, and the lines that others get for it.
+
+/// A template with its places filled, in the manner of the neighbours: whether they are in the crate of the toolkit, and
+/// whether their evidence is behind a feature.
+pub(super) fn filled(template: &str, family: &str, name: &str, neighbours: &str) -> String {
+    const GATE: &str = "#[cfg(feature = \"verify\")]\n";
+    let library = if neighbours.contains("use crate::formula::") { "crate" } else { "jointproof" };
+    template
+        .replace("{gate}", if neighbours.contains(GATE) { GATE } else { "" })
+        .replace("{library}", library)
+        .replace("{Name}", &type_name(name))
+        .replace("{id}", &format!("{family}.{name}"))
+}
+
+/// `contact_force` as `ContactForce`.
+pub(super) fn type_name(name: &str) -> String {
+    let capital =
+        |word: &str| word.chars().take(1).map(|c| c.to_ascii_uppercase()).chain(word.chars().skip(1)).collect();
+    name.split('_').map(capital).collect::<Vec<String>>().concat()
+}
+
+/// A room with a module more, and what it exports.
+pub(super) fn with_module(room: &str, name: &str) -> Option<String> {
+    let type_name = type_name(name);
+    let module = format!("mod {name};\n");
+    let export = format!("pub use {name}::{{{type_name}, {type_name}Inputs, {type_name}Outputs}};\n");
+    let first = |starts: &[&str]| offset(room, |line| starts.iter().any(|start| line.starts_with(start)));
+    match (first(&["mod ", "pub mod "]), first(&["pub use "])) {
+        (Some(module_at), Some(export_at)) if module_at < export_at => {
+            Some(inserted(&inserted(room, export_at, &export), before_attributes(room, module_at), &module))
+        }
+        (Some(module_at), None) => {
+            let export_at = first(&["use "])?;
+            let with_export = inserted(room, export_at, &format!("{export}\n"));
+            Some(inserted(&with_export, before_attributes(room, module_at), &module))
+        }
+        _ => Some(inserted(room, first(&["use "])?, &format!("{module}\n{export}\n"))),
+    }
+}
+
+/// A catalog with a formula more, behind the last one of its family.
+pub(super) fn with_entry(catalog: &str, family: &str, type_name: &str) -> Option<String> {
+    let start = catalog.find("static CATALOG")?;
+    let end = start + catalog[start..].find("];")?;
+    let last = start + catalog[start..end].rfind(&format!("&{family}::"))?;
+    let after = last + catalog[last..end].find([',', ']']).unwrap_or(end - last);
+    Some(inserted(catalog, after, &format!(",\n    &{family}::{type_name}")))
+}
+
+/// A chapter with an entry behind the one on this line, counted from 1.
+pub(super) fn with_directive(chapter: &str, line: usize, id: &str) -> String {
+    let at: usize = chapter.split_inclusive('\n').take(line).map(str::len).sum();
+    let end = if chapter[..at].ends_with('\n') { "" } else { "\n" };
+    inserted(chapter, at, &format!("{end}\n{{{{#formula {id}}}}}\n"))
+}
+
+/// Where the first line of this sort begins.
+fn offset(text: &str, is_it: impl Fn(&str) -> bool) -> Option<usize> {
+    let mut at = 0;
+    for line in text.split_inclusive('\n') {
+        if is_it(line) {
+            return Some(at);
+        }
+        at += line.len();
+    }
+    None
+}
+
+/// Where the attributes begin that stand above the line at `at`.
+fn before_attributes(text: &str, at: usize) -> usize {
+    let lines = text[..at].split_inclusive('\n').rev();
+    at - lines.take_while(|line| line.starts_with("#[") || line.starts_with("///")).map(str::len).sum::<usize>()
+}
+
+fn inserted(text: &str, at: usize, what: &str) -> String {
+    let (before, after) = text.split_at(at);
+    [before, what, after].concat()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rooms_get_a_module_and_its_exports() {
+        let room = "//! Room.\n\n#[cfg(feature = \"verify\")]\nmod proof;\n\npub use a::A;\n\nuse b::B;\n";
+        let export = "pub use power::{Power, PowerInputs, PowerOutputs};\n";
+        let expected = room.replace("#[cfg", "mod power;\n#[cfg").replace("pub use a", &format!("{export}pub use a"));
+        assert_eq!(with_module(room, "power").unwrap(), expected);
+        let alone = "//! Room.\n\nuse b::B;\n";
+        let expected = alone.replace("use b", &format!("mod power;\n\n{export}\nuse b"));
+        assert_eq!(with_module(alone, "power").unwrap(), expected);
+        assert_eq!(with_module("//! Nothing.\n", "power"), None);
+    }
+
+    #[test]
+    fn catalogs_get_an_entry_behind_the_family() {
+        let catalog = "static CATALOG: C = &[\n    &slot::A,\n    &slot::B,\n    &join::C,\n];\n";
+        let expected = catalog.replace("&slot::B,", "&slot::B,\n    &slot::Power,");
+        assert_eq!(with_entry(catalog, "slot", "Power").unwrap(), expected);
+        let short = "static CATALOG: C = &[&slot::A];\n";
+        assert_eq!(
+            with_entry(short, "slot", "Power").unwrap(),
+            "static CATALOG: C = &[&slot::A,\n    &slot::Power];\n"
+        );
+        assert_eq!(with_entry(short, "join", "Power"), None);
+    }
+
+    #[test]
+    fn chapters_get_an_entry_behind_a_line() {
+        assert_eq!(
+            with_directive("# A\n{{#formula a.b}}\nEnd.\n", 2, "a.c"),
+            "# A\n{{#formula a.b}}\n\n{{#formula a.c}}\nEnd.\n"
+        );
+        assert_eq!(with_directive("{{#formula a.b}}", 1, "a.c"), "{{#formula a.b}}\n\n{{#formula a.c}}\n");
+    }
+
+    #[test]
+    fn names_of_types_are_in_camel_case() {
+        assert_eq!(["power", "contact_force_2d"].map(type_name), ["Power", "ContactForce2d"]);
+    }
+}

@@ -1,0 +1,135 @@
+//! `new`: the skeleton of a formula, in the places where its neighbours are.
+
+mod edit;
+
+use crate::book::coverage::{Directive, directives};
+use crate::console::{bold, print};
+use crate::files;
+use crate::outcome::{Outcome, Usage, verdict};
+use crate::owed::{demands, is_name};
+use crate::project::Project;
+use anyhow::{Context, bail};
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// Write the skeleton of a formula into its room, the catalog and the book
+///
+/// The skeleton compiles, and fails its proof: it has no symbols, no equation, no cases and a wrong derivative. What is
+/// still owed is listed here, and by `golden`, `audit` and `verify` until it is there.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  {command} new {family}.power  a formula more in the room src/{family}.rs
+  {command} audit --filter {family}.power  what is still wrong and owed")]
+pub(crate) struct Arguments {
+    /// The identifier, as `family.name`; the family is a room that exists
+    #[arg(value_name = "ID")]
+    id: String,
+}
+
+/// A file and its new text.
+type Change = (PathBuf, String);
+
+pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
+    let id = arguments.id.as_str();
+    let (family, name) = split(project, id)?;
+    let mut report = String::new();
+    // All of it is known before any of it is written.
+    for (path, text) in changes(project, family, name)? {
+        let is_new = !path.exists();
+        files::write(&path, &text)?;
+        writeln!(report, "{} {}", if is_new { "wrote  " } else { "changed" }, project.shown(&path))?;
+    }
+    writeln!(report, "\n{} still owes", bold(id))?;
+    for demand in demands(project).iter().filter(|demand| demand.is_of_author) {
+        writeln!(report, "    {}: {}", demand.what, demand.how(project, id))?;
+    }
+    writeln!(report, "    its derivative: `jacobian`, and places where it has none in `Proved::kinks`")?;
+    writeln!(report, "\ncargo fmt, then {} audit --filter {id} says what is left", project.command())?;
+    print(&report)?;
+    Ok(verdict(true))
+}
+
+/// Family and name of an identifier that can be added.
+fn split<'a>(project: &Project, id: &'a str) -> anyhow::Result<(&'a str, &'a str)> {
+    let usage = |message: String| Err(Usage(message).into());
+    match id.split_once('.') {
+        _ if project.find(id).is_some() => usage(format!("there is a formula {id} already")),
+        Some((family, name)) if is_name(family) && is_name(name) => Ok((family, name)),
+        _ => usage(format!("'{id}' is no identifier; it is written family.name, of small letters, digits and _")),
+    }
+}
+
+/// Every file that is written or changed.
+fn changes(project: &Project, family: &str, name: &str) -> anyhow::Result<Vec<Change>> {
+    let source = project.root().join("src");
+    let room = source.join(format!("{family}.rs"));
+    let (formula, proof) =
+        (source.join(format!("{family}/{name}.rs")), source.join(format!("{family}/{name}/proof.rs")));
+    if !room.exists() {
+        let shown = project.shown(&room);
+        bail!(
+            "there is no room {shown}; write it, with what all its formulas share, name it in the crate, and try again"
+        );
+    }
+    if let Some(present) = [&formula, &proof].into_iter().find(|path| path.exists()) {
+        bail!("{} is there already; take another name, or move it away", project.shown(present));
+    }
+    let neighbours = read_all(&room)? + &read_all(&source.join(family))?;
+    let skeleton = |template: &str| edit::filled(template, family, name, &neighbours);
+    let catalog = catalog(&source)?;
+    let chapter = chapter(project, family)?;
+    let changed = |path: &Path, text: Option<String>, what: &str| -> anyhow::Result<Change> {
+        let shown = project.shown(path);
+        Ok((path.to_path_buf(), text.with_context(|| format!("{shown} has no place for {what}; add it by hand"))?))
+    };
+    let type_name = edit::type_name(name);
+    let mut changes = vec![
+        (formula, skeleton(include_str!("formula.txt"))),
+        (proof, skeleton(include_str!("proof.txt"))),
+        changed(&room, edit::with_module(&read(&room)?, name), &format!("`mod {name};`"))?,
+        changed(
+            &catalog,
+            edit::with_entry(&read(&catalog)?, family, &type_name),
+            &format!("`&{family}::{type_name}`"),
+        )?,
+    ];
+    if let Some(Directive { file, line, .. }) = chapter {
+        let path = project.root().join(&file);
+        let text = edit::with_directive(&read(&path)?, line, &format!("{family}.{name}"));
+        changes.push((path, text));
+    }
+    Ok(changes)
+}
+
+/// The file that has the catalog.
+fn catalog(source: &Path) -> anyhow::Result<PathBuf> {
+    let candidates = ["catalog.rs", "lib.rs", "main.rs"].map(|name| source.join(name));
+    let has_catalog = |path: &&PathBuf| read(path).is_ok_and(|text| text.contains("static CATALOG"));
+    candidates.iter().find(has_catalog).cloned().context("no `static CATALOG` in src/catalog.rs, lib.rs or main.rs")
+}
+
+/// The last entry of the family, after which the new one belongs.
+fn chapter(project: &Project, family: &str) -> anyhow::Result<Option<Directive>> {
+    if !project.has_book() {
+        return Ok(None);
+    }
+    let is_of_family = |directive: &Directive| directive.id.split('.').next() == Some(family);
+    let last = directives(project.root())?.into_iter().rfind(is_of_family);
+    Ok(Some(last.with_context(|| format!("no chapter has an entry of `{family}`; write one, and try again"))?))
+}
+
+fn read(path: &Path) -> anyhow::Result<String> {
+    std::fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))
+}
+
+/// The text of a file, or of all below a folder.
+fn read_all(path: &Path) -> anyhow::Result<String> {
+    if !path.is_dir() {
+        return if path.exists() { read(path) } else { Ok(String::new()) };
+    }
+    let mut text = String::new();
+    for entry in std::fs::read_dir(path)? {
+        text += &read_all(&entry?.path())?;
+    }
+    Ok(text)
+}

@@ -1,0 +1,131 @@
+//! What a formula still owes before it counts as proved, all at once.
+
+use crate::book::coverage::directives;
+use crate::console::{bold, count, red};
+use crate::project::Project;
+use jointproof::catalog::AnyFormula;
+use jointproof::formula::{Field, Provenance};
+use jointproof::proof::Flag;
+use std::collections::HashSet;
+
+/// Something that every formula owes.
+pub(crate) struct Demand {
+    /// What it is.
+    pub(crate) what: &'static str,
+    /// Where it belongs and how it is written; `{id}` and `{command}` stand for those of the formula and the project.
+    how: &'static str,
+    /// Whether it is still owed where `new` has written a skeleton.
+    pub(crate) is_of_author: bool,
+    is_paid: Box<dyn Fn(&Look<'_>) -> bool>,
+}
+
+/// A formula that is looked at.
+struct Look<'a> {
+    project: &'a Project,
+    formula: &'a dyn AnyFormula,
+    /// The formulas that have an entry; `None` for a project without a book.
+    entries: Option<&'a HashSet<String>>,
+}
+
+impl Demand {
+    fn new(what: &'static str, how: &'static str, is_paid: fn(&Look<'_>) -> bool) -> Self {
+        Self { what, how, is_of_author: true, is_paid: Box::new(is_paid) }
+    }
+
+    fn paid_by_skeleton(self) -> Self {
+        Self { is_of_author: false, ..self }
+    }
+
+    /// Where it belongs and how it is written, for the formula of this identifier.
+    pub(crate) fn how(&self, project: &Project, id: &str) -> String {
+        self.how.replace("{id}", id).replace("{command}", project.command())
+    }
+}
+
+/// Everything that a formula of this project owes.
+pub(crate) fn demands(project: &Project) -> Vec<Demand> {
+    let mut demands = vec![
+        Demand::new("an identifier", "`family.name` in `SPEC`, of small letters, digits and _", |look| {
+            look.formula.spec().id.split_once('.').is_some_and(|(family, name)| is_name(family) && is_name(name))
+        })
+        .paid_by_skeleton(),
+        Demand::new("a title", "the second argument of `Spec::new`", |look| !look.formula.spec().title.is_empty()),
+        Demand::new(
+            "source and provenance",
+            "`Document::new(\"…\").link(\"…\")` in `SPEC`, then `.printed`, `.reconstructed` or `.ours`",
+            |look| {
+                let source = look.formula.spec().source;
+                let is_explained = source.provenance == Provenance::Printed || !source.provenance.why().is_empty();
+                !source.document.title.is_empty() && is_explained
+            },
+        ),
+        Demand::new("its equation", "`.equation(r\"…\")` in `SPEC`", |look| !look.formula.spec().latex.is_empty()),
+        Demand::new("symbols and meanings", "a `Quantity` for every input and output", |look| {
+            look.formula.inputs().iter().chain(look.formula.outputs()).all(is_described)
+        }),
+        Demand::new("a case worked by hand", "`Case::hand` in `Proved::cases`", |look| {
+            look.formula.cases().contains(&Flag::Hand)
+        }),
+        Demand::new("a hard case", "`Case::hard`: zero, cancelled, tiny, huge; many are in `proof::hard`", |look| {
+            look.formula.cases().contains(&Flag::Hard)
+        }),
+        Demand::new("a law", "`Law::new` in `Proved::laws`: what physics demands of it", |look| {
+            !look.formula.laws().is_empty()
+        }),
+        Demand::new("its golden file", "{command} golden --filter {id}", |look| {
+            look.project.golden_file(look.formula.spec().id).exists()
+        }),
+        Demand::new("an entry in the book", "{{#formula {id}}} in a chapter", |look| {
+            look.entries.is_none_or(|entries| entries.contains(look.formula.spec().id))
+        })
+        .paid_by_skeleton(),
+    ];
+    demands.extend(project.extension.debts.iter().map(|&(what, is_paid, how)| Demand {
+        what,
+        how,
+        is_of_author: true,
+        is_paid: Box::new(move |look| is_paid(look.project, look.formula.spec().id)),
+    }));
+    demands
+}
+
+/// What these formulas owe, a block a formula; empty if nothing is owed.
+pub(crate) fn owed(project: &Project, formulas: &[&dyn AnyFormula]) -> anyhow::Result<Vec<String>> {
+    let demands = demands(project);
+    let entries = entries(project)?;
+    let block = |formula: &&dyn AnyFormula| {
+        let look = Look { project, formula: *formula, entries: entries.as_ref() };
+        let id = formula.spec().id;
+        let line = |demand: &Demand| format!("    {}: {}\n", demand.what, demand.how(project, id));
+        let lines: String = demands.iter().filter(|demand| !(demand.is_paid)(&look)).map(line).collect();
+        (!lines.is_empty()).then(|| format!("{} {} owes\n{lines}", red("off"), bold(id)))
+    };
+    Ok(formulas.iter().filter_map(block).collect())
+}
+
+/// How many formulas owe something, for a summary.
+pub(crate) fn summary(formulas: usize, owed: &[String]) -> String {
+    let formulas = count(formulas, "formula");
+    match owed.len() {
+        0 => format!("{formulas}, nothing owed"),
+        debtors => format!("{formulas}, {debtors} owing"),
+    }
+}
+
+/// The formulas that have an entry; `None` for a project without a book.
+fn entries(project: &Project) -> anyhow::Result<Option<HashSet<String>>> {
+    if !project.has_book() {
+        return Ok(None);
+    }
+    Ok(Some(directives(project.root())?.into_iter().map(|directive| directive.id).collect()))
+}
+
+fn is_described(field: &Field) -> bool {
+    !field.quantity.latex.is_empty() && !field.quantity.meaning.is_empty()
+}
+
+/// Whether this can be a family or the name of a formula.
+pub(crate) fn is_name(name: &str) -> bool {
+    name.starts_with(|c: char| c.is_ascii_lowercase())
+        && name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
+}
