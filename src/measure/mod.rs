@@ -3,6 +3,7 @@
 //! | way | value | Jacobian |
 //! |---|---|---|
 //! | `closed` | `eval` in `f64` | `jacobian` in `f64` |
+//! | `checked` | [`value`](crate::formula::value), as a program calls it | [`value_and_jacobian`](crate::formula::value_and_jacobian) |
 //! | `single` | `eval` in [`Single`](crate::Single) | `jacobian` in it |
 //! | `ad` | | forward automatic differentiation of `eval` in `f64` |
 //! | `forward`, `central`, `fourth` | | differences of `eval` in `f64` |
@@ -11,7 +12,8 @@
 //! | the formula's own, see [`Proved::ways`] | as given | its automatic differentiation in `f64` |
 //!
 //! Errors are the same on every machine with the same mathematical library; they are found first, and may be found for
-//! many formulas at once. Times want a machine that does nothing else.
+//! many formulas at once. Times want a machine that does nothing else. They are taken over random points, and of `closed` and
+//! `checked` at every hard point alone too: see [`Figures::hardest`].
 //!
 //! ```
 //! use jointproof::measure::{Options, measure};
@@ -31,7 +33,7 @@ mod quantile;
 mod ways;
 
 pub use difference::Scheme;
-pub use figures::{Curve, Errors, Figures, Measurement, Quantiles, Step, Time, WayFigures};
+pub use figures::{Curve, Errors, Figures, Measurement, PointTime, Quantiles, Step, Time, WayFigures};
 
 use crate::formula::Fields;
 use crate::proof::Proved;
@@ -102,6 +104,6 @@ pub fn errors<F: Proved>(options: &Options) -> Measurement {
 /// Times every way of a measurement whose errors are known.
 pub fn times<F: Proved>(options: &Options, measurement: &mut Measurement) {
     let ways = ways::all::<F>(&measurement.curves);
-    let points = options.timing_inputs::<F>();
+    let points = clock::Points { random: options.timing_inputs::<F>(), hard: exact::hard(&Subject::of::<F>()) };
     clock::time(&ways, &clock::copy::<F>(), &points, options, measurement);
 }

@@ -2,7 +2,7 @@
 
 use super::exact::{self, Exact, Point, Points};
 use super::{Curve, Errors, Figures, Scheme, WayFigures};
-use crate::formula::{Fields, entries, typed};
+use crate::formula::{Fields, entries, typed, value, value_and_jacobian};
 use crate::proof::way::Kernel;
 use crate::proof::{Proved, Way, value_and_jacobian_by_ad};
 use crate::verify::{Subject, exact, rounded};
@@ -10,7 +10,7 @@ use crate::{Octuple, Single};
 
 /// Every way to compute `F`, the closed form first.
 pub(super) fn all<F: Proved>(curves: &[Curve]) -> Vec<Way> {
-    let mut ways = vec![closed::<F>(), single::<F>(), ad::<F>()];
+    let mut ways = vec![closed::<F>(), checked::<F>(), single::<F>(), ad::<F>()];
     ways.extend(curves.iter().filter_map(|curve| Some(differences::<F>(curve.scheme, curve.best()?.step))));
     ways.extend(octuple(&Subject::of::<F>()));
     ways.extend(F::ways());
@@ -22,6 +22,7 @@ pub(super) fn errors(way: &Way, points: &Points) -> WayFigures {
     let figures = |kernel: &Kernel, exact: fn(&Point) -> Option<&Vec<Exact>>| Figures {
         time: None,
         ratio: None,
+        hard_times: Vec::new(),
         random: errors_of(kernel, &points.random, exact),
         hard: (!points.hard.is_empty()).then(|| errors_of(kernel, &points.hard, exact)),
     };
@@ -47,6 +48,18 @@ fn errors_of(kernel: &Kernel, points: &[Point], exact: fn(&Point) -> Option<&Vec
 fn closed<F: Proved>() -> Way {
     let jacobian = Kernel::new(typed, F::linearized::<f64>, |(_, jacobian)| entries(jacobian));
     Way::of("closed", "closed form").value(Kernel::new(typed, F::eval::<f64>, Fields::components)).jacobian(jacobian)
+}
+
+/// As a program calls it; NaN where it is told what is wrong.
+fn checked<F: Proved>() -> Way {
+    let or_nan = |found: Option<Vec<f64>>, len| found.unwrap_or_else(|| vec![f64::NAN; len]);
+    let [inputs, outputs] = [F::Inputs::<f64>::LEN, F::Outputs::<f64>::LEN];
+    let value =
+        Kernel::new(typed, value::<F>, move |found| or_nan(found.as_ref().ok().map(Fields::components), outputs));
+    let jacobian = Kernel::new(typed, value_and_jacobian::<F>, move |found| {
+        or_nan(found.as_ref().ok().map(|(_, jacobian)| entries(jacobian)), outputs * inputs)
+    });
+    Way::of("checked", "closed form, checked").value(value).jacobian(jacobian)
 }
 
 fn single<F: Proved>() -> Way {
