@@ -176,7 +176,7 @@ fn output_at(formula: &dyn AnyFormula, component: usize) -> &'static str {
 
 #[test]
 fn the_first_output_that_overflows_is_named() {
-    let at = |x, size| StopLengths { x, l1_min: -size, l1_max: size };
+    let at = |x: f64, size: f64| StopLengths { x, l1_min: -size, l1_max: size };
     let named = |stop: &StopLengths<f64>| {
         let overflow = value::<Stop>(stop).unwrap_err();
         assert_eq!(value_and_jacobian::<Stop>(stop).unwrap_err(), overflow);

@@ -1,6 +1,7 @@
 //! Taking time: all ways take turns, round after round, so that a slow moment of the machine falls on all alike.
 
-use super::{Figures, Measurement, Options, Time};
+use super::exact::HardPoint;
+use super::{Measurement, Options, PointTime, Time};
 use crate::formula::{Fields, typed};
 use crate::proof::Proved;
 use crate::proof::way::{Kernel, Runner, Way};
@@ -11,10 +12,50 @@ use std::time::Instant;
 const COPY: &str = "copy";
 const YARDSTICK: &str = "yardstick";
 
-/// A loop that takes its turn in every round, or in every n-th where a turn is long.
-struct Contestant {
+/// The ways that are timed at every hard point too.
+const AT_HARD_POINTS: [&str; 2] = ["closed", "checked"];
+
+/// Where time is taken.
+pub(super) struct Points {
+    /// Over all of them.
+    pub(super) random: Vec<Vec<f64>>,
+    /// At each alone.
+    pub(super) hard: Vec<HardPoint>,
+}
+
+/// What is timed.
+#[derive(Clone, Copy, PartialEq)]
+struct Task {
     way: &'static str,
     with_jacobian: bool,
+    /// The hard point; `None` over random points.
+    hard: Option<usize>,
+}
+
+/// How long a turn is and how often it comes.
+#[derive(Clone, Copy)]
+struct Pace {
+    points: usize,
+    turn_ns: f64,
+    every: usize,
+    rounds: usize,
+}
+
+impl Pace {
+    fn new(options: &Options) -> Self {
+        let Options { timing_points, turn_ns, rounds, .. } = *options;
+        Self { points: timing_points.max(1), turn_ns, every: 1, rounds }
+    }
+
+    /// There are many hard points; each takes a short turn now and then.
+    fn at_one_point(self) -> Self {
+        Self { points: 1, turn_ns: self.turn_ns / 8.0, every: 4, ..self }
+    }
+}
+
+/// A loop that takes its turn in every round, or in every n-th where a turn is long.
+struct Contestant {
+    task: Task,
     run: Runner,
     /// Points a call of the loop, and calls a turn.
     points: usize,
@@ -26,46 +67,57 @@ struct Contestant {
 }
 
 /// Fills in the times of a measurement.
-pub(super) fn time(ways: &[Way], copy: &Kernel, points: &[Vec<f64>], options: &Options, measurement: &mut Measurement) {
-    let of_way = |way: &Way| {
-        let kernels = [(&way.value, false), (&way.jacobian, true)];
-        let contestant = |(kernel, with_jacobian): (&Option<Kernel>, bool)| {
-            let run = (kernel.as_ref()?.runner)(points);
-            Some(Contestant::new(way.id, with_jacobian, run, options))
-        };
-        kernels.map(contestant)
-    };
-    let mut contestants: Vec<_> = ways.iter().flat_map(of_way).flatten().collect();
-    contestants.push(Contestant::new(COPY, true, (copy.runner)(points), options));
-    contestants.push(Contestant::new(YARDSTICK, false, yardstick(), options));
+pub(super) fn time(ways: &[Way], copy: &Kernel, points: &Points, options: &Options, measurement: &mut Measurement) {
+    let pace = Pace::new(options);
+    let mut contestants: Vec<_> = ways.iter().flat_map(|way| of_way(way, points, pace)).collect();
+    let beside = |way, with_jacobian| Task { way, with_jacobian, hard: None };
+    contestants.push(Contestant::new(beside(COPY, true), (copy.runner)(&points.random), pace));
+    contestants.push(Contestant::new(beside(YARDSTICK, false), yardstick(), pace));
     for round in 0..options.rounds.max(1) {
         // Each round begins with another one, so that none always follows the same neighbour's caches.
         let first = round % contestants.len();
         let (head, tail) = contestants.split_at_mut(first);
         tail.iter_mut().chain(head).for_each(|contestant| contestant.take_turn(round));
     }
-    enter(&contestants, measurement);
+    enter(&contestants, &points.hard, measurement);
+}
+
+/// The value and the Jacobian of a way, over random points and at hard ones.
+fn of_way(way: &Way, points: &Points, pace: Pace) -> Vec<Contestant> {
+    let mut contestants = Vec::new();
+    for (kernel, with_jacobian) in [(&way.value, false), (&way.jacobian, true)] {
+        let Some(kernel) = kernel else { continue };
+        let task = Task { way: way.id, with_jacobian, hard: None };
+        contestants.push(Contestant::new(task, (kernel.runner)(&points.random), pace));
+        if AT_HARD_POINTS.contains(&way.id) {
+            contestants.extend(points.hard.iter().enumerate().map(|(k, point)| {
+                let run = (kernel.runner)(std::slice::from_ref(&point.inputs));
+                Contestant::new(Task { hard: Some(k), ..task }, run, pace.at_one_point())
+            }));
+        }
+    }
+    contestants
 }
 
 impl Contestant {
     /// Finds how many evaluations fill a turn; that warms it up as well.
-    fn new(way: &'static str, with_jacobian: bool, run: Runner, options: &Options) -> Self {
-        let all = options.timing_points.max(1);
-        let mut contestant = Self { way, with_jacobian, run, points: 1, calls: 1, every: 1, samples: Vec::new() };
+    fn new(task: Task, run: Runner, pace: Pace) -> Self {
+        let Pace { points: all, turn_ns, every, rounds } = pace;
+        let mut contestant = Self { task, run, points: 1, calls: 1, every, samples: Vec::new() };
         let mut one = contestant.least();
-        if one * number(all) < options.turn_ns {
+        if one * number(all) < turn_ns {
             contestant.points = all;
             one = contestant.least();
         }
         let call = (one * number(contestant.points)).max(1.0);
-        contestant.calls = whole(options.turn_ns / call);
+        contestant.calls = whole(turn_ns / call);
         if contestant.points == 1 {
-            contestant.points = whole(options.turn_ns / call).min(all);
-            contestant.calls = 1;
+            contestant.points = whole(turn_ns / call).min(all);
+            contestant.calls = whole(turn_ns / call / number(contestant.points));
         }
         // A turn that is long even with one evaluation comes less often, but never fewer than five times.
-        let long = whole(one / options.turn_ns / 4.0);
-        contestant.every = long.min(options.rounds / 5).max(1);
+        let long = whole(one / turn_ns / 4.0);
+        contestant.every = long.min(rounds / 5).max(every);
         contestant
     }
 
@@ -114,23 +166,31 @@ fn whole(x: f64) -> usize {
 }
 
 /// Puts the times where they belong.
-fn enter(contestants: &[Contestant], measurement: &mut Measurement) {
-    let find = |way: &str, with_jacobian| {
-        contestants.iter().find(|contestant| contestant.way == way && contestant.with_jacobian == with_jacobian)
+fn enter(contestants: &[Contestant], hard: &[HardPoint], measurement: &mut Measurement) {
+    let find = |way: &str, with_jacobian, hard| {
+        let is_it = |task: Task| task.way == way && task.with_jacobian == with_jacobian && task.hard == hard;
+        contestants.iter().find(|contestant| is_it(contestant.task))
     };
-    let unit = find("closed", false);
-    let fill = |figures: Option<&mut Figures>, contestant: Option<&Contestant>| {
-        if let (Some(figures), Some(contestant)) = (figures, contestant) {
+    let unit = find("closed", false, None);
+    for way in &mut measurement.ways {
+        for (figures, with_jacobian) in [(&mut way.value, false), (&mut way.jacobian, true)] {
+            let (Some(figures), Some(contestant)) = (figures, find(&way.id, with_jacobian, None)) else { continue };
             figures.time = contestant.time();
             figures.ratio = unit.and_then(|unit| Time::of(contestant.ratios(unit)));
+            let point_time = |(k, point): (usize, &HardPoint)| {
+                let at_point = find(&way.id, with_jacobian, Some(k))?;
+                Some(PointTime {
+                    case: point.case.clone(),
+                    ordinary: point.is_ordinary(),
+                    time: at_point.time()?,
+                    ratio: Time::of(at_point.ratios(contestant))?,
+                })
+            };
+            figures.hard_times = hard.iter().enumerate().filter_map(point_time).collect();
         }
-    };
-    for way in &mut measurement.ways {
-        fill(way.value.as_mut(), find(&way.id, false));
-        fill(way.jacobian.as_mut(), find(&way.id, true));
     }
-    measurement.copy = find(COPY, true).and_then(Contestant::time);
-    measurement.yardstick = find(YARDSTICK, false).and_then(Contestant::time);
+    measurement.copy = find(COPY, true, None).and_then(Contestant::time);
+    measurement.yardstick = find(YARDSTICK, false, None).and_then(Contestant::time);
 }
 
 /// Reads every input and writes every output and Jacobian entry, and does nothing else.

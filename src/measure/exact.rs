@@ -1,9 +1,10 @@
 //! The points at which errors are found, with the exact value and Jacobian there.
 
+use super::options::random;
 use super::{Errors, Options};
 use crate::Octuple;
 use crate::proof::{Convention, Flag};
-use crate::verify::{Sampler, Sensitivity, Subject, U, beside_kinks, eta, exact, relative};
+use crate::verify::{Sensitivity, Subject, U, beside_kinks, eta, exact, relative};
 use num_traits::Signed;
 
 /// Random and hard points of a formula.
@@ -16,17 +17,31 @@ impl Points {
     pub(super) fn new(subject: &Subject, options: &Options) -> Self {
         let point = |inputs: Vec<f64>| Point::new(subject, inputs);
         let random = random(subject, options.seed, options.random_points).into_iter().map(point).collect();
-        let cases = (subject.cases)().into_iter().filter(|case| case.flag == Flag::Hard).map(|case| case.inputs);
-        let kinks = beside_kinks(subject).map(|(_, inputs)| inputs);
-        let hard = cases.chain(kinks).filter(|inputs| (subject.check)(inputs).is_ok()).map(point).collect();
+        let hard = hard(subject).into_iter().map(|hard| point(hard.inputs)).collect();
         Self { random, hard }
     }
 }
 
-/// The first random inputs of a seed.
-pub(super) fn random(subject: &Subject, seed: u64, count: usize) -> Vec<Vec<f64>> {
-    let mut sampler = Sampler::for_formula(subject.spec.id, seed);
-    (0..count).map(|_| sampler.components(subject)).collect()
+/// A hard point by its name.
+pub(super) struct HardPoint {
+    pub(super) case: String,
+    pub(super) inputs: Vec<f64>,
+}
+
+/// The cases flagged hard, and points beside every kink and on it, as far as they are valid.
+pub(super) fn hard(subject: &Subject) -> Vec<HardPoint> {
+    let cases = (subject.cases)().into_iter().filter(|case| case.flag == Flag::Hard);
+    let cases = cases.map(|case| HardPoint { case: case.id, inputs: case.inputs });
+    let kinks = beside_kinks(subject).map(|(case, inputs)| HardPoint { case, inputs });
+    cases.chain(kinks).filter(|point| (subject.check)(&point.inputs).is_ok()).collect()
+}
+
+impl HardPoint {
+    /// Whether every number is of a size that models have: zero, or so far from the ends of the exponent range that a
+    /// square of it stays within.
+    pub(super) fn is_ordinary(&self) -> bool {
+        self.inputs.iter().all(|x| *x == 0.0 || (1e-100..=1e100).contains(&x.abs()))
+    }
 }
 
 /// A point, and what is right there.

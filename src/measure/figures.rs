@@ -36,8 +36,7 @@ impl Measurement {
         for (ours, theirs) in self.ways.iter_mut().zip(&other.ways) {
             for (ours, theirs) in [(&mut ours.value, &theirs.value), (&mut ours.jacobian, &theirs.jacobian)] {
                 if let (Some(ours), Some(theirs)) = (ours, theirs) {
-                    ours.time = Time::of_both(ours.time, theirs.time);
-                    ours.ratio = Time::of_both(ours.ratio, theirs.ratio);
+                    ours.and(theirs);
                 }
             }
         }
@@ -76,10 +75,45 @@ pub struct Figures {
     pub time: Option<Time>,
     /// Time in units of the closed form's value alone, measured in the same round.
     pub ratio: Option<Time>,
+    /// Times at hard points, one by one: of the closed form, with and without checks.
+    #[serde(default)]
+    pub hard_times: Vec<PointTime>,
     /// Errors at random points.
     pub random: Errors,
     /// Errors at hard points, where the formula has any.
     pub hard: Option<Errors>,
+}
+
+impl Figures {
+    /// The ordinary point that takes longest.
+    pub fn hardest(&self) -> Option<&PointTime> {
+        let ordinary = self.hard_times.iter().filter(|point| point.ordinary);
+        ordinary.max_by(|a, b| a.ratio.median.total_cmp(&b.ratio.median))
+    }
+
+    /// With the rounds of another measurement of the same.
+    fn and(&mut self, other: &Self) {
+        self.time = Time::of_both(self.time, other.time);
+        self.ratio = Time::of_both(self.ratio, other.ratio);
+        for (ours, theirs) in self.hard_times.iter_mut().zip(&other.hard_times) {
+            ours.time = ours.time.and(theirs.time);
+            ours.ratio = ours.ratio.and(theirs.ratio);
+        }
+    }
+}
+
+/// Time at one hard point.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PointTime {
+    /// The case, or the kink and the step away from it.
+    pub case: String,
+    /// Whether every number there is of a size that models have: zero, or from 1e-100 to 1e100.
+    pub ordinary: bool,
+    /// Nanoseconds an evaluation.
+    pub time: Time,
+    /// Time in units of that over random points, measured in the same round.
+    pub ratio: Time,
 }
 
 /// A time, or a ratio of times: the median of the rounds, and between what values four of five rounds were. Of rounds in
@@ -97,8 +131,15 @@ pub struct Time {
 
 impl Time {
     fn of_both(one: Option<Self>, other: Option<Self>) -> Option<Self> {
-        let (a, b) = (one?, other?);
-        Some(Self { median: f64::midpoint(a.median, b.median), low: a.low.min(b.low), high: a.high.max(b.high) })
+        Some(one?.and(other?))
+    }
+
+    fn and(self, other: Self) -> Self {
+        Self {
+            median: f64::midpoint(self.median, other.median),
+            low: self.low.min(other.low),
+            high: self.high.max(other.high),
+        }
     }
 }
 

@@ -1,8 +1,8 @@
 //! Every way to compute a formula: the closed form in several numbers, derivatives by other means, and its own.
 
 use super::exact::{self, Exact, Point, Points};
-use super::{Curve, Errors, Figures, Scheme, WayFigures};
-use crate::formula::{Fields, entries, typed};
+use super::{Curve, Errors, Figures, Options, Scheme, Step, WayFigures};
+use crate::formula::{Fields, entries, typed, value, value_and_jacobian};
 use crate::proof::way::Kernel;
 use crate::proof::{Proved, Way, value_and_jacobian_by_ad};
 use crate::verify::{Subject, exact, rounded};
@@ -10,7 +10,7 @@ use crate::{Octuple, Single};
 
 /// Every way to compute `F`, the closed form first.
 pub(super) fn all<F: Proved>(curves: &[Curve]) -> Vec<Way> {
-    let mut ways = vec![closed::<F>(), single::<F>(), ad::<F>()];
+    let mut ways = vec![closed::<F>(), checked::<F>(), single::<F>(), ad::<F>()];
     ways.extend(curves.iter().filter_map(|curve| Some(differences::<F>(curve.scheme, curve.best()?.step))));
     ways.extend(octuple(&Subject::of::<F>()));
     ways.extend(F::ways());
@@ -22,6 +22,7 @@ pub(super) fn errors(way: &Way, points: &Points) -> WayFigures {
     let figures = |kernel: &Kernel, exact: fn(&Point) -> Option<&Vec<Exact>>| Figures {
         time: None,
         ratio: None,
+        hard_times: Vec::new(),
         random: errors_of(kernel, &points.random, exact),
         hard: (!points.hard.is_empty()).then(|| errors_of(kernel, &points.hard, exact)),
     };
@@ -35,9 +36,19 @@ pub(super) fn errors(way: &Way, points: &Points) -> WayFigures {
 }
 
 /// The errors of a way's Jacobian at these points.
-pub(super) fn jacobian_errors(way: &Way, points: &[Point]) -> Errors {
+fn jacobian_errors(way: &Way, points: &[Point]) -> Errors {
     let errors = |kernel: &Kernel| errors_of(kernel, points, |point| point.jacobian.as_ref());
     way.jacobian.as_ref().map_or_else(|| Errors::of([]), errors)
+}
+
+/// The error of a scheme over its step, from 1e-2 to 1e-16; `way` makes the way with a step.
+pub(super) fn curve(scheme: Scheme, way: &dyn Fn(Scheme, f64) -> Way, points: &Points, options: &Options) -> Curve {
+    let per_decade = options.steps_per_decade.max(1);
+    let steps = (0..=14 * per_decade).map(|n| {
+        let step = 10.0_f64.powf(-2.0 - f64::from(n) / f64::from(per_decade));
+        Step { step, errors: jacobian_errors(&way(scheme, step), &points.random) }
+    });
+    Curve { scheme, steps: steps.collect() }
 }
 
 fn errors_of(kernel: &Kernel, points: &[Point], exact: fn(&Point) -> Option<&Vec<Exact>>) -> Errors {
@@ -47,6 +58,18 @@ fn errors_of(kernel: &Kernel, points: &[Point], exact: fn(&Point) -> Option<&Vec
 fn closed<F: Proved>() -> Way {
     let jacobian = Kernel::new(typed, F::linearized::<f64>, |(_, jacobian)| entries(jacobian));
     Way::of("closed", "closed form").value(Kernel::new(typed, F::eval::<f64>, Fields::components)).jacobian(jacobian)
+}
+
+/// As a program calls it; NaN where it is told what is wrong.
+fn checked<F: Proved>() -> Way {
+    let or_nan = |found: Option<Vec<f64>>, len| found.unwrap_or_else(|| vec![f64::NAN; len]);
+    let [inputs, outputs] = [F::Inputs::<f64>::LEN, F::Outputs::<f64>::LEN];
+    let value =
+        Kernel::new(typed, value::<F>, move |found| or_nan(found.as_ref().ok().map(Fields::components), outputs));
+    let jacobian = Kernel::new(typed, value_and_jacobian::<F>, move |found| {
+        or_nan(found.as_ref().ok().map(|(_, jacobian)| entries(jacobian)), outputs * inputs)
+    });
+    Way::of("checked", "closed form, checked").value(value).jacobian(jacobian)
 }
 
 fn single<F: Proved>() -> Way {

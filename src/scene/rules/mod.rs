@@ -10,16 +10,18 @@
 mod proof;
 
 use crate::align::{Misalignment, Orientations};
-use crate::cardan::{Angles, Oriented, Triads, accurate, accurate_jacobian, check_turns};
+use crate::cardan::{
+    Angles, BetaTwoArgument, CardanAngles, Oriented, Triads, accurate, accurate_jacobian, check_turns,
+};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec};
 use crate::quantity::{
     Domain, F_TANGENTIAL, F_TRIAL, Quantity, SLIDER_DXM, SLIDER_DXMK, SLIDER_X1, SLIDER_X1_PLANE, SLIDER_XM,
     SLIDER_XM_PLANE, SLIDER_XMK, SLIDER_XN, SLIDER_XN_PLANE, Shape, U1, Unit,
 };
 use crate::scalar::{Scalar, abs, pi, sign};
-use crate::slider::{Pivots, Pivots2d};
+use crate::slider::{Eliminate, Increment2d, Pivots, Pivots2d};
 use nalgebra::{Vector2, Vector3};
 use std::f64::consts::PI;
 
@@ -117,7 +119,7 @@ impl Formula for TurnStick {
     const SPEC: Spec = spec(
         "scene.turn_stick",
         "Trial moment of an increment",
-        r"m^{\mathrm{trial}} = m^- + k\,(u_r - u_r^-),\quad u_r - u_r^- \pmod{2\pi}",
+        r"m^{\mathrm{trial}} = m^- + k\,w(u_r - u_r^-),\quad w(\delta) = \begin{cases} \delta & \lvert\delta\rvert \le \pi \\ \delta - 2\pi\operatorname{sign}\delta & \text{otherwise} \end{cases}",
     );
     type Inputs<T: Component> = TurnLoads<T>;
     type Outputs<T: Component> = TrialMoment<T>;
@@ -189,8 +191,9 @@ impl Formula for Turns {
     const SPEC: Spec = spec(
         "scene.angles",
         "Cardan angles, β from two arguments",
-        r"\alpha, \gamma \text{ as documented},\quad \beta = \operatorname{atan2}\bigl(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b},\ \sqrt{(\mathbf{e}_{1a}\cdot\mathbf{e}_{1b})^2 + (\mathbf{e}_{1a}\cdot\mathbf{e}_{2b})^2}\bigr)",
-    );
+        r"\beta = \operatorname{atan2}\bigl(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b},\ \sqrt{(\mathbf{e}_{1a}\cdot\mathbf{e}_{1b})^2 + (\mathbf{e}_{1a}\cdot\mathbf{e}_{2b})^2}\bigr)",
+    )
+    .given(&[Given::new(r"\alpha,\ \gamma", &CardanAngles::SPEC)]);
     type Inputs<T: Component> = Triads<T>;
     type Outputs<T: Component> = Angles<T>;
 
@@ -216,8 +219,9 @@ impl Formula for Alignment {
     const SPEC: Spec = spec(
         "scene.alignment",
         "Residuals of ALIGN, without jumps",
-        r"u_{r1} = \alpha - \alpha_0,\quad u_{r2} = \beta - \beta_0,\quad u_{r3} = \gamma - \gamma_0 \pmod{2\pi}",
-    );
+        r"u_{r1} = w(\alpha - \alpha_0),\quad u_{r2} = \beta - \beta_0,\quad u_{r3} = w(\gamma - \gamma_0),\quad w(\delta) = \begin{cases} \delta & \lvert\delta\rvert \le \pi \\ \delta - 2\pi\operatorname{sign}\delta & \text{otherwise} \end{cases}",
+    )
+    .given(&[Given::new(r"\alpha,\ \gamma", &CardanAngles::SPEC), Given::new(r"\beta", &BetaTwoArgument::SPEC)]);
     type Inputs<T: Component> = Orientations<T>;
     type Outputs<T: Component> = Misalignment<T>;
 
@@ -272,8 +276,9 @@ impl Formula for KeptAxis {
         ..spec(
             "scene.kept_axis",
             "The coordinate that is kept",
-            r"x_{m,k} = \mathbf{x}_m\cdot\mathbf{i}_k,\quad \mathrm{d}x_{m,k} = \mathrm{d}\mathbf{x}_m\cdot\mathbf{i}_k",
+            r"x_{m,k} = \mathbf{x}_m\cdot\mathbf{e}_k,\quad \mathrm{d}x_{m,k} = \mathrm{d}\mathbf{x}_m\cdot\mathbf{e}_k,\quad \mathbf{e}_k = \begin{cases} \mathbf{i} & k = 1 \\ \mathbf{j} & k = 2 \\ \mathbf{k} & k = 3 \end{cases}",
         )
+        .given(&[Given::new("k", &Eliminate::SPEC)])
     };
     type Inputs<T: Component> = KeptNodes<T>;
     type Outputs<T: Component> = Kept<T>;
@@ -315,7 +320,12 @@ fields! {
 pub struct KeptAxis2d;
 
 impl Formula for KeptAxis2d {
-    const SPEC: Spec = Spec { id: "scene.kept_axis_2d", ..KeptAxis::SPEC };
+    const SPEC: Spec = Spec {
+        id: "scene.kept_axis_2d",
+        given: &[Given::new("k", &Increment2d::SPEC)],
+        latex: r"x_{m,k} = \mathbf{x}_m\cdot\mathbf{e}_k,\quad \mathrm{d}x_{m,k} = \mathrm{d}\mathbf{x}_m\cdot\mathbf{e}_k,\quad \mathbf{e}_k = \begin{cases} (1, 0) & k = 1 \\ (0, 1) & k = 2 \end{cases}",
+        ..KeptAxis::SPEC
+    };
     type Inputs<T: Component> = KeptNodes2d<T>;
     type Outputs<T: Component> = Kept<T>;
 
