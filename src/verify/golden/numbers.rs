@@ -14,7 +14,7 @@ pub(super) fn named_jacobian(outputs: &[Field], inputs: &[Field], entries: &[f64
             let columns = start..start + input.len();
             start = columns.end;
             let shape = [output.quantity.shape.dimensions(), input.quantity.shape.dimensions()].concat();
-            let mut numbers = rows.iter().flat_map(|row| &row[columns.clone()]).copied();
+            let mut numbers = rows.iter().flat_map(|row| &row[columns.clone()]);
             (input.name.to_string(), nested(&shape, &mut numbers))
         };
         (output.name.to_string(), Value::Object(inputs.iter().map(of_input).collect()))
@@ -24,15 +24,15 @@ pub(super) fn named_jacobian(outputs: &[Field], inputs: &[Field], entries: &[f64
 
 /// Components by the names of their fields.
 pub(crate) fn named(fields: &[Field], components: &[f64]) -> Map<String, Value> {
-    let mut rest = components.iter().copied();
+    let mut rest = components.iter();
     let part = |field: &Field| (field.name.to_string(), nested(&field.quantity.shape.dimensions(), &mut rest));
     fields.iter().map(part).collect()
 }
 
 /// The next numbers in this shape, row by row.
-fn nested(shape: &[usize], numbers: &mut dyn Iterator<Item = f64>) -> Value {
+fn nested(shape: &[usize], numbers: &mut dyn Iterator<Item = &f64>) -> Value {
     match shape {
-        [] => number(numbers.next().expect("there is a number for every component of the fields")),
+        [] => number(*numbers.next().expect("there is a number for every component of the fields")),
         [len, rest @ ..] => (0..*len).map(|_| nested(rest, numbers)).collect(),
     }
 }
