@@ -118,7 +118,8 @@ impl Equation {
         Self::new(spec.id, spec.latex, spec.given, &named(inputs)?, &named(outputs)?)
     }
 
-    /// Another equation with the symbols of a formula; some may be called otherwise: `("a", "f2")`.
+    /// Another equation with the symbols of a formula; some may be called otherwise: `("a", "f2")`. The only output of a
+    /// formula is what the first statement defines.
     ///
     /// # Errors
     /// As [`Equation::of`].
@@ -132,7 +133,14 @@ impl Equation {
             }
             Ok(all)
         };
-        Self::new("yours", latex, &[], &named(inputs)?, &named(outputs)?)
+        let mut outputs = named(outputs)?;
+        // The only output may be called as one likes.
+        if let ([(name, _)], Some(first)) = (&mut outputs[..], statement::statements(latex, Vec::new())?.first())
+            && first.names[0] != *name
+        {
+            name.clone_from(&first.names[0]);
+        }
+        Self::new("yours", latex, &[], &named(inputs)?, &outputs)
     }
 
     /// An equation with the symbols of a formula, taken to be that formula's own.
