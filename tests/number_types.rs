@@ -1,5 +1,6 @@
 //! Octuple and Single as numbers: special values, agreement with the hardware, and derivatives under num-dual.
 
+use jointproof::scalar::{e_minus_one, pi};
 use jointproof::{Octuple, Single};
 use nalgebra::{SVector, vector};
 use num_dual::{DualNum, first_derivative, gradient, hessian, jacobian, second_derivative, second_partial_derivative};
@@ -33,6 +34,12 @@ fn functions_of_one_special_value_are_those_of_f64() {
             assert!(alike(wide, double), "{name}({x}): {wide} against {double}");
         }
     }
+}
+
+#[test]
+fn constants_have_the_digits_of_their_type() {
+    assert_eq!([pi::<Octuple>(), e_minus_one()], [Octuple::PI, Octuple::E - 1.0]);
+    assert_eq!([pi::<Single>(), e_minus_one()], [std::f64::consts::PI, 1.0_f64.exp_m1()].map(Single::from));
 }
 
 #[test]

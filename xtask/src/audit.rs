@@ -1,6 +1,6 @@
 //! `audit`: closed form against automatic differentiation against differences, and the laws.
 
-use crate::console::{bold, count, green, print, progress, red, say};
+use crate::console::{bold, count, figure, green, print, progress, red, say};
 use crate::evidence::Evidence;
 use crate::golden;
 use crate::outcome::{Outcome, Usage, verdict};
@@ -145,15 +145,6 @@ fn line(claim: &Claim) -> String {
     };
     let worst = figure(worst.as_ref().map_or(0.0, |worst| worst.size));
     format!("{checks:>9} {worst:>8} {:>7}  {verdict}{claim}", figure(*bound))
-}
-
-/// A deviation in two or three digits.
-pub(crate) fn figure(size: f64) -> String {
-    match size {
-        0.0 => "0".into(),
-        size if (1e-2..1e4).contains(&size) => format!("{size:.2}"),
-        size => format!("{size:.0e}"),
-    }
 }
 
 fn in_full(claim: &Claim, worst: &Deviation) -> String {

@@ -28,6 +28,15 @@ pub fn count(number: usize, noun: &str) -> String {
     format!("{number} {noun}{}", if number == 1 { "" } else { "s" })
 }
 
+/// A deviation or an error in two or three digits.
+pub fn figure(size: f64) -> String {
+    match size {
+        0.0 => "0".into(),
+        size if (1e-2..1e4).contains(&size) => format!("{size:.2}"),
+        size => format!("{size:.0e}"),
+    }
+}
+
 /// Writes a result. A reader that has seen enough, as `head`, changes nothing about the verdict, so it is no error.
 ///
 /// # Errors

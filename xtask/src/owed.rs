@@ -129,3 +129,52 @@ pub(crate) fn is_name(name: &str) -> bool {
     name.starts_with(|c: char| c.is_ascii_lowercase())
         && name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use jointproof::formula::{Component, Document, Formula, Jacobian, Spec};
+    use jointproof::proof::Proved;
+    use jointproof::quantity::{Domain, Quantity, Unit};
+    use jointproof::{Scalar, fields};
+
+    const NAMELESS: Quantity = Quantity::scalar("", Unit::ONE, Domain::Real, "");
+    fields! { struct Input<T> { x: T = NAMELESS } }
+    fields! { struct Output<T> { y: T = NAMELESS } }
+
+    #[derive(Clone, Copy)]
+    struct Bare;
+
+    impl Formula for Bare {
+        const SPEC: Spec = Spec::new("bare", "", Document::new("").ours("", ""));
+        type Inputs<T: Component> = Input<T>;
+        type Outputs<T: Component> = Output<T>;
+        #[inline]
+        fn eval<D: Scalar>(i: &Input<D>) -> Output<D> {
+            Output { y: i.x }
+        }
+        #[inline]
+        fn jacobian<D: Scalar>(_: &Input<D>) -> Jacobian<Self, D> {
+            Output { y: Input { x: D::one() } }
+        }
+    }
+
+    impl Proved for Bare {}
+
+    #[test]
+    fn all_that_is_owed_is_named_at_once() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::create_dir_all(folder.path().join("book/src")).unwrap();
+        let project = Project::new("bare", env!("CARGO_MANIFEST_DIR"), &[&Bare])
+            .with_debt("a poem", |_, id| id == "other.formula", "in `{id}.txt`")
+            .in_folder(folder.path().to_str().unwrap());
+        let owed = owed(&project, project.catalog()).unwrap();
+        assert_eq!(owed.len(), 1);
+        for demand in demands(&project) {
+            let line = format!("    {}: {}\n", demand.what, demand.how(&project, "bare"));
+            assert!(owed[0].contains(&line), "{line:?} is not in\n{}", owed[0]);
+        }
+        assert!(owed[0].ends_with("    a poem: in `bare.txt`\n"), "{}", owed[0]);
+        assert_eq!(summary(1, &owed), "1 formula, 1 owing");
+    }
+}

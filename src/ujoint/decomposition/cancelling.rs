@@ -15,9 +15,9 @@ const fn rounding_of_pairs<L: Leaf>() -> f64 {
 }
 
 impl<D: Scalar> CrossLoads<D> {
-    /// Replaces what rounding may have spoilt.
+    /// Replaces what rounding may have spoilt. By value, since a reference would keep the loads in memory for those who do not call.
     #[cold]
-    pub(super) fn settled(&self, rough: CrossForces<D>) -> CrossForces<D> {
+    pub(super) fn settled(self, rough: CrossForces<D>) -> CrossForces<D> {
         let doubtful = self.doubtful(&rough);
         // Forces near 1: no product leaves the range of the numbers.
         let Binade { unit, per_unit } = Binade::of([self.f1, self.f2, self.f3]);
@@ -76,8 +76,11 @@ impl<L: Leaf> CrossLoads<L> {
     fn across(&self) -> L {
         let (a, b) = (&self.e1a, &self.e3b);
         // A force along an axis of the cross has nothing across; nor has any if the axes are one.
-        let across = |f: L, e: &Vector3<L>| if are_dependent([e, a, b]) { L::zero() } else { f };
+        let across = |f: L, e: &Vector3<L>| if f == 0.0 || are_dependent([e, a, b]) { L::zero() } else { f };
         let forces = [(across(self.f2, &self.e2a), self.e2a), (across(self.f3, &self.e3a), self.e3a)];
+        if forces.iter().all(|(f, _)| *f == 0.0) {
+            return L::zero();
+        }
 
         let both = |v: &Vector3<L>, w: &Vector3<L>| v.yzx().component_mul(&w.zxy());
         let (a_sizes, b_sizes) = (a.map(abs), b.map(abs));

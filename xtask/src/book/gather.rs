@@ -1,13 +1,13 @@
 //! Fills the seam from the catalog, the sources, the golden files and what was executed.
 
-use super::content::{self, Content, Entry, GoldenCounts, GoldenFile, Kink, SourceFile, Symbol};
+use super::content::{self, CodeSpan, Content, Entry, GoldenCounts, GoldenFile, Kink, SourceFile, Symbol};
 use super::locate::Index;
 use crate::evidence::Evidence;
 use crate::project::Project;
 use crate::report::data::Report;
 use anyhow::Context;
 use jointproof::catalog::{AnyFormula, KinkEntry};
-use jointproof::formula::{Field, Source};
+use jointproof::formula::{Field, Given, Source};
 use jointproof::proof::Convention;
 use jointproof::quantity::Shape;
 use jointproof::verify::golden::File;
@@ -58,18 +58,19 @@ fn read_sources(project: &Project, path: &Path, sources: &mut Vec<SourceFile>) -
 
 fn entry(project: &Project, formula: &dyn AnyFormula, index: &Index<'_>, evidence: &Evidence) -> Entry {
     let spec = formula.spec();
-    let (file, type_name) = place(formula.path());
+    let type_name = formula.path().rsplit("::").next().unwrap_or_default();
     let golden = std::fs::read_to_string(project.golden_file(spec.id));
     let checked = evidence.golden.get(spec.id);
     Entry {
         id: spec.id.into(),
         title: spec.title.into(),
         latex: spec.latex.into(),
+        given: given(spec.given),
         source: source(spec.source),
         inputs: formula.inputs().iter().map(symbol).collect(),
         outputs: formula.outputs().iter().map(symbol).collect(),
         kinks: formula.kinks().iter().map(|entry| kink(entry, formula.outputs())).collect(),
-        code: index.functions(&file, type_name, &["eval", "jacobian", "linearized"]),
+        code: code(index, formula.path(), type_name),
         tests: index.tests_naming(spec.id, type_name),
         golden: golden.ok().and_then(|text| File::parse(&text).ok()).map(|file| counts(&file)),
         evidence: content::Evidence {
@@ -77,6 +78,13 @@ fn entry(project: &Project, formula: &dyn AnyFormula, index: &Index<'_>, evidenc
             audit: evidence.audits.get(spec.id).cloned(),
         },
     }
+}
+
+/// "where F_C from slot.contact_force"
+fn given(given: &[Given]) -> String {
+    let from = |given: &Given| format!("${}$ from `{}`", given.symbols, given.from.id);
+    let all: Vec<_> = given.iter().map(from).collect();
+    if all.is_empty() { String::new() } else { format!("where {}", all.join(", ")) }
 }
 
 fn source(source: Source) -> content::Source {
@@ -89,11 +97,14 @@ fn source(source: Source) -> content::Source {
     }
 }
 
-/// The file and name of a type from its path: `jointproof::slot::friction::Friction` is in `src/slot/friction.rs`.
-fn place(path: &str) -> (String, &str) {
-    let (modules, name) = path.rsplit_once("::").unwrap_or(("", path));
-    let modules: Vec<_> = modules.split("::").skip(1).collect();
-    (format!("src/{}.rs", modules.join("/")), name)
+/// The functions of a formula, from the path of its type: `jointproof::slot::friction::Friction` is in
+/// `src/slot/friction.rs`, in the `mod.rs` of that folder, or, where there is no module between, in the crate's own file.
+fn code(index: &Index<'_>, path: &str, type_name: &str) -> Vec<CodeSpan> {
+    let modules: Vec<_> = path.split("::").skip(1).take_while(|part| *part != type_name).collect();
+    let module = modules.join("/");
+    let files = [format!("{module}.rs"), format!("{module}/mod.rs"), "lib.rs".into(), "main.rs".into()];
+    let spans = |file: &String| index.functions(&format!("src/{file}"), type_name, &["eval", "jacobian", "linearized"]);
+    files.iter().map(spans).find(|spans| !spans.is_empty()).unwrap_or_default()
 }
 
 fn symbol(field: &Field) -> Symbol {

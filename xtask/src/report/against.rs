@@ -9,8 +9,7 @@
 
 use super::data::Report;
 use super::tables::duration;
-use crate::audit::figure;
-use crate::console::{bold, green, red};
+use crate::console::{bold, figure, green, red};
 use jointproof::measure::{Errors, Figures, Measurement, Time, WayFigures};
 
 /// What two reports differ by.

@@ -1,7 +1,7 @@
 //! What checks cost, and what the hardest points do.
 
 use super::data::Report;
-use crate::audit::figure;
+use crate::console::figure;
 use jointproof::measure::{Measurement, PointTime};
 
 /// What is said to hold of every formula: time at the hardest ordinary point, in units of that at random ones.

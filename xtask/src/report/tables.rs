@@ -3,8 +3,7 @@
 use super::data::Report;
 use super::price;
 use super::verdict::Verdict;
-use crate::audit::figure;
-use crate::console::{bold, green, red};
+use crate::console::{bold, figure, green, red};
 use jointproof::measure::{Errors, Measurement, Time, WayFigures};
 use std::fmt::Write;
 

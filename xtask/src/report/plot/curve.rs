@@ -1,7 +1,7 @@
 //! The error of differences over their step.
 
 use super::drawing::{Axis, Drawing, power, style};
-use crate::audit::figure;
+use crate::console::figure;
 use jointproof::measure::{Curve, Measurement};
 
 const WIDTH: f64 = 360.0;
