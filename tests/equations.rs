@@ -82,7 +82,7 @@ fn what_cannot_be_read_is_named_with_its_place() {
         (r"F_C = f_2/f_3 f_2", "byte 14: what follows a slash and its divisor is read in two ways: use a fraction"),
         (r"F_C = f_2 f_3\quad \text{if } f_2 > 0", r"byte 30: an operator, a comma or `\quad` was expected here"),
         (r"F_C = f_2 f_3\quad\text{twice 2}", "byte 20: a remark holds words only, not `2`: mathematics is executed"),
-        (r"F_C = f_2 f_3 \pm 1", "an operator, a comma or `\\quad` was expected here"),
+        (r"F_C = f_2 f_3 \pm 1", r"an operator, a comma or `\quad` was expected here"),
         (r"F_C = \mathbf{f}\cdot\mathbf{f} f_2 f_3", "f (a vector) is nobody's symbol"),
     ] {
         let found = error(latex);

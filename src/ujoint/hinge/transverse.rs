@@ -20,8 +20,11 @@ fields! {
     pub struct TransverseForces<T> { f_total_hinge1: T = F_TOTAL_HINGE1, f_total_hinge3: T = F_TOTAL_HINGE3 }
 }
 
-/// The whole transverse force on each hinge: a quarter of the force across the cross, the force of the twisting moment
-/// and that of the other axis, at right angles to one another.
+/// The whole transverse force on each hinge, as documented: the root of the squares of a quarter of the force across the
+/// cross, the force of the twisting moment and that of the other axis.
+///
+/// The last two are parallel, in the plane of the cross. On one of the two hinges of an axis they add, on the other they
+/// subtract; the root of the squares lies between.
 #[derive(Clone, Copy, Debug)]
 pub struct HingeTransverse;
 
@@ -36,7 +39,7 @@ impl<D: Scalar> CentreLoads<D> {
     }
 }
 
-/// The three transverse forces on a hinge, at right angles to one another.
+/// The three transverse forces on a hinge, whose squares are added.
 #[inline]
 pub(in crate::ujoint) fn transverse<D: Scalar>(f_bend: D, twist: &TwistLoads<D>, f_transv: D) -> [D; 3] {
     [f_bend * 0.25, twist.f_twist_hinge, f_transv]

@@ -6,6 +6,7 @@ use super::pages::{Pages, Place};
 use super::rust;
 use super::source::listing_page;
 use super::speed;
+use crate::extension::Fact;
 use jointproof::verify::{Audit, Claim};
 
 /// The entry as one line of HTML.
@@ -68,12 +69,16 @@ fn symbol_row(pages: &Pages<'_>, at: &Place, symbol: &Symbol) -> String {
     )
 }
 
-/// Source, provenance, kinks, golden cases and evidence.
+/// Source, provenance, what the project adds, kinks, golden cases and evidence.
 fn facts(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let source = &entry.source;
     let place = if source.place.is_empty() { String::new() } else { format!(", {}", pages.text(at, &source.place)) };
     let mut out = fact("Source", &format!("{}{place}", document(pages, at, source)));
     out += &fact("Provenance", &pages.text(at, &source.provenance));
+    for Fact { name, lines, .. } in pages.content.exhibits.facts.iter().filter(|fact| fact.formula == entry.id) {
+        let items = each(lines, |line| format!("<li>{}</li>", pages.text(at, line)));
+        out += &fact(&escape(name), &format!("<ul>{items}</ul>"));
+    }
     out += &fact("Kinks", &kinks(pages, at, &entry.kinks));
     out += &fact("Golden cases", &golden(at, entry.golden.as_ref()));
     out += &fact("Evidence", &evidence(&entry.evidence));

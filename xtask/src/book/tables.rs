@@ -122,13 +122,14 @@ pub(crate) fn named(pages: &Pages<'_>, at: &Place, name: &str) -> String {
         pages.fault(at, format!("no table `{name}`; there are: {}", known.join(", ")));
         return String::new();
     };
-    each(named, |Table { title, head, rows }| {
+    each(named, |Table { anchor, title, head, rows }| {
         let head: Vec<_> = head.iter().map(String::as_str).collect();
         // A text of several words may take the room; a name may not be broken.
         let class = |text: &String| if text.contains(' ') { "wide" } else { "" };
         let cell = |text: &String| (class(text), pages.linked_text(at, text));
         let cells = |texts: &Vec<String>| row(&texts.iter().map(cell).collect::<Vec<_>>());
-        let title = if title.is_empty() { String::new() } else { format!("<p>{}</p>", pages.text(at, title)) };
+        let id = if anchor.is_empty() { String::new() } else { format!(" id=\"{}\"", escape(anchor)) };
+        let title = if title.is_empty() { String::new() } else { format!("<p{id}>{}</p>", pages.text(at, title)) };
         // Nothing is said about what there is not.
         let table = if rows.is_empty() { String::new() } else { table("index", &head, &each(rows, cells)) };
         title + &table

@@ -9,7 +9,7 @@ mod plot;
 mod show;
 
 pub(crate) use examples::{figures, golden, outputs};
-pub(crate) use kinds::tables;
+pub(crate) use kinds::{anchor, tables};
 
 use crate::console::{print, progress, say};
 use crate::{Outcome, files};
