@@ -54,16 +54,18 @@ mod symbol;
 mod syntax;
 mod tape;
 mod token;
+mod value;
 
 use crate::formula::{Field, Given, Spec};
 use crate::octuple::Octuple;
 use crate::scalar::Scalar;
 pub use error::Error;
-use lower::{Place, Value, Writer};
+use lower::{Place, Writer};
 use name::Name;
 use scope::Entries;
-use syntax::Body;
+use syntax::ArgMin;
 use tape::{Id, Op, Tape};
+use value::Value;
 
 /// An equation that can be executed.
 #[derive(Clone, Debug)]
@@ -170,7 +172,7 @@ impl Equation {
         }
         let smallest = match smallest {
             None => None,
-            Some((output, body)) => Some(place_of_smallest(&mut writer, output, body, id)?),
+            Some((output, found)) => Some(place_of_smallest(&mut writer, output, found, id)?),
         };
         let needed = ids.iter().copied().chain(smallest.iter().flat_map(|s| [s.low, s.high, s.slope]));
         check_closed(&writer, needed.collect(), inputs).map_err(|error| error.of_entry(id, "equation"))?;
@@ -268,8 +270,8 @@ fn output(writer: &mut Writer<'_>, name: &Name, field: &Field) -> Result<Vec<Id>
     }
 }
 
-fn place_of_smallest(writer: &mut Writer<'_>, output: usize, body: &Body, id: &str) -> Result<Smallest, Error> {
-    let Body::ArgMin { low, high, objective } = body else { unreachable!("only these were asked for") };
+fn place_of_smallest(writer: &mut Writer<'_>, output: usize, found: &ArgMin, id: &str) -> Result<Smallest, Error> {
+    let ArgMin { low, high, objective } = found;
     let place = writer.tape.push(Op::Input(writer.solution));
     let mut number = |e| writer.number(e, Place::ROOT).map_err(|error| error.of_entry(id, "equation"));
     let (low, high, objective) = (number(low)?, number(high)?, number(objective)?);

@@ -36,8 +36,18 @@ const SLIP: [&[(&str, &str)]; 2] = [
     ],
 ];
 
-const CSM1: Quantity = scalar(r"m_1", Unit::FL, Domain::Real, "moment about e1a that friction transmits");
-const CSM3: Quantity = scalar(r"m_3", Unit::FL, Domain::Real, "moment about e3b that friction transmits");
+const CSM1: Quantity = scalar(
+    r"m_1",
+    Unit::FL,
+    Domain::Real,
+    "friction moment about e1a, positive where it resists positive ur1: on node a, its opposite on node b",
+);
+const CSM3: Quantity = scalar(
+    r"m_3",
+    Unit::FL,
+    Domain::Real,
+    "friction moment about e3b, positive where it resists positive ur3: on node a, its opposite on node b",
+);
 const P1: Quantity =
     scalar(r"P_1", Unit::FL, Domain::NonNegative, "magnitude of the moment about e1a that friction transmits");
 const P3: Quantity =

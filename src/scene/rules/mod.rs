@@ -17,8 +17,8 @@ use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec, along};
 use crate::quantity::{
-    Domain, E1A, E2A, E3A, F_TANGENTIAL, F_TRIAL, F1, F2, F3, FORCE, P, Quantity, SLIDER_DXM, SLIDER_DXMK, SLIDER_X1,
-    SLIDER_X1_PLANE, SLIDER_XM, SLIDER_XM_PLANE, SLIDER_XMK, SLIDER_XN, SLIDER_XN_PLANE, Shape, U1, Unit,
+    Domain, E1A, E2A, E3A, F_TANGENTIAL, F_TRIAL, F2, F3, FORCE, JOIN_F1, P, Quantity, SLIDER_DXM, SLIDER_DXMK,
+    SLIDER_X1, SLIDER_X1_PLANE, SLIDER_XM, SLIDER_XM_PLANE, SLIDER_XMK, SLIDER_XN, SLIDER_XN_PLANE, Shape, U1, Unit,
 };
 use crate::scalar::{Scalar, abs, pi, sign};
 use crate::slider::{Eliminate, Increment2d, Pivots, Pivots2d};
@@ -250,7 +250,7 @@ impl Formula for Traction {
 fields! {
     /// The triad of a, and the forces along its axes.
     pub struct JoinLoads<T> {
-        e1a: Vector3<T> = E1A, e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A, f1: T = F1, f2: T = F2, f3: T = F3,
+        e1a: Vector3<T> = E1A, e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A, f1: T = JOIN_F1, f2: T = F2, f3: T = F3,
     }
 }
 fields! {
