@@ -54,16 +54,18 @@ mod symbol;
 mod syntax;
 mod tape;
 mod token;
+mod value;
 
 use crate::formula::{Field, Given, Spec};
 use crate::octuple::Octuple;
 use crate::scalar::Scalar;
 pub use error::Error;
-use lower::{Place, Value, Writer};
+use lower::{Place, Writer};
 use name::Name;
 use scope::Entries;
-use syntax::Body;
+use syntax::ArgMin;
 use tape::{Id, Op, Tape};
+use value::Value;
 
 /// An equation that can be executed.
 #[derive(Clone, Debug)]
@@ -118,7 +120,8 @@ impl Equation {
         Self::new(spec.id, spec.latex, spec.given, &named(inputs)?, &named(outputs)?)
     }
 
-    /// Another equation with the symbols of a formula; some may be called otherwise: `("a", "f2")`.
+    /// Another equation with the symbols of a formula; some may be called otherwise: `("a", "f2")`. The only output of a
+    /// formula is what the first statement defines.
     ///
     /// # Errors
     /// As [`Equation::of`].
@@ -132,7 +135,14 @@ impl Equation {
             }
             Ok(all)
         };
-        Self::new("yours", latex, &[], &named(inputs)?, &named(outputs)?)
+        let mut outputs = named(outputs)?;
+        // The only output may be called as one likes.
+        if let ([(name, _)], Some(first)) = (&mut outputs[..], statement::statements(latex, Vec::new())?.first())
+            && first.names[0] != *name
+        {
+            name.clone_from(&first.names[0]);
+        }
+        Self::new("yours", latex, &[], &named(inputs)?, &outputs)
     }
 
     /// An equation with the symbols of a formula, taken to be that formula's own.
@@ -162,7 +172,7 @@ impl Equation {
         }
         let smallest = match smallest {
             None => None,
-            Some((output, body)) => Some(place_of_smallest(&mut writer, output, body, id)?),
+            Some((output, found)) => Some(place_of_smallest(&mut writer, output, found, id)?),
         };
         let needed = ids.iter().copied().chain(smallest.iter().flat_map(|s| [s.low, s.high, s.slope]));
         check_closed(&writer, needed.collect(), inputs).map_err(|error| error.of_entry(id, "equation"))?;
@@ -260,8 +270,8 @@ fn output(writer: &mut Writer<'_>, name: &Name, field: &Field) -> Result<Vec<Id>
     }
 }
 
-fn place_of_smallest(writer: &mut Writer<'_>, output: usize, body: &Body, id: &str) -> Result<Smallest, Error> {
-    let Body::ArgMin { low, high, objective } = body else { unreachable!("only these were asked for") };
+fn place_of_smallest(writer: &mut Writer<'_>, output: usize, found: &ArgMin, id: &str) -> Result<Smallest, Error> {
+    let ArgMin { low, high, objective } = found;
     let place = writer.tape.push(Op::Input(writer.solution));
     let mut number = |e| writer.number(e, Place::ROOT).map_err(|error| error.of_entry(id, "equation"));
     let (low, high, objective) = (number(low)?, number(high)?, number(objective)?);

@@ -76,14 +76,13 @@ fn what_cannot_be_read_is_named_with_its_place() {
         (r"F_C = \sqrt{f_2^2 + f_4^2}", "byte 20: f_4 is nobody's symbol"),
         (r"F_C = \sqrt{f_2^2 + }", "byte 20: a number, a symbol or a bracket was expected here"),
         (r"F_C = \lvert f_2\rvert", "byte 0: the input f_3 is not needed for any output"),
-        (r"F = \lvert f_2 f_3\rvert", "byte 0: the output F_C is not defined"),
         (r"F_C = f_2 f_3,\quad x = f_2", "byte 20: x is defined and not needed"),
         (r"F_C = f_2 f_3,\quad F_C = f_2", "byte 20: F_C is defined twice"),
         (r"F_C = a f_2 f_3,\quad a = b,\quad b = a", "a is defined by itself"),
         (r"F_C = f_2/f_3 f_2", "byte 14: what follows a slash and its divisor is read in two ways: use a fraction"),
-        (r"F_C = f_2 f_3\quad \text{if } f_2 > 0", "a symbol"),
+        (r"F_C = f_2 f_3\quad \text{if } f_2 > 0", r"byte 30: an operator, a comma or `\quad` was expected here"),
         (r"F_C = f_2 f_3\quad\text{twice 2}", "byte 20: a remark holds words only, not `2`: mathematics is executed"),
-        (r"F_C = f_2 f_3 \pm 1", "an operator, a comma or `\\quad` was expected here"),
+        (r"F_C = f_2 f_3 \pm 1", r"an operator, a comma or `\quad` was expected here"),
         (r"F_C = \mathbf{f}\cdot\mathbf{f} f_2 f_3", "f (a vector) is nobody's symbol"),
     ] {
         let found = error(latex);

@@ -229,7 +229,10 @@ fn an_element_between_a_node_and_itself_is_refused() {
         ));
         let twice = "node \"car\" for the second time; allowed is different nodes";
         assert_eq!(found.len(), kind.nodes.len() - 1, "{kind:?}: {found:#?}");
-        assert!(found.iter().all(|fault| fault.starts_with("elements.e.nodes (") && fault.ends_with(twice)), "{found:#?}");
+        assert!(
+            found.iter().all(|fault| fault.starts_with("elements.e.nodes (") && fault.ends_with(twice)),
+            "{found:#?}"
+        );
     }
 }
 

@@ -29,7 +29,10 @@ fn plan(outputs: &str) -> Vec<String> {
 fn only_what_an_output_needs_is_evaluated() {
     assert_eq!(plan(r#"["MC1"]"#), ["ujoint.contact_moments"]);
     assert_eq!(plan(r#"["MN1", "MN3"]"#), ["ujoint.contact_moments", "ujoint.normal_moments"]);
-    assert_eq!(plan(r#"["PHI1", "PHI3"]"#), ["ujoint.friction"]);
+    // Φ is that of the friction moment, which is found over the increments.
+    let yields = plan(r#"["PHI1"]"#);
+    assert_eq!(yields.last().map(String::as_str), Some("coulomb.yield"));
+    assert_eq!(yields.iter().filter(|line| *line == "coulomb.return_map").count(), 1);
     assert_eq!(plan(r#"["GAP1MAX"]"#), ["universal.angles", "ujoint.stop"]);
     assert_eq!(plan(r#"["FBEND"]"#), ["ujoint.decomposition"]);
     assert_eq!(plan(r#"["GROT"]"#), ["start: universal.constraint", "universal.constraint"]);
@@ -45,12 +48,13 @@ fn only_what_an_output_needs_is_evaluated() {
 
 #[test]
 fn results_are_those_of_the_typed_connector() {
-    let results = Results::of(&joint(r#"["MC1", "MC3", "PHI1", "PHI3", "GAP1MIN", "FR"]"#)).unwrap();
+    let results = Results::of(&joint(r#"["MC1", "MC3", "PHI1", "PHI3", "CSM1", "CSM3", "GAP1MIN", "FR"]"#)).unwrap();
     let turned = Triad::new(Vector3::x(), Vector3::new(0.0, 0.6, 0.8), Vector3::new(0.0, -0.8, 0.6)).unwrap();
     let pose = Pose { triad_a: Triad::global(), triad_b: turned, xa: Vector3::zeros(), xb: Vector3::zeros() };
     let cross = Cross { rp: 1.0, la: 2.0, ra: 0.5, ls: 4.0, mu: 0.25, mc1_int: 4.0, mc3_int: 0.0 };
     let joint = UJoint::new(&pose).unwrap().with_friction(&cross).unwrap();
-    let loads = Loads { f1: 3.0, f2: -4.0, f3: 16.0, m1: 4.0, m2: 2.5, m3: -1.0 };
+    let found = |output| results.get("e", output, 0).unwrap()[0];
+    let loads = Loads { f1: 3.0, f2: -4.0, f3: 16.0, m1: found("CSM1"), m2: 2.5, m3: found("CSM3") };
     let moments = joint.contact_moments(&pose, &loads).unwrap().unwrap();
     let friction = joint.friction(&pose, &loads).unwrap().unwrap();
     let expected = [("MC1", moments.mc1), ("MC3", moments.mc3), ("PHI1", friction.phi1), ("PHI3", friction.phi3)];

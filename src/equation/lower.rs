@@ -5,18 +5,8 @@ use super::name::Name;
 use super::scope::Entries;
 use super::syntax::{Body, Condition, Expr, Function, Kind, Operator, Relation, Statement, small};
 use super::tape::{Id, Op, Tape};
+use super::value::{Value, binary, constant, each, norm, squares};
 use crate::formula::Field;
-
-/// What an expression is.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Value {
-    Scalar(Id),
-    Vector(Vec<Id>),
-    /// The normal of the plane, **s**: its cross product with a vector of the plane turns that to the left.
-    Normal,
-    /// The zero vector, of any length.
-    Zero,
-}
 
 /// Where a symbol is looked up: among the parameters, in an entry, and then where that entry is referred to.
 #[derive(Clone, Copy)]
@@ -103,9 +93,8 @@ impl<'e> Writer<'e> {
                 .map(|&id| Value::Scalar(id))
                 .ok_or_else(|| Error::new(at, format!("a vector of {} has no component {k}", of.len())));
         }
-        let axis = match self.defined(&Name::letter(index), at, place)? {
-            Some(Value::Scalar(axis)) => axis,
-            _ => return Err(Error::new(at, format!("{index} is neither a number nor the number of an axis"))),
+        let Some(Value::Scalar(axis)) = self.defined(&Name::letter(index), at, place)? else {
+            return Err(Error::new(at, format!("{index} is neither a number nor the number of an axis")));
         };
         let nothing = self.tape.number(f64::NAN);
         let chosen = of.iter().enumerate().rev().fold(nothing, |other, (k, &id)| {
@@ -244,16 +233,16 @@ impl<'e> Writer<'e> {
             }
             Kind::Negative(inside) => {
                 let value = self.expression(inside, place)?;
-                self.each(value, e.at, Tape::negative)
+                each(&mut self.tape, value, e.at, Tape::negative)
             }
             Kind::Binary(operator, a, b) => {
                 let (left, right) = (self.expression(a, place)?, self.expression(b, place)?);
-                self.binary(*operator, left, right, e.at)
+                binary(&mut self.tape, *operator, left, right, e.at)
             }
             Kind::Power(base, exponent) => self.power(base, exponent, place),
             Kind::Size(inside) => match self.expression(inside, place)? {
                 Value::Scalar(id) => Ok(Value::Scalar(self.tape.push(Op::Abs(id)))),
-                Value::Vector(parts) => Ok(Value::Scalar(self.norm(&parts))),
+                Value::Vector(parts) => Ok(Value::Scalar(norm(&mut self.tape, &parts))),
                 _ => Err(Error::new(e.at, "this has no size that is worth a sign")),
             },
             Kind::Cases(rows) => self.cases(rows, e.at, place),
@@ -263,7 +252,7 @@ impl<'e> Writer<'e> {
                     let next = self.expression(&body.with_index(index, k), place)?;
                     sum = Some(match sum {
                         None => next,
-                        Some(sum) => self.binary(Operator::Add, sum, next, e.at)?,
+                        Some(sum) => binary(&mut self.tape, Operator::Add, sum, next, e.at)?,
                     });
                 }
                 sum.ok_or_else(|| Error::new(e.at, "the sum is empty"))
@@ -287,54 +276,6 @@ impl<'e> Writer<'e> {
         }
     }
 
-    fn each(&mut self, value: Value, at: usize, change: impl Fn(&mut Tape, Id) -> Id) -> Result<Value, Error> {
-        match value {
-            Value::Scalar(id) => Ok(Value::Scalar(change(&mut self.tape, id))),
-            Value::Vector(parts) => Ok(Value::Vector(parts.into_iter().map(|id| change(&mut self.tape, id)).collect())),
-            Value::Normal | Value::Zero => {
-                Err(Error::new(at, "only a cross product or a comparison is written with this"))
-            }
-        }
-    }
-
-    fn binary(&mut self, operator: Operator, left: Value, right: Value, at: usize) -> Result<Value, Error> {
-        use Operator::{Add, Cross, Divide, Dot, Subtract, Times};
-        let tape = &mut self.tape;
-        let pairs = |a: &[Id], b: &[Id]| a.iter().copied().zip(b.iter().copied()).collect::<Vec<_>>();
-        Ok(match (operator, left, right) {
-            (Add, Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(tape.add(a, b)),
-            (Subtract, Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(tape.subtract(a, b)),
-            (Times | Dot, Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(tape.multiply(a, b)),
-            (Divide, Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(tape.divide(a, b)),
-            (Divide, Value::Vector(a), Value::Scalar(b)) => {
-                Value::Vector(a.into_iter().map(|a| tape.divide(a, b)).collect())
-            }
-            (Times, Value::Scalar(a), Value::Vector(b)) | (Times, Value::Vector(b), Value::Scalar(a)) => {
-                Value::Vector(b.into_iter().map(|b| tape.multiply(a, b)).collect())
-            }
-            (Add, Value::Vector(a), Value::Vector(b)) if a.len() == b.len() => {
-                Value::Vector(pairs(&a, &b).into_iter().map(|(a, b)| tape.add(a, b)).collect())
-            }
-            (Subtract, Value::Vector(a), Value::Vector(b)) if a.len() == b.len() => {
-                Value::Vector(pairs(&a, &b).into_iter().map(|(a, b)| tape.subtract(a, b)).collect())
-            }
-            (Dot, Value::Vector(a), Value::Vector(b)) if a.len() == b.len() => {
-                let products: Vec<_> = pairs(&a, &b).into_iter().map(|(a, b)| tape.multiply(a, b)).collect();
-                let zero = tape.number(0.0);
-                Value::Scalar(products.into_iter().fold(zero, |sum, product| tape.add(sum, product)))
-            }
-            (Cross, Value::Vector(a), Value::Vector(b)) if a.len() == 3 && b.len() == 3 => {
-                let mut minor = |i: usize, j: usize| {
-                    let (plus, minus) = (tape.multiply(a[i], b[j]), tape.multiply(a[j], b[i]));
-                    tape.subtract(plus, minus)
-                };
-                Value::Vector(vec![minor(1, 2), minor(2, 0), minor(0, 1)])
-            }
-            (Cross, Value::Normal, Value::Vector(b)) if b.len() == 2 => Value::Vector(vec![tape.negative(b[1]), b[0]]),
-            (operator, ..) => return Err(Error::new(at, format!("{} is not defined for these", word(operator)))),
-        })
-    }
-
     /// Whole powers, and the exponential function as a power of e.
     fn power(&mut self, base: &Expr, exponent: &Expr, place: Place<'_>) -> Result<Value, Error> {
         if let Kind::Number(value) = exponent.kind {
@@ -354,35 +295,10 @@ impl<'e> Writer<'e> {
     /// A square root; of a sum of squares it is a length, which has a derivative at 0 as lengths have.
     fn root(&mut self, inside: &Expr, place: Place<'_>) -> Result<Value, Error> {
         let radicand = self.number(inside, place)?;
-        Ok(Value::Scalar(match self.squares(radicand) {
-            Some(parts) => self.norm(&parts),
+        Ok(Value::Scalar(match squares(&self.tape, radicand) {
+            Some(parts) => norm(&mut self.tape, &parts),
             None => self.tape.push(Op::Call(Function::Sqrt, radicand, radicand)),
         }))
-    }
-
-    /// What is squared in a sum of squares.
-    fn squares(&self, sum: Id) -> Option<Vec<Id>> {
-        match self.tape.op(sum) {
-            Op::Power(base, 2) => Some(vec![base]),
-            Op::Add(a, b) => Some([self.squares(a)?, self.squares(b)?].concat()),
-            _ => None,
-        }
-    }
-
-    /// The length of a vector of any number of components.
-    fn norm(&mut self, parts: &[Id]) -> Id {
-        let zero = self.tape.number(0.0);
-        let length = |tape: &mut Tape, parts: &[Id]| {
-            let at = |k: usize| parts.get(k).copied().unwrap_or(zero);
-            tape.push(Op::Norm([at(0), at(1), at(2)]))
-        };
-        match parts {
-            [first, second, third, rest @ ..] if !rest.is_empty() => {
-                let start = length(&mut self.tape, &[*first, *second, *third]);
-                self.norm(&[&[start], rest].concat())
-            }
-            _ => length(&mut self.tape, parts),
-        }
     }
 
     /// The first case whose condition holds.
@@ -396,7 +312,9 @@ impl<'e> Writer<'e> {
         let nothing = self.tape.number(f64::NAN);
         let last = match condition {
             None => last,
-            Some(condition) => self.each(last, at, |tape, id| tape.push(Op::Select(condition, id, nothing)))?,
+            Some(condition) => {
+                each(&mut self.tape, last, at, |tape, id| tape.push(Op::Select(condition, id, nothing)))?
+            }
         };
         values.into_iter().rev().try_fold(last, |other, (value, condition)| {
             let Some(condition) = condition else { return Err(Error::new(at, "only the last case is \"otherwise\"")) };
@@ -427,40 +345,10 @@ impl<'e> Writer<'e> {
             (Value::Scalar(left), Value::Scalar(right)) => Ok(self.tape.push(Op::Compare(relation, left, right))),
             // A vector is compared with the zero vector only.
             (Value::Vector(parts), Value::Zero) if matches!(relation, Relation::Equal | Relation::Unequal) => {
-                let (length, zero) = (self.norm(&parts), self.tape.number(0.0));
+                let (length, zero) = (norm(&mut self.tape, &parts), self.tape.number(0.0));
                 Ok(self.tape.push(Op::Compare(relation, length, zero)))
             }
             _ => Err(Error::new(a.at, "numbers are compared, or a vector with the zero vector")),
         }
-    }
-}
-
-/// Symbols that mean the same everywhere, unless somebody defines them.
-fn constant(name: &Name, tape: &mut Tape) -> Option<Value> {
-    let plain = name.below.is_empty() && name.above.is_empty() && name.primes == 0 && name.change.is_empty();
-    if !plain {
-        return None;
-    }
-    let mut axis = |k: usize| Value::Vector((0..3).map(|i| tape.number(f64::from(u8::from(i == k)))).collect());
-    match (name.bold, name.base.as_str()) {
-        (true, "i") => Some(axis(0)),
-        (true, "j") => Some(axis(1)),
-        (true, "k") => Some(axis(2)),
-        (true, "s") => Some(Value::Normal),
-        (true, "0") => Some(Value::Zero),
-        (false, "pi") => Some(Value::Scalar(tape.push(Op::Pi))),
-        (false, "e") => Some(Value::Scalar(tape.push(Op::Euler))),
-        _ => None,
-    }
-}
-
-fn word(operator: Operator) -> &'static str {
-    match operator {
-        Operator::Add => "a sum",
-        Operator::Subtract => "a difference",
-        Operator::Times => "a product without a sign",
-        Operator::Dot => "the product `\\cdot`",
-        Operator::Cross => "the product `\\times`",
-        Operator::Divide => "a quotient",
     }
 }

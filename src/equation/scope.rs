@@ -3,7 +3,7 @@
 use super::error::Error;
 use super::name::Name;
 use super::statement::{statements, symbols};
-use super::syntax::{Body, Statement};
+use super::syntax::{ArgMin, Body, Statement};
 use crate::formula::{Given, Spec};
 
 /// An equation and where the symbols come from that it does not define.
@@ -83,9 +83,12 @@ impl Entries {
     }
 
     /// What the equation itself says of a symbol, if that is the place of something smallest.
-    pub(super) fn arg_min(&self, name: &Name) -> Option<&Body> {
+    pub(super) fn arg_min(&self, name: &Name) -> Option<&ArgMin> {
         let mut statements = self.0.iter().take(1).flat_map(|entry| &entry.statements);
         let found = statements.find(|statement| statement.names[0] == *name)?;
-        matches!(found.body, Body::ArgMin { .. }).then_some(&found.body)
+        match &found.body {
+            Body::ArgMin(found) => Some(found),
+            Body::Equal(_) => None,
+        }
     }
 }

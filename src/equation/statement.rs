@@ -3,7 +3,7 @@
 use super::cursor::Parser;
 use super::error::Error;
 use super::name::Name;
-use super::syntax::{Body, Expr, Kind, Statement};
+use super::syntax::{ArgMin, Body, Expr, Kind, Statement};
 use super::token::{Kind as Word, Token, tokens};
 
 /// The definitions of an equation, families of them written out.
@@ -68,9 +68,11 @@ impl Range {
         if !statements.iter().any(|statement| statement.has_index(&self.index)) {
             return Err(Error::new(self.at, format!("no statement before this has the index {}", self.index)));
         }
-        let family = |statement: Statement| match statement.has_index(&self.index) {
-            true => self.values.iter().map(|&value| statement.with_index(&self.index, value)).collect(),
-            false => vec![statement],
+        let family = |statement: Statement| {
+            if !statement.has_index(&self.index) {
+                return vec![statement];
+            }
+            self.values.iter().map(|&value| statement.with_index(&self.index, value)).collect()
         };
         Ok(statements.into_iter().flat_map(family).collect())
     }
@@ -181,7 +183,8 @@ impl Parser<'_> {
                 "the defined symbol between its bounds was expected here, as in `0 \\le t \\le 1`",
             ));
         }
-        Ok(Body::ArgMin { low, high, objective: self.expression()? })
+        let objective = self.expression()?;
+        Ok(Body::ArgMin(Box::new(ArgMin { low, high, objective })))
     }
 }
 

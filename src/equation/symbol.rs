@@ -94,7 +94,7 @@ impl Parser<'_> {
             }
             _ => return Ok(None),
         };
-        Ok(Some(Name { base, bold, ..Name::default() }))
+        Ok(Some(Name { bold, base, ..Name::default() }))
     }
 
     /// One letter, or a group of letters, digits, commas and upright words.

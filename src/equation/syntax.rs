@@ -84,8 +84,15 @@ pub(super) struct Statement {
 pub(super) enum Body {
     /// Expressions that are all equal.
     Equal(Vec<Expr>),
-    /// The place between two bounds where an expression is smallest.
-    ArgMin { low: Expr, high: Expr, objective: Expr },
+    ArgMin(Box<ArgMin>),
+}
+
+/// The place between two bounds where an expression is smallest.
+#[derive(Clone, Debug)]
+pub(super) struct ArgMin {
+    pub(super) low: Expr,
+    pub(super) high: Expr,
+    pub(super) objective: Expr,
 }
 
 impl Statement {
@@ -99,8 +106,9 @@ impl Statement {
         let put = |e: &Expr| e.with_index(index, value);
         let body = match &self.body {
             Body::Equal(sides) => Body::Equal(sides.iter().map(put).collect()),
-            Body::ArgMin { low, high, objective } => {
-                Body::ArgMin { low: put(low), high: put(high), objective: put(objective) }
+            Body::ArgMin(found) => {
+                let ArgMin { low, high, objective } = &**found;
+                Body::ArgMin(Box::new(ArgMin { low: put(low), high: put(high), objective: put(objective) }))
             }
         };
         Self { names: self.names.iter().map(|name| name.with_index(index, value)).collect(), body, ..self.clone() }
@@ -109,7 +117,7 @@ impl Statement {
     fn expressions(&self) -> Vec<&Expr> {
         match &self.body {
             Body::Equal(sides) => sides.iter().collect(),
-            Body::ArgMin { low, high, objective } => vec![low, high, objective],
+            Body::ArgMin(found) => vec![&found.low, &found.high, &found.objective],
         }
     }
 }

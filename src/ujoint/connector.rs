@@ -12,10 +12,11 @@ use crate::join::{Displaced, Join, Joined};
 use crate::quantity::Domain;
 use crate::slot::Force;
 use crate::translator::{Gradient, Pose};
-use crate::universal::{Angles, Moment, Rotations, Shafts, Skew, Turns, Universal};
+use crate::universal::{Angles, FreeMoment, Moment, Rotations, Shafts, Skew, Turns, Universal};
 use nalgebra::Vector3;
 
-/// Forces and moments on node b.
+/// Forces and moments. Those of the constraint act on node b, their opposites on node a; the kinetic moments m1 and m3 act
+/// on a, their opposites on b.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Loads {
     /// Constraint force along the first axis of a.
@@ -24,11 +25,11 @@ pub struct Loads {
     pub f2: f64,
     /// Constraint force along the third axis of a.
     pub f3: f64,
-    /// Moment about the first axis of a, which is free to turn.
+    /// Kinetic moment about the first axis of a, which is free to turn: conjugate to ur1.
     pub m1: f64,
     /// Constraint moment about the direction across the cross, cos α e2a + sin α e3a.
     pub m2: f64,
-    /// Moment about the third axis of b, which is free to turn.
+    /// Kinetic moment about the third axis of b, which is free to turn: conjugate to ur3.
     pub m3: f64,
 }
 
@@ -240,11 +241,11 @@ impl UJoint {
         self.universal.constraint_moment(&pose.triad_a, &pose.triad_b, loads.m2)
     }
 
-    /// The moment on b about the free axes, in the global frame.
+    /// The moment about the free axes on a, in the global frame; its opposite acts on b.
     ///
     /// # Errors
     /// As [`Universal::kinetic_moment`].
-    pub fn kinetic_moment(&self, pose: &Pose, loads: &Loads) -> Result<Moment<f64>, Error> {
+    pub fn kinetic_moment(&self, pose: &Pose, loads: &Loads) -> Result<FreeMoment<f64>, Error> {
         self.universal.kinetic_moment(&pose.triad_a, &pose.triad_b, loads.m1, loads.m3)
     }
 

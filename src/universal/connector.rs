@@ -1,8 +1,8 @@
 //! The UNIVERSAL connector as a program uses it: validated once, then evaluated by the formulas.
 
 use super::{
-    Angles, Constraint, ConstraintMoment, Driven, KineticMoment, Moment, RelativeMotion, Rotations, Shafts, Skew,
-    Turns, TurnsSince, Twisted,
+    Angles, Constraint, ConstraintMoment, Driven, FreeMoment, KineticMoment, Moment, RelativeMotion, Rotations, Shafts,
+    Skew, Turns, TurnsSince, Twisted,
 };
 use crate::cardan::Triads;
 use crate::error::Error;
@@ -96,11 +96,11 @@ impl Universal {
         value::<ConstraintMoment>(&Twisted { e2a: a.e2(), e3a: a.e3(), e3b: b.e3(), m2 })
     }
 
-    /// The moment on b about the shafts ([`KineticMoment`]), in the global frame.
+    /// The moment about the shafts on a ([`KineticMoment`]), in the global frame; its opposite acts on b.
     ///
     /// # Errors
     /// A moment that is not finite.
-    pub fn kinetic_moment(&self, a: &Triad, b: &Triad, m1: f64, m3: f64) -> Result<Moment<f64>, Error> {
+    pub fn kinetic_moment(&self, a: &Triad, b: &Triad, m1: f64, m3: f64) -> Result<FreeMoment<f64>, Error> {
         value::<KineticMoment>(&Driven { e1a: a.e1(), e3b: b.e3(), m1, m3 })
     }
 }

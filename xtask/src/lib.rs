@@ -26,6 +26,8 @@ mod commands;
 #[cfg(feature = "commands")]
 pub mod console;
 #[cfg(feature = "commands")]
+mod equation;
+#[cfg(feature = "commands")]
 mod evidence;
 #[cfg(feature = "commands")]
 mod extension;

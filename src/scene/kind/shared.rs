@@ -1,11 +1,12 @@
 //! What several kinds have.
 
-use super::table::{Fallback, Origin, Use, always, renamed};
-use crate::coulomb::ReturnMap;
-use crate::scene::rules::{Slip, Stick};
+use super::table::{Fallback, Origin, Use, When, always, renamed};
+use crate::coulomb::{ReturnMap, Yield};
+use crate::quantity::{Domain, Quantity, Unit};
+use crate::scene::rules::{Kinetic, Slip, Stick, Traction, scalar};
 use crate::slot::{ConstraintForce, KineticForce, NormalForce, RelativeMotion, Stop};
 use Fallback::{As, Number, Required};
-use Origin::{Axis, Before, Initial, Load, Parameter, Position};
+use Origin::{Axis, Before, Initial, Load, Parameter, Position, Zero};
 
 pub(super) type Given = (&'static str, Origin);
 
@@ -30,6 +31,7 @@ pub(super) const FRICTION: &[Given] = &[
     ("u1_before", Before("u1")),
     ("f_before", Before("csf")),
     ("slip_before", Before("slip_total")),
+    ("no_friction", Zero),
 ];
 
 /// Formulas of motion and friction along a slot, in every connector with one.
@@ -40,4 +42,28 @@ pub(super) const TRIAL: Use = always(&Stick);
 pub(super) const RETURN_MAP: Use = renamed(&ReturnMap, &[("f", "csf")]);
 pub(super) const SLIP: Use = always(&Slip);
 pub(super) const CONSTRAINT_FORCE: Use = renamed(&ConstraintForce, &[("f", "rf")]);
-pub(super) const KINETIC_FORCE: Use = renamed(&KineticForce, &[("f", "kf")]);
+
+/// Where there is friction, what depends on it follows the friction force that was found; where μ is 0 there is none, and
+/// nothing is looked for.
+const MU: &[&str] = &["mu"];
+pub(super) const WITHOUT_FRICTION: When = When::AllZero(MU);
+pub(super) const WITH_FRICTION: When = When::NotAllZero(MU);
+/// The kinetic force: the load along the slot, and friction.
+pub(super) const KINETIC_FORCE: [Use; 3] = [
+    renamed(&KineticForce, &[("f", "kf")]).when(WITHOUT_FRICTION),
+    renamed(&Kinetic, &[("f_load", "f1")]),
+    renamed(&KineticForce, &[("f1", "f_kinetic"), ("f", "kf")]).when(WITH_FRICTION),
+];
+/// What friction transmits along a slot.
+pub(super) const CSF1: Quantity = scalar(
+    r"f",
+    Unit::F,
+    Domain::Real,
+    "friction force along e1a, positive where it resists positive u1: on node a, its opposite on node b",
+);
+/// P and Φ are of friction alone.
+pub(super) const YIELD: [Use; 3] = [
+    renamed(&Traction, &[("csf", "no_friction")]).when(WITHOUT_FRICTION),
+    always(&Traction).when(WITH_FRICTION),
+    always(&Yield),
+];

@@ -2,8 +2,8 @@
 
 use super::dimension::Dimension;
 use super::shared::{
-    CONSTRAINT_FORCE, FORCES, FRICTION, INITIAL, KINETIC_FORCE, LENGTHS, MOTION, NODES, NORMAL, ORDERED_LENGTHS,
-    RETURN_MAP, SLIP, STOP, TRIAL,
+    CONSTRAINT_FORCE, CSF1, FORCES, FRICTION, INITIAL, KINETIC_FORCE, LENGTHS, MOTION, NODES, NORMAL, ORDERED_LENGTHS,
+    RETURN_MAP, SLIP, STOP, TRIAL, YIELD,
 };
 use super::table::{Kind, Origin, always};
 use crate::slot;
@@ -20,16 +20,20 @@ pub(super) const SLOT: Kind = Kind {
         always(&slot::Constraint),
         CONSTRAINT_FORCE,
         MOTION,
-        KINETIC_FORCE,
+        KINETIC_FORCE[0],
+        KINETIC_FORCE[1],
+        KINETIC_FORCE[2],
         always(&slot::ContactForce),
         NORMAL,
-        always(&slot::Friction),
+        YIELD[0],
+        YIELD[1],
+        YIELD[2],
         STOP,
         TRIAL,
         RETURN_MAP,
         SLIP,
     ],
-    meanings: &[],
+    meanings: &[("csf", &CSF1)],
     outputs: &[
         ("X", "x"),
         ("Y", "y"),
@@ -60,10 +64,14 @@ pub(super) const SLOT_2D: Kind = Kind {
         always(&slot::Constraint2d),
         CONSTRAINT_FORCE,
         MOTION,
-        KINETIC_FORCE,
+        KINETIC_FORCE[0],
+        KINETIC_FORCE[1],
+        KINETIC_FORCE[2],
         always(&slot::ContactForce),
         NORMAL,
-        always(&slot::Friction),
+        YIELD[0],
+        YIELD[1],
+        YIELD[2],
         STOP,
         TRIAL,
         RETURN_MAP,

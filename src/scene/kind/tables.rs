@@ -9,8 +9,7 @@ use super::translator::TRANSLATOR;
 use super::ujoint::UJOINT;
 
 /// Every kind of element.
-static KINDS: [Kind; 9] =
-    [SLOT, SLOT_2D, TRANSLATOR, UJOINT, SLIDER, SLIDER_2D, SLIDER_AXISYMMETRIC, ISL21A, ISL22A];
+static KINDS: [Kind; 9] = [SLOT, SLOT_2D, TRANSLATOR, UJOINT, SLIDER, SLIDER_2D, SLIDER_AXISYMMETRIC, ISL21A, ISL22A];
 
 impl Kind {
     /// Every kind.

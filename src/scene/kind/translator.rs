@@ -2,8 +2,8 @@
 
 use super::dimension::Dimension;
 use super::shared::{
-    CONSTRAINT_FORCE, FORCES, FRICTION, INITIAL, KINETIC_FORCE, LENGTHS, MOMENTS, MOTION, NODES, NORMAL,
-    ORDERED_LENGTHS, RETURN_MAP, SECOND_TRIAD, SLIP, STOP, TRIAL,
+    CONSTRAINT_FORCE, CSF1, FORCES, FRICTION, INITIAL, KINETIC_FORCE, LENGTHS, MOMENTS, MOTION, NODES, NORMAL,
+    ORDERED_LENGTHS, RETURN_MAP, SECOND_TRIAD, SLIP, STOP, TRIAL, YIELD,
 };
 use super::table::{Fallback, Kind, Origin, When, always, renamed};
 use crate::scene::rules::{Alignment, Turns};
@@ -38,21 +38,24 @@ pub(super) const TRANSLATOR: Kind = Kind {
         CONSTRAINT_FORCE,
         renamed(&align::ConstraintMoment, &[("m", "rm")]),
         MOTION,
-        KINETIC_FORCE,
+        KINETIC_FORCE[0],
+        KINETIC_FORCE[1],
+        KINETIC_FORCE[2],
         always(&translator::TorqueForce),
         always(&translator::RadialForce),
         always(&translator::BendingForce),
         always(&slot::ContactForce).when(When::AllZero(LEVERS)),
         always(&translator::ContactForce).when(When::NotAllZero(LEVERS)),
         NORMAL,
-        always(&slot::Friction).when(When::AllZero(LEVERS)),
-        always(&translator::Friction).when(When::NotAllZero(LEVERS)),
+        YIELD[0],
+        YIELD[1],
+        YIELD[2],
         STOP,
         TRIAL,
         RETURN_MAP,
         SLIP,
     ],
-    meanings: &[],
+    meanings: &[("csf", &CSF1)],
     outputs: &[
         ("X", "x"),
         ("Y", "y"),

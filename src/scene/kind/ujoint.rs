@@ -1,11 +1,11 @@
 //! UJOINT: JOIN and UNIVERSAL, with the friction of the cross.
 
 use super::dimension::Dimension;
-use super::shared::{FORCES, MOMENTS, NODES, SECOND_TRIAD};
+use super::shared::{FORCES, MOMENTS, NODES, SECOND_TRIAD, WITH_FRICTION, WITHOUT_FRICTION};
 use super::table::{Fallback, Kind, Origin, Use, always, renamed};
-use crate::coulomb::ReturnMap;
-use crate::quantity::{Domain, Quantity, Unit};
-use crate::scene::rules::{Slip, TURN_STICK, TurnStick, scalar};
+use crate::coulomb::{ReturnMap, Yield};
+use crate::quantity::{CROSS_M1, CROSS_M3, Domain, PHI1, PHI3, Quantity, Unit};
+use crate::scene::rules::{Joining, Kinetic, Slip, TURN_STICK, Traction, TurnStick, scalar};
 use crate::{join, ujoint, universal};
 use Fallback::{As, Number, Required};
 use Origin::{Before, Initial, Parameter, Zero};
@@ -36,8 +36,22 @@ const SLIP: [&[(&str, &str)]; 2] = [
     ],
 ];
 
-const CSM1: Quantity = scalar(r"m_1", Unit::FL, Domain::Real, "moment about e1a that friction transmits");
-const CSM3: Quantity = scalar(r"m_3", Unit::FL, Domain::Real, "moment about e3b that friction transmits");
+const CSM1: Quantity = scalar(
+    r"m_1",
+    Unit::FL,
+    Domain::Real,
+    "friction moment about e1a, positive where it resists positive ur1: on node a, its opposite on node b",
+);
+const CSM3: Quantity = scalar(
+    r"m_3",
+    Unit::FL,
+    Domain::Real,
+    "friction moment about e3b, positive where it resists positive ur3: on node a, its opposite on node b",
+);
+const P1: Quantity =
+    scalar(r"P_1", Unit::FL, Domain::NonNegative, "magnitude of the moment about e1a that friction transmits");
+const P3: Quantity =
+    scalar(r"P_3", Unit::FL, Domain::NonNegative, "magnitude of the moment about e3b that friction transmits");
 const SLIP1: Quantity =
     scalar(r"\Delta s_1", Unit::ONE, Domain::Real, "slip about e1a in this increment, 0 while it sticks");
 const SLIP3: Quantity =
@@ -58,6 +72,7 @@ pub(super) const UJOINT: Kind = Kind {
         &[
             ("no_vector", Zero),
             ("no_number", Zero),
+            ("no_friction", Zero),
             ("d0", Initial("d")),
             ("c0", Initial("c")),
             ("alpha0", Initial("alpha")),
@@ -96,7 +111,12 @@ pub(super) const UJOINT: Kind = Kind {
         always(&universal::RelativeMotion),
         always(&ujoint::Stop),
         renamed(&universal::ConstraintMoment, &[("m", "rm")]),
-        renamed(&universal::KineticMoment, &[("m", "km")]),
+        renamed(&Joining, &[("f", "rf")]),
+        renamed(&universal::KineticMoment, &[("m", "km")]).when(WITHOUT_FRICTION),
+        renamed(&Kinetic, &[("f_load", "m1"), ("csf", "csm1"), ("f_kinetic", "m1_kinetic")]),
+        renamed(&Kinetic, &[("f_load", "m3"), ("csf", "csm3"), ("f_kinetic", "m3_kinetic")]),
+        renamed(&universal::KineticMoment, &[("m1", "m1_kinetic"), ("m3", "m3_kinetic"), ("m", "km")])
+            .when(WITH_FRICTION),
         always(&ujoint::Reaction),
         always(&ujoint::Decomposition),
         always(&ujoint::HingeTwist),
@@ -105,7 +125,12 @@ pub(super) const UJOINT: Kind = Kind {
         always(&ujoint::HingeBending),
         always(&ujoint::ContactMoments),
         always(&ujoint::NormalMoments),
-        always(&ujoint::Friction),
+        renamed(&Traction, &[("csf", "no_friction"), ("p", "p1")]).when(WITHOUT_FRICTION),
+        renamed(&Traction, &[("csf", "no_friction"), ("p", "p3")]).when(WITHOUT_FRICTION),
+        renamed(&Traction, &[("csf", "csm1"), ("p", "p1")]).when(WITH_FRICTION),
+        renamed(&Traction, &[("csf", "csm3"), ("p", "p3")]).when(WITH_FRICTION),
+        renamed(&Yield, &[("p", "p1"), ("fn", "mn1"), ("phi", "phi1")]),
+        renamed(&Yield, &[("p", "p3"), ("fn", "mn3"), ("phi", "phi3")]),
         STICK[0],
         STICK[1],
         renamed(&ReturnMap, MAP[0]),
@@ -115,6 +140,12 @@ pub(super) const UJOINT: Kind = Kind {
     ],
     meanings: &[
         ("k_stick", &TURN_STICK),
+        ("m1", &CROSS_M1),
+        ("m3", &CROSS_M3),
+        ("p1", &P1),
+        ("p3", &P3),
+        ("phi1", &PHI1),
+        ("phi3", &PHI3),
         ("csm1", &CSM1),
         ("csm3", &CSM3),
         ("slip1", &SLIP1),
@@ -135,6 +166,7 @@ pub(super) const UJOINT: Kind = Kind {
         ("GAP1MAX", "gap1_max"),
         ("GAP3MIN", "gap3_min"),
         ("GAP3MAX", "gap3_max"),
+        ("RF", "rf"),
         ("RM", "rm"),
         ("KM", "km"),
         ("FR", "fr"),
@@ -149,6 +181,8 @@ pub(super) const UJOINT: Kind = Kind {
         ("MC3", "mc3"),
         ("MN1", "mn1"),
         ("MN3", "mn3"),
+        ("P1", "p1"),
+        ("P3", "p3"),
         ("PHI1", "phi1"),
         ("PHI3", "phi3"),
         ("CSM1", "csm1"),

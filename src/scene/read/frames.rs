@@ -59,7 +59,8 @@ struct History<'k> {
 
 impl<'k> History<'k> {
     fn new(dimension: Dimension, nodes: &'k Named<Option<SceneNode>>, elements: &'k Named<Draft>) -> Self {
-        let is_open = |draft: &Draft| draft.kind().is_none_or(|kind| kind.slides() && draft.nodes().len() < kind.nodes.len());
+        let is_open =
+            |draft: &Draft| draft.kind().is_none_or(|kind| kind.slides() && draft.nodes().len() < kind.nodes.len());
         let mut slides = vec![elements.things().iter().any(is_open); nodes.len()];
         let sliding = |draft: &&Draft| draft.kind().is_some_and(Kind::slides);
         let of_elements = elements.things().iter().filter(sliding).flat_map(Draft::nodes);

@@ -20,10 +20,10 @@ use crate::cardan::{
 };
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec};
+use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec, along};
 use crate::quantity::{
-    Domain, F_TANGENTIAL, F_TRIAL, Quantity, SLIDER_DXM, SLIDER_DXMK, SLIDER_X1, SLIDER_X1_PLANE, SLIDER_XM,
-    SLIDER_XM_PLANE, SLIDER_XMK, SLIDER_XN, SLIDER_XN_PLANE, Shape, U1, Unit,
+    Domain, E1A, E2A, E3A, F_TANGENTIAL, F_TRIAL, F2, F3, FORCE, JOIN_F1, P, Quantity, SLIDER_DXM, SLIDER_DXMK,
+    SLIDER_X1, SLIDER_X1_PLANE, SLIDER_XM, SLIDER_XM_PLANE, SLIDER_XMK, SLIDER_XN, SLIDER_XN_PLANE, Shape, U1, Unit,
 };
 use crate::scalar::{Scalar, abs, pi, sign};
 use crate::slider::{Eliminate, Increment2d, Pivots, Pivots2d};
@@ -188,6 +188,111 @@ impl Formula for Slip {
     }
 }
 
+/// What acts along a free direction beside friction.
+pub const F_LOAD: Quantity =
+    scalar(r"f_1^{\mathrm{load}}", Unit::F, Domain::Real, "kinetic force that the connector is loaded with");
+/// All that acts along a free direction.
+pub const F_KINETIC: Quantity = scalar(r"f_1", Unit::F, Domain::Real, "kinetic force, friction included");
+
+fields! {
+    /// The load along a free direction, and the friction there.
+    pub struct KineticLoads<T> { f_load: T = F_LOAD, csf: T = F_TANGENTIAL }
+}
+fields! {
+    /// Their sum.
+    pub struct KineticSum<T> { f_kinetic: T = F_KINETIC }
+}
+
+/// What acts along a free direction: the load there and the friction that was found, f1 = f_load + f.
+#[derive(Clone, Copy, Debug)]
+pub struct Kinetic;
+
+impl Formula for Kinetic {
+    const SPEC: Spec = spec("scene.kinetic", "Load and friction", r"f_1 = f_1^{\mathrm{load}} + f");
+    type Inputs<T: Component> = KineticLoads<T>;
+    type Outputs<T: Component> = KineticSum<T>;
+
+    #[inline(always)]
+    fn eval<D: Scalar>(i: &KineticLoads<D>) -> KineticSum<D> {
+        KineticSum { f_kinetic: i.f_load + i.csf }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(_: &KineticLoads<D>) -> Jacobian<Self, D> {
+        KineticSum { f_kinetic: KineticLoads { f_load: D::one(), csf: D::one() } }
+    }
+}
+
+fields! {
+    /// A force that friction transmits.
+    pub struct Transmitted<T> { csf: T = F_TANGENTIAL }
+}
+fields! {
+    /// Its size.
+    pub struct TractionSize<T> { p: T = P }
+}
+
+/// The tangential traction of the friction that was found: P = |f|.
+#[derive(Clone, Copy, Debug)]
+pub struct Traction;
+
+impl Formula for Traction {
+    const SPEC: Spec = spec("scene.traction", "Tangential traction", r"P = \lvert f\rvert");
+    type Inputs<T: Component> = Transmitted<T>;
+    type Outputs<T: Component> = TractionSize<T>;
+
+    #[inline(always)]
+    fn eval<D: Scalar>(i: &Transmitted<D>) -> TractionSize<D> {
+        TractionSize { p: abs(i.csf) }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &Transmitted<D>) -> Jacobian<Self, D> {
+        TractionSize { p: Transmitted { csf: D::from(sign(i.csf)) } }
+    }
+}
+
+fields! {
+    /// The triad of a, and the forces along its axes.
+    pub struct JoinLoads<T> {
+        e1a: Vector3<T> = E1A, e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A, f1: T = JOIN_F1, f2: T = F2, f3: T = F3,
+    }
+}
+fields! {
+    /// The force on b.
+    pub struct JoinForce<T> { f: Vector3<T> = FORCE }
+}
+
+/// The force on b that JOIN transmits: f = f1 e1a + f2 e2a + f3 e3a.
+#[derive(Clone, Copy, Debug)]
+pub struct Joining;
+
+impl Formula for Joining {
+    const SPEC: Spec = Spec::new("scene.join_force", "Constraint force of JOIN", Document::UJOINT.printed("Friction"))
+        .equation(r"\mathbf{f} = f_1\,\mathbf{e}_{1a} + f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a}")
+        .eta(1.5, 0.0);
+    type Inputs<T: Component> = JoinLoads<T>;
+    type Outputs<T: Component> = JoinForce<T>;
+
+    #[inline(always)]
+    fn eval<D: Scalar>(i: &JoinLoads<D>) -> JoinForce<D> {
+        JoinForce { f: i.e1a * i.f1 + i.e2a * i.f2 + i.e3a * i.f3 }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &JoinLoads<D>) -> Jacobian<Self, D> {
+        let row = |k| JoinLoads {
+            e1a: along(k, i.f1),
+            e2a: along(k, i.f2),
+            e3a: along(k, i.f3),
+            f1: i.e1a[k],
+            f2: i.e2a[k],
+            f3: i.e3a[k],
+        };
+        JoinForce { f: Vector3::new(row(0), row(1), row(2)) }
+    }
+}
+
 /// The Cardan angles with β from two arguments, right up to ±90°.
 #[derive(Clone, Copy, Debug)]
 pub struct Turns;
@@ -298,7 +403,7 @@ impl Formula for KeptAxis {
     fn jacobian<D: Scalar>(i: &KeptNodes<D>) -> Jacobian<Self, D> {
         let k = Pivots::new(&i.x1, &i.xn).k;
         let zero = Vector3::from_element(D::zero());
-        let axis = crate::formula::along(k, D::one());
+        let axis = along(k, D::one());
         let none = KeptNodes { x1: zero, xn: zero, xm: zero, dxm: zero };
         Kept { xmk: KeptNodes { xm: axis, ..none }, dxmk: KeptNodes { dxm: axis, ..none } }
     }
@@ -343,7 +448,7 @@ impl Formula for KeptAxis2d {
     #[inline]
     fn jacobian<D: Scalar>(i: &KeptNodes2d<D>) -> Jacobian<Self, D> {
         let k = Pivots2d::new(&i.x1, &i.xn).k;
-        let (zero, axis) = (Vector2::from_element(D::zero()), crate::formula::along(k, D::one()));
+        let (zero, axis) = (Vector2::from_element(D::zero()), along(k, D::one()));
         let none = KeptNodes2d { x1: zero, xn: zero, xm: zero, dxm: zero };
         Kept { xmk: KeptNodes2d { xm: axis, ..none }, dxmk: KeptNodes2d { dxm: axis, ..none } }
     }
@@ -355,5 +460,17 @@ impl Formula for KeptAxis2d {
 }
 
 /// The formulas of this module.
-pub const RULES: &[&dyn crate::catalog::AnyFormula] =
-    &[&Stick, &TurnStick, &Slip, &Turns, &Alignment, &KeptAxis, &KeptAxis2d, &IncrementalConstraint2d, &Eliminate2d];
+pub const RULES: &[&dyn crate::catalog::AnyFormula] = &[
+    &Stick,
+    &TurnStick,
+    &Slip,
+    &Kinetic,
+    &Traction,
+    &Joining,
+    &Turns,
+    &Alignment,
+    &KeptAxis,
+    &KeptAxis2d,
+    &IncrementalConstraint2d,
+    &Eliminate2d,
+];

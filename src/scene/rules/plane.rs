@@ -13,8 +13,12 @@ use crate::slider::{Increment2d, Line, Pivots2d};
 use nalgebra::Vector2;
 
 /// By how much increments violate the condition.
-pub const RESIDUAL: Quantity =
-    scalar("r", Unit::L, Domain::Real, "by how much the increments violate the condition, positive to the left of the line");
+pub const RESIDUAL: Quantity = scalar(
+    "r",
+    Unit::L,
+    Domain::Real,
+    "by how much the increments violate the condition, positive to the left of the line",
+);
 /// The coordinate that is eliminated; in the plane there is one.
 pub const XMI_PLANE: Quantity =
     Quantity { meaning: "coordinate of node m along the axis i that is eliminated", ..SLIDER_XMI };

@@ -1,6 +1,9 @@
 //! Evidence for the formulas next door: none beyond what every formula owes.
 
-use super::{Alignment, Eliminate2d, IncrementalConstraint2d, KeptAxis, KeptAxis2d, Slip, Stick, TurnStick, Turns};
+use super::{
+    Alignment, Eliminate2d, IncrementalConstraint2d, Joining, KeptAxis, KeptAxis2d, Kinetic, Slip, Stick, Traction,
+    TurnStick, Turns,
+};
 use crate::proof::Proved;
 
 impl Proved for Stick {}
@@ -8,6 +11,12 @@ impl Proved for Stick {}
 impl Proved for TurnStick {}
 
 impl Proved for Slip {}
+
+impl Proved for Kinetic {}
+
+impl Proved for Traction {}
+
+impl Proved for Joining {}
 
 impl Proved for Turns {}
 

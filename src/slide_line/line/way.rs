@@ -72,9 +72,9 @@ impl<D: Scalar> PlacedLine<D> {
         let centers = std::iter::successors(Some(1.0), |odd| Some(odd + 2.0)).take_while(|&odd| odd < 2.0 * parts);
         centers.fold(D::zero(), |way, odd| {
             let center = u0 + half * odd;
-            points.iter().fold(way, |way, &[place, weight]| {
-                way + self.rate_of_slip(piece, center + half * place, half * weight)
-            })
+            points
+                .iter()
+                .fold(way, |way, &[place, weight]| way + self.rate_of_slip(piece, center + half * place, half * weight))
         })
     }
 

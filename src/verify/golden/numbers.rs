@@ -30,7 +30,7 @@ pub(crate) fn named(fields: &[Field], components: &[f64]) -> Map<String, Value> 
 }
 
 /// The next numbers in this shape, row by row.
-fn nested<'a>(shape: &[usize], numbers: &mut dyn Iterator<Item = &'a f64>) -> Value {
+fn nested(shape: &[usize], numbers: &mut dyn Iterator<Item = &f64>) -> Value {
     match shape {
         [] => number(*numbers.next().expect("there is a number for every component of the fields")),
         [len, rest @ ..] => (0..*len).map(|_| nested(rest, numbers)).collect(),
@@ -47,7 +47,7 @@ pub(super) fn four_digits_up(scale: f64) -> f64 {
     let parse = |text: &str| text.parse().expect("digits with an exponent are a number");
     match (parse(&text), text.split_once('e')) {
         (nearest, Some((digits, exponent))) if nearest < least => {
-            let [digits, exponent] = [&digits.replace('.', ""), exponent].map(|whole| parse(whole));
+            let [digits, exponent] = [&digits.replace('.', ""), exponent].map(parse);
             parse(&format!("{}e{}", digits + 1.0, exponent - 3.0))
         }
         (nearest, _) => nearest,

@@ -15,14 +15,23 @@ pub(crate) fn entry(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let title = pages.text(at, &entry.title);
     format!(
         "<section class=\"entry\"><h3 id=\"{id}\"><a class=\"header\" href=\"#{id}\">{title}</a> \
-         <code class=\"entry-id\">{id}</code></h3>{}{}<dl class=\"facts\">{}</dl>{}{}{}</section>",
+         <code class=\"entry-id\">{id}</code></h3>{}{}{}<dl class=\"facts\">{}</dl>{}{}{}</section>",
         pages.block_math(at, &entry.latex),
+        given(pages, at, entry),
         symbols(pages, at, entry),
         facts(pages, at, entry),
         speed::folded(pages, entry),
         each(&entry.code, |span| code(pages, at, span)),
         tests(pages, at, entry)
     )
+}
+
+/// Where the symbols come from that the equation does not define.
+fn given(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
+    match &*entry.given {
+        "" => String::new(),
+        given => format!("<p class=\"given\">{}</p>", pages.linked_text(at, given)),
+    }
 }
 
 /// Inputs and outputs in one table, so that their columns line up.
@@ -141,6 +150,8 @@ fn evidence(ran: &Evidence) -> String {
         ("Jacobian within η =", &audit.eta_jacobian),
         ("closed form against AD", &audit.closed_against_ad),
         ("AD against differences", &audit.ad_against_differences),
+        ("printed equation against value", &audit.equation),
+        ("its derivative against closed form", &audit.equation_jacobian),
     ];
     chips.extend(claims.iter().map(|(what, claim)| format!("{what} {}", worst(claim))));
     format!("<ul class=\"chips\">{}</ul>", each(chips, |chip| format!("<li>{chip}</li>")))
