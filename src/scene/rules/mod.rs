@@ -6,8 +6,13 @@
 
 #![expect(clippy::inline_always, reason = "a call would write the inputs to memory, and wait for them there")]
 
+mod plane;
 #[cfg(feature = "verify")]
 mod proof;
+
+pub use plane::{
+    Coordinate2d, Eliminate2d, IncrementalConstraint2d, KeptCoordinate2d, MovingNodes2d, RESIDUAL, Residual, XMI_PLANE,
+};
 
 use crate::align::{Misalignment, Orientations};
 use crate::cardan::{
@@ -453,5 +458,17 @@ impl Formula for KeptAxis2d {
 }
 
 /// The formulas of this module.
-pub const RULES: &[&dyn crate::catalog::AnyFormula] =
-    &[&Stick, &Follow, &Slip, &Kinetic, &Traction, &Joining, &Turns, &Alignment, &KeptAxis, &KeptAxis2d];
+pub const RULES: &[&dyn crate::catalog::AnyFormula] = &[
+    &Stick,
+    &Follow,
+    &Slip,
+    &Kinetic,
+    &Traction,
+    &Joining,
+    &Turns,
+    &Alignment,
+    &KeptAxis,
+    &KeptAxis2d,
+    &IncrementalConstraint2d,
+    &Eliminate2d,
+];

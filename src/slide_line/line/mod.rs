@@ -6,6 +6,7 @@ mod nodes;
 mod place;
 mod placed;
 mod tree;
+mod way;
 
 pub use definition::SlideLine;
 pub use interpolation::Interpolation;
@@ -13,3 +14,4 @@ pub use nodes::Nodes;
 pub(crate) use nodes::check_position;
 pub use place::{ClosestPoint, OverclosureVariation, Place};
 pub use placed::PlacedLine;
+pub(crate) use way::Foot;

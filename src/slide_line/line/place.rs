@@ -1,5 +1,6 @@
 //! What is known about the closest point of a slide line.
 
+use super::way::Foot;
 use crate::Scalar;
 use arrayvec::ArrayVec;
 use nalgebra::Vector2;
@@ -48,8 +49,8 @@ pub struct ClosestPoint<D = f64> {
     pub separation: D,
     /// The nodes that carry the place, with their weights, which add up to 1.
     pub weights: ArrayVec<(u32, D), 5>,
-    /// The index of the first of them in the sequence of the line.
-    pub(super) first: usize,
+    /// Where it is in the material of the line.
+    pub(crate) foot: Foot<D>,
     /// How many segments and corners were looked at to find it.
     pub evaluated: usize,
 }

@@ -252,17 +252,13 @@ fn library() -> Vec<Statement> {
             .law(&slide_line::ClosestParabolic, "the gap from the foot")
             .method(PlacedLine::<f64>::closest)
             .outputs(&["isl21a/E11", "isl22a/E11"]),
-        open(
-            "L94",
-            "E12: the accumulated tangential displacement between node and line.",
-            10,
-            "corners are of first order",
-        )
-        .formulas(&[&slide_line::SlipIncrementLinear, &slide_line::SlipIncrementParabolic])
-        .law(&slide_line::SlipIncrementLinear, "a common displacement")
-        .method(PlacedLine::<f64>::slip_increment)
-        .outputs(&["isl21a/E12", "isl22a/E12"])
-        .chapter("slide-line.md#slip"),
+        covered("L94", "E12: the accumulated tangential displacement between node and line.")
+            .formulas(&[&slide_line::SlipIncrementLinear, &slide_line::SlipIncrementParabolic])
+            .law(&slide_line::SlipIncrementLinear, "a common displacement")
+            .method(PlacedLine::<f64>::slip)
+            .test("isl::the_slip_around_a_sharp_corner_does_not_depend_on_the_increments")
+            .outputs(&["isl21a/E12", "isl22a/E12"])
+            .chapter("slide-line-elements.md#slip"),
         covered("L95-124", "Figures: the order of the nodes; integration points are at the nodes.")
             .method(IslElement::areas::<f64>)
             .test("isl::areas_add_up_at_shared_nodes")

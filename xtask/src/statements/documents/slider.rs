@@ -128,7 +128,8 @@ fn derivative() -> Vec<Statement> {
 
 fn plane() -> Vec<Statement> {
     vec![
-        open("s7", "In two dimensions the line is in the x–y or the r–z plane.", 8, "the kind in axisymmetric scenes")
+        covered("s7", "In two dimensions the line is in the x–y or the r–z plane.")
+            .outputs(&["slider@2d/G", "slider@axisymmetric/G"])
             .formulas(&[&slider::Constraint2d])
             .method(Slider2d::new),
         mended("s8", "There the second condition holds by itself.", "condition-that-holds-by-itself")
@@ -139,10 +140,10 @@ fn plane() -> Vec<Statement> {
             .cases(&slider::Constraint2d, &["left", "right"])
             .method(Slider2d::constraint)
             .outputs(&["slider@2d/G"]),
-        open("e18", "Its derivative.", 8, "the derivative as a residual in the plane")
+        covered("e18", "Its derivative.")
             .formulas(&[&slider::Increment2d])
             .law(&slider::Increment2d, "in the plane z = 0 of space")
             .method(Slider2d::coefficients)
-            .outputs(&["slider@2d/DXMI"]),
+            .outputs(&["slider@2d/R", "slider@axisymmetric/R", "slider@2d/XMI", "slider@2d/DXMI"]),
     ]
 }
