@@ -1,7 +1,8 @@
 //! Coulomb friction: when a contact sticks, and what it transmits when it slips.
 //!
 //! The normal force F_N and the friction coefficient μ are not negative. A tangential force has the sign of the motion that
-//! it resists: where f_trial is positive, so is what is transmitted, and the slip. The yield function Φ = P − μ F_N is
+//! it resists: where f_trial is positive, so is what is transmitted, and the slip. It is conjugate to that motion: the force on the
+//! node that moves has the opposite sign. The yield function Φ = P − μ F_N is
 //! negative while the contact sticks and 0 while it slips; it is never positive in a state that holds.
 
 #[cfg(feature = "verify")]

@@ -279,12 +279,14 @@ quantities! {
     GAP_MIN: r"\mathit{gap}_{\min}", Scalar, L, Real, "distance to the lower stop, negative beyond it";
     GAP_MAX: r"\mathit{gap}_{\max}", Scalar, L, Real, "distance to the upper stop, negative beyond it";
 
-    F1: r"f_1", Scalar, F, Real, "force along e1a on node b";
-    F2: r"f_2", Scalar, F, Real, "force along e2a on node b";
-    F3: r"f_3", Scalar, F, Real, "force along e3a on node b";
-    FORCE: r"\mathbf{f}", Vec3, F, Vector, "force on node b, in the global frame";
+    F1: r"f_1", Scalar, F, Real, "kinetic force along e1a, which acts on node a, and its opposite on node b: conjugate to u1";
+    JOIN_F1: r"f_1", Scalar, F, Real, "constraint force along e1a on node b, its opposite on node a";
+    F2: r"f_2", Scalar, F, Real, "constraint force along e2a on node b, its opposite on node a";
+    F3: r"f_3", Scalar, F, Real, "constraint force along e3a on node b, its opposite on node a";
+    FORCE: r"\mathbf{f}", Vec3, F, Vector, "constraint force on node b, its opposite on node a, in the global frame";
+    KINETIC_FORCE: r"\mathbf{f}", Vec3, F, Vector, "kinetic force on node a, its opposite on node b, in the global frame";
     F_TRIAL: r"f^{\mathrm{trial}}", Scalar, F, Real, "tangential force if the contact stuck";
-    F_TANGENTIAL: r"f", Scalar, F, Real, "tangential force that friction transmits";
+    F_TANGENTIAL: r"f", Scalar, F, Real, "tangential force that friction transmits, positive where it resists positive motion";
     // ANCHOR: example
     FC: r"F_C", Scalar, F, NonNegative, "contact force that the connector's loads produce";
     // ANCHOR_END: example
@@ -304,10 +306,11 @@ quantities! {
     UR1: r"u_{r1}", Scalar, ONE, Angle, "constraint residual of the first Cardan angle, zero when it has its initial value";
     UR2: r"u_{r2}", Scalar, ONE, Angle, "constraint residual of the second Cardan angle, zero when it has its initial value";
     UR3: r"u_{r3}", Scalar, ONE, Angle, "constraint residual of the third Cardan angle, zero when it has its initial value";
-    M1: r"m_1", Scalar, FL, Real, "moment about e1a on node b";
-    M2: r"m_2", Scalar, FL, Real, "moment about e2a on node b";
-    M3: r"m_3", Scalar, FL, Real, "moment about e3a on node b";
-    MOMENT: r"\mathbf{m}", Vec3, FL, Vector, "moment on node b, in the global frame";
+    M1: r"m_1", Scalar, FL, Real, "constraint moment about e1a on node b, its opposite on node a";
+    M2: r"m_2", Scalar, FL, Real, "constraint moment about e2a on node b, its opposite on node a";
+    M3: r"m_3", Scalar, FL, Real, "constraint moment about e3a on node b, its opposite on node a";
+    MOMENT: r"\mathbf{m}", Vec3, FL, Vector, "constraint moment on node b, its opposite on node a, in the global frame";
+    KINETIC_MOMENT: r"\mathbf{m}", Vec3, FL, Vector, "kinetic moment on node a, its opposite on node b, in the global frame";
     RR: r"R_r", Scalar, L, NonNegative, "effective radius of the shaft across the slot; at 0 the torque produces no friction";
     L_OVERLAP: r"L", Scalar, L, NonNegative, "characteristic overlapping length along the slot; at 0 bending produces no friction";
     M_TORQ: r"M_{\mathrm{torq}}", Scalar, FL, NonNegative, "magnitude of the torque about the slot";
@@ -335,9 +338,9 @@ quantities! {
     U_R3: r"u_{r3}", Scalar, ONE, Angle, "available rotation about e3b, zero at the start";
     U_R1_MAT: r"u_{r1}^{\mathrm{mat}}", Scalar, ONE, Angle, "constitutive rotation about e1a, zero at the reference angle";
     U_R3_MAT: r"u_{r3}^{\mathrm{mat}}", Scalar, ONE, Angle, "constitutive rotation about e3b, zero at the reference angle";
-    TWIST_M2: r"m_2", Scalar, FL, Real, "constraint moment of UNIVERSAL on node b, about the direction cos α e2a + sin α e3a";
-    CROSS_M1: r"m_1", Scalar, FL, Real, "moment about e1a on node b";
-    CROSS_M3: r"m_3", Scalar, FL, Real, "moment about e3b on node b";
+    TWIST_M2: r"m_2", Scalar, FL, Real, "constraint moment of UNIVERSAL on node b, its opposite on node a, about the direction cos α e2a + sin α e3a";
+    CROSS_M1: r"m_1", Scalar, FL, Real, "kinetic moment about e1a, which acts on node a, and its opposite on node b: conjugate to ur1";
+    CROSS_M3: r"m_3", Scalar, FL, Real, "kinetic moment about e3b, which acts on node a, and its opposite on node b: conjugate to ur3";
     G_ROT: r"g_{\mathrm{rot}}", Scalar, ONE, Real, "residual of UNIVERSAL in UJOINT, zero when e1a and e3b stand at their initial angle";
     UJOINT_FR: r"F_r", Scalar, F, NonNegative, "reaction force: magnitude of the force that JOIN transmits";
     E_CROSS: r"\mathbf{e}_{\mathrm{cross}}", Vec3, ONE, Vector, "normal of the cross plane, e1a × e3b, in the global frame";

@@ -6,7 +6,7 @@
 //! | position | d = xb − xa in that triad: x = e1a·d, y = e2a·d, z = e3a·d, that is (x, y, z) = Rᵀ d |
 //! | matrix | R has the columns e1a, e2a, e3a: `R[i][j]` is the i-th global component of e_(j+1)a |
 //! | zero position | where the analysis begins: x = x0, y = y0, z = z0 and u1 = 0, for any turn of a |
-//! | signs | u1 = x − x0 is positive where b has moved along e1a; f2 e2a + f3 e3a acts on b; a turn is positive by the right-hand rule |
+//! | signs | u1 = x − x0 is positive where b has moved along e1a; f2 e2a + f3 e3a acts on b and its opposite on a; f1 is conjugate to u1, so that f1 e1a acts on a and its opposite on b; a turn is positive by the right-hand rule |
 //!
 //! In the plane there is no third axis, no z and no f3.
 //!
@@ -22,7 +22,7 @@ pub use friction::{
     Contact, ContactForce, ContactForces, CrossForces, Friction, FrictionOutputs, Normal, NormalForce, SlotLoads,
 };
 pub use kinematics::{
-    Constraint, Constraint2d, ConstraintForce, CrossFrame, Displacements, Force, Gaps, KineticForce, Positions,
-    Relative, RelativeMotion, RelativePosition, Residual2d, Residuals, SlotForce, SlotLengths, SlotPositions,
-    SlotPositions2d, Stop, StopLengths,
+    AlongForce, Constraint, Constraint2d, ConstraintForce, CrossFrame, Displacements, Force, Gaps, KineticForce,
+    Positions, Relative, RelativeMotion, RelativePosition, Residual2d, Residuals, SlotForce, SlotLengths,
+    SlotPositions, SlotPositions2d, Stop, StopLengths,
 };

@@ -5,7 +5,7 @@
 //! | frames | the triads of both nodes; the axes of the cross are e1a, in the yoke of a, and e3b, in the yoke of b, and across both lies e_cross = e1a × e3b |
 //! | matrix | `R_ij = e_ia·e_jb` = R1(α) R2(β) R3(γ), written out in [`cardan`](crate::cardan); sin β = e1a·e3b stays 0 |
 //! | zero position | both triads equal: α = γ = 0, the shafts in line; then e_cross = −e2a |
-//! | signs | as [`join`](crate::join) and [`universal`](crate::universal): α about e1a and γ about e3b by the right-hand rule; f1, f2, f3 along a's triad and m2 about the line of nodes act on b |
+//! | signs | as [`join`](crate::join) and [`universal`](crate::universal): α about e1a and γ about e3b by the right-hand rule; f1, f2, f3 along a's triad and m2 about the line of nodes act on b and their opposites on a; m1 e1a + m3 e3b acts on a and its opposite on b |
 //!
 //! Two rotations are free, and four hinges, one at each end of the cross, can rub. The documents' chain from the loads
 //! to friction is kept link by link, each its own formula:

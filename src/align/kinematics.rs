@@ -97,7 +97,7 @@ fields! {
     }
 }
 fields! {
-    /// A moment on node b.
+    /// A constraint moment on node b; its opposite acts on node a.
     pub struct Moment<T> { m: Vector3<T> = MOMENT }
 }
 

@@ -87,6 +87,7 @@ impl Formula for Constraint {
     )
     .equation(r"g_q = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{t}_q,\quad q = 1, 2")
     .given(&[Given::new(r"\mathbf{t}_1,\ \mathbf{t}_2", &Basis::SPEC), Given::new(r"\mathbf{n}", &Line::SPEC)])
+    // An entry of ∂g2 is a sum of a turn about i and one across it; where they cancel, the sum keeps their roundings.
     .eta(4.0, 24.0)
     .not_objective();
     type Inputs<T: Component> = Nodes<T>;

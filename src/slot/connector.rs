@@ -1,9 +1,9 @@
 //! The SLOT connector as a program uses it: validated once, then evaluated by the formulas.
 
 use super::{
-    Constraint, Constraint2d, ConstraintForce, CrossFrame, Displacements, Force, Friction, FrictionOutputs, Gaps,
-    KineticForce, Positions, Relative, RelativeMotion, RelativePosition, Residual2d, Residuals, SlotForce, SlotLengths,
-    SlotLoads, SlotPositions, SlotPositions2d, Stop, StopLengths,
+    AlongForce, Constraint, Constraint2d, ConstraintForce, CrossFrame, Displacements, Force, Friction, FrictionOutputs,
+    Gaps, KineticForce, Positions, Relative, RelativeMotion, RelativePosition, Residual2d, Residuals, SlotForce,
+    SlotLengths, SlotLoads, SlotPositions, SlotPositions2d, Stop, StopLengths,
 };
 use crate::error::Error;
 use crate::formula::{Jacobian, value, value_and_jacobian};
@@ -196,7 +196,7 @@ impl Slot {
         self.line.gaps(relative_position(pose)?.x)
     }
 
-    /// The force on b that holds it on the slot ([`ConstraintForce`]), in the global frame.
+    /// The force on b that holds it on the slot ([`ConstraintForce`]), in the global frame; its opposite acts on a.
     ///
     /// # Errors
     /// A force that is not finite.
@@ -204,15 +204,15 @@ impl Slot {
         value::<ConstraintForce>(&CrossFrame { e2a: triad.e2(), e3a: triad.e3(), f2, f3 })
     }
 
-    /// The force on b along the slot ([`KineticForce`]), in the global frame.
+    /// The force along the slot on a ([`KineticForce`]), in the global frame; its opposite acts on b.
     ///
     /// # Errors
     /// A force that is not finite.
-    pub fn kinetic_force(&self, triad: &Triad, f1: f64) -> Result<Force<f64>, Error> {
+    pub fn kinetic_force(&self, triad: &Triad, f1: f64) -> Result<AlongForce<f64>, Error> {
         value::<KineticForce>(&SlotForce { e1a: triad.e1(), f1 })
     }
 
-    /// Tangential traction, normal force and yield function ([`Friction`]).
+    /// Tangential traction, normal force and yield function ([`Friction`]); f1 is the friction force.
     ///
     /// # Errors
     /// A force that is not finite.

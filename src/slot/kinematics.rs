@@ -7,8 +7,8 @@ use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Formula, Jacobian, Spec, along};
 use crate::quantity::{
-    E1A, E2A, E2A_PLANE, E3A, F1, F2, F3, FORCE, GAP_MAX, GAP_MIN, GY, GZ, L1_MAX, L1_MIN, L1_REF, U1, U1_MAT, X, X0,
-    XA, XA_PLANE, XB, XB_PLANE, Y, Y0, Z, Z0,
+    E1A, E2A, E2A_PLANE, E3A, F1, F2, F3, FORCE, GAP_MAX, GAP_MIN, GY, GZ, KINETIC_FORCE, L1_MAX, L1_MIN, L1_REF, U1,
+    U1_MAT, X, X0, XA, XA_PLANE, XB, XB_PLANE, Y, Y0, Z, Z0,
 };
 use crate::scalar::Scalar;
 use nalgebra::{Vector2, Vector3};
@@ -133,7 +133,7 @@ fields! {
     pub struct CrossFrame<T> { e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A, f2: T = F2, f3: T = F3 }
 }
 fields! {
-    /// A force on node b.
+    /// A constraint force on node b; its opposite acts on node a.
     pub struct Force<T> { f: Vector3<T> = FORCE }
 }
 
@@ -196,11 +196,18 @@ impl Formula for RelativeMotion {
 }
 
 fields! {
+    /// A kinetic force: on node a as it stands, on node b its opposite.
+    pub struct AlongForce<T> { f: Vector3<T> = KINETIC_FORCE }
+}
+fields! {
     /// The direction of the slot, and the force along it.
     pub struct SlotForce<T> { e1a: Vector3<T> = E1A, f1: T = F1 }
 }
 
 /// The force along the slot: f = f1 e1a.
+///
+/// It is conjugate to u1, so that it acts on a, and on b its opposite, −f1 e1a: where b moves on against a positive f1,
+/// the connector takes up the work f1 du1.
 #[derive(Clone, Copy, Debug)]
 pub struct KineticForce;
 
@@ -209,17 +216,17 @@ impl Formula for KineticForce {
         .equation(r"\mathbf{f} = f_1\,\mathbf{e}_{1a}")
         .eta(1.0, 0.0);
     type Inputs<T: Component> = SlotForce<T>;
-    type Outputs<T: Component> = Force<T>;
+    type Outputs<T: Component> = AlongForce<T>;
 
     #[inline]
-    fn eval<D: Scalar>(i: &SlotForce<D>) -> Force<D> {
-        Force { f: i.e1a * i.f1 }
+    fn eval<D: Scalar>(i: &SlotForce<D>) -> AlongForce<D> {
+        AlongForce { f: i.e1a * i.f1 }
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &SlotForce<D>) -> Jacobian<Self, D> {
         let row = |k| SlotForce { e1a: along(k, i.f1), f1: i.e1a[k] };
-        Force { f: Vector3::new(row(0), row(1), row(2)) }
+        AlongForce { f: Vector3::new(row(0), row(1), row(2)) }
     }
 }
 

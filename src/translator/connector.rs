@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::formula::{Fields, Jacobian, value, value_and_jacobian};
 use crate::frame::Triad;
 use crate::quantity::Domain;
-use crate::slot::{self, Displacements, Force, FrictionOutputs, Gaps, Relative, Residuals, Slot};
+use crate::slot::{self, AlongForce, Displacements, Force, FrictionOutputs, Gaps, Relative, Residuals, Slot};
 use nalgebra::Vector3;
 
 /// A state of the two nodes: their triads and positions, in the global frame.
@@ -30,10 +30,11 @@ impl Pose {
     }
 }
 
-/// Forces and moments on node b, along and about the axes of a.
+/// Forces and moments along and about the axes of a. Those of the constraint act on node b, their opposites on node a; the
+/// kinetic force f1 acts on a, its opposite on b.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Loads {
-    /// Force along the slot.
+    /// Kinetic force along the slot, conjugate to u1.
     pub f1: f64,
     /// Constraint force along the second axis.
     pub f2: f64,
@@ -222,11 +223,11 @@ impl Translator {
         self.align.constraint_moment(triad_a, loads.m1, loads.m2, loads.m3)
     }
 
-    /// The force on b along the slot, in the global frame.
+    /// The force along the slot on a, in the global frame; its opposite acts on b.
     ///
     /// # Errors
     /// A force that is not finite.
-    pub fn kinetic_force(&self, triad_a: &Triad, loads: &Loads) -> Result<Force<f64>, Error> {
+    pub fn kinetic_force(&self, triad_a: &Triad, loads: &Loads) -> Result<AlongForce<f64>, Error> {
         self.slot.kinetic_force(triad_a, loads.f1)
     }
 

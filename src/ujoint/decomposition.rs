@@ -7,7 +7,7 @@ pub(super) mod proof;
 use super::{CrossAxes, CrossDirection};
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Spec};
-use crate::quantity::{CROSS_F_BEND, E1A, E2A, E3A, E3B, F_AXIAL1, F_AXIAL3, F1, F2, F3};
+use crate::quantity::{CROSS_F_BEND, E1A, E2A, E3A, E3B, F_AXIAL1, F_AXIAL3, F2, F3, JOIN_F1};
 use crate::scalar::{Leaf, Scalar};
 use nalgebra::Vector3;
 
@@ -15,7 +15,7 @@ fields! {
     /// How the nodes are turned, and the force that JOIN transmits.
     pub struct CrossLoads<T> {
         e1a: Vector3<T> = E1A, e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A, e3b: Vector3<T> = E3B,
-        f1: T = F1, f2: T = F2, f3: T = F3,
+        f1: T = JOIN_F1, f2: T = F2, f3: T = F3,
     }
 }
 fields! {

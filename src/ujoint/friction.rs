@@ -8,7 +8,7 @@ use crate::coulomb::{Tractions, Yield};
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Spec};
 use crate::quantity::{
-    CROSS_M1, CROSS_M3, E1A, E2A, E3A, E3B, F1, F2, F3, LA, LS, MC1_INT, MC3_INT, MU, PHI1, PHI3, RA, RP, TWIST_M2,
+    CROSS_M1, CROSS_M3, E1A, E2A, E3A, E3B, F2, F3, JOIN_F1, LA, LS, MC1_INT, MC3_INT, MU, PHI1, PHI3, RA, RP, TWIST_M2,
 };
 use crate::scalar::{Scalar, abs, sign};
 use nalgebra::Vector3;
@@ -17,7 +17,7 @@ fields! {
     /// As [`JointLoads`], then the moments about the free axes and the friction parameters.
     pub struct FrictionLoads<T> {
         e1a: Vector3<T> = E1A, e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A, e3b: Vector3<T> = E3B,
-        f1: T = F1, f2: T = F2, f3: T = F3, m2: T = TWIST_M2, rp: T = RP, la: T = LA, ra: T = RA, ls: T = LS,
+        f1: T = JOIN_F1, f2: T = F2, f3: T = F3, m2: T = TWIST_M2, rp: T = RP, la: T = LA, ra: T = RA, ls: T = LS,
         m1: T = CROSS_M1, m3: T = CROSS_M3, mc1_int: T = MC1_INT, mc3_int: T = MC3_INT, mu: T = MU,
     }
 }

@@ -5,13 +5,13 @@ mod proof;
 
 use crate::fields;
 use crate::formula::{Component, Document, Formula, Jacobian, Spec, along};
-use crate::quantity::{E_CROSS, E1A, E3B, F1, F2, F3, UJOINT_FR};
+use crate::quantity::{E_CROSS, E1A, E3B, F2, F3, JOIN_F1, UJOINT_FR};
 use crate::scalar::{Scalar, direction, norm};
 use nalgebra::Vector3;
 
 fields! {
     /// The force that JOIN transmits, as components in a's triad.
-    pub struct JoinForces<T> { f1: T = F1, f2: T = F2, f3: T = F3 }
+    pub struct JoinForces<T> { f1: T = JOIN_F1, f2: T = F2, f3: T = F3 }
 }
 fields! {
     /// Its magnitude.

@@ -8,7 +8,7 @@ use crate::cardan::{alpha_gradient, check_alpha};
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec, along};
-use crate::quantity::{CROSS_M1, CROSS_M3, E1A, E2A, E3A, E3B, MOMENT, TWIST_M2};
+use crate::quantity::{CROSS_M1, CROSS_M3, E1A, E2A, E3A, E3B, KINETIC_MOMENT, MOMENT, TWIST_M2};
 use crate::scalar::{Scalar, norm_and_direction};
 use nalgebra::Vector3;
 
@@ -17,7 +17,7 @@ fields! {
     pub struct Twisted<T> { e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A, e3b: Vector3<T> = E3B, m2: T = TWIST_M2 }
 }
 fields! {
-    /// A moment on node b.
+    /// A constraint moment on node b; its opposite acts on node a.
     pub struct Moment<T> { m: Vector3<T> = MOMENT }
 }
 
@@ -83,11 +83,17 @@ impl Formula for ConstraintMoment {
 }
 
 fields! {
+    /// A kinetic moment: on node a as it stands, on node b its opposite.
+    pub struct FreeMoment<T> { m: Vector3<T> = KINETIC_MOMENT }
+}
+fields! {
     /// The two shafts, and the moments about them.
     pub struct Driven<T> { e1a: Vector3<T> = E1A, e3b: Vector3<T> = E3B, m1: T = CROSS_M1, m3: T = CROSS_M3 }
 }
 
 /// The moment about the free axes: m = m1 e1a + m3 e3b.
+///
+/// It is conjugate to (ur1, ur3) where the shafts are perpendicular, so that it acts on a, and on b its opposite.
 #[derive(Clone, Copy, Debug)]
 pub struct KineticMoment;
 
@@ -100,16 +106,16 @@ impl Formula for KineticMoment {
     .equation(r"\mathbf{m} = m_1\,\mathbf{e}_{1a} + m_3\,\mathbf{e}_{3b}")
     .eta(1.5, 0.0);
     type Inputs<T: Component> = Driven<T>;
-    type Outputs<T: Component> = Moment<T>;
+    type Outputs<T: Component> = FreeMoment<T>;
 
     #[inline]
-    fn eval<D: Scalar>(i: &Driven<D>) -> Moment<D> {
-        Moment { m: i.e1a * i.m1 + i.e3b * i.m3 }
+    fn eval<D: Scalar>(i: &Driven<D>) -> FreeMoment<D> {
+        FreeMoment { m: i.e1a * i.m1 + i.e3b * i.m3 }
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &Driven<D>) -> Jacobian<Self, D> {
         let row = |k: usize| Driven { e1a: along(k, i.m1), e3b: along(k, i.m3), m1: i.e1a[k], m3: i.e3b[k] };
-        Moment { m: Vector3::new(row(0), row(1), row(2)) }
+        FreeMoment { m: Vector3::new(row(0), row(1), row(2)) }
     }
 }

@@ -160,7 +160,7 @@ fn what_may_differ_is_accepted() {
         }),
         ("the derivative of a matrix by a matrix", |f, v, _| {
             f["cases"][v]["jac"]["f"]["e1a"] =
-                json!([[[[0, 1], [1, 0]], [[1, 0], [0, 1]]], [[[0, 0], [0, 0]], [[0, 0], [1, 1]]]])
+                json!([[[[0, 1], [1, 0]], [[1, 0], [0, 1]]], [[[0, 0], [0, 0]], [[0, 0], [1, 1]]]]);
         }),
         ("the unit of a conductance", |f, _, _| f["inputs"][0]["unit"] = json!("F/LTΘ")),
         ("the unit of damping", |f, _, _| f["inputs"][0]["unit"] = json!("FT/L^3")),

@@ -2,7 +2,8 @@
 
 use super::table::{Fallback, Origin, Use, When, always, renamed};
 use crate::coulomb::{ReturnMap, Yield};
-use crate::scene::rules::{Kinetic, Slip, Stick, Traction};
+use crate::quantity::{Domain, Quantity, Unit};
+use crate::scene::rules::{Kinetic, Slip, Stick, Traction, scalar};
 use crate::slot::{ConstraintForce, KineticForce, NormalForce, RelativeMotion, Stop};
 use Fallback::{As, Number, Required};
 use Origin::{Axis, Before, Initial, Load, Parameter, Position, Zero};
@@ -53,6 +54,13 @@ pub(super) const KINETIC_FORCE: [Use; 3] = [
     renamed(&Kinetic, &[("f_load", "f1")]),
     renamed(&KineticForce, &[("f1", "f_kinetic"), ("f", "kf")]).when(WITH_FRICTION),
 ];
+/// What friction transmits along a slot.
+pub(super) const CSF1: Quantity = scalar(
+    r"f",
+    Unit::F,
+    Domain::Real,
+    "friction force along e1a, positive where it resists positive u1: on node a, its opposite on node b",
+);
 /// P and Φ are of friction alone.
 pub(super) const YIELD: [Use; 3] = [
     renamed(&Traction, &[("csf", "no_friction")]).when(WITHOUT_FRICTION),

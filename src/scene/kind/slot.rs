@@ -2,7 +2,7 @@
 
 use super::dimension::Dimension;
 use super::shared::{
-    CONSTRAINT_FORCE, FORCES, FRICTION, INITIAL, KINETIC_FORCE, LENGTHS, MOTION, NODES, NORMAL, ORDERED_LENGTHS,
+    CONSTRAINT_FORCE, CSF1, FORCES, FRICTION, INITIAL, KINETIC_FORCE, LENGTHS, MOTION, NODES, NORMAL, ORDERED_LENGTHS,
     RETURN_MAP, SLIP, STOP, TRIAL, YIELD,
 };
 use super::table::{Kind, Origin, always};
@@ -33,7 +33,7 @@ pub(super) const SLOT: Kind = Kind {
         RETURN_MAP,
         SLIP,
     ],
-    meanings: &[],
+    meanings: &[("csf", &CSF1)],
     outputs: &[
         ("X", "x"),
         ("Y", "y"),

@@ -2,7 +2,7 @@
 
 use super::dimension::Dimension;
 use super::shared::{
-    CONSTRAINT_FORCE, FORCES, FRICTION, INITIAL, KINETIC_FORCE, LENGTHS, MOMENTS, MOTION, NODES, NORMAL,
+    CONSTRAINT_FORCE, CSF1, FORCES, FRICTION, INITIAL, KINETIC_FORCE, LENGTHS, MOMENTS, MOTION, NODES, NORMAL,
     ORDERED_LENGTHS, RETURN_MAP, SECOND_TRIAD, SLIP, STOP, TRIAL, YIELD,
 };
 use super::table::{Fallback, Kind, Origin, When, always, renamed};
@@ -55,7 +55,7 @@ pub(super) const TRANSLATOR: Kind = Kind {
         RETURN_MAP,
         SLIP,
     ],
-    meanings: &[],
+    meanings: &[("csf", &CSF1)],
     outputs: &[
         ("X", "x"),
         ("Y", "y"),

@@ -5,15 +5,15 @@ use super::shared::{FORCES, MOMENTS, NODES, SECOND_TRIAD, WITH_FRICTION, WITHOUT
 use super::table::{Fallback, Kind, Origin, Use, always, renamed};
 use crate::coulomb::{ReturnMap, Yield};
 use crate::quantity::{CROSS_M1, CROSS_M3, Domain, PHI1, PHI3, Quantity, Unit};
-use crate::scene::rules::{Joining, Kinetic, Slip, TURN_STICK, Traction, TurnStick, scalar};
+use crate::scene::rules::{Follow, Joining, Kinetic, Slip, Stick, TURN_STICK, Traction, scalar};
 use crate::{join, ujoint, universal};
 use Fallback::{As, Number, Required};
 use Origin::{Before, Initial, Parameter, Zero};
 
 /// What friction about an axis is called in the formulas that all connectors share, and here: the first axis, the third.
 const TURN: [&[(&str, &str)]; 2] = [
-    &[("ur", "ur1"), ("ur_before", "ur1_before"), ("m_before", "m1_before"), ("m_trial", "m1_trial")],
-    &[("ur", "ur3"), ("ur_before", "ur3_before"), ("m_before", "m3_before"), ("m_trial", "m3_trial")],
+    &[("u1", "ur1"), ("u1_before", "ur1_before"), ("f_before", "m1_before"), ("f_trial", "m1_trial")],
+    &[("u1", "ur3"), ("u1_before", "ur3_before"), ("f_before", "m3_before"), ("f_trial", "m3_trial")],
 ];
 const MAP: [&[(&str, &str)]; 2] = [
     &[("f_trial", "m1_trial"), ("fn", "mn1"), ("f", "csm1")],
@@ -36,8 +36,18 @@ const SLIP: [&[(&str, &str)]; 2] = [
     ],
 ];
 
-const CSM1: Quantity = scalar(r"m_1", Unit::FL, Domain::Real, "moment about e1a that friction transmits");
-const CSM3: Quantity = scalar(r"m_3", Unit::FL, Domain::Real, "moment about e3b that friction transmits");
+const CSM1: Quantity = scalar(
+    r"m_1",
+    Unit::FL,
+    Domain::Real,
+    "friction moment about e1a, positive where it resists positive ur1: on node a, its opposite on node b",
+);
+const CSM3: Quantity = scalar(
+    r"m_3",
+    Unit::FL,
+    Domain::Real,
+    "friction moment about e3b, positive where it resists positive ur3: on node a, its opposite on node b",
+);
 const P1: Quantity =
     scalar(r"P_1", Unit::FL, Domain::NonNegative, "magnitude of the moment about e1a that friction transmits");
 const P3: Quantity =
@@ -49,7 +59,24 @@ const SLIP3: Quantity =
 const TOTAL1: Quantity = scalar(r"s_1", Unit::ONE, Domain::NonNegative, "accumulated slip about e1a, never falling");
 const TOTAL3: Quantity = scalar(r"s_3", Unit::ONE, Domain::NonNegative, "accumulated slip about e3b, never falling");
 
-const STICK: [Use; 2] = [renamed(&TurnStick, TURN[0]), renamed(&TurnStick, TURN[1])];
+/// Angles are read off from −π to π, and followed from state to state.
+const FOLLOW: [&[(&str, &str)]; 2] = [
+    &[("angle", "alpha_now"), ("start", "alpha0"), ("turned", "ur1_before"), ("followed", "alpha")],
+    &[("angle", "gamma_now"), ("start", "gamma0"), ("turned", "ur3_before"), ("followed", "gamma")],
+];
+const FOLLOWED1: Quantity = scalar(
+    r"\alpha",
+    Unit::ONE,
+    Domain::Angle,
+    "angle of b's triad relative to a's about e1a, followed over full turns",
+);
+const FOLLOWED3: Quantity = scalar(
+    r"\gamma",
+    Unit::ONE,
+    Domain::Angle,
+    "angle of b's triad relative to a's about e3b, followed over full turns",
+);
+const STICK: [Use; 2] = [renamed(&Stick, TURN[0]), renamed(&Stick, TURN[1])];
 
 /// What holds initially is what the residuals are where nothing is taken off.
 pub(super) const UJOINT: Kind = Kind {
@@ -65,8 +92,8 @@ pub(super) const UJOINT: Kind = Kind {
             ("no_friction", Zero),
             ("d0", Initial("d")),
             ("c0", Initial("c")),
-            ("alpha0", Initial("alpha")),
-            ("gamma0", Initial("gamma")),
+            ("alpha0", Initial("alpha_now")),
+            ("gamma0", Initial("gamma_now")),
             ("theta1_ref", Parameter(As("alpha0"))),
             ("theta3_ref", Parameter(As("gamma0"))),
             ("theta1_min", Parameter(Required)),
@@ -97,7 +124,9 @@ pub(super) const UJOINT: Kind = Kind {
         renamed(&join::Constraint, &[("d0", "no_vector"), ("g", "d")]),
         renamed(&universal::Constraint, &[("g", "g_rot")]),
         renamed(&universal::Constraint, &[("c0", "no_number"), ("g", "c")]),
-        always(&universal::Angles),
+        renamed(&universal::Angles, &[("alpha", "alpha_now"), ("gamma", "gamma_now")]),
+        renamed(&Follow, FOLLOW[0]),
+        renamed(&Follow, FOLLOW[1]),
         always(&universal::RelativeMotion),
         always(&ujoint::Stop),
         renamed(&universal::ConstraintMoment, &[("m", "rm")]),
@@ -130,6 +159,8 @@ pub(super) const UJOINT: Kind = Kind {
     ],
     meanings: &[
         ("k_stick", &TURN_STICK),
+        ("alpha", &FOLLOWED1),
+        ("gamma", &FOLLOWED3),
         ("m1", &CROSS_M1),
         ("m3", &CROSS_M3),
         ("p1", &P1),

@@ -1,11 +1,11 @@
 //! Evidence for the formulas next door: none beyond what every formula owes.
 
-use super::{Alignment, Joining, KeptAxis, KeptAxis2d, Kinetic, Slip, Stick, Traction, TurnStick, Turns};
+use super::{Alignment, Follow, Joining, KeptAxis, KeptAxis2d, Kinetic, Slip, Stick, Traction, Turns};
 use crate::proof::Proved;
 
 impl Proved for Stick {}
 
-impl Proved for TurnStick {}
+impl Proved for Follow {}
 
 impl Proved for Slip {}
 

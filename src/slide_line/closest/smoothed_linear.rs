@@ -109,6 +109,7 @@ impl Formula for ClosestSmoothedLinear {
     )
         .equation(r"t = \operatorname*{arg\,min}_{0 \le t \le 1}\,\lvert\mathbf{x}_s-\mathbf{X}(t)\rvert,\quad E_{11} = \bigl(\mathbf{x}_s-\mathbf{X}(t)\bigr)\cdot\mathbf{n}")
 .given(&[Given::new(r"\mathbf{X}(t),\ \mathbf{X}'", &SmoothedLinearPoint::SPEC), Given::new(r"\mathbf{n}", &LocalBasis::SPEC)])
+        // Above 8 at few random points: the separation by f, where both segments are nearly in line.
         .eta(4.0, 48.0);
     type Inputs<T: Component> = LinearCornerSlave<T>;
     type Outputs<T: Component> = CornerFoot<T>;

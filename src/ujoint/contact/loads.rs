@@ -2,7 +2,7 @@
 
 use crate::fields;
 use crate::formula::Formula;
-use crate::quantity::{E1A, E2A, E3A, E3B, F1, F2, F3, LA, LS, MC1, MC3, RA, RP, TWIST_M2};
+use crate::quantity::{E1A, E2A, E3A, E3B, F2, F3, JOIN_F1, LA, LS, MC1, MC3, RA, RP, TWIST_M2};
 use crate::scalar::Scalar;
 use crate::ujoint::{Arm, Bending, CrossForces, CrossLoads, Decomposition, Twist};
 use nalgebra::Vector3;
@@ -11,7 +11,7 @@ fields! {
     /// How the nodes are turned, the loads that the joint transmits, and the measures of the cross.
     pub struct JointLoads<T> {
         e1a: Vector3<T> = E1A, e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A, e3b: Vector3<T> = E3B,
-        f1: T = F1, f2: T = F2, f3: T = F3, m2: T = TWIST_M2, rp: T = RP, la: T = LA, ra: T = RA, ls: T = LS,
+        f1: T = JOIN_F1, f2: T = F2, f3: T = F3, m2: T = TWIST_M2, rp: T = RP, la: T = LA, ra: T = RA, ls: T = LS,
     }
 }
 
