@@ -6,10 +6,12 @@
 
 #![expect(clippy::inline_always, reason = "a call would write the inputs to memory, and wait for them there")]
 
+mod list;
 mod plane;
 #[cfg(feature = "verify")]
 mod proof;
 
+pub use list::RULES;
 pub use plane::{
     Coordinate2d, Eliminate2d, IncrementalConstraint2d, KeptCoordinate2d, MovingNodes2d, RESIDUAL, Residual, XMI_PLANE,
 };
@@ -456,19 +458,3 @@ impl Formula for KeptAxis2d {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }
 }
-
-/// The formulas of this module.
-pub const RULES: &[&dyn crate::catalog::AnyFormula] = &[
-    &Stick,
-    &Follow,
-    &Slip,
-    &Kinetic,
-    &Traction,
-    &Joining,
-    &Turns,
-    &Alignment,
-    &KeptAxis,
-    &KeptAxis2d,
-    &IncrementalConstraint2d,
-    &Eliminate2d,
-];
