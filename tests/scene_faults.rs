@@ -325,3 +325,18 @@ fn a_required_triad_is_required_and_the_second_is_the_first() {
     let found = faults(&TRIADS.replace("\"elements\": {", other));
     assert!(found.len() == 1 && found[0].contains("two connectors that differ in theirs"), "{found:?}");
 }
+
+#[test]
+fn a_translator_that_starts_near_a_right_angle_is_refused() {
+    for (beta, refused) in [(1.5, false), (1.57, true)] {
+        let text = TRIADS.replace("ujoint", "translator").replace(r#""GROT", "ALPHA", "GAMMA""#, r#""UR2""#);
+        let text = text.replace(r#""rotation": [0, 0, 0.5]"#, &format!(r#""rotation": [0, {beta}, 0]"#));
+        let text = text.replace(r#"["a", "b"]"#, r#"["a", "c"]"#);
+        let results = Results::of(&Scene::parse(&text).unwrap());
+        assert_eq!(results.is_err(), refused);
+        if let Err(problems) = results {
+            let said = problems.to_string();
+            assert!(said.contains("initial configuration, scene.angles: beta is -1.57 at the start"), "{said}");
+        }
+    }
+}

@@ -10,7 +10,9 @@
 mod proof;
 
 use crate::align::{Misalignment, Orientations};
-use crate::cardan::{Angles, Oriented, Triads, accurate, accurate_jacobian, check_turns, nearest};
+use crate::cardan::{
+    Angles, BetaAxes, BetaTwoArgument, Oriented, Triads, accurate, accurate_jacobian, check_start, check_turns, nearest,
+};
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Formula, Jacobian, Spec, along};
@@ -284,7 +286,7 @@ impl Formula for Joining {
     }
 }
 
-/// The Cardan angles with β from two arguments, right up to ±90°.
+/// The Cardan angles with which a joint starts, β from two arguments; refused so near ±90° that residuals are useless.
 #[derive(Clone, Copy, Debug)]
 pub struct Turns;
 
@@ -307,7 +309,8 @@ impl Formula for Turns {
     }
     #[inline]
     fn validate(i: &Triads<f64>) -> Result<(), Error> {
-        check_turns(i)
+        check_turns(i)?;
+        check_start(BetaTwoArgument::eval(&BetaAxes::from(i)).beta)
     }
 }
 
