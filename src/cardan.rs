@@ -30,7 +30,7 @@ mod triads;
 #[cfg(feature = "verify")]
 pub mod turns;
 
-pub use accurate::{accurate, accurate_jacobian, between};
+pub use accurate::{MOST_CONDITION, accurate, accurate_jacobian, between, check_start, condition};
 pub use angles::{Angles, CardanAngles};
 pub use beta::{Beta, BetaAxes, BetaTwoArgument};
 pub(crate) use triads::Oriented;

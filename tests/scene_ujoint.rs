@@ -10,8 +10,8 @@ const DRIVE_SHAFT: &str = include_str!("../golden/scenes/drive-shaft.json");
 /// A joint at rest under a load, its triads at an angle.
 fn joint(outputs: &str) -> Scene {
     let text = format!(
-        r#"{{"dimension": "3d", "orientations": {{"turned": {{"axes": [[1, 0, 0], [0, 0.6, 0.8]]}}}},
-        "nodes": {{"a": {{"at": [0, 0, 0]}}, "b": {{"at": [0, 0, 0], "orientation": "turned"}}}},
+        r#"{{"dimension": "3d", "orientations": {{"turned": {{"axes": [[1, 0, 0], [0, 0.6, 0.8]]}}, "o": {{"rotation": [0, 0, 0]}}}},
+        "nodes": {{"a": {{"at": [0, 0, 0], "orientation": "o"}}, "b": {{"at": [0, 0, 0], "orientation": "turned"}}}},
         "elements": {{"e": {{"kind": "ujoint", "nodes": ["a", "b"], "rp": 1, "la": 2, "ra": 0.5, "ls": 4, "mu": 0.25,
             "mc1_int": 4, "k_stick": 10, "theta1_min": -2, "theta1_max": 2, "theta3_min": -1, "theta3_max": 1}}}},
         "frames": [{{"time": 0, "loads": {{"e": {{"f1": 3, "f2": -4, "f3": 16, "m1": 4, "m2": 2.5, "m3": -1}}}}}}],

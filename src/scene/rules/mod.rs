@@ -18,7 +18,8 @@ pub use plane::{
 
 use crate::align::{Misalignment, Orientations};
 use crate::cardan::{
-    Angles, BetaTwoArgument, CardanAngles, Oriented, Triads, accurate, accurate_jacobian, check_turns, nearest,
+    Angles, BetaAxes, BetaTwoArgument, CardanAngles, Oriented, Triads, accurate, accurate_jacobian, check_start,
+    check_turns, nearest,
 };
 use crate::error::Error;
 use crate::fields;
@@ -293,7 +294,7 @@ impl Formula for Joining {
     }
 }
 
-/// The Cardan angles with β from two arguments, right up to ±90°.
+/// The Cardan angles with which a joint starts, β from two arguments; refused so near ±90° that residuals are useless.
 #[derive(Clone, Copy, Debug)]
 pub struct Turns;
 
@@ -317,7 +318,8 @@ impl Formula for Turns {
     }
     #[inline]
     fn validate(i: &Triads<f64>) -> Result<(), Error> {
-        check_turns(i)
+        check_turns(i)?;
+        check_start(BetaTwoArgument::eval(&BetaAxes::from(i)).beta)
     }
 }
 
