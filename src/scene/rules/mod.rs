@@ -12,9 +12,7 @@ mod plane;
 mod proof;
 
 pub use list::RULES;
-pub use plane::{
-    Coordinate2d, Eliminate2d, IncrementalConstraint2d, KeptCoordinate2d, MovingNodes2d, RESIDUAL, Residual, XMI_PLANE,
-};
+pub use plane::{Coordinate2d, Eliminate2d, KeptCoordinate2d, XMI_PLANE};
 
 use crate::align::{Misalignment, Orientations};
 use crate::cardan::{

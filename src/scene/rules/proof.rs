@@ -1,9 +1,6 @@
 //! Evidence for the formulas next door: none beyond what every formula owes.
 
-use super::{
-    Alignment, Eliminate2d, Follow, IncrementalConstraint2d, Joining, KeptAxis, KeptAxis2d, Kinetic, Slip, Stick,
-    Traction, Turns,
-};
+use super::{Alignment, Eliminate2d, Follow, Joining, KeptAxis, KeptAxis2d, Kinetic, Slip, Stick, Traction, Turns};
 use crate::proof::Proved;
 
 impl Proved for Stick {}
@@ -25,7 +22,5 @@ impl Proved for Alignment {}
 impl Proved for KeptAxis {}
 
 impl Proved for KeptAxis2d {}
-
-impl Proved for IncrementalConstraint2d {}
 
 impl Proved for Eliminate2d {}
