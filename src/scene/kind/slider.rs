@@ -2,7 +2,7 @@
 
 use super::dimension::Dimension;
 use super::table::{Kind, Origin, always};
-use crate::scene::rules::{Eliminate2d, KeptAxis, KeptAxis2d};
+use crate::scene::rules::{KeptAxis, KeptAxis2d};
 use crate::slider;
 use Origin::{Increment, Position};
 
@@ -49,10 +49,9 @@ pub(super) const SLIDER_2D: Kind = Kind {
         always(&slider::Line),
         always(&slider::Constraint2d),
         always(&KeptAxis2d),
-        always(&Eliminate2d),
         always(&slider::Increment2d),
     ],
-    outputs: &[("N", "n"), ("L", "l"), ("G", "g"), ("XMI", "xmi"), ("DXMI", "dxmi")],
+    outputs: &[("N", "n"), ("L", "l"), ("G", "g"), ("DXMI", "dxmi")],
     ..SLIDER
 };
 

@@ -7,12 +7,10 @@
 #![expect(clippy::inline_always, reason = "a call would write the inputs to memory, and wait for them there")]
 
 mod list;
-mod plane;
 #[cfg(feature = "verify")]
 mod proof;
 
 pub use list::RULES;
-pub use plane::{Coordinate2d, Eliminate2d, KeptCoordinate2d, XMI_PLANE};
 
 use crate::align::{Misalignment, Orientations};
 use crate::cardan::{
