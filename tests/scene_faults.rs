@@ -222,24 +222,21 @@ fn a_part_that_is_missing_or_no_object_is_one_fault() {
 #[test]
 fn an_element_between_a_node_and_itself_is_refused() {
     for kind in Kind::all() {
-        let at = if kind.dimension.coordinates() == 3 { "[1, 2, 3]" } else { "[1, 2]" };
+        let (at, turn) = place_and_turn(kind);
         let ends = vec!["\"car\""; kind.nodes.len()].join(", ");
         let lines = if kind.slides() {
             (r#""slide_lines": {"l": {"type": "linear", "nodes": ["p", "q"]}}, "#, r#", "slide_line": "l""#)
         } else {
             ("", "")
         };
-        let found: Vec<_> = faults(&format!(
-            r#"{{"dimension": "{}", "nodes": {{"car": {{"at": {at}}}, "p": {{"at": {at}}}, "q": {{"at": {at}}}}}, {}
+        let found = faults(&format!(
+            r#"{{"dimension": "{}", "orientations": {{"o": {{{turn}}}}}, "nodes": {{"car": {{"at": {at}, "orientation": "o"}}, "p": {{"at": {at}}}, "q": {{"at": {at}}}}}, {}
             "elements": {{"e": {{"kind": "{}", "nodes": [{ends}]{}}}}}}}"#,
             kind.dimension.name(),
             lines.0,
             kind.name,
             lines.1
-        ))
-        .into_iter()
-        .filter(|fault| !fault.contains("without an orientation"))
-        .collect();
+        ));
         let twice = "node \"car\" for the second time; allowed is different nodes";
         assert_eq!(found.len(), kind.nodes.len() - 1, "{kind:?}: {found:#?}");
         assert!(
