@@ -26,7 +26,7 @@
 //! | `\text{…}` between statements | a remark, of words only |
 //!
 //! A symbol is an input of the entry, or a statement defines it, or it comes from another formula by
-//! [`Given`](crate::formula::Given). Anything else is an error with its place. Every input must be needed, and every
+//! [`Given`]. Anything else is an error with its place. Every input must be needed, and every
 //! statement.
 //!
 //! ```

@@ -70,7 +70,7 @@ impl From<(&Triad, &Triad)> for Triads<f64> {
     }
 }
 
-/// As [`CardanAngles`], with β from [`BetaTwoArgument`].
+/// As [`CardanAngles`](super::CardanAngles), with β from [`BetaTwoArgument`].
 #[inline]
 pub fn accurate<D: Scalar>(i: &Triads<D>) -> Angles<D> {
     Angles {
