@@ -2,7 +2,7 @@
 
 use crate::gap::Heat;
 use crate::quantity::{H, IN_SERIES, KA, KB, LA, LB, T1, T2};
-use jointproof::formula::{Component, Formula, Jacobian, Spec};
+use jointproof::formula::{Component, Finite, Formula, Jacobian, Spec};
 use jointproof::proof::{Case, Law, Proved, law};
 use jointproof::{Scalar, fields};
 
@@ -15,7 +15,8 @@ pub struct Flux;
 impl Formula for Flux {
     const SPEC: Spec = Spec::new("wall.flux", "Heat flux through a wall", IN_SERIES)
         .equation(r"q = \frac{T_1 - T_2}{L_a/k_a + L_b/k_b + 1/h}")
-        .eta(4.0, 8.0);
+        .eta(4.0, 8.0)
+        .finite(Finite::Between);
     type Inputs<T: Component> = Wall<T>;
     type Outputs<T: Component> = Heat<T>;
 
