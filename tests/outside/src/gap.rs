@@ -8,7 +8,6 @@ use jointproof::{Scalar, fields};
 fields! { pub struct Gap<T> { t1: T = T1, t2: T = T2, c: T = C, g: T = G, kg: T = KG, p: T = P, a: T = A } }
 fields! { pub struct Heat<T> { q: T = Q } }
 
-/// q = (k_g/(c + g) + a p) (T_1 − T_2)
 #[derive(Clone, Copy)]
 pub struct Flux;
 

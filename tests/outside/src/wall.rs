@@ -8,7 +8,6 @@ use jointproof::{Scalar, fields};
 
 fields! { pub struct Wall<T> { t1: T = T1, t2: T = T2, la: T = LA, ka: T = KA, lb: T = LB, kb: T = KB, h: T = H } }
 
-/// q = (T_1 − T_2) / (L_a/k_a + L_b/k_b + 1/h)
 #[derive(Clone, Copy)]
 pub struct Flux;
 
