@@ -187,7 +187,7 @@ fn one_sided(subject: &Subject) -> Vec<KinkEntry> {
         };
         let (below, here, above) = (value(-step), value(step * 0.0), value(step));
         let difference = |to: Octuple, from: Octuple| match kink.convention {
-            Convention::Cut if abs(to - from) > Octuple::PI => to - from - Octuple::PI * (2.0 * sign(to - from)),
+            Convention::Cut if abs(to - from) > Octuple::PI => to - from - Octuple::PI * sign(to - from) * 2.0,
             _ => to - from,
         };
         let sides = |k: usize| [difference(here[k], below[k]), difference(above[k], here[k])];

@@ -14,13 +14,13 @@
 //! # Ok::<(), jointproof::graph::NotRecorded>(())
 //! ```
 
-mod explore;
 mod join;
 mod node;
+mod record;
 mod recorder;
 mod run;
 mod traced;
 
-pub use explore::{NotRecorded, record};
 pub use node::{Binary, Graph, Node, Op, Relation, Unary};
+pub use record::{NotRecorded, record};
 pub use traced::Traced;

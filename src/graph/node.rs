@@ -32,6 +32,8 @@ pub enum Unary {
     Exponential,
     /// eˣ − 1
     ExponentialMinusOne,
+    /// The largest power of two that is not above x, within 2⁻¹⁰²² … 2¹⁰²²; x is positive.
+    PowerOfTwo,
 }
 
 /// An operation on two numbers.
@@ -47,6 +49,8 @@ pub enum Binary {
     Divide,
     /// The angle of the point (y, x): the ordinate comes first.
     Angle,
+    /// The larger of x and y.
+    Maximum,
 }
 
 /// A comparison of two numbers.
@@ -77,6 +81,8 @@ pub enum Op {
     Norm(Box<[Node]>),
     /// A component of the direction of a vector, as [`direction`](crate::scalar::direction) computes it.
     Direction(Box<[Node]>, usize),
+    /// A sum of products of four numbers each, of which nothing is rounded but the sum in the end.
+    ExactSum(Box<[[Node; 4]]>),
     /// An answer.
     Compare(Relation, Node, Node),
     /// The second where the first, an answer, is yes; else the third. Both may be answers.
@@ -92,6 +98,7 @@ impl Op {
             Self::Binary(_, x, y) | Self::Compare(_, x, y) => vec![*x, *y],
             Self::MultiplyAdd(x, y, z) | Self::Select(x, y, z) => vec![*x, *y, *z],
             Self::Norm(parts) | Self::Direction(parts, _) => parts.to_vec(),
+            Self::ExactSum(products) => products.concat(),
         }
     }
 
@@ -104,6 +111,7 @@ impl Op {
             (Self::MultiplyAdd(..), &[x, y, z]) => Self::MultiplyAdd(x, y, z),
             (Self::Select(..), &[x, y, z]) => Self::Select(x, y, z),
             (Self::Norm(_), parts) => Self::Norm(parts.into()),
+            (Self::ExactSum(_), factors) => Self::ExactSum(factors.as_chunks().0.into()),
             (Self::Direction(_, component), parts) => Self::Direction(parts.into(), *component),
             _ => self.clone(),
         }

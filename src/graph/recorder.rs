@@ -1,45 +1,112 @@
 //! The graph that is being recorded on this thread, and how the comparisons of this run come out.
 
+use super::join::join;
 use super::node::{Binary, Graph, Node, Op, Relation};
 use std::cell::RefCell;
 use std::collections::HashMap;
-use std::panic::resume_unwind;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
 thread_local! {
     static RECORDER: RefCell<Option<Recorder>> = const { RefCell::new(None) };
 }
 
+/// More runs than any formula needs that can be printed.
+pub(super) const MOST_RUNS: usize = 4096;
 /// A run that takes more operations than any formula does not end.
 const MOST_OPERATIONS: usize = 200_000;
 
-/// What is recorded in one run.
-pub(super) struct Recorder {
-    pub(super) graph: Graph,
-    /// How the first comparisons come out; those after them hold.
-    script: Vec<bool>,
-    /// The comparisons that were left open by those before, and how they came out.
-    pub(super) taken: Vec<(Node, bool)>,
-    facts: HashMap<Node, bool>,
+/// The graph, and the run that is being recorded.
+#[derive(Default)]
+struct Recorder {
+    graph: Graph,
+    run: Run,
     operations: usize,
+    runs: usize,
 }
 
-/// Why a run was given up.
+/// How comparisons come out in a run.
+#[derive(Clone, Default)]
+struct Run {
+    /// How the first comparisons after the start come out; those after them hold.
+    script: Vec<bool>,
+    /// So many comparisons were decided before the start.
+    start: usize,
+    /// The comparisons that were left open by those before, and how they came out.
+    taken: Vec<(Node, bool)>,
+    facts: HashMap<Node, bool>,
+}
+
+/// Why recording was given up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Escape {
     /// The value of something that depends on the inputs was asked for as a double.
     Value,
     /// A function was called that the graph does not know.
     Function(&'static str),
-    /// It does not end.
+    /// Comparisons come out in too many ways.
+    Ways,
+    /// A run does not end.
     Endless,
 }
 
-/// Records what `run` does, with comparisons that come out as the script says.
-pub(super) fn record<T>(graph: Graph, script: Vec<bool>, run: impl FnOnce() -> T) -> (Recorder, std::thread::Result<T>) {
-    let recorder = Recorder { graph, script, taken: Vec::new(), facts: HashMap::new(), operations: 0 };
-    RECORDER.set(Some(recorder));
-    let result = std::panic::catch_unwind(std::panic::AssertUnwindSafe(run));
-    (RECORDER.take().expect("it was set before the run"), result)
+/// Why there is no graph.
+pub(super) enum Failure {
+    Escape(Escape),
+    Panic,
+}
+
+/// Records `run`, with its comparisons in every possible way, into a new graph; and what it results in.
+pub(super) fn record(run: impl Fn() -> Vec<Node>) -> Result<(Graph, Vec<Node>), Failure> {
+    RECORDER.set(Some(Recorder::default()));
+    let results = catch_unwind(AssertUnwindSafe(|| sides(&run)));
+    let recorder = RECORDER.take().expect("it was set before the run");
+    match results {
+        Ok(Some(results)) => Ok((recorder.graph, results)),
+        Ok(None) => Err(Failure::Panic),
+        Err(payload) => Err(payload.downcast_ref().map_or(Failure::Panic, |escape| Failure::Escape(*escape))),
+    }
+}
+
+/// The results of a side; `None` of one that nothing can reach, since the formula does not get through it.
+type Side = Option<Vec<Node>>;
+
+/// What `run` results in, with its comparisons in every way that those before leave open.
+pub(super) fn sides(run: &dyn Fn() -> Vec<Node>) -> Side {
+    let before = with(|recorder| recorder.run.clone());
+    let side = sides_from(run, &before, Vec::new());
+    with(|recorder| recorder.run = before);
+    side
+}
+
+/// The same where the first comparisons come out as the script says.
+fn sides_from(run: &dyn Fn() -> Vec<Node>, before: &Run, script: Vec<bool>) -> Side {
+    let decided = script.len();
+    let runs = with(|recorder| {
+        recorder.run = Run { script, start: before.taken.len(), ..before.clone() };
+        recorder.operations = 0;
+        recorder.runs += 1;
+        recorder.runs
+    });
+    if runs > MOST_RUNS {
+        escape(Escape::Ways);
+    }
+    let mut side = match catch_unwind(AssertUnwindSafe(run)) {
+        Ok(results) => Some(results),
+        Err(payload) if payload.is::<Escape>() => resume_unwind(payload),
+        Err(_) => None,
+    };
+    let taken = with(|recorder| recorder.run.taken.split_off(before.taken.len()));
+    for k in (decided..taken.len()).rev() {
+        let (condition, answer) = taken[k];
+        let script = taken[..k].iter().map(|&(_, answer)| answer).chain([!answer]).collect();
+        let other = sides_from(run, before, script);
+        let (yes, no) = if answer { (side, other) } else { (other, side) };
+        side = match (yes, no) {
+            (Some(yes), Some(no)) => Some(with(|recorder| join(&mut recorder.graph, condition, &yes, &no))),
+            (one, None) | (None, one) => one,
+        };
+    }
+    side
 }
 
 /// Gives the run up.
@@ -94,9 +161,10 @@ impl Recorder {
         if let Some(known) = self.known(relation, x, y) {
             return known;
         }
-        let holds = self.script.get(self.taken.len()).copied().unwrap_or(true);
-        self.taken.push((node, holds));
-        self.facts.insert(node, holds);
+        let run = &mut self.run;
+        let holds = run.script.get(run.taken.len() - run.start).copied().unwrap_or(true);
+        run.taken.push((node, holds));
+        run.facts.insert(node, holds);
         holds
     }
 
@@ -105,7 +173,7 @@ impl Recorder {
         use Relation::{Equal, Less, LessOrEqual};
         let mut fact = |relation, x, y| {
             let node = self.graph.enter(Op::Compare(relation, x, y));
-            self.facts.get(&node).copied()
+            self.run.facts.get(&node).copied()
         };
         let [less, more] = [fact(Less, x, y), fact(Less, y, x)];
         let [at_most, at_least] = [fact(LessOrEqual, x, y), fact(LessOrEqual, y, x)];

@@ -1,7 +1,9 @@
 //! The operations of a graph, done in `f64`.
 
 use super::node::{Binary, Graph, Node, Op, Relation, Unary};
-use crate::scalar::{norm, direction};
+use crate::binade::power_of_two_below;
+use crate::eft::exact_sum;
+use crate::scalar::{direction, norm};
 
 impl Relation {
     /// Whether it holds.
@@ -26,6 +28,7 @@ impl Unary {
             Self::ArcSine => x.asin(),
             Self::Exponential => x.exp(),
             Self::ExponentialMinusOne => x.exp_m1(),
+            Self::PowerOfTwo => power_of_two_below(x)[0],
         }
     }
 }
@@ -39,6 +42,7 @@ impl Binary {
             Self::Multiply => x * y,
             Self::Divide => x / y,
             Self::Angle => x.atan2(y),
+            Self::Maximum => x.max(y),
         }
     }
 }
@@ -62,6 +66,7 @@ impl Graph {
                 Op::Direction(parts, k) => {
                     with_parts(parts, at, |x| direction(x)[*k], |x| direction(x)[*k], |x| direction(x)[*k])
                 }
+                Op::ExactSum(products) => exact_sum(products.iter().map(|product| product.map(at))),
                 Op::Compare(relation, x, y) => f64::from(u8::from(relation.holds(at(*x), at(*y)))),
                 Op::Select(condition, x, y) => at(if at(*condition) == 1.0 { *x } else { *y }),
             });

@@ -1,7 +1,7 @@
 //! A number that writes down what is done to it.
 
 use super::node::{Binary, Node, Op, Relation, Unary};
-use super::recorder::{Escape, constant, decide, enter, escape};
+use super::recorder::{Escape, constant, decide, enter, escape, sides};
 use crate::newtype::{newtype_dual_num, newtype_number};
 use crate::scalar::{Leaf, Scalar, e_minus_one, itself, pi};
 use num_traits::FromPrimitive;
@@ -185,6 +185,16 @@ impl Leaf for Traced {
     fn constants<const N: usize>(nearest: [f64; N], _: impl FnOnce() -> [Self; N]) -> [Self; N] {
         nearest.map(Self::from)
     }
+    fn or_larger(self, other: Self) -> Self {
+        Self(self.0.binary(Binary::Maximum, other.0))
+    }
+    fn power_of_two_below(self) -> [Self; 2] {
+        let unit = Self(self.0.unary(Unary::PowerOfTwo));
+        [unit, Self(function::recip(unit.0))]
+    }
+    fn exact_sum(products: impl IntoIterator<Item = [Self; 4]>) -> Self {
+        Self(Place(enter(Op::ExactSum(products.into_iter().map(|product| product.map(Self::node)).collect()))))
+    }
 }
 
 impl Scalar for Traced {
@@ -198,6 +208,11 @@ impl Scalar for Traced {
     }
     fn angle_of(y: Self, x: Self) -> Self {
         Self(function::atan2(y.0, x.0))
+    }
+    fn choice_of<const N: usize>(choose: impl Fn() -> [Self; N]) -> [Self; N] {
+        let nodes = sides(&|| choose().map(Self::node).to_vec());
+        let nodes = nodes.unwrap_or_else(|| panic!("no side of a choice can be reached"));
+        std::array::from_fn(|k| Self(Place(nodes[k])))
     }
     fn abs_of(x: Self) -> Self {
         Self(x.0.abs())
