@@ -11,7 +11,7 @@ thread_local! {
 }
 
 /// More runs than any formula needs that can be printed.
-pub(super) const MOST_RUNS: usize = 4096;
+pub(super) const MOST_RUNS: usize = 65_536;
 /// A run that takes more operations than any formula does not end.
 const MOST_OPERATIONS: usize = 200_000;
 

@@ -9,7 +9,7 @@
 
 use super::loads::{ContactMomentPair, JointLoads, moment};
 use crate::formula::Formula;
-use crate::scalar::{Scalar, norm_and_direction};
+use crate::scalar::{Scalar, choice, norm_and_direction};
 use crate::ujoint::hinge::{Shared, bending, in_sleeve, share_of, transverse};
 use crate::ujoint::{AxialFactors, Bending, CrossForces, HingeTwist, Twist};
 use nalgebra::Vector3;
@@ -122,20 +122,33 @@ fn sizes_and_directions<D: Scalar>(sums: [[D; 3]; 3]) -> [(D, [D; 3]); 3] {
     let square = |x: [D; 3]| x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
     let (aa, bb, cc) = (square(a), square(b), square(c));
     let regular = |square: D| square > 1e-270 && square < 1e300;
-    if !(regular(aa) & regular(bb) & regular(cc)) {
-        return irregular(sums);
-    }
     let divided = |x: [D; 3], square: D| {
         let size = square.sqrt();
         let per_size = size * square.recip();
-        (size, x.map(|x| x * per_size))
+        [size, x[0] * per_size, x[1] * per_size, x[2] * per_size]
     };
-    [divided(a, aa), divided(b, bb), divided(c, cc)]
+    let numbers = choice(|| {
+        if regular(aa) & regular(bb) & regular(cc) {
+            flat([divided(a, aa), divided(b, bb), divided(c, cc)])
+        } else {
+            irregular(sums)
+        }
+    });
+    [0, 4, 8].map(|k| (numbers[k], [numbers[k + 1], numbers[k + 2], numbers[k + 3]]))
 }
 
 #[cold]
-fn irregular<D: Scalar>(sums: [[D; 3]; 3]) -> [(D, [D; 3]); 3] {
-    sums.map(norm_and_direction)
+fn irregular<D: Scalar>(sums: [[D; 3]; 3]) -> [D; 12] {
+    flat(sums.map(|sum| {
+        let (size, [x, y, z]) = norm_and_direction(sum);
+        [size, x, y, z]
+    }))
+}
+
+/// One list of the three.
+#[inline]
+fn flat<D: Scalar>([[a, b, c, d], [e, f, g, h], [i, j, k, l]]: [[D; 4]; 3]) -> [D; 12] {
+    [a, b, c, d, e, f, g, h, i, j, k, l]
 }
 
 /// The second link: F = f1 e1a + W with W = f2 e2a + f3 e3a, and
