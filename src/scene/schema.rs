@@ -88,13 +88,20 @@ fn slide_line() -> Value {
         [
             json!({ "enum": keys::TYPES.map(|(name, _)| name) }),
             json!({ "type": "array", "items": text(), "minItems": 2 }),
+            record(
+                &entries(keys::GENERATE, [text(), text(), json!({ "type": "integer", "minimum": 1 })]),
+                &["first", "last"],
+            ),
             of_domain(FRACTION.domain),
             numbers(&keys::PRESSURE, &[]),
             numbers(&keys::DAMPING, &keys::DAMPING.map(|(name, _)| name)),
             numbers(&keys::FRICTION, &keys::FRICTION.map(|(name, _)| name)),
+            json!({ "type": "integer", "minimum": 0, "default": 1 }),
         ],
     );
-    record(&all, &["type", "nodes"])
+    let mut schema = record(&all, &["type"]);
+    schema["oneOf"] = json!(["nodes", "generate"].map(|key| json!({ "required": [key] })));
+    schema
 }
 
 fn frame(dimension: Dimension, kinds: &[&Kind]) -> Value {

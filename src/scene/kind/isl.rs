@@ -4,8 +4,8 @@
 //! [`isl`](crate::isl) evaluates them, not the plan's registers.
 
 use super::dimension::Dimension;
-use super::table::{Kind, always, renamed};
-use crate::quantity::{Domain, Quantity, Shape, Unit};
+use super::table::{Kind, Use, always, renamed};
+use crate::quantity::{Domain, NORMAL, Quantity, Shape, TANGENT, Unit};
 use crate::{coulomb, interaction, slide_line};
 
 const STRESS: Unit = Unit::new(-2, 1, 0);
@@ -25,6 +25,20 @@ const S12: Quantity = Quantity {
     meaning: "shear stress at each node, positive when it resists positive slip",
     ..E12
 };
+
+const AREA: Quantity = Quantity {
+    latex: "A",
+    unit: Unit::new(2, 0, 0),
+    meaning: "contact area of each node, as far as this element has it, around the whole circumference",
+    ..E12
+};
+const T1: Quantity = Quantity {
+    latex: r"\mathbf{t}_1",
+    meaning: "tangent of the line at the closest point of each node, node by node",
+    ..TANGENT
+};
+const N: Quantity =
+    Quantity { meaning: "normal of the line at the closest point of each node, node by node", ..NORMAL };
 
 /// A coordinate along the line is no output.
 const FOOT: &[(&str, &str)] = &[("g", "coordinate"), ("t", "coordinate"), ("separation", "e11")];
@@ -49,10 +63,24 @@ pub(super) const ISL21A: Kind = Kind {
         renamed(&interaction::Damping, PRESSURE),
         renamed(&coulomb::ReturnMap, &[("f", "s12")]),
         always(&slide_line::TorqueLinear),
+        AREAS_LINEAR,
     ],
-    meanings: &[("e12", &E12), ("s11", &S11), ("s12", &S12)],
-    outputs: &[("E11", "e11"), ("E12", "e12"), ("S11", "s11"), ("S12", "s12"), ("T", "t")],
+    meanings: &[("e12", &E12), ("s11", &S11), ("s12", &S12), ("area", &AREA), ("tangent", &T1), ("normal", &N)],
+    outputs: &[
+        ("E11", "e11"),
+        ("E12", "e12"),
+        ("S11", "s11"),
+        ("S12", "s12"),
+        ("T", "t"),
+        ("AREA", "area"),
+        ("T1", "tangent"),
+        ("N", "normal"),
+    ],
 };
+
+const AREAS_LINEAR: Use = renamed(&slide_line::ContactAreaLinear, &[("a1", "area"), ("a2", "area")]);
+const AREAS_PARABOLIC: Use =
+    renamed(&slide_line::ContactAreaParabolic, &[("a1", "area"), ("a2", "area"), ("a3", "area")]);
 
 pub(super) const ISL22A: Kind = Kind {
     name: "isl22a",
@@ -69,6 +97,7 @@ pub(super) const ISL22A: Kind = Kind {
         ISL21A.formulas[8],
         ISL21A.formulas[9],
         always(&slide_line::TorqueParabolic),
+        AREAS_PARABOLIC,
     ],
     ..ISL21A
 };

@@ -36,7 +36,13 @@ pub(super) const FRICTION: &[Given] = &[
 
 /// Formulas of motion and friction along a slot, in every connector with one.
 pub(super) const MOTION: Use = always(&RelativeMotion);
-pub(super) const STOP: Use = always(&Stop);
+/// Both stops at once, or the one that is given, which then stands for the other too.
+pub(super) const STOP: [Use; 3] = [
+    always(&Stop).when(When::AllGiven(STOPS)),
+    renamed(&Stop, &[("l1_max", "l1_min"), ("gap_max", "no_gap_max")]).when(When::NotAllGiven(STOPS)),
+    renamed(&Stop, &[("l1_min", "l1_max"), ("gap_min", "no_gap_min")]).when(When::NotAllGiven(STOPS)),
+];
+const STOPS: &[&str] = &["l1_min", "l1_max"];
 pub(super) const NORMAL: Use = always(&NormalForce);
 pub(super) const TRIAL: Use = always(&Stick);
 pub(super) const RETURN_MAP: Use = renamed(&ReturnMap, &[("f", "csf")]);

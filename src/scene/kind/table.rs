@@ -66,6 +66,10 @@ pub enum When {
     AllZero(&'static [&'static str]),
     /// Only where one of these parameters is not 0.
     NotAllZero(&'static [&'static str]),
+    /// Only where all these parameters are given.
+    AllGiven(&'static [&'static str]),
+    /// Only where one of these parameters is not given.
+    NotAllGiven(&'static [&'static str]),
 }
 
 /// A formula of a kind.
@@ -194,7 +198,7 @@ impl Kind {
     pub(in crate::scene) fn switches(&self) -> u64 {
         let decides = |name: &str| {
             self.formulas.iter().any(|formula| match formula.when {
-                When::Always => false,
+                When::Always | When::AllGiven(_) | When::NotAllGiven(_) => false,
                 When::AllZero(names) | When::NotAllZero(names) => names.contains(&name),
             })
         };

@@ -2,7 +2,7 @@
 
 use super::dimension::Dimension;
 use super::shared::{
-    CONSTRAINT_FORCE, CSF1, FORCES, FRICTION, INITIAL, KINETIC_FORCE, LENGTHS, MOMENTS, MOTION, NODES, NORMAL,
+    CONSTRAINT_FORCE, CSF1, FORCES, FRICTION, Given, INITIAL, KINETIC_FORCE, LENGTHS, MOMENTS, MOTION, NODES, NORMAL,
     ORDERED_LENGTHS, RETURN_MAP, SECOND_TRIAD, SLIP, STOP, TRIAL, YIELD,
 };
 use super::table::{Fallback, Kind, Origin, When, always, renamed};
@@ -14,6 +14,10 @@ use Origin::{Initial, Parameter};
 /// The levers of a TRANSLATOR's moments; where both are 0, its friction is that of the SLOT.
 const LEVERS: &[&str] = &["rr", "l"];
 
+/// The angles where the analysis begins.
+pub(super) const ALIGNED: &[Given] =
+    &[("alpha0", Initial("alpha")), ("beta0", Initial("beta")), ("gamma0", Initial("gamma"))];
+
 pub(super) const TRANSLATOR: Kind = Kind {
     name: "translator",
     dimension: Dimension::Space,
@@ -22,7 +26,7 @@ pub(super) const TRANSLATOR: Kind = Kind {
         NODES,
         SECOND_TRIAD,
         INITIAL,
-        &[("alpha0", Initial("alpha")), ("beta0", Initial("beta")), ("gamma0", Initial("gamma"))],
+        ALIGNED,
         LENGTHS,
         &[("rr", Parameter(Number(0.0))), ("l", Parameter(Number(0.0)))],
         FRICTION,
@@ -50,7 +54,9 @@ pub(super) const TRANSLATOR: Kind = Kind {
         YIELD[0],
         YIELD[1],
         YIELD[2],
-        STOP,
+        STOP[0],
+        STOP[1],
+        STOP[2],
         TRIAL,
         RETURN_MAP,
         SLIP,
@@ -72,8 +78,10 @@ pub(super) const TRANSLATOR: Kind = Kind {
         ("RF", "rf"),
         ("RM", "rm"),
         ("KF", "kf"),
+        ("MTORQ", "m_torq"),
         ("FTORQ", "f_torq"),
         ("FR", "fr"),
+        ("MBEND", "m_bend"),
         ("FBEND", "f_bend"),
         ("FC", "fc"),
         ("FN", "fn"),

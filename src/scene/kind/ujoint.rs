@@ -2,7 +2,7 @@
 
 use super::dimension::Dimension;
 use super::shared::{FORCES, MOMENTS, NODES, SECOND_TRIAD, WITH_FRICTION, WITHOUT_FRICTION};
-use super::table::{Fallback, Kind, Origin, Use, always, renamed};
+use super::table::{Fallback, Kind, Origin, Use, When, always, renamed};
 use crate::coulomb::{ReturnMap, Yield};
 use crate::quantity::{CROSS_M1, CROSS_M3, Domain, PHI1, PHI3, Quantity, Unit};
 use crate::scene::rules::{Joining, Kinetic, Slip, TURN_STICK, Traction, TurnStick, scalar};
@@ -61,6 +61,44 @@ const TOTAL3: Quantity = scalar(r"s_3", Unit::ONE, Domain::NonNegative, "accumul
 
 const STICK: [Use; 2] = [renamed(&TurnStick, TURN[0]), renamed(&TurnStick, TURN[1])];
 
+const STOPS: &[&str] = &["theta1_min", "theta1_max", "theta3_min", "theta3_max"];
+/// One stop, which stands for the other of its angle too; the other angle's are 0.
+const fn one_stop(names: &'static [(&'static str, &'static str)]) -> Use {
+    renamed(&ujoint::Stop, names).when(When::NotAllGiven(STOPS))
+}
+const LOWER_1: &[(&str, &str)] = &[
+    ("theta1_max", "theta1_min"),
+    ("theta3_min", "no_number"),
+    ("theta3_max", "no_number"),
+    ("gap1_max", "no_gap"),
+    ("gap3_min", "no_gap"),
+    ("gap3_max", "no_gap"),
+];
+const UPPER_1: &[(&str, &str)] = &[
+    ("theta1_min", "theta1_max"),
+    ("theta3_min", "no_number"),
+    ("theta3_max", "no_number"),
+    ("gap1_min", "no_gap"),
+    ("gap3_min", "no_gap"),
+    ("gap3_max", "no_gap"),
+];
+const LOWER_3: &[(&str, &str)] = &[
+    ("theta3_max", "theta3_min"),
+    ("theta1_min", "no_number"),
+    ("theta1_max", "no_number"),
+    ("gap3_max", "no_gap"),
+    ("gap1_min", "no_gap"),
+    ("gap1_max", "no_gap"),
+];
+const UPPER_3: &[(&str, &str)] = &[
+    ("theta3_min", "theta3_max"),
+    ("theta1_min", "no_number"),
+    ("theta1_max", "no_number"),
+    ("gap3_min", "no_gap"),
+    ("gap1_min", "no_gap"),
+    ("gap1_max", "no_gap"),
+];
+
 /// What holds initially is what the residuals are where nothing is taken off.
 pub(super) const UJOINT: Kind = Kind {
     name: "ujoint",
@@ -109,7 +147,11 @@ pub(super) const UJOINT: Kind = Kind {
         renamed(&universal::Constraint, &[("c0", "no_number"), ("g", "c")]),
         always(&universal::Angles),
         always(&universal::RelativeMotion),
-        always(&ujoint::Stop),
+        always(&ujoint::Stop).when(When::AllGiven(STOPS)),
+        one_stop(LOWER_1),
+        one_stop(UPPER_1),
+        one_stop(LOWER_3),
+        one_stop(UPPER_3),
         renamed(&universal::ConstraintMoment, &[("m", "rm")]),
         renamed(&Joining, &[("f", "rf")]),
         renamed(&universal::KineticMoment, &[("m", "km")]).when(WITHOUT_FRICTION),
@@ -119,6 +161,8 @@ pub(super) const UJOINT: Kind = Kind {
             .when(WITH_FRICTION),
         always(&ujoint::Reaction),
         always(&ujoint::Decomposition),
+        always(&ujoint::TwistFactors),
+        always(&ujoint::AxialFactors),
         always(&ujoint::HingeTwist),
         always(&ujoint::HingeAxial),
         always(&ujoint::HingeTransverse),
@@ -173,10 +217,21 @@ pub(super) const UJOINT: Kind = Kind {
         ("FAXIAL1", "f_axial1"),
         ("FAXIAL3", "f_axial3"),
         ("FBEND", "f_bend"),
+        ("ALPHATWIST", "alpha_twist"),
+        ("BETATWIST", "beta_twist"),
+        ("ALPHAAXIAL", "alpha_axial"),
+        ("BETAAXIAL", "beta_axial"),
         ("MTWIST", "m_twist_hinge"),
+        ("FTWIST", "f_twist_hinge"),
+        ("FHINGE1", "f_axial_hinge1"),
+        ("FHINGE3", "f_axial_hinge3"),
+        ("FTRANSV1", "f_transv_hinge1"),
+        ("FTRANSV3", "f_transv_hinge3"),
         ("FTOTAL1", "f_total_hinge1"),
         ("FTOTAL3", "f_total_hinge3"),
+        ("MBEND", "m_bend_hinge"),
         ("MTOTAL", "m_total_hinge"),
+        ("FTOTALBEND", "f_total_bend"),
         ("MC1", "mc1"),
         ("MC3", "mc3"),
         ("MN1", "mn1"),

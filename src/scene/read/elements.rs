@@ -5,10 +5,10 @@ use super::given::Given;
 use super::keys;
 use super::names::{named, refer, refer_all};
 use super::outputs::Outputs;
-use crate::isl::{IslElement, Surface};
+use crate::isl::IslElement;
 use crate::scene::json::{Read, Reader};
 use crate::scene::kind::{Dimension, Kind};
-use crate::scene::model::{Named, SceneElement, SceneNode, Sliding};
+use crate::scene::model::{Named, SceneElement, SceneLine, SceneNode, Sliding};
 
 /// An element as far as it could be read.
 pub(super) enum Draft {
@@ -44,7 +44,7 @@ pub(super) fn elements_of(
     reader: &mut Reader,
     dimension: Dimension,
     nodes: &Named<Option<SceneNode>>,
-    lines: &Named<Option<Surface>>,
+    lines: &Named<Option<SceneLine>>,
     wanted: &Outputs,
 ) -> Read<Named<Draft>> {
     let kinds: Vec<_> = Kind::all().filter(|kind| kind.dimension == dimension).collect();
@@ -114,7 +114,7 @@ impl Parts {
         reader: &mut Reader,
         kind: &'static Kind,
         nodes: &Named<Option<SceneNode>>,
-        lines: &Named<Option<Surface>>,
+        lines: &Named<Option<SceneLine>>,
     ) -> Read<Self> {
         let names: Vec<_> = kind.parameters().map(|(name, _)| name).collect();
         let own = if kind.slides() { &keys::SLIDING_ELEMENT[..] } else { &keys::ELEMENT };

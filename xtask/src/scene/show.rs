@@ -115,19 +115,20 @@ fn text(scene: &Scene, results: &Results, exact: Option<&Results>) -> anyhow::Re
 }
 
 fn add_columns(columns: &mut Vec<Column>, series: &Series, exact: Option<&Series>) {
-    let width = series.values.first().map_or(0, Vec::len);
+    // A torque is not there in every state.
+    let width = series.values.iter().map(Vec::len).max().unwrap_or(0);
     for component in 0..width {
         let heading = match width {
             1 => series.element.clone(),
             _ => format!("{}[{component}]", series.element),
         };
-        let numbers = |of: &dyn Fn(usize) -> f64, digits: &dyn Fn(f64) -> String| {
-            (0..series.values.len()).map(|state| digits(of(state))).collect()
+        let numbers = |of: &dyn Fn(usize) -> Option<f64>, digits: &dyn Fn(f64) -> String| {
+            (0..series.values.len()).map(|state| of(state).map_or_else(String::new, digits)).collect()
         };
-        let value = |state: usize| series.values[state][component];
+        let value = |state: usize| series.values[state].get(component).copied();
         columns.push(Column { heading, numbers: numbers(&value, &digits) });
         if let Some(exact) = exact {
-            let error = |state: usize| value(state) - exact.values[state][component];
+            let error = |state: usize| Some(value(state)? - exact.values[state].get(component)?);
             let numbers = numbers(&error, &|x| if x == 0.0 { "0".into() } else { format!("{x:.1e}") });
             columns.push(Column { heading: "error".into(), numbers });
         }
