@@ -12,5 +12,5 @@
 mod connector;
 mod kinematics;
 
-pub use connector::Align;
+pub use connector::{Align, AlignFromStart};
 pub use kinematics::{Constraint, ConstraintMoment, Misalignment, Moment, Moments, Orientations};

@@ -30,14 +30,14 @@ mod triads;
 #[cfg(feature = "verify")]
 pub mod turns;
 
-pub use accurate::{accurate, accurate_jacobian, between};
+pub use accurate::{MOST_CONDITION, accurate, accurate_jacobian, between, check_start, condition};
 pub use angles::{Angles, CardanAngles};
 pub use beta::{Beta, BetaAxes, BetaTwoArgument};
 pub(crate) use triads::Oriented;
 pub use triads::{Triads, check_turns};
 
 use crate::error::Error;
-use crate::scalar::{Scalar, atan2, has_length, norm_and_direction};
+use crate::scalar::{Scalar, atan2, has_length, norm_and_direction, pi};
 use nalgebra::{Matrix3, Vector3};
 
 /// The first angle, α = −atan2(e2a·e3b, e3a·e3b).
@@ -123,6 +123,14 @@ fn extreme_turn_gradient<D: Scalar>([v, p, q]: [&Vector3<D>; 3], (sine, cosine):
 #[inline]
 fn is_turn(v: &Vector3<f64>, p: &Vector3<f64>, q: &Vector3<f64>) -> bool {
     has_length([v.dot(p), v.dot(q)])
+}
+
+/// An angle, a number of full turns on or back, nearest to another one: how a joint is followed from state to state that
+/// turns by less than half a turn between them.
+#[inline]
+pub(crate) fn nearest<D: Scalar>(angle: D, to: D) -> D {
+    let turns = ((to - angle).re() / std::f64::consts::TAU).round();
+    if turns == 0.0 { angle } else { angle + pi::<D>() * (2.0 * turns) }
 }
 
 /// R1(α) R2(β) R3(γ): three turns about the first, the second and the third axis, each about the axes as the turns

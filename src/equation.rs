@@ -26,7 +26,7 @@
 //! | `\text{…}` between statements | a remark, of words only |
 //!
 //! A symbol is an input of the entry, or a statement defines it, or it comes from another formula by
-//! [`Given`](crate::formula::Given). Anything else is an error with its place. Every input must be needed, and every
+//! [`Given`]. Anything else is an error with its place. Every input must be needed, and every
 //! statement.
 //!
 //! ```
@@ -121,7 +121,7 @@ impl Equation {
     }
 
     /// Another equation with the symbols of a formula; some may be called otherwise: `("a", "f2")`. The only output of a
-    /// formula is what the first statement defines.
+    /// formula, if no statement defines it, is what the first one defines.
     ///
     /// # Errors
     /// As [`Equation::of`].
@@ -137,8 +137,9 @@ impl Equation {
         };
         let mut outputs = named(outputs)?;
         // The only output may be called as one likes.
-        if let ([(name, _)], Some(first)) = (&mut outputs[..], statement::statements(latex, Vec::new())?.first())
-            && first.names[0] != *name
+        let written = statement::statements(latex, Vec::new()).map_err(|error| error.of_entry("yours", "equation"))?;
+        if let ([(name, _)], Some(first)) = (&mut outputs[..], written.first())
+            && !written.iter().any(|statement| statement.names[0] == *name)
         {
             name.clone_from(&first.names[0]);
         }

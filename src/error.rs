@@ -87,6 +87,17 @@ pub enum Error {
         /// What is proportional to its cosine.
         cosine: &'static str,
     },
+    /// A joint starts with its second Cardan angle so near ±90° that its residuals of angles are useless.
+    IllConditioned {
+        /// The angle.
+        angle: &'static str,
+        /// Its value.
+        value: f64,
+        /// The condition number of the derivative of the three angles by a spin of b.
+        condition: f64,
+        /// The greatest that is allowed.
+        most: f64,
+    },
     /// An angle is undefined, since a vector is perpendicular to all axes between which it is measured.
     UndefinedAngle {
         /// The angle.
@@ -318,6 +329,7 @@ impl Error {
             Self::Clockwise => "Clockwise",
             Self::Unreadable { .. } => "Unreadable",
             Self::GimbalLock { .. } => "GimbalLock",
+            Self::IllConditioned { .. } => "IllConditioned",
             Self::UndefinedAngle { .. } => "UndefinedAngle",
             Self::NoArcSine { .. } => "NoArcSine",
             Self::TooClose { .. } => "TooClose",

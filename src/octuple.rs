@@ -19,7 +19,7 @@ use crate::scalar::{Leaf, Scalar, itself, sum_of_squares};
 /// A binary floating point number of 237 significant bits (71 decimal digits) and exponents up to ±262143: IEEE 754
 /// binary256, by the crate `f256`, with what that crate lacks or gets wrong made good.
 ///
-/// It is `Copy`, it implements [`DualNum`](num_dual::DualNum) over `f64`, so every formula of this crate and every
+/// It is `Copy`, it implements [`DualNum`] over `f64`, so every formula of this crate and every
 /// dual number of `num-dual` runs over it unchanged, and the same program gives the same bits on every machine:
 /// all of it is integer arithmetic.
 ///

@@ -72,6 +72,7 @@ fn every_equation_is_its_formula() {
 fn what_cannot_be_read_is_named_with_its_place() {
     let formula = find("slot.contact_force").unwrap();
     let error = |latex| Equation::read(latex, &[], formula.inputs(), formula.outputs()).unwrap_err().to_string();
+    let mut wrong = Vec::new();
     for (latex, expected) in [
         (r"F_C = \sqrt{f_2^2 + f_4^2}", "byte 20: f_4 is nobody's symbol"),
         (r"F_C = \sqrt{f_2^2 + }", "byte 20: a number, a symbol or a bracket was expected here"),
@@ -81,11 +82,14 @@ fn what_cannot_be_read_is_named_with_its_place() {
         (r"F_C = a f_2 f_3,\quad a = b,\quad b = a", "a is defined by itself"),
         (r"F_C = f_2/f_3 f_2", "byte 14: what follows a slash and its divisor is read in two ways: use a fraction"),
         (r"F_C = f_2 f_3\quad \text{if } f_2 > 0", r"byte 30: an operator, a comma or `\quad` was expected here"),
-        (r"F_C = f_2 f_3\quad\text{twice 2}", "byte 20: a remark holds words only, not `2`: mathematics is executed"),
-        (r"F_C = f_2 f_3 \pm 1", r"an operator, a comma or `\quad` was expected here"),
+        (r"F_C = f_2 f_3\quad\text{twice 2}", "byte 18: a remark holds words only, not `2`: mathematics is executed"),
+        (r"F_C = f_2 f_3 \pm 1", "byte 14: a number, a symbol or a bracket was expected here"),
         (r"F_C = \mathbf{f}\cdot\mathbf{f} f_2 f_3", "f (a vector) is nobody's symbol"),
     ] {
         let found = error(latex);
-        assert!(found.contains(expected), "{latex}: {found}");
+        if !found.starts_with("the equation of yours, ") || !found.contains(expected) {
+            wrong.push(format!("{latex}: {found}"));
+        }
     }
+    assert!(wrong.is_empty(), "{wrong:#?}");
 }

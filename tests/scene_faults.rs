@@ -71,7 +71,7 @@ fn every_mistake_is_reported_with_its_place() {
 #[test]
 fn a_frame_says_everything_once() {
     let found = faults(
-        r#"{"dimension": "2d", "nodes": {"a": {"at": [0, 0]}, "b": {"at": [1, 0]}},
+        r#"{"dimension": "2d", "orientations": {"o": {"angle": 0}}, "nodes": {"a": {"at": [0, 0], "orientation": "o"}, "b": {"at": [1, 0]}},
   "elements": {"s": {"kind": "slot", "nodes": ["a", "b"]}}, "outputs": ["FC"],
   "frames": [{"time": 0, "loads": {"s": {"f2": 1}}, "nodes": {"a": {"u": [0, 0]}}},
     {"time": 1, "loads": {"s": {"f2": 1}, "s": {"f2": 2}}, "nodes": {"a": {"u": [0, 0]}, "a": {"ur": 0}}}]}"#,
@@ -128,16 +128,26 @@ fn a_hundred_faults_are_listed_and_the_rest_is_counted() {
     assert!(faults.to_string().ends_with("… and 99900 more"));
 }
 
+/// Coordinates of a node, and an orientation, in the space that a kind lives in.
+fn place_and_turn(kind: &Kind) -> (&'static str, &'static str) {
+    if kind.dimension.coordinates() == 3 {
+        ("[1, 2, 3]", r#""rotation": [0, 0, 0]"#)
+    } else {
+        ("[1, 2]", r#""angle": 0"#)
+    }
+}
+
 /// The kinds say which parameters are in order, and so does the formula that reads them.
 #[test]
 fn stops_in_the_wrong_order_are_refused() {
     let mut pairs = 0;
     for kind in Kind::all() {
-        let at = if kind.dimension.coordinates() == 3 { "[1, 2, 3]" } else { "[1, 2]" };
+        let (at, turn) = place_and_turn(kind);
         for (lower, upper) in kind.ordered {
             let with = |low: f64, high: f64| {
                 Scene::parse(&format!(
-                    r#"{{"dimension": "{}", "nodes": {{"a": {{"at": {at}}}, "b": {{"at": {at}}}}}, "elements":
+                    r#"{{"dimension": "{}", "orientations": {{"o": {{{turn}}}}},
+                    "nodes": {{"a": {{"at": {at}, "orientation": "o"}}, "b": {{"at": {at}}}}}, "elements":
                     {{"e": {{"kind": "{}", "nodes": ["a", "b"], "{lower}": {low}, "{upper}": {high}}}}}}}"#,
                     kind.dimension.name(),
                     kind.name
@@ -169,7 +179,7 @@ fn what_refers_to_a_faulty_element_or_node_is_not_another_fault() {
 #[test]
 fn an_output_that_no_element_has_is_a_fault() {
     let found = faults(
-        r#"{"dimension": "3d", "nodes": {"a": {"at": [0, 0, 0]}, "b": {"at": [1, 0, 0]}},
+        r#"{"dimension": "3d", "orientations": {"o": {"quaternion": [1, 0, 0, 0]}}, "nodes": {"a": {"at": [0, 0, 0], "orientation": "o"}, "b": {"at": [1, 0, 0]}},
         "elements": {"s": {"kind": "slot", "nodes": ["a", "b"]}}, "outputs": ["U1", "ALPHA"]}"#,
     );
     let expected = "elements (line 2, column 85): output \"ALPHA\", which no element here has; \
@@ -212,7 +222,7 @@ fn a_part_that_is_missing_or_no_object_is_one_fault() {
 #[test]
 fn an_element_between_a_node_and_itself_is_refused() {
     for kind in Kind::all() {
-        let at = if kind.dimension.coordinates() == 3 { "[1, 2, 3]" } else { "[1, 2]" };
+        let (at, turn) = place_and_turn(kind);
         let ends = vec!["\"car\""; kind.nodes.len()].join(", ");
         let lines = if kind.slides() {
             (r#""slide_lines": {"l": {"type": "linear", "nodes": ["p", "q"]}}, "#, r#", "slide_line": "l""#)
@@ -220,7 +230,7 @@ fn an_element_between_a_node_and_itself_is_refused() {
             ("", "")
         };
         let found = faults(&format!(
-            r#"{{"dimension": "{}", "nodes": {{"car": {{"at": {at}}}, "p": {{"at": {at}}}, "q": {{"at": {at}}}}}, {}
+            r#"{{"dimension": "{}", "orientations": {{"o": {{{turn}}}}}, "nodes": {{"car": {{"at": {at}, "orientation": "o"}}, "p": {{"at": {at}}}, "q": {{"at": {at}}}}}, {}
             "elements": {{"e": {{"kind": "{}", "nodes": [{ends}]{}}}}}}}"#,
             kind.dimension.name(),
             lines.0,
@@ -245,7 +255,9 @@ fn every_output_of_every_kind_evaluates() {
         } else {
             ["[0, 0]", "[1, 0.5]", "[0.5, 0.25]"]
         };
-        let nodes: Vec<_> = places.iter().enumerate().map(|(i, at)| format!(r#""n{i}": {{"at": {at}}}"#)).collect();
+        let (_, turn) = place_and_turn(kind);
+        let node = |(i, at)| format!(r#""n{i}": {{"at": {at}, "orientation": "o"}}"#);
+        let nodes: Vec<_> = places.iter().enumerate().map(node).collect();
         let ends: Vec<_> = (0..kind.nodes.len()).map(|i| format!("\"n{i}\"")).collect();
         let parameters = kind.parameters().map(|(name, _)| format!(r#", "{name}": 1"#)).collect::<Vec<_>>().concat();
         let (lines, on_line) = if kind.slides() {
@@ -259,7 +271,7 @@ fn every_output_of_every_kind_evaluates() {
         let all: Vec<_> = kind.outputs.iter().map(|(name, _)| format!("{name:?}")).collect();
         for outputs in all.iter().cloned().chain([all.join(", ")]) {
             let text = format!(
-                r#"{{"dimension": "{}", "nodes": {{{}}}, "outputs": [{outputs}], {lines}
+                r#"{{"dimension": "{}", "orientations": {{"o": {{{turn}}}}}, "nodes": {{{}}}, "outputs": [{outputs}], {lines}
                 "elements": {{"e": {{"kind": "{}", "nodes": [{}]{parameters}{on_line}}}}}}}"#,
                 kind.dimension.name(),
                 nodes.join(", "),
@@ -352,6 +364,48 @@ proptest! {
     fn no_scene_that_is_not_json(text in mutated()) {
         if Scene::parse(&text).is_ok() {
             prop_assert!(serde_json::from_str::<serde_json::Value>(&text).is_ok());
+        }
+    }
+}
+
+const TRIADS: &str = r#"{"dimension": "3d", "orientations": {"along": {"rotation": [0, 0, 0]}, "askew": {"rotation": [0, 0, 0.5]}},
+    "nodes": {"a": {"at": [0, 0, 0], "orientation": "askew"}, "b": {"at": [0, 0, 0]}, "c": {"at": [0, 0, 0], "orientation": "along"}},
+    "elements": {"joint": {"kind": "ujoint", "nodes": ["a", "b"]}}, "outputs": ["GROT", "ALPHA", "GAMMA"],
+    "frames": [{"time": 0}, {"time": 1, "nodes": {"a": {"ur": [0, 0, 0.1]}, "b": {"ur": [0, 0, 0.25]}}}]}"#;
+
+/// The first node's triad is required; a second node without one stands as the first does at the start.
+#[test]
+fn a_required_triad_is_required_and_the_second_is_the_first() {
+    for kind in ["slot", "translator", "ujoint"] {
+        let text = TRIADS.replace("ujoint", kind).replace(r#"["a", "b"]"#, r#"["b", "c"]"#).replace("GROT", "");
+        let found = faults(&text.replace(r#""outputs": ["", "ALPHA", "GAMMA"],"#, ""));
+        assert_eq!(found.len(), 1, "{found:?}");
+        let said = "node a, \"b\", without an orientation; allowed is a node a with an \"orientation\"";
+        assert!(found[0].contains(said), "{found:?}");
+    }
+    let results = Results::of(&Scene::parse(TRIADS).unwrap()).unwrap();
+    for state in 0..2 {
+        assert!(results.get("joint", "GROT", state).unwrap()[0].abs() < 1e-16, "the cross is at right angles");
+    }
+    assert!((results.get("joint", "GAMMA", 1).unwrap()[0] - 0.15).abs() < 1e-15);
+
+    // Two connectors that would give one node two triads.
+    let other = r#""elements": {"other": {"kind": "ujoint", "nodes": ["c", "b"]}, "#;
+    let found = faults(&TRIADS.replace("\"elements\": {", other));
+    assert!(found.len() == 1 && found[0].contains("two connectors that differ in theirs"), "{found:?}");
+}
+
+#[test]
+fn a_translator_that_starts_near_a_right_angle_is_refused() {
+    for (beta, refused) in [(1.5, false), (1.57, true)] {
+        let text = TRIADS.replace("ujoint", "translator").replace(r#""GROT", "ALPHA", "GAMMA""#, r#""UR2""#);
+        let text = text.replace(r#""rotation": [0, 0, 0.5]"#, &format!(r#""rotation": [0, {beta}, 0]"#));
+        let text = text.replace(r#"["a", "b"]"#, r#"["a", "c"]"#);
+        let results = Results::of(&Scene::parse(&text).unwrap());
+        assert_eq!(results.is_err(), refused);
+        if let Err(problems) = results {
+            let said = problems.to_string();
+            assert!(said.contains("initial configuration, scene.angles: beta is -1.57 at the start"), "{said}");
         }
     }
 }

@@ -201,7 +201,7 @@ fn judge_mutants(count: u64) {
         outcomes.iter_mut().filter(|(known, _)| *known == outcome).for_each(|(_, times)| *times += 1);
     }
     println!("{outcomes:?}");
-    assert!(outcomes.iter().all(|(_, times)| times * 500 > count), "{outcomes:?}");
+    assert!(outcomes.iter().all(|(_, times)| times * 500 >= count), "{outcomes:?}");
 }
 
 #[test]

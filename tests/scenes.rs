@@ -18,9 +18,11 @@ fn scene(text: &str) -> Scene {
 /// A slot with two loads, a third if there is room for it.
 fn one(dimension: &str, element: &str, outputs: &str) -> Scene {
     let (b, u) = if dimension == "3d" { ("[1, 2, 3]", "[0.5, 0, 0.25]") } else { ("[1, 2]", "[0.5, 0.25]") };
-    let a = if dimension == "3d" { "[0, 0, 0]" } else { "[0, 0]" };
+    let (a, turn) =
+        if dimension == "3d" { ("[0, 0, 0]", "\"rotation\": [0, 0, 0]") } else { ("[0, 0]", "\"angle\": 0") };
     scene(&format!(
-        r#"{{"dimension": "{dimension}", "nodes": {{"a": {{"at": {a}}}, "b": {{"at": {b}}}}},
+        r#"{{"dimension": "{dimension}", "orientations": {{"o": {{{turn}}}}},
+        "nodes": {{"a": {{"at": {a}, "orientation": "o"}}, "b": {{"at": {b}}}}},
         "elements": {{"e": {{{element}, "nodes": ["a", "b"]}}}},
         "frames": [{{"time": 0, "nodes": {{"b": {{"u": {u}}}}}, "loads": {{"e": {{"f1": 7, "f2": -3}}}}}}],
         "outputs": {outputs}}}"#
@@ -68,8 +70,8 @@ fn no_third_axis_in_the_plane() {
         assert_eq!(results.get("e", "FC", 0), Some(&[3.0][..]), "{outputs}");
     }
     let error = Scene::parse(
-        r#"{"dimension": "2d", "nodes": {"a": {"at": [0, 0]}, "b": {"at": [0, 0]}}, "elements":
-        {"e": {"kind": "slot", "nodes": ["a", "b"]}}, "frames": [{"time": 0, "loads": {"e": {"f3": 1}}}]}"#,
+        r#"{"dimension": "2d", "orientations": {"o": {"angle": 0}}, "nodes": {"a": {"at": [0, 0], "orientation": "o"}, "b": {"at": [0, 0]}},
+        "elements": {"e": {"kind": "slot", "nodes": ["a", "b"]}}, "frames": [{"time": 0, "loads": {"e": {"f3": 1}}}]}"#,
     );
     assert!(error.unwrap_err().to_string().contains("unknown key \"f3\"; allowed is one of f1, f2"));
 }
@@ -241,7 +243,7 @@ fn a_slider_in_the_plane_follows_its_line() {
 #[test]
 fn threads_change_no_bit() {
     // Of two kinds by turns, and in the frames the last comes first.
-    let nodes = (0..5000).map(|i| format!(r#""a{i}": {{"at": [{i}, 0.1, 0]}}, "#)).collect::<Vec<_>>().concat();
+    let nodes = (1..5000).map(|i| format!(r#""a{i}": {{"at": [{i}, 0.1, 0]}}, "#)).collect::<Vec<_>>().concat();
     let kind = |i: usize| if i.is_multiple_of(3) { "translator" } else { "slot" };
     let element =
         |i| format!(r#""e{i}": {{"kind": "{}", "nodes": ["a0", "a{i}"], "mu": 0.{i}, "k_stick": 1e4}}"#, kind(i));
@@ -251,7 +253,7 @@ fn threads_change_no_bit() {
     let loads: Vec<_> = (1..5000).rev().map(|i| format!(r#""e{i}": {{"f3": 0.5, "f2": {i}}}"#)).collect();
     let of = |elements: &[String], loads: &[String]| {
         scene(&format!(
-            r#"{{"dimension": "3d", "nodes": {{{nodes}"z": {{"at": [0, 0, 0]}}}}, "elements": {{{}}}, "frames": [
+            r#"{{"dimension": "3d", "orientations": {{"o": {{"rotation": [0, 0, 0]}}}}, "nodes": {{{nodes}"a0": {{"at": [0, 0.1, 0], "orientation": "o"}}}}, "elements": {{{}}}, "frames": [
             {{"time": 0, "loads": {{{}}}}}, {{"time": 1, "nodes": {{{}}}}}, {{"time": 2, "nodes": {{"a1": {{"u": [0, 0, 0]}}}}}}],
             "outputs": ["GY", "GZ", "U1", "CSF1", "CASU1", "PHI"]}}"#,
             elements.join(", "),
@@ -280,8 +282,8 @@ fn threads_change_no_bit() {
 fn what_a_frame_does_not_mention_stays() {
     let results = |frames: [&str; 4]| {
         Results::of(&scene(&format!(
-            r#"{{"dimension": "3d",
-            "nodes": {{"a": {{"at": [0, 0, 0]}}, "b": {{"at": [4, 2, 1]}}, "m": {{"at": [2, 1, 0.5]}}, "n": {{"at": [3, 1, 0]}}}},
+            r#"{{"dimension": "3d", "orientations": {{"o": {{"rotation": [0, 0, 0]}}}},
+            "nodes": {{"a": {{"at": [0, 0, 0], "orientation": "o"}}, "b": {{"at": [4, 2, 1]}}, "m": {{"at": [2, 1, 0.5]}}, "n": {{"at": [3, 1, 0], "orientation": "o"}}}},
             "elements": {{
                 "rail": {{"kind": "slider", "nodes": ["a", "b", "m"], "outputs": ["G1", "G2", "R1", "DXMI"]}},
                 "pin": {{"kind": "translator", "nodes": ["a", "n"], "mu": 0.5, "k_stick": 10, "rr": 1, "l": 2,

@@ -2,8 +2,8 @@
 
 #![expect(clippy::float_cmp, reason = "exact results are expected exactly")]
 
-use jointproof::align::{self, Align};
-use jointproof::cardan::{Angles, rotation, turned};
+use jointproof::align::{self, Align, AlignFromStart};
+use jointproof::cardan::{Angles, MOST_CONDITION, condition, rotation, turned};
 use jointproof::formula::{Fields, check, value};
 use jointproof::frame::Triad;
 use jointproof::slot::Slot;
@@ -243,5 +243,56 @@ proptest! {
         let bending = value::<translator::BendingForce>(&translator::Bending { m2, m3, l }).unwrap().f_bend;
         let slot = value::<ContactForce>(&ContactLoads { f2, f3, m1, m2, m3, rr: 0.0, l: 0.0 }).unwrap().fc;
         prop_assert_eq!(whole, torque + slot + bending);
+    }
+}
+
+#[test]
+fn a_start_near_a_right_angle_is_refused_with_its_condition_number() {
+    let a = triad(0.3, -0.4, 0.5);
+    let [e1, e2, e3] = [a.e1(), a.e2(), a.e3()];
+    let b = |degrees: f64| {
+        let [e1, e2, e3] = turned(&[e1, e2, e3], &rotation(0.7, degrees.to_radians(), -0.2));
+        Triad::new(e1, e2, e3).unwrap()
+    };
+    for degrees in [0.0, 60.0, -85.0, 89.88] {
+        assert!(
+            condition(f64::to_radians(degrees)) < MOST_CONDITION && Align::new(&a, &b(degrees)).is_ok(),
+            "{degrees}"
+        );
+    }
+    for degrees in [89.89, -89.9, 90.0] {
+        let error = Align::new(&a, &b(degrees)).unwrap_err();
+        assert!(matches!(error, Error::IllConditioned { condition, .. } if condition > MOST_CONDITION), "{error}");
+        let initial = Pose { triad_a: a, triad_b: b(degrees), ..pose() };
+        assert_eq!(Translator::new(&initial).unwrap_err(), error);
+    }
+    let said = Align::new(&a, &b(89.9)).unwrap_err().to_string();
+    assert!(said.contains("(89.900°), where the angles have the condition number 1.146e3; allowed is"), "{said}");
+}
+
+/// At the start, the derivative by a spin of b is the triad of a, wherever b stands; and it is that of differences.
+#[test]
+fn angles_from_the_start_are_regular_everywhere() {
+    let a = triad(0.3, -0.4, 0.5);
+    for beta in [0.0, 1.0, std::f64::consts::FRAC_PI_2, -1.5706, 3.0] {
+        let axes = [a.e1(), a.e2(), a.e3()];
+        let at = |turn: [Vector3<f64>; 3]| {
+            let [e1, e2, e3] = turned(&turn, &rotation(0.7, beta, -0.2));
+            Triad::new(e1, e2, e3).unwrap()
+        };
+        let b = at(axes);
+        let align = AlignFromStart::new(&a, &b);
+        let (residuals, rows) = align.constraint_jacobian(&a, &b).unwrap();
+        for (row, axis) in [rows.ur1, rows.ur2, rows.ur3].into_iter().zip(axes) {
+            let spin = b.e1().cross(&row.e1b) + b.e2().cross(&row.e2b) + b.e3().cross(&row.e3b);
+            assert!((spin - axis).norm() < 1e-15, "{beta}: {spin} is not {axis}");
+        }
+        assert!([residuals.ur1, residuals.ur2, residuals.ur3].iter().all(|u| u.abs() < 1e-15));
+        // Turned since about the axes of a by three turns, it reads those.
+        let moved = at(turned(&axes, &rotation(0.1, -0.2, 0.3)));
+        let found = align.constraint(&a, &moved).unwrap();
+        for (found, expected) in [(found.ur1, 0.1), (found.ur2, -0.2), (found.ur3, 0.3)] {
+            assert!((found - expected).abs() < 1e-15, "{beta}: {found} is not {expected}");
+        }
     }
 }

@@ -33,13 +33,44 @@ pub fn between(a: &Triad, b: &Triad) -> Result<Angles<f64>, Error> {
     Ok(accurate(&triads))
 }
 
+/// The greatest condition number of the angles with which a joint may start.
+pub const MOST_CONDITION: f64 = 1e3;
+
+/// The condition number of the derivative of (α, β, γ) by a spin of b: √((1 + |sin β|)/(1 − |sin β|)), which is
+/// (1 + |sin β|)/cos β.
+///
+/// The spin is `dα e1a + dβ n + dγ e3b` with n across e1a and e3b, so that only the angle between e1a and e3b counts.
+///
+/// ```
+/// use jointproof::cardan::condition;
+/// for (degrees, expected) in [(0.0_f64, 1.0), (60.0, 3.7), (85.0, 23.0), (89.9, 1100.0)] {
+///     assert!((condition(degrees.to_radians()) / expected - 1.0).abs() < 0.05);
+/// }
+/// ```
+pub fn condition(beta: f64) -> f64 {
+    (1.0 + beta.sin().abs()) / beta.cos().abs()
+}
+
+/// Whether a joint may start at this second angle.
+///
+/// # Errors
+/// [`Error::IllConditioned`]: the condition number is above [`MOST_CONDITION`], from 89.885° on.
+#[inline]
+pub fn check_start(beta: f64) -> Result<(), Error> {
+    let condition = condition(beta);
+    if condition <= MOST_CONDITION {
+        return Ok(());
+    }
+    Err(Error::IllConditioned { angle: "beta", value: beta, condition, most: MOST_CONDITION })
+}
+
 impl From<(&Triad, &Triad)> for Triads<f64> {
     fn from((a, b): (&Triad, &Triad)) -> Self {
         Self { e1a: a.e1(), e2a: a.e2(), e3a: a.e3(), e1b: b.e1(), e2b: b.e2(), e3b: b.e3() }
     }
 }
 
-/// As [`CardanAngles`], with β from [`BetaTwoArgument`].
+/// As [`CardanAngles`](super::CardanAngles), with β from [`BetaTwoArgument`].
 #[inline]
 pub fn accurate<D: Scalar>(i: &Triads<D>) -> Angles<D> {
     Angles {

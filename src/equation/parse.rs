@@ -196,6 +196,7 @@ impl Parser<'_> {
         let name = self.word()?;
         match name.as_str() {
             "sign" => Ok(Kind::Call(Function::Sign, vec![self.single_argument()?])),
+            "round" => Ok(Kind::Call(Function::Round, vec![self.single_argument()?])),
             "atan2" => {
                 self.expect('(')?;
                 match self.list(')')? {
@@ -203,7 +204,7 @@ impl Parser<'_> {
                     other => Err(Error::new(at, format!("atan2 has 2 arguments, not {}", other.len()))),
                 }
             }
-            _ => Err(Error::new(at, format!("the function {name} is not known: there are sign and atan2"))),
+            _ => Err(Error::new(at, format!("the function {name} is not known: there are sign, round and atan2"))),
         }
     }
 

@@ -24,7 +24,9 @@ fn carried(op: Op, result: Octuple, all: &[Octuple], sizes: &[Octuple]) -> Octup
     // 0 where there is nothing to carry, even over an infinite slope.
     let scaled = |size: Octuple, slope: Octuple| if size.is_zero() { size } else { size * slope };
     match op {
-        Op::Input(_) | Op::Number(_) | Op::Compare(..) | Op::Call(Function::Sign, ..) => Octuple::zero(),
+        Op::Input(_) | Op::Number(_) | Op::Compare(..) | Op::Call(Function::Sign | Function::Round, ..) => {
+            Octuple::zero()
+        }
         Op::Pi | Op::Euler => own,
         Op::Negative(a) | Op::Abs(a) => size(a),
         Op::Add(a, b) | Op::Subtract(a, b) => own + size(a) + size(b),

@@ -40,6 +40,8 @@ pub(super) enum Function {
     Cos,
     ArcSin,
     Sign,
+    /// The nearest whole number.
+    Round,
     Atan2,
 }
 

@@ -143,7 +143,12 @@ impl Tape {
     fn slope(&mut self, op: Op, id: Id, slopes: &[Id], zero: Id) -> Id {
         let two = self.number(2.0);
         match op {
-            Op::Input(_) | Op::Number(_) | Op::Pi | Op::Euler | Op::Compare(..) | Op::Call(Function::Sign, ..) => zero,
+            Op::Input(_)
+            | Op::Number(_)
+            | Op::Pi
+            | Op::Euler
+            | Op::Compare(..)
+            | Op::Call(Function::Sign | Function::Round, ..) => zero,
             Op::Negative(a) => {
                 let a = slopes[a];
                 self.negative(a)
@@ -254,6 +259,7 @@ fn call<D: Scalar>(function: Function, a: D, b: D) -> D {
         Function::Cos => a.cos(),
         Function::ArcSin => a.asin(),
         Function::Sign => D::from(sign(a)),
+        Function::Round => D::from(a.re().round()),
         // Zeros of mathematics have no sign.
         Function::Atan2 => atan2(a + 0.0, b),
     }

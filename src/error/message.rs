@@ -106,6 +106,13 @@ impl Error {
                 format!("{angle} is undefined, since {sine} = 0 and {cosine} = 0 (gimbal lock)"),
                 "at least one that is not 0",
             ),
+            Self::IllConditioned { angle, value, condition, most } => Message::is(
+                format!(
+                    "{angle} is {value} at the start ({:.3}°), where the angles have the condition number {condition:.3e}",
+                    value.to_degrees()
+                ),
+                format!("a condition number of at most {most}, farther from ±90° (or the residual from the start)"),
+            ),
             Self::UndefinedAngle { angle, vector, axes } => Message::is(
                 format!("{angle} is undefined, since {vector} is perpendicular to {axes}"),
                 "a unit vector and a triad",

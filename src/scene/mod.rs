@@ -10,7 +10,8 @@
 //!
 //! let scene = Scene::parse(r#"{
 //!     "dimension": "3d",
-//!     "nodes": { "rail": { "at": [0, 0, 0] }, "car": { "at": [1, 2, 3] } },
+//!     "orientations": { "along": { "axes": [[1, 0, 0], [0, 1, 0]] } },
+//!     "nodes": { "rail": { "at": [0, 0, 0], "orientation": "along" }, "car": { "at": [1, 2, 3] } },
 //!     "elements": { "guide": { "kind": "slot", "nodes": ["rail", "car"], "mu": 0.25 } },
 //!     "frames": [ { "time": 1, "nodes": { "car": { "u": [2.5, 0, 0] } }, "loads": { "guide": { "f2": 3, "f3": 4 } } } ],
 //!     "outputs": ["U1", "FN"]

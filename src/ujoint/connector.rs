@@ -12,7 +12,7 @@ use crate::join::{Displaced, Join, Joined};
 use crate::quantity::Domain;
 use crate::slot::Force;
 use crate::translator::{Gradient, Pose};
-use crate::universal::{Angles, FreeMoment, Moment, Rotations, Shafts, Skew, Turns, Universal};
+use crate::universal::{FreeMoment, Moment, Rotations, Shafts, Skew, Turns, Universal};
 use nalgebra::Vector3;
 
 /// Forces and moments. Those of the constraint act on node b, their opposites on node a; the kinetic moments m1 and m3 act
@@ -203,7 +203,23 @@ impl UJoint {
         Ok((JointResiduals { g, g_rot }, JointResiduals { g: by_join.g.map(of_join), g_rot: of_universal }))
     }
 
-    /// The rotations about both free axes, from the start and from the reference angles.
+    /// The angles about both free axes, followed from those of the last state ([`Universal::turns_from`]).
+    ///
+    /// # Errors
+    /// As [`Universal::turns_from`].
+    pub fn turns_from(&self, last: &Turns<f64>, pose: &Pose) -> Result<Turns<f64>, Error> {
+        self.universal.turns_from(last, &pose.triad_a, &pose.triad_b)
+    }
+
+    /// The rotations about both free axes, followed from the angles of the last state.
+    ///
+    /// # Errors
+    /// As [`Universal::relative_motion_from`].
+    pub fn relative_motion_from(&self, last: &Turns<f64>, pose: &Pose) -> Result<Rotations<f64>, Error> {
+        self.universal.relative_motion_from(last, &pose.triad_a, &pose.triad_b)
+    }
+
+    /// The rotations about both free axes, from the start and from the reference angles, within half a turn of the start.
     ///
     /// # Errors
     /// As [`Universal::relative_motion`].
@@ -211,13 +227,21 @@ impl UJoint {
         self.universal.relative_motion(&pose.triad_a, &pose.triad_b)
     }
 
-    /// Angles left before the stops ([`Stop`]); `None` without stops.
+    /// Angles left before the stops ([`Stop`]), within half a turn of the start; `None` without stops.
     ///
     /// # Errors
     /// [`Error::GimbalLock`].
     pub fn gaps(&self, pose: &Pose) -> Result<Option<AngleGaps<f64>>, Error> {
+        self.gaps_from(&self.universal.initial(), pose)
+    }
+
+    /// Angles left before the stops, followed from the angles of the last state; `None` without stops.
+    ///
+    /// # Errors
+    /// [`Error::GimbalLock`].
+    pub fn gaps_from(&self, last: &Turns<f64>, pose: &Pose) -> Result<Option<AngleGaps<f64>>, Error> {
         let Some(stops) = self.stops else { return Ok(None) };
-        let turns = value::<Angles>(&Triads::from((&pose.triad_a, &pose.triad_b)))?;
+        let turns = self.turns_from(last, pose)?;
         value::<Stop>(&stops.inputs(turns)).map(Some)
     }
 

@@ -4,7 +4,7 @@ use super::{
     Angles, Constraint, ConstraintMoment, Driven, FreeMoment, KineticMoment, Moment, RelativeMotion, Rotations, Shafts,
     Skew, Turns, TurnsSince, Twisted,
 };
-use crate::cardan::Triads;
+use crate::cardan::{Triads, nearest};
 use crate::error::Error;
 use crate::formula::{ValueAndJacobian, value, value_and_jacobian};
 use crate::frame::Triad;
@@ -77,12 +77,36 @@ impl Universal {
         value_and_jacobian::<Constraint>(&Shafts { e1a: a.e1(), e3b: b.e3(), c0: self.c0 })
     }
 
-    /// The rotations about both shafts, from the start and from the reference angles ([`RelativeMotion`]).
+    /// The angles at the start.
+    pub const fn initial(&self) -> Turns<f64> {
+        self.initial
+    }
+
+    /// The angles about both shafts that are nearest to those of the last state ([`Angles`], and full turns): followed so from
+    /// state to state, a joint may turn as far as it likes, by less than half a turn between two states.
+    ///
+    /// # Errors
+    /// [`Error::GimbalLock`].
+    pub fn turns_from(&self, last: &Turns<f64>, a: &Triad, b: &Triad) -> Result<Turns<f64>, Error> {
+        let Turns { alpha, gamma } = value::<Angles>(&Triads::from((a, b)))?;
+        Ok(Turns { alpha: nearest(alpha, last.alpha), gamma: nearest(gamma, last.gamma) })
+    }
+
+    /// The rotations about both shafts, from the start and from the reference angles ([`RelativeMotion`]), within half a turn
+    /// of the start.
     ///
     /// # Errors
     /// [`Error::GimbalLock`].
     pub fn relative_motion(&self, a: &Triad, b: &Triad) -> Result<Rotations<f64>, Error> {
-        let Turns { alpha, gamma } = value::<Angles>(&Triads::from((a, b)))?;
+        self.relative_motion_from(&self.initial, a, b)
+    }
+
+    /// The rotations about both shafts, followed from the last state as [`Universal::turns_from`] does.
+    ///
+    /// # Errors
+    /// [`Error::GimbalLock`].
+    pub fn relative_motion_from(&self, last: &Turns<f64>, a: &Triad, b: &Triad) -> Result<Rotations<f64>, Error> {
+        let Turns { alpha, gamma } = self.turns_from(last, a, b)?;
         let Turns { alpha: alpha0, gamma: gamma0 } = self.initial;
         let (theta1_ref, theta3_ref) = (self.theta1_ref, self.theta3_ref);
         value::<RelativeMotion>(&TurnsSince { alpha, gamma, alpha0, gamma0, theta1_ref, theta3_ref })

@@ -2,7 +2,7 @@
 
 use super::dimension::Dimension;
 use super::table::{Kind, Origin, always};
-use crate::scene::rules::{Eliminate2d, IncrementalConstraint2d, KeptAxis, KeptAxis2d};
+use crate::scene::rules::{KeptAxis, KeptAxis2d};
 use crate::slider;
 use Origin::{Increment, Position};
 
@@ -48,12 +48,10 @@ pub(super) const SLIDER_2D: Kind = Kind {
     formulas: &[
         always(&slider::Line),
         always(&slider::Constraint2d),
-        always(&IncrementalConstraint2d),
         always(&KeptAxis2d),
-        always(&Eliminate2d),
         always(&slider::Increment2d),
     ],
-    outputs: &[("N", "n"), ("L", "l"), ("G", "g"), ("R", "r"), ("XMI", "xmi"), ("DXMI", "dxmi")],
+    outputs: &[("N", "n"), ("L", "l"), ("G", "g"), ("DXMI", "dxmi")],
     ..SLIDER
 };
 

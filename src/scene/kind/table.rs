@@ -149,6 +149,11 @@ impl Kind {
         self.given.iter().copied().flatten().copied()
     }
 
+    /// Where registers come from that no formula computes.
+    pub(in crate::scene) fn origins(&self) -> impl Iterator<Item = Origin> + use<> {
+        self.registers().map(|(_, origin)| origin)
+    }
+
     /// Where a register comes from, if no formula computes it.
     pub fn given(&self, register: &str) -> Option<Origin> {
         self.registers().find(|(name, _)| *name == register).map(|(_, from)| from)

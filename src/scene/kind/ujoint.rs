@@ -5,15 +5,15 @@ use super::shared::{FORCES, MOMENTS, NODES, SECOND_TRIAD, WITH_FRICTION, WITHOUT
 use super::table::{Fallback, Kind, Origin, Use, When, always, renamed};
 use crate::coulomb::{ReturnMap, Yield};
 use crate::quantity::{CROSS_M1, CROSS_M3, Domain, PHI1, PHI3, Quantity, Unit};
-use crate::scene::rules::{Joining, Kinetic, Slip, TURN_STICK, Traction, TurnStick, scalar};
+use crate::scene::rules::{Follow, Joining, Kinetic, Slip, Stick, TURN_STICK, Traction, scalar};
 use crate::{join, ujoint, universal};
 use Fallback::{As, Number, Required};
 use Origin::{Before, Initial, Parameter, Zero};
 
 /// What friction about an axis is called in the formulas that all connectors share, and here: the first axis, the third.
 const TURN: [&[(&str, &str)]; 2] = [
-    &[("ur", "ur1"), ("ur_before", "ur1_before"), ("m_before", "m1_before"), ("m_trial", "m1_trial")],
-    &[("ur", "ur3"), ("ur_before", "ur3_before"), ("m_before", "m3_before"), ("m_trial", "m3_trial")],
+    &[("u1", "ur1"), ("u1_before", "ur1_before"), ("f_before", "m1_before"), ("f_trial", "m1_trial")],
+    &[("u1", "ur3"), ("u1_before", "ur3_before"), ("f_before", "m3_before"), ("f_trial", "m3_trial")],
 ];
 const MAP: [&[(&str, &str)]; 2] = [
     &[("f_trial", "m1_trial"), ("fn", "mn1"), ("f", "csm1")],
@@ -59,7 +59,24 @@ const SLIP3: Quantity =
 const TOTAL1: Quantity = scalar(r"s_1", Unit::ONE, Domain::NonNegative, "accumulated slip about e1a, never falling");
 const TOTAL3: Quantity = scalar(r"s_3", Unit::ONE, Domain::NonNegative, "accumulated slip about e3b, never falling");
 
-const STICK: [Use; 2] = [renamed(&TurnStick, TURN[0]), renamed(&TurnStick, TURN[1])];
+/// Angles are read off from −π to π, and followed from state to state.
+const FOLLOW: [&[(&str, &str)]; 2] = [
+    &[("angle", "alpha_now"), ("start", "alpha0"), ("turned", "ur1_before"), ("followed", "alpha")],
+    &[("angle", "gamma_now"), ("start", "gamma0"), ("turned", "ur3_before"), ("followed", "gamma")],
+];
+const FOLLOWED1: Quantity = scalar(
+    r"\alpha",
+    Unit::ONE,
+    Domain::Angle,
+    "angle of b's triad relative to a's about e1a, followed over full turns",
+);
+const FOLLOWED3: Quantity = scalar(
+    r"\gamma",
+    Unit::ONE,
+    Domain::Angle,
+    "angle of b's triad relative to a's about e3b, followed over full turns",
+);
+const STICK: [Use; 2] = [renamed(&Stick, TURN[0]), renamed(&Stick, TURN[1])];
 
 const STOPS: &[&str] = &["theta1_min", "theta1_max", "theta3_min", "theta3_max"];
 /// One stop, which stands for the other of its angle too; the other angle's are 0.
@@ -113,8 +130,8 @@ pub(super) const UJOINT: Kind = Kind {
             ("no_friction", Zero),
             ("d0", Initial("d")),
             ("c0", Initial("c")),
-            ("alpha0", Initial("alpha")),
-            ("gamma0", Initial("gamma")),
+            ("alpha0", Initial("alpha_now")),
+            ("gamma0", Initial("gamma_now")),
             ("theta1_ref", Parameter(As("alpha0"))),
             ("theta3_ref", Parameter(As("gamma0"))),
             ("theta1_min", Parameter(Required)),
@@ -145,7 +162,9 @@ pub(super) const UJOINT: Kind = Kind {
         renamed(&join::Constraint, &[("d0", "no_vector"), ("g", "d")]),
         renamed(&universal::Constraint, &[("g", "g_rot")]),
         renamed(&universal::Constraint, &[("c0", "no_number"), ("g", "c")]),
-        always(&universal::Angles),
+        renamed(&universal::Angles, &[("alpha", "alpha_now"), ("gamma", "gamma_now")]),
+        renamed(&Follow, FOLLOW[0]),
+        renamed(&Follow, FOLLOW[1]),
         always(&universal::RelativeMotion),
         always(&ujoint::Stop).when(When::AllGiven(STOPS)),
         one_stop(LOWER_1),
@@ -184,6 +203,8 @@ pub(super) const UJOINT: Kind = Kind {
     ],
     meanings: &[
         ("k_stick", &TURN_STICK),
+        ("alpha", &FOLLOWED1),
+        ("gamma", &FOLLOWED3),
         ("m1", &CROSS_M1),
         ("m3", &CROSS_M3),
         ("p1", &P1),

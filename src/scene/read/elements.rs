@@ -5,6 +5,7 @@ use super::given::Given;
 use super::keys;
 use super::names::{named, refer, refer_all};
 use super::outputs::Outputs;
+use super::triads::Inherited;
 use crate::isl::IslElement;
 use crate::scene::json::{Read, Reader};
 use crate::scene::kind::{Dimension, Kind};
@@ -46,6 +47,7 @@ pub(super) fn elements_of(
     nodes: &Named<Option<SceneNode>>,
     lines: &Named<Option<SceneLine>>,
     wanted: &Outputs,
+    inherited: &mut Inherited,
 ) -> Read<Named<Draft>> {
     let kinds: Vec<_> = Kind::all().filter(|kind| kind.dimension == dimension).collect();
     let masks: Vec<_> = kinds.iter().map(|kind| wanted.mask(kind)).collect();
@@ -56,6 +58,7 @@ pub(super) fn elements_of(
         reader.go(place);
         let parts = Parts::read(reader, kinds[index], nodes, lines)?;
         let outputs = parts.outputs.unwrap_or(masks[index]);
+        inherited.check(reader, place, parts.kind, parts.nodes.as_deref().unwrap_or_default(), nodes);
         // An element that slides has no parameters, and is planned with its line.
         if parts.nodes.is_some() && !parts.kind.slides() {
             checks.run(reader, place, parts.kind, &parts.parameters, outputs);

@@ -9,6 +9,7 @@ mod names;
 mod nodes;
 mod outputs;
 mod slide_lines;
+mod triads;
 
 use super::json::{Faults, Read, Reader};
 use super::kind::Dimension;
@@ -18,6 +19,7 @@ use frames::frames_of;
 use nodes::{nodes_of, orientations_of};
 use outputs::Outputs;
 use slide_lines::slide_lines_of;
+use triads::Inherited;
 
 impl Scene {
     /// Reads a scene file and checks it.
@@ -64,8 +66,10 @@ fn scene(reader: &mut Reader) -> Read<Option<Scene>> {
     let lines = lines.filter(|&place| belongs(reader, place, dimension));
     let lines = part(reader, "slide_lines", lines, |reader| slide_lines_of(reader, &nodes))?.unwrap_or_default();
     let outputs = part(reader, "outputs", outputs, |reader| Outputs::read(reader, dimension))?.unwrap_or_default();
-    let elements =
-        part(reader, "elements", elements, |reader| elements_of(reader, dimension, &nodes, &lines, &outputs))?;
+    let mut inherited = Inherited::default();
+    let elements = part(reader, "elements", elements, |reader| {
+        elements_of(reader, dimension, &nodes, &lines, &outputs, &mut inherited)
+    })?;
     let elements = elements.unwrap_or_default();
     let frames = part(reader, "frames", frames, |reader| frames_of(reader, dimension, &nodes, &elements))?;
     let frames = frames.unwrap_or_else(|| vec![Frame::default()]);
@@ -74,7 +78,10 @@ fn scene(reader: &mut Reader) -> Read<Option<Scene>> {
             title,
             dimension,
             orientations: turns.each(|orientation| orientation)?,
-            nodes: nodes.each(|node| node)?,
+            nodes: {
+                let mut numbers = 0..;
+                nodes.each(|node| Some(inherited.give(numbers.next()?, node?)))?
+            },
             lines: lines.each(|line| line)?,
             elements: elements.each(Draft::whole)?,
             frames,

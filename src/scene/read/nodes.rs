@@ -25,20 +25,22 @@ pub(super) fn nodes_of(
 ) -> Read<Named<Option<SceneNode>>> {
     named(reader, |reader, _| {
         let place = reader.place();
-        let (mut given, mut at, mut orientation) = (false, None, None);
+        let (mut given, mut at, mut orientation, mut sound) = (false, None, None, true);
         let is_object = reader.record(&keys::NODE, |reader, key| {
             if key == 0 {
                 given = true;
                 at = point(reader, dimension)?;
             } else {
                 orientation = refer(reader, orientations, "orientation")?;
+                // One that is not known is not also a missing one.
+                sound = orientation.is_some();
             }
             Ok(())
         })?;
         if is_object && !given {
             reader.fault(place, "a node without \"at\"", "a node with its coordinates");
         }
-        Ok(at.map(|at| SceneNode { at, orientation }))
+        Ok(at.filter(|_| sound).map(|at| SceneNode { at, orientation }))
     })
 }
 

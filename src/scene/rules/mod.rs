@@ -6,17 +6,16 @@
 
 #![expect(clippy::inline_always, reason = "a call would write the inputs to memory, and wait for them there")]
 
-mod plane;
+mod list;
 #[cfg(feature = "verify")]
 mod proof;
 
-pub use plane::{
-    Coordinate2d, Eliminate2d, IncrementalConstraint2d, KeptCoordinate2d, MovingNodes2d, RESIDUAL, Residual, XMI_PLANE,
-};
+pub use list::RULES;
 
 use crate::align::{Misalignment, Orientations};
 use crate::cardan::{
-    Angles, BetaTwoArgument, CardanAngles, Oriented, Triads, accurate, accurate_jacobian, check_turns,
+    Angles, BetaAxes, BetaTwoArgument, CardanAngles, Oriented, Triads, accurate, accurate_jacobian, check_start,
+    check_turns, nearest,
 };
 use crate::error::Error;
 use crate::fields;
@@ -94,50 +93,48 @@ impl Formula for Stick {
 /// Stick stiffness of a joint that turns.
 pub const TURN_STICK: Quantity =
     scalar(r"k", Unit::FL, Domain::Positive, "moment per radian of the contact while it sticks");
-/// Rotation at the end of the increment.
-pub const TURN: Quantity = scalar(r"u_r", Unit::ONE, Domain::Angle, "available rotation");
-/// Rotation at the start of the increment.
-pub const TURN_BEFORE: Quantity = scalar(r"u_r^-", Unit::ONE, Domain::Angle, "available rotation in the last state");
-/// Friction moment at the start of the increment.
-pub const MOMENT_BEFORE: Quantity = scalar(r"m^-", Unit::FL, Domain::Real, "friction moment in the last state");
-/// Friction moment if the contact stuck.
-pub const MOMENT_TRIAL: Quantity =
-    scalar(r"m^{\mathrm{trial}}", Unit::FL, Domain::Real, "friction moment if the contact stuck");
+/// An angle as it is read off the triads.
+pub const ANGLE: Quantity = scalar(r"\alpha", Unit::ONE, Domain::Angle, "angle, from −π to below π");
+/// The angle at the start.
+pub const ANGLE_START: Quantity = scalar(r"\alpha_0", Unit::ONE, Domain::Angle, "angle at the start");
+/// The rotation in the last state.
+pub const TURNED: Quantity = scalar(r"u_r^-", Unit::ONE, Domain::Angle, "available rotation in the last state");
+/// The angle, with the full turns that were made.
+pub const FOLLOWED: Quantity =
+    scalar(r"\alpha^{\mathrm{full}}", Unit::ONE, Domain::Angle, "angle, followed from state to state over full turns");
 
 fields! {
-    /// Rotation now and before, moment before, stiffness.
-    pub struct TurnLoads<T> {
-        ur: T = TURN, ur_before: T = TURN_BEFORE, m_before: T = MOMENT_BEFORE, k_stick: T = TURN_STICK,
-    }
+    /// The angle as it is read off, at the start, and the rotation in the last state.
+    pub struct Sighting<T> { angle: T = ANGLE, start: T = ANGLE_START, turned: T = TURNED }
 }
 fields! {
-    /// Moment if the contact stuck.
-    pub struct TrialMoment<T> { m_trial: T = MOMENT_TRIAL }
+    /// The angle with the full turns that were made.
+    pub struct Followed<T> { followed: T = FOLLOWED }
 }
 
-/// The friction moment if the contact sticks over the increment: m_trial = m⁻ + k (u_r − u_r⁻), the difference taken as an
-/// angle from −π to π.
+/// The angle, less or more full turns, that is nearest to the one in the last state.
 #[derive(Clone, Copy, Debug)]
-pub struct TurnStick;
+pub struct Follow;
 
-impl Formula for TurnStick {
-    const SPEC: Spec = spec(
-        "scene.turn_stick",
-        "Trial moment of an increment",
-        r"m^{\mathrm{trial}} = m^- + k\,w(u_r - u_r^-),\quad w(\delta) = \begin{cases} \delta & \lvert\delta\rvert \le \pi \\ \delta - 2\pi\operatorname{sign}\delta & \text{otherwise} \end{cases}",
-    );
-    type Inputs<T: Component> = TurnLoads<T>;
-    type Outputs<T: Component> = TrialMoment<T>;
+impl Formula for Follow {
+    const SPEC: Spec = Spec::new(
+        "scene.follow",
+        "Angle followed over full turns",
+        Document::UJOINT.ours("Summary", "the page names the rotations, and not what they are beyond half a turn"),
+    )
+    .equation(r"\alpha^{\mathrm{full}} = \alpha + 2\pi\operatorname{round}\frac{\alpha_0 + u_r^- - \alpha}{2\pi}")
+    .eta(4.0, 4.0);
+    type Inputs<T: Component> = Sighting<T>;
+    type Outputs<T: Component> = Followed<T>;
 
     #[inline(always)]
-    fn eval<D: Scalar>(i: &TurnLoads<D>) -> TrialMoment<D> {
-        TrialMoment { m_trial: i.m_before + i.k_stick * wrapped(i.ur - i.ur_before) }
+    fn eval<D: Scalar>(i: &Sighting<D>) -> Followed<D> {
+        Followed { followed: nearest(i.angle, i.start + i.turned) }
     }
 
     #[inline]
-    fn jacobian<D: Scalar>(i: &TurnLoads<D>) -> Jacobian<Self, D> {
-        let (ur, k_stick) = (i.k_stick, wrapped(i.ur - i.ur_before));
-        TrialMoment { m_trial: TurnLoads { ur, ur_before: -ur, m_before: D::one(), k_stick } }
+    fn jacobian<D: Scalar>(_: &Sighting<D>) -> Jacobian<Self, D> {
+        Followed { followed: Sighting { angle: D::one(), start: D::zero(), turned: D::zero() } }
     }
 }
 
@@ -293,7 +290,7 @@ impl Formula for Joining {
     }
 }
 
-/// The Cardan angles with β from two arguments, right up to ±90°.
+/// The Cardan angles with which a joint starts, β from two arguments; refused so near ±90° that residuals are useless.
 #[derive(Clone, Copy, Debug)]
 pub struct Turns;
 
@@ -317,7 +314,8 @@ impl Formula for Turns {
     }
     #[inline]
     fn validate(i: &Triads<f64>) -> Result<(), Error> {
-        check_turns(i)
+        check_turns(i)?;
+        check_start(BetaTwoArgument::eval(&BetaAxes::from(i)).beta)
     }
 }
 
@@ -458,19 +456,3 @@ impl Formula for KeptAxis2d {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }
 }
-
-/// The formulas of this module.
-pub const RULES: &[&dyn crate::catalog::AnyFormula] = &[
-    &Stick,
-    &TurnStick,
-    &Slip,
-    &Kinetic,
-    &Traction,
-    &Joining,
-    &Turns,
-    &Alignment,
-    &KeptAxis,
-    &KeptAxis2d,
-    &IncrementalConstraint2d,
-    &Eliminate2d,
-];

@@ -1,14 +1,11 @@
 //! Evidence for the formulas next door: none beyond what every formula owes.
 
-use super::{
-    Alignment, Eliminate2d, IncrementalConstraint2d, Joining, KeptAxis, KeptAxis2d, Kinetic, Slip, Stick, Traction,
-    TurnStick, Turns,
-};
+use super::{Alignment, Follow, Joining, KeptAxis, KeptAxis2d, Kinetic, Slip, Stick, Traction, Turns};
 use crate::proof::Proved;
 
 impl Proved for Stick {}
 
-impl Proved for TurnStick {}
+impl Proved for Follow {}
 
 impl Proved for Slip {}
 
@@ -25,7 +22,3 @@ impl Proved for Alignment {}
 impl Proved for KeptAxis {}
 
 impl Proved for KeptAxis2d {}
-
-impl Proved for IncrementalConstraint2d {}
-
-impl Proved for Eliminate2d {}

@@ -12,6 +12,6 @@ pub use definition::SlideLine;
 pub use interpolation::Interpolation;
 pub use nodes::Nodes;
 pub(crate) use nodes::check_position;
+pub(crate) use place::Foot;
 pub use place::{ClosestPoint, OverclosureVariation, Place};
 pub use placed::PlacedLine;
-pub(crate) use way::Foot;

@@ -1,9 +1,19 @@
 //! What is known about the closest point of a slide line.
 
-use super::way::Foot;
 use crate::Scalar;
 use arrayvec::ArrayVec;
 use nalgebra::Vector2;
+
+/// Where a closest point is in the material of its line. It stays there when the line is moved, turned or stretched.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Foot<D> {
+    /// The segment or smoothed corner, in order along the line.
+    pub(super) piece: usize,
+    /// The coordinate there, g or t.
+    pub(super) u: D,
+    /// How far past the end of the line: negative before its first node, positive behind its last.
+    pub(super) beyond: D,
+}
 
 /// Where on a slide line a point is closest.
 #[derive(Clone, Copy, Debug, PartialEq)]

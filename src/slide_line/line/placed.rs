@@ -1,9 +1,8 @@
 //! A slide line where its nodes are: the closest point of the whole line.
 
 use super::interpolation::Interpolation;
-use super::place::{ClosestPoint, Place};
+use super::place::{ClosestPoint, Foot, Place};
 use super::tree::{BLUR, Rectangle, Tree};
-use super::way::Foot;
 use crate::Scalar;
 use crate::error::Error;
 use crate::slide_line::closest::{PieceFoot, curved_foot, straight_foot};

@@ -1,7 +1,7 @@
 //! The way along a line from one closest point to another: slip.
 
 use super::interpolation::Interpolation;
-use super::place::ClosestPoint;
+use super::place::{ClosestPoint, Foot};
 use super::placed::{Piece, PlacedLine};
 use crate::Scalar;
 use crate::formula::Formula;
@@ -9,17 +9,6 @@ use crate::slide_line::length;
 use crate::slide_line::shape::{self, LinearCorner, Parabola, ParabolicCorner, Shape};
 use crate::slide_line::{LinearMotion, ParabolicMotion, SlipIncrementLinear, SlipIncrementParabolic};
 use nalgebra::Vector2;
-
-/// Where a closest point is in the material of its line. It stays there when the line is moved, turned or stretched.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Foot<D> {
-    /// The segment or smoothed corner, in order along the line.
-    pub(super) piece: usize,
-    /// The coordinate there, g or t.
-    pub(super) u: D,
-    /// How far past the end of the line: negative before its first node, positive behind its last.
-    pub(super) beyond: D,
-}
 
 /// Parts of a curve that turns back: between the ends of such a part Gauss's rule is right up to the rounding of a double.
 const PARTS: f64 = 24.0;

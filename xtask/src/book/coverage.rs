@@ -21,7 +21,7 @@ pub(crate) struct Directive {
     pub(crate) line: usize,
 }
 
-/// What is wrong with the entries of the book at `root`: see [`faults`].
+/// What is wrong with the entries of the book at `root`, one line a fault.
 ///
 /// # Errors
 /// If a chapter cannot be read.

@@ -65,6 +65,8 @@ const EVIDENCE: &[&str] = &[
     "Jacobian, η",
     "Closed form against AD",
     "AD against differences",
+    "Printed equation",
+    "Its derivative",
     "Laws held",
 ];
 
@@ -92,6 +94,8 @@ fn evidence_row(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
         ("figure", worst(&audit.eta_jacobian)),
         ("figure", gap(&audit.closed_against_ad)),
         ("figure", gap(&audit.ad_against_differences)),
+        ("figure", gap(&audit.equation)),
+        ("figure", gap(&audit.equation_jacobian)),
         ("figure", format!("{held} of {}", audit.laws.len())),
     ])
 }

@@ -255,7 +255,6 @@ fn library() -> Vec<Statement> {
         covered("L94", "E12: the accumulated tangential displacement between node and line.")
             .formulas(&[&slide_line::SlipIncrementLinear, &slide_line::SlipIncrementParabolic])
             .law(&slide_line::SlipIncrementLinear, "a common displacement")
-            .method(PlacedLine::<f64>::slip)
             .test("isl::the_slip_around_a_sharp_corner_does_not_depend_on_the_increments")
             .outputs(&["isl21a/E12", "isl22a/E12"])
             .chapter("slide-line-elements.md#slip"),

@@ -1,0 +1,57 @@
+//! Which triads connectors measure in: that of the first node is required; the second node has it too where none is given.
+
+use crate::scene::json::Reader;
+use crate::scene::kind::{Kind, Origin};
+use crate::scene::model::{Named, SceneNode};
+use std::collections::HashMap;
+
+/// Orientations that nodes without one have from the first node of their connector.
+#[derive(Default)]
+pub(super) struct Inherited {
+    of: HashMap<u32, u32>,
+}
+
+impl Inherited {
+    /// Says what is wrong with the triads of a connector that stands at a place, and notes what its second node has from the
+    /// first.
+    pub(super) fn check(
+        &mut self,
+        reader: &mut Reader,
+        place: usize,
+        kind: &Kind,
+        ends: &[Option<u32>],
+        nodes: &Named<Option<SceneNode>>,
+    ) {
+        let [Some(a), second, ..] = *ends else { return };
+        let Some(first) = nodes[a].filter(|_| kind.reads_triad(0)) else { return };
+        let Some(orientation) = first.orientation else {
+            let found = format!("node a, {:?}, without an orientation", nodes.name(a));
+            reader.fault(place, found, "a node a with an \"orientation\", in whose axes the connector measures");
+            return;
+        };
+        let Some(b) = second.filter(|_| kind.reads_triad(1)) else { return };
+        if nodes[b].is_none_or(|node| node.orientation.is_some()) {
+            return;
+        }
+        if *self.of.entry(b).or_insert(orientation) != orientation {
+            let found = format!(
+                "node b, {:?}, without an orientation, and two connectors that differ in theirs",
+                nodes.name(b)
+            );
+            reader.fault(place, found, "a node b with an \"orientation\" of its own");
+        }
+    }
+
+    /// Gives them to the nodes.
+    pub(super) fn give(&self, number: u32, node: SceneNode) -> SceneNode {
+        SceneNode { orientation: node.orientation.or_else(|| self.of.get(&number).copied()), ..node }
+    }
+}
+
+impl Kind {
+    /// Whether it measures in the triad of a node, by its place.
+    fn reads_triad(&self, node: usize) -> bool {
+        let axes = [0, 1, 2].map(|axis| Origin::Axis(node, axis));
+        self.origins().any(|origin| axes.contains(&origin))
+    }
+}
