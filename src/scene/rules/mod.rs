@@ -405,6 +405,59 @@ impl Formula for KeptAxis {
     }
 }
 
+/// Which coordinates are eliminated.
+pub const AXES: Quantity = Quantity::new(
+    r"(i, j)",
+    Shape::Vec2,
+    Unit::ONE,
+    Domain::Real,
+    "the axes i and j of the eliminated coordinates XMI and XMJ, as 1, 2 or 3",
+);
+
+fields! {
+    /// The line.
+    pub struct LineNodes<T> { x1: Vector3<T> = SLIDER_X1, xn: Vector3<T> = SLIDER_XN }
+}
+fields! {
+    /// The axes that the documented pivots eliminate.
+    pub struct EliminatedAxes<T> { axes: Vector2<T> = AXES }
+}
+
+/// The axes i and j that the documented pivots eliminate, in this state: 1, 2 or 3.
+#[derive(Clone, Copy, Debug)]
+pub struct PivotAxes;
+
+impl Formula for PivotAxes {
+    const SPEC: Spec = Spec {
+        objective: false,
+        ..spec("scene.pivot_axes", "The axes that are eliminated", r"(i, j) \text{ of } x_{m,i}, x_{m,j}")
+    };
+    type Inputs<T: Component> = LineNodes<T>;
+    type Outputs<T: Component> = EliminatedAxes<T>;
+
+    #[inline(always)]
+    fn eval<D: Scalar>(i: &LineNodes<D>) -> EliminatedAxes<D> {
+        let pivots = Pivots::new(&i.x1, &i.xn);
+        EliminatedAxes { axes: Vector2::new(axis_number(pivots.i), axis_number(pivots.j)) }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(_: &LineNodes<D>) -> Jacobian<Self, D> {
+        let zero = Vector3::from_element(D::zero());
+        EliminatedAxes { axes: Vector2::from_element(LineNodes { x1: zero, xn: zero }) }
+    }
+
+    #[inline]
+    fn validate(i: &LineNodes<f64>) -> Result<(), Error> {
+        Error::check_apart(("x1", i.x1), ("xn", i.xn))
+    }
+}
+
+/// An axis counted from 0, as a number from 1.
+fn axis_number<D: Scalar>(axis: usize) -> D {
+    D::from([1.0, 2.0, 3.0][axis])
+}
+
 /// Increment of node m in the plane.
 pub const DXM_PLANE: Quantity = Quantity { shape: Shape::Vec2, ..SLIDER_DXM };
 
@@ -447,4 +500,4 @@ impl Formula for KeptAxis2d {
 
 /// The formulas of this module.
 pub const RULES: &[&dyn crate::catalog::AnyFormula] =
-    &[&Stick, &Follow, &Slip, &Kinetic, &Traction, &Joining, &Turns, &Alignment, &KeptAxis, &KeptAxis2d];
+    &[&Stick, &Follow, &Slip, &Kinetic, &Traction, &Joining, &Turns, &Alignment, &KeptAxis, &KeptAxis2d, &PivotAxes];
