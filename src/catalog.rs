@@ -5,7 +5,7 @@ use crate::formula::{Field, Fields, Formula, Spec, check, entries, value, value_
 use crate::measure::{self, Measurement};
 use crate::proof::{Convention, Flag, Proved};
 use crate::scalar::{abs, sign};
-use crate::verify::{Audit, Kink, Options, Subject, audit, audit_at, exact, golden};
+use crate::verify::{Audit, Kink, Options, Subject, Trial, audit, audit_at, exact, golden};
 use crate::{
     Error, Octuple, align, cardan, coulomb, interaction, join, slide_line, slider, slot, translator, ujoint, universal,
 };
@@ -35,6 +35,8 @@ pub trait AnyFormula: Send + Sync {
     /// # Errors
     /// As [`AnyFormula::value`].
     fn audit_at(&self, components: &[f64]) -> Result<Audit, Error>;
+    /// Points at which an equation can be tried that somebody else wrote.
+    fn trial(&self, options: &Options) -> Trial;
     /// The outputs at input components given in order.
     ///
     /// # Errors
@@ -107,6 +109,9 @@ impl<F: Proved> AnyFormula for F {
     }
     fn audit_at(&self, components: &[f64]) -> Result<Audit, Error> {
         audit_at::<F>(&from_components::<F>(components)?)
+    }
+    fn trial(&self, options: &Options) -> Trial {
+        Trial::of::<F>(options)
     }
     fn value(&self, components: &[f64]) -> Result<Vec<f64>, Error> {
         Ok(value::<F>(&from_components::<F>(components)?)?.components())

@@ -19,6 +19,24 @@ use crate::error::Error;
 use crate::scalar::Scalar;
 use nalgebra::SVector;
 
+/// Symbols that another formula defines: "where α from universal.angles".
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Given {
+    /// The symbols in LaTeX with commas between them, each perhaps a function: `\mathbf{X}(g)`.
+    pub symbols: &'static str,
+    /// The formula whose equation defines them.
+    pub from: &'static Spec,
+}
+
+impl Given {
+    /// Symbols, and the formula whose equation defines them. What that formula takes for its inputs are the symbols of the
+    /// same name in the equation that refers to it.
+    pub const fn new(symbols: &'static str, from: &'static Spec) -> Self {
+        Self { symbols, from }
+    }
+}
+
 /// What is said about a formula, once.
 ///
 /// ```
@@ -40,6 +58,8 @@ pub struct Spec {
     pub source: Source,
     /// The equation in LaTeX.
     pub latex: &'static str,
+    /// Where the symbols of the equation come from that are neither inputs nor defined in it.
+    pub given: &'static [Given],
     /// The stated bound of the backward error η of the value in `f64`, on random and hard cases.
     pub eta: f64,
     /// The stated bound of η of every entry of the closed-form Jacobian in `f64`.
@@ -52,13 +72,19 @@ pub struct Spec {
 impl Spec {
     /// An objective formula; its equation and its bounds follow.
     pub const fn new(id: &'static str, title: &'static str, source: Source) -> Self {
-        Self { id, title, source, latex: "", eta: 0.0, eta_jacobian: 0.0, objective: true }
+        Self { id, title, source, latex: "", given: &[], eta: 0.0, eta_jacobian: 0.0, objective: true }
     }
 
     /// The equation in LaTeX.
     #[must_use]
     pub const fn equation(self, latex: &'static str) -> Self {
         Self { latex, ..self }
+    }
+
+    /// Where the symbols of the equation come from that are neither inputs nor defined in it.
+    #[must_use]
+    pub const fn given(self, given: &'static [Given]) -> Self {
+        Self { given, ..self }
     }
 
     /// The bounds of η: of the value, and of every entry of the Jacobian.

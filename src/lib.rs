@@ -13,6 +13,7 @@
 //! | [`scalar`] | the numbers a formula runs in: `f64`, dual numbers over it, and those of `verify` |
 //! | `proof` | what is said about a formula: cases, kinks, laws, other ways |
 //! | `verify`, `catalog` | the toolkit that proves a formula, yours too; every formula by identifier |
+//! | `equation` | the printed equation, read and executed |
 //! | `measure` | how fast and how wrong every way to compute a formula is |
 //! | `scene` | scene files: parsed, validated, planned, evaluated |
 //!
@@ -22,7 +23,7 @@
 //!
 //! | feature | what it adds |
 //! |---|---|
-//! | `verify` | `Octuple` (237 bits, the exact reference) and `Single`, `proof`, `verify`, `catalog` |
+//! | `verify` | `Octuple` (237 bits, the exact reference) and `Single`, `proof`, `equation`, `verify`, `catalog` |
 //! | `measure` | `measure`, and `verify` with it |
 //! | `scene` | `scene`, and `verify` with it: a scene can show the error of every number |
 //!
@@ -58,6 +59,8 @@ pub mod cardan;
 pub mod catalog;
 pub mod coulomb;
 mod eft;
+#[cfg(feature = "verify")]
+pub mod equation;
 mod error;
 pub mod formula;
 pub mod frame;

@@ -15,7 +15,7 @@ pub use case::{Case, Flag};
 pub(crate) use forward::{Array, from_array, jacobian_of, no_rows, to_array};
 pub use forward::{Jet, value_and_jacobian_by_ad};
 pub use hard::Hard;
-pub use kink::{Convention, Kink};
+pub use kink::{Condition, Convention, Kink};
 pub use law::{Equation, Law};
 pub use way::Way;
 

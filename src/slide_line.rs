@@ -30,8 +30,8 @@ pub use closest::{
     LinearSlave, ParabolicCornerSlave, ParabolicSlave, SegmentFoot,
 };
 pub use corners::{LinearCornerPlace, ParabolicCornerPlace, SmoothedLinearPoint, SmoothedParabolicPoint};
-pub(crate) use line::check_position;
 pub use line::{ClosestPoint, Interpolation, Nodes, OverclosureVariation, Place, PlacedLine, SlideLine};
+pub(crate) use line::{Foot, check_position};
 pub use points::{CurvePoint, LinearPlace, LinearPoint, ParabolicPlace, ParabolicPoint};
 pub use slip::{LinearMotion, ParabolicMotion, Slip, SlipIncrementLinear, SlipIncrementParabolic};
 pub use torque::{LinearPressures, ParabolicPressures, Torque, TorqueLinear, TorqueParabolic};

@@ -78,8 +78,9 @@ trait Fault: Copy + Send + Sync + 'static {
 struct Planted<T>(T);
 
 impl<T: Fault> Formula for Planted<T> {
-    const SPEC: Spec =
-        Spec::new("planted.fault", "Planted fault", Document::SLOT.printed("Friction")).equation("").eta(2.0, 2.0);
+    const SPEC: Spec = Spec::new("planted.fault", "Planted fault", Document::SLOT.printed("Friction"))
+        .equation(r"F_C = \sqrt{f_2^2 + f_3^2}")
+        .eta(2.0, 2.0);
     type Inputs<E: Component> = Inputs<E>;
     type Outputs<E: Component> = Outputs<E>;
     fn eval<D: Scalar>(i: &Inputs<D>) -> Outputs<D> {

@@ -78,6 +78,41 @@ fn areas_add_up_at_shared_nodes() {
     assert_eq!(areas, [PI, 2.0 * PI + 4.0 * PI, 8.0 * PI]);
 }
 
+/// The areas of nodes have the radius of the node; the figures are those of the book.
+#[test]
+fn areas_of_nodes_against_their_integrals() {
+    let errors = |nodes: &[[f64; 2]]| -> Vec<f64> {
+        let places = Nodes::new((1..).zip(nodes.iter().copied())).unwrap();
+        let element = match nodes.len() {
+            2 => IslElement::isl21a(1, [1, 2]).unwrap(),
+            _ => IslElement::isl22a(1, [1, 2, 3]).unwrap(),
+        };
+        let weights = |g: f64| match nodes.len() {
+            2 => vec![0.5 * (1.0 - g), 0.5 * (1.0 + g)],
+            _ => vec![0.5 * g * (g - 1.0), 1.0 - g * g, 0.5 * g * (g + 1.0)],
+        };
+        let point = |g| -> Vector2<f64> { weights(g).iter().zip(nodes).map(|(n, x)| Vector2::from(*x) * *n).sum() };
+        let steps = 4000;
+        let mut integrals = vec![0.0; nodes.len()];
+        for step in 0..steps {
+            let at = |part: f64| -1.0 + 2.0 * (f64::from(step) + part) / f64::from(steps);
+            let band = 2.0 * PI * point(at(0.5)).x * (point(at(1.0)) - point(at(0.0))).norm();
+            integrals.iter_mut().zip(weights(at(0.5))).for_each(|(sum, n)| *sum += n * band);
+        }
+        let areas = element.areas(&places).unwrap();
+        areas.iter().zip(&integrals).map(|(area, integral)| 100.0 * (area / integral - 1.0)).collect()
+    };
+    let expect = |nodes: &[[f64; 2]], percent: &[f64], to: f64| {
+        let found = errors(nodes);
+        assert!(found.iter().zip(percent).all(|(found, percent)| (found - percent).abs() < to), "{found:?}");
+    };
+    expect(&[[1.0, 0.0], [2.0, 0.0]], &[-25.0, 20.0], 1e-4);
+    expect(&[[0.0, 0.0], [1.0, 0.0]], &[-100.0, 50.0], 1e-4);
+    expect(&[[1.0, 0.0], [1.5, 0.5], [2.0, 1.0]], &[0.0, 0.0, 0.0], 1e-4);
+    let (sine, cosine) = (PI / 4.0).sin_cos();
+    expect(&[[1.0, 0.0], [2.0 - cosine, sine], [2.0, 1.0]], &[19.0, -9.15, 14.0], 0.05);
+}
+
 #[test]
 fn hard_contact_presses_only_when_closed() {
     let contact = flat(Interaction::default());
@@ -128,26 +163,115 @@ fn friction_sticks_slips_and_returns() {
 }
 
 #[test]
-fn the_slip_is_the_formula_and_a_common_motion_is_none() {
+fn the_slip_is_the_way_along_the_line_and_a_common_motion_is_none() {
     let contact = flat(Interaction::linear(100.0).unwrap().with_friction(0.5, 40.0).unwrap());
     let start = contact.start(ring(2.0, -0.25)).unwrap();
     let places = [(1, [1.5, 0.0]), (2, [5.25, 0.5]), (3, [2.5, 0.0]), (4, [3.5, 0.25])];
     let state = contact.advance(&start, Nodes::new(places).unwrap(), &second()).unwrap();
     let node = state.node(3).unwrap();
     let Place::Segment { g, .. } = node.closest.place else { panic!() };
-    let motion = LinearMotion {
-        x1: Vector2::new(1.5, 0.0),
-        x2: Vector2::new(5.25, 0.5),
-        g,
-        dxs: Vector2::new(0.5, 0.25),
-        dx1: Vector2::new(0.5, 0.0),
-        dx2: Vector2::new(0.25, 0.5),
-    };
+    // It was at g = -0.5. The line is now stretched and turned; the formula says what the way from there is.
+    let (x1, x2) = (Vector2::new(1.5, 0.0), Vector2::new(5.25, 0.5));
+    let zero = Vector2::zeros();
+    let motion = LinearMotion { x1, x2, g, dxs: (x2 - x1) * (0.5 * (g + 0.5)), dx1: zero, dx2: zero };
     assert_eq!(node.e12, value::<SlipIncrementLinear>(&motion).unwrap().dslip);
 
     let carried = [(1, [65.0, 3.0]), (2, [69.0, 3.0]), (3, [66.0, 2.75]), (4, [67.0, 2.75])];
     let state = contact.advance(&start, Nodes::new(carried).unwrap(), &second()).unwrap();
     assert_eq!((state.node(3).unwrap().e12, state.node(3).unwrap().s12), (0.0, 0.0));
+}
+
+/// A sharp corner of 90° at (2, 2), node 2, on a line that comes along the axis of r and turns to the left or right; beside it
+/// the element 4, 5, of which node 4 is moved.
+fn around(turn: f64, increments: u32, way: impl Fn(f64) -> [f64; 2]) -> f64 {
+    let line = SlideLine::new(Interpolation::Linear, [1, 2, 3]).unwrap();
+    let elements = ElementSet::new("ring", [IslElement::isl21a(10, [4, 5]).unwrap()]).unwrap();
+    let contact = Contact::new(line, elements, Interaction::default());
+    let places = |part: f64| {
+        let master = [(1, [1.0, 2.0]), (2, [2.0, 2.0]), (3, [2.0, 2.0 + turn])];
+        Nodes::new(master.into_iter().chain([(4, way(part)), (5, [1.0, 2.5])])).unwrap()
+    };
+    let mut state = contact.start(places(0.0)).unwrap();
+    for increment in 1..=increments {
+        state = contact.advance(&state, places(f64::from(increment) / f64::from(increments)), &second()).unwrap();
+    }
+    state.node(4).unwrap().e12
+}
+
+#[test]
+fn the_slip_around_a_sharp_corner_does_not_depend_on_the_increments() {
+    for turn in [-1.0, 1.0] {
+        for increments in [1, 3, 9] {
+            let way = |part: f64| [2.0 - (0.5 - part).max(0.0), 2.0 + turn * (part - 0.5).max(0.0)];
+            let slip = around(turn, increments, way);
+            assert!((slip - 1.0).abs() < 1e-15, "{slip} in {increments}");
+        }
+    }
+}
+
+/// What counts is where the closest point is: a node that circles a corner at a distance does not move along the line.
+#[test]
+fn a_node_that_circles_a_corner_does_not_slip() {
+    for increments in [1, 3, 9] {
+        let circle = |part: f64| [2.0 + 0.25 * (part * PI / 2.0).sin(), 2.0 + 0.25 * (part * PI / 2.0).cos()];
+        assert_eq!(around(-1.0, increments, circle), 0.0, "in {increments}");
+    }
+}
+
+#[test]
+fn stretch_and_rotation_of_the_line_are_no_slip() {
+    let contact = flat(Interaction::default());
+    let start = contact.start(ring(2.0, 0.25)).unwrap();
+    // Node 3 stays with the material a quarter along the line, which is stretched by half.
+    let stretched = [(1, [1.0, 0.0]), (2, [7.0, 0.0]), (3, [2.5, 0.25]), (4, [3.0, 0.25])];
+    let state = contact.advance(&start, Nodes::new(stretched).unwrap(), &second()).unwrap();
+    assert_eq!(state.node(3).unwrap().e12, 0.0);
+    // All turned together by 90° about (3, 0), with the node above the line.
+    let turned = [(1, [3.0, -2.0]), (2, [3.0, 2.0]), (3, [2.75, -1.0]), (4, [2.75, 0.0])];
+    let state = contact.advance(&start, Nodes::new(turned).unwrap(), &second()).unwrap();
+    assert_eq!([3, 4].map(|node| state.node(node).unwrap().e12), [0.0, 0.0]);
+}
+
+/// On curves the way is that of a fine polyline, in one increment as in many.
+#[test]
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a number from 0 to 3")]
+fn the_slip_on_curves_is_the_length_of_the_way() {
+    let master = [[1.0, 2.0], [2.0, 1.25], [3.0, 1.0], [4.0, 1.5], [5.0, 2.5]];
+    let nodes = Nodes::new((1..).zip(master)).unwrap();
+    for (interpolation, smoothing) in [
+        (Interpolation::Linear, 0.2),
+        (Interpolation::Linear, 0.45),
+        (Interpolation::Parabolic, 0.2),
+        (Interpolation::Parabolic, 0.45),
+    ] {
+        let line = SlideLine::generate(interpolation, 1, 5, 1).unwrap().smoothed(smoothing).unwrap();
+        let placed = line.place(&nodes).unwrap();
+        // Near the line, so that the closest point does not jump.
+        let slave = |part: f64| -> Vector2<f64> {
+            let between = 0.25 + 3.5 * part;
+            let [a, b] = [0, 1].map(|next| Vector2::from(master[between.floor() as usize + next]));
+            a + (b - a) * between.fract() + Vector2::new(0.0, 0.02)
+        };
+        let at = |part: f64| placed.closest(slave(part)).unwrap();
+        let foot = |part: f64| {
+            let closest = at(part);
+            slave(part) - closest.normal * closest.separation
+        };
+        let whole = placed.slip(&at(0.0), &at(1.0));
+        let steps = 7;
+        let part = |step: i32| f64::from(step) / f64::from(steps);
+        let added: f64 = (0..steps).map(|step| placed.slip(&at(part(step)), &at(part(step + 1)))).sum();
+        assert!((whole - added).abs() < 1e-14, "{interpolation:?} {smoothing}: {whole} {added}");
+        assert_eq!(placed.slip(&at(1.0), &at(0.0)), -whole);
+        let chords = |count: i32| -> f64 {
+            let part = |step: i32| f64::from(step) / f64::from(count);
+            (0..count).map(|step| (foot(part(step + 1)) - foot(part(step))).norm()).sum()
+        };
+        // Chords are short by the square of their length; Richardson's step takes that away.
+        let [coarse, fine] = [chords(2000), chords(4000)];
+        let length = fine + (fine - coarse) / 3.0;
+        assert!((whole - length).abs() < 1e-7, "{interpolation:?} {smoothing}: {whole} {length}");
+    }
 }
 
 #[test]

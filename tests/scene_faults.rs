@@ -56,7 +56,6 @@ fn every_mistake_is_reported_with_its_place() {
         "elements.\"s 3\" (line 12, column 12): an element without \"kind\"; allowed is one of slot, translator, ujoint, slider",
         "elements.\"s 4\".nodes (line 13, column 45): an array of 1; allowed is an array of 2 nodes: a, b",
         "elements.\"s 4\".mu (line 13, column 58): 1e400, which no double can hold; allowed is a finite number ≥ 0",
-        "elements (line 20, column 40): output \"ALPHA\", which no element here has; allowed is an output of one of the elements",
         "frames[0].loads.\"s 1\".f9 (line 16, column 38): unknown key \"f9\"; allowed is one of f1, f2, f3",
         "frames[0].loads.\"s 1\".f1 (line 16, column 53): null; allowed is a finite number",
         "frames[1].time (line 17, column 15): 0.0; allowed is a time after the last frame's, 0.0",
@@ -175,6 +174,76 @@ fn what_refers_to_a_faulty_element_or_node_is_not_another_fault() {
     let places = ["nodes.a.at (", "elements.s.kind (", "elements.t.mu ("];
     assert!(found.iter().zip(places).all(|(found, place)| found.starts_with(place)), "{found:#?}");
     assert_eq!(found.len(), places.len(), "{found:#?}");
+}
+
+#[test]
+fn an_output_that_no_element_has_is_a_fault() {
+    let found = faults(
+        r#"{"dimension": "3d", "nodes": {"a": {"at": [0, 0, 0]}, "b": {"at": [1, 0, 0]}},
+        "elements": {"s": {"kind": "slot", "nodes": ["a", "b"]}}, "outputs": ["U1", "ALPHA"]}"#,
+    );
+    let expected = "elements (line 2, column 85): output \"ALPHA\", which no element here has; \
+        allowed is an output of one of the elements";
+    assert_eq!(found, [expected]);
+}
+
+#[test]
+fn an_element_of_an_unknown_kind_is_one_fault() {
+    let connector = r#"{"dimension": "3d", "nodes": {"a": {"at": [0, 0, 0]}, "b": {"at": [1, 0, 0]}},
+        "elements": {"s": {"kind": "slott", "nodes": ["a", "b"]}}, "outputs": ["U1"],
+        "frames": [{"time": 0, "loads": {"s": {"f2": 1}}}]}"#;
+    let sliding = r#"{"dimension": "axisymmetric", "nodes": {"a": {"at": [1, 0]}, "b": {"at": [5, 0]}},
+        "slide_lines": {"l": {"type": "linear", "nodes": ["a", "b"]}},
+        "elements": {"s": {"kind": "isl21", "nodes": ["a", "b"], "slide_line": "l"}}, "outputs": ["E11"],
+        "frames": [{"time": 0, "pressures": {"a": 1}}]}"#;
+    for text in [connector, sliding] {
+        let found = faults(text);
+        assert!(found.len() == 1 && found[0].starts_with("elements.s.kind ("), "{found:#?}");
+    }
+}
+
+/// Nothing that would refer to what is not there is another fault.
+#[test]
+fn a_part_that_is_missing_or_no_object_is_one_fault() {
+    let thread = include_str!("../golden/scenes/thread.json");
+    for (key, part) in [("nodes", 0), ("elements", 0), ("nodes", 1), ("slide_lines", 1), ("elements", 1)] {
+        let mut scene: serde_json::Value = serde_json::from_str(thread).unwrap();
+        let parts = scene.as_object_mut().unwrap();
+        let whole = parts.remove(key).unwrap();
+        let (name, value) = if part == 0 { (format!("{key}s"), whole) } else { (key.into(), serde_json::json!([])) };
+        parts.insert(name, value);
+        let found = faults(&scene.to_string());
+        // A key that is misspelt is unknown, and the right one is missing.
+        assert_eq!(found.len(), 2 - part, "{key}: {found:#?}");
+        assert!(found.iter().all(|fault| fault.contains(key)), "{found:#?}");
+    }
+}
+
+#[test]
+fn an_element_between_a_node_and_itself_is_refused() {
+    for kind in Kind::all() {
+        let at = if kind.dimension.coordinates() == 3 { "[1, 2, 3]" } else { "[1, 2]" };
+        let ends = vec!["\"car\""; kind.nodes.len()].join(", ");
+        let lines = if kind.slides() {
+            (r#""slide_lines": {"l": {"type": "linear", "nodes": ["p", "q"]}}, "#, r#", "slide_line": "l""#)
+        } else {
+            ("", "")
+        };
+        let found = faults(&format!(
+            r#"{{"dimension": "{}", "nodes": {{"car": {{"at": {at}}}, "p": {{"at": {at}}}, "q": {{"at": {at}}}}}, {}
+            "elements": {{"e": {{"kind": "{}", "nodes": [{ends}]{}}}}}}}"#,
+            kind.dimension.name(),
+            lines.0,
+            kind.name,
+            lines.1
+        ));
+        let twice = "node \"car\" for the second time; allowed is different nodes";
+        assert_eq!(found.len(), kind.nodes.len() - 1, "{kind:?}: {found:#?}");
+        assert!(
+            found.iter().all(|fault| fault.starts_with("elements.e.nodes (") && fault.ends_with(twice)),
+            "{found:#?}"
+        );
+    }
 }
 
 /// Every output of every kind can be planned and evaluated, alone and all together.

@@ -273,8 +273,8 @@ fn what_ran_is_counted_where_it_runs() {
 fn an_element_that_has_a_node_twice_is_refused() {
     let text = ring(1.0, RUBBING, ALL).replace(r#"["m", "n", "o"]"#, r#"["m", "n", "m"]"#);
     let faults = Scene::parse(&text).unwrap_err().to_string();
-    let expected = ": an element that has a node twice; allowed is different nodes";
-    assert!(faults.starts_with("elements.ring (line ") && faults.ends_with(expected), "{faults}");
+    let expected = ": node \"m\" for the second time; allowed is different nodes";
+    assert!(faults.starts_with("elements.ring.nodes (line ") && faults.ends_with(expected), "{faults}");
 }
 
 #[test]

@@ -71,8 +71,8 @@ fn no_third_axis_in_the_plane() {
         assert_eq!(results.get("e", "FC", 0), Some(&[3.0][..]), "{outputs}");
     }
     let error = Scene::parse(
-        r#"{"dimension": "2d", "orientations": {"o": {"angle": 0}}, "nodes": {"a": {"at": [0, 0], "orientation": "o"}}, "elements":
-        {"e": {"kind": "slot", "nodes": ["a", "a"]}}, "frames": [{"time": 0, "loads": {"e": {"f3": 1}}}]}"#,
+        r#"{"dimension": "2d", "orientations": {"o": {"angle": 0}}, "nodes": {"a": {"at": [0, 0], "orientation": "o"}, "b": {"at": [0, 0]}},
+        "elements": {"e": {"kind": "slot", "nodes": ["a", "b"]}}, "frames": [{"time": 0, "loads": {"e": {"f3": 1}}}]}"#,
     );
     assert!(error.unwrap_err().to_string().contains("unknown key \"f3\"; allowed is one of f1, f2"));
 }

@@ -6,7 +6,7 @@ mod proof;
 use crate::cardan::{Angles, CardanAngles, Oriented, Triads};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Formula, Jacobian, Spec, along};
+use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Spec, along};
 use crate::quantity::{ALPHA0, BETA0, E1A, E1B, E2A, E2B, E3A, E3B, GAMMA0, M1, M2, M3, MOMENT, UR1, UR2, UR3};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
@@ -63,6 +63,7 @@ impl Formula for Constraint {
             .ours("Description", "the page of ALIGN was not given; the angles are held at their initial values"),
     )
     .equation(r"u_{r1} = \alpha - \alpha_0,\quad u_{r2} = \beta - \beta_0,\quad u_{r3} = \gamma - \gamma_0")
+    .given(&[Given::new(r"\alpha,\ \beta,\ \gamma", &CardanAngles::SPEC)])
     .eta(2.0, 4.0);
     type Inputs<T: Component> = Orientations<T>;
     type Outputs<T: Component> = Misalignment<T>;

@@ -115,8 +115,10 @@ impl Contact {
     /// The state at the end of an increment that began in the state `before`; the nodes are now at `places`.
     ///
     /// A solver that tries several places for the end of one increment calls this with the same `before` each time.
-    /// Slip and closing rate come from the displacements of the nodes, at the closest point where the increment ends. At a
-    /// slave node past an end of the line nothing is transmitted.
+    /// Slip is the way of the closest point along the line where the increment ends
+    /// ([`PlacedLine::slip`](crate::slide_line::PlacedLine::slip)), so that it does not depend on how far the increments go; the
+    /// closing rate comes from the displacements of the nodes, at the closest point there. At a slave node past an end of the
+    /// line nothing is transmitted.
     ///
     /// # Errors
     /// As [`Self::start`]; [`Error::Node`] where the increment names a pressure for a node that is not a slave.
@@ -148,7 +150,7 @@ impl Contact {
             let slave = Slave { node, wanted: Wanted::ALL };
             let closest = placed.advance(&mut state, slave, multiplier, step, &mut tally);
             let closest = closest.map_err(|failure| failure.error)?;
-            let SlaveState { e11, e12, s11, s12 } = state;
+            let SlaveState { e11, e12, s11, s12, .. } = state;
             Ok((node, SlaveNode { closest, area, e11, e12, s11, s12 }))
         };
         self.areas(step.places)?.into_iter().map(slave).collect()

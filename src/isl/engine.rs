@@ -9,7 +9,7 @@ use super::element::IslElement;
 use super::interaction::Interaction;
 use crate::Scalar;
 use crate::error::Error;
-use crate::slide_line::{ClosestPoint, Place, PlacedLine, SlideLine, check_position};
+use crate::slide_line::{ClosestPoint, Foot, Place, PlacedLine, SlideLine, check_position};
 use arrayvec::ArrayVec;
 use nalgebra::Vector2;
 
@@ -74,12 +74,14 @@ pub(crate) struct SlaveState<D> {
     pub(crate) e12: D,
     pub(crate) s11: D,
     pub(crate) s12: D,
+    /// The place on the line from which slip goes on; none before the analysis.
+    pub(crate) foot: Option<Foot<D>>,
 }
 
 impl<D: Scalar> SlaveState<D> {
     /// Before the analysis.
     pub(crate) fn at_rest() -> Self {
-        Self { e11: D::zero(), e12: D::zero(), s11: D::zero(), s12: D::zero() }
+        Self { e11: D::zero(), e12: D::zero(), s11: D::zero(), s12: D::zero(), foot: None }
     }
 
     /// The pressure as far as it pushes: what pulls transmits no friction.
@@ -179,8 +181,8 @@ pub(crate) struct PlacedSurface<'s, D> {
 impl<D: Scalar> PlacedSurface<'_, D> {
     /// The state of a slave node at the end of an increment; `multiplier` is its pressure of hard contact.
     ///
-    /// Slip and closing rate come from the displacements of the nodes, at the closest point where the increment ends. Past an
-    /// end of the line nothing is transmitted.
+    /// Slip is the way of the closest point along the line where the increment ends; the closing rate comes from the
+    /// displacements of the nodes, at the closest point there. Past an end of the line nothing is transmitted.
     pub(crate) fn advance(
         &self,
         state: &mut SlaveState<D>,
@@ -202,9 +204,14 @@ impl<D: Scalar> PlacedSurface<'_, D> {
         if needs(Stage::Slip) || needs(Stage::Damping) {
             let (dxs, dx) = displacements(node, &closest, motion).map_err(fail(search))?;
             if needs(Stage::Slip) {
+                let from = match state.foot {
+                    Some(foot) => foot,
+                    None => self.first_foot(xs, &closest, dxs, &dx, tally).map_err(fail(search))?,
+                };
                 let formula = line.slip_formula();
-                tally.add(formula, 1);
-                slip = self.line.slip_increment(&closest, dxs, &dx);
+                tally.add(formula, PlacedLine::passed(&from, &closest.foot));
+                slip = self.line.way(&from, &closest.foot);
+                state.foot = Some(closest.foot);
                 state.e12 = finite("e12", state.e12 + slip).map_err(fail(formula))?;
             }
             if let Some(duration) = motion.duration() {
@@ -223,6 +230,26 @@ impl<D: Scalar> PlacedSurface<'_, D> {
             state.s12 = finite("s12", interaction.shear(state.s12, slip, state.s11)).map_err(fail(formula))?;
         }
         Ok(closest)
+    }
+}
+
+impl<D: Scalar> PlacedSurface<'_, D> {
+    /// Where a slave node was on the line that has no place there yet: the motion relative to the line is taken back.
+    fn first_foot(
+        &self,
+        xs: Vector2<D>,
+        closest: &ClosestPoint<D>,
+        dxs: Vector2<D>,
+        dx: &[Vector2<D>],
+        tally: &mut Tally,
+    ) -> Result<Foot<D>, Error> {
+        let motion = closest.relative_motion(dxs, dx);
+        if motion == Vector2::zeros() {
+            return Ok(closest.foot);
+        }
+        let was = self.line.closest(xs - motion)?;
+        tally.add(self.surface.line.closest_formula(), was.evaluated);
+        Ok(was.foot)
     }
 }
 

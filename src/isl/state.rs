@@ -27,7 +27,7 @@ pub struct SlaveNode<D = f64> {
 impl<D: Scalar> SlaveNode<D> {
     /// What the engine goes on from.
     pub(super) fn engine_state(&self) -> SlaveState<D> {
-        SlaveState { e11: self.e11, e12: self.e12, s11: self.s11, s12: self.s12 }
+        SlaveState { e11: self.e11, e12: self.e12, s11: self.s11, s12: self.s12, foot: Some(self.closest.foot) }
     }
 
     /// The force on the slave node, in the axes (r, z): A (S11 n − S12 t).

@@ -48,8 +48,8 @@ impl Pace {
     }
 
     /// There are many hard points; each takes a short turn now and then.
-    fn at_one_point(self) -> Self {
-        Self { points: 1, turn_ns: self.turn_ns / 8.0, every: 4, ..self }
+    fn short(self) -> Self {
+        Self { turn_ns: self.turn_ns / 8.0, every: 4, ..self }
     }
 }
 
@@ -91,8 +91,9 @@ fn of_way(way: &Way, points: &Points, pace: Pace) -> Vec<Contestant> {
         contestants.push(Contestant::new(task, (kernel.runner)(&points.random), pace));
         if AT_HARD_POINTS.contains(&way.id) {
             contestants.extend(points.hard.iter().enumerate().map(|(k, point)| {
-                let run = (kernel.runner)(std::slice::from_ref(&point.inputs));
-                Contestant::new(Task { hard: Some(k), ..task }, run, pace.at_one_point())
+                // The same loop as over random points, whose every point is this one.
+                let run = (kernel.runner)(&vec![point.inputs.clone(); pace.points]);
+                Contestant::new(Task { hard: Some(k), ..task }, run, pace.short())
             }));
         }
     }
@@ -113,7 +114,7 @@ impl Contestant {
         contestant.calls = whole(turn_ns / call);
         if contestant.points == 1 {
             contestant.points = whole(turn_ns / call).min(all);
-            contestant.calls = whole(turn_ns / call / number(contestant.points));
+            contestant.calls = 1;
         }
         // A turn that is long even with one evaluation comes less often, but never fewer than five times.
         let long = whole(one / turn_ns / 4.0);

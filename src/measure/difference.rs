@@ -1,10 +1,7 @@
 //! Jacobians by differences in `f64`, as a program without derivatives computes them.
 
-use super::exact::Points;
-use super::ways::jacobian_errors;
-use super::{Curve, Options, Step};
 use crate::formula::{Fields, Formula, ValueAndJacobian};
-use crate::proof::{Array, Way, from_array, jacobian_of, no_rows, to_array};
+use crate::proof::{Array, from_array, jacobian_of, no_rows, to_array};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -117,16 +114,6 @@ fn combine<F: Formula, const N: usize>(
         *result = function(parts.each_ref().map(|part| part.as_ref()[k]));
     }
     result
-}
-
-/// The error of a scheme over its step, from 1e-2 to 1e-16; `way` makes the way with a step.
-pub(super) fn curve(scheme: Scheme, way: &dyn Fn(Scheme, f64) -> Way, points: &Points, options: &Options) -> Curve {
-    let per_decade = options.steps_per_decade.max(1);
-    let steps = (0..=14 * per_decade).map(|n| {
-        let step = 10.0_f64.powf(-2.0 - f64::from(n) / f64::from(per_decade));
-        Step { step, errors: jacobian_errors(&way(scheme, step), &points.random) }
-    });
-    Curve { scheme, steps: steps.collect() }
 }
 
 #[cfg(test)]

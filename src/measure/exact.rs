@@ -1,9 +1,10 @@
 //! The points at which errors are found, with the exact value and Jacobian there.
 
+use super::options::random;
 use super::{Errors, Options};
 use crate::Octuple;
 use crate::proof::{Convention, Flag};
-use crate::verify::{Sampler, Sensitivity, Subject, U, beside_kinks, eta, exact, relative};
+use crate::verify::{Sensitivity, Subject, U, beside_kinks, eta, exact, relative};
 use num_traits::Signed;
 
 /// Random and hard points of a formula.
@@ -41,12 +42,6 @@ impl HardPoint {
     pub(super) fn is_ordinary(&self) -> bool {
         self.inputs.iter().all(|x| *x == 0.0 || (1e-100..=1e100).contains(&x.abs()))
     }
-}
-
-/// The first random inputs of a seed.
-pub(super) fn random(subject: &Subject, seed: u64, count: usize) -> Vec<Vec<f64>> {
-    let mut sampler = Sampler::for_formula(subject.spec.id, seed);
-    (0..count).map(|_| sampler.components(subject)).collect()
 }
 
 /// A point, and what is right there.

@@ -29,52 +29,17 @@ mod clock;
 mod difference;
 mod exact;
 mod figures;
+mod options;
 mod quantile;
 mod ways;
 
 pub use difference::Scheme;
 pub use figures::{Curve, Errors, Figures, Measurement, PointTime, Quantiles, Step, Time, WayFigures};
+pub use options::Options;
 
 use crate::formula::Fields;
 use crate::proof::Proved;
 use crate::verify::Subject;
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-/// How much to measure.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Options {
-    /// Seed of the random points.
-    pub seed: u64,
-    /// Random points at which errors are found.
-    pub random_points: usize,
-    /// Random points over which time is taken; the first of the same sequence.
-    pub timing_points: usize,
-    /// Steps a decade in the sweep of differences from 1e-2 to 1e-16.
-    pub steps_per_decade: u32,
-    /// How often each way is timed, all ways taking turns.
-    pub rounds: usize,
-    /// How long one turn lasts, in nanoseconds.
-    pub turn_ns: f64,
-}
-
-impl Options {
-    /// About a tenth of a second for a formula.
-    pub const fn quick() -> Self {
-        Self { seed: 1, random_points: 50, timing_points: 128, steps_per_decade: 2, rounds: 61, turn_ns: 60e3 }
-    }
-
-    /// Some seconds for a formula.
-    pub const fn full() -> Self {
-        Self { seed: 1, random_points: 1000, timing_points: 128, steps_per_decade: 4, rounds: 301, turn_ns: 300e3 }
-    }
-
-    /// The points over which time is taken, by components.
-    pub fn timing_inputs<F: Proved>(&self) -> Vec<Vec<f64>> {
-        exact::random(&Subject::of::<F>(), self.seed, self.timing_points)
-    }
-}
 
 /// Measures one formula: its errors, then its times.
 pub fn measure<F: Proved>(options: &Options) -> Measurement {
@@ -86,7 +51,7 @@ pub fn measure<F: Proved>(options: &Options) -> Measurement {
 /// The errors of every way; times are still missing.
 pub fn errors<F: Proved>(options: &Options) -> Measurement {
     let points = exact::Points::new(&Subject::of::<F>(), options);
-    let curves = Scheme::ALL.map(|scheme| difference::curve(scheme, &ways::differences::<F>, &points, options));
+    let curves = Scheme::ALL.map(|scheme| ways::curve(scheme, &ways::differences::<F>, &points, options));
     let ways = ways::all::<F>(&curves).iter().map(|way| ways::errors(way, &points)).collect();
     Measurement {
         formula: F::SPEC.id.into(),

@@ -1,7 +1,7 @@
 //! Every way to compute a formula: the closed form in several numbers, derivatives by other means, and its own.
 
 use super::exact::{self, Exact, Point, Points};
-use super::{Curve, Errors, Figures, Scheme, WayFigures};
+use super::{Curve, Errors, Figures, Options, Scheme, Step, WayFigures};
 use crate::formula::{Fields, entries, typed, value, value_and_jacobian};
 use crate::proof::way::Kernel;
 use crate::proof::{Proved, Way, value_and_jacobian_by_ad};
@@ -36,9 +36,19 @@ pub(super) fn errors(way: &Way, points: &Points) -> WayFigures {
 }
 
 /// The errors of a way's Jacobian at these points.
-pub(super) fn jacobian_errors(way: &Way, points: &[Point]) -> Errors {
+fn jacobian_errors(way: &Way, points: &[Point]) -> Errors {
     let errors = |kernel: &Kernel| errors_of(kernel, points, |point| point.jacobian.as_ref());
     way.jacobian.as_ref().map_or_else(|| Errors::of([]), errors)
+}
+
+/// The error of a scheme over its step, from 1e-2 to 1e-16; `way` makes the way with a step.
+pub(super) fn curve(scheme: Scheme, way: &dyn Fn(Scheme, f64) -> Way, points: &Points, options: &Options) -> Curve {
+    let per_decade = options.steps_per_decade.max(1);
+    let steps = (0..=14 * per_decade).map(|n| {
+        let step = 10.0_f64.powf(-2.0 - f64::from(n) / f64::from(per_decade));
+        Step { step, errors: jacobian_errors(&way(scheme, step), &points.random) }
+    });
+    Curve { scheme, steps: steps.collect() }
 }
 
 fn errors_of(kernel: &Kernel, points: &[Point], exact: fn(&Point) -> Option<&Vec<Exact>>) -> Errors {

@@ -14,7 +14,10 @@ pub enum Convention {
     Cut,
 }
 
-/// Whether inputs, exact in 237 bits, are on a kink.
+/// A condition on inputs that are exact in 237 bits.
+pub type Condition<F> = Box<dyn Fn(&<F as Formula>::Inputs<Octuple>) -> bool>;
+
+/// As [`Condition`], of what captures nothing.
 type Holds<F> = fn(&<F as Formula>::Inputs<Octuple>) -> bool;
 
 /// Picks inputs from those that hold the places of their components.
@@ -28,7 +31,7 @@ pub struct Kink<F: Formula> {
     /// What is done there.
     pub convention: Convention,
     /// Whether inputs, exact in 237 bits, are on the kink.
-    pub holds: Box<dyn Fn(&F::Inputs<Octuple>) -> bool>,
+    pub holds: Condition<F>,
     /// A point on the kink.
     pub at: F::Inputs<f64>,
     /// A direction that crosses it.
@@ -93,7 +96,9 @@ impl<F: Formula> Kink<F> {
         let vanish = inputs(&typed(&places));
         let mut at = near.components();
         let mut across = vec![0.0; at.len()];
-        vanish.iter().for_each(|&place| at[place] = 0.0);
+        for place in vanish {
+            at[place] = 0.0;
+        }
         across[vanish[0]] = 1.0;
         let symbols = vanish.map(|place| symbol::<F>(place));
         let holds = move |i: &F::Inputs<Octuple>| {

@@ -5,9 +5,10 @@ mod proof;
 
 use super::basis::length_and_tangent;
 use super::check_radii;
+use super::points::ParabolicPoint;
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Given, Jacobian, Source, Spec};
 use crate::quantity::{A1, A2, A3, X1, X2, X3};
 use crate::scalar::{Scalar, pi};
 use nalgebra::Vector2;
@@ -32,7 +33,7 @@ pub struct ContactAreaLinear;
 
 impl Formula for ContactAreaLinear {
     const SPEC: Spec = Spec::new("slide_line.contact_area_linear", "Contact areas of ISL21A", SOURCE)
-        .equation(r"A_i = 2\pi r_i\,\tfrac{\ell}{2},\quad \ell = \lvert\mathbf{x}_2-\mathbf{x}_1\rvert")
+        .equation(r"A_i = 2\pi r_i\,\tfrac{\ell}{2},\quad r_i = x_{i,1}\quad (i = 1, 2),\quad \ell = \lvert\mathbf{x}_2-\mathbf{x}_1\rvert")
         .eta(3.0, 4.0)
         .not_objective();
     type Inputs<T: Component> = LinearNodes<T>;
@@ -83,7 +84,8 @@ fn lengths<D: Scalar>(i: &ParabolicNodes<D>) -> [(D, Vector2<D>); 3] {
 
 impl Formula for ContactAreaParabolic {
     const SPEC: Spec = Spec::new("slide_line.contact_area_parabolic", "Contact areas of ISL22A", SOURCE)
-        .equation(r"A_i = 2\pi r_i\,w_i\,\lvert\mathbf{X}'(g_i)\rvert,\quad w = \tfrac13, \tfrac43, \tfrac13\ \text{at}\ g = -1, 0, 1")
+        .equation(r"A_i = 2\pi r_i\,w_i\,\lvert\mathbf{X}'(g_i)\rvert,\quad r_i = x_{i,1}\quad (i = 1, 2, 3),\quad (w_1, w_2, w_3) = (\tfrac13, \tfrac43, \tfrac13),\quad (g_1, g_2, g_3) = (-1, 0, 1)")
+.given(&[Given::new(r"\mathbf{X}'(g)", &ParabolicPoint::SPEC)])
         .eta(3.0, 6.0)
         .not_objective();
     type Inputs<T: Component> = ParabolicNodes<T>;

@@ -73,7 +73,7 @@ impl Formula for ParabolicPoint {
             "the section says second-order segments; the shape functions are the usual ones",
         ),
     )
-    .equation(r"\mathbf{X} = \tfrac12 g(g-1)\,\mathbf{x}_1 + (1-g^2)\,\mathbf{x}_2 + \tfrac12 g(g+1)\,\mathbf{x}_3")
+    .equation(r"\begin{aligned} \mathbf{X} &= \tfrac12 g(g-1)\,\mathbf{x}_1 + (1-g^2)\,\mathbf{x}_2 + \tfrac12 g(g+1)\,\mathbf{x}_3, \\ \mathbf{X}' &= (g-\tfrac12)\,\mathbf{x}_1 - 2g\,\mathbf{x}_2 + (g+\tfrac12)\,\mathbf{x}_3 \end{aligned}")
     .eta(3.0, 3.0);
     type Inputs<T: Component> = ParabolicPlace<T>;
     type Outputs<T: Component> = CurvePoint<T>;

@@ -4,9 +4,10 @@
 mod proof;
 
 use super::basis::length_and_tangent;
+use super::points::ParabolicPoint;
 use super::{check_radii, length};
 use crate::error::Error;
-use crate::formula::{Component, Document, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Given, Jacobian, Source, Spec};
 use crate::quantity::{P1, P2, P3, TORQUE, X1, X2, X3};
 use crate::scalar::{Leaf, Scalar, pi};
 use crate::{fields, scalar};
@@ -34,7 +35,7 @@ pub struct TorqueLinear;
 
 impl Formula for TorqueLinear {
     const SPEC: Spec = Spec::new("slide_line.torque_linear", "Torque over ISL21A", SOURCE)
-        .equation(r"T = 2\pi\ell\left[p_1\Bigl(\tfrac{r_1^2}{4}+\tfrac{r_1 r_2}{6}+\tfrac{r_2^2}{12}\Bigr) + p_2\Bigl(\tfrac{r_1^2}{12}+\tfrac{r_1 r_2}{6}+\tfrac{r_2^2}{4}\Bigr)\right]")
+        .equation(r"T = 2\pi\ell\left[p_1\Bigl(\tfrac{r_1^2}{4}+\tfrac{r_1 r_2}{6}+\tfrac{r_2^2}{12}\Bigr) + p_2\Bigl(\tfrac{r_1^2}{12}+\tfrac{r_1 r_2}{6}+\tfrac{r_2^2}{4}\Bigr)\right],\quad r_i = x_{i,1}\quad (i = 1, 2),\quad \ell = \lvert\mathbf{x}_2-\mathbf{x}_1\rvert")
         .eta(3.0, 8.0)
         .not_objective();
     type Inputs<T: Component> = LinearPressures<T>;
@@ -181,7 +182,10 @@ fn rule<D: Scalar>(row: usize) -> [D; 5] {
 
 impl Formula for TorqueParabolic {
     const SPEC: Spec = Spec::new("slide_line.torque_parabolic", "Torque over ISL22A", SOURCE)
-        .equation(r"T = 2\pi \sum_{q=1}^{5} w_q\, r(g_q)^2\, p(g_q)\, \lvert\mathbf{X}'(g_q)\rvert")
+        .equation(r"\begin{aligned} T &= 2\pi \sum_{q=1}^{5} w_q\, r(g_q)^2\, p(g_q)\, \lvert\mathbf{X}'(g_q)\rvert,\quad r(g) = \sum_{i=1}^{3} N_i(g)\,r_i,\quad p(g) = \sum_{i=1}^{3} N_i(g)\,p_i, \\ N_1(g) &= \tfrac12 g(g-1),\quad N_2(g) = 1-g^2,\quad N_3(g) = \tfrac12 g(g+1),\quad r_i = x_{i,1}\quad (i = 1, 2, 3), \\ g_5 &= \tfrac13\sqrt{5+2\sqrt{\tfrac{10}{7}}},\quad g_4 = \tfrac13\sqrt{5-2\sqrt{\tfrac{10}{7}}},\quad g_3 = 0,\quad g_2 = -g_4,\quad g_1 = -g_5, \\ w_5 &= \tfrac{322-13\sqrt{70}}{900},\quad w_4 = \tfrac{322+13\sqrt{70}}{900},\quad w_3 = \tfrac{128}{225},\quad w_2 = w_4,\quad w_1 = w_5 \end{aligned}")
+.given(&[Given::new(r"\mathbf{X}'(g)", &ParabolicPoint::SPEC)])
+        // A quadratic that is ≥ 0 at the nodes can be negative between them, and the weights of a node always are
+        // somewhere: terms of either sign then cancel in the sum.
         .eta(8.0, 48.0)
         .not_objective();
     type Inputs<T: Component> = ParabolicPressures<T>;

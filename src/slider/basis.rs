@@ -7,7 +7,7 @@ use super::across::Across;
 use super::span::Span;
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec};
 use crate::quantity::{SLIDER_DN, SLIDER_DT1, SLIDER_DT2, SLIDER_N, SLIDER_T1, SLIDER_T2};
 use crate::scalar::Scalar;
 use nalgebra::{Vector2, Vector3};
@@ -122,7 +122,8 @@ impl Formula for BasisVariation {
             "every symbol was lost; the words: the changes of both normals in the derivatives of the constraints",
         ),
     )
-        .equation(r"\mathrm{d}\mathbf{t}_q = \frac{\partial\mathbf{t}_q}{\partial\mathbf{n}}\,\mathrm{d}\mathbf{n},\quad q = 1, 2")
+        .equation(r"\mathrm{d}\mathbf{t}_1 = \frac{\mathrm{d}\mathbf{n}\times\mathbf{e} - \bigl(\mathbf{t}_1\cdot(\mathrm{d}\mathbf{n}\times\mathbf{e})\bigr)\,\mathbf{t}_1}{\lvert\mathbf{n}\times\mathbf{e}\rvert},\quad \mathrm{d}\mathbf{t}_2 = \mathrm{d}\mathbf{n}\times\mathbf{t}_1 + \mathbf{n}\times\mathrm{d}\mathbf{t}_1,\quad \mathbf{e} = \begin{cases} \mathbf{i} & \mathbf{n}\times\mathbf{i} \ne \mathbf{0} \\ \mathbf{k} & \text{otherwise} \end{cases}")
+.given(&[Given::new(r"\mathbf{t}_1", &Basis::SPEC)])
         .eta(3.0, 5.0)
         .not_objective();
     type Inputs<T: Component> = TurningDirection<T>;

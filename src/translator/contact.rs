@@ -28,7 +28,7 @@ impl Formula for TorqueForce {
         "Contact force from torque",
         Document::TRANSLATOR.reconstructed("Friction", "the quotient by R_r was lost"),
     )
-        .equation(r"M_{\mathrm{torq}} = \lvert m_1\rvert,\quad F_{\mathrm{torq}} = \frac{M_{\mathrm{torq}}}{R_r}\quad(0\text{ if }R_r = 0)")
+        .equation(r"M_{\mathrm{torq}} = \lvert m_1\rvert,\quad F_{\mathrm{torq}} = \begin{cases} M_{\mathrm{torq}}/R_r & R_r > 0 \\ 0 & R_r = 0 \end{cases}")
         .eta(0.5, 0.5);
     type Inputs<T: Component> = Torque<T>;
     type Outputs<T: Component> = TorqueContact<T>;
@@ -110,7 +110,7 @@ impl Formula for BendingForce {
         "Contact force from bending",
         Document::TRANSLATOR.reconstructed("Friction", "the root and the quotient by L were lost"),
     )
-        .equation(r"M_{\mathrm{bend}} = \sqrt{m_2^2 + m_3^2},\quad F_{\mathrm{bend}} = \frac{2 M_{\mathrm{bend}}}{L}\quad(0\text{ if }L = 0)")
+        .equation(r"M_{\mathrm{bend}} = \sqrt{m_2^2 + m_3^2},\quad F_{\mathrm{bend}} = \begin{cases} 2 M_{\mathrm{bend}}/L & L > 0 \\ 0 & L = 0 \end{cases}")
         .eta(1.0, 3.0);
     type Inputs<T: Component> = Bending<T>;
     type Outputs<T: Component> = BendingContact<T>;

@@ -6,7 +6,7 @@ mod proof;
 use super::{AllContactMoments, ContactMomentPair, ContactMoments, JointLoads, NormalMomentPair, NormalMoments};
 use crate::coulomb::{Tractions, Yield};
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Spec};
 use crate::quantity::{
     CROSS_M1, CROSS_M3, E1A, E2A, E3A, E3B, F2, F3, JOIN_F1, LA, LS, MC1_INT, MC3_INT, MU, PHI1, PHI3, RA, RP, TWIST_M2,
 };
@@ -62,6 +62,10 @@ pub struct Friction;
 impl Formula for Friction {
     const SPEC: Spec = Spec::new("ujoint.friction", "Friction", Document::UJOINT.printed("Friction"))
         .equation(r"\Phi_k = \lvert m_k\rvert - \mu M_{Nk}\quad (k = 1, 3)")
+        .given(&[
+            Given::new(r"M_{N1},\ M_{N3}", &NormalMoments::SPEC),
+            Given::new(r"M_{C1},\ M_{C3}", &ContactMoments::SPEC),
+        ])
         .eta(2.0, 6.0);
     type Inputs<T: Component> = FrictionLoads<T>;
     type Outputs<T: Component> = YieldPair<T>;

@@ -3,10 +3,11 @@
 #[cfg(feature = "verify")]
 mod proof;
 
+use super::kinematics::Angles;
 use crate::cardan::{alpha_gradient, check_alpha};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Jacobian, Spec, along};
+use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec, along};
 use crate::quantity::{CROSS_M1, CROSS_M3, E1A, E2A, E3A, E3B, KINETIC_MOMENT, MOMENT, TWIST_M2};
 use crate::scalar::{Scalar, norm_and_direction};
 use nalgebra::Vector3;
@@ -42,6 +43,7 @@ impl Formula for ConstraintMoment {
             .ours("Friction", "the page prints the axis e1a × e3b; the sign follows the second Cardan angle"),
     )
     .equation(r"\mathbf{m} = m_2\,(\cos\alpha\,\mathbf{e}_{2a} + \sin\alpha\,\mathbf{e}_{3a})")
+    .given(&[Given::new(r"\alpha", &Angles::SPEC)])
     .eta(6.0, 8.0);
     type Inputs<T: Component> = Twisted<T>;
     type Outputs<T: Component> = Moment<T>;

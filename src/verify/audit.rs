@@ -1,9 +1,13 @@
 //! The audit: every claim about a formula, checked at its cases, beside its kinks and at random points.
 
+use super::claim::Claim;
 use super::difference::{differences, step_size};
+use super::point::{Names, Point};
+use super::printed::{EQUATION, Known, found};
 use super::subject::{Law, Subject};
-use super::{Sampler, Sensitivity, eta, exact, golden, invariance};
-use crate::formula::{Field, Fields, check};
+use super::{Sampler, Sensitivity, eta, invariance};
+use crate::equation::Equation;
+use crate::formula::{Fields, check};
 use crate::proof::law::residual;
 use crate::proof::{Convention, Proved};
 use crate::{Error, Octuple};
@@ -32,6 +36,8 @@ const CLOSED_AGAINST_AD: f64 = 1e-60;
 const AD_AGAINST_DIFFERENCES: f64 = 1e-50;
 /// At hard points the step of differences must be shorter than the distance to the next kink, and digits are lost.
 const AD_AGAINST_DIFFERENCES_HARD: f64 = 1e-35;
+/// The printed equation is compared at so many of the random points, and at all others.
+const PRINTED_AT: usize = 200;
 /// Laws hold in 237 bits to this.
 const LAW: f64 = 1e-60;
 
@@ -59,6 +65,10 @@ pub struct Audit {
     pub eta: Claim,
     /// The closed-form Jacobian in `f64` is accurate.
     pub eta_jacobian: Claim,
+    /// The printed equation is the value, in 237 bits.
+    pub equation: Claim,
+    /// The derivative of the printed equation is the closed form, in 237 bits.
+    pub equation_jacobian: Claim,
     /// Homogeneity, frame indifference, and the formula's own laws.
     pub laws: Vec<Claim>,
 }
@@ -67,7 +77,8 @@ impl Audit {
     /// Every claim.
     pub fn claims(&self) -> impl Iterator<Item = &Claim> {
         let derivatives = [&self.closed_against_ad, &self.ad_against_differences, &self.eta, &self.eta_jacobian];
-        derivatives.into_iter().chain(&self.laws)
+        let printed = [&self.equation, &self.equation_jacobian];
+        derivatives.into_iter().chain(printed).chain(&self.laws)
     }
 
     /// Whether no claim failed. At a single point on a kink there may be claims that cannot be checked.
@@ -78,57 +89,6 @@ impl Audit {
     /// Whether every claim was checked, and none failed.
     pub fn passed(&self) -> bool {
         self.claims().all(Claim::held)
-    }
-}
-
-/// A claim about a formula.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Claim {
-    /// What is claimed.
-    pub claim: String,
-    /// The largest deviation allowed.
-    pub bound: f64,
-    /// How many numbers were compared.
-    pub checks: usize,
-    /// How many deviated by more than the bound.
-    pub failures: usize,
-    /// The largest deviation.
-    pub worst: Option<Deviation>,
-}
-
-/// One comparison.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Deviation {
-    /// Its size, in the unit of the claim.
-    pub size: f64,
-    /// The entry: `fc`, or `∂fc/∂f2`.
-    pub entry: String,
-    /// The case, or the number of the random point.
-    pub point: String,
-    /// What was found.
-    pub found: f64,
-    /// What was expected.
-    pub expected: f64,
-    /// The inputs, as golden files give them, to be pasted back.
-    pub inputs: serde_json::Value,
-}
-
-impl Claim {
-    fn new(claim: impl Into<String>, bound: f64) -> Self {
-        Self { claim: claim.into(), bound, checks: 0, failures: 0, worst: None }
-    }
-
-    /// Whether something was checked and nothing deviated by more than the bound.
-    pub fn held(&self) -> bool {
-        self.checks > 0 && self.failures == 0
-    }
-
-    fn record(&mut self, size: f64, bound: f64, describe: impl FnOnce(f64) -> Deviation) {
-        self.checks += 1;
-        self.failures += usize::from(size > bound);
-        if self.worst.as_ref().is_none_or(|worst| size > worst.size) {
-            self.worst = Some(describe(size));
-        }
     }
 }
 
@@ -171,38 +131,25 @@ fn audit_points(subject: &Subject, named: &[Point], random: &[Point], seed: u64)
         ),
         eta: Claim::new("η of the value in f64", subject.spec.eta),
         eta_jacobian: Claim::new("η of the closed-form Jacobian in f64", subject.spec.eta_jacobian),
+        equation: Claim::new("printed equation = value, in 237 bits", EQUATION),
+        equation_jacobian: Claim::new("derivative of the printed equation = closed form, in 237 bits", EQUATION),
         laws: invariance::of_all(subject).iter().chain(&subject.laws).map(|law| check_law(law, general)).collect(),
     };
     let names = Names::new(subject);
-    named.iter().chain(random).for_each(|point| audit.check(point, &names));
+    let equation = Equation::of(&subject.spec, subject.inputs, subject.outputs);
+    if let Err(error) = &equation {
+        audit.equation.fail(error.to_string());
+    }
+    let equation = equation.as_ref().ok();
+    let few = named.len() + PRINTED_AT;
+    for (k, point) in named.iter().chain(random).enumerate() {
+        audit.check(point, &names, equation.filter(|_| k < few));
+    }
     audit
 }
 
-/// A point of a formula.
-struct Point<'a> {
-    subject: &'a Subject,
-    label: String,
-    random: bool,
-    inputs: Vec<f64>,
-    exact: Vec<Octuple>,
-    kink: Option<Convention>,
-}
-
-impl<'a> Point<'a> {
-    fn new(subject: &'a Subject, label: String, random: bool, inputs: Vec<f64>) -> Self {
-        let exact = exact(&inputs);
-        let kink = subject.kink(&exact);
-        Self { subject, label, random, inputs, exact, kink }
-    }
-
-    fn deviation(&self, size: f64, entry: String, found: f64, expected: f64) -> Deviation {
-        let inputs = golden::named(self.subject.inputs, &self.inputs).into();
-        Deviation { size, entry, point: self.label.clone(), found, expected, inputs }
-    }
-}
-
 /// The formula's own cases, and points on both sides of every kink and on it.
-fn named_points(subject: &Subject) -> Vec<Point<'_>> {
+pub(super) fn named_points(subject: &Subject) -> Vec<Point<'_>> {
     let cases = (subject.cases)().into_iter().map(|case| (case.id, case.inputs));
     cases
         .chain(beside_kinks(subject))
@@ -230,9 +177,9 @@ struct Exact {
     bends: Vec<Sensitivity>,
 }
 
-/// The four claims made about every formula.
+/// The claims made about every formula.
 impl Audit {
-    fn check(&mut self, point: &Point, names: &Names) {
+    fn check(&mut self, point: &Point, names: &Names, equation: Option<&Equation>) {
         let (subject, inputs) = (point.subject, &point.exact);
         let gradients = subject.second_derivative(inputs);
         let exact = Exact {
@@ -240,9 +187,13 @@ impl Audit {
             ad: subject.derivative(inputs),
             bends: gradients.iter().map(|gradient| Sensitivity::new(gradient, inputs)).collect(),
         };
-        self.check_closed_form(point, names, &exact);
+        let closed = (subject.exact_jacobian)(inputs);
+        self.check_closed_form(point, names, &exact, &closed);
         if point.kink.is_none() {
             self.check_ad(point, names, &exact);
+        }
+        if let Some(equation) = equation.filter(|equation| equation.is_defined(point.kink.is_some())) {
+            self.check_equation(point, names, &exact, &closed, equation);
         }
         // The value and the Jacobian alone, and as they come together.
         let [value, jacobian] = (subject.linearized)(&point.inputs);
@@ -253,8 +204,7 @@ impl Audit {
     }
 
     /// Judged against the entry and what rounding of the inputs can do to it: an entry may be what a cancellation left.
-    fn check_closed_form(&mut self, point: &Point, names: &Names, exact: &Exact) {
-        let closed = (point.subject.exact_jacobian)(&point.exact);
+    fn check_closed_form(&mut self, point: &Point, names: &Names, exact: &Exact, closed: &[Octuple]) {
         for (k, ((&closed, &ad), bend)) in closed.iter().zip(&exact.ad).zip(&exact.bends).enumerate() {
             let describe = |size| point.deviation(size, names.entry(k), closed.to_f64(), ad.to_f64());
             self.closed_against_ad.record(bend.plus(ad).share_of(closed - ad), CLOSED_AGAINST_AD, describe);
@@ -284,6 +234,21 @@ impl Audit {
                 self.ad_against_differences.record(relative, bound, describe);
             }
         }
+    }
+
+    /// Value and Jacobian of the printed equation, each judged as those of the code are.
+    fn check_equation(&mut self, point: &Point, names: &Names, exact: &Exact, closed: &[Octuple], equation: &Equation) {
+        let found = found(equation, &point.exact, &exact.values);
+        let sizes =
+            exact.ad.chunks(point.exact.len()).map(|gradient| Sensitivity::new(gradient, &point.exact)).collect();
+        let known = Known { values: exact.values.clone(), sizes };
+        let describe = |size, entry, found, expected| point.deviation(size, entry, found, expected);
+        found.record_values(&mut self.equation, &known, &names.outputs, describe);
+        if point.kink.is_some() {
+            return;
+        }
+        let entry = |k| names.entry(k);
+        found.record_jacobian(&mut self.equation_jacobian, closed, &exact.bends, entry, describe);
     }
 
     fn check_value(&mut self, point: &Point, names: &Names, exact: &Exact, values: [Vec<f64>; 2]) {
@@ -319,30 +284,4 @@ fn check_law(law: &Law, points: &[Point]) -> Claim {
         }
     }
     claim
-}
-
-/// Names of components: `x`, `xa[2]`.
-struct Names {
-    inputs: Vec<String>,
-    outputs: Vec<String>,
-}
-
-impl Names {
-    fn new(subject: &Subject) -> Self {
-        Self { inputs: names(subject.inputs), outputs: names(subject.outputs) }
-    }
-
-    /// Of the k-th Jacobian entry.
-    fn entry(&self, k: usize) -> String {
-        let (output, input) = (k / self.inputs.len(), k % self.inputs.len());
-        format!("∂{}/∂{}", self.outputs[output], self.inputs[input])
-    }
-}
-
-fn names(fields: &[Field]) -> Vec<String> {
-    let of_field = |field: &Field| match field.len() {
-        1 => vec![field.name.to_string()],
-        len => (0..len).map(|k| format!("{}[{k}]", field.name)).collect(),
-    };
-    fields.iter().flat_map(of_field).collect()
 }

@@ -24,7 +24,6 @@ impl Sensitivity {
     }
 
     /// The sum itself.
-    #[cfg(feature = "measure")]
     pub(crate) fn size(self) -> Octuple {
         self.0
     }

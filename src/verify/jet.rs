@@ -9,7 +9,7 @@ use num_dual::DualSVec;
 const WIDTH: usize = 4;
 pub(super) type Sweep<T> = DualSVec<T, WIDTH>;
 /// A function of components, in dual numbers.
-type Swept<T> = dyn Fn(&[Sweep<T>]) -> Vec<Sweep<T>>;
+type Swept<'a, T> = dyn Fn(&[Sweep<T>]) -> Vec<Sweep<T>> + 'a;
 
 /// The Jacobian of `F` at `i`, by differentiating `F::eval`.
 pub fn jacobian_by_ad<F: Formula, T: Scalar>(i: &F::Inputs<T>) -> Jacobian<F, T> {
@@ -23,7 +23,7 @@ pub fn derivative_of_jacobian<F: Formula, T: Scalar>(i: &F::Inputs<T>) -> Vec<Ve
 }
 
 /// The gradient of every number that `function` returns.
-pub(super) fn differentiate<T: Scalar>(inputs: &[T], function: &Swept<T>) -> Vec<Vec<T>> {
+pub(super) fn differentiate<T: Scalar>(inputs: &[T], function: &Swept<'_, T>) -> Vec<Vec<T>> {
     let mut rows: Vec<Vec<T>> = Vec::new();
     for start in (0..inputs.len()).step_by(WIDTH) {
         let seeded: Vec<_> = inputs.iter().enumerate().map(|(k, &x)| seed(x, k.checked_sub(start))).collect();

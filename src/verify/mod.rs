@@ -43,23 +43,29 @@
 //! ```
 
 mod audit;
+mod claim;
 mod difference;
 mod eta;
 pub mod golden;
 mod invariance;
 mod jet;
+mod point;
+mod printed;
 mod sample;
 mod subject;
+mod trial;
 
 #[cfg(feature = "measure")]
 pub(crate) use audit::beside_kinks;
-pub use audit::{Audit, Claim, Deviation, Options, audit, audit_at};
+pub use audit::{Audit, Options, audit, audit_at};
+pub use claim::{Claim, Deviation};
 pub use difference::central_differences;
 #[cfg(feature = "measure")]
 pub(crate) use eta::U;
 pub use eta::{Sensitivity, eta, relative};
 pub use jet::{derivative_of_jacobian, jacobian_by_ad};
 pub use sample::Sampler;
+pub use trial::Trial;
 
 pub(crate) use subject::{Kink, Subject};
 

@@ -22,9 +22,12 @@ from typing import Any, Iterator
 
 from oracle import CATALOG, evaluate, jacobian, kinks
 from oracle.core import bits_of, to_double, ulps_between
+from oracle.scales import four_digits_up, jacobian_scales, out_scales
 
 GOLDEN = Path(__file__).resolve().parents[2] / "golden"
 FLAGS = {"hand", "limit", "random", "hard", "kink", "invalid"}
+LAYOUT = 2
+PROVENANCE = {("printed", False), ("reconstructed", True), ("ours", True)}  # kind, and whether it says why
 SPECIAL = {"NaN": math.nan, "Infinity": math.inf, "-Infinity": -math.inf}
 MIN_VALID_CASES = 32
 SHOWN = 20  # failures printed per formula
@@ -40,6 +43,7 @@ class Report:
     without_jacobian: int = 0
     values: int = 0
     entries: int = 0
+    scales: int = 0
     failures: list[str] = field(default_factory=list)
 
     def fail(self, message: str) -> None:
@@ -47,7 +51,7 @@ class Report:
 
     @property
     def passed(self) -> int:
-        return self.values + self.entries
+        return self.values + self.entries + self.scales
 
 
 def number(x: Any) -> float:
@@ -98,6 +102,25 @@ def compare(report: Report, case: str, name: str, golden: Any, exact: Any) -> in
     return right
 
 
+def compare_scales(report: Report, case: str, name: str, golden: Any, exact: Any) -> int:
+    """Each scale must be the exact one, rounded up to four digits. Returns how many were right."""
+    right = 0
+    for (path, written), (_, true) in zip(flatten(golden), flatten(exact), strict=True):
+        have, want = (written if isinstance(written, str) else float(written)), four_digits_up(true)
+        if have == want or (have == "Infinity" and want == math.inf):
+            right += 1
+        else:
+            report.fail(f"case {case}: {name}{path}: golden {have!r}, oracle {want!r}")
+    return right
+
+
+def at_least(report: Report, case: str, name: str, scales: Any, numbers: Any) -> None:
+    """No scale is below the magnitude of its number, but for rounding."""
+    for (path, scale), (_, written) in zip(flatten(scales), flatten(numbers), strict=True):
+        if not number(scale) >= abs(number(written)) * (1 - 2**-39):
+            report.fail(f"case {case}: {name}{path}: {scale!r} is less than |{written!r}|")
+
+
 def same_keys(report: Report, where: str, have: Any, want: dict[str, Any]) -> bool:
     if isinstance(have, dict) and set(have) == set(want):
         return True
@@ -124,70 +147,133 @@ def check_fields(report: Report, kind: str, declared: Any, expected: dict[str, i
                 report.fail(f"{kind}: {name} has shape {found[name]}, expected {shape_of(length)}")
 
 
-def check_case(report: Report, case: dict[str, Any]) -> None:
-    formula, name, flags = CATALOG[report.formula], case["id"], set(case["flags"])
-    if not flags or not flags <= FLAGS:
-        report.fail(f"case {name}: flags {sorted(flags)}, expected some of {sorted(FLAGS)}")
+def read_inputs(report: Report, case: dict[str, Any]) -> dict[str, Any] | None:
+    """The inputs as doubles; None where they are not as they should be."""
+    formula, name = CATALOG[report.formula], case["id"]
     if not same_keys(report, f"case {name}: in", case["in"], formula.inputs):
-        return
+        return None
     inputs: dict[str, Any] = {}
     for key, length in formula.inputs.items():
         value = case["in"][key]
         if not has_shape(value, shape_of(length)):
             report.fail(f"case {name}: in.{key}: {value!r} has not the shape {shape_of(length)}")
-            return
+            return None
         try:
             inputs[key] = [number(x) for x in value] if length else number(value)
         except TypeError as error:
             report.fail(f"case {name}: in.{key}: {error}")
-            return
-    finite = all(math.isfinite(x) for _, x in flatten(list(inputs.values())))
+            return None
+    return inputs
 
-    if "invalid" in flags:
-        report.invalid += 1
-        if not isinstance(case.get("error"), str) or not case["error"]:
-            report.fail(f"case {name}: invalid, but no error is named")
-        if "out" in case or "jac" in case:
-            report.fail(f"case {name}: invalid, yet it has out or jac")
+
+def has_fields(report: Report, case: dict[str, Any], key: str, jacobian: bool) -> bool:
+    """Whether out, jac or the scales of either have every field, in its shape."""
+    formula, name, found = CATALOG[report.formula], case["id"], case.get(key)
+    if not same_keys(report, f"case {name}: {key}", found, formula.outputs):
+        return False
+    expected = {f".{out}": (found[out], shape_of(rows)) for out, rows in formula.outputs.items()}
+    if jacobian:
+        if not all(same_keys(report, f"case {name}: {key}.{out}", found[out], formula.inputs) for out in found):
+            return False
+        expected = {
+            f".{out}.{column}": (found[out][column], shape_of(rows, columns))
+            for out, rows in formula.outputs.items()
+            for column, columns in formula.inputs.items()
+        }
+    wrong = [(path, shape) for path, (value, shape) in expected.items() if not has_shape(value, shape)]
+    for path, shape in wrong:
+        report.fail(f"case {name}: {key}{path} has not the shape {shape}")
+    return not wrong
+
+
+def check_case(report: Report, case: dict[str, Any]) -> None:
+    name, flags = case["id"], set(case["flags"])
+    if not flags or not flags <= FLAGS:
+        report.fail(f"case {name}: flags {sorted(flags)}, expected some of {sorted(FLAGS)}")
+    inputs = read_inputs(report, case)
+    if inputs is None:
         return
-
+    if "invalid" in flags:
+        check_invalid(report, case)
+        return
     report.cases += 1
     if "error" in case:
         report.fail(f"case {name}: names an error without the flag invalid")
-    if not finite:
+    if not all(math.isfinite(x) for _, x in flatten(list(inputs.values()))):
         report.fail(f"case {name}: an input that is not finite without the flag invalid")
         return
-    if same_keys(report, f"case {name}: out", case.get("out"), formula.outputs):
-        exact = evaluate(report.formula, inputs)
-        for out, length in formula.outputs.items():
-            if has_shape(case["out"][out], shape_of(length)):
-                report.values += compare(report, name, f"out.{out}", case["out"][out], exact[out])
-            else:
-                report.fail(f"case {name}: out.{out} has not the shape {shape_of(length)}")
+    check_kinks(report, case, inputs)
+    exact = evaluate(report.formula, inputs)
+    if has_fields(report, case, "out", jacobian=False):
+        for out in exact:
+            report.values += compare(report, name, f"out.{out}", case["out"][out], exact[out])
+    try:
+        slopes = jacobian(report.formula, inputs)
+    except (ArithmeticError, ValueError):
+        if "jac" in case:
+            raise
+        slopes = None  # there is none at this kink
+    check_out_scales(report, case, inputs, exact, slopes)
+    if "jac" in case and slopes is not None:
+        check_jacobian(report, case, inputs, slopes)
+    else:
+        report.without_jacobian += 1
 
+
+def check_invalid(report: Report, case: dict[str, Any]) -> None:
+    report.invalid += 1
+    if not isinstance(case.get("error"), str) or not case["error"]:
+        report.fail(f"case {case['id']}: invalid, but no error is named")
+    if any(key in case for key in ("out", "out_scale", "jac", "jac_scale")):
+        report.fail(f"case {case['id']}: invalid, yet it has out or jac")
+
+
+def check_kinks(report: Report, case: dict[str, Any], inputs: dict[str, Any]) -> None:
+    name, flagged = case["id"], "kink" in case["flags"]
     for kind in kinks(report.formula, inputs):
-        if "kink" not in flags:
+        if not flagged:
             report.fail(f"case {name}: stands on a {kind} without the flag kink")
         if kind == "switch" and "jac" in case:
             report.fail(f"case {name}: stands on a switch, where there is no derivative, yet it has jac")
+    if "jac" not in case and not flagged:
+        report.fail(f"case {name}: no jac, which only a kink may leave out")
 
-    if "jac" not in case:
-        report.without_jacobian += 1
-        if "kink" not in flags:
-            report.fail(f"case {name}: no jac, which only a kink may leave out")
+
+def check_out_scales(report: Report, case: dict[str, Any], inputs: dict[str, Any], exact: Any, slopes: Any) -> None:
+    if not has_fields(report, case, "out_scale", jacobian=False):
         return
-    if not same_keys(report, f"case {name}: jac", case["jac"], formula.outputs):
+    true = out_scales(report.formula, inputs, exact, slopes) if slopes is not None else {}
+    for out in case["out_scale"]:
+        if slopes is None:
+            at_least(report, case["id"], f"out_scale.{out}", case["out_scale"][out], case["out"][out])
+        else:
+            have = case["out_scale"][out]
+            report.scales += compare_scales(report, case["id"], f"out_scale.{out}", have, true[out])
+
+
+def check_jacobian(report: Report, case: dict[str, Any], inputs: dict[str, Any], slopes: Any) -> None:
+    """On a kink the derivative is a convention, and so is its scale, which is not recomputed there."""
+    name, on_kink = case["id"], "kink" in case["flags"]
+    if not (has_fields(report, case, "jac", jacobian=True) and has_fields(report, case, "jac_scale", jacobian=True)):
         return
-    exact = jacobian(report.formula, inputs)
-    for out, rows in formula.outputs.items():
-        if not same_keys(report, f"case {name}: jac.{out}", case["jac"][out], formula.inputs):
-            continue
-        for key, columns in formula.inputs.items():
-            golden, where = case["jac"][out][key], f"jac.{out}.{key}"
-            if has_shape(golden, shape_of(rows, columns)):
-                report.entries += compare(report, name, where, golden, exact[out][key])
+    scales = {} if on_kink else jacobian_scales(report.formula, inputs)
+    for out, row in slopes.items():
+        for key, slope in row.items():
+            where, have, scale = f"{out}.{key}", case["jac"][out][key], case["jac_scale"][out][key]
+            report.entries += compare(report, name, f"jac.{where}", have, slope)
+            if on_kink:
+                at_least(report, name, f"jac_scale.{where}", scale, have)
             else:
-                report.fail(f"case {name}: {where} has not the shape {shape_of(rows, columns)}")
+                report.scales += compare_scales(report, name, f"jac_scale.{where}", scale, scales[out][key])
+
+
+def check_header(report: Report, document: dict[str, Any]) -> None:
+    """Where the equation is from, and the bounds of the backward error."""
+    provenance, eta = document.get("provenance") or {}, document.get("eta") or {}
+    if (provenance.get("kind"), bool(provenance.get("why"))) not in PROVENANCE:
+        report.fail(f"provenance: {provenance!r}")
+    if sorted(eta) != ["jacobian", "value"] or not all(number(bound) >= 0 for bound in eta.values()):
+        report.fail(f"eta: {eta!r}")
 
 
 def check_document(document: dict[str, Any], expected_id: str) -> Report:
@@ -199,9 +285,12 @@ def check_document(document: dict[str, Any], expected_id: str) -> Report:
     if expected_id not in CATALOG:
         report.fail("unknown formula")
         return report
-    for key in ("title", "source", "latex", "inputs", "outputs", "cases"):
+    if document.get("layout") != LAYOUT:
+        report.fail(f"the layout is {document.get('layout')!r}, expected {LAYOUT}")
+    for key in ("title", "source", "provenance", "latex", "eta", "inputs", "outputs", "cases"):
         if not document.get(key):
             report.fail(f"{key} is missing or empty")
+    check_header(report, document)
     check_fields(report, "inputs", document.get("inputs"), CATALOG[expected_id].inputs)
     check_fields(report, "outputs", document.get("outputs"), CATALOG[expected_id].outputs)
     seen: set[str] = set()
@@ -253,7 +342,8 @@ def main(arguments: list[str] | None = None) -> int:
             mark = "ok  " if not report.failures else "FAIL"
             print(
                 f"{mark} {report.formula}: {report.cases} cases ({report.without_jacobian} without Jacobian), "
-                f"{report.invalid} invalid, {report.values} values, {report.entries} Jacobian entries",
+                f"{report.invalid} invalid, {report.values} values, {report.entries} Jacobian entries, "
+                f"{report.scales} scales",
                 flush=True,
             )
             for message in report.failures[:SHOWN]:

@@ -1,86 +1,22 @@
 #!/usr/bin/env python3
-"""Self-checks of the oracle and of the golden checker: python -m unittest test_oracle, or run this file."""
+"""Self-checks of the oracle: python -m unittest test_oracle, or run this file."""
 
 from __future__ import annotations
 
-import contextlib
-import copy
-import importlib.util
-import io
-import json
 import math
 import random
-import tempfile
 import unittest
 from fractions import Fraction
-from pathlib import Path
 
 from mpmath import mp, mpf
 
-import check_golden
 from oracle import CATALOG, OutsideDomain, evaluate, jacobian, kinks
 from oracle.core import to_double, ulps_between
 from oracle.slide_line import gauss_legendre_5, parabolic, smoothed_linear, smoothed_parabolic, value
 from oracle.slider import pivots
+from points import derivatives, doubles, leaves, sample, values
 
-READER = Path(__file__).resolve().parents[2] / "book" / "examples" / "read_golden.py"
 PI = math.pi
-
-
-# ------------------------------------------------------------------------------------------------- points to try
-
-
-def triad(rng: random.Random) -> list[list[float]]:
-    """A random right-handed orthonormal triad, rounded to doubles: a unit quaternion's matrix."""
-    q = [rng.gauss(0, 1) for _ in range(4)]
-    w, x, y, z = (c / math.hypot(*q) for c in q)
-    return [
-        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-    ]
-
-
-POSITIVE = {"la", "rp", "ra", "ls", "rr", "l", "c0", "p0", "k", "mu", "mu0", "fn", "h"}
-
-
-def sample(id: str, rng: random.Random) -> dict:
-    """A point in general position."""
-    a, b = triad(rng), triad(rng)
-    given = {f"e{k + 1}a": a[k] for k in range(3)} | {f"e{k + 1}b": b[k] for k in range(3)}
-    special = {"g": (-0.9, 0.9), "t": (0.1, 0.9), "f": (0.05, 0.45), "eta": (0.1, 0.9)}
-    point = {}
-    for name, length in CATALOG[id].inputs.items():
-        if length == 3 and name in given:
-            point[name] = given[name]
-        elif id == "slide_line.closest_linear" and name in ("x1", "x2"):
-            point[name] = [rng.uniform(-3, -2) if name == "x1" else rng.uniform(2, 3), rng.uniform(-1, 1)]
-        elif length:
-            point[name] = [rng.uniform(-2, 2) for _ in range(length)]
-        else:
-            low, high = special.get(name, (0.1, 2.0) if name in POSITIVE else (-2.0, 2.0))
-            point[name] = rng.uniform(low, high)
-    return point
-
-
-def leaves(nested) -> list:
-    if isinstance(nested, dict):
-        return [x for v in nested.values() for x in leaves(v)]
-    return [x for v in nested for x in leaves(v)] if isinstance(nested, list) else [nested]
-
-
-def doubles(nested):
-    if isinstance(nested, dict):
-        return {k: doubles(v) for k, v in nested.items()}
-    return [doubles(v) for v in nested] if isinstance(nested, list) else to_double(nested)
-
-
-def values(id: str, **inputs) -> dict:
-    return doubles(evaluate(id, inputs))
-
-
-def derivatives(id: str, **inputs) -> dict:
-    return doubles(jacobian(id, inputs))
 
 
 # --------------------------------------------------------------------------------------------------- the machinery
@@ -485,132 +421,6 @@ class Claims(unittest.TestCase):
         whole = evaluate("ujoint.constraint", p)
         self.assertEqual(whole["g"], part("join.constraint")["g"])
         self.assertEqual(whole["g_rot"], part("universal.constraint")["g"])
-
-
-# ---------------------------------------------------------------------------------------------------- the checker
-
-
-def document(id: str, count: int = 32, seed: int = 3) -> dict:
-    """A golden file made with the oracle itself: enough to try the checker."""
-    rng, cases = random.Random(seed), []
-    for index in range(count):
-        point = sample(id, rng)
-        out, jac = doubles(evaluate(id, point)), doubles(jacobian(id, point))
-        cases.append({"id": f"random-{index}", "flags": ["random"], "in": point, "out": out, "jac": jac})
-
-    def shaped(fields: dict[str, int]) -> list[dict]:
-        return [{"name": name, "shape": [k] if k else [], "unit": "1"} for name, k in fields.items()]
-
-    return {
-        "schema": "x", "formula": id, "title": "t", "source": "s", "latex": "l",
-        "inputs": shaped(CATALOG[id].inputs), "outputs": shaped(CATALOG[id].outputs), "cases": cases,
-    }  # fmt: skip
-
-
-class Checker(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.good = document("slot.contact_force")
-        invalid = {"id": "nan", "flags": ["invalid"], "in": {"f2": "NaN", "f3": 4.0}, "error": "NonFinite"}
-        kink = {"id": "zero", "flags": ["kink"], "in": {"f2": 0.0, "f3": -0.0}, "out": {"fc": -0.0},
-                "jac": {"fc": {"f2": 0.0, "f3": 0.0}}}  # fmt: skip
-        cls.good["cases"] += [invalid, kink]
-
-    def failures(self, change, id="slot.contact_force", base=None) -> list[str]:
-        changed = copy.deepcopy(base or self.good)
-        change(changed)
-        return check_golden.check_document(changed, id).failures
-
-    def test_a_good_file_passes(self):
-        report = check_golden.check_document(self.good, "slot.contact_force")
-        self.assertEqual(report.failures, [])
-        self.assertEqual((report.cases, report.invalid, report.values, report.entries), (33, 1, 33, 66))
-
-    def test_a_wrong_last_bit_in_a_value(self):
-        def plant(d):
-            d["cases"][5]["out"]["fc"] = math.nextafter(d["cases"][5]["out"]["fc"], 9)
-
-        (message,) = self.failures(plant)
-        for part in ("slot.contact_force", "case random-5", "out.fc", "0x3f", "1 ulp"):
-            self.assertIn(part, message)
-
-    def test_a_wrong_last_bit_in_any_jacobian_entry(self):
-        for id, out, name, row, column in [
-            ("slot.contact_force", "fc", "f3", None, None),
-            ("slide_line.basis", "n", "dx", 1, 0),
-            ("ujoint.contact_moments", "mc3", "e3b", 2, None),
-            ("align.constraint", "ur1", "e2a", 1, None),
-        ]:
-            def plant(d):
-                place, key = d["cases"][9]["jac"][out], name
-                for index in (row, column):
-                    if index is not None:
-                        place, key = place[key], index
-                place[key] = math.nextafter(place[key], -9)
-
-            (message,) = self.failures(plant, id, document(id))
-            self.assertIn(f"jac.{out}.{name}", message)
-            self.assertIn("1 ulp", message)
-
-    def test_faults_of_form(self):
-        def case(k, key, new):
-            return lambda d: d["cases"][k].__setitem__(key, new)
-
-        faults = {
-            "the id occurs twice": case(1, "id", "random-0"),
-            "flags": case(0, "flags", ["rnd"]),
-            "no jac": lambda d: d["cases"][0].pop("jac"),
-            "expected ['fc']": case(0, "jac", {}),
-            "expected ['f2', 'f3']": case(0, "in", {"f2": 1.0}),
-            "has not the shape": case(0, "out", {"fc": [5.0]}),
-            "is not a number": case(0, "out", {"fc": "5.0"}),
-            "no error is named": lambda d: d["cases"][32].pop("error"),
-            "yet it has out": case(32, "out", {"fc": 1.0}),
-            "without the flag invalid": case(32, "flags", ["hard"]),
-            "latex is missing": lambda d: d.pop("latex"),
-            "valid cases, at least 32": lambda d: d["cases"].__delitem__(slice(0, 2)),
-            "its name says": lambda d: d.__setitem__("formula", "slot.friction"),
-            "on a kink without the flag": case(33, "flags", ["hard"]),
-            "has shape [3]": lambda d: d["inputs"][0].__setitem__("shape", [3]),
-            "no unit": lambda d: d["inputs"][0].pop("unit"),
-        }
-        for message, change in faults.items():
-            found = self.failures(change)
-            self.assertTrue(any(message in f for f in found), (message, found))
-        self.assertEqual(self.failures(lambda d: d.__setitem__("formula", "a.b"), "a.b"), ["a.b: unknown formula"])
-
-    def test_command_line(self):
-        with tempfile.TemporaryDirectory() as directory:
-            path = Path(directory, "slot.contact_force.json")
-            path.write_text(json.dumps(self.good, allow_nan=False))
-            Path(directory, "schema.json").write_text("{}")
-
-            def run(*more: str) -> int:
-                with contextlib.redirect_stdout(io.StringIO()) as said:
-                    code = check_golden.main(["--golden", directory, *more])
-                self.assertRegex(said.getvalue(), r"\n\d+ passed, \d+ failed\n$")
-                return code
-
-            self.assertEqual(run(), 0)
-            self.assertEqual(run("--complete"), 1)
-            self.assertEqual(run("--complete", "--filter", "slot.contact*"), 0)
-            self.assertEqual(run("--filter", "nothing.*"), 1)
-            path.write_text("{")
-            self.assertEqual(run(), 1)
-
-    def test_the_readers_example(self):
-        spec = importlib.util.spec_from_file_location("read_golden", READER)
-        reader = importlib.util.module_from_spec(spec)
-        spec.loader.exec_module(reader)
-        with tempfile.TemporaryDirectory() as directory:
-            Path(directory, "slot.contact_force.json").write_text(json.dumps(self.good))
-            every = list(reader.cases(directory, "slot.contact_force"))
-        self.assertEqual(len(every), 34)
-        self.assertTrue(all(map(reader.check, every)))
-        name, inputs, out, jac = every[0]
-        self.assertFalse(reader.check((name, inputs, {"fc": out["fc"] * (1 + 1e-15)}, jac)))
-        self.assertFalse(reader.check((name, inputs, out, {"fc": {"f2": 0.1, "f3": 0.1}})))
-        self.assertFalse(reader.check((name, inputs, None, None)))  # accepted what should be refused
 
 
 class Coverage(unittest.TestCase):

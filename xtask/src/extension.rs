@@ -22,11 +22,28 @@ pub struct Exhibits {
     pub outputs: Vec<(String, String)>,
     /// `{{#table name}}`: tables, one below the other.
     pub tables: Vec<(String, Vec<Table>)>,
+    /// `{{#text name}}`: Markdown, read as if it stood in the chapter.
+    pub texts: Vec<(String, String)>,
+    /// What entries say beside what the catalog knows.
+    pub facts: Vec<Fact>,
+}
+
+/// A fact on the entry of a formula.
+#[derive(Clone, Debug, Default)]
+pub struct Fact {
+    /// The identifier of the formula.
+    pub formula: String,
+    /// What it is about, in a word.
+    pub name: String,
+    /// The lines of it: texts, in which `[…](…)` is a link from the root of the book.
+    pub lines: Vec<String>,
 }
 
 /// A table of texts, in which `$…$` is mathematics and `` `…` `` is code; code that names a formula links to it.
 #[derive(Clone, Debug, Default)]
 pub struct Table {
+    /// Its anchor, for links; may be empty.
+    pub anchor: String,
     /// What stands above it; may be empty.
     pub title: String,
     /// The heads of the columns.

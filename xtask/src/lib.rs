@@ -26,6 +26,8 @@ mod commands;
 #[cfg(feature = "commands")]
 pub mod console;
 #[cfg(feature = "commands")]
+mod equation;
+#[cfg(feature = "commands")]
 mod evidence;
 #[cfg(feature = "commands")]
 mod extension;
@@ -47,13 +49,15 @@ mod selection;
 mod verify;
 
 #[cfg(feature = "commands")]
-pub use book::{Fault, uncovered};
+pub use book::{Fault, listing_page, uncovered};
 #[cfg(feature = "commands")]
 pub use commands::main;
 #[cfg(feature = "commands")]
-pub use extension::{Beside, Exhibits, Table};
+pub use extension::{Beside, Exhibits, Fact, Table};
 #[cfg(not(feature = "commands"))]
 pub use measuring::main;
 #[cfg(feature = "commands")]
 pub use outcome::{Outcome, Usage};
+#[cfg(feature = "commands")]
+pub use project::Check;
 pub use project::{Catalog, Project};

@@ -1,4 +1,5 @@
-//! `cargo xtask`: the commands of the kit, and what is only ours: scenes, tidiness, and the exhibits of our book.
+//! `cargo xtask`: the commands of the kit, and what is only ours: scenes, tidiness, what the documents
+//! say, and the exhibits of our book.
 
 #[cfg(feature = "ours")]
 mod exhibits;
@@ -6,6 +7,8 @@ mod exhibits;
 mod figures;
 #[cfg(feature = "ours")]
 mod scene;
+#[cfg(feature = "ours")]
+mod statements;
 #[cfg(feature = "ours")]
 mod studies;
 #[cfg(feature = "ours")]
@@ -32,6 +35,7 @@ fn ours(project: Project) -> Project {
         .with_command("scene", scene::run)
         .with_command("tidy", tidy::run)
         .with_golden("scenes", scene::golden)
+        .with_check("statements", statements::verify)
         .with_exhibits(exhibits::all)
         .with_debt("an independent implementation", has_oracle, "`@formula(…)` in tests/python/oracle")
 }

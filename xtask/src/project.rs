@@ -32,6 +32,7 @@ pub struct Project {
 pub(crate) struct Extension {
     pub(crate) commands: Vec<Command>,
     pub(crate) beside: Option<(&'static str, Golden)>,
+    pub(crate) checks: Vec<(&'static str, Check)>,
     pub(crate) exhibits: Option<fn(&Project) -> anyhow::Result<Exhibits>>,
     pub(crate) debts: Vec<(&'static str, IsPaid, &'static str)>,
 }
@@ -47,6 +48,10 @@ type IsPaid = fn(&Project, &str) -> bool;
 /// What makes golden files that are not of formulas.
 #[cfg(feature = "commands")]
 type Golden = fn(&Project) -> anyhow::Result<Beside>;
+
+/// A step more of `verify`: whether all is well, and how much was looked at. What is off is said on standard error.
+#[cfg(feature = "commands")]
+pub type Check = fn(&Project) -> anyhow::Result<(bool, String)>;
 
 impl Project {
     /// The project of a package: `Project::new(env!("CARGO_PKG_NAME"), env!("CARGO_MANIFEST_DIR"), CATALOG)`.
@@ -171,6 +176,13 @@ impl Project {
     #[must_use]
     pub fn with_golden(mut self, name: &'static str, files: Golden) -> Self {
         self.extension.beside = Some((name, files));
+        self
+    }
+
+    /// With a step more in `verify`, under a name for its summary.
+    #[must_use]
+    pub fn with_check(mut self, name: &'static str, check: Check) -> Self {
+        self.extension.checks.push((name, check));
         self
     }
 

@@ -38,11 +38,15 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         steps.push(step(name, || Ok(told(project, golden::check_beside(project, &beside(project)?))))?);
     }
     steps.push(step("audit", || check_audit(project, arguments.samples))?);
+    for (name, check) in &project.extension.checks {
+        steps.push(step(name, || check(project))?);
+    }
     steps.push(step("book", || Ok(check_book(project)))?);
     let mut summary = String::new();
+    let width = steps.iter().map(|step| step.name.len()).max().unwrap_or(0);
     for Step { name, passed, counts, time } in &steps {
         let mark = if *passed { green("ok ") } else { red("off") };
-        writeln!(summary, "{mark} {name:<7} {counts} in {:.1} s", time.as_secs_f64())?;
+        writeln!(summary, "{mark} {name:<width$} {counts} in {:.1} s", time.as_secs_f64())?;
     }
     print(&summary)?;
     Ok(verdict(steps.iter().all(|step| step.passed)))

@@ -49,13 +49,18 @@ fn every_formula_of_the_catalog_is_in_it_with_finite_figures() {
         assert_figures(&formula["copy"], &format!("{id} copy"));
         assert_eq!(formula["curves"].as_array().unwrap().len(), 3, "{id}");
         let ways = formula["ways"].as_array().unwrap();
-        for expected in ["closed", "single", "ad", "forward", "central", "fourth", "octuple", "octuple-ad"] {
+        for expected in ["closed", "checked", "single", "ad", "forward", "central", "fourth", "octuple", "octuple-ad"] {
             let way = ways.iter().find(|way| way["id"] == expected);
             let way = way.unwrap_or_else(|| panic!("{id} has no way {expected}"));
             assert_figures(&way["jacobian"], &format!("{id} {expected}"));
         }
         for way in ways.iter().filter(|way| !way["value"].is_null()) {
             assert_figures(&way["value"], &format!("{id} {way}"));
+        }
+        let hard_points = formula["hard_points"].as_u64().map(|count| usize::try_from(count).unwrap());
+        for way in &ways[..2] {
+            let times = way["jacobian"]["hard_times"].as_array().map(Vec::len);
+            assert_eq!(times, hard_points, "{id}: the closed form, checked or not, is timed at every hard point");
         }
         let closed = &ways[0]["jacobian"]["random"];
         assert_eq!(closed["not_finite"], 0, "{id}: the closed form fails at a random point");
@@ -69,6 +74,13 @@ fn assert_figures(figures: &Value, what: &str) {
         Value::Object(fields) => {
             for (name, value) in fields.iter().filter(|(name, value)| *name != "hard" || !value.is_null()) {
                 assert_figures(value, &format!("{what} {name}"));
+            }
+        }
+        Value::Array(points) => {
+            for point in points {
+                assert!(point["case"].is_string() && point["ordinary"].is_boolean(), "{what} is {point}");
+                assert_figures(&point["time"], &format!("{what} {}", point["case"]));
+                assert_figures(&point["ratio"], &format!("{what} {}", point["case"]));
             }
         }
         other => panic!("{what} is {other}"),

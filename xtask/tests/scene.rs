@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{Bench, repository};
+use common::{Bench, Ran, repository};
 use serde_json::{Value, json};
 use std::fs;
 
@@ -93,6 +93,31 @@ fn json_reads_back_as_the_library_gives_it() {
     assert_eq!(value["counts"]["slot.contact_force"], 2);
     assert_eq!(value["series"][0]["output"], "U1");
     assert_eq!(value["series"][0]["values"][1], json!([2.5]));
+}
+
+#[test]
+fn several_scenes_are_one_json_document() {
+    let (rail, interface) = (scene("rail.json"), scene("interface.json"));
+    let document = |more: &[&str]| -> Vec<Value> {
+        let ran = Bench::new().run(&[&["scene", "--format", "json", &rail, &interface], more].concat()).quiet();
+        serde_json::from_str(&ran.stdout).unwrap()
+    };
+    let titles: Vec<_> = document(&[]).iter().map(|scene| scene["title"].clone()).collect();
+    assert!(titles.len() == 2 && titles[0] == "A car on a rail" && titles[1].is_string(), "{titles:?}");
+    assert_eq!(document(&["--plan"]).len(), 2);
+}
+
+#[test]
+fn a_scene_comes_from_standard_input() {
+    let bench = Bench::new();
+    let wrong = bench.path("wrong.json");
+    fs::write(&wrong, WRONG).unwrap();
+    let from = |path: &str| {
+        let input = fs::File::open(path).unwrap();
+        Ran::from(bench.command(&["scene", "-"]).stdin(input).output().unwrap())
+    };
+    from(&scene("rail.json")).quiet().prints("A car on a rail");
+    from(&wrong.to_string_lossy()).exits(1).says("standard input: elements.s.mu").says("standard input: 3 faults\n");
 }
 
 #[test]

@@ -84,11 +84,18 @@ fn remove(object: &mut Value, key: &str) {
 
 #[test]
 fn whatever_is_not_as_laid_down_is_refused() {
-    let mutations: [(&str, Mutation); 34] = [
+    let mutations: [(&str, Mutation); 45] = [
         ("an extra key", |f, _, _| f["author"] = json!("me")),
         ("an extra key in a case", |f, v, _| f["cases"][v]["note"] = json!("x")),
         ("an extra key in an input", |f, _, _| f["inputs"][0]["latex"] = json!("x")),
         ("no formula", |f, _, _| remove(f, "formula")),
+        ("no layout", |f, _, _| remove(f, "layout")),
+        ("another layout", |f, _, _| f["layout"] = json!(1)),
+        ("no provenance", |f, _, _| remove(f, "provenance")),
+        ("another provenance", |f, _, _| f["provenance"] = json!({"kind": "found"})),
+        ("ours without a reason", |f, _, _| f["provenance"] = json!({"kind": "ours"})),
+        ("printed for a reason", |f, _, _| f["provenance"] = json!({"kind": "printed", "why": "x"})),
+        ("a negative bound", |f, _, _| f["eta"]["value"] = json!(-1.0)),
         ("another schema", |f, _, _| f["schema"] = json!("http://example.org/schema.json")),
         ("an identifier without a room", |f, _, _| f["formula"] = json!("kinetic_force")),
         ("an empty title", |f, _, _| f["title"] = json!("")),
@@ -96,7 +103,7 @@ fn whatever_is_not_as_laid_down_is_refused() {
         ("no outputs", |f, _, _| f["outputs"] = json!([])),
         ("a name with a blank", |f, _, _| f["inputs"][0]["name"] = json!("f 1")),
         ("a unit that is none", |f, _, _| f["inputs"][0]["unit"] = json!("N/mm")),
-        ("a matrix", |f, _, _| f["inputs"][0]["shape"] = json!([3, 3])),
+        ("a shape of three dimensions", |f, _, _| f["inputs"][0]["shape"] = json!([3, 3, 3])),
         ("a shape of one", |f, _, _| f["inputs"][0]["shape"] = json!([1])),
         ("a negative shape", |f, _, _| f["inputs"][0]["shape"] = json!([-3])),
         ("too few cases", |f, _, _| f["cases"].as_array_mut().unwrap().truncate(31)),
@@ -112,10 +119,14 @@ fn whatever_is_not_as_laid_down_is_refused() {
         ("a Jacobian without inputs", |f, v, _| f["cases"][v]["jac"]["f"] = json!([1.0, 0.0, 0.0])),
         ("a Jacobian that is not finite", |f, v, _| f["cases"][v]["jac"]["f"]["f1"][0] = json!("NaN")),
         ("a Jacobian of text", |f, v, _| f["cases"][v]["jac"]["f"]["e1a"][0][0] = json!("1.0")),
+        ("a negative scale", |f, v, _| f["cases"][v]["out_scale"]["f"][0] = json!(-1.0)),
+        ("a scale that is no number", |f, v, _| f["cases"][v]["jac_scale"]["f"]["f1"][0] = json!("NaN")),
         ("an unknown flag", |f, v, _| f["cases"][v]["flags"] = json!(["easy"])),
         ("no flag", |f, v, _| f["cases"][v]["flags"] = json!([])),
         ("the same flag twice", |f, v, _| f["cases"][v]["flags"] = json!(["hand", "hand"])),
         ("a valid case without out", |f, v, _| remove(&mut f["cases"][v], "out")),
+        ("a valid case without out_scale", |f, v, _| remove(&mut f["cases"][v], "out_scale")),
+        ("a Jacobian without its scale", |f, v, _| remove(&mut f["cases"][v], "jac_scale")),
         ("a valid case without jac, on no kink", |f, v, _| remove(&mut f["cases"][v], "jac")),
         ("an invalid case without error", |f, _, i| remove(&mut f["cases"][i], "error")),
         ("an invalid case with a result", |f, v, i| f["cases"][i]["out"] = f["cases"][v]["out"].clone()),
@@ -132,14 +143,26 @@ fn whatever_is_not_as_laid_down_is_refused() {
 
 #[test]
 fn what_may_differ_is_accepted() {
-    let changes: [(&str, Mutation); 5] = [
+    let changes: [(&str, Mutation); 10] = [
         ("no comment", |f, v, _| remove(&mut f["cases"][v], "comment")),
         ("an input that is not finite", |f, v, _| f["cases"][v]["in"]["e1a"][0] = json!("-Infinity")),
         ("an integer", |f, v, _| f["cases"][v]["in"]["f1"] = json!(1)),
         ("no jac on a kink", |f, v, _| {
             f["cases"][v]["flags"] = json!(["hard", "kink"]);
             remove(&mut f["cases"][v], "jac");
+            remove(&mut f["cases"][v], "jac_scale");
         }),
+        ("a scale beyond all doubles", |f, v, _| f["cases"][v]["jac_scale"]["f"]["f1"][0] = json!("Infinity")),
+        ("a reconstructed equation", |f, _, _| f["provenance"] = json!({"kind": "reconstructed", "why": "the root"})),
+        ("a matrix", |f, v, _| {
+            f["inputs"][0]["shape"] = json!([3, 3]);
+            f["cases"][v]["in"]["e1a"] = json!([[1, 0, 0], [0, 1, 0], [0, 0, 1]]);
+        }),
+        ("the derivative of a matrix by a matrix", |f, v, _| {
+            f["cases"][v]["jac"]["f"]["e1a"] =
+                json!([[[[0, 1], [1, 0]], [[1, 0], [0, 1]]], [[[0, 0], [0, 0]], [[0, 0], [1, 1]]]]);
+        }),
+        ("the unit of a conductance", |f, _, _| f["inputs"][0]["unit"] = json!("F/LTΘ")),
         ("the unit of damping", |f, _, _| f["inputs"][0]["unit"] = json!("FT/L^3")),
     ];
     let (validator, original) = (validator(), original());

@@ -4,7 +4,7 @@ use super::fault::{Fault, Faults};
 use crate::error::Error;
 use std::fmt::Write;
 
-/// The text is not JSON from here on; the fault is recorded.
+/// Nothing that follows can be judged, as the text is not JSON from here on; the fault is recorded.
 #[derive(Debug)]
 pub(in crate::scene) struct Stop;
 

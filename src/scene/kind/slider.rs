@@ -1,8 +1,8 @@
-//! SLIDER, in space and in the plane.
+//! SLIDER, in space, in the plane and in that of radius and axis.
 
 use super::dimension::Dimension;
 use super::table::{Kind, Origin, always};
-use crate::scene::rules::{KeptAxis, KeptAxis2d, PivotAxes};
+use crate::scene::rules::{Eliminate2d, IncrementalConstraint2d, KeptAxis, KeptAxis2d, PivotAxes};
 use crate::slider;
 use Origin::{Increment, Position};
 
@@ -44,9 +44,20 @@ pub(super) const SLIDER: Kind = Kind {
     ],
 };
 
+/// The line is that of space: positions have a third coordinate, which is 0.
 pub(super) const SLIDER_2D: Kind = Kind {
     dimension: Dimension::Plane,
-    formulas: &[always(&slider::Constraint2d), always(&KeptAxis2d), always(&slider::Increment2d)],
-    outputs: &[("G", "g"), ("DXMI", "dxmi")],
+    formulas: &[
+        always(&slider::Line),
+        always(&slider::Constraint2d),
+        always(&IncrementalConstraint2d),
+        always(&KeptAxis2d),
+        always(&Eliminate2d),
+        always(&slider::Increment2d),
+    ],
+    outputs: &[("N", "n"), ("L", "l"), ("G", "g"), ("R", "r"), ("XMI", "xmi"), ("DXMI", "dxmi")],
     ..SLIDER
 };
+
+/// The same in the plane of radius and axis.
+pub(super) const SLIDER_AXISYMMETRIC: Kind = Kind { dimension: Dimension::Axisymmetric, ..SLIDER_2D };

@@ -206,9 +206,9 @@ impl Kind {
         self.parameters().enumerate().fold(0, |bits, (bit, (name, _))| bits | u64::from(decides(name)) << bit)
     }
 
-    /// Whether it slides on a slide line.
+    /// Whether it slides on a slide line. Such a kind is given nothing that formulas read from registers.
     pub fn slides(&self) -> bool {
-        self.dimension == Dimension::Axisymmetric
+        self.given.is_empty()
     }
 
     /// The register behind an output.

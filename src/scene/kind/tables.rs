@@ -2,14 +2,14 @@
 
 use super::dimension::Dimension;
 use super::isl::{ISL21A, ISL22A};
-use super::slider::{SLIDER, SLIDER_2D};
+use super::slider::{SLIDER, SLIDER_2D, SLIDER_AXISYMMETRIC};
 use super::slot::{SLOT, SLOT_2D};
 use super::table::Kind;
 use super::translator::TRANSLATOR;
 use super::ujoint::UJOINT;
 
 /// Every kind of element.
-static KINDS: [Kind; 8] = [SLOT, SLOT_2D, TRANSLATOR, UJOINT, SLIDER, SLIDER_2D, ISL21A, ISL22A];
+static KINDS: [Kind; 9] = [SLOT, SLOT_2D, TRANSLATOR, UJOINT, SLIDER, SLIDER_2D, SLIDER_AXISYMMETRIC, ISL21A, ISL22A];
 
 impl Kind {
     /// Every kind.

@@ -65,8 +65,10 @@ pub(super) fn elements_of(
         }
         Ok(parts.check(reader, place, number, outputs))
     })?;
-    let used: Vec<_> = elements.things().iter().filter_map(Draft::kind).collect();
-    wanted.check(reader, &used);
+    // An element of an unknown kind may have any output.
+    if let Some(used) = elements.things().iter().map(Draft::kind).collect::<Option<Vec<_>>>() {
+        wanted.check(reader, &used);
+    }
     Ok(elements)
 }
 
@@ -159,31 +161,35 @@ impl Parts {
             return Draft::Faulty(Some(kind), nodes);
         }
         let sliding = line.map(|line| sliding(number, &nodes, line));
-        if sliding == Some(None) {
-            reader.fault(place, "an element that has a node twice", "different nodes");
-            return Draft::Faulty(Some(kind), nodes);
-        }
         let parameters = parameters.into_iter().map(Given::number).collect();
-        Draft::Whole(SceneElement { kind, nodes: nodes.into(), sliding: sliding.flatten(), parameters, outputs })
+        Draft::Whole(SceneElement { kind, nodes: nodes.into(), sliding, parameters, outputs })
     }
 }
 
-/// An element on its line; `None` if it has a node twice.
-fn sliding(number: u32, nodes: &[u32], line: u32) -> Option<Sliding> {
+/// An element on its line.
+fn sliding(number: u32, nodes: &[u32], line: u32) -> Sliding {
     let element = match *nodes {
         [a, b] => IslElement::isl21a(number, [a, b]),
         [a, b, c] => IslElement::isl22a(number, [a, b, c]),
         _ => unreachable!("the kinds that slide have two or three nodes"),
     };
-    Some(Sliding { line, element: element.ok()? })
+    Sliding { line, element: element.expect("no element that has a node twice gets here") }
 }
 
 fn nodes_of(reader: &mut Reader, kind: &Kind, nodes: &Named<Option<SceneNode>>) -> Read<Vec<Option<u32>>> {
     let place = reader.place();
     let allowed = format!("an array of {} nodes: {}", kind.nodes.len(), kind.nodes.join(", "));
-    let Some(ends) = refer_all(reader, nodes, &allowed, "node")? else { return Ok(Vec::new()) };
+    let Some(mut ends) = refer_all(reader, nodes, &allowed, "node")? else { return Ok(Vec::new()) };
     if ends.len() != kind.nodes.len() {
         reader.fault(place, format!("an array of {}", ends.len()), allowed);
+    }
+    for index in 1..ends.len() {
+        if let (Some(node), before) = (ends[index], &ends[..index])
+            && before.contains(&Some(node))
+        {
+            reader.fault(place, format!("node {:?} for the second time", nodes.name(node)), "different nodes");
+            ends[index] = None;
+        }
     }
     Ok(ends)
 }

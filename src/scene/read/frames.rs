@@ -53,14 +53,17 @@ struct History<'k> {
     moved: Mentioned<'k, Option<SceneNode>>,
     pressed: Mentioned<'k, Option<SceneNode>>,
     loaded: Mentioned<'k, Draft>,
-    /// Whether each node is one of an element, where elements slide.
+    /// Whether each node may be one of an element, where elements slide; any may be of an element whose nodes are not known.
     slides: Vec<bool>,
 }
 
 impl<'k> History<'k> {
     fn new(dimension: Dimension, nodes: &'k Named<Option<SceneNode>>, elements: &'k Named<Draft>) -> Self {
-        let mut slides = vec![false; nodes.len()];
-        let of_elements = elements.things().iter().flat_map(Draft::nodes);
+        let is_open =
+            |draft: &Draft| draft.kind().is_none_or(|kind| kind.slides() && draft.nodes().len() < kind.nodes.len());
+        let mut slides = vec![elements.things().iter().any(is_open); nodes.len()];
+        let sliding = |draft: &&Draft| draft.kind().is_some_and(Kind::slides);
+        let of_elements = elements.things().iter().filter(sliding).flat_map(Draft::nodes);
         of_elements.for_each(|&node| slides[node as usize] = true);
         let [moved, pressed] = [Mentioned::none(nodes, "node"), Mentioned::none(nodes, "node")];
         Self { dimension, moved, pressed, loaded: Mentioned::none(elements, "element"), slides }

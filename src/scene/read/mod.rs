@@ -60,6 +60,8 @@ fn scene(reader: &mut Reader) -> Read<Option<Scene>> {
     let Some(dimension) = dimension else { return Ok(None) };
     let turns = part(reader, "orientations", orientations, |reader| orientations_of(reader, dimension))?;
     let turns = turns.unwrap_or_default();
+    // Without these, everything that refers to them would be another fault.
+    let (Some(_), Some(_)) = (nodes, elements) else { return Ok(None) };
     let nodes = part(reader, "nodes", nodes, |reader| nodes_of(reader, dimension, &turns))?.unwrap_or_default();
     let lines = lines.filter(|&place| belongs(reader, place, dimension));
     let lines = part(reader, "slide_lines", lines, |reader| slide_lines_of(reader, &nodes))?.unwrap_or_default();

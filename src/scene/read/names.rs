@@ -1,16 +1,17 @@
 //! Names of the author's choice, and references to them.
 
-use crate::scene::json::{Read, Reader};
+use crate::scene::json::{Read, Reader, Stop};
 use crate::scene::model::Named;
 
 /// The members of an object whose keys are names, each once; `item` is told its number. An entry with a fault may have a
-/// name all the same, to which others may refer without another fault.
+/// name all the same, to which others may refer without another fault; where there are no names at all, nothing that could
+/// refer to them is read.
 pub(super) fn named<'t, T>(
     reader: &mut Reader<'t>,
     mut item: impl FnMut(&mut Reader<'t>, u32) -> Read<T>,
 ) -> Read<Named<T>> {
     let mut all = Named::default();
-    reader.object("an object of named entries", |reader, name, place| {
+    let is_object = reader.object("an object of named entries", |reader, name, place| {
         if name.is_empty() {
             reader.fault(place, "an empty name", "a name");
         }
@@ -22,7 +23,7 @@ pub(super) fn named<'t, T>(
         }
         Ok(())
     })?;
-    Ok(all)
+    if is_object { Ok(all) } else { Err(Stop) }
 }
 
 /// An array of names that must be known: the number of each that is.

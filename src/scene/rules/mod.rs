@@ -6,22 +6,32 @@
 
 #![expect(clippy::inline_always, reason = "a call would write the inputs to memory, and wait for them there")]
 
+mod axes;
+mod list;
+mod plane;
 #[cfg(feature = "verify")]
 mod proof;
 
+pub use axes::{AXES, EliminatedAxes, LineNodes, PivotAxes};
+pub use list::RULES;
+pub use plane::{
+    Coordinate2d, Eliminate2d, IncrementalConstraint2d, KeptCoordinate2d, MovingNodes2d, RESIDUAL, Residual, XMI_PLANE,
+};
+
 use crate::align::{Misalignment, Orientations};
 use crate::cardan::{
-    Angles, BetaAxes, BetaTwoArgument, Oriented, Triads, accurate, accurate_jacobian, check_start, check_turns, nearest,
+    Angles, BetaAxes, BetaTwoArgument, CardanAngles, Oriented, Triads, accurate, accurate_jacobian, check_start,
+    check_turns, nearest,
 };
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Jacobian, Spec, along};
+use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec, along};
 use crate::quantity::{
     Domain, E1A, E2A, E3A, F_TANGENTIAL, F_TRIAL, F2, F3, FORCE, JOIN_F1, P, Quantity, SLIDER_DXM, SLIDER_DXMK,
     SLIDER_X1, SLIDER_X1_PLANE, SLIDER_XM, SLIDER_XM_PLANE, SLIDER_XMK, SLIDER_XN, SLIDER_XN_PLANE, Shape, U1, Unit,
 };
 use crate::scalar::{Scalar, abs, pi, sign};
-use crate::slider::{Pivots, Pivots2d};
+use crate::slider::{Eliminate, Increment2d, Pivots, Pivots2d};
 use nalgebra::{Vector2, Vector3};
 use std::f64::consts::PI;
 
@@ -97,7 +107,7 @@ pub const ANGLE_START: Quantity = scalar(r"\alpha_0", Unit::ONE, Domain::Angle, 
 pub const TURNED: Quantity = scalar(r"u_r^-", Unit::ONE, Domain::Angle, "available rotation in the last state");
 /// The angle, with the full turns that were made.
 pub const FOLLOWED: Quantity =
-    scalar(r"\alpha", Unit::ONE, Domain::Angle, "angle, followed from state to state over full turns");
+    scalar(r"\alpha^{\mathrm{full}}", Unit::ONE, Domain::Angle, "angle, followed from state to state over full turns");
 
 fields! {
     /// The angle as it is read off, at the start, and the rotation in the last state.
@@ -118,7 +128,7 @@ impl Formula for Follow {
         "Angle followed over full turns",
         Document::UJOINT.ours("Summary", "the page names the rotations, and not what they are beyond half a turn"),
     )
-    .equation(r"\alpha + 2\pi k,\quad k = \operatorname{round}\frac{\alpha_0 + u_r^- - \alpha}{2\pi}")
+    .equation(r"\alpha^{\mathrm{full}} = \alpha + 2\pi\operatorname{round}\frac{\alpha_0 + u_r^- - \alpha}{2\pi}")
     .eta(4.0, 4.0);
     type Inputs<T: Component> = Sighting<T>;
     type Outputs<T: Component> = Followed<T>;
@@ -294,8 +304,9 @@ impl Formula for Turns {
     const SPEC: Spec = spec(
         "scene.angles",
         "Cardan angles, β from two arguments",
-        r"\alpha, \gamma \text{ as documented},\quad \beta = \operatorname{atan2}\bigl(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b},\ \sqrt{(\mathbf{e}_{1a}\cdot\mathbf{e}_{1b})^2 + (\mathbf{e}_{1a}\cdot\mathbf{e}_{2b})^2}\bigr)",
-    );
+        r"\beta = \operatorname{atan2}\bigl(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b},\ \sqrt{(\mathbf{e}_{1a}\cdot\mathbf{e}_{1b})^2 + (\mathbf{e}_{1a}\cdot\mathbf{e}_{2b})^2}\bigr)",
+    )
+    .given(&[Given::new(r"\alpha,\ \gamma", &CardanAngles::SPEC)]);
     type Inputs<T: Component> = Triads<T>;
     type Outputs<T: Component> = Angles<T>;
 
@@ -322,8 +333,9 @@ impl Formula for Alignment {
     const SPEC: Spec = spec(
         "scene.alignment",
         "Residuals of ALIGN, without jumps",
-        r"u_{r1} = \alpha - \alpha_0,\quad u_{r2} = \beta - \beta_0,\quad u_{r3} = \gamma - \gamma_0 \pmod{2\pi}",
-    );
+        r"u_{r1} = w(\alpha - \alpha_0),\quad u_{r2} = \beta - \beta_0,\quad u_{r3} = w(\gamma - \gamma_0),\quad w(\delta) = \begin{cases} \delta & \lvert\delta\rvert \le \pi \\ \delta - 2\pi\operatorname{sign}\delta & \text{otherwise} \end{cases}",
+    )
+    .given(&[Given::new(r"\alpha,\ \gamma", &CardanAngles::SPEC), Given::new(r"\beta", &BetaTwoArgument::SPEC)]);
     type Inputs<T: Component> = Orientations<T>;
     type Outputs<T: Component> = Misalignment<T>;
 
@@ -378,8 +390,9 @@ impl Formula for KeptAxis {
         ..spec(
             "scene.kept_axis",
             "The coordinate that is kept",
-            r"x_{m,k} = \mathbf{x}_m\cdot\mathbf{i}_k,\quad \mathrm{d}x_{m,k} = \mathrm{d}\mathbf{x}_m\cdot\mathbf{i}_k",
+            r"x_{m,k} = \mathbf{x}_m\cdot\mathbf{e}_k,\quad \mathrm{d}x_{m,k} = \mathrm{d}\mathbf{x}_m\cdot\mathbf{e}_k,\quad \mathbf{e}_k = \begin{cases} \mathbf{i} & k = 1 \\ \mathbf{j} & k = 2 \\ \mathbf{k} & k = 3 \end{cases}",
         )
+        .given(&[Given::new("k", &Eliminate::SPEC)])
     };
     type Inputs<T: Component> = KeptNodes<T>;
     type Outputs<T: Component> = Kept<T>;
@@ -405,59 +418,6 @@ impl Formula for KeptAxis {
     }
 }
 
-/// Which coordinates are eliminated.
-pub const AXES: Quantity = Quantity::new(
-    r"(i, j)",
-    Shape::Vec2,
-    Unit::ONE,
-    Domain::Real,
-    "the axes i and j of the eliminated coordinates XMI and XMJ, as 1, 2 or 3",
-);
-
-fields! {
-    /// The line.
-    pub struct LineNodes<T> { x1: Vector3<T> = SLIDER_X1, xn: Vector3<T> = SLIDER_XN }
-}
-fields! {
-    /// The axes that the documented pivots eliminate.
-    pub struct EliminatedAxes<T> { axes: Vector2<T> = AXES }
-}
-
-/// The axes i and j that the documented pivots eliminate, in this state: 1, 2 or 3.
-#[derive(Clone, Copy, Debug)]
-pub struct PivotAxes;
-
-impl Formula for PivotAxes {
-    const SPEC: Spec = Spec {
-        objective: false,
-        ..spec("scene.pivot_axes", "The axes that are eliminated", r"(i, j) \text{ of } x_{m,i}, x_{m,j}")
-    };
-    type Inputs<T: Component> = LineNodes<T>;
-    type Outputs<T: Component> = EliminatedAxes<T>;
-
-    #[inline(always)]
-    fn eval<D: Scalar>(i: &LineNodes<D>) -> EliminatedAxes<D> {
-        let pivots = Pivots::new(&i.x1, &i.xn);
-        EliminatedAxes { axes: Vector2::new(axis_number(pivots.i), axis_number(pivots.j)) }
-    }
-
-    #[inline]
-    fn jacobian<D: Scalar>(_: &LineNodes<D>) -> Jacobian<Self, D> {
-        let zero = Vector3::from_element(D::zero());
-        EliminatedAxes { axes: Vector2::from_element(LineNodes { x1: zero, xn: zero }) }
-    }
-
-    #[inline]
-    fn validate(i: &LineNodes<f64>) -> Result<(), Error> {
-        Error::check_apart(("x1", i.x1), ("xn", i.xn))
-    }
-}
-
-/// An axis counted from 0, as a number from 1.
-fn axis_number<D: Scalar>(axis: usize) -> D {
-    D::from([1.0, 2.0, 3.0][axis])
-}
-
 /// Increment of node m in the plane.
 pub const DXM_PLANE: Quantity = Quantity { shape: Shape::Vec2, ..SLIDER_DXM };
 
@@ -474,7 +434,12 @@ fields! {
 pub struct KeptAxis2d;
 
 impl Formula for KeptAxis2d {
-    const SPEC: Spec = Spec { id: "scene.kept_axis_2d", ..KeptAxis::SPEC };
+    const SPEC: Spec = Spec {
+        id: "scene.kept_axis_2d",
+        given: &[Given::new("k", &Increment2d::SPEC)],
+        latex: r"x_{m,k} = \mathbf{x}_m\cdot\mathbf{e}_k,\quad \mathrm{d}x_{m,k} = \mathrm{d}\mathbf{x}_m\cdot\mathbf{e}_k,\quad \mathbf{e}_k = \begin{cases} (1, 0) & k = 1 \\ (0, 1) & k = 2 \end{cases}",
+        ..KeptAxis::SPEC
+    };
     type Inputs<T: Component> = KeptNodes2d<T>;
     type Outputs<T: Component> = Kept<T>;
 
@@ -497,7 +462,3 @@ impl Formula for KeptAxis2d {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }
 }
-
-/// The formulas of this module.
-pub const RULES: &[&dyn crate::catalog::AnyFormula] =
-    &[&Stick, &Follow, &Slip, &Kinetic, &Traction, &Joining, &Turns, &Alignment, &KeptAxis, &KeptAxis2d, &PivotAxes];

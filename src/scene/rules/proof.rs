@@ -1,6 +1,9 @@
 //! Evidence for the formulas next door: none beyond what every formula owes.
 
-use super::{Alignment, Follow, Joining, KeptAxis, KeptAxis2d, Kinetic, PivotAxes, Slip, Stick, Traction, Turns};
+use super::{
+    Alignment, Eliminate2d, Follow, IncrementalConstraint2d, Joining, KeptAxis, KeptAxis2d, Kinetic, PivotAxes, Slip,
+    Stick, Traction, Turns,
+};
 use crate::proof::Proved;
 
 impl Proved for Stick {}
@@ -24,3 +27,7 @@ impl Proved for KeptAxis {}
 impl Proved for KeptAxis2d {}
 
 impl Proved for PivotAxes {}
+
+impl Proved for IncrementalConstraint2d {}
+
+impl Proved for Eliminate2d {}

@@ -5,10 +5,12 @@ mod proof;
 
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Spec};
 use crate::quantity::{SEGMENT_G, SEPARATION, X1, X2, XS};
 use crate::scalar::Scalar;
+use crate::slide_line::basis::LocalBasis;
 use crate::slide_line::basis::length_and_tangent;
+use crate::slide_line::points::LinearPoint;
 use crate::slide_line::{check_distinct, left};
 use nalgebra::Vector2;
 
@@ -88,7 +90,8 @@ impl Formula for ClosestLinear {
         "Closest point of a straight segment",
         Document::SLIDE_LINE.ours("Element output", "the section says separation, and prints no equation"),
     )
-        .equation(r"(\mathbf{x}_s-\mathbf{X}(g))\cdot\mathbf{X}' = 0,\quad -1 \le g \le 1,\qquad E_{11} = (\mathbf{x}_s-\mathbf{X})\cdot\mathbf{n}")
+        .equation(r"g = \operatorname*{arg\,min}_{-1 \le g \le 1}\,\lvert\mathbf{x}_s-\mathbf{X}(g)\rvert,\quad E_{11} = \bigl(\mathbf{x}_s-\mathbf{X}(g)\bigr)\cdot\mathbf{n}")
+.given(&[Given::new(r"\mathbf{X}(g),\ \mathbf{X}'", &LinearPoint::SPEC), Given::new(r"\mathbf{n}", &LocalBasis::SPEC)])
         .eta(6.0, 8.0);
     type Inputs<T: Component> = LinearSlave<T>;
     type Outputs<T: Component> = SegmentFoot<T>;

@@ -6,10 +6,12 @@ mod proof;
 use super::{Foot, SegmentFoot, View};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Jacobian, Spec, ValueAndJacobian};
+use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec, ValueAndJacobian};
 use crate::quantity::{X1, X2, X3, XS};
 use crate::scalar::Scalar;
+use crate::slide_line::basis::LocalBasis;
 use crate::slide_line::check_distinct;
+use crate::slide_line::points::ParabolicPoint;
 use crate::slide_line::shape::Parabola;
 use nalgebra::Vector2;
 
@@ -64,7 +66,8 @@ impl Formula for ClosestParabolic {
         "Closest point of a parabolic segment",
         Document::SLIDE_LINE.ours("Element output", "the section says separation, and prints no equation"),
     )
-        .equation(r"(\mathbf{x}_s-\mathbf{X}(g))\cdot\mathbf{X}'(g) = 0,\quad -1 \le g \le 1,\qquad E_{11} = (\mathbf{x}_s-\mathbf{X})\cdot\mathbf{n}")
+        .equation(r"g = \operatorname*{arg\,min}_{-1 \le g \le 1}\,\lvert\mathbf{x}_s-\mathbf{X}(g)\rvert,\quad E_{11} = \bigl(\mathbf{x}_s-\mathbf{X}(g)\bigr)\cdot\mathbf{n}")
+.given(&[Given::new(r"\mathbf{X}(g),\ \mathbf{X}'", &ParabolicPoint::SPEC), Given::new(r"\mathbf{n}", &LocalBasis::SPEC)])
         .eta(4.0, 12.0);
     type Inputs<T: Component> = ParabolicSlave<T>;
     type Outputs<T: Component> = SegmentFoot<T>;

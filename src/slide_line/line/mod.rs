@@ -6,10 +6,12 @@ mod nodes;
 mod place;
 mod placed;
 mod tree;
+mod way;
 
 pub use definition::SlideLine;
 pub use interpolation::Interpolation;
 pub use nodes::Nodes;
 pub(crate) use nodes::check_position;
+pub(crate) use place::Foot;
 pub use place::{ClosestPoint, OverclosureVariation, Place};
 pub use placed::PlacedLine;

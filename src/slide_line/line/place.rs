@@ -4,6 +4,17 @@ use crate::Scalar;
 use arrayvec::ArrayVec;
 use nalgebra::Vector2;
 
+/// Where a closest point is in the material of its line. It stays there when the line is moved, turned or stretched.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Foot<D> {
+    /// The segment or smoothed corner, in order along the line.
+    pub(super) piece: usize,
+    /// The coordinate there, g or t.
+    pub(super) u: D,
+    /// How far past the end of the line: negative before its first node, positive behind its last.
+    pub(super) beyond: D,
+}
+
 /// Where on a slide line a point is closest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Place<D = f64> {
@@ -48,8 +59,8 @@ pub struct ClosestPoint<D = f64> {
     pub separation: D,
     /// The nodes that carry the place, with their weights, which add up to 1.
     pub weights: ArrayVec<(u32, D), 5>,
-    /// The index of the first of them in the sequence of the line.
-    pub(super) first: usize,
+    /// Where it is in the material of the line.
+    pub(crate) foot: Foot<D>,
     /// How many segments and corners were looked at to find it.
     pub evaluated: usize,
 }

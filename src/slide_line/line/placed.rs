@@ -1,15 +1,13 @@
 //! A slide line where its nodes are: the closest point of the whole line.
 
 use super::interpolation::Interpolation;
-use super::place::{ClosestPoint, Place};
+use super::place::{ClosestPoint, Foot, Place};
 use super::tree::{BLUR, Rectangle, Tree};
 use crate::Scalar;
 use crate::error::Error;
-use crate::formula::Formula;
 use crate::slide_line::closest::{PieceFoot, curved_foot, straight_foot};
 use crate::slide_line::shape::{self, LinearCorner, Parabola, ParabolicCorner, Shape};
-use crate::slide_line::{LinearMotion, LinearSlave, ParabolicMotion, SlipIncrementLinear, SlipIncrementParabolic};
-use crate::slide_line::{left, length};
+use crate::slide_line::{LinearSlave, left, length};
 use nalgebra::Vector2;
 use std::ops::RangeInclusive;
 use std::sync::Arc;
@@ -17,7 +15,7 @@ use std::sync::Arc;
 /// A slide line where its nodes are, with a spatial index. Made by [`SlideLine::place`](super::SlideLine::place).
 #[derive(Clone, Debug)]
 pub struct PlacedLine<D = f64> {
-    interpolation: Interpolation,
+    pub(super) interpolation: Interpolation,
     smoothing: Option<f64>,
     numbers: Arc<[u32]>,
     nodes: Vec<Vector2<D>>,
@@ -26,7 +24,7 @@ pub struct PlacedLine<D = f64> {
 
 /// What a line is made of.
 #[derive(Clone, Copy, Debug)]
-enum Piece {
+pub(super) enum Piece {
     /// A segment, by its index.
     Segment(usize),
     /// The corner behind a segment, smoothed over this fraction.
@@ -34,7 +32,7 @@ enum Piece {
 }
 
 impl Piece {
-    fn is_corner(self) -> bool {
+    pub(super) fn is_corner(self) -> bool {
         matches!(self, Self::Corner(..))
     }
 }
@@ -64,7 +62,7 @@ impl<D: Scalar> PlacedLine<D> {
         self.segments() + corners
     }
 
-    fn piece(&self, index: usize) -> Piece {
+    pub(super) fn piece(&self, index: usize) -> Piece {
         match self.smoothing {
             None => Piece::Segment(index),
             Some(f) if index % 2 == 1 => Piece::Corner(index / 2, f),
@@ -83,7 +81,7 @@ impl<D: Scalar> PlacedLine<D> {
     }
 
     /// The nodes of a piece that has so many.
-    fn nodes_of<const N: usize>(&self, piece: Piece) -> [Vector2<D>; N] {
+    pub(super) fn nodes_of<const N: usize>(&self, piece: Piece) -> [Vector2<D>; N] {
         let nodes = &self.nodes[self.range(piece)];
         *nodes.as_array().expect("the interpolation and the piece tell how many nodes there are")
     }
@@ -99,7 +97,7 @@ impl<D: Scalar> PlacedLine<D> {
     }
 
     /// The part of a piece that counts: of a segment, what its smoothed corners leave of it.
-    fn ends(&self, piece: Piece) -> [f64; 2] {
+    pub(super) fn ends(&self, piece: Piece) -> [f64; 2] {
         let Piece::Segment(segment) = piece else { return [0.0, 1.0] };
         let end = |at_corner: bool| match self.smoothing {
             Some(f) if at_corner => 1.0 - 2.0 * f,
@@ -177,8 +175,8 @@ impl<D: Scalar> PlacedLine<D> {
 
     fn settle(&self, nearest: Nearest<D>, xs: Vector2<D>, evaluated: usize) -> Result<ClosestPoint<D>, Error> {
         let overflow = Error::Overflow { name: "separation" };
-        let (piece, foot) = nearest.best().ok_or(overflow.clone())?;
-        let piece = self.piece(piece);
+        let (number, foot) = nearest.best().ok_or(overflow.clone())?;
+        let piece = self.piece(number);
         let (Piece::Segment(index) | Piece::Corner(index, _)) = piece;
         let coordinate = if piece.is_corner() { "t" } else { "g" };
         if foot.stands_still {
@@ -198,12 +196,17 @@ impl<D: Scalar> PlacedLine<D> {
             }
             _ => Place::Segment { index, g: foot.u },
         };
+        let beyond = match place {
+            Place::Beyond { distance, .. } if at_start => -distance,
+            Place::Beyond { distance, .. } => distance,
+            _ => D::zero(),
+        };
         let closest = ClosestPoint {
             place,
             tangent: foot.tangent,
             normal: left(foot.tangent),
             separation: foot.separation,
-            first: *range.start(),
+            foot: Foot { piece: number, u: foot.u, beyond },
             weights: range.zip(foot.weights).map(|(k, weight)| (self.numbers[k], weight)).collect(),
             evaluated,
         };
@@ -233,7 +236,7 @@ impl<D: Scalar> PlacedLine<D> {
             tangent: -left(normal),
             normal,
             separation,
-            first,
+            foot: Foot { piece: segment, u: -D::one(), beyond: D::zero() },
             weights: std::iter::once((number, D::one())).collect(),
             evaluated,
         })
@@ -251,22 +254,6 @@ impl<D: Scalar> PlacedLine<D> {
         };
         let size = length(rate);
         if size > 0.0 { Ok(rate / size) } else { Err(Error::NoTangent { coordinate: "g", value: end }) }
-    }
-
-    /// The increment of E12 at a closest point: t·(Δxs − Σ Nᵢ Δxᵢ), positive in the sequence of the nodes.
-    ///
-    /// `dx` are the displacement increments of the nodes of [`ClosestPoint::weights`].
-    pub fn slip_increment(&self, at: &ClosestPoint<D>, dxs: Vector2<D>, dx: &[Vector2<D>]) -> D {
-        match (at.place, self.nodes.get(at.first..), dx) {
-            (Place::Segment { g, .. }, Some(&[x1, x2, x3, ..]), &[dx1, dx2, dx3]) => {
-                SlipIncrementParabolic::eval(&ParabolicMotion { x1, x2, x3, g, dxs, dx1, dx2, dx3 }).dslip
-            }
-            (Place::Segment { g, .. }, Some(&[x1, x2, ..]), &[dx1, dx2]) => {
-                SlipIncrementLinear::eval(&LinearMotion { x1, x2, g, dxs, dx1, dx2 }).dslip
-            }
-            // On smoothed corners and at nodes it is the same sum over other nodes.
-            _ => at.tangent.dot(&at.relative_motion(dxs, dx)),
-        }
     }
 }
 

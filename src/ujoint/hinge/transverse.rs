@@ -5,7 +5,7 @@ mod proof;
 
 use super::{AxialForces, HingeAxial, HingeTwist, Twist, TwistLoads};
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec};
 use crate::quantity::{CROSS_F_BEND, F_AXIAL1, F_AXIAL3, F_TOTAL_HINGE1, F_TOTAL_HINGE3, LA, RP, TWIST_M2};
 use crate::scalar::{Scalar, direction, norm};
 
@@ -20,8 +20,11 @@ fields! {
     pub struct TransverseForces<T> { f_total_hinge1: T = F_TOTAL_HINGE1, f_total_hinge3: T = F_TOTAL_HINGE3 }
 }
 
-/// The whole transverse force on each hinge: a quarter of the force across the cross, the force of the twisting moment
-/// and that of the other axis, at right angles to one another.
+/// The whole transverse force on each hinge, as documented: the root of the squares of a quarter of the force across the
+/// cross, the force of the twisting moment and that of the other axis.
+///
+/// The last two are parallel, in the plane of the cross. On one of the two hinges of an axis they add, on the other they
+/// subtract; the root of the squares lies between.
 #[derive(Clone, Copy, Debug)]
 pub struct HingeTransverse;
 
@@ -36,7 +39,7 @@ impl<D: Scalar> CentreLoads<D> {
     }
 }
 
-/// The three transverse forces on a hinge, at right angles to one another.
+/// The three transverse forces on a hinge, whose squares are added.
 #[inline]
 pub(in crate::ujoint) fn transverse<D: Scalar>(f_bend: D, twist: &TwistLoads<D>, f_transv: D) -> [D; 3] {
     [f_bend * 0.25, twist.f_twist_hinge, f_transv]
@@ -49,6 +52,7 @@ impl Formula for HingeTransverse {
         Document::UJOINT.reconstructed("Friction", "the root and the quotient by 4 were lost"),
     )
         .equation(r"F_{\mathrm{total}k}^{\mathrm{hinge}} = \sqrt{\left(\tfrac14 F_{\mathrm{bend}}\right)^2 + \left(F_{\mathrm{twist}}^{\mathrm{hinge}}\right)^2 + \left(F_{\mathrm{transv}k}^{\mathrm{hinge}}\right)^2}\quad (k = 1, 3)")
+.given(&[Given::new(r"F_{\mathrm{twist}}^{\mathrm{hinge}}", &HingeTwist::SPEC), Given::new(r"F_{\mathrm{transv1}}^{\mathrm{hinge}},\ F_{\mathrm{transv3}}^{\mathrm{hinge}}", &HingeAxial::SPEC)])
         .eta(2.0, 4.0);
     type Inputs<T: Component> = CentreLoads<T>;
     type Outputs<T: Component> = TransverseForces<T>;

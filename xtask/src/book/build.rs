@@ -22,6 +22,9 @@ use super::{links, source};
 /// How a book looks that has no `theme` of its own.
 const THEME: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../book/theme");
 
+/// Its style sheets, beside those of mdBook.
+const SHEETS: [&str; 2] = ["book.css", "code.css"];
+
 /// How long a half-built folder of an interrupted run is left alone, in case that run is still going.
 const STALE: Duration = Duration::from_mins(10);
 
@@ -98,8 +101,8 @@ fn render(
 
 /// Puts in what was deferred, adds listings and golden files, and follows every link.
 fn finish(theme: &Path, out: &Path, title: &str, content: &Content, later: &Deferred) -> Result<()> {
-    fill(out, later)?;
-    for sheet in ["book.css", "code.css"] {
+    fill(out, "", later)?;
+    for sheet in SHEETS {
         write(&out.join("theme").join(sheet), &fs::read(theme.join(sheet))?)?;
     }
     for source in &content.sources {
@@ -113,15 +116,18 @@ fn finish(theme: &Path, out: &Path, title: &str, content: &Content, later: &Defe
     Ok(faults.into_result()?)
 }
 
-/// Fills the placeholders of every page in a folder and below.
-fn fill(folder: &Path, later: &Deferred) -> Result<()> {
+/// Fills the placeholders of every page in a folder and below, and names the theme's style sheets behind those of mdBook,
+/// which it copies only from the folder of the book. `to_root` is the way from the folder to the root of the book.
+fn fill(folder: &Path, to_root: &str, later: &Deferred) -> Result<()> {
+    let link = |sheet| format!("<link rel=\"stylesheet\" href=\"{to_root}theme/{sheet}\">\n");
+    let head_end = SHEETS.map(link).concat() + "</head>";
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();
         if path.is_dir() {
-            fill(&path, later)?;
+            fill(&path, &format!("{to_root}../"), later)?;
         } else if path.extension().is_some_and(|extension| extension == "html") {
             let page = fs::read_to_string(&path)?;
-            write(&path, later.fill(&page).as_bytes())?;
+            write(&path, later.fill(&page.replacen("</head>", &head_end, 1)).as_bytes())?;
         }
     }
     Ok(())

@@ -55,6 +55,8 @@ pub(crate) struct Entry {
     pub(crate) title: String,
     /// The equation, in LaTeX without dollar signs.
     pub(crate) latex: String,
+    /// Where the symbols come from that it does not define (text); may be empty.
+    pub(crate) given: String,
     /// Where the equation comes from.
     pub(crate) source: Source,
     /// Inputs in the order of the golden file.

@@ -6,6 +6,7 @@ use super::pages::{Pages, Place};
 use super::rust;
 use super::source::listing_page;
 use super::speed;
+use crate::extension::Fact;
 use jointproof::verify::{Audit, Claim};
 
 /// The entry as one line of HTML.
@@ -14,14 +15,23 @@ pub(crate) fn entry(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let title = pages.text(at, &entry.title);
     format!(
         "<section class=\"entry\"><h3 id=\"{id}\"><a class=\"header\" href=\"#{id}\">{title}</a> \
-         <code class=\"entry-id\">{id}</code></h3>{}{}<dl class=\"facts\">{}</dl>{}{}{}</section>",
+         <code class=\"entry-id\">{id}</code></h3>{}{}{}<dl class=\"facts\">{}</dl>{}{}{}</section>",
         pages.block_math(at, &entry.latex),
+        given(pages, at, entry),
         symbols(pages, at, entry),
         facts(pages, at, entry),
         speed::folded(pages, entry),
         each(&entry.code, |span| code(pages, at, span)),
         tests(pages, at, entry)
     )
+}
+
+/// Where the symbols come from that the equation does not define.
+fn given(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
+    match &*entry.given {
+        "" => String::new(),
+        given => format!("<p class=\"given\">{}</p>", pages.linked_text(at, given)),
+    }
 }
 
 /// Inputs and outputs in one table, so that their columns line up.
@@ -59,12 +69,16 @@ fn symbol_row(pages: &Pages<'_>, at: &Place, symbol: &Symbol) -> String {
     )
 }
 
-/// Source, provenance, kinks, golden cases and evidence.
+/// Source, provenance, what the project adds, kinks, golden cases and evidence.
 fn facts(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let source = &entry.source;
     let place = if source.place.is_empty() { String::new() } else { format!(", {}", pages.text(at, &source.place)) };
     let mut out = fact("Source", &format!("{}{place}", document(pages, at, source)));
     out += &fact("Provenance", &pages.text(at, &source.provenance));
+    for Fact { name, lines, .. } in pages.content.exhibits.facts.iter().filter(|fact| fact.formula == entry.id) {
+        let items = each(lines, |line| format!("<li>{}</li>", pages.text(at, line)));
+        out += &fact(&escape(name), &format!("<ul>{items}</ul>"));
+    }
     out += &fact("Kinks", &kinks(pages, at, &entry.kinks));
     out += &fact("Golden cases", &golden(at, entry.golden.as_ref()));
     out += &fact("Evidence", &evidence(&entry.evidence));
@@ -136,6 +150,8 @@ fn evidence(ran: &Evidence) -> String {
         ("Jacobian within η =", &audit.eta_jacobian),
         ("closed form against AD", &audit.closed_against_ad),
         ("AD against differences", &audit.ad_against_differences),
+        ("printed equation against value", &audit.equation),
+        ("its derivative against closed form", &audit.equation_jacobian),
     ];
     chips.extend(claims.iter().map(|(what, claim)| format!("{what} {}", worst(claim))));
     format!("<ul class=\"chips\">{}</ul>", each(chips, |chip| format!("<li>{chip}</li>")))

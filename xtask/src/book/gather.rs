@@ -7,7 +7,7 @@ use crate::project::Project;
 use crate::report::data::Report;
 use anyhow::Context;
 use jointproof::catalog::{AnyFormula, KinkEntry};
-use jointproof::formula::{Field, Source};
+use jointproof::formula::{Field, Given, Source};
 use jointproof::proof::Convention;
 use jointproof::quantity::Shape;
 use jointproof::verify::golden::File;
@@ -65,6 +65,7 @@ fn entry(project: &Project, formula: &dyn AnyFormula, index: &Index<'_>, evidenc
         id: spec.id.into(),
         title: spec.title.into(),
         latex: spec.latex.into(),
+        given: given(spec.given),
         source: source(spec.source),
         inputs: formula.inputs().iter().map(symbol).collect(),
         outputs: formula.outputs().iter().map(symbol).collect(),
@@ -77,6 +78,13 @@ fn entry(project: &Project, formula: &dyn AnyFormula, index: &Index<'_>, evidenc
             audit: evidence.audits.get(spec.id).cloned(),
         },
     }
+}
+
+/// "where F_C from slot.contact_force"
+fn given(given: &[Given]) -> String {
+    let from = |given: &Given| format!("${}$ from `{}`", given.symbols, given.from.id);
+    let all: Vec<_> = given.iter().map(from).collect();
+    if all.is_empty() { String::new() } else { format!("where {}", all.join(", ")) }
 }
 
 fn source(source: Source) -> content::Source {

@@ -27,3 +27,4 @@ pub(crate) use build::Summary;
 pub(crate) use command::{Arguments, build_book, run};
 pub use coverage::uncovered;
 pub use fault::Fault;
+pub use source::listing_page;

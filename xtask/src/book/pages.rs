@@ -73,7 +73,7 @@ impl<'a> Pages<'a> {
         self.later.keep(self.or_fault(at, self.math.block(latex)), "")
     }
 
-    /// *Text* as HTML: `$…$` is mathematics, `` `…` `` is code, everything else is words.
+    /// *Text* as HTML: `$…$` is mathematics, `` `…` `` is code, `[…](…)` is a link, everything else is words.
     pub(crate) fn text(&self, at: &Place, text: &str) -> String {
         self.text_with(at, text, |code| format!("<code>{}</code>", escape(code)))
     }
@@ -84,6 +84,19 @@ impl<'a> Pages<'a> {
     }
 
     fn text_with(&self, at: &Place, text: &str, code: impl Fn(&str) -> String) -> String {
+        let mut out = String::new();
+        let mut rest = text;
+        while let Some(Link { before, words, target, after }) = Link::first(rest) {
+            out += &self.words_with(at, before, &code);
+            let words = self.words_with(at, words, |code| format!("<code>{}</code>", escape(code)));
+            out.extend(["<a href=\"", &escape(&relative(&at.page, target)), "\">", &words, "</a>"]);
+            rest = after;
+        }
+        out + &self.words_with(at, rest, &code)
+    }
+
+    /// A text without links.
+    fn words_with(&self, at: &Place, text: &str, code: impl Fn(&str) -> String) -> String {
         let mut out = String::new();
         let mut rest = text;
         while let Some(open) = rest.find(['$', '`']) {
@@ -110,5 +123,23 @@ impl<'a> Pages<'a> {
             self.fault(at, error.to_string());
             String::new()
         })
+    }
+}
+
+/// A link in a text.
+struct Link<'t> {
+    before: &'t str,
+    words: &'t str,
+    target: &'t str,
+    after: &'t str,
+}
+
+impl<'t> Link<'t> {
+    /// The first one.
+    fn first(text: &'t str) -> Option<Self> {
+        let (head, tail) = text.split_once("](")?;
+        let (before, words) = head.rsplit_once('[')?;
+        let (target, after) = tail.split_once(')')?;
+        Some(Self { before, words, target, after })
     }
 }

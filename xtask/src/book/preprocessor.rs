@@ -33,7 +33,10 @@ impl Preprocessor for Formulary {
     fn run(&self, _: &PreprocessorContext, mut book: Book) -> Result<Book> {
         let mut pages = Pages::new(&self.content, &self.later);
         let (mut scans, mut entries) = (Vec::new(), Vec::new());
-        book.for_each_chapter_mut(|chapter| scans.push(read(chapter, &pages, &mut entries)));
+        book.for_each_chapter_mut(|chapter| {
+            chapter.content = with_texts(&self.content, &chapter.content);
+            scans.push(read(chapter, &pages, &mut entries));
+        });
         note(entries, &mut pages);
         let mut scans = scans.into_iter();
         book.for_each_chapter_mut(|chapter| {
@@ -77,6 +80,7 @@ impl Formulary {
             ("formula", id) => pages.entry(id).map(|formula| entry::entry(pages, at, formula)).unwrap_or_default(),
             ("figure", argument) => figure::figure(pages, at, &self.figures, argument),
             ("output", name) => Self::output(pages, at, name),
+            ("text", name) => no_text(pages, at, name),
             ("symbols", "") => tables::symbols(pages, at),
             ("kinks", "") => tables::kinks(pages, at),
             ("evidence", "") => tables::evidence(pages, at),
@@ -98,10 +102,33 @@ impl Formulary {
     }
 }
 
+/// The chapter with `{{#text name}}` replaced by the Markdown of this name, which is then read as if it stood there.
+fn with_texts(content: &Content, chapter: &str) -> String {
+    let mut out = String::with_capacity(chapter.len());
+    let mut done = 0;
+    for Found { piece, range, .. } in scan(chapter).0 {
+        if let Piece::Directive { name, argument } = piece
+            && name == "text"
+            && let Some((_, text)) = content.exhibits.texts.iter().find(|(known, _)| *known == argument)
+        {
+            out.extend([&chapter[done..range.start], text]);
+            done = range.end;
+        }
+    }
+    out + &chapter[done..]
+}
+
+/// Nothing, and a fault: a text of a known name was put in before.
+fn no_text(pages: &Pages<'_>, at: &Place, name: &str) -> String {
+    let known: Vec<_> = pages.content.exhibits.texts.iter().map(|(name, _)| name.as_str()).collect();
+    pages.fault(at, format!("no text `{name}`; there are: {}", known.join(", ")));
+    String::new()
+}
+
 /// Nothing, and a fault.
 fn unknown(pages: &Pages<'_>, at: &Place, name: &str, argument: &str) -> String {
     let known = format!(
-        "formula ID, figure NAME, output NAME, table NAME, symbols, kinks, evidence, sources, {}",
+        "formula ID, figure NAME, output NAME, table NAME, text NAME, symbols, kinks, evidence, sources, {}",
         speed::PARTS
     );
     let written = format!("{name} {argument}");

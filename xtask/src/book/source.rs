@@ -7,7 +7,7 @@ use super::html::escape;
 use super::rust::highlight;
 
 /// The page that lists a file, from the root of the book.
-pub(crate) fn listing_page(path: &str) -> String {
+pub fn listing_page(path: &str) -> String {
     format!("source/{path}.html")
 }
 

@@ -4,9 +4,9 @@ use super::content::Entry;
 use super::html::{each, escape, number, row, table};
 use super::pages::{Pages, Place};
 use crate::report::data::Report;
-use crate::report::plot;
 use crate::report::tables::{duration, spread, step};
 use crate::report::verdict::Verdict;
+use crate::report::{plot, price};
 use jointproof::measure::{Errors, Figures, Measurement, Scheme, Time, WayFigures};
 
 /// The folded part of an entry.
@@ -146,7 +146,7 @@ fn verdict(pages: &Pages<'_>, at: &Place, report: &Report) -> String {
         });
         out += &table("speed", &["Not so for", "because"], &rows);
     }
-    out
+    out + &price::summary(report).map_or(String::new(), |summary| format!("<p>{}</p>", escape(&summary)))
 }
 
 /// A plot for every family.
@@ -173,6 +173,8 @@ fn overall(pages: &Pages<'_>, at: &Place, report: &Report) -> String {
         "Value",
         "With Jacobian",
         "Spread",
+        "Checked",
+        "Hardest",
         "Single",
         "AD",
         "Central",
@@ -196,6 +198,8 @@ fn overall(pages: &Pages<'_>, at: &Place, report: &Report) -> String {
             ("figure", time(value)),
             ("figure", time(closed)),
             ("figure", closed.map_or(String::new(), spread)),
+            ("figure", ratio("checked")),
+            ("figure", hardest(measurement)),
             ("figure", ratio("single")),
             ("figure", ratio("ad")),
             ("figure", ratio("central")),
@@ -205,6 +209,13 @@ fn overall(pages: &Pages<'_>, at: &Place, report: &Report) -> String {
         ])
     });
     table("speed", &head, &rows)
+}
+
+/// The time at the hardest ordinary point in units of that at random ones, and which point it is.
+fn hardest(measurement: &Measurement) -> String {
+    price::hardest(measurement).map_or("–".into(), |(_, point)| {
+        format!("<span title=\"{}\">× {}</span>", escape(&point.case), number(point.ratio.median))
+    })
 }
 
 /// What differences reach at best, over all formulas.
@@ -235,7 +246,8 @@ fn differences(report: &Report) -> String {
 
 /// The formulas that have other ways, naive ones or the document's, beside the closed form.
 fn own(pages: &Pages<'_>, at: &Place, report: &Report) -> String {
-    const COMMON: [&str; 8] = ["closed", "single", "ad", "forward", "central", "fourth", "octuple", "octuple-ad"];
+    const COMMON: [&str; 9] =
+        ["closed", "checked", "single", "ad", "forward", "central", "fourth", "octuple", "octuple-ad"];
     let others = |measurement: &'_ Measurement| -> Vec<WayFigures> {
         measurement.ways.iter().filter(|way| !COMMON.contains(&&*way.id)).cloned().collect()
     };

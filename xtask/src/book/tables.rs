@@ -65,6 +65,8 @@ const EVIDENCE: &[&str] = &[
     "Jacobian, η",
     "Closed form against AD",
     "AD against differences",
+    "Printed equation",
+    "Its derivative",
     "Laws held",
 ];
 
@@ -92,6 +94,8 @@ fn evidence_row(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
         ("figure", worst(&audit.eta_jacobian)),
         ("figure", gap(&audit.closed_against_ad)),
         ("figure", gap(&audit.ad_against_differences)),
+        ("figure", gap(&audit.equation)),
+        ("figure", gap(&audit.equation_jacobian)),
         ("figure", format!("{held} of {}", audit.laws.len())),
     ])
 }
@@ -122,13 +126,14 @@ pub(crate) fn named(pages: &Pages<'_>, at: &Place, name: &str) -> String {
         pages.fault(at, format!("no table `{name}`; there are: {}", known.join(", ")));
         return String::new();
     };
-    each(named, |Table { title, head, rows }| {
+    each(named, |Table { anchor, title, head, rows }| {
         let head: Vec<_> = head.iter().map(String::as_str).collect();
         // A text of several words may take the room; a name may not be broken.
         let class = |text: &String| if text.contains(' ') { "wide" } else { "" };
         let cell = |text: &String| (class(text), pages.linked_text(at, text));
         let cells = |texts: &Vec<String>| row(&texts.iter().map(cell).collect::<Vec<_>>());
-        let title = if title.is_empty() { String::new() } else { format!("<p>{}</p>", pages.text(at, title)) };
+        let id = if anchor.is_empty() { String::new() } else { format!(" id=\"{}\"", escape(anchor)) };
+        let title = if title.is_empty() { String::new() } else { format!("<p{id}>{}</p>", pages.text(at, title)) };
         // Nothing is said about what there is not.
         let table = if rows.is_empty() { String::new() } else { table("index", &head, &each(rows, cells)) };
         title + &table

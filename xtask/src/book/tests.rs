@@ -6,6 +6,7 @@ use std::path::Path;
 use super::build::{Options, build, write};
 use super::content::{CodeSpan, Content, Entry, GoldenFile, SourceFile, Symbol};
 use super::fault::Faults;
+use crate::extension::{Exhibits, Fact};
 
 /// Two formulas, one of them with code.
 fn content() -> Content {
@@ -30,6 +31,15 @@ fn content() -> Content {
         entries: vec![first, entry("t.second", "P = f_1")],
         sources: vec![SourceFile { path: "src/t.rs".into(), text }],
         golden: vec![GoldenFile { name: "t.first.json".into(), bytes: b"{}".to_vec() }],
+        exhibits: Exhibits {
+            texts: vec![("note".into(), "## Noted\n\n| a |\n|---|\n| `t.first`, $z$ |\n".into())],
+            facts: vec![Fact {
+                formula: "t.first".into(),
+                name: "Said".into(),
+                lines: vec!["see [the `file`](golden/t.first.json), $w$".into()],
+            }],
+            ..Exhibits::default()
+        },
         ..Content::default()
     }
 }
@@ -81,6 +91,27 @@ fn a_good_book_has_anchors_mathematics_code_and_golden_files() {
     }
     assert!(!page.contains("data-later") && !page.contains("{{#"));
     assert_eq!(fs::read(root.path().join("target/book/golden/t.first.json")).unwrap(), b"{}");
+}
+
+#[test]
+fn texts_are_read_as_if_they_stood_in_the_chapter() {
+    let root = tempfile::tempdir().unwrap();
+    book(root.path(), &format!("{GOOD}{{{{#text note}}}}\n\nAfter it.\n")).unwrap();
+    let page = page(root.path());
+    for expected in
+        ["id=\"noted\"", "<td><a href=\"#t.first\"><code>t.first</code></a>, <math alttext=\"z\">", "After it."]
+    {
+        assert!(page.contains(expected), "{expected} is not in\n{page}");
+    }
+    assert_eq!(faults(&format!("{GOOD}{{{{#text no}}}}\n")), ["book/src/one.md:7: no text `no`; there are: note"]);
+}
+
+#[test]
+fn facts_of_the_project_stand_on_the_entry_with_their_links() {
+    let root = tempfile::tempdir().unwrap();
+    book(root.path(), GOOD).unwrap();
+    let fact = "see <a href=\"golden/t.first.json\">the <code>file</code></a>, <math alttext=\"w\">";
+    assert_eq!(page(root.path()).matches(fact).count(), 1);
 }
 
 #[test]

@@ -18,8 +18,7 @@ use std::path::{Path, PathBuf};
 /// still owed is listed here, and by `golden`, `audit` and `verify` until it is there.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
-  {command} new {family}.power  a formula more in the room src/{family}.rs
-  {command} audit --filter {family}.power  what is still wrong and owed")]
+  {command} new {family}.power  a formula more in the room src/{family}.rs")]
 pub(crate) struct Arguments {
     /// The identifier, as `family.name`; the family is a room that exists
     #[arg(value_name = "ID")]

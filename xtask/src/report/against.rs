@@ -163,8 +163,15 @@ mod tests {
             eta: Quantiles { median: 0.3, p99: 1.0, max: 1.2 },
             relative: Quantiles::default(),
         };
-        let figures =
-            |ns| Some(Figures { time: Some(time(ns * scale)), ratio: None, random: errors, hard: Some(errors) });
+        let figures = |ns| {
+            Some(Figures {
+                time: Some(time(ns * scale)),
+                ratio: None,
+                hard_times: Vec::new(),
+                random: errors,
+                hard: Some(errors),
+            })
+        };
         let way = |id: &str, ns| WayFigures {
             id: id.into(),
             title: id.into(),

@@ -31,7 +31,7 @@ pub(crate) struct Report {
 }
 
 /// The layout written by this version.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 /// A machine.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -7,6 +7,7 @@ mod export;
 mod measuring;
 pub(crate) mod pareto;
 pub(crate) mod plot;
+pub(crate) mod price;
 pub(crate) mod tables;
 pub(crate) mod verdict;
 

@@ -1,6 +1,7 @@
 //! A report in words and columns.
 
 use super::data::Report;
+use super::price;
 use super::verdict::Verdict;
 use crate::console::{bold, figure, green, red};
 use jointproof::measure::{Errors, Measurement, Time, WayFigures};
@@ -105,6 +106,9 @@ pub(super) fn text(report: &Report) -> anyhow::Result<String> {
             };
             writeln!(text, "    closed form faster and at least as accurate: {mark}, {why}")?;
         }
+        if let Some(said) = price::said(measurement) {
+            writeln!(text, "    {said}")?;
+        }
         text.push('\n');
     }
     text += &footer(report);
@@ -115,8 +119,9 @@ pub(super) fn text(report: &Report) -> anyhow::Result<String> {
 fn footer(report: &Report) -> String {
     let Report { created, machine, build, options, .. } = report;
     let flags = if build.flags.is_empty() { "default flags" } else { &build.flags };
+    let prices = price::summary(report).map_or(String::new(), |summary| summary + "\n");
     format!(
-        "Times are medians of up to {} interleaved rounds over {} points; the spread holds four of five rounds.\n\
+        "{prices}Times are medians of up to {} interleaved rounds over {} points; the spread holds four of five rounds.\n\
          The ratio is to the closed form's value alone. η is in units of 2^-53, each point counting by its worst entry.\n\
          {created}, {} ({} cores), {}, {} {}, {flags}, seed {}\n",
         options.rounds,
@@ -137,6 +142,9 @@ pub(super) fn markdown(report: &Report) -> anyhow::Result<String> {
         writeln!(text, "| {} |\n|---|{}", HEAD.join(" | "), "--:|".repeat(HEAD.len() - 1))?;
         for way in &measurement.ways {
             writeln!(text, "| {} |", cells(way).join(" | "))?;
+        }
+        if let Some(said) = price::said(measurement) {
+            writeln!(text, "\nThe closed form: {said}.")?;
         }
         text.push('\n');
     }

@@ -16,6 +16,11 @@ pub(crate) fn tables() -> Vec<(String, Vec<Table>)> {
     tables
 }
 
+/// Where the tables of a kind are in the chapter on scenes.
+pub(crate) fn anchor(kind: &Kind) -> String {
+    format!("{}-{}", kind.name, kind.dimension.name())
+}
+
 /// What a kind is given, and its outputs with the formulas behind them.
 fn described(kind: &'static Kind) -> [Table; 2] {
     let parameter = |(name, fallback): (&str, Fallback)| {
@@ -34,6 +39,7 @@ fn described(kind: &'static Kind) -> [Table; 2] {
     let head = |names: [&str; 3]| names.map(String::from).into();
     [
         Table {
+            anchor: anchor(kind),
             title: format!("`{}`, nodes {}", kind.name, kind.nodes.join(", ")),
             head: head(["Given", "Meaning", "If not given"]),
             rows: kind.parameters().map(parameter).chain(kind.loads().map(load)).collect(),

@@ -9,7 +9,7 @@ mod plot;
 mod show;
 
 pub(crate) use examples::{figures, golden, outputs};
-pub(crate) use kinds::tables;
+pub(crate) use kinds::{anchor, tables};
 
 use crate::console::{print, progress, say};
 use crate::{Outcome, files};
@@ -17,6 +17,7 @@ use anyhow::Context;
 use jointproof::Octuple;
 use jointproof::scene::{Plan, Results, Scene};
 use kit::Project;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
@@ -31,10 +32,11 @@ use std::time::{Duration, Instant};
   {command} scene golden/scenes/rail.json --error    each number with its error against 237 bits
   {command} scene golden/scenes/rail.json --plot .   an SVG per output over the history
   {command} scene *.json --format csv > all.csv      for a spreadsheet
+  {command} scene - --format json < my.json          from standard input
   {command} scene --generate 10000 > many.json       a scene to measure with
   {command} scene --benchmark                        what an element costs per state")]
 pub(crate) struct Arguments {
-    /// Scene files
+    /// Scene files; `-` is standard input
     #[arg(value_name = "FILE", required_unless_present_any = ["generate", "benchmark"])]
     files: Vec<PathBuf>,
     /// Print which formulas would be evaluated, how often and why; evaluate nothing
@@ -82,11 +84,20 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     }
     // Threads are started before the time is taken.
     rayon::broadcast(|_| ());
+    let several = arguments.files.len() > 1;
+    let mut documents = Vec::new();
     for (path, scene) in &scenes {
-        if arguments.files.len() > 1 && arguments.format == show::Format::Text {
-            print(&format!("{}\n", path.display()))?;
+        if several && arguments.format == show::Format::Text {
+            print(&format!("{}\n", shown(path)))?;
         }
-        one(project, arguments, path, scene)?;
+        match one(project, arguments, path, scene)? {
+            Some(document) if several && arguments.format == show::Format::Json => documents.push(document),
+            Some(text) => print(&text)?,
+            None => {}
+        }
+    }
+    if !documents.is_empty() {
+        print(&format!("[{}]", documents.join(",")))?;
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -99,10 +110,26 @@ fn piped(written: anyhow::Result<()>) -> anyhow::Result<()> {
     })
 }
 
+/// The path that stands for standard input.
+const STANDARD_INPUT: &str = "-";
+
+fn shown(path: &Path) -> String {
+    if path.as_os_str() == STANDARD_INPUT { "standard input".into() } else { path.display().to_string() }
+}
+
+fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
+    if path.as_os_str() != STANDARD_INPUT {
+        return std::fs::read(path);
+    }
+    let mut bytes = Vec::new();
+    std::io::stdin().lock().read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
 /// The scene in a file, or what is wrong with it.
 fn read(path: &Path) -> anyhow::Result<Result<Scene, String>> {
-    let shown = path.display();
-    let bytes = std::fs::read(path).with_context(|| format!("cannot read {shown}"))?;
+    let shown = shown(path);
+    let bytes = bytes(path).with_context(|| format!("cannot read {shown}"))?;
     let text = match String::from_utf8(bytes) {
         Ok(text) => text,
         Err(error) => return Ok(Err(format!("{shown}: byte {} is not UTF-8", error.utf8_error().valid_up_to()))),
@@ -114,13 +141,15 @@ fn read(path: &Path) -> anyhow::Result<Result<Scene, String>> {
     }))
 }
 
-fn one(project: &Project, arguments: &Arguments, path: &Path, scene: &Scene) -> anyhow::Result<()> {
+/// What is to be printed of a scene, but for results that are printed state by state.
+fn one(project: &Project, arguments: &Arguments, path: &Path, scene: &Scene) -> anyhow::Result<Option<String>> {
     let plan = Plan::new(scene);
     if arguments.plan {
-        return print(&show::plan(&plan, arguments.format)?);
+        return show::plan(&plan, arguments.format).map(Some);
     }
     if arguments.format == show::Format::Csv && !arguments.error && arguments.plot.is_none() {
-        return piped(show::stream(&plan, &mut anstream::stdout().lock()));
+        piped(show::stream(&plan, &mut anstream::stdout().lock()))?;
+        return Ok(None);
     }
     let limit = if arguments.format == show::Format::Text { show::SHOWN } else { usize::MAX };
     let (results, time) = timed("f64", scene, |each| Results::collect::<f64>(&plan, limit, each))?;
@@ -129,20 +158,24 @@ fn one(project: &Project, arguments: &Arguments, path: &Path, scene: &Scene) -> 
     } else {
         None
     };
-    print(&show::results(scene, &results, exact.as_ref().map(|(exact, _)| exact), arguments.format)?)?;
+    let text = show::results(scene, &results, exact.as_ref().map(|(exact, _)| exact), arguments.format)?;
     if let Some((_, exact_time)) = exact {
         let microseconds = |time: Duration| time.as_secs_f64() * 1e6;
         say(&format!("{:.1} µs in f64, {:.1} µs in 237 bits", microseconds(time), microseconds(exact_time)));
     }
     if let Some(folder) = &arguments.plot {
-        let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+        let stem = if path.as_os_str() == STANDARD_INPUT { "scene".into() } else { stem(path) };
         for (output, svg) in plot::charts(&results) {
             let target = folder.join(format!("{stem}.{output}.svg"));
             files::write(&target, &svg)?;
             say(&format!("wrote {}", project.shown(&target)));
         }
     }
-    Ok(())
+    Ok(Some(text))
+}
+
+fn stem(path: &Path) -> String {
+    path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned())
 }
 
 fn timed<R, E: std::error::Error + Send + Sync + 'static>(

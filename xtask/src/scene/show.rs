@@ -11,7 +11,7 @@ use std::io::{BufWriter, Write};
 pub(crate) enum Format {
     /// A table per output.
     Text,
-    /// One object: times, how often each formula ran, and a series per element and output.
+    /// One object: times, how often each formula ran, and a series per element and output; of several scenes, an array.
     Json,
     /// A line per number.
     Csv,

@@ -31,7 +31,7 @@ impl Layer {
             "binade" | "eft" | "error" | "newtype" | "octuple" | "quantity" | "scalar" | "single" => Self::Ground,
             "formula" => Self::Formula,
             "proof" => Self::Proof,
-            "verify" | "measure" => Self::Toolkit,
+            "equation" | "verify" | "measure" => Self::Toolkit,
             "catalog" => Self::Catalog,
             "scene" => Self::Scene,
             _ => Self::Room,

@@ -120,6 +120,8 @@ pub(super) struct Style {
 }
 
 pub(super) const CIRCLE: &str = "m-4.5 0a4.5 4.5 0 1 0 9 0a4.5 4.5 0 1 0-9 0z";
+/// Thin, since it lies about the place of another.
+pub(super) const RING: &str = "m-5.5 0a5.5 5.5 0 1 0 11 0a5.5 5.5 0 1 0-11 0zm1.5 0a4 4 0 1 1 8 0a4 4 0 1 1-8 0z";
 pub(super) const SQUARE: &str = "m-4-4h8v8h-8z";
 pub(super) const DIAMOND: &str = "m0-5.5 5.5 5.5-5.5 5.5-5.5-5.5z";
 pub(super) const UP: &str = "m0-5 5 8.6h-10z";
@@ -132,6 +134,7 @@ pub(super) const HOURGLASS: &str = "m-4.5-4.5h9l-9 9h9z";
 pub(super) fn style(id: &str) -> Style {
     let (class, shape, name) = match id {
         "closed" => ("way-closed", CIRCLE, "closed form"),
+        "checked" => ("way-closed", RING, "checked"),
         "single" => ("way-single", SQUARE, "single"),
         "ad" => ("way-ad", UP, "AD"),
         "forward" => ("way-difference", DIAMOND, "forward"),

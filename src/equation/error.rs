@@ -1,0 +1,43 @@
+//! What is wrong with an equation.
+
+use std::fmt;
+
+/// Why an equation cannot be executed, and where.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Error {
+    at: usize,
+    what: String,
+    entry: Option<(String, &'static str)>,
+}
+
+impl Error {
+    pub(super) fn new(at: usize, what: impl Into<String>) -> Self {
+        Self { at, what: what.into(), entry: None }
+    }
+
+    /// With the entry and the part of it, unless it is known already.
+    pub(super) fn of_entry(self, id: &str, part: &'static str) -> Self {
+        Self { entry: self.entry.or_else(|| Some((id.into(), part))), ..self }
+    }
+
+    /// In the symbol of a field.
+    pub(super) fn of_symbol(self, latex: &str) -> Self {
+        Self { what: format!("the symbol `{latex}`: {}", self.what), ..self }
+    }
+
+    /// The byte of the LaTeX at which it was found.
+    pub fn at(&self) -> usize {
+        self.at
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some((id, part)) = &self.entry {
+            write!(f, "the {part} of {id}, ")?;
+        }
+        write!(f, "byte {}: {}", self.at, self.what)
+    }
+}
+
+impl std::error::Error for Error {}

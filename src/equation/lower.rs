@@ -1,0 +1,354 @@
+//! Symbols get their meaning, vectors fall apart into components, and the list of operations is written.
+
+use super::error::Error;
+use super::name::Name;
+use super::scope::Entries;
+use super::syntax::{Body, Condition, Expr, Function, Kind, Operator, Relation, Statement, small};
+use super::tape::{Id, Op, Tape};
+use super::value::{Value, binary, constant, each, norm, squares};
+use crate::formula::Field;
+
+/// Where a symbol is looked up: among the parameters, in an entry, and then where that entry is referred to.
+#[derive(Clone, Copy)]
+pub(super) struct Place<'p> {
+    pub(super) entry: usize,
+    pub(super) bound: &'p [(Name, Value)],
+    pub(super) parent: Option<&'p Place<'p>>,
+    /// References inside references.
+    depth: usize,
+}
+
+impl Place<'_> {
+    /// The equation itself.
+    pub(super) const ROOT: Self = Self { entry: 0, bound: &[], parent: None, depth: 0 };
+}
+
+/// So many references inside references are a circle.
+const DEEP: usize = 40;
+
+/// Writes the list of operations.
+pub(super) struct Writer<'e> {
+    pub(super) tape: Tape,
+    pub(super) entries: &'e Entries,
+    /// Symbols of the inputs.
+    pub(super) inputs: Vec<(Name, Value)>,
+    /// Where the place is put in that the equation defines as the smallest of something.
+    pub(super) solution: usize,
+    /// Statements of the equation itself that were needed.
+    pub(super) used: Vec<bool>,
+    /// Symbols taken from other entries that were needed.
+    pub(super) taken: Vec<bool>,
+    /// Forms printed as equal in the equation itself.
+    pub(super) equal: Vec<(Id, Id)>,
+}
+
+impl<'e> Writer<'e> {
+    pub(super) fn new(entries: &'e Entries, fields: &[(Name, Field)]) -> Self {
+        let mut tape = Tape::default();
+        let mut solution = 0;
+        let mut inputs = Vec::new();
+        for (name, field) in fields {
+            let components: Vec<_> = (solution..solution + field.len()).map(|k| tape.push(Op::Input(k))).collect();
+            solution += field.len();
+            let value = if field.len() == 1 { Value::Scalar(components[0]) } else { Value::Vector(components) };
+            inputs.push((name.clone(), value));
+        }
+        let own = &entries.0[0];
+        Self {
+            tape,
+            entries,
+            inputs,
+            solution,
+            used: vec![false; own.statements.len()],
+            taken: vec![false; own.given.len()],
+            equal: Vec::new(),
+        }
+    }
+
+    /// Whether the equation itself says what a symbol is, or where it comes from.
+    pub(super) fn defines(&self, name: &Name) -> bool {
+        let own = &self.entries.0[0];
+        own.statements.iter().any(|statement| statement.names[0] == *name)
+            || own.given.iter().any(|taken| taken.name == *name)
+    }
+
+    /// The meaning of a symbol.
+    pub(super) fn symbol(&mut self, name: &Name, at: usize, place: Place<'_>) -> Result<Value, Error> {
+        if let Some(value) = self.defined(name, at, place)? {
+            return Ok(value);
+        }
+        if let Some((vector, index)) = name.component()
+            && let Some(Value::Vector(components)) = self.defined(&vector, at, place)?
+        {
+            return self.component(&components, index, at, place);
+        }
+        constant(name, &mut self.tape).ok_or_else(|| Error::new(at, format!("{name} is nobody's symbol")))
+    }
+
+    /// A component by a number, or by a symbol that is one.
+    fn component(&mut self, of: &[Id], index: &str, at: usize, place: Place<'_>) -> Result<Value, Error> {
+        if let Ok(k) = index.parse::<usize>() {
+            let component = k.checked_sub(1).and_then(|k| of.get(k));
+            return component
+                .map(|&id| Value::Scalar(id))
+                .ok_or_else(|| Error::new(at, format!("a vector of {} has no component {k}", of.len())));
+        }
+        let Some(Value::Scalar(axis)) = self.defined(&Name::letter(index), at, place)? else {
+            return Err(Error::new(at, format!("{index} is neither a number nor the number of an axis")));
+        };
+        let nothing = self.tape.number(f64::NAN);
+        let chosen = of.iter().enumerate().rev().fold(nothing, |other, (k, &id)| {
+            let number = self.tape.number(small(k + 1));
+            let is_it = self.tape.push(Op::Compare(Relation::Equal, axis, number));
+            self.tape.push(Op::Select(is_it, id, other))
+        });
+        Ok(Value::Scalar(chosen))
+    }
+
+    /// The meaning of a symbol that somebody defines.
+    fn defined(&mut self, name: &Name, at: usize, place: Place<'_>) -> Result<Option<Value>, Error> {
+        if place.depth > DEEP {
+            return Err(Error::new(at, format!("{name} is defined by itself")));
+        }
+        if let Some((_, value)) = place.bound.iter().find(|(bound, _)| bound == name) {
+            return Ok(Some(value.clone()));
+        }
+        if let Some((statement, parameters)) = self.statement(name, place) {
+            // Without a bracket behind it a function means: of the symbols of its parameters.
+            let bound = parameters
+                .iter()
+                .map(|p| Ok((p.clone(), self.symbol(p, at, place)?)))
+                .collect::<Result<Vec<_>, _>>()?;
+            return self.body(statement, &Place { bound: &bound, depth: place.depth + 1, ..place }).map(Some);
+        }
+        if let Some((_, from)) = self.taken(name, place) {
+            return self.defined(
+                name,
+                at,
+                Place { entry: from, bound: &[], parent: Some(&place), depth: place.depth + 1 },
+            );
+        }
+        match place.parent {
+            Some(parent) => self.defined(name, at, Place { depth: place.depth + 1, ..*parent }),
+            None => Ok(self.inputs.iter().find(|(input, _)| input == name).map(|(_, value)| value.clone())),
+        }
+    }
+
+    /// The statement of the entry that defines this.
+    fn statement(&mut self, name: &Name, place: Place<'_>) -> Option<(&'e Statement, &'e [Name])> {
+        let entries: &'e Entries = self.entries;
+        let entry = &entries.0[place.entry];
+        let found = entry.statements.iter().position(|statement| statement.names[0] == *name)?;
+        if place.entry == 0 {
+            self.used[found] = true;
+        }
+        Some((&entry.statements[found], &entry.statements[found].parameters))
+    }
+
+    /// The other entry that defines this.
+    fn taken(&mut self, name: &Name, place: Place<'_>) -> Option<(usize, usize)> {
+        let entry = &self.entries.0[place.entry];
+        let found = entry.given.iter().position(|taken| taken.name == *name)?;
+        if place.entry == 0 {
+            self.taken[found] = true;
+        }
+        Some((found, entry.given[found].from))
+    }
+
+    fn body(&mut self, statement: &Statement, place: &Place<'_>) -> Result<Value, Error> {
+        let id = self.entries.0[place.entry].id;
+        self.sides(statement, place).map_err(|error| error.of_entry(id, "equation"))
+    }
+
+    fn sides(&mut self, statement: &Statement, place: &Place<'_>) -> Result<Value, Error> {
+        let Body::Equal(sides) = &statement.body else {
+            return Ok(Value::Scalar(self.tape.push(Op::Input(self.solution))));
+        };
+        let mut value = None;
+        for side in sides {
+            let next = self.expression(side, *place)?;
+            match &value {
+                None => value = Some(next),
+                Some(first) => self.note_equal(first, &next, side.at, place)?,
+            }
+        }
+        value.ok_or_else(|| Error::new(statement.at, "nothing is on the other side"))
+    }
+
+    /// Two forms of the same: of the equation itself, both are compared.
+    fn note_equal(&mut self, first: &Value, next: &Value, at: usize, place: &Place<'_>) -> Result<(), Error> {
+        let pairs: Vec<_> = match (first, next) {
+            (Value::Scalar(a), Value::Scalar(b)) => vec![(*a, *b)],
+            (Value::Vector(a), Value::Vector(b)) if a.len() == b.len() => {
+                a.iter().copied().zip(b.iter().copied()).collect()
+            }
+            _ => return Err(Error::new(at, "the two sides have not the same shape")),
+        };
+        if place.entry == 0 {
+            self.equal.extend(pairs.into_iter().filter(|pair| pair.0 != pair.1));
+        }
+        Ok(())
+    }
+
+    /// A declared function of arguments.
+    fn apply(&mut self, name: &Name, arguments: &[Expr], at: usize, place: Place<'_>) -> Result<Value, Error> {
+        let values = arguments.iter().map(|e| self.expression(e, place)).collect::<Result<Vec<_>, _>>()?;
+        let bind = |parameters: &[Name]| -> Result<Vec<(Name, Value)>, Error> {
+            if parameters.len() != values.len() {
+                return Err(Error::new(
+                    at,
+                    format!("{name} is a function of {}, not {}", parameters.len(), values.len()),
+                ));
+            }
+            Ok(parameters.iter().cloned().zip(values.iter().cloned()).collect())
+        };
+        let depth = place.depth + 1;
+        if let Some((statement, parameters)) = self.statement(name, place) {
+            return self.body(statement, &Place { bound: &bind(parameters)?, depth, ..place });
+        }
+        if let Some((k, from)) = self.taken(name, place) {
+            let bound = bind(&self.entries.0[place.entry].given[k].parameters)?;
+            let parent = Place { bound: &bound, ..place };
+            let there = Place { entry: from, bound: &[], parent: Some(&parent), depth };
+            if let Some(value) = self.defined(name, at, there)? {
+                return Ok(value);
+            }
+        }
+        Err(Error::new(at, format!("{name} is nobody's function")))
+    }
+
+    pub(super) fn expression(&mut self, e: &Expr, place: Place<'_>) -> Result<Value, Error> {
+        match &e.kind {
+            Kind::Number(value) => Ok(Value::Scalar(self.tape.number(*value))),
+            Kind::Symbol(name) => self.symbol(name, e.at, place),
+            Kind::Apply(name, arguments) => self.apply(name, arguments, e.at, place),
+            Kind::Call(Function::Sqrt, arguments) => self.root(&arguments[0], place),
+            Kind::Call(function, arguments) => {
+                let first = self.number(&arguments[0], place)?;
+                let second = match arguments.get(1) {
+                    Some(second) => self.number(second, place)?,
+                    None => first,
+                };
+                Ok(Value::Scalar(self.tape.push(Op::Call(*function, first, second))))
+            }
+            Kind::Negative(inside) => {
+                let value = self.expression(inside, place)?;
+                each(&mut self.tape, value, e.at, Tape::negative)
+            }
+            Kind::Binary(operator, a, b) => {
+                let (left, right) = (self.expression(a, place)?, self.expression(b, place)?);
+                binary(&mut self.tape, *operator, left, right, e.at)
+            }
+            Kind::Power(base, exponent) => self.power(base, exponent, place),
+            Kind::Size(inside) => match self.expression(inside, place)? {
+                Value::Scalar(id) => Ok(Value::Scalar(self.tape.push(Op::Abs(id)))),
+                Value::Vector(parts) => Ok(Value::Scalar(norm(&mut self.tape, &parts))),
+                _ => Err(Error::new(e.at, "this has no size that is worth a sign")),
+            },
+            Kind::Cases(rows) => self.cases(rows, e.at, place),
+            Kind::Sum { index, from, to, body } => {
+                let mut sum = None;
+                for k in *from..=*to {
+                    let next = self.expression(&body.with_index(index, k), place)?;
+                    sum = Some(match sum {
+                        None => next,
+                        Some(sum) => binary(&mut self.tape, Operator::Add, sum, next, e.at)?,
+                    });
+                }
+                sum.ok_or_else(|| Error::new(e.at, "the sum is empty"))
+            }
+            Kind::Tuple(items) => {
+                let numbers = items.iter().map(|item| self.number(item, place)).collect::<Result<_, _>>()?;
+                Ok(Value::Vector(numbers))
+            }
+            Kind::Item(tuple, k) => match self.expression(tuple, place)? {
+                Value::Vector(parts) if *k < parts.len() => Ok(Value::Scalar(parts[*k])),
+                _ => Err(Error::new(e.at, format!("this has no item {}", k + 1))),
+            },
+        }
+    }
+
+    /// An expression that must be a number.
+    pub(super) fn number(&mut self, e: &Expr, place: Place<'_>) -> Result<Id, Error> {
+        match self.expression(e, place)? {
+            Value::Scalar(id) => Ok(id),
+            _ => Err(Error::new(e.at, "a number was expected here, not a vector")),
+        }
+    }
+
+    /// Whole powers, and the exponential function as a power of e.
+    fn power(&mut self, base: &Expr, exponent: &Expr, place: Place<'_>) -> Result<Value, Error> {
+        if let Kind::Number(value) = exponent.kind {
+            let whole = (2..=9).find(|&k| f64::from(k) == value);
+            let whole = whole.ok_or_else(|| Error::new(exponent.at, "a power is a whole number from 2 to 9"))?;
+            let base = self.number(base, place)?;
+            return Ok(Value::Scalar(self.tape.push(Op::Power(base, whole))));
+        }
+        let (euler, base_value) = (self.tape.push(Op::Euler), self.number(base, place)?);
+        if base_value != euler {
+            return Err(Error::new(exponent.at, "a power is a whole number, but for powers of e"));
+        }
+        let exponent = self.number(exponent, place)?;
+        Ok(Value::Scalar(self.tape.push(Op::Exp(exponent))))
+    }
+
+    /// A square root; of a sum of squares it is a length, which has a derivative at 0 as lengths have.
+    fn root(&mut self, inside: &Expr, place: Place<'_>) -> Result<Value, Error> {
+        let radicand = self.number(inside, place)?;
+        Ok(Value::Scalar(match squares(&self.tape, radicand) {
+            Some(parts) => norm(&mut self.tape, &parts),
+            None => self.tape.push(Op::Call(Function::Sqrt, radicand, radicand)),
+        }))
+    }
+
+    /// The first case whose condition holds.
+    fn cases(&mut self, rows: &[(Expr, Condition)], at: usize, place: Place<'_>) -> Result<Value, Error> {
+        let mut values = Vec::new();
+        for (value, condition) in rows {
+            values.push((self.expression(value, place)?, self.condition(condition, place)?));
+        }
+        let (last, condition) = values.pop().ok_or_else(|| Error::new(at, "there are no cases"))?;
+        // Where no case holds there is no value.
+        let nothing = self.tape.number(f64::NAN);
+        let last = match condition {
+            None => last,
+            Some(condition) => {
+                each(&mut self.tape, last, at, |tape, id| tape.push(Op::Select(condition, id, nothing)))?
+            }
+        };
+        values.into_iter().rev().try_fold(last, |other, (value, condition)| {
+            let Some(condition) = condition else { return Err(Error::new(at, "only the last case is \"otherwise\"")) };
+            let mut select = |a: Id, b: Id| self.tape.push(Op::Select(condition, a, b));
+            match (value, other) {
+                (Value::Scalar(a), Value::Scalar(b)) => Ok(Value::Scalar(select(a, b))),
+                (Value::Vector(a), Value::Vector(b)) if a.len() == b.len() => {
+                    Ok(Value::Vector(a.into_iter().zip(b).map(|(a, b)| select(a, b)).collect()))
+                }
+                _ => Err(Error::new(at, "the cases have not the same shape")),
+            }
+        })
+    }
+
+    /// 1 where all comparisons hold; nothing for "otherwise".
+    fn condition(&mut self, condition: &Condition, place: Place<'_>) -> Result<Option<Id>, Error> {
+        let mut all = None;
+        for (left, relation, right) in condition {
+            let holds = self.comparison(left, *relation, right, place)?;
+            all = Some(all.map_or(holds, |all| self.tape.multiply(all, holds)));
+        }
+        Ok(all)
+    }
+
+    fn comparison(&mut self, a: &Expr, relation: Relation, b: &Expr, place: Place<'_>) -> Result<Id, Error> {
+        let (left, right) = (self.expression(a, place)?, self.expression(b, place)?);
+        match (left, right) {
+            (Value::Scalar(left), Value::Scalar(right)) => Ok(self.tape.push(Op::Compare(relation, left, right))),
+            // A vector is compared with the zero vector only.
+            (Value::Vector(parts), Value::Zero) if matches!(relation, Relation::Equal | Relation::Unequal) => {
+                let (length, zero) = (norm(&mut self.tape, &parts), self.tape.number(0.0));
+                Ok(self.tape.push(Op::Compare(relation, length, zero)))
+            }
+            _ => Err(Error::new(a.at, "numbers are compared, or a vector with the zero vector")),
+        }
+    }
+}

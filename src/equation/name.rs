@@ -1,0 +1,93 @@
+//! Symbols, in whatever way their LaTeX is arranged.
+
+use std::fmt;
+
+/// A symbol with all that belongs to it: `\mathrm{d}\mathbf{t}_1`, `F_C^{\mathrm{int}}`, `\mathbf{X}'`.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Name {
+    /// `d` or `Δ` where this is a change of something, else empty.
+    pub(super) change: &'static str,
+    /// A vector is bold.
+    pub(super) bold: bool,
+    /// The letter, or the letters of an `\mathit`.
+    pub(super) base: String,
+    /// The pieces of the subscript: `\mathrm{axial}k` has two.
+    pub(super) below: Vec<String>,
+    /// A superscript that is a word or a sign, and hence no power.
+    pub(super) above: String,
+    pub(super) primes: usize,
+}
+
+impl Name {
+    /// A letter by itself.
+    pub(super) fn letter(base: impl Into<String>) -> Self {
+        Self { base: base.into(), ..Self::default() }
+    }
+
+    /// Whether this is a plain letter.
+    pub(super) fn is_letter(&self, letter: &str) -> bool {
+        self.base == letter && !self.bold && self.below.is_empty() && self.above.is_empty() && self.change.is_empty()
+    }
+
+    /// The subscript in one piece.
+    fn subscript(&self) -> String {
+        self.below.concat()
+    }
+
+    /// The vector that this would be a component of, and which one: `x_{m,k}` of **x**_m.
+    pub(super) fn component(&self) -> Option<(Self, &str)> {
+        let (last, rest) = self.below.split_last()?;
+        let rest = match rest.split_last() {
+            Some((comma, rest)) if comma == "," => rest,
+            _ => rest,
+        };
+        (!self.bold).then(|| (Self { bold: true, below: rest.to_vec(), ..self.clone() }, last.as_str()))
+    }
+
+    /// The k-th component, counted from 1.
+    pub(super) fn at(&self, k: usize) -> Self {
+        let mut below = self.below.clone();
+        below.push(k.to_string());
+        Self { bold: false, below, ..self.clone() }
+    }
+
+    /// Whether the index is a piece of the subscript.
+    pub(super) fn has_index(&self, index: &str) -> bool {
+        self.below.iter().any(|piece| piece == index)
+    }
+
+    /// With a number in place of an index.
+    pub(super) fn with_index(&self, index: &str, value: usize) -> Self {
+        let put = |piece: &String| if piece == index { value.to_string() } else { piece.clone() };
+        Self { below: self.below.iter().map(put).collect(), ..self.clone() }
+    }
+
+    /// Whether this is a declared function, up to the index of a family of them.
+    pub(super) fn is_like(&self, declared: &Self) -> bool {
+        let head = |name: &Self| (name.change, name.bold, name.base.clone(), name.above.clone(), name.primes);
+        head(self) == head(declared) && self.below.len() == declared.below.len()
+    }
+}
+
+impl PartialEq for Name {
+    fn eq(&self, other: &Self) -> bool {
+        (self.change, self.bold, self.primes) == (other.change, other.bold, other.primes)
+            && self.base == other.base
+            && self.above == other.above
+            && self.subscript() == other.subscript()
+    }
+}
+
+/// As plain text: `dt_1`, `F_C^int`.
+impl fmt::Display for Name {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}{}{}", self.change, self.base, "'".repeat(self.primes))?;
+        if !self.below.is_empty() {
+            write!(f, "_{}", self.subscript())?;
+        }
+        if !self.above.is_empty() {
+            write!(f, "^{}", self.above)?;
+        }
+        f.write_str(if self.bold { " (a vector)" } else { "" })
+    }
+}

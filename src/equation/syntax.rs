@@ -1,0 +1,187 @@
+//! What an equation says, before it is known what its symbols are.
+
+use super::name::Name;
+
+/// An expression, and the byte at which it begins.
+#[derive(Clone, Debug)]
+pub(super) struct Expr {
+    pub(super) kind: Kind,
+    pub(super) at: usize,
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum Kind {
+    Number(f64),
+    Symbol(Name),
+    /// A declared function of arguments.
+    Apply(Name, Vec<Expr>),
+    Call(Function, Vec<Expr>),
+    Negative(Box<Expr>),
+    Binary(Operator, Box<Expr>, Box<Expr>),
+    Power(Box<Expr>, Box<Expr>),
+    /// Absolute value or length.
+    Size(Box<Expr>),
+    Cases(Vec<(Expr, Condition)>),
+    Sum {
+        index: String,
+        from: usize,
+        to: usize,
+        body: Box<Expr>,
+    },
+    Tuple(Vec<Expr>),
+    /// The k-th of a tuple, counted from 0.
+    Item(Box<Expr>, usize),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Function {
+    Sqrt,
+    Sin,
+    Cos,
+    ArcSin,
+    Sign,
+    /// The nearest whole number.
+    Round,
+    Atan2,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Operator {
+    Add,
+    Subtract,
+    /// Side by side.
+    Times,
+    /// `\cdot`
+    Dot,
+    /// `\times`
+    Cross,
+    Divide,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Relation {
+    Less,
+    LessOrEqual,
+    Greater,
+    GreaterOrEqual,
+    Equal,
+    Unequal,
+}
+
+/// Comparisons that all hold; none for "otherwise".
+pub(super) type Condition = Vec<(Expr, Relation, Expr)>;
+
+/// `name = …`, a family of them, or a range.
+#[derive(Clone, Debug)]
+pub(super) struct Statement {
+    /// One name, or a tuple of them.
+    pub(super) names: Vec<Name>,
+    /// Of a declared function.
+    pub(super) parameters: Vec<Name>,
+    pub(super) body: Body,
+    pub(super) at: usize,
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum Body {
+    /// Expressions that are all equal.
+    Equal(Vec<Expr>),
+    ArgMin(Box<ArgMin>),
+}
+
+/// The place between two bounds where an expression is smallest.
+#[derive(Clone, Debug)]
+pub(super) struct ArgMin {
+    pub(super) low: Expr,
+    pub(super) high: Expr,
+    pub(super) objective: Expr,
+}
+
+impl Statement {
+    /// Whether an index stands in a subscript.
+    pub(super) fn has_index(&self, index: &str) -> bool {
+        self.names.iter().any(|name| name.has_index(index)) || self.expressions().iter().any(|e| e.has_index(index))
+    }
+
+    /// With a number in place of an index.
+    pub(super) fn with_index(&self, index: &str, value: usize) -> Self {
+        let put = |e: &Expr| e.with_index(index, value);
+        let body = match &self.body {
+            Body::Equal(sides) => Body::Equal(sides.iter().map(put).collect()),
+            Body::ArgMin(found) => {
+                let ArgMin { low, high, objective } = &**found;
+                Body::ArgMin(Box::new(ArgMin { low: put(low), high: put(high), objective: put(objective) }))
+            }
+        };
+        Self { names: self.names.iter().map(|name| name.with_index(index, value)).collect(), body, ..self.clone() }
+    }
+
+    fn expressions(&self) -> Vec<&Expr> {
+        match &self.body {
+            Body::Equal(sides) => sides.iter().collect(),
+            Body::ArgMin(found) => vec![&found.low, &found.high, &found.objective],
+        }
+    }
+}
+
+impl Expr {
+    fn has_index(&self, index: &str) -> bool {
+        match &self.kind {
+            Kind::Symbol(name) => name.has_index(index),
+            Kind::Apply(name, arguments) => name.has_index(index) || arguments.iter().any(|e| e.has_index(index)),
+            // A sum over the same letter has its own.
+            Kind::Sum { index: own, .. } if own == index => false,
+            _ => self.parts().iter().any(|e| e.has_index(index)),
+        }
+    }
+
+    fn parts(&self) -> Vec<&Expr> {
+        match &self.kind {
+            Kind::Number(_) | Kind::Symbol(_) => Vec::new(),
+            Kind::Apply(_, all) | Kind::Call(_, all) | Kind::Tuple(all) => all.iter().collect(),
+            Kind::Negative(e) | Kind::Size(e) | Kind::Item(e, _) | Kind::Sum { body: e, .. } => vec![e],
+            Kind::Binary(_, a, b) | Kind::Power(a, b) => vec![a, b],
+            Kind::Cases(rows) => {
+                let mut all = Vec::new();
+                for (value, condition) in rows {
+                    all.push(value);
+                    all.extend(condition.iter().flat_map(|(a, _, b)| [a, b]));
+                }
+                all
+            }
+        }
+    }
+
+    /// With a number in place of an index, in subscripts and by itself.
+    pub(super) fn with_index(&self, index: &str, value: usize) -> Self {
+        let put = |e: &Expr| e.with_index(index, value);
+        let boxed = |e: &Expr| Box::new(put(e));
+        let all = |list: &[Expr]| list.iter().map(put).collect();
+        let kind = match &self.kind {
+            Kind::Symbol(name) if name.is_letter(index) => Kind::Number(small(value)),
+            Kind::Symbol(name) => Kind::Symbol(name.with_index(index, value)),
+            Kind::Apply(name, arguments) => Kind::Apply(name.with_index(index, value), all(arguments)),
+            Kind::Call(function, arguments) => Kind::Call(*function, all(arguments)),
+            Kind::Tuple(items) => Kind::Tuple(all(items)),
+            Kind::Negative(e) => Kind::Negative(boxed(e)),
+            Kind::Size(e) => Kind::Size(boxed(e)),
+            Kind::Item(e, k) => Kind::Item(boxed(e), *k),
+            Kind::Binary(operator, a, b) => Kind::Binary(*operator, boxed(a), boxed(b)),
+            Kind::Power(a, b) => Kind::Power(boxed(a), boxed(b)),
+            Kind::Sum { index: own, from, to, body } if own != index => {
+                Kind::Sum { index: own.clone(), from: *from, to: *to, body: boxed(body) }
+            }
+            Kind::Cases(rows) => {
+                let condition = |all: &Condition| all.iter().map(|(a, r, b)| (put(a), *r, put(b))).collect();
+                Kind::Cases(rows.iter().map(|(e, c)| (put(e), condition(c))).collect())
+            }
+            same => same.clone(),
+        };
+        Self { kind, at: self.at }
+    }
+}
+
+/// A small number as a double.
+pub(super) fn small(value: usize) -> f64 {
+    u32::try_from(value).map_or(f64::NAN, f64::from)
+}

@@ -1,0 +1,47 @@
+//! How much to measure.
+
+use crate::proof::Proved;
+use crate::verify::{Sampler, Subject};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// How much to measure.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Options {
+    /// Seed of the random points.
+    pub seed: u64,
+    /// Random points at which errors are found.
+    pub random_points: usize,
+    /// Random points over which time is taken; the first of the same sequence.
+    pub timing_points: usize,
+    /// Steps a decade in the sweep of differences from 1e-2 to 1e-16.
+    pub steps_per_decade: u32,
+    /// How often each way is timed, all ways taking turns.
+    pub rounds: usize,
+    /// How long one turn lasts, in nanoseconds.
+    pub turn_ns: f64,
+}
+
+impl Options {
+    /// About a tenth of a second for a formula.
+    pub const fn quick() -> Self {
+        Self { seed: 1, random_points: 50, timing_points: 128, steps_per_decade: 2, rounds: 61, turn_ns: 60e3 }
+    }
+
+    /// Some seconds for a formula.
+    pub const fn full() -> Self {
+        Self { seed: 1, random_points: 1000, timing_points: 128, steps_per_decade: 4, rounds: 301, turn_ns: 300e3 }
+    }
+
+    /// The points over which time is taken, by components.
+    pub fn timing_inputs<F: Proved>(&self) -> Vec<Vec<f64>> {
+        random(&Subject::of::<F>(), self.seed, self.timing_points)
+    }
+}
+
+/// The first random inputs of a seed.
+pub(super) fn random(subject: &Subject, seed: u64, count: usize) -> Vec<Vec<f64>> {
+    let mut sampler = Sampler::for_formula(subject.spec.id, seed);
+    (0..count).map(|_| sampler.components(subject)).collect()
+}

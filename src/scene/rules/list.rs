@@ -1,0 +1,24 @@
+//! Every formula that scenes add to the documented ones.
+
+use super::{
+    Alignment, Eliminate2d, Follow, IncrementalConstraint2d, Joining, KeptAxis, KeptAxis2d, Kinetic, PivotAxes, Slip,
+    Stick, Traction, Turns,
+};
+use crate::catalog::AnyFormula;
+
+/// The formulas of this module.
+pub const RULES: &[&dyn AnyFormula] = &[
+    &Stick,
+    &Follow,
+    &Slip,
+    &Kinetic,
+    &Traction,
+    &Joining,
+    &Turns,
+    &Alignment,
+    &KeptAxis,
+    &KeptAxis2d,
+    &PivotAxes,
+    &IncrementalConstraint2d,
+    &Eliminate2d,
+];

@@ -1,0 +1,62 @@
+//! A claim about a formula, and what was found about it.
+
+use serde::{Deserialize, Serialize};
+
+/// A claim about a formula.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Claim {
+    /// What is claimed.
+    pub claim: String,
+    /// The largest deviation allowed.
+    pub bound: f64,
+    /// How many numbers were compared.
+    pub checks: usize,
+    /// How many deviated by more than the bound.
+    pub failures: usize,
+    /// The largest deviation.
+    pub worst: Option<Deviation>,
+}
+
+/// One comparison.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Deviation {
+    /// Its size, in the unit of the claim.
+    pub size: f64,
+    /// The entry: `fc`, or `∂fc/∂f2`.
+    pub entry: String,
+    /// The case, or the number of the random point.
+    pub point: String,
+    /// What was found.
+    pub found: f64,
+    /// What was expected.
+    pub expected: f64,
+    /// The inputs, as golden files give them, to be pasted back.
+    pub inputs: serde_json::Value,
+}
+
+impl Claim {
+    pub(super) fn new(claim: impl Into<String>, bound: f64) -> Self {
+        Self { claim: claim.into(), bound, checks: 0, failures: 0, worst: None }
+    }
+
+    /// Whether something was checked and nothing deviated by more than the bound.
+    pub fn held(&self) -> bool {
+        self.checks > 0 && self.failures == 0
+    }
+
+    /// What is claimed cannot even be checked.
+    pub(super) fn fail(&mut self, reason: String) {
+        self.failures += 1;
+        let inputs = serde_json::Value::Null;
+        let (point, found, expected) = (String::new(), 0.0, 0.0);
+        self.worst = Some(Deviation { size: f64::MAX, entry: reason, point, found, expected, inputs });
+    }
+
+    pub(super) fn record(&mut self, size: f64, bound: f64, describe: impl FnOnce(f64) -> Deviation) {
+        self.checks += 1;
+        self.failures += usize::from(size > bound);
+        if self.worst.as_ref().is_none_or(|worst| size > worst.size) {
+            self.worst = Some(describe(size));
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! What differs between two golden files.
+
+use super::file::{File, Record};
+use serde::Serialize;
+use serde_json::{Map, Value};
+use std::fmt;
+
+impl File {
+    /// What differs in `other`, which has been read from the committed file, from this one.
+    pub fn differences(&self, other: &Self) -> Vec<Difference> {
+        let mut differences = Vec::new();
+        for case in &self.cases {
+            match other.cases.iter().find(|candidate| candidate.id == case.id) {
+                None => differences.push(Difference::new(&case.id, "", "absent", "present")),
+                Some(committed) => case.compare(committed, &mut differences),
+            }
+        }
+        for case in &other.cases {
+            if !self.cases.iter().any(|candidate| candidate.id == case.id) {
+                differences.push(Difference::new(&case.id, "", "present", "absent"));
+            }
+        }
+        differences
+    }
+}
+
+impl Record {
+    fn compare(&self, committed: &Self, differences: &mut Vec<Difference>) {
+        let tree = |record: &Self| serde_json::to_value(record).unwrap_or_default();
+        compare_values(&self.id, "", &tree(committed), &tree(self), differences);
+    }
+}
+
+fn compare_values(case: &str, field: &str, committed: &Value, now: &Value, differences: &mut Vec<Difference>) {
+    match (committed, now) {
+        (Value::Object(committed), Value::Object(now)) => {
+            let mut names: Vec<_> = committed.keys().chain(now.keys()).collect();
+            names.sort();
+            names.dedup();
+            for name in names {
+                let part = |map: &Map<_, _>| map.get(name).cloned().unwrap_or_default();
+                let path = if field.is_empty() { name.clone() } else { format!("{field}.{name}") };
+                compare_values(case, &path, &part(committed), &part(now), differences);
+            }
+        }
+        (Value::Array(committed), Value::Array(now)) if committed.len() == now.len() => {
+            for (k, (committed, now)) in committed.iter().zip(now).enumerate() {
+                compare_values(case, &format!("{field}[{k}]"), committed, now, differences);
+            }
+        }
+        // -0.0 and 0.0 are equal, but not the same text.
+        _ if text(committed) == text(now) => {}
+        _ => {
+            let mut difference = Difference::new(case, field, &text(committed), &text(now));
+            difference.ulps = committed.as_f64().zip(now.as_f64()).map(|(a, b)| ulps(a, b));
+            differences.push(difference);
+        }
+    }
+}
+
+fn text(value: &Value) -> String {
+    value.to_string()
+}
+
+/// How many doubles lie between two doubles.
+pub fn ulps(a: f64, b: f64) -> u64 {
+    let ordered = |x: f64| {
+        let magnitude = i128::from(x.abs().to_bits());
+        if x.is_sign_negative() { -magnitude } else { magnitude }
+    };
+    u64::try_from(ordered(a).abs_diff(ordered(b))).unwrap_or(u64::MAX)
+}
+
+/// A difference between a committed golden file and what the code says.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Difference {
+    /// The case.
+    pub case: String,
+    /// The field: `out.fc`, `jac.fc.f2`; empty where the whole case differs.
+    pub field: String,
+    /// What the committed file says.
+    pub committed: String,
+    /// What the code says.
+    pub now: String,
+    /// Their distance, for numbers.
+    pub ulps: Option<u64>,
+}
+
+impl Difference {
+    fn new(case: &str, field: &str, committed: &str, now: &str) -> Self {
+        let [case, field, committed, now] = [case, field, committed, now].map(String::from);
+        Self { case, field, committed, now, ulps: None }
+    }
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "case {}", self.case)?;
+        if !self.field.is_empty() {
+            write!(f, ", {}", self.field)?;
+        }
+        write!(f, ": committed {}, computed {}", self.committed, self.now)?;
+        self.ulps.map_or(Ok(()), |ulps| write!(f, " ({ulps} ulp apart)"))
+    }
+}

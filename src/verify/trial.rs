@@ -1,0 +1,92 @@
+//! Points of a formula and its values there, against which an equation can be tried that somebody else wrote.
+
+use super::audit::{Options, named_points};
+use super::claim::{Claim, Deviation};
+use super::point::{Names, Point};
+use super::printed::{EQUATION, Known, found};
+use super::subject::Subject;
+use super::{Sampler, Sensitivity, golden};
+use crate::Octuple;
+use crate::equation::Equation;
+use crate::formula::Field;
+use crate::proof::Proved;
+
+/// What a formula gives at its cases, beside its kinks and at random points, in 237 bits.
+///
+/// ```
+/// use jointproof::equation::Equation;
+/// use jointproof::formula::Fields;
+/// use jointproof::slot::{Contact, ContactForce, CrossForces};
+/// use jointproof::verify::{Options, Trial};
+///
+/// let (inputs, outputs) = (CrossForces::<f64>::FIELDS, Contact::<f64>::FIELDS);
+/// let trial = Trial::of::<ContactForce>(&Options { samples: 5, seed: 1 });
+/// let renamed = [("a", "f2"), ("b", "f3"), ("F", "fc")];
+/// let right = Equation::read(r"F = \sqrt{a^2 + b^2}", &renamed, inputs, outputs)?;
+/// assert!(trial.compare(&right).held());
+/// let wrong = Equation::read(r"F = \sqrt{a^2 - b^2}", &renamed, inputs, outputs)?;
+/// assert_eq!(trial.first_difference(&wrong).unwrap().entry, "fc");
+/// # Ok::<(), jointproof::equation::Error>(())
+/// ```
+pub struct Trial {
+    inputs: &'static [Field],
+    names: Vec<String>,
+    points: Vec<TrialPoint>,
+}
+
+struct TrialPoint {
+    label: String,
+    inputs: Vec<f64>,
+    exact: Vec<Octuple>,
+    known: Known,
+    on_kink: bool,
+}
+
+impl Trial {
+    /// Evaluates a formula.
+    pub fn of<F: Proved>(options: &Options) -> Self {
+        let subject = Subject::of::<F>();
+        let mut sampler = Sampler::for_formula(subject.spec.id, options.seed);
+        let random = (0..options.samples).map(|k| {
+            let label = format!("random {k} of seed {}", options.seed);
+            Point::new(&subject, label, true, sampler.components(&subject))
+        });
+        let points = random.chain(named_points(&subject)).map(evaluated);
+        Self { inputs: subject.inputs, names: Names::new(&subject).outputs, points: points.collect() }
+    }
+
+    /// Compares the values of an equation at every point.
+    pub fn compare(&self, equation: &Equation) -> Claim {
+        let mut claim = Claim::new("equation = value, in 237 bits", EQUATION);
+        self.points.iter().for_each(|point| self.check(point, equation, &mut claim));
+        claim
+    }
+
+    /// The largest deviation at the first point where an equation is not the formula.
+    pub fn first_difference(&self, equation: &Equation) -> Option<Deviation> {
+        self.points.iter().find_map(|point| {
+            let mut claim = Claim::new("equation = value, in 237 bits", EQUATION);
+            self.check(point, equation, &mut claim);
+            claim.worst.filter(|_| claim.failures > 0)
+        })
+    }
+
+    fn check(&self, point: &TrialPoint, equation: &Equation, claim: &mut Claim) {
+        if !equation.is_defined(point.on_kink) {
+            return;
+        }
+        let found = found(equation, &point.exact, &point.known.values);
+        found.record_values(claim, &point.known, &self.names, |size, entry, found, expected| {
+            let inputs = golden::named(self.inputs, &point.inputs).into();
+            Deviation { size, entry, point: point.label.clone(), found, expected, inputs }
+        });
+    }
+}
+
+fn evaluated(point: Point<'_>) -> TrialPoint {
+    let Point { subject, label, inputs, exact, kink, .. } = point;
+    let values = (subject.exact_value)(&exact);
+    let gradients = subject.derivative(&exact);
+    let sizes = gradients.chunks(exact.len()).map(|gradient| Sensitivity::new(gradient, &exact)).collect();
+    TrialPoint { label, inputs, exact, known: Known { values, sizes }, on_kink: kink.is_some() }
+}

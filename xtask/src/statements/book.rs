@@ -1,0 +1,169 @@
+//! The statements in the book: traceability, sources, errata, and what an entry says.
+
+use super::document::{Counts, Document};
+use super::documents;
+use super::errata;
+use super::statement::{Cover, Formula, Statement, Status};
+use super::world::{self, World};
+use crate::scene;
+use jointproof::catalog::CATALOG;
+use kit::{Fact, Project, listing_page};
+use std::fmt::Write;
+
+/// The page of the traceability.
+const PAGE: &str = "traceability.html";
+
+/// What chapters put in by `{{#text name}}`, in Markdown.
+pub(crate) fn texts(project: &Project) -> anyhow::Result<Vec<(String, String)>> {
+    let (documents, world) = (documents::all(), World::read(project)?);
+    let mut texts = vec![
+        ("statements".to_owned(), traceability(&documents, &world)),
+        ("documents".to_owned(), sources(&documents)),
+    ];
+    texts.extend(errata::all().iter().map(|erratum| (format!("erratum-{}", erratum.anchor), erratum.markdown())));
+    Ok(texts)
+}
+
+/// What every entry says: the statements that name its formula.
+pub(crate) fn facts(project: &Project) -> anyhow::Result<Vec<Fact>> {
+    let (documents, world) = (documents::all(), World::read(project)?);
+    let fact = |id: &str| {
+        let mut lines = of_formula(&documents, &world, id);
+        if lines.is_empty() {
+            lines.push("none: no document says it".into());
+        }
+        Fact { formula: id.into(), name: "Statements".into(), lines }
+    };
+    Ok(CATALOG.iter().map(|formula| fact(formula.spec().id)).collect())
+}
+
+/// The statements that name a formula, a line each (text).
+pub(super) fn of_formula(documents: &[Document], world: &World, id: &str) -> Vec<String> {
+    let lines = documents.iter().flat_map(|document| {
+        document.statements.iter().filter(|statement| statement.names(id)).map(move |statement| {
+            let others: Vec<_> = statement.covers.iter().filter_map(|cover| beside(cover, id, world)).collect();
+            let others = if others.is_empty() { String::new() } else { format!(" ({})", others.join(", ")) };
+            let (title, anchor) = (document.source.title, document.anchor_of(statement));
+            format!("[{title} {}]({PAGE}#{anchor}): {}{others}", statement.id, statement.says)
+        })
+    });
+    lines.collect()
+}
+
+/// A case, function, output or erratum of a statement, as an entry links it; the entry has its own laws.
+fn beside(cover: &Cover, id: &str, world: &World) -> Option<String> {
+    match cover {
+        Cover::Case(formula, case) if formula.spec().id == id => Some(golden(*formula, case)),
+        Cover::Item(_) | Cover::Output(_) | Cover::Erratum(_) => Some(reference(cover, world)),
+        _ => None,
+    }
+}
+
+/// A table for each document.
+fn traceability(documents: &[Document], world: &World) -> String {
+    let mut text = format!("{}.\n\n", Counts::of(documents));
+    for document in documents {
+        let _ = write!(
+            text,
+            "## {}\n\n| | What it says | Stands | Covered by |\n|---|---|---|---|\n",
+            document.source.title
+        );
+        for statement in &document.statements {
+            let _ = writeln!(text, "{}", row(document, statement, world));
+        }
+        text.push('\n');
+    }
+    text
+}
+
+fn row(document: &Document, statement: &Statement, world: &World) -> String {
+    let Statement { id, says, status, covers } = statement;
+    let covers: Vec<_> = covers.iter().map(|cover| reference(cover, world)).collect();
+    let anchor = document.anchor_of(statement);
+    let cell = |text: &str| text.replace('|', "\\|");
+    format!("| <a id=\"{anchor}\"></a>{id} | {} | {} | {} |", cell(says), stands(*status), cell(&covers.join(", ")))
+}
+
+fn stands(status: Status) -> String {
+    match status {
+        Status::Covered => "covered".into(),
+        Status::Erratum => "erratum".into(),
+        Status::Outside(why) => format!("outside: {why}"),
+        Status::Open(_, missing) => format!("**open**: {missing}"),
+    }
+}
+
+/// What covers a statement, with a link where there is something to see (Markdown).
+fn reference(cover: &Cover, world: &World) -> String {
+    match *cover {
+        Cover::Formula(formula) => format!("`{}`", formula.spec().id),
+        Cover::Law(formula, words) => format!("law of `{}`: “{words} …”", formula.spec().id),
+        Cover::Case(formula, case) => format!("{} of `{}`", golden(formula, case), formula.spec().id),
+        Cover::Item(path) => linked(&short(path), world.item(path)),
+        Cover::Test(test) => linked(&format!("test `{test}`"), world.test(test)),
+        Cover::Output(name) => output(name),
+        Cover::Chapter(place) => chapter(place),
+        Cover::Erratum(anchor) => format!("[erratum](errata.html#{anchor})"),
+    }
+}
+
+/// A golden case, as a link to its file.
+fn golden(formula: Formula, case: &str) -> String {
+    format!("[case `{case}`](golden/{}.json)", formula.spec().id)
+}
+
+/// An output of scenes, as a link to the tables of its kind.
+fn output(name: &str) -> String {
+    let shown = match name.split_once('@').and_then(|(kind, rest)| Some((kind, rest.split_once('/')?))) {
+        Some((kind, (dimension, output))) => format!("{kind}/{output} in {dimension}"),
+        None => name.to_owned(),
+    };
+    match world::output(name) {
+        Some(kind) => format!("[{shown}](scenes.html#{})", scene::anchor(kind)),
+        None => shown,
+    }
+}
+
+/// A place in the book, as a link.
+fn chapter(place: &str) -> String {
+    let (file, anchor) = place.split_once('#').unwrap_or((place, ""));
+    let page = file.trim_end_matches(".md");
+    format!("[{page}: {}]({page}.html#{anchor})", anchor.replace('-', " "))
+}
+
+/// Words with a link into a listing.
+fn linked(words: &str, place: Option<world::Place>) -> String {
+    match place {
+        Some(world::Place { file, line }) => format!("[{words}]({}#L{line})", listing_page(&file)),
+        None => words.to_owned(),
+    }
+}
+
+/// A path from its type on, as code.
+fn short(path: &str) -> String {
+    let plain = world::plain(path);
+    let parts: Vec<_> = plain.split("::").collect();
+    let start =
+        parts.iter().position(|part| part.starts_with(char::is_uppercase)).unwrap_or(parts.len().saturating_sub(2));
+    format!("`{}`", parts[start..].join("::"))
+}
+
+/// What each document is, how to find it, its sections, and the text that was used.
+fn sources(documents: &[Document]) -> String {
+    let mut text = String::new();
+    for Document { source, about, found, sections, bytes, sha256, statements, .. } in documents {
+        let sections = match *sections {
+            [] => "none in our text".to_owned(),
+            sections => sections.iter().map(|section| format!("*{section}*")).collect::<Vec<_>>().join("; "),
+        };
+        let anchor = source.title.to_lowercase().replace(' ', "-");
+        let _ = write!(
+            text,
+            "## {title}\n\n{about}\n\n- **To find it:** {found}\n- **Sections:** {sections}\n- **Text used:** {bytes} bytes, \
+             SHA-256 `{sha256}`\n- **Statements:** [{count}](traceability.html#{anchor})\n\n",
+            title = source.title,
+            count = statements.len()
+        );
+    }
+    text
+}

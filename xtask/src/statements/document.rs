@@ -1,0 +1,61 @@
+//! A document, and what it says.
+
+use super::statement::{Statement, Status};
+use jointproof::formula;
+
+/// A document that formulas were taken from.
+pub(crate) struct Document {
+    /// What formulas call it.
+    pub(crate) source: formula::Document,
+    /// The beginning of its statements' anchors.
+    pub(crate) anchor: &'static str,
+    /// What kind of text it is, and what it is about (Markdown).
+    pub(crate) about: &'static str,
+    /// How to find it (Markdown).
+    pub(crate) found: &'static str,
+    /// Its headings, in its own words.
+    pub(crate) sections: &'static [&'static str],
+    /// The size of the text that was used.
+    pub(crate) bytes: usize,
+    /// The checksum of that text: what `sha256sum` says of the file as it was handed to us, found once, by hand.
+    pub(crate) sha256: &'static str,
+    /// What it says.
+    pub(crate) statements: Vec<Statement>,
+}
+
+impl Document {
+    /// The anchor of a statement in the book.
+    pub(crate) fn anchor_of(&self, statement: &Statement) -> String {
+        format!("{}-{}", self.anchor, statement.id)
+    }
+}
+
+/// How many statements there are, and how they stand.
+pub(super) struct Counts {
+    pub(super) all: usize,
+    pub(super) covered: usize,
+    pub(super) errata: usize,
+    pub(super) outside: usize,
+    pub(super) open: usize,
+}
+
+impl Counts {
+    pub(super) fn of(documents: &[Document]) -> Self {
+        let statuses: Vec<_> = documents.iter().flat_map(|document| &document.statements).map(|s| s.status).collect();
+        let number = |is: fn(&Status) -> bool| statuses.iter().filter(|status| is(status)).count();
+        Self {
+            all: statuses.len(),
+            covered: number(|status| *status == Status::Covered),
+            errata: number(|status| *status == Status::Erratum),
+            outside: number(|status| matches!(status, Status::Outside(_))),
+            open: number(|status| matches!(status, Status::Open(..))),
+        }
+    }
+}
+
+impl std::fmt::Display for Counts {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { all, covered, errata, outside, open } = self;
+        write!(f, "{all} statements: {covered} covered, {errata} errata, {outside} outside, {open} open")
+    }
+}

@@ -1,0 +1,14 @@
+//! The documents, statement by statement.
+
+mod slide_line;
+mod slider;
+mod slot;
+mod translator;
+mod ujoint;
+
+use super::document::Document;
+
+/// All five.
+pub(crate) fn all() -> Vec<Document> {
+    vec![slot::document(), ujoint::document(), slider::document(), translator::document(), slide_line::document()]
+}

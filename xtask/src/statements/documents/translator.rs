@@ -1,0 +1,162 @@
+//! TRANSLATOR, statement by statement.
+
+use crate::statements::document::Document;
+use crate::statements::statement::{Statement, covered, mended, open, outside};
+use jointproof::formula;
+use jointproof::translator::{self, Translator};
+use jointproof::{align, cardan, coulomb, slot};
+
+pub(super) fn document() -> Document {
+    Document {
+        source: formula::Document::TRANSLATOR,
+        anchor: "translator",
+        about: "A page of the same library as SLOT's: the connection type TRANSLATOR, which is SLOT and ALIGN together, and the \
+                three sources of its contact force.",
+        found: "The page is titled TRANSLATOR. It names the products Abaqus/Standard, Abaqus/Explicit and Abaqus/CAE, and refers \
+                to *Connector elements* and *Connector element library*.",
+        sections: &["Description", "Friction", "Summary"],
+        bytes: 3594,
+        sha256: "9eeac7fb0b5aa274554c5736a9b77332875f2fa8ec0ea03fb1b3a0cc3cf6c119",
+        statements: [description(), friction(), summary()].into_iter().flatten().collect(),
+    }
+}
+
+const ORIENTATION: &str = "a scene takes the global axes where a node has no orientation";
+const FRICTION_OF_SCENES: &str = "a scene takes the load f1 for the traction, not the friction force";
+const NODES: &str = "conventions.md#node-a-and-node-b";
+
+fn description() -> Vec<Statement> {
+    vec![
+        covered("L3", "It is a slot between two nodes whose directions it keeps aligned.")
+            .formulas(&[&translator::Constraint])
+            .method(Translator::new)
+            .method(Translator::constraint)
+            .outputs(&["translator/GY", "translator/GZ", "translator/UR1", "translator/UR2", "translator/UR3"]),
+        outside("L5-12", "Cross references, and the products that have it.", "refers to other pages"),
+        covered("L16", "A figure of it.").chapter("translator.md#friction"),
+        covered("L18", "Its constraints and orientations are those of SLOT and ALIGN together.")
+            .formulas(&[
+                &translator::Constraint,
+                &align::Constraint,
+                &align::ConstraintMoment,
+                &cardan::CardanAngles,
+                &cardan::BetaTwoArgument,
+            ])
+            .law(&translator::Constraint, "assembly")
+            .test("translator::it_is_slot_and_align_assembled")
+            .chapter("cardan.md#convention"),
+        covered("L20-s1", "The forces reported depend strongly on the order and place of the nodes.").chapter(NODES),
+        covered("L20-s2", "The constraints are enforced at node b, and what is reported acts on b.")
+            .law(&translator::Constraint, "aligned, Jacobianᵀ")
+            .chapter(NODES),
+        covered("L20-s3", "They are read best with b at the centre of the device.").chapter(NODES),
+        covered("L20-s4", "That is essential where friction follows from moments.").chapter(NODES),
+        open(
+            "L20-s5",
+            "Enforcement does not depend on order and place of the nodes.",
+            8,
+            "a law about exchanged nodes",
+        )
+        .chapter(NODES),
+    ]
+}
+
+fn friction() -> Vec<Statement> {
+    vec![
+        covered("L24", "Friction relates constraint forces and moments to the friction force CSF1.")
+            .formulas(&[&translator::Friction, &coulomb::ReturnMap])
+            .outputs(&["translator/CSF1"]),
+        open("L28", "Φ = P − μFN, at most 0.", 3, FRICTION_OF_SCENES)
+            .formulas(&[&translator::Friction, &coulomb::Yield])
+            .law(&translator::Friction, "at the friction force μ F_N")
+            .method(Translator::friction)
+            .outputs(&["translator/PHI"])
+            .erratum("lost-sign"),
+        open(
+            "L30",
+            "What P, FN and μ are; stick where Φ < 0, slip where Φ = 0, with the force μFN.",
+            3,
+            FRICTION_OF_SCENES,
+        )
+        .formulas(&[&translator::Friction, &coulomb::ReturnMap])
+        .cases(&translator::Friction, &["stick", "slip"])
+        .chapter("coulomb.md#stick-and-slip"),
+        covered("L32", "FN = |FC + FCint|.")
+            .formulas(&[&slot::NormalForce])
+            .outputs(&["translator/FN"])
+            .erratum("two-normal-forces"),
+        covered("L36", "FC is the sum of three contributions.")
+            .formulas(&[&translator::ContactForce])
+            .test("translator::each_part_adds_to_the_contact_force")
+            .chapter("translator.md#friction"),
+        covered("L38", "The torque is Mtorq = |m1|.")
+            .formulas(&[&translator::TorqueForce])
+            .law(&translator::TorqueForce, "reversing the torque"),
+        mended("L41", "Ftorq is Mtorq over Rr; the quotient is lost in our text.", "lost-quotients")
+            .formulas(&[&translator::TorqueForce])
+            .law(&translator::TorqueForce, "the contact force at its lever")
+            .outputs(&["translator/FTORQ"]),
+        covered("L43", "Rr is the radius of the shaft; where it is 0 the torque is left out.")
+            .formulas(&[&translator::TorqueForce])
+            .cases(&translator::TorqueForce, &["no-radius"])
+            .cases(&translator::ContactForce, &["no-radius"])
+            .test("translator::a_lever_of_zero_drops_its_moment_and_a_short_one_does_not"),
+        mended("L45", "Fr is the root of f2² + f3²; the root is lost in our text.", "lost-roots")
+            .formulas(&[&translator::RadialForce])
+            .law(&translator::RadialForce, "it is the contact force of a SLOT")
+            .outputs(&["translator/FR"]),
+        mended("L51", "Mbend is the root of m2² + m3²; Fbend = 2 Mbend over L.", "lost-roots")
+            .formulas(&[&translator::BendingForce])
+            .law(&translator::BendingForce, "two opposite forces")
+            .cases(&translator::BendingForce, &["couple"])
+            .outputs(&["translator/FBEND"])
+            .erratum("lost-quotients"),
+        covered("L56", "L is the overlap along the slot; where it is 0 bending is left out.")
+            .formulas(&[&translator::BendingForce])
+            .cases(&translator::BendingForce, &["no-length"])
+            .cases(&translator::ContactForce, &["no-length"]),
+        covered("L60", "FC = |m1/Rr| + the root of f2² + f3² + the root of (βm2)² + (βm3)².")
+            .formulas(&[&translator::ContactForce])
+            .law(&translator::ContactForce, "without moments")
+            .cases(&translator::ContactForce, &["all", "slot"])
+            .outputs(&["translator/FC"]),
+        mended("L62", "β = 2/L, the letter of an angle.", "two-meanings-of-beta")
+            .formulas(&[&translator::BendingForce, &translator::ContactForce]),
+        covered("L64", "P = |f1|.").formulas(&[&translator::Friction]).outputs(&["translator/P"]),
+    ]
+}
+
+fn summary() -> Vec<Statement> {
+    vec![
+        covered("L69", "TRANSLATOR is an assembled connection.").chapter("translator.md#translator"),
+        covered("L70", "Constraints: SLOT and ALIGN.")
+            .formulas(&[&translator::Constraint])
+            .law(&translator::Constraint, "assembly"),
+        covered("L71", "Constraint forces and moments reported: f2, f3, m1, m2, m3.")
+            .formulas(&[&slot::ConstraintForce, &align::ConstraintMoment])
+            .law(&align::ConstraintMoment, "its components along a's axes")
+            .method(Translator::constraint_force)
+            .method(Translator::constraint_moment)
+            .outputs(&["translator/RF", "translator/RM"]),
+        covered("L72", "Available component: u1.").formulas(&[&slot::RelativeMotion]).outputs(&["translator/U1"]),
+        open("L73", "Kinetic force reported: f1.", 3, "in a scene it is the load alone, without friction")
+            .formulas(&[&slot::KineticForce])
+            .outputs(&["translator/KF"]),
+        open("L74", "Orientation at a: required.", 6, ORIENTATION).method(Translator::new),
+        open("L75", "Orientation at b: optional.", 6, ORIENTATION).method(Translator::new),
+        open("L76", "Stops bound l between l1min and l1max.", 8, "a stop on one side only")
+            .formulas(&[&slot::Stop])
+            .method(Translator::with_stops)
+            .outputs(&["translator/GAPMIN", "translator/GAPMAX"])
+            .erratum("length-at-the-stops"),
+        covered("L77", "Constitutive reference length: l1ref.")
+            .method(Translator::with_reference_length)
+            .outputs(&["translator/U1MAT"]),
+        covered("L78", "Friction parameters, all optional: Rr, L, FCint.")
+            .method(Translator::with_friction)
+            .test("translator::without_friction_parameters_there_is_no_friction"),
+        covered("L79", "Contact force reported: FC.")
+            .formulas(&[&translator::ContactForce])
+            .outputs(&["translator/FC"]),
+    ]
+}

@@ -1,0 +1,19 @@
+//! The errata, executed.
+//!
+//! The words stand in `book/src/errata.md`; the tables there are made here, so that no number in them is typed.
+
+mod contact;
+mod friction;
+mod joint;
+mod ours;
+mod slider;
+
+use super::erratum::Erratum;
+
+/// All errata, in the order of the chapter.
+pub(crate) fn all() -> Vec<Erratum> {
+    [friction::errata(), joint::errata(), slider::errata(), contact::errata(), ours::errata()]
+        .into_iter()
+        .flatten()
+        .collect()
+}

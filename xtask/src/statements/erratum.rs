@@ -1,0 +1,169 @@
+//! An erratum, executed: a literal reading beside the one that is used, both evaluated, and the law that the literal one
+//! breaks.
+
+use jointproof::formula::Formula;
+use std::fmt::Write;
+
+/// An erratum, by its anchor in the chapter.
+pub(crate) struct Erratum {
+    /// The anchor.
+    pub(crate) anchor: &'static str,
+    /// What was evaluated.
+    pub(crate) comparisons: Vec<Comparison>,
+}
+
+/// Readings of one place, evaluated at one point, and a law to judge them.
+pub(crate) struct Comparison {
+    /// The point (Markdown).
+    at: &'static str,
+    /// The law (Markdown).
+    law: &'static str,
+    /// How far a reading may be off the law to be called right.
+    bound: f64,
+    readings: Vec<Reading>,
+}
+
+/// One reading.
+struct Reading {
+    kind: Kind,
+    /// Whose it is (Markdown).
+    whose: String,
+    /// What it says, in LaTeX.
+    latex: &'static str,
+    values: Vec<f64>,
+    /// By how much it is off the law, as a part of the numbers compared.
+    off: f64,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// Breaks the law.
+    Literal,
+    /// Obeys it.
+    Right,
+}
+
+/// How many times the bound a literal reading must be off.
+const BROKEN: f64 = 1e3;
+
+/// An erratum of these comparisons.
+pub(super) fn erratum(anchor: &'static str, comparisons: Vec<Comparison>) -> Erratum {
+    Erratum { anchor, comparisons }
+}
+
+/// A comparison at a point; readings follow.
+pub(super) fn at(at: &'static str, law: &'static str) -> Comparison {
+    Comparison { at, law, bound: 1e-12, readings: Vec::new() }
+}
+
+impl Comparison {
+    /// The document read as it stands.
+    pub(super) fn printed(self, latex: &'static str, value: f64, off: f64) -> Self {
+        self.reading(Kind::Literal, "as printed".into(), latex, &[value], off)
+    }
+
+    /// A literal reading that the library keeps.
+    pub(super) fn kept<F: Formula>(self, whose: &str, latex: &'static str, values: &[f64], off: f64) -> Self {
+        self.reading(Kind::Literal, format!("{whose}, and here: `{}`", F::SPEC.id), latex, values, off)
+    }
+
+    /// Another literal reading.
+    pub(super) fn literal(self, whose: &str, latex: &'static str, value: f64, off: f64) -> Self {
+        self.reading(Kind::Literal, whose.into(), latex, &[value], off)
+    }
+
+    /// What the library does.
+    pub(super) fn here<F: Formula>(self, latex: &'static str, value: f64, off: f64) -> Self {
+        self.reading(Kind::Right, format!("here: `{}`", F::SPEC.id), latex, &[value], off)
+    }
+
+    /// What is right, though no formula of the library.
+    pub(super) fn right(self, whose: &str, latex: &'static str, values: &[f64], off: f64) -> Self {
+        self.reading(Kind::Right, whose.into(), latex, values, off)
+    }
+
+    /// With another bound.
+    pub(super) fn within(self, bound: f64) -> Self {
+        Self { bound, ..self }
+    }
+
+    fn reading(mut self, kind: Kind, whose: String, latex: &'static str, values: &[f64], off: f64) -> Self {
+        self.readings.push(Reading { kind, whose, latex, values: values.to_vec(), off });
+        self
+    }
+
+    /// What is not as it should be: a literal reading that obeys the law, or a right one that breaks it.
+    fn faults(&self) -> impl Iterator<Item = String> {
+        let wrong = |reading: &&Reading| {
+            let (breaks, obeys) = (reading.off > BROKEN * self.bound, reading.off <= self.bound);
+            !if reading.kind == Kind::Literal { breaks } else { obeys }
+        };
+        self.readings.iter().filter(wrong).map(|reading| match reading.kind {
+            Kind::Literal => format!("{}, it obeys the law \"{}\": off by {:e}", reading.whose, self.law, reading.off),
+            Kind::Right => format!("{}, it breaks the law \"{}\": off by {:e}", reading.whose, self.law, reading.off),
+        })
+    }
+
+    /// Whether there is something on both sides.
+    fn compares(&self) -> bool {
+        [Kind::Literal, Kind::Right].iter().all(|kind| self.readings.iter().any(|reading| reading.kind == *kind))
+    }
+}
+
+impl Erratum {
+    /// What is wrong with it.
+    pub(crate) fn faults(&self) -> Vec<String> {
+        let mut faults: Vec<_> = self.comparisons.iter().flat_map(Comparison::faults).collect();
+        if self.comparisons.is_empty() || !self.comparisons.iter().all(Comparison::compares) {
+            faults.push("no literal reading beside a right one".into());
+        }
+        faults.into_iter().map(|fault| format!("erratum {}: {fault}", self.anchor)).collect()
+    }
+
+    /// Its tables (Markdown).
+    pub(crate) fn markdown(&self) -> String {
+        let mut text = String::new();
+        for Comparison { at, law, readings, .. } in &self.comparisons {
+            let head = "| Reading | Equation | Value | Off the law by |\n|---|---|---|---|";
+            let _ = writeln!(text, "*Point:* {at}. *Law:* {law}.\n\n{head}");
+            for Reading { whose, latex, values, off, .. } in readings {
+                let _ = writeln!(text, "| {whose} | ${latex}$ | {} | {} |", all_digits(values), digits(*off));
+            }
+            text.push('\n');
+        }
+        text
+    }
+}
+
+/// Four digits of each; what is rounding beside the largest is 0.
+fn all_digits(values: &[f64]) -> String {
+    let largest = values.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+    let shown = values.iter().map(|value| digits(if value.abs() < largest * 1e-12 { 0.0 } else { *value }));
+    shown.collect::<Vec<_>>().join(", ")
+}
+
+/// Four digits.
+fn digits(x: f64) -> String {
+    let scientific = format!("{x:.3e}");
+    let (mantissa, power) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    let power: i32 = power.parse().unwrap_or(0);
+    match power {
+        _ if x == 0.0 => "0".into(),
+        -3..=4 => {
+            let decimals = usize::try_from(3 - power).unwrap_or(0);
+            without_zeros(&format!("{x:.decimals$}")).replace('-', "−")
+        }
+        _ => format!("${}\\cdot10^{{{power}}}$", without_zeros(&mantissa[..mantissa.len() - 2])),
+    }
+}
+
+/// Without zeros that say nothing.
+fn without_zeros(number: &str) -> &str {
+    if number.contains('.') { number.trim_end_matches('0').trim_end_matches('.') } else { number }
+}
+
+/// By how much two numbers differ, as a part of the larger one; 0 where both are 0.
+pub(super) fn apart(a: f64, b: f64) -> f64 {
+    let size = a.abs().max(b.abs());
+    if size == 0.0 { 0.0 } else { (a - b).abs() / size }
+}
