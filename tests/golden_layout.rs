@@ -1,7 +1,7 @@
 //! What the layout of golden files promises: scales by which a port can be judged, matrices as rows, a version.
 
 use jointproof::catalog::{AnyFormula, CATALOG};
-use jointproof::formula::{Component, Document, Formula, Jacobian, Spec};
+use jointproof::formula::{Component, Document, Field, Formula, Jacobian, Spec};
 use jointproof::proof::{Case, Proved};
 use jointproof::quantity::{Domain, Quantity, Shape, Unit};
 use jointproof::verify::golden::{File, components};
@@ -25,7 +25,7 @@ fn all(named: &Map<String, Value>) -> Vec<f64> {
 
 /// By output, output component, input and input component, as golden files nest it.
 fn as_nested(formula: &dyn AnyFormula, rows: &[f64]) -> Vec<f64> {
-    let columns = formula.inputs().iter().map(|input| input.len()).sum();
+    let columns = formula.inputs().iter().map(Field::len).sum();
     let mut rows = rows.chunks(columns);
     let mut nested = Vec::new();
     for output in formula.outputs() {

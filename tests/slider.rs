@@ -305,7 +305,7 @@ fn near_the_x_axis_eta_is_at_most_8() {
     let mut worst = [0.0_f64; 3];
     for tilt in TILTS {
         for (length, offset, share) in [(1.0, 0.0, 0.4), (1.0, 0.1, 0.9), (1e-3, 1e-3, -30.0), (1e3, 7.0, 1e6)] {
-            let setting = Setting { tilt, length, offset, share };
+            let setting = Setting { tilt, length, share, offset };
             for i in setting.scenes().into_iter().step_by(3) {
                 let KeptIncrement { x1, xn, xm, dx1, dxn, dxmk } = i;
                 if xn.yz() == x1.yz() {

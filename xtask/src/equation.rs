@@ -76,12 +76,12 @@ fn text(id: &str, claim: &Claim) -> String {
     if claim.held() {
         return format!("{} the same function as {id}: {compared} in 237 bits\n", green("ok "));
     }
-    let mut text = format!("{} not {id}: {} of {compared} differ\n", red("off"), claim.failures);
-    if let Some(Deviation { size, entry, point, found, expected, inputs }) = &claim.worst {
+    let failures = format!("{} not {id}: {} of {compared} differ\n", red("off"), claim.failures);
+    let worst = claim.worst.as_ref().map(|Deviation { size, entry, point, found, expected, inputs }| {
         let size = figure(*size);
-        text +=
-            &format!("  most at {point}: {entry} is {expected:?}, the equation gives {found:?}, off by {size} of it\n");
-        text += &format!("  at {inputs}\n");
-    }
-    text
+        format!(
+            "  most at {point}: {entry} is {expected:?}, the equation gives {found:?}, off by {size} of it\n  at {inputs}\n"
+        )
+    });
+    failures + &worst.unwrap_or_default()
 }
