@@ -179,7 +179,7 @@ fn what_refers_to_a_faulty_element_or_node_is_not_another_fault() {
 #[test]
 fn an_output_that_no_element_has_is_a_fault() {
     let found = faults(
-        r#"{"dimension": "3d", "nodes": {"a": {"at": [0, 0, 0]}, "b": {"at": [1, 0, 0]}},
+        r#"{"dimension": "3d", "orientations": {"o": {"rotation": [0, 0, 0]}}, "nodes": {"a": {"at": [0, 0, 0], "orientation": "o"}, "b": {"at": [1, 0, 0]}},
         "elements": {"s": {"kind": "slot", "nodes": ["a", "b"]}}, "outputs": ["U1", "ALPHA"]}"#,
     );
     let expected = "elements (line 2, column 85): output \"ALPHA\", which no element here has; \
@@ -222,7 +222,7 @@ fn a_part_that_is_missing_or_no_object_is_one_fault() {
 #[test]
 fn an_element_between_a_node_and_itself_is_refused() {
     for kind in Kind::all() {
-        let at = if kind.dimension.coordinates() == 3 { "[1, 2, 3]" } else { "[1, 2]" };
+        let (at, turn) = place_and_turn(kind);
         let ends = vec!["\"car\""; kind.nodes.len()].join(", ");
         let lines = if kind.slides() {
             (r#""slide_lines": {"l": {"type": "linear", "nodes": ["p", "q"]}}, "#, r#", "slide_line": "l""#)
@@ -230,7 +230,7 @@ fn an_element_between_a_node_and_itself_is_refused() {
             ("", "")
         };
         let found = faults(&format!(
-            r#"{{"dimension": "{}", "nodes": {{"car": {{"at": {at}}}, "p": {{"at": {at}}}, "q": {{"at": {at}}}}}, {}
+            r#"{{"dimension": "{}", "orientations": {{"o": {{{turn}}}}}, "nodes": {{"car": {{"at": {at}, "orientation": "o"}}, "p": {{"at": {at}}}, "q": {{"at": {at}}}}}, {}
             "elements": {{"e": {{"kind": "{}", "nodes": [{ends}]{}}}}}}}"#,
             kind.dimension.name(),
             lines.0,

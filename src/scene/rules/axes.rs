@@ -4,15 +4,15 @@
 
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec};
 use crate::quantity::{Domain, Quantity, SLIDER_X1, SLIDER_XN, Shape, Unit};
 use crate::scalar::Scalar;
-use crate::slider::Pivots;
+use crate::slider::{Eliminate, Pivots};
 use nalgebra::{Vector2, Vector3};
 
 /// Which coordinates are eliminated.
 pub const AXES: Quantity = Quantity::new(
-    r"(i, j)",
+    r"\mathbf{a}",
     Shape::Vec2,
     Unit::ONE,
     Domain::Real,
@@ -40,7 +40,8 @@ impl Formula for PivotAxes {
             "The axes that are eliminated",
             Document::SLIDER.ours("", "the document numbers them by its pivots; that a state shows them is ours"),
         )
-        .equation(r"(i, j) \text{ of } x_{m,i}, x_{m,j}")
+        .equation(r"\mathbf{a} = (i, j)")
+        .given(&[Given::new(r"i,\ j", &Eliminate::SPEC)])
         .eta(4.0, 4.0)
     };
     type Inputs<T: Component> = LineNodes<T>;
