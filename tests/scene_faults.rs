@@ -179,7 +179,7 @@ fn what_refers_to_a_faulty_element_or_node_is_not_another_fault() {
 #[test]
 fn an_output_that_no_element_has_is_a_fault() {
     let found = faults(
-        r#"{"dimension": "3d", "orientations": {"o": {"quaternion": [1, 0, 0, 0]}}, "nodes": {"a": {"at": [0, 0, 0], "orientation": "o"}, "b": {"at": [1, 0, 0]}},
+        r#"{"dimension": "3d", "orientations": {"o": {"rotation": [0, 0, 0]}}, "nodes": {"a": {"at": [0, 0, 0], "orientation": "o"}, "b": {"at": [1, 0, 0]}},
         "elements": {"s": {"kind": "slot", "nodes": ["a", "b"]}}, "outputs": ["U1", "ALPHA"]}"#,
     );
     let expected = "elements (line 2, column 85): output \"ALPHA\", which no element here has; \

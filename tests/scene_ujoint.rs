@@ -123,3 +123,11 @@ fn turns_are_followed_from_state_to_state() {
         assert!(joint.relative_motion(&pose).unwrap().ur1.abs() <= std::f64::consts::PI);
     }
 }
+
+#[test]
+fn the_twisting_moment_is_the_documented_one_and_the_hinge_has_its_share() {
+    let results = Results::of(&joint(r#"["MTWIST", "MTWISTH"]"#)).unwrap();
+    let at = |output| results.get("e", output, 0).unwrap()[0];
+    assert_eq!(at("MTWIST"), 2.5);
+    assert!(at("MTWISTH") > 0.0 && at("MTWISTH") < 2.5 / 8.0);
+}

@@ -2,7 +2,7 @@
 
 use super::dimension::Dimension;
 use super::table::{Kind, Origin, always};
-use crate::scene::rules::{KeptAxis, KeptAxis2d};
+use crate::scene::rules::{KeptAxis, KeptAxis2d, PivotAxes};
 use crate::slider;
 use Origin::{Increment, Position};
 
@@ -24,6 +24,7 @@ pub(super) const SLIDER: Kind = Kind {
         always(&slider::Constraint),
         always(&slider::IncrementalConstraint),
         always(&KeptAxis),
+        always(&PivotAxes),
         always(&slider::Eliminate),
         always(&slider::Increment),
     ],
@@ -35,6 +36,7 @@ pub(super) const SLIDER: Kind = Kind {
         ("G2", "g2"),
         ("R1", "r1"),
         ("R2", "r2"),
+        ("AXES", "axes"),
         ("XMI", "xmi"),
         ("XMJ", "xmj"),
         ("DXMI", "dxmi"),

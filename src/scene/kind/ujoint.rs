@@ -4,7 +4,7 @@ use super::dimension::Dimension;
 use super::shared::{FORCES, MOMENTS, NODES, SECOND_TRIAD, WITH_FRICTION, WITHOUT_FRICTION};
 use super::table::{Fallback, Kind, Origin, Use, When, always, renamed};
 use crate::coulomb::{ReturnMap, Yield};
-use crate::quantity::{CROSS_M1, CROSS_M3, Domain, PHI1, PHI3, Quantity, Unit};
+use crate::quantity::{CROSS_M1, CROSS_M3, Domain, PHI1, PHI3, Quantity, TWIST_M2, Unit};
 use crate::scene::rules::{Follow, Joining, Kinetic, Slip, Stick, TURN_STICK, Traction, scalar};
 use crate::{join, ujoint, universal};
 use Fallback::{As, Number, Required};
@@ -47,6 +47,12 @@ const CSM3: Quantity = scalar(
     Unit::FL,
     Domain::Real,
     "friction moment about e3b, positive where it resists positive ur3: on node a, its opposite on node b",
+);
+const M_TWIST: Quantity = scalar(
+    r"M_{\mathrm{twist}}",
+    Unit::FL,
+    Domain::NonNegative,
+    "magnitude of the twisting moment, the constraint moment m2",
 );
 const P1: Quantity =
     scalar(r"P_1", Unit::FL, Domain::NonNegative, "magnitude of the moment about e1a that friction transmits");
@@ -180,6 +186,7 @@ pub(super) const UJOINT: Kind = Kind {
             .when(WITH_FRICTION),
         always(&ujoint::Reaction),
         always(&ujoint::Decomposition),
+        renamed(&Traction, &[("csf", "m2"), ("p", "m_twist")]),
         always(&ujoint::TwistFactors),
         always(&ujoint::AxialFactors),
         always(&ujoint::HingeTwist),
@@ -207,6 +214,8 @@ pub(super) const UJOINT: Kind = Kind {
         ("gamma", &FOLLOWED3),
         ("m1", &CROSS_M1),
         ("m3", &CROSS_M3),
+        ("m2", &TWIST_M2),
+        ("m_twist", &M_TWIST),
         ("p1", &P1),
         ("p3", &P3),
         ("phi1", &PHI1),
@@ -242,7 +251,8 @@ pub(super) const UJOINT: Kind = Kind {
         ("BETATWIST", "beta_twist"),
         ("ALPHAAXIAL", "alpha_axial"),
         ("BETAAXIAL", "beta_axial"),
-        ("MTWIST", "m_twist_hinge"),
+        ("MTWIST", "m_twist"),
+        ("MTWISTH", "m_twist_hinge"),
         ("FTWIST", "f_twist_hinge"),
         ("FHINGE1", "f_axial_hinge1"),
         ("FHINGE3", "f_axial_hinge3"),

@@ -41,6 +41,10 @@ impl Scene {
     pub fn elements(&self) -> impl ExactSizeIterator<Item = &str> {
         self.elements.names()
     }
+    /// The kind of an element.
+    pub fn kind(&self, element: &str) -> Option<&'static Kind> {
+        self.elements.number_of(element).map(|number| self.elements[number].kind)
+    }
     /// The times of the states, in order.
     pub fn times(&self) -> impl ExactSizeIterator<Item = f64> {
         self.frames.iter().map(|frame| frame.time)

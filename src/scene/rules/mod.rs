@@ -6,10 +6,12 @@
 
 #![expect(clippy::inline_always, reason = "a call would write the inputs to memory, and wait for them there")]
 
+mod axes;
 mod list;
 #[cfg(feature = "verify")]
 mod proof;
 
+pub use axes::{AXES, EliminatedAxes, LineNodes, PivotAxes};
 pub use list::RULES;
 
 use crate::align::{Misalignment, Orientations};
