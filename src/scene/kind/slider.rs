@@ -50,10 +50,12 @@ pub(super) const SLIDER_2D: Kind = Kind {
     formulas: &[
         always(&slider::Line),
         always(&slider::Constraint2d),
+        always(&slider::IncrementalConstraint2d),
         always(&KeptAxis2d),
+        always(&slider::Eliminate2d),
         always(&slider::Increment2d),
     ],
-    outputs: &[("N", "n"), ("L", "l"), ("G", "g"), ("DXMI", "dxmi")],
+    outputs: &[("N", "n"), ("L", "l"), ("G", "g"), ("R", "r"), ("XMI", "xmi"), ("DXMI", "dxmi")],
     ..SLIDER
 };
 

@@ -23,8 +23,9 @@ use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec, along};
 use crate::quantity::{
-    Domain, E1A, E2A, E3A, F_TANGENTIAL, F_TRIAL, F2, F3, FORCE, JOIN_F1, P, Quantity, SLIDER_DXM, SLIDER_DXMK,
-    SLIDER_X1, SLIDER_X1_PLANE, SLIDER_XM, SLIDER_XM_PLANE, SLIDER_XMK, SLIDER_XN, SLIDER_XN_PLANE, Shape, U1, Unit,
+    Domain, E1A, E2A, E3A, F_TANGENTIAL, F_TRIAL, F2, F3, FORCE, JOIN_F1, P, Quantity, SLIDER_DXM, SLIDER_DXM_PLANE,
+    SLIDER_DXMK, SLIDER_X1, SLIDER_X1_PLANE, SLIDER_XM, SLIDER_XM_PLANE, SLIDER_XMK, SLIDER_XN, SLIDER_XN_PLANE, Shape,
+    U1, Unit,
 };
 use crate::scalar::{Scalar, abs, pi, sign};
 use crate::slider::{Eliminate, Increment2d, Pivots, Pivots2d};
@@ -414,14 +415,11 @@ impl Formula for KeptAxis {
     }
 }
 
-/// Increment of node m in the plane.
-pub const DXM_PLANE: Quantity = Quantity { shape: Shape::Vec2, ..SLIDER_DXM };
-
 fields! {
     /// The line, node m and its increment, in the plane.
     pub struct KeptNodes2d<T> {
         x1: Vector2<T> = SLIDER_X1_PLANE, xn: Vector2<T> = SLIDER_XN_PLANE, xm: Vector2<T> = SLIDER_XM_PLANE,
-        dxm: Vector2<T> = DXM_PLANE,
+        dxm: Vector2<T> = SLIDER_DXM_PLANE,
     }
 }
 
