@@ -268,7 +268,7 @@ fn every_output_of_every_kind_evaluates() {
         } else {
             ("", "")
         };
-        let all: Vec<_> = kind.outputs.iter().map(|(name, _)| format!("{name:?}")).collect();
+        let all: Vec<_> = kind.outputs().map(|(name, _)| format!("{name:?}")).collect();
         for outputs in all.iter().cloned().chain([all.join(", ")]) {
             let text = format!(
                 r#"{{"dimension": "{}", "orientations": {{"o": {{{turn}}}}}, "nodes": {{{}}}, "outputs": [{outputs}], {lines}

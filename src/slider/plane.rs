@@ -99,7 +99,7 @@ impl Formula for IncrementalConstraint2d {
         r"r = \mathbf{t}\cdot\bigl(\mathrm{d}\mathbf{x}_m - (1-\xi)\,\mathrm{d}\mathbf{x}_1 - \xi\,\mathrm{d}\mathbf{x}_n\bigr),\quad \mathbf{t} = (-n_2, n_1)",
     )
     .given(&[Given::new(r"\xi", &IncrementalConstraint::SPEC), Given::new(r"\mathbf{n}", &Line::SPEC)])
-    .eta(4.0, 16.0);
+    .eta(3.0, 5.0);
     type Inputs<T: Component> = MovingNodes2d<T>;
     type Outputs<T: Component> = IncrementalResidual2d<T>;
 

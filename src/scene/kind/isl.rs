@@ -45,6 +45,20 @@ const FOOT: &[(&str, &str)] = &[("g", "coordinate"), ("t", "coordinate"), ("sepa
 const SLIP: &[(&str, &str)] = &[("dslip", "e12")];
 const PRESSURE: &[(&str, &str)] = &[("p", "s11")];
 
+/// What every element on a slide line has: contact of its nodes.
+const CONTACT: &[Use] = &[
+    renamed(&slide_line::ClosestLinear, FOOT),
+    renamed(&slide_line::ClosestSmoothedLinear, FOOT),
+    renamed(&slide_line::ClosestParabolic, FOOT),
+    renamed(&slide_line::ClosestSmoothedParabolic, FOOT),
+    renamed(&slide_line::SlipIncrementLinear, SLIP),
+    renamed(&slide_line::SlipIncrementParabolic, SLIP),
+    renamed(&interaction::PressureLinear, PRESSURE),
+    renamed(&interaction::PressureExponential, PRESSURE),
+    renamed(&interaction::Damping, PRESSURE),
+    renamed(&coulomb::ReturnMap, &[("f", "s12")]),
+];
+
 pub(super) const ISL21A: Kind = Kind {
     name: "isl21a",
     dimension: Dimension::Axisymmetric,
@@ -52,21 +66,14 @@ pub(super) const ISL21A: Kind = Kind {
     given: &[],
     ordered: &[],
     formulas: &[
-        renamed(&slide_line::ClosestLinear, FOOT),
-        renamed(&slide_line::ClosestSmoothedLinear, FOOT),
-        renamed(&slide_line::ClosestParabolic, FOOT),
-        renamed(&slide_line::ClosestSmoothedParabolic, FOOT),
-        renamed(&slide_line::SlipIncrementLinear, SLIP),
-        renamed(&slide_line::SlipIncrementParabolic, SLIP),
-        renamed(&interaction::PressureLinear, PRESSURE),
-        renamed(&interaction::PressureExponential, PRESSURE),
-        renamed(&interaction::Damping, PRESSURE),
-        renamed(&coulomb::ReturnMap, &[("f", "s12")]),
-        always(&slide_line::TorqueLinear),
-        AREAS_LINEAR,
+        CONTACT,
+        &[
+            always(&slide_line::TorqueLinear),
+            renamed(&slide_line::ContactAreaLinear, &[("a1", "area"), ("a2", "area")]),
+        ],
     ],
     meanings: &[("e12", &E12), ("s11", &S11), ("s12", &S12), ("area", &AREA), ("tangent", &T1), ("normal", &N)],
-    outputs: &[
+    outputs: &[&[
         ("E11", "e11"),
         ("E12", "e12"),
         ("S11", "s11"),
@@ -75,29 +82,18 @@ pub(super) const ISL21A: Kind = Kind {
         ("AREA", "area"),
         ("T1", "tangent"),
         ("N", "normal"),
-    ],
+    ]],
 };
-
-const AREAS_LINEAR: Use = renamed(&slide_line::ContactAreaLinear, &[("a1", "area"), ("a2", "area")]);
-const AREAS_PARABOLIC: Use =
-    renamed(&slide_line::ContactAreaParabolic, &[("a1", "area"), ("a2", "area"), ("a3", "area")]);
 
 pub(super) const ISL22A: Kind = Kind {
     name: "isl22a",
     nodes: &["1", "2", "3"],
     formulas: &[
-        ISL21A.formulas[0],
-        ISL21A.formulas[1],
-        ISL21A.formulas[2],
-        ISL21A.formulas[3],
-        ISL21A.formulas[4],
-        ISL21A.formulas[5],
-        ISL21A.formulas[6],
-        ISL21A.formulas[7],
-        ISL21A.formulas[8],
-        ISL21A.formulas[9],
-        always(&slide_line::TorqueParabolic),
-        AREAS_PARABOLIC,
+        CONTACT,
+        &[
+            always(&slide_line::TorqueParabolic),
+            renamed(&slide_line::ContactAreaParabolic, &[("a1", "area"), ("a2", "area"), ("a3", "area")]),
+        ],
     ],
     ..ISL21A
 };

@@ -4,7 +4,7 @@ use super::table::{Fallback, Origin, Use, When, always, renamed};
 use crate::coulomb::{ReturnMap, Yield};
 use crate::quantity::{Domain, Quantity, Unit};
 use crate::scene::rules::{Kinetic, Slip, Stick, Traction, scalar};
-use crate::slot::{ConstraintForce, KineticForce, NormalForce, RelativeMotion, Stop};
+use crate::slot::{ConstraintForce, KineticForce, NormalForce, Stop};
 use Fallback::{As, Number, Required};
 use Origin::{Axis, Before, Initial, Load, Parameter, Position, Zero};
 
@@ -34,8 +34,6 @@ pub(super) const FRICTION: &[Given] = &[
     ("no_friction", Zero),
 ];
 
-/// Formulas of motion and friction along a slot, in every connector with one.
-pub(super) const MOTION: Use = always(&RelativeMotion);
 /// Both stops at once, or the one that is given, which then stands for the other too.
 pub(super) const STOP: [Use; 3] = [
     always(&Stop).when(When::AllGiven(STOPS)),

@@ -19,7 +19,7 @@ pub(super) const SLIDER: Kind = Kind {
         ("dxm", Increment(2)),
     ]],
     ordered: &[],
-    formulas: &[
+    formulas: &[&[
         always(&slider::Line),
         always(&slider::Constraint),
         always(&slider::IncrementalConstraint),
@@ -27,9 +27,9 @@ pub(super) const SLIDER: Kind = Kind {
         always(&PivotAxes),
         always(&slider::Eliminate),
         always(&slider::Increment),
-    ],
+    ]],
     meanings: &[],
-    outputs: &[
+    outputs: &[&[
         ("N", "n"),
         ("L", "l"),
         ("G1", "g1"),
@@ -41,21 +41,21 @@ pub(super) const SLIDER: Kind = Kind {
         ("XMJ", "xmj"),
         ("DXMI", "dxmi"),
         ("DXMJ", "dxmj"),
-    ],
+    ]],
 };
 
 /// The line is that of space: positions have a third coordinate, which is 0.
 pub(super) const SLIDER_2D: Kind = Kind {
     dimension: Dimension::Plane,
-    formulas: &[
+    formulas: &[&[
         always(&slider::Line),
         always(&slider::Constraint2d),
         always(&slider::IncrementalConstraint2d),
         always(&KeptAxis2d),
         always(&slider::Eliminate2d),
         always(&slider::Increment2d),
-    ],
-    outputs: &[("N", "n"), ("L", "l"), ("G", "g"), ("R", "r"), ("XMI", "xmi"), ("DXMI", "dxmi")],
+    ]],
+    outputs: &[&[("N", "n"), ("L", "l"), ("G", "g"), ("R", "r"), ("XMI", "xmi"), ("DXMI", "dxmi")]],
     ..SLIDER
 };
 
