@@ -6,6 +6,8 @@ use jointproof::isl::IslElement;
 use jointproof::scene::{Plan, Results, Scene};
 use jointproof::slide_line::Nodes;
 use jointproof::slot::{Pose, Slot};
+use jointproof::translator::{self, Translator};
+use jointproof::ujoint::{Stops, UJoint};
 use nalgebra::Vector3;
 
 fn scene(text: &str) -> Scene {
@@ -63,6 +65,31 @@ fn a_slot_may_have_one_stop() {
     let error = both.with_upper_stop(-5.0).unwrap_err().to_string();
     assert_eq!(error, "l1_min = -4.0 is above l1_max = -5.0; allowed is l1_min ≤ l1_max");
     assert!(slot.with_lower_stop(f64::NAN).is_err());
+}
+
+#[test]
+fn a_translator_and_a_joint_may_have_one_stop() {
+    let (triad, zero) = (Triad::global(), Vector3::zeros());
+    let pose = translator::Pose { triad_a: triad, triad_b: triad, xa: zero, xb: Vector3::new(1.0, 2.0, 3.0) };
+    let translator = Translator::new(&pose).unwrap();
+    let gaps = |one: Translator| one.gaps(&pose).unwrap().map(|gaps| [gaps.gap_min, gaps.gap_max]);
+    assert_eq!(gaps(translator.with_upper_stop(4.0).unwrap()), Some([f64::INFINITY, 3.0]));
+    assert_eq!(gaps(translator.with_lower_stop(-4.0).unwrap()), Some([5.0, f64::INFINITY]));
+
+    let pose = translator::Pose { xb: zero, ..pose };
+    let joint = UJoint::new(&pose).unwrap();
+    let gaps = |stops: Stops| {
+        let gaps = joint.with_stops(&stops).unwrap().gaps(&pose).unwrap().unwrap();
+        [gaps.gap1_min, gaps.gap1_max, gaps.gap3_min, gaps.gap3_max]
+    };
+    let none = f64::INFINITY;
+    assert_eq!(gaps(Stops::NONE), [none; 4]);
+    assert_eq!(gaps(Stops { theta1_max: 0.5, ..Stops::NONE }), [none, 0.5, none, none]);
+    assert_eq!(gaps(Stops { theta1_min: -0.25, theta3_max: 2.0, ..Stops::NONE }), [0.25, none, none, 2.0]);
+    assert_eq!(gaps(Stops { theta3_min: -3.0, theta3_max: 2.0, ..Stops::NONE }), [none, none, 3.0, 2.0]);
+    for stops in [Stops { theta1_min: none, ..Stops::NONE }, Stops { theta3_max: -none, ..Stops::NONE }] {
+        assert!(joint.with_stops(&stops).is_err(), "{stops:?}");
+    }
 }
 
 /// Parts give what the whole gives.
