@@ -309,7 +309,8 @@ proptest! {
             && let Ok(gaps) = joint.gaps(&now)
         {
             for (gap, stop) in gaps.unwrap().components().into_iter().zip(stops) {
-                prop_assert!(if stop.is_finite() { gap.is_finite() } else { gap == f64::INFINITY });
+                let as_its_stop = if stop.is_finite() { gap.is_finite() } else { gap == f64::INFINITY };
+                prop_assert!(as_its_stop, "{} before {}", gap, stop);
             }
         }
         let _ = (UJoint::new(&now), joint.constraint_jacobian(&now), joint.relative_motion(&now));
