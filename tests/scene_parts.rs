@@ -1,6 +1,7 @@
 //! What scenes have beside the connectors of the documents: parts of connectors, stops on one side, SLIDER with radius and
 //! axis, generated nodes, areas and bases on slide lines, the torque frequency.
 
+use jointproof::align::AlignFromStart;
 use jointproof::frame::Triad;
 use jointproof::isl::IslElement;
 use jointproof::scene::{Plan, Results, Scene};
@@ -109,6 +110,40 @@ fn align_join_and_universal_are_parts_of_translator_and_ujoint() {
         ("universal", moments, "ujoint", &["GROT", "ALPHA", "GAMMA", "UR1", "UR3", "UR1MAT", "UR3MAT", "RM", "KM"]),
     ] {
         assert_eq!(of(part, of_part, outputs), of(whole, loads, outputs), "{part}");
+    }
+}
+
+/// A translator that starts at 90° about the second axis, where its own angles are refused.
+#[test]
+fn angles_since_the_start_are_those_of_the_typed_connector_wherever_it_starts() {
+    for (start, regular) in [(0.5, true), (std::f64::consts::FRAC_PI_2, false), (-1.5706, false), (3.0, true)] {
+        let text = |outputs: &str| {
+            format!(
+                r#"{{"dimension": "3d", "orientations": {{"a": {{"rotation": [0, 0, 0]}}, "b": {{"rotation": [0, {start:?}, 0]}}}},
+                "nodes": {{"a": {{"at": [0, 0, 0], "orientation": "a"}}, "b": {{"at": [1, 0, 0], "orientation": "b"}}}},
+                "elements": {{"t": {{"kind": "translator", "nodes": ["a", "b"]}}, "u": {{"kind": "align", "nodes": ["a", "b"]}}}},
+                "frames": [{{"time": 0}}, {{"time": 1, "nodes": {{"b": {{"ur": [0, 0, 0.25]}}}}}}], "outputs": [{outputs}]}}"#
+            )
+        };
+        assert_eq!(Results::of(&scene(&text(r#""UR1", "UR2", "UR3""#))).is_ok(), regular, "{start}");
+        let results = Results::of(&scene(&text(r#""URS1", "URS2", "URS3""#))).unwrap();
+        let at = |output, state| results.get("t", output, state).unwrap()[0];
+        let ((s, c), (turn_s, turn_c)) = (start.sin_cos(), 0.25_f64.sin_cos());
+        let b = |s3: f64, c3: f64| {
+            // Turned about y by the start, then about z.
+            let about_z = |v: Vector3<f64>| Vector3::new(c3 * v.x - s3 * v.y, s3 * v.x + c3 * v.y, v.z);
+            let axes = [Vector3::new(c, 0.0, -s), Vector3::y(), Vector3::new(s, 0.0, c)].map(about_z);
+            Triad::new(axes[0], axes[1], axes[2]).unwrap()
+        };
+        let align = AlignFromStart::new(&Triad::global(), &b(0.0, 1.0));
+        for (state, triad) in [b(0.0, 1.0), b(turn_s, turn_c)].iter().enumerate() {
+            let typed = align.constraint(&Triad::global(), triad).unwrap();
+            for (output, expected) in [("URS1", typed.ur1), ("URS2", typed.ur2), ("URS3", typed.ur3)] {
+                assert!((at(output, state) - expected).abs() < 1e-15, "{start} {output} {state}");
+                assert_eq!(results.get("u", output, state), results.get("t", output, state));
+            }
+        }
+        assert!((at("URS3", 1) - 0.25).abs() < 1e-15 && at("URS1", 1).abs() < 1e-15);
     }
 }
 

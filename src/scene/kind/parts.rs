@@ -4,18 +4,51 @@ use super::dimension::Dimension;
 use super::shared::{FORCES, Given, MOMENTS, NODES, SECOND_TRIAD};
 use super::slot::Outputs;
 use super::table::{Fallback, Kind, Origin, Use, always, renamed};
+use crate::cardan::{BetaTwoArgument, CardanAngles};
 use crate::quantity::{CROSS_M1, CROSS_M3, Domain, Quantity, Unit};
-use crate::scene::rules::{Alignment, Follow, Joining, Turns, scalar};
+use crate::scene::rules::{Alignment, Bearing, Follow, Joining, TurnedBack, Turns, scalar};
 use crate::{align, join, universal};
 use Fallback::As;
 use Origin::{Before, Initial, Parameter, Zero};
 
 /// The angles where the analysis begins.
-pub(super) const ALIGNED: &[Given] =
-    &[("alpha0", Initial("alpha")), ("beta0", Initial("beta")), ("gamma0", Initial("gamma"))];
-pub(super) const ALIGNING: &[Use] =
-    &[always(&Turns), always(&Alignment), renamed(&align::ConstraintMoment, &[("m", "rm")])];
-pub(super) const TURNED: Outputs = &[("UR1", "ur1"), ("UR2", "ur2"), ("UR3", "ur3")];
+pub(super) const ALIGNED: &[Given] = &[
+    ("alpha0", Initial("alpha")),
+    ("beta0", Initial("beta")),
+    ("gamma0", Initial("gamma")),
+    ("r10", Initial("r1")),
+    ("r20", Initial("r2")),
+    ("r30", Initial("r3")),
+];
+/// The triads as the angles since the start see them.
+const SINCE: &[(&str, &str)] = &[
+    ("e1b", "q1"),
+    ("e2b", "q2"),
+    ("e3b", "q3"),
+    ("alpha", "urs1"),
+    ("gamma", "urs3"),
+    // That of the arc sine is not used.
+    ("beta", "no_beta"),
+];
+const SINCE_2: &[(&str, &str)] = &[("e1b", "q1"), ("e2b", "q2"), ("e3b", "q3"), ("beta", "urs2")];
+pub(super) const ALIGNING: &[Use] = &[
+    always(&Turns),
+    always(&Alignment),
+    always(&Bearing),
+    always(&TurnedBack),
+    renamed(&CardanAngles, SINCE),
+    renamed(&BetaTwoArgument, SINCE_2),
+    renamed(&align::ConstraintMoment, &[("m", "rm")]),
+];
+/// What angles since the start are called, in every kind that has them.
+pub(super) const URS1: Quantity =
+    scalar(r"u_{r1}", Unit::ONE, Domain::Angle, "first Cardan angle by which b has turned against a since the start");
+pub(super) const URS2: Quantity =
+    scalar(r"u_{r2}", Unit::ONE, Domain::Angle, "second Cardan angle by which b has turned against a since the start");
+pub(super) const URS3: Quantity =
+    scalar(r"u_{r3}", Unit::ONE, Domain::Angle, "third Cardan angle by which b has turned against a since the start");
+pub(super) const TURNED: Outputs =
+    &[("UR1", "ur1"), ("UR2", "ur2"), ("UR3", "ur3"), ("URS1", "urs1"), ("URS2", "urs2"), ("URS3", "urs3")];
 pub(super) const MOMENT: Outputs = &[("RM", "rm")];
 
 pub(super) const ALIGN: Kind = Kind {
@@ -25,7 +58,7 @@ pub(super) const ALIGN: Kind = Kind {
     given: &[NODES, SECOND_TRIAD, ALIGNED, MOMENTS],
     ordered: &[],
     formulas: &[ALIGNING],
-    meanings: &[],
+    meanings: &[("urs1", &URS1), ("urs2", &URS2), ("urs3", &URS3)],
     outputs: &[&[("ALPHA", "alpha"), ("BETA", "beta"), ("GAMMA", "gamma")], TURNED, MOMENT],
 };
 
@@ -39,8 +72,14 @@ pub(super) const JOINING: &[Use] = &[
 pub(super) const APART: Outputs = &[("G", "g")];
 pub(super) const FORCE: Outputs = &[("RF", "rf")];
 
-pub(super) const JOIN: Kind =
-    Kind { name: "join", given: &[NODES, JOINED, FORCES], formulas: &[JOINING], outputs: &[APART, FORCE], ..ALIGN };
+pub(super) const JOIN: Kind = Kind {
+    name: "join",
+    given: &[NODES, JOINED, FORCES],
+    formulas: &[JOINING],
+    meanings: &[],
+    outputs: &[APART, FORCE],
+    ..ALIGN
+};
 
 /// What a cross is given: how it stands initially, and how far it was turned before.
 pub(super) const CROSSED: &[Given] = &[

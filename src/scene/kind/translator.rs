@@ -1,7 +1,7 @@
 //! TRANSLATOR: SLOT and ALIGN.
 
 use super::dimension::Dimension;
-use super::parts::{ALIGNED, ALIGNING, MOMENT, TURNED};
+use super::parts::{ALIGNED, ALIGNING, MOMENT, TURNED, URS1, URS2, URS3};
 use super::shared::{CSF1, FORCES, FRICTION, INITIAL, LENGTHS, MOMENTS, NODES, ORDERED_LENGTHS, SECOND_TRIAD};
 use super::slot::{ALONG, KINETIC, MOVED, MOVED_3, PLACE, PLACE_3, RUBBED, RUBBING, STOPPED};
 use super::table::{Fallback, Kind, Origin, When, always};
@@ -41,7 +41,7 @@ pub(super) const TRANSLATOR: Kind = Kind {
         ],
         RUBBING,
     ],
-    meanings: &[("csf", &CSF1)],
+    meanings: &[("csf", &CSF1), ("urs1", &URS1), ("urs2", &URS2), ("urs3", &URS3)],
     outputs: &[
         PLACE,
         PLACE_3,

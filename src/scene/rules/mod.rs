@@ -10,9 +10,11 @@ mod axes;
 mod list;
 #[cfg(feature = "verify")]
 mod proof;
+mod since;
 
 pub use axes::{AXES, EliminatedAxes, LineNodes, PivotAxes};
 pub use list::RULES;
+pub use since::{Bearing, Carried, Q1, Q2, Q3, R1, R2, R3, R10, R20, R30, Seen, TurnedAxes, TurnedBack};
 
 use crate::align::{Misalignment, Orientations};
 use crate::cardan::{
