@@ -4,7 +4,7 @@
 
 use crate::cardan::Triads;
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Spec, along};
+use crate::formula::{Component, Document, Fields, Formula, Jacobian, Spec, along};
 use crate::quantity::{Domain, E1B, E2B, E3B, Quantity, Shape, Unit};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
@@ -49,7 +49,7 @@ const WHY: &str =
 
 impl Formula for Bearing {
     const SPEC: Spec = Spec::new("scene.bearing", "Axes of b, seen from a", Document::TRANSLATOR.ours("Description", WHY))
-        .equation(r"\mathbf{r}_j = \begin{pmatrix} \mathbf{e}_{1a}\cdot\mathbf{e}_{jb} \\ \mathbf{e}_{2a}\cdot\mathbf{e}_{jb} \\ \mathbf{e}_{3a}\cdot\mathbf{e}_{jb} \end{pmatrix},\quad j = 1, 2, 3")
+        .equation(r"\mathbf{r}_1 = (\mathbf{e}_{1a}\cdot\mathbf{e}_{1b},\ \mathbf{e}_{2a}\cdot\mathbf{e}_{1b},\ \mathbf{e}_{3a}\cdot\mathbf{e}_{1b}),\quad \mathbf{r}_2 = (\mathbf{e}_{1a}\cdot\mathbf{e}_{2b},\ \mathbf{e}_{2a}\cdot\mathbf{e}_{2b},\ \mathbf{e}_{3a}\cdot\mathbf{e}_{2b}),\quad \mathbf{r}_3 = (\mathbf{e}_{1a}\cdot\mathbf{e}_{3b},\ \mathbf{e}_{2a}\cdot\mathbf{e}_{3b},\ \mathbf{e}_{3a}\cdot\mathbf{e}_{3b})")
         .eta(2.0, 1.0);
     type Inputs<T: Component> = Triads<T>;
     type Outputs<T: Component> = Seen<T>;
@@ -98,8 +98,7 @@ pub struct TurnedBack;
 impl Formula for TurnedBack {
     const SPEC: Spec =
         Spec::new("scene.turned_back", "Axes of a, turned with b since the start", Document::TRANSLATOR.ours("Description", WHY))
-            .equation(r"\mathbf{q}_j = r_{10,j}\,\mathbf{e}_{1b} + r_{20,j}\,\mathbf{e}_{2b} + r_{30,j}\,\mathbf{e}_{3b},\quad j = 1, 2, 3")
-            .given(&[Given::new(r"\mathbf{r}_{10},\ \mathbf{r}_{20},\ \mathbf{r}_{30}", &Bearing::SPEC)])
+            .equation(r"\mathbf{q}_1 = r_{10,1}\,\mathbf{e}_{1b} + r_{20,1}\,\mathbf{e}_{2b} + r_{30,1}\,\mathbf{e}_{3b},\quad \mathbf{q}_2 = r_{10,2}\,\mathbf{e}_{1b} + r_{20,2}\,\mathbf{e}_{2b} + r_{30,2}\,\mathbf{e}_{3b},\quad \mathbf{q}_3 = r_{10,3}\,\mathbf{e}_{1b} + r_{20,3}\,\mathbf{e}_{2b} + r_{30,3}\,\mathbf{e}_{3b}")
             .eta(2.0, 1.0);
     type Inputs<T: Component> = Carried<T>;
     type Outputs<T: Component> = TurnedAxes<T>;
