@@ -307,7 +307,7 @@ fn ring(numbers: &mut Numbers) -> String {
     let frames: Vec<_> = (0..40)
         .map(|time| {
             let mut moved = |node| format!(r#""{node}": {{"u": [{:?}, {:?}]}}"#, number(-0.4, 0.4), number(-0.4, 0.1));
-            let nodes: Vec<_> = nodes.iter().map(|node| moved(node)).collect();
+            let nodes: Vec<_> = nodes.iter().map(&mut moved).collect();
             format!(r#"{{"time": {time}, "nodes": {{{}}}}}"#, nodes.join(", "))
         })
         .collect();
@@ -348,7 +348,9 @@ fn golden_slide_lines_agree_with_themselves() {
         }
         if !names.is_empty() {
             let results = Results::of(&parsed(&file.to_string())).unwrap();
-            names.iter().for_each(|name| seen.hold_contact(&results, &file, name));
+            for name in &names {
+                seen.hold_contact(&results, &file, name);
+            }
         }
     }
     assert!(seen.slipped > 20 && seen.stuck > 5, "{} slipped, {} stuck", seen.slipped, seen.stuck);

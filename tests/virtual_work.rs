@@ -326,8 +326,8 @@ fn ujoint() {
 
 impl Pair {
     /// Nodes a and b exchanged, where the triad of b is this one.
-    fn exchanged(&self, of_b: [V; 3], of_a: [V; 3]) -> Self {
-        Self { a: Node { triad: of_b, ..self.b }, b: Node { triad: of_a, ..self.a } }
+    fn exchanged(&self, of_b: &[V; 3], of_a: &[V; 3]) -> Self {
+        Self { a: Node { triad: *of_b, ..self.b }, b: Node { triad: *of_a, ..self.a } }
     }
 
     /// How fast the five residuals of a TRANSLATOR change.
@@ -375,7 +375,7 @@ fn the_order_of_the_nodes_changes_no_enforcement() {
         let ([e1, ..], slide) = (free.a.triad, numbers.number());
         free.b.spin = free.a.spin;
         free.b.dx = free.a.dx + free.a.spin.cross(&(free.b.x - free.a.x)) + e1 * slide;
-        let order = |pair: &Pair| pair.exchanged(pair.b.triad, pair.a.triad);
+        let order = |pair: &Pair| pair.exchanged(&pair.b.triad, &pair.a.triad);
         assert!(largest(free.translator_rates()).max(largest(order(&free).translator_rates())) < TOLERANCE);
         let mut held = free;
         held.b.dx += free.a.triad[1] * Octuple::from(0.25);
@@ -390,7 +390,7 @@ fn the_order_of_the_nodes_changes_no_enforcement() {
         let ([e1a, ..], [e1b, e2b, e3b]) = (free.a.triad, free.b.triad);
         (free.b.x, free.b.dx) = (free.a.x, free.a.dx);
         free.b.spin = free.a.spin + e1a * numbers.number() + e3b * numbers.number();
-        let order = |pair: &Pair| pair.exchanged([e3b, e1b, e2b], [free.a.triad[1], free.a.triad[2], e1a]);
+        let order = |pair: &Pair| pair.exchanged(&[e3b, e1b, e2b], &[free.a.triad[1], free.a.triad[2], e1a]);
         assert!(largest(free.joint_rates()).max(largest(order(&free).joint_rates())) < TOLERANCE);
         let mut held = free;
         held.b.dx += e1a * Octuple::from(0.25);

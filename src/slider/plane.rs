@@ -100,7 +100,8 @@ impl Formula for IncrementalConstraint2d {
         r"r = \mathbf{t}\cdot\bigl(\mathrm{d}\mathbf{x}_m - (1-\xi)\,\mathrm{d}\mathbf{x}_1 - \xi\,\mathrm{d}\mathbf{x}_n\bigr),\quad \mathbf{t} = (-n_2, n_1)",
     )
     .given(&[Given::new(r"\xi", &IncrementalConstraint::SPEC), Given::new(r"\mathbf{n}", &Line::SPEC)])
-    .eta(3.0, 5.0);
+    .eta(3.0, 5.0)
+    .finite(Finite::Between);
     type Inputs<T: Component> = MovingNodes2d<T>;
     type Outputs<T: Component> = IncrementalResidual2d<T>;
 
@@ -165,6 +166,7 @@ impl Formula for Eliminate2d {
     .equation(r"x_{m,i} = x_{1,i} + \frac{n_i}{n_k}(x_{m,k}-x_{1,k})")
     .given(&[Given::new(r"i,\ k", &Increment2d::SPEC), Given::new(r"\mathbf{n}", &Line::SPEC)])
     .eta(2.0, 2.0)
+    .finite(Finite::Between)
     .not_objective();
     type Inputs<T: Component> = KeptCoordinate2d<T>;
     type Outputs<T: Component> = Coordinate2d<T>;
