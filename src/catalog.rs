@@ -1,6 +1,7 @@
 //! Every formula, in the order of the book.
 
 use crate::formula::{Field, Fields, Formula, Spec, check, entries, value, value_and_jacobian};
+use crate::graph::{self, Graph, NotRecorded};
 #[cfg(feature = "measure")]
 use crate::measure::{self, Measurement};
 use crate::proof::{Convention, Flag, Proved};
@@ -57,6 +58,11 @@ pub trait AnyFormula: Send + Sync {
     /// # Errors
     /// As there, and [`Error::Components`] where a slice has another length; nothing is written then.
     fn value_and_jacobian_into(&self, i: &[f64], value: &mut [f64], jacobian: &mut [f64]) -> Result<(), Error>;
+    /// What it does, written down: the value and the closed-form Jacobian.
+    ///
+    /// # Errors
+    /// What in it cannot be written down.
+    fn graph(&self) -> Result<Graph, NotRecorded>;
     #[cfg(feature = "measure")]
     /// The errors of every way to compute it, found now.
     fn errors(&self, options: &measure::Options) -> Measurement;
@@ -112,6 +118,9 @@ impl<F: Proved> AnyFormula for F {
     }
     fn trial(&self, options: &Options) -> Trial {
         Trial::of::<F>(options)
+    }
+    fn graph(&self) -> Result<Graph, NotRecorded> {
+        graph::record::<F>()
     }
     fn value(&self, components: &[f64]) -> Result<Vec<f64>, Error> {
         Ok(value::<F>(&from_components::<F>(components)?)?.components())
