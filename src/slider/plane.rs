@@ -120,17 +120,17 @@ impl Formula for IncrementalConstraint2d {
         let station = Station::new(&span, &i.x1, &i.xn, &i.xm);
         let ([share, rest], [share_x1, share_xn, share_xm]) = (station.shares(), station.gradients(&span));
         let v = i.dxm - station.blend(&i.dx1, &i.dxn);
-        let root = span.square.sqrt();
-        let t = Vector2::new(-span.d.y, span.d.x) / root;
-        let (gain, turn) = (span.d.perp(&(i.dxn - i.dx1)) / root, v.dot(&span.d) * span.binade.per_unit / span.square);
+        // Everything times the length of d, by which the row is divided in the end.
+        let (root, ray) = (span.square.sqrt(), Vector2::new(-span.d.y, span.d.x));
+        let (gain, turn) = (span.d.perp(&(i.dxn - i.dx1)), v.dot(&span.d) * span.binade.per_unit / span.square);
         IncrementalResidual2d {
             r: MovingNodes2d {
-                x1: t * turn - share_x1 * gain,
-                xn: t * -turn - share_xn * gain,
-                xm: share_xm * -gain,
-                dx1: t * -rest,
-                dxn: t * -share,
-                dxm: t,
+                x1: (ray * turn - share_x1 * gain) / root,
+                xn: (ray * -turn - share_xn * gain) / root,
+                xm: share_xm * -gain / root,
+                dx1: ray * -rest / root,
+                dxn: ray * -share / root,
+                dxm: ray / root,
             },
         }
     }
