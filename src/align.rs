@@ -13,4 +13,5 @@ mod connector;
 mod kinematics;
 
 pub use connector::{Align, AlignFromStart};
+pub(crate) use kinematics::wrapped;
 pub use kinematics::{Constraint, ConstraintMoment, Misalignment, Moment, Moments, Orientations};

@@ -255,6 +255,8 @@ pub static CATALOG: &[&dyn AnyFormula] = &[
     &slider::IncrementalConstraint,
     &slider::Increment,
     &slider::Constraint2d,
+    &slider::Eliminate2d,
+    &slider::IncrementalConstraint2d,
     &slider::Increment2d,
     // Slide lines
     &slide_line::LocalBasis,

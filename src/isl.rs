@@ -49,7 +49,7 @@ pub use contact::{Contact, Increment};
 pub use element::{ElementSet, IslElement};
 #[cfg(feature = "scene")]
 pub(crate) use engine::{
-    Culprit, Failure, Motion, Slave, SlaveState, Stage, Surface, Tally, Wanted, torque, total_torque,
+    Culprit, Failure, Motion, Slave, SlaveState, Stage, Surface, Tally, Wanted, areas, torque, total_torque,
 };
 pub use interaction::{Interaction, Pressure};
 pub use state::{ContactState, SlaveNode};

@@ -405,7 +405,10 @@ quantities! {
     SLIDER_XM_PLANE: r"\mathbf{x}_m", Vec2, L, Point, "position of node m in the plane, which must lie on the line";
     SLIDER_DX1_PLANE: r"\mathrm{d}\mathbf{x}_1", Vec2, L, Vector, "increment of the position of node 1 in the plane";
     SLIDER_DXN_PLANE: r"\mathrm{d}\mathbf{x}_n", Vec2, L, Vector, "increment of the position of node n in the plane";
+    SLIDER_DXM_PLANE: r"\mathrm{d}\mathbf{x}_m", Vec2, L, Vector, "increment of the position of node m in the plane";
     SLIDER_G: r"g", Scalar, L, Real, "distance of node m from the line along t, positive to the left of the direction of travel";
+    SLIDER_R: r"r", Scalar, L, Real, "by how much the increments violate the condition in the plane, positive to the left of the direction of travel";
+    SLIDER_XMI_PLANE: r"x_{m,i}", Scalar, L, Real, "coordinate of node m along the axis i that is eliminated in the plane";
 
     // Slide lines
     XS: r"\mathbf{x}_s", Vec2, L, Point, "position of the slave point, in the plane (r, z)";

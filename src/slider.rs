@@ -35,4 +35,7 @@ pub use constraint::{Constraint, Distances, IncrementalConstraint, IncrementalRe
 pub use eliminate::{Coordinates, Eliminate, Increment, Increments, KeptCoordinate, KeptIncrement, documented};
 pub use line::{Direction, DirectionChange, DirectionVariation, Ends, Line, MovingEnds};
 pub use pivots::{Pivots, Pivots2d};
-pub use plane::{Constraint2d, Distance2d, Increment2d, Increment2dOutput, KeptIncrement2d, Nodes2d};
+pub use plane::{
+    Constraint2d, Coordinate2d, Distance2d, Eliminate2d, Increment2d, Increment2dOutput, IncrementalConstraint2d,
+    IncrementalResidual2d, KeptCoordinate2d, KeptIncrement2d, MovingNodes2d, Nodes2d,
+};

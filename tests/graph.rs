@@ -5,7 +5,9 @@ use jointproof::verify::golden::components;
 
 #[test]
 fn print() {
-    for formula in CATALOG.iter().filter(|f| std::env::var("F").is_ok_and(|g| f.spec().id == g) || std::env::var("F").is_err()) {
+    for formula in
+        CATALOG.iter().filter(|f| std::env::var("F").is_ok_and(|g| f.spec().id == g) || std::env::var("F").is_err())
+    {
         let start = std::time::Instant::now();
         match formula.graph() {
             Err(why) => println!("{:40} {why} {:?}", formula.spec().id, start.elapsed()),

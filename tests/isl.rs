@@ -107,6 +107,7 @@ fn areas_of_nodes_against_their_integrals() {
         assert!(found.iter().zip(percent).all(|(found, percent)| (found - percent).abs() < to), "{found:?}");
     };
     expect(&[[1.0, 0.0], [2.0, 0.0]], &[-25.0, 20.0], 1e-4);
+    expect(&[[3.0, 0.0], [14.0, 0.0]], &[-55.0, 35.483_871], 1e-4);
     expect(&[[0.0, 0.0], [1.0, 0.0]], &[-100.0, 50.0], 1e-4);
     expect(&[[1.0, 0.0], [1.5, 0.5], [2.0, 1.0]], &[0.0, 0.0, 0.0], 1e-4);
     let (sine, cosine) = (PI / 4.0).sin_cos();

@@ -52,8 +52,8 @@ fn every_mistake_is_reported_with_its_place() {
         "elements.\"s 1\".mu (line 10, column 57): -0.5; allowed is a finite number ≥ 0",
         "elements.\"s 1\" (line 10, column 12): no \"k_stick\", needed for scene.stick; allowed is a number, the stiffness of the contact while it sticks",
         "elements.\"s 1\" (line 10, column 12): l1_min = 2.0 is above l1_max = 1.0; allowed is l1_min ≤ l1_max",
-        "elements.\"s 2\".kind (line 11, column 22): no kind \"slott\"; allowed is one of slot, translator, ujoint, slider",
-        "elements.\"s 3\" (line 12, column 12): an element without \"kind\"; allowed is one of slot, translator, ujoint, slider",
+        "elements.\"s 2\".kind (line 11, column 22): no kind \"slott\"; allowed is one of slot, translator, align, ujoint, join, universal, slider",
+        "elements.\"s 3\" (line 12, column 12): an element without \"kind\"; allowed is one of slot, translator, align, ujoint, join, universal, slider",
         "elements.\"s 4\".nodes (line 13, column 45): an array of 1; allowed is an array of 2 nodes: a, b",
         "elements.\"s 4\".mu (line 13, column 58): 1e400, which no double can hold; allowed is a finite number ≥ 0",
         "frames[0].loads.\"s 1\".f9 (line 16, column 38): unknown key \"f9\"; allowed is one of f1, f2, f3",
@@ -179,7 +179,7 @@ fn what_refers_to_a_faulty_element_or_node_is_not_another_fault() {
 #[test]
 fn an_output_that_no_element_has_is_a_fault() {
     let found = faults(
-        r#"{"dimension": "3d", "orientations": {"o": {"quaternion": [1, 0, 0, 0]}}, "nodes": {"a": {"at": [0, 0, 0], "orientation": "o"}, "b": {"at": [1, 0, 0]}},
+        r#"{"dimension": "3d", "orientations": {"o": {"rotation": [0, 0, 0]}}, "nodes": {"a": {"at": [0, 0, 0], "orientation": "o"}, "b": {"at": [1, 0, 0]}},
         "elements": {"s": {"kind": "slot", "nodes": ["a", "b"]}}, "outputs": ["U1", "ALPHA"]}"#,
     );
     let expected = "elements (line 2, column 85): output \"ALPHA\", which no element here has; \
@@ -268,7 +268,7 @@ fn every_output_of_every_kind_evaluates() {
         } else {
             ("", "")
         };
-        let all: Vec<_> = kind.outputs.iter().map(|(name, _)| format!("{name:?}")).collect();
+        let all: Vec<_> = kind.outputs().map(|(name, _)| format!("{name:?}")).collect();
         for outputs in all.iter().cloned().chain([all.join(", ")]) {
             let text = format!(
                 r#"{{"dimension": "{}", "orientations": {{"o": {{{turn}}}}}, "nodes": {{{}}}, "outputs": [{outputs}], {lines}

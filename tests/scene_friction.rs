@@ -3,6 +3,7 @@
 use jointproof::scene::{Dimension, Kind, Results, Scene};
 use proptest::prelude::Rng;
 use proptest::test_runner::{RngAlgorithm, TestRng};
+use serde_json::Value;
 use std::fmt::Write as _;
 
 /// Names of what one free direction of a connector shows: friction, normal force, yield function, traction, slip.
@@ -14,24 +15,68 @@ struct Direction {
     phi: &'static str,
     p: &'static str,
     slip: &'static str,
+    /// What else tells of the kinetic force or moment, that first.
+    kinetic: &'static [&'static str],
 }
 
 const fn slot(kind: &'static str, dimension: &'static str) -> Direction {
-    Direction { kind, dimension, friction: "CSF1", normal: "FN", phi: "PHI", p: "P", slip: "SLIP1" }
+    Direction { kind, dimension, friction: "CSF1", normal: "FN", phi: "PHI", p: "P", slip: "SLIP1", kinetic: &["KF"] }
 }
 
 const DIRECTIONS: [Direction; 5] = [
     slot("slot", "3d"),
     slot("slot", "2d"),
     slot("translator", "3d"),
-    Direction { friction: "CSM1", normal: "MN1", phi: "PHI1", p: "P1", slip: "SLIPR1", ..slot("ujoint", "3d") },
-    Direction { friction: "CSM3", normal: "MN3", phi: "PHI3", p: "P3", slip: "SLIPR3", ..slot("ujoint", "3d") },
+    Direction {
+        friction: "CSM1",
+        normal: "MN1",
+        phi: "PHI1",
+        p: "P1",
+        slip: "SLIPR1",
+        kinetic: &["KM", "CSM3", "GROT"],
+        ..slot("ujoint", "3d")
+    },
+    Direction {
+        friction: "CSM3",
+        normal: "MN3",
+        phi: "PHI3",
+        p: "P3",
+        slip: "SLIPR3",
+        kinetic: &["KM", "CSM1", "GROT"],
+        ..slot("ujoint", "3d")
+    },
 ];
 
 impl Direction {
-    fn outputs(&self) -> [&'static str; 5] {
+    fn shown(&self) -> [&'static str; 5] {
         [self.friction, self.normal, self.phi, self.p, self.slip]
     }
+
+    fn outputs(&self) -> Vec<&'static str> {
+        [&self.shown(), self.kinetic].concat()
+    }
+
+    /// The length that the kinetic force or moment has if friction is in it.
+    fn kinetic(&self, at: impl Fn(&str) -> f64, load: impl Fn(&str) -> f64) -> f64 {
+        if self.kind != "ujoint" {
+            return (load("f1") + at("CSF1")).abs();
+        }
+        // Along e1a and e3b, which have the cosine GROT where they are perpendicular at the start.
+        let [m1, m3] = [load("m1") + at("CSM1"), load("m3") + at("CSM3")];
+        (m1 * m1 + m3 * m3 + 2.0 * m1 * m3 * at("GROT")).sqrt()
+    }
+}
+
+/// A load of an element, state by state.
+fn loads(file: &Value, element: &str, name: &str) -> Vec<f64> {
+    let mut now = 0.0;
+    let frames = file["frames"].as_array().unwrap().iter();
+    frames
+        .map(|frame| {
+            now = frame["loads"][element][name].as_f64().unwrap_or(now);
+            now
+        })
+        .collect()
 }
 
 fn parsed(text: &str) -> Scene {
@@ -47,10 +92,21 @@ struct Seen {
 
 impl Seen {
     /// Holds every state of an element to what the documents say of friction.
-    fn hold(&mut self, results: &Results, element: &str, mu: f64, direction: &Direction) {
+    fn hold(&mut self, results: &Results, file: &Value, element: &str, direction: &Direction) {
+        let mu = file["elements"][element]["mu"].as_f64().unwrap();
+        let given = ["f1", "m1", "m3"].map(|name| (name, loads(file, element, name)));
         for state in 0..results.times.len() {
-            let at = |output| results.get(element, output, state).unwrap()[0];
-            let [force, normal, phi, p, slip] = direction.outputs().map(at);
+            let at = |output: &str| results.get(element, output, state).unwrap()[0];
+            let load = |name: &str| given.iter().find(|(known, _)| *known == name).unwrap().1[state];
+            let [force, normal, phi, p, slip] = direction.shown().map(at);
+            let kinetic = results.get(element, direction.kinetic[0], state).unwrap();
+            let kinetic = kinetic.iter().map(|x| x * x).sum::<f64>().sqrt();
+            let expected = direction.kinetic(at, load);
+            assert!(
+                (kinetic - expected).abs() <= 1e-12 * (1.0 + expected + force.abs()),
+                "{} of {element}, state {state}: {kinetic} is not load and friction, {expected}",
+                direction.kinetic[0]
+            );
             let limit = mu * normal;
             let place = format!("{} of {element}, state {state}: {force} of {limit}, Φ {phi}", direction.friction);
             assert_eq!(p, force.abs(), "{place}: P is the friction part alone");
@@ -169,9 +225,10 @@ fn random_histories_agree_with_themselves() {
         let mut seen = Seen::default();
         for _ in 0..40 {
             let mu = 0.1 + numbers.next().abs();
-            let scene = parsed(&numbers.scene(direction, mu));
-            seen.hold(&Results::of(&scene).unwrap(), "e", mu, direction);
-            seen.hold(&Results::exact(&scene).unwrap(), "e", mu, direction);
+            let text = numbers.scene(direction, mu);
+            let (scene, file) = (parsed(&text), serde_json::from_str(&text).unwrap());
+            seen.hold(&Results::of(&scene).unwrap(), &file, "e", direction);
+            seen.hold(&Results::exact(&scene).unwrap(), &file, "e", direction);
         }
         let Seen { slipped, stuck } = seen;
         assert!(
@@ -183,24 +240,118 @@ fn random_histories_agree_with_themselves() {
     }
 }
 
+/// The scenes of `golden/scenes`.
+fn golden() -> Vec<Value> {
+    let folder = std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/golden/scenes")).unwrap();
+    let read = |path| serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+    let files = folder.map(|entry| read(entry.unwrap().path()));
+    files.filter(|file: &Value| file.get("elements").is_some()).collect()
+}
+
 #[test]
 fn golden_scenes_agree_with_themselves() {
     let mut seen = Seen::default();
-    for entry in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/golden/scenes")).unwrap() {
-        let path = entry.unwrap().path();
-        let file: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(&path).unwrap()).unwrap();
-        let Some(elements) = file.get("elements").and_then(|elements| elements.as_object().cloned()) else { continue };
-        for (name, element) in elements {
-            for direction in DIRECTIONS.iter().filter(|d| element["kind"] == d.kind && file["dimension"] == d.dimension)
-            {
-                let Some(mu) = element["mu"].as_f64() else { continue };
+    for file in golden() {
+        for (name, element) in file["elements"].as_object().unwrap() {
+            let given = element["mu"].is_number();
+            let of_kind = |d: &&Direction| given && element["kind"] == d.kind && file["dimension"] == d.dimension;
+            for direction in DIRECTIONS.iter().filter(of_kind) {
                 let mut asked = file.clone();
                 asked["outputs"] = [""; 0].to_vec().into();
-                asked["elements"][&name]["outputs"] = direction.outputs().to_vec().into();
+                asked["elements"][name]["outputs"] = direction.outputs().into();
                 let results = Results::of(&parsed(&asked.to_string())).unwrap();
-                seen.hold(&results, &name, mu, direction);
+                seen.hold(&results, &file, name, direction);
             }
         }
     }
-    assert!(seen.slipped > 10 && seen.stuck > 2, "{} slipped, {} stuck", seen.slipped, seen.stuck);
+    assert!(seen.slipped > 20 && seen.stuck > 10, "{} slipped, {} stuck", seen.slipped, seen.stuck);
+}
+
+impl Seen {
+    /// Holds every node of an element on a slide line to the same: below μ p it sticks, and what it transmits follows its way
+    /// by the stick stiffness; where it slips, it transmits μ p.
+    fn hold_contact(&mut self, results: &Results, file: &Value, element: &str) {
+        let line = file["elements"][element]["slide_line"].as_str().unwrap();
+        let [mu, k_stick] = ["mu", "k_stick"].map(|name| file["slide_lines"][line]["friction"][name].as_f64().unwrap());
+        let at = |output, state| results.get(element, output, state).unwrap();
+        for node in 0..at("S12", 0).len() {
+            let (mut before, mut way) = (0.0, 0.0);
+            for state in 0..results.times.len() {
+                let [s11, s12, e12] = ["S11", "S12", "E12"].map(|output| at(output, state)[node]);
+                let (limit, trial) = (mu * s11, before + k_stick * (e12 - way));
+                let rounding = 1e-13 * (1.0 + limit + trial.abs() + k_stick * e12.abs());
+                let place = format!("node {node} of {element}, state {state}: {s12} of {limit}, trial {trial}");
+                assert!(s11 >= 0.0 && s12.abs() <= limit + rounding, "{place}: no state is beyond the limit");
+                if s12.abs() < limit - rounding {
+                    assert!((s12 - trial).abs() <= rounding, "{place}: it sticks below the limit");
+                    self.stuck += usize::from(trial != 0.0);
+                } else if trial.abs() > limit + rounding {
+                    assert!((s12 - limit.copysign(trial)).abs() <= rounding, "{place}: it slips at the limit");
+                    self.slipped += usize::from(limit > 0.0);
+                }
+                (before, way) = (s12, e12);
+            }
+        }
+    }
+}
+
+/// A ring over a bent line, pressed on it and dragged along it, in forty states.
+fn ring(numbers: &mut Numbers) -> String {
+    let mut number = |from: f64, to: f64| from + (to - from) * (0.5 + 0.5 * numbers.next());
+    let (kind, line, nodes) = if number(0.0, 1.0) > 0.5 {
+        ("isl21a", "linear", vec!["a", "b"])
+    } else {
+        ("isl22a", "parabolic", vec!["a", "b", "c"])
+    };
+    let [mu, k_stick, k] = [number(0.1, 1.0), number(5.0, 50.0), number(1.0, 20.0)];
+    let frames: Vec<_> = (0..40)
+        .map(|time| {
+            let mut moved = |node| format!(r#""{node}": {{"u": [{:?}, {:?}]}}"#, number(-0.4, 0.4), number(-0.4, 0.1));
+            let nodes: Vec<_> = nodes.iter().map(&mut moved).collect();
+            format!(r#"{{"time": {time}, "nodes": {{{}}}}}"#, nodes.join(", "))
+        })
+        .collect();
+    format!(
+        r#"{{"dimension": "axisymmetric", "nodes": {{"1": {{"at": [1, 0]}}, "2": {{"at": [2, 0.125]}}, "3": {{"at": [3, 0]}},
+        "a": {{"at": [1.5, 0.125]}}, "b": {{"at": [2, 0.25]}}, "c": {{"at": [2.5, 0.125]}}}},
+        "slide_lines": {{"l": {{"type": "{line}", "nodes": ["1", "2", "3"], "pressure": {{"k": {k:?}}},
+            "friction": {{"mu": {mu:?}, "k_stick": {k_stick:?}}}}}}},
+        "elements": {{"e": {{"kind": "{kind}", "nodes": {nodes:?}, "slide_line": "l"}}}},
+        "frames": [{}], "outputs": ["E12", "S11", "S12"]}}"#,
+        frames.join(",\n")
+    )
+}
+
+#[test]
+fn random_histories_on_slide_lines_agree_with_themselves() {
+    let mut numbers = Numbers(TestRng::from_seed(RngAlgorithm::ChaCha, &[8; 32]));
+    let mut seen = Seen::default();
+    for _ in 0..60 {
+        let text = ring(&mut numbers);
+        let (scene, file) = (parsed(&text), serde_json::from_str(&text).unwrap());
+        seen.hold_contact(&Results::of(&scene).unwrap(), &file, "e");
+        seen.hold_contact(&Results::exact(&scene).unwrap(), &file, "e");
+    }
+    assert!(seen.slipped > 200 && seen.stuck > 200, "{} slipped, {} stuck", seen.slipped, seen.stuck);
+}
+
+#[test]
+fn golden_slide_lines_agree_with_themselves() {
+    let mut seen = Seen::default();
+    for mut file in golden() {
+        let elements = file["elements"].as_object().unwrap();
+        let slide = elements.iter().filter(|(_, element)| element.get("slide_line").is_some());
+        let names: Vec<_> = slide.map(|(name, _)| name.clone()).collect();
+        file["outputs"] = [""; 0].to_vec().into();
+        for name in &names {
+            file["elements"][name]["outputs"] = ["E12", "S11", "S12"].to_vec().into();
+        }
+        if !names.is_empty() {
+            let results = Results::of(&parsed(&file.to_string())).unwrap();
+            for name in &names {
+                seen.hold_contact(&results, &file, name);
+            }
+        }
+    }
+    assert!(seen.slipped > 20 && seen.stuck > 5, "{} slipped, {} stuck", seen.slipped, seen.stuck);
 }

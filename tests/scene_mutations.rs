@@ -128,6 +128,38 @@ fn mutate_items(items: &mut Vec<Value>, how: usize, draw: &mut Draw) {
     }
 }
 
+/// The numbers in a value, or the arrays of numbers.
+fn parts<'v>(value: &'v mut Value, wanted: fn(&Value) -> bool, found: &mut Vec<&'v mut Value>) {
+    if wanted(value) {
+        found.push(value);
+        return;
+    }
+    match value {
+        Value::Array(items) => items.iter_mut().for_each(|item| parts(item, wanted, found)),
+        Value::Object(members) => members.values_mut().for_each(|member| parts(member, wanted, found)),
+        _ => {}
+    }
+}
+
+/// Changes numbers alone, so that the scene can be read as a rule, and what it asks may have no answer: nodes that coincide,
+/// triads that are none, products that overflow.
+fn strain(scene: &mut Value, draw: &mut Draw) {
+    let mut found = Vec::new();
+    if draw.below(2) == 0 {
+        parts(scene, Value::is_number, &mut found);
+        let scales = [-1.0, 0.0, 1e-200, 1e160, 1e300, 1e16];
+        let (number, scale) = (draw.below(found.len()), scales[draw.below(scales.len())]);
+        *found[number] = json!(found[number].as_f64().unwrap() * scale);
+    } else {
+        parts(scene, |value| value.as_array().is_some_and(|items| items.iter().all(Value::is_number)), &mut found);
+        let [one, other] = [draw.below(found.len()), draw.below(found.len())];
+        let copy = found[other].clone();
+        if copy.as_array().map(Vec::len) == found[one].as_array().map(Vec::len) {
+            *found[one] = copy;
+        }
+    }
+}
+
 /// Damages text: cuts it, flips bytes, writes a piece twice.
 fn damage(text: &str, draw: &mut Draw) -> String {
     let mut bytes = text.as_bytes().to_vec();
@@ -144,9 +176,11 @@ fn damage(text: &str, draw: &mut Draw) -> String {
 fn mutant(scenes: &[Value], number: u64) -> String {
     let mut draw = Draw(number.wrapping_mul(0x1000_0001));
     let mut scene = scenes[draw.below(scenes.len())].clone();
-    for _ in 0..draw.below(4) {
-        mutate(&mut scene, &mut draw);
+    if draw.below(3) == 0 {
+        (0..=draw.below(3)).for_each(|_| strain(&mut scene, &mut draw));
+        return scene.to_string();
     }
+    (0..draw.below(4)).for_each(|_| mutate(&mut scene, &mut draw));
     let text = scene.to_string();
     if draw.below(4) == 0 { damage(&text, &mut draw) } else { text }
 }
@@ -201,7 +235,7 @@ fn judge_mutants(count: u64) {
         outcomes.iter_mut().filter(|(known, _)| *known == outcome).for_each(|(_, times)| *times += 1);
     }
     println!("{outcomes:?}");
-    assert!(outcomes.iter().all(|(_, times)| times * 500 >= count), "{outcomes:?}");
+    assert!(outcomes.iter().all(|(_, times)| times * 500 > count), "{outcomes:?}");
 }
 
 #[test]

@@ -95,7 +95,8 @@ fn turns_are_followed_from_state_to_state() {
     let text = format!(
         r#"{{"dimension": "3d", "orientations": {{"o": {{"rotation": [0, 0, 0]}}, "turned": {{"rotation": [3, 0, 0]}}}},
         "nodes": {{"a": {{"at": [0, 0, 0], "orientation": "o"}}, "b": {{"at": [0, 0, 0], "orientation": "turned"}}}},
-        "elements": {{"e": {{"kind": "ujoint", "nodes": ["a", "b"], "theta1_min": -1, "theta1_max": 4, "theta3_min": -1, "theta3_max": 1}}}},
+        "elements": {{"e": {{"kind": "ujoint", "nodes": ["a", "b"], "theta1_min": -1, "theta1_max": 4, "theta3_min": -1, "theta3_max": 1}},
+            "part": {{"kind": "universal", "nodes": ["a", "b"]}}}},
         "frames": [{}], "outputs": ["ALPHA", "UR1", "UR1MAT", "GAP1MAX", "GAP1MIN"]}}"#,
         frames.join(",\n")
     );
@@ -115,6 +116,9 @@ fn turns_are_followed_from_state_to_state() {
         close(at("UR1"), turn);
         close(at("ALPHA"), 3.0 + turn);
         close(at("GAP1MAX"), 1.0 - turn);
+        for output in ["ALPHA", "UR1", "UR1MAT"] {
+            assert_eq!(results.get("part", output, state).unwrap()[0], at(output), "UNIVERSAL follows as UJOINT does");
+        }
         pose.triad_b = triad(3.0 + turn);
         close(joint.relative_motion_from(&last, &pose).unwrap().ur1, turn);
         close(joint.gaps_from(&last, &pose).unwrap().unwrap().gap1_max, 1.0 - turn);
@@ -122,4 +126,12 @@ fn turns_are_followed_from_state_to_state() {
         // Without a last state it is within half a turn of the start.
         assert!(joint.relative_motion(&pose).unwrap().ur1.abs() <= std::f64::consts::PI);
     }
+}
+
+#[test]
+fn the_twisting_moment_is_the_documented_one_and_the_hinge_has_its_share() {
+    let results = Results::of(&joint(r#"["MTWIST", "MTWISTH"]"#)).unwrap();
+    let at = |output| results.get("e", output, 0).unwrap()[0];
+    assert_eq!(at("MTWIST"), 2.5);
+    assert!(at("MTWISTH") > 0.0 && at("MTWISTH") < 2.5 / 8.0);
 }

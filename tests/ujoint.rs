@@ -308,7 +308,10 @@ proptest! {
         if let Ok(joint) = joint.with_stops(&Stops { theta1_min, theta1_max, theta3_min, theta3_max })
             && let Ok(gaps) = joint.gaps(&now)
         {
-            prop_assert!(gaps.unwrap().components().iter().all(|gap| gap.is_finite()));
+            for (gap, stop) in gaps.unwrap().components().into_iter().zip(stops) {
+                let as_its_stop = if stop.is_finite() { gap.is_finite() } else { gap == f64::INFINITY };
+                prop_assert!(as_its_stop, "{} before {}", gap, stop);
+            }
         }
         let _ = (UJoint::new(&now), joint.constraint_jacobian(&now), joint.relative_motion(&now));
         let _ = (joint.constraint_moment(&now, &loads), joint.kinetic_moment(&now, &loads), joint.reaction(&loads));

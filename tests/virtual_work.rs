@@ -324,6 +324,85 @@ fn ujoint() {
     }
 }
 
+impl Pair {
+    /// Nodes a and b exchanged, where the triad of b is this one.
+    fn exchanged(&self, of_b: &[V; 3], of_a: &[V; 3]) -> Self {
+        Self { a: Node { triad: *of_b, ..self.b }, b: Node { triad: *of_a, ..self.a } }
+    }
+
+    /// How fast the five residuals of a TRANSLATOR change.
+    fn translator_rates(&self) -> [Octuple; 5] {
+        let (t, zero) = (self.triads(), Moving::from(0.0));
+        let g = translator::Constraint::eval(&translator::Placement {
+            e1a: t.e1a,
+            e2a: t.e2a,
+            e3a: t.e3a,
+            e1b: t.e1b,
+            e2b: t.e2b,
+            e3b: t.e3b,
+            xa: self.a.position(),
+            xb: self.b.position(),
+            y0: zero,
+            z0: zero,
+            alpha0: zero,
+            beta0: zero,
+            gamma0: zero,
+        });
+        [g.gy.eps, g.gz.eps, g.ur1.eps, g.ur2.eps, g.ur3.eps]
+    }
+
+    /// How fast the four residuals of a UJOINT change.
+    fn joint_rates(&self) -> [Octuple; 4] {
+        let (t, zero) = (self.triads(), Moving::from(0.0));
+        let (xa, xb, d0) = (self.a.position(), self.b.position(), Vector3::from_element(zero));
+        let joint = ujoint::Jointed { e1a: t.e1a, e2a: t.e2a, e3a: t.e3a, e3b: t.e3b, xa, xb, d0, c0: zero };
+        let g = ujoint::Constraint::eval(&joint);
+        [g.g.x.eps, g.g.y.eps, g.g.z.eps, g.g_rot.eps]
+    }
+}
+
+fn largest<const N: usize>(rates: [Octuple; N]) -> f64 {
+    rates.into_iter().map(|rate| rate.to_f64().abs()).fold(0.0, f64::max)
+}
+
+/// What one order of the nodes allows, the other does; what one forbids, the other does.
+#[test]
+fn the_order_of_the_nodes_changes_no_enforcement() {
+    let mut numbers = Numbers::new();
+    for _ in 0..POINTS {
+        // b anywhere along the slot, aligned, carried along by a and slid along e1a: as it may.
+        let mut free = numbers.pair([Octuple::from(0.0); 3]);
+        let ([e1, ..], slide) = (free.a.triad, numbers.number());
+        free.b.spin = free.a.spin;
+        free.b.dx = free.a.dx + free.a.spin.cross(&(free.b.x - free.a.x)) + e1 * slide;
+        let order = |pair: &Pair| pair.exchanged(&pair.b.triad, &pair.a.triad);
+        assert!(largest(free.translator_rates()).max(largest(order(&free).translator_rates())) < TOLERANCE);
+        let mut held = free;
+        held.b.dx += free.a.triad[1] * Octuple::from(0.25);
+        held.b.spin += free.a.triad[2] * Octuple::from(0.5);
+        for pair in [held, order(&held)] {
+            let [gy, .., ur3] = pair.translator_rates().map(|rate| rate.to_f64().abs());
+            assert!(gy > 1e-9 && (ur3 - 0.5).abs() < TOLERANCE, "{gy} {ur3}");
+        }
+
+        // b at a's place, turned about both arms of the cross: as it may.
+        let mut free = numbers.cross();
+        let ([e1a, ..], [e1b, e2b, e3b]) = (free.a.triad, free.b.triad);
+        (free.b.x, free.b.dx) = (free.a.x, free.a.dx);
+        free.b.spin = free.a.spin + e1a * numbers.number() + e3b * numbers.number();
+        let order = |pair: &Pair| pair.exchanged(&[e3b, e1b, e2b], &[free.a.triad[1], free.a.triad[2], e1a]);
+        assert!(largest(free.joint_rates()).max(largest(order(&free).joint_rates())) < TOLERANCE);
+        let mut held = free;
+        held.b.dx += e1a * Octuple::from(0.25);
+        held.b.spin += e3b.cross(&e1a) * Octuple::from(0.5);
+        let [here, there] = [held, order(&held)].map(|pair| pair.joint_rates());
+        for rates in [here, there] {
+            assert!(largest([rates[0], rates[1], rates[2]]) > 0.1);
+        }
+        assert!((here[3].to_f64().abs() - 0.5).abs() < TOLERANCE && (here[3] - there[3]).to_f64().abs() < TOLERANCE);
+    }
+}
+
 /// What friction transmits is positive where it resists positive motion: it takes up work, whichever way b moves.
 #[test]
 fn friction_takes_up_work() {

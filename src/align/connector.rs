@@ -1,12 +1,11 @@
 //! The ALIGN connector as a program uses it: validated once, then evaluated by the formulas.
 
-use super::{ConstraintMoment, Misalignment, Moment, Moments};
+use super::{ConstraintMoment, Misalignment, Moment, Moments, wrapped};
 use crate::cardan::{Angles, Triads, accurate, accurate_jacobian, between, check_start, check_turns};
 use crate::error::Error;
 use crate::formula::value;
 use crate::frame::Triad;
 use nalgebra::{Matrix3, Vector3};
-use std::f64::consts::{PI, TAU};
 
 /// An ALIGN connector.
 ///
@@ -152,14 +151,5 @@ impl AlignFromStart {
             Triads { e1b: by(0), e2b: by(1), e3b: by(2), ..of }
         };
         Ok((residuals, Misalignment { ur1: row(alpha), ur2: row(beta), ur3: row(gamma) }))
-    }
-}
-
-/// The difference of two angles from [−π, π), as an angle from −π to π.
-fn wrapped(difference: f64) -> f64 {
-    match difference {
-        d if d > PI => d - TAU,
-        d if d < -PI => d + TAU,
-        d => d,
     }
 }

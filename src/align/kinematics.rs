@@ -8,8 +8,9 @@ use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Finite, Formula, Given, Jacobian, Spec, along};
 use crate::quantity::{ALPHA0, BETA0, E1A, E1B, E2A, E2B, E3A, E3B, GAMMA0, M1, M2, M3, MOMENT, UR1, UR2, UR3};
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, abs, pi, sign};
 use nalgebra::Vector3;
+use std::f64::consts::PI;
 
 fields! {
     /// How both nodes are turned, and the initial angles.
@@ -77,18 +78,35 @@ impl Formula for Constraint {
 
     #[inline]
     fn jacobian<D: Scalar>(i: &Orientations<D>) -> Jacobian<Self, D> {
-        let Angles { alpha, beta, gamma } = CardanAngles::jacobian(&i.triads());
-        Misalignment {
-            ur1: Orientations { alpha0: -D::one(), ..Orientations::of(alpha) },
-            ur2: Orientations { beta0: -D::one(), ..Orientations::of(beta) },
-            ur3: Orientations { gamma0: -D::one(), ..Orientations::of(gamma) },
-        }
+        Misalignment::since_start(CardanAngles::jacobian(&i.triads()))
     }
 
     #[inline]
     fn validate(i: &Orientations<f64>) -> Result<(), Error> {
         CardanAngles::validate(&i.triads())
     }
+}
+
+impl<D: Scalar> Misalignment<Orientations<D>> {
+    /// The derivatives of angles less their initial values.
+    #[inline]
+    pub(crate) fn since_start(angles: Angles<Triads<D>>) -> Self {
+        let Angles { alpha, beta, gamma } = angles;
+        Self {
+            ur1: Orientations { alpha0: -D::one(), ..Orientations::of(alpha) },
+            ur2: Orientations { beta0: -D::one(), ..Orientations::of(beta) },
+            ur3: Orientations { gamma0: -D::one(), ..Orientations::of(gamma) },
+        }
+    }
+}
+
+/// The difference of two angles, less a full turn where it is beyond half a turn; π to the precision of `D`.
+#[inline]
+pub(crate) fn wrapped<D: Scalar>(difference: D) -> D {
+    if abs(difference) <= PI {
+        return difference;
+    }
+    difference - pi::<D>() * sign(difference) * 2.0
 }
 
 fields! {

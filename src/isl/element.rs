@@ -77,7 +77,14 @@ impl IslElement {
     /// # Errors
     /// [`Error::UnknownNode`], [`Error::CoincidentNodes`], [`Error::Overflow`].
     pub fn areas<D: Scalar>(&self, nodes: &Nodes<D>) -> Result<ArrayVec<D, 3>, Error> {
-        let position = |node| nodes.position(node);
+        self.areas_by(|node| nodes.position(node))
+    }
+
+    /// The same, with the nodes wherever the caller keeps them.
+    pub(super) fn areas_by<D: Scalar>(
+        &self,
+        position: impl Fn(u32) -> Result<Vector2<D>, Error>,
+    ) -> Result<ArrayVec<D, 3>, Error> {
         let areas: ArrayVec<D, 3> = match self.nodes {
             ElementNodes::Isl21a(nodes) => {
                 let [x1, x2] = places(nodes, position)?;
@@ -121,6 +128,14 @@ impl IslElement {
             }
         };
         if t.re().is_finite() { Ok(t) } else { Err(Error::Overflow { name: "torque" }) }
+    }
+
+    /// The formula of its areas.
+    pub(crate) fn area_formula(&self) -> &'static str {
+        match self.nodes {
+            ElementNodes::Isl21a(_) => ContactAreaLinear::SPEC.id,
+            ElementNodes::Isl22a(_) => ContactAreaParabolic::SPEC.id,
+        }
     }
 
     /// The formula of its torque.

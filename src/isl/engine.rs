@@ -92,7 +92,7 @@ impl<D: Scalar> SlaveState<D> {
 
 /// How often each formula was evaluated; of a search, how many segments and corners were looked at.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Tally(ArrayVec<(&'static str, usize), 8>);
+pub(crate) struct Tally(ArrayVec<(&'static str, usize), 12>);
 
 impl Tally {
     pub(crate) fn add(&mut self, formula: &'static str, times: usize) {
@@ -300,6 +300,18 @@ pub(crate) fn torque<D: Scalar>(
     tally.add(formula, 1);
     let fail = |error| Failure { culprit: Culprit::Element(element.number()), formula, error };
     element.torque_by(|node| motion.position(node), push).map_err(fail)
+}
+
+/// The contact areas of the nodes of an element.
+pub(crate) fn areas<D: Scalar>(
+    element: &IslElement,
+    motion: &impl Motion<D>,
+    tally: &mut Tally,
+) -> Result<ArrayVec<D, 3>, Failure> {
+    let formula = element.area_formula();
+    tally.add(formula, 1);
+    let fail = |error| Failure { culprit: Culprit::Element(element.number()), formula, error };
+    element.areas_by(|node| motion.position(node)).map_err(fail)
 }
 
 /// The sum of the torques of elements so far and of one more.

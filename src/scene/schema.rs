@@ -43,7 +43,7 @@ fn of_dimension(dimension: Dimension) -> Value {
     let kinds: Vec<_> = Kind::all().filter(|kind| kind.dimension == dimension).collect();
     let node = record(&entries(keys::NODE, [vector(dimension.coordinates()), text()]), &["at"]);
     let elements: Vec<_> = kinds.iter().map(|kind| of_kind(kind)).collect();
-    let mut outputs: Vec<_> = kinds.iter().flat_map(|kind| kind.outputs).map(|(name, _)| *name).collect();
+    let mut outputs: Vec<_> = kinds.iter().flat_map(|kind| kind.outputs()).map(|(name, _)| name).collect();
     outputs.sort_unstable();
     outputs.dedup();
     let mut properties = entries(
@@ -88,13 +88,20 @@ fn slide_line() -> Value {
         [
             json!({ "enum": keys::TYPES.map(|(name, _)| name) }),
             json!({ "type": "array", "items": text(), "minItems": 2 }),
+            record(
+                &entries(keys::GENERATE, [text(), text(), json!({ "type": "integer", "minimum": 1 })]),
+                &["first", "last"],
+            ),
             of_domain(FRACTION.domain),
             numbers(&keys::PRESSURE, &[]),
             numbers(&keys::DAMPING, &keys::DAMPING.map(|(name, _)| name)),
             numbers(&keys::FRICTION, &keys::FRICTION.map(|(name, _)| name)),
+            json!({ "type": "integer", "minimum": 0, "default": 1 }),
         ],
     );
-    record(&all, &["type", "nodes"])
+    let mut schema = record(&all, &["type"]);
+    schema["oneOf"] = json!(["nodes", "generate"].map(|key| json!({ "required": [key] })));
+    schema
 }
 
 fn frame(dimension: Dimension, kinds: &[&Kind]) -> Value {
@@ -138,7 +145,7 @@ fn of_domain(domain: Domain) -> Value {
 
 fn of_kind(kind: &Kind) -> Value {
     let count = kind.nodes.len();
-    let outputs: Vec<_> = kind.outputs.iter().map(|(name, _)| name).collect();
+    let outputs: Vec<_> = kind.outputs().map(|(name, _)| name).collect();
     let mut properties = entries(
         keys::SLIDING_ELEMENT,
         [

@@ -1,11 +1,12 @@
 //! The slider in the plane as a program uses it: a line checked once, then evaluated by the formulas.
 
 use super::connector::placed;
-use super::place::Place;
-use super::{Constraint2d, Distance2d, Increment2d, KeptIncrement2d, Nodes2d, Pivots2d};
+use super::{
+    Constraint2d, Distance2d, Eliminate2d, Increment2d, IncrementalConstraint2d, KeptCoordinate2d, KeptIncrement2d,
+    MovingNodes2d, Nodes2d, Pivots2d,
+};
 use crate::error::Error;
 use crate::formula::{Fields, Jacobian, value, value_and_jacobian};
-use crate::quantity::Domain;
 use crate::scalar::norm;
 use nalgebra::{SMatrix, Vector2};
 
@@ -95,14 +96,12 @@ impl Slider2d {
         value_and_jacobian::<Constraint2d>(&Nodes2d { x1: self.x1, xn: self.xn, xm })
     }
 
-    /// The eliminated coordinate of m from the kept one: xm_i = x1_i + (n_i/n_k)(xm_k − x1_k).
+    /// The eliminated coordinate of m from the kept one ([`Eliminate2d`]).
     ///
     /// # Errors
     /// A coordinate that is not finite, or so far that the result overflows.
     pub fn eliminate(&self, xmk: f64) -> Result<f64, Error> {
-        Error::check("xmk", None, xmk, Domain::Real)?;
-        let Pivots2d { i, k } = self.pivots();
-        finite("xmi", Place::new(&self.x1, &self.xn, k, xmk).coordinate(i))
+        Ok(value::<Eliminate2d>(&KeptCoordinate2d { x1: self.x1, xn: self.xn, xmk })?.xmi)
     }
 
     /// Puts m on the line: keeps its coordinate k and replaces the other.
@@ -113,6 +112,33 @@ impl Slider2d {
         Error::check_vector("xm", xm)?;
         let Pivots2d { i, k } = self.pivots();
         Ok(placed([(i, self.eliminate(xm[k])?), (k, xm[k])]))
+    }
+
+    /// By how much increments of all three nodes violate the condition ([`IncrementalConstraint2d`]).
+    ///
+    /// ```
+    /// use jointproof::slider::Slider2d;
+    /// use nalgebra::Vector2;
+    ///
+    /// let slider = Slider2d::new(Vector2::zeros(), Vector2::new(4.0, 3.0))?;
+    /// let (xm, up) = (Vector2::new(2.0, 1.5), Vector2::new(0.0, 1.0));
+    /// // m in the middle follows half of node n, and does not.
+    /// assert_eq!(slider.incremental_constraint(xm, Vector2::zeros(), up, up / 2.0)?, 0.0);
+    /// assert_eq!(slider.incremental_constraint(xm, Vector2::zeros(), up, Vector2::zeros())?, -0.4);
+    /// # Ok::<(), jointproof::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// An increment or position that is not finite, or so large that the result overflows.
+    pub fn incremental_constraint(
+        &self,
+        xm: Vector2<f64>,
+        dx1: Vector2<f64>,
+        dxn: Vector2<f64>,
+        dxm: Vector2<f64>,
+    ) -> Result<f64, Error> {
+        let Self { x1, xn } = *self;
+        Ok(value::<IncrementalConstraint2d>(&MovingNodes2d { x1, xn, xm, dx1, dxn, dxm })?.r)
     }
 
     /// The increment of m for increments of the nodes and the kept one of its own ([`Increment2d`]).

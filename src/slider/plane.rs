@@ -6,14 +6,15 @@ mod proof;
 use super::Pivots2d;
 use super::constraint::IncrementalConstraint;
 use super::line::Line;
+use super::place::Place;
 use super::slide::Slide;
 use super::span::{Span, Station};
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec};
 use crate::quantity::{
-    SLIDER_DX1_PLANE, SLIDER_DXMI, SLIDER_DXMK, SLIDER_DXN_PLANE, SLIDER_G, SLIDER_X1_PLANE, SLIDER_XM_PLANE,
-    SLIDER_XN_PLANE,
+    SLIDER_DX1_PLANE, SLIDER_DXM_PLANE, SLIDER_DXMI, SLIDER_DXMK, SLIDER_DXN_PLANE, SLIDER_G, SLIDER_R,
+    SLIDER_X1_PLANE, SLIDER_XM_PLANE, SLIDER_XMI_PLANE, SLIDER_XMK, SLIDER_XN_PLANE,
 };
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
@@ -68,6 +69,124 @@ impl Formula for Constraint2d {
 
     #[inline]
     fn validate(i: &Nodes2d<f64>) -> Result<(), Error> {
+        Error::check_apart(("x1", i.x1), ("xn", i.xn))
+    }
+}
+
+fields! {
+    /// The line and node m in the plane, and increments of all three nodes.
+    pub struct MovingNodes2d<T> {
+        x1: Vector2<T> = SLIDER_X1_PLANE, xn: Vector2<T> = SLIDER_XN_PLANE, xm: Vector2<T> = SLIDER_XM_PLANE,
+        dx1: Vector2<T> = SLIDER_DX1_PLANE, dxn: Vector2<T> = SLIDER_DXN_PLANE, dxm: Vector2<T> = SLIDER_DXM_PLANE,
+    }
+}
+fields! {
+    /// By how much increments violate the condition in the plane.
+    pub struct IncrementalResidual2d<T> { r: T = SLIDER_R }
+}
+
+/// What the condition in the plane demands of increments, with the variation of t eliminated:
+/// r = t·(dxm − (1−ξ) dx1 − ξ dxn) = 0.
+#[derive(Clone, Copy, Debug)]
+pub struct IncrementalConstraint2d;
+
+impl Formula for IncrementalConstraint2d {
+    const SPEC: Spec = Spec::new(
+        "slider.incremental_constraint_2d",
+        "Incremental constraint in the plane",
+        Document::SLIDER.reconstructed("", "every symbol was lost; the words: the derivative of the one constraint"),
+    )
+    .equation(
+        r"r = \mathbf{t}\cdot\bigl(\mathrm{d}\mathbf{x}_m - (1-\xi)\,\mathrm{d}\mathbf{x}_1 - \xi\,\mathrm{d}\mathbf{x}_n\bigr),\quad \mathbf{t} = (-n_2, n_1)",
+    )
+    .given(&[Given::new(r"\xi", &IncrementalConstraint::SPEC), Given::new(r"\mathbf{n}", &Line::SPEC)])
+    .eta(3.0, 5.0)
+    .finite(Finite::Between);
+    type Inputs<T: Component> = MovingNodes2d<T>;
+    type Outputs<T: Component> = IncrementalResidual2d<T>;
+
+    #[inline(always)]
+    fn eval<D: Scalar>(i: &MovingNodes2d<D>) -> IncrementalResidual2d<D> {
+        let span = Span::new(&i.x1, &i.xn);
+        let station = Station::new(&span, &i.x1, &i.xn, &i.xm);
+        let v = i.dxm - station.blend(&i.dx1, &i.dxn);
+        IncrementalResidual2d { r: span.d.perp(&v) / span.square.sqrt() }
+    }
+
+    /// With v = dxm − (1−ξ) dx1 − ξ dxn and γ = t·(dxn − dx1), ∂r = v·∂t − γ ∂ξ, and v·∂t = −(v·n)/l t·(∂xn − ∂x1).
+    #[inline]
+    fn jacobian<D: Scalar>(i: &MovingNodes2d<D>) -> Jacobian<Self, D> {
+        let span = Span::new(&i.x1, &i.xn);
+        let station = Station::new(&span, &i.x1, &i.xn, &i.xm);
+        let ([share, rest], [share_x1, share_xn, share_xm]) = (station.shares(), station.gradients(&span));
+        let v = i.dxm - station.blend(&i.dx1, &i.dxn);
+        // Everything times the length of d, by which the row is divided in the end.
+        let (root, ray) = (span.square.sqrt(), Vector2::new(-span.d.y, span.d.x));
+        let (gain, turn) = (span.d.perp(&(i.dxn - i.dx1)), v.dot(&span.d) * span.binade.per_unit / span.square);
+        IncrementalResidual2d {
+            r: MovingNodes2d {
+                x1: (ray * turn - share_x1 * gain) / root,
+                xn: (ray * -turn - share_xn * gain) / root,
+                xm: share_xm * -gain / root,
+                dx1: ray * -rest / root,
+                dxn: ray * -share / root,
+                dxm: ray / root,
+            },
+        }
+    }
+
+    #[inline]
+    fn validate(i: &MovingNodes2d<f64>) -> Result<(), Error> {
+        Error::check_apart(("x1", i.x1), ("xn", i.xn))
+    }
+}
+
+fields! {
+    /// The line in the plane, and the coordinate of node m that is kept.
+    pub struct KeptCoordinate2d<T> {
+        x1: Vector2<T> = SLIDER_X1_PLANE, xn: Vector2<T> = SLIDER_XN_PLANE, xmk: T = SLIDER_XMK,
+    }
+}
+fields! {
+    /// The coordinate of node m that is eliminated in the plane.
+    pub struct Coordinate2d<T> { xmi: T = SLIDER_XMI_PLANE }
+}
+
+/// The place of m on the line from one coordinate, with the axes of [`Pivots2d`]: xm_i = x1_i + (n_i/n_k)(xm_k − x1_k).
+#[derive(Clone, Copy, Debug)]
+pub struct Eliminate2d;
+
+impl Formula for Eliminate2d {
+    const SPEC: Spec = Spec::new(
+        "slider.eliminate_2d",
+        "Elimination in the plane",
+        Document::SLIDER
+            .ours("", "the condition is there, its symbols lost; to solve it for the larger component is ours"),
+    )
+    .equation(r"x_{m,i} = x_{1,i} + \frac{n_i}{n_k}(x_{m,k}-x_{1,k})")
+    .given(&[Given::new(r"i,\ k", &Increment2d::SPEC), Given::new(r"\mathbf{n}", &Line::SPEC)])
+    .eta(2.0, 2.0)
+    .finite(Finite::Between)
+    .not_objective();
+    type Inputs<T: Component> = KeptCoordinate2d<T>;
+    type Outputs<T: Component> = Coordinate2d<T>;
+
+    #[inline(always)]
+    fn eval<D: Scalar>(i: &KeptCoordinate2d<D>) -> Coordinate2d<D> {
+        let Pivots2d { i: axis, k } = Pivots2d::new(&i.x1, &i.xn);
+        Coordinate2d { xmi: Place::new(&i.x1, &i.xn, k, i.xmk).coordinate(axis) }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &KeptCoordinate2d<D>) -> Jacobian<Self, D> {
+        let Pivots2d { i: axis, k } = Pivots2d::new(&i.x1, &i.xn);
+        let place = Place::new(&i.x1, &i.xn, k, i.xmk);
+        let [x1, xn] = place.gradients(axis);
+        Coordinate2d { xmi: KeptCoordinate2d { x1, xn, xmk: place.slope(axis) } }
+    }
+
+    #[inline]
+    fn validate(i: &KeptCoordinate2d<f64>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }
 }

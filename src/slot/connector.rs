@@ -38,14 +38,15 @@ pub struct Pose2d {
 struct Line {
     x0: f64,
     l1_ref: f64,
-    stops: Option<(f64, f64)>,
+    /// The lower stop and the upper one.
+    stops: [Option<f64>; 2],
     mu: f64,
     fc_int: f64,
 }
 
 impl Line {
     fn new(x0: f64) -> Self {
-        Self { x0, l1_ref: x0, stops: None, mu: 0.0, fc_int: 0.0 }
+        Self { x0, l1_ref: x0, stops: [None; 2], mu: 0.0, fc_int: 0.0 }
     }
 
     fn reference_length(&mut self, l1_ref: f64) -> Result<(), Error> {
@@ -54,9 +55,9 @@ impl Line {
         Ok(())
     }
 
-    fn stops(&mut self, l1_min: f64, l1_max: f64) -> Result<(), Error> {
-        value::<Stop>(&StopLengths { x: 0.0, l1_min, l1_max })?;
-        self.stops = Some((l1_min, l1_max));
+    fn stops(&mut self, stops: [Option<f64>; 2]) -> Result<(), Error> {
+        gaps(0.0, stops)?;
+        self.stops = stops;
         Ok(())
     }
 
@@ -72,13 +73,23 @@ impl Line {
     }
 
     fn gaps(&self, x: f64) -> Result<Option<Gaps<f64>>, Error> {
-        let gaps = |(l1_min, l1_max)| value::<Stop>(&StopLengths { x, l1_min, l1_max });
-        self.stops.map(gaps).transpose()
+        gaps(x, self.stops)
     }
 
     fn loads(&self, f1: f64, f2: f64, f3: f64) -> SlotLoads<f64> {
         SlotLoads { f1, f2, f3, fc_int: self.fc_int, mu: self.mu }
     }
+}
+
+/// Distances to the stops that there are; to one that there is not, infinity.
+fn gaps(x: f64, stops: [Option<f64>; 2]) -> Result<Option<Gaps<f64>>, Error> {
+    let both = |l1_min, l1_max| value::<Stop>(&StopLengths { x, l1_min, l1_max });
+    Ok(Some(match stops {
+        [None, None] => return Ok(None),
+        [Some(l1_min), Some(l1_max)] => both(l1_min, l1_max)?,
+        [Some(l1_min), None] => Gaps { gap_max: f64::INFINITY, ..both(l1_min, l1_min)? },
+        [None, Some(l1_max)] => Gaps { gap_min: f64::INFINITY, ..both(l1_max, l1_max)? },
+    }))
 }
 
 /// Options common to [`Slot`] and [`Slot2d`], each checked where it is given.
@@ -98,7 +109,25 @@ macro_rules! line_options {
         /// # Errors
         /// A stop that is not finite, or `l1_min > l1_max`.
         pub fn with_stops(mut self, l1_min: f64, l1_max: f64) -> Result<Self, Error> {
-            self.line.stops(l1_min, l1_max)?;
+            self.line.stops([Some(l1_min), Some(l1_max)])?;
+            Ok(self)
+        }
+
+        /// Sets the lower stop; the upper one stays as it is, or missing.
+        ///
+        /// # Errors
+        /// As [`Self::with_stops`].
+        pub fn with_lower_stop(mut self, l1_min: f64) -> Result<Self, Error> {
+            self.line.stops([Some(l1_min), self.line.stops[1]])?;
+            Ok(self)
+        }
+
+        /// Sets the upper stop; the lower one stays as it is, or missing.
+        ///
+        /// # Errors
+        /// As [`Self::with_stops`].
+        pub fn with_upper_stop(mut self, l1_max: f64) -> Result<Self, Error> {
+            self.line.stops([self.line.stops[0], Some(l1_max)])?;
             Ok(self)
         }
 
@@ -188,7 +217,7 @@ impl Slot {
         self.line.motion(relative_position(pose)?.x)
     }
 
-    /// Distances to the stops ([`Stop`]); `None` without stops.
+    /// Distances to the stops ([`Stop`]), infinite to one that is missing; `None` without stops.
     ///
     /// # Errors
     /// As [`Slot::new`].
@@ -299,7 +328,7 @@ impl Slot2d {
         self.line.motion(relative_position(&pose.in_space())?.x)
     }
 
-    /// Distances to the stops ([`Stop`]); `None` without stops.
+    /// Distances to the stops ([`Stop`]), infinite to one that is missing; `None` without stops.
     ///
     /// # Errors
     /// As [`Slot::new`].

@@ -118,6 +118,22 @@ impl Translator {
         Ok(Self { slot: self.slot.with_stops(l1_min, l1_max)?, ..self })
     }
 
+    /// Sets the lower stop; the upper one stays as it is, or missing.
+    ///
+    /// # Errors
+    /// As [`Slot::with_stops`].
+    pub fn with_lower_stop(self, l1_min: f64) -> Result<Self, Error> {
+        Ok(Self { slot: self.slot.with_lower_stop(l1_min)?, ..self })
+    }
+
+    /// Sets the upper stop; the lower one stays as it is, or missing.
+    ///
+    /// # Errors
+    /// As [`Slot::with_stops`].
+    pub fn with_upper_stop(self, l1_max: f64) -> Result<Self, Error> {
+        Ok(Self { slot: self.slot.with_upper_stop(l1_max)?, ..self })
+    }
+
     /// Sets the friction coefficient μ ≥ 0 and the internal contact force; no friction otherwise.
     ///
     /// # Errors
@@ -199,7 +215,7 @@ impl Translator {
         self.slot.relative_motion(&pose.slot())
     }
 
-    /// Distances to the stops; `None` without stops.
+    /// Distances to the stops, infinite to one that is missing; `None` without stops.
     ///
     /// # Errors
     /// As [`Slot::gaps`].

@@ -33,7 +33,13 @@ pub struct Loads {
     pub m3: f64,
 }
 
-/// The least and the greatest value of both free angles.
+/// The least and the greatest value of both free angles; infinite where there is no stop.
+///
+/// ```
+/// use jointproof::ujoint::Stops;
+/// let upper = Stops { theta1_max: 2.0, ..Stops::NONE };
+/// assert_eq!((upper.theta1_min, upper.theta3_max), (f64::NEG_INFINITY, f64::INFINITY));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stops {
     /// Lower stop of α.
@@ -47,9 +53,36 @@ pub struct Stops {
 }
 
 impl Stops {
-    fn inputs(&self, Turns { alpha, gamma }: Turns<f64>) -> StopAngles<f64> {
-        let Self { theta1_min, theta1_max, theta3_min, theta3_max } = *self;
-        StopAngles { alpha, gamma, theta1_min, theta1_max, theta3_min, theta3_max }
+    /// No stop at all.
+    pub const NONE: Self = Self {
+        theta1_min: f64::NEG_INFINITY,
+        theta1_max: f64::INFINITY,
+        theta3_min: f64::NEG_INFINITY,
+        theta3_max: f64::INFINITY,
+    };
+
+    /// The angles left before each stop, infinite before one that is missing.
+    fn gaps(&self, Turns { alpha, gamma }: Turns<f64>) -> Result<AngleGaps<f64>, Error> {
+        let [theta1_min, theta1_max] = both(self.theta1_min, self.theta1_max);
+        let [theta3_min, theta3_max] = both(self.theta3_min, self.theta3_max);
+        let gaps = value::<Stop>(&StopAngles { alpha, gamma, theta1_min, theta1_max, theta3_min, theta3_max })?;
+        let before = |stop: f64, missing: f64, gap: f64| if stop == missing { f64::INFINITY } else { gap };
+        Ok(AngleGaps {
+            gap1_min: before(self.theta1_min, f64::NEG_INFINITY, gaps.gap1_min),
+            gap1_max: before(self.theta1_max, f64::INFINITY, gaps.gap1_max),
+            gap3_min: before(self.theta3_min, f64::NEG_INFINITY, gaps.gap3_min),
+            gap3_max: before(self.theta3_max, f64::INFINITY, gaps.gap3_max),
+        })
+    }
+}
+
+/// Both stops of an angle, where one may stand for the other that is missing.
+fn both(min: f64, max: f64) -> [f64; 2] {
+    match (min == f64::NEG_INFINITY, max == f64::INFINITY) {
+        (true, true) => [0.0; 2],
+        (true, false) => [max; 2],
+        (false, true) => [min; 2],
+        (false, false) => [min, max],
     }
 }
 
@@ -152,7 +185,7 @@ impl UJoint {
     /// # Errors
     /// A stop that is not finite, or a lower stop above its upper one.
     pub fn with_stops(self, stops: &Stops) -> Result<Self, Error> {
-        value::<Stop>(&stops.inputs(Turns { alpha: 0.0, gamma: 0.0 }))?;
+        stops.gaps(Turns { alpha: 0.0, gamma: 0.0 })?;
         Ok(Self { stops: Some(*stops), ..self })
     }
 
@@ -227,7 +260,8 @@ impl UJoint {
         self.universal.relative_motion(&pose.triad_a, &pose.triad_b)
     }
 
-    /// Angles left before the stops ([`Stop`]), within half a turn of the start; `None` without stops.
+    /// Angles left before the stops ([`Stop`]), within half a turn of the start, infinite before one that is missing; `None`
+    /// without stops.
     ///
     /// # Errors
     /// [`Error::GimbalLock`].
@@ -242,7 +276,7 @@ impl UJoint {
     pub fn gaps_from(&self, last: &Turns<f64>, pose: &Pose) -> Result<Option<AngleGaps<f64>>, Error> {
         let Some(stops) = self.stops else { return Ok(None) };
         let turns = self.turns_from(last, pose)?;
-        value::<Stop>(&stops.inputs(turns)).map(Some)
+        stops.gaps(turns).map(Some)
     }
 
     /// The force on b that holds it in its place, in the global frame.

@@ -43,6 +43,38 @@ fn text_has_a_table_for_every_output() {
     }
 }
 
+/// UR1, FR and FBEND are something else in a UJOINT than in a TRANSLATOR: each is called what it is of the element shown.
+#[test]
+fn every_output_is_called_what_it_is_of_its_own_connector() {
+    let bench = Bench::new();
+    let path = bench.path("labels.json");
+    let scene = |elements: &str| {
+        format!(
+            r#"{{"dimension": "3d", "orientations": {{"o": {{"rotation": [0, 0, 0]}}}},
+            "nodes": {{"a": {{"at": [0, 0, 0], "orientation": "o"}}, "b": {{"at": [1, 0, 0]}}}},
+            "elements": {{{elements}}}, "outputs": ["UR1", "FR", "FBEND"]}}"#
+        )
+    };
+    let [joint, slide] =
+        ["ujoint", "translator"].map(|kind| format!(r#""{kind}": {{"kind": "{kind}", "l": 1, "nodes": ["a", "b"]}}"#));
+    let joint = joint.replace(r#""l": 1, "#, "");
+    let said = |elements: &str| {
+        fs::write(&path, scene(elements)).unwrap();
+        bench.run(&["scene", &path.to_string_lossy()]).quiet().stdout
+    };
+    let alone = said(&joint);
+    for words in ["available rotation about e1a", "magnitude of the force that JOIN transmits", "which bends its arms"]
+    {
+        assert!(alone.contains(words), "{words}: {alone}");
+    }
+    assert!(!alone.contains("residual"), "{alone}");
+    let both = said(&format!("{joint}, {slide}"));
+    assert!(
+        both.contains("UR1  ujoint: available rotation") && both.contains("; translator: constraint residual"),
+        "{both}"
+    );
+}
+
 #[test]
 fn errors_stand_beside_the_numbers() {
     let file = scene("telescope.json");

@@ -4,8 +4,8 @@
 //! [`isl`](crate::isl) evaluates them, not the plan's registers.
 
 use super::dimension::Dimension;
-use super::table::{Kind, always, renamed};
-use crate::quantity::{Domain, Quantity, Shape, Unit};
+use super::table::{Kind, Use, always, renamed};
+use crate::quantity::{Domain, NORMAL, Quantity, Shape, TANGENT, Unit};
 use crate::{coulomb, interaction, slide_line};
 
 const STRESS: Unit = Unit::new(-2, 1, 0);
@@ -26,10 +26,38 @@ const S12: Quantity = Quantity {
     ..E12
 };
 
+const AREA: Quantity = Quantity {
+    latex: "A",
+    unit: Unit::new(2, 0, 0),
+    meaning: "contact area of each node, as far as this element has it, around the whole circumference",
+    ..E12
+};
+const T1: Quantity = Quantity {
+    latex: r"\mathbf{t}_1",
+    meaning: "tangent of the line at the closest point of each node, node by node",
+    ..TANGENT
+};
+const N: Quantity =
+    Quantity { meaning: "normal of the line at the closest point of each node, node by node", ..NORMAL };
+
 /// A coordinate along the line is no output.
 const FOOT: &[(&str, &str)] = &[("g", "coordinate"), ("t", "coordinate"), ("separation", "e11")];
 const SLIP: &[(&str, &str)] = &[("dslip", "e12")];
 const PRESSURE: &[(&str, &str)] = &[("p", "s11")];
+
+/// What every element on a slide line has: contact of its nodes.
+const CONTACT: &[Use] = &[
+    renamed(&slide_line::ClosestLinear, FOOT),
+    renamed(&slide_line::ClosestSmoothedLinear, FOOT),
+    renamed(&slide_line::ClosestParabolic, FOOT),
+    renamed(&slide_line::ClosestSmoothedParabolic, FOOT),
+    renamed(&slide_line::SlipIncrementLinear, SLIP),
+    renamed(&slide_line::SlipIncrementParabolic, SLIP),
+    renamed(&interaction::PressureLinear, PRESSURE),
+    renamed(&interaction::PressureExponential, PRESSURE),
+    renamed(&interaction::Damping, PRESSURE),
+    renamed(&coulomb::ReturnMap, &[("f", "s12")]),
+];
 
 pub(super) const ISL21A: Kind = Kind {
     name: "isl21a",
@@ -38,37 +66,34 @@ pub(super) const ISL21A: Kind = Kind {
     given: &[],
     ordered: &[],
     formulas: &[
-        renamed(&slide_line::ClosestLinear, FOOT),
-        renamed(&slide_line::ClosestSmoothedLinear, FOOT),
-        renamed(&slide_line::ClosestParabolic, FOOT),
-        renamed(&slide_line::ClosestSmoothedParabolic, FOOT),
-        renamed(&slide_line::SlipIncrementLinear, SLIP),
-        renamed(&slide_line::SlipIncrementParabolic, SLIP),
-        renamed(&interaction::PressureLinear, PRESSURE),
-        renamed(&interaction::PressureExponential, PRESSURE),
-        renamed(&interaction::Damping, PRESSURE),
-        renamed(&coulomb::ReturnMap, &[("f", "s12")]),
-        always(&slide_line::TorqueLinear),
+        CONTACT,
+        &[
+            always(&slide_line::TorqueLinear),
+            renamed(&slide_line::ContactAreaLinear, &[("a1", "area"), ("a2", "area")]),
+        ],
     ],
-    meanings: &[("e12", &E12), ("s11", &S11), ("s12", &S12)],
-    outputs: &[("E11", "e11"), ("E12", "e12"), ("S11", "s11"), ("S12", "s12"), ("T", "t")],
+    meanings: &[("e12", &E12), ("s11", &S11), ("s12", &S12), ("area", &AREA), ("tangent", &T1), ("normal", &N)],
+    outputs: &[&[
+        ("E11", "e11"),
+        ("E12", "e12"),
+        ("S11", "s11"),
+        ("S12", "s12"),
+        ("T", "t"),
+        ("AREA", "area"),
+        ("T1", "tangent"),
+        ("N", "normal"),
+    ]],
 };
 
 pub(super) const ISL22A: Kind = Kind {
     name: "isl22a",
     nodes: &["1", "2", "3"],
     formulas: &[
-        ISL21A.formulas[0],
-        ISL21A.formulas[1],
-        ISL21A.formulas[2],
-        ISL21A.formulas[3],
-        ISL21A.formulas[4],
-        ISL21A.formulas[5],
-        ISL21A.formulas[6],
-        ISL21A.formulas[7],
-        ISL21A.formulas[8],
-        ISL21A.formulas[9],
-        always(&slide_line::TorqueParabolic),
+        CONTACT,
+        &[
+            always(&slide_line::TorqueParabolic),
+            renamed(&slide_line::ContactAreaParabolic, &[("a1", "area"), ("a2", "area"), ("a3", "area")]),
+        ],
     ],
     ..ISL21A
 };

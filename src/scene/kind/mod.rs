@@ -6,6 +6,7 @@
 
 mod dimension;
 mod isl;
+mod parts;
 mod shared;
 mod slider;
 mod slot;

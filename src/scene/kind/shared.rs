@@ -4,7 +4,7 @@ use super::table::{Fallback, Origin, Use, When, always, renamed};
 use crate::coulomb::{ReturnMap, Yield};
 use crate::quantity::{Domain, Quantity, Unit};
 use crate::scene::rules::{Kinetic, Slip, Stick, Traction, scalar};
-use crate::slot::{ConstraintForce, KineticForce, NormalForce, RelativeMotion, Stop};
+use crate::slot::{ConstraintForce, KineticForce, NormalForce, Stop};
 use Fallback::{As, Number, Required};
 use Origin::{Axis, Before, Initial, Load, Parameter, Position, Zero};
 
@@ -34,9 +34,13 @@ pub(super) const FRICTION: &[Given] = &[
     ("no_friction", Zero),
 ];
 
-/// Formulas of motion and friction along a slot, in every connector with one.
-pub(super) const MOTION: Use = always(&RelativeMotion);
-pub(super) const STOP: Use = always(&Stop);
+/// Both stops at once, or the one that is given, which then stands for the other too.
+pub(super) const STOP: [Use; 3] = [
+    always(&Stop).when(When::AllGiven(STOPS)),
+    renamed(&Stop, &[("l1_max", "l1_min"), ("gap_max", "no_gap_max")]).when(When::NotAllGiven(STOPS)),
+    renamed(&Stop, &[("l1_min", "l1_max"), ("gap_min", "no_gap_min")]).when(When::NotAllGiven(STOPS)),
+];
+const STOPS: &[&str] = &["l1_min", "l1_max"];
 pub(super) const NORMAL: Use = always(&NormalForce);
 pub(super) const TRIAL: Use = always(&Stick);
 pub(super) const RETURN_MAP: Use = renamed(&ReturnMap, &[("f", "csf")]);

@@ -2,7 +2,7 @@
 
 use super::dimension::Dimension;
 use super::table::{Kind, Origin, always};
-use crate::scene::rules::{KeptAxis, KeptAxis2d};
+use crate::scene::rules::{KeptAxis, KeptAxis2d, PivotAxes};
 use crate::slider;
 use Origin::{Increment, Position};
 
@@ -19,39 +19,43 @@ pub(super) const SLIDER: Kind = Kind {
         ("dxm", Increment(2)),
     ]],
     ordered: &[],
-    formulas: &[
+    formulas: &[&[
         always(&slider::Line),
         always(&slider::Constraint),
         always(&slider::IncrementalConstraint),
         always(&KeptAxis),
+        always(&PivotAxes),
         always(&slider::Eliminate),
         always(&slider::Increment),
-    ],
+    ]],
     meanings: &[],
-    outputs: &[
+    outputs: &[&[
         ("N", "n"),
         ("L", "l"),
         ("G1", "g1"),
         ("G2", "g2"),
         ("R1", "r1"),
         ("R2", "r2"),
+        ("AXES", "axes"),
         ("XMI", "xmi"),
         ("XMJ", "xmj"),
         ("DXMI", "dxmi"),
         ("DXMJ", "dxmj"),
-    ],
+    ]],
 };
 
 /// The line is that of space: positions have a third coordinate, which is 0.
 pub(super) const SLIDER_2D: Kind = Kind {
     dimension: Dimension::Plane,
-    formulas: &[
+    formulas: &[&[
         always(&slider::Line),
         always(&slider::Constraint2d),
+        always(&slider::IncrementalConstraint2d),
         always(&KeptAxis2d),
+        always(&slider::Eliminate2d),
         always(&slider::Increment2d),
-    ],
-    outputs: &[("N", "n"), ("L", "l"), ("G", "g"), ("DXMI", "dxmi")],
+    ]],
+    outputs: &[&[("N", "n"), ("L", "l"), ("G", "g"), ("R", "r"), ("XMI", "xmi"), ("DXMI", "dxmi")]],
     ..SLIDER
 };
 

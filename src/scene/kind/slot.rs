@@ -2,12 +2,48 @@
 
 use super::dimension::Dimension;
 use super::shared::{
-    CONSTRAINT_FORCE, CSF1, FORCES, FRICTION, INITIAL, KINETIC_FORCE, LENGTHS, MOTION, NODES, NORMAL, ORDERED_LENGTHS,
+    CONSTRAINT_FORCE, CSF1, FORCES, FRICTION, INITIAL, KINETIC_FORCE, LENGTHS, NODES, NORMAL, ORDERED_LENGTHS,
     RETURN_MAP, SLIP, STOP, TRIAL, YIELD,
 };
-use super::table::{Kind, Origin, always};
+use super::table::{Kind, Origin, Use, always};
 use crate::slot;
 use Origin::Zero;
+
+/// Where b is along a slot, in every connector with one.
+pub(super) const ALONG: &[Use] =
+    &[always(&slot::RelativePosition), always(&slot::RelativeMotion), CONSTRAINT_FORCE, STOP[0], STOP[1], STOP[2]];
+/// Friction along it.
+pub(super) const RUBBING: &[Use] = &[
+    KINETIC_FORCE[0],
+    KINETIC_FORCE[1],
+    KINETIC_FORCE[2],
+    NORMAL,
+    YIELD[0],
+    YIELD[1],
+    YIELD[2],
+    TRIAL,
+    RETURN_MAP,
+    SLIP,
+];
+
+pub(super) type Outputs = &'static [(&'static str, &'static str)];
+
+/// What of a slot is shown, in every connector with one; third coordinates only in space.
+pub(super) const PLACE: Outputs = &[("X", "x"), ("Y", "y")];
+pub(super) const PLACE_3: Outputs = &[("Z", "z")];
+pub(super) const MOVED: Outputs = &[("U1", "u1"), ("U1MAT", "u1_mat"), ("GY", "gy")];
+pub(super) const MOVED_3: Outputs = &[("GZ", "gz")];
+pub(super) const STOPPED: Outputs = &[("GAPMIN", "gap_min"), ("GAPMAX", "gap_max"), ("RF", "rf")];
+pub(super) const KINETIC: Outputs = &[("KF", "kf")];
+pub(super) const RUBBED: Outputs = &[
+    ("FC", "fc"),
+    ("FN", "fn"),
+    ("P", "p"),
+    ("PHI", "phi"),
+    ("CSF1", "csf"),
+    ("SLIP1", "slip"),
+    ("CASU1", "slip_total"),
+];
 
 pub(super) const SLOT: Kind = Kind {
     name: "slot",
@@ -15,85 +51,15 @@ pub(super) const SLOT: Kind = Kind {
     nodes: &["a", "b"],
     given: &[NODES, INITIAL, LENGTHS, FRICTION, FORCES],
     ordered: ORDERED_LENGTHS,
-    formulas: &[
-        always(&slot::RelativePosition),
-        always(&slot::Constraint),
-        CONSTRAINT_FORCE,
-        MOTION,
-        KINETIC_FORCE[0],
-        KINETIC_FORCE[1],
-        KINETIC_FORCE[2],
-        always(&slot::ContactForce),
-        NORMAL,
-        YIELD[0],
-        YIELD[1],
-        YIELD[2],
-        STOP,
-        TRIAL,
-        RETURN_MAP,
-        SLIP,
-    ],
+    formulas: &[ALONG, &[always(&slot::Constraint), always(&slot::ContactForce)], RUBBING],
     meanings: &[("csf", &CSF1)],
-    outputs: &[
-        ("X", "x"),
-        ("Y", "y"),
-        ("Z", "z"),
-        ("U1", "u1"),
-        ("U1MAT", "u1_mat"),
-        ("GY", "gy"),
-        ("GZ", "gz"),
-        ("GAPMIN", "gap_min"),
-        ("GAPMAX", "gap_max"),
-        ("RF", "rf"),
-        ("KF", "kf"),
-        ("FC", "fc"),
-        ("FN", "fn"),
-        ("P", "p"),
-        ("PHI", "phi"),
-        ("CSF1", "csf"),
-        ("SLIP1", "slip"),
-        ("CASU1", "slip_total"),
-    ],
+    outputs: &[PLACE, PLACE_3, MOVED, MOVED_3, STOPPED, KINETIC, RUBBED],
 };
 
 pub(super) const SLOT_2D: Kind = Kind {
     dimension: Dimension::Plane,
     given: &[NODES, &[INITIAL[0], INITIAL[1]], LENGTHS, FRICTION, &[FORCES[0], FORCES[1], ("f3", Zero)]],
-    formulas: &[
-        always(&slot::RelativePosition),
-        always(&slot::Constraint2d),
-        CONSTRAINT_FORCE,
-        MOTION,
-        KINETIC_FORCE[0],
-        KINETIC_FORCE[1],
-        KINETIC_FORCE[2],
-        always(&slot::ContactForce),
-        NORMAL,
-        YIELD[0],
-        YIELD[1],
-        YIELD[2],
-        STOP,
-        TRIAL,
-        RETURN_MAP,
-        SLIP,
-    ],
-    outputs: &[
-        ("X", "x"),
-        ("Y", "y"),
-        ("U1", "u1"),
-        ("U1MAT", "u1_mat"),
-        ("GY", "gy"),
-        ("GAPMIN", "gap_min"),
-        ("GAPMAX", "gap_max"),
-        ("RF", "rf"),
-        ("KF", "kf"),
-        ("FC", "fc"),
-        ("FN", "fn"),
-        ("P", "p"),
-        ("PHI", "phi"),
-        ("CSF1", "csf"),
-        ("SLIP1", "slip"),
-        ("CASU1", "slip_total"),
-    ],
+    formulas: &[ALONG, &[always(&slot::Constraint2d), always(&slot::ContactForce)], RUBBING],
+    outputs: &[PLACE, MOVED, STOPPED, KINETIC, RUBBED],
     ..SLOT
 };

@@ -66,6 +66,10 @@ pub enum When {
     AllZero(&'static [&'static str]),
     /// Only where one of these parameters is not 0.
     NotAllZero(&'static [&'static str]),
+    /// Only where all these parameters are given.
+    AllGiven(&'static [&'static str]),
+    /// Only where one of these parameters is not given.
+    NotAllGiven(&'static [&'static str]),
 }
 
 /// A formula of a kind.
@@ -131,18 +135,28 @@ pub struct Kind {
     pub given: &'static [&'static [(&'static str, Origin)]],
     /// Parameters of which the first must not be above the second.
     pub ordered: &'static [(&'static str, &'static str)],
-    /// Its formulas, the preferred first where several compute the same.
-    pub formulas: &'static [Use],
+    /// Its formulas, the preferred first where several compute the same; in groups, some of which several kinds have.
+    pub formulas: &'static [&'static [Use]],
     /// Registers that hold something else here than the fields of their formulas say.
     pub meanings: &'static [(&'static str, &'static Quantity)],
-    /// Its outputs: the name in scene files, and the register that is shown.
-    pub outputs: &'static [(&'static str, &'static str)],
+    /// Its outputs: the name in scene files, and the register that is shown; in groups, some of which several kinds have.
+    pub outputs: &'static [&'static [(&'static str, &'static str)]],
 }
 
 impl Kind {
     /// The registers that no formula computes, and where they come from.
     fn registers(&self) -> impl Iterator<Item = (&'static str, Origin)> + use<> {
         self.given.iter().copied().flatten().copied()
+    }
+
+    /// Its formulas, the preferred first where several compute the same.
+    pub fn formulas(&self) -> impl Iterator<Item = &'static Use> + use<> {
+        self.formulas.iter().copied().flatten()
+    }
+
+    /// Its outputs: the name in scene files, and the register that is shown.
+    pub fn outputs(&self) -> impl Iterator<Item = (&'static str, &'static str)> + use<> {
+        self.outputs.iter().copied().flatten().copied()
     }
 
     /// Where registers come from that no formula computes.
@@ -157,8 +171,8 @@ impl Kind {
 
     /// The field of a formula that writes or reads a register.
     pub(in crate::scene) fn field(&self, register: &str) -> Option<&'static Field> {
-        let writes = self.formulas.iter().find_map(|formula| formula.writes(register));
-        writes.or_else(|| self.formulas.iter().find_map(|formula| formula.reads(register)))
+        let writes = self.formulas().find_map(|formula| formula.writes(register));
+        writes.or_else(|| self.formulas().find_map(|formula| formula.reads(register)))
     }
 
     /// What a register holds.
@@ -192,14 +206,14 @@ impl Kind {
 
     /// The formulas that compute a register.
     pub fn writers<'r>(&'static self, register: &'r str) -> impl Iterator<Item = &'static Use> + use<'r> {
-        self.formulas.iter().filter(move |formula| formula.writes(register).is_some())
+        self.formulas().filter(move |formula| formula.writes(register).is_some())
     }
 
     /// A bit per parameter on which the choice of a formula depends.
     pub(in crate::scene) fn switches(&self) -> u64 {
         let decides = |name: &str| {
-            self.formulas.iter().any(|formula| match formula.when {
-                When::Always => false,
+            self.formulas().any(|formula| match formula.when {
+                When::Always | When::AllGiven(_) | When::NotAllGiven(_) => false,
                 When::AllZero(names) | When::NotAllZero(names) => names.contains(&name),
             })
         };
@@ -213,7 +227,7 @@ impl Kind {
 
     /// The register behind an output.
     pub fn output(&self, name: &str) -> Option<&'static str> {
-        self.outputs.iter().find(|(output, _)| *output == name).map(|&(_, register)| register)
+        self.outputs().find(|(output, _)| *output == name).map(|(_, register)| register)
     }
 }
 

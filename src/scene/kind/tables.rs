@@ -2,6 +2,7 @@
 
 use super::dimension::Dimension;
 use super::isl::{ISL21A, ISL22A};
+use super::parts::{ALIGN, JOIN, UNIVERSAL};
 use super::slider::{SLIDER, SLIDER_2D, SLIDER_AXISYMMETRIC};
 use super::slot::{SLOT, SLOT_2D};
 use super::table::Kind;
@@ -9,7 +10,8 @@ use super::translator::TRANSLATOR;
 use super::ujoint::UJOINT;
 
 /// Every kind of element.
-static KINDS: [Kind; 9] = [SLOT, SLOT_2D, TRANSLATOR, UJOINT, SLIDER, SLIDER_2D, SLIDER_AXISYMMETRIC, ISL21A, ISL22A];
+static KINDS: [Kind; 12] =
+    [SLOT, SLOT_2D, TRANSLATOR, ALIGN, UJOINT, JOIN, UNIVERSAL, SLIDER, SLIDER_2D, SLIDER_AXISYMMETRIC, ISL21A, ISL22A];
 
 impl Kind {
     /// Every kind.

@@ -1,15 +1,13 @@
 //! TRANSLATOR: SLOT and ALIGN.
 
 use super::dimension::Dimension;
-use super::shared::{
-    CONSTRAINT_FORCE, CSF1, FORCES, FRICTION, INITIAL, KINETIC_FORCE, LENGTHS, MOMENTS, MOTION, NODES, NORMAL,
-    ORDERED_LENGTHS, RETURN_MAP, SECOND_TRIAD, SLIP, STOP, TRIAL, YIELD,
-};
-use super::table::{Fallback, Kind, Origin, When, always, renamed};
-use crate::scene::rules::{Alignment, Turns};
-use crate::{align, slot, translator};
+use super::parts::{ALIGNED, ALIGNING, MOMENT, TURNED, URS1, URS2, URS3};
+use super::shared::{CSF1, FORCES, FRICTION, INITIAL, LENGTHS, MOMENTS, NODES, ORDERED_LENGTHS, SECOND_TRIAD};
+use super::slot::{ALONG, KINETIC, MOVED, MOVED_3, PLACE, PLACE_3, RUBBED, RUBBING, STOPPED};
+use super::table::{Fallback, Kind, Origin, When, always};
+use crate::{slot, translator};
 use Fallback::Number;
-use Origin::{Initial, Parameter};
+use Origin::Parameter;
 
 /// The levers of a TRANSLATOR's moments; where both are 0, its friction is that of the SLOT.
 const LEVERS: &[&str] = &["rr", "l"];
@@ -22,7 +20,7 @@ pub(super) const TRANSLATOR: Kind = Kind {
         NODES,
         SECOND_TRIAD,
         INITIAL,
-        &[("alpha0", Initial("alpha")), ("beta0", Initial("beta")), ("gamma0", Initial("gamma"))],
+        ALIGNED,
         LENGTHS,
         &[("rr", Parameter(Number(0.0))), ("l", Parameter(Number(0.0)))],
         FRICTION,
@@ -31,56 +29,29 @@ pub(super) const TRANSLATOR: Kind = Kind {
     ],
     ordered: ORDERED_LENGTHS,
     formulas: &[
-        always(&slot::RelativePosition),
-        always(&slot::Constraint),
-        always(&Turns),
-        always(&Alignment),
-        CONSTRAINT_FORCE,
-        renamed(&align::ConstraintMoment, &[("m", "rm")]),
-        MOTION,
-        KINETIC_FORCE[0],
-        KINETIC_FORCE[1],
-        KINETIC_FORCE[2],
-        always(&translator::TorqueForce),
-        always(&translator::RadialForce),
-        always(&translator::BendingForce),
-        always(&slot::ContactForce).when(When::AllZero(LEVERS)),
-        always(&translator::ContactForce).when(When::NotAllZero(LEVERS)),
-        NORMAL,
-        YIELD[0],
-        YIELD[1],
-        YIELD[2],
-        STOP,
-        TRIAL,
-        RETURN_MAP,
-        SLIP,
+        ALONG,
+        &[always(&slot::Constraint)],
+        ALIGNING,
+        &[
+            always(&translator::TorqueForce),
+            always(&translator::RadialForce),
+            always(&translator::BendingForce),
+            always(&slot::ContactForce).when(When::AllZero(LEVERS)),
+            always(&translator::ContactForce).when(When::NotAllZero(LEVERS)),
+        ],
+        RUBBING,
     ],
-    meanings: &[("csf", &CSF1)],
+    meanings: &[("csf", &CSF1), ("urs1", &URS1), ("urs2", &URS2), ("urs3", &URS3)],
     outputs: &[
-        ("X", "x"),
-        ("Y", "y"),
-        ("Z", "z"),
-        ("U1", "u1"),
-        ("U1MAT", "u1_mat"),
-        ("GY", "gy"),
-        ("GZ", "gz"),
-        ("UR1", "ur1"),
-        ("UR2", "ur2"),
-        ("UR3", "ur3"),
-        ("GAPMIN", "gap_min"),
-        ("GAPMAX", "gap_max"),
-        ("RF", "rf"),
-        ("RM", "rm"),
-        ("KF", "kf"),
-        ("FTORQ", "f_torq"),
-        ("FR", "fr"),
-        ("FBEND", "f_bend"),
-        ("FC", "fc"),
-        ("FN", "fn"),
-        ("P", "p"),
-        ("PHI", "phi"),
-        ("CSF1", "csf"),
-        ("SLIP1", "slip"),
-        ("CASU1", "slip_total"),
+        PLACE,
+        PLACE_3,
+        MOVED,
+        MOVED_3,
+        TURNED,
+        STOPPED,
+        MOMENT,
+        KINETIC,
+        &[("MTORQ", "m_torq"), ("FTORQ", "f_torq"), ("FR", "fr"), ("MBEND", "m_bend"), ("FBEND", "f_bend")],
+        RUBBED,
     ],
 };

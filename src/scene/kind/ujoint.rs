@@ -1,14 +1,17 @@
 //! UJOINT: JOIN and UNIVERSAL, with the friction of the cross.
 
 use super::dimension::Dimension;
+use super::parts::{
+    ANGLES, APART, CROSSED, CROSSING, FOLLOWED1, FOLLOWED3, FORCE, JOINED, JOINING, KINETIC_MOMENT, MOMENT,
+};
 use super::shared::{FORCES, MOMENTS, NODES, SECOND_TRIAD, WITH_FRICTION, WITHOUT_FRICTION};
-use super::table::{Fallback, Kind, Origin, Use, always, renamed};
+use super::table::{Fallback, Kind, Origin, Use, When, always, renamed};
 use crate::coulomb::{ReturnMap, Yield};
-use crate::quantity::{CROSS_M1, CROSS_M3, Domain, PHI1, PHI3, Quantity, Unit};
-use crate::scene::rules::{Follow, Joining, Kinetic, Slip, Stick, TURN_STICK, Traction, scalar};
-use crate::{join, ujoint, universal};
-use Fallback::{As, Number, Required};
-use Origin::{Before, Initial, Parameter, Zero};
+use crate::quantity::{CROSS_M1, CROSS_M3, Domain, PHI1, PHI3, Quantity, TWIST_M2, Unit};
+use crate::scene::rules::{Kinetic, Slip, Stick, TURN_STICK, Traction, scalar};
+use crate::{ujoint, universal};
+use Fallback::{Number, Required};
+use Origin::{Before, Parameter, Zero};
 
 /// What friction about an axis is called in the formulas that all connectors share, and here: the first axis, the third.
 const TURN: [&[(&str, &str)]; 2] = [
@@ -48,6 +51,12 @@ const CSM3: Quantity = scalar(
     Domain::Real,
     "friction moment about e3b, positive where it resists positive ur3: on node a, its opposite on node b",
 );
+const M_TWIST: Quantity = scalar(
+    r"M_{\mathrm{twist}}",
+    Unit::FL,
+    Domain::NonNegative,
+    "magnitude of the twisting moment, the constraint moment m2",
+);
 const P1: Quantity =
     scalar(r"P_1", Unit::FL, Domain::NonNegative, "magnitude of the moment about e1a that friction transmits");
 const P3: Quantity =
@@ -59,26 +68,90 @@ const SLIP3: Quantity =
 const TOTAL1: Quantity = scalar(r"s_1", Unit::ONE, Domain::NonNegative, "accumulated slip about e1a, never falling");
 const TOTAL3: Quantity = scalar(r"s_3", Unit::ONE, Domain::NonNegative, "accumulated slip about e3b, never falling");
 
-/// Angles are read off from −π to π, and followed from state to state.
-const FOLLOW: [&[(&str, &str)]; 2] = [
-    &[("angle", "alpha_now"), ("start", "alpha0"), ("turned", "ur1_before"), ("followed", "alpha")],
-    &[("angle", "gamma_now"), ("start", "gamma0"), ("turned", "ur3_before"), ("followed", "gamma")],
-];
-const FOLLOWED1: Quantity = scalar(
-    r"\alpha",
-    Unit::ONE,
-    Domain::Angle,
-    "angle of b's triad relative to a's about e1a, followed over full turns",
-);
-const FOLLOWED3: Quantity = scalar(
-    r"\gamma",
-    Unit::ONE,
-    Domain::Angle,
-    "angle of b's triad relative to a's about e3b, followed over full turns",
-);
 const STICK: [Use; 2] = [renamed(&Stick, TURN[0]), renamed(&Stick, TURN[1])];
 
-/// What holds initially is what the residuals are where nothing is taken off.
+const STOPS: &[&str] = &["theta1_min", "theta1_max", "theta3_min", "theta3_max"];
+/// One stop, which stands for the other of its angle too; the other angle's are 0.
+const fn one_stop(names: &'static [(&'static str, &'static str)]) -> Use {
+    renamed(&ujoint::Stop, names).when(When::NotAllGiven(STOPS))
+}
+const LOWER_1: &[(&str, &str)] = &[
+    ("theta1_max", "theta1_min"),
+    ("theta3_min", "no_number"),
+    ("theta3_max", "no_number"),
+    ("gap1_max", "no_gap"),
+    ("gap3_min", "no_gap"),
+    ("gap3_max", "no_gap"),
+];
+const UPPER_1: &[(&str, &str)] = &[
+    ("theta1_min", "theta1_max"),
+    ("theta3_min", "no_number"),
+    ("theta3_max", "no_number"),
+    ("gap1_min", "no_gap"),
+    ("gap3_min", "no_gap"),
+    ("gap3_max", "no_gap"),
+];
+const LOWER_3: &[(&str, &str)] = &[
+    ("theta3_max", "theta3_min"),
+    ("theta1_min", "no_number"),
+    ("theta1_max", "no_number"),
+    ("gap3_max", "no_gap"),
+    ("gap1_min", "no_gap"),
+    ("gap1_max", "no_gap"),
+];
+const UPPER_3: &[(&str, &str)] = &[
+    ("theta3_min", "theta3_max"),
+    ("theta1_min", "no_number"),
+    ("theta1_max", "no_number"),
+    ("gap3_min", "no_gap"),
+    ("gap1_min", "no_gap"),
+    ("gap1_max", "no_gap"),
+];
+
+const STOPPING: &[Use] = &[
+    always(&ujoint::Stop).when(When::AllGiven(STOPS)),
+    one_stop(LOWER_1),
+    one_stop(UPPER_1),
+    one_stop(LOWER_3),
+    one_stop(UPPER_3),
+];
+/// The kinetic moments: the loads, and friction.
+const KINETIC: &[Use] = &[
+    renamed(&universal::KineticMoment, &[("m", "km")]).when(WITHOUT_FRICTION),
+    renamed(&Kinetic, &[("f_load", "m1"), ("csf", "csm1"), ("f_kinetic", "m1_kinetic")]),
+    renamed(&Kinetic, &[("f_load", "m3"), ("csf", "csm3"), ("f_kinetic", "m3_kinetic")]),
+    renamed(&universal::KineticMoment, &[("m1", "m1_kinetic"), ("m3", "m3_kinetic"), ("m", "km")]).when(WITH_FRICTION),
+];
+/// What the hinges of the cross carry.
+const HINGES: &[Use] = &[
+    always(&ujoint::Reaction),
+    always(&ujoint::Decomposition),
+    renamed(&Traction, &[("csf", "m2"), ("p", "m_twist")]),
+    always(&ujoint::TwistFactors),
+    always(&ujoint::AxialFactors),
+    always(&ujoint::HingeTwist),
+    always(&ujoint::HingeAxial),
+    always(&ujoint::HingeTransverse),
+    always(&ujoint::HingeBending),
+    always(&ujoint::ContactMoments),
+    always(&ujoint::NormalMoments),
+];
+/// Friction about the arms of the cross.
+const RUBBING: &[Use] = &[
+    renamed(&Traction, &[("csf", "no_friction"), ("p", "p1")]).when(WITHOUT_FRICTION),
+    renamed(&Traction, &[("csf", "no_friction"), ("p", "p3")]).when(WITHOUT_FRICTION),
+    renamed(&Traction, &[("csf", "csm1"), ("p", "p1")]).when(WITH_FRICTION),
+    renamed(&Traction, &[("csf", "csm3"), ("p", "p3")]).when(WITH_FRICTION),
+    renamed(&Yield, &[("p", "p1"), ("fn", "mn1"), ("phi", "phi1")]),
+    renamed(&Yield, &[("p", "p3"), ("fn", "mn3"), ("phi", "phi3")]),
+    STICK[0],
+    STICK[1],
+    renamed(&ReturnMap, MAP[0]),
+    renamed(&ReturnMap, MAP[1]),
+    renamed(&Slip, SLIP[0]),
+    renamed(&Slip, SLIP[1]),
+];
+
 pub(super) const UJOINT: Kind = Kind {
     name: "ujoint",
     dimension: Dimension::Space,
@@ -86,16 +159,10 @@ pub(super) const UJOINT: Kind = Kind {
     given: &[
         NODES,
         SECOND_TRIAD,
+        JOINED,
+        CROSSED,
         &[
-            ("no_vector", Zero),
-            ("no_number", Zero),
             ("no_friction", Zero),
-            ("d0", Initial("d")),
-            ("c0", Initial("c")),
-            ("alpha0", Initial("alpha_now")),
-            ("gamma0", Initial("gamma_now")),
-            ("theta1_ref", Parameter(As("alpha0"))),
-            ("theta3_ref", Parameter(As("gamma0"))),
             ("theta1_min", Parameter(Required)),
             ("theta1_max", Parameter(Required)),
             ("theta3_min", Parameter(Required)),
@@ -108,8 +175,6 @@ pub(super) const UJOINT: Kind = Kind {
             ("mc1_int", Parameter(Number(0.0))),
             ("mc3_int", Parameter(Number(0.0))),
             ("k_stick", Parameter(Required)),
-            ("ur1_before", Before("ur1")),
-            ("ur3_before", Before("ur3")),
             ("m1_before", Before("csm1")),
             ("m3_before", Before("csm3")),
             ("slip1_before", Before("slip1_total")),
@@ -119,50 +184,15 @@ pub(super) const UJOINT: Kind = Kind {
         MOMENTS,
     ],
     ordered: &[("theta1_min", "theta1_max"), ("theta3_min", "theta3_max")],
-    formulas: &[
-        always(&join::Constraint),
-        renamed(&join::Constraint, &[("d0", "no_vector"), ("g", "d")]),
-        renamed(&universal::Constraint, &[("g", "g_rot")]),
-        renamed(&universal::Constraint, &[("c0", "no_number"), ("g", "c")]),
-        renamed(&universal::Angles, &[("alpha", "alpha_now"), ("gamma", "gamma_now")]),
-        renamed(&Follow, FOLLOW[0]),
-        renamed(&Follow, FOLLOW[1]),
-        always(&universal::RelativeMotion),
-        always(&ujoint::Stop),
-        renamed(&universal::ConstraintMoment, &[("m", "rm")]),
-        renamed(&Joining, &[("f", "rf")]),
-        renamed(&universal::KineticMoment, &[("m", "km")]).when(WITHOUT_FRICTION),
-        renamed(&Kinetic, &[("f_load", "m1"), ("csf", "csm1"), ("f_kinetic", "m1_kinetic")]),
-        renamed(&Kinetic, &[("f_load", "m3"), ("csf", "csm3"), ("f_kinetic", "m3_kinetic")]),
-        renamed(&universal::KineticMoment, &[("m1", "m1_kinetic"), ("m3", "m3_kinetic"), ("m", "km")])
-            .when(WITH_FRICTION),
-        always(&ujoint::Reaction),
-        always(&ujoint::Decomposition),
-        always(&ujoint::HingeTwist),
-        always(&ujoint::HingeAxial),
-        always(&ujoint::HingeTransverse),
-        always(&ujoint::HingeBending),
-        always(&ujoint::ContactMoments),
-        always(&ujoint::NormalMoments),
-        renamed(&Traction, &[("csf", "no_friction"), ("p", "p1")]).when(WITHOUT_FRICTION),
-        renamed(&Traction, &[("csf", "no_friction"), ("p", "p3")]).when(WITHOUT_FRICTION),
-        renamed(&Traction, &[("csf", "csm1"), ("p", "p1")]).when(WITH_FRICTION),
-        renamed(&Traction, &[("csf", "csm3"), ("p", "p3")]).when(WITH_FRICTION),
-        renamed(&Yield, &[("p", "p1"), ("fn", "mn1"), ("phi", "phi1")]),
-        renamed(&Yield, &[("p", "p3"), ("fn", "mn3"), ("phi", "phi3")]),
-        STICK[0],
-        STICK[1],
-        renamed(&ReturnMap, MAP[0]),
-        renamed(&ReturnMap, MAP[1]),
-        renamed(&Slip, SLIP[0]),
-        renamed(&Slip, SLIP[1]),
-    ],
+    formulas: &[JOINING, CROSSING, STOPPING, KINETIC, HINGES, RUBBING],
     meanings: &[
         ("k_stick", &TURN_STICK),
         ("alpha", &FOLLOWED1),
         ("gamma", &FOLLOWED3),
         ("m1", &CROSS_M1),
         ("m3", &CROSS_M3),
+        ("m2", &TWIST_M2),
+        ("m_twist", &M_TWIST),
         ("p1", &P1),
         ("p3", &P3),
         ("phi1", &PHI1),
@@ -175,42 +205,47 @@ pub(super) const UJOINT: Kind = Kind {
         ("slip3_total", &TOTAL3),
     ],
     outputs: &[
-        ("G", "g"),
-        ("GROT", "g_rot"),
-        ("ALPHA", "alpha"),
-        ("GAMMA", "gamma"),
-        ("UR1", "ur1"),
-        ("UR3", "ur3"),
-        ("UR1MAT", "ur1_mat"),
-        ("UR3MAT", "ur3_mat"),
-        ("GAP1MIN", "gap1_min"),
-        ("GAP1MAX", "gap1_max"),
-        ("GAP3MIN", "gap3_min"),
-        ("GAP3MAX", "gap3_max"),
-        ("RF", "rf"),
-        ("RM", "rm"),
-        ("KM", "km"),
-        ("FR", "fr"),
-        ("FAXIAL1", "f_axial1"),
-        ("FAXIAL3", "f_axial3"),
-        ("FBEND", "f_bend"),
-        ("MTWIST", "m_twist_hinge"),
-        ("FTOTAL1", "f_total_hinge1"),
-        ("FTOTAL3", "f_total_hinge3"),
-        ("MTOTAL", "m_total_hinge"),
-        ("MC1", "mc1"),
-        ("MC3", "mc3"),
-        ("MN1", "mn1"),
-        ("MN3", "mn3"),
-        ("P1", "p1"),
-        ("P3", "p3"),
-        ("PHI1", "phi1"),
-        ("PHI3", "phi3"),
-        ("CSM1", "csm1"),
-        ("CSM3", "csm3"),
-        ("SLIPR1", "slip1"),
-        ("SLIPR3", "slip3"),
-        ("CASUR1", "slip1_total"),
-        ("CASUR3", "slip3_total"),
+        APART,
+        ANGLES,
+        &[("GAP1MIN", "gap1_min"), ("GAP1MAX", "gap1_max"), ("GAP3MIN", "gap3_min"), ("GAP3MAX", "gap3_max")],
+        FORCE,
+        MOMENT,
+        KINETIC_MOMENT,
+        &[
+            ("FR", "fr"),
+            ("FAXIAL1", "f_axial1"),
+            ("FAXIAL3", "f_axial3"),
+            ("FBEND", "f_bend"),
+            ("ALPHATWIST", "alpha_twist"),
+            ("BETATWIST", "beta_twist"),
+            ("ALPHAAXIAL", "alpha_axial"),
+            ("BETAAXIAL", "beta_axial"),
+            ("MTWIST", "m_twist"),
+            ("MTWISTH", "m_twist_hinge"),
+            ("FTWIST", "f_twist_hinge"),
+            ("FHINGE1", "f_axial_hinge1"),
+            ("FHINGE3", "f_axial_hinge3"),
+            ("FTRANSV1", "f_transv_hinge1"),
+            ("FTRANSV3", "f_transv_hinge3"),
+            ("FTOTAL1", "f_total_hinge1"),
+            ("FTOTAL3", "f_total_hinge3"),
+            ("MBEND", "m_bend_hinge"),
+            ("MTOTAL", "m_total_hinge"),
+            ("FTOTALBEND", "f_total_bend"),
+            ("MC1", "mc1"),
+            ("MC3", "mc3"),
+            ("MN1", "mn1"),
+            ("MN3", "mn3"),
+            ("P1", "p1"),
+            ("P3", "p3"),
+            ("PHI1", "phi1"),
+            ("PHI3", "phi3"),
+            ("CSM1", "csm1"),
+            ("CSM3", "csm3"),
+            ("SLIPR1", "slip1"),
+            ("SLIPR3", "slip3"),
+            ("CASUR1", "slip1_total"),
+            ("CASUR3", "slip3_total"),
+        ],
     ],
 };

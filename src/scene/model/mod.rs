@@ -19,7 +19,7 @@ pub struct Scene {
     pub(in crate::scene) orientations: Named<Orientation>,
     pub(in crate::scene) nodes: Named<SceneNode>,
     /// Slide lines, of axisymmetric scenes only.
-    pub(in crate::scene) lines: Named<Surface>,
+    pub(in crate::scene) lines: Named<SceneLine>,
     pub(in crate::scene) elements: Named<SceneElement>,
     pub(in crate::scene) frames: Vec<Frame>,
 }
@@ -41,6 +41,10 @@ impl Scene {
     pub fn elements(&self) -> impl ExactSizeIterator<Item = &str> {
         self.elements.names()
     }
+    /// The kind of an element.
+    pub fn kind(&self, element: &str) -> Option<&'static Kind> {
+        self.elements.number_of(element).map(|number| self.elements[number].kind)
+    }
     /// The times of the states, in order.
     pub fn times(&self) -> impl ExactSizeIterator<Item = f64> {
         self.frames.iter().map(|frame| frame.time)
@@ -53,6 +57,14 @@ pub(super) struct SceneNode {
     pub(super) at: [f64; 3],
     /// The global axes if `None`.
     pub(super) orientation: Option<u32>,
+}
+
+/// A slide line, and how often its torque is wanted.
+#[derive(Clone, Debug)]
+pub(super) struct SceneLine {
+    pub(super) surface: Surface,
+    /// In every how many states; never where it is 0.
+    pub(super) torque_frequency: u32,
 }
 
 /// An element with what it was given.

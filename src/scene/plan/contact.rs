@@ -7,7 +7,7 @@ use super::line::PlanLine;
 use crate::coulomb::ReturnMap;
 use crate::formula::Formula;
 use crate::isl::{IslElement, Slave, Stage, Surface, Wanted};
-use crate::scene::model::{Scene, SceneElement, Sliding};
+use crate::scene::model::{Scene, SceneElement, SceneLine, Sliding};
 use indexmap::IndexMap;
 use std::collections::HashMap;
 
@@ -17,6 +17,8 @@ pub(in crate::scene) struct ContactPlan<'s> {
     /// The name of the line.
     pub(in crate::scene) name: &'s str,
     pub(in crate::scene) surface: &'s Surface,
+    /// In every how many states the torque is a result, beside the last; never where it is 0.
+    pub(in crate::scene) torque_frequency: u32,
     /// Every node that slides on it, once, by its place in the scene.
     pub(in crate::scene) slaves: Vec<Slave>,
     /// The elements of which something is wanted, in the order of the file.
@@ -41,11 +43,15 @@ pub(in crate::scene) enum Output {
     S11,
     S12,
     Torque,
+    Area,
+    Tangent,
+    Normal,
 }
 
 impl Output {
     /// All, in the order of the outputs of the kinds.
-    const ALL: [Self; 5] = [Self::E11, Self::E12, Self::S11, Self::S12, Self::Torque];
+    const ALL: [Self; 8] =
+        [Self::E11, Self::E12, Self::S11, Self::S12, Self::Torque, Self::Area, Self::Tangent, Self::Normal];
 
     pub(in crate::scene) fn name(self) -> &'static str {
         match self {
@@ -54,6 +60,9 @@ impl Output {
             Self::S11 => "S11",
             Self::S12 => "S12",
             Self::Torque => "T",
+            Self::Area => "AREA",
+            Self::Tangent => "T1",
+            Self::Normal => "N",
         }
     }
 
@@ -71,7 +80,13 @@ impl Output {
 impl<'s> ContactPlan<'s> {
     /// A plan per slide line of which something is wanted.
     pub(in crate::scene) fn all(scene: &'s Scene) -> Vec<Self> {
-        let plan = |(name, surface)| Self { name, surface, slaves: Vec::new(), elements: Vec::new() };
+        let plan = |(name, line): (&'s str, &'s SceneLine)| Self {
+            name,
+            surface: &line.surface,
+            torque_frequency: line.torque_frequency,
+            slaves: Vec::new(),
+            elements: Vec::new(),
+        };
         let mut plans: Vec<Self> = scene.lines.iter().map(plan).collect();
         let mut places = HashMap::new();
         for (name, element) in scene.elements.iter().filter(|(_, element)| element.outputs != 0) {
@@ -97,7 +112,7 @@ impl<'s> ContactPlan<'s> {
 
     /// Whether something asks for the torque of the line.
     pub(in crate::scene) fn torque(&self) -> bool {
-        self.elements.iter().any(|element| element.outputs.contains(&Output::Torque))
+        self.elements.iter().any(|element| element.wants(Output::Torque))
     }
 
     /// The plan, a line a formula.
@@ -109,23 +124,29 @@ impl<'s> ContactPlan<'s> {
             }
         }
         stages.sort_unstable_keys();
-        let mut torques: IndexMap<_, usize> = IndexMap::new();
-        for WantedElement { element, .. } in self.elements.iter().filter(|element| element.turns()) {
-            *torques.entry(element.torque_formula()).or_default() += 1;
+        let mut of_elements: IndexMap<_, usize> = IndexMap::new();
+        for wanted in &self.elements {
+            let element = wanted.element;
+            if wanted.wants(Output::Torque) {
+                *of_elements.entry((element.torque_formula(), "output T")).or_default() += 1;
+            }
+            if wanted.wants(Output::Area) {
+                *of_elements.entry((element.area_formula(), "output AREA")).or_default() += 1;
+            }
         }
-        torques.sort_unstable_keys();
+        of_elements.sort_unstable_keys();
         let line = |formula, elements, why| PlanLine { formula, kind: "slide line", elements, once: false, why };
         let of_nodes = stages.into_iter().map(|((stage, formula), nodes)| line(formula, nodes, why(stage)));
         of_nodes
-            .chain(torques.into_iter().map(|(formula, elements)| line(formula, elements, "output T".into())))
+            .chain(of_elements.into_iter().map(|((formula, why), elements)| line(formula, elements, why.into())))
             .collect()
     }
 }
 
 impl WantedElement<'_> {
-    /// Whether its torque is wanted.
-    pub(in crate::scene) fn turns(&self) -> bool {
-        self.outputs.contains(&Output::Torque)
+    /// Whether an output is wanted of it.
+    pub(in crate::scene) fn wants(&self, output: Output) -> bool {
+        self.outputs.contains(&output)
     }
 }
 

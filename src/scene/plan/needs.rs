@@ -15,7 +15,7 @@ pub(in crate::scene) fn wanted(
     kind: &'static Kind,
     outputs: u64,
 ) -> impl Iterator<Item = (&'static str, &'static str)> {
-    kind.outputs.iter().enumerate().filter(move |(bit, _)| outputs >> bit & 1 == 1).map(|(_, &output)| output)
+    kind.outputs().enumerate().filter(move |(bit, _)| outputs >> bit & 1 == 1).map(|(_, output)| output)
 }
 
 impl Needs {

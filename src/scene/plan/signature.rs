@@ -46,6 +46,8 @@ impl Signature {
             When::Always => true,
             When::AllZero(names) => !any(names),
             When::NotAllZero(names) => any(names),
+            When::AllGiven(names) => names.iter().all(|name| self.gives(name)),
+            When::NotAllGiven(names) => !names.iter().all(|name| self.gives(name)),
         }
     }
 

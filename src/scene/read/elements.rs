@@ -6,10 +6,10 @@ use super::keys;
 use super::names::{named, refer, refer_all};
 use super::outputs::Outputs;
 use super::triads::Inherited;
-use crate::isl::{IslElement, Surface};
+use crate::isl::IslElement;
 use crate::scene::json::{Read, Reader};
 use crate::scene::kind::{Dimension, Kind};
-use crate::scene::model::{Named, SceneElement, SceneNode, Sliding};
+use crate::scene::model::{Named, SceneElement, SceneLine, SceneNode, Sliding};
 
 /// An element as far as it could be read.
 pub(super) enum Draft {
@@ -45,7 +45,7 @@ pub(super) fn elements_of(
     reader: &mut Reader,
     dimension: Dimension,
     nodes: &Named<Option<SceneNode>>,
-    lines: &Named<Option<Surface>>,
+    lines: &Named<Option<SceneLine>>,
     wanted: &Outputs,
     inherited: &mut Inherited,
 ) -> Read<Named<Draft>> {
@@ -117,7 +117,7 @@ impl Parts {
         reader: &mut Reader,
         kind: &'static Kind,
         nodes: &Named<Option<SceneNode>>,
-        lines: &Named<Option<Surface>>,
+        lines: &Named<Option<SceneLine>>,
     ) -> Read<Self> {
         let names: Vec<_> = kind.parameters().map(|(name, _)| name).collect();
         let own = if kind.slides() { &keys::SLIDING_ELEMENT[..] } else { &keys::ELEMENT };

@@ -18,7 +18,10 @@ pub(in crate::scene) const FRAME: [&str; 3] = ["time", "nodes", "loads"];
 /// Of a frame of an axisymmetric scene.
 pub(in crate::scene) const SLIDING_FRAME: [&str; 3] = ["time", "nodes", "pressures"];
 pub(in crate::scene) const MOTION: [&str; 2] = ["u", "ur"];
-pub(in crate::scene) const SLIDE_LINE: [&str; 6] = ["type", "nodes", "smoothing", "pressure", "damping", "friction"];
+pub(in crate::scene) const SLIDE_LINE: [&str; 8] =
+    ["type", "nodes", "generate", "smoothing", "pressure", "damping", "friction", "torque_frequency"];
+/// Of nodes that are generated.
+pub(in crate::scene) const GENERATE: [&str; 3] = ["first", "last", "increment"];
 /// The types of slide lines.
 pub(in crate::scene) const TYPES: [(&str, Interpolation); 2] =
     [("linear", Interpolation::Linear), ("parabolic", Interpolation::Parabolic)];

@@ -10,7 +10,7 @@ pub(super) struct Outputs(Vec<(String, usize)>);
 impl Outputs {
     pub(super) fn read(reader: &mut Reader, dimension: Dimension) -> Read<Self> {
         let kinds: Vec<_> = Kind::all().filter(|kind| kind.dimension == dimension).collect();
-        let mut known: Vec<_> = kinds.iter().flat_map(|kind| kind.outputs.iter().map(|&(name, _)| name)).collect();
+        let mut known: Vec<_> = kinds.iter().flat_map(|kind| kind.outputs().map(|(name, _)| name)).collect();
         known.sort_unstable();
         known.dedup();
         Self::of(reader, &known)
@@ -18,7 +18,7 @@ impl Outputs {
 
     /// Those of an element of this kind: a bit per output.
     pub(super) fn of_element(reader: &mut Reader, kind: &Kind) -> Read<u64> {
-        let known: Vec<_> = kind.outputs.iter().map(|&(name, _)| name).collect();
+        let known: Vec<_> = kind.outputs().map(|(name, _)| name).collect();
         Ok(Self::of(reader, &known)?.mask(kind))
     }
 
@@ -42,7 +42,7 @@ impl Outputs {
     /// A bit per output of the kind.
     pub(super) fn mask(&self, kind: &Kind) -> u64 {
         let wanted = |name: &str| self.0.iter().any(|(output, _)| output == name);
-        let bits = kind.outputs.iter().enumerate().filter(|(_, (name, _))| wanted(name));
+        let bits = kind.outputs().enumerate().filter(|(_, (name, _))| wanted(name));
         bits.fold(0, |mask, (bit, _)| mask | 1 << bit)
     }
 

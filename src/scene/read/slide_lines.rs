@@ -2,51 +2,121 @@
 
 use super::given::{Given, count, numbers};
 use super::keys;
-use super::names::{named, refer_all};
+use super::names::{look_up, named, refer_all};
 use crate::error::Error;
 use crate::isl::{Interaction, Surface};
 use crate::quantity::{Domain, FRACTION};
 use crate::scene::json::{Read, Reader};
-use crate::scene::model::{Named, SceneNode};
+use crate::scene::model::{Named, SceneLine, SceneNode};
 use crate::slide_line::{Interpolation, SlideLine};
+use std::ops::RangeInclusive;
 
 /// The slide lines of a scene; their nodes have the numbers of the scene's.
-pub(super) fn slide_lines_of(reader: &mut Reader, nodes: &Named<Option<SceneNode>>) -> Read<Named<Option<Surface>>> {
+pub(super) fn slide_lines_of(reader: &mut Reader, nodes: &Named<Option<SceneNode>>) -> Read<Named<Option<SceneLine>>> {
     named(reader, |reader, _| slide_line(reader, nodes))
 }
 
-fn slide_line(reader: &mut Reader, nodes: &Named<Option<SceneNode>>) -> Read<Option<Surface>> {
+fn slide_line(reader: &mut Reader, nodes: &Named<Option<SceneNode>>) -> Read<Option<SceneLine>> {
     let place = reader.place();
-    let (mut interpolation, mut ends, mut smoothing) = (None, None, None);
+    let (mut interpolation, mut ends, mut smoothing, mut frequency) = (None, Vec::new(), None, Some(1));
     let (mut interaction, mut damping, mut friction) = (Some(Interaction::default()), None, None);
     let is_object = reader.record(&keys::SLIDE_LINE, |reader, key| {
         match key {
             0 => interpolation = Some(type_of(reader)?),
-            1 => ends = Some(refer_all(reader, nodes, "an array of nodes, in sequence", "node")?),
-            2 => smoothing = reader.number(FRACTION.domain)?,
-            3 => interaction = pressure_of(reader)?,
-            4 => damping = all_of(reader, keys::DAMPING)?,
-            _ => friction = all_of(reader, keys::FRICTION)?,
+            1 => ends.push(refer_all(reader, nodes, "an array of nodes, in sequence", "node")?),
+            2 => ends.push(generated(reader, nodes)?),
+            3 => smoothing = reader.number(FRACTION.domain)?,
+            4 => interaction = pressure_of(reader)?,
+            5 => damping = all_of(reader, keys::DAMPING)?,
+            6 => friction = all_of(reader, keys::FRICTION)?,
+            _ => frequency = whole(reader, 0..=u32::MAX)?,
         }
         Ok(())
     })?;
-    for (missing, key) in [(interpolation.is_none(), "type"), (ends.is_none(), "nodes")] {
-        if is_object && missing {
-            reader.fault(place, format!("a slide line without {key:?}"), "a slide line with type and nodes");
-        }
+    if is_object && interpolation.is_none() {
+        reader.fault(place, "a slide line without \"type\"", "a slide line with type and nodes");
     }
-    let numbers = ends.flatten().and_then(|ends| ends.into_iter().collect::<Option<Vec<u32>>>());
+    if is_object && ends.len() != 1 {
+        let found = if ends.is_empty() { "without \"nodes\"" } else { "with \"nodes\" and \"generate\"" };
+        reader.fault(place, format!("a slide line {found}"), "a slide line with type and nodes, or generate");
+    }
+    let numbers = ends.into_iter().next().flatten().and_then(|ends| ends.into_iter().collect::<Option<Vec<u32>>>());
     let (Some(interpolation), Some(numbers), Some(interaction)) = (interpolation.flatten(), numbers, interaction)
     else {
         return Ok(None);
     };
     match surface(interpolation, numbers, smoothing, interaction, damping, friction) {
-        Ok(surface) => Ok(Some(surface)),
+        Ok(surface) => Ok(frequency.map(|torque_frequency| SceneLine { surface, torque_frequency })),
         Err(error) => {
             reader.reject(place, &error);
             Ok(None)
         }
     }
+}
+
+/// A whole number of a range.
+fn whole(reader: &mut Reader, range: RangeInclusive<u32>) -> Read<Option<u32>> {
+    let place = reader.place();
+    let Some(number) = reader.number(Domain::Real)? else { return Ok(None) };
+    let within = number.fract() == 0.0 && (f64::from(*range.start())..=f64::from(*range.end())).contains(&number);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a whole number in the range")]
+    let found = within.then_some(number as u32);
+    if found.is_none() {
+        let allowed = format!("a whole number from {} to {}", range.start(), range.end());
+        reader.fault(place, format!("{number:?}"), allowed);
+    }
+    Ok(found)
+}
+
+/// Nodes whose names are one word with numbers behind it, from a first to a last: `rail 1`, `rail 3`, `rail 5`.
+fn generated(reader: &mut Reader, nodes: &Named<Option<SceneNode>>) -> Read<Option<Vec<Option<u32>>>> {
+    let place = reader.place();
+    let (mut ends, mut increment) = ([None, None], Some(1));
+    let is_object = reader.record(&keys::GENERATE, |reader, key| {
+        match key {
+            2 => increment = whole(reader, 1..=u32::MAX)?,
+            end => {
+                let at = reader.place();
+                ends[end] = Some(reader.string("the name of a node")?.map(|name| (name, at)));
+            }
+        }
+        Ok(())
+    })?;
+    let [Some(first), Some(last)] = ends else {
+        if is_object {
+            reader.fault(
+                place,
+                "generated nodes without \"first\" or \"last\"",
+                "first, last, and increment if it is not 1",
+            );
+        }
+        return Ok(None);
+    };
+    let (Some((first, _)), Some((last, at)), Some(increment)) = (first, last, increment) else { return Ok(None) };
+    let (Some((word, from)), Some((other, to))) = (numbered(&first), numbered(&last)) else {
+        reader.fault(at, format!("{first:?} to {last:?}"), "names that end in a number");
+        return Ok(None);
+    };
+    if word != other || from > to || !(to - from).is_multiple_of(increment) {
+        let allowed = format!("{word:?} with a number that is {from} and a multiple of {increment} more");
+        reader.fault(at, format!("{last:?}"), allowed);
+        return Ok(None);
+    }
+    let mut found = Vec::new();
+    for number in (from..=to).step_by(increment as usize) {
+        found.push(look_up(reader, nodes, place, &format!("{word}{number}"), "node"));
+        // A wrong end may count billions.
+        if found.ends_with(&[None]) {
+            break;
+        }
+    }
+    Ok(Some(found))
+}
+
+/// A name that ends in a number: what stands before it, and the number.
+fn numbered(name: &str) -> Option<(&str, u32)> {
+    let word = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    Some((word, name[word.len()..].parse().ok()?))
 }
 
 fn surface(

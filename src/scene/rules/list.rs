@@ -1,8 +1,24 @@
 //! Every formula that scenes add to the documented ones.
 
-use super::{Alignment, Follow, Joining, KeptAxis, KeptAxis2d, Kinetic, Slip, Stick, Traction, Turns};
+use super::{
+    Alignment, Bearing, Follow, Joining, KeptAxis, KeptAxis2d, Kinetic, PivotAxes, Slip, Stick, Traction, TurnedBack,
+    Turns,
+};
 use crate::catalog::AnyFormula;
 
 /// The formulas of this module.
-pub const RULES: &[&dyn AnyFormula] =
-    &[&Stick, &Follow, &Slip, &Kinetic, &Traction, &Joining, &Turns, &Alignment, &KeptAxis, &KeptAxis2d];
+pub const RULES: &[&dyn AnyFormula] = &[
+    &Stick,
+    &Follow,
+    &Slip,
+    &Kinetic,
+    &Traction,
+    &Joining,
+    &Turns,
+    &Alignment,
+    &KeptAxis,
+    &KeptAxis2d,
+    &PivotAxes,
+    &Bearing,
+    &TurnedBack,
+];

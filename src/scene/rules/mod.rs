@@ -6,13 +6,17 @@
 
 #![expect(clippy::inline_always, reason = "a call would write the inputs to memory, and wait for them there")]
 
+mod axes;
 mod list;
 #[cfg(feature = "verify")]
 mod proof;
+mod since;
 
+pub use axes::{AXES, EliminatedAxes, LineNodes, PivotAxes};
 pub use list::RULES;
+pub use since::{Bearing, Carried, Q1, Q2, Q3, R1, R2, R3, R10, R20, R30, Seen, TurnedAxes, TurnedBack};
 
-use crate::align::{Misalignment, Orientations};
+use crate::align::{self, Misalignment, Moments, Orientations, wrapped};
 use crate::cardan::{
     Angles, BetaAxes, BetaTwoArgument, CardanAngles, Oriented, Triads, accurate, accurate_jacobian, check_start,
     check_turns, nearest,
@@ -21,13 +25,13 @@ use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec, along};
 use crate::quantity::{
-    Domain, E1A, E2A, E3A, F_TANGENTIAL, F_TRIAL, F2, F3, FORCE, JOIN_F1, P, Quantity, SLIDER_DXM, SLIDER_DXMK,
-    SLIDER_X1, SLIDER_X1_PLANE, SLIDER_XM, SLIDER_XM_PLANE, SLIDER_XMK, SLIDER_XN, SLIDER_XN_PLANE, Shape, U1, Unit,
+    Domain, E1A, E2A, E3A, F_TANGENTIAL, F_TRIAL, F2, F3, FORCE, JOIN_F1, P, Quantity, SLIDER_DXM, SLIDER_DXM_PLANE,
+    SLIDER_DXMK, SLIDER_X1, SLIDER_X1_PLANE, SLIDER_XM, SLIDER_XM_PLANE, SLIDER_XMK, SLIDER_XN, SLIDER_XN_PLANE, Shape,
+    U1, Unit,
 };
-use crate::scalar::{Scalar, abs, pi, sign};
+use crate::scalar::{Scalar, abs, sign};
 use crate::slider::{Eliminate, Increment2d, Pivots, Pivots2d};
 use nalgebra::{Vector2, Vector3};
-use std::f64::consts::PI;
 
 pub(in crate::scene) const fn scalar(
     latex: &'static str,
@@ -260,6 +264,15 @@ fields! {
     pub struct JoinForce<T> { f: Vector3<T> = FORCE }
 }
 
+impl<D: Scalar> JoinLoads<D> {
+    /// The same sum along a's axes as that of ALIGN's moments.
+    #[inline(always)]
+    fn moments(&self) -> Moments<D> {
+        let Self { e1a, e2a, e3a, f1, f2, f3 } = *self;
+        Moments { e1a, e2a, e3a, m1: f1, m2: f2, m3: f3 }
+    }
+}
+
 /// The force on b that JOIN transmits: f = f1 e1a + f2 e2a + f3 e3a.
 #[derive(Clone, Copy, Debug)]
 pub struct Joining;
@@ -273,20 +286,13 @@ impl Formula for Joining {
 
     #[inline(always)]
     fn eval<D: Scalar>(i: &JoinLoads<D>) -> JoinForce<D> {
-        JoinForce { f: i.e1a * i.f1 + i.e2a * i.f2 + i.e3a * i.f3 }
+        JoinForce { f: align::ConstraintMoment::eval(&i.moments()).m }
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &JoinLoads<D>) -> Jacobian<Self, D> {
-        let row = |k| JoinLoads {
-            e1a: along(k, i.f1),
-            e2a: along(k, i.f2),
-            e3a: along(k, i.f3),
-            f1: i.e1a[k],
-            f2: i.e2a[k],
-            f3: i.e3a[k],
-        };
-        JoinForce { f: Vector3::new(row(0), row(1), row(2)) }
+        let row = |Moments { e1a, e2a, e3a, m1, m2, m3 }| JoinLoads { e1a, e2a, e3a, f1: m1, f2: m2, f3: m3 };
+        JoinForce { f: align::ConstraintMoment::jacobian(&i.moments()).m.map(row) }
     }
 }
 
@@ -341,26 +347,13 @@ impl Formula for Alignment {
 
     #[inline]
     fn jacobian<D: Scalar>(i: &Orientations<D>) -> Jacobian<Self, D> {
-        let Angles { alpha, beta, gamma } = accurate_jacobian(&i.triads());
-        Misalignment {
-            ur1: Orientations { alpha0: -D::one(), ..Orientations::of(alpha) },
-            ur2: Orientations { beta0: -D::one(), ..Orientations::of(beta) },
-            ur3: Orientations { gamma0: -D::one(), ..Orientations::of(gamma) },
-        }
+        Misalignment::since_start(accurate_jacobian(&i.triads()))
     }
 
     #[inline]
     fn validate(i: &Orientations<f64>) -> Result<(), Error> {
         check_turns(&i.triads())
     }
-}
-
-/// The difference of two angles, less a full turn where it is beyond half a turn; π to the precision of `D`.
-fn wrapped<D: Scalar>(difference: D) -> D {
-    if abs(difference) <= PI {
-        return difference;
-    }
-    difference - pi::<D>() * sign(difference) * 2.0
 }
 
 fields! {
@@ -412,14 +405,11 @@ impl Formula for KeptAxis {
     }
 }
 
-/// Increment of node m in the plane.
-pub const DXM_PLANE: Quantity = Quantity { shape: Shape::Vec2, ..SLIDER_DXM };
-
 fields! {
     /// The line, node m and its increment, in the plane.
     pub struct KeptNodes2d<T> {
         x1: Vector2<T> = SLIDER_X1_PLANE, xn: Vector2<T> = SLIDER_XN_PLANE, xm: Vector2<T> = SLIDER_XM_PLANE,
-        dxm: Vector2<T> = DXM_PLANE,
+        dxm: Vector2<T> = SLIDER_DXM_PLANE,
     }
 }
 

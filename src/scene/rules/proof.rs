@@ -1,6 +1,9 @@
 //! Evidence for the formulas next door: none beyond what every formula owes.
 
-use super::{Alignment, Follow, Joining, KeptAxis, KeptAxis2d, Kinetic, Slip, Stick, Traction, Turns};
+use super::{
+    Alignment, Bearing, Follow, Joining, KeptAxis, KeptAxis2d, Kinetic, PivotAxes, Slip, Stick, Traction, TurnedBack,
+    Turns,
+};
 use crate::proof::Proved;
 
 impl Proved for Stick {}
@@ -22,3 +25,9 @@ impl Proved for Alignment {}
 impl Proved for KeptAxis {}
 
 impl Proved for KeptAxis2d {}
+
+impl Proved for PivotAxes {}
+
+impl Proved for Bearing {}
+
+impl Proved for TurnedBack {}

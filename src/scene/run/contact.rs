@@ -2,7 +2,7 @@
 
 use super::nodes::NodeStates;
 use crate::error::Error;
-use crate::isl::{Failure, Motion, Slave, SlaveState, Tally, torque, total_torque};
+use crate::isl::{Failure, Motion, Slave, SlaveState, Tally, areas, torque, total_torque};
 use crate::scene::evaluate::Number;
 use crate::scene::model::Changes;
 use crate::scene::plan::{ContactPlan, Output, WantedElement};
@@ -15,9 +15,14 @@ use rayon::prelude::*;
 pub(super) struct ContactRun<'s, T> {
     plan: &'s ContactPlan<'s>,
     slaves: Vec<SlaveRun<T>>,
+    /// The areas of every element of which they are wanted.
+    areas: Vec<ArrayVec<T, 3>>,
     /// The torque of every element, and that of the line.
     torques: Vec<T>,
     total: T,
+    /// How many states there were, and whether the torque is a result of the current one.
+    states: u32,
+    shows_torque: bool,
     tally: Tally,
 }
 
@@ -25,6 +30,8 @@ pub(super) struct ContactRun<'s, T> {
 #[derive(Clone, Debug)]
 struct SlaveRun<T> {
     state: SlaveState<T>,
+    /// The tangent of the line at the closest point.
+    tangent: Vector2<T>,
     /// The pressure of hard contact, given by the frames.
     multiplier: f64,
 }
@@ -36,6 +43,8 @@ pub(super) struct Increment<'m, T> {
     pub(super) duration: Option<f64>,
     /// What changes of the pressures of hard contact.
     pub(super) pressures: &'m Changes<f64>,
+    /// Whether the state is the last.
+    pub(super) is_last: bool,
 }
 
 impl<T: Number> Motion<T> for Increment<'_, T> {
@@ -68,12 +77,15 @@ impl Outcome {
 
 impl<'s, T: Number> ContactRun<'s, T> {
     pub(super) fn new(plan: &'s ContactPlan<'s>) -> Self {
-        let at_rest = SlaveRun { state: SlaveState::at_rest(), multiplier: 0.0 };
+        let at_rest = SlaveRun { state: SlaveState::at_rest(), tangent: Vector2::zeros(), multiplier: 0.0 };
         Self {
             plan,
             slaves: vec![at_rest; plan.slaves.len()],
+            areas: vec![ArrayVec::new(); plan.elements.len()],
             torques: vec![T::zero(); plan.elements.len()],
             total: T::zero(),
+            states: 0,
+            shows_torque: false,
             tally: Tally::default(),
         }
     }
@@ -86,7 +98,10 @@ impl<'s, T: Number> ContactRun<'s, T> {
                 run.multiplier = pressure;
             }
             let advanced = placed.advance(&mut run.state, slave, run.multiplier, increment, &mut all.tally);
-            all.failures.extend(advanced.err());
+            match advanced {
+                Ok(closest) => run.tangent = closest.tangent,
+                Err(failure) => all.failures.push(failure),
+            }
             all
         };
         let slaves = self.slaves.par_iter_mut().zip(&self.plan.slaves);
@@ -95,14 +110,28 @@ impl<'s, T: Number> ContactRun<'s, T> {
         if !failures.is_empty() {
             return Err(failures);
         }
-        self.turn(increment).map_err(|failure| vec![failure])
+        self.states += 1;
+        let frequency = self.plan.torque_frequency;
+        self.shows_torque = frequency > 0 && (increment.is_last || self.states.is_multiple_of(frequency));
+        self.measure(increment).and_then(|()| self.turn(increment)).map_err(|failure| vec![failure])
+    }
+
+    /// The areas that are wanted.
+    fn measure(&mut self, increment: &Increment<'_, T>) -> Result<(), Failure> {
+        let elements = self.areas.iter_mut().zip(&self.plan.elements);
+        for (of_element, WantedElement { element, .. }) in elements.filter(|(_, element)| element.wants(Output::Area)) {
+            *of_element = areas(element, increment, &mut self.tally)?;
+        }
+        Ok(())
     }
 
     /// The torques that are wanted, from the pressures that push.
     fn turn(&mut self, increment: &Increment<'_, T>) -> Result<(), Failure> {
         self.total = T::zero();
         let elements = self.torques.iter_mut().zip(&self.plan.elements);
-        for (of_element, WantedElement { element, slaves, .. }) in elements.filter(|(_, element)| element.turns()) {
+        for (of_element, WantedElement { element, slaves, .. }) in
+            elements.filter(|(_, element)| element.wants(Output::Torque))
+        {
             let push = |k: usize| Ok(self.slaves[slaves[k]].state.push());
             *of_element = torque(element, increment, push, &mut self.tally)?;
             self.total = total_torque(self.total, element, *of_element)?;
@@ -122,26 +151,34 @@ impl<'s, T: Number> ContactRun<'s, T> {
 
     /// Results of the current state: those of the elements in the order of the file, then the torque of the line.
     pub(super) fn for_each_result(&self, limit: usize, visit: &mut impl FnMut(&'s str, &'static str, &[T])) {
-        for (element, torque) in self.plan.elements.iter().zip(&self.torques).take(limit) {
-            for output in &element.outputs {
-                let nodes = element.slaves.iter().map(|&slave| &self.slaves[slave].state);
-                let components: ArrayVec<T, 3> = match output {
-                    Output::E11 => nodes.map(|state| state.e11).collect(),
-                    Output::E12 => nodes.map(|state| state.e12).collect(),
-                    Output::S11 => nodes.map(|state| state.s11).collect(),
-                    Output::S12 => nodes.map(|state| state.s12).collect(),
-                    Output::Torque => std::iter::once(*torque).collect(),
-                };
-                visit(element.name, output.name(), &components);
+        for (k, element) in self.plan.elements.iter().enumerate().take(limit) {
+            for &output in &element.outputs {
+                visit(element.name, output.name(), &self.components(k, element, output));
             }
         }
         if self.plan.torque() {
-            visit(self.plan.name, Output::Torque.name(), &[self.total]);
+            let total = self.shows_torque.then_some(self.total);
+            visit(self.plan.name, Output::Torque.name(), total.as_slice());
+        }
+    }
+
+    /// The components of an output of an element, which has this place among those of the plan.
+    fn components(&self, place: usize, element: &WantedElement<'_>, output: Output) -> ArrayVec<T, 6> {
+        let slaves = element.slaves.iter().map(|&slave| &self.slaves[slave]);
+        match output {
+            Output::E11 => slaves.map(|slave| slave.state.e11).collect(),
+            Output::E12 => slaves.map(|slave| slave.state.e12).collect(),
+            Output::S11 => slaves.map(|slave| slave.state.s11).collect(),
+            Output::S12 => slaves.map(|slave| slave.state.s12).collect(),
+            Output::Torque => self.shows_torque.then_some(self.torques[place]).into_iter().collect(),
+            Output::Area => self.areas[place].iter().copied().collect(),
+            Output::Tangent => slaves.flat_map(|slave| [slave.tangent.x, slave.tangent.y]).collect(),
+            Output::Normal => slaves.flat_map(|slave| [-slave.tangent.y, slave.tangent.x]).collect(),
         }
     }
 
     /// Bytes that last from state to state.
     pub(super) fn bytes(&self) -> usize {
-        size_of_val(&*self.slaves) + size_of_val(&*self.torques)
+        size_of_val(&*self.slaves) + size_of_val(&*self.areas) + size_of_val(&*self.torques)
     }
 }

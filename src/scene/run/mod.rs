@@ -97,7 +97,8 @@ impl<'s, T: Number> Run<'s, T> {
     fn slide(&mut self, frame: &Frame) -> Vec<Problem> {
         let last = self.states.checked_sub(1).map(|last| &self.scene.frames[last]);
         let duration = last.map(|last| frame.time - last.time);
-        let increment = Increment { nodes: &self.nodes, duration, pressures: &frame.pressures };
+        let is_last = self.states + 1 == self.scene.frames.len();
+        let increment = Increment { nodes: &self.nodes, duration, pressures: &frame.pressures, is_last };
         let (scene, state) = (self.scene, self.states);
         let mut problems = Vec::new();
         for contact in &mut self.contacts {

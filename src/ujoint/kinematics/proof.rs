@@ -8,6 +8,7 @@ use crate::join::{self};
 use crate::proof::{Case, Law, Proved, hard, law};
 use crate::universal::{self};
 use nalgebra::Vector3;
+use num_traits::Zero;
 
 impl Proved for Constraint {
     fn cases() -> Vec<Case<Jointed<f64>>> {
@@ -64,6 +65,20 @@ impl Proved for Constraint {
                 sides.extend(law::equal_vectors(jac.g_rot.e3b, by_universal.g.e3b));
                 sides
             }),
+            Law::<Self>::new(
+                "exchanging the nodes and the arms of the cross changes neither the distance nor the angle that is held",
+                |i| {
+                    let ([e1a, e2a, e3a], zero) = (law::orthonormal([i.e1a, i.e2a, i.e3a]), Octuple::zero());
+                    // The other axes of b are any.
+                    let [e3b, p, q] = law::orthonormal([i.e3b, i.e2a, i.e1a]);
+                    let here = Jointed { e1a, e2a, e3a, e3b, d0: Vector3::from_element(zero), ..*i };
+                    let there = Jointed { e1a: e3b, e2a: p, e3a: q, e3b: e1a, xa: i.xb, xb: i.xa, ..here };
+                    let (held, exchanged) = (Self::eval(&here), Self::eval(&there));
+                    let mut sides = law::equal(law::length(held.g), law::length(exchanged.g));
+                    sides.extend(law::equal_with(held.g_rot, exchanged.g_rot, Octuple::from(1.0)));
+                    sides
+                },
+            ),
             Law::<Self>::new(
                 "under any translation and spin of both nodes, Jacobianᵀ · (f1, f2, f3, m2) is the force F on b, -F on a with the moment -d × F, and the moment m2 e3b × e1a between them",
                 |i| {

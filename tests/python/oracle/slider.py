@@ -108,6 +108,20 @@ def constraint_2d(x1, xn, xm):
     return dict(g=dot(sub(xm, x1), [-n[1], n[0]]))
 
 
+@formula("slider.eliminate_2d", "x1:2 xn:2 xmk", "xmi")
+def eliminate_2d(x1, xn, xmk):
+    d = span_of(x1, xn)
+    k = branch(0 if abs(d[0]) >= abs(d[1]) else 1)
+    i = 1 - k
+    return dict(xmi=x1[i] + d[i] / d[k] * (xmk - x1[k]))
+
+
+@formula("slider.incremental_constraint_2d", "x1:2 xn:2 xm:2 dx1:2 dxn:2 dxm:2", "r")
+def incremental_constraint_2d(x1, xn, xm, dx1, dxn, dxm):
+    n = unit(span_of(x1, xn))
+    return dict(r=dot(sub(dxm, blend(x1, xn, xm, dx1, dxn)), [-n[1], n[0]]))
+
+
 @formula("slider.increment_2d", "x1:2 xn:2 xm:2 dx1:2 dxn:2 dxmk", "dxmi")
 def increment_2d(x1, xn, xm, dx1, dxn, dxmk):
     d = span_of(x1, xn)

@@ -3,6 +3,7 @@
 mod arm;
 mod cardan;
 pub(crate) mod chart;
+mod signs;
 mod slide_line;
 mod slider;
 mod thread;
@@ -21,7 +22,8 @@ pub(crate) fn all() -> Vec<(String, String)> {
         thread::tilted_flank(),
     ];
     charts.extend(slider::charts());
-    charts.iter().map(|chart| (chart.name.to_owned(), chart.svg())).collect()
+    let charts = charts.iter().map(|chart| (chart.name.to_owned(), chart.svg()));
+    charts.chain([(signs::NAME.to_owned(), signs::svg())]).collect()
 }
 
 /// Every table, by the name that `{{#output name}}` gives.

@@ -32,7 +32,7 @@ fn described(kind: &'static Kind) -> [Table; 2] {
         vec![format!("`{name}`"), meaning(kind, name), without]
     };
     let load = |name: &str| vec![format!("`{name}`"), meaning(kind, name), "a load, 0 until a frame gives it".into()];
-    let output = |&(name, register): &(&str, &str)| {
+    let output = |(name, register): (&str, &str)| {
         let formulas: Vec<_> = kind.writers(register).map(|formula| format!("`{}`", formula.id())).collect();
         vec![format!("`{name}`"), meaning(kind, register), formulas.join(", ")]
     };
@@ -46,7 +46,7 @@ fn described(kind: &'static Kind) -> [Table; 2] {
         },
         Table {
             head: head(["Output", "Meaning", "Formula"]),
-            rows: kind.outputs.iter().map(output).collect(),
+            rows: kind.outputs().map(output).collect(),
             ..Table::default()
         },
     ]

@@ -10,7 +10,7 @@ const CURVES: usize = 4;
 pub(crate) fn charts(results: &Results) -> Vec<(&'static str, String)> {
     let mut outputs: Vec<&'static str> = Vec::new();
     for series in &results.series {
-        let drawable = results.times.len() > 1 && series.values.iter().all(|values| values.len() == 1);
+        let drawable = results.times.len() > 1 && series.values.iter().all(|values| values.len() <= 1);
         if drawable && !outputs.contains(&series.output) {
             outputs.push(series.output);
         }
@@ -24,8 +24,8 @@ pub(crate) fn chart(results: &Results, output: &str, name: &str, label: &str, de
     let curves: Vec<_> = of_output
         .enumerate()
         .map(|(k, series)| {
-            let values = series.values.iter().filter_map(|values| values.first());
-            let points: Vec<_> = results.times.iter().copied().zip(values.copied()).collect();
+            let values = results.times.iter().zip(&series.values);
+            let points: Vec<_> = values.filter_map(|(&time, values)| Some((time, *values.first()?))).collect();
             // The names stand beside different points, so as not to cover each other.
             let label_at = points.len() * (k + 1) / (CURVES + 1);
             Curve { name: &series.element, label_at, points }

@@ -94,7 +94,7 @@ fn text(scene: &Scene, results: &Results, exact: Option<&Results>) -> anyhow::Re
     let order = |output: &str| results.series.iter().position(|series| series.output == output);
     outputs.sort_by_key(|output| order(output));
     for output in outputs {
-        writeln!(text, "{}  {}", bold(output), meaning(scene, output))?;
+        writeln!(text, "{}  {}", bold(output), meaning(scene, results, output))?;
         let times = results.times.iter().map(|time| format!("{time:?}")).collect();
         let mut columns = vec![Column { heading: "time".into(), numbers: times }];
         for (k, series) in results.series.iter().enumerate().filter(|(_, series)| series.output == output) {
@@ -115,19 +115,20 @@ fn text(scene: &Scene, results: &Results, exact: Option<&Results>) -> anyhow::Re
 }
 
 fn add_columns(columns: &mut Vec<Column>, series: &Series, exact: Option<&Series>) {
-    let width = series.values.first().map_or(0, Vec::len);
+    // A torque is not there in every state.
+    let width = series.values.iter().map(Vec::len).max().unwrap_or(0);
     for component in 0..width {
         let heading = match width {
             1 => series.element.clone(),
             _ => format!("{}[{component}]", series.element),
         };
-        let numbers = |of: &dyn Fn(usize) -> f64, digits: &dyn Fn(f64) -> String| {
-            (0..series.values.len()).map(|state| digits(of(state))).collect()
+        let numbers = |of: &dyn Fn(usize) -> Option<f64>, digits: &dyn Fn(f64) -> String| {
+            (0..series.values.len()).map(|state| of(state).map_or_else(String::new, digits)).collect()
         };
-        let value = |state: usize| series.values[state][component];
+        let value = |state: usize| series.values[state].get(component).copied();
         columns.push(Column { heading, numbers: numbers(&value, &digits) });
         if let Some(exact) = exact {
-            let error = |state: usize| value(state) - exact.values[state][component];
+            let error = |state: usize| Some(value(state)? - exact.values[state].get(component)?);
             let numbers = numbers(&error, &|x| if x == 0.0 { "0".into() } else { format!("{x:.1e}") });
             columns.push(Column { heading: "error".into(), numbers });
         }
@@ -165,11 +166,25 @@ fn table(text: &mut String, columns: &[Column]) -> std::fmt::Result {
     Ok(())
 }
 
-/// What an output is, with its unit.
-fn meaning(scene: &Scene, output: &str) -> String {
-    let kinds = Kind::all().filter(|kind| kind.dimension == scene.dimension());
-    let mut quantities = kinds.filter_map(|kind| kind.output(output).and_then(|register| kind.quantity(register)));
-    quantities.next().map_or_else(String::new, |quantity| format!("{} ({})", quantity.meaning, quantity.unit))
+/// What an output is of the elements that show it, with its unit: one meaning, or one for each kind that means something else.
+fn meaning(scene: &Scene, results: &Results, output: &str) -> String {
+    let of_output = results.series.iter().filter(|series| series.output == output);
+    // The torque of a slide line goes by the name of the line; it is that of its elements.
+    let sliding = || Kind::all().find(|kind| kind.slides() && kind.output(output).is_some());
+    let mut kinds: Vec<&Kind> = of_output.filter_map(|series| scene.kind(&series.element).or_else(sliding)).collect();
+    kinds.dedup_by_key(|kind| kind.name);
+    let mut meanings: Vec<(&str, String)> = Vec::new();
+    for kind in kinds {
+        let Some(quantity) = kind.output(output).and_then(|register| kind.quantity(register)) else { continue };
+        let words = format!("{} ({})", quantity.meaning, quantity.unit);
+        if meanings.iter().all(|(_, known)| *known != words) {
+            meanings.push((kind.name, words));
+        }
+    }
+    match &*meanings {
+        [(_, one)] => one.clone(),
+        several => several.iter().map(|(kind, words)| format!("{kind}: {words}")).collect::<Vec<_>>().join("; "),
+    }
 }
 
 /// A CSV field.

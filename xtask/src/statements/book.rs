@@ -89,7 +89,6 @@ fn stands(status: Status) -> String {
         Status::Covered => "covered".into(),
         Status::Erratum => "erratum".into(),
         Status::Outside(why) => format!("outside: {why}"),
-        Status::Open(_, missing) => format!("**open**: {missing}"),
     }
 }
 

@@ -36,7 +36,6 @@ pub(super) struct Counts {
     pub(super) covered: usize,
     pub(super) errata: usize,
     pub(super) outside: usize,
-    pub(super) open: usize,
 }
 
 impl Counts {
@@ -48,14 +47,13 @@ impl Counts {
             covered: number(|status| *status == Status::Covered),
             errata: number(|status| *status == Status::Erratum),
             outside: number(|status| matches!(status, Status::Outside(_))),
-            open: number(|status| matches!(status, Status::Open(..))),
         }
     }
 }
 
 impl std::fmt::Display for Counts {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { all, covered, errata, outside, open } = self;
-        write!(f, "{all} statements: {covered} covered, {errata} errata, {outside} outside, {open} open")
+        let Self { all, covered, errata, outside } = self;
+        write!(f, "{all} statements: {covered} covered, {errata} errata, {outside} outside")
     }
 }

@@ -17,9 +17,8 @@ mod world;
 
 use crate::console::say;
 use check::faults;
-use document::{Counts, Document};
+use document::Counts;
 use kit::Project;
-use statement::Status;
 use world::World;
 
 /// Checks all statements and errata: whether all is well, and counts.
@@ -30,18 +29,5 @@ pub(crate) fn verify(project: &Project) -> anyhow::Result<(bool, String)> {
         say(fault);
     }
     let counts = Counts::of(&documents);
-    for (id, point, missing) in open(&documents) {
-        say(&format!("open: {id}, {missing} (point {point})"));
-    }
     Ok((faults.is_empty(), format!("{counts}; {} errata executed", errata.len())))
-}
-
-/// The statements that are not covered yet: anchor, point of the issue, what is missing.
-fn open(documents: &[Document]) -> impl Iterator<Item = (String, u8, &'static str)> {
-    documents.iter().flat_map(|document| {
-        document.statements.iter().filter_map(|statement| match statement.status {
-            Status::Open(point, missing) => Some((document.anchor_of(statement), point, missing)),
-            _ => None,
-        })
-    })
 }

@@ -24,8 +24,6 @@ pub(crate) enum Status {
     Erratum,
     /// Nothing to code, and why.
     Outside(&'static str),
-    /// Not done: the point of issue 14 that will, and what is missing.
-    Open(u8, &'static str),
 }
 
 /// Something that covers a statement. Formulas and functions are checked by the compiler, everything else by
@@ -65,11 +63,6 @@ pub(super) fn mended(id: &'static str, says: &'static str, erratum: &'static str
 /// A statement without anything to code, and why.
 pub(super) fn outside(id: &'static str, says: &'static str, why: &'static str) -> Statement {
     Statement { id, says, status: Status::Outside(why), covers: Vec::new() }
-}
-
-/// A statement that is not covered as it should be: the point of issue 14 that will mend it, and what is missing.
-pub(super) fn open(id: &'static str, says: &'static str, point: u8, missing: &'static str) -> Statement {
-    Statement { id, says, status: Status::Open(point, missing), covers: Vec::new() }
 }
 
 impl Statement {

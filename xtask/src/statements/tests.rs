@@ -6,7 +6,7 @@ use super::document::{Counts, Document};
 use super::documents;
 use super::errata;
 use super::erratum::{Erratum, at};
-use super::statement::{Statement, covered, mended, open, outside};
+use super::statement::{Statement, covered, mended, outside};
 use super::world::{World, anchors};
 use jointproof::catalog::CATALOG;
 use jointproof::formula::Formula;
@@ -36,7 +36,6 @@ fn a_statement_that_nothing_covers_fails() {
     let only_erratum = mended("L99", "It floats.", "lost-roots");
     assert_eq!(planted(only_erratum), ["slot-L99: nothing but an erratum covers it"]);
     assert_eq!(planted(outside("L99", "It floats.", "")), ["slot-L99: it does not say why"]);
-    assert_eq!(planted(open("L99", "It floats.", 3, "")), ["slot-L99: it does not say why"]);
     let known = planted(covered("L3-s1", "It floats.").chapter("slot.md"));
     assert_eq!(known, ["slot-L3-s1: a statement of this id is there already"]);
 }
@@ -111,9 +110,8 @@ fn a_literal_reading_that_obeys_and_a_right_one_that_breaks_the_law_fail() {
 #[test]
 fn the_counts_add_up() {
     let documents = documents::all();
-    let Counts { all, covered, errata, outside, open } = Counts::of(&documents);
-    assert_eq!(all, covered + errata + outside + open);
-    assert_eq!(super::open(&documents).count(), open);
+    let Counts { all, covered, errata, outside } = Counts::of(&documents);
+    assert_eq!(all, covered + errata + outside);
 }
 
 #[test]

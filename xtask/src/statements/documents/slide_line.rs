@@ -1,7 +1,7 @@
 //! Slide lines and the elements on them, statement by statement.
 
 use crate::statements::document::Document;
-use crate::statements::statement::{Statement, covered, mended, open, outside};
+use crate::statements::statement::{Statement, covered, mended, outside};
 use jointproof::formula;
 use jointproof::isl::{Contact, ElementSet, Interaction, IslElement, TorquePrint};
 use jointproof::slide_line::{self, Interpolation, Nodes, PlacedLine, SlideLine};
@@ -59,9 +59,12 @@ fn basis() -> Vec<Statement> {
             .chapter("slide-line-elements.md#the-line"),
         covered("L3-s2", "The nodes I, J, K, … are those of the elements on the line.").item::<ElementSet>(),
         covered("L3-s3", "Giving s, the normal of the contact plane, defines the line's normal.")
+            .outputs(&["isl21a/N", "isl22a/N"])
             .chapter("slide-line.md#tangent-and-normal"),
         covered("L5-15", "A figure of line, elements and basis.").chapter("slide-line.md#smoothed-corners"),
-        covered("L16-s1", "t is the first local tangent t1.").chapter("slide-line.md#tangent-and-normal"),
+        covered("L16-s1", "t is the first local tangent t1.")
+            .outputs(&["isl21a/T1", "isl22a/T1"])
+            .chapter("slide-line.md#tangent-and-normal"),
         covered("L16-s2", "The second local tangent t2 is opposite to s.").chapter("slide-line.md#tangent-and-normal"),
         covered("L18-s1", "A strict master–slave concept enforces the contact.")
             .chapter("slide-line-elements.md#master-and-slave"),
@@ -109,10 +112,12 @@ fn line() -> Vec<Statement> {
             .test("slide_line/main::bad_lines_are_named")
             .chapter("slide-line-elements.md#the-line"),
         covered("L33", "Keyword: SLIDE LINE, TYPE=PARABOLIC.").chapter("scenes.md#slide-lines"),
-        open("L40", "Nodes can be generated from a first, a last and an increment.", 8, "generated nodes in scenes")
+        covered("L40", "Nodes can be generated from a first, a last and an increment.")
             .item::<SlideLine>()
-            .test("slide_line/main::generated_nodes_are_the_listed_ones"),
-        open("L41", "Keyword: SLIDE LINE, GENERATE.", 8, "generated nodes in scenes").item::<SlideLine>(),
+            .test("slide_line/main::generated_nodes_are_the_listed_ones")
+            .test("scene_parts::generated_nodes_are_the_listed_ones")
+            .chapter("scenes.md#slide-lines"),
+        covered("L41", "Keyword: SLIDE LINE, GENERATE.").item::<SlideLine>().chapter("scenes.md#slide-lines"),
         covered("L43-s1", "Smoothing makes the tangent vary smoothly between segments.")
             .formulas(&[
                 &slide_line::SmoothedLinearPoint,
@@ -150,6 +155,8 @@ fn elements() -> Vec<Statement> {
         .formulas(&[&slide_line::ContactAreaLinear, &slide_line::ContactAreaParabolic])
         .law(&slide_line::ContactAreaLinear, "the areas add up")
         .method(IslElement::areas::<f64>)
+        .outputs(&["isl21a/AREA", "isl22a/AREA"])
+        .test("scene_parts::areas_and_bases_are_those_of_element_and_line")
         .chapter("slide-line.md#contact-area"),
         covered("L48", "A line is associated with a set of elements.")
             .item::<Contact>()
@@ -210,8 +217,14 @@ fn torque() -> Vec<Statement> {
             .method(TorquePrint::rows)
             .outputs(&["isl21a/T"])
             .chapter("scenes.md#slide-lines"),
-        open("L64-s3", "A frequency limits how often.", 8, "the frequency in scenes").method(TorquePrint::every),
-        open("L64-s4", "The frequency is 1 if not given.", 8, "the frequency in scenes").item::<TorquePrint>(),
+        covered("L64-s3", "A frequency limits how often.")
+            .method(TorquePrint::every)
+            .method(TorquePrint::is_due)
+            .test("scene_parts::the_torque_is_a_result_as_often_as_asked")
+            .chapter("scenes.md#slide-lines"),
+        covered("L64-s4", "The frequency is 1 if not given.")
+            .item::<TorquePrint>()
+            .test("scene_parts::the_torque_is_a_result_as_often_as_asked"),
         outside("L65", "For surfaces, CTRQ is similar.", "contact of surfaces is not among the documents"),
         covered("L66", "Keyword: TORQUE PRINT, FREQUENCY=n.").item::<TorquePrint>(),
         outside("L67-74", "References and overview of the element library.", "refers to other sections"),

@@ -2,7 +2,7 @@
 //! equations.
 
 use crate::statements::document::Document;
-use crate::statements::statement::{Statement, covered, mended, open, outside};
+use crate::statements::statement::{Statement, covered, mended, outside};
 use jointproof::formula;
 use jointproof::slider::{self, Pivots, Slider, Slider2d, documented};
 
@@ -73,18 +73,13 @@ fn constraint() -> Vec<Statement> {
             .cases(&slider::Eliminate, &["extremal"])
             .test("slider_pivots::the_pivots_are_those_of_t1_and_t2"),
         covered("e7", "The conditions in components of node m.").chapter("slider.md#eliminating-two-coordinates"),
-        open(
-            "e8",
-            "Two coordinates of m are eliminated; the numbering avoids a division by 0.",
-            7,
-            "XMI and XMJ do not say which axes",
-        )
-        .formulas(&[&slider::Eliminate])
-        .law(&slider::Eliminate, "the documented route")
-        .method(documented::eliminate::<f64>)
-        .method(Slider::eliminate)
-        .outputs(&["slider@3d/XMI", "slider@3d/XMJ"])
-        .test("slider_pivots::the_kept_axis_is_never_nearly_across_the_line"),
+        covered("e8", "Two coordinates of m are eliminated; the numbering avoids a division by 0.")
+            .formulas(&[&slider::Eliminate])
+            .law(&slider::Eliminate, "the documented route")
+            .method(documented::eliminate::<f64>)
+            .method(Slider::eliminate)
+            .outputs(&["slider@3d/AXES", "slider@3d/XMI", "slider@3d/XMJ"])
+            .test("slider_pivots::the_kept_axis_is_never_nearly_across_the_line"),
     ]
 }
 
@@ -140,6 +135,14 @@ fn plane() -> Vec<Statement> {
             .cases(&slider::Constraint2d, &["left", "right"])
             .method(Slider2d::constraint)
             .outputs(&["slider@2d/G"]),
-        open("e18", "Its derivative.", 8, "the derivative as a residual in the plane"),
+        covered("e18", "Its derivative.")
+            .formulas(&[&slider::IncrementalConstraint2d, &slider::Increment2d, &slider::Eliminate2d])
+            .law(&slider::IncrementalConstraint2d, "on the line it is the variation")
+            .law(&slider::IncrementalConstraint2d, "the increments that the elimination gives")
+            .cases(&slider::IncrementalConstraint2d, &["half-way", "lagging"])
+            .method(Slider2d::incremental_constraint)
+            .method(Slider2d::coefficients)
+            .outputs(&["slider@2d/R", "slider@2d/XMI", "slider@2d/DXMI", "slider@axisymmetric/R"])
+            .test("scene_parts::the_residual_in_the_plane_is_that_of_space"),
     ]
 }

@@ -1,7 +1,7 @@
 //! SLOT, statement by statement.
 
 use crate::statements::document::Document;
-use crate::statements::statement::{Statement, covered, mended, open, outside};
+use crate::statements::statement::{Statement, covered, mended, outside};
 use jointproof::coulomb;
 use jointproof::formula;
 use jointproof::slot::{self, Slot, Slot2d};
@@ -20,10 +20,6 @@ pub(super) fn document() -> Document {
         statements: [position(), friction(), summary()].into_iter().flatten().collect(),
     }
 }
-
-const ORIENTATION: &str = "a scene takes the global axes where node a has no orientation";
-const LOAD: &str = "in a scene the kinetic force is the load alone, without friction";
-const FRICTION_OF_SCENES: &str = "a scene takes the load f1 for the traction, not the friction force";
 
 fn position() -> Vec<Statement> {
     vec![
@@ -104,11 +100,12 @@ fn position() -> Vec<Statement> {
             .law(&slot::RelativeMotion, "both displacements grow")
             .method(Slot::with_reference_length)
             .outputs(&["slot/U1MAT"]),
-        open("L50", "The kinetic force is f1 e1a.", 3, LOAD)
+        covered("L50", "The kinetic force is f1 e1a.")
             .formulas(&[&slot::KineticForce])
             .law(&slot::KineticForce, "its power is f1")
             .method(Slot::kinetic_force)
-            .outputs(&["slot/KF"]),
+            .outputs(&["slot/KF"])
+            .test("scene_friction::a_load_and_friction_make_the_kinetic_force_together"),
     ]
 }
 
@@ -118,11 +115,12 @@ fn friction() -> Vec<Statement> {
             .formulas(&[&slot::Friction, &coulomb::ReturnMap])
             .outputs(&["slot/CSF1", "slot/SLIP1"])
             .chapter("scenes.md#histories"),
-        open("L58", "Φ = P − μFN, at most 0.", 3, FRICTION_OF_SCENES)
+        covered("L58", "Φ = P − μFN, at most 0.")
             .formulas(&[&slot::Friction, &coulomb::Yield])
             .law(&slot::Friction, "at the friction force μ F_N")
             .method(Slot::friction)
             .outputs(&["slot/PHI"])
+            .test("scene_friction::random_histories_agree_with_themselves")
             .erratum("lost-sign"),
         covered(
             "L60-s1",
@@ -131,16 +129,14 @@ fn friction() -> Vec<Statement> {
         .formulas(&[&slot::Friction])
         .outputs(&["slot/P", "slot/FN"])
         .chapter("coulomb.md#stick-and-slip"),
-        open(
-            "L60-s2",
-            "It sticks where Φ < 0, and slides where Φ = 0, with the friction force μFN.",
-            3,
-            FRICTION_OF_SCENES,
-        )
-        .formulas(&[&coulomb::ReturnMap])
-        .law(&coulomb::ReturnMap, "what is transmitted never exceeds")
-        .cases(&coulomb::ReturnMap, &["stick", "slip"])
-        .chapter("coulomb.md#stick-and-slip"),
+        covered("L60-s2", "It sticks where Φ < 0, and slides where Φ = 0, with the friction force μFN.")
+            .formulas(&[&coulomb::ReturnMap])
+            .law(&coulomb::ReturnMap, "what is transmitted never exceeds")
+            .cases(&coulomb::ReturnMap, &["stick", "slip"])
+            .outputs(&["slot/PHI", "slot/CSF1", "slot/SLIP1"])
+            .test("scene_friction::random_histories_agree_with_themselves")
+            .test("scene_friction::golden_scenes_agree_with_themselves")
+            .chapter("coulomb.md#stick-and-slip"),
         covered("L62", "FN = |FC + FCint|: the contact force, and one that is in equilibrium with itself.")
             .formulas(&[&slot::NormalForce])
             .cases(&slot::NormalForce, &["press-fit", "tension"])
@@ -173,14 +169,23 @@ fn summary() -> Vec<Statement> {
             .outputs(&["slot/RF"])
             .chapter("scenes.md#in-space"),
         covered("L80", "Available component: u1.").formulas(&[&slot::RelativeMotion]).outputs(&["slot/U1"]),
-        open("L81", "Kinetic force reported: f1.", 3, LOAD).formulas(&[&slot::KineticForce]).outputs(&["slot/KF"]),
-        open("L82", "Orientation at a: required.", 6, ORIENTATION).method(Slot::new),
+        covered("L81", "Kinetic force reported: f1.")
+            .formulas(&[&slot::KineticForce])
+            .outputs(&["slot/KF"])
+            .chapter("scenes.md#histories"),
+        covered("L82", "Orientation at a: required.")
+            .method(Slot::new)
+            .test("scene_faults::a_required_triad_is_required_and_the_second_is_the_first")
+            .chapter("scenes.md#the-file"),
         covered("L83", "Orientation at b: ignored.").item::<slot::Pose>().formulas(&[&slot::Constraint]),
-        open("L84", "Stops bound l between l1min and l1max.", 8, "a stop on one side only")
+        covered("L84", "Stops bound l between l1min and l1max.")
             .formulas(&[&slot::Stop])
             .law(&slot::Stop, "the gaps add up")
             .cases(&slot::Stop, &["at-lower", "at-upper", "beyond"])
             .method(Slot::with_stops)
+            .method(Slot::with_lower_stop)
+            .method(Slot::with_upper_stop)
+            .test("scene_parts::a_stop_on_one_side_needs_nothing_of_the_other")
             .outputs(&["slot/GAPMIN", "slot/GAPMAX"])
             .erratum("length-at-the-stops"),
         covered("L85", "Constitutive reference length: l1ref.")

@@ -1,7 +1,7 @@
 //! TRANSLATOR, statement by statement.
 
 use crate::statements::document::Document;
-use crate::statements::statement::{Statement, covered, mended, open, outside};
+use crate::statements::statement::{Statement, covered, mended, outside};
 use jointproof::formula;
 use jointproof::translator::{self, Translator};
 use jointproof::{align, cardan, coulomb, slot};
@@ -21,8 +21,6 @@ pub(super) fn document() -> Document {
     }
 }
 
-const ORIENTATION: &str = "a scene takes the global axes where a node has no orientation";
-const FRICTION_OF_SCENES: &str = "a scene takes the load f1 for the traction, not the friction force";
 const NODES: &str = "conventions.md#node-a-and-node-b";
 
 fn description() -> Vec<Statement> {
@@ -51,13 +49,10 @@ fn description() -> Vec<Statement> {
             .chapter(NODES),
         covered("L20-s3", "They are read best with b at the centre of the device.").chapter(NODES),
         covered("L20-s4", "That is essential where friction follows from moments.").chapter(NODES),
-        open(
-            "L20-s5",
-            "Enforcement does not depend on order and place of the nodes.",
-            8,
-            "a law about exchanged nodes",
-        )
-        .chapter(NODES),
+        covered("L20-s5", "Enforcement does not depend on order and place of the nodes.")
+            .law(&translator::Constraint, "aligned, the exchanged nodes are held")
+            .test("virtual_work::the_order_of_the_nodes_changes_no_enforcement")
+            .chapter(NODES),
     ]
 }
 
@@ -66,21 +61,20 @@ fn friction() -> Vec<Statement> {
         covered("L24", "Friction relates constraint forces and moments to the friction force CSF1.")
             .formulas(&[&translator::Friction, &coulomb::ReturnMap])
             .outputs(&["translator/CSF1"]),
-        open("L28", "Φ = P − μFN, at most 0.", 3, FRICTION_OF_SCENES)
+        covered("L28", "Φ = P − μFN, at most 0.")
             .formulas(&[&translator::Friction, &coulomb::Yield])
             .law(&translator::Friction, "at the friction force μ F_N")
             .method(Translator::friction)
             .outputs(&["translator/PHI"])
+            .test("scene_friction::random_histories_agree_with_themselves")
             .erratum("lost-sign"),
-        open(
-            "L30",
-            "What P, FN and μ are; stick where Φ < 0, slip where Φ = 0, with the force μFN.",
-            3,
-            FRICTION_OF_SCENES,
-        )
-        .formulas(&[&translator::Friction, &coulomb::ReturnMap])
-        .cases(&translator::Friction, &["stick", "slip"])
-        .chapter("coulomb.md#stick-and-slip"),
+        covered("L30", "What P, FN and μ are; stick where Φ < 0, slip where Φ = 0, with the force μFN.")
+            .formulas(&[&translator::Friction, &coulomb::ReturnMap])
+            .cases(&translator::Friction, &["stick", "slip"])
+            .outputs(&["translator/P", "translator/FN", "translator/PHI", "translator/CSF1", "translator/SLIP1"])
+            .test("scene_friction::random_histories_agree_with_themselves")
+            .test("scene_friction::golden_scenes_agree_with_themselves")
+            .chapter("coulomb.md#stick-and-slip"),
         covered("L32", "FN = |FC + FCint|.")
             .formulas(&[&slot::NormalForce])
             .outputs(&["translator/FN"])
@@ -91,7 +85,8 @@ fn friction() -> Vec<Statement> {
             .chapter("translator.md#friction"),
         covered("L38", "The torque is Mtorq = |m1|.")
             .formulas(&[&translator::TorqueForce])
-            .law(&translator::TorqueForce, "reversing the torque"),
+            .law(&translator::TorqueForce, "reversing the torque")
+            .outputs(&["translator/MTORQ"]),
         mended("L41", "Ftorq is Mtorq over Rr; the quotient is lost in our text.", "lost-quotients")
             .formulas(&[&translator::TorqueForce])
             .law(&translator::TorqueForce, "the contact force at its lever")
@@ -109,7 +104,7 @@ fn friction() -> Vec<Statement> {
             .formulas(&[&translator::BendingForce])
             .law(&translator::BendingForce, "two opposite forces")
             .cases(&translator::BendingForce, &["couple"])
-            .outputs(&["translator/FBEND"])
+            .outputs(&["translator/MBEND", "translator/FBEND"])
             .erratum("lost-quotients"),
         covered("L56", "L is the overlap along the slot; where it is 0 bending is left out.")
             .formulas(&[&translator::BendingForce])
@@ -139,14 +134,23 @@ fn summary() -> Vec<Statement> {
             .method(Translator::constraint_moment)
             .outputs(&["translator/RF", "translator/RM"]),
         covered("L72", "Available component: u1.").formulas(&[&slot::RelativeMotion]).outputs(&["translator/U1"]),
-        open("L73", "Kinetic force reported: f1.", 3, "in a scene it is the load alone, without friction")
+        covered("L73", "Kinetic force reported: f1.")
             .formulas(&[&slot::KineticForce])
-            .outputs(&["translator/KF"]),
-        open("L74", "Orientation at a: required.", 6, ORIENTATION).method(Translator::new),
-        open("L75", "Orientation at b: optional.", 6, ORIENTATION).method(Translator::new),
-        open("L76", "Stops bound l between l1min and l1max.", 8, "a stop on one side only")
+            .outputs(&["translator/KF"])
+            .chapter("scenes.md#histories"),
+        covered("L74", "Orientation at a: required.")
+            .method(Translator::new)
+            .test("scene_faults::a_required_triad_is_required_and_the_second_is_the_first"),
+        covered("L75", "Orientation at b: optional.")
+            .method(Translator::new)
+            .test("scene_faults::a_required_triad_is_required_and_the_second_is_the_first")
+            .chapter("scenes.md#the-file"),
+        covered("L76", "Stops bound l between l1min and l1max.")
             .formulas(&[&slot::Stop])
             .method(Translator::with_stops)
+            .method(Translator::with_lower_stop)
+            .method(Translator::with_upper_stop)
+            .test("scene_parts::a_stop_on_one_side_needs_nothing_of_the_other")
             .outputs(&["translator/GAPMIN", "translator/GAPMAX"])
             .erratum("length-at-the-stops"),
         covered("L77", "Constitutive reference length: l1ref.")

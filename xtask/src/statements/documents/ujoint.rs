@@ -1,7 +1,7 @@
 //! UJOINT, statement by statement.
 
 use crate::statements::document::Document;
-use crate::statements::statement::{Statement, covered, mended, open, outside};
+use crate::statements::statement::{Statement, covered, mended, outside};
 use jointproof::formula;
 use jointproof::ujoint::{self, Cross, UJoint};
 use jointproof::{coulomb, join, universal};
@@ -24,8 +24,6 @@ pub(super) fn document() -> Document {
     }
 }
 
-const ORIENTATION: &str = "a scene takes the global axes where a node has no orientation";
-const FRICTION_OF_SCENES: &str = "a scene takes the loads m1 and m3 for the tractions, not the friction moments";
 const NODES: &str = "conventions.md#node-a-and-node-b";
 
 fn description() -> Vec<Statement> {
@@ -53,13 +51,10 @@ fn description() -> Vec<Statement> {
             .chapter(NODES),
         covered("L22-s3", "They are read best with b at the centre of the device.").chapter(NODES),
         covered("L22-s4", "That is essential where friction follows from moments.").chapter(NODES),
-        open(
-            "L22-s5",
-            "Enforcement does not depend on order and place of the nodes.",
-            8,
-            "a law about exchanged nodes",
-        )
-        .chapter(NODES),
+        covered("L22-s5", "Enforcement does not depend on order and place of the nodes.")
+            .law(&ujoint::Constraint, "exchanging the nodes and the arms")
+            .test("virtual_work::the_order_of_the_nodes_changes_no_enforcement")
+            .chapter(NODES),
     ]
 }
 
@@ -77,9 +72,11 @@ fn loads() -> Vec<Statement> {
             .cases(&ujoint::Reaction, &["pythagoras"])
             .method(UJoint::reaction)
             .outputs(&["ujoint/FR"]),
-        open("L31", "Mtwist = |m2|.", 7, "the output MTWIST is a hinge's share of it")
+        covered("L31", "Mtwist = |m2|.")
             .formulas(&[&ujoint::HingeTwist])
-            .law(&ujoint::HingeTwist, "moments about the centre"),
+            .law(&ujoint::HingeTwist, "moments about the centre")
+            .outputs(&["ujoint/MTWIST"])
+            .test("scene_ujoint::the_twisting_moment_is_the_documented_one_and_the_hinge_has_its_share"),
         covered("L33-s1", "The directions of the cross are e1a and e3b.")
             .formulas(&[&universal::Constraint, &ujoint::CrossDirection])
             .chapter("universal.md#what-universal-holds"),
@@ -91,14 +88,16 @@ fn loads() -> Vec<Statement> {
         covered("L33-s3", "Fr and Mtwist act at the centre of the cross.").chapter("ujoint.md#at-the-centre"),
         covered("L35", "Mtwist bends each hinge with the moment αtwist Mtwist.")
             .formulas(&[&ujoint::HingeTwist, &ujoint::TwistFactors])
-            .cases(&ujoint::HingeTwist, &["lambda-6.6"]),
+            .cases(&ujoint::HingeTwist, &["lambda-6.6"])
+            .outputs(&["ujoint/MTWISTH", "ujoint/ALPHATWIST"]),
         mended(
             "L39",
             "It pushes each hinge with βtwist Mtwist over La; the quotient is lost in our text.",
             "lost-quotients",
         )
         .formulas(&[&ujoint::HingeTwist])
-        .law(&ujoint::HingeTwist, "moments about the centre"),
+        .law(&ujoint::HingeTwist, "moments about the centre")
+        .outputs(&["ujoint/FTWIST", "ujoint/BETATWIST"]),
         covered("L41-s1", "La is the length from the centre to the ends of the cross.")
             .item::<Cross>()
             .chapter("ujoint.md#ujoint"),
@@ -123,20 +122,16 @@ fn loads() -> Vec<Statement> {
 
 fn decomposition() -> Vec<Statement> {
     vec![
-        open(
-            "L45",
-            "The force has the parts Fr·e1a and Fr·e3b along the arms, and Fr·ecross.",
-            7,
-            "the label of FBEND",
-        )
-        .formulas(&[&ujoint::Decomposition])
-        .law(&ujoint::Decomposition, "where the axes of the cross")
-        .cases(&ujoint::Decomposition, &["straight"])
-        .outputs(&["ujoint/FAXIAL1", "ujoint/FAXIAL3", "ujoint/FBEND"]),
-        open("L53", "As a vector the force is f1 e1a + f2 e2a + f3 e3a.", 3, "the vector as an output RF")
+        covered("L45", "The force has the parts Fr·e1a and Fr·e3b along the arms, and Fr·ecross.")
+            .formulas(&[&ujoint::Decomposition])
+            .law(&ujoint::Decomposition, "where the axes of the cross")
+            .cases(&ujoint::Decomposition, &["straight"])
+            .outputs(&["ujoint/FAXIAL1", "ujoint/FAXIAL3", "ujoint/FBEND"]),
+        covered("L53", "As a vector the force is f1 e1a + f2 e2a + f3 e3a.")
             .formulas(&[&ujoint::Decomposition])
             .law(&join::Constraint, "the force on b is Jacobianᵀ")
-            .method(UJoint::constraint_force),
+            .method(UJoint::constraint_force)
+            .outputs(&["ujoint/RF", "join/RF"]),
         covered("L55-s1", "Friction is that of four hinges together.")
             .formulas(&[&ujoint::ContactMoments, &ujoint::NormalMoments])
             .chapter("ujoint.md#friction"),
@@ -153,11 +148,12 @@ fn decomposition() -> Vec<Statement> {
 
 fn friction() -> Vec<Statement> {
     vec![
-        open("L57", "Φ1 = P1 − μMN1 and Φ3 = P3 − μMN3, at most 0.", 3, FRICTION_OF_SCENES)
+        covered("L57", "Φ1 = P1 − μMN1 and Φ3 = P3 − μMN3, at most 0.")
             .formulas(&[&ujoint::Friction])
             .law(&ujoint::Friction, "at the friction moments μ M_N")
             .method(UJoint::friction)
             .outputs(&["ujoint/PHI1", "ujoint/PHI3"])
+            .test("scene_friction::random_histories_agree_with_themselves")
             .erratum("lost-sign"),
         covered(
             "L60-s1",
@@ -165,15 +161,12 @@ fn friction() -> Vec<Statement> {
         )
         .formulas(&[&ujoint::Friction])
         .outputs(&["ujoint/MN1", "ujoint/MN3"]),
-        open(
-            "L60-s2",
-            "A direction sticks where its Φ < 0, and slides where it is 0, with the moment μMN.",
-            3,
-            FRICTION_OF_SCENES,
-        )
-        .formulas(&[&coulomb::ReturnMap])
-        .outputs(&["ujoint/CSM1", "ujoint/CSM3", "ujoint/SLIPR1", "ujoint/SLIPR3"])
-        .test("scene_ujoint::friction_of_the_drive_shaft_stays_within_its_limit_and_turns_with_the_swing"),
+        covered("L60-s2", "A direction sticks where its Φ < 0, and slides where it is 0, with the moment μMN.")
+            .formulas(&[&coulomb::ReturnMap])
+            .outputs(&["ujoint/CSM1", "ujoint/CSM3", "ujoint/SLIPR1", "ujoint/SLIPR3"])
+            .test("scene_friction::random_histories_agree_with_themselves")
+            .test("scene_friction::golden_scenes_agree_with_themselves")
+            .test("scene_ujoint::friction_of_the_drive_shaft_stays_within_its_limit_and_turns_with_the_swing"),
         covered("L62", "MN = 2|MC| + |MCint|, in either direction.")
             .formulas(&[&ujoint::NormalMoments])
             .law(&ujoint::NormalMoments, "reversing any moment")
@@ -199,6 +192,7 @@ fn contact_moments() -> Vec<Statement> {
         )
         .formulas(&[&ujoint::HingeAxial, &ujoint::AxialFactors])
         .law(&ujoint::AxialFactors, "the four hinges carry")
+        .outputs(&["ujoint/ALPHAAXIAL", "ujoint/FHINGE1", "ujoint/FHINGE3"])
         .chapter("arm-model.md#a-force-along-an-arm")
         .erratum("lost-bars"),
         covered("L71-s2", "Ra is the effective friction arm of the axial force.")
@@ -224,17 +218,19 @@ fn contact_moments() -> Vec<Statement> {
             .cases(&ujoint::HingeTransverse, &["bending-alone"]),
         mended("L80-s2", "It takes βaxial Faxial of the other axis; βaxial is not defined.", "undefined-axial-factors")
             .formulas(&[&ujoint::HingeAxial, &ujoint::AxialFactors])
-            .law(&ujoint::HingeAxial, "two hinges along the force"),
+            .law(&ujoint::HingeAxial, "two hinges along the force")
+            .outputs(&["ujoint/BETAAXIAL", "ujoint/FTRANSV1", "ujoint/FTRANSV3"]),
         mended("L84", "Mtotal is the root of Mbend² + Mtwist²; Ftotalbend is 2 Mtotal over Ls.", "lost-roots")
             .formulas(&[&ujoint::HingeBending])
             .law(&ujoint::HingeBending, "the contact force, half of it")
             .cases(&ujoint::HingeBending, &["pythagoras"])
-            .outputs(&["ujoint/MTOTAL"])
+            .outputs(&["ujoint/MTOTAL", "ujoint/FTOTALBEND"])
             .erratum("lost-quotients")
             .erratum("missing-end-moment"),
         mended("L87-s1", "Mbend = Fbend La/8; the quotient is lost in our text.", "lost-quotients")
             .formulas(&[&ujoint::HingeBending])
             .cases(&ujoint::HingeBending, &["force-alone"])
+            .outputs(&["ujoint/MBEND"])
             .chapter("ujoint.md#on-a-hinge"),
         covered("L87-s2", "Ls is the overlap of pin and sleeve; where it is 0 bending is left out.")
             .item::<Cross>()
@@ -250,7 +246,7 @@ fn contact_moments() -> Vec<Statement> {
             .formulas(&[&ujoint::ContactMoments])
             .law(&ujoint::ContactMoments, "exchanging the axes")
             .outputs(&["ujoint/MC3"]),
-        open("L94", "P1 = |m1| and P3 = |m3|.", 3, "P1 and P3 as outputs").formulas(&[&ujoint::Friction]),
+        covered("L94", "P1 = |m1| and P3 = |m3|.").formulas(&[&ujoint::Friction]).outputs(&["ujoint/P1", "ujoint/P3"]),
     ]
 }
 
@@ -260,34 +256,39 @@ fn summary() -> Vec<Statement> {
         covered("L100", "Constraints: JOIN and UNIVERSAL.")
             .formulas(&[&ujoint::Constraint])
             .law(&ujoint::Constraint, "its residuals and their derivatives"),
-        open("L101", "Constraint forces and moment reported: f1, f2, f3, m2.", 3, "the force as an output RF")
+        covered("L101", "Constraint forces and moment reported: f1, f2, f3, m2.")
             .formulas(&[&join::Constraint, &universal::ConstraintMoment])
             .method(UJoint::constraint_force)
             .method(UJoint::constraint_moment)
-            .outputs(&["ujoint/RM"]),
-        open("L102", "Available components: ur1, ur3.", 5, "a turn is not followed past half a turn")
+            .outputs(&["ujoint/RF", "ujoint/RM"]),
+        covered("L102", "Available components: ur1, ur3.")
             .formulas(&[&universal::Angles, &universal::RelativeMotion])
             .law(&universal::Angles, "spinning b about e1a or e3b")
             .method(UJoint::relative_motion)
-            .outputs(&["ujoint/UR1", "ujoint/UR3"]),
-        open("L103", "Kinetic moments reported: m1, m3.", 3, "in a scene they are the loads alone, without friction")
+            .method(UJoint::relative_motion_from)
+            .outputs(&["ujoint/UR1", "ujoint/UR3", "universal/UR1", "universal/UR3"])
+            .test("scene_ujoint::turns_are_followed_from_state_to_state"),
+        covered("L103", "Kinetic moments reported: m1, m3.")
             .formulas(&[&universal::KineticMoment])
             .law(&universal::KineticMoment, "it works with m1")
             .method(UJoint::kinetic_moment)
-            .outputs(&["ujoint/KM"]),
-        open("L104", "Orientation at a: required.", 6, ORIENTATION).method(UJoint::new),
-        open("L105", "Orientation at b: optional.", 6, ORIENTATION).method(UJoint::new),
-        open(
-            "L106",
-            "Stops bound γ between θ1min and θ1max, and between θ3min and θ3max.",
-            5,
-            "a stop past half a turn is not reached",
-        )
-        .formulas(&[&ujoint::Stop])
-        .cases(&ujoint::Stop, &["between", "at-the-stops"])
-        .method(UJoint::with_stops)
-        .outputs(&["ujoint/GAP1MIN", "ujoint/GAP1MAX", "ujoint/GAP3MIN", "ujoint/GAP3MAX"])
-        .erratum("one-angle-twice"),
+            .outputs(&["ujoint/KM", "universal/KM"])
+            .test("scene_friction::a_load_and_friction_make_the_kinetic_force_together"),
+        covered("L104", "Orientation at a: required.")
+            .method(UJoint::new)
+            .test("scene_faults::a_required_triad_is_required_and_the_second_is_the_first"),
+        covered("L105", "Orientation at b: optional.")
+            .method(UJoint::new)
+            .test("scene_faults::a_required_triad_is_required_and_the_second_is_the_first")
+            .chapter("scenes.md#the-file"),
+        mended("L106", "Stops bound γ between θ1min and θ1max, and between θ3min and θ3max.", "one-angle-twice")
+            .formulas(&[&ujoint::Stop])
+            .cases(&ujoint::Stop, &["between", "at-the-stops"])
+            .method(UJoint::with_stops)
+            .method(UJoint::gaps_from)
+            .outputs(&["ujoint/GAP1MIN", "ujoint/GAP1MAX", "ujoint/GAP3MIN", "ujoint/GAP3MAX"])
+            .test("scene_ujoint::turns_are_followed_from_state_to_state")
+            .test("scene_parts::a_translator_and_a_joint_may_have_one_stop"),
         covered("L108", "Constitutive reference angles: θ1ref, θ3ref.")
             .formulas(&[&universal::RelativeMotion])
             .method(UJoint::with_reference_angles)
