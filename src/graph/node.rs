@@ -79,8 +79,6 @@ pub enum Op {
     MultiplyAdd(Node, Node, Node),
     /// The length of a vector, as [`norm`](crate::scalar::norm) computes it.
     Norm(Box<[Node]>),
-    /// A component of the direction of a vector, as [`direction`](crate::scalar::direction) computes it.
-    Direction(Box<[Node]>, usize),
     /// A sum of products of four numbers each, of which nothing is rounded but the sum in the end.
     ExactSum(Box<[[Node; 4]]>),
     /// An answer.
@@ -97,7 +95,7 @@ impl Op {
             Self::Unary(_, x) => vec![*x],
             Self::Binary(_, x, y) | Self::Compare(_, x, y) => vec![*x, *y],
             Self::MultiplyAdd(x, y, z) | Self::Select(x, y, z) => vec![*x, *y, *z],
-            Self::Norm(parts) | Self::Direction(parts, _) => parts.to_vec(),
+            Self::Norm(parts) => parts.to_vec(),
             Self::ExactSum(products) => products.concat(),
         }
     }
@@ -112,7 +110,6 @@ impl Op {
             (Self::Select(..), &[x, y, z]) => Self::Select(x, y, z),
             (Self::Norm(_), parts) => Self::Norm(parts.into()),
             (Self::ExactSum(_), factors) => Self::ExactSum(factors.as_chunks().0.into()),
-            (Self::Direction(_, component), parts) => Self::Direction(parts.into(), *component),
             _ => self.clone(),
         }
     }
@@ -139,6 +136,10 @@ impl Graph {
     /// The operations in order: what one is computed from stands before it.
     pub fn ops(&self) -> &[Op] {
         &self.ops
+    }
+
+    pub(super) fn node(&self, index: usize) -> Node {
+        Node(u32::try_from(index).expect("fewer than 2³² operations"))
     }
 
     /// How a result follows.
