@@ -42,7 +42,9 @@
 //! # Ok::<(), jointproof::equation::Error>(())
 //! ```
 
+mod claims;
 mod cursor;
+mod derivative;
 mod error;
 mod lower;
 mod name;
@@ -59,6 +61,8 @@ mod value;
 use crate::formula::{Field, Given, Spec};
 use crate::octuple::Octuple;
 use crate::scalar::Scalar;
+pub(crate) use claims::{ClaimAt, Free};
+pub use claims::{Claims, Setting, Signature};
 pub use error::Error;
 use lower::{Place, Writer};
 use name::Name;
@@ -228,10 +232,11 @@ impl Equation {
     }
 
     fn terms(&self, of: Id, by: Option<usize>, point: &[Octuple]) -> Octuple {
-        let Some(by) = by else { return rounding::terms(&self.tape, point)[of] };
+        let Some(by) = by else { return rounding::terms(&self.tape, point, &[])[of] };
         let mut tape = self.tape.clone();
+        let by = tape.push(Op::Input(by));
         let slope = tape.derivative(of, by);
-        rounding::terms(&tape, point)[slope]
+        rounding::terms(&tape, point, &[])[slope]
     }
 }
 
@@ -285,7 +290,7 @@ fn place_of_smallest(writer: &mut Writer<'_>, output: usize, found: &ArgMin, id:
         }
         _ => objective,
     };
-    let slope = writer.tape.derivative(objective, writer.solution);
+    let slope = writer.tape.derivative(objective, place);
     Ok(Smallest { output, place, low, high, objective, slope })
 }
 

@@ -159,6 +159,9 @@ impl Parser<'_> {
         let call = |function, arguments| Ok(Some(Kind::Call(function, arguments)));
         match command {
             "frac" | "tfrac" | "dfrac" => {
+                if let Some(partial) = self.partial()? {
+                    return Ok(Some(partial));
+                }
                 let (above, below) = (self.argument()?, self.argument()?);
                 Ok(Some(binary(Operator::Divide, above, below, at).kind))
             }
@@ -180,6 +183,24 @@ impl Parser<'_> {
                 Ok(None)
             }
         }
+    }
+
+    /// `{\partial a}{\partial x}`, behind the command of a fraction.
+    fn partial(&mut self) -> Result<Option<Kind>, Error> {
+        let start = self.next;
+        if !(self.took_sign('{') && self.took(Word::Command("partial"))) {
+            self.next = start;
+            return Ok(None);
+        }
+        let of = self.factor()?;
+        self.expect('}')?;
+        self.expect('{')?;
+        if !self.took(Word::Command("partial")) {
+            return Err(self.expected("`\\partial`"));
+        }
+        let by = self.name()?.ok_or_else(|| self.expected("the symbol of an input"))?;
+        self.expect('}')?;
+        Ok(Some(Kind::Partial(Box::new(of), by)))
     }
 
     /// What a function without brackets takes: a symbol, or what is in brackets.

@@ -20,7 +20,7 @@ pub(super) enum Kind<'a> {
     EndCases,
     Row,
     Cell,
-    /// `\quad` or the end of a line, between statements.
+    /// `\quad`, `\Rightarrow` or the end of a line, between statements.
     Gap,
     End,
 }
@@ -100,7 +100,7 @@ impl<'a> Reader<'a> {
             _ if TYPOGRAPHY.contains(&name) => return Ok(None),
             "\\" if self.is_aligned() => Kind::Gap,
             "\\" => Kind::Row,
-            "quad" | "qquad" => Kind::Gap,
+            "quad" | "qquad" | "Rightarrow" => Kind::Gap,
             "text" => Kind::Text(self.group(at)?),
             "begin" | "end" => {
                 let environment = self.group(at)?;

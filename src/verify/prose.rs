@@ -1,0 +1,126 @@
+//! What prose claims in mathematics, at the points of the formula that it is about.
+
+use super::audit::{Options, named_points};
+use super::claim::{Claim, Deviation};
+use super::printed::EQUATION;
+use super::subject::Subject;
+use super::{Sampler, Sensitivity, golden};
+use crate::Octuple;
+use crate::equation::{ClaimAt, Claims, Free};
+use crate::formula::Field;
+use crate::proof::Proved;
+use crate::quantity::Domain;
+use nalgebra::Vector3;
+
+/// Checks claims about a formula at its cases, beside its kinks and at random points, in 237 bits.
+///
+/// Triads are made orthonormal first, in 237 bits: what prose says of them is said of those.
+pub fn claims_about<F: Proved>(claims: &Claims, options: &Options) -> Claim {
+    let subject = Subject::of::<F>();
+    let mut sampler = Sampler::for_formula(subject.spec.id, options.seed);
+    let random = (0..options.samples).map(|k| (format!("random {k} of seed {}", options.seed), sampler.components(&subject)));
+    let random: Vec<_> = random.collect();
+    let named = named_points(&subject).into_iter().map(|point| (point.label, point.inputs));
+    let mut claim = Claim::new("prose, in 237 bits", EQUATION);
+    for (label, inputs) in named.chain(random) {
+        let mut exact: Vec<_> = inputs.iter().map(|&x| x.into()).collect();
+        make_orthonormal(subject.inputs, &mut exact);
+        let exact = claims.inputs(&exact);
+        // There are no derivatives on a kink.
+        if subject.kink(&exact).is_some() {
+            continue;
+        }
+        let [values, jacobian] = [(subject.exact_value)(&exact), (subject.exact_jacobian)(&exact)];
+        let point = claims.point(&exact, Some([&values, &jacobian]), &free(claims, &mut sampler));
+        let sizes = || sizes(&subject, &exact, &values, &jacobian);
+        let inputs = || golden::named(subject.inputs, &inputs).into();
+        check(claims, &point, sizes, &mut claim, |size, of| deviation(size, of, &label, inputs()));
+    }
+    claim
+}
+
+/// Checks claims that are about no formula, for random numbers.
+pub fn claims_at_large(claims: &Claims, options: &Options) -> Claim {
+    let mut sampler = Sampler::for_formula("prose", options.seed);
+    let mut claim = Claim::new("prose, in 237 bits", EQUATION);
+    for k in 0..options.samples {
+        let free = free(claims, &mut sampler);
+        let point = claims.point(&[], None, &free);
+        let numbers = || free.iter().map(|x| x.to_f64()).collect::<Vec<_>>().into();
+        check(claims, &point, Vec::new, &mut claim, |size, of| deviation(size, of, &format!("random {k}"), numbers()));
+    }
+    claim
+}
+
+/// The number that an expression about a formula is, where all inputs that it needs are put in.
+pub fn number_of<F: Proved>(expression: &Claims) -> Octuple {
+    let subject = Subject::of::<F>();
+    let count = subject.inputs.iter().map(Field::len).sum();
+    let inputs = expression.inputs(&vec![Octuple::NAN; count]);
+    let [values, jacobian] = [(subject.exact_value)(&inputs), (subject.exact_jacobian)(&inputs)];
+    expression.number(&expression.point(&inputs, Some([&values, &jacobian]), &[]))
+}
+
+/// The number that an expression is, which is about no formula.
+pub fn number_at_large(expression: &Claims) -> Octuple {
+    expression.number(&expression.point(&[], None, &[]))
+}
+
+fn check(
+    claims: &Claims,
+    point: &[Octuple],
+    sizes: impl Fn() -> Vec<Octuple>,
+    claim: &mut Claim,
+    describe: impl Fn(f64, &ClaimAt<'_>) -> Deviation,
+) {
+    for at in claims.at(point) {
+        let whole = Sensitivity::new(&[], &[]).plus(at.left).plus(at.right);
+        let mut share = if !at.is_equality && at.holds { 0.0 } else { whole.share_of(at.right - at.left) };
+        if share > EQUATION {
+            share = whole.plus(claims.terms(&at, point, &sizes())).share_of(at.right - at.left);
+        }
+        claim.record(share, EQUATION, |share| describe(share, &at));
+    }
+}
+
+fn deviation(size: f64, of: &ClaimAt<'_>, point: &str, inputs: serde_json::Value) -> Deviation {
+    let (found, expected) = (of.right.to_f64(), of.left.to_f64());
+    Deviation { size, entry: of.text.into(), point: point.into(), found, expected, inputs }
+}
+
+/// What rounding does to each number of a point: nothing to inputs, which are exact.
+fn sizes(subject: &Subject, inputs: &[Octuple], values: &[Octuple], jacobian: &[Octuple]) -> Vec<Octuple> {
+    let gradients = subject.derivative(inputs);
+    let bends = subject.second_derivative(inputs);
+    let of_values = gradients.chunks(inputs.len()).zip(values);
+    let of_entries = bends.iter().map(Vec::as_slice).zip(jacobian);
+    let known = of_values.chain(of_entries).map(|(gradient, &y)| Sensitivity::new(gradient, inputs).plus(y).size());
+    inputs.iter().map(|_| Octuple::default()).chain(known).collect()
+}
+
+fn free(claims: &Claims, sampler: &mut Sampler) -> Vec<Octuple> {
+    let domain = |free: &Free| match free {
+        Free::Signed => Domain::Real,
+        Free::Positive => Domain::Positive,
+    };
+    claims.free().iter().map(|free| sampler.number(domain(free)).into()).collect()
+}
+
+/// Each vector of a triad perpendicular to those before it, and of length 1.
+fn make_orthonormal(fields: &[Field], inputs: &mut [Octuple]) {
+    let mut before: Vec<(crate::quantity::Node, Vector3<Octuple>)> = Vec::new();
+    let mut first = 0;
+    for field in fields {
+        let place = first..first + field.len();
+        first = place.end;
+        let Domain::Triad(node, _) = field.quantity.domain else { continue };
+        let at = |k: usize| inputs.get(place.start + k).filter(|_| k < field.len()).copied().unwrap_or_default();
+        let mut vector = Vector3::new(at(0), at(1), at(2));
+        for (_, other) in before.iter().filter(|(other, _)| *other == node) {
+            vector -= *other * other.dot(&vector);
+        }
+        vector /= num_dual::DualNum::sqrt(&vector.dot(&vector));
+        inputs[place].iter_mut().zip(vector.iter()).for_each(|(component, &x)| *component = x);
+        before.push((node, vector));
+    }
+}
