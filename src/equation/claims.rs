@@ -37,6 +37,10 @@ pub struct Setting {
     pub condition: String,
     /// Symbols that may be any number or vector, with commas between them.
     pub free: String,
+    /// Whether triads are made orthonormal first: the claims hold for those only.
+    pub triads: bool,
+    /// Earlier displays, whose definitions count here too.
+    pub above: Vec<String>,
     /// What is put in for inputs of the formula: `L_a = 20,\ R_p = 1`.
     pub put: String,
 }
@@ -52,6 +56,7 @@ pub struct Claims {
     inputs: usize,
     outputs: usize,
     free: Vec<Free>,
+    pub(crate) triads: bool,
 }
 
 /// A number that may be any.
@@ -110,13 +115,17 @@ impl Claims {
         let mut given = known.given(setting, &mut entries)?;
         let functions = || given.iter().filter(|taken| !taken.parameters.is_empty()).map(|taken| taken.name.clone());
         let mut all = statements(&setting.definitions, functions().collect()).map_err(|e| e.of_entry("words", "definition"))?;
-        let declared = all.iter().filter(|s| !s.parameters.is_empty()).map(|s| s.names[0].clone());
-        let read = chains(latex, functions().chain(declared).collect())?;
         let mut claimed = Vec::new();
-        for statement in read {
-            match definition(&statement, |name| known.has(name) || given.iter().any(|t| t.name == *name) || all.iter().any(|s| s.names.contains(name))) {
-                Some(definition) => all.extend(apart(definition)),
-                None => claimed.push(statement),
+        for text in setting.above.iter().map(String::as_str).chain([latex]) {
+            let declared = all.iter().filter(|s| !s.parameters.is_empty()).map(|s| s.names[0].clone());
+            claimed.clear();
+            for statement in chains(text, functions().chain(declared).collect())? {
+                let is_defined = |name: &Name| all.iter().any(|statement| statement.names.contains(name));
+                let is_given = |name: &Name| known.has(name) || given.iter().any(|taken| taken.name == *name);
+                match definition(&statement, |name| is_defined(name) || is_given(name)) {
+                    Some(definition) => all.extend(apart(definition)),
+                    None => claimed.push(statement),
+                }
             }
         }
         given.retain(|taken| !all.iter().any(|statement| statement.names[0] == taken.name));
@@ -131,11 +140,11 @@ impl Claims {
     }
 
     /// The inputs of the formula, with what is put in.
-    pub(crate) fn inputs(&self, inputs: &[Octuple]) -> Vec<Octuple> {
+    pub(crate) fn inputs(&self, inputs: &[Octuple], free: &[Octuple]) -> Vec<Octuple> {
         if self.put.is_empty() {
             return inputs.to_vec();
         }
-        let all = self.tape.run(&self.point(inputs, None, &vec![Octuple::NAN; self.free.len()]));
+        let all = self.tape.run(&self.point(inputs, None, free));
         let mut inputs = inputs.to_vec();
         for &(component, id) in &self.put {
             inputs[component] = all[id];
@@ -232,21 +241,16 @@ impl Known {
         Ok(given)
     }
 
-    /// What has `\mathrm{d}` before it somewhere, and is nobody's output or definition, changes.
+    /// Where a change is written, all inputs change, and what may be any number and has `\mathrm{d}` before it.
     fn let_change<'s>(&mut self, statements: impl Iterator<Item = &'s Statement>) {
         let mut names = Vec::new();
         statements.flat_map(Statement::expressions).for_each(|e| collect_changes(e, &mut names));
-        for name in names {
-            let whole = name.component().map(|(vector, _)| vector);
-            let is_given = self.has(&name);
-            for of in [Some(name), whole].into_iter().flatten() {
-                let of = Name { change: "", ..of };
-                let is_base = self.inputs.iter().any(|(input, _)| *input == of) || self.free.contains(&of);
-                if is_base && !is_given && !self.changing.contains(&of) {
-                    self.changing.push(of);
-                }
-            }
+        if names.is_empty() {
+            return;
         }
+        let inputs = self.inputs.iter().map(|(name, _)| name).filter(|name| name.change.is_empty());
+        let is_written = |of: &&Name| names.iter().any(|name| name.base == of.base && name.below == of.below);
+        self.changing = inputs.chain(self.free.iter().filter(is_written)).cloned().collect();
     }
 
     /// Writes the operations.
@@ -276,10 +280,17 @@ impl Known {
         for name in &self.changing {
             let known = writer.inputs.iter().find(|(known, _)| known == name).map(|(_, value)| value.clone());
             let of = known.map(parts).unwrap_or_default();
-            let by = take(&mut writer, of.len());
-            free.extend(by.iter().map(|_| Free::Signed));
+            let change = Name { change: "d", ..name.clone() };
+            let own = writer.inputs.iter().find(|(known, _)| *known == change).map(|(_, value)| value.clone());
+            let by = own.map_or_else(
+                || {
+                    free.extend(of.iter().map(|_| Free::Signed));
+                    take(&mut writer, of.len())
+                },
+                parts,
+            );
             changes.extend(of.into_iter().zip(by.iter().copied()));
-            writer.inputs.push((Name { change: "d", ..name.clone() }, value(by)));
+            writer.inputs.push((change, value(by)));
         }
         writer.beside = Beside { outputs: rows, changes };
         let put = put(&mut writer, &self.inputs, setting)?;
@@ -288,6 +299,16 @@ impl Known {
         for statement in claimed {
             all.extend(sides(&mut writer, statement, latex)?);
         }
+        // Definitions that nothing refers to may have two forms, too.
+        for statement in &entries.0[0].statements {
+            let name = &statement.names[0];
+            let is_whole = statement.parameters.iter().all(|p| writer.symbol(p, statement.at, Place::ROOT).is_ok());
+            if is_whole {
+                writer.symbol(name, statement.at, Place::ROOT)?;
+            }
+        }
+        writer.equal.sort_unstable();
+        writer.equal.dedup();
         let equal = writer.equal.iter().map(|&(left, right)| Claimed {
             left,
             relation: Relation::Equal,
@@ -295,7 +316,8 @@ impl Known {
             text: "two forms of a definition".into(),
         });
         all.extend(equal);
-        Ok(Claims { tape: writer.tape, claims: all, condition, put, inputs, outputs, free })
+        let triads = setting.triads;
+        Ok(Claims { tape: writer.tape, claims: all, condition, put, inputs, outputs, free, triads })
     }
 }
 
@@ -316,6 +338,9 @@ fn collect_changes(e: &Expr, names: &mut Vec<Name>) {
         && name.change == "d"
     {
         names.push(name.clone());
+    }
+    if let Kind::Sum { index, from, to, body } = &e.kind {
+        return (*from..=*to).for_each(|k| collect_changes(&body.with_index(index, k), names));
     }
     e.parts().into_iter().for_each(|part| collect_changes(part, names));
 }

@@ -166,8 +166,8 @@ impl Parser<'_> {
                 Ok(Some(binary(Operator::Divide, above, below, at).kind))
             }
             "sqrt" => call(Function::Sqrt, vec![self.argument()?]),
-            "sin" => call(Function::Sin, vec![self.single_argument()?]),
-            "cos" => call(Function::Cos, vec![self.single_argument()?]),
+            "sin" => self.trigonometric(Function::Sin).map(Some),
+            "cos" => self.trigonometric(Function::Cos).map(Some),
             "arcsin" => call(Function::ArcSin, vec![self.single_argument()?]),
             "operatorname" => self.operator().map(Some),
             "lvert" => {
@@ -201,6 +201,17 @@ impl Parser<'_> {
         let by = self.name()?.ok_or_else(|| self.expected("the symbol of an input"))?;
         self.expect('}')?;
         Ok(Some(Kind::Partial(Box::new(of), by)))
+    }
+
+    /// `\cos\beta`, `\cos^2\beta`
+    fn trigonometric(&mut self, function: Function) -> Result<Kind, Error> {
+        let at = self.peek().at;
+        let power = if self.took_sign('^') { Some(self.argument()?) } else { None };
+        let call = Kind::Call(function, vec![self.single_argument()?]);
+        Ok(match power {
+            Some(power) => Kind::Power(Box::new(Expr { kind: call, at }), Box::new(power)),
+            None => call,
+        })
     }
 
     /// What a function without brackets takes: a symbol, or what is in brackets.

@@ -114,7 +114,7 @@ impl Parser<'_> {
         match token.kind {
             Word::Letter(c) | Word::Digit(c) => Ok(c.to_string()),
             Word::Command("mathrm") => self.word(),
-            Word::Command(word @ ("min" | "max")) => Ok(word.into()),
+            Word::Command(word @ ("min" | "max" | "times" | "perp")) => Ok(word.into()),
             Word::Command(letter) if LETTERS.contains(&letter) => Ok(letter.into()),
             _ => Err(Error::new(token.at, "a letter, a digit or an upright word was expected in this subscript")),
         }

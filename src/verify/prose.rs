@@ -11,10 +11,9 @@ use crate::formula::Field;
 use crate::proof::Proved;
 use crate::quantity::Domain;
 use nalgebra::Vector3;
+use num_traits::Zero;
 
 /// Checks claims about a formula at its cases, beside its kinks and at random points, in 237 bits.
-///
-/// Triads are made orthonormal first, in 237 bits: what prose says of them is said of those.
 pub fn claims_about<F: Proved>(claims: &Claims, options: &Options) -> Claim {
     let subject = Subject::of::<F>();
     let mut sampler = Sampler::for_formula(subject.spec.id, options.seed);
@@ -24,15 +23,18 @@ pub fn claims_about<F: Proved>(claims: &Claims, options: &Options) -> Claim {
     let mut claim = Claim::new("prose, in 237 bits", EQUATION);
     for (label, inputs) in named.chain(random) {
         let mut exact: Vec<_> = inputs.iter().map(|&x| x.into()).collect();
-        make_orthonormal(subject.inputs, &mut exact);
-        let exact = claims.inputs(&exact);
+        if claims.triads {
+            make_orthonormal(subject.inputs, &mut exact);
+        }
+        let free = free(claims, &mut sampler);
+        let exact = claims.inputs(&exact, &free);
         // There are no derivatives on a kink.
         if subject.kink(&exact).is_some() {
             continue;
         }
         let [values, jacobian] = [(subject.exact_value)(&exact), (subject.exact_jacobian)(&exact)];
-        let point = claims.point(&exact, Some([&values, &jacobian]), &free(claims, &mut sampler));
-        let sizes = || sizes(&subject, &exact, &values, &jacobian);
+        let point = claims.point(&exact, Some([&values, &jacobian]), &free);
+        let sizes = || sizes(&subject, &exact, &values, &jacobian, claims.triads);
         let inputs = || golden::named(subject.inputs, &inputs).into();
         check(claims, &point, sizes, &mut claim, |size, of| deviation(size, of, &label, inputs()));
     }
@@ -56,7 +58,7 @@ pub fn claims_at_large(claims: &Claims, options: &Options) -> Claim {
 pub fn number_of<F: Proved>(expression: &Claims) -> Octuple {
     let subject = Subject::of::<F>();
     let count = subject.inputs.iter().map(Field::len).sum();
-    let inputs = expression.inputs(&vec![Octuple::NAN; count]);
+    let inputs = expression.inputs(&vec![Octuple::NAN; count], &[]);
     let [values, jacobian] = [(subject.exact_value)(&inputs), (subject.exact_jacobian)(&inputs)];
     expression.number(&expression.point(&inputs, Some([&values, &jacobian]), &[]))
 }
@@ -88,14 +90,25 @@ fn deviation(size: f64, of: &ClaimAt<'_>, point: &str, inputs: serde_json::Value
     Deviation { size, entry: of.text.into(), point: point.into(), found, expected, inputs }
 }
 
-/// What rounding does to each number of a point: nothing to inputs, which are exact.
-fn sizes(subject: &Subject, inputs: &[Octuple], values: &[Octuple], jacobian: &[Octuple]) -> Vec<Octuple> {
+/// What rounding does to each number of a point: nothing to inputs, which are exact, unless a triad was made orthonormal.
+fn sizes(
+    subject: &Subject,
+    inputs: &[Octuple],
+    values: &[Octuple],
+    jacobian: &[Octuple],
+    triads: bool,
+) -> Vec<Octuple> {
+    let is_rounded = |field: &Field| triads && matches!(field.quantity.domain, Domain::Triad(..));
+    let of_field = |field: &Field| vec![Octuple::from(f64::from(u8::from(is_rounded(field)))); field.len()];
+    let off: Vec<_> = subject.inputs.iter().flat_map(of_field).collect();
+    // A component of a unit vector may be off by a part of 1, not of itself.
+    let scales: Vec<_> = inputs.iter().zip(&off).map(|(&x, &off)| if off.is_zero() { x } else { off }).collect();
     let gradients = subject.derivative(inputs);
     let bends = subject.second_derivative(inputs);
     let of_values = gradients.chunks(inputs.len()).zip(values);
     let of_entries = bends.iter().map(Vec::as_slice).zip(jacobian);
-    let known = of_values.chain(of_entries).map(|(gradient, &y)| Sensitivity::new(gradient, inputs).plus(y).size());
-    inputs.iter().map(|_| Octuple::default()).chain(known).collect()
+    let known = of_values.chain(of_entries).map(|(gradient, &y)| Sensitivity::new(gradient, &scales).plus(y).size());
+    off.iter().copied().chain(known).collect()
 }
 
 fn free(claims: &Claims, sampler: &mut Sampler) -> Vec<Octuple> {

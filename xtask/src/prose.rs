@@ -1,6 +1,6 @@
 //! What the chapters claim: display equations are executed, numbers are computed or found in the test that computes them.
 
-use crate::book::prose::{Chapter, Display, Formulas, Mark, read};
+use crate::book::prose::{About, Chapter, Display, Formulas, Mark, read};
 use crate::book::{Fault, Numeral, Origin, coverage, is_rounded};
 use crate::console::{count, figure};
 use crate::project::Project;
@@ -30,9 +30,10 @@ pub(crate) fn check(project: &Project) -> anyhow::Result<(Vec<Fault>, String)> {
         let mut note = |line, found: Result<(), String>| {
             faults.extend(found.err().map(|message| Fault { file: file.clone(), line, message }));
         };
+        let mut above = None;
         for Display { latex, line, mark } in &displays {
             match mark {
-                Some(Mark::Executed(about)) => note(*line, executed(&formulas, latex, about, &mut tally)),
+                Some(Mark::Executed(about)) => note(*line, executed(&formulas, latex, about, &mut above, &mut tally)),
                 _ => tally.presented += 1,
             }
         }
@@ -48,8 +49,15 @@ pub(crate) fn check(project: &Project) -> anyhow::Result<(Vec<Fault>, String)> {
 }
 
 /// Executes what is claimed.
-fn executed(formulas: &Formulas<'_>, latex: &str, about: &str, tally: &mut Tally) -> Result<(), String> {
-    let (of, setting) = formulas.setting(about)?;
+fn executed(
+    formulas: &Formulas<'_>,
+    latex: &str,
+    about: &str,
+    above: &mut Option<(About, String)>,
+    tally: &mut Tally,
+) -> Result<(), String> {
+    let (of, setting) = formulas.setting(about, above.as_ref())?;
+    *above = Some(((of, setting.clone()), latex.into()));
     let claims = Claims::read(latex, &setting).map_err(|error| {
         let from = latex.get(error.at()..).unwrap_or_default();
         format!("{error}: `{}`", from.lines().next().unwrap_or_default())
@@ -89,7 +97,7 @@ fn held(project: &Project, formulas: &Formulas<'_>, numeral: &Numeral) -> Result
         Origin::Given => Ok(()),
         Origin::Test(test) => in_test(project, test, written),
         Origin::Value(expression, about) => {
-            let (of, setting) = formulas.setting(about)?;
+            let (of, setting) = formulas.setting(about, None)?;
             let claims = Claims::expression(expression, &setting).map_err(|error| error.to_string())?;
             let value = of.map_or_else(|| verify::number_at_large(&claims), |formula| formula.number(&claims)).to_f64();
             let is_so = is_rounded(written, value);

@@ -1,6 +1,6 @@
 //! Numbers in chapters that say what they are: `{{3.7 = \sqrt{13.7}}}`.
 
-use super::markdown::{code, texts};
+use super::markdown::{balanced, code, texts};
 use std::ops::Range;
 
 /// A number in a chapter.
@@ -80,23 +80,6 @@ fn found(chapter: &str) -> Vec<(Range<usize>, Numeral)> {
         }
     }
     all
-}
-
-/// The text up to the braces that close two open ones.
-fn balanced(text: &str) -> Option<&str> {
-    let mut open = 2;
-    for (at, c) in text.char_indices() {
-        match c {
-            '{' => open += 1,
-            '}' => open -= 1,
-            '\n' => return None,
-            _ => {}
-        }
-        if open == 0 {
-            return text[..at].strip_suffix('}');
-        }
-    }
-    None
 }
 
 fn numeral(inside: &str) -> Option<Numeral> {

@@ -52,7 +52,7 @@ pub(crate) fn read(file: &str, text: &str) -> Chapter {
         if let Piece::DisplayMath(latex) = piece {
             let mark = pending.map(|(mark, _)| mark);
             if mark.is_none() {
-                faults.push(fault(line, "this equation is neither executed nor marked: write `{{#equation ID}}` or `{{#presentation why}}` before it"));
+                faults.push(fault(line, "this equation is neither executed nor marked: put `{{#equation ID}}` or `{{#presentation why}}` before it"));
             }
             displays.push(Display { latex, line, mark });
             continue;
@@ -64,10 +64,13 @@ pub(crate) fn read(file: &str, text: &str) -> Chapter {
     }
     let bare = numeral::bare(text).into_iter();
     faults.extend(bare.map(|(line, numeral)| {
-        fault(line, &format!("where is {numeral} from? `{{{{{numeral} = expression}}}}`, `{{{{{numeral} in test}}}}`, or, of what the text itself sets, `{{{{given {numeral}}}}}`"))
+        fault(line, &format!("{numeral} does not say where it is from: `{{{{{numeral} = expression}}}}`, `… in test`, `given …`"))
     }));
     Chapter { numerals, displays, faults }
 }
+
+/// The formula that a display is about, and how it is to be read.
+pub(crate) type About = (Option<&'static dyn AnyFormula>, Setting);
 
 /// Formulas by their identifiers.
 pub(crate) struct Formulas<'c>(pub(crate) &'c [&'static dyn AnyFormula]);
@@ -78,13 +81,21 @@ impl Formulas<'_> {
         found.ok_or_else(|| format!("no formula `{id}` in the catalog"))
     }
 
-    /// What an argument says: `ID; let …; if …; put …; free …; from ID …`, in any order.
-    pub(crate) fn setting(&self, argument: &str) -> Result<(Option<&'static dyn AnyFormula>, Setting), String> {
+    /// What an argument says: `ID; let …; if …; put …; free …; from ID …; triads`, in any order.
+    /// `above` goes on with the setting of the display before.
+    pub(crate) fn setting(&self, argument: &str, above: Option<&(About, String)>) -> Result<About, String> {
         let (mut of, mut setting) = (None, Setting::default());
+        let mut definitions = Vec::new();
         for part in argument.split(';').map(str::trim).filter(|part| !part.is_empty()) {
             let (word, rest) = part.split_once(char::is_whitespace).unwrap_or((part, ""));
             match word {
-                "let" => setting.definitions = rest.into(),
+                "above" => {
+                    let (before, latex) = above.ok_or("nothing is executed above")?;
+                    (of, setting) = before.clone();
+                    setting.above.push(latex.clone());
+                }
+                "triads" => setting.triads = true,
+                "let" => definitions.push(rest),
                 "if" => setting.condition = rest.into(),
                 "put" => setting.put = rest.into(),
                 "free" => setting.free = rest.into(),
@@ -98,9 +109,11 @@ impl Formulas<'_> {
                     setting.of = Some(Signature { spec, inputs, outputs });
                     of = Some(formula);
                 }
-                _ => return Err(format!("`{word}` is none of let, if, put, free, from, and no formula")),
+                _ => return Err(format!("`{word}` is none of let, if, put, free, from, triads, above, and no formula")),
             }
         }
+        let own = definitions.join(r"\quad ");
+        setting.definitions = format!(r"{}\quad {own}", setting.definitions);
         Ok((of, setting))
     }
 }
