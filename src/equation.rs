@@ -43,9 +43,11 @@
 //! ```
 
 mod claims;
+mod closed;
 mod cursor;
 mod derivative;
 mod error;
+mod latex;
 mod lower;
 mod name;
 mod parse;
@@ -57,6 +59,8 @@ mod syntax;
 mod tape;
 mod token;
 mod value;
+mod variation;
+mod view;
 
 use crate::formula::{Field, Given, Spec};
 use crate::octuple::Octuple;
@@ -69,6 +73,7 @@ use name::Name;
 use scope::Entries;
 use syntax::ArgMin;
 use tape::{Id, Op, Tape};
+pub use view::View;
 use value::Value;
 
 /// An equation that can be executed.

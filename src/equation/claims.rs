@@ -37,6 +37,8 @@ pub struct Setting {
     pub condition: String,
     /// Symbols that may be any number or vector, with commas between them.
     pub free: String,
+    /// Whether only inputs and outputs of the formula are known, and not what its equation defines.
+    pub is_closed: bool,
     /// Whether triads are made orthonormal first: the claims hold for those only.
     pub triads: bool,
     /// Earlier displays, whose definitions count here too.
@@ -197,7 +199,7 @@ struct Known {
     inputs: Vec<(Name, Field)>,
     outputs: Vec<(Name, Field)>,
     free: Vec<Name>,
-    /// Symbols whose changes are written.
+    /// The changes of what changes.
     changing: Vec<Name>,
 }
 
@@ -226,7 +228,7 @@ impl Known {
             let listed = symbols(listed).map_err(|error| error.of_entry(spec.id, "where"))?;
             given.extend(listed.into_iter().map(|(name, parameters)| Taken { name, parameters, from }));
         }
-        if let Some(of) = setting.of {
+        if let Some(of) = setting.of.filter(|_| !setting.is_closed) {
             let from = entries.add_spec(&of.spec)?;
             let entry = &entries.0[from];
             let own = entry.statements.iter().map(|s| (s.names[0].clone(), s.parameters.clone()));
@@ -248,9 +250,11 @@ impl Known {
         if names.is_empty() {
             return;
         }
-        let inputs = self.inputs.iter().map(|(name, _)| name).filter(|name| name.change.is_empty());
+        let is_variation = names.iter().any(Name::is_variation);
+        let inputs = self.inputs.iter().map(|(name, _)| name).filter(|name| is_variation || name.change.is_empty());
         let is_written = |of: &&Name| names.iter().any(|name| name.base == of.base && name.below == of.below);
-        self.changing = inputs.chain(self.free.iter().filter(is_written)).cloned().collect();
+        let changing = inputs.chain(self.free.iter().filter(is_written)).cloned();
+        self.changing = changing.map(|name| if is_variation { name.varied() } else { Name { change: "d", ..name } }).collect();
     }
 
     /// Writes the operations.
@@ -277,11 +281,11 @@ impl Known {
             writer.inputs.push((name.clone(), value(parts)));
         }
         let mut changes = Vec::new();
-        for name in &self.changing {
-            let known = writer.inputs.iter().find(|(known, _)| known == name).map(|(_, value)| value.clone());
-            let of = known.map(parts).unwrap_or_default();
-            let change = Name { change: "d", ..name.clone() };
-            let own = writer.inputs.iter().find(|(known, _)| *known == change).map(|(_, value)| value.clone());
+        for change in &self.changing {
+            let name = change.unchanged();
+            let known = writer.inputs.iter().find(|(known, _)| Some(known) == name.as_ref());
+            let of = known.map(|(_, value)| parts(value.clone())).unwrap_or_default();
+            let own = writer.inputs.iter().find(|(known, _)| known == change).map(|(_, value)| value.clone());
             let by = own.map_or_else(
                 || {
                     free.extend(of.iter().map(|_| Free::Signed));
@@ -290,7 +294,7 @@ impl Known {
                 parts,
             );
             changes.extend(of.into_iter().zip(by.iter().copied()));
-            writer.inputs.push((change, value(by)));
+            writer.inputs.push((change.clone(), value(by)));
         }
         writer.beside = Beside { outputs: rows, changes };
         let put = put(&mut writer, &self.inputs, setting)?;
@@ -335,7 +339,7 @@ fn parts(value: Value) -> Vec<Id> {
 
 fn collect_changes(e: &Expr, names: &mut Vec<Name>) {
     if let Kind::Symbol(name) = &e.kind
-        && name.change == "d"
+        && name.unchanged().is_some()
     {
         names.push(name.clone());
     }

@@ -41,12 +41,9 @@ impl Writer<'_> {
         }
     }
 
-    /// `\mathrm{d}x` of something that is defined and changes with what changes; components too.
+    /// `\mathrm{d}x` or `\delta x` of something that is defined and changes with what changes; components too.
     pub(super) fn change(&mut self, name: &Name, at: usize, place: Place<'_>) -> Result<Option<Value>, Error> {
-        if name.change != "d" {
-            return Ok(None);
-        }
-        let of = Name { change: "", ..name.clone() };
+        let Some(of) = name.unchanged() else { return Ok(None) };
         if let Some(value) = self.defined(&of, at, place)? {
             return Ok(Some(match value {
                 Value::Scalar(id) => Value::Scalar(self.total(id)),

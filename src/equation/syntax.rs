@@ -145,6 +145,52 @@ impl Expr {
         }
     }
 
+    /// Whether it is a vector, as far as the type of its letters says.
+    pub(super) fn is_vector(&self) -> bool {
+        match &self.kind {
+            Kind::Symbol(name) | Kind::Apply(name, _) => name.bold,
+            Kind::Negative(e) | Kind::Sum { body: e, .. } => e.is_vector(),
+            Kind::Binary(Operator::Add | Operator::Subtract | Operator::Times, a, b) => a.is_vector() || b.is_vector(),
+            Kind::Binary(Operator::Dot, a, b) => a.is_vector() != b.is_vector(),
+            Kind::Binary(Operator::Divide, a, _) => a.is_vector(),
+            Kind::Binary(Operator::Cross, ..) | Kind::Tuple(_) => true,
+            Kind::Cases(rows) => rows.first().is_some_and(|(value, _)| value.is_vector()),
+            Kind::Partial(of, by) => of.is_vector() || by.bold,
+            Kind::Number(_) | Kind::Call(..) | Kind::Power(..) | Kind::Size(_) | Kind::Item(..) => false,
+        }
+    }
+
+    /// With each symbol and function replaced, where `put` says by what.
+    pub(super) fn replaced(&self, put: &dyn Fn(&Expr) -> Option<Self>) -> Self {
+        if let Some(other) = put(self) {
+            return other;
+        }
+        let boxed = |e: &Expr| Box::new(e.replaced(put));
+        let all = |list: &[Expr]| list.iter().map(|e| e.replaced(put)).collect();
+        let kind = match &self.kind {
+            Kind::Apply(name, arguments) => Kind::Apply(name.clone(), all(arguments)),
+            Kind::Call(function, arguments) => Kind::Call(*function, all(arguments)),
+            Kind::Tuple(items) => Kind::Tuple(all(items)),
+            Kind::Negative(e) => Kind::Negative(boxed(e)),
+            Kind::Size(e) => Kind::Size(boxed(e)),
+            Kind::Item(e, k) => Kind::Item(boxed(e), *k),
+            Kind::Partial(of, by) => Kind::Partial(boxed(of), by.clone()),
+            Kind::Binary(operator, a, b) => Kind::Binary(*operator, boxed(a), boxed(b)),
+            Kind::Power(a, b) => Kind::Power(boxed(a), boxed(b)),
+            Kind::Sum { index, from, to, body } => {
+                Kind::Sum { index: index.clone(), from: *from, to: *to, body: boxed(body) }
+            }
+            Kind::Cases(rows) => {
+                let condition = |all: &Condition| {
+                    all.iter().map(|(a, r, b)| (a.replaced(put), *r, b.replaced(put))).collect()
+                };
+                Kind::Cases(rows.iter().map(|(e, c)| (e.replaced(put), condition(c))).collect())
+            }
+            Kind::Number(_) | Kind::Symbol(_) => self.kind.clone(),
+        };
+        Self { kind, at: self.at }
+    }
+
     /// What it is made from.
     pub(super) fn parts(&self) -> Vec<&Expr> {
         match &self.kind {

@@ -4,12 +4,16 @@ use crate::book::prose::{About, Chapter, Display, Formulas, Mark, read};
 use crate::book::{Fault, Numeral, Origin, coverage, is_rounded};
 use crate::console::{count, figure};
 use crate::project::Project;
-use jointproof::equation::Claims;
+use jointproof::catalog::AnyFormula;
+use jointproof::equation::{Claims, Signature, View};
 use jointproof::verify::{self, Claim, Options};
 use std::path::Path;
 
 /// Random points a claim, beside the cases of the formula and the points beside its kinks.
 const SAMPLES: usize = 30;
+
+/// Random points a view, beside the same.
+const VIEW_SAMPLES: usize = 5;
 
 /// What was checked.
 #[derive(Default)]
@@ -18,6 +22,7 @@ struct Tally {
     presented: usize,
     comparisons: usize,
     numbers: usize,
+    views: usize,
 }
 
 /// What is off, and how much was checked.
@@ -42,10 +47,34 @@ pub(crate) fn check(project: &Project) -> anyhow::Result<(Vec<Fault>, String)> {
             note(numeral.line, held(project, &formulas, numeral));
         }
     }
-    let Tally { executed, presented, comparisons, numbers } = tally;
-    let [executed, comparisons, numbers] =
-        [(executed, "equation"), (comparisons, "comparison"), (numbers, "number")].map(|(n, noun)| count(n, noun));
-    Ok((faults, format!("{executed} executed, {presented} for presentation, {comparisons}, {numbers}")))
+    for &formula in project.catalog() {
+        let message = views(formula, &mut tally).err();
+        let file = format!("the views of {}", formula.spec().id);
+        faults.extend(message.map(|message| Fault { file, line: 0, message }));
+    }
+    let Tally { executed, presented, comparisons, numbers, views } = tally;
+    let [executed, comparisons, numbers, views] =
+        [(executed, "equation"), (comparisons, "comparison"), (numbers, "number"), (views, "view")]
+            .map(|(n, noun)| count(n, noun));
+    let shown = format!("{executed} and {views} of entries executed, {presented} for presentation");
+    Ok((faults, format!("{shown}, {comparisons}, {numbers}")))
+}
+
+/// Executes what an entry shows below its equation: the same with everything put in, and its variation.
+fn views(formula: &dyn AnyFormula, tally: &mut Tally) -> Result<(), String> {
+    let signature = Signature { spec: formula.spec(), inputs: formula.inputs(), outputs: formula.outputs() };
+    let unread = |error: jointproof::equation::Error| error.to_string();
+    let view = View::of(&signature).map_err(unread)?;
+    let Some(view) = view else { return Err("two entries that it refers to call different things the same".into()) };
+    let options = Options { samples: VIEW_SAMPLES, ..Options::default() };
+    let closed = view.equation(&signature).map_err(unread)?.map(|closed| formula.trial(&options).compare(&closed));
+    let varied = formula.claims(&view.claims(&signature).map_err(unread)?, &options);
+    for claim in closed.iter().chain([&varied]) {
+        tally.views += 1;
+        tally.comparisons += claim.checks;
+        verdict(claim)?;
+    }
+    Ok(())
 }
 
 /// Executes what is claimed.
