@@ -124,7 +124,12 @@ impl Claims {
             for statement in chains(text, functions().chain(declared).collect())? {
                 let is_defined = |name: &Name| all.iter().any(|statement| statement.names.contains(name));
                 let is_given = |name: &Name| known.has(name) || given.iter().any(|taken| taken.name == *name);
-                match definition(&statement, |name| is_defined(name) || is_given(name)) {
+                // Of a field, what is written is compared with its change.
+                let is_change = |name: &Name| match name.unchanged() {
+                    Some(of) => !name.is_variation() || known.has(&of),
+                    None => !name.change.is_empty(),
+                };
+                match definition(&statement, |name| is_defined(name) || is_given(name) || is_change(name)) {
                     Some(definition) => all.extend(apart(definition)),
                     None => claimed.push(statement),
                 }
@@ -353,7 +358,7 @@ fn collect_changes(e: &Expr, names: &mut Vec<Name>) {
 fn definition(statement: &Statement, is_known: impl Fn(&Name) -> bool) -> Option<Statement> {
     let Body::Chain(first, rest) = &statement.body else { return None };
     let symbol = |e: &Expr| match &e.kind {
-        Kind::Symbol(name) if !is_known(name) && name.change.is_empty() => Some(name.clone()),
+        Kind::Symbol(name) if !is_known(name) => Some(name.clone()),
         _ => None,
     };
     let (names, parameters) = match &first.kind {

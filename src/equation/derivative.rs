@@ -41,7 +41,7 @@ impl Writer<'_> {
         }
     }
 
-    /// `\mathrm{d}x` or `\delta x` of something that is defined and changes with what changes; components too.
+    /// `\mathrm{d}x` or `\delta x` of something that is defined and changes with what changes.
     pub(super) fn change(&mut self, name: &Name, at: usize, place: Place<'_>) -> Result<Option<Value>, Error> {
         let Some(of) = name.unchanged() else { return Ok(None) };
         if let Some(value) = self.defined(&of, at, place)? {
@@ -51,7 +51,13 @@ impl Writer<'_> {
                 Value::Normal | Value::Zero => return Ok(None),
             }));
         }
-        let Some((vector, index)) = of.component() else { return Ok(None) };
+        Ok(None)
+    }
+
+    /// The same of a component.
+    pub(super) fn change_of_component(&mut self, name: &Name, at: usize, place: Place<'_>) -> Result<Option<Value>, Error> {
+        let of = name.unchanged();
+        let Some((vector, index)) = of.as_ref().and_then(Name::component) else { return Ok(None) };
         let Some(Value::Vector(parts)) = self.defined(&vector, at, place)? else { return Ok(None) };
         let changes: Vec<_> = parts.into_iter().map(|id| self.total(id)).collect();
         self.component(&changes, index, at, place).map(Some)

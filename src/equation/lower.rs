@@ -81,12 +81,15 @@ impl<'e> Writer<'e> {
         if let Some(value) = self.defined(name, at, place)? {
             return Ok(value);
         }
+        if let Some(value) = self.change(name, at, place)? {
+            return Ok(value);
+        }
         if let Some((vector, index)) = name.component()
             && let Some(Value::Vector(components)) = self.defined(&vector, at, place)?
         {
             return self.component(&components, index, at, place);
         }
-        if let Some(value) = self.change(name, at, place)? {
+        if let Some(value) = self.change_of_component(name, at, place)? {
             return Ok(value);
         }
         constant(name, &mut self.tape).ok_or_else(|| Error::new(at, format!("{name} is nobody's symbol")))
