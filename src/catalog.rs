@@ -7,7 +7,8 @@ use crate::measure::{self, Measurement};
 use crate::proof::{Convention, Flag, Proved};
 use crate::scalar::{abs, sign};
 use crate::verify::{
-    Audit, Claim, Kink, Options, Subject, Trial, audit, audit_at, audit_equation, claims_about, exact, golden, number_of,
+    Audit, Claim, Kink, Options, Printed, Subject, Trial, audit, audit_at, audit_equation, claims_about, exact, golden,
+    kinks_as_printed, number_of,
 };
 use crate::{
     Error, Octuple, align, cardan, coulomb, interaction, join, slide_line, slider, slot, translator, ujoint, universal,
@@ -44,6 +45,8 @@ pub trait AnyFormula: Send + Sync {
     fn audit_equation(&self, options: &Options) -> [Claim; 2];
     /// What prose claims about it, checked now.
     fn claims(&self, claims: &Claims, options: &Options) -> Claim;
+    /// The conditions of its kinks, executed as they are printed.
+    fn kinks_as_printed(&self) -> Vec<(String, Printed)>;
     /// The number that an expression about it is.
     fn number(&self, expression: &Claims) -> Octuple;
     /// The outputs at input components given in order.
@@ -127,6 +130,9 @@ impl<F: Proved> AnyFormula for F {
     }
     fn claims(&self, claims: &Claims, options: &Options) -> Claim {
         claims_about::<F>(claims, options)
+    }
+    fn kinks_as_printed(&self) -> Vec<(String, Printed)> {
+        kinks_as_printed::<F>()
     }
     fn number(&self, expression: &Claims) -> Octuple {
         number_of::<F>(expression)

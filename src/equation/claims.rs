@@ -39,6 +39,8 @@ pub struct Setting {
     pub free: String,
     /// Whether only inputs and outputs of the formula are known, and not what its equation defines.
     pub is_closed: bool,
+    /// Whether what the equation refers to by way of other entries is known, too, where these agree on it.
+    pub is_deep: bool,
     /// Whether triads are made orthonormal first: the claims hold for those only.
     pub triads: bool,
     /// Earlier displays, whose definitions count here too.
@@ -245,6 +247,16 @@ impl Known {
                 }
             }
         }
+        if setting.is_deep {
+            for (from, entry) in entries.0.iter().enumerate() {
+                for statement in &entry.statements {
+                    let (name, parameters) = (statement.names[0].clone(), statement.parameters.clone());
+                    if !self.has(&name) && !given.iter().any(|taken| taken.name == name) {
+                        given.push(Taken { name, parameters, from });
+                    }
+                }
+            }
+        }
         Ok(given)
     }
 
@@ -388,6 +400,9 @@ fn sides(writer: &mut Writer<'_>, statement: &Statement, latex: &str) -> Result<
             (Value::Scalar(a), Value::Scalar(b)) => vec![(a, b)],
             (Value::Vector(a), Value::Vector(b)) if a.len() == b.len() && *relation == Relation::Equal => {
                 a.into_iter().zip(b).collect()
+            }
+            (Value::Vector(a), Value::Scalar(b)) if b == zero && *relation == Relation::Equal => {
+                a.into_iter().map(|a| (a, zero)).collect()
             }
             (Value::Vector(a), Value::Zero) if *relation == Relation::Equal => a.into_iter().map(|a| (a, zero)).collect(),
             _ => return Err(Error::new(side.at, "the two sides have not the same shape")),

@@ -169,6 +169,7 @@ impl Parser<'_> {
             "sin" => self.trigonometric(Function::Sin).map(Some),
             "cos" => self.trigonometric(Function::Cos).map(Some),
             "arcsin" => call(Function::ArcSin, vec![self.single_argument()?]),
+            "max" => self.largest(at).map(Some),
             "operatorname" => self.operator().map(Some),
             "lvert" => {
                 let inside = self.expression()?;
@@ -220,6 +221,16 @@ impl Parser<'_> {
             Word::Digit(_) => Err(self.expected("a bracket around the argument")),
             _ => self.base(),
         }
+    }
+
+    /// `\max(a, b)`
+    fn largest(&mut self, at: usize) -> Result<Kind, Error> {
+        self.expect('(')?;
+        let Ok([a, b]) = <[Expr; 2]>::try_from(self.list(')')?) else {
+            return Err(Error::new(at, "max has 2 arguments"));
+        };
+        let is_first = vec![(a.clone(), Relation::GreaterOrEqual, b.clone())];
+        Ok(Kind::Cases(vec![(a, is_first), (b, Vec::new())]))
     }
 
     /// `\operatorname{…}` and its arguments.

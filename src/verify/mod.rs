@@ -65,7 +65,7 @@ pub use difference::central_differences;
 pub(crate) use eta::U;
 pub use eta::{Sensitivity, eta, relative};
 pub use jet::{derivative_of_jacobian, jacobian_by_ad};
-pub use prose::{claims_about, claims_at_large, number_at_large, number_of};
+pub use prose::{Printed, claims_about, claims_at_large, kinks_as_printed, number_at_large, number_of};
 pub use sample::Sampler;
 pub use trial::Trial;
 

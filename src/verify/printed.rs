@@ -97,17 +97,21 @@ impl Found<'_> {
         }
     }
 
-    /// Compares the Jacobian; every entry is judged against itself and what rounding of the inputs can do to it.
+    /// Compares the Jacobian; every entry is judged against itself and, where that is too strict, against what rounding
+    /// of the inputs can do to it, its bend.
     pub(super) fn record_jacobian(
         &self,
         claim: &mut Claim,
         closed: &[Octuple],
-        bends: &[Sensitivity],
+        bend: impl Fn(usize) -> Sensitivity,
         entry: impl Fn(usize) -> String,
         describe: impl Fn(f64, String, f64, f64) -> Deviation,
     ) {
-        for (k, ((&found, &closed), bend)) in self.jacobian.iter().zip(closed).zip(bends).enumerate() {
-            let share = judged(bend.plus(closed), found - closed, || self.terms_of_entry(k));
+        for (k, (&found, &closed)) in self.jacobian.iter().zip(closed).enumerate() {
+            let share = match Sensitivity::new(&[], &[]).plus(closed).share_of(found - closed) {
+                share if share > EQUATION => judged(bend(k).plus(closed), found - closed, || self.terms_of_entry(k)),
+                share => share,
+            };
             claim.record(share, EQUATION, |share| describe(share, entry(k), found.to_f64(), closed.to_f64()));
         }
     }

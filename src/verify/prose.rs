@@ -3,10 +3,10 @@
 use super::audit::{Options, named_points};
 use super::claim::{Claim, Deviation};
 use super::printed::EQUATION;
-use super::subject::Subject;
-use super::{Sampler, Sensitivity, golden};
+use super::subject::{Kink, Subject};
+use super::{Sampler, Sensitivity, exact, golden};
 use crate::Octuple;
-use crate::equation::{ClaimAt, Claims, Free};
+use crate::equation::{ClaimAt, Claims, Free, Setting, Signature};
 use crate::formula::Field;
 use crate::proof::Proved;
 use crate::quantity::Domain;
@@ -22,7 +22,7 @@ pub fn claims_about<F: Proved>(claims: &Claims, options: &Options) -> Claim {
     let named = named_points(&subject).into_iter().map(|point| (point.label, point.inputs));
     let mut claim = Claim::new("prose, in 237 bits", EQUATION);
     for (label, inputs) in named.chain(random) {
-        let mut exact: Vec<_> = inputs.iter().map(|&x| x.into()).collect();
+        let mut exact = exact(&inputs);
         if claims.triads {
             make_orthonormal(subject.inputs, &mut exact);
         }
@@ -54,6 +54,59 @@ pub fn claims_at_large(claims: &Claims, options: &Options) -> Claim {
     claim
 }
 
+/// Whether the condition of a kink, as it is printed, is the one that is registered.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Printed {
+    /// It was executed at so many points and is.
+    Executed(usize),
+    /// It is in words.
+    InWords,
+    /// It cannot be read, or is another one: what is off.
+    Off(String),
+}
+
+/// Executes the printed condition of every kink: it holds on the kink, not beside it, and at each case just where the
+/// registered one does.
+pub fn kinks_as_printed<F: Proved>() -> Vec<(String, Printed)> {
+    let subject = Subject::of::<F>();
+    let of = Signature { spec: F::SPEC, inputs: subject.inputs, outputs: subject.outputs };
+    let setting = Setting { of: Some(of), is_deep: true, ..Setting::default() };
+    let all = subject.kinks.iter().map(|kink| (kink.condition.clone(), printed(&subject, kink, &setting)));
+    all.collect()
+}
+
+fn printed(subject: &Subject, kink: &Kink, setting: &Setting) -> Printed {
+    if kink.condition.contains(r"\text") {
+        return Printed::InWords;
+    }
+    let claims = match Claims::read(&kink.condition, setting) {
+        Ok(claims) => claims,
+        Err(error) => return Printed::Off(error.to_string()),
+    };
+    let moved = |step: f64| kink.at.iter().zip(&kink.across).map(|(x, by)| x + step * by).collect();
+    let beside = [2e-3, -2e-3].map(|step| (false, moved(step))).into_iter();
+    let cases = (subject.cases)().into_iter().map(|case| ((kink.holds)(&exact(&case.inputs)), case.inputs));
+    let points = std::iter::once((true, kink.at.clone())).chain(beside).chain(cases);
+    let mut executed = 0;
+    for (expected, inputs) in points.filter(|(_, inputs)| (subject.check)(inputs).is_ok()) {
+        executed += 1;
+        if is_met(subject, &claims, &exact(&inputs)) != expected {
+            let negation = if expected { "is not" } else { "is" };
+            let inputs = serde_json::Value::from(golden::named(subject.inputs, &inputs));
+            return Printed::Off(format!("`{}` {negation} so at {inputs}", kink.condition));
+        }
+    }
+    Printed::Executed(executed)
+}
+
+/// Whether all claims hold at a point.
+fn is_met(subject: &Subject, claims: &Claims, inputs: &[Octuple]) -> bool {
+    let [values, jacobian] = [(subject.exact_value)(inputs), (subject.exact_jacobian)(inputs)];
+    let point = claims.point(inputs, Some([&values, &jacobian]), &[]);
+    let sizes = || sizes(subject, inputs, &values, &jacobian, false);
+    claims.at(&point).iter().all(|at| if at.is_equality { share(claims, at, &point, sizes) <= EQUATION } else { at.holds })
+}
+
 /// The number that an expression about a formula is, where all inputs that it needs are put in.
 pub fn number_of<F: Proved>(expression: &Claims) -> Octuple {
     let subject = Subject::of::<F>();
@@ -76,12 +129,17 @@ fn check(
     describe: impl Fn(f64, &ClaimAt<'_>) -> Deviation,
 ) {
     for at in claims.at(point) {
-        let whole = Sensitivity::new(&[], &[]).plus(at.left).plus(at.right);
-        let mut share = if !at.is_equality && at.holds { 0.0 } else { whole.share_of(at.right - at.left) };
-        if share > EQUATION {
-            share = whole.plus(claims.terms(&at, point, &sizes())).share_of(at.right - at.left);
-        }
+        let share = if !at.is_equality && at.holds { 0.0 } else { share(claims, &at, point, &sizes) };
         claim.record(share, EQUATION, |share| describe(share, &at));
+    }
+}
+
+/// By how much two sides differ, relative to their size and, where that is too much, to the terms that they are made of.
+fn share(claims: &Claims, at: &ClaimAt<'_>, point: &[Octuple], sizes: impl Fn() -> Vec<Octuple>) -> f64 {
+    let whole = Sensitivity::new(&[], &[]).plus(at.left).plus(at.right);
+    match whole.share_of(at.right - at.left) {
+        share if share > EQUATION => whole.plus(claims.terms(at, point, &sizes())).share_of(at.right - at.left),
+        share => share,
     }
 }
 

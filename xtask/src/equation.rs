@@ -9,6 +9,7 @@ use jointproof::catalog::AnyFormula;
 use jointproof::equation::Equation;
 use jointproof::formula::Field;
 use jointproof::verify::{Claim, Deviation, Options};
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::time::Instant;
 
 /// Compare an equation of your own, in LaTeX, with a formula; or all that the book prints
@@ -68,9 +69,9 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
 fn all(project: &Project, options: &Options) -> Outcome {
     let start = Instant::now();
     let (mut checks, mut off) = ([0; 2], Vec::new());
-    for formula in project.catalog() {
-        let claims = formula.audit_equation(options);
-        for (checks, claim) in checks.iter_mut().zip(&claims) {
+    let audited: Vec<_> = project.catalog().par_iter().map(|formula| (formula, formula.audit_equation(options))).collect();
+    for (formula, claims) in &audited {
+        for (checks, claim) in checks.iter_mut().zip(claims) {
             *checks += claim.checks;
         }
         off.extend(claims.iter().filter(|claim| !claim.held()).map(|claim| failed(formula.spec().id, claim)));

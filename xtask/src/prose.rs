@@ -6,7 +6,7 @@ use crate::console::{count, figure};
 use crate::project::Project;
 use jointproof::catalog::AnyFormula;
 use jointproof::equation::{Claims, Signature, View};
-use jointproof::verify::{self, Claim, Options};
+use jointproof::verify::{self, Claim, Options, Printed};
 use std::path::Path;
 
 /// Random points a claim, beside the cases of the formula and the points beside its kinks.
@@ -23,6 +23,8 @@ struct Tally {
     comparisons: usize,
     numbers: usize,
     views: usize,
+    kinks: usize,
+    in_words: usize,
 }
 
 /// What is off, and how much was checked.
@@ -48,16 +50,17 @@ pub(crate) fn check(project: &Project) -> anyhow::Result<(Vec<Fault>, String)> {
         }
     }
     for &formula in project.catalog() {
+        let file = format!("the entry of {}", formula.spec().id);
         let message = views(formula, &mut tally).err();
-        let file = format!("the views of {}", formula.spec().id);
-        faults.extend(message.map(|message| Fault { file, line: 0, message }));
+        for message in message.into_iter().chain(kinks(formula, &mut tally)) {
+            faults.push(Fault { file: file.clone(), line: 0, message });
+        }
     }
-    let Tally { executed, presented, comparisons, numbers, views } = tally;
-    let [executed, comparisons, numbers, views] =
-        [(executed, "equation"), (comparisons, "comparison"), (numbers, "number"), (views, "view")]
-            .map(|(n, noun)| count(n, noun));
-    let shown = format!("{executed} and {views} of entries executed, {presented} for presentation");
-    Ok((faults, format!("{shown}, {comparisons}, {numbers}")))
+    let Tally { executed, presented, comparisons, numbers, views, kinks, in_words } = tally;
+    let counted = [(executed, "equation"), (views, "view"), (kinks, "kink"), (comparisons, "comparison"), (numbers, "number")];
+    let [executed, views, kinks, comparisons, numbers] = counted.map(|(number, noun)| count(number, noun));
+    let other = format!("{presented} for presentation, {in_words} in words");
+    Ok((faults, format!("{executed}, {views} of entries and {kinks} executed, {other}, {comparisons}, {numbers}")))
 }
 
 /// Executes what an entry shows below its equation: the same with everything put in, and its variation.
@@ -75,6 +78,22 @@ fn views(formula: &dyn AnyFormula, tally: &mut Tally) -> Result<(), String> {
         verdict(claim)?;
     }
     Ok(())
+}
+
+/// Executes the printed conditions of kinks.
+fn kinks(formula: &dyn AnyFormula, tally: &mut Tally) -> Vec<String> {
+    let mut off = Vec::new();
+    for (_, printed) in formula.kinks_as_printed() {
+        match printed {
+            Printed::InWords => tally.in_words += 1,
+            Printed::Executed(points) => {
+                tally.kinks += 1;
+                tally.comparisons += points;
+            }
+            Printed::Off(message) => off.push(format!("a kink: {message}")),
+        }
+    }
+    off
 }
 
 /// Executes what is claimed.
