@@ -9,7 +9,7 @@
 mod proof;
 
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec};
 use crate::quantity::{F_TANGENTIAL, F_TRIAL, FN, MU, P, PHI};
 use crate::scalar::{Scalar, abs, sign};
 
@@ -29,7 +29,8 @@ pub struct Yield;
 impl Formula for Yield {
     const SPEC: Spec = Spec::new("coulomb.yield", "Yield function", Document::SLOT.printed("Friction"))
         .equation(r"\Phi = P - \mu F_N")
-        .eta(2.0, 0.0);
+        .eta(2.0, 0.0)
+        .finite(Finite::Below);
     type Inputs<T: Component> = Tractions<T>;
     type Outputs<T: Component> = YieldFunction<T>;
 
@@ -74,7 +75,8 @@ impl Formula for ReturnMap {
         ),
     )
         .equation(r"f = \begin{cases} f^{\mathrm{trial}} & \lvert f^{\mathrm{trial}}\rvert < \mu F_N \\ \mu F_N \operatorname{sign} f^{\mathrm{trial}} & \text{otherwise}\end{cases}")
-        .eta(1.0, 0.0);
+        .eta(1.0, 0.0)
+        .finite(Finite::Below);
     type Inputs<T: Component> = Trial<T>;
     type Outputs<T: Component> = Tangential<T>;
 

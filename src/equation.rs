@@ -73,8 +73,8 @@ use name::Name;
 use scope::Entries;
 use syntax::ArgMin;
 use tape::{Id, Op, Tape};
-pub use view::View;
 use value::Value;
+pub use view::View;
 
 /// An equation that can be executed.
 #[derive(Clone, Debug)]

@@ -7,12 +7,14 @@
 
 mod checked;
 mod fields;
+mod finite;
 mod source;
 
 pub use checked::{check, value, value_and_jacobian};
 pub use fields::{Component, Field, Fields, Part};
 #[cfg(feature = "verify")]
 pub(crate) use fields::{entries, typed};
+pub use finite::Finite;
 pub use source::{Document, Provenance, Source};
 
 use crate::error::Error;
@@ -67,12 +69,15 @@ pub struct Spec {
     /// Whether moving and turning the whole model moves and turns the outputs with it (frame indifference). A formula
     /// that refers to the global axes is not objective.
     pub objective: bool,
+    /// The inputs at which neither an output nor a derivative overflows.
+    pub finite: Finite,
 }
 
 impl Spec {
     /// An objective formula; its equation and its bounds follow.
     pub const fn new(id: &'static str, title: &'static str, source: Source) -> Self {
-        Self { id, title, source, latex: "", given: &[], eta: 0.0, eta_jacobian: 0.0, objective: true }
+        let (latex, given, eta, eta_jacobian) = ("", [].as_slice(), 0.0, 0.0);
+        Self { id, title, source, latex, given, eta, eta_jacobian, objective: true, finite: Finite::Unknown }
     }
 
     /// The equation in LaTeX.
@@ -91,6 +96,12 @@ impl Spec {
     #[must_use]
     pub const fn eta(self, value: f64, jacobian: f64) -> Self {
         Self { eta: value, eta_jacobian: jacobian, ..self }
+    }
+
+    /// The inputs at which neither an output nor a derivative overflows, which makes checked calls cheap there.
+    #[must_use]
+    pub const fn finite(self, finite: Finite) -> Self {
+        Self { finite, ..self }
     }
 
     /// It refers to the global axes, so that turning the model does not turn the outputs with it.

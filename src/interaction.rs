@@ -9,7 +9,7 @@ mod proof;
 
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Source, Spec};
 use crate::quantity::{
     CLEARANCE, CLOSING_RATE, DAMPING_FRACTION, MU0, OVERCLOSURE, PRESSURE, PRESSURE_AT_TOUCH, STIFFNESS,
 };
@@ -37,7 +37,8 @@ pub struct PressureLinear;
 impl Formula for PressureLinear {
     const SPEC: Spec = Spec::new("interaction.pressure_linear", "Linear pressure–overclosure law", SOURCE)
         .equation(r"p = \begin{cases} k\,h & h > 0 \\ 0 & \text{otherwise}\end{cases}")
-        .eta(1.0, 0.0);
+        .eta(1.0, 0.0)
+        .finite(Finite::Below);
     type Inputs<T: Component> = LinearContact<T>;
     type Outputs<T: Component> = ContactPressure<T>;
 
@@ -148,7 +149,8 @@ impl Zone {
 impl Formula for Damping {
     const SPEC: Spec = Spec::new("interaction.damping", "Viscous contact damping", SOURCE)
         .equation(r"p = v \begin{cases} \mu_0 & -h \le \eta c_0 \\ \mu_0\,\dfrac{c_0 + h}{(1-\eta)\,c_0} & \eta c_0 < -h < c_0 \\ 0 & \text{otherwise}\end{cases}")
-        .eta(2.0, 2.0);
+        .eta(2.0, 2.0)
+        .finite(Finite::Between);
     type Inputs<T: Component> = DampingContact<T>;
     type Outputs<T: Component> = ContactPressure<T>;
 

@@ -14,7 +14,9 @@ mod proof;
 
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Jacobian, Spec, ValueAndJacobian, value, value_and_jacobian};
+use crate::formula::{
+    Component, Document, Finite, Formula, Jacobian, Spec, ValueAndJacobian, value, value_and_jacobian,
+};
 use crate::frame::Triad;
 use crate::quantity::{D0, E1A, E2A, E3A, G_JOIN, XA, XB};
 use crate::scalar::Scalar;
@@ -57,7 +59,8 @@ impl Formula for Constraint {
         Document::UJOINT.ours("Description", "the page of JOIN was not given; b is held where it was at the start"),
     )
     .equation(r"g_i = \mathbf{e}_{ia}\cdot(\mathbf{x}_b-\mathbf{x}_a) - d_{0i},\quad i = 1, 2, 3")
-    .eta(2.0, 1.0);
+    .eta(2.0, 1.0)
+    .finite(Finite::Below);
     type Inputs<T: Component> = Joined<T>;
     type Outputs<T: Component> = Displaced<T>;
 

@@ -2,7 +2,7 @@
 //! wrong value at a kink, an inaccurate algorithm.
 
 use jointproof::catalog::CATALOG;
-use jointproof::formula::{Component, Document, Formula, Jacobian, Spec};
+use jointproof::formula::{Component, Document, Finite, Formula, Jacobian, Spec};
 use jointproof::proof::{Case, Convention, Kink, Proved};
 use jointproof::quantity::{F2, F3, FC};
 use jointproof::scalar::{Scalar, abs, direction, norm, sign};
@@ -66,6 +66,7 @@ fields! { struct Outputs<T> { fc: T = FC } }
 
 /// √(f2² + f3²) with a fault planted in value or Jacobian.
 trait Fault: Copy + Send + Sync + 'static {
+    const FINITE: Finite = Finite::Between;
     fn value<D: Scalar>(i: &Inputs<D>) -> D {
         norm([i.f2, i.f3])
     }
@@ -80,7 +81,8 @@ struct Planted<T>(T);
 impl<T: Fault> Formula for Planted<T> {
     const SPEC: Spec = Spec::new("planted.fault", "Planted fault", Document::SLOT.printed("Friction"))
         .equation(r"F_C = \sqrt{f_2^2 + f_3^2}")
-        .eta(2.0, 2.0);
+        .eta(2.0, 2.0)
+        .finite(T::FINITE);
     type Inputs<E: Component> = Inputs<E>;
     type Outputs<E: Component> = Outputs<E>;
     fn eval<D: Scalar>(i: &Inputs<D>) -> Outputs<D> {
@@ -194,6 +196,24 @@ fn an_overflowing_algorithm_is_caught() {
     let caught = caught::<Naive>();
     assert_names(&caught, "η of the value", "fc");
     assert!(caught.iter().any(|(.., point)| point == "huge"), "{caught:?}");
+}
+
+/// The square of a number below 1e-154 is 0, and the reciprocal of 0 infinite.
+#[derive(Clone, Copy)]
+struct DividesBySquare<const WHERE_TINY: bool>;
+impl<const WHERE_TINY: bool> Fault for DividesBySquare<WHERE_TINY> {
+    const FINITE: Finite = if WHERE_TINY { Finite::Below } else { Finite::Between };
+    fn gradient<D: Scalar>(i: &Inputs<D>) -> [D; 2] {
+        let square = i.f2 * i.f2 + i.f3 * i.f3;
+        if i.f2 == 0.0 && i.f3 == 0.0 { [D::zero(); 2] } else { [i.f2, i.f3].map(|f| f * norm([i.f2, i.f3]) / square) }
+    }
+}
+
+#[test]
+fn an_overflow_where_none_is_stated_is_caught() {
+    let overflow = |caught: Vec<(String, _, _)>| caught.iter().any(|(claim, ..)| claim.contains("overflows"));
+    assert!(overflow(caught::<DividesBySquare<true>>()));
+    assert!(!overflow(caught::<DividesBySquare<false>>()));
 }
 
 #[test]

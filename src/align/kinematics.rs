@@ -6,7 +6,7 @@ mod proof;
 use crate::cardan::{Angles, CardanAngles, Oriented, Triads};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Spec, along};
+use crate::formula::{Component, Document, Fields, Finite, Formula, Given, Jacobian, Spec, along};
 use crate::quantity::{ALPHA0, BETA0, E1A, E1B, E2A, E2B, E3A, E3B, GAMMA0, M1, M2, M3, MOMENT, UR1, UR2, UR3};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
@@ -64,7 +64,8 @@ impl Formula for Constraint {
     )
     .equation(r"u_{r1} = \alpha - \alpha_0,\quad u_{r2} = \beta - \beta_0,\quad u_{r3} = \gamma - \gamma_0")
     .given(&[Given::new(r"\alpha,\ \beta,\ \gamma", &CardanAngles::SPEC)])
-    .eta(2.0, 4.0);
+    .eta(2.0, 4.0)
+    .finite(Finite::Between);
     type Inputs<T: Component> = Orientations<T>;
     type Outputs<T: Component> = Misalignment<T>;
 
@@ -116,7 +117,8 @@ impl Formula for ConstraintMoment {
             .ours("Summary", "the page names the components m1, m2, m3; that they are along the triad of a is ours"),
     )
     .equation(r"\mathbf{m} = m_1\,\mathbf{e}_{1a} + m_2\,\mathbf{e}_{2a} + m_3\,\mathbf{e}_{3a}")
-    .eta(1.5, 0.0);
+    .eta(1.5, 0.0)
+    .finite(Finite::Below);
     type Inputs<T: Component> = Moments<T>;
     type Outputs<T: Component> = Moment<T>;
 

@@ -7,7 +7,7 @@ use super::arc_sine::{arc_sine, arc_sine_slope, check_arc_sine};
 use super::{Triads, alpha, alpha_gradient, check_turns, gamma, gamma_gradient};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec};
 use crate::quantity::{ALPHA, BETA, GAMMA};
 use crate::scalar::Scalar;
 
@@ -33,7 +33,8 @@ impl Formula for CardanAngles {
         ),
     )
         .equation(r"\alpha = -\operatorname{atan2}(\mathbf{e}_{2a}\cdot\mathbf{e}_{3b},\ \mathbf{e}_{3a}\cdot\mathbf{e}_{3b}),\quad \beta = \arcsin(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b}),\quad \gamma = -\operatorname{atan2}(\mathbf{e}_{1a}\cdot\mathbf{e}_{2b},\ \mathbf{e}_{1a}\cdot\mathbf{e}_{1b})")
-        .eta(2.0, 4.0);
+        .eta(2.0, 4.0)
+        .finite(Finite::Between);
     type Inputs<T: Component> = Triads<T>;
     type Outputs<T: Component> = Angles<T>;
 

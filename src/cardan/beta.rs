@@ -6,7 +6,7 @@ mod proof;
 use super::{Triads, turn_gradient};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec};
 use crate::quantity::{BETA, E1A, E1B, E2B, E3B};
 use crate::scalar::{Scalar, atan2, has_length, norm, norm_and_direction};
 use nalgebra::Vector3;
@@ -45,7 +45,8 @@ impl Formula for BetaTwoArgument {
         ),
     )
         .equation(r"\beta = \operatorname{atan2}\!\left(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b},\ \sqrt{(\mathbf{e}_{1a}\cdot\mathbf{e}_{1b})^2 + (\mathbf{e}_{1a}\cdot\mathbf{e}_{2b})^2}\right)")
-        .eta(2.0, 4.0);
+        .eta(2.0, 4.0)
+        .finite(Finite::Between);
     type Inputs<T: Component> = BetaAxes<T>;
     type Outputs<T: Component> = Beta<T>;
 

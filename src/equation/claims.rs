@@ -118,7 +118,8 @@ impl Claims {
         entries.0.push(Entry { id: "prose", statements: Vec::new(), given: Vec::new() });
         let mut given = known.given(setting, &mut entries)?;
         let functions = || given.iter().filter(|taken| !taken.parameters.is_empty()).map(|taken| taken.name.clone());
-        let mut all = statements(&setting.definitions, functions().collect()).map_err(|e| e.of_entry("words", "definition"))?;
+        let mut all =
+            statements(&setting.definitions, functions().collect()).map_err(|e| e.of_entry("words", "definition"))?;
         let mut claimed = Vec::new();
         for text in setting.above.iter().map(String::as_str).chain([latex]) {
             let declared = all.iter().filter(|s| !s.parameters.is_empty()).map(|s| s.names[0].clone());
@@ -271,11 +272,18 @@ impl Known {
         let inputs = self.inputs.iter().map(|(name, _)| name).filter(|name| is_variation || name.change.is_empty());
         let is_written = |of: &&Name| names.iter().any(|name| name.base == of.base && name.below == of.below);
         let changing = inputs.chain(self.free.iter().filter(is_written)).cloned();
-        self.changing = changing.map(|name| if is_variation { name.varied() } else { Name { change: "d", ..name } }).collect();
+        self.changing =
+            changing.map(|name| if is_variation { name.varied() } else { Name { change: "d", ..name } }).collect();
     }
 
     /// Writes the operations.
-    fn claims(&self, entries: &Entries, claimed: &[Statement], setting: &Setting, latex: &str) -> Result<Claims, Error> {
+    fn claims(
+        &self,
+        entries: &Entries,
+        claimed: &[Statement],
+        setting: &Setting,
+        latex: &str,
+    ) -> Result<Claims, Error> {
         let mut writer = Writer::new(entries, &self.inputs);
         let inputs = writer.solution;
         let (mut next, mut free) = (inputs, Vec::new());
@@ -404,10 +412,17 @@ fn sides(writer: &mut Writer<'_>, statement: &Statement, latex: &str) -> Result<
             (Value::Vector(a), Value::Scalar(b)) if b == zero && *relation == Relation::Equal => {
                 a.into_iter().map(|a| (a, zero)).collect()
             }
-            (Value::Vector(a), Value::Zero) if *relation == Relation::Equal => a.into_iter().map(|a| (a, zero)).collect(),
+            (Value::Vector(a), Value::Zero) if *relation == Relation::Equal => {
+                a.into_iter().map(|a| (a, zero)).collect()
+            }
             _ => return Err(Error::new(side.at, "the two sides have not the same shape")),
         };
-        all.extend(pairs.into_iter().map(|(left, right)| Claimed { left, relation: *relation, right, text: text.clone() }));
+        all.extend(pairs.into_iter().map(|(left, right)| Claimed {
+            left,
+            relation: *relation,
+            right,
+            text: text.clone(),
+        }));
         (left, from) = (right, side.at);
     }
     Ok(all)

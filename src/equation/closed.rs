@@ -19,7 +19,9 @@ pub(super) fn flat(entries: &Entries) -> Option<Vec<Statement>> {
     let statement = |found: &Found| {
         let statement = &entries.0[found.entry].statements[found.place];
         let body = match &statement.body {
-            Body::Equal(sides) => Body::Equal(sides.iter().take(if found.entry == 0 { sides.len() } else { 1 }).map(items).collect()),
+            Body::Equal(sides) => {
+                Body::Equal(sides.iter().take(if found.entry == 0 { sides.len() } else { 1 }).map(items).collect())
+            }
             body => body.clone(),
         };
         Statement { parameters: found.parameters.clone(), body, ..statement.clone() }

@@ -55,7 +55,12 @@ impl Writer<'_> {
     }
 
     /// The same of a component.
-    pub(super) fn change_of_component(&mut self, name: &Name, at: usize, place: Place<'_>) -> Result<Option<Value>, Error> {
+    pub(super) fn change_of_component(
+        &mut self,
+        name: &Name,
+        at: usize,
+        place: Place<'_>,
+    ) -> Result<Option<Value>, Error> {
         let of = name.unchanged();
         let Some((vector, index)) = of.as_ref().and_then(Name::component) else { return Ok(None) };
         let Some(Value::Vector(parts)) = self.defined(&vector, at, place)? else { return Ok(None) };

@@ -89,7 +89,9 @@ impl Parser<'_> {
         let next = self.tokens.get(self.next + 1).map(|token| token.kind);
         let begins = match next {
             Some(Word::Letter(_)) => true,
-            Some(Word::Command(word)) => LETTERS.contains(&word) || ["mathbf", "mathit", "mathrm", "Delta"].contains(&word),
+            Some(Word::Command(word)) => {
+                LETTERS.contains(&word) || ["mathbf", "mathit", "mathrm", "Delta"].contains(&word)
+            }
             _ => false,
         };
         self.peek().kind == Word::Command("delta") && begins

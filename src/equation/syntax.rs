@@ -181,9 +181,8 @@ impl Expr {
                 Kind::Sum { index: index.clone(), from: *from, to: *to, body: boxed(body) }
             }
             Kind::Cases(rows) => {
-                let condition = |all: &Condition| {
-                    all.iter().map(|(a, r, b)| (a.replaced(put), *r, b.replaced(put))).collect()
-                };
+                let condition =
+                    |all: &Condition| all.iter().map(|(a, r, b)| (a.replaced(put), *r, b.replaced(put))).collect();
                 Kind::Cases(rows.iter().map(|(e, c)| (e.replaced(put), condition(c))).collect())
             }
             Kind::Number(_) | Kind::Symbol(_) => self.kind.clone(),
@@ -196,11 +195,9 @@ impl Expr {
         match &self.kind {
             Kind::Number(_) | Kind::Symbol(_) => Vec::new(),
             Kind::Apply(_, all) | Kind::Call(_, all) | Kind::Tuple(all) => all.iter().collect(),
-            Kind::Negative(e)
-            | Kind::Size(e)
-            | Kind::Item(e, _)
-            | Kind::Partial(e, _)
-            | Kind::Sum { body: e, .. } => vec![e],
+            Kind::Negative(e) | Kind::Size(e) | Kind::Item(e, _) | Kind::Partial(e, _) | Kind::Sum { body: e, .. } => {
+                vec![e]
+            }
             Kind::Binary(_, a, b) | Kind::Power(a, b) => vec![a, b],
             Kind::Cases(rows) => {
                 let mut all = Vec::new();

@@ -78,10 +78,8 @@ impl Rules<'_> {
         let slope = dot(gap.clone(), fixed.of(&gap, &[])?);
         let (numerator, curvature) = (self.of(&slope, std::slice::from_ref(name))?, fixed.of(&slope, &[])?);
         let symbol = |name: &Name| expr(Kind::Symbol(name.clone()));
-        let inside: Condition = vec![
-            (found.low.clone(), Relation::Less, symbol(name)),
-            (symbol(name), Relation::Less, found.high.clone()),
-        ];
+        let inside: Condition =
+            vec![(found.low.clone(), Relation::Less, symbol(name)), (symbol(name), Relation::Less, found.high.clone())];
         let rows = vec![(negative(divide(numerator, curvature)), inside), (number(0.0), Vec::new())];
         Some(expr(Kind::Cases(rows)))
     }
@@ -143,13 +141,15 @@ impl Rules<'_> {
                 if changes.iter().all(Option::is_none) {
                     return None;
                 }
-                let zero = |value: &Expr| if value.is_vector() { times(number(0.0), value.clone()) } else { number(0.0) };
+                let zero =
+                    |value: &Expr| if value.is_vector() { times(number(0.0), value.clone()) } else { number(0.0) };
                 let pairs = changes.into_iter().zip(rows);
                 let rows = pairs.map(|(change, (value, c))| (change.unwrap_or_else(|| zero(value)), c.clone()));
                 Some(expr(Kind::Cases(rows.collect())))
             }
             Kind::Sum { index, from, to, body } => {
-                let inside = Rules { index: Some((index, *from)), varying: self.varying.clone(), by: self.by.clone(), ..*self };
+                let inside =
+                    Rules { index: Some((index, *from)), varying: self.varying.clone(), by: self.by.clone(), ..*self };
                 let body = Box::new(inside.of(body, held)?);
                 Some(expr(Kind::Sum { index: index.clone(), from: *from, to: *to, body }))
             }
@@ -194,7 +194,9 @@ impl Rules<'_> {
                     plus(above.map(|above| divide(above, b.clone())), Some(lessened))
                 }
             },
-            Operator::Times => plus(change_a.map(|change| times(change, b.clone())), change_b.map(|c| times(a.clone(), c))),
+            Operator::Times => {
+                plus(change_a.map(|change| times(change, b.clone())), change_b.map(|c| times(a.clone(), c)))
+            }
             Operator::Dot | Operator::Cross => {
                 plus(change_a.map(|change| make(change, b.clone())), change_b.map(|change| make(a.clone(), change)))
             }

@@ -34,8 +34,7 @@ impl View {
         let entries = Entries::read(spec.id, spec.latex, spec.given)?;
         let Some(statements) = flat(&entries) else { return Ok(None) };
         let lines = |all: &[Statement]| all.iter().map(latex::statement).collect::<Vec<_>>();
-        let is_definition =
-            |s: &&Statement| !is_output(&s.names[0]) && !matches!(s.body, Body::ArgMin(_));
+        let is_definition = |s: &&Statement| !is_output(&s.names[0]) && !matches!(s.body, Body::ArgMin(_));
         let definitions: Vec<_> = statements.iter().filter(is_definition).cloned().collect();
         Ok(Some(Self {
             variation: lines(&variations(&statements, &inputs)),

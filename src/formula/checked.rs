@@ -1,10 +1,11 @@
 //! A formula at inputs that are checked, with a result that is.
 //!
-//! One pass over all numbers tells whether anything is wrong, and only then is it looked for. Inlined beside the formula,
-//! the pass costs nothing where an entry of the Jacobian is constant or equal to another number.
+//! Where the inputs alone tell that nothing overflows ([`Finite`](super::Finite)), nothing else is looked at. Elsewhere one
+//! pass over all numbers tells whether anything is wrong, and only then is it looked for.
 
-#![expect(clippy::inline_always, reason = "what is constant is not checked only where the compiler sees it")]
+#![expect(clippy::inline_always, reason = "the pass over the inputs is a part of every checked call")]
 
+use super::finite::bits_unless_finite;
 use super::{Component, Field, Fields, Formula, ValueAndJacobian};
 use crate::error::Error;
 
@@ -22,6 +23,11 @@ use crate::error::Error;
 /// ```
 #[inline]
 pub fn value<F: Formula>(i: &F::Inputs<f64>) -> Result<F::Outputs<f64>, Error> {
+    if F::SPEC.finite.covers(i) & are_in_domain(i) { F::try_eval(i) } else { value_looked_at::<F>(i) }
+}
+
+#[inline(never)]
+fn value_looked_at<F: Formula>(i: &F::Inputs<f64>) -> Result<F::Outputs<f64>, Error> {
     if !are_allowed(i) {
         return Err(not_allowed(i));
     }
@@ -35,6 +41,11 @@ pub fn value<F: Formula>(i: &F::Inputs<f64>) -> Result<F::Outputs<f64>, Error> {
 /// As [`value`], or naming the output with a derivative that overflowed.
 #[inline]
 pub fn value_and_jacobian<F: Formula>(i: &F::Inputs<f64>) -> Result<ValueAndJacobian<F, f64>, Error> {
+    if F::SPEC.finite.covers(i) & are_in_domain(i) { F::try_linearized(i) } else { both_looked_at::<F>(i) }
+}
+
+#[inline(never)]
+fn both_looked_at<F: Formula>(i: &F::Inputs<f64>) -> Result<ValueAndJacobian<F, f64>, Error> {
     if !are_allowed(i) {
         return Err(not_allowed(i));
     }
@@ -58,9 +69,14 @@ pub fn check<F: Formula>(i: &F::Inputs<f64>) -> Result<(), Error> {
 /// Whether every component is finite and in its domain.
 #[inline(always)]
 fn are_allowed(i: &impl Fields<f64>) -> bool {
+    are_in_domain(i) & are_finite(i)
+}
+
+#[inline(always)]
+fn are_in_domain(i: &impl Fields<f64>) -> bool {
     let mut allowed = true;
     i.for_each_of_field(&mut |field, x| allowed &= field.quantity.domain.allows(x));
-    allowed & are_finite(i)
+    allowed
 }
 
 #[inline(always)]
@@ -75,13 +91,6 @@ fn are_finite_gradients<I: Fields<f64>>(jacobian: &impl Fields<I>) -> bool {
     let mut bits = 0;
     jacobian.for_each_component(&mut |gradient| gradient.for_each_component(&mut |x| bits |= bits_unless_finite(x)));
     bits == 0
-}
-
-/// Zero where x is finite: x − x is 0 there, and NaN elsewhere. Two operations, which the compiler does two at a time.
-#[inline(always)]
-#[expect(clippy::eq_op, reason = "the difference of a number and itself tells whether it is finite")]
-fn bits_unless_finite(x: f64) -> u64 {
-    (x - x).to_bits()
 }
 
 /// The first input that is not allowed.

@@ -8,7 +8,7 @@ use super::check_radii;
 use super::points::ParabolicPoint;
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Given, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec};
 use crate::quantity::{A1, A2, A3, X1, X2, X3};
 use crate::scalar::{Scalar, pi};
 use nalgebra::Vector2;
@@ -35,6 +35,7 @@ impl Formula for ContactAreaLinear {
     const SPEC: Spec = Spec::new("slide_line.contact_area_linear", "Contact areas of ISL21A", SOURCE)
         .equation(r"A_i = 2\pi r_i\,\tfrac{\ell}{2},\quad r_i = x_{i,1}\quad (i = 1, 2),\quad \ell = \lvert\mathbf{x}_2-\mathbf{x}_1\rvert")
         .eta(3.0, 4.0)
+        .finite(Finite::Below)
         .not_objective();
     type Inputs<T: Component> = LinearNodes<T>;
     type Outputs<T: Component> = TwoAreas<T>;
@@ -87,6 +88,7 @@ impl Formula for ContactAreaParabolic {
         .equation(r"A_i = 2\pi r_i\,w_i\,\lvert\mathbf{X}'(g_i)\rvert,\quad r_i = x_{i,1}\quad (i = 1, 2, 3),\quad (w_1, w_2, w_3) = (\tfrac13, \tfrac43, \tfrac13),\quad (g_1, g_2, g_3) = (-1, 0, 1)")
 .given(&[Given::new(r"\mathbf{X}'(g)", &ParabolicPoint::SPEC)])
         .eta(3.0, 6.0)
+        .finite(Finite::Below)
         .not_objective();
     type Inputs<T: Component> = ParabolicNodes<T>;
     type Outputs<T: Component> = ThreeAreas<T>;

@@ -6,7 +6,7 @@ mod proof;
 use super::left;
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec};
 use crate::quantity::{CURVE_RATE, NORMAL, TANGENT};
 use crate::scalar::{Scalar, norm_and_direction};
 use nalgebra::Vector2;
@@ -34,7 +34,8 @@ impl Formula for LocalBasis {
         ),
     )
         .equation(r"\mathbf{t} = \frac{\mathbf{X}'}{\lvert\mathbf{X}'\rvert},\quad \mathbf{n} = \mathbf{s}\times\mathbf{t} = (-t_2, t_1)")
-        .eta(2.0, 4.0);
+        .eta(2.0, 4.0)
+        .finite(Finite::Between);
     type Inputs<T: Component> = Direction<T>;
     type Outputs<T: Component> = Basis<T>;
 

@@ -5,7 +5,7 @@ pub(super) mod proof;
 
 use super::shape::{self, Sides};
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Jacobian, Spec, along};
+use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec, along};
 use crate::quantity::{CURVE, CURVE_RATE, SEGMENT_G, X1, X2, X3};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
@@ -34,7 +34,8 @@ impl Formula for LinearPoint {
         ),
     )
         .equation(r"\mathbf{X} = \tfrac12(1-g)\,\mathbf{x}_1 + \tfrac12(1+g)\,\mathbf{x}_2,\quad \mathbf{X}' = \tfrac12(\mathbf{x}_2-\mathbf{x}_1)")
-        .eta(2.0, 1.0);
+        .eta(2.0, 1.0)
+        .finite(Finite::Below);
     type Inputs<T: Component> = LinearPlace<T>;
     type Outputs<T: Component> = CurvePoint<T>;
 
@@ -74,7 +75,8 @@ impl Formula for ParabolicPoint {
         ),
     )
     .equation(r"\begin{aligned} \mathbf{X} &= \tfrac12 g(g-1)\,\mathbf{x}_1 + (1-g^2)\,\mathbf{x}_2 + \tfrac12 g(g+1)\,\mathbf{x}_3, \\ \mathbf{X}' &= (g-\tfrac12)\,\mathbf{x}_1 - 2g\,\mathbf{x}_2 + (g+\tfrac12)\,\mathbf{x}_3 \end{aligned}")
-    .eta(3.0, 3.0);
+    .eta(3.0, 3.0)
+    .finite(Finite::Below);
     type Inputs<T: Component> = ParabolicPlace<T>;
     type Outputs<T: Component> = CurvePoint<T>;
 

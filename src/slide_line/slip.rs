@@ -10,7 +10,7 @@ use super::shape::{self, Sides};
 use super::{check_distinct, left};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec};
 use crate::quantity::{DSLIP, DX1, DX2, DX3, DXS, SEGMENT_G, X1, X2, X3};
 use crate::scalar::Scalar;
 use nalgebra::Vector2;
@@ -50,7 +50,8 @@ impl Formula for SlipIncrementLinear {
     )
     .equation(r"\Delta E_{12} = \mathbf{t}\cdot\Bigl(\Delta\mathbf{x}_s - \sum_{i=1}^{2} N_i\,\Delta\mathbf{x}_i\Bigr),\quad N_1 = \tfrac12(1-g),\quad N_2 = \tfrac12(1+g)")
 .given(&[Given::new(r"\mathbf{t}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &LinearPoint::SPEC)])
-    .eta(4.0, 5.0);
+    .eta(4.0, 5.0)
+    .finite(Finite::Between);
     type Inputs<T: Component> = LinearMotion<T>;
     type Outputs<T: Component> = Slip<T>;
 
@@ -112,7 +113,8 @@ impl Formula for SlipIncrementParabolic {
     )
     .equation(r"\Delta E_{12} = \mathbf{t}\cdot\Bigl(\Delta\mathbf{x}_s - \sum_{i=1}^{3} N_i\,\Delta\mathbf{x}_i\Bigr),\quad N_1 = \tfrac12 g(g-1),\quad N_2 = 1-g^2,\quad N_3 = \tfrac12 g(g+1)")
 .given(&[Given::new(r"\mathbf{t}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &ParabolicPoint::SPEC)])
-    .eta(4.0, 5.0);
+    .eta(4.0, 5.0)
+    .finite(Finite::Between);
     type Inputs<T: Component> = ParabolicMotion<T>;
     type Outputs<T: Component> = Slip<T>;
 

@@ -7,7 +7,7 @@ use super::basis::length_and_tangent;
 use super::points::ParabolicPoint;
 use super::{check_radii, length};
 use crate::error::Error;
-use crate::formula::{Component, Document, Formula, Given, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec};
 use crate::quantity::{P1, P2, P3, TORQUE, X1, X2, X3};
 use crate::scalar::{Leaf, Scalar, pi};
 use crate::{fields, scalar};
@@ -37,6 +37,7 @@ impl Formula for TorqueLinear {
     const SPEC: Spec = Spec::new("slide_line.torque_linear", "Torque over ISL21A", SOURCE)
         .equation(r"T = 2\pi\ell\left[p_1\Bigl(\tfrac{r_1^2}{4}+\tfrac{r_1 r_2}{6}+\tfrac{r_2^2}{12}\Bigr) + p_2\Bigl(\tfrac{r_1^2}{12}+\tfrac{r_1 r_2}{6}+\tfrac{r_2^2}{4}\Bigr)\right],\quad r_i = x_{i,1}\quad (i = 1, 2),\quad \ell = \lvert\mathbf{x}_2-\mathbf{x}_1\rvert")
         .eta(3.0, 8.0)
+        .finite(Finite::Below)
         .not_objective();
     type Inputs<T: Component> = LinearPressures<T>;
     type Outputs<T: Component> = Torque<T>;
@@ -187,6 +188,7 @@ impl Formula for TorqueParabolic {
         // A quadratic that is ≥ 0 at the nodes can be negative between them, and the weights of a node always are
         // somewhere: terms of either sign then cancel in the sum.
         .eta(8.0, 48.0)
+        .finite(Finite::Between)
         .not_objective();
     type Inputs<T: Component> = ParabolicPressures<T>;
     type Outputs<T: Component> = Torque<T>;

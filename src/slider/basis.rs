@@ -7,7 +7,7 @@ use super::across::Across;
 use super::span::Span;
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec};
 use crate::quantity::{SLIDER_DN, SLIDER_DT1, SLIDER_DT2, SLIDER_N, SLIDER_T1, SLIDER_T2};
 use crate::scalar::Scalar;
 use nalgebra::{Vector2, Vector3};
@@ -38,6 +38,7 @@ impl Formula for Basis {
     )
         .equation(r"\mathbf{t}_1 = \begin{cases} \mathbf{n}\times\mathbf{i}/\lvert\mathbf{n}\times\mathbf{i}\rvert & \mathbf{n}\times\mathbf{i}\ne\mathbf{0} \\ \mathbf{n}\times\mathbf{k}/\lvert\mathbf{n}\times\mathbf{k}\rvert & \text{otherwise}\end{cases},\quad \mathbf{t}_2 = \mathbf{n}\times\mathbf{t}_1")
         .eta(3.0, 5.0)
+        .finite(Finite::Between)
         .not_objective();
     type Inputs<T: Component> = LineDirection<T>;
     type Outputs<T: Component> = Tangents<T>;
@@ -125,6 +126,7 @@ impl Formula for BasisVariation {
         .equation(r"\mathrm{d}\mathbf{t}_1 = \frac{\mathrm{d}\mathbf{n}\times\mathbf{e} - \bigl(\mathbf{t}_1\cdot(\mathrm{d}\mathbf{n}\times\mathbf{e})\bigr)\,\mathbf{t}_1}{\lvert\mathbf{n}\times\mathbf{e}\rvert},\quad \mathrm{d}\mathbf{t}_2 = \mathrm{d}\mathbf{n}\times\mathbf{t}_1 + \mathbf{n}\times\mathrm{d}\mathbf{t}_1,\quad \mathbf{e} = \begin{cases} \mathbf{i} & \mathbf{n}\times\mathbf{i} \ne \mathbf{0} \\ \mathbf{k} & \text{otherwise} \end{cases}")
 .given(&[Given::new(r"\mathbf{t}_1", &Basis::SPEC)])
         .eta(3.0, 5.0)
+        .finite(Finite::Between)
         .not_objective();
     type Inputs<T: Component> = TurningDirection<T>;
     type Outputs<T: Component> = TangentChanges<T>;

@@ -5,7 +5,7 @@ mod proof;
 
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec};
 use crate::quantity::{SLIDER_DL, SLIDER_DN, SLIDER_DX1, SLIDER_DXN, SLIDER_LENGTH, SLIDER_N, SLIDER_X1, SLIDER_XN};
 use crate::scalar::{Scalar, norm_and_direction};
 use nalgebra::{Matrix3, Vector3};
@@ -31,7 +31,8 @@ impl Formula for Line {
             .reconstructed("", "every symbol was lost; the words: the direction of the line, and its length"),
     )
     .equation(r"l = \lvert\mathbf{x}_n-\mathbf{x}_1\rvert,\quad \mathbf{n} = (\mathbf{x}_n-\mathbf{x}_1)/l")
-    .eta(3.0, 5.0);
+    .eta(3.0, 5.0)
+    .finite(Finite::Between);
     type Inputs<T: Component> = Ends<T>;
     type Outputs<T: Component> = Direction<T>;
 
@@ -93,7 +94,8 @@ impl Formula for DirectionVariation {
     )
         .equation(r"\mathrm{d}l = \mathbf{n}\cdot(\mathrm{d}\mathbf{x}_n-\mathrm{d}\mathbf{x}_1),\quad \mathrm{d}\mathbf{n} = \bigl((\mathrm{d}\mathbf{x}_n-\mathrm{d}\mathbf{x}_1) - \mathrm{d}l\,\mathbf{n}\bigr)/l")
 .given(&[Given::new(r"\mathbf{n},\ l", &Line::SPEC)])
-        .eta(5.0, 6.0);
+        .eta(5.0, 6.0)
+        .finite(Finite::Between);
     type Inputs<T: Component> = MovingEnds<T>;
     type Outputs<T: Component> = DirectionChange<T>;
 

@@ -10,7 +10,7 @@ use super::slide::Slide;
 use super::span::{Span, Station};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec};
 use crate::quantity::{
     SLIDER_DX1_PLANE, SLIDER_DXMI, SLIDER_DXMK, SLIDER_DXN_PLANE, SLIDER_G, SLIDER_X1_PLANE, SLIDER_XM_PLANE,
     SLIDER_XN_PLANE,
@@ -45,7 +45,8 @@ impl Formula for Constraint2d {
         r"g = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{t},\quad \mathbf{t} = \mathbf{s}\times\mathbf{n} = (-n_2, n_1)",
     )
     .given(&[Given::new(r"\mathbf{n}", &Line::SPEC)])
-    .eta(3.0, 5.0);
+    .eta(3.0, 5.0)
+    .finite(Finite::Between);
     type Inputs<T: Component> = Nodes2d<T>;
     type Outputs<T: Component> = Distance2d<T>;
 
@@ -100,6 +101,7 @@ impl Formula for Increment2d {
         .equation(r"\mathrm{d}x_{m,i} = w_i + \frac{n_i}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathbf{w} = (1-\xi)\,\mathrm{d}\mathbf{x}_1 + \xi\,\mathrm{d}\mathbf{x}_n,\quad (i, k) = \begin{cases} (2, 1) & \lvert d_1\rvert \ge \lvert d_2\rvert \\ (1, 2) & \text{otherwise} \end{cases},\quad \mathbf{d} = \mathbf{x}_n-\mathbf{x}_1")
 .given(&[Given::new(r"\xi", &IncrementalConstraint::SPEC), Given::new(r"\mathbf{n}", &Line::SPEC)])
         .eta(3.0, 5.0)
+        .finite(Finite::Between)
         .not_objective();
     type Inputs<T: Component> = KeptIncrement2d<T>;
     type Outputs<T: Component> = Increment2dOutput<T>;

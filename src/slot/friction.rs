@@ -5,7 +5,7 @@ mod proof;
 
 use crate::coulomb::{Tractions, Yield};
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec};
 use crate::quantity::{F1, F2, F3, FC, FC_INT, FN, MU, P, PHI};
 use crate::scalar::{Scalar, abs, norm, norm_and_direction, sign};
 
@@ -26,7 +26,8 @@ impl Formula for ContactForce {
     const SPEC: Spec =
         Spec::new("slot.contact_force", "Contact force", Document::SLOT.reconstructed("Friction", "the root was lost"))
             .equation(r"F_C = \sqrt{f_2^2 + f_3^2}")
-            .eta(2.0, 2.0);
+            .eta(2.0, 2.0)
+            .finite(Finite::Below);
     type Inputs<T: Component> = CrossForces<T>;
     type Outputs<T: Component> = Contact<T>;
 
@@ -64,7 +65,8 @@ pub struct NormalForce;
 impl Formula for NormalForce {
     const SPEC: Spec = Spec::new("slot.normal_force", "Normal force", Document::SLOT.printed("Friction"))
         .equation(r"F_N = \lvert F_C + F_C^{\mathrm{int}}\rvert")
-        .eta(1.0, 0.0);
+        .eta(1.0, 0.0)
+        .finite(Finite::Below);
     type Inputs<T: Component> = ContactForces<T>;
     type Outputs<T: Component> = Normal<T>;
 
@@ -102,7 +104,8 @@ impl Formula for Friction {
         Document::SLOT.reconstructed("Friction", "the root in F_C was lost"),
     )
         .equation(r"P = \lvert f_1\rvert,\quad F_N = \left\lvert\sqrt{f_2^2+f_3^2} + F_C^{\mathrm{int}}\right\rvert,\quad \Phi = P - \mu F_N")
-        .eta(4.0, 4.0);
+        .eta(4.0, 4.0)
+        .finite(Finite::Below);
     type Inputs<T: Component> = SlotLoads<T>;
     type Outputs<T: Component> = FrictionOutputs<T>;
 

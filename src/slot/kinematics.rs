@@ -5,7 +5,7 @@ mod proof;
 
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Formula, Jacobian, Spec, along};
+use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec, along};
 use crate::quantity::{
     E1A, E2A, E2A_PLANE, E3A, F1, F2, F3, FORCE, GAP_MAX, GAP_MIN, GY, GZ, KINETIC_FORCE, L1_MAX, L1_MIN, L1_REF, U1,
     U1_MAT, X, X0, XA, XA_PLANE, XB, XB_PLANE, Y, Y0, Z, Z0,
@@ -32,7 +32,8 @@ pub struct RelativePosition;
 impl Formula for RelativePosition {
     const SPEC: Spec = Spec::new("slot.relative_position", "Relative position", Document::SLOT.printed("Description"))
         .equation(r"x = \mathbf{e}_{1a}\cdot(\mathbf{x}_b-\mathbf{x}_a),\quad y = \mathbf{e}_{2a}\cdot(\mathbf{x}_b-\mathbf{x}_a),\quad z = \mathbf{e}_{3a}\cdot(\mathbf{x}_b-\mathbf{x}_a)")
-        .eta(4.0, 1.0);
+        .eta(4.0, 1.0)
+        .finite(Finite::Below);
     type Inputs<T: Component> = Positions<T>;
     type Outputs<T: Component> = Relative<T>;
 
@@ -73,7 +74,8 @@ pub struct Constraint;
 impl Formula for Constraint {
     const SPEC: Spec = Spec::new("slot.constraint", "Constraint", Document::SLOT.printed("Description"))
         .equation(r"g_y = \mathbf{e}_{2a}\cdot(\mathbf{x}_b-\mathbf{x}_a) - y_0,\quad g_z = \mathbf{e}_{3a}\cdot(\mathbf{x}_b-\mathbf{x}_a) - z_0")
-        .eta(4.0, 1.0);
+        .eta(4.0, 1.0)
+        .finite(Finite::Below);
     type Inputs<T: Component> = SlotPositions<T>;
     type Outputs<T: Component> = Residuals<T>;
 
@@ -113,7 +115,8 @@ impl Formula for Constraint2d {
     const SPEC: Spec =
         Spec::new("slot.constraint_2d", "Constraint in the plane", Document::SLOT.printed("Description"))
             .equation(r"g_y = \mathbf{e}_{2a}\cdot(\mathbf{x}_b-\mathbf{x}_a) - y_0")
-            .eta(4.0, 1.0);
+            .eta(4.0, 1.0)
+            .finite(Finite::Below);
     type Inputs<T: Component> = SlotPositions2d<T>;
     type Outputs<T: Component> = Residual2d<T>;
 
@@ -144,7 +147,8 @@ pub struct ConstraintForce;
 impl Formula for ConstraintForce {
     const SPEC: Spec = Spec::new("slot.constraint_force", "Constraint force", Document::SLOT.printed("Description"))
         .equation(r"\mathbf{f} = f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a}")
-        .eta(2.0, 1.0);
+        .eta(2.0, 1.0)
+        .finite(Finite::Below);
     type Inputs<T: Component> = CrossFrame<T>;
     type Outputs<T: Component> = Force<T>;
 
@@ -176,7 +180,8 @@ pub struct RelativeMotion;
 impl Formula for RelativeMotion {
     const SPEC: Spec = Spec::new("slot.relative_motion", "Relative motion", Document::SLOT.printed("Description"))
         .equation(r"u_1 = x - x_0,\quad u_1^{\mathrm{mat}} = x - l_1^{\mathrm{ref}}")
-        .eta(1.0, 0.0);
+        .eta(1.0, 0.0)
+        .finite(Finite::Below);
     type Inputs<T: Component> = SlotLengths<T>;
     type Outputs<T: Component> = Displacements<T>;
 
@@ -214,7 +219,8 @@ pub struct KineticForce;
 impl Formula for KineticForce {
     const SPEC: Spec = Spec::new("slot.kinetic_force", "Kinetic force", Document::SLOT.printed("Description"))
         .equation(r"\mathbf{f} = f_1\,\mathbf{e}_{1a}")
-        .eta(1.0, 0.0);
+        .eta(1.0, 0.0)
+        .finite(Finite::Below);
     type Inputs<T: Component> = SlotForce<T>;
     type Outputs<T: Component> = AlongForce<T>;
 
@@ -251,7 +257,8 @@ impl Formula for Stop {
             .reconstructed("Summary", "both signs ≤ were lost; l, which the page does not define, is taken for x"),
     )
     .equation(r"\mathit{gap}_{\min} = x - l_1^{\min},\quad \mathit{gap}_{\max} = l_1^{\max} - x")
-    .eta(1.0, 0.0);
+    .eta(1.0, 0.0)
+    .finite(Finite::Below);
     type Inputs<T: Component> = StopLengths<T>;
     type Outputs<T: Component> = Gaps<T>;
 

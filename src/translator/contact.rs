@@ -4,7 +4,7 @@
 mod proof;
 
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec};
 use crate::quantity::{F_BEND, F_TORQ, FR, L_OVERLAP, M_BEND, M_TORQ, M1, M2, M3, RR};
 use crate::scalar::{Scalar, abs, norm, norm_and_direction, sign};
 use crate::slot::{self, CrossForces};
@@ -29,7 +29,8 @@ impl Formula for TorqueForce {
         Document::TRANSLATOR.reconstructed("Friction", "the quotient by R_r was lost"),
     )
         .equation(r"M_{\mathrm{torq}} = \lvert m_1\rvert,\quad F_{\mathrm{torq}} = \begin{cases} M_{\mathrm{torq}}/R_r & R_r > 0 \\ 0 & R_r = 0 \end{cases}")
-        .eta(0.5, 0.5);
+        .eta(0.5, 0.5)
+        .finite(Finite::Between);
     type Inputs<T: Component> = Torque<T>;
     type Outputs<T: Component> = TorqueContact<T>;
 
@@ -70,7 +71,8 @@ impl Formula for RadialForce {
         Document::TRANSLATOR.reconstructed("Friction", "the root was lost"),
     )
     .equation(r"F_r = \sqrt{f_2^2 + f_3^2}")
-    .eta(1.0, 3.0);
+    .eta(1.0, 3.0)
+    .finite(Finite::Below);
     type Inputs<T: Component> = CrossForces<T>;
     type Outputs<T: Component> = RadialContact<T>;
 
@@ -111,7 +113,8 @@ impl Formula for BendingForce {
         Document::TRANSLATOR.reconstructed("Friction", "the root and the quotient by L were lost"),
     )
         .equation(r"M_{\mathrm{bend}} = \sqrt{m_2^2 + m_3^2},\quad F_{\mathrm{bend}} = \begin{cases} 2 M_{\mathrm{bend}}/L & L > 0 \\ 0 & L = 0 \end{cases}")
-        .eta(1.0, 3.0);
+        .eta(1.0, 3.0)
+        .finite(Finite::Between);
     type Inputs<T: Component> = Bending<T>;
     type Outputs<T: Component> = BendingContact<T>;
 

@@ -6,7 +6,7 @@ mod proof;
 use super::{Bending, BendingForce, RadialForce, Torque, TorqueForce};
 use crate::coulomb::{Tractions, Yield};
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec};
 use crate::quantity::{F1, F2, F3, FC_INT, L_OVERLAP, M1, M2, M3, MU, RR};
 use crate::scalar::{Scalar, abs, sign};
 use crate::slot::{Contact, ContactForces, CrossForces, FrictionOutputs, NormalForce};
@@ -50,7 +50,8 @@ impl Formula for ContactForce {
     )
         .equation(r"\begin{aligned} F_C &= F_{\mathrm{torq}} + F_r + F_{\mathrm{bend}} = \begin{cases} \lvert m_1/R_r\rvert & R_r > 0 \\ 0 & R_r = 0 \end{cases} + \sqrt{f_2^2 + f_3^2} + \sqrt{(\beta m_2)^2 + (\beta m_3)^2}, \\ \beta &= \begin{cases} 2/L & L > 0 \\ 0 & L = 0 \end{cases} \end{aligned}")
 .given(&[Given::new(r"F_{\mathrm{torq}}", &TorqueForce::SPEC), Given::new(r"F_r", &RadialForce::SPEC), Given::new(r"F_{\mathrm{bend}}", &BendingForce::SPEC)])
-        .eta(2.0, 3.0);
+        .eta(2.0, 3.0)
+        .finite(Finite::Between);
     type Inputs<T: Component> = ContactLoads<T>;
     type Outputs<T: Component> = Contact<T>;
 
@@ -109,7 +110,8 @@ impl Formula for Friction {
     const SPEC: Spec = Spec::new("translator.friction", "Friction", Document::TRANSLATOR.printed("Friction"))
         .equation(r"P = \lvert f_1\rvert,\quad F_N = \left\lvert F_C + F_C^{\mathrm{int}}\right\rvert,\quad \Phi = P - \mu F_N")
 .given(&[Given::new(r"F_C", &ContactForce::SPEC)])
-        .eta(4.0, 3.0);
+        .eta(4.0, 3.0)
+        .finite(Finite::Between);
     type Inputs<T: Component> = FrictionLoads<T>;
     type Outputs<T: Component> = FrictionOutputs<T>;
 

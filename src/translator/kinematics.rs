@@ -7,7 +7,7 @@ use crate::align::{self, Misalignment, Orientations};
 use crate::cardan::{CardanAngles, Oriented, Triads};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Spec};
+use crate::formula::{Component, Document, Fields, Finite, Formula, Given, Jacobian, Spec};
 use crate::quantity::{ALPHA0, BETA0, E1A, E1B, E2A, E2B, E3A, E3B, GAMMA0, GY, GZ, UR1, UR2, UR3, XA, XB, Y0, Z0};
 use crate::scalar::Scalar;
 use crate::slot::{self, Residuals, SlotPositions};
@@ -71,7 +71,8 @@ impl Formula for Constraint {
     )
         .equation(r"\begin{aligned} g_y &= \mathbf{e}_{2a}\cdot(\mathbf{x}_b-\mathbf{x}_a) - y_0, & g_z &= \mathbf{e}_{3a}\cdot(\mathbf{x}_b-\mathbf{x}_a) - z_0,\\ u_{r1} &= \alpha - \alpha_0, & u_{r2} &= \beta - \beta_0,\quad u_{r3} = \gamma - \gamma_0 \end{aligned}")
 .given(&[Given::new(r"\alpha,\ \beta,\ \gamma", &CardanAngles::SPEC)])
-        .eta(2.5, 4.0);
+        .eta(2.5, 4.0)
+        .finite(Finite::Between);
     type Inputs<T: Component> = Placement<T>;
     type Outputs<T: Component> = AllResiduals<T>;
 

@@ -14,7 +14,7 @@
 mod proof;
 
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec};
 use crate::quantity::{ALPHA_AXIAL, ALPHA_TWIST, BETA_AXIAL, BETA_TWIST, LA, RP};
 use crate::scalar::Scalar;
 use std::hint::select_unpredictable;
@@ -111,7 +111,8 @@ impl Formula for TwistFactors {
         ),
     )
         .equation(r"\alpha_{\mathrm{twist}} = \frac{1}{8+6\varphi},\quad \beta_{\mathrm{twist}} = \tfrac14 + \alpha_{\mathrm{twist}},\quad \varphi = \frac{44}{5\lambda^2},\quad \lambda = \frac{L_a}{R_p}")
-        .eta(2.0, 4.0);
+        .eta(2.0, 4.0)
+        .finite(Finite::Between);
     type Inputs<T: Component> = Arm<T>;
     type Outputs<T: Component> = TwistShares<T>;
 
@@ -160,7 +161,8 @@ impl Formula for AxialFactors {
         Document::UJOINT.ours("Friction", "the page uses both factors and defines neither"),
     )
         .equation(r"\alpha_{\mathrm{axial}} = \frac{\lambda^2+3}{2(\lambda^2+6)},\quad \beta_{\mathrm{axial}} = \frac{3}{2(\lambda^2+6)},\quad \lambda = \frac{L_a}{R_p}")
-        .eta(2.0, 4.0);
+        .eta(2.0, 4.0)
+        .finite(Finite::Between);
     type Inputs<T: Component> = Arm<T>;
     type Outputs<T: Component> = AxialShares<T>;
 

@@ -6,7 +6,7 @@ pub(super) mod proof;
 
 use super::{CrossAxes, CrossDirection};
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Spec};
+use crate::formula::{Component, Document, Fields, Finite, Formula, Given, Jacobian, Spec};
 use crate::quantity::{CROSS_F_BEND, E1A, E2A, E3A, E3B, F_AXIAL1, F_AXIAL3, F2, F3, JOIN_F1};
 use crate::scalar::{Leaf, Scalar};
 use nalgebra::Vector3;
@@ -86,7 +86,8 @@ impl Formula for Decomposition {
     )
         .equation(r"F_{\mathrm{axial1}} = \mathbf{F}\cdot\mathbf{e}_{1a},\quad F_{\mathrm{axial3}} = \mathbf{F}\cdot\mathbf{e}_{3b},\quad F_{\mathrm{bend}} = \mathbf{F}\cdot\mathbf{e}_{\mathrm{cross}},\quad \mathbf{F} = f_1\mathbf{e}_{1a} + f_2\mathbf{e}_{2a} + f_3\mathbf{e}_{3a}")
 .given(&[Given::new(r"\mathbf{e}_{\mathrm{cross}}", &CrossDirection::SPEC)])
-        .eta(2.0, 2.0);
+        .eta(2.0, 2.0)
+        .finite(Finite::Below);
     type Inputs<T: Component> = CrossLoads<T>;
     type Outputs<T: Component> = CrossForces<T>;
 

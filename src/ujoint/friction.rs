@@ -6,7 +6,7 @@ mod proof;
 use super::{AllContactMoments, ContactMomentPair, ContactMoments, JointLoads, NormalMomentPair, NormalMoments};
 use crate::coulomb::{Tractions, Yield};
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Spec};
+use crate::formula::{Component, Document, Fields, Finite, Formula, Given, Jacobian, Spec};
 use crate::quantity::{
     CROSS_M1, CROSS_M3, E1A, E2A, E3A, E3B, F2, F3, JOIN_F1, LA, LS, MC1_INT, MC3_INT, MU, PHI1, PHI3, RA, RP, TWIST_M2,
 };
@@ -66,7 +66,8 @@ impl Formula for Friction {
             Given::new(r"M_{N1},\ M_{N3}", &NormalMoments::SPEC),
             Given::new(r"M_{C1},\ M_{C3}", &ContactMoments::SPEC),
         ])
-        .eta(2.0, 6.0);
+        .eta(2.0, 6.0)
+        .finite(Finite::Between);
     type Inputs<T: Component> = FrictionLoads<T>;
     type Outputs<T: Component> = YieldPair<T>;
 

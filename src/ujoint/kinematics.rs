@@ -5,7 +5,7 @@ mod proof;
 
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec};
 use crate::join::{self, Joined};
 use crate::quantity::{
     ALPHA, C0, D0, E1A, E2A, E3A, E3B, G_JOIN, G_ROT, GAMMA, GAP1_MAX, GAP1_MIN, GAP3_MAX, GAP3_MIN, THETA1_MAX,
@@ -49,7 +49,8 @@ impl Formula for Constraint {
         Document::UJOINT.ours("Description", "the pages of JOIN and UNIVERSAL were not given"),
     )
         .equation(r"g_i = \mathbf{e}_{ia}\cdot(\mathbf{x}_b-\mathbf{x}_a) - d_{0i}\ (i = 1, 2, 3),\quad g_{\mathrm{rot}} = \mathbf{e}_{1a}\cdot\mathbf{e}_{3b} - c_0")
-        .eta(2.0, 1.0);
+        .eta(2.0, 1.0)
+        .finite(Finite::Below);
     type Inputs<T: Component> = Jointed<T>;
     type Outputs<T: Component> = JointResiduals<T>;
 
@@ -97,7 +98,8 @@ impl Formula for Stop {
         ),
     )
         .equation(r"\mathit{gap}_{1\min} = \alpha - \theta_1^{\min},\quad \mathit{gap}_{1\max} = \theta_1^{\max} - \alpha,\quad \mathit{gap}_{3\min} = \gamma - \theta_3^{\min},\quad \mathit{gap}_{3\max} = \theta_3^{\max} - \gamma")
-        .eta(1.0, 0.0);
+        .eta(1.0, 0.0)
+        .finite(Finite::Below);
     type Inputs<T: Component> = StopAngles<T>;
     type Outputs<T: Component> = AngleGaps<T>;
 

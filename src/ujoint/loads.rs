@@ -4,7 +4,7 @@
 mod proof;
 
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Jacobian, Spec, along};
+use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec, along};
 use crate::quantity::{E_CROSS, E1A, E3B, F2, F3, JOIN_F1, UJOINT_FR};
 use crate::scalar::{Scalar, direction, norm};
 use nalgebra::Vector3;
@@ -26,7 +26,8 @@ impl Formula for Reaction {
     const SPEC: Spec =
         Spec::new("ujoint.reaction", "Reaction force", Document::UJOINT.reconstructed("Friction", "the root was lost"))
             .equation(r"F_r = \sqrt{f_1^2 + f_2^2 + f_3^2}")
-            .eta(1.5, 3.5);
+            .eta(1.5, 3.5)
+            .finite(Finite::Below);
     type Inputs<T: Component> = JoinForces<T>;
     type Outputs<T: Component> = ReactionForce<T>;
 
@@ -59,7 +60,8 @@ impl Formula for CrossDirection {
     const SPEC: Spec =
         Spec::new("ujoint.cross_direction", "Direction across the cross", Document::UJOINT.printed("Friction"))
             .equation(r"\mathbf{e}_{\mathrm{cross}} = \mathbf{e}_{1a}\times\mathbf{e}_{3b}")
-            .eta(1.0, 0.0);
+            .eta(1.0, 0.0)
+            .finite(Finite::Below);
     type Inputs<T: Component> = CrossAxes<T>;
     type Outputs<T: Component> = CrossNormal<T>;
 

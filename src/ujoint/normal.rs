@@ -4,7 +4,7 @@
 mod proof;
 
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec};
 use crate::quantity::{MC1, MC1_INT, MC3, MC3_INT, MN1, MN3};
 use crate::scalar::{Scalar, abs, sign};
 
@@ -24,7 +24,8 @@ pub struct NormalMoments;
 impl Formula for NormalMoments {
     const SPEC: Spec = Spec::new("ujoint.normal_moments", "Normal moments", Document::UJOINT.printed("Friction"))
         .equation(r"M_{Nk} = 2\lvert M_{Ck}\rvert + \lvert M_{Ck}^{\mathrm{int}}\rvert\quad (k = 1, 3)")
-        .eta(1.0, 0.0);
+        .eta(1.0, 0.0)
+        .finite(Finite::Below);
     type Inputs<T: Component> = AllContactMoments<T>;
     type Outputs<T: Component> = NormalMomentPair<T>;
 

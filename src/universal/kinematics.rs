@@ -6,7 +6,7 @@ mod proof;
 use crate::cardan::{Triads, alpha, alpha_gradient, check_turns, gamma, gamma_gradient};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec};
 use crate::quantity::{
     ALPHA, ALPHA0, C0, E1A, E3B, G_UNIVERSAL, GAMMA, GAMMA0, THETA1_REF, THETA3_REF, U_R1, U_R1_MAT, U_R3, U_R3_MAT,
 };
@@ -34,7 +34,8 @@ impl Formula for Constraint {
             .ours("Description", "the page of UNIVERSAL was not given; the arms of the cross keep their initial angle"),
     )
     .equation(r"g = \mathbf{e}_{1a}\cdot\mathbf{e}_{3b} - c_0")
-    .eta(2.0, 0.0);
+    .eta(2.0, 0.0)
+    .finite(Finite::Below);
     type Inputs<T: Component> = Shafts<T>;
     type Outputs<T: Component> = Skew<T>;
 
@@ -68,7 +69,8 @@ impl Formula for Angles {
         ),
     )
         .equation(r"\alpha = -\operatorname{atan2}(\mathbf{e}_{2a}\cdot\mathbf{e}_{3b},\ \mathbf{e}_{3a}\cdot\mathbf{e}_{3b}),\quad \gamma = -\operatorname{atan2}(\mathbf{e}_{1a}\cdot\mathbf{e}_{2b},\ \mathbf{e}_{1a}\cdot\mathbf{e}_{1b})")
-        .eta(2.0, 8.0);
+        .eta(2.0, 8.0)
+        .finite(Finite::Between);
     type Inputs<T: Component> = Triads<T>;
     type Outputs<T: Component> = Turns<T>;
 
@@ -118,7 +120,8 @@ impl Formula for RelativeMotion {
         ),
     )
         .equation(r"u_{r1} = \alpha-\alpha_0,\quad u_{r3} = \gamma-\gamma_0,\quad u_{r1}^{\mathrm{mat}} = \alpha-\theta_1^{\mathrm{ref}},\quad u_{r3}^{\mathrm{mat}} = \gamma-\theta_3^{\mathrm{ref}}")
-        .eta(1.0, 0.0);
+        .eta(1.0, 0.0)
+        .finite(Finite::Below);
     type Inputs<T: Component> = TurnsSince<T>;
     type Outputs<T: Component> = Rotations<T>;
 

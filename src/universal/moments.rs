@@ -7,7 +7,7 @@ use super::kinematics::Angles;
 use crate::cardan::{alpha_gradient, check_alpha};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec, along};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec, along};
 use crate::quantity::{CROSS_M1, CROSS_M3, E1A, E2A, E3A, E3B, KINETIC_MOMENT, MOMENT, TWIST_M2};
 use crate::scalar::{Scalar, norm_and_direction};
 use nalgebra::Vector3;
@@ -44,7 +44,8 @@ impl Formula for ConstraintMoment {
     )
     .equation(r"\mathbf{m} = m_2\,(\cos\alpha\,\mathbf{e}_{2a} + \sin\alpha\,\mathbf{e}_{3a})")
     .given(&[Given::new(r"\alpha", &Angles::SPEC)])
-    .eta(6.0, 8.0);
+    .eta(6.0, 8.0)
+    .finite(Finite::Between);
     type Inputs<T: Component> = Twisted<T>;
     type Outputs<T: Component> = Moment<T>;
 
@@ -104,7 +105,8 @@ impl Formula for KineticMoment {
         Document::UJOINT.ours("Summary", "the page names m1, m3 and the arms e1a, e3b, and prints no vector"),
     )
     .equation(r"\mathbf{m} = m_1\,\mathbf{e}_{1a} + m_3\,\mathbf{e}_{3b}")
-    .eta(1.5, 0.0);
+    .eta(1.5, 0.0)
+    .finite(Finite::Below);
     type Inputs<T: Component> = Driven<T>;
     type Outputs<T: Component> = FreeMoment<T>;
 

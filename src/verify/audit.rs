@@ -5,7 +5,7 @@ use super::difference::{differences, step_size};
 use super::point::{Names, Point};
 use super::printed::{EQUATION, Known, found};
 use super::subject::{Law, Subject};
-use super::{Sampler, Sensitivity, eta, invariance};
+use super::{Sampler, Sensitivity, eta, finite, invariance};
 use crate::equation::Equation;
 use crate::formula::{Fields, check};
 use crate::proof::law::residual;
@@ -72,6 +72,9 @@ pub struct Audit {
     pub equation_jacobian: Claim,
     /// Homogeneity, frame indifference, and the formula's own laws.
     pub laws: Vec<Claim>,
+    /// Nothing overflows where the formula [says](crate::formula::Spec::finite) so; `None` where it says nothing, and at a
+    /// single given point.
+    pub finite: Option<Claim>,
 }
 
 impl Audit {
@@ -79,7 +82,7 @@ impl Audit {
     pub fn claims(&self) -> impl Iterator<Item = &Claim> {
         let derivatives = [&self.closed_against_ad, &self.ad_against_differences, &self.eta, &self.eta_jacobian];
         let printed = [&self.equation, &self.equation_jacobian];
-        derivatives.into_iter().chain(printed).chain(&self.laws)
+        derivatives.into_iter().chain(printed).chain(&self.laws).chain(&self.finite)
     }
 
     /// Whether no claim failed. At a single point on a kink there may be claims that cannot be checked.
@@ -119,6 +122,7 @@ pub fn audit_at<F: Proved>(inputs: &F::Inputs<f64>) -> Result<Audit, Error> {
 fn audit_points(subject: &Subject, named: &[Point], random: &[Point], seed: u64) -> Audit {
     // Laws hold at points in general position; at a single given point they are checked there.
     let general = if random.is_empty() { named } else { random };
+    let names = Names::new(subject);
     let (printed, [equation, equation_jacobian]) = read_equation(subject);
     let mut audit = Audit {
         formula: subject.spec.id.into(),
@@ -136,8 +140,8 @@ fn audit_points(subject: &Subject, named: &[Point], random: &[Point], seed: u64)
         equation,
         equation_jacobian,
         laws: invariance::of_all(subject).iter().chain(&subject.laws).map(|law| check_law(law, general)).collect(),
+        finite: (!random.is_empty()).then(|| finite::claim(subject, &names, random, seed)).flatten(),
     };
-    let names = Names::new(subject);
     let few = named.len() + PRINTED_AT;
     for (k, point) in named.iter().chain(random).enumerate() {
         audit.check(point, &names, printed.as_ref().filter(|_| k < few));

@@ -14,7 +14,7 @@ use num_traits::{One, Signed, Zero};
 pub(crate) fn of_all(subject: &Subject) -> Vec<Law> {
     let (inputs, outputs, value) = (subject.inputs, subject.outputs, subject.exact_value);
     let homogeneity = Law {
-        statement: "dimensional homogeneity: other units of length, force and time only rescale the outputs".into(),
+        statement: "dimensional homogeneity: other base units only rescale the outputs".into(),
         sides: Box::new(move |i| equal_all(value(&rescale(inputs, i)).into_iter().zip(rescale(outputs, &value(i))))),
     };
     let indifference = Law {

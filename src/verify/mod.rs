@@ -46,6 +46,7 @@ mod audit;
 mod claim;
 mod difference;
 mod eta;
+mod finite;
 pub mod golden;
 mod invariance;
 mod jet;

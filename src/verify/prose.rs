@@ -17,7 +17,8 @@ use num_traits::Zero;
 pub fn claims_about<F: Proved>(claims: &Claims, options: &Options) -> Claim {
     let subject = Subject::of::<F>();
     let mut sampler = Sampler::for_formula(subject.spec.id, options.seed);
-    let random = (0..options.samples).map(|k| (format!("random {k} of seed {}", options.seed), sampler.components(&subject)));
+    let random =
+        (0..options.samples).map(|k| (format!("random {k} of seed {}", options.seed), sampler.components(&subject)));
     let random: Vec<_> = random.collect();
     let named = named_points(&subject).into_iter().map(|point| (point.label, point.inputs));
     let mut claim = Claim::new("prose, in 237 bits", EQUATION);
@@ -104,7 +105,10 @@ fn is_met(subject: &Subject, claims: &Claims, inputs: &[Octuple]) -> bool {
     let [values, jacobian] = [(subject.exact_value)(inputs), (subject.exact_jacobian)(inputs)];
     let point = claims.point(inputs, Some([&values, &jacobian]), &[]);
     let sizes = || sizes(subject, inputs, &values, &jacobian, false);
-    claims.at(&point).iter().all(|at| if at.is_equality { share(claims, at, &point, sizes) <= EQUATION } else { at.holds })
+    claims
+        .at(&point)
+        .iter()
+        .all(|at| if at.is_equality { share(claims, at, &point, sizes) <= EQUATION } else { at.holds })
 }
 
 /// The number that an expression about a formula is, where all inputs that it needs are put in.

@@ -83,10 +83,16 @@ impl Sampler {
     }
 
     /// Uniform in (0, 1): an odd multiple of 2⁻⁵³.
-    fn unit(&mut self) -> f64 {
+    pub(super) fn unit(&mut self) -> f64 {
         #[expect(clippy::cast_precision_loss, reason = "52 bits and the one below them fit")]
         let odd = ((self.0.next_u64() >> 12) * 2 + 1) as f64;
         odd * (f64::EPSILON / 2.0)
+    }
+
+    /// One of the first `count` whole numbers, 0 among them; none is rarer than another by more than `count` in 2⁶⁴.
+    pub(super) fn below(&mut self, count: usize) -> usize {
+        let count = u64::try_from(count).expect("a count is below 2⁶⁴");
+        usize::try_from(self.0.next_u64() % count).expect("it is below a count")
     }
 
     fn coin(&mut self) -> bool {

@@ -69,7 +69,8 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
 fn all(project: &Project, options: &Options) -> Outcome {
     let start = Instant::now();
     let (mut checks, mut off) = ([0; 2], Vec::new());
-    let audited: Vec<_> = project.catalog().par_iter().map(|formula| (formula, formula.audit_equation(options))).collect();
+    let audited: Vec<_> =
+        project.catalog().par_iter().map(|formula| (formula, formula.audit_equation(options))).collect();
     for (formula, claims) in &audited {
         for (checks, claim) in checks.iter_mut().zip(claims) {
             *checks += claim.checks;

@@ -57,7 +57,8 @@ pub(crate) fn check(project: &Project) -> anyhow::Result<(Vec<Fault>, String)> {
         }
     }
     let Tally { executed, presented, comparisons, numbers, views, kinks, in_words } = tally;
-    let counted = [(executed, "equation"), (views, "view"), (kinks, "kink"), (comparisons, "comparison"), (numbers, "number")];
+    let counted =
+        [(executed, "equation"), (views, "view"), (kinks, "kink"), (comparisons, "comparison"), (numbers, "number")];
     let [executed, views, kinks, comparisons, numbers] = counted.map(|(number, noun)| count(number, noun));
     let other = format!("{presented} for presentation, {in_words} in words");
     Ok((faults, format!("{executed}, {views} of entries and {kinks} executed, {other}, {comparisons}, {numbers}")))
@@ -154,19 +155,20 @@ fn held(project: &Project, formulas: &Formulas<'_>, numeral: &Numeral) -> Result
     }
 }
 
-/// Whether a test of this name has the number in it: `file::name`, or `name` anywhere in the tests.
+/// Whether a test or a constant of this name has the number in it: `file::name`, or `name` anywhere.
 fn in_test(project: &Project, test: &str, written: &str) -> Result<(), String> {
     let (file, name) = test.split_once("::").map_or((None, test), |(file, name)| (Some(file), name));
     let mut texts = Vec::new();
     collect(&project.root().join("tests"), file, &mut texts);
     collect(&project.root().join("src"), file, &mut texts);
-    let head = format!("fn {name}(");
-    let body = texts.iter().find_map(|text| Some(text.split_once(&head)?.1.split("\n}").next().unwrap_or_default()));
-    let Some(body) = body else { return Err(format!("there is no test `{test}`")) };
+    let is_constant = name.chars().all(|c| c.is_ascii_uppercase() || c == '_');
+    let (head, end) = if is_constant { (format!("const {name}:"), ";") } else { (format!("fn {name}("), "\n}") };
+    let body = texts.iter().find_map(|text| Some(text.split_once(&head)?.1.split(end).next().unwrap_or_default()));
+    let Some(body) = body else { return Err(format!("there is no test or constant `{test}`")) };
     let is_part = |c: char| c.is_ascii_digit() || c == '.';
     let value = written.parse::<f64>().ok();
     let has = body.split(|c| !is_part(c)).any(|number| value.is_some() && number.parse().ok() == value);
-    if has { Ok(()) } else { Err(format!("the test `{test}` has no {written} in it")) }
+    if has { Ok(()) } else { Err(format!("`{test}` has no {written} in it")) }
 }
 
 /// The Rust files below a folder, or those of one name.

@@ -5,7 +5,7 @@ mod proof;
 
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Spec};
+use crate::formula::{Component, Document, Fields, Finite, Formula, Given, Jacobian, Spec};
 use crate::quantity::{SEGMENT_G, SEPARATION, X1, X2, XS};
 use crate::scalar::Scalar;
 use crate::slide_line::basis::LocalBasis;
@@ -92,7 +92,8 @@ impl Formula for ClosestLinear {
     )
         .equation(r"g = \operatorname*{arg\,min}_{-1 \le g \le 1}\,\lvert\mathbf{x}_s-\mathbf{X}(g)\rvert,\quad E_{11} = \bigl(\mathbf{x}_s-\mathbf{X}(g)\bigr)\cdot\mathbf{n}")
 .given(&[Given::new(r"\mathbf{X}(g),\ \mathbf{X}'", &LinearPoint::SPEC), Given::new(r"\mathbf{n}", &LocalBasis::SPEC)])
-        .eta(6.0, 8.0);
+        .eta(6.0, 8.0)
+        .finite(Finite::Between);
     type Inputs<T: Component> = LinearSlave<T>;
     type Outputs<T: Component> = SegmentFoot<T>;
 

@@ -6,7 +6,7 @@ mod proof;
 use super::{Foot, SegmentFoot, View};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec, ValueAndJacobian};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec, ValueAndJacobian};
 use crate::quantity::{X1, X2, X3, XS};
 use crate::scalar::Scalar;
 use crate::slide_line::basis::LocalBasis;
@@ -68,7 +68,8 @@ impl Formula for ClosestParabolic {
     )
         .equation(r"g = \operatorname*{arg\,min}_{-1 \le g \le 1}\,\lvert\mathbf{x}_s-\mathbf{X}(g)\rvert,\quad E_{11} = \bigl(\mathbf{x}_s-\mathbf{X}(g)\bigr)\cdot\mathbf{n}")
 .given(&[Given::new(r"\mathbf{X}(g),\ \mathbf{X}'", &ParabolicPoint::SPEC), Given::new(r"\mathbf{n}", &LocalBasis::SPEC)])
-        .eta(4.0, 12.0);
+        .eta(4.0, 12.0)
+        .finite(Finite::Between);
     type Inputs<T: Component> = ParabolicSlave<T>;
     type Outputs<T: Component> = SegmentFoot<T>;
 

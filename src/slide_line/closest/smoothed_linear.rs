@@ -6,7 +6,7 @@ mod proof;
 use super::{Foot, View};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec, ValueAndJacobian};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec, ValueAndJacobian};
 use crate::quantity::{CORNER_T, FRACTION, SEPARATION, X1, X2, X3, XS};
 use crate::scalar::{Scalar, abs};
 use crate::slide_line::basis::LocalBasis;
@@ -110,7 +110,8 @@ impl Formula for ClosestSmoothedLinear {
         .equation(r"t = \operatorname*{arg\,min}_{0 \le t \le 1}\,\lvert\mathbf{x}_s-\mathbf{X}(t)\rvert,\quad E_{11} = \bigl(\mathbf{x}_s-\mathbf{X}(t)\bigr)\cdot\mathbf{n}")
 .given(&[Given::new(r"\mathbf{X}(t),\ \mathbf{X}'", &SmoothedLinearPoint::SPEC), Given::new(r"\mathbf{n}", &LocalBasis::SPEC)])
         // Above 8 at few random points: the separation by f, where both segments are nearly in line.
-        .eta(4.0, 48.0);
+        .eta(4.0, 48.0)
+        .finite(Finite::Between);
     type Inputs<T: Component> = LinearCornerSlave<T>;
     type Outputs<T: Component> = CornerFoot<T>;
 

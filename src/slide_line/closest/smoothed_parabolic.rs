@@ -6,7 +6,7 @@ mod proof;
 use super::{CornerFoot, Foot, View};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec, ValueAndJacobian};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec, ValueAndJacobian};
 use crate::quantity::{FRACTION, X1, X2, X3, X4, X5, XS};
 use crate::scalar::Scalar;
 use crate::slide_line::basis::LocalBasis;
@@ -108,7 +108,8 @@ impl Formula for ClosestSmoothedParabolic {
 .given(&[Given::new(r"\mathbf{X}(t),\ \mathbf{X}'", &SmoothedParabolicPoint::SPEC), Given::new(r"\mathbf{n}", &LocalBasis::SPEC)])
         // Of 100,000 entries at random points a handful is above 24: derivatives by f between nodes whose distances
         // differ by factors of 1e6, where the ends move nearly along the tangent.
-        .eta(4.0, 128.0);
+        .eta(4.0, 128.0)
+        .finite(Finite::Between);
     type Inputs<T: Component> = ParabolicCornerSlave<T>;
     type Outputs<T: Component> = CornerFoot<T>;
 

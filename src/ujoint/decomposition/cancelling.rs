@@ -57,7 +57,7 @@ impl<D: Scalar> CrossLoads<D> {
 impl<L: Leaf> CrossLoads<L> {
     /// F·v.
     fn along(&self, v: &Vector3<L>) -> L {
-        let size = |e: &Vector3<L>| e.map(abs).dot(&v.map(abs));
+        let size = |e: &Vector3<L>| abs(e.x) * abs(v.x) + abs(e.y) * abs(v.y) + abs(e.z) * abs(v.z);
         let in_pairs = |e: &Vector3<L>| {
             let product = |c: usize| Pair::product(e[c], v[c]);
             product(0) + product(1) + product(2)
@@ -82,12 +82,12 @@ impl<L: Leaf> CrossLoads<L> {
             return L::zero();
         }
 
-        let both = |v: &Vector3<L>, w: &Vector3<L>| v.yzx().component_mul(&w.zxy());
-        let (a_sizes, b_sizes) = (a.map(abs), b.map(abs));
-        let cross_sizes = both(&a_sizes, &b_sizes) + both(&b_sizes, &a_sizes);
-        let cross = [(1, 2), (2, 0), (0, 1)].map(|(c, d)| Pair::product(a[c], b[d]) - Pair::product(a[d], b[c]));
+        let cross_size = |c: usize, d: usize| abs(a[c]) * abs(b[d]) + abs(a[d]) * abs(b[c]);
+        let cross_sizes = [cross_size(1, 2), cross_size(2, 0), cross_size(0, 1)];
+        let cross = |c: usize, d: usize| Pair::product(a[c], b[d]) - Pair::product(a[d], b[c]);
+        let cross = [cross(1, 2), cross(2, 0), cross(0, 1)];
 
-        let size = |e: &Vector3<L>| e.map(abs).dot(&cross_sizes);
+        let size = |e: &Vector3<L>| abs(e.x) * cross_sizes[0] + abs(e.y) * cross_sizes[1] + abs(e.z) * cross_sizes[2];
         let in_pairs = |e: &Vector3<L>| cross[0] * e.x + cross[1] * e.y + cross[2] * e.z;
         let exact = |e: &Vector3<L>| {
             let mut product = Expansion::new();
@@ -112,17 +112,24 @@ fn settled<L: Leaf, const N: usize>(
     in_pairs: impl Fn(&Vector3<L>) -> Pair<L>,
     exact: impl Fn(&Vector3<L>) -> Expansion<L, 24>,
 ) -> L {
-    let forces = || forces.iter().filter(|(f, _)| *f != 0.0);
-    let size = forces().fold(L::zero(), |sum, (f, e)| sum + abs(*f) * size(e));
-    if size == 0.0 {
-        return size;
+    let (mut sizes, mut fine) = (L::zero(), None);
+    for (f, e) in forces {
+        if *f == 0.0 {
+            continue;
+        }
+        sizes += abs(*f) * size(e);
+        // Of one force alone the product comes last, where a rounding is all that it costs.
+        fine = Some(match fine {
+            None => (in_pairs(e), *f),
+            Some((sum, g)) => (sum * g + in_pairs(e) * *f, L::one()),
+        });
     }
-    let fine = forces().fold(Pair::from(L::zero()), |sum, (f, e)| sum + in_pairs(e) * *f).value();
-    if abs(fine) > size * rounding_of_pairs::<L>() {
+    let fine = fine.map_or(sizes, |(sum, f)| sum.value() * f);
+    if sizes == 0.0 || abs(fine) > sizes * rounding_of_pairs::<L>() {
         return fine;
     }
     let mut sum = Expansion::<L, 144>::new();
-    for (f, e) in forces() {
+    for (f, e) in forces {
         sum.add_multiple(&exact(e), *f);
     }
     sum.value()

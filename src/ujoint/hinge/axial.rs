@@ -4,7 +4,7 @@
 mod proof;
 
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Spec};
+use crate::formula::{Component, Document, Fields, Finite, Formula, Given, Jacobian, Spec};
 use crate::quantity::{F_AXIAL_HINGE1, F_AXIAL_HINGE3, F_AXIAL1, F_AXIAL3, F_TRANSV_HINGE1, F_TRANSV_HINGE3, LA, RP};
 use crate::scalar::{Scalar, abs, sign};
 use crate::ujoint::{Arm, AxialFactors, AxialShares};
@@ -34,7 +34,8 @@ impl Formula for HingeAxial {
     )
         .equation(r"F_{\mathrm{axial}k}^{\mathrm{hinge}} = \alpha_{\mathrm{axial}}\lvert F_{\mathrm{axial}k}\rvert\ (k = 1, 3),\quad F_{\mathrm{transv1}}^{\mathrm{hinge}} = \beta_{\mathrm{axial}}\lvert F_{\mathrm{axial3}}\rvert,\quad F_{\mathrm{transv3}}^{\mathrm{hinge}} = \beta_{\mathrm{axial}}\lvert F_{\mathrm{axial1}}\rvert")
 .given(&[Given::new(r"\alpha_{\mathrm{axial}},\ \beta_{\mathrm{axial}}", &AxialFactors::SPEC)])
-        .eta(2.0, 3.0);
+        .eta(2.0, 3.0)
+        .finite(Finite::Between);
     type Inputs<T: Component> = AxialForces<T>;
     type Outputs<T: Component> = AxialLoads<T>;
 

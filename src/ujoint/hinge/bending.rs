@@ -5,7 +5,7 @@ mod proof;
 
 use super::{HingeTwist, Twist, TwistLoads};
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec};
 use crate::quantity::{CROSS_F_BEND, F_TOTAL_BEND, LA, LS, M_BEND_HINGE, M_TOTAL_HINGE, RP, TWIST_M2};
 use crate::scalar::{Scalar, abs, norm, norm_and_direction, sign};
 
@@ -68,7 +68,8 @@ impl Formula for HingeBending {
     )
         .equation(r"M_{\mathrm{bend}}^{\mathrm{hinge}} = \tfrac18\lvert F_{\mathrm{bend}}\rvert L_a,\quad M_{\mathrm{total}}^{\mathrm{hinge}} = \sqrt{\left(M_{\mathrm{bend}}^{\mathrm{hinge}}\right)^2 + \left(M_{\mathrm{twist}}^{\mathrm{hinge}}\right)^2},\quad F_{\mathrm{total}}^{\mathrm{bend}} = \begin{cases} 2 M_{\mathrm{total}}^{\mathrm{hinge}}/L_s & L_s > 0 \\ 0 & L_s = 0 \end{cases}")
 .given(&[Given::new(r"M_{\mathrm{twist}}^{\mathrm{hinge}}", &HingeTwist::SPEC)])
-        .eta(2.0, 4.0);
+        .eta(2.0, 4.0)
+        .finite(Finite::Between);
     type Inputs<T: Component> = Bending<T>;
     type Outputs<T: Component> = BendingLoads<T>;
 

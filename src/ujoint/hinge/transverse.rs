@@ -5,7 +5,7 @@ mod proof;
 
 use super::{AxialForces, HingeAxial, HingeTwist, Twist, TwistLoads};
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec};
 use crate::quantity::{CROSS_F_BEND, F_AXIAL1, F_AXIAL3, F_TOTAL_HINGE1, F_TOTAL_HINGE3, LA, RP, TWIST_M2};
 use crate::scalar::{Scalar, direction, norm};
 
@@ -53,7 +53,8 @@ impl Formula for HingeTransverse {
     )
         .equation(r"F_{\mathrm{total}k}^{\mathrm{hinge}} = \sqrt{\left(\tfrac14 F_{\mathrm{bend}}\right)^2 + \left(F_{\mathrm{twist}}^{\mathrm{hinge}}\right)^2 + \left(F_{\mathrm{transv}k}^{\mathrm{hinge}}\right)^2}\quad (k = 1, 3)")
 .given(&[Given::new(r"F_{\mathrm{twist}}^{\mathrm{hinge}}", &HingeTwist::SPEC), Given::new(r"F_{\mathrm{transv1}}^{\mathrm{hinge}},\ F_{\mathrm{transv3}}^{\mathrm{hinge}}", &HingeAxial::SPEC)])
-        .eta(2.0, 4.0);
+        .eta(2.0, 4.0)
+        .finite(Finite::Between);
     type Inputs<T: Component> = CentreLoads<T>;
     type Outputs<T: Component> = TransverseForces<T>;
 

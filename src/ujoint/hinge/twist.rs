@@ -4,7 +4,7 @@
 mod proof;
 
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec};
 use crate::quantity::{F_TWIST_HINGE, LA, M_TWIST_HINGE, RP, TWIST_M2};
 use crate::scalar::{Scalar, abs, sign};
 use crate::ujoint::{Arm, TwistFactors, TwistShares};
@@ -31,7 +31,8 @@ impl Formula for HingeTwist {
     )
         .equation(r"M_{\mathrm{twist}}^{\mathrm{hinge}} = \alpha_{\mathrm{twist}}\lvert m_2\rvert,\quad F_{\mathrm{twist}}^{\mathrm{hinge}} = \beta_{\mathrm{twist}}\frac{\lvert m_2\rvert}{L_a}")
 .given(&[Given::new(r"\alpha_{\mathrm{twist}},\ \beta_{\mathrm{twist}}", &TwistFactors::SPEC)])
-        .eta(2.0, 3.0);
+        .eta(2.0, 3.0)
+        .finite(Finite::Between);
     type Inputs<T: Component> = Twist<T>;
     type Outputs<T: Component> = TwistLoads<T>;
 

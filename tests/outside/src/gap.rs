@@ -1,21 +1,21 @@
 //! Across the gap between two surfaces, heat takes two ways: through the gas, and through the spots that touch.
 
 use crate::quantity::{A, C, G, KG, P, Q, T1, T2, TWO_WAYS};
-use jointproof::formula::{Component, Formula, Jacobian, Spec};
+use jointproof::formula::{Component, Finite, Formula, Jacobian, Spec};
 use jointproof::proof::{Case, Law, Proved, law};
 use jointproof::{Scalar, fields};
 
 fields! { pub struct Gap<T> { t1: T = T1, t2: T = T2, c: T = C, g: T = G, kg: T = KG, p: T = P, a: T = A } }
 fields! { pub struct Heat<T> { q: T = Q } }
 
-/// q = (k_g/(c + g) + a p) (T_1 − T_2)
 #[derive(Clone, Copy)]
 pub struct Flux;
 
 impl Formula for Flux {
     const SPEC: Spec = Spec::new("gap.flux", "Heat flux across a gap", TWO_WAYS)
         .equation(r"q = \left(\frac{k_g}{c + g} + a p\right)(T_1 - T_2)")
-        .eta(4.0, 4.0);
+        .eta(4.0, 4.0)
+        .finite(Finite::Between);
     type Inputs<T: Component> = Gap<T>;
     type Outputs<T: Component> = Heat<T>;
 

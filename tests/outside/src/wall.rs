@@ -2,20 +2,20 @@
 
 use crate::gap::Heat;
 use crate::quantity::{H, IN_SERIES, KA, KB, LA, LB, T1, T2};
-use jointproof::formula::{Component, Formula, Jacobian, Spec};
+use jointproof::formula::{Component, Finite, Formula, Jacobian, Spec};
 use jointproof::proof::{Case, Law, Proved, law};
 use jointproof::{Scalar, fields};
 
 fields! { pub struct Wall<T> { t1: T = T1, t2: T = T2, la: T = LA, ka: T = KA, lb: T = LB, kb: T = KB, h: T = H } }
 
-/// q = (T_1 − T_2) / (L_a/k_a + L_b/k_b + 1/h)
 #[derive(Clone, Copy)]
 pub struct Flux;
 
 impl Formula for Flux {
     const SPEC: Spec = Spec::new("wall.flux", "Heat flux through a wall", IN_SERIES)
         .equation(r"q = \frac{T_1 - T_2}{L_a/k_a + L_b/k_b + 1/h}")
-        .eta(4.0, 8.0);
+        .eta(4.0, 8.0)
+        .finite(Finite::Between);
     type Inputs<T: Component> = Wall<T>;
     type Outputs<T: Component> = Heat<T>;
 

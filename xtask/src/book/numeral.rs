@@ -17,7 +17,7 @@ pub(crate) struct Numeral {
 pub(crate) enum Origin {
     /// `{{3.7 = expression; where}}`: the rounded value of an expression, and what that is about.
     Value(String, String),
-    /// `{{3.7 in a_test}}`: a test computes it.
+    /// `{{3.7 in a_test}}`: it stands in a test that computes it, or in a constant.
     Test(String),
     /// `{{given 3.7}}`: the text itself sets it.
     Given,
@@ -120,7 +120,8 @@ mod tests {
 
     #[test]
     fn numbers_are_shown_as_they_are_written() {
-        let chapter = "About {{3.7 = \\sqrt{\\frac{a}{2}}; let a = 27}} of {{given 0.5}},\n$x = {{9.15 in areas}}$, `{{1 = 1}}`.";
+        let chapter =
+            "About {{3.7 = \\sqrt{\\frac{a}{2}}; let a = 27}} of {{given 0.5}},\n$x = {{9.15 in areas}}$, `{{1 = 1}}`.";
         let (text, numerals) = shown(chapter);
         assert_eq!(text, "About 3.7 of 0.5,\n$x = 9.15$, `{{1 = 1}}`.");
         let value = Origin::Value(r"\sqrt{\frac{a}{2}}".into(), "let a = 27".into());

@@ -72,7 +72,9 @@ impl Formulary {
     fn replacement(&self, pages: &Pages<'_>, at: &Place, piece: &Piece, mark: Option<&Mark>) -> Option<String> {
         match piece {
             Piece::InlineMath(latex) => Some(pages.inline_math(at, latex)),
-            Piece::DisplayMath(latex) => Some(pages.block_math(at, latex) + &mark.map(|mark| note_of(pages, at, mark)).unwrap_or_default()),
+            Piece::DisplayMath(latex) => {
+                Some(pages.block_math(at, latex) + &mark.map(|mark| note_of(pages, at, mark)).unwrap_or_default())
+            }
             Piece::Code(text) => pages.places.contains_key(text).then(|| pages.link(&at.page, text)),
             Piece::Directive { name, argument } => Some(format!("\n{}\n", self.directive(pages, at, name, argument))),
         }

@@ -64,7 +64,12 @@ pub(crate) fn read(file: &str, text: &str) -> Chapter {
     }
     let bare = numeral::bare(text).into_iter();
     faults.extend(bare.map(|(line, numeral)| {
-        fault(line, &format!("{numeral} does not say where it is from: `{{{{{numeral} = expression}}}}`, `… in test`, `given …`"))
+        fault(
+            line,
+            &format!(
+                "{numeral} does not say where it is from: `{{{{{numeral} = expression}}}}`, `… in test`, `given …`"
+            ),
+        )
     }));
     Chapter { numerals, displays, faults }
 }
@@ -109,7 +114,9 @@ impl Formulas<'_> {
                     setting.of = Some(Signature { spec, inputs, outputs });
                     of = Some(formula);
                 }
-                _ => return Err(format!("`{word}` is none of let, if, put, free, from, triads, above, and no formula")),
+                _ => {
+                    return Err(format!("`{word}` is none of let, if, put, free, from, triads, above, and no formula"));
+                }
             }
         }
         let own = definitions.join(r"\quad ");
@@ -117,4 +124,3 @@ impl Formulas<'_> {
         Ok((of, setting))
     }
 }
-
