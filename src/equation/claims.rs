@@ -53,7 +53,7 @@ pub struct Setting {
 #[derive(Clone, Debug)]
 pub struct Claims {
     tape: Tape,
-    claims: Vec<Claimed>,
+    all: Vec<Claimed>,
     condition: Option<Id>,
     /// Components of inputs, and what is put in for them.
     put: Vec<(usize, Id)>,
@@ -100,7 +100,7 @@ impl Claims {
     /// Where it cannot be read, or claims nothing.
     pub fn read(latex: &str, setting: &Setting) -> Result<Self, Error> {
         let claims = Self::compiled(latex, setting)?;
-        let is_empty = claims.claims.is_empty();
+        let is_empty = claims.all.is_empty();
         if is_empty { Err(Error::new(0, "nothing is claimed: all of it defines new symbols")) } else { Ok(claims) }
     }
 
@@ -175,7 +175,7 @@ impl Claims {
         if self.condition.is_some_and(|condition| all[condition] != 1.0) {
             return Vec::new();
         }
-        let at = self.claims.iter().map(|claim| {
+        let at = self.all.iter().map(|claim| {
             let (left, right) = (all[claim.left], all[claim.right]);
             ClaimAt {
                 left,
@@ -197,7 +197,7 @@ impl Claims {
 
     /// The value of an [`expression`](Self::expression) at a point.
     pub(crate) fn number(&self, point: &[Octuple]) -> Octuple {
-        let value = self.claims.first().map(|claim| self.tape.run(point)[claim.right]);
+        let value = self.all.first().map(|claim| self.tape.run(point)[claim.right]);
         value.unwrap_or(Octuple::NAN)
     }
 }
@@ -346,7 +346,7 @@ impl Known {
         });
         all.extend(equal);
         let triads = setting.triads;
-        Ok(Claims { tape: writer.tape, claims: all, condition, put, inputs, outputs, free, triads })
+        Ok(Claims { tape: writer.tape, all, condition, put, inputs, outputs, free, triads })
     }
 }
 
@@ -391,7 +391,7 @@ fn definition(statement: &Statement, is_known: impl Fn(&Name) -> bool) -> Option
     };
     let is_equal = !rest.is_empty() && rest.iter().all(|(relation, _)| *relation == Relation::Equal);
     let sides = rest.iter().map(|(_, side)| side.clone()).collect();
-    is_equal.then(|| Statement { names, parameters, body: Body::Equal(sides), at: statement.at })
+    is_equal.then_some(Statement { names, parameters, body: Body::Equal(sides), at: statement.at })
 }
 
 /// Both sides of every relation, number by number.

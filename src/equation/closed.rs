@@ -6,15 +6,12 @@ use super::name::Name;
 use super::scope::Entries;
 use super::syntax::{Body, Condition, Expr, Kind, Statement};
 
-/// Where a symbol is looked up: an entry, then those that refer to it.
-type Path = Vec<usize>;
-
 /// The statements of the equation and of what it takes from elsewhere, each symbol defined once; nothing where two
 /// entries call different things by the same symbol.
 pub(super) fn flat(entries: &Entries) -> Option<Vec<Statement>> {
     let mut all = Flat { entries, found: Vec::new() };
     for place in 0..entries.0[0].statements.len() {
-        all.add(vec![0], place, Vec::new())?;
+        all.add(&[0], place, Vec::new())?;
     }
     let statement = |found: &Found| {
         let statement = &entries.0[found.entry].statements[found.place];
@@ -57,13 +54,14 @@ struct Found {
     parameters: Vec<Name>,
 }
 
+/// A path is where a symbol is looked up: from its end, an entry and then those that refer to it.
 struct Flat<'e> {
     entries: &'e Entries,
     found: Vec<Found>,
 }
 
 impl Flat<'_> {
-    fn add(&mut self, path: Path, place: usize, given: Vec<Name>) -> Option<()> {
+    fn add(&mut self, path: &[usize], place: usize, given: Vec<Name>) -> Option<()> {
         let entry = *path.last()?;
         let statement = &self.entries.0[entry].statements[place];
         let same = |found: &Found| self.entries.0[found.entry].statements[found.place].names[0] == statement.names[0];
@@ -83,7 +81,7 @@ impl Flat<'_> {
         let needed = statement.expressions().into_iter().take(if is_chain { usize::MAX } else { sides });
         needed.for_each(|e| symbols(e, &mut names));
         for name in names.iter().filter(|name| !parameters.contains(name)) {
-            self.resolve(&path, name)?;
+            self.resolve(path, name)?;
         }
         Some(())
     }
@@ -93,14 +91,14 @@ impl Flat<'_> {
         let Some((&entry, referring)) = path.split_last() else { return Some(()) };
         let here = &self.entries.0[entry];
         if let Some(place) = here.statements.iter().position(|statement| statement.names[0] == *name) {
-            return self.add(path.to_vec(), place, Vec::new());
+            return self.add(path, place, Vec::new());
         }
         let Some(taken) = here.given.iter().find(|taken| taken.name == *name) else {
             return self.resolve(referring, name);
         };
         let there = [path, &[taken.from]].concat();
         match self.entries.0[taken.from].statements.iter().position(|statement| statement.names[0] == *name) {
-            Some(place) => self.add(there, place, taken.parameters.clone()),
+            Some(place) => self.add(&there, place, taken.parameters.clone()),
             None => self.resolve(&there, name),
         }
     }

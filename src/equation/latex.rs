@@ -31,34 +31,31 @@ pub(super) fn statement(statement: &Statement) -> String {
 /// A symbol.
 pub(super) fn name(name: &Name) -> String {
     let letter = |word: &str| if LETTERS.contains(&word) { format!(r"\{word}") } else { word.to_owned() };
-    let mut out = String::new();
-    for change in name.change.chars() {
-        out += match change {
-            'd' => r"\mathrm{d}",
-            'δ' => r"\delta ",
-            _ => r"\Delta ",
-        };
-    }
-    out += &match (name.bold, name.base.chars().count(), LETTERS.contains(&name.base.as_str())) {
+    let change = |c| match c {
+        'd' => r"\mathrm{d}",
+        'δ' => r"\delta ",
+        _ => r"\Delta ",
+    };
+    let base = match (name.bold, name.base.chars().count(), LETTERS.contains(&name.base.as_str())) {
         (true, ..) => format!(r"\mathbf{{{}}}", name.base),
         (false, _, true) => letter(&name.base),
         (false, 1, _) => name.base.clone(),
         _ => format!(r"\mathit{{{}}}", name.base),
     };
-    out += &"'".repeat(name.primes);
     let piece = |piece: &String| match piece.as_str() {
         "min" | "max" | "times" | "perp" => format!(r"\{piece}"),
         word if word.chars().count() == 1 || LETTERS.contains(&word) => letter(word),
         word => format!(r"\mathrm{{{word}}}"),
     };
-    if !name.below.is_empty() {
-        out += &format!("_{{{}}}", name.below.iter().map(piece).collect::<String>());
-    }
-    if !name.above.is_empty() {
-        let above = if name.above == "-" { "-".into() } else { piece(&name.above) };
-        out += &format!("^{{{above}}}").replace("^{-}", "^-");
-    }
-    out
+    let below = name.below.iter().map(piece).collect::<String>();
+    let below = if below.is_empty() { below } else { format!("_{{{below}}}") };
+    let above = match name.above.as_str() {
+        "" => String::new(),
+        "-" => "^-".into(),
+        _ => format!("^{{{}}}", piece(&name.above)),
+    };
+    let changes: String = name.change.chars().map(change).collect();
+    format!("{changes}{base}{}{below}{above}", "'".repeat(name.primes))
 }
 
 /// A sum, or anything.

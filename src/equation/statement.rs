@@ -8,18 +8,18 @@ use super::token::{Kind as Word, Token, tokens};
 
 /// The definitions of an equation, families of them written out.
 pub(super) fn statements(latex: &str, functions: Vec<Name>) -> Result<Vec<Statement>, Error> {
-    all(latex, functions, |parser| parser.statement())
+    all(latex, functions, Parser::statement)
 }
 
 /// What prose says: sides that are equal, or one smaller than the next, families of them written out.
 pub(super) fn chains(latex: &str, functions: Vec<Name>) -> Result<Vec<Statement>, Error> {
-    all(latex, functions, |parser| parser.chain())
+    all(latex, functions, Parser::chain)
 }
 
-fn all(
-    latex: &str,
+fn all<'l>(
+    latex: &'l str,
     functions: Vec<Name>,
-    one: impl Fn(&mut Parser<'_>) -> Result<Statement, Error>,
+    one: impl Fn(&mut Parser<'l>) -> Result<Statement, Error>,
 ) -> Result<Vec<Statement>, Error> {
     let mut parser = Parser { tokens: tokens(latex)?, next: 0, functions };
     parser.declare();

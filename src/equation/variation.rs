@@ -73,7 +73,7 @@ impl Rules<'_> {
     /// How the place of something smallest moves: between its bounds its slope stays 0.
     fn place(&self, name: &Name, found: &ArgMin) -> Option<Expr> {
         let Kind::Size(gap) = &found.objective.kind else { return None };
-        let gap = self.without_functions(gap, name);
+        let gap = self.without_functions(gap);
         let fixed = Self { by: Some(name.clone()), varying: Vec::new(), ..*self };
         let slope = dot(gap.clone(), fixed.of(&gap, &[])?);
         let (numerator, curvature) = (self.of(&slope, std::slice::from_ref(name))?, fixed.of(&slope, &[])?);
@@ -84,9 +84,9 @@ impl Rules<'_> {
         Some(expr(Kind::Cases(rows)))
     }
 
-    /// With the bodies of functions in the place of their applications, and of definitions that depend on `name`.
-    fn without_functions(&self, e: &Expr, name: &Name) -> Expr {
-        e.replaced(&|part| self.applied(part).map(|inside| self.without_functions(&inside, name)))
+    /// With the bodies of functions in the place of their applications.
+    fn without_functions(&self, e: &Expr) -> Expr {
+        e.replaced(&|part| self.applied(part).map(|inside| self.without_functions(&inside)))
     }
 
     /// The body of a function with its arguments, or with the symbols of its parameters where none are written.
@@ -303,12 +303,18 @@ fn divide(a: Expr, b: Expr) -> Expr {
     }
 }
 
-/// A product; signs and the factor 1 do not stand in it.
+/// A product from left to right, its number first; signs and the factor 1 do not stand in it.
 fn times(a: Expr, b: Expr) -> Expr {
     match (a.kind, b.kind) {
         (Kind::Negative(a), b) => negative(times(*a, expr(b))),
         (a, Kind::Negative(b)) => negative(times(expr(a), *b)),
         (Kind::Number(1.0), other) | (other, Kind::Number(1.0)) => expr(other),
+        (Kind::Number(a), Kind::Number(b)) => number(a * b),
+        (a, Kind::Binary(Operator::Times, b, c)) => times(times(expr(a), *b), *c),
+        (Kind::Binary(Operator::Times, a, rest), Kind::Number(b)) if matches!(a.kind, Kind::Number(_)) => {
+            times(times(*a, number(b)), *rest)
+        }
+        (a, Kind::Number(b)) => times(number(b), expr(a)),
         (a, b) => expr(Kind::Binary(Operator::Times, Box::new(expr(a)), Box::new(expr(b)))),
     }
 }

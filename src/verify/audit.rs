@@ -3,7 +3,7 @@
 use super::claim::Claim;
 use super::difference::{differences, step_size};
 use super::point::{Names, Point};
-use super::printed::{EQUATION, Known, found};
+use super::printed::{EQUATION, found};
 use super::subject::{Law, Subject};
 use super::{Sampler, Sensitivity, eta, finite, invariance};
 use crate::equation::Equation;
@@ -162,12 +162,13 @@ pub fn audit_equation<F: Proved>(options: &Options) -> [Claim; 2] {
     });
     for point in named_points(&subject).into_iter().chain(random) {
         if printed.is_defined(point.kink.is_some()) {
-            let known = [&(subject.exact_value)(&point.exact), &subject.derivative(&point.exact)];
-            // Few entries are so close to a cancellation that it is asked how they bend.
-            let bends = OnceCell::new();
+            let values = (subject.exact_value)(&point.exact);
+            // Few numbers are so close to a cancellation that it is asked what rounding of the inputs does to them.
+            let (gradients, bends) = (OnceCell::new(), OnceCell::new());
+            let gradients = || gradients.get_or_init(|| subject.derivative(&point.exact)).as_slice();
             let bend = |k: usize| bends.get_or_init(|| bends_at(&point))[k];
-            let [values, jacobian] = &mut claims;
-            check_equation([values, jacobian], &point, &names, known, bend, &printed);
+            let [on_values, on_jacobian] = &mut claims;
+            check_equation([on_values, on_jacobian], &point, &names, &values, gradients, bend, &printed);
         }
     }
     claims
@@ -236,7 +237,8 @@ impl Audit {
         }
         if let Some(equation) = equation.filter(|equation| equation.is_defined(point.kink.is_some())) {
             let claims = [&mut self.equation, &mut self.equation_jacobian];
-            check_equation(claims, point, names, [&exact.values, &exact.ad], |k| exact.bends[k], equation);
+            let bend = |k: usize| exact.bends[k];
+            check_equation(claims, point, names, &exact.values, || exact.ad.as_slice(), bend, equation);
         }
         // The value and the Jacobian alone, and as they come together.
         let [value, jacobian] = (subject.linearized)(&point.inputs);
@@ -302,20 +304,20 @@ impl Audit {
 }
 
 /// Value and Jacobian of the printed equation, each judged as those of the code are.
-fn check_equation(
+fn check_equation<'g>(
     [values, jacobian]: [&mut Claim; 2],
     point: &Point,
     names: &Names,
-    [exact, ad]: [&Vec<Octuple>; 2],
+    exact: &[Octuple],
+    gradients: impl Fn() -> &'g [Octuple],
     bend: impl Fn(usize) -> Sensitivity,
     equation: &Equation,
 ) {
     let closed = (point.subject.exact_jacobian)(&point.exact);
     let found = found(equation, &point.exact, exact);
-    let sizes = ad.chunks(point.exact.len()).map(|gradient| Sensitivity::new(gradient, &point.exact)).collect();
-    let known = Known { values: exact.clone(), sizes };
+    let size = |k: usize| Sensitivity::new(&gradients()[k * point.exact.len()..], &point.exact);
     let describe = |size, entry, found, expected| point.deviation(size, entry, found, expected);
-    found.record_values(values, &known, &names.outputs, describe);
+    found.record_values(values, exact, size, &names.outputs, describe);
     if point.kink.is_none() {
         found.record_jacobian(jacobian, &closed, bend, |k| names.entry(k), describe);
     }

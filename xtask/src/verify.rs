@@ -93,7 +93,9 @@ fn check_audit(project: &Project, samples: usize) -> anyhow::Result<(bool, Strin
 /// Says what is off with the mathematics and the numbers of chapters.
 fn check_prose(project: &Project) -> anyhow::Result<(bool, String)> {
     let (faults, counts) = prose::check(project)?;
-    faults.iter().for_each(|fault| say(&fault.to_string()));
+    for fault in &faults {
+        say(&fault.to_string());
+    }
     Ok((faults.is_empty(), counts))
 }
 

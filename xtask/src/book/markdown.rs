@@ -77,7 +77,7 @@ pub(crate) fn texts(chapter: &str) -> Vec<Range<usize>> {
     for (event, range) in Parser::new_ext(chapter, options()).into_offset_iter() {
         match event {
             Event::Start(Tag::CodeBlock(_) | Tag::Heading { .. } | Tag::Link { .. } | Tag::Image { .. }) => {
-                not_prose += 1
+                not_prose += 1;
             }
             Event::End(TagEnd::CodeBlock | TagEnd::Heading(_) | TagEnd::Link | TagEnd::Image) => not_prose -= 1,
             Event::Text(_) | Event::InlineMath(_) if not_prose == 0 => all.push(range),
