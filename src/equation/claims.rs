@@ -1,13 +1,12 @@
 //! What prose claims in mathematics, beside the equation of an entry.
 
-use super::derivative::Beside;
 use super::error::Error;
 use super::lower::{Place, Writer};
 use super::name::Name;
 use super::scope::{Entries, Entry, Taken};
 use super::statement::{apart, chains, statements, symbols};
 use super::syntax::{Body, Expr, Kind, Relation, Statement};
-use super::tape::{Id, Op, Tape};
+use super::tape::{Beside, Id, Op, Tape};
 use super::value::Value;
 use super::{named, rounding};
 use crate::formula::{Field, Spec};

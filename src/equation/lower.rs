@@ -1,11 +1,10 @@
 //! Symbols get their meaning, vectors fall apart into components, and the list of operations is written.
 
-use super::derivative::Beside;
 use super::error::Error;
 use super::name::Name;
 use super::scope::Entries;
 use super::syntax::{Body, Condition, Expr, Function, Kind, Operator, Relation, Statement, small};
-use super::tape::{Id, Op, Tape};
+use super::tape::{Beside, Id, Op, Tape};
 use super::value::{Value, binary, constant, each, norm, squares};
 use crate::formula::Field;
 

@@ -33,6 +33,15 @@ pub(super) enum Op {
     Select(Id, Id, Id),
 }
 
+/// Numbers that do not follow from the inputs by an equation.
+#[derive(Debug, Default)]
+pub(super) struct Beside {
+    /// The outputs of the code, each with its row of the Jacobian of the code.
+    pub(super) outputs: Vec<(Id, Vec<Id>)>,
+    /// Numbers that change, and their changes.
+    pub(super) changes: Vec<(Id, Id)>,
+}
+
 /// The list.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Tape {
