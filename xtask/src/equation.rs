@@ -21,7 +21,7 @@ use std::time::Instant;
 /// evaluated in 237 bits at the formula's cases, on and beside its kinks, and at random points.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
-  {command} equation                every printed equation, and what the chapters claim
+  {command} equation  all that is printed
   {command} equation 'F = \\sqrt{a^2+b^2}' --against slot.contact_force --let a=f2 --let b=f3
   {command} equation '\\Phi = P - \\mu F_N' --against coulomb.yield  with the entry's own symbols")]
 pub(crate) struct Arguments {
