@@ -1,13 +1,13 @@
 //! Powers of two: to scale by one of them does not round.
 
-use num_dual::DualNum;
+use crate::scalar::{Leaf, Scalar, abs, constant, leaf};
 
 /// A power of two near the size of some numbers, and its reciprocal: in this unit, squares and products of the numbers
 /// neither over- nor underflow.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Binade {
-    pub(crate) unit: f64,
-    pub(crate) per_unit: f64,
+pub(crate) struct Binade<D> {
+    pub(crate) unit: D,
+    pub(crate) per_unit: D,
 }
 
 /// The bits of the exponent.
@@ -15,14 +15,22 @@ const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
 /// The exponent of 2¹⁰²², whose reciprocal is still a normal number.
 const LARGEST: u64 = 0x7fd0_0000_0000_0000;
 
-impl Binade {
+impl<D: Scalar> Binade<D> {
     /// The largest power of two that is not above the largest of the numbers, within 2⁻¹⁰²² … 2¹⁰²².
     #[inline]
-    pub(crate) fn of<D: DualNum<Primitive = f64>>(numbers: impl IntoIterator<Item = D>) -> Self {
-        let largest = numbers.into_iter().fold(f64::MIN_POSITIVE, |largest, x| largest.max(x.re().abs()));
-        let exponent = (largest.to_bits() & EXPONENT).min(LARGEST);
-        Self { unit: f64::from_bits(exponent), per_unit: f64::from_bits(EXPONENT - (1 << 52) - exponent) }
+    pub(crate) fn of(numbers: impl IntoIterator<Item = D>) -> Self {
+        let least = D::Leaf::from(f64::MIN_POSITIVE);
+        let largest = numbers.into_iter().fold(least, |largest, x| largest.or_larger(abs(leaf(x))));
+        let [unit, per_unit] = largest.power_of_two_below().map(constant);
+        Self { unit, per_unit }
     }
+}
+
+/// The largest power of two that is not above a number, within 2⁻¹⁰²² … 2¹⁰²², and its reciprocal.
+#[inline]
+pub(crate) fn power_of_two_below(x: f64) -> [f64; 2] {
+    let exponent = (x.to_bits() & EXPONENT).min(LARGEST);
+    [exponent, EXPONENT - (1 << 52) - exponent].map(f64::from_bits)
 }
 
 /// 2^exponent, a normal number.

@@ -2,6 +2,7 @@
 
 use crate::equation::Claims;
 use crate::formula::{Field, Fields, Formula, Spec, check, entries, value, value_and_jacobian};
+use crate::graph::{self, Graph, NotRecorded};
 #[cfg(feature = "measure")]
 use crate::measure::{self, Measurement};
 use crate::proof::{Convention, Flag, Proved};
@@ -69,6 +70,11 @@ pub trait AnyFormula: Send + Sync {
     /// # Errors
     /// As there, and [`Error::Components`] where a slice has another length; nothing is written then.
     fn value_and_jacobian_into(&self, i: &[f64], value: &mut [f64], jacobian: &mut [f64]) -> Result<(), Error>;
+    /// What it does, written down: the value and the closed-form Jacobian.
+    ///
+    /// # Errors
+    /// What in it cannot be written down.
+    fn graph(&self) -> Result<Graph, NotRecorded>;
     #[cfg(feature = "measure")]
     /// The errors of every way to compute it, found now.
     fn errors(&self, options: &measure::Options) -> Measurement;
@@ -137,6 +143,9 @@ impl<F: Proved> AnyFormula for F {
     fn number(&self, expression: &Claims) -> Octuple {
         number_of::<F>(expression)
     }
+    fn graph(&self) -> Result<Graph, NotRecorded> {
+        graph::record::<F>()
+    }
     fn value(&self, components: &[f64]) -> Result<Vec<f64>, Error> {
         Ok(value::<F>(&from_components::<F>(components)?)?.components())
     }
@@ -202,7 +211,7 @@ fn one_sided(subject: &Subject) -> Vec<KinkEntry> {
         };
         let (below, here, above) = (value(-step), value(step * 0.0), value(step));
         let difference = |to: Octuple, from: Octuple| match kink.convention {
-            Convention::Cut if abs(to - from) > Octuple::PI => to - from - Octuple::PI * (2.0 * sign(to - from)),
+            Convention::Cut if abs(to - from) > Octuple::PI => to - from - Octuple::PI * sign(to - from) * 2.0,
             _ => to - from,
         };
         let sides = |k: usize| [difference(here[k], below[k]), difference(above[k], here[k])];

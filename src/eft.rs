@@ -173,6 +173,19 @@ impl<L: Leaf, const N: usize> Expansion<L, N> {
     }
 }
 
+/// A sum of products of four numbers each, of the right sign: every product and the sum are exact, and rounded in the end.
+pub(crate) fn exact_sum<L: Leaf>(products: impl IntoIterator<Item = [L; 4]>) -> L {
+    let mut sum = Expansion::<L, 144>::new();
+    for [a, b, c, d] in products {
+        let mut two = Expansion::<L, 2>::new();
+        two.add_product(a, b);
+        let mut three = Expansion::<L, 4>::new();
+        three.add_multiple(&two, c);
+        sum.add_multiple(&three, d);
+    }
+    sum.value()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -64,6 +64,8 @@ pub mod equation;
 mod error;
 pub mod formula;
 pub mod frame;
+#[cfg(feature = "verify")]
+pub mod graph;
 pub mod interaction;
 pub mod isl;
 pub mod join;

@@ -97,6 +97,22 @@ macro_rules! newtype_number {
             fn partial_cmp(&self, other: &f64) -> Option<::std::cmp::Ordering> {
                 self.partial_cmp(&Self::from(*other))
             }
+            #[inline]
+            fn lt(&self, other: &f64) -> bool {
+                *self < Self::from(*other)
+            }
+            #[inline]
+            fn le(&self, other: &f64) -> bool {
+                *self <= Self::from(*other)
+            }
+            #[inline]
+            fn gt(&self, other: &f64) -> bool {
+                *self > Self::from(*other)
+            }
+            #[inline]
+            fn ge(&self, other: &f64) -> bool {
+                *self >= Self::from(*other)
+            }
         }
 
         impl ::std::iter::Sum for $type {

@@ -10,7 +10,8 @@
 //! Comparisons between dual numbers look at the real part only, which is what a branch of a formula means; to
 //! compare derivatives, compare the parts.
 
-use crate::binade::power_of_two;
+use crate::binade::{power_of_two, power_of_two_below};
+use crate::eft::exact_sum;
 use nalgebra::{Const, U1};
 use num_dual::{Derivative, Dual, Dual2, Dual2SVec, DualNum, DualSVec, HyperDual};
 
@@ -35,13 +36,17 @@ pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scal
     }
     /// See [`atan2`].
     fn angle_of(y: Self, x: Self) -> Self;
+    /// See [`choice`].
+    #[inline]
+    fn choice_of<const N: usize>(choose: impl Fn() -> [Self; N]) -> [Self; N] {
+        choose()
+    }
     /// See [`abs`].
     #[inline]
     fn abs_of(x: Self) -> Self {
-        match sign(x) {
-            0.0 => x * 0.0 + 0.0, // +0 for either zero, NaN for NaN, and no derivative
-            sign => x * sign,
-        }
+        let sign = sign(x);
+        // +0 for either zero, NaN for NaN, and no derivative.
+        if sign == 0.0 { x * 0.0 + 0.0 } else { x * sign }
     }
 }
 
@@ -62,6 +67,21 @@ pub trait Leaf: Scalar<Leaf = Self> {
     ///
     /// `f64` takes the doubles as they are, so that no formula pays for the digits it does not need.
     fn constants<const N: usize>(nearest: [f64; N], definition: impl FnOnce() -> [Self; N]) -> [Self; N];
+    /// The larger of two numbers; this one where the other is NaN.
+    #[inline]
+    fn or_larger(self, other: Self) -> Self {
+        if other > self { other } else { self }
+    }
+    /// The largest power of two that is not above a positive number, within 2⁻¹⁰²² … 2¹⁰²², and its reciprocal.
+    #[inline]
+    fn power_of_two_below(self) -> [Self; 2] {
+        power_of_two_below(self.re()).map(Self::from)
+    }
+    /// A sum of at most 18 products of four numbers each, of the right sign: nothing is rounded but the sum in the end.
+    #[inline]
+    fn exact_sum(products: impl IntoIterator<Item = [Self; 4]>) -> Self {
+        exact_sum(products)
+    }
 }
 
 /// The number without its derivatives.
@@ -183,12 +203,26 @@ pub fn abs<D: Scalar>(x: D) -> D {
     D::abs_of(x)
 }
 
+/// Numbers that comparisons choose, where nothing that follows depends on how they came out: whoever writes the operations
+/// down can bring the sides together here.
+///
+/// ```
+/// use jointproof::scalar::choice;
+/// let [larger] = choice(|| [if 2.0 > 3.0 { 2.0 } else { 3.0 }]);
+/// assert_eq!(larger, 3.0);
+/// ```
+#[inline]
+pub fn choice<D: Scalar, const N: usize>(choose: impl Fn() -> [D; N]) -> [D; N] {
+    D::choice_of(choose)
+}
+
 /// −1, 0 or 1: the derivative of [`abs`].
 #[inline]
-pub fn sign<D: Scalar>(x: D) -> f64 {
+pub fn sign<D: Scalar>(x: D) -> D {
     // A difference of two selections compiles to masks; a branch would be mispredicted on every other load.
     let one_if = |condition| if condition { 1.0 } else { 0.0 };
-    one_if(x > 0.0) - one_if(x < 0.0)
+    let [sign] = choice(|| [D::from(one_if(x > 0.0) - one_if(x < 0.0))]);
+    sign
 }
 
 /// x/length, or zeros where the length is 0.
@@ -277,6 +311,10 @@ impl Leaf for f64 {
     #[inline]
     fn constants<const N: usize>(nearest: [f64; N], _: impl FnOnce() -> [Self; N]) -> [Self; N] {
         nearest
+    }
+    #[inline]
+    fn or_larger(self, other: Self) -> Self {
+        self.max(other)
     }
 }
 

@@ -225,7 +225,7 @@ fn a_law_that_does_not_hold_is_caught() {
             abs(i.f2) + 1.0
         }
         fn gradient<D: Scalar>(i: &Inputs<D>) -> [D; 2] {
-            [D::from(sign(i.f2)), D::zero()]
+            [sign(i.f2), D::zero()]
         }
     }
     assert_names(&caught::<NotHomogeneous>(), "homogeneity", "equation 0");

@@ -15,7 +15,7 @@ pub(super) fn arc_sine<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
         return sine.asin();
     }
     let cosine = steep_cosine(a, b);
-    if cosine == 0.0 { D::from(sign(sine)).asin() } else { atan2(sine, cosine) }
+    if cosine == 0.0 { sign(sine).asin() } else { atan2(sine, cosine) }
 }
 
 /// The derivative of [`arc_sine`] with respect to a·b: 1/√(1 − (a·b)²); 0 beyond ±1.

@@ -264,7 +264,7 @@ fn call<D: Scalar>(function: Function, a: D, b: D) -> D {
         Function::Sin => a.sin(),
         Function::Cos => a.cos(),
         Function::ArcSin => a.asin(),
-        Function::Sign => D::from(sign(a)),
+        Function::Sign => sign(a),
         Function::Round => D::from(a.re().round()),
         // Zeros of mathematics have no sign.
         Function::Atan2 => atan2(a + 0.0, b),

@@ -6,7 +6,7 @@
 
 use super::basis::length_and_tangent;
 use crate::Scalar;
-use crate::scalar::abs;
+use crate::scalar::{abs, choice};
 use nalgebra::Vector2;
 
 /// A curve through N nodes, with a parameter f (the smoothing fraction; unused by segments).
@@ -302,11 +302,14 @@ pub(super) fn gap<D: Scalar, const N: usize>(xs: Vector2<D>, nodes: &[Vector2<D>
 
 /// The node of the largest weight.
 fn heaviest<D: Scalar, const N: usize>(nodes: &[Vector2<D>; N], weights: [D; N]) -> Vector2<D> {
-    let mut best = (nodes[0], weights[0]);
-    for (&x, &w) in nodes.iter().zip(&weights) {
-        if w > best.1 {
-            best = (x, w);
+    let heaviest = || {
+        let mut best = (nodes[0], weights[0]);
+        for (&x, &w) in nodes.iter().zip(&weights) {
+            if w > best.1 {
+                best = (x, w);
+            }
         }
-    }
-    best.0
+        [best.0.x, best.0.y]
+    };
+    choice(heaviest).into()
 }

@@ -19,7 +19,7 @@ pub(super) struct Across<D> {
     /// d_e.
     pub(super) along: D,
     /// The unit of c in that of d_e.
-    ratio: f64,
+    ratio: D,
     /// The lengths of the rays; the first is |c|.
     pub(super) roots: [D; 2],
 }

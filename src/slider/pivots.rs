@@ -1,7 +1,7 @@
 //! Which coordinates of node m are eliminated, and which one is kept.
 
 use crate::binade::Binade;
-use crate::eft::{Expansion, Pair};
+use crate::eft::Pair;
 use crate::scalar::{Leaf, Scalar, abs, leaf};
 use nalgebra::{SVector, Vector2, Vector3};
 
@@ -128,18 +128,12 @@ fn steep_exactly<L: Leaf>(x1: &Vector3<L>, xn: &Vector3<L>, near: usize, far: us
     if let Some(steep) = steep_if_certain([along.high, p.high, q.high]) {
         return steep;
     }
-    // q² − p (|d1| − p)
-    let mut overhang = Expansion::<L, 4>::new();
-    for part in [p.low, -along.low, p.high, -along.high] {
-        overhang.add(part);
-    }
-    let mut excess = Expansion::<L, 22>::new();
-    for (a, b) in [(q.low, q.low), (q.low * 2.0, q.high), (q.high, q.high)] {
-        excess.add_product(a, b);
-    }
-    excess.add_multiple(&overhang, p.low);
-    excess.add_multiple(&overhang, p.high);
-    excess.value() >= 0.0
+    // q² − p |d1| + p², of the parts of each.
+    let one = L::one();
+    let squared = |x: Pair<L>| [[x.low, x.low, one, one], [x.low * 2.0, x.high, one, one], [x.high, x.high, one, one]];
+    let crossed = |x: L| [[x, -along.low, one, one], [x, -along.high, one, one]];
+    let products = [squared(q).as_slice(), &squared(p), &crossed(p.low), &crossed(p.high)].concat();
+    L::exact_sum(products) >= 0.0
 }
 
 #[cfg(test)]

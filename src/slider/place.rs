@@ -15,7 +15,7 @@ pub(super) struct Place<D, const N: usize> {
     end: SVector<D, N>,
     ahead: D,
     nearer_to_n: bool,
-    per_unit: f64,
+    per_unit: D,
 }
 
 impl<D: Scalar, const N: usize> Place<D, N> {

@@ -47,7 +47,7 @@ impl<D: Scalar, const N: usize> Slide<D, N> {
     #[inline]
     pub(super) fn gradients(&self, dx1: &SVector<D, N>, dxn: &SVector<D, N>, dxmk: D) -> Gradients<D, N> {
         let Self { span, station, k } = *self;
-        let (per_dk, per_unit) = (span.d[k].recip(), D::from(span.binade.per_unit));
+        let (per_dk, per_unit) = (span.d[k].recip(), span.binade.per_unit);
         let excess = dxmk - station.blend(dx1, dxn)[k];
         Gradients {
             d: span.d,

@@ -9,7 +9,7 @@ use nalgebra::SVector;
 pub(super) struct Span<D, const N: usize> {
     pub(super) d: SVector<D, N>,
     pub(super) square: D,
-    pub(super) binade: Binade,
+    pub(super) binade: Binade<D>,
 }
 
 impl<D: Scalar, const N: usize> Span<D, N> {
@@ -22,7 +22,7 @@ impl<D: Scalar, const N: usize> Span<D, N> {
     #[inline]
     pub(super) fn along(d: SVector<D, N>) -> Self {
         let binade = Binade::of(d.iter().copied());
-        let d = d * D::from(binade.per_unit);
+        let d = d * binade.per_unit;
         Self { d, square: d.dot(&d), binade }
     }
 }
@@ -68,7 +68,7 @@ impl<D: Scalar, const N: usize> Station<D, N> {
     /// With the part f of m − x1 across the line: ∂ξ/∂xm = d/d·d, ∂ξ/∂xn = (f − ξ d)/d·d, ∂ξ/∂x1 = −(f + (1 − ξ) d)/d·d.
     #[inline]
     pub(super) fn gradients(&self, span: &Span<D, N>) -> [SVector<D, N>; 3] {
-        let factor = D::from(span.binade.per_unit) / span.square;
+        let factor = span.binade.per_unit / span.square;
         let [by_x1, by_xn] = self.unscaled_gradients(span);
         [by_x1 * -factor, by_xn * factor, span.d * factor]
     }
@@ -77,7 +77,7 @@ impl<D: Scalar, const N: usize> Station<D, N> {
     #[inline]
     pub(super) fn unscaled_gradients(&self, span: &Span<D, N>) -> [SVector<D, N>; 2] {
         let [share, rest] = self.shares();
-        let aside = self.offset * D::from(span.binade.per_unit) - span.d * self.tau;
+        let aside = self.offset * span.binade.per_unit - span.d * self.tau;
         [aside + span.d * rest, aside - span.d * share]
     }
 }

@@ -77,7 +77,7 @@ impl Formula for NormalForce {
 
     #[inline]
     fn jacobian<D: Scalar>(i: &ContactForces<D>) -> Jacobian<Self, D> {
-        let s = D::from(sign(i.fc + i.fc_int));
+        let s = sign(i.fc + i.fc_int);
         Normal { r#fn: ContactForces { fc: s, fc_int: s } }
     }
 
@@ -129,7 +129,7 @@ impl Formula for Friction {
         let (p, sum) = (abs(i.f1), fc + i.fc_int);
         let r#fn = NormalForce::eval(&ContactForces { fc, fc_int: i.fc_int }).r#fn;
         let value = FrictionOutputs { p, r#fn, phi: Yield::eval(&Tractions { p, mu: i.mu, r#fn }).phi };
-        let (s1, s) = (D::from(sign(i.f1)), D::from(sign(sum)));
+        let (s1, s) = (sign(i.f1), sign(sum));
         let slope = -i.mu * s; // ∂Φ/∂(F_C + F_C_int)
         let jacobian = FrictionOutputs {
             p: SlotLoads { f1: s1, f2: zero, f3: zero, fc_int: zero, mu: zero },

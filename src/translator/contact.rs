@@ -47,7 +47,7 @@ impl Formula for TorqueForce {
 
     #[inline]
     fn linearized<D: Scalar>(i: &Torque<D>) -> (TorqueContact<D>, Jacobian<Self, D>) {
-        let (zero, s) = (D::zero(), D::from(sign(i.m1)));
+        let (zero, s) = (D::zero(), sign(i.m1));
         let TorqueContact { m_torq, f_torq } = Self::eval(i);
         let by_lever =
             if i.rr == 0.0 { Torque { m1: zero, rr: zero } } else { Torque { m1: s / i.rr, rr: -f_torq / i.rr } };

@@ -135,7 +135,7 @@ impl Formula for Friction {
         let (p, sum) = (abs(i.f1), fc + i.fc_int);
         let r#fn = NormalForce::eval(&ContactForces { fc, fc_int: i.fc_int }).r#fn;
         let phi = Yield::eval(&Tractions { p, mu: i.mu, r#fn }).phi;
-        let (s1, s) = (D::from(sign(i.f1)), D::from(sign(sum)));
+        let (s1, s) = (sign(i.f1), sign(sum));
         let none = ContactLoads { f2: zero, f3: zero, m1: zero, m2: zero, m3: zero, rr: zero, l: zero };
         let slope = -i.mu * s; // ∂Φ/∂(F_C + F_C_int)
         (

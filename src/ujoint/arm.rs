@@ -16,7 +16,7 @@ mod proof;
 use crate::fields;
 use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec};
 use crate::quantity::{ALPHA_AXIAL, ALPHA_TWIST, BETA_AXIAL, BETA_TWIST, LA, RP};
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, choice};
 use std::hint::select_unpredictable;
 
 fields! {
@@ -35,12 +35,16 @@ impl<D: Scalar> Arm<D> {
     /// σ with k = `above`/`below`, both integers, since k is not always a double.
     #[inline]
     fn slenderness(&self, above: f64, below: f64) -> Slenderness<D> {
-        let squares = self.la * self.la + self.rp * self.rp;
-        if squares > 1e-60 && squares < 1e60 {
-            self.regular_slenderness(above, below)
-        } else {
-            self.rescaled_slenderness(above, below)
-        }
+        let [slender, rigid, la, rp] = choice(|| {
+            let squares = self.la * self.la + self.rp * self.rp;
+            let Slenderness { slender, rigid, gradient: Self { la, rp } } = if squares > 1e-60 && squares < 1e60 {
+                self.regular_slenderness(above, below)
+            } else {
+                self.rescaled_slenderness(above, below)
+            };
+            [slender, rigid, la, rp]
+        });
+        Slenderness { slender, rigid, gradient: Self { la, rp } }
     }
 
     /// σ = below La²/(below La² + above Rp²). From λ dσ/dλ = 2σ(1 − σ) its gradient is 2σ(1 − σ) (1/La, −1/Rp).

@@ -8,7 +8,7 @@ use super::{CrossAxes, CrossDirection};
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Finite, Formula, Given, Jacobian, Spec};
 use crate::quantity::{CROSS_F_BEND, E1A, E2A, E3A, E3B, F_AXIAL1, F_AXIAL3, F2, F3, JOIN_F1};
-use crate::scalar::{Leaf, Scalar};
+use crate::scalar::{Leaf, Scalar, abs, choice, leaf};
 use nalgebra::Vector3;
 
 fields! {
@@ -65,11 +65,11 @@ impl<D: Scalar> CrossLoads<D> {
     /// Which of them rounding may have given their sign.
     #[inline]
     fn doubtful(&self, rough: &CrossForces<D>) -> CrossForces<bool> {
-        let size = |v: &Vector3<D>| v.x.re().abs() + v.y.re().abs() + v.z.re().abs();
+        let size = |v: &Vector3<D>| abs(leaf(v.x)) + abs(leaf(v.y)) + abs(leaf(v.z));
         let (e1a, e3b) = (size(&self.e1a), size(&self.e3b));
-        let beside = size(&self.e2a) * self.f2.re().abs() + size(&self.e3a) * self.f3.re().abs();
-        let force = e1a * self.f1.re().abs() + beside;
-        let is_lost = |x: D, size: f64| x.re().abs() < size * rounding::<D::Leaf>();
+        let beside = size(&self.e2a) * abs(leaf(self.f2)) + size(&self.e3a) * abs(leaf(self.f3));
+        let force = e1a * abs(leaf(self.f1)) + beside;
+        let is_lost = |x: D, size: D::Leaf| abs(leaf(x)) < size * rounding::<D::Leaf>();
         CrossForces {
             f_axial1: is_lost(rough.f_axial1, force * e1a),
             f_axial3: is_lost(rough.f_axial3, force * e3b),
@@ -93,9 +93,14 @@ impl Formula for Decomposition {
 
     #[inline]
     fn eval<D: Scalar>(i: &CrossLoads<D>) -> CrossForces<D> {
-        let rough = i.decomposed();
-        let CrossForces { f_axial1, f_axial3, f_bend } = i.doubtful(&rough);
-        if f_axial1 | f_axial3 | f_bend { i.settled(rough) } else { rough }
+        let [f_axial1, f_axial3, f_bend] = choice(|| {
+            let rough = i.decomposed();
+            let lost = i.doubtful(&rough);
+            let is_lost = lost.f_axial1 | lost.f_axial3 | lost.f_bend;
+            let CrossForces { f_axial1, f_axial3, f_bend } = if is_lost { i.settled(rough) } else { rough };
+            [f_axial1, f_axial3, f_bend]
+        });
+        CrossForces { f_axial1, f_axial3, f_bend }
     }
 
     #[inline]

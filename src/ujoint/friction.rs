@@ -109,8 +109,8 @@ impl Formula for Friction {
         };
         let (row1, row3) = (of_contact(normal.mn1.mc1, contact.mc1), of_contact(normal.mn3.mc3, contact.mc3));
         let rows = YieldPair {
-            phi1: FrictionLoads { m1: D::from(sign(i.m1)), mc1_int: -mu * normal.mn1.mc1_int, mu: -mn1, ..row1 },
-            phi3: FrictionLoads { m3: D::from(sign(i.m3)), mc3_int: -mu * normal.mn3.mc3_int, mu: -mn3, ..row3 },
+            phi1: FrictionLoads { m1: sign(i.m1), mc1_int: -mu * normal.mn1.mc1_int, mu: -mn1, ..row1 },
+            phi3: FrictionLoads { m3: sign(i.m3), mc3_int: -mu * normal.mn3.mc3_int, mu: -mn3, ..row3 },
         };
         (i.yields(mn1, mn3), rows)
     }

@@ -37,7 +37,7 @@ impl Formula for NormalMoments {
     #[inline]
     fn jacobian<D: Scalar>(i: &AllContactMoments<D>) -> Jacobian<Self, D> {
         let zero = AllContactMoments::filled(D::zero());
-        let slope = |factor: f64, x: D| D::from(factor * sign(x));
+        let slope = |factor: f64, x: D| sign(x) * factor;
         NormalMomentPair {
             mn1: AllContactMoments { mc1: slope(2.0, i.mc1), mc1_int: slope(1.0, i.mc1_int), ..zero },
             mn3: AllContactMoments { mc3: slope(2.0, i.mc3), mc3_int: slope(1.0, i.mc3_int), ..zero },

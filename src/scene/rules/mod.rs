@@ -245,7 +245,7 @@ impl Formula for Traction {
 
     #[inline]
     fn jacobian<D: Scalar>(i: &Transmitted<D>) -> Jacobian<Self, D> {
-        TractionSize { p: Transmitted { csf: D::from(sign(i.csf)) } }
+        TractionSize { p: Transmitted { csf: sign(i.csf) } }
     }
 }
 
@@ -360,7 +360,7 @@ fn wrapped<D: Scalar>(difference: D) -> D {
     if abs(difference) <= PI {
         return difference;
     }
-    difference - pi::<D>() * (2.0 * sign(difference))
+    difference - pi::<D>() * sign(difference) * 2.0
 }
 
 fields! {

@@ -76,7 +76,7 @@ pub(in crate::slide_line) fn curved_foot<D: Scalar, S: Shape<N>, const N: usize>
     PieceFoot {
         u: foot.u,
         inside: foot.inside,
-        distance: size(gap) * view.binade.unit,
+        distance: size(gap) * view.binade.unit.re(),
         beyond: if foot.inside { D::zero() } else { gap.dot(&tangent) * (view.binade.unit * outward) },
         tangent,
         separation: foot.separation() * view.binade.unit,

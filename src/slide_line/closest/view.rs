@@ -15,7 +15,7 @@ pub(super) struct View<D, S, const N: usize> {
     pub(super) xs: Vector2<D>,
     pub(super) nodes: [Vector2<D>; N],
     pub(super) f: D,
-    pub(super) binade: Binade,
+    pub(super) binade: Binade<D>,
     shape: PhantomData<S>,
 }
 
@@ -26,7 +26,7 @@ impl<D: Scalar, S: Shape<N>, const N: usize> View<D, S, N> {
     }
 
     pub(super) fn in_unit(&self, v: Vector2<D>) -> Vector2<D> {
-        v * D::from(self.binade.per_unit)
+        v * self.binade.per_unit
     }
 
     pub(super) fn combination(&self, weights: [D; N]) -> Vector2<D> {

@@ -36,9 +36,11 @@ impl Proved for Constraint2d {
             let space = |v: Vector2<_>| Vector3::new(v.x, v.y, zero);
             let nodes = Nodes { x1: space(i.x1), xn: space(i.xn), xm: space(i.xm) };
             let (flat, full) = (Self::eval(i).g, Constraint::eval(&nodes));
-            match sign(i.xn.y - i.x1.y) {
-                0.0 => law::equal_all([(full.g1, -flat), (full.g2, zero)]),
-                sign => law::equal_all([(full.g1, zero), (full.g2, flat * sign)]),
+            let sign = sign(i.xn.y - i.x1.y);
+            if sign == 0.0 {
+                law::equal_all([(full.g1, -flat), (full.g2, zero)])
+            } else {
+                law::equal_all([(full.g1, zero), (full.g2, flat * sign)])
             }
         })]
     }

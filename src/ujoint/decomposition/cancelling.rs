@@ -5,8 +5,8 @@
 
 use super::{CrossForces, CrossLoads};
 use crate::binade::Binade;
-use crate::eft::{Expansion, Pair};
-use crate::scalar::{Leaf, Scalar, abs, leaf, with_leaf};
+use crate::eft::Pair;
+use crate::scalar::{Leaf, Scalar, abs, choice, leaf, with_leaf};
 use nalgebra::Vector3;
 
 /// The rounding error of a sum in pairs is below this part of the sum of the sizes of all products: at most 90 u² = 22.5 ε².
@@ -20,7 +20,7 @@ impl<D: Scalar> CrossLoads<D> {
     pub(super) fn settled(self, rough: CrossForces<D>) -> CrossForces<D> {
         let doubtful = self.doubtful(&rough);
         // Forces near 1: no product leaves the range of the numbers.
-        let Binade { unit, per_unit } = Binade::of([self.f1, self.f2, self.f3]);
+        let Binade { unit, per_unit } = Binade::of([self.f1, self.f2, self.f3].map(leaf));
         let loads = self.leaves(per_unit);
         let settle = |doubtful: bool, rough: D, settled: fn(&CrossLoads<D::Leaf>) -> D::Leaf| {
             if !doubtful {
@@ -31,6 +31,10 @@ impl<D: Scalar> CrossLoads<D> {
             let is_new = settled != leaf(rough) && abs(settled) < f64::INFINITY;
             if is_new { with_leaf(rough, settled) } else { rough }
         };
+        let settle = |doubtful, rough, settled: fn(&CrossLoads<D::Leaf>) -> D::Leaf| {
+            let [force] = choice(|| [settle(doubtful, rough, settled)]);
+            force
+        };
         CrossForces {
             f_axial1: settle(doubtful.f_axial1, rough.f_axial1, |i| i.along(&i.e1a)),
             f_axial3: settle(doubtful.f_axial3, rough.f_axial3, |i| i.along(&i.e3b)),
@@ -39,7 +43,7 @@ impl<D: Scalar> CrossLoads<D> {
     }
 
     /// Without derivatives, and the forces in a unit.
-    fn leaves(&self, per_unit: f64) -> CrossLoads<D::Leaf> {
+    fn leaves(&self, per_unit: D::Leaf) -> CrossLoads<D::Leaf> {
         let vector = |v: &Vector3<D>| v.map(leaf);
         let force = |f: D| leaf(f) * per_unit;
         CrossLoads {
@@ -62,13 +66,7 @@ impl<L: Leaf> CrossLoads<L> {
             let product = |c: usize| Pair::product(e[c], v[c]);
             product(0) + product(1) + product(2)
         };
-        let exact = |e: &Vector3<L>| {
-            let mut product = Expansion::new();
-            for c in 0..3 {
-                product.add_product(e[c], v[c]);
-            }
-            product
-        };
+        let exact = |f: L, e: &Vector3<L>| [0, 1, 2].map(|c| [f, e[c], v[c], L::one()]);
         settled(&[(self.f1, self.e1a), (self.f2, self.e2a), (self.f3, self.e3a)], size, in_pairs, exact)
     }
 
@@ -76,8 +74,10 @@ impl<L: Leaf> CrossLoads<L> {
     fn across(&self) -> L {
         let (a, b) = (&self.e1a, &self.e3b);
         // A force along an axis of the cross has nothing across; nor has any if the axes are one.
-        let across = |f: L, e: &Vector3<L>| if f == 0.0 || are_dependent([e, a, b]) { L::zero() } else { f };
-        let forces = [(across(self.f2, &self.e2a), self.e2a), (across(self.f3, &self.e3a), self.e3a)];
+        let across =
+            |f: L, e: &Vector3<L>| choice(|| [if f == 0.0 || are_dependent([e, a, b]) { L::zero() } else { f }]);
+        let ([f2], [f3]) = (across(self.f2, &self.e2a), across(self.f3, &self.e3a));
+        let forces = [(f2, self.e2a), (f3, self.e3a)];
         if forces.iter().all(|(f, _)| *f == 0.0) {
             return L::zero();
         }
@@ -89,15 +89,10 @@ impl<L: Leaf> CrossLoads<L> {
 
         let size = |e: &Vector3<L>| abs(e.x) * cross_sizes[0] + abs(e.y) * cross_sizes[1] + abs(e.z) * cross_sizes[2];
         let in_pairs = |e: &Vector3<L>| cross[0] * e.x + cross[1] * e.y + cross[2] * e.z;
-        let exact = |e: &Vector3<L>| {
-            let mut product = Expansion::new();
-            for (component, c, d) in [(e.x, 1, 2), (e.y, 2, 0), (e.z, 0, 1)] {
-                let mut cross = Expansion::<L, 4>::new();
-                cross.add_product(a[c], b[d]);
-                cross.add_product(-a[d], b[c]);
-                product.add_multiple(&cross, component);
-            }
-            product
+        let exact = |f: L, e: &Vector3<L>| {
+            let [x, y, z] = [(e.x, 1, 2), (e.y, 2, 0), (e.z, 0, 1)]
+                .map(|(component, c, d)| [[f, component, a[c], b[d]], [f, component, -a[d], b[c]]]);
+            [x[0], x[1], y[0], y[1], z[0], z[1]]
         };
         settled(&forces, size, in_pairs, exact)
     }
@@ -106,11 +101,11 @@ impl<L: Leaf> CrossLoads<L> {
 /// The sum of forces times what a product makes of their directions: from pairs, if its sign is certain beside the sum of the
 /// sizes; else exactly.
 #[inline]
-fn settled<L: Leaf, const N: usize>(
+fn settled<L: Leaf, const N: usize, const TERMS: usize>(
     forces: &[(L, Vector3<L>); N],
     size: impl Fn(&Vector3<L>) -> L,
     in_pairs: impl Fn(&Vector3<L>) -> Pair<L>,
-    exact: impl Fn(&Vector3<L>) -> Expansion<L, 24>,
+    exact: impl Fn(L, &Vector3<L>) -> [[L; 4]; TERMS],
 ) -> L {
     let (mut sizes, mut fine) = (L::zero(), None);
     for (f, e) in forces {
@@ -128,16 +123,13 @@ fn settled<L: Leaf, const N: usize>(
     if sizes == 0.0 || abs(fine) > sizes * rounding_of_pairs::<L>() {
         return fine;
     }
-    let mut sum = Expansion::<L, 144>::new();
-    for (f, e) in forces {
-        sum.add_multiple(&exact(e), *f);
-    }
-    sum.value()
+    L::exact_sum(forces.iter().flat_map(|(f, e)| exact(*f, e)))
 }
 
 /// Whether two of three vectors are equal or opposite.
 fn are_dependent<L: Leaf>([a, b, c]: [&Vector3<L>; 3]) -> bool {
-    [(a, b), (b, c), (c, a)].iter().any(|&(v, w)| v == w || *v == -w)
+    let is_zero = |v: Vector3<L>| abs(v.x).or_larger(abs(v.y)).or_larger(abs(v.z)) == 0.0;
+    [(a, b), (b, c), (c, a)].iter().any(|&(v, w)| is_zero(v - w) || is_zero(v + w))
 }
 
 #[cfg(test)]

@@ -1,0 +1,190 @@
+//! The list of operations, in which nothing is computed twice.
+
+use std::collections::HashMap;
+
+/// The place of a result in the list: a number, or the answer of a comparison.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Node(u32);
+
+impl Node {
+    /// The place, from 0.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// A function of one number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Unary {
+    /// −x
+    Negative,
+    /// |x|
+    Absolute,
+    /// √x
+    Root,
+    /// sin x
+    Sine,
+    /// cos x
+    Cosine,
+    /// arcsin x
+    ArcSine,
+    /// eˣ
+    Exponential,
+    /// eˣ − 1
+    ExponentialMinusOne,
+    /// The largest power of two that is not above x, within 2⁻¹⁰²² … 2¹⁰²²; x is positive.
+    PowerOfTwo,
+}
+
+/// An operation on two numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Binary {
+    /// x + y
+    Add,
+    /// x − y
+    Subtract,
+    /// x y
+    Multiply,
+    /// x / y
+    Divide,
+    /// The angle of the point (y, x): the ordinate comes first.
+    Angle,
+    /// The larger of x and y.
+    Maximum,
+}
+
+/// A comparison of two numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Relation {
+    /// x < y
+    Less,
+    /// x ≤ y
+    LessOrEqual,
+    /// x = y
+    Equal,
+}
+
+/// How a result follows from earlier ones.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Op {
+    /// A component of the inputs, in order.
+    Input(usize),
+    /// A number by its bits, so that it can be looked up.
+    Number(u64),
+    /// A function of one number.
+    Unary(Unary, Node),
+    /// An operation on two numbers.
+    Binary(Binary, Node, Node),
+    /// x y + z, rounded once.
+    MultiplyAdd(Node, Node, Node),
+    /// The length of a vector, as [`norm`](crate::scalar::norm) computes it.
+    Norm(Box<[Node]>),
+    /// A component of the direction of a vector, as [`direction`](crate::scalar::direction) computes it.
+    Direction(Box<[Node]>, usize),
+    /// A sum of products of four numbers each, of which nothing is rounded but the sum in the end.
+    ExactSum(Box<[[Node; 4]]>),
+    /// An answer.
+    Compare(Relation, Node, Node),
+    /// The second where the first, an answer, is yes; else the third. Both may be answers.
+    Select(Node, Node, Node),
+}
+
+impl Op {
+    /// What it is computed from.
+    pub fn operands(&self) -> Vec<Node> {
+        match self {
+            Self::Input(_) | Self::Number(_) => Vec::new(),
+            Self::Unary(_, x) => vec![*x],
+            Self::Binary(_, x, y) | Self::Compare(_, x, y) => vec![*x, *y],
+            Self::MultiplyAdd(x, y, z) | Self::Select(x, y, z) => vec![*x, *y, *z],
+            Self::Norm(parts) | Self::Direction(parts, _) => parts.to_vec(),
+            Self::ExactSum(products) => products.concat(),
+        }
+    }
+
+    /// The same operation on other operands, of which there are as many.
+    pub(super) fn with_operands(&self, operands: &[Node]) -> Self {
+        match (self, operands) {
+            (Self::Unary(function, _), &[x]) => Self::Unary(*function, x),
+            (Self::Binary(operation, ..), &[x, y]) => Self::Binary(*operation, x, y),
+            (Self::Compare(relation, ..), &[x, y]) => Self::Compare(*relation, x, y),
+            (Self::MultiplyAdd(..), &[x, y, z]) => Self::MultiplyAdd(x, y, z),
+            (Self::Select(..), &[x, y, z]) => Self::Select(x, y, z),
+            (Self::Norm(_), parts) => Self::Norm(parts.into()),
+            (Self::ExactSum(_), factors) => Self::ExactSum(factors.as_chunks().0.into()),
+            (Self::Direction(_, component), parts) => Self::Direction(parts.into(), *component),
+            _ => self.clone(),
+        }
+    }
+
+    /// Whether both do the same, perhaps to different operands.
+    pub(super) fn is_like(&self, other: &Self) -> bool {
+        let (mine, others) = (self.operands(), other.operands());
+        !mine.is_empty() && mine.len() == others.len() && self.with_operands(&others) == *other
+    }
+}
+
+/// A formula as a list of operations: its value, and its Jacobian output by output, each over all inputs.
+#[derive(Clone, Debug, Default)]
+pub struct Graph {
+    ops: Vec<Op>,
+    known: HashMap<Op, Node>,
+    /// The components of the value.
+    pub value: Vec<Node>,
+    /// The entries of the Jacobian.
+    pub jacobian: Vec<Node>,
+}
+
+impl Graph {
+    /// The operations in order: what one is computed from stands before it.
+    pub fn ops(&self) -> &[Op] {
+        &self.ops
+    }
+
+    /// How a result follows.
+    pub fn op(&self, node: Node) -> &Op {
+        &self.ops[node.index()]
+    }
+
+    /// The place of a result, which is entered where it is new.
+    pub(super) fn enter(&mut self, op: Op) -> Node {
+        if let Some(&node) = self.known.get(&op) {
+            return node;
+        }
+        let node = Node(u32::try_from(self.ops.len()).expect("fewer than 2³² operations"));
+        self.ops.push(op.clone());
+        self.known.insert(op, node);
+        node
+    }
+
+    /// The value of a constant.
+    pub fn constant(&self, node: Node) -> Option<f64> {
+        match self.op(node) {
+            Op::Number(bits) => Some(f64::from_bits(*bits)),
+            _ => None,
+        }
+    }
+
+    /// The graph without what no result needs, the rest in the same order.
+    #[must_use]
+    pub(super) fn pruned(&self) -> Self {
+        let mut needed = vec![false; self.ops.len()];
+        for node in self.value.iter().chain(&self.jacobian) {
+            needed[node.index()] = true;
+        }
+        for k in (0..self.ops.len()).rev() {
+            if needed[k] {
+                self.ops[k].operands().into_iter().for_each(|node| needed[node.index()] = true);
+            }
+        }
+        let mut pruned = Self::default();
+        let mut places = HashMap::new();
+        for (k, op) in self.ops.iter().enumerate().filter(|(k, _)| needed[*k]) {
+            let operands: Vec<_> = op.operands().iter().map(|node| places[&node.index()]).collect();
+            places.insert(k, pruned.enter(op.with_operands(&operands)));
+        }
+        let moved = |nodes: &[Node]| nodes.iter().map(|node| places[&node.index()]).collect();
+        (pruned.value, pruned.jacobian) = (moved(&self.value), moved(&self.jacobian));
+        pruned
+    }
+}

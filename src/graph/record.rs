@@ -1,0 +1,64 @@
+//! A formula, and why it may have no graph.
+
+use super::node::Graph;
+use super::recorder::{self, Escape, Failure, MOST_RUNS};
+use super::traced::Traced;
+use crate::formula::{Fields, Formula, entries, typed};
+use std::fmt;
+
+/// Why a formula was not recorded.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum NotRecorded {
+    /// The value of a number that depends on the inputs leaves the graph.
+    Value,
+    /// It calls a function that the graph does not know.
+    Function(&'static str),
+    /// Its comparisons come out in more ways than this.
+    Ways(usize),
+    /// It does not end whatever comparisons say.
+    Endless,
+    /// It panics, whatever comparisons say.
+    Panics,
+}
+
+impl fmt::Display for NotRecorded {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Value => f.write_str("the value of a number that depends on the inputs leaves the graph as a double"),
+            Self::Function(name) => write!(f, "it calls {name}, which the graph does not know"),
+            Self::Ways(most) => write!(f, "its comparisons come out in more than {most} ways"),
+            Self::Endless => f.write_str("it does not end where comparisons come out as they like"),
+            Self::Panics => f.write_str("it panics where comparisons come out as they like"),
+        }
+    }
+}
+
+impl std::error::Error for NotRecorded {}
+
+/// The graph of a formula.
+///
+/// # Errors
+/// What in the formula cannot be written down.
+pub fn record<F: Formula>() -> Result<Graph, NotRecorded> {
+    let (mut graph, results) = recorder::record(|| {
+        let inputs: Vec<_> = (0..F::Inputs::<f64>::LEN).map(Traced::input).collect();
+        let (value, jacobian) = F::linearized(&typed::<_, F::Inputs<Traced>>(&inputs));
+        value.components().into_iter().chain(entries(&jacobian)).map(Traced::node).collect()
+    })?;
+    let (value, jacobian) = results.split_at(F::Outputs::<f64>::LEN);
+    (graph.value, graph.jacobian) = (value.to_vec(), jacobian.to_vec());
+    Ok(graph.pruned())
+}
+
+impl From<Failure> for NotRecorded {
+    fn from(failure: Failure) -> Self {
+        match failure {
+            Failure::Panic => Self::Panics,
+            Failure::Escape(Escape::Value) => Self::Value,
+            Failure::Escape(Escape::Function(name)) => Self::Function(name),
+            Failure::Escape(Escape::Ways) => Self::Ways(MOST_RUNS),
+            Failure::Escape(Escape::Endless) => Self::Endless,
+        }
+    }
+}

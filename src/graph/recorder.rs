@@ -1,0 +1,198 @@
+//! The graph that is being recorded on this thread, and how the comparisons of this run come out.
+
+use super::join::join;
+use super::node::{Binary, Graph, Node, Op, Relation};
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+
+thread_local! {
+    static RECORDER: RefCell<Option<Recorder>> = const { RefCell::new(None) };
+}
+
+/// More runs than any formula needs that can be printed.
+pub(super) const MOST_RUNS: usize = 4096;
+/// A run that takes more operations than any formula does not end.
+const MOST_OPERATIONS: usize = 200_000;
+
+/// The graph, and the run that is being recorded.
+#[derive(Default)]
+struct Recorder {
+    graph: Graph,
+    run: Run,
+    operations: usize,
+    runs: usize,
+}
+
+/// How comparisons come out in a run.
+#[derive(Clone, Default)]
+struct Run {
+    /// How the first comparisons after the start come out; those after them hold.
+    script: Vec<bool>,
+    /// So many comparisons were decided before the start.
+    start: usize,
+    /// The comparisons that were left open by those before, and how they came out.
+    taken: Vec<(Node, bool)>,
+    facts: HashMap<Node, bool>,
+}
+
+/// Why recording was given up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Escape {
+    /// The value of something that depends on the inputs was asked for as a double.
+    Value,
+    /// A function was called that the graph does not know.
+    Function(&'static str),
+    /// Comparisons come out in too many ways.
+    Ways,
+    /// A run does not end.
+    Endless,
+}
+
+/// Why there is no graph.
+pub(super) enum Failure {
+    Escape(Escape),
+    Panic,
+}
+
+/// Records `run`, with its comparisons in every possible way, into a new graph; and what it results in.
+pub(super) fn record(run: impl Fn() -> Vec<Node>) -> Result<(Graph, Vec<Node>), Failure> {
+    RECORDER.set(Some(Recorder::default()));
+    let results = catch_unwind(AssertUnwindSafe(|| sides(&run)));
+    let recorder = RECORDER.take().expect("it was set before the run");
+    match results {
+        Ok(Some(results)) => Ok((recorder.graph, results)),
+        Ok(None) => Err(Failure::Panic),
+        Err(payload) => Err(payload.downcast_ref().map_or(Failure::Panic, |escape| Failure::Escape(*escape))),
+    }
+}
+
+/// The results of a side; `None` of one that nothing can reach, since the formula does not get through it.
+type Side = Option<Vec<Node>>;
+
+/// What `run` results in, with its comparisons in every way that those before leave open.
+pub(super) fn sides(run: &dyn Fn() -> Vec<Node>) -> Side {
+    let before = with(|recorder| recorder.run.clone());
+    let side = sides_from(run, &before, Vec::new());
+    with(|recorder| recorder.run = before);
+    side
+}
+
+/// The same where the first comparisons come out as the script says.
+fn sides_from(run: &dyn Fn() -> Vec<Node>, before: &Run, script: Vec<bool>) -> Side {
+    let decided = script.len();
+    let runs = with(|recorder| {
+        recorder.run = Run { script, start: before.taken.len(), ..before.clone() };
+        recorder.operations = 0;
+        recorder.runs += 1;
+        recorder.runs
+    });
+    if runs > MOST_RUNS {
+        escape(Escape::Ways);
+    }
+    let mut side = match catch_unwind(AssertUnwindSafe(run)) {
+        Ok(results) => Some(results),
+        Err(payload) if payload.is::<Escape>() => resume_unwind(payload),
+        Err(_) => None,
+    };
+    let taken = with(|recorder| recorder.run.taken.split_off(before.taken.len()));
+    for k in (decided..taken.len()).rev() {
+        let (condition, answer) = taken[k];
+        let script = taken[..k].iter().map(|&(_, answer)| answer).chain([!answer]).collect();
+        let other = sides_from(run, before, script);
+        let (yes, no) = if answer { (side, other) } else { (other, side) };
+        side = match (yes, no) {
+            (Some(yes), Some(no)) => Some(with(|recorder| join(&mut recorder.graph, condition, &yes, &no))),
+            (one, None) | (None, one) => one,
+        };
+    }
+    side
+}
+
+/// Gives the run up.
+pub(super) fn escape(escape: Escape) -> ! {
+    resume_unwind(Box::new(escape))
+}
+
+fn with<T>(f: impl FnOnce(&mut Recorder) -> T) -> T {
+    RECORDER.with_borrow_mut(|recorder| f(recorder.as_mut().expect("a traced number lives while a graph is recorded")))
+}
+
+/// The place of a result.
+pub(super) fn enter(op: Op) -> Node {
+    let (node, operations) = with(|recorder| {
+        recorder.operations += 1;
+        (recorder.graph.entered(op), recorder.operations)
+    });
+    if operations > MOST_OPERATIONS { escape(Escape::Endless) } else { node }
+}
+
+pub(super) fn constant(node: Node) -> Option<f64> {
+    with(|recorder| recorder.graph.constant(node))
+}
+
+/// How a comparison comes out in this run.
+pub(super) fn decide(relation: Relation, x: Node, y: Node) -> bool {
+    with(|recorder| recorder.decide(relation, x, y))
+}
+
+impl Graph {
+    /// As [`Graph::enter`], where a factor 1 and a term −0 are left out, which change no bit.
+    fn entered(&mut self, op: Op) -> Node {
+        let is = |node, x: f64| self.constant(node).is_some_and(|c| c.to_bits() == x.to_bits());
+        match op {
+            Op::Binary(Binary::Multiply | Binary::Divide, x, y) if is(y, 1.0) => x,
+            Op::Binary(Binary::Multiply, x, y) if is(x, 1.0) => y,
+            Op::Binary(Binary::Subtract, x, y) if is(y, 0.0) => x,
+            op => self.enter(op),
+        }
+    }
+}
+
+impl Recorder {
+    fn decide(&mut self, relation: Relation, x: Node, y: Node) -> bool {
+        if let (Some(x), Some(y)) = (self.graph.constant(x), self.graph.constant(y)) {
+            return relation.holds(x, y);
+        }
+        if x == y {
+            return relation != Relation::Less;
+        }
+        let node = self.graph.enter(Op::Compare(relation, x, y));
+        if let Some(known) = self.known(relation, x, y) {
+            return known;
+        }
+        let run = &mut self.run;
+        let holds = run.script.get(run.taken.len() - run.start).copied().unwrap_or(true);
+        run.taken.push((node, holds));
+        run.facts.insert(node, holds);
+        holds
+    }
+
+    /// What follows from the comparisons before; none of the numbers is NaN.
+    fn known(&mut self, relation: Relation, x: Node, y: Node) -> Option<bool> {
+        use Relation::{Equal, Less, LessOrEqual};
+        let mut fact = |relation, x, y| {
+            let node = self.graph.enter(Op::Compare(relation, x, y));
+            self.run.facts.get(&node).copied()
+        };
+        let [less, more] = [fact(Less, x, y), fact(Less, y, x)];
+        let [at_most, at_least] = [fact(LessOrEqual, x, y), fact(LessOrEqual, y, x)];
+        let equal = fact(Equal, x, y).or(fact(Equal, y, x));
+        let yes = |fact: Option<bool>| fact == Some(true);
+        let no = |fact: Option<bool>| fact == Some(false);
+        // Which of x < y, x = y and x > y is still possible?
+        let can_be_less = !(no(less) || no(at_most) || yes(more) || yes(at_least) || yes(equal));
+        let can_be_equal = !(yes(less) || yes(more) || no(at_most) || no(at_least) || no(equal));
+        let can_be_more = !(no(more) || no(at_least) || yes(less) || yes(at_most) || yes(equal));
+        let certain = |possible: bool, otherwise: bool| match (possible, otherwise) {
+            (true, false) => Some(true),
+            (false, true) => Some(false),
+            _ => None,
+        };
+        match relation {
+            Less => certain(can_be_less, can_be_equal | can_be_more),
+            Equal => certain(can_be_equal, can_be_less | can_be_more),
+            LessOrEqual => certain(can_be_less | can_be_equal, can_be_more),
+        }
+    }
+}
