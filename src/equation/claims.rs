@@ -103,7 +103,7 @@ impl Claims {
         if is_empty { Err(Error::new(0, "nothing is claimed: all of it defines new symbols")) } else { Ok(claims) }
     }
 
-    /// Reads an expression, for its [`number`](Self::number).
+    /// Reads an expression, to ask what number it is.
     ///
     /// # Errors
     /// Where it cannot be read.
