@@ -58,6 +58,7 @@ pub mod cardan;
 #[cfg(feature = "verify")]
 pub mod catalog;
 pub mod coulomb;
+mod double;
 mod eft;
 #[cfg(feature = "verify")]
 pub mod equation;
@@ -75,6 +76,7 @@ pub mod measure;
 mod newtype;
 #[cfg(feature = "verify")]
 pub mod octuple;
+mod power;
 #[cfg(feature = "verify")]
 pub mod proof;
 pub mod quantity;

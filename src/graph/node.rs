@@ -7,6 +7,10 @@ use std::collections::HashMap;
 pub struct Node(u32);
 
 impl Node {
+    pub(super) fn at(index: usize) -> Self {
+        Self(u32::try_from(index).expect("fewer than 2³² operations"))
+    }
+
     /// The place, from 0.
     pub fn index(self) -> usize {
         self.0 as usize
@@ -138,10 +142,6 @@ impl Graph {
         &self.ops
     }
 
-    pub(super) fn node(&self, index: usize) -> Node {
-        Node(u32::try_from(index).expect("fewer than 2³² operations"))
-    }
-
     /// How a result follows.
     pub fn op(&self, node: Node) -> &Op {
         &self.ops[node.index()]
@@ -152,7 +152,7 @@ impl Graph {
         if let Some(&node) = self.known.get(&op) {
             return node;
         }
-        let node = Node(u32::try_from(self.ops.len()).expect("fewer than 2³² operations"));
+        let node = Node::at(self.ops.len());
         self.ops.push(op.clone());
         self.known.insert(op, node);
         node

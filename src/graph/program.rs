@@ -1,7 +1,7 @@
 //! The operations of a graph as statements: what only one side of a choice needs is done on that side alone.
 
 use super::node::{Graph, Node, Op, Unary};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// A step of the program.
 #[derive(Clone, Debug)]
@@ -85,9 +85,11 @@ impl<'a> Layout<'a> {
     fn place(&mut self, results: &[Node]) {
         let levels = self.levels();
         let mut keys = HashMap::new();
-        results.iter().for_each(|&node| self.used_in(node, 0));
+        for &node in results {
+            self.used_in(node, 0);
+        }
         for index in (0..self.graph.ops().len()).rev() {
-            let node = self.graph.node(index);
+            let node = Node::at(index);
             let Some(block) = self.place[index] else { continue };
             match *self.graph.op(node) {
                 Op::Select(condition, yes, no) if !self.graph.is_answer(node) => {
@@ -137,9 +139,9 @@ impl<'a> Layout<'a> {
             let Choice { block, sides, .. } = self.choices[choice];
             let within = |place: Option<usize>| place.is_some_and(|place| sides.contains(&place));
             let inside = (0..self.place.len()).filter(|&k| within(self.place[k]));
-            let inside: Vec<_> = inside.filter(|&k| !self.graph.is_atom(self.graph.node(k))).collect();
+            let inside: Vec<_> = inside.filter(|&k| !self.graph.is_atom(Node::at(k))).collect();
             let holds_choice = self.choices.iter().any(|inner| !inner.dissolved && sides.contains(&inner.block));
-            let is_cheap = |&k: &usize| is_cheap(self.graph.op(self.graph.node(k)));
+            let is_cheap = |&k: &usize| is_cheap(self.graph.op(Node::at(k)));
             if holds_choice || inside.len() > CHEAP || !inside.iter().all(is_cheap) {
                 continue;
             }
@@ -154,10 +156,10 @@ impl<'a> Layout<'a> {
     }
 
     fn statements(&self, block: usize) -> Vec<Statement> {
-        let mut schedule = Schedule { layout: self, block, done: HashMap::new(), statements: Vec::new() };
+        let mut schedule = Schedule { layout: self, block, done: HashSet::new(), statements: Vec::new() };
         for index in 0..self.place.len() {
             if self.place[index] == Some(block) {
-                schedule.require(self.graph.node(index));
+                schedule.require(Node::at(index));
             }
         }
         schedule.statements
@@ -192,7 +194,7 @@ fn common(blocks: &[Block], mut a: usize, mut b: usize) -> usize {
 struct Schedule<'a> {
     layout: &'a Layout<'a>,
     block: usize,
-    done: HashMap<Node, ()>,
+    done: HashSet<Node>,
     statements: Vec<Statement>,
 }
 
@@ -201,12 +203,12 @@ impl Schedule<'_> {
     fn require(&mut self, node: Node) {
         let layout = self.layout;
         let is_here = layout.place[node.index()] == Some(self.block);
-        if !is_here || layout.graph.is_atom(node) || self.done.contains_key(&node) {
+        if !is_here || layout.graph.is_atom(node) || self.done.contains(&node) {
             return;
         }
         let Some(choice) = layout.kept_choice(node) else {
             layout.graph.op(node).operands().into_iter().for_each(|operand| self.require(operand));
-            self.done.insert(node, ());
+            self.done.insert(node);
             self.statements.push(Statement::Compute(node));
             return;
         };
@@ -215,12 +217,7 @@ impl Schedule<'_> {
         for index in 0..layout.place.len() {
             let is_inside = |block| sides.iter().any(|&side| layout.is_within(block, side));
             if layout.place[index].is_some_and(is_inside) {
-                layout
-                    .graph
-                    .op(layout.graph.node(index))
-                    .operands()
-                    .into_iter()
-                    .for_each(|operand| self.require(operand));
+                layout.graph.op(Node::at(index)).operands().into_iter().for_each(|operand| self.require(operand));
             }
         }
         let results: Vec<_> = selects
@@ -234,7 +231,7 @@ impl Schedule<'_> {
         for [select, yes, no] in &results {
             self.require(*yes);
             self.require(*no);
-            self.done.insert(*select, ());
+            self.done.insert(*select);
         }
         let [yes, no] = sides.map(|side| layout.statements(side));
         self.statements.push(Statement::Choose { condition, results, yes, no });

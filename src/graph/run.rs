@@ -1,8 +1,8 @@
 //! The operations of a graph, done in `f64`.
 
 use super::node::{Binary, Graph, Node, Op, Relation, Unary};
-use crate::binade::power_of_two_below;
 use crate::eft::exact_sum;
+use crate::power::power_of_two_below;
 use crate::scalar::norm;
 
 impl Relation {

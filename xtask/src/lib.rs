@@ -42,6 +42,8 @@ mod outcome;
 #[cfg(feature = "commands")]
 mod owed;
 #[cfg(feature = "commands")]
+mod prose;
+#[cfg(feature = "commands")]
 mod report;
 #[cfg(feature = "commands")]
 mod selection;
