@@ -30,6 +30,8 @@ mod equation;
 #[cfg(feature = "commands")]
 mod evidence;
 #[cfg(feature = "commands")]
+mod export;
+#[cfg(feature = "commands")]
 mod extension;
 #[cfg(feature = "commands")]
 pub mod files;

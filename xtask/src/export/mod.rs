@@ -7,6 +7,7 @@ mod javascript;
 mod language;
 mod points;
 mod program;
+mod signature;
 
 use crate::console::{green, print, red, say};
 use crate::files;

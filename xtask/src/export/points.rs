@@ -23,8 +23,10 @@ fn of(formula: &'static dyn AnyFormula, samples: usize) -> Vec<Point> {
         Point { name, results: results.map(|(value, jacobian)| [value, jacobian].concat()), inputs }
     };
     let cases = formula.golden().cases;
-    let inputs = |case| components(formula.inputs(), case).ok();
-    let cases = cases.into_iter().filter_map(|case| Some(point(case.id, inputs(&case.inputs)?)));
+    let cases = cases.into_iter().filter_map(|case| {
+        let inputs = components(formula.inputs(), &case.inputs).ok()?;
+        Some(point(case.id, inputs))
+    });
     let options = Options { timing_points: samples, ..Options::quick() };
     let random = formula.timing_inputs(&options);
     let count = formula.inputs().iter().map(|field| field.len()).sum();

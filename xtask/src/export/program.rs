@@ -4,6 +4,14 @@ use super::language::Language;
 use jointproof::formula::Field;
 use jointproof::graph::{Graph, Node, Op, Statement};
 
+/// What is printed, and the temporaries in it.
+#[derive(Default)]
+pub(super) struct Lines {
+    pub(super) lines: Vec<String>,
+    pub(super) numbers: Vec<String>,
+    pub(super) answers: Vec<String>,
+}
+
 /// A function's body for some results of a graph.
 pub(super) struct Body<'a> {
     pub(super) language: &'a dyn Language,
@@ -12,11 +20,11 @@ pub(super) struct Body<'a> {
 }
 
 impl Body<'_> {
-    /// The lines that compute these results, from an indentation on, and the names of the temporaries: numbers, then answers.
-    pub(super) fn lines(&self, results: &[Node], indent: usize) -> (Vec<String>, [Vec<String>; 2]) {
-        let mut printed = Printed { body: self, lines: Vec::new(), names: Default::default() };
+    /// The lines that compute these results, from an indentation on.
+    pub(super) fn lines(&self, results: &[Node], indent: usize) -> Lines {
+        let mut printed = Printed { body: self, lines: Lines::default() };
         printed.block(&self.graph.statements(results), indent);
-        (printed.lines, printed.names)
+        printed.lines
     }
 
     /// How a result is called where it is used.
@@ -46,8 +54,7 @@ impl Body<'_> {
 
 struct Printed<'a> {
     body: &'a Body<'a>,
-    lines: Vec<String>,
-    names: [Vec<String>; 2],
+    lines: Lines,
 }
 
 impl Printed<'_> {
@@ -55,7 +62,9 @@ impl Printed<'_> {
         for statement in statements {
             match statement {
                 Statement::Compute(node) => self.compute(*node, indent),
-                Statement::Choose { condition, results, yes, no } => self.choose(*condition, results, [yes, no], indent),
+                Statement::Choose { condition, results, yes, no } => {
+                    self.choose(*condition, results, [yes, no], indent)
+                }
             }
         }
     }
@@ -87,12 +96,13 @@ impl Printed<'_> {
 
     fn named(&mut self, node: Node) -> String {
         let name = self.body.name(node);
-        self.names[usize::from(self.body.graph.is_answer(node))].push(name.clone());
+        let names = if self.body.graph.is_answer(node) { &mut self.lines.answers } else { &mut self.lines.numbers };
+        names.push(name.clone());
         name
     }
 
     fn line(&mut self, indent: usize, text: &str) {
         let indent = "    ".repeat(indent);
-        self.lines.extend(text.lines().map(|line| format!("{indent}{line}")));
+        self.lines.lines.extend(text.lines().map(|line| format!("{indent}{line}")));
     }
 }

@@ -22,7 +22,8 @@ pub(super) fn description(one: &Recorded) -> Vec<String> {
     lines.extend(one.formula.inputs().iter().map(|field| described("in ", field)));
     lines.extend(one.formula.outputs().iter().map(|field| described("out", field)));
     lines.push(String::new());
-    lines.push(format!("eta <= {} of the value, <= {} of the Jacobian, in units of 2^-53", spec.eta, spec.eta_jacobian));
+    lines
+        .push(format!("eta <= {} of the value, <= {} of the Jacobian, in units of 2^-53", spec.eta, spec.eta_jacobian));
     lines.extend(one.formula.kinks().iter().flat_map(|kink| wrapped(&format!("kink: {}", kink.condition))));
     lines.push("Golden cases: golden/".to_owned() + spec.id + ".json of jointproof " + env!("CARGO_PKG_VERSION"));
     lines.push("Printed by jointproof; free of conditions (CC0-1.0).".into());
