@@ -1,10 +1,8 @@
 //! C99.
 
-use super::Recorded;
-use super::check::Toolchain;
-use super::language::{Language, Operand};
+use super::language::{Language, Operand, Toolchain};
 use super::program::Body;
-use super::signature::{bounds, description, stem, unreserved};
+use super::recorded::{Recorded, Text, bounds, description, stem, unreserved};
 use jointproof::formula::Field;
 use jointproof::graph::{Binary, Node, Op, Relation, Unary};
 
@@ -146,38 +144,37 @@ pub(super) fn signed(text: &str, x: f64) -> String {
 
 impl C {
     fn source(&self, one: &Recorded) -> String {
-        let mut text = comment(&description(one));
-        text.push_str("#include \"jointproof.h\"\n#include \"jp_runtime.h\"\n");
+        let mut text = Text::from(comment(&description(one)));
+        text.push("#include \"jointproof.h\"\n#include \"jp_runtime.h\"\n");
         for with_jacobian in [false, true] {
-            text.push_str(&format!("\n{}\n{{\n", prototype(one, with_jacobian)));
+            text.push(format!("\n{}\n{{\n", prototype(one, with_jacobian)));
             for (position, field) in one.formula.inputs().iter().enumerate() {
-                text.push_str(&refusal(field, position + 1));
+                text.push(refusal(field, position + 1));
             }
             let body = Body { language: self, graph: &one.graph, inputs: one.formula.inputs() };
             let mut results = one.graph.value.clone();
             if with_jacobian {
                 results.extend(&one.graph.jacobian);
             }
-            body.lines(&results, 1).lines.iter().for_each(|line| {
-                text.push_str(line);
-                text.push('\n');
-            });
+            for line in body.lines(&results, 1).text {
+                text.push(line + "\n");
+            }
             let mut value = one.graph.value.iter();
             for field in one.formula.outputs() {
                 let name = unreserved(field.name, &RESERVED);
                 for (k, node) in value.by_ref().take(field.len()).enumerate() {
                     let place = if field.len() == 1 { format!("*{name}") } else { format!("{name}[{k}]") };
-                    text.push_str(&format!("    {place} = {};\n", body.text(*node)));
+                    text.push(format!("    {place} = {};\n", body.text(*node)));
                 }
             }
             if with_jacobian {
                 for (k, node) in one.graph.jacobian.iter().enumerate() {
-                    text.push_str(&format!("    jacobian[{k}] = {};\n", body.text(*node)));
+                    text.push(format!("    jacobian[{k}] = {};\n", body.text(*node)));
                 }
             }
-            text.push_str("    return 0;\n}\n");
+            text.push("    return 0;\n}\n");
         }
-        text
+        text.finished()
     }
 }
 
@@ -217,7 +214,7 @@ fn prototype(one: &Recorded, with_jacobian: bool) -> String {
 }
 
 fn header(recorded: &[Recorded]) -> String {
-    let mut text = String::from(
+    let mut text = Text::from(
         "/*\n * Formulas with their Jacobians, printed by jointproof from the program that it proves.\n *\n\
          \x20* ..._value gives the outputs; ..._jacobian the outputs and every derivative, output by output,\n\
          \x20* each over all inputs in order. A return code is 0, or the position from 1 of the first input\n\
@@ -227,11 +224,11 @@ fn header(recorded: &[Recorded]) -> String {
     );
     for one in recorded {
         let spec = one.formula.spec();
-        text.push_str(&format!("\n/* {}: {} */\n", spec.id, spec.title));
-        text.push_str(&format!("{};\n{};\n", prototype(one, false), prototype(one, true)));
+        text.push(format!("\n/* {}: {} */\n", spec.id, spec.title));
+        text.push(format!("{};\n{};\n", prototype(one, false), prototype(one, true)));
     }
-    text.push_str("\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n");
-    text
+    text.push("\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n");
+    text.finished()
 }
 
 fn makefile() -> String {
@@ -255,7 +252,7 @@ fn cmake() -> String {
 
 /// Reads points.bin, writes found.bin.
 fn driver(recorded: &[Recorded]) -> String {
-    let mut text = String::from(
+    let mut text = Text::from(
         "/* Evaluates every formula at the points of points.bin, and writes found.bin. */\n\
          #include \"jointproof.h\"\n#include <stdint.h>\n#include <stdio.h>\n#include <stdlib.h>\n\n\
          static FILE *points, *found;\n\n\
@@ -279,25 +276,27 @@ fn driver(recorded: &[Recorded]) -> String {
         let both = [passed(inputs, "x", ""), passed(outputs, "both", "&")].concat();
         let [n, m, entries] = [count(inputs), count(outputs), one.graph.jacobian.len()];
         let name = stem(one);
-        text.push_str(&format!(
+        text.push(format!(
             "\nstatic void {name}(void)\n{{\n    double x[{n}], y[{m}], both[{m} + {entries}];\n\
              \x20   for (uint64_t left = number_of_points(); left > 0; --left) {{\n        take(x, {n});\n\
              \x20       for (int k = 0; k < {m} + {entries}; ++k) both[k] = 0;\n\
-             \x20       const double code = jp_{name}_jacobian(\n            {},\n            both + {m});\n\
+             \x20       double code = jp_{name}_jacobian(\n            {},\n            both + {m});\n\
              \x20       const int alone = jp_{name}_value(\n            {});\n\
-             \x20       if (alone != (int)code) exit(3);\n\
-             \x20       for (int k = 0; k < {m} && alone == 0; ++k)\n            if (y[k] != both[k] && y[k] == y[k]) exit(3);\n\
+             \x20       if (alone != (int)code) code = -1;\n\
+             \x20       for (int k = 0; k < {m} && alone == 0; ++k)\n            if (y[k] != both[k] && y[k] == y[k]) code = -1;\n\
              \x20       give(&code, 1);\n        give(both, {m} + {entries});\n    }}\n}}\n",
             both.join(",\n            "),
             values.join(",\n            "),
         ));
     }
-    text.push_str(
+    text.push(
         "\nint main(void)\n{\n    points = fopen(\"points.bin\", \"rb\");\n    found = fopen(\"found.bin\", \"wb\");\n    if (!points || !found) return 2;\n",
     );
-    recorded.iter().for_each(|one| text.push_str(&format!("    {}();\n", stem(one))));
-    text.push_str("    return fclose(found) != 0;\n}\n");
-    text
+    for one in recorded {
+        text.push(format!("    {}();\n", stem(one)));
+    }
+    text.push("    return fclose(found) != 0;\n}\n");
+    text.finished()
 }
 
 fn toolchain(name: &'static str) -> Toolchain {

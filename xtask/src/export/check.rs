@@ -1,8 +1,8 @@
 //! The export compiled, run, and compared bit by bit.
 
-use super::Recorded;
-use super::language::Language;
+use super::language::{Language, Toolchain};
 use super::points::Point;
+use super::recorded::Recorded;
 use crate::console::{count, say};
 use anyhow::{Context, ensure};
 use jointproof::formula::Field;
@@ -10,17 +10,6 @@ use jointproof::graph::{Binary, Op};
 use std::fmt;
 use std::path::Path;
 use std::process::Command;
-
-/// What builds and runs a driver: commands in the folder of the export.
-pub(super) struct Toolchain {
-    /// The program that must be here.
-    pub(super) name: &'static str,
-    /// The commands, each a program and its arguments; the last one is the driver.
-    pub(super) commands: Vec<Vec<String>>,
-    /// By how much results that come from functions such as the sine may differ from those of Rust, in units of the distance
-    /// from 1 to the next number: the language has its own, which may be off by a rounding, and angles are of the size 1.
-    pub(super) epsilons: f64,
-}
 
 /// What a comparison found.
 pub(super) struct Judged {
@@ -115,7 +104,7 @@ fn compare(
                 continue;
             };
             if code != 0.0 {
-                judged.off(one, point, format!("refuses input {code}, which is valid"));
+                judged.off(one, point, &refusal(code));
                 continue;
             }
             for (k, (&found, &expected)) in results.iter().zip(expected).enumerate() {
@@ -143,13 +132,21 @@ impl Judged {
             self.near += 1;
             return;
         }
-        self.off(one, point, format!("{}: {found:e}, expected {expected:e}", entry(one, k)));
+        self.off(one, point, &format!("{}: {found:e}, expected {expected:e}", entry(one, k)));
     }
 
-    fn off(&mut self, one: &Recorded, point: &Point, what: String) {
+    fn off(&mut self, one: &Recorded, point: &Point, what: &str) {
         self.differ += 1;
         self.worst.get_or_insert_with(|| format!("{} at {}: {what}", one.formula.spec().id, point.name));
     }
+}
+
+/// A return code that is not 0; the driver gives −1 where the two functions of a formula do not agree.
+fn refusal(code: f64) -> String {
+    if code < 0.0 {
+        return "the function for the value gives another one than the function with the Jacobian".into();
+    }
+    format!("refuses input {code}, which is valid")
 }
 
 /// Whether a formula calls functions that languages round in their own ways.
@@ -175,5 +172,51 @@ fn entry(one: &Recorded, k: usize) -> String {
     match k.checked_sub(outputs.len()) {
         None => outputs[k].clone(),
         Some(k) => format!("∂{}/∂{}", outputs[k / inputs.len()], inputs[k % inputs.len()]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::c::C;
+    use super::super::points;
+    use super::super::recorded::record;
+    use super::*;
+    use crate::files;
+    use jointproof::catalog::find;
+
+    /// What the check says of an export in which a text of a file is replaced by another.
+    fn judged(id: &str, file: &str, from: &str, to: &str) -> String {
+        let folder = std::env::temp_dir().join(format!("jointproof-{}-{id}-{}", std::process::id(), from.len()));
+        std::fs::create_dir_all(&folder).unwrap();
+        let (recorded, _) = record(&[find(id).unwrap()]);
+        for (name, text) in C.files(&recorded) {
+            let planted = if name == file { text.replace(from, to) } else { text.clone() };
+            assert_eq!(name == file, planted != text, "{from} is not in {name}");
+            files::write(&folder.join(name), &planted).unwrap();
+        }
+        let points = points::all(&recorded, 20);
+        let judged = all(&C, &folder, &recorded, &points).unwrap();
+        std::fs::remove_dir_all(&folder).unwrap();
+        let said: Vec<_> = judged.iter().map(|judged| format!("{} {judged}", judged.is_well())).collect();
+        said.join("\n")
+    }
+
+    #[test]
+    fn a_changed_operation_is_named_with_formula_entry_and_point() {
+        let said = judged("slot.contact_force", "jp_slot_contact_force.c", "jp_norm2(f2, f3)", "jp_norm2(f2, f2)");
+        assert!(said.starts_with("false") && said.contains("slot.contact_force at "), "{said}");
+        assert!(said.contains(": fc: ") || said.contains(": ∂fc/∂f2: "), "{said}");
+    }
+
+    #[test]
+    fn a_changed_hook_is_named_too() {
+        let said = judged("slider.line", "jp_runtime.h", "sum = sum + x[k] * x[k]", "sum = sum - x[k] * x[k]");
+        assert!(said.starts_with("false") && said.contains("slider.line at "), "{said}");
+    }
+
+    #[test]
+    fn a_refusal_too_many_is_named() {
+        let said = judged("slot.normal_force", "jp_slot_normal_force.c", "<= DBL_MAX", "<= 1.0");
+        assert!(said.starts_with("false") && said.contains("refuses input 1, which is valid"), "{said}");
     }
 }

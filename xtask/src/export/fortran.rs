@@ -1,11 +1,9 @@
 //! Fortran 2008.
 
-use super::Recorded;
 use super::c::{Names, common, exact_sum, signed};
-use super::check::Toolchain;
-use super::language::{Language, Operand};
+use super::language::{Language, Operand, Toolchain};
 use super::program::Body;
-use super::signature::{bounds, description, stem, unreserved};
+use super::recorded::{Recorded, Text, bounds, description, stem, unreserved};
 use jointproof::formula::Field;
 use jointproof::graph::{Op, Relation, Unary};
 
@@ -102,15 +100,15 @@ impl Fortran {
     fn source(&self, one: &Recorded) -> String {
         let lines: Vec<_> = description(one).iter().map(|line| format!("! {line}").trim_end().to_owned()).collect();
         let name = stem(one);
-        let mut text = lines.join("\n");
-        text.push_str(&format!(
+        let mut text = Text::from(lines.join("\n"));
+        text.push(format!(
             "\nmodule jp_{name}\n    use jp_runtime\n    implicit none\n    private\n    public :: jp_{name}_value, jp_{name}_jacobian\ncontains\n"
         ));
         for with_jacobian in [false, true] {
-            text.push_str(&self.function(one, with_jacobian));
+            text.push(self.function(one, with_jacobian));
         }
-        text.push_str(&format!("end module jp_{name}\n"));
-        text
+        text.push(format!("end module jp_{name}\n"));
+        text.finished()
     }
 
     fn function(&self, one: &Recorded, with_jacobian: bool) -> String {
@@ -120,51 +118,59 @@ impl Fortran {
         let called = |field: &Field| unreserved(field.name, &RESERVED);
         let names = inputs.iter().chain(outputs).map(called);
         let names: Vec<_> = names.chain(with_jacobian.then(|| "jacobian".to_owned())).collect();
-        let mut text =
-            format!("    function {name}( &\n            {}) result(code)\n", names.join(", &\n            "));
+        let mut text = Text::from(format!(
+            "    function {name}( &\n            {}) result(code)\n",
+            names.join(", &\n            ")
+        ));
         let declare = |field: &Field, intent: &str| {
             let shape = if field.len() == 1 { String::new() } else { format!("({})", field.len()) };
             format!("        real(dp), intent({intent}) :: {}{shape}\n", called(field))
         };
-        inputs.iter().for_each(|field| text.push_str(&declare(field, "in")));
-        outputs.iter().for_each(|field| text.push_str(&declare(field, "out")));
-        if with_jacobian {
-            text.push_str(&format!("        real(dp), intent(out) :: jacobian({})\n", one.graph.jacobian.len()));
+        for field in inputs {
+            text.push(declare(field, "in"));
         }
-        text.push_str("        integer :: code\n");
+        for field in outputs {
+            text.push(declare(field, "out"));
+        }
+        if with_jacobian {
+            text.push(format!("        real(dp), intent(out) :: jacobian({})\n", one.graph.jacobian.len()));
+        }
+        text.push("        integer :: code\n");
         let body = Body { language: self, graph: &one.graph, inputs };
         let results = [one.graph.value.as_slice(), if with_jacobian { &one.graph.jacobian } else { &[] }].concat();
         let lines = body.lines(&results, 2);
         for (kind, names) in [("real(dp)", &lines.numbers), ("logical", &lines.answers)] {
             for names in names.chunks(8) {
-                text.push_str(&format!("        {kind} :: {}\n", names.join(", ")));
+                text.push(format!("        {kind} :: {}\n", names.join(", ")));
             }
         }
-        text.push('\n');
+        text.push("\n");
         for field in outputs {
-            text.push_str(&format!("        {} = 0.0_dp\n", called(field)));
+            text.push(format!("        {} = 0.0_dp\n", called(field)));
         }
         if with_jacobian {
-            text.push_str("        jacobian = 0.0_dp\n");
+            text.push("        jacobian = 0.0_dp\n");
         }
         for (position, field) in inputs.iter().enumerate() {
-            text.push_str(&self.refusal(field, position + 1));
+            text.push(self.refusal(field, position + 1));
         }
-        lines.lines.iter().for_each(|line| text.push_str(&format!("{line}\n")));
+        for line in &lines.text {
+            text.push(format!("{line}\n"));
+        }
         let mut value = one.graph.value.iter();
         for field in outputs {
             for (k, &node) in value.by_ref().take(field.len()).enumerate() {
                 let place = if field.len() == 1 { called(field) } else { format!("{}({})", called(field), k + 1) };
-                text.push_str(&format!("        {place} = {}\n", body.text(node)));
+                text.push(format!("        {place} = {}\n", body.text(node)));
             }
         }
         if with_jacobian {
             for (k, &node) in one.graph.jacobian.iter().enumerate() {
-                text.push_str(&format!("        jacobian({}) = {}\n", k + 1, body.text(node)));
+                text.push(format!("        jacobian({}) = {}\n", k + 1, body.text(node)));
             }
         }
-        text.push_str(&format!("        code = 0\n    end function {name}\n"));
-        text
+        text.push(format!("        code = 0\n    end function {name}\n"));
+        text.finished()
     }
 
     fn refusal(&self, field: &Field, code: usize) -> String {
@@ -179,16 +185,18 @@ impl Fortran {
 }
 
 fn module(recorded: &[Recorded]) -> String {
-    let mut text = String::from(
+    let mut text = Text::from(
         "! Formulas with their Jacobians, printed by jointproof from the program that it proves.\n!\n\
          ! ..._value gives the outputs; ..._jacobian the outputs and every derivative, output by output, each\n\
          ! over all inputs in order. The result is 0, or the position of the first input that is not finite or\n\
          ! not in its domain; the outputs are 0 then.\n!\n\
          ! Compile without fused operations and without -ffast-math: -ffp-contract=off.\nmodule jointproof\n",
     );
-    recorded.iter().for_each(|one| text.push_str(&format!("    use jp_{}\n", stem(one))));
-    text.push_str("    implicit none\nend module jointproof\n");
-    text
+    for one in recorded {
+        text.push(format!("    use jp_{}\n", stem(one)));
+    }
+    text.push("    implicit none\nend module jointproof\n");
+    text.finished()
 }
 
 fn makefile(sources: &[String]) -> String {
@@ -203,15 +211,17 @@ fn makefile(sources: &[String]) -> String {
 }
 
 fn driver(recorded: &[Recorded]) -> String {
-    let mut text = String::from(
+    let mut text = Text::from(
         "! Evaluates every formula at the points of points.bin, and writes found.bin.\nprogram driver\n\
          \x20   use jointproof\n    use jp_runtime, only: dp\n    use iso_fortran_env, only: int64\n    implicit none\n\
          \x20   integer(int64) :: left\n    integer :: code\n\
          \x20   open (10, file='points.bin', access='stream', form='unformatted', status='old')\n\
          \x20   open (11, file='found.bin', access='stream', form='unformatted', status='replace')\n",
     );
-    recorded.iter().for_each(|one| text.push_str(&format!("    call run_{}()\n", stem(one))));
-    text.push_str("    close (11)\ncontains\n");
+    for one in recorded {
+        text.push(format!("    call run_{}()\n", stem(one)));
+    }
+    text.push("    close (11)\ncontains\n");
     for one in recorded {
         let (inputs, outputs) = (one.formula.inputs(), one.formula.outputs());
         let passed = |fields: &[Field], array: &str| {
@@ -227,7 +237,7 @@ fn driver(recorded: &[Recorded]) -> String {
         let arguments = [passed(inputs, "x"), passed(outputs, "y"), vec!["jacobian".into()]].concat();
         let [n, m, entries] = [count(inputs), count(outputs), one.graph.jacobian.len()];
         let name = stem(one);
-        text.push_str(&format!(
+        text.push(format!(
             "    subroutine run_{name}()\n        real(dp) :: x({n}), y({m}), jacobian({entries})\n\
              \x20       read (10) left\n        do while (left > 0)\n            read (10) x\n\
              \x20           code = jp_{name}_jacobian( &\n                {})\n\
@@ -236,6 +246,6 @@ fn driver(recorded: &[Recorded]) -> String {
             arguments.join(", &\n                ")
         ));
     }
-    text.push_str("end program driver\n");
-    text
+    text.push("end program driver\n");
+    text.finished()
 }

@@ -1,11 +1,9 @@
 //! JavaScript, as ES modules.
 
-use super::Recorded;
 use super::c::{Names, common, exact_sum, signed};
-use super::check::Toolchain;
-use super::language::{Language, Operand};
+use super::language::{Language, Operand, Toolchain};
 use super::program::Body;
-use super::signature::{bounds, description, stem};
+use super::recorded::{Recorded, Text, bounds, description, stem};
 use jointproof::formula::Field;
 use jointproof::graph::{Op, Unary};
 
@@ -88,28 +86,26 @@ impl Language for JavaScript {
 impl JavaScript {
     fn source(&self, one: &Recorded) -> String {
         let lines: Vec<_> = description(one).iter().map(|line| format!("// {line}").trim_end().to_owned()).collect();
-        let mut text = lines.join("\n");
-        text.push_str(
-            "\nimport { exactSum, multiplyAdd, norm2, norm3, norm4, powerOfTwo } from './jp_runtime.mjs';\n\n",
-        );
-        text.push_str("export const inputs = [\n");
+        let mut text = Text::from(lines.join("\n"));
+        text.push("\nimport { exactSum, multiplyAdd, norm2, norm3, norm4, powerOfTwo } from './jp_runtime.mjs';\n\n");
+        text.push("export const inputs = [\n");
         for field in one.formula.inputs() {
             let bounds: Vec<_> = bounds(field.quantity.domain)
                 .iter()
                 .map(|(relation, bound)| format!("(x) => x {relation} {}", self.number(*bound)))
                 .collect();
             let (name, len) = (field.name, field.len());
-            text.push_str(&format!("    {{ name: '{name}', length: {len}, allowed: [{}] }},\n", bounds.join(", ")));
+            text.push(format!("    {{ name: '{name}', length: {len}, allowed: [{}] }},\n", bounds.join(", ")));
         }
-        text.push_str("];\n\nexport const outputs = [\n");
+        text.push("];\n\nexport const outputs = [\n");
         for field in one.formula.outputs() {
-            text.push_str(&format!("    {{ name: '{}', length: {} }},\n", field.name, field.len()));
+            text.push(format!("    {{ name: '{}', length: {} }},\n", field.name, field.len()));
         }
-        text.push_str("];\n");
+        text.push("];\n");
         let body = Body { language: self, graph: &one.graph, inputs: one.formula.inputs() };
         for (name, with_jacobian) in [("value", false), ("jacobian", true)] {
             let results = [one.graph.value.as_slice(), if with_jacobian { &one.graph.jacobian } else { &[] }].concat();
-            let lines = body.lines(&results, 1).lines.join("\n");
+            let lines = body.lines(&results, 1).text.join("\n");
             let list = |nodes: &[_]| {
                 let entries: Vec<_> = nodes.iter().map(|&node| format!("        {},\n", body.text(node))).collect();
                 format!("[\n{}    ]", entries.concat())
@@ -117,25 +113,25 @@ impl JavaScript {
             let jacobian =
                 if with_jacobian { format!(", jacobian: {}", list(&one.graph.jacobian)) } else { String::new() };
             let value = list(&one.graph.value);
-            text.push_str(&format!(
+            text.push(format!(
                 "\nexport function {name}(i) {{\n{lines}\n    return {{ value: {value}{jacobian} }};\n}}\n"
             ));
         }
-        text
+        text.finished()
     }
 }
 
 fn index(recorded: &[Recorded]) -> String {
-    let mut text = String::from(
+    let mut text = Text::from(
         "// Formulas with their Jacobians, printed by jointproof from the program that it proves.\n\
          // `value(i)` gives the outputs one after the other, `jacobian(i)` every derivative too, output by output, each\n\
          // over all inputs in order; i has the inputs by name. `refused(formula, i)` names the input that is not allowed.\n\n\
          export { refused } from './jp_runtime.mjs';\n",
     );
     for one in recorded {
-        text.push_str(&format!("export * as {} from './jp_{}.mjs';\n", stem(one), stem(one)));
+        text.push(format!("export * as {} from './jp_{}.mjs';\n", stem(one), stem(one)));
     }
-    text
+    text.finished()
 }
 
 fn driver(recorded: &[Recorded]) -> String {

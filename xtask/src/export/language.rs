@@ -1,12 +1,22 @@
 //! What a language says for the operations of a graph.
 
-use super::Recorded;
-use super::check::Toolchain;
+use super::recorded::Recorded;
 use jointproof::formula::Field;
 use jointproof::graph::{Node, Op};
 
 /// The text of the operand at a node.
 pub(super) type Operand<'a> = &'a dyn Fn(Node) -> String;
+
+/// What builds and runs a driver: commands in the folder of the export.
+pub(super) struct Toolchain {
+    /// The program that must be here.
+    pub(super) name: &'static str,
+    /// The commands, each a program and its arguments; the last one is the driver.
+    pub(super) commands: Vec<Vec<String>>,
+    /// By how much results that come from functions such as the sine may differ from those of Rust, in units of the distance
+    /// from 1 to the next number: the language has its own, which may be off by a rounding, and angles are of the size 1.
+    pub(super) epsilons: f64,
+}
 
 /// A language to print in.
 pub(super) trait Language {

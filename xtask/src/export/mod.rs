@@ -7,16 +7,15 @@ mod javascript;
 mod language;
 mod points;
 mod program;
-mod signature;
+mod recorded;
 
 use crate::console::{green, print, red, say};
 use crate::files;
 use crate::outcome::{Outcome, verdict};
 use crate::project::Project;
 use crate::selection::Selection;
-use jointproof::catalog::AnyFormula;
-use jointproof::graph::{Graph, NotRecorded};
 use language::Language;
+use recorded::record;
 use std::path::PathBuf;
 
 /// Write formulas as programs in C, Fortran or JavaScript
@@ -64,12 +63,6 @@ impl Name {
     }
 }
 
-/// A formula that can be exported.
-struct Recorded {
-    formula: &'static dyn AnyFormula,
-    graph: Graph,
-}
-
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     let formulas = arguments.selection.formulas(project)?;
     let (recorded, refused) = record(&formulas);
@@ -96,16 +89,4 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         print(&format!("{head} {judged}\n"))?;
     }
     Ok(verdict(well))
-}
-
-/// The graphs of formulas, and those that have none.
-fn record(formulas: &[&'static dyn AnyFormula]) -> (Vec<Recorded>, Vec<(&'static dyn AnyFormula, NotRecorded)>) {
-    let (mut recorded, mut refused) = (Vec::new(), Vec::new());
-    for &formula in formulas {
-        match formula.graph() {
-            Ok(graph) => recorded.push(Recorded { formula, graph }),
-            Err(why) => refused.push((formula, why)),
-        }
-    }
-    (recorded, refused)
 }

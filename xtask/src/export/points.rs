@@ -1,7 +1,8 @@
 //! The points at which an export is compared, and what Rust finds there.
 
-use super::Recorded;
+use super::recorded::Recorded;
 use jointproof::catalog::AnyFormula;
+use jointproof::formula::Field;
 use jointproof::measure::Options;
 use jointproof::verify::golden::components;
 
@@ -29,7 +30,7 @@ fn of(formula: &'static dyn AnyFormula, samples: usize) -> Vec<Point> {
     });
     let options = Options { timing_points: samples, ..Options::quick() };
     let random = formula.timing_inputs(&options);
-    let count = formula.inputs().iter().map(|field| field.len()).sum();
+    let count = formula.inputs().iter().map(Field::len).sum();
     let random = random.chunks(count).enumerate().map(|(k, inputs)| point(format!("random {k}"), inputs.to_vec()));
     cases.chain(random).collect()
 }

@@ -7,7 +7,7 @@ use jointproof::graph::{Graph, Node, Op, Statement};
 /// What is printed, and the temporaries in it.
 #[derive(Default)]
 pub(super) struct Lines {
-    pub(super) lines: Vec<String>,
+    pub(super) text: Vec<String>,
     pub(super) numbers: Vec<String>,
     pub(super) answers: Vec<String>,
 }
@@ -63,7 +63,7 @@ impl Printed<'_> {
             match statement {
                 Statement::Compute(node) => self.compute(*node, indent),
                 Statement::Choose { condition, results, yes, no } => {
-                    self.choose(*condition, results, [yes, no], indent)
+                    self.choose(*condition, results, [yes, no], indent);
                 }
             }
         }
@@ -103,6 +103,6 @@ impl Printed<'_> {
 
     fn line(&mut self, indent: usize, text: &str) {
         let indent = "    ".repeat(indent);
-        self.lines.lines.extend(text.lines().map(|line| format!("{indent}{line}")));
+        self.lines.text.extend(text.lines().map(|line| format!("{indent}{line}")));
     }
 }

@@ -1,8 +1,29 @@
-//! What every language says of a formula: names, what it is, and which inputs it refuses.
+//! A formula that is exported, and what every language says of it: names, what it is, and which inputs it refuses.
 
-use super::Recorded;
+use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
+use jointproof::graph::{Graph, NotRecorded};
 use jointproof::quantity::Domain;
+
+/// A formula that can be exported.
+pub(super) struct Recorded {
+    pub(super) formula: &'static dyn AnyFormula,
+    pub(super) graph: Graph,
+}
+
+/// The graphs of formulas, and those that have none.
+pub(super) fn record(
+    formulas: &[&'static dyn AnyFormula],
+) -> (Vec<Recorded>, Vec<(&'static dyn AnyFormula, NotRecorded)>) {
+    let (mut recorded, mut refused) = (Vec::new(), Vec::new());
+    for &formula in formulas {
+        match formula.graph() {
+            Ok(graph) => recorded.push(Recorded { formula, graph }),
+            Err(why) => refused.push((formula, why)),
+        }
+    }
+    (recorded, refused)
+}
 
 /// `slot_constraint` of `slot.constraint`.
 pub(super) fn stem(one: &Recorded) -> String {
@@ -70,4 +91,23 @@ pub(super) fn bounds(domain: Domain) -> Vec<(&'static str, f64)> {
 /// A name that no word of the language has.
 pub(super) fn unreserved(name: &str, reserved: &[&str]) -> String {
     if reserved.contains(&name) { format!("{name}_") } else { name.to_owned() }
+}
+
+/// A text that grows.
+pub(super) struct Text(String);
+
+impl Text {
+    pub(super) fn push(&mut self, text: impl AsRef<str>) {
+        self.0.push_str(text.as_ref());
+    }
+
+    pub(super) fn finished(self) -> String {
+        self.0
+    }
+}
+
+impl<S: Into<String>> From<S> for Text {
+    fn from(text: S) -> Self {
+        Self(text.into())
+    }
 }
