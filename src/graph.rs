@@ -10,7 +10,7 @@
 //! use jointproof::slot::NormalForce;
 //!
 //! let graph: Graph = record::<NormalForce>()?;
-//! assert_eq!(graph.run(&[3.0, 0.5, 4.0]).0, [3.0]);
+//! assert_eq!(graph.run(&[3.0, 0.5]).0, [3.5]);
 //! # Ok::<(), jointproof::graph::NotRecorded>(())
 //! ```
 

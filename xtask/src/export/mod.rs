@@ -21,13 +21,13 @@ use std::path::PathBuf;
 /// Write formulas as programs in C, Fortran or JavaScript
 ///
 /// What is printed is what the formula does in `f64`: the same operations in the same order, with both sides of every choice.
-/// --check compiles it and compares every bit with this program's own.
+/// --check compiles it and compares every bit with this program's own. Compile it without fused operations, lest bits change:
+/// -ffp-contract=off.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   {command} export --lang c --out jp                      all formulas, a header, a Makefile
   {command} export --lang fortran --out jp --filter '{family}.*'  of one family
-  {command} export --lang js --out jp --check             and compare every bit
-  cc -std=c99 -O2 -ffp-contract=off -c jp/*.c             no fused operations, lest bits change")]
+  {command} export --lang js --out jp --check             and compare every bit")]
 pub(crate) struct Arguments {
     /// The language
     #[arg(long, value_enum)]
