@@ -8,7 +8,8 @@ use crate::proof::{Convention, Flag, Proved};
 use crate::scalar::{abs, sign};
 use crate::verify::{Audit, Kink, Options, Subject, Trial, audit, audit_at, exact, golden};
 use crate::{
-    Error, Octuple, align, cardan, coulomb, interaction, join, slide_line, slider, slot, translator, ujoint, universal,
+    Error, Octuple, align, cardan, coulomb, element, interaction, join, slide_line, slider, slot, translator, ujoint,
+    universal,
 };
 
 /// A formula whose inputs and outputs are not known to the compiler; every [`Proved`] one is.
@@ -245,6 +246,13 @@ pub static CATALOG: &[&dyn AnyFormula] = &[
     &ujoint::NormalMoments,
     &ujoint::Friction,
     &ujoint::Stop,
+    // Elements
+    &element::join::Rows,
+    &element::join::Forces,
+    &element::universal::Rows,
+    &element::universal::Moments,
+    &element::ujoint::Rows,
+    &element::ujoint::Forces,
     // SLIDER
     &slider::Line,
     &slider::Basis,

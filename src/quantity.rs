@@ -375,6 +375,24 @@ quantities! {
     PHI1: r"\Phi_1", Scalar, FL, Real, "yield function about e1a: stick below 0, slip at 0";
     PHI3: r"\Phi_3", Scalar, FL, Real, "yield function about e3b: stick below 0, slip at 0";
 
+    // Elements
+    G1_UA: r"\mathbf{g}_{1,ua}", Vec3, ONE, Vector, "derivative of the first residual of JOIN by the translation of node a";
+    G1_TA: r"\mathbf{g}_{1,\theta a}", Vec3, L, Vector, "derivative of the first residual of JOIN by the spin of node a";
+    G1_UB: r"\mathbf{g}_{1,ub}", Vec3, ONE, Vector, "derivative of the first residual of JOIN by the translation of node b";
+    G2_UA: r"\mathbf{g}_{2,ua}", Vec3, ONE, Vector, "derivative of the second residual of JOIN by the translation of node a";
+    G2_TA: r"\mathbf{g}_{2,\theta a}", Vec3, L, Vector, "derivative of the second residual of JOIN by the spin of node a";
+    G2_UB: r"\mathbf{g}_{2,ub}", Vec3, ONE, Vector, "derivative of the second residual of JOIN by the translation of node b";
+    G3_UA: r"\mathbf{g}_{3,ua}", Vec3, ONE, Vector, "derivative of the third residual of JOIN by the translation of node a";
+    G3_TA: r"\mathbf{g}_{3,\theta a}", Vec3, L, Vector, "derivative of the third residual of JOIN by the spin of node a";
+    G3_UB: r"\mathbf{g}_{3,ub}", Vec3, ONE, Vector, "derivative of the third residual of JOIN by the translation of node b";
+    G_ROT_TA: r"\mathbf{g}_{\mathrm{rot},\theta a}", Vec3, ONE, Vector, "derivative of the residual of UNIVERSAL by the spin of node a";
+    G_ROT_TB: r"\mathbf{g}_{\mathrm{rot},\theta b}", Vec3, ONE, Vector, "derivative of the residual of UNIVERSAL by the spin of node b";
+    LAMBDA_ROT: r"\lambda_{\mathrm{rot}}", Scalar, FL, Real, "multiplier of UNIVERSAL's residual e1a·e3b: m2 divided by the cosine of the second Cardan angle";
+    FORCE_A: r"\mathbf{f}_a", Vec3, F, Vector, "force of the connector on node a, in the global frame";
+    MOMENT_A: r"\mathbf{m}_a", Vec3, FL, Vector, "moment of the connector on node a, in the global frame";
+    FORCE_B: r"\mathbf{f}_b", Vec3, F, Vector, "force of the connector on node b, in the global frame";
+    MOMENT_B: r"\mathbf{m}_b", Vec3, FL, Vector, "moment of the connector on node b, in the global frame";
+
     // SLIDER
     SLIDER_X1: r"\mathbf{x}_1", Vec3, L, Point, "position of node 1, where the line begins";
     SLIDER_XN: r"\mathbf{x}_n", Vec3, L, Point, "position of node n, where the line ends";

@@ -172,3 +172,51 @@ def stop(alpha, gamma, theta1_min, theta1_max, theta3_min, theta3_max):
         gap3_min=gamma - theta3_min,
         gap3_max=theta3_max - gamma,
     )
+
+
+# Elements: what the constraints are by translations u and spins theta (de = dtheta x e) of both nodes.
+
+PLACES = "e1a:3 e2a:3 e3a:3 xa:3 xb:3"
+JOIN_ROWS = "g1_ua:3 g1_ta:3 g1_ub:3 g2_ua:3 g2_ta:3 g2_ub:3 g3_ua:3 g3_ta:3 g3_ub:3"
+
+
+@formula("join.rows", PLACES, JOIN_ROWS)
+def join_rows(e1a, e2a, e3a, xa, xb):
+    rows = {}
+    for k, e in enumerate((e1a, e2a, e3a), 1):
+        rows |= {f"g{k}_ua": scale(-1, e), f"g{k}_ta": cross(e, sub(xb, xa)), f"g{k}_ub": list(e)}
+    return rows
+
+
+@formula("universal.rows", "e1a:3 e3b:3", "g_rot_ta:3 g_rot_tb:3")
+def universal_rows(e1a, e3b):
+    return dict(g_rot_ta=cross(e1a, e3b), g_rot_tb=cross(e3b, e1a))
+
+
+@formula("ujoint.rows", CROSS_AXES + " xa:3 xb:3", JOIN_ROWS + " g_rot_ta:3 g_rot_tb:3")
+def rows(e1a, e2a, e3a, e3b, xa, xb):
+    return join_rows(e1a, e2a, e3a, xa, xb) | universal_rows(e1a, e3b)
+
+
+def transposed(rows, multipliers, motion):
+    """Rows^T lambda, of the rows by this motion."""
+    return add(*(scale(multiplier, rows[f"{g}_{motion}"]) for g, multiplier in multipliers.items()))
+
+
+@formula("join.nodal_forces", PLACES + " f1 f2 f3", "fa:3 ma:3 fb:3")
+def join_nodal_forces(e1a, e2a, e3a, xa, xb, f1, f2, f3):
+    found, multipliers = join_rows(e1a, e2a, e3a, xa, xb), dict(g1=f1, g2=f2, g3=f3)
+    return {on: transposed(found, multipliers, by) for on, by in dict(fa="ua", ma="ta", fb="ub").items()}
+
+
+@formula("universal.nodal_moments", "e1a:3 e3b:3 lambda_rot", "ma:3 mb:3")
+def universal_nodal_moments(e1a, e3b, lambda_rot):
+    found = universal_rows(e1a, e3b)
+    return dict(ma=scale(lambda_rot, found["g_rot_ta"]), mb=scale(lambda_rot, found["g_rot_tb"]))
+
+
+@formula("ujoint.nodal_forces", CROSS_AXES + " xa:3 xb:3 f1 f2 f3 lambda_rot", "fa:3 ma:3 fb:3 mb:3")
+def nodal_forces(e1a, e2a, e3a, e3b, xa, xb, f1, f2, f3, lambda_rot):
+    join = join_nodal_forces(e1a, e2a, e3a, xa, xb, f1, f2, f3)
+    moments = universal_nodal_moments(e1a, e3b, lambda_rot)
+    return join | dict(ma=add(join["ma"], moments["ma"]), mb=moments["mb"])
