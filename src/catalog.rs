@@ -249,10 +249,16 @@ pub static CATALOG: &[&dyn AnyFormula] = &[
     // Elements
     &element::join::Rows,
     &element::join::Forces,
+    &element::join::GeometricStiffness,
+    &element::join::SymmetricStiffness,
     &element::universal::Rows,
     &element::universal::Moments,
+    &element::universal::GeometricStiffness,
+    &element::universal::SymmetricStiffness,
     &element::ujoint::Rows,
     &element::ujoint::Forces,
+    &element::ujoint::GeometricStiffness,
+    &element::ujoint::SymmetricStiffness,
     // SLIDER
     &slider::Line,
     &slider::Basis,

@@ -7,7 +7,7 @@
 //! | module | what is in it |
 //! |---|---|
 //! | [`slot`], [`coulomb`], [`cardan`], [`align`], [`translator`], [`join`], [`universal`], [`ujoint`], [`slider`], [`slide_line`], [`interaction`] | the documents' rooms: formulas, Jacobians, and the typed connectors |
-//! | [`element`] | from equations to an element: rows and nodal forces by translations and spins |
+//! | [`element`] | from equations to an element: rows, nodal forces and geometric stiffness by translations and spins |
 //! | [`isl`] | the axisymmetric elements that slide along a slide line |
 //! | [`frame`] | validated triads |
 //! | [`formula`], [`quantity`] | what a formula is; the vocabulary of symbols, units and domains |

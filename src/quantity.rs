@@ -153,7 +153,7 @@ pub enum Domain {
     HalfOpen(f64, f64),
     /// A point: moves and turns with the model.
     Point,
-    /// A free vector (a displacement, a force): turns with the model.
+    /// A free vector (a displacement, a force), or a matrix that takes one to another: turns with the model.
     Vector,
     /// A unit vector: turns with the model.
     Direction,
@@ -392,6 +392,12 @@ quantities! {
     MOMENT_A: r"\mathbf{m}_a", Vec3, FL, Vector, "moment of the connector on node a, in the global frame";
     FORCE_B: r"\mathbf{f}_b", Vec3, F, Vector, "force of the connector on node b, in the global frame";
     MOMENT_B: r"\mathbf{m}_b", Vec3, FL, Vector, "moment of the connector on node b, in the global frame";
+    K_UA_TA: r"\mathbf{K}_{ua,\theta a}", Mat3, F, Vector, "how the force on node a changes with the spin of a, the multipliers held";
+    K_TA_TA: r"\mathbf{K}_{\theta a,\theta a}", Mat3, FL, Vector, "how the moment on node a changes with the spin of a, the multipliers held";
+    K_TA_TB: r"\mathbf{K}_{\theta a,\theta b}", Mat3, FL, Vector, "how the moment on node a changes with the spin of b, the multipliers held";
+    K_TB_TB: r"\mathbf{K}_{\theta b,\theta b}", Mat3, FL, Vector, "how the moment on node b changes with the spin of b, the multipliers held";
+    S_TA_TA: r"\mathbf{S}_{\theta a,\theta a}", Mat3, FL, Vector, "symmetric part of the change of the moment on node a with the spin of a";
+    S_TB_TB: r"\mathbf{S}_{\theta b,\theta b}", Mat3, FL, Vector, "symmetric part of the change of the moment on node b with the spin of b";
 
     // SLIDER
     SLIDER_X1: r"\mathbf{x}_1", Vec3, L, Point, "position of node 1, where the line begins";

@@ -3,16 +3,18 @@
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 
-use super::products::cross_gradient;
+use super::products::{
+    cross_gradient, double_cross, double_cross_gradient, skew, skew_gradient, symmetric, symmetric_gradient,
+};
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec, along};
 use crate::quantity::{
     E1A, E2A, E3A, F2, F3, FORCE_A, FORCE_B, G1_TA, G1_UA, G1_UB, G2_TA, G2_UA, G2_UB, G3_TA, G3_UA, G3_UB, JOIN_F1,
-    MOMENT_A, XA, XB,
+    K_TA_TA, K_UA_TA, MOMENT_A, S_TA_TA, XA, XB,
 };
 use crate::scalar::Scalar;
 use crate::slot::Positions;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 fields! {
     /// The derivatives of the three residuals by the translations of both nodes and the spin of a; that of b turns nothing.
@@ -170,5 +172,79 @@ impl Formula for Forces {
             i.gradient(&by_force, &by_arm)
         };
         JoinForces { fa: force(-one), ma: Vector3::from_fn(|k, _| moment(k)), fb: force(one) }
+    }
+}
+
+fields! {
+    /// How what JOIN exerts on a changes with the spin of a, the multipliers held.
+    ///
+    /// The force on b changes by the opposite of that on a, and the other blocks follow from symmetry; all else is zero.
+    pub struct JoinStiffness<T> { k_ua_ta: Matrix3<T> = K_UA_TA, k_ta_ta: Matrix3<T> = K_TA_TA }
+}
+
+/// The geometric stiffness of JOIN, Σ λ ∂²g by translations and spins, as it is: unsymmetric in the spins.
+#[derive(Clone, Copy, Debug)]
+pub struct GeometricStiffness;
+
+impl Formula for GeometricStiffness {
+    const SPEC: Spec = Spec::new(
+        "join.geometric_stiffness",
+        "Geometric stiffness of JOIN",
+        Document::UJOINT.ours("Description", "the page of JOIN was not given; it is the derivative of its nodal forces"),
+    )
+    .equation(r"\mathbf{f} = f_1\,\mathbf{e}_{1a} + f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{d} = \mathbf{x}_b-\mathbf{x}_a,\quad \mathbf{K}_{ua,\theta a} = \mathbf{f}\times\mathbf{I},\quad \mathbf{K}_{\theta a,\theta a} = \mathbf{f}\otimes\mathbf{d} - (\mathbf{f}\cdot\mathbf{d})\,\mathbf{I}")
+    .eta(1.5, 1.5)
+    .finite(Finite::Below);
+    type Inputs<T: Component> = JoinLoads<T>;
+    type Outputs<T: Component> = JoinStiffness<T>;
+
+    #[inline]
+    fn eval<D: Scalar>(i: &JoinLoads<D>) -> JoinStiffness<D> {
+        let f = i.force();
+        JoinStiffness { k_ua_ta: skew(&f), k_ta_ta: double_cross(&f, &i.arm()) }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &JoinLoads<D>) -> Jacobian<Self, D> {
+        let (f, d, none) = (i.force(), i.arm(), Vector3::from_element(D::zero()));
+        JoinStiffness {
+            k_ua_ta: Matrix3::from_fn(|row, column| i.gradient(&skew_gradient(row, column), &none)),
+            k_ta_ta: Matrix3::from_fn(|row, column| {
+                let [by_force, by_arm] = double_cross_gradient(&f, &d, row, column);
+                i.gradient(&by_force, &by_arm)
+            }),
+        }
+    }
+}
+
+fields! {
+    /// The block of the geometric stiffness that is not symmetric, made so.
+    pub struct JoinSymmetric<T> { s_ta_ta: Matrix3<T> = S_TA_TA }
+}
+
+/// The symmetric part of the geometric stiffness of JOIN; the other blocks are those of [`GeometricStiffness`].
+#[derive(Clone, Copy, Debug)]
+pub struct SymmetricStiffness;
+
+impl Formula for SymmetricStiffness {
+    const SPEC: Spec = Spec::new(
+        "join.symmetric_stiffness",
+        "Symmetric part of the geometric stiffness of JOIN",
+        Document::UJOINT.ours("Description", "the page of JOIN was not given; for programs that solve symmetric equations"),
+    )
+    .equation(r"\mathbf{f} = f_1\,\mathbf{e}_{1a} + f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{d} = \mathbf{x}_b-\mathbf{x}_a,\quad \mathbf{S}_{\theta a,\theta a} = \tfrac12(\mathbf{f}\otimes\mathbf{d} + \mathbf{d}\otimes\mathbf{f}) - (\mathbf{f}\cdot\mathbf{d})\,\mathbf{I}")
+    .eta(1.5, 1.5)
+    .finite(Finite::Below);
+    type Inputs<T: Component> = JoinLoads<T>;
+    type Outputs<T: Component> = JoinSymmetric<T>;
+
+    #[inline]
+    fn eval<D: Scalar>(i: &JoinLoads<D>) -> JoinSymmetric<D> {
+        JoinSymmetric { s_ta_ta: symmetric(&GeometricStiffness::eval(i).k_ta_ta) }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &JoinLoads<D>) -> Jacobian<Self, D> {
+        JoinSymmetric { s_ta_ta: symmetric_gradient(&GeometricStiffness::jacobian(i).k_ta_ta) }
     }
 }

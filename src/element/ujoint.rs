@@ -4,18 +4,19 @@
 mod proof;
 
 use super::NodalForces;
-use super::join::{self, JoinForces, JoinLoads, JoinRows};
-use super::universal::{self, UniversalLoads, UniversalMoments, UniversalRow};
+use super::join::{self, JoinForces, JoinLoads, JoinRows, JoinStiffness};
+use super::products::{symmetric, symmetric_gradient};
+use super::universal::{self, UniversalLoads, UniversalMoments, UniversalRow, UniversalStiffness};
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec};
 use crate::quantity::{
     E1A, E2A, E3A, E3B, F2, F3, G_ROT_TA, G_ROT_TB, G1_TA, G1_UA, G1_UB, G2_TA, G2_UA, G2_UB, G3_TA, G3_UA, G3_UB,
-    JOIN_F1, LAMBDA_ROT, XA, XB,
+    JOIN_F1, K_TA_TA, K_TA_TB, K_TB_TB, K_UA_TA, LAMBDA_ROT, S_TA_TA, S_TB_TB, XA, XB,
 };
 use crate::scalar::Scalar;
 use crate::slot::Positions;
 use crate::ujoint::CrossAxes;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 fields! {
     /// Where the nodes are, and how they are turned.
@@ -168,5 +169,86 @@ impl Formula for Forces {
             fb: fb.map(JointLoads::by_join),
             mb: moments.mb.map(JointLoads::by_universal),
         }
+    }
+}
+
+fields! {
+    /// How what UJOINT exerts on its nodes changes with their spins, the multipliers held: the blocks that differ.
+    ///
+    /// [`matrix`](JointStiffness::matrix) has them all in their places.
+    pub struct JointStiffness<T> {
+        k_ua_ta: Matrix3<T> = K_UA_TA, k_ta_ta: Matrix3<T> = K_TA_TA, k_ta_tb: Matrix3<T> = K_TA_TB,
+        k_tb_tb: Matrix3<T> = K_TB_TB,
+    }
+}
+
+/// The geometric stiffness of UJOINT, Σ λ ∂²g by translations and spins, as it is: unsymmetric in the spins.
+#[derive(Clone, Copy, Debug)]
+pub struct GeometricStiffness;
+
+impl Formula for GeometricStiffness {
+    const SPEC: Spec = Spec::new(
+        "ujoint.geometric_stiffness",
+        "Geometric stiffness of UJOINT",
+        Document::UJOINT.ours("Description", "the page names the residuals; it is the derivative of their nodal forces"),
+    )
+    .equation(r"\mathbf{f} = f_1\,\mathbf{e}_{1a} + f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{d} = \mathbf{x}_b-\mathbf{x}_a,\quad \mathbf{K}_{ua,\theta a} = \mathbf{f}\times\mathbf{I},\quad \mathbf{K}_{\theta a,\theta a} = \mathbf{f}\otimes\mathbf{d} - (\mathbf{f}\cdot\mathbf{d})\,\mathbf{I} + \lambda_{\mathrm{rot}}(\mathbf{e}_{1a}\otimes\mathbf{e}_{3b} - (\mathbf{e}_{1a}\cdot\mathbf{e}_{3b})\,\mathbf{I}),\quad \mathbf{K}_{\theta b,\theta b} = \lambda_{\mathrm{rot}}(\mathbf{e}_{3b}\otimes\mathbf{e}_{1a} - (\mathbf{e}_{1a}\cdot\mathbf{e}_{3b})\,\mathbf{I}),\quad \mathbf{K}_{\theta a,\theta b} = -\mathbf{K}_{\theta b,\theta b}")
+    .eta(1.5, 1.5)
+    .finite(Finite::Below);
+    type Inputs<T: Component> = JointLoads<T>;
+    type Outputs<T: Component> = JointStiffness<T>;
+
+    #[inline]
+    fn eval<D: Scalar>(i: &JointLoads<D>) -> JointStiffness<D> {
+        let JoinStiffness { k_ua_ta, k_ta_ta } = join::GeometricStiffness::eval(&i.of_join());
+        let turned = universal::GeometricStiffness::eval(&i.of_universal());
+        let UniversalStiffness { k_ta_tb, k_tb_tb, .. } = turned;
+        JointStiffness { k_ua_ta, k_ta_ta: k_ta_ta + turned.k_ta_ta, k_ta_tb, k_tb_tb }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &JointLoads<D>) -> Jacobian<Self, D> {
+        let JoinStiffness { k_ua_ta, k_ta_ta } = join::GeometricStiffness::jacobian(&i.of_join());
+        let turned = universal::GeometricStiffness::jacobian(&i.of_universal());
+        JointStiffness {
+            k_ua_ta: k_ua_ta.map(JointLoads::by_join),
+            k_ta_ta: k_ta_ta.zip_map(&turned.k_ta_ta, JointLoads::by_both),
+            k_ta_tb: turned.k_ta_tb.map(JointLoads::by_universal),
+            k_tb_tb: turned.k_tb_tb.map(JointLoads::by_universal),
+        }
+    }
+}
+
+fields! {
+    /// The blocks of the geometric stiffness that are not symmetric, made so.
+    pub struct JointSymmetric<T> { s_ta_ta: Matrix3<T> = S_TA_TA, s_tb_tb: Matrix3<T> = S_TB_TB }
+}
+
+/// The symmetric part of the geometric stiffness of UJOINT; the other blocks are those of [`GeometricStiffness`].
+#[derive(Clone, Copy, Debug)]
+pub struct SymmetricStiffness;
+
+impl Formula for SymmetricStiffness {
+    const SPEC: Spec = Spec::new(
+        "ujoint.symmetric_stiffness",
+        "Symmetric part of the geometric stiffness of UJOINT",
+        Document::UJOINT.ours("Description", "the page names the residuals; for programs that solve symmetric equations"),
+    )
+    .equation(r"\mathbf{f} = f_1\,\mathbf{e}_{1a} + f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{d} = \mathbf{x}_b-\mathbf{x}_a,\quad \mathbf{S}_{\theta b,\theta b} = \lambda_{\mathrm{rot}}(\tfrac12(\mathbf{e}_{1a}\otimes\mathbf{e}_{3b} + \mathbf{e}_{3b}\otimes\mathbf{e}_{1a}) - (\mathbf{e}_{1a}\cdot\mathbf{e}_{3b})\,\mathbf{I}),\quad \mathbf{S}_{\theta a,\theta a} = \tfrac12(\mathbf{f}\otimes\mathbf{d} + \mathbf{d}\otimes\mathbf{f}) - (\mathbf{f}\cdot\mathbf{d})\,\mathbf{I} + \mathbf{S}_{\theta b,\theta b}")
+    .eta(1.5, 1.5)
+    .finite(Finite::Below);
+    type Inputs<T: Component> = JointLoads<T>;
+    type Outputs<T: Component> = JointSymmetric<T>;
+
+    #[inline]
+    fn eval<D: Scalar>(i: &JointLoads<D>) -> JointSymmetric<D> {
+        let JointStiffness { k_ta_ta, k_tb_tb, .. } = GeometricStiffness::eval(i);
+        JointSymmetric { s_ta_ta: symmetric(&k_ta_ta), s_tb_tb: symmetric(&k_tb_tb) }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &JointLoads<D>) -> Jacobian<Self, D> {
+        let JointStiffness { k_ta_ta, k_tb_tb, .. } = GeometricStiffness::jacobian(i);
+        JointSymmetric { s_ta_ta: symmetric_gradient(&k_ta_ta), s_tb_tb: symmetric_gradient(&k_tb_tb) }
     }
 }

@@ -55,6 +55,8 @@ pub(super) enum Operator {
     Dot,
     /// `\times`
     Cross,
+    /// `\otimes`
+    Outer,
     Divide,
 }
 

@@ -1,8 +1,10 @@
 //! Evidence for the formulas next door: cases, laws.
 
-use super::{Forces, JoinLoads, JoinRows, Rows};
+use super::{Forces, GeometricStiffness, JoinForces, JoinLoads, JoinRows, Rows, SymmetricStiffness};
 use crate::Octuple;
-use crate::element::motion::{Motion, Moving, derivative, still};
+use crate::Scalar;
+use crate::element::motion::{Motion, Moving, Tangent, derivative, is_symmetric_part, still};
+use crate::element::{self, NodalForces};
 use crate::formula::Formula;
 use crate::join::{Constraint, Joined};
 use crate::proof::{Case, Equation, Law, Proved, hard, law};
@@ -103,19 +105,24 @@ impl Proved for Rows {
     }
 }
 
+/// The same, with forces at points of interest.
+fn loads() -> Vec<Case<JoinLoads<f64>>> {
+    let with = |case: Case<Positions<f64>>, [f1, f2, f3]: [f64; 3]| {
+        let Positions { e1a, e2a, e3a, xa, xb } = case.inputs;
+        Case::new(case.flag, case.id, case.comment, JoinLoads { e1a, e2a, e3a, xa, xb, f1, f2, f3 })
+    };
+    let mut cases: Vec<_> = positions().into_iter().map(|case| with(case, [2.0, -3.0, 6.0])).collect();
+    let here = cases[0].inputs;
+    cases.extend(hard::norms::<3>().into_iter().map(|load| {
+        let [f1, f2, f3] = load.value;
+        Case::hard(format!("force-{}", load.id), load.comment, JoinLoads { f1, f2, f3, ..here })
+    }));
+    cases
+}
+
 impl Proved for Forces {
     fn cases() -> Vec<Case<JoinLoads<f64>>> {
-        let with = |case: Case<Positions<f64>>, [f1, f2, f3]: [f64; 3]| {
-            let Positions { e1a, e2a, e3a, xa, xb } = case.inputs;
-            Case::new(case.flag, case.id, case.comment, JoinLoads { e1a, e2a, e3a, xa, xb, f1, f2, f3 })
-        };
-        let mut cases: Vec<_> = positions().into_iter().map(|case| with(case, [2.0, -3.0, 6.0])).collect();
-        let here = cases[0].inputs;
-        cases.extend(hard::norms::<3>().into_iter().map(|load| {
-            let [f1, f2, f3] = load.value;
-            Case::hard(format!("force-{}", load.id), load.comment, JoinLoads { f1, f2, f3, ..here })
-        }));
-        cases
+        loads()
     }
 
     fn laws() -> Vec<Law<Self>> {
@@ -141,5 +148,57 @@ impl Proved for Forces {
                 balance(&row, [i.xa, i.xb])
             }),
         ]
+    }
+}
+
+/// The nodal forces as the nodes move.
+fn moving(i: &JoinLoads<Octuple>, motion: &Motion) -> element::Forces<Moving> {
+    let [xa, xb] = motion.places([i.xa, i.xb]);
+    let [e1a, e2a, e3a] = [i.e1a, i.e2a, i.e3a].map(|e| motion.of_a(e));
+    let [f1, f2, f3] = [i.f1, i.f2, i.f3].map(still);
+    whole(Forces::eval(&JoinLoads { e1a, e2a, e3a, xa, xb, f1, f2, f3 }))
+}
+
+/// With the moment on b, which is none.
+fn whole<D: Scalar>(JoinForces { fa, ma, fb }: JoinForces<D>) -> element::Forces<D> {
+    NodalForces { fa, ma, fb, mb: Vector3::from_element(D::zero()) }.vector()
+}
+
+fn tangent(i: &JoinLoads<Octuple>) -> Tangent {
+    let force = law::length(i.e1a * i.f1) + law::length(i.e2a * i.f2) + law::length(i.e3a * i.f3);
+    let sizes = [force, force * law::length(i.xb - i.xa)];
+    Tangent { matrix: GeometricStiffness::eval(i).matrix(), forces: whole(Forces::eval(i)), sizes }
+}
+
+impl Proved for GeometricStiffness {
+    fn cases() -> Vec<Case<JoinLoads<f64>>> {
+        loads()
+    }
+
+    fn laws() -> Vec<Law<Self>> {
+        vec![
+            Law::<Self>::new("it is the derivative of the nodal forces by translations and spins", |i| {
+                tangent(i).derives(|motion| moving(i, motion))
+            }),
+            Law::<Self>::new("it is symmetric but for each node's own spin, where K − Kᵀ = −[m×]", |i| {
+                tangent(i).is_symmetric_but_for_own_spins()
+            }),
+            Law::<Self>::new("where both nodes turn as one body, forces and moments turn with them", |i| {
+                tangent(i).turns_with_the_body([i.xa, i.xb], i.e1a + i.e2a)
+            }),
+        ]
+    }
+}
+
+impl Proved for SymmetricStiffness {
+    fn cases() -> Vec<Case<JoinLoads<f64>>> {
+        loads()
+    }
+
+    fn laws() -> Vec<Law<Self>> {
+        vec![Law::<Self>::new("it is K + ½ [m×] with the moment m on the node, and symmetric", |i| {
+            let (k, s, forces) = (GeometricStiffness::eval(i), Self::eval(i), Forces::eval(i));
+            is_symmetric_part(&s.s_ta_ta, &k.k_ta_ta, &forces.ma, tangent(i).sizes[1])
+        })]
     }
 }

@@ -1,10 +1,11 @@
 //! Evidence for the formulas next door: cases, laws.
 
-use super::{Forces, JointLoads, JointPlaces, JointRows, Rows};
+use super::{Forces, GeometricStiffness, JointLoads, JointPlaces, JointRows, Rows, SymmetricStiffness};
 use crate::Octuple;
 use crate::cardan::turns;
+use crate::element;
 use crate::element::join::{JoinRows, proof::balance, proof::equal_motions, proof::residuals};
-use crate::element::motion::{Motion, derivative};
+use crate::element::motion::{Motion, Moving, Tangent, derivative, is_symmetric_part, still};
 use crate::element::universal::{UniversalRow, proof::residual};
 use crate::formula::Formula;
 use crate::proof::{Case, Law, Proved, hard, law};
@@ -21,6 +22,17 @@ impl JointRows<Octuple> {
 
 /// Where nodes stand and how they are turned, at points of interest.
 fn places() -> Vec<Case<JointPlaces<f64>>> {
+    let mut cases = apart();
+    let here = cases[0].inputs;
+    cases.extend(turns::triads().into_iter().map(|pair| {
+        let [[e1a, e2a, e3a], [.., e3b]] = pair.value;
+        Case::hard(pair.id, pair.comment, JointPlaces { e1a, e2a, e3a, e3b, ..here })
+    }));
+    cases
+}
+
+/// Where nodes stand, at points of interest.
+fn apart() -> Vec<Case<JointPlaces<f64>>> {
     let axes = JointPlaces {
         e1a: Vector3::x(),
         e2a: Vector3::y(),
@@ -41,10 +53,6 @@ fn places() -> Vec<Case<JointPlaces<f64>>> {
     cases.extend(hard::places().into_iter().map(|place| {
         let [xa, xb] = place.value;
         Case::hard(place.id, place.comment, JointPlaces { e1a, e2a, e3a, e3b: e3a, xa, xb })
-    }));
-    cases.extend(turns::triads().into_iter().map(|pair| {
-        let [[e1a, e2a, e3a], [.., e3b]] = pair.value;
-        Case::hard(pair.id, pair.comment, JointPlaces { e1a, e2a, e3a, e3b, ..axes })
     }));
     cases
 }
@@ -75,20 +83,25 @@ impl Proved for Rows {
     }
 }
 
+/// With multipliers at points of interest.
+fn loads(places: Vec<Case<JointPlaces<f64>>>) -> Vec<Case<JointLoads<f64>>> {
+    let with = |case: Case<JointPlaces<f64>>| {
+        let JointPlaces { e1a, e2a, e3a, e3b, xa, xb } = case.inputs;
+        let loads = JointLoads { e1a, e2a, e3a, e3b, xa, xb, f1: 2.0, f2: -3.0, f3: 6.0, lambda_rot: -1.5 };
+        Case::new(case.flag, case.id, case.comment, loads)
+    };
+    let mut cases: Vec<_> = places.into_iter().map(with).collect();
+    let here = cases[0].inputs;
+    cases.extend(hard::norms::<4>().into_iter().map(|load| {
+        let [f1, f2, f3, lambda_rot] = load.value;
+        Case::hard(format!("load-{}", load.id), load.comment, JointLoads { f1, f2, f3, lambda_rot, ..here })
+    }));
+    cases
+}
+
 impl Proved for Forces {
     fn cases() -> Vec<Case<JointLoads<f64>>> {
-        let with = |case: Case<JointPlaces<f64>>| {
-            let JointPlaces { e1a, e2a, e3a, e3b, xa, xb } = case.inputs;
-            let loads = JointLoads { e1a, e2a, e3a, e3b, xa, xb, f1: 2.0, f2: -3.0, f3: 6.0, lambda_rot: -1.5 };
-            Case::new(case.flag, case.id, case.comment, loads)
-        };
-        let mut cases: Vec<_> = places().into_iter().map(with).collect();
-        let here = cases[0].inputs;
-        cases.extend(hard::norms::<4>().into_iter().map(|load| {
-            let [f1, f2, f3, lambda_rot] = load.value;
-            Case::hard(format!("load-{}", load.id), load.comment, JointLoads { f1, f2, f3, lambda_rot, ..here })
-        }));
-        cases
+        loads(places())
     }
 
     fn laws() -> Vec<Law<Self>> {
@@ -117,5 +130,55 @@ impl Proved for Forces {
                 balance(&row, [i.xa, i.xb])
             }),
         ]
+    }
+}
+
+/// The nodal forces as the nodes move.
+fn moving(i: &JointLoads<Octuple>, motion: &Motion) -> element::Forces<Moving> {
+    let [xa, xb] = motion.places([i.xa, i.xb]);
+    let [e1a, e2a, e3a] = [i.e1a, i.e2a, i.e3a].map(|e| motion.of_a(e));
+    let [f1, f2, f3, lambda_rot] = [i.f1, i.f2, i.f3, i.lambda_rot].map(still);
+    Forces::eval(&JointLoads { e1a, e2a, e3a, e3b: motion.of_b(i.e3b), xa, xb, f1, f2, f3, lambda_rot }).vector()
+}
+
+fn tangent(i: &JointLoads<Octuple>) -> Tangent {
+    let force = law::length(i.e1a * i.f1) + law::length(i.e2a * i.f2) + law::length(i.e3a * i.f3);
+    let moment = law::length(i.e1a * i.lambda_rot) * law::length(i.e3b);
+    let sizes = [force, force * law::length(i.xb - i.xa) + moment];
+    Tangent { matrix: GeometricStiffness::eval(i).matrix(), forces: Forces::eval(i).vector(), sizes }
+}
+
+impl Proved for GeometricStiffness {
+    fn cases() -> Vec<Case<JointLoads<f64>>> {
+        loads(apart())
+    }
+
+    fn laws() -> Vec<Law<Self>> {
+        vec![
+            Law::<Self>::new("it is the derivative of the nodal forces by translations and spins", |i| {
+                tangent(i).derives(|motion| moving(i, motion))
+            }),
+            Law::<Self>::new("it is symmetric but for each node's own spin, where K − Kᵀ = −[m×]", |i| {
+                tangent(i).is_symmetric_but_for_own_spins()
+            }),
+            Law::<Self>::new("where both nodes turn as one body, forces and moments turn with them", |i| {
+                tangent(i).turns_with_the_body([i.xa, i.xb], i.e1a + i.e3b)
+            }),
+        ]
+    }
+}
+
+impl Proved for SymmetricStiffness {
+    fn cases() -> Vec<Case<JointLoads<f64>>> {
+        loads(apart())
+    }
+
+    fn laws() -> Vec<Law<Self>> {
+        vec![Law::<Self>::new("it is K + ½ [m×] with the moment m on the node, and symmetric", |i| {
+            let (k, s, forces) = (GeometricStiffness::eval(i), Self::eval(i), Forces::eval(i));
+            let size = tangent(i).sizes[1];
+            let on_a = is_symmetric_part(&s.s_ta_ta, &k.k_ta_ta, &forces.ma, size);
+            [on_a, is_symmetric_part(&s.s_tb_tb, &k.k_tb_tb, &forces.mb, size)].concat()
+        })]
     }
 }

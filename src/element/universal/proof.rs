@@ -1,9 +1,11 @@
 //! Evidence for the formulas next door: cases, laws.
 
-use super::{Moments, Rows, UniversalLoads, UniversalRow};
+use super::{GeometricStiffness, Moments, Rows, SymmetricStiffness, UniversalLoads, UniversalMoments, UniversalRow};
 use crate::Octuple;
+use crate::Scalar;
 use crate::cardan::turns;
-use crate::element::motion::{Motion, Moving, derivative, still};
+use crate::element::motion::{Motion, Moving, Tangent, derivative, is_symmetric_part, still};
+use crate::element::{self, NodalForces};
 use crate::formula::Formula;
 use crate::proof::{Case, Law, Proved, hard, law};
 use crate::ujoint::CrossAxes;
@@ -79,19 +81,24 @@ impl Proved for Rows {
     }
 }
 
+/// The same, with multipliers at points of interest.
+fn loads() -> Vec<Case<UniversalLoads<f64>>> {
+    let with = |case: Case<CrossAxes<f64>>| {
+        let CrossAxes { e1a, e3b } = case.inputs;
+        Case::new(case.flag, case.id, case.comment, UniversalLoads { e1a, e3b, lambda_rot: -1.5 })
+    };
+    let mut cases: Vec<_> = axes().into_iter().map(with).collect();
+    let here = cases[1].inputs;
+    cases.extend(hard::norms().into_iter().map(|load| {
+        let [lambda_rot] = load.value;
+        Case::hard(format!("moment-{}", load.id), "a moment of extreme size", UniversalLoads { lambda_rot, ..here })
+    }));
+    cases
+}
+
 impl Proved for Moments {
     fn cases() -> Vec<Case<UniversalLoads<f64>>> {
-        let with = |case: Case<CrossAxes<f64>>| {
-            let CrossAxes { e1a, e3b } = case.inputs;
-            Case::new(case.flag, case.id, case.comment, UniversalLoads { e1a, e3b, lambda_rot: -1.5 })
-        };
-        let mut cases: Vec<_> = axes().into_iter().map(with).collect();
-        let here = cases[1].inputs;
-        cases.extend(hard::norms().into_iter().map(|load| {
-            let [lambda_rot] = load.value;
-            Case::hard(format!("moment-{}", load.id), "a moment of extreme size", UniversalLoads { lambda_rot, ..here })
-        }));
-        cases
+        loads()
     }
 
     fn laws() -> Vec<Law<Self>> {
@@ -116,5 +123,58 @@ impl Proved for Moments {
                 [law::equal_vectors(moments.mb, m), law::equal_vectors(moments.ma, -m)].concat()
             }),
         ]
+    }
+}
+
+/// The nodal forces as the nodes move.
+fn moving(i: &UniversalLoads<Octuple>, motion: &Motion) -> element::Forces<Moving> {
+    let (e1a, e3b, lambda_rot) = (motion.of_a(i.e1a), motion.of_b(i.e3b), still(i.lambda_rot));
+    whole(Moments::eval(&UniversalLoads { e1a, e3b, lambda_rot }))
+}
+
+/// With forces, which are none.
+fn whole<D: Scalar>(UniversalMoments { ma, mb }: UniversalMoments<D>) -> element::Forces<D> {
+    let none = Vector3::from_element(D::zero());
+    NodalForces { fa: none, ma, fb: none, mb }.vector()
+}
+
+fn tangent(i: &UniversalLoads<Octuple>) -> Tangent {
+    let moment = law::length(i.e1a * i.lambda_rot) * law::length(i.e3b);
+    let sizes = [Octuple::zero(), moment];
+    Tangent { matrix: GeometricStiffness::eval(i).matrix(), forces: whole(Moments::eval(i)), sizes }
+}
+
+impl Proved for GeometricStiffness {
+    fn cases() -> Vec<Case<UniversalLoads<f64>>> {
+        loads()
+    }
+
+    fn laws() -> Vec<Law<Self>> {
+        vec![
+            Law::<Self>::new("it is the derivative of the nodal forces by translations and spins", |i| {
+                tangent(i).derives(|motion| moving(i, motion))
+            }),
+            Law::<Self>::new("it is symmetric but for each node's own spin, where K − Kᵀ = −[m×]", |i| {
+                tangent(i).is_symmetric_but_for_own_spins()
+            }),
+            Law::<Self>::new("where both nodes turn as one body, forces and moments turn with them", |i| {
+                tangent(i).turns_with_the_body([Vector3::from_element(Octuple::zero()); 2], i.e1a + i.e3b)
+            }),
+        ]
+    }
+}
+
+impl Proved for SymmetricStiffness {
+    fn cases() -> Vec<Case<UniversalLoads<f64>>> {
+        loads()
+    }
+
+    fn laws() -> Vec<Law<Self>> {
+        vec![Law::<Self>::new("it is K + ½ [m×] with the moment m on the node, and symmetric", |i| {
+            let (k, s, forces) = (GeometricStiffness::eval(i), Self::eval(i), Moments::eval(i));
+            let size = tangent(i).sizes[1];
+            let on_a = is_symmetric_part(&s.s_ta_ta, &k.k_ta_ta, &forces.ma, size);
+            [on_a, is_symmetric_part(&s.s_tb_tb, &k.k_tb_tb, &forces.mb, size)].concat()
+        })]
     }
 }

@@ -220,3 +220,63 @@ def nodal_forces(e1a, e2a, e3a, e3b, xa, xb, f1, f2, f3, lambda_rot):
     join = join_nodal_forces(e1a, e2a, e3a, xa, xb, f1, f2, f3)
     moments = universal_nodal_moments(e1a, e3b, lambda_rot)
     return join | dict(ma=add(join["ma"], moments["ma"]), mb=moments["mb"])
+
+
+# The geometric stiffness: how Rows^T lambda changes with spins, multipliers held. A change of e by a spin about the k-th
+# axis is i_k x e; matrices are lists of nine, row by row.
+
+AXES = ([mpf(1), mpf(0), mpf(0)], [mpf(0), mpf(1), mpf(0)], [mpf(0), mpf(0), mpf(1)])
+
+
+def by_columns(columns):
+    return [columns[column][row] for row in range(3) for column in range(3)]
+
+
+def transpose(m):
+    return [m[3 * column + row] for row in range(3) for column in range(3)]
+
+
+def symmetric(m):
+    return [(x + y) / 2 for x, y in zip(m, transpose(m), strict=True)]
+
+
+@formula("join.geometric_stiffness", PLACES + " f1 f2 f3", "k_ua_ta:9 k_ta_ta:9")
+def join_stiffness(e1a, e2a, e3a, xa, xb, f1, f2, f3):
+    d = sub(xb, xa)
+    force = add(scale(f1, e1a), scale(f2, e2a), scale(f3, e3a))
+    turned = [cross(axis, force) for axis in AXES]
+    return dict(k_ua_ta=by_columns([scale(-1, f) for f in turned]), k_ta_ta=by_columns([cross(f, d) for f in turned]))
+
+
+@formula("universal.geometric_stiffness", "e1a:3 e3b:3 lambda_rot", "k_ta_ta:9 k_ta_tb:9 k_tb_tb:9")
+def universal_stiffness(e1a, e3b, lambda_rot):
+    by_a = [scale(lambda_rot, cross(cross(axis, e1a), e3b)) for axis in AXES]
+    by_b = [scale(lambda_rot, cross(e1a, cross(axis, e3b))) for axis in AXES]
+    return dict(k_ta_ta=by_columns(by_a), k_ta_tb=by_columns(by_b), k_tb_tb=by_columns([scale(-1, m) for m in by_b]))
+
+
+@formula(
+    "ujoint.geometric_stiffness",
+    CROSS_AXES + " xa:3 xb:3 f1 f2 f3 lambda_rot",
+    "k_ua_ta:9 k_ta_ta:9 k_ta_tb:9 k_tb_tb:9",
+)
+def stiffness(e1a, e2a, e3a, e3b, xa, xb, f1, f2, f3, lambda_rot):
+    join, universal = join_stiffness(e1a, e2a, e3a, xa, xb, f1, f2, f3), universal_stiffness(e1a, e3b, lambda_rot)
+    return join | universal | dict(k_ta_ta=add(join["k_ta_ta"], universal["k_ta_ta"]))
+
+
+@formula("join.symmetric_stiffness", PLACES + " f1 f2 f3", "s_ta_ta:9")
+def join_symmetric(**inputs):
+    return dict(s_ta_ta=symmetric(join_stiffness(**inputs)["k_ta_ta"]))
+
+
+@formula("universal.symmetric_stiffness", "e1a:3 e3b:3 lambda_rot", "s_ta_ta:9 s_tb_tb:9")
+def universal_symmetric(**inputs):
+    found = universal_stiffness(**inputs)
+    return dict(s_ta_ta=symmetric(found["k_ta_ta"]), s_tb_tb=symmetric(found["k_tb_tb"]))
+
+
+@formula("ujoint.symmetric_stiffness", CROSS_AXES + " xa:3 xb:3 f1 f2 f3 lambda_rot", "s_ta_ta:9 s_tb_tb:9")
+def symmetric_stiffness(**inputs):
+    found = stiffness(**inputs)
+    return dict(s_ta_ta=symmetric(found["k_ta_ta"]), s_tb_tb=symmetric(found["k_tb_tb"]))
