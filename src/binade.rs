@@ -1,4 +1,4 @@
-//! Powers of two: to scale by one of them does not round.
+//! A unit near the size of some numbers.
 
 use crate::scalar::{Leaf, Scalar, abs, constant, leaf};
 
@@ -9,11 +9,6 @@ pub(crate) struct Binade<D> {
     pub(crate) unit: D,
     pub(crate) per_unit: D,
 }
-
-/// The bits of the exponent.
-const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
-/// The exponent of 2¹⁰²², whose reciprocal is still a normal number.
-const LARGEST: u64 = 0x7fd0_0000_0000_0000;
 
 impl<D: Scalar> Binade<D> {
     /// The largest power of two that is not above the largest of the numbers, within 2⁻¹⁰²² … 2¹⁰²².
@@ -26,22 +21,10 @@ impl<D: Scalar> Binade<D> {
     }
 }
 
-/// The largest power of two that is not above a number, within 2⁻¹⁰²² … 2¹⁰²², and its reciprocal.
-#[inline]
-pub(crate) fn power_of_two_below(x: f64) -> [f64; 2] {
-    let exponent = (x.to_bits() & EXPONENT).min(LARGEST);
-    [exponent, EXPONENT - (1 << 52) - exponent].map(f64::from_bits)
-}
-
-/// 2^exponent, a normal number.
-pub(crate) const fn power_of_two(exponent: i64) -> f64 {
-    #[expect(clippy::cast_sign_loss, reason = "the biased exponent of a normal double is positive")]
-    f64::from_bits(((exponent + 1023) as u64) << 52)
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Binade, power_of_two};
+    use super::Binade;
+    use crate::power::power_of_two;
 
     #[test]
     fn the_unit_is_next_below_the_largest_number_and_both_powers_are_normal() {

@@ -1,12 +1,16 @@
 //! Every formula, in the order of the book.
 
+use crate::equation::Claims;
 use crate::formula::{Field, Fields, Formula, Spec, check, entries, value, value_and_jacobian};
 use crate::graph::{self, Graph, NotRecorded};
 #[cfg(feature = "measure")]
 use crate::measure::{self, Measurement};
 use crate::proof::{Convention, Flag, Proved};
 use crate::scalar::{abs, sign};
-use crate::verify::{Audit, Kink, Options, Subject, Trial, audit, audit_at, exact, golden};
+use crate::verify::{
+    Audit, Claim, Kink, Options, Printed, Subject, Trial, audit, audit_at, audit_equation, claims_about, exact, golden,
+    kinks_as_printed, number_of,
+};
 use crate::{
     Error, Octuple, align, cardan, coulomb, element, interaction, join, slide_line, slider, slot, translator, ujoint,
     universal,
@@ -39,6 +43,14 @@ pub trait AnyFormula: Send + Sync {
     fn audit_at(&self, components: &[f64]) -> Result<Audit, Error>;
     /// Points at which an equation can be tried that somebody else wrote.
     fn trial(&self, options: &Options) -> Trial;
+    /// The claims of its audit that are about the printed equation: of its value, and of its Jacobian.
+    fn audit_equation(&self, options: &Options) -> [Claim; 2];
+    /// What prose claims about it, checked now.
+    fn claims(&self, claims: &Claims, options: &Options) -> Claim;
+    /// The conditions of its kinks, executed as they are printed.
+    fn kinks_as_printed(&self) -> Vec<(String, Printed)>;
+    /// The number that an expression about it is.
+    fn number(&self, expression: &Claims) -> Octuple;
     /// The outputs at input components given in order.
     ///
     /// # Errors
@@ -119,6 +131,18 @@ impl<F: Proved> AnyFormula for F {
     }
     fn trial(&self, options: &Options) -> Trial {
         Trial::of::<F>(options)
+    }
+    fn audit_equation(&self, options: &Options) -> [Claim; 2] {
+        audit_equation::<F>(options)
+    }
+    fn claims(&self, claims: &Claims, options: &Options) -> Claim {
+        claims_about::<F>(claims, options)
+    }
+    fn kinks_as_printed(&self) -> Vec<(String, Printed)> {
+        kinks_as_printed::<F>()
+    }
+    fn number(&self, expression: &Claims) -> Octuple {
+        number_of::<F>(expression)
     }
     fn graph(&self) -> Result<Graph, NotRecorded> {
         graph::record::<F>()

@@ -14,7 +14,7 @@
 //!   Computational Geometry 18 (1997)
 //! - T. Ogita, S. M. Rump, S. Oishi, *Accurate sum and dot product*, SIAM Journal on Scientific Computing 26 (2005)
 
-use crate::binade::power_of_two;
+use crate::power::power_of_two;
 use crate::scalar::Leaf;
 use arrayvec::ArrayVec;
 use std::ops::{Add, Mul, Neg, Sub};

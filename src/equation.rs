@@ -43,8 +43,12 @@
 //! # Ok::<(), jointproof::equation::Error>(())
 //! ```
 
+mod claims;
+mod closed;
 mod cursor;
+mod derivative;
 mod error;
+mod latex;
 mod lower;
 mod name;
 mod parse;
@@ -56,11 +60,15 @@ mod syntax;
 mod tape;
 mod token;
 mod value;
+mod variation;
+mod view;
 
 use crate::formula::{Field, Given, Spec};
 use crate::octuple::Octuple;
 use crate::quantity::Shape;
 use crate::scalar::Scalar;
+pub(crate) use claims::{ClaimAt, Free};
+pub use claims::{Claims, Setting, Signature};
 pub use error::Error;
 use lower::{Place, Writer};
 use name::Name;
@@ -68,6 +76,7 @@ use scope::Entries;
 use syntax::ArgMin;
 use tape::{Id, Op, Tape};
 use value::Value;
+pub use view::View;
 
 /// An equation that can be executed.
 #[derive(Clone, Debug)]
@@ -230,10 +239,11 @@ impl Equation {
     }
 
     fn terms(&self, of: Id, by: Option<usize>, point: &[Octuple]) -> Octuple {
-        let Some(by) = by else { return rounding::terms(&self.tape, point)[of] };
+        let Some(by) = by else { return rounding::terms(&self.tape, point, &[])[of] };
         let mut tape = self.tape.clone();
+        let by = tape.push(Op::Input(by));
         let slope = tape.derivative(of, by);
-        rounding::terms(&tape, point)[slope]
+        rounding::terms(&tape, point, &[])[slope]
     }
 }
 
@@ -288,7 +298,7 @@ fn place_of_smallest(writer: &mut Writer<'_>, output: usize, found: &ArgMin, id:
         }
         _ => objective,
     };
-    let slope = writer.tape.derivative(objective, writer.solution);
+    let slope = writer.tape.derivative(objective, place);
     Ok(Smallest { output, place, low, high, objective, slope })
 }
 

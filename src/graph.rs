@@ -16,11 +16,13 @@
 
 mod join;
 mod node;
+mod program;
 mod record;
 mod recorder;
 mod run;
 mod traced;
 
 pub use node::{Binary, Graph, Node, Op, Relation, Unary};
+pub use program::Statement;
 pub use record::{NotRecorded, record};
 pub use traced::Traced;

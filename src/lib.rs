@@ -59,6 +59,7 @@ pub mod cardan;
 #[cfg(feature = "verify")]
 pub mod catalog;
 pub mod coulomb;
+mod double;
 mod eft;
 pub mod element;
 #[cfg(feature = "verify")]
@@ -77,6 +78,7 @@ pub mod measure;
 mod newtype;
 #[cfg(feature = "verify")]
 pub mod octuple;
+mod power;
 #[cfg(feature = "verify")]
 pub mod proof;
 pub mod quantity;

@@ -12,8 +12,9 @@ mod upstream;
 use f256::f256;
 use num_dual::DualNum;
 
-use crate::binade;
+use crate::eft::exact_sum;
 use crate::newtype::{newtype_dual_num, newtype_number};
+use crate::power::power_of_two;
 use crate::scalar::{Leaf, Scalar, itself, sum_of_squares};
 
 /// A binary floating point number of 237 significant bits (71 decimal digits) and exponents up to ±262143: IEEE 754
@@ -88,7 +89,7 @@ impl Octuple {
 }
 
 impl Leaf for Octuple {
-    const EPSILON: f64 = binade::power_of_two(-236);
+    const EPSILON: f64 = power_of_two(-236);
     fn pi() -> Self {
         Self::PI
     }
@@ -97,6 +98,10 @@ impl Leaf for Octuple {
     }
     fn constants<const N: usize>(_: [f64; N], definition: impl FnOnce() -> [Self; N]) -> [Self; N] {
         definition()
+    }
+    #[inline]
+    fn exact_sum(products: impl IntoIterator<Item = [Self; 4]>) -> Self {
+        exact_sum(products)
     }
 }
 

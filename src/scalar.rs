@@ -10,8 +10,7 @@
 //! Comparisons between dual numbers look at the real part only, which is what a branch of a formula means; to
 //! compare derivatives, compare the parts.
 
-use crate::binade::{power_of_two, power_of_two_below};
-use crate::eft::exact_sum;
+use crate::power::{power_of_two, power_of_two_below};
 use nalgebra::{Const, U1};
 use num_dual::{Derivative, Dual, Dual2, Dual2SVec, DualNum, DualSVec, HyperDual};
 
@@ -78,10 +77,7 @@ pub trait Leaf: Scalar<Leaf = Self> {
         power_of_two_below(self.re()).map(Self::from)
     }
     /// A sum of at most 18 products of four numbers each, of the right sign: nothing is rounded but the sum in the end.
-    #[inline]
-    fn exact_sum(products: impl IntoIterator<Item = [Self; 4]>) -> Self {
-        exact_sum(products)
-    }
+    fn exact_sum(products: impl IntoIterator<Item = [Self; 4]>) -> Self;
 }
 
 /// The number without its derivatives.
@@ -244,9 +240,6 @@ pub(crate) struct Squares {
 }
 
 impl Squares {
-    /// 2⁻⁹⁰⁰ … 2¹⁰⁰⁰, factor 2⁶⁰⁰.
-    const DOUBLE: Self = Self::new(-900, 1000, 600);
-
     /// From the exponents of the two limits of the sum, and of the factor.
     pub(crate) const fn new(smallest: i64, largest: i64, rescale: i64) -> Self {
         Self { smallest: power_of_two(smallest), largest: power_of_two(largest), rescale: power_of_two(rescale) }
@@ -280,7 +273,6 @@ macro_rules! itself {
         }
     };
 }
-#[cfg(feature = "verify")]
 pub(crate) use itself;
 
 /// The leaf of a dual number is that of its real part.
@@ -296,42 +288,6 @@ macro_rules! inside {
             Self::from_re(T::constant_of(x))
         }
     };
-}
-
-impl Leaf for f64 {
-    const EPSILON: f64 = Self::EPSILON;
-    #[inline]
-    fn pi() -> Self {
-        std::f64::consts::PI
-    }
-    #[inline]
-    fn e_minus_one() -> Self {
-        1.718_281_828_459_045
-    }
-    #[inline]
-    fn constants<const N: usize>(nearest: [f64; N], _: impl FnOnce() -> [Self; N]) -> [Self; N] {
-        nearest
-    }
-    #[inline]
-    fn or_larger(self, other: Self) -> Self {
-        self.max(other)
-    }
-}
-
-impl Scalar for f64 {
-    itself!();
-    #[inline]
-    fn norm_of<const N: usize>(x: [Self; N]) -> Self {
-        Squares::DOUBLE.norm(x)
-    }
-    #[inline]
-    fn angle_of(y: Self, x: Self) -> Self {
-        y.atan2(x)
-    }
-    #[inline]
-    fn abs_of(x: Self) -> Self {
-        x.abs()
-    }
 }
 
 /// First-order duals: the value in `T`, and the chain rule with the partial derivatives taken in `T` too, so that

@@ -7,6 +7,7 @@ use std::str::FromStr;
 use num_dual::DualNum;
 use num_traits::FromPrimitive;
 
+use crate::eft::exact_sum;
 use crate::newtype::{newtype_dual_num, newtype_number};
 use crate::scalar::{Leaf, Scalar, Squares, e_minus_one, itself, pi};
 
@@ -49,6 +50,10 @@ impl Leaf for Single {
     #[inline]
     fn constants<const N: usize>(nearest: [f64; N], _: impl FnOnce() -> [Self; N]) -> [Self; N] {
         nearest.map(Self::from)
+    }
+    #[inline]
+    fn exact_sum(products: impl IntoIterator<Item = [Self; 4]>) -> Self {
+        exact_sum(products)
     }
 }
 

@@ -5,8 +5,13 @@
 mod mutations;
 
 use jointproof::catalog::{CATALOG, find};
-use jointproof::equation::Equation;
-use jointproof::verify::Options;
+use jointproof::equation::{Claims, Equation, Setting, Signature, View};
+use jointproof::formula::{Component, Formula, Jacobian, Spec};
+use jointproof::proof::{Case, Proved};
+use jointproof::quantity::{self, Domain, Quantity, Unit};
+use jointproof::slot::{Contact, ContactForce, CrossForces};
+use jointproof::verify::{self, Options};
+use jointproof::{Scalar, fields};
 use mutations::mutants;
 use std::cell::LazyCell;
 
@@ -92,4 +97,88 @@ fn what_cannot_be_read_is_named_with_its_place() {
         }
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+/// What an entry shows below its equation is the same function, and its derivative.
+#[test]
+fn what_is_made_from_an_equation_is_its_formula() {
+    let options = Options { samples: 5, seed: 3 };
+    for formula in CATALOG {
+        let signature = Signature { spec: formula.spec(), inputs: formula.inputs(), outputs: formula.outputs() };
+        let (id, view) = (signature.spec.id, View::of(&signature).unwrap().expect("no symbol has two meanings"));
+        if let Some(closed) = view.equation(&signature).unwrap() {
+            let difference = formula.trial(&options).first_difference(&closed);
+            assert!(difference.is_none(), "{id}: {difference:#?}");
+        }
+        let claim = formula.claims(&view.claims(&signature).unwrap(), &options);
+        assert!(claim.held(), "{id}: {claim:#?}");
+    }
+}
+
+/// The contact force of SLOT with a wrong symbol for an input.
+#[derive(Clone, Copy)]
+struct WrongSymbol;
+
+/// It should be f_3.
+const WRONG: Quantity = Quantity::scalar("f_4", Unit::F, Domain::Real, "a force whose symbol is mistyped");
+
+fields! { struct Forces<T> { f2: T = quantity::F2, f3: T = WRONG } }
+
+impl Formula for WrongSymbol {
+    const SPEC: Spec = ContactForce::SPEC;
+    type Inputs<T: Component> = Forces<T>;
+    type Outputs<T: Component> = Contact<T>;
+    fn eval<D: Scalar>(i: &Forces<D>) -> Contact<D> {
+        ContactForce::eval(&CrossForces { f2: i.f2, f3: i.f3 })
+    }
+    fn jacobian<D: Scalar>(i: &Forces<D>) -> Jacobian<Self, D> {
+        let fc = ContactForce::jacobian(&CrossForces { f2: i.f2, f3: i.f3 }).fc;
+        Contact { fc: Forces { f2: fc.f2, f3: fc.f3 } }
+    }
+}
+
+impl Proved for WrongSymbol {
+    fn cases() -> Vec<Case<Forces<f64>>> {
+        vec![Case::hand("3-4-5", "a right triangle", Forces { f2: 3.0, f3: 4.0 })]
+    }
+}
+
+#[test]
+fn a_wrong_symbol_fails_the_audit_and_nothing_else_does() {
+    let audit = verify::audit::<WrongSymbol>(&Options { samples: 20, seed: 1 });
+    assert!(!audit.passed());
+    let failed: Vec<_> = audit.claims().filter(|claim| claim.failures > 0).map(|claim| &claim.claim).collect();
+    assert_eq!(failed, [&audit.equation.claim]);
+    let reason = &audit.equation.worst.as_ref().unwrap().entry;
+    assert!(reason.ends_with("f_3 is nobody's symbol"), "{reason}");
+}
+
+/// What prose claims is compared with the code, not with the printed equation.
+#[test]
+fn claims_of_prose_are_held_or_not() {
+    let formula = find("coulomb.return_map").unwrap();
+    let of = Signature { spec: formula.spec(), inputs: formula.inputs(), outputs: formula.outputs() };
+    let verdict = |latex: &str, condition: &str| {
+        let setting = Setting { of: Some(of), condition: condition.into(), ..Setting::default() };
+        let claims = Claims::read(latex, &setting).map_err(|error| error.to_string())?;
+        let claim = formula.claims(&claims, &Options { samples: 20, seed: 1 });
+        Ok::<_, String>((claim.checks > 0, claim.failures == 0))
+    };
+    let slips = r"\lvert f^{\mathrm{trial}}\rvert > \mu F_N";
+    let right = r"\frac{\partial f}{\partial F_N} = \mu \operatorname{sign} f^{\mathrm{trial}}";
+    assert_eq!(verdict(right, slips), Ok((true, true)));
+    assert_eq!(verdict(right, ""), Ok((true, false)), "it does not hold where the contact sticks");
+    assert_eq!(verdict(&right.replace(r"\mu", "2"), slips), Ok((true, false)));
+    assert_eq!(verdict(r"\lvert f\rvert \le \mu F_N", ""), Ok((true, true)));
+    assert_eq!(verdict(r"\lvert f\rvert \ge \mu F_N", ""), Ok((true, false)));
+    assert_eq!(verdict("f = 0", "F_N < 0"), Ok((false, true)));
+    let change = r"\mathrm{d}f = \frac{\partial f}{\partial f^{\mathrm{trial}}}\,\mathrm{d}f^{\mathrm{trial}}";
+    assert_eq!(verdict(change, &slips.replace('>', "<")), Ok((true, true)));
+    for (latex, expected) in [
+        ("a = f", "byte 0: nothing is claimed: all of it defines new symbols"),
+        (r"\frac{\partial f}{\partial q} = 1", "byte 0: q is nobody's symbol"),
+        ("f = F_N +", "byte 9: a number, a symbol or a bracket was expected here"),
+    ] {
+        assert_eq!(verdict(latex, ""), Err(expected.into()));
+    }
 }

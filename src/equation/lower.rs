@@ -4,7 +4,7 @@ use super::error::Error;
 use super::name::Name;
 use super::scope::Entries;
 use super::syntax::{Body, Condition, Expr, Function, Kind, Operator, Relation, Statement, small};
-use super::tape::{Id, Op, Tape};
+use super::tape::{Beside, Id, Op, Tape};
 use super::value::{Value, binary, constant, each, norm, squares};
 use crate::formula::Field;
 
@@ -40,6 +40,8 @@ pub(super) struct Writer<'e> {
     pub(super) taken: Vec<bool>,
     /// Forms printed as equal in the equation itself.
     pub(super) equal: Vec<(Id, Id)>,
+    /// What is known besides, to prose.
+    pub(super) beside: Beside,
 }
 
 impl<'e> Writer<'e> {
@@ -62,6 +64,7 @@ impl<'e> Writer<'e> {
             used: vec![false; own.statements.len()],
             taken: vec![false; own.given.len()],
             equal: Vec::new(),
+            beside: Beside::default(),
         }
     }
 
@@ -77,16 +80,22 @@ impl<'e> Writer<'e> {
         if let Some(value) = self.defined(name, at, place)? {
             return Ok(value);
         }
+        if let Some(value) = self.change(name, at, place)? {
+            return Ok(value);
+        }
         if let Some((vector, index)) = name.component()
             && let Some(Value::Vector(components)) = self.defined(&vector, at, place)?
         {
             return self.component(&components, index, at, place);
         }
+        if let Some(value) = self.change_of_component(name, at, place)? {
+            return Ok(value);
+        }
         constant(name, &mut self.tape).ok_or_else(|| Error::new(at, format!("{name} is nobody's symbol")))
     }
 
     /// A component by a number, or by a symbol that is one.
-    fn component(&mut self, of: &[Id], index: &str, at: usize, place: Place<'_>) -> Result<Value, Error> {
+    pub(super) fn component(&mut self, of: &[Id], index: &str, at: usize, place: Place<'_>) -> Result<Value, Error> {
         if let Ok(k) = index.parse::<usize>() {
             let component = k.checked_sub(1).and_then(|k| of.get(k));
             return component
@@ -106,7 +115,7 @@ impl<'e> Writer<'e> {
     }
 
     /// The meaning of a symbol that somebody defines.
-    fn defined(&mut self, name: &Name, at: usize, place: Place<'_>) -> Result<Option<Value>, Error> {
+    pub(super) fn defined(&mut self, name: &Name, at: usize, place: Place<'_>) -> Result<Option<Value>, Error> {
         if place.depth > DEEP {
             return Err(Error::new(at, format!("{name} is defined by itself")));
         }
@@ -161,8 +170,10 @@ impl<'e> Writer<'e> {
     }
 
     fn sides(&mut self, statement: &Statement, place: &Place<'_>) -> Result<Value, Error> {
-        let Body::Equal(sides) = &statement.body else {
-            return Ok(Value::Scalar(self.tape.push(Op::Input(self.solution))));
+        let sides = match &statement.body {
+            Body::Equal(sides) => sides,
+            Body::ArgMin(_) => return Ok(Value::Scalar(self.tape.push(Op::Input(self.solution)))),
+            Body::Chain(..) => return Err(Error::new(statement.at, "this defines nothing")),
         };
         let mut value = None;
         for side in sides {
@@ -179,7 +190,7 @@ impl<'e> Writer<'e> {
     fn note_equal(&mut self, first: &Value, next: &Value, at: usize, place: &Place<'_>) -> Result<(), Error> {
         let pairs: Vec<_> = match (first, next) {
             (Value::Scalar(a), Value::Scalar(b)) => vec![(*a, *b)],
-            (Value::Vector(a), Value::Vector(b)) if a.len() == b.len() => {
+            (Value::Vector(a), Value::Vector(b)) | (Value::Matrix(a), Value::Matrix(b)) if a.len() == b.len() => {
                 a.iter().copied().zip(b.iter().copied()).collect()
             }
             _ => return Err(Error::new(at, "the two sides have not the same shape")),
@@ -261,6 +272,7 @@ impl<'e> Writer<'e> {
                 let numbers = items.iter().map(|item| self.number(item, place)).collect::<Result<_, _>>()?;
                 Ok(Value::Vector(numbers))
             }
+            Kind::Partial(of, by) => self.partial(of, by, e.at, place),
             Kind::Item(tuple, k) => match self.expression(tuple, place)? {
                 Value::Vector(parts) if *k < parts.len() => Ok(Value::Scalar(parts[*k])),
                 _ => Err(Error::new(e.at, format!("this has no item {}", k + 1))),

@@ -5,7 +5,7 @@ use std::fmt;
 /// A symbol with all that belongs to it: `\mathrm{d}\mathbf{t}_1`, `F_C^{\mathrm{int}}`, `\mathbf{X}'`.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Name {
-    /// `d` or `Δ` where this is a change of something, else empty.
+    /// `d`, `Δ` or `δ` where this is a change of something, else empty; `δd` and `δΔ` are variations of changes.
     pub(super) change: &'static str,
     /// A vector is bold.
     pub(super) bold: bool,
@@ -27,6 +27,32 @@ impl Name {
     /// Whether this is a plain letter.
     pub(super) fn is_letter(&self, letter: &str) -> bool {
         self.base == letter && !self.bold && self.below.is_empty() && self.above.is_empty() && self.change.is_empty()
+    }
+
+    /// What this is the variation or the differential of.
+    pub(super) fn unchanged(&self) -> Option<Self> {
+        let change = match self.change {
+            "δ" | "d" => "",
+            "δd" => "d",
+            "δΔ" => "Δ",
+            _ => return None,
+        };
+        Some(Self { change, ..self.clone() })
+    }
+
+    /// Whether this is a variation, δ.
+    pub(super) fn is_variation(&self) -> bool {
+        self.change.starts_with('δ')
+    }
+
+    /// The variation of this.
+    pub(super) fn varied(&self) -> Self {
+        let change = match self.change {
+            "d" => "δd",
+            "Δ" => "δΔ",
+            _ => "δ",
+        };
+        Self { change, ..self.clone() }
     }
 
     /// The subscript in one piece.

@@ -160,13 +160,17 @@ impl Parser<'_> {
         let call = |function, arguments| Ok(Some(Kind::Call(function, arguments)));
         match command {
             "frac" | "tfrac" | "dfrac" => {
+                if let Some(partial) = self.partial()? {
+                    return Ok(Some(partial));
+                }
                 let (above, below) = (self.argument()?, self.argument()?);
                 Ok(Some(binary(Operator::Divide, above, below, at).kind))
             }
             "sqrt" => call(Function::Sqrt, vec![self.argument()?]),
-            "sin" => call(Function::Sin, vec![self.single_argument()?]),
-            "cos" => call(Function::Cos, vec![self.single_argument()?]),
+            "sin" => self.trigonometric(Function::Sin).map(Some),
+            "cos" => self.trigonometric(Function::Cos).map(Some),
             "arcsin" => call(Function::ArcSin, vec![self.single_argument()?]),
+            "max" => self.largest(at).map(Some),
             "operatorname" => self.operator().map(Some),
             "lvert" => {
                 let inside = self.expression()?;
@@ -183,12 +187,51 @@ impl Parser<'_> {
         }
     }
 
+    /// `{\partial a}{\partial x}`, behind the command of a fraction.
+    fn partial(&mut self) -> Result<Option<Kind>, Error> {
+        let start = self.next;
+        if !(self.took_sign('{') && self.took(Word::Command("partial"))) {
+            self.next = start;
+            return Ok(None);
+        }
+        let of = self.factor()?;
+        self.expect('}')?;
+        self.expect('{')?;
+        if !self.took(Word::Command("partial")) {
+            return Err(self.expected("`\\partial`"));
+        }
+        let by = self.name()?.ok_or_else(|| self.expected("the symbol of an input"))?;
+        self.expect('}')?;
+        Ok(Some(Kind::Partial(Box::new(of), by)))
+    }
+
+    /// `\cos\beta`, `\cos^2\beta`
+    fn trigonometric(&mut self, function: Function) -> Result<Kind, Error> {
+        let at = self.peek().at;
+        let power = if self.took_sign('^') { Some(self.argument()?) } else { None };
+        let call = Kind::Call(function, vec![self.single_argument()?]);
+        Ok(match power {
+            Some(power) => Kind::Power(Box::new(Expr { kind: call, at }), Box::new(power)),
+            None => call,
+        })
+    }
+
     /// What a function without brackets takes: a symbol, or what is in brackets.
     fn single_argument(&mut self) -> Result<Expr, Error> {
         match self.peek().kind {
             Word::Digit(_) => Err(self.expected("a bracket around the argument")),
             _ => self.base(),
         }
+    }
+
+    /// `\max(a, b)`
+    fn largest(&mut self, at: usize) -> Result<Kind, Error> {
+        self.expect('(')?;
+        let Ok([a, b]) = <[Expr; 2]>::try_from(self.list(')')?) else {
+            return Err(Error::new(at, "max has 2 arguments"));
+        };
+        let is_first = vec![(a.clone(), Relation::GreaterOrEqual, b.clone())];
+        Ok(Kind::Cases(vec![(a, is_first), (b, Vec::new())]))
     }
 
     /// `\operatorname{…}` and its arguments.

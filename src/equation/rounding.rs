@@ -7,11 +7,16 @@ use num_dual::DualNum;
 use num_traits::{One, Signed, Zero};
 
 /// By how many roundings each number of the list may be off: its own, and those of its operands as they reach it.
-pub(super) fn terms(tape: &Tape, inputs: &[Octuple]) -> Vec<Octuple> {
+///
+/// An input is off by as much as `given` says, or not at all.
+pub(super) fn terms(tape: &Tape, inputs: &[Octuple], given: &[Octuple]) -> Vec<Octuple> {
     let all = tape.run(inputs);
     let mut sizes: Vec<Octuple> = Vec::with_capacity(all.len());
     for (id, op) in tape.ops().iter().enumerate() {
-        let size = carried(*op, all[id], &all, &sizes);
+        let size = match *op {
+            Op::Input(k) => given.get(k).copied().unwrap_or_else(Octuple::zero),
+            op => carried(op, all[id], &all, &sizes),
+        };
         // Where a derivative is infinite, so may be the error; then nothing is said.
         sizes.push(if size.is_finite() { size } else { Octuple::zero() });
     }

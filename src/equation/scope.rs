@@ -55,7 +55,7 @@ impl Entries {
         Ok(place)
     }
 
-    fn add_spec(&mut self, spec: &Spec) -> Result<usize, Error> {
+    pub(super) fn add_spec(&mut self, spec: &Spec) -> Result<usize, Error> {
         self.add(spec.id, spec.latex, spec.given)
     }
 
@@ -88,7 +88,7 @@ impl Entries {
         let found = statements.find(|statement| statement.names[0] == *name)?;
         match &found.body {
             Body::ArgMin(found) => Some(found),
-            Body::Equal(_) => None,
+            Body::Equal(_) | Body::Chain(..) => None,
         }
     }
 }

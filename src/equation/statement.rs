@@ -8,6 +8,19 @@ use super::token::{Kind as Word, Token, tokens};
 
 /// The definitions of an equation, families of them written out.
 pub(super) fn statements(latex: &str, functions: Vec<Name>) -> Result<Vec<Statement>, Error> {
+    all(latex, functions, Parser::statement)
+}
+
+/// What prose says: sides that are equal, or one smaller than the next, families of them written out.
+pub(super) fn chains(latex: &str, functions: Vec<Name>) -> Result<Vec<Statement>, Error> {
+    all(latex, functions, Parser::chain)
+}
+
+fn all<'l>(
+    latex: &'l str,
+    functions: Vec<Name>,
+    one: impl Fn(&mut Parser<'l>) -> Result<Statement, Error>,
+) -> Result<Vec<Statement>, Error> {
     let mut parser = Parser { tokens: tokens(latex)?, next: 0, functions };
     parser.declare();
     let mut all = Vec::new();
@@ -22,7 +35,7 @@ pub(super) fn statements(latex: &str, functions: Vec<Name>) -> Result<Vec<Statem
             }
             _ => match parser.range()? {
                 Some(range) => all = range.applied_to(all)?,
-                None => all.push(parser.statement()?),
+                None => all.push(one(&mut parser)?),
             },
         }
         if !matches!(parser.peek().kind, Word::Gap | Word::End | Word::Sign(',' | '(') | Word::Text(_)) {
@@ -154,6 +167,17 @@ impl Parser<'_> {
         Ok(Statement { names, parameters, body, at })
     }
 
+    /// `a = b \le c`, of expressions.
+    fn chain(&mut self) -> Result<Statement, Error> {
+        let at = self.peek().at;
+        let first = self.expression()?;
+        let mut rest = Vec::new();
+        while let Some(relation) = self.relation() {
+            rest.push((relation, self.expression()?));
+        }
+        Ok(Statement { names: Vec::new(), parameters: Vec::new(), body: Body::Chain(first, rest), at })
+    }
+
     /// `\operatorname*{arg\,min}`
     fn took_arg_min(&mut self) -> bool {
         let start = self.next;
@@ -189,7 +213,7 @@ impl Parser<'_> {
 }
 
 /// A tuple of names on the left becomes a definition of each.
-fn apart(statement: Statement) -> Vec<Statement> {
+pub(super) fn apart(statement: Statement) -> Vec<Statement> {
     let ([_, _, ..], Body::Equal(sides)) = (&statement.names[..], &statement.body) else {
         return vec![statement];
     };

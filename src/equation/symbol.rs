@@ -6,7 +6,7 @@ use super::name::Name;
 use super::token::Kind as Word;
 
 /// Greek letters, and what else is a letter.
-const LETTERS: &[&str] = &[
+pub(super) const LETTERS: &[&str] = &[
     "alpha",
     "beta",
     "gamma",
@@ -65,8 +65,16 @@ impl Parser<'_> {
         }
     }
 
-    /// `\mathrm{d}` or `\Delta` before a symbol.
+    /// `\delta`, `\mathrm{d}` or `\Delta` before a symbol.
     fn change(&mut self) -> Result<&'static str, Error> {
+        if self.is_variation() {
+            self.next += 1;
+            return Ok(match self.change()? {
+                "d" => "δd",
+                "Δ" => "δΔ",
+                _ => "δ",
+            });
+        }
         if self.took(Word::Command("Delta")) {
             return Ok("Δ");
         }
@@ -74,6 +82,19 @@ impl Parser<'_> {
             return Ok("");
         }
         if self.word()? == "d" { Ok("d") } else { Err(self.expected("only the d of a differential is upright:")) }
+    }
+
+    /// Whether a `\delta` stands here that is no letter by itself, since a symbol follows.
+    fn is_variation(&self) -> bool {
+        let next = self.tokens.get(self.next + 1).map(|token| token.kind);
+        let begins = match next {
+            Some(Word::Letter(_)) => true,
+            Some(Word::Command(word)) => {
+                LETTERS.contains(&word) || ["mathbf", "mathit", "mathrm", "Delta"].contains(&word)
+            }
+            _ => false,
+        };
+        self.peek().kind == Word::Command("delta") && begins
     }
 
     /// The letter itself.
@@ -114,7 +135,7 @@ impl Parser<'_> {
         match token.kind {
             Word::Letter(c) | Word::Digit(c) => Ok(c.to_string()),
             Word::Command("mathrm") => self.word(),
-            Word::Command(word @ ("min" | "max")) => Ok(word.into()),
+            Word::Command(word @ ("min" | "max" | "times" | "perp")) => Ok(word.into()),
             Word::Command(letter) if LETTERS.contains(&letter) => Ok(letter.into()),
             _ => Err(Error::new(token.at, "a letter, a digit or an upright word was expected in this subscript")),
         }

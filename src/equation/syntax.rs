@@ -31,6 +31,8 @@ pub(super) enum Kind {
     Tuple(Vec<Expr>),
     /// The k-th of a tuple, counted from 0.
     Item(Box<Expr>, usize),
+    /// `\frac{\partial a}{\partial x}`
+    Partial(Box<Expr>, Name),
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -89,6 +91,8 @@ pub(super) enum Body {
     /// Expressions that are all equal.
     Equal(Vec<Expr>),
     ArgMin(Box<ArgMin>),
+    /// In prose: sides and how they relate. Whether it defines its first side is not known yet.
+    Chain(Expr, Vec<(Relation, Expr)>),
 }
 
 /// The place between two bounds where an expression is smallest.
@@ -114,14 +118,19 @@ impl Statement {
                 let ArgMin { low, high, objective } = &**found;
                 Body::ArgMin(Box::new(ArgMin { low: put(low), high: put(high), objective: put(objective) }))
             }
+            Body::Chain(first, rest) => {
+                Body::Chain(put(first), rest.iter().map(|(relation, side)| (*relation, put(side))).collect())
+            }
         };
         Self { names: self.names.iter().map(|name| name.with_index(index, value)).collect(), body, ..self.clone() }
     }
 
-    fn expressions(&self) -> Vec<&Expr> {
+    /// Its expressions.
+    pub(super) fn expressions(&self) -> Vec<&Expr> {
         match &self.body {
             Body::Equal(sides) => sides.iter().collect(),
             Body::ArgMin(found) => vec![&found.low, &found.high, &found.objective],
+            Body::Chain(first, rest) => std::iter::once(first).chain(rest.iter().map(|(_, side)| side)).collect(),
         }
     }
 }
@@ -131,17 +140,66 @@ impl Expr {
         match &self.kind {
             Kind::Symbol(name) => name.has_index(index),
             Kind::Apply(name, arguments) => name.has_index(index) || arguments.iter().any(|e| e.has_index(index)),
+            Kind::Partial(of, by) => by.has_index(index) || of.has_index(index),
             // A sum over the same letter has its own.
             Kind::Sum { index: own, .. } if own == index => false,
             _ => self.parts().iter().any(|e| e.has_index(index)),
         }
     }
 
-    fn parts(&self) -> Vec<&Expr> {
+    /// Whether it is a vector or a matrix, as far as the type of its letters says.
+    pub(super) fn is_vector(&self) -> bool {
+        match &self.kind {
+            Kind::Symbol(name) | Kind::Apply(name, _) => name.bold,
+            Kind::Negative(e) | Kind::Sum { body: e, .. } => e.is_vector(),
+            Kind::Binary(Operator::Add | Operator::Subtract | Operator::Times, a, b) => a.is_vector() || b.is_vector(),
+            Kind::Binary(Operator::Dot, a, b) => a.is_vector() != b.is_vector(),
+            Kind::Binary(Operator::Divide, a, _) => a.is_vector(),
+            Kind::Binary(Operator::Cross | Operator::Outer, ..) | Kind::Tuple(_) => true,
+            Kind::Cases(rows) => rows.first().is_some_and(|(value, _)| value.is_vector()),
+            Kind::Partial(of, by) => of.is_vector() || by.bold,
+            Kind::Number(_) | Kind::Call(..) | Kind::Power(..) | Kind::Size(_) | Kind::Item(..) => false,
+        }
+    }
+
+    /// With each symbol and function replaced, where `put` says by what.
+    pub(super) fn replaced(&self, put: &dyn Fn(&Expr) -> Option<Self>) -> Self {
+        if let Some(other) = put(self) {
+            return other;
+        }
+        let boxed = |e: &Expr| Box::new(e.replaced(put));
+        let all = |list: &[Expr]| list.iter().map(|e| e.replaced(put)).collect();
+        let kind = match &self.kind {
+            Kind::Apply(name, arguments) => Kind::Apply(name.clone(), all(arguments)),
+            Kind::Call(function, arguments) => Kind::Call(*function, all(arguments)),
+            Kind::Tuple(items) => Kind::Tuple(all(items)),
+            Kind::Negative(e) => Kind::Negative(boxed(e)),
+            Kind::Size(e) => Kind::Size(boxed(e)),
+            Kind::Item(e, k) => Kind::Item(boxed(e), *k),
+            Kind::Partial(of, by) => Kind::Partial(boxed(of), by.clone()),
+            Kind::Binary(operator, a, b) => Kind::Binary(*operator, boxed(a), boxed(b)),
+            Kind::Power(a, b) => Kind::Power(boxed(a), boxed(b)),
+            Kind::Sum { index, from, to, body } => {
+                Kind::Sum { index: index.clone(), from: *from, to: *to, body: boxed(body) }
+            }
+            Kind::Cases(rows) => {
+                let condition =
+                    |all: &Condition| all.iter().map(|(a, r, b)| (a.replaced(put), *r, b.replaced(put))).collect();
+                Kind::Cases(rows.iter().map(|(e, c)| (e.replaced(put), condition(c))).collect())
+            }
+            Kind::Number(_) | Kind::Symbol(_) => self.kind.clone(),
+        };
+        Self { kind, at: self.at }
+    }
+
+    /// What it is made from.
+    pub(super) fn parts(&self) -> Vec<&Expr> {
         match &self.kind {
             Kind::Number(_) | Kind::Symbol(_) => Vec::new(),
             Kind::Apply(_, all) | Kind::Call(_, all) | Kind::Tuple(all) => all.iter().collect(),
-            Kind::Negative(e) | Kind::Size(e) | Kind::Item(e, _) | Kind::Sum { body: e, .. } => vec![e],
+            Kind::Negative(e) | Kind::Size(e) | Kind::Item(e, _) | Kind::Partial(e, _) | Kind::Sum { body: e, .. } => {
+                vec![e]
+            }
             Kind::Binary(_, a, b) | Kind::Power(a, b) => vec![a, b],
             Kind::Cases(rows) => {
                 let mut all = Vec::new();
@@ -168,6 +226,7 @@ impl Expr {
             Kind::Negative(e) => Kind::Negative(boxed(e)),
             Kind::Size(e) => Kind::Size(boxed(e)),
             Kind::Item(e, k) => Kind::Item(boxed(e), *k),
+            Kind::Partial(of, by) => Kind::Partial(boxed(of), by.with_index(index, value)),
             Kind::Binary(operator, a, b) => Kind::Binary(*operator, boxed(a), boxed(b)),
             Kind::Power(a, b) => Kind::Power(boxed(a), boxed(b)),
             Kind::Sum { index: own, from, to, body } if own != index => {

@@ -33,6 +33,15 @@ pub(super) enum Op {
     Select(Id, Id, Id),
 }
 
+/// Numbers that do not follow from the inputs by an equation.
+#[derive(Debug, Default)]
+pub(super) struct Beside {
+    /// The outputs of the code, each with its row of the Jacobian of the code.
+    pub(super) outputs: Vec<(Id, Vec<Id>)>,
+    /// Numbers that change, and their changes.
+    pub(super) changes: Vec<(Id, Id)>,
+}
+
 /// The list.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Tape {
@@ -125,15 +134,12 @@ impl Tape {
         }
     }
 
-    /// The derivative of a number by an input.
-    pub(super) fn derivative(&mut self, of: Id, by: usize) -> Id {
+    /// The derivative of a number by another one, an input or what stands between.
+    pub(super) fn derivative(&mut self, of: Id, by: Id) -> Id {
         let (zero, one) = (self.number(0.0), self.number(1.0));
         let mut slopes: Vec<Id> = Vec::with_capacity(of + 1);
         for id in 0..=of {
-            let slope = match self.ops[id] {
-                Op::Input(k) if k == by => one,
-                op => self.slope(op, id, &slopes, zero),
-            };
+            let slope = if id == by { one } else { self.slope(self.ops[id], id, &slopes, zero) };
             slopes.push(slope);
         }
         slopes[of]
@@ -266,7 +272,7 @@ fn call<D: Scalar>(function: Function, a: D, b: D) -> D {
 }
 
 /// Of dual numbers, only the values are compared.
-fn holds<D: Scalar>(relation: Relation, a: D, b: D) -> bool {
+pub(super) fn holds<D: Scalar>(relation: Relation, a: D, b: D) -> bool {
     match relation {
         Relation::Less => a < b,
         Relation::LessOrEqual => a <= b,

@@ -20,7 +20,7 @@ pub(super) enum Kind<'a> {
     EndCases,
     Row,
     Cell,
-    /// `\quad` or the end of a line, between statements.
+    /// `\quad`, `\Rightarrow` or the end of a line, between statements.
     Gap,
     End,
 }
@@ -41,9 +41,14 @@ const TYPOGRAPHY: &[&str] = &[
 /// The tokens of an equation; the last one is [`Kind::End`].
 pub(super) fn tokens(latex: &str) -> Result<Vec<Token<'_>>, Error> {
     let mut reader = Reader { latex, at: 0, aligned: Vec::new() };
-    let mut all = Vec::new();
+    let mut all: Vec<Token<'_>> = Vec::new();
     loop {
         let token = reader.next()?;
+        // A line that begins with a plus goes on with the one before.
+        let goes_on = token.is_some_and(|token| token.kind == Kind::Sign('+'));
+        while goes_on && all.last().is_some_and(|last| last.kind == Kind::Gap) {
+            all.pop();
+        }
         all.extend(token);
         if let Some(Token { kind: Kind::End, .. }) = token {
             return Ok(all);
@@ -100,7 +105,7 @@ impl<'a> Reader<'a> {
             _ if TYPOGRAPHY.contains(&name) => return Ok(None),
             "\\" if self.is_aligned() => Kind::Gap,
             "\\" => Kind::Row,
-            "quad" | "qquad" => Kind::Gap,
+            "quad" | "qquad" | "Rightarrow" => Kind::Gap,
             "text" => Kind::Text(self.group(at)?),
             "begin" | "end" => {
                 let environment = self.group(at)?;

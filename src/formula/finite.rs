@@ -3,7 +3,7 @@
 #![expect(clippy::inline_always, reason = "beside the formula what is known of an input costs nothing")]
 
 use super::Fields;
-use crate::binade::power_of_two;
+use crate::power::power_of_two;
 
 /// Inputs at which neither an output nor a derivative of a formula overflows.
 ///

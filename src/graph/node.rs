@@ -7,6 +7,10 @@ use std::collections::HashMap;
 pub struct Node(u32);
 
 impl Node {
+    pub(super) fn at(index: usize) -> Self {
+        Self(u32::try_from(index).expect("fewer than 2³² operations"))
+    }
+
     /// The place, from 0.
     pub fn index(self) -> usize {
         self.0 as usize
@@ -79,8 +83,6 @@ pub enum Op {
     MultiplyAdd(Node, Node, Node),
     /// The length of a vector, as [`norm`](crate::scalar::norm) computes it.
     Norm(Box<[Node]>),
-    /// A component of the direction of a vector, as [`direction`](crate::scalar::direction) computes it.
-    Direction(Box<[Node]>, usize),
     /// A sum of products of four numbers each, of which nothing is rounded but the sum in the end.
     ExactSum(Box<[[Node; 4]]>),
     /// An answer.
@@ -97,7 +99,7 @@ impl Op {
             Self::Unary(_, x) => vec![*x],
             Self::Binary(_, x, y) | Self::Compare(_, x, y) => vec![*x, *y],
             Self::MultiplyAdd(x, y, z) | Self::Select(x, y, z) => vec![*x, *y, *z],
-            Self::Norm(parts) | Self::Direction(parts, _) => parts.to_vec(),
+            Self::Norm(parts) => parts.to_vec(),
             Self::ExactSum(products) => products.concat(),
         }
     }
@@ -112,7 +114,6 @@ impl Op {
             (Self::Select(..), &[x, y, z]) => Self::Select(x, y, z),
             (Self::Norm(_), parts) => Self::Norm(parts.into()),
             (Self::ExactSum(_), factors) => Self::ExactSum(factors.as_chunks().0.into()),
-            (Self::Direction(_, component), parts) => Self::Direction(parts.into(), *component),
             _ => self.clone(),
         }
     }
@@ -151,7 +152,7 @@ impl Graph {
         if let Some(&node) = self.known.get(&op) {
             return node;
         }
-        let node = Node(u32::try_from(self.ops.len()).expect("fewer than 2³² operations"));
+        let node = Node::at(self.ops.len());
         self.ops.push(op.clone());
         self.known.insert(op, node);
         node

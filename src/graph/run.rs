@@ -1,9 +1,9 @@
 //! The operations of a graph, done in `f64`.
 
 use super::node::{Binary, Graph, Node, Op, Relation, Unary};
-use crate::binade::power_of_two_below;
 use crate::eft::exact_sum;
-use crate::scalar::{direction, norm};
+use crate::power::power_of_two_below;
+use crate::scalar::norm;
 
 impl Relation {
     /// Whether it holds.
@@ -62,10 +62,7 @@ impl Graph {
                 Op::Unary(function, x) => function.of(at(*x)),
                 Op::Binary(operation, x, y) => operation.of(at(*x), at(*y)),
                 Op::MultiplyAdd(x, y, z) => at(*x).mul_add(at(*y), at(*z)),
-                Op::Norm(parts) => with_parts(parts, at, |x| norm(x), |x| norm(x), |x| norm(x)),
-                Op::Direction(parts, k) => {
-                    with_parts(parts, at, |x| direction(x)[*k], |x| direction(x)[*k], |x| direction(x)[*k])
-                }
+                Op::Norm(parts) => norm_of(&parts.iter().map(|&part| at(part)).collect::<Vec<_>>()),
                 Op::ExactSum(products) => exact_sum(products.iter().map(|product| product.map(at))),
                 Op::Compare(relation, x, y) => f64::from(u8::from(relation.holds(at(*x), at(*y)))),
                 Op::Select(condition, x, y) => at(if at(*condition) == 1.0 { *x } else { *y }),
@@ -76,18 +73,12 @@ impl Graph {
     }
 }
 
-/// A function of two, three or four components, which are all that formulas have.
-fn with_parts(
-    parts: &[Node],
-    at: impl Fn(Node) -> f64,
-    two: impl Fn([f64; 2]) -> f64,
-    three: impl Fn([f64; 3]) -> f64,
-    four: impl Fn([f64; 4]) -> f64,
-) -> f64 {
+/// The length of a vector of two to four components; formulas have no others.
+fn norm_of(parts: &[f64]) -> f64 {
     match *parts {
-        [x, y] => two([x, y].map(at)),
-        [x, y, z] => three([x, y, z].map(at)),
-        [x, y, z, w] => four([x, y, z, w].map(at)),
+        [x, y] => norm([x, y]),
+        [x, y, z] => norm([x, y, z]),
+        [x, y, z, w] => norm([x, y, z, w]),
         _ => unreachable!("vectors of two to four components are recorded"),
     }
 }

@@ -50,6 +50,11 @@ impl Place {
     fn abs(self) -> Self {
         self.unary(Unary::Absolute)
     }
+}
+
+/// What no formula does; the macros of scalars name it as methods.
+#[expect(clippy::unused_self, reason = "the macros of scalars name them as methods")]
+impl Place {
     fn signum(self) -> Self {
         escape(Escape::Function("signum"))
     }
@@ -201,10 +206,6 @@ impl Scalar for Traced {
     itself!();
     fn norm_of<const N: usize>(x: [Self; N]) -> Self {
         Self(Place(enter(Op::Norm(x.map(Self::node).into()))))
-    }
-    fn norm_and_direction_of<const N: usize>(x: [Self; N]) -> (Self, [Self; N]) {
-        let component = |k| Self(Place(enter(Op::Direction(x.map(Self::node).into(), k))));
-        (Self::norm_of(x), std::array::from_fn(component))
     }
     fn angle_of(y: Self, x: Self) -> Self {
         Self(function::atan2(y.0, x.0))

@@ -3,7 +3,7 @@
 use super::claim::Claim;
 use super::difference::{differences, step_size};
 use super::point::{Names, Point};
-use super::printed::{EQUATION, Known, found};
+use super::printed::{EQUATION, found};
 use super::subject::{Law, Subject};
 use super::{Sampler, Sensitivity, eta, finite, invariance};
 use crate::equation::Equation;
@@ -13,6 +13,7 @@ use crate::proof::{Convention, Proved};
 use crate::{Error, Octuple};
 use num_traits::Signed;
 use serde::{Deserialize, Serialize};
+use std::cell::OnceCell;
 
 /// How much to audit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -122,6 +123,7 @@ fn audit_points(subject: &Subject, named: &[Point], random: &[Point], seed: u64)
     // Laws hold at points in general position; at a single given point they are checked there.
     let general = if random.is_empty() { named } else { random };
     let names = Names::new(subject);
+    let (printed, [equation, equation_jacobian]) = read_equation(subject);
     let mut audit = Audit {
         formula: subject.spec.id.into(),
         provenance: format!("{}; {}", subject.spec.source, subject.spec.source.provenance),
@@ -135,21 +137,50 @@ fn audit_points(subject: &Subject, named: &[Point], random: &[Point], seed: u64)
         ),
         eta: Claim::new("η of the value in f64", subject.spec.eta),
         eta_jacobian: Claim::new("η of the closed-form Jacobian in f64", subject.spec.eta_jacobian),
-        equation: Claim::new("printed equation = value, in 237 bits", EQUATION),
-        equation_jacobian: Claim::new("derivative of the printed equation = closed form, in 237 bits", EQUATION),
+        equation,
+        equation_jacobian,
         laws: invariance::of_all(subject).iter().chain(&subject.laws).map(|law| check_law(law, general)).collect(),
         finite: (!random.is_empty()).then(|| finite::claim(subject, &names, random, seed)).flatten(),
     };
-    let equation = Equation::of(&subject.spec, subject.inputs, subject.outputs);
-    if let Err(error) = &equation {
-        audit.equation.fail(error.to_string());
-    }
-    let equation = equation.as_ref().ok();
     let few = named.len() + PRINTED_AT;
     for (k, point) in named.iter().chain(random).enumerate() {
-        audit.check(point, &names, equation.filter(|_| k < few));
+        audit.check(point, &names, printed.as_ref().filter(|_| k < few));
     }
     audit
+}
+
+/// The printed equation alone: its value and its Jacobian, at all points at which an audit compares them.
+pub fn audit_equation<F: Proved>(options: &Options) -> [Claim; 2] {
+    let subject = Subject::of::<F>();
+    let (printed, mut claims) = read_equation(&subject);
+    let Some(printed) = printed else { return claims };
+    let names = Names::new(&subject);
+    let mut sampler = Sampler::for_formula(F::SPEC.id, options.seed);
+    let random = (0..options.samples.min(PRINTED_AT)).map(|k| {
+        let label = format!("random {k} of seed {}", options.seed);
+        Point::new(&subject, label, true, sampler.components(&subject))
+    });
+    for point in named_points(&subject).into_iter().chain(random) {
+        if printed.is_defined(point.kink.is_some()) {
+            let values = (subject.exact_value)(&point.exact);
+            // Few numbers are so close to a cancellation that it is asked what rounding of the inputs does to them.
+            let (gradients, bends) = (OnceCell::new(), OnceCell::new());
+            let gradients = || gradients.get_or_init(|| subject.derivative(&point.exact)).as_slice();
+            let bend = |k: usize| bends.get_or_init(|| bends_at(&point))[k];
+            let [on_values, on_jacobian] = &mut claims;
+            check_equation([on_values, on_jacobian], &point, &names, &values, gradients, bend, &printed);
+        }
+    }
+    claims
+}
+
+/// The printed equation, and what is claimed of it; that it can be read, too.
+fn read_equation(subject: &Subject) -> (Option<Equation>, [Claim; 2]) {
+    let mut values = Claim::new("printed equation = value, in 237 bits", EQUATION);
+    let jacobian = Claim::new("derivative of the printed equation = closed form, in 237 bits", EQUATION);
+    let equation = Equation::of(&subject.spec, subject.inputs, subject.outputs);
+    let equation = equation.map_err(|error| values.fail(error.to_string())).ok();
+    (equation, [values, jacobian])
 }
 
 /// The formula's own cases, and points on both sides of every kink and on it.
@@ -181,23 +212,33 @@ struct Exact {
     bends: Vec<Sensitivity>,
 }
 
+impl Exact {
+    fn at(point: &Point) -> Self {
+        let (subject, inputs) = (point.subject, &point.exact);
+        Self { values: (subject.exact_value)(inputs), ad: subject.derivative(inputs), bends: bends_at(point) }
+    }
+}
+
+/// How much every entry of the Jacobian changes with the inputs.
+fn bends_at(point: &Point) -> Vec<Sensitivity> {
+    let gradients = point.subject.second_derivative(&point.exact);
+    gradients.iter().map(|gradient| Sensitivity::new(gradient, &point.exact)).collect()
+}
+
 /// The claims made about every formula.
 impl Audit {
     fn check(&mut self, point: &Point, names: &Names, equation: Option<&Equation>) {
         let (subject, inputs) = (point.subject, &point.exact);
-        let gradients = subject.second_derivative(inputs);
-        let exact = Exact {
-            values: (subject.exact_value)(inputs),
-            ad: subject.derivative(inputs),
-            bends: gradients.iter().map(|gradient| Sensitivity::new(gradient, inputs)).collect(),
-        };
+        let exact = Exact::at(point);
         let closed = (subject.exact_jacobian)(inputs);
         self.check_closed_form(point, names, &exact, &closed);
         if point.kink.is_none() {
             self.check_ad(point, names, &exact);
         }
         if let Some(equation) = equation.filter(|equation| equation.is_defined(point.kink.is_some())) {
-            self.check_equation(point, names, &exact, &closed, equation);
+            let claims = [&mut self.equation, &mut self.equation_jacobian];
+            let bend = |k: usize| exact.bends[k];
+            check_equation(claims, point, names, &exact.values, || exact.ad.as_slice(), bend, equation);
         }
         // The value and the Jacobian alone, and as they come together.
         let [value, jacobian] = (subject.linearized)(&point.inputs);
@@ -240,21 +281,6 @@ impl Audit {
         }
     }
 
-    /// Value and Jacobian of the printed equation, each judged as those of the code are.
-    fn check_equation(&mut self, point: &Point, names: &Names, exact: &Exact, closed: &[Octuple], equation: &Equation) {
-        let found = found(equation, &point.exact, &exact.values);
-        let sizes =
-            exact.ad.chunks(point.exact.len()).map(|gradient| Sensitivity::new(gradient, &point.exact)).collect();
-        let known = Known { values: exact.values.clone(), sizes };
-        let describe = |size, entry, found, expected| point.deviation(size, entry, found, expected);
-        found.record_values(&mut self.equation, &known, &names.outputs, describe);
-        if point.kink.is_some() {
-            return;
-        }
-        let entry = |k| names.entry(k);
-        found.record_jacobian(&mut self.equation_jacobian, closed, &exact.bends, entry, describe);
-    }
-
     fn check_value(&mut self, point: &Point, names: &Names, exact: &Exact, values: [Vec<f64>; 2]) {
         for computed in values {
             for (output, (&computed, &value)) in computed.iter().zip(&exact.values).enumerate() {
@@ -274,6 +300,26 @@ impl Audit {
                 self.eta_jacobian.record(size, self.eta_jacobian.bound, describe);
             }
         }
+    }
+}
+
+/// Value and Jacobian of the printed equation, each judged as those of the code are.
+fn check_equation<'g>(
+    [values, jacobian]: [&mut Claim; 2],
+    point: &Point,
+    names: &Names,
+    exact: &[Octuple],
+    gradients: impl Fn() -> &'g [Octuple],
+    bend: impl Fn(usize) -> Sensitivity,
+    equation: &Equation,
+) {
+    let closed = (point.subject.exact_jacobian)(&point.exact);
+    let found = found(equation, &point.exact, exact);
+    let size = |k: usize| Sensitivity::new(&gradients()[k * point.exact.len()..], &point.exact);
+    let describe = |size, entry, found, expected| point.deviation(size, entry, found, expected);
+    found.record_values(values, exact, size, &names.outputs, describe);
+    if point.kink.is_none() {
+        found.record_jacobian(jacobian, &closed, bend, |k| names.entry(k), describe);
     }
 }
 

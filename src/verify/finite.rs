@@ -4,8 +4,8 @@ use super::claim::Claim;
 use super::point::{Names, Point};
 use super::sample::Sampler;
 use super::subject::Subject;
-use crate::binade::power_of_two;
 use crate::formula::Finite;
+use crate::power::power_of_two;
 
 /// So many drawn from each point of the audit.
 const DRAWS: usize = 4;

@@ -52,19 +52,21 @@ mod invariance;
 mod jet;
 mod point;
 mod printed;
+mod prose;
 mod sample;
 mod subject;
 mod trial;
 
 #[cfg(feature = "measure")]
 pub(crate) use audit::beside_kinks;
-pub use audit::{Audit, Options, audit, audit_at};
+pub use audit::{Audit, Options, audit, audit_at, audit_equation};
 pub use claim::{Claim, Deviation};
 pub use difference::central_differences;
 #[cfg(feature = "measure")]
 pub(crate) use eta::U;
 pub use eta::{Sensitivity, eta, relative};
 pub use jet::{derivative_of_jacobian, jacobian_by_ad};
+pub use prose::{Printed, claims_about, claims_at_large, kinks_as_printed, number_at_large, number_of};
 pub use sample::Sampler;
 pub use trial::Trial;
 

@@ -11,12 +11,6 @@ use num_traits::{Signed, Zero};
 /// The printed equation and the code agree in 237 bits to this.
 pub(super) const EQUATION: f64 = 1e-55;
 
-/// What the code gives, and what rounding of the inputs can do to it.
-pub(super) struct Known {
-    pub(super) values: Vec<Octuple>,
-    pub(super) sizes: Vec<Sensitivity>,
-}
-
 /// What an equation gives.
 pub(super) struct Found<'a> {
     equation: &'a Equation,
@@ -72,17 +66,22 @@ pub(super) fn found<'a>(equation: &'a Equation, inputs: &[Octuple], known: &[Oct
 }
 
 impl Found<'_> {
-    /// Compares the values, and what the equation itself says is equal or smallest.
+    /// Compares the values, and what the equation itself says is equal or smallest. `size` says what rounding of the
+    /// inputs can do to a value.
     pub(super) fn record_values(
         &self,
         claim: &mut Claim,
-        known: &Known,
+        values: &[Octuple],
+        size: impl Fn(usize) -> Sensitivity,
         names: &[String],
         describe: impl Fn(f64, String, f64, f64) -> Deviation,
     ) {
-        for (output, (&value, &size)) in known.values.iter().zip(&known.sizes).enumerate() {
+        for (output, &value) in values.iter().enumerate() {
             let found = self.values[output];
-            let share = judged(size.plus(value), found - value, || self.terms(output));
+            let share = match Sensitivity::new(&[], &[]).plus(value).share_of(found - value) {
+                share if share > EQUATION => judged(size(output).plus(value), found - value, || self.terms(output)),
+                share => share,
+            };
             let entry = || names[output].clone();
             claim.record(share, EQUATION, |share| describe(share, entry(), found.to_f64(), value.to_f64()));
         }
@@ -97,17 +96,21 @@ impl Found<'_> {
         }
     }
 
-    /// Compares the Jacobian; every entry is judged against itself and what rounding of the inputs can do to it.
+    /// Compares the Jacobian; every entry is judged against itself and, where that is too strict, against what rounding
+    /// of the inputs can do to it, its bend.
     pub(super) fn record_jacobian(
         &self,
         claim: &mut Claim,
         closed: &[Octuple],
-        bends: &[Sensitivity],
+        bend: impl Fn(usize) -> Sensitivity,
         entry: impl Fn(usize) -> String,
         describe: impl Fn(f64, String, f64, f64) -> Deviation,
     ) {
-        for (k, ((&found, &closed), bend)) in self.jacobian.iter().zip(closed).zip(bends).enumerate() {
-            let share = judged(bend.plus(closed), found - closed, || self.terms_of_entry(k));
+        for (k, (&found, &closed)) in self.jacobian.iter().zip(closed).enumerate() {
+            let share = match Sensitivity::new(&[], &[]).plus(closed).share_of(found - closed) {
+                share if share > EQUATION => judged(bend(k).plus(closed), found - closed, || self.terms_of_entry(k)),
+                share => share,
+            };
             claim.record(share, EQUATION, |share| describe(share, entry(k), found.to_f64(), closed.to_f64()));
         }
     }

@@ -71,7 +71,7 @@ impl Sampler {
         drawn
     }
 
-    fn number(&mut self, domain: Domain) -> f64 {
+    pub(super) fn number(&mut self, domain: Domain) -> f64 {
         match domain {
             Domain::Real | Domain::Point | Domain::Vector | Domain::Direction | Domain::Triad(..) => self.signed(),
             Domain::NonNegative | Domain::Positive => self.magnitude(),

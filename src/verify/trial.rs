@@ -3,7 +3,7 @@
 use super::audit::{Options, named_points};
 use super::claim::{Claim, Deviation};
 use super::point::{Names, Point};
-use super::printed::{EQUATION, Known, found};
+use super::printed::{EQUATION, found};
 use super::subject::Subject;
 use super::{Sampler, Sensitivity, golden};
 use crate::Octuple;
@@ -38,7 +38,9 @@ struct TrialPoint {
     label: String,
     inputs: Vec<f64>,
     exact: Vec<Octuple>,
-    known: Known,
+    values: Vec<Octuple>,
+    /// What rounding of the inputs can do to each value.
+    sizes: Vec<Sensitivity>,
     on_kink: bool,
 }
 
@@ -75,11 +77,17 @@ impl Trial {
         if !equation.is_defined(point.on_kink) {
             return;
         }
-        let found = found(equation, &point.exact, &point.known.values);
-        found.record_values(claim, &point.known, &self.names, |size, entry, found, expected| {
-            let inputs = golden::named(self.inputs, &point.inputs).into();
-            Deviation { size, entry, point: point.label.clone(), found, expected, inputs }
-        });
+        let found = found(equation, &point.exact, &point.values);
+        found.record_values(
+            claim,
+            &point.values,
+            |k| point.sizes[k],
+            &self.names,
+            |size, entry, found, expected| {
+                let inputs = golden::named(self.inputs, &point.inputs).into();
+                Deviation { size, entry, point: point.label.clone(), found, expected, inputs }
+            },
+        );
     }
 }
 
@@ -88,5 +96,5 @@ fn evaluated(point: Point<'_>) -> TrialPoint {
     let values = (subject.exact_value)(&exact);
     let gradients = subject.derivative(&exact);
     let sizes = gradients.chunks(exact.len()).map(|gradient| Sensitivity::new(gradient, &exact)).collect();
-    TrialPoint { label, inputs, exact, known: Known { values, sizes }, on_kink: kink.is_some() }
+    TrialPoint { label, inputs, exact, values, sizes, on_kink: kink.is_some() }
 }

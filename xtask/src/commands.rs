@@ -2,7 +2,7 @@
 
 use crate::outcome::{Outcome, Usage};
 use crate::project::Project;
-use crate::{audit, book, console, equation, golden, measuring, new, report, verify};
+use crate::{audit, book, console, equation, export, golden, measuring, new, report, verify};
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 use jointproof::formula::Field;
 use std::process::ExitCode;
@@ -27,6 +27,7 @@ enum Command {
     Golden(golden::Arguments),
     Audit(audit::Arguments),
     Equation(equation::Arguments),
+    Export(export::Arguments),
     Report(report::Arguments),
     Book(book::Arguments),
     New(new::Arguments),
@@ -54,6 +55,7 @@ fn run(project: &Project, matches: &ArgMatches) -> Outcome {
         Command::Golden(arguments) => golden::run(project, &arguments),
         Command::Audit(arguments) => audit::run(project, &arguments),
         Command::Equation(arguments) => equation::run(project, &arguments),
+        Command::Export(arguments) => export::run(project, &arguments),
         Command::Report(arguments) => report::run(project, &arguments),
         Command::Book(arguments) => book::run(project, &arguments),
         Command::New(arguments) => new::run(project, &arguments),

@@ -1,29 +1,38 @@
-//! `equation`: whether a reader's own LaTeX is the same function as a formula.
+//! `equation`: whether a reader's own LaTeX is the same function as a formula; without one, whether all that is printed
+//! is.
 
 use crate::console::{count, figure, green, print, red};
 use crate::outcome::{Outcome, Usage, verdict};
 use crate::project::Project;
+use crate::prose;
 use jointproof::catalog::AnyFormula;
 use jointproof::equation::Equation;
 use jointproof::formula::Field;
 use jointproof::verify::{Claim, Deviation, Options};
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use std::time::Instant;
 
-/// Compare an equation of your own, in LaTeX, with a formula
+/// Compare an equation of your own, in LaTeX, with a formula; or all that the book prints
 ///
-/// The equation is read with the symbols of the formula's entry; --let calls an input or output by another one. It is
+/// Without an equation, every printed one is executed, value and Jacobian, and all mathematics and numbers of the
+/// chapters are checked.
+///
+/// Your own equation is read with the symbols of the formula's entry; --let calls an input or output by another one. It is
 /// evaluated in 237 bits at the formula's cases, on and beside its kinks, and at random points.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
+  {command} equation  all that is printed
   {command} equation 'F = \\sqrt{a^2+b^2}' --against slot.contact_force --let a=f2 --let b=f3
   {command} equation '\\Phi = P - \\mu F_N' --against coulomb.yield  with the entry's own symbols")]
 pub(crate) struct Arguments {
     /// The equation, in LaTeX
-    latex: String,
+    #[arg(requires = "against")]
+    latex: Option<String>,
     /// The formula, by its identifier
-    #[arg(long, value_name = "ID")]
-    against: String,
+    #[arg(long, value_name = "ID", requires = "latex")]
+    against: Option<String>,
     /// A symbol of the equation for an input or output of the formula
-    #[arg(long = "let", value_name = "SYMBOL=NAME", value_parser = renaming)]
+    #[arg(long = "let", value_name = "SYMBOL=NAME", value_parser = renaming, requires = "latex")]
     renamed: Vec<(String, String)>,
     /// Random points
     #[arg(long, value_name = "N", default_value_t = Options::default().samples)]
@@ -39,18 +48,50 @@ fn renaming(text: &str) -> Result<(String, String), String> {
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
-    let formula = formula(project, &arguments.against)?;
+    let options = Options { samples: arguments.samples, seed: arguments.seed };
+    let (Some(latex), Some(against)) = (&arguments.latex, &arguments.against) else {
+        return all(project, &options);
+    };
+    let formula = formula(project, against)?;
     let (inputs, outputs) = (formula.inputs(), formula.outputs());
     check_names(&arguments.renamed, inputs, outputs)?;
     let renamed: Vec<_> = arguments.renamed.iter().map(|(symbol, name)| (symbol.as_str(), name.as_str())).collect();
-    let equation = Equation::read(&arguments.latex, &renamed, inputs, outputs).map_err(|error| {
-        let (before, from) = arguments.latex.split_at_checked(error.at()).unwrap_or((&arguments.latex, ""));
+    let equation = Equation::read(latex, &renamed, inputs, outputs).map_err(|error| {
+        let (before, from) = latex.split_at_checked(error.at()).unwrap_or((latex, ""));
         Usage(format!("{error}\n  {before}{}{from}", red("▸")))
     })?;
-    let options = Options { samples: arguments.samples, seed: arguments.seed };
     let claim = formula.trial(&options).compare(&equation);
-    print(&text(&arguments.against, &claim))?;
+    print(&text(against, &claim))?;
     Ok(verdict(claim.held()))
+}
+
+/// Executes every printed equation, and what the chapters claim.
+fn all(project: &Project, options: &Options) -> Outcome {
+    let start = Instant::now();
+    let (mut checks, mut off) = ([0; 2], Vec::new());
+    let audited: Vec<_> =
+        project.catalog().par_iter().map(|formula| (formula, formula.audit_equation(options))).collect();
+    for (formula, claims) in &audited {
+        for (checks, claim) in checks.iter_mut().zip(claims) {
+            *checks += claim.checks;
+        }
+        off.extend(claims.iter().filter(|claim| !claim.held()).map(|claim| failed(formula.spec().id, claim)));
+    }
+    let (printed, chapters_from) = (start.elapsed(), Instant::now());
+    let (faults, chapters) = prose::check(project)?;
+    off.extend(faults.iter().map(|fault| format!("{} {fault}\n", red("off"))));
+    let equations = count(project.catalog().len(), "equation");
+    let [values, entries] = checks;
+    let times = [printed, chapters_from.elapsed()].map(|time| format!("{:.2} s", time.as_secs_f64()));
+    let mark = if off.is_empty() { green("ok ") } else { off.concat() };
+    print(&format!(
+        "{mark} {equations}: {} and {} compared in {}\n    chapters: {chapters} in {}\n",
+        count(values, "value"),
+        count(entries, "derivative"),
+        times[0],
+        times[1]
+    ))?;
+    Ok(verdict(off.is_empty()))
 }
 
 fn formula(project: &Project, id: &str) -> anyhow::Result<&'static dyn AnyFormula> {
@@ -76,6 +117,12 @@ fn text(id: &str, claim: &Claim) -> String {
     if claim.held() {
         return format!("{} the same function as {id}: {compared} in 237 bits\n", green("ok "));
     }
+    failed(id, claim)
+}
+
+/// What a claim about a formula found.
+fn failed(id: &str, claim: &Claim) -> String {
+    let compared = count(claim.checks, "comparison");
     let failures = format!("{} not {id}: {} of {compared} differ\n", red("off"), claim.failures);
     let worst = claim.worst.as_ref().map(|Deviation { size, entry, point, found, expected, inputs }| {
         let size = figure(*size);

@@ -30,6 +30,8 @@ mod equation;
 #[cfg(feature = "commands")]
 mod evidence;
 #[cfg(feature = "commands")]
+mod export;
+#[cfg(feature = "commands")]
 mod extension;
 #[cfg(feature = "commands")]
 pub mod files;
@@ -41,6 +43,8 @@ mod new;
 mod outcome;
 #[cfg(feature = "commands")]
 mod owed;
+#[cfg(feature = "commands")]
+mod prose;
 #[cfg(feature = "commands")]
 mod report;
 #[cfg(feature = "commands")]

@@ -1,4 +1,4 @@
-//! `verify`: what formulas owe, golden files, audit and book, with a short summary.
+//! `verify`: what formulas owe, golden files, audit, chapters and book, with a short summary.
 
 use crate::book::{Summary, build_book};
 use crate::console::{self, count, green, print, red, say};
@@ -7,12 +7,12 @@ use crate::outcome::{Outcome, verdict};
 use crate::project::Project;
 use crate::report::data::Report;
 use crate::selection::Selection;
-use crate::{audit, owed};
+use crate::{audit, owed, prose};
 use jointproof::verify::{Audit, Options};
 use std::fmt::Write;
 use std::time::{Duration, Instant};
 
-/// Check everything: what formulas owe, golden files, audit, book
+/// Check everything: what formulas owe, golden files, audit, what the chapters claim, book
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   {command} verify                  the main job
@@ -41,6 +41,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     for (name, check) in &project.extension.checks {
         steps.push(step(name, || check(project))?);
     }
+    steps.push(step("prose", || check_prose(project))?);
     steps.push(step("book", || Ok(check_book(project)))?);
     let mut summary = String::new();
     let width = steps.iter().map(|step| step.name.len()).max().unwrap_or(0);
@@ -87,6 +88,15 @@ fn check_audit(project: &Project, samples: usize) -> anyhow::Result<(bool, Strin
         [(audits.len(), "formula"), (comparisons, "comparison"), (failed.len(), "formula")]
             .map(|(number, noun)| count(number, noun));
     Ok((failed.is_empty(), format!("{audited}, {comparisons}, {off} off")))
+}
+
+/// Says what is off with the mathematics and the numbers of chapters.
+fn check_prose(project: &Project) -> anyhow::Result<(bool, String)> {
+    let (faults, counts) = prose::check(project)?;
+    for fault in &faults {
+        say(&fault.to_string());
+    }
+    Ok((faults.is_empty(), counts))
 }
 
 fn check_book(project: &Project) -> (bool, String) {

@@ -31,7 +31,7 @@ impl Proved for Constraint {
 
     fn kinks() -> Vec<Kink<Self>> {
         vec![Kink::<Self>::switch(
-            r"\mathbf{n} = \pm\mathbf{i}",
+            r"\mathbf{n}\times\mathbf{i} = \mathbf{0}",
             |i| i.xn.y == i.x1.y && i.xn.z == i.x1.z,
             Nodes { x1: Vector3::zeros(), xn: Vector3::new(2.0, 0.0, 0.0), xm: Vector3::new(1.0, 0.5, -0.25) },
             Nodes { x1: Vector3::zeros(), xn: Vector3::new(0.0, 3.0, 4.0), xm: Vector3::zeros() },
@@ -98,7 +98,7 @@ impl Proved for IncrementalConstraint {
 
     fn kinks() -> Vec<Kink<Self>> {
         vec![Kink::<Self>::switch(
-            r"\mathbf{n} = \pm\mathbf{i}",
+            r"\mathbf{n}\times\mathbf{i} = \mathbf{0}",
             |i| i.xn.y == i.x1.y && i.xn.z == i.x1.z,
             MovingNodes {
                 x1: Vector3::zeros(),

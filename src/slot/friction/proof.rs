@@ -119,7 +119,7 @@ impl Proved for Friction {
             Kink::<Self>::of_abs(SlotLoads { f1: 0.0, f2: 3.0, f3: 4.0, fc_int: 1.0, mu: 0.25 }, |i| [i.f1]),
             Kink::<Self>::of_norm(SlotLoads { f1: 1.0, f2: 0.0, f3: 0.0, fc_int: 1.0, mu: 0.25 }, |i| [i.f2, i.f3]),
             Kink::<Self>::subgradient(
-                r"F_C + F_C^{\mathrm{int}} = 0",
+                r"\sqrt{f_2^2 + f_3^2} + F_C^{\mathrm{int}} = 0",
                 |i| norm([i.f2, i.f3]) + i.fc_int == 0.0,
                 SlotLoads { f1: 1.0, f2: 3.0, f3: 4.0, fc_int: -5.0, mu: 0.25 },
                 SlotLoads { f1: 0.0, f2: 3.0, f3: 4.0, fc_int: 0.0, mu: 0.0 },

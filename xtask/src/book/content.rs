@@ -57,6 +57,10 @@ pub(crate) struct Entry {
     pub(crate) latex: String,
     /// Where the symbols come from that it does not define (text); may be empty.
     pub(crate) given: String,
+    /// The equation with everything put in, one statement a line; empty where there is nothing to put in.
+    pub(crate) closed: Vec<String>,
+    /// How its outputs change with its inputs, one statement a line.
+    pub(crate) variation: Vec<String>,
     /// Where the equation comes from.
     pub(crate) source: Source,
     /// Inputs in the order of the golden file.

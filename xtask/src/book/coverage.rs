@@ -45,7 +45,7 @@ pub(crate) fn directives(root: &Path) -> anyhow::Result<Vec<Directive>> {
 }
 
 /// The chapters in the order of their names, with their paths from the root.
-fn chapters(root: &Path) -> anyhow::Result<BTreeMap<String, String>> {
+pub(crate) fn chapters(root: &Path) -> anyhow::Result<BTreeMap<String, String>> {
     let mut chapters = BTreeMap::new();
     for entry in fs::read_dir(root.join(CHAPTERS)).with_context(|| format!("cannot read {CHAPTERS}"))? {
         let path = entry.with_context(|| format!("cannot read {CHAPTERS}"))?.path();

@@ -15,9 +15,11 @@ pub(crate) fn entry(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let title = pages.text(at, &entry.title);
     format!(
         "<section class=\"entry\"><h3 id=\"{id}\"><a class=\"header\" href=\"#{id}\">{title}</a> \
-         <code class=\"entry-id\">{id}</code></h3>{}{}{}<dl class=\"facts\">{}</dl>{}{}{}</section>",
+         <code class=\"entry-id\">{id}</code></h3>{}{}{}{}{}<dl class=\"facts\">{}</dl>{}{}{}</section>",
         pages.block_math(at, &entry.latex),
         given(pages, at, entry),
+        view(pages, at, "With everything put in", &entry.closed),
+        view(pages, at, "Its variation", &entry.variation),
         symbols(pages, at, entry),
         facts(pages, at, entry),
         speed::folded(pages, entry),
@@ -32,6 +34,16 @@ fn given(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
         "" => String::new(),
         given => format!("<p class=\"given\">{}</p>", pages.linked_text(at, given)),
     }
+}
+
+/// A folded equation that is made from the one above, and executed as that is.
+fn view(pages: &Pages<'_>, at: &Place, name: &str, lines: &[String]) -> String {
+    if lines.is_empty() {
+        return String::new();
+    }
+    let lines: Vec<_> = lines.iter().map(|line| line.replacen(" = ", " &= ", 1)).collect();
+    let math = pages.block_math(at, &format!(r"\begin{{aligned}} {} \end{{aligned}}", lines.join(r" \\ ")));
+    format!("<details class=\"view\"><summary>{name}</summary>{math}</details>")
 }
 
 /// Inputs and outputs in one table, so that their columns line up.

@@ -7,6 +7,7 @@ use crate::project::Project;
 use crate::report::data::Report;
 use anyhow::Context;
 use jointproof::catalog::{AnyFormula, KinkEntry};
+use jointproof::equation::{Signature, View};
 use jointproof::formula::{Field, Given, Source};
 use jointproof::proof::Convention;
 use jointproof::quantity::Shape;
@@ -61,11 +62,15 @@ fn entry(project: &Project, formula: &dyn AnyFormula, index: &Index<'_>, evidenc
     let type_name = formula.path().rsplit("::").next().unwrap_or_default();
     let golden = std::fs::read_to_string(project.golden_file(spec.id));
     let checked = evidence.golden.get(spec.id);
+    // An equation that cannot be read is an off of the audit.
+    let view = View::of(&Signature { spec, inputs: formula.inputs(), outputs: formula.outputs() }).ok().flatten();
     Entry {
         id: spec.id.into(),
         title: spec.title.into(),
         latex: spec.latex.into(),
         given: given(spec.given),
+        closed: view.as_ref().map(|view| view.closed.clone()).unwrap_or_default(),
+        variation: view.map(|view| view.variation).unwrap_or_default(),
         source: source(spec.source),
         inputs: formula.inputs().iter().map(symbol).collect(),
         outputs: formula.outputs().iter().map(symbol).collect(),

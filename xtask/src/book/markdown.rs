@@ -47,6 +47,51 @@ pub(crate) fn scan(chapter: &str) -> (Vec<Found>, Vec<(usize, String)>) {
     (scan.found, scan.faults)
 }
 
+/// The text of one line up to the braces that close two open ones.
+pub(crate) fn balanced(text: &str) -> Option<&str> {
+    let mut open = 2;
+    for (at, c) in text.char_indices() {
+        match c {
+            '{' => open += 1,
+            '}' => open -= 1,
+            '\n' => return None,
+            _ => {}
+        }
+        if open == 0 {
+            return text[..at].strip_suffix('}');
+        }
+    }
+    None
+}
+
+/// The code in a chapter.
+pub(crate) fn code(chapter: &str) -> Vec<Range<usize>> {
+    let events = Parser::new_ext(chapter, options()).into_offset_iter();
+    let is_code = |event: &Event<'_>| matches!(event, Event::Code(_) | Event::Start(Tag::CodeBlock(_)));
+    events.filter(|(event, _)| is_code(event)).map(|(_, range)| range).collect()
+}
+
+/// Words and mathematics within lines, outside code, headings, links and directives without a caption.
+pub(crate) fn texts(chapter: &str) -> Vec<Range<usize>> {
+    let (mut all, mut not_prose) = (Vec::new(), 0_usize);
+    for (event, range) in Parser::new_ext(chapter, options()).into_offset_iter() {
+        match event {
+            Event::Start(Tag::CodeBlock(_) | Tag::Heading { .. } | Tag::Link { .. } | Tag::Image { .. }) => {
+                not_prose += 1;
+            }
+            Event::End(TagEnd::CodeBlock | TagEnd::Heading(_) | TagEnd::Link | TagEnd::Image) => not_prose -= 1,
+            Event::Text(_) | Event::InlineMath(_) if not_prose == 0 => all.push(range),
+            _ => {}
+        }
+    }
+    // Of directives, captions are prose.
+    all.retain(|range| {
+        let line = chapter[..range.start].rfind('\n').map_or(0, |at| at + 1);
+        !chapter[line..].starts_with("{{#") || chapter[line..].starts_with("{{#figure")
+    });
+    all
+}
+
 /// The extensions mdBook switches on, and mathematics.
 fn options() -> Options {
     Options::ENABLE_TABLES
@@ -122,12 +167,11 @@ impl Scan<'_> {
                 continue;
             }
             let line = self.line(start);
-            let Some(length) = self.chapter[start..].lines().next().and_then(|rest| rest.find("}}")) else {
+            let Some(inner) = balanced(&self.chapter[start + 2..]).and_then(|inside| inside.strip_prefix('#')) else {
                 self.faults.push((line, "this directive has no `}}` on its line".to_owned()));
                 continue;
             };
-            let range = start..start + length + 2;
-            let inner = &self.chapter[start + 3..start + length];
+            let range = start..start + inner.len() + 5;
             let (name, argument) = inner.trim().split_once(char::is_whitespace).unwrap_or((inner.trim(), ""));
             if MDBOOK_DIRECTIVES.contains(&name) {
                 continue;

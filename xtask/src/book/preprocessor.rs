@@ -13,7 +13,8 @@ use super::deferred::Deferred;
 use super::html::escape;
 use super::markdown::{Found, Piece, scan};
 use super::pages::{Pages, Place};
-use super::{entry, figure, speed, tables};
+use super::prose::{self, Mark};
+use super::{entry, figure, numeral, speed, tables};
 
 /// Expands chapters; see the module.
 pub(crate) struct Formulary {
@@ -34,7 +35,8 @@ impl Preprocessor for Formulary {
         let mut pages = Pages::new(&self.content, &self.later);
         let (mut scans, mut entries) = (Vec::new(), Vec::new());
         book.for_each_chapter_mut(|chapter| {
-            chapter.content = with_texts(&self.content, &chapter.content);
+            let (shown, _) = numeral::shown(&chapter.content);
+            chapter.content = with_texts(&self.content, &shown);
             scans.push(read(chapter, &pages, &mut entries));
         });
         note(entries, &mut pages);
@@ -52,10 +54,12 @@ impl Formulary {
     /// The chapter with every piece replaced.
     fn expand(&self, pages: &Pages<'_>, chapter: &Chapter, found: &[Found]) -> String {
         let mut out = String::with_capacity(chapter.content.len() * 2);
-        let mut done = 0;
+        let (mut done, mut mark) = (0, None);
         for Found { piece, range, line } in found {
             out.push_str(&chapter.content[done..range.start]);
-            match self.replacement(pages, &place(chapter, *line), piece) {
+            let at = place(chapter, *line);
+            let before = std::mem::replace(&mut mark, prose::mark(piece));
+            match self.replacement(pages, &at, piece, before.as_ref()) {
                 Some(replacement) => out.push_str(&replacement),
                 None => out.push_str(&chapter.content[range.clone()]),
             }
@@ -65,10 +69,12 @@ impl Formulary {
     }
 
     /// What stands in the place of a piece; `None` leaves it as it is.
-    fn replacement(&self, pages: &Pages<'_>, at: &Place, piece: &Piece) -> Option<String> {
+    fn replacement(&self, pages: &Pages<'_>, at: &Place, piece: &Piece, mark: Option<&Mark>) -> Option<String> {
         match piece {
             Piece::InlineMath(latex) => Some(pages.inline_math(at, latex)),
-            Piece::DisplayMath(latex) => Some(pages.block_math(at, latex)),
+            Piece::DisplayMath(latex) => {
+                Some(pages.block_math(at, latex) + &mark.map(|mark| note_of(pages, at, mark)).unwrap_or_default())
+            }
             Piece::Code(text) => pages.places.contains_key(text).then(|| pages.link(&at.page, text)),
             Piece::Directive { name, argument } => Some(format!("\n{}\n", self.directive(pages, at, name, argument))),
         }
@@ -80,6 +86,8 @@ impl Formulary {
             ("formula", id) => pages.entry(id).map(|formula| entry::entry(pages, at, formula)).unwrap_or_default(),
             ("figure", argument) => figure::figure(pages, at, &self.figures, argument),
             ("output", name) => Self::output(pages, at, name),
+            // It speaks of the display behind it.
+            ("equation" | "presentation", _) => String::new(),
             ("text", name) => no_text(pages, at, name),
             ("symbols", "") => tables::symbols(pages, at),
             ("kinks", "") => tables::kinks(pages, at),
@@ -118,6 +126,21 @@ fn with_texts(content: &Content, chapter: &str) -> String {
     out + &chapter[done..]
 }
 
+/// How a display is held, below it.
+fn note_of(pages: &Pages<'_>, at: &Place, mark: &Mark) -> String {
+    let text = match mark {
+        Mark::Presentation(why) => format!("Not executed: {why}."),
+        Mark::Executed(about) => {
+            let parts: Vec<_> = about.split(';').map(str::trim).collect();
+            let of = parts.iter().find(|part| !part.is_empty() && !part.contains(char::is_whitespace));
+            let of = of.map_or("for random numbers".into(), |id| format!("against `{id}`"));
+            let where_ = parts.iter().find_map(|part| part.strip_prefix("if ")).map(|what| format!(", where ${what}$"));
+            format!("Executed {of}{}.", where_.unwrap_or_default())
+        }
+    };
+    format!("<span class=\"held\">{}</span>", pages.linked_text(at, &text))
+}
+
 /// Nothing, and a fault: a text of a known name was put in before.
 fn no_text(pages: &Pages<'_>, at: &Place, name: &str) -> String {
     let known: Vec<_> = pages.content.exhibits.texts.iter().map(|(name, _)| name.as_str()).collect();
@@ -128,7 +151,7 @@ fn no_text(pages: &Pages<'_>, at: &Place, name: &str) -> String {
 /// Nothing, and a fault.
 fn unknown(pages: &Pages<'_>, at: &Place, name: &str, argument: &str) -> String {
     let known = format!(
-        "formula ID, figure NAME, output NAME, table NAME, text NAME, symbols, kinks, evidence, sources, {}",
+        "formula ID, equation ID, presentation WHY, figure NAME, output NAME, table NAME, text NAME, symbols, kinks, evidence, sources, {}",
         speed::PARTS
     );
     let written = format!("{name} {argument}");

@@ -28,10 +28,11 @@ impl Layer {
     /// The layer of a module at the root of the library; what is not named here is a room.
     fn of(module: &str) -> Self {
         match module {
-            "binade" | "eft" | "error" | "newtype" | "octuple" | "quantity" | "scalar" | "single" => Self::Ground,
+            "binade" | "double" | "eft" | "error" | "newtype" | "octuple" | "power" | "quantity" | "scalar"
+            | "single" => Self::Ground,
             "formula" => Self::Formula,
             "proof" => Self::Proof,
-            "equation" | "verify" | "measure" => Self::Toolkit,
+            "equation" | "graph" | "verify" | "measure" => Self::Toolkit,
             "catalog" => Self::Catalog,
             "scene" => Self::Scene,
             _ => Self::Room,

@@ -1,0 +1,47 @@
+//! `f64` as a number that formulas compute with.
+
+use crate::eft::exact_sum;
+use crate::scalar::{Leaf, Scalar, Squares, itself};
+
+/// 2⁻⁹⁰⁰ … 2¹⁰⁰⁰, factor 2⁶⁰⁰.
+const SQUARES: Squares = Squares::new(-900, 1000, 600);
+
+impl Leaf for f64 {
+    const EPSILON: f64 = Self::EPSILON;
+    #[inline]
+    fn pi() -> Self {
+        std::f64::consts::PI
+    }
+    #[inline]
+    fn e_minus_one() -> Self {
+        1.718_281_828_459_045
+    }
+    #[inline]
+    fn constants<const N: usize>(nearest: [f64; N], _: impl FnOnce() -> [Self; N]) -> [Self; N] {
+        nearest
+    }
+    #[inline]
+    fn or_larger(self, other: Self) -> Self {
+        self.max(other)
+    }
+    #[inline]
+    fn exact_sum(products: impl IntoIterator<Item = [Self; 4]>) -> Self {
+        exact_sum(products)
+    }
+}
+
+impl Scalar for f64 {
+    itself!();
+    #[inline]
+    fn norm_of<const N: usize>(x: [Self; N]) -> Self {
+        SQUARES.norm(x)
+    }
+    #[inline]
+    fn angle_of(y: Self, x: Self) -> Self {
+        y.atan2(x)
+    }
+    #[inline]
+    fn abs_of(x: Self) -> Self {
+        x.abs()
+    }
+}

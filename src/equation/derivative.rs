@@ -1,0 +1,85 @@
+//! Derivatives as prose writes them: `\frac{\partial F_C}{\partial f_2}`, and `\mathrm{d}F_C` of what changes.
+
+use super::error::Error;
+use super::lower::{Place, Writer};
+use super::name::Name;
+use super::syntax::Expr;
+use super::tape::{Id, Op};
+use super::value::Value;
+
+impl Writer<'_> {
+    /// A partial derivative: of an output of the code by an input, an entry of the Jacobian of the code; of anything
+    /// else, what follows from its equation, with all other symbols held.
+    pub(super) fn partial(&mut self, of: &Expr, by: &Name, at: usize, place: Place<'_>) -> Result<Value, Error> {
+        let (of, by) = (self.expression(of, place)?, self.symbol(by, at, place)?);
+        match (of, by) {
+            (Value::Scalar(of), Value::Scalar(by)) => Ok(Value::Scalar(self.entry(of, by))),
+            (Value::Vector(of), Value::Scalar(by)) => {
+                Ok(Value::Vector(of.into_iter().map(|of| self.entry(of, by)).collect()))
+            }
+            (Value::Scalar(of), Value::Vector(by)) => {
+                Ok(Value::Vector(by.into_iter().map(|by| self.entry(of, by)).collect()))
+            }
+            _ => Err(Error::new(at, "a vector by a vector is a matrix, which is not read here")),
+        }
+    }
+
+    fn entry(&mut self, of: Id, by: Id) -> Id {
+        let row = self.beside.outputs.iter().find(|(output, _)| *output == of);
+        match (row, self.tape.op(by)) {
+            (Some((_, row)), Op::Input(input)) if input < row.len() => row[input],
+            _ => self.tape.derivative(of, by),
+        }
+    }
+
+    /// `\mathrm{d}x` or `\delta x` of something that is defined and changes with what changes.
+    pub(super) fn change(&mut self, name: &Name, at: usize, place: Place<'_>) -> Result<Option<Value>, Error> {
+        let Some(of) = name.unchanged() else { return Ok(None) };
+        if let Some(value) = self.defined(&of, at, place)? {
+            return Ok(Some(match value {
+                Value::Scalar(id) => Value::Scalar(self.total(id)),
+                Value::Vector(parts) => Value::Vector(parts.into_iter().map(|id| self.total(id)).collect()),
+                Value::Matrix(parts) => Value::Matrix(parts.into_iter().map(|id| self.total(id)).collect()),
+                Value::Normal | Value::Zero => return Ok(None),
+            }));
+        }
+        Ok(None)
+    }
+
+    /// The same of a component.
+    pub(super) fn change_of_component(
+        &mut self,
+        name: &Name,
+        at: usize,
+        place: Place<'_>,
+    ) -> Result<Option<Value>, Error> {
+        let of = name.unchanged();
+        let Some((vector, index)) = of.as_ref().and_then(Name::component) else { return Ok(None) };
+        let Some(Value::Vector(parts)) = self.defined(&vector, at, place)? else { return Ok(None) };
+        let changes: Vec<_> = parts.into_iter().map(|id| self.total(id)).collect();
+        self.component(&changes, index, at, place).map(Some)
+    }
+
+    /// The change of a number with all that changes: directly, and by the outputs of the code in it.
+    fn total(&mut self, of: Id) -> Id {
+        let mut sum = self.tape.number(0.0);
+        for (by, change) in self.beside.changes.clone() {
+            let slope = self.tape.derivative(of, by);
+            let term = self.tape.multiply(slope, change);
+            sum = self.tape.add(sum, term);
+        }
+        for (output, row) in self.beside.outputs.clone() {
+            let slope = self.tape.derivative(of, output);
+            for (by, change) in self.beside.changes.clone() {
+                if let Op::Input(input) = self.tape.op(by)
+                    && let Some(&entry) = row.get(input)
+                {
+                    let step = self.tape.multiply(entry, change);
+                    let term = self.tape.multiply(slope, step);
+                    sum = self.tape.add(sum, term);
+                }
+            }
+        }
+        sum
+    }
+}

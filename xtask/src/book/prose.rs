@@ -1,0 +1,126 @@
+//! Mathematics in chapters: what is claimed of a formula, what is presentation only, and numbers with what they are.
+
+use super::fault::Fault;
+use super::markdown::{Found, Piece, scan};
+use super::numeral::{self, Numeral};
+use jointproof::catalog::AnyFormula;
+use jointproof::equation::{Setting, Signature};
+
+/// What is said before a display about how it is held.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Mark {
+    /// `{{#equation slot.friction; if f_1 > 0}}`: it is executed.
+    Executed(String),
+    /// `{{#presentation why}}`: it is not, and why.
+    Presentation(String),
+}
+
+/// A display in a chapter.
+#[derive(Clone, Debug)]
+pub(crate) struct Display {
+    pub(crate) latex: String,
+    pub(crate) line: usize,
+    pub(crate) mark: Option<Mark>,
+}
+
+/// The mark that a directive makes.
+pub(crate) fn mark(piece: &Piece) -> Option<Mark> {
+    let Piece::Directive { name, argument } = piece else { return None };
+    match name.as_str() {
+        "equation" => Some(Mark::Executed(argument.clone())),
+        "presentation" => Some(Mark::Presentation(argument.clone())),
+        _ => None,
+    }
+}
+
+/// A chapter as it is checked.
+pub(crate) struct Chapter {
+    pub(crate) numerals: Vec<Numeral>,
+    pub(crate) displays: Vec<Display>,
+    pub(crate) faults: Vec<Fault>,
+}
+
+/// Reads a chapter; what is unmarked in it is a fault.
+pub(crate) fn read(file: &str, text: &str) -> Chapter {
+    let (shown, numerals) = numeral::shown(text);
+    let fault = |line, message: &str| Fault { file: file.into(), line, message: message.into() };
+    let mut faults = Vec::new();
+    let mut displays = Vec::new();
+    let mut before: Option<(Mark, usize)> = None;
+    for Found { piece, line, .. } in scan(&shown).0 {
+        let pending = before.take();
+        if let Piece::DisplayMath(latex) = piece {
+            let mark = pending.map(|(mark, _)| mark);
+            if mark.is_none() {
+                faults.push(fault(line, "this equation is neither executed nor marked: put `{{#equation ID}}` or `{{#presentation why}}` before it"));
+            }
+            displays.push(Display { latex, line, mark });
+            continue;
+        }
+        if let Some((_, line)) = pending {
+            faults.push(fault(line, "no equation follows this"));
+        }
+        before = mark(&piece).map(|mark| (mark, line));
+    }
+    let bare = numeral::bare(text).into_iter();
+    faults.extend(bare.map(|(line, numeral)| {
+        fault(
+            line,
+            &format!(
+                "{numeral} does not say where it is from: `{{{{{numeral} = expression}}}}`, `… in test`, `given …`"
+            ),
+        )
+    }));
+    Chapter { numerals, displays, faults }
+}
+
+/// The formula that a display is about, and how it is to be read.
+pub(crate) type About = (Option<&'static dyn AnyFormula>, Setting);
+
+/// Formulas by their identifiers.
+pub(crate) struct Formulas<'c>(pub(crate) &'c [&'static dyn AnyFormula]);
+
+impl Formulas<'_> {
+    pub(crate) fn find(&self, id: &str) -> Result<&'static dyn AnyFormula, String> {
+        let found = self.0.iter().copied().find(|formula| formula.spec().id == id);
+        found.ok_or_else(|| format!("no formula `{id}` in the catalog"))
+    }
+
+    /// What an argument says: `ID; let …; if …; put …; free …; from ID …; triads`, in any order.
+    /// `above` goes on with the setting of the display before.
+    pub(crate) fn setting(&self, argument: &str, above: Option<&(About, String)>) -> Result<About, String> {
+        let (mut of, mut setting) = (None, Setting::default());
+        let mut definitions = Vec::new();
+        for part in argument.split(';').map(str::trim).filter(|part| !part.is_empty()) {
+            let (word, rest) = part.split_once(char::is_whitespace).unwrap_or((part, ""));
+            match word {
+                "above" => {
+                    let (before, latex) = above.ok_or("nothing is executed above")?;
+                    (of, setting) = before.clone();
+                    setting.above.push(latex.clone());
+                }
+                "triads" => setting.triads = true,
+                "let" => definitions.push(rest),
+                "if" => setting.condition = rest.into(),
+                "put" => setting.put = rest.into(),
+                "free" => setting.free = rest.into(),
+                "from" => {
+                    let (id, symbols) = rest.split_once(char::is_whitespace).unwrap_or((rest, ""));
+                    setting.from.push((symbols.into(), self.find(id)?.spec()));
+                }
+                id if rest.is_empty() => {
+                    let formula = self.find(id)?;
+                    let (spec, inputs, outputs) = (formula.spec(), formula.inputs(), formula.outputs());
+                    setting.of = Some(Signature { spec, inputs, outputs });
+                    of = Some(formula);
+                }
+                _ => {
+                    return Err(format!("`{word}` is none of let, if, put, free, from, triads, above, and no formula"));
+                }
+            }
+        }
+        let own = definitions.join(r"\quad ");
+        setting.definitions = format!(r"{}\quad {own}", setting.definitions);
+        Ok((of, setting))
+    }
+}

@@ -1,0 +1,222 @@
+//! The export compiled, run, and compared bit by bit.
+
+use super::language::{Language, Toolchain};
+use super::points::Point;
+use super::recorded::Recorded;
+use crate::console::{count, say};
+use anyhow::{Context, ensure};
+use jointproof::formula::Field;
+use jointproof::graph::{Binary, Op};
+use std::fmt;
+use std::path::Path;
+use std::process::Command;
+
+/// What a comparison found.
+pub(super) struct Judged {
+    toolchain: &'static str,
+    compared: usize,
+    differ: usize,
+    /// Differences within what the functions of the language may have.
+    near: usize,
+    refused: usize,
+    worst: Option<String>,
+}
+
+impl Judged {
+    pub(super) fn is_well(&self) -> bool {
+        self.compared > 0 && self.differ == 0
+    }
+}
+
+impl fmt::Display for Judged {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { toolchain, compared, differ, near, refused, worst } = self;
+        write!(f, "{toolchain}: {}, {differ} differ", count(*compared, "number"))?;
+        if *near > 0 {
+            write!(f, ", {near} by functions of the language alone")?;
+        }
+        write!(f, "; {refused} refused alike")?;
+        worst.iter().try_for_each(|worst| write!(f, "\n    {worst}"))
+    }
+}
+
+/// Every toolchain that is here.
+pub(super) fn all(
+    language: &dyn Language,
+    folder: &Path,
+    recorded: &[Recorded],
+    points: &[Vec<Point>],
+) -> anyhow::Result<Vec<Judged>> {
+    write_points(folder, points)?;
+    let mut judged = Vec::new();
+    for toolchain in language.toolchains() {
+        if Command::new(toolchain.name).arg("--version").output().is_err() {
+            say(&format!("{} is not here: not compared with it", toolchain.name));
+            continue;
+        }
+        for command in &toolchain.commands {
+            run(folder, command)?;
+        }
+        let found = std::fs::read(folder.join("found.bin")).context("the driver wrote no results")?;
+        judged.push(compare(&toolchain, recorded, points, &found)?);
+    }
+    ensure!(!judged.is_empty(), "no compiler or interpreter of the language is here");
+    Ok(judged)
+}
+
+fn run(folder: &Path, command: &[String]) -> anyhow::Result<()> {
+    let (program, arguments) = command.split_first().context("a command has a program")?;
+    let path = if program.starts_with("./") { folder.join(program) } else { program.into() };
+    let output = Command::new(&path).args(arguments).current_dir(folder).output()?;
+    let said = String::from_utf8_lossy(&output.stderr);
+    ensure!(output.status.success(), "{} failed:\n{said}", command.join(" "));
+    Ok(())
+}
+
+/// For every formula the number of points, and the inputs of each, as little-endian doubles.
+fn write_points(folder: &Path, points: &[Vec<Point>]) -> anyhow::Result<()> {
+    let mut bytes = Vec::new();
+    for points in points {
+        bytes.extend(u64::try_from(points.len())?.to_le_bytes());
+        bytes.extend(points.iter().flat_map(|point| &point.inputs).flat_map(|x| x.to_le_bytes()));
+    }
+    std::fs::write(folder.join("points.bin"), bytes)?;
+    Ok(())
+}
+
+/// What the driver wrote: for every point a return code as a double, value, and Jacobian.
+fn compare(
+    toolchain: &Toolchain,
+    recorded: &[Recorded],
+    points: &[Vec<Point>],
+    found: &[u8],
+) -> anyhow::Result<Judged> {
+    let mut found = found.as_chunks::<8>().0.iter().map(|bytes| f64::from_le_bytes(*bytes));
+    let mut judged = Judged { toolchain: toolchain.name, compared: 0, differ: 0, near: 0, refused: 0, worst: None };
+    for (one, points) in recorded.iter().zip(points) {
+        let numbers = one.graph.value.len() + one.graph.jacobian.len();
+        for point in points {
+            let code = found.next().context("the driver wrote too few results")?;
+            let results: Vec<_> = found.by_ref().take(numbers).collect();
+            ensure!(results.len() == numbers, "the driver wrote too few results");
+            let Some(expected) = &point.results else {
+                judged.refused += usize::from(code != 0.0);
+                continue;
+            };
+            if code != 0.0 {
+                judged.off(one, point, &refusal(code));
+                continue;
+            }
+            for (k, (&found, &expected)) in results.iter().zip(expected).enumerate() {
+                judged.number(toolchain, (one, point), k, [found, expected]);
+            }
+        }
+    }
+    Ok(judged)
+}
+
+impl Judged {
+    fn number(
+        &mut self,
+        toolchain: &Toolchain,
+        (one, point): (&Recorded, &Point),
+        k: usize,
+        [found, expected]: [f64; 2],
+    ) {
+        self.compared += 1;
+        if found.to_bits() == expected.to_bits() {
+            return;
+        }
+        let near = f64::EPSILON * toolchain.epsilons * (1.0 + expected.abs());
+        if (found - expected).abs() <= near && has_functions(one) {
+            self.near += 1;
+            return;
+        }
+        self.off(one, point, &format!("{}: {found:e}, expected {expected:e}", entry(one, k)));
+    }
+
+    fn off(&mut self, one: &Recorded, point: &Point, what: &str) {
+        self.differ += 1;
+        self.worst.get_or_insert_with(|| format!("{} at {}: {what}", one.formula.spec().id, point.name));
+    }
+}
+
+/// A return code that is not 0; the driver gives −1 where the two functions of a formula do not agree.
+fn refusal(code: f64) -> String {
+    if code < 0.0 {
+        return "the function for the value gives another one than the function with the Jacobian".into();
+    }
+    format!("refuses input {code}, which is valid")
+}
+
+/// Whether a formula calls functions that languages round in their own ways.
+fn has_functions(one: &Recorded) -> bool {
+    use jointproof::graph::Unary::{ArcSine, Cosine, Exponential, ExponentialMinusOne, Sine};
+    one.graph.ops().iter().any(|op| match op {
+        Op::Unary(function, _) => matches!(function, Sine | Cosine | ArcSine | Exponential | ExponentialMinusOne),
+        Op::Binary(operation, ..) => *operation == Binary::Angle,
+        _ => false,
+    })
+}
+
+/// The name of a component of the value, or of an entry of the Jacobian.
+fn entry(one: &Recorded, k: usize) -> String {
+    let names = |fields: &[Field]| -> Vec<String> {
+        let of = |field: &Field| match field.len() {
+            1 => vec![field.name.to_owned()],
+            len => (0..len).map(|k| format!("{}[{k}]", field.name)).collect(),
+        };
+        fields.iter().flat_map(of).collect()
+    };
+    let (inputs, outputs) = (names(one.formula.inputs()), names(one.formula.outputs()));
+    match k.checked_sub(outputs.len()) {
+        None => outputs[k].clone(),
+        Some(k) => format!("∂{}/∂{}", outputs[k / inputs.len()], inputs[k % inputs.len()]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::c::C;
+    use super::super::points;
+    use super::super::recorded::record;
+    use super::*;
+    use crate::files;
+    use jointproof::catalog::find;
+
+    /// What the check says of an export in which a text of a file is replaced by another.
+    fn judged(id: &str, file: &str, from: &str, to: &str) -> String {
+        let folder = std::env::temp_dir().join(format!("jointproof-{}-{id}-{}", std::process::id(), from.len()));
+        std::fs::create_dir_all(&folder).unwrap();
+        let (recorded, _) = record(&[find(id).unwrap()]);
+        for (name, text) in C.files(&recorded) {
+            let planted = if name == file { text.replace(from, to) } else { text.clone() };
+            assert_eq!(name == file, planted != text, "{from} is not in {name}");
+            files::write(&folder.join(name), &planted).unwrap();
+        }
+        let points = points::all(&recorded, 20);
+        let judged = all(&C, &folder, &recorded, &points).unwrap();
+        std::fs::remove_dir_all(&folder).unwrap();
+        let said: Vec<_> = judged.iter().map(|judged| format!("{} {judged}", judged.is_well())).collect();
+        said.join("\n")
+    }
+
+    #[test]
+    fn a_changed_operation_is_named_with_formula_entry_and_point() {
+        let said = judged("slot.contact_force", "jp_slot_contact_force.c", "jp_norm2(f2, f3)", "jp_norm2(f2, f2)");
+        assert!(said.starts_with("false") && said.contains("slot.contact_force at "), "{said}");
+        assert!(said.contains(": fc: ") || said.contains(": ∂fc/∂f2: "), "{said}");
+    }
+
+    #[test]
+    fn a_changed_hook_is_named_too() {
+        let said = judged("slider.line", "jp_runtime.h", "sum = sum + x[k] * x[k]", "sum = sum - x[k] * x[k]");
+        assert!(said.starts_with("false") && said.contains("slider.line at "), "{said}");
+    }
+
+    #[test]
+    fn a_refusal_too_many_is_named() {
+        let said = judged("slot.normal_force", "jp_slot_normal_force.c", "<= DBL_MAX", "<= 1.0");
+        assert!(said.starts_with("false") && said.contains("refuses input 1, which is valid"), "{said}");
+    }
+}

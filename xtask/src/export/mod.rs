@@ -1,0 +1,92 @@
+//! `export`: the verified program of a formula in another language, and the proof that it is the same.
+
+mod c;
+mod check;
+mod fortran;
+mod javascript;
+mod language;
+mod points;
+mod program;
+mod recorded;
+
+use crate::console::{green, print, red, say};
+use crate::files;
+use crate::outcome::{Outcome, verdict};
+use crate::project::Project;
+use crate::selection::Selection;
+use language::Language;
+use recorded::record;
+use std::path::PathBuf;
+
+/// Write formulas as programs in C, Fortran or JavaScript
+///
+/// What is printed is what the formula does in `f64`: the same operations in the same order, with both sides of every choice.
+/// --check compiles it and compares every bit with this program's own.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  {command} export --lang c --out jp                      all formulas, a header, a Makefile
+  {command} export --lang fortran --out jp --filter '{family}.*'  of one family
+  {command} export --lang js --out jp --check             and compare every bit
+  cc -std=c99 -O2 -ffp-contract=off -c jp/*.c             no fused operations, lest bits change")]
+pub(crate) struct Arguments {
+    /// The language
+    #[arg(long, value_enum)]
+    lang: Name,
+    /// The folder, which is made where it is not there
+    #[arg(long, value_name = "FOLDER")]
+    out: PathBuf,
+    #[command(flatten)]
+    selection: Selection,
+    /// Compile it with every compiler that is here, and compare every bit with Rust's
+    #[arg(long)]
+    check: bool,
+    /// Random points at which to compare, beside the golden cases
+    #[arg(long, value_name = "N", default_value_t = 10_000, requires = "check")]
+    samples: usize,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Name {
+    C,
+    Fortran,
+    #[value(name = "js")]
+    JavaScript,
+}
+
+impl Name {
+    fn language(self) -> &'static dyn Language {
+        match self {
+            Self::C => &c::C,
+            Self::Fortran => &fortran::Fortran,
+            Self::JavaScript => &javascript::JavaScript,
+        }
+    }
+}
+
+pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
+    let formulas = arguments.selection.formulas(project)?;
+    let (recorded, refused) = record(&formulas);
+    let language = arguments.lang.language();
+    std::fs::create_dir_all(&arguments.out)?;
+    let mut lines = 0;
+    for (name, text) in language.files(&recorded) {
+        lines += text.lines().count();
+        files::write(&arguments.out.join(name), &text)?;
+    }
+    for (formula, why) in &refused {
+        say(&format!("not exported: {}: {why}", formula.spec().id));
+    }
+    let folder = arguments.out.display();
+    print(&format!("{} of {} formulas, {lines} lines in {folder}\n", recorded.len(), formulas.len()))?;
+    if !arguments.check {
+        return Ok(verdict(true));
+    }
+    let points = points::all(&recorded, arguments.samples);
+    let mut well = true;
+    for judged in check::all(language, &arguments.out, &recorded, &points)? {
+        well &= judged.is_well();
+        let head = if judged.is_well() { green("ok ") } else { red("off") };
+        print(&format!("{head} {judged}\n"))?;
+    }
+    Ok(verdict(well))
+}
