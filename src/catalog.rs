@@ -271,6 +271,10 @@ pub static CATALOG: &[&dyn AnyFormula] = &[
     &ujoint::Friction,
     &ujoint::Stop,
     // Elements
+    &element::slot::Rows,
+    &element::slot::Forces,
+    &element::slot::GeometricStiffness,
+    &element::slot::SymmetricStiffness,
     &element::join::Rows,
     &element::join::Forces,
     &element::join::GeometricStiffness,

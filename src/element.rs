@@ -10,7 +10,8 @@
 //! | signs | a positive multiplier times its row acts on the node: Rowsᵀ λ, with the forces of JOIN along a's triad on b, as everywhere |
 //!
 //! The rows of g_i = e_i·(x_b − x_a), e_i fixed in a, are −e_i, e_i × d, e_i and 0, with d = x_b − x_a. Those of
-//! g = e1a·e3b are 0, e1a × e3b, 0 and e3b × e1a. JOIN is three of the first, UNIVERSAL one of the second, UJOINT is both.
+//! g = e1a·e3b are 0, e1a × e3b, 0 and e3b × e1a. SLOT is two of the first,
+//! JOIN three, UNIVERSAL one of the second, UJOINT is JOIN and UNIVERSAL.
 //!
 //! The stiffness K is symmetric but for the blocks of a node's own spin: there K − Kᵀ = −\[m×\] with the moment m on that node,
 //! since spins about different axes do not commute. Where nodal moments balance, it is symmetric after assembly.
@@ -20,6 +21,7 @@ pub mod join;
 #[cfg(feature = "verify")]
 mod motion;
 mod products;
+pub mod slot;
 pub mod ujoint;
 pub mod universal;
 

@@ -385,6 +385,12 @@ quantities! {
     G3_UA: r"\mathbf{g}_{3,ua}", Vec3, ONE, Vector, "derivative of the third residual of JOIN by the translation of node a";
     G3_TA: r"\mathbf{g}_{3,\theta a}", Vec3, L, Vector, "derivative of the third residual of JOIN by the spin of node a";
     G3_UB: r"\mathbf{g}_{3,ub}", Vec3, ONE, Vector, "derivative of the third residual of JOIN by the translation of node b";
+    GY_UA: r"\mathbf{g}_{y,ua}", Vec3, ONE, Vector, "derivative of SLOT's residual along e2a by the translation of node a";
+    GY_TA: r"\mathbf{g}_{y,\theta a}", Vec3, L, Vector, "derivative of SLOT's residual along e2a by the spin of node a";
+    GY_UB: r"\mathbf{g}_{y,ub}", Vec3, ONE, Vector, "derivative of SLOT's residual along e2a by the translation of node b";
+    GZ_UA: r"\mathbf{g}_{z,ua}", Vec3, ONE, Vector, "derivative of SLOT's residual along e3a by the translation of node a";
+    GZ_TA: r"\mathbf{g}_{z,\theta a}", Vec3, L, Vector, "derivative of SLOT's residual along e3a by the spin of node a";
+    GZ_UB: r"\mathbf{g}_{z,ub}", Vec3, ONE, Vector, "derivative of SLOT's residual along e3a by the translation of node b";
     G_ROT_TA: r"\mathbf{g}_{\mathrm{rot},\theta a}", Vec3, ONE, Vector, "derivative of the residual of UNIVERSAL by the spin of node a";
     G_ROT_TB: r"\mathbf{g}_{\mathrm{rot},\theta b}", Vec3, ONE, Vector, "derivative of the residual of UNIVERSAL by the spin of node b";
     LAMBDA_ROT: r"\lambda_{\mathrm{rot}}", Scalar, FL, Real, "multiplier of UNIVERSAL's residual e1a·e3b: m2 divided by the cosine of the second Cardan angle";

@@ -160,7 +160,7 @@ fn moving(i: &JoinLoads<Octuple>, motion: &Motion) -> element::Forces<Moving> {
 }
 
 /// With the moment on b, which is none.
-fn whole<D: Scalar>(JoinForces { fa, ma, fb }: JoinForces<D>) -> element::Forces<D> {
+pub(in crate::element) fn whole<D: Scalar>(JoinForces { fa, ma, fb }: JoinForces<D>) -> element::Forces<D> {
     NodalForces { fa, ma, fb, mb: Vector3::from_element(D::zero()) }.vector()
 }
 
