@@ -182,3 +182,50 @@ impl Proved for SymmetricStiffness {
         })]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::element::Stiffness;
+    use crate::verify::exactly;
+    use num_traits::One;
+
+    fn here() -> JointLoads<Octuple> {
+        let [e1a, e2a, e3a] = hard::triad();
+        let (xa, xb, e3b) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(4.0, 6.0, 15.0), Vector3::new(0.6, 0.0, 0.8));
+        exactly::<Forces>(&JointLoads { e1a, e2a, e3a, e3b, xa, xb, f1: 2.0, f2: -3.0, f3: 6.0, lambda_rot: -1.5 })
+    }
+
+    /// Whether the laws of the geometric stiffness find it wrong.
+    fn is_caught(i: &JointLoads<Octuple>, matrix: Stiffness<Octuple>) -> bool {
+        let planted = Tangent { matrix, ..tangent(i) };
+        let laws = [planted.derives(|motion| moving(i, motion)), planted.is_symmetric_but_for_own_spins()].concat();
+        laws.iter().any(|equation| law::residual(equation) > 1e-60)
+    }
+
+    #[test]
+    fn planted_errors_of_the_stiffness_are_caught_by_its_laws() {
+        let i = here();
+        let right = tangent(&i).matrix;
+        assert!(!is_caught(&i, right));
+        assert!(is_caught(&i, right.transpose()), "transposed");
+        assert!(is_caught(&i, -right), "the other sign");
+        let half = Octuple::from(0.5);
+        assert!(is_caught(&i, (right + right.transpose()) * half), "symmetrised");
+        for (row, column) in [(0, 3), (3, 0), (3, 3), (3, 6), (3, 9), (6, 3), (9, 3), (9, 9)] {
+            let mut without = right;
+            without.fixed_view_mut::<3, 3>(row, column).fill(Octuple::one() * 0.0);
+            assert!(is_caught(&i, without), "without the block at {row}, {column}");
+        }
+    }
+
+    #[test]
+    fn the_symmetric_part_put_in_its_places_is_that_of_the_whole() {
+        let i = here();
+        let (k, s) = (GeometricStiffness::eval(&i), SymmetricStiffness::eval(&i));
+        let put = super::super::JointStiffness { k_ta_ta: s.s_ta_ta, k_tb_tb: s.s_tb_tb, ..k }.matrix();
+        let whole = (k.matrix() + k.matrix().transpose()) * Octuple::from(0.5);
+        let furthest = (put - whole).iter().map(|x| x.to_f64().abs()).fold(0.0, f64::max);
+        assert!(furthest < 1e-65, "{furthest:e}");
+    }
+}
