@@ -21,7 +21,9 @@ fn both(graph: &mut Graph, condition: Node, pair: (Node, Node), joined: &mut Has
         return known;
     }
     let (left, right) = (graph.op(yes).clone(), graph.op(no).clone());
-    let op = if left.is_like(&right) && !mentions(&left, condition) && !mentions(&right, condition) {
+    // A length that was there before the sides parted is there on both, and is not computed again.
+    let is_known = matches!(left, Op::Norm(_)) && (yes < condition || no < condition);
+    let op = if !is_known && left.is_like(&right) && !mentions(&left, condition) && !mentions(&right, condition) {
         let operands = left.operands().into_iter().zip(right.operands());
         let operands: Vec<_> = operands.map(|operands| both(graph, condition, operands, joined)).collect();
         left.with_operands(&operands)

@@ -37,6 +37,12 @@ const T1: Quantity = Quantity {
     meaning: "tangent of the line at the closest point of each node, node by node",
     ..TANGENT
 };
+const T2: Quantity = Quantity {
+    latex: r"\mathbf{t}_2\cdot\mathbf{s}",
+    unit: Unit::ONE,
+    meaning: "second tangent of the line along the circumferential direction s, at each node: t2 = −s",
+    ..E12
+};
 const N: Quantity =
     Quantity { meaning: "normal of the line at the closest point of each node, node by node", ..NORMAL };
 
@@ -72,7 +78,15 @@ pub(super) const ISL21A: Kind = Kind {
             renamed(&slide_line::ContactAreaLinear, &[("a1", "area"), ("a2", "area")]),
         ],
     ],
-    meanings: &[("e12", &E12), ("s11", &S11), ("s12", &S12), ("area", &AREA), ("tangent", &T1), ("normal", &N)],
+    meanings: &[
+        ("e12", &E12),
+        ("s11", &S11),
+        ("s12", &S12),
+        ("area", &AREA),
+        ("tangent", &T1),
+        ("normal", &N),
+        ("second_tangent", &T2),
+    ],
     outputs: &[&[
         ("E11", "e11"),
         ("E12", "e12"),
@@ -82,6 +96,7 @@ pub(super) const ISL21A: Kind = Kind {
         ("AREA", "area"),
         ("T1", "tangent"),
         ("N", "normal"),
+        ("T2", "second_tangent"),
     ]],
 };
 

@@ -46,12 +46,22 @@ pub(in crate::scene) enum Output {
     Area,
     Tangent,
     Normal,
+    SecondTangent,
 }
 
 impl Output {
     /// All, in the order of the outputs of the kinds.
-    const ALL: [Self; 8] =
-        [Self::E11, Self::E12, Self::S11, Self::S12, Self::Torque, Self::Area, Self::Tangent, Self::Normal];
+    const ALL: [Self; 9] = [
+        Self::E11,
+        Self::E12,
+        Self::S11,
+        Self::S12,
+        Self::Torque,
+        Self::Area,
+        Self::Tangent,
+        Self::Normal,
+        Self::SecondTangent,
+    ];
 
     pub(in crate::scene) fn name(self) -> &'static str {
         match self {
@@ -63,6 +73,7 @@ impl Output {
             Self::Area => "AREA",
             Self::Tangent => "T1",
             Self::Normal => "N",
+            Self::SecondTangent => "T2",
         }
     }
 

@@ -174,6 +174,7 @@ impl<'s, T: Number> ContactRun<'s, T> {
             Output::Area => self.areas[place].iter().copied().collect(),
             Output::Tangent => slaves.flat_map(|slave| [slave.tangent.x, slave.tangent.y]).collect(),
             Output::Normal => slaves.flat_map(|slave| [-slave.tangent.y, slave.tangent.x]).collect(),
+            Output::SecondTangent => slaves.map(|_| -T::one()).collect(),
         }
     }
 
