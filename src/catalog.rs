@@ -12,7 +12,8 @@ use crate::verify::{
     kinks_as_printed, number_of,
 };
 use crate::{
-    Error, Octuple, align, cardan, coulomb, interaction, join, slide_line, slider, slot, translator, ujoint, universal,
+    Error, Octuple, align, cardan, coulomb, element, interaction, join, slide_line, slider, slot, translator, ujoint,
+    universal,
 };
 
 /// A formula whose inputs and outputs are not known to the compiler; every [`Proved`] one is.
@@ -269,6 +270,23 @@ pub static CATALOG: &[&dyn AnyFormula] = &[
     &ujoint::NormalMoments,
     &ujoint::Friction,
     &ujoint::Stop,
+    // Elements
+    &element::slot::Rows,
+    &element::slot::Forces,
+    &element::slot::GeometricStiffness,
+    &element::slot::SymmetricStiffness,
+    &element::join::Rows,
+    &element::join::Forces,
+    &element::join::GeometricStiffness,
+    &element::join::SymmetricStiffness,
+    &element::universal::Rows,
+    &element::universal::Moments,
+    &element::universal::GeometricStiffness,
+    &element::universal::SymmetricStiffness,
+    &element::ujoint::Rows,
+    &element::ujoint::Forces,
+    &element::ujoint::GeometricStiffness,
+    &element::ujoint::SymmetricStiffness,
     // SLIDER
     &slider::Line,
     &slider::Basis,

@@ -7,6 +7,7 @@
 //! | module | what is in it |
 //! |---|---|
 //! | [`slot`], [`coulomb`], [`cardan`], [`align`], [`translator`], [`join`], [`universal`], [`ujoint`], [`slider`], [`slide_line`], [`interaction`] | the documents' rooms: formulas, Jacobians, and the typed connectors |
+//! | [`element`] | from equations to an element: rows, nodal forces and geometric stiffness by translations and spins |
 //! | [`isl`] | the axisymmetric elements that slide along a slide line |
 //! | [`frame`] | validated triads |
 //! | [`formula`], [`quantity`] | what a formula is; the vocabulary of symbols, units and domains |
@@ -60,6 +61,7 @@ pub mod catalog;
 pub mod coulomb;
 mod double;
 mod eft;
+pub mod element;
 #[cfg(feature = "verify")]
 pub mod equation;
 mod error;

@@ -153,7 +153,7 @@ pub enum Domain {
     HalfOpen(f64, f64),
     /// A point: moves and turns with the model.
     Point,
-    /// A free vector (a displacement, a force): turns with the model.
+    /// A free vector (a displacement, a force), or a matrix that takes one to another: turns with the model.
     Vector,
     /// A unit vector: turns with the model.
     Direction,
@@ -374,6 +374,36 @@ quantities! {
     MN3: r"M_{N3}", Scalar, FL, NonNegative, "normal moment that produces friction about e3b";
     PHI1: r"\Phi_1", Scalar, FL, Real, "yield function about e1a: stick below 0, slip at 0";
     PHI3: r"\Phi_3", Scalar, FL, Real, "yield function about e3b: stick below 0, slip at 0";
+
+    // Elements
+    G1_UA: r"\mathbf{g}_{1,ua}", Vec3, ONE, Vector, "derivative of the first residual of JOIN by the translation of node a";
+    G1_TA: r"\mathbf{g}_{1,\theta a}", Vec3, L, Vector, "derivative of the first residual of JOIN by the spin of node a";
+    G1_UB: r"\mathbf{g}_{1,ub}", Vec3, ONE, Vector, "derivative of the first residual of JOIN by the translation of node b";
+    G2_UA: r"\mathbf{g}_{2,ua}", Vec3, ONE, Vector, "derivative of the second residual of JOIN by the translation of node a";
+    G2_TA: r"\mathbf{g}_{2,\theta a}", Vec3, L, Vector, "derivative of the second residual of JOIN by the spin of node a";
+    G2_UB: r"\mathbf{g}_{2,ub}", Vec3, ONE, Vector, "derivative of the second residual of JOIN by the translation of node b";
+    G3_UA: r"\mathbf{g}_{3,ua}", Vec3, ONE, Vector, "derivative of the third residual of JOIN by the translation of node a";
+    G3_TA: r"\mathbf{g}_{3,\theta a}", Vec3, L, Vector, "derivative of the third residual of JOIN by the spin of node a";
+    G3_UB: r"\mathbf{g}_{3,ub}", Vec3, ONE, Vector, "derivative of the third residual of JOIN by the translation of node b";
+    GY_UA: r"\mathbf{g}_{y,ua}", Vec3, ONE, Vector, "derivative of SLOT's residual along e2a by the translation of node a";
+    GY_TA: r"\mathbf{g}_{y,\theta a}", Vec3, L, Vector, "derivative of SLOT's residual along e2a by the spin of node a";
+    GY_UB: r"\mathbf{g}_{y,ub}", Vec3, ONE, Vector, "derivative of SLOT's residual along e2a by the translation of node b";
+    GZ_UA: r"\mathbf{g}_{z,ua}", Vec3, ONE, Vector, "derivative of SLOT's residual along e3a by the translation of node a";
+    GZ_TA: r"\mathbf{g}_{z,\theta a}", Vec3, L, Vector, "derivative of SLOT's residual along e3a by the spin of node a";
+    GZ_UB: r"\mathbf{g}_{z,ub}", Vec3, ONE, Vector, "derivative of SLOT's residual along e3a by the translation of node b";
+    G_ROT_TA: r"\mathbf{g}_{\mathrm{rot},\theta a}", Vec3, ONE, Vector, "derivative of the residual of UNIVERSAL by the spin of node a";
+    G_ROT_TB: r"\mathbf{g}_{\mathrm{rot},\theta b}", Vec3, ONE, Vector, "derivative of the residual of UNIVERSAL by the spin of node b";
+    LAMBDA_ROT: r"\lambda_{\mathrm{rot}}", Scalar, FL, Real, "multiplier of UNIVERSAL's residual e1a·e3b: m2 divided by the cosine of the second Cardan angle";
+    FORCE_A: r"\mathbf{f}_a", Vec3, F, Vector, "force of the connector on node a, in the global frame";
+    MOMENT_A: r"\mathbf{m}_a", Vec3, FL, Vector, "moment of the connector on node a, in the global frame";
+    FORCE_B: r"\mathbf{f}_b", Vec3, F, Vector, "force of the connector on node b, in the global frame";
+    MOMENT_B: r"\mathbf{m}_b", Vec3, FL, Vector, "moment of the connector on node b, in the global frame";
+    K_UA_TA: r"\mathbf{K}_{ua,\theta a}", Mat3, F, Vector, "how the force on node a changes with the spin of a, the multipliers held";
+    K_TA_TA: r"\mathbf{K}_{\theta a,\theta a}", Mat3, FL, Vector, "how the moment on node a changes with the spin of a, the multipliers held";
+    K_TA_TB: r"\mathbf{K}_{\theta a,\theta b}", Mat3, FL, Vector, "how the moment on node a changes with the spin of b, the multipliers held";
+    K_TB_TB: r"\mathbf{K}_{\theta b,\theta b}", Mat3, FL, Vector, "how the moment on node b changes with the spin of b, the multipliers held";
+    S_TA_TA: r"\mathbf{S}_{\theta a,\theta a}", Mat3, FL, Vector, "symmetric part of the change of the moment on node a with the spin of a";
+    S_TB_TB: r"\mathbf{S}_{\theta b,\theta b}", Mat3, FL, Vector, "symmetric part of the change of the moment on node b with the spin of b";
 
     // SLIDER
     SLIDER_X1: r"\mathbf{x}_1", Vec3, L, Point, "position of node 1, where the line begins";

@@ -350,13 +350,17 @@ impl Known {
 }
 
 fn value(mut parts: Vec<Id>) -> Value {
-    if parts.len() == 1 { Value::Scalar(parts.swap_remove(0)) } else { Value::Vector(parts) }
+    match parts.len() {
+        1 => Value::Scalar(parts.swap_remove(0)),
+        9 => Value::Matrix(parts),
+        _ => Value::Vector(parts),
+    }
 }
 
 fn parts(value: Value) -> Vec<Id> {
     match value {
         Value::Scalar(id) => vec![id],
-        Value::Vector(parts) => parts,
+        Value::Vector(parts) | Value::Matrix(parts) => parts,
         Value::Normal | Value::Zero => Vec::new(),
     }
 }
@@ -405,7 +409,9 @@ fn sides(writer: &mut Writer<'_>, statement: &Statement, latex: &str) -> Result<
         let zero = writer.tape.number(0.0);
         let pairs: Vec<_> = match (left, right.clone()) {
             (Value::Scalar(a), Value::Scalar(b)) => vec![(a, b)],
-            (Value::Vector(a), Value::Vector(b)) if a.len() == b.len() && *relation == Relation::Equal => {
+            (Value::Vector(a), Value::Vector(b)) | (Value::Matrix(a), Value::Matrix(b))
+                if a.len() == b.len() && *relation == Relation::Equal =>
+            {
                 a.into_iter().zip(b).collect()
             }
             (Value::Vector(a), Value::Scalar(b)) if b == zero && *relation == Relation::Equal => {

@@ -39,6 +39,7 @@ impl Writer<'_> {
             return Ok(Some(match value {
                 Value::Scalar(id) => Value::Scalar(self.total(id)),
                 Value::Vector(parts) => Value::Vector(parts.into_iter().map(|id| self.total(id)).collect()),
+                Value::Matrix(parts) => Value::Matrix(parts.into_iter().map(|id| self.total(id)).collect()),
                 Value::Normal | Value::Zero => return Ok(None),
             }));
         }

@@ -47,7 +47,11 @@ pub(super) fn name(name: &Name) -> String {
         word if word.chars().count() == 1 || LETTERS.contains(&word) => letter(word),
         word => format!(r"\mathrm{{{word}}}"),
     };
-    let below = name.below.iter().map(piece).collect::<String>();
+    let below = name.below.iter().map(piece).fold(String::new(), |all, next| {
+        // A letter would else belong to the command before it.
+        let is_command = all.rfind('\\').is_some_and(|at| all[at + 1..].chars().all(|c| c.is_ascii_alphabetic()));
+        if is_command { all + &spaced(&next) } else { all + &next }
+    });
     let below = if below.is_empty() { below } else { format!("_{{{below}}}") };
     let above = match name.above.as_str() {
         "" => String::new(),
@@ -75,7 +79,9 @@ fn sum(e: &Expr) -> String {
 fn term(e: &Expr) -> String {
     match &e.kind {
         Kind::Negative(inside) => format!("-{}", term(inside)),
-        Kind::Binary(operator @ (Operator::Times | Operator::Dot | Operator::Cross), a, b) => product(*operator, a, b),
+        Kind::Binary(operator @ (Operator::Times | Operator::Dot | Operator::Cross | Operator::Outer), a, b) => {
+            product(*operator, a, b)
+        }
         Kind::Sum { index, from, to, body } => format!(r"\sum_{{{index}={from}}}^{{{to}}} {}", term(body)),
         _ => factor(e),
     }
@@ -96,7 +102,11 @@ fn product(operator: Operator, a: &Expr, b: &Expr) -> String {
         let cut = is_function || matches!((&a.kind, &b.kind), (Kind::Number(_), Kind::Number(_)));
         return format!("{left}{}{}", if cut { r"\cdot " } else { r"\," }, factor(b));
     }
-    let sign = if operator == Operator::Dot { r"\cdot" } else { r"\times" };
+    let sign = match operator {
+        Operator::Dot => r"\cdot",
+        Operator::Outer => r"\otimes",
+        _ => r"\times",
+    };
     let left = if is_product(a, &[Operator::Times]) { term(a) } else { factor(a) };
     format!("{left}{sign}{}", spaced(&factor(b)))
 }

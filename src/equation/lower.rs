@@ -190,7 +190,7 @@ impl<'e> Writer<'e> {
     fn note_equal(&mut self, first: &Value, next: &Value, at: usize, place: &Place<'_>) -> Result<(), Error> {
         let pairs: Vec<_> = match (first, next) {
             (Value::Scalar(a), Value::Scalar(b)) => vec![(*a, *b)],
-            (Value::Vector(a), Value::Vector(b)) if a.len() == b.len() => {
+            (Value::Vector(a), Value::Vector(b)) | (Value::Matrix(a), Value::Matrix(b)) if a.len() == b.len() => {
                 a.iter().copied().zip(b.iter().copied()).collect()
             }
             _ => return Err(Error::new(at, "the two sides have not the same shape")),

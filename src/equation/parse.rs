@@ -35,6 +35,7 @@ impl Parser<'_> {
             let operator = match self.peek().kind {
                 Word::Command("cdot") => Operator::Dot,
                 Word::Command("times") => Operator::Cross,
+                Word::Command("otimes") => Operator::Outer,
                 Word::Sign('/') => Operator::Divide,
                 _ if self.begins_factor() => Operator::Times,
                 _ => return Ok(product),
@@ -57,7 +58,7 @@ impl Parser<'_> {
             // `(k = 1, 3)` is a range.
             Word::Sign('(') => self.tokens.get(self.next + 2).is_none_or(|token| token.kind != Word::Sign('=')),
             Word::Letter(_) | Word::Digit(_) | Word::Sign('[') | Word::BeginCases => true,
-            Word::Command(name) => !matches!(name, "rvert" | "le" | "ge" | "ne" | "cdot" | "times"),
+            Word::Command(name) => !matches!(name, "rvert" | "le" | "ge" | "ne" | "cdot" | "times" | "otimes"),
             _ => false,
         }
     }

@@ -57,6 +57,8 @@ pub(super) enum Operator {
     Dot,
     /// `\times`
     Cross,
+    /// `\otimes`
+    Outer,
     Divide,
 }
 
@@ -145,7 +147,7 @@ impl Expr {
         }
     }
 
-    /// Whether it is a vector, as far as the type of its letters says.
+    /// Whether it is a vector or a matrix, as far as the type of its letters says.
     pub(super) fn is_vector(&self) -> bool {
         match &self.kind {
             Kind::Symbol(name) | Kind::Apply(name, _) => name.bold,
@@ -153,7 +155,7 @@ impl Expr {
             Kind::Binary(Operator::Add | Operator::Subtract | Operator::Times, a, b) => a.is_vector() || b.is_vector(),
             Kind::Binary(Operator::Dot, a, b) => a.is_vector() != b.is_vector(),
             Kind::Binary(Operator::Divide, a, _) => a.is_vector(),
-            Kind::Binary(Operator::Cross, ..) | Kind::Tuple(_) => true,
+            Kind::Binary(Operator::Cross | Operator::Outer, ..) | Kind::Tuple(_) => true,
             Kind::Cases(rows) => rows.first().is_some_and(|(value, _)| value.is_vector()),
             Kind::Partial(of, by) => of.is_vector() || by.bold,
             Kind::Number(_) | Kind::Call(..) | Kind::Power(..) | Kind::Size(_) | Kind::Item(..) => false,

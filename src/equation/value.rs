@@ -1,4 +1,4 @@
-//! Numbers and vectors, and what is done to them.
+//! Numbers, vectors and matrices, and what is done to them.
 
 use super::error::Error;
 use super::name::Name;
@@ -10,6 +10,8 @@ use super::tape::{Id, Op, Tape};
 pub(super) enum Value {
     Scalar(Id),
     Vector(Vec<Id>),
+    /// A 3×3 matrix, row by row.
+    Matrix(Vec<Id>),
     /// The normal of the plane, **s**: its cross product with a vector of the plane turns that to the left.
     Normal,
     /// The zero vector, of any length.
@@ -26,6 +28,7 @@ pub(super) fn each(
     match value {
         Value::Scalar(id) => Ok(Value::Scalar(change(tape, id))),
         Value::Vector(parts) => Ok(Value::Vector(parts.into_iter().map(|id| change(tape, id)).collect())),
+        Value::Matrix(parts) => Ok(Value::Matrix(parts.into_iter().map(|id| change(tape, id)).collect())),
         Value::Normal | Value::Zero => Err(Error::new(at, "only a cross product or a comparison is written with this")),
     }
 }
@@ -38,7 +41,7 @@ pub(super) fn binary(
     right: Value,
     at: usize,
 ) -> Result<Value, Error> {
-    use Operator::{Add, Cross, Divide, Dot, Subtract, Times};
+    use Operator::{Add, Cross, Divide, Dot, Outer, Subtract, Times};
     let pairs = |a: &[Id], b: &[Id]| a.iter().copied().zip(b.iter().copied()).collect::<Vec<_>>();
     Ok(match (operator, left, right) {
         (Add, Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(tape.add(a, b)),
@@ -57,6 +60,18 @@ pub(super) fn binary(
         (Subtract, Value::Vector(a), Value::Vector(b)) if a.len() == b.len() => {
             Value::Vector(pairs(&a, &b).into_iter().map(|(a, b)| tape.subtract(a, b)).collect())
         }
+        (Times, Value::Scalar(a), Value::Matrix(b)) | (Times, Value::Matrix(b), Value::Scalar(a)) => {
+            Value::Matrix(b.into_iter().map(|b| tape.multiply(a, b)).collect())
+        }
+        (Add, Value::Matrix(a), Value::Matrix(b)) => {
+            Value::Matrix(pairs(&a, &b).into_iter().map(|(a, b)| tape.add(a, b)).collect())
+        }
+        (Subtract, Value::Matrix(a), Value::Matrix(b)) => {
+            Value::Matrix(pairs(&a, &b).into_iter().map(|(a, b)| tape.subtract(a, b)).collect())
+        }
+        (Outer, Value::Vector(a), Value::Vector(b)) if a.len() == 3 && b.len() == 3 => Value::Matrix(
+            a.iter().flat_map(|&a| b.iter().map(move |&b| (a, b))).map(|(a, b)| tape.multiply(a, b)).collect(),
+        ),
         (Dot, Value::Vector(a), Value::Vector(b)) if a.len() == b.len() => {
             let products: Vec<_> = pairs(&a, &b).into_iter().map(|(a, b)| tape.multiply(a, b)).collect();
             let zero = tape.number(0.0);
@@ -68,6 +83,15 @@ pub(super) fn binary(
                 tape.subtract(plus, minus)
             };
             Value::Vector(vec![minor(1, 2), minor(2, 0), minor(0, 1)])
+        }
+        // Of every column.
+        (Cross, Value::Vector(a), Value::Matrix(b)) if a.len() == 3 => {
+            let mut minor = |i: usize, j: usize, column: usize| {
+                let (plus, minus) = (tape.multiply(a[i], b[3 * j + column]), tape.multiply(a[j], b[3 * i + column]));
+                tape.subtract(plus, minus)
+            };
+            let mut row = |i: usize, j: usize| [minor(i, j, 0), minor(i, j, 1), minor(i, j, 2)];
+            Value::Matrix([row(1, 2), row(2, 0), row(0, 1)].concat())
         }
         (Cross, Value::Normal, Value::Vector(b)) if b.len() == 2 => Value::Vector(vec![tape.negative(b[1]), b[0]]),
         (operator, ..) => return Err(Error::new(at, format!("{} is not defined for these", word(operator)))),
@@ -110,6 +134,7 @@ pub(super) fn constant(name: &Name, tape: &mut Tape) -> Option<Value> {
         (true, "i") => Some(axis(0)),
         (true, "j") => Some(axis(1)),
         (true, "k") => Some(axis(2)),
+        (true, "I") => Some(Value::Matrix((0..9).map(|k| tape.number(f64::from(u8::from(k % 4 == 0)))).collect())),
         (true, "s") => Some(Value::Normal),
         (true, "0") => Some(Value::Zero),
         (false, "pi") => Some(Value::Scalar(tape.push(Op::Pi))),
@@ -125,6 +150,7 @@ fn word(operator: Operator) -> &'static str {
         Operator::Times => "a product without a sign",
         Operator::Dot => "the product `\\cdot`",
         Operator::Cross => "the product `\\times`",
+        Operator::Outer => "the product `\\otimes`",
         Operator::Divide => "a quotient",
     }
 }

@@ -197,7 +197,7 @@ impl Rules<'_> {
             Operator::Times => {
                 plus(change_a.map(|change| times(change, b.clone())), change_b.map(|c| times(a.clone(), c)))
             }
-            Operator::Dot | Operator::Cross => {
+            Operator::Dot | Operator::Cross | Operator::Outer => {
                 plus(change_a.map(|change| make(change, b.clone())), change_b.map(|change| make(a.clone(), change)))
             }
         }

@@ -49,7 +49,7 @@ fn reach(fields: &[Field], components: &[Octuple]) -> Octuple {
         .unwrap_or_else(Octuple::one)
 }
 
-/// Turns vectors, and turns and moves points.
+/// Turns vectors and matrices, and turns and moves points.
 fn moved(fields: &[Field], components: &[Octuple], reach: Octuple) -> Vec<Octuple> {
     let mut rest = components;
     let mut result = Vec::new();
@@ -74,6 +74,14 @@ fn move_part(part: &[Octuple], domain: Domain, shape: Shape, reach: Octuple) -> 
         rotation(w, x, y, z)
     };
     let translation = [1.25, -7.0, 3.5].map(|x| reach * x);
+    if shape == Shape::Mat3 {
+        // Row i, column j is of both axes.
+        let turned = |row: usize, column: usize| {
+            let product = |k: usize| part[k] * triad[k / 3][row] * triad[k % 3][column];
+            (0..part.len()).map(product).fold(Octuple::zero(), |sum, x| sum + x)
+        };
+        return (0..part.len()).map(|k| turned(k / 3, k % 3)).collect();
+    }
     let shift = |axis: usize| if domain == Domain::Point { translation[axis] } else { Octuple::zero() };
     (0..part.len())
         .map(|axis| part.iter().enumerate().fold(shift(axis), |sum, (k, &x)| sum + x * triad[k][axis]))

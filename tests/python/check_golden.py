@@ -70,7 +70,8 @@ def has_shape(value: Any, shape: list[int]) -> bool:
 
 
 def shape_of(*lengths: int) -> list[int]:
-    return [n for n in lengths if n]
+    """A scalar has length 0; a list of nine is a 3x3 matrix, row by row."""
+    return [n for length in lengths for n in ([3, 3] if length == 9 else [length]) if n]
 
 
 def flatten(value: Any, path: str = "") -> Iterator[tuple[str, Any]]:

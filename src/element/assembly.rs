@@ -1,0 +1,103 @@
+//! Twelve degrees of freedom in a row: the translation and the spin of a, the translation and the spin of b.
+
+use super::join::JoinStiffness;
+use super::ujoint::{JointRows, JointStiffness};
+use super::universal::UniversalStiffness;
+use super::{Forces, Rows, Stiffness};
+use crate::element::NodalForces;
+use crate::scalar::Scalar;
+use nalgebra::{Matrix3, Vector3};
+
+/// The places of the four motions, in threes.
+const UA: usize = 0;
+const TA: usize = 1;
+const UB: usize = 2;
+const TB: usize = 3;
+
+/// Matrices of three rows and columns at their places.
+fn stiffness<D: Scalar, const N: usize>(blocks: [(usize, usize, Matrix3<D>); N]) -> Stiffness<D> {
+    let mut all = Stiffness::zeros();
+    for (row, column, block) in blocks {
+        all.fixed_view_mut::<3, 3>(3 * row, 3 * column).copy_from(&block);
+    }
+    all
+}
+
+impl<D: Scalar> NodalForces<D> {
+    /// Force and moment on a, force and moment on b.
+    pub fn vector(&self) -> Forces<D> {
+        let parts = [self.fa, self.ma, self.fb, self.mb];
+        Forces::from_fn(|k, _| parts[k / 3][k % 3])
+    }
+}
+
+impl<D: Scalar> JointRows<D> {
+    /// The four rows, JOIN's first.
+    ///
+    /// ```
+    /// use jointproof::element::ujoint::{JointPlaces, Rows};
+    /// use jointproof::formula::value;
+    /// use nalgebra::Vector3;
+    /// let [e1a, e2a, e3a] = [Vector3::x(), Vector3::y(), Vector3::z()];
+    /// let here = JointPlaces { e1a, e2a, e3a, e3b: e3a, xa: Vector3::zeros(), xb: Vector3::zeros() };
+    /// let rows = value::<Rows>(&here)?.matrix();
+    /// assert_eq!((rows[(0, 0)], rows[(0, 6)]), (-1.0, 1.0)); // g1 = e1a·(xb − xa) by u_a and by u_b
+    /// assert_eq!((rows[(3, 4)], rows[(3, 10)]), (-1.0, 1.0)); // e1a·e3b by θ_a and by θ_b, about e2a
+    /// # Ok::<(), jointproof::Error>(())
+    /// ```
+    pub fn matrix(&self) -> Rows<D, 4> {
+        let mut all = Rows::zeros();
+        let mut put = |row: usize, motion: usize, part: &Vector3<D>| {
+            all.fixed_view_mut::<1, 3>(row, 3 * motion).copy_from(&part.transpose());
+        };
+        let of_join = [
+            [&self.g1_ua, &self.g1_ta, &self.g1_ub],
+            [&self.g2_ua, &self.g2_ta, &self.g2_ub],
+            [&self.g3_ua, &self.g3_ta, &self.g3_ub],
+        ];
+        for (row, [ua, ta, ub]) in of_join.into_iter().enumerate() {
+            put(row, UA, ua);
+            put(row, TA, ta);
+            put(row, UB, ub);
+        }
+        put(3, TA, &self.g_rot_ta);
+        put(3, TB, &self.g_rot_tb);
+        all
+    }
+}
+
+impl<D: Scalar> JoinStiffness<D> {
+    /// All blocks in their places.
+    pub fn matrix(&self) -> Stiffness<D> {
+        let (force, turned) = (self.k_ua_ta, self.k_ua_ta.transpose());
+        stiffness([(UA, TA, force), (UB, TA, -force), (TA, UA, turned), (TA, UB, -turned), (TA, TA, self.k_ta_ta)])
+    }
+}
+
+impl<D: Scalar> UniversalStiffness<D> {
+    /// All blocks in their places.
+    pub fn matrix(&self) -> Stiffness<D> {
+        let across = self.k_ta_tb;
+        stiffness([(TA, TA, self.k_ta_ta), (TA, TB, across), (TB, TA, across.transpose()), (TB, TB, self.k_tb_tb)])
+    }
+}
+
+impl<D: Scalar> JointStiffness<D> {
+    /// All blocks in their places: what Newton's matrix has beside the rows.
+    ///
+    /// With the blocks of [`SymmetricStiffness`](super::ujoint::SymmetricStiffness) in place of `k_ta_ta` and `k_tb_tb`
+    /// it is symmetric.
+    pub fn matrix(&self) -> Stiffness<D> {
+        let (force, turned, across) = (self.k_ua_ta, self.k_ua_ta.transpose(), self.k_ta_tb);
+        stiffness([
+            (UA, TA, force),
+            (UB, TA, -force),
+            (TA, UA, turned),
+            (TA, UB, -turned),
+            (TA, TA, self.k_ta_ta),
+            (TA, TB, across),
+            (TB, TA, across.transpose()),
+            (TB, TB, self.k_tb_tb),
+        ])
+    }
+}

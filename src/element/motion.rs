@@ -1,0 +1,133 @@
+//! Virtual motions of two nodes, by which laws are stated: what they change, by automatic differentiation in 237 bits.
+
+use super::{Forces, Stiffness};
+use crate::Octuple;
+use crate::proof::{Equation, law};
+use nalgebra::{Matrix3, Vector3};
+use num_dual::Dual;
+use num_traits::{One, Zero};
+
+type Vector = Vector3<Octuple>;
+type Matrix = Matrix3<Octuple>;
+/// A number that changes as the nodes move.
+pub(super) type Moving = Dual<Octuple>;
+
+/// Translations and spins of both nodes, or what belongs to each of them.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Motion {
+    pub(super) ua: Vector,
+    pub(super) ta: Vector,
+    pub(super) ub: Vector,
+    pub(super) tb: Vector,
+}
+
+impl Motion {
+    pub(super) fn none() -> Self {
+        let none = Vector::from_element(Octuple::zero());
+        Self { ua: none, ta: none, ub: none, tb: none }
+    }
+
+    /// All that moves alone: the k-th component of each.
+    fn alone() -> [[Self; 3]; 4] {
+        let none = Self::none();
+        let unit = |k: usize| Vector::from_fn(|j, _| if j == k { Octuple::one() } else { Octuple::zero() });
+        [
+            [0, 1, 2].map(|k| Self { ua: unit(k), ..none }),
+            [0, 1, 2].map(|k| Self { ta: unit(k), ..none }),
+            [0, 1, 2].map(|k| Self { ub: unit(k), ..none }),
+            [0, 1, 2].map(|k| Self { tb: unit(k), ..none }),
+        ]
+    }
+
+    /// A position of a, of b.
+    pub(super) fn places(&self, [xa, xb]: [Vector; 2]) -> [Vector3<Moving>; 2] {
+        [xa.zip_map(&self.ua, Dual::new), xb.zip_map(&self.ub, Dual::new)]
+    }
+
+    /// A vector of the triad of a: δe = δθ × e.
+    pub(super) fn of_a(&self, e: Vector) -> Vector3<Moving> {
+        e.zip_map(&self.ta.cross(&e), Dual::new)
+    }
+
+    /// A vector of the triad of b.
+    pub(super) fn of_b(&self, e: Vector) -> Vector3<Moving> {
+        e.zip_map(&self.tb.cross(&e), Dual::new)
+    }
+}
+
+/// The derivative of a number by translations and spins.
+pub(super) fn derivative(number: impl Fn(&Motion) -> Moving) -> Motion {
+    let by = |motions: &[Motion; 3]| Vector::from_fn(|k, _| number(&motions[k]).eps);
+    let [ua, ta, ub, tb] = Motion::alone();
+    Motion { ua: by(&ua), ta: by(&ta), ub: by(&ub), tb: by(&tb) }
+}
+
+/// A number that stands still.
+pub(super) fn still(x: Octuple) -> Moving {
+    Dual::from_re(x)
+}
+
+/// How forces change with the twelve degrees of freedom.
+pub(super) fn stiffness(forces: impl Fn(&Motion) -> Forces<Moving>) -> Stiffness<Octuple> {
+    let columns = Motion::alone().map(|motions| motions.map(|motion| forces(&motion).map(|force| force.eps)));
+    Stiffness::from_fn(|row, column| columns[column / 3][column % 3][row])
+}
+
+/// What a geometric stiffness must obey, from the forces that it is the derivative of.
+pub(super) struct Tangent {
+    pub(super) matrix: Stiffness<Octuple>,
+    pub(super) forces: Forces<Octuple>,
+    /// The sizes of the terms of forces and of moments.
+    pub(super) sizes: [Octuple; 2],
+}
+
+impl Tangent {
+    /// The size of the terms of an entry: of those that spins work on, that of moments.
+    fn size(&self, row: usize, column: usize) -> Octuple {
+        self.sizes[usize::from((row / 3) % 2 == 1 && (column / 3) % 2 == 1)]
+    }
+
+    fn equal(&self, left: &Stiffness<Octuple>, right: &Stiffness<Octuple>) -> Vec<Equation> {
+        let entries = (0..12).flat_map(|row| (0..12).map(move |column| (row, column)));
+        entries.flat_map(|at| law::equal_with(left[at], right[at], self.size(at.0, at.1))).collect()
+    }
+
+    /// It is the derivative of the forces.
+    pub(super) fn derives(&self, forces: impl Fn(&Motion) -> Forces<Moving>) -> Vec<Equation> {
+        self.equal(&self.matrix, &stiffness(forces))
+    }
+
+    /// K − Kᵀ is −\[m×\] where the spin of a node works on its own moment m, and 0 elsewhere.
+    pub(super) fn is_symmetric_but_for_own_spins(&self) -> Vec<Equation> {
+        let mut expected = Stiffness::zeros();
+        for spin in [3, 9] {
+            let moment = self.forces.fixed_rows::<3>(spin).into_owned();
+            expected.fixed_view_mut::<3, 3>(spin, spin).copy_from(&-super::products::skew(&moment));
+        }
+        self.equal(&(self.matrix - self.matrix.transpose()), &expected)
+    }
+
+    /// Where both nodes turn as one body about a point, forces and moments turn with them.
+    pub(super) fn turns_with_the_body(&self, [xa, xb]: [Vector; 2], spin: Vector) -> Vec<Equation> {
+        let (ua, ub) = (Vector::from_element(Octuple::zero()), spin.cross(&(xb - xa)));
+        let parts = [ua, spin, ub, spin];
+        let turned = self.matrix * Forces::from_fn(|k, _| parts[k / 3][k % 3]);
+        let [force, moment] = self.sizes.map(|size| size * law::length(spin));
+        let pairs = (0..4).flat_map(|part| {
+            let acts = self.forces.fixed_rows::<3>(3 * part).into_owned();
+            let expected = spin.cross(&acts);
+            let found = turned.fixed_rows::<3>(3 * part).into_owned();
+            let size = if part % 2 == 0 { force } else { moment };
+            law::equal_all_with(found.iter().copied().zip(expected.iter().copied()), size)
+        });
+        pairs.collect()
+    }
+}
+
+/// S is K + ½ \[m×\], and symmetric.
+pub(super) fn is_symmetric_part(s: &Matrix, k: &Matrix, moment: &Vector, size: Octuple) -> Vec<Equation> {
+    let half = super::products::skew(moment) * Octuple::from(0.5);
+    let equal =
+        |left: Matrix, right: Matrix| law::equal_all_with(left.iter().copied().zip(right.iter().copied()), size);
+    [equal(*s, k + half), equal(*s, s.transpose())].concat()
+}

@@ -1,0 +1,210 @@
+//! SLOT as an element: two residuals, the distances of b from the slot along two axes of a.
+
+#[cfg(feature = "verify")]
+mod proof;
+
+use super::join::{JoinForces, JoinStiffness, JoinSymmetric};
+use super::products::{
+    cross_gradient, double_cross, double_cross_gradient, skew, skew_gradient, symmetric, symmetric_gradient,
+};
+use crate::fields;
+use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec, along};
+use crate::quantity::{E2A, E3A, F2, F3, GY_TA, GY_UA, GY_UB, GZ_TA, GZ_UA, GZ_UB, XA, XB};
+use crate::scalar::Scalar;
+use nalgebra::{Matrix3, Vector3};
+
+fields! {
+    /// Where the nodes are, and the axes across the slot.
+    pub struct SlotPlaces<T> {
+        e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A, xa: Vector3<T> = XA, xb: Vector3<T> = XB,
+    }
+}
+fields! {
+    /// The derivatives of both residuals by the translations of both nodes and the spin of a; that of b turns nothing.
+    pub struct SlotRows<T> {
+        gy_ua: Vector3<T> = GY_UA, gy_ta: Vector3<T> = GY_TA, gy_ub: Vector3<T> = GY_UB,
+        gz_ua: Vector3<T> = GZ_UA, gz_ta: Vector3<T> = GZ_TA, gz_ub: Vector3<T> = GZ_UB,
+    }
+}
+
+/// The rows of SLOT: the second and the third of JOIN.
+#[derive(Clone, Copy, Debug)]
+pub struct Rows;
+
+impl Formula for Rows {
+    const SPEC: Spec = Spec::new(
+        "slot.rows",
+        "Rows of SLOT",
+        Document::SLOT.ours("Description", "the page prints the residuals; these are their derivatives"),
+    )
+    .equation(r"\begin{aligned} \mathbf{g}_{y,ua} &= -\mathbf{e}_{2a}, & \mathbf{g}_{y,\theta a} &= \mathbf{e}_{2a}\times(\mathbf{x}_b-\mathbf{x}_a), & \mathbf{g}_{y,ub} &= \mathbf{e}_{2a},\\ \mathbf{g}_{z,ua} &= -\mathbf{e}_{3a}, & \mathbf{g}_{z,\theta a} &= \mathbf{e}_{3a}\times(\mathbf{x}_b-\mathbf{x}_a), & \mathbf{g}_{z,ub} &= \mathbf{e}_{3a} \end{aligned}")
+    .eta(1.5, 1.0)
+    .finite(Finite::Below);
+    type Inputs<T: Component> = SlotPlaces<T>;
+    type Outputs<T: Component> = SlotRows<T>;
+
+    #[inline]
+    fn eval<D: Scalar>(i: &SlotPlaces<D>) -> SlotRows<D> {
+        let d = i.xb - i.xa;
+        SlotRows {
+            gy_ua: -i.e2a,
+            gy_ta: i.e2a.cross(&d),
+            gy_ub: i.e2a,
+            gz_ua: -i.e3a,
+            gz_ta: i.e3a.cross(&d),
+            gz_ub: i.e3a,
+        }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &SlotPlaces<D>) -> Jacobian<Self, D> {
+        let (d, one, zero) = (i.xb - i.xa, D::one(), SlotPlaces::filled(D::zero()));
+        let of_y = |e2a: Vector3<D>| SlotPlaces { e2a, ..zero };
+        let of_z = |e3a: Vector3<D>| SlotPlaces { e3a, ..zero };
+        let moment = |e: &Vector3<D>, of: &dyn Fn(Vector3<D>) -> SlotPlaces<D>| {
+            Vector3::from_fn(|k, _| {
+                let [by_e, by_d] = cross_gradient(e, &d, k);
+                SlotPlaces { xa: -by_d, xb: by_d, ..of(by_e) }
+            })
+        };
+        SlotRows {
+            gy_ua: Vector3::from_fn(|k, _| of_y(along(k, -one))),
+            gy_ta: moment(&i.e2a, &of_y),
+            gy_ub: Vector3::from_fn(|k, _| of_y(along(k, one))),
+            gz_ua: Vector3::from_fn(|k, _| of_z(along(k, -one))),
+            gz_ta: moment(&i.e3a, &of_z),
+            gz_ub: Vector3::from_fn(|k, _| of_z(along(k, one))),
+        }
+    }
+}
+
+fields! {
+    /// Where the nodes are, the axes across the slot, and the multipliers, which are the forces along them.
+    pub struct SlotLoads<T> {
+        e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A, xa: Vector3<T> = XA, xb: Vector3<T> = XB, f2: T = F2, f3: T = F3,
+    }
+}
+
+impl<D: Scalar> SlotLoads<D> {
+    /// The force on b.
+    #[inline]
+    fn force(&self) -> Vector3<D> {
+        self.e2a * self.f2 + self.e3a * self.f3
+    }
+
+    /// From a to b.
+    #[inline]
+    fn arm(&self) -> Vector3<D> {
+        self.xb - self.xa
+    }
+
+    /// The gradient of something by what it is made of, the force on b and the vector from a to b, by the inputs.
+    #[inline]
+    fn gradient(&self, by_force: &Vector3<D>, by_arm: &Vector3<D>) -> Self {
+        Self {
+            e2a: by_force * self.f2,
+            e3a: by_force * self.f3,
+            xa: -by_arm,
+            xb: *by_arm,
+            f2: self.e2a.dot(by_force),
+            f3: self.e3a.dot(by_force),
+        }
+    }
+}
+
+/// What SLOT exerts on its nodes, Rowsᵀ λ: on b the documented force f2 e2a + f3 e3a, on a its opposite and its moment.
+#[derive(Clone, Copy, Debug)]
+pub struct Forces;
+
+impl Formula for Forces {
+    const SPEC: Spec = Spec::new(
+        "slot.nodal_forces",
+        "Nodal forces of SLOT",
+        Document::SLOT.ours("Description", "the page prints the force on b; on a is what balances it"),
+    )
+    .equation(r"\mathbf{f}_b = f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{f}_a = -\mathbf{f}_b,\quad \mathbf{m}_a = \mathbf{f}_b\times(\mathbf{x}_b-\mathbf{x}_a)")
+    .eta(1.5, 1.5)
+    .finite(Finite::Below);
+    type Inputs<T: Component> = SlotLoads<T>;
+    type Outputs<T: Component> = JoinForces<T>;
+
+    #[inline]
+    fn eval<D: Scalar>(i: &SlotLoads<D>) -> JoinForces<D> {
+        let f = i.force();
+        JoinForces { fa: -f, ma: f.cross(&i.arm()), fb: f }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &SlotLoads<D>) -> Jacobian<Self, D> {
+        let (f, d, one) = (i.force(), i.arm(), D::one());
+        let none = Vector3::from_element(D::zero());
+        let force = |sign: D| Vector3::from_fn(|k, _| i.gradient(&along(k, sign), &none));
+        let moment = Vector3::from_fn(|k, _| {
+            let [by_force, by_arm] = cross_gradient(&f, &d, k);
+            i.gradient(&by_force, &by_arm)
+        });
+        JoinForces { fa: force(-one), ma: moment, fb: force(one) }
+    }
+}
+
+/// The geometric stiffness of SLOT, Σ λ ∂²g by translations and spins, as it is: unsymmetric in the spins.
+#[derive(Clone, Copy, Debug)]
+pub struct GeometricStiffness;
+
+impl Formula for GeometricStiffness {
+    const SPEC: Spec = Spec::new(
+        "slot.geometric_stiffness",
+        "Geometric stiffness of SLOT",
+        Document::SLOT.ours("Description", "the page prints the residuals; it is the derivative of their nodal forces"),
+    )
+    .equation(r"\mathbf{f} = f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{d} = \mathbf{x}_b-\mathbf{x}_a,\quad \mathbf{K}_{ua,\theta a} = \mathbf{f}\times\mathbf{I},\quad \mathbf{K}_{\theta a,\theta a} = \mathbf{f}\otimes\mathbf{d} - (\mathbf{f}\cdot\mathbf{d})\,\mathbf{I}")
+    .eta(1.5, 1.5)
+    .finite(Finite::Below);
+    type Inputs<T: Component> = SlotLoads<T>;
+    type Outputs<T: Component> = JoinStiffness<T>;
+
+    #[inline]
+    fn eval<D: Scalar>(i: &SlotLoads<D>) -> JoinStiffness<D> {
+        let f = i.force();
+        JoinStiffness { k_ua_ta: skew(&f), k_ta_ta: double_cross(&f, &i.arm()) }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &SlotLoads<D>) -> Jacobian<Self, D> {
+        let (f, d, none) = (i.force(), i.arm(), Vector3::from_element(D::zero()));
+        JoinStiffness {
+            k_ua_ta: Matrix3::from_fn(|row, column| i.gradient(&skew_gradient(row, column), &none)),
+            k_ta_ta: Matrix3::from_fn(|row, column| {
+                let [by_force, by_arm] = double_cross_gradient(&f, &d, row, column);
+                i.gradient(&by_force, &by_arm)
+            }),
+        }
+    }
+}
+
+/// The symmetric part of the geometric stiffness of SLOT; the other blocks are those of [`GeometricStiffness`].
+#[derive(Clone, Copy, Debug)]
+pub struct SymmetricStiffness;
+
+impl Formula for SymmetricStiffness {
+    const SPEC: Spec = Spec::new(
+        "slot.symmetric_stiffness",
+        "Symmetric part of the geometric stiffness of SLOT",
+        Document::SLOT.ours("Description", "the page prints the residuals; for programs that solve symmetric equations"),
+    )
+    .equation(r"\mathbf{f} = f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{d} = \mathbf{x}_b-\mathbf{x}_a,\quad \mathbf{S}_{\theta a,\theta a} = \tfrac12(\mathbf{f}\otimes\mathbf{d} + \mathbf{d}\otimes\mathbf{f}) - (\mathbf{f}\cdot\mathbf{d})\,\mathbf{I}")
+    .eta(1.5, 1.5)
+    .finite(Finite::Below);
+    type Inputs<T: Component> = SlotLoads<T>;
+    type Outputs<T: Component> = JoinSymmetric<T>;
+
+    #[inline]
+    fn eval<D: Scalar>(i: &SlotLoads<D>) -> JoinSymmetric<D> {
+        JoinSymmetric { s_ta_ta: symmetric(&GeometricStiffness::eval(i).k_ta_ta) }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &SlotLoads<D>) -> Jacobian<Self, D> {
+        JoinSymmetric { s_ta_ta: symmetric_gradient(&GeometricStiffness::jacobian(i).k_ta_ta) }
+    }
+}

@@ -1,0 +1,254 @@
+//! UJOINT as an element: the rows and forces of JOIN and of UNIVERSAL, four residuals on twelve degrees of freedom.
+
+#[cfg(feature = "verify")]
+mod proof;
+
+use super::NodalForces;
+use super::join::{self, JoinForces, JoinLoads, JoinRows, JoinStiffness};
+use super::products::{symmetric, symmetric_gradient};
+use super::universal::{self, UniversalLoads, UniversalMoments, UniversalRow, UniversalStiffness};
+use crate::fields;
+use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec};
+use crate::quantity::{
+    E1A, E2A, E3A, E3B, F2, F3, G_ROT_TA, G_ROT_TB, G1_TA, G1_UA, G1_UB, G2_TA, G2_UA, G2_UB, G3_TA, G3_UA, G3_UB,
+    JOIN_F1, K_TA_TA, K_TA_TB, K_TB_TB, K_UA_TA, LAMBDA_ROT, S_TA_TA, S_TB_TB, XA, XB,
+};
+use crate::scalar::Scalar;
+use crate::slot::Positions;
+use crate::ujoint::CrossAxes;
+use nalgebra::{Matrix3, Vector3};
+
+fields! {
+    /// Where the nodes are, and how they are turned.
+    pub struct JointPlaces<T> {
+        e1a: Vector3<T> = E1A, e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A, e3b: Vector3<T> = E3B,
+        xa: Vector3<T> = XA, xb: Vector3<T> = XB,
+    }
+}
+fields! {
+    /// The derivatives of the four residuals by translations and spins that are not zero everywhere.
+    pub struct JointRows<T> {
+        g1_ua: Vector3<T> = G1_UA, g1_ta: Vector3<T> = G1_TA, g1_ub: Vector3<T> = G1_UB,
+        g2_ua: Vector3<T> = G2_UA, g2_ta: Vector3<T> = G2_TA, g2_ub: Vector3<T> = G2_UB,
+        g3_ua: Vector3<T> = G3_UA, g3_ta: Vector3<T> = G3_TA, g3_ub: Vector3<T> = G3_UB,
+        g_rot_ta: Vector3<T> = G_ROT_TA, g_rot_tb: Vector3<T> = G_ROT_TB,
+    }
+}
+
+impl<T: Component> JointPlaces<T> {
+    const fn positions(&self) -> Positions<T> {
+        let Self { e1a, e2a, e3a, xa, xb, .. } = *self;
+        Positions { e1a, e2a, e3a, xa, xb }
+    }
+    const fn axes(&self) -> CrossAxes<T> {
+        let Self { e1a, e3b, .. } = *self;
+        CrossAxes { e1a, e3b }
+    }
+}
+
+impl<T: Component> JointRows<T> {
+    fn of(join: JoinRows<T>, universal: UniversalRow<T>) -> Self {
+        let JoinRows { g1_ua, g1_ta, g1_ub, g2_ua, g2_ta, g2_ub, g3_ua, g3_ta, g3_ub } = join;
+        let UniversalRow { g_rot_ta, g_rot_tb } = universal;
+        Self { g1_ua, g1_ta, g1_ub, g2_ua, g2_ta, g2_ub, g3_ua, g3_ta, g3_ub, g_rot_ta, g_rot_tb }
+    }
+}
+
+/// The rows of UJOINT: JOIN's three and UNIVERSAL's one.
+#[derive(Clone, Copy, Debug)]
+pub struct Rows;
+
+impl Formula for Rows {
+    const SPEC: Spec = Spec::new(
+        "ujoint.rows",
+        "Rows of UJOINT",
+        Document::UJOINT.ours("Description", "the page names the residuals; these are their derivatives"),
+    )
+    .equation(r"\mathbf{g}_{i,ua} = -\mathbf{e}_{ia},\quad \mathbf{g}_{i,\theta a} = \mathbf{e}_{ia}\times(\mathbf{x}_b-\mathbf{x}_a),\quad \mathbf{g}_{i,ub} = \mathbf{e}_{ia}\quad (i = 1, 2, 3),\quad \mathbf{g}_{\mathrm{rot},\theta a} = \mathbf{e}_{1a}\times\mathbf{e}_{3b},\quad \mathbf{g}_{\mathrm{rot},\theta b} = \mathbf{e}_{3b}\times\mathbf{e}_{1a}")
+    .eta(1.5, 1.0)
+    .finite(Finite::Below);
+    type Inputs<T: Component> = JointPlaces<T>;
+    type Outputs<T: Component> = JointRows<T>;
+
+    #[inline]
+    fn eval<D: Scalar>(i: &JointPlaces<D>) -> JointRows<D> {
+        JointRows::of(join::Rows::eval(&i.positions()), universal::Rows::eval(&i.axes()))
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &JointPlaces<D>) -> Jacobian<Self, D> {
+        let zero = JointPlaces::filled(D::zero());
+        let by_positions = |Positions { e1a, e2a, e3a, xa, xb }| JointPlaces { e1a, e2a, e3a, xa, xb, ..zero };
+        let by_axes = |CrossAxes { e1a, e3b }| JointPlaces { e1a, e3b, ..zero };
+        let join = join::Rows::jacobian(&i.positions());
+        let universal = universal::Rows::jacobian(&i.axes());
+        JointRows {
+            g1_ua: join.g1_ua.map(by_positions),
+            g1_ta: join.g1_ta.map(by_positions),
+            g1_ub: join.g1_ub.map(by_positions),
+            g2_ua: join.g2_ua.map(by_positions),
+            g2_ta: join.g2_ta.map(by_positions),
+            g2_ub: join.g2_ub.map(by_positions),
+            g3_ua: join.g3_ua.map(by_positions),
+            g3_ta: join.g3_ta.map(by_positions),
+            g3_ub: join.g3_ub.map(by_positions),
+            g_rot_ta: universal.g_rot_ta.map(by_axes),
+            g_rot_tb: universal.g_rot_tb.map(by_axes),
+        }
+    }
+}
+
+fields! {
+    /// Where the nodes are, how they are turned, and the four multipliers.
+    pub struct JointLoads<T> {
+        e1a: Vector3<T> = E1A, e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A, e3b: Vector3<T> = E3B,
+        xa: Vector3<T> = XA, xb: Vector3<T> = XB, f1: T = JOIN_F1, f2: T = F2, f3: T = F3, lambda_rot: T = LAMBDA_ROT,
+    }
+}
+
+impl<T: Component> JointLoads<T> {
+    const fn of_join(&self) -> JoinLoads<T> {
+        let Self { e1a, e2a, e3a, xa, xb, f1, f2, f3, .. } = *self;
+        JoinLoads { e1a, e2a, e3a, xa, xb, f1, f2, f3 }
+    }
+    const fn of_universal(&self) -> UniversalLoads<T> {
+        let Self { e1a, e3b, lambda_rot, .. } = *self;
+        UniversalLoads { e1a, e3b, lambda_rot }
+    }
+}
+
+impl<D: Scalar> JointLoads<D> {
+    /// A gradient by the inputs of JOIN.
+    #[inline]
+    fn by_join(JoinLoads { e1a, e2a, e3a, xa, xb, f1, f2, f3 }: JoinLoads<D>) -> Self {
+        Self { e1a, e2a, e3a, xa, xb, f1, f2, f3, ..Self::filled(D::zero()) }
+    }
+    /// A gradient by the inputs of UNIVERSAL.
+    #[inline]
+    fn by_universal(UniversalLoads { e1a, e3b, lambda_rot }: UniversalLoads<D>) -> Self {
+        Self { e1a, e3b, lambda_rot, ..Self::filled(D::zero()) }
+    }
+    /// The gradient of a sum of something of JOIN and something of UNIVERSAL.
+    #[inline]
+    fn by_both(join: JoinLoads<D>, universal: UniversalLoads<D>) -> Self {
+        let UniversalLoads { e1a, e3b, lambda_rot } = universal;
+        Self { e1a: join.e1a + e1a, e3b, lambda_rot, ..Self::by_join(join) }
+    }
+}
+
+/// What UJOINT exerts on its nodes, Rowsᵀ λ: the forces of JOIN and the moments of both.
+#[derive(Clone, Copy, Debug)]
+pub struct Forces;
+
+impl Formula for Forces {
+    const SPEC: Spec = Spec::new(
+        "ujoint.nodal_forces",
+        "Nodal forces of UJOINT",
+        Document::UJOINT.ours("Description", "the page names the residuals; these do the work of their multipliers"),
+    )
+    .equation(r"\mathbf{f}_b = f_1\,\mathbf{e}_{1a} + f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{f}_a = -\mathbf{f}_b,\quad \mathbf{m}_a = \mathbf{f}_b\times(\mathbf{x}_b-\mathbf{x}_a) + \lambda_{\mathrm{rot}}\,\mathbf{e}_{1a}\times\mathbf{e}_{3b},\quad \mathbf{m}_b = \lambda_{\mathrm{rot}}\,\mathbf{e}_{3b}\times\mathbf{e}_{1a}")
+    .eta(1.5, 1.5)
+    .finite(Finite::Below);
+    type Inputs<T: Component> = JointLoads<T>;
+    type Outputs<T: Component> = NodalForces<T>;
+
+    #[inline]
+    fn eval<D: Scalar>(i: &JointLoads<D>) -> NodalForces<D> {
+        let JoinForces { fa, ma, fb } = join::Forces::eval(&i.of_join());
+        let moments = universal::Moments::eval(&i.of_universal());
+        NodalForces { fa, ma: ma + moments.ma, fb, mb: moments.mb }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &JointLoads<D>) -> Jacobian<Self, D> {
+        let JoinForces { fa, ma, fb } = join::Forces::jacobian(&i.of_join());
+        let moments: UniversalMoments<_> = universal::Moments::jacobian(&i.of_universal());
+        NodalForces {
+            fa: fa.map(JointLoads::by_join),
+            ma: ma.zip_map(&moments.ma, JointLoads::by_both),
+            fb: fb.map(JointLoads::by_join),
+            mb: moments.mb.map(JointLoads::by_universal),
+        }
+    }
+}
+
+fields! {
+    /// How what UJOINT exerts on its nodes changes with their spins, the multipliers held: the blocks that differ.
+    ///
+    /// [`matrix`](JointStiffness::matrix) has them all in their places.
+    pub struct JointStiffness<T> {
+        k_ua_ta: Matrix3<T> = K_UA_TA, k_ta_ta: Matrix3<T> = K_TA_TA, k_ta_tb: Matrix3<T> = K_TA_TB,
+        k_tb_tb: Matrix3<T> = K_TB_TB,
+    }
+}
+
+/// The geometric stiffness of UJOINT, Σ λ ∂²g by translations and spins, as it is: unsymmetric in the spins.
+#[derive(Clone, Copy, Debug)]
+pub struct GeometricStiffness;
+
+impl Formula for GeometricStiffness {
+    const SPEC: Spec = Spec::new(
+        "ujoint.geometric_stiffness",
+        "Geometric stiffness of UJOINT",
+        Document::UJOINT.ours("Description", "the page names the residuals; it is the derivative of their nodal forces"),
+    )
+    .equation(r"\mathbf{f} = f_1\,\mathbf{e}_{1a} + f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{d} = \mathbf{x}_b-\mathbf{x}_a,\quad \mathbf{K}_{ua,\theta a} = \mathbf{f}\times\mathbf{I},\quad \mathbf{K}_{\theta a,\theta a} = \mathbf{f}\otimes\mathbf{d} - (\mathbf{f}\cdot\mathbf{d})\,\mathbf{I} + \lambda_{\mathrm{rot}}(\mathbf{e}_{1a}\otimes\mathbf{e}_{3b} - (\mathbf{e}_{1a}\cdot\mathbf{e}_{3b})\,\mathbf{I}),\quad \mathbf{K}_{\theta b,\theta b} = \lambda_{\mathrm{rot}}(\mathbf{e}_{3b}\otimes\mathbf{e}_{1a} - (\mathbf{e}_{1a}\cdot\mathbf{e}_{3b})\,\mathbf{I}),\quad \mathbf{K}_{\theta a,\theta b} = -\mathbf{K}_{\theta b,\theta b}")
+    .eta(1.5, 1.5)
+    .finite(Finite::Below);
+    type Inputs<T: Component> = JointLoads<T>;
+    type Outputs<T: Component> = JointStiffness<T>;
+
+    #[inline]
+    fn eval<D: Scalar>(i: &JointLoads<D>) -> JointStiffness<D> {
+        let JoinStiffness { k_ua_ta, k_ta_ta } = join::GeometricStiffness::eval(&i.of_join());
+        let turned = universal::GeometricStiffness::eval(&i.of_universal());
+        let UniversalStiffness { k_ta_tb, k_tb_tb, .. } = turned;
+        JointStiffness { k_ua_ta, k_ta_ta: k_ta_ta + turned.k_ta_ta, k_ta_tb, k_tb_tb }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &JointLoads<D>) -> Jacobian<Self, D> {
+        let JoinStiffness { k_ua_ta, k_ta_ta } = join::GeometricStiffness::jacobian(&i.of_join());
+        let turned = universal::GeometricStiffness::jacobian(&i.of_universal());
+        JointStiffness {
+            k_ua_ta: k_ua_ta.map(JointLoads::by_join),
+            k_ta_ta: k_ta_ta.zip_map(&turned.k_ta_ta, JointLoads::by_both),
+            k_ta_tb: turned.k_ta_tb.map(JointLoads::by_universal),
+            k_tb_tb: turned.k_tb_tb.map(JointLoads::by_universal),
+        }
+    }
+}
+
+fields! {
+    /// The blocks of the geometric stiffness that are not symmetric, made so.
+    pub struct JointSymmetric<T> { s_ta_ta: Matrix3<T> = S_TA_TA, s_tb_tb: Matrix3<T> = S_TB_TB }
+}
+
+/// The symmetric part of the geometric stiffness of UJOINT; the other blocks are those of [`GeometricStiffness`].
+#[derive(Clone, Copy, Debug)]
+pub struct SymmetricStiffness;
+
+impl Formula for SymmetricStiffness {
+    const SPEC: Spec = Spec::new(
+        "ujoint.symmetric_stiffness",
+        "Symmetric part of the geometric stiffness of UJOINT",
+        Document::UJOINT.ours("Description", "the page names the residuals; for programs that solve symmetric equations"),
+    )
+    .equation(r"\mathbf{f} = f_1\,\mathbf{e}_{1a} + f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{d} = \mathbf{x}_b-\mathbf{x}_a,\quad \mathbf{S}_{\theta b,\theta b} = \lambda_{\mathrm{rot}}(\tfrac12(\mathbf{e}_{1a}\otimes\mathbf{e}_{3b} + \mathbf{e}_{3b}\otimes\mathbf{e}_{1a}) - (\mathbf{e}_{1a}\cdot\mathbf{e}_{3b})\,\mathbf{I}),\quad \mathbf{S}_{\theta a,\theta a} = \tfrac12(\mathbf{f}\otimes\mathbf{d} + \mathbf{d}\otimes\mathbf{f}) - (\mathbf{f}\cdot\mathbf{d})\,\mathbf{I} + \mathbf{S}_{\theta b,\theta b}")
+    .eta(1.5, 1.5)
+    .finite(Finite::Below);
+    type Inputs<T: Component> = JointLoads<T>;
+    type Outputs<T: Component> = JointSymmetric<T>;
+
+    #[inline]
+    fn eval<D: Scalar>(i: &JointLoads<D>) -> JointSymmetric<D> {
+        let JointStiffness { k_ta_ta, k_tb_tb, .. } = GeometricStiffness::eval(i);
+        JointSymmetric { s_ta_ta: symmetric(&k_ta_ta), s_tb_tb: symmetric(&k_tb_tb) }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &JointLoads<D>) -> Jacobian<Self, D> {
+        let JointStiffness { k_ta_ta, k_tb_tb, .. } = GeometricStiffness::jacobian(i);
+        JointSymmetric { s_ta_ta: symmetric_gradient(&k_ta_ta), s_tb_tb: symmetric_gradient(&k_tb_tb) }
+    }
+}

@@ -1,0 +1,137 @@
+"""Elements: what constraints and their forces are by translations u and spins theta (de = dtheta x e) of both nodes."""
+
+from mpmath import mpf
+
+from .core import add, cross, formula, scale, sub
+from .ujoint import CROSS_AXES
+
+PLACES = "e1a:3 e2a:3 e3a:3 xa:3 xb:3"
+JOIN_ROWS = "g1_ua:3 g1_ta:3 g1_ub:3 g2_ua:3 g2_ta:3 g2_ub:3 g3_ua:3 g3_ta:3 g3_ub:3"
+
+
+@formula("join.rows", PLACES, JOIN_ROWS)
+def join_rows(e1a, e2a, e3a, xa, xb):
+    rows = {}
+    for k, e in enumerate((e1a, e2a, e3a), 1):
+        rows |= {f"g{k}_ua": scale(-1, e), f"g{k}_ta": cross(e, sub(xb, xa)), f"g{k}_ub": list(e)}
+    return rows
+
+
+@formula("universal.rows", "e1a:3 e3b:3", "g_rot_ta:3 g_rot_tb:3")
+def universal_rows(e1a, e3b):
+    return dict(g_rot_ta=cross(e1a, e3b), g_rot_tb=cross(e3b, e1a))
+
+
+@formula("ujoint.rows", CROSS_AXES + " xa:3 xb:3", JOIN_ROWS + " g_rot_ta:3 g_rot_tb:3")
+def rows(e1a, e2a, e3a, e3b, xa, xb):
+    return join_rows(e1a, e2a, e3a, xa, xb) | universal_rows(e1a, e3b)
+
+
+@formula("slot.rows", "e2a:3 e3a:3 xa:3 xb:3", "gy_ua:3 gy_ta:3 gy_ub:3 gz_ua:3 gz_ta:3 gz_ub:3")
+def slot_rows(e2a, e3a, xa, xb):
+    found = join_rows(e2a, e2a, e3a, xa, xb)  # the first axis has no row here
+    return {f"{g}_{by}": found[f"{row}_{by}"] for g, row in dict(gy="g2", gz="g3").items() for by in ("ua", "ta", "ub")}
+
+
+def transposed(rows, multipliers, motion):
+    """Rows^T lambda, of the rows by this motion."""
+    return add(*(scale(multiplier, rows[f"{g}_{motion}"]) for g, multiplier in multipliers.items()))
+
+
+@formula("join.nodal_forces", PLACES + " f1 f2 f3", "fa:3 ma:3 fb:3")
+def join_nodal_forces(e1a, e2a, e3a, xa, xb, f1, f2, f3):
+    found, multipliers = join_rows(e1a, e2a, e3a, xa, xb), dict(g1=f1, g2=f2, g3=f3)
+    return {on: transposed(found, multipliers, by) for on, by in dict(fa="ua", ma="ta", fb="ub").items()}
+
+
+@formula("universal.nodal_moments", "e1a:3 e3b:3 lambda_rot", "ma:3 mb:3")
+def universal_nodal_moments(e1a, e3b, lambda_rot):
+    found = universal_rows(e1a, e3b)
+    return dict(ma=scale(lambda_rot, found["g_rot_ta"]), mb=scale(lambda_rot, found["g_rot_tb"]))
+
+
+@formula("ujoint.nodal_forces", CROSS_AXES + " xa:3 xb:3 f1 f2 f3 lambda_rot", "fa:3 ma:3 fb:3 mb:3")
+def nodal_forces(e1a, e2a, e3a, e3b, xa, xb, f1, f2, f3, lambda_rot):
+    join = join_nodal_forces(e1a, e2a, e3a, xa, xb, f1, f2, f3)
+    moments = universal_nodal_moments(e1a, e3b, lambda_rot)
+    return join | dict(ma=add(join["ma"], moments["ma"]), mb=moments["mb"])
+
+
+# The geometric stiffness: how Rows^T lambda changes with spins, multipliers held. A change of e by a spin about the k-th
+# axis is i_k x e; matrices are lists of nine, row by row.
+
+AXES = ([mpf(1), mpf(0), mpf(0)], [mpf(0), mpf(1), mpf(0)], [mpf(0), mpf(0), mpf(1)])
+
+
+def by_columns(columns):
+    return [columns[column][row] for row in range(3) for column in range(3)]
+
+
+def transpose(m):
+    return [m[3 * column + row] for row in range(3) for column in range(3)]
+
+
+def symmetric(m):
+    return [(x + y) / 2 for x, y in zip(m, transpose(m), strict=True)]
+
+
+@formula("join.geometric_stiffness", PLACES + " f1 f2 f3", "k_ua_ta:9 k_ta_ta:9")
+def join_stiffness(e1a, e2a, e3a, xa, xb, f1, f2, f3):
+    d = sub(xb, xa)
+    force = add(scale(f1, e1a), scale(f2, e2a), scale(f3, e3a))
+    turned = [cross(axis, force) for axis in AXES]
+    return dict(k_ua_ta=by_columns([scale(-1, f) for f in turned]), k_ta_ta=by_columns([cross(f, d) for f in turned]))
+
+
+@formula("universal.geometric_stiffness", "e1a:3 e3b:3 lambda_rot", "k_ta_ta:9 k_ta_tb:9 k_tb_tb:9")
+def universal_stiffness(e1a, e3b, lambda_rot):
+    by_a = [scale(lambda_rot, cross(cross(axis, e1a), e3b)) for axis in AXES]
+    by_b = [scale(lambda_rot, cross(e1a, cross(axis, e3b))) for axis in AXES]
+    return dict(k_ta_ta=by_columns(by_a), k_ta_tb=by_columns(by_b), k_tb_tb=by_columns([scale(-1, m) for m in by_b]))
+
+
+@formula(
+    "ujoint.geometric_stiffness",
+    CROSS_AXES + " xa:3 xb:3 f1 f2 f3 lambda_rot",
+    "k_ua_ta:9 k_ta_ta:9 k_ta_tb:9 k_tb_tb:9",
+)
+def stiffness(e1a, e2a, e3a, e3b, xa, xb, f1, f2, f3, lambda_rot):
+    join, universal = join_stiffness(e1a, e2a, e3a, xa, xb, f1, f2, f3), universal_stiffness(e1a, e3b, lambda_rot)
+    return join | universal | dict(k_ta_ta=add(join["k_ta_ta"], universal["k_ta_ta"]))
+
+
+@formula("join.symmetric_stiffness", PLACES + " f1 f2 f3", "s_ta_ta:9")
+def join_symmetric(**inputs):
+    return dict(s_ta_ta=symmetric(join_stiffness(**inputs)["k_ta_ta"]))
+
+
+@formula("universal.symmetric_stiffness", "e1a:3 e3b:3 lambda_rot", "s_ta_ta:9 s_tb_tb:9")
+def universal_symmetric(**inputs):
+    found = universal_stiffness(**inputs)
+    return dict(s_ta_ta=symmetric(found["k_ta_ta"]), s_tb_tb=symmetric(found["k_tb_tb"]))
+
+
+@formula("ujoint.symmetric_stiffness", CROSS_AXES + " xa:3 xb:3 f1 f2 f3 lambda_rot", "s_ta_ta:9 s_tb_tb:9")
+def symmetric_stiffness(**inputs):
+    found = stiffness(**inputs)
+    return dict(s_ta_ta=symmetric(found["k_ta_ta"]), s_tb_tb=symmetric(found["k_tb_tb"]))
+
+
+# SLOT is JOIN without a force along the first axis, whichever that is.
+
+SLOT_LOADS = "e2a:3 e3a:3 xa:3 xb:3 f2 f3"
+
+
+@formula("slot.nodal_forces", SLOT_LOADS, "fa:3 ma:3 fb:3")
+def slot_nodal_forces(e2a, **inputs):
+    return join_nodal_forces(e1a=e2a, e2a=e2a, f1=mpf(0), **inputs)
+
+
+@formula("slot.geometric_stiffness", SLOT_LOADS, "k_ua_ta:9 k_ta_ta:9")
+def slot_stiffness(e2a, **inputs):
+    return join_stiffness(e1a=e2a, e2a=e2a, f1=mpf(0), **inputs)
+
+
+@formula("slot.symmetric_stiffness", SLOT_LOADS, "s_ta_ta:9")
+def slot_symmetric(**inputs):
+    return dict(s_ta_ta=symmetric(slot_stiffness(**inputs)["k_ta_ta"]))
