@@ -197,8 +197,8 @@ mod tests {
     }
 
     /// Whether the laws of the geometric stiffness find it wrong.
-    fn is_caught(i: &JointLoads<Octuple>, matrix: Stiffness<Octuple>) -> bool {
-        let planted = Tangent { matrix, ..tangent(i) };
+    fn is_caught(i: &JointLoads<Octuple>, matrix: &Stiffness<Octuple>) -> bool {
+        let planted = Tangent { matrix: *matrix, ..tangent(i) };
         let laws = [planted.derives(|motion| moving(i, motion)), planted.is_symmetric_but_for_own_spins()].concat();
         laws.iter().any(|equation| law::residual(equation) > 1e-60)
     }
@@ -207,15 +207,15 @@ mod tests {
     fn planted_errors_of_the_stiffness_are_caught_by_its_laws() {
         let i = here();
         let right = tangent(&i).matrix;
-        assert!(!is_caught(&i, right));
-        assert!(is_caught(&i, right.transpose()), "transposed");
-        assert!(is_caught(&i, -right), "the other sign");
+        assert!(!is_caught(&i, &right));
+        assert!(is_caught(&i, &right.transpose()), "transposed");
+        assert!(is_caught(&i, &-right), "the other sign");
         let half = Octuple::from(0.5);
-        assert!(is_caught(&i, (right + right.transpose()) * half), "symmetrised");
+        assert!(is_caught(&i, &((right + right.transpose()) * half)), "symmetrised");
         for (row, column) in [(0, 3), (3, 0), (3, 3), (3, 6), (3, 9), (6, 3), (9, 3), (9, 9)] {
             let mut without = right;
             without.fixed_view_mut::<3, 3>(row, column).fill(Octuple::one() * 0.0);
-            assert!(is_caught(&i, without), "without the block at {row}, {column}");
+            assert!(is_caught(&i, &without), "without the block at {row}, {column}");
         }
     }
 
