@@ -47,6 +47,8 @@ pub(super) fn all(
     recorded: &[Recorded],
     points: &[Vec<Point>],
 ) -> anyhow::Result<Vec<Judged>> {
+    // The driver is started in the folder, by its whole path.
+    let folder = &folder.canonicalize()?;
     write_points(folder, points)?;
     let mut judged = Vec::new();
     for toolchain in language.toolchains() {
@@ -67,7 +69,8 @@ pub(super) fn all(
 fn run(folder: &Path, command: &[String]) -> anyhow::Result<()> {
     let (program, arguments) = command.split_first().context("a command has a program")?;
     let path = if program.starts_with("./") { folder.join(program) } else { program.into() };
-    let output = Command::new(&path).args(arguments).current_dir(folder).output()?;
+    let output = Command::new(&path).args(arguments).current_dir(folder).output();
+    let output = output.with_context(|| format!("{} cannot be started", path.display()))?;
     let said = String::from_utf8_lossy(&output.stderr);
     ensure!(output.status.success(), "{} failed:\n{said}", command.join(" "));
     Ok(())
