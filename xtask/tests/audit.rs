@@ -3,6 +3,7 @@
 mod common;
 
 use common::Bench;
+use jointproof::catalog::CATALOG;
 use jointproof::verify::golden::File;
 use jointproof::verify::{Audit, Claim, Deviation};
 
@@ -108,7 +109,7 @@ fn markdown_says_what_changed_against_the_committed_golden_file() {
 
 #[test]
 fn a_point_that_cannot_be_audited_is_bad_usage() {
-    let refused = |filter, point, expected| {
+    let refused = |filter: &str, point: &str, expected: &str| {
         Bench::new().run(&["audit", "--filter", filter, "--point", point]).bad_usage(expected);
     };
     let force = "slot.contact_force";
@@ -122,7 +123,8 @@ fn a_point_that_cannot_be_audited_is_bad_usage() {
     refused(force, "[3, 4]", "--point is not a JSON object of f2, f3: invalid type: sequence");
     refused("slot.constraint_2d", r#"{"e2a": 1}"#, "e2a is 1; allowed is an array of 2 numbers");
     refused("coulomb.yield", r#"{"p": 1, "mu": -0.1, "fn": 1}"#, "mu is -0.1; allowed is a finite number ≥ 0");
-    refused("slot.*", "{}", "--point needs a --filter that matches one formula, not 10");
+    let of_slot = CATALOG.iter().filter(|formula| formula.spec().id.starts_with("slot.")).count();
+    refused("slot.*", "{}", &format!("--point needs a --filter that matches one formula, not {of_slot}"));
     Bench::new().run(&["audit", "--point", "{}"]).bad_usage("--filter <GLOB>");
     Bench::new()
         .run(&["audit", "--filter", force, "--samples", "9", "--point", "{}"])
