@@ -5,6 +5,8 @@ mod check;
 mod fortran;
 mod javascript;
 mod language;
+mod names;
+mod outline;
 mod points;
 mod program;
 mod recorded;
@@ -65,7 +67,7 @@ impl Name {
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     let formulas = arguments.selection.formulas(project)?;
-    let (recorded, refused) = record(&formulas);
+    let (recorded, refused) = record(&formulas, Some(&project.golden()));
     let language = arguments.lang.language();
     std::fs::create_dir_all(&arguments.out)?;
     let mut lines = 0;
