@@ -192,6 +192,8 @@ fn entry(one: &Recorded, k: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::super::c::C;
+    use super::super::fortran::Fortran;
+    use super::super::javascript::JavaScript;
     use super::super::points;
     use super::super::recorded::record;
     use super::*;
@@ -220,6 +222,28 @@ mod tests {
         let said = judged("slot.contact_force", "jp_slot_contact_force.c", "jp_norm2(f2, f3)", "jp_norm2(f2, f2)");
         assert!(said.starts_with("false") && said.contains("slot.contact_force at "), "{said}");
         assert!(said.contains(": fc: ") || said.contains(": ∂fc/∂f2: "), "{said}");
+    }
+
+    #[test]
+    fn another_refusal_is_named() {
+        let said = judged("slider.line", "jp_slider_line.c", "return 2 + (int)", "return 1 + (int)");
+        assert!(
+            said.starts_with("false") && said.contains("gives the return code 2, expected is the refusal 3"),
+            "{said}"
+        );
+    }
+
+    #[test]
+    fn no_line_and_no_file_is_too_long() {
+        let ids = ["ujoint.friction", "ujoint.geometric_stiffness", "slider.increment", "cardan.angles"];
+        let (recorded, _) = record(&ids.map(|id| find(id).unwrap()), None);
+        for language in [&C as &dyn Language, &Fortran, &JavaScript] {
+            for (name, text) in language.files(&recorded) {
+                assert!(text.lines().count() <= 400, "{name}");
+                let long = text.lines().find(|line| line.chars().count() > 100);
+                assert_eq!(long, None, "{name}");
+            }
+        }
     }
 
     #[test]

@@ -5,7 +5,7 @@ mod driver;
 
 use super::language::{File, Language, Operand, Toolchain, files_of};
 use super::program::{Body, Lines, PartLines, folded};
-use super::recorded::{Recorded, Text, bounds, description, stem, unreserved};
+use super::recorded::{Recorded, Text, bounds, description, refusals, stem, unreserved};
 use jointproof::formula::Field;
 use jointproof::graph::{Op, Relation, Unary};
 
@@ -150,7 +150,9 @@ fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
     });
     let lines: Vec<_> = description(one).iter().map(|line| format!("! {line}").trim_end().to_owned()).collect();
     let mut text = Text::from(lines.join("\n"));
-    text.push(format!("\nmodule jp_{name}\n    use jp_runtime\n"));
+    text.push("\n! The functions give 0, or\n");
+    refusals(one).iter().for_each(|line| text.push(format!("! {line}\n")));
+    text.push(format!("module jp_{name}\n    use jp_runtime\n"));
     text.push(uses(&name, functions.iter().flat_map(|(_, calls)| calls)));
     text.push(format!("    implicit none\n    private\n    public :: jp_{name}_value, jp_{name}_jacobian\ncontains\n"));
     functions.iter().for_each(|(function, _)| text.push(function));
@@ -160,7 +162,7 @@ fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
 
 /// The modules of parts.
 fn uses<'a>(stem: &str, parts: impl Iterator<Item = &'a usize>) -> String {
-    parts.map(|part| format!("    use jp_{stem}_{part}, only: jp_{stem}_part{part}\n")).collect()
+    parts.map(|part| format!("    use jp_{stem}_{part}\n")).collect()
 }
 
 fn declared(field: &Field, intent: &str) -> String {
@@ -174,7 +176,7 @@ fn temporaries(lines: &Lines) -> String {
     let mut text = String::new();
     for (kind, names) in [("real(dp)", &lines.numbers), ("real(dp)", &arrays), ("logical", &lines.answers)] {
         for names in names.chunks(8) {
-            text += &format!("        {kind} :: {}\n", names.join(", "));
+            text += &(folded(&format!("        {kind} :: {}", names.join(", ")), " &").join("\n") + "\n");
         }
     }
     text + "\n"
@@ -265,8 +267,8 @@ fn module(recorded: &[Recorded]) -> String {
     let mut text = Text::from(
         "! Formulas with their Jacobians, printed by jointproof from the program that it proves.\n!\n\
          ! ..._value gives the outputs; ..._jacobian the outputs and every derivative, output by output, each\n\
-         ! over all inputs in order. The result is 0, or the position of the first input that is not finite or\n\
-         ! not in its domain; the outputs are 0 then.\n!\n\
+         ! over all inputs in order. The result is 0, or says why inputs are refused, as each module\n\
+         ! tells; the outputs are 0 then. A result that is too large for a double is infinite.\n!\n\
          ! Compile without fused operations and without -ffast-math: -ffp-contract=off.\nmodule jointproof\n",
     );
     for one in recorded {

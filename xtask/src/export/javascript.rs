@@ -187,8 +187,9 @@ fn part_source(stem: &str, part: &PartLines) -> String {
 fn index(recorded: &[Recorded]) -> String {
     let mut text = Text::from(
         "// Formulas with their Jacobians, printed by jointproof from the program that it proves.\n\
-         // `value(i)` gives the outputs one after the other, `jacobian(i)` every derivative too, output by output, each\n\
-         // over all inputs in order; i has the inputs by name. `refused(formula, i)` names the input that is not allowed.\n\n\
+         // `value(i)` gives the outputs one after the other, `jacobian(i)` every derivative too, output by\n\
+         // output, each over all inputs in order; i has the inputs by name. `refused(formula, i)` says why\n\
+         // inputs are refused. A result that is too large for a number is infinite.\n\n\
          export { refused } from './jp_runtime.mjs';\n",
     );
     for one in recorded {

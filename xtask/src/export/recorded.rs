@@ -82,23 +82,19 @@ pub(super) fn stem(one: &Recorded) -> String {
 /// What the head of a formula's file says, line by line.
 pub(super) fn description(one: &Recorded) -> Vec<String> {
     let spec = one.formula.spec();
-    let mut lines = vec![
-        format!("{}: {}", spec.id, spec.title),
-        format!("{}; {}", spec.source, spec.source.provenance),
-        String::new(),
-    ];
-    lines.extend(wrapped(spec.latex));
-    lines.push(String::new());
-    lines.extend(one.formula.inputs().iter().map(|field| described("in ", field)));
-    lines.extend(one.formula.outputs().iter().map(|field| described("out", field)));
+    let fields = |role: &'static str, fields: &'static [Field]| fields.iter().map(move |field| described(role, field));
+    let mut lines =
+        vec![format!("{}: {}", spec.id, spec.title), format!("{}; {}", spec.source, spec.source.provenance)];
+    lines.extend([String::new(), spec.latex.to_owned(), String::new()]);
+    lines.extend(fields("in ", one.formula.inputs()).chain(fields("out", one.formula.outputs())));
     lines.push(String::new());
     lines
         .push(format!("eta <= {} of the value, <= {} of the Jacobian, in units of 2^-53", spec.eta, spec.eta_jacobian));
-    lines.extend(one.formula.kinks().iter().flat_map(|kink| wrapped(&format!("kink: {}", kink.condition))));
+    lines.extend(one.formula.kinks().iter().map(|kink| format!("kink: {}", kink.condition)));
     lines.push(format!("Golden cases: golden/{}.json of jointproof {}", spec.id, env!("CARGO_PKG_VERSION")));
     lines.extend(one.checksum.iter().map(|checksum| format!("SHA-256 {checksum}")));
     lines.push("Printed by jointproof; free of conditions (CC0-1.0).".into());
-    lines.iter().map(|line| line.trim_end().to_owned()).collect()
+    lines.iter().flat_map(|line| wrapped(line)).collect()
 }
 
 fn described(role: &str, field: &Field) -> String {

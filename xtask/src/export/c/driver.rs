@@ -1,6 +1,7 @@
 //! The program that evaluates formulas at given points, for the comparison with Rust.
 
 use super::super::language::File;
+use super::super::program::folded;
 use super::super::recorded::{Recorded, Text, stem};
 use jointproof::formula::Field;
 
@@ -75,12 +76,12 @@ fn function(one: &Recorded) -> String {
         "\nvoid run_{name}(void);\nvoid run_{name}(void)\n{{\n    double x[{n}], y[{m}], both[{m} + {entries}];\n\
          \x20   for (uint64_t left = number_of_points(); left > 0; --left) {{\n        take(x, {n});\n\
          \x20       for (int k = 0; k < {m} + {entries}; ++k) both[k] = 0;\n\
-         \x20       double code = jp_{name}_jacobian(\n            {},\n            both + {m});\n\
-         \x20       const int alone = jp_{name}_value(\n            {});\n\
+         \x20       double code = jp_{name}_jacobian(\n{},\n            both + {m});\n\
+         \x20       const int alone = jp_{name}_value(\n{});\n\
          \x20       if (alone != (int)code) code = -1;\n\
          \x20       for (int k = 0; k < {m} && alone == 0; ++k)\n            if (y[k] != both[k] && y[k] == y[k]) code = -1;\n\
          \x20       give(&code, 1);\n        give(both, {m} + {entries});\n    }}\n}}\n",
-        both.join(", "),
-        values.join(", "),
+        folded(&format!("            {}", both.join(", ")), "").join("\n"),
+        folded(&format!("            {}", values.join(", ")), "").join("\n"),
     )
 }

@@ -1,5 +1,6 @@
-! What the formulas call: lengths that neither overflow nor underflow, and sums of products that lose
-! nothing, and the closest place of a curve. Printed by jointproof; free of conditions (CC0-1.0).
+! What the formulas call: lengths that neither overflow nor underflow, and sums of products that
+! lose nothing, and the closest place of a curve. Printed by jointproof; free of conditions
+! (CC0-1.0).
 module jp_runtime
     use, intrinsic :: iso_c_binding, only: c_double
     use, intrinsic :: iso_fortran_env, only: int64, dp => real64
@@ -20,7 +21,8 @@ module jp_runtime
         end function jp_expm1
     end interface
 
-    ! An exact sum, kept as parts that do not overlap, smaller ones first, none of them 0 (Shewchuk).
+    ! An exact sum, kept as parts that do not overlap, smaller ones first, none of them 0
+    ! (Shewchuk).
     type :: jp_expansion
         real(dp) :: part(144)
         integer :: n = 0
@@ -40,7 +42,8 @@ contains
         equal = x <= y .and. x >= y
     end function jp_equal
 
-    ! The square root of a sum of squares that is rescaled where it would leave the range of doubles.
+    ! The square root of a sum of squares that is rescaled where it would leave the range of
+    ! doubles.
     pure function jp_norm(x) result(length)
         real(dp), intent(in) :: x(:)
         real(dp) :: length, total, factor
@@ -185,8 +188,8 @@ contains
         end do
     end function jp_length
 
-    ! The place between two others where a polynomial without an extremum there changes sign: by Newton's
-    ! method where that halves the step, else by halving the interval.
+    ! The place between two others where a polynomial without an extremum there changes sign: by
+    ! Newton's method where that halves the step, else by halving the interval.
     pure function jp_crossing(p, first, last, low, high) result(u)
         real(dp), intent(in) :: p(:), first, last, low, high
         real(dp) :: u, from, to, step, value, slope, newton, next, shorter
@@ -225,8 +228,8 @@ contains
         end do
     end function jp_crossing
 
-    ! The places between two others where a polynomial falls through zero, or changes sign either way; those
-    ! of its derivative part them. Its values at the two are given.
+    ! The places between two others where a polynomial falls through zero, or changes sign either
+    ! way; those of its derivative part them. Its values at the two are given.
     pure recursive subroutine jp_crossings(all, ends, values, falls, place, found)
         real(dp), intent(in) :: all(:), ends(2), values(2)
         logical, intent(in) :: falls
@@ -269,12 +272,15 @@ contains
         end do
     end subroutine jp_crossings
 
-    ! The closest place of a curve X(0) + c Y(u) between two coordinates, given the gap xs - X(0) and the
-    ! residuals (xs - X).Y' at the two, by which either one of them counts or a root between them is found.
-    ! A number before the first coordinate stands for that end, one behind the last for the other.
-    pure function jp_nearest_place(gx, gy, factor, x1, y1, x2, y2, x3, y3, from, to, low, high) result(u)
+    ! The closest place of a curve X(0) + c Y(u) between two coordinates, given the gap xs - X(0)
+    ! and the residuals (xs - X).Y' at the two, by which either one of them counts or a root
+    ! between them is found. A number before the first coordinate stands for that end, one behind
+    ! the last for the other.
+    pure function jp_nearest_place(gx, gy, factor, x1, y1, x2, y2, x3, y3, from, to, low, high) &
+            result(u)
         real(dp), intent(in) :: gx, gy, factor, x1, y1, x2, y2, x3, y3, from, to, low, high
-        real(dp) :: u, p(6), place(7), inside(5), reach_u(2), reach_v(2), step(2), twice(2), others(2), size_(2)
+        real(dp) :: u, p(6), place(7), inside(5)
+        real(dp) :: reach_u(2), reach_v(2), step(2), twice(2), others(2), size_(2)
         logical :: is_end(7)
         integer :: n, k, best, roots
         p(1) = gx*x1 + gy*y1

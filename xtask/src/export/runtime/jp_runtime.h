@@ -1,6 +1,7 @@
 /*
- * What the formulas call: lengths that neither overflow nor underflow, and sums of products that
- * lose nothing, and the closest place of a curve. Printed by jointproof; free of conditions (CC0-1.0).
+ * What the formulas call: lengths that neither overflow nor underflow, sums of products that
+ * lose nothing, and the closest place of a curve.
+ * Printed by jointproof; free of conditions (CC0-1.0).
  */
 #ifndef JP_RUNTIME_H
 #define JP_RUNTIME_H
@@ -22,7 +23,8 @@ JP_UNUSED static void jp_set(double *row, int n, const double *entries)
     for (int k = 0; k < n; ++k) row[k] = entries[k];
 }
 
-/* The square root of a sum of squares that is rescaled where it would leave the range of doubles. */
+/* The square root of a sum of squares that is rescaled where it would leave the range of
+ * doubles. */
 JP_UNUSED static double jp_norm(const double *x, int n)
 {
     double sum = 0.0;
@@ -65,7 +67,8 @@ JP_UNUSED static double jp_power_of_two(double x)
     return x;
 }
 
-/* An exact sum, kept as parts that do not overlap, smaller ones first, none of them 0 (Shewchuk). */
+/* An exact sum, kept as parts that do not overlap, smaller ones first, none of them 0
+ * (Shewchuk). */
 typedef struct {
     double part[144];
     int n;
@@ -128,9 +131,10 @@ JP_UNUSED static double jp_polynomial(const double *p, int n, double u, double *
     return value;
 }
 
-/* The place between two others where a polynomial without an extremum there changes sign: by Newton's
- * method where that halves the step, else by halving the interval. */
-JP_UNUSED static double jp_crossing(const double *p, int n, double from, double to, double low, double high)
+/* The place between two others where a polynomial without an extremum there changes sign: by
+ * Newton's method where that halves the step, else by halving the interval. */
+JP_UNUSED static double jp_crossing(
+    const double *p, int n, double from, double to, double low, double high)
 {
     double u = from + (to - from) * 0.5, step = to - from, slope;
     int looked_for_short = 0;
@@ -142,7 +146,8 @@ JP_UNUSED static double jp_crossing(const double *p, int n, double from, double 
         else to = u;
         const double newton = u - value / slope;
         const int halves = fabs(newton - u) <= fabs(step) * 0.5;
-        const double next = from < newton && newton < to && halves ? newton : from + (to - from) * 0.5;
+        const int good = from < newton && newton < to && halves;
+        const double next = good ? newton : from + (to - from) * 0.5;
         step = next - u;
         if (step == 0.0 || next == from || next == to) return next;
         u = next;
@@ -155,10 +160,12 @@ JP_UNUSED static double jp_crossing(const double *p, int n, double from, double 
     return u;
 }
 
-/* The places between two others where a polynomial falls through zero, or changes sign either way; those
- * of its derivative part them. Its values at the two are given. Returns how many there are. */
+/* The places between two others where a polynomial falls through zero, or changes sign either
+ * way; those of its derivative part them. Its values at the two are given. Returns how many
+ * there are. */
 JP_UNUSED static int jp_crossings(
-    const double *p, int n, const double ends[2], const double values[2], int falls, double place[5])
+    const double *p, int n, const double ends[2], const double values[2], int falls,
+    double place[5])
 {
     double inner[5] = {0.0}, slope;
     int parts = 0, found = 0;
@@ -191,12 +198,13 @@ JP_UNUSED static double jp_reach(double y1, double y2, double y3, double factor,
     return (((y3 * u + y2) * u + y1) * u) * factor;
 }
 
-/* The closest place of a curve X(0) + c Y(u) between two coordinates, given the gap xs - X(0) and the
- * residuals (xs - X).Y' at the two, by which either one of them counts or a root between them is found.
- * A number before the first coordinate stands for that end, one behind the last for the other. */
+/* The closest place of a curve X(0) + c Y(u) between two coordinates, given the gap xs - X(0)
+ * and the residuals (xs - X).Y' at the two, by which either one of them counts or a root
+ * between them is found. A number before the first coordinate stands for that end, one behind
+ * the last for the other. */
 JP_UNUSED static double jp_nearest_place(
-    double gx, double gy, double factor, double x1, double y1, double x2, double y2, double x3, double y3,
-    double from, double to, double low, double high)
+    double gx, double gy, double factor, double x1, double y1, double x2, double y2, double x3,
+    double y3, double from, double to, double low, double high)
 {
     const double p[6] = {
         gx * x1 + gy * y1,
@@ -220,7 +228,8 @@ JP_UNUSED static double jp_nearest_place(
     }
     for (int k = 1; k < n; ++k) {
         /* |G_u|^2 - |G_v|^2 = (G_u - G_v).(G_u + G_v), against what rounding does to it. */
-        const double ux = jp_reach(x1, x2, x3, factor, place[k]), uy = jp_reach(y1, y2, y3, factor, place[k]);
+        const double ux = jp_reach(x1, x2, x3, factor, place[k]);
+        const double uy = jp_reach(y1, y2, y3, factor, place[k]);
         const double vx = jp_reach(x1, x2, x3, factor, place[best]);
         const double vy = jp_reach(y1, y2, y3, factor, place[best]);
         const double step_x = vx - ux, step_y = vy - uy, twice_x = gx * 2.0, twice_y = gy * 2.0;

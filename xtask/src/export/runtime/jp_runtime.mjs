@@ -1,8 +1,9 @@
-// What the formulas call: lengths that neither overflow nor underflow, sums of products that lose nothing, the closest
-// place of a curve, a product and a sum rounded once. Printed by jointproof; free of conditions (CC0-1.0).
+// What the formulas call: lengths that neither overflow nor underflow, sums of products that lose
+// nothing, the closest place of a curve, a product and a sum rounded once. Printed by jointproof;
+// free of conditions (CC0-1.0).
 
-// Why inputs are refused: the name and the position from 1 of the first that is not finite or not in its domain; or what
-// they must be together, by a position behind all inputs.
+// Why inputs are refused: the name and the position from 1 of the first that is not finite or not
+// in its domain; or what they must be together, by a position behind all inputs.
 export function refused({ inputs, required, value }, i) {
     for (const [k, { name, length, allowed }] of inputs.entries()) {
         const all = length === 1 ? [i[name]] : i[name];
@@ -11,7 +12,8 @@ export function refused({ inputs, required, value }, i) {
         }
     }
     const { refusal } = value(i);
-    return refusal > 0 ? { name: required[refusal - 1], position: inputs.length + refusal } : undefined;
+    if (!(refusal > 0)) return undefined;
+    return { name: required[refusal - 1], position: inputs.length + refusal };
 }
 
 // The square root of a sum of squares that is rescaled where it would leave the range of doubles.
@@ -105,8 +107,8 @@ function trimmed(p) {
     return p.slice(0, n);
 }
 
-// The place between two others where a polynomial without an extremum there changes sign: by Newton's method where that
-// halves the step, else by halving the interval.
+// The place between two others where a polynomial without an extremum there changes sign: by
+// Newton's method where that halves the step, else by halving the interval.
 function crossing(p, from, to, low, high) {
     if (high === 0) return to;
     const middle = () => from + (to - from) * 0.5;
@@ -133,8 +135,8 @@ function crossing(p, from, to, low, high) {
     return u;
 }
 
-// The places between two others where a polynomial falls through zero, or changes sign either way; those of its derivative
-// part them. Its values at the two are given.
+// The places between two others where a polynomial falls through zero, or changes sign either
+// way; those of its derivative part them. Its values at the two are given.
 function crossings(all, ends, values, falls) {
     const p = trimmed(all);
     let inner = [];
@@ -156,9 +158,10 @@ function crossings(all, ends, values, falls) {
     return places;
 }
 
-// The closest place of a curve X(0) + c Y(u) between two coordinates, given the gap xs - X(0) and the residuals (xs - X).Y'
-// at the two, by which either one of them counts or a root between them is found. A number before the first coordinate
-// stands for that end, one behind the last for the other.
+// The closest place of a curve X(0) + c Y(u) between two coordinates, given the gap xs - X(0) and
+// the residuals (xs - X).Y' at the two, by which either one of them counts or a root between them
+// is found. A number before the first coordinate stands for that end, one behind the last for the
+// other.
 export function nearestPlace(gx, gy, factor, x1, y1, x2, y2, x3, y3, from, to, low, high) {
     const p = [
         gx * x1 + gy * y1,
@@ -171,7 +174,9 @@ export function nearestPlace(gx, gy, factor, x1, y1, x2, y2, x3, y3, from, to, l
     const places = [];
     if (low <= 0) places.push({ u: from, end: from - 1 });
     for (const u of crossings(p, [from, to], [low, high], true)) places.push({ u });
-    if (high >= 0 || places.length === 0) places.push({ u: to, end: to === from ? from - 1 : to + 1 });
+    if (high >= 0 || places.length === 0) {
+        places.push({ u: to, end: to === from ? from - 1 : to + 1 });
+    }
     const reach = (a, b, c, u) => ((c * u + b) * u + a) * u * factor;
     let best = places[0];
     for (const place of places.slice(1)) {
