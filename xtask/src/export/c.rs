@@ -1,6 +1,7 @@
 //! C99.
 
 mod driver;
+pub(super) mod loops;
 
 use super::language::{File, Language, Operand, Toolchain, files_of};
 use super::program::{Body, Lines, PartLines, folded};
@@ -335,10 +336,12 @@ fn sources(files: &[File]) -> impl Iterator<Item = &str> {
 fn makefile(formulas: &[File], drivers: &[File]) -> String {
     let objects = |files| sources(files).map(|name| name.replace(".c", ".o")).collect::<Vec<_>>().join(" \\\n    ");
     format!(
-        "CC ?= cc\nCFLAGS ?= {}\nOBJECTS = {}\nDRIVER = {}\n\n\
+        "CC ?= cc\nCFLAGS ?= {}\nOBJECTS = {}\nDRIVER = {}\n\
+         SPEED = $(patsubst %.c,%.o,$(wildcard speed*.c))\n\n\
          libjointproof.a: $(OBJECTS)\n\t$(AR) rcs $@ $(OBJECTS)\n\n\
          driver: $(DRIVER) libjointproof.a\n\t$(CC) -o $@ $(DRIVER) libjointproof.a -lm\n\n\
-         clean:\n\trm -f *.o libjointproof.a driver\n",
+         speed: $(SPEED) libjointproof.a\n\t$(CC) -o $@ $(SPEED) libjointproof.a -lm\n\n\
+         clean:\n\trm -f *.o libjointproof.a driver speed\n",
         FLAGS.join(" "),
         objects(formulas),
         objects(drivers)

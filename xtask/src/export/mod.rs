@@ -10,12 +10,14 @@ mod outline;
 mod points;
 mod program;
 mod recorded;
+mod speed;
 
 use crate::console::{green, print, red, say};
 use crate::files;
 use crate::outcome::{Outcome, verdict};
 use crate::project::Project;
 use crate::selection::Selection;
+use anyhow::ensure;
 use language::Language;
 use recorded::record;
 use std::path::PathBuf;
@@ -42,6 +44,9 @@ pub(crate) struct Arguments {
     /// Compile it with every compiler that is here, and compare every bit with Rust's
     #[arg(long)]
     check: bool,
+    /// Take the time of value and Jacobian in C, beside Rust's at the same points
+    #[arg(long)]
+    speed: bool,
     /// Random points at which to compare, beside the golden cases
     #[arg(long, value_name = "N", default_value_t = 10_000, requires = "check")]
     samples: usize,
@@ -80,6 +85,10 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     }
     let folder = arguments.out.display();
     print(&format!("{} of {} formulas, {lines} lines in {folder}\n", recorded.len(), formulas.len()))?;
+    if arguments.speed {
+        ensure!(arguments.lang == Name::C, "--speed takes the time of C: --lang c");
+        speed::compare(project, &arguments.out, &recorded)?;
+    }
     if !arguments.check {
         return Ok(verdict(true));
     }

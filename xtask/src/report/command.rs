@@ -93,7 +93,12 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
 }
 
 /// Measures, in an optimised program unless `here`.
-fn measure(project: &Project, formulas: &[&dyn AnyFormula], options: Options, here: bool) -> anyhow::Result<Report> {
+pub(crate) fn measure(
+    project: &Project,
+    formulas: &[&dyn AnyFormula],
+    options: Options,
+    here: bool,
+) -> anyhow::Result<Report> {
     let ids = formulas.iter().map(|formula| formula.spec().id.to_owned()).collect();
     let (build, formulas) = measuring::run(project, ids, options, here).context("the measuring failed")?;
     Ok(Report::new(project, build, options, formulas))

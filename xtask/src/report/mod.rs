@@ -11,4 +11,4 @@ pub(crate) mod price;
 pub(crate) mod tables;
 pub(crate) mod verdict;
 
-pub(crate) use command::{Arguments, kept_or_quick, run};
+pub(crate) use command::{Arguments, kept_or_quick, measure, run};

@@ -56,8 +56,8 @@ fn main(recorded: &[Recorded]) -> String {
     text.finished()
 }
 
-fn function(one: &Recorded) -> String {
-    let (inputs, outputs) = (one.formula.inputs(), one.formula.outputs());
+/// The arguments of a formula's functions: inputs from one array, outputs into another.
+pub(super) fn arguments(one: &Recorded, outputs: &str) -> String {
     let passed = |fields: &[Field], array: &str, by_address: &str| {
         let mut from = 0;
         let arguments = fields.iter().map(|field| {
@@ -67,11 +67,18 @@ fn function(one: &Recorded) -> String {
         });
         arguments.collect::<Vec<_>>()
     };
+    let all = [passed(one.formula.inputs(), "x", ""), passed(one.formula.outputs(), outputs, "&")].concat();
+    folded(&format!("            {}", all.join(", ")), "").join("\n")
+}
+
+/// How many numbers go in and come out, and how many entries the Jacobian has.
+pub(super) fn counts(one: &Recorded) -> [usize; 3] {
     let count = |fields: &[Field]| fields.iter().map(Field::len).sum::<usize>();
-    let values = [passed(inputs, "x", ""), passed(outputs, "y", "&")].concat();
-    let both = [passed(inputs, "x", ""), passed(outputs, "both", "&")].concat();
-    let [n, m, entries] = [count(inputs), count(outputs), one.graph.jacobian.len()];
-    let name = stem(one);
+    [count(one.formula.inputs()), count(one.formula.outputs()), one.graph.jacobian.len()]
+}
+
+fn function(one: &Recorded) -> String {
+    let ([n, m, entries], name) = (counts(one), stem(one));
     format!(
         "\nvoid run_{name}(void);\nvoid run_{name}(void)\n{{\n    double x[{n}], y[{m}], both[{m} + {entries}];\n\
          \x20   for (uint64_t left = number_of_points(); left > 0; --left) {{\n        take(x, {n});\n\
@@ -81,7 +88,7 @@ fn function(one: &Recorded) -> String {
          \x20       if (alone != (int)code) code = -1;\n\
          \x20       for (int k = 0; k < {m} && alone == 0; ++k)\n            if (y[k] != both[k] && y[k] == y[k]) code = -1;\n\
          \x20       give(&code, 1);\n        give(both, {m} + {entries});\n    }}\n}}\n",
-        folded(&format!("            {}", both.join(", ")), "").join("\n"),
-        folded(&format!("            {}", values.join(", ")), "").join("\n"),
+        arguments(one, "both"),
+        arguments(one, "y"),
     )
 }

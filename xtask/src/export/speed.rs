@@ -1,0 +1,76 @@
+//! How long the exported functions take in C, beside the formulas in Rust at the same points.
+
+use super::c::loops;
+use super::recorded::{Recorded, stem};
+use crate::console::{print, progress};
+use crate::files;
+use crate::project::Project;
+use crate::report;
+use anyhow::{Context, ensure};
+use jointproof::measure::Options;
+use std::collections::HashMap;
+use std::path::Path;
+use std::process::Command;
+
+/// The optimisation of C that is compared with Rust's: as the header says, beside -O3.
+const FLAGS: &str = "-std=c99 -O3 -ffp-contract=off";
+/// The C program runs so often before Rust's and as often behind it; the median of its times counts, as of Rust's.
+const ROUNDS: usize = 3;
+
+/// Prints a table of times and ratios.
+pub(super) fn compare(project: &Project, folder: &Path, recorded: &[Recorded]) -> anyhow::Result<()> {
+    let options = Options::quick();
+    let folder = &folder.canonicalize()?;
+    for (name, text) in loops::files(recorded) {
+        files::write(&folder.join(name), &text)?;
+    }
+    for one in recorded {
+        let bytes: Vec<u8> = one.formula.timing_inputs(&options).iter().flat_map(|x| x.to_le_bytes()).collect();
+        std::fs::write(folder.join(format!("{}.f64", stem(one))), bytes)?;
+    }
+    let flags = format!("CFLAGS={FLAGS}");
+    ask(folder, "make", &["--quiet", "--always-make", "-j2", "speed", "CC=cc", &flags])?;
+    let mut c = HashMap::<_, Vec<f64>>::new();
+    let bar = progress("C", 2 * ROUNDS);
+    let mut run = || -> anyhow::Result<()> {
+        for _ in 0..ROUNDS {
+            for line in ask(folder, "./speed", &[])?.lines() {
+                let (name, time) = line.split_once(' ').context("the program prints names and times")?;
+                c.entry(name.to_owned()).or_default().push(time.parse()?);
+            }
+            bar.inc(1);
+        }
+        Ok(())
+    };
+    run()?;
+    let formulas: Vec<_> = recorded.iter().map(|one| one.formula).collect();
+    let rust = report::measure(project, &formulas, options, false)?;
+    run()?;
+    bar.finish_and_clear();
+    let mut rows = Vec::new();
+    for one in recorded {
+        let id = one.formula.spec().id;
+        let measured = rust.formulas.iter().find(|measured| measured.formula == id);
+        let figures = measured.and_then(|measured| measured.way("closed")).and_then(|way| way.jacobian.as_ref());
+        let time = figures.and_then(|figures| figures.time).context("the report has the times of closed forms")?;
+        let times = c.get_mut(&stem(one)).context("the program printed the time of every formula")?;
+        times.sort_by(f64::total_cmp);
+        rows.push((id, times[times.len() / 2], time.median));
+    }
+    rows.sort_by(|a, b| (b.1 / b.2).total_cmp(&(a.1 / a.2)));
+    print("formula                                        C, ns   Rust, ns   ratio\n")?;
+    for (id, c, rust) in &rows {
+        print(&format!("{id:44} {c:8.1} {rust:10.1} {:7.2}\n", c / rust))?;
+    }
+    let mean = (rows.iter().map(|(_, c, rust)| (c / rust).ln()).sum::<f64>() / rows.len() as f64).exp();
+    let within = rows.iter().filter(|(_, c, rust)| c / rust <= 1.15).count();
+    print(&format!("{within} of {} at most 1.15; geometric mean {mean:.2}\n", rows.len()))
+}
+
+fn ask(folder: &Path, program: &str, arguments: &[&str]) -> anyhow::Result<String> {
+    let path = if program.starts_with("./") { folder.join(program) } else { program.into() };
+    let output = Command::new(&path).args(arguments).current_dir(folder).output();
+    let output = output.with_context(|| format!("{} cannot be started", path.display()))?;
+    ensure!(output.status.success(), "{program} failed:\n{}", String::from_utf8_lossy(&output.stderr));
+    Ok(String::from_utf8(output.stdout)?)
+}
