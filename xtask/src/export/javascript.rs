@@ -9,7 +9,10 @@ use jointproof::graph::{Op, Unary};
 
 pub(super) struct JavaScript;
 
-const RUNTIME: &str = include_str!("runtime/jp_runtime.mjs");
+/// By how much functions such as the sine may differ from Rust's: see [`Toolchain::epsilons`].
+pub(super) const EPSILONS: f64 = 64.0;
+
+pub(super) const RUNTIME: &str = include_str!("runtime/jp_runtime.mjs");
 
 const NAMES: Names = Names {
     unary: |function| match function {
@@ -42,7 +45,7 @@ impl Language for JavaScript {
     }
 
     fn toolchains(&self) -> Vec<Toolchain> {
-        vec![Toolchain { name: "node", commands: vec![vec!["node".into(), "driver.mjs".into()]], epsilons: 64.0 }]
+        vec![Toolchain { name: "node", commands: vec![vec!["node".into(), "driver.mjs".into()]], epsilons: EPSILONS }]
     }
 
     fn number(&self, x: f64) -> String {
@@ -84,7 +87,7 @@ impl Language for JavaScript {
 }
 
 impl JavaScript {
-    fn source(&self, one: &Recorded) -> String {
+    pub(super) fn source(&self, one: &Recorded) -> String {
         let lines: Vec<_> = description(one).iter().map(|line| format!("// {line}").trim_end().to_owned()).collect();
         let mut text = Text::from(lines.join("\n"));
         text.push("\nimport { exactSum, multiplyAdd, norm2, norm3, norm4, powerOfTwo } from './jp_runtime.mjs';\n\n");

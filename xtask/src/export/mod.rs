@@ -8,6 +8,7 @@ mod language;
 mod points;
 mod program;
 mod recorded;
+mod script;
 
 use crate::console::{green, print, red, say};
 use crate::files;
@@ -16,6 +17,7 @@ use crate::project::Project;
 use crate::selection::Selection;
 use language::Language;
 use recorded::record;
+pub(crate) use script::{Script, runtime_script, script};
 use std::path::PathBuf;
 
 /// Write formulas as programs in C, Fortran or JavaScript
