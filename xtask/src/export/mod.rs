@@ -92,3 +92,10 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     }
     Ok(verdict(well))
 }
+
+/// The files of an export, for tests of what calls it.
+#[cfg(test)]
+pub(crate) fn files_in(lang: &str, formulas: &[&'static dyn jointproof::catalog::AnyFormula]) -> Vec<(String, String)> {
+    let name = <Name as clap::ValueEnum>::from_str(lang, false).expect("a language is named");
+    name.language().files(&record(formulas).0)
+}

@@ -19,7 +19,7 @@ const SWITCHES: &str = "--headless=new --no-sandbox --disable-gpu --disable-quic
     --remote-debugging-pipe";
 
 /// How long an answer may take.
-const PATIENCE: Duration = Duration::from_secs(120);
+const PATIENCE: Duration = Duration::from_mins(2);
 
 /// A browser with one page.
 pub(super) struct Browser {

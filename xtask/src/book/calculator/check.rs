@@ -18,10 +18,10 @@ use crate::export::{self, Script};
 use crate::project::Project;
 
 /// What is done in the page.
-const DRIVE: &str = include_str!("drive.js");
+pub(super) const DRIVE: &str = include_str!("drive.js");
 
 /// Where this is set, a browser must be here.
-const REQUIRED: &str = "JOINTPROOF_REQUIRE_CHROMIUM";
+pub(super) const REQUIRED: &str = "JOINTPROOF_REQUIRE_CHROMIUM";
 
 /// How many bytes all that is not of a formula may have, compressed.
 const MOST_BYTES: u64 = 12_000;
@@ -137,9 +137,10 @@ struct One<'a> {
 struct Shown {
     refusal: String,
     numbers: Vec<String>,
-    /// Whether the menu has the case.
-    chosen: bool,
-    /// Whether it gives the same then.
+    /// The fields when the case is chosen from the menu, which may not have it.
+    chosen: Option<Vec<String>>,
+    /// Whether the same is shown then.
+    #[serde(default)]
     same: bool,
 }
 
@@ -169,9 +170,13 @@ impl One<'_> {
 
     fn case(&mut self, case: &Record, point: &[f64], shown: &Shown) -> Result<()> {
         self.checked.cases += 1;
-        self.checked.chosen += usize::from(shown.chosen);
-        if !shown.same {
-            self.off(case, "chosen from the menu, it shows something else");
+        if let Some(fields) = &shown.chosen {
+            self.checked.chosen += 1;
+            let is_field =
+                |(text, x): (&String, &f64)| text.parse().is_ok_and(|field: f64| field.to_bits() == x.to_bits());
+            if !shown.same || !fields.iter().zip(point).all(is_field) {
+                self.off(case, "chosen from the menu, it shows something else");
+            }
         }
         let (value, jacobian) = match self.formula.value_and_jacobian(point) {
             Ok(both) => both,

@@ -1,7 +1,7 @@
 // Uses a calculator as a reader does: fills its fields, and reads what it shows. Evaluated in the page by the check.
 
 // What a calculator shows at each point, whose components are texts; and where its own menu
-// has the case of this name, whether that gives the same.
+// has the case of this name, the fields that it fills, and whether they give the same.
 async function drive(id, points, names) {
     const box = document.querySelector(`.calculator[data-formula="${id}"]`);
     box.querySelector('summary').click();
@@ -16,10 +16,10 @@ async function drive(id, points, names) {
         });
         const shown = read(box);
         const option = [...menu.options].find(({ text }) => text === names[k]);
-        if (!option) return { ...shown, chosen: false, same: true };
+        if (!option) return { ...shown, chosen: null };
         menu.value = option.value;
         menu.dispatchEvent(new Event('change', { bubbles: true }));
-        return { ...shown, chosen: true, same: JSON.stringify(shown) === JSON.stringify(read(box)) };
+        return { ...shown, chosen: fields.map((field) => field.value), same: JSON.stringify(shown) === JSON.stringify(read(box)) };
     });
 }
 
@@ -27,6 +27,22 @@ function read(box) {
     const refusal = box.querySelector('.refusal').textContent;
     const cells = [...box.querySelectorAll('[data-at]')].sort((a, b) => a.dataset.at - b.dataset.at);
     return { refusal, numbers: cells.map((cell) => cell.textContent) };
+}
+
+// What is copied for each language, with the numbers of a case.
+async function copies(id, name) {
+    const box = document.querySelector(`.calculator[data-formula="${id}"]`);
+    box.querySelector('summary').click();
+    await until(() => box.querySelector('form'));
+    const menu = box.querySelector('.cases');
+    menu.value = [...menu.options].find(({ text }) => text === name).value;
+    menu.dispatchEvent(new Event('change', { bubbles: true }));
+    const texts = {};
+    for (const button of box.querySelectorAll('.copies button')) {
+        button.click();
+        texts[button.textContent] = box.querySelector('.copies pre').textContent;
+    }
+    return texts;
 }
 
 async function until(holds) {

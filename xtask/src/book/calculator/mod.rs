@@ -6,6 +6,8 @@
 mod browser;
 mod check;
 mod sizes;
+#[cfg(test)]
+mod tests;
 
 pub(crate) use check::check;
 
@@ -137,7 +139,7 @@ pub(crate) fn head(page: &str, to_root: &str) -> String {
 /// A script without comments and indentation; no text in it goes over several lines.
 fn short(script: &str) -> String {
     let lines = script.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("//"));
-    lines.map(|line| format!("{line}\n")).collect()
+    each(lines, |line| format!("{line}\n"))
 }
 
 /// Writes the scripts and the style sheet, if there is a calculator at all.

@@ -89,7 +89,7 @@ class Panel {
         const table = (label, ...parts) =>
             html('div', { class: 'table-wrapper', tabindex: 0, role: 'region', 'aria-label': label }, html('table', {}, ...parts));
         const shown = html('div', { class: 'answers' }, table('Outputs', html('tbody', {}, ...value)),
-            table('Jacobian', html('thead', {}, html('tr', {}, html('td'), ...head)), html('tbody', {}, ...rows)));
+            table('Jacobian', html('thead', {}, html('tr', {}, html('td', {}, 'Jacobian'), ...head)), html('tbody', {}, ...rows)));
         this.cells = [...shown.querySelectorAll('[data-at]')].sort((a, b) => a.dataset.at - b.dataset.at);
         return shown;
     }
@@ -98,9 +98,9 @@ class Panel {
         const options = (names) => names.map((name, k) => html('option', { value: k }, name));
         const redraw = () => this.draw();
         this.output = html('select', { change: redraw }, ...options(this.results));
-        const along = [...this.names, ...this.kinks.map((_, k) => `kink ${k + 1}`)];
-        this.along = html('select', { change: redraw }, ...options(along));
-        this.reach = html('input', { type: 'text', placeholder: 'as it is large', input: redraw, ...PLAIN });
+        const along = [...this.names, ...this.kinks.map((_, k) => `across kink ${k + 1}`)];
+        this.along = html('select', { change: () => this.bend() }, ...options(along));
+        this.reach = html('input', { type: 'text', placeholder: 'auto', input: redraw, ...PLAIN });
         this.figure = html('figure', {});
         this.plotted = html('details', { toggle: redraw }, html('summary', {}, 'Plot'),
             html('div', { class: 'choices' }, labelled('of', this.output), labelled('along', this.along), labelled('±', this.reach)),
@@ -195,7 +195,7 @@ class Panel {
         if (opposite.digits > Math.max(best.digits, 2)) {
             return `${text}: ${opposite.digits} digits agree with ${this.name(opposite.k)}, but not the sign. `;
         }
-        if (best.digits === 0) return `${text}: nothing here begins like this. `;
+        if (best.digits < Math.min(2, digitsOf(text))) return `${text}: nothing here begins like this. `;
         const shown = show(best.x);
         const end = endOfDigits(shown, best.digits);
         this.cells[best.k].replaceChildren(html('mark', {}, shown.slice(0, end)), shown.slice(end));
@@ -218,33 +218,42 @@ class Panel {
         return { output, from: this.point, direction: this.point.map((_, k) => Number(k === along)), center: this.point[along] };
     }
 
+    // Across a kink, the output that bends most is of interest.
+    bend() {
+        const kink = this.kinks[Number(this.along.value) - this.names.length];
+        const jumps = kink?.sides.map(([below, above]) => Math.abs(above - below));
+        if (kink) this.output.value = jumps.indexOf(Math.max(...jumps));
+        this.draw();
+    }
+
     draw() {
         if (!this.plotted?.open) return;
         const line = this.line();
         const { kink, output, center } = line;
         if (!kink && !this.found) return this.figure.replaceChildren();
         const size = Math.max(...line.from.map((x, k) => Math.abs(x * line.direction[k])));
-        const reach = parse(this.reach.value) || size || 1;
+        const reach = Math.abs(parse(this.reach.value)) || 1.6 * size || 1;
         const found = sampled(curve(this, line), reach);
         if (!found.points.some(Boolean)) return this.figure.replaceChildren();
         const value = found.points.find((point) => point?.t === 0)?.value;
-        const tangents = kink ? kink.sides[output].map((slope) => ({ t: 0, value, slope }))
+        const sides = kink ? kink.sides[output].map((slope) => ({ t: 0, value, slope }))
             : found.jumps.flatMap(({ below, above }) => [below, above]);
         const input = kink ? 't' : this.names[Number(this.along.value)];
+        const tangents = sides.filter((one) => one.value !== undefined && Math.abs(one.slope) < UNBOUNDED);
         const names = { output: this.results[output], input, axis: kink ? 'step t across the kink' : input };
         const width = Math.min(600, this.figure.clientWidth || 300);
-        const drawn = drawing(found, { names, center, reach, width, tangents: tangents.filter((one) => one.value !== undefined) });
-        this.figure.replaceChildren(drawn, html('figcaption', {}, ...this.caption(line, found.jumps)));
+        const drawn = drawing(found, { names, center, reach, width, tangents });
+        this.figure.replaceChildren(drawn, html('figcaption', {}, ...this.caption(line, found.jumps, reach)));
     }
 
-    caption({ kink, output, center }, jumps) {
+    caption({ kink, output, center }, jumps, reach) {
         if (kink) {
             const registered = this.box.closest('.entry').querySelectorAll('.kinks > li')[this.kinks.indexOf(kink)];
-            const [below, above] = kink.sides[output];
-            return [`Slope of ${this.results[output]} ${short(below)} before and ${short(above)} behind the kink: `, ...copied(registered)];
+            const [below, above] = kink.sides[output].map((x) => (Math.abs(x) < UNBOUNDED ? short(x) : 'without bound'));
+            return [`Slope of ${this.results[output]} ${below} before and ${above} behind the kink: `, ...copied(registered)];
         }
         return jumps.slice(0, 4).map(({ t, below, above }) =>
-            `At ${short(center + t)} the slope jumps from ${short(below.slope)} to ${short(above.slope)}. `);
+            `At ${short(Math.abs(center + t) < 1e-9 * reach ? 0 : center + t)} the slope jumps from ${short(below.slope)} to ${short(above.slope)}. `);
     }
 
     async copy(name) {
@@ -268,6 +277,9 @@ class Panel {
 
 // What keeps browsers from correcting numbers.
 const PLAIN = { autocomplete: 'off', autocapitalize: 'off', spellcheck: 'false' };
+
+// A difference over a tiny step that is this large has no limit.
+const UNBOUNDED = 1e15;
 
 function labelled(text, field) {
     return html('label', {}, html('span', {}, text), field);

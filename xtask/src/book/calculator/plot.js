@@ -135,7 +135,7 @@ function drawing(found, { names, center, reach, width, tangents }) {
 // A third of the axis to both sides, shortened where it leaves the drawing.
 function tangent(x, y, { t, value, slope, reach, clip }) {
     const end = (sign) => {
-        let length = reach / 3;
+        let length = Math.max(0, Math.min(reach / 3, reach - sign * t));
         for (let k = 0; k < 40; ++k) {
             const at = y(value + sign * slope * length);
             if (at >= clip[0] && at <= clip[1]) break;
