@@ -112,7 +112,9 @@ fn finish(theme: &Path, out: &Path, title: &str, content: &Content, later: &Defe
     for golden in &content.golden {
         write(&out.join("golden").join(&golden.name), &golden.bytes)?;
     }
-    calculator::write_all(out, &content.entries)?;
+    for (path, text) in calculator::files(&content.entries) {
+        write(&out.join(path), text.as_bytes())?;
+    }
     let mut faults = Faults::default();
     links::check(out, &mut faults)?;
     Ok(faults.into_result()?)

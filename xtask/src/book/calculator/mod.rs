@@ -11,15 +11,11 @@ mod tests;
 
 pub(crate) use check::check;
 
-use std::path::Path;
-
-use anyhow::Result;
 use jointproof::Error;
 use jointproof::catalog::{AnyFormula, KinkEntry};
 use jointproof::proof::Flag;
 use jointproof::verify::golden::{File, Record, components};
 
-use super::build::write;
 use super::content::{Calculator, Entry};
 use super::html::{each, escape};
 use crate::export;
@@ -40,6 +36,9 @@ const PARTS: [&str; 4] =
 /// How many random cases the menu has.
 const RANDOM: usize = 1;
 
+/// What stands before the cases in the script of a formula.
+const CASES: &str = "cases:";
+
 const STYLE: &str = include_str!("calculator.css");
 
 /// The calculator of a formula.
@@ -52,7 +51,7 @@ pub(crate) fn of(formula: &'static dyn AnyFormula, golden: Option<&File>) -> Cal
     let kinks = each(formula.kinks(), |kink| kink_line(&kink));
     let id = formula.spec().id;
     Calculator::Script(format!(
-        "'use strict';\njointproof.define('{id}', {}, {{\ncases: [\n{cases}],\nkinks: [\n{kinks}],\n}});\n",
+        "'use strict';\njointproof.define('{id}', {}, {{\n{CASES} [\n{cases}],\nkinks: [\n{kinks}],\n}});\n",
         script.text()
     ))
 }
@@ -107,7 +106,7 @@ fn number(x: f64) -> String {
     match x {
         x if x.is_nan() => "NaN".into(),
         x if x.is_infinite() => if x > 0.0 { "Infinity" } else { "-Infinity" }.into(),
-        x => serde_json::Value::from(x).to_string(),
+        x => serde_json::Value::from(x).to_string().trim_end_matches(".0").into(),
     }
 }
 
@@ -136,31 +135,32 @@ pub(crate) fn head(page: &str, to_root: &str) -> String {
     )
 }
 
-/// A script without comments and indentation; no text in it goes over several lines.
-fn short(script: &str) -> String {
-    let lines = script.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("//"));
+/// A script or a style sheet without comments and indentation; no text in it goes over several lines.
+fn short(text: &str) -> String {
+    let lines = text
+        .lines()
+        .map(str::trim)
+        .filter(|line| !line.is_empty() && !line.starts_with("//") && !line.starts_with("/*"));
     each(lines, |line| format!("{line}\n"))
 }
 
-/// Writes the scripts and the style sheet, if there is a calculator at all.
-pub(crate) fn write_all(out: &Path, entries: &[Entry]) -> Result<()> {
-    let folder = out.join(FOLDER);
-    let mut any = false;
-    for entry in entries {
-        if let Calculator::Script(text) = &entry.calculator {
-            write(&folder.join(format!("{}.js", entry.id)), short(text).as_bytes())?;
-            any = true;
-        }
+/// The scripts and the style sheet by their paths in the book, if there is a calculator at all.
+pub(crate) fn files(entries: &[Entry]) -> Vec<(String, String)> {
+    let script = |entry: &Entry| match &entry.calculator {
+        Calculator::Script(text) => Some((format!("{FOLDER}/{}.js", entry.id), short(text))),
+        _ => None,
+    };
+    let mut files: Vec<_> = entries.iter().filter_map(script).collect();
+    if files.is_empty() {
+        return files;
     }
-    if any {
-        let runtime = format!("'use strict';\njointproof.define('runtime', {});\n", export::runtime_script());
-        let panel =
-            format!("'use strict';\njointproof.define('panel', () => {{\n{}\nreturn Panel;\n}});\n", PARTS.concat());
-        let start = format!("(() => {{\n'use strict';\n{START}}})();\n");
-        for (name, text) in [("runtime", runtime), ("panel", panel), ("calculator", start)] {
-            write(&folder.join(format!("{name}.js")), short(&text).as_bytes())?;
-        }
-        write(&folder.join("calculator.css"), STYLE.as_bytes())?;
+    let runtime = format!("'use strict';\njointproof.define('runtime', {});\n", export::runtime_script());
+    let panel =
+        format!("'use strict';\njointproof.define('panel', () => {{\n{}\nreturn Panel;\n}});\n", PARTS.concat());
+    let start = format!("(() => {{\n'use strict';\n{START}}})();\n");
+    for (name, text) in [("runtime", runtime), ("panel", panel), ("calculator", start)] {
+        files.push((format!("{FOLDER}/{name}.js"), short(&text)));
     }
-    Ok(())
+    files.push((format!("{FOLDER}/calculator.css"), short(STYLE)));
+    files
 }
