@@ -120,9 +120,9 @@ class Panel {
     choose(chosen) {
         const point = [];
         for (const [, , , changes] of this.cases.slice(0, chosen + 1)) Object.assign(point, changes);
-        this.boxes.forEach((box, k) => (box.value = show(point[k])));
+        this.boxes.forEach((box, k) => (box.value = show(point[k] ?? 0)));
         this.select.value = chosen;
-        this.comment.textContent = this.cases[chosen][2];
+        this.comment.textContent = this.cases[chosen]?.[2] ?? '';
         this.update(true);
     }
 
