@@ -22,7 +22,7 @@ mod recorder;
 mod run;
 mod traced;
 
-pub use node::{Binary, Graph, Node, Op, Relation, Unary};
+pub use node::{Binary, Graph, Node, Op, Relation, Search, Unary};
 pub use program::Statement;
 pub use record::{NotRecorded, record};
 pub use traced::Traced;

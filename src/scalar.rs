@@ -78,6 +78,19 @@ pub trait Leaf: Scalar<Leaf = Self> {
     }
     /// A sum of at most 18 products of four numbers each, of the right sign: nothing is rounded but the sum in the end.
     fn exact_sum(products: impl IntoIterator<Item = [Self; 4]>) -> Self;
+    /// What a search finds from these numbers.
+    #[inline]
+    fn find<S: Search<N>, const N: usize>(from: [Self; N]) -> Self {
+        S::find(from)
+    }
+}
+
+/// An iteration that takes as many steps as its numbers need; where a formula is written down, it is one operation.
+pub trait Search<const N: usize> {
+    /// What it is called in other languages.
+    const NAME: &'static str;
+    /// What it finds from these numbers.
+    fn find<L: Leaf>(from: [L; N]) -> L;
 }
 
 /// The number without its derivatives.

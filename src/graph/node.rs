@@ -1,6 +1,8 @@
 //! The list of operations, in which nothing is computed twice.
 
 use std::collections::HashMap;
+use std::fmt;
+use std::hash::{Hash, Hasher};
 
 /// The place of a result in the list: a number, or the answer of a comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -68,6 +70,35 @@ pub enum Relation {
     Equal,
 }
 
+/// A search: known by its name, and done by a function.
+#[derive(Clone, Copy)]
+pub struct Search {
+    /// What it is called.
+    pub name: &'static str,
+    /// What it finds from as many numbers as it takes.
+    pub(super) find: fn(&[f64]) -> f64,
+}
+
+impl PartialEq for Search {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+impl Eq for Search {}
+
+impl Hash for Search {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.name.hash(state);
+    }
+}
+
+impl fmt::Debug for Search {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name)
+    }
+}
+
 /// How a result follows from earlier ones.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Op {
@@ -85,6 +116,8 @@ pub enum Op {
     Norm(Box<[Node]>),
     /// A sum of products of four numbers each, of which nothing is rounded but the sum in the end.
     ExactSum(Box<[[Node; 4]]>),
+    /// What a search finds from these numbers.
+    Search(Search, Box<[Node]>),
     /// An answer.
     Compare(Relation, Node, Node),
     /// The second where the first, an answer, is yes; else the third. Both may be answers.
@@ -99,7 +132,7 @@ impl Op {
             Self::Unary(_, x) => vec![*x],
             Self::Binary(_, x, y) | Self::Compare(_, x, y) => vec![*x, *y],
             Self::MultiplyAdd(x, y, z) | Self::Select(x, y, z) => vec![*x, *y, *z],
-            Self::Norm(parts) => parts.to_vec(),
+            Self::Norm(parts) | Self::Search(_, parts) => parts.to_vec(),
             Self::ExactSum(products) => products.concat(),
         }
     }
@@ -113,6 +146,7 @@ impl Op {
             (Self::MultiplyAdd(..), &[x, y, z]) => Self::MultiplyAdd(x, y, z),
             (Self::Select(..), &[x, y, z]) => Self::Select(x, y, z),
             (Self::Norm(_), parts) => Self::Norm(parts.into()),
+            (Self::Search(search, _), parts) => Self::Search(*search, parts.into()),
             (Self::ExactSum(_), factors) => Self::ExactSum(factors.as_chunks().0.into()),
             _ => self.clone(),
         }

@@ -64,6 +64,7 @@ impl Graph {
                 Op::MultiplyAdd(x, y, z) => at(*x).mul_add(at(*y), at(*z)),
                 Op::Norm(parts) => norm_of(&parts.iter().map(|&part| at(part)).collect::<Vec<_>>()),
                 Op::ExactSum(products) => exact_sum(products.iter().map(|product| product.map(at))),
+                Op::Search(search, numbers) => (search.find)(&numbers.iter().map(|&node| at(node)).collect::<Vec<_>>()),
                 Op::Compare(relation, x, y) => f64::from(u8::from(relation.holds(at(*x), at(*y)))),
                 Op::Select(condition, x, y) => at(if at(*condition) == 1.0 { *x } else { *y }),
             });

@@ -1,9 +1,9 @@
 //! A number that writes down what is done to it.
 
-use super::node::{Binary, Node, Op, Relation, Unary};
+use super::node::{self, Binary, Node, Op, Relation, Unary};
 use super::recorder::{Escape, constant, decide, enter, escape, sides};
 use crate::newtype::{newtype_dual_num, newtype_number};
-use crate::scalar::{Leaf, Scalar, e_minus_one, itself, pi};
+use crate::scalar::{Leaf, Scalar, Search, e_minus_one, itself, pi};
 use num_traits::FromPrimitive;
 use std::cmp::Ordering;
 use std::fmt;
@@ -199,6 +199,10 @@ impl Leaf for Traced {
     }
     fn exact_sum(products: impl IntoIterator<Item = [Self; 4]>) -> Self {
         Self(Place(enter(Op::ExactSum(products.into_iter().map(|product| product.map(Self::node)).collect()))))
+    }
+    fn find<S: Search<N>, const N: usize>(from: [Self; N]) -> Self {
+        let find = |numbers: &[f64]| S::find(std::array::from_fn::<_, N, _>(|k| numbers[k]));
+        Self(Place(enter(Op::Search(node::Search { name: S::NAME, find }, from.map(Self::node).into()))))
     }
 }
 

@@ -65,11 +65,14 @@ impl<D: Scalar> Sides<D> {
     /// its rounding does no harm where it hardly matters.
     #[inline]
     pub(super) fn rate(&self, g: D) -> Vector2<D> {
-        if g < 0.25 && g > -0.25 {
-            self.chord * D::from(0.5) + self.second_derivative() * g
-        } else {
-            self.before * (-g + 0.5) + self.after * (g + 0.5)
-        }
+        let rate = || {
+            if g < 0.25 && g > -0.25 {
+                self.chord * D::from(0.5) + self.second_derivative() * g
+            } else {
+                self.before * (-g + 0.5) + self.after * (g + 0.5)
+            }
+        };
+        choice::<D, 2>(|| rate().into()).into()
     }
 
     /// X″.

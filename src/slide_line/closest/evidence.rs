@@ -1,7 +1,7 @@
 //! What the evidence of the closest points shares: the corner z = r² + 1/4, which straight segments and parabolas have in
 //! common, and where a foot has no derivative.
 
-use super::candidates::Candidates;
+use super::candidates::{Candidates, Reach};
 use super::foot::Foot;
 use super::view::View;
 use crate::Octuple;
@@ -47,7 +47,7 @@ pub(super) fn kinks<F: Formula>(holds: [Holds<F>; 3], at: [Inputs<F>; 3], across
 impl<D: Scalar, S: Shape<N>, const N: usize> View<D, S, N> {
     /// Whether two places of the whole curve are equally near.
     pub(super) fn is_tied(&self) -> bool {
-        Candidates::new(self, S::ENDS.map(D::Leaf::from)).tied()
+        Reach::new(self, S::ENDS.map(D::Leaf::from)).candidates().tied()
     }
 }
 
@@ -66,7 +66,8 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
 impl<L: Leaf> Candidates<L> {
     /// Whether another place is as near as the nearest.
     fn tied(&self) -> bool {
-        let (best, _) = self.nearest();
-        self.places.iter().any(|&(u, _)| u != best && self.expansion.compare(u, best).is_eq())
+        let best = self.nearest().coordinate();
+        let mut others = self.places.iter().map(|place| place.coordinate()).filter(|&u| u != best);
+        others.any(|u| self.expansion.compare(u, best).is_eq())
     }
 }

@@ -1,9 +1,9 @@
 //! The foot of the slave point on a curve: found among the candidates, settled, and given its derivatives.
 
-use super::candidates::Candidates;
+use super::candidates::{Place, Reach};
 use super::view::{CurveAt, View};
 use crate::error::Error;
-use crate::scalar::{Scalar, abs, constant, leaf};
+use crate::scalar::{Scalar, abs, choice, constant, leaf};
 use crate::slide_line::basis::length_and_tangent;
 use crate::slide_line::shape::Shape;
 use crate::slide_line::{left, length};
@@ -48,8 +48,10 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
 
     /// On the part between two coordinates.
     pub(super) fn between<S: Shape<N>>(view: &View<D, S, N>, ends: [D::Leaf; 2]) -> Self {
-        let (u, inside) = Candidates::new(view, ends).nearest();
-        if inside { Self::inside(view, u, ends) } else { Self::at_end(view, constant(u)) }
+        match Reach::new(view, ends).nearest() {
+            Place::Inside(u) => Self::inside(view, u, ends),
+            Place::End(u) => Self::at_end(view, constant(u)),
+        }
     }
 
     /// At a root, brought to working precision and given its derivatives.
@@ -85,6 +87,7 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
             ..place
         };
         let slope = place.slope();
+        let [per_slope] = choice(|| [if slope == 0.0 { D::zero() } else { slope.recip() }]);
         Self {
             u,
             missing,
@@ -92,7 +95,7 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
             rates: moved(rates, S::second_derivatives(view.f, u), missing),
             gap: place.gap,
             rate: place.rate,
-            per_slope: if slope == 0.0 { D::zero() } else { slope.recip() },
+            per_slope,
             beyond: D::zero(),
             inside: true,
         }

@@ -6,7 +6,7 @@
 //! 1. Scale the curve to a unit near its own size, a power of two ([`View`]), and expand X in powers of u ([`Expansion`]).
 //! 2. Find every root where (xs − X)·X′ falls through 0, a minimum of the distance: bracketed by the roots of the
 //!    derivative, by Newton's method or halving ([`roots`]), in numbers without derivatives, in all their digits.
-//! 3. Add an end where the distance rises from it into the curve ([`Candidates`]).
+//! 3. Add an end where the distance rises from it into the curve ([`Reach`]).
 //! 4. Take the nearest of them; of two equally near, as far as rounding tells, the one of smaller coordinate.
 //! 5. Settle it in the full scalar ([`Foot`]): one step of Newton's method on the equation from differences of nodes.
 //! 6. Give it its derivatives by the implicit function theorem: a further step for each order of them.
@@ -42,4 +42,4 @@ pub use smoothed_parabolic::{ClosestSmoothedParabolic, ParabolicCornerSlave};
 use foot::Foot;
 use view::View;
 #[cfg(doc)]
-use {candidates::Candidates, expansion::Expansion};
+use {candidates::Reach, expansion::Expansion};

@@ -2,7 +2,7 @@
 
 use super::expansion::Expansion;
 use crate::binade::Binade;
-use crate::scalar::{Scalar, leaf};
+use crate::scalar::{Scalar, choice, leaf};
 use crate::slide_line::shape::{Shape, combination, gap};
 use nalgebra::Vector2;
 use std::marker::PhantomData;
@@ -93,6 +93,7 @@ impl<D: Scalar> CurveAt<D> {
     /// Newton's step for the residual; 0 at a centre of curvature.
     pub(super) fn newton_step(&self) -> D::Leaf {
         let slope = leaf(self.slope());
-        if slope == 0.0 { slope } else { -leaf(self.residual()) / slope }
+        let [step] = choice(|| [if slope == 0.0 { slope } else { -leaf(self.residual()) / slope }]);
+        step
     }
 }

@@ -80,6 +80,7 @@ pub(super) struct Names {
     pub(super) maximum: &'static str,
     pub(super) multiply_add: &'static str,
     pub(super) norm: &'static str,
+    pub(super) search: fn(&str) -> String,
     pub(super) equal: &'static str,
 }
 
@@ -99,6 +100,7 @@ const NAMES: Names = Names {
     maximum: "fmax",
     multiply_add: "fma",
     norm: "jp_norm",
+    search: |name| format!("jp_{name}"),
     equal: "==",
 };
 
@@ -120,6 +122,7 @@ pub(super) fn common(op: &Op, operand: Operand, names: &Names) -> String {
         Op::Binary(Binary::Maximum, x, y) => call(names.maximum, &[*x, *y]),
         Op::MultiplyAdd(x, y, z) => call(names.multiply_add, &[*x, *y, *z]),
         Op::Norm(parts) => call(&format!("{}{}", names.norm, parts.len()), parts),
+        Op::Search(search, numbers) => call(&(names.search)(search.name), numbers),
         Op::Compare(Relation::Less, x, y) => infix("<", *x, *y),
         Op::Compare(Relation::LessOrEqual, x, y) => infix("<=", *x, *y),
         Op::Compare(Relation::Equal, x, y) => infix(names.equal, *x, *y),

@@ -30,6 +30,7 @@ const NAMES: Names = Names {
     maximum: "max",
     multiply_add: "jp_fma",
     norm: "jp_norm",
+    search: |name| format!("jp_{name}"),
     equal: "==",
 };
 
@@ -89,6 +90,10 @@ impl Language for Fortran {
 
     fn assign(&self, name: &str, value: &str) -> String {
         format!("{name} = {value}")
+    }
+
+    fn goes_on(&self) -> &'static str {
+        " &"
     }
 
     fn choose(&self, condition: &str) -> [String; 3] {

@@ -30,8 +30,15 @@ const NAMES: Names = Names {
     maximum: "Math.max",
     multiply_add: "multiplyAdd",
     norm: "norm",
+    search: camel_case,
     equal: "===",
 };
+
+fn camel_case(name: &str) -> String {
+    let mut words = name.split('_').map(str::to_owned);
+    let first = words.next().unwrap_or_default();
+    words.fold(first, |name, word| name + &word[..1].to_uppercase() + &word[1..])
+}
 
 impl Language for JavaScript {
     fn files(&self, recorded: &[Recorded]) -> Vec<(String, String)> {
@@ -90,7 +97,7 @@ impl JavaScript {
     pub(super) fn source(&self, one: &Recorded) -> String {
         let lines: Vec<_> = description(one).iter().map(|line| format!("// {line}").trim_end().to_owned()).collect();
         let mut text = Text::from(lines.join("\n"));
-        text.push("\nimport { exactSum, multiplyAdd, norm2, norm3, norm4, powerOfTwo } from './jp_runtime.mjs';\n\n");
+        text.push("\nimport { exactSum, multiplyAdd, nearestPlace, norm2, norm3, norm4, powerOfTwo } from './jp_runtime.mjs';\n\n");
         text.push("export const inputs = [\n");
         for field in one.formula.inputs() {
             let bounds: Vec<_> = bounds(field.quantity.domain)

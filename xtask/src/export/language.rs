@@ -44,6 +44,11 @@ pub(super) trait Language {
     /// One of them is set.
     fn assign(&self, name: &str, value: &str) -> String;
 
+    /// What a line ends with that goes on in the next.
+    fn goes_on(&self) -> &'static str {
+        ""
+    }
+
     /// The head of a choice, what stands between its sides, and its end.
     fn choose(&self, condition: &str) -> [String; 3];
 }

@@ -103,6 +103,23 @@ impl Printed<'_> {
 
     fn line(&mut self, indent: usize, text: &str) {
         let indent = "    ".repeat(indent);
-        self.lines.text.extend(text.lines().map(|line| format!("{indent}{line}")));
+        let lines = text.lines().flat_map(|line| folded(&format!("{indent}{line}"), self.body.language.goes_on()));
+        self.lines.text.extend(lines);
+    }
+}
+
+/// No line is longer than this.
+const WIDTH: usize = 100;
+
+/// A line that is too long, broken between arguments.
+fn folded(line: &str, goes_on: &str) -> Vec<String> {
+    let room = WIDTH - goes_on.len();
+    match line.get(..room).and_then(|start| start.rfind(", ")).filter(|_| line.len() > WIDTH) {
+        None => vec![line.to_owned()],
+        Some(comma) => {
+            let indent = line.len() - line.trim_start().len() + 4;
+            let rest = format!("{}{}", " ".repeat(indent), &line[comma + 2..]);
+            [vec![format!("{},{goes_on}", &line[..comma])], folded(&rest, goes_on)].concat()
+        }
     }
 }

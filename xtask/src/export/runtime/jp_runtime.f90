@@ -1,5 +1,5 @@
 ! What the formulas call: lengths that neither overflow nor underflow, and sums of products that lose
-! nothing. Printed by jointproof; free of conditions (CC0-1.0).
+! nothing, and the closest place of a curve. Printed by jointproof; free of conditions (CC0-1.0).
 module jp_runtime
     use, intrinsic :: iso_c_binding, only: c_double
     use, intrinsic :: iso_fortran_env, only: int64, dp => real64
@@ -154,5 +154,180 @@ contains
             total = total + all%part(i)
         end do
     end function jp_exact_sum
+
+    ! A polynomial, its constant term first, and its slope: Horner's scheme.
+    pure subroutine jp_polynomial(p, u, value, slope)
+        real(dp), intent(in) :: p(:), u
+        real(dp), intent(out) :: value, slope
+        integer :: k
+        value = 0.0_dp
+        slope = 0.0_dp
+        do k = size(p), 1, -1
+            slope = slope*u + value
+            value = value*u + p(k)
+        end do
+    end subroutine jp_polynomial
+
+    pure function jp_value(p, u) result(value)
+        real(dp), intent(in) :: p(:), u
+        real(dp) :: value, slope
+        call jp_polynomial(p, u, value, slope)
+    end function jp_value
+
+    ! How many coefficients there are without zeros in the highest places.
+    pure function jp_length(p) result(n)
+        real(dp), intent(in) :: p(:)
+        integer :: n
+        n = size(p)
+        do while (n > 0)
+            if (.not. jp_equal(p(n), 0.0_dp)) exit
+            n = n - 1
+        end do
+    end function jp_length
+
+    ! The place between two others where a polynomial without an extremum there changes sign: by Newton's
+    ! method where that halves the step, else by halving the interval.
+    pure function jp_crossing(p, first, last, low, high) result(u)
+        real(dp), intent(in) :: p(:), first, last, low, high
+        real(dp) :: u, from, to, step, value, slope, newton, next, shorter
+        logical :: looked_for_short, halves
+        integer :: k
+        u = last
+        if (jp_equal(high, 0.0_dp)) return
+        from = first
+        to = last
+        u = from + (to - from)*0.5_dp
+        step = to - from
+        looked_for_short = .false.
+        do k = 1, 1200
+            call jp_polynomial(p, u, value, slope)
+            if (jp_equal(value, 0.0_dp)) return
+            if ((value > 0.0_dp) .eqv. (low > 0.0_dp)) then
+                from = u
+            else
+                to = u
+            end if
+            newton = u - value/slope
+            halves = abs(newton - u) <= abs(step)*0.5_dp
+            next = from + (to - from)*0.5_dp
+            if (from < newton .and. newton < to .and. halves) next = newton
+            step = next - u
+            u = next
+            if (jp_equal(step, 0.0_dp) .or. jp_equal(next, from) .or. jp_equal(next, to)) return
+            if (.not. looked_for_short .and. abs(step) < 2.0_dp**(-40)) then
+                looked_for_short = .true.
+                shorter = anint(u*2.0_dp**20)*2.0_dp**(-20)
+                if (jp_equal(jp_value(p, shorter), 0.0_dp)) then
+                    u = shorter
+                    return
+                end if
+            end if
+        end do
+    end function jp_crossing
+
+    ! The places between two others where a polynomial falls through zero, or changes sign either way; those
+    ! of its derivative part them. Its values at the two are given.
+    pure recursive subroutine jp_crossings(all, ends, values, falls, place, found)
+        real(dp), intent(in) :: all(:), ends(2), values(2)
+        logical, intent(in) :: falls
+        real(dp), intent(out) :: place(5)
+        integer, intent(out) :: found
+        real(dp) :: rate(5), inner(5), from, to, low, high
+        integer :: n, m, k, parts
+        logical :: counts
+        n = jp_length(all)
+        parts = 0
+        found = 0
+        place = 0.0_dp
+        if (n > 2) then
+            do k = 1, n - 1
+                rate(k) = all(k + 1)*k
+            end do
+            m = jp_length(rate(1:n - 1))
+            call jp_crossings(rate(1:m), ends, &
+                [jp_value(rate(1:m), ends(1)), jp_value(rate(1:m), ends(2))], .false., inner, parts)
+        end if
+        from = ends(1)
+        low = values(1)
+        do k = 1, parts + 1
+            if (k <= parts) then
+                to = inner(k)
+                high = jp_value(all(1:n), to)
+                counts = low > 0.0_dp .and. high <= 0.0_dp
+            else
+                to = ends(2)
+                high = values(2)
+                counts = low > 0.0_dp .and. high < 0.0_dp
+            end if
+            if (.not. falls) counts = (low < 0.0_dp) .neqv. (high < 0.0_dp)
+            if (counts) then
+                found = found + 1
+                place(found) = jp_crossing(all(1:n), from, to, low, high)
+            end if
+            from = to
+            low = high
+        end do
+    end subroutine jp_crossings
+
+    ! The closest place of a curve X(0) + c Y(u) between two coordinates, given the gap xs - X(0) and the
+    ! residuals (xs - X).Y' at the two, by which either one of them counts or a root between them is found.
+    ! A number before the first coordinate stands for that end, one behind the last for the other.
+    pure function jp_nearest_place(gx, gy, factor, x1, y1, x2, y2, x3, y3, from, to, low, high) result(u)
+        real(dp), intent(in) :: gx, gy, factor, x1, y1, x2, y2, x3, y3, from, to, low, high
+        real(dp) :: u, p(6), place(7), inside(5), reach_u(2), reach_v(2), step(2), twice(2), others(2), size_(2)
+        logical :: is_end(7)
+        integer :: n, k, best, roots
+        p(1) = gx*x1 + gy*y1
+        p(2) = (gx*x2 + gy*y2)*2.0_dp - factor*(x1*x1 + y1*y1)
+        p(3) = ((gx*x3 + gy*y3) - factor*(x1*x2 + y1*y2))*3.0_dp
+        p(4) = -((factor*((x1*x3 + y1*y3)*2.0_dp + (x2*x2 + y2*y2)))*2.0_dp)
+        p(5) = -((factor*(x2*x3 + y2*y3))*5.0_dp)
+        p(6) = -((factor*(x3*x3 + y3*y3))*3.0_dp)
+        is_end = .false.
+        n = 0
+        if (low <= 0.0_dp) then
+            n = n + 1
+            is_end(n) = .true.
+            place(n) = from
+        end if
+        call jp_crossings(p, [from, to], [low, high], .true., inside, roots)
+        do k = 1, roots
+            n = n + 1
+            place(n) = inside(k)
+        end do
+        if (high >= 0.0_dp .or. n == 0) then
+            n = n + 1
+            is_end(n) = .true.
+            place(n) = to
+        end if
+        best = 1
+        twice = [gx*2.0_dp, gy*2.0_dp]
+        do k = 2, n
+            ! |G_u|^2 - |G_v|^2 = (G_u - G_v).(G_u + G_v), against what rounding does to it.
+            reach_u = jp_reach(place(k))
+            reach_v = jp_reach(place(best))
+            step = reach_v - reach_u
+            others = twice - (reach_u + reach_v)
+            size_ = (abs(twice) + abs(reach_u)) + abs(reach_v)
+            if (step(1)*others(1) + step(2)*others(2) < &
+                -((abs(step(1))*size_(1) + abs(step(2))*size_(2))*2.0_dp**(-48))) best = k
+        end do
+        u = place(best)
+        if (is_end(best)) then
+            if (jp_equal(u, from)) then
+                u = from - 1.0_dp
+            else
+                u = to + 1.0_dp
+            end if
+        end if
+    contains
+        ! c Y(u), with the coefficients of u, u^2, u^3 in Y.
+        pure function jp_reach(v) result(reach)
+            real(dp), intent(in) :: v
+            real(dp) :: reach(2)
+            reach(1) = (((x3*v + x2)*v + x1)*v)*factor
+            reach(2) = (((y3*v + y2)*v + y1)*v)*factor
+        end function jp_reach
+    end function jp_nearest_place
 
 end module jp_runtime

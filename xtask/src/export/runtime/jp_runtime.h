@@ -1,6 +1,6 @@
 /*
  * What the formulas call: lengths that neither overflow nor underflow, and sums of products that
- * lose nothing. Printed by jointproof; free of conditions (CC0-1.0).
+ * lose nothing, and the closest place of a curve. Printed by jointproof; free of conditions (CC0-1.0).
  */
 #ifndef JP_RUNTIME_H
 #define JP_RUNTIME_H
@@ -108,6 +108,124 @@ JP_UNUSED static double jp_exact_sum(int n, const double product[][4])
     }
     for (int i = 0; i < sum.n; ++i) value = value + sum.part[i];
     return value;
+}
+
+/* A polynomial, its constant term first, and its slope: Horner's scheme. */
+JP_UNUSED static double jp_polynomial(const double *p, int n, double u, double *slope)
+{
+    double value = 0.0;
+    *slope = 0.0;
+    for (int k = n - 1; k >= 0; --k) {
+        *slope = *slope * u + value;
+        value = value * u + p[k];
+    }
+    return value;
+}
+
+/* The place between two others where a polynomial without an extremum there changes sign: by Newton's
+ * method where that halves the step, else by halving the interval. */
+JP_UNUSED static double jp_crossing(const double *p, int n, double from, double to, double low, double high)
+{
+    double u = from + (to - from) * 0.5, step = to - from, slope;
+    int looked_for_short = 0;
+    if (high == 0.0) return to;
+    for (int k = 0; k < 1200; ++k) {
+        const double value = jp_polynomial(p, n, u, &slope);
+        if (value == 0.0) return u;
+        if ((value > 0.0) == (low > 0.0)) from = u;
+        else to = u;
+        const double newton = u - value / slope;
+        const int halves = fabs(newton - u) <= fabs(step) * 0.5;
+        const double next = from < newton && newton < to && halves ? newton : from + (to - from) * 0.5;
+        step = next - u;
+        if (step == 0.0 || next == from || next == to) return next;
+        u = next;
+        if (!looked_for_short && fabs(step) < 0x1p-40) {
+            const double shorter = round(u * 0x1p20) * 0x1p-20;
+            looked_for_short = 1;
+            if (jp_polynomial(p, n, shorter, &slope) == 0.0) return shorter;
+        }
+    }
+    return u;
+}
+
+/* The places between two others where a polynomial falls through zero, or changes sign either way; those
+ * of its derivative part them. Its values at the two are given. Returns how many there are. */
+JP_UNUSED static int jp_crossings(
+    const double *p, int n, const double ends[2], const double values[2], int falls, double place[5])
+{
+    double inner[5] = {0.0}, slope;
+    int parts = 0, found = 0;
+    while (n > 0 && p[n - 1] == 0.0) --n;
+    if (n > 2) {
+        double rate[5];
+        int m = n - 1;
+        for (int k = 0; k < m; ++k) rate[k] = p[k + 1] * (k + 1);
+        while (m > 0 && rate[m - 1] == 0.0) --m;
+        const double rates[2] = {
+            jp_polynomial(rate, m, ends[0], &slope), jp_polynomial(rate, m, ends[1], &slope)};
+        parts = jp_crossings(rate, m, ends, rates, 0, inner);
+    }
+    double from = ends[0], low = values[0];
+    for (int k = 0; k <= parts; ++k) {
+        const double to = k < parts ? inner[k] : ends[1];
+        const double high = k < parts ? jp_polynomial(p, n, to, &slope) : values[1];
+        const int changes = (low < 0.0) != (high < 0.0);
+        const int sinks = low > 0.0 && (k < parts ? high <= 0.0 : high < 0.0);
+        if (falls ? sinks : changes) place[found++] = jp_crossing(p, n, from, to, low, high);
+        from = to;
+        low = high;
+    }
+    return found;
+}
+
+/* c Y(u) along one axis, with the coefficients of u, u^2, u^3 in Y. */
+JP_UNUSED static double jp_reach(double y1, double y2, double y3, double factor, double u)
+{
+    return (((y3 * u + y2) * u + y1) * u) * factor;
+}
+
+/* The closest place of a curve X(0) + c Y(u) between two coordinates, given the gap xs - X(0) and the
+ * residuals (xs - X).Y' at the two, by which either one of them counts or a root between them is found.
+ * A number before the first coordinate stands for that end, one behind the last for the other. */
+JP_UNUSED static double jp_nearest_place(
+    double gx, double gy, double factor, double x1, double y1, double x2, double y2, double x3, double y3,
+    double from, double to, double low, double high)
+{
+    const double p[6] = {
+        gx * x1 + gy * y1,
+        (gx * x2 + gy * y2) * 2.0 - factor * (x1 * x1 + y1 * y1),
+        ((gx * x3 + gy * y3) - factor * (x1 * x2 + y1 * y2)) * 3.0,
+        -((factor * ((x1 * x3 + y1 * y3) * 2.0 + (x2 * x2 + y2 * y2))) * 2.0),
+        -((factor * (x2 * x3 + y2 * y3)) * 5.0),
+        -((factor * (x3 * x3 + y3 * y3)) * 3.0)};
+    const double ends[2] = {from, to}, residuals[2] = {low, high};
+    double place[7], inside[5];
+    int is_end[7] = {0}, n = 0, best = 0;
+    if (low <= 0.0) {
+        is_end[n] = 1;
+        place[n++] = from;
+    }
+    const int roots = jp_crossings(p, 6, ends, residuals, 1, inside);
+    for (int k = 0; k < roots; ++k) place[n++] = inside[k];
+    if (high >= 0.0 || n == 0) {
+        is_end[n] = 1;
+        place[n++] = to;
+    }
+    for (int k = 1; k < n; ++k) {
+        /* |G_u|^2 - |G_v|^2 = (G_u - G_v).(G_u + G_v), against what rounding does to it. */
+        const double ux = jp_reach(x1, x2, x3, factor, place[k]), uy = jp_reach(y1, y2, y3, factor, place[k]);
+        const double vx = jp_reach(x1, x2, x3, factor, place[best]);
+        const double vy = jp_reach(y1, y2, y3, factor, place[best]);
+        const double step_x = vx - ux, step_y = vy - uy, twice_x = gx * 2.0, twice_y = gy * 2.0;
+        const double excess = step_x * (twice_x - (ux + vx)) + step_y * (twice_y - (uy + vy));
+        const double size_x = (fabs(twice_x) + fabs(ux)) + fabs(vx);
+        const double size_y = (fabs(twice_y) + fabs(uy)) + fabs(vy);
+        const double blur = (fabs(step_x) * size_x + fabs(step_y) * size_y) * 0x1p-48;
+        if (excess < -blur) best = k;
+    }
+    if (!is_end[best]) return place[best];
+    return place[best] == from ? from - 1.0 : to + 1.0;
 }
 
 #endif

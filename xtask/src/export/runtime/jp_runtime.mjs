@@ -1,5 +1,5 @@
-// What the formulas call: lengths that neither overflow nor underflow, sums of products that lose nothing, a product and
-// a sum rounded once. Printed by jointproof; free of conditions (CC0-1.0).
+// What the formulas call: lengths that neither overflow nor underflow, sums of products that lose nothing, the closest
+// place of a curve, a product and a sum rounded once. Printed by jointproof; free of conditions (CC0-1.0).
 
 // The first input that is not finite or not in its domain: its name, and its position from 1.
 export function refused({ inputs }, i) {
@@ -88,6 +88,102 @@ export function exactSum(products) {
         for (const part of three) addProduct(parts, part, d);
     }
     return parts.reduce((total, part) => total + part, 0);
+}
+
+// A polynomial, its constant term first, and its slope: Horner's scheme.
+function polynomial(p, u) {
+    let [value, slope] = [0, 0];
+    for (let k = p.length - 1; k >= 0; --k) [value, slope] = [value * u + p[k], slope * u + value];
+    return [value, slope];
+}
+
+function trimmed(p) {
+    let n = p.length;
+    while (n > 0 && p[n - 1] === 0) --n;
+    return p.slice(0, n);
+}
+
+// The place between two others where a polynomial without an extremum there changes sign: by Newton's method where that
+// halves the step, else by halving the interval.
+function crossing(p, from, to, low, high) {
+    if (high === 0) return to;
+    const middle = () => from + (to - from) * 0.5;
+    let u = middle();
+    let step = to - from;
+    let lookedForShort = false;
+    for (let k = 0; k < 1200; ++k) {
+        const [value, slope] = polynomial(p, u);
+        if (value === 0) return u;
+        if (value > 0 === low > 0) from = u;
+        else to = u;
+        const newton = u - value / slope;
+        const halves = Math.abs(newton - u) <= Math.abs(step) * 0.5;
+        const next = from < newton && newton < to && halves ? newton : middle();
+        step = next - u;
+        if (step === 0 || next === from || next === to) return next;
+        u = next;
+        if (!lookedForShort && Math.abs(step) < 2 ** -40) {
+            lookedForShort = true;
+            const short = (Math.sign(u) * Math.round(Math.abs(u) * 2 ** 20)) / 2 ** 20;
+            if (polynomial(p, short)[0] === 0) return short;
+        }
+    }
+    return u;
+}
+
+// The places between two others where a polynomial falls through zero, or changes sign either way; those of its derivative
+// part them. Its values at the two are given.
+function crossings(all, ends, values, falls) {
+    const p = trimmed(all);
+    let inner = [];
+    if (p.length > 2) {
+        const rate = trimmed(p.slice(1).map((c, k) => c * (k + 1)));
+        const rates = ends.map((u) => polynomial(rate, u)[0]);
+        inner = crossings(rate, ends, rates, false);
+    }
+    const places = [];
+    let [from, low] = [ends[0], values[0]];
+    for (let k = 0; k <= inner.length; ++k) {
+        const isLast = k === inner.length;
+        const to = isLast ? ends[1] : inner[k];
+        const high = isLast ? values[1] : polynomial(p, to)[0];
+        const sinks = low > 0 && (isLast ? high < 0 : high <= 0);
+        if (falls ? sinks : low < 0 !== high < 0) places.push(crossing(p, from, to, low, high));
+        [from, low] = [to, high];
+    }
+    return places;
+}
+
+// The closest place of a curve X(0) + c Y(u) between two coordinates, given the gap xs - X(0) and the residuals (xs - X).Y'
+// at the two, by which either one of them counts or a root between them is found. A number before the first coordinate
+// stands for that end, one behind the last for the other.
+export function nearestPlace(gx, gy, factor, x1, y1, x2, y2, x3, y3, from, to, low, high) {
+    const p = [
+        gx * x1 + gy * y1,
+        (gx * x2 + gy * y2) * 2 - factor * (x1 * x1 + y1 * y1),
+        (gx * x3 + gy * y3 - factor * (x1 * x2 + y1 * y2)) * 3,
+        -(factor * ((x1 * x3 + y1 * y3) * 2 + (x2 * x2 + y2 * y2)) * 2),
+        -(factor * (x2 * x3 + y2 * y3) * 5),
+        -(factor * (x3 * x3 + y3 * y3) * 3),
+    ];
+    const places = [];
+    if (low <= 0) places.push({ u: from, end: from - 1 });
+    for (const u of crossings(p, [from, to], [low, high], true)) places.push({ u });
+    if (high >= 0 || places.length === 0) places.push({ u: to, end: to === from ? from - 1 : to + 1 });
+    const reach = (a, b, c, u) => ((c * u + b) * u + a) * u * factor;
+    let best = places[0];
+    for (const place of places.slice(1)) {
+        // |G_u|^2 - |G_v|^2 = (G_u - G_v).(G_u + G_v), against what rounding does to it.
+        const [ux, uy] = [reach(x1, x2, x3, place.u), reach(y1, y2, y3, place.u)];
+        const [vx, vy] = [reach(x1, x2, x3, best.u), reach(y1, y2, y3, best.u)];
+        const [stepX, stepY, twiceX, twiceY] = [vx - ux, vy - uy, gx * 2, gy * 2];
+        const excess = stepX * (twiceX - (ux + vx)) + stepY * (twiceY - (uy + vy));
+        const sizeX = Math.abs(twiceX) + Math.abs(ux) + Math.abs(vx);
+        const sizeY = Math.abs(twiceY) + Math.abs(uy) + Math.abs(vy);
+        const blur = (Math.abs(stepX) * sizeX + Math.abs(stepY) * sizeY) * 2 ** -48;
+        if (excess < -blur) best = place;
+    }
+    return best.end ?? best.u;
 }
 
 // The exact value of a finite double as an integer times 2^-1074.
