@@ -81,9 +81,8 @@ impl<L: Leaf> Reach<L> {
 impl<L: Leaf> Candidates<L> {
     /// The nearest; of two that are equally near, the one of smaller coordinate.
     pub(super) fn nearest(&self) -> Place<L> {
-        let is_nearer = |place: Place<L>, than: Place<L>| {
-            self.expansion.compare(place.coordinate(), than.coordinate()).is_lt()
-        };
+        let is_nearer =
+            |place: Place<L>, than: Place<L>| self.expansion.compare(place.coordinate(), than.coordinate()).is_lt();
         let nearer = |best, next| if is_nearer(next, best) { next } else { best };
         self.places.iter().copied().reduce(nearer).expect("where nothing else is, an end is")
     }

@@ -15,13 +15,12 @@ const PROGRAM: &str = "chromium";
 
 /// The pipe is read from file 3 and written to file 4. Without the other switches it looks for hosts on the network.
 const SWITCHES: &str = "--headless=new --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-sync \
-    --disable-background-networking --disable-component-update --disable-dev-shm-usage --window-size=1200,900 \
-    --remote-debugging-pipe";
+    --disable-background-networking --disable-component-update --disable-dev-shm-usage --remote-debugging-pipe";
 
 /// How long an answer may take.
 const PATIENCE: Duration = Duration::from_mins(2);
 
-/// A browser with one page.
+/// A browser with one page, as wide as on a small phone.
 pub(super) struct Browser {
     child: Child,
     commands: ChildStdin,
@@ -74,6 +73,8 @@ impl Browser {
         for domain in ["Page", "Runtime", "Log"] {
             browser.call(&format!("{domain}.enable"), &json!({}))?;
         }
+        let phone = json!({ "width": 360, "height": 740, "deviceScaleFactor": 2, "mobile": true });
+        browser.call("Emulation.setDeviceMetricsOverride", &phone)?;
         Ok(browser)
     }
 

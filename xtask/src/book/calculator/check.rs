@@ -11,7 +11,7 @@ use jointproof::verify::golden::{File, Record, components};
 use serde_json::Value;
 
 use super::browser::{self, Browser};
-use super::sizes::Sizes;
+use super::sizes::{self, Sizes};
 use super::{MARK, is_together};
 use crate::console::count;
 use crate::export::{self, Script};
@@ -22,9 +22,6 @@ pub(super) const DRIVE: &str = include_str!("drive.js");
 
 /// Where this is set, a browser must be here.
 pub(super) const REQUIRED: &str = "JOINTPROOF_REQUIRE_CHROMIUM";
-
-/// How many bytes all that is not of a formula may have, compressed.
-const MOST_BYTES: u64 = 12_000;
 
 /// What was found.
 #[derive(Default)]
@@ -91,13 +88,15 @@ pub(crate) fn check(project: &Project, out: &Path) -> Result<Option<Checked>> {
             checked.off.append(&mut browser.errors);
             One { formula, golden: &golden, checked: &mut checked }.compare(&mut browser)?;
         }
+        let faults: Vec<String> = serde_json::from_value(browser.evaluate("faultsOnPhone()")?)?;
+        checked.off.extend(faults.into_iter().map(|fault| format!("{} on a phone: {fault}", project.shown(&page))));
         checked.off.append(&mut browser.errors);
     }
     checked.sizes = Sizes::of(&out, &mut browser)?;
     if checked.sizes.all.len() != checked.formulas {
         checked.off.push(format!("{} scripts for {} calculators", checked.sizes.all.len(), checked.formulas));
     }
-    if checked.sizes.shared > MOST_BYTES {
+    if checked.sizes.shared > sizes::WANTED {
         checked.off.push(format!("calculators without formulas have {} bytes", checked.sizes.shared));
     }
     Ok(Some(checked))

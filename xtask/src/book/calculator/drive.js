@@ -52,6 +52,20 @@ async function until(holds) {
     }
 }
 
+// What is wrong with the page on a phone, with every calculator and every plot open: what sticks out, and fields without a name.
+async function faultsOnPhone() {
+    for (const plot of document.querySelectorAll('.calculator details:not([open])')) plot.open = true;
+    await new Promise((resolve) => setTimeout(resolve, 50));
+    const fields = [...document.querySelectorAll('.calculator form :is(input, select, button)')];
+    const hasName = (field) => field.labels?.length || field.ariaLabel || (field.matches('button') && field.textContent);
+    const nameless = fields.filter((field) => !hasName(field)).map(({ outerHTML }) => `${outerHTML} has no name`);
+    // What may be wider scrolls in a box of its own.
+    const parts = [...document.querySelectorAll('.calculator form :not(:is(.table-wrapper, pre) *)')];
+    const end = document.querySelector('main').getBoundingClientRect().right;
+    const out = Math.ceil(Math.max(...parts.map((part) => part.getBoundingClientRect().right)) - end);
+    return out > 0 ? [`a calculator sticks out by ${out} pixels`, ...nameless] : nameless;
+}
+
 // How many bytes a text has when compressed.
 async function compressed(text) {
     const stream = new Blob([text]).stream().pipeThrough(new CompressionStream('gzip'));

@@ -236,7 +236,9 @@ class Panel {
         const found = sampled(curve(this, line), reach);
         if (!found.points.some(Boolean)) return this.figure.replaceChildren();
         const value = found.points.find((point) => point?.t === 0)?.value;
-        const sides = kink ? kink.sides[output].map((slope) => ({ t: 0, value, slope }))
+        const cut = found.jumps.find(({ t }) => Math.abs(t) < 1e-6 * reach);
+        const values = cut ? [cut.below.value, cut.above.value] : [value, value];
+        const sides = kink ? kink.sides[output].map((slope, k) => ({ t: 0, value: values[k], slope }))
             : found.jumps.flatMap(({ below, above }) => [below, above]);
         const input = kink ? 't' : this.names[Number(this.along.value)];
         const tangents = sides.filter((one) => one.value !== undefined && Math.abs(one.slope) < UNBOUNDED);

@@ -23,14 +23,14 @@ function sampled(f, reach) {
         const all = points.filter(Boolean).map((point) => point[name]);
         return Math.max(...all) - Math.min(...all) || 1;
     });
-    const differ = (a, b, part) =>
-        Math.abs(a.value - b.value) > part * sizes[0] || Math.abs(a.slope - b.slope) > part * sizes[1];
+    const gap = (a, b) =>
+        Math.max(Math.abs(a.value - b.value) / sizes[0], Math.abs(a.slope - b.slope) / sizes[1]);
     const jumps = [];
     const all = [];
     for (const [k, point] of points.entries()) {
         const before = points[k - 1];
-        if (point && before && differ(before, point, 0.02)) {
-            const jump = halved(f, before, point, differ);
+        if (point && before && gap(before, point) > 0.02) {
+            const jump = halved(f, before, point, gap);
             if (jump) {
                 jumps.push(jump);
                 all.push(jump.below, undefined, jump.above);
@@ -41,23 +41,19 @@ function sampled(f, reach) {
     return { points: all, jumps: merged(jumps, reach) };
 }
 
-// The neighbours of a jump, unless the function only changes fast; the point on it, where a convention rules, is left out.
-function halved(f, below, above, differ) {
+// What is just below and above a jump, unless there is none and the function changes fast.
+function halved(f, below, above, gap) {
     const [start, end] = [below, above];
     for (let k = 0; k < 60; ++k) {
         const middle = f((below.t + above.t) / 2);
         if (!middle || middle.t === below.t || middle.t === above.t) break;
-        if (differ(below, middle, 1e-6) && Math.abs(middle.slope - below.slope) >= Math.abs(above.slope - middle.slope)) {
-            above = middle;
-        } else if (differ(middle, above, 1e-6)) {
-            below = middle;
-        } else {
-            return undefined;
-        }
+        if (gap(below, above) < 1e-6) return undefined;
+        if (gap(below, middle) >= gap(middle, above)) above = middle;
+        else below = middle;
     }
-    const width = Math.max(Math.abs(end.t - start.t) * 1e-7, Math.abs(below.t) * 1e-14);
+    const width = Math.max((end.t - start.t) * 1e-7, Math.abs(below.t) * 1e-14);
     const [left, right] = [f(Math.max(start.t, below.t - width)), f(Math.min(end.t, above.t + width))];
-    return left && right && differ(left, right, 1e-5) ? { t: below.t, below: left, above: right } : undefined;
+    return left && right && gap(left, right) > 1e-5 ? { t: below.t, below: left, above: right } : undefined;
 }
 
 // A jump at a sample is found from both of its sides.

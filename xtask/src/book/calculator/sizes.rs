@@ -11,7 +11,7 @@ use super::browser::Browser;
 use super::{CASES, FOLDER};
 
 /// What the program and one formula should have together.
-const WANTED: u64 = 15_000;
+pub(super) const WANTED: u64 = 15_000;
 
 /// Compressed bytes.
 #[derive(Default)]

@@ -93,12 +93,14 @@ fn calculators_show_the_numbers_of_rust_and_a_planted_fault_is_named() {
             "case mu-negative: it says \"\", and Rust \"mu is -1.0; allowed is a finite",
         ),
         ("coulomb.return_map.js", "return { value", "console.error('planted'); return { value", "planted"),
+        ("coulomb.return_map.js", "{ 0: 3 }", "{ 0: 3.5 }", "case slip: chosen from the menu, it shows something else"),
         (
-            "coulomb.return_map.js",
-            "{ 0: 3.0 }",
-            "{ 0: 3.5 }",
-            "case slip: chosen from the menu, it shows something else",
+            "calculator.css",
+            ".calculator .row {",
+            ".calculator .row { min-width: 500px;",
+            "one.html on a phone: a calculator sticks out by ",
         ),
+        ("panel.js", "'aria-label': `${name}", "'aria-lable': `${name}", "has no name"),
         ("runtime.js", "Math.sqrt(sum);", "Math.sqrt(sum) * (1 + 2 ** -52);", ", expected "),
     ] {
         let found = book.with(script, from, to);
