@@ -58,7 +58,7 @@ pub fn alpha_gradient<D: Scalar>(e2a: &Vector3<D>, e3a: &Vector3<D>, e3b: &Vecto
 /// # Errors
 /// [`Error::GimbalLock`].
 #[inline]
-pub fn check_alpha(e2a: &Vector3<f64>, e3a: &Vector3<f64>, e3b: &Vector3<f64>) -> Result<(), Error> {
+pub fn check_alpha<D: Scalar>(e2a: &Vector3<D>, e3a: &Vector3<D>, e3b: &Vector3<D>) -> Result<(), Error> {
     if is_turn(e3b, e2a, e3a) {
         return Ok(());
     }
@@ -83,7 +83,7 @@ pub fn gamma_gradient<D: Scalar>(e1a: &Vector3<D>, e1b: &Vector3<D>, e2b: &Vecto
 /// # Errors
 /// [`Error::GimbalLock`].
 #[inline]
-pub fn check_gamma(e1a: &Vector3<f64>, e1b: &Vector3<f64>, e2b: &Vector3<f64>) -> Result<(), Error> {
+pub fn check_gamma<D: Scalar>(e1a: &Vector3<D>, e1b: &Vector3<D>, e2b: &Vector3<D>) -> Result<(), Error> {
     if is_turn(e1a, e2b, e1b) {
         return Ok(());
     }
@@ -121,7 +121,7 @@ fn extreme_turn_gradient<D: Scalar>([v, p, q]: [&Vector3<D>; 3], (sine, cosine):
 
 /// Whether [`turn`] and its derivatives are defined.
 #[inline]
-fn is_turn(v: &Vector3<f64>, p: &Vector3<f64>, q: &Vector3<f64>) -> bool {
+fn is_turn<D: Scalar>(v: &Vector3<D>, p: &Vector3<D>, q: &Vector3<D>) -> bool {
     has_length([v.dot(p), v.dot(q)])
 }
 

@@ -71,7 +71,7 @@ pub trait AnyFormula: Send + Sync {
     /// # Errors
     /// As there, and [`Error::Components`] where a slice has another length; nothing is written then.
     fn value_and_jacobian_into(&self, i: &[f64], value: &mut [f64], jacobian: &mut [f64]) -> Result<(), Error>;
-    /// What it does, written down: the value and the closed-form Jacobian.
+    /// What it does, written down: the value, the closed-form Jacobian, and which inputs it refuses.
     ///
     /// # Errors
     /// What in it cannot be written down.

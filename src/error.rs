@@ -3,7 +3,7 @@
 mod message;
 
 use crate::quantity::Domain;
-use crate::scalar::{has_length, norm};
+use crate::scalar::{Scalar, has_length, norm};
 use nalgebra::SVector;
 use std::fmt;
 
@@ -272,11 +272,12 @@ impl Error {
     /// # Errors
     /// [`Error::OutOfOrder`].
     #[inline]
-    pub fn check_order(lower: (&'static str, f64), upper: (&'static str, f64)) -> Result<(), Self> {
+    pub fn check_order<D: Scalar>(lower: (&'static str, D), upper: (&'static str, D)) -> Result<(), Self> {
         if lower.1 <= upper.1 {
             return Ok(());
         }
-        Err(Self::OutOfOrder { lower: lower.0, lower_value: lower.1, upper: upper.0, upper_value: upper.1 })
+        let (lower_value, upper_value) = (lower.1.re(), upper.1.re());
+        Err(Self::OutOfOrder { lower: lower.0, lower_value, upper: upper.0, upper_value })
     }
 
     /// Checks that two points do not coincide.
@@ -284,15 +285,15 @@ impl Error {
     /// # Errors
     /// [`Error::TooClose`].
     #[inline]
-    pub fn check_apart<const N: usize>(
-        (first, a): (&'static str, SVector<f64, N>),
-        (second, b): (&'static str, SVector<f64, N>),
+    pub fn check_apart<D: Scalar, const N: usize>(
+        (first, a): (&'static str, SVector<D, N>),
+        (second, b): (&'static str, SVector<D, N>),
     ) -> Result<(), Self> {
-        let between = <[f64; N]>::from(b - a);
+        let between = <[D; N]>::from(b - a);
         if has_length(between) {
             return Ok(());
         }
-        Err(Self::too_close(first, second, norm(between)))
+        Err(Self::too_close(first, second, norm(between).re()))
     }
 
     #[cold]
@@ -305,11 +306,12 @@ impl Error {
     /// # Errors
     /// [`Error::TooShort`].
     #[inline]
-    pub fn check_direction<const N: usize>(name: &'static str, v: SVector<f64, N>) -> Result<(), Self> {
-        if has_length(v.into()) {
+    pub fn check_direction<D: Scalar, const N: usize>(name: &'static str, v: SVector<D, N>) -> Result<(), Self> {
+        let v = <[D; N]>::from(v);
+        if has_length(v) {
             return Ok(());
         }
-        Err(Self::too_short(name, norm(<[f64; N]>::from(v))))
+        Err(Self::too_short(name, norm(v).re()))
     }
 
     #[cold]

@@ -140,10 +140,12 @@ pub trait Formula: Copy + Send + Sync + 'static {
 
     /// What makes inputs invalid beyond the domains of the single fields.
     ///
+    /// It is decided by comparisons of scalars, so that it can be written down as the formula is; only an error has doubles.
+    ///
     /// # Errors
     /// What is wrong with which input.
     #[inline]
-    fn validate(_: &Self::Inputs<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(_: &Self::Inputs<D>) -> Result<(), Error> {
         Ok(())
     }
 

@@ -13,7 +13,7 @@ use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Sou
 use crate::quantity::{
     CLEARANCE, CLOSING_RATE, DAMPING_FRACTION, MU0, OVERCLOSURE, PRESSURE, PRESSURE_AT_TOUCH, STIFFNESS,
 };
-use crate::scalar::{Scalar, e_minus_one};
+use crate::scalar::{Scalar, abs, e_minus_one};
 
 const SOURCE: Source = Document::SLIDE_LINE.ours(
     "Defining nondefault mechanical surface interactions with slide line elements",
@@ -72,9 +72,9 @@ impl PressureExponential {
     }
 
     #[cold]
-    fn check_slopes(i: &ExponentialContact<f64>) -> Result<(), Error> {
+    fn check_slopes<D: Scalar>(i: &ExponentialContact<D>) -> Result<(), Error> {
         let slopes = Self::jacobian(i).p.components();
-        if slopes.iter().all(|slope| slope.is_finite()) { Ok(()) } else { Err(Error::Overflow { name: "p" }) }
+        if slopes.iter().all(|&slope| abs(slope) <= f64::MAX) { Ok(()) } else { Err(Error::Overflow { name: "p" }) }
     }
 }
 
@@ -105,9 +105,9 @@ impl Formula for PressureExponential {
     }
 
     #[inline]
-    fn validate(i: &ExponentialContact<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &ExponentialContact<D>) -> Result<(), Error> {
         // eˢ < 3e43 while s < 100, so that no slope overflows.
-        if i.h < 99.0 * i.c0 && i.c0 > 1e-100 && i.p0 < 1e100 {
+        if i.h < i.c0 * 99.0 && i.c0 > 1e-100 && i.p0 < 1e100 {
             return Ok(());
         }
         Self::check_slopes(i)

@@ -154,9 +154,12 @@ pub fn norm<D: Scalar, const N: usize>(x: [D; N]) -> D {
 /// Whether the length of a vector is a normal number, so that it has a direction. The sum of the magnitudes tells without a
 /// root, but for lengths near the limit (for 16 components at most, whose length is a quarter of their sum at least).
 #[inline]
-pub(crate) fn has_length<const N: usize>(x: [f64; N]) -> bool {
+pub(crate) fn has_length<D: Scalar, const N: usize>(x: [D; N]) -> bool {
     const { assert!(N <= 16) };
-    x.iter().map(|x| x.abs()).sum::<f64>() > 4.0 * f64::MIN_POSITIVE || norm(x) >= f64::MIN_POSITIVE
+    let sum = x.into_iter().map(abs).fold(D::zero(), |sum, x| sum + x);
+    let is_long = || sum > 4.0 * f64::MIN_POSITIVE || norm(x) >= f64::MIN_POSITIVE;
+    let [length] = choice(|| [if is_long() { D::one() } else { D::zero() }]);
+    length > 0.0
 }
 
 /// x/|x|, the derivative of [`norm`]; the zero vector at the zero vector.

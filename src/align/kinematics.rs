@@ -82,7 +82,7 @@ impl Formula for Constraint {
     }
 
     #[inline]
-    fn validate(i: &Orientations<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &Orientations<D>) -> Result<(), Error> {
         CardanAngles::validate(&i.triads())
     }
 }

@@ -56,7 +56,8 @@ pub fn condition(beta: f64) -> f64 {
 /// # Errors
 /// [`Error::IllConditioned`]: the condition number is above [`MOST_CONDITION`], from 89.885° on.
 #[inline]
-pub fn check_start(beta: f64) -> Result<(), Error> {
+pub fn check_start<D: Scalar>(beta: D) -> Result<(), Error> {
+    let beta = beta.re();
     let condition = condition(beta);
     if condition <= MOST_CONDITION {
         return Ok(());

@@ -60,7 +60,7 @@ impl Formula for CardanAngles {
     }
 
     #[inline]
-    fn validate(i: &Triads<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &Triads<D>) -> Result<(), Error> {
         check_arc_sine(&i.e1a, &i.e3b)?;
         check_turns(i)
     }

@@ -57,15 +57,15 @@ fn shortfall<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
 /// # Errors
 /// [`Error::NoArcSine`].
 #[inline]
-pub(super) fn check_arc_sine(e1a: &Vector3<f64>, e3b: &Vector3<f64>) -> Result<(), Error> {
-    if e1a.dot(e3b).abs() < STEEP {
+pub(super) fn check_arc_sine<D: Scalar>(e1a: &Vector3<D>, e3b: &Vector3<D>) -> Result<(), Error> {
+    if abs(e1a.dot(e3b)) < STEEP {
         return Ok(());
     }
     check_steep(e1a, e3b)
 }
 
 #[cold]
-fn check_steep(e1a: &Vector3<f64>, e3b: &Vector3<f64>) -> Result<(), Error> {
+fn check_steep<D: Scalar>(e1a: &Vector3<D>, e3b: &Vector3<D>) -> Result<(), Error> {
     let excess = -shortfall(e1a, e3b);
-    if excess > 0.0 { Err(Error::NoArcSine { product: "e1a·e3b", excess }) } else { Ok(()) }
+    if excess > 0.0 { Err(Error::NoArcSine { product: "e1a·e3b", excess: excess.re() }) } else { Ok(()) }
 }

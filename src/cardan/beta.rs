@@ -67,7 +67,7 @@ impl Formula for BetaTwoArgument {
     }
 
     #[inline]
-    fn validate(i: &BetaAxes<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &BetaAxes<D>) -> Result<(), Error> {
         if has_length([i.e1a.dot(&i.e1b), i.e1a.dot(&i.e2b), i.e1a.dot(&i.e3b)]) {
             return Ok(());
         }

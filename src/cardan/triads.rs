@@ -39,7 +39,7 @@ impl<D: Scalar> Triads<D> {
 /// # Errors
 /// [`Error::GimbalLock`].
 #[inline]
-pub fn check_turns(i: &Triads<f64>) -> Result<(), Error> {
+pub fn check_turns<D: Scalar>(i: &Triads<D>) -> Result<(), Error> {
     check_alpha(&i.e2a, &i.e3a, &i.e3b)?;
     check_gamma(&i.e1a, &i.e1b, &i.e2b)
 }

@@ -56,6 +56,33 @@ impl Error {
         self.message(&by_number).allowed
     }
 
+    /// What inputs must be so that this error does not come, whatever they are.
+    ///
+    /// ```
+    /// # use jointproof::Error;
+    /// let error = Error::check_order(("l1_min", 2.0), ("l1_max", 1.0)).unwrap_err();
+    /// assert_eq!(error.required(), "l1_min ≤ l1_max");
+    /// ```
+    pub fn required(&self) -> String {
+        match self {
+            Self::NonFinite { name, allowed, .. } | Self::OutOfRange { name, allowed, .. } => {
+                format!("{name}: {allowed}")
+            }
+            Self::TooClose { first, second, least, .. } => format!("{first} and {second} at least {least:e} apart"),
+            Self::TooShort { name, least, .. } => format!("a length of {name} of at least {least:e}"),
+            Self::GimbalLock { sine, cosine, .. } => format!("{sine} ≠ 0 or {cosine} ≠ 0"),
+            Self::UndefinedAngle { vector, axes, .. } => format!("{vector} not perpendicular to all of {axes}"),
+            Self::NoArcSine { product, .. } => format!("|{product}| ≤ 1"),
+            Self::NoTangent { coordinate, .. } => format!("a curve that moves at {coordinate}"),
+            _ => self.allowed(),
+        }
+    }
+
+    /// Whether both say the same of the same inputs, whatever the numbers.
+    pub fn is_alike(&self, other: &Self) -> bool {
+        self.required() == other.required()
+    }
+
     /// What it says, with nodes called by these names instead of their numbers.
     pub fn with_names(&self, name: impl Fn(u32) -> String) -> String {
         self.message(&name).to_string()

@@ -1,5 +1,6 @@
 //! The list of operations, in which nothing is computed twice.
 
+use crate::error::Error;
 use std::collections::HashMap;
 use std::fmt;
 use std::hash::{Hash, Hasher};
@@ -168,6 +169,10 @@ pub struct Graph {
     pub value: Vec<Node>,
     /// The entries of the Jacobian.
     pub jacobian: Vec<Node>,
+    /// 0 where inputs in their domains are valid together, else the position in `refusals`, from 1; `None` where they always are.
+    pub refusal: Option<Node>,
+    /// Why inputs are refused. Numbers in these are NaN: they depend on the inputs.
+    pub refusals: Vec<Error>,
 }
 
 impl Graph {
@@ -192,6 +197,20 @@ impl Graph {
         node
     }
 
+    /// Where another graph has the components of this value, its inputs at these positions being those of this one.
+    pub fn value_within(&self, other: &Self, inputs: &[usize]) -> Vec<Option<Node>> {
+        let mut places: Vec<Option<Node>> = Vec::with_capacity(self.ops.len());
+        for op in &self.ops {
+            let operands: Option<Vec<_>> = op.operands().into_iter().map(|node| places[node.index()]).collect();
+            let there = operands.map(|operands| match op {
+                Op::Input(k) => Op::Input(inputs[*k]),
+                op => op.with_operands(&operands),
+            });
+            places.push(there.and_then(|op| other.known.get(&op).copied()));
+        }
+        self.value.iter().map(|node| places[node.index()]).collect()
+    }
+
     /// The value of a constant.
     pub fn constant(&self, node: Node) -> Option<f64> {
         match self.op(node) {
@@ -204,7 +223,7 @@ impl Graph {
     #[must_use]
     pub(super) fn pruned(&self) -> Self {
         let mut needed = vec![false; self.ops.len()];
-        for node in self.value.iter().chain(&self.jacobian) {
+        for node in self.refusal.iter().chain(&self.value).chain(&self.jacobian) {
             needed[node.index()] = true;
         }
         for k in (0..self.ops.len()).rev() {
@@ -220,6 +239,8 @@ impl Graph {
         }
         let moved = |nodes: &[Node]| nodes.iter().map(|node| places[&node.index()]).collect();
         (pruned.value, pruned.jacobian) = (moved(&self.value), moved(&self.jacobian));
+        pruned.refusal = self.refusal.map(|node| places[&node.index()]);
+        pruned.refusals.clone_from(&self.refusals);
         pruned
     }
 }

@@ -3,7 +3,9 @@
 use super::node::Graph;
 use super::recorder::{self, Escape, Failure, MOST_RUNS};
 use super::traced::Traced;
+use crate::error::Error;
 use crate::formula::{Fields, Formula, entries, typed};
+use std::cell::RefCell;
 use std::fmt;
 
 /// Why a formula was not recorded.
@@ -41,14 +43,46 @@ impl std::error::Error for NotRecorded {}
 /// # Errors
 /// What in the formula cannot be written down.
 pub fn record<F: Formula>() -> Result<Graph, NotRecorded> {
-    let (mut graph, results) = recorder::record(|| {
+    let inputs = || {
         let inputs: Vec<_> = (0..F::Inputs::<f64>::LEN).map(Traced::input).collect();
-        let (value, jacobian) = F::linearized(&typed::<_, F::Inputs<Traced>>(&inputs));
+        typed::<_, F::Inputs<Traced>>(&inputs)
+    };
+    let errors = RefCell::new(Vec::new());
+    let refusal = || vec![Traced::from(refusal::<F>(&inputs(), &errors)).node()];
+    let results = || {
+        let (value, jacobian) = F::linearized(&inputs());
+        no_value_was_asked();
         value.components().into_iter().chain(entries(&jacobian)).map(Traced::node).collect()
-    })?;
+    };
+    let (mut graph, [refusal, results]) = recorder::record([&refusal, &results])?;
     let (value, jacobian) = results.split_at(F::Outputs::<f64>::LEN);
     (graph.value, graph.jacobian) = (value.to_vec(), jacobian.to_vec());
+    graph.refusals = errors.into_inner();
+    graph.refusal = refusal.first().copied().filter(|_| !graph.refusals.is_empty());
     Ok(graph.pruned())
+}
+
+/// 0 where the inputs are valid together, else the position of the error among all that there are, from 1.
+fn refusal<F: Formula>(inputs: &F::Inputs<Traced>, errors: &RefCell<Vec<Error>>) -> f64 {
+    let Err(error) = F::validate(inputs) else {
+        no_value_was_asked();
+        return 0.0;
+    };
+    // An error tells values.
+    recorder::has_asked();
+    let mut errors = errors.borrow_mut();
+    let position = errors.iter().position(|known: &Error| known.is_alike(&error));
+    let position = position.unwrap_or(errors.len());
+    if position == errors.len() {
+        errors.push(error);
+    }
+    f64::from(u32::try_from(position + 1).expect("a formula has few refusals"))
+}
+
+fn no_value_was_asked() {
+    if recorder::has_asked() {
+        recorder::escape(Escape::Value);
+    }
 }
 
 impl From<Failure> for NotRecorded {

@@ -22,6 +22,8 @@ struct Recorder {
     run: Run,
     operations: usize,
     runs: usize,
+    /// Whether this run has asked for the value of something that depends on the inputs.
+    asked: bool,
 }
 
 /// How comparisons come out in a run.
@@ -55,14 +57,14 @@ pub(super) enum Failure {
     Panic,
 }
 
-/// Records `run`, with its comparisons in every possible way, into a new graph; and what it results in.
-pub(super) fn record(run: impl Fn() -> Vec<Node>) -> Result<(Graph, Vec<Node>), Failure> {
+/// Records runs, each with its comparisons in every possible way, into a new graph; and what they result in.
+pub(super) fn record<const N: usize>(runs: [&dyn Fn() -> Vec<Node>; N]) -> Result<(Graph, [Vec<Node>; N]), Failure> {
     RECORDER.set(Some(Recorder::default()));
-    let results = catch_unwind(AssertUnwindSafe(|| sides(&run)));
+    let results = catch_unwind(AssertUnwindSafe(|| runs.map(sides)));
     let recorder = RECORDER.take().expect("it was set before the run");
     match results {
-        Ok(Some(results)) => Ok((recorder.graph, results)),
-        Ok(None) => Err(Failure::Panic),
+        Ok(results) if results.iter().any(Option::is_none) => Err(Failure::Panic),
+        Ok(results) => Ok((recorder.graph, results.map(Option::unwrap_or_default))),
         Err(payload) => Err(payload.downcast_ref().map_or(Failure::Panic, |escape| Failure::Escape(*escape))),
     }
 }
@@ -93,6 +95,7 @@ fn sides_from(run: &dyn Fn() -> Vec<Node>, before: &Run, script: Vec<bool>) -> S
     let mut side = match catch_unwind(AssertUnwindSafe(run)) {
         Ok(results) => Some(results),
         Err(payload) if payload.is::<Escape>() => resume_unwind(payload),
+        Err(_) if has_asked() => escape(Escape::Value),
         Err(_) => None,
     };
     let taken = with(|recorder| recorder.run.taken.split_off(before.taken.len()));
@@ -107,6 +110,17 @@ fn sides_from(run: &dyn Fn() -> Vec<Node>, before: &Run, script: Vec<bool>) -> S
         };
     }
     side
+}
+
+/// The value of a number that depends on the inputs was asked for: NaN, which may only be told in an error.
+pub(super) fn ask() -> f64 {
+    with(|recorder| recorder.asked = true);
+    f64::NAN
+}
+
+/// Whether that has happened since the last time.
+pub(super) fn has_asked() -> bool {
+    with(|recorder| std::mem::take(&mut recorder.asked))
 }
 
 /// Gives the run up.

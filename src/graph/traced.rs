@@ -1,7 +1,7 @@
 //! A number that writes down what is done to it.
 
 use super::node::{self, Binary, Node, Op, Relation, Unary};
-use super::recorder::{Escape, constant, decide, enter, escape, sides};
+use super::recorder::{Escape, ask, constant, decide, enter, escape, sides};
 use crate::newtype::{newtype_dual_num, newtype_number};
 use crate::scalar::{Leaf, Scalar, Search, e_minus_one, itself, pi};
 use num_traits::FromPrimitive;
@@ -26,9 +26,9 @@ impl Traced {
         self.0.0
     }
 
-    /// The value of a constant; nothing else has one.
+    /// The value of a constant; nothing else has one, and a run that asks for it cannot be recorded.
     pub(crate) fn to_f64(self) -> f64 {
-        constant(self.node()).unwrap_or_else(|| escape(Escape::Value))
+        constant(self.node()).unwrap_or_else(ask)
     }
 }
 

@@ -57,7 +57,7 @@ impl Formula for ContactAreaLinear {
     }
 
     #[inline]
-    fn validate(i: &LinearNodes<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &LinearNodes<D>) -> Result<(), Error> {
         check_radii([("x1", i.x1), ("x2", i.x2)])
     }
 }
@@ -115,7 +115,7 @@ impl Formula for ContactAreaParabolic {
     }
 
     #[inline]
-    fn validate(i: &ParabolicNodes<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &ParabolicNodes<D>) -> Result<(), Error> {
         check_radii([("x1", i.x1), ("x2", i.x2), ("x3", i.x3)])
     }
 }

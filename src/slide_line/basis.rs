@@ -58,7 +58,7 @@ impl Formula for LocalBasis {
     }
 
     #[inline]
-    fn validate(i: &Direction<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &Direction<D>) -> Result<(), Error> {
         Error::check_direction("dx", i.dx)
     }
 }

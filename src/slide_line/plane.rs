@@ -19,7 +19,7 @@ pub(super) fn length<D: Scalar>(v: Vector2<D>) -> D {
 
 /// Checks that the named points are all at different places.
 #[inline]
-pub(super) fn check_distinct<const N: usize>(points: [(&'static str, Vector2<f64>); N]) -> Result<(), Error> {
+pub(super) fn check_distinct<D: Scalar, const N: usize>(points: [(&'static str, Vector2<D>); N]) -> Result<(), Error> {
     for (k, &a) in points.iter().enumerate() {
         for &b in &points[k + 1..] {
             Error::check_apart(a, b)?;
@@ -30,6 +30,7 @@ pub(super) fn check_distinct<const N: usize>(points: [(&'static str, Vector2<f64
 
 /// Checks that the named points are not left of the axis of revolution.
 #[inline]
-pub(super) fn check_radii<const N: usize>(points: [(&'static str, Vector2<f64>); N]) -> Result<(), Error> {
-    points.iter().try_for_each(|&(name, x)| Error::check(name, Some(0), x.x, Domain::NonNegative))
+pub(super) fn check_radii<D: Scalar, const N: usize>(points: [(&'static str, Vector2<D>); N]) -> Result<(), Error> {
+    let left = points.iter().find(|(_, x)| !(x.x >= 0.0));
+    left.map_or(Ok(()), |&(name, x)| Error::check(name, Some(0), x.x.re(), Domain::NonNegative))
 }

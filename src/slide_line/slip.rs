@@ -73,7 +73,7 @@ impl Formula for SlipIncrementLinear {
     }
 
     #[inline]
-    fn validate(i: &LinearMotion<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &LinearMotion<D>) -> Result<(), Error> {
         check_distinct([("x1", i.x1), ("x2", i.x2)])
     }
 }
@@ -150,12 +150,9 @@ impl Formula for SlipIncrementParabolic {
     }
 
     #[inline]
-    fn validate(i: &ParabolicMotion<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &ParabolicMotion<D>) -> Result<(), Error> {
         check_distinct([("x1", i.x1), ("x2", i.x2), ("x3", i.x3)])?;
-        if Self::sides(i).rate(i.g) == Vector2::zeros() {
-            Err(Error::NoTangent { coordinate: "g", value: i.g })
-        } else {
-            Ok(())
-        }
+        let rate = Self::sides(i).rate(i.g);
+        if rate.x == 0.0 && rate.y == 0.0 { Err(Error::NoTangent { coordinate: "g", value: i.g.re() }) } else { Ok(()) }
     }
 }

@@ -68,7 +68,7 @@ impl Formula for TorqueLinear {
     }
 
     #[inline]
-    fn validate(i: &LinearPressures<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &LinearPressures<D>) -> Result<(), Error> {
         check_radii([("x1", i.x1), ("x2", i.x2)])
     }
 }
@@ -233,7 +233,7 @@ impl Formula for TorqueParabolic {
     }
 
     #[inline]
-    fn validate(i: &ParabolicPressures<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &ParabolicPressures<D>) -> Result<(), Error> {
         check_radii([("x1", i.x1), ("x2", i.x2), ("x3", i.x3)])
     }
 }

@@ -69,7 +69,7 @@ impl Formula for Basis {
     }
 
     #[inline]
-    fn validate(i: &LineDirection<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &LineDirection<D>) -> Result<(), Error> {
         Error::check_direction("n", i.n)
     }
 }
@@ -183,7 +183,7 @@ impl Formula for BasisVariation {
     }
 
     #[inline]
-    fn validate(i: &TurningDirection<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &TurningDirection<D>) -> Result<(), Error> {
         Error::check_direction("n", i.n)
     }
 }

@@ -111,7 +111,7 @@ impl Formula for Constraint {
     }
 
     #[inline]
-    fn validate(i: &Nodes<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &Nodes<D>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }
 }
@@ -187,7 +187,7 @@ impl Formula for IncrementalConstraint {
     }
 
     #[inline]
-    fn validate(i: &MovingNodes<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &MovingNodes<D>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }
 }

@@ -89,7 +89,7 @@ impl Formula for Eliminate {
     }
 
     #[inline]
-    fn validate(i: &KeptCoordinate<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &KeptCoordinate<D>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }
 }
@@ -155,7 +155,7 @@ impl Formula for Increment {
     }
 
     #[inline]
-    fn validate(i: &KeptIncrement<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &KeptIncrement<D>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }
 }

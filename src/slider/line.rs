@@ -52,7 +52,7 @@ impl Formula for Line {
     }
 
     #[inline]
-    fn validate(i: &Ends<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &Ends<D>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }
 }
@@ -120,7 +120,7 @@ impl Formula for DirectionVariation {
     }
 
     #[inline]
-    fn validate(i: &MovingEnds<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &MovingEnds<D>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }
 }

@@ -68,7 +68,7 @@ impl Formula for Constraint2d {
     }
 
     #[inline]
-    fn validate(i: &Nodes2d<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &Nodes2d<D>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }
 }
@@ -136,7 +136,7 @@ impl Formula for IncrementalConstraint2d {
     }
 
     #[inline]
-    fn validate(i: &MovingNodes2d<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &MovingNodes2d<D>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }
 }
@@ -186,7 +186,7 @@ impl Formula for Eliminate2d {
     }
 
     #[inline]
-    fn validate(i: &KeptCoordinate2d<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &KeptCoordinate2d<D>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }
 }
@@ -243,7 +243,7 @@ impl Formula for Increment2d {
     }
 
     #[inline]
-    fn validate(i: &KeptIncrement2d<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &KeptIncrement2d<D>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }
 }

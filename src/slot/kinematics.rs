@@ -277,7 +277,7 @@ impl Formula for Stop {
     }
 
     #[inline]
-    fn validate(i: &StopLengths<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &StopLengths<D>) -> Result<(), Error> {
         Error::check_order(("l1_min", i.l1_min), ("l1_max", i.l1_max))
     }
 }

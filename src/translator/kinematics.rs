@@ -97,7 +97,7 @@ impl Formula for Constraint {
     }
 
     #[inline]
-    fn validate(i: &Placement<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &Placement<D>) -> Result<(), Error> {
         align::Constraint::validate(&i.align())
     }
 }

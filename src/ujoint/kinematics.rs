@@ -125,7 +125,7 @@ impl Formula for Stop {
     }
 
     #[inline]
-    fn validate(i: &StopAngles<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &StopAngles<D>) -> Result<(), Error> {
         Error::check_order(("theta1_min", i.theta1_min), ("theta1_max", i.theta1_max))?;
         Error::check_order(("theta3_min", i.theta3_min), ("theta3_max", i.theta3_max))
     }

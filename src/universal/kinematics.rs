@@ -89,7 +89,7 @@ impl Formula for Angles {
     }
 
     #[inline]
-    fn validate(i: &Triads<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &Triads<D>) -> Result<(), Error> {
         check_turns(i)
     }
 }

@@ -78,7 +78,7 @@ impl Formula for ConstraintMoment {
     }
 
     #[inline]
-    fn validate(i: &Twisted<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &Twisted<D>) -> Result<(), Error> {
         check_alpha(&i.e2a, &i.e3a, &i.e3b)
     }
 }

@@ -60,7 +60,7 @@ impl Formula for PivotAxes {
     }
 
     #[inline]
-    fn validate(i: &LineNodes<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &LineNodes<D>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }
 }

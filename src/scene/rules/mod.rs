@@ -319,7 +319,7 @@ impl Formula for Turns {
         accurate_jacobian(i)
     }
     #[inline]
-    fn validate(i: &Triads<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &Triads<D>) -> Result<(), Error> {
         check_turns(i)?;
         check_start(BetaTwoArgument::eval(&BetaAxes::from(i)).beta)
     }
@@ -351,7 +351,7 @@ impl Formula for Alignment {
     }
 
     #[inline]
-    fn validate(i: &Orientations<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &Orientations<D>) -> Result<(), Error> {
         check_turns(&i.triads())
     }
 }
@@ -400,7 +400,7 @@ impl Formula for KeptAxis {
     }
 
     #[inline]
-    fn validate(i: &KeptNodes<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &KeptNodes<D>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }
 }
@@ -442,7 +442,7 @@ impl Formula for KeptAxis2d {
     }
 
     #[inline]
-    fn validate(i: &KeptNodes2d<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &KeptNodes2d<D>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }
 }

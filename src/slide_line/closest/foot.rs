@@ -36,9 +36,9 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
     /// Whether Y′ is no more than the rounding of its terms.
     pub(super) fn stands_still<S: Shape<N>>(&self, view: &View<D, S, N>) -> bool {
         let base = view.nodes[N / 2];
-        let size = |v: Vector2<D>| v.x.re().abs() + v.y.re().abs();
-        let terms: f64 = view.nodes.iter().zip(self.rates).map(|(x, rate)| size(view.in_unit((x - base) * rate))).sum();
-        size(self.rate) <= 8.0 * f64::EPSILON * terms
+        let size = |v: Vector2<D>| abs(v.x) + abs(v.y);
+        let terms = view.nodes.iter().zip(self.rates).map(|(x, rate)| size(view.in_unit((x - base) * rate)));
+        size(self.rate) <= terms.fold(D::zero(), |sum, term| sum + term) * (8.0 * f64::EPSILON)
     }
 
     /// On the whole curve.
@@ -146,10 +146,10 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
     }
 }
 
-impl<const N: usize> Foot<f64, N> {
+impl<D: Scalar, const N: usize> Foot<D, N> {
     /// On the whole curve, unless that [stands still](Self::stands_still) there.
-    pub(super) fn with_tangent<S: Shape<N>>(view: &View<f64, S, N>, coordinate: &'static str) -> Result<Self, Error> {
+    pub(super) fn with_tangent<S: Shape<N>>(view: &View<D, S, N>, coordinate: &'static str) -> Result<Self, Error> {
         let foot = Self::on(view);
-        if foot.stands_still(view) { Err(Error::NoTangent { coordinate, value: foot.u }) } else { Ok(foot) }
+        if foot.stands_still(view) { Err(Error::NoTangent { coordinate, value: foot.u.re() }) } else { Ok(foot) }
     }
 }

@@ -114,7 +114,7 @@ impl Formula for ClosestLinear {
     }
 
     #[inline]
-    fn validate(i: &LinearSlave<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &LinearSlave<D>) -> Result<(), Error> {
         check_distinct([("x1", i.x1), ("x2", i.x2)])
     }
 }

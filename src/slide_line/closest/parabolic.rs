@@ -32,9 +32,9 @@ impl<D: Scalar> ParabolicSlave<D> {
     }
 }
 
-impl ParabolicSlave<f64> {
+impl<D: Scalar> ParabolicSlave<D> {
     /// The foot, unless two nodes coincide or the curve stands still there.
-    fn checked_foot(&self) -> Result<(View<f64, Parabola, 3>, Foot<f64, 3>), Error> {
+    fn checked_foot(&self) -> Result<(View<D, Parabola, 3>, Foot<D, 3>), Error> {
         check_distinct([("x1", self.x1), ("x2", self.x2), ("x3", self.x3)])?;
         let view = self.view();
         let foot = Foot::with_tangent(&view, "g")?;
@@ -91,7 +91,7 @@ impl Formula for ClosestParabolic {
     }
 
     #[inline]
-    fn validate(i: &ParabolicSlave<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &ParabolicSlave<D>) -> Result<(), Error> {
         i.checked_foot().map(drop)
     }
 

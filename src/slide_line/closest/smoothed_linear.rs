@@ -49,9 +49,9 @@ impl<D: Scalar> LinearCornerSlave<D> {
     }
 }
 
-impl LinearCornerSlave<f64> {
+impl<D: Scalar> LinearCornerSlave<D> {
     /// The foot, unless two nodes coincide or the curve stands still there.
-    fn checked_foot(&self) -> Result<(View<f64, LinearCorner, 3>, Foot<f64, 3>), Error> {
+    fn checked_foot(&self) -> Result<(View<D, LinearCorner, 3>, Foot<D, 3>), Error> {
         check_distinct([("x1", self.x1), ("x2", self.x2)])?;
         check_distinct([("x2", self.x2), ("x3", self.x3)])?;
         let view = self.view();
@@ -133,7 +133,7 @@ impl Formula for ClosestSmoothedLinear {
     }
 
     #[inline]
-    fn validate(i: &LinearCornerSlave<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &LinearCornerSlave<D>) -> Result<(), Error> {
         i.checked_foot().map(drop)
     }
 

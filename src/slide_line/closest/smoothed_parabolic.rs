@@ -40,9 +40,9 @@ impl<D: Scalar> ParabolicCornerSlave<D> {
     }
 }
 
-impl ParabolicCornerSlave<f64> {
+impl<D: Scalar> ParabolicCornerSlave<D> {
     /// The foot, unless two nodes coincide or the curve stands still there.
-    fn checked_foot(&self) -> Result<(View<f64, ParabolicCorner, 5>, Foot<f64, 5>), Error> {
+    fn checked_foot(&self) -> Result<(View<D, ParabolicCorner, 5>, Foot<D, 5>), Error> {
         check_distinct([("x1", self.x1), ("x2", self.x2), ("x3", self.x3)])?;
         check_distinct([("x3", self.x3), ("x4", self.x4), ("x5", self.x5)])?;
         let view = self.view();
@@ -131,7 +131,7 @@ impl Formula for ClosestSmoothedParabolic {
     }
 
     #[inline]
-    fn validate(i: &ParabolicCornerSlave<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &ParabolicCornerSlave<D>) -> Result<(), Error> {
         i.checked_foot().map(drop)
     }
 

@@ -1,8 +1,10 @@
 //! C99.
 
-use super::language::{Language, Operand, Toolchain};
-use super::program::Body;
-use super::recorded::{Recorded, Text, bounds, description, stem, unreserved};
+mod driver;
+
+use super::language::{File, Language, Operand, Toolchain, files_of};
+use super::program::{Body, Lines, PartLines, folded};
+use super::recorded::{Recorded, Text, bounds, description, refusals, stem, unreserved};
 use jointproof::formula::Field;
 use jointproof::graph::{Binary, Node, Op, Relation, Unary};
 
@@ -10,19 +12,32 @@ pub(super) struct C;
 
 const RUNTIME: &str = include_str!("runtime/jp_runtime.h");
 /// Words of C, and what the functions themselves need.
-const RESERVED: [&str; 5] = ["double", "int", "k", "jacobian", "const"];
+const RESERVED: [&str; 7] = ["double", "int", "k", "jacobian", "const", "given", "found"];
 const FLAGS: [&str; 6] = ["-std=c99", "-O2", "-ffp-contract=off", "-Wall", "-Wextra", "-Wpedantic"];
 
 impl Language for C {
-    fn files(&self, recorded: &[Recorded]) -> Vec<(String, String)> {
+    fn files(&self, recorded: &[Recorded]) -> Vec<File> {
+        let formulas: Vec<_> = recorded.iter().flat_map(|one| files_of(self, one)).collect();
+        let drivers = driver::files(recorded);
         let mut files = vec![
             ("jp_runtime.h".to_owned(), RUNTIME.to_owned()),
-            ("jointproof.h".to_owned(), header(recorded)),
-            ("driver.c".to_owned(), driver(recorded)),
-            ("Makefile".to_owned(), makefile()),
-            ("CMakeLists.txt".to_owned(), cmake()),
+            ("jointproof.h".to_owned(), umbrella(recorded)),
+            ("Makefile".to_owned(), makefile(&formulas, &drivers)),
+            ("CMakeLists.txt".to_owned(), cmake(&formulas)),
         ];
-        files.extend(recorded.iter().map(|one| (format!("jp_{}.c", stem(one)), self.source(one))));
+        files.extend(drivers);
+        files.extend(formulas);
+        files
+    }
+
+    fn formula(&self, one: &Recorded, limit: usize) -> Vec<File> {
+        let stem = stem(one);
+        let (source, parts) = source(one, limit);
+        let mut files = vec![(format!("jp_{stem}.c"), source), (format!("jp_{stem}.h"), header(one))];
+        if !parts.is_empty() {
+            files.push((format!("jp_{stem}_parts.h"), parts_header(&stem, &parts)));
+        }
+        files.extend(parts.iter().map(|part| (format!("jp_{stem}_part{}.c", part.number), part_source(&stem, part))));
         files
     }
 
@@ -38,7 +53,7 @@ impl Language for C {
     }
 
     fn argument(&self, field: &Field, component: usize) -> String {
-        let name = unreserved(field.name, &RESERVED);
+        let name = name_of(field);
         if field.len() == 1 { name } else { format!("{name}[{component}]") }
     }
 
@@ -66,6 +81,19 @@ impl Language for C {
 
     fn assign(&self, name: &str, value: &str) -> String {
         format!("{name} = {value};")
+    }
+
+    fn element(&self, array: &str, k: usize, is_answer: bool) -> String {
+        if is_answer { format!("({array}[{k}] != 0.0)") } else { format!("{array}[{k}]") }
+    }
+
+    fn call(&self, stem: &str, part: usize, inputs: &[&Field], given: &[String], found: (&str, usize)) -> String {
+        let mut arguments: Vec<_> = inputs.iter().map(|field| name_of(field)).collect();
+        if !given.is_empty() {
+            arguments.push(format!("(const double[]){{{}}}", given.join(", ")));
+        }
+        let (array, len) = found;
+        format!("double {array}[{len}];\njp_{stem}_part{part}({}, {array});", arguments.join(", "))
     }
 
     fn choose(&self, condition: &str) -> [String; 3] {
@@ -145,40 +173,63 @@ pub(super) fn signed(text: &str, x: f64) -> String {
     if x.is_sign_negative() { format!("({text})") } else { text.to_owned() }
 }
 
-impl C {
-    fn source(&self, one: &Recorded) -> String {
-        let mut text = Text::from(comment(&description(one)));
-        text.push("#include \"jointproof.h\"\n#include \"jp_runtime.h\"\n");
-        for with_jacobian in [false, true] {
-            text.push(format!("\n{}\n{{\n", prototype(one, with_jacobian)));
-            for (position, field) in one.formula.inputs().iter().enumerate() {
-                text.push(refusal(field, position + 1));
-            }
-            let body = Body { language: self, graph: &one.graph, inputs: one.formula.inputs() };
-            let mut results = one.graph.value.clone();
-            if with_jacobian {
-                results.extend(&one.graph.jacobian);
-            }
-            for line in body.lines(&results, 1).text {
-                text.push(line + "\n");
-            }
-            let mut value = one.graph.value.iter();
-            for field in one.formula.outputs() {
-                let name = unreserved(field.name, &RESERVED);
-                for (k, node) in value.by_ref().take(field.len()).enumerate() {
-                    let place = if field.len() == 1 { format!("*{name}") } else { format!("{name}[{k}]") };
-                    text.push(format!("    {place} = {};\n", body.text(*node)));
-                }
-            }
-            if with_jacobian {
-                for (k, node) in one.graph.jacobian.iter().enumerate() {
-                    text.push(format!("    jacobian[{k}] = {};\n", body.text(*node)));
-                }
-            }
-            text.push("    return 0;\n}\n");
-        }
-        text.finished()
+fn name_of(field: &Field) -> String {
+    unreserved(field.name, &RESERVED)
+}
+
+/// The text of a formula's functions, and the parts that they call.
+fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
+    let stem = stem(one);
+    let body = Body { language: &C, graph: &one.graph, inputs: one.formula.inputs(), names: &one.names, stem: &stem };
+    let mut parts = Vec::new();
+    let functions = [false, true].map(|with_jacobian| {
+        let results = one.results(with_jacobian);
+        let (lines, more) = body.program(&results, limit, parts.len() + 1);
+        parts.extend(more);
+        function(one, &body, &lines, with_jacobian)
+    });
+    let mut text = Text::from(comment(&description(one)));
+    let with_parts = if parts.is_empty() { String::new() } else { format!("#include \"jp_{stem}_parts.h\"\n") };
+    text.push(format!("#include \"jp_{stem}.h\"\n{with_parts}#include \"jp_runtime.h\"\n"));
+    functions.iter().for_each(|function| text.push(function));
+    (text.finished(), parts)
+}
+
+fn function(one: &Recorded, body: &Body, lines: &Lines, with_jacobian: bool) -> String {
+    let mut text = Text::from(format!("\n{}\n{{\n", prototype(one, with_jacobian)));
+    let inputs = one.formula.inputs();
+    for (position, field) in inputs.iter().enumerate() {
+        text.push(refusal(field, position + 1));
     }
+    for line in &lines.text {
+        text.push(format!("{line}\n"));
+    }
+    if let Some(refusal) = one.graph.refusal {
+        let code = body.text(lines, refusal);
+        text.push(format!("    if ({code} > 0.0) return {} + (int)({code});\n", inputs.len()));
+    }
+    let mut value = one.graph.value.iter();
+    for field in one.formula.outputs() {
+        for (k, &node) in value.by_ref().take(field.len()).enumerate() {
+            let name = name_of(field);
+            let place = if field.len() == 1 { format!("*{name}") } else { format!("{name}[{k}]") };
+            text.push(format!("    {place} = {};\n", body.text(lines, node)));
+        }
+    }
+    if with_jacobian {
+        let (rows, zeros) = one.rows();
+        let n = one.row();
+        if zeros {
+            text.push(format!("    for (int k = 0; k < {}; ++k) jacobian[k] = 0.0;\n", one.graph.jacobian.len()));
+        }
+        for (k, row) in rows {
+            let entries: Vec<_> = row.iter().map(|&node| body.text(lines, node)).collect();
+            let line = format!("    jp_set(jacobian + {k}, {n}, (const double[]){{{}}});", entries.join(", "));
+            text.push(folded(&line, "").join("\n") + "\n");
+        }
+    }
+    text.push("    return 0;\n}\n");
+    text.finished()
 }
 
 fn comment(lines: &[String]) -> String {
@@ -188,7 +239,7 @@ fn comment(lines: &[String]) -> String {
 
 /// Return codes: 0, or the position of the input, from 1, that is not finite or not in its domain.
 fn refusal(field: &Field, code: usize) -> String {
-    let name = unreserved(field.name, &RESERVED);
+    let name = name_of(field);
     let allowed = |x: &str| {
         let bounds = bounds(field.quantity.domain);
         let bounds = bounds.iter().map(|(relation, bound)| format!(" && {x} {relation} {}", C.number(*bound)));
@@ -200,15 +251,20 @@ fn refusal(field: &Field, code: usize) -> String {
     }
 }
 
+fn argument(field: &Field, kind: [&str; 2]) -> String {
+    let name = name_of(field);
+    match field.len() {
+        1 => format!("{}{name}", kind[0]),
+        len => format!("{}{name}[{len}]", kind[1]),
+    }
+}
+
+fn taken(field: &Field) -> String {
+    argument(field, ["double ", "const double "])
+}
+
 fn prototype(one: &Recorded, with_jacobian: bool) -> String {
-    let argument = |field: &Field, kind: [&str; 2]| {
-        let name = unreserved(field.name, &RESERVED);
-        match field.len() {
-            1 => format!("{}{name}", kind[0]),
-            len => format!("{}{name}[{len}]", kind[1]),
-        }
-    };
-    let inputs = one.formula.inputs().iter().map(|field| argument(field, ["double ", "const double "]));
+    let inputs = one.formula.inputs().iter().map(taken);
     let outputs = one.formula.outputs().iter().map(|field| argument(field, ["double *", "double "]));
     let jacobian = with_jacobian.then(|| format!("double jacobian[{}]", one.graph.jacobian.len()));
     let what = if with_jacobian { "jacobian" } else { "value" };
@@ -216,95 +272,94 @@ fn prototype(one: &Recorded, with_jacobian: bool) -> String {
     format!("int jp_{}_{what}(\n    {})", stem(one), arguments.join(",\n    "))
 }
 
-fn header(recorded: &[Recorded]) -> String {
-    let mut text = Text::from(
-        "/*\n * Formulas with their Jacobians, printed by jointproof from the program that it proves.\n *\n\
-         \x20* ..._value gives the outputs; ..._jacobian the outputs and every derivative, output by output,\n\
-         \x20* each over all inputs in order. A return code is 0, or the position from 1 of the first input\n\
-         \x20* that is not finite or not in its domain; nothing is written then.\n *\n\
-         \x20* Compile without fused operations and without -ffast-math: -std=c99 -ffp-contract=off.\n */\n\
-         #ifndef JOINTPROOF_H\n#define JOINTPROOF_H\n\n#ifdef __cplusplus\nextern \"C\" {\n#endif\n",
-    );
-    for one in recorded {
-        let spec = one.formula.spec();
-        text.push(format!("\n/* {}: {} */\n", spec.id, spec.title));
-        text.push(format!("{};\n{};\n", prototype(one, false), prototype(one, true)));
-    }
-    text.push("\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n");
-    text.finished()
-}
-
-fn makefile() -> String {
-    let flags = FLAGS.join(" ");
+/// A header with its guard.
+fn guarded(name: &str, text: &str) -> String {
+    let guard = name.to_uppercase();
     format!(
-        "CC ?= cc\nCFLAGS ?= {flags}\nOBJECTS = $(patsubst %.c,%.o,$(wildcard jp_*.c))\n\n\
-         libjointproof.a: $(OBJECTS)\n\t$(AR) rcs $@ $(OBJECTS)\n\n\
-         driver: driver.o libjointproof.a\n\t$(CC) -o $@ driver.o libjointproof.a -lm\n\n\
-         clean:\n\trm -f *.o libjointproof.a driver\n"
+        "#ifndef {guard}_H\n#define {guard}_H\n\n#ifdef __cplusplus\nextern \"C\" {{\n#endif\n\n{text}\n\
+         #ifdef __cplusplus\n}}\n#endif\n\n#endif\n"
     )
 }
 
-fn cmake() -> String {
-    "cmake_minimum_required(VERSION 3.10)\nproject(jointproof C)\nfile(GLOB SOURCES jp_*.c)\n\
-     add_library(jointproof ${SOURCES})\nset_property(TARGET jointproof PROPERTY C_STANDARD 99)\n\
-     target_compile_options(jointproof PRIVATE -ffp-contract=off)\n\
-     target_include_directories(jointproof PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})\n\
-     target_link_libraries(jointproof m)\n"
-        .into()
+fn header(one: &Recorded) -> String {
+    let spec = one.formula.spec();
+    let mut lines = vec![format!("{}: {}", spec.id, spec.title), String::new(), "Return code 0: done.".into()];
+    lines.extend(refusals(one));
+    let text = format!("{};\n\n{};\n", prototype(one, false), prototype(one, true));
+    comment(&lines) + &guarded(&format!("jp_{}", stem(one)), &text)
 }
 
-/// Reads points.bin, writes found.bin.
-fn driver(recorded: &[Recorded]) -> String {
+/// The header of all.
+fn umbrella(recorded: &[Recorded]) -> String {
     let mut text = Text::from(
-        "/* Evaluates every formula at the points of points.bin, and writes found.bin. */\n\
-         #include \"jointproof.h\"\n#include <stdint.h>\n#include <stdio.h>\n#include <stdlib.h>\n\n\
-         static FILE *points, *found;\n\n\
-         static void take(double *x, size_t n)\n{\n    if (fread(x, sizeof *x, n, points) != n) exit(2);\n}\n\n\
-         static void give(const double *x, size_t n)\n{\n    if (fwrite(x, sizeof *x, n, found) != n) exit(2);\n}\n\n\
-         static uint64_t number_of_points(void)\n{\n    uint64_t n;\n    if (fread(&n, sizeof n, 1, points) != 1) exit(2);\n    return n;\n}\n",
+        "/*\n * Formulas with their Jacobians, printed by jointproof from the program that it proves.\n *\n\
+         \x20* ..._value gives the outputs; ..._jacobian the outputs and every derivative, output by output,\n\
+         \x20* each over all inputs in order. A return code is 0, or says why inputs are refused, as each header\n\
+         \x20* tells; nothing is written then. A result that is too large for a double is infinite.\n *\n\
+         \x20* Compile without fused operations and without -ffast-math: -std=c99 -ffp-contract=off.\n */\n\
+         #ifndef JOINTPROOF_H\n#define JOINTPROOF_H\n\n",
     );
     for one in recorded {
-        let (inputs, outputs) = (one.formula.inputs(), one.formula.outputs());
-        let passed = |fields: &[Field], array: &str, by_address: &str| {
-            let mut from = 0;
-            let arguments = fields.iter().map(|field| {
-                let start = from;
-                from += field.len();
-                if field.len() == 1 { format!("{by_address}{array}[{start}]") } else { format!("{array} + {start}") }
-            });
-            arguments.collect::<Vec<_>>()
-        };
-        let count = |fields: &[Field]| fields.iter().map(Field::len).sum::<usize>();
-        let values = [passed(inputs, "x", ""), passed(outputs, "y", "&")].concat();
-        let both = [passed(inputs, "x", ""), passed(outputs, "both", "&")].concat();
-        let [n, m, entries] = [count(inputs), count(outputs), one.graph.jacobian.len()];
-        let name = stem(one);
-        text.push(format!(
-            "\nstatic void {name}(void)\n{{\n    double x[{n}], y[{m}], both[{m} + {entries}];\n\
-             \x20   for (uint64_t left = number_of_points(); left > 0; --left) {{\n        take(x, {n});\n\
-             \x20       for (int k = 0; k < {m} + {entries}; ++k) both[k] = 0;\n\
-             \x20       double code = jp_{name}_jacobian(\n            {},\n            both + {m});\n\
-             \x20       const int alone = jp_{name}_value(\n            {});\n\
-             \x20       if (alone != (int)code) code = -1;\n\
-             \x20       for (int k = 0; k < {m} && alone == 0; ++k)\n            if (y[k] != both[k] && y[k] == y[k]) code = -1;\n\
-             \x20       give(&code, 1);\n        give(both, {m} + {entries});\n    }}\n}}\n",
-            both.join(",\n            "),
-            values.join(",\n            "),
-        ));
+        text.push(format!("#include \"jp_{}.h\"\n", stem(one)));
     }
-    text.push(
-        "\nint main(void)\n{\n    points = fopen(\"points.bin\", \"rb\");\n    found = fopen(\"found.bin\", \"wb\");\n    if (!points || !found) return 2;\n",
-    );
-    for one in recorded {
-        text.push(format!("    {}();\n", stem(one)));
-    }
-    text.push("    return fclose(found) != 0;\n}\n");
+    text.push("\n#endif\n");
     text.finished()
 }
 
+fn part_prototype(stem: &str, part: &PartLines) -> String {
+    let inputs = part.inputs.iter().map(|field| taken(field));
+    let given = (part.given > 0).then(|| format!("const double given[{}]", part.given));
+    let arguments: Vec<_> = inputs.chain(given).chain([format!("double found[{}]", part.found)]).collect();
+    folded(&format!("void jp_{stem}_part{}({})", part.number, arguments.join(", ")), "").join("\n")
+}
+
+fn parts_header(stem: &str, parts: &[PartLines]) -> String {
+    let prototypes: Vec<_> = parts.iter().map(|part| part_prototype(stem, part) + ";\n").collect();
+    comment(&["What the functions of this formula call; for nobody else.".into()])
+        + &guarded(&format!("jp_{stem}_parts"), &prototypes.concat())
+}
+
+fn part_source(stem: &str, part: &PartLines) -> String {
+    format!(
+        "#include \"jp_{stem}_parts.h\"\n#include \"jp_runtime.h\"\n\n{}\n{{\n{}\n}}\n",
+        part_prototype(stem, part),
+        part.lines.text.join("\n")
+    )
+}
+
+/// The sources among files.
+fn sources(files: &[File]) -> impl Iterator<Item = &str> {
+    files.iter().map(|(name, _)| name.as_str()).filter(|name| name.ends_with(".c"))
+}
+
+fn makefile(formulas: &[File], drivers: &[File]) -> String {
+    let objects = |files| sources(files).map(|name| name.replace(".c", ".o")).collect::<Vec<_>>().join(" \\\n    ");
+    format!(
+        "CC ?= cc\nCFLAGS ?= {}\nOBJECTS = {}\nDRIVER = {}\n\n\
+         libjointproof.a: $(OBJECTS)\n\t$(AR) rcs $@ $(OBJECTS)\n\n\
+         driver: $(DRIVER) libjointproof.a\n\t$(CC) -o $@ $(DRIVER) libjointproof.a -lm\n\n\
+         clean:\n\trm -f *.o libjointproof.a driver\n",
+        FLAGS.join(" "),
+        objects(formulas),
+        objects(drivers)
+    )
+}
+
+fn cmake(formulas: &[File]) -> String {
+    let sources: Vec<_> = sources(formulas).collect();
+    format!(
+        "cmake_minimum_required(VERSION 3.10)\nproject(jointproof C)\nadd_library(jointproof\n    {})\n\
+         set_property(TARGET jointproof PROPERTY C_STANDARD 99)\n\
+         target_compile_options(jointproof PRIVATE -ffp-contract=off)\n\
+         target_include_directories(jointproof PUBLIC ${{CMAKE_CURRENT_SOURCE_DIR}})\n\
+         target_link_libraries(jointproof m)\n",
+        sources.join("\n    ")
+    )
+}
+
 fn toolchain(name: &'static str) -> Toolchain {
-    let all = "set -e; for f in jp_*.c driver.c; do";
-    let compile =
-        format!("{all} {name} {} -Werror -c $f -o ${{f%.c}}.o; done; {name} -o driver *.o -lm", FLAGS.join(" "));
-    Toolchain { name, commands: vec![vec!["sh".into(), "-c".into(), compile], vec!["./driver".into()]], epsilons: 0.0 }
+    let flags = format!("CFLAGS={} -Werror", FLAGS.join(" "));
+    let make = ["make", "--quiet", "--always-make", "-j2", "driver", &format!("CC={name}"), &flags];
+    let commands = vec![make.map(str::to_owned).into(), vec!["./driver".into()]];
+    Toolchain { name, commands, epsilons: 0.0 }
 }

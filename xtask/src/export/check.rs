@@ -1,7 +1,7 @@
 //! The export compiled, run, and compared bit by bit.
 
 use super::language::{Language, Toolchain};
-use super::points::Point;
+use super::points::{Expected, Point};
 use super::recorded::Recorded;
 use crate::console::{count, say};
 use anyhow::{Context, ensure};
@@ -102,14 +102,18 @@ fn compare(
             let code = found.next().context("the driver wrote too few results")?;
             let results: Vec<_> = found.by_ref().take(numbers).collect();
             ensure!(results.len() == numbers, "the driver wrote too few results");
-            let Some(expected) = &point.results else {
-                judged.refused += usize::from(code != 0.0);
-                continue;
+            let expected = match &point.expected {
+                Expected::TooLarge => continue,
+                Expected::Refused(expected) => {
+                    judged.refusal(one, point, [code, *expected as f64]);
+                    continue;
+                }
+                Expected::Results(_) if code != 0.0 => {
+                    judged.off(one, point, &refusal(code));
+                    continue;
+                }
+                Expected::Results(results) => results,
             };
-            if code != 0.0 {
-                judged.off(one, point, &refusal(code));
-                continue;
-            }
             for (k, (&found, &expected)) in results.iter().zip(expected).enumerate() {
                 judged.number(toolchain, (one, point), k, [found, expected]);
             }
@@ -135,6 +139,13 @@ impl Judged {
             return;
         }
         self.off(one, point, &format!("{}: {found:e}, expected {expected:e}", entry(one, k)));
+    }
+
+    fn refusal(&mut self, one: &Recorded, point: &Point, [found, expected]: [f64; 2]) {
+        self.refused += 1;
+        if found != expected {
+            self.off(one, point, &format!("gives the return code {found}, expected is the refusal {expected}"));
+        }
     }
 
     fn off(&mut self, one: &Recorded, point: &Point, what: &str) {
@@ -195,7 +206,7 @@ mod tests {
     fn judged(id: &str, file: &str, from: &str, to: &str) -> String {
         let folder = std::env::temp_dir().join(format!("jointproof-{}-{id}-{}", std::process::id(), from.len()));
         std::fs::create_dir_all(&folder).unwrap();
-        let (recorded, _) = record(&[find(id).unwrap()]);
+        let (recorded, _) = record(&[find(id).unwrap()], None);
         for (name, text) in C.files(&recorded) {
             let planted = if name == file { text.replace(from, to) } else { text.clone() };
             assert_eq!(name == file, planted != text, "{from} is not in {name}");

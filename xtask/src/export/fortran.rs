@@ -1,8 +1,10 @@
 //! Fortran 2008.
 
 use super::c::{Names, common, exact_sum, signed};
-use super::language::{Language, Operand, Toolchain};
-use super::program::Body;
+mod driver;
+
+use super::language::{File, Language, Operand, Toolchain, files_of};
+use super::program::{Body, Lines, PartLines, folded};
 use super::recorded::{Recorded, Text, bounds, description, stem, unreserved};
 use jointproof::formula::Field;
 use jointproof::graph::{Op, Relation, Unary};
@@ -12,7 +14,7 @@ pub(super) struct Fortran;
 const RUNTIME: &str = include_str!("runtime/jp_runtime.f90");
 const FLAGS: &str = "-std=f2008 -O2 -ffp-contract=off -Wall -Wextra -pedantic -Werror";
 /// Names are one whether written large or small, so that a temporary t12 may not meet an argument T12.
-const RESERVED: [&str; 7] = ["code", "dp", "jacobian", "real", "result", "huge", "abs"];
+const RESERVED: [&str; 9] = ["code", "dp", "jacobian", "real", "result", "huge", "abs", "given", "found"];
 
 const NAMES: Names = Names {
     unary: |function| match function {
@@ -35,20 +37,29 @@ const NAMES: Names = Names {
 };
 
 impl Language for Fortran {
-    fn files(&self, recorded: &[Recorded]) -> Vec<(String, String)> {
-        let sources: Vec<_> = recorded.iter().map(|one| format!("jp_{}.f90", stem(one))).collect();
+    fn files(&self, recorded: &[Recorded]) -> Vec<File> {
+        let formulas: Vec<_> = recorded.iter().map(|one| files_of(self, one)).collect();
+        let drivers = driver::files(recorded);
         let mut files = vec![
             ("jp_runtime.f90".to_owned(), RUNTIME.to_owned()),
             ("jointproof.f90".to_owned(), module(recorded)),
-            ("driver.f90".to_owned(), driver(recorded)),
-            ("Makefile".to_owned(), makefile(&sources)),
+            ("Makefile".to_owned(), makefile(&formulas, &drivers)),
         ];
-        files.extend(recorded.iter().zip(sources).map(|(one, name)| (name, self.source(one))));
+        files.extend(drivers);
+        files.extend(formulas.into_iter().flatten());
+        files
+    }
+
+    fn formula(&self, one: &Recorded, limit: usize) -> Vec<File> {
+        let stem = stem(one);
+        let (source, parts) = source(one, limit);
+        let mut files = vec![(format!("jp_{stem}.f90"), source)];
+        files.extend(parts.iter().map(|part| (format!("jp_{stem}_part{}.f90", part.number), part_source(&stem, part))));
         files
     }
 
     fn toolchains(&self) -> Vec<Toolchain> {
-        let make = ["make", "--quiet", "driver"].map(str::to_owned).to_vec();
+        let make = ["make", "--quiet", "--always-make", "-j2", "driver"].map(str::to_owned).to_vec();
         vec![Toolchain { name: "gfortran", commands: vec![make, vec!["./driver".into()]], epsilons: 0.0 }]
     }
 
@@ -61,7 +72,7 @@ impl Language for Fortran {
     }
 
     fn argument(&self, field: &Field, component: usize) -> String {
-        let name = unreserved(field.name, &RESERVED);
+        let name = name_of(field);
         if field.len() == 1 { name } else { format!("{name}({})", component + 1) }
     }
 
@@ -92,6 +103,27 @@ impl Language for Fortran {
         format!("{name} = {value}")
     }
 
+    fn indent(&self) -> usize {
+        2
+    }
+
+    fn element(&self, array: &str, k: usize, is_answer: bool) -> String {
+        if is_answer { format!("({array}({}) > 0.5_dp)", k + 1) } else { format!("{array}({})", k + 1) }
+    }
+
+    fn as_number(&self, text: &str, is_answer: bool) -> String {
+        if is_answer { format!("merge(1.0_dp, 0.0_dp, {text})") } else { text.to_owned() }
+    }
+
+    fn call(&self, stem: &str, part: usize, inputs: &[&Field], given: &[String], found: (&str, usize)) -> String {
+        let mut arguments: Vec<_> = inputs.iter().map(|field| name_of(field)).collect();
+        if !given.is_empty() {
+            arguments.push(format!("[{}]", given.join(", ")));
+        }
+        arguments.push(found.0.to_owned());
+        format!("call jp_{stem}_part{part}({})", arguments.join(", "))
+    }
+
     fn goes_on(&self) -> &'static str {
         " &"
     }
@@ -101,92 +133,132 @@ impl Language for Fortran {
     }
 }
 
-impl Fortran {
-    fn source(&self, one: &Recorded) -> String {
-        let lines: Vec<_> = description(one).iter().map(|line| format!("! {line}").trim_end().to_owned()).collect();
-        let name = stem(one);
-        let mut text = Text::from(lines.join("\n"));
-        text.push(format!(
-            "\nmodule jp_{name}\n    use jp_runtime\n    implicit none\n    private\n    public :: jp_{name}_value, jp_{name}_jacobian\ncontains\n"
-        ));
-        for with_jacobian in [false, true] {
-            text.push(self.function(one, with_jacobian));
-        }
-        text.push(format!("end module jp_{name}\n"));
-        text.finished()
-    }
+fn name_of(field: &Field) -> String {
+    unreserved(field.name, &RESERVED)
+}
 
-    fn function(&self, one: &Recorded, with_jacobian: bool) -> String {
-        let what = if with_jacobian { "jacobian" } else { "value" };
-        let name = format!("jp_{}_{what}", stem(one));
-        let (inputs, outputs) = (one.formula.inputs(), one.formula.outputs());
-        let called = |field: &Field| unreserved(field.name, &RESERVED);
-        let names = inputs.iter().chain(outputs).map(called);
-        let names: Vec<_> = names.chain(with_jacobian.then(|| "jacobian".to_owned())).collect();
-        let mut text = Text::from(format!(
-            "    function {name}( &\n            {}) result(code)\n",
-            names.join(", &\n            ")
-        ));
-        let declare = |field: &Field, intent: &str| {
-            let shape = if field.len() == 1 { String::new() } else { format!("({})", field.len()) };
-            format!("        real(dp), intent({intent}) :: {}{shape}\n", called(field))
-        };
-        for field in inputs {
-            text.push(declare(field, "in"));
-        }
-        for field in outputs {
-            text.push(declare(field, "out"));
-        }
-        if with_jacobian {
-            text.push(format!("        real(dp), intent(out) :: jacobian({})\n", one.graph.jacobian.len()));
-        }
-        text.push("        integer :: code\n");
-        let body = Body { language: self, graph: &one.graph, inputs };
-        let results = [one.graph.value.as_slice(), if with_jacobian { &one.graph.jacobian } else { &[] }].concat();
-        let lines = body.lines(&results, 2);
-        for (kind, names) in [("real(dp)", &lines.numbers), ("logical", &lines.answers)] {
-            for names in names.chunks(8) {
-                text.push(format!("        {kind} :: {}\n", names.join(", ")));
-            }
-        }
-        text.push("\n");
-        for field in outputs {
-            text.push(format!("        {} = 0.0_dp\n", called(field)));
-        }
-        if with_jacobian {
-            text.push("        jacobian = 0.0_dp\n");
-        }
-        for (position, field) in inputs.iter().enumerate() {
-            text.push(self.refusal(field, position + 1));
-        }
-        for line in &lines.text {
-            text.push(format!("{line}\n"));
-        }
-        let mut value = one.graph.value.iter();
-        for field in outputs {
-            for (k, &node) in value.by_ref().take(field.len()).enumerate() {
-                let place = if field.len() == 1 { called(field) } else { format!("{}({})", called(field), k + 1) };
-                text.push(format!("        {place} = {}\n", body.text(node)));
-            }
-        }
-        if with_jacobian {
-            for (k, &node) in one.graph.jacobian.iter().enumerate() {
-                text.push(format!("        jacobian({}) = {}\n", k + 1, body.text(node)));
-            }
-        }
-        text.push(format!("        code = 0\n    end function {name}\n"));
-        text.finished()
-    }
+/// The text of a formula's module, and the parts that its functions call.
+fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
+    let name = stem(one);
+    let body =
+        Body { language: &Fortran, graph: &one.graph, inputs: one.formula.inputs(), names: &one.names, stem: &name };
+    let mut parts = Vec::new();
+    let functions = [false, true].map(|with_jacobian| {
+        let (lines, more) = body.program(&one.results(with_jacobian), limit, parts.len() + 1);
+        parts.extend(more);
+        (function(one, &body, &lines, with_jacobian), lines.calls)
+    });
+    let lines: Vec<_> = description(one).iter().map(|line| format!("! {line}").trim_end().to_owned()).collect();
+    let mut text = Text::from(lines.join("\n"));
+    text.push(format!("\nmodule jp_{name}\n    use jp_runtime\n"));
+    text.push(uses(&name, functions.iter().flat_map(|(_, calls)| calls)));
+    text.push(format!("    implicit none\n    private\n    public :: jp_{name}_value, jp_{name}_jacobian\ncontains\n"));
+    functions.iter().for_each(|(function, _)| text.push(function));
+    text.push(format!("end module jp_{name}\n"));
+    (text.finished(), parts)
+}
 
-    fn refusal(&self, field: &Field, code: usize) -> String {
-        let name = unreserved(field.name, &RESERVED);
-        let mut conditions = vec![format!("abs({name}) <= huge(0.0_dp)")];
-        let bounds = bounds(field.quantity.domain);
-        conditions.extend(bounds.iter().map(|(relation, bound)| format!("{name} {relation} {}", self.number(*bound))));
-        let condition = conditions.join(" .and. ");
-        let all = if field.len() == 1 { condition } else { format!("all({condition})") };
-        format!("        code = {code}\n        if (.not. ({all})) return\n")
+/// The modules of parts.
+fn uses<'a>(stem: &str, parts: impl Iterator<Item = &'a usize>) -> String {
+    parts.map(|part| format!("    use jp_{stem}_{part}, only: jp_{stem}_part{part}\n")).collect()
+}
+
+fn declared(field: &Field, intent: &str) -> String {
+    let shape = if field.len() == 1 { String::new() } else { format!("({})", field.len()) };
+    format!("        real(dp), intent({intent}) :: {}{shape}\n", name_of(field))
+}
+
+/// The temporaries of a function.
+fn temporaries(lines: &Lines) -> String {
+    let arrays: Vec<_> = lines.arrays.iter().map(|(name, len)| format!("{name}({len})")).collect();
+    let mut text = String::new();
+    for (kind, names) in [("real(dp)", &lines.numbers), ("real(dp)", &arrays), ("logical", &lines.answers)] {
+        for names in names.chunks(8) {
+            text += &format!("        {kind} :: {}\n", names.join(", "));
+        }
     }
+    text + "\n"
+}
+
+fn function(one: &Recorded, body: &Body, lines: &Lines, with_jacobian: bool) -> String {
+    let what = if with_jacobian { "jacobian" } else { "value" };
+    let name = format!("jp_{}_{what}", stem(one));
+    let (inputs, outputs) = (one.formula.inputs(), one.formula.outputs());
+    let names = inputs.iter().chain(outputs).map(name_of);
+    let names: Vec<_> = names.chain(with_jacobian.then(|| "jacobian".to_owned())).collect();
+    let mut text =
+        Text::from(format!("    function {name}( &\n            {}) result(code)\n", names.join(", &\n            ")));
+    inputs.iter().for_each(|field| text.push(declared(field, "in")));
+    outputs.iter().for_each(|field| text.push(declared(field, "out")));
+    if with_jacobian {
+        text.push(format!("        real(dp), intent(out) :: jacobian({})\n", one.graph.jacobian.len()));
+    }
+    text.push("        integer :: code\n");
+    text.push(temporaries(lines));
+    for field in outputs {
+        text.push(format!("        {} = 0.0_dp\n", name_of(field)));
+    }
+    if with_jacobian {
+        text.push("        jacobian = 0.0_dp\n");
+    }
+    for (position, field) in inputs.iter().enumerate() {
+        text.push(refusal(field, position + 1));
+    }
+    for line in &lines.text {
+        text.push(format!("{line}\n"));
+    }
+    if let Some(refusal) = one.graph.refusal {
+        let found = body.text(lines, refusal);
+        text.push(format!("        code = {} + nint({found})\n        if ({found} > 0.0_dp) return\n", inputs.len()));
+    }
+    let mut value = one.graph.value.iter();
+    for field in outputs {
+        for (k, &node) in value.by_ref().take(field.len()).enumerate() {
+            let place = if field.len() == 1 { name_of(field) } else { format!("{}({})", name_of(field), k + 1) };
+            text.push(format!("        {place} = {}\n", body.text(lines, node)));
+        }
+    }
+    if with_jacobian {
+        for (k, row) in one.rows().0 {
+            let entries: Vec<_> = row.iter().map(|&node| body.text(lines, node)).collect();
+            let line = format!("        jacobian({}:{}) = [{}]", k + 1, k + row.len(), entries.join(", "));
+            text.push(folded(&line, " &").join("\n") + "\n");
+        }
+    }
+    text.push(format!("        code = 0\n    end function {name}\n"));
+    text.finished()
+}
+
+fn refusal(field: &Field, code: usize) -> String {
+    let name = name_of(field);
+    let mut conditions = vec![format!("abs({name}) <= huge(0.0_dp)")];
+    let bounds = bounds(field.quantity.domain);
+    conditions.extend(bounds.iter().map(|(relation, bound)| format!("{name} {relation} {}", Fortran.number(*bound))));
+    let condition = conditions.join(" .and. ");
+    let all = if field.len() == 1 { condition } else { format!("all({condition})") };
+    format!("        code = {code}\n        if (.not. ({all})) return\n")
+}
+
+fn part_source(stem: &str, part: &PartLines) -> String {
+    let number = part.number;
+    let given = (part.given > 0).then(|| "given".to_owned());
+    let arguments: Vec<_> =
+        part.inputs.iter().map(|field| name_of(field)).chain(given).chain(["found".into()]).collect();
+    let head = folded(&format!("    subroutine jp_{stem}_part{number}({})", arguments.join(", ")), " &").join("\n");
+    let mut text = Text::from(format!(
+        "! A part of jp_{stem}.f90.\nmodule jp_{stem}_{number}\n    use jp_runtime\n{}    implicit none\n    private\n\
+         \x20   public :: jp_{stem}_part{number}\ncontains\n{head}\n",
+        uses(stem, part.lines.calls.iter())
+    ));
+    part.inputs.iter().for_each(|field| text.push(declared(field, "in")));
+    if part.given > 0 {
+        text.push(format!("        real(dp), intent(in) :: given({})\n", part.given));
+    }
+    text.push(format!("        real(dp), intent(out) :: found({})\n", part.found));
+    text.push(temporaries(&part.lines));
+    text.push(part.lines.text.join("\n"));
+    text.push(format!("\n    end subroutine jp_{stem}_part{number}\nend module jp_{stem}_{number}\n"));
+    text.finished()
 }
 
 fn module(recorded: &[Recorded]) -> String {
@@ -204,53 +276,29 @@ fn module(recorded: &[Recorded]) -> String {
     text.finished()
 }
 
-fn makefile(sources: &[String]) -> String {
-    let objects: Vec<_> = sources.iter().map(|source| source.replace(".f90", ".o")).collect();
-    format!(
-        "FC = gfortran\nFFLAGS = {FLAGS}\nOBJECTS = {}\n\n\
-         driver: jp_runtime.o $(OBJECTS) jointproof.o driver.o\n\t$(FC) -o $@ $^\n\n\
-         $(OBJECTS): jp_runtime.o\njointproof.o: $(OBJECTS)\ndriver.o: jointproof.o\n\n\
-         %.o: %.f90\n\t$(FC) $(FFLAGS) -c $<\n\nclean:\n\trm -f *.o *.mod driver\n",
-        objects.join(" \\\n    ")
-    )
-}
-
-fn driver(recorded: &[Recorded]) -> String {
-    let mut text = Text::from(
-        "! Evaluates every formula at the points of points.bin, and writes found.bin.\nprogram driver\n\
-         \x20   use jointproof\n    use jp_runtime, only: dp\n    use iso_fortran_env, only: int64\n    implicit none\n\
-         \x20   integer(int64) :: left\n    integer :: code\n\
-         \x20   open (10, file='points.bin', access='stream', form='unformatted', status='old')\n\
-         \x20   open (11, file='found.bin', access='stream', form='unformatted', status='replace')\n",
-    );
-    for one in recorded {
-        text.push(format!("    call run_{}()\n", stem(one)));
+fn makefile(formulas: &[Vec<File>], drivers: &[File]) -> String {
+    let object = |(name, _): &File| name.replace(".f90", ".o");
+    let objects: Vec<_> = formulas.iter().flatten().map(object).collect();
+    let drivers: Vec<_> = drivers.iter().map(object).collect();
+    let mut text = Text::from(format!(
+        "FC = gfortran\nFFLAGS = {FLAGS}\nOBJECTS = {}\nDRIVERS = {}\n\n\
+         driver: jp_runtime.o $(OBJECTS) jointproof.o $(DRIVERS)\n\t$(FC) -o $@ $^\n\n\
+         $(OBJECTS): jp_runtime.o\njointproof.o: $(OBJECTS)\n$(DRIVERS): jointproof.o\n\n",
+        objects.join(" \\\n    "),
+        drivers.join(" ")
+    ));
+    // A formula stands behind its parts, and each part behind those that it calls.
+    for files in formulas {
+        for pair in files[1..].windows(2) {
+            text.push(format!("{}: {}\n", object(&pair[1]), object(&pair[0])));
+        }
+        if let [first, .., last] = files.as_slice() {
+            text.push(format!("{}: {}\n", object(first), object(last)));
+        }
     }
-    text.push("    close (11)\ncontains\n");
-    for one in recorded {
-        let (inputs, outputs) = (one.formula.inputs(), one.formula.outputs());
-        let passed = |fields: &[Field], array: &str| {
-            let mut from = 0;
-            let arguments = fields.iter().map(|field| {
-                let start = from + 1;
-                from += field.len();
-                if field.len() == 1 { format!("{array}({start})") } else { format!("{array}({start}:{from})") }
-            });
-            arguments.collect::<Vec<_>>()
-        };
-        let count = |fields: &[Field]| fields.iter().map(Field::len).sum::<usize>();
-        let arguments = [passed(inputs, "x"), passed(outputs, "y"), vec!["jacobian".into()]].concat();
-        let [n, m, entries] = [count(inputs), count(outputs), one.graph.jacobian.len()];
-        let name = stem(one);
-        text.push(format!(
-            "    subroutine run_{name}()\n        real(dp) :: x({n}), y({m}), jacobian({entries})\n\
-             \x20       read (10) left\n        do while (left > 0)\n            read (10) x\n\
-             \x20           code = jp_{name}_jacobian( &\n                {})\n\
-             \x20           write (11) real(code, dp), y, jacobian\n            left = left - 1\n        end do\n\
-             \x20   end subroutine run_{name}\n",
-            arguments.join(", &\n                ")
-        ));
+    for pair in drivers.windows(2) {
+        text.push(format!("{}: {}\n", pair[1], pair[0]));
     }
-    text.push("end program driver\n");
+    text.push("\n%.o: %.f90\n\t$(FC) $(FFLAGS) -c $<\n\nclean:\n\trm -f *.o *.mod driver\n");
     text.finished()
 }

@@ -1,11 +1,11 @@
 //! JavaScript, as ES modules.
 
 use super::c::{Names, common, exact_sum, signed};
-use super::language::{Language, Operand, Toolchain};
-use super::program::Body;
+use super::language::{File, Language, Operand, Toolchain, files_of};
+use super::program::{Body, Lines, PartLines, folded};
 use super::recorded::{Recorded, Text, bounds, description, stem};
 use jointproof::formula::Field;
-use jointproof::graph::{Op, Unary};
+use jointproof::graph::{Node, Op, Unary};
 
 pub(super) struct JavaScript;
 
@@ -41,13 +41,21 @@ fn camel_case(name: &str) -> String {
 }
 
 impl Language for JavaScript {
-    fn files(&self, recorded: &[Recorded]) -> Vec<(String, String)> {
+    fn files(&self, recorded: &[Recorded]) -> Vec<File> {
         let mut files = vec![
             ("jp_runtime.mjs".to_owned(), RUNTIME.to_owned()),
             ("jointproof.mjs".to_owned(), index(recorded)),
             ("driver.mjs".to_owned(), driver(recorded)),
         ];
-        files.extend(recorded.iter().map(|one| (format!("jp_{}.mjs", stem(one)), self.source(one))));
+        files.extend(recorded.iter().flat_map(|one| files_of(self, one)));
+        files
+    }
+
+    fn formula(&self, one: &Recorded, limit: usize) -> Vec<File> {
+        let stem = stem(one);
+        let (source, parts) = source(one, limit);
+        let mut files = vec![(format!("jp_{stem}.mjs"), source)];
+        files.extend(parts.iter().map(|part| (format!("jp_{stem}_part{}.mjs", part.number), part_source(&stem, part))));
         files
     }
 
@@ -88,47 +96,95 @@ impl Language for JavaScript {
         format!("{name} = {value};")
     }
 
+    fn element(&self, array: &str, k: usize, _: bool) -> String {
+        format!("{array}[{k}]")
+    }
+
+    fn call(&self, _: &str, part: usize, _: &[&Field], given: &[String], found: (&str, usize)) -> String {
+        format!("const {} = part{part}(i, [{}]);", found.0, given.join(", "))
+    }
+
     fn choose(&self, condition: &str) -> [String; 3] {
         [format!("if ({condition}) {{"), "} else {".into(), "}".into()]
     }
 }
 
-impl JavaScript {
-    pub(super) fn source(&self, one: &Recorded) -> String {
-        let lines: Vec<_> = description(one).iter().map(|line| format!("// {line}").trim_end().to_owned()).collect();
-        let mut text = Text::from(lines.join("\n"));
-        text.push("\nimport { exactSum, multiplyAdd, nearestPlace, norm2, norm3, norm4, powerOfTwo } from './jp_runtime.mjs';\n\n");
-        text.push("export const inputs = [\n");
-        for field in one.formula.inputs() {
-            let bounds: Vec<_> = bounds(field.quantity.domain)
-                .iter()
-                .map(|(relation, bound)| format!("(x) => x {relation} {}", self.number(*bound)))
-                .collect();
-            let (name, len) = (field.name, field.len());
-            text.push(format!("    {{ name: '{name}', length: {len}, allowed: [{}] }},\n", bounds.join(", ")));
-        }
-        text.push("];\n\nexport const outputs = [\n");
-        for field in one.formula.outputs() {
-            text.push(format!("    {{ name: '{}', length: {} }},\n", field.name, field.len()));
-        }
-        text.push("];\n");
-        let body = Body { language: self, graph: &one.graph, inputs: one.formula.inputs() };
-        for (name, with_jacobian) in [("value", false), ("jacobian", true)] {
-            let results = [one.graph.value.as_slice(), if with_jacobian { &one.graph.jacobian } else { &[] }].concat();
-            let lines = body.lines(&results, 1).text.join("\n");
-            let list = |nodes: &[_]| {
-                let entries: Vec<_> = nodes.iter().map(|&node| format!("        {},\n", body.text(node))).collect();
-                format!("[\n{}    ]", entries.concat())
-            };
-            let jacobian =
-                if with_jacobian { format!(", jacobian: {}", list(&one.graph.jacobian)) } else { String::new() };
-            let value = list(&one.graph.value);
-            text.push(format!(
-                "\nexport function {name}(i) {{\n{lines}\n    return {{ value: {value}{jacobian} }};\n}}\n"
-            ));
-        }
-        text.finished()
+/// The text of a formula's module, and the parts that its functions call.
+pub(super) fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
+    let stem = stem(one);
+    let body =
+        Body { language: &JavaScript, graph: &one.graph, inputs: one.formula.inputs(), names: &one.names, stem: &stem };
+    let mut parts = Vec::new();
+    let functions = [false, true].map(|with_jacobian| {
+        let (lines, more) = body.program(&one.results(with_jacobian), limit, parts.len() + 1);
+        parts.extend(more);
+        (function(one, &body, &lines, with_jacobian), lines.calls)
+    });
+    let lines: Vec<_> = description(one).iter().map(|line| format!("// {line}").trim_end().to_owned()).collect();
+    let mut text = Text::from(lines.join("\n") + "\n");
+    text.push(imports(&stem, functions.iter().flat_map(|(_, calls)| calls)));
+    text.push(fields(one));
+    functions.iter().for_each(|(function, _)| text.push(function));
+    (text.finished(), parts)
+}
+
+fn imports<'a>(stem: &str, parts: impl Iterator<Item = &'a usize>) -> String {
+    let parts = parts.map(|part| format!("import {{ part{part} }} from './jp_{stem}_part{part}.mjs';\n"));
+    "import {\n    exactSum, multiplyAdd, nearestPlace, norm2, norm3, norm4, powerOfTwo,\n} from './jp_runtime.mjs';\n"
+        .to_owned()
+        + &parts.collect::<String>()
+}
+
+/// Inputs and outputs, and why inputs are refused that are allowed each for itself.
+fn fields(one: &Recorded) -> String {
+    let mut text = Text::from("\nexport const inputs = [\n");
+    for field in one.formula.inputs() {
+        let bounds = bounds(field.quantity.domain);
+        let bounds =
+            bounds.iter().map(|(relation, bound)| format!("(x) => x {relation} {}", JavaScript.number(*bound)));
+        let (name, len) = (field.name, field.len());
+        let bounds: Vec<_> = bounds.collect();
+        text.push(format!("    {{ name: '{name}', length: {len}, allowed: [{}] }},\n", bounds.join(", ")));
     }
+    text.push("];\n\nexport const outputs = [\n");
+    for field in one.formula.outputs() {
+        text.push(format!("    {{ name: '{}', length: {} }},\n", field.name, field.len()));
+    }
+    text.push("];\n\n// What inputs must be beside that.\nexport const required = [\n");
+    for error in &one.graph.refusals {
+        text.push(format!("    '{}',\n", error.required()));
+    }
+    text.push("];\n");
+    text.finished()
+}
+
+fn function(one: &Recorded, body: &Body, lines: &Lines, with_jacobian: bool) -> String {
+    let list = |nodes: &[Node]| {
+        let entries: Vec<_> = nodes.iter().map(|&node| body.text(lines, node)).collect();
+        folded(&format!("        {},", entries.join(", ")), "").join("\n")
+    };
+    let (name, jacobian) = if with_jacobian {
+        ("jacobian", format!(", jacobian: [\n{}\n    ]", list(&one.graph.jacobian)))
+    } else {
+        ("value", String::new())
+    };
+    let refusal = one.graph.refusal.map_or_else(|| "0".to_owned(), |node| body.text(lines, node));
+    format!(
+        "\nexport function {name}(i) {{\n{}\n    return {{ refusal: {refusal}, value: [\n{}\n    ]{jacobian} }};\n}}\n",
+        lines.text.join("\n"),
+        list(&one.graph.value)
+    )
+}
+
+fn part_source(stem: &str, part: &PartLines) -> String {
+    let found: Vec<_> = (0..part.found).map(|_| "0").collect();
+    format!(
+        "// A part of jp_{stem}.mjs.\n{}\nexport function part{}(i, given) {{\n{}\n{}\n    return found;\n}}\n",
+        imports(stem, part.lines.calls.iter()),
+        part.number,
+        folded(&format!("    const found = [{}];", found.join(", ")), "").join("\n"),
+        part.lines.text.join("\n")
+    )
 }
 
 fn index(recorded: &[Recorded]) -> String {

@@ -18,10 +18,27 @@ pub(super) struct Toolchain {
     pub(super) epsilons: f64,
 }
 
+/// A name and a text.
+pub(super) type File = (String, String);
+
+/// No file of a formula has more lines.
+const LONGEST: usize = 400;
+
+/// The files of a formula, its functions in parts where they are too long for one.
+pub(super) fn files_of(language: &dyn Language, one: &Recorded) -> Vec<File> {
+    let limits = [usize::MAX, 100, 60, 30, 15, 5];
+    let is_short = |files: &Vec<File>| files.iter().all(|(_, text)| text.lines().count() <= LONGEST);
+    let mut files = limits.into_iter().map(|limit| language.formula(one, limit));
+    files.find(is_short).unwrap_or_else(|| language.formula(one, limits[limits.len() - 1]))
+}
+
 /// A language to print in.
 pub(super) trait Language {
     /// All files of an export, by their names.
-    fn files(&self, recorded: &[Recorded]) -> Vec<(String, String)>;
+    fn files(&self, recorded: &[Recorded]) -> Vec<File>;
+
+    /// The files of one formula, the first of them with functions of about so many lines at most.
+    fn formula(&self, one: &Recorded, limit: usize) -> Vec<File>;
 
     /// What can build and run them.
     fn toolchains(&self) -> Vec<Toolchain>;
@@ -43,6 +60,22 @@ pub(super) trait Language {
 
     /// One of them is set.
     fn assign(&self, name: &str, value: &str) -> String;
+
+    /// How far the body of a function is indented, in steps.
+    fn indent(&self) -> usize {
+        1
+    }
+
+    /// An element of an array; as an answer, if it stands for one.
+    fn element(&self, array: &str, k: usize, is_answer: bool) -> String;
+
+    /// What stands for a result among numbers.
+    fn as_number(&self, text: &str, _is_answer: bool) -> String {
+        text.to_owned()
+    }
+
+    /// A part of a function is done: it takes inputs and other results, and gives an array.
+    fn call(&self, stem: &str, part: usize, inputs: &[&Field], given: &[String], found: (&str, usize)) -> String;
 
     /// What a line ends with that goes on in the next.
     fn goes_on(&self) -> &'static str {

@@ -5,6 +5,8 @@ mod check;
 mod fortran;
 mod javascript;
 mod language;
+mod names;
+mod outline;
 mod points;
 mod program;
 mod recorded;
@@ -67,7 +69,7 @@ impl Name {
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     let formulas = arguments.selection.formulas(project)?;
-    let (recorded, refused) = record(&formulas);
+    let (recorded, refused) = record(&formulas, Some(&project.golden()));
     let language = arguments.lang.language();
     std::fs::create_dir_all(&arguments.out)?;
     let mut lines = 0;
@@ -97,5 +99,5 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
 #[cfg(test)]
 pub(crate) fn files_in(lang: &str, formulas: &[&'static dyn jointproof::catalog::AnyFormula]) -> Vec<(String, String)> {
     let name = <Name as clap::ValueEnum>::from_str(lang, false).expect("a language is named");
-    name.language().files(&record(formulas).0)
+    name.language().files(&record(formulas, None).0)
 }

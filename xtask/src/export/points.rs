@@ -1,27 +1,41 @@
 //! The points at which an export is compared, and what Rust finds there.
 
 use super::recorded::Recorded;
-use jointproof::catalog::AnyFormula;
+use jointproof::Error;
 use jointproof::formula::Field;
 use jointproof::measure::Options;
 use jointproof::verify::golden::components;
 
-/// A point of a formula, and value and Jacobian there; `None` where the inputs are refused.
+/// A point of a formula, and what Rust says of it.
 pub(super) struct Point {
     pub(super) name: String,
     pub(super) inputs: Vec<f64>,
-    pub(super) results: Option<Vec<f64>>,
+    pub(super) expected: Expected,
+}
+
+/// What Rust says of a point.
+pub(super) enum Expected {
+    /// Value and Jacobian.
+    Results(Vec<f64>),
+    /// Inputs are refused by this code.
+    Refused(usize),
+    /// Results that are too large for doubles, which a program in another language does not look for.
+    TooLarge,
 }
 
 /// The points of every formula: all golden cases, valid or not, and random ones.
 pub(super) fn all(recorded: &[Recorded], samples: usize) -> Vec<Vec<Point>> {
-    recorded.iter().map(|one| of(one.formula, samples)).collect()
+    recorded.iter().map(|one| of(one, samples)).collect()
 }
 
-fn of(formula: &'static dyn AnyFormula, samples: usize) -> Vec<Point> {
+fn of(one: &Recorded, samples: usize) -> Vec<Point> {
+    let formula = one.formula;
     let point = |name, inputs: Vec<f64>| {
-        let results = formula.value_and_jacobian(&inputs).ok();
-        Point { name, results: results.map(|(value, jacobian)| [value, jacobian].concat()), inputs }
+        let expected = match formula.value_and_jacobian(&inputs) {
+            Ok((value, jacobian)) => Expected::Results([value, jacobian].concat()),
+            Err(error) => code(one, &error).map_or(Expected::TooLarge, Expected::Refused),
+        };
+        Point { name, expected, inputs }
     };
     let cases = formula.golden().cases;
     let cases = cases.into_iter().filter_map(|case| {
@@ -33,4 +47,18 @@ fn of(formula: &'static dyn AnyFormula, samples: usize) -> Vec<Point> {
     let count = formula.inputs().iter().map(Field::len).sum();
     let random = random.chunks(count).enumerate().map(|(k, inputs)| point(format!("random {k}"), inputs.to_vec()));
     cases.chain(random).collect()
+}
+
+/// The code by which an error is told: the position of the input, or of what is required behind all inputs.
+fn code(one: &Recorded, error: &Error) -> Option<usize> {
+    let inputs = one.formula.inputs();
+    let together = || one.graph.refusals.iter().position(|known| known.is_alike(error)).map(|k| inputs.len() + k + 1);
+    match error {
+        Error::NonFinite { name, .. } | Error::OutOfRange { name, .. } => {
+            let alone = inputs.iter().position(|field| field.name == name.field).map(|k| k + 1);
+            // A radius that is negative is in the domain of a coordinate.
+            together().or(alone)
+        }
+        _ => together(),
+    }
 }

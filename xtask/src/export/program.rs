@@ -1,38 +1,98 @@
 //! The body of a function: the statements of a graph in a language.
 
 use super::language::Language;
+use super::outline::{Outline, Part, Step};
 use jointproof::formula::Field;
-use jointproof::graph::{Graph, Node, Op, Statement};
-
-/// What is printed, and the temporaries in it.
-#[derive(Default)]
-pub(super) struct Lines {
-    pub(super) text: Vec<String>,
-    pub(super) numbers: Vec<String>,
-    pub(super) answers: Vec<String>,
-}
+use jointproof::graph::{Graph, Node, Op};
+use std::collections::{BTreeSet, HashMap};
 
 /// A function's body for some results of a graph.
 pub(super) struct Body<'a> {
     pub(super) language: &'a dyn Language,
     pub(super) graph: &'a Graph,
     pub(super) inputs: &'static [Field],
+    /// Results that are called as what they are.
+    pub(super) names: &'a HashMap<Node, String>,
+    /// What the formula is called.
+    pub(super) stem: &'a str,
+}
+
+/// A function that is printed.
+#[derive(Default)]
+pub(super) struct Lines {
+    pub(super) text: Vec<String>,
+    /// Its temporaries.
+    pub(super) numbers: Vec<String>,
+    pub(super) answers: Vec<String>,
+    /// What parts give: the name of an array, and its length.
+    pub(super) arrays: Vec<(String, usize)>,
+    /// The parts that it calls.
+    pub(super) calls: BTreeSet<usize>,
+    /// What results of other functions are called.
+    called: HashMap<Node, String>,
+}
+
+/// A part of a function.
+pub(super) struct PartLines {
+    pub(super) number: usize,
+    /// The inputs that it takes.
+    pub(super) inputs: Vec<&'static Field>,
+    /// How many results it is given, and how many it gives.
+    pub(super) given: usize,
+    pub(super) found: usize,
+    pub(super) lines: Lines,
 }
 
 impl Body<'_> {
-    /// The lines that compute these results, from an indentation on.
-    pub(super) fn lines(&self, results: &[Node], indent: usize) -> Lines {
-        let mut printed = Printed { body: self, lines: Lines::default() };
-        printed.block(&self.graph.statements(results), indent);
-        printed.lines
+    /// The lines that compute these results, from an indentation on, about as many as the limit allows, and parts that are
+    /// numbered from the first number on.
+    pub(super) fn program(&self, results: &[Node], limit: usize, first: usize) -> (Lines, Vec<PartLines>) {
+        let outline = Outline::new(self.graph, results, limit);
+        let parts = outline.parts.iter().enumerate().map(|(k, part)| self.part(&outline, first, (k, part))).collect();
+        let mut main = Printed { body: self, outline: &outline, first, lines: Lines::default() };
+        main.block(&outline.main, self.language.indent());
+        (main.lines, parts)
+    }
+
+    fn part(&self, outline: &Outline, first: usize, (k, part): (usize, &Part)) -> PartLines {
+        let mut printed = Printed { body: self, outline, first, lines: Lines::default() };
+        for (k, &node) in part.given.iter().enumerate() {
+            let text = self.language.element("given", k, self.graph.is_answer(node));
+            printed.lines.called.insert(node, text);
+        }
+        printed.block(&part.steps, self.language.indent());
+        for (k, &node) in part.found.iter().enumerate() {
+            let text = self.language.as_number(&self.text(&printed.lines, node), self.graph.is_answer(node));
+            printed
+                .line(self.language.indent(), &self.language.assign(&self.language.element("found", k, false), &text));
+        }
+        let inputs = self.inputs_of(outline, part);
+        PartLines { number: first + k, inputs, given: part.given.len(), found: part.found.len(), lines: printed.lines }
+    }
+
+    /// The inputs that a part needs.
+    fn inputs_of(&self, outline: &Outline, part: &Part) -> Vec<&'static Field> {
+        let mut used = BTreeSet::new();
+        let mut note = |node: Node| {
+            if let Op::Input(k) = self.graph.op(node) {
+                used.insert(*k);
+            }
+        };
+        outline.walk(&part.steps, &mut note, &mut |_| ());
+        let mut from = 0;
+        let is_used = |field: &&Field| {
+            from += field.len();
+            used.range(from - field.len()..from).next().is_some()
+        };
+        self.inputs.iter().filter(is_used).collect()
     }
 
     /// How a result is called where it is used.
-    pub(super) fn text(&self, node: Node) -> String {
+    pub(super) fn text(&self, lines: &Lines, node: Node) -> String {
         match self.graph.op(node) {
             Op::Input(k) => self.input(*k),
             Op::Number(bits) => self.language.number(f64::from_bits(*bits)),
-            _ => self.name(node),
+            _ => lines.called.get(&node).cloned().unwrap_or_else(|| self.name(node)),
         }
     }
 
@@ -48,50 +108,74 @@ impl Body<'_> {
 
     fn name(&self, node: Node) -> String {
         let letter = if self.graph.is_answer(node) { 'c' } else { 't' };
-        format!("{letter}{}", node.index())
+        self.names.get(&node).cloned().unwrap_or_else(|| format!("{letter}{}", node.index()))
     }
 }
 
 struct Printed<'a> {
     body: &'a Body<'a>,
+    outline: &'a Outline<'a>,
+    first: usize,
     lines: Lines,
 }
 
 impl Printed<'_> {
-    fn block(&mut self, statements: &[Statement], indent: usize) {
-        for statement in statements {
-            match statement {
-                Statement::Compute(node) => self.compute(*node, indent),
-                Statement::Choose { condition, results, yes, no } => {
+    fn block(&mut self, steps: &[Step], indent: usize) {
+        for step in steps {
+            match step {
+                Step::Compute(node) => self.compute(*node, indent),
+                Step::Choose { condition, results, yes, no } => {
                     self.choose(*condition, results, [yes, no], indent);
                 }
+                Step::Call(part) => self.call(*part, indent),
             }
         }
     }
 
+    fn text(&self, node: Node) -> String {
+        self.body.text(&self.lines, node)
+    }
+
     fn compute(&mut self, node: Node, indent: usize) {
         let Body { language, graph, .. } = *self.body;
-        let value = language.operation(graph.op(node), &|operand| self.body.text(operand));
+        let value = language.operation(graph.op(node), &|operand| self.text(operand));
         let name = self.named(node);
         let is_answer = graph.is_answer(node);
         self.line(indent, &language.set(&name, is_answer, &value));
     }
 
-    fn choose(&mut self, condition: Node, results: &[[Node; 3]], sides: [&[Statement]; 2], indent: usize) {
-        let (language, names) = (self.body.language, results.iter().map(|&[select, ..]| self.named(select)));
-        let names: Vec<_> = names.collect();
+    fn choose(&mut self, condition: Node, results: &[[Node; 3]], sides: [&[Step]; 2], indent: usize) {
+        let language = self.body.language;
+        let names: Vec<_> = results.iter().map(|&[select, ..]| self.named(select)).collect();
         for announced in names.iter().filter_map(|name| language.announce(name)) {
             self.line(indent, &announced);
         }
-        let [head, between, end] = language.choose(&self.body.text(condition));
-        for (head, statements, side) in [(head, sides[0], 1), (between, sides[1], 2)] {
+        let [head, between, end] = language.choose(&self.text(condition));
+        for (head, steps, side) in [(head, sides[0], 1), (between, sides[1], 2)] {
             self.line(indent, &head);
-            self.block(statements, indent + 1);
+            self.block(steps, indent + 1);
             for (name, result) in names.iter().zip(results) {
-                self.line(indent + 1, &language.assign(name, &self.body.text(result[side])));
+                self.line(indent + 1, &language.assign(name, &self.text(result[side])));
             }
         }
         self.line(indent, &end);
+    }
+
+    fn call(&mut self, part: usize, indent: usize) {
+        let Body { language, graph, .. } = *self.body;
+        let Part { given, found, .. } = &self.outline.parts[part];
+        let number = self.first + part;
+        let array = format!("part_{number}");
+        let given: Vec<_> =
+            given.iter().map(|&node| language.as_number(&self.text(node), graph.is_answer(node))).collect();
+        let inputs = self.body.inputs_of(self.outline, &self.outline.parts[part]);
+        let call = language.call(self.body.stem, number, &inputs, &given, (&array, found.len()));
+        self.line(indent, &call);
+        for (k, &node) in found.iter().enumerate() {
+            self.lines.called.insert(node, language.element(&array, k, graph.is_answer(node)));
+        }
+        self.lines.arrays.push((array, found.len()));
+        self.lines.calls.insert(number);
     }
 
     fn named(&mut self, node: Node) -> String {
@@ -112,14 +196,14 @@ impl Printed<'_> {
 const WIDTH: usize = 100;
 
 /// A line that is too long, broken between arguments.
-fn folded(line: &str, goes_on: &str) -> Vec<String> {
-    let room = WIDTH - goes_on.len();
-    match line.get(..room).and_then(|start| start.rfind(", ")).filter(|_| line.len() > WIDTH) {
-        None => vec![line.to_owned()],
-        Some(comma) => {
-            let indent = line.len() - line.trim_start().len() + 4;
-            let rest = format!("{}{}", " ".repeat(indent), &line[comma + 2..]);
-            [vec![format!("{},{goes_on}", &line[..comma])], folded(&rest, goes_on)].concat()
-        }
+pub(super) fn folded(line: &str, goes_on: &str) -> Vec<String> {
+    let hanging = " ".repeat(line.len() - line.trim_start().len() + 4);
+    let (mut lines, mut rest) = (Vec::new(), line.to_owned());
+    while rest.chars().count() > WIDTH {
+        let Some(comma) = rest.get(..WIDTH - goes_on.len()).and_then(|start| start.rfind(", ")) else { break };
+        lines.push(format!("{},{goes_on}", &rest[..comma]));
+        rest = format!("{hanging}{}", &rest[comma + 2..]);
     }
+    lines.push(rest);
+    lines
 }

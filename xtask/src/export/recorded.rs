@@ -1,28 +1,77 @@
 //! A formula that is exported, and what every language says of it: names, what it is, and which inputs it refuses.
 
+use super::names;
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
-use jointproof::graph::{Graph, NotRecorded};
+use jointproof::graph::{Graph, Node, NotRecorded};
 use jointproof::quantity::Domain;
+use sha2::{Digest, Sha256};
+use std::collections::HashMap;
+use std::path::Path;
 
 /// A formula that can be exported.
 pub(super) struct Recorded {
     pub(super) formula: &'static dyn AnyFormula,
     pub(super) graph: Graph,
+    /// Temporaries that are results of other formulas, by the names they have there.
+    pub(super) names: HashMap<Node, String>,
+    /// The SHA-256 of the golden file, where there is one.
+    checksum: Option<String>,
 }
 
-/// The graphs of formulas, and those that have none.
+/// The graphs of formulas, and those that have none. The golden files of this folder are told by their checksums.
 pub(super) fn record(
     formulas: &[&'static dyn AnyFormula],
+    golden: Option<&Path>,
 ) -> (Vec<Recorded>, Vec<(&'static dyn AnyFormula, NotRecorded)>) {
     let (mut recorded, mut refused) = (Vec::new(), Vec::new());
     for &formula in formulas {
+        let checksum = golden.and_then(|folder| checksum(&folder.join(format!("{}.json", formula.spec().id))));
         match formula.graph() {
-            Ok(graph) => recorded.push(Recorded { formula, graph }),
+            Ok(graph) => recorded.push(Recorded { formula, graph, names: HashMap::new(), checksum }),
             Err(why) => refused.push((formula, why)),
         }
     }
+    let names: Vec<_> = recorded.iter().map(|one| names::of(one, &recorded)).collect();
+    for (one, names) in recorded.iter_mut().zip(names) {
+        one.names = names;
+    }
     (recorded, refused)
+}
+
+fn checksum(path: &Path) -> Option<String> {
+    let digest = Sha256::digest(std::fs::read(path).ok()?);
+    Some(digest.iter().map(|byte| format!("{byte:02x}")).collect())
+}
+
+impl Recorded {
+    /// What a function computes: first whether inputs are refused.
+    pub(super) fn results(&self, with_jacobian: bool) -> Vec<Node> {
+        let jacobian: &[Node] = if with_jacobian { &self.graph.jacobian } else { &[] };
+        self.graph.refusal.iter().chain(&self.graph.value).chain(jacobian).copied().collect()
+    }
+
+    /// How many entries a row of the Jacobian has.
+    pub(super) fn row(&self) -> usize {
+        self.formula.inputs().iter().map(Field::len).sum()
+    }
+
+    /// The rows of the Jacobian that are written, by their first entry, and whether the rest, all zeros, is written at once.
+    pub(super) fn rows(&self) -> (Vec<(usize, &[Node])>, bool) {
+        let is_zero = |node: &Node| self.graph.constant(*node).is_some_and(|x| x.to_bits() == 0);
+        let (zeros, others): (Vec<_>, Vec<_>) =
+            self.graph.jacobian.chunks(self.row()).enumerate().partition(|(_, row)| row.iter().all(is_zero));
+        (others.into_iter().map(|(k, row)| (k * self.row(), row)).collect(), !zeros.is_empty())
+    }
+}
+
+/// What the return codes mean that refuse inputs, a line each.
+pub(super) fn refusals(one: &Recorded) -> Vec<String> {
+    let inputs = one.formula.inputs();
+    let alone = inputs.iter().map(|field| format!("{}: {}", field.name, field.quantity.domain.allowed()));
+    let together = one.graph.refusals.iter().map(|error| error.required());
+    let lines = alone.chain(together).enumerate();
+    lines.flat_map(|(k, what)| wrapped(&format!("{} unless {what}", k + 1))).collect()
 }
 
 /// `slot_constraint` of `slot.constraint`.
@@ -46,7 +95,8 @@ pub(super) fn description(one: &Recorded) -> Vec<String> {
     lines
         .push(format!("eta <= {} of the value, <= {} of the Jacobian, in units of 2^-53", spec.eta, spec.eta_jacobian));
     lines.extend(one.formula.kinks().iter().flat_map(|kink| wrapped(&format!("kink: {}", kink.condition))));
-    lines.push("Golden cases: golden/".to_owned() + spec.id + ".json of jointproof " + env!("CARGO_PKG_VERSION"));
+    lines.push(format!("Golden cases: golden/{}.json of jointproof {}", spec.id, env!("CARGO_PKG_VERSION")));
+    lines.extend(one.checksum.iter().map(|checksum| format!("SHA-256 {checksum}")));
     lines.push("Printed by jointproof; free of conditions (CC0-1.0).".into());
     lines.iter().map(|line| line.trim_end().to_owned()).collect()
 }

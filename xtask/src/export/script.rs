@@ -1,8 +1,8 @@
 //! The JavaScript of a formula as a classic script. Browsers load no modules from a file, and a book is read from files.
 
 use super::check::{entry, is_near};
-use super::javascript::{EPSILONS, JavaScript, RUNTIME};
-use super::recorded::Recorded;
+use super::javascript::{EPSILONS, RUNTIME, source};
+use super::recorded::{Recorded, record};
 use jointproof::catalog::AnyFormula;
 use jointproof::graph::NotRecorded;
 
@@ -14,20 +14,27 @@ pub(crate) struct Script(Recorded);
 /// # Errors
 /// What in it cannot be written down.
 pub(crate) fn script(formula: &'static dyn AnyFormula) -> Result<Script, NotRecorded> {
-    Ok(Script(Recorded { formula, graph: formula.graph()? }))
+    let (recorded, refused) = record(&[formula], None);
+    let why = |(_, why): (_, NotRecorded)| why;
+    recorded
+        .into_iter()
+        .next()
+        .map(Script)
+        .ok_or_else(|| refused.into_iter().next().map(why).expect("a formula is recorded or not"))
 }
 
 impl Script {
-    /// A function that takes the runtime and gives `inputs`, `outputs` and `jacobian`, which gives the value too: the text
-    /// of the module without the words that only modules have, and without the function for the value alone.
+    /// A function that takes the runtime and gives what the module exports: the text of the module in one part, without the
+    /// words that only modules have, and without the function for the value, which that for the Jacobian gives too.
     pub(crate) fn text(&self) -> String {
-        let module = JavaScript.source(&self.0);
+        let (module, _) = source(&self.0, usize::MAX);
         let (head, rest) = module.split_once("\nexport function value").expect("a module has a function for the value");
         let (_, jacobian) = rest.split_once("\nexport function").expect("a module has a function for the Jacobian");
-        let import = head.lines().find_map(|line| line.strip_prefix("import ")).unwrap_or_default();
-        let imported = import.split_once(" from ").map_or("", |(names, _)| names);
-        let body = classic(&format!("{head}\nfunction{jacobian}"));
-        format!("({imported}) => {{\n{body}\nreturn {{ inputs, outputs, jacobian }};\n}}")
+        let (before, import) = head.split_once("import ").expect("a module imports the runtime");
+        let (imported, import) = import.split_once(" from ").expect("it is imported from a file");
+        let (_, after) = import.split_once(";\n").expect("an import ends");
+        let body = classic(&format!("{before}{after}\nfunction{jacobian}"));
+        format!("({imported}) => {{\n{body}\nreturn {{ inputs, outputs, required, value: jacobian, jacobian }};\n}}")
     }
 
     /// Whether a number is what Rust finds, but for what the functions of the language may differ by.
@@ -49,9 +56,8 @@ pub(crate) fn runtime_script() -> String {
     format!("() => {{\n{}\nreturn {{ {} }};\n}}", classic(RUNTIME), names.join(", "))
 }
 
-/// A module's text without `import` and `export`.
+/// A module's text without `export`.
 fn classic(module: &str) -> String {
-    let lines = module.lines().filter(|line| !line.starts_with("import "));
-    let lines: Vec<_> = lines.map(|line| line.strip_prefix("export ").unwrap_or(line)).collect();
+    let lines: Vec<_> = module.lines().map(|line| line.strip_prefix("export ").unwrap_or(line)).collect();
     lines.join("\n")
 }

@@ -10,9 +10,9 @@ use jointproof::formula::Field;
 use jointproof::verify::golden::{File, Record, components};
 use serde_json::Value;
 
+use super::MARK;
 use super::browser::{self, Browser};
 use super::sizes::{self, Sizes};
-use super::{MARK, is_together};
 use crate::console::count;
 use crate::export::{self, Script};
 use crate::project::Project;
@@ -34,8 +34,8 @@ pub(crate) struct Checked {
     differ: usize,
     near: usize,
     refused: usize,
-    /// Cases whose inputs only Rust refuses, since each is allowed, and not all together.
-    only_in_rust: usize,
+    /// Cases whose inputs are refused since each is allowed, and not all together.
+    together: usize,
     eta: [f64; 2],
     sizes: Sizes,
     /// What is off, the worst first.
@@ -50,7 +50,7 @@ impl Checked {
 
 impl fmt::Display for Checked {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { formulas, cases, chosen, numbers, differ, near, refused, only_in_rust, eta, sizes, off } = self;
+        let Self { formulas, cases, chosen, numbers, differ, near, refused, together, eta, sizes, off } = self;
         write!(
             f,
             "{}: {}, {chosen} of them also from menus; ",
@@ -58,7 +58,7 @@ impl fmt::Display for Checked {
             count(*cases, "golden case")
         )?;
         write!(f, "{} in Chromium, {differ} differ, {near} by its own functions alone; ", count(*numbers, "number"))?;
-        write!(f, "{refused} refused in the same words, {only_in_rust} in Rust alone\n    ")?;
+        write!(f, "{refused} refused in the same words, {together} by what is required of all inputs\n    ")?;
         write!(f, "golden values: η at most {:.2} of its bound, of Jacobians {:.2}; {sizes}", eta[0], eta[1])?;
         off.iter().take(5).try_for_each(|off| write!(f, "\n    {off}"))
     }
@@ -183,8 +183,10 @@ impl One<'_> {
                 let said = error.to_string();
                 if shown.refusal == said {
                     self.checked.refused += 1;
-                } else if is_together(self.formula, point, &error) {
-                    self.checked.only_in_rust += 1;
+                } else if self.are_allowed(point)
+                    && shown.refusal == format!("Refused; required is {}", error.required())
+                {
+                    self.checked.together += 1;
                 } else {
                     self.off(case, &format!("it says {:?}, and Rust {said:?}", shown.refusal));
                 }
@@ -267,6 +269,12 @@ impl One<'_> {
         let of_jacobian =
             entries(&case.jac).into_iter().zip(entries(&case.jac_scale)).map(|(x, scale)| Some((x, scale, false)));
         of_value.chain(of_jacobian).collect()
+    }
+
+    /// Whether every input alone is.
+    fn are_allowed(&self, point: &[f64]) -> bool {
+        let domains = self.formula.inputs().iter().flat_map(|field| vec![field.quantity.domain; field.len()]);
+        point.iter().zip(domains).all(|(x, domain)| x.is_finite() && domain.allows(*x))
     }
 
     fn off(&mut self, case: &Record, what: &str) {

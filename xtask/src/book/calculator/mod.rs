@@ -11,7 +11,6 @@ mod tests;
 
 pub(crate) use check::check;
 
-use jointproof::Error;
 use jointproof::catalog::{AnyFormula, KinkEntry};
 use jointproof::proof::Flag;
 use jointproof::verify::golden::{File, Record, components};
@@ -70,28 +69,10 @@ fn cases(formula: &dyn AnyFormula, golden: &File) -> String {
         let changed: Vec<_> = changed.map(|(k, &x)| format!("{k}: {}", number(x))).collect();
         before.clone_from(&inputs);
         let flag = case.flags.last().map_or("", |flag| flag.name());
-        let comment = comment(formula, case, &inputs);
-        let words = [case.id.as_str(), flag, &comment].map(|word| serde_json::Value::from(word).to_string());
+        let words = [case.id.as_str(), flag, &case.comment].map(|word| serde_json::Value::from(word).to_string());
         format!("[{}, {{ {} }}],\n", words.join(", "), changed.join(", "))
     };
     each(&golden.cases, line)
-}
-
-/// What is said of a case: its comment, and why Rust refuses it if the exported program does not tell.
-fn comment(formula: &dyn AnyFormula, case: &Record, inputs: &[f64]) -> String {
-    match formula.value_and_jacobian(inputs) {
-        Err(error) if is_together(formula, inputs, &error) => {
-            format!("Refused by the library, not by the exported program: {error}")
-        }
-        _ => case.comment.clone(),
-    }
-}
-
-/// Whether inputs are refused though each of them is allowed, which exported programs do not look for.
-fn is_together(formula: &dyn AnyFormula, inputs: &[f64], error: &Error) -> bool {
-    let domains = formula.inputs().iter().flat_map(|field| vec![field.quantity.domain; field.len()]);
-    let is_allowed = inputs.iter().zip(domains).all(|(x, domain)| x.is_finite() && domain.allows(*x));
-    is_allowed && !matches!(error, Error::Overflow { .. } | Error::DerivativeOverflow { .. })
 }
 
 /// A line for a kink: a point on it, a direction across it, and the derivatives of every output on both sides.

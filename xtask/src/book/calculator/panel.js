@@ -135,6 +135,7 @@ class Panel {
             at += length;
         }
         const refused = this.runtime.refused(this.formula, i);
+        if (refused?.position > this.inputs.length) return { refusal: `Refused; required is ${refused.name}` };
         if (refused) return this.refusal(refused.position - 1, i);
         const { value, jacobian } = this.formula.jacobian(i);
         const [m, n] = [this.results.length, this.names.length];

@@ -92,7 +92,7 @@ fn calculators_show_the_numbers_of_rust_and_a_planted_fault_is_named() {
             "x >= -9.0",
             "case mu-negative: it says \"\", and Rust \"mu is -1.0; allowed is a finite",
         ),
-        ("coulomb.return_map.js", "return { value", "console.error('planted'); return { value", "planted"),
+        ("coulomb.return_map.js", "return { refusal", "console.error('planted'); return { refusal", "planted"),
         ("coulomb.return_map.js", "{ 0: 3 }", "{ 0: 3.5 }", "case slip: chosen from the menu, it shows something else"),
         (
             "calculator.css",

@@ -1,15 +1,17 @@
 // What the formulas call: lengths that neither overflow nor underflow, sums of products that lose nothing, the closest
 // place of a curve, a product and a sum rounded once. Printed by jointproof; free of conditions (CC0-1.0).
 
-// The first input that is not finite or not in its domain: its name, and its position from 1.
-export function refused({ inputs }, i) {
+// Why inputs are refused: the name and the position from 1 of the first that is not finite or not in its domain; or what
+// they must be together, by a position behind all inputs.
+export function refused({ inputs, required, value }, i) {
     for (const [k, { name, length, allowed }] of inputs.entries()) {
         const all = length === 1 ? [i[name]] : i[name];
         if (!all.every((x) => Number.isFinite(x) && allowed.every((holds) => holds(x)))) {
             return { name, position: k + 1 };
         }
     }
-    return undefined;
+    const { refusal } = value(i);
+    return refusal > 0 ? { name: required[refusal - 1], position: inputs.length + refusal } : undefined;
 }
 
 // The square root of a sum of squares that is rescaled where it would leave the range of doubles.
