@@ -94,6 +94,10 @@ pub struct KinkEntry {
     pub condition: String,
     /// What is done there.
     pub convention: Convention,
+    /// The components of a point on the kink.
+    pub at: Vec<f64>,
+    /// The components of a direction that crosses it.
+    pub across: Vec<f64>,
     /// For every output component, the derivatives across the kink from below and from above.
     pub one_sided: Vec<[f64; 2]>,
 }
@@ -217,7 +221,8 @@ fn one_sided(subject: &Subject) -> Vec<KinkEntry> {
         };
         let sides = |k: usize| [difference(here[k], below[k]), difference(above[k], here[k])];
         let one_sided = (0..here.len()).map(|k| sides(k).map(|d| (d / step).to_f64())).collect();
-        KinkEntry { condition: kink.condition.clone(), convention: kink.convention, one_sided }
+        let (at, across) = (kink.at.clone(), kink.across.clone());
+        KinkEntry { condition: kink.condition.clone(), convention: kink.convention, at, across, one_sided }
     };
     subject.kinks.iter().map(entry).collect()
 }

@@ -31,6 +31,6 @@ pub(super) fn check_distinct<D: Scalar, const N: usize>(points: [(&'static str, 
 /// Checks that the named points are not left of the axis of revolution.
 #[inline]
 pub(super) fn check_radii<D: Scalar, const N: usize>(points: [(&'static str, Vector2<D>); N]) -> Result<(), Error> {
-    let left = points.iter().find(|(_, x)| !(x.x >= 0.0));
+    let left = points.iter().find(|(_, x)| x.x < 0.0);
     left.map_or(Ok(()), |&(name, x)| Error::check(name, Some(0), x.x.re(), Domain::NonNegative))
 }

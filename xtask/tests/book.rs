@@ -54,6 +54,23 @@ fn every_formula_has_one_anchor_and_its_equation_as_mathml() {
 }
 
 #[test]
+fn every_formula_has_a_calculator_or_says_why_not() {
+    let pages: String = chapters().map(|(_, page)| page).collect();
+    for formula in CATALOG {
+        let id = formula.spec().id;
+        let calculator = format!("<details class=\"calculator\" data-formula=\"{id}\">");
+        if formula.graph().is_ok() {
+            assert_eq!(pages.matches(&calculator).count(), 1, "{id}");
+            let script = fs::read_to_string(BOOK.join(format!("calculator/{id}.js"))).unwrap();
+            assert!(script.contains("\nfunction jacobian(i) {\n"), "{script}");
+        } else {
+            let entry = pages.split(&format!("<h3 id=\"{id}\">")).nth(1).unwrap();
+            assert!(entry.split("</section>").next().unwrap().contains("Not exported, hence no calculator: "), "{id}");
+        }
+    }
+}
+
+#[test]
 fn no_mathematics_is_left_as_latex() {
     for (name, page) in chapters() {
         let shown = shown(&page);
@@ -73,6 +90,11 @@ fn nothing_is_fetched_from_the_network() {
                 assert!(!page.contains(&fetched), "{name} has {fetched}");
             }
         }
+    }
+    // Scripts of calculators name a host only as the namespace of drawings.
+    for (name, script) in files(&BOOK.join("calculator"), &["js"]) {
+        let script = script.replace("http://www.w3.org/2000/svg", "");
+        assert!(!["://", "fetch(", "import("].iter().any(|how| script.contains(how)), "{name}");
     }
     // The script that runs Rust code in a playground is mdBook's own; nothing here may call it.
     for (name, page) in chapters() {

@@ -13,6 +13,7 @@ use mdbook_driver::MDBook;
 use mdbook_driver::builtin_preprocessors::LinkPreprocessor;
 use mdbook_driver::config::Config;
 
+use super::calculator;
 use super::content::Content;
 use super::deferred::Deferred;
 use super::fault::Faults;
@@ -111,6 +112,9 @@ fn finish(theme: &Path, out: &Path, title: &str, content: &Content, later: &Defe
     for golden in &content.golden {
         write(&out.join("golden").join(&golden.name), &golden.bytes)?;
     }
+    for (path, text) in calculator::files(&content.entries) {
+        write(&out.join(path), text.as_bytes())?;
+    }
     let mut faults = Faults::default();
     links::check(out, &mut faults)?;
     Ok(faults.into_result()?)
@@ -127,7 +131,9 @@ fn fill(folder: &Path, to_root: &str, later: &Deferred) -> Result<()> {
             fill(&path, &format!("{to_root}../"), later)?;
         } else if path.extension().is_some_and(|extension| extension == "html") {
             let page = fs::read_to_string(&path)?;
-            write(&path, later.fill(&page.replacen("</head>", &head_end, 1)).as_bytes())?;
+            let page = later.fill(&page);
+            let head_end = calculator::head(&page, to_root) + &head_end;
+            write(&path, page.replacen("</head>", &head_end, 1).as_bytes())?;
         }
     }
     Ok(())

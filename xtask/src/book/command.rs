@@ -1,6 +1,7 @@
 //! `book`: builds the book of a project, and shows it.
 
 use super::build::{Options, Summary, build};
+use super::calculator;
 use super::fault::Faults;
 use super::gather::content;
 use crate::console;
@@ -18,7 +19,8 @@ use std::process::{Command, Stdio};
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   {command} book           build into target/book; open target/book/index.html, no server needed
-  {command} book --open    and show it in the browser")]
+  {command} book --open    and show it in the browser
+  {command} book --check-calculators  and use its calculators in Chromium")]
 pub(crate) struct Arguments {
     /// Show the book in the browser
     #[arg(long)]
@@ -29,6 +31,9 @@ pub(crate) struct Arguments {
     /// Leave speed and error out if no report is kept, and measure nothing
     #[arg(long)]
     unmeasured: bool,
+    /// Use every calculator in a headless Chromium at the inputs of all golden cases, and compare every bit with Rust's
+    #[arg(long)]
+    check_calculators: bool,
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
@@ -45,7 +50,18 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     if arguments.open {
         open(&summary.index)?;
     }
-    Ok(verdict(true))
+    if arguments.check_calculators { check_calculators(project, &summary.index) } else { Ok(verdict(true)) }
+}
+
+fn check_calculators(project: &Project, index: &Path) -> Outcome {
+    let out = index.parent().context("the first page is in a folder")?;
+    let Some(checked) = calculator::check(project, out)? else {
+        console::say("chromium is not here: the calculators are not checked");
+        return Ok(verdict(true));
+    };
+    let head = if checked.is_well() { console::green("ok ") } else { console::red("off") };
+    console::print(&format!("{head} {checked}\n"))?;
+    Ok(verdict(checked.is_well()))
 }
 
 /// Builds the book, and lists all that is wrong with it if it is.

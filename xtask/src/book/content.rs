@@ -77,6 +77,20 @@ pub(crate) struct Entry {
     pub(crate) golden: Option<GoldenCounts>,
     /// What was executed on the formula.
     pub(crate) evidence: Evidence,
+    /// What computes it on its page.
+    pub(crate) calculator: Calculator,
+}
+
+/// What computes a formula in its entry.
+#[derive(Debug, Clone, Default)]
+pub(crate) enum Calculator {
+    /// Nothing.
+    #[default]
+    Absent,
+    /// The script of the formula, with its golden cases and kinks.
+    Script(String),
+    /// Why the formula is not exported.
+    Refused(String),
 }
 
 /// The document an equation was taken from.

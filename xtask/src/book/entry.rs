@@ -1,5 +1,6 @@
 //! One formula's entry: equation, symbols, source, kinks, evidence, golden cases, code and tests.
 
+use super::calculator;
 use super::content::{CodeSpan, Entry, Evidence, GoldenCounts, Kink, Source, Symbol, TestRef};
 use super::html::{each, escape, number, relative};
 use super::pages::{Pages, Place};
@@ -15,13 +16,14 @@ pub(crate) fn entry(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let title = pages.text(at, &entry.title);
     format!(
         "<section class=\"entry\"><h3 id=\"{id}\"><a class=\"header\" href=\"#{id}\">{title}</a> \
-         <code class=\"entry-id\">{id}</code></h3>{}{}{}{}{}<dl class=\"facts\">{}</dl>{}{}{}</section>",
+         <code class=\"entry-id\">{id}</code></h3>{}{}{}{}{}<dl class=\"facts\">{}</dl>{}{}{}{}</section>",
         pages.block_math(at, &entry.latex),
         given(pages, at, entry),
         view(pages, at, "With everything put in", &entry.closed),
         view(pages, at, "Its variation", &entry.variation),
         symbols(pages, at, entry),
         facts(pages, at, entry),
+        pages.later.keep(calculator::folded(entry), ""),
         speed::folded(pages, entry),
         each(&entry.code, |span| code(pages, at, span)),
         tests(pages, at, entry)
@@ -126,7 +128,7 @@ fn kinks(pages: &Pages<'_>, at: &Place, kinks: &[Kink]) -> String {
             pages.text(at, &kink.convention)
         )
     };
-    format!("<ul>{}</ul>", each(kinks, line))
+    format!("<ul class=\"kinks\">{}</ul>", each(kinks, line))
 }
 
 /// How many golden cases there are of each kind, and the file.

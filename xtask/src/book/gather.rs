@@ -1,6 +1,7 @@
 //! Fills the seam from the catalog, the sources, the golden files and what was executed.
 
-use super::content::{self, CodeSpan, Content, Entry, GoldenCounts, GoldenFile, Kink, SourceFile, Symbol};
+use super::calculator;
+use super::content::{self, Calculator, CodeSpan, Content, Entry, GoldenCounts, GoldenFile, Kink, SourceFile, Symbol};
 use super::locate::Index;
 use crate::evidence::Evidence;
 use crate::project::Project;
@@ -12,6 +13,7 @@ use jointproof::formula::{Field, Given, Source};
 use jointproof::proof::Convention;
 use jointproof::quantity::Shape;
 use jointproof::verify::golden::File;
+use rayon::prelude::*;
 use std::path::Path;
 
 /// What the book of a project is made from.
@@ -23,7 +25,11 @@ pub(crate) fn content(project: &Project, report: Option<Report>) -> anyhow::Resu
     sources.sort_by(|a, b| a.path.cmp(&b.path));
     let index = Index::new(&sources);
     let evidence = Evidence::load(project);
-    let entries = project.catalog().iter().map(|formula| entry(project, *formula, &index, &evidence)).collect();
+    let mut entries: Vec<_> =
+        project.catalog().iter().map(|formula| entry(project, *formula, &index, &evidence)).collect();
+    for (entry, calculator) in entries.iter_mut().zip(calculators(project)) {
+        entry.calculator = calculator;
+    }
     let catalog_tests = index.tests_over_catalog();
     let mut golden = Vec::new();
     for formula in project.catalog() {
@@ -57,6 +63,15 @@ fn read_sources(project: &Project, path: &Path, sources: &mut Vec<SourceFile>) -
     Ok(())
 }
 
+/// What computes each formula on its page. To record what formulas do takes a while.
+fn calculators(project: &Project) -> Vec<Calculator> {
+    let of = |formula: &&'static dyn AnyFormula| {
+        let golden = std::fs::read_to_string(project.golden_file(formula.spec().id)).ok();
+        calculator::of(*formula, golden.and_then(|text| File::parse(&text).ok()).as_ref())
+    };
+    project.catalog().par_iter().map(of).collect()
+}
+
 fn entry(project: &Project, formula: &dyn AnyFormula, index: &Index<'_>, evidence: &Evidence) -> Entry {
     let spec = formula.spec();
     let type_name = formula.path().rsplit("::").next().unwrap_or_default();
@@ -82,6 +97,7 @@ fn entry(project: &Project, formula: &dyn AnyFormula, index: &Index<'_>, evidenc
             golden_cases: checked.filter(|check| check.same).map(|check| check.cases),
             audit: evidence.audits.get(spec.id).cloned(),
         },
+        calculator: Calculator::Absent,
     }
 }
 

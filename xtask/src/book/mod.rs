@@ -1,6 +1,7 @@
 //! The book: chapters on disk, entries from the catalog, and listings of the sources.
 
 mod build;
+mod calculator;
 mod command;
 mod content;
 pub(crate) mod coverage;

@@ -8,6 +8,7 @@ use super::program::{Body, Lines, PartLines, folded};
 use super::recorded::{Recorded, Text, bounds, description, refusals, stem, unreserved};
 use jointproof::formula::Field;
 use jointproof::graph::{Binary, Node, Op, Relation, Unary};
+use std::path::Path;
 
 pub(super) struct C;
 
@@ -192,7 +193,7 @@ fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
     let mut text = Text::from(comment(&description(one)));
     let with_parts = if parts.is_empty() { String::new() } else { format!("#include \"jp_{stem}_parts.h\"\n") };
     text.push(format!("#include \"jp_{stem}.h\"\n{with_parts}#include \"jp_runtime.h\"\n"));
-    functions.iter().for_each(|function| text.push(function));
+    text.push_all(functions);
     (text.finished(), parts)
 }
 
@@ -330,7 +331,10 @@ fn part_source(stem: &str, part: &PartLines) -> String {
 
 /// The sources among files.
 fn sources(files: &[File]) -> impl Iterator<Item = &str> {
-    files.iter().map(|(name, _)| name.as_str()).filter(|name| name.ends_with(".c"))
+    files
+        .iter()
+        .map(|(name, _)| name.as_str())
+        .filter(|name| Path::new(name).extension().is_some_and(|extension| extension == "c"))
 }
 
 fn makefile(formulas: &[File], drivers: &[File]) -> String {

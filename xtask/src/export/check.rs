@@ -105,7 +105,7 @@ fn compare(
             let expected = match &point.expected {
                 Expected::TooLarge => continue,
                 Expected::Refused(expected) => {
-                    judged.refusal(one, point, [code, *expected as f64]);
+                    judged.refusal(one, point, [code, f64::from(*expected)]);
                     continue;
                 }
                 Expected::Results(_) if code != 0.0 => {
@@ -134,8 +134,7 @@ impl Judged {
         if found.to_bits() == expected.to_bits() {
             return;
         }
-        let near = f64::EPSILON * toolchain.epsilons * (1.0 + expected.abs());
-        if (found - expected).abs() <= near && has_functions(one) {
+        if is_near(one, toolchain.epsilons, [found, expected]) {
             self.near += 1;
             return;
         }
@@ -163,6 +162,11 @@ fn refusal(code: f64) -> String {
     format!("refuses input {code}, which is valid")
 }
 
+/// Whether a number differs by no more than results may that come through a function of the language, as the sine.
+pub(super) fn is_near(one: &Recorded, epsilons: f64, [found, expected]: [f64; 2]) -> bool {
+    (found - expected).abs() <= f64::EPSILON * epsilons * (1.0 + expected.abs()) && has_functions(one)
+}
+
 /// Whether a formula calls functions that languages round in their own ways.
 fn has_functions(one: &Recorded) -> bool {
     use jointproof::graph::Unary::{ArcSine, Cosine, Exponential, ExponentialMinusOne, Sine};
@@ -174,7 +178,7 @@ fn has_functions(one: &Recorded) -> bool {
 }
 
 /// The name of a component of the value, or of an entry of the Jacobian.
-fn entry(one: &Recorded, k: usize) -> String {
+pub(super) fn entry(one: &Recorded, k: usize) -> String {
     let names = |fields: &[Field]| -> Vec<String> {
         let of = |field: &Field| match field.len() {
             1 => vec![field.name.to_owned()],

@@ -151,18 +151,18 @@ fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
     let lines: Vec<_> = description(one).iter().map(|line| format!("! {line}").trim_end().to_owned()).collect();
     let mut text = Text::from(lines.join("\n"));
     text.push("\n! The functions give 0, or\n");
-    refusals(one).iter().for_each(|line| text.push(format!("! {line}\n")));
+    text.push_all(refusals(one).iter().map(|line| format!("! {line}\n")));
     text.push(format!("module jp_{name}\n    use jp_runtime\n"));
     text.push(uses(&name, functions.iter().flat_map(|(_, calls)| calls)));
     text.push(format!("    implicit none\n    private\n    public :: jp_{name}_value, jp_{name}_jacobian\ncontains\n"));
-    functions.iter().for_each(|(function, _)| text.push(function));
+    text.push_all(functions.iter().map(|(function, _)| function));
     text.push(format!("end module jp_{name}\n"));
     (text.finished(), parts)
 }
 
 /// The modules of parts.
 fn uses<'a>(stem: &str, parts: impl Iterator<Item = &'a usize>) -> String {
-    parts.map(|part| format!("    use jp_{stem}_{part}\n")).collect()
+    parts.map(|part| format!("    use jp_{stem}_{part}\n")).collect::<Vec<_>>().concat()
 }
 
 fn declared(field: &Field, intent: &str) -> String {
@@ -190,8 +190,8 @@ fn function(one: &Recorded, body: &Body, lines: &Lines, with_jacobian: bool) -> 
     let names: Vec<_> = names.chain(with_jacobian.then(|| "jacobian".to_owned())).collect();
     let mut text =
         Text::from(format!("    function {name}( &\n            {}) result(code)\n", names.join(", &\n            ")));
-    inputs.iter().for_each(|field| text.push(declared(field, "in")));
-    outputs.iter().for_each(|field| text.push(declared(field, "out")));
+    text.push_all(inputs.iter().map(|field| declared(field, "in")));
+    text.push_all(outputs.iter().map(|field| declared(field, "out")));
     if with_jacobian {
         text.push(format!("        real(dp), intent(out) :: jacobian({})\n", one.graph.jacobian.len()));
     }
@@ -252,7 +252,7 @@ fn part_source(stem: &str, part: &PartLines) -> String {
          \x20   public :: jp_{stem}_part{number}\ncontains\n{head}\n",
         uses(stem, part.lines.calls.iter())
     ));
-    part.inputs.iter().for_each(|field| text.push(declared(field, "in")));
+    text.push_all(part.inputs.iter().map(|field| declared(field, "in")));
     if part.given > 0 {
         text.push(format!("        real(dp), intent(in) :: given({})\n", part.given));
     }

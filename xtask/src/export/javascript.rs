@@ -9,7 +9,10 @@ use jointproof::graph::{Node, Op, Unary};
 
 pub(super) struct JavaScript;
 
-const RUNTIME: &str = include_str!("runtime/jp_runtime.mjs");
+/// By how much functions such as the sine may differ from Rust's: see [`Toolchain::epsilons`].
+pub(super) const EPSILONS: f64 = 64.0;
+
+pub(super) const RUNTIME: &str = include_str!("runtime/jp_runtime.mjs");
 
 const NAMES: Names = Names {
     unary: |function| match function {
@@ -57,7 +60,7 @@ impl Language for JavaScript {
     }
 
     fn toolchains(&self) -> Vec<Toolchain> {
-        vec![Toolchain { name: "node", commands: vec![vec!["node".into(), "driver.mjs".into()]], epsilons: 64.0 }]
+        vec![Toolchain { name: "node", commands: vec![vec!["node".into(), "driver.mjs".into()]], epsilons: EPSILONS }]
     }
 
     fn number(&self, x: f64) -> String {
@@ -107,7 +110,7 @@ impl Language for JavaScript {
 }
 
 /// The text of a formula's module, and the parts that its functions call.
-fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
+pub(super) fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
     let stem = stem(one);
     let body =
         Body { language: &JavaScript, graph: &one.graph, inputs: one.formula.inputs(), names: &one.names, stem: &stem };
@@ -121,7 +124,7 @@ fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
     let mut text = Text::from(lines.join("\n") + "\n");
     text.push(imports(&stem, functions.iter().flat_map(|(_, calls)| calls)));
     text.push(fields(one));
-    functions.iter().for_each(|(function, _)| text.push(function));
+    text.push_all(functions.iter().map(|(function, _)| function));
     (text.finished(), parts)
 }
 

@@ -10,6 +10,7 @@ mod outline;
 mod points;
 mod program;
 mod recorded;
+mod script;
 mod speed;
 
 use crate::console::{green, print, red, say};
@@ -20,6 +21,7 @@ use crate::selection::Selection;
 use anyhow::ensure;
 use language::Language;
 use recorded::record;
+pub(crate) use script::{Script, runtime_script, script};
 use std::path::PathBuf;
 
 /// Write formulas as programs in C, Fortran or JavaScript
@@ -100,4 +102,11 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         print(&format!("{head} {judged}\n"))?;
     }
     Ok(verdict(well))
+}
+
+/// The files of an export, for tests of what calls it.
+#[cfg(test)]
+pub(crate) fn files_in(lang: &str, formulas: &[&'static dyn jointproof::catalog::AnyFormula]) -> Vec<(String, String)> {
+    let name = <Name as clap::ValueEnum>::from_str(lang, false).expect("a language is named");
+    name.language().files(&record(formulas, None).0)
 }

@@ -1,22 +1,23 @@
 //! Temporaries that are results of other formulas, by the names that they have there.
 
-use super::recorded::Recorded;
+use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
-use jointproof::graph::Node;
+use jointproof::graph::{Graph, Node};
 use std::collections::{HashMap, HashSet};
 
+/// A formula and its graph.
+type Known = (&'static dyn AnyFormula, Graph);
+
 /// The names in one formula, from others that take inputs of the same names.
-pub(super) fn of(one: &Recorded, all: &[Recorded]) -> HashMap<Node, String> {
-    let fields = one.formula.inputs().iter().chain(one.formula.outputs());
+pub(super) fn of((formula, graph): &Known, all: &[Known]) -> HashMap<Node, String> {
+    let fields = formula.inputs().iter().chain(formula.outputs());
     let mut taken: HashSet<_> = fields.map(|field| field.name.to_lowercase()).collect();
     let mut names = HashMap::new();
-    for other in all.iter().filter(|other| other.formula.spec().id != one.formula.spec().id) {
-        let Some(inputs) = positions(other.formula.inputs(), one.formula.inputs()) else { continue };
-        let found = other.graph.value_within(&one.graph, &inputs);
-        for (name, node) in components(other.formula.outputs()).zip(found) {
-            let Some(node) = node.filter(|node| !one.graph.is_atom(*node) && !names.contains_key(node)) else {
-                continue;
-            };
+    for (other, other_graph) in all.iter().filter(|(other, _)| other.spec().id != formula.spec().id) {
+        let Some(inputs) = positions(other.inputs(), formula.inputs()) else { continue };
+        let found = other_graph.value_within(graph, &inputs);
+        for (name, node) in components(other.outputs()).zip(found) {
+            let Some(node) = node.filter(|node| !graph.is_atom(*node) && !names.contains_key(node)) else { continue };
             if taken.insert(name.clone()) {
                 names.insert(node, name);
             }

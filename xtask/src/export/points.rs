@@ -18,7 +18,7 @@ pub(super) enum Expected {
     /// Value and Jacobian.
     Results(Vec<f64>),
     /// Inputs are refused by this code.
-    Refused(usize),
+    Refused(u32),
     /// Results that are too large for doubles, which a program in another language does not look for.
     TooLarge,
 }
@@ -35,7 +35,7 @@ fn of(one: &Recorded, samples: usize) -> Vec<Point> {
             Ok((value, jacobian)) => Expected::Results([value, jacobian].concat()),
             Err(error) => code(one, &error).map_or(Expected::TooLarge, Expected::Refused),
         };
-        Point { name, expected, inputs }
+        Point { name, inputs, expected }
     };
     let cases = formula.golden().cases;
     let cases = cases.into_iter().filter_map(|case| {
@@ -50,15 +50,16 @@ fn of(one: &Recorded, samples: usize) -> Vec<Point> {
 }
 
 /// The code by which an error is told: the position of the input, or of what is required behind all inputs.
-fn code(one: &Recorded, error: &Error) -> Option<usize> {
+fn code(one: &Recorded, error: &Error) -> Option<u32> {
     let inputs = one.formula.inputs();
     let together = || one.graph.refusals.iter().position(|known| known.is_alike(error)).map(|k| inputs.len() + k + 1);
-    match error {
+    let code = match error {
         Error::NonFinite { name, .. } | Error::OutOfRange { name, .. } => {
             let alone = inputs.iter().position(|field| field.name == name.field).map(|k| k + 1);
             // A radius that is negative is in the domain of a coordinate.
             together().or(alone)
         }
         _ => together(),
-    }
+    };
+    code.map(|code| u32::try_from(code).expect("a formula has few inputs"))
 }

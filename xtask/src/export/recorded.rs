@@ -1,6 +1,7 @@
 //! A formula that is exported, and what every language says of it: names, what it is, and which inputs it refuses.
 
 use super::names;
+use jointproof::Error;
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
 use jointproof::graph::{Graph, Node, NotRecorded};
@@ -24,24 +25,24 @@ pub(super) fn record(
     formulas: &[&'static dyn AnyFormula],
     golden: Option<&Path>,
 ) -> (Vec<Recorded>, Vec<(&'static dyn AnyFormula, NotRecorded)>) {
-    let (mut recorded, mut refused) = (Vec::new(), Vec::new());
+    let (mut known, mut refused) = (Vec::new(), Vec::new());
     for &formula in formulas {
-        let checksum = golden.and_then(|folder| checksum(&folder.join(format!("{}.json", formula.spec().id))));
         match formula.graph() {
-            Ok(graph) => recorded.push(Recorded { formula, graph, names: HashMap::new(), checksum }),
+            Ok(graph) => known.push((formula, graph)),
             Err(why) => refused.push((formula, why)),
         }
     }
-    let names: Vec<_> = recorded.iter().map(|one| names::of(one, &recorded)).collect();
-    for (one, names) in recorded.iter_mut().zip(names) {
-        one.names = names;
-    }
-    (recorded, refused)
+    let names: Vec<_> = known.iter().map(|one| names::of(one, &known)).collect();
+    let recorded = known.into_iter().zip(names).map(|((formula, graph), names)| {
+        let checksum = golden.and_then(|folder| checksum(&folder.join(format!("{}.json", formula.spec().id))));
+        Recorded { formula, graph, names, checksum }
+    });
+    (recorded.collect(), refused)
 }
 
 fn checksum(path: &Path) -> Option<String> {
-    let digest = Sha256::digest(std::fs::read(path).ok()?);
-    Some(digest.iter().map(|byte| format!("{byte:02x}")).collect())
+    let digest: Vec<_> = Sha256::digest(std::fs::read(path).ok()?).iter().map(|byte| format!("{byte:02x}")).collect();
+    Some(digest.concat())
 }
 
 impl Recorded {
@@ -69,7 +70,7 @@ impl Recorded {
 pub(super) fn refusals(one: &Recorded) -> Vec<String> {
     let inputs = one.formula.inputs();
     let alone = inputs.iter().map(|field| format!("{}: {}", field.name, field.quantity.domain.allowed()));
-    let together = one.graph.refusals.iter().map(|error| error.required());
+    let together = one.graph.refusals.iter().map(Error::required);
     let lines = alone.chain(together).enumerate();
     lines.flat_map(|(k, what)| wrapped(&format!("{} unless {what}", k + 1))).collect()
 }
@@ -145,6 +146,12 @@ pub(super) struct Text(String);
 impl Text {
     pub(super) fn push(&mut self, text: impl AsRef<str>) {
         self.0.push_str(text.as_ref());
+    }
+
+    pub(super) fn push_all(&mut self, texts: impl IntoIterator<Item = impl AsRef<str>>) {
+        for text in texts {
+            self.push(text);
+        }
     }
 
     pub(super) fn finished(self) -> String {

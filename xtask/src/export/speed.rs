@@ -62,7 +62,8 @@ pub(super) fn compare(project: &Project, folder: &Path, recorded: &[Recorded]) -
     for (id, c, rust) in &rows {
         print(&format!("{id:44} {c:8.1} {rust:10.1} {:7.2}\n", c / rust))?;
     }
-    let mean = (rows.iter().map(|(_, c, rust)| (c / rust).ln()).sum::<f64>() / rows.len() as f64).exp();
+    let power = 1.0 / f64::from(u32::try_from(rows.len())?);
+    let mean: f64 = rows.iter().map(|(_, c, rust)| (c / rust).powf(power)).product();
     let within = rows.iter().filter(|(_, c, rust)| c / rust <= 1.15).count();
     print(&format!("{within} of {} at most 1.15; geometric mean {mean:.2}\n", rows.len()))
 }

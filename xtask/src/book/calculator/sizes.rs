@@ -1,0 +1,64 @@
+//! How much pages load.
+
+use std::fmt;
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context as _, Result};
+use serde_json::Value;
+
+use super::browser::Browser;
+use super::{CASES, FOLDER};
+
+/// What the program and one formula should have together.
+pub(super) const WANTED: u64 = 15_000;
+
+/// Compressed bytes.
+#[derive(Default)]
+pub(super) struct Sizes {
+    /// What a page loads.
+    pub(super) page: u64,
+    /// With what the first calculator that is opened loads beside its formula.
+    pub(super) shared: u64,
+    /// Of the code of every formula, and with the golden cases of its menu.
+    pub(super) all: Vec<([u64; 2], String)>,
+}
+
+impl Sizes {
+    pub(super) fn of(out: &Path, browser: &mut Browser) -> Result<Self> {
+        let read = |name: &str| fs::read_to_string(out.join(FOLDER).join(name));
+        let mut compressed = |text: &str| -> Result<u64> {
+            let size = browser.evaluate(&format!("compressed({})", Value::from(text)))?;
+            size.as_u64().context("the page did not compress")
+        };
+        let mut size = |name: &str| compressed(&read(name)?);
+        let page = size("calculator.js")? + size("calculator.css")?;
+        let shared = page + size("runtime.js")? + size("panel.js")?;
+        let mut all = Vec::new();
+        for entry in fs::read_dir(out.join(FOLDER))? {
+            let name = entry?.file_name().to_string_lossy().into_owned();
+            // Formulas have a dot in their names.
+            if let Some(id) = name.strip_suffix(".js").filter(|id| id.contains('.')) {
+                let text = read(&name)?;
+                let code = text.split(CASES).next().unwrap_or_default();
+                all.push(([compressed(code)?, compressed(&text)?], id.to_owned()));
+            }
+        }
+        all.sort();
+        Ok(Self { page, shared, all })
+    }
+}
+
+impl fmt::Display for Sizes {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { page, shared, all } = self;
+        write!(f, "compressed {page} bytes a page, {shared} with a calculator open")?;
+        let large: Vec<_> = all.iter().filter(|([code, _], _)| shared + code > WANTED).collect();
+        let middle = all.get(all.len() / 2).map_or(0, |([_, whole], _)| shared + whole);
+        write!(f, ", {middle} with a formula and its golden cases in the middle of all;\n    ")?;
+        write!(f, "code with the formula below {WANTED} for {} of {}", all.len() - large.len(), all.len())?;
+        large.iter().try_for_each(|([code, whole], id)| {
+            write!(f, "\n    {id}: {} bytes, {} with golden cases", shared + code, shared + whole)
+        })
+    }
+}

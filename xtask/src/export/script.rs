@@ -1,0 +1,63 @@
+//! The JavaScript of a formula as a classic script. Browsers load no modules from a file, and a book is read from files.
+
+use super::check::{entry, is_near};
+use super::javascript::{EPSILONS, RUNTIME, source};
+use super::recorded::{Recorded, record};
+use jointproof::catalog::AnyFormula;
+use jointproof::graph::NotRecorded;
+
+/// A formula that is printed.
+pub(crate) struct Script(Recorded);
+
+/// The script of a formula.
+///
+/// # Errors
+/// What in it cannot be written down.
+pub(crate) fn script(formula: &'static dyn AnyFormula) -> Result<Script, NotRecorded> {
+    let (recorded, refused) = record(&[formula], None);
+    let why = |(_, why): (_, NotRecorded)| why;
+    recorded
+        .into_iter()
+        .next()
+        .map(Script)
+        .ok_or_else(|| refused.into_iter().next().map(why).expect("a formula is recorded or not"))
+}
+
+impl Script {
+    /// A function that takes the runtime and gives what the module exports: the text of the module in one part, without the
+    /// words that only modules have, and without the function for the value, which that for the Jacobian gives too.
+    pub(crate) fn text(&self) -> String {
+        let (module, _) = source(&self.0, usize::MAX);
+        let (head, rest) = module.split_once("\nexport function value").expect("a module has a function for the value");
+        let (_, jacobian) = rest.split_once("\nexport function").expect("a module has a function for the Jacobian");
+        let (before, import) = head.split_once("import ").expect("a module imports the runtime");
+        let (imported, import) = import.split_once(" from ").expect("it is imported from a file");
+        let (_, after) = import.split_once(";\n").expect("an import ends");
+        let body = classic(&format!("{before}{after}\nfunction{jacobian}"));
+        format!("({imported}) => {{\n{body}\nreturn {{ inputs, outputs, required, value: jacobian, jacobian }};\n}}")
+    }
+
+    /// Whether a number is what Rust finds, but for what the functions of the language may differ by.
+    pub(crate) fn is_near(&self, found: f64, expected: f64) -> bool {
+        is_near(&self.0, EPSILONS, [found, expected])
+    }
+
+    /// The name of a component of the value, or behind these of an entry of the Jacobian.
+    pub(crate) fn entry(&self, k: usize) -> String {
+        entry(&self.0, k)
+    }
+}
+
+/// What formulas call and what refuses inputs, as a function without arguments that gives all of it.
+pub(crate) fn runtime_script() -> String {
+    let exported = RUNTIME.lines().filter_map(|line| line.strip_prefix("export "));
+    let name = |line: &'static str| line.split([' ', '(']).nth(1);
+    let names: Vec<_> = exported.filter_map(name).collect();
+    format!("() => {{\n{}\nreturn {{ {} }};\n}}", classic(RUNTIME), names.join(", "))
+}
+
+/// A module's text without `export`.
+fn classic(module: &str) -> String {
+    let lines: Vec<_> = module.lines().map(|line| line.strip_prefix("export ").unwrap_or(line)).collect();
+    lines.join("\n")
+}
