@@ -219,11 +219,10 @@ impl Graph {
         }
     }
 
-    /// The graph without what no result needs, the rest in the same order.
-    #[must_use]
-    pub(super) fn pruned(&self) -> Self {
+    /// The operations that some results need, in order.
+    pub fn needed(&self, results: &[Node]) -> Vec<Node> {
         let mut needed = vec![false; self.ops.len()];
-        for node in self.refusal.iter().chain(&self.value).chain(&self.jacobian) {
+        for node in results {
             needed[node.index()] = true;
         }
         for k in (0..self.ops.len()).rev() {
@@ -231,15 +230,23 @@ impl Graph {
                 self.ops[k].operands().into_iter().for_each(|node| needed[node.index()] = true);
             }
         }
+        (0..self.ops.len()).filter(|&k| needed[k]).map(Node::at).collect()
+    }
+
+    /// The graph without what no result needs, the rest in the same order.
+    #[must_use]
+    pub(super) fn pruned(&self) -> Self {
+        let results = [self.refusal.as_slice(), &self.value, &self.jacobian].concat();
         let mut pruned = Self::default();
         let mut places = HashMap::new();
-        for (k, op) in self.ops.iter().enumerate().filter(|(k, _)| needed[*k]) {
-            let operands: Vec<_> = op.operands().iter().map(|node| places[&node.index()]).collect();
-            places.insert(k, pruned.enter(op.with_operands(&operands)));
+        for node in self.needed(&results) {
+            let op = self.op(node);
+            let operands: Vec<_> = op.operands().iter().map(|node| places[node]).collect();
+            places.insert(node, pruned.enter(op.with_operands(&operands)));
         }
-        let moved = |nodes: &[Node]| nodes.iter().map(|node| places[&node.index()]).collect();
+        let moved = |nodes: &[Node]| nodes.iter().map(|node| places[node]).collect();
         (pruned.value, pruned.jacobian) = (moved(&self.value), moved(&self.jacobian));
-        pruned.refusal = self.refusal.map(|node| places[&node.index()]);
+        pruned.refusal = self.refusal.map(|node| places[&node]);
         pruned.refusals.clone_from(&self.refusals);
         pruned
     }

@@ -3,7 +3,7 @@
 mod driver;
 pub(super) mod loops;
 
-use super::language::{File, Language, Operand, Toolchain, files_of};
+use super::language::{File, Language, Operand, Syntax, Toolchain, files_of};
 use super::program::{Body, Lines, PartLines, folded};
 use super::recorded::{Recorded, Text, bounds, description, refusals, stem, unreserved};
 use jointproof::formula::Field;
@@ -32,6 +32,12 @@ impl Language for C {
         files
     }
 
+    fn toolchains(&self) -> Vec<Toolchain> {
+        ["gcc", "clang"].map(toolchain).into()
+    }
+}
+
+impl Syntax for C {
     fn formula(&self, one: &Recorded, limit: usize) -> Vec<File> {
         let stem = stem(one);
         let (source, parts) = source(one, limit);
@@ -41,10 +47,6 @@ impl Language for C {
         }
         files.extend(parts.iter().map(|part| (format!("jp_{stem}_part{}.c", part.number), part_source(&stem, part))));
         files
-    }
-
-    fn toolchains(&self) -> Vec<Toolchain> {
-        ["gcc", "clang"].map(toolchain).into()
     }
 
     fn number(&self, x: f64) -> String {

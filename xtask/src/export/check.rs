@@ -3,10 +3,11 @@
 use super::language::{Language, Toolchain};
 use super::points::{Expected, Point};
 use super::recorded::Recorded;
-use crate::console::{count, say};
+use crate::console::{count as counted, say};
 use anyhow::{Context, ensure};
 use jointproof::formula::Field;
 use jointproof::graph::{Binary, Op};
+use std::collections::BTreeMap;
 use std::fmt;
 use std::path::Path;
 use std::process::Command;
@@ -16,8 +17,9 @@ pub(super) struct Judged {
     toolchain: &'static str,
     compared: usize,
     differ: usize,
-    /// Differences within what the functions of the language may have.
-    near: usize,
+    /// Differences within what the functions of the language may have: by formula how many, and the largest, in units of
+    /// the distance from 1 to the next number, or of the number's own where that is larger.
+    near: BTreeMap<&'static str, (usize, f64)>,
     refused: usize,
     worst: Option<String>,
 }
@@ -31,11 +33,15 @@ impl Judged {
 impl fmt::Display for Judged {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { toolchain, compared, differ, near, refused, worst } = self;
-        write!(f, "{toolchain}: {}, {differ} differ", count(*compared, "number"))?;
-        if *near > 0 {
-            write!(f, ", {near} by functions of the language alone")?;
+        write!(f, "{toolchain}: {}, {differ} differ", counted(*compared, "number"))?;
+        let all: usize = near.values().map(|(count, _)| count).sum();
+        if all > 0 {
+            write!(f, ", {all} by functions of the language alone")?;
         }
         write!(f, "; {refused} refused alike")?;
+        for (id, (count, largest)) in near {
+            write!(f, "\n    {id}: {}, by {largest:.1} ulp at most", counted(*count, "number"))?;
+        }
         worst.iter().try_for_each(|worst| write!(f, "\n    {worst}"))
     }
 }
@@ -47,6 +53,7 @@ pub(super) fn all(
     recorded: &[Recorded],
     points: &[Vec<Point>],
 ) -> anyhow::Result<Vec<Judged>> {
+    ensure!(!language.toolchains().is_empty(), "nothing here runs this format: it is read by other tools");
     // The driver is started in the folder, by its whole path.
     let folder = &folder.canonicalize()?;
     write_points(folder, points)?;
@@ -95,7 +102,8 @@ fn compare(
     found: &[u8],
 ) -> anyhow::Result<Judged> {
     let mut found = found.as_chunks::<8>().0.iter().map(|bytes| f64::from_le_bytes(*bytes));
-    let mut judged = Judged { toolchain: toolchain.name, compared: 0, differ: 0, near: 0, refused: 0, worst: None };
+    let mut judged =
+        Judged { toolchain: toolchain.name, compared: 0, differ: 0, near: BTreeMap::new(), refused: 0, worst: None };
     for (one, points) in recorded.iter().zip(points) {
         let numbers = one.graph.value.len() + one.graph.jacobian.len();
         for point in points {
@@ -135,7 +143,9 @@ impl Judged {
             return;
         }
         if is_near(one, toolchain.epsilons, [found, expected]) {
-            self.near += 1;
+            let (count, largest) = self.near.entry(one.formula.spec().id).or_default();
+            *count += 1;
+            *largest = largest.max((found - expected).abs() / (f64::EPSILON * expected.abs().max(1.0)));
             return;
         }
         self.off(one, point, &format!("{}: {found:e}, expected {expected:e}", entry(one, k)));

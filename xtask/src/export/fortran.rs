@@ -3,7 +3,7 @@
 use super::c::{Names, common, exact_sum, signed};
 mod driver;
 
-use super::language::{File, Language, Operand, Toolchain, files_of};
+use super::language::{File, Language, Operand, Syntax, Toolchain, files_of};
 use super::program::{Body, Lines, PartLines, folded};
 use super::recorded::{Recorded, Text, bounds, description, refusals, stem, unreserved};
 use jointproof::formula::Field;
@@ -50,17 +50,19 @@ impl Language for Fortran {
         files
     }
 
+    fn toolchains(&self) -> Vec<Toolchain> {
+        let make = ["make", "--quiet", "--always-make", "-j2", "driver"].map(str::to_owned).to_vec();
+        vec![Toolchain { name: "gfortran", commands: vec![make, vec!["./driver".into()]], epsilons: 0.0 }]
+    }
+}
+
+impl Syntax for Fortran {
     fn formula(&self, one: &Recorded, limit: usize) -> Vec<File> {
         let stem = stem(one);
         let (source, parts) = source(one, limit);
         let mut files = vec![(format!("jp_{stem}.f90"), source)];
         files.extend(parts.iter().map(|part| (format!("jp_{stem}_part{}.f90", part.number), part_source(&stem, part))));
         files
-    }
-
-    fn toolchains(&self) -> Vec<Toolchain> {
-        let make = ["make", "--quiet", "--always-make", "-j2", "driver"].map(str::to_owned).to_vec();
-        vec![Toolchain { name: "gfortran", commands: vec![make, vec!["./driver".into()]], epsilons: 0.0 }]
     }
 
     fn number(&self, x: f64) -> String {

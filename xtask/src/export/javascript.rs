@@ -1,7 +1,7 @@
 //! JavaScript, as ES modules.
 
 use super::c::{Names, common, exact_sum, signed};
-use super::language::{File, Language, Operand, Toolchain, files_of};
+use super::language::{File, Language, Operand, Syntax, Toolchain, files_of};
 use super::program::{Body, Lines, PartLines, folded};
 use super::recorded::{Recorded, Text, bounds, description, stem};
 use jointproof::formula::Field;
@@ -51,16 +51,18 @@ impl Language for JavaScript {
         files
     }
 
+    fn toolchains(&self) -> Vec<Toolchain> {
+        vec![Toolchain { name: "node", commands: vec![vec!["node".into(), "driver.mjs".into()]], epsilons: EPSILONS }]
+    }
+}
+
+impl Syntax for JavaScript {
     fn formula(&self, one: &Recorded, limit: usize) -> Vec<File> {
         let stem = stem(one);
         let (source, parts) = source(one, limit);
         let mut files = vec![(format!("jp_{stem}.mjs"), source)];
         files.extend(parts.iter().map(|part| (format!("jp_{stem}_part{}.mjs", part.number), part_source(&stem, part))));
         files
-    }
-
-    fn toolchains(&self) -> Vec<Toolchain> {
-        vec![Toolchain { name: "node", commands: vec![vec!["node".into(), "driver.mjs".into()]], epsilons: EPSILONS }]
     }
 
     fn number(&self, x: f64) -> String {

@@ -25,7 +25,7 @@ pub(super) type File = (String, String);
 const LONGEST: usize = 400;
 
 /// The files of a formula, its functions in parts where they are too long for one.
-pub(super) fn files_of(language: &dyn Language, one: &Recorded) -> Vec<File> {
+pub(super) fn files_of(language: &dyn Syntax, one: &Recorded) -> Vec<File> {
     let limits = [usize::MAX, 100, 60, 30, 15, 5];
     let is_short = |files: &Vec<File>| files.iter().all(|(_, text)| text.lines().count() <= LONGEST);
     let mut files = limits.into_iter().map(|limit| language.formula(one, limit));
@@ -37,11 +37,19 @@ pub(super) trait Language {
     /// All files of an export, by their names.
     fn files(&self, recorded: &[Recorded]) -> Vec<File>;
 
-    /// The files of one formula, the first of them with functions of about so many lines at most.
-    fn formula(&self, one: &Recorded, limit: usize) -> Vec<File>;
+    /// Why a formula cannot be written in it.
+    fn refuses(&self, _: &Recorded) -> Option<&'static str> {
+        None
+    }
 
     /// What can build and run them.
     fn toolchains(&self) -> Vec<Toolchain>;
+}
+
+/// How a language writes functions of statements.
+pub(super) trait Syntax {
+    /// The files of one formula, the first of them with functions of about so many lines at most.
+    fn formula(&self, one: &Recorded, limit: usize) -> Vec<File>;
 
     /// A constant.
     fn number(&self, x: f64) -> String;

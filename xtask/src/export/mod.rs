@@ -3,9 +3,11 @@
 mod c;
 mod check;
 mod fortran;
+mod fpcore;
 mod javascript;
 mod language;
 mod names;
+mod numpy;
 mod outline;
 mod points;
 mod program;
@@ -24,7 +26,7 @@ use recorded::record;
 pub(crate) use script::{Script, runtime_script, script};
 use std::path::PathBuf;
 
-/// Write formulas as programs in C, Fortran or JavaScript
+/// Write formulas as programs in C, Fortran, JavaScript or NumPy, or as expressions in FPCore
 ///
 /// What is printed is what the formula does in `f64`: the same operations in the same order, with both sides of every choice.
 /// --check compiles it and compares every bit with this program's own. Compile it without fused operations, lest bits change:
@@ -33,7 +35,8 @@ use std::path::PathBuf;
 #[command(after_help = "Examples:
   {command} export --lang c --out jp                      all formulas, a header, a Makefile
   {command} export --lang fortran --out jp --filter '{family}.*'  of one family
-  {command} export --lang js --out jp --check             and compare every bit")]
+  {command} export --lang js --out jp --check             and compare every bit
+  {command} export --lang c --out jp --speed              and take the time, beside Rust's")]
 pub(crate) struct Arguments {
     /// The language
     #[arg(long, value_enum)]
@@ -60,6 +63,10 @@ enum Name {
     Fortran,
     #[value(name = "js")]
     JavaScript,
+    #[value(name = "numpy")]
+    NumPy,
+    #[value(name = "fpcore")]
+    FpCore,
 }
 
 impl Name {
@@ -68,6 +75,8 @@ impl Name {
             Self::C => &c::C,
             Self::Fortran => &fortran::Fortran,
             Self::JavaScript => &javascript::JavaScript,
+            Self::NumPy => &numpy::NumPy,
+            Self::FpCore => &fpcore::FpCore,
         }
     }
 }
@@ -75,15 +84,23 @@ impl Name {
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     let formulas = arguments.selection.formulas(project)?;
     let (recorded, refused) = record(&formulas, Some(&project.golden()));
+    for (formula, why) in &refused {
+        say(&format!("not exported: {}: {why}", formula.spec().id));
+    }
     let language = arguments.lang.language();
+    let mut written = Vec::new();
+    for one in recorded {
+        match language.refuses(&one) {
+            Some(why) => say(&format!("not exported: {}: {why}", one.formula.spec().id)),
+            None => written.push(one),
+        }
+    }
+    let recorded = written;
     std::fs::create_dir_all(&arguments.out)?;
     let mut lines = 0;
     for (name, text) in language.files(&recorded) {
         lines += text.lines().count();
         files::write(&arguments.out.join(name), &text)?;
-    }
-    for (formula, why) in &refused {
-        say(&format!("not exported: {}: {why}", formula.spec().id));
     }
     let folder = arguments.out.display();
     print(&format!("{} of {} formulas, {lines} lines in {folder}\n", recorded.len(), formulas.len()))?;

@@ -1,6 +1,6 @@
 //! The body of a function: the statements of a graph in a language.
 
-use super::language::Language;
+use super::language::Syntax;
 use super::outline::{Outline, Part, Step};
 use jointproof::formula::Field;
 use jointproof::graph::{Graph, Node, Op};
@@ -8,7 +8,7 @@ use std::collections::{BTreeSet, HashMap};
 
 /// A function's body for some results of a graph.
 pub(super) struct Body<'a> {
-    pub(super) language: &'a dyn Language,
+    pub(super) language: &'a dyn Syntax,
     pub(super) graph: &'a Graph,
     pub(super) inputs: &'static [Field],
     /// Results that are called as what they are.

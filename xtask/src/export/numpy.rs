@@ -1,0 +1,196 @@
+//! NumPy: every formula over arrays, both sides of every choice computed.
+
+use super::c::{Names, common, signed};
+use super::language::{File, Language, Toolchain};
+use super::program::folded;
+use super::recorded::{Recorded, Text, bounds, description, refusals, stem, unreserved};
+use jointproof::formula::Field;
+use jointproof::graph::{Node, Op, Unary};
+
+pub(super) struct NumPy;
+
+const RUNTIME: &str = include_str!("runtime/jp_runtime.py");
+const DRIVER: &str = include_str!("runtime/driver.py");
+/// Words of Python, and what the functions themselves need.
+const RESERVED: [&str; 4] = ["lambda", "in", "np", "given"];
+
+const NAMES: Names = Names {
+    unary: |function| match function {
+        Unary::Negative => "-",
+        Unary::Absolute => "np.abs",
+        Unary::Root => "np.sqrt",
+        Unary::Sine => "np.sin",
+        Unary::Cosine => "np.cos",
+        Unary::ArcSine => "np.arcsin",
+        Unary::Exponential => "np.exp",
+        Unary::ExponentialMinusOne => "np.expm1",
+        Unary::PowerOfTwo => "power_of_two",
+    },
+    angle: "np.arctan2",
+    maximum: "np.fmax",
+    multiply_add: "multiply_add",
+    norm: "norm",
+    search: str::to_owned,
+    equal: "==",
+};
+
+impl Language for NumPy {
+    fn files(&self, recorded: &[Recorded]) -> Vec<File> {
+        let mut files = vec![
+            ("jp_runtime.py".to_owned(), RUNTIME.to_owned()),
+            ("jointproof_numpy.py".to_owned(), index(recorded)),
+            ("driver.py".to_owned(), DRIVER.to_owned()),
+        ];
+        files.extend(recorded.iter().map(|one| (format!("jp_{}.py", stem(one)), source(one))));
+        files
+    }
+
+    fn toolchains(&self) -> Vec<Toolchain> {
+        let commands = vec![vec!["python3".to_owned(), "driver.py".to_owned()]];
+        vec![Toolchain { name: "python3", commands, epsilons: 64.0 }]
+    }
+}
+
+fn index(recorded: &[Recorded]) -> String {
+    let mut text = Text::from(
+        "\"\"\"Formulas with their Jacobians over arrays, printed by jointproof from the program that it proves.\n\n\
+         `jacobian(f1, e1a, ...)` of each module gives the components of the value, an array of shape (m, ...), and the\n\
+         Jacobian, of shape (m, n, ...), for inputs that broadcast against each other; a vector has its components along\n\
+         its first axis. `refused(...)` gives 0, or why inputs are refused.\n\"\"\"\n\n",
+    );
+    for one in recorded {
+        text.push(format!("import jp_{0} as {0}\n", stem(one)));
+    }
+    text.push("\nFORMULAS = [\n");
+    for one in recorded {
+        text.push(format!("    {},\n", stem(one)));
+    }
+    text.push("]\n");
+    text.finished()
+}
+
+fn name_of(field: &Field) -> String {
+    unreserved(field.name, &RESERVED)
+}
+
+fn source(one: &Recorded) -> String {
+    let mut text = Text::from(format!("r\"\"\"{}\n\n0 is returned by refused(...), or\n", description(one).join("\n")));
+    text.push_all(refusals(one).iter().map(|line| format!("{line}\n")));
+    text.push(
+        "\"\"\"\n\nimport numpy as np\n\nfrom jp_runtime import (\n    arrays, code, exact_sum, multiply_add, nearest_place, norm2, \
+         norm3, norm4,\n    over_arrays, power_of_two, stacked,\n)\n\n",
+    );
+    let fields = |name: &str, fields: &[Field]| {
+        let fields: Vec<_> = fields.iter().map(|field| format!("    ('{}', {}),\n", field.name, field.len())).collect();
+        format!("{name} = [\n{}]\n", fields.concat())
+    };
+    text.push(fields("INPUTS", one.formula.inputs()));
+    text.push(fields("OUTPUTS", one.formula.outputs()));
+    let graph = &one.graph;
+    text.push(function(one, "value", &[&graph.value]));
+    text.push(function(one, "jacobian", &[&graph.value, &graph.jacobian]));
+    text.push(refused(one));
+    text.finished()
+}
+
+/// A function that gives results, each list of them stacked.
+fn function(one: &Recorded, name: &str, results: &[&[Node]]) -> String {
+    let inputs: Vec<_> = one.formula.inputs().iter().map(name_of).collect();
+    let all = results.concat();
+    let rows = one.graph.value.len();
+    let lists = results.iter().enumerate().map(|(k, nodes)| {
+        let texts: Vec<_> = nodes.iter().map(|&node| text(one, node)).collect();
+        let rows = if k == 0 { String::new() } else { format!(", rows={rows}") };
+        format!("stacked(given, [{}]{rows})", texts.join(", "))
+    });
+    let lists: Vec<_> = lists.collect();
+    format!("{}{}{}\n", head(name, &inputs), lines(one, &all), short(&format!("    return ({})", lists.join(", "))))
+}
+
+/// The head of a function, in which inputs are lists of components.
+fn head(name: &str, inputs: &[String]) -> String {
+    let inputs = inputs.join(", ");
+    let def = short(&format!("def {name}({inputs}):"));
+    format!("\n\n@over_arrays\n{def}\n{}\n", short(&format!("    given = arrays(INPUTS, [{inputs}])")))
+}
+
+fn short(line: &str) -> String {
+    folded(line, "").join("\n")
+}
+
+/// Inputs by their names, and a line for every operation that these results need.
+fn lines(one: &Recorded, results: &[Node]) -> String {
+    let mut lines = Vec::new();
+    for (k, field) in one.formula.inputs().iter().enumerate() {
+        let name = name_of(field);
+        lines.push(if field.len() == 1 {
+            format!("    [{name}] = given[{k}]\n")
+        } else {
+            format!("    {name} = given[{k}]\n")
+        });
+    }
+    for node in one.graph.needed(results) {
+        if !one.graph.is_atom(node) {
+            lines.push(short(&format!("    {} = {}", text(one, node), operation(one, node))) + "\n");
+        }
+    }
+    lines.concat()
+}
+
+/// How a result is called where it is used.
+fn text(one: &Recorded, node: Node) -> String {
+    match one.graph.op(node) {
+        Op::Input(k) => input(one.formula.inputs(), *k),
+        Op::Number(bits) => match f64::from_bits(*bits) {
+            x if x.is_infinite() => {
+                if x > 0.0 {
+                    "np.inf".into()
+                } else {
+                    "(-np.inf)".into()
+                }
+            }
+            x => signed(&format!("{x:?}"), x),
+        },
+        _ => one.names.get(&node).cloned().unwrap_or_else(|| format!("t{}", node.index())),
+    }
+}
+
+fn input(fields: &[Field], mut k: usize) -> String {
+    for field in fields {
+        if k < field.len() {
+            return if field.len() == 1 { name_of(field) } else { format!("{}[{k}]", name_of(field)) };
+        }
+        k -= field.len();
+    }
+    unreachable!("a graph has the inputs of its formula")
+}
+
+fn operation(one: &Recorded, node: Node) -> String {
+    let operand = |node| text(one, node);
+    match one.graph.op(node) {
+        Op::Select(condition, yes, no) => {
+            format!("np.where({}, {}, {})", operand(*condition), operand(*yes), operand(*no))
+        }
+        Op::ExactSum(products) => {
+            let factors: Vec<_> = products.iter().flatten().map(|&factor| operand(factor)).collect();
+            format!("exact_sum({})", factors.join(", "))
+        }
+        op => common(op, &operand, &NAMES),
+    }
+}
+
+fn refused(one: &Recorded) -> String {
+    let inputs: Vec<_> = one.formula.inputs().iter().map(name_of).collect();
+    let bounds = one.formula.inputs().iter().map(|field| {
+        let bounds: Vec<_> = bounds(field.quantity.domain)
+            .iter()
+            .map(|(relation, bound)| format!("lambda x: x {relation} {bound:?}"))
+            .collect();
+        format!("        [{}],\n", bounds.join(", "))
+    });
+    let refusal: Vec<Node> = one.graph.refusal.into_iter().collect();
+    let together = refusal.first().map_or_else(|| "0.0".to_owned(), |&node| text(one, node));
+    let bounds: Vec<_> = bounds.collect();
+    let (head, lines) = (head("refused", &inputs), lines(one, &refusal));
+    format!("{head}{lines}    return code(given, [\n{}    ], {together})\n", bounds.concat())
+}
