@@ -6,10 +6,9 @@ use crate::graph::{self, Graph, NotRecorded};
 #[cfg(feature = "measure")]
 use crate::measure::{self, Measurement};
 use crate::proof::{Convention, Flag, Proved};
-use crate::scalar::{abs, sign};
 use crate::verify::{
-    Audit, Claim, Kink, Options, Printed, Subject, Trial, audit, audit_at, audit_equation, claims_about, exact, golden,
-    kinks_as_printed, number_of,
+    Audit, Claim, Kink, Options, Printed, Sides, Subject, Trial, audit, audit_at, audit_equation, claims_about, golden,
+    kinks_as_printed, number_of, sides,
 };
 use crate::{
     Error, Octuple, align, cardan, coulomb, element, interaction, join, slide_line, slider, slot, translator, ujoint,
@@ -87,15 +86,15 @@ pub trait AnyFormula: Send + Sync {
     fn timing_inputs(&self, options: &measure::Options) -> Vec<f64>;
 }
 
-/// A kink, with the derivatives on both sides.
+/// A kink, with what jumps there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KinkEntry {
     /// The condition, in LaTeX.
     pub condition: String,
     /// What is done there.
     pub convention: Convention,
-    /// For every output component, the derivatives across the kink from below and from above.
-    pub one_sided: Vec<[f64; 2]>,
+    /// What jumps at the point that the register names; `None` where nothing does, which an audit reports.
+    pub sides: Option<Sides>,
 }
 
 impl<F: Proved> AnyFormula for F {
@@ -118,7 +117,13 @@ impl<F: Proved> AnyFormula for F {
         F::laws().into_iter().map(|law| law.statement).collect()
     }
     fn kinks(&self) -> Vec<KinkEntry> {
-        one_sided(&Subject::of::<F>())
+        let subject = Subject::of::<F>();
+        let entry = |kink: &Kink| KinkEntry {
+            condition: kink.condition.clone(),
+            convention: kink.convention,
+            sides: sides(&subject, kink),
+        };
+        subject.kinks.iter().map(entry).collect()
     }
     fn golden(&self) -> golden::File {
         golden::file::<F>()
@@ -199,27 +204,6 @@ fn expect(expected: usize, found: usize) -> Result<(), Error> {
 #[inline]
 fn write<'a>(fields: &impl Fields<f64>, places: &mut impl Iterator<Item = &'a mut f64>) {
     fields.for_each_component(&mut |x| *places.next().expect("a place for every component") = x);
-}
-
-/// One-sided differences in 237 bits, with a step so short that nothing else is near.
-fn one_sided(subject: &Subject) -> Vec<KinkEntry> {
-    let entry = |kink: &Kink| {
-        let (at, across) = (exact(&kink.at), exact(&kink.across));
-        let step = Octuple::from(1e-40);
-        let value = |h: Octuple| {
-            let moved: Vec<_> = at.iter().zip(&across).map(|(&x, &direction)| x + direction * h).collect();
-            (subject.exact_value)(&moved)
-        };
-        let (below, here, above) = (value(-step), value(step * 0.0), value(step));
-        let difference = |to: Octuple, from: Octuple| match kink.convention {
-            Convention::Cut if abs(to - from) > Octuple::PI => to - from - Octuple::PI * sign(to - from) * 2.0,
-            _ => to - from,
-        };
-        let sides = |k: usize| [difference(here[k], below[k]), difference(above[k], here[k])];
-        let one_sided = (0..here.len()).map(|k| sides(k).map(|d| (d / step).to_f64())).collect();
-        KinkEntry { condition: kink.condition.clone(), convention: kink.convention, one_sided }
-    };
-    subject.kinks.iter().map(entry).collect()
 }
 
 /// Every formula.

@@ -20,6 +20,7 @@ mod program;
 mod record;
 mod recorder;
 mod run;
+mod slope;
 mod traced;
 
 pub use node::{Binary, Graph, Node, Op, Relation, Unary};

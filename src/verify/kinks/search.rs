@@ -1,0 +1,174 @@
+//! The search for kinks among the candidates of a formula's graph.
+
+use super::candidate::{Candidate, candidates};
+use super::jump::{Jump, Neighbourhood, SMOOTH};
+use super::register::met;
+use super::solve::Solver;
+use crate::Octuple;
+use crate::graph::{Graph, Op};
+use crate::quantity::Domain;
+use crate::verify::claim::{Claim, Deviation};
+use crate::verify::point::{Names, Point};
+use crate::verify::{Sampler, Subject, golden, rounded};
+use serde::{Deserialize, Serialize};
+
+/// So many points are looked for on every candidate.
+const POINTS: usize = 3;
+/// So many points are tried to find them from.
+const STARTS: usize = 12;
+
+/// What a search for kinks found.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Search {
+    /// Places where the formula might have no derivative: comparisons and guarded zeros of its graph.
+    pub candidates: usize,
+    /// Points that were found on them.
+    pub points: usize,
+    /// Candidates at which nothing jumps.
+    pub smooth: usize,
+    /// Candidates at which a registered kink holds wherever something jumps.
+    pub registered: usize,
+    /// Candidates on which no point was found, in words.
+    pub not_reached: Vec<String>,
+    /// The conditions of the registered kinks that candidates led to.
+    pub found: Vec<String>,
+}
+
+/// Searches a formula, and records in the claim what is not registered.
+pub(in crate::verify) fn search(
+    subject: &Subject,
+    graph: &Graph,
+    names: &Names,
+    points: &[&Point<'_>],
+    claim: &mut Claim,
+) -> Search {
+    let mut search = Search::default();
+    // A kink that is met must be that of the candidate, and not one on which the start was.
+    let starts: Vec<&[f64]> = points.iter().filter(|point| point.kink.is_none()).map(|point| &*point.inputs).collect();
+    let mut looking = Looking { subject, graph, names, directions: Sampler::for_formula(subject.spec.id, 0) };
+    for candidate in candidates(graph, &names.inputs) {
+        search.candidates += 1;
+        let found = looking.points_on(&candidate, &starts);
+        search.points += found.len();
+        if found.is_empty() {
+            search.not_reached.push(candidate.words);
+            continue;
+        }
+        let mut is_smooth = true;
+        for at in &found {
+            let inputs = looking.inputs_of(&candidate);
+            let neighbourhood = Neighbourhood::new(subject, at);
+            let jump = looking.jump(&neighbourhood, &inputs, candidate.pairs.len() > 1);
+            if jump.is_smooth() {
+                claim.record(jump.size, SMOOTH, |size| looking.described(&candidate, at, &inputs, size));
+                continue;
+            }
+            is_smooth = false;
+            let met = met(subject, at);
+            if met.is_empty() {
+                claim.record(jump.size, SMOOTH, |size| looking.described(&candidate, at, &inputs, size));
+            }
+            for condition in met {
+                if !search.found.contains(&condition) {
+                    search.found.push(condition);
+                }
+            }
+        }
+        *(if is_smooth { &mut search.smooth } else { &mut search.registered }) += 1;
+    }
+    search
+}
+
+struct Looking<'a> {
+    subject: &'a Subject,
+    graph: &'a Graph,
+    names: &'a Names,
+    directions: Sampler,
+}
+
+impl Looking<'_> {
+    /// Points of the domain on a candidate, at which the value depends on it.
+    fn points_on(&self, candidate: &Candidate, starts: &[&[f64]]) -> Vec<Vec<Octuple>> {
+        let solver = Solver::new(self.graph, self.subject.inputs, candidate);
+        let of_value = self.graph.needed(&self.graph.value);
+        let is_met = |at: &Vec<Octuple>| {
+            let is_valid = (self.subject.check)(&rounded(at)).is_ok();
+            is_valid && {
+                let all = self.graph.results(at, of_value.iter().copied());
+                self.graph.live(&self.graph.value, &all)[candidate.node.index()]
+            }
+        };
+        let mut found: Vec<Vec<Octuple>> = Vec::new();
+        for start in starts.iter().take(STARTS) {
+            if let Some(at) = solver.near(start).filter(is_met)
+                && !found.contains(&at)
+            {
+                found.push(at);
+            }
+            if found.len() == POINTS {
+                return found;
+            }
+        }
+        if found.is_empty() && candidate.pairs.len() == 1 {
+            found.extend(solver.between(starts).filter(is_met));
+        }
+        found
+    }
+
+    /// The inputs that a candidate depends on.
+    fn inputs_of(&self, candidate: &Candidate) -> Vec<usize> {
+        let inputs = self.graph.needed(&[candidate.node]).into_iter().filter_map(|node| match self.graph.op(node) {
+            Op::Input(k) => Some(*k),
+            _ => None,
+        });
+        inputs.collect()
+    }
+
+    /// The largest jump along directions that no symmetry of the formula has.
+    fn jump(&mut self, neighbourhood: &Neighbourhood<'_>, inputs: &[usize], is_point: bool) -> Jump {
+        let (inner, edge) = neighbourhood.sides(inputs);
+        let [a, b] = [(); 2].map(|()| {
+            let mut direction = vec![0.0; neighbourhood.dimensions()];
+            inner.iter().for_each(|&k| direction[k] = self.directions.number(Domain::Between(-1.0, 1.0)));
+            direction
+        });
+        let mut jump = Jump::none();
+        if !inner.is_empty() {
+            jump = jump.or_larger(neighbourhood.across(&a)).or_larger(neighbourhood.across(&b));
+        }
+        if is_point && inner.len() > 1 {
+            jump = jump.or_larger(neighbourhood.additive([&a, &b]));
+        }
+        for (k, sign) in edge {
+            let inward: Vec<_> = neighbourhood.axis(k).iter().map(|by| by * sign).collect();
+            jump = jump.or_larger(neighbourhood.inward(&inward));
+        }
+        jump
+    }
+
+    /// Where the derivative jumps most, by the input that shows it best.
+    fn described(&self, candidate: &Candidate, at: &[Octuple], inputs: &[usize], size: f64) -> Deviation {
+        let neighbourhood = Neighbourhood::new(self.subject, at);
+        let (inner, edge) = neighbourhood.sides(inputs);
+        let across = inner.iter().map(|&k| (k, neighbourhood.across(&neighbourhood.axis(k))));
+        let inward = edge.iter().map(|&(k, sign)| {
+            let axis: Vec<_> = neighbourhood.axis(k).iter().map(|by| by * sign).collect();
+            (k, neighbourhood.inward(&axis))
+        });
+        let most = across.chain(inward).max_by(|(_, a), (_, b)| a.size.total_cmp(&b.size));
+        let (input, jump) = most.unwrap_or((0, Jump::none()));
+        let [expected, found] = jump.sides.map(|slope| (slope / neighbourhood.unit(input)).to_f64());
+        Deviation {
+            size,
+            entry: names_of(self.names, jump.output, input),
+            point: format!("where {}", candidate.words),
+            found,
+            expected,
+            inputs: golden::named(self.subject.inputs, &rounded(at)).into(),
+        }
+    }
+}
+
+fn names_of(names: &Names, output: usize, input: usize) -> String {
+    names.entry(output * names.inputs.len() + input)
+}
