@@ -12,7 +12,7 @@ fn look() {
         match &a.looked {
             Some(Looked::Graph(s, c)) => {
                 println!("   cand {} points {} smooth {} registered {} notreached {}", s.candidates, s.points, s.smooth, s.registered, s.not_reached.len());
-                for n in &s.not_reached { println!("      NR {n}"); }
+                for n in s.not_reached.iter().take(6) { println!("      NR {n}"); }
                 for k in f.kinks() { if !s.found.contains(&k.condition) { println!("      LOST {}", k.condition); } }
                 println!("   compares {} asked {}", c.comparisons, c.asked);
                 for n in &c.never { println!("      {n}"); }

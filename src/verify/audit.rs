@@ -292,29 +292,25 @@ impl Audit {
                 let describe = |size| point.deviation(size, names.entry(entry), ad[entry].to_f64(), found);
                 self.ad_against_differences.record(relative, bound, describe);
                 if !point.random {
-                    self.check_sides(point, names, entry, scale, attempts.iter().map(|rows| rows.sides_of(output)));
+                    let sides: Vec<_> = attempts.iter().map(|rows| rows.sides_of(output)).collect();
+                    self.check_sides(point, names, entry, scale, &sides);
                 }
             }
         }
     }
 
-    /// At a named point, which may be a special position, the derivatives on both sides are the same. The shortest step
-    /// counts that shows it.
-    fn check_sides(
-        &mut self,
-        point: &Point,
-        names: &Names,
-        entry: usize,
-        scale: Octuple,
-        sides: impl Iterator<Item = [Octuple; 2]>,
-    ) {
-        let relative = |[below, above]: [Octuple; 2]| {
-            let jump = (above - below).abs();
+    /// At a named point, which may be a special position, the derivatives on both sides are the same.
+    fn check_sides(&mut self, point: &Point, names: &Names, entry: usize, scale: Octuple, sides: &[[Octuple; 2]]) {
+        let relative = |[below, above]: &[Octuple; 2]| {
+            let jump = (*above - *below).abs();
             let size = if jump == 0.0 { 0.0 } else { (jump / (scale + below.abs() + above.abs())).to_f64() };
-            (size, [below, above])
+            (size, [*below, *above])
         };
-        let smallest = sides.map(relative).reduce(|best, next| if next.0 < best.0 { next } else { best });
+        let smallest = sides.iter().map(relative).reduce(|best, next| if next.0 < best.0 { next } else { best });
         let Some((size, [below, above])) = smallest else { return };
+        let inputs = point.exact.len();
+        // The steps may be too long for what is near.
+        let size = if size <= SMOOTH { size } else { size.min(kinks::jump(point, entry / inputs, entry % inputs)) };
         let describe = |size| point.deviation(size, names.entry(entry), above.to_f64(), below.to_f64());
         self.kinks.record(size, SMOOTH, describe);
     }

@@ -17,6 +17,7 @@ pub use search::Search;
 
 pub(crate) use register::sides;
 pub(super) use jump::SMOOTH;
+use jump::Neighbourhood;
 pub(super) use register::register;
 
 use super::claim::Claim;
@@ -31,6 +32,13 @@ pub enum Looked {
     Graph(Search, Coverage),
     /// At named points alone, since it has no graph, for this reason.
     NamedPoints(String),
+}
+
+/// By how much the derivative of an output by an input jumps at a point; 0 where only one side is in the domain.
+pub(super) fn jump(point: &Point, output: usize, input: usize) -> f64 {
+    let neighbourhood = Neighbourhood::new(point.subject, &point.exact);
+    let (inner, _) = neighbourhood.sides(&[input]);
+    inner.first().map_or(0.0, |&input| neighbourhood.each_across(&neighbourhood.axis(input))[output].size)
 }
 
 /// Looks for kinks in the graph of a formula, and records in the claim what is not registered.

@@ -1,7 +1,11 @@
 //! The places where a formula may have no derivative: its comparisons and guarded zeros, as its graph has them.
 
 use super::words::Words;
-use crate::graph::{Binary, Graph, Node, Op, Unary};
+use crate::formula::Field;
+use crate::graph::{Binary, Graph, Node, Op, Relation, Unary};
+use crate::quantity::Domain;
+use crate::verify::Subject;
+use crate::verify::point::Names;
 use std::collections::HashSet;
 
 /// What a number is equal to at such a place.
@@ -16,82 +20,146 @@ pub(super) enum Other {
 }
 
 /// A place where a formula may have no derivative.
+#[derive(Clone)]
 pub(super) struct Candidate {
     /// The operation that has none there.
     pub(super) node: Node,
     /// The place in words.
     pub(super) words: String,
-    /// It is where each of these numbers is equal to the other.
+    /// It is where each of these numbers is equal to the other,
     pub(super) pairs: Vec<(Node, Other)>,
+    /// and this one is negative.
+    pub(super) negative: Option<Node>,
 }
 
-/// All candidates of the value of a formula, whose inputs have these names.
-pub(super) fn candidates(graph: &Graph, names: &[String]) -> Vec<Candidate> {
-    let words = Words { graph, names };
+/// All candidates of the value of a formula.
+pub(super) fn candidates(subject: &Subject, graph: &Graph, names: &Names) -> Vec<Candidate> {
+    let is_positive = |field: &Field| matches!(field.quantity.domain, Domain::Positive);
+    let positive = subject.inputs.iter().flat_map(|field| vec![is_positive(field); field.len()]).collect();
+    let seen = Seen { graph, words: Words { graph, names: &names.inputs }, positive };
+    let guards = guards(graph);
     let mut known = HashSet::new();
     let mut all = Vec::new();
     for node in graph.needed(&graph.value) {
-        for (words, pairs) in places(graph, node, &words) {
-            if known.insert(format!("{pairs:?}")) {
-                all.push(Candidate { node, words, pairs });
+        for mut candidate in seen.places(node) {
+            // What is asked only where numbers are equal is at no other place.
+            for guard in guards[node.index()].iter().flat_map(|&guard| seen.places(guard)) {
+                candidate.words += &format!(" and {}", guard.words);
+                candidate.pairs.extend(guard.pairs);
+            }
+            if known.insert(format!("{:?} {:?}", candidate.pairs, candidate.negative)) {
+                all.push(candidate);
             }
         }
     }
     all
 }
 
-/// Where an operation may have no derivative, in words and in pairs of equal numbers.
-fn places(graph: &Graph, node: Node, words: &Words<'_>) -> Vec<(String, Vec<(Node, Other)>)> {
-    let of = |node| words.of(node);
-    let zero = |node: Node| {
-        let pairs = vanish(graph, node).into_iter().map(|node| (node, Other::Number(0.0))).collect();
-        vec![(format!("{} = 0", of(node)), pairs)]
-    };
-    match graph.op(node) {
-        Op::Compare(_, x, y) | Op::Binary(Binary::Maximum, x, y) => match [graph.constant(*x), graph.constant(*y)] {
-            [Some(0.0), _] => zero(*y),
-            [_, Some(0.0)] => zero(*x),
-            [Some(c), _] => vec![(format!("{} = {}", of(*y), of(*x)), vec![(*y, Other::Number(c))])],
-            [_, Some(c)] => vec![(format!("{} = {}", of(*x), of(*y)), vec![(*x, Other::Number(c))])],
-            _ => vec![(format!("{} = {}", of(*x), of(*y)), vec![(*x, Other::Node(*y))])],
-        },
-        Op::Unary(Unary::Absolute | Unary::Root, x) => zero(*x),
-        Op::Norm(_) => zero(node),
-        Op::Unary(Unary::ArcSine, x) => {
-            [1.0, -1.0].map(|c| (format!("{} = {c}", of(*x)), vec![(*x, Other::Number(c))])).into()
+/// Of every operation the equalities without which the value does not depend on it.
+fn guards(graph: &Graph) -> Vec<Vec<Node>> {
+    let mut guards: Vec<Option<Vec<Node>>> = vec![None; graph.ops().len()];
+    graph.value.iter().for_each(|node| guards[node.index()] = Some(Vec::new()));
+    for user in graph.needed(&graph.value).into_iter().rev() {
+        let of_user = guards[user.index()].clone().unwrap_or_default();
+        for (k, operand) in graph.op(user).operands().into_iter().enumerate() {
+            let mut own = of_user.clone();
+            if let (Op::Select(condition, ..), 1) = (graph.op(user), k)
+                && matches!(graph.op(*condition), Op::Compare(Relation::Equal, ..))
+            {
+                own.push(*condition);
+            }
+            let known = &mut guards[operand.index()];
+            *known = Some(match known.take() {
+                Some(known) => known.into_iter().filter(|guard| own.contains(guard)).collect(),
+                None => own,
+            });
         }
-        Op::Unary(Unary::PowerOfTwo, x) => {
-            vec![(format!("{} = a power of two", of(*x)), vec![(*x, Other::PowerOfTwo)])]
-        }
-        Op::Binary(Binary::Angle, y, x) => {
-            let [on_y, on_x] = [*y, *x].map(|node| (node, Other::Number(0.0)));
-            let (y, x) = (of(*y), of(*x));
-            vec![(format!("{y} = {x} = 0"), vec![on_y, on_x]), (format!("{y} = 0, {x} < 0"), vec![on_y])]
-        }
-        _ => Vec::new(),
     }
+    guards.into_iter().map(Option::unwrap_or_default).collect()
 }
 
-/// The results that are all 0 where this one is; a sum of squares is 0 only where every term is.
-fn vanish(graph: &Graph, node: Node) -> Vec<Node> {
-    match graph.op(node) {
-        Op::Norm(parts) => parts.iter().flat_map(|&part| vanish(graph, part)).collect(),
-        Op::Unary(Unary::Absolute | Unary::Root | Unary::Negative, x) => vanish(graph, *x),
-        Op::Binary(Binary::Multiply, x, y) if x == y => vanish(graph, *x),
-        Op::Binary(Binary::Add | Binary::Maximum, x, y) if [*x, *y].iter().all(|&term| is_at_least_zero(graph, term)) => {
-            [*x, *y].iter().flat_map(|&term| vanish(graph, term)).collect()
-        }
-        _ => vec![node],
-    }
+/// A graph, and what is known of its inputs.
+struct Seen<'a> {
+    graph: &'a Graph,
+    words: Words<'a>,
+    positive: Vec<bool>,
 }
 
-/// Whether the operation gives no negative number.
-fn is_at_least_zero(graph: &Graph, node: Node) -> bool {
-    match graph.op(node) {
-        Op::Norm(_) | Op::Unary(Unary::Absolute | Unary::Root, _) => true,
-        Op::Number(bits) => f64::from_bits(*bits) == 0.0,
-        Op::Binary(Binary::Multiply, x, y) => x == y,
-        Op::Binary(Binary::Add | Binary::Maximum, x, y) => [*x, *y].iter().all(|&term| is_at_least_zero(graph, term)),
-        _ => false,
+impl Seen<'_> {
+    /// Where an operation may have no derivative.
+    fn places(&self, node: Node) -> Vec<Candidate> {
+        let of = |node| self.words.of(node);
+        let place = |words: String, pairs| Candidate { node, words, pairs, negative: None };
+        let equal = |x: Node, other: Other, to: &str| vec![place(format!("{} = {to}", of(x)), vec![(x, other)])];
+        let zero = |node: Node| {
+            let pairs = self.vanish(node).into_iter().map(|node| (node, Other::Number(0.0))).collect();
+            vec![place(format!("{} = 0", of(node)), pairs)]
+        };
+        match self.graph.op(node) {
+            Op::Compare(_, x, y) | Op::Binary(Binary::Maximum, x, y) => {
+                match [self.graph.constant(*x), self.graph.constant(*y)] {
+                    // Of finite numbers none is on it.
+                    [Some(c), _] | [_, Some(c)] if c.is_infinite() => Vec::new(),
+                    [Some(0.0), _] => zero(*y),
+                    [_, Some(0.0)] => zero(*x),
+                    [Some(c), _] => equal(*y, Other::Number(c), &of(*x)),
+                    [_, Some(c)] => equal(*x, Other::Number(c), &of(*y)),
+                    _ => equal(*x, Other::Node(*y), &of(*y)),
+                }
+            }
+            Op::Unary(Unary::Absolute | Unary::Root, x) => zero(*x),
+            Op::Norm(_) => zero(node),
+            Op::Unary(Unary::ArcSine, x) => {
+                [1.0, -1.0].into_iter().flat_map(|c| equal(*x, Other::Number(c), &c.to_string())).collect()
+            }
+            Op::Unary(Unary::PowerOfTwo, x) => equal(*x, Other::PowerOfTwo, "a power of two"),
+            Op::Binary(Binary::Angle, y, x) => {
+                let [on_y, on_x] = [*y, *x].map(|node| (node, Other::Number(0.0)));
+                let origin = place(format!("{} = {} = 0", of(*y), of(*x)), vec![on_y, on_x]);
+                let cut = place(format!("{} = 0, {} < 0", of(*y), of(*x)), vec![on_y]);
+                vec![origin, Candidate { negative: Some(*x), ..cut }]
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// The results that are all 0 where this one is; a sum of squares is 0 only where every term is.
+    fn vanish(&self, node: Node) -> Vec<Node> {
+        match self.graph.op(node) {
+            Op::Number(bits) if f64::from_bits(*bits) == 0.0 => Vec::new(),
+            Op::Norm(parts) => parts.iter().flat_map(|&part| self.vanish(part)).collect(),
+            Op::Unary(Unary::Absolute | Unary::Root | Unary::Negative, x) => self.vanish(*x),
+            Op::Binary(Binary::Multiply, x, y) if x == y => self.vanish(*x),
+            Op::Binary(Binary::Divide, x, _) => self.vanish(*x),
+            Op::Binary(Binary::Multiply, x, y) if self.is_factor(*y) => self.vanish(*x),
+            Op::Binary(Binary::Multiply, x, y) if self.is_factor(*x) => self.vanish(*y),
+            Op::Binary(Binary::Add | Binary::Maximum, x, y) if [*x, *y].iter().all(|&term| self.is_size(term)) => {
+                [*x, *y].iter().flat_map(|&term| self.vanish(term)).collect()
+            }
+            _ => vec![node],
+        }
+    }
+
+    /// Whether it is a factor that is never 0: a number, a power of two, an input above 0, or made of these.
+    fn is_factor(&self, node: Node) -> bool {
+        match self.graph.op(node) {
+            Op::Number(bits) => f64::from_bits(*bits) != 0.0,
+            Op::Input(k) => self.positive[*k],
+            Op::Unary(Unary::PowerOfTwo, _) => true,
+            Op::Binary(Binary::Divide | Binary::Multiply, x, y) => self.is_factor(*x) && self.is_factor(*y),
+            _ => false,
+        }
+    }
+
+    /// Whether the operation gives no negative number.
+    fn is_size(&self, node: Node) -> bool {
+        match self.graph.op(node) {
+            Op::Norm(_) | Op::Unary(Unary::Absolute | Unary::Root, _) => true,
+            Op::Number(bits) => f64::from_bits(*bits) >= 0.0,
+            Op::Binary(Binary::Multiply, x, y) => x == y || self.is_size(*x) && self.is_size(*y),
+            Op::Binary(Binary::Add | Binary::Maximum, x, y) => self.is_size(*x) && self.is_size(*y),
+            Op::Input(k) => self.positive[*k],
+            _ => false,
+        }
     }
 }

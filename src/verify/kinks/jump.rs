@@ -11,7 +11,13 @@ use num_traits::{Signed, Zero};
 /// formula is smooth.
 pub(in crate::verify) const SMOOTH: f64 = 1e-12;
 /// Steps of differences, in units of the size of the inputs: a derivative that jumps does so at both.
-const STEPS: [f64; 2] = [1e-30, 1e-36];
+const STEPS: [f64; 2] = [1e-24, 1e-36];
+/// Just beside a point: by so much of the size of an input that is 0, and of one that is not.
+const BESIDE: [f64; 2] = [1e-300, 1e-50];
+/// A step that is nearer.
+const NEARER: f64 = 1e-6;
+/// A value that changes by more than this part over the shorter step jumps.
+const VALUE: f64 = 1e-3;
 
 /// By how much a derivative jumps.
 #[derive(Clone, Copy, Debug)]
@@ -85,9 +91,21 @@ impl<'a> Neighbourhood<'a> {
     }
 
     /// The derivatives along a direction, over a step of this sign and length.
-    pub(super) fn slopes(&self, direction: &[f64], step: f64) -> Vec<Octuple> {
+    fn slopes(&self, direction: &[f64], step: f64) -> Vec<Octuple> {
         let there = (self.subject.exact_value)(&self.moved(direction, step));
         there.iter().zip(&self.here).map(|(&there, &here)| (there - here) / step).collect()
+    }
+
+    /// The derivatives along a direction as the closed form has them just beside the point, on the side of the sign.
+    fn beside(&self, direction: &[f64], part: f64) -> Vec<Octuple> {
+        let step = |x: Octuple| if x.is_zero() { BESIDE[0] } else { BESIDE[1] };
+        let moved = self.at.iter().zip(&self.sizes).zip(direction);
+        let moved: Vec<_> = moved.map(|((&x, &size), &by)| x + size * by * step(x) * part).collect();
+        let along = |row: &[Octuple]| {
+            let terms = row.iter().zip(&self.sizes).zip(direction).filter(|(_, by)| **by != 0.0);
+            terms.fold(Octuple::zero(), |sum, ((&slope, &size), &by)| sum + slope * size * by)
+        };
+        (self.subject.exact_jacobian)(&moved).chunks(self.at.len()).map(along).collect()
     }
 
     /// Of every output, at a step along an input: the value, or the derivative from here to there by the input, or that of
@@ -100,67 +118,87 @@ impl<'a> Neighbourhood<'a> {
             Rank::Value => (self.subject.exact_value)(&self.moved(&axis, step)),
             Rank::Slope => self.slopes(&axis, step).into_iter().map(|slope| slope / unit).collect(),
             Rank::Curvature => {
-                let [here, there] = [self.at.to_vec(), self.moved(&axis, step)].map(|at| (self.subject.exact_jacobian)(&at));
-                of_input(there).zip(of_input(here)).map(|(there, here)| (there - here) / (unit * step)).collect()
+                let entries = |at: &[Octuple]| of_input((self.subject.exact_jacobian)(at));
+                let there = entries(&self.moved(&axis, step));
+                there.zip(entries(self.at)).map(|(there, here)| (there - here) / (unit * step)).collect()
             }
         }
     }
 
     /// The largest jump between the two sides of the point. A side on which there is no value is outside.
     pub(super) fn across(&self, direction: &[f64]) -> Jump {
+        worst(self.each_across(direction))
+    }
+
+    /// As [`across`](Self::across), of every output.
+    pub(super) fn each_across(&self, direction: &[f64]) -> Vec<Jump> {
         let sides = |step: f64| [-step, step].map(|step| self.slopes(direction, step));
         let first = sides(STEPS[0]);
         let is_defined = |side: &Vec<Octuple>| side.iter().all(|slope| !slope.is_nan());
         match first.each_ref().map(is_defined) {
-            [true, true] => self.largest(direction, &first, || sides(STEPS[1])),
-            [false, true] => self.inward(direction),
-            [true, false] => self.inward(&direction.iter().map(|by| -by).collect::<Vec<_>>()),
-            [false, false] => Jump::none(),
+            [true, true] => self.jumps(first, sides, |parts| parts.map(|part| self.beside(direction, part))),
+            [false, true] => self.each_inward(direction),
+            [true, false] => self.each_inward(&direction.iter().map(|by| -by).collect::<Vec<_>>()),
+            [false, false] => vec![Jump::none(); self.here.len()],
         }
     }
 
     /// Whether the derivative into the domain has a limit, where there is no other side.
     pub(super) fn inward(&self, direction: &[f64]) -> Jump {
-        let both = STEPS.map(|step| self.slopes(direction, step));
-        self.largest(direction, &both, || STEPS.map(|step| self.slopes(direction, step * 1e-3)))
+        worst(self.each_inward(direction))
+    }
+
+    fn each_inward(&self, direction: &[f64]) -> Vec<Jump> {
+        let both = |step: f64| [step, step * NEARER].map(|step| self.slopes(direction, step));
+        self.jumps(both(STEPS[0]), both, |_| [1.0, NEARER].map(|part| self.beside(direction, part)))
     }
 
     /// Whether the derivative along the sum of two directions is the sum of their derivatives, as it is where there is
     /// a derivative at all.
     pub(super) fn additive(&self, [a, b]: [&[f64]; 2]) -> Jump {
         let sum: Vec<f64> = a.iter().zip(b).map(|(a, b)| a + b).collect();
-        let both = |step: f64| {
-            let parts = self.slopes(a, step).into_iter().zip(self.slopes(b, step));
-            [parts.map(|(a, b)| a + b).collect(), self.slopes(&sum, step)]
-        };
-        self.largest(&sum, &both(STEPS[0]), || both(STEPS[1]))
+        let add = |a: Vec<Octuple>, b: Vec<Octuple>| a.into_iter().zip(b).map(|(a, b)| a + b).collect();
+        let both = |step: f64| [add(self.slopes(a, step), self.slopes(b, step)), self.slopes(&sum, step)];
+        let beside = |_| [add(self.beside(a, 1.0), self.beside(b, 1.0)), self.beside(&sum, 1.0)];
+        worst(self.jumps(both(STEPS[0]), both, beside))
     }
 
-    /// The largest difference between pairs of numbers, one an output, which others must confirm.
-    fn largest(&self, direction: &[f64], pairs: &[Vec<Octuple>; 2], again: impl Fn() -> [Vec<Octuple>; 2]) -> Jump {
-        let jumps = |[a, b]: &[Vec<Octuple>; 2], terms: &dyn Fn(usize) -> Octuple| -> Vec<f64> {
-            let relative = |output: usize| {
-                let [a, b] = [a[output], b[output]];
-                let scale = a.abs() + b.abs() + self.here[output].abs() + terms(output);
-                let difference = (a - b).abs();
-                if difference.is_zero() { 0.0 } else { (difference / scale).to_f64() }
-            };
-            (0..self.here.len()).map(relative).collect()
+    /// The differences between pairs of derivatives, one an output. Where they differ over the first step they must
+    /// do so over a shorter one and, unless the value itself jumps, just beside the point: of a smooth function the
+    /// difference shrinks with the step.
+    fn jumps(
+        &self,
+        pairs: [Vec<Octuple>; 2],
+        over: impl Fn(f64) -> [Vec<Octuple>; 2],
+        beside: impl Fn([f64; 2]) -> [Vec<Octuple>; 2],
+    ) -> Vec<Jump> {
+        let outputs = 0..self.here.len();
+        let difference = |[a, b]: &[Vec<Octuple>; 2], k: usize| (a[k] - b[k]).abs();
+        let relative = |pairs: &[Vec<Octuple>; 2], k: usize, terms: Octuple| {
+            share(difference(pairs, k), pairs[0][k].abs() + pairs[1][k].abs() + self.here[k].abs() + terms)
         };
-        let first = jumps(pairs, &|_| Octuple::zero());
+        let first: Vec<_> = outputs.clone().map(|k| relative(&pairs, k, Octuple::zero())).collect();
         if first.iter().all(|&size| size <= SMOOTH) {
-            return worst(&first, pairs);
+            return jumps_of(&first, &pairs);
         }
-        let terms = self.terms(direction);
-        let [first, second] = [jumps(pairs, &|k| terms[k]), jumps(&again(), &|k| terms[k])];
-        let confirmed: Vec<_> = first.iter().zip(&second).map(|(a, b)| a.min(*b)).collect();
-        worst(&confirmed, pairs)
+        let (shorter, beside, terms) = (over(STEPS[1]), beside([-1.0, 1.0]), self.terms());
+        let confirmed: Vec<_> = outputs
+            .map(|k| {
+                let size = relative(&pairs, k, terms[k]).min(relative(&shorter, k, terms[k]));
+                let by_value = share(difference(&shorter, k) * STEPS[1], difference(&pairs, k) * STEPS[0]);
+                if by_value > VALUE {
+                    return size;
+                }
+                let lasts = |later: Octuple| if later.is_nan() { 1.0 } else { share(later, difference(&pairs, k)).min(1.0) };
+                size * lasts(difference(&shorter, k)) * lasts(difference(&beside, k))
+            })
+            .collect();
+        jumps_of(&confirmed, &pairs)
     }
 
-    /// The terms that rounding of each output is in proportion to: what every input does to it, beside the point.
-    fn terms(&self, direction: &[f64]) -> Vec<Octuple> {
-        let beside = self.moved(direction, STEPS[0]);
-        let entries = (self.subject.exact_jacobian)(&beside);
+    /// The terms that rounding of each output is in proportion to: what every input does to it.
+    fn terms(&self) -> Vec<Octuple> {
+        let entries = (self.subject.exact_jacobian)(self.at);
         let finite = |x: Octuple| if x.is_finite() { x } else { Octuple::zero() };
         let of_output = |row: &[Octuple]| {
             let terms = row.iter().zip(&self.sizes).map(|(&slope, &size)| finite((slope * size).abs()));
@@ -175,8 +213,17 @@ fn fields(fields: &'static [Field]) -> Vec<&'static Field> {
     fields.iter().flat_map(|field| vec![field; field.len()]).collect()
 }
 
-/// The largest; NaN, which is no derivative at all, is not a jump.
-fn worst(sizes: &[f64], [a, b]: &[Vec<Octuple>; 2]) -> Jump {
+/// A part of something; 0 where there is none.
+fn share(part: Octuple, whole: Octuple) -> f64 {
+    if part.is_zero() { 0.0 } else { (part / whole).to_f64() }
+}
+
+fn jumps_of(sizes: &[f64], [a, b]: &[Vec<Octuple>; 2]) -> Vec<Jump> {
     let jump = |(output, &size): (usize, &f64)| Jump { size, output, sides: [a[output], b[output]] };
-    sizes.iter().enumerate().map(jump).fold(Jump::none(), Jump::or_larger)
+    sizes.iter().enumerate().map(jump).collect()
+}
+
+/// The largest; NaN, which is no derivative at all, is not a jump.
+fn worst(jumps: Vec<Jump>) -> Jump {
+    jumps.into_iter().fold(Jump::none(), Jump::or_larger)
 }

@@ -7,23 +7,48 @@ use crate::verify::point::Names;
 use crate::verify::{Kink, Subject, exact, golden};
 use crate::Octuple;
 use num_traits::Signed;
+use std::cell::OnceCell;
 
 /// A point that was solved for is on a kink to this part of the terms that its condition is made of.
 const MET: f64 = 1e-50;
+/// Beside it, by this part.
+const BESIDE: f64 = 1e-55;
 
-/// The conditions of the registered kinks on which a point is that was solved for.
-pub(super) fn met(subject: &Subject, at: &[Octuple]) -> Vec<String> {
-    let of = Signature { spec: subject.spec, inputs: subject.inputs, outputs: subject.outputs };
-    let setting = Setting { of: Some(of), is_deep: true, ..Setting::default() };
-    let holds = |kink: &&Kink| (kink.holds)(at) || is_near(subject, kink, &setting, at);
-    subject.kinks.iter().filter(holds).map(|kink| kink.condition.clone()).collect()
+/// The registered kinks of a formula, to be asked of points that were solved for.
+pub(super) struct Register<'a> {
+    subject: &'a Subject,
+    /// Their conditions as they are printed; `None` where they are in words.
+    printed: OnceCell<Vec<Option<Claims>>>,
 }
 
-/// Whether the printed condition holds but for the rounding of a point.
-fn is_near(subject: &Subject, kink: &Kink, setting: &Setting, at: &[Octuple]) -> bool {
-    let Ok(claims) = Claims::read(&kink.condition, setting) else { return false };
-    let [values, jacobian] = [(subject.exact_value)(at), (subject.exact_jacobian)(at)];
-    let point = claims.point(at, Some([&values, &jacobian]), &[]);
+impl<'a> Register<'a> {
+    pub(super) fn new(subject: &'a Subject) -> Self {
+        Self { subject, printed: OnceCell::new() }
+    }
+
+    /// The conditions of the kinks on which a point is.
+    pub(super) fn met(&self, at: &[Octuple]) -> Vec<String> {
+        let printed = self.printed.get_or_init(|| self.read());
+        // A cut is at π on one side and at −π on the other.
+        let beside = [BESIDE, -BESIDE].map(|step| at.iter().map(|&x| x + x * step).collect::<Vec<_>>());
+        let values = |at: &[Octuple]| [(self.subject.exact_value)(at), (self.subject.exact_jacobian)(at)];
+        let places = [at, &beside[0], &beside[1]].map(|at| (at, values(at)));
+        let is_near = |claims: &Claims| places.iter().any(|(at, values)| is_near(claims, at, values));
+        let kinks = self.subject.kinks.iter().zip(printed);
+        let met = kinks.filter(|(kink, printed)| (kink.holds)(at) || printed.as_ref().is_some_and(is_near));
+        met.map(|(kink, _)| kink.condition.clone()).collect()
+    }
+
+    fn read(&self) -> Vec<Option<Claims>> {
+        let Subject { spec, inputs, outputs, .. } = *self.subject;
+        let setting = Setting { of: Some(Signature { spec, inputs, outputs }), is_deep: true, ..Setting::default() };
+        self.subject.kinks.iter().map(|kink| Claims::read(&kink.condition, &setting).ok()).collect()
+    }
+}
+
+/// Whether a printed condition holds but for the rounding of a point, at which the formula has these values.
+fn is_near(claims: &Claims, at: &[Octuple], [values, jacobian]: &[Vec<Octuple>; 2]) -> bool {
+    let point = claims.point(at, Some([values, jacobian]), &[]);
     let sizes: Vec<_> = point.iter().map(Signed::abs).collect();
     claims.at(&point).iter().all(|claim| {
         let terms = claims.terms(claim, &point, &sizes);
@@ -60,7 +85,7 @@ pub struct Sides {
 const STEPS: [f64; 2] = [1e-30, 1e-36];
 /// Numbers that differ by a larger part jump.
 const JUMP: f64 = 1e-9;
-/// What grows by more has no bound.
+/// What grows by more has no bound, and what shrinks by more tends to 0.
 const GROWS: f64 = 10.0;
 
 /// What jumps on a registered kink, at the point that it names; `None` where nothing does.
@@ -106,8 +131,12 @@ fn difference(a: f64, b: f64) -> f64 {
 
 /// What numbers tend to that were seen near a kink and nearer to it.
 fn limit(near: Octuple, nearer: Octuple) -> f64 {
-    let grows = nearer.abs() > near.abs() * GROWS && nearer.abs() > Octuple::from(1.0);
-    if grows { f64::INFINITY.copysign(nearer.to_f64()) } else { nearer.to_f64() }
+    let growth = (nearer / near).abs();
+    match growth {
+        _ if growth > GROWS => f64::INFINITY.copysign(nearer.to_f64()),
+        _ if growth < GROWS.recip() => 0.0,
+        _ => nearer.to_f64(),
+    }
 }
 
 /// On every registered kink something jumps; `None` where there is none.

@@ -2,20 +2,24 @@
 
 use super::candidate::{Candidate, candidates};
 use super::jump::{Jump, Neighbourhood, SMOOTH};
-use super::register::met;
+use super::register::Register;
 use super::solve::Solver;
 use crate::Octuple;
-use crate::graph::{Graph, Op};
+use crate::graph::{Graph, Node, Op};
+use crate::power::power_of_two_below;
 use crate::quantity::Domain;
 use crate::verify::claim::{Claim, Deviation};
 use crate::verify::point::{Names, Point};
-use crate::verify::{Sampler, Subject, golden, rounded};
+use crate::verify::{Sampler, Subject, exact, golden, rounded};
 use serde::{Deserialize, Serialize};
 
 /// So many points are looked for on every candidate.
 const POINTS: usize = 3;
 /// So many points are tried to find them from.
-const STARTS: usize = 12;
+const STARTS: usize = 10;
+
+/// So many of them first with a single digit each, so that what is found from them are doubles.
+const SIMPLE: usize = 5;
 
 /// What a search for kinks found.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -44,9 +48,21 @@ pub(in crate::verify) fn search(
 ) -> Search {
     let mut search = Search::default();
     // A kink that is met must be that of the candidate, and not one on which the start was.
-    let starts: Vec<&[f64]> = points.iter().filter(|point| point.kink.is_none()).map(|point| &*point.inputs).collect();
-    let mut looking = Looking { subject, graph, names, directions: Sampler::for_formula(subject.spec.id, 0) };
-    for candidate in candidates(graph, &names.inputs) {
+    let starts: Vec<_> = points.iter().filter(|point| point.kink.is_none()).map(|point| point.inputs.clone()).collect();
+    let simple = starts.iter().take(SIMPLE).map(|start| start.iter().map(|&x| power_of_two_near(x)).collect());
+    let simple = simple.filter(|start: &Vec<f64>| (subject.check)(start).is_ok() && subject.kink(&exact(start)).is_none());
+    let starts: Vec<_> = simple.chain(starts.iter().cloned()).collect();
+    let refused = (subject.invalid_cases)().into_iter().map(|case| case.inputs);
+    let mut looking = Looking {
+        subject,
+        graph,
+        names,
+        of_value: graph.needed(&graph.value),
+        register: Register::new(subject),
+        refused: refused.filter(|inputs| inputs.iter().all(|x| x.is_finite())).collect(),
+        directions: Sampler::for_formula(subject.spec.id, 0),
+    };
+    for candidate in candidates(subject, graph, names) {
         search.candidates += 1;
         let found = looking.points_on(&candidate, &starts);
         search.points += found.len();
@@ -54,25 +70,17 @@ pub(in crate::verify) fn search(
             search.not_reached.push(candidate.words);
             continue;
         }
+        let inputs = looking.inputs_of(&candidate);
         let mut is_smooth = true;
         for at in &found {
-            let inputs = looking.inputs_of(&candidate);
-            let neighbourhood = Neighbourhood::new(subject, at);
-            let jump = looking.jump(&neighbourhood, &inputs, candidate.pairs.len() > 1);
-            if jump.is_smooth() {
-                claim.record(jump.size, SMOOTH, |size| looking.described(&candidate, at, &inputs, size));
-                continue;
-            }
-            is_smooth = false;
-            let met = met(subject, at);
-            if met.is_empty() {
+            let met = looking.register.met(at);
+            let jump = looking.jump(&Neighbourhood::new(subject, at), &inputs, candidate.pairs.len() > 1);
+            if jump.is_smooth() || met.is_empty() {
                 claim.record(jump.size, SMOOTH, |size| looking.described(&candidate, at, &inputs, size));
             }
-            for condition in met {
-                if !search.found.contains(&condition) {
-                    search.found.push(condition);
-                }
-            }
+            is_smooth &= jump.is_smooth();
+            let new: Vec<_> = met.into_iter().filter(|condition| !search.found.contains(condition)).collect();
+            search.found.extend(new);
         }
         *(if is_smooth { &mut search.smooth } else { &mut search.registered }) += 1;
     }
@@ -83,19 +91,27 @@ struct Looking<'a> {
     subject: &'a Subject,
     graph: &'a Graph,
     names: &'a Names,
+    /// What the value is computed from.
+    of_value: Vec<Node>,
+    register: Register<'a>,
+    /// Inputs that the formula refuses.
+    refused: Vec<Vec<f64>>,
     directions: Sampler,
 }
 
 impl Looking<'_> {
     /// Points of the domain on a candidate, at which the value depends on it.
-    fn points_on(&self, candidate: &Candidate, starts: &[&[f64]]) -> Vec<Vec<Octuple>> {
+    fn points_on(&self, candidate: &Candidate, starts: &[Vec<f64>]) -> Vec<Vec<Octuple>> {
         let solver = Solver::new(self.graph, self.subject.inputs, candidate);
-        let of_value = self.graph.needed(&self.graph.value);
+        // Where the formula refuses such a place, only it can say of a point whether it is one, and it takes doubles.
+        let is_refused = self.refused.iter().any(|invalid| solver.is_on(invalid));
         let is_met = |at: &Vec<Octuple>| {
-            let is_valid = (self.subject.check)(&rounded(at)).is_ok();
+            let doubles = rounded(at);
+            let is_valid = (self.subject.check)(&doubles).is_ok() && (!is_refused || exact(&doubles) == *at);
             is_valid && {
-                let all = self.graph.results(at, of_value.iter().copied());
-                self.graph.live(&self.graph.value, &all)[candidate.node.index()]
+                let all = self.graph.results(&doubles, self.of_value.iter().copied());
+                let is_on_side = candidate.negative.is_none_or(|node| all[node.index()] < 0.0);
+                is_on_side && self.graph.live(&self.graph.value, &all)[candidate.node.index()]
             }
         };
         let mut found: Vec<Vec<Octuple>> = Vec::new();
@@ -167,6 +183,11 @@ impl Looking<'_> {
             inputs: golden::named(self.subject.inputs, &rounded(at)).into(),
         }
     }
+}
+
+/// A number of the same sign with a single digit, whose products and sums are doubles.
+fn power_of_two_near(x: f64) -> f64 {
+    if x == 0.0 { x } else { power_of_two_below(x.abs())[0].copysign(x) }
 }
 
 fn names_of(names: &Names, output: usize, input: usize) -> String {

@@ -9,16 +9,18 @@ use crate::verify::difference::step_size;
 use crate::verify::{exact, rounded};
 
 /// Steps in `f64`, from far away.
-const STEPS: usize = 25;
+const STEPS: usize = 15;
 /// Steps in 237 bits: each doubles the digits.
 const LAST_STEPS: usize = 8;
 /// Numbers are equal in `f64` to this part of what they are made of, so that the last steps converge.
 const NEAR: f64 = 1e-6;
 /// And in 237 bits to this.
 const EQUAL: f64 = 1e-62;
+/// A component that has become this part of what it was is 0.
+const NOTHING: f64 = 1e-40;
 /// Halvings of the way between two points.
 const HALVINGS: usize = 60;
-/// What is added to the matrix of equations that depend on each other, in proportion.
+/// Where equations depend on each other, this is added to their matrix, in proportion.
 const RIDGE: [f64; 2] = [1e-12, 1e-36];
 
 /// What is solved for a candidate.
@@ -26,6 +28,7 @@ pub(super) struct Solver<'a> {
     graph: &'a Graph,
     fields: &'static [Field],
     pairs: &'a [(Node, Other)],
+    negative: Option<Node>,
     needed: Vec<Node>,
 }
 
@@ -45,25 +48,45 @@ impl<'a> Solver<'a> {
             Other::Number(_) | Other::PowerOfTwo => None,
         });
         let results: Vec<_> = candidate.pairs.iter().map(|(node, _)| *node).chain(others).collect();
-        Self { graph, fields, pairs: &candidate.pairs, needed: graph.needed(&results) }
+        let needed = graph.needed(&results);
+        Self { graph, fields, pairs: &candidate.pairs, negative: candidate.negative, needed }
     }
 
-    /// Inputs near a start, changed in a single component where one equation is to hold, so that the others stay doubles.
+    /// Inputs near a start, changed in one component an equation if that will do, so that the others stay doubles.
     pub(super) fn near(&self, start: &[f64]) -> Option<Vec<Octuple>> {
         let sizes = self.sizes(&exact(start));
         let goals = self.goals(start);
         let gaps = self.gaps(start, &rounded(&sizes), &goals);
-        let moving = |k: usize| gaps.iter().map(|gap| gap.gradient[k].abs()).sum::<f64>();
-        let mut columns: Vec<usize> = (0..start.len()).filter(|&k| moving(k) > 0.0 && moving(k).is_finite()).collect();
-        if self.pairs.len() > 1 {
-            return self.along(start, &columns, &goals);
+        let moving = |gap: &Gap<f64>| {
+            let is_moving = |&k: &usize| gap.gradient[k].abs() > 0.0 && gap.gradient[k].is_finite();
+            let mut columns: Vec<usize> = (0..start.len()).filter(is_moving).collect();
+            columns.sort_by(|&a, &b| gap.gradient[b].abs().total_cmp(&gap.gradient[a].abs()));
+            columns
+        };
+        if let [gap] = gaps.as_slice() {
+            return moving(gap).iter().take(2).find_map(|&column| self.along(start, &[column], &goals));
         }
-        columns.sort_by(|&a, &b| moving(b).total_cmp(&moving(a)));
-        columns.iter().take(2).find_map(|&column| self.along(start, &[column], &goals))
+        let mut few = Vec::new();
+        for gap in &gaps {
+            few.extend(moving(gap).into_iter().find(|column| !few.contains(column)));
+        }
+        let mut all: Vec<_> = gaps.iter().flat_map(moving).collect();
+        all.sort_unstable();
+        all.dedup();
+        self.along(start, &few, &goals).or_else(|| self.along(start, &all, &goals))
+    }
+
+    /// Whether the candidate is at a point.
+    pub(super) fn is_on(&self, point: &[f64]) -> bool {
+        let is_on_side = self.negative.is_none_or(|node| {
+            let needed = self.graph.needed(&[node]);
+            self.graph.results(point, needed)[node.index()] < 0.0
+        });
+        is_on_side && self.is_solved(&exact(point), &self.goals(point), 0.0)
     }
 
     /// Inputs between two points at which a single number is on different sides of what it is to be equal to.
-    pub(super) fn between(&self, starts: &[&[f64]]) -> Option<Vec<Octuple>> {
+    pub(super) fn between(&self, starts: &[Vec<f64>]) -> Option<Vec<Octuple>> {
         let side = |point: &[f64]| {
             let gaps = self.gaps(point, &vec![1.0; point.len()], &self.goals(point));
             gaps.first().map_or(f64::NAN, |gap| gap.residual)
@@ -71,7 +94,7 @@ impl<'a> Solver<'a> {
         let sides: Vec<_> = starts.iter().map(|start| side(start)).collect();
         let below = sides.iter().position(|&side| side < 0.0)?;
         let above = sides.iter().position(|&side| side > 0.0)?;
-        let (mut low, mut high) = (starts[below].to_vec(), starts[above].to_vec());
+        let (mut low, mut high) = (starts[below].clone(), starts[above].clone());
         for _ in 0..HALVINGS {
             let middle: Vec<f64> = low.iter().zip(&high).map(|(a, b)| f64::midpoint(*a, *b)).collect();
             let end = if side(&middle) < 0.0 { &mut low } else { &mut high };
@@ -118,17 +141,24 @@ impl<'a> Solver<'a> {
 
     /// Changes these components only.
     fn along(&self, start: &[f64], columns: &[usize], goals: &[Option<f64>]) -> Option<Vec<Octuple>> {
-        let sizes = self.sizes(&exact(start));
-        let near = self.newton(start.to_vec(), &rounded(&sizes), (columns, goals), STEPS, RIDGE[0], NEAR)?;
+        let sizes_at_start = self.sizes(&exact(start));
+        let near = self.newton(start.to_vec(), &rounded(&sizes_at_start), (columns, goals), STEPS, RIDGE[0], NEAR)?;
         // Doubles that do are easier to give back.
         let inputs = exact(&near);
         if self.is_solved(&inputs, goals, 0.0) {
             return Some(inputs);
         }
         let sizes = self.sizes(&inputs);
-        let found = self.newton(inputs, &sizes, (columns, goals), LAST_STEPS, RIDGE[1], EQUAL)?;
+        let mut found = self.newton(inputs, &sizes, (columns, goals), LAST_STEPS, RIDGE[1], EQUAL)?;
         let doubles = exact(&rounded(&found));
-        Some(if self.is_solved(&doubles, goals, 0.0) { doubles } else { found })
+        if self.is_solved(&doubles, goals, 0.0) {
+            return Some(doubles);
+        }
+        // What is left of a number that is to vanish.
+        for (x, &size) in found.iter_mut().zip(&sizes_at_start).filter(|(x, size)| abs(**x) < **size * NOTHING) {
+            *x = size * 0.0;
+        }
+        Some(found)
     }
 
     fn is_solved(&self, inputs: &[Octuple], goals: &[Option<f64>], bound: f64) -> bool {
@@ -173,22 +203,24 @@ impl<'a> Solver<'a> {
 fn least_change<T: Leaf>(gaps: &[Gap<T>], columns: &[usize], ridge: f64) -> Option<Vec<T>> {
     let product = |a: &Gap<T>, b: &Gap<T>| columns.iter().fold(T::zero(), |sum, &k| sum + a.gradient[k] * b.gradient[k]);
     let mut rows: Vec<Vec<T>> = gaps.iter().map(|a| gaps.iter().map(|b| product(a, b)).collect()).collect();
-    let largest = (0..rows.len()).fold(T::zero(), |largest, k| largest.or_larger(rows[k][k]));
-    if gaps.len() > 1 {
-        (0..rows.len()).for_each(|k| rows[k][k] += largest * ridge);
-    }
     rows.iter_mut().zip(gaps).for_each(|(row, gap)| row.push(gap.residual));
-    let weights = eliminate(rows)?;
+    let weights = eliminate(rows.clone(), ridge).or_else(|| {
+        let largest = (0..rows.len()).fold(T::zero(), |largest, k| largest.or_larger(rows[k][k]));
+        (0..rows.len()).for_each(|k| rows[k][k] += largest * ridge);
+        eliminate(rows, 0.0)
+    })?;
     let change = |&k: &usize| gaps.iter().zip(&weights).fold(T::zero(), |sum, (gap, &weight)| sum + gap.gradient[k] * weight);
     Some(columns.iter().map(change).collect())
 }
 
-/// Gauss elimination of a symmetric positive matrix, with the right side as its last column.
-fn eliminate<T: Leaf>(mut rows: Vec<Vec<T>>) -> Option<Vec<T>> {
+/// Gauss elimination of a symmetric positive matrix, with the right side as its last column; `None` where a pivot is as
+/// small a part of what it was.
+fn eliminate<T: Leaf>(mut rows: Vec<Vec<T>>, part: f64) -> Option<Vec<T>> {
     let count = rows.len();
+    let diagonal: Vec<_> = (0..count).map(|k| rows[k][k]).collect();
     for k in 0..count {
         let pivot = rows[k].clone();
-        if !(pivot[k] > 0.0) {
+        if !(pivot[k] > diagonal[k] * part) {
             return None;
         }
         for row in rows.iter_mut().skip(k + 1) {
