@@ -2,10 +2,10 @@
 
 use super::claim::Claim;
 use super::difference::{differences, step_size};
+use super::kinks::{self, Looked, SMOOTH};
 use super::point::{Names, Point};
 use super::printed::{EQUATION, found};
 use super::subject::{Law, Subject};
-use super::kinks::{self, Looked, SMOOTH};
 use super::{Sampler, Sensitivity, eta, finite, invariance};
 use crate::equation::Equation;
 use crate::formula::{Fields, check};
@@ -89,7 +89,13 @@ impl Audit {
     pub fn claims(&self) -> impl Iterator<Item = &Claim> {
         let derivatives = [&self.closed_against_ad, &self.ad_against_differences, &self.eta, &self.eta_jacobian];
         let printed = [&self.equation, &self.equation_jacobian];
-        derivatives.into_iter().chain(printed).chain(&self.laws).chain(&self.finite).chain([&self.kinks]).chain(&self.register)
+        derivatives
+            .into_iter()
+            .chain(printed)
+            .chain(&self.laws)
+            .chain(&self.finite)
+            .chain([&self.kinks])
+            .chain(&self.register)
     }
 
     /// Whether no claim failed. At a single point on a kink there may be claims that cannot be checked.

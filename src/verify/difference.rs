@@ -50,7 +50,8 @@ pub(super) fn differences(
     let near = above.iter().zip(&below).map(|(&above, &below)| (above - below) * 8.0);
     let far = far_above.iter().zip(&far_below).map(|(&above, &below)| above - below);
     let central = near.zip(far).map(|(near, far)| (near - far) / (h * 12.0)).collect();
-    let from = |values: &[Octuple], sign: f64| values.iter().zip(here).map(|(&y, &here)| (y - here) / (h * sign)).collect();
+    let from =
+        |values: &[Octuple], sign: f64| values.iter().zip(here).map(|(&y, &here)| (y - here) / (h * sign)).collect();
     Differences { central, one_sided: [from(&below, -1.0), from(&above, 1.0)] }
 }
 

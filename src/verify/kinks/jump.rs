@@ -77,7 +77,12 @@ impl<'a> Neighbourhood<'a> {
 
     /// The direction that changes a single input.
     pub(super) fn axis(&self, input: usize) -> Vec<f64> {
-        (0..self.at.len()).map(|k| f64::from(u8::from(k == input))).collect()
+        self.towards(input, 1.0)
+    }
+
+    /// That direction, or the opposite one.
+    pub(super) fn towards(&self, input: usize, sign: f64) -> Vec<f64> {
+        (0..self.at.len()).map(|k| if k == input { sign } else { 0.0 }).collect()
     }
 
     /// The size of an input, which is the unit of directions.
@@ -189,7 +194,8 @@ impl<'a> Neighbourhood<'a> {
                 if by_value > VALUE {
                     return size;
                 }
-                let lasts = |later: Octuple| if later.is_nan() { 1.0 } else { share(later, difference(&pairs, k)).min(1.0) };
+                let lasts =
+                    |later: Octuple| if later.is_nan() { 1.0 } else { share(later, difference(&pairs, k)).min(1.0) };
                 size * lasts(difference(&shorter, k)) * lasts(difference(&beside, k))
             })
             .collect();

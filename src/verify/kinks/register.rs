@@ -1,11 +1,11 @@
 //! The registered kinks: which hold at a point, and what jumps on them.
 
 use super::jump::Neighbourhood;
+use crate::Octuple;
 use crate::equation::{Claims, Setting, Signature};
 use crate::verify::claim::{Claim, Deviation};
 use crate::verify::point::Names;
 use crate::verify::{Kink, Subject, exact, golden};
-use crate::Octuple;
 use num_traits::Signed;
 use std::cell::OnceCell;
 
@@ -99,7 +99,8 @@ pub(crate) fn sides(subject: &Subject, kink: &Kink) -> Option<Sides> {
     let mut ways = tried.iter().flat_map(|inputs| ranks.map(|rank| (inputs, rank)));
     ways.find_map(|(inputs, rank)| {
         let found = inputs.iter().flat_map(|&input| jumps(&neighbourhood, rank, input));
-        let most = found.fold((JUMP, None), |most, (size, sides)| if size > most.0 { (size, Some(sides)) } else { most });
+        let most =
+            found.fold((JUMP, None), |most, (size, sides)| if size > most.0 { (size, Some(sides)) } else { most });
         most.1
     })
 }
@@ -147,7 +148,8 @@ pub(in crate::verify) fn register(subject: &Subject, names: &Names) -> Option<Cl
         let finite = |x: f64| x.clamp(f64::MIN, f64::MAX);
         claim.record(f64::from(u8::from(sides.is_none())), 0.0, |size| Deviation {
             size,
-            entry: sides.map_or("nothing jumps".into(), |sides| names.entry(sides.output * names.inputs.len() + sides.input)),
+            entry: sides
+                .map_or("nothing jumps".into(), |sides| names.entry(sides.output * names.inputs.len() + sides.input)),
             point: format!("kink {}", kink.condition),
             found: sides.map_or(0.0, |sides| finite(sides.sides[1])),
             expected: sides.map_or(0.0, |sides| finite(sides.sides[0])),

@@ -16,10 +16,10 @@ use serde::{Deserialize, Serialize};
 /// So many points are looked for on every candidate.
 const POINTS: usize = 3;
 /// So many points are tried to find them from.
-const STARTS: usize = 10;
+const STARTS: usize = 14;
 
 /// So many of them first with a single digit each, so that what is found from them are doubles.
-const SIMPLE: usize = 5;
+const SIMPLE: usize = 8;
 
 /// What a search for kinks found.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -50,7 +50,8 @@ pub(in crate::verify) fn search(
     // A kink that is met must be that of the candidate, and not one on which the start was.
     let starts: Vec<_> = points.iter().filter(|point| point.kink.is_none()).map(|point| point.inputs.clone()).collect();
     let simple = starts.iter().take(SIMPLE).map(|start| start.iter().map(|&x| power_of_two_near(x)).collect());
-    let simple = simple.filter(|start: &Vec<f64>| (subject.check)(start).is_ok() && subject.kink(&exact(start)).is_none());
+    let simple =
+        simple.filter(|start: &Vec<f64>| (subject.check)(start).is_ok() && subject.kink(&exact(start)).is_none());
     let starts: Vec<_> = simple.chain(starts.iter().cloned()).collect();
     let refused = (subject.invalid_cases)().into_iter().map(|case| case.inputs);
     let mut looking = Looking {
@@ -76,7 +77,9 @@ pub(in crate::verify) fn search(
             let met = looking.register.met(at);
             let jump = looking.jump(&Neighbourhood::new(subject, at), &inputs, candidate.pairs.len() > 1);
             if jump.is_smooth() || met.is_empty() {
-                claim.record(jump.size, SMOOTH, |size| looking.described(&candidate, at, &inputs, size));
+                claim.record(jump.size, SMOOTH, |size| {
+                    looking.described(&candidate, at, &inputs, Jump { size, ..jump })
+                });
             }
             is_smooth &= jump.is_smooth();
             let new: Vec<_> = met.into_iter().filter(|condition| !search.found.contains(condition)).collect();
@@ -156,40 +159,34 @@ impl Looking<'_> {
             jump = jump.or_larger(neighbourhood.additive([&a, &b]));
         }
         for (k, sign) in edge {
-            let inward: Vec<_> = neighbourhood.axis(k).iter().map(|by| by * sign).collect();
-            jump = jump.or_larger(neighbourhood.inward(&inward));
+            jump = jump.or_larger(neighbourhood.inward(&neighbourhood.towards(k, sign)));
         }
         jump
     }
 
-    /// Where the derivative jumps most, by the input that shows it best.
-    fn described(&self, candidate: &Candidate, at: &[Octuple], inputs: &[usize], size: f64) -> Deviation {
+    /// Where the derivative jumps most, by the input that shows it best. None may, where only the derivative along a sum of
+    /// directions is not the sum of derivatives.
+    fn described(&self, candidate: &Candidate, at: &[Octuple], inputs: &[usize], jump: Jump) -> Deviation {
         let neighbourhood = Neighbourhood::new(self.subject, at);
         let (inner, edge) = neighbourhood.sides(inputs);
         let across = inner.iter().map(|&k| (k, neighbourhood.across(&neighbourhood.axis(k))));
-        let inward = edge.iter().map(|&(k, sign)| {
-            let axis: Vec<_> = neighbourhood.axis(k).iter().map(|by| by * sign).collect();
-            (k, neighbourhood.inward(&axis))
-        });
+        let inward = edge.iter().map(|&(k, sign)| (k, neighbourhood.inward(&neighbourhood.towards(k, sign))));
         let most = across.chain(inward).max_by(|(_, a), (_, b)| a.size.total_cmp(&b.size));
-        let (input, jump) = most.unwrap_or((0, Jump::none()));
-        let [expected, found] = jump.sides.map(|slope| (slope / neighbourhood.unit(input)).to_f64());
-        Deviation {
-            size,
-            entry: names_of(self.names, jump.output, input),
-            point: format!("where {}", candidate.words),
-            found,
-            expected,
-            inputs: golden::named(self.subject.inputs, &rounded(at)).into(),
-        }
+        let (entry, sides) = match most.filter(|(_, most)| !most.is_smooth() || jump.is_smooth()) {
+            Some((input, Jump { output, sides, .. })) => {
+                let entry = self.names.entry(output * self.names.inputs.len() + input);
+                (entry, sides.map(|slope| slope / neighbourhood.unit(input)))
+            }
+            None => (format!("∂{} along the sum of two directions", self.names.outputs[jump.output]), jump.sides),
+        };
+        let [expected, found] = sides.map(|slope| slope.to_f64());
+        let point = format!("where {}", candidate.words);
+        let inputs = golden::named(self.subject.inputs, &rounded(at)).into();
+        Deviation { size: jump.size, entry, point, found, expected, inputs }
     }
 }
 
 /// A number of the same sign with a single digit, whose products and sums are doubles.
 fn power_of_two_near(x: f64) -> f64 {
     if x == 0.0 { x } else { power_of_two_below(x.abs())[0].copysign(x) }
-}
-
-fn names_of(names: &Names, output: usize, input: usize) -> String {
-    names.entry(output * names.inputs.len() + input)
 }

@@ -176,7 +176,8 @@ impl<'a> Solver<'a> {
         ridge: f64,
         bound: f64,
     ) -> Option<Vec<T>> {
-        let share = |gaps: &[Gap<T>]| gaps.iter().fold(T::zero(), |worst, gap| worst.or_larger(abs(gap.residual) / gap.scale));
+        let share =
+            |gaps: &[Gap<T>]| gaps.iter().fold(T::zero(), |worst, gap| worst.or_larger(abs(gap.residual) / gap.scale));
         let mut gaps = self.gaps(&inputs, sizes, goals);
         for _ in 0..steps {
             if gaps.iter().all(|gap| gap.residual == 0.0) {
@@ -201,7 +202,8 @@ impl<'a> Solver<'a> {
 
 /// The smallest changes of these inputs, in units of their sizes, that close all gaps to first order.
 fn least_change<T: Leaf>(gaps: &[Gap<T>], columns: &[usize], ridge: f64) -> Option<Vec<T>> {
-    let product = |a: &Gap<T>, b: &Gap<T>| columns.iter().fold(T::zero(), |sum, &k| sum + a.gradient[k] * b.gradient[k]);
+    let product =
+        |a: &Gap<T>, b: &Gap<T>| columns.iter().fold(T::zero(), |sum, &k| sum + a.gradient[k] * b.gradient[k]);
     let mut rows: Vec<Vec<T>> = gaps.iter().map(|a| gaps.iter().map(|b| product(a, b)).collect()).collect();
     rows.iter_mut().zip(gaps).for_each(|(row, gap)| row.push(gap.residual));
     let weights = eliminate(rows.clone(), ridge).or_else(|| {
@@ -209,7 +211,8 @@ fn least_change<T: Leaf>(gaps: &[Gap<T>], columns: &[usize], ridge: f64) -> Opti
         (0..rows.len()).for_each(|k| rows[k][k] += largest * ridge);
         eliminate(rows, 0.0)
     })?;
-    let change = |&k: &usize| gaps.iter().zip(&weights).fold(T::zero(), |sum, (gap, &weight)| sum + gap.gradient[k] * weight);
+    let change =
+        |&k: &usize| gaps.iter().zip(&weights).fold(T::zero(), |sum, (gap, &weight)| sum + gap.gradient[k] * weight);
     Some(columns.iter().map(change).collect())
 }
 

@@ -24,9 +24,9 @@ enum Bond {
 impl Words<'_> {
     /// The expression; where it is long, its inner parts are left out.
     pub(super) fn of(&self, node: Node) -> String {
-        let mut texts = (0..=DEPTH).rev().map(|depth| self.written(node, depth).0);
-        let last = self.written(node, 0).0;
-        texts.find(|text| text.chars().count() <= LENGTH).unwrap_or(last)
+        let mut texts = (1..=DEPTH).rev().map(|depth| self.written(node, depth).0);
+        let short = texts.find(|text| text.chars().count() <= LENGTH);
+        short.unwrap_or_else(|| self.written(node, 1).0.chars().take(LENGTH).chain(['…']).collect())
     }
 
     fn within(&self, node: Node, depth: usize, bond: Bond) -> String {
@@ -62,7 +62,9 @@ impl Words<'_> {
             Op::MultiplyAdd(x, y, z) => (format!("{} {} + {}", product(*x), product(*y), sum(*z)), Bond::Sum),
             Op::Norm(parts) => (format!("|({})|", self.list(parts, deeper)), Bond::Atom),
             Op::Compare(relation, x, y) => (format!("{} {} {}", sum(*x), sign(*relation), sum(*y)), Bond::Sum),
-            Op::ExactSum(_) | Op::Select(..) | Op::Input(_) | Op::Number(_) => ("…".into(), Bond::Atom),
+            Op::ExactSum(products) => (format!("exact_sum({})", self.list(&products.concat(), deeper)), Bond::Atom),
+            Op::Select(_, x, y) => (format!("either({})", self.list(&[*x, *y], deeper)), Bond::Atom),
+            Op::Input(_) | Op::Number(_) => unreachable!("they are written above"),
         }
     }
 }

@@ -53,7 +53,7 @@ pub(crate) fn kinks(pages: &Pages<'_>, at: &Place) -> String {
             ("wide", pages.text(at, &kink.convention)),
         ])
     });
-    table("kinks", &["Formula", "Where", "Derivative", "One side", "Other side", "Returned"], &rows)
+    table("kinks", &["Formula", "Where", "What jumps", "From", "To", "Returned"], &rows)
 }
 
 /// The columns of the evidence table.
