@@ -165,7 +165,7 @@ pub enum Domain {
 impl Domain {
     /// Whether a finite number is in the domain.
     #[inline]
-    pub fn allows<T: PartialOrd<f64>>(self, x: T) -> bool {
+    pub fn allows<T: PartialOrd<f64> + Copy>(self, x: T) -> bool {
         match self {
             Self::NonNegative => x >= 0.0,
             Self::Positive => x > 0.0,

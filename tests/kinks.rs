@@ -72,7 +72,7 @@ fn assert_demanded<P: Plant>(place: &str, is_there: fn(f64, f64) -> bool) {
     assert_ne!(worst.found, worst.expected, "{place}: {worst:?}");
     let with = audited::<P, true>();
     assert!(with.kinks.held(), "{place}: {:#?}", with.kinks);
-    assert!(with.register.as_ref().is_some_and(|register| register.held()), "{place}: {:#?}", with.register);
+    assert!(with.register.as_ref().is_some_and(jointproof::verify::Claim::held), "{place}: {:#?}", with.register);
 }
 
 const AT: Inputs<f64> = Inputs { f2: 3.0, f3: 4.0 };

@@ -5,7 +5,7 @@ use crate::scalar::{Leaf, abs, atan2, norm};
 
 impl Relation {
     /// Whether it holds.
-    pub fn holds<T: PartialOrd>(self, x: T, y: T) -> bool {
+    pub fn holds<T: PartialOrd + Copy>(self, x: T, y: T) -> bool {
         match self {
             Self::Less => x < y,
             Self::LessOrEqual => x <= y,

@@ -7,10 +7,10 @@ impl Graph {
     /// All that these results are computed from, and they themselves, in order.
     pub fn needed(&self, results: &[Node]) -> Vec<Node> {
         let mut needed = vec![false; self.ops().len()];
-        results.iter().for_each(|node| needed[node.index()] = true);
+        mark(&mut needed, results);
         for place in (0..needed.len()).rev() {
             if needed[place] {
-                self.ops()[place].operands().iter().for_each(|node| needed[node.index()] = true);
+                mark(&mut needed, &self.ops()[place].operands());
             }
         }
         (0..needed.len()).filter(|&place| needed[place]).map(Node::at).collect()
@@ -20,15 +20,15 @@ impl Graph {
     /// taken does not count. `all` are the results of the operations there.
     pub fn live<T: Leaf>(&self, results: &[Node], all: &[T]) -> Vec<bool> {
         let mut live = vec![false; self.ops().len()];
-        results.iter().for_each(|node| live[node.index()] = true);
+        mark(&mut live, results);
         for place in (0..live.len()).rev() {
             match &self.ops()[place] {
                 _ if !live[place] => {}
                 Op::Select(condition, x, y) => {
                     let taken = if all[condition.index()] == 1.0 { x } else { y };
-                    [condition, taken].into_iter().for_each(|node| live[node.index()] = true);
+                    mark(&mut live, &[*condition, *taken]);
                 }
-                op => op.operands().iter().for_each(|node| live[node.index()] = true),
+                op => mark(&mut live, &op.operands()),
             }
         }
         live
@@ -57,6 +57,12 @@ impl Graph {
             }
         }
         gradient
+    }
+}
+
+fn mark(marked: &mut [bool], nodes: &[Node]) {
+    for node in nodes {
+        marked[node.index()] = true;
     }
 }
 

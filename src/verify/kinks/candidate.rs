@@ -44,7 +44,7 @@ pub(super) fn candidates(subject: &Subject, graph: &Graph, names: &Names) -> Vec
         for mut candidate in seen.places(node) {
             // What is asked only where numbers are equal is at no other place.
             for guard in guards[node.index()].iter().flat_map(|&guard| seen.places(guard)) {
-                candidate.words += &format!(" and {}", guard.words);
+                candidate.words = format!("{} and {}", candidate.words, guard.words);
                 candidate.pairs.extend(guard.pairs);
             }
             if known.insert(format!("{:?} {:?}", candidate.pairs, candidate.negative)) {
@@ -128,9 +128,10 @@ impl Seen<'_> {
         match self.graph.op(node) {
             Op::Number(bits) if f64::from_bits(*bits) == 0.0 => Vec::new(),
             Op::Norm(parts) => parts.iter().flat_map(|&part| self.vanish(part)).collect(),
-            Op::Unary(Unary::Absolute | Unary::Root | Unary::Negative, x) => self.vanish(*x),
+            Op::Unary(Unary::Absolute | Unary::Root | Unary::Negative, x) | Op::Binary(Binary::Divide, x, _) => {
+                self.vanish(*x)
+            }
             Op::Binary(Binary::Multiply, x, y) if x == y => self.vanish(*x),
-            Op::Binary(Binary::Divide, x, _) => self.vanish(*x),
             Op::Binary(Binary::Multiply, x, y) if self.is_factor(*y) => self.vanish(*x),
             Op::Binary(Binary::Multiply, x, y) if self.is_factor(*x) => self.vanish(*y),
             Op::Binary(Binary::Add | Binary::Maximum, x, y) if [*x, *y].iter().all(|&term| self.is_size(term)) => {

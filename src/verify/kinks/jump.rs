@@ -141,7 +141,7 @@ impl<'a> Neighbourhood<'a> {
         let first = sides(STEPS[0]);
         let is_defined = |side: &Vec<Octuple>| side.iter().all(|slope| !slope.is_nan());
         match first.each_ref().map(is_defined) {
-            [true, true] => self.jumps(first, sides, |parts| parts.map(|part| self.beside(direction, part))),
+            [true, true] => self.jumps(&first, sides, |parts| parts.map(|part| self.beside(direction, part))),
             [false, true] => self.each_inward(direction),
             [true, false] => self.each_inward(&direction.iter().map(|by| -by).collect::<Vec<_>>()),
             [false, false] => vec![Jump::none(); self.here.len()],
@@ -155,7 +155,7 @@ impl<'a> Neighbourhood<'a> {
 
     fn each_inward(&self, direction: &[f64]) -> Vec<Jump> {
         let both = |step: f64| [step, step * NEARER].map(|step| self.slopes(direction, step));
-        self.jumps(both(STEPS[0]), both, |_| [1.0, NEARER].map(|part| self.beside(direction, part)))
+        self.jumps(&both(STEPS[0]), both, |_| [1.0, NEARER].map(|part| self.beside(direction, part)))
     }
 
     /// Whether the derivative along the sum of two directions is the sum of their derivatives, as it is where there is
@@ -165,7 +165,7 @@ impl<'a> Neighbourhood<'a> {
         let add = |a: Vec<Octuple>, b: Vec<Octuple>| a.into_iter().zip(b).map(|(a, b)| a + b).collect();
         let both = |step: f64| [add(self.slopes(a, step), self.slopes(b, step)), self.slopes(&sum, step)];
         let beside = |_| [add(self.beside(a, 1.0), self.beside(b, 1.0)), self.beside(&sum, 1.0)];
-        worst(self.jumps(both(STEPS[0]), both, beside))
+        worst(self.jumps(&both(STEPS[0]), both, beside))
     }
 
     /// The differences between pairs of derivatives, one an output. Where they differ over the first step they must
@@ -173,7 +173,7 @@ impl<'a> Neighbourhood<'a> {
     /// difference shrinks with the step.
     fn jumps(
         &self,
-        pairs: [Vec<Octuple>; 2],
+        pairs: &[Vec<Octuple>; 2],
         over: impl Fn(f64) -> [Vec<Octuple>; 2],
         beside: impl Fn([f64; 2]) -> [Vec<Octuple>; 2],
     ) -> Vec<Jump> {
@@ -182,24 +182,24 @@ impl<'a> Neighbourhood<'a> {
         let relative = |pairs: &[Vec<Octuple>; 2], k: usize, terms: Octuple| {
             share(difference(pairs, k), pairs[0][k].abs() + pairs[1][k].abs() + self.here[k].abs() + terms)
         };
-        let first: Vec<_> = outputs.clone().map(|k| relative(&pairs, k, Octuple::zero())).collect();
+        let first: Vec<_> = outputs.clone().map(|k| relative(pairs, k, Octuple::zero())).collect();
         if first.iter().all(|&size| size <= SMOOTH) {
-            return jumps_of(&first, &pairs);
+            return jumps_of(&first, pairs);
         }
         let (shorter, beside, terms) = (over(STEPS[1]), beside([-1.0, 1.0]), self.terms());
         let confirmed: Vec<_> = outputs
             .map(|k| {
-                let size = relative(&pairs, k, terms[k]).min(relative(&shorter, k, terms[k]));
-                let by_value = share(difference(&shorter, k) * STEPS[1], difference(&pairs, k) * STEPS[0]);
+                let size = relative(pairs, k, terms[k]).min(relative(&shorter, k, terms[k]));
+                let by_value = share(difference(&shorter, k) * STEPS[1], difference(pairs, k) * STEPS[0]);
                 if by_value > VALUE {
                     return size;
                 }
                 let lasts =
-                    |later: Octuple| if later.is_nan() { 1.0 } else { share(later, difference(&pairs, k)).min(1.0) };
+                    |later: Octuple| if later.is_nan() { 1.0 } else { share(later, difference(pairs, k)).min(1.0) };
                 size * lasts(difference(&shorter, k)) * lasts(difference(&beside, k))
             })
             .collect();
-        jumps_of(&confirmed, &pairs)
+        jumps_of(&confirmed, pairs)
     }
 
     /// The terms that rounding of each output is in proportion to: what every input does to it.

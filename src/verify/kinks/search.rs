@@ -148,7 +148,9 @@ impl Looking<'_> {
         let (inner, edge) = neighbourhood.sides(inputs);
         let [a, b] = [(); 2].map(|()| {
             let mut direction = vec![0.0; neighbourhood.dimensions()];
-            inner.iter().for_each(|&k| direction[k] = self.directions.number(Domain::Between(-1.0, 1.0)));
+            for &k in &inner {
+                direction[k] = self.directions.number(Domain::Between(-1.0, 1.0));
+            }
             direction
         });
         let mut jump = Jump::none();
@@ -179,7 +181,7 @@ impl Looking<'_> {
             }
             None => (format!("∂{} along the sum of two directions", self.names.outputs[jump.output]), jump.sides),
         };
-        let [expected, found] = sides.map(|slope| slope.to_f64());
+        let [expected, found] = sides.map(Octuple::to_f64);
         let point = format!("where {}", candidate.words);
         let inputs = golden::named(self.subject.inputs, &rounded(at)).into();
         Deviation { size: jump.size, entry, point, found, expected, inputs }

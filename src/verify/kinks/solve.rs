@@ -187,7 +187,7 @@ impl<'a> Solver<'a> {
             let mut next = inputs.clone();
             columns.iter().zip(moves).for_each(|(&k, change)| next[k] -= change * sizes[k]);
             let next_gaps = self.gaps(&next, sizes, goals);
-            if next_gaps.iter().any(|gap| !(gap.residual == gap.residual)) {
+            if next_gaps.iter().any(|gap| gap.residual.re().is_nan()) {
                 return None;
             }
             let has_settled = share(&gaps) < bound && share(&next_gaps) >= share(&gaps);
@@ -223,7 +223,8 @@ fn eliminate<T: Leaf>(mut rows: Vec<Vec<T>>, part: f64) -> Option<Vec<T>> {
     let diagonal: Vec<_> = (0..count).map(|k| rows[k][k]).collect();
     for k in 0..count {
         let pivot = rows[k].clone();
-        if !(pivot[k] > diagonal[k] * part) {
+        let is_sound = pivot[k] > diagonal[k] * part;
+        if !is_sound {
             return None;
         }
         for row in rows.iter_mut().skip(k + 1) {
