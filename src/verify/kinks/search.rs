@@ -74,8 +74,9 @@ pub(in crate::verify) fn search(
         let inputs = looking.inputs_of(&candidate);
         let mut is_smooth = true;
         for at in &found {
-            let met = looking.register.met(at);
             let jump = looking.jump(&Neighbourhood::new(subject, at), &inputs, candidate.pairs.len() > 1);
+            let is_settled = jump.is_smooth() && search.found.len() == subject.kinks.len();
+            let met = if is_settled { Vec::new() } else { looking.register.met(at) };
             if jump.is_smooth() || met.is_empty() {
                 claim.record(jump.size, SMOOTH, |size| {
                     looking.described(&candidate, at, &inputs, Jump { size, ..jump })

@@ -57,10 +57,13 @@ impl<'a> Solver<'a> {
         let sizes = self.sizes(&exact(start));
         let goals = self.goals(start);
         let gaps = self.gaps(start, &rounded(&sizes), &goals);
+        let moves = |gap: &Gap<f64>, k: usize| gap.gradient[k].abs() > 0.0 && gap.gradient[k].is_finite();
+        let moved = |k: usize| gaps.iter().filter(|gap| moves(gap, k)).count();
+        // Those come first that move no other equation, and move this one most.
         let moving = |gap: &Gap<f64>| {
-            let is_moving = |&k: &usize| gap.gradient[k].abs() > 0.0 && gap.gradient[k].is_finite();
-            let mut columns: Vec<usize> = (0..start.len()).filter(is_moving).collect();
-            columns.sort_by(|&a, &b| gap.gradient[b].abs().total_cmp(&gap.gradient[a].abs()));
+            let mut columns: Vec<usize> = (0..start.len()).filter(|&k| moves(gap, k)).collect();
+            let size = |k: usize| gap.gradient[k].abs();
+            columns.sort_by(|&a, &b| moved(a).cmp(&moved(b)).then(size(b).total_cmp(&size(a))));
             columns
         };
         if let [gap] = gaps.as_slice() {
