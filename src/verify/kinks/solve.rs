@@ -52,8 +52,9 @@ impl<'a> Solver<'a> {
         Self { graph, fields, pairs: &candidate.pairs, negative: candidate.negative, needed }
     }
 
-    /// Inputs near a start, changed in one component an equation if that will do, so that the others stay doubles.
-    pub(super) fn near(&self, start: &[f64]) -> Option<Vec<Octuple>> {
+    /// Inputs near a start that meet this too, changed in one component an equation if that will do, so that the others
+    /// stay doubles.
+    pub(super) fn near(&self, start: &[f64], is_met: impl Fn(&Vec<Octuple>) -> bool) -> Option<Vec<Octuple>> {
         let sizes = self.sizes(&exact(start));
         let goals = self.goals(start);
         let gaps = self.gaps(start, &rounded(&sizes), &goals);
@@ -67,7 +68,8 @@ impl<'a> Solver<'a> {
             columns
         };
         if let [gap] = gaps.as_slice() {
-            return moving(gap).iter().take(2).find_map(|&column| self.along(start, &[column], &goals));
+            let few = moving(gap).into_iter().take(2);
+            return few.filter_map(|column| self.along(start, &[column], &goals)).find(is_met);
         }
         let mut few = Vec::new();
         for gap in &gaps {
@@ -76,7 +78,7 @@ impl<'a> Solver<'a> {
         let mut all: Vec<_> = gaps.iter().flat_map(moving).collect();
         all.sort_unstable();
         all.dedup();
-        self.along(start, &few, &goals).or_else(|| self.along(start, &all, &goals))
+        [few, all].iter().filter_map(|columns| self.along(start, columns, &goals)).find(is_met)
     }
 
     /// Whether the candidate is at a point.
@@ -89,7 +91,7 @@ impl<'a> Solver<'a> {
     }
 
     /// Inputs between two points at which a single number is on different sides of what it is to be equal to.
-    pub(super) fn between(&self, starts: &[Vec<f64>]) -> Option<Vec<Octuple>> {
+    pub(super) fn between(&self, starts: &[Vec<f64>], is_met: impl Fn(&Vec<Octuple>) -> bool) -> Option<Vec<Octuple>> {
         let side = |point: &[f64]| {
             let gaps = self.gaps(point, &vec![1.0; point.len()], &self.goals(point));
             gaps.first().map_or(f64::NAN, |gap| gap.residual)
@@ -103,7 +105,7 @@ impl<'a> Solver<'a> {
             let end = if side(&middle) < 0.0 { &mut low } else { &mut high };
             *end = middle;
         }
-        self.near(&low)
+        self.near(&low, is_met)
     }
 
     /// The size of every input.
