@@ -8,8 +8,8 @@ use crate::measure::{self, Measurement};
 use crate::proof::{Convention, Flag, Proved};
 use crate::scalar::{abs, sign};
 use crate::verify::{
-    Audit, Claim, Kink, Options, Printed, Subject, Trial, audit, audit_at, audit_equation, claims_about, exact, golden,
-    kinks_as_printed, number_of,
+    Audit, Claim, Kink, Options, Printed, Sides, Subject, Trial, audit, audit_at, audit_equation, claims_about, exact,
+    golden, kinks_as_printed, number_of, sides,
 };
 use crate::{
     Error, Octuple, align, cardan, coulomb, element, interaction, join, slide_line, slider, slot, translator, ujoint,
@@ -87,7 +87,7 @@ pub trait AnyFormula: Send + Sync {
     fn timing_inputs(&self, options: &measure::Options) -> Vec<f64>;
 }
 
-/// A kink, with the derivatives on both sides.
+/// A kink, with what jumps there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct KinkEntry {
     /// The condition, in LaTeX.
@@ -100,6 +100,8 @@ pub struct KinkEntry {
     pub across: Vec<f64>,
     /// For every output component, the derivatives across the kink from below and from above.
     pub one_sided: Vec<[f64; 2]>,
+    /// What jumps at the point that the register names; `None` where nothing does, which an audit reports.
+    pub sides: Option<Sides>,
 }
 
 impl<F: Proved> AnyFormula for F {
@@ -122,7 +124,16 @@ impl<F: Proved> AnyFormula for F {
         F::laws().into_iter().map(|law| law.statement).collect()
     }
     fn kinks(&self) -> Vec<KinkEntry> {
-        one_sided(&Subject::of::<F>())
+        let subject = Subject::of::<F>();
+        let entry = |kink: &Kink| KinkEntry {
+            condition: kink.condition.clone(),
+            convention: kink.convention,
+            at: kink.at.clone(),
+            across: kink.across.clone(),
+            one_sided: one_sided(&subject, kink),
+            sides: sides(&subject, kink),
+        };
+        subject.kinks.iter().map(entry).collect()
     }
     fn golden(&self) -> golden::File {
         golden::file::<F>()
@@ -205,26 +216,22 @@ fn write<'a>(fields: &impl Fields<f64>, places: &mut impl Iterator<Item = &'a mu
     fields.for_each_component(&mut |x| *places.next().expect("a place for every component") = x);
 }
 
-/// One-sided differences in 237 bits, with a step so short that nothing else is near.
-fn one_sided(subject: &Subject) -> Vec<KinkEntry> {
-    let entry = |kink: &Kink| {
-        let (at, across) = (exact(&kink.at), exact(&kink.across));
-        let step = Octuple::from(1e-40);
-        let value = |h: Octuple| {
-            let moved: Vec<_> = at.iter().zip(&across).map(|(&x, &direction)| x + direction * h).collect();
-            (subject.exact_value)(&moved)
-        };
-        let (below, here, above) = (value(-step), value(step * 0.0), value(step));
-        let difference = |to: Octuple, from: Octuple| match kink.convention {
-            Convention::Cut if abs(to - from) > Octuple::PI => to - from - Octuple::PI * sign(to - from) * 2.0,
-            _ => to - from,
-        };
-        let sides = |k: usize| [difference(here[k], below[k]), difference(above[k], here[k])];
-        let one_sided = (0..here.len()).map(|k| sides(k).map(|d| (d / step).to_f64())).collect();
-        let (at, across) = (kink.at.clone(), kink.across.clone());
-        KinkEntry { condition: kink.condition.clone(), convention: kink.convention, at, across, one_sided }
+/// The derivatives of every output across a kink, from below and from above: one-sided differences in 237 bits, with a step so
+/// short that nothing else is near.
+fn one_sided(subject: &Subject, kink: &Kink) -> Vec<[f64; 2]> {
+    let (at, across) = (exact(&kink.at), exact(&kink.across));
+    let step = Octuple::from(1e-40);
+    let value = |h: Octuple| {
+        let moved: Vec<_> = at.iter().zip(&across).map(|(&x, &direction)| x + direction * h).collect();
+        (subject.exact_value)(&moved)
     };
-    subject.kinks.iter().map(entry).collect()
+    let (below, here, above) = (value(-step), value(step * 0.0), value(step));
+    let difference = |to: Octuple, from: Octuple| match kink.convention {
+        Convention::Cut if abs(to - from) > Octuple::PI => to - from - Octuple::PI * sign(to - from) * 2.0,
+        _ => to - from,
+    };
+    let sides = |k: usize| [difference(here[k], below[k]), difference(above[k], here[k])];
+    (0..here.len()).map(|k| sides(k).map(|d| (d / step).to_f64())).collect()
 }
 
 /// Every formula.

@@ -20,9 +20,11 @@ mod program;
 mod record;
 mod recorder;
 mod run;
+mod slope;
 mod traced;
 
 pub use node::{Binary, Graph, Node, Op, Relation, Search, Unary};
 pub use program::Statement;
 pub use record::{NotRecorded, record};
+pub use run::Number;
 pub use traced::Traced;

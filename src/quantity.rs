@@ -165,13 +165,13 @@ pub enum Domain {
 impl Domain {
     /// Whether a finite number is in the domain.
     #[inline]
-    pub fn allows(self, x: f64) -> bool {
+    pub fn allows<T: PartialOrd<f64> + Copy>(self, x: T) -> bool {
         match self {
             Self::NonNegative => x >= 0.0,
             Self::Positive => x > 0.0,
-            Self::Between(low, high) => low < x && x < high,
-            Self::Within(low, high) => low <= x && x <= high,
-            Self::HalfOpen(low, high) => low <= x && x < high,
+            Self::Between(low, high) => x > low && x < high,
+            Self::Within(low, high) => x >= low && x <= high,
+            Self::HalfOpen(low, high) => x >= low && x < high,
             _ => true,
         }
     }

@@ -7,7 +7,7 @@ mod mutations;
 use jointproof::catalog::{CATALOG, find};
 use jointproof::equation::{Claims, Equation, Setting, Signature, View};
 use jointproof::formula::{Component, Formula, Jacobian, Spec};
-use jointproof::proof::{Case, Proved};
+use jointproof::proof::{Case, Kink, Proved};
 use jointproof::quantity::{self, Domain, Quantity, Unit};
 use jointproof::slot::{Contact, ContactForce, CrossForces};
 use jointproof::verify::{self, Options};
@@ -140,6 +140,9 @@ impl Formula for WrongSymbol {
 impl Proved for WrongSymbol {
     fn cases() -> Vec<Case<Forces<f64>>> {
         vec![Case::hand("3-4-5", "a right triangle", Forces { f2: 3.0, f3: 4.0 })]
+    }
+    fn kinks() -> Vec<Kink<Self>> {
+        vec![Kink::<Self>::of_norm(Forces { f2: 0.0, f3: 0.0 }, |i| [i.f2, i.f3])]
     }
 }
 

@@ -1,5 +1,6 @@
 //! The list of operations, in which nothing is computed twice.
 
+use crate::Octuple;
 use crate::error::Error;
 use std::collections::HashMap;
 use std::fmt;
@@ -78,6 +79,8 @@ pub struct Search {
     pub name: &'static str,
     /// What it finds from as many numbers as it takes.
     pub(super) find: fn(&[f64]) -> f64,
+    /// The same in 237 bits.
+    pub(super) find_exactly: fn(&[Octuple]) -> Octuple,
 }
 
 impl PartialEq for Search {
@@ -217,20 +220,6 @@ impl Graph {
             Op::Number(bits) => Some(f64::from_bits(*bits)),
             _ => None,
         }
-    }
-
-    /// The operations that some results need, in order.
-    pub fn needed(&self, results: &[Node]) -> Vec<Node> {
-        let mut needed = vec![false; self.ops.len()];
-        for node in results {
-            needed[node.index()] = true;
-        }
-        for k in (0..self.ops.len()).rev() {
-            if needed[k] {
-                self.ops[k].operands().into_iter().for_each(|node| needed[node.index()] = true);
-            }
-        }
-        (0..self.ops.len()).filter(|&k| needed[k]).map(Node::at).collect()
     }
 
     /// The graph without what no result needs, the rest in the same order.

@@ -1,13 +1,30 @@
-//! The operations of a graph, done in `f64`.
+//! The operations of a graph, done in any number.
 
-use super::node::{Binary, Graph, Node, Op, Relation, Unary};
-use crate::eft::exact_sum;
-use crate::power::power_of_two_below;
-use crate::scalar::norm;
+use super::node::{Binary, Graph, Node, Op, Relation, Search, Unary};
+use crate::Octuple;
+use crate::scalar::{Leaf, abs, atan2, norm};
+
+/// A number in which a graph can be computed.
+pub trait Number: Leaf {
+    /// What a search finds from these.
+    fn found(search: &Search, numbers: &[Self]) -> Self;
+}
+
+impl Number for f64 {
+    fn found(search: &Search, numbers: &[Self]) -> Self {
+        (search.find)(numbers)
+    }
+}
+
+impl Number for Octuple {
+    fn found(search: &Search, numbers: &[Self]) -> Self {
+        (search.find_exactly)(numbers)
+    }
+}
 
 impl Relation {
     /// Whether it holds.
-    pub fn holds(self, x: f64, y: f64) -> bool {
+    pub fn holds<T: PartialOrd + Copy>(self, x: T, y: T) -> bool {
         match self {
             Self::Less => x < y,
             Self::LessOrEqual => x <= y,
@@ -18,31 +35,31 @@ impl Relation {
 
 impl Unary {
     /// The function.
-    pub fn of(self, x: f64) -> f64 {
+    pub fn of<T: Leaf>(self, x: T) -> T {
         match self {
             Self::Negative => -x,
-            Self::Absolute => x.abs(),
+            Self::Absolute => abs(x),
             Self::Root => x.sqrt(),
             Self::Sine => x.sin(),
             Self::Cosine => x.cos(),
             Self::ArcSine => x.asin(),
             Self::Exponential => x.exp(),
             Self::ExponentialMinusOne => x.exp_m1(),
-            Self::PowerOfTwo => power_of_two_below(x)[0],
+            Self::PowerOfTwo => x.power_of_two_below()[0],
         }
     }
 }
 
 impl Binary {
     /// The operation.
-    pub fn of(self, x: f64, y: f64) -> f64 {
+    pub fn of<T: Leaf>(self, x: T, y: T) -> T {
         match self {
             Self::Add => x + y,
             Self::Subtract => x - y,
             Self::Multiply => x * y,
             Self::Divide => x / y,
-            Self::Angle => x.atan2(y),
-            Self::Maximum => x.max(y),
+            Self::Angle => atan2(x, y),
+            Self::Maximum => x.or_larger(y),
         }
     }
 }
@@ -53,29 +70,40 @@ impl Graph {
     /// # Panics
     /// If there are fewer components than the formula has.
     pub fn run(&self, inputs: &[f64]) -> (Vec<f64>, Vec<f64>) {
-        let mut all: Vec<f64> = Vec::with_capacity(self.ops().len());
-        for op in self.ops() {
+        let all = self.results(inputs, (0..self.ops().len()).map(Node::at));
+        let results = |nodes: &[Node]| nodes.iter().map(|node| all[node.index()]).collect();
+        (results(&self.value), results(&self.jacobian))
+    }
+
+    /// The results of these operations, which stand in order; of all others NaN. An answer is 1 or 0.
+    ///
+    /// # Panics
+    /// If there are fewer components than the formula has.
+    pub fn results<T: Number>(&self, inputs: &[T], nodes: impl IntoIterator<Item = Node>) -> Vec<T> {
+        let mut all = vec![T::from(f64::NAN); self.ops().len()];
+        for node in nodes {
             let at = |node: Node| all[node.index()];
-            all.push(match op {
+            all[node.index()] = match self.op(node) {
                 Op::Input(k) => inputs[*k],
-                Op::Number(bits) => f64::from_bits(*bits),
+                Op::Number(bits) => T::from(f64::from_bits(*bits)),
                 Op::Unary(function, x) => function.of(at(*x)),
                 Op::Binary(operation, x, y) => operation.of(at(*x), at(*y)),
                 Op::MultiplyAdd(x, y, z) => at(*x).mul_add(at(*y), at(*z)),
                 Op::Norm(parts) => norm_of(&parts.iter().map(|&part| at(part)).collect::<Vec<_>>()),
-                Op::ExactSum(products) => exact_sum(products.iter().map(|product| product.map(at))),
-                Op::Search(search, numbers) => (search.find)(&numbers.iter().map(|&node| at(node)).collect::<Vec<_>>()),
-                Op::Compare(relation, x, y) => f64::from(u8::from(relation.holds(at(*x), at(*y)))),
+                Op::ExactSum(products) => T::exact_sum(products.iter().map(|product| product.map(at))),
+                Op::Search(search, numbers) => {
+                    T::found(search, &numbers.iter().map(|&node| at(node)).collect::<Vec<_>>())
+                }
+                Op::Compare(relation, x, y) => T::from(f64::from(u8::from(relation.holds(at(*x), at(*y))))),
                 Op::Select(condition, x, y) => at(if at(*condition) == 1.0 { *x } else { *y }),
-            });
+            };
         }
-        let results = |nodes: &[Node]| nodes.iter().map(|node| all[node.index()]).collect();
-        (results(&self.value), results(&self.jacobian))
+        all
     }
 }
 
 /// The length of a vector of two to four components; formulas have no others.
-fn norm_of(parts: &[f64]) -> f64 {
+fn norm_of<T: Leaf>(parts: &[T]) -> T {
     match *parts {
         [x, y] => norm([x, y]),
         [x, y, z] => norm([x, y, z]),

@@ -179,6 +179,11 @@ mod function {
 newtype_number!(Traced(Place), zero: number(0.0), one: number(1.0), rem: Rem::rem);
 newtype_dual_num!(Traced, function);
 
+/// What a search finds from a list of as many numbers as it takes.
+fn found<L: Leaf, S: Search<N>, const N: usize>(numbers: &[L]) -> L {
+    S::find(std::array::from_fn(|k| numbers[k]))
+}
+
 impl Leaf for Traced {
     const EPSILON: f64 = f64::EPSILON;
     fn pi() -> Self {
@@ -201,8 +206,8 @@ impl Leaf for Traced {
         Self(Place(enter(Op::ExactSum(products.into_iter().map(|product| product.map(Self::node)).collect()))))
     }
     fn find<S: Search<N>, const N: usize>(from: [Self; N]) -> Self {
-        let find = |numbers: &[f64]| S::find(std::array::from_fn::<_, N, _>(|k| numbers[k]));
-        Self(Place(enter(Op::Search(node::Search { name: S::NAME, find }, from.map(Self::node).into()))))
+        let search = node::Search { name: S::NAME, find: found::<_, S, N>, find_exactly: found::<_, S, N> };
+        Self(Place(enter(Op::Search(search, from.map(Self::node).into()))))
     }
 }
 

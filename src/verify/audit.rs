@@ -2,6 +2,7 @@
 
 use super::claim::Claim;
 use super::difference::{differences, step_size};
+use super::kinks::{self, Looked, SMOOTH};
 use super::point::{Names, Point};
 use super::printed::{EQUATION, found};
 use super::subject::{Law, Subject};
@@ -75,6 +76,12 @@ pub struct Audit {
     /// Nothing overflows where the formula [says](crate::formula::Spec::finite) so; `None` where it says nothing, and at a
     /// single given point.
     pub finite: Option<Claim>,
+    /// Every place where value or derivative jumps is registered, by one-sided differences in 237 bits.
+    pub kinks: Claim,
+    /// Something jumps on every registered kink; `None` where there is none.
+    pub register: Option<Claim>,
+    /// How kinks were looked for; `None` at a single given point.
+    pub looked: Option<Looked>,
 }
 
 impl Audit {
@@ -82,7 +89,13 @@ impl Audit {
     pub fn claims(&self) -> impl Iterator<Item = &Claim> {
         let derivatives = [&self.closed_against_ad, &self.ad_against_differences, &self.eta, &self.eta_jacobian];
         let printed = [&self.equation, &self.equation_jacobian];
-        derivatives.into_iter().chain(printed).chain(&self.laws).chain(&self.finite)
+        derivatives
+            .into_iter()
+            .chain(printed)
+            .chain(&self.laws)
+            .chain(&self.finite)
+            .chain([&self.kinks])
+            .chain(&self.register)
     }
 
     /// Whether no claim failed. At a single point on a kink there may be claims that cannot be checked.
@@ -141,7 +154,13 @@ fn audit_points(subject: &Subject, named: &[Point], random: &[Point], seed: u64)
         equation_jacobian,
         laws: invariance::of_all(subject).iter().chain(&subject.laws).map(|law| check_law(law, general)).collect(),
         finite: (!random.is_empty()).then(|| finite::claim(subject, &names, random, seed)).flatten(),
+        kinks: Claim::new("where value or derivative jumps a kink is registered, by one-sided differences", SMOOTH),
+        register: (!random.is_empty()).then(|| kinks::register(subject, &names)).flatten(),
+        looked: None,
     };
+    if !random.is_empty() {
+        audit.looked = Some(kinks::look(subject, &names, [named, random], &mut audit.kinks));
+    }
     let few = named.len() + PRINTED_AT;
     for (k, point) in named.iter().chain(random).enumerate() {
         audit.check(point, &names, printed.as_ref().filter(|_| k < few));
@@ -264,21 +283,42 @@ impl Audit {
         let bound = if point.random { AD_AGAINST_DIFFERENCES } else { AD_AGAINST_DIFFERENCES_HARD };
         for input in 0..inputs.len() {
             let step = step_size(point.subject.inputs, inputs, input);
-            let attempts: Vec<_> = steps.iter().map(|&step| differences(point.subject, inputs, input, step)).collect();
+            let attempt = |&step: &f64| differences(point.subject, inputs, &exact.values, (input, step));
+            let attempts: Vec<_> = steps.iter().map(attempt).collect();
             for (output, &value) in exact.values.iter().enumerate() {
                 let entry = output * inputs.len() + input;
                 let gradient = &ad[output * inputs.len()..][..inputs.len()];
                 let size = Sensitivity::new(gradient, inputs).plus(value).per(step);
                 let scale = ad[entry].abs() + size;
-                let deviations = attempts.iter().map(|rows| (ad[entry] - rows[output]).abs());
+                let deviations = attempts.iter().map(|rows| (ad[entry] - rows.central[output]).abs());
                 let best = deviations.reduce(|best, next| if next < best { next } else { best });
                 let Some(best) = best else { continue };
                 let relative = if best == 0.0 { 0.0 } else { (best / scale).to_f64() };
-                let found = attempts[0][output].to_f64();
+                let found = attempts[0].central[output].to_f64();
                 let describe = |size| point.deviation(size, names.entry(entry), ad[entry].to_f64(), found);
                 self.ad_against_differences.record(relative, bound, describe);
+                if !point.random {
+                    let sides: Vec<_> = attempts.iter().map(|rows| rows.sides_of(output)).collect();
+                    self.check_sides(point, names, entry, scale, &sides);
+                }
             }
         }
+    }
+
+    /// At a named point, which may be a special position, the derivatives on both sides are the same.
+    fn check_sides(&mut self, point: &Point, names: &Names, entry: usize, scale: Octuple, sides: &[[Octuple; 2]]) {
+        let relative = |[below, above]: &[Octuple; 2]| {
+            let jump = (*above - *below).abs();
+            let size = if jump == 0.0 { 0.0 } else { (jump / (scale + below.abs() + above.abs())).to_f64() };
+            (size, [*below, *above])
+        };
+        let smallest = sides.iter().map(relative).reduce(|best, next| if next.0 < best.0 { next } else { best });
+        let Some((size, [below, above])) = smallest else { return };
+        let inputs = point.exact.len();
+        // The steps may be too long for what is near.
+        let size = if size <= SMOOTH { size } else { size.min(kinks::jump(point, entry / inputs, entry % inputs)) };
+        let describe = |size| point.deviation(size, names.entry(entry), above.to_f64(), below.to_f64());
+        self.kinks.record(size, SMOOTH, describe);
     }
 
     fn check_value(&mut self, point: &Point, names: &Names, exact: &Exact, values: [Vec<f64>; 2]) {

@@ -12,11 +12,32 @@ use num_traits::{Signed, Zero};
 /// Rounding costs about 2⁻²³⁶/`step` and truncation `step`⁴: at 1e-18 both are far below 1e-50. Near a kink the step
 /// must be shorter than the distance to it, and fewer digits remain.
 pub fn central_differences<F: Proved>(inputs: &[Octuple], k: usize, step: f64) -> Vec<Octuple> {
-    differences(&Subject::of::<F>(), inputs, k, step)
+    let subject = Subject::of::<F>();
+    differences(&subject, inputs, &(subject.exact_value)(inputs), (k, step)).central
 }
 
-/// [`central_differences`] of a formula without its types.
-pub(super) fn differences(subject: &Subject, inputs: &[Octuple], k: usize, step: f64) -> Vec<Octuple> {
+/// The gradient of every output with respect to an input component.
+pub(super) struct Differences {
+    /// As [`central_differences`].
+    pub(super) central: Vec<Octuple>,
+    /// From the point to where the component is smaller, and to where it is larger.
+    pub(super) one_sided: [Vec<Octuple>; 2],
+}
+
+impl Differences {
+    /// The derivatives of an output on both sides.
+    pub(super) fn sides_of(&self, output: usize) -> [Octuple; 2] {
+        self.one_sided.each_ref().map(|side| side[output])
+    }
+}
+
+/// Differences of a formula without its types, which has these values `here`, by a component and a step.
+pub(super) fn differences(
+    subject: &Subject,
+    inputs: &[Octuple],
+    here: &[Octuple],
+    (k, step): (usize, f64),
+) -> Differences {
     let h = step_size(subject.inputs, inputs, k) * step;
     let shifted = |steps: f64| -> Vec<Octuple> {
         let mut moved = inputs.to_vec();
@@ -28,7 +49,10 @@ pub(super) fn differences(subject: &Subject, inputs: &[Octuple], k: usize, step:
     let [far_below, below, above, far_above] = [-2.0, -1.0, 1.0, 2.0].map(shifted);
     let near = above.iter().zip(&below).map(|(&above, &below)| (above - below) * 8.0);
     let far = far_above.iter().zip(&far_below).map(|(&above, &below)| above - below);
-    near.zip(far).map(|(near, far)| (near - far) / (h * 12.0)).collect()
+    let central = near.zip(far).map(|(near, far)| (near - far) / (h * 12.0)).collect();
+    let from =
+        |values: &[Octuple], sign: f64| values.iter().zip(here).map(|(&y, &here)| (y - here) / (h * sign)).collect();
+    Differences { central, one_sided: [from(&below, -1.0), from(&above, 1.0)] }
 }
 
 /// |x|, or the largest of its field where x is 0, or the largest of its unit where the whole field is 0, or 1.

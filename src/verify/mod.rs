@@ -50,6 +50,7 @@ mod finite;
 pub mod golden;
 mod invariance;
 mod jet;
+mod kinks;
 mod point;
 mod printed;
 mod prose;
@@ -66,10 +67,12 @@ pub use difference::central_differences;
 pub(crate) use eta::U;
 pub use eta::{Sensitivity, eta, relative};
 pub use jet::{derivative_of_jacobian, jacobian_by_ad};
+pub use kinks::{Coverage, Looked, Rank, Search, Sides};
 pub use prose::{Printed, claims_about, claims_at_large, kinks_as_printed, number_at_large, number_of};
 pub use sample::Sampler;
 pub use trial::Trial;
 
+pub(crate) use kinks::sides;
 pub(crate) use subject::{Kink, Subject};
 
 use crate::Octuple;

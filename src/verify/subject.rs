@@ -5,6 +5,7 @@
 
 use super::jet::{Sweep, differentiate, jacobian, value};
 use crate::formula::{self, Field, Fields, Formula, Spec, entries, typed};
+use crate::graph::{self, Graph, NotRecorded};
 use crate::proof::{self, Case, Convention, Equation, Proved};
 use crate::{Error, Octuple};
 
@@ -29,6 +30,8 @@ pub(crate) struct Subject {
     /// The formula's own cases, and those that it rejects.
     pub(crate) cases: fn() -> Vec<Case<Vec<f64>>>,
     pub(crate) invalid_cases: fn() -> Vec<Case<Vec<f64>>>,
+    /// What it does, written down.
+    pub(crate) graph: fn() -> Result<Graph, NotRecorded>,
     pub(crate) kinks: Vec<Kink>,
     pub(crate) laws: Vec<Law>,
 }
@@ -70,6 +73,7 @@ impl Subject {
             dual_jacobian: jacobian::<F, _>,
             cases: || F::cases().into_iter().map(flat::<F>).collect(),
             invalid_cases: || F::invalid_cases().into_iter().map(flat::<F>).collect(),
+            graph: graph::record::<F>,
             kinks: F::kinks().into_iter().map(Kink::of).collect(),
             laws: F::laws().into_iter().map(Law::of).collect(),
         }

@@ -3,6 +3,7 @@
 use crate::console::{bold, count, figure, green, print, progress, red, say};
 use crate::evidence::Evidence;
 use crate::golden;
+use crate::looked;
 use crate::outcome::{Outcome, Usage, verdict};
 use crate::owed::owed;
 use crate::project::Project;
@@ -119,6 +120,9 @@ pub fn text(audits: &[Audit], passed: fn(&Audit) -> bool) -> anyhow::Result<Stri
         for claim in audit.claims() {
             writeln!(text, "    {}", line(claim))?;
         }
+        for line in audit.looked.iter().flat_map(looked::lines) {
+            writeln!(text, "    {line}")?;
+        }
         for claim in audit.claims().filter(|claim| !claim.held() || is_error_figure(claim)) {
             text += &claim.worst.as_ref().map_or(String::new(), |worst| in_full(claim, worst));
         }
@@ -181,6 +185,10 @@ fn markdown(
                 .map_or(String::new(), |worst| format!("`{}`, {}", worst.entry, worst.point));
             let Claim { claim, bound, checks, failures, .. } = claim;
             writeln!(text, "| {claim} | {checks} | {failures} | {size} | {} | {at} |", figure(*bound))?;
+        }
+        text.push('\n');
+        for line in audit.looked.iter().flat_map(looked::lines) {
+            writeln!(text, "- {line}")?;
         }
         text.push('\n');
         for claim in audit.claims().filter(|claim| !claim.held()) {

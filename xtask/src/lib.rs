@@ -14,7 +14,8 @@
 //!
 //! `report` times a program that is built with optimisation: the same one, without the feature `commands`.
 
-pub mod measuring;
+pub mod looked;
+mod measuring;
 mod project;
 
 #[cfg(feature = "commands")]

@@ -105,7 +105,7 @@ impl<D: Scalar> Common<D> {
             m2: by_twisting * by_twist.m2 + by_pressing.m2,
             rp: by_twisting * by_twist.rp + by_push * push.by_arm.rp + pull.by_arm.rp * ra + total + by_pressing.rp,
             la: by_twisting * by_twist.la + by_push * push.by_arm.la + pull.by_arm.la * ra + by_pressing.la,
-            ra: if ra == 0.0 { ra } else { pull.value },
+            ra: pull.value,
             ls: by_pressing.ls,
         };
         (moment(pull.value, total + *pressing, ra, rp), slopes)

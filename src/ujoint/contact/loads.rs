@@ -50,9 +50,8 @@ impl<D: Scalar> JointLoads<D> {
     }
 }
 
-/// The moment of the axial force, left out where Ra = 0, and of the force that presses pin and sleeve together.
+/// The moment of the axial force, which is none where Ra = 0, and of the force that presses pin and sleeve together.
 #[inline]
 pub(super) fn moment<D: Scalar>(axial: D, pressing: D, ra: D, rp: D) -> D {
-    let pressing = pressing * rp;
-    if ra == 0.0 { pressing } else { axial * ra + pressing }
+    axial * ra + pressing * rp
 }

@@ -19,7 +19,6 @@ impl Proved for ContactMoments {
 
     fn kinks() -> Vec<Kink<Self>> {
         vec![
-            Kink::<Self>::switched_off(hand(), |i| [i.ra]),
             Kink::<Self>::switched_off(hand(), |i| [i.ls]),
             Kink::<Self>::subgradient(
                 r"F_{\mathrm{axial1}} = 0",

@@ -37,7 +37,6 @@ impl Proved for Friction {
     fn kinks() -> Vec<Kink<Self>> {
         let convention = Convention::Subgradient;
         vec![
-            Kink::<Self>::switched_off(regular(), |i| [i.ra]),
             Kink::<Self>::switched_off(regular(), |i| [i.ls]),
             Kink::<Self>::new(
                 convention,

@@ -132,11 +132,8 @@ def contact_moments(e1a, e2a, e3a, e3b, f1, f2, f3, m2, rp, la, ra, ls):
     across = hinge_transverse(axial1, axial3, bend, m2, la, rp)
     bending = hinge_bending(bend, m2, la, rp, ls)["f_total_bend"]
 
-    noteworthy("switch", ra == 0)
-
     def moment(axial_hinge, total_hinge):
-        friction_arm = mpf(0) if branch(ra == 0) else axial_hinge * ra
-        return friction_arm + (total_hinge + bending) * rp
+        return axial_hinge * ra + (total_hinge + bending) * rp
 
     return dict(
         mc1=moment(along["f_axial_hinge1"], across["f_total_hinge1"]),

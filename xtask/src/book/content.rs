@@ -128,11 +128,11 @@ pub(crate) struct Symbol {
 pub(crate) struct Kink {
     /// Where it is (text), for instance `$f_2 = f_3 = 0$`.
     pub(crate) at: String,
-    /// Which derivative is meant (text), for instance `$\partial F_C/\partial f_2$`.
+    /// What jumps there (text), for instance `$\partial F_C/\partial f_2$`.
     pub(crate) derivative: String,
-    /// One-sided derivative from below (text).
+    /// What it is on one side (text).
     pub(crate) left: String,
-    /// One-sided derivative from above (text).
+    /// What it is on the other side (text).
     pub(crate) right: String,
     /// The value returned, and by which convention (text).
     pub(crate) convention: String,

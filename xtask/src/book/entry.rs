@@ -8,7 +8,8 @@ use super::rust;
 use super::source::listing_page;
 use super::speed;
 use crate::extension::Fact;
-use jointproof::verify::{Audit, Claim};
+use crate::looked;
+use jointproof::verify::{Audit, Claim, Looked};
 
 /// The entry as one line of HTML.
 pub(crate) fn entry(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
@@ -93,7 +94,7 @@ fn facts(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
         let items = each(lines, |line| format!("<li>{}</li>", pages.text(at, line)));
         out += &fact(&escape(name), &format!("<ul>{items}</ul>"));
     }
-    out += &fact("Kinks", &kinks(pages, at, &entry.kinks));
+    out += &fact("Kinks", &kinks(pages, at, &entry.kinks, entry.evidence.audit.as_ref()));
     out += &fact("Golden cases", &golden(at, entry.golden.as_ref()));
     out += &fact("Evidence", &evidence(&entry.evidence));
     out + &fact("Laws", &laws(entry.evidence.audit.as_ref()))
@@ -113,10 +114,17 @@ fn fact(name: &str, html: &str) -> String {
     format!("<dt>{name}</dt><dd>{html}</dd>")
 }
 
-/// Where the derivative jumps, and what is returned there.
-fn kinks(pages: &Pages<'_>, at: &Place, kinks: &[Kink]) -> String {
+/// Where value or derivative jumps, and what is returned there; where nothing is registered, how it was looked for.
+fn kinks(pages: &Pages<'_>, at: &Place, kinks: &[Kink], audit: Option<&Audit>) -> String {
+    let looked = audit.filter(|audit| audit.kinks.held()).and_then(|audit| audit.looked.as_ref());
     if kinks.is_empty() {
-        return "none: differentiable wherever it is defined".to_owned();
+        return match looked {
+            None => "none registered, and not looked for on this version".to_owned(),
+            Some(Looked::NamedPoints { .. }) => {
+                "none at the named points; its comparisons were not searched".to_owned()
+            }
+            Some(Looked::Graph { .. }) => "none found: differentiable wherever it is defined".to_owned(),
+        };
     }
     let line = |kink: &Kink| {
         format!(
@@ -168,6 +176,7 @@ fn evidence(ran: &Evidence) -> String {
         ("its derivative against closed form", &audit.equation_jacobian),
     ];
     chips.extend(claims.iter().map(|(what, claim)| format!("{what} {}", worst(claim))));
+    chips.extend(audit.looked.iter().flat_map(looked::lines).map(|line| escape(&line)));
     format!("<ul class=\"chips\">{}</ul>", each(chips, |chip| format!("<li>{chip}</li>")))
 }
 

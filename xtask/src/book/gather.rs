@@ -13,6 +13,7 @@ use jointproof::formula::{Field, Given, Source};
 use jointproof::proof::Convention;
 use jointproof::quantity::Shape;
 use jointproof::verify::golden::File;
+use jointproof::verify::{Rank, Sides};
 use rayon::prelude::*;
 use std::path::Path;
 
@@ -89,7 +90,7 @@ fn entry(project: &Project, formula: &dyn AnyFormula, index: &Index<'_>, evidenc
         source: source(spec.source),
         inputs: formula.inputs().iter().map(symbol).collect(),
         outputs: formula.outputs().iter().map(symbol).collect(),
-        kinks: formula.kinks().iter().map(|entry| kink(entry, formula.outputs())).collect(),
+        kinks: formula.kinks().iter().map(|entry| kink(entry, [formula.inputs(), formula.outputs()])).collect(),
         code: code(index, formula.path(), type_name),
         tests: index.tests_naming(spec.id, type_name),
         golden: golden.ok().and_then(|text| File::parse(&text).ok()).map(|file| counts(&file)),
@@ -146,33 +147,48 @@ fn symbol(field: &Field) -> Symbol {
     }
 }
 
-/// The kink as the output that bends most shows it.
-fn kink(entry: &KinkEntry, outputs: &[Field]) -> Kink {
-    let names = outputs.iter().flat_map(|field| vec![field; field.len()]);
-    let jump = |[below, above]: &[f64; 2]| (above - below).abs();
-    let bent = names.zip(&entry.one_sided).max_by(|(_, a), (_, b)| jump(a).total_cmp(&jump(b)));
-    let Some((output, [below, above])) = bent else { return Kink::default() };
+/// The kink as the output and the input show it that jump there.
+fn kink(entry: &KinkEntry, [inputs, outputs]: [&[Field]; 2]) -> Kink {
     let convention = match entry.convention {
         Convention::Subgradient => "0 is returned, the subgradient of least norm",
         Convention::Switch => "the value is defined; the Jacobian is one-sided and left out of the golden file",
         Convention::Cut => "the value jumps by a whole turn there, its derivative does not",
     };
+    let Some(Sides { rank, output, input, sides: [below, above] }) = entry.sides else { return Kink::default() };
+    let (output, input) = (component(outputs, output), component(inputs, input));
+    let derivative = match rank {
+        Rank::Value => format!("${output}$ itself, across ${input}$,"),
+        Rank::Slope => format!(r"$\partial {output}/\partial {input}$"),
+        Rank::Curvature => format!(r"$\partial^2 {output}/\partial {input}^2$"),
+    };
     Kink {
         at: format!("${}$", entry.condition),
-        derivative: format!("the derivative of ${}$ across it", output.quantity.latex),
-        left: four_digits(*below),
-        right: four_digits(*above),
+        derivative,
+        left: four_digits(below),
+        right: four_digits(above),
         convention: convention.into(),
     }
 }
 
-/// To four decimals, without zeros that say nothing, with a true minus sign. A difference over a step of 1e-40 that is
-/// this large has no limit.
+/// The symbol of the component at this place: `f_1`, or `(\mathbf{n})_2` for the second one of **n**.
+fn component(fields: &[Field], mut place: usize) -> String {
+    for field in fields {
+        if place < field.len() {
+            let latex = field.quantity.latex;
+            return if field.len() == 1 { latex.into() } else { format!("({latex})_{{{}}}", place + 1) };
+        }
+        place -= field.len();
+    }
+    unreachable!("a place is below the number of components")
+}
+
+/// To four decimals, without zeros that say nothing, with a true minus sign.
 fn four_digits(x: f64) -> String {
-    if x.abs() > 1e15 {
+    if x.is_infinite() {
         return "without bound".into();
     }
-    ((x * 1e4).round() / 1e4).to_string().replace('-', "−")
+    // A negative zero is written as 0.
+    ((x * 1e4).round() / 1e4 + 0.0).to_string().replace('-', "−")
 }
 
 fn counts(file: &File) -> GoldenCounts {

@@ -7,7 +7,7 @@ use super::entry::{document, worst};
 use super::html::{each, escape, number, row, table};
 use super::pages::{Pages, Place};
 use crate::extension::Table;
-use jointproof::verify::Claim;
+use jointproof::verify::{Audit, Claim, Looked};
 
 /// Links to several formulas.
 fn links(pages: &Pages<'_>, at: &Place, ids: &[&str]) -> String {
@@ -53,7 +53,7 @@ pub(crate) fn kinks(pages: &Pages<'_>, at: &Place) -> String {
             ("wide", pages.text(at, &kink.convention)),
         ])
     });
-    table("kinks", &["Formula", "Where", "Derivative", "One side", "Other side", "Returned"], &rows)
+    table("kinks", &["Formula", "Where", "What jumps", "From", "To", "Returned"], &rows)
 }
 
 /// The columns of the evidence table.
@@ -67,6 +67,7 @@ const EVIDENCE: &[&str] = &[
     "AD against differences",
     "Printed equation",
     "Its derivative",
+    "Places crossed",
     "Laws held",
 ];
 
@@ -96,8 +97,19 @@ fn evidence_row(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
         ("figure", gap(&audit.ad_against_differences)),
         ("figure", gap(&audit.equation)),
         ("figure", gap(&audit.equation_jacobian)),
+        ("figure", crossed(audit)),
         ("figure", format!("{held} of {}", audit.laws.len())),
     ])
+}
+
+/// On how many places that might be kinks points were found.
+fn crossed(audit: &Audit) -> String {
+    match &audit.looked {
+        Some(Looked::Graph { search, .. }) => {
+            format!("{} of {}", search.candidates - search.not_reached.len(), search.candidates)
+        }
+        Some(Looked::NamedPoints { .. }) | None => "not recorded".into(),
+    }
 }
 
 /// The worst deviation where the bound is the same for every formula.

@@ -1,0 +1,273 @@
+//! Kinks are found: a planted formula fails without its register and passes with it, and a register of what does not
+//! happen fails too.
+
+use jointproof::formula::{Component, Document, Formula, Jacobian, Spec};
+use jointproof::proof::{Case, Convention, Kink, Proved};
+use jointproof::quantity::{F2, F3, FC};
+use jointproof::scalar::{Scalar, abs, atan2, direction, norm, sign};
+use jointproof::verify::{Audit, Looked, Options, audit};
+use jointproof::{Error, fields};
+
+fields! { struct Inputs<T> { f2: T = F2, f3: T = F3 } }
+fields! { struct Outputs<T> { fc: T = FC } }
+
+/// A value of two numbers, its gradient, and where it has none.
+trait Plant: Copy + Send + Sync + 'static {
+    fn value<D: Scalar>(f2: D, f3: D) -> D;
+    fn gradient<D: Scalar>(f2: D, f3: D) -> [D; 2];
+    fn kinks<const REGISTERED: bool>() -> Vec<Kink<Planted<Self, REGISTERED>>>;
+    /// Inputs that are refused.
+    fn is_refused(_: &Inputs<f64>) -> bool {
+        false
+    }
+}
+
+/// The formula with its register, or without.
+#[derive(Clone, Copy)]
+struct Planted<P, const REGISTERED: bool>(P);
+
+impl<P: Plant, const REGISTERED: bool> Formula for Planted<P, REGISTERED> {
+    const SPEC: Spec = Spec::new("planted.kink", "Planted kink", Document::SLOT.printed("Friction"))
+        .equation(r"F_C = \sqrt{f_2^2 + f_3^2}")
+        .eta(2.0, 2.0);
+    type Inputs<E: Component> = Inputs<E>;
+    type Outputs<E: Component> = Outputs<E>;
+    fn eval<D: Scalar>(i: &Inputs<D>) -> Outputs<D> {
+        Outputs { fc: P::value(i.f2, i.f3) }
+    }
+    fn jacobian<D: Scalar>(i: &Inputs<D>) -> Jacobian<Self, D> {
+        let [f2, f3] = P::gradient(i.f2, i.f3);
+        Outputs { fc: Inputs { f2, f3 } }
+    }
+    fn validate(i: &Inputs<f64>) -> Result<(), Error> {
+        if P::is_refused(i) { Error::check_direction("f2", [i.f2, i.f3, 0.0].into()) } else { Ok(()) }
+    }
+}
+
+impl<P: Plant, const REGISTERED: bool> Proved for Planted<P, REGISTERED> {
+    fn cases() -> Vec<Case<Inputs<f64>>> {
+        vec![Case::hand("somewhere", "", Inputs { f2: 3.0, f3: 4.0 })]
+    }
+    fn invalid_cases() -> Vec<Case<Inputs<f64>>> {
+        let zero = Inputs { f2: 0.0, f3: 0.0 };
+        if P::is_refused(&zero) { vec![Case::invalid("zero", "", zero)] } else { Vec::new() }
+    }
+    fn kinks() -> Vec<Kink<Self>> {
+        if REGISTERED { P::kinks() } else { Vec::new() }
+    }
+}
+
+fn audited<P: Plant, const REGISTERED: bool>() -> Audit {
+    audit::<Planted<P, REGISTERED>>(&Options { samples: 20, seed: 3 })
+}
+
+/// Without the register the audit fails at this place, and gives these slopes; with it, it passes.
+fn assert_demanded<P: Plant>(place: &str, is_there: fn(f64, f64) -> bool) {
+    let without = audited::<P, false>();
+    let worst = without.kinks.worst.as_ref().expect("something was compared");
+    assert!(without.kinks.failures > 0 && !without.passed(), "{place}: {without:#?}");
+    assert_eq!((without.formula.as_str(), worst.point.as_str()), ("planted.kink", place));
+    let [f2, f3] = ["f2", "f3"].map(|name| worst.inputs[name].as_f64().expect("a number"));
+    assert!(is_there(f2, f3), "{place}: {worst:?}");
+    assert_ne!(worst.found, worst.expected, "{place}: {worst:?}");
+    let with = audited::<P, true>();
+    assert!(with.kinks.held(), "{place}: {:#?}", with.kinks);
+    assert!(with.register.as_ref().is_some_and(jointproof::verify::Claim::held), "{place}: {:#?}", with.register);
+}
+
+const AT: Inputs<f64> = Inputs { f2: 3.0, f3: 4.0 };
+const BY_F2: Inputs<f64> = Inputs { f2: 1.0, f3: 0.0 };
+
+/// √(f2² + f3²), whose guarded length is 0 at the apex, where central differences are 0 too.
+#[derive(Clone, Copy)]
+struct Apex;
+impl Plant for Apex {
+    fn value<D: Scalar>(f2: D, f3: D) -> D {
+        norm([f2, f3])
+    }
+    fn gradient<D: Scalar>(f2: D, f3: D) -> [D; 2] {
+        direction([f2, f3])
+    }
+    fn kinks<const R: bool>() -> Vec<Kink<Planted<Self, R>>> {
+        vec![Kink::<Planted<Self, R>>::of_norm(AT, |i| [i.f2, i.f3])]
+    }
+}
+
+/// |f2 − f3|.
+#[derive(Clone, Copy)]
+struct Difference;
+impl Plant for Difference {
+    fn value<D: Scalar>(f2: D, f3: D) -> D {
+        abs(f2 - f3)
+    }
+    fn gradient<D: Scalar>(f2: D, f3: D) -> [D; 2] {
+        [sign(f2 - f3), -sign(f2 - f3)]
+    }
+    fn kinks<const R: bool>() -> Vec<Kink<Planted<Self, R>>> {
+        vec![Kink::<Planted<Self, R>>::subgradient("f_2 = f_3", |i| i.f2 == i.f3, Inputs { f2: 4.0, ..AT }, BY_F2)]
+    }
+}
+
+/// max(f2, 0) + f3².
+#[derive(Clone, Copy)]
+struct Ramp;
+impl Plant for Ramp {
+    fn value<D: Scalar>(f2: D, f3: D) -> D {
+        (if f2 > 0.0 { f2 } else { D::zero() }) + f3 * f3
+    }
+    fn gradient<D: Scalar>(f2: D, f3: D) -> [D; 2] {
+        [if f2 > 0.0 { D::one() } else { D::zero() }, f3 * 2.0]
+    }
+    fn kinks<const R: bool>() -> Vec<Kink<Planted<Self, R>>> {
+        vec![Kink::<Planted<Self, R>>::switched_off(AT, |i| [i.f2])]
+    }
+}
+
+/// A slope that becomes steeper by a thousandth part beyond f2 f3 = 3/2.
+#[derive(Clone, Copy)]
+struct Threshold;
+impl Threshold {
+    const STEEPER: f64 = 0.001;
+    fn beyond<D: Scalar>(f2: D, f3: D) -> D {
+        f2 * f3 - 1.5
+    }
+}
+impl Plant for Threshold {
+    fn value<D: Scalar>(f2: D, f3: D) -> D {
+        let beyond = Self::beyond(f2, f3);
+        if beyond > 0.0 { beyond * Self::STEEPER + beyond } else { beyond }
+    }
+    fn gradient<D: Scalar>(f2: D, f3: D) -> [D; 2] {
+        let slope = if Self::beyond(f2, f3) > 0.0 { 1.0 + Self::STEEPER } else { 1.0 };
+        [f3 * slope, f2 * slope]
+    }
+    fn kinks<const R: bool>() -> Vec<Kink<Planted<Self, R>>> {
+        vec![Kink::<Planted<Self, R>>::switch(
+            r"f_2 f_3 = \tfrac32",
+            |i| i.f2 * i.f3 == 1.5,
+            Inputs { f2: 0.375, f3: 4.0 },
+            BY_F2,
+        )]
+    }
+}
+
+/// The angle of the point (f3, f2), which jumps by a full turn; the origin is refused.
+#[derive(Clone, Copy)]
+struct Angle;
+impl Plant for Angle {
+    fn value<D: Scalar>(f2: D, f3: D) -> D {
+        atan2(f2, f3)
+    }
+    fn gradient<D: Scalar>(f2: D, f3: D) -> [D; 2] {
+        let square = f2 * f2 + f3 * f3;
+        [f3 / square, -f2 / square]
+    }
+    fn kinks<const R: bool>() -> Vec<Kink<Planted<Self, R>>> {
+        let at = Inputs { f2: 0.0, f3: -2.0 };
+        vec![Kink::<Planted<Self, R>>::new(
+            Convention::Cut,
+            r"f_2 = 0,\ f_3 < 0",
+            |i| i.f2 == 0.0 && i.f3 < 0.0,
+            at,
+            BY_F2,
+        )]
+    }
+    fn is_refused(i: &Inputs<f64>) -> bool {
+        i.f2 == 0.0 && i.f3 == 0.0
+    }
+}
+
+/// f2³/(f2² + f3²): along every line through the origin it is straight, and yet it has no derivative there.
+#[derive(Clone, Copy)]
+struct Lines;
+impl Plant for Lines {
+    fn value<D: Scalar>(f2: D, f3: D) -> D {
+        let square = f2 * f2 + f3 * f3;
+        if square == 0.0 { square } else { f2 * f2 * f2 / square }
+    }
+    fn gradient<D: Scalar>(f2: D, f3: D) -> [D; 2] {
+        let square = f2 * f2 + f3 * f3;
+        if square == 0.0 {
+            return [D::zero(); 2];
+        }
+        let part = f2 / square;
+        [part * f2 * (part * f2 * -2.0 + 3.0), part * part * f2 * f3 * -2.0]
+    }
+    fn kinks<const R: bool>() -> Vec<Kink<Planted<Self, R>>> {
+        vec![Kink::<Planted<Self, R>>::of_norm(AT, |i| [i.f2, i.f3])]
+    }
+}
+
+/// 3 f2 + f3, in two ways that a comparison chooses; what is registered does not happen.
+#[derive(Clone, Copy)]
+struct Technical;
+impl Plant for Technical {
+    fn value<D: Scalar>(f2: D, f3: D) -> D {
+        if f2 * f2 > f3 { f2 * 3.0 + f3 } else { f2 + f2 * 2.0 + f3 }
+    }
+    fn gradient<D: Scalar>(_: D, _: D) -> [D; 2] {
+        [D::from(3.0), D::one()]
+    }
+    fn kinks<const R: bool>() -> Vec<Kink<Planted<Self, R>>> {
+        vec![Kink::<Planted<Self, R>>::of_abs(AT, |i| [i.f2])]
+    }
+}
+
+#[test]
+fn an_apex_is_demanded() {
+    assert_demanded::<Apex>("where |(f2, f3)| = 0", |f2, f3| f2 == 0.0 && f3 == 0.0);
+}
+
+#[test]
+fn the_absolute_value_of_a_difference_is_demanded() {
+    assert_demanded::<Difference>("where f2 − f3 = 0", |f2, f3| f2 == f3);
+}
+
+#[test]
+fn the_end_of_a_ramp_is_demanded() {
+    assert_demanded::<Ramp>("where f2 = 0", |f2, _| f2 == 0.0);
+}
+
+#[test]
+fn a_step_of_a_thousandth_in_a_slope_is_demanded() {
+    assert_demanded::<Threshold>("where f2 f3 − 1.5 = 0", |f2, f3| (f2 * f3 - 1.5).abs() < 1e-15);
+}
+
+#[test]
+fn the_cut_of_an_angle_is_demanded_and_a_refused_origin_is_not() {
+    assert_demanded::<Angle>("where f2 = 0, f3 < 0", |f2, f3| f2 == 0.0 && f3 < 0.0);
+    let Some(Looked::Graph { search, .. }) = audited::<Angle, true>().looked else { panic!("it is recorded") };
+    assert_eq!(search.not_reached, ["f2 = f3 = 0"]);
+}
+
+#[test]
+fn an_origin_is_demanded_through_which_every_line_is_straight() {
+    assert_demanded::<Lines>("where f2 f2 + f3 f3 = 0", |f2, f3| f2 == 0.0 && f3 == 0.0);
+}
+
+#[test]
+fn a_comparison_that_changes_nothing_is_shown_smooth() {
+    let audit = audited::<Technical, false>();
+    assert!(audit.kinks.held(), "{:#?}", audit.kinks);
+    let Some(Looked::Graph { search, coverage }) = audit.looked else { panic!("it is recorded") };
+    assert_eq!((search.candidates, search.smooth, search.registered), (1, 1, 0));
+    assert_eq!((coverage.comparisons, coverage.asked), (1, 21));
+    assert!(coverage.never.is_empty(), "{coverage:?}");
+}
+
+#[test]
+fn a_register_of_what_does_not_happen_fails() {
+    let audit = audited::<Technical, true>();
+    let register = audit.register.as_ref().expect("there is a register");
+    let worst = register.worst.as_ref().expect("it was compared");
+    assert_eq!((register.failures, worst.entry.as_str(), worst.point.as_str()), (1, "nothing jumps", "kink f_2 = 0"));
+    assert!(!audit.passed());
+}
+
+#[test]
+fn a_side_that_nothing_reaches_is_named() {
+    let Some(Looked::Graph { coverage, .. }) = audited::<Apex, true>().looked else { panic!("it is recorded") };
+    assert_eq!(coverage.never, Vec::<String>::new());
+    let Some(Looked::Graph { coverage, .. }) = audited::<Lines, false>().looked else { panic!("it is recorded") };
+    assert_eq!(coverage.never, ["f2 f2 + f3 f3 = 0: never so"]);
+}

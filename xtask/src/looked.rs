@@ -1,0 +1,46 @@
+//! In words: how kinks of a formula were looked for, and which sides of its comparisons were taken.
+
+use crate::console::count;
+use jointproof::verify::{Coverage, Looked, Search};
+
+/// So many of a kind are named before the rest is only counted.
+const NAMED: usize = 4;
+
+/// What was found, in a few lines; nothing of what was covered wholly is listed.
+pub(crate) fn lines(looked: &Looked) -> Vec<String> {
+    match looked {
+        Looked::NamedPoints { why } => vec![format!("kinks were looked for at named points alone: {why}")],
+        Looked::Graph { search, coverage } => of_search(search).into_iter().chain(of_coverage(coverage)).collect(),
+    }
+}
+
+fn of_search(search: &Search) -> Vec<String> {
+    let Search { candidates, points, smooth, registered, not_reached, .. } = search;
+    if *candidates == 0 {
+        return vec!["it compares nothing and guards no zero, so that nothing can jump".into()];
+    }
+    let [candidates, points] = [(*candidates, "place"), (*points, "point")].map(|(number, noun)| count(number, noun));
+    let found =
+        format!("{candidates} where it might not be smooth, at {points}: {smooth} smooth, {registered} registered");
+    [vec![found], named("not reached", not_reached)].concat()
+}
+
+fn of_coverage(coverage: &Coverage) -> Vec<String> {
+    if coverage.comparisons == 0 {
+        return Vec::new();
+    }
+    let [comparisons, asked] =
+        [(coverage.comparisons, "comparison"), (coverage.asked, "time")].map(|(number, noun)| count(number, noun));
+    let sides = if coverage.never.is_empty() { ", both sides of each taken" } else { "" };
+    [vec![format!("{comparisons}, asked {asked}{sides}")], named("sides not taken", &coverage.never)].concat()
+}
+
+fn named(what: &str, texts: &[String]) -> Vec<String> {
+    if texts.is_empty() {
+        return Vec::new();
+    }
+    let more = texts.len().saturating_sub(NAMED);
+    let listed = texts.iter().take(NAMED).cloned();
+    let rest = (more > 0).then(|| format!("and {more} more, listed with --format json"));
+    vec![format!("{what}, {}: {}", texts.len(), listed.chain(rest).collect::<Vec<_>>().join("; "))]
+}
