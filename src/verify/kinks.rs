@@ -23,6 +23,7 @@ pub(crate) use register::sides;
 use super::claim::Claim;
 use super::point::{Names, Point};
 use super::subject::Subject;
+use crate::graph::Op;
 use serde::{Deserialize, Serialize};
 
 /// So many random points are started from before the named ones.
@@ -39,9 +40,9 @@ pub enum Looked {
         /// Which sides of its comparisons the points of the audit took.
         coverage: Coverage,
     },
-    /// At named points alone, since it has no graph.
+    /// At named points alone, since its graph does not tell.
     NamedPoints {
-        /// Why it has none.
+        /// Why.
         why: String,
     },
 }
@@ -59,6 +60,9 @@ pub(super) fn look(subject: &Subject, names: &Names, [named, random]: [&[Point];
         Ok(graph) => graph,
         Err(why) => return Looked::NamedPoints { why: why.to_string() },
     };
+    if graph.ops().iter().any(|op| matches!(op, Op::Search(..))) {
+        return Looked::NamedPoints { why: "it searches, and where what is found jumps no operation tells".into() };
+    }
     // Points in general position come first.
     let starts: Vec<_> = random.iter().take(FEW).chain(named).chain(random.iter().skip(FEW)).collect();
     let search = search::search(subject, &graph, names, &starts, claim);

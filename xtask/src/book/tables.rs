@@ -108,7 +108,7 @@ fn crossed(audit: &Audit) -> String {
         Some(Looked::Graph { search, .. }) => {
             format!("{} of {}", search.candidates - search.not_reached.len(), search.candidates)
         }
-        Some(Looked::NamedPoints { .. }) | None => "not recorded".into(),
+        Some(Looked::NamedPoints { .. }) | None => "at named points".into(),
     }
 }
 
