@@ -17,7 +17,7 @@ trait Plant: Copy + Send + Sync + 'static {
     fn gradient<D: Scalar>(f2: D, f3: D) -> [D; 2];
     fn kinks<const REGISTERED: bool>() -> Vec<Kink<Planted<Self, REGISTERED>>>;
     /// Inputs that are refused.
-    fn is_refused(_: &Inputs<f64>) -> bool {
+    fn is_refused<D: Scalar>(_: &Inputs<D>) -> bool {
         false
     }
 }
@@ -39,8 +39,8 @@ impl<P: Plant, const REGISTERED: bool> Formula for Planted<P, REGISTERED> {
         let [f2, f3] = P::gradient(i.f2, i.f3);
         Outputs { fc: Inputs { f2, f3 } }
     }
-    fn validate(i: &Inputs<f64>) -> Result<(), Error> {
-        if P::is_refused(i) { Error::check_direction("f2", [i.f2, i.f3, 0.0].into()) } else { Ok(()) }
+    fn validate<D: Scalar>(i: &Inputs<D>) -> Result<(), Error> {
+        if P::is_refused(i) { Error::check_direction("f2", [i.f2, i.f3].into()) } else { Ok(()) }
     }
 }
 
@@ -172,7 +172,7 @@ impl Plant for Angle {
             BY_F2,
         )]
     }
-    fn is_refused(i: &Inputs<f64>) -> bool {
+    fn is_refused<D: Scalar>(i: &Inputs<D>) -> bool {
         i.f2 == 0.0 && i.f3 == 0.0
     }
 }

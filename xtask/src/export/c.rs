@@ -116,7 +116,8 @@ pub(super) struct Names {
     pub(super) equal: &'static str,
 }
 
-const NAMES: Names = Names {
+/// The names of C, which others share.
+pub(super) const NAMES: Names = Names {
     unary: |function| match function {
         Unary::Negative => "-",
         Unary::Absolute => "fabs",

@@ -1,6 +1,7 @@
 //! FPCore, the exchange format of `FPBench`: what a formula means, an expression for every output and every derivative, for tools
 //! that bound or improve rounding errors.
 
+use super::c::NAMES;
 use super::language::{File, Language, Toolchain};
 use super::recorded::{Recorded, Text, bounds, stem};
 use jointproof::formula::Field;
@@ -110,7 +111,7 @@ impl Printed<'_> {
         };
         match self.one.graph.op(node) {
             Op::Unary(Unary::PowerOfTwo, x) => format!("(exp2 (floor (log2 {})))", self.text(*x)),
-            Op::Unary(function, x) => call(unary(*function), &[*x]),
+            Op::Unary(function, x) => call((NAMES.unary)(*function), &[*x]),
             Op::Binary(operation, x, y) => call(binary(*operation), &[*x, *y]),
             Op::MultiplyAdd(x, y, z) => call("fma", &[*x, *y, *z]),
             Op::Norm(parts) => {
@@ -132,20 +133,6 @@ impl Printed<'_> {
                 unreachable!("searches are left out, and atoms are no operations")
             }
         }
-    }
-}
-
-fn unary(function: Unary) -> &'static str {
-    match function {
-        Unary::Negative => "-",
-        Unary::Absolute => "fabs",
-        Unary::Root => "sqrt",
-        Unary::Sine => "sin",
-        Unary::Cosine => "cos",
-        Unary::ArcSine => "asin",
-        Unary::Exponential => "exp",
-        Unary::ExponentialMinusOne => "expm1",
-        Unary::PowerOfTwo => unreachable!("it is written as an expression"),
     }
 }
 

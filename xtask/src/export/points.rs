@@ -23,7 +23,7 @@ pub(super) enum Expected {
     TooLarge,
 }
 
-/// The points of every formula: all golden cases, valid or not, and random ones.
+/// The points of every formula: all golden cases, valid or not, one on each kink, and random ones.
 pub(super) fn all(recorded: &[Recorded], samples: usize) -> Vec<Vec<Point>> {
     recorded.iter().map(|one| of(one, samples)).collect()
 }
@@ -46,7 +46,8 @@ fn of(one: &Recorded, samples: usize) -> Vec<Point> {
     let random = formula.timing_inputs(&options);
     let count = formula.inputs().iter().map(Field::len).sum();
     let random = random.chunks(count).enumerate().map(|(k, inputs)| point(format!("random {k}"), inputs.to_vec()));
-    cases.chain(random).collect()
+    let kinks = formula.kinks().into_iter().map(|kink| point(format!("kink {}", kink.condition), kink.at));
+    cases.chain(kinks).chain(random).collect()
 }
 
 /// The code by which an error is told: the position of the input, or of what is required behind all inputs.
