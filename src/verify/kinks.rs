@@ -12,7 +12,8 @@ mod solve;
 mod words;
 
 pub use coverage::Coverage;
-pub use register::{Rank, Sides};
+pub use jump::Rank;
+pub use register::Sides;
 pub use search::Search;
 
 use jump::Neighbourhood;
@@ -66,6 +67,10 @@ pub(super) fn look(subject: &Subject, names: &Names, [named, random]: [&[Point];
     // Points in general position come first.
     let starts: Vec<_> = random.iter().take(FEW).chain(named).chain(random.iter().skip(FEW)).collect();
     let search = search::search(subject, &graph, names, &starts, claim);
+    if search.candidates == 0 {
+        // That there is no such place is what was checked.
+        claim.checks += 1;
+    }
     let points = named.iter().chain(random).map(|point| point.inputs.as_slice());
     Looked::Graph { search, coverage: coverage::coverage(&graph, &names.inputs, points) }
 }

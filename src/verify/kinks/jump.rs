@@ -1,11 +1,21 @@
 //! One-sided differences at a point, in 237 bits: whether value or derivative jumps there.
 
-use super::register::Rank;
 use crate::Octuple;
 use crate::formula::Field;
 use crate::verify::Subject;
 use crate::verify::difference::step_size;
 use num_traits::{Signed, Zero};
+
+/// What jumps on a kink.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rank {
+    /// The value itself.
+    Value,
+    /// The first derivative.
+    Slope,
+    /// Only the second derivative.
+    Curvature,
+}
 
 /// Two derivatives, or a derivative and its limit, differ by no more than this part of what they are made of where the
 /// formula is smooth.

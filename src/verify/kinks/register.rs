@@ -1,6 +1,6 @@
 //! The registered kinks: which hold at a point, and what jumps on them.
 
-use super::jump::Neighbourhood;
+use super::jump::{Neighbourhood, Rank};
 use crate::Octuple;
 use crate::equation::{Claims, Setting, Signature};
 use crate::verify::claim::{Claim, Deviation};
@@ -54,17 +54,6 @@ fn is_near(claims: &Claims, at: &[Octuple], [values, jacobian]: &[Vec<Octuple>; 
         let terms = claims.terms(claim, &point, &sizes);
         if claim.is_equality { (claim.right - claim.left).abs() <= terms * MET } else { claim.holds }
     })
-}
-
-/// What jumps on a kink.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rank {
-    /// The value itself.
-    Value,
-    /// The first derivative.
-    Slope,
-    /// Only the second derivative.
-    Curvature,
 }
 
 /// What jumps on a kink, and from where to where: the output and the input that show it best.

@@ -26,7 +26,7 @@ use recorded::record;
 pub(crate) use script::{Script, runtime_script, script};
 use std::path::PathBuf;
 
-/// Write formulas as programs in C, Fortran, JavaScript or NumPy, or as expressions in FPCore
+/// Write formulas as programs in other languages
 ///
 /// What is printed is what the formula does in `f64`: the same operations in the same order, with both sides of every choice.
 /// --check compiles it and compares every bit with this program's own. Compile it without fused operations, lest bits change:
