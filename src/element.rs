@@ -22,6 +22,7 @@ pub mod join;
 mod motion;
 mod products;
 pub mod slot;
+pub mod slot_plane;
 pub mod ujoint;
 pub mod universal;
 
