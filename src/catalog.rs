@@ -238,6 +238,7 @@ pub static CATALOG: &[&dyn AnyFormula] = &[
     &slot::Stop,
     &coulomb::Yield,
     &coulomb::ReturnMap,
+    &coulomb::Response,
     // ALIGN, TRANSLATOR
     &cardan::CardanAngles,
     &cardan::BetaTwoArgument,
@@ -298,6 +299,8 @@ pub static CATALOG: &[&dyn AnyFormula] = &[
     &element::ujoint::Forces,
     &element::ujoint::GeometricStiffness,
     &element::ujoint::SymmetricStiffness,
+    &element::slot_friction::Response,
+    &element::slot_friction::Response2d,
     // SLIDER
     &slider::Line,
     &slider::Basis,

@@ -23,6 +23,7 @@ pub mod join;
 mod motion;
 mod products;
 pub mod slot;
+pub mod slot_friction;
 pub mod slot_plane;
 pub mod translator;
 mod turn;

@@ -64,6 +64,10 @@ quantities! {
     KINETIC_FORCE: r"\mathbf{f}", Vec3, F, Vector, "kinetic force on node a, its opposite on node b, in the global frame";
     F_TRIAL: r"f^{\mathrm{trial}}", Scalar, F, Real, "tangential force if the contact stuck";
     F_TANGENTIAL: r"f", Scalar, F, Real, "tangential force that friction transmits, positive where it resists positive motion";
+    MOTION: r"u", Scalar, L, Real, "relative motion in the direction of the tangential force";
+    U_SLIP_BEFORE: r"u_0^{\mathrm{slip}}", Scalar, L, Real, "what has slipped before: the motion at which the tangential force would be 0";
+    U_SLIP: r"u^{\mathrm{slip}}", Scalar, L, Real, "what has slipped in the end: the motion at which the tangential force would be 0";
+    K_EL: r"k_{\mathrm{el}}", Scalar, F.per(L), Positive, "stiffness while the contact sticks";
     // ANCHOR: example
     FC: r"F_C", Scalar, F, NonNegative, "contact force that the connector's loads produce";
     // ANCHOR_END: example

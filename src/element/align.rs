@@ -149,7 +149,7 @@ pub struct Rows;
 impl Formula for Rows {
     const SPEC: Spec = Spec::new("align.rows", "Rows of ALIGN", OURS)
         .equation(r"\begin{aligned} S_1 &= \mathbf{e}_{2a}\cdot\mathbf{e}_{3b}, & C_1 &= \mathbf{e}_{3a}\cdot\mathbf{e}_{3b}, & \mathbf{u}_1 &= \frac{S_1\,\mathbf{e}_{3a} - C_1\,\mathbf{e}_{2a}}{S_1^2+C_1^2}, & \mathbf{u}_{r1,\theta b} &= \mathbf{e}_{3b}\times\mathbf{u}_1,\\ S_3 &= \mathbf{e}_{1a}\cdot\mathbf{e}_{2b}, & C_3 &= \mathbf{e}_{1a}\cdot\mathbf{e}_{1b}, & \mathbf{u}_3 &= \frac{S_3\,\mathbf{e}_{1b} - C_3\,\mathbf{e}_{2b}}{S_3^2+C_3^2}, & \mathbf{u}_{r3,\theta b} &= \mathbf{u}_3\times\mathbf{e}_{1a} \end{aligned},\quad \mathbf{u}_{r2,\theta b} = \frac{\mathbf{e}_{3b}\times\mathbf{e}_{1a}}{\sqrt{1-(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b})^2}}")
-        .eta(8.0, 16.0);
+        .eta(8.0, 24.0);
     type Inputs<T: Component> = Triads<T>;
     type Outputs<T: Component> = AlignRows<T>;
 
@@ -237,7 +237,7 @@ impl Formula for Moments {
             r"\mathbf{u}_{r1,\theta b},\ \mathbf{u}_{r2,\theta b},\ \mathbf{u}_{r3,\theta b}",
             &Rows::SPEC,
         )])
-        .eta(6.0, 12.0);
+        .eta(6.0, 24.0);
     type Inputs<T: Component> = AlignLoads<T>;
     type Outputs<T: Component> = UniversalMoments<T>;
 
@@ -277,7 +277,7 @@ impl Formula for GeometricStiffness {
     const SPEC: Spec = Spec::new("align.geometric_stiffness", "Geometric stiffness of ALIGN", OURS)
         .equation(r"\begin{aligned} \mathbf{K}_{\theta b,\theta b} &= \lambda_{r1}(\mathbf{e}_{3b}\otimes\mathbf{u}_1 - \mathbf{v}_1\otimes\mathbf{h}_1 - \mathbf{h}_1\otimes\mathbf{v}_1) + \lambda_{r2}(W\,(\mathbf{e}_{3b}\otimes\mathbf{e}_{1a} - X\,\mathbf{I}) + X\,W^3\,\mathbf{t}\otimes\mathbf{t}) + \lambda_{r3}(\mathbf{u}_3\otimes\mathbf{e}_{1a} - \mathbf{v}_3\otimes\mathbf{h}_3 - \mathbf{h}_3\otimes\mathbf{v}_3),\\ \mathbf{v}_1 &= \mathbf{e}_{3b}\times\mathbf{u}_1,\quad \mathbf{h}_1 = \mathbf{e}_{3b}\times\frac{S_1\,\mathbf{e}_{2a} + C_1\,\mathbf{e}_{3a}}{S_1^2+C_1^2},\quad \mathbf{v}_3 = \mathbf{e}_{1a}\times\mathbf{u}_3,\quad \mathbf{h}_3 = \mathbf{e}_{1a}\times\frac{S_3\,\mathbf{e}_{2b} + C_3\,\mathbf{e}_{1b}}{S_3^2+C_3^2},\\ \mathbf{t} &= \mathbf{e}_{3b}\times\mathbf{e}_{1a},\quad X = \mathbf{e}_{1a}\cdot\mathbf{e}_{3b},\quad W = \frac{1}{\sqrt{1-X^2}} \end{aligned}")
         .given(&[Given::new(r"\mathbf{u}_1,\ \mathbf{u}_3,\ S_1,\ C_1,\ S_3,\ C_3", &Rows::SPEC)])
-        .eta(12.0, 40.0);
+        .eta(12.0, 48.0);
     type Inputs<T: Component> = AlignLoads<T>;
     type Outputs<T: Component> = AlignStiffness<T>;
 
@@ -322,7 +322,7 @@ impl Formula for SymmetricStiffness {
                 &GeometricStiffness::SPEC,
             ),
         ])
-        .eta(6.0, 16.0);
+        .eta(6.0, 24.0);
     type Inputs<T: Component> = AlignLoads<T>;
     type Outputs<T: Component> = AlignSymmetric<T>;
 

@@ -67,7 +67,7 @@ impl Formula for Rows {
     const SPEC: Spec = Spec::new("translator.rows", "Rows of TRANSLATOR", OURS)
         .equation(r"\begin{aligned} \mathbf{g}_{y,ua} &= -\mathbf{e}_{2a}, & \mathbf{g}_{y,\theta a} &= \mathbf{e}_{2a}\times(\mathbf{x}_b-\mathbf{x}_a), & \mathbf{g}_{y,ub} &= \mathbf{e}_{2a},\\ \mathbf{g}_{z,ua} &= -\mathbf{e}_{3a}, & \mathbf{g}_{z,\theta a} &= \mathbf{e}_{3a}\times(\mathbf{x}_b-\mathbf{x}_a), & \mathbf{g}_{z,ub} &= \mathbf{e}_{3a},\\ \mathbf{u}_{r1,\theta b} &= \mathbf{e}_{3b}\times\mathbf{u}_1, & \mathbf{u}_{r2,\theta b} &= \frac{\mathbf{e}_{3b}\times\mathbf{e}_{1a}}{\sqrt{1-(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b})^2}}, & \mathbf{u}_{r3,\theta b} &= \mathbf{u}_3\times\mathbf{e}_{1a} \end{aligned}")
         .given(&[Given::new(r"\mathbf{u}_1,\ \mathbf{u}_3", &align::Rows::SPEC)])
-        .eta(8.0, 16.0);
+        .eta(8.0, 24.0);
     type Inputs<T: Component> = TranslatorPlaces<T>;
     type Outputs<T: Component> = TranslatorRows<T>;
 
@@ -168,7 +168,7 @@ impl Formula for Forces {
             r"\mathbf{u}_{r1,\theta b},\ \mathbf{u}_{r2,\theta b},\ \mathbf{u}_{r3,\theta b}",
             &align::Rows::SPEC,
         )])
-        .eta(6.0, 12.0);
+        .eta(6.0, 24.0);
     type Inputs<T: Component> = TranslatorLoads<T>;
     type Outputs<T: Component> = NodalForces<T>;
 
@@ -220,7 +220,7 @@ impl Formula for GeometricStiffness {
                 &align::GeometricStiffness::SPEC,
             ),
         ])
-        .eta(12.0, 40.0);
+        .eta(12.0, 48.0);
     type Inputs<T: Component> = TranslatorLoads<T>;
     type Outputs<T: Component> = TranslatorStiffness<T>;
 
@@ -262,7 +262,7 @@ impl Formula for SymmetricStiffness {
         Spec::new("translator.symmetric_stiffness", "Symmetric part of the geometric stiffness of TRANSLATOR", OURS)
             .equation(r"\mathbf{f} = f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{d} = \mathbf{x}_b-\mathbf{x}_a,\quad \mathbf{S}_{\theta b,\theta b} = \mathbf{S},\quad \mathbf{S}_{\theta a,\theta a} = \tfrac12(\mathbf{f}\otimes\mathbf{d} + \mathbf{d}\otimes\mathbf{f}) - (\mathbf{f}\cdot\mathbf{d})\,\mathbf{I} + \mathbf{S}")
             .given(&[Given::new(r"\mathbf{S}", &align::SymmetricStiffness::SPEC)])
-            .eta(6.0, 16.0);
+            .eta(6.0, 24.0);
     type Inputs<T: Component> = TranslatorLoads<T>;
     type Outputs<T: Component> = TranslatorSymmetric<T>;
 
