@@ -301,6 +301,7 @@ pub static CATALOG: &[&dyn AnyFormula] = &[
     &element::ujoint::SymmetricStiffness,
     &element::slot_friction::Response,
     &element::slot_friction::Response2d,
+    &element::translator_friction::Response,
     // SLIDER
     &slider::Line,
     &slider::Basis,

@@ -26,6 +26,7 @@ pub mod slot;
 pub mod slot_friction;
 pub mod slot_plane;
 pub mod translator;
+pub mod translator_friction;
 mod turn;
 pub mod ujoint;
 pub mod universal;
