@@ -122,13 +122,13 @@ impl<D: Scalar> Turns<D> {
 /// A gradient of something of the first angle.
 #[inline]
 fn of_first<D: Scalar>([e3b, e2a, e3a]: [Vector3<D>; 3]) -> Triads<D> {
-    Triads { e3b, e2a, e3a, ..Triads::filled(D::zero()) }
+    Triads { e2a, e3a, e3b, ..Triads::filled(D::zero()) }
 }
 
 /// A gradient of something of the third angle.
 #[inline]
 fn of_third<D: Scalar>([e1a, e2b, e1b]: [Vector3<D>; 3]) -> Triads<D> {
-    Triads { e1a, e2b, e1b, ..Triads::filled(D::zero()) }
+    Triads { e1a, e1b, e2b, ..Triads::filled(D::zero()) }
 }
 
 /// Rejects what has no angles, and β = ±90°, where they have no derivative.

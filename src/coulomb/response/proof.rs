@@ -173,7 +173,7 @@ mod tests {
     fn slip_against_the_force_is_caught() {
         let options = Options { samples: 50, ..Options::default() };
         let claims = audit::<SlipsBack>(&options).laws;
-        let claim = claims.iter().find(|claim| claim.statement.contains("slip dissipates"));
+        let claim = claims.iter().find(|claim| claim.claim.contains("slip dissipates"));
         assert!(claim.is_some_and(|claim| claim.failures > 0));
     }
 }
