@@ -132,7 +132,7 @@ fn of_third<D: Scalar>([e1a, e2b, e1b]: [Vector3<D>; 3]) -> Triads<D> {
 }
 
 /// Rejects what has no angles, and β = ±90°, where they have no derivative.
-fn check(i: &Triads<f64>) -> Result<(), Error> {
+fn check<D: Scalar>(i: &Triads<D>) -> Result<(), Error> {
     CardanAngles::validate(i)?;
     if arc_sine_slope(&i.e1a, &i.e3b) > 0.0 {
         return Ok(());
@@ -168,7 +168,7 @@ impl Formula for Rows {
     }
 
     #[inline]
-    fn validate(i: &Triads<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &Triads<D>) -> Result<(), Error> {
         check(i)
     }
 }
@@ -257,7 +257,7 @@ impl Formula for Moments {
     }
 
     #[inline]
-    fn validate(i: &AlignLoads<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &AlignLoads<D>) -> Result<(), Error> {
         check(&i.triads())
     }
 }
@@ -298,7 +298,7 @@ impl Formula for GeometricStiffness {
     }
 
     #[inline]
-    fn validate(i: &AlignLoads<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &AlignLoads<D>) -> Result<(), Error> {
         check(&i.triads())
     }
 }
@@ -337,7 +337,7 @@ impl Formula for SymmetricStiffness {
     }
 
     #[inline]
-    fn validate(i: &AlignLoads<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &AlignLoads<D>) -> Result<(), Error> {
         check(&i.triads())
     }
 }

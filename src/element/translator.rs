@@ -99,7 +99,7 @@ impl Formula for Rows {
     }
 
     #[inline]
-    fn validate(i: &TranslatorPlaces<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &TranslatorPlaces<D>) -> Result<(), Error> {
         align::Rows::validate(&i.triads())
     }
 }
@@ -192,7 +192,7 @@ impl Formula for Forces {
     }
 
     #[inline]
-    fn validate(i: &TranslatorLoads<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &TranslatorLoads<D>) -> Result<(), Error> {
         align::Moments::validate(&i.align())
     }
 }
@@ -243,7 +243,7 @@ impl Formula for GeometricStiffness {
     }
 
     #[inline]
-    fn validate(i: &TranslatorLoads<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &TranslatorLoads<D>) -> Result<(), Error> {
         align::Moments::validate(&i.align())
     }
 }
@@ -284,7 +284,7 @@ impl Formula for SymmetricStiffness {
     }
 
     #[inline]
-    fn validate(i: &TranslatorLoads<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &TranslatorLoads<D>) -> Result<(), Error> {
         align::Moments::validate(&i.align())
     }
 }

@@ -85,7 +85,7 @@ impl Formula for Response {
     }
 
     #[inline]
-    fn validate(i: &TranslatorSliding<f64>) -> Result<(), Error> {
+    fn validate<D: Scalar>(i: &TranslatorSliding<D>) -> Result<(), Error> {
         Friction::validate(&i.loads())
     }
 }
