@@ -3,22 +3,21 @@
 //! They change with the difference of both spins alone: the rows by the spin of a are those by the spin of b with the other
 //! sign, and so are the moments. α is the angle of e3b between e2a and e3a, γ that of e1a between e1b and e2b, so that the
 //! rows are the derivatives of two such angles and of an arc sine. Where β is ±90° there are none.
+//! The geometric stiffness is not there yet.
 
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 
-use super::products::{cross_gradient, double_cross, double_cross_gradient, symmetric, symmetric_gradient};
+use super::products::cross_gradient;
 use super::turn::Turn;
 use super::universal::UniversalMoments;
 use crate::cardan::{CardanAngles, Triads, arc_sine_slope};
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Source, Spec};
-use crate::quantity::{
-    E1A, E1B, E2A, E2B, E3A, E3B, K_TB_TB, LAMBDA_R1, LAMBDA_R2, LAMBDA_R3, S_TB_TB, UR1_TB, UR2_TB, UR3_TB,
-};
+use crate::quantity::{E1A, E1B, E2A, E2B, E3A, E3B, LAMBDA_R1, LAMBDA_R2, LAMBDA_R3, UR1_TB, UR2_TB, UR3_TB};
 use crate::scalar::Scalar;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 /// What all of them are derived from.
 const OURS: Source = Document::TRANSLATOR
@@ -69,40 +68,12 @@ impl<D: Scalar> Turns<D> {
         [self.first.row(), self.node_line() * self.slope, -self.third.row()]
     }
 
-    /// How each row changes with the spin of b.
-    #[inline]
-    fn curvatures(&self) -> [Matrix3<D>; 3] {
-        let t = self.node_line();
-        let bends = self.sine * self.slope * self.slope * self.slope;
-        let second = double_cross(&self.e3b, &self.e1a) * self.slope + t * (t.transpose() * bends);
-        [self.first.curvature(), second, self.third.curvature().transpose()]
-    }
-
     /// The gradients of the n-th component of each row.
     #[inline]
     fn row_gradients(&self, n: usize) -> [Triads<D>; 3] {
         let [by_e3b, by_e1a] = cross_gradient(&self.e3b, &self.e1a, n);
         let second = self.by_arms([by_e1a * self.slope, by_e3b * self.slope], self.by_sine() * self.node_line()[n]);
         [of_first(self.first.row_gradient(n)), second, of_third(self.third.row_gradient(n).map(|v| -v))]
-    }
-
-    /// The gradients of an entry of each of [`curvatures`](Self::curvatures).
-    #[inline]
-    fn curvature_gradients(&self, row: usize, column: usize) -> [Triads<D>; 3] {
-        let (t, slope, steep) = (self.node_line(), self.slope, self.by_sine());
-        let [by_b, by_a] = double_cross_gradient(&self.e3b, &self.e1a, row, column);
-        let [row_b, row_a] = cross_gradient(&self.e3b, &self.e1a, row);
-        let [column_b, column_a] = cross_gradient(&self.e3b, &self.e1a, column);
-        let by_a = by_a * slope + (row_a * t[column] + column_a * t[row]) * steep;
-        let by_b = by_b * slope + (row_b * t[column] + column_b * t[row]) * steep;
-        let square = slope * slope;
-        let by_bend = square * slope * (self.sine * self.sine * square * 3.0 + 1.0);
-        let by_sine = double_cross(&self.e3b, &self.e1a)[(row, column)] * steep + t[row] * t[column] * by_bend;
-        [
-            of_first(self.first.curvature_gradient(row, column)),
-            self.by_arms([by_a, by_b], by_sine),
-            of_third(self.third.curvature_gradient(column, row)),
-        ]
     }
 
     /// The derivative of the slope by sin β.
@@ -254,86 +225,6 @@ impl Formula for Moments {
         let rows = turns.rows();
         let mb = Vector3::from_fn(|n, _| i.gradient(turns.row_gradients(n), rows.map(|row| row[n])));
         UniversalMoments { ma: mb.map(|gradient| gradient.opposite()), mb }
-    }
-
-    #[inline]
-    fn validate<D: Scalar>(i: &AlignLoads<D>) -> Result<(), Error> {
-        check(&i.triads())
-    }
-}
-
-fields! {
-    /// How the moment on b changes with the spin of b, the multipliers held; the other blocks follow from it.
-    pub struct AlignStiffness<T> { k_tb_tb: Matrix3<T> = K_TB_TB }
-}
-
-/// The geometric stiffness of ALIGN, Σ λ ∂²g by spins, as it is: unsymmetric.
-///
-/// The block of a's own spin is the transposed one, and so is that of the moment on b by the spin of a, with the other sign.
-#[derive(Clone, Copy, Debug)]
-pub struct GeometricStiffness;
-
-impl Formula for GeometricStiffness {
-    const SPEC: Spec = Spec::new("align.geometric_stiffness", "Geometric stiffness of ALIGN", OURS)
-        .equation(r"\begin{aligned} \mathbf{K}_{\theta b,\theta b} &= \lambda_{r1}(\mathbf{e}_{3b}\otimes\mathbf{u}_1 - \mathbf{v}_1\otimes\mathbf{h}_1 - \mathbf{h}_1\otimes\mathbf{v}_1) + \lambda_{r2}(W\,(\mathbf{e}_{3b}\otimes\mathbf{e}_{1a} - X\,\mathbf{I}) + X\,W^3\,\mathbf{t}\otimes\mathbf{t}) + \lambda_{r3}(\mathbf{u}_3\otimes\mathbf{e}_{1a} - \mathbf{v}_3\otimes\mathbf{h}_3 - \mathbf{h}_3\otimes\mathbf{v}_3),\\ \mathbf{v}_1 &= \mathbf{e}_{3b}\times\mathbf{u}_1,\quad \mathbf{h}_1 = \mathbf{e}_{3b}\times\frac{S_1\,\mathbf{e}_{2a} + C_1\,\mathbf{e}_{3a}}{S_1^2+C_1^2},\quad \mathbf{v}_3 = \mathbf{e}_{1a}\times\mathbf{u}_3,\quad \mathbf{h}_3 = \mathbf{e}_{1a}\times\frac{S_3\,\mathbf{e}_{2b} + C_3\,\mathbf{e}_{1b}}{S_3^2+C_3^2},\\ \mathbf{t} &= \mathbf{e}_{3b}\times\mathbf{e}_{1a},\quad X = \mathbf{e}_{1a}\cdot\mathbf{e}_{3b},\quad W = \frac{1}{\sqrt{1-X^2}} \end{aligned}")
-        .given(&[Given::new(r"\mathbf{u}_1,\ \mathbf{u}_3,\ S_1,\ C_1,\ S_3,\ C_3", &Rows::SPEC)])
-        .eta(12.0, 48.0);
-    type Inputs<T: Component> = AlignLoads<T>;
-    type Outputs<T: Component> = AlignStiffness<T>;
-
-    #[inline]
-    fn eval<D: Scalar>(i: &AlignLoads<D>) -> AlignStiffness<D> {
-        let ([first, second, third], [l1, l2, l3]) = (Turns::new(&i.triads()).curvatures(), i.multipliers());
-        AlignStiffness { k_tb_tb: first * l1 + second * l2 + third * l3 }
-    }
-
-    #[inline]
-    fn jacobian<D: Scalar>(i: &AlignLoads<D>) -> Jacobian<Self, D> {
-        let turns = Turns::new(&i.triads());
-        let curvatures = turns.curvatures();
-        let entry = |row: usize, column: usize| {
-            i.gradient(turns.curvature_gradients(row, column), curvatures.map(|curvature| curvature[(row, column)]))
-        };
-        AlignStiffness { k_tb_tb: Matrix3::from_fn(entry) }
-    }
-
-    #[inline]
-    fn validate<D: Scalar>(i: &AlignLoads<D>) -> Result<(), Error> {
-        check(&i.triads())
-    }
-}
-
-fields! {
-    /// The symmetric part of the change of the moment on b with the spin of b, which is that of a too.
-    pub struct AlignSymmetric<T> { s_tb_tb: Matrix3<T> = S_TB_TB }
-}
-
-/// The symmetric part of the geometric stiffness of ALIGN; the other blocks are those of [`GeometricStiffness`].
-#[derive(Clone, Copy, Debug)]
-pub struct SymmetricStiffness;
-
-impl Formula for SymmetricStiffness {
-    const SPEC: Spec = Spec::new("align.symmetric_stiffness", "Symmetric part of the geometric stiffness of ALIGN", OURS)
-        .equation(r"\mathbf{S}_{\theta b,\theta b} = \mathbf{S},\quad \begin{aligned} \mathbf{S} &= \lambda_{r1}(\tfrac12(\mathbf{e}_{3b}\otimes\mathbf{u}_1 + \mathbf{u}_1\otimes\mathbf{e}_{3b}) - \mathbf{v}_1\otimes\mathbf{h}_1 - \mathbf{h}_1\otimes\mathbf{v}_1) + \lambda_{r2}(W\,(\tfrac12(\mathbf{e}_{3b}\otimes\mathbf{e}_{1a} + \mathbf{e}_{1a}\otimes\mathbf{e}_{3b}) - X\,\mathbf{I}) + X\,W^3\,\mathbf{t}\otimes\mathbf{t})\\ & + \lambda_{r3}(\tfrac12(\mathbf{u}_3\otimes\mathbf{e}_{1a} + \mathbf{e}_{1a}\otimes\mathbf{u}_3) - \mathbf{v}_3\otimes\mathbf{h}_3 - \mathbf{h}_3\otimes\mathbf{v}_3) \end{aligned}")
-        .given(&[
-            Given::new(r"\mathbf{u}_1,\ \mathbf{u}_3", &Rows::SPEC),
-            Given::new(
-                r"\mathbf{v}_1,\ \mathbf{h}_1,\ \mathbf{v}_3,\ \mathbf{h}_3,\ \mathbf{t},\ X,\ W",
-                &GeometricStiffness::SPEC,
-            ),
-        ])
-        .eta(6.0, 24.0);
-    type Inputs<T: Component> = AlignLoads<T>;
-    type Outputs<T: Component> = AlignSymmetric<T>;
-
-    #[inline]
-    fn eval<D: Scalar>(i: &AlignLoads<D>) -> AlignSymmetric<D> {
-        AlignSymmetric { s_tb_tb: symmetric(&GeometricStiffness::eval(i).k_tb_tb) }
-    }
-
-    #[inline]
-    fn jacobian<D: Scalar>(i: &AlignLoads<D>) -> Jacobian<Self, D> {
-        AlignSymmetric { s_tb_tb: symmetric_gradient(&GeometricStiffness::jacobian(i).k_tb_tb) }
     }
 
     #[inline]

@@ -1,8 +1,7 @@
 //! Twelve degrees of freedom in a row: the translation and the spin of a, the translation and the spin of b.
 
-use super::align::AlignStiffness;
 use super::join::JoinStiffness;
-use super::translator::{TranslatorRows, TranslatorStiffness};
+use super::translator::TranslatorRows;
 use super::ujoint::{JointRows, JointStiffness};
 use super::universal::UniversalStiffness;
 use super::{Forces, Rows, Stiffness};
@@ -81,32 +80,6 @@ impl<D: Scalar> UniversalStiffness<D> {
     pub fn matrix(&self) -> Stiffness<D> {
         let across = self.k_ta_tb;
         stiffness([(TA, TA, self.k_ta_ta), (TA, TB, across), (TB, TA, across.transpose()), (TB, TB, self.k_tb_tb)])
-    }
-}
-
-impl<D: Scalar> AlignStiffness<D> {
-    /// All blocks in their places.
-    pub fn matrix(&self) -> Stiffness<D> {
-        let (own, turned) = (self.k_tb_tb, self.k_tb_tb.transpose());
-        stiffness([(TA, TA, turned), (TA, TB, -own), (TB, TA, -turned), (TB, TB, own)])
-    }
-}
-
-impl<D: Scalar> TranslatorStiffness<D> {
-    /// All blocks in their places.
-    pub fn matrix(&self) -> Stiffness<D> {
-        let (force, turned) = (self.k_ua_ta, self.k_ua_ta.transpose());
-        let own = self.k_tb_tb;
-        stiffness([
-            (UA, TA, force),
-            (UB, TA, -force),
-            (TA, UA, turned),
-            (TA, UB, -turned),
-            (TA, TA, self.k_ta_ta),
-            (TA, TB, -own),
-            (TB, TA, -own.transpose()),
-            (TB, TB, own),
-        ])
     }
 }
 

@@ -1,4 +1,6 @@
 //! TRANSLATOR as an element: the rows and forces of SLOT and of ALIGN, five residuals on twelve degrees of freedom.
+//!
+//! The geometric stiffness is not there yet, for ALIGN has none.
 
 #[cfg(feature = "verify")]
 mod proof;
@@ -12,11 +14,11 @@ use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Source, Spec};
 use crate::quantity::{
-    E1A, E1B, E2A, E2B, E3A, E3B, F2, F3, GY_TA, GY_UA, GY_UB, GZ_TA, GZ_UA, GZ_UB, K_TA_TA, K_TB_TB, K_UA_TA,
-    LAMBDA_R1, LAMBDA_R2, LAMBDA_R3, S_TA_TA, S_TB_TB, UR1_TB, UR2_TB, UR3_TB, XA, XB,
+    E1A, E1B, E2A, E2B, E3A, E3B, F2, F3, GY_TA, GY_UA, GY_UB, GZ_TA, GZ_UA, GZ_UB, LAMBDA_R1, LAMBDA_R2, LAMBDA_R3,
+    UR1_TB, UR2_TB, UR3_TB, XA, XB,
 };
 use crate::scalar::Scalar;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 /// What all of them are derived from.
 const OURS: Source =
@@ -188,98 +190,6 @@ impl Formula for Forces {
             ma: forces.ma.zip_map(&ma, TranslatorLoads::by_both),
             fb: forces.fb.map(TranslatorLoads::by_slot),
             mb: mb.map(TranslatorLoads::by_align),
-        }
-    }
-
-    #[inline]
-    fn validate<D: Scalar>(i: &TranslatorLoads<D>) -> Result<(), Error> {
-        align::Moments::validate(&i.align())
-    }
-}
-
-fields! {
-    /// How what TRANSLATOR exerts on its nodes changes with their spins, the multipliers held: the blocks that differ.
-    ///
-    /// [`matrix`](TranslatorStiffness::matrix) has them all in their places.
-    pub struct TranslatorStiffness<T> {
-        k_ua_ta: Matrix3<T> = K_UA_TA, k_ta_ta: Matrix3<T> = K_TA_TA, k_tb_tb: Matrix3<T> = K_TB_TB,
-    }
-}
-
-/// The geometric stiffness of TRANSLATOR, Σ λ ∂²g by translations and spins, as it is: unsymmetric in the spins.
-#[derive(Clone, Copy, Debug)]
-pub struct GeometricStiffness;
-
-impl Formula for GeometricStiffness {
-    const SPEC: Spec = Spec::new("translator.geometric_stiffness", "Geometric stiffness of TRANSLATOR", OURS)
-        .equation(r"\begin{aligned} \mathbf{f} &= f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{d} = \mathbf{x}_b-\mathbf{x}_a,\quad \mathbf{K}_{ua,\theta a} = \mathbf{f}\times\mathbf{I},\\ \mathbf{K}_{\theta a,\theta a} &= \mathbf{f}\otimes\mathbf{d} - (\mathbf{f}\cdot\mathbf{d})\,\mathbf{I} + \lambda_{r1}(\mathbf{u}_1\otimes\mathbf{e}_{3b} - \mathbf{v}_1\otimes\mathbf{h}_1 - \mathbf{h}_1\otimes\mathbf{v}_1) + \lambda_{r2}(W\,(\mathbf{e}_{1a}\otimes\mathbf{e}_{3b} - X\,\mathbf{I}) + X\,W^3\,\mathbf{t}\otimes\mathbf{t}) + \lambda_{r3}(\mathbf{e}_{1a}\otimes\mathbf{u}_3 - \mathbf{v}_3\otimes\mathbf{h}_3 - \mathbf{h}_3\otimes\mathbf{v}_3),\\ \mathbf{K}_{\theta b,\theta b} &= \lambda_{r1}(\mathbf{e}_{3b}\otimes\mathbf{u}_1 - \mathbf{v}_1\otimes\mathbf{h}_1 - \mathbf{h}_1\otimes\mathbf{v}_1) + \lambda_{r2}(W\,(\mathbf{e}_{3b}\otimes\mathbf{e}_{1a} - X\,\mathbf{I}) + X\,W^3\,\mathbf{t}\otimes\mathbf{t}) + \lambda_{r3}(\mathbf{u}_3\otimes\mathbf{e}_{1a} - \mathbf{v}_3\otimes\mathbf{h}_3 - \mathbf{h}_3\otimes\mathbf{v}_3) \end{aligned}")
-        .given(&[
-            Given::new(r"\mathbf{u}_1,\ \mathbf{u}_3", &align::Rows::SPEC),
-            Given::new(
-                r"\mathbf{v}_1,\ \mathbf{h}_1,\ \mathbf{v}_3,\ \mathbf{h}_3,\ \mathbf{t},\ X,\ W",
-                &align::GeometricStiffness::SPEC,
-            ),
-        ])
-        .eta(12.0, 48.0);
-    type Inputs<T: Component> = TranslatorLoads<T>;
-    type Outputs<T: Component> = TranslatorStiffness<T>;
-
-    #[inline]
-    fn eval<D: Scalar>(i: &TranslatorLoads<D>) -> TranslatorStiffness<D> {
-        let slot = slot::GeometricStiffness::eval(&i.slot());
-        let k_tb_tb = align::GeometricStiffness::eval(&i.align()).k_tb_tb;
-        TranslatorStiffness { k_ua_ta: slot.k_ua_ta, k_ta_ta: slot.k_ta_ta + k_tb_tb.transpose(), k_tb_tb }
-    }
-
-    #[inline]
-    fn jacobian<D: Scalar>(i: &TranslatorLoads<D>) -> Jacobian<Self, D> {
-        let slot = slot::GeometricStiffness::jacobian(&i.slot());
-        let own = align::GeometricStiffness::jacobian(&i.align()).k_tb_tb;
-        TranslatorStiffness {
-            k_ua_ta: slot.k_ua_ta.map(TranslatorLoads::by_slot),
-            k_ta_ta: slot.k_ta_ta.zip_map(&own.transpose(), TranslatorLoads::by_both),
-            k_tb_tb: own.map(TranslatorLoads::by_align),
-        }
-    }
-
-    #[inline]
-    fn validate<D: Scalar>(i: &TranslatorLoads<D>) -> Result<(), Error> {
-        align::Moments::validate(&i.align())
-    }
-}
-
-fields! {
-    /// The blocks of the geometric stiffness that are not symmetric, made so.
-    pub struct TranslatorSymmetric<T> { s_ta_ta: Matrix3<T> = S_TA_TA, s_tb_tb: Matrix3<T> = S_TB_TB }
-}
-
-/// The symmetric part of the geometric stiffness of TRANSLATOR; the other blocks are those of [`GeometricStiffness`].
-#[derive(Clone, Copy, Debug)]
-pub struct SymmetricStiffness;
-
-impl Formula for SymmetricStiffness {
-    const SPEC: Spec =
-        Spec::new("translator.symmetric_stiffness", "Symmetric part of the geometric stiffness of TRANSLATOR", OURS)
-            .equation(r"\mathbf{f} = f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{d} = \mathbf{x}_b-\mathbf{x}_a,\quad \mathbf{S}_{\theta b,\theta b} = \mathbf{S},\quad \mathbf{S}_{\theta a,\theta a} = \tfrac12(\mathbf{f}\otimes\mathbf{d} + \mathbf{d}\otimes\mathbf{f}) - (\mathbf{f}\cdot\mathbf{d})\,\mathbf{I} + \mathbf{S}")
-            .given(&[Given::new(r"\mathbf{S}", &align::SymmetricStiffness::SPEC)])
-            .eta(6.0, 24.0);
-    type Inputs<T: Component> = TranslatorLoads<T>;
-    type Outputs<T: Component> = TranslatorSymmetric<T>;
-
-    #[inline]
-    fn eval<D: Scalar>(i: &TranslatorLoads<D>) -> TranslatorSymmetric<D> {
-        let slot = slot::SymmetricStiffness::eval(&i.slot()).s_ta_ta;
-        let s_tb_tb = align::SymmetricStiffness::eval(&i.align()).s_tb_tb;
-        TranslatorSymmetric { s_ta_ta: slot + s_tb_tb, s_tb_tb }
-    }
-
-    #[inline]
-    fn jacobian<D: Scalar>(i: &TranslatorLoads<D>) -> Jacobian<Self, D> {
-        let slot = slot::SymmetricStiffness::jacobian(&i.slot()).s_ta_ta;
-        let align = align::SymmetricStiffness::jacobian(&i.align()).s_tb_tb;
-        TranslatorSymmetric {
-            s_ta_ta: slot.zip_map(&align, TranslatorLoads::by_both),
-            s_tb_tb: align.map(TranslatorLoads::by_align),
         }
     }
 

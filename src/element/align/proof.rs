@@ -1,17 +1,15 @@
 //! Evidence for the formulas next door: cases, laws.
 
-use super::{AlignLoads, AlignRows, GeometricStiffness, Moments, Rows, SymmetricStiffness};
+use super::{AlignLoads, AlignRows, Moments, Rows};
 use crate::Octuple;
 use crate::align::{Constraint, Misalignment, Orientations};
 use crate::cardan::{Angles, CardanAngles, Triads, turns};
-use crate::element;
-use crate::element::motion::{Motion, Moving, Tangent, derivative, is_symmetric_part, still};
-use crate::element::universal::proof::whole;
+use crate::element::motion::{Motion, Moving, derivative, still};
 use crate::formula::{Fields, Formula};
 use crate::proof::{Case, Equation, Law, Proved, hard, law};
 use nalgebra::Vector3;
 use num_dual::DualNum;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Zero};
 
 /// Both triads as the nodes move.
 pub(in crate::element) fn turned(i: &Triads<Octuple>, motion: &Motion) -> Triads<Moving> {
@@ -21,7 +19,7 @@ pub(in crate::element) fn turned(i: &Triads<Octuple>, motion: &Motion) -> Triads
 }
 
 /// The residuals of ALIGN as the nodes move.
-pub(in crate::element) fn residuals(i: &Triads<Octuple>, motion: &Motion) -> [Moving; 3] {
+fn residuals(i: &Triads<Octuple>, motion: &Motion) -> [Moving; 3] {
     let none = Angles::filled(still(Octuple::zero()));
     let Misalignment { ur1, ur2, ur3 } = Constraint::eval(&Orientations::new(&turned(i, motion), &none));
     [ur1, ur2, ur3]
@@ -114,20 +112,16 @@ fn loads() -> Vec<Case<AlignLoads<f64>>> {
     cases
 }
 
-/// Those of them that are off the global axes. Where every vector is along one, all that an entry of the stiffness is summed
-/// from can be 0, and nothing says how much a difference may round.
-fn loads_off_the_axes() -> Vec<Case<AlignLoads<f64>>> {
-    let aligned = AlignLoads::new(&Triads::new(hard::triad(), hard::triad()), [2.0, -3.0, 6.0]);
-    let mut cases =
-        vec![Case::hand("aligned-off-axes", "on equal triads K = -λ1 e3⊗e2 + λ2 e3⊗e1 - λ3 e2⊗e1", aligned)];
-    cases.extend(loads().into_iter().filter(|case| case.inputs.e1a != Vector3::x()));
-    cases
-}
-
 fn invalid_loads() -> Vec<Case<AlignLoads<f64>>> {
     let with =
         |case: Case<Triads<f64>>| Case::invalid(case.id, case.comment, AlignLoads::new(&case.inputs, [2.0, -3.0, 6.0]));
     invalid().into_iter().map(with).collect()
+}
+
+/// The size of the terms of the moment.
+pub(in crate::element) fn size(i: &AlignLoads<Octuple>) -> Octuple {
+    let rows = Rows::eval(&i.triads()).rows();
+    rows.iter().zip(i.multipliers()).map(|(row, m)| law::length(row.tb * m)).sum()
 }
 
 impl Proved for Moments {
@@ -149,7 +143,7 @@ impl Proved for Moments {
                         rows.iter().zip(i.multipliers()).map(|(row, m)| of(row) * m).sum::<Vector3<Octuple>>()
                     };
                     let moments = Self::eval(i);
-                    let size = tangent(i).sizes[1];
+                    let size = size(i);
                     let pairs = [(moments.ma, sum(|row| row.ta)), (moments.mb, sum(|row| row.tb))];
                     pairs
                         .into_iter()
@@ -173,61 +167,5 @@ impl Proved for Moments {
                 },
             ),
         ]
-    }
-}
-
-/// The nodal moments as the nodes move.
-fn moving(i: &AlignLoads<Octuple>, motion: &Motion) -> element::Forces<Moving> {
-    whole(Moments::eval(&AlignLoads::new(&turned(&i.triads(), motion), i.multipliers().map(still))))
-}
-
-pub(in crate::element) fn tangent(i: &AlignLoads<Octuple>) -> Tangent {
-    let matrix = GeometricStiffness::eval(i).matrix();
-    let rows = Rows::eval(&i.triads()).rows();
-    let moment: Octuple = rows.iter().zip(i.multipliers()).map(|(row, m)| law::length(row.tb * m)).sum();
-    let sizes = [Octuple::zero(), matrix.iter().fold(moment, |sum, x| sum + x.abs())];
-    Tangent { matrix, forces: whole(Moments::eval(i)), sizes }
-}
-
-impl Proved for GeometricStiffness {
-    fn cases() -> Vec<Case<AlignLoads<f64>>> {
-        loads_off_the_axes()
-    }
-
-    fn invalid_cases() -> Vec<Case<AlignLoads<f64>>> {
-        invalid_loads()
-    }
-
-    fn laws() -> Vec<Law<Self>> {
-        vec![
-            Law::<Self>::new("it is the derivative of the nodal moments by translations and spins", |i| {
-                tangent(i).derives(|motion| moving(i, motion))
-            }),
-            Law::<Self>::new("it is symmetric but for each node's own spin, where K − Kᵀ = −[m×]", |i| {
-                tangent(i).is_symmetric_but_for_own_spins()
-            }),
-            Law::<Self>::new("where both nodes turn as one body, the moments turn with them", |i| {
-                tangent(i).turns_with_the_body([Vector3::from_element(Octuple::zero()); 2], i.e1a + i.e3b)
-            }),
-        ]
-    }
-}
-
-impl Proved for SymmetricStiffness {
-    fn cases() -> Vec<Case<AlignLoads<f64>>> {
-        loads_off_the_axes()
-    }
-
-    fn invalid_cases() -> Vec<Case<AlignLoads<f64>>> {
-        invalid_loads()
-    }
-
-    fn laws() -> Vec<Law<Self>> {
-        vec![Law::<Self>::new("it is K + ½ [m×] with the moment m on the node, and symmetric", |i| {
-            let (k, s, moments) = (GeometricStiffness::eval(i), Self::eval(i), Moments::eval(i));
-            let size = tangent(i).sizes[1];
-            let on_b = is_symmetric_part(&s.s_tb_tb, &k.k_tb_tb, &moments.mb, size);
-            [on_b, is_symmetric_part(&s.s_tb_tb, &k.k_tb_tb.transpose(), &moments.ma, size)].concat()
-        })]
     }
 }

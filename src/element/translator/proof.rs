@@ -1,13 +1,12 @@
 //! Evidence for the formulas next door: cases, laws.
 
-use super::{Forces, GeometricStiffness, Rows, SymmetricStiffness, TranslatorLoads, TranslatorPlaces, TranslatorRows};
+use super::{Forces, Rows, TranslatorLoads, TranslatorPlaces, TranslatorRows};
 use crate::Octuple;
 use crate::cardan::{Triads, turns};
 use crate::element::align::{self, AlignLoads, AlignRows};
 use crate::element::join::proof::balance;
-use crate::element::motion::{Motion, Moving, Tangent, derivative, is_symmetric_part, still};
+use crate::element::motion::{Motion, Moving, derivative, still};
 use crate::element::slot::SlotLoads;
-use crate::element::{self};
 use crate::formula::{Fields, Formula};
 use crate::proof::{Case, Law, Proved, hard, law};
 use crate::translator::{AllResiduals, Constraint, Placement};
@@ -122,6 +121,12 @@ fn invalid_loads() -> Vec<Case<TranslatorLoads<f64>>> {
     invalid().into_iter().map(with).collect()
 }
 
+/// The sizes of the terms of forces and of moments.
+fn sizes(i: &TranslatorLoads<Octuple>) -> [Octuple; 2] {
+    let force = law::length(i.e2a * i.f2) + law::length(i.e3a * i.f3);
+    [force, force * law::length(i.xb - i.xa) + align::proof::size(&i.align())]
+}
+
 impl Proved for Forces {
     fn cases() -> Vec<Case<TranslatorLoads<f64>>> {
         loads(places())
@@ -141,7 +146,7 @@ impl Proved for Forces {
                     let sum = |of: fn(&Motion) -> Vector3<Octuple>| {
                         rows.iter().zip([i.f2, i.f3, l1, l2, l3]).map(|(row, m)| of(row) * m).sum::<Vector3<Octuple>>()
                     };
-                    let (forces, [force, moment]) = (Self::eval(i), tangent(i).sizes);
+                    let (forces, [force, moment]) = (Self::eval(i), sizes(i));
                     let pairs = [
                         (forces.fa, sum(|row| row.ua), force),
                         (forces.ma, sum(|row| row.ta), moment),
@@ -160,94 +165,5 @@ impl Proved for Forces {
                 balance(&row, [i.xa, i.xb])
             }),
         ]
-    }
-}
-
-/// The nodal forces as the nodes move.
-fn moving(i: &TranslatorLoads<Octuple>, motion: &Motion) -> element::Forces<Moving> {
-    let [xa, xb] = motion.places([i.xa, i.xb]);
-    let triads = align::proof::turned(&i.align().triads(), motion);
-    let Triads { e2a, e3a, .. } = triads;
-    let slot = SlotLoads { e2a, e3a, xa, xb, f2: still(i.f2), f3: still(i.f3) };
-    Forces::eval(&TranslatorLoads::new(&slot, &AlignLoads::new(&triads, i.align().multipliers().map(still)))).vector()
-}
-
-fn tangent(i: &TranslatorLoads<Octuple>) -> Tangent {
-    let force = law::length(i.e2a * i.f2) + law::length(i.e3a * i.f3);
-    let [_, moment] = align::proof::tangent(&i.align()).sizes;
-    let sizes = [force, force * law::length(i.xb - i.xa) + moment];
-    Tangent { matrix: GeometricStiffness::eval(i).matrix(), forces: Forces::eval(i).vector(), sizes }
-}
-
-impl Proved for GeometricStiffness {
-    fn cases() -> Vec<Case<TranslatorLoads<f64>>> {
-        loads(apart())
-    }
-
-    fn invalid_cases() -> Vec<Case<TranslatorLoads<f64>>> {
-        invalid_loads()
-    }
-
-    fn laws() -> Vec<Law<Self>> {
-        vec![
-            Law::<Self>::new("it is the derivative of the nodal forces by translations and spins", |i| {
-                tangent(i).derives(|motion| moving(i, motion))
-            }),
-            Law::<Self>::new("it is symmetric but for each node's own spin, where K − Kᵀ = −[m×]", |i| {
-                tangent(i).is_symmetric_but_for_own_spins()
-            }),
-            Law::<Self>::new("where both nodes turn as one body, forces and moments turn with them", |i| {
-                tangent(i).turns_with_the_body([i.xa, i.xb], i.e1a + i.e3b)
-            }),
-        ]
-    }
-}
-
-impl Proved for SymmetricStiffness {
-    fn cases() -> Vec<Case<TranslatorLoads<f64>>> {
-        loads(apart())
-    }
-
-    fn invalid_cases() -> Vec<Case<TranslatorLoads<f64>>> {
-        invalid_loads()
-    }
-
-    fn laws() -> Vec<Law<Self>> {
-        vec![Law::<Self>::new("it is K + ½ [m×] with the moment m on the node, and symmetric", |i| {
-            let (k, s, forces) = (GeometricStiffness::eval(i), Self::eval(i), Forces::eval(i));
-            let size = tangent(i).sizes[1];
-            let on_a = is_symmetric_part(&s.s_ta_ta, &k.k_ta_ta, &forces.ma, size);
-            [on_a, is_symmetric_part(&s.s_tb_tb, &k.k_tb_tb, &forces.mb, size)].concat()
-        })]
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::element::Stiffness;
-    use crate::verify::exactly;
-
-    /// Whether the laws of the geometric stiffness find it wrong.
-    fn is_caught(i: &TranslatorLoads<Octuple>, matrix: &Stiffness<Octuple>) -> bool {
-        let planted = Tangent { matrix: *matrix, ..tangent(i) };
-        let laws = [planted.derives(|motion| moving(i, motion)), planted.is_symmetric_but_for_own_spins()].concat();
-        laws.iter().any(|equation| law::residual(equation) > 1e-60)
-    }
-
-    #[test]
-    fn planted_errors_of_the_stiffness_are_caught_by_its_laws() {
-        let i = exactly::<Forces>(&loads(apart())[2].inputs);
-        let right = tangent(&i).matrix;
-        assert!(!is_caught(&i, &right));
-        assert!(is_caught(&i, &right.transpose()), "transposed");
-        assert!(is_caught(&i, &-right), "the other sign");
-        let half = Octuple::from(0.5);
-        assert!(is_caught(&i, &((right + right.transpose()) * half)), "symmetrised");
-        for (row, column) in [(0, 3), (3, 0), (3, 3), (3, 6), (3, 9), (6, 3), (9, 3), (9, 9)] {
-            let mut without = right;
-            without.fixed_view_mut::<3, 3>(row, column).fill(Octuple::zero());
-            assert!(is_caught(&i, &without), "without the block at {row}, {column}");
-        }
     }
 }

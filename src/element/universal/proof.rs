@@ -133,7 +133,7 @@ fn moving(i: &UniversalLoads<Octuple>, motion: &Motion) -> element::Forces<Movin
 }
 
 /// With forces, which are none.
-pub(in crate::element) fn whole<D: Scalar>(UniversalMoments { ma, mb }: UniversalMoments<D>) -> element::Forces<D> {
+fn whole<D: Scalar>(UniversalMoments { ma, mb }: UniversalMoments<D>) -> element::Forces<D> {
     let none = Vector3::from_element(D::zero());
     NodalForces { fa: none, ma, fb: none, mb }.vector()
 }

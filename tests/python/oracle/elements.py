@@ -158,39 +158,28 @@ def slot_stiffness_2d(e2a, xa, xb, f2):
     return dict(k_ua_ta=turned["fa"], k_ta_ta=turned["ma"])
 
 
-# ALIGN: first and second derivatives of the three angles by the spin of b, about the axes k and l, by the rule for quotients.
+# ALIGN: derivatives of the three angles by the spin of b, by the rule for quotients.
 
 TRIADS = "e1a:3 e2a:3 e3a:3 e1b:3 e2b:3 e3b:3"
 LAMBDAS = " lambda_r1 lambda_r2 lambda_r3"
 
 
 def products(a, b):
-    """a.b, its three derivatives as b turns, and the nine second ones."""
-    once = [cross(axis, b) for axis in AXES]
-    twice = [[cross(first, cross(second, b)) for second in AXES] for first in AXES]
-    return dot(a, b), [dot(a, v) for v in once], [[dot(a, v) for v in row] for row in twice]
+    """a.b and its three derivatives as b turns."""
+    return dot(a, b), [dot(a, cross(axis, b)) for axis in AXES]
 
 
 def turn_derivatives(sine, cosine):
     """Of -atan2(sine, cosine)."""
-    (s, s1, s2), (c, c1, c2) = sine, cosine
-    square = s * s + c * c
-    above = [s * c1[k] - c * s1[k] for k in range(3)]
-
-    def second(k, l):
-        change = s1[l] * c1[k] + s * c2[k][l] - c1[l] * s1[k] - c * s2[k][l]
-        return change / square - above[k] * 2 * (s * s1[l] + c * c1[l]) / square**2
-
-    return [x / square for x in above], [second(k, l) for k in range(3) for l in range(3)]
+    (s, s1), (c, c1) = sine, cosine
+    return [(s * c1[k] - c * s1[k]) / (s * s + c * c) for k in range(3)]
 
 
 def arc_sine_derivatives(sine):
-    x, x1, x2 = sine
-    cosine = mp.sqrt(1 - x * x)
+    x, x1 = sine
     if x * x >= 1:
         raise OutsideDomain("the arc sine has no derivative at its ends")
-    second = [x2[k][l] / cosine + x * x1[k] * x1[l] / cosine**3 for k in range(3) for l in range(3)]
-    return [y / cosine for y in x1], second
+    return [y / mp.sqrt(1 - x * x) for y in x1]
 
 
 def angle_derivatives(e1a, e2a, e3a, e1b, e2b, e3b):
@@ -205,28 +194,13 @@ def angle_derivatives(e1a, e2a, e3a, e1b, e2b, e3b):
 
 @formula("align.rows", TRIADS, "ur1_tb:3 ur2_tb:3 ur3_tb:3")
 def align_rows(**triads):
-    return {f"ur{k}_tb": first for k, (first, _) in enumerate(angle_derivatives(**triads), 1)}
-
-
-def weighted(parts, *multipliers):
-    return add(*(scale(multiplier, part) for multiplier, part in zip(multipliers, parts, strict=True)))
+    return {f"ur{k}_tb": row for k, row in enumerate(angle_derivatives(**triads), 1)}
 
 
 @formula("align.nodal_moments", TRIADS + LAMBDAS, "ma:3 mb:3")
 def align_nodal_moments(lambda_r1, lambda_r2, lambda_r3, **triads):
-    mb = weighted([first for first, _ in angle_derivatives(**triads)], lambda_r1, lambda_r2, lambda_r3)
+    mb = transposed(align_rows(**triads), dict(ur1=lambda_r1, ur2=lambda_r2, ur3=lambda_r3), "tb")
     return dict(ma=scale(-1, mb), mb=mb)
-
-
-@formula("align.geometric_stiffness", TRIADS + LAMBDAS, "k_tb_tb:9")
-def align_stiffness(lambda_r1, lambda_r2, lambda_r3, **triads):
-    seconds = [second for _, second in angle_derivatives(**triads)]
-    return dict(k_tb_tb=weighted(seconds, lambda_r1, lambda_r2, lambda_r3))
-
-
-@formula("align.symmetric_stiffness", TRIADS + LAMBDAS, "s_tb_tb:9")
-def align_symmetric(**inputs):
-    return dict(s_tb_tb=symmetric(align_stiffness(**inputs)["k_tb_tb"]))
 
 
 # TRANSLATOR is SLOT and ALIGN.
@@ -241,27 +215,8 @@ def translator_rows(xa, xb, **triads):
     return slot_rows(triads["e2a"], triads["e3a"], xa, xb) | align_rows(**triads)
 
 
-TRANSLATOR_LOADS = TRIADS + " xa:3 xb:3 f2 f3" + LAMBDAS
-
-
-def translator_parts(of_slot, of_align, xa, xb, f2, f3, lambda_r1, lambda_r2, lambda_r3, **triads):
-    slot = of_slot(e2a=triads["e2a"], e3a=triads["e3a"], xa=xa, xb=xb, f2=f2, f3=f3)
-    return slot, of_align(lambda_r1=lambda_r1, lambda_r2=lambda_r2, lambda_r3=lambda_r3, **triads)
-
-
-@formula("translator.nodal_forces", TRANSLATOR_LOADS, "fa:3 ma:3 fb:3 mb:3")
-def translator_nodal_forces(**inputs):
-    slot, align = translator_parts(slot_nodal_forces, align_nodal_moments, **inputs)
+@formula("translator.nodal_forces", TRIADS + " xa:3 xb:3 f2 f3" + LAMBDAS, "fa:3 ma:3 fb:3 mb:3")
+def translator_nodal_forces(xa, xb, f2, f3, **inputs):
+    slot = slot_nodal_forces(e2a=inputs["e2a"], e3a=inputs["e3a"], xa=xa, xb=xb, f2=f2, f3=f3)
+    align = align_nodal_moments(**inputs)
     return slot | dict(ma=add(slot["ma"], align["ma"]), mb=align["mb"])
-
-
-@formula("translator.geometric_stiffness", TRANSLATOR_LOADS, "k_ua_ta:9 k_ta_ta:9 k_tb_tb:9")
-def translator_stiffness(**inputs):
-    slot, align = translator_parts(slot_stiffness, align_stiffness, **inputs)
-    return slot | align | dict(k_ta_ta=add(slot["k_ta_ta"], transpose(align["k_tb_tb"])))
-
-
-@formula("translator.symmetric_stiffness", TRANSLATOR_LOADS, "s_ta_ta:9 s_tb_tb:9")
-def translator_symmetric(**inputs):
-    slot, align = translator_parts(slot_symmetric, align_symmetric, **inputs)
-    return align | dict(s_ta_ta=add(slot["s_ta_ta"], align["s_tb_tb"]))
