@@ -157,7 +157,7 @@ fn kink(entry: &KinkEntry, [inputs, outputs]: [&[Field]; 2]) -> Kink {
     let Some(Sides { rank, output, input, sides: [below, above] }) = entry.sides else { return Kink::default() };
     let (output, input) = (component(outputs, output), component(inputs, input));
     let derivative = match rank {
-        Rank::Value => format!("${output}$ itself, across ${input}$,"),
+        Rank::Value => format!("${output}$ itself across ${input}$"),
         Rank::Slope => format!(r"$\partial {output}/\partial {input}$"),
         Rank::Curvature => format!(r"$\partial^2 {output}/\partial {input}^2$"),
     };
