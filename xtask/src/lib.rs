@@ -14,7 +14,6 @@
 //!
 //! `report` times a program that is built with optimisation: the same one, without the feature `commands`.
 
-pub mod looked;
 mod measuring;
 mod project;
 
@@ -38,6 +37,8 @@ mod extension;
 pub mod files;
 #[cfg(feature = "commands")]
 mod golden;
+#[cfg(feature = "commands")]
+pub mod looked;
 #[cfg(feature = "commands")]
 mod new;
 #[cfg(feature = "commands")]
