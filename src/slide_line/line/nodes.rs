@@ -55,7 +55,7 @@ impl<D: Scalar> Nodes<D> {
 }
 
 impl Nodes {
-    /// The same places in another scalar, such as [`Octuple`](crate::Octuple) for the exact result.
+    /// The same places in another scalar, such as `Octuple` for the exact result.
     pub fn convert<D: Scalar>(&self) -> Nodes<D> {
         Nodes(self.0.iter().map(|(&node, x)| (node, x.map(D::from))).collect())
     }
