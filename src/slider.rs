@@ -20,7 +20,7 @@ mod connector_plane;
 mod constraint;
 mod eliminate;
 #[cfg(feature = "verify")]
-mod hard;
+pub(crate) mod hard;
 mod line;
 mod pivots;
 mod place;

@@ -10,7 +10,6 @@ use crate::formula::{Component, Document, Fields, Finite, Formula, Given, Jacobi
 use crate::quantity::{ALPHA0, BETA0, E1A, E1B, E2A, E2B, E3A, E3B, GAMMA0, M1, M2, M3, MOMENT, UR1, UR2, UR3};
 use crate::scalar::{Scalar, abs, pi, sign};
 use nalgebra::Vector3;
-use std::f64::consts::PI;
 
 fields! {
     /// How both nodes are turned, and the initial angles.
@@ -103,7 +102,7 @@ impl<D: Scalar> Misalignment<Orientations<D>> {
 /// The difference of two angles, less a full turn where it is beyond half a turn; π to the precision of `D`.
 #[inline]
 pub(crate) fn wrapped<D: Scalar>(difference: D) -> D {
-    if abs(difference) <= PI {
+    if abs(difference) <= pi::<D>() {
         return difference;
     }
     difference - pi::<D>() * sign(difference) * 2.0

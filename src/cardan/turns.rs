@@ -102,12 +102,12 @@ where
 }
 
 /// The cuts of α and γ at half a turn, in any formula that contains them.
-pub(crate) fn cuts<F: Formula>() -> Vec<Kink<F>>
+pub(crate) fn cuts<F: Formula>() -> [Kink<F>; 2]
 where
     F::Inputs<f64>: Oriented<f64>,
     F::Inputs<Octuple>: Oriented<Octuple>,
 {
-    vec![
+    [
         Kink::<F>::new(
             Convention::Cut,
             r"\alpha = -\pi",

@@ -1,6 +1,10 @@
 //! Lines that are numerically hard, and places of node m on and off them; every formula of the slider is tested there.
 
-use nalgebra::SVector;
+use crate::Octuple;
+use crate::formula::Formula;
+use crate::proof::{Convention, Kink};
+use crate::scalar::abs;
+use nalgebra::{SVector, Vector2, Vector3};
 
 /// A line from x1 to xn, and what is hard about it.
 #[derive(Clone, Copy, Debug)]
@@ -140,4 +144,51 @@ pub(super) fn plane_lines() -> Vec<HardLine<2>> {
             [0.3, 0.2],
         ),
     ]
+}
+
+/// The kinks where the documented pivots change, in any formula that asks them, at lines from the origin: `line` is
+/// xn − x1 of inputs, `at` gives inputs with this xn, and `across` those in which xn alone is not 0.
+pub(crate) fn changes_of_pivots<F: Formula>(
+    line: fn(&F::Inputs<Octuple>) -> Vector3<Octuple>,
+    at: fn(Vector3<f64>) -> F::Inputs<f64>,
+    across: fn(Vector3<f64>) -> F::Inputs<f64>,
+) -> Vec<Kink<F>> {
+    // i may be axis 2 or 3.
+    let first = |d: &Vector3<Octuple>| abs(d.y) == abs(d.z);
+    // j may be axis 1 or the one of i and k that is longer.
+    let second = |d: &Vector3<Octuple>| {
+        let p = if abs(d.y) > abs(d.z) { abs(d.y) } else { abs(d.z) };
+        d.y * d.y + d.z * d.z == p * abs(d.x)
+    };
+    vec![
+        Kink {
+            condition: r"\lvert d_2\rvert = \lvert d_3\rvert".into(),
+            convention: Convention::Switch,
+            holds: Box::new(move |i| first(&line(i))),
+            at: at(Vector3::new(1.0, 2.0, 2.0)),
+            across: across(Vector3::z()),
+        },
+        Kink {
+            condition: r"d_2^2 + d_3^2 = \lvert d_1\rvert\max(\lvert d_2\rvert,\lvert d_3\rvert)".into(),
+            convention: Convention::Switch,
+            holds: Box::new(move |i| second(&line(i))),
+            at: at(Vector3::new(-5.0, 2.0, 4.0)),
+            across: across(-Vector3::x()),
+        },
+    ]
+}
+
+/// The kink where the pivot in the plane changes.
+pub(crate) fn change_of_pivot<F: Formula>(
+    line: fn(&F::Inputs<Octuple>) -> Vector2<Octuple>,
+    at: fn(Vector2<f64>) -> F::Inputs<f64>,
+    across: fn(Vector2<f64>) -> F::Inputs<f64>,
+) -> Vec<Kink<F>> {
+    vec![Kink {
+        condition: r"\lvert d_1\rvert = \lvert d_2\rvert".into(),
+        convention: Convention::Switch,
+        holds: Box::new(move |i| abs(line(i).x) == abs(line(i).y)),
+        at: at(Vector2::new(2.0, -2.0)),
+        across: across(Vector2::x()),
+    }]
 }

@@ -1,32 +1,123 @@
-//! Evidence for the formulas next door: none beyond what every formula owes.
+//! Evidence for the formulas next door.
 
+use super::axes::LineNodes;
 use super::{
-    Alignment, Bearing, Follow, Joining, KeptAxis, KeptAxis2d, Kinetic, PivotAxes, Slip, Stick, Traction, TurnedBack,
-    Turns,
+    Alignment, Bearing, Follow, Joining, KeptAxis, KeptAxis2d, KeptNodes, KeptNodes2d, Kinetic, PivotAxes, Sighting,
+    Slip, SlipLoads, Stick, Traction, Transmitted, TurnedBack, Turns,
 };
-use crate::proof::Proved;
+use crate::align::Orientations;
+use crate::cardan::{Oriented, Triads, turns};
+use crate::formula::Fields;
+use crate::proof::{Case, Kink, Proved};
+use crate::slider::hard::{change_of_pivot, changes_of_pivots};
+use nalgebra::{Vector2, Vector3};
+use std::f64::consts::PI;
 
 impl Proved for Stick {}
 
-impl Proved for Follow {}
+/// It rounds a number, which its graph does not hold: what jumps is looked for at these cases. It jumps by a full turn
+/// at half a turn, where no double lies.
+impl Proved for Follow {
+    fn cases() -> Vec<Case<Sighting<f64>>> {
+        let sighting = |angle, start, turned| Sighting { angle, start, turned };
+        vec![
+            Case::hand("same-turn", "no turn is added", sighting(0.5, 0.25, 0.125)),
+            Case::hand("across-the-cut", "on from 3 to −3: one turn on", sighting(-3.0, 1.0, 2.0)),
+            Case::hand("back-across-the-cut", "back from −3 to 3: one turn back", sighting(3.0, -1.0, -2.0)),
+            Case::hand("many-turns", "a thousand radians on", sighting(1.0, 0.5, 1000.0)),
+            Case::hard("half-a-turn", "the double beside half a turn", sighting(0.0, PI, 0.0)),
+            Case::hard("half-a-turn-back", "the double beside it, back", sighting(0.0, 0.0, -PI)),
+        ]
+    }
+}
 
-impl Proved for Slip {}
+impl Proved for Slip {
+    fn kinks() -> Vec<Kink<Self>> {
+        vec![Kink::<Self>::subgradient(
+            r"f^{\mathrm{trial}} = f",
+            |i| i.f_trial == i.csf,
+            SlipLoads { f_trial: 1.5, csf: 1.5, k_stick: 8.0, slip_before: 0.25 },
+            SlipLoads { f_trial: 1.0, ..SlipLoads::filled(0.0) },
+        )]
+    }
+}
 
 impl Proved for Kinetic {}
 
-impl Proved for Traction {}
+impl Proved for Traction {
+    fn kinks() -> Vec<Kink<Self>> {
+        vec![Kink::<Self>::of_abs(Transmitted { csf: 0.0 }, |i| [i.csf])]
+    }
+}
 
 impl Proved for Joining {}
 
-impl Proved for Turns {}
+impl Proved for Turns {
+    fn kinks() -> Vec<Kink<Self>> {
+        turns::cuts().into()
+    }
+}
 
-impl Proved for Alignment {}
+/// Half a turn from the start is a double only where the start is 0.
+impl Proved for Alignment {
+    fn invalid_cases() -> Vec<Case<Orientations<f64>>> {
+        let locked = turns::gimbal_locked().into_iter();
+        let inputs = |[a, b]: turns::TriadPair| Orientations::of(Triads::new(a, b));
+        locked.map(|pair| Case::invalid(pair.id, pair.comment, inputs(pair.value))).collect()
+    }
 
-impl Proved for KeptAxis {}
+    fn kinks() -> Vec<Kink<Self>> {
+        let [alpha, gamma] = turns::cuts::<Self>();
+        let (at_alpha, at_gamma) = (alpha.holds, gamma.holds);
+        vec![
+            Kink {
+                condition: r"\lvert\alpha - \alpha_0\rvert = \pi".into(),
+                holds: Box::new(move |i| i.alpha0 == 0.0 && at_alpha(i)),
+                ..alpha
+            },
+            Kink {
+                condition: r"\lvert\gamma - \gamma_0\rvert = \pi".into(),
+                holds: Box::new(move |i| i.gamma0 == 0.0 && at_gamma(i)),
+                ..gamma
+            },
+        ]
+    }
+}
 
-impl Proved for KeptAxis2d {}
+impl Proved for KeptAxis {
+    fn kinks() -> Vec<Kink<Self>> {
+        changes_of_pivots::<Self>(
+            |i| i.xn - i.x1,
+            |xn| KeptNodes {
+                x1: Vector3::zeros(),
+                xn,
+                xm: Vector3::new(0.5, 1.0, 0.75),
+                dxm: Vector3::new(0.25, -0.5, 0.125),
+            },
+            |dxn| KeptNodes { xn: dxn, ..KeptNodes::filled(0.0) },
+        )
+    }
+}
 
-impl Proved for PivotAxes {}
+impl Proved for KeptAxis2d {
+    fn kinks() -> Vec<Kink<Self>> {
+        change_of_pivot::<Self>(
+            |i| i.xn - i.x1,
+            |xn| KeptNodes2d { x1: Vector2::zeros(), xn, xm: Vector2::new(0.5, 1.0), dxm: Vector2::new(0.25, -0.5) },
+            |dxn| KeptNodes2d { xn: dxn, ..KeptNodes2d::filled(0.0) },
+        )
+    }
+}
+
+impl Proved for PivotAxes {
+    fn kinks() -> Vec<Kink<Self>> {
+        changes_of_pivots::<Self>(
+            |i| i.xn - i.x1,
+            |xn| LineNodes { x1: Vector3::zeros(), xn },
+            |dxn| LineNodes { xn: dxn, ..LineNodes::filled(0.0) },
+        )
+    }
+}
 
 impl Proved for Bearing {}
 

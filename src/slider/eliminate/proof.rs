@@ -4,8 +4,7 @@ use super::{Coordinates, Eliminate, Increment, Increments, KeptCoordinate, KeptI
 use crate::Octuple;
 use crate::formula::{Fields, Formula};
 use crate::proof::{Case, Kink, Law, Proved, Way, law};
-use crate::scalar::abs;
-use crate::slider::hard::{lines, scenes};
+use crate::slider::hard::{changes_of_pivots, lines, scenes};
 use crate::slider::{IncrementalConstraint, MovingNodes, Pivots, documented};
 use nalgebra::Vector3;
 
@@ -39,23 +38,11 @@ impl Proved for Eliminate {
     }
 
     fn kinks() -> Vec<Kink<Self>> {
-        fn line(xn: [f64; 3], xmk: f64) -> KeptCoordinate<f64> {
-            KeptCoordinate { x1: Vector3::zeros(), xn: xn.into(), xmk }
-        }
-        vec![
-            Kink::<Self>::switch(
-                r"\lvert d_2\rvert = \lvert d_3\rvert",
-                |i| first_tie(&(i.xn - i.x1)),
-                line([1.0, 2.0, 2.0], 1.5),
-                line([0.0, 0.0, 1.0], 0.0),
-            ),
-            Kink::<Self>::switch(
-                r"d_2^2 + d_3^2 = \lvert d_1\rvert\max(\lvert d_2\rvert,\lvert d_3\rvert)",
-                |i| second_tie(&(i.xn - i.x1)),
-                line([-5.0, 2.0, 4.0], 1.5),
-                line([-1.0, 0.0, 0.0], 0.0),
-            ),
-        ]
+        changes_of_pivots::<Self>(
+            |i| i.xn - i.x1,
+            |xn| KeptCoordinate { x1: Vector3::zeros(), xn, xmk: 1.5 },
+            |dxn| KeptCoordinate { xn: dxn, ..KeptCoordinate::filled(0.0) },
+        )
     }
 
     fn laws() -> Vec<Law<Self>> {
@@ -128,33 +115,18 @@ impl Proved for Increment {
     }
 
     fn kinks() -> Vec<Kink<Self>> {
-        fn scene(xn: [f64; 3]) -> KeptIncrement<f64> {
-            KeptIncrement {
+        changes_of_pivots::<Self>(
+            |i| i.xn - i.x1,
+            |xn| KeptIncrement {
                 x1: Vector3::zeros(),
-                xn: xn.into(),
+                xn,
                 xm: Vector3::new(0.5, 1.0, 0.75),
                 dx1: Vector3::new(0.25, -0.5, 0.75),
                 dxn: Vector3::new(-0.5, 0.125, 0.25),
                 dxmk: 0.375,
-            }
-        }
-        fn turn(xn: [f64; 3]) -> KeptIncrement<f64> {
-            KeptIncrement { xn: xn.into(), ..KeptIncrement::filled(0.0) }
-        }
-        vec![
-            Kink::<Self>::switch(
-                r"\lvert d_2\rvert = \lvert d_3\rvert",
-                |i| first_tie(&(i.xn - i.x1)),
-                scene([1.0, 2.0, 2.0]),
-                turn([0.0, 0.0, 1.0]),
-            ),
-            Kink::<Self>::switch(
-                r"d_2^2 + d_3^2 = \lvert d_1\rvert\max(\lvert d_2\rvert,\lvert d_3\rvert)",
-                |i| second_tie(&(i.xn - i.x1)),
-                scene([-5.0, 2.0, 4.0]),
-                turn([-1.0, 0.0, 0.0]),
-            ),
-        ]
+            },
+            |dxn| KeptIncrement { xn: dxn, ..KeptIncrement::filled(0.0) },
+        )
     }
 
     fn laws() -> Vec<Law<Self>> {
@@ -188,17 +160,6 @@ impl Proved for Increment {
             }),
         ]
     }
-}
-
-/// |d2| = |d3|: i may be axis 2 or 3.
-fn first_tie(d: &Vector3<Octuple>) -> bool {
-    abs(d.y) == abs(d.z)
-}
-
-/// p² + q² = p |d1|: j may be axis 1 or the axis of p.
-fn second_tie(d: &Vector3<Octuple>) -> bool {
-    let p = if abs(d.y) > abs(d.z) { abs(d.y) } else { abs(d.z) };
-    d.y * d.y + d.z * d.z == p * abs(d.x)
 }
 
 /// A point of the line with the k-th coordinate of xm.

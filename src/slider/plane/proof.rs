@@ -8,7 +8,7 @@ use crate::Octuple;
 use crate::formula::{Fields, Formula};
 use crate::proof::{Case, Equation, Kink, Law, Proved, law};
 use crate::scalar::{abs, norm, sign};
-use crate::slider::hard::{plane_lines, scenes};
+use crate::slider::hard::{change_of_pivot, plane_lines, scenes};
 use crate::slider::{Constraint, Increment, IncrementalConstraint, KeptIncrement, MovingNodes, Nodes};
 use crate::slider::{Pivots, Pivots2d};
 use nalgebra::{Vector2, Vector3};
@@ -143,12 +143,11 @@ impl Proved for Eliminate2d {
     }
 
     fn kinks() -> Vec<Kink<Self>> {
-        vec![Kink::<Self>::switch(
-            r"\lvert d_1\rvert = \lvert d_2\rvert",
-            |i| abs(i.xn.x - i.x1.x) == abs(i.xn.y - i.x1.y),
-            KeptCoordinate2d { x1: Vector2::zeros(), xn: Vector2::new(2.0, -2.0), xmk: 0.375 },
-            KeptCoordinate2d { xn: Vector2::new(1.0, 0.0), ..KeptCoordinate2d::filled(0.0) },
-        )]
+        change_of_pivot::<Self>(
+            |i| i.xn - i.x1,
+            |xn| KeptCoordinate2d { x1: Vector2::zeros(), xn, xmk: 0.375 },
+            |dxn| KeptCoordinate2d { xn: dxn, ..KeptCoordinate2d::filled(0.0) },
+        )
     }
 
     fn laws() -> Vec<Law<Self>> {
@@ -201,19 +200,18 @@ impl Proved for Increment2d {
     }
 
     fn kinks() -> Vec<Kink<Self>> {
-        vec![Kink::<Self>::switch(
-            r"\lvert d_1\rvert = \lvert d_2\rvert",
-            |i| abs(i.xn.x - i.x1.x) == abs(i.xn.y - i.x1.y),
-            KeptIncrement2d {
+        change_of_pivot::<Self>(
+            |i| i.xn - i.x1,
+            |xn| KeptIncrement2d {
                 x1: Vector2::zeros(),
-                xn: Vector2::new(2.0, -2.0),
+                xn,
                 xm: Vector2::new(0.5, 1.0),
                 dx1: Vector2::new(0.25, -0.5),
                 dxn: Vector2::new(-0.5, 0.125),
                 dxmk: 0.375,
             },
-            KeptIncrement2d { xn: Vector2::new(1.0, 0.0), ..KeptIncrement2d::filled(0.0) },
-        )]
+            |dxn| KeptIncrement2d { xn: dxn, ..KeptIncrement2d::filled(0.0) },
+        )
     }
 
     fn laws() -> Vec<Law<Self>> {

@@ -65,7 +65,7 @@ impl Proved for Angles {
     }
 
     fn kinks() -> Vec<Kink<Self>> {
-        turns::cuts()
+        turns::cuts().into()
     }
 
     fn laws() -> Vec<Law<Self>> {

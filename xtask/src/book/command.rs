@@ -18,7 +18,7 @@ use std::process::{Command, Stdio};
 /// error are those of the last `report` on all formulas, or of a quick one made now if there is none.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
-  {command} book           build into target/book; open target/book/index.html, no server needed
+  {command} book           build into target/book; open index.html there
   {command} book --open    and show it in the browser
   {command} book --check-calculators  and use its calculators in Chromium")]
 pub(crate) struct Arguments {
