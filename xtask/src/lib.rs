@@ -22,6 +22,8 @@ pub mod audit;
 #[cfg(feature = "commands")]
 mod book;
 #[cfg(feature = "commands")]
+mod check;
+#[cfg(feature = "commands")]
 mod commands;
 #[cfg(feature = "commands")]
 pub mod console;
