@@ -60,6 +60,7 @@ pub(super) fn read(line: &str, expected: usize, digits: Digits, manners: &mut Ma
 }
 
 /// Whether a line refuses, and what it names.
+#[expect(clippy::option_option, reason = "no refusal, and one that names nothing")]
 pub(super) fn refusal(line: &str) -> Option<Option<String>> {
     let mut words = line.split_whitespace();
     let first = words.next()?.to_ascii_lowercase();

@@ -2,7 +2,7 @@
 
 use super::question::Wanted;
 use super::verdict::{Grade, Tally};
-use crate::console::{green, red};
+use crate::console::{green, red, yellow};
 use jointproof::formula::Field;
 use std::fmt::Write;
 
@@ -32,7 +32,7 @@ fn mark(tally: &Tally) -> String {
     match tally.grade {
         _ if tally.checked == 0 => if tally.absent > 0 { "-" } else { " " }.into(),
         Grade::Right => green("+"),
-        Grade::Inaccurate => format!("\x1b[33m~\x1b[0m"),
+        Grade::Inaccurate => yellow("~"),
         Grade::Wrong => red("x"),
     }
 }

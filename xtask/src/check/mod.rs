@@ -1,6 +1,7 @@
 //! `check`: a program of somebody else's, in any language, asked over a pipe and judged.
 
 mod answer;
+mod diagnosis;
 mod driver;
 mod json;
 mod map;
@@ -39,6 +40,7 @@ use verdict::{Bounds, Court};
   {command} check --formula {formula} --driver fortran > mine.f90   a program to put your code in
   {command} check --formula {formula} --json -- node mine.js        JSON lines
   {command} check --formula {formula} --point '{point}' -- ./mine")]
+#[expect(clippy::struct_excessive_bools, reason = "each is a switch of the command line")]
 pub(crate) struct Arguments {
     /// The formula, by its identifier
     #[arg(long, value_name = "ID")]
@@ -109,7 +111,8 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         }
     };
     let found = court.judge(&answers);
-    print(&report::text(&court, &arguments.program, &found, &heard))?;
+    let causes = diagnosis::diagnose(&court, &answers, &found);
+    print(&report::text(&court, &arguments.program, &found, &heard, &causes))?;
     Ok(verdict(found.is_well()))
 }
 
@@ -160,9 +163,8 @@ fn listen(
     let order: Vec<usize> = (0..questions.len()).chain(again).collect();
     let digits = if arguments.hex { Digits::Hex } else { Digits::Decimal };
     let numbers = arguments.wanted.numbers(sizes(formula));
-    let line = |(k, &place): (usize, &usize)| match arguments.json {
-        true => json::question(formula, k, &questions[place]),
-        false => questions[place].line(digits),
+    let line = |(k, &place): (usize, &usize)| {
+        if arguments.json { json::question(formula, k, &questions[place]) } else { questions[place].line(digits) }
     };
     let lines: Vec<_> = order.iter().enumerate().map(line).collect();
     let head = arguments.json.then(|| json::head(formula, arguments.wanted));

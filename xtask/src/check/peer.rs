@@ -126,9 +126,8 @@ impl Peer<'_> {
         let silent = loop {
             match process.line(self.limit) {
                 Next::Line(line) if lines.len() < most => lines.push(line),
-                Next::Line(_) => break false,
+                Next::Line(_) | Next::End => break false,
                 Next::Silence => break true,
-                Next::End => break false,
             }
         };
         let said = process.last_words();

@@ -23,7 +23,7 @@ fn head(court: &Court<'_>, program: &[String], well: bool) -> String {
 }
 
 /// Everything: a line or two where all is well.
-pub(super) fn text(court: &Court<'_>, program: &[String], found: &Verdict, heard: &Heard) -> String {
+pub(super) fn text(court: &Court<'_>, program: &[String], found: &Verdict, heard: &Heard, causes: &[String]) -> String {
     let questions = court.questions.len();
     let mut text = format!(
         "{} {}, each asked twice; {} judged in 237 bits, {} have the bits of jointproof, {} refused as they must be\n",
@@ -73,6 +73,9 @@ pub(super) fn text(court: &Court<'_>, program: &[String], found: &Verdict, heard
         ));
     }
     text += &entries(court, found);
+    for cause in causes {
+        let _ = writeln!(text, "    {} {cause}", bold("diagnosis:"));
+    }
     text
 }
 
@@ -92,9 +95,10 @@ fn entries(court: &Court<'_>, found: &Verdict) -> String {
             return String::new();
         }
         let bounds = court.bounds;
-        let jacobian = match all > m {
-            true => format!(", of the rest {} (bound {})", worst(m..all), figure(court.bound(all - 1))),
-            false => String::new(),
+        let jacobian = if all > m {
+            format!(", of the rest {} (bound {})", worst(m..all), figure(court.bound(all - 1)))
+        } else {
+            String::new()
         };
         return format!("    η of the value at most {} (bound {}){jacobian}\n", worst(0..m), figure(bounds.value));
     }

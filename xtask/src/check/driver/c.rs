@@ -8,10 +8,7 @@ pub(super) fn text(driver: &Driver, is_cpp: bool) -> String {
     let [n, m] = driver.sizes();
     let head: Vec<_> = driver.head().iter().map(|line| format!(" * {line}").trim_end().to_owned()).collect();
     let headers = if is_cpp { ["<cmath>", "<cstdio>"] } else { ["<math.h>", "<stdio.h>"] };
-    let exported = match driver.is_exported {
-        true => format!("#include \"jp_{}.h\"\n", driver.stem()),
-        false => String::new(),
-    };
+    let exported = driver.exported_line(|stem| format!("#include \"jp_{stem}.h\"\n"));
     let mut text = format!(
         "/*\n{}\n */\n#include {}\n#include {}\n{exported}\nenum {{ inputs = {n}, outputs = {m} }};\n\n",
         head.join("\n"),
@@ -46,11 +43,9 @@ fn body(driver: &Driver) -> String {
         return format!("    return {}({});\n", driver.exported(), names.join(", "));
     }
     names.extend(driver.with_jacobian.then(|| "jacobian".to_owned()));
-    let unused: String = names.iter().map(|name| format!("    (void){name};\n")).collect();
-    let derivative = match driver.with_jacobian {
-        true => ", and jacobian[i][j] to the derivative of output i by input j",
-        false => "",
-    };
+    let unused: Vec<_> = names.iter().map(|name| format!("    (void){name};\n")).collect();
+    let unused = unused.concat();
+    let derivative = driver.if_jacobian(", and jacobian[i][j] to the derivative of output i by input j");
     let set: Vec<_> = outputs.iter().map(name).collect();
     format!("    /* Set {}{derivative}. */\n{unused}    return 1;\n", set.join(", "))
 }
@@ -64,13 +59,10 @@ fn main(driver: &Driver) -> String {
     let outputs = placed(driver.formula.outputs()).map(|field| place(field, "y", "&"));
     let jacobian = driver.with_jacobian.then(|| "jacobian".to_owned());
     let arguments: Vec<_> = inputs.chain(outputs).chain(jacobian).collect();
-    let (declared, printed) = match driver.with_jacobian {
-        true => (
-            ", jacobian[outputs][inputs]",
-            "        for (int i = 0; i < outputs; ++i)\n            for (int j = 0; j < inputs; ++j) printf(\" %.17g\", jacobian[i][j]);\n",
-        ),
-        false => ("", ""),
-    };
+    let declared = driver.if_jacobian(", jacobian[outputs][inputs]");
+    let printed = driver.if_jacobian(
+        "        for (int i = 0; i < outputs; ++i)\n            for (int j = 0; j < inputs; ++j) printf(\" %.17g\", jacobian[i][j]);\n",
+    );
     format!(
         "int main(void)\n{{\n    double x[inputs], y[outputs]{declared};\n    for (;;) {{\n\
          \x20       for (int j = 0; j < inputs; ++j)\n            if (scanf(\"%lf\", &x[j]) != 1) return 0;\n\

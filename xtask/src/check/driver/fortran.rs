@@ -8,10 +8,7 @@ pub(super) fn text(driver: &Driver) -> String {
     let [n, m] = driver.sizes();
     let (inputs, outputs) = (driver.formula.inputs(), driver.formula.outputs());
     let head: Vec<_> = driver.head().iter().map(|line| format!("! {line}").trim_end().to_owned()).collect();
-    let exported = match driver.is_exported {
-        true => format!("    use jp_{}, only: {}\n", driver.stem(), driver.exported()),
-        false => String::new(),
-    };
+    let exported = driver.exported_line(|stem| format!("    use jp_{stem}, only: {}\n", driver.exported()));
     let parts = |fields: &'static [Field], array: &str| -> Vec<String> {
         let part = |(field, start): (&Field, usize)| match field.len() {
             1 => format!("{array}({})", start + 1),
@@ -24,8 +21,8 @@ pub(super) fn text(driver: &Driver) -> String {
         [parts(inputs, "x_all"), parts(outputs, "y_all"), jacobian("j_all").into_iter().collect()].concat();
     let printed =
         if driver.with_jacobian { ", ((j_all(row, column), column = 1, inputs), row = 1, outputs)" } else { "" };
-    let declared = if driver.with_jacobian { ", j_all(outputs, inputs)" } else { "" };
-    let counters = if driver.with_jacobian { ", row, column" } else { "" };
+    let declared = driver.if_jacobian(", j_all(outputs, inputs)");
+    let counters = driver.if_jacobian(", row, column");
     let mut text = format!(
         "{}\nprogram answer\n    use, intrinsic :: iso_fortran_env, only: dp => real64\n{exported}    implicit none\n\
          \x20   integer, parameter :: inputs = {n}, outputs = {m}\n    real(dp) :: x_all(inputs), y_all(outputs){declared}\n\
@@ -57,18 +54,13 @@ fn body(driver: &Driver) -> String {
     if driver.is_exported {
         let names = inputs.iter().chain(outputs).map(name);
         let names: Vec<_> = names.chain(driver.with_jacobian.then(|| "flat".to_owned())).collect();
-        let (declared, reshaped) = match driver.with_jacobian {
-            true => (
-                "        real(dp) :: flat(outputs * inputs)\n",
-                "        jacobian = transpose(reshape(flat, [inputs, outputs]))\n",
-            ),
-            false => ("", ""),
-        };
+        let declared = driver.if_jacobian("        real(dp) :: flat(outputs * inputs)\n");
+        let reshaped = driver.if_jacobian("        jacobian = transpose(reshape(flat, [inputs, outputs]))\n");
         return format!("{declared}        refused = {}({}) /= 0\n{reshaped}", driver.exported(), folded(&names));
     }
     let zero = |field: &Field| format!("        {} = 0\n", name(field));
     let zeros: String = outputs.iter().map(zero).collect();
-    let jacobian = if driver.with_jacobian { "        jacobian = 0\n" } else { "" };
+    let jacobian = driver.if_jacobian("        jacobian = 0\n");
     format!(
         "        ! Your code; refused is for inputs that are not allowed.\n{zeros}{jacobian}        refused = .true.\n"
     )

@@ -44,6 +44,16 @@ impl Driver {
         }
     }
 
+    /// A text that only a driver with a Jacobian has.
+    fn if_jacobian(&self, text: &'static str) -> &'static str {
+        if self.with_jacobian { text } else { "" }
+    }
+
+    /// A line that only a driver of the exported formula has.
+    fn exported_line(&self, line: impl Fn(&str) -> String) -> String {
+        if self.is_exported { line(&self.stem()) } else { String::new() }
+    }
+
     fn sizes(&self) -> [usize; 2] {
         sizes(self.formula)
     }

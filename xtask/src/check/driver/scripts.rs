@@ -13,20 +13,17 @@ pub(super) fn python(driver: &Driver) -> String {
         if driver.is_exported { format!("import jp_{} as exported\n\n", driver.stem()) } else { String::new() };
     let body = if driver.is_exported {
         let names = names.join(", ");
-        let numbers = match driver.with_jacobian {
-            true => format!(
-                "    value, jacobian = exported.jacobian({names})\n    return value.tolist(), jacobian.tolist()\n"
-            ),
-            false => format!("    return exported.value({names}).tolist(), []\n"),
+        let numbers = if driver.with_jacobian {
+            format!("    value, jacobian = exported.jacobian({names})\n    return value.tolist(), jacobian.tolist()\n")
+        } else {
+            format!("    return exported.value({names}).tolist(), []\n")
         };
         format!("    if exported.refused({names}):\n        raise ValueError(\"refused\")\n{numbers}")
     } else {
         "    raise ValueError(\"your code is still missing\")\n".to_owned()
     };
-    let jacobian = match driver.with_jacobian {
-        true => ", and the rows of the Jacobian, one an output",
-        false => ", and nothing more",
-    };
+    let jacobian =
+        if driver.with_jacobian { ", and the rows of the Jacobian, one an output" } else { ", and nothing more" };
     format!(
         "\"\"\"{}\"\"\"\n\nimport sys\n\n{imported}\ndef yours({}):\n\
          \x20   \"\"\"A list of the outputs{jacobian}; ValueError where the inputs are refused.\"\"\"\n{body}\n\n\
@@ -48,9 +45,10 @@ pub(super) fn julia(driver: &Driver) -> String {
     };
     let parts: Vec<_> = placed(driver.formula.inputs()).map(part).collect();
     let head: Vec<_> = driver.head().iter().map(|line| format!("# {line}").trim_end().to_owned()).collect();
-    let jacobian = match driver.with_jacobian {
-        true => ", and the Jacobian, a matrix with a row an output",
-        false => ", and an empty matrix",
+    let jacobian = if driver.with_jacobian {
+        ", and the Jacobian, a matrix with a row an output"
+    } else {
+        ", and an empty matrix"
     };
     format!(
         "{}\n\n# The outputs in a vector{jacobian}; nothing where the inputs are refused.\nfunction yours({})\n\
