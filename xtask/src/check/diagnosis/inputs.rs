@@ -38,6 +38,10 @@ pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
     if samples.len() < LEAST {
         return None;
     }
+    // Whoever takes other inputs has all results of them, also those that happen to be right.
+    let parts = evidence.parts().into_iter().filter(|part| !evidence.off_in(part).is_empty());
+    let parts: Vec<_> = parts.filter(|part| off.iter().any(|place| part.contains(place))).flatten().collect();
+    let off = parts.as_slice();
     let inputs = evidence.court.formula.inputs();
     let chains = [Chain::ByOriginals, Chain::There];
     let fits = |other: &Other| {

@@ -39,16 +39,14 @@ fn exchanges(evidence: &Evidence<'_>) -> Vec<(String, Places)> {
     let entry = |i: usize, j: usize| m + i * n + j;
     let mut exchanges = Vec::new();
     if has_jacobian && n > 1 && m > 1 {
-        let mut by_columns = same.clone();
+        let (mut written, mut read) = (same.clone(), same.clone());
         for k in 0..m * n {
-            by_columns[m + k] = entry(k % m, k / m);
+            written[m + k] = entry(k % m, k / m);
+            read[m + k] = m + k / n + (k % n) * m;
         }
-        let what = if m == n {
-            "the Jacobian is transposed (or written column by column)"
-        } else {
-            "the Jacobian is written column by column, not row by row"
-        };
-        exchanges.push((what.to_owned(), by_columns));
+        let transposed = if m == n { "the Jacobian is transposed, or " } else { "" };
+        exchanges.push((format!("{transposed}the Jacobian is written column by column, not row by row"), written));
+        exchanges.push(("the Jacobian is read column by column from a list row by row".into(), read));
         exchanges.extend(blocks(inputs, outputs, &same, entry));
     }
     exchanges.extend(matrices(outputs, &same, n, has_jacobian));
