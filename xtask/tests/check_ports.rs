@@ -179,7 +179,7 @@ const PLANTED: &[Planted] = &[
         After(
             "static double kept[outputs][inputs]; for (int i = 0; i < outputs; ++i) for (int j = 0; j < inputs; ++j) { double t = kept[i][j]; kept[i][j] = jacobian[i][j]; jacobian[i][j] = t; }",
         ),
-        "the Jacobian is that of the point asked before",
+        "∂p/∂f1, ∂fn/∂f2, ∂fn/∂f3, ∂fn/∂fc_int, 5 more is that of the point asked before",
     ),
     planted(
         "stick for slip",

@@ -4,6 +4,7 @@ mod answer;
 mod diagnosis;
 mod driver;
 mod json;
+mod listen;
 mod map;
 mod peer;
 mod process;
@@ -11,16 +12,15 @@ mod question;
 mod report;
 mod verdict;
 
-use crate::console::{print, progress};
+use crate::console::print;
 use crate::outcome::{Outcome, Usage, verdict};
 use crate::project::Project;
-use answer::{Answer, Digits, Manners};
 use driver::{Driver, Lang};
 use jointproof::catalog::AnyFormula;
 use jointproof::verify::Options;
 use jointproof::verify::golden::components;
-use peer::{Peer, Replies, Reply};
-use question::{Question, Wanted, of_points, other_order, questions, sizes};
+use listen::{Manner, listen};
+use question::{Question, Wanted, of_points, questions};
 use std::time::Duration;
 use verdict::{Bounds, Court};
 
@@ -37,7 +37,7 @@ use verdict::{Bounds, Court};
 #[command(after_help = "Examples:
   {command} check --formula {formula} -- ./mine                     value and Jacobian
   {command} check --formula {formula} --wanted value -- python3 mine.py
-  {command} check --formula {formula} --driver fortran > mine.f90   a program to put your code in
+  {command} check --formula {formula} --driver fortran > mine.f90   to begin with
   {command} check --formula {formula} --json -- node mine.js        JSON lines
   {command} check --formula {formula} --point '{point}' -- ./mine")]
 #[expect(clippy::struct_excessive_bools, reason = "each is a switch of the command line")]
@@ -69,7 +69,7 @@ pub(crate) struct Arguments {
     /// Seed of the random points
     #[arg(long, value_name = "S", default_value_t = Options::default().seed)]
     seed: u64,
-    /// How long an answer may take
+    /// How long an answer may take, and a quarter of how long the first one may
     #[arg(long, value_name = "SECONDS", default_value_t = 10.0)]
     limit: f64,
     /// Other bounds of η than the formula's own: of the value, and of the Jacobian
@@ -103,7 +103,14 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     };
     let bounds = Bounds { value, jacobian };
     let court = Court { formula, wanted: arguments.wanted, bounds, questions: &questions };
-    let (answers, heard) = match listen(formula, arguments, limit, &questions)? {
+    let manner = Manner {
+        program: &arguments.program,
+        wanted: arguments.wanted,
+        is_json: arguments.json,
+        is_hex: arguments.hex,
+        limit,
+    };
+    let (answers, heard) = match listen(formula, &manner, &questions)? {
         Ok(heard) => heard,
         Err(why) => {
             print(&report::silent(&court, &arguments.program, &why))?;
@@ -119,7 +126,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
 fn driver(formula: &'static dyn AnyFormula, arguments: &Arguments, lang: Lang) -> anyhow::Result<String> {
     let driver = Driver::new(formula, arguments.wanted, arguments.exported);
     let driver = driver.ok_or_else(|| Usage("--driver is for a value or a Jacobian, not for products".into()))?;
-    let text = driver.text(lang);
+    let text = driver::text(&driver, lang);
     Ok(text.ok_or_else(|| Usage("--exported: nothing is exported to this language".into()))?)
 }
 
@@ -140,53 +147,4 @@ fn asked(formula: &dyn AnyFormula, arguments: &Arguments) -> anyhow::Result<Vec<
         .map_err(|error| Usage(format!("--point is not a JSON object of {}: {error}", names())))?;
     let inputs = components(formula.inputs(), &inputs).map_err(|error| Usage(format!("--point: {error}")))?;
     Ok(of_points(formula, arguments.wanted, vec![("given".into(), inputs)], arguments.seed))
-}
-
-/// How a program answered, beside what.
-#[derive(Debug, Default)]
-struct Heard {
-    manners: Manners,
-    noticed: Vec<String>,
-}
-
-/// What the program answers the first and the second time, or why it answers nothing.
-type Listened = Result<([Vec<Answer>; 2], Heard), String>;
-
-/// Asks everything twice, the second time in another order.
-fn listen(
-    formula: &dyn AnyFormula,
-    arguments: &Arguments,
-    limit: Duration,
-    questions: &[Question],
-) -> anyhow::Result<Listened> {
-    let again = other_order(questions.len());
-    let order: Vec<usize> = (0..questions.len()).chain(again).collect();
-    let digits = if arguments.hex { Digits::Hex } else { Digits::Decimal };
-    let numbers = arguments.wanted.numbers(sizes(formula));
-    let line = |(k, &place): (usize, &usize)| {
-        if arguments.json { json::question(formula, k, &questions[place]) } else { questions[place].line(digits) }
-    };
-    let lines: Vec<_> = order.iter().enumerate().map(line).collect();
-    let head = arguments.json.then(|| json::head(formula, arguments.wanted));
-    let peer = Peer { command: &arguments.program, limit, head, numbers, digits };
-    let bar = progress("check", 1);
-    let replies = peer.ask(&lines)?;
-    bar.finish_and_clear();
-    let Replies { replies, noticed } = match replies {
-        Ok(replies) => replies,
-        Err(why) => return Ok(Err(why)),
-    };
-    let mut heard = Heard { manners: Manners::new(), noticed: noticed.into_iter().collect() };
-    let mut answers = [(); 2].map(|()| vec![Answer::Skipped(String::new()); questions.len()]);
-    for (k, (reply, &place)) in replies.into_iter().zip(&order).enumerate() {
-        let answer = match reply {
-            Reply::Line(line) if arguments.json => json::read(formula, arguments.wanted, k, &line),
-            Reply::Line(line) => answer::read(&line, numbers, digits, &mut heard.manners),
-            Reply::Hangs => Answer::Bad("no answer within the limit".into()),
-            Reply::Ends(how) => Answer::Bad(how),
-            Reply::NotAsked => Answer::Skipped("not asked any more".into()),
-        };
-        answers[usize::from(k >= questions.len())][place] = answer;
-    }
-    Ok(Ok((answers, heard)))
 }

@@ -10,6 +10,9 @@ use std::time::Duration;
 /// After so many points at which it hangs or dies a program is not asked any more.
 const MOST_FAULTS: usize = 8;
 
+/// The first line of a process may take so many times the limit: interpreters and libraries have to start.
+const START: u32 = 4;
+
 /// A program to be asked.
 pub(super) struct Peer<'a> {
     pub(super) command: &'a [String],
@@ -124,7 +127,8 @@ impl Peer<'_> {
         let mut lines = Vec::new();
         let most = 100 + questions.len() * (self.numbers + 1);
         let silent = loop {
-            match process.line(self.limit) {
+            let limit = if lines.is_empty() { self.limit * START } else { self.limit };
+            match process.line(limit) {
                 Next::Line(line) if lines.len() < most => lines.push(line),
                 Next::Line(_) | Next::End => break false,
                 Next::Silence => break true,
@@ -143,7 +147,7 @@ impl Peer<'_> {
             answer::refusal(line).is_some() || has_any && tokens.all(|token| answer::is_number(token, self.digits))
         };
         let banner = lines.iter().take_while(|line| !is_answer(line)).count();
-        let answers = &lines[banner..];
+        let answers: Vec<_> = lines[banner..].iter().filter(is_answer).collect();
         if answers.is_empty() {
             let how = if silent { "nothing comes within the limit".into() } else { how_ended(status) };
             return Ok(Err(match lines.first() {
@@ -179,9 +183,10 @@ impl Peer<'_> {
         let process = self.start(questions)?;
         let before = layout.banner + usize::from(self.head.is_some());
         let mut answers = Vec::with_capacity(questions.len());
-        let mut next = (0..before).map(|_| process.line(self.limit)).find(|next| !matches!(next, Next::Line(_)));
+        let limit = |line: usize| if line == 0 { self.limit * START } else { self.limit };
+        let mut next = (0..before).map(|k| process.line(limit(k))).find(|next| !matches!(next, Next::Line(_)));
         while next.is_none() && answers.len() < questions.len() {
-            match self.answer(&process, layout) {
+            match self.answer(&process, layout, limit(before + answers.len())) {
                 Next::Line(line) => answers.push(line),
                 other => next = Some(other),
             }
@@ -212,8 +217,8 @@ impl Peer<'_> {
     }
 
     /// The next answer, in one line.
-    fn answer(&self, process: &Process, layout: Layout) -> Next {
-        let first = process.line(self.limit);
+    fn answer(&self, process: &Process, layout: Layout, limit: Duration) -> Next {
+        let first = process.line(limit);
         let Next::Line(mut answer) = first else { return first };
         while layout.wraps && answer::refusal(&answer).is_none() && answer::tokens(&answer).count() < self.numbers {
             match process.line(self.limit) {

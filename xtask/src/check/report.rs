@@ -1,6 +1,6 @@
 //! What a check found, in text.
 
-use super::Heard;
+use super::listen::Heard;
 use super::map::{map, names};
 use super::question::Own;
 use super::verdict::{Court, Grade, Verdict, Worst};
@@ -19,7 +19,12 @@ pub(super) fn silent(court: &Court<'_>, program: &[String], why: &str) -> String
 
 fn head(court: &Court<'_>, program: &[String], well: bool) -> String {
     let mark = if well { green("ok ") } else { red("off") };
-    format!("{mark} {} by {}:", bold(court.formula.spec().id), program.join(" "))
+    let program = program.join(" ");
+    let mut words = program.split_whitespace().collect::<Vec<_>>().join(" ");
+    if let Some((end, _)) = words.char_indices().nth(60) {
+        words.replace_range(end.., "…");
+    }
+    format!("{mark} {} by {words}:", bold(court.formula.spec().id))
 }
 
 /// Everything: a line or two where all is well.

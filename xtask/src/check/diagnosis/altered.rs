@@ -1,7 +1,7 @@
 //! A program that does one thing otherwise than the formula: a term left out, a sign turned, a branch always taken.
 
+use super::evidence::{Evidence, LEAST, Sample};
 use super::mistakes::{Mistake, mistakes};
-use super::{Evidence, LEAST, Sample};
 use jointproof::Octuple;
 use jointproof::graph::{Graph, Instead, Node, Op};
 use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};

@@ -1,6 +1,6 @@
 //! Every number that is off is a constant times what it should be.
 
-use super::{Evidence, LEAST, Sample};
+use super::evidence::{Evidence, LEAST, Sample};
 use jointproof::formula::Field;
 use std::collections::BTreeSet;
 
@@ -84,7 +84,7 @@ fn whose(evidence: &Evidence<'_>, places: &[usize]) -> String {
     let (values, rest): (BTreeSet<usize>, BTreeSet<usize>) = places.iter().partition(|place| value.contains(place));
     let (inputs, outputs) = (evidence.court.formula.inputs(), evidence.court.formula.outputs());
     if evidence.names.len() != value.len() * (1 + count(inputs)) {
-        return list(evidence, &places);
+        return list(&evidence.names, &places);
     }
     let derivatives = || {
         if rest == all && all.len() > 1 {
@@ -96,13 +96,13 @@ fn whose(evidence: &Evidence<'_>, places: &[usize]) -> String {
         match (rows, columns) {
             (Some(names), _) if rest.len() > 1 => format!("the derivatives of {}", names.join(", ")),
             (_, Some(names)) if rest.len() > 1 => format!("the derivatives by {}", names.join(", ")),
-            _ => list(evidence, &rest),
+            _ => list(&evidence.names, &rest),
         }
     };
     match (values.is_empty(), rest.is_empty()) {
         (true, _) => derivatives(),
-        (false, true) => list(evidence, &values),
-        (false, false) => format!("{}, and {}", list(evidence, &values), derivatives()),
+        (false, true) => list(&evidence.names, &values),
+        (false, false) => format!("{}, and {}", list(&evidence.names, &values), derivatives()),
     }
 }
 
@@ -133,10 +133,10 @@ fn lines(
 }
 
 /// Numbers by their names.
-pub(super) fn list(evidence: &Evidence<'_>, places: &BTreeSet<usize>) -> String {
-    let mut names: Vec<_> = places.iter().take(4).map(|&place| evidence.names[place].clone()).collect();
+pub(super) fn list(names: &[String], places: &BTreeSet<usize>) -> String {
+    let mut listed: Vec<_> = places.iter().take(4).map(|&place| names[place].clone()).collect();
     if places.len() > 4 {
-        names.push(format!("{} more", places.len() - 4));
+        listed.push(format!("{} more", places.len() - 4));
     }
-    names.join(", ")
+    listed.join(", ")
 }

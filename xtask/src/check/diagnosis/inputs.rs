@@ -1,7 +1,7 @@
 //! Inputs that are not what they are taken for: in degrees, of single precision, exchanged, with the other sign.
 
+use super::evidence::{Evidence, LEAST, Sample};
 use super::observed::rounded;
-use super::{Evidence, LEAST, Sample};
 use jointproof::formula::Field;
 use jointproof::quantity::{Domain, Unit};
 use jointproof::verify::Known;

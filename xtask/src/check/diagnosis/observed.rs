@@ -1,6 +1,6 @@
 //! What is seen in the numbers themselves.
 
-use super::{Evidence, LEAST};
+use super::evidence::{Evidence, LEAST};
 use std::collections::BTreeSet;
 
 /// It is off on kinks alone.

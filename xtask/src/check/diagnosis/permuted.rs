@@ -1,7 +1,7 @@
 //! Numbers that stand in each other's places.
 
+use super::evidence::{Evidence, LEAST, Sample};
 use super::factors::list;
-use super::{Evidence, LEAST, Sample};
 use crate::check::question::Wanted;
 use jointproof::formula::Field;
 use std::collections::BTreeSet;
@@ -159,7 +159,7 @@ pub(super) fn entries(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> 
         };
         let (source, sign) = part.flat_map(|source| [(source, 1.0), (source, -1.0)]).find(fits)?;
         let sign = if sign < 0.0 { "−" } else { "" };
-        told.push(format!("{} holds {sign}{}", evidence.names[place], list(evidence, &[source].into())));
+        told.push(format!("{} holds {sign}{}", evidence.names[place], list(&evidence.names, &[source].into())));
     }
     (!told.is_empty() && told.len() <= 4).then(|| format!("an index is wrong: {}", told.join("; ")))
 }

@@ -1,6 +1,6 @@
 //! C, and C++ that C compilers need not understand.
 
-use super::{Driver, name, placed};
+use super::plan::{Driver, name, placed};
 use jointproof::formula::Field;
 use std::fmt::Write;
 

@@ -1,6 +1,6 @@
 //! Fortran 2008.
 
-use super::{Driver, name, placed};
+use super::plan::{Driver, name, placed};
 use jointproof::formula::Field;
 use std::fmt::Write;
 

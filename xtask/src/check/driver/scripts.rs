@@ -1,6 +1,6 @@
 //! Python and Julia.
 
-use super::{Driver, name, placed};
+use super::plan::{Driver, name, placed};
 use jointproof::formula::Field;
 
 pub(super) fn python(driver: &Driver) -> String {
