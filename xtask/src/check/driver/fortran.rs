@@ -68,6 +68,17 @@ fn body(driver: &Driver) -> String {
 
 /// A list over as many lines as it takes.
 fn folded(items: &[String]) -> String {
-    let lines: Vec<_> = items.chunks(8).map(|items| items.join(", ")).collect();
+    let mut lines = vec![String::new()];
+    for item in items {
+        let last = lines.last_mut().expect("there is a first line");
+        if last.len() + item.len() > 80 {
+            lines.push(item.clone());
+        } else {
+            if !last.is_empty() {
+                last.push_str(", ");
+            }
+            last.push_str(item);
+        }
+    }
     lines.join(", &\n            ")
 }
