@@ -52,6 +52,8 @@ mod prose;
 #[cfg(feature = "commands")]
 mod report;
 #[cfg(feature = "commands")]
+mod review;
+#[cfg(feature = "commands")]
 mod selection;
 #[cfg(feature = "commands")]
 mod verify;

@@ -150,3 +150,26 @@ fn a_driver_for_julia_is_printed() {
     let ran = Bench::new().run(&["check", "--formula", "slider.line", "--driver", "julia"]).quiet();
     ran.prints("function yours(x1, xn)").prints("yours(x[1:3], x[4:6])").prints("for line in eachline(stdin)");
 }
+
+#[test]
+fn reviewers_are_told_on_the_line_of_the_routine() {
+    let wrong = RIGHT.replace("-$3", "$3");
+    let summary = tempfile::NamedTempFile::new().unwrap();
+    let arguments =
+        ["check", "--formula", ID, "--valid-only", "--format", "github", "--at", "mine.f90:40", "--", "awk"];
+    let github = |program: &str| {
+        let mut command = Bench::new().command(&[&arguments, [program].as_slice()].concat());
+        Ran::from(command.env("GITHUB_STEP_SUMMARY", summary.path()).output().unwrap())
+    };
+    github(&wrong)
+        .exits(1)
+        .prints("::error file=mine.f90,line=40,title=coulomb.yield%3A the sign is turned of ∂phi/∂mu");
+    let written = std::fs::read_to_string(summary.path()).unwrap();
+    assert!(written.contains("diagnosis: the sign is turned of ∂phi/∂mu"), "{written}");
+    assert_eq!(github(RIGHT).quiet().stdout.lines().count(), 1, "what is right costs a line");
+    for format in ["sarif", "rdjson"] {
+        let ran = awk(&["--format", format, "--at", "mine.f90"], &wrong).exits(1).prints("mine.f90");
+        serde_json::from_str::<serde_json::Value>(&ran.stdout).unwrap();
+    }
+    awk(&["--format", "sarif"], RIGHT).bad_usage("--at");
+}

@@ -15,6 +15,7 @@ mod verdict;
 use crate::console::print;
 use crate::outcome::{Outcome, Usage, verdict};
 use crate::project::Project;
+use crate::review::{Finding, Place, annotations, rdjson, sarif, summarise};
 use driver::{Driver, Lang};
 use jointproof::catalog::AnyFormula;
 use jointproof::verify::Options;
@@ -39,6 +40,7 @@ use verdict::{Bounds, Court};
   {command} check --formula {formula} --wanted value -- python3 mine.py
   {command} check --formula {formula} --driver fortran > mine.f90   to begin with
   {command} check --formula {formula} --json -- node mine.js        JSON lines
+  {command} check --formula {formula} --format github --at mine.f90:40 -- ./mine
   {command} check --formula {formula} --point '{point}' -- ./mine")]
 #[expect(clippy::struct_excessive_bools, reason = "each is a switch of the command line")]
 pub(crate) struct Arguments {
@@ -78,9 +80,36 @@ pub(crate) struct Arguments {
     /// Do not ask at what must be refused
     #[arg(long)]
     valid_only: bool,
+    /// How to write the result
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+    /// Where your routine stands, for formats that name a place
+    #[arg(long, value_name = "FILE[:LINE]", value_parser = at, required_if_eq_any([("format", "github"), ("format", "sarif"), ("format", "rdjson")]))]
+    at: Option<Place>,
     /// Ask at this point only: the inputs as a JSON object, as golden files and reports give them
     #[arg(long, value_name = "JSON")]
     point: Option<String>,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+enum Format {
+    /// For a terminal
+    #[default]
+    Text,
+    /// Workflow commands: an annotation in a pull request, and the step's summary
+    Github,
+    /// SARIF 2.1.0, to be uploaded
+    Sarif,
+    /// RDFormat, for reviewdog
+    Rdjson,
+}
+
+/// A file, and a line of it if a number stands behind the last colon.
+#[expect(clippy::unnecessary_wraps, reason = "a parser of clap's")]
+fn at(text: &str) -> Result<Place, String> {
+    let split = text.rsplit_once(':').and_then(|(file, line)| Some((file, line.parse().ok()?)));
+    let (file, line) = split.unwrap_or((text, 1));
+    Ok(Place { file: file.to_owned(), line: line.max(1) })
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
@@ -113,14 +142,42 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     let (answers, heard) = match listen(formula, &manner, &questions)? {
         Ok(heard) => heard,
         Err(why) => {
-            print(&report::silent(&court, &arguments.program, &why))?;
+            print(&written(
+                arguments,
+                &report::silent(&court, &arguments.program, &why),
+                "it does not answer",
+                false,
+            )?)?;
             return Ok(verdict(false));
         }
     };
     let found = court.judge(&answers);
     let causes = diagnosis::diagnose(&court, &answers, &found);
-    print(&report::text(&court, &arguments.program, &found, &heard, &causes))?;
+    let text = report::text(&court, &arguments.program, &found, &heard, &causes);
+    let claim = causes.first().map_or("its answers are those of the formula", String::as_str);
+    print(&written(arguments, &text, claim, found.is_well())?)?;
     Ok(verdict(found.is_well()))
+}
+
+/// The result as it is asked for; where all is well there is no finding.
+fn written(arguments: &Arguments, text: &str, claim: &str, is_well: bool) -> anyhow::Result<String> {
+    let Some(place) = arguments.at.clone().filter(|_| arguments.format != Format::Text) else {
+        return Ok(text.to_owned());
+    };
+    let message = anstream::adapter::strip_str(text).to_string();
+    let finding = Finding { formula: arguments.formula.clone(), claim: claim.to_owned(), message, place };
+    let findings: Vec<_> = (!is_well).then_some(finding).into_iter().collect();
+    match arguments.format {
+        Format::Sarif => sarif(&findings),
+        Format::Rdjson => rdjson(&findings),
+        Format::Text | Format::Github => {
+            let first = text.lines().next().unwrap_or_default();
+            let fenced =
+                findings.iter().map(|finding| format!("```text\n{}```\n", finding.message)).collect::<Vec<_>>();
+            summarise(&format!("{}\n\n{}", anstream::adapter::strip_str(first), fenced.concat()))?;
+            Ok(annotations(&findings) + first + "\n")
+        }
+    }
 }
 
 fn driver(formula: &'static dyn AnyFormula, arguments: &Arguments, lang: Lang) -> anyhow::Result<String> {
