@@ -8,8 +8,8 @@ use crate::measure::{self, Measurement};
 use crate::proof::{Convention, Flag, Proved};
 use crate::scalar::{abs, sign};
 use crate::verify::{
-    Audit, Claim, Kink, Options, Printed, Sides, Subject, Trial, audit, audit_at, audit_equation, claims_about, exact,
-    golden, kinks_as_printed, number_of, sides,
+    Audit, Claim, Judge, Kink, Options, Printed, Sides, Subject, Trial, audit, audit_at, audit_equation, claims_about,
+    exact, golden, kinks_as_printed, number_of, sides,
 };
 use crate::{
     Error, Octuple, align, cardan, coulomb, element, interaction, join, slide_line, slider, slot, translator, ujoint,
@@ -43,6 +43,8 @@ pub trait AnyFormula: Send + Sync {
     fn audit_at(&self, components: &[f64]) -> Result<Audit, Error>;
     /// Points at which an equation can be tried that somebody else wrote.
     fn trial(&self, options: &Options) -> Trial;
+    /// What judges the answers of another program for it.
+    fn judge(&self) -> Judge;
     /// The claims of its audit that are about the printed equation: of its value, and of its Jacobian.
     fn audit_equation(&self, options: &Options) -> [Claim; 2];
     /// What prose claims about it, checked now.
@@ -146,6 +148,9 @@ impl<F: Proved> AnyFormula for F {
     }
     fn trial(&self, options: &Options) -> Trial {
         Trial::of::<F>(options)
+    }
+    fn judge(&self) -> Judge {
+        Judge::of::<F>()
     }
     fn audit_equation(&self, options: &Options) -> [Claim; 2] {
         audit_equation::<F>(options)

@@ -14,6 +14,7 @@
 //! # Ok::<(), jointproof::graph::NotRecorded>(())
 //! ```
 
+mod alter;
 mod join;
 mod node;
 mod program;
@@ -23,6 +24,7 @@ mod run;
 mod slope;
 mod traced;
 
+pub use alter::Instead;
 pub use node::{Binary, Graph, Node, Op, Relation, Search, Unary};
 pub use program::Statement;
 pub use record::{NotRecorded, record};

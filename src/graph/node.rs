@@ -141,6 +141,16 @@ impl Op {
         }
     }
 
+    /// The same operation on other operands.
+    ///
+    /// # Panics
+    /// If there are more or fewer of them.
+    #[must_use]
+    pub fn on(&self, operands: &[Node]) -> Self {
+        assert_eq!(operands.len(), self.operands().len(), "an operation keeps the number of its operands");
+        self.with_operands(operands)
+    }
+
     /// The same operation on other operands, of which there are as many.
     pub(super) fn with_operands(&self, operands: &[Node]) -> Self {
         match (self, operands) {

@@ -82,23 +82,33 @@ impl Graph {
     pub fn results<T: Number>(&self, inputs: &[T], nodes: impl IntoIterator<Item = Node>) -> Vec<T> {
         let mut all = vec![T::from(f64::NAN); self.ops().len()];
         for node in nodes {
-            let at = |node: Node| all[node.index()];
-            all[node.index()] = match self.op(node) {
-                Op::Input(k) => inputs[*k],
-                Op::Number(bits) => T::from(f64::from_bits(*bits)),
-                Op::Unary(function, x) => function.of(at(*x)),
-                Op::Binary(operation, x, y) => operation.of(at(*x), at(*y)),
-                Op::MultiplyAdd(x, y, z) => at(*x).mul_add(at(*y), at(*z)),
-                Op::Norm(parts) => norm_of(&parts.iter().map(|&part| at(part)).collect::<Vec<_>>()),
-                Op::ExactSum(products) => T::exact_sum(products.iter().map(|product| product.map(at))),
-                Op::Search(search, numbers) => {
-                    T::found(search, &numbers.iter().map(|&node| at(node)).collect::<Vec<_>>())
-                }
-                Op::Compare(relation, x, y) => T::from(f64::from(u8::from(relation.holds(at(*x), at(*y))))),
-                Op::Select(condition, x, y) => at(if at(*condition) == 1.0 { *x } else { *y }),
-            };
+            all[node.index()] = self.op(node).result(inputs, &all);
         }
         all
+    }
+}
+
+impl Op {
+    /// What it gives, from the inputs and the results that stand before it.
+    ///
+    /// # Panics
+    /// If there are fewer of either than it needs.
+    pub fn result<T: Number>(&self, inputs: &[T], all: &[T]) -> T {
+        let at = |node: Node| all[node.index()];
+        match self {
+            Self::Input(k) => inputs[*k],
+            Self::Number(bits) => T::from(f64::from_bits(*bits)),
+            Self::Unary(function, x) => function.of(at(*x)),
+            Self::Binary(operation, x, y) => operation.of(at(*x), at(*y)),
+            Self::MultiplyAdd(x, y, z) => at(*x).mul_add(at(*y), at(*z)),
+            Self::Norm(parts) => norm_of(&parts.iter().map(|&part| at(part)).collect::<Vec<_>>()),
+            Self::ExactSum(products) => T::exact_sum(products.iter().map(|product| product.map(at))),
+            Self::Search(search, numbers) => {
+                T::found(search, &numbers.iter().map(|&node| at(node)).collect::<Vec<_>>())
+            }
+            Self::Compare(relation, x, y) => T::from(f64::from(u8::from(relation.holds(at(*x), at(*y))))),
+            Self::Select(condition, x, y) => at(if at(*condition) == 1.0 { *x } else { *y }),
+        }
     }
 }
 

@@ -23,6 +23,16 @@ impl Sensitivity {
         Self(self.0 + y.abs())
     }
 
+    /// Of this number times another one.
+    pub(super) fn times(self, factor: f64) -> Self {
+        Self((self.0 * factor).abs())
+    }
+
+    /// Of the sum of this number and another one, at most.
+    pub(super) fn and(self, other: Self) -> Self {
+        Self(self.0 + other.0)
+    }
+
     /// The sum itself.
     pub(crate) fn size(self) -> Octuple {
         self.0

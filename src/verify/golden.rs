@@ -13,7 +13,7 @@ mod schema;
 pub use compare::{Difference, ulps};
 pub use file::{Bounds, Description, File, LAYOUT, LEAST_CASES, Provenance, Record};
 pub use numbers::components;
-pub(crate) use numbers::named;
+pub use numbers::named;
 
 use super::subject::Subject;
 use super::{Sampler, Sensitivity, exact, rounded};
@@ -60,7 +60,7 @@ fn describe(fields: &[Field]) -> Vec<Description> {
 }
 
 /// All cases of a formula: its own, random ones, and every way to be invalid.
-fn cases(subject: &Subject) -> Vec<Case<Vec<f64>>> {
+pub(super) fn cases(subject: &Subject) -> Vec<Case<Vec<f64>>> {
     let mut cases = (subject.cases)();
     let mut sampler = Sampler::for_formula(subject.spec.id, SEED);
     let random = LEAST_RANDOM.max(LEAST_CASES.saturating_sub(cases.len()));

@@ -23,6 +23,16 @@ impl Sampler {
         Self::for_formula(F::SPEC.id, seed)
     }
 
+    /// A sampler of numbers that belong to no formula.
+    pub fn named(name: &str, seed: u64) -> Self {
+        Self::for_formula(name, seed)
+    }
+
+    /// A number of either sign, from 2⁻¹⁰ to 2¹⁰ in size.
+    pub fn real(&mut self) -> f64 {
+        self.signed()
+    }
+
     pub(crate) fn for_formula(id: &str, seed: u64) -> Self {
         // FNV-1a of the identifier.
         let hash = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);

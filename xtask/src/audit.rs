@@ -7,7 +7,9 @@ use crate::looked;
 use crate::outcome::{Outcome, Usage, verdict};
 use crate::owed::owed;
 use crate::project::Project;
+use crate::review::{Finding, annotations, of_claim, rdjson, sarif, summarise};
 use crate::selection::Selection;
+use anyhow::Context;
 use indicatif::ParallelProgressIterator;
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
@@ -26,6 +28,7 @@ use std::fmt::Write;
   {command} audit                                every formula at 1000 random points each
   {command} audit --samples 100000 --seed 7      a longer look elsewhere
   {command} audit --filter '{family}.*' --format markdown  to paste into a code review
+  {command} audit --format github                in a workflow: annotations and a summary
   {command} audit --filter {formula} --point '{point}'")]
 pub(crate) struct Arguments {
     #[command(flatten)]
@@ -52,6 +55,12 @@ enum Format {
     Markdown,
     /// For a program
     Json,
+    /// Workflow commands: annotations at the lines of a pull request, and the step's summary
+    Github,
+    /// SARIF 2.1.0, to be uploaded
+    Sarif,
+    /// RDFormat, for reviewdog
+    Rdjson,
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
@@ -68,11 +77,34 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         Format::Text => text(&audits, passed)? + &owed.concat(),
         Format::Markdown => markdown(project, &formulas, &audits, passed)? + &fenced(&owed),
         Format::Json => serde_json::to_string_pretty(&audits)?,
+        Format::Github => {
+            summarise(&(markdown(project, &formulas, &audits, passed)? + &fenced(&owed)))?;
+            annotations(&findings(project, &formulas, &audits)?) + &total(&audits, passed)
+        }
+        Format::Sarif => sarif(&findings(project, &formulas, &audits)?)?,
+        Format::Rdjson => rdjson(&findings(project, &formulas, &audits)?)?,
     })?;
-    if matches!(arguments.format, Format::Json) && !owed.is_empty() {
+    if !matches!(arguments.format, Format::Text | Format::Markdown) && !owed.is_empty() {
         say(owed.concat().trim_end());
     }
     Ok(verdict(owed.is_empty() && audits.iter().all(passed)))
+}
+
+/// What failed, a finding a claim, each on the line of the function that it is about.
+fn findings(project: &Project, formulas: &[&dyn AnyFormula], audits: &[Audit]) -> anyhow::Result<Vec<Finding>> {
+    let mut findings = Vec::new();
+    for audit in audits {
+        let formula = formulas.iter().find(|formula| formula.spec().id == audit.formula);
+        let formula = formula.context("an audit is of a formula that was asked for")?;
+        for claim in audit.claims().filter(|claim| claim.failures > 0) {
+            let place = of_claim(project, *formula, &claim.claim)?;
+            let worst = claim.worst.as_ref().map_or(String::new(), |worst| in_full(claim, worst));
+            let lines: Vec<_> = worst.lines().map(str::trim).collect();
+            let message = format!("failed {} of {}\n{}", claim.failures, count(claim.checks, "time"), lines.join("\n"));
+            findings.push(Finding { formula: audit.formula.clone(), claim: claim.claim.clone(), message, place });
+        }
+    }
+    Ok(findings)
 }
 
 /// What is owed, for a code review.
@@ -127,12 +159,16 @@ pub fn text(audits: &[Audit], passed: fn(&Audit) -> bool) -> anyhow::Result<Stri
             text += &claim.worst.as_ref().map_or(String::new(), |worst| in_full(claim, worst));
         }
     }
+    Ok(text + &total(audits, passed))
+}
+
+/// How much was audited, in a line.
+fn total(audits: &[Audit], passed: fn(&Audit) -> bool) -> String {
     let failed = audits.iter().filter(|audit| !passed(audit)).count();
     let checks: usize = audits.iter().flat_map(Audit::claims).map(|claim| claim.checks).sum();
     let [audited, checks, off] = [(audits.len(), "formula"), (checks, "comparison"), (failed, "formula")]
         .map(|(number, noun)| count(number, noun));
-    writeln!(text, "{audited}, {checks}, {off} off")?;
-    Ok(text)
+    format!("{audited}, {checks}, {off} off\n")
 }
 
 /// A figure worth its worst point even if it is within its bound.
@@ -172,8 +208,19 @@ fn markdown(
         [] => writeln!(text, "{} formulas audited, every claim held.\n", audits.len())?,
         failed => writeln!(text, "**Off: {}**\n", failed.join(", "))?,
     }
-    for audit in audits {
-        writeln!(text, "### {} `{}`\n", if passed(audit) { "✅" } else { "❌" }, audit.formula)?;
+    let (well, off): (Vec<&Audit>, Vec<&Audit>) = audits.iter().partition(|audit| passed(audit));
+    for audit in off.into_iter().chain(well) {
+        let points = count(audit.named_points + audit.random_points, "point");
+        if passed(audit) {
+            let claims = count(audit.claims().count(), "claim");
+            writeln!(
+                text,
+                "<details><summary>✅ <code>{}</code>: {claims} held at {points}</summary>\n",
+                audit.formula
+            )?;
+        } else {
+            writeln!(text, "### ❌ `{}`\n", audit.formula)?;
+        }
         writeln!(text, "{}.\n", audit.provenance)?;
         writeln!(text, "{} named and {} random points.\n", audit.named_points, audit.random_points)?;
         writeln!(text, "| claim | checked | failed | worst | bound | at |\n|---|--:|--:|--:|--:|---|")?;
@@ -198,6 +245,9 @@ fn markdown(
         }
         let formula = formulas.iter().find(|formula| formula.spec().id == audit.formula);
         text += &formula.map_or(String::new(), |formula| against_golden(project, *formula));
+        if passed(audit) {
+            text += "</details>\n\n";
+        }
     }
     Ok(text)
 }

@@ -2,7 +2,7 @@
 
 use crate::outcome::{Outcome, Usage};
 use crate::project::Project;
-use crate::{audit, book, console, equation, export, golden, measuring, new, report, verify};
+use crate::{audit, book, check, console, equation, export, golden, measuring, new, report, verify};
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 use jointproof::formula::Field;
 use std::process::ExitCode;
@@ -26,6 +26,7 @@ enum Command {
     Verify(verify::Arguments),
     Golden(golden::Arguments),
     Audit(audit::Arguments),
+    Check(check::Arguments),
     Equation(equation::Arguments),
     Export(export::Arguments),
     Report(report::Arguments),
@@ -54,6 +55,7 @@ fn run(project: &Project, matches: &ArgMatches) -> Outcome {
         Command::Verify(arguments) => verify::run(project, &arguments),
         Command::Golden(arguments) => golden::run(project, &arguments),
         Command::Audit(arguments) => audit::run(project, &arguments),
+        Command::Check(arguments) => check::run(project, &arguments),
         Command::Equation(arguments) => equation::run(project, &arguments),
         Command::Export(arguments) => export::run(project, &arguments),
         Command::Report(arguments) => report::run(project, &arguments),

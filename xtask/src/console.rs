@@ -5,6 +5,7 @@ use std::io::{ErrorKind, Write};
 
 const RED: &str = "\x1b[31m";
 const GREEN: &str = "\x1b[32m";
+const YELLOW: &str = "\x1b[33m";
 const BOLD: &str = "\x1b[1m";
 const PLAIN: &str = "\x1b[0m";
 
@@ -16,6 +17,11 @@ pub fn red(text: impl std::fmt::Display) -> String {
 /// Green text.
 pub fn green(text: impl std::fmt::Display) -> String {
     format!("{GREEN}{text}{PLAIN}")
+}
+
+/// Yellow text.
+pub fn yellow(text: impl std::fmt::Display) -> String {
+    format!("{YELLOW}{text}{PLAIN}")
 }
 
 /// Bold text.

@@ -22,6 +22,8 @@ pub mod audit;
 #[cfg(feature = "commands")]
 mod book;
 #[cfg(feature = "commands")]
+mod check;
+#[cfg(feature = "commands")]
 mod commands;
 #[cfg(feature = "commands")]
 pub mod console;
@@ -49,6 +51,8 @@ mod owed;
 mod prose;
 #[cfg(feature = "commands")]
 mod report;
+#[cfg(feature = "commands")]
+mod review;
 #[cfg(feature = "commands")]
 mod selection;
 #[cfg(feature = "commands")]

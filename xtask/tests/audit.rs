@@ -36,7 +36,7 @@ fn markdown_has_a_row_for_every_claim() {
     let ran = Bench::new()
         .run(&["audit", "--filter", ID, "--samples", "5", "--format", "markdown"])
         .quiet()
-        .prints("### ✅ `slot.friction`")
+        .prints("<details><summary>✅ <code>slot.friction</code>: ")
         .prints("Against the committed golden file: no change.");
     for claim in audit(&["--samples", "5"]).claims() {
         let row = format!("| {} | {} | 0 | ", claim.claim, claim.checks);
@@ -129,4 +129,18 @@ fn a_point_that_cannot_be_audited_is_bad_usage() {
     Bench::new()
         .run(&["audit", "--filter", force, "--samples", "9", "--point", "{}"])
         .bad_usage("'--samples <N>' cannot be used with '--point <JSON>'");
+}
+
+#[test]
+fn reviewers_are_told_on_the_line_of_the_function() {
+    // A point that is given is audited alone; every claim holds there.
+    let quick = ["audit", "--filter", ID, "--samples", "3", "--format"];
+    let run = |format: &str| Bench::new().run(&[quick.as_slice(), &[format]].concat()).quiet().stdout;
+    assert!(run("github").starts_with("1 formula, "), "nothing that is well is annotated");
+    let sarif: serde_json::Value = serde_json::from_str(&run("sarif")).unwrap();
+    assert_eq!(sarif["runs"][0]["results"], serde_json::Value::Array(Vec::new()));
+    assert_eq!(
+        serde_json::from_str::<serde_json::Value>(&run("rdjson")).unwrap()["diagnostics"][0],
+        serde_json::Value::Null
+    );
 }

@@ -42,7 +42,9 @@ fn an_unknown_command_or_option_is_bad_usage() {
     bench.run(&["goldne"]).bad_usage("golden");
     bench.run(&["golden", "--chekc"]).bad_usage("--check");
     bench.run(&["audit", "--samples", "many"]).bad_usage("many");
-    bench.run(&["audit", "--format", "yaml"]).bad_usage("[possible values: text, markdown, json]");
+    bench
+        .run(&["audit", "--format", "yaml"])
+        .bad_usage("[possible values: text, markdown, json, github, sarif, rdjson]");
     // Without a command, the help.
     bench.run(&[]).exits(2).says("Commands:");
 }

@@ -22,8 +22,11 @@ pub(super) fn named_jacobian(outputs: &[Field], inputs: &[Field], entries: &[f64
     outputs.iter().map(of_output).collect()
 }
 
-/// Components by the names of their fields.
-pub(crate) fn named(fields: &[Field], components: &[f64]) -> Map<String, Value> {
+/// Components by the names of their fields, as in golden files.
+///
+/// # Panics
+/// If there are fewer components than the fields have.
+pub fn named(fields: &[Field], components: &[f64]) -> Map<String, Value> {
     let mut rest = components.iter();
     let part = |field: &Field| (field.name.to_string(), nested(&field.quantity.shape.dimensions(), &mut rest));
     fields.iter().map(part).collect()

@@ -64,6 +64,19 @@ fn read_sources(project: &Project, path: &Path, sources: &mut Vec<SourceFile>) -
     Ok(())
 }
 
+/// The functions of a formula in the sources of its project; none where a macro defines it.
+pub(crate) fn functions(project: &Project, formula: &dyn AnyFormula) -> anyhow::Result<Vec<CodeSpan>> {
+    let mut sources = Vec::new();
+    for file in files(formula.path()) {
+        let path = project.root().join("src").join(file);
+        if path.exists() {
+            read_sources(project, &path, &mut sources)?;
+        }
+    }
+    let type_name = formula.path().rsplit("::").next().unwrap_or_default();
+    Ok(code(&Index::new(&sources), formula.path(), type_name))
+}
+
 /// What computes each formula on its page. To record what formulas do takes a while.
 fn calculators(project: &Project) -> Vec<Calculator> {
     let of = |formula: &&'static dyn AnyFormula| {
@@ -122,11 +135,16 @@ fn source(source: Source) -> content::Source {
 /// The functions of a formula, from the path of its type: `jointproof::slot::friction::Friction` is in
 /// `src/slot/friction.rs`, in the `mod.rs` of that folder, or, where there is no module between, in the crate's own file.
 fn code(index: &Index<'_>, path: &str, type_name: &str) -> Vec<CodeSpan> {
-    let modules: Vec<_> = path.split("::").skip(1).take_while(|part| *part != type_name).collect();
-    let module = modules.join("/");
-    let files = [format!("{module}.rs"), format!("{module}/mod.rs"), "lib.rs".into(), "main.rs".into()];
     let spans = |file: &String| index.functions(&format!("src/{file}"), type_name, &["eval", "jacobian", "linearized"]);
-    files.iter().map(spans).find(|spans| !spans.is_empty()).unwrap_or_default()
+    files(path).iter().map(spans).find(|spans| !spans.is_empty()).unwrap_or_default()
+}
+
+/// The files below `src` in which the type with this path may be defined.
+fn files(path: &str) -> [String; 4] {
+    let (modules, _) = path.rsplit_once("::").unwrap_or_default();
+    let modules: Vec<_> = modules.split("::").skip(1).collect();
+    let module = modules.join("/");
+    [format!("{module}.rs"), format!("{module}/mod.rs"), "lib.rs".into(), "main.rs".into()]
 }
 
 fn symbol(field: &Field) -> Symbol {

@@ -28,7 +28,9 @@ mod tests;
 
 pub(crate) use build::Summary;
 pub(crate) use command::{Arguments, build_book, run};
+pub(crate) use content::CodeSpan;
 pub use coverage::uncovered;
 pub use fault::Fault;
+pub(crate) use gather::functions;
 pub(crate) use numeral::{Numeral, Origin, is_rounded};
 pub use source::listing_page;

@@ -75,8 +75,8 @@ def power_of_two(x):
 
 
 def elementwise(function):
-    """A function of numbers, over arrays."""
-    return lambda *x: np.frompyfunc(function, len(x), 1)(*x).astype(float)
+    """A function of numbers, over arrays or of numbers."""
+    return lambda *x: np.asarray(np.frompyfunc(function, len(x), 1)(*x), dtype=float)
 
 
 @elementwise

@@ -1,0 +1,67 @@
+//! A graph in which one operation is another one: what a mistake in a program would compute.
+
+use super::node::{Graph, Node, Op};
+
+/// What stands in the place of an operation.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Instead {
+    /// Another operation, on inputs or on what stands before.
+    Op(Op),
+    /// A result that stands before.
+    Result(Node),
+}
+
+impl Graph {
+    /// The graph with something else at one place. It may use any input, and of the other results those that stand before.
+    ///
+    /// # Panics
+    /// If it uses what stands behind.
+    #[must_use]
+    pub fn altered(&self, place: Node, instead: &Instead) -> Self {
+        let mut altered = Self::default();
+        let mut moved: Vec<Option<Node>> = vec![None; self.ops().len()];
+        for (place, op) in self.ops().iter().enumerate() {
+            if matches!(op, Op::Input(_)) {
+                moved[place] = Some(altered.enter(op.clone()));
+            }
+        }
+        for (here, op) in self.ops().iter().enumerate() {
+            let at = |node: &Node| moved[node.index()].expect("operands stand before");
+            let op = match instead {
+                Instead::Result(node) if here == place.index() => {
+                    moved[here] = Some(at(node));
+                    continue;
+                }
+                Instead::Op(other) if here == place.index() => other,
+                _ => op,
+            };
+            let operands: Vec<_> = op.operands().iter().map(at).collect();
+            moved[here] = Some(altered.enter(op.with_operands(&operands)));
+        }
+        let at = |node: &Node| moved[node.index()].expect("every result has moved");
+        altered.value = self.value.iter().map(at).collect();
+        altered.jacobian = self.jacobian.iter().map(at).collect();
+        altered.refusal = self.refusal.as_ref().map(at);
+        altered.refusals.clone_from(&self.refusals);
+        altered
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::graph::{Binary, record};
+    use crate::slot::NormalForce;
+
+    #[test]
+    fn one_operation_is_another_one() {
+        let graph = record::<NormalForce>().unwrap();
+        let sum = graph.value[0];
+        let Op::Binary(Binary::Add, x, y) = *graph.op(sum) else { panic!("{:?}", graph.op(sum)) };
+        let value = |instead: Instead| graph.altered(sum, &instead).run(&[3.0, 0.5]).0;
+        assert_eq!(value(Instead::Op(Op::Binary(Binary::Subtract, x, y))), [2.5]);
+        assert_eq!(value(Instead::Result(x)), [3.0]);
+        assert_eq!(value(Instead::Result(y)), [0.5]);
+        assert_eq!(graph.run(&[3.0, 0.5]).0, [3.5]);
+    }
+}

@@ -1,0 +1,142 @@
+//! Every number that is off is a constant times what it should be.
+
+use super::evidence::{Evidence, LEAST, Sample};
+use jointproof::formula::Field;
+use std::collections::BTreeSet;
+
+/// Factors that have a name.
+const NAMED: [(f64, &str); 11] = [
+    (-1.0, "the sign is turned of"),
+    (0.0, "left out (always 0):"),
+    (2.0, "a factor of 2 too much in"),
+    (0.5, "a factor of ½ too much in"),
+    (-2.0, "a factor of −2 too much in"),
+    (-0.5, "a factor of −½ too much in"),
+    (4.0, "a factor of 4 too much in"),
+    (0.25, "a factor of ¼ too much in"),
+    (std::f64::consts::PI / 180.0, "degrees for radians (a factor of π/180) in"),
+    (180.0 / std::f64::consts::PI, "degrees for radians (a factor of 180/π) in"),
+    (1.0, "more rounding than the bound allows in"),
+];
+
+/// Different factors that may be told at once.
+const GROUPS: usize = 3;
+
+/// What factors explain, in words.
+pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
+    let mut groups: Vec<(f64, Vec<usize>)> = Vec::new();
+    for &place in off {
+        let factor = factor(evidence, place)?;
+        match groups.iter_mut().find(|(other, _)| (other - factor).abs() <= 1e-9 * factor.abs()) {
+            Some((_, places)) => places.push(place),
+            None => groups.push((factor, vec![place])),
+        }
+    }
+    let told = groups.iter().map(|(factor, places)| Some(format!("{} {}", word(*factor)?, whose(evidence, places))));
+    let told: Vec<_> = told.collect::<Option<_>>()?;
+    (!told.is_empty() && told.len() <= GROUPS).then(|| told.join("; "))
+}
+
+/// The constant by which a number is multiplied at every sample.
+fn factor(evidence: &Evidence<'_>, place: usize) -> Option<f64> {
+    let mut seen: Vec<_> = evidence.off_samples(&[place]);
+    if seen.len() < LEAST {
+        return None;
+    }
+    // Where the number is large against what rounding does to it, the factor is known best.
+    let size = |sample: &&Sample| {
+        let known = sample.expected[place].as_ref().expect("what is off was judged");
+        known.eta(2.0 * known.exact.to_f64())
+    };
+    seen.sort_by(|a, b| size(b).total_cmp(&size(a)));
+    let (found, known) = (seen[0].found[place]?, seen[0].expected[place].as_ref()?);
+    let ratio = found / known.exact.to_f64();
+    let named = NAMED.iter().map(|(factor, _)| *factor).find(|factor| (factor - ratio).abs() <= 1e-12 * ratio.abs());
+    let factor = named.unwrap_or(ratio);
+    // A number that never changes fits any factor.
+    let is_constant = seen.iter().all(|sample| sample.expected[place].is_some_and(|other| other.exact == known.exact));
+    if !factor.is_finite() || named.is_none() && is_constant {
+        return None;
+    }
+    let predicted = |sample: &Sample| sample.expected[place].map(|known| known.times(factor));
+    evidence.is_always(place, predicted).then_some(factor)
+}
+
+fn word(factor: f64) -> Option<String> {
+    if let Some((_, word)) = NAMED.iter().find(|(named, _)| *named == factor) {
+        return Some((*word).to_owned());
+    }
+    let deviation = (factor - 1.0).abs();
+    if (1e-10..2e-7).contains(&deviation) {
+        return Some(format!("a constant of single precision (a factor of {factor:?}) in"));
+    }
+    (deviation >= 1e-4).then(|| format!("a factor of {factor:.6} too much in"))
+}
+
+/// Which numbers these are, in the fewest words.
+fn whose(evidence: &Evidence<'_>, places: &[usize]) -> String {
+    let [value, rest] = evidence.parts();
+    let places: BTreeSet<usize> = places.iter().copied().collect();
+    let alive = |place: &usize| {
+        evidence.samples.iter().any(|sample| sample.expected[*place].is_some_and(|known| known.exact != 0.0))
+    };
+    let all: BTreeSet<usize> = rest.clone().filter(alive).collect();
+    let (values, rest): (BTreeSet<usize>, BTreeSet<usize>) = places.iter().partition(|place| value.contains(place));
+    let (inputs, outputs) = (evidence.court.formula.inputs(), evidence.court.formula.outputs());
+    if evidence.names.len() != value.len() * (1 + count(inputs)) {
+        return list(&evidence.names, &places);
+    }
+    let derivatives = || {
+        if rest == all && all.len() > 1 {
+            return "the whole Jacobian".to_owned();
+        }
+        let [m, n] = [value.len(), count(inputs)];
+        let rows = lines(outputs, &rest, &all, |i| (0..n).map(|j| m + i * n + j).collect());
+        let columns = lines(inputs, &rest, &all, |j| (0..m).map(|i| m + i * n + j).collect());
+        match (rows, columns) {
+            (Some(names), _) if rest.len() > 1 => format!("the derivatives of {}", names.join(", ")),
+            (_, Some(names)) if rest.len() > 1 => format!("the derivatives by {}", names.join(", ")),
+            _ => list(&evidence.names, &rest),
+        }
+    };
+    match (values.is_empty(), rest.is_empty()) {
+        (true, _) => derivatives(),
+        (false, true) => list(&evidence.names, &values),
+        (false, false) => format!("{}, and {}", list(&evidence.names, &values), derivatives()),
+    }
+}
+
+fn count(fields: &[Field]) -> usize {
+    fields.iter().map(Field::len).sum()
+}
+
+/// The rows or columns that these entries are, if they are just that: whole fields by their names, else components.
+fn lines(
+    fields: &[Field],
+    entries: &BTreeSet<usize>,
+    all: &BTreeSet<usize>,
+    line: impl Fn(usize) -> BTreeSet<usize>,
+) -> Option<Vec<String>> {
+    let (mut names, mut covered, mut next) = (Vec::new(), BTreeSet::new(), 0);
+    for field in fields {
+        let components: Vec<_> = (0..field.len()).map(|k| (k, &line(next + k) & all)).collect();
+        next += field.len();
+        let held: Vec<_> = components.iter().filter(|(_, line)| !line.is_empty() && line.is_subset(entries)).collect();
+        covered.extend(held.iter().flat_map(|(_, line)| line));
+        if held.len() == components.iter().filter(|(_, line)| !line.is_empty()).count() && !held.is_empty() {
+            names.push(field.name.to_owned());
+        } else {
+            names.extend(held.iter().map(|(k, _)| format!("{}[{k}]", field.name)));
+        }
+    }
+    (covered == *entries).then_some(names)
+}
+
+/// Numbers by their names.
+pub(super) fn list(names: &[String], places: &BTreeSet<usize>) -> String {
+    let mut listed: Vec<_> = places.iter().take(4).map(|&place| names[place].clone()).collect();
+    if places.len() > 4 {
+        listed.push(format!("{} more", places.len() - 4));
+    }
+    listed.join(", ")
+}

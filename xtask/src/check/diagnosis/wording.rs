@@ -1,0 +1,75 @@
+//! What a result of a graph is, in a few symbols.
+
+use jointproof::formula::Field;
+use jointproof::graph::{Binary, Graph, Node, Op, Relation, Unary};
+
+/// How deep it is written out.
+const DEPTH: usize = 4;
+/// And how long it may get.
+const LONGEST: usize = 60;
+
+/// An expression in the names of the inputs; what is deeper is `…`.
+pub(super) fn expression(graph: &Graph, inputs: &[Field], node: Node) -> String {
+    let write = |depth| text(graph, inputs, node, depth, false);
+    (1..=DEPTH).rev().map(write).find(|text| text.chars().count() <= LONGEST).unwrap_or_else(|| "…".into())
+}
+
+/// With parentheses where it is a sum within a product.
+fn text(graph: &Graph, inputs: &[Field], node: Node, depth: usize, tight: bool) -> String {
+    let is_atom = matches!(graph.op(node), Op::Input(_) | Op::Number(_));
+    let Some(depth) = depth.checked_sub(usize::from(!is_atom)) else { return "…".into() };
+    let of = |node: &Node, tight: bool| text(graph, inputs, *node, depth, tight);
+    let list = |nodes: &[Node]| nodes.iter().map(|node| of(node, false)).collect::<Vec<_>>().join(", ");
+    let grouped = |text: String| if tight { format!("({text})") } else { text };
+    match graph.op(node) {
+        Op::Input(k) => component(inputs, *k),
+        Op::Number(bits) => format!("{}", f64::from_bits(*bits)),
+        Op::Unary(Unary::Negative, x) => grouped(format!("−{}", of(x, true))),
+        Op::Unary(Unary::Absolute, x) => format!("|{}|", of(x, false)),
+        Op::Unary(Unary::Root, x) => format!("√({})", of(x, false)),
+        Op::Unary(Unary::Sine, x) => format!("sin({})", of(x, false)),
+        Op::Unary(Unary::Cosine, x) => format!("cos({})", of(x, false)),
+        Op::Unary(Unary::ArcSine, x) => format!("arcsin({})", of(x, false)),
+        Op::Unary(Unary::Exponential, x) => format!("exp({})", of(x, false)),
+        Op::Unary(Unary::ExponentialMinusOne, x) => format!("expm1({})", of(x, false)),
+        Op::Unary(Unary::PowerOfTwo, x) => format!("power of two below {}", of(x, true)),
+        Op::Binary(Binary::Add, x, y) => grouped(format!("{} + {}", of(x, false), of(y, false))),
+        Op::Binary(Binary::Subtract, x, y) => grouped(format!("{} − {}", of(x, false), of(y, true))),
+        Op::Binary(Binary::Multiply, x, y) => format!("{} {}", of(x, true), of(y, true)),
+        Op::Binary(Binary::Divide, x, y) => grouped(format!("{} / {}", of(x, true), of(y, true))),
+        Op::Binary(Binary::Angle, y, x) => format!("atan2({}, {})", of(y, false), of(x, false)),
+        Op::Binary(Binary::Maximum, x, y) => format!("max({}, {})", of(x, false), of(y, false)),
+        Op::MultiplyAdd(x, y, z) => grouped(format!("{} {} + {}", of(x, true), of(y, true), of(z, false))),
+        Op::Norm(parts) => format!("length({})", list(parts)),
+        Op::ExactSum(products) => {
+            let product = |product: &[Node; 4]| {
+                let factors = product.iter().filter(|node| graph.constant(**node) != Some(1.0));
+                factors.map(|node| of(node, true)).collect::<Vec<_>>().join(" ")
+            };
+            grouped(products.iter().map(product).collect::<Vec<_>>().join(" + "))
+        }
+        Op::Search(search, numbers) => format!("{}({})", search.name, list(numbers)),
+        Op::Compare(relation, x, y) => {
+            let sign = match relation {
+                Relation::Less => "<",
+                Relation::LessOrEqual => "≤",
+                Relation::Equal => "=",
+            };
+            format!("{} {sign} {}", of(x, false), of(y, false))
+        }
+        Op::Select(condition, x, y) => {
+            format!("({} if {} else {})", of(x, false), of(condition, false), of(y, false))
+        }
+    }
+}
+
+/// The name of a component of the inputs.
+pub(super) fn component(inputs: &[Field], mut k: usize) -> String {
+    for field in inputs {
+        if k < field.len() {
+            return if field.len() == 1 { field.name.to_owned() } else { format!("{}[{k}]", field.name) };
+        }
+        k -= field.len();
+    }
+    unreachable!("a graph has the inputs of its formula")
+}

@@ -1,0 +1,65 @@
+//! Asking everything, and reading what is answered.
+
+use super::answer::{self, Answer, Digits, Manners};
+use super::json;
+use super::peer::{Peer, Replies, Reply};
+use super::question::{Question, Wanted, other_order, sizes};
+use jointproof::catalog::AnyFormula;
+use std::time::Duration;
+
+/// How a program is spoken to.
+pub(super) struct Manner<'a> {
+    pub(super) program: &'a [String],
+    pub(super) wanted: Wanted,
+    pub(super) is_json: bool,
+    pub(super) is_hex: bool,
+    pub(super) limit: Duration,
+}
+
+/// How a program answered, beside what.
+#[derive(Debug, Default)]
+pub(super) struct Heard {
+    pub(super) manners: Manners,
+    pub(super) noticed: Vec<String>,
+}
+
+/// What the program answers the first and the second time, or why it answers nothing.
+pub(super) type Listened = Result<([Vec<Answer>; 2], Heard), String>;
+
+/// Asks everything twice, the second time in another order.
+///
+/// # Errors
+/// That the program cannot be started.
+pub(super) fn listen(
+    formula: &dyn AnyFormula,
+    manner: &Manner<'_>,
+    questions: &[Question],
+) -> anyhow::Result<Listened> {
+    let again = other_order(questions.len());
+    let order: Vec<usize> = (0..questions.len()).chain(again).collect();
+    let digits = if manner.is_hex { Digits::Hex } else { Digits::Decimal };
+    let numbers = manner.wanted.numbers(sizes(formula));
+    let line = |(k, &place): (usize, &usize)| {
+        if manner.is_json { json::question(formula, k, &questions[place]) } else { questions[place].line(digits) }
+    };
+    let lines: Vec<_> = order.iter().enumerate().map(line).collect();
+    let head = manner.is_json.then(|| json::head(formula, manner.wanted));
+    let peer = Peer { command: manner.program, limit: manner.limit, head, numbers, digits };
+    let Replies { replies, noticed } = match peer.ask(&lines)? {
+        Ok(replies) => replies,
+        Err(why) => return Ok(Err(why)),
+    };
+    let mut heard = Heard { manners: Manners::new(), noticed: noticed.into_iter().collect() };
+    let mut answers = [(); 2].map(|()| vec![Answer::Skipped(String::new()); questions.len()]);
+    for (k, (reply, &place)) in replies.into_iter().zip(&order).enumerate() {
+        let answer = match reply {
+            Reply::Line(line) if manner.is_json => json::read(formula, manner.wanted, k, &line),
+            Reply::Line(line) => answer::read(&line, numbers, digits, &mut heard.manners),
+            Reply::Hangs => Answer::Bad("no answer within the limit".into()),
+            Reply::Ends(how) => Answer::Bad(how),
+            Reply::NotAsked => Answer::Skipped("not asked any more".into()),
+        };
+        answers[usize::from(k >= questions.len())][place] = answer;
+    }
+    Ok(Ok((answers, heard)))
+}

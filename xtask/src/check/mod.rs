@@ -1,0 +1,207 @@
+//! `check`: a program of somebody else's, in any language, asked over a pipe and judged.
+
+mod answer;
+mod diagnosis;
+mod driver;
+mod json;
+mod listen;
+mod map;
+mod peer;
+mod process;
+mod question;
+mod report;
+mod verdict;
+
+use crate::console::print;
+use crate::outcome::{Outcome, Usage, verdict};
+use crate::project::Project;
+use crate::review::{Finding, Place, annotations, rdjson, sarif, summarise};
+use driver::{Driver, Lang};
+use jointproof::catalog::AnyFormula;
+use jointproof::verify::Options;
+use jointproof::verify::golden::components;
+use listen::{Manner, listen};
+use question::{Question, Wanted, of_points, questions};
+use std::time::Duration;
+use verdict::{Bounds, Court};
+
+/// Check a program of your own, in any language, against a formula
+///
+/// The program reads lines and answers each with a line. A question is the inputs as numbers, in the order in which the
+/// formula's entry lists them; an answer is the outputs, then the Jacobian row by row, or `refuse`. A number that it does not
+/// compute is `-`. Every answer is flushed. Each number is judged by its backward error η against 237 bits, within the bounds
+/// that the formula itself has to keep.
+///
+/// It is asked at golden cases, on and beside kinks, at random points and at what must be refused, and at all of these a second
+/// time in another order. What is wrong with it is named if one mistake explains all that is seen.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  {command} check --formula {formula} -- ./mine                     value and Jacobian
+  {command} check --formula {formula} --wanted value -- python3 mine.py
+  {command} check --formula {formula} --driver fortran > mine.f90   to begin with
+  {command} check --formula {formula} --json -- node mine.js        JSON lines
+  {command} check --formula {formula} --format github --at mine.f90:40 -- ./mine
+  {command} check --formula {formula} --point '{point}' -- ./mine")]
+#[expect(clippy::struct_excessive_bools, reason = "each is a switch of the command line")]
+pub(crate) struct Arguments {
+    /// The formula, by its identifier
+    #[arg(long, value_name = "ID")]
+    formula: String,
+    /// The program and its arguments, behind `--`
+    #[arg(last = true, value_name = "PROGRAM", required_unless_present = "driver")]
+    program: Vec<String>,
+    /// Print a program in this language that answers, complete but for the call of your own code
+    #[arg(long, value_enum, value_name = "LANGUAGE", conflicts_with = "program")]
+    driver: Option<Lang>,
+    /// In a driver, call what `export` prints, as an example of what passes
+    #[arg(long, requires = "driver")]
+    exported: bool,
+    /// What the program answers
+    #[arg(long, value_enum, default_value_t)]
+    wanted: Wanted,
+    /// Numbers are the 16 hexadecimal digits of their bits
+    #[arg(long, conflicts_with = "json")]
+    hex: bool,
+    /// Questions and answers are JSON, one a line
+    #[arg(long)]
+    json: bool,
+    /// Random points, beside the named ones
+    #[arg(long, value_name = "N", default_value_t = Options::default().samples)]
+    samples: usize,
+    /// Seed of the random points
+    #[arg(long, value_name = "S", default_value_t = Options::default().seed)]
+    seed: u64,
+    /// How long an answer may take, and a quarter of how long the first one may
+    #[arg(long, value_name = "SECONDS", default_value_t = 10.0)]
+    limit: f64,
+    /// Other bounds of η than the formula's own: of the value, and of the Jacobian
+    #[arg(long, value_name = "BOUND", num_args = 1..=2, value_delimiter = ',')]
+    eta: Vec<f64>,
+    /// Do not ask at what must be refused
+    #[arg(long)]
+    valid_only: bool,
+    /// How to write the result
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+    /// Where your routine stands, for formats that name a place
+    #[arg(long, value_name = "FILE[:LINE]", value_parser = at, required_if_eq_any([("format", "github"), ("format", "sarif"), ("format", "rdjson")]))]
+    at: Option<Place>,
+    /// Ask at this point only: the inputs as a JSON object, as golden files and reports give them
+    #[arg(long, value_name = "JSON")]
+    point: Option<String>,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+enum Format {
+    /// For a terminal
+    #[default]
+    Text,
+    /// Workflow commands: an annotation in a pull request, and the step's summary
+    Github,
+    /// SARIF 2.1.0, to be uploaded
+    Sarif,
+    /// RDFormat, for reviewdog
+    Rdjson,
+}
+
+/// A file, and a line of it if a number stands behind the last colon.
+#[expect(clippy::unnecessary_wraps, reason = "a parser of clap's")]
+fn at(text: &str) -> Result<Place, String> {
+    let split = text.rsplit_once(':').and_then(|(file, line)| Some((file, line.parse().ok()?)));
+    let (file, line) = split.unwrap_or((text, 1));
+    Ok(Place { file: file.to_owned(), line: line.max(1) })
+}
+
+pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
+    let formula = formula(project, &arguments.formula)?;
+    if let Some(lang) = arguments.driver {
+        print(&driver(formula, arguments, lang)?)?;
+        return Ok(verdict(true));
+    }
+    let limit = Duration::try_from_secs_f64(arguments.limit).ok().filter(|limit| !limit.is_zero());
+    let limit = limit.ok_or_else(|| Usage("--limit is not a time above 0 in seconds".into()))?;
+    let mut questions = asked(formula, arguments)?;
+    if arguments.valid_only {
+        questions.retain(|question| !question.must_be_refused());
+    }
+    let spec = formula.spec();
+    let [value, jacobian] = match *arguments.eta.as_slice() {
+        [both] => [both; 2],
+        [value, jacobian, ..] => [value, jacobian],
+        [] => [spec.eta, spec.eta_jacobian],
+    };
+    let bounds = Bounds { value, jacobian };
+    let court = Court { formula, wanted: arguments.wanted, bounds, questions: &questions };
+    let manner = Manner {
+        program: &arguments.program,
+        wanted: arguments.wanted,
+        is_json: arguments.json,
+        is_hex: arguments.hex,
+        limit,
+    };
+    let (answers, heard) = match listen(formula, &manner, &questions)? {
+        Ok(heard) => heard,
+        Err(why) => {
+            print(&written(
+                arguments,
+                &report::silent(&court, &arguments.program, &why),
+                "it does not answer",
+                false,
+            )?)?;
+            return Ok(verdict(false));
+        }
+    };
+    let found = court.judge(&answers);
+    let causes = diagnosis::diagnose(&court, &answers, &found);
+    let text = report::text(&court, &arguments.program, &found, &heard, &causes);
+    let claim = causes.first().map_or("its answers are those of the formula", String::as_str);
+    print(&written(arguments, &text, claim, found.is_well())?)?;
+    Ok(verdict(found.is_well()))
+}
+
+/// The result as it is asked for; where all is well there is no finding.
+fn written(arguments: &Arguments, text: &str, claim: &str, is_well: bool) -> anyhow::Result<String> {
+    let Some(place) = arguments.at.clone().filter(|_| arguments.format != Format::Text) else {
+        return Ok(text.to_owned());
+    };
+    let message = anstream::adapter::strip_str(text).to_string();
+    let finding = Finding { formula: arguments.formula.clone(), claim: claim.to_owned(), message, place };
+    let findings: Vec<_> = (!is_well).then_some(finding).into_iter().collect();
+    match arguments.format {
+        Format::Sarif => sarif(&findings),
+        Format::Rdjson => rdjson(&findings),
+        Format::Text | Format::Github => {
+            let first = text.lines().next().unwrap_or_default();
+            let fenced =
+                findings.iter().map(|finding| format!("```text\n{}```\n", finding.message)).collect::<Vec<_>>();
+            summarise(&format!("{}\n\n{}", anstream::adapter::strip_str(first), fenced.concat()))?;
+            Ok(annotations(&findings) + first + "\n")
+        }
+    }
+}
+
+fn driver(formula: &'static dyn AnyFormula, arguments: &Arguments, lang: Lang) -> anyhow::Result<String> {
+    let driver = Driver::new(formula, arguments.wanted, arguments.exported);
+    let driver = driver.ok_or_else(|| Usage("--driver is for a value or a Jacobian, not for products".into()))?;
+    let text = driver::text(&driver, lang);
+    Ok(text.ok_or_else(|| Usage("--exported: nothing is exported to this language".into()))?)
+}
+
+fn formula(project: &Project, id: &str) -> anyhow::Result<&'static dyn AnyFormula> {
+    project.find(id).ok_or_else(|| {
+        let ids: Vec<_> = project.catalog().iter().map(|formula| formula.spec().id).collect();
+        Usage(format!("--formula '{id}' is no formula; there are\n  {}", ids.join("\n  "))).into()
+    })
+}
+
+fn asked(formula: &dyn AnyFormula, arguments: &Arguments) -> anyhow::Result<Vec<Question>> {
+    let Some(point) = &arguments.point else {
+        let options = Options { samples: arguments.samples, seed: arguments.seed };
+        return Ok(questions(formula, arguments.wanted, &options));
+    };
+    let names = || formula.inputs().iter().map(|field| field.name).collect::<Vec<_>>().join(", ");
+    let inputs = serde_json::from_str(point)
+        .map_err(|error| Usage(format!("--point is not a JSON object of {}: {error}", names())))?;
+    let inputs = components(formula.inputs(), &inputs).map_err(|error| Usage(format!("--point: {error}")))?;
+    Ok(of_points(formula, arguments.wanted, vec![("given".into(), inputs)], arguments.seed))
+}

@@ -1,0 +1,329 @@
+//! The program that is checked: it is asked line by line, over as many processes as it takes.
+
+use super::answer::{self, Digits};
+use super::process::{Next, Process};
+use crate::outcome::Usage;
+use std::collections::BTreeSet;
+use std::process::ExitStatus;
+use std::time::Duration;
+
+/// After so many points at which it hangs or dies a program is not asked any more.
+const MOST_FAULTS: usize = 8;
+
+/// The first line of a process may take so many times the limit: interpreters and libraries have to start.
+const START: u32 = 4;
+
+/// A program to be asked.
+pub(super) struct Peer<'a> {
+    pub(super) command: &'a [String],
+    pub(super) limit: Duration,
+    /// What is said before the first question, and answered by a line.
+    pub(super) head: Option<String>,
+    /// How many numbers an answer has.
+    pub(super) numbers: usize,
+    pub(super) digits: Digits,
+}
+
+/// What a program does with a question.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Reply {
+    Line(String),
+    /// No answer within the limit.
+    Hangs,
+    /// It ended, and how.
+    Ends(String),
+    /// It was not asked any more, since it had hung or ended too often.
+    NotAsked,
+}
+
+/// How a program prints, as two questions show.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Layout {
+    /// Lines before the first answer.
+    banner: usize,
+    /// Whether an answer goes over several lines.
+    wraps: bool,
+}
+
+/// All replies, and what was noticed beside them.
+#[derive(Debug)]
+pub(super) struct Replies {
+    pub(super) replies: Vec<Reply>,
+    pub(super) noticed: BTreeSet<String>,
+}
+
+/// What a process answered before it ended or was ended.
+struct Session {
+    answers: Vec<String>,
+    /// Lines behind the last answer.
+    more: usize,
+    end: End,
+}
+
+#[derive(Debug)]
+enum End {
+    /// It ended by itself, and how.
+    Ended(String),
+    /// It was silent for too long.
+    Hung,
+    /// It answered all, and did not end.
+    Lingered,
+}
+
+impl Peer<'_> {
+    /// Asks every question; the first two, which it should be able to answer, show how it prints.
+    ///
+    /// # Errors
+    /// That it cannot be started, or in what way it does not answer at all.
+    pub(super) fn ask(&self, questions: &[String]) -> anyhow::Result<Result<Replies, String>> {
+        let mut noticed = BTreeSet::new();
+        let layout = match self.look(&questions[..questions.len().min(2)], &mut noticed)? {
+            Ok(layout) => layout,
+            Err(why) => return Ok(Err(why)),
+        };
+        let mut replies = vec![Reply::NotAsked; questions.len()];
+        let (mut faults, mut is_blind) = (0, false);
+        // Ranges still to be asked, the next one last; whether one was asked alone because an answer was missing.
+        let mut left = vec![(0..questions.len(), false)];
+        while let Some((range, is_suspect)) = left.pop() {
+            if faults == MOST_FAULTS {
+                noticed.insert(format!("not asked any more after {MOST_FAULTS} points at which it hung or ended"));
+                break;
+            }
+            let session = self.session(&questions[range.clone()], layout)?;
+            let answered = range.start + session.answers.len();
+            for (reply, line) in replies[range.clone()].iter_mut().zip(session.answers) {
+                *reply = Reply::Line(line);
+            }
+            if answered == range.end {
+                // What it had answered before was lost with it: its output is kept back.
+                is_blind |= is_suspect;
+                notice(&mut noticed, session.more, &session.end);
+                continue;
+            }
+            if range.len() == 1 {
+                replies[range.start] = match session.end {
+                    End::Ended(how) => Reply::Ends(how),
+                    End::Hung | End::Lingered => Reply::Hangs,
+                };
+                faults += 1;
+            } else if is_blind {
+                let middle = (answered + range.end).div_ceil(2).min(range.end - 1).max(answered + 1);
+                left.extend([(middle..range.end, false), (answered..middle, false)]);
+            } else {
+                left.extend([(answered + 1..range.end, false), (answered..answered + 1, true)]);
+            }
+            left.retain(|(range, _)| !range.is_empty());
+        }
+        if is_blind {
+            noticed.insert("it keeps its output back: it should flush after every line".into());
+        }
+        Ok(Ok(Replies { replies, noticed }))
+    }
+
+    /// Asks a few questions in a process of its own, whose input then ends, and looks at all that it prints.
+    fn look(&self, questions: &[String], noticed: &mut BTreeSet<String>) -> anyhow::Result<Result<Layout, String>> {
+        let process = self.start(questions)?;
+        let mut lines = Vec::new();
+        let most = 100 + questions.len() * (self.numbers + 1);
+        let silent = loop {
+            let limit = if lines.is_empty() { self.limit * START } else { self.limit };
+            match process.line(limit) {
+                Next::Line(line) if lines.len() < most => lines.push(line),
+                Next::Line(_) | Next::End => break false,
+                Next::Silence => break true,
+            }
+        };
+        let said = process.last_words();
+        let (status, _) = process.finish(if silent { Duration::ZERO } else { self.limit })?;
+        let with = |what: &str| if said.is_empty() { what.to_owned() } else { format!("{what}; it says:\n{said}") };
+        if self.head.is_some() {
+            // JSON tells by itself what is wrong with it.
+            return Ok(if lines.is_empty() { Err(with("it prints nothing")) } else { Ok(Layout::default()) });
+        }
+        let is_answer = |line: &&String| {
+            let mut tokens = answer::tokens(line).peekable();
+            let has_any = tokens.peek().is_some();
+            answer::refusal(line).is_some() || has_any && tokens.all(|token| answer::is_number(token, self.digits))
+        };
+        let banner = lines.iter().take_while(|line| !is_answer(line)).count();
+        let answers: Vec<_> = lines[banner..].iter().filter(is_answer).collect();
+        if answers.is_empty() {
+            let how = if silent { "nothing comes within the limit".into() } else { how_ended(status) };
+            return Ok(Err(match lines.first() {
+                None => with(&format!("it prints nothing: {how}")),
+                Some(line) => with(&format!("it prints no answer but `{line}`")),
+            }));
+        }
+        if banner > 0 {
+            noticed.insert(format!("lines before the first answer, as `{}`", lines[0]));
+        }
+        let numbers: usize = answers.iter().map(|line| answer::tokens(line).count()).sum();
+        let wraps = answers.len() > questions.len() && numbers == questions.len() * self.numbers;
+        if wraps {
+            noticed.insert("an answer goes over several lines".into());
+        } else if answers.len() > questions.len() {
+            let [asked, answered] = [questions.len(), answers.len()];
+            return Ok(Err(with(&format!(
+                "it prints {answered} lines for {asked} points, each of which has one line"
+            ))));
+        }
+        Ok(Ok(Layout { banner, wraps }))
+    }
+
+    fn start(&self, questions: &[String]) -> anyhow::Result<Process> {
+        let text: String = self.head.iter().chain(questions).flat_map(|line| [line.as_str(), "\n"]).collect();
+        Process::start(self.command, text).map_err(|error| {
+            let program = self.command.first().map_or("", String::as_str);
+            Usage(format!("{program} cannot be started: {error}")).into()
+        })
+    }
+
+    fn session(&self, questions: &[String], layout: Layout) -> anyhow::Result<Session> {
+        let process = self.start(questions)?;
+        let before = layout.banner + usize::from(self.head.is_some());
+        let mut answers = Vec::with_capacity(questions.len());
+        let limit = |line: usize| if line == 0 { self.limit * START } else { self.limit };
+        let mut next = (0..before).map(|k| process.line(limit(k))).find(|next| !matches!(next, Next::Line(_)));
+        while next.is_none() && answers.len() < questions.len() {
+            match self.answer(&process, layout, limit(before + answers.len())) {
+                Next::Line(line) => answers.push(line),
+                other => next = Some(other),
+            }
+        }
+        let mut more = 0;
+        while next.is_none() {
+            match process.line(self.limit) {
+                Next::Line(_) if more < questions.len() => more += 1,
+                Next::Line(_) => next = Some(Next::Silence),
+                other => next = Some(other),
+            }
+        }
+        let all = answers.len() == questions.len();
+        let hung = next == Some(Next::Silence);
+        let said = if hung || all { String::new() } else { process.last_words() };
+        let (status, by_itself) = process.finish(if hung { Duration::ZERO } else { self.limit })?;
+        let end = match (hung, by_itself) {
+            (true, _) if all => End::Lingered,
+            (true, _) => End::Hung,
+            (false, false) => End::Lingered,
+            (false, true) if said.is_empty() => End::Ended(how_ended(status)),
+            (false, true) => {
+                let last = said.lines().last().unwrap_or_default();
+                End::Ended(format!("{}: {last}", how_ended(status)))
+            }
+        };
+        Ok(Session { answers, more, end })
+    }
+
+    /// The next answer, in one line.
+    fn answer(&self, process: &Process, layout: Layout, limit: Duration) -> Next {
+        let first = process.line(limit);
+        let Next::Line(mut answer) = first else { return first };
+        while layout.wraps && answer::refusal(&answer).is_none() && answer::tokens(&answer).count() < self.numbers {
+            match process.line(self.limit) {
+                Next::Line(line) => answer = format!("{answer} {line}"),
+                other => return other,
+            }
+        }
+        Next::Line(answer)
+    }
+}
+
+fn notice(noticed: &mut BTreeSet<String>, more: usize, end: &End) {
+    if more > 0 {
+        noticed.insert("lines behind the last answer".into());
+    }
+    match end {
+        End::Ended(how) if how != SUCCESS => drop(noticed.insert(format!("behind the last answer it {how}"))),
+        End::Hung | End::Lingered => drop(noticed.insert("it does not end with its input".into())),
+        End::Ended(_) => {}
+    }
+}
+
+const SUCCESS: &str = "ends by itself";
+
+fn how_ended(status: ExitStatus) -> String {
+    #[cfg(unix)]
+    if let Some(signal) = std::os::unix::process::ExitStatusExt::signal(&status) {
+        return format!("dies of signal {signal}");
+    }
+    match status.code() {
+        Some(0) => SUCCESS.into(),
+        Some(code) => format!("ends with exit code {code}"),
+        None => "ends".into(),
+    }
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+
+    /// A program of the shell, asked for two numbers at each of these points.
+    fn asked(script: &str, questions: usize) -> Result<Replies, String> {
+        let command = ["sh", "-c", script].map(str::to_owned);
+        let limit = Duration::from_millis(300);
+        let peer = Peer { command: &command, limit, head: None, numbers: 2, digits: Digits::Decimal };
+        let questions: Vec<_> = (0..questions).map(|k| k.to_string()).collect();
+        peer.ask(&questions).unwrap()
+    }
+
+    fn lines(replies: &Replies) -> usize {
+        replies.replies.iter().filter(|reply| matches!(reply, Reply::Line(_))).count()
+    }
+
+    #[test]
+    fn every_answer_is_read() {
+        let found = asked("while read x; do echo $x 2; done", 50).unwrap();
+        assert_eq!(found.replies[49], Reply::Line("49 2".into()));
+        assert!(lines(&found) == 50 && found.noticed.is_empty(), "{found:?}");
+    }
+
+    #[test]
+    fn a_point_at_which_it_hangs_is_found_and_the_rest_is_asked() {
+        let found = asked("while read x; do [ $x = 7 ] && sleep 60; echo $x 2; done", 20).unwrap();
+        assert_eq!((lines(&found), &found.replies[7]), (19, &Reply::Hangs));
+    }
+
+    #[test]
+    fn a_point_at_which_it_dies_is_found_and_the_rest_is_asked() {
+        let found =
+            asked("while read x; do [ $x = 7 ] && kill -9 $$; [ $x = 9 ] && exit 3; echo $x 2; done", 20).unwrap();
+        assert_eq!(lines(&found), 18);
+        assert_eq!(found.replies[7], Reply::Ends("dies of signal 9".into()));
+        assert_eq!(found.replies[9], Reply::Ends("ends with exit code 3".into()));
+    }
+
+    #[test]
+    fn output_that_is_kept_back_is_told_and_the_culprit_found() {
+        let script = "a=; while read x; do [ $x = 5 ] && kill -9 $$; a=\"$a$x 2\n\"; done; printf %s \"$a\"";
+        let found = asked(script, 16).unwrap();
+        assert_eq!((lines(&found), &found.replies[5]), (15, &Reply::Ends("dies of signal 9".into())));
+        assert!(found.noticed.iter().any(|what| what.contains("flush")), "{found:?}");
+    }
+
+    #[test]
+    fn banners_and_wrapped_lines_are_understood() {
+        let found = asked("echo hello world; while read x; do echo $x; echo 2; done", 9).unwrap();
+        assert_eq!(found.replies[8], Reply::Line("8 2".into()));
+        assert_eq!(found.noticed.len(), 2, "{found:?}");
+    }
+
+    #[test]
+    fn what_never_answers_is_told_at_once() {
+        assert!(asked("echo no >&2; exit 3", 9).unwrap_err().contains("ends with exit code 3; it says:\nno"));
+        assert!(asked("sleep 60", 9).unwrap_err().contains("nothing comes within the limit"));
+        assert!(asked("echo usage: f x", 9).unwrap_err().contains("`usage: f x`"));
+        assert!(asked("while read x; do echo 1 2; echo 3 4; done", 9).unwrap_err().contains("4 lines for 2 points"));
+        assert!(asked("yes", 9).is_err());
+    }
+
+    #[test]
+    fn one_that_does_not_end_is_told_and_nothing_is_left_running() {
+        let mark = format!("61.{}", std::process::id());
+        let found = asked(&format!("sleep {mark} & while read x; do echo $x 2; done; exec 1>&-; sleep {mark}"), 3);
+        assert!(found.unwrap().noticed.contains("it does not end with its input"));
+        let running = std::process::Command::new("ps").args(["-eo", "args"]).output().unwrap();
+        assert!(!String::from_utf8_lossy(&running.stdout).contains(&format!("sleep {mark}")));
+    }
+}

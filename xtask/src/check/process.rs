@@ -1,0 +1,149 @@
+//! A process with pipes that is gone when it is dropped, with all that it has started.
+
+use std::io::{self, BufRead, BufReader, Read, Write};
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// No answer has so many bytes.
+const LONGEST: u64 = 1 << 20;
+/// So much of what is said on standard error is kept.
+const KEPT: usize = 2000;
+/// How often it is looked whether a process has ended.
+const LOOK: Duration = Duration::from_millis(1);
+
+/// A running program.
+pub(super) struct Process {
+    child: Child,
+    lines: Receiver<String>,
+    said: Receiver<Vec<u8>>,
+    is_reaped: bool,
+}
+
+/// What comes of waiting for a line.
+#[derive(Debug, PartialEq)]
+pub(super) enum Next {
+    Line(String),
+    /// Nothing came in time.
+    Silence,
+    /// There is no more.
+    End,
+}
+
+impl Process {
+    /// Starts a program and writes a text to its standard input, which then ends.
+    pub(super) fn start(command: &[String], input: String) -> io::Result<Self> {
+        let (program, arguments) = command.split_first().ok_or(io::ErrorKind::InvalidInput)?;
+        let mut command = Command::new(program);
+        command.args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        // So that what it starts can be ended with it.
+        #[cfg(unix)]
+        std::os::unix::process::CommandExt::process_group(&mut command, 0);
+        let mut child = command.spawn()?;
+        let (mut stdin, stdout, stderr) = (child.stdin.take(), child.stdout.take(), child.stderr.take());
+        thread::spawn(move || {
+            // A program that has ended reads no more: what it has answered tells.
+            let _ = stdin.as_mut().map(|stdin| stdin.write_all(input.as_bytes()));
+        });
+        let (line, lines) = mpsc::channel();
+        thread::spawn(move || {
+            let mut stdout = BufReader::new(stdout.expect("standard output is piped"));
+            while let Some(text) = line_of(&mut stdout) {
+                if line.send(text).is_err() {
+                    break;
+                }
+            }
+        });
+        let (all, said) = mpsc::channel();
+        thread::spawn(move || {
+            let mut text = Vec::new();
+            let stderr = stderr.expect("standard error is piped");
+            let mut chunks = BufReader::new(stderr);
+            while let Ok(chunk) = chunks.fill_buf() {
+                let length = chunk.len();
+                if length == 0 {
+                    break;
+                }
+                text.extend_from_slice(chunk);
+                chunks.consume(length);
+                text.drain(..text.len().saturating_sub(KEPT));
+            }
+            // Nobody may want to know.
+            let _ = all.send(text);
+        });
+        Ok(Self { child, lines, said, is_reaped: false })
+    }
+
+    /// The next line that it prints.
+    pub(super) fn line(&self, limit: Duration) -> Next {
+        match self.lines.recv_timeout(limit) {
+            Ok(line) => Next::Line(line),
+            Err(RecvTimeoutError::Timeout) => Next::Silence,
+            Err(RecvTimeoutError::Disconnected) => Next::End,
+        }
+    }
+
+    /// Waits until it ends by itself, or ends it; how it ended, and whether by itself. What it has started is ended, too.
+    pub(super) fn finish(mut self, limit: Duration) -> io::Result<(ExitStatus, bool)> {
+        let from = Instant::now();
+        let mut by_itself = has_ended(&mut self.child);
+        while !by_itself && from.elapsed() < limit {
+            thread::sleep(LOOK);
+            by_itself = has_ended(&mut self.child);
+        }
+        kill(&mut self.child);
+        let status = self.child.wait()?;
+        self.is_reaped = true;
+        Ok((status, by_itself))
+    }
+
+    /// The last that it has said on standard error.
+    pub(super) fn last_words(&self) -> String {
+        let said = self.said.recv_timeout(Duration::from_millis(200)).unwrap_or_default();
+        String::from_utf8_lossy(&said).trim().to_owned()
+    }
+}
+
+impl Drop for Process {
+    fn drop(&mut self) {
+        if !self.is_reaped {
+            kill(&mut self.child);
+            // It was killed: there is nothing else to be done about it.
+            let _ = self.child.wait();
+        }
+    }
+}
+
+/// The next line; of one that is too long the beginning, and then nothing more.
+fn line_of(stdout: &mut impl BufRead) -> Option<String> {
+    let mut bytes = Vec::new();
+    let read = stdout.by_ref().take(LONGEST).read_until(b'\n', &mut bytes).unwrap_or(0);
+    (read > 0).then(|| String::from_utf8_lossy(&bytes).trim_end_matches(['\n', '\r']).to_owned())
+}
+
+/// Whether it has ended. Its number stays its own until it is waited for, so that nothing else is killed by it.
+#[cfg(unix)]
+fn has_ended(child: &mut Child) -> bool {
+    use rustix::process::{Pid, WaitId, WaitIdOptions, waitid};
+    let options = WaitIdOptions::EXITED | WaitIdOptions::NOHANG | WaitIdOptions::NOWAIT;
+    !matches!(waitid(WaitId::Pid(Pid::from_child(child)), options), Ok(None))
+}
+
+#[cfg(unix)]
+fn kill(child: &mut Child) {
+    use rustix::process::{Pid, Signal, kill_process_group};
+    // Where the group is gone there is nothing to kill.
+    let _ = kill_process_group(Pid::from_child(child), Signal::KILL);
+}
+
+#[cfg(not(unix))]
+fn has_ended(child: &mut Child) -> bool {
+    !matches!(child.try_wait(), Ok(None))
+}
+
+#[cfg(not(unix))]
+fn kill(child: &mut Child) {
+    // Where it is gone there is nothing to kill.
+    let _ = child.kill();
+}

@@ -1,0 +1,133 @@
+//! What a program is asked, and what this one says of it.
+
+use super::answer::Digits;
+use jointproof::Error;
+use jointproof::catalog::AnyFormula;
+use jointproof::formula::Field;
+use jointproof::verify::{Options, Sampler};
+
+/// What is asked of a program.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub(super) enum Wanted {
+    /// The outputs alone
+    Value,
+    /// The outputs, then the Jacobian row by row
+    #[default]
+    Jacobian,
+    /// The outputs, then J v and wᵀJ for directions v and w that are given behind the inputs
+    Products,
+}
+
+impl Wanted {
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Value => "value",
+            Self::Jacobian => "jacobian",
+            Self::Products => "products",
+        }
+    }
+
+    /// How many numbers an answer has, for so many inputs and outputs.
+    pub(super) fn numbers(self, [n, m]: [usize; 2]) -> usize {
+        match self {
+            Self::Value => m,
+            Self::Jacobian => m + m * n,
+            Self::Products => m + m + n,
+        }
+    }
+}
+
+/// A point that is asked for.
+#[derive(Debug)]
+pub(super) struct Question {
+    pub(super) name: String,
+    pub(super) inputs: Vec<f64>,
+    /// By what the Jacobian is multiplied, from the right and from the left.
+    pub(super) directions: Option<[Vec<f64>; 2]>,
+    pub(super) own: Own,
+}
+
+/// What this program says of a point.
+#[derive(Debug)]
+pub(super) enum Own {
+    /// Value, and Jacobian where it is wanted.
+    Results(Vec<f64>),
+    Refused(Error),
+    /// Results are too large for doubles, which another program need not look for.
+    TooLarge,
+}
+
+impl Question {
+    /// As a plain line.
+    pub(super) fn line(&self, digits: Digits) -> String {
+        let directions = self.directions.iter().flatten().flatten();
+        let numbers: Vec<_> = self.inputs.iter().chain(directions).map(|&x| digits.show(x)).collect();
+        numbers.join(" ")
+    }
+
+    pub(super) fn must_be_refused(&self) -> bool {
+        matches!(self.own, Own::Refused(_))
+    }
+}
+
+/// The numbers of inputs and outputs.
+pub(super) fn sizes(formula: &dyn AnyFormula) -> [usize; 2] {
+    [formula.inputs(), formula.outputs()].map(|fields| fields.iter().map(Field::len).sum())
+}
+
+/// Every point that is asked for: two valid ones first, so that a program can show how it answers.
+pub(super) fn questions(formula: &dyn AnyFormula, wanted: Wanted, options: &Options) -> Vec<Question> {
+    let points = formula.judge().points(options);
+    let mut questions = of_points(formula, wanted, points, options.seed);
+    questions.sort_by_key(Question::must_be_refused);
+    questions
+}
+
+/// The questions of these points.
+pub(super) fn of_points(
+    formula: &dyn AnyFormula,
+    wanted: Wanted,
+    points: Vec<(String, Vec<f64>)>,
+    seed: u64,
+) -> Vec<Question> {
+    let sizes = sizes(formula);
+    let mut directions = Sampler::named("directions", seed);
+    let question = |(name, inputs): (String, Vec<f64>)| {
+        let own = match (wanted, formula.value_and_jacobian(&inputs)) {
+            (Wanted::Jacobian, Ok((value, jacobian))) => Own::Results([value, jacobian].concat()),
+            (_, Ok((value, _))) => Own::Results(value),
+            (_, Err(Error::Overflow { .. } | Error::DerivativeOverflow { .. })) => Own::TooLarge,
+            (_, Err(error)) => Own::Refused(error),
+        };
+        let mut drawn = || sizes.map(|length| (0..length).map(|_| directions.real()).collect());
+        let directions = (wanted == Wanted::Products).then(&mut drawn);
+        Question { name, inputs, directions, own }
+    };
+    points.into_iter().map(question).collect()
+}
+
+/// All places of a list in another order, in which hardly any follows the one that it followed before.
+pub(super) fn other_order(count: usize) -> Vec<usize> {
+    let step = (count * 5 / 8..count).find(|step| gcd(*step, count) == 1).unwrap_or(1);
+    (0..count).map(|k| (k * step + count / 2) % count).collect()
+}
+
+fn gcd(a: usize, b: usize) -> usize {
+    if b == 0 { a } else { gcd(b, a % b) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_other_order_has_every_place_once() {
+        for count in 0..200 {
+            let mut order = other_order(count);
+            let follows = order.windows(2).filter(|pair| pair[1] == pair[0] + 1).count();
+            assert!(count < 4 || follows == 0, "{count}: {follows}");
+            order.sort_unstable();
+            assert_eq!(order, (0..count).collect::<Vec<_>>());
+        }
+    }
+}

@@ -1,0 +1,260 @@
+//! Answers judged: every number by its backward error η, and refusals.
+
+use super::answer::Answer;
+use super::question::{Own, Question, Wanted, sizes};
+use jointproof::catalog::AnyFormula;
+use jointproof::verify::{Judge, Known, Truth};
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+
+/// From this η on a number is wrong and not only inaccurate: a part in 10⁴ of what it is judged by.
+const WRONG: f64 = 1e-4 / (f64::EPSILON / 2.0);
+
+/// How good a number is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Grade {
+    #[default]
+    Right,
+    Inaccurate,
+    Wrong,
+}
+
+/// What is asked of every number.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bounds {
+    pub(super) value: f64,
+    pub(super) jacobian: f64,
+}
+
+/// What was found about one number of the answers.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Tally {
+    pub(super) checked: usize,
+    pub(super) off: usize,
+    /// It was left out.
+    pub(super) absent: usize,
+    pub(super) grade: Grade,
+    pub(super) worst: Option<Worst>,
+}
+
+/// The worst of a number.
+#[derive(Clone, Debug)]
+pub(super) struct Worst {
+    pub(super) eta: f64,
+    /// Which question.
+    pub(super) question: usize,
+    pub(super) found: f64,
+    pub(super) exact: f64,
+}
+
+/// What was found about all answers.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Verdict {
+    /// Outputs, then entries of the Jacobian or products.
+    pub(super) tallies: Vec<Tally>,
+    /// Numbers judged in 237 bits, and those that have the bits of this program's own.
+    pub(super) judged: usize,
+    pub(super) same: usize,
+    /// Questions that must be refused, and were; by NaN or infinity, among these.
+    pub(super) refused: usize,
+    pub(super) refused_by_nan: usize,
+    /// Questions that are valid, and were refused.
+    pub(super) refused_wrongly: Vec<usize>,
+    /// Questions that must be refused, and were answered.
+    pub(super) accepted: Vec<usize>,
+    /// Questions without an answer, and what came instead.
+    pub(super) bad: Vec<(usize, String)>,
+    /// Questions left out, and why.
+    pub(super) skipped: Vec<(usize, String)>,
+    /// Questions that were answered in two ways.
+    pub(super) two_answers: Vec<usize>,
+    /// Questions at which a number is off.
+    pub(super) off: Vec<usize>,
+}
+
+impl Verdict {
+    /// Whether nothing is to be mended.
+    pub(super) fn is_well(&self) -> bool {
+        let faults = [self.refused_wrongly.len(), self.accepted.len(), self.bad.len(), self.two_answers.len()];
+        self.judged + self.same > 0 && self.off.is_empty() && faults.iter().all(|&faults| faults == 0)
+    }
+
+    /// One found here, one found there.
+    fn and(mut self, other: Self) -> Self {
+        if self.tallies.is_empty() {
+            self.tallies = other.tallies;
+        } else {
+            self.tallies.iter_mut().zip(other.tallies).for_each(|(tally, other)| tally.add(other));
+        }
+        self.judged += other.judged;
+        self.same += other.same;
+        self.refused += other.refused;
+        self.refused_by_nan += other.refused_by_nan;
+        self.refused_wrongly.extend(other.refused_wrongly);
+        self.accepted.extend(other.accepted);
+        self.bad.extend(other.bad);
+        self.skipped.extend(other.skipped);
+        self.two_answers.extend(other.two_answers);
+        self.off.extend(other.off);
+        self
+    }
+}
+
+impl Tally {
+    fn add(&mut self, other: Self) {
+        self.checked += other.checked;
+        self.off += other.off;
+        self.absent += other.absent;
+        self.grade = self.grade.max(other.grade);
+        if other.worst.as_ref().is_some_and(|worst| self.worst.as_ref().is_none_or(|mine| worst.eta > mine.eta)) {
+            self.worst = other.worst;
+        }
+    }
+
+    fn record(&mut self, question: usize, found: f64, known: &Known, bound: f64) -> bool {
+        let eta = known.eta(found);
+        self.checked += 1;
+        let is_off = eta > bound;
+        self.off += usize::from(is_off);
+        if is_off {
+            self.grade = self.grade.max(if eta >= WRONG { Grade::Wrong } else { Grade::Inaccurate });
+        }
+        if self.worst.as_ref().is_none_or(|worst| eta > worst.eta) {
+            self.worst = Some(Worst { eta, question, found, exact: known.exact.to_f64() });
+        }
+        is_off
+    }
+}
+
+/// What is asked, of which formula, and by what it is judged.
+pub(super) struct Court<'a> {
+    pub(super) formula: &'static dyn AnyFormula,
+    pub(super) wanted: Wanted,
+    pub(super) bounds: Bounds,
+    pub(super) questions: &'a [Question],
+}
+
+impl Court<'_> {
+    /// Judges the answers of the first and of the second time.
+    pub(super) fn judge(&self, answers: &[Vec<Answer>; 2]) -> Verdict {
+        let questions = (0..self.questions.len()).into_par_iter();
+        let one = |judge: &mut Judge, k: usize| self.one(judge, k, [&answers[0][k], &answers[1][k]]);
+        let mut verdict = questions.map_init(|| self.formula.judge(), one).reduce(Verdict::default, Verdict::and);
+        for questions in [&mut verdict.off, &mut verdict.two_answers, &mut verdict.accepted] {
+            questions.sort_unstable();
+        }
+        verdict
+    }
+
+    fn one(&self, judge: &Judge, k: usize, answers: [&Answer; 2]) -> Verdict {
+        let mut verdict = Verdict::default();
+        let own = match &self.questions[k].own {
+            Own::TooLarge => return verdict,
+            Own::Refused(_) => {
+                self.refusal(k, answers, &mut verdict);
+                return verdict;
+            }
+            Own::Results(own) => own,
+        };
+        let [first, second] = answers;
+        let differ = !is_same(first, second);
+        if differ && matches!((first, second), (Answer::Numbers(_), Answer::Numbers(_))) {
+            verdict.two_answers.push(k);
+        }
+        let mut truth = None;
+        for answer in [Some(first), Some(second).filter(|_| differ)].into_iter().flatten() {
+            match answer {
+                Answer::Bad(what) => verdict.bad.push((k, what.clone())),
+                Answer::Skipped(why) => verdict.skipped.push((k, why.clone())),
+                Answer::Refused(_) => verdict.refused_wrongly.push(k),
+                Answer::Numbers(found) if self.may_be_own(k) && has_bits(found, own) => verdict.same += found.len(),
+                Answer::Numbers(found) => {
+                    let known = truth.get_or_insert_with(|| self.expected(judge, k).1);
+                    self.numbers(k, found, known, &mut verdict);
+                }
+            }
+        }
+        verdict
+    }
+
+    /// Whether this program's own bits are taken for right. The audit judges these at random points; at all others they are
+    /// judged here, too.
+    fn may_be_own(&self, k: usize) -> bool {
+        self.wanted != Wanted::Products && self.questions[k].name.starts_with("random ")
+    }
+
+    fn refusal(&self, k: usize, answers: [&Answer; 2], verdict: &mut Verdict) {
+        let outputs = sizes(self.formula)[1];
+        match answers[0] {
+            Answer::Refused(_) => verdict.refused += 1,
+            Answer::Numbers(found) if found[..outputs].iter().flatten().any(|y| !y.is_finite()) => {
+                verdict.refused += 1;
+                verdict.refused_by_nan += 1;
+            }
+            Answer::Numbers(_) => verdict.accepted.push(k),
+            Answer::Skipped(why) => verdict.skipped.push((k, why.clone())),
+            Answer::Bad(what) => verdict.bad.push((k, what.clone())),
+        }
+    }
+
+    fn numbers(&self, k: usize, found: &[Option<f64>], known: &[Option<Known>], verdict: &mut Verdict) {
+        verdict.tallies.resize(found.len(), Tally::default());
+        let mut is_off = false;
+        for (place, ((found, known), tally)) in found.iter().zip(known).zip(&mut verdict.tallies).enumerate() {
+            match (found, known) {
+                (Some(found), Some(known)) => {
+                    verdict.judged += 1;
+                    is_off |= tally.record(k, *found, known, self.bound(place));
+                }
+                (None, _) => tally.absent += 1,
+                (_, None) => {}
+            }
+        }
+        if is_off && verdict.off.last() != Some(&k) {
+            verdict.off.push(k);
+        }
+    }
+
+    /// The bound of the number at this place. A product is a sum of as many terms as the vector has components, each of which
+    /// may be rounded.
+    pub(super) fn bound(&self, place: usize) -> f64 {
+        let [n, m] = sizes(self.formula);
+        match self.wanted {
+            _ if place < m => self.bounds.value,
+            Wanted::Products => self.bounds.jacobian + f64::from(u32::try_from(n.max(m)).unwrap_or(u32::MAX)),
+            _ => self.bounds.jacobian,
+        }
+    }
+
+    /// What is exact at a question that is valid, and what every number of an answer has to be; `None` where there is nothing
+    /// to judge it by.
+    pub(super) fn expected(&self, judge: &Judge, k: usize) -> (Truth, Vec<Option<Known>>) {
+        let question = &self.questions[k];
+        let truth = judge.at(&question.inputs, self.wanted != Wanted::Value);
+        let truth = truth.expect("a question with results is valid");
+        let [n, m] = sizes(self.formula);
+        let mut expected: Vec<_> = truth.value.iter().copied().map(Some).collect();
+        match (&truth.jacobian, &question.directions) {
+            (Some(jacobian), Some([v, w])) => {
+                let row = |i: usize| Known::combined((0..n).map(|j| (jacobian[i * n + j], v[j])));
+                let column = |j: usize| Known::combined((0..m).map(|i| (jacobian[i * n + j], w[i])));
+                expected.extend((0..m).map(row).chain((0..n).map(column)).map(Some));
+            }
+            (Some(jacobian), None) => expected.extend(jacobian.iter().copied().map(Some)),
+            (None, _) => expected.resize(self.wanted.numbers([n, m]), None),
+        }
+        (truth, expected)
+    }
+}
+
+fn has_bits(found: &[Option<f64>], own: &[f64]) -> bool {
+    found.iter().zip(own).all(|(found, own)| found.map(f64::to_bits) == Some(own.to_bits()))
+}
+
+/// Whether two answers are one; any NaN is as good as another.
+fn is_same(first: &Answer, second: &Answer) -> bool {
+    let bits = |x: &Option<f64>| x.map(|x| if x.is_nan() { f64::NAN.to_bits() } else { x.to_bits() });
+    match (first, second) {
+        (Answer::Numbers(first), Answer::Numbers(second)) => first.iter().map(bits).eq(second.iter().map(bits)),
+        (first, second) => first == second,
+    }
+}

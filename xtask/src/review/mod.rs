@@ -1,0 +1,90 @@
+//! What is off, in the formats that reviewers' tools read. No finding is without a place.
+
+mod github;
+mod place;
+mod rdjson;
+mod sarif;
+
+pub(crate) use github::{annotations, summarise};
+pub(crate) use place::{Place, of_claim};
+pub(crate) use rdjson::rdjson;
+pub(crate) use sarif::sarif;
+
+/// Something that is off.
+#[derive(Clone, Debug)]
+pub(crate) struct Finding {
+    /// The identifier of the formula.
+    pub(crate) formula: String,
+    /// What does not hold, in a few words.
+    pub(crate) claim: String,
+    /// What was found, where, and how it can be looked at again.
+    pub(crate) message: String,
+    /// Where it stands in the sources.
+    pub(crate) place: Place,
+}
+
+/// A claim as an identifier: small letters, digits and `-`.
+fn slug(claim: &str) -> String {
+    let words = claim.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+    words.map(str::to_lowercase).collect::<Vec<_>>().join("-")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::Value;
+
+    fn findings(count: usize) -> Vec<Finding> {
+        let finding = |k: usize| Finding {
+            formula: format!("family.formula{k}"),
+            claim: "η of the value in f64".into(),
+            message: "found 1, expected 2\n--point '{\"x\": 100%}'".into(),
+            place: Place { file: "src/a,b.rs".into(), line: k + 1 },
+        };
+        (0..count).map(finding).collect()
+    }
+
+    #[test]
+    fn workflow_commands_are_escaped_and_at_most_ten() {
+        let text = annotations(&findings(2));
+        let expected = "::error file=src/a%2Cb.rs,line=1,title=family.formula0%3A η of the value in f64::found 1, expected 2%0A--point '{\"x\": 100%25}'";
+        assert_eq!(text.lines().next(), Some(expected));
+        assert_eq!(annotations(&findings(10)).lines().count(), 10);
+        let many = annotations(&findings(12));
+        assert_eq!(many.lines().count(), 10);
+        assert!(many.lines().last().unwrap().ends_with("::and 3 more"), "{many}");
+        assert_eq!(annotations(&[]), "");
+    }
+
+    #[test]
+    fn sarif_has_what_its_schema_requires() {
+        let log: Value = serde_json::from_str(&sarif(&findings(3)).unwrap()).unwrap();
+        assert_eq!((&log["version"], log["runs"].as_array().unwrap().len()), (&Value::from("2.1.0"), 1));
+        let run = &log["runs"][0];
+        assert!(run["tool"]["driver"]["name"].is_string());
+        let rules = run["tool"]["driver"]["rules"].as_array().unwrap();
+        assert_eq!(rules.len(), 1, "one claim is one rule");
+        for result in run["results"].as_array().unwrap() {
+            assert_eq!(result["ruleId"], rules[usize::try_from(result["ruleIndex"].as_u64().unwrap()).unwrap()]["id"]);
+            assert!(result["message"]["text"].is_string() && result["level"] == "error");
+            let place = &result["locations"][0]["physicalLocation"];
+            assert_eq!(place["artifactLocation"]["uri"], "src/a,b.rs");
+            assert!(place["region"]["startLine"].as_u64().unwrap() > 0);
+            assert!(result["partialFingerprints"]["formulaAndClaim/v1"].is_string());
+        }
+        let empty: Value = serde_json::from_str(&sarif(&[]).unwrap()).unwrap();
+        assert_eq!(empty["runs"][0]["results"], Value::Array(Vec::new()), "what was on a page before is taken away");
+    }
+
+    #[test]
+    fn rdjson_names_path_and_line() {
+        let found: Value = serde_json::from_str(&rdjson(&findings(1)).unwrap()).unwrap();
+        let diagnostic = &found["diagnostics"][0];
+        assert_eq!(diagnostic["location"]["path"], "src/a,b.rs");
+        assert_eq!(diagnostic["location"]["range"]["start"]["line"], 1);
+        assert_eq!(
+            (&diagnostic["severity"], &diagnostic["code"]["value"]),
+            (&"ERROR".into(), &"η-of-the-value-in-f64".into())
+        );
+    }
+}

@@ -1,0 +1,45 @@
+//! SARIF 2.1.0. A result without a location would make a whole upload fail.
+
+use super::{Finding, slug};
+use serde_json::{Value, json};
+use sha2::{Digest, Sha256};
+
+/// One run with every finding; without any, what was shown before is taken away.
+pub(crate) fn sarif(findings: &[Finding]) -> anyhow::Result<String> {
+    let mut claims: Vec<&str> = findings.iter().map(|finding| finding.claim.as_str()).collect();
+    claims.sort_unstable();
+    claims.dedup();
+    let rule = |claim: &&str| json!({ "id": slug(claim), "shortDescription": { "text": claim } });
+    let result = |finding: &Finding| {
+        let Finding { formula, claim, message, place } = finding;
+        let index = claims.iter().position(|known| known == claim);
+        json!({
+            "ruleId": slug(claim),
+            "ruleIndex": index,
+            "level": "error",
+            "message": { "text": format!("{formula}: {claim}\n{message}") },
+            "locations": [{ "physicalLocation": {
+                "artifactLocation": { "uri": place.file, "uriBaseId": "%SRCROOT%" },
+                "region": { "startLine": place.line },
+            } }],
+            "partialFingerprints": { "formulaAndClaim/v1": fingerprint(formula, claim) },
+        })
+    };
+    let results: Vec<Value> = findings.iter().map(result).collect();
+    let rules: Vec<Value> = claims.iter().map(rule).collect();
+    Ok(serde_json::to_string_pretty(&json!({
+        "$schema": "https://json.schemastore.org/sarif-2.1.0.json",
+        "version": "2.1.0",
+        "runs": [{
+            "tool": { "driver": { "name": "jointproof", "version": env!("CARGO_PKG_VERSION"), "rules": rules } },
+            "columnKind": "unicodeCodePoints",
+            "results": results,
+        }],
+    }))?)
+}
+
+/// By which a finding is known again when lines have moved.
+fn fingerprint(formula: &str, claim: &str) -> String {
+    let digest = Sha256::digest(format!("{formula}\n{claim}"));
+    digest.iter().take(8).map(|byte| format!("{byte:02x}")).collect::<Vec<_>>().concat()
+}

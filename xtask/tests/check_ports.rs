@@ -1,0 +1,262 @@
+//! `cargo xtask check` of ports: correct ones pass, and mistakes that are planted in them are named.
+
+mod common;
+#[path = "common/port.rs"]
+mod port;
+
+use common::Bench;
+use port::Plant::{After, Before, Driver, Nothing, Within};
+use port::{Lang, Plant, check, port};
+
+/// A class of mistakes, where it is planted, and what the diagnosis says of it.
+struct Planted {
+    class: &'static str,
+    lang: Lang,
+    id: &'static str,
+    plant: Plant,
+    says: &'static str,
+}
+
+const fn planted(class: &'static str, lang: Lang, id: &'static str, plant: Plant, says: &'static str) -> Planted {
+    Planted { class, lang, id, plant, says }
+}
+
+use Lang::{C, Fortran, Python};
+
+/// Every class is planted once or more, in three languages, over a dozen formulas.
+const PLANTED: &[Planted] = &[
+    planted("sign", C, "slot.friction", After("jacobian[1][1] = -jacobian[1][1];"), "the sign is turned of ∂fn/∂f2"),
+    planted(
+        "sign",
+        Python,
+        "slot.contact_force",
+        After("rows[0] = [-x for x in rows[0]]"),
+        "the sign is turned of the whole Jacobian",
+    ),
+    planted(
+        "sign of all",
+        Fortran,
+        "join.nodal_forces",
+        After("j_all = -j_all"),
+        "the sign is turned of the whole Jacobian",
+    ),
+    planted(
+        "sign of an output",
+        Python,
+        "slot.friction",
+        After("outputs[2] *= -1; rows[2] = [-x for x in rows[2]]"),
+        "the sign is turned of phi, and the derivatives of phi",
+    ),
+    planted(
+        "transposed",
+        C,
+        "ujoint.twist_factors",
+        After("double t = jacobian[0][1]; jacobian[0][1] = jacobian[1][0]; jacobian[1][0] = t;"),
+        "the Jacobian is transposed",
+    ),
+    planted(
+        "transposed",
+        Python,
+        "slot.rows",
+        After("rows = [list(row) for row in zip(*rows)]"),
+        "the Jacobian is written column by column",
+    ),
+    planted(
+        "row-major",
+        Fortran,
+        "slot.friction",
+        Driver("transpose(reshape(flat, [inputs, outputs]))", "reshape(flat, [outputs, inputs])"),
+        "the Jacobian is read column by column",
+    ),
+    planted(
+        "row-major",
+        Fortran,
+        "join.geometric_stiffness",
+        After(
+            "y_all(10:18) = reshape(transpose(reshape(y_all(10:18), [3, 3])), [9])\n        j_all(10:18, :) = j_all([10, 13, 16, 11, 14, 17, 12, 15, 18], :)",
+        ),
+        "transposed: the matrix",
+    ),
+    planted("factor 2", Python, "translator.friction", After("rows[1][1] *= 2"), "a factor of 2 too much in ∂fn/∂f2"),
+    planted(
+        "factor ½",
+        C,
+        "slider.line",
+        After("for (int j = 0; j < inputs; ++j) jacobian[3][j] *= 0.5;"),
+        "a factor of ½ too much in the derivatives of l",
+    ),
+    planted(
+        "degrees",
+        Fortran,
+        "universal.angles",
+        After("y_all = y_all * 57.295779513082320877_dp; j_all = j_all * 57.295779513082320877_dp"),
+        "degrees for radians (a factor of 180/π) in alpha, gamma, and the whole Jacobian",
+    ),
+    planted(
+        "degrees",
+        Python,
+        "universal.relative_motion",
+        Before("x[0] *= 0.017453292519943295"),
+        "alpha is taken for degrees",
+    ),
+    planted(
+        "index swapped",
+        C,
+        "slot.friction",
+        After(
+            "for (int i = 0; i < outputs; ++i) { double t = jacobian[i][1]; jacobian[i][1] = jacobian[i][2]; jacobian[i][2] = t; }",
+        ),
+        "exchanged: the derivatives by f2 and f3",
+    ),
+    planted(
+        "index swapped",
+        Fortran,
+        "slider.line",
+        Before("x_all(1:2) = x_all([2, 1])"),
+        "exchanged: the inputs x1[0] and x1[1]",
+    ),
+    planted(
+        "index swapped",
+        Python,
+        "slot.friction",
+        After("rows[1][2] = rows[1][1]"),
+        "an index is wrong: ∂fn/∂f3 holds ∂fn/∂f2",
+    ),
+    planted(
+        "index swapped",
+        C,
+        "slot.friction",
+        Within("jp_norm2(f2, f3)", "jp_norm2(f2, fc_int)"),
+        "fc_int for f3 in length(f2, f3)",
+    ),
+    planted(
+        "term left out",
+        C,
+        "slot.friction",
+        Within("t9 - t12;", "t9;"),
+        "the term mu |length(f2, f3) + fc_int| is left out",
+    ),
+    planted(
+        "term left out",
+        Fortran,
+        "translator.friction",
+        After("j_all(3, 9) = 0"),
+        "left out (always 0): ∂phi/∂fc_int",
+    ),
+    planted(
+        "sign of a term",
+        Python,
+        "slot.friction",
+        Within("t6 + fc_int", "t6 - fc_int"),
+        "the sign of the input fc_int is turned",
+    ),
+    planted("sign of a term", C, "translator.friction", Within("t25 - t76", "t25 + t76"), "the sign of mu"),
+    planted(
+        "single precision",
+        C,
+        "slider.line",
+        After("for (int i = 0; i < outputs; ++i) y[i] = (float)y[i];"),
+        "results are rounded to single precision",
+    ),
+    planted(
+        "single precision",
+        Fortran,
+        "translator.contact_force",
+        Before("x_all = real(real(x_all), dp)"),
+        "inputs are rounded to single precision",
+    ),
+    planted(
+        "single precision",
+        Python,
+        "slot.contact_force",
+        After("outputs[0] *= 1.0000000298023224"),
+        "a constant of single precision",
+    ),
+    planted(
+        "stale state",
+        C,
+        "slot.friction",
+        After(
+            "static double kept[outputs][inputs]; for (int i = 0; i < outputs; ++i) for (int j = 0; j < inputs; ++j) { double t = kept[i][j]; kept[i][j] = jacobian[i][j]; jacobian[i][j] = t; }",
+        ),
+        "∂p/∂f1, ∂fn/∂f2, ∂fn/∂f3, ∂fn/∂fc_int, 5 more is that of the point asked before",
+    ),
+    planted(
+        "stick for slip",
+        C,
+        "coulomb.return_map",
+        After("jacobian[0][0] = 1; jacobian[0][1] = 0; jacobian[0][2] = 0;"),
+        "one branch for all: as if it always held",
+    ),
+    planted(
+        "stick for slip",
+        Fortran,
+        "coulomb.return_map",
+        After("j_all(1, :) = [1.0_dp, 0.0_dp, 0.0_dp]"),
+        "one branch for all: as if it always held",
+    ),
+    planted(
+        "NaN at a kink",
+        C,
+        "slot.contact_force",
+        After("jacobian[0][0] = x[0] / y[0]; jacobian[0][1] = x[1] / y[0];"),
+        "NaN on the kink",
+    ),
+    planted(
+        "missing chain rule",
+        Python,
+        "slot.friction",
+        After("rows[2][1] = 0.0; rows[2][2] = 0.0"),
+        "left out (always 0): ∂phi/∂f2, ∂phi/∂f3",
+    ),
+];
+
+/// The classes that have to be named rightly of those that are planted.
+const NAMED: usize = 14;
+
+#[test]
+fn planted_mistakes_are_named_and_none_wrongly() {
+    let (mut named, mut silent, mut wrong) = (std::collections::BTreeSet::new(), Vec::new(), Vec::new());
+    for Planted { class, lang, id, plant, says } in PLANTED.iter().filter(|planted| planted.lang.is_here()) {
+        let bench = Bench::new();
+        let program = port(&bench, *lang, id, *plant);
+        let said = check(&bench, id, &program, &["--samples", "200"], 1);
+        let diagnoses: Vec<_> = said.lines().filter_map(|line| line.trim().strip_prefix("diagnosis: ")).collect();
+        let case = format!("{class} in {lang:?}, {id}: {diagnoses:?}, expected {says:?}");
+        match diagnoses.as_slice() {
+            [one] if one.starts_with(says) => drop(named.insert(*class)),
+            all if all.iter().all(|one| one.contains("unexplained")) => silent.push(case),
+            _ if said.contains(says) => drop(named.insert(*class)),
+            _ => wrong.push(case),
+        }
+    }
+    assert!(wrong.is_empty(), "named wrongly:\n{}\nnot named:\n{}", wrong.join("\n"), silent.join("\n"));
+    let all = PLANTED.iter().filter(|planted| planted.lang.is_here()).map(|planted| planted.class);
+    let all: std::collections::BTreeSet<_> = all.collect();
+    assert!(
+        named.len() >= NAMED.min(all.len()),
+        "{} of {} classes are named; not:\n{}",
+        named.len(),
+        all.len(),
+        silent.join("\n")
+    );
+    eprintln!(
+        "{} of {} classes named, {} plants unexplained:\n{}",
+        named.len(),
+        all.len(),
+        silent.len(),
+        silent.join("\n")
+    );
+}
+
+#[test]
+fn drivers_with_what_is_exported_pass_in_every_language() {
+    for lang in Lang::ALL.into_iter().filter(|lang| lang.is_here()) {
+        for id in ["slot.friction", "ujoint.friction", "coulomb.return_map"] {
+            let bench = Bench::new();
+            let program = port(&bench, lang, id, Nothing);
+            let said = check(&bench, id, &program, &["--samples", "100"], 0);
+            assert!(said.starts_with(&format!("ok  {id}")), "{said}");
+        }
+    }
+}
