@@ -8,8 +8,10 @@
 #[cfg(feature = "verify")]
 mod proof;
 pub(crate) mod response;
+mod surface;
 
 pub use response::{Response, Slid, Sliding};
+pub use surface::{ReturnMap2d, Tangential2d, Trial2d};
 
 use crate::fields;
 use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec};

@@ -22,6 +22,8 @@ pub mod join;
 #[cfg(feature = "verify")]
 mod motion;
 mod products;
+pub mod slider;
+pub mod slider_plane;
 pub mod slot;
 pub mod slot_friction;
 pub mod slot_plane;

@@ -64,6 +64,8 @@ quantities! {
     KINETIC_FORCE: r"\mathbf{f}", Vec3, F, Vector, "kinetic force on node a, its opposite on node b, in the global frame";
     F_TRIAL: r"f^{\mathrm{trial}}", Scalar, F, Real, "tangential force if the contact stuck";
     F_TANGENTIAL: r"f", Scalar, F, Real, "tangential force that friction transmits, positive where it resists positive motion";
+    F_TRIAL_SURFACE: r"\mathbf{f}^{\mathrm{trial}}", Vec2, F, Vector, "tangential force on a surface if the contact stuck";
+    F_TANGENTIAL_SURFACE: r"\mathbf{f}", Vec2, F, Vector, "tangential force on a surface that friction transmits, in the direction of the motion that it resists";
     MOTION: r"u", Scalar, L, Real, "relative motion in the direction of the tangential force";
     U_SLIP_BEFORE: r"u_0^{\mathrm{slip}}", Scalar, L, Real, "what has slipped before: the motion at which the tangential force would be 0";
     U_SLIP: r"u^{\mathrm{slip}}", Scalar, L, Real, "what has slipped in the end: the motion at which the tangential force would be 0";
@@ -234,6 +236,32 @@ quantities! {
     SLIDER_G: r"g", Scalar, L, Real, "distance of node m from the line along t, positive to the left of the direction of travel";
     SLIDER_R: r"r", Scalar, L, Real, "by how much the increments violate the condition in the plane, positive to the left of the direction of travel";
     SLIDER_XMI_PLANE: r"x_{m,i}", Scalar, L, Real, "coordinate of node m along the axis i that is eliminated in the plane";
+    SLIDER_G1_U1: r"\mathbf{g}_{1,u1}", Vec3, ONE, Vector, "derivative of the first residual of SLIDER by the translation of node 1, with m on the line";
+    SLIDER_G1_UN: r"\mathbf{g}_{1,un}", Vec3, ONE, Vector, "derivative of the first residual of SLIDER by the translation of node n, with m on the line";
+    SLIDER_G1_UM: r"\mathbf{g}_{1,um}", Vec3, ONE, Vector, "derivative of the first residual of SLIDER by the translation of node m, with m on the line";
+    SLIDER_G2_U1: r"\mathbf{g}_{2,u1}", Vec3, ONE, Vector, "derivative of the second residual of SLIDER by the translation of node 1, with m on the line";
+    SLIDER_G2_UN: r"\mathbf{g}_{2,un}", Vec3, ONE, Vector, "derivative of the second residual of SLIDER by the translation of node n, with m on the line";
+    SLIDER_G2_UM: r"\mathbf{g}_{2,um}", Vec3, ONE, Vector, "derivative of the second residual of SLIDER by the translation of node m, with m on the line";
+    SLIDER_G_U1_PLANE: r"\mathbf{g}_{u1}", Vec2, ONE, Vector, "derivative of the residual of SLIDER in the plane by the translation of node 1, with m on the line";
+    SLIDER_G_UN_PLANE: r"\mathbf{g}_{un}", Vec2, ONE, Vector, "derivative of the residual of SLIDER in the plane by the translation of node n, with m on the line";
+    SLIDER_G_UM_PLANE: r"\mathbf{g}_{um}", Vec2, ONE, Vector, "derivative of the residual of SLIDER in the plane by the translation of node m, with m on the line";
+    SLIDER_LAMBDA1: r"\lambda_1", Scalar, F, Real, "multiplier of SLIDER's first residual: the force on node m along t1";
+    SLIDER_LAMBDA2: r"\lambda_2", Scalar, F, Real, "multiplier of SLIDER's second residual: the force on node m along t2";
+    SLIDER_LAMBDA: r"\lambda", Scalar, F, Real, "multiplier of SLIDER's residual in the plane: the force on node m along t";
+    FORCE_1: r"\mathbf{f}_1", Vec3, F, Vector, "force of the constraint on node 1, in the global frame";
+    FORCE_N: r"\mathbf{f}_n", Vec3, F, Vector, "force of the constraint on node n, in the global frame";
+    FORCE_M: r"\mathbf{f}_m", Vec3, F, Vector, "force of the constraint on node m, in the global frame";
+    FORCE_1_PLANE: r"\mathbf{f}_1", Vec2, F, Vector, "force of the constraint on node 1 in the plane, in the global frame";
+    FORCE_N_PLANE: r"\mathbf{f}_n", Vec2, F, Vector, "force of the constraint on node n in the plane, in the global frame";
+    FORCE_M_PLANE: r"\mathbf{f}_m", Vec2, F, Vector, "force of the constraint on node m in the plane, in the global frame";
+    K_U1_U1: r"\mathbf{K}_{u1,u1}", Mat3, F.per(L), Vector, "how the force on node 1 changes with the translation of node 1, the multipliers held";
+    K_U1_UN: r"\mathbf{K}_{u1,un}", Mat3, F.per(L), Vector, "how the force on node 1 changes with the translation of node n, the multipliers held";
+    K_UN_UN: r"\mathbf{K}_{un,un}", Mat3, F.per(L), Vector, "how the force on node n changes with the translation of node n, the multipliers held";
+    K_UM_UN: r"\mathbf{K}_{um,un}", Mat3, F.per(L), Vector, "how the force on node m changes with the translation of node n, the multipliers held";
+    K_U1_U1_PLANE: r"\mathbf{K}_{u1,u1}", Mat2, F.per(L), Vector, "how the force on node 1 changes with the translation of node 1 in the plane, the multipliers held";
+    K_U1_UN_PLANE: r"\mathbf{K}_{u1,un}", Mat2, F.per(L), Vector, "how the force on node 1 changes with the translation of node n in the plane, the multipliers held";
+    K_UN_UN_PLANE: r"\mathbf{K}_{un,un}", Mat2, F.per(L), Vector, "how the force on node n changes with the translation of node n in the plane, the multipliers held";
+    K_UM_UN_PLANE: r"\mathbf{K}_{um,un}", Mat2, F.per(L), Vector, "how the force on node m changes with the translation of node n in the plane, the multipliers held";
 
     // Slide lines
     XS: r"\mathbf{x}_s", Vec2, L, Point, "position of the slave point, in the plane (r, z)";

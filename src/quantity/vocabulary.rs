@@ -84,7 +84,7 @@ impl fmt::Display for Unit {
     }
 }
 
-/// How many components a quantity has: a scalar, a column of two or three, or a 3×3 matrix.
+/// How many components a quantity has: a scalar, a column of two or three, or a matrix of as many rows and columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// One number.
@@ -93,6 +93,8 @@ pub enum Shape {
     Vec2,
     /// A column of three.
     Vec3,
+    /// A 2×2 matrix, row by row.
+    Mat2,
     /// A 3×3 matrix, row by row.
     Mat3,
 }
@@ -105,15 +107,17 @@ impl Shape {
             Self::Scalar => 1,
             Self::Vec2 => 2,
             Self::Vec3 => 3,
+            Self::Mat2 => 4,
             Self::Mat3 => 9,
         }
     }
 
-    /// As golden files print it: `[]`, `[2]`, `[3]`, `[3, 3]`.
+    /// As golden files print it: `[]`, `[2]`, `[3]`, `[2, 2]`, `[3, 3]`.
     pub fn dimensions(self) -> Vec<usize> {
         match self {
             Self::Scalar => Vec::new(),
             Self::Vec2 | Self::Vec3 => vec![self.len()],
+            Self::Mat2 => vec![2, 2],
             Self::Mat3 => vec![3, 3],
         }
     }
