@@ -314,6 +314,7 @@ pub static CATALOG: &[&dyn AnyFormula] = &[
     &element::slider_plane::Rows,
     &element::slider_plane::Forces,
     &element::slider_plane::GeometricStiffness,
+    &element::offset::Arm,
     &element::slot_friction::Response,
     &element::slot_friction::Response2d,
     &element::translator_friction::Response,

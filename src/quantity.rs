@@ -199,6 +199,11 @@ quantities! {
     K_TA_TA: r"\mathbf{K}_{\theta a,\theta a}", Mat3, FL, Vector, "how the moment on node a changes with the spin of a, the multipliers held";
     K_TA_TB: r"\mathbf{K}_{\theta a,\theta b}", Mat3, FL, Vector, "how the moment on node a changes with the spin of b, the multipliers held";
     K_TB_TB: r"\mathbf{K}_{\theta b,\theta b}", Mat3, FL, Vector, "how the moment on node b changes with the spin of b, the multipliers held";
+    ARM: r"\mathbf{r}", Vec3, L, Vector, "rigid arm from a node to the point that a connector holds, in the global frame";
+    ARM_FORCE: r"\mathbf{f}", Vec3, F, Vector, "force at the end of a rigid arm, in the global frame";
+    ARM_MOMENT: r"\mathbf{m}", Vec3, FL, Vector, "moment at the end of a rigid arm, in the global frame";
+    NODE_MOMENT: r"\mathbf{m}_{\mathrm{node}}", Vec3, FL, Vector, "moment of both on the node that carries the arm, in the global frame";
+    K_ARM: r"\mathbf{K}_{\mathrm{arm}}", Mat3, FL, Vector, "how the moment of the force about the node changes with its spin, the force held";
     S_TA_TA: r"\mathbf{S}_{\theta a,\theta a}", Mat3, FL, Vector, "symmetric part of the change of the moment on node a with the spin of a";
     S_TB_TB: r"\mathbf{S}_{\theta b,\theta b}", Mat3, FL, Vector, "symmetric part of the change of the moment on node b with the spin of b";
 

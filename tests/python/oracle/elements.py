@@ -220,3 +220,12 @@ def translator_nodal_forces(xa, xb, f2, f3, **inputs):
     slot = slot_nodal_forces(e2a=inputs["e2a"], e3a=inputs["e3a"], xa=xa, xb=xb, f2=f2, f3=f3)
     align = align_nodal_moments(**inputs)
     return slot | dict(ma=add(slot["ma"], align["ma"]), mb=align["mb"])
+
+
+# A rigid arm from a node to a connector.
+
+
+@formula("element.arm", "r:3 f:3 m:3", "m_node:3 k_arm:9")
+def arm(r, f, m):
+    turned = [cross(cross(axis, r), f) for axis in AXES]
+    return dict(m_node=add(m, cross(r, f)), k_arm=by_columns(turned))
