@@ -32,6 +32,7 @@ pub mod turns;
 
 pub use accurate::{MOST_CONDITION, accurate, accurate_jacobian, between, check_start, condition};
 pub use angles::{Angles, CardanAngles};
+pub(crate) use arc_sine::arc_sine_slope;
 pub use beta::{Beta, BetaAxes, BetaTwoArgument};
 pub(crate) use triads::Oriented;
 pub use triads::{Triads, check_turns};

@@ -7,6 +7,11 @@
 
 #[cfg(feature = "verify")]
 mod proof;
+pub(crate) mod response;
+mod surface;
+
+pub use response::{Response, Slid, Sliding};
+pub use surface::{ReturnMap2d, Tangential2d, Trial2d};
 
 use crate::fields;
 use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec};
@@ -60,9 +65,12 @@ fields! {
 #[derive(Clone, Copy, Debug)]
 pub struct ReturnMap;
 
-/// Whether the contact sticks: |f_trial| < μ F_N, with the product not rounded.
-fn sticks<D: Scalar>(i: &Trial<D>) -> bool {
-    i.mu.mul_add(i.r#fn, -abs(i.f_trial)) > 0.0
+impl<D: Scalar> Trial<D> {
+    /// Whether the contact sticks: |f_trial| < μ F_N, with the product not rounded.
+    #[inline]
+    pub(crate) fn sticks(&self) -> bool {
+        self.mu.mul_add(self.r#fn, -abs(self.f_trial)) > 0.0
+    }
 }
 
 impl Formula for ReturnMap {
@@ -82,7 +90,7 @@ impl Formula for ReturnMap {
 
     #[inline]
     fn eval<D: Scalar>(i: &Trial<D>) -> Tangential<D> {
-        let f = if sticks(i) { i.f_trial } else { i.mu * i.r#fn * sign(i.f_trial) };
+        let f = if i.sticks() { i.f_trial } else { i.mu * i.r#fn * sign(i.f_trial) };
         Tangential { f }
     }
 
@@ -90,7 +98,7 @@ impl Formula for ReturnMap {
     fn jacobian<D: Scalar>(i: &Trial<D>) -> Jacobian<Self, D> {
         let zero = D::zero();
         let s = sign(i.f_trial);
-        let f = if sticks(i) {
+        let f = if i.sticks() {
             Trial { f_trial: D::one(), mu: zero, r#fn: zero }
         } else {
             Trial { f_trial: zero, mu: i.r#fn * s, r#fn: i.mu * s }

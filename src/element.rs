@@ -16,12 +16,21 @@
 //! The stiffness K is symmetric but for the blocks of a node's own spin: there K − Kᵀ = −\[m×\] with the moment m on that node,
 //! since spins about different axes do not commute. Where nodal moments balance, it is symmetric after assembly.
 
+pub mod align;
 mod assembly;
 pub mod join;
 #[cfg(feature = "verify")]
 mod motion;
+pub mod offset;
 mod products;
+pub mod slider;
+pub mod slider_plane;
 pub mod slot;
+pub mod slot_friction;
+pub mod slot_plane;
+pub mod translator;
+pub mod translator_friction;
+mod turn;
 pub mod ujoint;
 pub mod universal;
 

@@ -21,7 +21,7 @@
 //! | `\Delta x`, `\mathrm{d}x`, `X'`, `F_C^{\mathrm{int}}` | one symbol each; `f_2^2` is a power |
 //! | `\mathbf{a}\cdot\mathbf{b}`, `\times`, `\lvert\mathbf{a}\rvert` | products and length; of numbers, product and absolute value |
 //! | `\sqrt{}`, `\sin`, `\cos`, `\arcsin`, `\operatorname{atan2}`, `\operatorname{sign}`, `e^x` | functions |
-//! | `\mathbf{a}\otimes\mathbf{b}`, `\mathbf{I}`, `\mathbf{a}\times\mathbf{I}` | 3×3 matrices: **a** **b**ᵀ, the unit matrix, and the one that takes **v** to **a** × **v** |
+//! | `\mathbf{a}\otimes\mathbf{b}`, `\mathbf{I}`, `\mathbf{a}\times\mathbf{I}` | matrices: **a** **b**ᵀ of two vectors of a length, the unit matrix of three rows, and the one that takes **v** to **a** × **v** |
 //! | `\mathbf{i}`, `\mathbf{j}`, `\mathbf{k}`, `\mathbf{0}`, `\pi`, `e` | constants, where nobody defines the symbol |
 //! | `\mathbf{s}\times\mathbf{n}` | **n** turned by 90° to the left, in the plane |
 //! | `\text{…}` between statements | a remark, of words only |
@@ -278,10 +278,14 @@ fn output(writer: &mut Writer<'_>, name: &Name, field: &Field) -> Result<Vec<Id>
     }
     match writer.symbol(name, at, Place::ROOT)? {
         Value::Scalar(id) if field.len() == 1 => Ok(vec![id]),
-        Value::Vector(parts) if field.quantity.shape != Shape::Mat3 && field.len() == parts.len() => Ok(parts),
-        Value::Matrix(parts) if field.quantity.shape == Shape::Mat3 => Ok(parts),
+        Value::Vector(parts) if !is_matrix(field) && field.len() == parts.len() => Ok(parts),
+        Value::Matrix(parts) if is_matrix(field) && field.len() == parts.len() => Ok(parts),
         _ => Err(wrong()),
     }
+}
+
+const fn is_matrix(field: &Field) -> bool {
+    matches!(field.quantity.shape, Shape::Mat2 | Shape::Mat3)
 }
 
 fn place_of_smallest(writer: &mut Writer<'_>, output: usize, found: &ArgMin, id: &str) -> Result<Smallest, Error> {

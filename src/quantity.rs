@@ -3,232 +3,9 @@
 //! A formula's inputs and outputs are fields that refer to these constants (see [`fields!`](crate::fields)); the
 //! sampler, the input check, the golden files, the book and the error messages all read them from here.
 
-use std::fmt;
+mod vocabulary;
 
-/// Powers of length, force, time and temperature; radians and plain numbers have none.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct Unit {
-    /// Power of the unit of length.
-    pub length: i32,
-    /// Power of the unit of force.
-    pub force: i32,
-    /// Power of the unit of time.
-    pub time: i32,
-    /// Power of the unit of temperature.
-    pub temperature: i32,
-}
-
-impl Unit {
-    /// Radians, direction cosines, ratios.
-    pub const ONE: Self = Self::new(0, 0, 0);
-    /// Length.
-    pub const L: Self = Self::new(1, 0, 0);
-    /// Force.
-    pub const F: Self = Self::new(0, 1, 0);
-    /// Moment.
-    pub const FL: Self = Self::new(1, 1, 0);
-
-    /// Time.
-    pub const T: Self = Self::new(0, 0, 1);
-    /// Temperature.
-    pub const TEMPERATURE: Self = Self { temperature: 1, ..Self::ONE };
-
-    /// The unit LᵃFᵇTᶜ.
-    pub const fn new(length: i32, force: i32, time: i32) -> Self {
-        Self { length, force, time, temperature: 0 }
-    }
-
-    /// The unit of a product.
-    ///
-    /// ```
-    /// use jointproof::quantity::Unit;
-    /// let power = Unit::FL.per(Unit::T);
-    /// let conductance = power.per(Unit::L.times(Unit::L).times(Unit::TEMPERATURE));
-    /// assert_eq!(conductance.to_string(), "F/LTΘ");
-    /// ```
-    pub const fn times(self, other: Self) -> Self {
-        Self {
-            length: self.length + other.length,
-            force: self.force + other.force,
-            time: self.time + other.time,
-            temperature: self.temperature + other.temperature,
-        }
-    }
-
-    /// The unit of a quotient, as of a Jacobian entry.
-    pub const fn per(self, other: Self) -> Self {
-        Self {
-            length: self.length - other.length,
-            force: self.force - other.force,
-            time: self.time - other.time,
-            temperature: self.temperature - other.temperature,
-        }
-    }
-}
-
-/// `1`, `L`, `F`, `FL`, `F/L^2`, `FT/L^3` …
-impl fmt::Display for Unit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let powers = [("F", self.force), ("L", self.length), ("T", self.time), ("Θ", self.temperature)];
-        let factor = |sign: i32| {
-            let of_sign = powers.iter().filter(move |(_, power)| power * sign > 0);
-            of_sign
-                .map(|(symbol, power)| match power.abs() {
-                    1 => (*symbol).to_string(),
-                    power => format!("{symbol}^{power}"),
-                })
-                .collect::<String>()
-        };
-        match (factor(1), factor(-1)) {
-            (above, below) if below.is_empty() => f.write_str(if above.is_empty() { "1" } else { &above }),
-            (above, below) => write!(f, "{}/{below}", if above.is_empty() { "1" } else { &above }),
-        }
-    }
-}
-
-/// How many components a quantity has: a scalar, a column of two or three, or a 3×3 matrix.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shape {
-    /// One number.
-    Scalar,
-    /// A column of two: (x, y) or (r, z).
-    Vec2,
-    /// A column of three.
-    Vec3,
-    /// A 3×3 matrix, row by row.
-    Mat3,
-}
-
-impl Shape {
-    /// The number of components.
-    #[expect(clippy::len_without_is_empty, reason = "a shape is never empty")]
-    pub const fn len(self) -> usize {
-        match self {
-            Self::Scalar => 1,
-            Self::Vec2 => 2,
-            Self::Vec3 => 3,
-            Self::Mat3 => 9,
-        }
-    }
-
-    /// As golden files print it: `[]`, `[2]`, `[3]`, `[3, 3]`.
-    pub fn dimensions(self) -> Vec<usize> {
-        match self {
-            Self::Scalar => Vec::new(),
-            Self::Vec2 | Self::Vec3 => vec![self.len()],
-            Self::Mat3 => vec![3, 3],
-        }
-    }
-}
-
-/// A node, by its name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Node(pub &'static str);
-
-impl Node {
-    /// The first node of a connector, whose triad carries it.
-    pub const A: Self = Self("a");
-    /// The second node of a connector, at which the constraint acts.
-    pub const B: Self = Self("b");
-}
-
-/// What values a quantity may take, how the sampler draws it, and how it changes when the whole model is moved.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum Domain {
-    /// Any finite number; drawn with either sign and a magnitude from 2⁻¹⁰ to 2¹⁰.
-    Real,
-    /// A finite number ≥ 0; drawn positive, since 0 is a hard case and not a random one.
-    NonNegative,
-    /// A finite number > 0.
-    Positive,
-    /// An angle; any finite number, drawn from (−π, π).
-    Angle,
-    /// A number strictly between the bounds.
-    Between(f64, f64),
-    /// A number between the bounds or on them.
-    Within(f64, f64),
-    /// A number between the bounds or on the lower one.
-    HalfOpen(f64, f64),
-    /// A point: moves and turns with the model.
-    Point,
-    /// A free vector (a displacement, a force), or a matrix that takes one to another: turns with the model.
-    Vector,
-    /// A unit vector: turns with the model.
-    Direction,
-    /// Unit vector of a triad, by node and axis 1, 2 or 3: turns with the model. The vectors of one node are drawn as
-    /// one rotation, never the identity.
-    Triad(Node, usize),
-}
-
-impl Domain {
-    /// Whether a finite number is in the domain.
-    #[inline]
-    pub fn allows<T: PartialOrd<f64> + Copy>(self, x: T) -> bool {
-        match self {
-            Self::NonNegative => x >= 0.0,
-            Self::Positive => x > 0.0,
-            Self::Between(low, high) => x > low && x < high,
-            Self::Within(low, high) => x >= low && x <= high,
-            Self::HalfOpen(low, high) => x >= low && x < high,
-            _ => true,
-        }
-    }
-
-    /// Whether what has it turns with the model.
-    pub const fn turns(self) -> bool {
-        matches!(self, Self::Point | Self::Vector | Self::Direction | Self::Triad(..))
-    }
-
-    /// The allowed values in words, for error messages and the book.
-    pub fn allowed(self) -> String {
-        match self {
-            Self::NonNegative => "a finite number ≥ 0".into(),
-            Self::Positive => "a finite number > 0".into(),
-            Self::Between(low, high) => format!("a number > {low} and < {high}"),
-            Self::Within(low, high) => format!("a number ≥ {low} and ≤ {high}"),
-            Self::HalfOpen(low, high) => format!("a number ≥ {low} and < {high}"),
-            _ => "a finite number".into(),
-        }
-    }
-}
-
-/// A quantity of the documents.
-///
-/// ```
-/// use jointproof::quantity::{Domain, Quantity, Shape, Unit};
-/// const PLACE: Quantity =
-///     Quantity::new(r"\mathbf{x}", Shape::Vec3, Unit::L, Domain::Point, "where the hub is");
-/// const MASS: Quantity = Quantity::scalar("m", Unit::new(-1, 1, 2), Domain::Positive, "mass of the hub");
-/// assert_eq!((PLACE.shape.len(), MASS.unit.to_string()), (3, "FT^2/L".into()));
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Quantity {
-    /// Its symbol in LaTeX.
-    pub latex: &'static str,
-    /// The number of its components.
-    pub shape: Shape,
-    /// Its unit.
-    pub unit: Unit,
-    /// Its allowed values.
-    pub domain: Domain,
-    /// What it is, with frame and sign.
-    pub meaning: &'static str,
-}
-
-impl Quantity {
-    /// A quantity of any shape.
-    pub const fn new(latex: &'static str, shape: Shape, unit: Unit, domain: Domain, meaning: &'static str) -> Self {
-        Self { latex, shape, unit, domain, meaning }
-    }
-
-    /// A number.
-    pub const fn scalar(latex: &'static str, unit: Unit, domain: Domain, meaning: &'static str) -> Self {
-        Self::new(latex, Shape::Scalar, unit, domain, meaning)
-    }
-}
+pub use vocabulary::{Domain, Node, Quantity, Shape, Unit};
 
 /// The table below: a constant and its documentation from one row.
 macro_rules! quantities {
@@ -287,6 +64,12 @@ quantities! {
     KINETIC_FORCE: r"\mathbf{f}", Vec3, F, Vector, "kinetic force on node a, its opposite on node b, in the global frame";
     F_TRIAL: r"f^{\mathrm{trial}}", Scalar, F, Real, "tangential force if the contact stuck";
     F_TANGENTIAL: r"f", Scalar, F, Real, "tangential force that friction transmits, positive where it resists positive motion";
+    F_TRIAL_SURFACE: r"\mathbf{f}^{\mathrm{trial}}", Vec2, F, Vector, "tangential force on a surface if the contact stuck";
+    F_TANGENTIAL_SURFACE: r"\mathbf{f}", Vec2, F, Vector, "tangential force on a surface that friction transmits, in the direction of the motion that it resists";
+    MOTION: r"u", Scalar, L, Real, "relative motion in the direction of the tangential force";
+    U_SLIP_BEFORE: r"u_0^{\mathrm{slip}}", Scalar, L, Real, "what has slipped before: the motion at which the tangential force would be 0";
+    U_SLIP: r"u^{\mathrm{slip}}", Scalar, L, Real, "what has slipped in the end: the motion at which the tangential force would be 0";
+    K_EL: r"k_{\mathrm{el}}", Scalar, F.per(L), Positive, "stiffness while the contact sticks";
     // ANCHOR: example
     FC: r"F_C", Scalar, F, NonNegative, "contact force that the connector's loads produce";
     // ANCHOR_END: example
@@ -391,17 +174,36 @@ quantities! {
     GZ_UA: r"\mathbf{g}_{z,ua}", Vec3, ONE, Vector, "derivative of SLOT's residual along e3a by the translation of node a";
     GZ_TA: r"\mathbf{g}_{z,\theta a}", Vec3, L, Vector, "derivative of SLOT's residual along e3a by the spin of node a";
     GZ_UB: r"\mathbf{g}_{z,ub}", Vec3, ONE, Vector, "derivative of SLOT's residual along e3a by the translation of node b";
+    GY_UA_PLANE: r"\mathbf{g}_{y,ua}", Vec2, ONE, Vector, "derivative of SLOT's residual in the plane by the translation of node a";
+    GY_TA_PLANE: r"g_{y,\theta a}", Scalar, L, Real, "derivative of SLOT's residual in the plane by the spin of node a, positive from the first axis to the second";
+    GY_UB_PLANE: r"\mathbf{g}_{y,ub}", Vec2, ONE, Vector, "derivative of SLOT's residual in the plane by the translation of node b";
     G_ROT_TA: r"\mathbf{g}_{\mathrm{rot},\theta a}", Vec3, ONE, Vector, "derivative of the residual of UNIVERSAL by the spin of node a";
     G_ROT_TB: r"\mathbf{g}_{\mathrm{rot},\theta b}", Vec3, ONE, Vector, "derivative of the residual of UNIVERSAL by the spin of node b";
+    UR1_TB: r"\mathbf{u}_{r1,\theta b}", Vec3, ONE, Vector, "derivative of the first residual of ALIGN by the spin of node b; by that of a it is the opposite";
+    UR2_TB: r"\mathbf{u}_{r2,\theta b}", Vec3, ONE, Vector, "derivative of the second residual of ALIGN by the spin of node b; by that of a it is the opposite";
+    UR3_TB: r"\mathbf{u}_{r3,\theta b}", Vec3, ONE, Vector, "derivative of the third residual of ALIGN by the spin of node b; by that of a it is the opposite";
+    LAMBDA_R1: r"\lambda_{r1}", Scalar, FL, Real, "multiplier of ALIGN's first residual: the moment on b about e1a";
+    LAMBDA_R2: r"\lambda_{r2}", Scalar, FL, Real, "multiplier of ALIGN's second residual: the moment on b about the line of nodes";
+    LAMBDA_R3: r"\lambda_{r3}", Scalar, FL, Real, "multiplier of ALIGN's third residual: the moment on b about e3b";
     LAMBDA_ROT: r"\lambda_{\mathrm{rot}}", Scalar, FL, Real, "multiplier of UNIVERSAL's residual e1a·e3b: m2 divided by the cosine of the second Cardan angle";
     FORCE_A: r"\mathbf{f}_a", Vec3, F, Vector, "force of the connector on node a, in the global frame";
     MOMENT_A: r"\mathbf{m}_a", Vec3, FL, Vector, "moment of the connector on node a, in the global frame";
     FORCE_B: r"\mathbf{f}_b", Vec3, F, Vector, "force of the connector on node b, in the global frame";
     MOMENT_B: r"\mathbf{m}_b", Vec3, FL, Vector, "moment of the connector on node b, in the global frame";
+    FORCE_A_PLANE: r"\mathbf{f}_a", Vec2, F, Vector, "force of the connector on node a in the plane, in the global frame";
+    MOMENT_A_PLANE: r"m_a", Scalar, FL, Real, "moment of the connector on node a in the plane, positive from the first axis to the second";
+    FORCE_B_PLANE: r"\mathbf{f}_b", Vec2, F, Vector, "force of the connector on node b in the plane, in the global frame";
+    K_UA_TA_PLANE: r"\mathbf{k}_{ua,\theta a}", Vec2, F, Vector, "how the force on node a changes with the spin of a in the plane, the multipliers held";
+    K_TA_TA_PLANE: r"k_{\theta a,\theta a}", Scalar, FL, Real, "how the moment on node a changes with the spin of a in the plane, the multipliers held";
     K_UA_TA: r"\mathbf{K}_{ua,\theta a}", Mat3, F, Vector, "how the force on node a changes with the spin of a, the multipliers held";
     K_TA_TA: r"\mathbf{K}_{\theta a,\theta a}", Mat3, FL, Vector, "how the moment on node a changes with the spin of a, the multipliers held";
     K_TA_TB: r"\mathbf{K}_{\theta a,\theta b}", Mat3, FL, Vector, "how the moment on node a changes with the spin of b, the multipliers held";
     K_TB_TB: r"\mathbf{K}_{\theta b,\theta b}", Mat3, FL, Vector, "how the moment on node b changes with the spin of b, the multipliers held";
+    ARM: r"\mathbf{r}", Vec3, L, Vector, "rigid arm from a node to the point that a connector holds, in the global frame";
+    ARM_FORCE: r"\mathbf{f}", Vec3, F, Vector, "force at the end of a rigid arm, in the global frame";
+    ARM_MOMENT: r"\mathbf{m}", Vec3, FL, Vector, "moment at the end of a rigid arm, in the global frame";
+    NODE_MOMENT: r"\mathbf{m}_{\mathrm{node}}", Vec3, FL, Vector, "moment of both on the node that carries the arm, in the global frame";
+    K_ARM: r"\mathbf{K}_{\mathrm{arm}}", Mat3, FL, Vector, "how the moment of the force about the node changes with its spin, the force held";
     S_TA_TA: r"\mathbf{S}_{\theta a,\theta a}", Mat3, FL, Vector, "symmetric part of the change of the moment on node a with the spin of a";
     S_TB_TB: r"\mathbf{S}_{\theta b,\theta b}", Mat3, FL, Vector, "symmetric part of the change of the moment on node b with the spin of b";
 
@@ -439,6 +241,32 @@ quantities! {
     SLIDER_G: r"g", Scalar, L, Real, "distance of node m from the line along t, positive to the left of the direction of travel";
     SLIDER_R: r"r", Scalar, L, Real, "by how much the increments violate the condition in the plane, positive to the left of the direction of travel";
     SLIDER_XMI_PLANE: r"x_{m,i}", Scalar, L, Real, "coordinate of node m along the axis i that is eliminated in the plane";
+    SLIDER_G1_U1: r"\mathbf{g}_{1,u1}", Vec3, ONE, Vector, "derivative of the first residual of SLIDER by the translation of node 1, with m on the line";
+    SLIDER_G1_UN: r"\mathbf{g}_{1,un}", Vec3, ONE, Vector, "derivative of the first residual of SLIDER by the translation of node n, with m on the line";
+    SLIDER_G1_UM: r"\mathbf{g}_{1,um}", Vec3, ONE, Vector, "derivative of the first residual of SLIDER by the translation of node m, with m on the line";
+    SLIDER_G2_U1: r"\mathbf{g}_{2,u1}", Vec3, ONE, Vector, "derivative of the second residual of SLIDER by the translation of node 1, with m on the line";
+    SLIDER_G2_UN: r"\mathbf{g}_{2,un}", Vec3, ONE, Vector, "derivative of the second residual of SLIDER by the translation of node n, with m on the line";
+    SLIDER_G2_UM: r"\mathbf{g}_{2,um}", Vec3, ONE, Vector, "derivative of the second residual of SLIDER by the translation of node m, with m on the line";
+    SLIDER_G_U1_PLANE: r"\mathbf{g}_{u1}", Vec2, ONE, Vector, "derivative of the residual of SLIDER in the plane by the translation of node 1, with m on the line";
+    SLIDER_G_UN_PLANE: r"\mathbf{g}_{un}", Vec2, ONE, Vector, "derivative of the residual of SLIDER in the plane by the translation of node n, with m on the line";
+    SLIDER_G_UM_PLANE: r"\mathbf{g}_{um}", Vec2, ONE, Vector, "derivative of the residual of SLIDER in the plane by the translation of node m, with m on the line";
+    SLIDER_LAMBDA1: r"\lambda_1", Scalar, F, Real, "multiplier of SLIDER's first residual: the force on node m along t1";
+    SLIDER_LAMBDA2: r"\lambda_2", Scalar, F, Real, "multiplier of SLIDER's second residual: the force on node m along t2";
+    SLIDER_LAMBDA: r"\lambda", Scalar, F, Real, "multiplier of SLIDER's residual in the plane: the force on node m along t";
+    FORCE_1: r"\mathbf{f}_1", Vec3, F, Vector, "force of the constraint on node 1, in the global frame";
+    FORCE_N: r"\mathbf{f}_n", Vec3, F, Vector, "force of the constraint on node n, in the global frame";
+    FORCE_M: r"\mathbf{f}_m", Vec3, F, Vector, "force of the constraint on node m, in the global frame";
+    FORCE_1_PLANE: r"\mathbf{f}_1", Vec2, F, Vector, "force of the constraint on node 1 in the plane, in the global frame";
+    FORCE_N_PLANE: r"\mathbf{f}_n", Vec2, F, Vector, "force of the constraint on node n in the plane, in the global frame";
+    FORCE_M_PLANE: r"\mathbf{f}_m", Vec2, F, Vector, "force of the constraint on node m in the plane, in the global frame";
+    K_U1_U1: r"\mathbf{K}_{u1,u1}", Mat3, F.per(L), Vector, "how the force on node 1 changes with the translation of node 1, the multipliers held";
+    K_U1_UN: r"\mathbf{K}_{u1,un}", Mat3, F.per(L), Vector, "how the force on node 1 changes with the translation of node n, the multipliers held";
+    K_UN_UN: r"\mathbf{K}_{un,un}", Mat3, F.per(L), Vector, "how the force on node n changes with the translation of node n, the multipliers held";
+    K_UM_UN: r"\mathbf{K}_{um,un}", Mat3, F.per(L), Vector, "how the force on node m changes with the translation of node n, the multipliers held";
+    K_U1_U1_PLANE: r"\mathbf{K}_{u1,u1}", Mat2, F.per(L), Vector, "how the force on node 1 changes with the translation of node 1 in the plane, the multipliers held";
+    K_U1_UN_PLANE: r"\mathbf{K}_{u1,un}", Mat2, F.per(L), Vector, "how the force on node 1 changes with the translation of node n in the plane, the multipliers held";
+    K_UN_UN_PLANE: r"\mathbf{K}_{un,un}", Mat2, F.per(L), Vector, "how the force on node n changes with the translation of node n in the plane, the multipliers held";
+    K_UM_UN_PLANE: r"\mathbf{K}_{um,un}", Mat2, F.per(L), Vector, "how the force on node m changes with the translation of node n in the plane, the multipliers held";
 
     // Slide lines
     XS: r"\mathbf{x}_s", Vec2, L, Point, "position of the slave point, in the plane (r, z)";

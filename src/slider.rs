@@ -19,6 +19,7 @@ mod connector;
 mod connector_plane;
 mod constraint;
 mod eliminate;
+mod equation;
 #[cfg(feature = "verify")]
 pub(crate) mod hard;
 mod line;
@@ -28,14 +29,17 @@ mod plane;
 mod slide;
 mod span;
 
+pub(crate) use across::Axis;
 pub use basis::{Basis, BasisVariation, LineDirection, TangentChanges, Tangents, TurningDirection};
 pub use connector::{Coefficients, Slider, Variations};
 pub use connector_plane::{Coefficients2d, Slider2d};
 pub use constraint::{Constraint, Distances, IncrementalConstraint, IncrementalResiduals, MovingNodes, Nodes};
 pub use eliminate::{Coordinates, Eliminate, Increment, Increments, KeptCoordinate, KeptIncrement, documented};
+pub use equation::{LineNode, LinearEquation, Term};
 pub use line::{Direction, DirectionChange, DirectionVariation, Ends, Line, MovingEnds};
 pub use pivots::{Pivots, Pivots2d};
 pub use plane::{
     Constraint2d, Coordinate2d, Distance2d, Eliminate2d, Increment2d, Increment2dOutput, IncrementalConstraint2d,
     IncrementalResidual2d, KeptCoordinate2d, KeptIncrement2d, MovingNodes2d, Nodes2d,
 };
+pub(crate) use span::{Span, Station};

@@ -1,4 +1,5 @@
-//! SLIDER against CalculiX, whose `*MPC STRAIGHT` holds a node on the line through two others.
+//! SLIDER against CalculiX, whose `*MPC STRAIGHT` holds a node on the line through two others, and which solves our linear
+//! equations.
 //!
 //! Models of three nodes and three springs: nodes 1 and n move as told, and so does one coordinate of m; the program finds the
 //! other two. It keeps the axis of the largest component of the undeformed line ([`Pivots::largest`]), whatever the line
@@ -95,8 +96,21 @@ impl Model {
         Self { u1, un, umk: self.umk * factor, ..*self }
     }
 
+    /// Held by `*MPC STRAIGHT`, on the deformed line.
+    fn by_mpc(&self) -> String {
+        self.input("*MPC\nSTRAIGHT, 1, 2, 3\n*STEP, NLGEOM, INC=1000\n*STATIC\n1., 1.", self.kept())
+    }
+
+    /// Held by our two linear equations, at the undeformed line, and how both are solved for.
+    fn by_equations(&self) -> String {
+        let [x1, xn, xm] = [self.x1, self.xn, self.xm].map(Vector3::from);
+        let slider = Slider::new(x1, xn).unwrap();
+        let [first, second] = slider.equations(xm).unwrap().map(|equation| equation.card([1, 2, 3]).to_string());
+        self.input(&format!("{first}{second}*STEP\n*STATIC"), slider.pivots().k)
+    }
+
     /// The input; CalculiX reads 20 characters a number.
-    fn input(&self) -> String {
+    fn input(&self, held: &str, kept: usize) -> String {
         let mut input = String::from("*NODE, NSET=ALL\n");
         let mut line = |text: std::fmt::Arguments<'_>| {
             let _ = writeln!(input, "{text}");
@@ -107,22 +121,22 @@ impl Model {
         for axis in 1..=3 {
             line(format_args!("*ELEMENT, TYPE=SPRING1, ELSET=E{axis}\n{axis}, 3\n*SPRING, ELSET=E{axis}\n{axis}\n1."));
         }
-        line(format_args!("*MPC\nSTRAIGHT, 1, 2, 3\n*STEP, NLGEOM, INC=1000\n*STATIC\n1., 1.\n*BOUNDARY"));
+        line(format_args!("{held}\n*BOUNDARY"));
         for (node, motion) in (1..).zip([self.u1, self.un]) {
             for (axis, u) in (1..).zip(motion) {
                 line(format_args!("{node}, {axis}, {axis}, {u:.12e}"));
             }
         }
-        let axis = self.kept() + 1;
+        let axis = kept + 1;
         line(format_args!("3, {axis}, {axis}, {:.12e}", self.umk));
         line(format_args!("*NODE PRINT, NSET=ALL, FREQUENCY=1000\nU\n*END STEP"));
         input
     }
 
-    /// The displacement of m that CalculiX prints, and half a unit of the last digit of each component.
-    fn run(&self) -> (Vector3<f64>, Vector3<f64>) {
+    /// The displacement of m that CalculiX prints for an input, and half a unit of the last digit of each component.
+    fn run(&self, input: String) -> (Vector3<f64>, Vector3<f64>) {
         let folder = Folder::new(self.name);
-        std::fs::write(folder.0.join("model.inp"), self.input()).unwrap();
+        std::fs::write(folder.0.join("model.inp"), input).unwrap();
         let run = Command::new("ccx").arg("model").current_dir(&folder.0).stdin(Stdio::null()).output().unwrap();
         let log = String::from_utf8_lossy(&run.stdout);
         assert!(run.status.success() && !log.contains("*ERROR"), "{}: {log}", self.name);
@@ -179,7 +193,7 @@ fn calculix_puts_m_where_the_elimination_does() {
         return;
     }
     for model in MODELS {
-        let (u, half_unit) = model.run();
+        let (u, half_unit) = model.run(model.by_mpc());
         let [x1, xn, xm] = [model.x1, model.xn, model.xm].map(Vector3::from);
         let slider = Slider::new(x1 + Vector3::from(model.u1), xn + Vector3::from(model.un)).unwrap();
         let ours = Pivots::new(&(x1 + Vector3::from(model.u1)), &(xn + Vector3::from(model.un)));
@@ -206,7 +220,7 @@ fn small_motions_in_calculix_are_the_eliminated_increments() {
         return;
     }
     for model in MODELS.map(|model| model.scaled(1e-6)) {
-        let (u, half_unit) = model.run();
+        let (u, half_unit) = model.run(model.by_mpc());
         let [x1, xn, xm, dx1, dxn] = [model.x1, model.xn, model.xm, model.u1, model.un].map(Vector3::from);
         let Pivots { i, j, k } = Pivots::new(&x1, &xn);
         if k != model.kept() {
@@ -220,6 +234,24 @@ fn small_motions_in_calculix_are_the_eliminated_increments() {
         for (axis, expected) in [(i, expected.dxmi), (j, expected.dxmj)] {
             let (error, allowed) = ((u[axis] - expected).abs(), half_unit[axis] + second_order);
             assert!(error <= allowed, "{}, axis {axis}: {} {expected} ± {allowed:e}", model.name, u[axis]);
+        }
+    }
+}
+
+#[test]
+fn calculix_solves_our_equations() {
+    if !calculix() {
+        return;
+    }
+    for model in MODELS {
+        let (u, half_unit) = model.run(model.by_equations());
+        let [x1, xn, xm, dx1, dxn] = [model.x1, model.xn, model.xm, model.u1, model.un].map(Vector3::from);
+        let expected = Slider::new(x1, xn).unwrap().increment(xm, dx1, dxn, model.umk).unwrap();
+        // Half a unit of the 13th digit of six coefficients.
+        let rounding = 6.0 * 0.5e-12 * (dx1.amax() + dxn.amax() + model.umk) * (xm - x1).norm().max(1.0);
+        for axis in 0..3 {
+            let (error, allowed) = ((u[axis] - expected[axis]).abs(), half_unit[axis] + rounding);
+            assert!(error <= allowed, "{}, axis {axis}: {} {} ± {allowed:e}", model.name, u[axis], expected[axis]);
         }
     }
 }

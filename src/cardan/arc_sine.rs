@@ -20,7 +20,7 @@ pub(super) fn arc_sine<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
 
 /// The derivative of [`arc_sine`] with respect to a·b: 1/√(1 − (a·b)²); 0 beyond ±1.
 #[inline]
-pub(super) fn arc_sine_slope<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
+pub(crate) fn arc_sine_slope<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
     let sine = a.dot(b);
     if abs(sine) < STEEP {
         return ((-sine + 1.0) * (sine + 1.0)).sqrt().recip();

@@ -1,6 +1,7 @@
 //! Twelve degrees of freedom in a row: the translation and the spin of a, the translation and the spin of b.
 
 use super::join::JoinStiffness;
+use super::translator::TranslatorRows;
 use super::ujoint::{JointRows, JointStiffness};
 use super::universal::UniversalStiffness;
 use super::{Forces, Rows, Stiffness};
@@ -79,6 +80,27 @@ impl<D: Scalar> UniversalStiffness<D> {
     pub fn matrix(&self) -> Stiffness<D> {
         let across = self.k_ta_tb;
         stiffness([(TA, TA, self.k_ta_ta), (TA, TB, across), (TB, TA, across.transpose()), (TB, TB, self.k_tb_tb)])
+    }
+}
+
+impl<D: Scalar> TranslatorRows<D> {
+    /// The five rows, SLOT's first.
+    pub fn matrix(&self) -> Rows<D, 5> {
+        let mut all = Rows::zeros();
+        let mut put = |row: usize, motion: usize, part: Vector3<D>| {
+            all.fixed_view_mut::<1, 3>(row, 3 * motion).copy_from(&part.transpose());
+        };
+        let of_slot = [[self.gy_ua, self.gy_ta, self.gy_ub], [self.gz_ua, self.gz_ta, self.gz_ub]];
+        for (row, [ua, ta, ub]) in of_slot.into_iter().enumerate() {
+            put(row, UA, ua);
+            put(row, TA, ta);
+            put(row, UB, ub);
+        }
+        for (row, tb) in [self.ur1_tb, self.ur2_tb, self.ur3_tb].into_iter().enumerate() {
+            put(2 + row, TA, -tb);
+            put(2 + row, TB, tb);
+        }
+        all
     }
 }
 

@@ -10,7 +10,7 @@ use super::tape::{Id, Op, Tape};
 pub(super) enum Value {
     Scalar(Id),
     Vector(Vec<Id>),
-    /// A 3×3 matrix, row by row.
+    /// A square matrix, row by row.
     Matrix(Vec<Id>),
     /// The normal of the plane, **s**: its cross product with a vector of the plane turns that to the left.
     Normal,
@@ -63,13 +63,13 @@ pub(super) fn binary(
         (Times, Value::Scalar(a), Value::Matrix(b)) | (Times, Value::Matrix(b), Value::Scalar(a)) => {
             Value::Matrix(b.into_iter().map(|b| tape.multiply(a, b)).collect())
         }
-        (Add, Value::Matrix(a), Value::Matrix(b)) => {
+        (Add, Value::Matrix(a), Value::Matrix(b)) if a.len() == b.len() => {
             Value::Matrix(pairs(&a, &b).into_iter().map(|(a, b)| tape.add(a, b)).collect())
         }
-        (Subtract, Value::Matrix(a), Value::Matrix(b)) => {
+        (Subtract, Value::Matrix(a), Value::Matrix(b)) if a.len() == b.len() => {
             Value::Matrix(pairs(&a, &b).into_iter().map(|(a, b)| tape.subtract(a, b)).collect())
         }
-        (Outer, Value::Vector(a), Value::Vector(b)) if a.len() == 3 && b.len() == 3 => Value::Matrix(
+        (Outer, Value::Vector(a), Value::Vector(b)) if a.len() == b.len() => Value::Matrix(
             a.iter().flat_map(|&a| b.iter().map(move |&b| (a, b))).map(|(a, b)| tape.multiply(a, b)).collect(),
         ),
         (Dot, Value::Vector(a), Value::Vector(b)) if a.len() == b.len() => {
@@ -85,7 +85,7 @@ pub(super) fn binary(
             Value::Vector(vec![minor(1, 2), minor(2, 0), minor(0, 1)])
         }
         // Of every column.
-        (Cross, Value::Vector(a), Value::Matrix(b)) if a.len() == 3 => {
+        (Cross, Value::Vector(a), Value::Matrix(b)) if a.len() == 3 && b.len() == 9 => {
             let mut minor = |i: usize, j: usize, column: usize| {
                 let (plus, minus) = (tape.multiply(a[i], b[3 * j + column]), tape.multiply(a[j], b[3 * i + column]));
                 tape.subtract(plus, minus)

@@ -3,7 +3,7 @@
 #![expect(clippy::inline_always, reason = "a call for a component costs more than the component")]
 
 use crate::quantity::Quantity;
-use nalgebra::{Matrix3, Vector2, Vector3};
+use nalgebra::{SMatrix, Vector2, Vector3};
 use std::fmt::Debug;
 
 /// What a field may hold: a number, or a gradient of numbers.
@@ -36,7 +36,7 @@ impl Field {
     }
 }
 
-/// A struct of named fields, each a scalar, a [`Vector2`], a [`Vector3`] or a [`Matrix3`] of `T`; made by [`fields!`](crate::fields).
+/// A struct of named fields, each a scalar, a [`Vector2`], a [`Vector3`] or a square matrix of `T`; made by [`fields!`](crate::fields).
 pub trait Fields<T: Component>: Component {
     /// The fields in order.
     const FIELDS: &'static [Field];
@@ -94,7 +94,7 @@ const fn components_of(fields: &[Field]) -> usize {
     }
 }
 
-/// One field's worth of components: a scalar, a short column, or a 3×3 matrix row by row.
+/// One field's worth of components: a scalar, a short column, or a square matrix row by row.
 pub trait Part<T> {
     /// How many.
     const LEN: usize;
@@ -144,17 +144,17 @@ impl<T: Component> Part<T> for Vector3<T> {
 }
 
 /// Row by row.
-impl<T: Component> Part<T> for Matrix3<T> {
-    const LEN: usize = 9;
+impl<T: Component, const N: usize> Part<T> for SMatrix<T, N, N> {
+    const LEN: usize = N * N;
     #[inline(always)]
     fn from_components(next: &mut impl FnMut() -> T) -> Self {
-        let rows = [(); 3].map(|()| [next(), next(), next()]);
-        Matrix3::from_fn(|row, column| rows[row][column])
+        let rows = [(); N].map(|()| [(); N].map(|()| next()));
+        SMatrix::from_fn(|row, column| rows[row][column])
     }
     #[inline(always)]
     fn for_each_component(&self, visit: &mut impl FnMut(T)) {
-        for row in 0..3 {
-            for column in 0..3 {
+        for row in 0..N {
+            for column in 0..N {
                 visit(self[(row, column)]);
             }
         }

@@ -12,8 +12,7 @@ use nalgebra::{Vector2, Vector3};
 /// be of very different size. Where arithmetic is exact, sums of them are; only the division by their lengths rounds.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Across<D> {
-    /// Whether e is axis 3.
-    along_i: bool,
+    axis: Axis,
     /// c with its square and its unit: the line as t1 sees it, projected along e.
     pub(super) projected: Span<D, 2>,
     /// d_e.
@@ -24,34 +23,60 @@ pub(super) struct Across<D> {
     pub(super) roots: [D; 2],
 }
 
+/// The axis e, for a line along d.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Axis {
+    /// Whether it is axis 3.
+    along_i: bool,
+}
+
+impl Axis {
+    #[inline]
+    pub(crate) fn of<D: Scalar>(d: &Vector3<D>) -> Self {
+        Self { along_i: d.y == 0.0 && d.z == 0.0 }
+    }
+
+    /// The component of a vector along e, and those along a and b.
+    #[inline]
+    pub(crate) fn split<D: Scalar>(self, v: &Vector3<D>) -> (D, Vector2<D>) {
+        if self.along_i { (v.z, Vector2::new(v.x, v.y)) } else { (v.x, Vector2::new(v.y, v.z)) }
+    }
+
+    /// The vector with these components along e, a and b.
+    #[inline]
+    pub(crate) fn vector<D: Scalar>(self, by_axis: D, by_a: D, by_b: D) -> Vector3<D> {
+        if self.along_i { Vector3::new(by_a, by_b, by_axis) } else { Vector3::new(by_axis, by_a, by_b) }
+    }
+}
+
 impl<D: Scalar> Across<D> {
     #[inline]
     pub(super) fn new(d: &Vector3<D>) -> Self {
-        let along_i = d.y == 0.0 && d.z == 0.0;
-        let (along, c) = split(along_i, d);
+        let axis = Axis::of(d);
+        let (along, c) = axis.split(d);
         let (projected, whole) = (Span::along(c), Binade::of(d.iter().copied()));
         let along = along * whole.per_unit;
         let ratio = projected.binade.unit * whole.per_unit;
         let square = projected.square;
         let roots = [square.sqrt(), (square * (along * along + square * (ratio * ratio))).sqrt()];
-        Self { along_i, projected, along, ratio, roots }
+        Self { axis, projected, along, ratio, roots }
     }
 
     /// The axes e, a, b.
     pub(super) fn axes(&self) -> [usize; 3] {
-        if self.along_i { [2, 0, 1] } else { [0, 1, 2] }
+        if self.axis.along_i { [2, 0, 1] } else { [0, 1, 2] }
     }
 
     /// The component of a vector along the axis, and those along a and b.
     #[inline]
     pub(super) fn split(&self, v: &Vector3<D>) -> (D, Vector2<D>) {
-        split(self.along_i, v)
+        self.axis.split(v)
     }
 
     /// The vector with these components along the axis, a and b.
     #[inline]
     pub(super) fn vector(&self, by_axis: D, by_a: D, by_b: D) -> Vector3<D> {
-        if self.along_i { Vector3::new(by_a, by_b, by_axis) } else { Vector3::new(by_axis, by_a, by_b) }
+        self.axis.vector(by_axis, by_a, by_b)
     }
 
     /// The rays along t1 and t2.
@@ -83,10 +108,4 @@ impl<D: Scalar> Across<D> {
         let Span { d: c, square, binade } = self.projected;
         c.dot(&self.split(v).1) * binade.per_unit / square
     }
-}
-
-/// The component along e, and those along a and b.
-#[inline]
-fn split<D: Scalar>(along_i: bool, v: &Vector3<D>) -> (D, Vector2<D>) {
-    if along_i { (v.z, Vector2::new(v.x, v.y)) } else { (v.x, Vector2::new(v.y, v.z)) }
 }

@@ -2,7 +2,7 @@
 
 use super::{
     Basis, Constraint, Coordinates, Direction, Distances, Eliminate, Ends, Increment, Increments, KeptCoordinate,
-    KeptIncrement, Line, LineDirection, Nodes, Pivots, Tangents,
+    KeptIncrement, Line, LineDirection, LinearEquation, Nodes, Pivots, Tangents,
 };
 use crate::error::Error;
 use crate::formula::{Fields, Formula, Jacobian, value, value_and_jacobian};
@@ -231,6 +231,26 @@ impl Slider {
             xn: Matrix2x3::from_rows(&[dxmi.dxn.transpose(), dxmj.dxn.transpose()]),
             xmk: Vector2::new(dxmi.dxmk, dxmj.dxmk),
         })
+    }
+
+    /// The same as two linear equations, ready to be written as `*EQUATION`: the first term of each is eliminated, the second kept.
+    ///
+    /// ```
+    /// use jointproof::slider::{LineNode, Slider, Term};
+    /// use nalgebra::Vector3;
+    ///
+    /// let slider = Slider::new(Vector3::zeros(), Vector3::new(2.0, 1.0, 4.0))?;
+    /// let [first, second] = slider.equations(Vector3::new(1.0, 0.5, 2.0))?; // y and x of m follow from its z
+    /// assert_eq!(first.terms()[0], Term { node: LineNode::M, axis: 1, coefficient: 1.0 });
+    /// assert_eq!(first.terms()[1], Term { node: LineNode::M, axis: 2, coefficient: -0.25 });
+    /// assert_eq!(second.terms()[0], Term { node: LineNode::M, axis: 0, coefficient: 1.0 });
+    /// # Ok::<(), jointproof::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Slider::coefficients`].
+    pub fn equations(&self, xm: Vector3<f64>) -> Result<[LinearEquation; 2], Error> {
+        Ok(self.coefficients(xm)?.equations())
     }
 
     fn nodes(&self, xm: Vector3<f64>) -> Nodes<f64> {

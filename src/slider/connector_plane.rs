@@ -3,7 +3,7 @@
 use super::connector::placed;
 use super::{
     Constraint2d, Distance2d, Eliminate2d, Increment2d, IncrementalConstraint2d, KeptCoordinate2d, KeptIncrement2d,
-    MovingNodes2d, Nodes2d, Pivots2d,
+    LinearEquation, MovingNodes2d, Nodes2d, Pivots2d,
 };
 use crate::error::Error;
 use crate::formula::{Fields, Jacobian, value, value_and_jacobian};
@@ -167,6 +167,14 @@ impl Slider2d {
         let inputs = KeptIncrement2d { x1, xn, xm, ..KeptIncrement2d::filled(0.0) };
         let KeptIncrement2d { dx1, dxn, dxmk, .. } = value_and_jacobian::<Increment2d>(&inputs)?.1.dxmi;
         Ok(Coefficients2d { pivots: self.pivots(), x1: dx1, xn: dxn, xmk: dxmk })
+    }
+
+    /// The same as a linear equation, ready to be written as `*EQUATION`: the first term is eliminated, the second kept.
+    ///
+    /// # Errors
+    /// As [`Slider2d::coefficients`].
+    pub fn equation(&self, xm: Vector2<f64>) -> Result<LinearEquation, Error> {
+        Ok(self.coefficients(xm)?.equation())
     }
 }
 

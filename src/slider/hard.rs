@@ -8,11 +8,11 @@ use nalgebra::{SVector, Vector2, Vector3};
 
 /// A line from x1 to xn, and what is hard about it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct HardLine<const N: usize> {
-    pub(super) id: &'static str,
-    pub(super) comment: &'static str,
-    pub(super) x1: SVector<f64, N>,
-    pub(super) xn: SVector<f64, N>,
+pub(crate) struct HardLine<const N: usize> {
+    pub(crate) id: &'static str,
+    pub(crate) comment: &'static str,
+    pub(crate) x1: SVector<f64, N>,
+    pub(crate) xn: SVector<f64, N>,
 }
 
 impl<const N: usize> HardLine<N> {
@@ -21,17 +21,17 @@ impl<const N: usize> HardLine<N> {
     }
 
     /// The point (1 − ξ) x1 + ξ xn, to rounding.
-    pub(super) fn at(&self, xi: f64) -> SVector<f64, N> {
+    pub(crate) fn at(&self, xi: f64) -> SVector<f64, N> {
         self.x1 + (self.xn - self.x1) * xi
     }
 
     /// Increments of nodes 1 and n that are of no special kind, in proportion to the line.
-    pub(super) fn motion(&self) -> [SVector<f64, N>; 2] {
+    pub(crate) fn motion(&self) -> [SVector<f64, N>; 2] {
         [[0.01, -0.02, 0.035], [-0.015, 0.03, 0.0125]].map(|motion| self.scaled(motion))
     }
 
     /// Node m on the line inside and far outside the segment, at both ends, and off the line; named.
-    pub(super) fn places(&self) -> [(&'static str, SVector<f64, N>); 6] {
+    pub(crate) fn places(&self) -> [(&'static str, SVector<f64, N>); 6] {
         [
             ("", self.at(0.375)),
             ("-near-n", self.at(0.9375)),
@@ -48,7 +48,7 @@ impl<const N: usize> HardLine<N> {
 }
 
 /// Every line with node m on it, and once more with m at one of the harder places, by turns; named.
-pub(super) fn scenes<const N: usize>(lines: Vec<HardLine<N>>) -> Vec<(String, HardLine<N>, SVector<f64, N>)> {
+pub(crate) fn scenes<const N: usize>(lines: Vec<HardLine<N>>) -> Vec<(String, HardLine<N>, SVector<f64, N>)> {
     let of_line = |(turn, line): (usize, HardLine<N>)| {
         let places = line.places();
         [0, 1 + turn % 5].map(|k| (format!("{}{}", line.id, places[k].0), line, places[k].1))
@@ -58,7 +58,7 @@ pub(super) fn scenes<const N: usize>(lines: Vec<HardLine<N>>) -> Vec<(String, Ha
 
 /// Lines in space: nearly along ±i, along the axes, at ties of the pivots and one ulp from them, with common offsets,
 /// short and long ones, and one whose ends are of very different size.
-pub(super) fn lines() -> Vec<HardLine<3>> {
+pub(crate) fn lines() -> Vec<HardLine<3>> {
     let origin = [0.0; 3];
     let from_origin = |id, comment, xn| HardLine::new(id, comment, origin, xn);
     let tilted = "nearly along i: t1 and t2 turn wildly, what is constrained does not";
@@ -115,7 +115,7 @@ pub(super) fn lines() -> Vec<HardLine<3>> {
 }
 
 /// The same in the plane.
-pub(super) fn plane_lines() -> Vec<HardLine<2>> {
+pub(crate) fn plane_lines() -> Vec<HardLine<2>> {
     let from_origin = |id, comment, xn| HardLine::new(id, comment, [0.0; 2], xn);
     let tilted = "nearly along an axis";
     let axis = "along an axis";

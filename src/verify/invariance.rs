@@ -66,7 +66,7 @@ fn move_part(part: &[Octuple], domain: Domain, shape: Shape, reach: Octuple) -> 
         return part.to_vec();
     }
     let number = Octuple::from;
-    let triad = if shape == Shape::Vec2 {
+    let triad = if matches!(shape, Shape::Vec2 | Shape::Mat2) {
         let (c, s, zero) = (number(3.0) / 5.0, number(4.0) / 5.0, number(0.0));
         [[c, s, zero], [-s, c, zero], [zero; 3]]
     } else {
@@ -74,13 +74,13 @@ fn move_part(part: &[Octuple], domain: Domain, shape: Shape, reach: Octuple) -> 
         rotation(w, x, y, z)
     };
     let translation = [1.25, -7.0, 3.5].map(|x| reach * x);
-    if shape == Shape::Mat3 {
+    if let [rows, _] = *shape.dimensions() {
         // Row i, column j is of both axes.
         let turned = |row: usize, column: usize| {
-            let product = |k: usize| part[k] * triad[k / 3][row] * triad[k % 3][column];
+            let product = |k: usize| part[k] * triad[k / rows][row] * triad[k % rows][column];
             (0..part.len()).map(product).fold(Octuple::zero(), |sum, x| sum + x)
         };
-        return (0..part.len()).map(|k| turned(k / 3, k % 3)).collect();
+        return (0..part.len()).map(|k| turned(k / rows, k % rows)).collect();
     }
     let shift = |axis: usize| if domain == Domain::Point { translation[axis] } else { Octuple::zero() };
     (0..part.len())

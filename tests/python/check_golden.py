@@ -70,8 +70,9 @@ def has_shape(value: Any, shape: list[int]) -> bool:
 
 
 def shape_of(*lengths: int) -> list[int]:
-    """A scalar has length 0; a list of nine is a 3x3 matrix, row by row."""
-    return [n for length in lengths for n in ([3, 3] if length == 9 else [length]) if n]
+    """A scalar has length 0; a list of four or nine is a square matrix, row by row."""
+    matrices = {4: [2, 2], 9: [3, 3]}
+    return [n for length in lengths for n in matrices.get(length, [length]) if n]
 
 
 def flatten(value: Any, path: str = "") -> Iterator[tuple[str, Any]]:

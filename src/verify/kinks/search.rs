@@ -107,8 +107,8 @@ impl Looking<'_> {
     /// Points of the domain on a candidate, at which the value depends on it.
     fn points_on(&self, candidate: &Candidate, starts: &[Vec<f64>]) -> Vec<Vec<Octuple>> {
         let solver = Solver::new(self.graph, self.subject.inputs, candidate);
-        // Where the formula refuses an apex or an origin, only it can say whether a point is one, and it takes doubles.
-        let is_refused = candidate.pairs.len() > 1 && self.refused.iter().any(|invalid| solver.is_on(invalid));
+        // Where the formula refuses such a place, only it can say whether a point is there, and it takes doubles.
+        let is_refused = self.refused.iter().any(|invalid| solver.is_on(invalid));
         let is_met = |at: &Vec<Octuple>| {
             let doubles = rounded(at);
             let is_valid = (self.subject.check)(&doubles).is_ok() && (!is_refused || exact(&doubles) == *at);

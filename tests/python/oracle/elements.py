@@ -1,8 +1,8 @@
 """Elements: what constraints and their forces are by translations u and spins theta (de = dtheta x e) of both nodes."""
 
-from mpmath import mpf
+from mpmath import mp, mpf
 
-from .core import add, cross, formula, scale, sub
+from .core import OutsideDomain, add, cross, dot, formula, scale, sub
 from .ujoint import CROSS_AXES
 
 PLACES = "e1a:3 e2a:3 e3a:3 xa:3 xb:3"
@@ -135,3 +135,97 @@ def slot_stiffness(e2a, **inputs):
 @formula("slot.symmetric_stiffness", SLOT_LOADS, "s_ta_ta:9")
 def slot_symmetric(**inputs):
     return dict(s_ta_ta=symmetric(slot_stiffness(**inputs)["k_ta_ta"]))
+
+
+# SLOT in the plane: a spin of a turns e2a by 90 degrees to the left.
+
+
+@formula("slot.rows_2d", "e2a:2 xa:2 xb:2", "gy_ua:2 gy_ta gy_ub:2")
+def slot_rows_2d(e2a, xa, xb):
+    turned = [-e2a[1], e2a[0]]
+    return dict(gy_ua=scale(-1, e2a), gy_ta=dot(turned, sub(xb, xa)), gy_ub=list(e2a))
+
+
+@formula("slot.nodal_forces_2d", "e2a:2 xa:2 xb:2 f2", "fa:2 ma fb:2")
+def slot_nodal_forces_2d(e2a, xa, xb, f2):
+    row = slot_rows_2d(e2a, xa, xb)
+    return dict(fa=scale(f2, row["gy_ua"]), ma=f2 * row["gy_ta"], fb=scale(f2, row["gy_ub"]))
+
+
+@formula("slot.geometric_stiffness_2d", "e2a:2 xa:2 xb:2 f2", "k_ua_ta:2 k_ta_ta")
+def slot_stiffness_2d(e2a, xa, xb, f2):
+    turned = slot_nodal_forces_2d([-e2a[1], e2a[0]], xa, xb, f2)
+    return dict(k_ua_ta=turned["fa"], k_ta_ta=turned["ma"])
+
+
+# ALIGN: derivatives of the three angles by the spin of b, by the rule for quotients.
+
+TRIADS = "e1a:3 e2a:3 e3a:3 e1b:3 e2b:3 e3b:3"
+LAMBDAS = " lambda_r1 lambda_r2 lambda_r3"
+
+
+def products(a, b):
+    """a.b and its three derivatives as b turns."""
+    return dot(a, b), [dot(a, cross(axis, b)) for axis in AXES]
+
+
+def turn_derivatives(sine, cosine):
+    """Of -atan2(sine, cosine)."""
+    (s, s1), (c, c1) = sine, cosine
+    return [(s * c1[k] - c * s1[k]) / (s * s + c * c) for k in range(3)]
+
+
+def arc_sine_derivatives(sine):
+    x, x1 = sine
+    if x * x >= 1:
+        raise OutsideDomain("the arc sine has no derivative at its ends")
+    return [y / mp.sqrt(1 - x * x) for y in x1]
+
+
+def angle_derivatives(e1a, e2a, e3a, e1b, e2b, e3b):
+    if not (dot(e2a, e3b) or dot(e3a, e3b)) or not (dot(e1a, e1b) or dot(e1a, e2b)):
+        raise OutsideDomain("gimbal lock")
+    return [
+        turn_derivatives(products(e2a, e3b), products(e3a, e3b)),
+        arc_sine_derivatives(products(e1a, e3b)),
+        turn_derivatives(products(e1a, e2b), products(e1a, e1b)),
+    ]
+
+
+@formula("align.rows", TRIADS, "ur1_tb:3 ur2_tb:3 ur3_tb:3")
+def align_rows(**triads):
+    return {f"ur{k}_tb": row for k, row in enumerate(angle_derivatives(**triads), 1)}
+
+
+@formula("align.nodal_moments", TRIADS + LAMBDAS, "ma:3 mb:3")
+def align_nodal_moments(lambda_r1, lambda_r2, lambda_r3, **triads):
+    mb = transposed(align_rows(**triads), dict(ur1=lambda_r1, ur2=lambda_r2, ur3=lambda_r3), "tb")
+    return dict(ma=scale(-1, mb), mb=mb)
+
+
+# TRANSLATOR is SLOT and ALIGN.
+
+
+@formula(
+    "translator.rows",
+    TRIADS + " xa:3 xb:3",
+    "gy_ua:3 gy_ta:3 gy_ub:3 gz_ua:3 gz_ta:3 gz_ub:3 ur1_tb:3 ur2_tb:3 ur3_tb:3",
+)
+def translator_rows(xa, xb, **triads):
+    return slot_rows(triads["e2a"], triads["e3a"], xa, xb) | align_rows(**triads)
+
+
+@formula("translator.nodal_forces", TRIADS + " xa:3 xb:3 f2 f3" + LAMBDAS, "fa:3 ma:3 fb:3 mb:3")
+def translator_nodal_forces(xa, xb, f2, f3, **inputs):
+    slot = slot_nodal_forces(e2a=inputs["e2a"], e3a=inputs["e3a"], xa=xa, xb=xb, f2=f2, f3=f3)
+    align = align_nodal_moments(**inputs)
+    return slot | dict(ma=add(slot["ma"], align["ma"]), mb=align["mb"])
+
+
+# A rigid arm from a node to a connector.
+
+
+@formula("element.arm", "r:3 f:3 m:3", "m_node:3 k_arm:9")
+def arm(r, f, m):
+    turned = [cross(cross(axis, r), f) for axis in AXES]
+    return dict(m_node=add(m, cross(r, f)), k_arm=by_columns(turned))

@@ -129,3 +129,84 @@ def increment_2d(x1, xn, xm, dx1, dxn, dxmk):
     i = 1 - k
     w = blend(x1, xn, xm, dx1, dxn)
     return dict(dxmi=w[i] + d[i] / d[k] * (dxmk - w[k]))
+
+
+# SLIDER as an element. Node m takes the force, nodes 1 and n its opposite by the rule of the lever. Matrices are lists of
+# their components, row by row.
+
+
+def lever(x1, xn, xm):
+    d = span_of(x1, xn)
+    xi = dot(sub(xm, x1), d) / dot(d, d)
+    return {"1": xi - 1, "n": -xi, "m": mpf(1)}
+
+
+def shared(x1, xn, xm, force, name):
+    return {f"{name}{node}": scale(weight, force) for node, weight in lever(x1, xn, xm).items()}
+
+
+@formula("slider.rows", LINE + " xm:3", "g1_u1:3 g1_un:3 g1_um:3 g2_u1:3 g2_un:3 g2_um:3")
+def rows(x1, xn, xm):
+    t1, t2 = basis(unit(span_of(x1, xn))).values()
+    return shared(x1, xn, xm, t1, "g1_u") | shared(x1, xn, xm, t2, "g2_u")
+
+
+@formula("slider.nodal_forces", LINE + " xm:3 lambda_1 lambda_2", "force_1:3 force_n:3 force_m:3")
+def nodal_forces(x1, xn, xm, lambda_1, lambda_2):
+    t1, t2 = basis(unit(span_of(x1, xn))).values()
+    return shared(x1, xn, xm, add(scale(lambda_1, t1), scale(lambda_2, t2)), "force_")
+
+
+@formula("slider.rows_2d", "x1:2 xn:2 xm:2", "g_u1:2 g_un:2 g_um:2")
+def rows_2d(x1, xn, xm):
+    n = unit(span_of(x1, xn))
+    return shared(x1, xn, xm, [-n[1], n[0]], "g_u")
+
+
+@formula("slider.nodal_forces_2d", "x1:2 xn:2 xm:2 lambda", "force_1:2 force_n:2 force_m:2")
+def nodal_forces_2d(x1, xn, xm, **multiplier):
+    n = unit(span_of(x1, xn))
+    return shared(x1, xn, xm, scale(multiplier["lambda"], [-n[1], n[0]]), "force_")
+
+
+BLOCKS = ("u1_u1", "u1_un", "un_un", "um_un")
+
+
+def second_derivatives(x1, xn, xm, changes):
+    """Sum lambda d2g on the line, from the changes of the force on m as node n moves along each axis.
+
+    On the line xm - x1 is xi d, and the second derivative of d.f(d) = 0 by d is 0: d.d2f = -(P + P^T).
+    """
+    size = len(changes)
+    p = [[changes[column][row] for column in range(size)] for row in range(size)]
+    weight = lever(x1, xn, xm)
+
+    def block(of_p, of_transposed):
+        return [of_p * p[i][j] + of_transposed * p[j][i] for i in range(size) for j in range(size)]
+
+    w1, wn = weight["1"], weight["n"]
+    return dict(zip((f"k_{b}" for b in BLOCKS), (block(-w1, -w1), block(w1, -wn), block(wn, wn), block(1, 0)), strict=True))
+
+
+def axes(size):
+    return [[mpf(int(i == j)) for i in range(size)] for j in range(size)]
+
+
+@formula("slider.geometric_stiffness", LINE + " xm:3 lambda_1 lambda_2", " ".join(f"k_{b}:9" for b in BLOCKS))
+def geometric_stiffness(x1, xn, xm, lambda_1, lambda_2):
+    n, still = unit(span_of(x1, xn)), [mpf(0)] * 3
+    changes = []
+    for axis in axes(3):
+        dn = direction_variation(x1, xn, still, axis)["dn"]
+        dt1, dt2 = basis_variation(n, dn).values()
+        changes.append(add(scale(lambda_1, dt1), scale(lambda_2, dt2)))
+    return second_derivatives(x1, xn, xm, changes)
+
+
+@formula("slider.geometric_stiffness_2d", "x1:2 xn:2 xm:2 lambda", " ".join(f"k_{b}:4" for b in BLOCKS))
+def geometric_stiffness_2d(x1, xn, xm, **multiplier):
+    changes = []
+    for axis in axes(2):
+        dn = direction_variation(x1, xn, [mpf(0)] * 2, axis)["dn"]
+        changes.append(scale(multiplier["lambda"], [-dn[1], dn[0]]))
+    return second_derivatives(x1, xn, xm, changes)

@@ -1,5 +1,7 @@
 """SLOT and Coulomb friction (seed 000): node b stays on the line along e1a."""
 
+from mpmath import mp
+
 from .core import add, branch, dot, formula, magnitude, norm, noteworthy, scale, sign, sub
 
 
@@ -68,3 +70,33 @@ def return_map(f_trial, mu, fn):
     if branch(abs(f_trial) < mu * fn):
         return dict(f=f_trial)
     return dict(f=mu * fn * branch(sign(f_trial)))
+
+
+@formula("coulomb.return_map_2d", "f_trial:2 mu fn", "f:2")
+def return_map_2d(f_trial, mu, fn):
+    size = mp.sqrt(dot(f_trial, f_trial))
+    noteworthy("switch", size == mu * fn)
+    if branch(size < mu * fn or size == 0):
+        return dict(f=list(f_trial))
+    return dict(f=scale(mu * fn / size, f_trial))
+
+
+@formula("coulomb.response", "u slip_before k_el mu fn", "f slip")
+def response(u, slip_before, k_el, mu, fn):
+    f = return_map(k_el * (u - slip_before), mu, fn)["f"]
+    return dict(f=f, slip=u - f / k_el)
+
+
+def slides(u1, slip_before, k_el, mu, fn):
+    found = response(u1, slip_before, k_el, mu, fn)
+    return dict(f1=found["f"], slip=found["slip"])
+
+
+@formula("slot.friction_response", "u1 slip_before k_el f2 f3 fc_int mu", "f1 slip")
+def friction_response(u1, slip_before, k_el, f2, f3, fc_int, mu):
+    return slides(u1, slip_before, k_el, mu, magnitude(norm(f2, f3) + fc_int))
+
+
+@formula("slot.friction_response_2d", "u1 slip_before k_el f2 fc_int mu", "f1 slip")
+def friction_response_2d(u1, slip_before, k_el, f2, fc_int, mu):
+    return slides(u1, slip_before, k_el, mu, magnitude(magnitude(f2) + fc_int))

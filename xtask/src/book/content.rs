@@ -113,7 +113,7 @@ pub(crate) struct Symbol {
     pub(crate) name: String,
     /// The symbol in LaTeX.
     pub(crate) latex: String,
-    /// `scalar`, `vec2`, `vec3`, `mat3`.
+    /// `scalar`, `vec2`, `vec3`, `mat2`, `mat3`.
     pub(crate) shape: String,
     /// `L`, `F`, `FL` or `1`.
     pub(crate) unit: String,

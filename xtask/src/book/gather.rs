@@ -153,6 +153,7 @@ fn symbol(field: &Field) -> Symbol {
         Shape::Scalar => "scalar",
         Shape::Vec2 => "vec2",
         Shape::Vec3 => "vec3",
+        Shape::Mat2 => "mat2",
         Shape::Mat3 => "mat3",
     };
     Symbol {

@@ -3,6 +3,7 @@
 mod arm;
 mod cardan;
 pub(crate) mod chart;
+mod newton;
 mod signs;
 mod slide_line;
 mod slider;
@@ -20,6 +21,7 @@ pub(crate) fn all() -> Vec<(String, String)> {
         slide_line::damping_coefficient(),
         thread::torque_of_a_thread(),
         thread::tilted_flank(),
+        newton::steps_of_two_rods(),
     ];
     charts.extend(slider::charts());
     let charts = charts.iter().map(|chart| (chart.name.to_owned(), chart.svg()));

@@ -1,0 +1,85 @@
+//! The return map on a surface, where the tangential force has two components.
+
+#[cfg(feature = "verify")]
+mod proof;
+
+use crate::fields;
+use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec};
+use crate::quantity::{F_TANGENTIAL_SURFACE, F_TRIAL_SURFACE, FN, MU};
+use crate::scalar::{Scalar, norm_and_direction};
+use nalgebra::Vector2;
+
+fields! {
+    /// The force on a surface that would be transmitted if the contact stuck, and the friction parameters.
+    pub struct Trial2d<T> { f_trial: Vector2<T> = F_TRIAL_SURFACE, mu: T = MU, r#fn: T = FN }
+}
+fields! {
+    /// The force on a surface that friction transmits.
+    pub struct Tangential2d<T> { f: Vector2<T> = F_TANGENTIAL_SURFACE }
+}
+
+/// The return map on a surface: f_trial while |f_trial| < μ F_N, else cut down to μ F_N in its direction.
+///
+/// The friction is isotropic. In slip the tangent keeps what is across the force: a trial force that turns, turns it.
+#[derive(Clone, Copy, Debug)]
+pub struct ReturnMap2d;
+
+/// How the force comes about: as it was tried, or in this direction, with this length of the trial force.
+enum Contact<D> {
+    Sticks,
+    Slips { length: D, along: Vector2<D> },
+}
+
+impl<D: Scalar> Trial2d<D> {
+    /// A force of 0 has no direction to slip in.
+    #[inline]
+    fn contact(&self) -> Contact<D> {
+        let (length, along) = norm_and_direction::<D, 2>(self.f_trial.into());
+        if self.mu.mul_add(self.r#fn, -length) > 0.0 || length == 0.0 {
+            return Contact::Sticks;
+        }
+        Contact::Slips { length, along: along.into() }
+    }
+}
+
+impl Formula for ReturnMap2d {
+    const SPEC: Spec = Spec::new(
+        "coulomb.return_map_2d",
+        "Return map on a surface",
+        Document::SLOT.ours(
+            "Friction",
+            "the page has one direction of sliding; on a surface the force has the direction of the trial force",
+        ),
+    )
+        .equation(r"\mathbf{f} = \begin{cases} \mathbf{f}^{\mathrm{trial}} & \lvert\mathbf{f}^{\mathrm{trial}}\rvert < \mu F_N \\ \mu F_N\,\mathbf{f}^{\mathrm{trial}}/\lvert\mathbf{f}^{\mathrm{trial}}\rvert & \text{otherwise}\end{cases}")
+        .eta(2.5, 4.0)
+        .finite(Finite::Between);
+    type Inputs<T: Component> = Trial2d<T>;
+    type Outputs<T: Component> = Tangential2d<T>;
+
+    #[inline]
+    fn eval<D: Scalar>(i: &Trial2d<D>) -> Tangential2d<D> {
+        match i.contact() {
+            Contact::Sticks => Tangential2d { f: i.f_trial },
+            Contact::Slips { along, .. } => Tangential2d { f: along * (i.mu * i.r#fn) },
+        }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &Trial2d<D>) -> Jacobian<Self, D> {
+        let (zero, one) = (D::zero(), D::one());
+        let [x, y] = match i.contact() {
+            Contact::Sticks => [Vector2::new(one, zero), Vector2::new(zero, one)].map(|f_trial| Trial2d {
+                f_trial,
+                mu: zero,
+                r#fn: zero,
+            }),
+            Contact::Slips { length, along } => {
+                let across = Vector2::new(-along.y, along.x);
+                let turned = across * (i.mu * i.r#fn / length);
+                [0, 1].map(|k| Trial2d { f_trial: turned * across[k], mu: i.r#fn * along[k], r#fn: i.mu * along[k] })
+            }
+        };
+        Tangential2d { f: Vector2::new(x, y) }
+    }
+}

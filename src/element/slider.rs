@@ -1,0 +1,416 @@
+//! SLIDER as an element: two residuals on the translations of nodes 1, n and m, nine degrees of freedom in this order.
+//!
+//! Rows and forces are those of the line on which m stands: node m takes the force f = λ1 t1 + λ2 t2, nodes 1 and n its
+//! opposite in the shares 1 − ξ and ξ, as a lever does. Beside the line, by as much as Newton's method has not yet closed, the
+//! residuals have other derivatives; what is left out vanishes with them, and the convergence stays quadratic.
+//!
+//! The stiffness is Σ λ ∂²g of the residuals on the line. With d = x_n − x_1 and P = ∂f/∂d its blocks are multiples of P and
+//! Pᵀ, and it is symmetric, since there are no spins.
+
+#[cfg(feature = "verify")]
+pub(super) mod proof;
+
+use crate::error::Error;
+use crate::fields;
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec};
+use crate::quantity::{
+    FORCE_1, FORCE_M, FORCE_N, K_U1_U1, K_U1_UN, K_UM_UN, K_UN_UN, SLIDER_G1_U1, SLIDER_G1_UM, SLIDER_G1_UN,
+    SLIDER_G2_U1, SLIDER_G2_UM, SLIDER_G2_UN, SLIDER_LAMBDA1, SLIDER_LAMBDA2, SLIDER_X1, SLIDER_XM, SLIDER_XN,
+};
+use crate::scalar::{Scalar, norm_and_direction};
+use crate::slider::{Axis, Basis, IncrementalConstraint, Line, Nodes, Span, Station};
+use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
+
+/// What all of them are derived from.
+const OURS: Source =
+    Document::SLIDER.ours("", "the page has the constraints and their increments, without multipliers");
+
+fields! {
+    /// The derivatives of both residuals by the translations of the three nodes.
+    pub struct SliderRows<T> {
+        g1_u1: Vector3<T> = SLIDER_G1_U1, g1_un: Vector3<T> = SLIDER_G1_UN, g1_um: Vector3<T> = SLIDER_G1_UM,
+        g2_u1: Vector3<T> = SLIDER_G2_U1, g2_un: Vector3<T> = SLIDER_G2_UN, g2_um: Vector3<T> = SLIDER_G2_UM,
+    }
+}
+
+/// A multiple of ξ, or of 1 − ξ: the value, and the derivative by ξ.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Weight<D> {
+    pub(super) value: D,
+    pub(super) slope: D,
+}
+
+/// Where m is along the line, in as many dimensions as the model has.
+pub(super) struct Along<D, const N: usize> {
+    /// ξ, 1 − ξ.
+    share: D,
+    rest: D,
+    /// ∂ξ by the positions of nodes 1, n and m.
+    by_nodes: [SVector<D, N>; 3],
+}
+
+impl<D: Scalar, const N: usize> Along<D, N> {
+    #[inline]
+    pub(super) fn new(x1: &SVector<D, N>, xn: &SVector<D, N>, xm: &SVector<D, N>) -> Self {
+        let span = Span::new(x1, xn);
+        let station = Station::new(&span, x1, xn, xm);
+        let [share, rest] = station.shares();
+        Self { share, rest, by_nodes: station.gradients(&span) }
+    }
+
+    /// ξ times a sign.
+    #[inline]
+    pub(super) fn share(&self, sign: f64) -> Weight<D> {
+        Weight { value: self.share * sign, slope: D::from(sign) }
+    }
+
+    /// 1 − ξ times a sign.
+    #[inline]
+    pub(super) fn rest(&self, sign: f64) -> Weight<D> {
+        Weight { value: self.rest * sign, slope: D::from(-sign) }
+    }
+
+    /// What nodes 1, n and m take of the force on m.
+    #[inline]
+    pub(super) fn lever(&self) -> [Weight<D>; 3] {
+        [self.rest(-1.0), self.share(-1.0), Weight { value: D::one(), slope: D::zero() }]
+    }
+
+    /// The gradient of a weighted number by the positions of nodes 1, n and m, from that of the number by d.
+    #[inline]
+    pub(super) fn gradient(&self, weight: Weight<D>, number: D, by_d: &SVector<D, N>) -> [SVector<D, N>; 3] {
+        let turned = by_d * weight.value;
+        let [x1, xn, xm] = self.by_nodes.map(|by| by * (number * weight.slope));
+        [x1 - turned, xn + turned, xm]
+    }
+}
+
+/// The line, as its derivatives need it.
+struct View<D> {
+    along: Along<D, 3>,
+    /// The directions along and across.
+    n: Vector3<D>,
+    t: [Vector3<D>; 2],
+    /// e × t1, away from the axis e of t1 = n × e/|n × e|.
+    outward: Vector3<D>,
+    /// n·e.
+    lean: D,
+    /// 1/l, and 1/(l |n × e|).
+    per_length: D,
+    per_outward: D,
+}
+
+impl<D: Scalar> View<D> {
+    #[inline]
+    fn new(x1: &Vector3<D>, xn: &Vector3<D>, xm: &Vector3<D>) -> Self {
+        let (d, zero) = (xn - x1, D::zero());
+        let axis = Axis::of(&d);
+        // From the part of d along e and that across it: so no derivative is a difference of what nearly cancels.
+        let (upright, across) = axis.split(&d);
+        let (far, [a, b]) = norm_and_direction(across.into());
+        let (l, [tilt, lean]) = norm_and_direction([far, upright]);
+        Self {
+            along: Along::new(x1, xn, xm),
+            n: axis.vector(lean, tilt * a, tilt * b),
+            t: [axis.vector(zero, b, -a), axis.vector(-tilt, lean * a, lean * b)],
+            outward: axis.vector(zero, a, b),
+            lean,
+            per_length: l.recip(),
+            per_outward: far.recip(),
+        }
+    }
+
+    /// ∂t1/∂d and ∂t2/∂d.
+    ///
+    /// With the axis e: ∂t1/∂d = −(e × t1) ⊗ t1/(l |n × e|) and ∂t2/∂d = (n·e t1 ⊗ t1/|n × e| − n ⊗ t2)/l.
+    #[inline]
+    fn turning(&self) -> [Matrix3<D>; 2] {
+        let [t1, t2] = &self.t;
+        let along_t1 = t1.transpose() * self.per_outward;
+        [-self.outward * along_t1, t1 * along_t1 * self.lean - self.n * t2.transpose() * self.per_length]
+    }
+
+    /// ∂²t1/∂d² and ∂²t2/∂d²: the gradients of an entry of [`turning`](Self::turning) by d.
+    #[inline]
+    fn bending(&self, i: usize, j: usize) -> [Vector3<D>; 2] {
+        let Self { n, t: [t1, t2], outward: c, lean, per_length, per_outward, .. } = self;
+        let (near, far) = (*per_outward * *per_outward, *per_length * *per_length);
+        let first = c * (c[i] * t1[j]) + t1 * (c[i] * c[j] - t1[i] * t1[j]);
+        let outer = c * (t1[i] * t1[j]) + t1 * (c[i] * t1[j] + t1[i] * c[j]);
+        let inner = t2 * (t1[i] * t1[j] + t2[i] * t2[j] - n[i] * n[j]) + t1 * (t1[i] * t2[j]) - n * (n[i] * t2[j]);
+        let mixed = t1 * (n[i] * t1[j] * *per_length * *per_outward * *lean);
+        [first * near, -outer * (near * *lean) - inner * far - mixed]
+    }
+}
+
+/// The rows of SLIDER: −(1 − ξ) t_q, −ξ t_q and t_q.
+///
+/// They are what [`IncrementalConstraint`] multiplies the increments of the nodes by.
+#[derive(Clone, Copy, Debug)]
+pub struct Rows;
+
+impl Formula for Rows {
+    const SPEC: Spec = Spec::new("slider.rows", "Rows of SLIDER", OURS)
+        .equation(r"\mathbf{g}_{q,u1} = -(1-\xi)\,\mathbf{t}_q,\quad \mathbf{g}_{q,un} = -\xi\,\mathbf{t}_q,\quad \mathbf{g}_{q,um} = \mathbf{t}_q\quad (q = 1, 2)")
+        .given(&[
+            Given::new(r"\mathbf{t}_1,\ \mathbf{t}_2", &Basis::SPEC),
+            Given::new(r"\mathbf{n}", &Line::SPEC),
+            Given::new(r"\xi", &IncrementalConstraint::SPEC),
+        ])
+        // An entry is a sum of what turns the line and what moves m along it. Where the two cancel, and what inputs do to them
+        // with them, their roundings remain: of 170 000 entries two are above 16.
+        .eta(6.0, 128.0)
+        .finite(Finite::Between)
+        .not_objective();
+    type Inputs<T: Component> = Nodes<T>;
+    type Outputs<T: Component> = SliderRows<T>;
+
+    #[inline]
+    fn eval<D: Scalar>(i: &Nodes<D>) -> SliderRows<D> {
+        let View { along, t: [t1, t2], .. } = View::new(&i.x1, &i.xn, &i.xm);
+        let [on_1, on_n, _] = along.lever().map(|weight| weight.value);
+        SliderRows { g1_u1: t1 * on_1, g1_un: t1 * on_n, g1_um: t1, g2_u1: t2 * on_1, g2_un: t2 * on_n, g2_um: t2 }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &Nodes<D>) -> Jacobian<Self, D> {
+        let view = View::new(&i.x1, &i.xn, &i.xm);
+        let (turning, [on_1, on_n, on_m]) = (view.turning(), view.along.lever());
+        let row = |q: usize, weight: Weight<D>| {
+            Vector3::from_fn(|k, _| {
+                let [x1, xn, xm] = view.along.gradient(weight, view.t[q][k], &turning[q].row(k).transpose());
+                Nodes { x1, xn, xm }
+            })
+        };
+        SliderRows {
+            g1_u1: row(0, on_1),
+            g1_un: row(0, on_n),
+            g1_um: row(0, on_m),
+            g2_u1: row(1, on_1),
+            g2_un: row(1, on_n),
+            g2_um: row(1, on_m),
+        }
+    }
+
+    #[inline]
+    fn validate<D: Scalar>(i: &Nodes<D>) -> Result<(), Error> {
+        Error::check_apart(("x1", i.x1), ("xn", i.xn))
+    }
+}
+
+fields! {
+    /// The line, node m, and the multipliers, which are the forces on m along t1 and t2.
+    pub struct SliderLoads<T> {
+        x1: Vector3<T> = SLIDER_X1, xn: Vector3<T> = SLIDER_XN, xm: Vector3<T> = SLIDER_XM,
+        lambda_1: T = SLIDER_LAMBDA1, lambda_2: T = SLIDER_LAMBDA2,
+    }
+}
+fields! {
+    /// What SLIDER exerts on its nodes.
+    pub struct SliderForces<T> {
+        force_1: Vector3<T> = FORCE_1, force_n: Vector3<T> = FORCE_N, force_m: Vector3<T> = FORCE_M,
+    }
+}
+
+/// A number that is linear in the multipliers, with its derivatives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Loaded<D> {
+    value: D,
+    by_d: Vector3<D>,
+    by_multipliers: [D; 2],
+}
+
+impl<D: Scalar> Loaded<D> {
+    /// A times the first multiplier and b times the second, from a and b and their gradients by d.
+    #[inline]
+    fn new(multipliers: [D; 2], [a, b]: [D; 2], [a_by_d, b_by_d]: [Vector3<D>; 2]) -> Self {
+        let [first, second] = multipliers;
+        Self { value: a * first + b * second, by_d: a_by_d * first + b_by_d * second, by_multipliers: [a, b] }
+    }
+
+    /// Of the sum of two, each with its weight.
+    #[inline]
+    fn gradient(along: &Along<D, 3>, terms: [(Weight<D>, &Self); 2]) -> SliderLoads<D> {
+        let [one, other] = terms.map(|(weight, loaded)| loaded.weighted(along, weight));
+        SliderLoads {
+            x1: one.x1 + other.x1,
+            xn: one.xn + other.xn,
+            xm: one.xm + other.xm,
+            lambda_1: one.lambda_1 + other.lambda_1,
+            lambda_2: one.lambda_2 + other.lambda_2,
+        }
+    }
+
+    #[inline]
+    fn weighted(&self, along: &Along<D, 3>, weight: Weight<D>) -> SliderLoads<D> {
+        let [x1, xn, xm] = along.gradient(weight, self.value, &self.by_d);
+        let [lambda_1, lambda_2] = self.by_multipliers.map(|by| by * weight.value);
+        SliderLoads { x1, xn, xm, lambda_1, lambda_2 }
+    }
+}
+
+impl<D: Scalar> SliderLoads<D> {
+    #[inline]
+    fn view(&self) -> View<D> {
+        View::new(&self.x1, &self.xn, &self.xm)
+    }
+
+    const fn multipliers(&self) -> [D; 2] {
+        [self.lambda_1, self.lambda_2]
+    }
+
+    /// The force on m.
+    #[inline]
+    fn force(&self, view: &View<D>) -> Vector3<D> {
+        view.t[0] * self.lambda_1 + view.t[1] * self.lambda_2
+    }
+
+    /// P: how the force changes with d.
+    #[inline]
+    fn turning(&self, view: &View<D>) -> Matrix3<D> {
+        let [first, second] = view.turning();
+        first * self.lambda_1 + second * self.lambda_2
+    }
+}
+
+/// What SLIDER exerts on its nodes, Rowsᵀ λ: on m the force across the line, on nodes 1 and n what a lever needs.
+#[derive(Clone, Copy, Debug)]
+pub struct Forces;
+
+impl Formula for Forces {
+    const SPEC: Spec = Spec::new("slider.nodal_forces", "Nodal forces of SLIDER", OURS)
+        .equation(r"\mathbf{f}_m = \lambda_1\,\mathbf{t}_1 + \lambda_2\,\mathbf{t}_2,\quad \mathbf{f}_1 = -(1-\xi)\,\mathbf{f}_m,\quad \mathbf{f}_n = -\xi\,\mathbf{f}_m")
+        .given(&[
+            Given::new(r"\mathbf{t}_1,\ \mathbf{t}_2", &Basis::SPEC),
+            Given::new(r"\mathbf{n}", &Line::SPEC),
+            Given::new(r"\xi", &IncrementalConstraint::SPEC),
+        ])
+        .eta(6.0, 16.0)
+        .finite(Finite::Between)
+        .not_objective();
+    type Inputs<T: Component> = SliderLoads<T>;
+    type Outputs<T: Component> = SliderForces<T>;
+
+    #[inline]
+    fn eval<D: Scalar>(i: &SliderLoads<D>) -> SliderForces<D> {
+        let view = i.view();
+        let force = i.force(&view);
+        let [on_1, on_n, _] = view.along.lever().map(|weight| weight.value);
+        SliderForces { force_1: force * on_1, force_n: force * on_n, force_m: force }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &SliderLoads<D>) -> Jacobian<Self, D> {
+        let view = i.view();
+        let turning = view.turning();
+        let force = Vector3::from_fn(|k, _| {
+            let parts = [0, 1].map(|q| view.t[q][k]);
+            Loaded::new(i.multipliers(), parts, [0, 1].map(|q| turning[q].row(k).transpose()))
+        });
+        let [force_1, force_n, force_m] =
+            view.along.lever().map(|weight| force.map(|part| part.weighted(&view.along, weight)));
+        SliderForces { force_1, force_n, force_m }
+    }
+
+    #[inline]
+    fn validate<D: Scalar>(i: &SliderLoads<D>) -> Result<(), Error> {
+        Error::check_apart(("x1", i.x1), ("xn", i.xn))
+    }
+}
+
+fields! {
+    /// How what SLIDER exerts on its nodes changes with their translations, the multipliers held: the blocks that differ.
+    ///
+    /// [`matrix`](SliderStiffness::matrix) has them all in their places.
+    pub struct SliderStiffness<T> {
+        k_u1_u1: Matrix3<T> = K_U1_U1, k_u1_un: Matrix3<T> = K_U1_UN, k_un_un: Matrix3<T> = K_UN_UN,
+        k_um_un: Matrix3<T> = K_UM_UN,
+    }
+}
+
+/// The geometric stiffness of SLIDER, Σ λ ∂²g by translations, on the line: symmetric.
+#[derive(Clone, Copy, Debug)]
+pub struct GeometricStiffness;
+
+impl Formula for GeometricStiffness {
+    const SPEC: Spec = Spec::new("slider.geometric_stiffness", "Geometric stiffness of SLIDER", OURS)
+        .equation(r"\begin{aligned} \mathbf{P} &= \frac{\lambda_2}{l}\Bigl(\frac{\mathbf{n}\cdot\mathbf{e}}{h}\,\mathbf{t}_1\otimes\mathbf{t}_1 - \mathbf{n}\otimes\mathbf{t}_2\Bigr) - \frac{\lambda_1}{l h}\,(\mathbf{e}\times\mathbf{t}_1)\otimes\mathbf{t}_1, \\ \mathbf{Q} &= \frac{\lambda_2}{l}\Bigl(\frac{\mathbf{n}\cdot\mathbf{e}}{h}\,\mathbf{t}_1\otimes\mathbf{t}_1 - \mathbf{t}_2\otimes\mathbf{n}\Bigr) - \frac{\lambda_1}{l h}\,\mathbf{t}_1\otimes(\mathbf{e}\times\mathbf{t}_1), \\ \mathbf{K}_{um,un} &= \mathbf{P},\quad \mathbf{K}_{u1,un} = \xi\,\mathbf{Q} - (1-\xi)\,\mathbf{P},\quad \mathbf{K}_{u1,u1} = (1-\xi)(\mathbf{P}+\mathbf{Q}),\quad \mathbf{K}_{un,un} = -\xi\,(\mathbf{P}+\mathbf{Q}), \\ h &= \lvert\mathbf{n}\times\mathbf{e}\rvert,\quad \mathbf{e} = \begin{cases} \mathbf{i} & \mathbf{n}\times\mathbf{i} \ne \mathbf{0} \\ \mathbf{k} & \text{otherwise} \end{cases} \end{aligned}")
+        .given(&[
+            Given::new(r"\mathbf{t}_1,\ \mathbf{t}_2", &Basis::SPEC),
+            Given::new(r"\mathbf{n},\ l", &Line::SPEC),
+            Given::new(r"\xi", &IncrementalConstraint::SPEC),
+        ])
+        // As those of the rows; of 420 000 entries two are above 32.
+        .eta(8.0, 128.0)
+        .finite(Finite::Between)
+        .not_objective();
+    type Inputs<T: Component> = SliderLoads<T>;
+    type Outputs<T: Component> = SliderStiffness<T>;
+
+    #[inline]
+    fn eval<D: Scalar>(i: &SliderLoads<D>) -> SliderStiffness<D> {
+        let view = i.view();
+        let p = i.turning(&view);
+        let (q, share, rest) = (p.transpose(), view.along.share, view.along.rest);
+        SliderStiffness {
+            k_u1_u1: (p + q) * rest,
+            k_u1_un: q * share - p * rest,
+            k_un_un: (p + q) * -share,
+            k_um_un: p,
+        }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &SliderLoads<D>) -> Jacobian<Self, D> {
+        let view = i.view();
+        let (along, turning) = (&view.along, view.turning());
+        let p = Matrix3::from_fn(|row, column| {
+            Loaded::new(i.multipliers(), turning.map(|by| by[(row, column)]), view.bending(row, column))
+        });
+        let sum = |of_p: Weight<D>, of_q: Weight<D>| {
+            Matrix3::from_fn(|row, column| {
+                Loaded::gradient(along, [(of_p, &p[(row, column)]), (of_q, &p[(column, row)])])
+            })
+        };
+        let [.., whole] = along.lever();
+        SliderStiffness {
+            k_u1_u1: sum(along.rest(1.0), along.rest(1.0)),
+            k_u1_un: sum(along.rest(-1.0), along.share(1.0)),
+            k_un_un: sum(along.share(-1.0), along.share(-1.0)),
+            k_um_un: p.map(|entry| entry.weighted(along, whole)),
+        }
+    }
+
+    #[inline]
+    fn validate<D: Scalar>(i: &SliderLoads<D>) -> Result<(), Error> {
+        Error::check_apart(("x1", i.x1), ("xn", i.xn))
+    }
+}
+
+/// Blocks that differ, in their places among those of nodes 1, n and m: N rows and columns each, ALL together.
+pub(super) fn placed<D: Scalar, const N: usize, const ALL: usize>(
+    [k11, k1n, knn, kmn]: [SMatrix<D, N, N>; 4],
+) -> SMatrix<D, ALL, ALL> {
+    let rows = [[k11, k1n, -kmn.transpose()], [k1n.transpose(), knn, kmn.transpose()], [-kmn, kmn, SMatrix::zeros()]];
+    SMatrix::from_fn(|row, column| rows[row / N][column / N][(row % N, column % N)])
+}
+
+impl<D: Scalar> SliderStiffness<D> {
+    /// All blocks in their places, for the translations of nodes 1, n and m.
+    ///
+    /// ```
+    /// use jointproof::element::slider::{GeometricStiffness, SliderLoads};
+    /// use jointproof::formula::value;
+    /// use nalgebra::Vector3;
+    /// // A line along y, m in its middle: t1 = −k, and P = −(λ1/l) j ⊗ t1.
+    /// let (x1, xn, xm) = (Vector3::zeros(), Vector3::y() * 4.0, Vector3::y() * 2.0);
+    /// let loads = SliderLoads { x1, xn, xm, lambda_1: 2.0, lambda_2: 0.0 };
+    /// let k = value::<GeometricStiffness>(&loads)?.matrix();
+    /// assert_eq!((k[(7, 5)], k[(7, 2)]), (0.5, -0.5)); // the force on m along y, by z of n and of 1
+    /// assert_eq!(k, k.transpose());
+    /// # Ok::<(), jointproof::Error>(())
+    /// ```
+    pub fn matrix(&self) -> SMatrix<D, 9, 9> {
+        placed([self.k_u1_u1, self.k_u1_un, self.k_un_un, self.k_um_un])
+    }
+}
