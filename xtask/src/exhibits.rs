@@ -14,5 +14,6 @@ pub(crate) fn all(project: &Project) -> anyhow::Result<Exhibits> {
         tables: scene::tables(),
         texts: statements::book::texts(project)?,
         facts: statements::book::facts(project)?,
+        served: scene::served(),
     })
 }

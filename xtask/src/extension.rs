@@ -26,6 +26,8 @@ pub struct Exhibits {
     pub texts: Vec<(String, String)>,
     /// What entries say beside what the catalog knows.
     pub facts: Vec<Fact>,
+    /// What programs show that evaluate formulas.
+    pub served: Vec<Served>,
 }
 
 /// A fact on the entry of a formula.
@@ -37,6 +39,19 @@ pub struct Fact {
     pub name: String,
     /// The lines of it: texts, in which `[…](…)` is a link from the root of the book.
     pub lines: Vec<String>,
+}
+
+/// An output of a program, and a formula that it is computed with.
+#[derive(Clone, Debug, Default)]
+pub struct Served {
+    /// The identifier of the formula.
+    pub formula: String,
+    /// The output, as the program calls it.
+    pub output: String,
+    /// Of what it is an output.
+    pub of: String,
+    /// Where the book says more, from its root.
+    pub place: String,
 }
 
 /// A table of texts, in which `$…$` is mathematics and `` `…` `` is code; code that names a formula links to it.
