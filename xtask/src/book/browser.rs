@@ -18,7 +18,7 @@ const SWITCHES: &str = "--headless=new --no-sandbox --disable-gpu --disable-quic
     --disable-background-networking --disable-component-update --disable-dev-shm-usage --remote-debugging-pipe";
 
 /// How long an answer may take.
-const PATIENCE: Duration = Duration::from_mins(2);
+const PATIENCE: Duration = Duration::from_mins(4);
 
 /// The size of a screen.
 #[derive(Clone, Copy, Debug)]
@@ -152,9 +152,15 @@ impl Browser {
 
     /// Opens a page from its file, and waits until it is loaded.
     pub(super) fn open(&mut self, page: &Path) -> Result<()> {
-        let answer = self.call("Page.navigate", &json!({ "url": format!("file://{}", page.display()) }))?;
+        // To go to another place of the same page would load nothing.
+        self.load("about:blank")?;
+        self.load(&format!("file://{}", page.display()))
+    }
+
+    fn load(&mut self, url: &str) -> Result<()> {
+        let answer = self.call("Page.navigate", &json!({ "url": url }))?;
         if let Some(error) = answer["errorText"].as_str() {
-            bail!("{} cannot be opened: {error}", page.display());
+            bail!("{url} cannot be opened: {error}");
         }
         let until = Instant::now() + PATIENCE;
         while self.next(until)?["method"] != "Page.loadEventFired" {}

@@ -18,7 +18,7 @@ use super::content::Content;
 use super::deferred::Deferred;
 use super::fault::Faults;
 use super::preprocessor::Formulary;
-use super::{links, permalinks, search, source};
+use super::{links, mend, permalinks, search, source};
 
 /// How a book looks that has no `theme` of its own.
 const THEME: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../book/theme");
@@ -133,7 +133,7 @@ fn fill(folder: &Path, to_root: &str, later: &Deferred) -> Result<()> {
             fill(&path, &format!("{to_root}../"), later)?;
         } else if path.extension().is_some_and(|extension| extension == "html") {
             let page = fs::read_to_string(&path)?;
-            let page = search::in_page(&later.fill(&page));
+            let page = mend::mended(&search::in_page(&later.fill(&page)));
             let head_end = calculator::head(&page, to_root) + &head_end;
             write(&path, page.replacen("</head>", &head_end, 1).as_bytes())?;
         }

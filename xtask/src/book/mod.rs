@@ -17,6 +17,7 @@ mod links;
 mod locate;
 mod markdown;
 mod math;
+mod mend;
 mod numeral;
 mod permalinks;
 mod pages;

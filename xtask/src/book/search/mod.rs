@@ -2,7 +2,7 @@
 //!
 //! mdBook collects the texts of all sections; its script shows the results. Between them stands `search.js`, which ranks.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
@@ -103,8 +103,14 @@ fn names(content: &Content, entry: &Entry, title: &str) -> Value {
         symbols.iter().flat_map(|symbol| [symbol.name.clone(), symbol.latex.clone()]).collect()
     };
     let served = content.exhibits.served.iter().filter(|served| served.formula == entry.id);
-    let gives = [both(&entry.outputs), served.map(|served| served.output.clone()).collect()].concat();
-    json!({ "kind": "formula", "is": [&entry.id, title], "gives": gives, "takes": both(&entry.inputs) })
+    let serves: BTreeSet<_> = served.map(|served| &served.output).collect();
+    // The last part of the identifier, which several formulas may have.
+    let tail = entry.id.rsplit('.').next().map(String::from);
+    let gives = [both(&entry.outputs), tail.into_iter().collect()].concat();
+    json!({
+        "kind": "formula", "is": [&entry.id, title], "gives": gives, "serves": serves, "takes": both(&entry.inputs),
+        "has": [&entry.latex],
+    })
 }
 
 /// A line for each symbol, at its place in the table of all.

@@ -34,10 +34,11 @@ class Page {
         const all = (key) => new Set((names[key] ?? []).map(whole));
         this.is = all('is').add(whole(title));
         this.gives = all('gives');
+        this.serves = all('serves');
         this.takes = all('takes');
-        this.kind = names.kind;
+        this.kind = names.kind ?? 'section';
         this.title = words(title);
-        this.named = new Set(['is', 'gives', 'takes'].flatMap((key) => names[key] ?? []).flatMap(words));
+        this.named = new Set(['is', 'gives', 'serves', 'takes', 'has'].flatMap((key) => names[key] ?? []).flatMap(words));
         this.path = new Set(words(breadcrumbs));
         this.body = new Map();
         for (const one of words(body)) this.body.set(one, (this.body.get(one) ?? 0) + 1);
@@ -67,8 +68,9 @@ class Index {
 
     // By a whole name: what is called so; of an output, the only formula that gives it, or else its line among the symbols.
     called(page, name) {
-        if (page.is.has(name)) return page.kind === 'symbol' ? 900 : 1000;
+        if (page.is.has(name)) return { formula: 1000, symbol: 900 }[page.kind] ?? 940;
         if (page.gives.has(name)) return this.givers.get(name) === 1 ? 950 : 600;
+        if (page.serves.has(name)) return 700;
         return page.takes.has(name) ? 300 : 0;
     }
 
@@ -76,23 +78,19 @@ class Index {
         const name = whole(text);
         const asked = [...new Set(words(text))];
         if (!name) return [];
-        // Every word must be there; if no page has all, the more the better.
-        const strict = this.ranked(name, asked, true);
-        return strict.length ? strict : this.ranked(name, asked, false);
-    }
-
-    ranked(name, asked, all) {
         const rows = this.pages.map((page) => ({ page, found: asked.map((one) => page.has(one)) }));
         const rare = asked.map((_, k) => Math.log1p(this.pages.length / (1 + rows.filter(({ found }) => found[k]).length)));
+        const count = (found) => found.filter(Boolean).length;
+        // One word may be missing, at a price; more where no page has as many.
+        const most = Math.max(...rows.map(({ found }) => count(found)));
         const results = [];
         for (const { page, found } of rows) {
             const called = this.called(page, name);
-            const count = found.filter(Boolean).length;
-            if (!called && (all ? count < asked.length : !count)) continue;
+            if (!called && (count(found) === 0 || count(found) < most - 1)) continue;
             const titled = page.title.filter((one) => asked.includes(one)).length / Math.max(1, page.title.length);
             const sum = found.reduce((sum, weight, k) => sum + weight * rare[k], 0) / Math.max(1, asked.length);
             const kind = { formula: 1.25, symbol: 0.6, list: 0.5 }[page.kind] ?? 1;
-            const score = called + (all ? 1 : count / asked.length) * kind * (sum + 40 * titled);
+            const score = called + (count(found) / asked.length) ** 2 * kind * (sum + 40 * titled);
             results.push({ ref: page.ref, score, doc: page.doc });
         }
         return results.sort((a, b) => b.score - a.score);

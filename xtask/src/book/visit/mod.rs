@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use anyhow::{Context as _, Result};
 use serde_json::Value;
@@ -44,21 +45,40 @@ pub(crate) struct Visited {
     answers: Option<Answers>,
     /// Compressed bytes of the first view of each chapter.
     weights: Vec<(u64, String)>,
-    off: Vec<String>,
+    /// What is off, with the pages where it is.
+    off: BTreeMap<String, Vec<String>>,
 }
 
 impl Visited {
     pub(crate) fn is_well(&self) -> bool {
         self.pages > 0 && self.off.is_empty() && self.answers.as_ref().is_none_or(Answers::are_enough)
     }
+
+    fn note(&mut self, page: &str, found: impl IntoIterator<Item = String>) {
+        for found in found {
+            self.off.entry(found).or_default().push(page.to_owned());
+        }
+    }
+
+    /// With what was found in other pages.
+    fn and(mut self, other: Self) -> Self {
+        self.pages += other.pages;
+        self.searched += other.searched;
+        self.controls += other.controls;
+        self.weights.extend(other.weights);
+        for (found, pages) in other.off {
+            self.off.entry(found).or_default().extend(pages);
+        }
+        self
+    }
 }
 
 impl fmt::Display for Visited {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} on a phone, none wider than it; ", count(self.pages, "page"))?;
+        write!(f, "{} on a phone and on a desk; ", count(self.pages, "page"))?;
         match self.searched {
             0 => write!(f, "not searched for barriers, since {AXE} is not set; ")?,
-            searched => write!(f, "{searched} searched for barriers in light and dark; ")?,
+            searched => write!(f, "{searched} searched for barriers, in light and dark colours; ")?,
         }
         write!(f, "{} reached by keyboard", count(self.controls, "control"))?;
         if let Some((weight, page)) = self.weights.last() {
@@ -68,9 +88,9 @@ impl fmt::Display for Visited {
         if let Some(answers) = &self.answers {
             write!(f, "\n    {answers}")?;
         }
-        self.off.iter().take(40).try_for_each(|off| write!(f, "\n    {off}"))?;
-        let rest = self.off.len().saturating_sub(40);
-        if rest > 0 { write!(f, "\n    and {rest} more") } else { Ok(()) }
+        self.off.iter().try_for_each(|(found, pages)| {
+            write!(f, "\n    {found} ({}, first {})", count(pages.len(), "page"), pages[0])
+        })
     }
 }
 
@@ -84,28 +104,48 @@ pub(crate) fn check(project: &Project, out: &Path) -> Result<Option<Visited>> {
     }
     let out = out.canonicalize()?;
     let axe = std::env::var_os(AXE).map(|path| fs::read_to_string(&path).with_context(|| format!("{} cannot be read", path.display())));
-    let mut visit = Visit { browser: Browser::start()?, out: out.clone(), axe: axe.transpose()?, visited: Visited::default(), sizes: BTreeMap::new() };
+    let axe = axe.transpose()?;
     let mut pages = chapters(&out)?;
+    // It is shown in the place of a page that is missing, so its links start at the root of a server.
+    pages.retain(|page| !page.ends_with("404.html"));
     pages.extend(["index.html", "print.html"].map(|name| out.join(name)));
     pages.extend(longest(&out.join(LISTINGS))?);
+    // The largest first, so that all browsers are done at about the same time.
+    pages.sort_by_key(|page| std::cmp::Reverse(page.metadata().map_or(0, |metadata| metadata.len())));
     let bar = console::progress("pages", pages.len());
-    for page in &pages {
-        visit.page(page).with_context(|| format!("{} cannot be looked at", project.shown(page)))?;
-        bar.inc(1);
-    }
+    let next = AtomicUsize::new(0);
+    let browse = || -> Result<Visited> {
+        let mut visit = Visit { browser: Browser::start()?, out: &out, axe: axe.as_deref(), visited: Visited::default(), sizes: BTreeMap::new() };
+        while let Some(page) = pages.get(next.fetch_add(1, Ordering::Relaxed)) {
+            visit.page(page).with_context(|| format!("{} cannot be looked at", project.shown(page)))?;
+            bar.inc(1);
+        }
+        Ok(visit.visited)
+    };
+    let mut visited = std::thread::scope(|scope| {
+        let others: Vec<_> = (1..BROWSERS).map(|_| scope.spawn(browse)).collect();
+        others.into_iter().try_fold(browse()?, |visited, other| match other.join() {
+            Ok(found) => Ok::<_, anyhow::Error>(visited.and(found?)),
+            Err(panic) => std::panic::resume_unwind(panic),
+        })
+    })?;
     bar.finish_and_clear();
+    let mut browser = Browser::start()?;
     if out.join(KEYBOARD).exists() {
-        visit.keyboard(&out.join(KEYBOARD))?;
+        keyboard(&mut browser, &out, &mut visited)?;
     }
-    let Visit { mut browser, mut visited, .. } = visit;
     visited.answers = queries::ask(project, &out, &mut browser)?;
-    visited.off.append(&mut browser.errors);
+    visited.note("index.html", browser.errors.drain(..));
     visited.weights.sort();
-    if let Some((weight, page)) = visited.weights.last().filter(|(weight, _)| *weight > WANTED) {
-        visited.off.push(format!("{page}: the first view loads {weight} bytes, wanted are {WANTED}"));
+    let heavy: Vec<_> = visited.weights.iter().filter(|(weight, _)| *weight > WANTED).cloned().collect();
+    for (weight, page) in heavy {
+        visited.note(&page, [format!("the first view loads {weight} bytes, wanted are {WANTED}")]);
     }
     Ok(Some(visited))
 }
+
+/// So many browsers look at pages at the same time.
+const BROWSERS: usize = 2;
 
 /// The longest file of a folder and below.
 fn longest(folder: &Path) -> Result<Option<PathBuf>> {
@@ -122,61 +162,72 @@ fn longest(folder: &Path) -> Result<Option<PathBuf>> {
 }
 
 /// A visit under way.
-struct Visit {
+struct Visit<'a> {
     browser: Browser,
-    out: PathBuf,
-    axe: Option<String>,
+    out: &'a Path,
+    axe: Option<&'a str>,
     visited: Visited,
     /// Compressed bytes of files that were met.
     sizes: BTreeMap<PathBuf, u64>,
 }
 
-impl Visit {
-    /// One page: on a phone in light colours, then in dark ones.
+/// What a page has loaded.
+#[derive(serde::Deserialize)]
+struct Loaded {
+    files: Vec<String>,
+    /// Family, style and range of characters.
+    fonts: Vec<[String; 3]>,
+}
+
+impl Visit<'_> {
+    /// One page: on a phone in light colours, then on a desk in both.
     fn page(&mut self, page: &Path) -> Result<()> {
-        let name = page.strip_prefix(&self.out).unwrap_or(page).display().to_string();
+        let name = page.strip_prefix(self.out).unwrap_or(page).display().to_string();
         self.visited.pages += 1;
         self.browser.screen(PHONE)?;
         self.browser.prefer(false, false)?;
-        self.open(page)?;
+        open(&mut self.browser, page)?;
         let weight = self.weight(page)?;
         if !page.ends_with("print.html") {
             self.visited.weights.push((weight, name.clone()));
         }
         self.note(&name, "", "wider()")?;
-        self.browser.evaluate("unfold()")?;
-        self.note(&name, "unfolded, ", "wider()")?;
-        let Some(axe) = self.axe.clone() else { return Ok(()) };
+        // It repeats all chapters, whose folded parts and colours are looked at one by one.
+        let repeats = page.ends_with("print.html");
+        if !repeats {
+            self.browser.evaluate("unfold()")?;
+            self.note(&name, "unfolded, ", "wider()")?;
+        }
+        let Some(axe) = self.axe else { return Ok(()) };
         self.visited.searched += 1;
         self.browser.screen(DESK)?;
-        self.browser.evaluate(&axe)?;
+        self.browser.evaluate(axe)?;
+        if repeats {
+            return self.note(&name, "", "barriers({ rules: { 'color-contrast': { enabled: false } } })");
+        }
         self.note(&name, "", "barriers()")?;
         self.browser.prefer(true, true)?;
-        self.open(page)?;
+        open(&mut self.browser, page)?;
         self.browser.evaluate("unfold()")?;
-        self.browser.evaluate(&axe)?;
-        self.note(&name, "in dark colours, ", "barriers(['color-contrast'])")?;
+        self.browser.evaluate(axe)?;
+        self.note(&name, "in dark colours, ", "barriers({ runOnly: ['color-contrast'] })")?;
         self.note(&name, "with less motion wanted, ", "moving()")
-    }
-
-    fn open(&mut self, page: &Path) -> Result<()> {
-        self.browser.open(page)?;
-        self.browser.evaluate(VISIT).map(drop)
     }
 
     /// What an expression finds is off.
     fn note(&mut self, name: &str, when: &str, expression: &str) -> Result<()> {
         let found: Vec<String> = serde_json::from_value(self.browser.evaluate(expression)?)?;
-        let off = &mut self.visited.off;
-        off.extend(found.into_iter().map(|found| format!("{name}: {when}{found}")));
-        off.extend(self.browser.errors.drain(..).map(|error| format!("{name}: {error}")));
+        self.visited.note(name, found.into_iter().map(|found| format!("{when}{found}")));
+        self.visited.note(name, self.browser.errors.drain(..));
         Ok(())
     }
 
     /// Compressed bytes of a page and of all that it loads.
     fn weight(&mut self, page: &Path) -> Result<u64> {
-        let loaded: Vec<String> = serde_json::from_value(self.browser.evaluate("loaded()")?)?;
-        let mut files: Vec<PathBuf> = loaded.iter().filter_map(|url| url.strip_prefix("file://").map(PathBuf::from)).collect();
+        let loaded: Loaded = serde_json::from_value(self.browser.evaluate("loaded()")?)?;
+        let path = |url: &String| url.strip_prefix("file://").map(PathBuf::from);
+        let mut files: Vec<PathBuf> = loaded.files.iter().filter_map(path).collect();
+        files.extend(fonts(&self.out.join("fonts"), &loaded.fonts)?);
         files.push(page.to_path_buf());
         files.sort();
         files.dedup();
@@ -190,7 +241,7 @@ impl Visit {
         Ok(sum)
     }
 
-    /// Of a text, compressed; fonts and pictures are compressed already.
+    /// Of a text, compressed; fonts are compressed already.
     fn size(&mut self, file: &Path) -> Result<u64> {
         let bytes = fs::read(file).with_context(|| format!("the page loads {}, which cannot be read", file.display()))?;
         let size = match String::from_utf8(bytes) {
@@ -200,24 +251,51 @@ impl Visit {
         self.sizes.insert(file.to_path_buf(), size);
         Ok(size)
     }
+}
 
-    /// Goes through a page with the tabulator: every control is reached, and is marked when it is.
-    fn keyboard(&mut self, page: &Path) -> Result<()> {
-        self.browser.screen(DESK)?;
-        self.browser.prefer(false, false)?;
-        self.open(page)?;
-        let controls = self.browser.evaluate("controls().length")?.as_u64().context("no number of controls")?;
-        let mut off = Vec::new();
-        for _ in 0..controls + 20 {
-            self.browser.press("Tab")?;
-            let fault = self.browser.evaluate("focused()")?;
-            off.extend(fault.as_str().filter(|fault| !fault.is_empty()).map(String::from));
-        }
-        let unreached: Vec<String> = serde_json::from_value(self.browser.evaluate("unreached()")?)?;
-        off.extend(unreached);
-        off.dedup();
-        self.visited.controls = usize::try_from(controls)?;
-        self.visited.off.extend(off.into_iter().map(|fault| format!("{KEYBOARD}: {fault}")));
-        Ok(())
+fn open(browser: &mut Browser, page: &Path) -> Result<()> {
+    browser.open(page)?;
+    browser.evaluate(VISIT).map(drop)
+}
+
+/// The files of fonts that `fonts.css` gives for these families, styles and ranges.
+fn fonts(folder: &Path, loaded: &[[String; 3]]) -> Result<Vec<PathBuf>> {
+    let css = fs::read_to_string(folder.join("fonts.css")).unwrap_or_default();
+    let faces: Vec<&str> = css.split("@font-face").skip(1).collect();
+    let value = |face: &str, key: &str| {
+        let rest = face.split_once(&format!("{key}:"))?.1;
+        Some(rest.split(';').next()?.trim().replace('"', ""))
+    };
+    let mut files = Vec::new();
+    for [family, style, range] in loaded {
+        let is_it = |face: &&&str| {
+            value(face, "font-family").is_some_and(|known| known == *family)
+                && value(face, "font-style").as_deref().unwrap_or("normal") == style
+                && value(face, "unicode-range").is_some() == (range != ANY)
+        };
+        let face = faces.iter().find(is_it).with_context(|| format!("fonts.css has no {family}, {style}, {range}"))?;
+        let url = face.split_once("url(").and_then(|(_, rest)| rest.split_once(')'));
+        files.push(folder.join(url.context("a font without address")?.0.replace('"', "")));
     }
+    Ok(files)
+}
+
+/// Every character.
+const ANY: &str = "U+0-10FFFF";
+
+/// Goes through a page with the tabulator: every control is reached, and is marked when it is.
+fn keyboard(browser: &mut Browser, out: &Path, visited: &mut Visited) -> Result<()> {
+    browser.screen(DESK)?;
+    browser.prefer(false, false)?;
+    open(browser, &out.join(KEYBOARD))?;
+    let controls = browser.evaluate("controls().length")?.as_u64().context("no number of controls")?;
+    for _ in 0..controls + 20 {
+        browser.press("Tab")?;
+        let fault = browser.evaluate("focused()")?;
+        visited.note(KEYBOARD, fault.as_str().filter(|fault| !fault.is_empty()).map(String::from));
+    }
+    let unreached: Vec<String> = serde_json::from_value(browser.evaluate("unreached()")?)?;
+    visited.controls = usize::try_from(controls)? - unreached.len().min(usize::try_from(controls)?);
+    visited.note(KEYBOARD, unreached);
+    Ok(())
 }

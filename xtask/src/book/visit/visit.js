@@ -21,15 +21,20 @@ function wider() {
     return [`the page is ${over} pixels wider than the screen: ${first ? first.outerHTML.slice(0, 160) : 'outside of the text'}`];
 }
 
-// What the page has loaded.
-function loaded() {
-    return performance.getEntriesByType('resource').map(({ name }) => name);
+// What the page has loaded: its scripts and style sheets, and its fonts by family, style and range.
+async function loaded() {
+    await document.fonts.ready;
+    const files = [...document.querySelectorAll('link[rel=stylesheet], script[src]')].filter((one) => one.media !== 'print');
+    const fonts = [...document.fonts].filter(({ status }) => status === 'loaded');
+    return {
+        files: files.map((one) => one.src || one.href),
+        fonts: fonts.map(({ family, style, unicodeRange }) => [family.replaceAll('"', ''), style, unicodeRange]),
+    };
 }
 
 // Serious and critical findings of axe, a line each.
-async function barriers(rules) {
-    const options = { resultTypes: ['violations'], ...(rules ? { runOnly: rules } : {}) };
-    const { violations } = await axe.run(document, options);
+async function barriers(options) {
+    const { violations } = await axe.run(document, { resultTypes: ['violations'], preload: false, ...options });
     const grave = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
     return grave.map(({ id, impact, nodes }) => `${impact}: ${id}, ${nodes.length} times, first ${nodes[0].target.join(' ')} ${nodes[0].html.slice(0, 160)}`);
 }
