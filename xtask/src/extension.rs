@@ -18,6 +18,8 @@ pub struct Beside {
 pub struct Exhibits {
     /// `{{#figure name caption}}`: SVG elements.
     pub figures: Vec<(String, String)>,
+    /// `{{#figure name caption}}` too, moved by sliders.
+    pub moving: Vec<Moving>,
     /// `{{#output name}}`: what programs print.
     pub outputs: Vec<(String, String)>,
     /// `{{#table name}}`: tables, one below the other.
@@ -39,6 +41,36 @@ pub struct Fact {
     pub name: String,
     /// The lines of it: texts, in which `[…](…)` is a link from the root of the book.
     pub lines: Vec<String>,
+}
+
+/// A figure that is moved by sliders where scripts run; elsewhere it stands still.
+#[derive(Clone, Debug, Default)]
+pub struct Moving {
+    /// Its name.
+    pub name: String,
+    /// Its sliders.
+    pub sliders: Vec<Slider>,
+    /// An SVG element for each position of the sliders, the last slider running fastest. Most of their lines are the same.
+    pub frames: Vec<String>,
+}
+
+impl Moving {
+    /// What is seen before anything is moved.
+    pub fn still(&self) -> Option<&String> {
+        let at = self.sliders.iter().fold(0, |at, slider| at * slider.values.len() + slider.start);
+        self.frames.get(at)
+    }
+}
+
+/// A slider of a figure.
+#[derive(Clone, Debug, Default)]
+pub struct Slider {
+    /// What it moves.
+    pub label: String,
+    /// What is said at each of its positions.
+    pub values: Vec<String>,
+    /// The position before it is moved.
+    pub start: usize,
 }
 
 /// An output of a program, and a formula that it is computed with.

@@ -18,7 +18,7 @@ use super::content::Content;
 use super::deferred::Deferred;
 use super::fault::Faults;
 use super::preprocessor::Formulary;
-use super::{links, mend, permalinks, search, source};
+use super::{links, mend, moving, permalinks, search, source};
 
 /// How a book looks that has no `theme` of its own.
 const THEME: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../book/theme");
@@ -115,6 +115,9 @@ fn finish(root: &Path, theme: &Path, out: &Path, title: &str, content: &Content,
     for (path, text) in calculator::files(&content.entries) {
         write(&out.join(path), text.as_bytes())?;
     }
+    for (path, text) in moving::files(&content.exhibits.moving) {
+        write(&out.join(path), text.as_bytes())?;
+    }
     search::replace(out, content)?;
     let mut faults = Faults::default();
     permalinks::write_all(root, out, &later.places.borrow(), &mut faults)?;
@@ -134,7 +137,7 @@ fn fill(folder: &Path, to_root: &str, later: &Deferred) -> Result<()> {
         } else if path.extension().is_some_and(|extension| extension == "html") {
             let page = fs::read_to_string(&path)?;
             let page = mend::mended(&search::in_page(&later.fill(&page)));
-            let head_end = calculator::head(&page, to_root) + &head_end;
+            let head_end = calculator::head(&page, to_root) + &moving::head(&page, to_root) + &head_end;
             write(&path, page.replacen("</head>", &head_end, 1).as_bytes())?;
         }
     }

@@ -16,21 +16,24 @@ use jointproof::verify::{Audit, Claim, Looked};
 pub(crate) fn entry(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let id = escape(&entry.id);
     let title = pages.text(at, &entry.title);
-    format!(
-        "<section class=\"entry\"><h3 id=\"{id}\"><a class=\"header\" href=\"#{id}\">{title}</a> \
-         <code class=\"entry-id\">{id}</code></h3>{}{}{}{}{}{}<dl class=\"facts\">{}</dl>{}{}{}{}{}</section>",
+    let card = [
         pages.block_math(at, &entry.latex),
         given(pages, at, entry),
         glance::worked(pages, at, entry),
         glance::view(pages, at, "Its variation", &entry.variation, true),
         glance::view(pages, at, "With everything put in", &entry.closed, false),
         symbols(pages, at, entry),
-        facts(pages, at, entry),
-        pages.later.keep(calculator::folded(entry), ""),
+        format!("<dl class=\"facts\">{}</dl>", facts(pages, at, entry)),
+        calculator::folded(entry),
         proof(pages, at, entry),
         speed::folded(pages, entry),
         each(&entry.code, |span| code(pages, at, span)),
-        glance::cite(pages, at, entry)
+        glance::cite(pages, at, entry),
+    ];
+    format!(
+        "<section class=\"entry\"><h3 id=\"{id}\"><a class=\"header\" href=\"#{id}\">{title}</a> \
+         <code class=\"entry-id\">{id}</code></h3>{}</section>",
+        pages.later.keep(card.concat(), &glance::in_words(entry))
     )
 }
 
@@ -87,7 +90,7 @@ fn facts(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     uses + &fact("Source", &format!("{}{place}; {provenance}", document(pages, at, source)))
 }
 
-/// The folded evidence: what the project adds, kinks, golden cases, figures, laws and tests. Search sees nothing of it.
+/// The folded evidence: what the project adds, kinks, golden cases, figures, laws and tests.
 fn proof(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let mut out = String::new();
     for Fact { name, lines, .. } in pages.content.exhibits.facts.iter().filter(|fact| fact.formula == entry.id) {
@@ -98,12 +101,11 @@ fn proof(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     out += &fact("Golden cases", &golden(at, entry.golden.as_ref()));
     out += &fact("Executed", &evidence(&entry.evidence));
     out += &fact("Laws", &laws(pages, at, entry.evidence.audit.as_ref()));
-    let html = format!(
+    format!(
         "<details class=\"proof\"><summary>Evidence <span class=\"chips\">{}</span></summary><dl class=\"facts\">{out}</dl>{}</details>",
         glance::summary(entry),
         tests(pages, at, entry)
-    );
-    pages.later.keep(html, "")
+    )
 }
 
 /// The title of a document, as a link where it can be read.
@@ -254,7 +256,7 @@ fn code(pages: &Pages<'_>, at: &Place, span: &CodeSpan) -> String {
         return String::new();
     };
     let link = format!("{}#L{}", relative(&at.page, &listing_page(&span.file)), span.first);
-    let listing = pages.later.keep(rust::block(lines), "");
+    let listing = rust::block(lines);
     format!(
         "<details class=\"code\"><summary><code>{}</code></summary><p class=\"place\"><a href=\"{}\">{}:{}</a></p>{listing}</details>",
         escape(&span.name),

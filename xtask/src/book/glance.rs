@@ -1,9 +1,17 @@
 //! What an entry shows before its evidence: a worked number, its derivative, what it uses and where it is used.
 
-use super::content::{Entry, Worked};
+use super::content::{Entry, Symbol, Worked};
 use super::html::{each, escape, relative};
 use super::pages::{Pages, Place};
 use crate::extension::Served;
+
+/// What search sees of an entry and shows of it: what it gives and takes, and its source.
+pub(crate) fn in_words(entry: &Entry) -> String {
+    let listed = |symbols: &[Symbol]| symbols.iter().map(|symbol| format!("{}, {}", symbol.name, symbol.meaning)).collect::<Vec<_>>().join("; ");
+    let source = [entry.source.title.as_str(), entry.source.place.as_str()].join(" ");
+    let text = format!("Gives {}. Takes {}. {}.", listed(&entry.outputs), listed(&entry.inputs), source.trim());
+    text.replace(['$', '`'], "")
+}
 
 /// A derivative of at most so many characters of LaTeX is open.
 const SHORT: usize = 420;
@@ -12,13 +20,12 @@ const SHORT: usize = 420;
 pub(crate) fn worked(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let Some(Worked { case, inputs, outputs, derivatives }) = &entry.worked else { return String::new() };
     let listed = |parts: &[String]| parts.iter().map(|part| format!("<span>{}</span>", pages.text(at, part))).collect::<Vec<_>>().join(", ");
-    let html = format!(
+    format!(
         "<p class=\"worked\"><b>In numbers</b> {}: {} <span class=\"case\">(golden case <code>{}</code>)</span></p>",
         listed(inputs),
         listed(&[outputs.as_slice(), derivatives].concat()),
         escape(case)
-    );
-    pages.later.keep(html, "")
+    )
 }
 
 /// An equation that is made from the one above and executed as that is; the derivative is open where it is short.
@@ -73,15 +80,14 @@ pub(crate) fn cite(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
         cited.version,
         digest.trim_start_matches(". ")
     );
-    let html = format!(
+    format!(
         "<details class=\"cite\"><summary>Cite this entry</summary><p>{}. Its address <a href=\"{}\"><code>{}</code></a> \
-         stays when chapters change.</p><pre tabindex=\"0\"><code class=\"nohighlight\">{}</code></pre></details>",
+         stays when chapters change.</p><pre><code class=\"nohighlight\">{}</code></pre></details>",
         escape(&words),
         escape(&relative(&at.page, &link)),
         escape(&link),
         escape(&bib)
-    );
-    pages.later.keep(html, "")
+    )
 }
 
 /// What the folded evidence holds, in a line.

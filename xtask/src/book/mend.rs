@@ -21,7 +21,8 @@ pub(crate) fn mended(page: &str) -> String {
     for (from, to) in MENDED {
         page = page.replace(from, &to.replace("{page.js}", SCRIPT));
     }
-    page
+    // The table of contents for readers without scripts.
+    if page.contains("<title>") { page } else { page.replacen("<head>", "<head>\n<title>Contents</title>", 1) }
 }
 
 #[cfg(test)]

@@ -18,6 +18,7 @@ mod locate;
 mod markdown;
 mod math;
 mod mend;
+mod moving;
 mod numeral;
 mod permalinks;
 mod pages;

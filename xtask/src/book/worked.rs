@@ -16,7 +16,8 @@ const DERIVATIVES: usize = 2;
 /// Inputs of at most so many components are all shown; of more, those that are not 0.
 const ALL: usize = 9;
 
-/// The shortest valid case with derivatives, one worked by hand first, and none whose outputs are all 0 if another is there.
+/// A valid case with derivatives: if there is one, without an output of 0, worked by hand, and not half of zeros; of these the
+/// shortest, for which a zero counts as long as a number.
 pub(crate) fn of(formula: &dyn AnyFormula, golden: &File) -> Option<Worked> {
     let [inputs, outputs] = [formula.inputs(), formula.outputs()];
     let shown = |case: &Record| {
@@ -28,9 +29,10 @@ pub(crate) fn of(formula: &dyn AnyFormula, golden: &File) -> Option<Worked> {
             outputs: numbers(outputs, &value),
             derivatives: derivatives(inputs, outputs, &jacobian),
         };
-        let is_zero = value.iter().all(|x| *x == 0.0) || worked.derivatives.is_empty();
+        let zeros = point.iter().filter(|x| **x == 0.0).count();
+        let is_zero = value.contains(&0.0) || worked.derivatives.is_empty();
         let length = [&worked.inputs, &worked.outputs, &worked.derivatives].map(|parts| parts.concat().len()).iter().sum::<usize>();
-        Some(((is_zero, !case.flags.contains(&Flag::Hand), length), worked))
+        Some(((is_zero, !case.flags.contains(&Flag::Hand), zeros.saturating_sub(point.len() / 2), length + zeros), worked))
     };
     golden.cases.iter().filter_map(shown).min_by_key(|(rank, _)| *rank).map(|(_, worked)| worked)
 }

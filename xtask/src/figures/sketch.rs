@@ -73,6 +73,12 @@ impl Sketch {
         Self { name, title, description, origin: origin.into(), axes, size: [560.0, 320.0], lines: Vec::new(), notes: Vec::new() }
     }
 
+    /// With the second axis to the right, for shafts that lie.
+    pub(super) fn lying(name: &'static str, title: &'static str, description: &'static str, unit: f64, origin: [f64; 2]) -> Self {
+        let axes = [[-0.45, 0.5], [0.98, 0.12], [0.0, -1.0]].map(|axis| Vector2::from(axis) * unit);
+        Self { axes, ..Self::in_space(name, title, description, unit, origin) }
+    }
+
     /// In the plane of the first two axes.
     pub(super) fn in_plane(name: &'static str, title: &'static str, description: &'static str, unit: f64, origin: [f64; 2]) -> Self {
         let axes = [[1.0, 0.0], [0.0, -1.0], [0.0, 0.0]].map(|axis| Vector2::from(axis) * unit);

@@ -1,6 +1,6 @@
 //! What the book says about the kinds of elements, from the tables that the scenes are read with.
 
-use jointproof::scene::{Fallback, Kind, Use};
+use jointproof::scene::{Dimension, Fallback, Kind, Use};
 use kit::{Served, Table};
 
 /// The tables of every dimension, by the name that `{{#table name}}` gives: `kinds-3d`.
@@ -27,7 +27,10 @@ pub(crate) fn served() -> Vec<Served> {
         let served = |formula: &'static Use| Served {
             formula: formula.id().into(),
             output: output.into(),
-            of: kind.name.into(),
+            of: match kind.dimension {
+                Dimension::Space => kind.name.into(),
+                dimension => format!("{} ({})", kind.name, dimension.name()),
+            },
             place: format!("scenes.html#{}", anchor(kind)),
         };
         kind.writers(register).map(served).collect()

@@ -191,6 +191,7 @@ impl Visit<'_> {
         if !page.ends_with("print.html") {
             self.visited.weights.push((weight, name.clone()));
         }
+        self.letters(&name)?;
         self.note(&name, "", "wider()")?;
         // It repeats all chapters, whose folded parts and colours are looked at one by one.
         let repeats = page.ends_with("print.html");
@@ -212,6 +213,18 @@ impl Visit<'_> {
         self.browser.evaluate(axe)?;
         self.note(&name, "in dark colours, ", "barriers({ runOnly: ['color-contrast'] })")?;
         self.note(&name, "with less motion wanted, ", "moving()")
+    }
+
+    /// Characters of formulas that the mathematical font does not have.
+    fn letters(&mut self, name: &str) -> Result<()> {
+        let css = fs::read_to_string(self.out.join("fonts/fonts.css")).unwrap_or_default();
+        let face = css.split("@font-face").find(|face| face.contains(MATHEMATICAL)).unwrap_or_default();
+        let Some(range) = declared(face, "unicode-range") else { return Ok(()) };
+        let used: Vec<char> = serde_json::from_value(self.browser.evaluate("characters()")?)?;
+        let lost = used.into_iter().filter(|c| !c.is_whitespace() && !is_within(*c, &range));
+        let lost = lost.map(|c| format!("{MATHEMATICAL} has no `{c}`, U+{:X}", u32::from(c)));
+        self.visited.note(name, lost);
+        Ok(())
     }
 
     /// What an expression finds is off.
@@ -262,16 +275,12 @@ fn open(browser: &mut Browser, page: &Path) -> Result<()> {
 fn fonts(folder: &Path, loaded: &[[String; 3]]) -> Result<Vec<PathBuf>> {
     let css = fs::read_to_string(folder.join("fonts.css")).unwrap_or_default();
     let faces: Vec<&str> = css.split("@font-face").skip(1).collect();
-    let value = |face: &str, key: &str| {
-        let rest = face.split_once(&format!("{key}:"))?.1;
-        Some(rest.split(';').next()?.trim().replace('"', ""))
-    };
     let mut files = Vec::new();
     for [family, style, range] in loaded {
         let is_it = |face: &&&str| {
-            value(face, "font-family").is_some_and(|known| known == *family)
-                && value(face, "font-style").as_deref().unwrap_or("normal") == style
-                && value(face, "unicode-range").is_some() == (range != ANY)
+            declared(face, "font-family").is_some_and(|known| known == *family)
+                && declared(face, "font-style").as_deref().unwrap_or("normal") == style
+                && declared(face, "unicode-range").is_some() == (range != ANY)
         };
         let face = faces.iter().find(is_it).with_context(|| format!("fonts.css has no {family}, {style}, {range}"))?;
         let url = face.split_once("url(").and_then(|(_, rest)| rest.split_once(')'));
@@ -279,6 +288,24 @@ fn fonts(folder: &Path, loaded: &[[String; 3]]) -> Result<Vec<PathBuf>> {
     }
     Ok(files)
 }
+
+/// What a face of `fonts.css` declares.
+fn declared(face: &str, key: &str) -> Option<String> {
+    let rest = face.split_once(&format!("{key}:"))?.1;
+    Some(rest.split(';').next()?.trim().replace('"', ""))
+}
+
+/// Whether a character is in a range as CSS writes it: `U+20-7E, U+131`.
+fn is_within(c: char, range: &str) -> bool {
+    let number = |text: &str| u32::from_str_radix(text, 16).ok();
+    range.split(',').filter_map(|part| part.trim().strip_prefix("U+")).any(|part| {
+        let (from, to) = part.split_once('-').unwrap_or((part, part));
+        number(from).zip(number(to)).is_some_and(|(from, to)| (from..=to).contains(&u32::from(c)))
+    })
+}
+
+/// The font in which formulas are set.
+const MATHEMATICAL: &str = "STIX Two Math";
 
 /// Every character.
 const ANY: &str = "U+0-10FFFF";

@@ -27,7 +27,8 @@ pub(crate) fn take(project: &Project, out: &Path, folder: &Path) -> Result<Optio
     let out = out.canonicalize()?;
     let mut browser = Browser::start()?;
     let mut count = 0;
-    for page in list.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#')) {
+    let pages = list.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'));
+    for (number, page) in (1..).zip(pages) {
         // A page, its anchor, and what is done in it before the picture is taken.
         let (page, script) = page.split_once(" ! ").unwrap_or((page, ""));
         for (way, screen, dark) in WAYS {
@@ -36,7 +37,7 @@ pub(crate) fn take(project: &Project, out: &Path, folder: &Path) -> Result<Optio
             browser.open(&out.join(page))?;
             browser.evaluate(&format!("(async () => {{ await document.fonts.ready; {script}; await new Promise((done) => setTimeout(done, 150)); }})()"))?;
             let name = page.replace(['#', '/'], "-").replace(".html", "");
-            write(&folder.join(format!("{name}.{way}.png")), &browser.screenshot()?)?;
+            write(&folder.join(format!("{number:02}-{name}.{way}.png")), &browser.screenshot()?)?;
             count += 1;
         }
     }
