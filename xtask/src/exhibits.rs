@@ -10,9 +10,11 @@ pub(crate) fn all(project: &Project) -> anyhow::Result<Exhibits> {
     let audit = ("audit".to_owned(), audit::text(&[worked_example::run()], Audit::passed)?);
     Ok(Exhibits {
         figures: [figures::all(), scene::figures(project)?].concat(),
+        moving: figures::moving(),
         outputs: [vec![audit], figures::outputs(), scene::outputs(project)?].concat(),
         tables: scene::tables(),
         texts: statements::book::texts(project)?,
         facts: statements::book::facts(project)?,
+        served: scene::served(),
     })
 }

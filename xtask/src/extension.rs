@@ -18,6 +18,8 @@ pub struct Beside {
 pub struct Exhibits {
     /// `{{#figure name caption}}`: SVG elements.
     pub figures: Vec<(String, String)>,
+    /// `{{#figure name caption}}` too, moved by sliders.
+    pub moving: Vec<Moving>,
     /// `{{#output name}}`: what programs print.
     pub outputs: Vec<(String, String)>,
     /// `{{#table name}}`: tables, one below the other.
@@ -26,6 +28,8 @@ pub struct Exhibits {
     pub texts: Vec<(String, String)>,
     /// What entries say beside what the catalog knows.
     pub facts: Vec<Fact>,
+    /// What programs show that evaluate formulas.
+    pub served: Vec<Served>,
 }
 
 /// A fact on the entry of a formula.
@@ -37,6 +41,49 @@ pub struct Fact {
     pub name: String,
     /// The lines of it: texts, in which `[…](…)` is a link from the root of the book.
     pub lines: Vec<String>,
+}
+
+/// A figure that is moved by sliders where scripts run; elsewhere it stands still.
+#[derive(Clone, Debug, Default)]
+pub struct Moving {
+    /// Its name.
+    pub name: String,
+    /// Its sliders.
+    pub sliders: Vec<Slider>,
+    /// An SVG element for each position of the sliders, the last slider running fastest. Most of their lines are the same.
+    pub frames: Vec<String>,
+}
+
+impl Moving {
+    /// What is seen before anything is moved.
+    pub fn still(&self) -> Option<&String> {
+        let at = self.sliders.iter().fold(0, |at, slider| at * slider.values.len() + slider.start);
+        self.frames.get(at)
+    }
+}
+
+/// A slider of a figure.
+#[derive(Clone, Debug, Default)]
+pub struct Slider {
+    /// What it moves.
+    pub label: String,
+    /// What is said at each of its positions.
+    pub values: Vec<String>,
+    /// The position before it is moved.
+    pub start: usize,
+}
+
+/// An output of a program, and a formula that it is computed with.
+#[derive(Clone, Debug, Default)]
+pub struct Served {
+    /// The identifier of the formula.
+    pub formula: String,
+    /// The output, as the program calls it.
+    pub output: String,
+    /// Of what it is an output.
+    pub of: String,
+    /// Where the book says more, from its root.
+    pub place: String,
 }
 
 /// A table of texts, in which `$…$` is mathematics and `` `…` `` is code; code that names a formula links to it.

@@ -63,7 +63,7 @@ pub use book::{Fault, listing_page, uncovered};
 #[cfg(feature = "commands")]
 pub use commands::main;
 #[cfg(feature = "commands")]
-pub use extension::{Beside, Exhibits, Fact, Table};
+pub use extension::{Beside, Exhibits, Fact, Moving, Served, Slider, Table};
 #[cfg(not(feature = "commands"))]
 pub use measuring::main;
 #[cfg(feature = "commands")]

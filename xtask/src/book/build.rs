@@ -18,7 +18,7 @@ use super::content::Content;
 use super::deferred::Deferred;
 use super::fault::Faults;
 use super::preprocessor::Formulary;
-use super::{links, source};
+use super::{links, mend, moving, permalinks, search, source};
 
 /// How a book looks that has no `theme` of its own.
 const THEME: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../book/theme");
@@ -65,7 +65,7 @@ pub(crate) fn build(root: &Path, options: &Options, content: Content) -> Result<
     let book = root.join("book");
     let theme = if book.join("theme").exists() { book.join("theme") } else { PathBuf::from(THEME) };
     let (title, chapters) = render(&book, &theme, &partial.0, &content, &later)?;
-    finish(&theme, &partial.0, &title, &content, &later)?;
+    finish(root, &theme, &partial.0, &title, &content, &later)?;
     partial.replace(&out)?;
     Ok(Summary {
         index: out.join("index.html"),
@@ -101,7 +101,7 @@ fn render(
 }
 
 /// Puts in what was deferred, adds listings and golden files, and follows every link.
-fn finish(theme: &Path, out: &Path, title: &str, content: &Content, later: &Deferred) -> Result<()> {
+fn finish(root: &Path, theme: &Path, out: &Path, title: &str, content: &Content, later: &Deferred) -> Result<()> {
     fill(out, "", later)?;
     for sheet in SHEETS {
         write(&out.join("theme").join(sheet), &fs::read(theme.join(sheet))?)?;
@@ -115,7 +115,12 @@ fn finish(theme: &Path, out: &Path, title: &str, content: &Content, later: &Defe
     for (path, text) in calculator::files(&content.entries) {
         write(&out.join(path), text.as_bytes())?;
     }
+    for (path, text) in moving::files(&content.exhibits.moving) {
+        write(&out.join(path), text.as_bytes())?;
+    }
+    search::replace(out, content)?;
     let mut faults = Faults::default();
+    permalinks::write_all(root, out, &later.places.borrow(), &mut faults)?;
     links::check(out, &mut faults)?;
     Ok(faults.into_result()?)
 }
@@ -131,8 +136,8 @@ fn fill(folder: &Path, to_root: &str, later: &Deferred) -> Result<()> {
             fill(&path, &format!("{to_root}../"), later)?;
         } else if path.extension().is_some_and(|extension| extension == "html") {
             let page = fs::read_to_string(&path)?;
-            let page = later.fill(&page);
-            let head_end = calculator::head(&page, to_root) + &head_end;
+            let page = mend::mended(&search::in_page(&later.fill(&page)));
+            let head_end = calculator::head(&page, to_root) + &moving::head(&page, to_root) + &head_end;
             write(&path, page.replacen("</head>", &head_end, 1).as_bytes())?;
         }
     }

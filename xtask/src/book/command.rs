@@ -4,11 +4,13 @@ use super::build::{Options, Summary, build};
 use super::calculator;
 use super::fault::Faults;
 use super::gather::content;
+use super::visit;
 use crate::console;
 use crate::outcome::{Outcome, verdict};
 use crate::project::Project;
 use crate::report::{self, data::Report};
 use anyhow::Context;
+use std::fmt::Display;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -20,7 +22,9 @@ use std::process::{Command, Stdio};
 #[command(after_help = "Examples:
   {command} book           build into target/book; open index.html there
   {command} book --open    and show it in the browser
-  {command} book --check-calculators  and use its calculators in Chromium")]
+  {command} book --check-calculators  and use its calculators in Chromium
+  {command} book --check-pages   and look for barriers, wide pages, wrong answers of search
+  {command} book --screenshots pictures  and take pictures of pages")]
 pub(crate) struct Arguments {
     /// Show the book in the browser
     #[arg(long)]
@@ -34,6 +38,12 @@ pub(crate) struct Arguments {
     /// Use every calculator in a headless Chromium at the inputs of all golden cases, and compare every bit with Rust's
     #[arg(long)]
     check_calculators: bool,
+    /// Look at every page in a headless Chromium: barriers (by axe, if JOINTPROOF_AXE says where it is), width on a phone, weight, search, keyboard
+    #[arg(long)]
+    check_pages: bool,
+    /// Take pictures of the pages that book/screens.txt names, on a desk and on a phone, in light and in dark colours
+    #[arg(long, value_name = "FOLDER")]
+    screenshots: Option<PathBuf>,
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
@@ -50,18 +60,34 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     if arguments.open {
         open(&summary.index)?;
     }
-    if arguments.check_calculators { check_calculators(project, &summary.index) } else { Ok(verdict(true)) }
+    let out = summary.index.parent().context("the first page is in a folder")?;
+    let mut is_well = true;
+    if arguments.check_calculators {
+        is_well &= calculator::check(project, out)?.map_or_else(absent, |checked| told(&checked, checked.is_well()))?;
+    }
+    if arguments.check_pages {
+        is_well &= visit::check(project, out)?.map_or_else(absent, |visited| told(&visited, visited.is_well()))?;
+    }
+    if let Some(folder) = &arguments.screenshots {
+        match visit::take(project, out, folder)? {
+            Some(count) => console::say(&format!("{count} pictures in {}", folder.display())),
+            None => is_well &= absent()?,
+        }
+    }
+    Ok(verdict(is_well))
 }
 
-fn check_calculators(project: &Project, index: &Path) -> Outcome {
-    let out = index.parent().context("the first page is in a folder")?;
-    let Some(checked) = calculator::check(project, out)? else {
-        console::say("chromium is not here: the calculators are not checked");
-        return Ok(verdict(true));
-    };
-    let head = if checked.is_well() { console::green("ok ") } else { console::red("off") };
-    console::print(&format!("{head} {checked}\n"))?;
-    Ok(verdict(checked.is_well()))
+/// Says what was found, and whether it is well.
+fn told(found: &impl Display, is_well: bool) -> anyhow::Result<bool> {
+    let head = if is_well { console::green("ok ") } else { console::red("off") };
+    console::print(&format!("{head} {found}\n"))?;
+    Ok(is_well)
+}
+
+/// Where a browser is not required.
+fn absent() -> anyhow::Result<bool> {
+    console::say("chromium is not here: the pages are not looked at");
+    Ok(true)
 }
 
 /// Builds the book, and lists all that is wrong with it if it is.

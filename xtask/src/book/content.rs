@@ -26,6 +26,19 @@ pub(crate) struct Content {
     pub(crate) is_current: bool,
     /// Golden files to be copied beside the pages.
     pub(crate) golden: Vec<GoldenFile>,
+    /// What entries are cited with.
+    pub(crate) cited: Option<Cited>,
+}
+
+/// What is cited.
+#[derive(Debug, Clone)]
+pub(crate) struct Cited {
+    /// The name of the project.
+    pub(crate) book: String,
+    /// Who wrote it.
+    pub(crate) authors: String,
+    /// Its version.
+    pub(crate) version: String,
 }
 
 /// One Rust file of the repository.
@@ -61,6 +74,12 @@ pub(crate) struct Entry {
     pub(crate) closed: Vec<String>,
     /// How its outputs change with its inputs, one statement a line.
     pub(crate) variation: Vec<String>,
+    /// The formulas whose outputs it takes.
+    pub(crate) uses: Vec<String>,
+    /// The SHA-256 of its golden file, of which the first digits are enough.
+    pub(crate) digest: Option<String>,
+    /// One golden case in numbers.
+    pub(crate) worked: Option<Worked>,
     /// Where the equation comes from.
     pub(crate) source: Source,
     /// Inputs in the order of the golden file.
@@ -91,6 +110,19 @@ pub(crate) enum Calculator {
     Script(String),
     /// Why the formula is not exported.
     Refused(String),
+}
+
+/// A golden case in numbers, each as text: `$f_2 = 3$`.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Worked {
+    /// The name of the case.
+    pub(crate) case: String,
+    /// What goes in.
+    pub(crate) inputs: Vec<String>,
+    /// What comes out.
+    pub(crate) outputs: Vec<String>,
+    /// Some of its derivatives.
+    pub(crate) derivatives: Vec<String>,
 }
 
 /// The document an equation was taken from.

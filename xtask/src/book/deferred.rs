@@ -5,6 +5,7 @@
 //! page. A placeholder may hold words; those, and nothing else, are what search sees.
 
 use std::cell::RefCell;
+use std::collections::BTreeMap;
 
 use super::html::escape_markdown;
 
@@ -16,11 +17,14 @@ const OPEN: &str = "<span data-later=\"";
 pub(crate) struct Deferred {
     /// The pieces; a placeholder holds the index of its own.
     pieces: RefCell<Vec<String>>,
+    /// Where each formula has its entry, from the root of the book.
+    pub(crate) places: RefCell<BTreeMap<String, String>>,
 }
 
 impl Deferred {
-    /// Keeps `html` for later and returns the placeholder, which is safe in Markdown and in HTML alike.
+    /// Keeps `html`, which may hold placeholders itself, for later and returns the placeholder, which is safe in Markdown and in HTML alike.
     pub(crate) fn keep(&self, html: String, words_for_search: &str) -> String {
+        let html = self.fill(&html);
         let mut pieces = self.pieces.borrow_mut();
         pieces.push(html);
         format!("{OPEN}{}\">{}</span>", pieces.len() - 1, escape_markdown(words_for_search))
@@ -57,6 +61,8 @@ mod tests {
         let b = later.keep("<b>B</b>".into(), "");
         assert!(a.contains("a&#95;1"));
         assert_eq!(later.fill(&format!("x {a} y {b} z")), "x <b>A</b> y <b>B</b> z");
+        let both = later.keep(format!("<i>{a}</i>{b}"), "");
+        assert_eq!(later.fill(&both), "<i><b>A</b></i><b>B</b>");
         assert_eq!(later.fill("nothing"), "nothing");
     }
 }

@@ -1,7 +1,8 @@
 //! One formula's entry: equation, symbols, source, kinks, evidence, golden cases, code and tests.
 
 use super::calculator;
-use super::content::{CodeSpan, Entry, Evidence, GoldenCounts, Kink, Source, Symbol, TestRef};
+use super::content::{CodeSpan, Content, Entry, Evidence, GoldenCounts, Kink, Source, Symbol, TestRef};
+use super::glance;
 use super::html::{each, escape, number, relative};
 use super::pages::{Pages, Place};
 use super::rust;
@@ -15,19 +16,24 @@ use jointproof::verify::{Audit, Claim, Looked};
 pub(crate) fn entry(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let id = escape(&entry.id);
     let title = pages.text(at, &entry.title);
-    format!(
-        "<section class=\"entry\"><h3 id=\"{id}\"><a class=\"header\" href=\"#{id}\">{title}</a> \
-         <code class=\"entry-id\">{id}</code></h3>{}{}{}{}{}<dl class=\"facts\">{}</dl>{}{}{}{}</section>",
+    let card = [
         pages.block_math(at, &entry.latex),
         given(pages, at, entry),
-        view(pages, at, "With everything put in", &entry.closed),
-        view(pages, at, "Its variation", &entry.variation),
+        glance::worked(pages, at, entry),
+        glance::view(pages, at, "Its variation", &entry.variation, true),
+        glance::view(pages, at, "With everything put in", &entry.closed, false),
         symbols(pages, at, entry),
-        facts(pages, at, entry),
-        pages.later.keep(calculator::folded(entry), ""),
+        format!("<dl class=\"facts\">{}</dl>", facts(pages, at, entry)),
+        calculator::folded(entry),
+        proof(pages, at, entry),
         speed::folded(pages, entry),
         each(&entry.code, |span| code(pages, at, span)),
-        tests(pages, at, entry)
+        glance::cite(pages, at, entry),
+    ];
+    format!(
+        "<section class=\"entry\"><h3 id=\"{id}\"><a class=\"header\" href=\"#{id}\">{title}</a> \
+         <code class=\"entry-id\">{id}</code></h3>{}</section>",
+        pages.later.keep(card.concat(), &glance::in_words(entry))
     )
 }
 
@@ -37,16 +43,6 @@ fn given(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
         "" => String::new(),
         given => format!("<p class=\"given\">{}</p>", pages.linked_text(at, given)),
     }
-}
-
-/// A folded equation that is made from the one above, and executed as that is.
-fn view(pages: &Pages<'_>, at: &Place, name: &str, lines: &[String]) -> String {
-    if lines.is_empty() {
-        return String::new();
-    }
-    let lines: Vec<_> = lines.iter().map(|line| line.replacen(" = ", " &= ", 1)).collect();
-    let math = pages.block_math(at, &format!(r"\begin{{aligned}} {} \end{{aligned}}", lines.join(r" \\ ")));
-    format!("<details class=\"view\"><summary>{name}</summary>{math}</details>")
 }
 
 /// Inputs and outputs in one table, so that their columns line up.
@@ -84,20 +80,32 @@ fn symbol_row(pages: &Pages<'_>, at: &Place, symbol: &Symbol) -> String {
     )
 }
 
-/// Source, provenance, what the project adds, kinks, golden cases and evidence.
+/// What it uses, where it is used, and where it is from.
 fn facts(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let source = &entry.source;
     let place = if source.place.is_empty() { String::new() } else { format!(", {}", pages.text(at, &source.place)) };
-    let mut out = fact("Source", &format!("{}{place}", document(pages, at, source)));
-    out += &fact("Provenance", &pages.text(at, &source.provenance));
+    let provenance = pages.text(at, &source.provenance);
+    let uses = [("Uses", glance::uses(pages, at, entry)), ("Used by", glance::used_by(pages, at, entry))];
+    let uses = each(uses, |(name, html)| if html.is_empty() { html } else { fact(name, &html) });
+    uses + &fact("Source", &format!("{}{place}; {provenance}", document(pages, at, source)))
+}
+
+/// The folded evidence: what the project adds, kinks, golden cases, figures, laws and tests.
+fn proof(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
+    let mut out = String::new();
     for Fact { name, lines, .. } in pages.content.exhibits.facts.iter().filter(|fact| fact.formula == entry.id) {
         let items = each(lines, |line| format!("<li>{}</li>", pages.text(at, line)));
         out += &fact(&escape(name), &format!("<ul>{items}</ul>"));
     }
     out += &fact("Kinks", &kinks(pages, at, &entry.kinks, entry.evidence.audit.as_ref()));
     out += &fact("Golden cases", &golden(at, entry.golden.as_ref()));
-    out += &fact("Evidence", &evidence(&entry.evidence));
-    out + &fact("Laws", &laws(entry.evidence.audit.as_ref()))
+    out += &fact("Executed", &evidence(&entry.evidence));
+    out += &fact("Laws", &laws(pages, at, entry.evidence.audit.as_ref()));
+    format!(
+        "<details class=\"proof\"><summary>Evidence <span class=\"chips\">{}</span></summary><dl class=\"facts\">{out}</dl>{}</details>",
+        glance::summary(entry),
+        tests(pages, at, entry)
+    )
 }
 
 /// The title of a document, as a link where it can be read.
@@ -190,14 +198,50 @@ pub(crate) fn worst(claim: &Claim) -> String {
     }
 }
 
-/// The laws that were tried, with counts.
-fn laws(audit: Option<&Audit>) -> String {
+/// The laws that were tried, with counts: its own, and how many of those that every formula has.
+fn laws(pages: &Pages<'_>, at: &Place, audit: Option<&Audit>) -> String {
     let Some(audit) = audit else { return "not tried on this version".to_owned() };
     let law = |law: &Claim| {
         let verdict = if law.held() { "held" } else { "<b class=\"missing\">failed</b>" };
         format!("<li>{}: {verdict}, {} times</li>", escape(&law.claim), law.checks)
     };
-    format!("<ul>{}</ul>", each(&audit.laws, law))
+    let of_every: Vec<&str> = common_laws(pages.content);
+    let is_own = |law: &&Claim| !of_every.contains(&law.claim.as_str()) || !law.held();
+    let (own, common): (Vec<_>, Vec<_>) = audit.laws.iter().partition(is_own);
+    let times: usize = common.iter().map(|law| law.checks).sum();
+    let common = match common.len() {
+        0 => String::new(),
+        count => format!("<li>{}: held, {times} times</li>", everywhere(pages, at, &format!("the {count} laws of every formula"), COMMON)),
+    };
+    format!("<ul>{}{common}</ul>", each(own, law))
+}
+
+/// Where the page of evidence says what every formula has.
+const COMMON: &str = "of-every-formula";
+
+/// Words as a link to what the page of evidence says about every formula, if there is such a page.
+fn everywhere(pages: &Pages<'_>, at: &Place, words: &str, anchor: &str) -> String {
+    match &pages.evidence {
+        Some(page) => format!("<a href=\"{}#{anchor}\">{words}</a>", escape(&relative(&at.page, page))),
+        None => words.to_owned(),
+    }
+}
+
+/// The laws that every audited formula has, if there are several formulas.
+fn common_laws(content: &Content) -> Vec<&str> {
+    let audits: Vec<_> = content.entries.iter().filter_map(|entry| entry.evidence.audit.as_ref()).collect();
+    let has = |audit: &&Audit, claim: &str| audit.laws.iter().any(|law| law.claim == claim);
+    let first = audits.first().filter(|_| audits.len() > 1).map(|audit| audit.laws.as_slice()).unwrap_or_default();
+    let claims = first.iter().map(|law| law.claim.as_str());
+    claims.filter(|claim| audits.iter().all(|audit| has(audit, claim))).collect()
+}
+
+/// The laws and tests of every formula, for the page of evidence.
+pub(crate) fn of_every(pages: &Pages<'_>, at: &Place) -> String {
+    let laws = each(common_laws(pages.content), |law| format!("<li>{}</li>", escape(law)));
+    let laws = if laws.is_empty() { laws } else { format!("<p>Laws of every formula:</p><ul>{laws}</ul>") };
+    let tests = test_list(pages, at, &pages.content.catalog_tests, "runs over every formula", "run over every formula");
+    format!("<div id=\"{COMMON}\" class=\"entry-like\">{laws}{tests}</div>")
 }
 
 /// A folded function with a link into the listing.
@@ -212,9 +256,9 @@ fn code(pages: &Pages<'_>, at: &Place, span: &CodeSpan) -> String {
         return String::new();
     };
     let link = format!("{}#L{}", relative(&at.page, &listing_page(&span.file)), span.first);
-    let listing = pages.later.keep(rust::block(lines), "");
+    let listing = rust::block(lines);
     format!(
-        "<details class=\"code\"><summary><code>{}</code> <a href=\"{}\">{}:{}</a></summary>{listing}</details>",
+        "<details class=\"code\"><summary><code>{}</code></summary><p class=\"place\"><a href=\"{}\">{}:{}</a></p>{listing}</details>",
         escape(&span.name),
         escape(&link),
         escape(&span.file),
@@ -222,11 +266,14 @@ fn code(pages: &Pages<'_>, at: &Place, span: &CodeSpan) -> String {
     )
 }
 
-/// The tests that name the formula, and those that run over the whole catalog.
+/// The tests that name the formula, and how many run over all.
 fn tests(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let named = test_list(pages, at, &entry.tests, "names this formula", "name this formula");
-    let catalog = &pages.content.catalog_tests;
-    named + &test_list(pages, at, catalog, "runs over every formula", "run over every formula")
+    let over_all = match (pages.content.catalog_tests.len(), &pages.evidence) {
+        (0, _) | (_, None) => return named,
+        (count, _) => format!("{count} tests over every formula"),
+    };
+    format!("{named}<p class=\"over-all\">And {}.</p>", everywhere(pages, at, &over_all, COMMON))
 }
 
 /// A folded list of tests.

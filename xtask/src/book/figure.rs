@@ -4,14 +4,20 @@
 use std::path::Path;
 
 use super::html::escape;
+use super::moving;
 use super::pages::{Pages, Place};
+use crate::extension::Moving;
 
 /// The figure with its caption; a fault if there is no such file, or it is not fit to be inlined.
 pub(crate) fn figure(pages: &Pages<'_>, at: &Place, folder: &Path, argument: &str) -> String {
     let (name, caption) = argument.split_once(char::is_whitespace).unwrap_or((argument, ""));
-    let made = pages.content.exhibits.figures.iter().find(|(known, _)| known == name).map(|(_, svg)| svg.clone());
+    let exhibits = &pages.content.exhibits;
+    let moving = exhibits.moving.iter().find(|moving| moving.name == name);
+    let made = exhibits.figures.iter().find(|(known, _)| known == name).map(|(_, svg)| svg);
+    let made = moving.and_then(Moving::still).or(made).cloned();
     let Some(svg) = made.or_else(|| read(folder, name)) else {
-        let made = pages.content.exhibits.figures.iter().map(|(name, _)| name.clone());
+        let made = exhibits.figures.iter().map(|(name, _)| name.clone());
+        let made = made.chain(exhibits.moving.iter().map(|moving| moving.name.clone()));
         let known: Vec<_> = made.chain(names(folder)).collect();
         pages.fault(at, format!("no figure `{name}`; there are: {}", known.join(", ")));
         return String::new();
@@ -25,7 +31,8 @@ pub(crate) fn figure(pages: &Pages<'_>, at: &Place, folder: &Path, argument: &st
         "" => String::new(),
         caption => format!("<figcaption>{}</figcaption>", pages.text(at, caption)),
     };
-    format!("<figure id=\"figure-{}\">{drawing}{caption}</figure>", escape(name))
+    let sliders = moving.map(|moving| pages.later.keep(moving::sliders(moving), "")).unwrap_or_default();
+    format!("<figure id=\"figure-{}\">{drawing}{sliders}{caption}</figure>", escape(name))
 }
 
 /// The file, unless the name would leave the folder.

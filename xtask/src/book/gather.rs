@@ -1,8 +1,9 @@
 //! Fills the seam from the catalog, the sources, the golden files and what was executed.
 
 use super::calculator;
-use super::content::{self, Calculator, CodeSpan, Content, Entry, GoldenCounts, GoldenFile, Kink, SourceFile, Symbol};
+use super::content::{self, Calculator, Cited, CodeSpan, Content, Entry, GoldenCounts, GoldenFile, Kink, SourceFile, Symbol};
 use super::locate::Index;
+use super::worked;
 use crate::evidence::Evidence;
 use crate::project::Project;
 use crate::report::data::Report;
@@ -14,7 +15,9 @@ use jointproof::proof::Convention;
 use jointproof::quantity::Shape;
 use jointproof::verify::golden::File;
 use jointproof::verify::{Rank, Sides};
+use mdbook_driver::config::Config;
 use rayon::prelude::*;
+use sha2::{Digest, Sha256};
 use std::path::Path;
 
 /// What the book of a project is made from.
@@ -44,7 +47,8 @@ pub(crate) fn content(project: &Project, report: Option<Report>) -> anyhow::Resu
         *text = plain(text);
     }
     let is_current = report.as_ref().is_some_and(|report| report.is_current(project));
-    Ok(Content { entries, sources, catalog_tests, exhibits, report, is_current, golden })
+    let cited = cited(project);
+    Ok(Content { entries, sources, catalog_tests, exhibits, report, is_current, golden, cited })
 }
 
 /// Text without colours.
@@ -89,7 +93,8 @@ fn calculators(project: &Project) -> Vec<Calculator> {
 fn entry(project: &Project, formula: &dyn AnyFormula, index: &Index<'_>, evidence: &Evidence) -> Entry {
     let spec = formula.spec();
     let type_name = formula.path().rsplit("::").next().unwrap_or_default();
-    let golden = std::fs::read_to_string(project.golden_file(spec.id));
+    let text = std::fs::read_to_string(project.golden_file(spec.id)).ok();
+    let golden = text.as_ref().and_then(|text| File::parse(text).ok());
     let checked = evidence.golden.get(spec.id);
     // An equation that cannot be read is an off of the audit.
     let view = View::of(&Signature { spec, inputs: formula.inputs(), outputs: formula.outputs() }).ok().flatten();
@@ -100,19 +105,46 @@ fn entry(project: &Project, formula: &dyn AnyFormula, index: &Index<'_>, evidenc
         given: given(spec.given),
         closed: view.as_ref().map(|view| view.closed.clone()).unwrap_or_default(),
         variation: view.map(|view| view.variation).unwrap_or_default(),
+        uses: uses(spec.given),
+        digest: text.map(|text| digest(&text)),
+        worked: golden.as_ref().and_then(|golden| worked::of(formula, golden)),
         source: source(spec.source),
         inputs: formula.inputs().iter().map(symbol).collect(),
         outputs: formula.outputs().iter().map(symbol).collect(),
         kinks: formula.kinks().iter().map(|entry| kink(entry, [formula.inputs(), formula.outputs()])).collect(),
         code: code(index, formula.path(), type_name),
         tests: index.tests_naming(spec.id, type_name),
-        golden: golden.ok().and_then(|text| File::parse(&text).ok()).map(|file| counts(&file)),
+        golden: golden.as_ref().map(counts),
         evidence: content::Evidence {
             golden_cases: checked.filter(|check| check.same).map(|check| check.cases),
             audit: evidence.audits.get(spec.id).cloned(),
         },
         calculator: Calculator::Absent,
     }
+}
+
+/// The first digits of the SHA-256 of a text, which are enough to tell one version from another.
+fn digest(text: &str) -> String {
+    Sha256::digest(text).iter().take(8).map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// What entries are cited with: the authors of the book, and the first version that the manifest names.
+fn cited(project: &Project) -> Option<Cited> {
+    let config = Config::from_disk(project.root().join("book/book.toml")).ok()?;
+    let manifest = std::fs::read_to_string(project.root().join("Cargo.toml")).ok()?;
+    let version = manifest.lines().find_map(|line| line.strip_prefix("version = \"")?.strip_suffix('"'))?;
+    Some(Cited { book: project.name().into(), authors: config.book.authors.join(" and "), version: version.into() })
+}
+
+/// The formulas that symbols are taken from, each once.
+fn uses(given: &[Given]) -> Vec<String> {
+    let mut ids: Vec<String> = Vec::new();
+    for given in given {
+        if !ids.iter().any(|id| id == given.from.id) {
+            ids.push(given.from.id.into());
+        }
+    }
+    ids
 }
 
 /// "where F_C from slot.contact_force"

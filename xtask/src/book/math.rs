@@ -55,8 +55,23 @@ impl Math {
             at: latex.get(..error.0.start).map_or(0, |before| before.chars().count()) + 1,
         })?;
         let alternative = escape(latex);
-        Ok(result.mathml.replacen("<math", &format!("<math alttext=\"{alternative}\""), 1))
+        Ok(level(&result.mathml).replacen("<math", &format!("<math alttext=\"{alternative}\""), 1))
     }
+}
+
+/// Letters that reach below the line, under which an index would stand lower than beside other letters.
+const BELOW: &str = "fgjpqyQβγζημξρφχψς";
+
+/// With the index of such a letter at the height of all others: the letter says that it has no depth.
+fn level(mathml: &str) -> String {
+    let mut out = mathml.to_owned();
+    for script in ["<msub>", "<msubsup>"] {
+        for letter in BELOW.chars() {
+            let from = format!("{script}<mi>{letter}</mi>");
+            out = out.replace(&from, &format!("{script}<mpadded depth=\"0\"><mi>{letter}</mi></mpadded>"));
+        }
+    }
+    out
 }
 
 #[cfg(test)]
@@ -88,6 +103,13 @@ mod tests {
         assert_eq!(error.at, 5);
         let text = error.to_string();
         assert!(text.contains(r"a + \nonsense b") && text.contains("Unknown command"), "{text}");
+    }
+
+    #[test]
+    fn indices_stand_at_one_height() {
+        let math = Math::new();
+        assert!(math.inline("y_0").unwrap().contains("<msub><mpadded depth=\"0\"><mi>y</mi></mpadded><mn>0</mn></msub>"));
+        assert!(math.inline("z_0").unwrap().contains("<msub><mi>z</mi><mn>0</mn></msub>"));
     }
 
     #[test]

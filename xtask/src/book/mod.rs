@@ -1,5 +1,6 @@
 //! The book: chapters on disk, entries from the catalog, and listings of the sources.
 
+mod browser;
 mod build;
 mod calculator;
 mod command;
@@ -10,21 +11,28 @@ mod entry;
 mod fault;
 mod figure;
 mod gather;
+mod glance;
 mod html;
 mod links;
 mod locate;
 mod markdown;
 mod math;
+mod mend;
+mod moving;
 mod numeral;
+mod permalinks;
 mod pages;
 mod preprocessor;
 pub(crate) mod prose;
 mod rust;
+mod search;
 mod source;
 mod speed;
 mod tables;
 #[cfg(test)]
 mod tests;
+mod visit;
+mod worked;
 
 pub(crate) use build::Summary;
 pub(crate) use command::{Arguments, build_book, run};

@@ -30,6 +30,8 @@ pub(crate) struct Pages<'a> {
     pub(crate) later: &'a Deferred,
     /// Where each formula has its entry.
     pub(crate) places: BTreeMap<String, Place>,
+    /// The page with the evidence of all formulas.
+    pub(crate) evidence: Option<String>,
     /// What is wrong so far.
     pub(crate) faults: RefCell<Faults>,
 }
@@ -38,7 +40,7 @@ impl<'a> Pages<'a> {
     /// No entry placed and nothing wrong yet.
     pub(crate) fn new(content: &'a Content, later: &'a Deferred) -> Self {
         let (places, faults) = (BTreeMap::new(), RefCell::default());
-        Self { content, math: Math::new(), later, places, faults }
+        Self { content, math: Math::new(), later, places, evidence: None, faults }
     }
 
     /// Notes a fault.

@@ -33,13 +33,20 @@ impl Preprocessor for Formulary {
 
     fn run(&self, _: &PreprocessorContext, mut book: Book) -> Result<Book> {
         let mut pages = Pages::new(&self.content, &self.later);
-        let (mut scans, mut entries) = (Vec::new(), Vec::new());
+        let (mut scans, mut entries, mut evidence) = (Vec::new(), Vec::new(), None);
         book.for_each_chapter_mut(|chapter| {
             let (shown, _) = numeral::shown(&chapter.content);
             chapter.content = with_texts(&self.content, &shown);
-            scans.push(read(chapter, &pages, &mut entries));
+            let found = read(chapter, &pages, &mut entries);
+            if found.iter().any(is_evidence) {
+                evidence = Some(place(chapter, 0).page);
+            }
+            scans.push(found);
         });
         note(entries, &mut pages);
+        pages.evidence = evidence;
+        let places = pages.places.iter().map(|(id, at)| (id.clone(), format!("{}#{id}", at.page)));
+        self.later.places.replace(places.collect());
         let mut scans = scans.into_iter();
         book.for_each_chapter_mut(|chapter| {
             let found = scans.next().unwrap_or_default();
@@ -157,6 +164,11 @@ fn unknown(pages: &Pages<'_>, at: &Place, name: &str, argument: &str) -> String 
     let written = format!("{name} {argument}");
     pages.fault(at, format!("unknown directive `{{{{#{}}}}}`; there are {known}", written.trim()));
     String::new()
+}
+
+/// Whether the evidence of all formulas stands here.
+fn is_evidence(found: &Found) -> bool {
+    matches!(&found.piece, Piece::Directive { name, .. } if name == "evidence")
 }
 
 /// A line of a chapter.

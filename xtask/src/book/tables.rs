@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::content::{Entry, Source, Symbol};
-use super::entry::{document, worst};
+use super::content::{Content, Entry, Source, Symbol};
+use super::entry::{document, of_every, worst};
 use super::html::{each, escape, number, row, table};
 use super::pages::{Pages, Place};
 use crate::extension::Table;
@@ -17,8 +17,35 @@ fn links(pages: &Pages<'_>, at: &Place, ids: &[&str]) -> String {
 
 /// `{{#symbols}}`: every symbol with its unit and the formulas that use it.
 pub(crate) fn symbols(pages: &Pages<'_>, at: &Place) -> String {
+    let rows = each(symbol_rows(pages.content), |SymbolRow { anchor, symbol, users }| {
+        row(&[
+            ("", format!("<span id=\"{}\">{}</span>", escape(&anchor), pages.inline_math(at, &symbol.latex))),
+            ("", format!("<code>{}</code>", escape(&symbol.name))),
+            ("wide", pages.text(at, &symbol.meaning)),
+            ("", escape(&symbol.shape)),
+            ("", escape(&symbol.unit)),
+            ("wide", links(pages, at, &users)),
+        ])
+    });
+    // Search has a line for each symbol, which leads here.
+    let shown = table("index symbols", &["Symbol", "Name", "Meaning", "Shape", "Unit", "Used by"], &rows);
+    pages.later.keep(shown, "")
+}
+
+/// How the anchors of symbols begin.
+pub(crate) const SYMBOL: &str = "symbol-";
+
+/// A symbol as its name, letters, shape and unit tell it from others, and the formulas that use it.
+pub(crate) struct SymbolRow<'a> {
+    pub(crate) anchor: String,
+    pub(crate) symbol: &'a Symbol,
+    pub(crate) users: Vec<&'a str>,
+}
+
+/// Every symbol in the order of the names.
+pub(crate) fn symbol_rows(content: &Content) -> Vec<SymbolRow<'_>> {
     let mut index: BTreeMap<_, (&Symbol, Vec<&str>)> = BTreeMap::new();
-    for entry in &pages.content.entries {
+    for entry in &content.entries {
         for symbol in entry.inputs.iter().chain(&entry.outputs) {
             let key = (symbol.name.to_lowercase(), &symbol.name, &symbol.latex, &symbol.shape, &symbol.unit);
             let users = &mut index.entry(key).or_insert((symbol, Vec::new())).1;
@@ -27,17 +54,13 @@ pub(crate) fn symbols(pages: &Pages<'_>, at: &Place) -> String {
             }
         }
     }
-    let rows = each(index.values(), |(symbol, users)| {
-        row(&[
-            ("", pages.inline_math(at, &symbol.latex)),
-            ("", format!("<code>{}</code>", escape(&symbol.name))),
-            ("", escape(&symbol.shape)),
-            ("", escape(&symbol.unit)),
-            ("wide", pages.text(at, &symbol.meaning)),
-            ("wide", links(pages, at, users)),
-        ])
-    });
-    table("index", &["Symbol", "Name", "Shape", "Unit", "Meaning", "Used by"], &rows)
+    let mut rows: Vec<SymbolRow<'_>> = Vec::new();
+    for (symbol, users) in index.into_values() {
+        let same = rows.iter().filter(|row| row.symbol.name == symbol.name).count();
+        let number = if same == 0 { String::new() } else { format!("-{}", same + 1) };
+        rows.push(SymbolRow { anchor: format!("{SYMBOL}{}{number}", symbol.name), symbol, users });
+    }
+    rows
 }
 
 /// `{{#kinks}}`: the register of kinks.
@@ -73,7 +96,8 @@ const EVIDENCE: &[&str] = &[
 
 /// `{{#evidence}}`: what was executed on each formula.
 pub(crate) fn evidence(pages: &Pages<'_>, at: &Place) -> String {
-    table("evidence", EVIDENCE, &each(&pages.content.entries, |entry| evidence_row(pages, at, entry)))
+    let shown = table("evidence", EVIDENCE, &each(&pages.content.entries, |entry| evidence_row(pages, at, entry)));
+    pages.later.keep(shown + &of_every(pages, at), "")
 }
 
 /// One formula's evidence.

@@ -2,6 +2,8 @@
 
 mod arm;
 mod cardan;
+mod mechanism;
+mod sketch;
 pub(crate) mod chart;
 mod newton;
 mod signs;
@@ -26,6 +28,11 @@ pub(crate) fn all() -> Vec<(String, String)> {
     charts.extend(slider::charts());
     let charts = charts.iter().map(|chart| (chart.name.to_owned(), chart.svg()));
     charts.chain([(signs::NAME.to_owned(), signs::svg())]).collect()
+}
+
+/// Every figure that moves.
+pub(crate) fn moving() -> Vec<kit::Moving> {
+    mechanism::all()
 }
 
 /// Every table, by the name that `{{#output name}}` gives.

@@ -13,7 +13,7 @@ use std::time::Instant;
 const SIZES: [(usize, usize); 3] = [(10, 4001), (10_000, 401), (1_000_000, 21)];
 
 pub(crate) fn run() -> anyhow::Result<()> {
-    let mut report = format!("{} threads, {STATES} states, medians\n", rayon::current_num_threads());
+    let mut report = format!("Medians, with {} threads and {STATES} states.\n", rayon::current_num_threads());
     if cfg!(debug_assertions) {
         say("this build is not optimised; `cargo run --release -p xtask -- scene --benchmark` is");
     }
@@ -27,17 +27,10 @@ fn of<J: Joint>(report: &mut String) -> anyhow::Result<()> {
     let kind = J::SORT.kind();
     writeln!(
         report,
-        "\n{kind} with friction, outputs {}\n\
-        {:>9} {:>9} {:>9} {:>9} {:>7} {:>13} {:>11} {:>13}",
-        J::SORT.outputs().join(" "),
-        "elements",
-        "read ns",
-        "scene ns",
-        "bare ns",
-        "ratio",
-        "bytes/element",
-        "bytes/node",
-        "resident",
+        "\n`{kind}` with friction, outputs `{}`:\n\n\
+         | Elements | Read, ns | Scene, ns | Bare, ns | Scene over bare | Bytes an element | Bytes a node | Resident, bytes |\n\
+         |---:|---:|---:|---:|---:|---:|---:|---:|",
+        J::SORT.outputs().join(" ")
     )?;
     for (elements, times) in SIZES {
         say(&format!("{elements} elements of kind {kind}"));
@@ -56,7 +49,7 @@ fn of<J: Joint>(report: &mut String) -> anyhow::Result<()> {
         let Measured { scene: of_scene, bare, bytes } = measure::<J>(&scene, elements, times)?;
         writeln!(
             report,
-            "{elements:>9} {reading:>9.0} {of_scene:>9.1} {bare:>9.1} {:>7.2} {:>13.1} {:>11.1} {resident:>13}",
+            "| {elements} | {reading:.0} | {of_scene:.1} | {bare:.1} | {:.2} | {:.1} | {:.1} | {resident} |",
             of_scene / bare,
             per_count(bytes[0], elements),
             per_count(bytes[1], scene.nodes()),

@@ -74,7 +74,10 @@ pub(crate) fn outputs(project: &Project) -> anyhow::Result<Vec<(String, String)>
 struct Figure {
     scene: &'static str,
     output: &'static str,
+    /// What the axis says, with the unit.
     label: &'static str,
+    /// One of that unit in the units of the scene.
+    unit: f64,
     /// The elements that are shown.
     of: &'static [&'static str],
     /// What there is to see, for readers who cannot.
@@ -85,7 +88,8 @@ const FIGURES: &[Figure] = &[
     Figure {
         scene: "telescope",
         output: "CSF1",
-        label: "friction force",
+        label: "friction force, in N",
+        unit: 1.0,
         of: &["telescope"],
         description: "The friction force of the telescope over time: it grows while the contact sticks, stays at the limit \
             while it slips, grows with the load, and turns its sign when the telescope is pushed back.",
@@ -93,7 +97,8 @@ const FIGURES: &[Figure] = &[
     Figure {
         scene: "telescope",
         output: "CASU1",
-        label: "accumulated slip",
+        label: "accumulated slip, in mm",
+        unit: 1e-3,
         of: &["telescope"],
         description: "The slip of the telescope, added up: it rises while the contact slips in either direction and \
             never falls.",
@@ -102,6 +107,7 @@ const FIGURES: &[Figure] = &[
         scene: "drive-shaft",
         output: "ALPHA",
         label: "angle at the cross, in radians",
+        unit: 1.0,
         of: &["first", "second"],
         description: "The angle of the cross about the input yoke over one turn of the shaft, for both joints: it swings \
             between minus and plus the bend of the joint, twice in opposite phase.",
@@ -109,7 +115,8 @@ const FIGURES: &[Figure] = &[
     Figure {
         scene: "drive-shaft",
         output: "CSM1",
-        label: "friction moment",
+        label: "friction moment, in N m",
+        unit: 1.0,
         of: &["first"],
         description: "The moment of friction about the arm of the input yoke over one turn: it stays at the limit while the \
             cross swings one way, and passes over to the other limit where the swing turns back.",
@@ -117,7 +124,8 @@ const FIGURES: &[Figure] = &[
     Figure {
         scene: "thread",
         output: "T",
-        label: "torque",
+        label: "torque, in kN m",
+        unit: 1e6,
         of: &["box"],
         description: "The torque that the thread can transmit over its history: zero until the flanks touch, then in \
             proportion to how far the pin is made up, and back to zero as it is backed off.",
@@ -125,7 +133,8 @@ const FIGURES: &[Figure] = &[
     Figure {
         scene: "interface",
         output: "G2",
-        label: "distance from the normal",
+        label: "distance from the normal, in units of length",
+        unit: 1.0,
         of: &["inner", "middle", "outer"],
         description: "The distances of the nodes through the thickness from the shell's normal: zero up to rounding until \
             in the last state the outer node leaves it.",
@@ -137,9 +146,10 @@ pub(crate) fn figures(project: &Project) -> anyhow::Result<Vec<(String, String)>
     let mut drawn = Vec::new();
     for (name, scene) in scenes(project)? {
         let results = Results::exact(&scene).with_context(|| name.clone())?;
-        for Figure { output, label, of, description, .. } in FIGURES.iter().filter(|figure| figure.scene == name) {
+        for Figure { output, label, unit, of, description, .. } in FIGURES.iter().filter(|figure| figure.scene == name) {
             let mut shown = results.clone();
             shown.series.retain(|series| of.contains(&series.element.as_str()));
+            shown.series.iter_mut().flat_map(|series| &mut series.values).flatten().for_each(|value| *value /= unit);
             let figure = format!("scene-{name}-{output}");
             drawn.push((figure.clone(), plot::chart(&shown, output, &figure, label, description)));
         }

@@ -1,7 +1,7 @@
 //! What the book says about the kinds of elements, from the tables that the scenes are read with.
 
-use jointproof::scene::{Fallback, Kind};
-use kit::Table;
+use jointproof::scene::{Dimension, Fallback, Kind, Use};
+use kit::{Served, Table};
 
 /// The tables of every dimension, by the name that `{{#table name}}` gives: `kinds-3d`.
 pub(crate) fn tables() -> Vec<(String, Vec<Table>)> {
@@ -19,6 +19,23 @@ pub(crate) fn tables() -> Vec<(String, Vec<Table>)> {
 /// Where the tables of a kind are in the chapter on scenes.
 pub(crate) fn anchor(kind: &Kind) -> String {
     format!("{}-{}", kind.name, kind.dimension.name())
+}
+
+/// Every output of a kind with each formula that writes it.
+pub(crate) fn served() -> Vec<Served> {
+    let of_output = |kind: &'static Kind, (output, register): (&str, &str)| -> Vec<Served> {
+        let served = |formula: &'static Use| Served {
+            formula: formula.id().into(),
+            output: output.into(),
+            of: match kind.dimension {
+                Dimension::Space => kind.name.into(),
+                dimension => format!("{} ({})", kind.name, dimension.name()),
+            },
+            place: format!("scenes.html#{}", anchor(kind)),
+        };
+        kind.writers(register).map(served).collect()
+    };
+    Kind::all().flat_map(|kind| kind.outputs().flat_map(move |output| of_output(kind, output))).collect()
 }
 
 /// What a kind is given, and its outputs with the formulas behind them.

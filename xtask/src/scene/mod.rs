@@ -9,7 +9,7 @@ mod plot;
 mod show;
 
 pub(crate) use examples::{figures, golden, outputs};
-pub(crate) use kinds::{anchor, tables};
+pub(crate) use kinds::{anchor, served, tables};
 
 use crate::console::{print, progress, say};
 use crate::{Outcome, files};

@@ -20,6 +20,7 @@ pub(crate) fn charts(results: &Results) -> Vec<(&'static str, String)> {
 
 /// One output over time.
 pub(crate) fn chart(results: &Results, output: &str, name: &str, label: &str, description: &str) -> String {
+    let alone = results.series.iter().filter(|series| series.output == output).count() == 1;
     let of_output = results.series.iter().filter(|series| series.output == output).take(CURVES);
     let curves: Vec<_> = of_output
         .enumerate()
@@ -28,11 +29,14 @@ pub(crate) fn chart(results: &Results, output: &str, name: &str, label: &str, de
             let points: Vec<_> = values.filter_map(|(&time, values)| Some((time, *values.first()?))).collect();
             // The names stand beside different points, so as not to cover each other.
             let label_at = points.len() * (k + 1) / (CURVES + 1);
-            Curve { name: &series.element, label_at, points }
+            // One curve needs no name: the axis says what it is.
+            let name = if alone { "" } else { &*series.element };
+            Curve { name, label_at, points }
         })
         .collect();
     let values = || curves.iter().flat_map(|curve| curve.points.iter().map(|&(_, value)| value));
-    let title = format!("{label} over time");
+    let what = label.split(',').next().unwrap_or(label);
+    let title = format!("{what} over time");
     let description = if description.is_empty() { &title } else { description };
     Chart {
         name,

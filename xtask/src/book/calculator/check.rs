@@ -11,7 +11,7 @@ use jointproof::verify::golden::{File, Record, components};
 use serde_json::Value;
 
 use super::MARK;
-use super::browser::{self, Browser};
+use crate::book::browser::{self, Browser};
 use super::sizes::{self, Sizes};
 use crate::console::count;
 use crate::export::{self, Script};
@@ -19,9 +19,6 @@ use crate::project::Project;
 
 /// What is done in the page.
 pub(super) const DRIVE: &str = include_str!("drive.js");
-
-/// Where this is set, a browser must be here.
-pub(super) const REQUIRED: &str = "JOINTPROOF_REQUIRE_CHROMIUM";
 
 /// What was found.
 #[derive(Default)]
@@ -66,8 +63,7 @@ impl fmt::Display for Checked {
 
 /// Uses every calculator of the book in this folder; `None` where there is no browser, unless one is required.
 pub(crate) fn check(project: &Project, out: &Path) -> Result<Option<Checked>> {
-    if !browser::is_here() {
-        ensure!(std::env::var_os(REQUIRED).is_none(), "{REQUIRED} is set, but chromium is not found");
+    if !browser::is_here_or_not_required()? {
         return Ok(None);
     }
     let out = out.canonicalize()?;
@@ -110,7 +106,7 @@ fn calculators(page: &str) -> Vec<String> {
 }
 
 /// The chapters: no listings, and not the page that repeats them all.
-fn pages(out: &Path) -> Result<Vec<PathBuf>> {
+pub(crate) fn pages(out: &Path) -> Result<Vec<PathBuf>> {
     let mut pages = Vec::new();
     for entry in fs::read_dir(out)? {
         let path = entry?.path();

@@ -3,13 +3,12 @@
 //! A page loads one script; what belongs to a formula is loaded when its calculator is opened. Everything is a classic
 //! script, so that it works from a file.
 
-mod browser;
 mod check;
 mod sizes;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use check::check;
+pub(crate) use check::{check, pages as chapters};
 
 use jointproof::catalog::{AnyFormula, KinkEntry};
 use jointproof::proof::Flag;

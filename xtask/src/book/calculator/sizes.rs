@@ -7,7 +7,7 @@ use std::path::Path;
 use anyhow::{Context as _, Result};
 use serde_json::Value;
 
-use super::browser::Browser;
+use crate::book::browser::Browser;
 use super::{CASES, FOLDER};
 
 /// What the program and one formula should have together.

@@ -9,8 +9,8 @@ use jointproof::verify::golden::components;
 use jointproof::{coulomb, element, slot};
 use tempfile::TempDir;
 
-use super::browser::{self, Browser};
 use super::check::{Checked, DRIVE, check};
+use crate::book::browser::{self, Browser};
 use crate::book::build::{Options, build, write};
 use crate::book::gather::content;
 use crate::export;
@@ -27,7 +27,7 @@ struct Book {
 impl Book {
     /// None where there is no browser, unless one is required.
     fn new() -> Option<Self> {
-        if !browser::is_here() && std::env::var_os(super::check::REQUIRED).is_none() {
+        if !browser::is_here_or_not_required().unwrap() {
             eprintln!("skipped: chromium is not here");
             return None;
         }

@@ -6,7 +6,7 @@ use std::process::{Child, ChildStdin, Command, Stdio};
 use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 
-use anyhow::{Context as _, Result, bail};
+use anyhow::{Context as _, Result, bail, ensure};
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
@@ -18,7 +18,21 @@ const SWITCHES: &str = "--headless=new --no-sandbox --disable-gpu --disable-quic
     --disable-background-networking --disable-component-update --disable-dev-shm-usage --remote-debugging-pipe";
 
 /// How long an answer may take.
-const PATIENCE: Duration = Duration::from_mins(2);
+const PATIENCE: Duration = Duration::from_mins(4);
+
+/// The size of a screen.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Screen {
+    width: u32,
+    height: u32,
+    mobile: bool,
+}
+
+/// A small phone.
+pub(super) const PHONE: Screen = Screen { width: 360, height: 740, mobile: true };
+
+/// A desk.
+pub(super) const DESK: Screen = Screen { width: 1280, height: 900, mobile: false };
 
 /// A browser with one page, as wide as on a small phone.
 pub(super) struct Browser {
@@ -32,8 +46,20 @@ pub(super) struct Browser {
     _profile: TempDir,
 }
 
+/// Where this is set, a browser must be here.
+const REQUIRED: &str = "JOINTPROOF_REQUIRE_CHROMIUM";
+
 /// Whether the browser is here.
-pub(super) fn is_here() -> bool {
+///
+/// # Errors
+/// If it is not, and must be.
+pub(super) fn is_here_or_not_required() -> Result<bool> {
+    let is_here = is_here();
+    ensure!(is_here || std::env::var_os(REQUIRED).is_none(), "{REQUIRED} is set, but {PROGRAM} is not found");
+    Ok(is_here)
+}
+
+fn is_here() -> bool {
     let version = Command::new(PROGRAM).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
     version.is_ok_and(|status| status.success())
 }
@@ -73,16 +99,68 @@ impl Browser {
         for domain in ["Page", "Runtime", "Log"] {
             browser.call(&format!("{domain}.enable"), &json!({}))?;
         }
-        let phone = json!({ "width": 360, "height": 740, "deviceScaleFactor": 2, "mobile": true });
-        browser.call("Emulation.setDeviceMetricsOverride", &phone)?;
+        // The page that is to be printed opens a dialogue, which nobody answers here.
+        let unasked = json!({ "source": "window.print = () => {};" });
+        browser.call("Page.addScriptToEvaluateOnNewDocument", &unasked)?;
+        browser.screen(PHONE)?;
         Ok(browser)
+    }
+
+    /// Takes on the size of a screen.
+    pub(super) fn screen(&mut self, screen: Screen) -> Result<()> {
+        let Screen { width, height, mobile } = screen;
+        let metrics = json!({ "width": width, "height": height, "deviceScaleFactor": if mobile { 2 } else { 1 }, "mobile": mobile });
+        self.call("Emulation.setDeviceMetricsOverride", &metrics).map(drop)
+    }
+
+    /// What a reader prefers, for pages that are opened from now on: dark colours, and less motion.
+    pub(super) fn prefer(&mut self, dark: bool, still: bool) -> Result<()> {
+        let feature = |name: &str, value: &str| json!({ "name": name, "value": value });
+        let scheme = feature("prefers-color-scheme", if dark { "dark" } else { "light" });
+        let motion = feature("prefers-reduced-motion", if still { "reduce" } else { "no-preference" });
+        self.call("Emulation.setEmulatedMedia", &json!({ "features": [scheme, motion] })).map(drop)
+    }
+
+    /// What is seen, as PNG.
+    pub(super) fn screenshot(&mut self) -> Result<Vec<u8>> {
+        let answer = self.call("Page.captureScreenshot", &json!({ "format": "png" }))?;
+        base64(answer["data"].as_str().unwrap_or_default()).context("the browser sends another picture than PNG")
+    }
+
+    /// Presses a key: one that has a character, or one with a name like `Tab`.
+    pub(super) fn press(&mut self, key: &str) -> Result<()> {
+        let code = match key {
+            "Tab" => 9,
+            "Enter" => 13,
+            "Escape" => 27,
+            "ArrowRight" => 39,
+            "ArrowDown" => 40,
+            _ => 0,
+        };
+        let text = match key {
+            "Enter" => "\r",
+            one if one.chars().count() == 1 => one,
+            _ => "",
+        };
+        let mut event = json!({ "type": "keyDown", "key": key, "windowsVirtualKeyCode": code });
+        if !text.is_empty() {
+            event["text"] = text.into();
+        }
+        self.call("Input.dispatchKeyEvent", &event)?;
+        self.call("Input.dispatchKeyEvent", &json!({ "type": "keyUp", "key": key, "windowsVirtualKeyCode": code })).map(drop)
     }
 
     /// Opens a page from its file, and waits until it is loaded.
     pub(super) fn open(&mut self, page: &Path) -> Result<()> {
-        let answer = self.call("Page.navigate", &json!({ "url": format!("file://{}", page.display()) }))?;
+        // To go to another place of the same page would load nothing.
+        self.load("about:blank")?;
+        self.load(&format!("file://{}", page.display()))
+    }
+
+    fn load(&mut self, url: &str) -> Result<()> {
+        let answer = self.call("Page.navigate", &json!({ "url": url }))?;
         if let Some(error) = answer["errorText"].as_str() {
-            bail!("{} cannot be opened: {error}", page.display());
+            bail!("{url} cannot be opened: {error}");
         }
         let until = Instant::now() + PATIENCE;
         while self.next(until)?["method"] != "Page.loadEventFired" {}
@@ -136,6 +214,29 @@ impl Browser {
         }
         Ok(message)
     }
+}
+
+/// The bytes of a text in base 64.
+fn base64(text: &str) -> Option<Vec<u8>> {
+    let digit = |c: u8| match c {
+        b'A'..=b'Z' => Some(c - b'A'),
+        b'a'..=b'z' => Some(c - b'a' + 26),
+        b'0'..=b'9' => Some(c - b'0' + 52),
+        b'+' => Some(62),
+        b'/' => Some(63),
+        _ => None,
+    };
+    let mut bytes = Vec::with_capacity(text.len() / 4 * 3);
+    let (mut held, mut bits) = (0_u32, 0);
+    for c in text.bytes().filter(|c| *c != b'=') {
+        held = (held << 6 | u32::from(digit(c)?)) & 0xffff;
+        bits += 6;
+        if bits >= 8 {
+            bits -= 8;
+            bytes.push((held >> bits & 0xff) as u8);
+        }
+    }
+    Some(bytes)
 }
 
 /// What an exception says.

@@ -1,0 +1,116 @@
+//! What an entry shows before its evidence: a worked number, its derivative, what it uses and where it is used.
+
+use super::content::{Entry, Symbol, Worked};
+use super::html::{each, escape, relative};
+use super::pages::{Pages, Place};
+use crate::extension::Served;
+
+/// What search sees of an entry and shows of it: what it gives and takes, and its source.
+pub(crate) fn in_words(entry: &Entry) -> String {
+    let listed = |symbols: &[Symbol]| symbols.iter().map(|symbol| format!("{}, {}", symbol.name, symbol.meaning)).collect::<Vec<_>>().join("; ");
+    let source = [entry.source.title.as_str(), entry.source.place.as_str()].join(" ");
+    let text = format!("Gives {}. Takes {}. {}.", listed(&entry.outputs), listed(&entry.inputs), source.trim());
+    text.replace(['$', '`'], "")
+}
+
+/// A derivative of at most so many characters of LaTeX is open.
+const SHORT: usize = 420;
+
+/// `f2 = 3, f3 = 4: F_C = 5, ∂F_C/∂f2 = 0.6`, from a golden case.
+pub(crate) fn worked(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
+    let Some(Worked { case, inputs, outputs, derivatives }) = &entry.worked else { return String::new() };
+    let listed = |parts: &[String]| parts.iter().map(|part| format!("<span>{}</span>", pages.text(at, part))).collect::<Vec<_>>().join(", ");
+    format!(
+        "<p class=\"worked\"><b>In numbers</b> {}: {} <span class=\"case\">(golden case <code>{}</code>)</span></p>",
+        listed(inputs),
+        listed(&[outputs.as_slice(), derivatives].concat()),
+        escape(case)
+    )
+}
+
+/// An equation that is made from the one above and executed as that is; the derivative is open where it is short.
+pub(crate) fn view(pages: &Pages<'_>, at: &Place, name: &str, lines: &[String], may_be_open: bool) -> String {
+    if lines.is_empty() {
+        return String::new();
+    }
+    let open = if may_be_open && lines.concat().len() <= SHORT { " open" } else { "" };
+    let lines: Vec<_> = lines.iter().map(|line| line.replacen(" = ", " &= ", 1)).collect();
+    let math = pages.block_math(at, &format!(r"\begin{{aligned}} {} \end{{aligned}}", lines.join(r" \\ ")));
+    format!("<details class=\"view\"{open}><summary>{name}</summary>{math}</details>")
+}
+
+/// The formulas whose outputs it takes.
+pub(crate) fn uses(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
+    let links: Vec<_> = entry.uses.iter().map(|id| pages.link(&at.page, id)).collect();
+    links.join(", ")
+}
+
+/// The formulas that take its outputs, and the programs' outputs that it computes.
+pub(crate) fn used_by(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
+    let entries = pages.content.entries.iter().filter(|other| other.uses.contains(&entry.id));
+    let formulas: Vec<_> = entries.map(|other| pages.link(&at.page, &other.id)).collect();
+    let served: Vec<_> = pages.content.exhibits.served.iter().filter(|served| served.formula == entry.id).collect();
+    let mut outputs: Vec<(&str, Vec<&Served>)> = Vec::new();
+    for one in served {
+        match outputs.iter_mut().find(|(output, _)| *output == one.output) {
+            Some((_, of)) => of.push(one),
+            None => outputs.push((&one.output, vec![one])),
+        }
+    }
+    let output = |(output, of): &(&str, Vec<&Served>)| {
+        let of = of.iter().map(|served| format!("<a href=\"{}\">{}</a>", escape(&relative(&at.page, &served.place)), escape(&served.of)));
+        format!("<code>{}</code> of {}", escape(output), of.collect::<Vec<_>>().join(" and "))
+    };
+    let outputs = outputs.iter().map(output).collect::<Vec<_>>().join(", ");
+    let outputs = if outputs.is_empty() { outputs } else { format!("outputs of scenes {outputs}") };
+    [formulas, vec![outputs]].concat().into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
+}
+
+/// How to cite it: in words and for BibTeX, with the address that never changes.
+pub(crate) fn cite(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
+    let Some(cited) = &pages.content.cited else { return String::new() };
+    let (id, book) = (&entry.id, &cited.book);
+    let link = super::permalinks::page(id);
+    let title = entry.title.replace('$', "");
+    let digest = entry.digest.as_ref().map_or(String::new(), |digest| format!(". Golden file SHA-256 {digest}"));
+    let words = format!("{book} {}, formula {id} ({title}){digest}", cited.version);
+    let bib = format!(
+        "@misc{{{id},\n  title = {{{title} ({id})}},\n  author = {{{{{}}}}},\n  howpublished = {{{book} {}, {link}}},\n  note = {{{}}}\n}}",
+        cited.authors,
+        cited.version,
+        digest.trim_start_matches(". ")
+    );
+    format!(
+        "<details class=\"cite\"><summary>Cite this entry</summary><p>{}. Its address <a href=\"{}\"><code>{}</code></a> \
+         stays when chapters change.</p><pre><code class=\"nohighlight\">{}</code></pre></details>",
+        escape(&words),
+        escape(&relative(&at.page, &link)),
+        escape(&link),
+        escape(&bib)
+    )
+}
+
+/// What the folded evidence holds, in a line.
+pub(crate) fn summary(entry: &Entry) -> String {
+    let count = |number: usize, one: &str, many: &str| match number {
+        0 => format!("no {many}"),
+        1 => format!("1 {one}"),
+        number => format!("{number} {many}"),
+    };
+    let mut parts = vec![
+        entry.golden.as_ref().map_or("no golden file".into(), |golden| count(golden.total, "golden case", "golden cases")),
+        count(entry.kinks.len(), "kink", "kinks"),
+    ];
+    match &entry.evidence.audit {
+        Some(audit) => {
+            let held = audit.laws.iter().filter(|law| law.held()).count();
+            parts.push(format!("{} points audited", audit.named_points + audit.random_points));
+            parts.push(format!("{held} of {} held", count(audit.laws.len(), "law", "laws")));
+            if !audit.passed() {
+                parts.push("<b class=\"missing\">failed</b>".into());
+            }
+        }
+        None => parts.push("not audited on this version".into()),
+    }
+    each(parts, |part| format!("<span>{part}</span>"))
+}

@@ -1,0 +1,328 @@
+//! The built book in a browser: barriers, widths, weights, search, keyboard; and pictures of pages.
+
+mod queries;
+mod screens;
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use anyhow::{Context as _, Result};
+use serde_json::Value;
+
+pub(crate) use screens::take;
+
+use super::browser::{self, Browser, DESK, PHONE};
+use super::calculator::chapters;
+use crate::console::{self, count};
+use crate::project::Project;
+use queries::Answers;
+
+/// What is done in a page.
+const VISIT: &str = include_str!("visit.js");
+
+/// Where this says where `axe.min.js` is, every page is searched for barriers.
+const AXE: &str = "JOINTPROOF_AXE";
+
+/// Compressed bytes that the first view of a chapter should load at most.
+const WANTED: u64 = 400_000;
+
+/// The page on which every control is reached by the keyboard.
+const KEYBOARD: &str = "coulomb.html";
+
+/// Listings are alike: the longest stands for all.
+const LISTINGS: &str = "source";
+
+/// What was found.
+#[derive(Default)]
+pub(crate) struct Visited {
+    pages: usize,
+    /// Pages searched for barriers, in light and in dark colours.
+    searched: usize,
+    controls: usize,
+    answers: Option<Answers>,
+    /// Compressed bytes of the first view of each chapter.
+    weights: Vec<(u64, String)>,
+    /// What is off, with the pages where it is.
+    off: BTreeMap<String, Vec<String>>,
+}
+
+impl Visited {
+    pub(crate) fn is_well(&self) -> bool {
+        self.pages > 0 && self.off.is_empty() && self.answers.as_ref().is_none_or(Answers::are_enough)
+    }
+
+    fn note(&mut self, page: &str, found: impl IntoIterator<Item = String>) {
+        for found in found {
+            self.off.entry(found).or_default().push(page.to_owned());
+        }
+    }
+
+    /// With what was found in other pages.
+    fn and(mut self, other: Self) -> Self {
+        self.pages += other.pages;
+        self.searched += other.searched;
+        self.controls += other.controls;
+        self.weights.extend(other.weights);
+        for (found, pages) in other.off {
+            self.off.entry(found).or_default().extend(pages);
+        }
+        self
+    }
+}
+
+impl fmt::Display for Visited {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} on a phone and on a desk; ", count(self.pages, "page"))?;
+        match self.searched {
+            0 => write!(f, "not searched for barriers, since {AXE} is not set; ")?,
+            searched => write!(f, "{searched} searched for barriers, in light and dark colours; ")?,
+        }
+        write!(f, "{} reached by keyboard", count(self.controls, "control"))?;
+        if let Some((weight, page)) = self.weights.last() {
+            let middle = self.weights[self.weights.len() / 2].0;
+            write!(f, "\n    first view, compressed: {middle} bytes in the middle of all, at most {weight} ({page})")?;
+        }
+        if let Some(answers) = &self.answers {
+            write!(f, "\n    {answers}")?;
+        }
+        self.off.iter().try_for_each(|(found, pages)| {
+            write!(f, "\n    {found} ({}, first {})", count(pages.len(), "page"), pages[0])
+        })
+    }
+}
+
+/// Looks at every page of the book in this folder; `None` where there is no browser, unless one is required.
+///
+/// # Errors
+/// If the browser or a page fails.
+pub(crate) fn check(project: &Project, out: &Path) -> Result<Option<Visited>> {
+    if !browser::is_here_or_not_required()? {
+        return Ok(None);
+    }
+    let out = out.canonicalize()?;
+    let axe = std::env::var_os(AXE).map(|path| fs::read_to_string(&path).with_context(|| format!("{} cannot be read", path.display())));
+    let axe = axe.transpose()?;
+    let mut pages = chapters(&out)?;
+    // It is shown in the place of a page that is missing, so its links start at the root of a server.
+    pages.retain(|page| !page.ends_with("404.html"));
+    pages.extend(["index.html", "print.html"].map(|name| out.join(name)));
+    pages.extend(longest(&out.join(LISTINGS))?);
+    // The largest first, so that all browsers are done at about the same time.
+    pages.sort_by_key(|page| std::cmp::Reverse(page.metadata().map_or(0, |metadata| metadata.len())));
+    let bar = console::progress("pages", pages.len());
+    let next = AtomicUsize::new(0);
+    let browse = || -> Result<Visited> {
+        let mut visit = Visit { browser: Browser::start()?, out: &out, axe: axe.as_deref(), visited: Visited::default(), sizes: BTreeMap::new() };
+        while let Some(page) = pages.get(next.fetch_add(1, Ordering::Relaxed)) {
+            visit.page(page).with_context(|| format!("{} cannot be looked at", project.shown(page)))?;
+            bar.inc(1);
+        }
+        Ok(visit.visited)
+    };
+    let mut visited = std::thread::scope(|scope| {
+        let others: Vec<_> = (1..BROWSERS).map(|_| scope.spawn(browse)).collect();
+        others.into_iter().try_fold(browse()?, |visited, other| match other.join() {
+            Ok(found) => Ok::<_, anyhow::Error>(visited.and(found?)),
+            Err(panic) => std::panic::resume_unwind(panic),
+        })
+    })?;
+    bar.finish_and_clear();
+    let mut browser = Browser::start()?;
+    if out.join(KEYBOARD).exists() {
+        keyboard(&mut browser, &out, &mut visited)?;
+    }
+    visited.answers = queries::ask(project, &out, &mut browser)?;
+    visited.note("index.html", browser.errors.drain(..));
+    visited.weights.sort();
+    let heavy: Vec<_> = visited.weights.iter().filter(|(weight, _)| *weight > WANTED).cloned().collect();
+    for (weight, page) in heavy {
+        visited.note(&page, [format!("the first view loads {weight} bytes, wanted are {WANTED}")]);
+    }
+    Ok(Some(visited))
+}
+
+/// So many browsers look at pages at the same time.
+const BROWSERS: usize = 2;
+
+/// The longest file of a folder and below.
+fn longest(folder: &Path) -> Result<Option<PathBuf>> {
+    let mut found: Option<(u64, PathBuf)> = None;
+    if folder.exists() {
+        for entry in fs::read_dir(folder)? {
+            let path = entry?.path();
+            let path = if path.is_dir() { longest(&path)? } else { Some(path) };
+            let sized = path.and_then(|path| Some((path.metadata().ok()?.len(), path)));
+            found = found.max(sized);
+        }
+    }
+    Ok(found.map(|(_, path)| path))
+}
+
+/// A visit under way.
+struct Visit<'a> {
+    browser: Browser,
+    out: &'a Path,
+    axe: Option<&'a str>,
+    visited: Visited,
+    /// Compressed bytes of files that were met.
+    sizes: BTreeMap<PathBuf, u64>,
+}
+
+/// What a page has loaded.
+#[derive(serde::Deserialize)]
+struct Loaded {
+    files: Vec<String>,
+    /// Family, style and range of characters.
+    fonts: Vec<[String; 3]>,
+}
+
+impl Visit<'_> {
+    /// One page: on a phone in light colours, then on a desk in both.
+    fn page(&mut self, page: &Path) -> Result<()> {
+        let name = page.strip_prefix(self.out).unwrap_or(page).display().to_string();
+        self.visited.pages += 1;
+        self.browser.screen(PHONE)?;
+        self.browser.prefer(false, false)?;
+        open(&mut self.browser, page)?;
+        let weight = self.weight(page)?;
+        if !page.ends_with("print.html") {
+            self.visited.weights.push((weight, name.clone()));
+        }
+        self.letters(&name)?;
+        self.note(&name, "", "wider()")?;
+        // It repeats all chapters, whose folded parts and colours are looked at one by one.
+        let repeats = page.ends_with("print.html");
+        if !repeats {
+            self.browser.evaluate("unfold()")?;
+            self.note(&name, "unfolded, ", "wider()")?;
+        }
+        let Some(axe) = self.axe else { return Ok(()) };
+        self.visited.searched += 1;
+        self.browser.screen(DESK)?;
+        self.browser.evaluate(axe)?;
+        if repeats {
+            return self.note(&name, "", "barriers({ rules: { 'color-contrast': { enabled: false } } })");
+        }
+        self.note(&name, "", "barriers()")?;
+        self.browser.prefer(true, true)?;
+        open(&mut self.browser, page)?;
+        self.browser.evaluate("unfold()")?;
+        self.browser.evaluate(axe)?;
+        self.note(&name, "in dark colours, ", "barriers({ runOnly: ['color-contrast'] })")?;
+        self.note(&name, "with less motion wanted, ", "moving()")
+    }
+
+    /// Characters of formulas that the mathematical font does not have.
+    fn letters(&mut self, name: &str) -> Result<()> {
+        let css = fs::read_to_string(self.out.join("fonts/fonts.css")).unwrap_or_default();
+        let face = css.split("@font-face").find(|face| face.contains(MATHEMATICAL)).unwrap_or_default();
+        let Some(range) = declared(face, "unicode-range") else { return Ok(()) };
+        let used: Vec<char> = serde_json::from_value(self.browser.evaluate("characters()")?)?;
+        let lost = used.into_iter().filter(|c| !c.is_whitespace() && !is_within(*c, &range));
+        let lost = lost.map(|c| format!("{MATHEMATICAL} has no `{c}`, U+{:X}", u32::from(c)));
+        self.visited.note(name, lost);
+        Ok(())
+    }
+
+    /// What an expression finds is off.
+    fn note(&mut self, name: &str, when: &str, expression: &str) -> Result<()> {
+        let found: Vec<String> = serde_json::from_value(self.browser.evaluate(expression)?)?;
+        self.visited.note(name, found.into_iter().map(|found| format!("{when}{found}")));
+        self.visited.note(name, self.browser.errors.drain(..));
+        Ok(())
+    }
+
+    /// Compressed bytes of a page and of all that it loads.
+    fn weight(&mut self, page: &Path) -> Result<u64> {
+        let loaded: Loaded = serde_json::from_value(self.browser.evaluate("loaded()")?)?;
+        let path = |url: &String| url.strip_prefix("file://").map(PathBuf::from);
+        let mut files: Vec<PathBuf> = loaded.files.iter().filter_map(path).collect();
+        files.extend(fonts(&self.out.join("fonts"), &loaded.fonts)?);
+        files.push(page.to_path_buf());
+        files.sort();
+        files.dedup();
+        let mut sum = 0;
+        for file in files {
+            sum += match self.sizes.get(&file) {
+                Some(size) => *size,
+                None => self.size(&file)?,
+            };
+        }
+        Ok(sum)
+    }
+
+    /// Of a text, compressed; fonts are compressed already.
+    fn size(&mut self, file: &Path) -> Result<u64> {
+        let bytes = fs::read(file).with_context(|| format!("the page loads {}, which cannot be read", file.display()))?;
+        let size = match String::from_utf8(bytes) {
+            Ok(text) => self.browser.evaluate(&format!("compressed({})", Value::from(text)))?.as_u64().context("no size")?,
+            Err(error) => error.as_bytes().len() as u64,
+        };
+        self.sizes.insert(file.to_path_buf(), size);
+        Ok(size)
+    }
+}
+
+fn open(browser: &mut Browser, page: &Path) -> Result<()> {
+    browser.open(page)?;
+    browser.evaluate(VISIT).map(drop)
+}
+
+/// The files of fonts that `fonts.css` gives for these families, styles and ranges.
+fn fonts(folder: &Path, loaded: &[[String; 3]]) -> Result<Vec<PathBuf>> {
+    let css = fs::read_to_string(folder.join("fonts.css")).unwrap_or_default();
+    let faces: Vec<&str> = css.split("@font-face").skip(1).collect();
+    let mut files = Vec::new();
+    for [family, style, range] in loaded {
+        let is_it = |face: &&&str| {
+            declared(face, "font-family").is_some_and(|known| known == *family)
+                && declared(face, "font-style").as_deref().unwrap_or("normal") == style
+                && declared(face, "unicode-range").is_some() == (range != ANY)
+        };
+        let face = faces.iter().find(is_it).with_context(|| format!("fonts.css has no {family}, {style}, {range}"))?;
+        let url = face.split_once("url(").and_then(|(_, rest)| rest.split_once(')'));
+        files.push(folder.join(url.context("a font without address")?.0.replace('"', "")));
+    }
+    Ok(files)
+}
+
+/// What a face of `fonts.css` declares.
+fn declared(face: &str, key: &str) -> Option<String> {
+    let rest = face.split_once(&format!("{key}:"))?.1;
+    Some(rest.split(';').next()?.trim().replace('"', ""))
+}
+
+/// Whether a character is in a range as CSS writes it: `U+20-7E, U+131`.
+fn is_within(c: char, range: &str) -> bool {
+    let number = |text: &str| u32::from_str_radix(text, 16).ok();
+    range.split(',').filter_map(|part| part.trim().strip_prefix("U+")).any(|part| {
+        let (from, to) = part.split_once('-').unwrap_or((part, part));
+        number(from).zip(number(to)).is_some_and(|(from, to)| (from..=to).contains(&u32::from(c)))
+    })
+}
+
+/// The font in which formulas are set.
+const MATHEMATICAL: &str = "STIX Two Math";
+
+/// Every character.
+const ANY: &str = "U+0-10FFFF";
+
+/// Goes through a page with the tabulator: every control is reached, and is marked when it is.
+fn keyboard(browser: &mut Browser, out: &Path, visited: &mut Visited) -> Result<()> {
+    browser.screen(DESK)?;
+    browser.prefer(false, false)?;
+    open(browser, &out.join(KEYBOARD))?;
+    let controls = browser.evaluate("controls().length")?.as_u64().context("no number of controls")?;
+    for _ in 0..controls + 20 {
+        browser.press("Tab")?;
+        let fault = browser.evaluate("focused()")?;
+        visited.note(KEYBOARD, fault.as_str().filter(|fault| !fault.is_empty()).map(String::from));
+    }
+    let unreached: Vec<String> = serde_json::from_value(browser.evaluate("unreached()")?)?;
+    visited.controls = usize::try_from(controls)? - unreached.len().min(usize::try_from(controls)?);
+    visited.note(KEYBOARD, unreached);
+    Ok(())
+}

@@ -1,0 +1,71 @@
+//! What a reader would type, and which page must come first: `book/queries.txt`.
+
+use std::fmt;
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context as _, Result, bail};
+
+use super::VISIT;
+use crate::book::browser::{Browser, DESK};
+use crate::project::Project;
+
+const LIST: &str = "book/queries.txt";
+
+/// So many of 40 must be right.
+const ENOUGH: (usize, usize) = (38, 40);
+
+/// What search answered.
+#[derive(Default)]
+pub(super) struct Answers {
+    asked: usize,
+    right: usize,
+    wrong: Vec<String>,
+}
+
+impl Answers {
+    pub(super) fn are_enough(&self) -> bool {
+        self.asked > 0 && self.right * ENOUGH.1 >= self.asked * ENOUGH.0
+    }
+}
+
+impl fmt::Display for Answers {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "search: {} of {} queries give the right entry first", self.right, self.asked)?;
+        self.wrong.iter().try_for_each(|wrong| write!(f, "\n    {wrong}"))
+    }
+}
+
+/// Types every query into the book's search; `None` if the project has no list.
+pub(super) fn ask(project: &Project, out: &Path, browser: &mut Browser) -> Result<Option<Answers>> {
+    let Ok(list) = fs::read_to_string(project.root().join(LIST)) else { return Ok(None) };
+    let queries = parsed(&list)?;
+    browser.screen(DESK)?;
+    browser.open(&out.join("index.html"))?;
+    browser.evaluate(VISIT)?;
+    let texts: Vec<_> = queries.iter().map(|(query, _)| query).collect();
+    let found = browser.evaluate(&format!("found({})", serde_json::to_string(&texts)?))?;
+    let found: Vec<Vec<String>> = serde_json::from_value(found)?;
+    let mut answers = Answers::default();
+    for ((query, wanted), found) in queries.iter().zip(&found) {
+        answers.asked += 1;
+        let first = found.first().map_or("nothing", String::as_str);
+        if wanted.contains(&first) {
+            answers.right += 1;
+        } else {
+            answers.wrong.push(format!("{query}: wanted is {}, found {}", wanted.join(" or "), if found.is_empty() { first.into() } else { found.join(", ") }));
+        }
+    }
+    Ok(Some(answers))
+}
+
+/// Each line is `query => page`, or several pages with `or` between them.
+fn parsed(list: &str) -> Result<Vec<(&str, Vec<&str>)>> {
+    let mut queries = Vec::new();
+    for (at, line) in list.lines().enumerate().filter(|(_, line)| !line.is_empty() && !line.starts_with('#')) {
+        let Some((query, wanted)) = line.split_once(" => ") else { bail!("{LIST}:{}: wanted is `query => page`", at + 1) };
+        queries.push((query.trim(), wanted.split(" or ").map(str::trim).collect()));
+    }
+    queries.first().context("no query in the list")?;
+    Ok(queries)
+}

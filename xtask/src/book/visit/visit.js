@@ -1,0 +1,98 @@
+// What is looked at in a page; evaluated in it by the check.
+
+// Opens everything that is folded but calculators, which have a check of their own.
+function unfold() {
+    for (const folded of document.querySelectorAll('details:not(.calculator, [open])')) folded.open = true;
+}
+
+// What makes the page wider than the screen.
+function wider() {
+    const width = document.documentElement.clientWidth;
+    const over = document.scrollingElement.scrollWidth - width;
+    if (over <= 0) return [];
+    const inBox = (one) => {
+        for (let box = one.parentElement; box && box !== document.body; box = box.parentElement) {
+            if (!['visible', ''].includes(getComputedStyle(box).overflowX)) return true;
+        }
+        return false;
+    };
+    const out = [...document.querySelectorAll('main *')].filter((one) => one.getBoundingClientRect().right > width + 1 && !inBox(one));
+    const first = out.find((one) => ![...one.children].some((child) => out.includes(child)));
+    return [`the page is ${over} pixels wider than the screen: ${first ? first.outerHTML.slice(0, 160) : 'outside of the text'}`];
+}
+
+// Characters of formulas.
+function characters() {
+    return [...new Set([...document.querySelectorAll('math')].flatMap(({ textContent }) => [...textContent]))];
+}
+
+// What the page has loaded: its scripts and style sheets, and its fonts by family, style and range.
+async function loaded() {
+    await document.fonts.ready;
+    const files = [...document.querySelectorAll('link[rel=stylesheet], script[src]')].filter((one) => one.media !== 'print');
+    const fonts = [...document.fonts].filter(({ status }) => status === 'loaded');
+    return {
+        files: files.map((one) => one.src || one.href),
+        fonts: fonts.map(({ family, style, unicodeRange }) => [family.replaceAll('"', ''), style, unicodeRange]),
+    };
+}
+
+// Serious and critical findings of axe, a line each. A formula counts as one thing, with its LaTeX as its text.
+async function barriers(options) {
+    const { violations } = await axe.run({ exclude: [['math > *']] }, { resultTypes: ['violations'], preload: false, ...options });
+    const grave = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
+    return grave.map(({ id, impact, nodes }) => `${impact}: ${id}, ${nodes.length} times, first ${nodes[0].target.join(' ')} ${nodes[0].html.slice(0, 160)}`);
+}
+
+// The first address that search gives for each query, and how many it gives.
+async function found(queries) {
+    document.getElementById('mdbook-search-toggle').click();
+    const bar = document.getElementById('mdbook-searchbar');
+    const ready = () => document.querySelector('#mdbook-search-index') && !document.querySelector('.searchbar-outer.searching');
+    for (let left = 500; !ready(); --left) {
+        if (left === 0) throw new Error('search does not get ready');
+        await new Promise((resolve) => setTimeout(resolve, 10));
+    }
+    return queries.map((query) => {
+        bar.value = query;
+        bar.dispatchEvent(new KeyboardEvent('keyup', { bubbles: true }));
+        const links = [...document.querySelectorAll('#mdbook-searchresults a')];
+        return links.slice(0, 3).map((link) => link.getAttribute('href').replace(/\?[^#]*/, ''));
+    });
+}
+
+// What can be reached by the keyboard: every visible control in the page.
+function controls() {
+    const all = document.querySelectorAll('a[href], button, input, select, summary, [tabindex="0"], label[for]');
+    return [...all].filter((one) => one.tabIndex >= 0 && one.checkVisibility({ visibilityProperty: true }) && one.getClientRects().length);
+}
+
+// Where the keyboard is: its place among the controls, whether that is to be seen, and whether anything marks it.
+let reached = new Set();
+function focused() {
+    const one = document.activeElement;
+    if (!one || one === document.body) return '';
+    reached.add(one);
+    const style = getComputedStyle(one);
+    const marked = style.outlineStyle !== 'none' || style.boxShadow !== 'none';
+    return marked ? '' : `nothing marks ${one.outerHTML.slice(0, 120)} when the keyboard is there`;
+}
+function unreached() {
+    return controls().filter((one) => !reached.has(one)).map((one) => `the keyboard does not reach ${one.outerHTML.slice(0, 120)}`);
+}
+
+// Whatever still moves for a reader who wants less motion.
+function moving() {
+    const moves = (one) => {
+        const { transitionDuration, animationName, animationDuration } = getComputedStyle(one);
+        const lasts = (text) => text.split(',').some((part) => parseFloat(part) > 0.01);
+        return lasts(transitionDuration) || (animationName !== 'none' && lasts(animationDuration));
+    };
+    return [...document.querySelectorAll('body, body *')].filter(moves).slice(0, 3).map((one) => `${one.outerHTML.slice(0, 100)} moves`);
+}
+
+// How many bytes a text has when compressed.
+async function compressed(text) {
+    const stream = new Blob([text]).stream().pipeThrough(new CompressionStream('gzip'));
+    return (await new Response(stream).arrayBuffer()).byteLength;
+}

@@ -1,0 +1,135 @@
+//! One worked number of a formula: a golden case that can be read at a glance.
+
+use jointproof::catalog::AnyFormula;
+use jointproof::formula::Field;
+use jointproof::proof::Flag;
+use jointproof::verify::golden::{File, Record, components};
+
+use super::content::Worked;
+
+/// Digits that are shown of a number.
+const DIGITS: usize = 6;
+
+/// At most so many derivatives are shown.
+const DERIVATIVES: usize = 2;
+
+/// Inputs of at most so many components are all shown; of more, those that are not 0.
+const ALL: usize = 9;
+
+/// A valid case with derivatives: if there is one, without an output of 0, worked by hand, and not half of zeros; of these the
+/// shortest, for which a zero counts as long as a number.
+pub(crate) fn of(formula: &dyn AnyFormula, golden: &File) -> Option<Worked> {
+    let [inputs, outputs] = [formula.inputs(), formula.outputs()];
+    let shown = |case: &Record| {
+        let point = components(inputs, &case.inputs).ok()?;
+        let (value, jacobian) = (case.out.is_some() && case.jac.is_some()).then(|| formula.value_and_jacobian(&point).ok())??;
+        let worked = Worked {
+            case: case.id.clone(),
+            inputs: given(inputs, &point),
+            outputs: numbers(outputs, &value),
+            derivatives: derivatives(inputs, outputs, &jacobian),
+        };
+        let zeros = point.iter().filter(|x| **x == 0.0).count();
+        let is_zero = value.contains(&0.0) || worked.derivatives.is_empty();
+        let length = [&worked.inputs, &worked.outputs, &worked.derivatives].map(|parts| parts.concat().len()).iter().sum::<usize>();
+        Some(((is_zero, !case.flags.contains(&Flag::Hand), zeros.saturating_sub(point.len() / 2), length + zeros), worked))
+    };
+    golden.cases.iter().filter_map(shown).min_by_key(|(rank, _)| *rank).map(|(_, worked)| worked)
+}
+
+/// The inputs; where there are many, those that are not 0, and that the rest is.
+fn given(fields: &[Field], point: &[f64]) -> Vec<String> {
+    if point.len() <= ALL {
+        return numbers(fields, point);
+    }
+    let mut at = 0;
+    let mut shown = Vec::new();
+    let mut rest = false;
+    for field in fields {
+        let part = &point[at..at + field.len()];
+        at += field.len();
+        if part.iter().all(|x| *x == 0.0) {
+            rest = true;
+        } else {
+            shown.extend(numbers(std::slice::from_ref(field), part));
+        }
+    }
+    shown.extend(rest.then(|| "the rest 0".into()));
+    shown
+}
+
+/// `$f_2 = 3$` for each field.
+fn numbers(fields: &[Field], components: &[f64]) -> Vec<String> {
+    let mut at = 0;
+    let one = |field: &Field| {
+        let part = &components[at..at + field.len()];
+        at += field.len();
+        let (sign, text) = tuple(part);
+        format!("${} {sign} {text}$", field.quantity.latex)
+    };
+    fields.iter().map(one).collect()
+}
+
+/// `= 3`, `\approx 0.333333`, or `= (1, 2, 3)`.
+fn tuple(numbers: &[f64]) -> (&'static str, String) {
+    let texts: Vec<_> = numbers.iter().map(|&x| short(x)).collect();
+    let exact = numbers.iter().zip(&texts).all(|(x, (_, shown))| x == shown);
+    let text = texts.iter().map(|(text, _)| text.as_str()).collect::<Vec<_>>().join(",\\, ");
+    let text = if let [_] = numbers { text } else { format!("({text})") };
+    (if exact { "=" } else { r"\approx" }, text)
+}
+
+/// A number in LaTeX with few digits, and the number that they are.
+fn short(x: f64) -> (String, f64) {
+    let text = format!("{x:.*e}", DIGITS - 1);
+    let rounded: f64 = text.parse().unwrap_or(x);
+    let plain = format!("{}", rounded + 0.0);
+    if plain.len() <= DIGITS + 4 {
+        return (plain, rounded);
+    }
+    let text = format!("{rounded:e}");
+    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    let mantissa = if mantissa == "1" { String::new() } else { format!(r"{mantissa}\cdot ") };
+    (format!("{mantissa}10^{{{exponent}}}"), rounded)
+}
+
+/// The first derivatives that are not 0, of scalars alone.
+fn derivatives(inputs: &[Field], outputs: &[Field], jacobian: &[f64]) -> Vec<String> {
+    let [rows, columns] = [outputs, inputs].map(symbols);
+    let entries = rows.iter().flat_map(|row| columns.iter().map(move |column| (row, column)));
+    let shown = entries.zip(jacobian).filter(|(_, x)| **x != 0.0).take(DERIVATIVES).map(|((row, column), &x)| {
+        let (sign, text) = tuple(&[x]);
+        format!(r"$\partial {row}/\partial {column} {sign} {text}$")
+    });
+    shown.collect()
+}
+
+/// The symbol of every component.
+fn symbols(fields: &[Field]) -> Vec<String> {
+    let of = |field: &Field| -> Vec<String> {
+        let latex = field.quantity.latex;
+        match field.len() {
+            1 => vec![latex.into()],
+            many => (1..=many).map(|k| format!("({latex})_{{{k}}}")).collect(),
+        }
+    };
+    fields.iter().flat_map(of).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use jointproof::catalog::find;
+
+    #[test]
+    fn a_worked_number_is_short_and_says_where_it_is_rounded() {
+        let formula = find("slot.contact_force").unwrap();
+        let worked = of(formula, &formula.golden()).unwrap();
+        assert_eq!(worked.case, "pythagoras");
+        assert_eq!(worked.inputs, ["$f_2 = 3$", "$f_3 = 4$"]);
+        assert_eq!(worked.outputs, ["$F_C = 5$"]);
+        assert_eq!(worked.derivatives, [r"$\partial F_C/\partial f_2 = 0.6$", r"$\partial F_C/\partial f_3 = 0.8$"]);
+        assert_eq!(tuple(&[1.0 / 3.0]), (r"\approx", "0.333333".into()));
+        assert_eq!(tuple(&[1e-9, -0.0]), ("=", r"(10^{-9},\, 0)".into()));
+    }
+}

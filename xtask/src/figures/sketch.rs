@@ -1,0 +1,227 @@
+//! A drawing in space: points are projected on paper, and every part is a line of SVG, so that two positions of one mechanism
+//! differ in few lines.
+
+use std::fmt::Write;
+
+use nalgebra::{Vector2, Vector3};
+
+pub(super) type Point = Vector3<f64>;
+
+/// How a stroke is drawn.
+#[derive(Clone, Copy)]
+pub(super) enum Ink {
+    /// What is there.
+    Solid,
+    /// What is thin: dimensions, the outline of bodies.
+    Thin,
+    /// A construction, dashed.
+    Dashed,
+    /// An axis, with long and short dashes.
+    Axis,
+    /// What is asked about, in the accent's colour.
+    Accent,
+    /// A force or moment, in the warm colour.
+    Force,
+}
+
+impl Ink {
+    fn colour(self) -> &'static str {
+        match self {
+            Self::Accent => "var(--accent, #0b57b0)",
+            Self::Force => "var(--warm, #b5501b)",
+            _ => "currentColor",
+        }
+    }
+
+    fn stroke(self) -> String {
+        let rest = match self {
+            Self::Solid | Self::Accent | Self::Force => r#"stroke-width="2.2""#,
+            Self::Thin => r#"stroke-width="1.1" stroke-opacity="0.7""#,
+            Self::Dashed => r#"stroke-width="1.2" stroke-opacity="0.8" stroke-dasharray="4 4""#,
+            Self::Axis => r#"stroke-width="1.1" stroke-dasharray="14 4 2 4""#,
+        };
+        format!(r#"stroke="{}" {rest}"#, self.colour())
+    }
+
+    fn tip(self) -> &'static str {
+        match self {
+            Self::Accent => "accent",
+            Self::Force => "force",
+            _ => "tip",
+        }
+    }
+}
+
+/// The picture under way.
+pub(super) struct Sketch {
+    name: &'static str,
+    title: &'static str,
+    description: &'static str,
+    /// Where the origin is on paper, and what the axes are there.
+    origin: Vector2<f64>,
+    axes: [Vector2<f64>; 3],
+    size: [f64; 2],
+    lines: Vec<String>,
+    /// What is written below.
+    notes: Vec<String>,
+}
+
+impl Sketch {
+    /// Seen from the front, from the right and from above: the first axis to the right, the second up, the third forward.
+    pub(super) fn in_space(name: &'static str, title: &'static str, description: &'static str, unit: f64, origin: [f64; 2]) -> Self {
+        let axes = [[0.98, -0.2], [0.0, -1.0], [-0.52, 0.42]].map(|axis| Vector2::from(axis) * unit);
+        Self { name, title, description, origin: origin.into(), axes, size: [560.0, 320.0], lines: Vec::new(), notes: Vec::new() }
+    }
+
+    /// With the second axis to the right, for shafts that lie.
+    pub(super) fn lying(name: &'static str, title: &'static str, description: &'static str, unit: f64, origin: [f64; 2]) -> Self {
+        let axes = [[-0.45, 0.5], [0.98, 0.12], [0.0, -1.0]].map(|axis| Vector2::from(axis) * unit);
+        Self { axes, ..Self::in_space(name, title, description, unit, origin) }
+    }
+
+    /// In the plane of the first two axes.
+    pub(super) fn in_plane(name: &'static str, title: &'static str, description: &'static str, unit: f64, origin: [f64; 2]) -> Self {
+        let axes = [[1.0, 0.0], [0.0, -1.0], [0.0, 0.0]].map(|axis| Vector2::from(axis) * unit);
+        Self { axes, ..Self::in_space(name, title, description, unit, origin) }
+    }
+
+    fn place(&self, p: Point) -> Vector2<f64> {
+        self.origin + self.axes[0] * p.x + self.axes[1] * p.y + self.axes[2] * p.z
+    }
+
+    /// Straight pieces through points.
+    pub(super) fn path(&mut self, points: &[Point], ink: Ink) {
+        let mut d = String::new();
+        for (k, point) in points.iter().enumerate() {
+            let at = self.place(*point);
+            let _ = write!(d, "{}{} {}", if k == 0 { "M" } else { "L" }, tenth(at.x), tenth(at.y));
+        }
+        self.lines.push(format!(r#"<path d="{d}" {}/>"#, ink.stroke()));
+    }
+
+    /// A band along points, as wide as this on paper: a groove, a tube.
+    pub(super) fn band(&mut self, points: [Point; 2], width: f64) {
+        let [from, to] = points.map(|point| self.place(point));
+        self.lines.push(format!(
+            r#"<path d="M{} {}L{} {}" stroke="currentColor" stroke-opacity="0.13" stroke-width="{width}" stroke-linecap="butt"/>"#,
+            tenth(from.x), tenth(from.y), tenth(to.x), tenth(to.y)
+        ));
+    }
+
+    /// An area within points.
+    pub(super) fn area(&mut self, points: &[Point], ink: Ink) {
+        let all: Vec<_> = points.iter().map(|point| self.place(*point)).map(|at| format!("{} {}", tenth(at.x), tenth(at.y))).collect();
+        self.lines.push(format!(
+            r#"<path d="M{}Z" fill="{colour}" fill-opacity="0.1" stroke="{colour}" stroke-width="1.3"/>"#,
+            all.join("L"),
+            colour = ink.colour()
+        ));
+    }
+
+    /// An arrow; one that is too short to have a tip is left out, as an empty line.
+    pub(super) fn arrow(&mut self, from: Point, by: Point, ink: Ink) {
+        let [start, end] = [from, from + by].map(|point| self.place(point));
+        self.lines.push(if (end - start).norm() < 3.0 {
+            String::new()
+        } else {
+            format!(
+                r#"<path d="M{} {}L{} {}" {} marker-end="url(#{}-{})"/>"#,
+                tenth(start.x), tenth(start.y), tenth(end.x), tenth(end.y), ink.stroke(), self.name, ink.tip()
+            )
+        });
+    }
+
+    /// A node.
+    pub(super) fn dot(&mut self, at: Point, ink: Ink) {
+        let at = self.place(at);
+        self.lines.push(format!(r#"<circle cx="{}" cy="{}" r="5.5" fill="{}"/>"#, tenth(at.x), tenth(at.y), ink.colour()));
+    }
+
+    /// A name beside a point: `e_1a` has an index, and a name that begins with `*` is bold.
+    pub(super) fn label(&mut self, at: Point, beside: [f64; 2], name: &str, ink: Ink) {
+        let at = self.place(at) + Vector2::from(beside);
+        self.lines.push(format!(r#"<text x="{}" y="{}" fill="{}">{}</text>"#, tenth(at.x), tenth(at.y), ink.colour(), set(name)));
+    }
+
+    /// Three arrows with their names, of a node called `of`.
+    pub(super) fn triad(&mut self, at: Point, axes: [Point; 3], length: f64, of: &str, ink: Ink) {
+        for (k, axis) in axes.iter().enumerate() {
+            self.arrow(at, axis * length, ink);
+            let end = self.place(at + axis * length) - self.place(at);
+            let beside = end / end.norm().max(1.0) * 12.0 + Vector2::new(-5.0, 5.0);
+            self.label(at + axis * length, beside.into(), &format!("*e_{}{of}", k + 1), ink);
+        }
+    }
+
+    /// A line of numbers below the drawing.
+    pub(super) fn note(&mut self, text: impl Into<String>) {
+        self.notes.push(text.into());
+    }
+
+    /// The SVG element, a line a part.
+    pub(super) fn svg(mut self) -> String {
+        let [width, height] = self.size;
+        for (k, note) in self.notes.iter().enumerate() {
+            let y = height - 14.0 - 20.0 * (self.notes.len() - 1 - k) as f64;
+            self.lines.push(format!(r#"<text x="14" y="{y}" font-size="14" fill="currentColor" class="label">{}</text>"#, set(note)));
+        }
+        let name = self.name;
+        let marker = |tip: &str, colour: &str| {
+            format!(r#"<marker id="{name}-{tip}" viewBox="0 0 10 10" refX="8.5" refY="5" markerWidth="6.5" markerHeight="6.5" orient="auto"><path d="M0 1 9 5 0 9Z" fill="{colour}" stroke="none"/></marker>"#)
+        };
+        let markers = [Ink::Solid, Ink::Accent, Ink::Force].map(|ink| marker(ink.tip(), ink.colour())).concat();
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" role=\"img\" aria-labelledby=\"{name}-title {name}-desc\" \
+             fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\" font-size=\"17\">\n<title id=\"{name}-title\">{}</title>\n\
+             <desc id=\"{name}-desc\">{}</desc>\n<defs>{markers}</defs>\n{}\n</svg>\n",
+            self.title,
+            self.description,
+            self.lines.join("\n")
+        )
+    }
+}
+
+/// To a tenth of a point, without a negative zero.
+fn tenth(x: f64) -> f64 {
+    (x * 10.0).round() / 10.0 + 0.0
+}
+
+/// A number for a note: two decimals, with a true minus sign.
+pub(super) fn number(x: f64) -> String {
+    format!("{:.2}", (x * 100.0).round() / 100.0 + 0.0).replace('-', "−")
+}
+
+/// Words in which `e_1a` has an index and `*e` is bold; indices end at a space or comma.
+fn set(text: &str) -> String {
+    let mut out = String::new();
+    for (k, word) in text.split(' ').enumerate() {
+        if k > 0 {
+            out.push(' ');
+        }
+        let (bold, word) = word.strip_prefix('*').map_or(("", word), |rest| (r#" font-weight="700""#, rest));
+        match word.split_once('_') {
+            Some((name, index)) => {
+                let end = index.find([',', ')', '=']).unwrap_or(index.len());
+                let (index, after) = index.split_at(end);
+                let _ = write!(out, r#"<tspan{bold}>{name}</tspan><tspan dy="5" font-size="0.72em">{index}</tspan><tspan dy="-5">{after}&#8203;</tspan>"#);
+            }
+            None if bold.is_empty() => out.push_str(word),
+            None => {
+                let _ = write!(out, "<tspan{bold}>{word}</tspan>");
+            }
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_have_indices_and_numbers_true_signs() {
+        assert_eq!(set("a b"), "a b");
+        assert!(set("*e_1a").contains("font-weight=\"700\">e</tspan><tspan dy=\"5\" font-size=\"0.72em\">1a<"));
+        assert_eq!([number(-0.001), number(-1.5)], ["0.00", "−1.50"]);
+    }
+}
