@@ -36,6 +36,7 @@ fn ours(project: Project) -> Project {
         .with_command("tidy", tidy::run)
         .with_golden("scenes", scene::golden)
         .with_check("statements", statements::verify)
+        .with_reach(tidy::reach)
         .with_exhibits(exhibits::all)
         .with_debt("an independent implementation", has_oracle, "`@formula(…)` in tests/python/oracle")
 }
