@@ -6,6 +6,8 @@ mod exhibits;
 #[cfg(feature = "ours")]
 mod figures;
 #[cfg(feature = "ours")]
+mod museum;
+#[cfg(feature = "ours")]
 mod scene;
 #[cfg(feature = "ours")]
 mod statements;
