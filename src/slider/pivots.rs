@@ -2,7 +2,7 @@
 
 use crate::binade::Binade;
 use crate::eft::Pair;
-use crate::scalar::{Leaf, Scalar, abs, leaf};
+use crate::scalar::{Leaf, Scalar, abs, choice, leaf};
 use nalgebra::{SVector, Vector2, Vector3};
 
 /// The axes of elimination in space, counted from 0: coordinates i and j of node m follow from coordinate k.
@@ -91,17 +91,26 @@ impl Pivots2d {
 #[inline]
 fn at_least<D: Scalar, const N: usize>(x1: &SVector<D, N>, xn: &SVector<D, N>, a: usize, b: usize) -> bool {
     let [a, b] = [a, b].map(|axis| Pair::difference(leaf(xn[axis]), leaf(x1[axis])).abs());
-    if a.high == b.high { a.low >= b.low } else { a.high > b.high }
+    answer::<D::Leaf>(|| if a.high == b.high { a.low >= b.low } else { a.high > b.high })
+}
+
+/// An answer as one [`choice`].
+#[inline]
+fn answer<L: Leaf>(is_so: impl Fn() -> bool) -> bool {
+    let [one] = choice(|| [L::from(if is_so() { 1.0 } else { 0.0 })]);
+    one == 1.0
 }
 
 /// Whether p² + q² ≥ p |d1|, for the exact d; p = |d_far| ≥ q = |d_near|. False for p = 0, a line along axis 1.
 #[inline]
 fn steep<D: Scalar>(x1: &Vector3<D>, xn: &Vector3<D>, near: usize, far: usize) -> bool {
     let sizes = [0, far, near].map(|axis| abs(leaf(xn[axis]) - leaf(x1[axis])));
-    if sizes[2] == 0.0 {
-        return sizes[1] > 0.0 && at_least(x1, xn, far, 0);
-    }
-    steep_if_certain(sizes).unwrap_or_else(|| steep_exactly(&x1.map(leaf), &xn.map(leaf), near, far))
+    answer::<D::Leaf>(|| {
+        if sizes[2] == 0.0 {
+            return sizes[1] > 0.0 && at_least(x1, xn, far, 0);
+        }
+        steep_if_certain(sizes).unwrap_or_else(|| steep_exactly(&x1.map(leaf), &xn.map(leaf), near, far))
+    })
 }
 
 /// The same for rounded sizes |d1|, p and q, unless they come so near to a tie that rounding could decide, or overflow.

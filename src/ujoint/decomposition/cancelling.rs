@@ -107,23 +107,26 @@ fn settled<L: Leaf, const N: usize, const TERMS: usize>(
     in_pairs: impl Fn(&Vector3<L>) -> Pair<L>,
     exact: impl Fn(L, &Vector3<L>) -> [[L; 4]; TERMS],
 ) -> L {
-    let (mut sizes, mut fine) = (L::zero(), None);
-    for (f, e) in forces {
-        if *f == 0.0 {
-            continue;
+    let [sizes, fine] = choice(|| {
+        let (mut sizes, mut fine) = (L::zero(), None);
+        for (f, e) in forces {
+            if *f == 0.0 {
+                continue;
+            }
+            sizes += abs(*f) * size(e);
+            // Of one force alone the product comes last, where a rounding is all that it costs.
+            fine = Some(match fine {
+                None => (in_pairs(e), *f),
+                Some((sum, g)) => (sum * g + in_pairs(e) * *f, L::one()),
+            });
         }
-        sizes += abs(*f) * size(e);
-        // Of one force alone the product comes last, where a rounding is all that it costs.
-        fine = Some(match fine {
-            None => (in_pairs(e), *f),
-            Some((sum, g)) => (sum * g + in_pairs(e) * *f, L::one()),
-        });
-    }
-    let fine = fine.map_or(sizes, |(sum, f)| sum.value() * f);
-    if sizes == 0.0 || abs(fine) > sizes * rounding_of_pairs::<L>() {
-        return fine;
-    }
-    L::exact_sum(forces.iter().flat_map(|(f, e)| exact(*f, e)))
+        [sizes, fine.map_or(sizes, |(sum, f)| sum.value() * f)]
+    });
+    let [settled] = choice(|| {
+        let is_certain = sizes == 0.0 || abs(fine) > sizes * rounding_of_pairs::<L>();
+        [if is_certain { fine } else { L::exact_sum(forces.iter().flat_map(|(f, e)| exact(*f, e))) }]
+    });
+    settled
 }
 
 /// Whether two of three vectors are equal or opposite.

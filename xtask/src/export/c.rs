@@ -4,7 +4,7 @@ mod driver;
 pub(super) mod loops;
 
 use super::language::{File, Language, Operand, Syntax, Toolchain, files_of};
-use super::program::{Body, Lines, PartLines, folded};
+use super::program::{Body, Lines, PartLines, WIDTH, folded};
 use super::recorded::{Recorded, Text, bounds, description, refusals, stem, unreserved};
 use jointproof::formula::Field;
 use jointproof::graph::{Binary, Node, Op, Relation, Unary};
@@ -222,19 +222,38 @@ fn function(one: &Recorded, body: &Body, lines: &Lines, with_jacobian: bool) -> 
         }
     }
     if with_jacobian {
-        let (rows, zeros) = one.rows();
-        let n = one.row();
-        if zeros {
-            text.push(format!("    for (int k = 0; k < {}; ++k) jacobian[k] = 0.0;\n", one.graph.jacobian.len()));
-        }
-        for (k, row) in rows {
-            let entries: Vec<_> = row.iter().map(|&node| body.text(lines, node)).collect();
-            let line = format!("    jp_set(jacobian + {k}, {n}, (const double[]){{{}}});", entries.join(", "));
-            text.push(folded(&line, "").join("\n") + "\n");
-        }
+        let (zeros, entries) = one.entries();
+        text.push(zeroed(&zeros, one.graph.jacobian.len()));
+        let entries = entries.iter().map(|(k, node)| format!("jacobian[{k}] = {};", body.text(lines, *node)));
+        text.push(filled(entries));
     }
     text.push("    return 0;\n}\n");
     text.finished()
+}
+
+/// Up to so many zeros one by one: what compilers make of memset takes longer than small formulas do.
+const FEW_ZEROS: usize = 64;
+
+/// The entries that are always 0, or all of them where these are many.
+fn zeroed(zeros: &[usize], entries: usize) -> String {
+    if zeros.len() > FEW_ZEROS {
+        return format!("    memset(jacobian, 0, {entries} * sizeof *jacobian);\n");
+    }
+    let last = zeros.len().saturating_sub(1);
+    let end = |n: usize| if n < last { "" } else { " 0.0;" };
+    filled(zeros.iter().enumerate().map(|(n, k)| format!("jacobian[{k}] ={}", end(n))))
+}
+
+/// Short texts, several in a line.
+fn filled(texts: impl Iterator<Item = String>) -> String {
+    let mut lines: Vec<String> = Vec::new();
+    for text in texts {
+        match lines.last_mut() {
+            Some(last) if last.len() + 1 + text.len() <= WIDTH => *last = format!("{last} {text}"),
+            _ => lines.push(format!("    {text}")),
+        }
+    }
+    lines.iter().map(|line| format!("{line}\n")).collect()
 }
 
 fn comment(lines: &[String]) -> String {
@@ -347,7 +366,7 @@ fn makefile(formulas: &[File], drivers: &[File]) -> String {
          SPEED = $(patsubst %.c,%.o,$(wildcard speed*.c))\n\n\
          libjointproof.a: $(OBJECTS)\n\t$(AR) rcs $@ $(OBJECTS)\n\n\
          driver: $(DRIVER) libjointproof.a\n\t$(CC) -o $@ $(DRIVER) libjointproof.a -lm\n\n\
-         speed: $(SPEED) libjointproof.a\n\t$(CC) -o $@ $(SPEED) libjointproof.a -lm\n\n\
+         speed: $(SPEED) $(OBJECTS)\n\t$(CC) $(CFLAGS) -o $@ $(SPEED) $(OBJECTS) -lm\n\n\
          clean:\n\trm -f *.o libjointproof.a driver speed\n",
         FLAGS.join(" "),
         objects(formulas),

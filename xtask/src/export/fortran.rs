@@ -223,7 +223,7 @@ fn function(one: &Recorded, body: &Body, lines: &Lines, with_jacobian: bool) -> 
         }
     }
     if with_jacobian {
-        for (k, row) in one.rows().0 {
+        for (k, row) in one.rows() {
             let entries: Vec<_> = row.iter().map(|&node| body.text(lines, node)).collect();
             let line = format!("        jacobian({}:{}) = [{}]", k + 1, k + row.len(), entries.join(", "));
             text.push(folded(&line, " &").join("\n") + "\n");

@@ -193,7 +193,7 @@ impl Printed<'_> {
 }
 
 /// No line is longer than this; a sign may follow.
-const WIDTH: usize = 98;
+pub(super) const WIDTH: usize = 98;
 
 /// A line that is too long, broken between arguments.
 pub(super) fn folded(line: &str, goes_on: &str) -> Vec<String> {

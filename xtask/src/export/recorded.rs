@@ -57,12 +57,22 @@ impl Recorded {
         self.formula.inputs().iter().map(Field::len).sum()
     }
 
-    /// The rows of the Jacobian that are written, by their first entry, and whether the rest, all zeros, is written at once.
-    pub(super) fn rows(&self) -> (Vec<(usize, &[Node])>, bool) {
-        let is_zero = |node: &Node| self.graph.constant(*node).is_some_and(|x| x.to_bits() == 0);
-        let (zeros, others): (Vec<_>, Vec<_>) =
-            self.graph.jacobian.chunks(self.row()).enumerate().partition(|(_, row)| row.iter().all(is_zero));
-        (others.into_iter().map(|(k, row)| (k * self.row(), row)).collect(), !zeros.is_empty())
+    /// The rows of the Jacobian that are written, by their first entry; the rest are all zeros.
+    pub(super) fn rows(&self) -> Vec<(usize, &[Node])> {
+        let rows = self.graph.jacobian.chunks(self.row()).enumerate();
+        let others = rows.filter(|(_, row)| !row.iter().all(|&entry| self.is_zero(entry)));
+        others.map(|(k, row)| (k * self.row(), row)).collect()
+    }
+
+    /// The places of the entries of the Jacobian that are always 0, and the others with theirs.
+    pub(super) fn entries(&self) -> (Vec<usize>, Vec<(usize, Node)>) {
+        let entries = self.graph.jacobian.iter().copied().enumerate();
+        let (zeros, others): (Vec<_>, Vec<_>) = entries.partition(|&(_, entry)| self.is_zero(entry));
+        (zeros.into_iter().map(|(k, _)| k).collect(), others)
+    }
+
+    fn is_zero(&self, node: Node) -> bool {
+        self.graph.constant(node).is_some_and(|x| x.to_bits() == 0)
     }
 }
 

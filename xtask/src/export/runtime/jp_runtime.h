@@ -17,12 +17,6 @@
 #define JP_UNUSED
 #endif
 
-/* A row of a Jacobian. */
-JP_UNUSED static void jp_set(double *row, int n, const double *entries)
-{
-    for (int k = 0; k < n; ++k) row[k] = entries[k];
-}
-
 /* The square root of a sum of squares that is rescaled where it would leave the range of
  * doubles. */
 JP_UNUSED static double jp_norm(const double *x, int n)
