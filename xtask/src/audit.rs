@@ -9,6 +9,7 @@ use crate::owed::owed;
 use crate::project::Project;
 use crate::review::{Finding, annotations, of_claim, rdjson, sarif, summarise};
 use crate::selection::Selection;
+use crate::since::touched;
 use anyhow::Context;
 use indicatif::ParallelProgressIterator;
 use jointproof::catalog::AnyFormula;
@@ -28,6 +29,7 @@ use std::fmt::Write;
   {command} audit                                every formula at 1000 random points each
   {command} audit --samples 100000 --seed 7      a longer look elsewhere
   {command} audit --filter '{family}.*' --format markdown  to paste into a code review
+  {command} audit --since main                   what a change touches
   {command} audit --format github                in a workflow: annotations and a summary
   {command} audit --filter {formula} --point '{point}'")]
 pub(crate) struct Arguments {
@@ -39,6 +41,9 @@ pub(crate) struct Arguments {
     /// Seed of the random points
     #[arg(long, value_name = "S", default_value_t = Options::default().seed)]
     seed: u64,
+    /// Only formulas whose evidence rests on a file that has changed since this revision
+    #[arg(long, value_name = "REV", conflicts_with = "point")]
+    since: Option<String>,
     /// How to write the result
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -64,7 +69,10 @@ enum Format {
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
-    let formulas = arguments.selection.formulas(project)?;
+    let mut formulas = arguments.selection.formulas(project)?;
+    if let Some(revision) = &arguments.since {
+        formulas = touched(project, &formulas, revision)?;
+    }
     let audits = match &arguments.point {
         Some(point) => vec![at_point(&formulas, point)?],
         None => audit(project, &formulas, &Options { samples: arguments.samples, seed: arguments.seed })?,

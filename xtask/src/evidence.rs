@@ -1,7 +1,7 @@
 //! What was executed: kept between commands, and shown in the book.
 //!
-//! A record counts only for the code it was made with: each carries a fingerprint of the sources and golden files, and
-//! one of another version is as good as none.
+//! A record counts only for the code it was made with: each formula carries a fingerprint of the files on which its evidence
+//! rests, and what was found on another version is as good as nothing.
 
 use crate::files;
 use crate::project::Project;
@@ -9,12 +9,13 @@ use jointproof::verify::Audit;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hasher};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// What the last golden check and audit found about this version of the code.
 #[derive(Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Evidence {
-    fingerprint: u64,
+    /// By formula.
+    fingerprints: BTreeMap<String, u64>,
     /// By formula.
     pub(crate) golden: BTreeMap<String, GoldenCheck>,
     /// By formula.
@@ -33,10 +34,16 @@ pub(crate) struct GoldenCheck {
 impl Evidence {
     /// The evidence on this version of the code; empty if there is none.
     pub(crate) fn load(project: &Project) -> Self {
-        let fingerprint = fingerprint(project);
+        let fingerprints = fingerprints(project);
         let text = std::fs::read_to_string(path(project)).unwrap_or_default();
-        let stored: Option<Self> = serde_json::from_str(&text).ok();
-        stored.filter(|stored| stored.fingerprint == fingerprint).unwrap_or(Self { fingerprint, ..Self::default() })
+        let stored: Self = serde_json::from_str(&text).unwrap_or_default();
+        let is_of_this = |id: &String| {
+            let found = fingerprints.get(id);
+            found.is_some() && found == stored.fingerprints.get(id)
+        };
+        let golden = stored.golden.into_iter().filter(|(id, _)| is_of_this(id)).collect();
+        let audits = stored.audits.into_iter().filter(|(id, _)| is_of_this(id)).collect();
+        Self { fingerprints, golden, audits }
     }
 
     /// Keeps it.
@@ -45,8 +52,56 @@ impl Evidence {
     }
 }
 
-fn path(project: &Project) -> std::path::PathBuf {
+fn path(project: &Project) -> PathBuf {
     project.kept("evidence.json")
+}
+
+/// For every formula the files on which its evidence rests.
+type Reach = BTreeMap<String, Vec<PathBuf>>;
+
+/// What a version of the sources reaches, which takes a while to find.
+#[derive(Serialize, Deserialize)]
+struct Kept {
+    fingerprint: u64,
+    reach: Reach,
+}
+
+/// The files on which the evidence of every formula rests; `None` where nobody says, or the sources cannot be read.
+pub(crate) fn reach(project: &Project) -> Option<Reach> {
+    let find = project.extension.reach?;
+    let (fingerprint, path) = (fingerprint(project), project.kept("reach.json"));
+    let text = std::fs::read_to_string(&path).unwrap_or_default();
+    if let Some(kept) = serde_json::from_str::<Kept>(&text).ok().filter(|kept| kept.fingerprint == fingerprint) {
+        return Some(kept.reach);
+    }
+    let kept = Kept { fingerprint, reach: find(project).ok()? };
+    // If it cannot be kept it is found again.
+    let _ = serde_json::to_string(&kept).map(|text| files::write(&path, &text));
+    Some(kept.reach)
+}
+
+/// Of every formula a hash of the files on which its evidence rests.
+fn fingerprints(project: &Project) -> BTreeMap<String, u64> {
+    let Some(reach) = reach(project) else {
+        let all = fingerprint(project);
+        return project.catalog().iter().map(|formula| (formula.spec().id.to_owned(), all)).collect();
+    };
+    let mut known = BTreeMap::<PathBuf, u64>::new();
+    let mut of_file = |file: &PathBuf| {
+        *known.entry(file.clone()).or_insert_with(|| {
+            let mut hasher = DefaultHasher::new();
+            add(&project.root().join(file), &mut hasher);
+            hasher.finish()
+        })
+    };
+    let mut of_files = |files: &Vec<PathBuf>| {
+        let mut hasher = DefaultHasher::new();
+        for file in files {
+            hasher.write_u64(of_file(file));
+        }
+        hasher.finish()
+    };
+    reach.iter().map(|(id, files)| (id.clone(), of_files(files))).collect()
 }
 
 /// A hash of all sources and golden files.

@@ -56,6 +56,8 @@ mod review;
 #[cfg(feature = "commands")]
 mod selection;
 #[cfg(feature = "commands")]
+mod since;
+#[cfg(feature = "commands")]
 mod verify;
 
 #[cfg(feature = "commands")]
@@ -68,6 +70,6 @@ pub use extension::{Beside, Exhibits, Fact, Moving, Served, Slider, Table};
 pub use measuring::main;
 #[cfg(feature = "commands")]
 pub use outcome::{Outcome, Usage};
-#[cfg(feature = "commands")]
-pub use project::Check;
 pub use project::{Catalog, Project};
+#[cfg(feature = "commands")]
+pub use project::{Check, Reach};

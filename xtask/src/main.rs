@@ -6,6 +6,8 @@ mod exhibits;
 #[cfg(feature = "ours")]
 mod figures;
 #[cfg(feature = "ours")]
+mod museum;
+#[cfg(feature = "ours")]
 mod scene;
 #[cfg(feature = "ours")]
 mod statements;
@@ -36,6 +38,7 @@ fn ours(project: Project) -> Project {
         .with_command("tidy", tidy::run)
         .with_golden("scenes", scene::golden)
         .with_check("statements", statements::verify)
+        .with_reach(tidy::reach)
         .with_exhibits(exhibits::all)
         .with_debt("an independent implementation", has_oracle, "`@formula(…)` in tests/python/oracle")
 }

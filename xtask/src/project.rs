@@ -34,6 +34,7 @@ pub(crate) struct Extension {
     pub(crate) beside: Option<(&'static str, Golden)>,
     pub(crate) checks: Vec<(&'static str, Check)>,
     pub(crate) exhibits: Option<fn(&Project) -> anyhow::Result<Exhibits>>,
+    pub(crate) reach: Option<Reach>,
     pub(crate) debts: Vec<(&'static str, IsPaid, &'static str)>,
 }
 
@@ -44,6 +45,10 @@ type Command = (clap::Command, Box<dyn Fn(&Project, &ArgMatches) -> Outcome + Se
 /// Whether the formula of this identifier has what every formula owes.
 #[cfg(feature = "commands")]
 type IsPaid = fn(&Project, &str) -> bool;
+
+/// For every formula, by identifier, the files from the root on which its evidence rests.
+#[cfg(feature = "commands")]
+pub type Reach = fn(&Project) -> anyhow::Result<std::collections::BTreeMap<String, Vec<PathBuf>>>;
 
 /// What makes golden files that are not of formulas.
 #[cfg(feature = "commands")]
@@ -183,6 +188,14 @@ impl Project {
     #[must_use]
     pub fn with_check(mut self, name: &'static str, check: Check) -> Self {
         self.extension.checks.push((name, check));
+        self
+    }
+
+    /// With the files on which the evidence of every formula rests, so that an edit makes only the evidence old that it touches.
+    /// Without this any edit of `src` or `golden` makes all of it old.
+    #[must_use]
+    pub fn with_reach(mut self, reach: Reach) -> Self {
+        self.extension.reach = Some(reach);
         self
     }
 

@@ -144,3 +144,30 @@ fn reviewers_are_told_on_the_line_of_the_function() {
         serde_json::Value::Null
     );
 }
+
+#[test]
+fn a_change_is_audited_where_it_reaches() {
+    let bench = Bench::with(&["Cargo.toml", "Cargo.lock", "src", "golden", "xtask/Cargo.toml", "xtask/src"]);
+    let git = |arguments: &[&str]| {
+        let identity = ["-c", "user.name=a", "-c", "user.email=a@b"];
+        let output =
+            std::process::Command::new("git").args(identity).args(arguments).current_dir(bench.path("")).output();
+        assert!(output.unwrap().status.success(), "{arguments:?}");
+    };
+    git(&["init", "--quiet"]);
+    git(&["add", "."]);
+    git(&["commit", "--quiet", "--message", "before"]);
+    let audited = || bench.run(&["audit", "--since", "HEAD", "--samples", "2"]).exits(0).stdout;
+    assert_eq!(audited(), "0 formulas, 0 comparisons, 0 formulas off\n");
+    let edit = |file: &str| {
+        let text = std::fs::read_to_string(bench.path(file)).unwrap();
+        std::fs::write(bench.path(file), text + "\n// Edited.\n").unwrap();
+    };
+    edit("src/coulomb/proof.rs");
+    let said = audited();
+    assert!(said.contains("coulomb.yield") && !said.contains("join.") && !said.contains("slider."), "{said}");
+    edit("golden/join.rows.json");
+    let said = audited();
+    assert!(said.contains("join.rows") && !said.contains("join.constraint"), "{said}");
+    bench.run(&["audit", "--since", "no-such-revision"]).bad_usage("--since 'no-such-revision'");
+}

@@ -108,6 +108,26 @@ fn layer(path: &str) -> Option<Layer> {
     Some(Layer::of(path.split(['/', '.']).next()?))
 }
 
+/// What a file of the library is for the evidence of formulas.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Part {
+    /// Formulas and connectors.
+    Room,
+    /// What all formulas have in common.
+    Common,
+}
+
+/// Of a file of the library; `None` for what knows formulas and is not known by them.
+pub(super) fn part(path: &str) -> Option<Part> {
+    match layer(path)? {
+        Layer::Room => Some(Part::Room),
+        Layer::Ground | Layer::Formula | Layer::Proof | Layer::Toolkit if !path.starts_with("src/measure") => {
+            Some(Part::Common)
+        }
+        Layer::Ground | Layer::Formula | Layer::Proof | Layer::Toolkit | Layer::Catalog | Layer::Scene => None,
+    }
+}
+
 /// The files without a formula that prove one, or that are there only where formulas are proved.
 fn evidence(tree: &Tree) -> BTreeSet<usize> {
     let gated = tree.modules.iter().filter(|module| module.is_proof).map(|module| module.file);

@@ -21,6 +21,7 @@ mod import;
 mod inline;
 mod layers;
 mod lengths;
+mod reach;
 mod resolve;
 mod source;
 #[cfg(test)]
@@ -35,6 +36,8 @@ use kit::Project;
 use std::path::Path;
 use std::process::ExitCode;
 use tree::Tree;
+
+pub(crate) use reach::reach;
 
 /// Check the sources: import circles, layers, typed identifiers, inlining, lengths
 ///

@@ -88,6 +88,13 @@ impl Tree {
         Ok(tree)
     }
 
+    /// Reads the package at `root` alone.
+    pub(super) fn library(root: &Path) -> anyhow::Result<Self> {
+        let mut tree = Self::default();
+        tree.member(root, "")?;
+        Ok(tree)
+    }
+
     /// Reads the crates of a member: `lib.rs` and `main.rs`.
     fn member(&mut self, root: &Path, member: &str) -> anyhow::Result<()> {
         let Manifest { package, lib, .. } = manifest(&root.join(member).join("Cargo.toml"))?;

@@ -1,0 +1,77 @@
+//! Errors that were shipped, made again in formulas of ours, and what the audit of that formula alone says of each.
+
+mod pieces;
+mod shipped;
+
+use anyhow::ensure;
+use jointproof::verify::{Audit, Claim};
+use std::fmt::Write;
+
+/// An error, re-enacted.
+pub(crate) struct Piece {
+    /// Where it was told of, in public.
+    pub(crate) thread: &'static str,
+    /// What was wrong there.
+    pub(crate) there: &'static str,
+    /// What is wrong here.
+    pub(crate) here: &'static str,
+    /// The formula in which it is made again.
+    pub(crate) formula: &'static str,
+    /// A part of the claim that catches it.
+    pub(crate) claim: &'static str,
+    /// The audit with the error in it.
+    pub(crate) audit: fn() -> Audit,
+    /// The audit of the same formula in the same wrapping, without the error.
+    pub(crate) control: fn() -> Audit,
+}
+
+/// The claims that failed of those that a wrapped formula is held to: its kinks are not known to the wrapping.
+fn failed(audit: &Audit) -> impl Iterator<Item = &Claim> {
+    audit.claims().filter(|claim| claim.failures > 0 && !claim.claim.contains("a kink is registered"))
+}
+
+/// The chapter: every error, and what the audit says of it.
+///
+/// # Errors
+/// An error that is not caught, or a formula that is off without it.
+pub(crate) fn chapter() -> anyhow::Result<String> {
+    let mut text = String::new();
+    for (k, piece) in pieces::all().iter().enumerate() {
+        let Piece { thread, there, here, formula, claim, audit, control } = piece;
+        let (audit, control) = (audit(), control());
+        let failed: Vec<&Claim> = failed(&audit).collect();
+        ensure!(failed.iter().any(|failed| failed.claim.contains(claim)), "{thread} is not caught in {formula}");
+        ensure!(self::failed(&control).count() == 0, "{formula} is off without the error of {thread}");
+        let _ = writeln!(text, "## {}. {thread}\n\n{there}\n\nHere, in `{formula}`: {here} The audit says:\n", k + 1);
+        text += "```text\n";
+        for claim in failed {
+            let _ = writeln!(text, "{}: failed {} of {}", claim.claim, claim.failures, claim.checks);
+            if let Some(worst) = &claim.worst {
+                let _ =
+                    writeln!(text, "    at {}: found {:?}, expected {:?}", worst.entry, worst.found, worst.expected);
+            }
+        }
+        text += "```\n\n";
+    }
+    Ok(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_error_is_caught_by_the_audit_of_its_formula_alone() {
+        let pieces = pieces::all();
+        assert_eq!(pieces.len(), 12);
+        for Piece { thread, claim, audit, control, formula, .. } in pieces {
+            assert!(jointproof::catalog::find(formula).is_some(), "{formula}");
+            let found = failed(&audit()).map(|failed| failed.claim.clone()).collect::<Vec<_>>();
+            assert!(found.iter().any(|failed| failed.contains(claim)), "{thread}: {claim:?} is not among {found:?}");
+            let control = control();
+            let wrong = failed(&control).collect::<Vec<_>>();
+            assert!(wrong.is_empty(), "{thread}: without the error {wrong:#?}");
+            assert!(control.claims().any(|held| held.claim.contains(claim) && held.checks > 0), "{thread}: {claim}");
+        }
+    }
+}

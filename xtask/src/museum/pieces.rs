@@ -1,0 +1,276 @@
+//! The errors. Rows of a Jacobian are the outputs, columns the inputs, components in the order of the entry.
+
+use super::Piece;
+use super::shipped::{Inputs, Mistake, Right, Rows, Shipped, changed, rows};
+use jointproof::formula::Formula;
+use jointproof::scalar::{Scalar, norm};
+use jointproof::verify::{Audit, Options, audit};
+use jointproof::{coulomb, element, slide_line, slot, ujoint, universal};
+
+const OPTIONS: Options = Options { samples: 40, seed: 1 };
+
+fn piece<M: Mistake>([thread, there, here]: [&'static str; 3], claim: &'static str) -> Piece {
+    let control: fn() -> Audit = || audit::<Shipped<Right<M::Of>>>(&OPTIONS);
+    Piece { thread, there, here, formula: M::Of::SPEC.id, claim, audit: || audit::<Shipped<M>>(&OPTIONS), control }
+}
+
+const CLOSED: &str = "closed form = automatic differentiation";
+
+/// Every error.
+pub(super) fn all() -> Vec<Piece> {
+    vec![
+        piece::<LimitSign>(
+            [
+                "GEOS, pull request 3439",
+                "Coulomb friction: the derivative of the limit by the normal traction had the wrong sign, which one caller turned and another did not.",
+                "the derivative of the sliding force by the normal force has the other sign.",
+            ],
+            CLOSED,
+        ),
+        piece::<NearBranch>(
+            [
+                "ipc-toolkit, pull requests 238 and 239; polyfem, pull request 501",
+                "A derivative was wrong near a branch that the test, at random points, never reached.",
+                "below a length of a millionth the derivative is that of a smoothed length.",
+            ],
+            CLOSED,
+        ),
+        piece::<DistanceFromOrigin>(
+            [
+                "newton, issue 3866 and pull request 3868",
+                "The Jacobian was wrong by the distance from the origin.",
+                "the arm of the moment is the place of b, and not what leads there from a.",
+            ],
+            "moves",
+        ),
+        piece::<NormalDerivative>(
+            [
+                "moose, issue 33378 and pull request 33390",
+                "The derivatives of the nodal normal were left out.",
+                "the normal of the slide line is taken for constant.",
+            ],
+            CLOSED,
+        ),
+        piece::<MissingMinus>(
+            [
+                "goma, pull request 188",
+                "A minus was missing, and all 106 tests passed before and after it was put in.",
+                "the rotation grows with its initial value.",
+            ],
+            CLOSED,
+        ),
+        piece::<CopiedStiffness>(
+            [
+                "mastodon, issue 333",
+                "A stiffness was copied from another program, and wrong.",
+                "the stiffness by the spin of a is copied from a program that keeps columns together.",
+            ],
+            "printed equation = value",
+        ),
+        piece::<TwoResiduals>(
+            [
+                "tacs, pull request 74",
+                "The residual that is computed with the Jacobian is not the residual that is computed alone.",
+                "the value that comes with the Jacobian has forgotten the internal contact force.",
+            ],
+            "η of the value",
+        ),
+        piece::<OtherConvention>(
+            [
+                "Marmot, pull request 40",
+                "The stiffness was the derivative of the force in one place, and its opposite in another.",
+                "the Jacobian is that of the opposite forces.",
+            ],
+            CLOSED,
+        ),
+        piece::<OneColumn>(
+            [
+                "CADET, pull request 358",
+                "The test of the Jacobian compared a column with itself.",
+                "a column is that of another input, which such a test takes for right.",
+            ],
+            CLOSED,
+        ),
+        piece::<ChainRule>(
+            [
+                "kaolin, pull request 983",
+                "A term of the chain rule through the friction was missing.",
+                "the yield function knows of the normal force that it depends on the cross forces, its derivative does not.",
+            ],
+            CLOSED,
+        ),
+        piece::<Transposed>(
+            [
+                "moose, issue 22225",
+                "A tangent was transposed and wrong by up to 80 %, while the debugger of Jacobians showed nothing.",
+                "the Jacobian is transposed.",
+            ],
+            CLOSED,
+        ),
+        piece::<OtherAngle>(
+            [
+                "A user routine for a constant-velocity joint, as mirrors of one edition print it",
+                "A product has the cosine of one half angle and the sine of the other, exchanged; the derivative that is printed beside it belongs to the right one.",
+                "a product of the value has its indices exchanged, its derivative has not.",
+            ],
+            CLOSED,
+        ),
+    ]
+}
+
+#[derive(Clone, Copy)]
+struct LimitSign;
+impl Mistake for LimitSign {
+    type Of = coulomb::ReturnMap;
+    fn rows<D: Scalar>(i: &Inputs<Self, D>) -> Rows<D> {
+        let mut rows = rows::<Self::Of, D>(i);
+        rows[0][2] = -rows[0][2];
+        rows
+    }
+}
+
+#[derive(Clone, Copy)]
+struct NearBranch;
+impl Mistake for NearBranch {
+    type Of = slot::ContactForce;
+    fn rows<D: Scalar>(i: &Inputs<Self, D>) -> Rows<D> {
+        let length = norm([i.f2, i.f3]);
+        if length > 0.0 && length < 1e-6 {
+            return vec![vec![i.f2 / 1e-6, i.f3 / 1e-6]];
+        }
+        rows::<Self::Of, D>(i)
+    }
+}
+
+#[derive(Clone, Copy)]
+struct DistanceFromOrigin;
+impl DistanceFromOrigin {
+    /// With node a at the origin.
+    fn there<D: Scalar>(i: &Inputs<Self, D>) -> Inputs<Self, D> {
+        changed(i, |x, k| if (9..12).contains(&k) { D::zero() } else { x[k] })
+    }
+}
+impl Mistake for DistanceFromOrigin {
+    type Of = element::join::Rows;
+    fn value<D: Scalar>(i: &Inputs<Self, D>) -> Vec<D> {
+        use jointproof::formula::Fields;
+        Self::Of::eval(&Self::there(i)).components()
+    }
+    fn rows<D: Scalar>(i: &Inputs<Self, D>) -> Rows<D> {
+        let mut rows = rows::<Self::Of, D>(&Self::there(i));
+        for row in &mut rows {
+            row[9..12].fill(D::zero());
+        }
+        rows
+    }
+}
+
+#[derive(Clone, Copy)]
+struct NormalDerivative;
+impl Mistake for NormalDerivative {
+    type Of = slide_line::LocalBasis;
+    fn rows<D: Scalar>(i: &Inputs<Self, D>) -> Rows<D> {
+        let mut rows = rows::<Self::Of, D>(i);
+        rows[2..].iter_mut().for_each(|row| row.fill(D::zero()));
+        rows
+    }
+}
+
+#[derive(Clone, Copy)]
+struct MissingMinus;
+impl Mistake for MissingMinus {
+    type Of = universal::RelativeMotion;
+    fn rows<D: Scalar>(i: &Inputs<Self, D>) -> Rows<D> {
+        let mut rows = rows::<Self::Of, D>(i);
+        // ∂ur1/∂α₀
+        rows[0][2] = -rows[0][2];
+        rows
+    }
+}
+
+#[derive(Clone, Copy)]
+struct CopiedStiffness;
+impl CopiedStiffness {
+    /// The second matrix, transposed.
+    fn place(k: usize) -> usize {
+        if k < 9 { k } else { 9 + 3 * ((k - 9) % 3) + (k - 9) / 3 }
+    }
+}
+impl Mistake for CopiedStiffness {
+    type Of = element::join::GeometricStiffness;
+    fn value<D: Scalar>(i: &Inputs<Self, D>) -> Vec<D> {
+        use jointproof::formula::Fields;
+        let right = Self::Of::eval(i).components();
+        (0..right.len()).map(|k| right[Self::place(k)]).collect()
+    }
+    fn rows<D: Scalar>(i: &Inputs<Self, D>) -> Rows<D> {
+        let right = rows::<Self::Of, D>(i);
+        (0..right.len()).map(|k| right[Self::place(k)].clone()).collect()
+    }
+}
+
+#[derive(Clone, Copy)]
+struct TwoResiduals;
+impl Mistake for TwoResiduals {
+    type Of = slot::Friction;
+    fn value_with_jacobian<D: Scalar>(i: &Inputs<Self, D>) -> Vec<D> {
+        Self::value(&slot::SlotLoads { fc_int: D::zero(), ..*i })
+    }
+}
+
+#[derive(Clone, Copy)]
+struct OtherConvention;
+impl Mistake for OtherConvention {
+    type Of = element::join::Forces;
+    fn rows<D: Scalar>(i: &Inputs<Self, D>) -> Rows<D> {
+        let right = rows::<Self::Of, D>(i);
+        right.into_iter().map(|row| row.into_iter().map(|entry| -entry).collect()).collect()
+    }
+}
+
+#[derive(Clone, Copy)]
+struct OneColumn;
+impl Mistake for OneColumn {
+    type Of = slot::Friction;
+    fn rows<D: Scalar>(i: &Inputs<Self, D>) -> Rows<D> {
+        let mut rows = rows::<Self::Of, D>(i);
+        for row in &mut rows {
+            row[2] = row[1];
+        }
+        rows
+    }
+}
+
+#[derive(Clone, Copy)]
+struct ChainRule;
+impl Mistake for ChainRule {
+    type Of = slot::Friction;
+    fn rows<D: Scalar>(i: &Inputs<Self, D>) -> Rows<D> {
+        let mut rows = rows::<Self::Of, D>(i);
+        rows[2][1..3].fill(D::zero());
+        rows
+    }
+}
+
+#[derive(Clone, Copy)]
+struct Transposed;
+impl Mistake for Transposed {
+    type Of = ujoint::TwistFactors;
+    fn rows<D: Scalar>(i: &Inputs<Self, D>) -> Rows<D> {
+        let right = rows::<Self::Of, D>(i);
+        (0..2).map(|row| (0..2).map(|column| right[column][row]).collect()).collect()
+    }
+}
+
+#[derive(Clone, Copy)]
+struct OtherAngle;
+impl Mistake for OtherAngle {
+    type Of = ujoint::CrossDirection;
+    fn value<D: Scalar>(i: &Inputs<Self, D>) -> Vec<D> {
+        use jointproof::formula::Fields;
+        let (x, mut cross) = (i.components(), Self::Of::eval(i).components());
+        // a₂ b₃ for a₃ b₂ in the first component of a × b
+        cross[0] += x[1] * x[5] - x[2] * x[4];
+        cross
+    }
+}

@@ -1,0 +1,95 @@
+//! A formula of ours with an error in it.
+
+use jointproof::formula::{Component, Fields, Finite, Formula, Jacobian, Spec, ValueAndJacobian};
+use jointproof::proof::{Case, Proved};
+use jointproof::scalar::Scalar;
+use jointproof::{Error, verify};
+
+/// Inputs of the formula in which an error is made again.
+pub(super) type Inputs<M, D> = <<M as Mistake>::Of as Formula>::Inputs<D>;
+/// Its outputs.
+pub(super) type Outputs<M, D> = <<M as Mistake>::Of as Formula>::Outputs<D>;
+/// Its Jacobian, row by row.
+pub(super) type Rows<D> = Vec<Vec<D>>;
+
+/// What is done otherwise than in the formula; what is not said here is as there.
+pub(super) trait Mistake: Copy + Send + Sync + 'static {
+    /// The formula.
+    type Of: Proved;
+
+    /// The components of the value.
+    fn value<D: Scalar>(i: &Inputs<Self, D>) -> Vec<D> {
+        Self::Of::eval(i).components()
+    }
+
+    /// The entries of the Jacobian.
+    fn rows<D: Scalar>(i: &Inputs<Self, D>) -> Rows<D> {
+        rows::<Self::Of, D>(i)
+    }
+
+    /// The value that comes with the Jacobian.
+    fn value_with_jacobian<D: Scalar>(i: &Inputs<Self, D>) -> Vec<D> {
+        Self::value(i)
+    }
+}
+
+/// The Jacobian of a formula, row by row.
+pub(super) fn rows<F: Formula, D: Scalar>(i: &F::Inputs<D>) -> Rows<D> {
+    F::jacobian(i).components().iter().map(Fields::components).collect()
+}
+
+/// The inputs with some components replaced.
+pub(super) fn changed<D: Scalar, I: Fields<D>>(i: &I, change: impl Fn(&[D], usize) -> D) -> I {
+    let components = i.components();
+    filled(&(0..components.len()).map(|k| change(&components, k)).collect::<Vec<_>>())
+}
+
+fn filled<T: Component, I: Fields<T>>(components: &[T]) -> I {
+    I::from_slice(components).expect("there are as many components as before")
+}
+
+/// The formula without an error, in the same wrapping.
+#[derive(Clone, Copy)]
+pub(super) struct Right<F>(F);
+
+impl<F: Proved> Mistake for Right<F> {
+    type Of = F;
+}
+
+/// A formula with an error in it.
+#[derive(Clone, Copy)]
+pub(super) struct Shipped<M>(M);
+
+impl<M: Mistake> Formula for Shipped<M> {
+    const SPEC: Spec = M::Of::SPEC.finite(Finite::Unknown);
+    type Inputs<T: Component> = <M::Of as Formula>::Inputs<T>;
+    type Outputs<T: Component> = <M::Of as Formula>::Outputs<T>;
+
+    #[inline]
+    fn eval<D: Scalar>(i: &Inputs<M, D>) -> Outputs<M, D> {
+        filled(&M::value(i))
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &Inputs<M, D>) -> Jacobian<Self, D> {
+        let rows: Vec<Inputs<M, D>> = M::rows(i).iter().map(|row| filled(row)).collect();
+        filled(&rows)
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &Inputs<M, D>) -> ValueAndJacobian<Self, D> {
+        (filled(&M::value_with_jacobian(i)), Self::jacobian(i))
+    }
+
+    #[inline]
+    fn validate<D: Scalar>(i: &Inputs<M, D>) -> Result<(), Error> {
+        M::Of::validate(i)
+    }
+}
+
+impl<M: Mistake> Proved for Shipped<M> {
+    fn cases() -> Vec<Case<Inputs<M, f64>>> {
+        // Its kinks are not known to the wrapping.
+        M::Of::cases().into_iter().filter(|case| verify::kink::<M::Of>(&case.inputs).is_none()).collect()
+    }
+}
