@@ -16,6 +16,8 @@ pub(crate) struct Subject {
     pub(crate) outputs: &'static [Field],
     /// Whether inputs are valid.
     pub(crate) check: fn(&[f64]) -> Result<(), Error>,
+    /// Whether inputs in 237 bits are valid together.
+    pub(crate) is_valid: fn(&[Octuple]) -> bool,
     /// The value, and the closed-form Jacobian output by output.
     pub(crate) value: fn(&[f64]) -> Vec<f64>,
     pub(crate) jacobian: fn(&[f64]) -> Vec<f64>,
@@ -61,6 +63,7 @@ impl Subject {
             inputs: F::Inputs::<f64>::FIELDS,
             outputs: F::Outputs::<f64>::FIELDS,
             check: |i| formula::check::<F>(&typed(i)),
+            is_valid: |i| F::validate(&typed::<Octuple, _>(i)).is_ok(),
             value: value::<F, _>,
             jacobian: jacobian::<F, _>,
             linearized: |i| {

@@ -110,8 +110,8 @@ impl SliderRows<Octuple> {
 }
 
 /// Vectors are equal to the rounding of one size.
-fn equal_parts(left: [Vector; 3], right: [Vector; 3], size: Octuple) -> Vec<Equation> {
-    let pairs = left.into_iter().zip(right);
+fn equal_parts(left: &[Vector; 3], right: &[Vector; 3], size: Octuple) -> Vec<Equation> {
+    let pairs = left.iter().zip(right);
     pairs.flat_map(|(l, r)| law::equal_all_with(l.iter().copied().zip(r.iter().copied()), size)).collect()
 }
 
@@ -146,7 +146,7 @@ impl Proved for Rows {
                 let [first, second] = Self::eval(&at).rows();
                 let of = |row: Nodes<Octuple>| [row.x1, row.xn, row.xm];
                 let size = lever(&at);
-                [equal_parts(first, of(jac.g1), size), equal_parts(second, of(jac.g2), size)].concat()
+                [equal_parts(&first, &of(jac.g1), size), equal_parts(&second, &of(jac.g2), size)].concat()
             }),
             Law::<Self>::new("they are what the incremental constraint multiplies the increments by", |i| {
                 let Nodes { x1, xn, xm } = *i;
@@ -155,7 +155,7 @@ impl Proved for Rows {
                 let [first, second] = Self::eval(i).rows();
                 let of = |row: MovingNodes<Octuple>| [row.dx1, row.dxn, row.dxm];
                 let size = lever(i);
-                [equal_parts(first, of(jac.r1), size), equal_parts(second, of(jac.r2), size)].concat()
+                [equal_parts(&first, &of(jac.r1), size), equal_parts(&second, &of(jac.r2), size)].concat()
             }),
             Law::<Self>::new("none does work where all nodes move alike, nor where m moves along the line", |i| {
                 let n = Line::eval(&Ends { x1: i.x1, xn: i.xn }).n;
@@ -219,7 +219,7 @@ impl Proved for Forces {
                 |i| {
                     let [first, second] = Rows::eval(&i.nodes()).rows();
                     let sum = [0, 1, 2].map(|node| first[node] * i.lambda_1 + second[node] * i.lambda_2);
-                    equal_parts(Self::eval(i).parts(), sum, i.size() * lever(&i.nodes()))
+                    equal_parts(&Self::eval(i).parts(), &sum, i.size() * lever(&i.nodes()))
                 },
             ),
             Law::<Self>::new("on the line forces and moments balance", |i| {
@@ -308,7 +308,7 @@ impl Proved for GeometricStiffness {
                 let forces = Forces::eval(&at).parts().map(|force| spin.cross(&force));
                 let found = [0, 3, 6].map(|first| change.fixed_rows::<3>(first).into_owned());
                 let reach = law::length(at.xn - at.x1) + law::length(at.xm - at.x1);
-                equal_parts(found, forces, entry_size(&at) * reach)
+                equal_parts(&found, &forces, entry_size(&at) * reach)
             }),
         ]
     }

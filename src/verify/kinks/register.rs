@@ -12,7 +12,12 @@ use std::cell::OnceCell;
 /// A point that was solved for is on a kink to this part of the terms that its condition is made of.
 const MET: f64 = 1e-50;
 /// Beside it, by this part.
-const BESIDE: f64 = 1e-55;
+pub(super) const BESIDE: f64 = 1e-55;
+
+/// Every input changed by this part of it.
+pub(super) fn beside(at: &[Octuple], part: f64) -> Vec<Octuple> {
+    at.iter().map(|&x| x + x * part).collect()
+}
 
 /// The registered kinks of a formula, to be asked of points that were solved for.
 pub(super) struct Register<'a> {
@@ -30,7 +35,7 @@ impl<'a> Register<'a> {
     pub(super) fn met(&self, at: &[Octuple]) -> Vec<String> {
         let printed = self.printed.get_or_init(|| self.read());
         // A cut is at π on one side and at −π on the other.
-        let beside = [BESIDE, -BESIDE].map(|step| at.iter().map(|&x| x + x * step).collect::<Vec<_>>());
+        let beside = [BESIDE, -BESIDE].map(|part| beside(at, part));
         let values = |at: &[Octuple]| [(self.subject.exact_value)(at), (self.subject.exact_jacobian)(at)];
         let places = [at, &beside[0], &beside[1]].map(|at| (at, values(at)));
         let is_near = |claims: &Claims| places.iter().any(|(at, values)| is_near(claims, at, values));

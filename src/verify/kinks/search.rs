@@ -2,7 +2,7 @@
 
 use super::candidate::{Candidate, candidates};
 use super::jump::{Jump, Neighbourhood, SMOOTH};
-use super::register::Register;
+use super::register::{BESIDE, Register, beside};
 use super::solve::Solver;
 use crate::Octuple;
 use crate::graph::{Graph, Node, Op};
@@ -107,11 +107,14 @@ impl Looking<'_> {
     /// Points of the domain on a candidate, at which the value depends on it.
     fn points_on(&self, candidate: &Candidate, starts: &[Vec<f64>]) -> Vec<Vec<Octuple>> {
         let solver = Solver::new(self.graph, self.subject.inputs, candidate);
-        // Where the formula refuses such a place, only it can say whether a point is there, and it takes doubles.
+        // Where the formula refuses such a place, only it can say whether a point is there, and it takes doubles. A single
+        // equality may hold at other places too, on both sides of which the formula is valid.
         let is_refused = self.refused.iter().any(|invalid| solver.is_on(invalid));
+        let is_inside = |at: &[Octuple]| candidate.pairs.len() == 1 && self.is_valid_beside(at);
         let is_met = |at: &Vec<Octuple>| {
             let doubles = rounded(at);
-            let is_valid = (self.subject.check)(&doubles).is_ok() && (!is_refused || exact(&doubles) == *at);
+            let is_told = !is_refused || exact(&doubles) == *at || is_inside(at);
+            let is_valid = (self.subject.check)(&doubles).is_ok() && is_told;
             is_valid && {
                 let all = self.graph.results(&doubles, self.of_value.iter().copied());
                 let is_on_side = candidate.negative.is_none_or(|node| all[node.index()] < 0.0);
@@ -133,6 +136,11 @@ impl Looking<'_> {
             found.extend(solver.between(starts, is_met));
         }
         found
+    }
+
+    /// Whether inputs that are a little larger, and a little smaller, are valid together.
+    fn is_valid_beside(&self, at: &[Octuple]) -> bool {
+        [BESIDE, -BESIDE].iter().all(|&part| (self.subject.is_valid)(&beside(at, part)))
     }
 
     /// The inputs that a candidate depends on.

@@ -24,6 +24,7 @@ pub(crate) fn all() -> Vec<(String, String)> {
         thread::torque_of_a_thread(),
         thread::tilted_flank(),
         newton::steps_of_two_rods(),
+        newton::steps_of_a_slider_crank(),
     ];
     charts.extend(slider::charts());
     let charts = charts.iter().map(|chart| (chart.name.to_owned(), chart.svg()));
