@@ -12,6 +12,10 @@ const MENDED: [(&str, &str); 5] = [
     ("</body>", "<script>\n{page.js}</script>\n</body>"),
 ];
 
+/// What colours code of other languages, and what stands in for it where there is none: our own is coloured by the build.
+const COLOURS: &str = "src=\"highlight.js\"></script>";
+const NO_COLOURS: &str = ">window.hljs = { configure() {}, highlightBlock() {}, highlightElement() {} };</script>";
+
 /// What every page does.
 const SCRIPT: &str = include_str!("page.js");
 
@@ -20,6 +24,9 @@ pub(crate) fn mended(page: &str) -> String {
     let mut page = page.to_owned();
     for (from, to) in MENDED {
         page = page.replace(from, &to.replace("{page.js}", SCRIPT));
+    }
+    if !page.contains(" class=\"language-") {
+        page = page.replacen(COLOURS, NO_COLOURS, 1);
     }
     // The table of contents for readers without scripts.
     if page.contains("<title>") { page } else { page.replacen("<head>", "<head>\n<title>Contents</title>", 1) }

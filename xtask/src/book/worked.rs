@@ -13,11 +13,14 @@ const DIGITS: usize = 6;
 /// At most so many derivatives are shown.
 const DERIVATIVES: usize = 2;
 
+/// Of so few inputs, each should say something.
+const FEW: usize = 5;
+
 /// Inputs of at most so many components are all shown; of more, those that are not 0.
 const ALL: usize = 9;
 
-/// A valid case with derivatives: if there is one, without an output of 0, worked by hand, and not half of zeros; of these the
-/// shortest, for which a zero counts as long as a number.
+/// A valid case with derivatives: if there is one, without an output of 0, worked by hand, and with few inputs of 0; of these
+/// the shortest.
 pub(crate) fn of(formula: &dyn AnyFormula, golden: &File) -> Option<Worked> {
     let [inputs, outputs] = [formula.inputs(), formula.outputs()];
     let shown = |case: &Record| {
@@ -29,10 +32,10 @@ pub(crate) fn of(formula: &dyn AnyFormula, golden: &File) -> Option<Worked> {
             outputs: numbers(outputs, &value),
             derivatives: derivatives(inputs, outputs, &jacobian),
         };
-        let zeros = point.iter().filter(|x| **x == 0.0).count();
+        let zeros = if point.len() <= FEW { point.iter().filter(|x| **x == 0.0).count() } else { 0 };
         let is_zero = value.contains(&0.0) || worked.derivatives.is_empty();
         let length = [&worked.inputs, &worked.outputs, &worked.derivatives].map(|parts| parts.concat().len()).iter().sum::<usize>();
-        Some(((is_zero, !case.flags.contains(&Flag::Hand), zeros.saturating_sub(point.len() / 2), length + zeros), worked))
+        Some(((is_zero, !case.flags.contains(&Flag::Hand), zeros, length), worked))
     };
     golden.cases.iter().filter_map(shown).min_by_key(|(rank, _)| *rank).map(|(_, worked)| worked)
 }

@@ -2,6 +2,8 @@
 
 mod queries;
 mod screens;
+#[cfg(test)]
+mod tests;
 
 use std::collections::BTreeMap;
 use std::fmt;

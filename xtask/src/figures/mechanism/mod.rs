@@ -15,7 +15,8 @@ use super::sketch::Point;
 /// Every mechanism, by the name that `{{#figure name}}` gives.
 pub(super) fn all() -> Vec<Moving> {
     vec![
-        slot::slot(),
+        slot::slot("introduction-moving"),
+        slot::slot("slot-moving"),
         slot::translator(),
         cross::cardan(),
         cross::universal(),

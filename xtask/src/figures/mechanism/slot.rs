@@ -17,10 +17,10 @@ const Z0: f64 = 0.8;
 const FORCES: [f64; 2] = [0.8, 0.6];
 
 /// Node b in the slot of node a; a turns, b slides.
-pub(super) fn slot() -> Moving {
+pub(super) fn slot(name: &'static str) -> Moving {
     let along = Along { label: "x, place of b along the slot", unit: "", from: 0.4, to: 3.0, steps: 13, start: 8 };
     let turn = Along { label: "turn of node a", unit: "°", from: -16.0, to: 16.0, steps: 8, start: 4 };
-    moving("slot-moving", [along, turn], |x, degrees| {
+    moving(name, [along, turn], |x, degrees| {
         let turn = Rotation3::new(Vector3::z() * degrees.to_radians());
         let [e1a, e2a, e3a] = [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| turn * axis);
         let xa = Vector3::zeros();
@@ -31,7 +31,7 @@ pub(super) fn slot() -> Moving {
         let [f2, f3] = FORCES;
         let force = ConstraintForce::eval(&CrossFrame { e2a, e3a, f2, f3 }).f;
         let mut sketch = Sketch::in_space(
-            "slot-moving",
+            name,
             "The mechanism of SLOT",
             "Node a carries the triad e1a, e2a, e3a. The slot is parallel to e1a at the offsets y0 along e2a and z0 along e3a. Node b \
              is in the slot, at the distance x along it. An arrow shows the force of the slot on b for positive f2 and f3.",
