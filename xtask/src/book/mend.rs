@@ -5,7 +5,10 @@ const MENDED: [(&str, &str); 5] = [
     // A label is no button: with the role, what it says of itself is allowed, and the keyboard reaches it.
     ("<label id=\"mdbook-sidebar-toggle\"", "<label id=\"mdbook-sidebar-toggle\" role=\"button\" tabindex=\"0\""),
     // A placeholder is no name, and the header of the results has another identifier.
-    ("aria-describedby=\"searchresults-header\"", "aria-label=\"Search this book\" aria-describedby=\"mdbook-searchresults-header\""),
+    (
+        "aria-describedby=\"searchresults-header\"",
+        "aria-label=\"Search this book\" aria-describedby=\"mdbook-searchresults-header\"",
+    ),
     // Code that scrolls is reached by the keyboard.
     ("<pre><code", "<pre><code tabindex=\"0\""),
     ("<pre class=\"output\"><code", "<pre class=\"output\"><code tabindex=\"0\""),

@@ -2,10 +2,10 @@
 
 mod arm;
 mod cardan;
-mod mechanism;
-mod sketch;
 pub(crate) mod chart;
+mod mechanism;
 mod signs;
+mod sketch;
 mod slide_line;
 mod slider;
 mod thread;

@@ -42,7 +42,9 @@ impl Book {
         let root = folder.path().to_str().unwrap().to_owned().leak();
         let project = Project::new("small", root, FORMULAS);
         let mut content = content(&project, None).unwrap();
-        let frame = |text: &str| format!("<svg viewBox=\"0 0 9 9\" role=\"img\">\n<title>Moved</title>\n<text>{text}</text>\n</svg>\n");
+        let frame = |text: &str| {
+            format!("<svg viewBox=\"0 0 9 9\" role=\"img\">\n<title>Moved</title>\n<text>{text}</text>\n</svg>\n")
+        };
         content.exhibits.moving.push(Moving {
             name: "moved".into(),
             sliders: vec![Slider { label: "way".into(), values: vec!["0".into(), "1 mm".into()], start: 0 }],
