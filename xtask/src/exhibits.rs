@@ -12,7 +12,7 @@ pub(crate) fn all(project: &Project) -> anyhow::Result<Exhibits> {
         figures: [figures::all(), scene::figures(project)?].concat(),
         moving: figures::moving(),
         outputs: [vec![audit], figures::outputs(), scene::outputs(project)?].concat(),
-        tables: scene::tables(),
+        tables: [scene::tables(), scene::plans(project)?].concat(),
         texts: [statements::book::texts(project)?, vec![("museum".to_owned(), museum::chapter()?)]].concat(),
         facts: statements::book::facts(project)?,
         served: scene::served(),

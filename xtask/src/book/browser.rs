@@ -147,7 +147,8 @@ impl Browser {
             event["text"] = text.into();
         }
         self.call("Input.dispatchKeyEvent", &event)?;
-        self.call("Input.dispatchKeyEvent", &json!({ "type": "keyUp", "key": key, "windowsVirtualKeyCode": code })).map(drop)
+        self.call("Input.dispatchKeyEvent", &json!({ "type": "keyUp", "key": key, "windowsVirtualKeyCode": code }))
+            .map(drop)
     }
 
     /// Opens a page from its file, and waits until it is loaded.

@@ -23,8 +23,8 @@ pub(crate) struct Deferred {
 
 impl Deferred {
     /// Keeps `html`, which may hold placeholders itself, for later and returns the placeholder, which is safe in Markdown and in HTML alike.
-    pub(crate) fn keep(&self, html: String, words_for_search: &str) -> String {
-        let html = self.fill(&html);
+    pub(crate) fn keep(&self, html: &str, words_for_search: &str) -> String {
+        let html = self.fill(html);
         let mut pieces = self.pieces.borrow_mut();
         pieces.push(html);
         format!("{OPEN}{}\">{}</span>", pieces.len() - 1, escape_markdown(words_for_search))
@@ -57,11 +57,11 @@ mod tests {
     #[test]
     fn placeholders_are_replaced_with_their_words() {
         let later = Deferred::default();
-        let a = later.keep("<b>A</b>".into(), "a_1");
-        let b = later.keep("<b>B</b>".into(), "");
+        let a = later.keep("<b>A</b>", "a_1");
+        let b = later.keep("<b>B</b>", "");
         assert!(a.contains("a&#95;1"));
         assert_eq!(later.fill(&format!("x {a} y {b} z")), "x <b>A</b> y <b>B</b> z");
-        let both = later.keep(format!("<i>{a}</i>{b}"), "");
+        let both = later.keep(&format!("<i>{a}</i>{b}"), "");
         assert_eq!(later.fill(&both), "<i><b>A</b></i><b>B</b>");
         assert_eq!(later.fill("nothing"), "nothing");
     }

@@ -33,7 +33,7 @@ pub(crate) fn entry(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     format!(
         "<section class=\"entry\"><h3 id=\"{id}\"><a class=\"header\" href=\"#{id}\">{title}</a> \
          <code class=\"entry-id\">{id}</code></h3>{}</section>",
-        pages.later.keep(card.concat(), &glance::in_words(entry))
+        pages.later.keep(&card.concat(), &glance::in_words(entry))
     )
 }
 
@@ -211,7 +211,10 @@ fn laws(pages: &Pages<'_>, at: &Place, audit: Option<&Audit>) -> String {
     let times: usize = common.iter().map(|law| law.checks).sum();
     let common = match common.len() {
         0 => String::new(),
-        count => format!("<li>{}: held, {times} times</li>", everywhere(pages, at, &format!("the {count} laws of every formula"), COMMON)),
+        count => format!(
+            "<li>{}: held, {times} times</li>",
+            everywhere(pages, at, &format!("the {count} laws of every formula"), COMMON)
+        ),
     };
     format!("<ul>{}{common}</ul>", each(own, law))
 }

@@ -26,12 +26,12 @@ pub(crate) fn figure(pages: &Pages<'_>, at: &Place, folder: &Path, argument: &st
         pages.fault(at, format!("figure `{name}` {reason}"));
         return String::new();
     }
-    let drawing = pages.later.keep(format!("<div class=\"drawing\" tabindex=\"0\">{}</div>", svg_element(&svg)), "");
+    let drawing = pages.later.keep(&format!("<div class=\"drawing\" tabindex=\"0\">{}</div>", svg_element(&svg)), "");
     let caption = match caption.trim() {
         "" => String::new(),
         caption => format!("<figcaption>{}</figcaption>", pages.text(at, caption)),
     };
-    let sliders = moving.map(|moving| pages.later.keep(moving::sliders(moving), "")).unwrap_or_default();
+    let sliders = moving.map(|moving| pages.later.keep(&moving::sliders(moving), "")).unwrap_or_default();
     format!("<figure id=\"figure-{}\">{drawing}{sliders}{caption}</figure>", escape(name))
 }
 

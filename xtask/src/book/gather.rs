@@ -1,7 +1,9 @@
 //! Fills the seam from the catalog, the sources, the golden files and what was executed.
 
 use super::calculator;
-use super::content::{self, Calculator, Cited, CodeSpan, Content, Entry, GoldenCounts, GoldenFile, Kink, SourceFile, Symbol};
+use super::content::{
+    self, Calculator, Cited, CodeSpan, Content, Entry, GoldenCounts, GoldenFile, Kink, SourceFile, Symbol,
+};
 use super::locate::Index;
 use super::worked;
 use crate::evidence::Evidence;
@@ -125,7 +127,8 @@ fn entry(project: &Project, formula: &dyn AnyFormula, index: &Index<'_>, evidenc
 
 /// The first digits of the SHA-256 of a text, which are enough to tell one version from another.
 fn digest(text: &str) -> String {
-    Sha256::digest(text).iter().take(8).map(|byte| format!("{byte:02x}")).collect()
+    let digits: Vec<_> = Sha256::digest(text).iter().take(8).map(|byte| format!("{byte:02x}")).collect();
+    digits.concat()
 }
 
 /// What entries are cited with: the authors of the book, and the first version that the manifest names.
@@ -192,7 +195,7 @@ fn symbol(field: &Field) -> Symbol {
         name: field.name.into(),
         latex: quantity.latex.into(),
         shape: shape.into(),
-        unit: quantity.unit.to_string(),
+        unit: quantity.unit.to_string().replace("^2", "²").replace("^3", "³"),
         allowed: quantity.domain.allowed(),
         meaning: quantity.meaning.into(),
     }

@@ -7,7 +7,9 @@ use crate::extension::Served;
 
 /// What search sees of an entry and shows of it: what it gives and takes, and its source.
 pub(crate) fn in_words(entry: &Entry) -> String {
-    let listed = |symbols: &[Symbol]| symbols.iter().map(|symbol| format!("{}, {}", symbol.name, symbol.meaning)).collect::<Vec<_>>().join("; ");
+    let listed = |symbols: &[Symbol]| {
+        symbols.iter().map(|symbol| format!("{}, {}", symbol.name, symbol.meaning)).collect::<Vec<_>>().join("; ")
+    };
     let source = [entry.source.title.as_str(), entry.source.place.as_str()].join(" ");
     let text = format!("Gives {}. Takes {}. {}.", listed(&entry.outputs), listed(&entry.inputs), source.trim());
     text.replace(['$', '`'], "")
@@ -19,7 +21,9 @@ const SHORT: usize = 420;
 /// `f2 = 3, f3 = 4: F_C = 5, ∂F_C/∂f2 = 0.6`, from a golden case.
 pub(crate) fn worked(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let Some(Worked { case, inputs, outputs, derivatives }) = &entry.worked else { return String::new() };
-    let listed = |parts: &[String]| parts.iter().map(|part| format!("<span>{}</span>", pages.text(at, part))).collect::<Vec<_>>().join(", ");
+    let listed = |parts: &[String]| {
+        parts.iter().map(|part| format!("<span>{}</span>", pages.text(at, part))).collect::<Vec<_>>().join(", ")
+    };
     format!(
         "<p class=\"worked\"><b>In numbers</b> {}: {} <span class=\"case\">(golden case <code>{}</code>)</span></p>",
         listed(inputs),
@@ -58,7 +62,9 @@ pub(crate) fn used_by(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
         }
     }
     let output = |(output, of): &(&str, Vec<&Served>)| {
-        let of = of.iter().map(|served| format!("<a href=\"{}\">{}</a>", escape(&relative(&at.page, &served.place)), escape(&served.of)));
+        let of = of.iter().map(|served| {
+            format!("<a href=\"{}\">{}</a>", escape(&relative(&at.page, &served.place)), escape(&served.of))
+        });
         format!("<code>{}</code> of {}", escape(output), of.collect::<Vec<_>>().join(" and "))
     };
     let outputs = outputs.iter().map(output).collect::<Vec<_>>().join(", ");
@@ -98,7 +104,10 @@ pub(crate) fn summary(entry: &Entry) -> String {
         number => format!("{number} {many}"),
     };
     let mut parts = vec![
-        entry.golden.as_ref().map_or("no golden file".into(), |golden| count(golden.total, "golden case", "golden cases")),
+        entry
+            .golden
+            .as_ref()
+            .map_or("no golden file".into(), |golden| count(golden.total, "golden case", "golden cases")),
         count(entry.kinks.len(), "kink", "kinks"),
     ];
     match &entry.evidence.audit {

@@ -108,7 +108,9 @@ mod tests {
     #[test]
     fn indices_stand_at_one_height() {
         let math = Math::new();
-        assert!(math.inline("y_0").unwrap().contains("<msub><mpadded depth=\"0\"><mi>y</mi></mpadded><mn>0</mn></msub>"));
+        assert!(
+            math.inline("y_0").unwrap().contains("<msub><mpadded depth=\"0\"><mi>y</mi></mpadded><mn>0</mn></msub>")
+        );
         assert!(math.inline("z_0").unwrap().contains("<msub><mi>z</mi><mn>0</mn></msub>"));
     }
 

@@ -30,12 +30,17 @@ pub(crate) fn sliders(moving: &Moving) -> String {
 
 /// What the head of a page with sliders needs.
 pub(crate) fn head(page: &str, to_root: &str) -> String {
-    if page.contains(MARK) { format!("<script defer src=\"{to_root}{FOLDER}/moving.js\"></script>\n") } else { String::new() }
+    if page.contains(MARK) {
+        format!("<script defer src=\"{to_root}{FOLDER}/moving.js\"></script>\n")
+    } else {
+        String::new()
+    }
 }
 
 /// The script, and a file of positions for each figure.
 pub(crate) fn files(all: &[Moving]) -> Vec<(String, String)> {
-    let mut files: Vec<_> = all.iter().map(|moving| (format!("{FOLDER}/{}.js", moving.name), positions(moving))).collect();
+    let mut files: Vec<_> =
+        all.iter().map(|moving| (format!("{FOLDER}/{}.js", moving.name), positions(moving))).collect();
     if !files.is_empty() {
         files.push((format!("{FOLDER}/moving.js"), format!("'use strict';\n(() => {{\n{SCRIPT}}})();\n")));
     }

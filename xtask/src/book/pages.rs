@@ -67,12 +67,12 @@ impl<'a> Pages<'a> {
     pub(crate) fn inline_math(&self, at: &Place, latex: &str) -> String {
         let mathml = self.or_fault(at, self.math.inline(latex));
         let words = text_of(&mathml);
-        self.later.keep(mathml, &words)
+        self.later.keep(&mathml, &words)
     }
 
     /// A formula on its own line; a fault if it cannot be set.
     pub(crate) fn block_math(&self, at: &Place, latex: &str) -> String {
-        self.later.keep(self.or_fault(at, self.math.block(latex)), "")
+        self.later.keep(&self.or_fault(at, self.math.block(latex)), "")
     }
 
     /// *Text* as HTML: `$…$` is mathematics, `` `…` `` is code, `[…](…)` is a link, everything else is words.

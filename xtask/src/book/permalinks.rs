@@ -39,7 +39,11 @@ pub(crate) fn write_all(root: &Path, out: &Path, places: &BTreeMap<String, Strin
 }
 
 /// Every name with the place of its entry; what the list has and nothing stands behind is a fault, and what it has not.
-fn resolved<'a>(list: Option<&str>, places: &'a BTreeMap<String, String>, faults: &mut Faults) -> Vec<(String, &'a str)> {
+fn resolved<'a>(
+    list: Option<&str>,
+    places: &'a BTreeMap<String, String>,
+    faults: &mut Faults,
+) -> Vec<(String, &'a str)> {
     let mut all: BTreeMap<String, &str> = places.iter().map(|(id, to)| (id.clone(), to.as_str())).collect();
     let Some(list) = list else { return all.into_iter().collect() };
     let mut listed = Vec::new();
@@ -54,11 +58,19 @@ fn resolved<'a>(list: Option<&str>, places: &'a BTreeMap<String, String>, faults
             Some(to) => {
                 all.insert(id.into(), to);
             }
-            None => faults.push(LIST, at + 1, format!("`{now}` has no entry; a formula that was renamed is written `{id} -> new.name`")),
+            None => faults.push(
+                LIST,
+                at + 1,
+                format!("`{now}` has no entry; a formula that was renamed is written `{id} -> new.name`"),
+            ),
         }
     }
     for id in places.keys().filter(|id| !listed.contains(&id.as_str())) {
-        faults.push(LIST, 0, format!("`{id}` has an entry and is not listed; add a line with it, which stays for good"));
+        faults.push(
+            LIST,
+            0,
+            format!("`{id}` has an entry and is not listed; add a line with it, which stays for good"),
+        );
     }
     all.into_iter().collect()
 }
@@ -69,7 +81,10 @@ mod tests {
 
     #[test]
     fn old_names_lead_to_new_entries_and_lost_ones_are_faults() {
-        let places = BTreeMap::from([("a.new".to_owned(), "a.html#a.new".to_owned()), ("a.b".to_owned(), "a.html#a.b".to_owned())]);
+        let places = BTreeMap::from([
+            ("a.new".to_owned(), "a.html#a.new".to_owned()),
+            ("a.b".to_owned(), "a.html#a.b".to_owned()),
+        ]);
         let mut faults = Faults::default();
         let all = resolved(Some("# names\na.new\na.old -> a.new\na.lost\n"), &places, &mut faults);
         let places: Vec<_> = all.iter().map(|(id, to)| format!("{id} {to}")).collect();

@@ -113,7 +113,7 @@ impl Formulary {
             pages.fault(at, format!("no output `{name}`; there are: {}", known.join(", ")));
             return String::new();
         };
-        pages.later.keep(format!("<pre class=\"output\"><code>{}</code></pre>", escape(text)), "")
+        pages.later.keep(&format!("<pre class=\"output\"><code>{}</code></pre>", escape(text)), "")
     }
 }
 

@@ -19,7 +19,10 @@ pub(crate) fn listing(source: &SourceFile, book_title: &str) -> String {
     let mut lines = String::with_capacity(source.text.len() * 3);
     for (index, line) in highlight(&source.text).iter().enumerate() {
         let n = index + 1;
-        let _ = writeln!(lines, "<span id=\"L{n}\" class=\"line\"><a href=\"#L{n}\" data-n=\"{n}\" aria-label=\"line {n}\"></a>{line}</span>");
+        let _ = writeln!(
+            lines,
+            "<span id=\"L{n}\" class=\"line\"><a href=\"#L{n}\" data-n=\"{n}\" aria-label=\"line {n}\"></a>{line}</span>"
+        );
     }
     format!(
         r#"<!DOCTYPE html>

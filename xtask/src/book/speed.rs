@@ -20,7 +20,7 @@ pub(crate) fn folded(pages: &Pages<'_>, entry: &Entry) -> String {
         format!(": value and Jacobian in {time}, by automatic differentiation {}", times(verdict.speedup))
     });
     let plots = format!("{}{}", plot::plane(measurement), plot::curve(measurement));
-    let plots = pages.later.keep(format!("<div class=\"plots\">{plots}</div>"), "");
+    let plots = pages.later.keep(&format!("<div class=\"plots\">{plots}</div>"), "");
     format!(
         "<details class=\"speed\"><summary>Speed against error{summary}</summary>{plots}{}</details>",
         ways(measurement)
@@ -160,7 +160,7 @@ fn overviews(pages: &Pages<'_>, report: &Report) -> String {
         }
     }
     each(families, |(name, members)| {
-        let svg = pages.later.keep(format!("<div class=\"plots wide\">{}</div>", plot::overview(&name, &members)), "");
+        let svg = pages.later.keep(&format!("<div class=\"plots wide\">{}</div>", plot::overview(&name, &members)), "");
         format!("<figure id=\"speed-{name}\">{svg}</figure>")
     })
 }

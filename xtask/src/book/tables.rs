@@ -29,7 +29,7 @@ pub(crate) fn symbols(pages: &Pages<'_>, at: &Place) -> String {
     });
     // Search has a line for each symbol, which leads here.
     let shown = table("index symbols", &["Symbol", "Name", "Meaning", "Shape", "Unit", "Used by"], &rows);
-    pages.later.keep(shown, "")
+    pages.later.keep(&shown, "")
 }
 
 /// How the anchors of symbols begin.
@@ -97,7 +97,7 @@ const EVIDENCE: &[&str] = &[
 /// `{{#evidence}}`: what was executed on each formula.
 pub(crate) fn evidence(pages: &Pages<'_>, at: &Place) -> String {
     let shown = table("evidence", EVIDENCE, &each(&pages.content.entries, |entry| evidence_row(pages, at, entry)));
-    pages.later.keep(shown + &of_every(pages, at), "")
+    pages.later.keep(&(shown + &of_every(pages, at)), "")
 }
 
 /// One formula's evidence.

@@ -10,29 +10,39 @@ use super::content::Worked;
 /// Digits that are shown of a number.
 const DIGITS: usize = 6;
 
+/// At most so many outputs are shown.
+const OUTPUTS: usize = 4;
+
 /// At most so many derivatives are shown.
 const DERIVATIVES: usize = 2;
+
+/// Of so few inputs, each should say something.
+const FEW: usize = 5;
 
 /// Inputs of at most so many components are all shown; of more, those that are not 0.
 const ALL: usize = 9;
 
-/// A valid case with derivatives: if there is one, without an output of 0, worked by hand, and not half of zeros; of these the
-/// shortest, for which a zero counts as long as a number.
+/// A valid case with derivatives: if there is one, without an output of 0, worked by hand, and with few inputs of 0; of these
+/// the shortest.
 pub(crate) fn of(formula: &dyn AnyFormula, golden: &File) -> Option<Worked> {
     let [inputs, outputs] = [formula.inputs(), formula.outputs()];
     let shown = |case: &Record| {
         let point = components(inputs, &case.inputs).ok()?;
-        let (value, jacobian) = (case.out.is_some() && case.jac.is_some()).then(|| formula.value_and_jacobian(&point).ok())??;
+        let (value, jacobian) =
+            (case.out.is_some() && case.jac.is_some()).then(|| formula.value_and_jacobian(&point).ok())??;
         let worked = Worked {
             case: case.id.clone(),
             inputs: given(inputs, &point),
-            outputs: numbers(outputs, &value),
+            outputs: first(numbers(outputs, &value)),
             derivatives: derivatives(inputs, outputs, &jacobian),
         };
-        let zeros = point.iter().filter(|x| **x == 0.0).count();
+        let zeros = if point.len() <= FEW { point.iter().filter(|x| **x == 0.0).count() } else { 0 };
         let is_zero = value.contains(&0.0) || worked.derivatives.is_empty();
-        let length = [&worked.inputs, &worked.outputs, &worked.derivatives].map(|parts| parts.concat().len()).iter().sum::<usize>();
-        Some(((is_zero, !case.flags.contains(&Flag::Hand), zeros.saturating_sub(point.len() / 2), length + zeros), worked))
+        let length = [&worked.inputs, &worked.outputs, &worked.derivatives]
+            .map(|parts| parts.concat().len())
+            .iter()
+            .sum::<usize>();
+        Some(((is_zero, !case.flags.contains(&Flag::Hand), zeros, length), worked))
     };
     golden.cases.iter().filter_map(shown).min_by_key(|(rank, _)| *rank).map(|(_, worked)| worked)
 }
@@ -58,25 +68,43 @@ fn given(fields: &[Field], point: &[f64]) -> Vec<String> {
     shown
 }
 
+/// The first ones, and that there are more.
+fn first(mut texts: Vec<String>) -> Vec<String> {
+    if texts.len() > OUTPUTS {
+        texts.truncate(OUTPUTS);
+        texts.push("…".into());
+    }
+    texts
+}
+
 /// `$f_2 = 3$` for each field.
 fn numbers(fields: &[Field], components: &[f64]) -> Vec<String> {
     let mut at = 0;
     let one = |field: &Field| {
         let part = &components[at..at + field.len()];
         at += field.len();
-        let (sign, text) = tuple(part);
-        format!("${} {sign} {text}$", field.quantity.latex)
+        let latex = field.quantity.latex;
+        let (sign, numbers) = digits(part);
+        match &*numbers {
+            [one] => format!("${latex} {sign} {one}$"),
+            // Words, where a line may end.
+            several => {
+                format!("${latex} {sign}$ ({})", several.iter().map(|text| plain(text)).collect::<Vec<_>>().join(", "))
+            }
+        }
     };
     fields.iter().map(one).collect()
 }
 
-/// `= 3`, `\approx 0.333333`, or `= (1, 2, 3)`.
-fn tuple(numbers: &[f64]) -> (&'static str, String) {
-    let texts: Vec<_> = numbers.iter().map(|&x| short(x)).collect();
-    let exact = numbers.iter().zip(&texts).all(|(x, (_, shown))| x == shown);
-    let text = texts.iter().map(|(text, _)| text.as_str()).collect::<Vec<_>>().join(",\\, ");
-    let text = if let [_] = numbers { text } else { format!("({text})") };
-    (if exact { "=" } else { r"\approx" }, text)
+/// The numbers in LaTeX, and whether they are equal to those: `=` and `3`, `\approx` and `0.333333`.
+fn digits(numbers: &[f64]) -> (&'static str, Vec<String>) {
+    let (texts, shown): (Vec<_>, Vec<_>) = numbers.iter().map(|&x| short(x)).unzip();
+    (if shown == numbers { "=" } else { r"\approx" }, texts)
+}
+
+/// A number in LaTeX as words, with mathematics only where it has an exponent.
+fn plain(latex: &str) -> String {
+    if latex.contains('^') { format!("${latex}$") } else { latex.replace('-', "−") }
 }
 
 /// A number in LaTeX with few digits, and the number that they are.
@@ -98,8 +126,8 @@ fn derivatives(inputs: &[Field], outputs: &[Field], jacobian: &[f64]) -> Vec<Str
     let [rows, columns] = [outputs, inputs].map(symbols);
     let entries = rows.iter().flat_map(|row| columns.iter().map(move |column| (row, column)));
     let shown = entries.zip(jacobian).filter(|(_, x)| **x != 0.0).take(DERIVATIVES).map(|((row, column), &x)| {
-        let (sign, text) = tuple(&[x]);
-        format!(r"$\partial {row}/\partial {column} {sign} {text}$")
+        let (sign, text) = digits(&[x]);
+        format!(r"$\partial {row}/\partial {column} {sign} {}$", text.concat())
     });
     shown.collect()
 }
@@ -129,7 +157,8 @@ mod tests {
         assert_eq!(worked.inputs, ["$f_2 = 3$", "$f_3 = 4$"]);
         assert_eq!(worked.outputs, ["$F_C = 5$"]);
         assert_eq!(worked.derivatives, [r"$\partial F_C/\partial f_2 = 0.6$", r"$\partial F_C/\partial f_3 = 0.8$"]);
-        assert_eq!(tuple(&[1.0 / 3.0]), (r"\approx", "0.333333".into()));
-        assert_eq!(tuple(&[1e-9, -0.0]), ("=", r"(10^{-9},\, 0)".into()));
+        assert_eq!(digits(&[1.0 / 3.0]), (r"\approx", vec!["0.333333".into()]));
+        assert_eq!(digits(&[1e-9, -0.0]), ("=", vec!["10^{-9}".into(), "0".into()]));
+        assert_eq!([plain("-0.5"), plain("10^{-9}")], ["−0.5", "$10^{-9}$"]);
     }
 }

@@ -2,11 +2,11 @@
 
 mod arm;
 mod cardan;
-mod mechanism;
-mod sketch;
 pub(crate) mod chart;
+mod mechanism;
 mod newton;
 mod signs;
+mod sketch;
 mod slide_line;
 mod slider;
 mod thread;

@@ -68,19 +68,46 @@ pub(super) struct Sketch {
 
 impl Sketch {
     /// Seen from the front, from the right and from above: the first axis to the right, the second up, the third forward.
-    pub(super) fn in_space(name: &'static str, title: &'static str, description: &'static str, unit: f64, origin: [f64; 2]) -> Self {
+    pub(super) fn in_space(
+        name: &'static str,
+        title: &'static str,
+        description: &'static str,
+        unit: f64,
+        origin: [f64; 2],
+    ) -> Self {
         let axes = [[0.98, -0.2], [0.0, -1.0], [-0.52, 0.42]].map(|axis| Vector2::from(axis) * unit);
-        Self { name, title, description, origin: origin.into(), axes, size: [560.0, 320.0], lines: Vec::new(), notes: Vec::new() }
+        Self {
+            name,
+            title,
+            description,
+            origin: origin.into(),
+            axes,
+            size: [560.0, 320.0],
+            lines: Vec::new(),
+            notes: Vec::new(),
+        }
     }
 
     /// With the second axis to the right, for shafts that lie.
-    pub(super) fn lying(name: &'static str, title: &'static str, description: &'static str, unit: f64, origin: [f64; 2]) -> Self {
+    pub(super) fn lying(
+        name: &'static str,
+        title: &'static str,
+        description: &'static str,
+        unit: f64,
+        origin: [f64; 2],
+    ) -> Self {
         let axes = [[-0.45, 0.5], [0.98, 0.12], [0.0, -1.0]].map(|axis| Vector2::from(axis) * unit);
         Self { axes, ..Self::in_space(name, title, description, unit, origin) }
     }
 
     /// In the plane of the first two axes.
-    pub(super) fn in_plane(name: &'static str, title: &'static str, description: &'static str, unit: f64, origin: [f64; 2]) -> Self {
+    pub(super) fn in_plane(
+        name: &'static str,
+        title: &'static str,
+        description: &'static str,
+        unit: f64,
+        origin: [f64; 2],
+    ) -> Self {
         let axes = [[1.0, 0.0], [0.0, -1.0], [0.0, 0.0]].map(|axis| Vector2::from(axis) * unit);
         Self { axes, ..Self::in_space(name, title, description, unit, origin) }
     }
@@ -110,7 +137,11 @@ impl Sketch {
 
     /// An area within points.
     pub(super) fn area(&mut self, points: &[Point], ink: Ink) {
-        let all: Vec<_> = points.iter().map(|point| self.place(*point)).map(|at| format!("{} {}", tenth(at.x), tenth(at.y))).collect();
+        let all: Vec<_> = points
+            .iter()
+            .map(|point| self.place(*point))
+            .map(|at| format!("{} {}", tenth(at.x), tenth(at.y)))
+            .collect();
         self.lines.push(format!(
             r#"<path d="M{}Z" fill="{colour}" fill-opacity="0.1" stroke="{colour}" stroke-width="1.3"/>"#,
             all.join("L"),
@@ -126,7 +157,13 @@ impl Sketch {
         } else {
             format!(
                 r#"<path d="M{} {}L{} {}" {} marker-end="url(#{}-{})"/>"#,
-                tenth(start.x), tenth(start.y), tenth(end.x), tenth(end.y), ink.stroke(), self.name, ink.tip()
+                tenth(start.x),
+                tenth(start.y),
+                tenth(end.x),
+                tenth(end.y),
+                ink.stroke(),
+                self.name,
+                ink.tip()
             )
         });
     }
@@ -134,13 +171,24 @@ impl Sketch {
     /// A node.
     pub(super) fn dot(&mut self, at: Point, ink: Ink) {
         let at = self.place(at);
-        self.lines.push(format!(r#"<circle cx="{}" cy="{}" r="5.5" fill="{}"/>"#, tenth(at.x), tenth(at.y), ink.colour()));
+        self.lines.push(format!(
+            r#"<circle cx="{}" cy="{}" r="5.5" fill="{}"/>"#,
+            tenth(at.x),
+            tenth(at.y),
+            ink.colour()
+        ));
     }
 
     /// A name beside a point: `e_1a` has an index, and a name that begins with `*` is bold.
     pub(super) fn label(&mut self, at: Point, beside: [f64; 2], name: &str, ink: Ink) {
         let at = self.place(at) + Vector2::from(beside);
-        self.lines.push(format!(r#"<text x="{}" y="{}" fill="{}">{}</text>"#, tenth(at.x), tenth(at.y), ink.colour(), set(name)));
+        self.lines.push(format!(
+            r#"<text x="{}" y="{}" fill="{}">{}</text>"#,
+            tenth(at.x),
+            tenth(at.y),
+            ink.colour(),
+            set(name)
+        ));
     }
 
     /// Three arrows with their names, of a node called `of`.
@@ -161,13 +209,19 @@ impl Sketch {
     /// The SVG element, a line a part.
     pub(super) fn svg(mut self) -> String {
         let [width, height] = self.size;
-        for (k, note) in self.notes.iter().enumerate() {
-            let y = height - 14.0 - 20.0 * (self.notes.len() - 1 - k) as f64;
-            self.lines.push(format!(r#"<text x="14" y="{y}" font-size="14" fill="currentColor" class="label">{}</text>"#, set(note)));
+        let mut y = height - 14.0;
+        for note in self.notes.iter().rev() {
+            self.lines.push(format!(
+                r#"<text x="14" y="{y}" font-size="14" fill="currentColor" class="label">{}</text>"#,
+                set(note)
+            ));
+            y -= 20.0;
         }
         let name = self.name;
         let marker = |tip: &str, colour: &str| {
-            format!(r#"<marker id="{name}-{tip}" viewBox="0 0 10 10" refX="8.5" refY="5" markerWidth="6.5" markerHeight="6.5" orient="auto"><path d="M0 1 9 5 0 9Z" fill="{colour}" stroke="none"/></marker>"#)
+            format!(
+                r#"<marker id="{name}-{tip}" viewBox="0 0 10 10" refX="8.5" refY="5" markerWidth="6.5" markerHeight="6.5" orient="auto"><path d="M0 1 9 5 0 9Z" fill="{colour}" stroke="none"/></marker>"#
+            )
         };
         let markers = [Ink::Solid, Ink::Accent, Ink::Force].map(|ink| marker(ink.tip(), ink.colour())).concat();
         format!(
@@ -203,7 +257,10 @@ fn set(text: &str) -> String {
             Some((name, index)) => {
                 let end = index.find([',', ')', '=']).unwrap_or(index.len());
                 let (index, after) = index.split_at(end);
-                let _ = write!(out, r#"<tspan{bold}>{name}</tspan><tspan dy="5" font-size="0.72em">{index}</tspan><tspan dy="-5">{after}&#8203;</tspan>"#);
+                let _ = write!(
+                    out,
+                    r#"<tspan{bold}>{name}</tspan><tspan dy="5" font-size="0.72em">{index}</tspan><tspan dy="-5">{after}&#8203;</tspan>"#
+                );
             }
             None if bold.is_empty() => out.push_str(word),
             None => {

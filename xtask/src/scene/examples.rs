@@ -4,8 +4,8 @@ use super::plot;
 use super::show::{self, Format};
 use crate::console::count;
 use anyhow::Context;
-use jointproof::scene::{Plan, Results, Scene, Series, schema};
-use kit::{Beside, Project};
+use jointproof::scene::{Plan, PlanLine, Results, Scene, Series, schema};
+use kit::{Beside, Project, Table};
 use std::path::PathBuf;
 
 /// How the name of a golden result ends.
@@ -57,17 +57,34 @@ pub(crate) fn golden(project: &Project) -> anyhow::Result<Beside> {
     Ok(Beside { files: golden, orphans, counts })
 }
 
-/// What `cargo xtask scene` prints about the scenes, by the name that `{{#output name}}` gives: `plan-of-telescope`,
-/// `results-of-telescope`.
+/// What `cargo xtask scene` prints about the scenes, by the name that `{{#output name}}` gives: `results-of-telescope`.
 pub(crate) fn outputs(project: &Project) -> anyhow::Result<Vec<(String, String)>> {
     let mut outputs = Vec::new();
     for (name, scene) in scenes(project)? {
-        let plan = Plan::new(&scene);
         let (results, exact) = (Results::of(&scene)?, Results::exact(&scene)?);
-        outputs.push((format!("plan-of-{name}"), show::plan(&plan, Format::Text)?));
         outputs.push((format!("results-of-{name}"), show::results(&scene, &results, Some(&exact), Format::Text)?));
     }
     Ok(outputs)
+}
+
+/// The plans of the scenes, by the name that `{{#table name}}` gives: `plan-of-telescope`.
+pub(crate) fn plans(project: &Project) -> anyhow::Result<Vec<(String, Vec<Table>)>> {
+    let head = ["Formula", "Evaluated", "Needed for"].map(String::from);
+    let plan = |(name, scene): &(String, Scene)| {
+        let plan = Plan::new(scene);
+        let states = scene.times().len();
+        let row = |line: &PlanLine| {
+            let when = if line.once { "once, at the start".into() } else { format!("in each of {states} states") };
+            vec![
+                format!("`{}`", line.formula),
+                format!("for {}, {when}", count(line.elements, line.kind)),
+                line.why.clone(),
+            ]
+        };
+        let rows = plan.lines().iter().map(row).collect();
+        (format!("plan-of-{name}"), vec![Table { head: head.clone().into(), rows, ..Table::default() }])
+    };
+    Ok(scenes(project)?.iter().map(plan).collect())
 }
 
 /// A figure of the book: an output of a scene over its history.
@@ -146,7 +163,8 @@ pub(crate) fn figures(project: &Project) -> anyhow::Result<Vec<(String, String)>
     let mut drawn = Vec::new();
     for (name, scene) in scenes(project)? {
         let results = Results::exact(&scene).with_context(|| name.clone())?;
-        for Figure { output, label, unit, of, description, .. } in FIGURES.iter().filter(|figure| figure.scene == name) {
+        for Figure { output, label, unit, of, description, .. } in FIGURES.iter().filter(|figure| figure.scene == name)
+        {
             let mut shown = results.clone();
             shown.series.retain(|series| of.contains(&series.element.as_str()));
             shown.series.iter_mut().flat_map(|series| &mut series.values).flatten().for_each(|value| *value /= unit);

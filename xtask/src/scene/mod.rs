@@ -8,7 +8,7 @@ mod kinds;
 mod plot;
 mod show;
 
-pub(crate) use examples::{figures, golden, outputs};
+pub(crate) use examples::{figures, golden, outputs, plans};
 pub(crate) use kinds::{anchor, served, tables};
 
 use crate::console::{print, progress, say};

@@ -11,8 +11,8 @@ use jointproof::verify::golden::{File, Record, components};
 use serde_json::Value;
 
 use super::MARK;
-use crate::book::browser::{self, Browser};
 use super::sizes::{self, Sizes};
+use crate::book::browser::{self, Browser};
 use crate::console::count;
 use crate::export::{self, Script};
 use crate::project::Project;

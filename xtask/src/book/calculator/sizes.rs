@@ -7,8 +7,8 @@ use std::path::Path;
 use anyhow::{Context as _, Result};
 use serde_json::Value;
 
-use crate::book::browser::Browser;
 use super::{CASES, FOLDER};
+use crate::book::browser::Browser;
 
 /// What the program and one formula should have together.
 pub(super) const WANTED: u64 = 15_000;

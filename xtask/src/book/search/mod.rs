@@ -40,7 +40,8 @@ pub(crate) fn in_page(page: &str) -> String {
 pub(crate) fn replace(out: &Path, content: &Content) -> Result<()> {
     let Ok(text) = fs::read_to_string(out.join(INDEX)) else { return Ok(()) };
     let mut index = read(&text).context("mdBook writes its search index in another way")?;
-    let pages = pages(&index, content, symbols_page(out, &index).as_deref()).context("mdBook's search index has another layout")?;
+    let pages = pages(&index, content, symbols_page(out, &index).as_deref())
+        .context("mdBook's search index has another layout")?;
     let settings = index.as_object_mut().context("mdBook's search index is no object")?;
     settings.remove("doc_urls");
     let urls: Vec<_> = pages.iter().map(|page| page[0].clone()).collect();
@@ -88,7 +89,13 @@ fn section(content: &Content, url: &str, [title, path, body]: [String; 3]) -> [V
     let Some(entry) = content.entries.iter().find(|entry| entry.id == id) else {
         let page = url.split('.').next().unwrap_or_default();
         let is_list = LISTS.contains(&page);
-        return [url.into(), title.into(), path.into(), body.into(), json!(if is_list { json!({ "kind": "list" }) } else { json!({}) })];
+        return [
+            url.into(),
+            title.into(),
+            path.into(),
+            body.into(),
+            json!(if is_list { json!({ "kind": "list" }) } else { json!({}) }),
+        ];
     };
     // The identifier stands in the heading too.
     let name = title.replace(&entry.id, "").trim().to_owned();
@@ -117,10 +124,20 @@ fn names(content: &Content, entry: &Entry, title: &str) -> Value {
 fn symbols(content: &Content, page: &str) -> Vec<[Value; 5]> {
     let line = |row: &tables::SymbolRow<'_>| {
         let tables::SymbolRow { anchor, symbol, users } = row;
-        let title = if symbol.latex == symbol.name { symbol.name.clone() } else { format!("{} {}", shown(&symbol.latex), symbol.name) };
+        let title = if symbol.latex == symbol.name {
+            symbol.name.clone()
+        } else {
+            format!("{} {}", shown(&symbol.latex), symbol.name)
+        };
         let body = format!("{} ({}). {}", symbol.meaning.replace('$', ""), symbol.unit, users.join(", "));
         let names = json!({ "kind": "symbol", "is": [symbol.name, symbol.latex] });
-        [format!("{page}#{anchor}").into(), title.clone().into(), format!("Symbols » {title}").into(), body.into(), names]
+        [
+            format!("{page}#{anchor}").into(),
+            title.clone().into(),
+            format!("Symbols » {title}").into(),
+            body.into(),
+            names,
+        ]
     };
     tables::symbol_rows(content).iter().map(line).collect()
 }
@@ -138,9 +155,27 @@ fn shown(latex: &str) -> String {
 }
 
 const GREEK: [(&str, &str); 21] = [
-    ("alpha", "α"), ("beta", "β"), ("gamma", "γ"), ("delta", "δ"), ("Delta", "Δ"), ("epsilon", "ε"), ("zeta", "ζ"),
-    ("eta", "η"), ("theta", "θ"), ("kappa", "κ"), ("lambda", "λ"), ("mu", "μ"), ("nu", "ν"), ("xi", "ξ"), ("rho", "ρ"),
-    ("sigma", "σ"), ("tau", "τ"), ("varphi", "φ"), ("phi", "φ"), ("Phi", "Φ"), ("omega", "ω"),
+    ("alpha", "α"),
+    ("beta", "β"),
+    ("gamma", "γ"),
+    ("delta", "δ"),
+    ("Delta", "Δ"),
+    ("epsilon", "ε"),
+    ("zeta", "ζ"),
+    ("eta", "η"),
+    ("theta", "θ"),
+    ("kappa", "κ"),
+    ("lambda", "λ"),
+    ("mu", "μ"),
+    ("nu", "ν"),
+    ("xi", "ξ"),
+    ("rho", "ρ"),
+    ("sigma", "σ"),
+    ("tau", "τ"),
+    ("varphi", "φ"),
+    ("phi", "φ"),
+    ("Phi", "Φ"),
+    ("omega", "ω"),
 ];
 
 /// A line for each output of scenes, at the first table that has it.

@@ -2,6 +2,8 @@
 
 mod queries;
 mod screens;
+#[cfg(test)]
+mod tests;
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -103,7 +105,8 @@ pub(crate) fn check(project: &Project, out: &Path) -> Result<Option<Visited>> {
         return Ok(None);
     }
     let out = out.canonicalize()?;
-    let axe = std::env::var_os(AXE).map(|path| fs::read_to_string(&path).with_context(|| format!("{} cannot be read", path.display())));
+    let axe = std::env::var_os(AXE)
+        .map(|path| fs::read_to_string(&path).with_context(|| format!("{} cannot be read", path.display())));
     let axe = axe.transpose()?;
     let mut pages = chapters(&out)?;
     // It is shown in the place of a page that is missing, so its links start at the root of a server.
@@ -115,7 +118,13 @@ pub(crate) fn check(project: &Project, out: &Path) -> Result<Option<Visited>> {
     let bar = console::progress("pages", pages.len());
     let next = AtomicUsize::new(0);
     let browse = || -> Result<Visited> {
-        let mut visit = Visit { browser: Browser::start()?, out: &out, axe: axe.as_deref(), visited: Visited::default(), sizes: BTreeMap::new() };
+        let mut visit = Visit {
+            browser: Browser::start()?,
+            out: &out,
+            axe: axe.as_deref(),
+            visited: Visited::default(),
+            sizes: BTreeMap::new(),
+        };
         while let Some(page) = pages.get(next.fetch_add(1, Ordering::Relaxed)) {
             visit.page(page).with_context(|| format!("{} cannot be looked at", project.shown(page)))?;
             bar.inc(1);
@@ -218,7 +227,7 @@ impl Visit<'_> {
     /// Characters of formulas that the mathematical font does not have.
     fn letters(&mut self, name: &str) -> Result<()> {
         let css = fs::read_to_string(self.out.join("fonts/fonts.css")).unwrap_or_default();
-        let face = css.split("@font-face").find(|face| face.contains(MATHEMATICAL)).unwrap_or_default();
+        let face = css.split("@font-face").skip(1).find(|face| face.contains(MATHEMATICAL)).unwrap_or_default();
         let Some(range) = declared(face, "unicode-range") else { return Ok(()) };
         let used: Vec<char> = serde_json::from_value(self.browser.evaluate("characters()")?)?;
         let lost = used.into_iter().filter(|c| !c.is_whitespace() && !is_within(*c, &range));
@@ -256,9 +265,12 @@ impl Visit<'_> {
 
     /// Of a text, compressed; fonts are compressed already.
     fn size(&mut self, file: &Path) -> Result<u64> {
-        let bytes = fs::read(file).with_context(|| format!("the page loads {}, which cannot be read", file.display()))?;
+        let bytes =
+            fs::read(file).with_context(|| format!("the page loads {}, which cannot be read", file.display()))?;
         let size = match String::from_utf8(bytes) {
-            Ok(text) => self.browser.evaluate(&format!("compressed({})", Value::from(text)))?.as_u64().context("no size")?,
+            Ok(text) => {
+                self.browser.evaluate(&format!("compressed({})", Value::from(text)))?.as_u64().context("no size")?
+            }
             Err(error) => error.as_bytes().len() as u64,
         };
         self.sizes.insert(file.to_path_buf(), size);

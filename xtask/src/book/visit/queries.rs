@@ -53,7 +53,11 @@ pub(super) fn ask(project: &Project, out: &Path, browser: &mut Browser) -> Resul
         if wanted.contains(&first) {
             answers.right += 1;
         } else {
-            answers.wrong.push(format!("{query}: wanted is {}, found {}", wanted.join(" or "), if found.is_empty() { first.into() } else { found.join(", ") }));
+            answers.wrong.push(format!(
+                "{query}: wanted is {}, found {}",
+                wanted.join(" or "),
+                if found.is_empty() { first.into() } else { found.join(", ") }
+            ));
         }
     }
     Ok(Some(answers))
@@ -63,7 +67,9 @@ pub(super) fn ask(project: &Project, out: &Path, browser: &mut Browser) -> Resul
 fn parsed(list: &str) -> Result<Vec<(&str, Vec<&str>)>> {
     let mut queries = Vec::new();
     for (at, line) in list.lines().enumerate().filter(|(_, line)| !line.is_empty() && !line.starts_with('#')) {
-        let Some((query, wanted)) = line.split_once(" => ") else { bail!("{LIST}:{}: wanted is `query => page`", at + 1) };
+        let Some((query, wanted)) = line.split_once(" => ") else {
+            bail!("{LIST}:{}: wanted is `query => page`", at + 1)
+        };
         queries.push((query.trim(), wanted.split(" or ").map(str::trim).collect()));
     }
     queries.first().context("no query in the list")?;

@@ -12,8 +12,12 @@ use crate::project::Project;
 const LIST: &str = "book/screens.txt";
 
 /// How each page is looked at.
-const WAYS: [(&str, Screen, bool); 4] =
-    [("desk-light", DESK, false), ("desk-dark", DESK, true), ("phone-light", PHONE, false), ("phone-dark", PHONE, true)];
+const WAYS: [(&str, Screen, bool); 4] = [
+    ("desk-light", DESK, false),
+    ("desk-dark", DESK, true),
+    ("phone-light", PHONE, false),
+    ("phone-dark", PHONE, true),
+];
 
 /// Writes a PNG for each page of the list and way; answers how many, or `None` where there is no browser.
 ///
@@ -23,7 +27,8 @@ pub(crate) fn take(project: &Project, out: &Path, folder: &Path) -> Result<Optio
     if !browser::is_here_or_not_required()? {
         return Ok(None);
     }
-    let list = fs::read_to_string(project.root().join(LIST)).with_context(|| format!("{LIST} names the pages, and cannot be read"))?;
+    let list = fs::read_to_string(project.root().join(LIST))
+        .with_context(|| format!("{LIST} names the pages, and cannot be read"))?;
     let out = out.canonicalize()?;
     let mut browser = Browser::start()?;
     let mut count = 0;

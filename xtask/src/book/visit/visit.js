@@ -8,10 +8,12 @@ function unfold() {
 // What makes the page wider than the screen.
 function wider() {
     const width = document.documentElement.clientWidth;
-    const over = document.scrollingElement.scrollWidth - width;
+    // mdBook's page is a box that scrolls, within the document.
+    const boxes = [document.scrollingElement, ...document.querySelectorAll('.page-wrapper, .page, .content, main')];
+    const over = Math.max(...boxes.map((box) => box.scrollWidth - box.clientWidth));
     if (over <= 0) return [];
     const inBox = (one) => {
-        for (let box = one.parentElement; box && box !== document.body; box = box.parentElement) {
+        for (let box = one.parentElement; box && !boxes.includes(box) && box !== document.body; box = box.parentElement) {
             if (!['visible', ''].includes(getComputedStyle(box).overflowX)) return true;
         }
         return false;
@@ -37,9 +39,15 @@ async function loaded() {
     };
 }
 
-// Serious and critical findings of axe, a line each. A formula counts as one thing, with its LaTeX as its text.
+// Serious and critical findings of axe, a line each. A formula counts as one word, else its parts would be
+// most of the page.
 async function barriers(options) {
-    const { violations } = await axe.run({ exclude: [['math > *']] }, { resultTypes: ['violations'], preload: false, ...options });
+    for (const formula of document.querySelectorAll('math')) {
+        const text = document.createElementNS(formula.namespaceURI, 'mtext');
+        text.textContent = formula.textContent;
+        formula.replaceChildren(text);
+    }
+    const { violations } = await axe.run(document, { resultTypes: ['violations'], preload: false, ...options });
     const grave = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
     return grave.map(({ id, impact, nodes }) => `${impact}: ${id}, ${nodes.length} times, first ${nodes[0].target.join(' ')} ${nodes[0].html.slice(0, 160)}`);
 }

@@ -5,7 +5,7 @@ use jointproof::formula::Formula;
 use jointproof::interaction::{
     Damping, DampingContact, ExponentialContact, LinearContact, PressureExponential, PressureLinear,
 };
-use jointproof::slide_line::{TorqueLinear, LinearPressures};
+use jointproof::slide_line::{LinearPressures, TorqueLinear};
 use kit::Moving;
 use nalgebra::{Vector2, Vector3};
 
@@ -22,7 +22,7 @@ fn at(x: f64, y: f64) -> Point {
 pub(super) fn stick_and_slip() -> Moving {
     let trial = Along { label: "trial force", unit: "", from: -2.0, to: 2.0, steps: 20, start: 16 };
     let normal = Along { label: "F_N, normal force", unit: "", from: 0.0, to: 2.0, steps: 8, start: 6 };
-    moving("friction-moving", [trial, normal], |f_trial, normal| {
+    moving("friction-moving", &[trial, normal], |f_trial, normal| {
         let f = ReturnMap::eval(&Trial { f_trial, mu: MU, r#fn: normal }).f;
         let phi = Yield::eval(&Tractions { p: f_trial.abs(), mu: MU, r#fn: normal }).phi;
         let mut sketch = Sketch::in_plane(
@@ -45,7 +45,10 @@ pub(super) fn stick_and_slip() -> Moving {
         let d = |x: f64, y: f64| at(4.6 + x * 0.85, 0.6 + y * 1.1);
         sketch.arrow(d(-2.3, 0.0), at(4.1, 0.0), Ink::Thin);
         sketch.arrow(d(0.0, -1.3), at(0.0, 3.0), Ink::Thin);
-        let curve: Vec<_> = (-40..=40).map(|k| f64::from(k) / 20.0).map(|x| d(x, ReturnMap::eval(&Trial { f_trial: x, mu: MU, r#fn: normal }).f)).collect();
+        let curve: Vec<_> = (-40..=40)
+            .map(|k| f64::from(k) / 20.0)
+            .map(|x| d(x, ReturnMap::eval(&Trial { f_trial: x, mu: MU, r#fn: normal }).f))
+            .collect();
         sketch.path(&curve, Ink::Accent);
         sketch.path(&[d(f_trial, 0.0), d(f_trial, f)], Ink::Dashed);
         sketch.dot(d(f_trial, f), Ink::Force);
@@ -62,7 +65,7 @@ pub(super) fn stick_and_slip() -> Moving {
 pub(super) fn pressure() -> Moving {
     let overclosure = Along { label: "h, overclosure", unit: "", from: -1.5, to: 1.0, steps: 20, start: 16 };
     let rate = Along { label: "v, closing rate", unit: "", from: -1.0, to: 1.0, steps: 8, start: 6 };
-    moving("interaction-moving", [overclosure, rate], |h, v| {
+    moving("interaction-moving", &[overclosure, rate], |h, v| {
         let linear = PressureLinear::eval(&LinearContact { h, k: 1.0 }).p;
         let exponential = PressureExponential::eval(&ExponentialContact { h, c0: 1.0, p0: 1.0 }).p;
         let damping = Damping::eval(&DampingContact { h, v, mu0: 1.0, c0: 1.0, eta: 0.4 }).p;
@@ -80,7 +83,8 @@ pub(super) fn pressure() -> Moving {
         sketch.label(at(1.1, 0.5 - h), [10.0, 0.0], "v", Ink::Solid);
         sketch.path(&[at(2.35, 0.0), at(2.35, -h)], Ink::Force);
         sketch.label(at(2.35, -h / 2.0), [8.0, 5.0], "h", Ink::Force);
-        for (place, name, p) in [(3.3, "linear", linear), (4.5, "exponential", exponential), (5.9, "damping", damping)] {
+        for (place, name, p) in [(3.3, "linear", linear), (4.5, "exponential", exponential), (5.9, "damping", damping)]
+        {
             let top = p.clamp(-0.8, 2.2);
             sketch.area(&[at(place, 0.0), at(place + 0.5, 0.0), at(place + 0.5, top), at(place, top)], Ink::Force);
             sketch.label(at(place, 0.0), [-10.0, if top < 0.0 { -8.0 } else { 20.0 }], name, Ink::Solid);
@@ -97,7 +101,7 @@ pub(super) fn pressure() -> Moving {
 pub(super) fn torque() -> Moving {
     let slope = Along { label: "pressure at the outer node", unit: "", from: 0.0, to: 2.0, steps: 10, start: 7 };
     let radius = Along { label: "radius of the inner node", unit: "", from: 0.5, to: 2.0, steps: 6, start: 2 };
-    moving("torque-moving", [slope, radius], |p2, r1| {
+    moving("torque-moving", &[slope, radius], |p2, r1| {
         let p1 = 1.0;
         let (x1, x2) = (Vector2::new(r1, 0.6), Vector2::new(r1 + 2.4, 1.4));
         let t = TorqueLinear::eval(&LinearPressures { x1, x2, p1, p2 }).t;
@@ -114,8 +118,12 @@ pub(super) fn torque() -> Moving {
         sketch.arrow(at(0.0, 0.0), at(5.6, 0.0), Ink::Thin);
         sketch.label(at(5.6, 0.0), [-8.0, 18.0], "r", Ink::Solid);
         let along = |s: f64| x1 + (x2 - x1) * s;
-        let normal = { let d = (x2 - x1).normalize(); at(-d.y, d.x) };
-        let heads: Vec<_> = [0.0, 1.0].map(|s| at(along(s).x, along(s).y) + normal * ((p1 + (p2 - p1) * s) * 0.5)).into();
+        let normal = {
+            let d = (x2 - x1).normalize();
+            at(-d.y, d.x)
+        };
+        let heads: Vec<_> =
+            [0.0, 1.0].map(|s| at(along(s).x, along(s).y) + normal * ((p1 + (p2 - p1) * s) * 0.5)).into();
         sketch.area(&[at(x1.x, x1.y), heads[0], heads[1], at(x2.x, x2.y)], Ink::Force);
         for k in 0..=6 {
             let s = f64::from(k) / 6.0;

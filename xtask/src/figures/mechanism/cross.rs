@@ -1,9 +1,9 @@
 //! Turned triads: the Cardan angles, UNIVERSAL and UJOINT.
 
+use jointproof::cardan::Triads;
 use jointproof::formula::Formula;
 use jointproof::ujoint::{CrossAxes, CrossDirection, CrossLoads, Decomposition};
 use jointproof::universal::{Angles, Constraint, Shafts};
-use jointproof::cardan::Triads;
 use kit::Moving;
 
 use super::{Along, angles, moving, turned, upright};
@@ -15,33 +15,37 @@ fn degrees(label: &'static str, to: f64, start: usize) -> Along {
 
 /// The triad of b, turned by the first two Cardan angles.
 pub(super) fn cardan() -> Moving {
-    moving("cardan-moving", [degrees("α, about e1a", 60.0, 9), degrees("β, about the turned second axis", 84.0, 4)], |alpha, beta| {
-        let (a, b) = (upright(), turned(alpha, beta, 25.0));
-        let found = angles(a, b);
-        let mut sketch = Sketch::in_space(
-            "cardan-moving",
-            "The triad of b, turned against that of a",
-            "Two triads with one origin: that of a in the colour of the text, that of b in another colour, turned by α about e1a, then by β \
+    moving(
+        "cardan-moving",
+        &[degrees("α, about e1a", 60.0, 9), degrees("β, about the turned second axis", 84.0, 4)],
+        |alpha, beta| {
+            let (a, b) = (upright(), turned(alpha, beta, 25.0));
+            let found = angles(a, b);
+            let mut sketch = Sketch::in_space(
+                "cardan-moving",
+                "The triad of b, turned against that of a",
+                "Two triads with one origin: that of a in the colour of the text, that of b in another colour, turned by α about e1a, then by β \
              about the second axis, then by γ of 25 degrees about the third.",
-            120.0,
-            [270.0, 160.0],
-        );
-        let origin = Point::zeros();
-        sketch.triad(origin, a, 1.0, "a", Ink::Solid);
-        sketch.triad(origin, b, 1.0, "b", Ink::Accent);
-        // The path of e3b as β grows, at this α.
-        let arc: Vec<_> = (0..=24).map(|k| turned(alpha, beta * f64::from(k) / 24.0, 0.0)[2]).collect();
-        sketch.path(&arc, Ink::Dashed);
-        let arc: Vec<_> = (0..=24).map(|k| turned(alpha * f64::from(k) / 24.0, 0.0, 0.0)[2]).collect();
-        sketch.path(&arc, Ink::Dashed);
-        sketch.note(format!(
-            "the formula finds α = {}°, β = {}°, γ = {}°",
-            number(found[0]),
-            number(found[1]),
-            number(found[2])
-        ));
-        sketch.svg()
-    })
+                120.0,
+                [270.0, 160.0],
+            );
+            let origin = Point::zeros();
+            sketch.triad(origin, a, 1.0, "a", Ink::Solid);
+            sketch.triad(origin, b, 1.0, "b", Ink::Accent);
+            // The path of e3b as β grows, at this α.
+            let arc: Vec<_> = (0..=24).map(|k| turned(alpha, beta * f64::from(k) / 24.0, 0.0)[2]).collect();
+            sketch.path(&arc, Ink::Dashed);
+            let arc: Vec<_> = (0..=24).map(|k| turned(alpha * f64::from(k) / 24.0, 0.0, 0.0)[2]).collect();
+            sketch.path(&arc, Ink::Dashed);
+            sketch.note(format!(
+                "the formula finds α = {}°, β = {}°, γ = {}°",
+                number(found[0]),
+                number(found[1]),
+                number(found[2])
+            ));
+            sketch.svg()
+        },
+    )
 }
 
 /// Two shafts, their yokes, and the cross between them.
@@ -52,7 +56,10 @@ fn joint(sketch: &mut Sketch, a: [Point; 3], b: [Point; 3]) {
     for (shaft, axis, name, ink) in [(-a[1], a[0], "shaft of a", Ink::Solid), (b[1], b[2], "shaft of b", Ink::Accent)] {
         sketch.path(&[origin + shaft * 1.0, origin + shaft * 1.7], ink);
         for side in [-1.0, 1.0] {
-            sketch.path(&[origin + axis * (side * arm), origin + axis * (side * arm) + shaft * 0.7, origin + shaft * 1.0], ink);
+            sketch.path(
+                &[origin + axis * (side * arm), origin + axis * (side * arm) + shaft * 0.7, origin + shaft * 1.0],
+                ink,
+            );
         }
         sketch.label(origin + shaft * 1.7, [-36.0, 26.0], name, ink);
     }
@@ -73,20 +80,28 @@ fn lying(name: &'static str, title: &'static str, description: &'static str) -> 
 
 /// UNIVERSAL: two turns are free, the arms stay at right angles.
 pub(super) fn universal() -> Moving {
-    moving("universal-moving", [degrees("α, about the arm e1a", 48.0, 9), degrees("γ, about the arm e3b", 48.0, 6)], |alpha, gamma| {
-        let (a, b) = (upright(), turned(alpha, 0.0, gamma));
-        let held = Constraint::eval(&Shafts { e1a: a[0], e3b: b[2], c0: 0.0 }).g;
-        let free = Angles::eval(&Triads::new(a, b));
-        let mut sketch = lying(
-            "universal-moving",
-            "The mechanism of JOIN and UNIVERSAL",
-            "A cross with two arms. The yoke of shaft a turns about the arm e1a, that of shaft b about the arm e3b. The centres stay together.",
-        );
-        joint(&mut sketch, a, b);
-        sketch.note(format!("free: α = {}°, γ = {}°", number(free.alpha.to_degrees()), number(free.gamma.to_degrees())));
-        sketch.note(format!("held: e_1a · e_3b = {}, and the centres, by JOIN", number(held)));
-        sketch.svg()
-    })
+    moving(
+        "universal-moving",
+        &[degrees("α, about the arm e1a", 48.0, 9), degrees("γ, about the arm e3b", 48.0, 6)],
+        |alpha, gamma| {
+            let (a, b) = (upright(), turned(alpha, 0.0, gamma));
+            let held = Constraint::eval(&Shafts { e1a: a[0], e3b: b[2], c0: 0.0 }).g;
+            let free = Angles::eval(&Triads::new(a, b));
+            let mut sketch = lying(
+                "universal-moving",
+                "The mechanism of JOIN and UNIVERSAL",
+                "A cross with two arms. The yoke of shaft a turns about the arm e1a, that of shaft b about the arm e3b. The centres stay together.",
+            );
+            joint(&mut sketch, a, b);
+            sketch.note(format!(
+                "free: α = {}°, γ = {}°",
+                number(free.alpha.to_degrees()),
+                number(free.gamma.to_degrees())
+            ));
+            sketch.note(format!("held: e_1a · e_3b = {}, and the centres, by JOIN", number(held)));
+            sketch.svg()
+        },
+    )
 }
 
 /// How long a force of 1 is drawn.
@@ -95,7 +110,7 @@ const SIZE: f64 = 1.1;
 /// UJOINT: what a force at the centre is along the arms and across them.
 pub(super) fn forces() -> Moving {
     let turn = Along { label: "direction of the force", unit: "°", from: 0.0, to: 180.0, steps: 12, start: 4 };
-    moving("ujoint-moving", [degrees("α, about the arm e1a", 48.0, 9), turn], |alpha, direction| {
+    moving("ujoint-moving", &[degrees("α, about the arm e1a", 48.0, 9), turn], |alpha, direction| {
         let (a, b) = (upright(), turned(alpha, 0.0, 0.0));
         let (f3, f1) = direction.to_radians().sin_cos();
         let [e1a, e2a, e3a] = a;
@@ -122,4 +137,3 @@ pub(super) fn forces() -> Moving {
         sketch.svg()
     })
 }
-

@@ -16,7 +16,7 @@ use crate::figures::sketch::{Ink, Point, Sketch, number};
 pub(super) fn slider() -> Moving {
     let kept = Along { label: "kept coordinate of m", unit: "", from: -0.4, to: 3.4, steps: 19, start: 11 };
     let height = Along { label: "height of node n", unit: "", from: 0.0, to: 1.6, steps: 8, start: 5 };
-    moving("slider-moving", [kept, height], |x, height| {
+    moving("slider-moving", &[kept, height], |x, height| {
         let x1 = Vector3::new(0.0, 0.2, 0.3);
         let xn = Vector3::new(3.0, height, 0.8);
         let line = Slider::new(x1, xn).expect("the nodes are apart");
@@ -48,7 +48,12 @@ pub(super) fn slider() -> Moving {
         sketch.label(x1, [-16.0, -8.0], "1", Ink::Solid);
         sketch.label(xn, [10.0, -6.0], "n", Ink::Solid);
         sketch.label(xm, [-6.0, -14.0], "m", Ink::Accent);
-        sketch.note(format!("kept x_m = {}; of it follow y_m = {}, z_m = {}", number(xm.x), number(xm.y), number(xm.z)));
+        sketch.note(format!(
+            "kept x_m = {}; of it follow y_m = {}, z_m = {}",
+            number(xm.x),
+            number(xm.y),
+            number(xm.z)
+        ));
         sketch.note("free: along the line; held: along t_1 and t_2");
         sketch.svg()
     })
@@ -57,8 +62,9 @@ pub(super) fn slider() -> Moving {
 /// The corner of a slide line, rounded off, and the closest point of a slave node that passes it.
 pub(super) fn smoothed() -> Moving {
     let place = Along { label: "place of the slave node", unit: "", from: 0.4, to: 5.6, steps: 26, start: 12 };
-    let fraction = Along { label: "smoothed part f of each segment", unit: "", from: 0.05, to: 0.5, steps: 9, start: 3 };
-    moving("slide-line-moving", [place, fraction], |x, f| {
+    let fraction =
+        Along { label: "smoothed part f of each segment", unit: "", from: 0.05, to: 0.5, steps: 9, start: 3 };
+    moving("slide-line-moving", &[place, fraction], |x, f| {
         let [x1, x2, x3] = [[0.2, 0.3], [3.0, 1.5], [5.8, 0.1]].map(Vector2::from);
         let xs = Vector2::new(x, 2.2);
         let mut sketch = Sketch::in_plane(
@@ -70,7 +76,8 @@ pub(super) fn smoothed() -> Moving {
             [30.0, 240.0],
         );
         let on = |p: Vector2<f64>| Point::new(p.x, p.y, 0.0);
-        let straight = |from: Vector2<f64>, to: Vector2<f64>, g: f64| LinearPoint::eval(&LinearPlace { x1: from, x2: to, g }).x;
+        let straight =
+            |from: Vector2<f64>, to: Vector2<f64>, g: f64| LinearPoint::eval(&LinearPlace { x1: from, x2: to, g }).x;
         let corner = |t: f64| SmoothedLinearPoint::eval(&LinearCornerPlace { x1, x2, x3, f, t }).x;
         // The drawn line: from node 1 to the corner, along it, and on to node 3.
         let mut line = vec![on(x1)];
@@ -83,7 +90,8 @@ pub(super) fn smoothed() -> Moving {
             let g = value::<ClosestLinear>(&LinearSlave { xs, x1: from, x2: to }).ok()?.g.clamp(range[0], range[1]);
             Some(straight(from, to, g))
         };
-        let on_corner = value::<ClosestSmoothedLinear>(&LinearCornerSlave { xs, x1, x2, x3, f }).ok().map(|found| corner(found.t));
+        let on_corner =
+            value::<ClosestSmoothedLinear>(&LinearCornerSlave { xs, x1, x2, x3, f }).ok().map(|found| corner(found.t));
         let feet = [on_straight(x1, x2, [-1.0, 1.0 - 2.0 * f]), on_corner, on_straight(x2, x3, [2.0 * f - 1.0, 1.0])];
         let nearer = |p: Vector2<f64>, q: Vector2<f64>| if (q - xs).norm() < (p - xs).norm() { q } else { p };
         let foot = feet.into_iter().flatten().reduce(nearer).unwrap_or(x2);

@@ -15,7 +15,8 @@ use super::sketch::Point;
 /// Every mechanism, by the name that `{{#figure name}}` gives.
 pub(super) fn all() -> Vec<Moving> {
     vec![
-        slot::slot(),
+        slot::slot("introduction-moving"),
+        slot::slot("slot-moving"),
         slot::translator(),
         cross::cardan(),
         cross::universal(),
@@ -45,13 +46,14 @@ impl Along {
     }
 
     fn slider(&self) -> Slider {
-        let shown = |x: f64| format!("{}{}", ((x * 100.0).round() / 100.0 + 0.0).to_string().replace('-', "−"), self.unit);
+        let shown =
+            |x: f64| format!("{}{}", ((x * 100.0).round() / 100.0 + 0.0).to_string().replace('-', "−"), self.unit);
         Slider { label: self.label.into(), values: self.values().into_iter().map(shown).collect(), start: self.start }
     }
 }
 
 /// A figure with two sliders.
-fn moving(name: &str, sliders: [Along; 2], draw: impl Fn(f64, f64) -> String) -> Moving {
+fn moving(name: &str, sliders: &[Along; 2], draw: impl Fn(f64, f64) -> String) -> Moving {
     let [first, second] = sliders.each_ref().map(Along::values);
     let frames = first.iter().flat_map(|&x| second.iter().map(move |&y| (x, y))).map(|(x, y)| draw(x, y)).collect();
     Moving { name: name.into(), sliders: sliders.iter().map(Along::slider).collect(), frames }

@@ -17,10 +17,10 @@ const Z0: f64 = 0.8;
 const FORCES: [f64; 2] = [0.8, 0.6];
 
 /// Node b in the slot of node a; a turns, b slides.
-pub(super) fn slot() -> Moving {
+pub(super) fn slot(name: &'static str) -> Moving {
     let along = Along { label: "x, place of b along the slot", unit: "", from: 0.4, to: 3.0, steps: 13, start: 8 };
     let turn = Along { label: "turn of node a", unit: "°", from: -16.0, to: 16.0, steps: 8, start: 4 };
-    moving("slot-moving", [along, turn], |x, degrees| {
+    moving(name, &[along, turn], |x, degrees| {
         let turn = Rotation3::new(Vector3::z() * degrees.to_radians());
         let [e1a, e2a, e3a] = [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| turn * axis);
         let xa = Vector3::zeros();
@@ -31,7 +31,7 @@ pub(super) fn slot() -> Moving {
         let [f2, f3] = FORCES;
         let force = ConstraintForce::eval(&CrossFrame { e2a, e3a, f2, f3 }).f;
         let mut sketch = Sketch::in_space(
-            "slot-moving",
+            name,
             "The mechanism of SLOT",
             "Node a carries the triad e1a, e2a, e3a. The slot is parallel to e1a at the offsets y0 along e2a and z0 along e3a. Node b \
              is in the slot, at the distance x along it. An arrow shows the force of the slot on b for positive f2 and f3.",
@@ -53,7 +53,11 @@ pub(super) fn slot() -> Moving {
         sketch.label(xa + e3a * Z0 + e2a * (Y0 / 2.0), [-26.0, 2.0], "y_0", Ink::Solid);
         sketch.label(xb + force, [6.0, 4.0], "force on b", Ink::Force);
         sketch.note(format!("free: x = {} along e_1a", number(place.x)));
-        sketch.note(format!("held: y − y_0 = {}, z − z_0 = {}, by f_2 and f_3, both positive here", number(off.gy), number(off.gz)));
+        sketch.note(format!(
+            "held: y − y_0 = {}, z − z_0 = {}, by f_2 and f_3, both positive here",
+            number(off.gy),
+            number(off.gz)
+        ));
         sketch.svg()
     })
 }
@@ -62,7 +66,7 @@ pub(super) fn slot() -> Moving {
 pub(super) fn translator() -> Moving {
     let lever = Along { label: "lever of the load", unit: "", from: 0.0, to: 3.0, steps: 12, start: 6 };
     let overlap = Along { label: "overlap L", unit: "", from: 1.0, to: 3.0, steps: 8, start: 4 };
-    moving("translator-moving", [lever, overlap], |lever, l| {
+    moving("translator-moving", &[lever, overlap], |lever, l| {
         let load = 1.0;
         let (f2, m3) = (-load, -load * lever);
         let bending = BendingForce::eval(&Bending { m2: 0.0, m3, l });
@@ -80,7 +84,10 @@ pub(super) fn translator() -> Moving {
         let half = l / 2.0;
         // The sleeve, cut open, and the shaft in it.
         for side in [-1.0, 1.0] {
-            sketch.area(&[at(-half, side * 0.34), at(half, side * 0.34), at(half, side * 0.62), at(-half, side * 0.62)], Ink::Solid);
+            sketch.area(
+                &[at(-half, side * 0.34), at(half, side * 0.34), at(half, side * 0.62), at(-half, side * 0.62)],
+                Ink::Solid,
+            );
         }
         sketch.area(&[at(-half - 0.3, -0.3), at(4.4, -0.3), at(4.4, 0.3), at(-half - 0.3, 0.3)], Ink::Accent);
         sketch.path(&[at(-2.6, 0.0), at(4.8, 0.0)], Ink::Axis);
@@ -98,7 +105,11 @@ pub(super) fn translator() -> Moving {
         sketch.label(at(0.0, -1.05), [-5.0, 18.0], "L", Ink::Solid);
         sketch.label(at(-half, 0.62), [-88.0, 6.0], "sleeve, a", Ink::Solid);
         sketch.label(at(3.6, 0.3), [0.0, -8.0], "shaft, b", Ink::Accent);
-        sketch.note(format!("across F_r = {}, of the two forces at the ends F_bend = {}", number(radial), number(bending.f_bend)));
+        sketch.note(format!(
+            "across F_r = {}, of the two forces at the ends F_bend = {}",
+            number(radial),
+            number(bending.f_bend)
+        ));
         sketch.note(format!("contact force F_C = {}, that rubs along the shaft", number(fc)));
         sketch.svg()
     })
