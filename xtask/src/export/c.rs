@@ -253,7 +253,7 @@ fn filled(texts: impl Iterator<Item = String>) -> String {
             _ => lines.push(format!("    {text}")),
         }
     }
-    lines.iter().map(|line| format!("{line}\n")).collect()
+    lines.iter().flat_map(|line| [line.as_str(), "\n"]).collect()
 }
 
 fn comment(lines: &[String]) -> String {
