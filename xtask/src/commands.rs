@@ -33,7 +33,7 @@ enum Command {
     Book(book::Arguments),
     New(new::Arguments),
     Formulas(formulas::Arguments),
-    Completions(Completions),
+    Complete(Complete),
     /// Measure what standard input asks for, for `report`
     #[command(hide = true)]
     Measure,
@@ -42,14 +42,14 @@ enum Command {
 /// Write the completions of a shell, to be read when it starts
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
-  {command} completions bash > ~/.local/share/bash-completion/completions/jointproof
-  {command} completions fish > ~/.config/fish/completions/jointproof.fish")]
-struct Completions {
+  {command} complete bash > ~/.local/share/bash-completion/completions/jointproof
+  {command} complete fish > ~/.config/fish/completions/jointproof.fish")]
+struct Complete {
     /// The shell
     shell: clap_complete::Shell,
 }
 
-fn completions(project: &Project, arguments: &Completions) -> Outcome {
+fn complete(project: &Project, arguments: &Complete) -> Outcome {
     let mut text = Vec::new();
     clap_complete::generate(arguments.shell, &mut command_line(project), project.name(), &mut text);
     console::print(&String::from_utf8_lossy(&text))?;
@@ -81,7 +81,7 @@ fn run(project: &Project, matches: &ArgMatches) -> Outcome {
         Command::Book(arguments) => book::run(project, &arguments),
         Command::New(arguments) => new::run(project, &arguments),
         Command::Formulas(arguments) => formulas::run(project, &arguments),
-        Command::Completions(arguments) => completions(project, &arguments),
+        Command::Complete(arguments) => complete(project, &arguments),
         Command::Measure => Ok(measuring::main(project)),
     }
 }
