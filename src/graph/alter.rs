@@ -50,18 +50,19 @@ impl Graph {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::graph::{Binary, record};
+    use crate::graph::{Binary, Unary, record};
     use crate::slot::NormalForce;
 
     #[test]
     fn one_operation_is_another_one() {
         let graph = record::<NormalForce>().unwrap();
-        let sum = graph.value[0];
+        let whole = graph.value[0];
+        let Op::Unary(Unary::Absolute, sum) = *graph.op(whole) else { panic!("{:?}", graph.op(whole)) };
         let Op::Binary(Binary::Add, x, y) = *graph.op(sum) else { panic!("{:?}", graph.op(sum)) };
-        let value = |instead: Instead| graph.altered(sum, &instead).run(&[3.0, 0.5]).0;
-        assert_eq!(value(Instead::Op(Op::Binary(Binary::Subtract, x, y))), [2.5]);
-        assert_eq!(value(Instead::Result(x)), [3.0]);
-        assert_eq!(value(Instead::Result(y)), [0.5]);
-        assert_eq!(graph.run(&[3.0, 0.5]).0, [3.5]);
+        let value = |place: Node, instead: Instead| graph.altered(place, &instead).run(&[3.0, -3.5]).0;
+        assert_eq!(value(sum, Instead::Op(Op::Binary(Binary::Subtract, x, y))), [6.5]);
+        assert_eq!(value(sum, Instead::Result(x)), [3.0]);
+        assert_eq!(value(whole, Instead::Result(sum)), [-0.5]);
+        assert_eq!(graph.run(&[3.0, -3.5]).0, [0.5]);
     }
 }

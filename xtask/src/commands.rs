@@ -2,7 +2,7 @@
 
 use crate::outcome::{Outcome, Usage};
 use crate::project::Project;
-use crate::{audit, book, check, console, equation, export, golden, measuring, new, report, verify};
+use crate::{audit, book, check, console, equation, export, formulas, golden, measuring, new, report, verify};
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 use jointproof::formula::Field;
 use std::process::ExitCode;
@@ -32,9 +32,28 @@ enum Command {
     Report(report::Arguments),
     Book(book::Arguments),
     New(new::Arguments),
+    Formulas(formulas::Arguments),
+    Complete(Complete),
     /// Measure what standard input asks for, for `report`
     #[command(hide = true)]
     Measure,
+}
+
+/// Write the completions of a shell, to be read when it starts
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  {command} complete bash > ~/.local/share/bash-completion/completions/jointproof
+  {command} complete fish > ~/.config/fish/completions/jointproof.fish")]
+struct Complete {
+    /// The shell
+    shell: clap_complete::Shell,
+}
+
+fn complete(project: &Project, arguments: &Complete) -> Outcome {
+    let mut text = Vec::new();
+    clap_complete::generate(arguments.shell, &mut command_line(project), project.name(), &mut text);
+    console::print(&String::from_utf8_lossy(&text))?;
+    Ok(ExitCode::SUCCESS)
 }
 
 /// Runs the command that the arguments of the program name.
@@ -61,6 +80,8 @@ fn run(project: &Project, matches: &ArgMatches) -> Outcome {
         Command::Report(arguments) => report::run(project, &arguments),
         Command::Book(arguments) => book::run(project, &arguments),
         Command::New(arguments) => new::run(project, &arguments),
+        Command::Formulas(arguments) => formulas::run(project, &arguments),
+        Command::Complete(arguments) => complete(project, &arguments),
         Command::Measure => Ok(measuring::main(project)),
     }
 }

@@ -46,8 +46,11 @@ impl Evidence {
         Self { fingerprints, golden, audits }
     }
 
-    /// Keeps it.
+    /// Keeps it, where the project is: a program that was installed may have outlived it.
     pub(crate) fn save(&self, project: &Project) -> anyhow::Result<()> {
+        if !project.root().exists() {
+            return Ok(());
+        }
         files::write(&path(project), &serde_json::to_string_pretty(self)?).map(drop)
     }
 }

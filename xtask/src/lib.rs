@@ -38,6 +38,8 @@ mod extension;
 #[cfg(feature = "commands")]
 pub mod files;
 #[cfg(feature = "commands")]
+mod formulas;
+#[cfg(feature = "commands")]
 mod golden;
 #[cfg(feature = "commands")]
 pub mod looked;

@@ -33,7 +33,7 @@ fn main() -> ExitCode {
 fn ours(project: Project) -> Project {
     project
         .in_folder("..")
-        .called("cargo xtask")
+        .called(if is_installed() { "jointproof" } else { "cargo xtask" })
         .with_command("scene", scene::run)
         .with_command("tidy", tidy::run)
         .with_golden("scenes", scene::golden)
@@ -41,6 +41,12 @@ fn ours(project: Project) -> Project {
         .with_reach(tidy::reach)
         .with_exhibits(exhibits::all)
         .with_debt("an independent implementation", has_oracle, "`@formula(…)` in tests/python/oracle")
+}
+
+/// Whether this runs by itself, and not through cargo.
+#[cfg(feature = "ours")]
+fn is_installed() -> bool {
+    std::env::var_os("CARGO").is_none()
 }
 
 /// Whether the independent implementation in Python has this formula; a copy without that is not asked for it.

@@ -129,3 +129,30 @@ fn verify_gives_every_verdict_even_if_all_is_off() {
     assert_eq!(verdicts, expected, "{ran:#?}");
     ran.says("golden/slot.stop.json").says("cargo xtask golden").says("formula `slot.stop` is in the catalog");
 }
+
+#[test]
+fn formulas_are_listed_and_shown() {
+    let bench = Bench::new();
+    let ran = bench.run(&["formulas"]).quiet();
+    assert_eq!(ran.stdout.lines().count(), CATALOG.len());
+    let shown = ["formulas", "--filter", "coulomb.return_map", "--show"];
+    bench.run(&shown).quiet().prints("in  f_trial (F): ").prints("a finite number ≥ 0").prints("kink: ");
+}
+
+#[test]
+fn completions_name_every_command() {
+    let bench = Bench::new();
+    for shell in ["bash", "zsh", "fish"] {
+        let ran = bench.run(&["complete", shell]).quiet();
+        for command in commands() {
+            assert!(ran.stdout.contains(&command), "{command} is not completed in {shell}");
+        }
+    }
+}
+
+#[test]
+fn what_runs_by_itself_calls_itself_by_its_name() {
+    let mut command = Bench::new().command(&["audit", "--help"]);
+    let ran = Ran::from(command.env_remove("CARGO").output().unwrap()).quiet();
+    ran.prints("  jointproof audit ");
+}

@@ -16,6 +16,7 @@ use crate::console::print;
 use crate::outcome::{Outcome, Usage, verdict};
 use crate::project::Project;
 use crate::review::{Finding, Place, annotations, rdjson, sarif, summarise};
+use driver::abi::Abi;
 use driver::{Driver, Lang};
 use jointproof::catalog::AnyFormula;
 use jointproof::verify::Options;
@@ -48,11 +49,14 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "ID")]
     formula: String,
     /// The program and its arguments, behind `--`
-    #[arg(last = true, value_name = "PROGRAM", required_unless_present = "driver")]
+    #[arg(last = true, value_name = "PROGRAM", required_unless_present_any = ["driver", "abi"])]
     program: Vec<String>,
     /// Print a program in this language that answers, complete but for the call of your own code
     #[arg(long, value_enum, value_name = "LANGUAGE", conflicts_with = "program")]
     driver: Option<Lang>,
+    /// Print a program in Fortran that answers by a routine with this interface
+    #[arg(long, value_enum, value_name = "INTERFACE", conflicts_with_all = ["program", "driver"])]
+    abi: Option<Abi>,
     /// In a driver, call what `export` prints, as an example of what passes
     #[arg(long, requires = "driver")]
     exported: bool,
@@ -116,6 +120,13 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     let formula = formula(project, &arguments.formula)?;
     if let Some(lang) = arguments.driver {
         print(&driver(formula, arguments, lang)?)?;
+        return Ok(verdict(true));
+    }
+    if let Some(abi) = arguments.abi {
+        let text = driver::abi::text(abi, formula);
+        print(&text.ok_or_else(|| {
+            Usage(format!("--abi: a routine of that interface does not compute {}", arguments.formula))
+        })?)?;
         return Ok(verdict(true));
     }
     let limit = Duration::try_from_secs_f64(arguments.limit).ok().filter(|limit| !limit.is_zero());

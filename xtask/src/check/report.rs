@@ -50,6 +50,10 @@ pub(super) fn text(court: &Court<'_>, program: &[String], found: &Verdict, heard
     if found.refused_by_nan > 0 {
         line(format!("taken for a refusal: NaN or infinity, {}", count(found.refused_by_nan, "time")));
     }
+    if found.beside > 0 {
+        let answers = count(found.beside, "answer");
+        line(format!("{answers} taken for right a rounding of an input beside the point, on the other side of a kink"));
+    }
     for (what, questions) in by_what(&found.skipped) {
         line(format!("skipped {}: {what}", places(court, &questions)));
     }

@@ -67,6 +67,8 @@ pub(super) struct Verdict {
     pub(super) skipped: Vec<(usize, String)>,
     /// Questions that were answered in two ways.
     pub(super) two_answers: Vec<usize>,
+    /// Answers that are right a rounding of an input beside the question, on the other side of a kink.
+    pub(super) beside: usize,
     /// Questions at which a number is off.
     pub(super) off: Vec<usize>,
 }
@@ -87,6 +89,7 @@ impl Verdict {
         }
         self.judged += other.judged;
         self.same += other.same;
+        self.beside += other.beside;
         self.refused += other.refused;
         self.refused_by_nan += other.refused_by_nan;
         self.refused_wrongly.extend(other.refused_wrongly);
@@ -168,8 +171,17 @@ impl Court<'_> {
                 Answer::Refused(_) => verdict.refused_wrongly.push(k),
                 Answer::Numbers(found) if self.may_be_own(k) && has_bits(found, own) => verdict.same += found.len(),
                 Answer::Numbers(found) => {
-                    let known = truth.get_or_insert_with(|| self.expected(judge, k).1);
-                    self.numbers(k, found, known, &mut verdict);
+                    let (truth, known) = truth.get_or_insert_with(|| self.expected(judge, k));
+                    // On a kink itself there is a convention.
+                    if truth.kink.is_none()
+                        && !self.are_right(found, known)
+                        && let Some(beside) = self.beside(judge, k, found)
+                    {
+                        verdict.beside += 1;
+                        self.numbers(k, found, &beside, &mut verdict);
+                    } else {
+                        self.numbers(k, found, known, &mut verdict);
+                    }
                 }
             }
         }
@@ -214,6 +226,49 @@ impl Court<'_> {
         }
     }
 
+    /// Whether no number is off.
+    fn are_right(&self, found: &[Option<f64>], known: &[Option<Known>]) -> bool {
+        let pairs = found.iter().zip(known).enumerate();
+        pairs.into_iter().all(|(place, pair)| match pair {
+            (Some(found), Some(known)) => known.eta(*found) <= self.bound(place),
+            _ => true,
+        })
+    }
+
+    /// What is expected a rounding of one input beside a named question, if another branch is taken there and the answer is
+    /// right for it: no program that rounds can tell on which side it is.
+    fn beside(&self, judge: &Judge, k: usize, found: &[Option<f64>]) -> Option<Vec<Option<Known>>> {
+        self.other_sides(k).find_map(|inputs| {
+            let expected = self.expected_at(judge, &inputs, self.questions[k].directions.as_ref())?.1;
+            self.are_right(found, &expected).then_some(expected)
+        })
+    }
+
+    /// Whether a rounding of one input leads from a question to another branch.
+    pub(super) fn is_beside_kink(&self, k: usize) -> bool {
+        self.other_sides(k).next().is_some()
+    }
+
+    /// Inputs a rounding of one input beside a named question at which value or derivative has jumped.
+    fn other_sides(&self, k: usize) -> impl Iterator<Item = Vec<f64>> {
+        let question = &self.questions[k];
+        let results = |inputs: &[f64]| {
+            let (value, jacobian) = self.formula.value_and_jacobian(inputs).ok()?;
+            Some([value, jacobian].concat())
+        };
+        let is_named = !question.name.starts_with("random ");
+        let here = if is_named { results(&question.inputs) } else { None };
+        let jumps = |x: f64, y: f64| (x - y).abs() > 1e-6 * (x.abs() + y.abs());
+        let steps = 0..if here.is_some() { 2 * question.inputs.len() } else { 0 };
+        steps.filter_map(move |step| {
+            let mut inputs = question.inputs.clone();
+            let x = &mut inputs[step / 2];
+            *x = if step % 2 == 0 { x.next_up() } else { x.next_down() };
+            let there = results(&inputs)?;
+            here.iter().flatten().zip(&there).any(|(&x, &y)| jumps(x, y)).then_some(inputs)
+        })
+    }
+
     /// The bound of the number at this place. A product is a sum of as many terms as the vector has components, each of which
     /// may be rounded.
     pub(super) fn bound(&self, place: usize) -> f64 {
@@ -229,11 +284,20 @@ impl Court<'_> {
     /// to judge it by.
     pub(super) fn expected(&self, judge: &Judge, k: usize) -> (Truth, Vec<Option<Known>>) {
         let question = &self.questions[k];
-        let truth = judge.at(&question.inputs, self.wanted != Wanted::Value);
-        let truth = truth.expect("a question with results is valid");
+        let expected = self.expected_at(judge, &question.inputs, question.directions.as_ref());
+        expected.expect("a question with results is valid")
+    }
+
+    fn expected_at(
+        &self,
+        judge: &Judge,
+        inputs: &[f64],
+        directions: Option<&[Vec<f64>; 2]>,
+    ) -> Option<(Truth, Vec<Option<Known>>)> {
+        let truth = judge.at(inputs, self.wanted != Wanted::Value).ok()?;
         let [n, m] = sizes(self.formula);
         let mut expected: Vec<_> = truth.value.iter().copied().map(Some).collect();
-        match (&truth.jacobian, &question.directions) {
+        match (&truth.jacobian, directions) {
             (Some(jacobian), Some([v, w])) => {
                 let row = |i: usize| Known::combined((0..n).map(|j| (jacobian[i * n + j], v[j])));
                 let column = |j: usize| Known::combined((0..m).map(|i| (jacobian[i * n + j], w[i])));
@@ -242,7 +306,7 @@ impl Court<'_> {
             (Some(jacobian), None) => expected.extend(jacobian.iter().copied().map(Some)),
             (None, _) => expected.resize(self.wanted.numbers([n, m]), None),
         }
-        (truth, expected)
+        Some((truth, expected))
     }
 }
 

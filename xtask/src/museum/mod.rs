@@ -1,29 +1,13 @@
 //! Errors that were shipped, made again in formulas of ours, and what the audit of that formula alone says of each.
 
+mod piece;
 mod pieces;
 mod shipped;
 
 use anyhow::ensure;
 use jointproof::verify::{Audit, Claim};
+use piece::Piece;
 use std::fmt::Write;
-
-/// An error, re-enacted.
-pub(crate) struct Piece {
-    /// Where it was told of, in public.
-    pub(crate) thread: &'static str,
-    /// What was wrong there.
-    pub(crate) there: &'static str,
-    /// What is wrong here.
-    pub(crate) here: &'static str,
-    /// The formula in which it is made again.
-    pub(crate) formula: &'static str,
-    /// A part of the claim that catches it.
-    pub(crate) claim: &'static str,
-    /// The audit with the error in it.
-    pub(crate) audit: fn() -> Audit,
-    /// The audit of the same formula in the same wrapping, without the error.
-    pub(crate) control: fn() -> Audit,
-}
 
 /// The claims that failed of those that a wrapped formula is held to: its kinks are not known to the wrapping.
 fn failed(audit: &Audit) -> impl Iterator<Item = &Claim> {

@@ -1,6 +1,6 @@
 //! The errors. Rows of a Jacobian are the outputs, columns the inputs, components in the order of the entry.
 
-use super::Piece;
+use super::piece::Piece;
 use super::shipped::{Inputs, Mistake, Right, Rows, Shipped, changed, rows};
 use jointproof::formula::Formula;
 use jointproof::scalar::{Scalar, norm};

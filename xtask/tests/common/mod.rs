@@ -41,7 +41,7 @@ impl Bench {
 
     /// The command, not yet run. Nothing of the surroundings of the test itself gets in.
     pub fn command(&self, arguments: &[&str]) -> Command {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_xtask"));
+        let mut command = Command::new(env!("CARGO_BIN_EXE_jointproof"));
         for variable in ["NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE", "RAYON_NUM_THREADS", "JOINTPROOF_ROOT"] {
             command.env_remove(variable);
         }

@@ -45,11 +45,14 @@ impl<'a> Evidence<'a> {
             .par_iter()
             .map_init(|| court.formula.judge(), |judge, &k| Sample::new(court, judge, k, &answers[k]))
             .flatten()
+            // Where a rounding decides on which side of a kink it is, no answer tells what the program does.
+            .filter(|sample| sample.kink.is_some() || !court.is_beside_kink(sample.question))
             .collect();
         let names = names(court.formula.inputs(), court.formula.outputs(), court.wanted);
-        let off = (0..names.len()).filter(|&place| verdict.tallies.get(place).is_some_and(|tally| tally.off > 0));
-        let off = off.collect();
-        Self { court, samples, names, off }
+        let mut evidence = Self { court, samples, names, off: Vec::new() };
+        let is_off = |place: &usize| evidence.samples.iter().any(|sample| evidence.is_off(sample, *place));
+        evidence.off = (0..evidence.names.len()).filter(is_off).collect();
+        evidence
     }
 
     /// The outputs, and what follows them.

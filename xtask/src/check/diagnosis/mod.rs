@@ -29,6 +29,9 @@ pub(super) fn diagnose(court: &Court<'_>, answers: &[Vec<Answer>; 2], verdict: &
         return vec![what];
     }
     let points = evidence.off_samples(&evidence.off).len();
+    if points == 0 {
+        return vec!["it is off where a rounding decides on which side of a kink it is, and nowhere else".into()];
+    }
     if points < LEAST {
         return vec![format!("unexplained: it is off at {points} points alone")];
     }

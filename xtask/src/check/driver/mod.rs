@@ -1,5 +1,6 @@
 //! Programs that answer `check`, complete but for the call of the user's own code.
 
+pub(super) mod abi;
 mod c;
 mod fortran;
 mod plan;

@@ -1,0 +1,55 @@
+//! `formulas`: what there is.
+
+use crate::console::{bold, print};
+use crate::outcome::{Outcome, verdict};
+use crate::project::Project;
+use crate::selection::Selection;
+use jointproof::catalog::AnyFormula;
+use jointproof::formula::Field;
+
+/// List the formulas, or show them in full
+///
+/// Identifier and title, a line each; with --show also source, equation, inputs and outputs in order, bounds and kinks.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  {command} formulas                               all of them
+  {command} formulas --filter '{family}.*'         of a family
+  {command} formulas --filter {formula} --show     in full")]
+pub(crate) struct Arguments {
+    #[command(flatten)]
+    selection: Selection,
+    /// Show them in full
+    #[arg(long)]
+    show: bool,
+}
+
+pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
+    let formulas = arguments.selection.formulas(project)?;
+    let width = formulas.iter().map(|formula| formula.spec().id.len()).max().unwrap_or(0);
+    let line = |formula: &&dyn AnyFormula| format!("{:width$}  {}\n", formula.spec().id, formula.spec().title);
+    let text: Vec<_> = if arguments.show {
+        formulas.iter().map(|formula| shown(*formula)).collect()
+    } else {
+        formulas.iter().map(line).collect()
+    };
+    print(&text.concat())?;
+    Ok(verdict(true))
+}
+
+fn shown(formula: &dyn AnyFormula) -> String {
+    let spec = formula.spec();
+    let mut text = format!("{}  {}\n    {}; {}\n", bold(spec.id), spec.title, spec.source, spec.source.provenance);
+    let mut lines = vec![spec.latex.to_owned()];
+    lines.extend(formula.inputs().iter().map(|field| described("in", field)));
+    lines.extend(formula.outputs().iter().map(|field| described("out", field)));
+    lines.push(format!("η of the value at most {}, of the Jacobian {}", spec.eta, spec.eta_jacobian));
+    lines.extend(formula.kinks().iter().map(|kink| format!("kink: {}", kink.condition)));
+    text.extend(lines.iter().flat_map(|line| ["    ", line, "\n"]));
+    text
+}
+
+fn described(role: &str, field: &Field) -> String {
+    let shape = if field.len() == 1 { String::new() } else { format!("[{}]", field.len()) };
+    let quantity = field.quantity;
+    format!("{role:3} {}{shape} ({}): {}; {}", field.name, quantity.unit, quantity.meaning, quantity.domain.allowed())
+}
