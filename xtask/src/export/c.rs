@@ -223,17 +223,25 @@ fn function(one: &Recorded, body: &Body, lines: &Lines, with_jacobian: bool) -> 
     }
     if with_jacobian {
         let (zeros, entries) = one.entries();
-        // One by one: a call of memset, or what compilers make of it, takes longer than small formulas do.
-        let zeros = zeros
-            .iter()
-            .enumerate()
-            .map(|(n, k)| format!("jacobian[{k}] ={}", if n + 1 < zeros.len() { "" } else { " 0.0;" }));
-        text.push(filled(zeros));
+        text.push(zeroed(&zeros, one.graph.jacobian.len()));
         let entries = entries.iter().map(|(k, node)| format!("jacobian[{k}] = {};", body.text(lines, *node)));
         text.push(filled(entries));
     }
     text.push("    return 0;\n}\n");
     text.finished()
+}
+
+/// Up to so many zeros one by one: what compilers make of memset takes longer than small formulas do.
+const FEW_ZEROS: usize = 64;
+
+/// The entries that are always 0, or all of them where these are many.
+fn zeroed(zeros: &[usize], entries: usize) -> String {
+    if zeros.len() > FEW_ZEROS {
+        return format!("    memset(jacobian, 0, {entries} * sizeof *jacobian);\n");
+    }
+    let last = zeros.len().saturating_sub(1);
+    let end = |n: usize| if n < last { "" } else { " 0.0;" };
+    filled(zeros.iter().enumerate().map(|(n, k)| format!("jacobian[{k}] ={}", end(n))))
 }
 
 /// Short texts, several in a line.
