@@ -27,6 +27,8 @@ fn every_equation_can_be_executed() {
 const EQUIVALENT: &[(&str, &str, &str)] = &[
     ("slider.basis", "/ →  at 166", "|n×k| is 1 wherever n×i is 0, since n is a unit vector"),
     ("interaction.damping", "c_0 → h at 92", "the first case has taken −h ≤ η c0 already"),
+    ("slider.rows", r"\mathbf{t}_q → \mathbf{g}_{q,um} at 75", "the row of m is t_q"),
+    ("slider.rows_2d", r"\mathbf{t} → \mathbf{g}_{um} at 69", "the row of m is t"),
 ];
 
 /// Every single-token mutant of every equation is refused, or gives another value at some point.

@@ -69,7 +69,8 @@ impl Formula for Rows {
     const SPEC: Spec = Spec::new("translator.rows", "Rows of TRANSLATOR", OURS)
         .equation(r"\begin{aligned} \mathbf{g}_{y,ua} &= -\mathbf{e}_{2a}, & \mathbf{g}_{y,\theta a} &= \mathbf{e}_{2a}\times(\mathbf{x}_b-\mathbf{x}_a), & \mathbf{g}_{y,ub} &= \mathbf{e}_{2a},\\ \mathbf{g}_{z,ua} &= -\mathbf{e}_{3a}, & \mathbf{g}_{z,\theta a} &= \mathbf{e}_{3a}\times(\mathbf{x}_b-\mathbf{x}_a), & \mathbf{g}_{z,ub} &= \mathbf{e}_{3a},\\ \mathbf{u}_{r1,\theta b} &= \mathbf{e}_{3b}\times\mathbf{u}_1, & \mathbf{u}_{r2,\theta b} &= \frac{\mathbf{e}_{3b}\times\mathbf{e}_{1a}}{\sqrt{1-(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b})^2}}, & \mathbf{u}_{r3,\theta b} &= \mathbf{u}_3\times\mathbf{e}_{1a} \end{aligned}")
         .given(&[Given::new(r"\mathbf{u}_1,\ \mathbf{u}_3", &align::Rows::SPEC)])
-        // Of 6.5 million entries of rows at random points two are above 24: P·P in `Turn` rounds where it is next to 0.
+        // An entry is a sum of terms that may cancel, and what inputs do to them with them; then their roundings remain. Of the
+        // rows at 5000 random points the worst is 30.
         .eta(8.0, 48.0);
     type Inputs<T: Component> = TranslatorPlaces<T>;
     type Outputs<T: Component> = TranslatorRows<T>;
@@ -171,7 +172,8 @@ impl Formula for Forces {
             r"\mathbf{u}_{r1,\theta b},\ \mathbf{u}_{r2,\theta b},\ \mathbf{u}_{r3,\theta b}",
             &align::Rows::SPEC,
         )])
-        // Of 6.5 million entries of rows at random points two are above 24: P·P in `Turn` rounds where it is next to 0.
+        // An entry is a sum of terms that may cancel, and what inputs do to them with them; then their roundings remain. Of the
+        // rows at 5000 random points the worst is 30.
         .eta(6.0, 48.0);
     type Inputs<T: Component> = TranslatorLoads<T>;
     type Outputs<T: Component> = NodalForces<T>;

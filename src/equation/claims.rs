@@ -352,7 +352,7 @@ impl Known {
 fn value(mut parts: Vec<Id>) -> Value {
     match parts.len() {
         1 => Value::Scalar(parts.swap_remove(0)),
-        9 => Value::Matrix(parts),
+        4 | 9 => Value::Matrix(parts),
         _ => Value::Vector(parts),
     }
 }

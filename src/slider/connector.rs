@@ -70,6 +70,13 @@ impl Coefficients {
             _ => xmk[row],
         })
     }
+
+    /// As two equations: of the coordinates i and j of node m.
+    pub fn equations(&self) -> [LinearEquation; 2] {
+        let Self { pivots, x1, xn, xmk } = self;
+        [(0, pivots.i), (1, pivots.j)]
+            .map(|(row, axis)| LinearEquation::new(axis, (pivots.k, xmk[row]), x1.row(row).iter(), xn.row(row).iter()))
+    }
 }
 
 /// The constraint, and its first and second derivative along a motion of the nodes.

@@ -57,6 +57,12 @@ impl Coefficients2d {
     pub fn matrix(&self) -> SMatrix<f64, 1, 5> {
         SMatrix::from([[self.x1.x], [self.x1.y], [self.xn.x], [self.xn.y], [self.xmk]])
     }
+
+    /// As an equation of the coordinate i of node m.
+    pub fn equation(&self) -> LinearEquation {
+        let Self { pivots, x1, xn, xmk } = self;
+        LinearEquation::new(pivots.i, (pivots.k, *xmk), x1.iter(), xn.iter())
+    }
 }
 
 impl Slider2d {

@@ -1,6 +1,5 @@
 //! The eliminated form at a state as linear equations, which say themselves what is eliminated and what is kept.
 
-use super::{Coefficients, Coefficients2d};
 use arrayvec::ArrayVec;
 use std::fmt::{Display, Formatter, Result};
 
@@ -35,7 +34,7 @@ pub struct LinearEquation {
 
 impl LinearEquation {
     /// δx_m,axis as a linear function of the kept increment of m and of those of nodes 1 and n.
-    fn new<'a>(
+    pub(super) fn new<'a>(
         axis: usize,
         kept: (usize, f64),
         x1: impl Iterator<Item = &'a f64>,
@@ -95,22 +94,5 @@ impl Display for Card<'_> {
             writeln!(f)?;
         }
         Ok(())
-    }
-}
-
-impl Coefficients {
-    /// As two equations: of the coordinates i and j of node m.
-    pub fn equations(&self) -> [LinearEquation; 2] {
-        let Self { pivots, x1, xn, xmk } = self;
-        [(0, pivots.i), (1, pivots.j)]
-            .map(|(row, axis)| LinearEquation::new(axis, (pivots.k, xmk[row]), x1.row(row).iter(), xn.row(row).iter()))
-    }
-}
-
-impl Coefficients2d {
-    /// As an equation of the coordinate i of node m.
-    pub fn equation(&self) -> LinearEquation {
-        let Self { pivots, x1, xn, xmk } = self;
-        LinearEquation::new(pivots.i, (pivots.k, *xmk), x1.iter(), xn.iter())
     }
 }

@@ -24,6 +24,11 @@ fn places() -> Vec<Case<Nodes<f64>>> {
         Case::hand("at-node-1", "ξ = 0: node n takes nothing", Nodes { xm: hand.x1, ..hand }),
         Case::hand("at-node-n", "ξ = 1: node 1 takes nothing", Nodes { xm: hand.xn, ..hand }),
         Case::hand("outside", "ξ = 2: a lever", Nodes { xm: hand.xn * 2.0, ..hand }),
+        Case::hard(
+            "along-i",
+            "along i exactly: t1 and t2 jump",
+            Nodes { xn: Vector3::new(2.0, 0.0, 0.0), xm: Vector3::new(0.5, 0.0, 0.0), ..hand },
+        ),
     ];
     let scenes = scenes(lines()).into_iter().filter(|(_, line, _)| is_oblique(&(line.xn - line.x1)));
     cases.extend(scenes.map(|(id, line, xm)| Case::hard(id, line.comment, Nodes { x1: line.x1, xn: line.xn, xm })));
@@ -74,8 +79,8 @@ fn invalid_loads() -> Vec<Case<SliderLoads<f64>>> {
 /// Along i exactly t1 and t2 are others: the condition, a point and a direction across.
 const ALONG_I: &str = r"\mathbf{n}\times\mathbf{i} = \mathbf{0}";
 
-fn is_along_i(x1: &Vector, xn: &Vector) -> bool {
-    xn.y == x1.y && xn.z == x1.z
+fn is_along_i<T: PartialEq>(x1: &Vector3<T>, xn: &Vector3<T>) -> bool {
+    [1, 2].iter().all(|&k| xn[k] == x1[k])
 }
 
 fn across_i() -> [SliderLoads<f64>; 2] {
@@ -254,7 +259,8 @@ fn entry_size(at: &SliderLoads<Octuple>) -> Octuple {
 
 impl Proved for GeometricStiffness {
     fn cases() -> Vec<Case<SliderLoads<f64>>> {
-        loads().into_iter().filter(|case| is_oblique(&(case.inputs.xn - case.inputs.x1))).collect()
+        let stays = |SliderLoads { x1, xn, .. }: &SliderLoads<f64>| is_oblique(&(xn - x1)) || is_along_i(x1, xn);
+        loads().into_iter().filter(|case| stays(&case.inputs)).collect()
     }
 
     fn invalid_cases() -> Vec<Case<SliderLoads<f64>>> {

@@ -15,7 +15,7 @@ pub(super) fn steps_of_two_rods() -> Chart<'static> {
         let numbered = (1..).map(f64::from).zip(two_rods::steps(with_stiffness));
         numbered.filter(|(_, size)| *size > 1e-17).collect::<Vec<_>>()
     };
-    let curves = [("with geometric stiffness", true, 5), ("without", false, 10)]
+    let curves = [("with geometric stiffness", true, 6), ("without", false, 10)]
         .map(|(name, with_stiffness, label_at)| Curve { name, label_at, points: counted(with_stiffness) });
     Chart {
         name: "newton-two-rods",
@@ -40,11 +40,8 @@ pub(super) fn steps_of_a_slider_crank() -> Chart<'static> {
         let counts = slider_crank::steps(consistent).into_iter().map(f64::from);
         (1..).map(|increment| f64::from(increment) * 15.0).zip(counts).collect::<Vec<_>>()
     };
-    let curves = [("with ∂(μF_N)/∂f₂", true, 5), ("without", false, 6)].map(|(name, consistent, label_at)| Curve {
-        name,
-        label_at,
-        points: counted(consistent),
-    });
+    let curves = [("with the whole tangent", true, 5), ("without the constraint force", false, 6)]
+        .map(|(name, consistent, label_at)| Curve { name, label_at, points: counted(consistent) });
     Chart {
         name: "newton-slider-crank",
         title: "Steps of Newton's method for a slider-crank with friction",
