@@ -20,6 +20,7 @@ mod math;
 mod mend;
 mod moving;
 mod numeral;
+mod output;
 mod pages;
 mod permalinks;
 mod preprocessor;

@@ -8,9 +8,9 @@ use std::path::Path;
 
 use anyhow::Result;
 
-use super::build::write;
 use super::fault::Faults;
 use super::html::escape;
+use super::output::write;
 
 /// Where all addresses stand that were ever given out.
 const LIST: &str = "book/permalinks.txt";

@@ -9,8 +9,9 @@ use tempfile::TempDir;
 
 use super::check;
 use crate::book::browser::{self, Browser};
-use crate::book::build::{Options, build, write};
+use crate::book::build::{Options, build};
 use crate::book::gather::content;
+use crate::book::output::write;
 use crate::extension::{Moving, Slider};
 use crate::project::Project;
 
