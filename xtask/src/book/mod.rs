@@ -22,7 +22,7 @@ mod moving;
 mod numeral;
 mod output;
 mod pages;
-mod permalinks;
+pub(crate) mod permalinks;
 mod preprocessor;
 pub(crate) mod prose;
 mod rust;
