@@ -155,8 +155,8 @@ const BROWSERS: usize = 2;
 
 /// The smallest chapter that has sliders and calculators: every sort of control is on it.
 fn with_controls(pages: &[PathBuf]) -> Result<Option<PathBuf>> {
-    // They are sorted, the largest first.
-    for page in pages.iter().rev() {
+    // They are sorted, the largest first; the first page repeats a chapter.
+    for page in pages.iter().rev().filter(|page| !page.ends_with("index.html")) {
         let text = fs::read_to_string(page)?;
         if text.contains("class=\"calculator\"") && text.contains("class=\"sliders\"") {
             return Ok(Some(page.clone()));
