@@ -17,6 +17,7 @@ use super::calculator;
 use super::content::Content;
 use super::deferred::Deferred;
 use super::fault::Faults;
+use super::output::write;
 use super::preprocessor::Formulary;
 use super::{links, mend, moving, permalinks, search, source};
 
@@ -142,14 +143,6 @@ fn fill(folder: &Path, to_root: &str, later: &Deferred) -> Result<()> {
         }
     }
     Ok(())
-}
-
-/// Writes a file and the folders above it.
-pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<()> {
-    if let Some(folder) = path.parent() {
-        fs::create_dir_all(folder)?;
-    }
-    fs::write(path, bytes).with_context(|| format!("cannot write {}", path.display()))
 }
 
 /// The folder a book is built in; removed when dropped.

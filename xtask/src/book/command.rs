@@ -23,8 +23,8 @@ use std::process::{Command, Stdio};
   {command} book           build into target/book; open index.html there
   {command} book --open    and show it in the browser
   {command} book --check-calculators  and use its calculators in Chromium
-  {command} book --check-pages   and look for barriers, wide pages, wrong answers of search
-  {command} book --screenshots pictures  and take pictures of pages")]
+  {command} book --check-pages  and look at every page in Chromium
+  {command} book --screenshots pictures  and take pictures")]
 #[expect(clippy::struct_excessive_bools, reason = "they are switches")]
 pub(crate) struct Arguments {
     /// Show the book in the browser

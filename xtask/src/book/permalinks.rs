@@ -8,12 +8,12 @@ use std::path::Path;
 
 use anyhow::Result;
 
-use super::build::write;
 use super::fault::Faults;
 use super::html::escape;
+use super::output::write;
 
 /// Where all addresses stand that were ever given out.
-const LIST: &str = "book/permalinks.txt";
+pub(crate) const LIST: &str = "book/permalinks.txt";
 
 /// The address of a formula, from the root of the book.
 pub(crate) fn page(id: &str) -> String {

@@ -102,7 +102,9 @@ pub(crate) fn evidence(pages: &Pages<'_>, at: &Place) -> String {
 
 /// One formula's evidence.
 fn evidence_row(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
-    let link = pages.link(&at.page, &entry.id);
+    let id = escape(&entry.id);
+    let broken = id.replace('_', "_<wbr>").replace('.', ".<wbr>");
+    let link = pages.link(&at.page, &entry.id).replace(&format!(">{id}<"), &format!(">{broken}<"));
     let golden = entry.evidence.golden_cases.map_or("not checked".to_owned(), |cases| cases.to_string());
     let Some(audit) = &entry.evidence.audit else {
         let columns = EVIDENCE.len() - 2;
@@ -115,8 +117,8 @@ fn evidence_row(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
         ("", link),
         ("figure", golden),
         ("figure", (audit.named_points + audit.random_points).to_string()),
-        ("figure", worst(&audit.eta)),
-        ("figure", worst(&audit.eta_jacobian)),
+        ("figure", bounded(&audit.eta)),
+        ("figure", bounded(&audit.eta_jacobian)),
         ("figure", gap(&audit.closed_against_ad)),
         ("figure", gap(&audit.ad_against_differences)),
         ("figure", gap(&audit.equation)),
@@ -124,6 +126,14 @@ fn evidence_row(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
         ("figure", crossed(audit)),
         ("figure", format!("{held} of {}", audit.laws.len())),
     ])
+}
+
+/// The worst deviation and its bound, `0.9 ≤ 4`.
+fn bounded(claim: &Claim) -> String {
+    match &claim.worst {
+        Some(worst) if claim.held() => format!("<b>{}</b>\u{a0}≤\u{a0}{}", number(worst.size), number(claim.bound)),
+        _ => worst(claim),
+    }
 }
 
 /// On how many places that might be kinks points were found.

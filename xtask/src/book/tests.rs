@@ -3,9 +3,10 @@
 use std::fs;
 use std::path::Path;
 
-use super::build::{Options, build, write};
+use super::build::{Options, build};
 use super::content::{CodeSpan, Content, Entry, GoldenFile, SourceFile, Symbol};
 use super::fault::Faults;
+use super::output::write;
 use crate::extension::{Exhibits, Fact};
 
 /// Two formulas, one of them with code.

@@ -3,6 +3,7 @@
 mod edit;
 
 use crate::book::coverage::{Directive, directives};
+use crate::book::permalinks::LIST as PERMALINKS;
 use crate::console::{bold, print};
 use crate::files;
 use crate::outcome::{Outcome, Usage, verdict};
@@ -96,6 +97,12 @@ fn changes(project: &Project, family: &str, name: &str) -> anyhow::Result<Vec<Ch
         let path = project.root().join(&file);
         let text = edit::with_directive(&read(&path)?, line, &format!("{family}.{name}"));
         changes.push((path, text));
+    }
+    // Where the addresses of the book are listed, a new one is given out.
+    let permalinks = project.root().join(PERMALINKS);
+    if permalinks.exists() {
+        let text = read(&permalinks)?;
+        changes.push((permalinks, format!("{}\n{family}.{name}\n", text.trim_end())));
     }
     Ok(changes)
 }

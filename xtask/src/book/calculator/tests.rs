@@ -11,8 +11,9 @@ use tempfile::TempDir;
 
 use super::check::{Checked, DRIVE, check};
 use crate::book::browser::{self, Browser};
-use crate::book::build::{Options, build, write};
+use crate::book::build::{Options, build};
 use crate::book::gather::content;
+use crate::book::output::write;
 use crate::export;
 use crate::project::Project;
 

@@ -9,8 +9,8 @@ use std::path::Path;
 use anyhow::{Context as _, Result};
 use serde_json::{Value, json};
 
-use super::build::write;
 use super::content::{Content, Entry, Symbol};
+use super::output::write;
 use super::tables;
 
 /// The script in the book.

@@ -31,9 +31,6 @@ const AXE: &str = "JOINTPROOF_AXE";
 /// Compressed bytes that the first view of a chapter should load at most.
 const WANTED: u64 = 400_000;
 
-/// The page on which every control is reached by the keyboard.
-const KEYBOARD: &str = "coulomb.html";
-
 /// Listings are alike: the longest stands for all.
 const LISTINGS: &str = "source";
 
@@ -140,10 +137,10 @@ pub(crate) fn check(project: &Project, out: &Path) -> Result<Option<Visited>> {
     })?;
     bar.finish_and_clear();
     let mut browser = Browser::start()?;
-    if out.join(KEYBOARD).exists() {
-        keyboard(&mut browser, &out, &mut visited)?;
+    if let Some(page) = with_controls(&pages)? {
+        keyboard(&mut browser, &page, &mut visited)?;
     }
-    visited.answers = queries::ask(project, &out, &mut browser)?;
+    visited.answers = queries::ask(project, &out, &mut browser, VISIT)?;
     visited.note("index.html", browser.errors.drain(..));
     visited.weights.sort();
     let heavy: Vec<_> = visited.weights.iter().filter(|(weight, _)| *weight > WANTED).cloned().collect();
@@ -155,6 +152,18 @@ pub(crate) fn check(project: &Project, out: &Path) -> Result<Option<Visited>> {
 
 /// So many browsers look at pages at the same time.
 const BROWSERS: usize = 2;
+
+/// The smallest chapter that has sliders and calculators: every sort of control is on it.
+fn with_controls(pages: &[PathBuf]) -> Result<Option<PathBuf>> {
+    // They are sorted, the largest first; the first page repeats a chapter.
+    for page in pages.iter().rev().filter(|page| !page.ends_with("index.html")) {
+        let text = fs::read_to_string(page)?;
+        if text.contains("class=\"calculator\"") && text.contains("class=\"sliders\"") {
+            return Ok(Some(page.clone()));
+        }
+    }
+    Ok(None)
+}
 
 /// The longest file of a folder and below.
 fn longest(folder: &Path) -> Result<Option<PathBuf>> {
@@ -323,18 +332,19 @@ const MATHEMATICAL: &str = "STIX Two Math";
 const ANY: &str = "U+0-10FFFF";
 
 /// Goes through a page with the tabulator: every control is reached, and is marked when it is.
-fn keyboard(browser: &mut Browser, out: &Path, visited: &mut Visited) -> Result<()> {
+fn keyboard(browser: &mut Browser, page: &Path, visited: &mut Visited) -> Result<()> {
+    let name = page.file_name().unwrap_or_default().to_string_lossy().into_owned();
     browser.screen(DESK)?;
     browser.prefer(false, false)?;
-    open(browser, &out.join(KEYBOARD))?;
+    open(browser, page)?;
     let controls = browser.evaluate("controls().length")?.as_u64().context("no number of controls")?;
     for _ in 0..controls + 20 {
         browser.press("Tab")?;
         let fault = browser.evaluate("focused()")?;
-        visited.note(KEYBOARD, fault.as_str().filter(|fault| !fault.is_empty()).map(String::from));
+        visited.note(&name, fault.as_str().filter(|fault| !fault.is_empty()).map(String::from));
     }
     let unreached: Vec<String> = serde_json::from_value(browser.evaluate("unreached()")?)?;
     visited.controls = usize::try_from(controls)? - unreached.len().min(usize::try_from(controls)?);
-    visited.note(KEYBOARD, unreached);
+    visited.note(&name, unreached);
     Ok(())
 }

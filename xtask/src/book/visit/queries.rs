@@ -6,7 +6,6 @@ use std::path::Path;
 
 use anyhow::{Context as _, Result, bail};
 
-use super::VISIT;
 use crate::book::browser::{Browser, DESK};
 use crate::project::Project;
 
@@ -36,13 +35,13 @@ impl fmt::Display for Answers {
     }
 }
 
-/// Types every query into the book's search; `None` if the project has no list.
-pub(super) fn ask(project: &Project, out: &Path, browser: &mut Browser) -> Result<Option<Answers>> {
+/// Types every query into the book's search, by `script`; `None` if the project has no list.
+pub(super) fn ask(project: &Project, out: &Path, browser: &mut Browser, script: &str) -> Result<Option<Answers>> {
     let Ok(list) = fs::read_to_string(project.root().join(LIST)) else { return Ok(None) };
     let queries = parsed(&list)?;
     browser.screen(DESK)?;
     browser.open(&out.join("index.html"))?;
-    browser.evaluate(VISIT)?;
+    browser.evaluate(script)?;
     let texts: Vec<_> = queries.iter().map(|(query, _)| query).collect();
     let found = browser.evaluate(&format!("found({})", serde_json::to_string(&texts)?))?;
     let found: Vec<Vec<String>> = serde_json::from_value(found)?;

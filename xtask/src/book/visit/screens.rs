@@ -6,7 +6,7 @@ use std::path::Path;
 use anyhow::{Context as _, Result};
 
 use crate::book::browser::{self, Browser, DESK, PHONE, Screen};
-use crate::book::build::write;
+use crate::book::output::write;
 use crate::project::Project;
 
 const LIST: &str = "book/screens.txt";

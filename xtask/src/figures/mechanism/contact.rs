@@ -9,7 +9,7 @@ use jointproof::slide_line::{LinearPressures, TorqueLinear};
 use kit::Moving;
 use nalgebra::{Vector2, Vector3};
 
-use super::{Along, moving};
+use super::along::{Along, moving};
 use crate::figures::sketch::{Ink, Point, Sketch, number};
 
 const MU: f64 = 0.5;

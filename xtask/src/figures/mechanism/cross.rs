@@ -6,7 +6,7 @@ use jointproof::ujoint::{CrossAxes, CrossDirection, CrossLoads, Decomposition};
 use jointproof::universal::{Angles, Constraint, Shafts};
 use kit::Moving;
 
-use super::{Along, angles, moving, turned, upright};
+use super::along::{Along, angles, moving, turned, upright};
 use crate::figures::sketch::{Ink, Point, Sketch, number};
 
 fn degrees(label: &'static str, to: f64, start: usize) -> Along {

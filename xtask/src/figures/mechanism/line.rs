@@ -9,7 +9,7 @@ use jointproof::slider::Slider;
 use kit::Moving;
 use nalgebra::{Vector2, Vector3};
 
-use super::{Along, moving};
+use super::along::{Along, moving};
 use crate::figures::sketch::{Ink, Point, Sketch, number};
 
 /// Node m on the line of nodes 1 and n: two of its coordinates follow from the third.

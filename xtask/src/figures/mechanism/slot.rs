@@ -8,7 +8,7 @@ use jointproof::translator::{Bending, BendingForce, ContactForce, ContactLoads, 
 use kit::Moving;
 use nalgebra::{Rotation3, Vector3};
 
-use super::{Along, moving};
+use super::along::{Along, moving};
 use crate::figures::sketch::{Ink, Sketch, number};
 
 /// The offsets of the slot, and the multipliers that are drawn.
