@@ -67,7 +67,7 @@ impl Proved for Response {
     fn kinks() -> Vec<Kink<Self>> {
         let zero = TranslatorSliding::filled(0.0);
         let slips = r"\ k_{\mathrm{el}}\lvert u_1-u_0^{\mathrm{slip}}\rvert > \mu F_N";
-        let corner = |condition: &str, holds, at, across| {
+        let corner = |condition: &str, holds: fn(&TranslatorSliding<Octuple>) -> bool, at, across| {
             Kink::<Self>::new(Convention::Subgradient, format!("{condition},{slips}"), holds, at, across)
         };
         vec![
