@@ -15,7 +15,9 @@
 //! ```
 
 mod alter;
+mod gather;
 mod join;
+mod level;
 mod node;
 mod program;
 mod record;

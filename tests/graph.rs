@@ -3,7 +3,7 @@
 use jointproof::Scalar;
 use jointproof::catalog::{AnyFormula, CATALOG};
 use jointproof::formula::{Component, Field, Formula, Jacobian, Spec};
-use jointproof::graph::{Graph, NotRecorded, record};
+use jointproof::graph::{Graph, NotRecorded, Statement, record};
 use jointproof::measure::Options;
 use jointproof::slot::{Contact, ContactForce as SlotContactForce, CrossForces};
 use jointproof::verify::golden::components;
@@ -98,4 +98,74 @@ fn refusals_are_recorded() {
     assert_eq!(required, ["x1 and xn at least 2.2250738585072014e-308 apart"]);
     assert!(graph.refusal.is_some());
     assert!(jointproof::catalog::find("slot.friction").unwrap().graph().unwrap().refusal.is_none());
+}
+
+/// A formula whose sums are taken exactly where any of two is lost to rounding, as those of UJOINT are.
+#[derive(Clone, Copy, Debug)]
+struct SettlesWhatIsLost;
+
+impl Formula for SettlesWhatIsLost {
+    const SPEC: Spec = SlotContactForce::SPEC;
+    type Inputs<T: Component> = CrossForces<T>;
+    type Outputs<T: Component> = Contact<T>;
+
+    fn eval<D: Scalar>(i: &CrossForces<D>) -> Contact<D> {
+        let shared = || (0..20).fold(i.f2, |sum, _| (sum + i.f3).sin());
+        let settled = |rough: D, factor: f64| if rough < D::from(1e-9) { shared() * D::from(factor) } else { rough };
+        let [sum, difference] = [i.f2 + i.f3, i.f2 - i.f3];
+        Contact { fc: settled(sum, 3.0) * settled(difference, 5.0) }
+    }
+
+    fn jacobian<D: Scalar>(i: &CrossForces<D>) -> Jacobian<Self, D> {
+        Contact { fc: CrossForces { f2: i.f2, f3: i.f3 } }
+    }
+}
+
+/// So many operations are done whatever the conditions say.
+fn always(statements: &[Statement]) -> usize {
+    statements.iter().filter(|statement| matches!(statement, Statement::Compute(_))).count()
+}
+
+/// What several choices share is not done where none of them needs it.
+#[test]
+fn shared_work_waits_for_its_condition() {
+    let graph = record::<SettlesWhatIsLost>().unwrap();
+    let done = always(&graph.statements(&graph.value));
+    assert!(done < 10, "{done} operations are always done");
+    for inputs in [[3.0, 1.0], [1.0, 3.0], [-3.0, 1.0], [-1.0, -3.0]] {
+        let expected = SettlesWhatIsLost::eval(&CrossForces { f2: inputs[0], f3: inputs[1] }).fc;
+        assert_eq!(graph.run(&inputs).0, [expected]);
+    }
+}
+
+/// A result that is computed where one of two conditions fails belongs to one side.
+#[derive(Clone, Copy, Debug)]
+struct FastWhereBothHold;
+
+impl Formula for FastWhereBothHold {
+    const SPEC: Spec = SlotContactForce::SPEC;
+    type Inputs<T: Component> = CrossForces<T>;
+    type Outputs<T: Component> = Contact<T>;
+
+    fn eval<D: Scalar>(i: &CrossForces<D>) -> Contact<D> {
+        if i.f2 > D::one() && i.f3 > D::one() {
+            return Contact { fc: i.f2 + i.f3 };
+        }
+        Contact { fc: (0..20).fold(i.f2, |sum, _| (sum * i.f3).sin()) }
+    }
+
+    fn jacobian<D: Scalar>(i: &CrossForces<D>) -> Jacobian<Self, D> {
+        Contact { fc: CrossForces { f2: i.f2, f3: i.f3 } }
+    }
+}
+
+#[test]
+fn two_conditions_become_one() {
+    let graph = record::<FastWhereBothHold>().unwrap();
+    let done = always(&graph.statements(&graph.value));
+    assert!(done < 5, "{done} operations are always done");
+    for inputs in [[3.0, 4.0], [0.5, 4.0], [4.0, 0.5], [0.25, 0.5]] {
+        let expected = FastWhereBothHold::eval(&CrossForces { f2: inputs[0], f3: inputs[1] }).fc;
+        assert_eq!(graph.run(&inputs).0, [expected]);
+    }
 }

@@ -1,40 +1,129 @@
 //! Where two sides of a comparison come together.
 
 use super::node::{Graph, Node, Op};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// The results where the condition holds and where it does not, as one list.
 ///
 /// Two results of the same operation become that operation on joined operands, so that what follows a choice is written
-/// once and the choice itself stands where the sides part.
+/// once and the choice itself stands where the sides part. A result that a side needs for itself as well is not computed
+/// again behind it. Where a second condition decides on one side alone, and one of its results is that of the other side,
+/// both conditions become one: that result then belongs to a single side, and is computed there only.
 pub(super) fn join(graph: &mut Graph, condition: Node, yes: &[Node], no: &[Node]) -> Vec<Node> {
-    let mut joined = HashMap::new();
-    yes.iter().zip(no).map(|(&yes, &no)| both(graph, condition, (yes, no), &mut joined)).collect()
+    let pairs: Vec<_> = yes.iter().copied().zip(no.iter().copied()).collect();
+    let own = own(graph, condition, &pairs);
+    let mut join = Join { graph, condition, own, joined: HashMap::new() };
+    pairs.into_iter().map(|pair| join.both(pair)).collect()
 }
 
-fn both(graph: &mut Graph, condition: Node, pair: (Node, Node), joined: &mut HashMap<(Node, Node), Node>) -> Node {
-    let (yes, no) = pair;
-    if yes == no {
-        return yes;
+/// Of all operations, whether each side needs them for results that cannot be joined.
+type Own = [Vec<bool>; 2];
+
+struct Join<'a> {
+    graph: &'a mut Graph,
+    condition: Node,
+    own: Own,
+    joined: HashMap<(Node, Node), Node>,
+}
+
+impl Join<'_> {
+    fn both(&mut self, pair: (Node, Node)) -> Node {
+        let (yes, no) = pair;
+        if yes == no {
+            return yes;
+        }
+        if let Some(&known) = self.joined.get(&pair) {
+            return known;
+        }
+        let op = if are_joined(self.graph, self.condition, &self.own, pair) {
+            let operands: Vec<_> = operands(self.graph, pair).map(|operands| self.both(operands)).collect();
+            self.graph.op(yes).with_operands(&operands)
+        } else {
+            self.select(pair)
+        };
+        let node = self.graph.enter(op);
+        self.joined.insert(pair, node);
+        node
     }
-    if let Some(&known) = joined.get(&pair) {
-        return known;
+
+    fn select(&mut self, (yes, no): (Node, Node)) -> Op {
+        match second(self.graph, self.condition, (yes, no)) {
+            Some(Second::Both(second, yes)) => Op::Select(self.graph.enter(Op::both(self.condition, second)), yes, no),
+            Some(Second::Either(second, no)) => {
+                Op::Select(self.graph.enter(Op::either(self.condition, second)), yes, no)
+            }
+            None => Op::Select(self.condition, yes, no),
+        }
     }
-    let (left, right) = (graph.op(yes).clone(), graph.op(no).clone());
+}
+
+/// A second condition that decides on one side alone, between another result and that of the other side, which was not there
+/// before the sides parted: with the result where both hold, or that where none of them does.
+enum Second {
+    Both(Node, Node),
+    Either(Node, Node),
+}
+
+fn second(graph: &Graph, condition: Node, (yes, no): (Node, Node)) -> Option<Second> {
+    match (graph.op(yes), graph.op(no)) {
+        (&Op::Select(second, both, other), _) if other == no && no > condition => Some(Second::Both(second, both)),
+        (_, &Op::Select(second, other, neither)) if other == yes && yes > condition => {
+            Some(Second::Either(second, neither))
+        }
+        _ => None,
+    }
+}
+
+/// Whether two results become one operation on joined operands.
+fn are_joined(graph: &Graph, condition: Node, own: &Own, (yes, no): (Node, Node)) -> bool {
+    let (left, right) = (graph.op(yes), graph.op(no));
     // A length that was there before the sides parted is there on both, and is not computed again.
     let is_known = matches!(left, Op::Norm(_)) && (yes < condition || no < condition);
-    let op = if !is_known && left.is_like(&right) && !mentions(&left, condition) && !mentions(&right, condition) {
-        let operands = left.operands().into_iter().zip(right.operands());
-        let operands: Vec<_> = operands.map(|operands| both(graph, condition, operands, joined)).collect();
-        left.with_operands(&operands)
-    } else {
-        Op::Select(condition, yes, no)
-    };
-    let node = graph.enter(op);
-    joined.insert(pair, node);
-    node
+    let mentions = |op: &Op| op.operands().contains(&condition);
+    let is_own = own[0][yes.index()] || own[1][no.index()];
+    !is_known && !is_own && left.is_like(right) && !mentions(left) && !mentions(right)
 }
 
-fn mentions(op: &Op, condition: Node) -> bool {
-    op.operands().contains(&condition)
+fn operands(graph: &Graph, (yes, no): (Node, Node)) -> impl Iterator<Item = (Node, Node)> + use<> {
+    graph.op(yes).operands().into_iter().zip(graph.op(no).operands())
+}
+
+/// What each side needs for itself: the more is not joined, the more that is, until nothing is added.
+fn own(graph: &Graph, condition: Node, pairs: &[(Node, Node)]) -> Own {
+    let mut own = [(); 2].map(|()| vec![false; graph.ops().len()]);
+    let mut is_settled = false;
+    while !is_settled {
+        is_settled = true;
+        let (mut open, mut seen) = (pairs.to_vec(), HashSet::new());
+        while let Some((yes, no)) = open.pop() {
+            if yes == no || !seen.insert((yes, no)) {
+                continue;
+            }
+            if are_joined(graph, condition, &own, (yes, no)) {
+                open.extend(operands(graph, (yes, no)));
+                continue;
+            }
+            let (yes, no) = match second(graph, condition, (yes, no)) {
+                Some(Second::Both(_, both)) => (both, no),
+                Some(Second::Either(_, neither)) => (yes, neither),
+                None => (yes, no),
+            };
+            for (own, node) in own.iter_mut().zip([yes, no]) {
+                is_settled &= !add_needed(graph, own, node);
+            }
+        }
+    }
+    own
+}
+
+/// Adds an operation and all that it is computed from; whether it is new.
+fn add_needed(graph: &Graph, needed: &mut [bool], node: Node) -> bool {
+    let is_new = !graph.is_atom(node) && !needed[node.index()];
+    let mut open = vec![node];
+    while let Some(node) = open.pop() {
+        if !graph.is_atom(node) && !std::mem::replace(&mut needed[node.index()], true) {
+            graph.op(node).each_operand(|operand| open.push(operand));
+        }
+    }
+    is_new
 }

@@ -129,15 +129,48 @@ pub enum Op {
 }
 
 impl Op {
+    /// Whether two answers are yes; the second counts only where the first is.
+    pub(super) fn both(first: Node, second: Node) -> Self {
+        Self::Select(first, second, first)
+    }
+
+    /// Whether one of two answers is yes; the second counts only where the first is not.
+    pub(super) fn either(first: Node, second: Node) -> Self {
+        Self::Select(first, first, second)
+    }
+
+    /// The answers of which it tells whether both are yes.
+    pub fn both_of(&self) -> Option<[Node; 2]> {
+        match *self {
+            Self::Select(first, second, no) if no == first => Some([first, second]),
+            _ => None,
+        }
+    }
+
+    /// The answers of which it tells whether one is yes.
+    pub fn either_of(&self) -> Option<[Node; 2]> {
+        match *self {
+            Self::Select(first, yes, second) if yes == first => Some([first, second]),
+            _ => None,
+        }
+    }
+
     /// What it is computed from.
     pub fn operands(&self) -> Vec<Node> {
+        let mut operands = Vec::new();
+        self.each_operand(|operand| operands.push(operand));
+        operands
+    }
+
+    /// The same, one by one.
+    pub(super) fn each_operand(&self, mut f: impl FnMut(Node)) {
         match self {
-            Self::Input(_) | Self::Number(_) => Vec::new(),
-            Self::Unary(_, x) => vec![*x],
-            Self::Binary(_, x, y) | Self::Compare(_, x, y) => vec![*x, *y],
-            Self::MultiplyAdd(x, y, z) | Self::Select(x, y, z) => vec![*x, *y, *z],
-            Self::Norm(parts) | Self::Search(_, parts) => parts.to_vec(),
-            Self::ExactSum(products) => products.concat(),
+            Self::Input(_) | Self::Number(_) => {}
+            Self::Unary(_, x) => f(*x),
+            Self::Binary(_, x, y) | Self::Compare(_, x, y) => [*x, *y].into_iter().for_each(f),
+            Self::MultiplyAdd(x, y, z) | Self::Select(x, y, z) => [*x, *y, *z].into_iter().for_each(f),
+            Self::Norm(parts) | Self::Search(_, parts) => parts.iter().copied().for_each(f),
+            Self::ExactSum(products) => products.iter().flatten().copied().for_each(f),
         }
     }
 

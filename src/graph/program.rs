@@ -27,8 +27,7 @@ const CHEAP: usize = 4;
 impl Graph {
     /// What is to be done for these results, in order.
     pub fn statements(&self, results: &[Node]) -> Vec<Statement> {
-        let mut layout = Layout::new(self);
-        layout.place(results);
+        let mut layout = Layout::placed(self, results);
         layout.dissolve_cheap();
         layout.statements(0)
     }
@@ -57,33 +56,37 @@ struct Block {
 
 /// Results that one answer chooses in one block, none of which follows from another.
 #[derive(Clone, Debug)]
-struct Choice {
-    block: usize,
-    condition: Node,
-    selects: Vec<Node>,
-    sides: [usize; 2],
+pub(super) struct Choice {
+    pub(super) block: usize,
+    pub(super) condition: Node,
+    pub(super) selects: Vec<Node>,
+    /// The blocks of what is done where the answer is yes, and where it is no.
+    pub(super) sides: [usize; 2],
     dissolved: bool,
 }
 
-struct Layout<'a> {
-    graph: &'a Graph,
+pub(super) struct Layout<'a> {
+    pub(super) graph: &'a Graph,
     blocks: Vec<Block>,
-    choices: Vec<Choice>,
-    /// The block of every operation that is needed.
-    place: Vec<Option<usize>>,
+    pub(super) choices: Vec<Choice>,
+    /// The block of every operation that is needed; the first holds all others.
+    pub(super) place: Vec<Option<usize>>,
     /// The choice that a select belongs to.
-    choice_of: HashMap<Node, usize>,
+    pub(super) choice_of: HashMap<Node, usize>,
 }
 
 impl<'a> Layout<'a> {
-    fn new(graph: &'a Graph) -> Self {
-        let blocks = vec![Block { parent: 0, depth: 0 }];
-        Self { graph, blocks, choices: Vec::new(), place: vec![None; graph.ops().len()], choice_of: HashMap::new() }
+    /// Every operation that these results need in its place.
+    pub(super) fn placed(graph: &'a Graph, results: &[Node]) -> Self {
+        let (blocks, place) = (vec![Block { parent: 0, depth: 0 }], vec![None; graph.ops().len()]);
+        let mut layout = Self { graph, blocks, choices: Vec::new(), place, choice_of: HashMap::new() };
+        layout.place(results);
+        layout
     }
 
     /// Places every operation in the innermost block that holds all its uses. Uses stand behind what they use.
     fn place(&mut self, results: &[Node]) {
-        let levels = self.levels();
+        let levels = self.graph.levels();
         let mut keys = HashMap::new();
         for &node in results {
             self.used_in(node, 0);
@@ -92,7 +95,7 @@ impl<'a> Layout<'a> {
             let node = Node::at(index);
             let Some(block) = self.place[index] else { continue };
             match *self.graph.op(node) {
-                Op::Select(condition, yes, no) if !self.graph.is_answer(node) => {
+                Op::Select(condition, yes, no) => {
                     let choice = *keys.entry((block, condition, levels[index])).or_insert_with(|| {
                         self.choices.push(Choice {
                             block,
@@ -120,16 +123,6 @@ impl<'a> Layout<'a> {
     fn used_in(&mut self, node: Node, block: usize) {
         let place = &mut self.place[node.index()];
         *place = Some(place.map_or(block, |known| common(&self.blocks, known, block)));
-    }
-
-    /// How many selects follow from each other up to each operation, so that those of one level can be chosen together.
-    fn levels(&self) -> Vec<usize> {
-        let mut levels: Vec<usize> = Vec::with_capacity(self.graph.ops().len());
-        for op in self.graph.ops() {
-            let before = op.operands().iter().map(|node| levels[node.index()]).max().unwrap_or(0);
-            levels.push(before + usize::from(matches!(op, Op::Select(..))));
-        }
-        levels
     }
 
     /// Does both sides of a choice where that is cheaper than a jump.
@@ -167,6 +160,14 @@ impl<'a> Layout<'a> {
 
     fn kept_choice(&self, node: Node) -> Option<usize> {
         self.choice_of.get(&node).copied().filter(|&choice| !self.choices[choice].dissolved)
+    }
+
+    /// The side of an outermost choice that holds a block, or the block of what is outside of choices.
+    pub(super) fn outermost(&self, mut block: usize) -> usize {
+        while self.blocks[block].depth > 1 {
+            block = self.blocks[block].parent;
+        }
+        block
     }
 
     /// Whether a block is the other one or inside of it.

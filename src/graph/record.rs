@@ -59,7 +59,7 @@ pub fn record<F: Formula>() -> Result<Graph, NotRecorded> {
     (graph.value, graph.jacobian) = (value.to_vec(), jacobian.to_vec());
     graph.refusals = errors.into_inner();
     graph.refusal = refusal.first().copied().filter(|_| !graph.refusals.is_empty());
-    Ok(graph.pruned())
+    Ok(graph.pruned().gathered())
 }
 
 /// 0 where the inputs are valid together, else the position of the error among all that there are, from 1.

@@ -63,10 +63,8 @@ fn guards(graph: &Graph) -> Vec<Vec<Node>> {
         let of_user = guards[user.index()].clone().unwrap_or_default();
         for (k, operand) in graph.op(user).operands().into_iter().enumerate() {
             let mut own = of_user.clone();
-            if let (Op::Select(condition, ..), 1) = (graph.op(user), k)
-                && matches!(graph.op(*condition), Op::Compare(Relation::Equal, ..))
-            {
-                own.push(*condition);
+            if let (Op::Select(condition, ..), 1) = (graph.op(user), k) {
+                own.extend(equalities(graph, *condition));
             }
             let known = &mut guards[operand.index()];
             *known = Some(match known.take() {
@@ -76,6 +74,14 @@ fn guards(graph: &Graph) -> Vec<Vec<Node>> {
         }
     }
     guards.into_iter().map(Option::unwrap_or_default).collect()
+}
+
+/// The equalities that hold where an answer is yes.
+fn equalities(graph: &Graph, answer: Node) -> Vec<Node> {
+    match graph.op(answer) {
+        Op::Compare(Relation::Equal, ..) => vec![answer],
+        op => op.both_of().into_iter().flatten().flat_map(|answer| equalities(graph, answer)).collect(),
+    }
 }
 
 /// A graph, and what is known of its inputs.

@@ -64,7 +64,11 @@ impl Words<'_> {
             Op::Compare(relation, x, y) => (format!("{} {} {}", sum(*x), sign(*relation), sum(*y)), Bond::Sum),
             Op::ExactSum(products) => (format!("exact_sum({})", self.list(&products.concat(), deeper)), Bond::Atom),
             Op::Search(search, numbers) => (format!("{}({})", search.name, self.list(numbers, deeper)), Bond::Atom),
-            Op::Select(_, x, y) => (format!("either({})", self.list(&[*x, *y], deeper)), Bond::Atom),
+            Op::Select(_, x, y) => match [op.both_of(), op.either_of()] {
+                [Some([x, y]), _] => (format!("{} and {}", sum(x), sum(y)), Bond::Sum),
+                [_, Some([x, y])] => (format!("{} or {}", sum(x), sum(y)), Bond::Sum),
+                _ => (format!("either({})", self.list(&[*x, *y], deeper)), Bond::Atom),
+            },
             Op::Input(_) | Op::Number(_) => unreachable!("they are written above"),
         }
     }

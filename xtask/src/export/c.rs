@@ -63,9 +63,6 @@ impl Syntax for C {
 
     fn operation(&self, op: &Op, operand: Operand) -> String {
         match op {
-            Op::Select(condition, yes, no) => {
-                format!("{} ? {} : {}", operand(*condition), operand(*yes), operand(*no))
-            }
             Op::ExactSum(products) => {
                 let head = format!("jp_exact_sum({}, (const double[][4]){{", products.len());
                 exact_sum(products, operand, [&head, "{", "}", "})"])
@@ -75,12 +72,13 @@ impl Syntax for C {
     }
 
     fn set(&self, name: &str, is_answer: bool, value: &str) -> String {
-        let kind = if is_answer { "int" } else { "double" };
+        let kind = kind(is_answer);
         format!("const {kind} {name} = {value};")
     }
 
-    fn announce(&self, name: &str) -> Option<String> {
-        Some(format!("double {name};"))
+    fn announce(&self, name: &str, is_answer: bool) -> Option<String> {
+        let kind = kind(is_answer);
+        Some(format!("{kind} {name};"))
     }
 
     fn assign(&self, name: &str, value: &str) -> String {
@@ -103,6 +101,11 @@ impl Syntax for C {
     fn choose(&self, condition: &str) -> [String; 3] {
         [format!("if ({condition}) {{"), "} else {".into(), "}".into()]
     }
+}
+
+/// The type of a result.
+fn kind(is_answer: bool) -> &'static str {
+    if is_answer { "int" } else { "double" }
 }
 
 /// What functions are called.
@@ -159,6 +162,11 @@ pub(super) fn common(op: &Op, operand: Operand, names: &Names) -> String {
         Op::Compare(Relation::Less, x, y) => infix("<", *x, *y),
         Op::Compare(Relation::LessOrEqual, x, y) => infix("<=", *x, *y),
         Op::Compare(Relation::Equal, x, y) => infix(names.equal, *x, *y),
+        op if let Some([x, y]) = op.both_of() => infix("&&", x, y),
+        op if let Some([x, y]) = op.either_of() => infix("||", x, y),
+        Op::Select(condition, yes, no) => {
+            format!("{} ? {} : {}", operand(*condition), operand(*yes), operand(*no))
+        }
         _ => unreachable!("inputs and numbers are written where they are used, and the rest by each language"),
     }
 }

@@ -80,6 +80,8 @@ impl Syntax for Fortran {
 
     fn operation(&self, op: &Op, operand: Operand) -> String {
         match op {
+            op if let Some([x, y]) = op.both_of() => format!("{} .and. {}", operand(x), operand(y)),
+            op if let Some([x, y]) = op.either_of() => format!("{} .or. {}", operand(x), operand(y)),
             Op::Select(condition, yes, no) => {
                 format!("merge({}, {}, {})", operand(*yes), operand(*no), operand(*condition))
             }
@@ -97,7 +99,7 @@ impl Syntax for Fortran {
         format!("{name} = {value}")
     }
 
-    fn announce(&self, _: &str) -> Option<String> {
+    fn announce(&self, _: &str, _: bool) -> Option<String> {
         None
     }
 

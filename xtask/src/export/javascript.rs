@@ -78,9 +78,6 @@ impl Syntax for JavaScript {
 
     fn operation(&self, op: &Op, operand: Operand) -> String {
         match op {
-            Op::Select(condition, yes, no) => {
-                format!("{} ? {} : {}", operand(*condition), operand(*yes), operand(*no))
-            }
             Op::ExactSum(products) => exact_sum(products, operand, ["exactSum([", "[", "]", "])"]),
             op => common(op, operand, &NAMES),
         }
@@ -90,7 +87,7 @@ impl Syntax for JavaScript {
         format!("const {name} = {value};")
     }
 
-    fn announce(&self, name: &str) -> Option<String> {
+    fn announce(&self, name: &str, _: bool) -> Option<String> {
         Some(format!("let {name};"))
     }
 

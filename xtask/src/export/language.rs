@@ -64,7 +64,7 @@ pub(super) trait Syntax {
     fn set(&self, name: &str, is_answer: bool, value: &str) -> String;
 
     /// The names of results that a choice sets, announced before it; nothing where all names are announced at the head.
-    fn announce(&self, name: &str) -> Option<String>;
+    fn announce(&self, name: &str, is_answer: bool) -> Option<String>;
 
     /// One of them is set.
     fn assign(&self, name: &str, value: &str) -> String;

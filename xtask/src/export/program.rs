@@ -147,8 +147,10 @@ impl Printed<'_> {
     fn choose(&mut self, condition: Node, results: &[[Node; 3]], sides: [&[Step]; 2], indent: usize) {
         let language = self.body.language;
         let names: Vec<_> = results.iter().map(|&[select, ..]| self.named(select)).collect();
-        for announced in names.iter().filter_map(|name| language.announce(name)) {
-            self.line(indent, &announced);
+        for (name, &[select, ..]) in names.iter().zip(results) {
+            if let Some(announced) = language.announce(name, self.body.graph.is_answer(select)) {
+                self.line(indent, &announced);
+            }
         }
         let [head, between, end] = language.choose(&self.text(condition));
         for (head, steps, side) in [(head, sides[0], 1), (between, sides[1], 2)] {

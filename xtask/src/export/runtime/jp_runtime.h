@@ -19,10 +19,8 @@
 
 /* The square root of a sum of squares that is rescaled where it would leave the range of
  * doubles. */
-JP_UNUSED static double jp_norm(const double *x, int n)
+JP_UNUSED static double jp_norm(double sum, const double *x, int n)
 {
-    double sum = 0.0;
-    for (int k = 0; k < n; ++k) sum = sum + x[k] * x[k];
     if (sum > 0x1p-900 && sum < 0x1p1000) return sqrt(sum);
     int large = 0;
     for (int k = 0; k < n; ++k) large = large || fabs(x[k]) > 1.0;
@@ -34,20 +32,17 @@ JP_UNUSED static double jp_norm(const double *x, int n)
 
 JP_UNUSED static double jp_norm2(double x, double y)
 {
-    const double all[2] = {x, y};
-    return jp_norm(all, 2);
+    return jp_norm(x * x + y * y, (const double[]){x, y}, 2);
 }
 
 JP_UNUSED static double jp_norm3(double x, double y, double z)
 {
-    const double all[3] = {x, y, z};
-    return jp_norm(all, 3);
+    return jp_norm((x * x + y * y) + z * z, (const double[]){x, y, z}, 3);
 }
 
 JP_UNUSED static double jp_norm4(double x, double y, double z, double w)
 {
-    const double all[4] = {x, y, z, w};
-    return jp_norm(all, 4);
+    return jp_norm(((x * x + y * y) + z * z) + w * w, (const double[]){x, y, z, w}, 4);
 }
 
 /* The largest power of two that is not above a positive number, within 2^-1022 and 2^1022. */
