@@ -123,10 +123,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         return Ok(verdict(true));
     }
     if let Some(abi) = arguments.abi {
-        let text = driver::abi::text(abi, formula);
-        print(&text.ok_or_else(|| {
-            Usage(format!("--abi: a routine of that interface does not compute {}", arguments.formula))
-        })?)?;
+        print(&driver::abi::text(abi, formula)?)?;
         return Ok(verdict(true));
     }
     let limit = Duration::try_from_secs_f64(arguments.limit).ok().filter(|limit| !limit.is_zero());
