@@ -5,6 +5,7 @@ use jointproof::Error;
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
 use jointproof::verify::{Options, Sampler};
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 /// What is asked of a program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
@@ -92,18 +93,19 @@ pub(super) fn of_points(
 ) -> Vec<Question> {
     let sizes = sizes(formula);
     let mut directions = Sampler::named("directions", seed);
-    let question = |(name, inputs): (String, Vec<f64>)| {
-        let own = match (wanted, formula.value_and_jacobian(&inputs)) {
-            (Wanted::Jacobian, Ok((value, jacobian))) => Own::Results([value, jacobian].concat()),
-            (_, Ok((value, _))) => Own::Results(value),
-            (_, Err(Error::Overflow { .. } | Error::DerivativeOverflow { .. })) => Own::TooLarge,
-            (_, Err(error)) => Own::Refused(error),
-        };
+    let own = |(_, inputs): &(String, Vec<f64>)| match (wanted, formula.value_and_jacobian(inputs)) {
+        (Wanted::Jacobian, Ok((value, jacobian))) => Own::Results([value, jacobian].concat()),
+        (_, Ok((value, _))) => Own::Results(value),
+        (_, Err(Error::Overflow { .. } | Error::DerivativeOverflow { .. })) => Own::TooLarge,
+        (_, Err(error)) => Own::Refused(error),
+    };
+    let owns: Vec<_> = points.par_iter().map(own).collect();
+    let question = |((name, inputs), own)| {
         let mut drawn = || sizes.map(|length| (0..length).map(|_| directions.real()).collect());
         let directions = (wanted == Wanted::Products).then(&mut drawn);
         Question { name, inputs, directions, own }
     };
-    points.into_iter().map(question).collect()
+    points.into_iter().zip(owns).map(question).collect()
 }
 
 /// All places of a list in another order, in which hardly any follows the one that it followed before.

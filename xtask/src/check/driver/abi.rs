@@ -153,7 +153,7 @@ fn filled(template: &str, name: &str, what: &str) -> String {
     let hole = format!("{{{name}}}");
     let line = |line: &str| match line.split_once(&hole) {
         Some((indent, "\n")) if indent.trim().is_empty() => {
-            what.lines().map(|line| format!("{indent}{line}\n")).collect()
+            what.lines().flat_map(|line| [indent, line, "\n"]).collect()
         }
         _ => line.replace(&hole, what),
     };
