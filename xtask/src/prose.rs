@@ -32,7 +32,8 @@ struct Tally {
 pub(crate) fn check(project: &Project) -> anyhow::Result<(Vec<Fault>, String)> {
     let formulas = Formulas(project.catalog());
     let (mut faults, mut tally) = (Vec::new(), Tally::default());
-    for (file, text) in coverage::chapters(project.root())? {
+    let chapters = if project.has_book() { coverage::chapters(project.root())? } else { Default::default() };
+    for (file, text) in chapters {
         let Chapter { displays, numerals, faults: unmarked } = read(&file, &text);
         faults.extend(unmarked);
         let mut note = |line, found: Result<(), String>| {
