@@ -77,6 +77,15 @@ const PLANTED: &[Planted] = &[
         ),
         "transposed: the matrix",
     ),
+    planted(
+        "spin",
+        Fortran,
+        "join.geometric_stiffness",
+        After(
+            "y_all(10:18) = (y_all(10:18) + y_all([10, 13, 16, 11, 14, 17, 12, 15, 18])) / 2\n        j_all(10:18, :) = (j_all(10:18, :) + j_all([10, 13, 16, 11, 14, 17, 12, 15, 18], :)) / 2",
+        ),
+        "by rotation vectors, not by spins: the symmetric part of k_ta_ta",
+    ),
     planted("factor 2", Python, "translator.friction", After("rows[1][1] *= 2"), "a factor of 2 too much in ∂fn/∂f2"),
     planted(
         "factor ½",
