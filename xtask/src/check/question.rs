@@ -46,6 +46,17 @@ pub(super) struct Question {
     /// By what the Jacobian is multiplied, from the right and from the left.
     pub(super) directions: Option<[Vec<f64>; 2]>,
     pub(super) own: Own,
+    /// The direction that it belongs to.
+    pub(super) along: Option<Along>,
+}
+
+/// That a question belongs to a direction: the first where it begins, the others behind its steps, in order.
+#[derive(Clone, Debug)]
+pub(super) struct Along {
+    /// Which direction.
+    pub(super) base: usize,
+    /// Below this the remainder of an output is rounding.
+    pub(super) noise: Vec<f64>,
 }
 
 /// What this program says of a point.
@@ -103,7 +114,7 @@ pub(super) fn of_points(
     let question = |((name, inputs), own)| {
         let mut drawn = || sizes.map(|length| (0..length).map(|_| directions.real()).collect());
         let directions = (wanted == Wanted::Products).then(&mut drawn);
-        Question { name, inputs, directions, own }
+        Question { name, inputs, directions, own, along: None }
     };
     points.into_iter().zip(owns).map(question).collect()
 }

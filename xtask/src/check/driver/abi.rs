@@ -6,6 +6,8 @@
 use crate::check::question::sizes;
 use crate::outcome::Usage;
 use jointproof::catalog::AnyFormula;
+use jointproof::formula::Formula;
+use jointproof::{coulomb, element, interaction, slider};
 
 /// An interface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -83,25 +85,25 @@ impl Abi {
             Self::Fric => Interface {
                 routine: "FRIC",
                 template: include_str!("abi/fric.f90"),
-                computes: &[("coulomb.return_map", &[]), ("coulomb.return_map_2d", &[])],
+                computes: &[(coulomb::ReturnMap::SPEC.id, &[]), (coulomb::ReturnMap2d::SPEC.id, &[])],
             },
             Self::Mpc => Interface {
                 routine: "MPC",
                 template: include_str!("abi/mpc.f90"),
-                computes: &[("slider.eliminate", &[SPACE]), ("slider.eliminate_2d", &[PLANE])],
+                computes: &[(slider::Eliminate::SPEC.id, &[SPACE]), (slider::Eliminate2d::SPEC.id, &[PLANE])],
             },
             Self::Uinter => Interface {
                 routine: "UINTER",
                 template: include_str!("abi/uinter.f90"),
                 computes: &[
-                    ("coulomb.return_map", &[LINEAR, FRICTION]),
-                    ("coulomb.return_map_2d", &[LINEAR, FRICTION]),
+                    (coulomb::ReturnMap::SPEC.id, &[LINEAR, FRICTION]),
+                    (coulomb::ReturnMap2d::SPEC.id, &[LINEAR, FRICTION]),
                     (
-                        "interaction.pressure_linear",
+                        interaction::PressureLinear::SPEC.id,
                         &[LINEAR, PRESSURE, &[("set", "rdisp = [x(1), 0.0_dp]\nprops = [x(2), 1.0_dp, 0.5_dp]")]],
                     ),
                     (
-                        "interaction.pressure_exponential",
+                        interaction::PressureExponential::SPEC.id,
                         &[EXPONENTIAL, PRESSURE, &[("set", "rdisp = [x(1), 0.0_dp]\nprops = x(2:)")]],
                     ),
                 ],
@@ -110,18 +112,18 @@ impl Abi {
                 routine: "UEL",
                 template: include_str!("abi/uel.f90"),
                 computes: &[
-                    ("slider.nodal_forces", &[FORCES, SPACE]),
-                    ("slider.nodal_forces_2d", &[FORCES, PLANE]),
-                    ("slider.constraint", &[DISTANCES, SPACE]),
-                    ("slider.constraint_2d", &[DISTANCES, PLANE]),
+                    (element::slider::Forces::SPEC.id, &[FORCES, SPACE]),
+                    (element::slider_plane::Forces::SPEC.id, &[FORCES, PLANE]),
+                    (slider::Constraint::SPEC.id, &[DISTANCES, SPACE]),
+                    (slider::Constraint2d::SPEC.id, &[DISTANCES, PLANE]),
                 ],
             },
             Self::UmpcUser => Interface {
                 routine: "umpc_user",
                 template: include_str!("abi/umpc_user.f90"),
                 computes: &[
-                    ("slider.constraint", &[TWO_EQUATIONS, SPACE]),
-                    ("slider.constraint_2d", &[ONE_EQUATION, PLANE]),
+                    (slider::Constraint::SPEC.id, &[TWO_EQUATIONS, SPACE]),
+                    (slider::Constraint2d::SPEC.id, &[ONE_EQUATION, PLANE]),
                 ],
             },
         }
