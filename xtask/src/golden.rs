@@ -23,11 +23,15 @@ use std::path::{Path, PathBuf};
 #[command(after_help = "Examples:
   {command} golden                       write what has changed, remove what has no formula
   {command} golden --check               regenerate in memory and compare, write nothing
-  {command} golden --filter '{family}.*' only the formulas of a family")]
+  {command} golden --filter '{family}.*' only the formulas of a family
+  {command} golden --out cases           into a folder of another project")]
 pub(crate) struct Arguments {
     /// Compare with the committed files and write nothing; exit 1 on any difference
     #[arg(long)]
     check: bool,
+    /// Write the files and their schema into this folder, for another project; the committed ones stay as they are
+    #[arg(long, value_name = "FOLDER", conflicts_with = "check")]
+    out: Option<PathBuf>,
     #[command(flatten)]
     selection: Selection,
 }
@@ -41,6 +45,11 @@ pub(crate) fn say_what_mends(project: &Project) {
 const SHOWN: usize = 10;
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
+    if let Some(folder) = &arguments.out {
+        print(&write_into(folder, project, &arguments.selection)?)?;
+        return Ok(verdict(true));
+    }
+    project.needs_repository("golden", ", or take --out FOLDER, which writes the files elsewhere")?;
     let formulas = arguments.selection.formulas(project)?;
     if !arguments.check {
         let written = write(project, &arguments.selection)?;
@@ -69,20 +78,20 @@ struct Regenerated {
     text: String,
 }
 
-fn regenerate(project: &Project, selection: &Selection) -> anyhow::Result<Vec<Regenerated>> {
+fn regenerate(project: &Project, selection: &Selection, folder: &Path) -> anyhow::Result<Vec<Regenerated>> {
     let formulas = selection.formulas(project)?;
     let bar = progress("golden", formulas.len());
     let one = |formula: &&dyn AnyFormula| {
         let file = formula.golden();
-        Ok(Regenerated { path: project.golden_file(formula.spec().id), text: file.render()?, file })
+        Ok(Regenerated { path: folder.join(format!("{}.json", formula.spec().id)), text: file.render()?, file })
     };
     formulas.par_iter().progress_with(bar).map(one).collect()
 }
 
 /// The schema of golden files, made from the types that write them.
-fn schema(project: &Project) -> anyhow::Result<(PathBuf, String)> {
+fn schema(folder: &Path) -> anyhow::Result<(PathBuf, String)> {
     let schema = schemars::schema_for!(File);
-    Ok((project.golden().join("schema.json"), serde_json::to_string_pretty(&schema)? + "\n"))
+    Ok((folder.join("schema.json"), serde_json::to_string_pretty(&schema)? + "\n"))
 }
 
 /// Golden files of formulas that no longer exist.
@@ -105,10 +114,10 @@ fn orphans(project: &Project) -> anyhow::Result<Vec<PathBuf>> {
 }
 
 fn write(project: &Project, selection: &Selection) -> anyhow::Result<String> {
-    let regenerated = regenerate(project, selection)?;
+    let regenerated = regenerate(project, selection, &project.golden())?;
     let mut report = String::new();
     let mut outputs: Vec<_> = regenerated.iter().map(|golden| (&golden.path, &golden.text)).collect();
-    let (schema_path, schema) = schema(project)?;
+    let (schema_path, schema) = schema(&project.golden())?;
     outputs.push((&schema_path, &schema));
     let beside = match project.extension.beside {
         Some((_, beside)) if selection.is_all() => beside(project)?,
@@ -129,6 +138,16 @@ fn write(project: &Project, selection: &Selection) -> anyhow::Result<String> {
     }
     writeln!(report, "{}", counts(&regenerated))?;
     Ok(report)
+}
+
+/// Writes the files of some formulas into a folder that is not the project's own. Nothing is removed there.
+fn write_into(folder: &Path, project: &Project, selection: &Selection) -> anyhow::Result<String> {
+    let regenerated = regenerate(project, selection, folder)?;
+    let (schema_path, schema) = schema(folder)?;
+    for (path, text) in regenerated.iter().map(|golden| (&golden.path, &golden.text)).chain([(&schema_path, &schema)]) {
+        files::write(path, text)?;
+    }
+    Ok(format!("{} in {}\n", counts(&regenerated), folder.display()))
 }
 
 fn counts(regenerated: &[Regenerated]) -> String {
@@ -152,7 +171,7 @@ fn is_current(path: &Path, text: &str) -> bool {
 
 /// Checks the golden files of formulas, and keeps what was found as evidence.
 pub(crate) fn check(project: &Project, selection: &Selection) -> anyhow::Result<Checked> {
-    let regenerated = regenerate(project, selection)?;
+    let regenerated = regenerate(project, selection, &project.golden())?;
     let mut evidence = Evidence::load(project);
     let mut off = Vec::new();
     for golden in &regenerated {
@@ -163,7 +182,7 @@ pub(crate) fn check(project: &Project, selection: &Selection) -> anyhow::Result<
         let check = GoldenCheck { cases: golden.file.cases.len(), same };
         evidence.golden.insert(golden.file.formula.clone(), check);
     }
-    let (path, schema) = schema(project)?;
+    let (path, schema) = schema(&project.golden())?;
     if !is_current(&path, &schema) {
         off.push(format!("{} is not the schema that the code writes\n", bold(project.shown(&path))));
     }

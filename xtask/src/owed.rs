@@ -89,8 +89,11 @@ pub(crate) fn demands(project: &Project) -> Vec<Demand> {
     demands
 }
 
-/// What these formulas owe, a block a formula; empty if nothing is owed.
+/// What these formulas owe, a block a formula; empty if nothing is owed. Without the repository nobody can tell.
 pub(crate) fn owed(project: &Project, formulas: &[&dyn AnyFormula]) -> anyhow::Result<Vec<String>> {
+    if !project.root().exists() {
+        return Ok(Vec::new());
+    }
     let demands = demands(project);
     let entries = entries(project)?;
     let block = |formula: &&dyn AnyFormula| {

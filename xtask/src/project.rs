@@ -3,7 +3,7 @@
 #[cfg(feature = "commands")]
 use crate::{
     extension::{Beside, Exhibits},
-    outcome::Outcome,
+    outcome::{Outcome, Usage},
 };
 #[cfg(feature = "commands")]
 use clap::{ArgMatches, Args, FromArgMatches};
@@ -164,6 +164,20 @@ fn root_or(folder: PathBuf) -> PathBuf {
 
 #[cfg(feature = "commands")]
 impl Project {
+    /// That the folder of the project is there, for a command that works on it: one that is installed may have outlived it.
+    ///
+    /// # Errors
+    /// That it is not there, and what to do instead.
+    pub fn needs_repository(&self, command: &str, instead: &str) -> Result<(), Usage> {
+        if self.root.exists() {
+            return Ok(());
+        }
+        let root = self.root.display();
+        Err(Usage(format!(
+            "{command} works on the repository, and {root} is not there; say where it is by JOINTPROOF_ROOT{instead}"
+        )))
+    }
+
     /// With a command more. Its arguments are those that clap derives, whose examples name it as `{command} NAME …`.
     #[must_use]
     pub fn with_command<A: Args + FromArgMatches + 'static>(

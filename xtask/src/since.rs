@@ -15,6 +15,7 @@ pub(crate) fn touched<'a>(
     formulas: &[&'a dyn AnyFormula],
     revision: &str,
 ) -> anyhow::Result<Vec<&'a dyn AnyFormula>> {
+    project.needs_repository("audit --since", "")?;
     let changed = changed(project, revision)?;
     let reach = evidence::reach(project);
     let is_touched = |formula: &&&dyn AnyFormula| {

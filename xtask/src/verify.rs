@@ -32,6 +32,7 @@ struct Step {
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
+    project.needs_repository("verify", "")?;
     let mut steps = vec![step("owed", || check_owed(project))?];
     steps.push(step("golden", || Ok(told(project, golden::check(project, &Selection::ALL)?)))?);
     if let Some((name, beside)) = project.extension.beside {

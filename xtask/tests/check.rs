@@ -36,8 +36,14 @@ fn products_are_judged_by_those_who_have_no_jacobian() {
             r#"{{ printf "%.17g %.17g %.17g %.17g %.17g\n", $1 - $2 * $3, $4 {sign} $3 * $5 - $2 * $6, $7, -$3 * $7, -$2 * $7; fflush() }}"#
         )
     };
-    awk(&["--wanted", "products"], &product("-")).quiet();
-    awk(&["--wanted", "products"], &product("+")).exits(1).prints("(J v) of phi wrong at ");
+    let own = "J v are the derivatives of its own values along 6 directions: the remainder falls as h^2.0";
+    awk(&["--wanted", "products"], &product("-")).quiet().prints(own);
+    awk(&["--wanted", "products"], &product("+")).exits(1).prints("(J v) of phi wrong at ").prints(
+        "J v are not the derivatives of its own values of phi along 6 directions: the remainder falls as h^1.0",
+    );
+    // Another function, with the products of that.
+    let other = r#"{ printf "%.17g %.17g %.17g %.17g %.17g\n", $1 + $2 * $3, $4 + $3 * $5 + $2 * $6, $7, $3 * $7, $2 * $7; fflush() }"#;
+    awk(&["--wanted", "products"], other).exits(1).prints(own);
 }
 
 #[test]

@@ -77,6 +77,15 @@ const PLANTED: &[Planted] = &[
         ),
         "transposed: the matrix",
     ),
+    planted(
+        "spin",
+        Fortran,
+        "join.geometric_stiffness",
+        After(
+            "y_all(10:18) = (y_all(10:18) + y_all([10, 13, 16, 11, 14, 17, 12, 15, 18])) / 2\n        j_all(10:18, :) = (j_all(10:18, :) + j_all([10, 13, 16, 11, 14, 17, 12, 15, 18], :)) / 2",
+        ),
+        "by rotation vectors, not by spins: the symmetric part of k_ta_ta",
+    ),
     planted("factor 2", Python, "translator.friction", After("rows[1][1] *= 2"), "a factor of 2 too much in ∂fn/∂f2"),
     planted(
         "factor ½",
@@ -259,58 +268,4 @@ fn drivers_with_what_is_exported_pass_in_every_language() {
             assert!(said.starts_with(&format!("ok  {id}")), "{said}");
         }
     }
-}
-
-/// A friction model as users of the field write it: fixed form, implicit types. It sticks with the stiffness PROPS(2).
-const FRIC: &str = "
-      SUBROUTINE FRIC(LM,TAU,DDTDDG,DDTDDP,DSLIP,SED,SFD,DDTDDT,PNEWDT,
-     1 STATEV,DGAM,TAULM,PRESS,DPRESS,DDPDDH,SLIP,KSTEP,KINC,TIME,DTIME,
-     2 NOEL,CINAME,SLNAME,MSNAME,NPT,NODE,NPATCH,COORDS,RCOORD,DROT,
-     3 TEMP,PREDEF,NFDIR,MCRD,NPRED,NSTATV,CHRLNGTH,PROPS,NPROPS)
-      IMPLICIT REAL*8(A-H,O-Z)
-      CHARACTER*80 CINAME,SLNAME,MSNAME
-      DIMENSION TAU(NFDIR),DDTDDG(NFDIR,NFDIR),DDTDDP(NFDIR),
-     1 DSLIP(NFDIR),DDTDDT(NFDIR,2),STATEV(*),DGAM(NFDIR),TAULM(NFDIR),
-     2 SLIP(NFDIR),TIME(2),COORDS(MCRD),RCOORD(MCRD),DROT(2,2),TEMP(2),
-     3 PREDEF(2,*),CHRLNGTH(2),PROPS(NPROPS)
-      TRIAL = TAU(1) + PROPS(2)*DGAM(1)
-      CRIT = PROPS(1)*PRESS
-      IF (ABS(TRIAL) .LT. CRIT) THEN
-        TAU(1) = TRIAL
-        DDTDDG(1,1) = PROPS(2)
-        DDTDDP(1) = 0.D0
-      ELSE
-        TAU(1) = SIGN(CRIT, TRIAL)
-        DDTDDG(1,1) = 0.D0
-        DDTDDP(1) = SIGN(PROPS(1), TRIAL)
-      END IF
-      RETURN
-      END
-";
-
-#[test]
-fn a_friction_routine_is_checked_as_it_is() {
-    if !Lang::Fortran.is_here() {
-        return;
-    }
-    let id = "coulomb.return_map";
-    let checked = |from: &str, to: &str, code: i32| {
-        assert!(FRIC.contains(from), "{from}");
-        let bench = Bench::new();
-        let driver = bench.run(&["check", "--formula", id, "--abi", "fric"]).quiet().stdout;
-        std::fs::write(bench.path("driver.f90"), driver).unwrap();
-        std::fs::write(bench.path("fric.f"), FRIC.replace(from, to)).unwrap();
-        let arguments = ["-std=legacy", "driver.f90", "fric.f", "-o", "port"];
-        let output =
-            std::process::Command::new("gfortran").args(arguments).current_dir(bench.path("")).output().unwrap();
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-        let program = [bench.path("port").to_str().unwrap().to_owned()];
-        check(&bench, id, &program, &["--valid-only", "--samples", "200"], code)
-    };
-    checked("", "", 0);
-    let said = checked("DDTDDG(1,1) = 0.D0", "DDTDDG(1,1) = PROPS(2)", 1);
-    assert!(said.contains("diagnosis: one branch for all: as if it always held"), "{said}");
-    let said = checked("DDTDDP(1) = SIGN(PROPS(1), TRIAL)", "DDTDDP(1) = PROPS(1)", 1);
-    assert!(said.contains("∂f/∂fn wrong"), "{said}");
-    Bench::new().run(&["check", "--formula", "slider.line", "--abi", "fric"]).bad_usage("does not compute slider.line");
 }

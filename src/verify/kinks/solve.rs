@@ -41,6 +41,15 @@ struct Gap<T> {
     scale: T,
 }
 
+/// What a number is to be, or the node whose result it is to be.
+fn goal(value: f64, other: &Other) -> Result<f64, Node> {
+    match other {
+        Other::Node(node) => Err(*node),
+        Other::Number(number) => Ok(*number),
+        Other::PowerOfTwo => Ok(value.power_of_two_below()[0] * 2.0),
+    }
+}
+
 impl<'a> Solver<'a> {
     pub(super) fn new(graph: &'a Graph, fields: &'static [Field], candidate: &'a Candidate) -> Self {
         let others = candidate.pairs.iter().filter_map(|(_, other)| match other {
@@ -93,8 +102,12 @@ impl<'a> Solver<'a> {
     /// Inputs between two points at which a single number is on different sides of what it is to be equal to.
     pub(super) fn between(&self, starts: &[Vec<f64>], is_met: impl Fn(&Vec<Octuple>) -> bool) -> Option<Vec<Octuple>> {
         let side = |point: &[f64]| {
-            let gaps = self.gaps(point, &vec![1.0; point.len()], &self.goals(point));
-            gaps.first().map_or(f64::NAN, |gap| gap.residual)
+            let all = self.graph.results(point, self.needed.iter().copied());
+            let residual = |(node, other): &(Node, Other)| {
+                let value = all[node.index()];
+                value - goal(value, other).unwrap_or_else(|other| all[other.index()])
+            };
+            self.pairs.first().map_or(f64::NAN, residual)
         };
         let sides: Vec<_> = starts.iter().map(|start| side(start)).collect();
         let below = sides.iter().position(|&side| side < 0.0)?;
@@ -116,12 +129,7 @@ impl<'a> Solver<'a> {
     /// What each first number is to be, where that is no other result.
     fn goals(&self, start: &[f64]) -> Vec<Option<f64>> {
         let all = self.graph.results(start, self.needed.iter().copied());
-        let goal = |(node, other): &(Node, Other)| match other {
-            Other::Node(_) => None,
-            Other::Number(number) => Some(*number),
-            Other::PowerOfTwo => Some(all[node.index()].power_of_two_below()[0] * 2.0),
-        };
-        self.pairs.iter().map(goal).collect()
+        self.pairs.iter().map(|(node, other)| goal(all[node.index()], other).ok()).collect()
     }
 
     fn gaps<T: Number>(&self, inputs: &[T], sizes: &[T], goals: &[Option<f64>]) -> Vec<Gap<T>> {

@@ -39,6 +39,9 @@ impl Digits {
 
 /// Reads a line that has so many numbers.
 pub(super) fn read(line: &str, expected: usize, digits: Digits, manners: &mut Manners) -> Answer {
+    if let Some(numbers) = plain(line).filter(|numbers| digits == Digits::Decimal && numbers.len() == expected) {
+        return Answer::Numbers(numbers);
+    }
     if let Some(name) = refusal(line) {
         return Answer::Refused(name);
     }
@@ -57,6 +60,17 @@ pub(super) fn read(line: &str, expected: usize, digits: Digits, manners: &mut Ma
         *manners.entry(manner).or_default() += count;
     }
     Answer::Numbers(numbers)
+}
+
+/// Numbers with nothing but blanks between them, which nearly every line is: this is several times faster than all else.
+fn plain(line: &str) -> Option<Vec<Option<f64>>> {
+    let mut numbers = Vec::new();
+    for token in line.split(' ') {
+        if !token.is_empty() {
+            numbers.push(Some(token.parse().ok()?));
+        }
+    }
+    Some(numbers)
 }
 
 /// Whether a line refuses, and what it names.

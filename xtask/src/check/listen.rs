@@ -5,6 +5,7 @@ use super::json;
 use super::peer::{Peer, Replies, Reply};
 use super::question::{Question, Wanted, other_order, sizes};
 use jointproof::catalog::AnyFormula;
+use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 use std::time::Duration;
 
 /// How a program is spoken to.
@@ -51,15 +52,23 @@ pub(super) fn listen(
     };
     let mut heard = Heard { manners: Manners::new(), noticed: noticed.into_iter().collect() };
     let mut answers = [(); 2].map(|()| vec![Answer::Skipped(String::new()); questions.len()]);
-    for (k, (reply, &place)) in replies.into_iter().zip(&order).enumerate() {
+    let read = |(k, reply)| {
+        let mut manners = Manners::new();
         let answer = match reply {
             Reply::Line(line) if manner.is_json => json::read(formula, manner.wanted, k, &line),
-            Reply::Line(line) => answer::read(&line, numbers, digits, &mut heard.manners),
+            Reply::Line(line) => answer::read(&line, numbers, digits, &mut manners),
             Reply::Hangs => Answer::Bad("no answer within the limit".into()),
             Reply::Ends(how) => Answer::Bad(how),
             Reply::NotAsked => Answer::Skipped("not asked any more".into()),
         };
+        (answer, manners)
+    };
+    let read: Vec<_> = replies.into_par_iter().enumerate().map(read).collect();
+    for (k, ((answer, manners), &place)) in read.into_iter().zip(&order).enumerate() {
         answers[usize::from(k >= questions.len())][place] = answer;
+        for (manner, count) in manners {
+            *heard.manners.entry(manner).or_default() += count;
+        }
     }
     Ok(Ok((answers, heard)))
 }

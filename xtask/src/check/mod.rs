@@ -10,6 +10,7 @@ mod peer;
 mod process;
 mod question;
 mod report;
+mod taylor;
 mod verdict;
 
 use crate::console::print;
@@ -123,10 +124,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         return Ok(verdict(true));
     }
     if let Some(abi) = arguments.abi {
-        let text = driver::abi::text(abi, formula);
-        print(&text.ok_or_else(|| {
-            Usage(format!("--abi: a routine of that interface does not compute {}", arguments.formula))
-        })?)?;
+        print(&driver::abi::text(abi, formula)?)?;
         return Ok(verdict(true));
     }
     let limit = Duration::try_from_secs_f64(arguments.limit).ok().filter(|limit| !limit.is_zero());
@@ -164,7 +162,8 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     };
     let found = court.judge(&answers);
     let causes = diagnosis::diagnose(&court, &answers, &found);
-    let text = report::text(&court, &arguments.program, &found, &heard, &causes);
+    let slope = taylor::told(&court, &answers[0]);
+    let text = report::text(&court, &arguments.program, &found, &heard, slope.as_deref(), &causes);
     let claim = causes.first().map_or("its answers are those of the formula", String::as_str);
     print(&written(arguments, &text, claim, found.is_well())?)?;
     Ok(verdict(found.is_well()))
@@ -208,7 +207,11 @@ fn formula(project: &Project, id: &str) -> anyhow::Result<&'static dyn AnyFormul
 fn asked(formula: &dyn AnyFormula, arguments: &Arguments) -> anyhow::Result<Vec<Question>> {
     let Some(point) = &arguments.point else {
         let options = Options { samples: arguments.samples, seed: arguments.seed };
-        return Ok(questions(formula, arguments.wanted, &options));
+        let mut all = questions(formula, arguments.wanted, &options);
+        if arguments.wanted == Wanted::Products {
+            all.extend(taylor::questions(formula, &all, arguments.seed));
+        }
+        return Ok(all);
     };
     let names = || formula.inputs().iter().map(|field| field.name).collect::<Vec<_>>().join(", ");
     let inputs = serde_json::from_str(point)

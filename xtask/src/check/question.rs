@@ -5,6 +5,7 @@ use jointproof::Error;
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
 use jointproof::verify::{Options, Sampler};
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 /// What is asked of a program.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
@@ -45,6 +46,17 @@ pub(super) struct Question {
     /// By what the Jacobian is multiplied, from the right and from the left.
     pub(super) directions: Option<[Vec<f64>; 2]>,
     pub(super) own: Own,
+    /// The direction that it belongs to.
+    pub(super) along: Option<Along>,
+}
+
+/// That a question belongs to a direction: the first where it begins, the others behind its steps, in order.
+#[derive(Clone, Debug)]
+pub(super) struct Along {
+    /// Which direction.
+    pub(super) base: usize,
+    /// Below this the remainder of an output is rounding.
+    pub(super) noise: Vec<f64>,
 }
 
 /// What this program says of a point.
@@ -92,18 +104,19 @@ pub(super) fn of_points(
 ) -> Vec<Question> {
     let sizes = sizes(formula);
     let mut directions = Sampler::named("directions", seed);
-    let question = |(name, inputs): (String, Vec<f64>)| {
-        let own = match (wanted, formula.value_and_jacobian(&inputs)) {
-            (Wanted::Jacobian, Ok((value, jacobian))) => Own::Results([value, jacobian].concat()),
-            (_, Ok((value, _))) => Own::Results(value),
-            (_, Err(Error::Overflow { .. } | Error::DerivativeOverflow { .. })) => Own::TooLarge,
-            (_, Err(error)) => Own::Refused(error),
-        };
+    let own = |(_, inputs): &(String, Vec<f64>)| match (wanted, formula.value_and_jacobian(inputs)) {
+        (Wanted::Jacobian, Ok((value, jacobian))) => Own::Results([value, jacobian].concat()),
+        (_, Ok((value, _))) => Own::Results(value),
+        (_, Err(Error::Overflow { .. } | Error::DerivativeOverflow { .. })) => Own::TooLarge,
+        (_, Err(error)) => Own::Refused(error),
+    };
+    let owns: Vec<_> = points.par_iter().map(own).collect();
+    let question = |((name, inputs), own)| {
         let mut drawn = || sizes.map(|length| (0..length).map(|_| directions.real()).collect());
         let directions = (wanted == Wanted::Products).then(&mut drawn);
-        Question { name, inputs, directions, own }
+        Question { name, inputs, directions, own, along: None }
     };
-    points.into_iter().map(question).collect()
+    points.into_iter().zip(owns).map(question).collect()
 }
 
 /// All places of a list in another order, in which hardly any follows the one that it followed before.

@@ -28,7 +28,14 @@ fn head(court: &Court<'_>, program: &[String], well: bool) -> String {
 }
 
 /// Everything: a line or two where all is well.
-pub(super) fn text(court: &Court<'_>, program: &[String], found: &Verdict, heard: &Heard, causes: &[String]) -> String {
+pub(super) fn text(
+    court: &Court<'_>,
+    program: &[String],
+    found: &Verdict,
+    heard: &Heard,
+    slope: Option<&str>,
+    causes: &[String],
+) -> String {
     let questions = court.questions.len();
     let mut text = format!(
         "{} {}, each asked twice; {} judged in 237 bits, {} have the bits of jointproof, {} refused as they must be\n",
@@ -82,6 +89,9 @@ pub(super) fn text(court: &Court<'_>, program: &[String], found: &Verdict, heard
         ));
     }
     text += &entries(court, found);
+    if let Some(slope) = slope {
+        let _ = writeln!(text, "    {slope}");
+    }
     for cause in causes {
         let _ = writeln!(text, "    {} {cause}", bold("diagnosis:"));
     }

@@ -65,6 +65,9 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         print(&serde_json::to_string_pretty(&schemars::schema_for!(Report))?)?;
         return Ok(verdict(true));
     }
+    if !arguments.here {
+        project.needs_repository("report", ", or take --here, which measures in this program")?;
+    }
     let formulas = arguments.selection.formulas(project)?;
     let old = arguments.against.as_deref().map(Report::read).transpose()?;
     let options = if arguments.quick { Options::quick() } else { Options::full() };

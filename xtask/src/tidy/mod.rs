@@ -73,6 +73,7 @@ enum Rule {
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
+    project.needs_repository("tidy", "")?;
     let ids: Vec<&str> = project.catalog().iter().map(|formula| formula.spec().id).collect();
     let Tidiness { findings, counts } = check(project.root(), &ids, &arguments.rules)?;
     let lines: Vec<_> = findings.iter().map(ToString::to_string).collect();

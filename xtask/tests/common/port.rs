@@ -1,4 +1,5 @@
 //! Ports of formulas: drivers that call what is exported, compiled, with mistakes planted in them.
+#![allow(dead_code, reason = "each test file is a crate of its own and uses what it needs")]
 
 use crate::common::Bench;
 use std::fs;
@@ -123,7 +124,7 @@ fn planted(lang: Lang, driver: String, plant: Plant) -> String {
 }
 
 /// The sources of an export whose names begin so.
-fn sources(folder: &PathBuf, stem: &str, extension: &str) -> Vec<String> {
+pub fn sources(folder: &PathBuf, stem: &str, extension: &str) -> Vec<String> {
     let names = fs::read_dir(folder).unwrap().map(|file| file.unwrap().file_name().into_string().unwrap());
     let is_own = |name: &String| name.starts_with(&format!("jp_{stem}")) && name.ends_with(&format!(".{extension}"));
     let mut names: Vec<_> = names.filter(is_own).collect();

@@ -9,6 +9,7 @@ mod mistakes;
 mod observed;
 mod permuted;
 mod state;
+mod symmetric;
 mod wording;
 
 use super::answer::Answer;
@@ -63,6 +64,7 @@ fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
         return linear;
     }
     linear
+        .or_else(|| symmetric::cause(evidence, off))
         .or_else(|| inputs::cause(evidence, off))
         .or_else(|| observed::single_precision(evidence, off))
         .or_else(|| altered::cause(evidence, off))

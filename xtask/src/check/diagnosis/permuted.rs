@@ -115,18 +115,23 @@ fn matrices(outputs: &[Field], same: &Places, n: usize, has_jacobian: bool) -> V
     for output in outputs {
         if output.len() == 9 {
             let mut transposed = same.clone();
-            for (i, j) in [(0, 1), (0, 2), (1, 2)] {
-                let (a, b) = (first + 3 * i + j, first + 3 * j + i);
-                transposed.swap(a, b);
-                for k in 0..if has_jacobian { n } else { 0 } {
-                    transposed.swap(m + a * n + k, m + b * n + k);
-                }
-            }
+            transpose(&mut transposed, first, [m, if has_jacobian { n } else { 0 }]);
             exchanges.push((format!("transposed: the matrix {}", output.name), transposed));
         }
         first += output.len();
     }
     exchanges
+}
+
+/// Transposes an output that is a 3×3 matrix and begins here, with so many derivatives; there are m outputs.
+pub(super) fn transpose(places: &mut [usize], first: usize, [m, derivatives]: [usize; 2]) {
+    for (i, j) in [(0, 1), (0, 2), (1, 2)] {
+        let (a, b) = (first + 3 * i + j, first + 3 * j + i);
+        places.swap(a, b);
+        for k in 0..derivatives {
+            places.swap(m + a * derivatives + k, m + b * derivatives + k);
+        }
+    }
 }
 
 /// Two components each, with a name for both.

@@ -56,7 +56,11 @@ fn body(driver: &Driver) -> String {
         let names: Vec<_> = names.chain(driver.with_jacobian.then(|| "flat".to_owned())).collect();
         let declared = driver.if_jacobian("        real(dp) :: flat(outputs * inputs)\n");
         let reshaped = driver.if_jacobian("        jacobian = transpose(reshape(flat, [inputs, outputs]))\n");
-        return format!("{declared}        refused = {}({}) /= 0\n{reshaped}", driver.exported(), folded(&names));
+        return format!(
+            "{declared}        refused = {}( &\n            {}) /= 0\n{reshaped}",
+            driver.exported(),
+            folded(&names)
+        );
     }
     let zero = |field: &Field| format!("        {} = 0\n", name(field));
     let zeros: String = outputs.iter().map(zero).collect();
@@ -81,4 +85,23 @@ fn folded(items: &[String]) -> String {
         }
     }
     lines.join(", &\n            ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::check::question::Wanted;
+    use jointproof::catalog::CATALOG;
+
+    #[test]
+    fn no_line_is_longer_than_fortran_reads() {
+        for formula in CATALOG {
+            for (wanted, is_exported) in [(Wanted::Jacobian, true), (Wanted::Jacobian, false), (Wanted::Value, true)] {
+                let driver = Driver::new(*formula, wanted, is_exported).expect("values and Jacobians have a driver");
+                let text = text(&driver);
+                let long = text.lines().find(|line| line.chars().count() > 132 && !line.starts_with('!'));
+                assert_eq!(long, None, "{}", formula.spec().id);
+            }
+        }
+    }
 }

@@ -1,0 +1,155 @@
+//! The slope of the Taylor remainder: whether products are the derivatives of a program's own values, whatever these are.
+//!
+//! |f(x + h v) − f(x) − h J v| falls as h² if they are, and as h if they are not.
+
+use super::answer::Answer;
+use super::map::names;
+use super::question::{Along, Own, Question, Wanted, sizes};
+use super::verdict::Court;
+use jointproof::catalog::AnyFormula;
+use jointproof::verify::Sampler;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// So many points, each with a direction.
+const BASES: usize = 6;
+/// The lengths of steps, each half as long as the one before: not in units of inputs, which differ, but of v.
+const STEPS: [f64; 3] = [1.0 / 256.0, 1.0 / 512.0, 1.0 / 1024.0];
+/// A remainder that falls faster than this power of h is of second order.
+const SECOND_ORDER: f64 = 1.5;
+/// What rounding may leave of it, of the terms that it is a difference of.
+const NOISE: f64 = 64.0 * f64::EPSILON;
+
+/// Values along a direction: at its beginning, with J v there, and behind each step.
+struct Values<'a> {
+    start: &'a [f64],
+    product: &'a [f64],
+    behind: [&'a [f64]; STEPS.len()],
+}
+
+impl Values<'_> {
+    /// By which power of h the remainder of an output falls; `None` where it is rounding.
+    fn slope(&self, output: usize, noise: f64) -> Option<f64> {
+        let remainder =
+            |k: usize| (self.behind[k][output] - self.start[output] - STEPS[k] * self.product[output]).abs();
+        let [longest, shortest] = [0, STEPS.len() - 1];
+        let [first, last] = [longest, shortest].map(remainder);
+        (first > noise).then(|| (first / last.max(noise)).log2() / (STEPS[longest] / STEPS[shortest]).log2())
+    }
+}
+
+/// What is asked along directions from the first random points that are valid and have no kink near.
+pub(super) fn questions(formula: &dyn AnyFormula, asked: &[Question], seed: u64) -> Vec<Question> {
+    let mut sampler = Sampler::named("Taylor remainder", seed);
+    let random = asked.iter().filter(|question| question.name.starts_with("random "));
+    let from = |question: &Question| direction(formula, question, &mut sampler);
+    let all = random.filter_map(from).take(BASES).enumerate();
+    let numbered = |(base, questions): (usize, Vec<Question>)| {
+        questions.into_iter().map(move |question| {
+            let along = question.along.map(|along| Along { base, ..along });
+            Question { along, ..question }
+        })
+    };
+    all.flat_map(numbered).collect()
+}
+
+/// The questions along a direction: where it begins, and behind each step.
+fn direction(formula: &dyn AnyFormula, question: &Question, sampler: &mut Sampler) -> Option<Vec<Question>> {
+    let x = &question.inputs;
+    let (value, jacobian) = formula.value_and_jacobian(x).ok()?;
+    let v = tangent(formula, x, sampler);
+    let stepped = |step: f64| x.iter().zip(&v).map(|(x, v)| x + step * v).collect::<Vec<_>>();
+    let [n, m] = sizes(formula);
+    let row = |i: usize| jacobian[i * n..][..n].iter();
+    let product: Vec<f64> = (0..m).map(|i| row(i).zip(&v).map(|(slope, v)| slope * v).sum()).collect();
+    let size = |i: usize| value[i].abs() + row(i).zip(x).map(|(slope, x)| (slope * x).abs()).sum::<f64>();
+    let noise: Vec<f64> = (0..m).map(|i| NOISE * size(i)).collect();
+    let behind = STEPS.map(|step| formula.value_and_jacobian(&stepped(step)).map(|(value, _)| value).ok());
+    let behind: Vec<Vec<f64>> = behind.into_iter().collect::<Option<_>>()?;
+    let own = Values { start: &value, product: &product, behind: [0, 1, 2].map(|k| behind[k].as_slice()) };
+    if (0..m).any(|i| own.slope(i, noise[i]).is_some_and(|slope| slope < SECOND_ORDER)) {
+        return None;
+    }
+    let [_, w] = question.directions.as_ref()?;
+    let at = |step: f64, value: Vec<f64>| Question {
+        name: if step == 0.0 { question.name.clone() } else { format!("{}, {step} along v", question.name) },
+        inputs: stepped(step),
+        directions: Some([v.clone(), w.clone()]),
+        own: Own::Results(value),
+        along: Some(Along { base: 0, noise: noise.clone() }),
+    };
+    let steps = [0.0].into_iter().chain(STEPS);
+    Some(steps.zip([value.clone()].into_iter().chain(behind.iter().cloned())).map(|(h, y)| at(h, y)).collect())
+}
+
+/// A direction in which inputs may move, each in proportion to its size; those that may not, as unit vectors, stay.
+fn tangent(formula: &dyn AnyFormula, x: &[f64], sampler: &mut Sampler) -> Vec<f64> {
+    let mut v = vec![0.0; x.len()];
+    let mut first = 0;
+    for field in formula.inputs() {
+        let components = first..first + field.len();
+        first = components.end;
+        let size = x[components.clone()].iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+        let mut moved = x.to_vec();
+        for k in components.clone() {
+            let drawn = sampler.real();
+            v[k] = size * drawn / (1.0 + drawn.abs());
+            moved[k] += STEPS[0] * v[k];
+        }
+        if formula.value_and_jacobian(&moved).is_err() {
+            v[components].fill(0.0);
+        }
+    }
+    v
+}
+
+/// What the remainders of a program's own values say, in words; `None` where there is none.
+pub(super) fn told(court: &Court<'_>, answers: &[Answer]) -> Option<String> {
+    let m = sizes(court.formula)[1];
+    let mut directions = BTreeMap::<usize, Vec<(&Along, &Answer)>>::new();
+    for (question, answer) in court.questions.iter().zip(answers) {
+        if let Some(along) = &question.along {
+            directions.entry(along.base).or_default().push((along, answer));
+        }
+    }
+    let names = names(court.formula.inputs(), court.formula.outputs(), Wanted::Value);
+    let (mut least, mut seen, mut wrong) = (f64::INFINITY, 0, BTreeSet::new());
+    for answered in directions.values() {
+        let numbers: Option<Vec<_>> = answered.iter().map(|(_, answer)| given(answer, 2 * m)).collect();
+        let Some([start, behind @ ..]) = numbers.as_deref() else { continue };
+        let Ok(behind) = <&[Vec<f64>; STEPS.len()]>::try_from(behind) else { continue };
+        let (values, product) = start.split_at(m);
+        let values = Values { start: values, product, behind: behind.each_ref().map(Vec::as_slice) };
+        seen += 1;
+        for output in 0..m {
+            if let Some(slope) = values.slope(output, answered[0].0.noise[output]) {
+                least = least.min(slope);
+                if slope < SECOND_ORDER {
+                    wrong.insert(output);
+                }
+            }
+        }
+    }
+    let along = format!("along {seen} directions");
+    match (seen, wrong.is_empty()) {
+        (0, _) => None,
+        (_, true) if least.is_infinite() => Some(format!("J v are the differences of its own values {along}")),
+        (_, true) => {
+            Some(format!("J v are the derivatives of its own values {along}: the remainder falls as h^{least:.1}"))
+        }
+        (_, false) => {
+            let wrong: Vec<_> = wrong.iter().map(|&output| names[output].as_str()).collect();
+            let outputs = wrong.join(", ");
+            Some(format!(
+                "J v are not the derivatives of its own values of {outputs} {along}: the remainder falls as h^{least:.1}"
+            ))
+        }
+    }
+}
+
+/// The first numbers of an answer, if all are given.
+fn given(answer: &Answer, count: usize) -> Option<Vec<f64>> {
+    match answer {
+        Answer::Numbers(numbers) => numbers[..count].iter().copied().collect(),
+        _ => None,
+    }
+}
