@@ -1,5 +1,7 @@
 //! The schema of golden files accepts every one of them and nothing that is not one.
 
+#![cfg(feature = "ours")]
+
 mod common;
 
 use jsonschema::Validator;
