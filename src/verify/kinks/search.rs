@@ -63,32 +63,56 @@ pub(in crate::verify) fn search(
         refused: refused.filter(|inputs| inputs.iter().all(|x| x.is_finite())).collect(),
         directions: Sampler::for_formula(subject.spec.id, 0),
     };
-    for candidate in candidates(subject, graph, names) {
+    let candidates = candidates(subject, graph, names);
+    for candidate in &candidates {
         search.candidates += 1;
-        let found = looking.points_on(&candidate, &starts);
+        let found = looking.points_on(candidate, &starts);
         search.points += found.len();
         if found.is_empty() {
-            search.not_reached.push(candidate.words);
+            search.not_reached.push(candidate.words.clone());
             continue;
         }
-        let inputs = looking.inputs_of(&candidate);
+        let inputs = looking.inputs_of(candidate);
         let mut is_smooth = true;
         for at in &found {
             let jump = looking.jump(&Neighbourhood::new(subject, at), &inputs, candidate.pairs.len() > 1);
-            let is_settled = jump.is_smooth() && search.found.len() == subject.kinks.len();
+            let is_settled = jump.is_smooth() && search.lacks(subject) == 0;
             let met = if is_settled { Vec::new() } else { looking.register.met(at) };
             if jump.is_smooth() || met.is_empty() {
-                claim.record(jump.size, SMOOTH, |size| {
-                    looking.described(&candidate, at, &inputs, Jump { size, ..jump })
-                });
+                claim
+                    .record(jump.size, SMOOTH, |size| looking.described(candidate, at, &inputs, Jump { size, ..jump }));
             }
             is_smooth &= jump.is_smooth();
-            let new: Vec<_> = met.into_iter().filter(|condition| !search.found.contains(condition)).collect();
-            search.found.extend(new);
+            search.met(met);
         }
         *(if is_smooth { &mut search.smooth } else { &mut search.registered }) += 1;
     }
+    // A kink that is one only where something else holds too may lie on none of the first points.
+    for starts in starts.chunks(STARTS).skip(1) {
+        for candidate in &candidates {
+            if search.lacks(subject) == 0 {
+                return search;
+            }
+            for at in looking.points_on(candidate, starts) {
+                search.points += 1;
+                search.met(looking.register.met(&at));
+            }
+        }
+    }
     search
+}
+
+impl Search {
+    /// How many registered kinks no candidate has led to yet.
+    fn lacks(&self, subject: &Subject) -> usize {
+        subject.kinks.len() - self.found.len()
+    }
+
+    /// Keeps the conditions of kinks that hold at a point.
+    fn met(&mut self, conditions: Vec<String>) {
+        let new: Vec<_> = conditions.into_iter().filter(|condition| !self.found.contains(condition)).collect();
+        self.found.extend(new);
+    }
 }
 
 struct Looking<'a> {
