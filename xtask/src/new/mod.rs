@@ -115,13 +115,15 @@ fn catalog(source: &Path) -> anyhow::Result<PathBuf> {
     candidates.iter().find(has_catalog).cloned().context("no `static CATALOG` in src/catalog.rs, lib.rs or main.rs")
 }
 
-/// The last entry of the family, after which the new one belongs.
+/// The last entry in the chapter that has most of the family, after which the new one belongs.
 fn chapter(project: &Project, family: &str) -> anyhow::Result<Option<Directive>> {
     if !project.has_book() {
         return Ok(None);
     }
-    let is_of_family = |directive: &Directive| directive.id.split('.').next() == Some(family);
-    let last = directives(project.root())?.into_iter().rfind(is_of_family);
+    let mut directives = directives(project.root())?;
+    directives.retain(|directive| directive.id.split('.').next() == Some(family));
+    let entries = |file: &str| directives.iter().filter(|directive| directive.file == file).count();
+    let last = directives.iter().max_by_key(|directive| (entries(&directive.file), directive.line)).cloned();
     Ok(Some(last.with_context(|| format!("no chapter has an entry of `{family}`; write one, and try again"))?))
 }
 
