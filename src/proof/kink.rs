@@ -17,9 +17,6 @@ pub enum Convention {
 /// A condition on inputs that are exact in 237 bits.
 pub type Condition<F> = Box<dyn Fn(&<F as Formula>::Inputs<Octuple>) -> bool>;
 
-/// As [`Condition`], of what captures nothing.
-type Holds<F> = fn(&<F as Formula>::Inputs<Octuple>) -> bool;
-
 /// Picks inputs from those that hold the places of their components.
 type Pick<F, const N: usize> = fn(&<F as Formula>::Inputs<usize>) -> [usize; N];
 
@@ -43,7 +40,7 @@ impl<F: Formula> Kink<F> {
     pub fn new(
         convention: Convention,
         condition: impl Into<String>,
-        holds: Holds<F>,
+        holds: impl Fn(&F::Inputs<Octuple>) -> bool + 'static,
         at: F::Inputs<f64>,
         across: F::Inputs<f64>,
     ) -> Self {
@@ -53,7 +50,7 @@ impl<F: Formula> Kink<F> {
     /// A kink at which the derivative is 0 by convention.
     pub fn subgradient(
         condition: impl Into<String>,
-        holds: Holds<F>,
+        holds: impl Fn(&F::Inputs<Octuple>) -> bool + 'static,
         at: F::Inputs<f64>,
         across: F::Inputs<f64>,
     ) -> Self {
@@ -61,7 +58,12 @@ impl<F: Formula> Kink<F> {
     }
 
     /// A kink at which the formula switches from one expression to another.
-    pub fn switch(condition: impl Into<String>, holds: Holds<F>, at: F::Inputs<f64>, across: F::Inputs<f64>) -> Self {
+    pub fn switch(
+        condition: impl Into<String>,
+        holds: impl Fn(&F::Inputs<Octuple>) -> bool + 'static,
+        at: F::Inputs<f64>,
+        across: F::Inputs<f64>,
+    ) -> Self {
         Self::new(Convention::Switch, condition, holds, at, across)
     }
 

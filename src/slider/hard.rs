@@ -1,8 +1,9 @@
-//! Lines that are numerically hard, and places of node m on and off them; every formula of the slider is tested there.
+//! Lines that are numerically hard, places of node m on and off them, and lines at which pivots change; every formula of
+//! the slider is tested there.
 
 use crate::Octuple;
 use crate::formula::Formula;
-use crate::proof::{Convention, Kink};
+use crate::proof::Kink;
 use crate::scalar::abs;
 use nalgebra::{SVector, Vector2, Vector3};
 
@@ -161,20 +162,18 @@ pub(crate) fn changes_of_pivots<F: Formula>(
         d.y * d.y + d.z * d.z == p * abs(d.x)
     };
     vec![
-        Kink {
-            condition: r"\lvert d_2\rvert = \lvert d_3\rvert".into(),
-            convention: Convention::Switch,
-            holds: Box::new(move |i| first(&line(i))),
-            at: at(Vector3::new(1.0, 2.0, 2.0)),
-            across: across(Vector3::z()),
-        },
-        Kink {
-            condition: r"d_2^2 + d_3^2 = \lvert d_1\rvert\max(\lvert d_2\rvert,\lvert d_3\rvert)".into(),
-            convention: Convention::Switch,
-            holds: Box::new(move |i| second(&line(i))),
-            at: at(Vector3::new(-5.0, 2.0, 4.0)),
-            across: across(-Vector3::x()),
-        },
+        Kink::switch(
+            r"\lvert d_2\rvert = \lvert d_3\rvert",
+            move |i| first(&line(i)),
+            at(Vector3::new(1.0, 2.0, 2.0)),
+            across(Vector3::z()),
+        ),
+        Kink::switch(
+            r"d_2^2 + d_3^2 = \lvert d_1\rvert\max(\lvert d_2\rvert,\lvert d_3\rvert)",
+            move |i| second(&line(i)),
+            at(Vector3::new(-5.0, 2.0, 4.0)),
+            across(-Vector3::x()),
+        ),
     ]
 }
 
@@ -184,11 +183,10 @@ pub(crate) fn change_of_pivot<F: Formula>(
     at: fn(Vector2<f64>) -> F::Inputs<f64>,
     across: fn(Vector2<f64>) -> F::Inputs<f64>,
 ) -> Vec<Kink<F>> {
-    vec![Kink {
-        condition: r"\lvert d_1\rvert = \lvert d_2\rvert".into(),
-        convention: Convention::Switch,
-        holds: Box::new(move |i| abs(line(i).x) == abs(line(i).y)),
-        at: at(Vector2::new(2.0, -2.0)),
-        across: across(Vector2::x()),
-    }]
+    vec![Kink::switch(
+        r"\lvert d_1\rvert = \lvert d_2\rvert",
+        move |i| abs(line(i).x) == abs(line(i).y),
+        at(Vector2::new(2.0, -2.0)),
+        across(Vector2::x()),
+    )]
 }

@@ -14,7 +14,7 @@
 //!
 //! `report` times a program that is built with optimisation: the same one, without the feature `commands`.
 
-mod measuring;
+pub mod measuring;
 mod project;
 
 #[cfg(feature = "commands")]
@@ -38,7 +38,7 @@ pub mod files;
 #[cfg(feature = "commands")]
 mod golden;
 #[cfg(feature = "commands")]
-pub mod looked;
+mod looked;
 #[cfg(feature = "commands")]
 mod new;
 #[cfg(feature = "commands")]

@@ -5,7 +5,7 @@ pub(super) mod loops;
 
 use super::language::{File, Language, Operand, Syntax, Toolchain, files_of};
 use super::program::{Body, Lines, PartLines, WIDTH, folded};
-use super::recorded::{Recorded, Text, bounds, description, refusals, stem, unreserved};
+use super::recorded::{Recorded, Text, bounds, description, filled, refusals, stem, unreserved};
 use jointproof::formula::Field;
 use jointproof::graph::{Binary, Node, Op, Relation, Unary};
 use std::path::Path;
@@ -225,7 +225,7 @@ fn function(one: &Recorded, body: &Body, lines: &Lines, with_jacobian: bool) -> 
         let (zeros, entries) = one.entries();
         text.push(zeroed(&zeros, one.graph.jacobian.len()));
         let entries = entries.iter().map(|(k, node)| format!("jacobian[{k}] = {};", body.text(lines, *node)));
-        text.push(filled(entries));
+        text.push(statements(entries));
     }
     text.push("    return 0;\n}\n");
     text.finished()
@@ -241,19 +241,12 @@ fn zeroed(zeros: &[usize], entries: usize) -> String {
     }
     let last = zeros.len().saturating_sub(1);
     let end = |n: usize| if n < last { "" } else { " 0.0;" };
-    filled(zeros.iter().enumerate().map(|(n, k)| format!("jacobian[{k}] ={}", end(n))))
+    statements(zeros.iter().enumerate().map(|(n, k)| format!("jacobian[{k}] ={}", end(n))))
 }
 
-/// Short texts, several in a line.
-fn filled(texts: impl Iterator<Item = String>) -> String {
-    let mut lines: Vec<String> = Vec::new();
-    for text in texts {
-        match lines.last_mut() {
-            Some(last) if last.len() + 1 + text.len() <= WIDTH => *last = format!("{last} {text}"),
-            _ => lines.push(format!("    {text}")),
-        }
-    }
-    lines.iter().flat_map(|line| [line.as_str(), "\n"]).collect()
+/// Short statements, several in a line.
+fn statements(texts: impl Iterator<Item = String>) -> String {
+    filled(texts, WIDTH - 4).iter().map(|line| ["    ", line, "\n"].concat()).collect()
 }
 
 fn comment(lines: &[String]) -> String {

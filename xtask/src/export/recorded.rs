@@ -116,18 +116,20 @@ fn described(role: &str, field: &Field) -> String {
     format!("{role} {}{shape} [{}] {}", field.name, field.quantity.unit, field.quantity.meaning)
 }
 
-/// In lines of at most 90 characters, broken at spaces.
+/// In lines of at most 90 characters, broken at spaces; an empty text is an empty line.
 fn wrapped(text: &str) -> Vec<String> {
-    let mut lines = vec![String::new()];
-    for word in text.split_whitespace() {
-        let last = lines.last_mut().expect("there is a first line");
-        if !last.is_empty() && last.chars().count() + word.chars().count() > 89 {
-            lines.push(word.to_owned());
-        } else {
-            if !last.is_empty() {
-                last.push(' ');
-            }
-            last.push_str(word);
+    let lines = filled(text.split_whitespace(), 90);
+    if lines.is_empty() { vec![String::new()] } else { lines }
+}
+
+/// Short texts one behind the other, in lines of at most so many characters.
+pub(super) fn filled(texts: impl Iterator<Item = impl AsRef<str>>, width: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for text in texts {
+        let text = text.as_ref();
+        match lines.last_mut() {
+            Some(last) if last.chars().count() + 1 + text.chars().count() <= width => *last = format!("{last} {text}"),
+            _ => lines.push(text.to_owned()),
         }
     }
     lines
