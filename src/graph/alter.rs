@@ -38,12 +38,7 @@ impl Graph {
             let operands: Vec<_> = op.operands().iter().map(at).collect();
             moved[here] = Some(altered.enter(op.with_operands(&operands)));
         }
-        let at = |node: &Node| moved[node.index()].expect("every result has moved");
-        altered.value = self.value.iter().map(at).collect();
-        altered.jacobian = self.jacobian.iter().map(at).collect();
-        altered.refusal = self.refusal.as_ref().map(at);
-        altered.refusals.clone_from(&self.refusals);
-        altered
+        altered.with_results_of(self, |node| moved[node.index()].expect("every result has moved"))
     }
 }
 

@@ -23,7 +23,6 @@ impl Graph {
             return self.clone();
         }
         let mut gathered = Self::default();
-        gathered.refusals.clone_from(&self.refusals);
         let mut places: Vec<Node> = Vec::with_capacity(self.ops().len());
         for (index, op) in self.ops().iter().enumerate() {
             let operands: Vec<_> = op.operands().iter().map(|node| places[node.index()]).collect();
@@ -36,10 +35,7 @@ impl Graph {
             }
             places.push(node);
         }
-        let moved = |nodes: &[Node]| nodes.iter().map(|node| places[node.index()]).collect();
-        (gathered.value, gathered.jacobian) = (moved(&self.value), moved(&self.jacobian));
-        gathered.refusal = self.refusal.map(|node| places[node.index()]);
-        gathered
+        gathered.with_results_of(self, |node| places[node.index()])
     }
 }
 

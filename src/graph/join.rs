@@ -46,31 +46,33 @@ impl Join<'_> {
         node
     }
 
-    fn select(&mut self, (yes, no): (Node, Node)) -> Op {
-        match second(self.graph, self.condition, (yes, no)) {
-            Some(Second::Both(second, yes)) => Op::Select(self.graph.enter(Op::both(self.condition, second)), yes, no),
-            Some(Second::Either(second, no)) => {
-                Op::Select(self.graph.enter(Op::either(self.condition, second)), yes, no)
-            }
-            None => Op::Select(self.condition, yes, no),
-        }
+    fn select(&mut self, pair: (Node, Node)) -> Op {
+        let (second, yes, no) = parted(self.graph, self.condition, pair);
+        let condition = match second {
+            Second::None => self.condition,
+            Second::Both(second) => self.graph.enter(Op::both(self.condition, second)),
+            Second::Either(second) => self.graph.enter(Op::either(self.condition, second)),
+        };
+        Op::Select(condition, yes, no)
     }
 }
 
-/// A second condition that decides on one side alone, between another result and that of the other side, which was not there
-/// before the sides parted: with the result where both hold, or that where none of them does.
+/// A condition that decides on one side alone, between another result and that of the other side, which was not there before
+/// the sides parted.
 enum Second {
-    Both(Node, Node),
-    Either(Node, Node),
+    None,
+    Both(Node),
+    Either(Node),
 }
 
-fn second(graph: &Graph, condition: Node, (yes, no): (Node, Node)) -> Option<Second> {
+/// Two results that are not joined, by both conditions where there is a second: where they hold, and where they do not.
+fn parted(graph: &Graph, condition: Node, (yes, no): (Node, Node)) -> (Second, Node, Node) {
     match (graph.op(yes), graph.op(no)) {
-        (&Op::Select(second, both, other), _) if other == no && no > condition => Some(Second::Both(second, both)),
+        (&Op::Select(second, both, other), _) if other == no && no > condition => (Second::Both(second), both, no),
         (_, &Op::Select(second, other, neither)) if other == yes && yes > condition => {
-            Some(Second::Either(second, neither))
+            (Second::Either(second), yes, neither)
         }
-        _ => None,
+        _ => (Second::None, yes, no),
     }
 }
 
@@ -103,11 +105,7 @@ fn own(graph: &Graph, condition: Node, pairs: &[(Node, Node)]) -> Own {
                 open.extend(operands(graph, (yes, no)));
                 continue;
             }
-            let (yes, no) = match second(graph, condition, (yes, no)) {
-                Some(Second::Both(_, both)) => (both, no),
-                Some(Second::Either(_, neither)) => (yes, neither),
-                None => (yes, no),
-            };
+            let (_, yes, no) = parted(graph, condition, (yes, no));
             for (own, node) in own.iter_mut().zip([yes, no]) {
                 is_settled &= !add_needed(graph, own, node);
             }

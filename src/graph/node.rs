@@ -276,10 +276,15 @@ impl Graph {
             let operands: Vec<_> = op.operands().iter().map(|node| places[node]).collect();
             places.insert(node, pruned.enter(op.with_operands(&operands)));
         }
-        let moved = |nodes: &[Node]| nodes.iter().map(|node| places[node]).collect();
-        (pruned.value, pruned.jacobian) = (moved(&self.value), moved(&self.jacobian));
-        pruned.refusal = self.refusal.map(|node| places[&node]);
-        pruned.refusals.clone_from(&self.refusals);
-        pruned
+        pruned.with_results_of(self, |node| places[&node])
+    }
+
+    /// This graph with the results of another one, which have moved.
+    pub(super) fn with_results_of(mut self, other: &Self, moved: impl Fn(Node) -> Node) -> Self {
+        self.value = other.value.iter().map(|&node| moved(node)).collect();
+        self.jacobian = other.jacobian.iter().map(|&node| moved(node)).collect();
+        self.refusal = other.refusal.map(moved);
+        self.refusals.clone_from(&other.refusals);
+        self
     }
 }
