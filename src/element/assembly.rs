@@ -1,7 +1,8 @@
 //! Twelve degrees of freedom in a row: the translation and the spin of a, the translation and the spin of b.
 
+use super::align::AlignStiffness;
 use super::join::JoinStiffness;
-use super::translator::TranslatorRows;
+use super::translator::{TranslatorRows, TranslatorStiffness};
 use super::ujoint::{JointRows, JointStiffness};
 use super::universal::UniversalStiffness;
 use super::{Forces, Rows, Stiffness};
@@ -80,6 +81,27 @@ impl<D: Scalar> UniversalStiffness<D> {
     pub fn matrix(&self) -> Stiffness<D> {
         let across = self.k_ta_tb;
         stiffness([(TA, TA, self.k_ta_ta), (TA, TB, across), (TB, TA, across.transpose()), (TB, TB, self.k_tb_tb)])
+    }
+}
+
+impl<D: Scalar> AlignStiffness<D> {
+    /// All blocks in their places.
+    pub fn matrix(&self) -> Stiffness<D> {
+        let (b, a) = (self.k_tb_tb, self.k_tb_tb.transpose());
+        stiffness([(TA, TA, a), (TA, TB, -b), (TB, TA, -a), (TB, TB, b)])
+    }
+}
+
+impl<D: Scalar> TranslatorStiffness<D> {
+    /// All blocks in their places.
+    pub fn matrix(&self) -> Stiffness<D> {
+        let Self { k_ua_ta, k_ta_ta, k_tb_tb } = *self;
+        let aligned = AlignStiffness { k_tb_tb }.matrix();
+        let mut all = JoinStiffness { k_ua_ta, k_ta_ta }.matrix();
+        for (row, column) in [(TA, TB), (TB, TA), (TB, TB)] {
+            all.fixed_view_mut::<3, 3>(3 * row, 3 * column).copy_from(&aligned.fixed_view::<3, 3>(3 * row, 3 * column));
+        }
+        all
     }
 }
 

@@ -1,12 +1,11 @@
-//! TRANSLATOR as an element: the rows and forces of SLOT and of ALIGN, five residuals on twelve degrees of freedom.
-//!
-//! The geometric stiffness is not there yet, for ALIGN has none.
+//! TRANSLATOR as an element: rows, forces and stiffness of SLOT and of ALIGN, five residuals on twelve degrees of freedom.
 
 #[cfg(feature = "verify")]
 mod proof;
 
 use super::NodalForces;
-use super::align::{self, AlignLoads, AlignRows};
+use super::align::{self, AlignLoads, AlignRows, AlignStiffness};
+use super::join::JoinStiffness;
 use super::slot::{self, SlotLoads, SlotPlaces, SlotRows};
 use super::universal::UniversalMoments;
 use crate::cardan::Triads;
@@ -14,11 +13,11 @@ use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Source, Spec};
 use crate::quantity::{
-    E1A, E1B, E2A, E2B, E3A, E3B, F2, F3, GY_TA, GY_UA, GY_UB, GZ_TA, GZ_UA, GZ_UB, LAMBDA_R1, LAMBDA_R2, LAMBDA_R3,
-    UR1_TB, UR2_TB, UR3_TB, XA, XB,
+    E1A, E1B, E2A, E2B, E3A, E3B, F2, F3, GY_TA, GY_UA, GY_UB, GZ_TA, GZ_UA, GZ_UB, K_TA_TA, K_TB_TB, K_UA_TA,
+    LAMBDA_R1, LAMBDA_R2, LAMBDA_R3, UR1_TB, UR2_TB, UR3_TB, XA, XB,
 };
 use crate::scalar::Scalar;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 /// What all of them are derived from.
 const OURS: Source =
@@ -200,5 +199,55 @@ impl Formula for Forces {
     #[inline]
     fn validate<D: Scalar>(i: &TranslatorLoads<D>) -> Result<(), Error> {
         align::Moments::validate(&i.align())
+    }
+}
+
+fields! {
+    /// How what TRANSLATOR exerts on its nodes changes with their spins, the multipliers held: the blocks from which all
+    /// are made.
+    ///
+    /// [`matrix`](TranslatorStiffness::matrix) has them in their places.
+    pub struct TranslatorStiffness<T> {
+        k_ua_ta: Matrix3<T> = K_UA_TA, k_ta_ta: Matrix3<T> = K_TA_TA, k_tb_tb: Matrix3<T> = K_TB_TB,
+    }
+}
+
+/// The geometric stiffness of TRANSLATOR, Σ λ ∂²g by translations and spins, as it is: unsymmetric in the spins.
+#[derive(Clone, Copy, Debug)]
+pub struct GeometricStiffness;
+
+impl Formula for GeometricStiffness {
+    const SPEC: Spec = Spec::new("translator.geometric_stiffness", "Geometric stiffness of TRANSLATOR", OURS)
+        .equation(r"\mathbf{f} = f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{d} = \mathbf{x}_b-\mathbf{x}_a,\quad \mathbf{K}_{ua,\theta a} = \mathbf{f}\times\mathbf{I},\quad \mathbf{K}_{\theta a,\theta a} = \mathbf{f}\otimes\mathbf{d} - (\mathbf{f}\cdot\mathbf{d})\,\mathbf{I} + \mathbf{K}_{\theta b,\theta b} + \mathbf{m}_b\times\mathbf{I}")
+        .given(&[
+            Given::new(r"\mathbf{K}_{\theta b,\theta b}", &align::GeometricStiffness::SPEC),
+            Given::new(r"\mathbf{m}_b", &align::Moments::SPEC),
+        ])
+        // Those of ALIGN.
+        .eta(24.0, 96.0);
+    type Inputs<T: Component> = TranslatorLoads<T>;
+    type Outputs<T: Component> = TranslatorStiffness<T>;
+
+    #[inline]
+    fn eval<D: Scalar>(i: &TranslatorLoads<D>) -> TranslatorStiffness<D> {
+        let JoinStiffness { k_ua_ta, k_ta_ta } = slot::GeometricStiffness::eval(&i.slot());
+        let AlignStiffness { k_tb_tb } = align::GeometricStiffness::eval(&i.align());
+        TranslatorStiffness { k_ua_ta, k_ta_ta: k_ta_ta + k_tb_tb.transpose(), k_tb_tb }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &TranslatorLoads<D>) -> Jacobian<Self, D> {
+        let JoinStiffness { k_ua_ta, k_ta_ta } = slot::GeometricStiffness::jacobian(&i.slot());
+        let AlignStiffness { k_tb_tb } = align::GeometricStiffness::jacobian(&i.align());
+        TranslatorStiffness {
+            k_ua_ta: k_ua_ta.map(TranslatorLoads::by_slot),
+            k_ta_ta: k_ta_ta.zip_map(&k_tb_tb.transpose(), TranslatorLoads::by_both),
+            k_tb_tb: k_tb_tb.map(TranslatorLoads::by_align),
+        }
+    }
+
+    #[inline]
+    fn validate<D: Scalar>(i: &TranslatorLoads<D>) -> Result<(), Error> {
+        align::GeometricStiffness::validate(&i.align())
     }
 }

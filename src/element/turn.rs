@@ -3,11 +3,14 @@
 //! With i² = −1, P = q + i p and z = e·P, the angle is −Im ln z. Its derivative by the spin of e is −Im Y with Y = e × W and
 //! W = P/z. Where p and q are perpendicular and equally long, P·P is 0, and ∂Y/∂e is −W Yᵀ; what P·P adds is kept apart,
 //! so that nothing cancels in it.
+//!
+//! Turned by a spin φ of p and q and a spin ψ of e, Y changes by (e ⊗ W − I − Y ⊗ Y) ψ + (I − W ⊗ e + Y ⊗ Y) φ. Its imaginary
+//! part has no unit matrix left: one matrix and its transpose say how the derivative turns.
 
 use super::products::double_cross;
 use crate::formula::along;
 use crate::scalar::{Scalar, norm_and_direction};
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 /// W = k − i u and Y = h − i v.
 pub(super) struct Turn<D> {
@@ -18,8 +21,8 @@ pub(super) struct Turn<D> {
     v: Vector3<D>,
     /// P/z², real and imaginary.
     square: [Vector3<D>; 2],
-    /// P·P/z², imaginary.
-    skewed: D,
+    /// P·P/z², real and imaginary.
+    skewed: [D; 2],
 }
 
 impl<D: Scalar> Turn<D> {
@@ -37,7 +40,7 @@ impl<D: Scalar> Turn<D> {
             h: e.cross(&k),
             v: e.cross(&u),
             square: [q * cos + p * sin, p * cos - q * sin],
-            skewed: shear * cos - stretch * sin,
+            skewed: [stretch * cos + shear * sin, shear * cos - stretch * sin],
         }
     }
 
@@ -50,9 +53,52 @@ impl<D: Scalar> Turn<D> {
     /// The gradient of the n-th component of [`row`](Self::row): by e, p and q.
     #[inline]
     pub(super) fn row_gradient(&self, n: usize) -> [Vector3<D>; 3] {
-        let Self { e, k, u, h, v, square: [re, im], skewed } = self;
-        let (one, twice) = (along(n, D::one()), double_cross(e, e).column(n).into_owned());
-        let by_e = -(v * k[n] + h * u[n]) - e.cross(&one) * *skewed;
+        let Self { e, k, u, h, v, square: [re, im], skewed: [_, skewed] } = self;
+        let twice = double_cross(e, e).column(n).into_owned();
+        let by_e = -(v * k[n] + h * u[n]) - e.cross(&unit(n)) * *skewed;
         [by_e, -re.cross(&twice), -im.cross(&twice)]
     }
+
+    /// How [`row`](Self::row) changes with the spin of e; with that of p and q it changes by the transpose, negative.
+    #[inline]
+    pub(super) fn curvature(&self) -> Matrix3<D> {
+        let Self { e, u, h, v, .. } = self;
+        e * u.transpose() - h * v.transpose() - v * h.transpose()
+    }
+
+    /// The gradient of every entry of [`curvature`](Self::curvature): by e, p and q.
+    #[inline]
+    pub(super) fn curvature_gradients(&self) -> Matrix3<[Vector3<D>; 3]> {
+        let Self { e, u, h, v, .. } = self;
+        let (by_u, by_h) = ([0, 1, 2].map(|n| self.u_gradient(n)), [0, 1, 2].map(|n| self.h_gradient(n)));
+        let by_v = [0, 1, 2].map(|n| self.row_gradient(n));
+        Matrix3::from_fn(|r, c| {
+            let turned = |k: usize| by_h[r][k] * v[c] + by_v[c][k] * h[r] + by_v[r][k] * h[c] + by_h[c][k] * v[r];
+            let [by_e, by_p, by_q] = [0, 1, 2].map(|k| by_u[c][k] * e[r] - turned(k));
+            [by_e + along(r, u[c]), by_p, by_q]
+        })
+    }
+
+    /// As [`row_gradient`](Self::row_gradient), of u.
+    #[inline]
+    fn u_gradient(&self, n: usize) -> [Vector3<D>; 3] {
+        let Self { e, k, u, square: [re, im], .. } = self;
+        let across = |g: &Vector3<D>| double_cross(g, e).row(n).transpose();
+        [-(u * k[n] + k * u[n]), across(re), across(im)]
+    }
+
+    /// As [`row_gradient`](Self::row_gradient), of h.
+    #[inline]
+    fn h_gradient(&self, n: usize) -> [Vector3<D>; 3] {
+        let Self { e, k, u, h, v, square: [re, im], skewed: [skewed, _] } = self;
+        let twice = double_cross(e, e).column(n).into_owned();
+        let by_e = v * u[n] - h * k[n] + e.cross(&unit(n)) * *skewed;
+        [by_e, -im.cross(&twice), re.cross(&twice)]
+    }
+}
+
+/// The n-th axis.
+#[inline]
+fn unit<D: Scalar>(n: usize) -> Vector3<D> {
+    along(n, D::one())
 }

@@ -1,7 +1,7 @@
 //! The audit: every claim about a formula, checked at its cases, beside its kinks and at random points.
 
 use super::claim::Claim;
-use super::difference::{differences, step_size};
+use super::difference::{differences, largest_of_field, step_size};
 use super::kinks::{self, Looked, SMOOTH};
 use super::point::{Names, Point};
 use super::printed::{EQUATION, found};
@@ -12,7 +12,7 @@ use crate::formula::{Fields, check};
 use crate::proof::law::residual;
 use crate::proof::{Convention, Proved};
 use crate::{Error, Octuple};
-use num_traits::Signed;
+use num_traits::{Signed, Zero};
 use serde::{Deserialize, Serialize};
 use std::cell::OnceCell;
 
@@ -276,7 +276,8 @@ impl Audit {
     }
 
     /// Differences are judged against the entry and what rounding of the value can do to it, |y|/|x|, where |x| is the
-    /// size that the step is a part of.
+    /// size that the step is a part of. Where y is 0 whatever is rounded, because its terms cancel, |y| is the largest of
+    /// its field.
     fn check_ad(&mut self, point: &Point, names: &Names, exact: &Exact) {
         let (inputs, ad) = (point.exact.as_slice(), &exact.ad);
         let steps = if point.random { &STEPS[..1] } else { &STEPS[..] };
@@ -288,7 +289,9 @@ impl Audit {
             for (output, &value) in exact.values.iter().enumerate() {
                 let entry = output * inputs.len() + input;
                 let gradient = &ad[output * inputs.len()..][..inputs.len()];
-                let size = Sensitivity::new(gradient, inputs).plus(value).per(step);
+                let own = Sensitivity::new(gradient, inputs).plus(value);
+                let largest = || largest_of_field(point.subject.outputs, &exact.values, output);
+                let size = if own.size().is_zero() { own.plus(largest()) } else { own }.per(step);
                 let scale = ad[entry].abs() + size;
                 let deviations = attempts.iter().map(|rows| (ad[entry] - rows.central[output]).abs());
                 let best = deviations.reduce(|best, next| if next < best { next } else { best });

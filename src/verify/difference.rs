@@ -55,6 +55,14 @@ pub(super) fn differences(
     Differences { central, one_sided: [from(&below, -1.0), from(&above, 1.0)] }
 }
 
+/// The largest number of the field of the k-th component.
+pub(super) fn largest_of_field(fields: &[Field], numbers: &[Octuple], k: usize) -> Octuple {
+    let field_of = fields.iter().enumerate().flat_map(|(f, field)| vec![f; field.len()]);
+    let fields: Vec<_> = field_of.collect();
+    let same = numbers.iter().zip(&fields).filter(|(_, field)| fields.get(k) == Some(*field));
+    same.fold(Octuple::zero(), |largest, (x, _)| if x.abs() > largest { x.abs() } else { largest })
+}
+
 /// |x|, or the largest of its field where x is 0, or the largest of its unit where the whole field is 0, or 1.
 pub(super) fn step_size(fields: &[Field], inputs: &[Octuple], k: usize) -> Octuple {
     let field_of: Vec<_> = fields.iter().enumerate().flat_map(|(f, field)| vec![f; field.len()]).collect();

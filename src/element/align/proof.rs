@@ -1,10 +1,11 @@
 //! Evidence for the formulas next door: cases, laws.
 
-use super::{AlignLoads, AlignRows, Moments, Rows};
+use super::{AlignLoads, AlignRows, GeometricStiffness, Moments, Rows};
 use crate::Octuple;
 use crate::align::{Constraint, Misalignment, Orientations};
 use crate::cardan::{Angles, CardanAngles, Triads, turns};
-use crate::element::motion::{Motion, Moving, derivative, still};
+use crate::element::motion::{Motion, Moving, Tangent, derivative, still};
+use crate::element::{self, NodalForces};
 use crate::formula::{Fields, Formula};
 use crate::proof::{Case, Equation, Law, Proved, hard, law};
 use nalgebra::Vector3;
@@ -166,6 +167,51 @@ impl Proved for Moments {
                     sides
                 },
             ),
+        ]
+    }
+}
+
+/// The nodal forces as the nodes move.
+fn moving(i: &AlignLoads<Octuple>, motion: &Motion) -> element::Forces<Moving> {
+    let moments = Moments::eval(&AlignLoads::new(&turned(&i.triads(), motion), i.multipliers().map(still)));
+    NodalForces { ma: moments.ma, mb: moments.mb, ..NodalForces::filled(still(Octuple::zero())) }.vector()
+}
+
+/// The sizes of the terms of the stiffness: an axis that a row is measured along, times what the row is.
+pub(in crate::element) fn stiffness_size(i: &AlignLoads<Octuple>) -> Octuple {
+    let rows = Rows::eval(&i.triads()).rows();
+    rows.iter()
+        .zip(i.multipliers())
+        .map(|(row, m)| law::length(row.tb * m) * (Octuple::one() + law::length(row.tb)))
+        .sum()
+}
+
+fn tangent(i: &AlignLoads<Octuple>) -> Tangent {
+    let forces = moving(i, &Motion::none()).map(|moving| moving.re);
+    let sizes = [stiffness_size(i); 2];
+    Tangent { matrix: GeometricStiffness::eval(i).matrix(), forces, sizes }
+}
+
+impl Proved for GeometricStiffness {
+    fn cases() -> Vec<Case<AlignLoads<f64>>> {
+        loads()
+    }
+
+    fn invalid_cases() -> Vec<Case<AlignLoads<f64>>> {
+        invalid_loads()
+    }
+
+    fn laws() -> Vec<Law<Self>> {
+        vec![
+            Law::<Self>::new("it is the derivative of the nodal moments by spins", |i| {
+                tangent(i).derives(|motion| moving(i, motion))
+            }),
+            Law::<Self>::new("it is symmetric but for each node's own spin, where K − Kᵀ = −[m×]", |i| {
+                tangent(i).is_symmetric_but_for_own_spins()
+            }),
+            Law::<Self>::new("where both nodes turn as one body, the moments turn with them", |i| {
+                tangent(i).turns_with_the_body([Vector3::from_element(Octuple::zero()); 2], i.e1a + i.e3b)
+            }),
         ]
     }
 }

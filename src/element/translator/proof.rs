@@ -1,11 +1,12 @@
 //! Evidence for the formulas next door: cases, laws.
 
-use super::{Forces, Rows, TranslatorLoads, TranslatorPlaces, TranslatorRows};
+use super::{Forces, GeometricStiffness, Rows, TranslatorLoads, TranslatorPlaces, TranslatorRows};
 use crate::Octuple;
 use crate::cardan::{Triads, turns};
+use crate::element;
 use crate::element::align::{self, AlignLoads, AlignRows};
 use crate::element::join::proof::balance;
-use crate::element::motion::{Motion, Moving, derivative, still};
+use crate::element::motion::{Motion, Moving, Tangent, derivative, still};
 use crate::element::slot::SlotLoads;
 use crate::formula::{Fields, Formula};
 use crate::proof::{Case, Law, Proved, hard, law};
@@ -163,6 +164,45 @@ impl Proved for Forces {
                 let forces = Self::eval(i);
                 let row = Motion { ua: forces.fa, ta: forces.ma, ub: forces.fb, tb: forces.mb };
                 balance(&row, [i.xa, i.xb])
+            }),
+        ]
+    }
+}
+
+/// The nodal forces as the nodes move.
+fn moving(i: &TranslatorLoads<Octuple>, motion: &Motion) -> element::Forces<Moving> {
+    let [xa, xb] = motion.places([i.xa, i.xb]);
+    let triads = align::proof::turned(&i.align().triads(), motion);
+    let ([f2, f3], multipliers) = ([i.f2, i.f3].map(still), i.align().multipliers().map(still));
+    let slot = SlotLoads { e2a: triads.e2a, e3a: triads.e3a, xa, xb, f2, f3 };
+    Forces::eval(&TranslatorLoads::new(&slot, &AlignLoads::new(&triads, multipliers))).vector()
+}
+
+fn tangent(i: &TranslatorLoads<Octuple>) -> Tangent {
+    let [force, _] = sizes(i);
+    let moment = force * law::length(i.xb - i.xa) + align::proof::stiffness_size(&i.align());
+    Tangent { matrix: GeometricStiffness::eval(i).matrix(), forces: Forces::eval(i).vector(), sizes: [force, moment] }
+}
+
+impl Proved for GeometricStiffness {
+    fn cases() -> Vec<Case<TranslatorLoads<f64>>> {
+        loads(places())
+    }
+
+    fn invalid_cases() -> Vec<Case<TranslatorLoads<f64>>> {
+        invalid_loads()
+    }
+
+    fn laws() -> Vec<Law<Self>> {
+        vec![
+            Law::<Self>::new("it is the derivative of the nodal forces by translations and spins", |i| {
+                tangent(i).derives(|motion| moving(i, motion))
+            }),
+            Law::<Self>::new("it is symmetric but for each node's own spin, where K − Kᵀ = −[m×]", |i| {
+                tangent(i).is_symmetric_but_for_own_spins()
+            }),
+            Law::<Self>::new("where both nodes turn as one body, forces and moments turn with them", |i| {
+                tangent(i).turns_with_the_body([i.xa, i.xb], i.e1a + i.e3b)
             }),
         ]
     }

@@ -203,6 +203,39 @@ def align_nodal_moments(lambda_r1, lambda_r2, lambda_r3, **triads):
     return dict(ma=scale(-1, mb), mb=mb)
 
 
+# Its stiffness: the same derivatives, as b turns once more.
+
+
+def turned_products(a, b):
+    """What `products` gives, and how its derivatives change as b turns."""
+    return *products(a, b), [[dot(a, cross(one, cross(other, b))) for other in AXES] for one in AXES]
+
+
+def turn_stiffness(sine, cosine):
+    (s, s1, s2), (c, c1, c2) = sine, cosine
+    square, row = s * s + c * c, turn_derivatives((s, s1), (c, c1))
+    return [
+        (s1[j] * c1[k] + s * c2[k][j] - c1[j] * s1[k] - c * s2[k][j] - 2 * row[k] * (s * s1[j] + c * c1[j])) / square
+        for k in range(3)
+        for j in range(3)
+    ]
+
+
+def arc_sine_stiffness(sine):
+    x, x1, x2 = sine
+    root = mp.sqrt(1 - x * x)
+    return [x2[k][j] / root + x * x1[k] * x1[j] / root**3 for k in range(3) for j in range(3)]
+
+
+@formula("align.geometric_stiffness", TRIADS + LAMBDAS, "k_tb_tb:9")
+def align_stiffness(e1a, e2a, e3a, e1b, e2b, e3b, lambda_r1, lambda_r2, lambda_r3):
+    angle_derivatives(e1a, e2a, e3a, e1b, e2b, e3b)  # where they are not defined, nor is this
+    first = turn_stiffness(turned_products(e2a, e3b), turned_products(e3a, e3b))
+    second = arc_sine_stiffness(turned_products(e1a, e3b))
+    third = turn_stiffness(turned_products(e1a, e2b), turned_products(e1a, e1b))
+    return dict(k_tb_tb=add(scale(lambda_r1, first), scale(lambda_r2, second), scale(lambda_r3, third)))
+
+
 # TRANSLATOR is SLOT and ALIGN.
 
 
@@ -220,6 +253,17 @@ def translator_nodal_forces(xa, xb, f2, f3, **inputs):
     slot = slot_nodal_forces(e2a=inputs["e2a"], e3a=inputs["e3a"], xa=xa, xb=xb, f2=f2, f3=f3)
     align = align_nodal_moments(**inputs)
     return slot | dict(ma=add(slot["ma"], align["ma"]), mb=align["mb"])
+
+
+@formula(
+    "translator.geometric_stiffness",
+    TRIADS + " xa:3 xb:3 f2 f3" + LAMBDAS,
+    "k_ua_ta:9 k_ta_ta:9 k_tb_tb:9",
+)
+def translator_stiffness(xa, xb, f2, f3, **inputs):
+    slot = slot_stiffness(e2a=inputs["e2a"], e3a=inputs["e3a"], xa=xa, xb=xb, f2=f2, f3=f3)
+    align = align_stiffness(**inputs)
+    return slot | align | dict(k_ta_ta=add(slot["k_ta_ta"], transpose(align["k_tb_tb"])))
 
 
 # A rigid arm from a node to a connector.
