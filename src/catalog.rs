@@ -325,6 +325,7 @@ pub static CATALOG: &[&dyn AnyFormula] = &[
     &element::slot_friction::Response,
     &element::slot_friction::Response2d,
     &element::translator_friction::Response,
+    &element::ujoint_friction::Response,
     // SLIDER
     &slider::Line,
     &slider::Basis,

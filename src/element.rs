@@ -32,6 +32,7 @@ pub mod translator;
 pub mod translator_friction;
 mod turn;
 pub mod ujoint;
+pub mod ujoint_friction;
 pub mod universal;
 
 use crate::fields;

@@ -207,6 +207,15 @@ quantities! {
     S_TA_TA: r"\mathbf{S}_{\theta a,\theta a}", Mat3, FL, Vector, "symmetric part of the change of the moment on node a with the spin of a";
     S_TB_TB: r"\mathbf{S}_{\theta b,\theta b}", Mat3, FL, Vector, "symmetric part of the change of the moment on node b with the spin of b";
 
+    TURN1: r"u_{r1}", Scalar, ONE, Real, "turn of b against a about e1a, in radians, counted on after a full turn";
+    TURN3: r"u_{r3}", Scalar, ONE, Real, "turn of b against a about e3b, in radians, counted on after a full turn";
+    TURN1_SLIP_BEFORE: r"u_{r1,0}^{\mathrm{slip}}", Scalar, ONE, Real, "what has slipped about e1a before: the turn at which m1 would be 0";
+    TURN3_SLIP_BEFORE: r"u_{r3,0}^{\mathrm{slip}}", Scalar, ONE, Real, "what has slipped about e3b before: the turn at which m3 would be 0";
+    TURN1_SLIP: r"u_{r1}^{\mathrm{slip}}", Scalar, ONE, Real, "what has slipped about e1a in the end: the turn at which m1 would be 0";
+    TURN3_SLIP: r"u_{r3}^{\mathrm{slip}}", Scalar, ONE, Real, "what has slipped about e3b in the end: the turn at which m3 would be 0";
+    K_EL_R1: r"k_{\mathrm{el},1}", Scalar, FL, Positive, "moment per radian about e1a while the hinge sticks";
+    K_EL_R3: r"k_{\mathrm{el},3}", Scalar, FL, Positive, "moment per radian about e3b while the hinge sticks";
+
     // SLIDER
     SLIDER_X1: r"\mathbf{x}_1", Vec3, L, Point, "position of node 1, where the line begins";
     SLIDER_XN: r"\mathbf{x}_n", Vec3, L, Point, "position of node n, where the line ends";

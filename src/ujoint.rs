@@ -24,7 +24,7 @@
 
 pub mod arm;
 mod connector;
-mod contact;
+pub(crate) mod contact;
 mod decomposition;
 mod friction;
 mod hinge;

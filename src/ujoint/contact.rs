@@ -1,7 +1,7 @@
 //! The contact moments of the hinges.
 
 #[cfg(feature = "verify")]
-pub(super) mod proof;
+pub(crate) mod proof;
 
 mod links;
 mod loads;

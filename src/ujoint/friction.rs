@@ -34,7 +34,7 @@ impl<T: Component> FrictionLoads<T> {
     }
 
     /// From its two halves, the second taken from `rest`.
-    pub(super) const fn of(joint: JointLoads<T>, rest: Self) -> Self {
+    pub(crate) const fn of(joint: JointLoads<T>, rest: Self) -> Self {
         let JointLoads { e1a, e2a, e3a, e3b, f1, f2, f3, m2, rp, la, ra, ls } = joint;
         Self { e1a, e2a, e3a, e3b, f1, f2, f3, m2, rp, la, ra, ls, ..rest }
     }
@@ -89,24 +89,7 @@ impl Formula for Friction {
         let mu = i.mu;
         let zero = FrictionLoads::filled(D::zero());
         // −μ times the derivative of the normal moment by all that it hangs on.
-        let of_contact = |by: D, contact: JointLoads<D>| {
-            let factor = -mu * by;
-            let scaled = JointLoads {
-                e1a: contact.e1a * factor,
-                e2a: contact.e2a * factor,
-                e3a: contact.e3a * factor,
-                e3b: contact.e3b * factor,
-                f1: contact.f1 * factor,
-                f2: contact.f2 * factor,
-                f3: contact.f3 * factor,
-                m2: contact.m2 * factor,
-                rp: contact.rp * factor,
-                la: contact.la * factor,
-                ra: contact.ra * factor,
-                ls: contact.ls * factor,
-            };
-            FrictionLoads::of(scaled, zero)
-        };
+        let of_contact = |by: D, contact: JointLoads<D>| FrictionLoads::of(contact.times(-mu * by), zero);
         let (row1, row3) = (of_contact(normal.mn1.mc1, contact.mc1), of_contact(normal.mn3.mc3, contact.mc3));
         let rows = YieldPair {
             phi1: FrictionLoads { m1: sign(i.m1), mc1_int: -mu * normal.mn1.mc1_int, mu: -mn1, ..row1 },

@@ -43,9 +43,28 @@ impl<D: Scalar> JointLoads<D> {
         Bending { f_bend, m2, la, rp, ls }
     }
 
+    /// A gradient times a number.
+    #[inline]
+    pub(crate) fn times(&self, factor: D) -> Self {
+        Self {
+            e1a: self.e1a * factor,
+            e2a: self.e2a * factor,
+            e3a: self.e3a * factor,
+            e3b: self.e3b * factor,
+            f1: self.f1 * factor,
+            f2: self.f2 * factor,
+            f3: self.f3 * factor,
+            m2: self.m2 * factor,
+            rp: self.rp * factor,
+            la: self.la * factor,
+            ra: self.ra * factor,
+            ls: self.ls * factor,
+        }
+    }
+
     /// The force along the axes of the cross and across them.
     #[inline]
-    pub(in crate::ujoint) fn at_centre(&self) -> CrossForces<D> {
+    pub(crate) fn at_centre(&self) -> CrossForces<D> {
         Decomposition::eval(&self.cross_loads())
     }
 }
