@@ -21,6 +21,7 @@ mod assembly;
 pub mod join;
 #[cfg(feature = "verify")]
 mod motion;
+pub mod newton;
 pub mod offset;
 mod products;
 pub mod slider;

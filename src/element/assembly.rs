@@ -1,10 +1,10 @@
 //! Twelve degrees of freedom in a row: the translation and the spin of a, the translation and the spin of b.
 
-use super::align::AlignStiffness;
-use super::join::JoinStiffness;
+use super::align::{AlignRows, AlignStiffness};
+use super::join::{JoinForces, JoinRows, JoinStiffness};
 use super::translator::{TranslatorRows, TranslatorStiffness};
 use super::ujoint::{JointRows, JointStiffness};
-use super::universal::UniversalStiffness;
+use super::universal::{UniversalMoments, UniversalStiffness};
 use super::{Forces, Rows, Stiffness};
 use crate::element::NodalForces;
 use crate::scalar::Scalar;
@@ -23,6 +23,11 @@ fn stiffness<D: Scalar, const N: usize>(blocks: [(usize, usize, Matrix3<D>); N])
         all.fixed_view_mut::<3, 3>(3 * row, 3 * column).copy_from(&block);
     }
     all
+}
+
+/// Rows from what they are for each of the four motions, if anything.
+fn rows<D: Scalar, const N: usize>(parts: [[Option<Vector3<D>>; 4]; N]) -> Rows<D, N> {
+    Rows::from_fn(|row, column| parts[row][column / 3].map_or(D::zero(), |part| part[column % 3]))
 }
 
 impl<D: Scalar> NodalForces<D> {
@@ -48,23 +53,52 @@ impl<D: Scalar> JointRows<D> {
     /// # Ok::<(), jointproof::Error>(())
     /// ```
     pub fn matrix(&self) -> Rows<D, 4> {
-        let mut all = Rows::zeros();
-        let mut put = |row: usize, motion: usize, part: &Vector3<D>| {
-            all.fixed_view_mut::<1, 3>(row, 3 * motion).copy_from(&part.transpose());
-        };
-        let of_join = [
-            [&self.g1_ua, &self.g1_ta, &self.g1_ub],
-            [&self.g2_ua, &self.g2_ta, &self.g2_ub],
-            [&self.g3_ua, &self.g3_ta, &self.g3_ub],
-        ];
-        for (row, [ua, ta, ub]) in of_join.into_iter().enumerate() {
-            put(row, UA, ua);
-            put(row, TA, ta);
-            put(row, UB, ub);
-        }
-        put(3, TA, &self.g_rot_ta);
-        put(3, TB, &self.g_rot_tb);
-        all
+        let Self { g1_ua, g1_ta, g1_ub, g2_ua, g2_ta, g2_ub, g3_ua, g3_ta, g3_ub, g_rot_ta, g_rot_tb } = *self;
+        let join = JoinRows { g1_ua, g1_ta, g1_ub, g2_ua, g2_ta, g2_ub, g3_ua, g3_ta, g3_ub };
+        rows([join.all()[0], join.all()[1], join.all()[2], [None, Some(g_rot_ta), None, Some(g_rot_tb)]])
+    }
+}
+
+impl<D: Scalar> JoinRows<D> {
+    fn all(&self) -> [[Option<Vector3<D>>; 4]; 3] {
+        let row = |ua, ta, ub| [Some(ua), Some(ta), Some(ub), None];
+        [
+            row(self.g1_ua, self.g1_ta, self.g1_ub),
+            row(self.g2_ua, self.g2_ta, self.g2_ub),
+            row(self.g3_ua, self.g3_ta, self.g3_ub),
+        ]
+    }
+
+    /// The three rows.
+    pub fn matrix(&self) -> Rows<D, 3> {
+        rows(self.all())
+    }
+}
+
+impl<D: Scalar> JoinForces<D> {
+    /// Force and moment on a, force and no moment on b.
+    pub fn vector(&self) -> Forces<D> {
+        let Self { fa, ma, fb } = *self;
+        NodalForces { fa, ma, fb, mb: Vector3::zeros() }.vector()
+    }
+}
+
+impl<D: Scalar> UniversalMoments<D> {
+    /// No forces, a moment on a and one on b.
+    pub fn vector(&self) -> Forces<D> {
+        let Self { ma, mb } = *self;
+        NodalForces { fa: Vector3::zeros(), ma, fb: Vector3::zeros(), mb }.vector()
+    }
+}
+
+impl<D: Scalar> AlignRows<D> {
+    fn all(&self) -> [[Option<Vector3<D>>; 4]; 3] {
+        [self.ur1_tb, self.ur2_tb, self.ur3_tb].map(|tb| [None, Some(-tb), None, Some(tb)])
+    }
+
+    /// The three rows.
+    pub fn matrix(&self) -> Rows<D, 3> {
+        rows(self.all())
     }
 }
 
@@ -108,21 +142,10 @@ impl<D: Scalar> TranslatorStiffness<D> {
 impl<D: Scalar> TranslatorRows<D> {
     /// The five rows, SLOT's first.
     pub fn matrix(&self) -> Rows<D, 5> {
-        let mut all = Rows::zeros();
-        let mut put = |row: usize, motion: usize, part: Vector3<D>| {
-            all.fixed_view_mut::<1, 3>(row, 3 * motion).copy_from(&part.transpose());
-        };
-        let of_slot = [[self.gy_ua, self.gy_ta, self.gy_ub], [self.gz_ua, self.gz_ta, self.gz_ub]];
-        for (row, [ua, ta, ub]) in of_slot.into_iter().enumerate() {
-            put(row, UA, ua);
-            put(row, TA, ta);
-            put(row, UB, ub);
-        }
-        for (row, tb) in [self.ur1_tb, self.ur2_tb, self.ur3_tb].into_iter().enumerate() {
-            put(2 + row, TA, -tb);
-            put(2 + row, TB, tb);
-        }
-        all
+        let Self { gy_ua, gy_ta, gy_ub, gz_ua, gz_ta, gz_ub, ur1_tb, ur2_tb, ur3_tb } = *self;
+        let row = |ua, ta, ub| [Some(ua), Some(ta), Some(ub), None];
+        let [r1, r2, r3] = AlignRows { ur1_tb, ur2_tb, ur3_tb }.all();
+        rows([row(gy_ua, gy_ta, gy_ub), row(gz_ua, gz_ta, gz_ub), r1, r2, r3])
     }
 }
 

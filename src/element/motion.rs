@@ -28,7 +28,7 @@ impl Motion {
     }
 
     /// All that moves alone: the k-th component of each.
-    fn alone() -> [[Self; 3]; 4] {
+    pub(super) fn alone() -> [[Self; 3]; 4] {
         let none = Self::none();
         let unit = |k: usize| Vector::from_fn(|j, _| if j == k { Octuple::one() } else { Octuple::zero() });
         [

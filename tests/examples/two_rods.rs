@@ -5,11 +5,8 @@
 //! cargo run --example two_rods
 //! ```
 
+use jointproof::element::newton::{Contribution, Element, Nodes, UJointElement, UJointState};
 use jointproof::element::offset::Arms;
-use jointproof::element::ujoint::{self, JointLoads, JointPlaces};
-use jointproof::element::{Forces, Rows, Stiffness};
-use jointproof::formula::Formula;
-use jointproof::ujoint::{Constraint, Jointed};
 use nalgebra::{Matrix3, Rotation3, SMatrix, SVector, Vector3, Vector4};
 
 /// The ground and both rods with six degrees of freedom each, then four multipliers for each joint.
@@ -22,6 +19,10 @@ const FREE: usize = ALL - 6;
 const END: Vector3<f64> = Vector3::new(0.0, 1.0, 0.0);
 /// The springs that hold the middle of each rod where it begins.
 const SPRING: f64 = 6.0;
+
+/// The joint of both rods: it holds points in one place and two axes at right angles, and does not rub.
+const JOINT: UJointElement =
+    UJointElement { d0: Vector3::new(0.0, 0.0, 0.0), c0: 0.0, angles0: [0.0; 2], contact: None };
 
 /// A body: where its node is and how it is turned, and the force on it.
 #[derive(Clone, Copy)]
@@ -50,31 +51,14 @@ impl Body {
     // ANCHOR_END: step
 }
 
-/// What a joint gives to the equations of its two bodies.
-struct Joint {
-    residuals: Vector4<f64>,
-    rows: Rows<f64, 4>,
-    forces: Forces<f64>,
-    stiffness: Stiffness<f64>,
-}
-
 // ANCHOR: joint
-/// The joint between the end of a, or the ground itself, and the beginning of b.
-fn joint(a: &Body, end: Vector3<f64>, b: &Body, multipliers: &Vector4<f64>) -> Joint {
+/// What the joint between the end of a, or the ground itself, and the beginning of b gives to the equations of both.
+fn joint(a: &Body, end: Vector3<f64>, b: &Body, multipliers: &Vector4<f64>) -> Contribution<f64, 4> {
     let arms = Arms { a: a.turn * end, b: b.turn * -END };
-    let ([e1a, e2a, e3a], [.., e3b]) = (a.triad(), b.triad());
-    let (xa, xb) = (a.x + arms.a, b.x + arms.b);
-    let [f1, f2, f3, lambda_rot] = *multipliers.as_ref();
-    let loads = JointLoads { e1a, e2a, e3a, e3b, xa, xb, f1, f2, f3, lambda_rot };
-
-    let held = Constraint::eval(&Jointed { e1a, e2a, e3a, e3b, xa, xb, d0: Vector3::zeros(), c0: 0.0 });
-    let at_points = ujoint::Forces::eval(&loads).vector();
-    Joint {
-        residuals: held.g.push(held.g_rot),
-        rows: arms.rows(&ujoint::Rows::eval(&JointPlaces { e1a, e2a, e3a, e3b, xa, xb }).matrix()),
-        forces: arms.forces(&at_points),
-        stiffness: arms.stiffness(&ujoint::GeometricStiffness::eval(&loads).matrix(), &at_points),
-    }
+    let nodes = Nodes { a: a.triad(), b: b.triad(), xa: a.x + arms.a, xb: b.x + arms.b };
+    let state = UJointState { turns: [0.0; 2], slip: [0.0; 2] };
+    let (at_points, _) = JOINT.newton(&nodes, multipliers, &state).expect("two bodies are in reach of each other");
+    at_points.on_arms(&arms)
 }
 // ANCHOR_END: joint
 
@@ -101,16 +85,16 @@ pub fn steps(with_stiffness: bool) -> Vec<f64> {
         // ANCHOR: assembly
         for (k, multipliers) in multipliers.iter().enumerate() {
             let end = if k == 0 { Vector3::zeros() } else { END };
-            let Joint { residuals, rows, forces, stiffness } = joint(&bodies[k], end, &bodies[k + 1], multipliers);
+            let given = joint(&bodies[k], end, &bodies[k + 1], multipliers);
             let (first, multiplier) = (6 * k, FIRST_MULTIPLIER + 4 * k);
             let mut acting = right.fixed_rows_mut::<12>(first);
-            acting += forces;
-            right.fixed_rows_mut::<4>(multiplier).copy_from(&residuals);
-            matrix.fixed_view_mut::<4, 12>(multiplier, first).copy_from(&rows);
-            matrix.fixed_view_mut::<12, 4>(first, multiplier).copy_from(&rows.transpose());
+            acting += given.forces;
+            right.fixed_rows_mut::<4>(multiplier).copy_from(&given.residuals);
+            matrix.fixed_view_mut::<4, 12>(multiplier, first).copy_from(&given.rows);
+            matrix.fixed_view_mut::<12, 4>(first, multiplier).copy_from(&given.by_multipliers);
             if with_stiffness {
                 let mut block = matrix.fixed_view_mut::<12, 12>(first, first);
-                block += stiffness;
+                block += given.stiffness;
             }
         }
         // ANCHOR_END: assembly

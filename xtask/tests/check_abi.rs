@@ -9,15 +9,15 @@ use port::{Lang, check, sources};
 use std::process::Command;
 
 /// A routine as its users write it, and the formulas that are exported for it.
-struct Routine {
+struct Routine<'a> {
     abi: &'static str,
     file: &'static str,
-    text: &'static str,
+    text: &'a str,
     uses: &'static [&'static str],
 }
 
 /// A friction model as users of the field write it: fixed form, implicit types. It sticks with the stiffness PROPS(2).
-const FRIC: Routine = Routine {
+const FRIC: Routine<'static> = Routine {
     abi: "fric",
     file: "routine.f",
     uses: &[],
@@ -49,7 +49,7 @@ const FRIC: Routine = Routine {
 };
 
 /// An interaction: a pressure that grows with the overclosure, and friction that sticks with the stiffness PROPS(2).
-const UINTER: Routine = Routine {
+const UINTER: Routine<'static> = Routine {
     abi: "uinter",
     file: "routine.f",
     uses: &[],
@@ -89,7 +89,7 @@ const UINTER: Routine = Routine {
 };
 
 /// A constraint that keeps node m on a line: coordinates i and j follow from k.
-const MPC: Routine = Routine { abi: "mpc", file: "routine.f90", uses: &["slider.eliminate"], text: "
+const MPC: Routine<'static> = Routine { abi: "mpc", file: "routine.f90", uses: &["slider.eliminate"], text: "
 subroutine mpc(ue, a, jdof, mdof, n, jtype, x, u, uinit, maxdof, lmpc, kstep, kinc, time, nt, nf, temp, field, ltran, tran)
     use jp_slider_eliminate, only: jp_slider_eliminate_jacobian
     implicit none
@@ -115,7 +115,7 @@ end subroutine mpc
 " };
 
 /// The same constraint by its distances, of which each is a routine.
-const UMPC: Routine = Routine {
+const UMPC: Routine<'static> = Routine {
     abi: "umpc_user",
     file: "routine.f90",
     uses: &["slider.constraint"],
@@ -150,7 +150,7 @@ end subroutine distance
 };
 
 /// The same constraint as an element with two multipliers.
-const UEL: Routine = Routine { abi: "uel", file: "routine.f90", uses: &["slider.nodal_forces", "slider.constraint"], text: "
+const UEL: Routine<'static> = Routine { abi: "uel", file: "routine.f90", uses: &["slider.nodal_forces", "slider.constraint"], text: "
 subroutine uel(rhs, amatrx, svars, energy, ndofel, nrhs, nsvars, props, nprops, coords, mcrd, nnode, u, du, v, a, &
         jtype, time, dtime, kstep, kinc, jelem, params, ndload, jdltyp, adlmag, predef, npredf, lflags, mlvarx, &
         ddlmag, mdload, pnewdt, jprops, njprop, period)
@@ -174,7 +174,7 @@ end subroutine uel
 " };
 
 /// What `check` says of a routine with a text replaced in it, and how it ends.
-fn checked(routine: &Routine, id: &str, [from, to]: [&str; 2], code: i32) -> String {
+fn checked(routine: &Routine<'_>, id: &str, [from, to]: [&str; 2], code: i32) -> String {
     assert!(routine.text.contains(from), "{from}");
     let bench = Bench::new();
     std::fs::write(bench.path(routine.file), routine.text.replace(from, to)).unwrap();
@@ -199,6 +199,31 @@ fn checked(routine: &Routine, id: &str, [from, to]: [&str; 2], code: i32) -> Str
 }
 
 const AS_IT_IS: [&str; 2] = ["", ""];
+
+/// Shells to take away are routines of these interfaces.
+#[test]
+fn exported_shells_are_right() {
+    if !Lang::Fortran.is_here() {
+        return;
+    }
+    let [fric, mpc] = ["fric", "mpc"].map(|name| {
+        let bench = Bench::new();
+        bench.run(&["export", "--shell", name, "--out", bench.path("").to_str().unwrap()]).exits(0);
+        std::fs::read_to_string(bench.path(&format!("{name}.f90"))).unwrap()
+    });
+    let fric = Routine { abi: "fric", file: "routine.f90", text: &fric, uses: &[] };
+    checked(&fric, "coulomb.return_map", AS_IT_IS, 0);
+    checked(&fric, "coulomb.return_map_2d", AS_IT_IS, 0);
+    let said = checked(&fric, "coulomb.return_map_2d", ["slope(nfdir + 2, :nfdir)", "slope(nfdir + 1, :nfdir)"], 1);
+    assert!(said.contains("wrong"), "{said}");
+    checked(&mpc_of(&mpc), "slider.eliminate", AS_IT_IS, 0);
+    let said = checked(&mpc_of(&mpc), "slider.eliminate", ["-slope(7, jtype)", "slope(7, jtype)"], 1);
+    assert!(said.contains("wrong"), "{said}");
+}
+
+const fn mpc_of(text: &str) -> Routine<'_> {
+    Routine { abi: "mpc", file: "routine.f90", text, uses: &[] }
+}
 
 #[test]
 fn a_friction_routine_is_checked_as_it_is() {

@@ -13,6 +13,7 @@ mod points;
 mod program;
 mod recorded;
 mod script;
+mod shell;
 mod speed;
 
 use crate::console::{green, print, red, say};
@@ -36,11 +37,15 @@ use std::path::PathBuf;
   {command} export --lang c --out jp                      all formulas, a header, a Makefile
   {command} export --lang fortran --out jp --filter '{family}.*'  of one family
   {command} export --lang js --out jp --check             and compare every bit
-  {command} export --lang c --out jp --speed              and take the time, beside Rust's")]
+  {command} export --lang c --out jp --speed              and take the time, beside Rust's
+  {command} export --shell uel-ujoint --out jp            an element of Abaqus in one file")]
 pub(crate) struct Arguments {
     /// The language
-    #[arg(long, value_enum)]
-    lang: Name,
+    #[arg(long, value_enum, required_unless_present = "shell")]
+    lang: Option<Name>,
+    /// A user routine in Fortran in one file, with the formulas that it calls
+    #[arg(long, value_enum, conflicts_with_all = ["lang", "filter", "check", "speed"])]
+    shell: Option<shell::Shell>,
     /// The folder, which is made where it is not there
     #[arg(long, value_name = "FOLDER")]
     out: PathBuf,
@@ -82,12 +87,17 @@ impl Name {
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
+    std::fs::create_dir_all(&arguments.out)?;
+    if let Some(shell) = arguments.shell {
+        print(&shell::write(project, shell, &arguments.out)?)?;
+    }
+    let Some(lang) = arguments.lang else { return Ok(verdict(true)) };
     let formulas = arguments.selection.formulas(project)?;
     let (recorded, refused) = record(&formulas, Some(&project.golden()));
     for (formula, why) in &refused {
         say(&format!("not exported: {}: {why}", formula.spec().id));
     }
-    let language = arguments.lang.language();
+    let language = lang.language();
     let mut written = Vec::new();
     for one in recorded {
         match language.refuses(&one) {
@@ -96,7 +106,6 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         }
     }
     let recorded = written;
-    std::fs::create_dir_all(&arguments.out)?;
     let mut lines = 0;
     for (name, text) in language.files(&recorded) {
         lines += text.lines().count();
@@ -105,7 +114,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     let folder = arguments.out.display();
     print(&format!("{} of {} formulas, {lines} lines in {folder}\n", recorded.len(), formulas.len()))?;
     if arguments.speed {
-        ensure!(arguments.lang == Name::C, "--speed takes the time of C: --lang c");
+        ensure!(lang == Name::C, "--speed takes the time of C: --lang c");
         speed::compare(project, &arguments.out, &recorded)?;
     }
     if !arguments.check {

@@ -1,0 +1,149 @@
+//! One interface for elements: all that a connector with multipliers adds to a step of Newton's method.
+//!
+//! | | |
+//! |---|---|
+//! | unknowns | as of [`element`](super): u_a, θ_a, u_b, θ_b, spins about the global axes, and a multiplier for each residual |
+//! | equations | forces on the nodes, which balance what else acts there, and the residuals, which vanish |
+//! | matrix | the derivative of both: `stiffness` and `by_multipliers` in the rows of the forces, `rows` in those of the residuals |
+//! | state | what friction remembers; a step begins from the state of the last converged increment, not of the last step |
+//! | signs | forces act on the nodes; a program whose matrix is minus the derivative of its right-hand side, as Abaqus, turns the matrix |
+//!
+//! Without friction `by_multipliers` is the transpose of `rows`. With it the friction follows the multipliers while it slips, and
+//! the matrix is not symmetric.
+
+mod slot;
+mod translator;
+mod ujoint;
+
+pub use slot::{SlotContact, SlotElement};
+pub use translator::{TranslatorContact, TranslatorElement};
+pub use ujoint::{CrossContact, UJointElement, UJointState};
+
+use super::offset::Arms;
+use super::{Forces, Rows, Stiffness};
+use crate::cardan::Triads;
+use crate::error::Error;
+use crate::scalar::Scalar;
+use crate::slot::Positions;
+use nalgebra::{SMatrix, SVector, Vector3};
+
+/// Where both nodes are, and how they are turned.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nodes<D> {
+    /// The triad of node a, in the global frame.
+    pub a: [Vector3<D>; 3],
+    /// The triad of node b, in the global frame.
+    pub b: [Vector3<D>; 3],
+    /// The position of node a.
+    pub xa: Vector3<D>,
+    /// The position of node b.
+    pub xb: Vector3<D>,
+}
+
+impl<D: Scalar> Nodes<D> {
+    fn positions(&self) -> Positions<D> {
+        let ([e1a, e2a, e3a], xa, xb) = (self.a, self.xa, self.xb);
+        Positions { e1a, e2a, e3a, xa, xb }
+    }
+
+    fn triads(&self) -> Triads<D> {
+        Triads::new(self.a, self.b)
+    }
+}
+
+/// What a connector adds to the residual and the matrix of Newton's method.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contribution<D, const MULTIPLIERS: usize> {
+    /// By how much its conditions are off.
+    pub residuals: SVector<D, MULTIPLIERS>,
+    /// The derivative of the residuals by the twelve degrees of freedom.
+    pub rows: Rows<D, MULTIPLIERS>,
+    /// What it exerts on its nodes: forces and moments of the multipliers and of friction.
+    pub forces: Forces<D>,
+    /// The derivative of these forces by the twelve degrees of freedom.
+    pub stiffness: Stiffness<D>,
+    /// Their derivative by the multipliers.
+    pub by_multipliers: SMatrix<D, 12, MULTIPLIERS>,
+}
+
+impl<D: Scalar, const MULTIPLIERS: usize> Contribution<D, MULTIPLIERS> {
+    /// The same at the nodes that carry rigid arms to the connector's points, where this is.
+    #[must_use]
+    pub fn on_arms(&self, arms: &Arms<D>) -> Self {
+        Self {
+            residuals: self.residuals,
+            rows: arms.rows(&self.rows),
+            forces: arms.forces(&self.forces),
+            stiffness: arms.stiffness(&self.stiffness, &self.forces),
+            by_multipliers: arms.rows(&self.by_multipliers.transpose()).transpose(),
+        }
+    }
+
+    /// Adds to the derivatives what a friction does that works against a motion: the forces are −`row`ᵀ times it, and it
+    /// changes with the degrees of freedom and with the multipliers.
+    fn follow_friction(&mut self, row: &Forces<D>, by_motions: &Forces<D>, by_multipliers: &SVector<D, MULTIPLIERS>) {
+        self.stiffness -= row * by_motions.transpose();
+        self.by_multipliers -= row * by_multipliers.transpose();
+    }
+
+    fn is_finite(&self) -> bool {
+        let Self { residuals, rows, forces, stiffness, by_multipliers } = self;
+        let numbers = residuals.iter().chain(rows).chain(forces).chain(stiffness).chain(by_multipliers);
+        numbers.fold(true, |finite, x| finite & x.re().is_finite())
+    }
+}
+
+/// A connector as an element with multipliers.
+///
+/// ```
+/// use jointproof::element::newton::{Element, Nodes, SlotContact, SlotElement};
+/// use nalgebra::{Vector2, Vector3};
+/// let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
+/// let nodes = Nodes { a: axes, b: axes, xa: Vector3::zeros(), xb: Vector3::new(5.0, 0.5, 0.0) };
+/// let contact = SlotContact { k_el: 100.0, fc_int: 0.0, mu: 0.25 };
+/// let slot = SlotElement { start: Vector3::new(1.0, 0.0, 0.0), contact: Some(contact) };
+/// // It has slipped by 3 before, has moved by 4 now, and is pressed against the slot by 40.
+/// let (step, slip) = slot.newton(&nodes, &Vector2::new(40.0, 0.0), &3.0)?;
+/// assert_eq!(step.residuals[0], 0.5);
+/// assert_eq!(step.forces[6], -10.0); // friction on b, against the motion: μ times 40
+/// assert_eq!((step.by_multipliers[(6, 0)], step.rows[(0, 6)]), (-0.25, 0.0)); // it follows the multiplier
+/// assert_eq!(slip, 4.0 - 10.0 / 100.0);
+/// # Ok::<(), jointproof::Error>(())
+/// ```
+pub trait Element<const MULTIPLIERS: usize> {
+    /// What friction remembers from one increment to the next.
+    type State<D: Scalar>: Copy;
+
+    /// Whether the parameters and these nodes and multipliers are valid.
+    ///
+    /// # Errors
+    /// The first number that is not.
+    fn check(&self, nodes: &Nodes<f64>, multipliers: &SVector<f64, MULTIPLIERS>) -> Result<(), Error>;
+
+    /// What it adds, and the state after the motion, at numbers that [`check`](Self::check) allows.
+    fn contribution<D: Scalar>(
+        &self,
+        nodes: &Nodes<D>,
+        multipliers: &SVector<D, MULTIPLIERS>,
+        before: &Self::State<D>,
+    ) -> (Contribution<D, MULTIPLIERS>, Self::State<D>);
+
+    /// [`contribution`](Self::contribution) at numbers that are checked.
+    ///
+    /// # Errors
+    /// As [`check`](Self::check), or that something overflowed.
+    #[expect(clippy::type_complexity, reason = "the pair is what `contribution` gives")]
+    fn newton(
+        &self,
+        nodes: &Nodes<f64>,
+        multipliers: &SVector<f64, MULTIPLIERS>,
+        before: &Self::State<f64>,
+    ) -> Result<(Contribution<f64, MULTIPLIERS>, Self::State<f64>), Error> {
+        self.check(nodes, multipliers)?;
+        let (found, after) = self.contribution(nodes, multipliers, before);
+        if found.is_finite() { Ok((found, after)) } else { Err(Error::Overflow { name: "contribution" }) }
+    }
+}
+
+#[cfg(all(test, feature = "verify"))]
+mod tests;
