@@ -132,7 +132,6 @@ pub trait Element<const MULTIPLIERS: usize> {
     ///
     /// # Errors
     /// As [`check`](Self::check), or that something overflowed.
-    #[expect(clippy::type_complexity, reason = "the pair is what `contribution` gives")]
     fn newton(
         &self,
         nodes: &Nodes<f64>,

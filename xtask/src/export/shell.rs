@@ -87,7 +87,9 @@ pub(super) fn write(project: &Project, shell: Shell, folder: &Path) -> anyhow::R
     let own = shell.own();
     let (recorded, _) = record(&called(project, &own), Some(&project.golden()));
     let mut modules = Fortran.files(&recorded);
-    modules.retain(|(name, _)| name.ends_with(".f90") && !name.starts_with("driver"));
+    modules.retain(|(name, _)| {
+        Path::new(name).extension().is_some_and(|extension| extension == "f90") && !name.starts_with("driver")
+    });
     let modules = in_order(modules.into_iter().map(|(_, text)| text).collect());
     let begin = own.find("\nmodule ").or_else(|| own.find("\nsubroutine ")).context("a routine is a routine")?;
     let begin = own[..begin].rfind("\n\n").map_or(begin, |blank| blank + 1);
