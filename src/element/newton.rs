@@ -23,6 +23,7 @@ use super::offset::Arms;
 use super::{Forces, Rows, Stiffness};
 use crate::cardan::Triads;
 use crate::error::Error;
+use crate::formula::along;
 use crate::scalar::Scalar;
 use crate::slot::Positions;
 use nalgebra::{SMatrix, SVector, Vector3};
@@ -93,6 +94,17 @@ impl<D: Scalar, const MULTIPLIERS: usize> Contribution<D, MULTIPLIERS> {
     }
 }
 
+/// What a connector adds where multipliers are no unknowns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Penalised<D, const MULTIPLIERS: usize> {
+    /// What penalties make of the residuals, with the multipliers that were there before.
+    pub multipliers: SVector<D, MULTIPLIERS>,
+    /// What it exerts on its nodes.
+    pub forces: Forces<D>,
+    /// The derivative of these forces by the twelve degrees of freedom.
+    pub stiffness: Stiffness<D>,
+}
+
 /// A connector as an element with multipliers.
 ///
 /// ```
@@ -127,6 +139,54 @@ pub trait Element<const MULTIPLIERS: usize> {
         multipliers: &SVector<D, MULTIPLIERS>,
         before: &Self::State<D>,
     ) -> (Contribution<D, MULTIPLIERS>, Self::State<D>);
+
+    /// The same element, which does not rub.
+    #[must_use]
+    fn smooth(&self) -> Self
+    where
+        Self: Sized;
+
+    /// The second time derivative of the residuals less rows times accelerations, (∂(G q̇)/∂q) q̇: what multibody programs
+    /// subtract on the right-hand side of the equations of accelerations.
+    ///
+    /// Velocities are those of the translations and the angular velocities of both nodes, in the global frame. It is
+    /// q̇ᵀ ∂²g q̇, with the geometric stiffness of each residual alone.
+    fn velocity_term<D: Scalar>(
+        &self,
+        nodes: &Nodes<D>,
+        velocities: &Forces<D>,
+        at_rest: &Self::State<D>,
+    ) -> SVector<D, MULTIPLIERS>
+    where
+        Self: Sized,
+    {
+        let smooth = self.smooth();
+        SVector::from_fn(|k, _| {
+            let (alone, _) = smooth.contribution(nodes, &along(k, D::one()), at_rest);
+            velocities.dot(&(alone.stiffness * velocities))
+        })
+    }
+
+    /// The element for programs without multipliers: penalties times the residuals take their place, or are added to them
+    /// (the augmented Lagrangian).
+    ///
+    /// With penalties κ the multipliers are λ − κ g. The result has them, the forces, and the derivative of these by the
+    /// degrees of freedom, in which the multipliers are no unknowns any more; a program with an augmented Lagrangian begins the
+    /// next round from these multipliers.
+    fn penalised<D: Scalar>(
+        &self,
+        nodes: &Nodes<D>,
+        multipliers: &SVector<D, MULTIPLIERS>,
+        penalties: &SVector<D, MULTIPLIERS>,
+        before: &Self::State<D>,
+    ) -> (Penalised<D, MULTIPLIERS>, Self::State<D>) {
+        let (held, _) = self.contribution(nodes, multipliers, before);
+        let multipliers = multipliers - penalties.component_mul(&held.residuals);
+        let (found, after) = self.contribution(nodes, &multipliers, before);
+        let pressed = SMatrix::from_fn(|row, column| held.rows[(row, column)] * penalties[row]);
+        let stiffness = found.stiffness - found.by_multipliers * pressed;
+        (Penalised { multipliers, forces: found.forces, stiffness }, after)
+    }
 
     /// [`contribution`](Self::contribution) at numbers that are checked.
     ///

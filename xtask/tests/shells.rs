@@ -400,8 +400,8 @@ fn steps(start: &Point, mut ask: impl FnMut(&Point) -> Answer) -> (Vec<f64>, f64
 /// The error is squared from step to step, down to rounding, once it no longer grows because something begins to slip.
 fn is_quadratic(sizes: &[f64]) -> bool {
     let last_growth = sizes.windows(2).rposition(|pair| pair[1] > pair[0]).map_or(0, |k| k + 1);
-    let small = sizes[last_growth..].windows(2).filter(|pair| pair[0] < 0.1);
-    sizes.len() < 12 && small.fold(true, |squared, pair| squared && pair[1] < 10.0 * pair[0] * pair[0] + 1e-13)
+    let mut small = sizes[last_growth..].windows(2).filter(|pair| pair[0] < 0.1);
+    sizes.len() < 12 && small.all(|pair| pair[1] < 10.0 * pair[0] * pair[0] + 1e-13)
 }
 
 #[test]

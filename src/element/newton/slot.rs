@@ -58,6 +58,10 @@ impl Element<2> for SlotElement {
         self.contact.map_or(Ok(()), |contact| check::<Response>(&contact.sliding(0.0, 0.0, [f2, f3])))
     }
 
+    fn smooth(&self) -> Self {
+        Self { contact: None, ..*self }
+    }
+
     fn contribution<D: Scalar>(
         &self,
         nodes: &Nodes<D>,

@@ -76,6 +76,10 @@ impl Element<5> for TranslatorElement {
         self.contact.map_or(Ok(()), |contact| check::<Response>(&contact.sliding(0.0, 0.0, [f2, f3], [0.0; 3])))
     }
 
+    fn smooth(&self) -> Self {
+        Self { contact: None, ..*self }
+    }
+
     fn contribution<D: Scalar>(
         &self,
         nodes: &Nodes<D>,

@@ -110,6 +110,10 @@ impl Element<4> for UJointElement {
         check::<Response>(&contact.sliding(nodes, *multipliers.as_ref()))
     }
 
+    fn smooth(&self) -> Self {
+        Self { contact: None, ..*self }
+    }
+
     fn contribution<D: Scalar>(
         &self,
         nodes: &Nodes<D>,
