@@ -11,6 +11,9 @@ pub(super) struct NumPy;
 
 const RUNTIME: &str = include_str!("runtime/jp_runtime.py");
 const DRIVER: &str = include_str!("runtime/driver.py");
+/// User functions for Exudyn, and the formulas that they call.
+const EXUDYN: &str = include_str!("runtime/exudyn_ujoint.py");
+const EXUDYN_CALLS: [&str; 3] = ["element.arm", "ujoint.constraint", "ujoint.rows"];
 /// Words of Python, and what the functions themselves need.
 const RESERVED: [&str; 4] = ["lambda", "in", "np", "given"];
 
@@ -42,6 +45,9 @@ impl Language for NumPy {
             ("driver.py".to_owned(), DRIVER.to_owned()),
         ];
         files.extend(recorded.iter().map(|one| (format!("jp_{}.py", stem(one)), source(one))));
+        if EXUDYN_CALLS.iter().all(|id| recorded.iter().any(|one| one.formula.spec().id == *id)) {
+            files.push(("exudyn_ujoint.py".to_owned(), EXUDYN.to_owned()));
+        }
         files
     }
 
