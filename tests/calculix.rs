@@ -290,8 +290,10 @@ fn solved() -> Vec<Pair> {
     pairs
 }
 
-/// What is compared, by the name that the book has for it.
-const COMPARED: [(&str, fn() -> Vec<Pair>); 3] =
+/// A comparison, as the book calls it.
+type Compared = (&'static str, fn() -> Vec<Pair>);
+
+const COMPARED: [Compared; 3] =
     [("place of node m", placed), ("increments of node m", increments), ("linear equations, solved there", solved)];
 
 const RECORD: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/foreign/calculix.json");
