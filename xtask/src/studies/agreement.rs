@@ -27,14 +27,7 @@ struct Comparison {
     worst: f64,
 }
 
-impl Comparison {
-    /// What a row of the table is about.
-    fn about(&self) -> [&str; 3] {
-        [&self.connector, &self.quantity, &self.places]
-    }
-}
-
-/// The table `agreement`: connectors and what is compared of them, and a column for each program.
+/// The table `agreement`, connectors by programs, and `agreement-of-quantities`, what is compared of each by programs.
 pub(crate) fn tables(project: &Project) -> anyhow::Result<Vec<(String, Vec<Table>)>> {
     let folder = project.root().join("tests/data/foreign");
     let record = |program: &&str| {
@@ -43,7 +36,8 @@ pub(crate) fn tables(project: &Project) -> anyhow::Result<Vec<(String, Vec<Table
         parse(&text).with_context(|| path.display().to_string())
     };
     let records = PROGRAMS.iter().map(record).collect::<anyhow::Result<Vec<_>>>()?;
-    Ok(vec![("agreement".to_owned(), vec![table(&records)])])
+    let tables = [("agreement", by_connector(&records)), ("agreement-of-quantities", by_quantity(&records))];
+    Ok(tables.map(|(name, table)| (name.to_owned(), vec![table])).into())
 }
 
 fn parse(text: &str) -> anyhow::Result<Record> {
@@ -54,30 +48,39 @@ fn parse(text: &str) -> anyhow::Result<Record> {
     Ok(record)
 }
 
-fn table(records: &[Record]) -> Table {
-    let all = || records.iter().flat_map(|record| &record.comparisons);
-    let mut connectors: Vec<&str> = Vec::new();
-    let mut abouts: Vec<[&str; 3]> = Vec::new();
-    for comparison in all() {
-        if !connectors.contains(&&*comparison.connector) {
-            connectors.push(&comparison.connector);
-        }
-        if !abouts.contains(&comparison.about()) {
-            abouts.push(comparison.about());
+/// The worst error of each connector.
+fn by_connector(records: &[Record]) -> Table {
+    rows(records, ["Connector"], |comparison| [&comparison.connector])
+}
+
+/// The worst error of each quantity, those of a connector together.
+fn by_quantity(records: &[Record]) -> Table {
+    rows(records, ["Connector", "Compared", "At"], |comparison| {
+        [&comparison.connector, &comparison.quantity, &comparison.places]
+    })
+}
+
+/// A row for all comparisons that are about the same, and a column for each program.
+fn rows<const N: usize>(records: &[Record], head: [&str; N], about: impl Fn(&Comparison) -> [&String; N]) -> Table {
+    let mut abouts: Vec<[&String; N]> = Vec::new();
+    for comparison in records.iter().flat_map(|record| &record.comparisons) {
+        if !abouts.contains(&about(comparison)) {
+            abouts.push(about(comparison));
         }
     }
-    // The sort is stable: within a connector, quantities stand as they were first met.
-    abouts.sort_by_key(|[connector, ..]| connectors.iter().position(|known| known == connector));
-    let cell = |record: &Record, about: &[&str; 3]| {
-        let found = record.comparisons.iter().find(|comparison| comparison.about() == *about);
-        found.map_or_else(String::new, |comparison| scientific(comparison.worst))
+    // Connectors and, of each, quantities, as they were first met.
+    let connectors: Vec<&String> = abouts.iter().map(|about| about[0]).collect();
+    abouts.sort_by_key(|about| connectors.iter().position(|connector| *connector == about[0]));
+    let cell = |record: &Record, of: &[&String; N]| {
+        let errors = record.comparisons.iter().filter(|comparison| about(comparison) == *of).map(|found| found.worst);
+        errors.reduce(f64::max).map_or_else(String::new, scientific)
     };
-    let row = |about: &[&str; 3]| {
-        let texts = about.iter().map(|text| (*text).to_owned());
-        texts.chain(records.iter().map(|record| cell(record, about))).collect()
+    let row = |of: &[&String; N]| {
+        let texts = of.iter().map(|text| (*text).clone());
+        texts.chain(records.iter().map(|record| cell(record, of))).collect()
     };
     let programs = records.iter().map(|Record { program, version, .. }| format!("{program} {version}"));
-    let head = ["Connector", "Compared", "At"].map(String::from).into_iter().chain(programs).collect();
+    let head = head.iter().map(|text| (*text).to_owned()).chain(programs).collect();
     Table { head, rows: abouts.iter().map(row).collect(), ..Table::default() }
 }
 
@@ -88,7 +91,7 @@ fn scientific(error: f64) -> String {
     }
     let text = format!("{error:.1e}");
     let (mantissa, exponent) = text.split_once('e').expect("the format has an exponent");
-    format!("${mantissa}\\cdot 10^{{{exponent}}}$")
+    format!("${mantissa}\\cdot10^{{{exponent}}}$")
 }
 
 #[cfg(test)]
@@ -104,11 +107,15 @@ mod tests {
         let one = r#"{"connector": "JOIN", "quantity": "rows", "places": "9 poses", "worst": 2.5e-16},
             {"connector": "SLOT", "quantity": "rows", "places": "9 poses", "worst": 0}"#;
         let two = r#"{"connector": "JOIN", "quantity": "forces", "places": "9 poses", "worst": 1e-9}"#;
-        let Table { head, rows, .. } = table(&[record("One", one).unwrap(), record("Two", two).unwrap()]);
+        let records = [record("One", one).unwrap(), record("Two", two).unwrap()];
+        let Table { head, rows, .. } = by_quantity(&records);
         assert_eq!(head, ["Connector", "Compared", "At", "One 1.0", "Two 1.0"]);
-        assert_eq!(rows[0], ["JOIN", "rows", "9 poses", r"$2.5\cdot 10^{-16}$", ""]);
-        assert_eq!(rows[1], ["JOIN", "forces", "9 poses", "", r"$1.0\cdot 10^{-9}$"]);
+        assert_eq!(rows[0], ["JOIN", "rows", "9 poses", r"$2.5\cdot10^{-16}$", ""]);
+        assert_eq!(rows[1], ["JOIN", "forces", "9 poses", "", r"$1.0\cdot10^{-9}$"]);
         assert_eq!(rows[2], ["SLOT", "rows", "9 poses", "0", ""]);
+        let Table { head, rows, .. } = by_connector(&records);
+        assert_eq!(head, ["Connector", "One 1.0", "Two 1.0"]);
+        assert_eq!(rows, [["JOIN", r"$2.5\cdot10^{-16}$", r"$1.0\cdot10^{-9}$"], ["SLOT", "0", ""]]);
     }
 
     #[test]
