@@ -37,9 +37,9 @@ def terms(*factors: np.ndarray) -> float:
 class Comparison:
     """A quantity of a connector by our formulas and by another program.
 
-    `measure(export, count)` is the worst error at so many places. It may not be above `bound`. `formulas` are those that it
-    rests on, and which of their outputs (None for all): a wrong sign in one of their numbers must be found, at `few` places. An
-    error below `rounding` is never worse than a recorded one.
+    `measure(export, count)` is the worst error at so many places. It may not be above `bound`. `formulas` are those
+    that it rests on, and which of their outputs (None for all): a wrong sign in one of their numbers must be found,
+    at `few` places. An error below `rounding` is never worse than a recorded one.
     """
 
     connector: str
@@ -63,7 +63,9 @@ class Comparison:
         """Every number of every formula that it rests on."""
         found = []
         for id, names in self.formulas.items():
-            found += [(id, name, k) for name, length in outputs(id) if names is None or name in names for k in range(length)]
+            found += [
+                (id, name, k) for name, length in outputs(id) if names is None or name in names for k in range(length)
+            ]
         return found
 
 

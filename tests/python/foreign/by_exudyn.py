@@ -26,7 +26,7 @@ from agreement import Comparison
 from connectors import JOIN, SLOT, TRANSLATOR, UJOINT, UNIVERSAL, Node
 from constraints import Constraint, Pair, Same, aligned_pairs, closed_pairs, product, turned
 from export import Export, module
-from motions import A, B, Body
+from motions import A, B
 from runs import GRAVITY, STEP, STEPS
 
 # What is exported is found once `export` has said where.
@@ -101,7 +101,7 @@ class Joint(Bodies):
 
 
 def joints() -> list[Same]:
-    """Where all three translations are held, Exudyn's residuals are in the global frame; TRANSLATOR's angles are products."""
+    """Where three translations are held, residuals are in the global frame; TRANSLATOR's angles are products."""
 
     def generic(*axes: int) -> Callable:
         flags = [int(axis in axes) for axis in range(6)]
@@ -134,10 +134,10 @@ TOLERANCE = 1e-12
 
 
 class Hung(Bodies):
-    """Body a hangs from the ground by a ball joint of Exudyn's, and body b on a by a universal joint: Exudyn's, or `ours`."""
+    """Body a hangs from the ground by a ball joint, and body b on a by a universal joint: Exudyn's, or `ours`."""
 
     def __init__(self, ours: UJoint | None):
-        # The first axis of a and the third of b are perpendicular: between both bodies are turns about the one and the other.
+        # The first axis of a and the third of b are perpendicular: between the bodies are turns about these two.
         a = product(product(turn(0, 0.7), turn(1, 0.3)), turn(2, 0.5))
         b = product(product(a, turn(0, 0.4)), turn(2, -0.5))
         at_a = -turned(a, HANGER)
@@ -201,5 +201,7 @@ def run_error(export: Export, steps: int) -> float:
 
 def comparisons() -> list[Comparison]:
     """Rows and residuals at poses, and a run with our rows beside one with Exudyn's joint."""
-    run = Comparison("UJOINT", "coordinates along a run", CALLED, run_error, STEPS, "steps", bound=1e-9, rounding=TOLERANCE, few=5)
+    run = Comparison(
+        "UJOINT", "coordinates along a run", CALLED, run_error, STEPS, "steps", bound=1e-9, rounding=TOLERANCE, few=5
+    )
     return [*(comparison for joint in joints() for comparison in joint.comparisons()), run]

@@ -30,7 +30,7 @@ def text(numbers) -> str:
 
 def joints(names: tuple[str, ...]) -> str:
     found = ""
-    for name in (part for name in names for part in IN_TURN.get(name, (name,))):
+    for name in (part for whole in names for part in IN_TURN.get(whole, (whole,))):
         kind, _, axis = name.partition(" ")
         found += f'<joint type="{kind}" axis="{AXES[axis]}"/>' if axis else f'<joint type="{kind}"/>'
     return found
@@ -72,7 +72,7 @@ class Model:
 class Tree(Model):
     """A free body a, joints at the end of its arm, and a body b that they hold by an arm of its own."""
 
-    def __init__(self, held: tuple[str, ...], a: Body = Body(), b: Body = Body()):
+    def __init__(self, held: tuple[str, ...], a: Body, b: Body):
         second = f'<body name="b" pos="{text(a.arm)}">{joints(held)}{inertial(b, -b.arm)}</body>'
         super().__init__(
             f'<body name="a"><freejoint/>{inertial(a, np.zeros(3))}{second}</body>', [(1, np.zeros(3)), (2, -b.arm)]
@@ -82,7 +82,7 @@ class Tree(Model):
         return self.placed(np.hstack([pose.position, pose.quaternion, pose.coordinates]), pose.velocity)
 
     def reaction(self) -> np.ndarray:
-        """What is transmitted to b: MuJoCo has the moment about the centre of mass of all bodies, and before the force."""
+        """What is transmitted to b. MuJoCo has the moment before the force, about the centre of mass of all bodies."""
         mujoco.mj_rnePostConstraint(self.model, self.data)
         moment, force = self.data.cfrc_int[2][:3], self.data.cfrc_int[2][3:]
         lever = self.data.subtree_com[1] - self.data.xpos[2]
@@ -119,7 +119,8 @@ class Connect(Model):
     """Two free bodies and MuJoCo's equality constraint `connect` between the ends of their arms."""
 
     def __init__(self):
-        free = "".join(f'<body name="{n}"><freejoint/>{inertial(body, np.zeros(3))}</body>' for n, body in (("a", A), ("b", B)))
+        pairs = (("a", A), ("b", B))
+        free = "".join(f'<body name="{n}"><freejoint/>{inertial(b, np.zeros(3))}</body>' for n, b in pairs)
         held = f'<connect body1="a" body2="b" anchor="{text(A.arm)}"/>'
         super().__init__(free, [(1, np.zeros(3)), (2, np.zeros(3))], held)
         self.model.eq_data[0, :6] = [*A.arm, *B.arm]

@@ -44,7 +44,8 @@ class Model:
 
     def joints(self, parent: int, names: tuple[str, ...], place=(0.0, 0.0, 0.0)) -> int:
         for k, name in enumerate(names):
-            parent = self.model.addJoint(parent, JOINTS[name](), at(place if k == 0 else (0.0, 0.0, 0.0)), f"{name} {k} {parent}")
+            behind = at(place) if k == 0 else at()
+            parent = self.model.addJoint(parent, JOINTS[name](), behind, f"{name} {k} {parent}")
         return parent
 
     def node(self, joint: int, place=(0.0, 0.0, 0.0)) -> None:
@@ -70,7 +71,7 @@ class Model:
 class Tree(Model):
     """A free body a, joints at the end of its arm, and a body b that they hold by an arm of its own."""
 
-    def __init__(self, joints: tuple[str, ...], a: Body = Body(), b: Body = Body()):
+    def __init__(self, joints: tuple[str, ...], a: Body, b: Body):
         super().__init__()
         self.model.gravity.linear = GRAVITY
         first = self.model.addJoint(0, pin.JointModelFreeFlyer(), at(), "a")
@@ -130,7 +131,8 @@ class Anchored(Model):
         for joint in joints:
             self.node(joint)
         ends = [part for joint, body in zip(joints, (A, B), strict=True) for part in (joint, at(body.arm))]
-        self.constraint = pin.RigidConstraintModel(pin.ContactType.CONTACT_3D, self.model, *ends, pin.ReferenceFrame.LOCAL)
+        kind, frame = pin.ContactType.CONTACT_3D, pin.ReferenceFrame.LOCAL
+        self.constraint = pin.RigidConstraintModel(kind, self.model, *ends, frame)
         self.done()
 
     def at(self, pair: Pair) -> Constraint:

@@ -35,7 +35,9 @@ def inputs(a: Node, b: Node) -> dict[str, np.ndarray]:
 
 
 def rates(a: Node, b: Node) -> dict[str, np.ndarray]:
-    turns = {f"e{k + 1}{n}": np.cross(node.spin, node.triad[:, k]) for n, node in (("a", a), ("b", b)) for k in range(3)}
+    turns = {
+        f"e{k + 1}{n}": np.cross(node.spin, node.triad[:, k]) for n, node in (("a", a), ("b", b)) for k in range(3)
+    }
     return turns | dict(xa=a.velocity, xb=b.velocity)
 
 
@@ -43,8 +45,8 @@ def rates(a: Node, b: Node) -> dict[str, np.ndarray]:
 class Connector:
     """A connector by the names of its formulas and of its multipliers.
 
-    `held` are the coordinates that its residuals are, of three translations along e1a, e2a, e3a and three Cardan angles; `sine`
-    is the place of the residual that is the sine of its angle.
+    `held` are the coordinates that its residuals are, of three translations along e1a, e2a, e3a and three Cardan
+    angles; `sine` is the place of the residual that is the sine of its angle.
     """
 
     name: str
@@ -137,10 +139,15 @@ class Element:
         return np.array([carried(self.export, row, self.arms) for row in rows])
 
     def velocity_term(self) -> np.ndarray:
-        """(d(Gv)/dq)v: how fast the residuals' rates change where nodes have no acceleration; ends have that of a turning arm."""
+        """(d(Gv)/dq)v: how fast the residuals' rates change where nodes have no acceleration.
+
+        The ends then have that of a turning arm.
+        """
         ends = self.ends
         velocities = np.ravel([[end.velocity, end.spin] for end in ends])
-        turning = [np.cross(end.spin, np.cross(end.spin, arm)) for end, arm in zip(ends, self.arms.values(), strict=True)]
+        turning = [
+            np.cross(end.spin, np.cross(end.spin, arm)) for end, arm in zip(ends, self.arms.values(), strict=True)
+        ]
         accelerations = np.hstack([turning[0], ZERO, turning[1], ZERO])
         rates = self.connector.row_rates(self.export, *ends)
         return rates @ velocities + self.connector.row_matrix(self.export, *ends) @ accelerations

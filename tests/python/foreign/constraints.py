@@ -1,7 +1,8 @@
-"""Comparisons with joints that a program, too, has as constraints between two bodies: residuals and rows in its velocities.
+"""Comparisons with joints that a program, too, has as constraints between two bodies.
 
-The program's residuals are ours but for a matrix: most have JOIN's in the global frame, or the opposite ones. JOIN's rows are
-compared where the joint is closed, since the derivative of its components differs by the turning frame elsewhere.
+Its residuals and rows, which are in its own velocities, are ours but for a matrix: most have JOIN's in the global
+frame, or the opposite ones. JOIN's rows are compared where the joint is closed, since elsewhere the derivative of its
+components differs by the turning frame.
 """
 
 from __future__ import annotations
@@ -111,6 +112,8 @@ class Same:
         seen = connector.closed_rows() if self.rows_at is closed_pairs else None
         rows = {connector.rows: seen, "element.arm": ["m_node"]}
         return [
-            Comparison(connector.name, "residuals of a constraint", {connector.residuals: self.varied}, self.residuals, POSES),
+            Comparison(
+                connector.name, "residuals of a constraint", {connector.residuals: self.varied}, self.residuals, POSES
+            ),
             Comparison(connector.name, "rows of a constraint", rows, self.rows, POSES),
         ]

@@ -30,7 +30,7 @@ def split(fields: list[tuple[str, int]], numbers: np.ndarray) -> dict[str, np.nd
     named, first = {}, 0
     for name, length in fields:
         part = numbers[first : first + length]
-        named[name] = {1: lambda: part[0], 9: lambda: part.reshape(3, 3)}.get(length, lambda: part)()
+        named[name] = part[0] if length == 1 else part.reshape(3, 3) if length == 9 else part
         first += length
     return named
 
@@ -39,8 +39,8 @@ def split(fields: list[tuple[str, int]], numbers: np.ndarray) -> dict[str, np.nd
 class Export:
     """Values of formulas and how they change, by the names of their inputs. What is asked for too much is ignored.
 
-    `planted` is an error that a comparison must find: a formula, one of its outputs, and the component that gets a wrong sign.
-    One that is zero, and so has none, gets a one.
+    `planted` is an error that a comparison must find: a formula, one of its outputs, and the component that gets a
+    wrong sign. One that is zero, and so has none, gets a one.
     """
 
     planted: tuple[str, str, int] | None = None

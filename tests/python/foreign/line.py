@@ -1,5 +1,6 @@
-"""SLIDER on a line that a program moves: nodes 1, n and m stay on it, so that G J = 0 and J^T F = 0 at every pose, and so
-are their rates in time.
+"""SLIDER on a line that a program moves.
+
+Nodes 1, n and m stay on the line, so that G J = 0 and J^T F = 0 at every pose, and so are their rates in time.
 """
 
 from __future__ import annotations
@@ -40,7 +41,9 @@ def poses(count: int) -> list[LinePose]:
     for _ in range(count):
         angles = rng.uniform(0.4, 1.2, 2) * rng.choice([-1.0, 1.0], 2)
         lengths = [rng.uniform(1.0, 2.0), rng.uniform(-1.0, 3.0)]
-        found.append(LinePose(np.hstack([rng.uniform(-2, 2, 3), angles, lengths]), rng.uniform(-2, 2, 7), rng.uniform(-2, 2, 2)))
+        found.append(
+            LinePose(np.hstack([rng.uniform(-2, 2, 3), angles, lengths]), rng.uniform(-2, 2, 7), rng.uniform(-2, 2, 2))
+        )
     return found
 
 

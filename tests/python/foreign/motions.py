@@ -1,8 +1,9 @@
 """Comparisons with any program that computes with joints' coordinates, and so has bodies, Jacobians and their rates.
 
-Between a free body a and a body b stand three slides along the axes of a and three hinges about the axes of what the hinge
-before has turned: the coordinates that our connectors hold, at any of their values. So J^T F = (dg/dq)^T lambda, whatever the
-pose, and its rate in time too. Nodes are the bodies' centres of mass, which carry the connector by rigid arms.
+Between a free body a and a body b stand three slides along the axes of a and three hinges about the axes of what the
+hinge before has turned: the coordinates that our connectors hold, at any of their values. So J^T F = (dg/dq)^T
+lambda, whatever the pose, and its rate in time too. Nodes are the bodies' centres of mass, which carry the connector
+by rigid arms.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Writes how well other programs agree, for the table of the book: tests/data/foreign/PROGRAM.json of all that are installed.
+"""Writes how well the programs that are installed agree: tests/data/foreign/PROGRAM.json, for the book's table.
 
-    cargo xtask export --lang numpy --out target/export/numpy
-    python3 tests/python/foreign/record.py
+cargo xtask export --lang numpy --out target/export/numpy
+python3 tests/python/foreign/record.py
 """
 
 from __future__ import annotations

@@ -1,7 +1,9 @@
-"""Runs of two bodies under gravity, a connector between them, by a program's own joints; at every step our rows and velocity
-terms, with the masses, have to give its accelerations and the reaction of its joint.
+"""Runs of two bodies under gravity, a connector between them, by a program's own joints.
 
-The equations are M a = p + G^T lambda and G a = -(d(Gv)/dq)v, for two free bodies whose nodes are their centres of mass.
+At every step our rows, velocity terms and the masses have to give its accelerations and the reaction of its joint.
+
+The equations are M a = p + G^T lambda and G a = -(d(Gv)/dq)v, for two free bodies whose nodes are their centres of
+mass.
 """
 
 from __future__ import annotations
@@ -40,7 +42,7 @@ def start(velocities: int) -> np.ndarray:
 
 @dataclass(frozen=True)
 class State:
-    """Both nodes at a step, their accelerations (translations, spins) by the program, and what its joint exerts on b, there."""
+    """Both nodes at a step, their accelerations (translations, spins), and what the program's joint exerts on b."""
 
     a: Node
     b: Node
@@ -87,5 +89,7 @@ def comparisons(tree: type) -> list[Comparison]:
         formulas = {connector.rows: None, connector.forces: None, "element.arm": ["m_node"]}
         measure = partial(worst, connector, joints)
         bound = CONDITION * ROUNDINGS * UNIT
-        found.append(Comparison(connector.name, "accelerations and reactions", formulas, measure, STEPS, "steps", bound))
+        found.append(
+            Comparison(connector.name, "accelerations and reactions", formulas, measure, STEPS, "steps", bound)
+        )
     return found
