@@ -1,6 +1,7 @@
 //! What our book shows beside entries: figures of the connectors, what scenes print, the worked example of an audit, and what
 //! the documents say.
 
+use crate::studies::agreement;
 use crate::{figures, museum, scene, statements, worked_example};
 use jointproof::verify::Audit;
 use kit::{Exhibits, Project, audit};
@@ -12,7 +13,7 @@ pub(crate) fn all(project: &Project) -> anyhow::Result<Exhibits> {
         figures: [figures::all(), scene::figures(project)?].concat(),
         moving: figures::moving(),
         outputs: [vec![audit], figures::outputs(), scene::outputs(project)?].concat(),
-        tables: [scene::tables(), scene::plans(project)?].concat(),
+        tables: [scene::tables(), scene::plans(project)?, agreement::tables(project)?].concat(),
         texts: [statements::book::texts(project)?, vec![("museum".to_owned(), museum::chapter()?)]].concat(),
         facts: statements::book::facts(project)?,
         served: scene::served(),

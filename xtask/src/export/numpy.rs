@@ -4,13 +4,19 @@ use super::c::{Names, common, signed};
 use super::language::{File, Language, Toolchain};
 use super::program::folded;
 use super::recorded::{Recorded, Text, bounds, description, refusals, stem, unreserved};
-use jointproof::formula::Field;
+use jointproof::element::offset::Arm;
+use jointproof::element::ujoint::Rows;
+use jointproof::formula::{Field, Formula};
 use jointproof::graph::{Node, Op, Unary};
+use jointproof::ujoint::Constraint;
 
 pub(super) struct NumPy;
 
 const RUNTIME: &str = include_str!("runtime/jp_runtime.py");
 const DRIVER: &str = include_str!("runtime/driver.py");
+/// User functions for Exudyn, and the formulas that they call.
+const EXUDYN: &str = include_str!("runtime/exudyn_ujoint.py");
+const EXUDYN_CALLS: [&str; 3] = [Arm::SPEC.id, Constraint::SPEC.id, Rows::SPEC.id];
 /// Words of Python, and what the functions themselves need.
 const RESERVED: [&str; 4] = ["lambda", "in", "np", "given"];
 
@@ -42,6 +48,9 @@ impl Language for NumPy {
             ("driver.py".to_owned(), DRIVER.to_owned()),
         ];
         files.extend(recorded.iter().map(|one| (format!("jp_{}.py", stem(one)), source(one))));
+        if EXUDYN_CALLS.iter().all(|id| recorded.iter().any(|one| one.formula.spec().id == *id)) {
+            files.push(("exudyn_ujoint.py".to_owned(), EXUDYN.to_owned()));
+        }
         files
     }
 
@@ -193,4 +202,24 @@ fn refused(one: &Recorded) -> String {
     let bounds: Vec<_> = bounds.collect();
     let (head, lines) = (head("refused", &inputs), lines(one, &refusal));
     format!("{head}{lines}    return code(given, [\n{}    ], {together})\n", bounds.concat())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::recorded::record;
+    use super::*;
+    use jointproof::catalog::find;
+
+    #[test]
+    fn the_joint_for_exudyn_comes_with_all_formulas_that_it_calls() {
+        let files = |ids: &[&str]| {
+            let formulas: Vec<_> = ids.iter().map(|id| find(id).unwrap()).collect();
+            NumPy.files(&record(&formulas, None).0)
+        };
+        let printed = |files: &[File]| files.iter().any(|(name, _)| name == "exudyn_ujoint.py");
+        let all = files(&EXUDYN_CALLS);
+        assert!(printed(&all) && !printed(&files(&EXUDYN_CALLS[1..])));
+        let called: Vec<_> = EXUDYN.lines().filter_map(|line| line.strip_prefix("import jp_")).collect();
+        assert_eq!(called, EXUDYN_CALLS.map(|id| id.replace('.', "_")));
+    }
 }

@@ -38,7 +38,10 @@ def shape_of(given):
 def stacked(given, results, rows=None):
     """Results along the first axis, or along two if there are so many rows."""
     shape = shape_of(given)
-    all_results = np.stack([np.broadcast_to(x, shape) for x in results])
+    if shape:
+        all_results = np.stack([np.broadcast_to(x, shape) for x in results])
+    else:
+        all_results = np.array(results, dtype=float)  # one point, which arrays are slow for
     return all_results if rows is None else all_results.reshape(rows, -1, *shape)
 
 

@@ -1,0 +1,224 @@
+"""Connectors as elements, put together from exported formulas: twelve degrees of freedom u_a, theta_a, u_b, theta_b.
+
+A spin is a turn in the global frame, de = dtheta x e; forces on the nodes are Rows^T lambda, positive ones act on b.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from export import Export, outputs
+
+DOFS = {"ua": slice(0, 3), "ta": slice(3, 6), "ub": slice(6, 9), "tb": slice(9, 12)}
+ZERO = np.zeros(3)
+
+
+@dataclass(frozen=True)
+class Node:
+    """A body's node: where it is, its triad as columns, and how both move."""
+
+    x: np.ndarray
+    triad: np.ndarray
+    velocity: np.ndarray = field(default_factory=lambda: ZERO)
+    spin: np.ndarray = field(default_factory=lambda: ZERO)
+
+    def at(self, arm: np.ndarray) -> Node:
+        """The end of a rigid arm, which is given in the global frame."""
+        return Node(self.x + arm, self.triad, self.velocity + np.cross(self.spin, arm), self.spin)
+
+
+def inputs(a: Node, b: Node) -> dict[str, np.ndarray]:
+    triads = {f"e{k + 1}{name}": node.triad[:, k] for name, node in (("a", a), ("b", b)) for k in range(3)}
+    return triads | dict(xa=a.x, xb=b.x)
+
+
+def rates(a: Node, b: Node) -> dict[str, np.ndarray]:
+    turns = {
+        f"e{k + 1}{n}": np.cross(node.spin, node.triad[:, k]) for n, node in (("a", a), ("b", b)) for k in range(3)
+    }
+    return turns | dict(xa=a.velocity, xb=b.velocity)
+
+
+@dataclass(frozen=True)
+class Connector:
+    """A connector by the names of its formulas and of its multipliers.
+
+    `held` are the coordinates that its residuals are, of three translations along e1a, e2a, e3a and three Cardan
+    angles; `sine` is the place of the residual that is the sine of its angle.
+    """
+
+    name: str
+    residuals: str
+    rows: str
+    forces: str
+    multipliers: tuple[str, ...]
+    held: tuple[int, ...]
+    sine: int | None = None
+    stiffness: str | None = None
+
+    def closed_rows(self) -> list[str]:
+        """What is not zero where both nodes are at one place: the spin of a would turn a vector without length."""
+        return [name for name, _ in outputs(self.rows) if name not in ("g1_ta", "g2_ta", "g3_ta")]
+
+    def residual(self, export: Export, a: Node, b: Node) -> np.ndarray:
+        """With all initial values zero, so that it is the connector's coordinate."""
+        initial = dict(d0=ZERO) | dict.fromkeys(["y0", "z0", "c0", "alpha0", "beta0", "gamma0"], 0.0)
+        return np.hstack(list(export.value(self.residuals, **inputs(a, b), **initial).values()))
+
+    def matrix(self, parts: dict[str, np.ndarray]) -> np.ndarray:
+        """Rows in their places. Where turning both nodes alike changes nothing, only the spin of b is written."""
+        names = list(dict.fromkeys(name.rpartition("_")[0] for name in parts))
+        rows = np.zeros((len(names), 12))
+        for name, part in parts.items():
+            residual, _, motion = name.rpartition("_")
+            rows[names.index(residual), DOFS[motion]] = part
+            if f"{residual}_ta" not in parts:
+                rows[names.index(residual), DOFS["ta"]] = -part
+        return rows
+
+    def row_matrix(self, export: Export, a: Node, b: Node) -> np.ndarray:
+        return self.matrix(export.value(self.rows, **inputs(a, b)))
+
+    def row_rates(self, export: Export, a: Node, b: Node) -> np.ndarray:
+        """How the rows change in time as the nodes move."""
+        return self.matrix(export.rate(self.rows, rates(a, b), **inputs(a, b)))
+
+    def loads(self, multipliers: np.ndarray) -> dict[str, float]:
+        return dict(zip(self.multipliers, multipliers, strict=True))
+
+    def nodal_forces(self, export: Export, a: Node, b: Node, multipliers: np.ndarray) -> np.ndarray:
+        forces = np.zeros(12)
+        for name, part in export.value(self.forces, **inputs(a, b), **self.loads(multipliers)).items():
+            forces[DOFS[{"f": "u", "m": "t"}[name[0]] + name[1]]] = part
+        return forces
+
+    def geometric_stiffness(self, export: Export, a: Node, b: Node, multipliers: np.ndarray) -> np.ndarray:
+        """Blocks that are not written are the transposed ones, and what acts on b's translation is opposite to a's."""
+        stiffness = np.zeros((12, 12))
+        for name, block in export.value(self.stiffness, **inputs(a, b), **self.loads(multipliers)).items():
+            row, column = name.split("_")[1:]
+            stiffness[DOFS[row], DOFS[column]] = block
+            if row != column:
+                stiffness[DOFS[column], DOFS[row]] = block.T
+            if row == "ua":
+                stiffness[DOFS["ub"], DOFS[column]] = -block
+                stiffness[DOFS[column], DOFS["ub"]] = -block.T
+        return stiffness
+
+
+def carried(export: Export, forces: np.ndarray, arms: dict[str, np.ndarray]) -> np.ndarray:
+    """Forces or a row, brought from the ends of rigid arms to the nodes that carry them."""
+    found = forces.copy()
+    for node, arm in arms.items():
+        u, t = DOFS["u" + node], DOFS["t" + node]
+        found[t] = export.value("element.arm", r=arm, f=forces[u], m=forces[t])["m_node"]
+    return found
+
+
+@dataclass(frozen=True)
+class Element:
+    """A connector between the ends of rigid arms (in the global frame) of two nodes."""
+
+    connector: Connector
+    export: Export
+    a: Node
+    b: Node
+    arms: dict[str, np.ndarray]
+
+    @property
+    def ends(self) -> tuple[Node, Node]:
+        return self.a.at(self.arms["a"]), self.b.at(self.arms["b"])
+
+    def residuals(self) -> np.ndarray:
+        return self.connector.residual(self.export, *self.ends)
+
+    def rows(self) -> np.ndarray:
+        rows = self.connector.row_matrix(self.export, *self.ends)
+        return np.array([carried(self.export, row, self.arms) for row in rows])
+
+    def velocity_term(self) -> np.ndarray:
+        """(d(Gv)/dq)v: how fast the residuals' rates change where nodes have no acceleration.
+
+        The ends then have that of a turning arm.
+        """
+        ends = self.ends
+        velocities = np.ravel([[end.velocity, end.spin] for end in ends])
+        turning = [
+            np.cross(end.spin, np.cross(end.spin, arm)) for end, arm in zip(ends, self.arms.values(), strict=True)
+        ]
+        accelerations = np.hstack([turning[0], ZERO, turning[1], ZERO])
+        rates = self.connector.row_rates(self.export, *ends)
+        return rates @ velocities + self.connector.row_matrix(self.export, *ends) @ accelerations
+
+    def forces(self, multipliers: np.ndarray) -> np.ndarray:
+        return carried(self.export, self.connector.nodal_forces(self.export, *self.ends, multipliers), self.arms)
+
+    def stiffness(self, multipliers: np.ndarray) -> np.ndarray:
+        """What a spin does through the arm, and how the moment of the force changes as the arm turns."""
+        forces = self.connector.nodal_forces(self.export, *self.ends, multipliers)
+        at_ends = self.connector.geometric_stiffness(self.export, *self.ends, multipliers)
+        to_ends, turning = np.eye(12), np.zeros((12, 12))
+        for node, arm in self.arms.items():
+            u, t = DOFS["u" + node], DOFS["t" + node]
+            to_ends[u, t] = np.cross(np.eye(3), arm).T
+            turning[t, t] = self.export.value("element.arm", r=arm, f=forces[u], m=forces[t])["k_arm"]
+        return to_ends.T @ at_ends @ to_ends + turning
+
+
+JOIN = Connector(
+    "JOIN",
+    "join.constraint",
+    "join.rows",
+    "join.nodal_forces",
+    ("f1", "f2", "f3"),
+    (0, 1, 2),
+    stiffness="join.geometric_stiffness",
+)
+UNIVERSAL = Connector(
+    "UNIVERSAL",
+    "universal.constraint",
+    "universal.rows",
+    "universal.nodal_moments",
+    ("lambda_rot",),
+    (4,),
+    sine=0,
+    stiffness="universal.geometric_stiffness",
+)
+UJOINT = Connector(
+    "UJOINT",
+    "ujoint.constraint",
+    "ujoint.rows",
+    "ujoint.nodal_forces",
+    ("f1", "f2", "f3", "lambda_rot"),
+    (0, 1, 2, 4),
+    sine=3,
+    stiffness="ujoint.geometric_stiffness",
+)
+SLOT = Connector(
+    "SLOT",
+    "slot.constraint",
+    "slot.rows",
+    "slot.nodal_forces",
+    ("f2", "f3"),
+    (1, 2),
+    stiffness="slot.geometric_stiffness",
+)
+ALIGN = Connector(
+    "ALIGN",
+    "align.constraint",
+    "align.rows",
+    "align.nodal_moments",
+    ("lambda_r1", "lambda_r2", "lambda_r3"),
+    (3, 4, 5),
+)
+TRANSLATOR = Connector(
+    "TRANSLATOR",
+    "translator.constraint",
+    "translator.rows",
+    "translator.nodal_forces",
+    ("f2", "f3", "lambda_r1", "lambda_r2", "lambda_r3"),
+    (1, 2, 3, 4, 5),
+)
+ALL = (JOIN, SLOT, ALIGN, TRANSLATOR, UNIVERSAL, UJOINT)
