@@ -95,9 +95,15 @@ class Connector:
         return forces
 
     def geometric_stiffness(self, export: Export, a: Node, b: Node, multipliers: np.ndarray) -> np.ndarray:
-        """Blocks that are not written are the transposed ones, and what acts on b's translation is opposite to a's."""
+        """Blocks that are not written are the transposed ones, and what acts on b's translation is opposite to a's.
+
+        What depends on the difference of both spins has its block for b alone.
+        """
         stiffness = np.zeros((12, 12))
-        for name, block in export.value(self.stiffness, **inputs(a, b), **self.loads(multipliers)).items():
+        blocks = export.value(self.stiffness, **inputs(a, b), **self.loads(multipliers))
+        if "k_tb_tb" in blocks and "k_ta_tb" not in blocks:
+            blocks = {"k_ta_ta": blocks["k_tb_tb"].T, "k_ta_tb": -blocks["k_tb_tb"]} | blocks
+        for name, block in blocks.items():
             row, column = name.split("_")[1:]
             stiffness[DOFS[row], DOFS[column]] = block
             if row != column:
@@ -212,6 +218,7 @@ ALIGN = Connector(
     "align.nodal_moments",
     ("lambda_r1", "lambda_r2", "lambda_r3"),
     (3, 4, 5),
+    stiffness="align.geometric_stiffness",
 )
 TRANSLATOR = Connector(
     "TRANSLATOR",
@@ -220,5 +227,6 @@ TRANSLATOR = Connector(
     "translator.nodal_forces",
     ("f2", "f3", "lambda_r1", "lambda_r2", "lambda_r3"),
     (1, 2, 3, 4, 5),
+    stiffness="translator.geometric_stiffness",
 )
 ALL = (JOIN, SLOT, ALIGN, TRANSLATOR, UNIVERSAL, UJOINT)
