@@ -67,7 +67,10 @@ impl Axis<'_> {
     fn number(&self, value: f64) -> String {
         let exponent = value.log10();
         if self.logarithmic && exponent.fract() == 0.0 && !(-1.0..=2.0).contains(&exponent) {
-            return format!(r#"10<tspan dy="-5" font-size="0.77em">{}</tspan>"#, exponent.to_string().replace('-', "−"));
+            return format!(
+                r#"10<tspan dy="-5" font-size="0.77em">{}</tspan>"#,
+                exponent.to_string().replace('-', "−")
+            );
         }
         value.to_string().replace('-', "−")
     }
