@@ -34,7 +34,7 @@ fn times(ratio: f64) -> String {
 
 /// A row a way.
 fn ways(measurement: &Measurement) -> String {
-    let head = ["Way", "Value", "With Jacobian", "Spread", "η of value", "hard", "η of Jacobian", "hard", "Relative"];
+    let head = ["Method", "Value", "With Jacobian", "Spread", "η of value", "hard", "η of Jacobian", "hard", "Relative"];
     let rows = each(&measurement.ways, |way| {
         let (value, jacobian) = (way.value.as_ref(), way.jacobian.as_ref());
         let together = jacobian.and_then(|figures| figures.time);
@@ -269,6 +269,6 @@ fn own(pages: &Pages<'_>, at: &Place, report: &Report) -> String {
         }
     }
     let head =
-        ["Formula", "Way", "Value", "η of value", "at hard points", "With Jacobian", "η of Jacobian at hard points"];
+        ["Formula", "Method", "Value", "η of value", "at hard points", "With Jacobian", "η of Jacobian at hard points"];
     table("speed", &head, &rows)
 }
