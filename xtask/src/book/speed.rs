@@ -34,7 +34,8 @@ fn times(ratio: f64) -> String {
 
 /// A row a way.
 fn ways(measurement: &Measurement) -> String {
-    let head = ["Method", "Value", "With Jacobian", "Spread", "η of value", "hard", "η of Jacobian", "hard", "Relative"];
+    let head =
+        ["Method", "Value", "With Jacobian", "Spread", "η of value", "hard", "η of Jacobian", "hard", "Relative"];
     let rows = each(&measurement.ways, |way| {
         let (value, jacobian) = (way.value.as_ref(), way.jacobian.as_ref());
         let together = jacobian.and_then(|figures| figures.time);
