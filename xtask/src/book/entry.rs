@@ -127,7 +127,7 @@ fn kinks(pages: &Pages<'_>, at: &Place, kinks: &[Kink], audit: Option<&Audit>) -
     let looked = audit.filter(|audit| audit.kinks.held()).and_then(|audit| audit.looked.as_ref());
     if kinks.is_empty() {
         return match looked {
-            None => "none registered, and not looked for on this version".to_owned(),
+            None => "none registered; the search was not run on this version".to_owned(),
             Some(Looked::NamedPoints { .. }) => {
                 "none at the named points; its comparisons were not searched".to_owned()
             }
@@ -166,7 +166,7 @@ fn golden(at: &Place, golden: Option<&GoldenCounts>) -> String {
 /// What was executed, with the worst figures.
 fn evidence(ran: &Evidence) -> String {
     let mut chips = vec![match ran.golden_cases {
-        Some(cases) => format!("<b>{cases}</b> golden cases regenerated to the byte"),
+        Some(cases) => format!("<b>{cases}</b> golden cases regenerated, identical bytes"),
         None => "golden file not checked on this version".to_owned(),
     }];
     let Some(audit) = &ran.audit else {
@@ -200,7 +200,7 @@ pub(crate) fn worst(claim: &Claim) -> String {
 
 /// The laws that were tried, with counts: its own, and how many of those that every formula has.
 fn laws(pages: &Pages<'_>, at: &Place, audit: Option<&Audit>) -> String {
-    let Some(audit) = audit else { return "not tried on this version".to_owned() };
+    let Some(audit) = audit else { return "not tested on this version".to_owned() };
     let law = |law: &Claim| {
         let verdict = if law.held() { "held" } else { "<b class=\"missing\">failed</b>" };
         format!("<li>{}: {verdict}, {} times</li>", escape(&law.claim), law.checks)

@@ -91,7 +91,7 @@ pub(crate) fn part(pages: &Pages<'_>, at: &Place, argument: &str) -> Option<Stri
     Some(match &pages.content.report {
         Some(report) if family.is_empty() => part(pages, at, report),
         Some(report) => part(pages, at, &report.of_family(family)),
-        None => "<p class=\"missing\">Not measured; the command <code>report</code> does.</p>".into(),
+        None => "<p class=\"missing\">Not measured; run the command <code>report</code>.</p>".into(),
     })
 }
 
@@ -99,7 +99,7 @@ pub(crate) fn part(pages: &Pages<'_>, at: &Place, argument: &str) -> Option<Stri
 fn about(report: &Report, is_current: bool) -> String {
     let Report { created, machine, build, options, .. } = report;
     let flags = match &*build.flags {
-        "" => "no flags beside those".to_owned(),
+        "" => "no other flags".to_owned(),
         flags => format!("the flags <code>{}</code>", escape(flags)),
     };
     let version = if is_current { "this version" } else { "<b>another version</b>" };
