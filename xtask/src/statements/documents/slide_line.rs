@@ -262,7 +262,7 @@ fn library() -> Vec<Statement> {
                 &slide_line::ClosestSmoothedLinear,
                 &slide_line::ClosestSmoothedParabolic,
             ])
-            .law(&slide_line::ClosestParabolic, "the gap from the foot")
+            .law(&slide_line::ClosestParabolic, "xs − X is perpendicular")
             .method(PlacedLine::<f64>::closest)
             .outputs(&["isl21a/E11", "isl22a/E11"]),
         covered("L94", "E12: the accumulated tangential displacement between node and line.")
