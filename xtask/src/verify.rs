@@ -12,7 +12,7 @@ use jointproof::verify::{Audit, Options};
 use std::fmt::Write;
 use std::time::{Duration, Instant};
 
-/// Check everything: completeness of formulas, golden files, audit, statements and numbers of the chapters, book
+/// Check everything: completeness, golden files, audit, statements, chapters, book
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   {command} verify                  the main job
