@@ -203,13 +203,14 @@ impl Sketch {
             )
         };
         let markers = [Ink::Solid, Ink::Accent, Ink::Force].map(|ink| marker(ink.tip(), ink.colour())).concat();
-        let notes: String =
+        let notes: Vec<_> =
             notes.iter().map(|note| format!("<p class=\"readout\">{}</p>\n", set(note, html))).collect();
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"sketch\" viewBox=\"0 0 {width} {height}\" role=\"img\" aria-labelledby=\"{name}-title {name}-desc\" \
              fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\" font-size=\"17\">\n<title id=\"{name}-title\">{title}</title>\n\
-             <desc id=\"{name}-desc\">{description}</desc>\n<defs>{markers}</defs>\n{}\n</svg>\n{notes}",
-            lines.join("\n")
+             <desc id=\"{name}-desc\">{description}</desc>\n<defs>{markers}</defs>\n{}\n</svg>\n{}",
+            lines.join("\n"),
+            notes.concat()
         )
     }
 }
@@ -227,7 +228,7 @@ pub(super) fn number(x: f64) -> String {
 /// A name with its index, if it has one, and what follows the index.
 struct Name<'a> {
     is_bold: bool,
-    name: &'a str,
+    letters: &'a str,
     index: &'a str,
     after: &'a str,
 }
@@ -236,30 +237,29 @@ struct Name<'a> {
 fn set(text: &str, written: fn(&Name<'_>) -> String) -> String {
     let words = text.split(' ').map(|word| {
         let (is_bold, word) = word.strip_prefix('*').map_or((false, word), |rest| (true, rest));
-        let (name, rest) = word.split_once('_').unwrap_or((word, ""));
+        let (letters, rest) = word.split_once('_').unwrap_or((word, ""));
         let (index, after) = rest.split_at(rest.find([',', ':', ';', ')', '=']).unwrap_or(rest.len()));
-        written(&Name { is_bold, name, index, after })
+        written(&Name { is_bold, letters, index, after })
     });
     words.collect::<Vec<_>>().join(" ")
 }
 
 /// A name in a drawing.
 fn svg(name: &Name<'_>) -> String {
-    let Name { is_bold, name, index, after } = name;
-    let bold = if *is_bold { r#" font-weight="700""# } else { "" };
+    let Name { is_bold, letters, index, after } = name;
+    let letters =
+        if *is_bold { format!(r#"<tspan font-weight="700">{letters}</tspan>"#) } else { (*letters).to_owned() };
     if index.is_empty() {
-        return format!("<tspan{bold}>{name}</tspan>");
+        return letters;
     }
-    format!(
-        r#"<tspan{bold}>{name}</tspan><tspan dy="5" font-size="0.72em">{index}</tspan><tspan dy="-5">{after}&#8203;</tspan>"#
-    )
+    format!(r#"{letters}<tspan dy="5" font-size="0.72em">{index}</tspan><tspan dy="-5">{after}&#8203;</tspan>"#)
 }
 
 /// A name in the text below it.
 fn html(name: &Name<'_>) -> String {
-    let Name { is_bold, name, index, after } = name;
-    let name = if *is_bold { format!("<b>{name}</b>") } else { (*name).to_owned() };
-    if index.is_empty() { name } else { format!("{name}<sub>{index}</sub>{after}") }
+    let Name { is_bold, letters, index, after } = name;
+    let letters = if *is_bold { format!("<b>{letters}</b>") } else { (*letters).to_owned() };
+    if index.is_empty() { letters } else { format!("{letters}<sub>{index}</sub>{after}") }
 }
 
 #[cfg(test)]
