@@ -209,12 +209,11 @@ fn laws(pages: &Pages<'_>, at: &Place, audit: Option<&Audit>) -> String {
     let is_own = |law: &&Claim| !of_every.contains(&law.claim.as_str()) || !law.held();
     let (own, common): (Vec<_>, Vec<_>) = audit.laws.iter().partition(is_own);
     let times: usize = common.iter().map(|law| law.checks).sum();
+    let held = |words: &str| format!("<li>{}: held, {times} times</li>", everywhere(pages, at, words, COMMON));
     let common = match common.len() {
         0 => String::new(),
-        count => format!(
-            "<li>{}: held, {times} times</li>",
-            everywhere(pages, at, &format!("the {count} laws of every formula"), COMMON)
-        ),
+        1 => held("the law of every formula"),
+        count => held(&format!("the {count} laws of every formula")),
     };
     format!("<ul>{}{common}</ul>", each(own, law))
 }

@@ -239,7 +239,7 @@ fn component(fields: &[Field], mut place: usize) -> String {
 /// To four decimals, without zeros that say nothing, with a true minus sign.
 fn four_digits(x: f64) -> String {
     if x.is_infinite() {
-        return "without bound".into();
+        return "unbounded".into();
     }
     // A negative zero is written as 0.
     ((x * 1e4).round() / 1e4 + 0.0).to_string().replace('-', "−")

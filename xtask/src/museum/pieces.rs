@@ -41,7 +41,7 @@ pub(super) fn all() -> Vec<Piece> {
                 "The Jacobian was wrong by the distance from the origin.",
                 "the lever arm of the moment is the position of b instead of the vector from a to b.",
             ],
-            "moves",
+            "frame indifference",
         ),
         piece::<NormalDerivative>(
             [

@@ -12,8 +12,8 @@ pub(super) fn document() -> Document {
         source: formula::Document::SLIDE_LINE,
         anchor: "slide-line",
         about: "A run of pages of a manual: the end of its Section 40.4.1, *Slide line contact elements*, from the local basis on, \
-                and Section 40.4.2, *Axisymmetric slide line element library*. What stands before the local basis was not in \
-                the text that we had.",
+                and Section 40.4.2, *Axisymmetric slide line element library*. The part before the local basis is missing \
+                in our text.",
         found: "Look for Sections 40.4.1 and 40.4.2, Figures 40.4.1–3 to 40.4.1–5. The pages name the product Abaqus/Standard.",
         sections: &[
             "Defining the local basis system",
@@ -103,7 +103,7 @@ fn line() -> Vec<Statement> {
             .cases(&slide_line::LinearPoint, &["first-node", "last-node"])
             .item::<Interpolation>(),
         covered("L25", "Keyword: SLIDE LINE, TYPE=LINEAR.").chapter("scenes.md#slide-lines"),
-        outside("L26-30", "A figure of a linear line.", "shows what the words say"),
+        outside("L26-30", "A figure of a linear line.", "repeats the text"),
         covered("L32-s1", "Second-order elements have a line of second-order segments.")
             .formulas(&[&slide_line::ParabolicPoint])
             .cases(&slide_line::ParabolicPoint, &["first-node", "midside-node", "last-node"]),
@@ -246,7 +246,7 @@ fn library() -> Vec<Statement> {
         covered("L83", "The coordinates are r and z.").item::<Nodes>().test("slide_line/main::bad_nodes_are_named"),
         covered("L85", "The property definition: SLIDE LINE and INTERFACE.")
             .chapter("slide-line-elements.md#which-elements"),
-        outside("L87", "There is no element loading.", "nothing to cover"),
+        outside("L87", "There is no element loading.", "nothing to implement"),
         covered("L90", "S11: the pressure between node and line.")
             .formulas(&[&interaction::PressureLinear, &interaction::PressureExponential, &interaction::Damping])
             .method(Interaction::pressure::<f64>)

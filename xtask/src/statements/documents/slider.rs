@@ -10,10 +10,10 @@ pub(super) fn document() -> Document {
     Document {
         source: formula::Document::SLIDER,
         anchor: "slider",
-        about: "The theory of a multi-point constraint that holds a node on the straight line through two others: the condition, \
-                its elimination, its derivative, and the case of two dimensions. The text that we had is one paragraph without \
-                headings, in which **every symbol and every equation is lost**; the words between them stand, and [the \
-                chapter](slider.md) spells out what they connect.",
+        about: "The theory of a multi-point constraint that keeps a node on the straight line through two others: the condition, \
+                its elimination, its derivative, and the case of two dimensions. Our text is one paragraph without \
+                headings, in which **all symbols and equations are missing**; only the words between them remain, and [the \
+                chapter](slider.md) derives the equations from them.",
         found: "The text calls its subject *the sliding constraint*, an MPC. It names the products Abaqus/Standard and \
                 Abaqus/Explicit, and gives no title.",
         sections: &[],
@@ -25,7 +25,7 @@ pub(super) fn document() -> Document {
 
 fn line() -> Vec<Statement> {
     vec![
-        outside("s1", "It has a variety of uses.", "no more than that"),
+        outside("s1", "It has a variety of uses.", "a general remark"),
         covered("s2", "With other constraints it joins a mesh of shells to a mesh of solids.")
             .chapter("slider.md#slider")
             .chapter("scene-interface.md#example-from-shell-to-solid"),

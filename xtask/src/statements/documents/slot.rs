@@ -10,8 +10,8 @@ pub(super) fn document() -> Document {
     Document {
         source: formula::Document::SLOT,
         anchor: "slot",
-        about: "A page of a library of connector elements: what the connection type SLOT holds, its forces, its friction, \
-                and a summary of what is given and reported.",
+        about: "A page of a library of connector elements: the constraint of the connection type SLOT, its forces, its friction, \
+                and a summary of inputs and outputs.",
         found: "The page is titled SLOT. It names the products Abaqus/Standard, Abaqus/Explicit and Abaqus/CAE, and refers to \
                 *Connector Elements* and *Connector Element Library*.",
         sections: &["Description", "Friction", "Summary"],
@@ -39,7 +39,7 @@ fn position() -> Vec<Statement> {
             .outputs(&["slot@3d/GZ"]),
         covered("L5-s2", "If b is free in the normal direction, use SLIDE-PLANE.").chapter("slot.md#neighbours"),
         outside("L7-14", "Cross references.", "refers to other pages"),
-        outside("L16", "The products that support it.", "names programs"),
+        outside("L16", "The products that support it.", "names of programs"),
         covered("L20", "A figure of the slot.").chapter("slot.md#slot"),
         covered("L22-s1", "The first direction of a and the initial position of b give the line.")
             .method(Slot::new)

@@ -11,7 +11,7 @@ pub(super) fn document() -> Document {
         source: formula::Document::UJOINT,
         anchor: "ujoint",
         about: "A page of the same library as SLOT's: the connection type UJOINT, which is JOIN and UNIVERSAL together, and how \
-                the loads at the centre of the cross become friction in its four hinges.",
+                the loads at the centre of the cross cause friction in its four hinges.",
         found: "The page is titled UJOINT. It names the products Abaqus/Standard, Abaqus/Explicit and Abaqus/CAE, and refers to \
                 *Connector Elements* and *Connector Element Library*.",
         sections: &["Description", "Friction", "Summary"],
