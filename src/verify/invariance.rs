@@ -18,7 +18,8 @@ pub(crate) fn of_all(subject: &Subject) -> Vec<Law> {
         sides: Box::new(move |i| equal_all(value(&rescale(inputs, i)).into_iter().zip(rescale(outputs, &value(i))))),
     };
     let indifference = Law {
-        statement: "frame indifference: moving and turning the model moves and turns the outputs".into(),
+        statement: "frame indifference: a rigid-body motion of the model displaces and rotates the outputs with it"
+            .into(),
         sides: Box::new(move |i| {
             let reach = reach(inputs, i);
             let sides = value(&moved(inputs, i, reach)).into_iter().zip(moved(outputs, &value(i), reach));

@@ -62,7 +62,9 @@ pub(super) fn look(subject: &Subject, names: &Names, [named, random]: [&[Point];
         Err(why) => return Looked::NamedPoints { why: why.to_string() },
     };
     if graph.ops().iter().any(|op| matches!(op, Op::Search(..))) {
-        return Looked::NamedPoints { why: "it searches, and where what is found jumps no operation tells".into() };
+        return Looked::NamedPoints {
+            why: "the formula is an iterative search, and no single operation shows where its result jumps".into(),
+        };
     }
     // Points in general position come first.
     let starts: Vec<_> = random.iter().take(FEW).chain(named).chain(random.iter().skip(FEW)).collect();

@@ -22,12 +22,12 @@ use std::fmt::Write;
 /// Check every claim about the formulas: derivatives, accuracy, laws
 ///
 /// Each formula's closed-form Jacobian is compared with automatic differentiation, and that with differences, in 237
-/// bits; value and Jacobian in f64 are compared with the exact ones; its laws are tried at random points. The worst
-/// point is printed with its inputs, which can be given back with --point.
+/// bits; value and Jacobian in f64 are compared with the exact ones; its laws are tested at random points. The worst
+/// point is printed with its inputs; --point tests it again.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   {command} audit                                every formula at 1000 random points each
-  {command} audit --samples 100000 --seed 7      a longer look elsewhere
+  {command} audit --samples 100000 --seed 7      more points, other seed
   {command} audit --filter '{family}.*' --format markdown  to paste into a code review
   {command} audit --since main                   what a change touches
   {command} audit --format github                in a workflow: annotations and a summary
@@ -35,19 +35,19 @@ use std::fmt::Write;
 pub(crate) struct Arguments {
     #[command(flatten)]
     selection: Selection,
-    /// Random points a formula
+    /// Random points per formula
     #[arg(long, value_name = "N", default_value_t = Options::default().samples)]
     samples: usize,
     /// Seed of the random points
     #[arg(long, value_name = "S", default_value_t = Options::default().seed)]
     seed: u64,
-    /// Only formulas whose evidence rests on a file that has changed since this revision
+    /// Only formulas whose evidence depends on a file that has changed since this revision
     #[arg(long, value_name = "REV", conflicts_with = "point")]
     since: Option<String>,
-    /// How to write the result
+    /// Format of the result
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-    /// Audit one formula at this point only: its inputs as a JSON object, as golden files and audits give them
+    /// Audit one formula at this point only: its inputs as a JSON object, as in golden files and audits
     #[arg(long, value_name = "JSON", requires = "filter", conflicts_with_all = ["samples", "seed"])]
     point: Option<String>,
 }

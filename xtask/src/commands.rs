@@ -39,7 +39,7 @@ enum Command {
     Measure,
 }
 
-/// Write the completions of a shell, to be read when it starts
+/// Write the completions for a shell, which reads them at its start
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   {command} complete bash > ~/.local/share/bash-completion/completions/jointproof

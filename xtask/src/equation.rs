@@ -12,7 +12,7 @@ use jointproof::verify::{Claim, Deviation, Options};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::time::Instant;
 
-/// Compare an equation of your own, in LaTeX, with a formula; or all that the book prints
+/// Compare your own equation, in LaTeX, with a formula; or check all equations of the book
 ///
 /// Without an equation, every printed one is executed, value and Jacobian, and all mathematics and numbers of the
 /// chapters are checked.
@@ -31,7 +31,7 @@ pub(crate) struct Arguments {
     /// The formula, by its identifier
     #[arg(long, value_name = "ID", requires = "latex")]
     against: Option<String>,
-    /// A symbol of the equation for an input or output of the formula
+    /// Use this symbol for an input or output of the formula
     #[arg(long = "let", value_name = "SYMBOL=NAME", value_parser = renaming, requires = "latex")]
     renamed: Vec<(String, String)>,
     /// Random points

@@ -18,7 +18,7 @@ use jointproof::formula::Field;
 pub(crate) struct Arguments {
     #[command(flatten)]
     selection: Selection,
-    /// Show them in full
+    /// Show all details
     #[arg(long)]
     show: bool,
 }

@@ -16,12 +16,12 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-/// Write the golden files, or check that they are what the code says
+/// Write the golden files, or check that they agree with the code
 ///
 /// Values and Jacobians are computed in 237 bits and rounded once, so the files have the same bytes on every machine.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
-  {command} golden                       write what has changed, remove what has no formula
+  {command} golden                       write changed files, remove files without a formula
   {command} golden --check               regenerate in memory and compare, write nothing
   {command} golden --filter '{family}.*' only the formulas of a family
   {command} golden --out cases           into a folder of another project")]
@@ -29,7 +29,7 @@ pub(crate) struct Arguments {
     /// Compare with the committed files and write nothing; exit 1 on any difference
     #[arg(long)]
     check: bool,
-    /// Write the files and their schema into this folder, for another project; the committed ones stay as they are
+    /// Write the files and their schema into this folder, for another project; the committed files are not changed
     #[arg(long, value_name = "FOLDER", conflicts_with = "check")]
     out: Option<PathBuf>,
     #[command(flatten)]

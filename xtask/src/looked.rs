@@ -9,7 +9,7 @@ const NAMED: usize = 4;
 /// What was found, in a few lines; nothing of what was covered wholly is listed.
 pub(crate) fn lines(looked: &Looked) -> Vec<String> {
     match looked {
-        Looked::NamedPoints { why } => vec![format!("kinks were looked for at named points alone: {why}")],
+        Looked::NamedPoints { why } => vec![format!("kinks were searched at the named points only: {why}")],
         Looked::Graph { search, coverage } => of_search(search).into_iter().chain(of_coverage(coverage)).collect(),
     }
 }
@@ -17,11 +17,12 @@ pub(crate) fn lines(looked: &Looked) -> Vec<String> {
 fn of_search(search: &Search) -> Vec<String> {
     let Search { candidates, points, smooth, registered, not_reached, .. } = search;
     if *candidates == 0 {
-        return vec!["it compares nothing and guards no zero, so that nothing can jump".into()];
+        return vec!["it has no comparisons and no guarded zeros, so nothing can jump".into()];
     }
     let [candidates, points] = [(*candidates, "place"), (*points, "point")].map(|(number, noun)| count(number, noun));
-    let found =
-        format!("{candidates} where it might not be smooth, at {points}: {smooth} smooth, {registered} registered");
+    let found = format!(
+        "{candidates} where the derivative may not exist, tested at {points}: {smooth} smooth, {registered} registered"
+    );
     [vec![found], named("not reached", not_reached)].concat()
 }
 
@@ -31,8 +32,8 @@ fn of_coverage(coverage: &Coverage) -> Vec<String> {
     }
     let [comparisons, asked] =
         [(coverage.comparisons, "comparison"), (coverage.asked, "time")].map(|(number, noun)| count(number, noun));
-    let sides = if coverage.never.is_empty() { ", both sides of each taken" } else { "" };
-    [vec![format!("{comparisons}, asked {asked}{sides}")], named("sides not taken", &coverage.never)].concat()
+    let sides = if coverage.never.is_empty() { ", both branches of each reached" } else { "" };
+    [vec![format!("{comparisons}, evaluated {asked}{sides}")], named("branches not reached", &coverage.never)].concat()
 }
 
 fn named(what: &str, texts: &[String]) -> Vec<String> {

@@ -7,7 +7,7 @@ use jointproof::catalog::AnyFormula;
 /// `--filter`
 #[derive(clap::Args)]
 pub(crate) struct Selection {
-    /// Only formulas whose identifier matches, `*` stands for anything
+    /// Only formulas whose identifier matches this pattern; `*` matches anything
     #[arg(long, value_name = "GLOB")]
     filter: Option<String>,
 }

@@ -12,13 +12,13 @@ use jointproof::verify::{Audit, Options};
 use std::fmt::Write;
 use std::time::{Duration, Instant};
 
-/// Check everything: what formulas owe, golden files, audit, what the chapters claim, book
+/// Check everything: completeness, golden files, audit, statements, chapters, book
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   {command} verify                  the main job
   {command} verify --samples 100    a quicker audit")]
 pub(crate) struct Arguments {
-    /// Random points a formula in the audit
+    /// Random points per formula in the audit
     #[arg(long, value_name = "N", default_value_t = Options::default().samples)]
     samples: usize,
 }

@@ -46,7 +46,7 @@ fn a_wrong_number_in_prose_is_found() {
     mutate(&bench, "slide-line.md", "{{9.15 in ", "{{9.16 in ");
     mutate(&bench, "evidence.md", "{{60 in ", "{{61 in ");
     check(&bench, 1)
-        .prints("translator.md:18: 3.8 is not 3.73")
+        .prints("translator.md:20: 3.8 is not 3.73")
         .prints("`isl::areas_of_nodes_against_their_integrals` has no 9.16 in it")
         .prints("`CLOSED_AGAINST_AD` has no 61 in it");
 }

@@ -65,12 +65,15 @@ impl Proved for BetaTwoArgument {
                 let beta = Self::eval(&BetaAxes { e1a, e1b, e2b, e3b }).beta;
                 law::equal(beta, e1a.dot(&e3b).asin())
             }),
-            Law::<Self>::new("the lengths of the vectors do not count: doubling all of b's, or e1a, leaves it", |i| {
-                let (here, two) = (Self::eval(i).beta, Octuple::from(2.0));
-                let longer_a = Self::eval(&BetaAxes { e1a: i.e1a * two, ..*i }).beta;
-                let (e1b, e2b, e3b) = (i.e1b * two, i.e2b * two, i.e3b * two);
-                law::equal_all([(longer_a, here), (Self::eval(&BetaAxes { e1b, e2b, e3b, ..*i }).beta, here)])
-            }),
+            Law::<Self>::new(
+                "the lengths of the vectors do not matter: doubling all of b's, or e1a, does not change it",
+                |i| {
+                    let (here, two) = (Self::eval(i).beta, Octuple::from(2.0));
+                    let longer_a = Self::eval(&BetaAxes { e1a: i.e1a * two, ..*i }).beta;
+                    let (e1b, e2b, e3b) = (i.e1b * two, i.e2b * two, i.e3b * two);
+                    law::equal_all([(longer_a, here), (Self::eval(&BetaAxes { e1b, e2b, e3b, ..*i }).beta, here)])
+                },
+            ),
             Law::<Self>::new("reversing e1a reverses it", |i| {
                 law::equal(Self::eval(&BetaAxes { e1a: -i.e1a, ..*i }).beta, -Self::eval(i).beta)
             }),

@@ -50,7 +50,7 @@ impl Proved for Response {
                 let Slid { f, slip } = Self::eval(i);
                 dissipates(f, slip, i.slip_before, i.u)
             }),
-            Law::<Self>::new("the force is the stiffness times what has not slipped", |i| {
+            Law::<Self>::new("the force is the stiffness times the elastic part of the motion", |i| {
                 let Slid { f, slip } = Self::eval(i);
                 law::equal_with(f, i.k_el * (i.u - slip), i.k_el * (abs(i.u) + abs(slip)))
             }),
@@ -65,7 +65,7 @@ impl Proved for Response {
                 .concat()
             }),
             Law::<Self>::new(
-                "a closed cycle in stick leaves the state, takes no energy, and has the elastic stiffness",
+                "a closed cycle in stick does not change the state and dissipates no energy, and the tangent is the elastic stiffness",
                 |i| {
                     let reach = i.mu * i.r#fn / i.k_el;
                     let at = |part: f64| Sliding { u: i.slip_before + reach * part, ..*i };

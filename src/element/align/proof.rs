@@ -137,7 +137,7 @@ impl Proved for Moments {
     fn laws() -> Vec<Law<Self>> {
         vec![
             Law::<Self>::new(
-                "they are Rowsᵀ λ: what they do in any motion, the multipliers do on the residuals",
+                "they are Rowsᵀ λ: their work in any motion is that of the multipliers on the residuals",
                 |i| {
                     let rows = Rows::eval(&i.triads()).rows();
                     let sum = |of: fn(&Motion) -> Vector3<Octuple>| {

@@ -80,11 +80,11 @@ impl Proved for Rows {
                 let of = |k: usize| derivative(|motion| residuals(i, motion)[k]);
                 (0..3).flat_map(|k| equal_motions(&rows[k], &of(k))).collect()
             }),
-            Law::<Self>::new("none does work where both nodes move as one body", |i| {
+            Law::<Self>::new("they do no work in a rigid-body motion", |i| {
                 Self::eval(i).rows().iter().flat_map(|row| balance(row, [i.xa, i.xb])).collect()
             }),
             Law::<Self>::new(
-                "by the translation of b they are orthonormal on an orthonormal triad, so that no two say the same",
+                "by the translation of b they are orthonormal on an orthonormal triad, so that no two are dependent",
                 |i| {
                     let [e1a, e2a, e3a] = law::orthonormal([i.e1a, i.e2a, i.e3a]);
                     let [p, q, r] = Self::eval(&Positions { e1a, e2a, e3a, ..*i }).rows().map(|row| row.ub);
@@ -128,7 +128,7 @@ impl Proved for Forces {
     fn laws() -> Vec<Law<Self>> {
         vec![
             Law::<Self>::new(
-                "they are Rowsᵀ λ: what they do in any motion, the multipliers do on the residuals",
+                "they are Rowsᵀ λ: their work in any motion is that of the multipliers on the residuals",
                 |i| {
                     let JoinLoads { e1a, e2a, e3a, xa, xb, f1, f2, f3 } = *i;
                     let [p, q, r] = Rows::eval(&Positions { e1a, e2a, e3a, xa, xb }).rows();

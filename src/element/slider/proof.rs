@@ -153,7 +153,7 @@ impl Proved for Rows {
                 let size = lever(&at);
                 [equal_parts(&first, &of(jac.g1), size), equal_parts(&second, &of(jac.g2), size)].concat()
             }),
-            Law::<Self>::new("they are what the incremental constraint multiplies the increments by", |i| {
+            Law::<Self>::new("they are the coefficients of the increments in the incremental constraint", |i| {
                 let Nodes { x1, xn, xm } = *i;
                 let jac =
                     IncrementalConstraint::jacobian(&MovingNodes { x1, xn, xm, ..MovingNodes::filled(x1.x * 0.0) });
@@ -162,7 +162,7 @@ impl Proved for Rows {
                 let size = lever(i);
                 [equal_parts(&first, &of(jac.r1), size), equal_parts(&second, &of(jac.r2), size)].concat()
             }),
-            Law::<Self>::new("none does work where all nodes move alike, nor where m moves along the line", |i| {
+            Law::<Self>::new("they do no work in a common motion of all nodes, or when m moves along the line", |i| {
                 let n = Line::eval(&Ends { x1: i.x1, xn: i.xn }).n;
                 let of_row = |row: [Vector; 3]| {
                     let sum = row[0] + row[1] + row[2];
@@ -220,7 +220,7 @@ impl Proved for Forces {
     fn laws() -> Vec<Law<Self>> {
         vec![
             Law::<Self>::new(
-                "they are Rowsᵀ λ: what they do in any motion, the multipliers do on the residuals",
+                "they are Rowsᵀ λ: their work in any motion is that of the multipliers on the residuals",
                 |i| {
                     let [first, second] = Rows::eval(&i.nodes()).rows();
                     let sum = [0, 1, 2].map(|node| first[node] * i.lambda_1 + second[node] * i.lambda_2);
@@ -293,7 +293,7 @@ impl Proved for GeometricStiffness {
                     law::equal_all_with(entries, entry_size(&at))
                 },
             ),
-            Law::<Self>::new("it is symmetric, and nothing changes where all nodes move alike", |i| {
+            Law::<Self>::new("it is symmetric, and a common motion of all nodes changes nothing", |i| {
                 let matrix = Self::eval(i).matrix();
                 let size = entry_size(i);
                 let pairs = (0..81).map(|k| (matrix[(k % 9, k / 9)], matrix[(k / 9, k % 9)]));

@@ -101,13 +101,13 @@ impl Proved for Rows {
                 let by = Constraint2d::jacobian(&at).g;
                 equal_parts(Self::eval(&at).parts(), [by.x1, by.xn, by.xm], lever(&at))
             }),
-            Law::<Self>::new("they are what the incremental constraint multiplies the increments by", |i| {
+            Law::<Self>::new("they are the coefficients of the increments in the incremental constraint", |i| {
                 let Nodes2d { x1, xn, xm } = *i;
                 let still = MovingNodes2d { x1, xn, xm, ..MovingNodes2d::filled(Octuple::zero()) };
                 let by = IncrementalConstraint2d::jacobian(&still).r;
                 equal_parts(Self::eval(i).parts(), [by.dx1, by.dxn, by.dxm], lever(i))
             }),
-            Law::<Self>::new("none does work where all nodes move alike", |i| {
+            Law::<Self>::new("they do no work in a common motion of all nodes", |i| {
                 let [on_1, on_n, on_m] = Self::eval(i).parts();
                 law::vanish((on_1 + on_n + on_m).iter().copied(), lever(i))
             }),
@@ -199,7 +199,7 @@ impl Proved for GeometricStiffness {
                     law::equal_all_with(pairs, entry_size(&at))
                 },
             ),
-            Law::<Self>::new("it is symmetric, and nothing changes where all nodes move alike", |i| {
+            Law::<Self>::new("it is symmetric, and a common motion of all nodes changes nothing", |i| {
                 let matrix = Self::eval(i).matrix();
                 let pairs = (0..36).map(|k| (matrix[(k / 6, k % 6)], matrix[(k % 6, k / 6)]));
                 let sums = (0..12).map(|k| {

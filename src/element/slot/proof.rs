@@ -77,7 +77,7 @@ impl Proved for Rows {
                 let by_z = derivative(|motion| residuals(i, motion).gz);
                 [equal_motions(&y, &by_y), equal_motions(&z, &by_z)].concat()
             }),
-            Law::<Self>::new("none does work where both nodes move as one body", |i| {
+            Law::<Self>::new("they do no work in a rigid-body motion", |i| {
                 Self::eval(i).rows().iter().flat_map(|row| balance(row, [i.xa, i.xb])).collect()
             }),
         ]

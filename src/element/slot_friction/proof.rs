@@ -88,7 +88,7 @@ impl Proved for Response {
                 dissipates(f1, slip, i.slip_before, i.u1)
             }),
             Law::<Self>::new(
-                "in stick the tangent is the elastic stiffness, the constraint forces have no part, and a closed cycle takes no energy",
+                "in stick the tangent is the elastic stiffness, the constraint forces contribute nothing, and a closed cycle dissipates no energy",
                 |i| {
                     let reach = i.mu * Friction::eval(&i.loads()).r#fn / i.k_el;
                     let at = |part: f64| SlotSliding { u1: i.slip_before + reach * part, ..*i };
@@ -103,12 +103,15 @@ impl Proved for Response {
                     ])
                 },
             ),
-            Law::<Self>::new("in slip the motion has no part, and the constraint forces act by μ ∂F_N", |i| {
-                let reach = i.mu * Friction::eval(&i.loads()).r#fn / i.k_el;
-                let by = Self::jacobian(&SlotSliding { u1: i.slip_before + reach * 1.5, ..*i }).f1;
-                let normal = Friction::jacobian(&i.loads()).r#fn;
-                law::equal_all([(by.u1, Octuple::zero()), (by.f2, i.mu * normal.f2), (by.f3, i.mu * normal.f3)])
-            }),
+            Law::<Self>::new(
+                "in slip the tangent does not depend on the motion, and the constraint forces contribute μ ∂F_N",
+                |i| {
+                    let reach = i.mu * Friction::eval(&i.loads()).r#fn / i.k_el;
+                    let by = Self::jacobian(&SlotSliding { u1: i.slip_before + reach * 1.5, ..*i }).f1;
+                    let normal = Friction::jacobian(&i.loads()).r#fn;
+                    law::equal_all([(by.u1, Octuple::zero()), (by.f2, i.mu * normal.f2), (by.f3, i.mu * normal.f3)])
+                },
+            ),
         ]
     }
 }
@@ -156,7 +159,7 @@ impl Proved for Response2d {
 
     fn laws() -> Vec<Law<Self>> {
         vec![
-            Law::<Self>::new("it is the response in space, whatever axis the force across the slot has", |i| {
+            Law::<Self>::new("it is the response in space, for either direction of the transverse force", |i| {
                 let here = Self::eval(i);
                 let across = SlotSliding { f2: Octuple::zero(), f3: i.f2, ..i.in_space() };
                 let there = Response::eval(&across);

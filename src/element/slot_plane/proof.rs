@@ -86,7 +86,7 @@ impl Proved for Rows {
                 let derivative = Vector6::from_row_slice(&alone().map(|motion| residual(&motion).eps));
                 equal(&Self::eval(i).vector(), &derivative, [length(i.e2a), length(i.xb - i.xa)])
             }),
-            Law::<Self>::new("it does no work where both nodes move as one body", |i| {
+            Law::<Self>::new("it does no work in a rigid-body motion", |i| {
                 let row = Self::eval(i).vector();
                 let turned = law::vanish([row.dot(&turn(i.xa, i.xb))], length(i.xb - i.xa));
                 [law::equal_all([(row[0], -row[3]), (row[1], -row[4])]), turned].concat()

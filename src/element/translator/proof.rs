@@ -88,7 +88,7 @@ impl Proved for Rows {
                 };
                 (0..5).flat_map(compare).collect()
             }),
-            Law::<Self>::new("none does work where both nodes move as one body", |i| {
+            Law::<Self>::new("they do no work in a rigid-body motion", |i| {
                 Self::eval(i).rows().iter().flat_map(|row| balance(row, [i.xa, i.xb])).collect()
             }),
         ]
@@ -140,7 +140,7 @@ impl Proved for Forces {
     fn laws() -> Vec<Law<Self>> {
         vec![
             Law::<Self>::new(
-                "they are Rowsᵀ λ: what they do in any motion, the multipliers do on the residuals",
+                "they are Rowsᵀ λ: their work in any motion is that of the multipliers on the residuals",
                 |i| {
                     let rows = Rows::eval(&TranslatorPlaces::new(&i.align().triads(), [i.xa, i.xb])).rows();
                     let [l1, l2, l3] = i.align().multipliers();

@@ -131,7 +131,7 @@ impl Proved for Response {
                 ])
             }),
             Law::<Self>::new(
-                "in stick the tangent is the elastic stiffness, in slip the loads act by μ ∂F_N",
+                "in stick the tangent is the elastic stiffness, in slip the loads contribute μ ∂F_N",
                 |i| {
                     let reach = i.mu * Friction::eval(&i.loads()).r#fn / i.k_el;
                     let by =

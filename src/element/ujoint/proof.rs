@@ -76,7 +76,7 @@ impl Proved for Rows {
                 [equal_motions(&p, &of(0)), equal_motions(&q, &of(1)), equal_motions(&r, &of(2)), turned.collect()]
                     .concat()
             }),
-            Law::<Self>::new("none does work where both nodes move as one body", |i| {
+            Law::<Self>::new("they do no work in a rigid-body motion", |i| {
                 Self::eval(i).rows().iter().flat_map(|row| balance(row, [i.xa, i.xb])).collect()
             }),
         ]
@@ -107,7 +107,7 @@ impl Proved for Forces {
     fn laws() -> Vec<Law<Self>> {
         vec![
             Law::<Self>::new(
-                "they are Rowsᵀ λ: what they do in any motion, the multipliers do on the residuals",
+                "they are Rowsᵀ λ: their work in any motion is that of the multipliers on the residuals",
                 |i| {
                     let JointLoads { e1a, e2a, e3a, e3b, xa, xb, f1, f2, f3, lambda_rot } = *i;
                     let [p, q, r, s] = Rows::eval(&JointPlaces { e1a, e2a, e3a, e3b, xa, xb }).rows();

@@ -104,7 +104,7 @@ impl Proved for Moments {
     fn laws() -> Vec<Law<Self>> {
         vec![
             Law::<Self>::new(
-                "they are Rowsᵀ λ: what they do in any motion, the multiplier does on the residual",
+                "they are Rowsᵀ λ: their work in any motion is that of the multiplier on the residual",
                 |i| {
                     let UniversalLoads { e1a, e3b, lambda_rot } = *i;
                     let row = Rows::eval(&CrossAxes { e1a, e3b });

@@ -29,22 +29,18 @@ const S12: Quantity = Quantity {
 const AREA: Quantity = Quantity {
     latex: "A",
     unit: Unit::new(2, 0, 0),
-    meaning: "contact area of each node, as far as this element has it, around the whole circumference",
+    meaning: "part of the contact area of each node that belongs to this element, around the whole circumference",
     ..E12
 };
-const T1: Quantity = Quantity {
-    latex: r"\mathbf{t}_1",
-    meaning: "tangent of the line at the closest point of each node, node by node",
-    ..TANGENT
-};
+const T1: Quantity =
+    Quantity { latex: r"\mathbf{t}_1", meaning: "tangent of the line at the closest point of each node", ..TANGENT };
 const T2: Quantity = Quantity {
     latex: r"\mathbf{t}_2\cdot\mathbf{s}",
     unit: Unit::ONE,
     meaning: "second tangent of the line along the circumferential direction s, at each node: t2 = −s",
     ..E12
 };
-const N: Quantity =
-    Quantity { meaning: "normal of the line at the closest point of each node, node by node", ..NORMAL };
+const N: Quantity = Quantity { meaning: "normal of the line at the closest point of each node", ..NORMAL };
 
 /// A coordinate along the line is no output.
 const FOOT: &[(&str, &str)] = &[("g", "coordinate"), ("t", "coordinate"), ("separation", "e11")];

@@ -106,13 +106,13 @@ pub(super) const FOLLOWED1: Quantity = scalar(
     r"\alpha",
     Unit::ONE,
     Domain::Angle,
-    "angle of b's triad relative to a's about e1a, followed over full turns",
+    "angle of b's triad relative to a's about e1a, tracked over full turns",
 );
 pub(super) const FOLLOWED3: Quantity = scalar(
     r"\gamma",
     Unit::ONE,
     Domain::Angle,
-    "angle of b's triad relative to a's about e3b, followed over full turns",
+    "angle of b's triad relative to a's about e3b, tracked over full turns",
 );
 pub(super) const ANGLES: Outputs = &[
     ("GROT", "g_rot"),

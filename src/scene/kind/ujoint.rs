@@ -61,10 +61,8 @@ const P1: Quantity =
     scalar(r"P_1", Unit::FL, Domain::NonNegative, "magnitude of the moment about e1a that friction transmits");
 const P3: Quantity =
     scalar(r"P_3", Unit::FL, Domain::NonNegative, "magnitude of the moment about e3b that friction transmits");
-const SLIP1: Quantity =
-    scalar(r"\Delta s_1", Unit::ONE, Domain::Real, "slip about e1a in this increment, 0 while it sticks");
-const SLIP3: Quantity =
-    scalar(r"\Delta s_3", Unit::ONE, Domain::Real, "slip about e3b in this increment, 0 while it sticks");
+const SLIP1: Quantity = scalar(r"\Delta s_1", Unit::ONE, Domain::Real, "slip about e1a in this increment, 0 in stick");
+const SLIP3: Quantity = scalar(r"\Delta s_3", Unit::ONE, Domain::Real, "slip about e3b in this increment, 0 in stick");
 const TOTAL1: Quantity = scalar(r"s_1", Unit::ONE, Domain::NonNegative, "accumulated slip about e1a, never falling");
 const TOTAL3: Quantity = scalar(r"s_3", Unit::ONE, Domain::NonNegative, "accumulated slip about e3b, never falling");
 

@@ -43,14 +43,13 @@ pub(in crate::scene) const fn scalar(
 }
 
 /// Stick stiffness.
-pub const K_STICK: Quantity =
-    scalar(r"k", Unit::new(-1, 1, 0), Domain::Positive, "stiffness of the contact while it sticks");
+pub const K_STICK: Quantity = scalar(r"k", Unit::new(-1, 1, 0), Domain::Positive, "stiffness in stick");
 /// Displacement at the start of the increment.
 pub const U1_BEFORE: Quantity = scalar(r"u_1^-", Unit::L, Domain::Real, "available displacement in the last state");
 /// Friction force at the start of the increment.
 pub const F_BEFORE: Quantity = scalar(r"f^-", Unit::F, Domain::Real, "friction force in the last state");
 /// Slip of the increment.
-pub const SLIP: Quantity = scalar(r"\Delta s", Unit::L, Domain::Real, "slip of this increment, 0 while it sticks");
+pub const SLIP: Quantity = scalar(r"\Delta s", Unit::L, Domain::Real, "slip of this increment, 0 in stick");
 /// Accumulated slip.
 pub const TOTAL: Quantity = scalar(r"s", Unit::L, Domain::NonNegative, "accumulated slip, never falling");
 /// Accumulated slip at the start of the increment.
@@ -96,7 +95,7 @@ impl Formula for Stick {
 
 /// Stick stiffness of a joint that turns.
 pub const TURN_STICK: Quantity =
-    scalar(r"k", Unit::FL, Domain::Positive, "moment per radian of the contact while it sticks");
+    scalar(r"k", Unit::FL, Domain::Positive, "rotational stiffness in stick, moment per radian");
 /// An angle as it is read off the triads.
 pub const ANGLE: Quantity = scalar(r"\alpha", Unit::ONE, Domain::Angle, "angle, from −π to below π");
 /// The angle at the start.

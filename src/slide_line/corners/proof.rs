@@ -96,7 +96,7 @@ impl Proved for SmoothedParabolicPoint {
                 let linear = LinearCornerPlace { x1: i.x1, x2: i.x3, x3: i.x5, f: i.f, t: i.t };
                 same(&Self::eval(&straight), &SmoothedLinearPoint::eval(&linear), size(&i.components()))
             }),
-            Law::<Self>::new("it is the cubic of Bézier of its four control points", |i| {
+            Law::<Self>::new("it is the Bézier cubic of its four control points", |i| {
                 let reach = i.f * 4.0 / 3.0;
                 let g = -(i.f * 2.0) + 1.0;
                 let a = ParabolicPoint::eval(&ParabolicPlace { x1: i.x1, x2: i.x2, x3: i.x3, g });

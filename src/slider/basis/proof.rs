@@ -42,7 +42,7 @@ impl Proved for Basis {
 
     fn laws() -> Vec<Law<Self>> {
         vec![
-            Law::<Self>::new("t1 is a unit vector across the line and across i", |i| {
+            Law::<Self>::new("t1 is a unit vector perpendicular to the line and to i", |i| {
                 let t1 = Self::eval(i).t1;
                 let mut sides = law::equal(t1.dot(&t1), 1.0.into());
                 sides.extend(law::no_work(t1, i.n));

@@ -40,7 +40,7 @@ impl Proved for Constraint {
 
     fn laws() -> Vec<Law<Self>> {
         vec![
-            Law::<Self>::new("g1² + g2² is the squared distance of m from the line, whatever t1 and t2 are", |i| {
+            Law::<Self>::new("g1² + g2² is the squared distance of m from the line, for any t1 and t2", |i| {
                 let Distances { g1, g2 } = Self::eval(i);
                 let d = i.xn - i.x1;
                 let offset = i.xm - i.x1;
@@ -118,7 +118,7 @@ impl Proved for IncrementalConstraint {
     fn laws() -> Vec<Law<Self>> {
         vec![
             Law::<Self>::new(
-                "on the line it is the variation of the constraint: t1, t2 and their variations drop out",
+                "on the line it is the variation of the constraint: t1, t2 and their variations cancel",
                 |i| {
                     let xm = i.x1 + (i.xn - i.x1) * i.xm.x; // any share will do
                     let at = MovingNodes { xm, ..*i };

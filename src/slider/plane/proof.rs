@@ -82,7 +82,7 @@ impl Proved for IncrementalConstraint2d {
 
     fn laws() -> Vec<Law<Self>> {
         vec![
-            Law::<Self>::new("on the line it is the variation of the constraint: that of t drops out", |i| {
+            Law::<Self>::new("on the line it is the variation of the constraint: that of t cancels", |i| {
                 let xm = i.x1 + (i.xn - i.x1) * i.xm.x; // any share will do
                 let at = MovingNodes2d { xm, ..*i };
                 let by = Constraint2d::jacobian(&Nodes2d { x1: at.x1, xn: at.xn, xm }).g;

@@ -23,15 +23,18 @@ impl Proved for ContactForce {
     }
 
     fn laws() -> Vec<Law<Self>> {
-        vec![Law::<Self>::new("turning the slot about its axis leaves it: only the size of (f2, f3) counts", |i| {
-            law::equal_all([
-                (Self::eval(i).fc, Self::eval(&CrossForces { f2: i.f3, f3: -i.f2 }).fc),
-                (
-                    Self::eval(i).fc * 5.0,
-                    Self::eval(&CrossForces { f2: i.f2 * 3.0 - i.f3 * 4.0, f3: i.f2 * 4.0 + i.f3 * 3.0 }).fc,
-                ),
-            ])
-        })]
+        vec![Law::<Self>::new(
+            "turning the slot about its axis does not change it: only the length of (f2, f3) matters",
+            |i| {
+                law::equal_all([
+                    (Self::eval(i).fc, Self::eval(&CrossForces { f2: i.f3, f3: -i.f2 }).fc),
+                    (
+                        Self::eval(i).fc * 5.0,
+                        Self::eval(&CrossForces { f2: i.f2 * 3.0 - i.f3 * 4.0, f3: i.f2 * 4.0 + i.f3 * 3.0 }).fc,
+                    ),
+                ])
+            },
+        )]
     }
 
     fn ways() -> Vec<Way> {
@@ -82,7 +85,7 @@ impl Proved for NormalForce {
     }
 
     fn laws() -> Vec<Law<Self>> {
-        vec![Law::<Self>::new("reversing both forces leaves it", |i| {
+        vec![Law::<Self>::new("reversing both forces does not change it", |i| {
             law::equal(Self::eval(i).r#fn, Self::eval(&ContactForces { fc: -i.fc, fc_int: -i.fc_int }).r#fn)
         })]
     }
@@ -129,7 +132,7 @@ impl Proved for Friction {
 
     fn laws() -> Vec<Law<Self>> {
         vec![
-            Law::<Self>::new("reversing f1, f2 or f3 leaves it", |i| {
+            Law::<Self>::new("reversing f1, f2 or f3 does not change it", |i| {
                 let out = Self::eval(i);
                 let reversed = Self::eval(&SlotLoads { f1: -i.f1, f2: -i.f2, f3: -i.f3, ..*i });
                 law::equal_all([(out.p, reversed.p), (out.r#fn, reversed.r#fn), (out.phi, reversed.phi)])

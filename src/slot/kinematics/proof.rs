@@ -66,7 +66,7 @@ impl Proved for Constraint {
 
     fn laws() -> Vec<Law<Self>> {
         vec![
-            Law::<Self>::new("moving b along the slot leaves the residuals", |i| {
+            Law::<Self>::new("moving b along the slot does not change the residuals", |i| {
                 let [e2a, e3a, e1a] = law::orthonormal([i.e2a, i.e3a, i.e2a.cross(&i.e3a)]);
                 let moved = |xb| Self::eval(&SlotPositions { e2a, e3a, xb, ..*i });
                 let (here, there) = (moved(i.xb), moved(i.xb + e1a));

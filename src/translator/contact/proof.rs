@@ -30,7 +30,7 @@ impl Proved for TorqueForce {
 
     fn laws() -> Vec<Law<Self>> {
         vec![
-            Law::<Self>::new("reversing the torque leaves it", |i| {
+            Law::<Self>::new("reversing the torque does not change it", |i| {
                 law::equal(Self::eval(i).f_torq, Self::eval(&Torque { m1: -i.m1, ..*i }).f_torq)
             }),
             Law::<Self>::new("the contact force at its lever is the torque: F_torq R_r = M_torq", |i| {
@@ -54,7 +54,7 @@ impl Proved for RadialForce {
             Law::<Self>::new("it is the contact force of a SLOT", |i| {
                 law::equal(Self::eval(i).fr, slot::ContactForce::eval(i).fc)
             }),
-            Law::<Self>::new("turning the force about the slot leaves it", |i| {
+            Law::<Self>::new("turning the force about the slot does not change it", |i| {
                 let [c, s] = [3.0, 4.0].map(Octuple::from);
                 let turned = CrossForces { f2: i.f2 * c - i.f3 * s, f3: i.f2 * s + i.f3 * c };
                 law::equal(Self::eval(i).fr * 5.0, Self::eval(&turned).fr)
@@ -89,7 +89,7 @@ impl Proved for BendingForce {
 
     fn laws() -> Vec<Law<Self>> {
         vec![
-            Law::<Self>::new("turning the moment about the slot leaves it", |i| {
+            Law::<Self>::new("turning the moment about the slot does not change it", |i| {
                 let [c, s] = [3.0, 4.0].map(Octuple::from);
                 let turned = Bending { m2: i.m2 * c - i.m3 * s, m3: i.m2 * s + i.m3 * c, ..*i };
                 law::equal(Self::eval(i).f_bend * 5.0, Self::eval(&turned).f_bend)

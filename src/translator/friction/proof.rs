@@ -42,7 +42,7 @@ impl Proved for ContactForce {
                 let no_levers = ContactLoads { rr: zero, l: zero, ..*i };
                 law::equal_all([(Self::eval(&no_moments).fc, slot), (Self::eval(&no_levers).fc, slot)])
             }),
-            Law::<Self>::new("reversing any load leaves it", |i| {
+            Law::<Self>::new("reversing any load does not change it", |i| {
                 let fc = Self::eval(i).fc;
                 let reversed = [
                     ContactLoads { f2: -i.f2, ..*i },
@@ -112,7 +112,7 @@ impl Proved for Friction {
                 let slot = slot::Friction::eval(&SlotLoads { f1, f2, f3, fc_int, mu });
                 law::equal_all([(here.p, slot.p), (here.r#fn, slot.r#fn), (here.phi, slot.phi)])
             }),
-            Law::<Self>::new("reversing all forces and moments leaves it", |i| {
+            Law::<Self>::new("reversing all forces and moments does not change it", |i| {
                 let [f1, f2, f3, m1, m2, m3] = [i.f1, i.f2, i.f3, i.m1, i.m2, i.m3].map(|load| -load);
                 let (here, there) = (Self::eval(i), Self::eval(&FrictionLoads { f1, f2, f3, m1, m2, m3, ..*i }));
                 law::equal_all([(here.p, there.p), (here.r#fn, there.r#fn), (here.phi, there.phi)])

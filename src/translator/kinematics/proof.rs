@@ -72,16 +72,13 @@ impl Proved for Constraint {
                 }
                 law::equal_all(pairs)
             }),
-            Law::<Self>::new(
-                "sliding along e1a is free: it changes no residual, so no multiplier does work on it",
-                |i| {
-                    let (a, b) = i.triads().orthonormal();
-                    let [e1a, ..] = a;
-                    let rows = Self::jacobian(&i.with_triads(&Triads::new(a, b)));
-                    let rows = [rows.gy, rows.gz, rows.ur1, rows.ur2, rows.ur3];
-                    rows.iter().flat_map(|row| law::no_work(row.xb, e1a)).collect()
-                },
-            ),
+            Law::<Self>::new("sliding along e1a is free: it changes no residual, so no multiplier does work", |i| {
+                let (a, b) = i.triads().orthonormal();
+                let [e1a, ..] = a;
+                let rows = Self::jacobian(&i.with_triads(&Triads::new(a, b)));
+                let rows = [rows.gy, rows.gz, rows.ur1, rows.ur2, rows.ur3];
+                rows.iter().flat_map(|row| law::no_work(row.xb, e1a)).collect()
+            }),
             Law::<Self>::new(
                 "aligned, Jacobianᵀ · multipliers on b is SLOT's constraint force and ALIGN's moment",
                 |i| {
@@ -95,43 +92,39 @@ impl Proved for Constraint {
                     [law::equal_vectors(force, f), law::equal_vectors(moment, m)].concat()
                 },
             ),
-            Law::<Self>::new(
-                "aligned, the exchanged nodes are held in the same place and by the same reactions: neither order frees or binds",
-                |i| {
-                    let (a, _) = i.triads().orthonormal();
-                    let [_, e2, e3] = a;
-                    let here = i.with_triads(&Triads::new(a, a));
-                    let Placement { xa, xb, y0, z0, alpha0, beta0, gamma0, .. } = here;
-                    let there = Placement {
-                        xa: xb,
-                        xb: xa,
-                        y0: -y0,
-                        z0: -z0,
-                        alpha0: -alpha0,
-                        beta0: -beta0,
-                        gamma0: -gamma0,
-                        ..here
-                    };
-                    let residuals = |at: &Placement<Octuple>| {
-                        let AllResiduals { gy, gz, ur1, ur2, ur3 } = Self::eval(at);
-                        [gy, gz, ur1, ur2, ur3]
-                    };
-                    let held =
-                        residuals(&here).into_iter().zip(residuals(&there)).map(|(g, exchanged)| (g, -exchanged));
-                    let mut sides = law::equal_all(held);
-                    let [[force_a, moment_a], [force_b, moment_b]] = reactions(&here, here.any_multipliers());
-                    let [m1, m2, m3] = a.map(|axis| axis.dot(&moment_a));
-                    let [on_b, on_a] = reactions(&there, [e2.dot(&force_a), e3.dot(&force_a), m1, m2, m3]);
-                    let size = law::length(xb - xa) * law::length(force_b) + law::length(moment_b);
-                    for (reaction, exchanged) in [(force_a, on_a[0]), (force_b, on_b[0])] {
-                        sides.extend(law::equal_vectors(reaction, exchanged));
-                    }
-                    for (reaction, exchanged) in [(moment_a, on_a[1]), (moment_b, on_b[1])] {
-                        sides.extend((0..3).flat_map(|k| law::equal_with(reaction[k], exchanged[k], size)));
-                    }
-                    sides
-                },
-            ),
+            Law::<Self>::new("aligned, the exchanged nodes are held in the same place by the same reactions", |i| {
+                let (a, _) = i.triads().orthonormal();
+                let [_, e2, e3] = a;
+                let here = i.with_triads(&Triads::new(a, a));
+                let Placement { xa, xb, y0, z0, alpha0, beta0, gamma0, .. } = here;
+                let there = Placement {
+                    xa: xb,
+                    xb: xa,
+                    y0: -y0,
+                    z0: -z0,
+                    alpha0: -alpha0,
+                    beta0: -beta0,
+                    gamma0: -gamma0,
+                    ..here
+                };
+                let residuals = |at: &Placement<Octuple>| {
+                    let AllResiduals { gy, gz, ur1, ur2, ur3 } = Self::eval(at);
+                    [gy, gz, ur1, ur2, ur3]
+                };
+                let held = residuals(&here).into_iter().zip(residuals(&there)).map(|(g, exchanged)| (g, -exchanged));
+                let mut sides = law::equal_all(held);
+                let [[force_a, moment_a], [force_b, moment_b]] = reactions(&here, here.any_multipliers());
+                let [m1, m2, m3] = a.map(|axis| axis.dot(&moment_a));
+                let [on_b, on_a] = reactions(&there, [e2.dot(&force_a), e3.dot(&force_a), m1, m2, m3]);
+                let size = law::length(xb - xa) * law::length(force_b) + law::length(moment_b);
+                for (reaction, exchanged) in [(force_a, on_a[0]), (force_b, on_b[0])] {
+                    sides.extend(law::equal_vectors(reaction, exchanged));
+                }
+                for (reaction, exchanged) in [(moment_a, on_a[1]), (moment_b, on_b[1])] {
+                    sides.extend((0..3).flat_map(|k| law::equal_with(reaction[k], exchanged[k], size)));
+                }
+                sides
+            }),
             Law::<Self>::new("in any position the reactions on a and b are in equilibrium, about xa too", |i| {
                 let (a, b) = i.triads().orthonormal();
                 let [[force_a, moment_a], [force_b, moment_b]] =

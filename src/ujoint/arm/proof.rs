@@ -69,7 +69,7 @@ impl Proved for AxialFactors {
                 let AxialShares { alpha_axial, beta_axial } = Self::eval(i);
                 law::equal((alpha_axial + beta_axial) * 2.0, 1.0.into())
             }),
-            Law::<Self>::new("the shares are as the stiffnesses: β/α = 3/(3 + λ²)", |i| {
+            Law::<Self>::new("the shares are proportional to the stiffnesses: β/α = 3/(3 + λ²)", |i| {
                 let AxialShares { alpha_axial, beta_axial } = Self::eval(i);
                 let lambda = i.la / i.rp;
                 law::equal(beta_axial * (lambda * lambda + 3.0), alpha_axial * 3.0)

@@ -43,7 +43,7 @@ impl Proved for ContactMoments {
 
     fn laws() -> Vec<Law<Self>> {
         vec![
-            Law::<Self>::new("reversing all loads leaves them", |i| {
+            Law::<Self>::new("reversing all loads does not change them", |i| {
                 let reversed = JointLoads { f1: -i.f1, f2: -i.f2, f3: -i.f3, m2: -i.m2, ..*i };
                 equal_pairs(Self::eval(i), Self::eval(&reversed))
             }),
@@ -66,7 +66,7 @@ impl Proved for ContactMoments {
                 let m = abs(i.m2) * i.rp * (shares.beta_twist / i.la + shares.alpha_twist * 2.0 / i.ls);
                 law::equal_all([(mc1, m), (mc3, m)])
             }),
-            Law::<Self>::new("the links of the chain, each its own formula, give the same", |i| {
+            Law::<Self>::new("the separate formulas of its steps give the same", |i| {
                 let JointLoads { m2, la, rp, ra, ls, .. } = *i;
                 let CrossForces { f_axial1, f_axial3, f_bend } = i.at_centre();
                 let axial = HingeAxial::eval(&AxialForces { f_axial1, f_axial3, la, rp });

@@ -39,7 +39,7 @@ impl Proved for Decomposition {
                 let force = i.e1a * i.f1 + i.force_beside_e1a();
                 law::equal_vectors(e1a * f_axial1 + e3b * f_axial3 + across * f_bend, force)
             }),
-            Law::<Self>::new("f1 does not bend the cross, whatever the vectors are", |i| {
+            Law::<Self>::new("f1 does not bend the cross, for any vectors", |i| {
                 let without = Self::eval(&CrossLoads { f1: Octuple::from(0.0), ..*i });
                 law::equal(Self::eval(i).f_bend, without.f_bend)
             }),

@@ -95,7 +95,7 @@ impl Proved for Friction {
 
     fn laws() -> Vec<Law<Self>> {
         vec![
-            Law::<Self>::new("reversing all loads leaves them", |i| {
+            Law::<Self>::new("reversing all loads does not change them", |i| {
                 let out = Self::eval(i);
                 let FrictionLoads { f1, f2, f3, m1, m2, m3, .. } = *i;
                 let reversed = FrictionLoads { f1: -f1, f2: -f2, f3: -f3, m1: -m1, m2: -m2, m3: -m3, ..*i };

@@ -56,7 +56,7 @@ impl Proved for NormalMoments {
     }
 
     fn laws() -> Vec<Law<Self>> {
-        vec![Law::<Self>::new("reversing any moment leaves them", |i| {
+        vec![Law::<Self>::new("reversing any moment does not change them", |i| {
             let out = Self::eval(i);
             let reversed = Self::eval(&AllContactMoments { mc1: -i.mc1, mc3_int: -i.mc3_int, ..*i });
             law::equal_all([(out.mn1, reversed.mn1), (out.mn3, reversed.mn3)])

@@ -29,7 +29,7 @@ impl Proved for Constraint {
 
     fn laws() -> Vec<Law<Self>> {
         vec![Law::<Self>::new(
-            "turning b about e3b, or a about e1a, leaves it: neither shaft's own turn is held",
+            "turning b about e3b, or a about e1a, does not change it: the rotation of each shaft about its arm is free",
             |i| {
                 let jac = Self::jacobian(i);
                 let about_b = i.e3b.cross(&jac.g.e3b).dot(&i.e3b);
@@ -106,7 +106,7 @@ impl Proved for RelativeMotion {
     }
 
     fn laws() -> Vec<Law<Self>> {
-        vec![Law::<Self>::new("both counts differ by a constant: what changes one changes the other by as much", |i| {
+        vec![Law::<Self>::new("both displacements differ by a constant, so they change by the same amount", |i| {
             let here = Self::eval(i);
             let pairs = [
                 (here.ur1 - here.ur1_mat, i.theta1_ref - i.alpha0),

@@ -30,19 +30,19 @@ pub(crate) struct Arguments {
     /// Show the book in the browser
     #[arg(long)]
     open: bool,
-    /// Where to put the book
+    /// The folder for the book
     #[arg(long, value_name = "FOLDER")]
     out: Option<PathBuf>,
-    /// Leave speed and error out if no report is kept, and measure nothing
+    /// Measure nothing; omit speed and error if there is no stored report
     #[arg(long)]
     unmeasured: bool,
-    /// Use every calculator in a headless Chromium at the inputs of all golden cases, and compare every bit with Rust's
+    /// Run every calculator in a headless Chromium with the inputs of all golden cases, and compare every bit with Rust
     #[arg(long)]
     check_calculators: bool,
-    /// Look at every page in a headless Chromium: barriers (by axe, if JOINTPROOF_AXE says where it is), width on a phone, weight, search, keyboard
+    /// Check every page in a headless Chromium: accessibility (by axe, if JOINTPROOF_AXE gives its path), width on a phone, size, search, keyboard
     #[arg(long)]
     check_pages: bool,
-    /// Take pictures of the pages that book/screens.txt names, on a desk and on a phone, in light and in dark colours
+    /// Take screenshots of the pages in book/screens.txt, for desktop and phone, in the light and the dark theme
     #[arg(long, value_name = "FOLDER")]
     screenshots: Option<PathBuf>,
 }

@@ -20,8 +20,8 @@ pub(crate) fn entry(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
         pages.block_math(at, &entry.latex),
         given(pages, at, entry),
         glance::worked(pages, at, entry),
-        glance::view(pages, at, "Its variation", &entry.variation, true),
-        glance::view(pages, at, "With everything put in", &entry.closed, false),
+        glance::view(pages, at, "Variation", &entry.variation, true),
+        glance::view(pages, at, "Expanded equation", &entry.closed, false),
         symbols(pages, at, entry),
         format!("<dl class=\"facts\">{}</dl>", facts(pages, at, entry)),
         calculator::folded(entry),
@@ -127,7 +127,7 @@ fn kinks(pages: &Pages<'_>, at: &Place, kinks: &[Kink], audit: Option<&Audit>) -
     let looked = audit.filter(|audit| audit.kinks.held()).and_then(|audit| audit.looked.as_ref());
     if kinks.is_empty() {
         return match looked {
-            None => "none registered, and not looked for on this version".to_owned(),
+            None => "none registered; the search was not run on this version".to_owned(),
             Some(Looked::NamedPoints { .. }) => {
                 "none at the named points; its comparisons were not searched".to_owned()
             }
@@ -166,7 +166,7 @@ fn golden(at: &Place, golden: Option<&GoldenCounts>) -> String {
 /// What was executed, with the worst figures.
 fn evidence(ran: &Evidence) -> String {
     let mut chips = vec![match ran.golden_cases {
-        Some(cases) => format!("<b>{cases}</b> golden cases regenerated to the byte"),
+        Some(cases) => format!("<b>{cases}</b> golden cases regenerated, identical bytes"),
         None => "golden file not checked on this version".to_owned(),
     }];
     let Some(audit) = &ran.audit else {
@@ -200,7 +200,7 @@ pub(crate) fn worst(claim: &Claim) -> String {
 
 /// The laws that were tried, with counts: its own, and how many of those that every formula has.
 fn laws(pages: &Pages<'_>, at: &Place, audit: Option<&Audit>) -> String {
-    let Some(audit) = audit else { return "not tried on this version".to_owned() };
+    let Some(audit) = audit else { return "not tested on this version".to_owned() };
     let law = |law: &Claim| {
         let verdict = if law.held() { "held" } else { "<b class=\"missing\">failed</b>" };
         format!("<li>{}: {verdict}, {} times</li>", escape(&law.claim), law.checks)
@@ -209,12 +209,11 @@ fn laws(pages: &Pages<'_>, at: &Place, audit: Option<&Audit>) -> String {
     let is_own = |law: &&Claim| !of_every.contains(&law.claim.as_str()) || !law.held();
     let (own, common): (Vec<_>, Vec<_>) = audit.laws.iter().partition(is_own);
     let times: usize = common.iter().map(|law| law.checks).sum();
+    let held = |words: &str| format!("<li>{}: held, {times} times</li>", everywhere(pages, at, words, COMMON));
     let common = match common.len() {
         0 => String::new(),
-        count => format!(
-            "<li>{}: held, {times} times</li>",
-            everywhere(pages, at, &format!("the {count} laws of every formula"), COMMON)
-        ),
+        1 => held("the law of every formula"),
+        count => held(&format!("the {count} laws of every formula")),
     };
     format!("<ul>{}{common}</ul>", each(own, law))
 }

@@ -205,13 +205,13 @@ fn symbol(field: &Field) -> Symbol {
 fn kink(entry: &KinkEntry, [inputs, outputs]: [&[Field]; 2]) -> Kink {
     let convention = match entry.convention {
         Convention::Subgradient => "0 is returned, the subgradient of least norm",
-        Convention::Switch => "the value is defined; the Jacobian is one-sided and left out of the golden file",
-        Convention::Cut => "the value jumps by a whole turn there, its derivative does not",
+        Convention::Switch => "the value is defined; the Jacobian is one-sided and not in the golden file",
+        Convention::Cut => "the value jumps by a full turn, the derivative does not",
     };
     let Some(Sides { rank, output, input, sides: [below, above] }) = entry.sides else { return Kink::default() };
     let (output, input) = (component(outputs, output), component(inputs, input));
     let derivative = match rank {
-        Rank::Value => format!("${output}$ itself across ${input}$"),
+        Rank::Value => format!("the value of ${output}$, along ${input}$"),
         Rank::Slope => format!(r"$\partial {output}/\partial {input}$"),
         Rank::Curvature => format!(r"$\partial^2 {output}/\partial {input}^2$"),
     };
@@ -239,7 +239,7 @@ fn component(fields: &[Field], mut place: usize) -> String {
 /// To four decimals, without zeros that say nothing, with a true minus sign.
 fn four_digits(x: f64) -> String {
     if x.is_infinite() {
-        return "without bound".into();
+        return "unbounded".into();
     }
     // A negative zero is written as 0.
     ((x * 1e4).round() / 1e4 + 0.0).to_string().replace('-', "−")

@@ -57,6 +57,7 @@ pub(crate) fn used_by(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
     let mut outputs: Vec<(&str, Vec<&Served>)> = Vec::new();
     for one in served {
         match outputs.iter_mut().find(|(output, _)| *output == one.output) {
+            Some((_, of)) if of.iter().any(|known| (&known.of, &known.place) == (&one.of, &one.place)) => {}
             Some((_, of)) => of.push(one),
             None => outputs.push((&one.output, vec![one])),
         }
@@ -65,11 +66,20 @@ pub(crate) fn used_by(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
         let of = of.iter().map(|served| {
             format!("<a href=\"{}\">{}</a>", escape(&relative(&at.page, &served.place)), escape(&served.of))
         });
-        format!("<code>{}</code> of {}", escape(output), of.collect::<Vec<_>>().join(" and "))
+        format!("<code>{}</code> of {}", escape(output), with_and(&of.collect::<Vec<_>>()))
     };
     let outputs = outputs.iter().map(output).collect::<Vec<_>>().join(", ");
     let outputs = if outputs.is_empty() { outputs } else { format!("outputs of scenes {outputs}") };
     [formulas, vec![outputs]].concat().into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
+}
+
+/// Words with commas, and "and" before the last.
+fn with_and(words: &[String]) -> String {
+    match words {
+        [] => String::new(),
+        [only] => only.clone(),
+        [rest @ .., last] => format!("{} and {last}", rest.join(", ")),
+    }
 }
 
 /// How to cite it: in words and for BibTeX, with the address that never changes.
@@ -87,8 +97,8 @@ pub(crate) fn cite(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
         digest.trim_start_matches(". ")
     );
     format!(
-        "<details class=\"cite\"><summary>Cite this entry</summary><p>{}. Its address <a href=\"{}\"><code>{}</code></a> \
-         stays when chapters change.</p><pre><code class=\"nohighlight\">{}</code></pre></details>",
+        "<details class=\"cite\"><summary>Cite this entry</summary><p>{}. Permanent address: \
+         <a href=\"{}\"><code>{}</code></a></p><pre><code class=\"nohighlight\">{}</code></pre></details>",
         escape(&words),
         escape(&relative(&at.page, &link)),
         escape(&link),

@@ -22,9 +22,30 @@ const NO_COLOURS: &str = ">window.hljs = { configure() {}, highlightBlock() {}, 
 /// What every page does.
 const SCRIPT: &str = include_str!("page.js");
 
+/// Options of commands within the text are kept whole: a line would break at their hyphens.
+fn with_whole_options(page: &str) -> String {
+    let mut pieces = page.split("<code>");
+    let mut out = pieces.next().unwrap_or_default().to_owned();
+    for piece in pieces {
+        let is_block = out.ends_with("<pre>");
+        out.push_str("<code>");
+        let code = piece.split_once("</code>").map_or("", |(code, _)| code);
+        if is_block || !code.contains("--") {
+            out.push_str(piece);
+            continue;
+        }
+        let words = code.split(' ').map(|word| {
+            if word.starts_with("--") { format!("<span class=\"option\">{word}</span>") } else { word.to_owned() }
+        });
+        out.push_str(&words.collect::<Vec<_>>().join(" "));
+        out.push_str(&piece[code.len()..]);
+    }
+    out
+}
+
 /// The page, mended.
 pub(crate) fn mended(page: &str) -> String {
-    let mut page = page.to_owned();
+    let mut page = with_whole_options(page);
     for (from, to) in MENDED {
         page = page.replace(from, &to.replace("{page.js}", SCRIPT));
     }
@@ -38,6 +59,13 @@ pub(crate) fn mended(page: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn options_in_the_text_are_kept_whole() {
+        let options =
+            "<code>golden <span class=\"option\">--check</span> a--b</code>, <pre><code>golden --check</code>";
+        assert_eq!(with_whole_options("<code>golden --check a--b</code>, <pre><code>golden --check</code>"), options);
+    }
 
     #[test]
     fn code_is_reached_by_the_keyboard() {

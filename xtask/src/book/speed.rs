@@ -34,7 +34,8 @@ fn times(ratio: f64) -> String {
 
 /// A row a way.
 fn ways(measurement: &Measurement) -> String {
-    let head = ["Way", "Value", "With Jacobian", "Spread", "η of value", "hard", "η of Jacobian", "hard", "Relative"];
+    let head =
+        ["Method", "Value", "With Jacobian", "Spread", "η of value", "hard", "η of Jacobian", "hard", "Relative"];
     let rows = each(&measurement.ways, |way| {
         let (value, jacobian) = (way.value.as_ref(), way.jacobian.as_ref());
         let together = jacobian.and_then(|figures| figures.time);
@@ -90,7 +91,7 @@ pub(crate) fn part(pages: &Pages<'_>, at: &Place, argument: &str) -> Option<Stri
     Some(match &pages.content.report {
         Some(report) if family.is_empty() => part(pages, at, report),
         Some(report) => part(pages, at, &report.of_family(family)),
-        None => "<p class=\"missing\">Not measured; the command <code>report</code> does.</p>".into(),
+        None => "<p class=\"missing\">Not measured; run the command <code>report</code>.</p>".into(),
     })
 }
 
@@ -98,7 +99,7 @@ pub(crate) fn part(pages: &Pages<'_>, at: &Place, argument: &str) -> Option<Stri
 fn about(report: &Report, is_current: bool) -> String {
     let Report { created, machine, build, options, .. } = report;
     let flags = match &*build.flags {
-        "" => "no flags beside those".to_owned(),
+        "" => "no other flags".to_owned(),
         flags => format!("the flags <code>{}</code>", escape(flags)),
     };
     let version = if is_current { "this version" } else { "<b>another version</b>" };
@@ -269,6 +270,6 @@ fn own(pages: &Pages<'_>, at: &Place, report: &Report) -> String {
         }
     }
     let head =
-        ["Formula", "Way", "Value", "η of value", "at hard points", "With Jacobian", "η of Jacobian at hard points"];
+        ["Formula", "Method", "Value", "η of value", "at hard points", "With Jacobian", "η of Jacobian at hard points"];
     table("speed", &head, &rows)
 }

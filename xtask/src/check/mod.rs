@@ -29,13 +29,13 @@ use verdict::{Bounds, Court};
 
 /// Check a program of your own, in any language, against a formula
 ///
-/// The program reads lines and answers each with a line. A question is the inputs as numbers, in the order in which the
-/// formula's entry lists them; an answer is the outputs, then the Jacobian row by row, or `refuse`. A number that it does not
-/// compute is `-`. Every answer is flushed. Each number is judged by its backward error η against 237 bits, within the bounds
-/// that the formula itself has to keep.
+/// The program reads lines from standard input and answers each with one line. An input line has the inputs as numbers, in
+/// the order of the formula's entry. The answer has the outputs, then the Jacobian row by row, or `refuse`; `-` stands for a
+/// number that is not computed. Every answer must be flushed. Each number is judged by its backward error η against 237 bits,
+/// within the bounds of the formula.
 ///
-/// It is asked at golden cases, on and beside kinks, at random points and at what must be refused, and at all of these a second
-/// time in another order. What is wrong with it is named if one mistake explains all that is seen.
+/// The inputs are golden cases, points on and next to kinks, random points and invalid inputs; then all of them again in
+/// another order. An error is named if one known mistake explains all results.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   {command} check --formula {formula} -- ./mine                     value and Jacobian
@@ -49,16 +49,16 @@ pub(crate) struct Arguments {
     /// The formula, by its identifier
     #[arg(long, value_name = "ID")]
     formula: String,
-    /// The program and its arguments, behind `--`
+    /// The program and its arguments, after `--`
     #[arg(last = true, value_name = "PROGRAM", required_unless_present_any = ["driver", "abi"])]
     program: Vec<String>,
-    /// Print a program in this language that answers, complete but for the call of your own code
+    /// Print a program in this language to start from; only the call of your own code is missing
     #[arg(long, value_enum, value_name = "LANGUAGE", conflicts_with = "program")]
     driver: Option<Lang>,
-    /// Print a program in Fortran that answers by a routine with this interface
+    /// Print a Fortran program that calls a routine with this interface
     #[arg(long, value_enum, value_name = "INTERFACE", conflicts_with_all = ["program", "driver"])]
     abi: Option<Abi>,
-    /// In a driver, call what `export` prints, as an example of what passes
+    /// In a driver, call the exported formula, as an example that passes
     #[arg(long, requires = "driver")]
     exported: bool,
     /// What the program answers
@@ -67,31 +67,31 @@ pub(crate) struct Arguments {
     /// Numbers are the 16 hexadecimal digits of their bits
     #[arg(long, conflicts_with = "json")]
     hex: bool,
-    /// Questions and answers are JSON, one a line
+    /// Inputs and answers are JSON, one object per line
     #[arg(long)]
     json: bool,
-    /// Random points, beside the named ones
+    /// Random points, in addition to the named ones
     #[arg(long, value_name = "N", default_value_t = Options::default().samples)]
     samples: usize,
     /// Seed of the random points
     #[arg(long, value_name = "S", default_value_t = Options::default().seed)]
     seed: u64,
-    /// How long an answer may take, and a quarter of how long the first one may
+    /// Time limit of an answer; four times this for the first one
     #[arg(long, value_name = "SECONDS", default_value_t = 10.0)]
     limit: f64,
-    /// Other bounds of η than the formula's own: of the value, and of the Jacobian
+    /// Bounds of η instead of the formula's own: for the value, and for the Jacobian
     #[arg(long, value_name = "BOUND", num_args = 1..=2, value_delimiter = ',')]
     eta: Vec<f64>,
-    /// Do not ask at what must be refused
+    /// Do not send invalid inputs
     #[arg(long)]
     valid_only: bool,
-    /// How to write the result
+    /// Format of the result
     #[arg(long, value_enum, default_value_t)]
     format: Format,
-    /// Where your routine stands, for formats that name a place
+    /// File and line of your routine, for formats that need a location
     #[arg(long, value_name = "FILE[:LINE]", value_parser = at, required_if_eq_any([("format", "github"), ("format", "sarif"), ("format", "rdjson")]))]
     at: Option<Place>,
-    /// Ask at this point only: the inputs as a JSON object, as golden files and reports give them
+    /// Test this point only: its inputs as a JSON object, as in golden files and reports
     #[arg(long, value_name = "JSON")]
     point: Option<String>,
 }

@@ -15,7 +15,7 @@ pub(super) enum Wanted {
     /// The outputs, then the Jacobian row by row
     #[default]
     Jacobian,
-    /// The outputs, then J v and wᵀJ for directions v and w that are given behind the inputs
+    /// The outputs, then J v and wᵀJ for directions v and w, which follow the inputs
     Products,
 }
 

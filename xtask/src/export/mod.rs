@@ -29,16 +29,16 @@ use std::path::PathBuf;
 
 /// Write formulas as programs in other languages
 ///
-/// What is printed is what the formula does in `f64`: the same operations in the same order, with both sides of every choice.
-/// --check compiles it and compares every bit with this program's own. Compile it without fused operations, lest bits change:
-/// -ffp-contract=off.
+/// The exported program has the same operations as the formula in `f64`, in the same order, with all branches. --check compiles
+/// it and compares every bit of its results with Rust. Compile it without fused operations (-ffp-contract=off), since they
+/// change the results.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   {command} export --lang c --out jp                      all formulas, a header, a Makefile
-  {command} export --lang fortran --out jp --filter '{family}.*'  of one family
+  {command} export --lang fortran --out jp --filter '{family}.*'  one family
   {command} export --lang js --out jp --check             and compare every bit
-  {command} export --lang c --out jp --speed              and take the time, beside Rust's
-  {command} export --shell uel-ujoint --out jp            an element of Abaqus in one file")]
+  {command} export --lang c --out jp --speed              and time it, compared with Rust
+  {command} export --shell uel-ujoint --out jp            an element for Abaqus, in one file")]
 pub(crate) struct Arguments {
     /// The language
     #[arg(long, value_enum, required_unless_present = "shell")]
@@ -46,18 +46,18 @@ pub(crate) struct Arguments {
     /// A user routine in Fortran in one file, with the formulas that it calls
     #[arg(long, value_enum, conflicts_with_all = ["lang", "filter", "check", "speed"])]
     shell: Option<shell::Shell>,
-    /// The folder, which is made where it is not there
+    /// The output folder; it is created if necessary
     #[arg(long, value_name = "FOLDER")]
     out: PathBuf,
     #[command(flatten)]
     selection: Selection,
-    /// Compile it with every compiler that is here, and compare every bit with Rust's
+    /// Compile with every installed compiler, and compare every bit with Rust
     #[arg(long)]
     check: bool,
-    /// Take the time of value and Jacobian in C, beside Rust's at the same points
+    /// Time value and Jacobian in C and in Rust at the same points
     #[arg(long)]
     speed: bool,
-    /// Random points at which to compare, beside the golden cases
+    /// Random points to compare, in addition to the golden cases
     #[arg(long, value_name = "N", default_value_t = 10_000, requires = "check")]
     samples: usize,
 }

@@ -67,7 +67,10 @@ impl Axis<'_> {
     fn number(&self, value: f64) -> String {
         let exponent = value.log10();
         if self.logarithmic && exponent.fract() == 0.0 && !(-1.0..=2.0).contains(&exponent) {
-            return format!(r#"10<tspan dy="-5" font-size="10">{}</tspan>"#, exponent.to_string().replace('-', "−"));
+            return format!(
+                r#"10<tspan dy="-5" font-size="0.77em">{}</tspan>"#,
+                exponent.to_string().replace('-', "−")
+            );
         }
         value.to_string().replace('-', "−")
     }
@@ -78,7 +81,7 @@ impl Chart<'_> {
     pub(crate) fn svg(&self) -> String {
         let Self { name, title, description, .. } = self;
         let mut svg = format!(
-            r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 600 346" role="img" aria-labelledby="{name}-title {name}-desc" fill="none" stroke-linecap="round" stroke-linejoin="round" font-size="13">
+            r#"<svg xmlns="http://www.w3.org/2000/svg" class="chart" viewBox="0 0 600 346" role="img" aria-labelledby="{name}-title {name}-desc" fill="none" stroke-linecap="round" stroke-linejoin="round" font-size="13">
   <title id="{name}-title">{title}</title>
   <desc id="{name}-desc">{description}</desc>
 "#
@@ -153,6 +156,6 @@ mod tests {
         assert_eq!(axis(1.0, 100.0).share(10.0), 0.5);
         assert_eq!(axis(100.0, 1.0).share(100.0), 0.0);
         assert!(!axis(1.0, 100.0).share(-1.0).is_finite());
-        assert_eq!(axis(1.0, 100.0).number(1e-8), r#"10<tspan dy="-5" font-size="10">−8</tspan>"#);
+        assert_eq!(axis(1.0, 100.0).number(1e-8), r#"10<tspan dy="-5" font-size="0.77em">−8</tspan>"#);
     }
 }

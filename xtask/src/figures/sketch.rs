@@ -52,68 +52,55 @@ impl Ink {
     }
 }
 
+/// Where a drawing is seen from: the axes on paper, and where the origin is.
+pub(super) struct View {
+    axes: [Vector2<f64>; 3],
+    origin: Vector2<f64>,
+}
+
+impl View {
+    fn new(axes: [[f64; 2]; 3], unit: f64, origin: [f64; 2]) -> Self {
+        Self { axes: axes.map(|axis| Vector2::from(axis) * unit), origin: origin.into() }
+    }
+
+    /// From the front, from the right and from above: the first axis to the right, the second up, the third forward.
+    pub(super) fn space(unit: f64, origin: [f64; 2]) -> Self {
+        Self::new([[0.98, -0.2], [0.0, -1.0], [-0.52, 0.42]], unit, origin)
+    }
+
+    /// With the second axis to the right, for shafts that lie.
+    pub(super) fn lying(unit: f64, origin: [f64; 2]) -> Self {
+        Self::new([[-0.45, 0.5], [0.98, 0.12], [0.0, -1.0]], unit, origin)
+    }
+
+    /// On the plane of the first two axes.
+    pub(super) fn plane(unit: f64, origin: [f64; 2]) -> Self {
+        Self::new([[1.0, 0.0], [0.0, -1.0], [0.0, 0.0]], unit, origin)
+    }
+}
+
+/// Width and height on paper.
+const SIZE: [f64; 2] = [560.0, 300.0];
+
 /// The picture under way.
 pub(super) struct Sketch {
     name: &'static str,
     title: &'static str,
     description: &'static str,
-    /// Where the origin is on paper, and what the axes are there.
-    origin: Vector2<f64>,
-    axes: [Vector2<f64>; 3],
-    size: [f64; 2],
+    view: View,
     lines: Vec<String>,
     /// What is written below.
     notes: Vec<String>,
 }
 
 impl Sketch {
-    /// Seen from the front, from the right and from above: the first axis to the right, the second up, the third forward.
-    pub(super) fn in_space(
-        name: &'static str,
-        title: &'static str,
-        description: &'static str,
-        unit: f64,
-        origin: [f64; 2],
-    ) -> Self {
-        let axes = [[0.98, -0.2], [0.0, -1.0], [-0.52, 0.42]].map(|axis| Vector2::from(axis) * unit);
-        Self {
-            name,
-            title,
-            description,
-            origin: origin.into(),
-            axes,
-            size: [560.0, 320.0],
-            lines: Vec::new(),
-            notes: Vec::new(),
-        }
-    }
-
-    /// With the second axis to the right, for shafts that lie.
-    pub(super) fn lying(
-        name: &'static str,
-        title: &'static str,
-        description: &'static str,
-        unit: f64,
-        origin: [f64; 2],
-    ) -> Self {
-        let axes = [[-0.45, 0.5], [0.98, 0.12], [0.0, -1.0]].map(|axis| Vector2::from(axis) * unit);
-        Self { axes, ..Self::in_space(name, title, description, unit, origin) }
-    }
-
-    /// In the plane of the first two axes.
-    pub(super) fn in_plane(
-        name: &'static str,
-        title: &'static str,
-        description: &'static str,
-        unit: f64,
-        origin: [f64; 2],
-    ) -> Self {
-        let axes = [[1.0, 0.0], [0.0, -1.0], [0.0, 0.0]].map(|axis| Vector2::from(axis) * unit);
-        Self { axes, ..Self::in_space(name, title, description, unit, origin) }
+    pub(super) const fn new(name: &'static str, title: &'static str, description: &'static str, view: View) -> Self {
+        Self { name, title, description, view, lines: Vec::new(), notes: Vec::new() }
     }
 
     fn place(&self, p: Point) -> Vector2<f64> {
-        self.origin + self.axes[0] * p.x + self.axes[1] * p.y + self.axes[2] * p.z
+        let View { axes, origin } = &self.view;
+        origin + axes[0] * p.x + axes[1] * p.y + axes[2] * p.z
     }
 
     /// Straight pieces through points.
@@ -187,7 +174,7 @@ impl Sketch {
             tenth(at.x),
             tenth(at.y),
             ink.colour(),
-            set(name)
+            set(name, svg)
         ));
     }
 
@@ -206,31 +193,24 @@ impl Sketch {
         self.notes.push(text.into());
     }
 
-    /// The SVG element, a line a part.
-    pub(super) fn svg(mut self) -> String {
-        let [width, height] = self.size;
-        let mut y = height - 14.0;
-        for note in self.notes.iter().rev() {
-            self.lines.push(format!(
-                r#"<text x="14" y="{y}" font-size="14" fill="currentColor" class="label">{}</text>"#,
-                set(note)
-            ));
-            y -= 20.0;
-        }
-        let name = self.name;
+    /// The SVG element, a line a part, and a paragraph for each note, which is as large as the page's text on any screen.
+    pub(super) fn html(self) -> String {
+        let [width, height] = SIZE;
+        let Self { name, title, description, lines, notes, .. } = self;
         let marker = |tip: &str, colour: &str| {
             format!(
                 r#"<marker id="{name}-{tip}" viewBox="0 0 10 10" refX="8.5" refY="5" markerWidth="6.5" markerHeight="6.5" orient="auto"><path d="M0 1 9 5 0 9Z" fill="{colour}" stroke="none"/></marker>"#
             )
         };
         let markers = [Ink::Solid, Ink::Accent, Ink::Force].map(|ink| marker(ink.tip(), ink.colour())).concat();
+        let notes: Vec<_> =
+            notes.iter().map(|note| format!("<p class=\"readout\">{}</p>\n", set(note, html))).collect();
         format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" role=\"img\" aria-labelledby=\"{name}-title {name}-desc\" \
-             fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\" font-size=\"17\">\n<title id=\"{name}-title\">{}</title>\n\
-             <desc id=\"{name}-desc\">{}</desc>\n<defs>{markers}</defs>\n{}\n</svg>\n",
-            self.title,
-            self.description,
-            self.lines.join("\n")
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"sketch\" viewBox=\"0 0 {width} {height}\" role=\"img\" aria-labelledby=\"{name}-title {name}-desc\" \
+             fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\" font-size=\"17\">\n<title id=\"{name}-title\">{title}</title>\n\
+             <desc id=\"{name}-desc\">{description}</desc>\n<defs>{markers}</defs>\n{}\n</svg>\n{}",
+            lines.join("\n"),
+            notes.concat()
         )
     }
 }
@@ -245,30 +225,41 @@ pub(super) fn number(x: f64) -> String {
     format!("{:.2}", (x * 100.0).round() / 100.0 + 0.0).replace('-', "−")
 }
 
-/// Words in which `e_1a` has an index and `*e` is bold; indices end at a space or comma.
-fn set(text: &str) -> String {
-    let mut out = String::new();
-    for (k, word) in text.split(' ').enumerate() {
-        if k > 0 {
-            out.push(' ');
-        }
-        let (bold, word) = word.strip_prefix('*').map_or(("", word), |rest| (r#" font-weight="700""#, rest));
-        match word.split_once('_') {
-            Some((name, index)) => {
-                let end = index.find([',', ')', '=']).unwrap_or(index.len());
-                let (index, after) = index.split_at(end);
-                let _ = write!(
-                    out,
-                    r#"<tspan{bold}>{name}</tspan><tspan dy="5" font-size="0.72em">{index}</tspan><tspan dy="-5">{after}&#8203;</tspan>"#
-                );
-            }
-            None if bold.is_empty() => out.push_str(word),
-            None => {
-                let _ = write!(out, "<tspan{bold}>{word}</tspan>");
-            }
-        }
+/// A name with its index, if it has one, and what follows the index.
+struct Name<'a> {
+    is_bold: bool,
+    letters: &'a str,
+    index: &'a str,
+    after: &'a str,
+}
+
+/// Words in which `e_1a` has an index and `*e` is bold; indices end at a space or at what follows a name in a sentence.
+fn set(text: &str, written: fn(&Name<'_>) -> String) -> String {
+    let words = text.split(' ').map(|word| {
+        let (is_bold, word) = word.strip_prefix('*').map_or((false, word), |rest| (true, rest));
+        let (letters, rest) = word.split_once('_').unwrap_or((word, ""));
+        let (index, after) = rest.split_at(rest.find([',', ':', ';', ')', '=']).unwrap_or(rest.len()));
+        written(&Name { is_bold, letters, index, after })
+    });
+    words.collect::<Vec<_>>().join(" ")
+}
+
+/// A name in a drawing.
+fn svg(name: &Name<'_>) -> String {
+    let Name { is_bold, letters, index, after } = name;
+    let letters =
+        if *is_bold { format!(r#"<tspan font-weight="700">{letters}</tspan>"#) } else { (*letters).to_owned() };
+    if index.is_empty() {
+        return letters;
     }
-    out
+    format!(r#"{letters}<tspan dy="5" font-size="0.72em">{index}</tspan><tspan dy="-5">{after}&#8203;</tspan>"#)
+}
+
+/// A name in the text below it.
+fn html(name: &Name<'_>) -> String {
+    let Name { is_bold, letters, index, after } = name;
+    let letters = if *is_bold { format!("<b>{letters}</b>") } else { (*letters).to_owned() };
+    if index.is_empty() { letters } else { format!("{letters}<sub>{index}</sub>{after}") }
 }
 
 #[cfg(test)]
@@ -277,8 +268,8 @@ mod tests {
 
     #[test]
     fn names_have_indices_and_numbers_true_signs() {
-        assert_eq!(set("a b"), "a b");
-        assert!(set("*e_1a").contains("font-weight=\"700\">e</tspan><tspan dy=\"5\" font-size=\"0.72em\">1a<"));
+        assert_eq!(set("a b_1, c", html), "a b<sub>1</sub>, c");
+        assert!(set("*e_1a", svg).contains("font-weight=\"700\">e</tspan><tspan dy=\"5\" font-size=\"0.72em\">1a<"));
         assert_eq!([number(-0.001), number(-1.5)], ["0.00", "−1.50"]);
     }
 }

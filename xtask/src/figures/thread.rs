@@ -106,8 +106,8 @@ pub(crate) fn torque_of_a_thread() -> Chart<'static> {
             ticks: vec![0.0, 50.0, 100.0, 150.0, 200.0, 250.0],
         },
         curves: vec![
-            named(exact.collect(), "closed form", (1.5, 90.0)),
-            named([(0.0, 0.0)].into_iter().chain(found).collect(), "elements", (4.5, 90.0)),
+            named(exact.collect(), "closed form", (1.1, 72.0)),
+            named([(0.0, 0.0)].into_iter().chain(found).collect(), "elements", (4.7, 128.0)),
         ],
     }
 }

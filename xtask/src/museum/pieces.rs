@@ -22,8 +22,8 @@ pub(super) fn all() -> Vec<Piece> {
         piece::<LimitSign>(
             [
                 "GEOS, pull request 3439",
-                "Coulomb friction: the derivative of the limit by the normal traction had the wrong sign, which one caller turned and another did not.",
-                "the derivative of the sliding force by the normal force has the other sign.",
+                "Coulomb friction: the derivative of the limit by the normal traction had the wrong sign. One caller corrected the sign, another did not.",
+                "the derivative of the friction force by the normal force has the wrong sign.",
             ],
             CLOSED,
         ),
@@ -39,47 +39,47 @@ pub(super) fn all() -> Vec<Piece> {
             [
                 "newton, issue 3866 and pull request 3868",
                 "The Jacobian was wrong by the distance from the origin.",
-                "the arm of the moment is the place of b, and not what leads there from a.",
+                "the lever arm of the moment is the position of b instead of the vector from a to b.",
             ],
-            "moves",
+            "frame indifference",
         ),
         piece::<NormalDerivative>(
             [
                 "moose, issue 33378 and pull request 33390",
-                "The derivatives of the nodal normal were left out.",
-                "the normal of the slide line is taken for constant.",
+                "The derivatives of the nodal normal were missing.",
+                "the normal of the slide line is treated as constant.",
             ],
             CLOSED,
         ),
         piece::<MissingMinus>(
             [
                 "goma, pull request 188",
-                "A minus was missing, and all 106 tests passed before and after it was put in.",
-                "the rotation grows with its initial value.",
+                "A minus sign was missing; all 106 tests passed before and after the correction.",
+                "the derivative of the rotation by its initial value has the wrong sign.",
             ],
             CLOSED,
         ),
         piece::<CopiedStiffness>(
             [
                 "mastodon, issue 333",
-                "A stiffness was copied from another program, and wrong.",
-                "the stiffness by the spin of a is copied from a program that keeps columns together.",
+                "A stiffness matrix was copied wrongly from another program.",
+                "the stiffness by the spin of a is copied from a program that stores matrices by columns.",
             ],
             "printed equation = value",
         ),
         piece::<TwoResiduals>(
             [
                 "tacs, pull request 74",
-                "The residual that is computed with the Jacobian is not the residual that is computed alone.",
-                "the value that comes with the Jacobian has forgotten the internal contact force.",
+                "The residual computed together with the Jacobian differs from the residual computed alone.",
+                "the value computed with the Jacobian omits the internal contact force.",
             ],
             "η of the value",
         ),
         piece::<OtherConvention>(
             [
                 "Marmot, pull request 40",
-                "The stiffness was the derivative of the force in one place, and its opposite in another.",
-                "the Jacobian is that of the opposite forces.",
+                "The stiffness was the derivative of the force in one place and its negative in another.",
+                "the Jacobian is that of the negative forces.",
             ],
             CLOSED,
         ),
@@ -87,7 +87,7 @@ pub(super) fn all() -> Vec<Piece> {
             [
                 "CADET, pull request 358",
                 "The test of the Jacobian compared a column with itself.",
-                "a column is that of another input, which such a test takes for right.",
+                "a column is that of another input, which such a test does not detect.",
             ],
             CLOSED,
         ),
@@ -95,14 +95,14 @@ pub(super) fn all() -> Vec<Piece> {
             [
                 "kaolin, pull request 983",
                 "A term of the chain rule through the friction was missing.",
-                "the yield function knows of the normal force that it depends on the cross forces, its derivative does not.",
+                "the derivative of the yield function omits the dependence of the normal force on the transverse forces.",
             ],
             CLOSED,
         ),
         piece::<Transposed>(
             [
                 "moose, issue 22225",
-                "A tangent was transposed and wrong by up to 80 %, while the debugger of Jacobians showed nothing.",
+                "A tangent was transposed and wrong by up to 80 %, while the Jacobian debugger reported no error.",
                 "the Jacobian is transposed.",
             ],
             CLOSED,
@@ -110,8 +110,8 @@ pub(super) fn all() -> Vec<Piece> {
         piece::<OtherAngle>(
             [
                 "A user routine for a constant-velocity joint, as mirrors of one edition print it",
-                "A product has the cosine of one half angle and the sine of the other, exchanged; the derivative that is printed beside it belongs to the right one.",
-                "a product of the value has its indices exchanged, its derivative has not.",
+                "In a product, the cosine of one half angle and the sine of the other are exchanged; the printed derivative is that of the correct product.",
+                "in a product of the value two indices are exchanged, but not in its derivative.",
             ],
             CLOSED,
         ),

@@ -13,15 +13,15 @@ use anyhow::{Context, bail};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-/// Write the skeleton of a formula into its room, the catalog and the book
+/// Write the skeleton of a formula into its module, the catalog and the book
 ///
-/// The skeleton compiles, and fails its proof: it has no symbols, no equation, no cases and a wrong derivative. What is
-/// still owed is listed here, and by `golden`, `audit` and `verify` until it is there.
+/// The skeleton compiles, but fails its checks: it has no symbols, no equation, no cases and a wrong derivative. This command,
+/// `golden`, `audit` and `verify` list what is still missing.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
-  {command} new {family}.power  a formula more in the room src/{family}.rs")]
+  {command} new {family}.power  a new formula in the module src/{family}.rs")]
 pub(crate) struct Arguments {
-    /// The identifier, as `family.name`; the family is a room that exists
+    /// The identifier, as `family.name`; the family is an existing module
     #[arg(value_name = "ID")]
     id: String,
 }

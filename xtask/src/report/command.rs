@@ -11,17 +11,18 @@ use jointproof::catalog::AnyFormula;
 use jointproof::measure::Options;
 use std::path::PathBuf;
 
-/// Measure how fast and how wrong every way to compute a formula is
+/// Measure speed and error of every method to compute a formula
 ///
-/// Closed form, single precision, automatic differentiation, differences, 237-bit arithmetic and what else a formula
-/// registers are compared with the exact value at random and at hard points, and timed in turns. The measuring is done
-/// by a program built in release mode, which the first run compiles. A report on all formulas is kept for the book.
+/// Closed form, single precision, automatic differentiation, differences, 237-bit arithmetic and other methods that a
+/// formula registers are compared with the exact value at random and at hard points, and timed alternately. The
+/// measurement runs in a program built in release mode, which the first run compiles. A report on all formulas is stored
+/// for the book.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
-  {command} report                              everything, some minutes
+  {command} report                              all formulas, a few minutes
   {command} report --quick --filter '{family}.*'    a first look
   {command} report --format json > old.json     to keep
-  {command} report --against old.json           what became worse; exit 1 if anything did
+  {command} report --against old.json           what became worse; exit code 1 if anything did
   {command} report --inputs points              points for a program in another language
   {command} report --timing-json times.json     times of the closed forms at these points")]
 pub(crate) struct Arguments {
@@ -30,19 +31,19 @@ pub(crate) struct Arguments {
     /// Fewer points and rounds: under 20 s for all formulas
     #[arg(long)]
     quick: bool,
-    /// How to write the result
+    /// Format of the result
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
     /// Compare with a report written by --format json
     #[arg(long, value_name = "FILE")]
     against: Option<PathBuf>,
-    /// Write the points over which time is taken, as little-endian doubles with a description in JSON beside
+    /// Write the points of the time measurement as little-endian doubles, with a description in JSON
     #[arg(long, value_name = "FOLDER")]
     inputs: Option<PathBuf>,
-    /// Write nanoseconds a value and a value with Jacobian, by formula
+    /// Write nanoseconds per value, and per value with Jacobian, for each formula
     #[arg(long, value_name = "FILE")]
     timing_json: Option<PathBuf>,
-    /// Measure in this process as it was built, unoptimised: quick to start, for tests
+    /// Measure in this process without building an optimised one: starts quickly, for tests
     #[arg(long)]
     here: bool,
     /// Print the schema of reports in JSON, and measure nothing

@@ -64,23 +64,23 @@ impl Verdict {
         let speed = match self.speed {
             Speed::Faster => None,
             Speed::Same => Some(
-                "as fast as each other within the spread: so little is computed that the compiler makes the same of both"
+                "equally fast within the spread: the computation is so short that the compiler generates the same code for both"
                     .to_owned(),
             ),
             Speed::Slower => Some(format!(
                 "automatic differentiation takes {:.2} of the closed form's time: the Jacobian is mostly constants, \
-                 which the compiler sees through as well",
+                 which the compiler also optimises",
                 self.speedup
             )),
         };
         let [closed, ad] = self.eta;
         let accuracy = (!self.accurate).then(|| {
             let why = if closed.max(ad) <= FEW {
-                "both are within a few roundings, taken in another order"
+                "both errors are a few roundings, in a different order"
             } else {
-                "terms cancel in both, and are summed in another order"
+                "terms cancel in both, and are summed in a different order"
             };
-            format!("η of the closed form is up to {closed:.2}, of the other {ad:.2}: {why}")
+            format!("η of the closed form is up to {closed:.2}, of automatic differentiation {ad:.2}: {why}")
         });
         speed.into_iter().chain(accuracy).collect::<Vec<_>>().join("; ")
     }

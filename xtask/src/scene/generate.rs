@@ -6,12 +6,12 @@ use std::io::{BufWriter, Write};
 /// States of a generated scene.
 pub(crate) const STATES: usize = 5;
 
-/// What a generated scene is made of.
+/// The connector of a generated scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub(crate) enum Connector {
-    /// The lightest connector there is: ten nanoseconds of formulas
+    /// The cheapest connector: about ten nanoseconds per evaluation
     Slot,
-    /// With its angles, and friction from forces and moments
+    /// TRANSLATOR, with angles and with friction from forces and moments
     Translator,
 }
 

@@ -24,7 +24,7 @@ use std::time::{Duration, Instant};
 
 /// Evaluate scenes: connectors and constraints together, over a history of states
 ///
-/// Every mistake in a scene is reported with its JSON path, line and column, all at once, and nothing is written then.
+/// All errors in a scene are reported together, each with its JSON path, line and column; then nothing is evaluated.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   {command} scene golden/scenes/rail.json            a table per output
@@ -39,7 +39,7 @@ pub(crate) struct Arguments {
     /// Scene files; `-` is standard input
     #[arg(value_name = "FILE", required_unless_present_any = ["generate", "benchmark"])]
     files: Vec<PathBuf>,
-    /// Print which formulas would be evaluated, how often and why; evaluate nothing
+    /// Only print which formulas would be evaluated, how often and why
     #[arg(long)]
     plan: bool,
     /// How to print the results
@@ -48,13 +48,13 @@ pub(crate) struct Arguments {
     /// Evaluate in 237 bits too, and give the error of every number
     #[arg(long)]
     error: bool,
-    /// Draw every output over the history into this folder, an SVG each
+    /// Write a plot of every output over the history into this folder, as SVG
     #[arg(long, value_name = "FOLDER")]
     plot: Option<PathBuf>,
     /// Print a scene of N sliding connectors over 5 states
     #[arg(long, value_name = "N", conflicts_with_all = ["files", "benchmark"])]
     generate: Option<usize>,
-    /// What a generated scene is made of
+    /// The connector of a generated scene
     #[arg(long, value_enum, requires = "generate", default_value_t = generate::Connector::Slot)]
     of: generate::Connector,
     /// Measure scenes of 10, 10,000 and 1,000,000 elements against a bare loop of the same formulas; an optimised build does

@@ -63,11 +63,8 @@ fn beside(cover: &Cover, id: &str, world: &World) -> Option<String> {
 fn traceability(documents: &[Document], world: &World) -> String {
     let mut text = format!("{}.\n\n", Counts::of(documents));
     for document in documents {
-        let _ = write!(
-            text,
-            "## {}\n\n| | What it says | Stands | Covered by |\n|---|---|---|---|\n",
-            document.source.title
-        );
+        let _ =
+            write!(text, "## {}\n\n| | Statement | Status | Covered by |\n|---|---|---|---|\n", document.source.title);
         for statement in &document.statements {
             let _ = writeln!(text, "{}", row(document, statement, world));
         }

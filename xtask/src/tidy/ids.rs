@@ -1,4 +1,4 @@
-//! Identifiers of formulas come from `SPEC.id`. Elsewhere in code they are not typed; in tests and documentation they may be.
+//! Identifiers of formulas are taken from `SPEC.id`. Elsewhere in code they are not typed; in tests and documentation they may be.
 
 use super::finding::Finding;
 use super::tree::Tree;

@@ -39,12 +39,12 @@ use tree::Tree;
 
 pub(crate) use reach::reach;
 
-/// Check the sources: import circles, layers, typed identifiers, inlining, lengths
+/// Check the sources: circular imports, layers, typed identifiers, inlining, lengths
 ///
-/// No file or folder may use another that uses it, directly or over others. A use is a `use` or a path in code that names
-/// something of another file, followed through re-exports to the file that defines it; tests do not count. Folders are
-/// compared side by side: in each folder its files and its folders, each folder with all below it taken as one. Of each
-/// circle one place a use is shown, the shortest circles first.
+/// Circular imports between files or folders are not allowed, direct or indirect. An import is a `use` or a path in code that
+/// names something of another file, followed through re-exports to the file that defines it; tests do not count. In each
+/// folder, its files and subfolders are compared; a subfolder counts as one with everything below it. For each circle one
+/// place per import is shown, the shortest circles first.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   {command} tidy                   every rule
@@ -58,11 +58,11 @@ pub(crate) struct Arguments {
 /// What is held.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 enum Rule {
-    /// Files and folders use one another in no circle
+    /// No circular imports between files or folders
     Circles,
     /// No layer uses one above it, and files of formulas neither `verify` nor `measure`
     Layers,
-    /// Identifiers of formulas come from `SPEC.id`
+    /// Identifiers of formulas are taken from `SPEC.id`
     Ids,
     /// Every `eval`, `jacobian` and `linearized` of a formula is `#[inline]`
     Inline,

@@ -75,7 +75,7 @@ impl Proved for ClosestLinear {
 
     fn laws() -> Vec<Law<Self>> {
         vec![
-            Law::<Self>::new("the gap from the foot is perpendicular to the segment, or the foot is an end", |i| {
+            Law::<Self>::new("xs − X is perpendicular to the segment, or the closest point is an end", |i| {
                 let g = Self::eval(i).g;
                 let gap = i.xs - LinearPoint::eval(&LinearPlace { x1: i.x1, x2: i.x2, g }).x;
                 let (chord, zero) = (i.x2 - i.x1, Octuple::from(0.0));

@@ -107,7 +107,7 @@ impl Proved for ClosestParabolic {
 
     fn laws() -> Vec<Law<Self>> {
         vec![
-            Law::<Self>::new("the gap from the foot is perpendicular to the curve, or the foot is an end", |i| {
+            Law::<Self>::new("xs − X is perpendicular to the curve, or the closest point is an end", |i| {
                 let g = Self::eval(i).g;
                 let point = ParabolicPoint::eval(&ParabolicPlace { x1: i.x1, x2: i.x2, x3: i.x3, g });
                 let (along, zero) = ((i.xs - point.x).dot(&point.dx), Octuple::from(0.0));
@@ -115,17 +115,20 @@ impl Proved for ClosestParabolic {
                 let size = norm([i.xs - i.x1, i.x2 - i.x1, i.x3 - i.x1].map(length));
                 law::equal_with(if outside { zero } else { along }, zero, size * size)
             }),
-            Law::<Self>::new("half-way to the foot, the foot is the same and the separation half", |i| {
-                let here = Self::eval(i);
-                let foot = ParabolicPoint::eval(&ParabolicPlace { x1: i.x1, x2: i.x2, x3: i.x3, g: here.g }).x;
-                let nearer = Self::eval(&ParabolicSlave { xs: (i.xs + foot) * Octuple::from(0.5), ..*i });
-                let size = length(i.xs - foot) + length(i.x3 - i.x1);
-                [
-                    law::equal_with(here.g, nearer.g, 1.0.into()),
-                    law::equal_with(here.separation, nearer.separation * 2.0, size),
-                ]
-                .concat()
-            }),
+            Law::<Self>::new(
+                "half-way to the closest point, the closest point is the same and the separation is half",
+                |i| {
+                    let here = Self::eval(i);
+                    let foot = ParabolicPoint::eval(&ParabolicPlace { x1: i.x1, x2: i.x2, x3: i.x3, g: here.g }).x;
+                    let nearer = Self::eval(&ParabolicSlave { xs: (i.xs + foot) * Octuple::from(0.5), ..*i });
+                    let size = length(i.xs - foot) + length(i.x3 - i.x1);
+                    [
+                        law::equal_with(here.g, nearer.g, 1.0.into()),
+                        law::equal_with(here.separation, nearer.separation * 2.0, size),
+                    ]
+                    .concat()
+                },
+            ),
             Law::<Self>::new(
                 "with the midside node in the middle it is the closest point of the straight segment",
                 |i| {

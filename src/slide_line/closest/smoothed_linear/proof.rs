@@ -60,19 +60,22 @@ impl Proved for ClosestSmoothedLinear {
 
     fn laws() -> Vec<Law<Self>> {
         vec![
-            Law::<Self>::new("half-way to the foot, the foot is the same and the separation half", |i| {
-                let here = Self::eval(i);
-                let place = LinearCornerPlace { x1: i.x1, x2: i.x2, x3: i.x3, f: i.f, t: here.t };
-                let foot = SmoothedLinearPoint::eval(&place).x;
-                let nearer = Self::eval(&LinearCornerSlave { xs: (i.xs + foot) * Octuple::from(0.5), ..*i });
-                let size = length(i.xs - foot) + length(i.x3 - i.x1);
-                [
-                    law::equal_with(here.t, nearer.t, 1.0.into()),
-                    law::equal_with(here.separation, nearer.separation * 2.0, size),
-                ]
-                .concat()
-            }),
-            Law::<Self>::new("where the line is straight the separation is that from the straight line", |i| {
+            Law::<Self>::new(
+                "half-way to the closest point, the closest point is the same and the separation is half",
+                |i| {
+                    let here = Self::eval(i);
+                    let place = LinearCornerPlace { x1: i.x1, x2: i.x2, x3: i.x3, f: i.f, t: here.t };
+                    let foot = SmoothedLinearPoint::eval(&place).x;
+                    let nearer = Self::eval(&LinearCornerSlave { xs: (i.xs + foot) * Octuple::from(0.5), ..*i });
+                    let size = length(i.xs - foot) + length(i.x3 - i.x1);
+                    [
+                        law::equal_with(here.t, nearer.t, 1.0.into()),
+                        law::equal_with(here.separation, nearer.separation * 2.0, size),
+                    ]
+                    .concat()
+                },
+            ),
+            Law::<Self>::new("if the line is straight, the separation is the distance from it", |i| {
                 let straight = LinearCornerSlave { x3: i.x2 * Octuple::from(2.0) - i.x1, ..*i };
                 let linear = LinearSlave { xs: i.xs, x1: i.x1, x2: straight.x3 };
                 let (here, there) = (Self::eval(&straight), ClosestLinear::eval(&linear));

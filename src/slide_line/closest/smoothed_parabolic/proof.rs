@@ -62,19 +62,22 @@ impl Proved for ClosestSmoothedParabolic {
 
     fn laws() -> Vec<Law<Self>> {
         vec![
-            Law::<Self>::new("half-way to the foot, the foot is the same and the separation half", |i| {
-                let here = Self::eval(i);
-                let ParabolicCornerSlave { xs, x1, x2, x3, x4, x5, f } = *i;
-                let place = ParabolicCornerPlace { x1, x2, x3, x4, x5, f, t: here.t };
-                let foot = SmoothedParabolicPoint::eval(&place).x;
-                let nearer = Self::eval(&ParabolicCornerSlave { xs: (xs + foot) * Octuple::from(0.5), ..*i });
-                let size = length(xs - foot) + length(x5 - x1);
-                [
-                    law::equal_with(here.t, nearer.t, 1.0.into()),
-                    law::equal_with(here.separation, nearer.separation * 2.0, size),
-                ]
-                .concat()
-            }),
+            Law::<Self>::new(
+                "half-way to the closest point, the closest point is the same and the separation is half",
+                |i| {
+                    let here = Self::eval(i);
+                    let ParabolicCornerSlave { xs, x1, x2, x3, x4, x5, f } = *i;
+                    let place = ParabolicCornerPlace { x1, x2, x3, x4, x5, f, t: here.t };
+                    let foot = SmoothedParabolicPoint::eval(&place).x;
+                    let nearer = Self::eval(&ParabolicCornerSlave { xs: (xs + foot) * Octuple::from(0.5), ..*i });
+                    let size = length(xs - foot) + length(x5 - x1);
+                    [
+                        law::equal_with(here.t, nearer.t, 1.0.into()),
+                        law::equal_with(here.separation, nearer.separation * 2.0, size),
+                    ]
+                    .concat()
+                },
+            ),
             Law::<Self>::new("between straight, evenly spaced segments it is that of the linear slide line", |i| {
                 let half = Octuple::from(0.5);
                 let (x2, x4) = ((i.x1 + i.x3) * half, (i.x3 + i.x5) * half);

@@ -37,7 +37,7 @@ impl Proved for HingeAxial {
     }
 
     fn laws() -> Vec<Law<Self>> {
-        vec![Law::<Self>::new("two hinges along the force and two across it carry the whole of it", |i| {
+        vec![Law::<Self>::new("two hinges along the force and two transverse to it take all of it", |i| {
             let out = Self::eval(i);
             law::equal_all([
                 ((out.f_axial_hinge1 + out.f_transv_hinge3) * 2.0, abs(i.f_axial1)),

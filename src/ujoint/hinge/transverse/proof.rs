@@ -63,7 +63,7 @@ impl Proved for HingeTransverse {
 
     fn laws() -> Vec<Law<Self>> {
         vec![
-            Law::<Self>::new("reversing any load leaves it", |i| {
+            Law::<Self>::new("reversing any load does not change it", |i| {
                 let out = Self::eval(i);
                 let reversed = [
                     CentreLoads { f_axial1: -i.f_axial1, f_bend: -i.f_bend, ..*i },

@@ -28,6 +28,9 @@ function words(text) {
     return spelled(text).replace(/[_^\\{}]/g, ' ').split(/[^\p{L}\p{N}]+/u).filter(Boolean).map(word);
 }
 
+// So many words of a chapter are its opening.
+const OPENING = 50;
+
 class Page {
     constructor([url, title, breadcrumbs, body, names = {}], ref) {
         Object.assign(this, { ref, url, doc: { id: String(ref), title, breadcrumbs, body } });
@@ -40,6 +43,8 @@ class Page {
         this.title = words(title);
         this.named = new Set(['is', 'gives', 'serves', 'takes', 'has'].flatMap((key) => names[key] ?? []).flatMap(words));
         this.path = new Set(words(breadcrumbs));
+        this.opening = words(body).slice(0, OPENING);
+        this.chapter = new Set();
         this.body = new Map();
         for (const one of words(body)) this.body.set(one, (this.body.get(one) ?? 0) + 1);
     }
@@ -57,11 +62,24 @@ class Page {
         else if (asked.length > 2) for (const one of this.body.keys()) if (one.startsWith(asked)) better(2);
         return best;
     }
+
+    // How far the page is about a word: wholly if it has it, less if only its chapter opens with it.
+    covers(asked, found) {
+        if (found) return 1;
+        return this.chapter.has(asked) ? 0.7 : 0;
+    }
 }
 
 class Index {
     constructor({ pages }) {
         this.pages = pages.map((page, k) => new Page(page, k));
+        // Where a chapter says what it is about, it says it for its formulas, too.
+        const openings = new Map();
+        for (const page of this.pages) {
+            const chapter = page.url.split('#')[0];
+            if (!openings.has(chapter)) openings.set(chapter, new Set(page.opening));
+            if (page.kind === 'formula') page.chapter = openings.get(chapter);
+        }
         this.givers = new Map();
         for (const { gives } of this.pages) for (const name of gives) this.givers.set(name, (this.givers.get(name) ?? 0) + 1);
     }
@@ -88,9 +106,10 @@ class Index {
             const called = this.called(page, name);
             if (!called && (count(found) === 0 || count(found) < most - 1)) continue;
             const titled = page.title.filter((one) => asked.includes(one)).length / Math.max(1, page.title.length);
+            const covered = asked.reduce((sum, one, k) => sum + page.covers(one, found[k]), 0) / Math.max(1, asked.length);
             const sum = found.reduce((sum, weight, k) => sum + weight * rare[k], 0) / Math.max(1, asked.length);
             const kind = { formula: 1.25, symbol: 0.6, list: 0.5 }[page.kind] ?? 1;
-            const score = called + (count(found) / asked.length) ** 2 * kind * (sum + 40 * titled);
+            const score = called + covered ** 2 * kind * (sum + 40 * titled);
             results.push({ ref: page.ref, score, doc: page.doc });
         }
         return results.sort((a, b) => b.score - a.score);

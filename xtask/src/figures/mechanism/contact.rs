@@ -10,7 +10,7 @@ use kit::Moving;
 use nalgebra::{Vector2, Vector3};
 
 use super::along::{Along, moving};
-use crate::figures::sketch::{Ink, Point, Sketch, number};
+use crate::figures::sketch::{Ink, Point, Sketch, View, number};
 
 const MU: f64 = 0.5;
 
@@ -25,13 +25,12 @@ pub(super) fn stick_and_slip() -> Moving {
     moving("friction-moving", &[trial, normal], |f_trial, normal| {
         let f = ReturnMap::eval(&Trial { f_trial, mu: MU, r#fn: normal }).f;
         let phi = Yield::eval(&Tractions { p: f_trial.abs(), mu: MU, r#fn: normal }).phi;
-        let mut sketch = Sketch::in_plane(
+        let mut sketch = Sketch::new(
             "friction-moving",
             "Stick and slip",
             "On the left a block that is pressed on a surface and pushed along it; an arrow shows the friction force. On the right the friction \
              force over the trial force: it follows it up to the limits of plus and minus μ F_N and stays there.",
-            62.0,
-            [130.0, 170.0],
+            View::plane(62.0, [130.0, 170.0]),
         );
         sketch.area(&[at(-0.7, 0.0), at(0.7, 0.0), at(0.7, 0.9), at(-0.7, 0.9)], Ink::Accent);
         sketch.path(&[at(-1.9, 0.0), at(1.9, 0.0)], Ink::Solid);
@@ -57,7 +56,7 @@ pub(super) fn stick_and_slip() -> Moving {
         let state = if phi < 0.0 { "sticks" } else { "slips" };
         sketch.note(format!("μ = {}, so the limit is {}", number(MU), number(MU * normal)));
         sketch.note(format!("Φ of the trial force = {}: it {state}, f = {}", number(phi), number(f)));
-        sketch.svg()
+        sketch.html()
     })
 }
 
@@ -69,13 +68,12 @@ pub(super) fn pressure() -> Moving {
         let linear = PressureLinear::eval(&LinearContact { h, k: 1.0 }).p;
         let exponential = PressureExponential::eval(&ExponentialContact { h, c0: 1.0, p0: 1.0 }).p;
         let damping = Damping::eval(&DampingContact { h, v, mu0: 1.0, c0: 1.0, eta: 0.4 }).p;
-        let mut sketch = Sketch::in_plane(
+        let mut sketch = Sketch::new(
             "interaction-moving",
             "The pressure between two surfaces by three laws",
             "Two surfaces, the upper one at the clearance minus h from the lower one. Beside them three columns: the pressure of the linear law, of \
              the exponential law, and of damping.",
-            70.0,
-            [60.0, 200.0],
+            View::plane(70.0, [60.0, 200.0]),
         );
         sketch.area(&[at(0.0, 0.0), at(2.2, 0.0), at(2.2, -0.5), at(0.0, -0.5)], Ink::Solid);
         sketch.area(&[at(0.0, -h), at(2.2, -h), at(2.2, 0.7 - h), at(0.0, 0.7 - h)], Ink::Accent);
@@ -83,7 +81,7 @@ pub(super) fn pressure() -> Moving {
         sketch.label(at(1.1, 0.5 - h), [10.0, 0.0], "v", Ink::Solid);
         sketch.path(&[at(2.35, 0.0), at(2.35, -h)], Ink::Force);
         sketch.label(at(2.35, -h / 2.0), [8.0, 5.0], "h", Ink::Force);
-        for (place, name, p) in [(3.3, "linear", linear), (4.5, "exponential", exponential), (5.9, "damping", damping)]
+        for (place, name, p) in [(3.3, "linear", linear), (4.3, "exponential", exponential), (6.1, "damping", damping)]
         {
             let top = p.clamp(-0.8, 2.2);
             sketch.area(&[at(place, 0.0), at(place + 0.5, 0.0), at(place + 0.5, top), at(place, top)], Ink::Force);
@@ -93,7 +91,7 @@ pub(super) fn pressure() -> Moving {
         sketch.path(&[at(3.0, 0.0), at(7.0, 0.0)], Ink::Thin);
         sketch.note("k = 1, c_0 = 1, p_0 = 1, μ_0 = 1, η = 0.4");
         sketch.note(if h > 0.0 { "the surfaces overlap by h" } else { "the surfaces are −h apart" });
-        sketch.svg()
+        sketch.html()
     })
 }
 
@@ -105,13 +103,12 @@ pub(super) fn torque() -> Moving {
         let p1 = 1.0;
         let (x1, x2) = (Vector2::new(r1, 0.6), Vector2::new(r1 + 2.4, 1.4));
         let t = TorqueLinear::eval(&LinearPressures { x1, x2, p1, p2 }).t;
-        let mut sketch = Sketch::in_plane(
+        let mut sketch = Sketch::new(
             "torque-moving",
             "The torque of a slide-line element",
             "A half plane with the axis of rotation at the left. An element runs from an inner to an outer node; arrows show the pressure on it, \
              which is linear along it.",
-            80.0,
-            [60.0, 250.0],
+            View::plane(80.0, [60.0, 250.0]),
         );
         sketch.path(&[at(0.0, -0.2), at(0.0, 2.8)], Ink::Axis);
         sketch.label(at(0.0, 2.8), [6.0, 6.0], "axis", Ink::Solid);
@@ -138,6 +135,6 @@ pub(super) fn torque() -> Moving {
         }
         sketch.note(format!("pressure {} at node 1, {} at node 2", number(p1), number(p2)));
         sketch.note(format!("torque with friction 1: {}", number(t)));
-        sketch.svg()
+        sketch.html()
     })
 }

@@ -7,7 +7,7 @@ use jointproof::universal::{Angles, Constraint, Shafts};
 use kit::Moving;
 
 use super::along::{Along, angles, moving, turned, upright};
-use crate::figures::sketch::{Ink, Point, Sketch, number};
+use crate::figures::sketch::{Ink, Point, Sketch, View, number};
 
 fn degrees(label: &'static str, to: f64, start: usize) -> Along {
     Along { label, unit: "°", from: -to, to, steps: 12, start }
@@ -17,17 +17,16 @@ fn degrees(label: &'static str, to: f64, start: usize) -> Along {
 pub(super) fn cardan() -> Moving {
     moving(
         "cardan-moving",
-        &[degrees("α, about e1a", 60.0, 9), degrees("β, about the turned second axis", 84.0, 4)],
+        &[degrees("α, about e1a", 60.0, 9), degrees("β, about the turned second axis", 84.0, 9)],
         |alpha, beta| {
             let (a, b) = (upright(), turned(alpha, beta, 25.0));
             let found = angles(a, b);
-            let mut sketch = Sketch::in_space(
+            let mut sketch = Sketch::new(
                 "cardan-moving",
                 "The triad of b, turned against that of a",
                 "Two triads with one origin: that of a in the colour of the text, that of b in another colour, turned by α about e1a, then by β \
              about the second axis, then by γ of 25 degrees about the third.",
-                120.0,
-                [270.0, 160.0],
+                View::space(120.0, [270.0, 160.0]),
             );
             let origin = Point::zeros();
             sketch.triad(origin, a, 1.0, "a", Ink::Solid);
@@ -43,25 +42,26 @@ pub(super) fn cardan() -> Moving {
                 number(found[1]),
                 number(found[2])
             ));
-            sketch.svg()
+            sketch.html()
         },
     )
 }
 
-/// Two shafts, their yokes, and the cross between them.
-fn joint(sketch: &mut Sketch, a: [Point; 3], b: [Point; 3]) {
+/// Two shafts, their yokes in these inks, and the cross between them.
+fn joint(sketch: &mut Sketch, a: [Point; 3], b: [Point; 3], inks: [Ink; 2]) {
     let origin = Point::zeros();
     let arm = 0.55;
     // Shafts lie along the second axes: a's to the left, b's to the right.
-    for (shaft, axis, name, ink) in [(-a[1], a[0], "shaft of a", Ink::Solid), (b[1], b[2], "shaft of b", Ink::Accent)] {
-        sketch.path(&[origin + shaft * 1.0, origin + shaft * 1.7], ink);
+    let shafts = [(-a[1], a[0], "shaft of a"), (b[1], b[2], "shaft of b")];
+    for ((shaft, axis, name), ink) in shafts.into_iter().zip(inks) {
+        sketch.path(&[origin + shaft * 1.0, origin + shaft * 1.6], ink);
         for side in [-1.0, 1.0] {
             sketch.path(
                 &[origin + axis * (side * arm), origin + axis * (side * arm) + shaft * 0.7, origin + shaft * 1.0],
                 ink,
             );
         }
-        sketch.label(origin + shaft * 1.7, [-36.0, 26.0], name, ink);
+        sketch.label(origin + shaft * 1.6, [-36.0, 26.0], name, ink);
     }
     sketch.path(&[a[0] * -arm, a[0] * arm], Ink::Solid);
     sketch.path(&[b[2] * -arm, b[2] * arm], Ink::Accent);
@@ -69,13 +69,13 @@ fn joint(sketch: &mut Sketch, a: [Point; 3], b: [Point; 3]) {
         sketch.dot(a[0] * (side * arm), Ink::Solid);
         sketch.dot(b[2] * (side * arm), Ink::Accent);
     }
-    sketch.label(a[0] * arm, [10.0, 14.0], "*e_1a", Ink::Solid);
-    sketch.label(b[2] * arm, [-30.0, 18.0], "*e_3b", Ink::Accent);
+    sketch.label(a[0] * arm, [10.0, 16.0], "*e_1a", Ink::Solid);
+    sketch.label(b[2] * arm, [-34.0, 4.0], "*e_3b", Ink::Accent);
 }
 
 /// A sketch in which the shafts go from left to right.
 fn lying(name: &'static str, title: &'static str, description: &'static str) -> Sketch {
-    Sketch::lying(name, title, description, 128.0, [278.0, 128.0])
+    Sketch::new(name, title, description, View::lying(140.0, [280.0, 150.0]))
 }
 
 /// UNIVERSAL: two turns are free, the arms stay at right angles.
@@ -92,20 +92,20 @@ pub(super) fn universal() -> Moving {
                 "The mechanism of JOIN and UNIVERSAL",
                 "A cross with two arms. The yoke of shaft a turns about the arm e1a, that of shaft b about the arm e3b. The centres stay together.",
             );
-            joint(&mut sketch, a, b);
+            joint(&mut sketch, a, b, [Ink::Solid, Ink::Accent]);
             sketch.note(format!(
                 "free: α = {}°, γ = {}°",
                 number(free.alpha.to_degrees()),
                 number(free.gamma.to_degrees())
             ));
-            sketch.note(format!("held: e_1a · e_3b = {}, and the centres, by JOIN", number(held)));
-            sketch.svg()
+            sketch.note(format!("constrained: e_1a · e_3b = {}; the centres by JOIN", number(held)));
+            sketch.html()
         },
     )
 }
 
 /// How long a force of 1 is drawn.
-const SIZE: f64 = 1.1;
+const SIZE: f64 = 0.9;
 
 /// UJOINT: what a force at the centre is along the arms and across them.
 pub(super) fn forces() -> Moving {
@@ -122,7 +122,7 @@ pub(super) fn forces() -> Moving {
             "The cross of a universal joint between two shafts, and a force at its centre with its parts along the arm e1a, along the arm e3b \
              and across the cross.",
         );
-        joint(&mut sketch, a, b);
+        joint(&mut sketch, a, b, [Ink::Thin; 2]);
         let force = e1a * f1 + e2a * 0.35 + e3a * f3;
         let parts = [e1a * of.f_axial1, b[2] * of.f_axial3, across * of.f_bend];
         for part in parts {
@@ -132,8 +132,9 @@ pub(super) fn forces() -> Moving {
         sketch.path(&[parts[0] * SIZE, corner * SIZE, force * SIZE], Ink::Dashed);
         sketch.arrow(Point::zeros(), force * SIZE, Ink::Solid);
         sketch.label(force * SIZE, [8.0, 0.0], "*F", Ink::Solid);
-        sketch.note(format!("of F along e_1a {}, along e_3b {}", number(of.f_axial1), number(of.f_axial3)));
-        sketch.note(format!("across the cross F_bend = {}: it bends the pins", number(of.f_bend)));
-        sketch.svg()
+        sketch.label(parts[2] * SIZE, [6.0, 18.0], "F_bend", Ink::Force);
+        sketch.note(format!("F along e_1a: {}, along e_3b: {}", number(of.f_axial1), number(of.f_axial3)));
+        sketch.note(format!("F_bend, normal to the cross: {}; it bends the pins", number(of.f_bend)));
+        sketch.html()
     })
 }

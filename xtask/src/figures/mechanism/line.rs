@@ -10,7 +10,7 @@ use kit::Moving;
 use nalgebra::{Vector2, Vector3};
 
 use super::along::{Along, moving};
-use crate::figures::sketch::{Ink, Point, Sketch, number};
+use crate::figures::sketch::{Ink, Point, Sketch, View, number};
 
 /// Node m on the line of nodes 1 and n: two of its coordinates follow from the third.
 pub(super) fn slider() -> Moving {
@@ -23,13 +23,12 @@ pub(super) fn slider() -> Moving {
         // The line is longest along the first axis, so that this coordinate is kept, and the other two follow.
         let xm = line.place(Vector3::new(x, 0.0, 0.0)).expect("the place is finite");
         let across = line.basis();
-        let mut sketch = Sketch::in_space(
+        let mut sketch = Sketch::new(
             "slider-moving",
             "The mechanism of SLIDER",
             "A straight line through node 1 and node n, and node m on it. Two directions across the line, t1 and t2, stand at node m; in them m is \
              held, along the line it is free. Dashed lines show the coordinates of m.",
-            118.0,
-            [110.0, 210.0],
+            View::space(118.0, [110.0, 210.0]),
         );
         let beyond = |share: f64| x1 + (xn - x1) * share;
         sketch.path(&[beyond(-0.2), beyond(1.25)], Ink::Axis);
@@ -49,13 +48,13 @@ pub(super) fn slider() -> Moving {
         sketch.label(xn, [10.0, -6.0], "n", Ink::Solid);
         sketch.label(xm, [-6.0, -14.0], "m", Ink::Accent);
         sketch.note(format!(
-            "kept x_m = {}; of it follow y_m = {}, z_m = {}",
+            "x_m = {} is given; y_m = {} and z_m = {} follow",
             number(xm.x),
             number(xm.y),
             number(xm.z)
         ));
-        sketch.note("free: along the line; held: along t_1 and t_2");
-        sketch.svg()
+        sketch.note("free: along the line; constrained: along t_1 and t_2");
+        sketch.html()
     })
 }
 
@@ -67,13 +66,12 @@ pub(super) fn smoothed() -> Moving {
     moving("slide-line-moving", &[place, fraction], |x, f| {
         let [x1, x2, x3] = [[0.2, 0.3], [3.0, 1.5], [5.8, 0.1]].map(Vector2::from);
         let xs = Vector2::new(x, 2.2);
-        let mut sketch = Sketch::in_plane(
+        let mut sketch = Sketch::new(
             "slide-line-moving",
             "The closest point on a slide line with a smoothed corner",
             "Two straight segments with a rounded corner, a slave node above them, and the line from it to its closest point, which is \
              perpendicular to the slide line there. The closest point passes the corner without a jump.",
-            84.0,
-            [30.0, 240.0],
+            View::plane(84.0, [30.0, 240.0]),
         );
         let on = |p: Vector2<f64>| Point::new(p.x, p.y, 0.0);
         let straight =
@@ -105,6 +103,6 @@ pub(super) fn smoothed() -> Moving {
         sketch.label(on(xs), [10.0, -4.0], "slave node", Ink::Accent);
         sketch.note(format!("closest point at ({}, {})", number(foot.x), number(foot.y)));
         sketch.note(format!("distance {}", number((foot - xs).norm())));
-        sketch.svg()
+        sketch.html()
     })
 }

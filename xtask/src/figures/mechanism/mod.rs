@@ -4,6 +4,7 @@ mod along;
 mod contact;
 mod cross;
 mod line;
+mod pose;
 mod slot;
 
 use kit::Moving;
@@ -13,8 +14,10 @@ pub(super) fn all() -> Vec<Moving> {
     vec![
         slot::slot("introduction-moving"),
         slot::slot("slot-moving"),
+        pose::align(),
         slot::translator(),
         cross::cardan(),
+        pose::join(),
         cross::universal(),
         cross::forces(),
         line::slider(),

@@ -9,7 +9,7 @@ use kit::Moving;
 use nalgebra::{Rotation3, Vector3};
 
 use super::along::{Along, moving};
-use crate::figures::sketch::{Ink, Sketch, number};
+use crate::figures::sketch::{Ink, Sketch, View, number};
 
 /// The offsets of the slot, and the multipliers that are drawn.
 const Y0: f64 = 0.9;
@@ -30,13 +30,12 @@ pub(super) fn slot(name: &'static str) -> Moving {
         let off = Constraint::eval(&SlotPositions { e2a, e3a, xa, xb, y0: Y0, z0: Z0 });
         let [f2, f3] = FORCES;
         let force = ConstraintForce::eval(&CrossFrame { e2a, e3a, f2, f3 }).f;
-        let mut sketch = Sketch::in_space(
+        let mut sketch = Sketch::new(
             name,
             "The mechanism of SLOT",
             "Node a carries the triad e1a, e2a, e3a. The slot is parallel to e1a at the offsets y0 along e2a and z0 along e3a. Node b \
              is in the slot, at the distance x along it. An arrow shows the force of the slot on b for positive f2 and f3.",
-            92.0,
-            [150.0, 214.0],
+            View::space(92.0, [150.0, 214.0]),
         );
         sketch.band([on_line(-0.3), on_line(3.4)], 22.0);
         sketch.path(&[on_line(-0.5), on_line(3.6)], Ink::Axis);
@@ -54,17 +53,17 @@ pub(super) fn slot(name: &'static str) -> Moving {
         sketch.label(xb + force, [6.0, 4.0], "force on b", Ink::Force);
         sketch.note(format!("free: x = {} along e_1a", number(place.x)));
         sketch.note(format!(
-            "held: y − y_0 = {}, z − z_0 = {}, by f_2 and f_3, both positive here",
+            "constrained: y − y_0 = {}, z − z_0 = {}; f_2 and f_3 are positive here",
             number(off.gy),
             number(off.gz)
         ));
-        sketch.svg()
+        sketch.html()
     })
 }
 
 /// A shaft in its sleeve under a load beside the middle of the overlap.
 pub(super) fn translator() -> Moving {
-    let lever = Along { label: "lever of the load", unit: "", from: 0.0, to: 3.0, steps: 12, start: 6 };
+    let lever = Along { label: "distance of the load", unit: "", from: 0.0, to: 3.0, steps: 12, start: 6 };
     let overlap = Along { label: "overlap L", unit: "", from: 1.0, to: 3.0, steps: 8, start: 4 };
     moving("translator-moving", &[lever, overlap], |lever, l| {
         let load = 1.0;
@@ -72,13 +71,12 @@ pub(super) fn translator() -> Moving {
         let bending = BendingForce::eval(&Bending { m2: 0.0, m3, l });
         let radial = RadialForce::eval(&CrossForces { f2, f3: 0.0 }).fr;
         let fc = ContactForce::eval(&ContactLoads { f2, f3: 0.0, m1: 0.0, m2: 0.0, m3, rr: 0.3, l }).fc;
-        let mut sketch = Sketch::in_plane(
+        let mut sketch = Sketch::new(
             "translator-moving",
             "The contact forces of TRANSLATOR under an eccentric load",
             "A shaft in a sleeve that overlap by L. A load acts on the shaft at a lever from the middle of the overlap. Below it stand the \
              forces between shaft and sleeve: across the slot, and two opposite ones at the ends of the overlap that carry the moment.",
-            66.0,
-            [180.0, 150.0],
+            View::plane(66.0, [180.0, 150.0]),
         );
         let at = |x: f64, y: f64| Vector3::new(x, y, 0.0);
         let half = l / 2.0;
@@ -105,12 +103,8 @@ pub(super) fn translator() -> Moving {
         sketch.label(at(0.0, -1.05), [-5.0, 18.0], "L", Ink::Solid);
         sketch.label(at(-half, 0.62), [-88.0, 6.0], "sleeve, a", Ink::Solid);
         sketch.label(at(3.6, 0.3), [0.0, -8.0], "shaft, b", Ink::Accent);
-        sketch.note(format!(
-            "across F_r = {}, of the two forces at the ends F_bend = {}",
-            number(radial),
-            number(bending.f_bend)
-        ));
-        sketch.note(format!("contact force F_C = {}, that rubs along the shaft", number(fc)));
-        sketch.svg()
+        sketch.note(format!("radial force F_r = {}; from bending F_bend = {}", number(radial), number(bending.f_bend)));
+        sketch.note(format!("contact force F_C = {}", number(fc)));
+        sketch.html()
     })
 }

@@ -12,8 +12,8 @@ pub(super) fn document() -> Document {
         source: formula::Document::SLIDE_LINE,
         anchor: "slide-line",
         about: "A run of pages of a manual: the end of its Section 40.4.1, *Slide line contact elements*, from the local basis on, \
-                and Section 40.4.2, *Axisymmetric slide line element library*. What stands before the local basis was not in \
-                the text that we had.",
+                and Section 40.4.2, *Axisymmetric slide line element library*. The part before the local basis is missing \
+                in our text.",
         found: "Look for Sections 40.4.1 and 40.4.2, Figures 40.4.1–3 to 40.4.1–5. The pages name the product Abaqus/Standard.",
         sections: &[
             "Defining the local basis system",
@@ -50,7 +50,7 @@ fn basis() -> Vec<Statement> {
             .law(&slide_line::LocalBasis, "reversing the sequence")
             .chapter("slide-line.md#tangent-and-normal"),
         covered("L2-s2", "Normal and tangent span the contact plane.").chapter("slide-line.md#tangent-and-normal"),
-        covered("L2-s3", "The normal is n = s × t, with s = (0, 0, 1) across the contact plane.")
+        covered("L2-s3", "The normal is n = s × t, with s = (0, 0, 1) normal to the contact plane.")
             .formulas(&[&slide_line::LocalBasis])
             .law(&slide_line::LocalBasis, "t and n are orthonormal")
             .cases(&slide_line::LocalBasis, &["along-r", "along-z"]),
@@ -93,7 +93,7 @@ fn line() -> Vec<Statement> {
             .item::<SlideLine>()
             .test("slide_line/main::bad_lines_are_named"),
         covered("L22-s3", "It defines the tangent.").formulas(&[&slide_line::LocalBasis]),
-        covered("L22-s4", "Segments are linear or parabolic, after the order of the elements.")
+        covered("L22-s4", "Segments are linear or parabolic, depending on the order of the elements.")
             .item::<Interpolation>()
             .formulas(&[&slide_line::LinearPoint, &slide_line::ParabolicPoint])
             .chapter("slide-line.md#segments"),
@@ -103,7 +103,7 @@ fn line() -> Vec<Statement> {
             .cases(&slide_line::LinearPoint, &["first-node", "last-node"])
             .item::<Interpolation>(),
         covered("L25", "Keyword: SLIDE LINE, TYPE=LINEAR.").chapter("scenes.md#slide-lines"),
-        outside("L26-30", "A figure of a linear line.", "shows what the words say"),
+        outside("L26-30", "A figure of a linear line.", "repeats the text"),
         covered("L32-s1", "Second-order elements have a line of second-order segments.")
             .formulas(&[&slide_line::ParabolicPoint])
             .cases(&slide_line::ParabolicPoint, &["first-node", "midside-node", "last-node"]),
@@ -149,7 +149,7 @@ fn elements() -> Vec<Statement> {
             .chapter("slide-line-elements.md#master-and-slave"),
         mended(
             "L46-s2",
-            "A node's area follows from current length and a constant “width”, after the elements below.",
+            "A node's area follows from the current length and a constant “width”, which depends on the underlying elements.",
             "width-of-an-element",
         )
         .formulas(&[&slide_line::ContactAreaLinear, &slide_line::ContactAreaParabolic])
@@ -194,7 +194,7 @@ fn torque() -> Vec<Statement> {
     vec![
         covered(
             "L59-s1",
-            "With axisymmetric elements, CAX and CGAX, the greatest torque across a line can be calculated.",
+            "With axisymmetric elements, CAX and CGAX, the largest torque across a line can be calculated.",
         )
         .formulas(&[&slide_line::TorqueLinear, &slide_line::TorqueParabolic])
         .method(Contact::torque::<f64>)
@@ -241,12 +241,12 @@ fn library() -> Vec<Statement> {
             .method(IslElement::isl22a)
             .outputs(&["isl22a/E11"]),
         covered("L79", "Degrees of freedom 1 and 2 at the nodes.").item::<Nodes>().chapter("scenes.md#slide-lines"),
-        covered("L81", "Two variables more at each node, for the contact stresses.")
+        covered("L81", "Two additional variables at each node, for the contact stresses.")
             .chapter("slide-line-elements.md#what-is-the-sources-and-what-is-ours"),
         covered("L83", "The coordinates are r and z.").item::<Nodes>().test("slide_line/main::bad_nodes_are_named"),
         covered("L85", "The property definition: SLIDE LINE and INTERFACE.")
             .chapter("slide-line-elements.md#which-elements"),
-        outside("L87", "There is no element loading.", "nothing to cover"),
+        outside("L87", "There is no element loading.", "nothing to implement"),
         covered("L90", "S11: the pressure between node and line.")
             .formulas(&[&interaction::PressureLinear, &interaction::PressureExponential, &interaction::Damping])
             .method(Interaction::pressure::<f64>)
@@ -262,7 +262,7 @@ fn library() -> Vec<Statement> {
                 &slide_line::ClosestSmoothedLinear,
                 &slide_line::ClosestSmoothedParabolic,
             ])
-            .law(&slide_line::ClosestParabolic, "the gap from the foot")
+            .law(&slide_line::ClosestParabolic, "xs − X is perpendicular")
             .method(PlacedLine::<f64>::closest)
             .outputs(&["isl21a/E11", "isl22a/E11"]),
         covered("L94", "E12: the accumulated tangential displacement between node and line.")

@@ -10,10 +10,10 @@ pub(super) fn document() -> Document {
     Document {
         source: formula::Document::SLIDER,
         anchor: "slider",
-        about: "The theory of a multi-point constraint that holds a node on the straight line through two others: the condition, \
-                its elimination, its derivative, and the case of two dimensions. The text that we had is one paragraph without \
-                headings, in which **every symbol and every equation is lost**; the words between them stand, and [the \
-                chapter](slider.md) spells out what they connect.",
+        about: "The theory of a multi-point constraint that keeps a node on the straight line through two others: the condition, \
+                its elimination, its derivative, and the case of two dimensions. Our text is one paragraph without \
+                headings, in which **all symbols and equations are missing**; only the words between them remain, and [the \
+                chapter](slider.md) derives the equations from them.",
         found: "The text calls its subject *the sliding constraint*, an MPC. It names the products Abaqus/Standard and \
                 Abaqus/Explicit, and gives no title.",
         sections: &[],
@@ -25,11 +25,11 @@ pub(super) fn document() -> Document {
 
 fn line() -> Vec<Statement> {
     vec![
-        outside("s1", "It has a variety of uses.", "no more than that"),
-        covered("s2", "With other constraints it joins a mesh of shells to one of solids.")
+        outside("s1", "It has a variety of uses.", "a general remark"),
+        covered("s2", "With other constraints it joins a mesh of shells to a mesh of solids.")
             .chapter("slider.md#slider")
             .chapter("scene-interface.md#example-from-shell-to-solid"),
-        covered("s3", "It keeps straight what was straight through the thickness of a shell.")
+        covered("s3", "Straight lines through the thickness of a shell stay straight.")
             .law(&slider::Eliminate, "m is on the line")
             .chapter("slider.md#slider"),
         covered("s4", "On solids it is a kinematic approximation of compatibility with the shell.")
@@ -45,7 +45,7 @@ fn line() -> Vec<Statement> {
             .law(&slider::Line, "n has length 1")
             .method(Slider::line)
             .outputs(&["slider@3d/N", "slider@3d/L"]),
-        covered("e2", "A unit normal t1 from a global base vector, and from another one where that fails.")
+        covered("e2", "A unit normal t1 from a global base vector, or from another one if that fails.")
             .formulas(&[&slider::Basis])
             .law(&slider::Basis, "t1 is a unit vector")
             .cases(&slider::Basis, &["i", "minus-i"])
@@ -89,7 +89,7 @@ fn derivative() -> Vec<Statement> {
             .formulas(&[&slider::Constraint])
             .method(Slider::constraint_jacobian)
             .chapter("slider.md#variations"),
-        covered("e10", "In which dt1 and dt2 occur.")
+        covered("e10", "They contain dt1 and dt2.")
             .formulas(&[&slider::BasisVariation])
             .law(&slider::BasisVariation, "it is the derivative of the directions"),
         mended("e11", "They reduce to a shorter form.", "on-the-line-only")
@@ -100,7 +100,7 @@ fn derivative() -> Vec<Statement> {
             .formulas(&[&slider::DirectionVariation])
             .law(&slider::DirectionVariation, "it is the derivative of the line")
             .cases(&slider::DirectionVariation, &["along-x"]),
-        covered("e13", "So do the products with it.")
+        covered("e13", "So do the products with dn.")
             .law(&slider::BasisVariation, "the directions stay across the line")
             .chapter("slider.md#variations"),
         covered("e14", "The incremental conditions.")
@@ -127,7 +127,7 @@ fn plane() -> Vec<Statement> {
             .outputs(&["slider@2d/G", "slider@axisymmetric/G"])
             .formulas(&[&slider::Constraint2d])
             .method(Slider2d::new),
-        mended("s8", "There the second condition holds by itself.", "condition-that-holds-by-itself")
+        mended("s8", "There the second condition is satisfied automatically.", "condition-that-holds-by-itself")
             .law(&slider::Constraint2d, "in the plane z = 0 of space")
             .chapter("slider.md#in-the-plane"),
         covered("e17", "The condition that remains.")

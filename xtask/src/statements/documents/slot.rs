@@ -10,8 +10,8 @@ pub(super) fn document() -> Document {
     Document {
         source: formula::Document::SLOT,
         anchor: "slot",
-        about: "A page of a library of connector elements: what the connection type SLOT holds, its forces, its friction, \
-                and a summary of what is given and reported.",
+        about: "A page of a library of connector elements: the constraint of the connection type SLOT, its forces, its friction, \
+                and a summary of inputs and outputs.",
         found: "The page is titled SLOT. It names the products Abaqus/Standard, Abaqus/Explicit and Abaqus/CAE, and refers to \
                 *Connector Elements* and *Connector Element Library*.",
         sections: &["Description", "Friction", "Summary"],
@@ -37,10 +37,9 @@ fn position() -> Vec<Statement> {
             .law(&slot::Constraint, "moving b along the slot")
             .cases(&slot::Constraint, &["off-the-slot"])
             .outputs(&["slot@3d/GZ"]),
-        covered("L5-s2", "Where b is free in the normal direction, SLIDE-PLANE is the connection to take.")
-            .chapter("slot.md#neighbours"),
+        covered("L5-s2", "If b is free in the normal direction, use SLIDE-PLANE.").chapter("slot.md#neighbours"),
         outside("L7-14", "Cross references.", "refers to other pages"),
-        outside("L16", "The products that have it.", "names programs"),
+        outside("L16", "The products that support it.", "names of programs"),
         covered("L20", "A figure of the slot.").chapter("slot.md#slot"),
         covered("L22-s1", "The first direction of a and the initial position of b give the line.")
             .method(Slot::new)
@@ -49,7 +48,7 @@ fn position() -> Vec<Statement> {
             .formulas(&[&slot::Constraint])
             .method(Slot::constraint)
             .cases(&slot::Constraint, &["on-the-slot"]),
-        covered("L22-s3", "So the relative position is fixed in both directions across the slot.")
+        covered("L22-s3", "So the relative position is fixed in both directions normal to the slot.")
             .formulas(&[&slot::Constraint])
             .law(&slot::Constraint, "moving b along the slot"),
         covered("L24", "y = e2a·(xb − xa) stays at y0.")
@@ -129,7 +128,7 @@ fn friction() -> Vec<Statement> {
         .formulas(&[&slot::Friction])
         .outputs(&["slot/P", "slot/FN"])
         .chapter("coulomb.md#stick-and-slip"),
-        covered("L60-s2", "It sticks where Φ < 0, and slides where Φ = 0, with the friction force μFN.")
+        covered("L60-s2", "It sticks if Φ < 0, and slips if Φ = 0, with the friction force μFN.")
             .formulas(&[&coulomb::ReturnMap])
             .law(&coulomb::ReturnMap, "what is transmitted never exceeds")
             .cases(&coulomb::ReturnMap, &["stick", "slip"])

@@ -30,7 +30,7 @@ fn description() -> Vec<Statement> {
             .method(Translator::new)
             .method(Translator::constraint)
             .outputs(&["translator/GY", "translator/GZ", "translator/UR1", "translator/UR2", "translator/UR3"]),
-        outside("L5-12", "Cross references, and the products that have it.", "refers to other pages"),
+        outside("L5-12", "Cross references, and the products that support it.", "refers to other pages"),
         covered("L16", "A figure of it.").chapter("translator.md#friction"),
         covered("L18", "Its constraints and orientations are those of SLOT and ALIGN together.")
             .formulas(&[
@@ -43,13 +43,13 @@ fn description() -> Vec<Statement> {
             .law(&translator::Constraint, "assembly")
             .test("translator::it_is_slot_and_align_assembled")
             .chapter("cardan.md#convention"),
-        covered("L20-s1", "The forces reported depend strongly on the order and place of the nodes.").chapter(NODES),
-        covered("L20-s2", "The constraints are enforced at node b, and what is reported acts on b.")
+        covered("L20-s1", "The reported forces depend strongly on order and position of the nodes.").chapter(NODES),
+        covered("L20-s2", "The constraints are enforced at node b, and the reported forces and moments act on b.")
             .law(&translator::Constraint, "aligned, Jacobianᵀ")
             .chapter(NODES),
-        covered("L20-s3", "They are read best with b at the centre of the device.").chapter(NODES),
-        covered("L20-s4", "That is essential where friction follows from moments.").chapter(NODES),
-        covered("L20-s5", "Enforcement does not depend on order and place of the nodes.")
+        covered("L20-s3", "The reported values are most meaningful with b at the centre of the device.").chapter(NODES),
+        covered("L20-s4", "This is essential where friction follows from moments.").chapter(NODES),
+        covered("L20-s5", "The enforcement does not depend on order and position of the nodes.")
             .law(&translator::Constraint, "aligned, the exchanged nodes are held")
             .test("virtual_work::the_order_of_the_nodes_changes_no_enforcement")
             .chapter(NODES),
@@ -68,7 +68,7 @@ fn friction() -> Vec<Statement> {
             .outputs(&["translator/PHI"])
             .test("scene_friction::random_histories_agree_with_themselves")
             .erratum("lost-sign"),
-        covered("L30", "What P, FN and μ are; stick where Φ < 0, slip where Φ = 0, with the force μFN.")
+        covered("L30", "The meaning of P, FN and μ; stick if Φ < 0, slip if Φ = 0, with the force μFN.")
             .formulas(&[&translator::Friction, &coulomb::ReturnMap])
             .cases(&translator::Friction, &["stick", "slip"])
             .outputs(&["translator/P", "translator/FN", "translator/PHI", "translator/CSF1", "translator/SLIP1"])
@@ -91,7 +91,7 @@ fn friction() -> Vec<Statement> {
             .formulas(&[&translator::TorqueForce])
             .law(&translator::TorqueForce, "the contact force at its lever")
             .outputs(&["translator/FTORQ"]),
-        covered("L43", "Rr is the radius of the shaft; where it is 0 the torque is left out.")
+        covered("L43", "Rr is the radius of the shaft; if it is 0, the torque is omitted.")
             .formulas(&[&translator::TorqueForce])
             .cases(&translator::TorqueForce, &["no-radius"])
             .cases(&translator::ContactForce, &["no-radius"])
@@ -106,7 +106,7 @@ fn friction() -> Vec<Statement> {
             .cases(&translator::BendingForce, &["couple"])
             .outputs(&["translator/MBEND", "translator/FBEND"])
             .erratum("lost-quotients"),
-        covered("L56", "L is the overlap along the slot; where it is 0 bending is left out.")
+        covered("L56", "L is the overlap along the slot; if it is 0, bending is omitted.")
             .formulas(&[&translator::BendingForce])
             .cases(&translator::BendingForce, &["no-length"])
             .cases(&translator::ContactForce, &["no-length"]),
@@ -115,7 +115,7 @@ fn friction() -> Vec<Statement> {
             .law(&translator::ContactForce, "without moments")
             .cases(&translator::ContactForce, &["all", "slot"])
             .outputs(&["translator/FC"]),
-        mended("L62", "β = 2/L, the letter of an angle.", "two-meanings-of-beta")
+        mended("L62", "β = 2/L; β is also the letter of an angle.", "two-meanings-of-beta")
             .formulas(&[&translator::BendingForce, &translator::ContactForce]),
         covered("L64", "P = |f1|.").formulas(&[&translator::Friction]).outputs(&["translator/P"]),
     ]

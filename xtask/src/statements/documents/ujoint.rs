@@ -11,7 +11,7 @@ pub(super) fn document() -> Document {
         source: formula::Document::UJOINT,
         anchor: "ujoint",
         about: "A page of the same library as SLOT's: the connection type UJOINT, which is JOIN and UNIVERSAL together, and how \
-                the loads at the centre of the cross become friction in its four hinges.",
+                the loads at the centre of the cross cause friction in its four hinges.",
         found: "The page is titled UJOINT. It names the products Abaqus/Standard, Abaqus/Explicit and Abaqus/CAE, and refers to \
                 *Connector Elements* and *Connector Element Library*.",
         sections: &["Description", "Friction", "Summary"],
@@ -37,21 +37,21 @@ fn description() -> Vec<Statement> {
         .method(UJoint::constraint)
         .outputs(&["ujoint/G", "ujoint/GROT"]),
         covered("L3-s2", "It cannot be used in two-dimensional or axisymmetric analysis.").chapter("ujoint.md#ujoint"),
-        outside("L5-16", "Cross references, and the products that have it.", "refers to other pages"),
+        outside("L5-16", "Cross references, and the products that support it.", "refers to other pages"),
         covered("L18", "A figure of it.").chapter("ujoint.md#ujoint"),
         covered("L20", "Its constraints and orientations are those of JOIN and UNIVERSAL together.")
             .formulas(&[&ujoint::Constraint])
             .law(&ujoint::Constraint, "its residuals and their derivatives")
             .test("ujoint::it_is_join_and_universal_assembled"),
-        covered("L22-s1", "The forces reported depend strongly on the order and place of the nodes.").chapter(NODES),
-        covered("L22-s2", "The constraints are enforced at node b, and what is reported acts on b.")
+        covered("L22-s1", "The reported forces depend strongly on order and position of the nodes.").chapter(NODES),
+        covered("L22-s2", "The constraints are enforced at node b, and the reported forces and moments act on b.")
             .formulas(&[&universal::ConstraintMoment])
             .law(&join::Constraint, "the force on b is Jacobianᵀ")
             .method(UJoint::constraint_force)
             .chapter(NODES),
-        covered("L22-s3", "They are read best with b at the centre of the device.").chapter(NODES),
-        covered("L22-s4", "That is essential where friction follows from moments.").chapter(NODES),
-        covered("L22-s5", "Enforcement does not depend on order and place of the nodes.")
+        covered("L22-s3", "The reported values are most meaningful with b at the centre of the device.").chapter(NODES),
+        covered("L22-s4", "This is essential where friction follows from moments.").chapter(NODES),
+        covered("L22-s5", "The enforcement does not depend on order and position of the nodes.")
             .law(&ujoint::Constraint, "exchanging the nodes and the arms")
             .test("virtual_work::the_order_of_the_nodes_changes_no_enforcement")
             .chapter(NODES),
@@ -64,7 +64,7 @@ fn loads() -> Vec<Statement> {
             .formulas(&[&ujoint::Friction, &coulomb::ReturnMap])
             .outputs(&["ujoint/CSM1", "ujoint/CSM3"]),
         covered("L26-s2", "The joint has four hinges, at the ends of the cross.").chapter("ujoint.md#ujoint"),
-        covered("L26-s3", "The moments in the hinges are computed much as those of HINGE.")
+        covered("L26-s3", "The moments in the hinges are computed similarly to those of HINGE.")
             .chapter("ujoint.md#on-a-hinge"),
         mended("L28", "Fr is the root of f1² + f2² + f3²; the root is lost in our text.", "lost-roots")
             .formulas(&[&ujoint::Reaction])
@@ -92,7 +92,7 @@ fn loads() -> Vec<Statement> {
             .outputs(&["ujoint/MTWISTH", "ujoint/ALPHATWIST"]),
         mended(
             "L39",
-            "It pushes each hinge with βtwist Mtwist over La; the quotient is lost in our text.",
+            "It acts on each hinge with the force βtwist Mtwist over La; the quotient is lost in our text.",
             "lost-quotients",
         )
         .formulas(&[&ujoint::HingeTwist])
@@ -161,7 +161,7 @@ fn friction() -> Vec<Statement> {
         )
         .formulas(&[&ujoint::Friction])
         .outputs(&["ujoint/MN1", "ujoint/MN3"]),
-        covered("L60-s2", "A direction sticks where its Φ < 0, and slides where it is 0, with the moment μMN.")
+        covered("L60-s2", "A direction sticks if its Φ < 0, and slips if Φ = 0, with the moment μMN.")
             .formulas(&[&coulomb::ReturnMap])
             .outputs(&["ujoint/CSM1", "ujoint/CSM3", "ujoint/SLIPR1", "ujoint/SLIPR3"])
             .test("scene_friction::random_histories_agree_with_themselves")
@@ -183,7 +183,7 @@ fn contact_moments() -> Vec<Statement> {
     vec![
         covered("L69", "MC1 and MC3 are sums of contributions.")
             .formulas(&[&ujoint::ContactMoments])
-            .law(&ujoint::ContactMoments, "the links of the chain")
+            .law(&ujoint::ContactMoments, "the separate formulas")
             .outputs(&["ujoint/MC1", "ujoint/MC3"]),
         mended(
             "L71-s1",
@@ -198,12 +198,12 @@ fn contact_moments() -> Vec<Statement> {
         covered("L71-s2", "Ra is the effective friction arm of the axial force.")
             .item::<Cross>()
             .chapter("ujoint.md#ujoint"),
-        covered("L71-s3", "Where Ra is 0 the axial force is left out.")
+        covered("L71-s3", "If Ra is 0, the axial force is omitted.")
             .cases(&ujoint::ContactMoments, &["no-axial-arm"])
             .test("ujoint::a_parameter_of_zero_drops_its_term_and_a_small_one_does_not"),
         covered("L73", "Normal forces contribute Fn Rp, Fn being a sum.")
             .formulas(&[&ujoint::ContactMoments])
-            .law(&ujoint::ContactMoments, "the links of the chain"),
+            .law(&ujoint::ContactMoments, "the separate formulas"),
         mended(
             "L75",
             "Ftotal is the root of the squares of Fbend/4, the force of twisting and that of the other axis.",
@@ -232,7 +232,7 @@ fn contact_moments() -> Vec<Statement> {
             .cases(&ujoint::HingeBending, &["force-alone"])
             .outputs(&["ujoint/MBEND"])
             .chapter("ujoint.md#on-a-hinge"),
-        covered("L87-s2", "Ls is the overlap of pin and sleeve; where it is 0 bending is left out.")
+        covered("L87-s2", "Ls is the overlap of pin and sleeve; if it is 0, bending is omitted.")
             .item::<Cross>()
             .cases(&ujoint::HingeBending, &["no-sleeve"])
             .cases(&ujoint::ContactMoments, &["no-sleeve"]),

@@ -49,7 +49,7 @@ fn in_other_units(f: impl Fn(f64) -> f64) -> f64 {
 }
 
 fn quotients() -> Erratum {
-    const UNITS: &str = "a force stays the same where lengths are counted in mm and not in m";
+    const UNITS: &str = "a force does not change if lengths are given in mm instead of m";
     let torque = |mm: f64| translator::TorqueForce::eval(&translator::Torque { m1: 12.0 * mm, rr: 0.5 * mm }).f_torq;
     let torque_printed = |mm: f64| 12.0 * mm * 0.5 * mm;
     let bending = |mm: f64| {
@@ -166,7 +166,7 @@ fn normal_forces() -> Erratum {
     erratum(
         "two-normal-forces",
         vec![
-            at(r"$M_{C1} = 5$, $M_{C1}^{\mathrm{int}} = -9$", "reversing the internal moment leaves it")
+            at(r"$M_{C1} = 5$, $M_{C1}^{\mathrm{int}} = -9$", "reversing the internal moment does not change it")
                 .literal(
                     "by the rule of SLOT",
                     r"M_{N1} = 2\lvert M_{C1} + M_{C1}^{\mathrm{int}}\rvert",
@@ -217,7 +217,7 @@ fn stops() -> Erratum {
         vec![
             at(
                 r"b is at $x = 4$, $y = y_0 = 3$, and $l_1^{\max} = 4.5$",
-                "moving b by 1 along the slot takes 1 off the gap",
+                "moving b by 1 along the slot reduces the gap by 1",
             )
             .literal(
                 "$l$ as the distance of the nodes",

@@ -51,7 +51,7 @@ fn bars() -> Erratum {
     erratum(
         "lost-bars",
         vec![
-            at(r"$f_1 = -1000$ along an arm, $L_a/R_p = 3$, $R_a = 0.5$", "reversing all loads leaves it")
+            at(r"$f_1 = -1000$ along an arm, $L_a/R_p = 3$, $R_a = 0.5$", "reversing all loads does not change it")
                 .printed(
                     r"M_{C1} = \alpha_{\mathrm{axial}}F_{\mathrm{axial}1}R_a + \dots",
                     printed(-FORCE),
@@ -81,7 +81,7 @@ fn parallel_forces() -> Erratum {
         "parallel-forces",
         vec![
             at(
-                r"$F_{\mathrm{axial}3} = 1000$ and a twisting moment that pushes as hard, $L_a/R_p = 3$; both hinges of axis 1",
+                r"$F_{\mathrm{axial}3} = 1000$ and a twisting moment that gives an equal force, $L_a/R_p = 3$; both hinges of axis 1",
                 r"between them the two hinges take $2\beta_{\mathrm{axial}}F_{\mathrm{axial}3}$",
             )
             .kept::<ujoint::HingeTransverse>("as printed", 
@@ -135,7 +135,7 @@ fn stops() -> Erratum {
         vec![
             at(
                 r"$\alpha = 1$, $\gamma = 0$, $\theta_1^{\max} = 0.5$",
-                "turning by 0.25 about the first arm takes 0.25 off its gap",
+                "a rotation by 0.25 about the first arm reduces its gap by 0.25",
             )
             .printed(r"\theta_1^{\max} - \gamma", printed(1.0), off(&printed))
             .here::<ujoint::Stop>(r"\theta_1^{\max} - \alpha", here(1.0), off(&here)),

@@ -150,7 +150,7 @@ fn nearest_root() -> Erratum {
     erratum(
         "nearest-root",
         vec![
-            at("nodes $(-1, 0)$, $(0, 1)$, $(1, 0)$, slave $(0, -3)$ below", "no place of the curve is nearer")
+            at("nodes $(-1, 0)$, $(0, 1)$, $(1, 0)$, slave $(0, -3)$ below", "no point of the curve is nearer")
                 .literal(
                     "the nearest root, $g = 0$",
                     r"\lvert\mathbf{x}_s-\mathbf{X}\rvert",
@@ -176,7 +176,7 @@ fn rounded_tie() -> Erratum {
         vec![
             at(
                 r"$\mathbf{d} = (26, 25, 5)$ in 237 bits, where $p^2 + q^2 = p\,\lvert d_1\rvert$ exactly",
-                "at a tie $j$ is axis 1; off by 1 where it is not",
+                "at a tie $j$ is axis 1; the error is 1 if it is not",
             )
             .literal("as first written", r"p\,(1 + (q/p)^2) - \lvert d_1\rvert", literal, misses(literal >= 0.0))
             .right(
