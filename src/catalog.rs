@@ -120,22 +120,13 @@ impl<F: Proved> AnyFormula for F {
         std::any::type_name::<F>()
     }
     fn cases(&self) -> Vec<Flag> {
-        F::cases().iter().map(|case| case.flag).collect()
+        flags(&Subject::of::<F>())
     }
     fn laws(&self) -> Vec<String> {
-        F::laws().into_iter().map(|law| law.statement).collect()
+        statements(Subject::of::<F>())
     }
     fn kinks(&self) -> Vec<KinkEntry> {
-        let subject = Subject::of::<F>();
-        let entry = |kink: &Kink| KinkEntry {
-            condition: kink.condition.clone(),
-            convention: kink.convention,
-            at: kink.at.clone(),
-            across: kink.across.clone(),
-            one_sided: one_sided(&subject, kink),
-            sides: sides(&subject, kink),
-        };
-        subject.kinks.iter().map(entry).collect()
+        kinks(&Subject::of::<F>())
     }
     fn golden(&self) -> golden::File {
         golden::file::<F>()
@@ -203,6 +194,26 @@ impl<F: Proved> AnyFormula for F {
     fn timing_inputs(&self, options: &measure::Options) -> Vec<f64> {
         options.timing_inputs::<F>().concat()
     }
+}
+
+fn flags(subject: &Subject) -> Vec<Flag> {
+    (subject.cases)().iter().map(|case| case.flag).collect()
+}
+
+fn statements(subject: Subject) -> Vec<String> {
+    subject.laws.into_iter().map(|law| law.statement).collect()
+}
+
+fn kinks(subject: &Subject) -> Vec<KinkEntry> {
+    let entry = |kink: &Kink| KinkEntry {
+        condition: kink.condition.clone(),
+        convention: kink.convention,
+        at: kink.at.clone(),
+        across: kink.across.clone(),
+        one_sided: one_sided(subject, kink),
+        sides: sides(subject, kink),
+    };
+    subject.kinks.iter().map(entry).collect()
 }
 
 fn from_components<F: Formula>(components: &[f64]) -> Result<F::Inputs<f64>, Error> {

@@ -6,6 +6,7 @@ mod decimal;
 mod elementary;
 mod hyperbolic;
 mod power;
+mod root;
 #[cfg(test)]
 mod upstream;
 

@@ -54,10 +54,7 @@ pub trait Fields<T: Component>: Component {
     fn for_each_of_field(&self, visit: &mut impl FnMut(&'static Field, T));
 
     /// Hands out the components in order.
-    #[inline(always)]
-    fn for_each_component(&self, visit: &mut impl FnMut(T)) {
-        self.for_each_of_field(&mut |_, component| visit(component));
-    }
+    fn for_each_component(&self, visit: &mut impl FnMut(T));
 
     /// An array with room for the components.
     fn array_of(value: T) -> Self::Array;
@@ -207,6 +204,10 @@ macro_rules! fields {
                 })*
             }
             #[inline(always)]
+            fn for_each_component(&self, visit: &mut impl FnMut($T)) {
+                $($crate::formula::Part::for_each_component(&self.$field, visit);)*
+            }
+            #[inline(always)]
             fn array_of(value: $T) -> Self::Array {
                 [value; <$name<f64> as $crate::formula::Fields<f64>>::LEN]
             }
@@ -217,7 +218,11 @@ macro_rules! fields {
 #[cfg(feature = "verify")]
 /// The entries of a Jacobian, output by output, each over all inputs.
 pub(crate) fn entries<T: Component, I: Fields<T>>(jacobian: &impl Fields<I>) -> Vec<T> {
-    jacobian.components().iter().flat_map(Fields::components).collect()
+    let mut all = Vec::new();
+    for gradient in jacobian.components() {
+        gradient.for_each_component(&mut |entry| all.push(entry));
+    }
+    all
 }
 
 /// The struct of as many components as it has.

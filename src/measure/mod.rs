@@ -37,8 +37,8 @@ pub use difference::Scheme;
 pub use figures::{Curve, Errors, Figures, Measurement, PointTime, Quantiles, Step, Time, WayFigures};
 pub use options::Options;
 
-use crate::formula::Fields;
-use crate::proof::Proved;
+use crate::formula::Field;
+use crate::proof::{Proved, Way};
 use crate::verify::Subject;
 
 /// Measures one formula: its errors, then its times.
@@ -50,19 +50,28 @@ pub fn measure<F: Proved>(options: &Options) -> Measurement {
 
 /// The errors of every way; times are still missing.
 pub fn errors<F: Proved>(options: &Options) -> Measurement {
-    let points = exact::Points::new(&Subject::of::<F>(), options);
-    let curves = Scheme::ALL.map(|scheme| ways::curve(scheme, &ways::differences::<F>, &points, options));
-    let ways = ways::all::<F>(&curves).iter().map(|way| ways::errors(way, &points)).collect();
+    let subject = Subject::of::<F>();
+    let points = exact::Points::new(&subject, options);
+    let curves = curves(&ways::differences::<F>, &points, options);
+    let ways = ways::all::<F>(&curves);
+    measured(&subject, &points, &ways, curves)
+}
+
+fn curves(way: &dyn Fn(Scheme, f64) -> Way, points: &exact::Points, options: &Options) -> Vec<Curve> {
+    Scheme::ALL.iter().map(|&scheme| ways::curve(scheme, way, points, options)).collect()
+}
+
+fn measured(subject: &Subject, points: &exact::Points, ways: &[Way], curves: Vec<Curve>) -> Measurement {
     Measurement {
-        formula: F::SPEC.id.into(),
-        inputs: F::Inputs::<f64>::LEN,
-        outputs: F::Outputs::<f64>::LEN,
+        formula: subject.spec.id.into(),
+        inputs: subject.inputs.iter().map(Field::len).sum(),
+        outputs: subject.outputs.iter().map(Field::len).sum(),
         random_points: points.random.len(),
         hard_points: points.hard.len(),
         copy: None,
         yardstick: None,
-        ways,
-        curves: curves.into(),
+        ways: ways.iter().map(|way| ways::errors(way, points)).collect(),
+        curves,
     }
 }
 

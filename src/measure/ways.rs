@@ -11,10 +11,17 @@ use crate::{Octuple, Single};
 /// Every way to compute `F`, the closed form first.
 pub(super) fn all<F: Proved>(curves: &[Curve]) -> Vec<Way> {
     let mut ways = vec![closed::<F>(), checked::<F>(), single::<F>(), ad::<F>()];
-    ways.extend(curves.iter().filter_map(|curve| Some(differences::<F>(curve.scheme, curve.best()?.step))));
+    for (scheme, step) in best(curves) {
+        ways.push(differences::<F>(scheme, step));
+    }
     ways.extend(octuple(&Subject::of::<F>()));
     ways.extend(F::ways());
     ways
+}
+
+/// The schemes of differences with their best steps.
+fn best(curves: &[Curve]) -> Vec<(Scheme, f64)> {
+    curves.iter().filter_map(|curve| Some((curve.scheme, curve.best()?.step))).collect()
 }
 
 /// The errors of a way, without times.
@@ -73,11 +80,18 @@ fn checked<F: Proved>() -> Way {
 }
 
 fn single<F: Proved>() -> Way {
-    let doubles = |x: Vec<Single>| x.into_iter().map(Single::to_f64).collect();
-    let convert = |i: &[f64]| typed(&i.iter().map(|&x| Single::from(x)).collect::<Vec<_>>());
+    let convert = |i: &[f64]| typed(&singles(i));
     Way::of("single", "closed form in single precision")
-        .value(Kernel::new(convert, F::eval::<Single>, move |out| doubles(out.components())))
-        .jacobian(Kernel::new(convert, F::linearized::<Single>, move |(_, jacobian)| doubles(entries(jacobian))))
+        .value(Kernel::new(convert, F::eval::<Single>, |out| doubles(&out.components())))
+        .jacobian(Kernel::new(convert, F::linearized::<Single>, |(_, jacobian)| doubles(&entries(jacobian))))
+}
+
+fn singles(x: &[f64]) -> Vec<Single> {
+    x.iter().map(|&x| Single::from(x)).collect()
+}
+
+fn doubles(x: &[Single]) -> Vec<f64> {
+    x.iter().map(|x| x.to_f64()).collect()
 }
 
 fn ad<F: Proved>() -> Way {

@@ -10,6 +10,7 @@ use f256::f256;
 use super::bits::{exponent, power_of_two, scale_by_power_of_two};
 pub(super) use super::hyperbolic::{acosh, asinh, atanh, cosh, sinh, tanh};
 pub(super) use super::power::{powf, powi};
+pub(super) use super::root::sqrt;
 
 /// Below this, x² vanishes beside 1: sin x, tan x, sinh x and their inverses are x to within 0.1 ulp.
 pub(super) const TINY: f256 = power_of_two(-120);
@@ -30,10 +31,6 @@ pub(super) fn rem(x: f256, y: f256) -> f256 {
 
 pub(super) fn recip(x: f256) -> f256 {
     f256::ONE / x
-}
-
-pub(super) fn sqrt(x: f256) -> f256 {
-    x.sqrt()
 }
 
 pub(super) fn cbrt(x: f256) -> f256 {

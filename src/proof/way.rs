@@ -89,14 +89,14 @@ pub(crate) struct Kernel {
 impl Kernel {
     /// `convert` makes the computation's own inputs, `compute` is what is timed, `doubles` reads the result.
     pub(crate) fn new<I: 'static, O>(
-        convert: impl Fn(&[f64]) -> I + Copy + 'static,
+        convert: fn(&[f64]) -> I,
         compute: impl Fn(&I) -> O + Copy + 'static,
         doubles: impl Fn(&O) -> Vec<f64> + 'static,
     ) -> Self {
         Self {
             results: Box::new(move |i| doubles(&compute(&convert(i)))),
             runner: Box::new(move |points| {
-                let points: Vec<I> = points.iter().map(|point| convert(point)).collect();
+                let points = converted(points, convert);
                 Box::new(move |from, count| {
                     for i in &points[from..from + count] {
                         black_box(&compute(black_box(i)));
@@ -105,4 +105,9 @@ impl Kernel {
             }),
         }
     }
+}
+
+/// Compiled once a kind of inputs, and not once a way.
+fn converted<I>(points: &[Vec<f64>], convert: fn(&[f64]) -> I) -> Vec<I> {
+    points.iter().map(|point| convert(point)).collect()
 }

@@ -65,15 +65,16 @@ pub(super) fn largest_of_field(fields: &[Field], numbers: &[Octuple], k: usize) 
 
 /// |x|, or the largest of its field where x is 0, or the largest of its unit where the whole field is 0, or 1.
 pub(super) fn step_size(fields: &[Field], inputs: &[Octuple], k: usize) -> Octuple {
+    if let Some(own) = inputs.get(k).map(Signed::abs).filter(|own| !own.is_zero()) {
+        return own;
+    }
     let field_of: Vec<_> = fields.iter().enumerate().flat_map(|(f, field)| vec![f; field.len()]).collect();
     let largest_where = |counts: &dyn Fn(usize) -> bool| {
         let sizes = inputs.iter().zip(&field_of).filter(|(_, field)| counts(**field)).map(|(x, _)| x.abs());
         sizes.fold(Octuple::zero(), |largest, x| if x > largest { x } else { largest })
     };
-    let (Some(own), Some(&field)) = (inputs.get(k).map(Signed::abs), field_of.get(k)) else {
-        return Octuple::from(1.0);
-    };
+    let Some(&field) = field_of.get(k) else { return Octuple::from(1.0) };
     let unit = |f: usize| fields[f].quantity.unit;
-    let candidates = [own, largest_where(&|f| f == field), largest_where(&|f| unit(f) == unit(field))];
+    let candidates = [largest_where(&|f| f == field), largest_where(&|f| unit(f) == unit(field))];
     candidates.into_iter().find(|size| !size.is_zero()).unwrap_or_else(|| Octuple::from(1.0))
 }

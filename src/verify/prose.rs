@@ -15,12 +15,15 @@ use num_traits::Zero;
 
 /// Checks claims about a formula at its cases, beside its kinks and at random points, in 237 bits.
 pub fn claims_about<F: Proved>(claims: &Claims, options: &Options) -> Claim {
-    let subject = Subject::of::<F>();
+    about(&Subject::of::<F>(), claims, options)
+}
+
+fn about(subject: &Subject, claims: &Claims, options: &Options) -> Claim {
     let mut sampler = Sampler::for_formula(subject.spec.id, options.seed);
     let random =
-        (0..options.samples).map(|k| (format!("random {k} of seed {}", options.seed), sampler.components(&subject)));
+        (0..options.samples).map(|k| (format!("random {k} of seed {}", options.seed), sampler.components(subject)));
     let random: Vec<_> = random.collect();
-    let named = named_points(&subject).into_iter().map(|point| (point.label, point.inputs));
+    let named = named_points(subject).into_iter().map(|point| (point.label, point.inputs));
     let mut claim = Claim::new("prose, in 237 bits", EQUATION);
     for (label, inputs) in named.chain(random) {
         let mut exact = exact(&inputs);
@@ -35,7 +38,7 @@ pub fn claims_about<F: Proved>(claims: &Claims, options: &Options) -> Claim {
         }
         let [values, jacobian] = [(subject.exact_value)(&exact), (subject.exact_jacobian)(&exact)];
         let point = claims.point(&exact, Some([&values, &jacobian]), &free);
-        let sizes = || sizes(&subject, &exact, &values, &jacobian, claims.triads);
+        let sizes = || sizes(subject, &exact, &values, &jacobian, claims.triads);
         let inputs = || golden::named(subject.inputs, &inputs).into();
         check(claims, &point, sizes, &mut claim, |size, of| deviation(size, of, &label, inputs()));
     }
@@ -69,10 +72,13 @@ pub enum Printed {
 /// Executes the printed condition of every kink: it holds on the kink, not beside it, and at each case just where the
 /// registered one does.
 pub fn kinks_as_printed<F: Proved>() -> Vec<(String, Printed)> {
-    let subject = Subject::of::<F>();
-    let of = Signature { spec: F::SPEC, inputs: subject.inputs, outputs: subject.outputs };
+    as_printed(&Subject::of::<F>())
+}
+
+fn as_printed(subject: &Subject) -> Vec<(String, Printed)> {
+    let of = Signature { spec: subject.spec, inputs: subject.inputs, outputs: subject.outputs };
     let setting = Setting { of: Some(of), is_deep: true, ..Setting::default() };
-    let all = subject.kinks.iter().map(|kink| (kink.condition.clone(), printed(&subject, kink, &setting)));
+    let all = subject.kinks.iter().map(|kink| (kink.condition.clone(), printed(subject, kink, &setting)));
     all.collect()
 }
 

@@ -47,14 +47,17 @@ struct TrialPoint {
 impl Trial {
     /// Evaluates a formula.
     pub fn of<F: Proved>(options: &Options) -> Self {
-        let subject = Subject::of::<F>();
+        Self::of_subject(&Subject::of::<F>(), options)
+    }
+
+    fn of_subject(subject: &Subject, options: &Options) -> Self {
         let mut sampler = Sampler::for_formula(subject.spec.id, options.seed);
         let random = (0..options.samples).map(|k| {
             let label = format!("random {k} of seed {}", options.seed);
-            Point::new(&subject, label, true, sampler.components(&subject))
+            Point::new(subject, label, true, sampler.components(subject))
         });
-        let points = random.chain(named_points(&subject)).map(evaluated);
-        Self { inputs: subject.inputs, names: Names::new(&subject).outputs, points: points.collect() }
+        let points = random.chain(named_points(subject)).map(evaluated);
+        Self { inputs: subject.inputs, names: Names::new(subject).outputs, points: points.collect() }
     }
 
     /// Compares the values of an equation at every point.

@@ -4,7 +4,8 @@
 //! derivative: so the roots of every degree are bracketed by those one degree lower, down to the straight line
 //! (Yuksel 2022, "High-Performance Polynomial Root Finding for Graphics"). Inside a bracket every step is Newton's as
 //! long as that stays inside and at least halves the last step, and a bisection otherwise, so each step halves either
-//! the step or the bracket, and the search ends whatever the polynomial.
+//! the step or the bracket, and the search ends whatever the polynomial. Numbers longer than doubles start from the root
+//! in doubles, and are held to a change of sign beside what they come to.
 //!
 //! The crate polycool does the same in `f64`. The exact reference needs all 237 bits, and where two feet merge, at a
 //! centre of curvature, a root found in `f64` is wrong after eight digits or is not found at all; hence this one, which
@@ -63,10 +64,44 @@ fn brackets<L: Leaf>(p: &[L], ends: [L; 2], [first, last]: [L; 2]) -> ArrayVec<B
 impl<L: Leaf> Bracket<L> {
     /// The place where the polynomial changes sign.
     fn crossing(&self, p: &[L]) -> L {
-        let Self { mut from, mut to, low, high } = *self;
-        if high == 0.0 {
-            return to;
+        if self.high == 0.0 {
+            return self.to;
         }
+        let is_long = L::EPSILON < f64::EPSILON;
+        is_long.then(|| self.refined(p)).flatten().unwrap_or_else(|| self.searched(p))
+    }
+
+    /// By Newton's method from the place in doubles; `None` unless the polynomial is 0 or changes sign there.
+    fn refined(&self, p: &[L]) -> Option<L> {
+        let doubles: ArrayVec<f64, 6> = p.iter().map(L::re).collect();
+        let [from, to, low, high] = [self.from, self.to, self.low, self.high].map(|x| x.re());
+        let mut u = L::from(Bracket { from, to, low, high }.searched(&doubles));
+        for _ in 0..MOST_REFINEMENTS {
+            let (value, slope) = value_and_slope(p, u);
+            if value == 0.0 {
+                break;
+            }
+            let step = value / slope;
+            u -= step;
+            if abs(step) <= abs(u) * LAST {
+                break;
+            }
+        }
+        let value = |u| value_and_slope(p, u).0;
+        let short = short_fraction(u);
+        if abs(u - short) < BESIDE && value(short) == 0.0 {
+            u = short;
+        }
+        let beside = abs(u) * BESIDE;
+        let [below, above] = [u - beside, u + beside];
+        let is_inside = self.from < below && above < self.to;
+        let is_root = is_inside && (value(u) == 0.0 || (value(below) > 0.0) != (value(above) > 0.0));
+        is_root.then_some(u)
+    }
+
+    /// By Newton's method and bisection from the middle.
+    fn searched(&self, p: &[L]) -> L {
+        let Self { mut from, mut to, low, .. } = *self;
         let middle = |from: L, to: L| from + (to - from) * 0.5;
         let mut u = middle(from, to);
         let mut step = to - from;
@@ -100,6 +135,13 @@ impl<L: Leaf> Bracket<L> {
         u
     }
 }
+
+/// From a double so many steps come to the last place, unless roots all but coincide.
+const MOST_REFINEMENTS: usize = 5;
+/// After a step that is so small a part of the root, no other is needed.
+const LAST: f64 = 1e-40;
+/// Just beside a root, by this part of it: a polynomial of well separated roots changes sign there.
+const BESIDE: f64 = 1e-55;
 
 /// Fractions of this size are looked for among the roots.
 const SHORT: f64 = 1.0 / (1 << 20) as f64;

@@ -2,6 +2,11 @@
 //!
 //! Spins about different axes do not commute: the block of a node's own spin has a skew part, the node's moment. By rotation
 //! vectors, counted from where the node is, it has none.
+//!
+//! By a rotation vector θ that is counted from elsewhere, the stiffness is K T(θ), where T turns a change of θ into a spin.
+//! That is not named: no formula has θ among its inputs. Orientations come as unit vectors, of the second node often one
+//! alone, and the triad from which a program counts is known to that alone. A θ fitted to its answers would be three free
+//! numbers a point, where no repair that is tried has any.
 
 use super::evidence::{Evidence, Sample};
 use super::permuted::transpose;
