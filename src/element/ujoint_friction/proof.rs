@@ -64,11 +64,6 @@ fn unloaded(i: &CrossSliding<Octuple>) -> [bool; 3] {
     [abs(f_axial1) <= along_e1a, abs(f_axial3) <= along_e3b, abs(f_bend) <= size]
 }
 
-/// Whether it slips about either axis.
-fn slips(i: &CrossSliding<Octuple>) -> bool {
-    beyond(i).iter().any(|&beyond| beyond > 0.0)
-}
-
 impl Proved for Response {
     fn cases() -> Vec<Case<CrossSliding<f64>>> {
         let of = |case: Case<JointLoads<f64>>| Case::new(case.flag, case.id, case.comment, loaded(case.inputs));
@@ -101,10 +96,23 @@ impl Proved for Response {
             );
             Kink::<Self>::switch(condition, move |i| beyond(i).is_zero(), at, across)
         };
-        let slip = r"\ \lvert m_k^{\mathrm{trial}}\rvert > \mu M_{Nk}";
-        let corner = |condition: &str, holds: fn(&CrossSliding<Octuple>) -> bool, at, across| {
-            let holds = move |i: &CrossSliding<Octuple>| slips(i) && holds(i);
-            Kink::<Self>::new(Convention::Subgradient, format!("{condition},{slip}"), holds, at, across)
+        // A corner of M_N1 or M_N3 is one of the moment about the same axis, where that slips.
+        let corner = |k: usize, condition: &str, holds: fn(&CrossSliding<Octuple>) -> bool, at, across| {
+            let axis = [1, 3][k];
+            let slip = format!(
+                r"k_{{\mathrm{{el}},{axis}}}\lvert u_{{r{axis}}}-u_{{r{axis},0}}^{{\mathrm{{slip}}}}\rvert > \mu M_{{N{axis}}}"
+            );
+            let holds = move |i: &CrossSliding<Octuple>| beyond(i)[k] > 0.0 && holds(i);
+            Kink::<Self>::new(Convention::Subgradient, format!(r"{condition},\ {slip}"), holds, at, across)
+        };
+        let unbent = |k| {
+            corner(
+                k,
+                r"F_{\mathrm{bend}} = m_2 = 0",
+                |i| i.m2 == 0.0 && unloaded(i)[2],
+                CrossSliding { f2: 0.0, f3: 0.0, m2: 0.0, ..hand },
+                CrossSliding { m2: 1.0, ..zero },
+            )
         };
         vec![
             tie(
@@ -121,30 +129,30 @@ impl Proved for Response {
             ),
             Kink::<Self>::switched_off(hand, |i| [i.ls]),
             corner(
+                0,
                 r"F_{\mathrm{axial1}} = 0",
                 |i| unloaded(i)[0],
                 CrossSliding { f1: 0.0, ..hand },
                 CrossSliding { f1: 1.0, ..zero },
             ),
             corner(
+                1,
                 r"F_{\mathrm{axial3}} = 0",
                 |i| unloaded(i)[1],
                 CrossSliding { f2: 0.0, f3: 0.0, ..hand },
                 CrossSliding { f3: 1.0, ..zero },
             ),
+            unbent(0),
+            unbent(1),
             corner(
-                r"F_{\mathrm{bend}} = m_2 = 0",
-                |i| i.m2 == 0.0 && unloaded(i)[2],
-                CrossSliding { f2: 0.0, f3: 0.0, m2: 0.0, ..hand },
-                CrossSliding { m2: 1.0, ..zero },
-            ),
-            corner(
+                0,
                 r"M_{C1}^{\mathrm{int}} = 0",
                 |i| i.mc1_int == 0.0,
                 CrossSliding { mc1_int: 0.0, ..hand },
                 CrossSliding { mc1_int: 1.0, ..zero },
             ),
             corner(
+                1,
                 r"M_{C3}^{\mathrm{int}} = 0",
                 |i| i.mc3_int == 0.0,
                 CrossSliding { mc3_int: 0.0, ..hand },
