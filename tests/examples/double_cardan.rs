@@ -62,14 +62,12 @@ impl Shafts {
         let first = Nodes { a: driving, b: middle, xa: origin, xb: self.end };
         // The pins are e1 of node a and e3 of node b.
         let (second, arms) = match yokes {
-            Yokes::InPhase => (
-                Nodes { a: driven, b: middle, xa: self.driven, xb: self.end + arm },
-                Arms { a: none, b: arm },
-            ),
-            Yokes::Crossed => (
-                Nodes { a: middle, b: driven, xa: self.end + arm, xb: self.driven },
-                Arms { a: arm, b: none },
-            ),
+            Yokes::InPhase => {
+                (Nodes { a: driven, b: middle, xa: self.driven, xb: self.end + arm }, Arms { a: none, b: arm })
+            }
+            Yokes::Crossed => {
+                (Nodes { a: middle, b: driven, xa: self.end + arm, xb: self.driven }, Arms { a: arm, b: none })
+            }
         };
         let state = UJointState { turns: [0.0; 2], slip: [0.0; 2] };
         let at = |nodes| JOINT.newton(&nodes, &Vector4::zeros(), &state).expect("the shafts are finite").0;

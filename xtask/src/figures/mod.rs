@@ -25,6 +25,7 @@ pub(crate) fn all() -> Vec<(String, String)> {
         thread::tilted_flank(),
         newton::steps_of_two_rods(),
         newton::steps_of_a_slider_crank(),
+        newton::lead_of_a_double_cardan(),
     ];
     charts.extend(slider::charts());
     let charts = charts.iter().map(|chart| (chart.name.to_owned(), chart.svg()));

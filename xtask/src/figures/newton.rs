@@ -9,6 +9,10 @@ mod two_rods;
 #[expect(dead_code, reason = "the example has a main function")]
 mod slider_crank;
 
+#[path = "../../../tests/examples/double_cardan.rs"]
+#[expect(dead_code, reason = "the example has a main function")]
+mod double_cardan;
+
 /// Two rods in UJOINTs: how far each step goes, with the geometric stiffness and without.
 pub(super) fn steps_of_two_rods() -> Chart<'static> {
     let counted = |with_stiffness: bool| {
@@ -61,6 +65,40 @@ pub(super) fn steps_of_a_slider_crank() -> Chart<'static> {
             to: 20.0,
             logarithmic: false,
             ticks: vec![0.0, 5.0, 10.0, 15.0, 20.0],
+        },
+        curves: curves.into(),
+    }
+}
+
+/// A double cardan shaft: by how much the driven shaft leads, with the yokes of the intermediate shaft in phase and crossed.
+pub(super) fn lead_of_a_double_cardan() -> Chart<'static> {
+    use double_cardan::{Position, Yokes, revolution};
+    let lead = |Position { input, output, .. }: Position| (input.to_degrees(), (output - input).to_degrees());
+    let curves = [("yokes in phase", Yokes::InPhase, 54), ("yokes crossed", Yokes::Crossed, 20)].map(
+        |(name, yokes, label_at)| Curve {
+            name,
+            label_at,
+            points: revolution(yokes, 72).into_iter().map(lead).collect(),
+        },
+    );
+    Chart {
+        name: "double-cardan",
+        title: "Non-uniformity of a double cardan shaft",
+        description: "The angle of the driving shaft against the lead of the driven shaft. With the yokes of the intermediate shaft \
+            in phase it is zero everywhere; crossed, it oscillates twice in a revolution, by 15 degrees.",
+        x: Axis {
+            label: "angle of the driving shaft, in degrees",
+            from: 0.0,
+            to: 360.0,
+            logarithmic: false,
+            ticks: vec![0.0, 90.0, 180.0, 270.0, 360.0],
+        },
+        y: Axis {
+            label: "lead of the driven shaft, in degrees",
+            from: -20.0,
+            to: 20.0,
+            logarithmic: false,
+            ticks: vec![-20.0, -10.0, 0.0, 10.0, 20.0],
         },
         curves: curves.into(),
     }
