@@ -19,7 +19,9 @@ pub use slot::{SlotContact, SlotElement};
 pub use translator::{TranslatorContact, TranslatorElement};
 pub use ujoint::{CrossContact, UJointElement, UJointState};
 
+use super::join::JoinLoads;
 use super::offset::Arms;
+use super::universal::UniversalMoments;
 use super::{Forces, Rows, Stiffness};
 use crate::cardan::Triads;
 use crate::error::Error;
@@ -45,6 +47,12 @@ impl<D: Scalar> Nodes<D> {
     fn positions(&self) -> Positions<D> {
         let ([e1a, e2a, e3a], xa, xb) = (self.a, self.xa, self.xb);
         Positions { e1a, e2a, e3a, xa, xb }
+    }
+
+    /// The loads of JOIN here.
+    fn join_loads(&self, [f1, f2, f3]: [D; 3]) -> JoinLoads<D> {
+        let Positions { e1a, e2a, e3a, xa, xb } = self.positions();
+        JoinLoads { e1a, e2a, e3a, xa, xb, f1, f2, f3 }
     }
 
     fn triads(&self) -> Triads<D> {
@@ -202,6 +210,11 @@ pub trait Element<const MULTIPLIERS: usize> {
         let (found, after) = self.contribution(nodes, multipliers, before);
         if found.is_finite() { Ok((found, after)) } else { Err(Error::Overflow { name: "contribution" }) }
     }
+}
+
+/// What belongs to the spins alone.
+fn by_spins<D: Scalar>(ma: Vector3<D>, mb: Vector3<D>) -> Forces<D> {
+    UniversalMoments { ma, mb }.vector()
 }
 
 #[cfg(all(test, feature = "verify"))]

@@ -1,8 +1,7 @@
 //! SLOT: JOIN's element, whose first force is not a multiplier but the friction along the slot.
 
 use super::{Contribution, Element, Nodes};
-use crate::element::Forces;
-use crate::element::join::{self, JoinLoads};
+use crate::element::join;
 use crate::element::slot_friction::{Response, SlotSliding};
 use crate::error::Error;
 use crate::formula::{Formula, check};
@@ -40,12 +39,6 @@ impl SlotContact {
     }
 }
 
-/// The loads of JOIN at these positions.
-pub(super) fn join_loads<D: Scalar>(positions: Positions<D>, [f1, f2, f3]: [D; 3]) -> JoinLoads<D> {
-    let Positions { e1a, e2a, e3a, xa, xb } = positions;
-    JoinLoads { e1a, e2a, e3a, xa, xb, f1, f2, f3 }
-}
-
 impl Element<2> for SlotElement {
     type State<D: Scalar> = D;
 
@@ -54,7 +47,7 @@ impl Element<2> for SlotElement {
         let [x0, y0, z0] = *self.start.as_ref();
         Error::check("x0", None, x0, Domain::Real)?;
         check::<Constraint>(&SlotPositions { e2a, e3a, xa, xb, y0, z0 })?;
-        check::<join::Forces>(&join_loads(nodes.positions(), [0.0, f2, f3]))?;
+        check::<join::Forces>(&nodes.join_loads([0.0, f2, f3]))?;
         self.contact.map_or(Ok(()), |contact| check::<Response>(&contact.sliding(0.0, 0.0, [f2, f3])))
     }
 
@@ -78,7 +71,7 @@ impl Element<2> for SlotElement {
         let u1 = RelativePosition::eval(&positions).x - x0;
         let rubbed = self.contact.map(|contact| Response::linearized(&contact.sliding(u1, *before, [f2, f3])));
         let friction = rubbed.map_or(D::zero(), |(value, _)| value.f1);
-        let loads = join_loads(positions, [-friction, f2, f3]);
+        let loads = nodes.join_loads([-friction, f2, f3]);
         let mut found = Contribution {
             residuals: Vector2::new(gy, gz),
             rows,
@@ -90,13 +83,4 @@ impl Element<2> for SlotElement {
         found.follow_friction(&along, &(along * by.f1.u1), &Vector2::new(by.f1.f2, by.f1.f3));
         (found, value.slip)
     }
-}
-
-/// Three numbers for a and three for b among the spins.
-pub(super) fn by_spins<D: Scalar>(ta: Vector3<D>, tb: Vector3<D>) -> Forces<D> {
-    Forces::from_fn(|k, _| match k {
-        3..6 => ta[k - 3],
-        9.. => tb[k - 9],
-        _ => D::zero(),
-    })
 }

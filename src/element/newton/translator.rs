@@ -1,7 +1,6 @@
 //! TRANSLATOR: SLOT's element and ALIGN's, with a friction along the slot that the moments press for as the forces do.
 
-use super::slot::{by_spins, join_loads};
-use super::{Contribution, Element, Nodes};
+use super::{Contribution, Element, Nodes, by_spins};
 use crate::align::Orientations;
 use crate::cardan::Angles;
 use crate::element::align::{self, AlignLoads, AlignRows};
@@ -71,7 +70,7 @@ impl Element<5> for TranslatorElement {
         let [f2, f3, l1, l2, l3] = multipliers.data.0[0];
         Error::check("x0", None, self.start.x, Domain::Real)?;
         check::<Constraint>(&self.placement(nodes))?;
-        check::<join::Forces>(&join_loads(nodes.positions(), [0.0, f2, f3]))?;
+        check::<join::Forces>(&nodes.join_loads([0.0, f2, f3]))?;
         check::<align::Moments>(&AlignLoads::new(&nodes.triads(), [l1, l2, l3]))?;
         self.contact.map_or(Ok(()), |contact| check::<Response>(&contact.sliding(0.0, 0.0, [f2, f3], [0.0; 3])))
     }
@@ -102,7 +101,7 @@ impl Element<5> for TranslatorElement {
         let rubbed =
             self.contact.map(|contact| Response::linearized(&contact.sliding(u1, *before, [f2, f3], along_axes)));
         let friction = rubbed.map_or(D::zero(), |(value, _)| value.f1);
-        let loads = join_loads(positions, [-friction, f2, f3]);
+        let loads = nodes.join_loads([-friction, f2, f3]);
         let mut found = Contribution {
             residuals: SVector::from([gy, gz, ur1, ur2, ur3]),
             rows,

@@ -3,8 +3,7 @@
 //! A friction moment works against a Cardan angle, so that its part in forces and stiffness is ALIGN's, with the opposite
 //! moments in place of the multipliers.
 
-use super::slot::by_spins;
-use super::{Contribution, Element, Nodes};
+use super::{Contribution, Element, Nodes, by_spins};
 use crate::cardan::nearest;
 use crate::element::Forces;
 use crate::element::align::{self, AlignLoads};

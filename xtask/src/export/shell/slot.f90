@@ -23,7 +23,7 @@ contains
         integer, intent(out) :: code
         real(dp) :: x, y, z, friction, slope(14), g(9, 3), fa(3), ma(3), fb(3), ua_ta(9), ta_ta(9), row(12), zero(3)
 
-        zero = 0 * b(:, 1)
+        zero = 0
         after = before
         friction = 0
         slope = 0
