@@ -74,7 +74,7 @@ pub(super) fn steps_of_a_slider_crank() -> Chart<'static> {
 pub(super) fn lead_of_a_double_cardan() -> Chart<'static> {
     use double_cardan::{Position, Yokes, revolution};
     let lead = |Position { input, output, .. }: Position| (input.to_degrees(), (output - input).to_degrees());
-    let curves = [("yokes in phase", Yokes::InPhase, 54), ("yokes crossed", Yokes::Crossed, 20)].map(
+    let curves = [("yokes in phase", Yokes::InPhase, 2), ("yokes crossed", Yokes::Crossed, 27)].map(
         |(name, yokes, label_at)| Curve {
             name,
             label_at,

@@ -50,34 +50,33 @@ fn parse(text: &str) -> anyhow::Result<Record> {
 
 /// The worst error of each connector.
 fn by_connector(records: &[Record]) -> Table {
-    rows(records, ["Connector"], |comparison| [&comparison.connector])
+    rows(records, ["Connector"], |comparison| [comparison.connector.clone()])
 }
 
 /// The worst error of each quantity, those of a connector together.
 fn by_quantity(records: &[Record]) -> Table {
-    rows(records, ["Connector", "Compared", "At"], |comparison| {
-        [&comparison.connector, &comparison.quantity, &comparison.places]
+    rows(records, ["Connector", "Compared"], |Comparison { connector, quantity, places, .. }| {
+        [connector.clone(), format!("{quantity}, {places}")]
     })
 }
 
 /// A row for all comparisons that are about the same, and a column for each program.
-fn rows<const N: usize>(records: &[Record], head: [&str; N], about: impl Fn(&Comparison) -> [&String; N]) -> Table {
-    let mut abouts: Vec<[&String; N]> = Vec::new();
+fn rows<const N: usize>(records: &[Record], head: [&str; N], about: impl Fn(&Comparison) -> [String; N]) -> Table {
+    let mut abouts: Vec<[String; N]> = Vec::new();
     for comparison in records.iter().flat_map(|record| &record.comparisons) {
         if !abouts.contains(&about(comparison)) {
             abouts.push(about(comparison));
         }
     }
     // Connectors and, of each, quantities, as they were first met.
-    let connectors: Vec<&String> = abouts.iter().map(|about| about[0]).collect();
+    let connectors: Vec<String> = abouts.iter().map(|about| about[0].clone()).collect();
     abouts.sort_by_key(|about| connectors.iter().position(|connector| *connector == about[0]));
-    let cell = |record: &Record, of: &[&String; N]| {
+    let cell = |record: &Record, of: &[String; N]| {
         let errors = record.comparisons.iter().filter(|comparison| about(comparison) == *of).map(|found| found.worst);
         errors.reduce(f64::max).map_or_else(String::new, scientific)
     };
-    let row = |of: &[&String; N]| {
-        let texts = of.iter().map(|text| (*text).clone());
-        texts.chain(records.iter().map(|record| cell(record, of))).collect()
+    let row = |of: &[String; N]| {
+        of.iter().cloned().chain(records.iter().map(|record| cell(record, of))).collect()
     };
     let programs = records.iter().map(|Record { program, version, .. }| format!("{program} {version}"));
     let head = head.iter().map(|text| (*text).to_owned()).chain(programs).collect();
@@ -109,10 +108,10 @@ mod tests {
         let two = r#"{"connector": "JOIN", "quantity": "forces", "places": "9 poses", "worst": 1e-9}"#;
         let records = [record("One", one).unwrap(), record("Two", two).unwrap()];
         let Table { head, rows, .. } = by_quantity(&records);
-        assert_eq!(head, ["Connector", "Compared", "At", "One 1.0", "Two 1.0"]);
-        assert_eq!(rows[0], ["JOIN", "rows", "9 poses", r"$2.5\cdot10^{-16}$", ""]);
-        assert_eq!(rows[1], ["JOIN", "forces", "9 poses", "", r"$1.0\cdot10^{-9}$"]);
-        assert_eq!(rows[2], ["SLOT", "rows", "9 poses", "0", ""]);
+        assert_eq!(head, ["Connector", "Compared", "One 1.0", "Two 1.0"]);
+        assert_eq!(rows[0], ["JOIN", "rows, 9 poses", r"$2.5\cdot10^{-16}$", ""]);
+        assert_eq!(rows[1], ["JOIN", "forces, 9 poses", "", r"$1.0\cdot10^{-9}$"]);
+        assert_eq!(rows[2], ["SLOT", "rows, 9 poses", "0", ""]);
         let Table { head, rows, .. } = by_connector(&records);
         assert_eq!(head, ["Connector", "One 1.0", "Two 1.0"]);
         assert_eq!(rows, [["JOIN", r"$2.5\cdot10^{-16}$", r"$1.0\cdot10^{-9}$"], ["SLOT", "0", ""]]);
