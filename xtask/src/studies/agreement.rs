@@ -75,9 +75,7 @@ fn rows<const N: usize>(records: &[Record], head: [&str; N], about: impl Fn(&Com
         let errors = record.comparisons.iter().filter(|comparison| about(comparison) == *of).map(|found| found.worst);
         errors.reduce(f64::max).map_or_else(String::new, scientific)
     };
-    let row = |of: &[String; N]| {
-        of.iter().cloned().chain(records.iter().map(|record| cell(record, of))).collect()
-    };
+    let row = |of: &[String; N]| of.iter().cloned().chain(records.iter().map(|record| cell(record, of))).collect();
     let programs = records.iter().map(|Record { program, version, .. }| format!("{program} {version}"));
     let head = head.iter().map(|text| (*text).to_owned()).chain(programs).collect();
     Table { head, rows: abouts.iter().map(row).collect(), ..Table::default() }
