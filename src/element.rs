@@ -24,6 +24,7 @@ mod motion;
 pub mod newton;
 pub mod offset;
 mod products;
+pub mod rotation;
 pub mod slider;
 pub mod slider_plane;
 pub mod slot;

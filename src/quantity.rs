@@ -204,6 +204,13 @@ quantities! {
     ARM_MOMENT: r"\mathbf{m}", Vec3, FL, Vector, "moment at the end of a rigid arm, in the global frame";
     NODE_MOMENT: r"\mathbf{m}_{\mathrm{node}}", Vec3, FL, Vector, "moment on the node from the force and the moment at the end of the arm, in the global frame";
     K_ARM: r"\mathbf{K}_{\mathrm{arm}}", Mat3, FL, Vector, "derivative of the moment of the force about the node by its spin, at constant force";
+    PSI: r"\boldsymbol{\psi}", Vec3, ONE, Vector, "rotation vector of a node: it is turned by its length, in radians, about its direction";
+    SPIN_MOMENT: r"\mathbf{m}", Vec3, FL, Vector, "moment on the node: what does its work on spins, in the global frame";
+    PSI_MOMENT: r"\mathbf{m}_\psi", Vec3, FL, Vector, "what does the work of the moment on the rotation vector";
+    EULER_Q0: r"q_0", Scalar, ONE, Real, "the first of the Euler parameters of a node: the cosine of half its turn";
+    EULER_Q: r"\mathbf{q}", Vec3, ONE, Vector, "the other Euler parameters: the axis of the turn times the sine of half of it";
+    EULER_MOMENT0: r"m_{q0}", Scalar, FL, Real, "what does the work of the moment on the first Euler parameter";
+    EULER_MOMENT: r"\mathbf{m}_q", Vec3, FL, Vector, "what does the work of the moment on the other Euler parameters";
     S_TA_TA: r"\mathbf{S}_{\theta a,\theta a}", Mat3, FL, Vector, "symmetric part of the derivative of the moment on node a by the spin of node a";
     S_TB_TB: r"\mathbf{S}_{\theta b,\theta b}", Mat3, FL, Vector, "symmetric part of the derivative of the moment on node b by the spin of node b";
 

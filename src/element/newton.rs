@@ -8,21 +8,34 @@
 //! | state | what friction remembers; a step begins from the state of the last converged increment, not of the last step |
 //! | signs | forces act on the nodes; a program whose matrix is minus the derivative of its right-hand side, as Abaqus, turns the matrix |
 //!
+//! SLIDER and SLOT in the plane have other nodes, and fewer degrees of freedom; [`Element`] says how many. A program whose unknowns
+//! are rotation vectors or Euler parameters takes [`Contribution::by_rotation_vectors`] or [`Contribution::by_euler_parameters`].
+//!
 //! Without friction `by_multipliers` is the transpose of `rows`. With it the friction follows the multipliers while it slips, and
 //! the matrix is not symmetric.
 
+mod align;
+mod join;
+mod slider;
 mod slot;
+mod slot_plane;
 mod translator;
 mod ujoint;
+mod universal;
+mod unknowns;
 
+pub use align::AlignElement;
+pub use join::JoinElement;
+pub use slider::{SliderElement, SliderElement2d};
 pub use slot::{SlotContact, SlotElement};
+pub use slot_plane::SlotElement2d;
 pub use translator::{TranslatorContact, TranslatorElement};
 pub use ujoint::{CrossContact, UJointElement, UJointState};
+pub use universal::UniversalElement;
 
 use super::join::JoinLoads;
 use super::offset::Arms;
 use super::universal::UniversalMoments;
-use super::{Forces, Rows, Stiffness};
 use crate::cardan::Triads;
 use crate::error::Error;
 use crate::formula::along;
@@ -62,17 +75,17 @@ impl<D: Scalar> Nodes<D> {
 
 /// What a connector adds to the residual and the matrix of Newton's method.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Contribution<D, const MULTIPLIERS: usize> {
+pub struct Contribution<D, const MULTIPLIERS: usize, const DOFS: usize = 12> {
     /// By how much its conditions are off.
     pub residuals: SVector<D, MULTIPLIERS>,
-    /// The derivative of the residuals by the twelve degrees of freedom.
-    pub rows: Rows<D, MULTIPLIERS>,
+    /// The derivative of the residuals by the degrees of freedom.
+    pub rows: SMatrix<D, MULTIPLIERS, DOFS>,
     /// What it exerts on its nodes: forces and moments of the multipliers and of friction.
-    pub forces: Forces<D>,
-    /// The derivative of these forces by the twelve degrees of freedom.
-    pub stiffness: Stiffness<D>,
+    pub forces: SVector<D, DOFS>,
+    /// The derivative of these forces by the degrees of freedom.
+    pub stiffness: SMatrix<D, DOFS, DOFS>,
     /// Their derivative by the multipliers.
-    pub by_multipliers: SMatrix<D, 12, MULTIPLIERS>,
+    pub by_multipliers: SMatrix<D, DOFS, MULTIPLIERS>,
 }
 
 impl<D: Scalar, const MULTIPLIERS: usize> Contribution<D, MULTIPLIERS> {
@@ -87,10 +100,27 @@ impl<D: Scalar, const MULTIPLIERS: usize> Contribution<D, MULTIPLIERS> {
             by_multipliers: arms.rows(&self.by_multipliers.transpose()).transpose(),
         }
     }
+}
+
+impl<D: Scalar, const MULTIPLIERS: usize, const DOFS: usize> Contribution<D, MULTIPLIERS, DOFS> {
+    /// Without friction: what the multipliers do on the nodes is what the nodes do to the residuals.
+    fn smooth(
+        residuals: SVector<D, MULTIPLIERS>,
+        rows: SMatrix<D, MULTIPLIERS, DOFS>,
+        forces: SVector<D, DOFS>,
+        stiffness: SMatrix<D, DOFS, DOFS>,
+    ) -> Self {
+        Self { residuals, rows, forces, stiffness, by_multipliers: rows.transpose() }
+    }
 
     /// Adds to the derivatives what a friction does that works against a motion: the forces are −`row`ᵀ times it, and it
     /// changes with the degrees of freedom and with the multipliers.
-    fn follow_friction(&mut self, row: &Forces<D>, by_motions: &Forces<D>, by_multipliers: &SVector<D, MULTIPLIERS>) {
+    fn follow_friction(
+        &mut self,
+        row: &SVector<D, DOFS>,
+        by_motions: &SVector<D, DOFS>,
+        by_multipliers: &SVector<D, MULTIPLIERS>,
+    ) {
         self.stiffness -= row * by_motions.transpose();
         self.by_multipliers -= row * by_multipliers.transpose();
     }
@@ -104,13 +134,13 @@ impl<D: Scalar, const MULTIPLIERS: usize> Contribution<D, MULTIPLIERS> {
 
 /// What a connector adds where multipliers are no unknowns.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Penalised<D, const MULTIPLIERS: usize> {
+pub struct Penalised<D, const MULTIPLIERS: usize, const DOFS: usize = 12> {
     /// What penalties make of the residuals, with the multipliers that were there before.
     pub multipliers: SVector<D, MULTIPLIERS>,
     /// What it exerts on its nodes.
-    pub forces: Forces<D>,
-    /// The derivative of these forces by the twelve degrees of freedom.
-    pub stiffness: Stiffness<D>,
+    pub forces: SVector<D, DOFS>,
+    /// The derivative of these forces by the degrees of freedom.
+    pub stiffness: SMatrix<D, DOFS, DOFS>,
 }
 
 /// A connector as an element with multipliers.
@@ -130,7 +160,9 @@ pub struct Penalised<D, const MULTIPLIERS: usize> {
 /// assert_eq!(slip, 4.0 - 10.0 / 100.0);
 /// # Ok::<(), jointproof::Error>(())
 /// ```
-pub trait Element<const MULTIPLIERS: usize> {
+pub trait Element<const MULTIPLIERS: usize, const DOFS: usize = 12> {
+    /// Where its nodes are.
+    type Nodes<D: Scalar>: Copy;
     /// What friction remembers from one increment to the next.
     type State<D: Scalar>: Copy;
 
@@ -138,15 +170,15 @@ pub trait Element<const MULTIPLIERS: usize> {
     ///
     /// # Errors
     /// The first number that is not.
-    fn check(&self, nodes: &Nodes<f64>, multipliers: &SVector<f64, MULTIPLIERS>) -> Result<(), Error>;
+    fn check(&self, nodes: &Self::Nodes<f64>, multipliers: &SVector<f64, MULTIPLIERS>) -> Result<(), Error>;
 
     /// What it adds, and the state after the motion, at numbers that [`check`](Self::check) allows.
     fn contribution<D: Scalar>(
         &self,
-        nodes: &Nodes<D>,
+        nodes: &Self::Nodes<D>,
         multipliers: &SVector<D, MULTIPLIERS>,
         before: &Self::State<D>,
-    ) -> (Contribution<D, MULTIPLIERS>, Self::State<D>);
+    ) -> (Contribution<D, MULTIPLIERS, DOFS>, Self::State<D>);
 
     /// The same element, which does not rub.
     #[must_use]
@@ -161,8 +193,8 @@ pub trait Element<const MULTIPLIERS: usize> {
     /// q̇ᵀ ∂²g q̇, with the geometric stiffness of each residual alone.
     fn velocity_term<D: Scalar>(
         &self,
-        nodes: &Nodes<D>,
-        velocities: &Forces<D>,
+        nodes: &Self::Nodes<D>,
+        velocities: &SVector<D, DOFS>,
         at_rest: &Self::State<D>,
     ) -> SVector<D, MULTIPLIERS>
     where
@@ -183,11 +215,11 @@ pub trait Element<const MULTIPLIERS: usize> {
     /// next round from these multipliers.
     fn penalised<D: Scalar>(
         &self,
-        nodes: &Nodes<D>,
+        nodes: &Self::Nodes<D>,
         multipliers: &SVector<D, MULTIPLIERS>,
         penalties: &SVector<D, MULTIPLIERS>,
         before: &Self::State<D>,
-    ) -> (Penalised<D, MULTIPLIERS>, Self::State<D>) {
+    ) -> (Penalised<D, MULTIPLIERS, DOFS>, Self::State<D>) {
         let (held, _) = self.contribution(nodes, multipliers, before);
         let multipliers = multipliers - penalties.component_mul(&held.residuals);
         let (found, after) = self.contribution(nodes, &multipliers, before);
@@ -202,10 +234,10 @@ pub trait Element<const MULTIPLIERS: usize> {
     /// As [`check`](Self::check), or that something overflowed.
     fn newton(
         &self,
-        nodes: &Nodes<f64>,
+        nodes: &Self::Nodes<f64>,
         multipliers: &SVector<f64, MULTIPLIERS>,
         before: &Self::State<f64>,
-    ) -> Result<(Contribution<f64, MULTIPLIERS>, Self::State<f64>), Error> {
+    ) -> Result<(Contribution<f64, MULTIPLIERS, DOFS>, Self::State<f64>), Error> {
         self.check(nodes, multipliers)?;
         let (found, after) = self.contribution(nodes, multipliers, before);
         if found.is_finite() { Ok((found, after)) } else { Err(Error::Overflow { name: "contribution" }) }
@@ -213,7 +245,7 @@ pub trait Element<const MULTIPLIERS: usize> {
 }
 
 /// What belongs to the spins alone.
-fn by_spins<D: Scalar>(ma: Vector3<D>, mb: Vector3<D>) -> Forces<D> {
+fn by_spins<D: Scalar>(ma: Vector3<D>, mb: Vector3<D>) -> SVector<D, 12> {
     UniversalMoments { ma, mb }.vector()
 }
 

@@ -2,7 +2,8 @@
 //!
 //! Rows and forces are those of the line on which m stands: node m takes the force f = λ1 t1 + λ2 t2, nodes 1 and n its
 //! opposite in the shares 1 − ξ and ξ, as a lever does. Beside the line, by as much as Newton's method has not yet closed, the
-//! residuals have other derivatives; what is left out vanishes with them, and the convergence stays quadratic.
+//! residuals have other derivatives; what is left out vanishes with them. The convergence is quadratic with the Jacobian of
+//! [`Forces`] as the matrix; with the stiffness below, which is exact on the line only, two steps square the error.
 //!
 //! The stiffness is Σ λ ∂²g of the residuals on the line. With d = x_n − x_1 and P = ∂f/∂d its blocks are multiples of P and
 //! Pᵀ, and it is symmetric, since there are no spins.
@@ -393,6 +394,23 @@ pub(super) fn placed<D: Scalar, const N: usize, const ALL: usize>(
 ) -> SMatrix<D, ALL, ALL> {
     let rows = [[k11, k1n, -kmn.transpose()], [k1n.transpose(), knn, kmn.transpose()], [-kmn, kmn, SMatrix::zeros()]];
     SMatrix::from_fn(|row, column| rows[row / N][column / N][(row % N, column % N)])
+}
+
+impl<D: Scalar> SliderRows<D> {
+    /// Both rows, over the translations of nodes 1, n and m.
+    pub fn matrix(&self) -> SMatrix<D, 2, 9> {
+        let Self { g1_u1, g1_un, g1_um, g2_u1, g2_un, g2_um } = *self;
+        let parts = [[g1_u1, g1_un, g1_um], [g2_u1, g2_un, g2_um]];
+        SMatrix::from_fn(|row, column| parts[row][column / 3][column % 3])
+    }
+}
+
+impl<D: Scalar> SliderForces<D> {
+    /// Over the translations of nodes 1, n and m.
+    pub fn vector(&self) -> SVector<D, 9> {
+        let parts = [self.force_1, self.force_n, self.force_m];
+        SVector::from_fn(|k, _| parts[k / 3][k % 3])
+    }
 }
 
 impl<D: Scalar> SliderStiffness<D> {

@@ -18,7 +18,7 @@ use crate::quantity::{
 };
 use crate::scalar::{Scalar, norm_and_direction};
 use crate::slider::{IncrementalConstraint, Line, Nodes2d};
-use nalgebra::{Matrix2, Matrix6, Vector2};
+use nalgebra::{Matrix2, Matrix6, Vector2, Vector6};
 
 /// What all of them are derived from.
 const OURS: Source = Document::SLIDER.ours("", "the page has the constraint and its increment, without a multiplier");
@@ -228,6 +228,24 @@ impl Formula for GeometricStiffness {
     fn validate<D: Scalar>(i: &SliderLoads2d<D>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }
+}
+
+impl<D: Scalar> SliderRow2d<D> {
+    /// Over the translations of nodes 1, n and m.
+    pub fn vector(&self) -> Vector6<D> {
+        in_order([self.g_u1, self.g_un, self.g_um])
+    }
+}
+
+impl<D: Scalar> SliderForces2d<D> {
+    /// Over the translations of nodes 1, n and m.
+    pub fn vector(&self) -> Vector6<D> {
+        in_order([self.force_1, self.force_n, self.force_m])
+    }
+}
+
+fn in_order<D: Scalar>(parts: [Vector2<D>; 3]) -> Vector6<D> {
+    Vector6::from_fn(|k, _| parts[k / 2][k % 2])
 }
 
 impl<D: Scalar> SliderStiffness2d<D> {

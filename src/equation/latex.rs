@@ -37,6 +37,7 @@ pub(super) fn name(name: &Name) -> String {
         _ => r"\Delta ",
     };
     let base = match (name.bold, name.base.chars().count(), LETTERS.contains(&name.base.as_str())) {
+        (true, _, true) => format!(r"\boldsymbol{{\{}}}", name.base),
         (true, ..) => format!(r"\mathbf{{{}}}", name.base),
         (false, _, true) => letter(&name.base),
         (false, 1, _) => name.base.clone(),

@@ -90,7 +90,7 @@ impl Parser<'_> {
         let begins = match next {
             Some(Word::Letter(_)) => true,
             Some(Word::Command(word)) => {
-                LETTERS.contains(&word) || ["mathbf", "mathit", "mathrm", "Delta"].contains(&word)
+                LETTERS.contains(&word) || ["mathbf", "boldsymbol", "mathit", "mathrm", "Delta"].contains(&word)
             }
             _ => false,
         };
@@ -113,9 +113,24 @@ impl Parser<'_> {
                 self.next += 1;
                 (self.word()?, font == "mathbf")
             }
+            Word::Command("boldsymbol") => {
+                self.next += 1;
+                (self.greek()?, true)
+            }
             _ => return Ok(None),
         };
         Ok(Some(Name { bold, base, ..Name::default() }))
+    }
+
+    /// A Greek letter in braces.
+    fn greek(&mut self) -> Result<String, Error> {
+        self.expect('{')?;
+        let token = self.take();
+        let Word::Command(letter) = token.kind else {
+            return Err(Error::new(token.at, "a Greek letter was expected here; others are bold by `\\mathbf`"));
+        };
+        self.expect('}')?;
+        Ok(letter.into())
     }
 
     /// One letter, or a group of letters, digits, commas and upright words.

@@ -40,6 +40,7 @@ impl SlotContact {
 }
 
 impl Element<2> for SlotElement {
+    type Nodes<D: Scalar> = Nodes<D>;
     type State<D: Scalar> = D;
 
     fn check(&self, nodes: &Nodes<f64>, multipliers: &Vector2<f64>) -> Result<(), Error> {

@@ -2,15 +2,21 @@
 //! slip.
 
 use super::{
-    Contribution, CrossContact, Element, Nodes, SlotContact, SlotElement, TranslatorContact, TranslatorElement,
-    UJointElement, UJointState,
+    AlignElement, Contribution, CrossContact, Element, JoinElement, Nodes, SliderElement, SliderElement2d, SlotContact,
+    SlotElement, SlotElement2d, TranslatorContact, TranslatorElement, UJointElement, UJointState, UniversalElement,
 };
 use crate::Octuple;
 use crate::cardan::rotation;
 use crate::element::Forces;
 use crate::element::motion::{Motion, Moving, still};
+use crate::element::rotation::proof::{from_euler, rodrigues};
+use crate::element::slider::{GeometricStiffness, SliderLoads};
+use crate::element::slot_plane::PlanePlaces;
+use crate::formula::Formula;
+use crate::scalar::{Scalar, constant};
+use crate::slider;
 use crate::ujoint::Cross;
-use nalgebra::{Matrix3, SVector, Vector3};
+use nalgebra::{Matrix3, SMatrix, SVector, Vector1, Vector2, Vector3, Vector4};
 use num_dual::{Dual, Dual2};
 
 const SLOT: SlotElement = SlotElement { start: Vector3::new(0.125, 0.25, -0.5), contact: None };
@@ -44,32 +50,99 @@ impl Still<Moving> for Octuple {
     }
 }
 
+impl Still<()> for () {
+    fn still(&self) {}
+}
+
 impl Still<UJointState<Moving>> for UJointState<Octuple> {
     fn still(&self) -> UJointState<Moving> {
         UJointState { turns: self.turns.map(still), slip: self.slip.map(still) }
     }
 }
 
-/// The largest difference between a contribution's derivatives and those of its forces and residuals.
-fn furthest<E: Element<N>, const N: usize>(element: &E, multipliers: SVector<f64, N>, before: E::State<Octuple>) -> f64
+/// Nodes of which one degree of freedom after the other moves.
+trait Movable<E: Element<N, DOFS>, const N: usize, const DOFS: usize> {
+    fn moved(&self, degree: usize) -> E::Nodes<Moving>;
+}
+
+impl<E: Element<N, 12, Nodes<Moving> = Nodes<Moving>>, const N: usize> Movable<E, N, 12> for Nodes<Octuple> {
+    fn moved(&self, degree: usize) -> Nodes<Moving> {
+        moving(self, &Motion::alone()[degree / 3][degree % 3])
+    }
+}
+
+/// A vector, of which a component may grow.
+fn growing<const N: usize>(x: SVector<Octuple, N>, component: Option<usize>) -> SVector<Moving, N> {
+    SVector::from_fn(|k, _| Dual::new(x[k], Octuple::from(if component == Some(k) { 1.0 } else { 0.0 })))
+}
+
+/// The component of the part of so many that a degree of freedom is.
+fn within(degree: usize, part: usize, size: usize) -> Option<usize> {
+    (degree / size == part).then_some(degree % size)
+}
+
+impl Movable<SlotElement2d, 1, 6> for PlanePlaces<Octuple> {
+    fn moved(&self, degree: usize) -> PlanePlaces<Moving> {
+        let place = |x, part| growing(x, within(degree, part, 3).filter(|&k| k < 2));
+        let spin = Octuple::from(if degree == 2 { 1.0 } else { 0.0 });
+        let e2a = Vector2::new(Dual::new(self.e2a.x, -self.e2a.y * spin), Dual::new(self.e2a.y, self.e2a.x * spin));
+        PlanePlaces { e2a, xa: place(self.xa, 0), xb: place(self.xb, 1) }
+    }
+}
+
+impl Movable<SliderElement, 2, 9> for slider::Nodes<Octuple> {
+    fn moved(&self, degree: usize) -> slider::Nodes<Moving> {
+        let place = |x, part| growing(x, within(degree, part, 3));
+        slider::Nodes { x1: place(self.x1, 0), xn: place(self.xn, 1), xm: place(self.xm, 2) }
+    }
+}
+
+impl Movable<SliderElement2d, 1, 6> for slider::Nodes2d<Octuple> {
+    fn moved(&self, degree: usize) -> slider::Nodes2d<Moving> {
+        let place = |x, part| growing(x, within(degree, part, 2));
+        slider::Nodes2d { x1: place(self.x1, 0), xn: place(self.xn, 1), xm: place(self.xm, 2) }
+    }
+}
+
+/// The largest difference between a contribution's derivatives and those of its forces and residuals, of two nodes.
+fn furthest<E, const N: usize>(element: &E, multipliers: SVector<f64, N>, before: E::State<Octuple>) -> f64
 where
+    E: Element<N, 12, Nodes<Octuple> = Nodes<Octuple>, Nodes<Moving> = Nodes<Moving>>,
     E::State<Octuple>: Still<E::State<Moving>>,
 {
-    let (nodes, multipliers) = (nodes(), multipliers.map(Octuple::from));
+    furthest_at(element, nodes(), multipliers, before)
+}
+
+/// The same of any nodes.
+fn furthest_at<E, P, const N: usize, const DOFS: usize>(
+    element: &E,
+    nodes: P,
+    multipliers: SVector<f64, N>,
+    before: E::State<Octuple>,
+) -> f64
+where
+    E: Element<N, DOFS, Nodes<Octuple> = P>,
+    P: Movable<E, N, DOFS>,
+    E::State<Octuple>: Still<E::State<Moving>>,
+{
+    let multipliers = multipliers.map(Octuple::from);
     let (found, _) = element.contribution(&nodes, &multipliers, &before);
     let here = before.still();
     let mut furthest = 0.0_f64;
     let mut compare = |left: Octuple, right: Octuple| furthest = furthest.max((left - right).to_f64().abs());
-    for (k, motion) in Motion::alone().iter().flatten().enumerate() {
-        let (moved, _) = element.contribution(&moving(&nodes, motion), &multipliers.map(still), &here);
+    for k in 0..DOFS {
+        let (moved, _) = element.contribution(&nodes.moved(k), &multipliers.map(still), &here);
         moved.forces.iter().zip(&found.stiffness.column(k)).for_each(|(force, &entry)| compare(force.eps, entry));
         moved.residuals.iter().zip(&found.rows.column(k)).for_each(|(residual, &entry)| compare(residual.eps, entry));
+        moved.forces.iter().zip(&found.forces).for_each(|(force, &value)| compare(force.re, value));
     }
     for k in 0..N {
-        let one = |j: usize| Octuple::from(if j == k { 1.0 } else { 0.0 });
-        let loaded = SVector::from_fn(|j, _| Dual::new(multipliers[j], one(j)));
-        let (moved, _) = element.contribution(&moving(&nodes, &Motion::none()), &loaded, &here);
-        moved.forces.iter().zip(&found.by_multipliers.column(k)).for_each(|(f, &entry)| compare(f.eps, entry));
+        // Any motion will do for the numbers, if its derivatives are not asked for.
+        let still_nodes = nodes.moved(DOFS - 1);
+        let rate = |loaded: SVector<Moving, N>| element.contribution(&still_nodes, &loaded, &here).0.forces;
+        let (loaded, unloaded) = (rate(growing(multipliers, Some(k))), rate(multipliers.map(still)));
+        let entries = found.by_multipliers.column(k);
+        loaded.iter().zip(&unloaded).zip(&entries).for_each(|((f, g), &entry)| compare(f.eps - g.eps, entry));
     }
     furthest
 }
@@ -92,11 +165,10 @@ fn flying(nodes: &Nodes<Octuple>, velocities: &Forces<Octuple>) -> Nodes<Dual2<O
 }
 
 /// The velocity term against the second time derivative of the residuals.
-fn off_in_time<E: Element<N>, const N: usize>(
-    element: &E,
-    rest: E::State<Octuple>,
-    moving: E::State<Dual2<Octuple>>,
-) -> f64 {
+fn off_in_time<E, const N: usize>(element: &E, rest: E::State<Octuple>, moving: E::State<Dual2<Octuple>>) -> f64
+where
+    E: Element<N, 12, Nodes<Octuple> = Nodes<Octuple>, Nodes<Dual2<Octuple>> = Nodes<Dual2<Octuple>>>,
+{
     let velocities = Forces::from_fn(|k, _| {
         Octuple::from([1.0, -2.0, 0.5, 0.25, 3.0, -1.0][k % 6] * if k < 6 { 1.0 } else { -1.5 })
     });
@@ -134,6 +206,151 @@ fn with_penalties_the_stiffness_is_the_derivative_of_the_forces() {
 
 fn symmetric<const N: usize>(found: &Contribution<Octuple, N>) -> bool {
     found.by_multipliers == found.rows.transpose()
+}
+
+#[test]
+fn connectors_without_friction_are_their_own_derivatives() {
+    let multipliers = SVector::from([3.0, -4.0, 2.0]);
+    assert!(furthest(&JoinElement { d0: Vector3::new(0.5, 0.25, 0.125) }, multipliers, ()) < 1e-60);
+    assert!(furthest(&AlignElement { angles0: [0.1, 0.2, 0.3] }, multipliers, ()) < 1e-60);
+    assert!(furthest(&UniversalElement { c0: 0.25 }, Vector1::new(3.0), ()) < 1e-60);
+}
+
+#[test]
+fn slot_in_the_plane_is_its_own_derivative() {
+    let exact = |x: f64, y: f64| Vector2::new(x, y).map(Octuple::from);
+    let nodes = PlanePlaces { e2a: exact(-0.6, 0.8), xa: exact(1.0, 2.0), xb: exact(2.5, 2.25) };
+    let smooth = SlotElement2d { start: Vector2::new(0.25, -0.5), contact: None };
+    let rough = |k_el| SlotElement2d { contact: Some(SlotContact { k_el, fc_int: 1.0, mu: 0.25 }), ..smooth };
+    for element in [smooth, rough(0.125), rough(1e3)] {
+        assert!(furthest_at(&element, nodes, Vector1::new(-4.0), Octuple::from(0.5)) < 1e-60, "{element:?}");
+    }
+}
+
+#[test]
+fn slider_on_the_line_is_its_own_derivative() {
+    let (x1, d) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(2.0, -1.0, 4.0));
+    let [x1, xn, xm] = [x1, x1 + d, x1 + d * 0.25].map(|x| x.map(Octuple::from));
+    let nodes = slider::Nodes { x1, xn, xm };
+    assert!(furthest_at(&SliderElement, nodes, Vector2::new(3.0, -4.0), ()) < 1e-60);
+    let [x1, xn, xm] = [x1, xn, xm].map(|x| x.xy());
+    assert!(furthest_at(&SliderElement2d, slider::Nodes2d { x1, xn, xm }, Vector1::new(3.0), ()) < 1e-60);
+}
+
+/// How far from the solution each step of Newton's method is: three nodes on springs, loaded, and held by SLIDER, with the
+/// derivative of its forces or with Σ λ ∂²g.
+fn errors_of_slider(with_its_own_derivative: bool) -> Vec<f64> {
+    let rest = SVector::<f64, 9>::from([0.0, 0.0, 0.0, 4.0, 1.0, -1.0, 1.0, 0.5, 1.0]);
+    let loads = SVector::<f64, 9>::from([0.0, 1.0, -2.0, 0.0, 3.0, 1.0, 2.0, -4.0, 3.0]);
+    let springs = SVector::<f64, 9>::from([9.0, 9.0, 9.0, 8.0, 8.0, 8.0, 7.0, 7.0, 7.0]);
+    let (mut x, mut multipliers, mut steps) = (rest, Vector2::zeros(), Vec::new());
+    for _ in 0..12 {
+        let [x1, xn, xm] = [0, 3, 6].map(|k| x.fixed_rows::<3>(k).into_owned());
+        let (found, ()) = SliderElement.newton(&slider::Nodes { x1, xn, xm }, &multipliers, &()).unwrap();
+        let load = SliderLoads { x1, xn, xm, lambda_1: multipliers.x, lambda_2: multipliers.y };
+        let geometric = GeometricStiffness::eval(&load).matrix();
+        let k = if with_its_own_derivative { found.stiffness } else { geometric };
+        let mut matrix = SMatrix::<f64, 11, 11>::zeros();
+        matrix.fixed_view_mut::<9, 9>(0, 0).copy_from(&(k - SMatrix::from_diagonal(&springs)));
+        matrix.fixed_view_mut::<9, 2>(0, 9).copy_from(&found.by_multipliers);
+        matrix.fixed_view_mut::<2, 9>(9, 0).copy_from(&found.rows);
+        let mut off = SVector::<f64, 11>::zeros();
+        off.fixed_rows_mut::<9>(0).copy_from(&(found.forces + loads - springs.component_mul(&(x - rest))));
+        off.fixed_rows_mut::<2>(9).copy_from(&found.residuals);
+        let step = matrix.lu().solve(&-off).unwrap();
+        x += step.fixed_rows::<9>(0);
+        multipliers += step.fixed_rows::<2>(9);
+        steps.push((x, multipliers));
+    }
+    let (end, _) = steps[steps.len() - 1];
+    steps.into_iter().map(|(x, _)| (x - end).norm()).collect()
+}
+
+#[test]
+fn slider_converges_quadratically_with_its_own_derivative() {
+    let is_squared = |errors: &[f64], factor: f64| errors.windows(2).all(|e| e[1] < factor * e[0] * e[0] + 1e-14);
+    assert!(is_squared(&errors_of_slider(true), 2.0), "{:?}", errors_of_slider(true));
+    // An error in the residual comes back a step later: two steps square it, not one.
+    let errors = errors_of_slider(false);
+    assert!(!is_squared(&errors, 100.0) && errors[8] < 1e-14, "{errors:?}");
+}
+
+/// Both nodes of a rubbing UJOINT as other unknowns turn them, and what it adds by these.
+fn turned<D: Scalar<Leaf = Octuple>>(places: [Vector3<D>; 2], turns: [Matrix3<D>; 2]) -> Contribution<D, 4> {
+    let cross = Cross { rp: 1.0, la: 2.0, ra: 0.5, ls: 4.0, mu: 0.25, mc1_int: 1.0, mc3_int: -2.0 };
+    let element = UJointElement { contact: Some(CrossContact { cross, k_el1: 1e3, k_el3: 0.125 }), ..UJOINT };
+    let Nodes { a, b, .. } = nodes();
+    let turn = |turn: Matrix3<D>, axes: [Vector3<Octuple>; 3]| axes.map(|e| turn * e.map(constant::<D>));
+    let nodes = Nodes { a: turn(turns[0], a), b: turn(turns[1], b), xa: places[0], xb: places[1] };
+    let zero = D::zero();
+    let multipliers = Vector4::new(3.0, -4.0, 12.0, 5.0).map(D::from);
+    element.contribution(&nodes, &multipliers, &UJointState { turns: [zero; 2], slip: [zero; 2] }).0
+}
+
+/// How far the rows and the stiffness are from the derivatives of residuals and forces by these unknowns.
+fn furthest_by<const DOFS: usize>(
+    found: &Contribution<Octuple, 4, DOFS>,
+    moved: impl Fn(usize) -> Contribution<Moving, 4, DOFS>,
+) -> f64 {
+    let mut furthest = 0.0_f64;
+    let mut compare = |left: Octuple, right: Octuple| furthest = furthest.max((left - right).to_f64().abs());
+    for k in 0..DOFS {
+        let moved = moved(k);
+        moved.forces.iter().zip(&found.stiffness.column(k)).for_each(|(force, &entry)| compare(force.eps, entry));
+        moved.residuals.iter().zip(&found.rows.column(k)).for_each(|(residual, &entry)| compare(residual.eps, entry));
+    }
+    furthest
+}
+
+#[test]
+fn by_rotation_vectors_it_is_its_own_derivative() {
+    let [xa, xb, psi_a, psi_b] = [[1.0, 2.0, 3.0], [2.5, 2.25, 4.0], [0.5, -1.0, 0.25], [1.5, 2.0, -1.0]]
+        .map(|x| Vector3::from(x).map(Octuple::from));
+    let found = turned([xa, xb], [rodrigues(&psi_a), rodrigues(&psi_b)]).by_rotation_vectors([psi_a, psi_b]);
+    let moved = |k: usize| {
+        let [xa, psi_a, xb, psi_b]: [Vector3<Moving>; 4] =
+            [(xa, 0), (psi_a, 1), (xb, 2), (psi_b, 3)].map(|(x, part)| growing(x, within(k, part, 3)));
+        turned([xa, xb], [rodrigues(&psi_a), rodrigues(&psi_b)]).by_rotation_vectors([psi_a, psi_b])
+    };
+    assert!(furthest_by(&found, moved) < 1e-60);
+}
+
+/// Rotation vectors are coordinates, so that the second derivative of λ·g by them is symmetric; by spins it is not.
+#[test]
+fn by_rotation_vectors_the_stiffness_without_friction_is_symmetric() {
+    let psi = [[0.5, -1.0, 0.25], [1.5, 2.0, -1.0]].map(|x| Vector3::from(x).map(Octuple::from));
+    let Nodes { a, b, xa, xb } = nodes();
+    let [a, b] = [(a, psi[0]), (b, psi[1])].map(|(axes, psi)| axes.map(|e| rodrigues(&psi) * e));
+    let (found, _) = TRANSLATOR.contribution(
+        &Nodes { a, b, xa, xb },
+        &SVector::from([3.0, -4.0, 2.0, -1.0, 0.5]).map(Octuple::from),
+        &Octuple::from(0.0),
+    );
+    let asymmetry =
+        |k: SMatrix<Octuple, 12, 12>| (k - k.transpose()).iter().map(|x| x.to_f64().abs()).fold(0.0, f64::max);
+    assert!(asymmetry(found.stiffness) > 1.0);
+    assert!(asymmetry(found.by_rotation_vectors(psi).stiffness) < 1e-60);
+}
+
+/// The turn by a quaternion of any length.
+fn by_quaternion<D: Scalar>(q: &Vector4<D>) -> Matrix3<D> {
+    let unit = q / q.dot(q).sqrt();
+    from_euler(unit[0], &unit.fixed_rows::<3>(1).into_owned())
+}
+
+#[test]
+fn by_euler_parameters_it_is_its_own_derivative() {
+    let places = [[1.0, 2.0, 3.0], [2.5, 2.25, 4.0]].map(|x| Vector3::from(x).map(Octuple::from));
+    // Of whole numbers of a seventh, and of a ninth.
+    let parameters = [([2.0, 3.0, 6.0, 0.0], 7.0), ([4.0, -4.0, 7.0, 0.0], 9.0)]
+        .map(|(q, length)| Vector4::from(q).map(|x| Octuple::from(x) / Octuple::from(length)));
+    let found = turned(places, parameters.map(|q| by_quaternion(&q))).by_euler_parameters(parameters);
+    let moved = |k: usize| {
+        let places = [0, 1].map(|n| growing(places[n], k.checked_sub(7 * n).filter(|&k| k < 3)));
+        let parameters = [0, 1].map(|n| growing(parameters[n], k.checked_sub(7 * n + 3).filter(|&k| k < 4)));
+        turned(places, parameters.map(|q| by_quaternion(&q))).by_euler_parameters(parameters)
+    };
+    assert!(furthest_by(&found, moved) < 1e-60);
 }
 
 #[test]

@@ -64,6 +64,7 @@ impl TranslatorElement {
 }
 
 impl Element<5> for TranslatorElement {
+    type Nodes<D: Scalar> = Nodes<D>;
     type State<D: Scalar> = D;
 
     fn check(&self, nodes: &Nodes<f64>, multipliers: &SVector<f64, 5>) -> Result<(), Error> {

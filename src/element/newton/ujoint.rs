@@ -97,6 +97,7 @@ fn loads<D: Scalar>(nodes: &Nodes<D>, multipliers: &Vector4<D>) -> JointLoads<D>
 }
 
 impl Element<4> for UJointElement {
+    type Nodes<D: Scalar> = Nodes<D>;
     type State<D: Scalar> = UJointState<D>;
 
     fn check(&self, nodes: &Nodes<f64>, multipliers: &Vector4<f64>) -> Result<(), Error> {

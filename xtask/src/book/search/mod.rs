@@ -148,7 +148,7 @@ fn shown(latex: &str) -> String {
     for (command, letter) in GREEK {
         text = text.replace(&format!("\\{command}"), letter);
     }
-    for command in ["mathbf", "mathrm", "mathsf", "bar", "hat", "tilde", "text"] {
+    for command in ["mathbf", "boldsymbol", "mathrm", "mathsf", "bar", "hat", "tilde", "text"] {
         text = text.replace(&format!("\\{command}"), "");
     }
     text.replace(['{', '}', '\\'], "").trim().to_owned()

@@ -1,0 +1,116 @@
+//! Rotation vectors and Euler parameters as unknowns: what moments work on, and how that changes.
+//!
+//! | | |
+//! |---|---|
+//! | rotation vector ψ | the triad is R = exp(\[ψ×\]) times that at ψ = 0, a turn by |ψ| about ψ |
+//! | Euler parameters (q0, q) | the unit quaternion of the same turn, cos(|ψ|/2) and sin(|ψ|/2) ψ/|ψ| |
+//! | spin | δθ = T(ψ) δψ and δθ = 2 E(q) δ(q0, q), about the global axes as everywhere here |
+//! | zero position | ψ = 0 and (1, 0), where T is the unit matrix |
+//!
+//! A moment m does the work m·δθ, so that Tᵀ m stands in the equation of ψ, and 2 Eᵀ m in that of (q0, q). Rows are multiplied by T
+//! from the right, a stiffness K becomes Tᵀ K T + ∂(Tᵀ m)/∂ψ; with Euler parameters likewise. Both are what the Jacobians here
+//! hold: Tᵀ by m, the other term by ψ. At a whole turn, |ψ| = 2π, T is singular: a program changes ψ by a whole turn before.
+
+#[cfg(feature = "verify")]
+pub(super) mod proof;
+mod stumpff;
+
+use super::products::cross_gradient;
+use crate::fields;
+use crate::formula::{Component, Document, Finite, Formula, Jacobian, Source, Spec, along};
+use crate::quantity::{EULER_MOMENT, EULER_MOMENT0, EULER_Q, EULER_Q0, PSI, PSI_MOMENT, SPIN_MOMENT};
+use crate::scalar::Scalar;
+use nalgebra::Vector3;
+use stumpff::Stumpff;
+
+/// What both are derived from.
+const OURS: Source =
+    Document::UJOINT.ours("Description", "the page turns its nodes; programs have different unknowns for that");
+
+fields! {
+    /// How a node is turned, and the moment on it.
+    pub struct TurnedLoad<T> { psi: Vector3<T> = PSI, m: Vector3<T> = SPIN_MOMENT }
+}
+fields! {
+    /// What does the work of the moment on the rotation vector.
+    pub struct RotationVectorMoment<T> { m_psi: Vector3<T> = PSI_MOMENT }
+}
+
+/// The moment that a rotation vector feels, Tᵀ m.
+#[derive(Clone, Copy, Debug)]
+pub struct RotationVector;
+
+impl Formula for RotationVector {
+    const SPEC: Spec = Spec::new("element.rotation_vector", "A moment on a rotation vector", OURS)
+        .equation(r"\psi = \lvert\boldsymbol{\psi}\rvert,\quad A = \begin{cases} 1 & \psi = 0 \\ \frac{\sin\psi}{\psi} & \text{otherwise} \end{cases},\quad B = \begin{cases} \tfrac12 & \psi = 0 \\ \frac{1-\cos\psi}{\psi^2} & \text{otherwise} \end{cases},\quad C = \begin{cases} \tfrac16 & \psi = 0 \\ \frac{\psi-\sin\psi}{\psi^3} & \text{otherwise} \end{cases},\quad \mathbf{m}_\psi = A\,\mathbf{m} - B\,\boldsymbol{\psi}\times\mathbf{m} + C\,(\boldsymbol{\psi}\cdot\mathbf{m})\,\boldsymbol{\psi}")
+        // Of 20 000 random points the worst entry is 40: a sum whose terms, and what inputs do to them, cancel.
+        .eta(4.0, 96.0)
+        .finite(Finite::Between);
+    type Inputs<T: Component> = TurnedLoad<T>;
+    type Outputs<T: Component> = RotationVectorMoment<T>;
+
+    #[inline]
+    fn eval<D: Scalar>(i: &TurnedLoad<D>) -> RotationVectorMoment<D> {
+        let (Stumpff { c1, c2, c3 }, _) = Stumpff::new(i.psi.dot(&i.psi));
+        RotationVectorMoment { m_psi: i.m * c1 - i.psi.cross(&i.m) * c2 + i.psi * (i.psi.dot(&i.m) * c3) }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &TurnedLoad<D>) -> Jacobian<Self, D> {
+        let TurnedLoad { psi, m } = i;
+        let (Stumpff { c1, c2, c3 }, [slope2, slope3]) = Stumpff::new(psi.dot(psi));
+        // By ψ as m − c2 ψ × m + c3 ψ × (ψ × m), whose derivatives vanish as they should where m is along ψ.
+        let across = psi.cross(m);
+        let lengthened = psi.cross(&across) * slope3 - across * slope2;
+        let row = |k: usize| {
+            let [by_psi, by_m] = cross_gradient(psi, m, k);
+            let [direct, by_across] = cross_gradient(psi, &across, k);
+            TurnedLoad {
+                psi: psi * lengthened[k] - by_psi * c2 + (direct + m.cross(&by_across)) * c3,
+                m: along::<D, 3>(k, c1) - by_m * c2 + psi * (psi[k] * c3),
+            }
+        };
+        RotationVectorMoment { m_psi: Vector3::from_fn(|k, _| row(k)) }
+    }
+}
+
+fields! {
+    /// How a node is turned, as a unit quaternion, and the moment on it.
+    pub struct QuaternionLoad<T> { q0: T = EULER_Q0, q: Vector3<T> = EULER_Q, m: Vector3<T> = SPIN_MOMENT }
+}
+fields! {
+    /// What does the work of the moment on the Euler parameters.
+    pub struct EulerMoment<T> { m_q0: T = EULER_MOMENT0, m_q: Vector3<T> = EULER_MOMENT }
+}
+
+/// What the Euler parameters feel of a moment, 2 Eᵀ m. It does no work where they grow in proportion, so that whoever holds their
+/// length adds a multiplier of their own.
+#[derive(Clone, Copy, Debug)]
+pub struct EulerParameters;
+
+impl Formula for EulerParameters {
+    const SPEC: Spec = Spec::new("element.euler_parameters", "A moment on Euler parameters", OURS)
+        .equation(r"m_{q0} = -2\,\mathbf{q}\cdot\mathbf{m},\quad \mathbf{m}_q = 2\,(q_0\,\mathbf{m} - \mathbf{q}\times\mathbf{m})")
+        .eta(1.5, 1.0)
+        .finite(Finite::Below);
+    type Inputs<T: Component> = QuaternionLoad<T>;
+    type Outputs<T: Component> = EulerMoment<T>;
+
+    #[inline]
+    fn eval<D: Scalar>(i: &QuaternionLoad<D>) -> EulerMoment<D> {
+        EulerMoment { m_q0: i.q.dot(&i.m) * -2.0, m_q: (i.m * i.q0 - i.q.cross(&i.m)) * D::from(2.0) }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &QuaternionLoad<D>) -> Jacobian<Self, D> {
+        let two = D::from(2.0);
+        let row = |k: usize| {
+            let [by_q, by_m] = cross_gradient(&i.q, &i.m, k);
+            QuaternionLoad { q0: i.m[k] * two, q: by_q * -two, m: (along::<D, 3>(k, i.q0) - by_m) * two }
+        };
+        EulerMoment {
+            m_q0: QuaternionLoad { q0: D::zero(), q: i.m * -two, m: i.q * -two },
+            m_q: Vector3::from_fn(|k, _| row(k)),
+        }
+    }
+}
