@@ -110,13 +110,13 @@ where
     E: Element<N, 12, Nodes<Octuple> = Nodes<Octuple>, Nodes<Moving> = Nodes<Moving>>,
     E::State<Octuple>: Still<E::State<Moving>>,
 {
-    furthest_at(element, nodes(), multipliers, before)
+    furthest_at(element, &nodes(), multipliers, before)
 }
 
 /// The same of any nodes.
 fn furthest_at<E, P, const N: usize, const DOFS: usize>(
     element: &E,
-    nodes: P,
+    nodes: &P,
     multipliers: SVector<f64, N>,
     before: E::State<Octuple>,
 ) -> f64
@@ -126,7 +126,7 @@ where
     E::State<Octuple>: Still<E::State<Moving>>,
 {
     let multipliers = multipliers.map(Octuple::from);
-    let (found, _) = element.contribution(&nodes, &multipliers, &before);
+    let (found, _) = element.contribution(nodes, &multipliers, &before);
     let here = before.still();
     let mut furthest = 0.0_f64;
     let mut compare = |left: Octuple, right: Octuple| furthest = furthest.max((left - right).to_f64().abs());
@@ -223,7 +223,7 @@ fn slot_in_the_plane_is_its_own_derivative() {
     let smooth = SlotElement2d { start: Vector2::new(0.25, -0.5), contact: None };
     let rough = |k_el| SlotElement2d { contact: Some(SlotContact { k_el, fc_int: 1.0, mu: 0.25 }), ..smooth };
     for element in [smooth, rough(0.125), rough(1e3)] {
-        assert!(furthest_at(&element, nodes, Vector1::new(-4.0), Octuple::from(0.5)) < 1e-60, "{element:?}");
+        assert!(furthest_at(&element, &nodes, Vector1::new(-4.0), Octuple::from(0.5)) < 1e-60, "{element:?}");
     }
 }
 
@@ -232,9 +232,9 @@ fn slider_on_the_line_is_its_own_derivative() {
     let (x1, d) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(2.0, -1.0, 4.0));
     let [x1, xn, xm] = [x1, x1 + d, x1 + d * 0.25].map(|x| x.map(Octuple::from));
     let nodes = slider::Nodes { x1, xn, xm };
-    assert!(furthest_at(&SliderElement, nodes, Vector2::new(3.0, -4.0), ()) < 1e-60);
+    assert!(furthest_at(&SliderElement, &nodes, Vector2::new(3.0, -4.0), ()) < 1e-60);
     let [x1, xn, xm] = [x1, xn, xm].map(|x| x.xy());
-    assert!(furthest_at(&SliderElement2d, slider::Nodes2d { x1, xn, xm }, Vector1::new(3.0), ()) < 1e-60);
+    assert!(furthest_at(&SliderElement2d, &slider::Nodes2d { x1, xn, xm }, Vector1::new(3.0), ()) < 1e-60);
 }
 
 /// How far from the solution each step of Newton's method is: three nodes on springs, loaded, and held by SLIDER, with the

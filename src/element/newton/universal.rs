@@ -17,7 +17,7 @@ pub struct UniversalElement {
 }
 
 impl UniversalElement {
-    fn shafts<D: Scalar>(&self, nodes: &Nodes<D>) -> Shafts<D> {
+    fn shafts<D: Scalar>(self, nodes: &Nodes<D>) -> Shafts<D> {
         let ([e1a, ..], [.., e3b]) = (nodes.a, nodes.b);
         Shafts { e1a, e3b, c0: self.c0.into() }
     }

@@ -66,7 +66,7 @@ impl<D: Scalar, const MULTIPLIERS: usize> Contribution<D, MULTIPLIERS> {
     /// ```
     #[must_use]
     pub fn by_rotation_vectors(&self, psi: [Vector3<D>; 2]) -> Self {
-        self.with([0, 1].map(|k| Turning::by_rotation_vector(psi[k], self.moment(k))))
+        self.with(&[0, 1].map(|k| Turning::by_rotation_vector(psi[k], self.moment(k))))
     }
 
     /// The same where they are Euler parameters, unit quaternions (q0, q1, q2, q3): u_a, q_a, u_b, q_b, fourteen unknowns.
@@ -74,7 +74,7 @@ impl<D: Scalar, const MULTIPLIERS: usize> Contribution<D, MULTIPLIERS> {
     /// The program holds the length of each quaternion.
     #[must_use]
     pub fn by_euler_parameters(&self, q: [Vector4<D>; 2]) -> Contribution<D, MULTIPLIERS, 14> {
-        self.with([0, 1].map(|k| Turning::by_euler_parameters(q[k], self.moment(k))))
+        self.with(&[0, 1].map(|k| Turning::by_euler_parameters(q[k], self.moment(k))))
     }
 
     /// On node a or b.
@@ -82,19 +82,22 @@ impl<D: Scalar, const MULTIPLIERS: usize> Contribution<D, MULTIPLIERS> {
         self.forces.fixed_rows::<3>(6 * node + 3).into_owned()
     }
 
-    fn with<const N: usize, const DOFS: usize>(&self, nodes: [Turning<D, N>; 2]) -> Contribution<D, MULTIPLIERS, DOFS> {
-        let forces: SMatrix<D, 1, DOFS> = columns(&self.forces.transpose(), &nodes);
-        let by_columns: SMatrix<D, 12, DOFS> = columns(&self.stiffness, &nodes);
-        let mut stiffness: SMatrix<D, DOFS, DOFS> = columns(&by_columns.transpose(), &nodes).transpose();
+    fn with<const N: usize, const DOFS: usize>(
+        &self,
+        nodes: &[Turning<D, N>; 2],
+    ) -> Contribution<D, MULTIPLIERS, DOFS> {
+        let forces: SMatrix<D, 1, DOFS> = columns(&self.forces.transpose(), nodes);
+        let by_columns: SMatrix<D, 12, DOFS> = columns(&self.stiffness, nodes);
+        let mut stiffness: SMatrix<D, DOFS, DOFS> = columns(&by_columns.transpose(), nodes).transpose();
         for (k, node) in nodes.iter().enumerate() {
             let at = (3 + N) * k + 3;
             let mut block = stiffness.fixed_view_mut::<N, N>(at, at);
             block += node.bending;
         }
-        let by_multipliers: SMatrix<D, MULTIPLIERS, DOFS> = columns(&self.by_multipliers.transpose(), &nodes);
+        let by_multipliers: SMatrix<D, MULTIPLIERS, DOFS> = columns(&self.by_multipliers.transpose(), nodes);
         Contribution {
             residuals: self.residuals,
-            rows: columns(&self.rows, &nodes),
+            rows: columns(&self.rows, nodes),
             forces: SVector::from(forces.transpose()),
             stiffness,
             by_multipliers: by_multipliers.transpose(),

@@ -2,7 +2,7 @@
 
 use super::dimension::Dimension;
 use super::table::{Kind, Origin, always};
-use crate::scene::rules::{KeptAxis, KeptAxis2d, PivotAxes};
+use crate::scene::rules::{KeptAxis, KeptAxis2d, PivotAxes, PivotAxis2d};
 use crate::slider;
 use Origin::{Increment, Position};
 
@@ -52,10 +52,11 @@ pub(super) const SLIDER_2D: Kind = Kind {
         always(&slider::Constraint2d),
         always(&slider::IncrementalConstraint2d),
         always(&KeptAxis2d),
+        always(&PivotAxis2d),
         always(&slider::Eliminate2d),
         always(&slider::Increment2d),
     ]],
-    outputs: &[&[("N", "n"), ("L", "l"), ("G", "g"), ("R", "r"), ("XMI", "xmi"), ("DXMI", "dxmi")]],
+    outputs: &[&[("N", "n"), ("L", "l"), ("G", "g"), ("R", "r"), ("AXIS", "axis"), ("XMI", "xmi"), ("DXMI", "dxmi")]],
     ..SLIDER
 };
 

@@ -5,9 +5,9 @@
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec};
-use crate::quantity::{Domain, Quantity, SLIDER_X1, SLIDER_XN, Shape, Unit};
+use crate::quantity::{Domain, Quantity, SLIDER_X1, SLIDER_X1_PLANE, SLIDER_XN, SLIDER_XN_PLANE, Shape, Unit};
 use crate::scalar::Scalar;
-use crate::slider::{Eliminate, Pivots};
+use crate::slider::{Eliminate, Eliminate2d, Pivots, Pivots2d};
 use nalgebra::{Vector2, Vector3};
 
 /// Which coordinates are eliminated.
@@ -17,6 +17,15 @@ pub const AXES: Quantity = Quantity::new(
     Unit::ONE,
     Domain::Real,
     "the axes i and j of the eliminated coordinates XMI and XMJ, as 1, 2 or 3",
+);
+
+/// Which coordinate is eliminated in the plane.
+pub const AXIS: Quantity = Quantity::new(
+    r"a",
+    Shape::Scalar,
+    Unit::ONE,
+    Domain::Real,
+    "the axis i of the eliminated coordinate XMI, as 1 or 2",
 );
 
 fields! {
@@ -61,6 +70,51 @@ impl Formula for PivotAxes {
 
     #[inline]
     fn validate<D: Scalar>(i: &LineNodes<D>) -> Result<(), Error> {
+        Error::check_apart(("x1", i.x1), ("xn", i.xn))
+    }
+}
+
+fields! {
+    /// The line in the plane.
+    pub struct LineNodes2d<T> { x1: Vector2<T> = SLIDER_X1_PLANE, xn: Vector2<T> = SLIDER_XN_PLANE }
+}
+fields! {
+    /// The axis that the documented pivot eliminates.
+    pub struct EliminatedAxis<T> { axis: T = AXIS }
+}
+
+/// The axis i that the documented pivot eliminates in the plane, in this state: 1 or 2.
+#[derive(Clone, Copy, Debug)]
+pub struct PivotAxis2d;
+
+impl Formula for PivotAxis2d {
+    const SPEC: Spec = Spec {
+        objective: false,
+        ..Spec::new(
+            "scene.pivot_axis_2d",
+            "The axis that is eliminated in the plane",
+            Document::SLIDER.ours("", "the document numbers it by its pivot; that a state shows it is ours"),
+        )
+        .equation(r"a = i")
+        .given(&[Given::new(r"i", &Eliminate2d::SPEC)])
+        .eta(4.0, 4.0)
+    };
+    type Inputs<T: Component> = LineNodes2d<T>;
+    type Outputs<T: Component> = EliminatedAxis<T>;
+
+    #[inline(always)]
+    fn eval<D: Scalar>(i: &LineNodes2d<D>) -> EliminatedAxis<D> {
+        EliminatedAxis { axis: axis_number(Pivots2d::new(&i.x1, &i.xn).i) }
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(_: &LineNodes2d<D>) -> Jacobian<Self, D> {
+        let zero = Vector2::from_element(D::zero());
+        EliminatedAxis { axis: LineNodes2d { x1: zero, xn: zero } }
+    }
+
+    #[inline]
+    fn validate<D: Scalar>(i: &LineNodes2d<D>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }
 }

@@ -1,8 +1,8 @@
 //! Every formula that scenes add to the documented ones.
 
 use super::{
-    Alignment, Bearing, Follow, Joining, KeptAxis, KeptAxis2d, Kinetic, PivotAxes, Slip, Stick, Traction, TurnedBack,
-    Turns,
+    Alignment, Bearing, Follow, Joining, KeptAxis, KeptAxis2d, Kinetic, PivotAxes, PivotAxis2d, Slip, Stick, Traction,
+    TurnedBack, Turns,
 };
 use crate::catalog::AnyFormula;
 
@@ -19,6 +19,7 @@ pub const RULES: &[&dyn AnyFormula] = &[
     &KeptAxis,
     &KeptAxis2d,
     &PivotAxes,
+    &PivotAxis2d,
     &Bearing,
     &TurnedBack,
 ];

@@ -12,7 +12,7 @@ mod list;
 mod proof;
 mod since;
 
-pub use axes::{AXES, EliminatedAxes, LineNodes, PivotAxes};
+pub use axes::{AXES, AXIS, EliminatedAxes, EliminatedAxis, LineNodes, LineNodes2d, PivotAxes, PivotAxis2d};
 pub use list::RULES;
 pub use since::{Bearing, Carried, Q1, Q2, Q3, R1, R2, R3, R10, R20, R30, Seen, TurnedAxes, TurnedBack};
 

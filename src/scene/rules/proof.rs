@@ -1,9 +1,9 @@
 //! Evidence for the formulas next door.
 
-use super::axes::LineNodes;
+use super::axes::{LineNodes, LineNodes2d};
 use super::{
-    Alignment, Bearing, Follow, Joining, KeptAxis, KeptAxis2d, KeptNodes, KeptNodes2d, Kinetic, PivotAxes, Sighting,
-    Slip, SlipLoads, Stick, Traction, Transmitted, TurnedBack, Turns,
+    Alignment, Bearing, Follow, Joining, KeptAxis, KeptAxis2d, KeptNodes, KeptNodes2d, Kinetic, PivotAxes, PivotAxis2d,
+    Sighting, Slip, SlipLoads, Stick, Traction, Transmitted, TurnedBack, Turns,
 };
 use crate::align::Orientations;
 use crate::cardan::{Oriented, Triads, turns};
@@ -115,6 +115,16 @@ impl Proved for PivotAxes {
             |i| i.xn - i.x1,
             |xn| LineNodes { x1: Vector3::zeros(), xn },
             |dxn| LineNodes { xn: dxn, ..LineNodes::filled(0.0) },
+        )
+    }
+}
+
+impl Proved for PivotAxis2d {
+    fn kinks() -> Vec<Kink<Self>> {
+        change_of_pivot::<Self>(
+            |i| i.xn - i.x1,
+            |xn| LineNodes2d { x1: Vector2::zeros(), xn },
+            |dxn| LineNodes2d { xn: dxn, ..LineNodes2d::filled(0.0) },
         )
     }
 }
