@@ -110,15 +110,16 @@ where
     E: Element<N, 12, Nodes<Octuple> = Nodes<Octuple>, Nodes<Moving> = Nodes<Moving>>,
     E::State<Octuple>: Still<E::State<Moving>>,
 {
-    furthest_at(element, &nodes(), multipliers, before)
+    furthest_at(element, &nodes(), multipliers, before, |found| found)
 }
 
-/// The same of any nodes.
+/// The same of any nodes, with a mistake that is planted in what was found.
 fn furthest_at<E, P, const N: usize, const DOFS: usize>(
     element: &E,
     nodes: &P,
     multipliers: SVector<f64, N>,
     before: E::State<Octuple>,
+    plant: impl Fn(Contribution<Octuple, N, DOFS>) -> Contribution<Octuple, N, DOFS>,
 ) -> f64
 where
     E: Element<N, DOFS, Nodes<Octuple> = P>,
@@ -126,7 +127,7 @@ where
     E::State<Octuple>: Still<E::State<Moving>>,
 {
     let multipliers = multipliers.map(Octuple::from);
-    let (found, _) = element.contribution(nodes, &multipliers, &before);
+    let found = plant(element.contribution(nodes, &multipliers, &before).0);
     let here = before.still();
     let mut furthest = 0.0_f64;
     let mut compare = |left: Octuple, right: Octuple| furthest = furthest.max((left - right).to_f64().abs());
@@ -223,7 +224,10 @@ fn slot_in_the_plane_is_its_own_derivative() {
     let smooth = SlotElement2d { start: Vector2::new(0.25, -0.5), contact: None };
     let rough = |k_el| SlotElement2d { contact: Some(SlotContact { k_el, fc_int: 1.0, mu: 0.25 }), ..smooth };
     for element in [smooth, rough(0.125), rough(1e3)] {
-        assert!(furthest_at(&element, &nodes, Vector1::new(-4.0), Octuple::from(0.5)) < 1e-60, "{element:?}");
+        assert!(
+            furthest_at(&element, &nodes, Vector1::new(-4.0), Octuple::from(0.5), |found| found) < 1e-60,
+            "{element:?}"
+        );
     }
 }
 
@@ -232,9 +236,11 @@ fn slider_on_the_line_is_its_own_derivative() {
     let (x1, d) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(2.0, -1.0, 4.0));
     let [x1, xn, xm] = [x1, x1 + d, x1 + d * 0.25].map(|x| x.map(Octuple::from));
     let nodes = slider::Nodes { x1, xn, xm };
-    assert!(furthest_at(&SliderElement, &nodes, Vector2::new(3.0, -4.0), ()) < 1e-60);
+    assert!(furthest_at(&SliderElement, &nodes, Vector2::new(3.0, -4.0), (), |found| found) < 1e-60);
     let [x1, xn, xm] = [x1, xn, xm].map(|x| x.xy());
-    assert!(furthest_at(&SliderElement2d, &slider::Nodes2d { x1, xn, xm }, Vector1::new(3.0), ()) < 1e-60);
+    assert!(
+        furthest_at(&SliderElement2d, &slider::Nodes2d { x1, xn, xm }, Vector1::new(3.0), (), |found| found) < 1e-60
+    );
 }
 
 /// How far from the solution each step of Newton's method is: three nodes on springs, loaded, and held by SLIDER, with the
@@ -391,6 +397,68 @@ impl UJointState<f64> {
     fn map(self) -> UJointState<Octuple> {
         UJointState { turns: self.turns.map(Octuple::from), slip: self.slip.map(Octuple::from) }
     }
+}
+
+/// Whether a mistake in an element that slips is found.
+fn is_caught<E, const N: usize>(
+    element: &E,
+    multipliers: SVector<f64, N>,
+    before: E::State<Octuple>,
+    plant: impl Fn(Contribution<Octuple, N>) -> Contribution<Octuple, N>,
+) -> bool
+where
+    E: Element<N, 12, Nodes<Octuple> = Nodes<Octuple>, Nodes<Moving> = Nodes<Moving>>,
+    E::State<Octuple>: Still<E::State<Moving>> + Copy,
+{
+    furthest_at(element, &nodes(), multipliers, before, plant) > 1e-3
+}
+
+/// Mistakes that are made by hand, in an element that slips; `stuck` is the same element while it sticks.
+fn mistakes_are_caught<E, const N: usize>(slips: &E, stuck: &E, multipliers: SVector<f64, N>, before: E::State<Octuple>)
+where
+    E: Element<N, 12, Nodes<Octuple> = Nodes<Octuple>, Nodes<Moving> = Nodes<Moving>>,
+    E::State<Octuple>: Still<E::State<Moving>> + Copy,
+{
+    let exact = multipliers.map(Octuple::from);
+    let of = |element: &E| element.contribution(&nodes(), &exact, &before).0;
+    let (right, sticking) = (of(slips), of(stuck));
+    let wrong = |planted: Contribution<Octuple, N>| is_caught(slips, multipliers, before, |_| planted);
+    assert!(!wrong(right));
+    assert!(wrong(Contribution { stiffness: sticking.stiffness, ..right }), "the stiffness of stick in slip");
+    assert!(
+        wrong(Contribution { by_multipliers: sticking.by_multipliers, ..right }),
+        "as if friction followed nothing"
+    );
+    assert!(wrong(Contribution { stiffness: right.stiffness.transpose(), ..right }), "transposed");
+    let half = Octuple::from(0.5);
+    let symmetric = (right.stiffness + right.stiffness.transpose()) * half;
+    assert!(wrong(Contribution { stiffness: symmetric, ..right }), "symmetrised, as by rotation vectors");
+    assert!(wrong(Contribution { forces: -right.forces, ..right }), "the other sign");
+    for (row, column) in (0..16).map(|k| (k / 4 * 3, k % 4 * 3)) {
+        let mut stiffness = right.stiffness;
+        stiffness.fixed_view_mut::<3, 3>(row, column).fill(Octuple::from(0.0));
+        let is_empty = stiffness == right.stiffness;
+        assert!(is_empty || wrong(Contribution { stiffness, ..right }), "without the block at {row}, {column}");
+    }
+    for row in 0..N {
+        let mut rows = right.rows;
+        rows.row_mut(row).neg_mut();
+        assert!(wrong(Contribution { rows, ..right }), "the other sign of row {row}");
+    }
+}
+
+#[test]
+fn mistakes_that_are_planted_are_caught() {
+    let slot = |k_el| SlotElement { contact: Some(SlotContact { k_el, fc_int: 1.0, mu: 0.25 }), ..SLOT };
+    mistakes_are_caught(&slot(1e3), &slot(0.125), SVector::from([3.0, -4.0]), Octuple::from(0.5));
+    let contact = |k_el| TranslatorContact { k_el, rr: 0.5, l: 2.0, fc_int: 1.0, mu: 0.25 };
+    let translator = |k_el| TranslatorElement { contact: Some(contact(k_el)), ..TRANSLATOR };
+    let multipliers = SVector::from([3.0, -4.0, 2.0, -1.0, 0.5]);
+    mistakes_are_caught(&translator(1e3), &translator(0.125), multipliers, Octuple::from(0.5));
+    let cross = Cross { rp: 1.0, la: 2.0, ra: 0.5, ls: 4.0, mu: 0.25, mc1_int: 1.0, mc3_int: -2.0 };
+    let ujoint = |k_el| UJointElement { contact: Some(CrossContact { cross, k_el1: k_el, k_el3: k_el }), ..UJOINT };
+    let before = UJointState { turns: [0.0, 6.0], slip: [-1.0, 8.0] }.map();
+    mistakes_are_caught(&ujoint(1e3), &ujoint(0.125), SVector::from([3.0, -4.0, 12.0, 5.0]), before);
 }
 
 #[test]
