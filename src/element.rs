@@ -18,12 +18,14 @@
 
 pub mod align;
 mod assembly;
+mod chain;
 pub mod join;
 #[cfg(feature = "verify")]
 mod motion;
 pub mod newton;
 pub mod offset;
 mod products;
+pub mod slide_line;
 pub mod slider;
 pub mod slider_plane;
 pub mod slot;
