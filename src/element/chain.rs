@@ -4,7 +4,7 @@
 
 use crate::formula::{Component, Fields, Formula, ValueAndJacobian};
 use crate::scalar::Scalar;
-use nalgebra::{SVector, Vector2};
+use nalgebra::SVector;
 use std::ops::{Add, Mul, Neg};
 
 /// A number, and its derivatives by K others.
@@ -31,12 +31,6 @@ impl<D: Scalar, const K: usize> Term<D, K> {
     #[inline]
     pub(super) fn variable(value: D, k: usize) -> Self {
         Self::new(value, SVector::from_fn(|j, _| if j == k { D::one() } else { D::zero() }))
-    }
-
-    /// Two of them in a row.
-    #[inline]
-    pub(super) fn point(x: Vector2<D>, k: usize) -> Vector2<Self> {
-        Vector2::new(Self::variable(x.x, k), Self::variable(x.y, k + 1))
     }
 }
 

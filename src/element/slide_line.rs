@@ -49,9 +49,11 @@ struct Place<D, const N: usize> {
     spot: Spot<D, N>,
     /// |X′|.
     speed: D,
-    /// Nᵢ″/|X′|².
+    /// Nᵢ″/|X′|.
     seconds: [D; N],
-    /// t·X″/|X′|².
+    /// n·X″/|X′|, by which the tangent turns with g.
+    bend: D,
+    /// t·X″/|X′|.
     stretch: D,
 }
 
@@ -61,7 +63,7 @@ impl<D: Scalar> Place<D, 2> {
         let (zero, per_length) = (D::zero(), length.recip());
         let (weights, rates) = (shape::linear(g), [-per_length, per_length]);
         let spot = Spot { t, n: Vector2::new(-t.y, t.x), weights, rates, curvature: zero };
-        Self { spot, speed: length * 0.5, seconds: [zero; 2], stretch: zero }
+        Self { spot, speed: length * 0.5, seconds: [zero; 2], bend: zero, stretch: zero }
     }
 }
 
@@ -70,17 +72,16 @@ impl<D: Scalar> Place<D, 3> {
         let sides = Sides::new(nodes);
         let (speed, t) = length_and_tangent(sides.rate(g));
         let per_speed = speed.recip();
-        let per_square = per_speed * per_speed;
-        let rates = shape::parabolic_rates(g).map(|rate| rate * per_speed);
+        let bend = sides.turn(speed) * per_speed;
         let spot = Spot {
             t,
             n: Vector2::new(-t.y, t.x),
             weights: shape::parabolic(g),
-            rates,
-            curvature: sides.turn(speed) * per_square,
+            rates: shape::parabolic_rates(g).map(|rate| rate * per_speed),
+            curvature: bend * per_speed,
         };
-        let seconds = [1.0, -2.0, 1.0].map(|second| per_square * second);
-        Self { spot, speed, seconds, stretch: t.dot(&sides.second_derivative()) * per_square }
+        let seconds = [1.0, -2.0, 1.0].map(|second| per_speed * second);
+        Self { spot, speed, seconds, bend, stretch: t.dot(&sides.second_derivative()) * per_speed }
     }
 }
 
@@ -90,7 +91,7 @@ impl<D: Scalar, const N: usize> Place<D, N> {
     /// The tangent turns by δφ = Σ (Nᵢ′/|X′|) n·δxᵢ + κ |X′| δg; every derivative but those of the weights has a part of it, or
     /// of the stretch δ|X′|/|X′| = Σ (Nᵢ′/|X′|) t·δxᵢ + (t·X″/|X′|) δg.
     fn varied<const K: usize>(&self) -> Spot<Term<D, K>, N> {
-        let Self { spot: Spot { t, n, weights, rates, curvature }, speed, seconds, stretch } = *self;
+        let Self { spot: Spot { t, n, weights, rates, curvature }, speed, seconds, bend, stretch } = *self;
         let slope = |by_node: &dyn Fn(usize) -> Vector2<D>, by_g: D| {
             SVector::<D, K>::from_fn(|k, _| match k / 2 {
                 node if node < N => by_node(node)[k % 2],
@@ -99,22 +100,18 @@ impl<D: Scalar, const N: usize> Place<D, N> {
             })
         };
         let none = Vector2::from_element(D::zero());
-        let turned = slope(&|i| n * rates[i], curvature * speed);
-        let stretched = slope(&|i| t * rates[i], stretch * speed);
-        let of_second = |i: usize| n * seconds[i];
+        let turned = slope(&|i| n * rates[i], bend);
+        let stretched = slope(&|i| t * rates[i], stretch);
         let weight = |i: usize| Term::new(weights[i], slope(&|_| none, rates[i] * speed));
-        let rate = |i: usize| {
-            Term::new(rates[i], slope(&|_| none, seconds[i] * speed) - stretched * rates[i])
-        };
+        let rate = |i: usize| Term::new(rates[i], slope(&|_| none, seconds[i]) - stretched * rates[i]);
+        let per_speed = speed.recip();
+        let of_second = slope(&|i| n * seconds[i], D::zero()) - turned * stretch;
         Spot {
             t: Vector2::from_fn(|k, _| Term::new(t[k], turned * n[k])),
             n: Vector2::from_fn(|k, _| Term::new(n[k], -(turned * t[k]))),
             weights: std::array::from_fn(weight),
             rates: std::array::from_fn(rate),
-            curvature: Term::new(
-                curvature,
-                slope(&of_second, D::zero()) - turned * stretch - stretched * (curvature * 2.0),
-            ),
+            curvature: Term::new(curvature, of_second * per_speed - stretched * (curvature * 2.0)),
         }
     }
 }

@@ -65,7 +65,7 @@ fn loads<D: Scalar, const K: usize>(loads: [D; 3]) -> [Term<D, K>; 3] {
 pub struct Linear;
 
 impl Linear {
-    fn at<T: Number + nalgebra::Scalar>(spot: &Spot<T, 2>, loads: [T; 3]) -> LinearForces<T> {
+    pub(super) fn at<T: Number + nalgebra::Scalar>(spot: &Spot<T, 2>, loads: [T; 3]) -> LinearForces<T> {
         let (fs, [f1, f2]) = acting(spot, loads);
         LinearForces { fs, f1, f2 }
     }

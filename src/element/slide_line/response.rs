@@ -7,8 +7,9 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::forces::{self, LinearForces, LinearLoads};
+use super::forces::{self, LinearForces};
 use super::friction::{self, Rubbing};
+use super::{Spot, times};
 use crate::element::chain::{Term, chain, each, gradients, through, variables};
 use crate::error::Error;
 use crate::fields;
@@ -20,7 +21,7 @@ use crate::quantity::{
 };
 use crate::scalar::Scalar;
 use crate::slide_line::{
-    ClosestLinear, ContactAreaLinear, LinearMotion, LinearNodes, LinearPoint, LinearSlave, LocalBasis,
+    Basis, ClosestLinear, ContactAreaLinear, Direction, LinearMotion, LinearNodes, LinearPoint, LinearSlave, LocalBasis,
     SlipIncrementLinear, check_distinct, check_radii,
 };
 use nalgebra::Vector2;
@@ -45,19 +46,30 @@ fields! {
 pub struct Linear;
 
 impl Linear {
+    /// N₁ and N₂ at the place g, which changes as it does; from g alone the smaller one would lose digits.
+    fn weights<D: Scalar, const K: usize>(slave: &LinearSlave<Term<D, K>>, g: Term<D, K>) -> [Term<D, K>; 2] {
+        let values: LinearSlave<D> = each(slave, Term::constant(D::zero()), |term: Term<D, K>| term.value);
+        let [n1, n2] = ClosestLinear::weights_on_line(&values);
+        let half = g.slope * D::from(0.5);
+        [Term::new(n1, -half), Term::new(n2, half)]
+    }
+
     fn at<D: Scalar, const K: usize>(i: &LinearPressed<Term<D, K>>) -> LinearAnswer<Term<D, K>> {
         let LinearPressed { xs, xo, x1, x2, g_before, s12_before, k, k_el, mu } = *i;
-        let foot = through::<ClosestLinear, _, K>(&LinearSlave { xs, x1, x2 }, ClosestLinear::on_line);
+        let slave = LinearSlave { xs, x1, x2 };
+        let foot = through::<ClosestLinear, _, K>(&slave, ClosestLinear::on_line);
         let s11 = chain::<PressureLinear, _, K>(&LinearContact { h: -foot.separation, k }).p;
-        let half_way = (foot.g + -g_before) * Term::constant(D::from(0.5));
-        let dxs = x2.zip_map(&x1, |to, from| (to + -from) * half_way);
-        let none = Vector2::from_element(Term::constant(D::zero()));
-        let motion = LinearMotion { x1, x2, g: foot.g, dxs, dx1: none, dx2: none };
+        // The slave point alone moves, along X′: where on the segment does not matter.
+        let (by, chord) = ((foot.g + -g_before) * Term::constant(D::from(0.5)), x2.zip_map(&x1, |to, from| to + -from));
+        let zero = Term::constant(D::zero());
+        let none = Vector2::from_element(zero);
+        let motion = LinearMotion { x1, x2, g: zero, dxs: times(chord, by), dx1: none, dx2: none };
         let dslip = chain::<SlipIncrementLinear, _, K>(&motion).dslip;
         let s12 = chain::<friction::Response, _, K>(&Rubbing { s11, dslip, s12_before, k_el, mu }).s12;
         let area = chain::<ContactAreaLinear, _, K>(&LinearNodes { x1: xs, x2: xo }).a1;
-        let LinearForces { fs, f1, f2 } =
-            chain::<forces::Linear, _, K>(&LinearLoads { x1, x2, g: foot.g, area, s11, s12 });
+        let Basis { t, n } = chain::<LocalBasis, _, K>(&Direction { dx: chord });
+        let weights = Self::weights(&slave, foot.g);
+        let LinearForces { fs, f1, f2 } = forces::Linear::at(&Spot { t, n, weights, rates: [zero; 2], curvature: zero }, [area, s11, s12]);
         LinearAnswer { g: foot.g, dslip, s11, s12, fs, f1, f2 }
     }
 }

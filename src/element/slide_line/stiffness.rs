@@ -71,18 +71,22 @@ fn sum<T: Number + nalgebra::Scalar, const M: usize>(first: Matrix2<T>, rest: [M
 pub struct Linear;
 
 impl Linear {
-    /// With b₂ = −b₁ = 1/ℓ and κ = 0.
-    fn at<T: Number + nalgebra::Scalar>(spot: &Spot<T, 2>, separation: T, lambda: T) -> LinearStiffness<T> {
+    /// With b₂ = −b₁ = 1/ℓ and κ = 0. N₁ P − N₂ Q is ½ (P − Q) − ½ g (P + Q), and P − Q has no direction: λ/ℓ times what turns
+    /// to the right.
+    fn at<T: Number + nalgebra::Scalar>(
+        spot: &Spot<T, 2>,
+        [half, half_g]: [T; 2],
+        separation: T,
+        lambda: T,
+    ) -> LinearStiffness<T> {
         let Spot { t, n, weights: [n1, n2], rates: [_, per_length], .. } = *spot;
         let per = lambda * per_length;
         let (p, q, r) = (outer(&t, &n, per), outer(&n, &t, per), outer(&n, &n, -(per * per_length * separation)));
-        let part = |m: Matrix2<T>, a: T| m.map(|entry| entry * a);
-        LinearStiffness {
-            k_us_u1: p,
-            k_u1_u1: sum(r, [part(p, -n1), part(q, -n1)]),
-            k_u1_u2: sum(r.map(|entry| -entry), [part(p, n1), part(q, -n2)]),
-            k_u2_u2: sum(r, [part(p, n2), part(q, n2)]),
-        }
+        let (both, part) = (sum(p, [q]), |m: Matrix2<T>, a: T| m.map(|entry| entry * a));
+        let mut k_u1_u2 = sum(r.map(|entry| -entry), [part(both, -half_g)]);
+        k_u1_u2.m12 = k_u1_u2.m12 + per * half;
+        k_u1_u2.m21 = k_u1_u2.m21 + -(per * half);
+        LinearStiffness { k_us_u1: p, k_u1_u1: sum(r, [part(both, -n1)]), k_u1_u2, k_u2_u2: sum(r, [part(both, n2)]) }
     }
 }
 
@@ -96,13 +100,16 @@ impl Formula for Linear {
 
     #[inline]
     fn eval<D: Scalar>(i: &LinearTouch<D>) -> LinearStiffness<D> {
-        Self::at(&Place::linear([i.x1, i.x2], i.g).spot, i.separation, i.lambda)
+        let halves = [D::from(0.5), i.g * 0.5];
+        Self::at(&Place::linear([i.x1, i.x2], i.g).spot, halves, i.separation, i.lambda)
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &LinearTouch<D>) -> Jacobian<Self, D> {
         let spot = Place::linear([i.x1, i.x2], i.g).varied::<7>();
-        gradients(&Self::at(&spot, Term::variable(i.separation, 5), Term::variable(i.lambda, 6)))
+        let half = Term::constant(D::from(0.5));
+        let halves = [half, Term::variable(i.g, 4) * half];
+        gradients(&Self::at(&spot, halves, Term::variable(i.separation, 5), Term::variable(i.lambda, 6)))
     }
 
     #[inline]
@@ -111,40 +118,47 @@ impl Formula for Linear {
     }
 }
 
-/// What stands for the slave point (none) or a node in T and B.
+/// The slave point (none), or a node.
 type Degree = Option<usize>;
 
 /// The geometric stiffness of contact on a parabolic segment, λ ∂²E11.
 #[derive(Clone, Copy, Debug)]
 pub struct Parabolic;
 
-impl Parabolic {
-    /// `by` is λ/(1 − κ E11).
-    fn at<T: Number + nalgebra::Scalar>(spot: &Spot<T, 3>, separation: T, by: T) -> ParabolicStiffness<T> {
-        let Spot { t, n, weights, rates, curvature } = *spot;
-        let motion = |i: Degree, x: T| i.map_or(x, |i| -(x * weights[i]));
-        let block = |i: Degree, j: Degree| {
-            let of_t = |j: Degree, x: T| motion(i, motion(j, x));
-            let bend = outer(&t, &t, of_t(j, -(by * curvature)));
-            let shear = j.map(|j| outer(&t, &n, motion(i, -(by * rates[j]))));
-            let back = i.map(|i| outer(&n, &t, motion(j, -(by * rates[i]))));
-            let turn = i.zip(j).map(|(i, j)| outer(&n, &n, -(by * separation * rates[i] * rates[j])));
-            [shear, back, turn].into_iter().flatten().fold(bend, |all, m| sum(all, [m]))
-        };
-        let [s, a, b, c] = [None, Some(0), Some(1), Some(2)];
-        ParabolicStiffness {
-            k_us_us: block(s, s),
-            k_us_u1: block(s, a),
-            k_us_u2: block(s, b),
-            k_us_u3: block(s, c),
-            k_u1_u1: block(a, a),
-            k_u1_u2: block(a, b),
-            k_u1_u3: block(a, c),
-            k_u2_u2: block(b, b),
-            k_u2_u3: block(b, c),
-            k_u3_u3: block(c, c),
-        }
+/// A block, where `by` is λ/(1 − κ E11).
+fn block<T: Number + nalgebra::Scalar>(spot: &Spot<T, 3>, separation: T, by: T, [i, j]: [Degree; 2]) -> Matrix2<T> {
+    let Spot { t, n, weights, rates, curvature } = *spot;
+    let motion = |i: Degree, x: T| i.map_or(x, |i| -(x * weights[i]));
+    let bend = outer(&t, &t, motion(i, motion(j, -(by * curvature))));
+    let shear = j.map(|j| outer(&t, &n, motion(i, -(by * rates[j]))));
+    let back = i.map(|i| outer(&n, &t, motion(j, -(by * rates[i]))));
+    let turn = i.zip(j).map(|(i, j)| outer(&n, &n, -(by * separation * rates[i] * rates[j])));
+    [shear, back, turn].into_iter().flatten().fold(bend, |all, m| sum(all, [m]))
+}
+
+/// All that differ.
+fn blocks<T: Component>(block: impl Fn([Degree; 2]) -> Matrix2<T>) -> ParabolicStiffness<T> {
+    let [s, a, b, c] = [None, Some(0), Some(1), Some(2)];
+    ParabolicStiffness {
+        k_us_us: block([s, s]),
+        k_us_u1: block([s, a]),
+        k_us_u2: block([s, b]),
+        k_us_u3: block([s, c]),
+        k_u1_u1: block([a, a]),
+        k_u1_u2: block([a, b]),
+        k_u1_u3: block([a, c]),
+        k_u2_u2: block([b, b]),
+        k_u2_u3: block([b, c]),
+        k_u3_u3: block([c, c]),
     }
+}
+
+/// How far the closest point moves along the line, (aᵢ t + E11 bᵢ n)/(1 − κ E11), and how far the line turns there,
+/// (bᵢ n + κ aᵢ t)/(1 − κ E11), where the slave point or a node moves.
+fn carried<D: Scalar>(spot: &Spot<D, 3>, separation: D, per: D, i: Degree) -> [Vector2<D>; 2] {
+    let Spot { t, n, weights, rates, curvature } = *spot;
+    let (a, b) = i.map_or((D::one(), D::zero()), |i| (-weights[i], rates[i]));
+    [(t * a + n * (separation * b)) * per, (n * b + t * (curvature * a)) * per]
 }
 
 impl Formula for Parabolic {
@@ -158,17 +172,27 @@ impl Formula for Parabolic {
     #[inline]
     fn eval<D: Scalar>(i: &ParabolicTouch<D>) -> ParabolicStiffness<D> {
         let spot = Place::parabolic([i.x1, i.x2, i.x3], i.g).spot;
-        Self::at(&spot, i.separation, i.lambda / (-(spot.curvature * i.separation) + 1.0))
+        let by = i.lambda * i.per_reach(&spot);
+        blocks(|degrees| block(&spot, i.separation, by, degrees))
     }
 
+    /// By E11 and by κ a block changes by the products of what [`carried`] says, times −λ: quotients that would cancel otherwise.
     #[inline]
     fn jacobian<D: Scalar>(i: &ParabolicTouch<D>) -> Jacobian<Self, D> {
-        let spot = Place::parabolic([i.x1, i.x2, i.x3], i.g).varied::<9>();
-        let (separation, lambda) = (Term::variable(i.separation, 7), Term::variable(i.lambda, 8));
-        // δ(1/(1 − κ E11)) = δ(κ E11)/(1 − κ E11)².
-        let bend = spot.curvature * separation;
-        let per = (-bend.value + 1.0).recip();
-        gradients(&Self::at(&spot, separation, lambda * Term::new(per, bend.slope * (per * per))))
+        let place = Place::parabolic([i.x1, i.x2, i.x3], i.g);
+        let (spot, varied, per) = (place.spot, place.varied::<9>(), i.per_reach(&place.spot));
+        let held = Spot { curvature: Term::constant(spot.curvature), ..varied };
+        let (separation, by) = (Term::constant(i.separation), Term::variable(i.lambda, 8) * Term::constant(per));
+        let by_separation = Term::<D, 9>::variable(i.separation, 7).slope;
+        gradients(&blocks(|[a, b]| {
+            let ([moved_a, turned_a], [moved_b, turned_b]) =
+                (carried(&spot, i.separation, per, a), carried(&spot, i.separation, per, b));
+            block(&held, separation, by, [a, b]).map_with_location(|row, column, entry| {
+                let (of_turn, of_way) = (turned_a[row] * turned_b[column], moved_a[row] * moved_b[column]);
+                let more = by_separation * of_turn + varied.curvature.slope * of_way;
+                Term::new(entry.value, entry.slope - more * i.lambda)
+            })
+        }))
     }
 
     #[inline]
@@ -176,6 +200,14 @@ impl Formula for Parabolic {
         check_tangent([i.x1, i.x2, i.x3], i.g)?;
         let spot = Place::parabolic([i.x1, i.x2, i.x3], i.g).spot;
         if spot.curvature * i.separation == 1.0 { Err(Error::Overflow { name: "k_us_us" }) } else { Ok(()) }
+    }
+}
+
+impl<D: Scalar> ParabolicTouch<D> {
+    /// 1/(1 − κ E11).
+    #[inline]
+    fn per_reach(&self, spot: &Spot<D, 3>) -> D {
+        (-(spot.curvature * self.separation) + 1.0).recip()
     }
 }
 

@@ -107,6 +107,12 @@ impl ClosestLinear {
         let projection = Projection::new(i);
         (projection.foot_on_line(), projection.gradients_on_line())
     }
+
+    /// The weights of the nodes there, each in all its digits; their derivatives are ∓½ those of g.
+    #[inline]
+    pub(crate) fn weights_on_line<D: Scalar>(i: &LinearSlave<D>) -> [D; 2] {
+        Projection::new(i).weights
+    }
 }
 
 impl Formula for ClosestLinear {

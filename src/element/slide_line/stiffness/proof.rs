@@ -27,8 +27,10 @@ fn straight(case: Case<LinearPlace<f64>>) -> Case<LinearTouch<f64>> {
     Case::new(case.flag, case.id, case.comment, LinearTouch { x1, x2, g, separation: -0.125, lambda: 5.0 })
 }
 
+/// Turned away from the axes, five times as large.
 fn curved(case: Case<ParabolicPlace<f64>>) -> Case<ParabolicTouch<f64>> {
     let ParabolicPlace { x1, x2, x3, g } = case.inputs;
+    let [x1, x2, x3] = [x1, x2, x3].map(|x| x * 4.0 + left(x) * 3.0);
     let touch = ParabolicTouch { x1, x2, x3, g, separation: -0.125, lambda: 5.0 };
     Case::new(case.flag, case.id, case.comment, touch)
 }
@@ -154,11 +156,11 @@ impl ParabolicTouch<Octuple> {
         [ParabolicPoint::eval(&self.place()).x + n * self.separation, self.x1, self.x2, self.x3]
     }
 
-    /// So near to the segment, and so far from its ends, that the place is the closest one.
+    /// So near to the segment, and so far from its ends, that the place is the closest one of any curve that is drawn here.
     fn near(&self) -> Self {
         let g = self.g * (15.0 / 16.0);
         let Place { spot, speed, .. } = Place::parabolic([self.x1, self.x2, self.x3], g);
-        let bent = norm([spot.curvature, Octuple::one() / speed]) * self.separation * 4096.0;
+        let bent = norm([spot.curvature, Octuple::one() / speed]) * self.separation * Octuple::from(2.0_f64.powi(40));
         Self { g, separation: self.separation / norm([bent, Octuple::one()]), ..*self }
     }
 }
@@ -179,7 +181,7 @@ impl Proved for Parabolic {
 
     fn invalid_cases() -> Vec<Case<ParabolicTouch<f64>>> {
         let mut cases: Vec<_> = no_parabola().into_iter().map(curved).collect();
-        let [x1, x2, x3] = [[1.0, 1.0], [2.0, 0.0], [3.0, 1.0]].map(Vector2::from);
+        let [x1, x2, x3] = [[1.0, 1.0], [2.0, 0.0], [3.0, 1.0]].map(Vector2::from); // κ = 2 at g = 0
         let centre = ParabolicTouch { x1, x2, x3, g: 0.0, separation: 0.5, lambda: 1.0 };
         cases.push(Case::invalid("centre", "on the centre of curvature", centre));
         cases
