@@ -310,7 +310,7 @@ quantities! {
     S12_BEFORE: r"S_{12}^{\mathrm{before}}", Scalar, PRESSURE_UNIT, Real, "shear stress before the increment";
     SHEAR_STIFFNESS: r"k_{\mathrm{el}}", Scalar, Unit::new(-3, 1, 0), Positive, "stiffness in stick, shear stress per slip";
     LINE_G: r"g", Scalar, ONE, Real, "coordinate along a straight segment and what goes on straight past its ends, from -1 at its first node to 1 at its last";
-    LINE_G_BEFORE: r"g^{\mathrm{before}}", Scalar, ONE, Real, "coordinate of the closest point before the increment";
+    LINE_G_BEFORE: r"g^{\mathrm{before}}", Scalar, ONE, Within(-1.0, 1.0), "coordinate on the segment before the increment, from -1 at its first node to 1 at its last";
     XO: r"\mathbf{x}_o", Vec2, L, Point, "position of the other node of the ISL21A element, in the plane (r, z)";
     E11_US: r"\mathbf{e}_{11,us}", Vec2, ONE, Vector, "variation of the separation by the translation of the slave point";
     E11_U1: r"\mathbf{e}_{11,u1}", Vec2, ONE, Vector, "variation of the separation by the translation of the first node";

@@ -32,7 +32,7 @@ pub use closest::{
 };
 pub use corners::{LinearCornerPlace, ParabolicCornerPlace, SmoothedLinearPoint, SmoothedParabolicPoint};
 pub use line::{ClosestPoint, Interpolation, Nodes, OverclosureVariation, Place, PlacedLine, SlideLine};
-pub(crate) use line::{Foot, check_position};
+pub(crate) use line::{Foot, check_position, gauss};
 pub(crate) use points::check_tangent;
 pub use points::{CurvePoint, LinearPlace, LinearPoint, ParabolicPlace, ParabolicPoint};
 pub(crate) use shape::Sides;

@@ -11,10 +11,12 @@
 //! Without friction `by_multipliers` is the transpose of `rows`. With it the friction follows the multipliers while it slips, and
 //! the matrix is not symmetric.
 
+mod contact;
 mod slot;
 mod translator;
 mod ujoint;
 
+pub use contact::{Isl21a, Isl22a, LineContact, OnLine, Pressed, PressureLaw, SlaveState};
 pub use slot::{SlotContact, SlotElement};
 pub use translator::{TranslatorContact, TranslatorElement};
 pub use ujoint::{CrossContact, UJointElement, UJointState};

@@ -49,8 +49,8 @@ struct Place<D, const N: usize> {
     spot: Spot<D, N>,
     /// |X′|.
     speed: D,
-    /// Nᵢ″/|X′|.
-    seconds: [D; N],
+    /// The derivatives of the rates by g, (Nᵢ″ X′ − Nᵢ′ X″)·t/|X′|².
+    spreads: [D; N],
     /// n·X″/|X′|, by which the tangent turns with g.
     bend: D,
     /// t·X″/|X′|.
@@ -63,7 +63,7 @@ impl<D: Scalar> Place<D, 2> {
         let (zero, per_length) = (D::zero(), length.recip());
         let (weights, rates) = (shape::linear(g), [-per_length, per_length]);
         let spot = Spot { t, n: Vector2::new(-t.y, t.x), weights, rates, curvature: zero };
-        Self { spot, speed: length * 0.5, seconds: [zero; 2], bend: zero, stretch: zero }
+        Self { spot, speed: length * 0.5, spreads: [zero; 2], bend: zero, stretch: zero }
     }
 }
 
@@ -80,18 +80,18 @@ impl<D: Scalar> Place<D, 3> {
             rates: shape::parabolic_rates(g).map(|rate| rate * per_speed),
             curvature: bend * per_speed,
         };
-        let seconds = [1.0, -2.0, 1.0].map(|second| per_speed * second);
-        Self { spot, speed, seconds, bend, stretch: t.dot(&sides.second_derivative()) * per_speed }
+        // Nᵢ″ X′ − Nᵢ′ X″ does not depend on g.
+        let spreads = [sides.after, -sides.chord, sides.before].map(|side| t.dot(&(side * per_speed)) * per_speed);
+        Self { spot, speed, spreads, bend, stretch: t.dot(&sides.second_derivative()) * per_speed }
     }
 }
 
 impl<D: Scalar, const N: usize> Place<D, N> {
     /// With derivatives by the nodes and by g, which are the first of K numbers.
     ///
-    /// The tangent turns by δφ = Σ (Nᵢ′/|X′|) n·δxᵢ + κ |X′| δg; every derivative but those of the weights has a part of it, or
-    /// of the stretch δ|X′|/|X′| = Σ (Nᵢ′/|X′|) t·δxᵢ + (t·X″/|X′|) δg.
+    /// The tangent turns by δφ = Σ (Nᵢ′/|X′|) n·δxᵢ + κ |X′| δg, and |X′| changes by the part Σ (Nᵢ′/|X′|) t·δxᵢ + (t·X″/|X′|) δg.
     fn varied<const K: usize>(&self) -> Spot<Term<D, K>, N> {
-        let Self { spot: Spot { t, n, weights, rates, curvature }, speed, seconds, bend, stretch } = *self;
+        let Self { spot: Spot { t, n, weights, rates, curvature }, speed, spreads, bend, stretch } = *self;
         let slope = |by_node: &dyn Fn(usize) -> Vector2<D>, by_g: D| {
             SVector::<D, K>::from_fn(|k, _| match k / 2 {
                 node if node < N => by_node(node)[k % 2],
@@ -101,17 +101,16 @@ impl<D: Scalar, const N: usize> Place<D, N> {
         };
         let none = Vector2::from_element(D::zero());
         let turned = slope(&|i| n * rates[i], bend);
-        let stretched = slope(&|i| t * rates[i], stretch);
         let weight = |i: usize| Term::new(weights[i], slope(&|_| none, rates[i] * speed));
-        let rate = |i: usize| Term::new(rates[i], slope(&|_| none, seconds[i]) - stretched * rates[i]);
-        let per_speed = speed.recip();
-        let of_second = slope(&|i| n * seconds[i], D::zero()) - turned * stretch;
+        let rate = |i: usize| Term::new(rates[i], slope(&|j| t * -(rates[i] * rates[j]), spreads[i]));
+        let (per_speed, twice) = (speed.recip(), curvature * 2.0);
+        let bent = slope(&|i| n * (spreads[i] * per_speed) - t * (twice * rates[i]), -(curvature * stretch * 3.0));
         Spot {
             t: Vector2::from_fn(|k, _| Term::new(t[k], turned * n[k])),
             n: Vector2::from_fn(|k, _| Term::new(n[k], -(turned * t[k]))),
             weights: std::array::from_fn(weight),
             rates: std::array::from_fn(rate),
-            curvature: Term::new(curvature, of_second * per_speed - stretched * (curvature * 2.0)),
+            curvature: Term::new(curvature, bent),
         }
     }
 }

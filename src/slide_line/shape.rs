@@ -46,11 +46,11 @@ pub(super) trait Shape<const N: usize> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sides<D> {
     /// x2 − x1.
-    pub(super) before: Vector2<D>,
+    pub(crate) before: Vector2<D>,
     /// x3 − x2.
-    pub(super) after: Vector2<D>,
+    pub(crate) after: Vector2<D>,
     /// x3 − x1.
-    pub(super) chord: Vector2<D>,
+    pub(crate) chord: Vector2<D>,
 }
 
 impl<D: Scalar> Sides<D> {

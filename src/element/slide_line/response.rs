@@ -9,7 +9,7 @@ mod proof;
 
 use super::forces::{self, LinearForces};
 use super::friction::{self, Rubbing};
-use super::{Spot, times};
+use super::Spot;
 use crate::element::chain::{Term, chain, each, gradients, through, variables};
 use crate::error::Error;
 use crate::fields;
@@ -59,16 +59,13 @@ impl Linear {
         let slave = LinearSlave { xs, x1, x2 };
         let foot = through::<ClosestLinear, _, K>(&slave, ClosestLinear::on_line);
         let s11 = chain::<PressureLinear, _, K>(&LinearContact { h: -foot.separation, k }).p;
-        // The slave point alone moves, along X′: where on the segment does not matter.
-        let (by, chord) = ((foot.g + -g_before) * Term::constant(D::from(0.5)), x2.zip_map(&x1, |to, from| to + -from));
-        let zero = Term::constant(D::zero());
-        let none = Vector2::from_element(zero);
-        let motion = LinearMotion { x1, x2, g: zero, dxs: times(chord, by), dx1: none, dx2: none };
+        // From the place before, as it is now, to the slave point: positions in place of displacements.
+        let motion = LinearMotion { x1, x2, g: g_before, dxs: xs, dx1: x1, dx2: x2 };
         let dslip = chain::<SlipIncrementLinear, _, K>(&motion).dslip;
         let s12 = chain::<friction::Response, _, K>(&Rubbing { s11, dslip, s12_before, k_el, mu }).s12;
         let area = chain::<ContactAreaLinear, _, K>(&LinearNodes { x1: xs, x2: xo }).a1;
-        let Basis { t, n } = chain::<LocalBasis, _, K>(&Direction { dx: chord });
-        let weights = Self::weights(&slave, foot.g);
+        let Basis { t, n } = chain::<LocalBasis, _, K>(&Direction { dx: x2.zip_map(&x1, |to, from| to + -from) });
+        let (zero, weights) = (Term::constant(D::zero()), Self::weights(&slave, foot.g));
         let LinearForces { fs, f1, f2 } = forces::Linear::at(&Spot { t, n, weights, rates: [zero; 2], curvature: zero }, [area, s11, s12]);
         LinearAnswer { g: foot.g, dslip, s11, s12, fs, f1, f2 }
     }

@@ -62,7 +62,7 @@ impl Proved for Linear {
         let mut cases = vec![
             Case::hand("stick", "S11 = 128/8 = 16, slip 0.5: S12 = 1 + 2 × 0.5 = 2 < 4; A = π × 2 × 0.5", hand),
             Case::hand("slip", "cut down to 0.0625 × 16 = 1", slipping()),
-            Case::hand("slip-back", "from the other side", LinearPressed { g_before: 4.0, ..slipping() }),
+            Case::hand("slip-back", "from the other side", LinearPressed { g_before: 1.0, ..slipping() }),
             Case::hand("open", "nothing is transmitted", at(2.0, 0.5)),
             Case::hand("frictionless", "pressure alone", LinearPressed { mu: 0.0, ..hand }),
             Case::hand("no-slip", "the closest point stands still", LinearPressed { g_before: -0.5, ..hand }),

@@ -167,8 +167,9 @@ impl ParabolicTouch<Octuple> {
 
 impl Proved for Parabolic {
     fn cases() -> Vec<Case<ParabolicTouch<f64>>> {
-        let places = curved_places().into_iter().filter(|case| (1e-100..1e100).contains(&case.inputs.x3.amax()));
-        let mut cases: Vec<_> = places.map(curved).collect();
+        // Squares of these lengths are numbers; and on what is quite straight entries are 0 that have no size to be compared by.
+        let counts = |case: &Case<ParabolicPlace<f64>>| (1e-100..1e100).contains(&case.inputs.x3.amax()) && case.id != "straight";
+        let mut cases: Vec<_> = curved_places().into_iter().filter(counts).map(curved).collect();
         let here = cases[0].inputs;
         cases.extend([
             Case::hand("touching", "E11 = 0", ParabolicTouch { separation: 0.0, ..here }),
