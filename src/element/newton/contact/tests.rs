@@ -35,7 +35,7 @@ fn before<const N: usize>() -> [SlaveState<f64>; N] {
 }
 
 /// Places in other numbers.
-fn places<A: Copy, B, const N: usize>(x: &OnLine<A, N>, of: impl Fn(usize, A) -> B) -> OnLine<B, N> {
+fn places<A: nalgebra::Scalar + Copy, B, const N: usize>(x: &OnLine<A, N>, of: impl Fn(usize, A) -> B) -> OnLine<B, N> {
     let point = |x: &Vector2<A>, node: usize| Vector2::new(of(2 * node, x.x), of(2 * node + 1, x.y));
     let nodes = std::array::from_fn(|k| point(&x.nodes[k], k));
     OnLine { nodes, segments: std::array::from_fn(|s| std::array::from_fn(|k| point(&x.segments[s][k], N + N * s + k))) }
@@ -57,7 +57,8 @@ fn furthest<const N: usize, const K: usize>(
     for column in 0..K {
         let moved = places(&here, |k, x| Dual::new(x, Octuple::from(if k == column { 1.0 } else { 0.0 })));
         let moved = moving(&moved, &state(|x| Dual::from_re(Octuple::from(x))));
-        let forces = moved.forces.iter().zip(&found.stiffness.column(column)).map(|(f, &k)| (f.eps, k));
+        let entries = found.stiffness.column(column);
+        let forces = moved.forces.iter().zip(&entries).map(|(f, &k)| (f.eps, k));
         for (by, entry) in forces.chain([(moved.torque.eps, found.torque_row[column])]) {
             off = off.max((by - entry).to_f64().abs());
             largest = largest.max(entry.to_f64().abs());
@@ -123,7 +124,7 @@ fn agrees<const N: usize, const K: usize>(
     element_of: impl Fn(&OnLine<f64, N>, &[SlaveState<f64>; N]) -> Result<Pressed<f64, N, K>, Error>,
 ) {
     assert_eq!(line, element);
-    let master = SlideLine::new(line, 1..=u32::try_from(N).unwrap()).unwrap();
+    let master = SlideLine::generate(line, 1, u32::try_from(N).unwrap(), 1).unwrap();
     let interaction = Interaction::linear(64.0).unwrap().with_friction(0.25, 1e3).unwrap();
     let contact = Contact::new(master, ElementSet::new("ring", [isl]).unwrap(), interaction);
     let step = Increment::new(1.0).unwrap();
