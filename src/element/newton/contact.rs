@@ -91,10 +91,7 @@ impl<D: Scalar, const N: usize> OnLine<D, N> {
     fn varied<const K: usize>(&self) -> OnLine<Term<D, K>, N> {
         let point = |x: Vector2<D>, node: usize| Vector2::from_fn(|k, _| Term::variable(x[k], 2 * node + k));
         let segment = |s: usize| std::array::from_fn(|k| point(self.segments[s][k], N + N * s + k));
-        OnLine {
-            nodes: std::array::from_fn(|k| point(self.nodes[k], k)),
-            segments: std::array::from_fn(segment),
-        }
+        OnLine { nodes: std::array::from_fn(|k| point(self.nodes[k], k)), segments: std::array::from_fn(segment) }
     }
 }
 

@@ -8,9 +8,7 @@ use crate::element::chain::{Term, gradients};
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Formula, Given, Jacobian, Source, Spec};
-use crate::quantity::{
-    AREA, LINE_FORCE_1, LINE_FORCE_2, LINE_FORCE_3, LINE_FORCE_S, S11, S12, SEGMENT_G, X1, X2, X3,
-};
+use crate::quantity::{AREA, LINE_FORCE_1, LINE_FORCE_2, LINE_FORCE_3, LINE_FORCE_S, S11, S12, SEGMENT_G, X1, X2, X3};
 use crate::scalar::Scalar;
 use crate::slide_line::{LinearPoint, LocalBasis, ParabolicPoint, check_distinct, check_tangent};
 use nalgebra::Vector2;

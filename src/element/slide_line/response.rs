@@ -7,9 +7,9 @@
 #[cfg(feature = "verify")]
 mod proof;
 
+use super::Spot;
 use super::forces::{self, LinearForces};
 use super::friction::{self, Rubbing};
-use super::Spot;
 use crate::element::chain::{Term, chain, each, gradients, through, variables};
 use crate::error::Error;
 use crate::fields;
@@ -21,8 +21,8 @@ use crate::quantity::{
 };
 use crate::scalar::Scalar;
 use crate::slide_line::{
-    Basis, ClosestLinear, ContactAreaLinear, Direction, LinearMotion, LinearNodes, LinearPoint, LinearSlave, LocalBasis,
-    SlipIncrementLinear, check_distinct, check_radii,
+    Basis, ClosestLinear, ContactAreaLinear, Direction, LinearMotion, LinearNodes, LinearPoint, LinearSlave,
+    LocalBasis, SlipIncrementLinear, check_distinct, check_radii,
 };
 use nalgebra::Vector2;
 
@@ -66,7 +66,8 @@ impl Linear {
         let area = chain::<ContactAreaLinear, _, K>(&LinearNodes { x1: xs, x2: xo }).a1;
         let Basis { t, n } = chain::<LocalBasis, _, K>(&Direction { dx: x2.zip_map(&x1, |to, from| to + -from) });
         let (zero, weights) = (Term::constant(D::zero()), Self::weights(&slave, foot.g));
-        let LinearForces { fs, f1, f2 } = forces::Linear::at(&Spot { t, n, weights, rates: [zero; 2], curvature: zero }, [area, s11, s12]);
+        let LinearForces { fs, f1, f2 } =
+            forces::Linear::at(&Spot { t, n, weights, rates: [zero; 2], curvature: zero }, [area, s11, s12]);
         LinearAnswer { g: foot.g, dslip, s11, s12, fs, f1, f2 }
     }
 }

@@ -4,14 +4,14 @@
 //! line and Σ bᵢ n·δxᵢ the turn of its material. The closest point moves along the line by
 //! δs = (Σ aᵢ t·δxᵢ + E11 Σ bᵢ n·δxᵢ)/(1 − κ E11), and δ²E11 has all there is from that: the blocks
 //! −(aᵢ bⱼ t⊗n + bᵢ aⱼ n⊗t + κ aᵢ aⱼ t⊗t + E11 bᵢ bⱼ n⊗n)/(1 − κ E11), a symmetric matrix. It is infinite where the slave point
-//! is on the centre of curvature.
+//! is on the centre of curvature, and beyond that the place is not the closest one.
 
 #[cfg(feature = "verify")]
 mod proof;
 
 use super::{Number, Place, Spot};
 use crate::element::chain::{Term, gradients};
-use crate::error::Error;
+use crate::error::{Error, Name};
 use crate::fields;
 use crate::formula::{Component, Document, Formula, Given, Jacobian, Source, Spec};
 use crate::quantity::{
@@ -118,6 +118,16 @@ impl Formula for Linear {
     }
 }
 
+/// At the centre of curvature and beyond it another place is closer.
+#[cold]
+fn beyond_centre<D: Scalar>(separation: D) -> Error {
+    Error::OutOfRange {
+        name: Name { field: "separation", component: None },
+        value: separation.re(),
+        allowed: "a separation on this side of the centre of curvature".into(),
+    }
+}
+
 /// The slave point (none), or a node.
 type Degree = Option<usize>;
 
@@ -199,7 +209,7 @@ impl Formula for Parabolic {
     fn validate<D: Scalar>(i: &ParabolicTouch<D>) -> Result<(), Error> {
         check_tangent([i.x1, i.x2, i.x3], i.g)?;
         let spot = Place::parabolic([i.x1, i.x2, i.x3], i.g).spot;
-        if spot.curvature * i.separation == 1.0 { Err(Error::Overflow { name: "k_us_us" }) } else { Ok(()) }
+        if spot.curvature * i.separation < 1.0 { Ok(()) } else { Err(beyond_centre(i.separation)) }
     }
 }
 

@@ -38,7 +38,10 @@ fn before<const N: usize>() -> [SlaveState<f64>; N] {
 fn places<A: nalgebra::Scalar + Copy, B, const N: usize>(x: &OnLine<A, N>, of: impl Fn(usize, A) -> B) -> OnLine<B, N> {
     let point = |x: &Vector2<A>, node: usize| Vector2::new(of(2 * node, x.x), of(2 * node + 1, x.y));
     let nodes = std::array::from_fn(|k| point(&x.nodes[k], k));
-    OnLine { nodes, segments: std::array::from_fn(|s| std::array::from_fn(|k| point(&x.segments[s][k], N + N * s + k))) }
+    OnLine {
+        nodes,
+        segments: std::array::from_fn(|s| std::array::from_fn(|k| point(&x.segments[s][k], N + N * s + k))),
+    }
 }
 
 fn state<D: Scalar, const N: usize>(of: impl Fn(f64) -> D) -> [SlaveState<D>; N] {

@@ -56,8 +56,10 @@ fn worked<const N: usize>(e11: [Vector; N], e12: [Vector; N], [area, s11, s12]: 
     std::array::from_fn(|k| (e11[k] * s11 - e12[k] * s12) * area)
 }
 
-const VIRTUAL_WORK: &str = "they are the rows times what works on them: the area times pressure and shear against the slip";
-const BALANCE: &str = "forces along the axis and along the radius balance, and so do moments but for that of the shear at the separation";
+const VIRTUAL_WORK: &str =
+    "they are the rows times what works on them: the area times pressure and shear against the slip";
+const BALANCE: &str =
+    "forces along the axis and along the radius balance, and so do moments but for that of the shear at the separation";
 
 impl Proved for Linear {
     fn cases() -> Vec<Case<LinearLoads<f64>>> {

@@ -27,12 +27,24 @@ impl Proved for Response {
             Case::hand("open", "nothing is transmitted", Rubbing { s11: 0.0, ..HAND }),
             Case::hand("pulling", "a pressure that pulls transmits nothing", Rubbing { s11: -8.0, ..HAND }),
             Case::hand("frictionless", "μ = 0 transmits nothing", Rubbing { mu: 0.0, ..HAND }),
-            Case::hand("unloading", "less pressure than before: slips without a motion", Rubbing { s11: 2.0, dslip: 0.0, ..HAND }),
+            Case::hand(
+                "unloading",
+                "less pressure than before: slips without a motion",
+                Rubbing { s11: 2.0, dslip: 0.0, ..HAND },
+            ),
             Case::hard("tie", "1 + 2 × 0.5 = μ S11: the Jacobian is not defined", Rubbing { dslip: 0.5, ..HAND }),
             Case::hard("cancelled", "the trial stress is 0: sticks", Rubbing { dslip: -0.5, ..HAND }),
-            Case::hard("nearly-cancelled", "a stress of 1e8 is taken back but for 1e-8", Rubbing { s12_before: 1e8, dslip: -1e8 + 1e-8, k_el: 1.0, ..HAND }),
+            Case::hard(
+                "nearly-cancelled",
+                "a stress of 1e8 is taken back but for 1e-8",
+                Rubbing { s12_before: 1e8, dslip: -1e8 + 1e-8, k_el: 1.0, ..HAND },
+            ),
             Case::hard("stiff", "a stiffness of 1e12", Rubbing { k_el: 1e12, ..HAND }),
-            Case::hard("tiny", "stresses of 1e-200", Rubbing { s11: 8e-200, s12_before: 1e-200, dslip: 2e-201, ..HAND }),
+            Case::hard(
+                "tiny",
+                "stresses of 1e-200",
+                Rubbing { s11: 8e-200, s12_before: 1e-200, dslip: 2e-201, ..HAND },
+            ),
             Case::hard("huge", "stresses of 1e200", Rubbing { s11: 8e200, s12_before: 1e200, dslip: 1e200, ..HAND }),
         ]
     }
@@ -46,7 +58,12 @@ impl Proved for Response {
                 Rubbing { dslip: 0.5, ..HAND },
                 Rubbing { dslip: 1.0, ..zero },
             ),
-            Kink::<Self>::switch(r"S_{11} = 0", |i| i.s11.is_zero(), Rubbing { s11: 0.0, ..HAND }, Rubbing { s11: 1.0, ..zero }),
+            Kink::<Self>::switch(
+                r"S_{11} = 0",
+                |i| i.s11.is_zero(),
+                Rubbing { s11: 0.0, ..HAND },
+                Rubbing { s11: 1.0, ..zero },
+            ),
         ]
     }
 
@@ -86,7 +103,11 @@ impl Proved for Response {
             ),
             Law::<Self>::new("in slip the tangent does not depend on the slip, and the pressure contributes μ", |i| {
                 let s11 = abs(i.s11) + Octuple::from(1.0);
-                let by = Self::jacobian(&Rubbing { s11, dslip: (i.mu * s11 + abs(i.s12_before) + 1.0) * 2.0 / i.k_el, ..*i });
+                let by = Self::jacobian(&Rubbing {
+                    s11,
+                    dslip: (i.mu * s11 + abs(i.s12_before) + 1.0) * 2.0 / i.k_el,
+                    ..*i
+                });
                 law::equal_all([(by.s12.dslip, Octuple::zero()), (by.s12.s11, i.mu)])
             }),
         ]

@@ -71,7 +71,11 @@ impl Proved for Linear {
             Case::hand("at-the-end", "g = 1 is no kink", at(5.0, -0.125)),
             Case::hand("on-the-axis", "r = 0: no area", at(0.0, -0.125)),
             Case::hard("touching", "E11 = 0: the Jacobian is not defined", at(2.0, 0.0)),
-            Case::hard("tie", "the trial stress is μ S11: the Jacobian is not defined", LinearPressed { mu: 0.125, ..hand }),
+            Case::hard(
+                "tie",
+                "the trial stress is μ S11: the Jacobian is not defined",
+                LinearPressed { mu: 0.125, ..hand },
+            ),
             Case::hard(
                 "no-length",
                 "both nodes of the element at one place: no area, derivative 0 by convention",
@@ -132,21 +136,21 @@ impl Proved for Linear {
                 let sum = fs + f1 + f2;
                 law::vanish([sum.x, sum.y], norm([fs.x, fs.y]) + norm([f1.x, f1.y]) + norm([f2.x, f2.y]))
             }),
-            Law::<Self>::new("with the half length of the element, the force is around its circumference: 2π r ½ℓ of the stresses", |i| {
-                let LinearAnswer { fs, s11, s12, .. } = Self::eval(i);
-                let (length, half) = (norm([i.xo.x - i.xs.x, i.xo.y - i.xs.y]), Octuple::from(0.5));
-                let area = pi::<Octuple>() * 2.0 * i.xs.x * length * half;
-                law::equal(norm([fs.x, fs.y]), area * norm([s11, s12]))
-            }),
+            Law::<Self>::new(
+                "with the half length of the element, the force is around its circumference: 2π r ½ℓ of the stresses",
+                |i| {
+                    let LinearAnswer { fs, s11, s12, .. } = Self::eval(i);
+                    let (length, half) = (norm([i.xo.x - i.xs.x, i.xo.y - i.xs.y]), Octuple::from(0.5));
+                    let area = pi::<Octuple>() * 2.0 * i.xs.x * length * half;
+                    law::equal(norm([fs.x, fs.y]), area * norm([s11, s12]))
+                },
+            ),
             Law::<Self>::new("what is transmitted never exceeds μ S11, and slip dissipates", |i| {
                 let LinearAnswer { dslip, s11, s12, .. } = Self::eval(i);
                 let slipped = dslip - (s12 - i.s12_before) / i.k_el;
                 let terms = abs(dslip) + (abs(s12) + abs(i.s12_before)) / i.k_el;
-                [
-                    not_positive(abs(s12) - i.mu * s11, i.mu * s11),
-                    not_positive(-s12 * slipped, abs(s12) * terms),
-                ]
-                .concat()
+                [not_positive(abs(s12) - i.mu * s11, i.mu * s11), not_positive(-s12 * slipped, abs(s12) * terms)]
+                    .concat()
             }),
             Law::<Self>::new("moving along the axis changes nothing", |i| {
                 let up = |x: Vector| x + Vector::y() * Octuple::from(7.0);
@@ -159,12 +163,15 @@ impl Proved for Linear {
                 let force = norm([here.fs.x, here.fs.y]) * (reach / turned + one) + i.k * reach + i.k_el * reach;
                 law::equal_all_with(pairs, force + reach / turned + one)
             }),
-            Law::<Self>::new("in stick the shear stress changes by the stiffness times the slip, whatever the pressure does", |i| {
-                let i = closed(i);
-                let LinearAnswer { dslip, s11, .. } = Self::eval(&i);
-                let by = Self::jacobian(&LinearPressed { mu: (abs(trial(&i, dslip)) + 1.0) * 2.0 / s11, ..i });
-                proportional(&by.s12, &by.dslip, i.k_el)
-            }),
+            Law::<Self>::new(
+                "in stick the shear stress changes by the stiffness times the slip, whatever the pressure does",
+                |i| {
+                    let i = closed(i);
+                    let LinearAnswer { dslip, s11, .. } = Self::eval(&i);
+                    let by = Self::jacobian(&LinearPressed { mu: (abs(trial(&i, dslip)) + 1.0) * 2.0 / s11, ..i });
+                    proportional(&by.s12, &by.dslip, i.k_el)
+                },
+            ),
             Law::<Self>::new("in slip it changes by μ times the pressure, whatever the slip does", |i| {
                 let i = closed(i);
                 let LinearAnswer { dslip, s11, .. } = Self::eval(&i);
@@ -175,7 +182,10 @@ impl Proved for Linear {
             Law::<Self>::new("in stick a closed cycle brings the shear stress back", |i| {
                 let i = closed(i);
                 let there = Self::eval(&i);
-                let stuck = LinearPressed { mu: (abs(i.s12_before) + abs(trial(&i, there.dslip)) + 1.0) * 2.0 / there.s11, ..i };
+                let stuck = LinearPressed {
+                    mu: (abs(i.s12_before) + abs(trial(&i, there.dslip)) + 1.0) * 2.0 / there.s11,
+                    ..i
+                };
                 let out = Self::eval(&stuck);
                 let chord = i.x2 - i.x1;
                 // Back along the segment to where it was before.

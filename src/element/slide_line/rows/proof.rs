@@ -73,7 +73,8 @@ fn rigid<const N: usize>(e11: [Vector; N], e12: [Vector; N], places: [Vector; N]
 }
 
 const DERIVES: &str = "that of the separation is its derivative by places, that of the slip the derivative of its increment by displacements";
-const RIGID: &str = "a rigid motion of a slave point on the segment together with it neither opens the contact nor slips";
+const RIGID: &str =
+    "a rigid motion of a slave point on the segment together with it neither opens the contact nor slips";
 
 impl Proved for Linear {
     fn cases() -> Vec<Case<LinearPlace<f64>>> {
@@ -141,21 +142,24 @@ impl Proved for Parabolic {
                 let places = [ParabolicPoint::eval(i).x, i.x1, i.x2, i.x3];
                 rigid([e11_us, e11_u1, e11_u2, e11_u3], [e12_us, e12_u1, e12_u2, e12_u3], places)
             }),
-            Law::<Self>::new("with the midside node in the middle, half of its part is that of each end of the straight segment", |i| {
-                let half = Octuple::from(0.5);
-                let curved = Self::eval(&ParabolicPlace { x2: (i.x1 + i.x3) * half, ..*i });
-                let straight = Linear::eval(&LinearPlace { x1: i.x1, x2: i.x3, g: i.g });
-                equal_vectors(
-                    [
-                        curved.e11_u1 + curved.e11_u2 * half,
-                        curved.e11_u3 + curved.e11_u2 * half,
-                        curved.e12_u1 + curved.e12_u2 * half,
-                        curved.e12_u3 + curved.e12_u2 * half,
-                    ],
-                    [straight.e11_u1, straight.e11_u2, straight.e12_u1, straight.e12_u2],
-                    Octuple::one(),
-                )
-            }),
+            Law::<Self>::new(
+                "with the midside node in the middle, half of its part is that of each end of the straight segment",
+                |i| {
+                    let half = Octuple::from(0.5);
+                    let curved = Self::eval(&ParabolicPlace { x2: (i.x1 + i.x3) * half, ..*i });
+                    let straight = Linear::eval(&LinearPlace { x1: i.x1, x2: i.x3, g: i.g });
+                    equal_vectors(
+                        [
+                            curved.e11_u1 + curved.e11_u2 * half,
+                            curved.e11_u3 + curved.e11_u2 * half,
+                            curved.e12_u1 + curved.e12_u2 * half,
+                            curved.e12_u3 + curved.e12_u2 * half,
+                        ],
+                        [straight.e11_u1, straight.e11_u2, straight.e12_u1, straight.e12_u2],
+                        Octuple::one(),
+                    )
+                },
+            ),
         ]
     }
 }

@@ -27,11 +27,11 @@ fn straight(case: Case<LinearPlace<f64>>) -> Case<LinearTouch<f64>> {
     Case::new(case.flag, case.id, case.comment, LinearTouch { x1, x2, g, separation: -0.125, lambda: 5.0 })
 }
 
-/// Turned away from the axes, five times as large.
+/// Turned away from the axes and five times as large, with a separation that the curvature allows.
 fn curved(case: Case<ParabolicPlace<f64>>) -> Case<ParabolicTouch<f64>> {
     let ParabolicPlace { x1, x2, x3, g } = case.inputs;
     let [x1, x2, x3] = [x1, x2, x3].map(|x| x * 4.0 + left(x) * 3.0);
-    let touch = ParabolicTouch { x1, x2, x3, g, separation: -0.125, lambda: 5.0 };
+    let touch = ParabolicTouch { x1, x2, x3, g, separation: (x3 - x1).amax() * -0.03125, lambda: 5.0 };
     Case::new(case.flag, case.id, case.comment, touch)
 }
 
@@ -76,7 +76,8 @@ fn follows<const M: usize, const N: usize>(
     .concat()
 }
 
-const DERIVES: &str = "it is the derivative of the nodal forces of a contact force along the normal, by places, closest point and all";
+const DERIVES: &str =
+    "it is the derivative of the nodal forces of a contact force along the normal, by places, closest point and all";
 const FOLLOWS: &str = "a translation of all changes no force, and a turn turns them";
 const SYMMETRIC: &str = "it is symmetric";
 
@@ -168,7 +169,9 @@ impl ParabolicTouch<Octuple> {
 impl Proved for Parabolic {
     fn cases() -> Vec<Case<ParabolicTouch<f64>>> {
         // Squares of these lengths are numbers; and on what is quite straight entries are 0 that have no size to be compared by.
-        let counts = |case: &Case<ParabolicPlace<f64>>| (1e-100..1e100).contains(&case.inputs.x3.amax()) && case.id != "straight";
+        let counts = |case: &Case<ParabolicPlace<f64>>| {
+            (1e-100..1e100).contains(&case.inputs.x3.amax()) && case.id != "straight"
+        };
         let mut cases: Vec<_> = curved_places().into_iter().filter(counts).map(curved).collect();
         let here = cases[0].inputs;
         cases.extend([
@@ -185,6 +188,8 @@ impl Proved for Parabolic {
         let [x1, x2, x3] = [[1.0, 1.0], [2.0, 0.0], [3.0, 1.0]].map(Vector2::from); // κ = 2 at g = 0
         let centre = ParabolicTouch { x1, x2, x3, g: 0.0, separation: 0.5, lambda: 1.0 };
         cases.push(Case::invalid("centre", "on the centre of curvature", centre));
+        let beyond = ParabolicTouch { separation: 0.75, ..centre };
+        cases.push(Case::invalid("beyond-centre", "the other side of the valley is closer", beyond));
         cases
     }
 
@@ -213,18 +218,22 @@ impl Proved for Parabolic {
                 let forces = [rows.e11_us, rows.e11_u1, rows.e11_u2, rows.e11_u3].map(|row| row * i.lambda);
                 follows(&Self::eval(i).matrix(), i.places(), forces)
             }),
-            Law::<Self>::new("with the midside node in the middle, half of its part is that of each end of the straight segment", |i| {
-                let half = Octuple::from(0.5);
-                let curved = Self::eval(&ParabolicTouch { x2: (i.x1 + i.x3) * half, ..*i }).matrix();
-                let straight = LinearTouch { x1: i.x1, x2: i.x3, g: i.g, separation: i.separation, lambda: i.lambda };
-                let share = SMatrix::<Octuple, 8, 6>::from_fn(|row, column| {
-                    let of = |parts: [f64; 4]| Octuple::from(parts[row / 2]);
-                    let parts = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.5, 0.0], [0.0, 0.0, 0.5, 1.0]];
-                    if row % 2 == column % 2 { of(parts[column / 2]) } else { Octuple::zero() }
-                });
-                let expected = Linear::eval(&straight).matrix();
-                equal(&(share.transpose() * curved * share), &expected, size(&curved))
-            }),
+            Law::<Self>::new(
+                "with the midside node in the middle, half of its part is that of each end of the straight segment",
+                |i| {
+                    let half = Octuple::from(0.5);
+                    let curved = Self::eval(&ParabolicTouch { x2: (i.x1 + i.x3) * half, ..*i }).matrix();
+                    let straight =
+                        LinearTouch { x1: i.x1, x2: i.x3, g: i.g, separation: i.separation, lambda: i.lambda };
+                    let share = SMatrix::<Octuple, 8, 6>::from_fn(|row, column| {
+                        let of = |parts: [f64; 4]| Octuple::from(parts[row / 2]);
+                        let parts = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.5, 0.0], [0.0, 0.0, 0.5, 1.0]];
+                        if row % 2 == column % 2 { of(parts[column / 2]) } else { Octuple::zero() }
+                    });
+                    let expected = Linear::eval(&straight).matrix();
+                    equal(&(share.transpose() * curved * share), &expected, size(&curved))
+                },
+            ),
         ]
     }
 }
