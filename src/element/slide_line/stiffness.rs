@@ -234,7 +234,9 @@ impl<D: Scalar> LinearStiffness<D> {
         let mut all = Matrix6::zeros();
         let Self { k_us_u1, k_u1_u1, k_u1_u2, k_u2_u2 } = self;
         let blocks = [(0, 1, *k_us_u1), (0, 2, -k_us_u1), (1, 1, *k_u1_u1), (1, 2, *k_u1_u2), (2, 2, *k_u2_u2)];
-        blocks.iter().for_each(|(row, column, block)| place(&mut all, *row, *column, block));
+        for (row, column, block) in &blocks {
+            place(&mut all, *row, *column, block);
+        }
         all
     }
 }
@@ -246,8 +248,12 @@ impl<D: Scalar> ParabolicStiffness<D> {
         let of_slave = [self.k_us_us, self.k_us_u1, self.k_us_u2, self.k_us_u3];
         let of_nodes = [self.k_u1_u1, self.k_u1_u2, self.k_u1_u3, self.k_u2_u2, self.k_u2_u3, self.k_u3_u3];
         let places = [(1, 1), (1, 2), (1, 3), (2, 2), (2, 3), (3, 3)];
-        of_slave.iter().enumerate().for_each(|(k, block)| place(&mut all, 0, k, block));
-        of_nodes.iter().zip(places).for_each(|(block, (row, column))| place(&mut all, row, column, block));
+        for (k, block) in of_slave.iter().enumerate() {
+            place(&mut all, 0, k, block);
+        }
+        for (block, (row, column)) in of_nodes.iter().zip(places) {
+            place(&mut all, row, column, block);
+        }
         all
     }
 }
