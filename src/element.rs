@@ -18,6 +18,7 @@
 
 pub mod align;
 mod assembly;
+mod chain;
 pub mod join;
 #[cfg(feature = "verify")]
 mod motion;
@@ -25,6 +26,7 @@ pub mod newton;
 pub mod offset;
 mod products;
 pub mod rotation;
+pub mod slide_line;
 pub mod slider;
 pub mod slider_plane;
 pub mod slot;

@@ -19,11 +19,12 @@ mod corners;
 mod line;
 mod plane;
 mod points;
-mod shape;
+pub(crate) mod shape;
 mod slip;
 mod torque;
 
 pub use area::{ContactAreaLinear, ContactAreaParabolic, LinearNodes, ParabolicNodes, ThreeAreas, TwoAreas};
+pub(crate) use basis::length_and_tangent;
 pub use basis::{Basis, Direction, LocalBasis};
 pub use closest::{
     ClosestLinear, ClosestParabolic, ClosestSmoothedLinear, ClosestSmoothedParabolic, CornerFoot, LinearCornerSlave,
@@ -31,9 +32,11 @@ pub use closest::{
 };
 pub use corners::{LinearCornerPlace, ParabolicCornerPlace, SmoothedLinearPoint, SmoothedParabolicPoint};
 pub use line::{ClosestPoint, Interpolation, Nodes, OverclosureVariation, Place, PlacedLine, SlideLine};
-pub(crate) use line::{Foot, check_position};
+pub(crate) use line::{Foot, check_position, gauss};
+pub(crate) use points::check_tangent;
 pub use points::{CurvePoint, LinearPlace, LinearPoint, ParabolicPlace, ParabolicPoint};
+pub(crate) use shape::Sides;
 pub use slip::{LinearMotion, ParabolicMotion, Slip, SlipIncrementLinear, SlipIncrementParabolic};
 pub use torque::{LinearPressures, ParabolicPressures, Torque, TorqueLinear, TorqueParabolic};
 
-use plane::{check_distinct, check_radii, left, length};
+pub(crate) use plane::{check_distinct, check_radii, left, length};

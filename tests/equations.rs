@@ -28,6 +28,7 @@ const EQUIVALENT: &[(&str, &str, &str)] = &[
     ("slider.basis", "/ →  at 166", "|n×k| is 1 wherever n×i is 0, since n is a unit vector"),
     ("interaction.damping", "c_0 → h at 92", "the first case has taken −h ≤ η c0 already"),
     ("slider.rows", r"\mathbf{t}_q → \mathbf{g}_{q,um} at 75", "the row of m is t_q"),
+    ("slide_line.contact_response_linear", "1 → 2 at 615", "both nodes are on the line to which n is normal"),
     ("slider.rows_2d", r"\mathbf{t} → \mathbf{g}_{um} at 69", "the row of m is t"),
 ];
 

@@ -15,6 +15,7 @@
 //! the matrix is not symmetric.
 
 mod align;
+mod contact;
 mod join;
 mod slider;
 mod slot;
@@ -25,6 +26,7 @@ mod universal;
 mod unknowns;
 
 pub use align::AlignElement;
+pub use contact::{Isl21a, Isl22a, LineContact, OnLine, Pressed, PressureLaw, SlaveState};
 pub use join::JoinElement;
 pub use slider::{SliderElement, SliderElement2d};
 pub use slot::{SlotContact, SlotElement};

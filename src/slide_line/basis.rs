@@ -65,7 +65,7 @@ impl Formula for LocalBasis {
 
 /// |v| and v/|v|.
 #[inline]
-pub(super) fn length_and_tangent<D: Scalar>(v: Vector2<D>) -> (D, Vector2<D>) {
+pub(crate) fn length_and_tangent<D: Scalar>(v: Vector2<D>) -> (D, Vector2<D>) {
     let (length, [x, y]) = norm_and_direction([v.x, v.y]);
     (length, Vector2::new(x, y))
 }

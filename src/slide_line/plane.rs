@@ -13,13 +13,13 @@ pub(crate) fn left<D: Scalar>(v: Vector2<D>) -> Vector2<D> {
 
 /// The length of a vector.
 #[inline]
-pub(super) fn length<D: Scalar>(v: Vector2<D>) -> D {
+pub(crate) fn length<D: Scalar>(v: Vector2<D>) -> D {
     norm([v.x, v.y])
 }
 
 /// Checks that the named points are all at different places.
 #[inline]
-pub(super) fn check_distinct<D: Scalar, const N: usize>(points: [(&'static str, Vector2<D>); N]) -> Result<(), Error> {
+pub(crate) fn check_distinct<D: Scalar, const N: usize>(points: [(&'static str, Vector2<D>); N]) -> Result<(), Error> {
     for (k, &a) in points.iter().enumerate() {
         for &b in &points[k + 1..] {
             Error::check_apart(a, b)?;
@@ -30,7 +30,7 @@ pub(super) fn check_distinct<D: Scalar, const N: usize>(points: [(&'static str, 
 
 /// Checks that the named points are not left of the axis of revolution.
 #[inline]
-pub(super) fn check_radii<D: Scalar, const N: usize>(points: [(&'static str, Vector2<D>); N]) -> Result<(), Error> {
+pub(crate) fn check_radii<D: Scalar, const N: usize>(points: [(&'static str, Vector2<D>); N]) -> Result<(), Error> {
     let left = points.iter().find(|(_, x)| x.x < 0.0);
     left.map_or(Ok(()), |&(name, x)| Error::check(name, Some(0), x.x.re(), Domain::NonNegative))
 }

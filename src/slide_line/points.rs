@@ -3,7 +3,9 @@
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 
+use super::check_distinct;
 use super::shape::{self, Sides};
+use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec, along};
 use crate::quantity::{CURVE, CURVE_RATE, SEGMENT_G, X1, X2, X3};
@@ -101,4 +103,13 @@ impl Formula for ParabolicPoint {
         let rate = |k| ParabolicPlace { x1: along(k, r1), x2: along(k, r2), x3: along(k, r3), g: second[k] };
         (point, CurvePoint { x: Vector2::new(x(0), x(1)), dx: Vector2::new(rate(0), rate(1)) })
     }
+}
+
+/// Checks that a parabolic segment has a tangent at a place, and no two nodes at one.
+#[inline]
+pub(crate) fn check_tangent<D: Scalar>(nodes: [Vector2<D>; 3], g: D) -> Result<(), Error> {
+    let [x1, x2, x3] = nodes;
+    check_distinct([("x1", x1), ("x2", x2), ("x3", x3)])?;
+    let rate = Sides::new(nodes).rate(g);
+    if rate.x == 0.0 && rate.y == 0.0 { Err(Error::NoTangent { coordinate: "g", value: g.re() }) } else { Ok(()) }
 }

@@ -44,18 +44,18 @@ pub(super) trait Shape<const N: usize> {
 
 /// The differences of the nodes of a parabola, of which its derivatives are made.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Sides<D> {
+pub(crate) struct Sides<D> {
     /// x2 − x1.
-    pub(super) before: Vector2<D>,
+    pub(crate) before: Vector2<D>,
     /// x3 − x2.
-    pub(super) after: Vector2<D>,
+    pub(crate) after: Vector2<D>,
     /// x3 − x1.
-    pub(super) chord: Vector2<D>,
+    pub(crate) chord: Vector2<D>,
 }
 
 impl<D: Scalar> Sides<D> {
     #[inline]
-    pub(super) fn new([x1, x2, x3]: [Vector2<D>; 3]) -> Self {
+    pub(crate) fn new([x1, x2, x3]: [Vector2<D>; 3]) -> Self {
         Self { before: x2 - x1, after: x3 - x2, chord: x3 - x1 }
     }
 
@@ -64,7 +64,7 @@ impl<D: Scalar> Sides<D> {
     /// The first form near the midside node, the second elsewhere: then no node has a weight much above its own, and
     /// its rounding does no harm where it hardly matters.
     #[inline]
-    pub(super) fn rate(&self, g: D) -> Vector2<D> {
+    pub(crate) fn rate(&self, g: D) -> Vector2<D> {
         let rate = || {
             if g < 0.25 && g > -0.25 {
                 self.chord * D::from(0.5) + self.second_derivative() * g
@@ -77,13 +77,13 @@ impl<D: Scalar> Sides<D> {
 
     /// X″.
     #[inline]
-    pub(super) fn second_derivative(&self) -> Vector2<D> {
+    pub(crate) fn second_derivative(&self) -> Vector2<D> {
         self.after - self.before
     }
 
     /// n·X″ = before × after / |X′|, with the chord in place of a longer side behind the midside node.
     #[inline]
-    pub(super) fn turn(&self, speed: D) -> D {
+    pub(crate) fn turn(&self, speed: D) -> D {
         let size = |v: Vector2<D>| abs(v.x) + abs(v.y);
         let other = if size(self.chord) < size(self.after) { &self.chord } else { &self.after };
         (self.before / speed).perp(other)
@@ -92,7 +92,7 @@ impl<D: Scalar> Sides<D> {
 
 /// Weights of x1, x2 on a straight segment.
 #[inline]
-pub(super) fn linear<D: Scalar>(g: D) -> [D; 2] {
+pub(crate) fn linear<D: Scalar>(g: D) -> [D; 2] {
     [(-g + 1.0) * 0.5, (g + 1.0) * 0.5]
 }
 
@@ -133,14 +133,14 @@ fn on_tangent<D: Scalar>(xs: Vector2<D>, nodes: &[Vector2<D>; 3], g: D, [left, m
 
 /// Weights of x1, x2, x3 on a parabola.
 #[inline]
-pub(super) fn parabolic<D: Scalar>(g: D) -> [D; 3] {
+pub(crate) fn parabolic<D: Scalar>(g: D) -> [D; 3] {
     let half = g * 0.5;
     [half * (g - 1.0), (-g + 1.0) * (g + 1.0), half * (g + 1.0)]
 }
 
 /// Their derivatives.
 #[inline]
-pub(super) fn parabolic_rates<D: Scalar>(g: D) -> [D; 3] {
+pub(crate) fn parabolic_rates<D: Scalar>(g: D) -> [D; 3] {
     [g - 0.5, g * -2.0, g + 0.5]
 }
 
@@ -298,7 +298,7 @@ pub(super) fn combination<D: Scalar, const N: usize>(nodes: &[Vector2<D>; N], we
 }
 
 /// xs − Σ wᵢ xᵢ for weights that add up to 1.
-pub(super) fn gap<D: Scalar, const N: usize>(xs: Vector2<D>, nodes: &[Vector2<D>; N], weights: [D; N]) -> Vector2<D> {
+pub(crate) fn gap<D: Scalar, const N: usize>(xs: Vector2<D>, nodes: &[Vector2<D>; N], weights: [D; N]) -> Vector2<D> {
     let base = heaviest(nodes, weights);
     nodes.iter().zip(weights).fold(xs - base, |gap, (x, w)| gap - (x - base) * w)
 }

@@ -7,7 +7,7 @@ use super::basis::LocalBasis;
 use super::basis::length_and_tangent;
 use super::points::{LinearPoint, ParabolicPoint};
 use super::shape::{self, Sides};
-use super::{check_distinct, left};
+use super::{check_distinct, check_tangent, left};
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec};
@@ -151,8 +151,6 @@ impl Formula for SlipIncrementParabolic {
 
     #[inline]
     fn validate<D: Scalar>(i: &ParabolicMotion<D>) -> Result<(), Error> {
-        check_distinct([("x1", i.x1), ("x2", i.x2), ("x3", i.x3)])?;
-        let rate = Self::sides(i).rate(i.g);
-        if rate.x == 0.0 && rate.y == 0.0 { Err(Error::NoTangent { coordinate: "g", value: i.g.re() }) } else { Ok(()) }
+        check_tangent([i.x1, i.x2, i.x3], i.g)
     }
 }

@@ -5,7 +5,7 @@ mod proof;
 
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Finite, Formula, Given, Jacobian, Spec};
+use crate::formula::{Component, Document, Fields, Finite, Formula, Given, Jacobian, Spec, ValueAndJacobian};
 use crate::quantity::{SEGMENT_G, SEPARATION, X1, X2, XS};
 use crate::scalar::Scalar;
 use crate::slide_line::basis::LocalBasis;
@@ -59,28 +59,59 @@ impl<D: Scalar> Projection<D> {
         f64::from(n1 <= 0.0) - f64::from(n2 <= 0.0)
     }
 
+    /// On the whole line, past the ends of the segment too.
+    #[inline]
+    fn foot_on_line(&self) -> SegmentFoot<D> {
+        let [n1, n2] = self.weights;
+        // From the smaller weight, which keeps g between the ends: the rounded weights do not add up to 1.
+        let g = if n1 > n2 { n2 * 2.0 - 1.0 } else { -(n1 * 2.0) + 1.0 };
+        SegmentFoot { g, separation: self.separation }
+    }
+
     #[inline]
     fn foot(&self) -> SegmentFoot<D> {
-        let ([n1, n2], end) = (self.weights, self.end());
-        // From the smaller weight, which keeps g between the ends: the rounded weights do not add up to 1.
-        let inside = if n1 > n2 { n2 * 2.0 - 1.0 } else { -(n1 * 2.0) + 1.0 };
-        SegmentFoot { g: if end == 0.0 { inside } else { D::from(end) }, separation: self.separation }
+        let (on_line, end) = (self.foot_on_line(), self.end());
+        if end == 0.0 { on_line } else { SegmentFoot { g: D::from(end), ..on_line } }
+    }
+
+    #[inline]
+    fn gradients(&self) -> SegmentFoot<LinearSlave<D>> {
+        if self.end() == 0.0 {
+            return self.gradients_on_line();
+        }
+        SegmentFoot { g: LinearSlave::filled(D::zero()), separation: self.gradient_of_separation() }
+    }
+
+    #[inline]
+    fn gradient_of_separation(&self) -> LinearSlave<D> {
+        let ([n1, n2], n) = (self.weights, left(self.t));
+        LinearSlave { xs: n, x1: n * -n1, x2: n * -n2 }
     }
 
     /// ∂g/∂xs = 2t/ℓ, and a turn of the segment moves the foot by the separation.
     #[inline]
-    fn gradients(&self) -> SegmentFoot<LinearSlave<D>> {
-        let [n1, n2] = self.weights;
-        let n = left(self.t);
-        let separation = LinearSlave { xs: n, x1: n * -n1, x2: n * -n2 };
-        if self.end() != 0.0 {
-            return SegmentFoot { g: LinearSlave::filled(D::zero()), separation };
-        }
+    fn gradients_on_line(&self) -> SegmentFoot<LinearSlave<D>> {
+        let ([n1, n2], n) = (self.weights, left(self.t));
         let rate = self.per_length * 2.0;
         let along = self.t * rate;
         let across = n * (self.separation * self.per_length * rate);
         let g = LinearSlave { xs: along, x1: along * -n1 - across, x2: across - along * n2 };
-        SegmentFoot { g, separation }
+        SegmentFoot { g, separation: self.gradient_of_separation() }
+    }
+}
+
+impl ClosestLinear {
+    /// Value and Jacobian of the closest point of the whole line, past the ends of the segment too.
+    #[inline]
+    pub(crate) fn on_line<D: Scalar>(i: &LinearSlave<D>) -> ValueAndJacobian<Self, D> {
+        let projection = Projection::new(i);
+        (projection.foot_on_line(), projection.gradients_on_line())
+    }
+
+    /// The weights of the nodes there, each in all its digits; their derivatives are ∓½ those of g.
+    #[inline]
+    pub(crate) fn weights_on_line<D: Scalar>(i: &LinearSlave<D>) -> [D; 2] {
+        Projection::new(i).weights
     }
 }
 

@@ -15,3 +15,4 @@ pub(crate) use nodes::check_position;
 pub(crate) use place::Foot;
 pub use place::{ClosestPoint, OverclosureVariation, Place};
 pub use placed::PlacedLine;
+pub(crate) use way::gauss;

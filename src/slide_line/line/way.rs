@@ -112,7 +112,7 @@ fn turn<D: Scalar>(first: Vector2<D>, last: Vector2<D>) -> f64 {
 }
 
 /// Places from −1 to 1 and weights of Gauss's rule of five points.
-fn gauss<D: Scalar>() -> [[D; 2]; 5] {
+pub(crate) fn gauss<D: Scalar>() -> [[D; 2]; 5] {
     let root = |x: D| x.sqrt();
     let (by_places, by_weights) = (root(D::from(10.0) / 7.0) * 2.0, root(D::from(70.0)) * 13.0);
     let [near, far] = [-by_places + 5.0, by_places + 5.0].map(|square| root(square) / 3.0);

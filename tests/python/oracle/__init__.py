@@ -11,7 +11,7 @@ hundreds of digits are right.
     0.6
 """
 
-from . import elements, interaction, slide_line, slider, slot, translator, ujoint  # noqa: F401  (importing fills CATALOG)
+from . import contact, elements, interaction, slide_line, slider, slot, translator, ujoint  # noqa: F401  (importing fills CATALOG)
 from .core import CATALOG, Ambiguous, OutsideDomain, evaluate, jacobian, kinks
 
 __all__ = ["CATALOG", "Ambiguous", "OutsideDomain", "evaluate", "jacobian", "kinks"]

@@ -1,0 +1,134 @@
+//! The chain rule: numbers with their derivatives by K others, and what formulas make of them.
+//!
+//! What is composed of formulas has the derivative that is composed of theirs, closed form by closed form.
+
+use crate::formula::{Component, Fields, Formula, ValueAndJacobian};
+use crate::scalar::Scalar;
+use nalgebra::SVector;
+use std::ops::{Add, Mul, Neg};
+
+/// A number, and its derivatives by K others.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Term<D, const K: usize> {
+    pub(super) value: D,
+    pub(super) slope: SVector<D, K>,
+}
+
+impl<D: Scalar, const K: usize> Term<D, K> {
+    /// A number with these derivatives.
+    #[inline]
+    pub(super) fn new(value: D, slope: SVector<D, K>) -> Self {
+        Self { value, slope }
+    }
+
+    /// A number that does not change.
+    #[inline]
+    pub(super) fn constant(value: D) -> Self {
+        Self::new(value, SVector::from_element(D::zero()))
+    }
+
+    /// The k-th of the numbers by which derivatives are taken.
+    #[inline]
+    pub(super) fn variable(value: D, k: usize) -> Self {
+        Self::new(value, SVector::from_fn(|j, _| if j == k { D::one() } else { D::zero() }))
+    }
+}
+
+impl<D: Scalar, const K: usize> Add for Term<D, K> {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self::new(self.value + other.value, self.slope + other.slope)
+    }
+}
+
+impl<D: Scalar, const K: usize> Mul for Term<D, K> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        Self::new(self.value * other.value, self.slope * other.value + other.slope * self.value)
+    }
+}
+
+impl<D: Scalar, const K: usize> Neg for Term<D, K> {
+    type Output = Self;
+    #[inline]
+    fn neg(self) -> Self {
+        Self::new(-self.value, -self.slope)
+    }
+}
+
+/// The components of a struct, in an array made for them.
+#[inline]
+fn components<T: Component, X: Fields<T>>(x: &X, filler: T) -> X::Array {
+    let mut all = X::array_of(filler);
+    let mut places = all.as_mut().iter_mut();
+    x.for_each_component(&mut |component| {
+        *places.next().expect("an array has as many components as it was made for") = component;
+    });
+    all
+}
+
+/// The struct of these components.
+#[inline]
+fn from<T: Component, X: Fields<T>>(components: impl IntoIterator<Item = T>) -> X {
+    let mut all = components.into_iter();
+    X::from_components(&mut || all.next().expect("there are as many components as the struct has"))
+}
+
+/// The Jacobian of outputs, where the K numbers are the inputs in order.
+#[inline]
+pub(super) fn gradients<D, I, X, Y, const K: usize>(outputs: &X) -> Y
+where
+    D: Scalar,
+    I: Fields<D>,
+    X: Fields<Term<D, K>>,
+    Y: Fields<I>,
+{
+    let terms = components(outputs, Term::constant(D::zero()));
+    from(terms.as_ref().iter().map(|term| from(term.slope.iter().copied())))
+}
+
+/// What a formula gives at such numbers, from its value and its Jacobian at their values.
+#[inline]
+pub(super) fn through<F: Formula, D: Scalar, const K: usize>(
+    i: &F::Inputs<Term<D, K>>,
+    linearized: impl FnOnce(&F::Inputs<D>) -> ValueAndJacobian<F, D>,
+) -> F::Outputs<Term<D, K>> {
+    let terms = components(i, Term::constant(D::zero()));
+    let (value, by) = linearized(&from(terms.as_ref().iter().map(|term| term.value)));
+    let value = components(&value, D::zero());
+    let gradients = components(&by, F::Inputs::<D>::filled(D::zero()));
+    let slope = |gradient: &F::Inputs<D>| {
+        let parts = components(gradient, D::zero());
+        let pairs = parts.as_ref().iter().zip(terms.as_ref());
+        pairs.fold(SVector::from_element(D::zero()), |slope: SVector<D, K>, (&part, term)| slope + term.slope * part)
+    };
+    from(value.as_ref().iter().zip(gradients.as_ref()).map(|(&value, gradient)| Term::new(value, slope(gradient))))
+}
+
+/// The inputs of a formula, by all of which derivatives are taken.
+#[inline]
+pub(super) fn variables<const K: usize, D: Scalar, X: Fields<D>, Y: Fields<Term<D, K>>>(inputs: &X) -> Y {
+    let values = components(inputs, D::zero());
+    from(values.as_ref().iter().enumerate().map(|(k, &value)| Term::variable(value, k)))
+}
+
+/// A formula of such numbers.
+#[inline]
+pub(super) fn chain<F: Formula, D: Scalar, const K: usize>(i: &F::Inputs<Term<D, K>>) -> F::Outputs<Term<D, K>> {
+    through::<F, D, K>(i, F::linearized)
+}
+
+/// The struct of other numbers that are made of these one by one.
+#[inline]
+pub(super) fn each<A, B, X, Y>(x: &X, filler: A, of: impl Fn(A) -> B) -> Y
+where
+    A: Component,
+    B: Component,
+    X: Fields<A>,
+    Y: Fields<B>,
+{
+    let all = components(x, filler);
+    from(all.as_ref().iter().map(|&component| of(component)))
+}
