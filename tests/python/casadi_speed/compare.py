@@ -123,7 +123,7 @@ def prepared(options: argparse.Namespace) -> list[Row]:
 
     folder = options.out.resolve()
     folder.mkdir(parents=True, exist_ok=True)
-    exported, rows = Exported.made(options.xtask, folder / "export"), []
+    exported, rows = Exported.made(options.xtask, options.filter, folder / "export"), []
     for id, entry in sorted(CATALOG.items()):
         if id in ITERATIVE or not fnmatch.fnmatch(id, options.filter):
             continue

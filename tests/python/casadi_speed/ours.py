@@ -26,8 +26,8 @@ class Exported:
     library: ctypes.CDLL
 
     @classmethod
-    def made(cls, xtask: str, folder: Path) -> Exported:
-        run(xtask, "export", "--lang", "c", "--out", folder)
+    def made(cls, xtask: str, filter: str, folder: Path) -> Exported:
+        run(xtask, "export", "--lang", "c", "--filter", filter, "--out", folder)
         library = folder / "all.so"
         sources = sorted(folder.glob("jp_*.c"))
         command = [compilers()[0], "-std=c99", "-O2", "-ffp-contract=off", *FLAGS, "-o", library, *sources, "-lm"]
