@@ -72,7 +72,8 @@ impl<D: Scalar> Turns<D> {
     #[inline]
     fn row_gradients(&self, n: usize) -> [Triads<D>; 3] {
         let [by_e3b, by_e1a] = cross_gradient(&self.e3b, &self.e1a, n);
-        let second = self.by_arms([by_e1a * self.slope, by_e3b * self.slope], self.by_sine() * self.node_line()[n]);
+        let second =
+            self.by_arms([by_e1a.times(self.slope), by_e3b.times(self.slope)], self.by_sine() * self.node_line()[n]);
         [of_first(self.first.row_gradient(n)), second, of_third(self.third.row_gradient(n).map(|v| -v))]
     }
 
@@ -95,12 +96,14 @@ impl<D: Scalar> Turns<D> {
     #[inline]
     fn second_curvature_gradient(&self, r: usize, c: usize) -> Triads<D> {
         let Self { e1a, e3b, sine, slope, .. } = self;
-        let (n, by_n) = (self.node_line(), |k: usize| cross_gradient(e3b, e1a, k));
+        let (n, by_n) = (self.node_line(), |k: usize| cross_gradient(e3b, e1a, k).map(|v| v.dense()));
         let ([b_r, a_r], [b_c, a_c]) = (by_n(r), by_n(c));
         let [by_b, by_a] = double_cross_gradient(e3b, e1a, r, c);
         let (by_sine, cube) = (self.by_sine(), *slope * *slope * *slope);
-        let by_both =
-            [by_a * *slope + (a_r * n[c] + a_c * n[r]) * by_sine, by_b * *slope + (b_r * n[c] + b_c * n[r]) * by_sine];
+        let by_both = [
+            by_a.times(*slope) + (a_r * n[c] + a_c * n[r]) * by_sine,
+            by_b.times(*slope) + (b_r * n[c] + b_c * n[r]) * by_sine,
+        ];
         let again = cube + *sine * *slope * *slope * by_sine * 3.0;
         self.by_arms(by_both, double_cross(e3b, e1a)[(r, c)] * by_sine + n[r] * n[c] * again)
     }

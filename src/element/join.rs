@@ -4,7 +4,8 @@
 pub(super) mod proof;
 
 use super::products::{
-    cross_gradient, double_cross, double_cross_gradient, skew, skew_gradient, symmetric, symmetric_gradient,
+    Sparse, column, cross_gradient, double_cross, double_cross_gradient, matrix, skew, skew_gradient, symmetric,
+    symmetric_gradient,
 };
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec, along};
@@ -41,7 +42,7 @@ impl Formula for Rows {
     type Inputs<T: Component> = Positions<T>;
     type Outputs<T: Component> = JoinRows<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &Positions<D>) -> JoinRows<D> {
         let d = i.xb - i.xa;
         JoinRows {
@@ -57,20 +58,28 @@ impl Formula for Rows {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &Positions<D>) -> Jacobian<Self, D> {
+        JoinRows::gradients(i, |gradient| gradient)
+    }
+}
+
+impl<I: Component> JoinRows<I> {
+    /// The gradients, as they are written where there are more inputs.
+    #[inline(always)]
+    pub(super) fn gradients<D: Scalar>(i: &Positions<D>, written: impl Fn(Positions<D>) -> I) -> Self {
         let zero = Positions::filled(D::zero());
         let with = |axis: usize, e: Vector3<D>| match axis {
             0 => Positions { e1a: e, ..zero },
             1 => Positions { e2a: e, ..zero },
             _ => Positions { e3a: e, ..zero },
         };
-        let of_axis = |axis: usize, sign: D| Vector3::from_fn(|k, _| with(axis, along(k, sign)));
+        let of_axis = |axis: usize, sign: D| column(|k| written(with(axis, along(k, sign))));
         let d = i.xb - i.xa;
         let moment = |axis: usize, e: &Vector3<D>| {
-            Vector3::from_fn(|k, _| {
+            column(|k| {
                 let [by_e, by_d] = cross_gradient(e, &d, k);
-                Positions { xa: -by_d, xb: by_d, ..with(axis, by_e) }
+                written(Positions { xa: by_d.negative(), xb: by_d.dense(), ..with(axis, by_e.dense()) })
             })
         };
         let one = D::one();
@@ -102,30 +111,50 @@ fields! {
 
 impl<D: Scalar> JoinLoads<D> {
     /// The force on b.
-    #[inline]
+    #[inline(always)]
     pub(super) fn force(&self) -> Vector3<D> {
         self.e1a * self.f1 + self.e2a * self.f2 + self.e3a * self.f3
     }
 
     /// From a to b.
-    #[inline]
+    #[inline(always)]
     pub(super) fn arm(&self) -> Vector3<D> {
         self.xb - self.xa
     }
 
     /// The gradient of something by what it is made of, the force on b and the vector from a to b, by the inputs.
-    #[inline]
-    pub(super) fn gradient(&self, by_force: &Vector3<D>, by_arm: &Vector3<D>) -> Self {
+    #[inline(always)]
+    pub(super) fn gradient(&self, by_force: &Sparse<D>, by_arm: &Sparse<D>) -> Self {
         Self {
-            e1a: by_force * self.f1,
-            e2a: by_force * self.f2,
-            e3a: by_force * self.f3,
-            xa: -by_arm,
-            xb: *by_arm,
-            f1: self.e1a.dot(by_force),
-            f2: self.e2a.dot(by_force),
-            f3: self.e3a.dot(by_force),
+            e1a: by_force.times(self.f1),
+            e2a: by_force.times(self.f2),
+            e3a: by_force.times(self.f3),
+            xa: by_arm.negative(),
+            xb: by_arm.dense(),
+            f1: by_force.dot(&self.e1a),
+            f2: by_force.dot(&self.e2a),
+            f3: by_force.dot(&self.e3a),
         }
+    }
+
+    /// The gradient of an entry of f × I.
+    #[inline(always)]
+    pub(super) fn of_force(&self, row: usize, column: usize) -> Self {
+        self.gradient(&skew_gradient(row, column), &Sparse::none())
+    }
+
+    /// The gradient of an entry of f ⊗ d − (f·d) I.
+    #[inline(always)]
+    pub(super) fn of_turn(&self, row: usize, column: usize) -> Self {
+        let [by_force, by_arm] = double_cross_gradient(&self.force(), &self.arm(), row, column);
+        self.gradient(&by_force, &by_arm)
+    }
+
+    /// The same, of its symmetric part.
+    #[inline(always)]
+    pub(super) fn of_symmetric_turn(&self, row: usize, column: usize) -> Self {
+        let [by_force, by_arm] = symmetric_gradient(&self.force(), &self.arm(), row, column);
+        self.gradient(&by_force, &by_arm)
     }
 }
 
@@ -145,18 +174,18 @@ impl Formula for Forces {
     type Inputs<T: Component> = JoinLoads<T>;
     type Outputs<T: Component> = JoinForces<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &JoinLoads<D>) -> JoinForces<D> {
         let f = i.force();
         JoinForces { fa: -f, ma: f.cross(&i.arm()), fb: f }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &JoinLoads<D>) -> Jacobian<Self, D> {
         let (f, d) = (i.force(), i.arm());
         let (none, one) = (Vector3::from_element(D::zero()), D::one());
         let force = |sign: D| {
-            Vector3::from_fn(|k, _| JoinLoads {
+            column(|k| JoinLoads {
                 e1a: along(k, i.f1 * sign),
                 e2a: along(k, i.f2 * sign),
                 e3a: along(k, i.f3 * sign),
@@ -171,7 +200,7 @@ impl Formula for Forces {
             let [by_force, by_arm] = cross_gradient(&f, &d, k);
             i.gradient(&by_force, &by_arm)
         };
-        JoinForces { fa: force(-one), ma: Vector3::from_fn(|k, _| moment(k)), fb: force(one) }
+        JoinForces { fa: force(-one), ma: column(|k| moment(k)), fb: force(one) }
     }
 }
 
@@ -198,21 +227,17 @@ impl Formula for GeometricStiffness {
     type Inputs<T: Component> = JoinLoads<T>;
     type Outputs<T: Component> = JoinStiffness<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &JoinLoads<D>) -> JoinStiffness<D> {
         let f = i.force();
         JoinStiffness { k_ua_ta: skew(&f), k_ta_ta: double_cross(&f, &i.arm()) }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &JoinLoads<D>) -> Jacobian<Self, D> {
-        let (f, d, none) = (i.force(), i.arm(), Vector3::from_element(D::zero()));
         JoinStiffness {
-            k_ua_ta: Matrix3::from_fn(|row, column| i.gradient(&skew_gradient(row, column), &none)),
-            k_ta_ta: Matrix3::from_fn(|row, column| {
-                let [by_force, by_arm] = double_cross_gradient(&f, &d, row, column);
-                i.gradient(&by_force, &by_arm)
-            }),
+            k_ua_ta: matrix(|row, column| i.of_force(row, column)),
+            k_ta_ta: matrix(|row, column| i.of_turn(row, column)),
         }
     }
 }
@@ -238,13 +263,13 @@ impl Formula for SymmetricStiffness {
     type Inputs<T: Component> = JoinLoads<T>;
     type Outputs<T: Component> = JoinSymmetric<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &JoinLoads<D>) -> JoinSymmetric<D> {
         JoinSymmetric { s_ta_ta: symmetric(&GeometricStiffness::eval(i).k_ta_ta) }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &JoinLoads<D>) -> Jacobian<Self, D> {
-        JoinSymmetric { s_ta_ta: symmetric_gradient(&GeometricStiffness::jacobian(i).k_ta_ta) }
+        JoinSymmetric { s_ta_ta: matrix(|row, column| i.of_symmetric_turn(row, column)) }
     }
 }

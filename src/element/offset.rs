@@ -6,7 +6,7 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::products::{cross_gradient, double_cross, double_cross_gradient};
+use super::products::{column, cross_gradient, double_cross, double_cross_gradient, matrix};
 use super::{Forces, Rows, Stiffness};
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec, along};
@@ -48,12 +48,12 @@ impl Formula for Arm {
     fn jacobian<D: Scalar>(i: &ArmLoads<D>) -> Jacobian<Self, D> {
         let none = ArmLoads::filled(D::zero());
         ArmActions {
-            m_node: Vector3::from_fn(|k, _| {
-                let [r, f] = cross_gradient(&i.r, &i.f, k);
+            m_node: column(|k| {
+                let [r, f] = cross_gradient(&i.r, &i.f, k).map(|v| v.dense());
                 ArmLoads { r, f, m: along(k, D::one()) }
             }),
-            k_arm: Matrix3::from_fn(|row, column| {
-                let [r, f] = double_cross_gradient(&i.r, &i.f, row, column);
+            k_arm: matrix(|row, column| {
+                let [r, f] = double_cross_gradient(&i.r, &i.f, row, column).map(|v| v.dense());
                 ArmLoads { r, f, ..none }
             }),
         }

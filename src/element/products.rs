@@ -1,37 +1,87 @@
 //! Products of vectors and their gradients.
 
-use crate::formula::Fields;
+#![expect(clippy::inline_always, reason = "zeros are left out where the compiler sees the indices")]
+
+use crate::formula::Component;
 use crate::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
 
+/// A vector of which most components are zero whatever the inputs: these are not computed with.
+#[derive(Clone, Copy)]
+pub(super) struct Sparse<D>([Option<D>; 3]);
+
+impl<D: Scalar> Sparse<D> {
+    #[inline(always)]
+    pub(super) fn none() -> Self {
+        Self([None; 3])
+    }
+
+    /// With a component, also.
+    #[inline(always)]
+    pub(super) fn with(mut self, axis: usize, value: D) -> Self {
+        self.0[axis] = Some(value);
+        self
+    }
+
+    #[inline(always)]
+    fn map(self, f: impl Fn(D) -> D) -> Self {
+        let [x, y, z] = self.0;
+        Self([x.map(&f), y.map(&f), z.map(&f)])
+    }
+
+    #[inline(always)]
+    pub(super) fn dense(&self) -> Vector3<D> {
+        column(|k| self.0[k].unwrap_or_else(D::zero))
+    }
+
+    #[inline(always)]
+    pub(super) fn times(&self, factor: D) -> Vector3<D> {
+        self.map(|x| x * factor).dense()
+    }
+
+    #[inline(always)]
+    pub(super) fn negative(&self) -> Vector3<D> {
+        self.map(|x| -x).dense()
+    }
+
+    #[inline(always)]
+    pub(super) fn dot(&self, v: &Vector3<D>) -> D {
+        let term = |k: usize| self.0[k].map(|x| x * v[k]);
+        let sum = |a: Option<D>, b: Option<D>| match (a, b) {
+            (Some(a), Some(b)) => Some(a + b),
+            (a, b) => a.or(b),
+        };
+        sum(sum(term(0), term(1)), term(2)).unwrap_or_else(D::zero)
+    }
+}
+
 /// The gradients of the k-th component of a × b: by a, and by b.
-#[inline]
-pub(super) fn cross_gradient<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>, k: usize) -> [Vector3<D>; 2] {
-    let across = |v: &Vector3<D>| skew(v).column(k).into_owned();
-    [across(b), -across(a)]
+#[inline(always)]
+pub(super) fn cross_gradient<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>, k: usize) -> [Sparse<D>; 2] {
+    let (next, last) = ((k + 1) % 3, (k + 2) % 3);
+    [Sparse::none().with(next, b[last]).with(last, -b[next]), Sparse::none().with(next, -a[last]).with(last, a[next])]
 }
 
 /// \[v×\]: what takes w to v × w.
-#[inline]
+#[inline(always)]
 pub(super) fn skew<D: Scalar>(v: &Vector3<D>) -> Matrix3<D> {
     let zero = D::zero();
     Matrix3::new(zero, -v.z, v.y, v.z, zero, -v.x, -v.y, v.x, zero)
 }
 
 /// The gradient of an entry of [`skew`] by the vector.
-#[inline]
-pub(super) fn skew_gradient<D: Scalar>(row: usize, column: usize) -> Vector3<D> {
-    let mut gradient = Vector3::from_element(D::zero());
-    if row != column {
-        gradient[3 - row - column] = if column == (row + 1) % 3 { -D::one() } else { D::one() };
+#[inline(always)]
+pub(super) fn skew_gradient<D: Scalar>(row: usize, column: usize) -> Sparse<D> {
+    if row == column {
+        return Sparse::none();
     }
-    gradient
+    Sparse::none().with(3 - row - column, if column == (row + 1) % 3 { -D::one() } else { D::one() })
 }
 
 /// a ⊗ b − (a·b) I = \[b×\] \[a×\]: what takes w to b × (a × w).
 ///
 /// Its diagonal is a sum over the other two axes, without the product that would cancel.
-#[inline]
+#[inline(always)]
 pub(super) fn double_cross<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> Matrix3<D> {
     let diagonal = |j: usize, k: usize| -(a[j] * b[j] + a[k] * b[k]);
     let mut m = a * b.transpose();
@@ -42,25 +92,23 @@ pub(super) fn double_cross<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> Matrix3
 }
 
 /// The gradients of an entry of [`double_cross`]: by a, and by b.
-#[inline]
+#[inline(always)]
 pub(super) fn double_cross_gradient<D: Scalar>(
     a: &Vector3<D>,
     b: &Vector3<D>,
     row: usize,
     column: usize,
-) -> [Vector3<D>; 2] {
+) -> [Sparse<D>; 2] {
     if row == column {
-        let others = |v: &Vector3<D>| Vector3::from_fn(|k, _| if k == row { D::zero() } else { -v[k] });
+        let (next, last) = ((row + 1) % 3, (row + 2) % 3);
+        let others = |v: &Vector3<D>| Sparse::none().with(next, -v[next]).with(last, -v[last]);
         return [others(b), others(a)];
     }
-    let (mut by_a, mut by_b) = (Vector3::from_element(D::zero()), Vector3::from_element(D::zero()));
-    by_a[row] = b[column];
-    by_b[column] = a[row];
-    [by_a, by_b]
+    [Sparse::none().with(row, b[column]), Sparse::none().with(column, a[row])]
 }
 
 /// ½ (M + Mᵀ).
-#[inline]
+#[inline(always)]
 pub(super) fn symmetric<D: Scalar>(m: &Matrix3<D>) -> Matrix3<D> {
     Matrix3::from_fn(
         |row, column| {
@@ -69,28 +117,39 @@ pub(super) fn symmetric<D: Scalar>(m: &Matrix3<D>) -> Matrix3<D> {
     )
 }
 
-/// As [`symmetric`], of gradients.
-#[inline]
-pub(super) fn symmetric_gradient<D: Scalar, I: Fields<D>>(m: &Matrix3<I>) -> Matrix3<I> {
-    Matrix3::from_fn(
-        |row, column| {
-            if row == column { m[(row, row)] } else { mean(&m[(row, column)], &m[(column, row)]) }
-        },
-    )
+/// The gradients of an entry of the [`symmetric`] part of [`double_cross`]: by a, and by b.
+#[inline(always)]
+pub(super) fn symmetric_gradient<D: Scalar>(
+    a: &Vector3<D>,
+    b: &Vector3<D>,
+    row: usize,
+    column: usize,
+) -> [Sparse<D>; 2] {
+    if row == column {
+        return double_cross_gradient(a, b, row, column);
+    }
+    let half = |v: &Vector3<D>| Sparse::none().with(row, v[column] * 0.5).with(column, v[row] * 0.5);
+    [half(b), half(a)]
 }
 
-/// Component by component.
-#[inline]
-fn mean<D: Scalar, I: Fields<D>>(a: &I, b: &I) -> I {
-    let mut sum = I::array_of(D::zero());
-    for part in [a, b] {
-        let mut places = sum.as_mut().iter_mut();
-        part.for_each_component(&mut |x| {
-            if let Some(place) = places.next() {
-                *place += x;
-            }
-        });
-    }
-    let mut all = sum.as_ref().iter().map(|&x| x * 0.5);
-    I::from_components(&mut || all.next().expect("an array has as many components as it was made for"))
+/// A column of these entries, one by one: a loop over them would look up at run time where the zeros are.
+#[inline(always)]
+pub(super) fn column<T: Component>(entry: impl Fn(usize) -> T) -> Vector3<T> {
+    Vector3::new(entry(0), entry(1), entry(2))
+}
+
+/// As [`column`], a matrix.
+#[inline(always)]
+pub(super) fn matrix<T: Component>(entry: impl Fn(usize, usize) -> T) -> Matrix3<T> {
+    Matrix3::new(
+        entry(0, 0),
+        entry(0, 1),
+        entry(0, 2),
+        entry(1, 0),
+        entry(1, 1),
+        entry(1, 2),
+        entry(2, 0),
+        entry(2, 1),
+        entry(2, 2),
+    )
 }

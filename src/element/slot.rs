@@ -5,13 +5,14 @@ mod proof;
 
 use super::join::{JoinForces, JoinStiffness, JoinSymmetric};
 use super::products::{
-    cross_gradient, double_cross, double_cross_gradient, skew, skew_gradient, symmetric, symmetric_gradient,
+    Sparse, column, cross_gradient, double_cross, double_cross_gradient, matrix, skew, skew_gradient, symmetric,
+    symmetric_gradient,
 };
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec, along};
 use crate::quantity::{E2A, E3A, F2, F3, GY_TA, GY_UA, GY_UB, GZ_TA, GZ_UA, GZ_UB, XA, XB};
 use crate::scalar::Scalar;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 fields! {
     /// Where the nodes are, and the axes across the slot.
@@ -43,7 +44,7 @@ impl Formula for Rows {
     type Inputs<T: Component> = SlotPlaces<T>;
     type Outputs<T: Component> = SlotRows<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &SlotPlaces<D>) -> SlotRows<D> {
         let d = i.xb - i.xa;
         SlotRows {
@@ -56,24 +57,24 @@ impl Formula for Rows {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &SlotPlaces<D>) -> Jacobian<Self, D> {
         let (d, one, zero) = (i.xb - i.xa, D::one(), SlotPlaces::filled(D::zero()));
         let of_y = |e2a: Vector3<D>| SlotPlaces { e2a, ..zero };
         let of_z = |e3a: Vector3<D>| SlotPlaces { e3a, ..zero };
         let moment = |e: &Vector3<D>, of: &dyn Fn(Vector3<D>) -> SlotPlaces<D>| {
-            Vector3::from_fn(|k, _| {
+            column(|k| {
                 let [by_e, by_d] = cross_gradient(e, &d, k);
-                SlotPlaces { xa: -by_d, xb: by_d, ..of(by_e) }
+                SlotPlaces { xa: by_d.negative(), xb: by_d.dense(), ..of(by_e.dense()) }
             })
         };
         SlotRows {
-            gy_ua: Vector3::from_fn(|k, _| of_y(along(k, -one))),
+            gy_ua: column(|k| of_y(along(k, -one))),
             gy_ta: moment(&i.e2a, &of_y),
-            gy_ub: Vector3::from_fn(|k, _| of_y(along(k, one))),
-            gz_ua: Vector3::from_fn(|k, _| of_z(along(k, -one))),
+            gy_ub: column(|k| of_y(along(k, one))),
+            gz_ua: column(|k| of_z(along(k, -one))),
             gz_ta: moment(&i.e3a, &of_z),
-            gz_ub: Vector3::from_fn(|k, _| of_z(along(k, one))),
+            gz_ub: column(|k| of_z(along(k, one))),
         }
     }
 }
@@ -87,27 +88,27 @@ fields! {
 
 impl<D: Scalar> SlotLoads<D> {
     /// The force on b.
-    #[inline]
+    #[inline(always)]
     fn force(&self) -> Vector3<D> {
         self.e2a * self.f2 + self.e3a * self.f3
     }
 
     /// From a to b.
-    #[inline]
+    #[inline(always)]
     fn arm(&self) -> Vector3<D> {
         self.xb - self.xa
     }
 
     /// The gradient of something by what it is made of, the force on b and the vector from a to b, by the inputs.
-    #[inline]
-    fn gradient(&self, by_force: &Vector3<D>, by_arm: &Vector3<D>) -> Self {
+    #[inline(always)]
+    fn gradient(&self, by_force: &Sparse<D>, by_arm: &Sparse<D>) -> Self {
         Self {
-            e2a: by_force * self.f2,
-            e3a: by_force * self.f3,
-            xa: -by_arm,
-            xb: *by_arm,
-            f2: self.e2a.dot(by_force),
-            f3: self.e3a.dot(by_force),
+            e2a: by_force.times(self.f2),
+            e3a: by_force.times(self.f3),
+            xa: by_arm.negative(),
+            xb: by_arm.dense(),
+            f2: by_force.dot(&self.e2a),
+            f3: by_force.dot(&self.e3a),
         }
     }
 }
@@ -128,18 +129,17 @@ impl Formula for Forces {
     type Inputs<T: Component> = SlotLoads<T>;
     type Outputs<T: Component> = JoinForces<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &SlotLoads<D>) -> JoinForces<D> {
         let f = i.force();
         JoinForces { fa: -f, ma: f.cross(&i.arm()), fb: f }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &SlotLoads<D>) -> Jacobian<Self, D> {
         let (f, d, one) = (i.force(), i.arm(), D::one());
-        let none = Vector3::from_element(D::zero());
-        let force = |sign: D| Vector3::from_fn(|k, _| i.gradient(&along(k, sign), &none));
-        let moment = Vector3::from_fn(|k, _| {
+        let force = |sign: D| column(|k| i.gradient(&Sparse::none().with(k, sign), &Sparse::none()));
+        let moment = column(|k| {
             let [by_force, by_arm] = cross_gradient(&f, &d, k);
             i.gradient(&by_force, &by_arm)
         });
@@ -163,18 +163,18 @@ impl Formula for GeometricStiffness {
     type Inputs<T: Component> = SlotLoads<T>;
     type Outputs<T: Component> = JoinStiffness<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &SlotLoads<D>) -> JoinStiffness<D> {
         let f = i.force();
         JoinStiffness { k_ua_ta: skew(&f), k_ta_ta: double_cross(&f, &i.arm()) }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &SlotLoads<D>) -> Jacobian<Self, D> {
-        let (f, d, none) = (i.force(), i.arm(), Vector3::from_element(D::zero()));
+        let (f, d, none) = (i.force(), i.arm(), Sparse::none());
         JoinStiffness {
-            k_ua_ta: Matrix3::from_fn(|row, column| i.gradient(&skew_gradient(row, column), &none)),
-            k_ta_ta: Matrix3::from_fn(|row, column| {
+            k_ua_ta: matrix(|row, column| i.gradient(&skew_gradient(row, column), &none)),
+            k_ta_ta: matrix(|row, column| {
                 let [by_force, by_arm] = double_cross_gradient(&f, &d, row, column);
                 i.gradient(&by_force, &by_arm)
             }),
@@ -198,13 +198,18 @@ impl Formula for SymmetricStiffness {
     type Inputs<T: Component> = SlotLoads<T>;
     type Outputs<T: Component> = JoinSymmetric<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &SlotLoads<D>) -> JoinSymmetric<D> {
         JoinSymmetric { s_ta_ta: symmetric(&GeometricStiffness::eval(i).k_ta_ta) }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &SlotLoads<D>) -> Jacobian<Self, D> {
-        JoinSymmetric { s_ta_ta: symmetric_gradient(&GeometricStiffness::jacobian(i).k_ta_ta) }
+        let (f, d) = (i.force(), i.arm());
+        let entry = |row, column| {
+            let [by_force, by_arm] = symmetric_gradient(&f, &d, row, column);
+            i.gradient(&by_force, &by_arm)
+        };
+        JoinSymmetric { s_ta_ta: matrix(entry) }
     }
 }

@@ -5,7 +5,7 @@ mod proof;
 
 use super::NodalForces;
 use super::join::{self, JoinForces, JoinLoads, JoinRows, JoinStiffness};
-use super::products::{symmetric, symmetric_gradient};
+use super::products::{matrix, symmetric};
 use super::universal::{self, UniversalLoads, UniversalMoments, UniversalRow, UniversalStiffness};
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec};
@@ -70,31 +70,17 @@ impl Formula for Rows {
     type Inputs<T: Component> = JointPlaces<T>;
     type Outputs<T: Component> = JointRows<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &JointPlaces<D>) -> JointRows<D> {
         JointRows::of(join::Rows::eval(&i.positions()), universal::Rows::eval(&i.axes()))
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &JointPlaces<D>) -> Jacobian<Self, D> {
         let zero = JointPlaces::filled(D::zero());
         let by_positions = |Positions { e1a, e2a, e3a, xa, xb }| JointPlaces { e1a, e2a, e3a, xa, xb, ..zero };
         let by_axes = |CrossAxes { e1a, e3b }| JointPlaces { e1a, e3b, ..zero };
-        let join = join::Rows::jacobian(&i.positions());
-        let universal = universal::Rows::jacobian(&i.axes());
-        JointRows {
-            g1_ua: join.g1_ua.map(by_positions),
-            g1_ta: join.g1_ta.map(by_positions),
-            g1_ub: join.g1_ub.map(by_positions),
-            g2_ua: join.g2_ua.map(by_positions),
-            g2_ta: join.g2_ta.map(by_positions),
-            g2_ub: join.g2_ub.map(by_positions),
-            g3_ua: join.g3_ua.map(by_positions),
-            g3_ta: join.g3_ta.map(by_positions),
-            g3_ub: join.g3_ub.map(by_positions),
-            g_rot_ta: universal.g_rot_ta.map(by_axes),
-            g_rot_tb: universal.g_rot_tb.map(by_axes),
-        }
+        JointRows::of(JoinRows::gradients(&i.positions(), by_positions), UniversalRow::gradients(&i.axes(), by_axes))
     }
 }
 
@@ -119,17 +105,17 @@ impl<T: Component> JointLoads<T> {
 
 impl<D: Scalar> JointLoads<D> {
     /// A gradient by the inputs of JOIN.
-    #[inline]
+    #[inline(always)]
     fn by_join(JoinLoads { e1a, e2a, e3a, xa, xb, f1, f2, f3 }: JoinLoads<D>) -> Self {
         Self { e1a, e2a, e3a, xa, xb, f1, f2, f3, ..Self::filled(D::zero()) }
     }
     /// A gradient by the inputs of UNIVERSAL.
-    #[inline]
+    #[inline(always)]
     fn by_universal(UniversalLoads { e1a, e3b, lambda_rot }: UniversalLoads<D>) -> Self {
         Self { e1a, e3b, lambda_rot, ..Self::filled(D::zero()) }
     }
     /// The gradient of a sum of something of JOIN and something of UNIVERSAL.
-    #[inline]
+    #[inline(always)]
     fn by_both(join: JoinLoads<D>, universal: UniversalLoads<D>) -> Self {
         let UniversalLoads { e1a, e3b, lambda_rot } = universal;
         Self { e1a: join.e1a + e1a, e3b, lambda_rot, ..Self::by_join(join) }
@@ -152,14 +138,14 @@ impl Formula for Forces {
     type Inputs<T: Component> = JointLoads<T>;
     type Outputs<T: Component> = NodalForces<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &JointLoads<D>) -> NodalForces<D> {
         let JoinForces { fa, ma, fb } = join::Forces::eval(&i.of_join());
         let moments = universal::Moments::eval(&i.of_universal());
         NodalForces { fa, ma: ma + moments.ma, fb, mb: moments.mb }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &JointLoads<D>) -> Jacobian<Self, D> {
         let JoinForces { fa, ma, fb } = join::Forces::jacobian(&i.of_join());
         let moments: UniversalMoments<_> = universal::Moments::jacobian(&i.of_universal());
@@ -198,7 +184,7 @@ impl Formula for GeometricStiffness {
     type Inputs<T: Component> = JointLoads<T>;
     type Outputs<T: Component> = JointStiffness<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &JointLoads<D>) -> JointStiffness<D> {
         let JoinStiffness { k_ua_ta, k_ta_ta } = join::GeometricStiffness::eval(&i.of_join());
         let turned = universal::GeometricStiffness::eval(&i.of_universal());
@@ -206,15 +192,14 @@ impl Formula for GeometricStiffness {
         JointStiffness { k_ua_ta, k_ta_ta: k_ta_ta + turned.k_ta_ta, k_ta_tb, k_tb_tb }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &JointLoads<D>) -> Jacobian<Self, D> {
-        let JoinStiffness { k_ua_ta, k_ta_ta } = join::GeometricStiffness::jacobian(&i.of_join());
-        let turned = universal::GeometricStiffness::jacobian(&i.of_universal());
+        let (join, universal, one) = (i.of_join(), i.of_universal(), D::one());
         JointStiffness {
-            k_ua_ta: k_ua_ta.map(JointLoads::by_join),
-            k_ta_ta: k_ta_ta.zip_map(&turned.k_ta_ta, JointLoads::by_both),
-            k_ta_tb: turned.k_ta_tb.map(JointLoads::by_universal),
-            k_tb_tb: turned.k_tb_tb.map(JointLoads::by_universal),
+            k_ua_ta: matrix(|r, c| JointLoads::by_join(join.of_force(r, c))),
+            k_ta_ta: matrix(|r, c| JointLoads::by_both(join.of_turn(r, c), universal.of_block(r, c, one))),
+            k_ta_tb: matrix(|r, c| JointLoads::by_universal(universal.of_block(c, r, -one))),
+            k_tb_tb: matrix(|r, c| JointLoads::by_universal(universal.of_block(c, r, one))),
         }
     }
 }
@@ -240,15 +225,17 @@ impl Formula for SymmetricStiffness {
     type Inputs<T: Component> = JointLoads<T>;
     type Outputs<T: Component> = JointSymmetric<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &JointLoads<D>) -> JointSymmetric<D> {
         let JointStiffness { k_ta_ta, k_tb_tb, .. } = GeometricStiffness::eval(i);
         JointSymmetric { s_ta_ta: symmetric(&k_ta_ta), s_tb_tb: symmetric(&k_tb_tb) }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &JointLoads<D>) -> Jacobian<Self, D> {
-        let JointStiffness { k_ta_ta, k_tb_tb, .. } = GeometricStiffness::jacobian(i);
-        JointSymmetric { s_ta_ta: symmetric_gradient(&k_ta_ta), s_tb_tb: symmetric_gradient(&k_tb_tb) }
+        let (join, universal) = (i.of_join(), i.of_universal());
+        let of_a = |r, c| JointLoads::by_both(join.of_symmetric_turn(r, c), universal.of_symmetric_block(r, c));
+        let of_b = |r, c| JointLoads::by_universal(universal.of_symmetric_block(r, c));
+        JointSymmetric { s_ta_ta: matrix(of_a), s_tb_tb: matrix(of_b) }
     }
 }

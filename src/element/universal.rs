@@ -3,7 +3,9 @@
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 
-use super::products::{cross_gradient, double_cross, double_cross_gradient, symmetric, symmetric_gradient};
+use super::products::{
+    Sparse, column, cross_gradient, double_cross, double_cross_gradient, matrix, symmetric, symmetric_gradient,
+};
 use crate::fields;
 use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec};
 use crate::quantity::{
@@ -35,23 +37,27 @@ impl Formula for Rows {
     type Inputs<T: Component> = CrossAxes<T>;
     type Outputs<T: Component> = UniversalRow<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &CrossAxes<D>) -> UniversalRow<D> {
         let across = i.e1a.cross(&i.e3b);
         UniversalRow { g_rot_ta: across, g_rot_tb: -across }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &CrossAxes<D>) -> Jacobian<Self, D> {
-        let row = |k: usize| {
+        UniversalRow::gradients(i, |gradient| gradient)
+    }
+}
+
+impl<I: Component> UniversalRow<I> {
+    /// The gradients, as they are written where there are more inputs.
+    #[inline(always)]
+    pub(super) fn gradients<D: Scalar>(i: &CrossAxes<D>, written: impl Fn(CrossAxes<D>) -> I) -> Self {
+        let row = |k: usize, sign: D| {
             let [e1a, e3b] = cross_gradient(&i.e1a, &i.e3b, k);
-            CrossAxes { e1a, e3b }
+            written(CrossAxes { e1a: e1a.times(sign), e3b: e3b.times(sign) })
         };
-        let across = Vector3::from_fn(|k, _| row(k));
-        UniversalRow {
-            g_rot_ta: across,
-            g_rot_tb: across.map(|CrossAxes { e1a, e3b }| CrossAxes { e1a: -e1a, e3b: -e3b }),
-        }
+        UniversalRow { g_rot_ta: column(|k| row(k, D::one())), g_rot_tb: column(|k| row(k, -D::one())) }
     }
 }
 
@@ -81,20 +87,20 @@ impl Formula for Moments {
     type Inputs<T: Component> = UniversalLoads<T>;
     type Outputs<T: Component> = UniversalMoments<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &UniversalLoads<D>) -> UniversalMoments<D> {
         let ma = i.e1a.cross(&i.e3b) * i.lambda_rot;
         UniversalMoments { ma, mb: -ma }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &UniversalLoads<D>) -> Jacobian<Self, D> {
         let across = i.e1a.cross(&i.e3b);
         let row = |k: usize, factor: D, sign: D| {
             let [e1a, e3b] = cross_gradient(&i.e1a, &i.e3b, k);
-            UniversalLoads { e1a: e1a * factor, e3b: e3b * factor, lambda_rot: across[k] * sign }
+            UniversalLoads { e1a: e1a.times(factor), e3b: e3b.times(factor), lambda_rot: across[k] * sign }
         };
-        let rows = |sign: D| Vector3::from_fn(|k, _| row(k, i.lambda_rot * sign, sign));
+        let rows = |sign: D| column(|k| row(k, i.lambda_rot * sign, sign));
         UniversalMoments { ma: rows(D::one()), mb: rows(-D::one()) }
     }
 }
@@ -115,19 +121,29 @@ fields! {
 pub struct GeometricStiffness;
 
 impl<D: Scalar> UniversalLoads<D> {
-    #[inline]
+    #[inline(always)]
     fn block(&self) -> Matrix3<D> {
         double_cross(&self.e1a, &self.e3b) * self.lambda_rot
     }
 
-    /// The gradient of an entry of the block.
-    #[inline]
-    fn block_gradient(&self) -> Matrix3<Self> {
-        let block = double_cross(&self.e1a, &self.e3b);
-        Matrix3::from_fn(|row, column| {
-            let [e1a, e3b] = double_cross_gradient(&self.e1a, &self.e3b, row, column);
-            Self { e1a: e1a * self.lambda_rot, e3b: e3b * self.lambda_rot, lambda_rot: block[(row, column)] }
-        })
+    /// The gradient of an entry of the block, times a sign.
+    #[inline(always)]
+    pub(super) fn of_block(&self, row: usize, column: usize, sign: D) -> Self {
+        let [e1a, e3b] = double_cross_gradient(&self.e1a, &self.e3b, row, column);
+        self.gradient([e1a, e3b], double_cross(&self.e1a, &self.e3b)[(row, column)], sign)
+    }
+
+    /// The gradient of an entry of its symmetric part.
+    #[inline(always)]
+    pub(super) fn of_symmetric_block(&self, row: usize, column: usize) -> Self {
+        let [e1a, e3b] = symmetric_gradient(&self.e1a, &self.e3b, row, column);
+        self.gradient([e1a, e3b], symmetric(&double_cross(&self.e1a, &self.e3b))[(row, column)], D::one())
+    }
+
+    #[inline(always)]
+    fn gradient(&self, [by_e1a, by_e3b]: [Sparse<D>; 2], by_factor: D, sign: D) -> Self {
+        let factor = self.lambda_rot * sign;
+        Self { e1a: by_e1a.times(factor), e3b: by_e3b.times(factor), lambda_rot: by_factor * sign }
     }
 }
 
@@ -144,19 +160,21 @@ impl Formula for GeometricStiffness {
     type Inputs<T: Component> = UniversalLoads<T>;
     type Outputs<T: Component> = UniversalStiffness<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &UniversalLoads<D>) -> UniversalStiffness<D> {
         let block = i.block();
         let transposed = block.transpose();
         UniversalStiffness { k_ta_ta: block, k_ta_tb: -transposed, k_tb_tb: transposed }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &UniversalLoads<D>) -> Jacobian<Self, D> {
-        let block = i.block_gradient();
-        let transposed = block.transpose();
-        let negative = |g: UniversalLoads<D>| UniversalLoads { e1a: -g.e1a, e3b: -g.e3b, lambda_rot: -g.lambda_rot };
-        UniversalStiffness { k_ta_ta: block, k_ta_tb: transposed.map(negative), k_tb_tb: transposed }
+        let one = D::one();
+        UniversalStiffness {
+            k_ta_ta: matrix(|row, column| i.of_block(row, column, one)),
+            k_ta_tb: matrix(|row, column| i.of_block(column, row, -one)),
+            k_tb_tb: matrix(|row, column| i.of_block(column, row, one)),
+        }
     }
 }
 
@@ -182,15 +200,15 @@ impl Formula for SymmetricStiffness {
     type Inputs<T: Component> = UniversalLoads<T>;
     type Outputs<T: Component> = UniversalSymmetric<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &UniversalLoads<D>) -> UniversalSymmetric<D> {
         let block = symmetric(&i.block());
         UniversalSymmetric { s_ta_ta: block, s_tb_tb: block }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &UniversalLoads<D>) -> Jacobian<Self, D> {
-        let block = symmetric_gradient(&i.block_gradient());
+        let block = matrix(|row, column| i.of_symmetric_block(row, column));
         UniversalSymmetric { s_ta_ta: block, s_tb_tb: block }
     }
 }

@@ -55,8 +55,8 @@ proptest! {
         segments in 50_usize..300,
         parabolic: bool,
         smoothing in smoothing(),
-        turn in 0.1..3.0,
-        slaves in proptest::collection::vec((0.0..1.2, prop_oneof![0.0..2.0, Just(0.0), Just(1.0)]), 10),
+        turn in 0.1_f64..3.0,
+        slaves in proptest::collection::vec((0.0_f64..1.2, prop_oneof![0.0_f64..2.0, Just(0.0), Just(1.0)]), 10),
     ) {
         let kind = if parabolic { Interpolation::Parabolic } else { Interpolation::Linear };
         let count = u32::try_from(segments * kind.stride() + 1).unwrap();
@@ -69,7 +69,7 @@ proptest! {
         let line = match smoothing { Some(f) => line.smoothed(f).unwrap(), None => line };
         let placed = line.place(&nodes).unwrap();
         for (share, radius) in slaves {
-            let xs = at(share, radius).into();
+            let xs = Vector2::from(at(share, radius));
             let indexed = placed.closest(xs).map(|closest| ClosestPoint { evaluated: 0, ..closest });
             prop_assert_eq!(indexed, placed.closest_of_all(xs));
         }
