@@ -19,6 +19,7 @@
 pub mod align;
 mod assembly;
 pub mod join;
+mod lever;
 #[cfg(feature = "verify")]
 mod motion;
 pub mod newton;

@@ -1,14 +1,14 @@
 //! JOIN as an element: three residuals, each the distance of b from its place along one axis of a.
 
+#![expect(clippy::inline_always, reason = "zeros are left out where the compiler sees the indices")]
+
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 
-use super::products::{
-    Sparse, column, cross_gradient, double_cross, double_cross_gradient, matrix, skew, skew_gradient, symmetric,
-    symmetric_gradient,
-};
+use super::lever::Lever;
+use super::products::{Sparse, column, cross_gradient, double_cross, matrix, skew, symmetric};
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec, along};
+use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec, along};
 use crate::quantity::{
     E1A, E2A, E3A, F2, F3, FORCE_A, FORCE_B, G1_TA, G1_UA, G1_UB, G2_TA, G2_UA, G2_UB, G3_TA, G3_UA, G3_UB, JOIN_F1,
     K_TA_TA, K_UA_TA, MOMENT_A, S_TA_TA, XA, XB,
@@ -42,7 +42,7 @@ impl Formula for Rows {
     type Inputs<T: Component> = Positions<T>;
     type Outputs<T: Component> = JoinRows<T>;
 
-    #[inline(always)]
+    #[inline]
     fn eval<D: Scalar>(i: &Positions<D>) -> JoinRows<D> {
         let d = i.xb - i.xa;
         JoinRows {
@@ -58,42 +58,47 @@ impl Formula for Rows {
         }
     }
 
-    #[inline(always)]
+    #[inline]
     fn jacobian<D: Scalar>(i: &Positions<D>) -> Jacobian<Self, D> {
-        JoinRows::gradients(i, |gradient| gradient)
+        let one = D::one();
+        JoinRows {
+            g1_ua: column!(i.of_axis, 0, -one),
+            g1_ta: column!(i.of_moment, 0),
+            g1_ub: column!(i.of_axis, 0, one),
+            g2_ua: column!(i.of_axis, 1, -one),
+            g2_ta: column!(i.of_moment, 1),
+            g2_ub: column!(i.of_axis, 1, one),
+            g3_ua: column!(i.of_axis, 2, -one),
+            g3_ta: column!(i.of_moment, 2),
+            g3_ub: column!(i.of_axis, 2, one),
+        }
     }
 }
 
-impl<I: Component> JoinRows<I> {
-    /// The gradients, as they are written where there are more inputs.
+impl<D: Scalar> Positions<D> {
     #[inline(always)]
-    pub(super) fn gradients<D: Scalar>(i: &Positions<D>, written: impl Fn(Positions<D>) -> I) -> Self {
-        let zero = Positions::filled(D::zero());
-        let with = |axis: usize, e: Vector3<D>| match axis {
-            0 => Positions { e1a: e, ..zero },
-            1 => Positions { e2a: e, ..zero },
-            _ => Positions { e3a: e, ..zero },
-        };
-        let of_axis = |axis: usize, sign: D| column(|k| written(with(axis, along(k, sign))));
-        let d = i.xb - i.xa;
-        let moment = |axis: usize, e: &Vector3<D>| {
-            column(|k| {
-                let [by_e, by_d] = cross_gradient(e, &d, k);
-                written(Positions { xa: by_d.negative(), xb: by_d.dense(), ..with(axis, by_e.dense()) })
-            })
-        };
-        let one = D::one();
-        JoinRows {
-            g1_ua: of_axis(0, -one),
-            g1_ta: moment(0, &i.e1a),
-            g1_ub: of_axis(0, one),
-            g2_ua: of_axis(1, -one),
-            g2_ta: moment(1, &i.e2a),
-            g2_ub: of_axis(1, one),
-            g3_ua: of_axis(2, -one),
-            g3_ta: moment(2, &i.e3a),
-            g3_ub: of_axis(2, one),
-        }
+    fn axis(&self, n: usize) -> Vector3<D> {
+        [self.e1a, self.e2a, self.e3a][n]
+    }
+
+    /// A gradient by the n-th axis and the vector from a to b.
+    #[inline(always)]
+    fn gradient(n: usize, by_axis: Vector3<D>, by_arm: &Sparse<D>) -> Self {
+        let [e1a, e2a, e3a] = [0, 1, 2].map(|k| if k == n { by_axis } else { Vector3::from_element(D::zero()) });
+        Self { e1a, e2a, e3a, xa: by_arm.negative(), xb: by_arm.dense() }
+    }
+
+    /// The gradient of the k-th component of the n-th axis, times a sign.
+    #[inline(always)]
+    pub(super) fn of_axis(&self, n: usize, sign: D, k: usize) -> Self {
+        Self::gradient(n, along(k, sign), &Sparse::none())
+    }
+
+    /// The gradient of the k-th component of the n-th axis × (xb − xa).
+    #[inline(always)]
+    pub(super) fn of_moment(&self, n: usize, k: usize) -> Self {
+        let [by_axis, by_arm] = cross_gradient(&self.axis(n), &(self.xb - self.xa), k);
+        Self::gradient(n, by_axis.dense(), &by_arm)
     }
 }
 
@@ -109,22 +114,19 @@ fields! {
     pub struct JoinForces<T> { fa: Vector3<T> = FORCE_A, ma: Vector3<T> = MOMENT_A, fb: Vector3<T> = FORCE_B }
 }
 
-impl<D: Scalar> JoinLoads<D> {
-    /// The force on b.
+impl<D: Scalar> Lever<D> for JoinLoads<D> {
     #[inline(always)]
-    pub(super) fn force(&self) -> Vector3<D> {
+    fn force(&self) -> Vector3<D> {
         self.e1a * self.f1 + self.e2a * self.f2 + self.e3a * self.f3
     }
 
-    /// From a to b.
     #[inline(always)]
-    pub(super) fn arm(&self) -> Vector3<D> {
+    fn arm(&self) -> Vector3<D> {
         self.xb - self.xa
     }
 
-    /// The gradient of something by what it is made of, the force on b and the vector from a to b, by the inputs.
     #[inline(always)]
-    pub(super) fn gradient(&self, by_force: &Sparse<D>, by_arm: &Sparse<D>) -> Self {
+    fn gradient(&self, by_force: &Sparse<D>, by_arm: &Sparse<D>) -> Self {
         Self {
             e1a: by_force.times(self.f1),
             e2a: by_force.times(self.f2),
@@ -135,26 +137,6 @@ impl<D: Scalar> JoinLoads<D> {
             f2: by_force.dot(&self.e2a),
             f3: by_force.dot(&self.e3a),
         }
-    }
-
-    /// The gradient of an entry of f × I.
-    #[inline(always)]
-    pub(super) fn of_force(&self, row: usize, column: usize) -> Self {
-        self.gradient(&skew_gradient(row, column), &Sparse::none())
-    }
-
-    /// The gradient of an entry of f ⊗ d − (f·d) I.
-    #[inline(always)]
-    pub(super) fn of_turn(&self, row: usize, column: usize) -> Self {
-        let [by_force, by_arm] = double_cross_gradient(&self.force(), &self.arm(), row, column);
-        self.gradient(&by_force, &by_arm)
-    }
-
-    /// The same, of its symmetric part.
-    #[inline(always)]
-    pub(super) fn of_symmetric_turn(&self, row: usize, column: usize) -> Self {
-        let [by_force, by_arm] = symmetric_gradient(&self.force(), &self.arm(), row, column);
-        self.gradient(&by_force, &by_arm)
     }
 }
 
@@ -174,33 +156,15 @@ impl Formula for Forces {
     type Inputs<T: Component> = JoinLoads<T>;
     type Outputs<T: Component> = JoinForces<T>;
 
-    #[inline(always)]
+    #[inline]
     fn eval<D: Scalar>(i: &JoinLoads<D>) -> JoinForces<D> {
         let f = i.force();
         JoinForces { fa: -f, ma: f.cross(&i.arm()), fb: f }
     }
 
-    #[inline(always)]
+    #[inline]
     fn jacobian<D: Scalar>(i: &JoinLoads<D>) -> Jacobian<Self, D> {
-        let (f, d) = (i.force(), i.arm());
-        let (none, one) = (Vector3::from_element(D::zero()), D::one());
-        let force = |sign: D| {
-            column(|k| JoinLoads {
-                e1a: along(k, i.f1 * sign),
-                e2a: along(k, i.f2 * sign),
-                e3a: along(k, i.f3 * sign),
-                xa: none,
-                xb: none,
-                f1: i.e1a[k] * sign,
-                f2: i.e2a[k] * sign,
-                f3: i.e3a[k] * sign,
-            })
-        };
-        let moment = |k: usize| {
-            let [by_force, by_arm] = cross_gradient(&f, &d, k);
-            i.gradient(&by_force, &by_arm)
-        };
-        JoinForces { fa: force(-one), ma: column(|k| moment(k)), fb: force(one) }
+        JoinForces { fa: column!(i.of_fa), ma: column!(i.of_ma), fb: column!(i.of_fb) }
     }
 }
 
@@ -227,18 +191,15 @@ impl Formula for GeometricStiffness {
     type Inputs<T: Component> = JoinLoads<T>;
     type Outputs<T: Component> = JoinStiffness<T>;
 
-    #[inline(always)]
+    #[inline]
     fn eval<D: Scalar>(i: &JoinLoads<D>) -> JoinStiffness<D> {
         let f = i.force();
         JoinStiffness { k_ua_ta: skew(&f), k_ta_ta: double_cross(&f, &i.arm()) }
     }
 
-    #[inline(always)]
+    #[inline]
     fn jacobian<D: Scalar>(i: &JoinLoads<D>) -> Jacobian<Self, D> {
-        JoinStiffness {
-            k_ua_ta: matrix(|row, column| i.of_force(row, column)),
-            k_ta_ta: matrix(|row, column| i.of_turn(row, column)),
-        }
+        JoinStiffness { k_ua_ta: matrix!(i.of_k_ua_ta), k_ta_ta: matrix!(i.of_k_ta_ta) }
     }
 }
 
@@ -263,13 +224,13 @@ impl Formula for SymmetricStiffness {
     type Inputs<T: Component> = JoinLoads<T>;
     type Outputs<T: Component> = JoinSymmetric<T>;
 
-    #[inline(always)]
+    #[inline]
     fn eval<D: Scalar>(i: &JoinLoads<D>) -> JoinSymmetric<D> {
         JoinSymmetric { s_ta_ta: symmetric(&GeometricStiffness::eval(i).k_ta_ta) }
     }
 
-    #[inline(always)]
+    #[inline]
     fn jacobian<D: Scalar>(i: &JoinLoads<D>) -> Jacobian<Self, D> {
-        JoinSymmetric { s_ta_ta: matrix(|row, column| i.of_symmetric_turn(row, column)) }
+        JoinSymmetric { s_ta_ta: matrix!(i.of_s_ta_ta) }
     }
 }

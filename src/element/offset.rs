@@ -3,6 +3,8 @@
 //! The connector's point moves with u + θ × r, where r is the arm, from the node to that point, and turns with the node. A
 //! force there has the moment r × f about the node, which changes as the arm turns.
 
+#![expect(clippy::inline_always, reason = "zeros are left out where the compiler sees the indices")]
+
 #[cfg(feature = "verify")]
 mod proof;
 
@@ -46,17 +48,23 @@ impl Formula for Arm {
 
     #[inline]
     fn jacobian<D: Scalar>(i: &ArmLoads<D>) -> Jacobian<Self, D> {
-        let none = ArmLoads::filled(D::zero());
-        ArmActions {
-            m_node: column(|k| {
-                let [r, f] = cross_gradient(&i.r, &i.f, k).map(|v| v.dense());
-                ArmLoads { r, f, m: along(k, D::one()) }
-            }),
-            k_arm: matrix(|row, column| {
-                let [r, f] = double_cross_gradient(&i.r, &i.f, row, column).map(|v| v.dense());
-                ArmLoads { r, f, ..none }
-            }),
-        }
+        ArmActions { m_node: column!(i.of_moment), k_arm: matrix!(i.of_block) }
+    }
+}
+
+impl<D: Scalar> ArmLoads<D> {
+    /// The gradient of the k-th component of the moment.
+    #[inline(always)]
+    fn of_moment(&self, k: usize) -> Self {
+        let [by_arm, by_force] = cross_gradient(&self.r, &self.f, k);
+        Self { r: by_arm.dense(), f: by_force.dense(), m: along(k, D::one()) }
+    }
+
+    /// The gradient of an entry of the block.
+    #[inline(always)]
+    fn of_block(&self, row: usize, column: usize) -> Self {
+        let [by_arm, by_force] = double_cross_gradient(&self.r, &self.f, row, column);
+        Self { r: by_arm.dense(), f: by_force.dense(), ..Self::filled(D::zero()) }
     }
 }
 

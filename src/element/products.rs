@@ -2,7 +2,6 @@
 
 #![expect(clippy::inline_always, reason = "zeros are left out where the compiler sees the indices")]
 
-use crate::formula::Component;
 use crate::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
 
@@ -31,7 +30,8 @@ impl<D: Scalar> Sparse<D> {
 
     #[inline(always)]
     pub(super) fn dense(&self) -> Vector3<D> {
-        column(|k| self.0[k].unwrap_or_else(D::zero))
+        let [x, y, z] = self.0.map(|x| x.unwrap_or_else(D::zero));
+        Vector3::new(x, y, z)
     }
 
     #[inline(always)]
@@ -132,24 +132,29 @@ pub(super) fn symmetric_gradient<D: Scalar>(
     [half(b), half(a)]
 }
 
-/// A column of these entries, one by one: a loop over them would look up at run time where the zeros are.
-#[inline(always)]
-pub(super) fn column<T: Component>(entry: impl Fn(usize) -> T) -> Vector3<T> {
-    Vector3::new(entry(0), entry(1), entry(2))
+/// The column of what a method gives for every index, after what else it takes. Each is a call of its own: in a loop, or through a closure, the
+/// compiler would not see the index, and look up at run time where the zeros are.
+macro_rules! column {
+    ($i:ident.$method:ident $(, $of:expr)*) => {
+        nalgebra::Vector3::new($i.$method($($of,)* 0), $i.$method($($of,)* 1), $i.$method($($of,)* 2))
+    };
 }
 
-/// As [`column`], a matrix.
-#[inline(always)]
-pub(super) fn matrix<T: Component>(entry: impl Fn(usize, usize) -> T) -> Matrix3<T> {
-    Matrix3::new(
-        entry(0, 0),
-        entry(0, 1),
-        entry(0, 2),
-        entry(1, 0),
-        entry(1, 1),
-        entry(1, 2),
-        entry(2, 0),
-        entry(2, 1),
-        entry(2, 2),
-    )
+/// As [`column`], a matrix by its rows and columns.
+macro_rules! matrix {
+    ($i:ident.$method:ident) => {
+        nalgebra::Matrix3::new(
+            $i.$method(0, 0),
+            $i.$method(0, 1),
+            $i.$method(0, 2),
+            $i.$method(1, 0),
+            $i.$method(1, 1),
+            $i.$method(1, 2),
+            $i.$method(2, 0),
+            $i.$method(2, 1),
+            $i.$method(2, 2),
+        )
+    };
 }
+
+pub(super) use {column, matrix};

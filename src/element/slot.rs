@@ -1,13 +1,13 @@
 //! SLOT as an element: two residuals, the distances of b from the slot along two axes of a.
 
+#![expect(clippy::inline_always, reason = "zeros are left out where the compiler sees the indices")]
+
 #[cfg(feature = "verify")]
 mod proof;
 
 use super::join::{JoinForces, JoinStiffness, JoinSymmetric};
-use super::products::{
-    Sparse, column, cross_gradient, double_cross, double_cross_gradient, matrix, skew, skew_gradient, symmetric,
-    symmetric_gradient,
-};
+use super::lever::Lever;
+use super::products::{Sparse, column, cross_gradient, double_cross, matrix, skew, symmetric};
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec, along};
 use crate::quantity::{E2A, E3A, F2, F3, GY_TA, GY_UA, GY_UB, GZ_TA, GZ_UA, GZ_UB, XA, XB};
@@ -44,7 +44,7 @@ impl Formula for Rows {
     type Inputs<T: Component> = SlotPlaces<T>;
     type Outputs<T: Component> = SlotRows<T>;
 
-    #[inline(always)]
+    #[inline]
     fn eval<D: Scalar>(i: &SlotPlaces<D>) -> SlotRows<D> {
         let d = i.xb - i.xa;
         SlotRows {
@@ -57,24 +57,24 @@ impl Formula for Rows {
         }
     }
 
-    #[inline(always)]
+    #[inline]
     fn jacobian<D: Scalar>(i: &SlotPlaces<D>) -> Jacobian<Self, D> {
         let (d, one, zero) = (i.xb - i.xa, D::one(), SlotPlaces::filled(D::zero()));
         let of_y = |e2a: Vector3<D>| SlotPlaces { e2a, ..zero };
         let of_z = |e3a: Vector3<D>| SlotPlaces { e3a, ..zero };
         let moment = |e: &Vector3<D>, of: &dyn Fn(Vector3<D>) -> SlotPlaces<D>| {
-            column(|k| {
-                let [by_e, by_d] = cross_gradient(e, &d, k);
-                SlotPlaces { xa: by_d.negative(), xb: by_d.dense(), ..of(by_e.dense()) }
+            Vector3::from_fn(|k, _| {
+                let [by_e, by_d] = cross_gradient(e, &d, k).map(|by_factor| by_factor.dense());
+                SlotPlaces { xa: -by_d, xb: by_d, ..of(by_e) }
             })
         };
         SlotRows {
-            gy_ua: column(|k| of_y(along(k, -one))),
+            gy_ua: Vector3::from_fn(|k, _| of_y(along(k, -one))),
             gy_ta: moment(&i.e2a, &of_y),
-            gy_ub: column(|k| of_y(along(k, one))),
-            gz_ua: column(|k| of_z(along(k, -one))),
+            gy_ub: Vector3::from_fn(|k, _| of_y(along(k, one))),
+            gz_ua: Vector3::from_fn(|k, _| of_z(along(k, -one))),
             gz_ta: moment(&i.e3a, &of_z),
-            gz_ub: column(|k| of_z(along(k, one))),
+            gz_ub: Vector3::from_fn(|k, _| of_z(along(k, one))),
         }
     }
 }
@@ -86,20 +86,17 @@ fields! {
     }
 }
 
-impl<D: Scalar> SlotLoads<D> {
-    /// The force on b.
+impl<D: Scalar> Lever<D> for SlotLoads<D> {
     #[inline(always)]
     fn force(&self) -> Vector3<D> {
         self.e2a * self.f2 + self.e3a * self.f3
     }
 
-    /// From a to b.
     #[inline(always)]
     fn arm(&self) -> Vector3<D> {
         self.xb - self.xa
     }
 
-    /// The gradient of something by what it is made of, the force on b and the vector from a to b, by the inputs.
     #[inline(always)]
     fn gradient(&self, by_force: &Sparse<D>, by_arm: &Sparse<D>) -> Self {
         Self {
@@ -129,21 +126,15 @@ impl Formula for Forces {
     type Inputs<T: Component> = SlotLoads<T>;
     type Outputs<T: Component> = JoinForces<T>;
 
-    #[inline(always)]
+    #[inline]
     fn eval<D: Scalar>(i: &SlotLoads<D>) -> JoinForces<D> {
         let f = i.force();
         JoinForces { fa: -f, ma: f.cross(&i.arm()), fb: f }
     }
 
-    #[inline(always)]
+    #[inline]
     fn jacobian<D: Scalar>(i: &SlotLoads<D>) -> Jacobian<Self, D> {
-        let (f, d, one) = (i.force(), i.arm(), D::one());
-        let force = |sign: D| column(|k| i.gradient(&Sparse::none().with(k, sign), &Sparse::none()));
-        let moment = column(|k| {
-            let [by_force, by_arm] = cross_gradient(&f, &d, k);
-            i.gradient(&by_force, &by_arm)
-        });
-        JoinForces { fa: force(-one), ma: moment, fb: force(one) }
+        JoinForces { fa: column!(i.of_fa), ma: column!(i.of_ma), fb: column!(i.of_fb) }
     }
 }
 
@@ -163,22 +154,15 @@ impl Formula for GeometricStiffness {
     type Inputs<T: Component> = SlotLoads<T>;
     type Outputs<T: Component> = JoinStiffness<T>;
 
-    #[inline(always)]
+    #[inline]
     fn eval<D: Scalar>(i: &SlotLoads<D>) -> JoinStiffness<D> {
         let f = i.force();
         JoinStiffness { k_ua_ta: skew(&f), k_ta_ta: double_cross(&f, &i.arm()) }
     }
 
-    #[inline(always)]
+    #[inline]
     fn jacobian<D: Scalar>(i: &SlotLoads<D>) -> Jacobian<Self, D> {
-        let (f, d, none) = (i.force(), i.arm(), Sparse::none());
-        JoinStiffness {
-            k_ua_ta: matrix(|row, column| i.gradient(&skew_gradient(row, column), &none)),
-            k_ta_ta: matrix(|row, column| {
-                let [by_force, by_arm] = double_cross_gradient(&f, &d, row, column);
-                i.gradient(&by_force, &by_arm)
-            }),
-        }
+        JoinStiffness { k_ua_ta: matrix!(i.of_k_ua_ta), k_ta_ta: matrix!(i.of_k_ta_ta) }
     }
 }
 
@@ -198,18 +182,13 @@ impl Formula for SymmetricStiffness {
     type Inputs<T: Component> = SlotLoads<T>;
     type Outputs<T: Component> = JoinSymmetric<T>;
 
-    #[inline(always)]
+    #[inline]
     fn eval<D: Scalar>(i: &SlotLoads<D>) -> JoinSymmetric<D> {
         JoinSymmetric { s_ta_ta: symmetric(&GeometricStiffness::eval(i).k_ta_ta) }
     }
 
-    #[inline(always)]
+    #[inline]
     fn jacobian<D: Scalar>(i: &SlotLoads<D>) -> Jacobian<Self, D> {
-        let (f, d) = (i.force(), i.arm());
-        let entry = |row, column| {
-            let [by_force, by_arm] = symmetric_gradient(&f, &d, row, column);
-            i.gradient(&by_force, &by_arm)
-        };
-        JoinSymmetric { s_ta_ta: matrix(entry) }
+        JoinSymmetric { s_ta_ta: matrix!(i.of_s_ta_ta) }
     }
 }

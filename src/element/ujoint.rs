@@ -1,12 +1,15 @@
 //! UJOINT as an element: the rows and forces of JOIN and of UNIVERSAL, four residuals on twelve degrees of freedom.
 
+#![expect(clippy::inline_always, reason = "zeros are left out where the compiler sees the indices")]
+
 #[cfg(feature = "verify")]
 mod proof;
 
 use super::NodalForces;
 use super::join::{self, JoinForces, JoinLoads, JoinRows, JoinStiffness};
-use super::products::{matrix, symmetric};
-use super::universal::{self, UniversalLoads, UniversalMoments, UniversalRow, UniversalStiffness};
+use super::lever::Lever;
+use super::products::{column, matrix, symmetric};
+use super::universal::{self, UniversalLoads, UniversalRow, UniversalStiffness};
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec};
 use crate::quantity::{
@@ -70,17 +73,50 @@ impl Formula for Rows {
     type Inputs<T: Component> = JointPlaces<T>;
     type Outputs<T: Component> = JointRows<T>;
 
-    #[inline(always)]
+    #[inline]
     fn eval<D: Scalar>(i: &JointPlaces<D>) -> JointRows<D> {
         JointRows::of(join::Rows::eval(&i.positions()), universal::Rows::eval(&i.axes()))
     }
 
-    #[inline(always)]
+    #[inline]
     fn jacobian<D: Scalar>(i: &JointPlaces<D>) -> Jacobian<Self, D> {
-        let zero = JointPlaces::filled(D::zero());
-        let by_positions = |Positions { e1a, e2a, e3a, xa, xb }| JointPlaces { e1a, e2a, e3a, xa, xb, ..zero };
-        let by_axes = |CrossAxes { e1a, e3b }| JointPlaces { e1a, e3b, ..zero };
-        JointRows::of(JoinRows::gradients(&i.positions(), by_positions), UniversalRow::gradients(&i.axes(), by_axes))
+        let one = D::one();
+        JointRows {
+            g1_ua: column!(i.of_axis, 0, -one),
+            g1_ta: column!(i.of_moment, 0),
+            g1_ub: column!(i.of_axis, 0, one),
+            g2_ua: column!(i.of_axis, 1, -one),
+            g2_ta: column!(i.of_moment, 1),
+            g2_ub: column!(i.of_axis, 1, one),
+            g3_ua: column!(i.of_axis, 2, -one),
+            g3_ta: column!(i.of_moment, 2),
+            g3_ub: column!(i.of_axis, 2, one),
+            g_rot_ta: column!(i.of_cross, one),
+            g_rot_tb: column!(i.of_cross, -one),
+        }
+    }
+}
+
+impl<D: Scalar> JointPlaces<D> {
+    #[inline(always)]
+    fn by_positions(Positions { e1a, e2a, e3a, xa, xb }: Positions<D>) -> Self {
+        Self { e1a, e2a, e3a, xa, xb, ..Self::filled(D::zero()) }
+    }
+
+    // The gradients of k-th components, as JOIN and UNIVERSAL have them.
+
+    #[inline(always)]
+    fn of_axis(&self, n: usize, sign: D, k: usize) -> Self {
+        Self::by_positions(self.positions().of_axis(n, sign, k))
+    }
+    #[inline(always)]
+    fn of_moment(&self, n: usize, k: usize) -> Self {
+        Self::by_positions(self.positions().of_moment(n, k))
+    }
+    #[inline(always)]
+    fn of_cross(&self, sign: D, k: usize) -> Self {
+        let CrossAxes { e1a, e3b } = self.axes().of_cross(sign, k);
+        Self { e1a, e3b, ..Self::filled(D::zero()) }
     }
 }
 
@@ -120,6 +156,50 @@ impl<D: Scalar> JointLoads<D> {
         let UniversalLoads { e1a, e3b, lambda_rot } = universal;
         Self { e1a: join.e1a + e1a, e3b, lambda_rot, ..Self::by_join(join) }
     }
+
+    // The gradients of components and entries, as JOIN and UNIVERSAL have them.
+
+    #[inline(always)]
+    fn of_fa(&self, k: usize) -> Self {
+        Self::by_join(self.of_join().of_fa(k))
+    }
+    #[inline(always)]
+    fn of_ma(&self, k: usize) -> Self {
+        Self::by_both(self.of_join().of_ma(k), self.of_universal().of_ma(k))
+    }
+    #[inline(always)]
+    fn of_fb(&self, k: usize) -> Self {
+        Self::by_join(self.of_join().of_fb(k))
+    }
+    #[inline(always)]
+    fn of_mb(&self, k: usize) -> Self {
+        Self::by_universal(self.of_universal().of_mb(k))
+    }
+
+    #[inline(always)]
+    fn of_k_ua_ta(&self, row: usize, column: usize) -> Self {
+        Self::by_join(self.of_join().of_k_ua_ta(row, column))
+    }
+    #[inline(always)]
+    fn of_k_ta_ta(&self, row: usize, column: usize) -> Self {
+        Self::by_both(self.of_join().of_k_ta_ta(row, column), self.of_universal().of_k_ta_ta(row, column))
+    }
+    #[inline(always)]
+    fn of_k_ta_tb(&self, row: usize, column: usize) -> Self {
+        Self::by_universal(self.of_universal().of_k_ta_tb(row, column))
+    }
+    #[inline(always)]
+    fn of_k_tb_tb(&self, row: usize, column: usize) -> Self {
+        Self::by_universal(self.of_universal().of_k_tb_tb(row, column))
+    }
+    #[inline(always)]
+    fn of_s_ta_ta(&self, row: usize, column: usize) -> Self {
+        Self::by_both(self.of_join().of_s_ta_ta(row, column), self.of_universal().of_symmetric(row, column))
+    }
+    #[inline(always)]
+    fn of_s_tb_tb(&self, row: usize, column: usize) -> Self {
+        Self::by_universal(self.of_universal().of_symmetric(row, column))
+    }
 }
 
 /// What UJOINT exerts on its nodes, Rowsᵀ λ: the forces of JOIN and the moments of both.
@@ -138,23 +218,16 @@ impl Formula for Forces {
     type Inputs<T: Component> = JointLoads<T>;
     type Outputs<T: Component> = NodalForces<T>;
 
-    #[inline(always)]
+    #[inline]
     fn eval<D: Scalar>(i: &JointLoads<D>) -> NodalForces<D> {
         let JoinForces { fa, ma, fb } = join::Forces::eval(&i.of_join());
         let moments = universal::Moments::eval(&i.of_universal());
         NodalForces { fa, ma: ma + moments.ma, fb, mb: moments.mb }
     }
 
-    #[inline(always)]
+    #[inline]
     fn jacobian<D: Scalar>(i: &JointLoads<D>) -> Jacobian<Self, D> {
-        let JoinForces { fa, ma, fb } = join::Forces::jacobian(&i.of_join());
-        let moments: UniversalMoments<_> = universal::Moments::jacobian(&i.of_universal());
-        NodalForces {
-            fa: fa.map(JointLoads::by_join),
-            ma: ma.zip_map(&moments.ma, JointLoads::by_both),
-            fb: fb.map(JointLoads::by_join),
-            mb: moments.mb.map(JointLoads::by_universal),
-        }
+        NodalForces { fa: column!(i.of_fa), ma: column!(i.of_ma), fb: column!(i.of_fb), mb: column!(i.of_mb) }
     }
 }
 
@@ -184,7 +257,7 @@ impl Formula for GeometricStiffness {
     type Inputs<T: Component> = JointLoads<T>;
     type Outputs<T: Component> = JointStiffness<T>;
 
-    #[inline(always)]
+    #[inline]
     fn eval<D: Scalar>(i: &JointLoads<D>) -> JointStiffness<D> {
         let JoinStiffness { k_ua_ta, k_ta_ta } = join::GeometricStiffness::eval(&i.of_join());
         let turned = universal::GeometricStiffness::eval(&i.of_universal());
@@ -192,14 +265,13 @@ impl Formula for GeometricStiffness {
         JointStiffness { k_ua_ta, k_ta_ta: k_ta_ta + turned.k_ta_ta, k_ta_tb, k_tb_tb }
     }
 
-    #[inline(always)]
+    #[inline]
     fn jacobian<D: Scalar>(i: &JointLoads<D>) -> Jacobian<Self, D> {
-        let (join, universal, one) = (i.of_join(), i.of_universal(), D::one());
         JointStiffness {
-            k_ua_ta: matrix(|r, c| JointLoads::by_join(join.of_force(r, c))),
-            k_ta_ta: matrix(|r, c| JointLoads::by_both(join.of_turn(r, c), universal.of_block(r, c, one))),
-            k_ta_tb: matrix(|r, c| JointLoads::by_universal(universal.of_block(c, r, -one))),
-            k_tb_tb: matrix(|r, c| JointLoads::by_universal(universal.of_block(c, r, one))),
+            k_ua_ta: matrix!(i.of_k_ua_ta),
+            k_ta_ta: matrix!(i.of_k_ta_ta),
+            k_ta_tb: matrix!(i.of_k_ta_tb),
+            k_tb_tb: matrix!(i.of_k_tb_tb),
         }
     }
 }
@@ -225,17 +297,14 @@ impl Formula for SymmetricStiffness {
     type Inputs<T: Component> = JointLoads<T>;
     type Outputs<T: Component> = JointSymmetric<T>;
 
-    #[inline(always)]
+    #[inline]
     fn eval<D: Scalar>(i: &JointLoads<D>) -> JointSymmetric<D> {
         let JointStiffness { k_ta_ta, k_tb_tb, .. } = GeometricStiffness::eval(i);
         JointSymmetric { s_ta_ta: symmetric(&k_ta_ta), s_tb_tb: symmetric(&k_tb_tb) }
     }
 
-    #[inline(always)]
+    #[inline]
     fn jacobian<D: Scalar>(i: &JointLoads<D>) -> Jacobian<Self, D> {
-        let (join, universal) = (i.of_join(), i.of_universal());
-        let of_a = |r, c| JointLoads::by_both(join.of_symmetric_turn(r, c), universal.of_symmetric_block(r, c));
-        let of_b = |r, c| JointLoads::by_universal(universal.of_symmetric_block(r, c));
-        JointSymmetric { s_ta_ta: matrix(of_a), s_tb_tb: matrix(of_b) }
+        JointSymmetric { s_ta_ta: matrix!(i.of_s_ta_ta), s_tb_tb: matrix!(i.of_s_tb_tb) }
     }
 }

@@ -1,5 +1,7 @@
 //! UNIVERSAL as an element: one residual, the cosine between e1a and e3b, on which spins alone work.
 
+#![expect(clippy::inline_always, reason = "zeros are left out where the compiler sees the indices")]
+
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 
@@ -37,27 +39,24 @@ impl Formula for Rows {
     type Inputs<T: Component> = CrossAxes<T>;
     type Outputs<T: Component> = UniversalRow<T>;
 
-    #[inline(always)]
+    #[inline]
     fn eval<D: Scalar>(i: &CrossAxes<D>) -> UniversalRow<D> {
         let across = i.e1a.cross(&i.e3b);
         UniversalRow { g_rot_ta: across, g_rot_tb: -across }
     }
 
-    #[inline(always)]
+    #[inline]
     fn jacobian<D: Scalar>(i: &CrossAxes<D>) -> Jacobian<Self, D> {
-        UniversalRow::gradients(i, |gradient| gradient)
+        UniversalRow { g_rot_ta: column!(i.of_cross, D::one()), g_rot_tb: column!(i.of_cross, -D::one()) }
     }
 }
 
-impl<I: Component> UniversalRow<I> {
-    /// The gradients, as they are written where there are more inputs.
+impl<D: Scalar> CrossAxes<D> {
+    /// The gradient of the k-th component of e1a × e3b, times a sign.
     #[inline(always)]
-    pub(super) fn gradients<D: Scalar>(i: &CrossAxes<D>, written: impl Fn(CrossAxes<D>) -> I) -> Self {
-        let row = |k: usize, sign: D| {
-            let [e1a, e3b] = cross_gradient(&i.e1a, &i.e3b, k);
-            written(CrossAxes { e1a: e1a.times(sign), e3b: e3b.times(sign) })
-        };
-        UniversalRow { g_rot_ta: column(|k| row(k, D::one())), g_rot_tb: column(|k| row(k, -D::one())) }
+    pub(super) fn of_cross(&self, sign: D, k: usize) -> Self {
+        let [by_e1a, by_e3b] = cross_gradient(&self.e1a, &self.e3b, k);
+        Self { e1a: by_e1a.times(sign), e3b: by_e3b.times(sign) }
     }
 }
 
@@ -87,21 +86,15 @@ impl Formula for Moments {
     type Inputs<T: Component> = UniversalLoads<T>;
     type Outputs<T: Component> = UniversalMoments<T>;
 
-    #[inline(always)]
+    #[inline]
     fn eval<D: Scalar>(i: &UniversalLoads<D>) -> UniversalMoments<D> {
         let ma = i.e1a.cross(&i.e3b) * i.lambda_rot;
         UniversalMoments { ma, mb: -ma }
     }
 
-    #[inline(always)]
+    #[inline]
     fn jacobian<D: Scalar>(i: &UniversalLoads<D>) -> Jacobian<Self, D> {
-        let across = i.e1a.cross(&i.e3b);
-        let row = |k: usize, factor: D, sign: D| {
-            let [e1a, e3b] = cross_gradient(&i.e1a, &i.e3b, k);
-            UniversalLoads { e1a: e1a.times(factor), e3b: e3b.times(factor), lambda_rot: across[k] * sign }
-        };
-        let rows = |sign: D| column(|k| row(k, i.lambda_rot * sign, sign));
-        UniversalMoments { ma: rows(D::one()), mb: rows(-D::one()) }
+        UniversalMoments { ma: column!(i.of_ma), mb: column!(i.of_mb) }
     }
 }
 
@@ -126,24 +119,59 @@ impl<D: Scalar> UniversalLoads<D> {
         double_cross(&self.e1a, &self.e3b) * self.lambda_rot
     }
 
-    /// The gradient of an entry of the block, times a sign.
+    /// The gradient of something times λ, by e1a, e3b and λ.
     #[inline(always)]
-    pub(super) fn of_block(&self, row: usize, column: usize, sign: D) -> Self {
-        let [e1a, e3b] = double_cross_gradient(&self.e1a, &self.e3b, row, column);
-        self.gradient([e1a, e3b], double_cross(&self.e1a, &self.e3b)[(row, column)], sign)
-    }
-
-    /// The gradient of an entry of its symmetric part.
-    #[inline(always)]
-    pub(super) fn of_symmetric_block(&self, row: usize, column: usize) -> Self {
-        let [e1a, e3b] = symmetric_gradient(&self.e1a, &self.e3b, row, column);
-        self.gradient([e1a, e3b], symmetric(&double_cross(&self.e1a, &self.e3b))[(row, column)], D::one())
-    }
-
-    #[inline(always)]
-    fn gradient(&self, [by_e1a, by_e3b]: [Sparse<D>; 2], by_factor: D, sign: D) -> Self {
+    fn gradient(&self, [by_e1a, by_e3b]: [Sparse<D>; 2], something: D, sign: D) -> Self {
         let factor = self.lambda_rot * sign;
-        Self { e1a: by_e1a.times(factor), e3b: by_e3b.times(factor), lambda_rot: by_factor * sign }
+        Self { e1a: by_e1a.times(factor), e3b: by_e3b.times(factor), lambda_rot: something * sign }
+    }
+
+    #[inline(always)]
+    fn of_moment(&self, k: usize, sign: D) -> Self {
+        self.gradient(cross_gradient(&self.e1a, &self.e3b, k), self.e1a.cross(&self.e3b)[k], sign)
+    }
+
+    #[inline(always)]
+    fn of_block(&self, row: usize, column: usize, sign: D) -> Self {
+        let by_axes = double_cross_gradient(&self.e1a, &self.e3b, row, column);
+        self.gradient(by_axes, double_cross(&self.e1a, &self.e3b)[(row, column)], sign)
+    }
+
+    /// The gradient of the k-th component of the moment on a.
+    #[inline(always)]
+    pub(super) fn of_ma(&self, k: usize) -> Self {
+        self.of_moment(k, D::one())
+    }
+
+    /// The gradient of the k-th component of the moment on b.
+    #[inline(always)]
+    pub(super) fn of_mb(&self, k: usize) -> Self {
+        self.of_moment(k, -D::one())
+    }
+
+    /// The gradient of an entry of the block of a.
+    #[inline(always)]
+    pub(super) fn of_k_ta_ta(&self, row: usize, column: usize) -> Self {
+        self.of_block(row, column, D::one())
+    }
+
+    /// The gradient of an entry of the block of a and b.
+    #[inline(always)]
+    pub(super) fn of_k_ta_tb(&self, row: usize, column: usize) -> Self {
+        self.of_block(column, row, -D::one())
+    }
+
+    /// The gradient of an entry of the block of b.
+    #[inline(always)]
+    pub(super) fn of_k_tb_tb(&self, row: usize, column: usize) -> Self {
+        self.of_block(column, row, D::one())
+    }
+
+    /// The gradient of an entry of the symmetric part of either.
+    #[inline(always)]
+    pub(super) fn of_symmetric(&self, row: usize, column: usize) -> Self {
+        let by_axes = symmetric_gradient(&self.e1a, &self.e3b, row, column);
+        self.gradient(by_axes, symmetric(&double_cross(&self.e1a, &self.e3b))[(row, column)], D::one())
     }
 }
 
@@ -160,20 +188,19 @@ impl Formula for GeometricStiffness {
     type Inputs<T: Component> = UniversalLoads<T>;
     type Outputs<T: Component> = UniversalStiffness<T>;
 
-    #[inline(always)]
+    #[inline]
     fn eval<D: Scalar>(i: &UniversalLoads<D>) -> UniversalStiffness<D> {
         let block = i.block();
         let transposed = block.transpose();
         UniversalStiffness { k_ta_ta: block, k_ta_tb: -transposed, k_tb_tb: transposed }
     }
 
-    #[inline(always)]
+    #[inline]
     fn jacobian<D: Scalar>(i: &UniversalLoads<D>) -> Jacobian<Self, D> {
-        let one = D::one();
         UniversalStiffness {
-            k_ta_ta: matrix(|row, column| i.of_block(row, column, one)),
-            k_ta_tb: matrix(|row, column| i.of_block(column, row, -one)),
-            k_tb_tb: matrix(|row, column| i.of_block(column, row, one)),
+            k_ta_ta: matrix!(i.of_k_ta_ta),
+            k_ta_tb: matrix!(i.of_k_ta_tb),
+            k_tb_tb: matrix!(i.of_k_tb_tb),
         }
     }
 }
@@ -200,15 +227,15 @@ impl Formula for SymmetricStiffness {
     type Inputs<T: Component> = UniversalLoads<T>;
     type Outputs<T: Component> = UniversalSymmetric<T>;
 
-    #[inline(always)]
+    #[inline]
     fn eval<D: Scalar>(i: &UniversalLoads<D>) -> UniversalSymmetric<D> {
         let block = symmetric(&i.block());
         UniversalSymmetric { s_ta_ta: block, s_tb_tb: block }
     }
 
-    #[inline(always)]
+    #[inline]
     fn jacobian<D: Scalar>(i: &UniversalLoads<D>) -> Jacobian<Self, D> {
-        let block = matrix(|row, column| i.of_symmetric_block(row, column));
+        let block = matrix!(i.of_symmetric);
         UniversalSymmetric { s_ta_ta: block, s_tb_tb: block }
     }
 }
