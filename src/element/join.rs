@@ -1,14 +1,14 @@
 //! JOIN as an element: three residuals, each the distance of b from its place along one axis of a.
 
-#![expect(clippy::inline_always, reason = "zeros are left out where the compiler sees the indices")]
+#![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
 
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 
 use super::lever::Lever;
-use super::products::{Sparse, column, cross_gradient, double_cross, matrix, skew, symmetric};
+use super::products::{column, cross_gradient, double_cross, matrix, skew, symmetric};
 use crate::fields;
-use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec, along};
+use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec, along};
 use crate::quantity::{
     E1A, E2A, E3A, F2, F3, FORCE_A, FORCE_B, G1_TA, G1_UA, G1_UB, G2_TA, G2_UA, G2_UB, G3_TA, G3_UA, G3_UB, JOIN_F1,
     K_TA_TA, K_UA_TA, MOMENT_A, S_TA_TA, XA, XB,
@@ -58,7 +58,7 @@ impl Formula for Rows {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &Positions<D>) -> Jacobian<Self, D> {
         let one = D::one();
         JoinRows {
@@ -78,27 +78,35 @@ impl Formula for Rows {
 impl<D: Scalar> Positions<D> {
     #[inline(always)]
     fn axis(&self, n: usize) -> Vector3<D> {
-        [self.e1a, self.e2a, self.e3a][n]
+        match n {
+            0 => self.e1a,
+            1 => self.e2a,
+            _ => self.e3a,
+        }
     }
 
-    /// A gradient by the n-th axis and the vector from a to b.
+    /// A gradient by the n-th axis alone.
     #[inline(always)]
-    fn gradient(n: usize, by_axis: Vector3<D>, by_arm: &Sparse<D>) -> Self {
-        let [e1a, e2a, e3a] = [0, 1, 2].map(|k| if k == n { by_axis } else { Vector3::from_element(D::zero()) });
-        Self { e1a, e2a, e3a, xa: by_arm.negative(), xb: by_arm.dense() }
+    fn by_axis(n: usize, by_axis: Vector3<D>) -> Self {
+        let zero = Self::filled(D::zero());
+        match n {
+            0 => Self { e1a: by_axis, ..zero },
+            1 => Self { e2a: by_axis, ..zero },
+            _ => Self { e3a: by_axis, ..zero },
+        }
     }
 
     /// The gradient of the k-th component of the n-th axis, times a sign.
     #[inline(always)]
     pub(super) fn of_axis(&self, n: usize, sign: D, k: usize) -> Self {
-        Self::gradient(n, along(k, sign), &Sparse::none())
+        Self::by_axis(n, along(k, sign))
     }
 
     /// The gradient of the k-th component of the n-th axis × (xb − xa).
     #[inline(always)]
     pub(super) fn of_moment(&self, n: usize, k: usize) -> Self {
         let [by_axis, by_arm] = cross_gradient(&self.axis(n), &(self.xb - self.xa), k);
-        Self::gradient(n, by_axis.dense(), &by_arm)
+        Self { xa: -by_arm, xb: by_arm, ..Self::by_axis(n, by_axis) }
     }
 }
 
@@ -126,16 +134,31 @@ impl<D: Scalar> Lever<D> for JoinLoads<D> {
     }
 
     #[inline(always)]
-    fn gradient(&self, by_force: &Sparse<D>, by_arm: &Sparse<D>) -> Self {
+    fn gradient(&self, by_force: &Vector3<D>, by_arm: &Vector3<D>) -> Self {
         Self {
-            e1a: by_force.times(self.f1),
-            e2a: by_force.times(self.f2),
-            e3a: by_force.times(self.f3),
-            xa: by_arm.negative(),
-            xb: by_arm.dense(),
-            f1: by_force.dot(&self.e1a),
-            f2: by_force.dot(&self.e2a),
-            f3: by_force.dot(&self.e3a),
+            e1a: by_force * self.f1,
+            e2a: by_force * self.f2,
+            e3a: by_force * self.f3,
+            xa: -by_arm,
+            xb: *by_arm,
+            f1: self.e1a.dot(by_force),
+            f2: self.e2a.dot(by_force),
+            f3: self.e3a.dot(by_force),
+        }
+    }
+
+    #[inline(always)]
+    fn of_force(&self, k: usize, sign: D) -> Self {
+        let none = Vector3::from_element(D::zero());
+        Self {
+            e1a: along(k, self.f1 * sign),
+            e2a: along(k, self.f2 * sign),
+            e3a: along(k, self.f3 * sign),
+            xa: none,
+            xb: none,
+            f1: self.e1a[k] * sign,
+            f2: self.e2a[k] * sign,
+            f3: self.e3a[k] * sign,
         }
     }
 }
@@ -162,7 +185,7 @@ impl Formula for Forces {
         JoinForces { fa: -f, ma: f.cross(&i.arm()), fb: f }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &JoinLoads<D>) -> Jacobian<Self, D> {
         JoinForces { fa: column!(i.of_fa), ma: column!(i.of_ma), fb: column!(i.of_fb) }
     }
@@ -197,7 +220,7 @@ impl Formula for GeometricStiffness {
         JoinStiffness { k_ua_ta: skew(&f), k_ta_ta: double_cross(&f, &i.arm()) }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &JoinLoads<D>) -> Jacobian<Self, D> {
         JoinStiffness { k_ua_ta: matrix!(i.of_k_ua_ta), k_ta_ta: matrix!(i.of_k_ta_ta) }
     }
@@ -229,7 +252,7 @@ impl Formula for SymmetricStiffness {
         JoinSymmetric { s_ta_ta: symmetric(&GeometricStiffness::eval(i).k_ta_ta) }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &JoinLoads<D>) -> Jacobian<Self, D> {
         JoinSymmetric { s_ta_ta: matrix!(i.of_s_ta_ta) }
     }

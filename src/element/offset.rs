@@ -3,7 +3,7 @@
 //! The connector's point moves with u + θ × r, where r is the arm, from the node to that point, and turns with the node. A
 //! force there has the moment r × f about the node, which changes as the arm turns.
 
-#![expect(clippy::inline_always, reason = "zeros are left out where the compiler sees the indices")]
+#![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
 
 #[cfg(feature = "verify")]
 mod proof;
@@ -46,7 +46,7 @@ impl Formula for Arm {
         ArmActions { m_node: i.m + i.r.cross(&i.f), k_arm: double_cross(&i.r, &i.f) }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &ArmLoads<D>) -> Jacobian<Self, D> {
         ArmActions { m_node: column!(i.of_moment), k_arm: matrix!(i.of_block) }
     }
@@ -57,14 +57,14 @@ impl<D: Scalar> ArmLoads<D> {
     #[inline(always)]
     fn of_moment(&self, k: usize) -> Self {
         let [by_arm, by_force] = cross_gradient(&self.r, &self.f, k);
-        Self { r: by_arm.dense(), f: by_force.dense(), m: along(k, D::one()) }
+        Self { r: by_arm, f: by_force, m: along(k, D::one()) }
     }
 
     /// The gradient of an entry of the block.
     #[inline(always)]
     fn of_block(&self, row: usize, column: usize) -> Self {
         let [by_arm, by_force] = double_cross_gradient(&self.r, &self.f, row, column);
-        Self { r: by_arm.dense(), f: by_force.dense(), ..Self::filled(D::zero()) }
+        Self { r: by_arm, f: by_force, ..Self::filled(D::zero()) }
     }
 }
 

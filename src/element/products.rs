@@ -1,65 +1,16 @@
 //! Products of vectors and their gradients.
 
-#![expect(clippy::inline_always, reason = "zeros are left out where the compiler sees the indices")]
+#![expect(clippy::inline_always, reason = "the compiler sees the indices, and computes no zeros")]
 
+use crate::formula::Fields;
 use crate::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
 
-/// A vector of which most components are zero whatever the inputs: these are not computed with.
-#[derive(Clone, Copy)]
-pub(super) struct Sparse<D>([Option<D>; 3]);
-
-impl<D: Scalar> Sparse<D> {
-    #[inline(always)]
-    pub(super) fn none() -> Self {
-        Self([None; 3])
-    }
-
-    /// With a component, also.
-    #[inline(always)]
-    pub(super) fn with(mut self, axis: usize, value: D) -> Self {
-        self.0[axis] = Some(value);
-        self
-    }
-
-    #[inline(always)]
-    fn map(self, f: impl Fn(D) -> D) -> Self {
-        let [x, y, z] = self.0;
-        Self([x.map(&f), y.map(&f), z.map(&f)])
-    }
-
-    #[inline(always)]
-    pub(super) fn dense(&self) -> Vector3<D> {
-        let [x, y, z] = self.0.map(|x| x.unwrap_or_else(D::zero));
-        Vector3::new(x, y, z)
-    }
-
-    #[inline(always)]
-    pub(super) fn times(&self, factor: D) -> Vector3<D> {
-        self.map(|x| x * factor).dense()
-    }
-
-    #[inline(always)]
-    pub(super) fn negative(&self) -> Vector3<D> {
-        self.map(|x| -x).dense()
-    }
-
-    #[inline(always)]
-    pub(super) fn dot(&self, v: &Vector3<D>) -> D {
-        let term = |k: usize| self.0[k].map(|x| x * v[k]);
-        let sum = |a: Option<D>, b: Option<D>| match (a, b) {
-            (Some(a), Some(b)) => Some(a + b),
-            (a, b) => a.or(b),
-        };
-        sum(sum(term(0), term(1)), term(2)).unwrap_or_else(D::zero)
-    }
-}
-
 /// The gradients of the k-th component of a × b: by a, and by b.
 #[inline(always)]
-pub(super) fn cross_gradient<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>, k: usize) -> [Sparse<D>; 2] {
-    let (next, last) = ((k + 1) % 3, (k + 2) % 3);
-    [Sparse::none().with(next, b[last]).with(last, -b[next]), Sparse::none().with(next, -a[last]).with(last, a[next])]
+pub(super) fn cross_gradient<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>, k: usize) -> [Vector3<D>; 2] {
+    let across = |v: &Vector3<D>| skew(v).column(k).into_owned();
+    [across(b), -across(a)]
 }
 
 /// \[v×\]: what takes w to v × w.
@@ -71,11 +22,12 @@ pub(super) fn skew<D: Scalar>(v: &Vector3<D>) -> Matrix3<D> {
 
 /// The gradient of an entry of [`skew`] by the vector.
 #[inline(always)]
-pub(super) fn skew_gradient<D: Scalar>(row: usize, column: usize) -> Sparse<D> {
-    if row == column {
-        return Sparse::none();
+pub(super) fn skew_gradient<D: Scalar>(row: usize, column: usize) -> Vector3<D> {
+    let mut gradient = Vector3::from_element(D::zero());
+    if row != column {
+        gradient[3 - row - column] = if column == (row + 1) % 3 { -D::one() } else { D::one() };
     }
-    Sparse::none().with(3 - row - column, if column == (row + 1) % 3 { -D::one() } else { D::one() })
+    gradient
 }
 
 /// a ⊗ b − (a·b) I = \[b×\] \[a×\]: what takes w to b × (a × w).
@@ -98,13 +50,15 @@ pub(super) fn double_cross_gradient<D: Scalar>(
     b: &Vector3<D>,
     row: usize,
     column: usize,
-) -> [Sparse<D>; 2] {
+) -> [Vector3<D>; 2] {
     if row == column {
-        let (next, last) = ((row + 1) % 3, (row + 2) % 3);
-        let others = |v: &Vector3<D>| Sparse::none().with(next, -v[next]).with(last, -v[last]);
+        let others = |v: &Vector3<D>| Vector3::from_fn(|k, _| if k == row { D::zero() } else { -v[k] });
         return [others(b), others(a)];
     }
-    [Sparse::none().with(row, b[column]), Sparse::none().with(column, a[row])]
+    let (mut by_a, mut by_b) = (Vector3::from_element(D::zero()), Vector3::from_element(D::zero()));
+    by_a[row] = b[column];
+    by_b[column] = a[row];
+    [by_a, by_b]
 }
 
 /// ½ (M + Mᵀ).
@@ -117,19 +71,20 @@ pub(super) fn symmetric<D: Scalar>(m: &Matrix3<D>) -> Matrix3<D> {
     )
 }
 
-/// The gradients of an entry of the [`symmetric`] part of [`double_cross`]: by a, and by b.
+/// ½ (a + b), component by component.
 #[inline(always)]
-pub(super) fn symmetric_gradient<D: Scalar>(
-    a: &Vector3<D>,
-    b: &Vector3<D>,
-    row: usize,
-    column: usize,
-) -> [Sparse<D>; 2] {
-    if row == column {
-        return double_cross_gradient(a, b, row, column);
+pub(super) fn mean<D: Scalar, I: Fields<D>>(a: &I, b: &I) -> I {
+    let mut sum = I::array_of(D::zero());
+    for part in [a, b] {
+        let mut places = sum.as_mut().iter_mut();
+        part.for_each_component(&mut |x| {
+            if let Some(place) = places.next() {
+                *place += x;
+            }
+        });
     }
-    let half = |v: &Vector3<D>| Sparse::none().with(row, v[column] * 0.5).with(column, v[row] * 0.5);
-    [half(b), half(a)]
+    let mut all = sum.as_ref().iter().map(|&x| x * 0.5);
+    I::from_components(&mut || all.next().expect("an array has as many components as it was made for"))
 }
 
 /// The column of what a method gives for every index, after what else it takes. Each is a call of its own: in a loop, or through a closure, the
@@ -142,17 +97,17 @@ macro_rules! column {
 
 /// As [`column`], a matrix by its rows and columns.
 macro_rules! matrix {
-    ($i:ident.$method:ident) => {
+    ($i:ident.$method:ident $(, $of:expr)*) => {
         nalgebra::Matrix3::new(
-            $i.$method(0, 0),
-            $i.$method(0, 1),
-            $i.$method(0, 2),
-            $i.$method(1, 0),
-            $i.$method(1, 1),
-            $i.$method(1, 2),
-            $i.$method(2, 0),
-            $i.$method(2, 1),
-            $i.$method(2, 2),
+            $i.$method($($of,)* 0, 0),
+            $i.$method($($of,)* 0, 1),
+            $i.$method($($of,)* 0, 2),
+            $i.$method($($of,)* 1, 0),
+            $i.$method($($of,)* 1, 1),
+            $i.$method($($of,)* 1, 2),
+            $i.$method($($of,)* 2, 0),
+            $i.$method($($of,)* 2, 1),
+            $i.$method($($of,)* 2, 2),
         )
     };
 }

@@ -1,13 +1,13 @@
 //! SLOT as an element: two residuals, the distances of b from the slot along two axes of a.
 
-#![expect(clippy::inline_always, reason = "zeros are left out where the compiler sees the indices")]
+#![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
 
 #[cfg(feature = "verify")]
 mod proof;
 
 use super::join::{JoinForces, JoinStiffness, JoinSymmetric};
 use super::lever::Lever;
-use super::products::{Sparse, column, cross_gradient, double_cross, matrix, skew, symmetric};
+use super::products::{column, cross_gradient, double_cross, matrix, skew, symmetric};
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec, along};
 use crate::quantity::{E2A, E3A, F2, F3, GY_TA, GY_UA, GY_UB, GZ_TA, GZ_UA, GZ_UB, XA, XB};
@@ -57,25 +57,39 @@ impl Formula for Rows {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &SlotPlaces<D>) -> Jacobian<Self, D> {
-        let (d, one, zero) = (i.xb - i.xa, D::one(), SlotPlaces::filled(D::zero()));
-        let of_y = |e2a: Vector3<D>| SlotPlaces { e2a, ..zero };
-        let of_z = |e3a: Vector3<D>| SlotPlaces { e3a, ..zero };
-        let moment = |e: &Vector3<D>, of: &dyn Fn(Vector3<D>) -> SlotPlaces<D>| {
-            Vector3::from_fn(|k, _| {
-                let [by_e, by_d] = cross_gradient(e, &d, k).map(|by_factor| by_factor.dense());
-                SlotPlaces { xa: -by_d, xb: by_d, ..of(by_e) }
-            })
-        };
+        let one = D::one();
         SlotRows {
-            gy_ua: Vector3::from_fn(|k, _| of_y(along(k, -one))),
-            gy_ta: moment(&i.e2a, &of_y),
-            gy_ub: Vector3::from_fn(|k, _| of_y(along(k, one))),
-            gz_ua: Vector3::from_fn(|k, _| of_z(along(k, -one))),
-            gz_ta: moment(&i.e3a, &of_z),
-            gz_ub: Vector3::from_fn(|k, _| of_z(along(k, one))),
+            gy_ua: column!(i.of_y, -one),
+            gy_ta: column!(i.of_moment_of_y),
+            gy_ub: column!(i.of_y, one),
+            gz_ua: column!(i.of_z, -one),
+            gz_ta: column!(i.of_moment_of_z),
+            gz_ub: column!(i.of_z, one),
         }
+    }
+}
+
+/// The gradients of k-th components: of either axis, times a sign, and of its product with the vector from a to b.
+impl<D: Scalar> SlotPlaces<D> {
+    #[inline(always)]
+    pub(super) fn of_y(&self, sign: D, k: usize) -> Self {
+        Self { e2a: along(k, sign), ..Self::filled(D::zero()) }
+    }
+    #[inline(always)]
+    pub(super) fn of_z(&self, sign: D, k: usize) -> Self {
+        Self { e3a: along(k, sign), ..Self::filled(D::zero()) }
+    }
+    #[inline(always)]
+    pub(super) fn of_moment_of_y(&self, k: usize) -> Self {
+        let [e2a, by_arm] = cross_gradient(&self.e2a, &(self.xb - self.xa), k);
+        Self { e2a, xa: -by_arm, xb: by_arm, ..Self::filled(D::zero()) }
+    }
+    #[inline(always)]
+    pub(super) fn of_moment_of_z(&self, k: usize) -> Self {
+        let [e3a, by_arm] = cross_gradient(&self.e3a, &(self.xb - self.xa), k);
+        Self { e3a, xa: -by_arm, xb: by_arm, ..Self::filled(D::zero()) }
     }
 }
 
@@ -98,15 +112,20 @@ impl<D: Scalar> Lever<D> for SlotLoads<D> {
     }
 
     #[inline(always)]
-    fn gradient(&self, by_force: &Sparse<D>, by_arm: &Sparse<D>) -> Self {
+    fn gradient(&self, by_force: &Vector3<D>, by_arm: &Vector3<D>) -> Self {
         Self {
-            e2a: by_force.times(self.f2),
-            e3a: by_force.times(self.f3),
-            xa: by_arm.negative(),
-            xb: by_arm.dense(),
-            f2: by_force.dot(&self.e2a),
-            f3: by_force.dot(&self.e3a),
+            e2a: by_force * self.f2,
+            e3a: by_force * self.f3,
+            xa: -by_arm,
+            xb: *by_arm,
+            f2: self.e2a.dot(by_force),
+            f3: self.e3a.dot(by_force),
         }
+    }
+
+    #[inline(always)]
+    fn of_force(&self, k: usize, sign: D) -> Self {
+        self.gradient(&along(k, sign), &Vector3::from_element(D::zero()))
     }
 }
 
@@ -132,7 +151,7 @@ impl Formula for Forces {
         JoinForces { fa: -f, ma: f.cross(&i.arm()), fb: f }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &SlotLoads<D>) -> Jacobian<Self, D> {
         JoinForces { fa: column!(i.of_fa), ma: column!(i.of_ma), fb: column!(i.of_fb) }
     }
@@ -160,7 +179,7 @@ impl Formula for GeometricStiffness {
         JoinStiffness { k_ua_ta: skew(&f), k_ta_ta: double_cross(&f, &i.arm()) }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &SlotLoads<D>) -> Jacobian<Self, D> {
         JoinStiffness { k_ua_ta: matrix!(i.of_k_ua_ta), k_ta_ta: matrix!(i.of_k_ta_ta) }
     }
@@ -187,7 +206,7 @@ impl Formula for SymmetricStiffness {
         JoinSymmetric { s_ta_ta: symmetric(&GeometricStiffness::eval(i).k_ta_ta) }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &SlotLoads<D>) -> Jacobian<Self, D> {
         JoinSymmetric { s_ta_ta: matrix!(i.of_s_ta_ta) }
     }

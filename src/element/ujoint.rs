@@ -1,6 +1,6 @@
 //! UJOINT as an element: the rows and forces of JOIN and of UNIVERSAL, four residuals on twelve degrees of freedom.
 
-#![expect(clippy::inline_always, reason = "zeros are left out where the compiler sees the indices")]
+#![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
 
 #[cfg(feature = "verify")]
 mod proof;
@@ -78,7 +78,7 @@ impl Formula for Rows {
         JointRows::of(join::Rows::eval(&i.positions()), universal::Rows::eval(&i.axes()))
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &JointPlaces<D>) -> Jacobian<Self, D> {
         let one = D::one();
         JointRows {
@@ -225,7 +225,7 @@ impl Formula for Forces {
         NodalForces { fa, ma: ma + moments.ma, fb, mb: moments.mb }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &JointLoads<D>) -> Jacobian<Self, D> {
         NodalForces { fa: column!(i.of_fa), ma: column!(i.of_ma), fb: column!(i.of_fb), mb: column!(i.of_mb) }
     }
@@ -265,7 +265,7 @@ impl Formula for GeometricStiffness {
         JointStiffness { k_ua_ta, k_ta_ta: k_ta_ta + turned.k_ta_ta, k_ta_tb, k_tb_tb }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &JointLoads<D>) -> Jacobian<Self, D> {
         JointStiffness {
             k_ua_ta: matrix!(i.of_k_ua_ta),
@@ -303,7 +303,7 @@ impl Formula for SymmetricStiffness {
         JointSymmetric { s_ta_ta: symmetric(&k_ta_ta), s_tb_tb: symmetric(&k_tb_tb) }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &JointLoads<D>) -> Jacobian<Self, D> {
         JointSymmetric { s_ta_ta: matrix!(i.of_s_ta_ta), s_tb_tb: matrix!(i.of_s_tb_tb) }
     }

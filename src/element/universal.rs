@@ -1,13 +1,11 @@
 //! UNIVERSAL as an element: one residual, the cosine between e1a and e3b, on which spins alone work.
 
-#![expect(clippy::inline_always, reason = "zeros are left out where the compiler sees the indices")]
+#![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
 
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 
-use super::products::{
-    Sparse, column, cross_gradient, double_cross, double_cross_gradient, matrix, symmetric, symmetric_gradient,
-};
+use super::products::{column, cross_gradient, double_cross, double_cross_gradient, matrix, mean, symmetric};
 use crate::fields;
 use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec};
 use crate::quantity::{
@@ -45,7 +43,7 @@ impl Formula for Rows {
         UniversalRow { g_rot_ta: across, g_rot_tb: -across }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &CrossAxes<D>) -> Jacobian<Self, D> {
         UniversalRow { g_rot_ta: column!(i.of_cross, D::one()), g_rot_tb: column!(i.of_cross, -D::one()) }
     }
@@ -56,7 +54,7 @@ impl<D: Scalar> CrossAxes<D> {
     #[inline(always)]
     pub(super) fn of_cross(&self, sign: D, k: usize) -> Self {
         let [by_e1a, by_e3b] = cross_gradient(&self.e1a, &self.e3b, k);
-        Self { e1a: by_e1a.times(sign), e3b: by_e3b.times(sign) }
+        Self { e1a: by_e1a * sign, e3b: by_e3b * sign }
     }
 }
 
@@ -92,7 +90,7 @@ impl Formula for Moments {
         UniversalMoments { ma, mb: -ma }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &UniversalLoads<D>) -> Jacobian<Self, D> {
         UniversalMoments { ma: column!(i.of_ma), mb: column!(i.of_mb) }
     }
@@ -121,9 +119,9 @@ impl<D: Scalar> UniversalLoads<D> {
 
     /// The gradient of something times λ, by e1a, e3b and λ.
     #[inline(always)]
-    fn gradient(&self, [by_e1a, by_e3b]: [Sparse<D>; 2], something: D, sign: D) -> Self {
+    fn gradient(&self, [by_e1a, by_e3b]: [Vector3<D>; 2], something: D, sign: D) -> Self {
         let factor = self.lambda_rot * sign;
-        Self { e1a: by_e1a.times(factor), e3b: by_e3b.times(factor), lambda_rot: something * sign }
+        Self { e1a: by_e1a * factor, e3b: by_e3b * factor, lambda_rot: something * sign }
     }
 
     #[inline(always)]
@@ -170,8 +168,10 @@ impl<D: Scalar> UniversalLoads<D> {
     /// The gradient of an entry of the symmetric part of either.
     #[inline(always)]
     pub(super) fn of_symmetric(&self, row: usize, column: usize) -> Self {
-        let by_axes = symmetric_gradient(&self.e1a, &self.e3b, row, column);
-        self.gradient(by_axes, symmetric(&double_cross(&self.e1a, &self.e3b))[(row, column)], D::one())
+        if row == column {
+            return self.of_k_ta_ta(row, row);
+        }
+        mean(&self.of_k_ta_ta(row, column), &self.of_k_ta_ta(column, row))
     }
 }
 
@@ -195,7 +195,7 @@ impl Formula for GeometricStiffness {
         UniversalStiffness { k_ta_ta: block, k_ta_tb: -transposed, k_tb_tb: transposed }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &UniversalLoads<D>) -> Jacobian<Self, D> {
         UniversalStiffness {
             k_ta_ta: matrix!(i.of_k_ta_ta),
@@ -233,7 +233,7 @@ impl Formula for SymmetricStiffness {
         UniversalSymmetric { s_ta_ta: block, s_tb_tb: block }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &UniversalLoads<D>) -> Jacobian<Self, D> {
         let block = matrix!(i.of_symmetric);
         UniversalSymmetric { s_ta_ta: block, s_tb_tb: block }
