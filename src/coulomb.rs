@@ -66,10 +66,12 @@ fields! {
 pub struct ReturnMap;
 
 impl<D: Scalar> Trial<D> {
-    /// Whether the contact sticks: |f_trial| < μ F_N, with the product not rounded.
+    /// Whether the contact sticks: |f_trial| < μ F_N, with the product not rounded. Rounding makes two numbers equal, but
+    /// never reverses them.
     #[inline]
     pub(crate) fn sticks(&self) -> bool {
-        self.mu.mul_add(self.r#fn, -abs(self.f_trial)) > 0.0
+        let (force, limit) = (abs(self.f_trial), self.mu * self.r#fn);
+        force < limit || (force == limit && self.mu.mul_add(self.r#fn, -force) > 0.0)
     }
 }
 

@@ -325,7 +325,7 @@ fields! {
 }
 
 /// The changes of the rows with the spin of b, with their multipliers.
-pub(super) struct Curved<D> {
+struct Curved<D> {
     loads: AlignLoads<D>,
     turns: Turns<D>,
     entries: [Matrix3<D>; 3],
@@ -335,21 +335,21 @@ pub(super) struct Curved<D> {
 
 impl<D: Scalar> Curved<D> {
     #[inline(always)]
-    pub(super) fn new(loads: &AlignLoads<D>) -> Self {
+    fn new(loads: &AlignLoads<D>) -> Self {
         let turns = Turns::new(&loads.triads());
         let (first, third) = (turns.first.curving(), turns.third.curving());
         Self { loads: *loads, entries: turns.curvatures(), first, third, turns }
     }
 
     #[inline(always)]
-    pub(super) fn stiffness(&self) -> Matrix3<D> {
+    fn stiffness(&self) -> Matrix3<D> {
         let ([first, second, third], [l1, l2, l3]) = (self.entries, self.loads.multipliers());
         first * l1 + second * l2 + third * l3
     }
 
     /// The gradient of an entry of the stiffness.
     #[inline(always)]
-    pub(super) fn of_k_tb_tb(&self, r: usize, c: usize) -> AlignLoads<D> {
+    fn of_k_tb_tb(&self, r: usize, c: usize) -> AlignLoads<D> {
         let [first, second, third] = &self.entries;
         let second_gradient = self.turns.second_curvature_gradient(r, c);
         let gradients = [of_first(self.first.gradient(r, c)), second_gradient, of_third(self.third.gradient(c, r))];

@@ -6,7 +6,7 @@
 mod proof;
 
 use super::NodalForces;
-use super::align::{self, AlignLoads, AlignRows, AlignStiffness, Curved, Loaded, Turns};
+use super::align::{self, AlignLoads, AlignRows, AlignStiffness, Loaded, Turns};
 use super::join::JoinStiffness;
 use super::lever::Lever;
 use super::products::{column, matrix};
@@ -238,12 +238,8 @@ impl<D: Scalar> TranslatorLoads<D> {
         Self::by_slot(self.slot().of_k_ua_ta(row, column))
     }
     #[inline(always)]
-    fn of_k_ta_ta(&self, curved: &Curved<D>, row: usize, column: usize) -> Self {
-        Self::by_both(self.slot().of_k_ta_ta(row, column), curved.of_k_tb_tb(column, row))
-    }
-    #[inline(always)]
-    fn of_k_tb_tb(&self, curved: &Curved<D>, row: usize, column: usize) -> Self {
-        Self::by_align(curved.of_k_tb_tb(row, column))
+    fn of_k_ta_ta(&self, align: &AlignStiffness<AlignLoads<D>>, row: usize, column: usize) -> Self {
+        Self::by_both(self.slot().of_k_ta_ta(row, column), align.k_tb_tb[(column, row)])
     }
 }
 
@@ -334,15 +330,14 @@ impl Formula for GeometricStiffness {
         Self::linearized(i).1
     }
 
-    #[inline(always)]
+    #[inline]
     fn linearized<D: Scalar>(i: &TranslatorLoads<D>) -> ValueAndJacobian<Self, D> {
-        let (JoinStiffness { k_ua_ta, k_ta_ta }, curved) =
-            (slot::GeometricStiffness::eval(&i.slot()), Curved::new(&i.align()));
-        let k_tb_tb = curved.stiffness();
+        let JoinStiffness { k_ua_ta, k_ta_ta } = slot::GeometricStiffness::eval(&i.slot());
+        let (AlignStiffness { k_tb_tb }, align) = align::GeometricStiffness::linearized(&i.align());
         let gradients = TranslatorStiffness {
             k_ua_ta: matrix!(i.of_k_ua_ta),
-            k_ta_ta: matrix!(i.of_k_ta_ta, &curved),
-            k_tb_tb: matrix!(i.of_k_tb_tb, &curved),
+            k_ta_ta: matrix!(i.of_k_ta_ta, &align),
+            k_tb_tb: align.k_tb_tb.map(TranslatorLoads::by_align),
         };
         (TranslatorStiffness { k_ua_ta, k_ta_ta: k_ta_ta + k_tb_tb.transpose(), k_tb_tb }, gradients)
     }
