@@ -71,20 +71,20 @@ impl<D: Scalar> Turns<D> {
     }
 
     /// The gradient of the n-th component of the first row.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn of_ur1(&self, n: usize) -> Triads<D> {
         of_first(self.first.row_gradient(n))
     }
 
     /// The gradient of the n-th component of the second row.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn of_ur2(&self, n: usize) -> Triads<D> {
         let [by_e3b, by_e1a] = cross_gradient(&self.e3b, &self.e1a, n);
         self.by_arms([by_e1a * self.slope, by_e3b * self.slope], self.by_sine() * self.node_line()[n])
     }
 
     /// The gradient of the n-th component of the third row.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn of_ur3(&self, n: usize) -> Triads<D> {
         let [by_e, by_p, by_q] = self.third.row_gradient(n);
         of_third([-by_e, -by_p, -by_q])
@@ -263,14 +263,14 @@ impl<D: Scalar> Loaded<D> {
     }
 
     /// The gradient of the n-th component of the moment on b.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn of_mb(&self, n: usize) -> AlignLoads<D> {
         let (turns, [first, second, third]) = (&self.turns, self.rows);
         self.loads.gradient([turns.of_ur1(n), turns.of_ur2(n), turns.of_ur3(n)], [first[n], second[n], third[n]])
     }
 
     /// The gradient of the n-th component of the moment on a.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn of_ma(&self, n: usize) -> AlignLoads<D> {
         self.of_mb(n).opposite()
     }
@@ -348,7 +348,7 @@ impl<D: Scalar> Curved<D> {
     }
 
     /// The gradient of an entry of the stiffness.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_k_tb_tb(&self, r: usize, c: usize) -> AlignLoads<D> {
         let [first, second, third] = &self.entries;
         let second_gradient = self.turns.second_curvature_gradient(r, c);

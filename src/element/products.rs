@@ -89,6 +89,8 @@ pub(super) fn mean<D: Scalar, I: Fields<D>>(a: &I, b: &I) -> I {
 
 /// The column of what a method gives for every index, after what else it takes. Each is a call of its own: in a loop, or through a closure, the
 /// compiler would not see the index, and look up at run time where the zeros are.
+///
+/// The method is always inlined where the compiler optimises; where it does not, each would only take its own room on the stack.
 macro_rules! column {
     ($i:ident.$method:ident $(, $of:expr)*) => {
         nalgebra::Vector3::new($i.$method($($of,)* 0), $i.$method($($of,)* 1), $i.$method($($of,)* 2))

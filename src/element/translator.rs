@@ -133,31 +133,31 @@ impl<D: Scalar> TranslatorPlaces<D> {
 
     // The gradients of k-th components, as SLOT and ALIGN have them.
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_y(&self, sign: D, k: usize) -> Self {
         Self::by_slot(self.slot().of_y(sign, k))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_z(&self, sign: D, k: usize) -> Self {
         Self::by_slot(self.slot().of_z(sign, k))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_moment_of_y(&self, k: usize) -> Self {
         Self::by_slot(self.slot().of_moment_of_y(k))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_moment_of_z(&self, k: usize) -> Self {
         Self::by_slot(self.slot().of_moment_of_z(k))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_ur1(&self, turns: &Turns<D>, k: usize) -> Self {
         Self::by_triads(&turns.of_ur1(k))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_ur2(&self, turns: &Turns<D>, k: usize) -> Self {
         Self::by_triads(&turns.of_ur2(k))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_ur3(&self, turns: &Turns<D>, k: usize) -> Self {
         Self::by_triads(&turns.of_ur3(k))
     }
@@ -217,27 +217,27 @@ impl<D: Scalar> TranslatorLoads<D> {
 
     // The gradients of k-th components, as SLOT and ALIGN have them.
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_fa(&self, k: usize) -> Self {
         Self::by_slot(self.slot().of_fa(k))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_fb(&self, k: usize) -> Self {
         Self::by_slot(self.slot().of_fb(k))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_ma(&self, loaded: &Loaded<D>, k: usize) -> Self {
         Self::by_both(self.slot().of_ma(k), loaded.of_ma(k))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_mb(&self, loaded: &Loaded<D>, k: usize) -> Self {
         Self::by_align(loaded.of_mb(k))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_k_ua_ta(&self, row: usize, column: usize) -> Self {
         Self::by_slot(self.slot().of_k_ua_ta(row, column))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_k_ta_ta(&self, align: &AlignStiffness<AlignLoads<D>>, row: usize, column: usize) -> Self {
         Self::by_both(self.slot().of_k_ta_ta(row, column), align.k_tb_tb[(column, row)])
     }

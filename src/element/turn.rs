@@ -54,7 +54,7 @@ impl<D: Scalar> Turn<D> {
     }
 
     /// The gradient of the n-th component of [`row`](Self::row): by e, p and q.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn row_gradient(&self, n: usize) -> [Vector3<D>; 3] {
         let Self { e, k, u, h, v, square: [re, im], skewed: [_, skewed] } = self;
         let twice = double_cross(e, e).column(n).into_owned();
@@ -81,7 +81,7 @@ impl<D: Scalar> Turn<D> {
     }
 
     /// As [`row_gradient`](Self::row_gradient), of u.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn u_gradient(&self, n: usize) -> [Vector3<D>; 3] {
         let Self { e, k, u, square: [re, im], .. } = self;
         let across = |g: &Vector3<D>| double_cross(g, e).row(n).transpose();
@@ -89,7 +89,7 @@ impl<D: Scalar> Turn<D> {
     }
 
     /// As [`row_gradient`](Self::row_gradient), of h.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn h_gradient(&self, n: usize) -> [Vector3<D>; 3] {
         let Self { e, k, u, h, v, square: [re, im], skewed: [skewed, _] } = self;
         let twice = double_cross(e, e).column(n).into_owned();
@@ -108,7 +108,7 @@ pub(super) struct Curving<D> {
 
 impl<D: Scalar> Curving<D> {
     /// The gradient of an entry of the curvature: by e, p and q.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn gradient(&self, r: usize, c: usize) -> [Vector3<D>; 3] {
         let (Turn { e, u, h, v, .. }, Self { by_u, by_h, by_v, .. }) = (&self.turn, self);
         let turned = |k: usize| by_h[r][k] * v[c] + by_v[c][k] * h[r] + by_v[r][k] * h[c] + by_h[c][k] * v[r];

@@ -105,15 +105,15 @@ impl<D: Scalar> JointPlaces<D> {
 
     // The gradients of k-th components, as JOIN and UNIVERSAL have them.
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_axis(&self, n: usize, sign: D, k: usize) -> Self {
         Self::by_positions(self.positions().of_axis(n, sign, k))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_moment(&self, n: usize, k: usize) -> Self {
         Self::by_positions(self.positions().of_moment(n, k))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_cross(&self, sign: D, k: usize) -> Self {
         let CrossAxes { e1a, e3b } = self.axes().of_cross(sign, k);
         Self { e1a, e3b, ..Self::filled(D::zero()) }
@@ -159,44 +159,44 @@ impl<D: Scalar> JointLoads<D> {
 
     // The gradients of components and entries, as JOIN and UNIVERSAL have them.
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_fa(&self, k: usize) -> Self {
         Self::by_join(self.of_join().of_fa(k))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_ma(&self, k: usize) -> Self {
         Self::by_both(self.of_join().of_ma(k), self.of_universal().of_ma(k))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_fb(&self, k: usize) -> Self {
         Self::by_join(self.of_join().of_fb(k))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_mb(&self, k: usize) -> Self {
         Self::by_universal(self.of_universal().of_mb(k))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_k_ua_ta(&self, row: usize, column: usize) -> Self {
         Self::by_join(self.of_join().of_k_ua_ta(row, column))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_k_ta_ta(&self, row: usize, column: usize) -> Self {
         Self::by_both(self.of_join().of_k_ta_ta(row, column), self.of_universal().of_k_ta_ta(row, column))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_k_ta_tb(&self, row: usize, column: usize) -> Self {
         Self::by_universal(self.of_universal().of_k_ta_tb(row, column))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_k_tb_tb(&self, row: usize, column: usize) -> Self {
         Self::by_universal(self.of_universal().of_k_tb_tb(row, column))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_s_ta_ta(&self, row: usize, column: usize) -> Self {
         Self::by_both(self.of_join().of_s_ta_ta(row, column), self.of_universal().of_symmetric(row, column))
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_s_tb_tb(&self, row: usize, column: usize) -> Self {
         Self::by_universal(self.of_universal().of_symmetric(row, column))
     }
