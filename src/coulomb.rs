@@ -16,7 +16,7 @@ pub use surface::{ReturnMap2d, Tangential2d, Trial2d};
 use crate::fields;
 use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec};
 use crate::quantity::{F_TANGENTIAL, F_TRIAL, FN, MU, P, PHI};
-use crate::scalar::{Scalar, abs, sign};
+use crate::scalar::{Scalar, abs, choice, sign};
 
 fields! {
     /// Tangential traction, friction coefficient and normal force.
@@ -66,10 +66,14 @@ fields! {
 pub struct ReturnMap;
 
 impl<D: Scalar> Trial<D> {
-    /// Whether the contact sticks: |f_trial| < μ F_N, with the product not rounded.
+    /// Whether the contact sticks: |f_trial| < μ F_N, with the product not rounded. Rounding makes two numbers equal, but
+    /// never reverses them.
     #[inline]
     pub(crate) fn sticks(&self) -> bool {
-        self.mu.mul_add(self.r#fn, -abs(self.f_trial)) > 0.0
+        let (force, limit) = (abs(self.f_trial), self.mu * self.r#fn);
+        let is_less = || force < limit || (force == limit && self.mu.mul_add(self.r#fn, -force) > 0.0);
+        let [sticks] = choice(|| [if is_less() { D::one() } else { D::zero() }]);
+        sticks > 0.0
     }
 }
 

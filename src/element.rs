@@ -20,6 +20,7 @@ pub mod align;
 mod assembly;
 mod chain;
 pub mod join;
+mod lever;
 #[cfg(feature = "verify")]
 mod motion;
 pub mod newton;

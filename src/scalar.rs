@@ -180,8 +180,10 @@ pub fn norm_and_direction<D: Scalar, const N: usize>(x: [D; N]) -> (D, [D; N]) {
 }
 
 /// A subnormal length has lost digits that the direction needs; a power of two brings them back.
-#[cold]
+#[inline(always)]
+#[expect(clippy::inline_always, reason = "a call would need the components in memory, on the way that is usual too")]
 fn direction_of_subnormal<D: Scalar, const N: usize>(x: [D; N]) -> [D; N] {
+    std::hint::cold_path();
     let x = x.map(|x| x * power_of_two(60));
     divide(x, norm(x))
 }
@@ -267,8 +269,13 @@ impl Squares {
         if sum > self.smallest && sum < self.largest { sum.sqrt() } else { self.rescaled(x) }
     }
 
-    #[cold]
+    #[inline(always)]
+    #[expect(
+        clippy::inline_always,
+        reason = "a call would need the components in memory, on the way that is usual too"
+    )]
     fn rescaled<D: Scalar, const N: usize>(&self, x: [D; N]) -> D {
+        std::hint::cold_path();
         let large = x.iter().any(|&x| abs(x) > 1.0);
         let factor = if large { self.rescale.recip() } else { self.rescale };
         sum_of_squares(x.map(|x| x * factor)).sqrt() / factor

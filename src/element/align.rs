@@ -5,16 +5,20 @@
 //! rows are the derivatives of two such angles and of an arc sine. Where β is ±90° there are none.
 //! The geometric stiffness depends on both spins by their difference too: one block, its transpose and their opposites.
 
+#![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
+
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 
-use super::products::{cross_gradient, double_cross, double_cross_gradient, symmetric, symmetric_gradient};
-use super::turn::Turn;
+use super::products::{
+    column, cross_gradient, double_cross, double_cross_gradient, matrix, symmetric, symmetric_gradient,
+};
+use super::turn::{Curving, Turn};
 use super::universal::UniversalMoments;
 use crate::cardan::{CardanAngles, Triads, arc_sine_slope};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
 use crate::quantity::{
     E1A, E1B, E2A, E2B, E3A, E3B, K_TB_TB, LAMBDA_R1, LAMBDA_R2, LAMBDA_R3, S_TB_TB, UR1_TB, UR2_TB, UR3_TB,
 };
@@ -33,7 +37,7 @@ fields! {
 }
 
 /// What the derivatives are made of.
-struct Turns<D> {
+pub(super) struct Turns<D> {
     e1a: Vector3<D>,
     e3b: Vector3<D>,
     /// α, of e3b.
@@ -46,8 +50,8 @@ struct Turns<D> {
 }
 
 impl<D: Scalar> Turns<D> {
-    #[inline]
-    fn new(i: &Triads<D>) -> Self {
+    #[inline(always)]
+    pub(super) fn new(i: &Triads<D>) -> Self {
         Self {
             e1a: i.e1a,
             e3b: i.e3b,
@@ -59,42 +63,47 @@ impl<D: Scalar> Turns<D> {
     }
 
     /// Along the line of nodes.
-    #[inline]
+    #[inline(always)]
     fn node_line(&self) -> Vector3<D> {
         self.e3b.cross(&self.e1a)
     }
 
     /// The derivatives of the three angles by the spin of b.
-    #[inline]
-    fn rows(&self) -> [Vector3<D>; 3] {
+    #[inline(always)]
+    pub(super) fn rows(&self) -> [Vector3<D>; 3] {
         [self.first.row(), self.node_line() * self.slope, -self.third.row()]
     }
 
-    /// The gradients of the n-th component of each row.
-    #[inline]
-    fn row_gradients(&self, n: usize) -> [Triads<D>; 3] {
+    /// The gradient of the n-th component of the first row.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn of_ur1(&self, n: usize) -> Triads<D> {
+        of_first(self.first.row_gradient(n))
+    }
+
+    /// The gradient of the n-th component of the second row.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn of_ur2(&self, n: usize) -> Triads<D> {
         let [by_e3b, by_e1a] = cross_gradient(&self.e3b, &self.e1a, n);
-        let second = self.by_arms([by_e1a * self.slope, by_e3b * self.slope], self.by_sine() * self.node_line()[n]);
-        [of_first(self.first.row_gradient(n)), second, of_third(self.third.row_gradient(n).map(|v| -v))]
+        self.by_arms([by_e1a * self.slope, by_e3b * self.slope], self.by_sine() * self.node_line()[n])
+    }
+
+    /// The gradient of the n-th component of the third row.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn of_ur3(&self, n: usize) -> Triads<D> {
+        let [by_e, by_p, by_q] = self.third.row_gradient(n);
+        of_third([-by_e, -by_p, -by_q])
     }
 
     /// How each row changes with the spin of b.
-    #[inline]
+    #[inline(always)]
     fn curvatures(&self) -> [Matrix3<D>; 3] {
         let n = self.node_line();
         let second = double_cross(&self.e3b, &self.e1a) * self.slope + n * n.transpose() * self.by_sine();
         [self.first.curvature(), second, self.third.curvature().transpose()]
     }
 
-    /// The gradients of the entries of each of [`curvatures`](Self::curvatures).
-    #[inline]
-    fn curvature_gradients(&self) -> [Matrix3<Triads<D>>; 3] {
-        let (first, third) = (self.first.curvature_gradients(), self.third.curvature_gradients().transpose());
-        [first.map(of_first), Matrix3::from_fn(|r, c| self.second_curvature_gradient(r, c)), third.map(of_third)]
-    }
-
     /// The gradient of an entry of the second of [`curvatures`](Self::curvatures).
-    #[inline]
+    #[inline(always)]
     fn second_curvature_gradient(&self, r: usize, c: usize) -> Triads<D> {
         let Self { e1a, e3b, sine, slope, .. } = self;
         let (n, by_n) = (self.node_line(), |k: usize| cross_gradient(e3b, e1a, k));
@@ -108,13 +117,13 @@ impl<D: Scalar> Turns<D> {
     }
 
     /// The derivative of the slope by sin β.
-    #[inline]
+    #[inline(always)]
     fn by_sine(&self) -> D {
         self.sine * self.slope * self.slope * self.slope
     }
 
     /// A gradient by e1a, e3b and sin β.
-    #[inline]
+    #[inline(always)]
     fn by_arms(&self, [by_a, by_b]: [Vector3<D>; 2], by_sine: D) -> Triads<D> {
         let zero = Triads::filled(D::zero());
         Triads { e1a: by_a + self.e3b * by_sine, e3b: by_b + self.e1a * by_sine, ..zero }
@@ -122,13 +131,13 @@ impl<D: Scalar> Turns<D> {
 }
 
 /// A gradient of something of the first angle.
-#[inline]
+#[inline(always)]
 fn of_first<D: Scalar>([e3b, e2a, e3a]: [Vector3<D>; 3]) -> Triads<D> {
     Triads { e2a, e3a, e3b, ..Triads::filled(D::zero()) }
 }
 
 /// A gradient of something of the third angle.
-#[inline]
+#[inline(always)]
 fn of_third<D: Scalar>([e1a, e2b, e1b]: [Vector3<D>; 3]) -> Triads<D> {
     Triads { e1a, e1b, e2b, ..Triads::filled(D::zero()) }
 }
@@ -165,10 +174,16 @@ impl Formula for Rows {
 
     #[inline]
     fn jacobian<D: Scalar>(i: &Triads<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline(always)]
+    fn linearized<D: Scalar>(i: &Triads<D>) -> ValueAndJacobian<Self, D> {
         let turns = Turns::new(i);
-        let all = [0, 1, 2].map(|n| turns.row_gradients(n));
-        let row = |angle: usize| Vector3::from_fn(|n, _| all[n][angle]);
-        AlignRows { ur1_tb: row(0), ur2_tb: row(1), ur3_tb: row(2) }
+        let [ur1_tb, ur2_tb, ur3_tb] = turns.rows();
+        let gradients =
+            AlignRows { ur1_tb: column!(turns.of_ur1), ur2_tb: column!(turns.of_ur2), ur3_tb: column!(turns.of_ur3) };
+        (AlignRows { ur1_tb, ur2_tb, ur3_tb }, gradients)
     }
 
     #[inline]
@@ -207,7 +222,7 @@ impl<T: Component> AlignLoads<T> {
 
 impl<D: Scalar> AlignLoads<D> {
     /// The gradient of a sum of one number of each angle, times its multiplier.
-    #[inline]
+    #[inline(always)]
     fn gradient(&self, [first, second, third]: [Triads<D>; 3], numbers: [D; 3]) -> Self {
         let [l1, l2, l3] = self.multipliers();
         let by_triads = Triads {
@@ -222,11 +237,46 @@ impl<D: Scalar> AlignLoads<D> {
     }
 
     /// −1 times a gradient.
-    #[inline]
+    #[inline(always)]
     fn opposite(&self) -> Self {
         let Triads { e1a, e2a, e3a, e1b, e2b, e3b } = self.triads();
         let triads = Triads { e1a: -e1a, e2a: -e2a, e3a: -e3a, e1b: -e1b, e2b: -e2b, e3b: -e3b };
         Self::new(&triads, self.multipliers().map(|x| -x))
+    }
+}
+
+/// The rows with their multipliers.
+pub(super) struct Loaded<D> {
+    loads: AlignLoads<D>,
+    turns: Turns<D>,
+    rows: [Vector3<D>; 3],
+}
+
+impl<D: Scalar> Loaded<D> {
+    #[inline(always)]
+    pub(super) fn new(loads: &AlignLoads<D>) -> Self {
+        let turns = Turns::new(&loads.triads());
+        Self { loads: *loads, rows: turns.rows(), turns }
+    }
+
+    /// On b.
+    #[inline(always)]
+    pub(super) fn moment(&self) -> Vector3<D> {
+        let ([first, second, third], [l1, l2, l3]) = (self.rows, self.loads.multipliers());
+        first * l1 + second * l2 + third * l3
+    }
+
+    /// The gradient of the n-th component of the moment on b.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn of_mb(&self, n: usize) -> AlignLoads<D> {
+        let (turns, [first, second, third]) = (&self.turns, self.rows);
+        self.loads.gradient([turns.of_ur1(n), turns.of_ur2(n), turns.of_ur3(n)], [first[n], second[n], third[n]])
+    }
+
+    /// The gradient of the n-th component of the moment on a.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    pub(super) fn of_ma(&self, n: usize) -> AlignLoads<D> {
+        self.of_mb(n).opposite()
     }
 }
 
@@ -249,17 +299,20 @@ impl Formula for Moments {
 
     #[inline]
     fn eval<D: Scalar>(i: &AlignLoads<D>) -> UniversalMoments<D> {
-        let ([first, second, third], [l1, l2, l3]) = (Turns::new(&i.triads()).rows(), i.multipliers());
-        let mb = first * l1 + second * l2 + third * l3;
+        let mb = Loaded::new(i).moment();
         UniversalMoments { ma: -mb, mb }
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &AlignLoads<D>) -> Jacobian<Self, D> {
-        let turns = Turns::new(&i.triads());
-        let rows = turns.rows();
-        let mb = Vector3::from_fn(|n, _| i.gradient(turns.row_gradients(n), rows.map(|row| row[n])));
-        UniversalMoments { ma: mb.map(|gradient| gradient.opposite()), mb }
+        Self::linearized(i).1
+    }
+
+    #[inline(always)]
+    fn linearized<D: Scalar>(i: &AlignLoads<D>) -> ValueAndJacobian<Self, D> {
+        let loaded = Loaded::new(i);
+        let mb = loaded.moment();
+        (UniversalMoments { ma: -mb, mb }, UniversalMoments { ma: column!(loaded.of_ma), mb: column!(loaded.of_mb) })
     }
 
     #[inline]
@@ -273,6 +326,39 @@ fields! {
     ///
     /// [`matrix`](AlignStiffness::matrix) has them in their places.
     pub struct AlignStiffness<T> { k_tb_tb: Matrix3<T> = K_TB_TB }
+}
+
+/// The changes of the rows with the spin of b, with their multipliers.
+struct Curved<D> {
+    loads: AlignLoads<D>,
+    turns: Turns<D>,
+    entries: [Matrix3<D>; 3],
+    first: Curving<D>,
+    third: Curving<D>,
+}
+
+impl<D: Scalar> Curved<D> {
+    #[inline(always)]
+    fn new(loads: &AlignLoads<D>) -> Self {
+        let turns = Turns::new(&loads.triads());
+        let (first, third) = (turns.first.curving(), turns.third.curving());
+        Self { loads: *loads, entries: turns.curvatures(), first, third, turns }
+    }
+
+    #[inline(always)]
+    fn stiffness(&self) -> Matrix3<D> {
+        let ([first, second, third], [l1, l2, l3]) = (self.entries, self.loads.multipliers());
+        first * l1 + second * l2 + third * l3
+    }
+
+    /// The gradient of an entry of the stiffness.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_k_tb_tb(&self, r: usize, c: usize) -> AlignLoads<D> {
+        let [first, second, third] = &self.entries;
+        let second_gradient = self.turns.second_curvature_gradient(r, c);
+        let gradients = [of_first(self.first.gradient(r, c)), second_gradient, of_third(self.third.gradient(c, r))];
+        self.loads.gradient(gradients, [first[(r, c)], second[(r, c)], third[(r, c)]])
+    }
 }
 
 /// The geometric stiffness of ALIGN, Σ λ ∂²g by spins, as it is: unsymmetric.
@@ -299,13 +385,13 @@ impl Formula for GeometricStiffness {
 
     #[inline]
     fn jacobian<D: Scalar>(i: &AlignLoads<D>) -> Jacobian<Self, D> {
-        let turns = Turns::new(&i.triads());
-        let (entries, gradients) = (turns.curvatures(), turns.curvature_gradients());
-        let gradient = |r: usize, c: usize| {
-            let [first, second, third] = &gradients;
-            i.gradient([first[(r, c)], second[(r, c)], third[(r, c)]], entries.map(|entry| entry[(r, c)]))
-        };
-        AlignStiffness { k_tb_tb: Matrix3::from_fn(gradient) }
+        Self::linearized(i).1
+    }
+
+    #[inline(always)]
+    fn linearized<D: Scalar>(i: &AlignLoads<D>) -> ValueAndJacobian<Self, D> {
+        let curved = Curved::new(i);
+        (AlignStiffness { k_tb_tb: curved.stiffness() }, AlignStiffness { k_tb_tb: matrix!(curved.of_k_tb_tb) })
     }
 
     #[inline]

@@ -1,11 +1,13 @@
 //! JOIN as an element: three residuals, each the distance of b from its place along one axis of a.
 
+#![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
+#![expect(clippy::unused_self, reason = "all gradients are asked for by methods alike")]
+
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 
-use super::products::{
-    cross_gradient, double_cross, double_cross_gradient, skew, skew_gradient, symmetric, symmetric_gradient,
-};
+use super::lever::Lever;
+use super::products::{column, cross_gradient, double_cross, matrix, skew, symmetric};
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec, along};
 use crate::quantity::{
@@ -57,34 +59,55 @@ impl Formula for Rows {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &Positions<D>) -> Jacobian<Self, D> {
-        let zero = Positions::filled(D::zero());
-        let with = |axis: usize, e: Vector3<D>| match axis {
-            0 => Positions { e1a: e, ..zero },
-            1 => Positions { e2a: e, ..zero },
-            _ => Positions { e3a: e, ..zero },
-        };
-        let of_axis = |axis: usize, sign: D| Vector3::from_fn(|k, _| with(axis, along(k, sign)));
-        let d = i.xb - i.xa;
-        let moment = |axis: usize, e: &Vector3<D>| {
-            Vector3::from_fn(|k, _| {
-                let [by_e, by_d] = cross_gradient(e, &d, k);
-                Positions { xa: -by_d, xb: by_d, ..with(axis, by_e) }
-            })
-        };
         let one = D::one();
         JoinRows {
-            g1_ua: of_axis(0, -one),
-            g1_ta: moment(0, &i.e1a),
-            g1_ub: of_axis(0, one),
-            g2_ua: of_axis(1, -one),
-            g2_ta: moment(1, &i.e2a),
-            g2_ub: of_axis(1, one),
-            g3_ua: of_axis(2, -one),
-            g3_ta: moment(2, &i.e3a),
-            g3_ub: of_axis(2, one),
+            g1_ua: column!(i.of_axis, 0, -one),
+            g1_ta: column!(i.of_moment, 0),
+            g1_ub: column!(i.of_axis, 0, one),
+            g2_ua: column!(i.of_axis, 1, -one),
+            g2_ta: column!(i.of_moment, 1),
+            g2_ub: column!(i.of_axis, 1, one),
+            g3_ua: column!(i.of_axis, 2, -one),
+            g3_ta: column!(i.of_moment, 2),
+            g3_ub: column!(i.of_axis, 2, one),
         }
+    }
+}
+
+impl<D: Scalar> Positions<D> {
+    #[inline(always)]
+    fn axis(&self, n: usize) -> Vector3<D> {
+        match n {
+            0 => self.e1a,
+            1 => self.e2a,
+            _ => self.e3a,
+        }
+    }
+
+    /// A gradient by the n-th axis alone.
+    #[inline(always)]
+    fn by_axis(n: usize, by_axis: Vector3<D>) -> Self {
+        let zero = Self::filled(D::zero());
+        match n {
+            0 => Self { e1a: by_axis, ..zero },
+            1 => Self { e2a: by_axis, ..zero },
+            _ => Self { e3a: by_axis, ..zero },
+        }
+    }
+
+    /// The gradient of the k-th component of the n-th axis, times a sign.
+    #[inline(always)]
+    pub(super) fn of_axis(&self, n: usize, sign: D, k: usize) -> Self {
+        Self::by_axis(n, along(k, sign))
+    }
+
+    /// The gradient of the k-th component of the n-th axis × (xb − xa).
+    #[inline(always)]
+    pub(super) fn of_moment(&self, n: usize, k: usize) -> Self {
+        let [by_axis, by_arm] = cross_gradient(&self.axis(n), &(self.xb - self.xa), k);
+        Self { xa: -by_arm, xb: by_arm, ..Self::by_axis(n, by_axis) }
     }
 }
 
@@ -100,22 +123,19 @@ fields! {
     pub struct JoinForces<T> { fa: Vector3<T> = FORCE_A, ma: Vector3<T> = MOMENT_A, fb: Vector3<T> = FORCE_B }
 }
 
-impl<D: Scalar> JoinLoads<D> {
-    /// The force on b.
-    #[inline]
-    pub(super) fn force(&self) -> Vector3<D> {
+impl<D: Scalar> Lever<D> for JoinLoads<D> {
+    #[inline(always)]
+    fn force(&self) -> Vector3<D> {
         self.e1a * self.f1 + self.e2a * self.f2 + self.e3a * self.f3
     }
 
-    /// From a to b.
-    #[inline]
-    pub(super) fn arm(&self) -> Vector3<D> {
+    #[inline(always)]
+    fn arm(&self) -> Vector3<D> {
         self.xb - self.xa
     }
 
-    /// The gradient of something by what it is made of, the force on b and the vector from a to b, by the inputs.
-    #[inline]
-    pub(super) fn gradient(&self, by_force: &Vector3<D>, by_arm: &Vector3<D>) -> Self {
+    #[inline(always)]
+    fn gradient(&self, by_force: &Vector3<D>, by_arm: &Vector3<D>) -> Self {
         Self {
             e1a: by_force * self.f1,
             e2a: by_force * self.f2,
@@ -125,6 +145,21 @@ impl<D: Scalar> JoinLoads<D> {
             f1: self.e1a.dot(by_force),
             f2: self.e2a.dot(by_force),
             f3: self.e3a.dot(by_force),
+        }
+    }
+
+    #[inline(always)]
+    fn of_force(&self, k: usize, sign: D) -> Self {
+        let none = Vector3::from_element(D::zero());
+        Self {
+            e1a: along(k, self.f1 * sign),
+            e2a: along(k, self.f2 * sign),
+            e3a: along(k, self.f3 * sign),
+            xa: none,
+            xb: none,
+            f1: self.e1a[k] * sign,
+            f2: self.e2a[k] * sign,
+            f3: self.e3a[k] * sign,
         }
     }
 }
@@ -151,27 +186,9 @@ impl Formula for Forces {
         JoinForces { fa: -f, ma: f.cross(&i.arm()), fb: f }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &JoinLoads<D>) -> Jacobian<Self, D> {
-        let (f, d) = (i.force(), i.arm());
-        let (none, one) = (Vector3::from_element(D::zero()), D::one());
-        let force = |sign: D| {
-            Vector3::from_fn(|k, _| JoinLoads {
-                e1a: along(k, i.f1 * sign),
-                e2a: along(k, i.f2 * sign),
-                e3a: along(k, i.f3 * sign),
-                xa: none,
-                xb: none,
-                f1: i.e1a[k] * sign,
-                f2: i.e2a[k] * sign,
-                f3: i.e3a[k] * sign,
-            })
-        };
-        let moment = |k: usize| {
-            let [by_force, by_arm] = cross_gradient(&f, &d, k);
-            i.gradient(&by_force, &by_arm)
-        };
-        JoinForces { fa: force(-one), ma: Vector3::from_fn(|k, _| moment(k)), fb: force(one) }
+        JoinForces { fa: column!(i.of_fa), ma: column!(i.of_ma), fb: column!(i.of_fb) }
     }
 }
 
@@ -204,16 +221,9 @@ impl Formula for GeometricStiffness {
         JoinStiffness { k_ua_ta: skew(&f), k_ta_ta: double_cross(&f, &i.arm()) }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &JoinLoads<D>) -> Jacobian<Self, D> {
-        let (f, d, none) = (i.force(), i.arm(), Vector3::from_element(D::zero()));
-        JoinStiffness {
-            k_ua_ta: Matrix3::from_fn(|row, column| i.gradient(&skew_gradient(row, column), &none)),
-            k_ta_ta: Matrix3::from_fn(|row, column| {
-                let [by_force, by_arm] = double_cross_gradient(&f, &d, row, column);
-                i.gradient(&by_force, &by_arm)
-            }),
-        }
+        JoinStiffness { k_ua_ta: matrix!(i.of_k_ua_ta), k_ta_ta: matrix!(i.of_k_ta_ta) }
     }
 }
 
@@ -243,8 +253,8 @@ impl Formula for SymmetricStiffness {
         JoinSymmetric { s_ta_ta: symmetric(&GeometricStiffness::eval(i).k_ta_ta) }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &JoinLoads<D>) -> Jacobian<Self, D> {
-        JoinSymmetric { s_ta_ta: symmetric_gradient(&GeometricStiffness::jacobian(i).k_ta_ta) }
+        JoinSymmetric { s_ta_ta: matrix!(i.of_s_ta_ta) }
     }
 }

@@ -3,10 +3,12 @@
 //! The connector's point moves with u + θ × r, where r is the arm, from the node to that point, and turns with the node. A
 //! force there has the moment r × f about the node, which changes as the arm turns.
 
+#![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
+
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::products::{cross_gradient, double_cross, double_cross_gradient};
+use super::products::{column, cross_gradient, double_cross, double_cross_gradient, matrix};
 use super::{Forces, Rows, Stiffness};
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec, along};
@@ -44,19 +46,25 @@ impl Formula for Arm {
         ArmActions { m_node: i.m + i.r.cross(&i.f), k_arm: double_cross(&i.r, &i.f) }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &ArmLoads<D>) -> Jacobian<Self, D> {
-        let none = ArmLoads::filled(D::zero());
-        ArmActions {
-            m_node: Vector3::from_fn(|k, _| {
-                let [r, f] = cross_gradient(&i.r, &i.f, k);
-                ArmLoads { r, f, m: along(k, D::one()) }
-            }),
-            k_arm: Matrix3::from_fn(|row, column| {
-                let [r, f] = double_cross_gradient(&i.r, &i.f, row, column);
-                ArmLoads { r, f, ..none }
-            }),
-        }
+        ArmActions { m_node: column!(i.of_moment), k_arm: matrix!(i.of_block) }
+    }
+}
+
+impl<D: Scalar> ArmLoads<D> {
+    /// The gradient of the k-th component of the moment.
+    #[inline(always)]
+    fn of_moment(&self, k: usize) -> Self {
+        let [by_arm, by_force] = cross_gradient(&self.r, &self.f, k);
+        Self { r: by_arm, f: by_force, m: along(k, D::one()) }
+    }
+
+    /// The gradient of an entry of the block.
+    #[inline(always)]
+    fn of_block(&self, row: usize, column: usize) -> Self {
+        let [by_arm, by_force] = double_cross_gradient(&self.r, &self.f, row, column);
+        Self { r: by_arm, f: by_force, ..Self::filled(D::zero()) }
     }
 }
 

@@ -8,6 +8,8 @@
 //! The stiffness is Σ λ ∂²g of the residuals on the line. With d = x_n − x_1 and P = ∂f/∂d its blocks are multiples of P and
 //! Pᵀ, and it is symmetric, since there are no spins.
 
+#![expect(clippy::inline_always, reason = "the compiler sees the indices, and shares what both have of the line")]
+
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 
@@ -51,7 +53,7 @@ pub(super) struct Along<D, const N: usize> {
 }
 
 impl<D: Scalar, const N: usize> Along<D, N> {
-    #[inline]
+    #[inline(always)]
     pub(super) fn new(x1: &SVector<D, N>, xn: &SVector<D, N>, xm: &SVector<D, N>) -> Self {
         let span = Span::new(x1, xn);
         let station = Station::new(&span, x1, xn, xm);
@@ -60,28 +62,29 @@ impl<D: Scalar, const N: usize> Along<D, N> {
     }
 
     /// ξ times a sign.
-    #[inline]
+    #[inline(always)]
     pub(super) fn share(&self, sign: f64) -> Weight<D> {
         Weight { value: self.share * sign, slope: D::from(sign) }
     }
 
     /// 1 − ξ times a sign.
-    #[inline]
+    #[inline(always)]
     pub(super) fn rest(&self, sign: f64) -> Weight<D> {
         Weight { value: self.rest * sign, slope: D::from(-sign) }
     }
 
     /// What nodes 1, n and m take of the force on m.
-    #[inline]
+    #[inline(always)]
     pub(super) fn lever(&self) -> [Weight<D>; 3] {
         [self.rest(-1.0), self.share(-1.0), Weight { value: D::one(), slope: D::zero() }]
     }
 
     /// The gradient of a weighted number by the positions of nodes 1, n and m, from that of the number by d.
-    #[inline]
+    #[inline(always)]
     pub(super) fn gradient(&self, weight: Weight<D>, number: D, by_d: &SVector<D, N>) -> [SVector<D, N>; 3] {
         let turned = by_d * weight.value;
-        let [x1, xn, xm] = self.by_nodes.map(|by| by * (number * weight.slope));
+        let along = number * weight.slope;
+        let [x1, xn, xm] = [self.by_nodes[0] * along, self.by_nodes[1] * along, self.by_nodes[2] * along];
         [x1 - turned, xn + turned, xm]
     }
 }
@@ -102,7 +105,7 @@ struct View<D> {
 }
 
 impl<D: Scalar> View<D> {
-    #[inline]
+    #[inline(always)]
     fn new(x1: &Vector3<D>, xn: &Vector3<D>, xm: &Vector3<D>) -> Self {
         let (d, zero) = (xn - x1, D::zero());
         let axis = Axis::of(&d);
@@ -124,7 +127,7 @@ impl<D: Scalar> View<D> {
     /// ∂t1/∂d and ∂t2/∂d.
     ///
     /// With the axis e: ∂t1/∂d = −(e × t1) ⊗ t1/(l |n × e|) and ∂t2/∂d = (n·e t1 ⊗ t1/|n × e| − n ⊗ t2)/l.
-    #[inline]
+    #[inline(always)]
     fn turning(&self) -> [Matrix3<D>; 2] {
         let [t1, t2] = &self.t;
         let along_t1 = t1.transpose() * self.per_outward;
@@ -132,7 +135,7 @@ impl<D: Scalar> View<D> {
     }
 
     /// ∂²t1/∂d² and ∂²t2/∂d²: the gradients of an entry of [`turning`](Self::turning) by d.
-    #[inline]
+    #[inline(always)]
     fn bending(&self, i: usize, j: usize) -> [Vector3<D>; 2] {
         let Self { n, t: [t1, t2], outward: c, lean, per_length, per_outward, .. } = self;
         let (near, far) = (*per_outward * *per_outward, *per_length * *per_length);
@@ -177,12 +180,11 @@ impl Formula for Rows {
     fn jacobian<D: Scalar>(i: &Nodes<D>) -> Jacobian<Self, D> {
         let view = View::new(&i.x1, &i.xn, &i.xm);
         let (turning, [on_1, on_n, on_m]) = (view.turning(), view.along.lever());
-        let row = |q: usize, weight: Weight<D>| {
-            Vector3::from_fn(|k, _| {
-                let [x1, xn, xm] = view.along.gradient(weight, view.t[q][k], &turning[q].row(k).transpose());
-                Nodes { x1, xn, xm }
-            })
+        let entry = |q: usize, weight: Weight<D>, k: usize| {
+            let [x1, xn, xm] = view.along.gradient(weight, view.t[q][k], &turning[q].row(k).transpose());
+            Nodes { x1, xn, xm }
         };
+        let row = |q, weight| Vector3::new(entry(q, weight, 0), entry(q, weight, 1), entry(q, weight, 2));
         SliderRows {
             g1_u1: row(0, on_1),
             g1_un: row(0, on_n),
@@ -223,16 +225,17 @@ struct Loaded<D> {
 
 impl<D: Scalar> Loaded<D> {
     /// A times the first multiplier and b times the second, from a and b and their gradients by d.
-    #[inline]
+    #[inline(always)]
     fn new(multipliers: [D; 2], [a, b]: [D; 2], [a_by_d, b_by_d]: [Vector3<D>; 2]) -> Self {
         let [first, second] = multipliers;
         Self { value: a * first + b * second, by_d: a_by_d * first + b_by_d * second, by_multipliers: [a, b] }
     }
 
     /// Of the sum of two, each with its weight.
-    #[inline]
+    #[inline(always)]
     fn gradient(along: &Along<D, 3>, terms: [(Weight<D>, &Self); 2]) -> SliderLoads<D> {
-        let [one, other] = terms.map(|(weight, loaded)| loaded.weighted(along, weight));
+        let [(weight, one), (other_weight, other)] = terms;
+        let (one, other) = (one.weighted(along, weight), other.weighted(along, other_weight));
         SliderLoads {
             x1: one.x1 + other.x1,
             xn: one.xn + other.xn,
@@ -242,16 +245,16 @@ impl<D: Scalar> Loaded<D> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn weighted(&self, along: &Along<D, 3>, weight: Weight<D>) -> SliderLoads<D> {
         let [x1, xn, xm] = along.gradient(weight, self.value, &self.by_d);
-        let [lambda_1, lambda_2] = self.by_multipliers.map(|by| by * weight.value);
+        let [lambda_1, lambda_2] = [self.by_multipliers[0] * weight.value, self.by_multipliers[1] * weight.value];
         SliderLoads { x1, xn, xm, lambda_1, lambda_2 }
     }
 }
 
 impl<D: Scalar> SliderLoads<D> {
-    #[inline]
+    #[inline(always)]
     fn view(&self) -> View<D> {
         View::new(&self.x1, &self.xn, &self.xm)
     }
@@ -261,13 +264,13 @@ impl<D: Scalar> SliderLoads<D> {
     }
 
     /// The force on m.
-    #[inline]
+    #[inline(always)]
     fn force(&self, view: &View<D>) -> Vector3<D> {
         view.t[0] * self.lambda_1 + view.t[1] * self.lambda_2
     }
 
     /// P: how the force changes with d.
-    #[inline]
+    #[inline(always)]
     fn turning(&self, view: &View<D>) -> Matrix3<D> {
         let [first, second] = view.turning();
         first * self.lambda_1 + second * self.lambda_2
@@ -304,13 +307,16 @@ impl Formula for Forces {
     fn jacobian<D: Scalar>(i: &SliderLoads<D>) -> Jacobian<Self, D> {
         let view = i.view();
         let turning = view.turning();
-        let force = Vector3::from_fn(|k, _| {
-            let parts = [0, 1].map(|q| view.t[q][k]);
-            Loaded::new(i.multipliers(), parts, [0, 1].map(|q| turning[q].row(k).transpose()))
-        });
-        let [force_1, force_n, force_m] =
-            view.along.lever().map(|weight| force.map(|part| part.weighted(&view.along, weight)));
-        SliderForces { force_1, force_n, force_m }
+        let ([t1, t2], [by_d1, by_d2], [on_1, on_n, on_m]) = (view.t, &turning, view.along.lever());
+        let part = |k: usize| {
+            Loaded::new(i.multipliers(), [t1[k], t2[k]], [by_d1.row(k).transpose(), by_d2.row(k).transpose()])
+        };
+        let [x, y, z] = [part(0), part(1), part(2)];
+        let force = |weight| {
+            let entry = |part: &Loaded<D>| part.weighted(&view.along, weight);
+            Vector3::new(entry(&x), entry(&y), entry(&z))
+        };
+        SliderForces { force_1: force(on_1), force_n: force(on_n), force_m: force(on_m) }
     }
 
     #[inline]

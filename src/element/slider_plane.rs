@@ -4,13 +4,15 @@
 //! alone, so that the stiffness has a single term. Of an axisymmetric model r and z are such coordinates too; the force is then
 //! that on the whole circumference.
 
+#![expect(clippy::inline_always, reason = "the compiler sees the indices, and shares what both have of the line")]
+
 #[cfg(feature = "verify")]
 mod proof;
 
 use super::slider::{Along, Weight, placed};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
 use crate::quantity::{
     FORCE_1_PLANE, FORCE_M_PLANE, FORCE_N_PLANE, K_U1_U1_PLANE, K_U1_UN_PLANE, K_UM_UN_PLANE, K_UN_UN_PLANE,
     SLIDER_G_U1_PLANE, SLIDER_G_UM_PLANE, SLIDER_G_UN_PLANE, SLIDER_LAMBDA, SLIDER_X1_PLANE, SLIDER_XM_PLANE,
@@ -43,20 +45,20 @@ struct View<D> {
 }
 
 impl<D: Scalar> View<D> {
-    #[inline]
+    #[inline(always)]
     fn new(x1: &Vector2<D>, xn: &Vector2<D>, xm: &Vector2<D>) -> Self {
         let (l, [c, s]) = norm_and_direction((xn - x1).into());
         Self { along: Along::new(x1, xn, xm), n: Vector2::new(c, s), t: Vector2::new(-s, c), per_length: l.recip() }
     }
 
     /// ∂t/∂d = −n ⊗ t/l.
-    #[inline]
+    #[inline(always)]
     fn turning(&self) -> Matrix2<D> {
         self.n * self.t.transpose() * -self.per_length
     }
 
     /// ∂²t/∂d²: the gradient of an entry of [`turning`](Self::turning) by d.
-    #[inline]
+    #[inline(always)]
     fn bending(&self, i: usize, j: usize) -> Vector2<D> {
         let Self { n, t, per_length, .. } = self;
         (n * (n[i] * t[j]) - t * (t[i] * t[j] - n[i] * n[j])) * (*per_length * *per_length)
@@ -78,23 +80,28 @@ impl Formula for Rows {
 
     #[inline]
     fn eval<D: Scalar>(i: &Nodes2d<D>) -> SliderRow2d<D> {
-        let View { along, t, .. } = View::new(&i.x1, &i.xn, &i.xm);
-        let [g_u1, g_un, g_um] = along.lever().map(|weight| t * weight.value);
-        SliderRow2d { g_u1, g_un, g_um }
+        Self::linearized(i).0
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &Nodes2d<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline(always)]
+    fn linearized<D: Scalar>(i: &Nodes2d<D>) -> ValueAndJacobian<Self, D> {
         let view = View::new(&i.x1, &i.xn, &i.xm);
-        let turning = view.turning();
-        let row = |weight: Weight<D>| {
-            Vector2::from_fn(|k, _| {
-                let [x1, xn, xm] = view.along.gradient(weight, view.t[k], &turning.row(k).transpose());
-                Nodes2d { x1, xn, xm }
-            })
+        let (turning, [on_1, on_n, on_m]) = (view.turning(), view.along.lever());
+        let entry = |weight: Weight<D>, k: usize| {
+            let [x1, xn, xm] = view.along.gradient(weight, view.t[k], &turning.row(k).transpose());
+            Nodes2d { x1, xn, xm }
         };
-        let [g_u1, g_un, g_um] = view.along.lever().map(row);
-        SliderRow2d { g_u1, g_un, g_um }
+        let row = |weight| Vector2::new(entry(weight, 0), entry(weight, 1));
+        let on = |weight: Weight<D>| view.t * weight.value;
+        (
+            SliderRow2d { g_u1: on(on_1), g_un: on(on_n), g_um: on(on_m) },
+            SliderRow2d { g_u1: row(on_1), g_un: row(on_n), g_um: row(on_m) },
+        )
     }
 
     #[inline]
@@ -118,13 +125,13 @@ fields! {
 }
 
 impl<D: Scalar> SliderLoads2d<D> {
-    #[inline]
+    #[inline(always)]
     fn view(&self) -> View<D> {
         View::new(&self.x1, &self.xn, &self.xm)
     }
 
     /// The gradient of a weighted number times the multiplier, from that of the number by d.
-    #[inline]
+    #[inline(always)]
     fn gradient(&self, along: &Along<D, 2>, weight: Weight<D>, number: D, by_d: &Vector2<D>) -> Self {
         let [x1, xn, xm] = along.gradient(weight, number * self.lambda, &(by_d * self.lambda));
         Self { x1, xn, xm, lambda: number * weight.value }
@@ -147,20 +154,26 @@ impl Formula for Forces {
 
     #[inline]
     fn eval<D: Scalar>(i: &SliderLoads2d<D>) -> SliderForces2d<D> {
-        let view = i.view();
-        let [force_1, force_n, force_m] = view.along.lever().map(|weight| view.t * (i.lambda * weight.value));
-        SliderForces2d { force_1, force_n, force_m }
+        Self::linearized(i).0
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &SliderLoads2d<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline(always)]
+    fn linearized<D: Scalar>(i: &SliderLoads2d<D>) -> ValueAndJacobian<Self, D> {
         let view = i.view();
-        let turning = view.turning();
-        let force = |weight: Weight<D>| {
-            Vector2::from_fn(|k, _| i.gradient(&view.along, weight, view.t[k], &turning.row(k).transpose()))
-        };
-        let [force_1, force_n, force_m] = view.along.lever().map(force);
-        SliderForces2d { force_1, force_n, force_m }
+        let (turning, [on_1, on_n, on_m]) = (view.turning(), view.along.lever());
+        let entry =
+            |weight: Weight<D>, k: usize| i.gradient(&view.along, weight, view.t[k], &turning.row(k).transpose());
+        let force = |weight| Vector2::new(entry(weight, 0), entry(weight, 1));
+        let on = |weight: Weight<D>| view.t * (i.lambda * weight.value);
+        (
+            SliderForces2d { force_1: on(on_1), force_n: on(on_n), force_m: on(on_m) },
+            SliderForces2d { force_1: force(on_1), force_n: force(on_n), force_m: force(on_m) },
+        )
     }
 
     #[inline]

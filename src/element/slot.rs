@@ -1,17 +1,19 @@
 //! SLOT as an element: two residuals, the distances of b from the slot along two axes of a.
 
+#![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
+#![expect(clippy::unused_self, reason = "all gradients are asked for by methods alike")]
+
 #[cfg(feature = "verify")]
 mod proof;
 
 use super::join::{JoinForces, JoinStiffness, JoinSymmetric};
-use super::products::{
-    cross_gradient, double_cross, double_cross_gradient, skew, skew_gradient, symmetric, symmetric_gradient,
-};
+use super::lever::Lever;
+use super::products::{column, cross_gradient, double_cross, matrix, skew, symmetric};
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec, along};
 use crate::quantity::{E2A, E3A, F2, F3, GY_TA, GY_UA, GY_UB, GZ_TA, GZ_UA, GZ_UB, XA, XB};
 use crate::scalar::Scalar;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 fields! {
     /// Where the nodes are, and the axes across the slot.
@@ -56,25 +58,39 @@ impl Formula for Rows {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &SlotPlaces<D>) -> Jacobian<Self, D> {
-        let (d, one, zero) = (i.xb - i.xa, D::one(), SlotPlaces::filled(D::zero()));
-        let of_y = |e2a: Vector3<D>| SlotPlaces { e2a, ..zero };
-        let of_z = |e3a: Vector3<D>| SlotPlaces { e3a, ..zero };
-        let moment = |e: &Vector3<D>, of: &dyn Fn(Vector3<D>) -> SlotPlaces<D>| {
-            Vector3::from_fn(|k, _| {
-                let [by_e, by_d] = cross_gradient(e, &d, k);
-                SlotPlaces { xa: -by_d, xb: by_d, ..of(by_e) }
-            })
-        };
+        let one = D::one();
         SlotRows {
-            gy_ua: Vector3::from_fn(|k, _| of_y(along(k, -one))),
-            gy_ta: moment(&i.e2a, &of_y),
-            gy_ub: Vector3::from_fn(|k, _| of_y(along(k, one))),
-            gz_ua: Vector3::from_fn(|k, _| of_z(along(k, -one))),
-            gz_ta: moment(&i.e3a, &of_z),
-            gz_ub: Vector3::from_fn(|k, _| of_z(along(k, one))),
+            gy_ua: column!(i.of_y, -one),
+            gy_ta: column!(i.of_moment_of_y),
+            gy_ub: column!(i.of_y, one),
+            gz_ua: column!(i.of_z, -one),
+            gz_ta: column!(i.of_moment_of_z),
+            gz_ub: column!(i.of_z, one),
         }
+    }
+}
+
+/// The gradients of k-th components: of either axis, times a sign, and of its product with the vector from a to b.
+impl<D: Scalar> SlotPlaces<D> {
+    #[inline(always)]
+    pub(super) fn of_y(&self, sign: D, k: usize) -> Self {
+        Self { e2a: along(k, sign), ..Self::filled(D::zero()) }
+    }
+    #[inline(always)]
+    pub(super) fn of_z(&self, sign: D, k: usize) -> Self {
+        Self { e3a: along(k, sign), ..Self::filled(D::zero()) }
+    }
+    #[inline(always)]
+    pub(super) fn of_moment_of_y(&self, k: usize) -> Self {
+        let [e2a, by_arm] = cross_gradient(&self.e2a, &(self.xb - self.xa), k);
+        Self { e2a, xa: -by_arm, xb: by_arm, ..Self::filled(D::zero()) }
+    }
+    #[inline(always)]
+    pub(super) fn of_moment_of_z(&self, k: usize) -> Self {
+        let [e3a, by_arm] = cross_gradient(&self.e3a, &(self.xb - self.xa), k);
+        Self { e3a, xa: -by_arm, xb: by_arm, ..Self::filled(D::zero()) }
     }
 }
 
@@ -85,21 +101,18 @@ fields! {
     }
 }
 
-impl<D: Scalar> SlotLoads<D> {
-    /// The force on b.
-    #[inline]
+impl<D: Scalar> Lever<D> for SlotLoads<D> {
+    #[inline(always)]
     fn force(&self) -> Vector3<D> {
         self.e2a * self.f2 + self.e3a * self.f3
     }
 
-    /// From a to b.
-    #[inline]
+    #[inline(always)]
     fn arm(&self) -> Vector3<D> {
         self.xb - self.xa
     }
 
-    /// The gradient of something by what it is made of, the force on b and the vector from a to b, by the inputs.
-    #[inline]
+    #[inline(always)]
     fn gradient(&self, by_force: &Vector3<D>, by_arm: &Vector3<D>) -> Self {
         Self {
             e2a: by_force * self.f2,
@@ -109,6 +122,11 @@ impl<D: Scalar> SlotLoads<D> {
             f2: self.e2a.dot(by_force),
             f3: self.e3a.dot(by_force),
         }
+    }
+
+    #[inline(always)]
+    fn of_force(&self, k: usize, sign: D) -> Self {
+        self.gradient(&along(k, sign), &Vector3::from_element(D::zero()))
     }
 }
 
@@ -134,16 +152,9 @@ impl Formula for Forces {
         JoinForces { fa: -f, ma: f.cross(&i.arm()), fb: f }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &SlotLoads<D>) -> Jacobian<Self, D> {
-        let (f, d, one) = (i.force(), i.arm(), D::one());
-        let none = Vector3::from_element(D::zero());
-        let force = |sign: D| Vector3::from_fn(|k, _| i.gradient(&along(k, sign), &none));
-        let moment = Vector3::from_fn(|k, _| {
-            let [by_force, by_arm] = cross_gradient(&f, &d, k);
-            i.gradient(&by_force, &by_arm)
-        });
-        JoinForces { fa: force(-one), ma: moment, fb: force(one) }
+        JoinForces { fa: column!(i.of_fa), ma: column!(i.of_ma), fb: column!(i.of_fb) }
     }
 }
 
@@ -169,16 +180,9 @@ impl Formula for GeometricStiffness {
         JoinStiffness { k_ua_ta: skew(&f), k_ta_ta: double_cross(&f, &i.arm()) }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &SlotLoads<D>) -> Jacobian<Self, D> {
-        let (f, d, none) = (i.force(), i.arm(), Vector3::from_element(D::zero()));
-        JoinStiffness {
-            k_ua_ta: Matrix3::from_fn(|row, column| i.gradient(&skew_gradient(row, column), &none)),
-            k_ta_ta: Matrix3::from_fn(|row, column| {
-                let [by_force, by_arm] = double_cross_gradient(&f, &d, row, column);
-                i.gradient(&by_force, &by_arm)
-            }),
-        }
+        JoinStiffness { k_ua_ta: matrix!(i.of_k_ua_ta), k_ta_ta: matrix!(i.of_k_ta_ta) }
     }
 }
 
@@ -203,8 +207,8 @@ impl Formula for SymmetricStiffness {
         JoinSymmetric { s_ta_ta: symmetric(&GeometricStiffness::eval(i).k_ta_ta) }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &SlotLoads<D>) -> Jacobian<Self, D> {
-        JoinSymmetric { s_ta_ta: symmetric_gradient(&GeometricStiffness::jacobian(i).k_ta_ta) }
+        JoinSymmetric { s_ta_ta: matrix!(i.of_s_ta_ta) }
     }
 }

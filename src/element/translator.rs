@@ -1,18 +1,22 @@
 //! TRANSLATOR as an element: rows, forces and stiffness of SLOT and of ALIGN, five residuals on twelve degrees of freedom.
 
+#![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
+#![expect(clippy::unused_self, reason = "all gradients are asked for by methods alike")]
+
 #[cfg(feature = "verify")]
 mod proof;
 
 use super::NodalForces;
-use super::align::{self, AlignLoads, AlignRows, AlignStiffness};
+use super::align::{self, AlignLoads, AlignRows, AlignStiffness, Loaded, Turns};
 use super::join::JoinStiffness;
-use super::products::{symmetric, symmetric_gradient};
+use super::lever::Lever;
+use super::products::{column, matrix, symmetric, symmetric_gradient};
 use super::slot::{self, SlotLoads, SlotPlaces, SlotRows};
 use super::universal::{UniversalMoments, UniversalSymmetric};
 use crate::cardan::Triads;
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
 use crate::quantity::{
     E1A, E1B, E2A, E2B, E3A, E3B, F2, F3, GY_TA, GY_UA, GY_UB, GZ_TA, GZ_UA, GZ_UB, K_TA_TA, K_TB_TB, K_UA_TA,
     LAMBDA_R1, LAMBDA_R2, LAMBDA_R3, UR1_TB, UR2_TB, UR3_TB, XA, XB,
@@ -39,6 +43,14 @@ fields! {
         gy_ua: Vector3<T> = GY_UA, gy_ta: Vector3<T> = GY_TA, gy_ub: Vector3<T> = GY_UB,
         gz_ua: Vector3<T> = GZ_UA, gz_ta: Vector3<T> = GZ_TA, gz_ub: Vector3<T> = GZ_UB,
         ur1_tb: Vector3<T> = UR1_TB, ur2_tb: Vector3<T> = UR2_TB, ur3_tb: Vector3<T> = UR3_TB,
+    }
+}
+
+impl<T: Component> TranslatorRows<T> {
+    const fn of(slot: SlotRows<T>, align: AlignRows<T>) -> Self {
+        let SlotRows { gy_ua, gy_ta, gy_ub, gz_ua, gz_ta, gz_ub } = slot;
+        let AlignRows { ur1_tb, ur2_tb, ur3_tb } = align;
+        Self { gy_ua, gy_ta, gy_ub, gz_ua, gz_ta, gz_ub, ur1_tb, ur2_tb, ur3_tb }
     }
 }
 
@@ -77,34 +89,78 @@ impl Formula for Rows {
 
     #[inline]
     fn eval<D: Scalar>(i: &TranslatorPlaces<D>) -> TranslatorRows<D> {
-        let SlotRows { gy_ua, gy_ta, gy_ub, gz_ua, gz_ta, gz_ub } = slot::Rows::eval(&i.slot());
-        let AlignRows { ur1_tb, ur2_tb, ur3_tb } = align::Rows::eval(&i.triads());
-        TranslatorRows { gy_ua, gy_ta, gy_ub, gz_ua, gz_ta, gz_ub, ur1_tb, ur2_tb, ur3_tb }
+        TranslatorRows::of(slot::Rows::eval(&i.slot()), align::Rows::eval(&i.triads()))
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &TranslatorPlaces<D>) -> Jacobian<Self, D> {
-        let zero = TranslatorPlaces::filled(D::zero());
-        let by_slot = |SlotPlaces { e2a, e3a, xa, xb }| TranslatorPlaces { e2a, e3a, xa, xb, ..zero };
-        let by_triads = |triads| TranslatorPlaces::new(&triads, [zero.xa, zero.xb]);
-        let SlotRows { gy_ua, gy_ta, gy_ub, gz_ua, gz_ta, gz_ub } = slot::Rows::jacobian(&i.slot());
-        let AlignRows { ur1_tb, ur2_tb, ur3_tb } = align::Rows::jacobian(&i.triads());
-        TranslatorRows {
-            gy_ua: gy_ua.map(by_slot),
-            gy_ta: gy_ta.map(by_slot),
-            gy_ub: gy_ub.map(by_slot),
-            gz_ua: gz_ua.map(by_slot),
-            gz_ta: gz_ta.map(by_slot),
-            gz_ub: gz_ub.map(by_slot),
-            ur1_tb: ur1_tb.map(by_triads),
-            ur2_tb: ur2_tb.map(by_triads),
-            ur3_tb: ur3_tb.map(by_triads),
-        }
+        Self::linearized(i).1
+    }
+
+    #[inline(always)]
+    fn linearized<D: Scalar>(i: &TranslatorPlaces<D>) -> ValueAndJacobian<Self, D> {
+        let turns = Turns::new(&i.triads());
+        let one = D::one();
+        let gradients = TranslatorRows {
+            gy_ua: column!(i.of_y, -one),
+            gy_ta: column!(i.of_moment_of_y),
+            gy_ub: column!(i.of_y, one),
+            gz_ua: column!(i.of_z, -one),
+            gz_ta: column!(i.of_moment_of_z),
+            gz_ub: column!(i.of_z, one),
+            ur1_tb: column!(i.of_ur1, &turns),
+            ur2_tb: column!(i.of_ur2, &turns),
+            ur3_tb: column!(i.of_ur3, &turns),
+        };
+        let [ur1_tb, ur2_tb, ur3_tb] = turns.rows();
+        (TranslatorRows::of(slot::Rows::eval(&i.slot()), AlignRows { ur1_tb, ur2_tb, ur3_tb }), gradients)
     }
 
     #[inline]
     fn validate<D: Scalar>(i: &TranslatorPlaces<D>) -> Result<(), Error> {
         align::Rows::validate(&i.triads())
+    }
+}
+
+impl<D: Scalar> TranslatorPlaces<D> {
+    #[inline(always)]
+    fn by_slot(SlotPlaces { e2a, e3a, xa, xb }: SlotPlaces<D>) -> Self {
+        Self { e2a, e3a, xa, xb, ..Self::filled(D::zero()) }
+    }
+    #[inline(always)]
+    fn by_triads(triads: &Triads<D>) -> Self {
+        Self::new(triads, [Vector3::from_element(D::zero()); 2])
+    }
+
+    // The gradients of k-th components, as SLOT and ALIGN have them.
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_y(&self, sign: D, k: usize) -> Self {
+        Self::by_slot(self.slot().of_y(sign, k))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_z(&self, sign: D, k: usize) -> Self {
+        Self::by_slot(self.slot().of_z(sign, k))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_moment_of_y(&self, k: usize) -> Self {
+        Self::by_slot(self.slot().of_moment_of_y(k))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_moment_of_z(&self, k: usize) -> Self {
+        Self::by_slot(self.slot().of_moment_of_z(k))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_ur1(&self, turns: &Turns<D>, k: usize) -> Self {
+        Self::by_triads(&turns.of_ur1(k))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_ur2(&self, turns: &Turns<D>, k: usize) -> Self {
+        Self::by_triads(&turns.of_ur2(k))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_ur3(&self, turns: &Turns<D>, k: usize) -> Self {
+        Self::by_triads(&turns.of_ur3(k))
     }
 }
 
@@ -141,23 +197,50 @@ impl<T: Component> TranslatorLoads<T> {
 
 impl<D: Scalar> TranslatorLoads<D> {
     /// A gradient by the inputs of SLOT.
-    #[inline]
+    #[inline(always)]
     fn by_slot(slot: SlotLoads<D>) -> Self {
         let SlotLoads { e2a, e3a, xa, xb, f2, f3 } = slot;
         Self { e2a, e3a, xa, xb, f2, f3, ..Self::filled(D::zero()) }
     }
 
     /// A gradient by the inputs of ALIGN.
-    #[inline]
+    #[inline(always)]
     fn by_align(align: AlignLoads<D>) -> Self {
         Self::new(&SlotLoads::filled(D::zero()), &align)
     }
 
     /// The gradient of a sum of something of SLOT and something of ALIGN.
-    #[inline]
+    #[inline(always)]
     fn by_both(slot: SlotLoads<D>, align: AlignLoads<D>) -> Self {
         let (e2a, e3a) = (slot.e2a + align.e2a, slot.e3a + align.e3a);
         Self { e2a, e3a, ..Self::new(&slot, &align) }
+    }
+
+    // The gradients of k-th components, as SLOT and ALIGN have them.
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_fa(&self, k: usize) -> Self {
+        Self::by_slot(self.slot().of_fa(k))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_fb(&self, k: usize) -> Self {
+        Self::by_slot(self.slot().of_fb(k))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_ma(&self, loaded: &Loaded<D>, k: usize) -> Self {
+        Self::by_both(self.slot().of_ma(k), loaded.of_ma(k))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_mb(&self, loaded: &Loaded<D>, k: usize) -> Self {
+        Self::by_align(loaded.of_mb(k))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_k_ua_ta(&self, row: usize, column: usize) -> Self {
+        Self::by_slot(self.slot().of_k_ua_ta(row, column))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_k_ta_ta(&self, align: &AlignStiffness<AlignLoads<D>>, row: usize, column: usize) -> Self {
+        Self::by_both(self.slot().of_k_ta_ta(row, column), align.k_tb_tb[(column, row)])
     }
 }
 
@@ -187,14 +270,21 @@ impl Formula for Forces {
 
     #[inline]
     fn jacobian<D: Scalar>(i: &TranslatorLoads<D>) -> Jacobian<Self, D> {
-        let forces = slot::Forces::jacobian(&i.slot());
-        let UniversalMoments { ma, mb } = align::Moments::jacobian(&i.align());
-        NodalForces {
-            fa: forces.fa.map(TranslatorLoads::by_slot),
-            ma: forces.ma.zip_map(&ma, TranslatorLoads::by_both),
-            fb: forces.fb.map(TranslatorLoads::by_slot),
-            mb: mb.map(TranslatorLoads::by_align),
-        }
+        Self::linearized(i).1
+    }
+
+    #[inline(always)]
+    fn linearized<D: Scalar>(i: &TranslatorLoads<D>) -> ValueAndJacobian<Self, D> {
+        let (forces, loaded) = (slot::Forces::eval(&i.slot()), Loaded::new(&i.align()));
+        let mb = loaded.moment();
+        let value = NodalForces { fa: forces.fa, ma: forces.ma + -mb, fb: forces.fb, mb };
+        let gradients = NodalForces {
+            fa: column!(i.of_fa),
+            ma: column!(i.of_ma, &loaded),
+            fb: column!(i.of_fb),
+            mb: column!(i.of_mb, &loaded),
+        };
+        (value, gradients)
     }
 
     #[inline]
@@ -238,13 +328,19 @@ impl Formula for GeometricStiffness {
 
     #[inline]
     fn jacobian<D: Scalar>(i: &TranslatorLoads<D>) -> Jacobian<Self, D> {
-        let JoinStiffness { k_ua_ta, k_ta_ta } = slot::GeometricStiffness::jacobian(&i.slot());
-        let AlignStiffness { k_tb_tb } = align::GeometricStiffness::jacobian(&i.align());
-        TranslatorStiffness {
-            k_ua_ta: k_ua_ta.map(TranslatorLoads::by_slot),
-            k_ta_ta: k_ta_ta.zip_map(&k_tb_tb.transpose(), TranslatorLoads::by_both),
-            k_tb_tb: k_tb_tb.map(TranslatorLoads::by_align),
-        }
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &TranslatorLoads<D>) -> ValueAndJacobian<Self, D> {
+        let JoinStiffness { k_ua_ta, k_ta_ta } = slot::GeometricStiffness::eval(&i.slot());
+        let (AlignStiffness { k_tb_tb }, align) = align::GeometricStiffness::linearized(&i.align());
+        let gradients = TranslatorStiffness {
+            k_ua_ta: matrix!(i.of_k_ua_ta),
+            k_ta_ta: matrix!(i.of_k_ta_ta, &align),
+            k_tb_tb: align.k_tb_tb.map(TranslatorLoads::by_align),
+        };
+        (TranslatorStiffness { k_ua_ta, k_ta_ta: k_ta_ta + k_tb_tb.transpose(), k_tb_tb }, gradients)
     }
 
     #[inline]

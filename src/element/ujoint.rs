@@ -1,12 +1,15 @@
 //! UJOINT as an element: the rows and forces of JOIN and of UNIVERSAL, four residuals on twelve degrees of freedom.
 
+#![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
+
 #[cfg(feature = "verify")]
 mod proof;
 
 use super::NodalForces;
 use super::join::{self, JoinForces, JoinLoads, JoinRows, JoinStiffness};
-use super::products::{symmetric, symmetric_gradient};
-use super::universal::{self, UniversalLoads, UniversalMoments, UniversalRow, UniversalStiffness};
+use super::lever::Lever;
+use super::products::{column, matrix, symmetric};
+use super::universal::{self, UniversalLoads, UniversalRow, UniversalStiffness};
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec};
 use crate::quantity::{
@@ -75,26 +78,45 @@ impl Formula for Rows {
         JointRows::of(join::Rows::eval(&i.positions()), universal::Rows::eval(&i.axes()))
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &JointPlaces<D>) -> Jacobian<Self, D> {
-        let zero = JointPlaces::filled(D::zero());
-        let by_positions = |Positions { e1a, e2a, e3a, xa, xb }| JointPlaces { e1a, e2a, e3a, xa, xb, ..zero };
-        let by_axes = |CrossAxes { e1a, e3b }| JointPlaces { e1a, e3b, ..zero };
-        let join = join::Rows::jacobian(&i.positions());
-        let universal = universal::Rows::jacobian(&i.axes());
+        let one = D::one();
         JointRows {
-            g1_ua: join.g1_ua.map(by_positions),
-            g1_ta: join.g1_ta.map(by_positions),
-            g1_ub: join.g1_ub.map(by_positions),
-            g2_ua: join.g2_ua.map(by_positions),
-            g2_ta: join.g2_ta.map(by_positions),
-            g2_ub: join.g2_ub.map(by_positions),
-            g3_ua: join.g3_ua.map(by_positions),
-            g3_ta: join.g3_ta.map(by_positions),
-            g3_ub: join.g3_ub.map(by_positions),
-            g_rot_ta: universal.g_rot_ta.map(by_axes),
-            g_rot_tb: universal.g_rot_tb.map(by_axes),
+            g1_ua: column!(i.of_axis, 0, -one),
+            g1_ta: column!(i.of_moment, 0),
+            g1_ub: column!(i.of_axis, 0, one),
+            g2_ua: column!(i.of_axis, 1, -one),
+            g2_ta: column!(i.of_moment, 1),
+            g2_ub: column!(i.of_axis, 1, one),
+            g3_ua: column!(i.of_axis, 2, -one),
+            g3_ta: column!(i.of_moment, 2),
+            g3_ub: column!(i.of_axis, 2, one),
+            g_rot_ta: column!(i.of_cross, one),
+            g_rot_tb: column!(i.of_cross, -one),
         }
+    }
+}
+
+impl<D: Scalar> JointPlaces<D> {
+    #[inline(always)]
+    fn by_positions(Positions { e1a, e2a, e3a, xa, xb }: Positions<D>) -> Self {
+        Self { e1a, e2a, e3a, xa, xb, ..Self::filled(D::zero()) }
+    }
+
+    // The gradients of k-th components, as JOIN and UNIVERSAL have them.
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_axis(&self, n: usize, sign: D, k: usize) -> Self {
+        Self::by_positions(self.positions().of_axis(n, sign, k))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_moment(&self, n: usize, k: usize) -> Self {
+        Self::by_positions(self.positions().of_moment(n, k))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_cross(&self, sign: D, k: usize) -> Self {
+        let CrossAxes { e1a, e3b } = self.axes().of_cross(sign, k);
+        Self { e1a, e3b, ..Self::filled(D::zero()) }
     }
 }
 
@@ -119,20 +141,64 @@ impl<T: Component> JointLoads<T> {
 
 impl<D: Scalar> JointLoads<D> {
     /// A gradient by the inputs of JOIN.
-    #[inline]
+    #[inline(always)]
     fn by_join(JoinLoads { e1a, e2a, e3a, xa, xb, f1, f2, f3 }: JoinLoads<D>) -> Self {
         Self { e1a, e2a, e3a, xa, xb, f1, f2, f3, ..Self::filled(D::zero()) }
     }
     /// A gradient by the inputs of UNIVERSAL.
-    #[inline]
+    #[inline(always)]
     fn by_universal(UniversalLoads { e1a, e3b, lambda_rot }: UniversalLoads<D>) -> Self {
         Self { e1a, e3b, lambda_rot, ..Self::filled(D::zero()) }
     }
     /// The gradient of a sum of something of JOIN and something of UNIVERSAL.
-    #[inline]
+    #[inline(always)]
     fn by_both(join: JoinLoads<D>, universal: UniversalLoads<D>) -> Self {
         let UniversalLoads { e1a, e3b, lambda_rot } = universal;
         Self { e1a: join.e1a + e1a, e3b, lambda_rot, ..Self::by_join(join) }
+    }
+
+    // The gradients of components and entries, as JOIN and UNIVERSAL have them.
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_fa(&self, k: usize) -> Self {
+        Self::by_join(self.of_join().of_fa(k))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_ma(&self, k: usize) -> Self {
+        Self::by_both(self.of_join().of_ma(k), self.of_universal().of_ma(k))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_fb(&self, k: usize) -> Self {
+        Self::by_join(self.of_join().of_fb(k))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_mb(&self, k: usize) -> Self {
+        Self::by_universal(self.of_universal().of_mb(k))
+    }
+
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_k_ua_ta(&self, row: usize, column: usize) -> Self {
+        Self::by_join(self.of_join().of_k_ua_ta(row, column))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_k_ta_ta(&self, row: usize, column: usize) -> Self {
+        Self::by_both(self.of_join().of_k_ta_ta(row, column), self.of_universal().of_k_ta_ta(row, column))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_k_ta_tb(&self, row: usize, column: usize) -> Self {
+        Self::by_universal(self.of_universal().of_k_ta_tb(row, column))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_k_tb_tb(&self, row: usize, column: usize) -> Self {
+        Self::by_universal(self.of_universal().of_k_tb_tb(row, column))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_s_ta_ta(&self, row: usize, column: usize) -> Self {
+        Self::by_both(self.of_join().of_s_ta_ta(row, column), self.of_universal().of_symmetric(row, column))
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_s_tb_tb(&self, row: usize, column: usize) -> Self {
+        Self::by_universal(self.of_universal().of_symmetric(row, column))
     }
 }
 
@@ -159,16 +225,9 @@ impl Formula for Forces {
         NodalForces { fa, ma: ma + moments.ma, fb, mb: moments.mb }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &JointLoads<D>) -> Jacobian<Self, D> {
-        let JoinForces { fa, ma, fb } = join::Forces::jacobian(&i.of_join());
-        let moments: UniversalMoments<_> = universal::Moments::jacobian(&i.of_universal());
-        NodalForces {
-            fa: fa.map(JointLoads::by_join),
-            ma: ma.zip_map(&moments.ma, JointLoads::by_both),
-            fb: fb.map(JointLoads::by_join),
-            mb: moments.mb.map(JointLoads::by_universal),
-        }
+        NodalForces { fa: column!(i.of_fa), ma: column!(i.of_ma), fb: column!(i.of_fb), mb: column!(i.of_mb) }
     }
 }
 
@@ -206,15 +265,13 @@ impl Formula for GeometricStiffness {
         JointStiffness { k_ua_ta, k_ta_ta: k_ta_ta + turned.k_ta_ta, k_ta_tb, k_tb_tb }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &JointLoads<D>) -> Jacobian<Self, D> {
-        let JoinStiffness { k_ua_ta, k_ta_ta } = join::GeometricStiffness::jacobian(&i.of_join());
-        let turned = universal::GeometricStiffness::jacobian(&i.of_universal());
         JointStiffness {
-            k_ua_ta: k_ua_ta.map(JointLoads::by_join),
-            k_ta_ta: k_ta_ta.zip_map(&turned.k_ta_ta, JointLoads::by_both),
-            k_ta_tb: turned.k_ta_tb.map(JointLoads::by_universal),
-            k_tb_tb: turned.k_tb_tb.map(JointLoads::by_universal),
+            k_ua_ta: matrix!(i.of_k_ua_ta),
+            k_ta_ta: matrix!(i.of_k_ta_ta),
+            k_ta_tb: matrix!(i.of_k_ta_tb),
+            k_tb_tb: matrix!(i.of_k_tb_tb),
         }
     }
 }
@@ -246,9 +303,8 @@ impl Formula for SymmetricStiffness {
         JointSymmetric { s_ta_ta: symmetric(&k_ta_ta), s_tb_tb: symmetric(&k_tb_tb) }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &JointLoads<D>) -> Jacobian<Self, D> {
-        let JointStiffness { k_ta_ta, k_tb_tb, .. } = GeometricStiffness::jacobian(i);
-        JointSymmetric { s_ta_ta: symmetric_gradient(&k_ta_ta), s_tb_tb: symmetric_gradient(&k_tb_tb) }
+        JointSymmetric { s_ta_ta: matrix!(i.of_s_ta_ta), s_tb_tb: matrix!(i.of_s_tb_tb) }
     }
 }

@@ -1,9 +1,11 @@
 //! UNIVERSAL as an element: one residual, the cosine between e1a and e3b, on which spins alone work.
 
+#![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
+
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 
-use super::products::{cross_gradient, double_cross, double_cross_gradient, symmetric, symmetric_gradient};
+use super::products::{column, cross_gradient, double_cross, double_cross_gradient, matrix, mean, symmetric};
 use crate::fields;
 use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec};
 use crate::quantity::{
@@ -41,17 +43,18 @@ impl Formula for Rows {
         UniversalRow { g_rot_ta: across, g_rot_tb: -across }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &CrossAxes<D>) -> Jacobian<Self, D> {
-        let row = |k: usize| {
-            let [e1a, e3b] = cross_gradient(&i.e1a, &i.e3b, k);
-            CrossAxes { e1a, e3b }
-        };
-        let across = Vector3::from_fn(|k, _| row(k));
-        UniversalRow {
-            g_rot_ta: across,
-            g_rot_tb: across.map(|CrossAxes { e1a, e3b }| CrossAxes { e1a: -e1a, e3b: -e3b }),
-        }
+        UniversalRow { g_rot_ta: column!(i.of_cross, D::one()), g_rot_tb: column!(i.of_cross, -D::one()) }
+    }
+}
+
+impl<D: Scalar> CrossAxes<D> {
+    /// The gradient of the k-th component of e1a × e3b, times a sign.
+    #[inline(always)]
+    pub(super) fn of_cross(&self, sign: D, k: usize) -> Self {
+        let [by_e1a, by_e3b] = cross_gradient(&self.e1a, &self.e3b, k);
+        Self { e1a: by_e1a * sign, e3b: by_e3b * sign }
     }
 }
 
@@ -87,15 +90,9 @@ impl Formula for Moments {
         UniversalMoments { ma, mb: -ma }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &UniversalLoads<D>) -> Jacobian<Self, D> {
-        let across = i.e1a.cross(&i.e3b);
-        let row = |k: usize, factor: D, sign: D| {
-            let [e1a, e3b] = cross_gradient(&i.e1a, &i.e3b, k);
-            UniversalLoads { e1a: e1a * factor, e3b: e3b * factor, lambda_rot: across[k] * sign }
-        };
-        let rows = |sign: D| Vector3::from_fn(|k, _| row(k, i.lambda_rot * sign, sign));
-        UniversalMoments { ma: rows(D::one()), mb: rows(-D::one()) }
+        UniversalMoments { ma: column!(i.of_ma), mb: column!(i.of_mb) }
     }
 }
 
@@ -115,19 +112,66 @@ fields! {
 pub struct GeometricStiffness;
 
 impl<D: Scalar> UniversalLoads<D> {
-    #[inline]
+    #[inline(always)]
     fn block(&self) -> Matrix3<D> {
         double_cross(&self.e1a, &self.e3b) * self.lambda_rot
     }
 
-    /// The gradient of an entry of the block.
-    #[inline]
-    fn block_gradient(&self) -> Matrix3<Self> {
-        let block = double_cross(&self.e1a, &self.e3b);
-        Matrix3::from_fn(|row, column| {
-            let [e1a, e3b] = double_cross_gradient(&self.e1a, &self.e3b, row, column);
-            Self { e1a: e1a * self.lambda_rot, e3b: e3b * self.lambda_rot, lambda_rot: block[(row, column)] }
-        })
+    /// The gradient of something times λ, by e1a, e3b and λ.
+    #[inline(always)]
+    fn gradient(&self, [by_e1a, by_e3b]: [Vector3<D>; 2], something: D, sign: D) -> Self {
+        let factor = self.lambda_rot * sign;
+        Self { e1a: by_e1a * factor, e3b: by_e3b * factor, lambda_rot: something * sign }
+    }
+
+    #[inline(always)]
+    fn of_moment(&self, k: usize, sign: D) -> Self {
+        self.gradient(cross_gradient(&self.e1a, &self.e3b, k), self.e1a.cross(&self.e3b)[k], sign)
+    }
+
+    #[inline(always)]
+    fn of_block(&self, row: usize, column: usize, sign: D) -> Self {
+        let by_axes = double_cross_gradient(&self.e1a, &self.e3b, row, column);
+        self.gradient(by_axes, double_cross(&self.e1a, &self.e3b)[(row, column)], sign)
+    }
+
+    /// The gradient of the k-th component of the moment on a.
+    #[inline(always)]
+    pub(super) fn of_ma(&self, k: usize) -> Self {
+        self.of_moment(k, D::one())
+    }
+
+    /// The gradient of the k-th component of the moment on b.
+    #[inline(always)]
+    pub(super) fn of_mb(&self, k: usize) -> Self {
+        self.of_moment(k, -D::one())
+    }
+
+    /// The gradient of an entry of the block of a.
+    #[inline(always)]
+    pub(super) fn of_k_ta_ta(&self, row: usize, column: usize) -> Self {
+        self.of_block(row, column, D::one())
+    }
+
+    /// The gradient of an entry of the block of a and b.
+    #[inline(always)]
+    pub(super) fn of_k_ta_tb(&self, row: usize, column: usize) -> Self {
+        self.of_block(column, row, -D::one())
+    }
+
+    /// The gradient of an entry of the block of b.
+    #[inline(always)]
+    pub(super) fn of_k_tb_tb(&self, row: usize, column: usize) -> Self {
+        self.of_block(column, row, D::one())
+    }
+
+    /// The gradient of an entry of the symmetric part of either.
+    #[inline(always)]
+    pub(super) fn of_symmetric(&self, row: usize, column: usize) -> Self {
+        if row == column {
+            return self.of_k_ta_ta(row, row);
+        }
+        mean(&self.of_k_ta_ta(row, column), &self.of_k_ta_ta(column, row))
     }
 }
 
@@ -151,12 +195,13 @@ impl Formula for GeometricStiffness {
         UniversalStiffness { k_ta_ta: block, k_ta_tb: -transposed, k_tb_tb: transposed }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &UniversalLoads<D>) -> Jacobian<Self, D> {
-        let block = i.block_gradient();
-        let transposed = block.transpose();
-        let negative = |g: UniversalLoads<D>| UniversalLoads { e1a: -g.e1a, e3b: -g.e3b, lambda_rot: -g.lambda_rot };
-        UniversalStiffness { k_ta_ta: block, k_ta_tb: transposed.map(negative), k_tb_tb: transposed }
+        UniversalStiffness {
+            k_ta_ta: matrix!(i.of_k_ta_ta),
+            k_ta_tb: matrix!(i.of_k_ta_tb),
+            k_tb_tb: matrix!(i.of_k_tb_tb),
+        }
     }
 }
 
@@ -188,9 +233,9 @@ impl Formula for SymmetricStiffness {
         UniversalSymmetric { s_ta_ta: block, s_tb_tb: block }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &UniversalLoads<D>) -> Jacobian<Self, D> {
-        let block = symmetric_gradient(&i.block_gradient());
+        let block = matrix!(i.of_symmetric);
         UniversalSymmetric { s_ta_ta: block, s_tb_tb: block }
     }
 }

@@ -5,7 +5,7 @@ mod proof;
 
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec, ValueAndJacobian};
 use crate::quantity::{SLIDER_DL, SLIDER_DN, SLIDER_DX1, SLIDER_DXN, SLIDER_LENGTH, SLIDER_N, SLIDER_X1, SLIDER_XN};
 use crate::scalar::{Scalar, norm_and_direction};
 use nalgebra::{Matrix3, Vector3};
@@ -44,11 +44,16 @@ impl Formula for Line {
 
     #[inline]
     fn jacobian<D: Scalar>(i: &Ends<D>) -> Jacobian<Self, D> {
-        let Direction { n, l } = Self::eval(i);
-        let turn = across(&n) / l;
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &Ends<D>) -> ValueAndJacobian<Self, D> {
+        let direction = Self::eval(i);
+        let turn = across(&direction.n) / direction.l;
         let row = |by_xn: Vector3<D>| Ends { x1: -by_xn, xn: by_xn };
         let along = |axis: usize| row(turn.column(axis).into_owned());
-        Direction { n: Vector3::new(along(0), along(1), along(2)), l: row(n) }
+        (direction, Direction { n: Vector3::new(along(0), along(1), along(2)), l: row(direction.n) })
     }
 
     #[inline]

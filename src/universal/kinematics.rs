@@ -46,7 +46,8 @@ impl Formula for Constraint {
 
     #[inline]
     fn jacobian<D: Scalar>(i: &Shafts<D>) -> Jacobian<Self, D> {
-        Skew { g: Shafts { e1a: i.e3b, e3b: i.e1a, c0: -D::one() } }
+        // By components: copies of whole vectors go through memory, twice.
+        Skew { g: Shafts { e1a: i.e3b.xyz(), e3b: i.e1a.xyz(), c0: -D::one() } }
     }
 }
 

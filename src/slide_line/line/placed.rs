@@ -2,7 +2,7 @@
 
 use super::interpolation::Interpolation;
 use super::place::{ClosestPoint, Foot, Place};
-use super::tree::{BLUR, Rectangle, Tree};
+use super::tree::{BLUR, OrientedBox, Tree};
 use crate::Scalar;
 use crate::error::Error;
 use crate::slide_line::closest::{PieceFoot, curved_foot, straight_foot};
@@ -107,26 +107,26 @@ impl<D: Scalar> PlacedLine<D> {
     }
 
     /// A box around the points that span a piece: the control points of its Bézier form.
-    fn bounds(&self, piece: Piece) -> Rectangle {
+    fn bounds(&self, piece: Piece) -> OrientedBox {
         let leaves = |x: Vector2<D>| x.map(|x| x.re());
         match (self.interpolation, piece) {
-            (Interpolation::Linear, Piece::Segment(_)) => Rectangle::around(&self.nodes_of::<2>(piece).map(leaves)),
+            (Interpolation::Linear, Piece::Segment(_)) => OrientedBox::around(&self.nodes_of::<2>(piece).map(leaves)),
             (Interpolation::Linear, Piece::Corner(_, f)) => {
                 let [a, b, c] = self.nodes_of::<3>(piece).map(leaves);
-                Rectangle::around(&[b + (a - b) * f, b, b + (c - b) * f])
+                OrientedBox::around(&[b + (a - b) * f, b, b + (c - b) * f])
             }
             (Interpolation::Parabolic, Piece::Segment(_)) => {
                 let [a, b, c] = self.nodes_of::<3>(piece).map(leaves);
-                Rectangle::around(&[a, b * 2.0 - (a + c) * 0.5, c])
+                OrientedBox::around(&[a, b * 2.0 - (a + c) * 0.5, c])
             }
             (Interpolation::Parabolic, Piece::Corner(_, f)) => {
                 // A third of X′ leads to the inner control point, forwards at the start and backwards at the end.
                 let nodes = self.nodes_of::<5>(piece).map(leaves);
-                let controls = [(0.0, f / 3.0), (1.0, -f / 3.0)].map(|(t, third)| {
+                let [[first, second], [fourth, third]] = [(0.0, f / 3.0), (1.0, -f / 3.0)].map(|(t, third)| {
                     let end = -shape::gap(Vector2::zeros(), &nodes, ParabolicCorner::weights(f, t));
                     [end, end + shape::combination(&nodes, ParabolicCorner::rates(f, t)) * third]
                 });
-                Rectangle::around(controls.as_flattened())
+                OrientedBox::around(&[first, second, third, fourth])
             }
         }
     }

@@ -1,10 +1,12 @@
-//! The spatial index of a slide line: a tree of bounding boxes.
+//! The spatial index of a slide line: a tree of oriented boxes.
 //!
 //! The pieces of a line are in order along it, so neighbours are close to each other and the tree needs no sorting: the
-//! box over boxes 2k and 2k+1 of one level is box k of the next. A search descends into the nearer box first and leaves
-//! out every box that is farther than the best place found. For a slave point much nearer to the line than the line is
-//! long, the cost grows like the logarithm of the number of pieces; at a point from which all of the line is equally far,
-//! as the centre of an arc, all of it must be looked at.
+//! box over boxes 2k and 2k+1 of one level is box k of the next. It lies along the line from one centre to the other, and
+//! so is as thin as the line is straight there: a part of length s and radius of curvature R is s²/8R thick, which is less
+//! than what the distance of a slave point grows by along that part, if that point is nearer than half of R. A search
+//! descends into the nearer box first and leaves out every box that is farther than the best place found. At such a point
+//! it looks at the few pieces beside the foot, and at boxes like the logarithm of the number of pieces; at a point from
+//! which all of the line is equally far, as the centre of an arc, all of it must be looked at.
 
 use crate::scalar::norm;
 use nalgebra::Vector2;
@@ -12,50 +14,101 @@ use nalgebra::Vector2;
 /// The rounding of a distance, as a part of the distance and of the size of what it is measured from.
 pub(super) const BLUR: f64 = 16.0 * f64::EPSILON;
 
-/// A rectangle along the axes.
+/// Shorter vectors have too few digits for a direction.
+const SHORTEST: f64 = 1e-290;
+
+/// A rectangle in any direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Rectangle {
-    low: Vector2<f64>,
-    high: Vector2<f64>,
+pub(super) struct OrientedBox {
+    center: Vector2<f64>,
+    /// The direction of its first side, of length 1.
+    along: Vector2<f64>,
+    /// Half of its sides.
+    half: Vector2<f64>,
 }
 
-impl Rectangle {
-    /// Around points that are known up to rounding.
-    pub(super) fn around(points: &[Vector2<f64>]) -> Self {
-        let empty = Self { low: Vector2::repeat(f64::INFINITY), high: Vector2::repeat(f64::NEG_INFINITY) };
-        let exact = points.iter().fold(empty, |all, point| all.with(&Self { low: *point, high: *point }));
-        let margin = Vector2::repeat(exact.low.amax().max(exact.high.amax()) * BLUR);
-        Self { low: exact.low - margin, high: exact.high + margin }
+impl OrientedBox {
+    const EVERYWHERE: Self = Self {
+        center: Vector2::new(0.0, 0.0),
+        along: Vector2::new(1.0, 0.0),
+        half: Vector2::new(f64::INFINITY, f64::INFINITY),
+    };
+
+    /// Around points that are known up to rounding, along the line from the first to the last.
+    pub(super) fn around<const N: usize>(points: &[Vector2<f64>; N]) -> Self {
+        Self::directed(points[N - 1] - points[0], points).unwrap_or_else(|| Self::aligned(points))
     }
 
-    fn with(&self, other: &Self) -> Self {
-        Self { low: self.low.inf(&other.low), high: self.high.sup(&other.high) }
+    fn with(&self, next: &Self) -> Self {
+        let corners = [self, next].map(Self::corners);
+        Self::directed(next.center - self.center, corners.as_flattened()).unwrap_or(Self::EVERYWHERE)
+    }
+
+    /// Where differences of points overflow: without them, along the axes.
+    fn aligned(points: &[Vector2<f64>]) -> Self {
+        let from = points[0] * 0.5;
+        let [low, high] = points.iter().map(|x| x * 0.5).fold([from; 2], |[low, high], x| [low.inf(&x), high.sup(&x)]);
+        Self { center: low + high, along: Vector2::x(), half: high - low }.with_margin()
+    }
+
+    /// `None` where a number overflows.
+    fn directed(direction: Vector2<f64>, points: &[Vector2<f64>]) -> Option<Self> {
+        let length = norm([direction.x, direction.y]);
+        let along = if (SHORTEST..f64::INFINITY).contains(&length) { direction / length } else { Vector2::x() };
+        let from = points[0];
+        let mut extent = Some([Vector2::zeros(); 2]);
+        for x in points {
+            let x = components(x - from, along);
+            let finite = x.iter().all(|x| x.is_finite());
+            extent = extent.filter(|_| finite).map(|[low, high]| [low.inf(&x), high.sup(&x)]);
+        }
+        let [low, high] = extent?;
+        let middle = (low + high) * 0.5;
+        let center = from + along * middle.x + Vector2::new(-along.y, along.x) * middle.y;
+        Some(Self { center, along, half: (high - low) * 0.5 }.with_margin())
+    }
+
+    /// Wider by the rounding of what it was made of.
+    fn with_margin(self) -> Self {
+        let margin = (self.center.amax() + self.half.amax()) * BLUR;
+        Self { half: self.half.add_scalar(margin), ..self }
+    }
+
+    fn corners(&self) -> [Vector2<f64>; 4] {
+        let along = self.along * self.half.x;
+        let across = Vector2::new(-self.along.y, self.along.x) * self.half.y;
+        [-along - across, -along + across, along - across, along + across].map(|corner| self.center + corner)
     }
 
     /// The rounding of a distance from it, as far as it comes from its size.
     fn blur(&self) -> f64 {
-        (self.high * BLUR - self.low * BLUR).sum()
+        (self.half * (2.0 * BLUR)).sum()
     }
 
     /// No more than the distance of a point from any piece inside, even after rounding by [`BLUR`].
     fn bound(&self, x: Vector2<f64>) -> f64 {
-        let outside = (self.low - x).sup(&(x - self.high)).map(|d| d.max(0.0));
+        let outside = (components(x - self.center, self.along).abs() - self.half).map(|d| d.max(0.0));
         norm([outside.x, outside.y]) * (1.0 - 2.0 * BLUR) - 2.0 * self.blur()
     }
+}
+
+/// Along a direction and across it.
+fn components(x: Vector2<f64>, along: Vector2<f64>) -> Vector2<f64> {
+    Vector2::new(along.dot(&x), along.perp(&x))
 }
 
 /// The boxes, level by level, those of single pieces first.
 #[derive(Clone, Debug)]
 pub(super) struct Tree {
-    levels: Vec<Vec<Rectangle>>,
+    levels: Vec<Vec<OrientedBox>>,
 }
 
 impl Tree {
     /// Over pieces in order.
-    pub(super) fn new(pieces: Vec<Rectangle>) -> Self {
+    pub(super) fn new(pieces: Vec<OrientedBox>) -> Self {
         let mut levels = vec![pieces];
         while let Some(level) = levels.last().filter(|level| level.len() > 1) {
-            let union = |pair: &[Rectangle]| pair.iter().skip(1).fold(pair[0], |all, next| all.with(next));
+            let union = |pair: &[OrientedBox]| pair.iter().skip(1).fold(pair[0], |all, next| all.with(next));
             let above = level.chunks(2).map(union).collect();
             levels.push(above);
         }
@@ -84,7 +137,7 @@ impl Tree {
                 visited += 1;
                 continue;
             };
-            let child = |k: usize| self.levels[below].get(k).map(|rectangle| (rectangle.bound(x), below, k));
+            let child = |k: usize| self.levels[below].get(k).map(|inside| (inside.bound(x), below, k));
             match (child(2 * index), child(2 * index + 1)) {
                 (Some(first), Some(second)) if second.0 < first.0 => todo.extend([first, second]),
                 (first, second) => todo.extend([second, first].into_iter().flatten()),

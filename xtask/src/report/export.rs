@@ -7,7 +7,7 @@ use crate::measuring::Build;
 use anyhow::Context;
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
-use jointproof::measure::{Figures, Options, Time};
+use jointproof::measure::{Figures, Measurement, Options, Time};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -79,28 +79,21 @@ struct Timing<'a> {
     /// The points are those that `--inputs` writes.
     points: usize,
     seed: u64,
-    formulas: BTreeMap<&'a str, Nanoseconds>,
+    formulas: BTreeMap<&'a str, Nanoseconds<'a>>,
 }
 
 /// Nanoseconds an evaluation: the median, and between what values four of five rounds were.
 #[derive(Serialize)]
-struct Nanoseconds {
+struct Nanoseconds<'a> {
     value: Option<Time>,
     value_and_jacobian: Option<Time>,
     copy: Option<Time>,
+    /// Value with Jacobian at one hard point alone, by the name of the case.
+    hard: BTreeMap<&'a str, Time>,
 }
 
 /// Writes the times of the closed forms.
 pub(super) fn timing(path: &Path, report: &Report) -> anyhow::Result<()> {
-    let of_formula = |measurement: &jointproof::measure::Measurement| {
-        let closed = measurement.way("closed");
-        let time = |figures: Option<&Figures>| figures.and_then(|figures| figures.time);
-        Nanoseconds {
-            value: time(closed.and_then(|way| way.value.as_ref())),
-            value_and_jacobian: time(closed.and_then(|way| way.jacobian.as_ref())),
-            copy: measurement.copy,
-        }
-    };
     let timing = Timing {
         created: &report.created,
         machine: &report.machine,
@@ -113,4 +106,17 @@ pub(super) fn timing(path: &Path, report: &Report) -> anyhow::Result<()> {
     files::write(&path, &(serde_json::to_string_pretty(&timing)? + "\n"))?;
     say(&format!("wrote times of {} formulas into {}", report.formulas.len(), path.display()));
     Ok(())
+}
+
+fn of_formula(measurement: &Measurement) -> Nanoseconds<'_> {
+    let closed = measurement.way("closed");
+    let (value, jacobian) = (closed.and_then(|way| way.value.as_ref()), closed.and_then(|way| way.jacobian.as_ref()));
+    let time = |figures: Option<&Figures>| figures.and_then(|figures| figures.time);
+    let hard = jacobian.into_iter().flat_map(|figures| &figures.hard_times);
+    Nanoseconds {
+        value: time(value),
+        value_and_jacobian: time(jacobian),
+        copy: measurement.copy,
+        hard: hard.map(|point| (point.case.as_str(), point.time)).collect(),
+    }
 }

@@ -47,4 +47,31 @@ proptest! {
             prop_assert_eq!(indexed, brute);
         }
     }
+
+    /// Segments much shorter than the slave point is far, where nearly all of the index is left out; and at the centre,
+    /// where nothing may be.
+    #[test]
+    fn the_index_changes_nothing_on_a_fine_arc(
+        segments in 50_usize..300,
+        parabolic: bool,
+        smoothing in smoothing(),
+        turn in 0.1_f64..3.0,
+        slaves in proptest::collection::vec((0.0_f64..1.2, prop_oneof![0.0_f64..2.0, Just(0.0), Just(1.0)]), 10),
+    ) {
+        let kind = if parabolic { Interpolation::Parabolic } else { Interpolation::Linear };
+        let count = u32::try_from(segments * kind.stride() + 1).unwrap();
+        let at = |share: f64, radius: f64| {
+            let (sine, cosine) = (turn * share).sin_cos();
+            [2.0 - radius * cosine, radius * sine]
+        };
+        let nodes = Nodes::new((1..=count).map(|k| (k, at(f64::from(k - 1) / f64::from(count - 1), 1.0)))).unwrap();
+        let line = SlideLine::generate(kind, 1, count, 1).unwrap();
+        let line = match smoothing { Some(f) => line.smoothed(f).unwrap(), None => line };
+        let placed = line.place(&nodes).unwrap();
+        for (share, radius) in slaves {
+            let xs = Vector2::from(at(share, radius));
+            let indexed = placed.closest(xs).map(|closest| ClosestPoint { evaluated: 0, ..closest });
+            prop_assert_eq!(indexed, placed.closest_of_all(xs));
+        }
+    }
 }

@@ -1,0 +1,100 @@
+"""The C that CasADi writes, compiled in every way that might be the fastest, and called."""
+
+from __future__ import annotations
+
+import ctypes
+import shutil
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+from statistics import median
+
+import casadi as ca
+import numpy as np
+from symbols import function
+
+COMPILERS, LEVELS = ("gcc", "clang"), ("-O2", "-O3")
+FLAGS = ("-fPIC", "-shared", "-fno-semantic-interposition")
+#: As `report` does: points whose results are looked at, so that no call is left out.
+LOOP = r"""
+#include <time.h>
+#define N {inputs}
+#define M {results}
+
+static inline void one(const double *x, double *both)
+{{
+    const double *arguments[1] = {{x}};
+    double *results[2] = {{both, both + {outputs}}};
+    {name}(arguments, results, 0, 0, 0);
+}}
+
+void evaluate(const double *x, double *both) {{ one(x, both); }}
+
+double nanoseconds(const double *x, long points, long calls)
+{{
+    struct timespec start, end;
+    double both[M];
+    clock_gettime(CLOCK_MONOTONIC, &start);
+    for (long call = 0; call < calls; ++call)
+        for (long k = 0; k < points; ++k) {{
+            const double *point = x + k * N;
+            __asm__ volatile("" : "+r"(point) : : "memory");
+            one(point, both);
+            __asm__ volatile("" : : "r"(both) : "memory");
+        }}
+    clock_gettime(CLOCK_MONOTONIC, &end);
+    return ((end.tv_sec - start.tv_sec) * 1e9 + (end.tv_nsec - start.tv_nsec)) / (double)(points * calls);
+}}
+"""
+
+
+def compilers() -> list[str]:
+    return [compiler for compiler in COMPILERS if shutil.which(compiler)]
+
+
+@dataclass
+class Compiled:
+    """One formula, compiled in one way."""
+
+    flags: str
+    library: ctypes.CDLL
+    outputs: int
+    results: int
+
+    def evaluate(self, x: np.ndarray) -> np.ndarray:
+        """Outputs and Jacobian in a row."""
+        both = np.empty(self.results)
+        self.library.evaluate(pointer(x), pointer(both))
+        return both
+
+    def nanoseconds(self, points: np.ndarray, turns: int, turn_ns: float = 1e5) -> float:
+        """Nanoseconds an evaluation: the median of some turns."""
+        take = self.library.nanoseconds
+        take.restype = ctypes.c_double
+        once = min(take(pointer(points), ctypes.c_long(len(points)), ctypes.c_long(2)) for _ in range(3))
+        calls = ctypes.c_long(max(1, int(turn_ns / (once * len(points)))))
+        return median(take(pointer(points), ctypes.c_long(len(points)), calls) for _ in range(turns))
+
+
+def pointer(x: np.ndarray):
+    return x.ctypes.data_as(ctypes.c_void_p)
+
+
+def compiled(id: str, folder: Path) -> list[Compiled]:
+    """A formula by every compiler that is here, at every level."""
+    generated = function(id)
+    name, outputs, entries = generated.name(), generated.numel_out(0), generated.numel_out(1)
+    generator = ca.CodeGenerator(f"{name}.c")
+    generator.add(generated)
+    loop = LOOP.format(name=name, inputs=generated.numel_in(0), outputs=outputs, results=outputs + entries)
+    source = folder / f"{name}.c"
+    # Within one file, so that the call may be inlined, as Rust's is.
+    source.write_text(generator.dump() + loop)
+    found = []
+    for compiler in compilers():
+        for level in LEVELS:
+            library = folder / f"{name}{level}-{compiler}.so"
+            command = [compiler, "-std=gnu99", level, *FLAGS, "-o", library, source, "-lm"]
+            subprocess.run(command, check=True)
+            found.append(Compiled(f"{compiler} {level}", ctypes.CDLL(str(library)), outputs, outputs + entries))
+    return found
