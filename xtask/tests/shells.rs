@@ -209,7 +209,7 @@ impl Svars for UJointState<f64> {
 }
 
 /// What the element in Rust says at a point, in Abaqus's sense.
-fn in_rust<E: Element<N>, const N: usize>(element: &E, point: &Point) -> Answer
+fn in_rust<E: Element<N, Nodes<f64> = Nodes<f64>>, const N: usize>(element: &E, point: &Point) -> Answer
 where
     E::State<f64>: Svars,
 {
@@ -251,7 +251,7 @@ fn axes(turn: &Rotation3<f64>) -> [Vector3<f64>; 3] {
 }
 
 /// Asks both at points that stick and slip: every bit is the same, whatever is asked for.
-fn compare<E: Element<N>, const N: usize>(
+fn compare<E: Element<N, Nodes<f64> = Nodes<f64>>, const N: usize>(
     shell: &str,
     element: impl Fn(&[f64]) -> E,
     props: impl Fn(&mut Numbers) -> Vec<f64>,
