@@ -26,6 +26,7 @@ pub(crate) fn all() -> Vec<(String, String)> {
         newton::steps_of_two_rods(),
         newton::steps_of_a_slider_crank(),
         newton::lead_of_a_double_cardan(),
+        newton::shares_of_the_turns(),
     ];
     charts.extend(slider::charts());
     let charts = charts.iter().map(|chart| (chart.name.to_owned(), chart.svg()));

@@ -13,6 +13,10 @@ mod slider_crank;
 #[expect(dead_code, reason = "the example has a main function")]
 mod double_cardan;
 
+#[path = "../../../tests/examples/thread.rs"]
+#[expect(dead_code, reason = "the example has a main function")]
+mod thread;
+
 /// Two rods in UJOINTs: how far each step goes, with the geometric stiffness and without.
 pub(super) fn steps_of_two_rods() -> Chart<'static> {
     let counted = |with_stiffness: bool| {
@@ -101,5 +105,30 @@ pub(super) fn lead_of_a_double_cardan() -> Chart<'static> {
             ticks: vec![-20.0, -10.0, 0.0, 10.0, 20.0],
         },
         curves: curves.into(),
+    }
+}
+
+/// A thread under load: what part of it every turn carries.
+pub(super) fn shares_of_the_turns() -> Chart<'static> {
+    let increments = thread::loaded();
+    let curve = |name, increment: usize, label_at| {
+        let thread::Increment { load, shares, .. } = increments[increment];
+        let points = (1..).map(f64::from).zip(shares.map(|share| 100.0 * share / load)).collect();
+        Curve { name, label_at, points }
+    };
+    Chart {
+        name: "thread-turns",
+        title: "Load of the turns of a thread",
+        description: "The number of the turn against its part of the load, in percent. The first turn carries three quarters of the \
+            full load, the fourth three hundredths. After half of the load is taken back it is a little less uneven.",
+        x: Axis { label: "turn", from: 1.0, to: 4.0, logarithmic: false, ticks: vec![1.0, 2.0, 3.0, 4.0] },
+        y: Axis {
+            label: "part of the load, in percent",
+            from: 0.0,
+            to: 100.0,
+            logarithmic: false,
+            ticks: vec![0.0, 25.0, 50.0, 75.0, 100.0],
+        },
+        curves: vec![curve("full load", 2, 0), curve("half of it taken back", 3, 1)],
     }
 }
