@@ -75,6 +75,9 @@ pub struct Increment {
 }
 
 /// The pin is pulled at its first turn, on and partly back.
+///
+/// # Panics
+/// Where a node leaves its flank, which these loads do not make it do.
 pub fn loaded() -> Vec<Increment> {
     let (start, elastic) = (start(), pin_stiffness());
     let mut pin = start;
