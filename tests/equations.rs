@@ -29,10 +29,10 @@ const EQUIVALENT: &[(&str, &str, &str)] = &[
     ("interaction.damping", "c_0 → h at 92", "the first case has taken −h ≤ η c0 already"),
     ("slider.rows", r"\mathbf{t}_q → \mathbf{g}_{q,um} at 75", "the row of m is t_q"),
     ("slide_line.contact_response_linear", "1 → 2 at 615", "both nodes are on the line to which n is normal"),
-    ("element.rotation_vector", "1 → 2 at 160", "ψ is 0, and B a factor of it: the derivative tells them apart"),
-    ("element.rotation_vector", "2 → 3 at 161", "as above"),
-    ("element.rotation_vector", "1 → 2 at 264", "ψ is 0, and C a factor of its square"),
-    ("element.rotation_vector", "6 → 7 at 265", "as above"),
+    ("element.rotation_vector", "1 → 2 at 312", "ψ is 0, and B a factor of it: the derivative tells them apart"),
+    ("element.rotation_vector", "2 → 3 at 313", "as above"),
+    ("element.rotation_vector", "1 → 2 at 416", "ψ is 0, and C a factor of its square"),
+    ("element.rotation_vector", "6 → 7 at 417", "as above"),
     ("slider.rows_2d", r"\mathbf{t} → \mathbf{g}_{um} at 69", "the row of m is t"),
 ];
 

@@ -42,7 +42,7 @@ pub struct RotationVector;
 
 impl Formula for RotationVector {
     const SPEC: Spec = Spec::new("element.rotation_vector", "A moment on a rotation vector", OURS)
-        .equation(r"\psi = \lvert\boldsymbol{\psi}\rvert,\quad A = \begin{cases} 1 & \psi = 0 \\ \frac{\sin\psi}{\psi} & \text{otherwise} \end{cases},\quad B = \begin{cases} \tfrac12 & \psi = 0 \\ \frac{1-\cos\psi}{\psi^2} & \text{otherwise} \end{cases},\quad C = \begin{cases} \tfrac16 & \psi = 0 \\ \frac{\psi-\sin\psi}{\psi^3} & \text{otherwise} \end{cases},\quad \mathbf{m}_\psi = A\,\mathbf{m} - B\,\boldsymbol{\psi}\times\mathbf{m} + C\,(\boldsymbol{\psi}\cdot\mathbf{m})\,\boldsymbol{\psi}")
+        .equation(r"\begin{aligned} \mathbf{m}_\psi &= A\,\mathbf{m} - B\,\boldsymbol{\psi}\times\mathbf{m} + C\,(\boldsymbol{\psi}\cdot\mathbf{m})\,\boldsymbol{\psi},\quad \psi = \lvert\boldsymbol{\psi}\rvert,\quad A = \begin{cases} 1 & \psi = 0 \\ \frac{\sin\psi}{\psi} & \text{otherwise} \end{cases}, \\ B &= \begin{cases} \tfrac12 & \psi = 0 \\ \frac{1-\cos\psi}{\psi^2} & \text{otherwise} \end{cases},\quad C = \begin{cases} \tfrac16 & \psi = 0 \\ \frac{\psi-\sin\psi}{\psi^3} & \text{otherwise} \end{cases} \end{aligned}")
         // Of 20 000 random points the worst entry is 40: a sum whose terms, and what inputs do to them, cancel.
         .eta(4.0, 96.0)
         .finite(Finite::Between);
