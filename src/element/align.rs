@@ -10,18 +10,14 @@
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 
-use super::products::{
-    column, cross_gradient, double_cross, double_cross_gradient, matrix, symmetric, symmetric_gradient,
-};
+use super::products::{column, cross_gradient, double_cross, double_cross_gradient, matrix};
 use super::turn::{Curving, Turn};
 use super::universal::UniversalMoments;
 use crate::cardan::{CardanAngles, Triads, arc_sine_slope};
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
-use crate::quantity::{
-    E1A, E1B, E2A, E2B, E3A, E3B, K_TB_TB, LAMBDA_R1, LAMBDA_R2, LAMBDA_R3, S_TB_TB, UR1_TB, UR2_TB, UR3_TB,
-};
+use crate::quantity::{E1A, E1B, E2A, E2B, E3A, E3B, K_TB_TB, LAMBDA_R1, LAMBDA_R2, LAMBDA_R3, UR1_TB, UR2_TB, UR3_TB};
 use crate::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
 
@@ -392,50 +388,6 @@ impl Formula for GeometricStiffness {
     fn linearized<D: Scalar>(i: &AlignLoads<D>) -> ValueAndJacobian<Self, D> {
         let curved = Curved::new(i);
         (AlignStiffness { k_tb_tb: curved.stiffness() }, AlignStiffness { k_tb_tb: matrix!(curved.of_k_tb_tb) })
-    }
-
-    #[inline]
-    fn validate<D: Scalar>(i: &AlignLoads<D>) -> Result<(), Error> {
-        check(&i.triads())
-    }
-}
-
-fields! {
-    /// The block of both nodes' own spins, made symmetric.
-    pub struct AlignSymmetric<T> { s_tb_tb: Matrix3<T> = S_TB_TB }
-}
-
-/// The symmetric part of the geometric stiffness of ALIGN: one block for the own spins of both nodes; the other blocks are
-/// those of [`GeometricStiffness`].
-#[derive(Clone, Copy, Debug)]
-pub struct SymmetricStiffness;
-
-impl Formula for SymmetricStiffness {
-    const SPEC: Spec = Spec::new(
-        "align.symmetric_stiffness",
-        "Symmetric part of the geometric stiffness of ALIGN",
-        OURS,
-    )
-    .equation(
-        r"\mathbf{S}_{\theta b,\theta b} = \mathbf{K}_{\theta b,\theta b} + \tfrac12\,\mathbf{m}_b\times\mathbf{I}",
-    )
-    .given(&[
-        Given::new(r"\mathbf{K}_{\theta b,\theta b}", &GeometricStiffness::SPEC),
-        Given::new(r"\mathbf{m}_b", &Moments::SPEC),
-    ])
-    // Those of the stiffness.
-    .eta(24.0, 96.0);
-    type Inputs<T: Component> = AlignLoads<T>;
-    type Outputs<T: Component> = AlignSymmetric<T>;
-
-    #[inline]
-    fn eval<D: Scalar>(i: &AlignLoads<D>) -> AlignSymmetric<D> {
-        AlignSymmetric { s_tb_tb: symmetric(&GeometricStiffness::eval(i).k_tb_tb) }
-    }
-
-    #[inline]
-    fn jacobian<D: Scalar>(i: &AlignLoads<D>) -> Jacobian<Self, D> {
-        AlignSymmetric { s_tb_tb: symmetric_gradient(&GeometricStiffness::jacobian(i).k_tb_tb) }
     }
 
     #[inline]

@@ -87,16 +87,6 @@ pub(super) fn mean<D: Scalar, I: Fields<D>>(a: &I, b: &I) -> I {
     I::from_components(&mut || all.next().expect("an array has as many components as it was made for"))
 }
 
-/// As [`symmetric`], of gradients.
-#[inline]
-pub(super) fn symmetric_gradient<D: Scalar, I: Fields<D>>(m: &Matrix3<I>) -> Matrix3<I> {
-    Matrix3::from_fn(
-        |row, column| {
-            if row == column { m[(row, row)] } else { mean(&m[(row, column)], &m[(column, row)]) }
-        },
-    )
-}
-
 /// The column of what a method gives for every index, after what else it takes. Each is a call of its own: in a loop, or through a closure, the
 /// compiler would not see the index, and look up at run time where the zeros are.
 ///

@@ -10,9 +10,9 @@ use super::NodalForces;
 use super::align::{self, AlignLoads, AlignRows, AlignStiffness, Loaded, Turns};
 use super::join::JoinStiffness;
 use super::lever::Lever;
-use super::products::{column, matrix, symmetric, symmetric_gradient};
+use super::products::{column, matrix};
 use super::slot::{self, SlotLoads, SlotPlaces, SlotRows};
-use super::universal::{UniversalMoments, UniversalSymmetric};
+use super::universal::UniversalMoments;
 use crate::cardan::Triads;
 use crate::error::Error;
 use crate::fields;
@@ -341,38 +341,6 @@ impl Formula for GeometricStiffness {
             k_tb_tb: align.k_tb_tb.map(TranslatorLoads::by_align),
         };
         (TranslatorStiffness { k_ua_ta, k_ta_ta: k_ta_ta + k_tb_tb.transpose(), k_tb_tb }, gradients)
-    }
-
-    #[inline]
-    fn validate<D: Scalar>(i: &TranslatorLoads<D>) -> Result<(), Error> {
-        align::GeometricStiffness::validate(&i.align())
-    }
-}
-
-/// The symmetric part of the geometric stiffness of TRANSLATOR; the other blocks are those of [`GeometricStiffness`].
-#[derive(Clone, Copy, Debug)]
-pub struct SymmetricStiffness;
-
-impl Formula for SymmetricStiffness {
-    const SPEC: Spec =
-        Spec::new("translator.symmetric_stiffness", "Symmetric part of the geometric stiffness of TRANSLATOR", OURS)
-            .equation(r"\mathbf{f} = f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{d} = \mathbf{x}_b-\mathbf{x}_a,\quad \mathbf{S}_{\theta a,\theta a} = \tfrac12(\mathbf{f}\otimes\mathbf{d} + \mathbf{d}\otimes\mathbf{f}) - (\mathbf{f}\cdot\mathbf{d})\,\mathbf{I} + \mathbf{S}_{\theta b,\theta b}")
-            .given(&[Given::new(r"\mathbf{S}_{\theta b,\theta b}", &align::SymmetricStiffness::SPEC)])
-            // Those of ALIGN.
-            .eta(24.0, 96.0);
-    type Inputs<T: Component> = TranslatorLoads<T>;
-    type Outputs<T: Component> = UniversalSymmetric<T>;
-
-    #[inline]
-    fn eval<D: Scalar>(i: &TranslatorLoads<D>) -> UniversalSymmetric<D> {
-        let TranslatorStiffness { k_ta_ta, k_tb_tb, .. } = GeometricStiffness::eval(i);
-        UniversalSymmetric { s_ta_ta: symmetric(&k_ta_ta), s_tb_tb: symmetric(&k_tb_tb) }
-    }
-
-    #[inline]
-    fn jacobian<D: Scalar>(i: &TranslatorLoads<D>) -> Jacobian<Self, D> {
-        let TranslatorStiffness { k_ta_ta, k_tb_tb, .. } = GeometricStiffness::jacobian(i);
-        UniversalSymmetric { s_ta_ta: symmetric_gradient(&k_ta_ta), s_tb_tb: symmetric_gradient(&k_tb_tb) }
     }
 
     #[inline]

@@ -1,10 +1,10 @@
 //! Evidence for the formulas next door: cases, laws.
 
-use super::{AlignLoads, AlignRows, GeometricStiffness, Moments, Rows, SymmetricStiffness};
+use super::{AlignLoads, AlignRows, GeometricStiffness, Moments, Rows};
 use crate::Octuple;
 use crate::align::{Constraint, Misalignment, Orientations};
 use crate::cardan::{Angles, CardanAngles, Triads, turns};
-use crate::element::motion::{Motion, Moving, Tangent, derivative, is_symmetric_part, still};
+use crate::element::motion::{Motion, Moving, Tangent, derivative, still};
 use crate::element::{self, NodalForces};
 use crate::formula::{Fields, Formula};
 use crate::proof::{Case, Equation, Law, Proved, hard, law};
@@ -213,24 +213,5 @@ impl Proved for GeometricStiffness {
                 tangent(i).turns_with_the_body([Vector3::from_element(Octuple::zero()); 2], i.e1a + i.e3b)
             }),
         ]
-    }
-}
-
-impl Proved for SymmetricStiffness {
-    fn cases() -> Vec<Case<AlignLoads<f64>>> {
-        loads()
-    }
-
-    fn invalid_cases() -> Vec<Case<AlignLoads<f64>>> {
-        invalid_loads()
-    }
-
-    fn laws() -> Vec<Law<Self>> {
-        vec![Law::<Self>::new("it is K + ½ [m×] with the moment m on the node, for a as for b, and symmetric", |i| {
-            let (k, s, moments) = (GeometricStiffness::eval(i), Self::eval(i).s_tb_tb, Moments::eval(i));
-            let size = stiffness_size(i);
-            let on_a = is_symmetric_part(&s, &k.k_tb_tb.transpose(), &moments.ma, size);
-            [on_a, is_symmetric_part(&s, &k.k_tb_tb, &moments.mb, size)].concat()
-        })]
     }
 }

@@ -9,6 +9,7 @@ use crate::Octuple;
 use crate::cardan::rotation;
 use crate::element::Forces;
 use crate::element::motion::{Motion, Moving, still};
+use crate::element::products::skew;
 use crate::element::rotation::proof::{from_euler, rodrigues};
 use crate::element::slider::{GeometricStiffness, SliderLoads};
 use crate::element::slot_plane::PlanePlaces;
@@ -336,6 +337,21 @@ fn by_rotation_vectors_the_stiffness_without_friction_is_symmetric() {
         |k: SMatrix<Octuple, 12, 12>| (k - k.transpose()).iter().map(|x| x.to_f64().abs()).fold(0.0, f64::max);
     assert!(asymmetry(found.stiffness) > 1.0);
     assert!(asymmetry(found.by_rotation_vectors(psi).stiffness) < 1e-60);
+}
+
+/// K + ½ \[m×\] in the blocks of own spins, and K elsewhere.
+#[test]
+fn the_symmetric_stiffness_adds_half_of_the_moments() {
+    let multipliers = SVector::from([3.0, -4.0, 2.0, -1.0, 0.5]).map(Octuple::from);
+    let (found, _) = TRANSLATOR.contribution(&nodes(), &multipliers, &Octuple::from(0.0));
+    let mut expected = found.stiffness;
+    for spin in [3, 9] {
+        let moment: Vector3<Octuple> = found.forces.fixed_rows::<3>(spin).into_owned();
+        let mut block = expected.fixed_view_mut::<3, 3>(spin, spin);
+        block += skew(&moment) * Octuple::from(0.5);
+    }
+    let off = (found.symmetric().stiffness - expected).iter().map(|x| x.to_f64().abs()).fold(0.0, f64::max);
+    assert!(off < 1e-60, "{off:e}");
 }
 
 /// The turn by a quaternion of any length.

@@ -1,12 +1,12 @@
 //! Evidence for the formulas next door: cases, laws.
 
-use super::{Forces, GeometricStiffness, Rows, SymmetricStiffness, TranslatorLoads, TranslatorPlaces, TranslatorRows};
+use super::{Forces, GeometricStiffness, Rows, TranslatorLoads, TranslatorPlaces, TranslatorRows};
 use crate::Octuple;
 use crate::cardan::{Triads, turns};
 use crate::element;
 use crate::element::align::{self, AlignLoads, AlignRows};
 use crate::element::join::proof::balance;
-use crate::element::motion::{Motion, Moving, Tangent, derivative, is_symmetric_part, still};
+use crate::element::motion::{Motion, Moving, Tangent, derivative, still};
 use crate::element::slot::SlotLoads;
 use crate::formula::{Fields, Formula};
 use crate::proof::{Case, Law, Proved, hard, law};
@@ -205,24 +205,5 @@ impl Proved for GeometricStiffness {
                 tangent(i).turns_with_the_body([i.xa, i.xb], i.e1a + i.e3b)
             }),
         ]
-    }
-}
-
-impl Proved for SymmetricStiffness {
-    fn cases() -> Vec<Case<TranslatorLoads<f64>>> {
-        loads(places())
-    }
-
-    fn invalid_cases() -> Vec<Case<TranslatorLoads<f64>>> {
-        invalid_loads()
-    }
-
-    fn laws() -> Vec<Law<Self>> {
-        vec![Law::<Self>::new("it is K + ½ [m×] with the moment m on the node, and symmetric", |i| {
-            let (k, s, forces) = (GeometricStiffness::eval(i), Self::eval(i), Forces::eval(i));
-            let size = tangent(i).sizes[1];
-            let on_a = is_symmetric_part(&s.s_ta_ta, &k.k_ta_ta, &forces.ma, size);
-            [on_a, is_symmetric_part(&s.s_tb_tb, &k.k_tb_tb, &forces.mb, size)].concat()
-        })]
     }
 }

@@ -117,29 +117,21 @@ def symmetric_stiffness(**inputs):
     return dict(s_ta_ta=symmetric(found["k_ta_ta"]), s_tb_tb=symmetric(found["k_tb_tb"]))
 
 
-# Other unknowns than spins. A turn is the sum of the powers of its rotation vector's cross product over factorials, and so is the
-# spin by the vector: T = 1 + [psi x]/2! + [psi x]^2/3! + ...
-
-def power_series(apply, start):
-    """start/1! + apply(start)/2! + ..., until nothing is added."""
-    total, term, k = start, start, 1
-    while any(term) and max(map(abs, term)) > max(map(abs, total)) * mpf(10) ** (-mp.dps - 5):
-        k += 1
-        term = scale(mpf(1) / k, apply(term))
-        total = add(total, term)
-    return total
+# Other unknowns than spins: along the axis of a turn a moment is felt as it is, across it turned by half the angle, and smaller.
 
 
 @formula("element.rotation_vector", "psi:3 m:3", "m_psi:3")
 def rotation_vector(psi, m):
     angle = mp.sqrt(dot(psi, psi))
-    if angle > 100:  # terms would grow to e^angle before they shrink
+    if angle == 0:
+        return dict(m_psi=sub(m, scale(mpf(1) / 2, cross(psi, m))))
+    with mp.workdps(3 * mp.dps):
         axis = scale(1 / angle, psi)
         along = scale(dot(axis, m), axis)
-        across, turned = sub(m, along), cross(axis, m)
-        return dict(m_psi=add(along, scale(mp.sin(angle) / angle, across), scale((mp.cos(angle) - 1) / angle, turned)))
-    with mp.workdps(mp.dps + 60):
-        return dict(m_psi=power_series(lambda v: cross(v, psi), list(m)))
+        across = sub(m, along)
+        half, turned = angle / 2, cross(axis, across)
+        felt = sub(scale(mp.cos(half), across), scale(mp.sin(half), turned))
+        return dict(m_psi=add(along, scale(mp.sin(half) / half, felt)))
 
 
 @formula("element.euler_parameters", "q0 q:3 m:3", "m_q0 m_q:3")
@@ -267,11 +259,6 @@ def align_stiffness(e1a, e2a, e3a, e1b, e2b, e3b, lambda_r1, lambda_r2, lambda_r
     return dict(k_tb_tb=add(scale(lambda_r1, first), scale(lambda_r2, second), scale(lambda_r3, third)))
 
 
-@formula("align.symmetric_stiffness", TRIADS + LAMBDAS, "s_tb_tb:9")
-def align_symmetric(**inputs):
-    return dict(s_tb_tb=symmetric(align_stiffness(**inputs)["k_tb_tb"]))
-
-
 # TRANSLATOR is SLOT and ALIGN.
 
 
@@ -300,12 +287,6 @@ def translator_stiffness(xa, xb, f2, f3, **inputs):
     slot = slot_stiffness(e2a=inputs["e2a"], e3a=inputs["e3a"], xa=xa, xb=xb, f2=f2, f3=f3)
     align = align_stiffness(**inputs)
     return slot | align | dict(k_ta_ta=add(slot["k_ta_ta"], transpose(align["k_tb_tb"])))
-
-
-@formula("translator.symmetric_stiffness", TRIADS + " xa:3 xb:3 f2 f3" + LAMBDAS, "s_ta_ta:9 s_tb_tb:9")
-def translator_symmetric(**inputs):
-    found = translator_stiffness(**inputs)
-    return dict(s_ta_ta=symmetric(found["k_ta_ta"]), s_tb_tb=symmetric(found["k_tb_tb"]))
 
 
 # A rigid arm from a node to a connector.
