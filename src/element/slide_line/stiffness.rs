@@ -187,7 +187,7 @@ impl Formula for Parabolic {
         blocks(|degrees| block(&spot, i.separation, by, degrees))
     }
 
-    /// By E11 and by κ a block changes by the products of what [`carried`] says, times −λ: quotients that would cancel otherwise.
+    /// By E11 and by κ a block changes by the products of what `carried` says, times −λ: quotients that would cancel otherwise.
     #[inline]
     fn jacobian<D: Scalar>(i: &ParabolicTouch<D>) -> Jacobian<Self, D> {
         let place = Place::parabolic([i.x1, i.x2, i.x3], i.g);
