@@ -72,6 +72,10 @@ fn around(share: f64, radius: f64) -> Vector2<f64> {
 
 /// Segments that are much shorter than the slave point is far, up to half the radius of curvature.
 #[test]
+#[cfg_attr(
+    debug_assertions,
+    ignore = "a million segments take minutes without optimisation; .ci/run has them in a release build"
+)]
 fn a_finer_line_costs_few_more_evaluations() {
     for (kind, smoothed) in LINES {
         let mean = |segments| {
