@@ -1,6 +1,8 @@
 //! Output: results to standard output, messages and progress to standard error, colours only where they are wanted.
 
+#[cfg(feature = "commands")]
 use indicatif::{ProgressBar, ProgressStyle};
+#[cfg(feature = "commands")]
 use std::io::{ErrorKind, Write};
 
 const RED: &str = "\x1b[31m";
@@ -47,6 +49,7 @@ pub fn figure(size: f64) -> String {
 ///
 /// # Errors
 /// What the stream says otherwise.
+#[cfg(feature = "commands")]
 pub fn print(text: &str) -> anyhow::Result<()> {
     let mut out = anstream::stdout().lock();
     let end = if text.ends_with('\n') { "" } else { "\n" };
@@ -57,16 +60,19 @@ pub fn print(text: &str) -> anyhow::Result<()> {
 }
 
 /// Says something that is not a result. A standard error that is closed is not worth failing for.
+#[cfg(feature = "commands")]
 pub fn say(text: &str) {
     let _ = writeln!(anstream::stderr(), "{text}");
 }
 
 /// Says what went wrong.
+#[cfg(feature = "commands")]
 pub fn error(text: &str) {
     say(&format!("{} {text}", red("error:")));
 }
 
 /// A progress bar, drawn only on a terminal.
+#[cfg(feature = "commands")]
 pub fn progress(what: &'static str, steps: usize) -> ProgressBar {
     let style = ProgressStyle::with_template("{prefix:>8} [{wide_bar}] {pos}/{len} {eta} {msg}");
     let bar = ProgressBar::new(steps as u64).with_prefix(what);

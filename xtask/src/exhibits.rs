@@ -4,11 +4,11 @@
 use crate::studies::agreement;
 use crate::{figures, museum, scene, statements, worked_example};
 use jointproof::verify::Audit;
-use kit::{Exhibits, Project, audit};
+use kit::{Exhibits, Project, audited};
 
 /// All of it.
 pub(crate) fn all(project: &Project) -> anyhow::Result<Exhibits> {
-    let audit = ("audit".to_owned(), audit::text(&[worked_example::run()], Audit::passed)?);
+    let audit = ("audit".to_owned(), audited::text(&[worked_example::run()], Audit::passed)?);
     Ok(Exhibits {
         figures: [figures::all(), scene::figures(project)?].concat(),
         moving: figures::moving(),

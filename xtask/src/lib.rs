@@ -19,13 +19,15 @@ mod project;
 
 #[cfg(feature = "commands")]
 pub mod audit;
+#[cfg(feature = "judge")]
+pub mod audited;
 #[cfg(feature = "commands")]
 mod book;
-#[cfg(feature = "commands")]
-mod check;
+#[cfg(feature = "judge")]
+pub mod check;
 #[cfg(feature = "commands")]
 mod commands;
-#[cfg(feature = "commands")]
+#[cfg(feature = "judge")]
 pub mod console;
 #[cfg(feature = "commands")]
 mod equation;
@@ -41,7 +43,7 @@ pub mod files;
 mod formulas;
 #[cfg(feature = "commands")]
 mod golden;
-#[cfg(feature = "commands")]
+#[cfg(feature = "judge")]
 mod looked;
 #[cfg(feature = "commands")]
 mod new;

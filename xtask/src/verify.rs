@@ -7,7 +7,7 @@ use crate::outcome::{Outcome, verdict};
 use crate::project::Project;
 use crate::report::data::Report;
 use crate::selection::Selection;
-use crate::{audit, owed, prose};
+use crate::{audit, audited, owed, prose};
 use jointproof::verify::{Audit, Options};
 use std::fmt::Write;
 use std::time::{Duration, Instant};
@@ -82,7 +82,7 @@ fn check_audit(project: &Project, samples: usize) -> anyhow::Result<(bool, Strin
     let audits = audit::audit(project, project.catalog(), &options)?;
     let failed: Vec<Audit> = audits.iter().filter(|audit| !audit.passed()).cloned().collect();
     if !failed.is_empty() {
-        say(audit::text(&failed, Audit::passed)?.trim_end());
+        say(audited::text(&failed, Audit::passed)?.trim_end());
     }
     let comparisons = audits.iter().flat_map(Audit::claims).map(|claim| claim.checks).sum();
     let [audited, comparisons, off] =

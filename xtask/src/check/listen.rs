@@ -1,7 +1,8 @@
 //! Asking everything, and reading what is answered.
 
-use super::answer::{self, Answer, Digits, Manners};
+use super::answer::{Answer, Heard, Manners};
 use super::json;
+use super::line::{self, Digits};
 use super::peer::{Peer, Replies, Reply};
 use super::question::{Question, Wanted, other_order, sizes};
 use jointproof::catalog::AnyFormula;
@@ -15,13 +16,6 @@ pub(super) struct Manner<'a> {
     pub(super) is_json: bool,
     pub(super) is_hex: bool,
     pub(super) limit: Duration,
-}
-
-/// How a program answered, beside what.
-#[derive(Debug, Default)]
-pub(super) struct Heard {
-    pub(super) manners: Manners,
-    pub(super) noticed: Vec<String>,
 }
 
 /// What the program answers the first and the second time, or why it answers nothing.
@@ -56,7 +50,7 @@ pub(super) fn listen(
         let mut manners = Manners::new();
         let answer = match reply {
             Reply::Line(line) if manner.is_json => json::read(formula, manner.wanted, k, &line),
-            Reply::Line(line) => answer::read(&line, numbers, digits, &mut manners),
+            Reply::Line(line) => line::read(&line, numbers, digits, &mut manners),
             Reply::Hangs => Answer::Bad("no answer within the limit".into()),
             Reply::Ends(how) => Answer::Bad(how),
             Reply::NotAsked => Answer::Skipped("not asked any more".into()),

@@ -1,6 +1,6 @@
 //! The program that is checked: it is asked line by line, over as many processes as it takes.
 
-use super::answer::{self, Digits};
+use super::line::{self, Digits};
 use super::process::{Next, Process};
 use crate::outcome::Usage;
 use std::collections::BTreeSet;
@@ -142,9 +142,9 @@ impl Peer<'_> {
             return Ok(if lines.is_empty() { Err(with("it prints nothing")) } else { Ok(Layout::default()) });
         }
         let is_answer = |line: &&String| {
-            let mut tokens = answer::tokens(line).peekable();
+            let mut tokens = line::tokens(line).peekable();
             let has_any = tokens.peek().is_some();
-            answer::refusal(line).is_some() || has_any && tokens.all(|token| answer::is_number(token, self.digits))
+            line::refusal(line).is_some() || has_any && tokens.all(|token| line::is_number(token, self.digits))
         };
         let banner = lines.iter().take_while(|line| !is_answer(line)).count();
         let answers: Vec<_> = lines[banner..].iter().filter(is_answer).collect();
@@ -158,7 +158,7 @@ impl Peer<'_> {
         if banner > 0 {
             noticed.insert(format!("lines before the first answer, as `{}`", lines[0]));
         }
-        let numbers: usize = answers.iter().map(|line| answer::tokens(line).count()).sum();
+        let numbers: usize = answers.iter().map(|line| line::tokens(line).count()).sum();
         let wraps = answers.len() > questions.len() && numbers == questions.len() * self.numbers;
         if wraps {
             noticed.insert("an answer goes over several lines".into());
@@ -220,7 +220,7 @@ impl Peer<'_> {
     fn answer(&self, process: &Process, layout: Layout, limit: Duration) -> Next {
         let first = process.line(limit);
         let Next::Line(mut answer) = first else { return first };
-        while layout.wraps && answer::refusal(&answer).is_none() && answer::tokens(&answer).count() < self.numbers {
+        while layout.wraps && line::refusal(&answer).is_none() && line::tokens(&answer).count() < self.numbers {
             match process.line(self.limit) {
                 Next::Line(line) => answer = format!("{answer} {line}"),
                 other => return other,

@@ -1,6 +1,7 @@
 //! What a program is asked, and what this one says of it.
 
-use super::answer::Digits;
+#[cfg(feature = "commands")]
+use super::line::Digits;
 use jointproof::Error;
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
@@ -8,7 +9,8 @@ use jointproof::verify::{Options, Sampler};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 /// What is asked of a program.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "commands", derive(clap::ValueEnum))]
 pub(super) enum Wanted {
     /// The outputs alone
     Value,
@@ -20,6 +22,7 @@ pub(super) enum Wanted {
 }
 
 impl Wanted {
+    #[cfg(feature = "commands")]
     pub(super) fn name(self) -> &'static str {
         match self {
             Self::Value => "value",
@@ -47,10 +50,12 @@ pub(super) struct Question {
     pub(super) directions: Option<[Vec<f64>; 2]>,
     pub(super) own: Own,
     /// The direction that it belongs to.
+    #[cfg(feature = "commands")]
     pub(super) along: Option<Along>,
 }
 
 /// That a question belongs to a direction: the first where it begins, the others behind its steps, in order.
+#[cfg(feature = "commands")]
 #[derive(Clone, Debug)]
 pub(super) struct Along {
     /// Which direction.
@@ -71,6 +76,7 @@ pub(super) enum Own {
 
 impl Question {
     /// As a plain line.
+    #[cfg(feature = "commands")]
     pub(super) fn line(&self, digits: Digits) -> String {
         let directions = self.directions.iter().flatten().flatten();
         let numbers: Vec<_> = self.inputs.iter().chain(directions).map(|&x| digits.show(x)).collect();
@@ -114,7 +120,14 @@ pub(super) fn of_points(
     let question = |((name, inputs), own)| {
         let mut drawn = || sizes.map(|length| (0..length).map(|_| directions.real()).collect());
         let directions = (wanted == Wanted::Products).then(&mut drawn);
-        Question { name, inputs, directions, own, along: None }
+        Question {
+            name,
+            inputs,
+            directions,
+            own,
+            #[cfg(feature = "commands")]
+            along: None,
+        }
     };
     points.into_iter().zip(owns).map(question).collect()
 }

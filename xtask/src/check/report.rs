@@ -1,6 +1,6 @@
 //! What a check found, in text.
 
-use super::listen::Heard;
+use super::answer::Heard;
 use super::map::{map, names};
 use super::question::Own;
 use super::verdict::{Court, Grade, Verdict, Worst};
@@ -13,6 +13,7 @@ use std::fmt::Write;
 const SHOWN: usize = 6;
 
 /// A program that answers nothing.
+#[cfg(feature = "commands")]
 pub(super) fn silent(court: &Court<'_>, program: &[String], why: &str) -> String {
     format!("{} {why}\n", head(court, program, false))
 }

@@ -11,10 +11,13 @@ const WRONG: f64 = 1e-4 / (f64::EPSILON / 2.0);
 
 /// How good a number is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Grade {
+pub enum Grade {
+    /// Within its bound wherever it was asked for.
     #[default]
     Right,
+    /// Beyond its bound, by a rounding too many.
     Inaccurate,
+    /// Another number.
     Wrong,
 }
 
@@ -23,6 +26,14 @@ pub(super) enum Grade {
 pub(super) struct Bounds {
     pub(super) value: f64,
     pub(super) jacobian: f64,
+}
+
+impl Bounds {
+    /// Those that a formula states of itself.
+    pub(super) fn of(formula: &dyn AnyFormula) -> Self {
+        let spec = formula.spec();
+        Self { value: spec.eta, jacobian: spec.eta_jacobian }
+    }
 }
 
 /// What was found about one number of the answers.
