@@ -8,8 +8,8 @@ use crate::measure::{self, Measurement};
 use crate::proof::{Convention, Flag, Proved};
 use crate::scalar::{abs, sign};
 use crate::verify::{
-    Audit, Claim, Judge, Kink, Options, Printed, Sides, Subject, Trial, audit, audit_at, audit_equation, claims_about,
-    exact, golden, kinks_as_printed, number_of, sides,
+    Audit, Claim, Judge, Kink, Options, Part, Printed, Shard, Sides, Subject, Trial, audit, audit_at, audit_equation,
+    audit_part, claims_about, exact, golden, kinks_as_printed, number_of, sides,
 };
 use crate::{
     Error, Octuple, align, cardan, coulomb, element, interaction, join, slide_line, slider, slot, translator, ujoint,
@@ -36,6 +36,8 @@ pub trait AnyFormula: Send + Sync {
     fn golden(&self) -> golden::File;
     /// Its audit, executed now.
     fn audit(&self, options: &Options) -> Audit;
+    /// A part of its audit, at its share of the random points.
+    fn audit_part(&self, options: &Options, shard: Shard) -> Part;
     /// Its audit at one point, given by components in order.
     ///
     /// # Errors
@@ -133,6 +135,9 @@ impl<F: Proved> AnyFormula for F {
     }
     fn audit(&self, options: &Options) -> Audit {
         audit::<F>(options)
+    }
+    fn audit_part(&self, options: &Options, shard: Shard) -> Part {
+        audit_part::<F>(options, shard)
     }
     fn audit_at(&self, components: &[f64]) -> Result<Audit, Error> {
         audit_at::<F>(&from_components::<F>(components)?)

@@ -2,9 +2,10 @@
 
 use super::claim::Claim;
 use super::difference::{differences, largest_of_field, step_size};
-use super::kinks::{self, Looked, SMOOTH};
+use super::kinks::{self, Comparison, Looked, SMOOTH};
 use super::point::{Names, Point};
 use super::printed::{EQUATION, found};
+use super::shard::Shard;
 use super::subject::{Law, Subject};
 use super::{Sampler, Sensitivity, eta, finite, invariance};
 use crate::equation::Equation;
@@ -16,6 +17,7 @@ use crate::{Error, Octuple};
 use num_traits::{Signed, Zero};
 use serde::{Deserialize, Serialize};
 use std::cell::OnceCell;
+use std::ops::Range;
 
 /// How much to audit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -110,21 +112,22 @@ impl Audit {
     }
 }
 
-/// Audits one formula.
-pub fn audit<F: Proved>(options: &Options) -> Audit {
-    let subject = Subject::of::<F>();
-    let random = random_points(&subject, options, options.samples);
-    audit_points(&subject, &named_points(&subject), &random, options.seed)
+/// What is found at a share of the random points, and how the comparisons of the formula came out there.
+pub(super) fn audit_share(subject: &Subject, options: &Options, shard: Shard) -> (Audit, Vec<Comparison>) {
+    let (range, is_first) = (shard.range(options.samples), shard.is_first());
+    let named = if is_first { named_points(subject) } else { Vec::new() };
+    let starts = is_first.then(|| random_points(subject, options, 0..options.samples.min(kinks::STARTS_AT)));
+    let random = random_points(subject, options, range.clone());
+    let points = Points { named, random, before: range.start, seed: options.seed, starts };
+    (audit_points(subject, &points), points.comparisons(subject))
 }
 
-/// The first random points of a formula.
-fn random_points<'a>(subject: &'a Subject, options: &Options, count: usize) -> Vec<Point<'a>> {
+/// Random points of a formula, which are the same whatever is asked for: those before are drawn, too.
+fn random_points<'a>(subject: &'a Subject, options: &Options, range: Range<usize>) -> Vec<Point<'a>> {
     let mut sampler = Sampler::for_formula(subject.spec.id, options.seed);
-    let point = |k| {
-        let label = format!("random {k} of seed {}", options.seed);
-        Point::new(subject, label, true, sampler.components(subject))
-    };
-    (0..count).map(point).collect()
+    let point = |(k, inputs)| Point::new(subject, format!("random {k} of seed {}", options.seed), true, inputs);
+    let drawn = (0..range.end).map(|k| (k, sampler.components(subject)));
+    drawn.skip(range.start).map(point).collect()
 }
 
 /// Audits one formula at one point.
@@ -134,13 +137,38 @@ fn random_points<'a>(subject: &'a Subject, options: &Options, count: usize) -> V
 pub fn audit_at<F: Proved>(inputs: &F::Inputs<f64>) -> Result<Audit, Error> {
     check::<F>(inputs)?;
     let subject = Subject::of::<F>();
-    let given = Point::new(&subject, "given".into(), false, inputs.components());
-    Ok(audit_points(&subject, &[given], &[], 0))
+    let named = vec![Point::new(&subject, "given".into(), false, inputs.components())];
+    Ok(audit_points(&subject, &Points { named, random: Vec::new(), before: 0, seed: 0, starts: None }))
 }
 
-fn audit_points(subject: &Subject, named: &[Point], random: &[Point], seed: u64) -> Audit {
+/// Where an audit, or a part of one, looks.
+struct Points<'a> {
+    named: Vec<Point<'a>>,
+    random: Vec<Point<'a>>,
+    /// So many random points are before these, in other parts.
+    before: usize,
+    seed: u64,
+    /// Random points from which kinks are searched, by the first part alone.
+    starts: Option<Vec<Point<'a>>>,
+}
+
+impl Points<'_> {
+    /// Whether it is a single point that somebody gave.
+    fn is_given(&self) -> bool {
+        self.starts.is_none() && !self.named.is_empty()
+    }
+
+    /// What the comparisons of the formula came out as.
+    fn comparisons(&self, subject: &Subject) -> Vec<Comparison> {
+        let points = self.named.iter().chain(&self.random).map(|point| point.inputs.as_slice());
+        kinks::comparisons(subject, &Names::new(subject), points)
+    }
+}
+
+fn audit_points(subject: &Subject, points: &Points<'_>) -> Audit {
+    let Points { named, random, before, seed, starts } = points;
     // Laws hold at points in general position; at a single given point they are checked there.
-    let general = if random.is_empty() { named } else { random };
+    let general = if points.is_given() { named } else { random };
     let names = Names::new(subject);
     let (printed, [equation, equation_jacobian]) = read_equation(subject);
     let mut audit = Audit {
@@ -148,7 +176,7 @@ fn audit_points(subject: &Subject, named: &[Point], random: &[Point], seed: u64)
         provenance: format!("{}; {}", subject.spec.source, subject.spec.source.provenance),
         named_points: named.len(),
         random_points: random.len(),
-        seed,
+        seed: *seed,
         closed_against_ad: Claim::new("closed form = automatic differentiation, in 237 bits", CLOSED_AGAINST_AD),
         ad_against_differences: Claim::new(
             "automatic differentiation = differences, in 237 bits",
@@ -159,17 +187,20 @@ fn audit_points(subject: &Subject, named: &[Point], random: &[Point], seed: u64)
         equation,
         equation_jacobian,
         laws: invariance::of_all(subject).iter().chain(&subject.laws).map(|law| check_law(law, general)).collect(),
-        finite: (!random.is_empty()).then(|| finite::claim(subject, &names, random, seed)).flatten(),
+        finite: (!points.is_given()).then(|| finite::claim(subject, &names, random, *before, *seed)).flatten(),
         kinks: Claim::new("where value or derivative jumps a kink is registered, by one-sided differences", SMOOTH),
-        register: (!random.is_empty()).then(|| kinks::register(subject, &names)).flatten(),
+        register: starts.is_some().then(|| kinks::register(subject, &names)).flatten(),
         looked: None,
     };
-    if !random.is_empty() {
-        audit.looked = Some(kinks::look(subject, &names, [named, random], &mut audit.kinks));
+    if let Some(starts) = starts {
+        audit.looked = Some(kinks::look(subject, &names, [named, starts], &mut audit.kinks));
+    } else if !points.is_given() {
+        // That an equation cannot be read is said once, by the first part.
+        audit.equation = audit.equation.begun_anew();
     }
-    let few = named.len() + PRINTED_AT;
+    let is_compared = |k: usize| k < named.len() || before + k < named.len() + PRINTED_AT;
     for (k, point) in named.iter().chain(random).enumerate() {
-        audit.check(point, &names, printed.as_ref().filter(|_| k < few));
+        audit.check(point, &names, printed.as_ref().filter(|_| is_compared(k)));
     }
     audit
 }
@@ -183,7 +214,7 @@ fn equation_of(subject: &Subject, options: &Options) -> [Claim; 2] {
     let (printed, mut claims) = read_equation(subject);
     let Some(printed) = printed else { return claims };
     let names = Names::new(subject);
-    let random = random_points(subject, options, options.samples.min(PRINTED_AT));
+    let random = random_points(subject, options, 0..options.samples.min(PRINTED_AT));
     for point in named_points(subject).into_iter().chain(random) {
         if printed.is_defined(point.kink.is_some()) {
             let values = (subject.exact_value)(&point.exact);

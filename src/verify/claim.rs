@@ -44,6 +44,28 @@ impl Claim {
         self.checks > 0 && self.failures == 0
     }
 
+    /// The same claim, of which nothing was checked.
+    #[must_use]
+    pub(super) fn begun_anew(self) -> Self {
+        Self::new(self.claim, self.bound)
+    }
+
+    /// This claim, checked at more points, which follow. Of two deviations of one size the first is kept.
+    #[must_use]
+    pub(super) fn and(self, next: Self) -> Self {
+        let is_larger = match (&self.worst, &next.worst) {
+            (Some(worst), Some(next)) => next.size > worst.size,
+            (None, _) => true,
+            (_, None) => false,
+        };
+        Self {
+            checks: self.checks + next.checks,
+            failures: self.failures + next.failures,
+            worst: if is_larger { next.worst } else { self.worst },
+            ..self
+        }
+    }
+
     /// What is claimed cannot even be checked.
     pub(super) fn fail(&mut self, reason: String) {
         self.failures += 1;

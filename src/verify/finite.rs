@@ -10,8 +10,9 @@ use crate::power::power_of_two;
 /// So many drawn from each point of the audit.
 const DRAWS: usize = 4;
 
-/// What the formula says of overflow, checked at inputs made of these points; `None` where it says nothing.
-pub(super) fn claim(subject: &Subject, names: &Names, points: &[Point], seed: u64) -> Option<Claim> {
+/// What the formula says of overflow, checked at inputs made of these points, before which there are so many others; `None` where
+/// it says nothing.
+pub(super) fn claim(subject: &Subject, names: &Names, points: &[Point], before: usize, seed: u64) -> Option<Claim> {
     let smallest = match subject.spec.finite {
         Finite::Unknown => return None,
         Finite::Below => f64::MIN_POSITIVE,
@@ -19,6 +20,7 @@ pub(super) fn claim(subject: &Subject, names: &Names, points: &[Point], seed: u6
     };
     let mut claim = Claim::new("nothing overflows at inputs of the size that is stated, of so many results", 0.0);
     let mut draw = Extremes { sampler: Sampler::for_formula(subject.spec.id, !seed), smallest };
+    draw.skip(before * DRAWS, names.inputs.len());
     for point in points {
         for _ in 0..DRAWS {
             let inputs = draw.beside(&point.inputs);
@@ -53,6 +55,14 @@ struct Extremes {
 impl Extremes {
     fn label(&self, from: &str) -> String {
         format!("extremes of {from}, from {:e} on", self.smallest)
+    }
+
+    /// Draws for so many points of so many components, whatever these are.
+    fn skip(&mut self, points: usize, components: usize) {
+        let point = vec![0.0; components];
+        for _ in 0..points {
+            self.beside(&point);
+        }
     }
 
     /// The point with some components replaced: by 0, by another component or nearly that, so that they cancel, by the

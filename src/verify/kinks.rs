@@ -11,7 +11,7 @@ mod search;
 mod solve;
 mod words;
 
-pub use coverage::Coverage;
+pub use coverage::{Comparison, Coverage};
 pub use jump::Rank;
 pub use register::Sides;
 pub use search::Search;
@@ -24,11 +24,14 @@ pub(crate) use register::sides;
 use super::claim::Claim;
 use super::point::{Names, Point};
 use super::subject::Subject;
-use crate::graph::Op;
+use crate::graph::{Graph, Op};
 use serde::{Deserialize, Serialize};
 
 /// So many random points are started from before the named ones.
 const FEW: usize = 6;
+
+/// So many random points kinks are searched from.
+pub(super) const STARTS_AT: usize = 1000;
 
 /// How kinks of a formula were looked for.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -55,17 +58,13 @@ pub(super) fn jump(point: &Point, output: usize, input: usize) -> f64 {
     inner.first().map_or(0.0, |&input| neighbourhood.each_across(&neighbourhood.axis(input))[output].size)
 }
 
-/// Looks for kinks in the graph of a formula, and records in the claim what is not registered.
+/// Looks for kinks in the graph of a formula, and records in the claim what is not registered. Which sides of comparisons were
+/// taken is not known yet.
 pub(super) fn look(subject: &Subject, names: &Names, [named, random]: [&[Point]; 2], claim: &mut Claim) -> Looked {
-    let graph = match (subject.graph)() {
+    let graph = match telling_graph(subject) {
         Ok(graph) => graph,
-        Err(why) => return Looked::NamedPoints { why: why.to_string() },
+        Err(why) => return Looked::NamedPoints { why },
     };
-    if graph.ops().iter().any(|op| matches!(op, Op::Search(..))) {
-        return Looked::NamedPoints {
-            why: "the formula is an iterative search, and no single operation shows where its result jumps".into(),
-        };
-    }
     // Points in general position come first.
     let starts: Vec<_> = random.iter().take(FEW).chain(named).chain(random.iter().skip(FEW)).collect();
     let search = search::search(subject, &graph, names, &starts, claim);
@@ -73,6 +72,23 @@ pub(super) fn look(subject: &Subject, names: &Names, [named, random]: [&[Point];
         // That there is no such place is what was checked.
         claim.checks += 1;
     }
-    let points = named.iter().chain(random).map(|point| point.inputs.as_slice());
-    Looked::Graph { search, coverage: coverage::coverage(&graph, &names.inputs, points) }
+    Looked::Graph { search, coverage: Coverage::default() }
+}
+
+/// How the comparisons in the graph of a formula came out at points; none where the graph does not tell.
+pub(super) fn comparisons<'a>(
+    subject: &Subject,
+    names: &Names,
+    points: impl Iterator<Item = &'a [f64]>,
+) -> Vec<Comparison> {
+    telling_graph(subject).map(|graph| coverage::comparisons(&graph, &names.inputs, points)).unwrap_or_default()
+}
+
+/// The graph of a formula, or why it does not tell where something jumps.
+fn telling_graph(subject: &Subject) -> Result<Graph, String> {
+    let graph = (subject.graph)().map_err(|why| why.to_string())?;
+    if graph.ops().iter().any(|op| matches!(op, Op::Search(..))) {
+        return Err("the formula is an iterative search, and no single operation shows where its result jumps".into());
+    }
+    Ok(graph)
 }

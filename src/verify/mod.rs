@@ -52,16 +52,18 @@ mod invariance;
 mod jet;
 mod judge;
 mod kinks;
+mod part;
 mod point;
 mod printed;
 mod prose;
 mod sample;
+mod shard;
 mod subject;
 mod trial;
 
 #[cfg(feature = "measure")]
 pub(crate) use audit::beside_kinks;
-pub use audit::{Audit, Options, audit, audit_at, audit_equation};
+pub use audit::{Audit, Options, audit_at, audit_equation};
 pub use claim::{Claim, Deviation};
 pub use difference::central_differences;
 #[cfg(feature = "measure")]
@@ -69,9 +71,11 @@ pub(crate) use eta::U;
 pub use eta::{Sensitivity, eta, relative};
 pub use jet::{derivative_of_jacobian, jacobian_by_ad};
 pub use judge::{Judge, Known, Truth};
-pub use kinks::{Coverage, Looked, Rank, Search, Sides};
+pub use kinks::{Comparison, Coverage, Looked, Rank, Search, Sides};
+pub use part::{Part, audit, audit_part};
 pub use prose::{Printed, claims_about, claims_at_large, kinks_as_printed, number_at_large, number_of};
 pub use sample::Sampler;
+pub use shard::{PartError, Shard};
 pub use trial::Trial;
 
 pub(crate) use kinks::sides;

@@ -16,9 +16,11 @@ use indicatif::ParallelProgressIterator;
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
 use jointproof::verify::golden::components;
-use jointproof::verify::{Audit, Claim, Options};
+use jointproof::verify::{Audit, Claim, Options, Part, Shard};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use std::collections::BTreeMap;
 use std::fmt::Write;
+use std::path::PathBuf;
 
 /// Check every claim about the formulas: derivatives, accuracy, laws
 ///
@@ -32,6 +34,8 @@ use std::fmt::Write;
   {command} audit --filter '{family}.*' --format markdown  to paste into a code review
   {command} audit --since main                   what a change touches
   {command} audit --format github                in a workflow: annotations and a summary
+  {command} audit --samples 1000000 --shard 3/16 > 3.json  on one of sixteen machines
+  {command} audit --merge *.json                 their results together
   {command} audit --filter {formula} --point '{point}'")]
 pub(crate) struct Arguments {
     #[command(flatten)]
@@ -48,6 +52,12 @@ pub(crate) struct Arguments {
     /// Format of the result
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
+    /// Audit a share of the random points, as `3/16`, and print it as JSON; the points are the same for any number of shares
+    #[arg(long, value_name = "I/N", conflicts_with_all = ["point", "merge", "format"])]
+    shard: Option<Shard>,
+    /// Audit nothing: join the shares in these files, in any order
+    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = ["point", "since", "samples", "seed"])]
+    merge: Vec<PathBuf>,
     /// Audit one formula at this point only: its inputs as a JSON object, as in golden files and audits
     #[arg(long, value_name = "JSON", requires = "filter", conflicts_with_all = ["samples", "seed"])]
     point: Option<String>,
@@ -74,9 +84,15 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     if let Some(revision) = &arguments.since {
         formulas = touched(project, &formulas, revision)?;
     }
+    let options = Options { samples: arguments.samples, seed: arguments.seed };
+    if let Some(shard) = arguments.shard {
+        print(&serde_json::to_string(&parts(&formulas, &options, shard))?)?;
+        return Ok(verdict(true));
+    }
     let audits = match &arguments.point {
         Some(point) => vec![at_point(&formulas, point)?],
-        None => audit(project, &formulas, &Options { samples: arguments.samples, seed: arguments.seed })?,
+        None if !arguments.merge.is_empty() => merged(&formulas, &arguments.merge)?,
+        None => audit(project, &formulas, &options)?,
     };
     // At a single point on a kink there is nothing to check some claims with.
     let passed = if arguments.point.is_some() { Audit::no_claim_failed } else { Audit::passed };
@@ -130,6 +146,37 @@ fn at_point(formulas: &[&dyn AnyFormula], point: &str) -> anyhow::Result<Audit> 
         .map_err(|error| Usage(format!("--point is not a JSON object of {}: {error}", names(formula.inputs()))))?;
     let audit = components(formula.inputs(), &inputs).and_then(|point| formula.audit_at(&point));
     audit.map_err(|error| Usage(format!("--point of {}: {error}", formula.spec().id)).into())
+}
+
+fn parts(formulas: &[&dyn AnyFormula], options: &Options, shard: Shard) -> Vec<Part> {
+    let bar = progress("audit", formulas.len());
+    formulas.par_iter().progress_with(bar).map(|formula| formula.audit_part(options, shard)).collect()
+}
+
+/// The audits of which all shares are in these files, in the order of the catalog.
+fn merged(formulas: &[&dyn AnyFormula], files: &[PathBuf]) -> anyhow::Result<Vec<Audit>> {
+    let mut parts = BTreeMap::<String, Vec<Part>>::new();
+    for file in files {
+        let said = || format!("{} is not what `audit --shard` prints", file.display());
+        let text = std::fs::read_to_string(file).with_context(|| format!("cannot read {}", file.display()))?;
+        for part in serde_json::from_str::<Vec<Part>>(&text).with_context(said)? {
+            parts.entry(part.formula().to_owned()).or_default().push(part);
+        }
+    }
+    let mut audits = Vec::new();
+    for formula in formulas {
+        let Some(mut parts) = parts.remove(formula.spec().id) else { continue };
+        parts.sort_by_key(Part::first);
+        let mut parts = parts.into_iter();
+        let first = parts.next().context("an entry is made with a part in it")?;
+        audits.push(
+            parts.try_fold(first, Part::and).and_then(Part::into_audit).map_err(|error| Usage(error.to_string()))?,
+        );
+    }
+    if audits.is_empty() {
+        return Err(Usage("--merge: no share of a formula that was asked for is in these files".into()).into());
+    }
+    Ok(audits)
 }
 
 fn names(fields: &[Field]) -> String {

@@ -15,19 +15,42 @@ pub struct Coverage {
     pub never: Vec<String>,
 }
 
+/// A comparison of value and Jacobian, and how often it came out false and true.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Comparison {
+    /// It, in words.
+    pub words: String,
+    /// How often it was false, and how often true.
+    pub counts: [usize; 2],
+}
+
+impl Coverage {
+    /// What the counts say.
+    pub(in crate::verify) fn of(comparisons: &[Comparison]) -> Self {
+        let never = comparisons.iter().filter_map(|Comparison { words, counts }| match counts {
+            [0, 0] => Some(format!("{words}: never asked")),
+            [_, 0] => Some(format!("{words}: never so")),
+            [0, _] => Some(format!("{words}: never otherwise")),
+            _ => None,
+        });
+        let asked = comparisons.iter().flat_map(|comparison| comparison.counts).sum();
+        Self { comparisons: comparisons.len(), asked, never: never.collect() }
+    }
+}
+
 /// Runs a graph at points.
-pub(in crate::verify) fn coverage<'a>(
+pub(in crate::verify) fn comparisons<'a>(
     graph: &Graph,
     names: &[String],
     points: impl Iterator<Item = &'a [f64]>,
-) -> Coverage {
+) -> Vec<Comparison> {
     let words = Words { graph, names };
     let results = [graph.value.as_slice(), &graph.jacobian].concat();
     let nodes = graph.needed(&results);
     let is_comparison = |op: &Op| matches!(op, Op::Compare(..));
     let comparisons: Vec<_> = nodes.iter().copied().filter(|&node| is_comparison(graph.op(node))).collect();
     if comparisons.is_empty() {
-        return Coverage::default();
+        return Vec::new();
     }
     let mut counts = vec![[0_usize; 2]; comparisons.len()];
     for point in points {
@@ -37,12 +60,5 @@ pub(in crate::verify) fn coverage<'a>(
             count[usize::from(all[node.index()] == 1.0)] += 1;
         }
     }
-    let never = comparisons.iter().zip(&counts).filter_map(|(&node, count)| match count {
-        [0, 0] => Some(format!("{}: never asked", words.of(node))),
-        [_, 0] => Some(format!("{}: never so", words.of(node))),
-        [0, _] => Some(format!("{}: never otherwise", words.of(node))),
-        _ => None,
-    });
-    let never = never.collect();
-    Coverage { comparisons: comparisons.len(), asked: counts.iter().flatten().sum(), never }
+    comparisons.iter().zip(counts).map(|(&node, counts)| Comparison { words: words.of(node), counts }).collect()
 }

@@ -1,0 +1,121 @@
+//! Parts of an audit, for many machines: each draws the same random points and audits its share of them, and what follows one
+//! another is joined, in whatever groups, to the audit of one machine.
+
+use super::audit::{Audit, Options, audit_share};
+use super::claim::Claim;
+use super::kinks::{Comparison, Coverage, Looked};
+use super::shard::{PartError, Shard};
+use super::subject::Subject;
+use crate::proof::Proved;
+use serde::{Deserialize, Serialize};
+
+/// Audits one formula.
+pub fn audit<F: Proved>(options: &Options) -> Audit {
+    audit_part::<F>(options, Shard::WHOLE).told()
+}
+
+/// A part of the audit of one formula, at its share of the random points.
+pub fn audit_part<F: Proved>(options: &Options, shard: Shard) -> Part {
+    let (audit, comparisons) = audit_share(&Subject::of::<F>(), options, shard);
+    Part { shards: [shard.index; 2], of: shard.of, samples: options.samples, audit, comparisons }
+}
+
+/// A part of the audit of one formula, or several that follow one another.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Part {
+    /// The first and the last part in it, counted from 1.
+    shards: [usize; 2],
+    of: usize,
+    samples: usize,
+    audit: Audit,
+    comparisons: Vec<Comparison>,
+}
+
+impl Part {
+    /// The identifier of the formula.
+    pub fn formula(&self) -> &str {
+        &self.audit.formula
+    }
+
+    /// The place of its first part, counted from 1, by which parts are sorted.
+    pub fn first(&self) -> usize {
+        self.shards[0]
+    }
+
+    /// With the part that follows.
+    ///
+    /// # Errors
+    /// That it is a part of another audit, or does not follow.
+    pub fn and(self, next: Self) -> Result<Self, PartError> {
+        let audits = |part: &Self| (part.audit.formula.clone(), part.audit.seed, part.samples, part.of);
+        if audits(&self) != audits(&next) {
+            let [one, other] = [&self, &next].map(|part| {
+                format!("{}, {} points of seed {}, in {} parts", part.formula(), part.samples, part.audit.seed, part.of)
+            });
+            return Err(PartError(format!("parts of two audits: {one}; {other}")));
+        }
+        if self.shards[1] + 1 != next.shards[0] {
+            let (last, first, of) = (self.shards[1], next.shards[0], self.of);
+            return Err(PartError(format!("{}: part {first} of {of} does not follow {last}", next.formula())));
+        }
+        let comparisons = self.comparisons.into_iter().zip(next.comparisons).map(|(one, next)| {
+            let counts = [0, 1].map(|side| one.counts[side] + next.counts[side]);
+            Comparison { words: one.words, counts }
+        });
+        Ok(Self {
+            shards: [self.shards[0], next.shards[1]],
+            comparisons: comparisons.collect(),
+            audit: self.audit.and(next.audit),
+            ..self
+        })
+    }
+
+    /// The audit, if these are all of its parts.
+    ///
+    /// # Errors
+    /// Which parts are missing.
+    pub fn into_audit(self) -> Result<Audit, PartError> {
+        let Self { shards: [first, last], of, .. } = self;
+        if (first, last) != (1, of) {
+            return Err(PartError(format!("{}: parts {first} to {last} of {of} are not all", self.formula())));
+        }
+        Ok(self.told())
+    }
+
+    /// The audit, which tells which sides of comparisons were taken.
+    fn told(self) -> Audit {
+        let mut audit = self.audit;
+        if let Some(Looked::Graph { coverage, .. }) = &mut audit.looked {
+            *coverage = Coverage::of(&self.comparisons);
+        }
+        audit
+    }
+}
+
+impl Audit {
+    /// With what was found at points that follow.
+    fn and(self, next: Self) -> Self {
+        let either = |one: Option<Claim>, next: Option<Claim>| match (one, next) {
+            (Some(one), Some(next)) => Some(one.and(next)),
+            (one, next) => one.or(next),
+        };
+        Self {
+            formula: self.formula,
+            provenance: self.provenance,
+            named_points: self.named_points + next.named_points,
+            random_points: self.random_points + next.random_points,
+            seed: self.seed,
+            closed_against_ad: self.closed_against_ad.and(next.closed_against_ad),
+            ad_against_differences: self.ad_against_differences.and(next.ad_against_differences),
+            eta: self.eta.and(next.eta),
+            eta_jacobian: self.eta_jacobian.and(next.eta_jacobian),
+            equation: self.equation.and(next.equation),
+            equation_jacobian: self.equation_jacobian.and(next.equation_jacobian),
+            laws: self.laws.into_iter().zip(next.laws).map(|(one, next)| one.and(next)).collect(),
+            finite: either(self.finite, next.finite),
+            kinks: self.kinks.and(next.kinks),
+            register: either(self.register, next.register),
+            looked: self.looked.or(next.looked),
+        }
+    }
+}
