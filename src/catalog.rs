@@ -1,5 +1,7 @@
 //! Every formula, in the order of the book.
 
+#[cfg(feature = "batch")]
+use crate::batch::{self, ArrayView1, ArrayViewMut1};
 use crate::equation::Claims;
 use crate::formula::{Field, Fields, Formula, Spec, check, entries, value, value_and_jacobian};
 use crate::graph::{self, Graph, NotRecorded};
@@ -75,6 +77,26 @@ pub trait AnyFormula: Send + Sync {
     /// # Errors
     /// As there, and [`Error::Components`] where a slice has another length; nothing is written then.
     fn value_and_jacobian_into(&self, i: &[f64], value: &mut [f64], jacobian: &mut [f64]) -> Result<(), Error>;
+    #[cfg(feature = "batch")]
+    /// See [`batch::entries`].
+    fn batch_entries(&self) -> Vec<[usize; 2]>;
+    #[cfg(feature = "batch")]
+    /// See [`batch::value`].
+    ///
+    /// # Errors
+    /// As there.
+    fn batch_value(&self, inputs: &[ArrayView1<f64>], value: &mut [ArrayViewMut1<f64>]) -> Result<(), batch::Error>;
+    #[cfg(feature = "batch")]
+    /// See [`batch::value_and_jacobian`].
+    ///
+    /// # Errors
+    /// As there.
+    fn batch_value_and_jacobian(
+        &self,
+        inputs: &[ArrayView1<f64>],
+        value: &mut [ArrayViewMut1<f64>],
+        jacobian: &mut [ArrayViewMut1<f64>],
+    ) -> Result<(), batch::Error>;
     /// What it does, written down: the value, the closed-form Jacobian, and which inputs it refuses.
     ///
     /// # Errors
@@ -186,6 +208,23 @@ impl<F: Proved> AnyFormula for F {
         let places = &mut jacobian.iter_mut();
         gradients.for_each_component(&mut |gradient| write(&gradient, places));
         Ok(())
+    }
+    #[cfg(feature = "batch")]
+    fn batch_entries(&self) -> Vec<[usize; 2]> {
+        batch::entries::<F>()
+    }
+    #[cfg(feature = "batch")]
+    fn batch_value(&self, inputs: &[ArrayView1<f64>], value: &mut [ArrayViewMut1<f64>]) -> Result<(), batch::Error> {
+        batch::value::<F>(inputs, value)
+    }
+    #[cfg(feature = "batch")]
+    fn batch_value_and_jacobian(
+        &self,
+        inputs: &[ArrayView1<f64>],
+        value: &mut [ArrayViewMut1<f64>],
+        jacobian: &mut [ArrayViewMut1<f64>],
+    ) -> Result<(), batch::Error> {
+        batch::value_and_jacobian::<F>(inputs, value, jacobian)
     }
     #[cfg(feature = "measure")]
     fn errors(&self, options: &measure::Options) -> Measurement {

@@ -15,6 +15,7 @@
 //! | `proof` | what is said about a formula: cases, kinks, laws, other ways |
 //! | `verify`, `catalog` | the toolkit that proves a formula, yours too; every formula by identifier |
 //! | `equation` | the printed equation, read and executed |
+//! | `batch` | a formula at many points: columns in, columns out, on all cores |
 //! | `measure` | how fast and how wrong every way to compute a formula is |
 //! | `scene` | scene files: parsed, validated, planned, evaluated |
 //!
@@ -24,8 +25,9 @@
 //!
 //! | feature | what it adds |
 //! |---|---|
+//! | `batch` | `batch` |
 //! | `verify` | `Octuple` (237 bits, the exact reference) and `Single`, `proof`, `equation`, `verify`, `catalog` |
-//! | `measure` | `measure`, and `verify` with it |
+//! | `measure` | `measure`, and `batch` and `verify` with it |
 //! | `scene` | `scene`, and `verify` with it: a scene can show the error of every number |
 //!
 //! ```
@@ -54,6 +56,8 @@ assert_eq!(exact.fc.to_f64(), 5.0);
 )]
 
 pub mod align;
+#[cfg(feature = "batch")]
+pub mod batch;
 mod binade;
 pub mod cardan;
 #[cfg(feature = "verify")]

@@ -7,6 +7,8 @@ use jointproof::graph::{Graph, NotRecorded, Statement, record};
 use jointproof::measure::Options;
 use jointproof::slot::{Contact, ContactForce as SlotContactForce, CrossForces};
 use jointproof::verify::golden::components;
+use std::fmt::Write;
+use std::sync::LazyLock;
 
 /// The inputs of all valid golden cases, and random ones.
 fn points(formula: &dyn AnyFormula, random: usize) -> Vec<Vec<f64>> {
@@ -21,16 +23,47 @@ fn bits(value: &[f64], jacobian: &[f64]) -> Vec<u64> {
     value.iter().chain(jacobian).map(|x| x.to_bits()).collect()
 }
 
+/// The graphs of all formulas, recorded once.
+static GRAPHS: LazyLock<Vec<Graph>> = LazyLock::new(|| {
+    let graph =
+        |formula: &&dyn AnyFormula| formula.graph().unwrap_or_else(|why| panic!("{}: {why}", formula.spec().id));
+    CATALOG.iter().map(graph).collect()
+});
+
 #[test]
 fn every_formula_is_recorded_and_gives_its_own_bits() {
-    for formula in CATALOG {
+    for (formula, graph) in CATALOG.iter().zip(&*GRAPHS) {
         let id = formula.spec().id;
-        let graph = formula.graph().unwrap_or_else(|why| panic!("{id}: {why}"));
         for inputs in points(*formula, 200) {
             let (value, jacobian) = formula.value_and_jacobian(&inputs).unwrap();
             let (found, entries) = graph.run(&inputs);
             assert_eq!(bits(&found, &entries), bits(&value, &jacobian), "{id} at {inputs:?}");
         }
+    }
+}
+
+/// The line of the table for a formula, from what was recorded of it.
+fn line(formula: &dyn AnyFormula, graph: &Graph) -> String {
+    let is_zero = |entry: usize| graph.constant(graph.jacobian[entry]).is_some_and(|x| x.to_bits() == 0);
+    let mut digits = vec![0_u8; graph.jacobian.len().div_ceil(4)];
+    for entry in (0..graph.jacobian.len()).filter(|&entry| !is_zero(entry)) {
+        digits[entry / 4] |= 1 << (entry % 4);
+    }
+    let mut line = format!("{} ", formula.spec().id);
+    for digit in digits {
+        write!(line, "{digit:x}").unwrap();
+    }
+    line + "\n"
+}
+
+#[test]
+fn batches_leave_out_the_derivatives_that_are_zero() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/src/batch/zeros.txt");
+    let now: String = CATALOG.iter().zip(&*GRAPHS).map(|(formula, graph)| line(*formula, graph)).collect();
+    if now != std::fs::read_to_string(path).unwrap() {
+        let beside = std::env::temp_dir().join("zeros.txt");
+        std::fs::write(&beside, now).unwrap();
+        panic!("{path} is not what was recorded; to accept: mv {} {path}", beside.display());
     }
 }
 

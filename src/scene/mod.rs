@@ -51,6 +51,7 @@ mod results;
 pub mod rules;
 mod run;
 mod schema;
+mod values;
 
 pub use json::{Fault, Faults};
 pub use kind::{Dimension, Fallback, Kind, Origin, Use, When};
@@ -59,3 +60,4 @@ pub use plan::{Plan, PlanLine};
 pub use results::{Results, Series};
 pub use run::{Culprit, Problem, Problems, Run};
 pub use schema::schema;
+pub use values::Values;

@@ -4,8 +4,10 @@ use super::evaluate::Number;
 use super::model::Scene;
 use super::plan::Plan;
 use super::run::{Problems, Run};
+use super::values::Values;
 use crate::Octuple;
 use serde::Serialize;
+use std::sync::OnceLock;
 
 /// An output of an element over the states.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -15,7 +17,7 @@ pub struct Series {
     /// The output.
     pub output: &'static str,
     /// The components in every state.
-    pub values: Vec<Vec<f64>>,
+    pub values: Values,
 }
 
 /// All results of a scene over its states.
@@ -30,6 +32,43 @@ pub struct Results {
     pub counts: Vec<(&'static str, usize)>,
     /// Elements in the order of the file, and the outputs of each in the order of its kind.
     pub series: Vec<Series>,
+    #[serde(skip)]
+    order: Order,
+}
+
+/// The places of series, sorted by element and output; made when it is asked for. Series are public: what it says is looked
+/// at before it is believed.
+#[derive(Debug, Default)]
+struct Order(OnceLock<Vec<usize>>);
+
+/// A copy may change.
+impl Clone for Order {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+/// Results are equal whoever has been asked.
+impl PartialEq for Order {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+impl Order {
+    /// The place of a series.
+    fn find(&self, series: &[Series], element: &str, output: &str) -> Option<usize> {
+        let name = |place: usize| series.get(place).map(|series| (series.element.as_str(), series.output));
+        let order = self.0.get_or_init(|| {
+            let mut order: Vec<_> = (0..series.len()).collect();
+            order.sort_by_key(|&place| name(place));
+            order
+        });
+        let wanted = Some((element, output));
+        let at = order.partition_point(|&place| name(place) < wanted);
+        let known = order.get(at).copied().filter(|&place| name(place) == wanted);
+        known.or_else(|| (0..series.len()).find(|&place| name(place) == wanted))
+    }
 }
 
 fn as_object<S: serde::Serializer>(counts: &[(&'static str, usize)], serializer: S) -> Result<S::Ok, S::Error> {
@@ -72,29 +111,22 @@ impl Results {
             run.advance()?;
             each();
             times.push(time);
-            let mut of_state = Vec::new();
+            // In the same order in every state.
+            let (is_first, mut place) = (series.is_empty(), 0);
             run.for_each_result(elements, |element, output, components| {
-                of_state.push((element, output, components.iter().map(|value| value.rounded()).collect()));
+                if is_first {
+                    series.push(Series { element: element.into(), output, values: Values::default() });
+                }
+                series[place].values.push(components.iter().map(|value| value.rounded()));
+                place += 1;
             });
-            if series.is_empty() {
-                let named = |&(element, output, _): &(&str, _, _)| Series {
-                    element: element.into(),
-                    output,
-                    values: Vec::new(),
-                };
-                series = of_state.iter().map(named).collect();
-            }
-            for (series, (.., values)) in series.iter_mut().zip(of_state) {
-                series.values.push(values);
-            }
         }
-        Ok(Self { title: plan.scene.title().into(), counts: run.counts(), times, series })
+        Ok(Self { title: plan.scene.title().into(), counts: run.counts(), times, series, order: Order::default() })
     }
 
     /// The components of an element's output in a state counted from 0.
     pub fn get(&self, element: &str, output: &str, state: usize) -> Option<&[f64]> {
-        let series = self.series.iter().find(|series| series.element == element && series.output == output);
-        series.and_then(|series| series.values.get(state)).map(Vec::as_slice)
+        self.series[self.order.find(&self.series, element, output)?].values.get(state)
     }
 
     /// The golden form: JSON with a series a line, numbers that read back bit for bit.
@@ -109,5 +141,26 @@ impl Results {
         let counts: serde_json::Map<_, _> = self.counts.iter().map(|&(id, count)| (id.into(), count.into())).collect();
         let counts = serde_json::to_string(&counts)?;
         Ok(format!("{text},\n\"counts\":{counts},\n\"series\":[\n{}\n]}}\n", series.join(",\n")))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Order, Series};
+    use crate::scene::values::Values;
+
+    #[test]
+    fn series_are_found_wherever_they_stand() {
+        let named = |element: &str, output| Series { element: element.into(), output, values: Values::default() };
+        let mut series = vec![named("b", "U1"), named("b", "FN"), named("a", "U1"), named("a", "FN"), named("c", "U1")];
+        let order = Order::default();
+        let places = |series: &[Series]| {
+            let all = [("a", "FN"), ("a", "U1"), ("b", "FN"), ("b", "U1"), ("c", "U1"), ("c", "FN"), ("d", "U1")];
+            all.map(|(element, output)| order.find(series, element, output))
+        };
+        assert_eq!(places(&series), [Some(3), Some(2), Some(1), Some(0), Some(4), None, None]);
+        // The order that was made is not that of what is left.
+        series.remove(1);
+        assert_eq!(places(&series), [Some(2), Some(1), None, Some(0), Some(3), None, None]);
     }
 }

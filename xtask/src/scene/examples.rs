@@ -47,7 +47,7 @@ pub(crate) fn golden(project: &Project) -> anyhow::Result<Beside> {
     let mut numbers = 0;
     for (name, scene) in &scenes {
         let results = Results::exact(scene).with_context(|| name.clone())?;
-        let count = |series: &Series| series.values.iter().map(Vec::len).sum::<usize>();
+        let count = |series: &Series| series.values.numbers().len();
         numbers += results.series.iter().map(count).sum::<usize>();
         golden.push((folder.join(format!("{name}{RESULT}")), results.golden()?));
     }
@@ -167,7 +167,7 @@ pub(crate) fn figures(project: &Project) -> anyhow::Result<Vec<(String, String)>
         {
             let mut shown = results.clone();
             shown.series.retain(|series| of.contains(&series.element.as_str()));
-            shown.series.iter_mut().flat_map(|series| &mut series.values).flatten().for_each(|value| *value /= unit);
+            shown.series.iter_mut().flat_map(|series| series.values.numbers_mut()).for_each(|value| *value /= unit);
             let figure = format!("scene-{name}-{output}");
             drawn.push((figure.clone(), plot::chart(&shown, output, &figure, label, description)));
         }

@@ -10,7 +10,7 @@ const CURVES: usize = 4;
 pub(crate) fn charts(results: &Results) -> Vec<(&'static str, String)> {
     let mut outputs: Vec<&'static str> = Vec::new();
     for series in &results.series {
-        let drawable = results.times.len() > 1 && series.values.iter().all(|values| values.len() <= 1);
+        let drawable = results.times.len() > 1 && series.values.width() <= 1;
         if drawable && !outputs.contains(&series.output) {
             outputs.push(series.output);
         }
@@ -25,7 +25,7 @@ pub(crate) fn chart(results: &Results, output: &str, name: &str, label: &str, de
     let curves: Vec<_> = of_output
         .enumerate()
         .map(|(k, series)| {
-            let values = results.times.iter().zip(&series.values);
+            let values = results.times.iter().zip(series.values.iter());
             let points: Vec<_> = values.filter_map(|(&time, values)| Some((time, *values.first()?))).collect();
             // The names stand beside different points, so as not to cover each other.
             let label_at = points.len() * (k + 1) / (CURVES + 1);

@@ -73,8 +73,8 @@ pub(crate) fn results(
 
 /// f64 minus exact, number by number.
 fn errors(series: &Series, exact: &Series) -> Vec<Vec<f64>> {
-    let state = |(values, exact): (&Vec<f64>, &Vec<f64>)| values.iter().zip(exact).map(|(a, b)| a - b).collect();
-    series.values.iter().zip(&exact.values).map(state).collect()
+    let state = |(values, exact): (&[f64], &[f64])| values.iter().zip(exact).map(|(a, b)| a - b).collect();
+    series.values.iter().zip(exact.values.iter()).map(state).collect()
 }
 
 /// A column of a table: heading, and a number per state.
@@ -116,7 +116,7 @@ fn text(scene: &Scene, results: &Results, exact: Option<&Results>) -> anyhow::Re
 
 fn add_columns(columns: &mut Vec<Column>, series: &Series, exact: Option<&Series>) {
     // A torque is not there in every state.
-    let width = series.values.iter().map(Vec::len).max().unwrap_or(0);
+    let width = series.values.width();
     for component in 0..width {
         let heading = match width {
             1 => series.element.clone(),
@@ -125,10 +125,11 @@ fn add_columns(columns: &mut Vec<Column>, series: &Series, exact: Option<&Series
         let numbers = |of: &dyn Fn(usize) -> Option<f64>, digits: &dyn Fn(f64) -> String| {
             (0..series.values.len()).map(|state| of(state).map_or_else(String::new, digits)).collect()
         };
-        let value = |state: usize| series.values[state].get(component).copied();
+        let at = |series: &Series, state| series.values.get(state)?.get(component).copied();
+        let value = |state: usize| at(series, state);
         columns.push(Column { heading, numbers: numbers(&value, &digits) });
         if let Some(exact) = exact {
-            let error = |state: usize| Some(value(state)? - exact.values[state].get(component)?);
+            let error = |state: usize| Some(value(state)? - at(exact, state)?);
             let numbers = numbers(&error, &|x| if x == 0.0 { "0".into() } else { format!("{x:.1e}") });
             columns.push(Column { heading: "error".into(), numbers });
         }
@@ -196,10 +197,11 @@ fn csv(results: &Results, exact: Option<&Results>) -> anyhow::Result<String> {
     let mut text = String::from(if exact.is_some() { "time,element,output,component,value,error\n" } else { HEAD });
     for (state, time) in results.times.iter().enumerate() {
         for (k, series) in results.series.iter().enumerate() {
-            for (component, value) in series.values[state].iter().enumerate() {
+            for (component, value) in series.values.get(state).unwrap_or_default().iter().enumerate() {
                 write!(text, "{time:?},{},{},{component},{value:?}", quoted(&series.element), series.output)?;
-                if let Some(exact) = exact.and_then(|exact| exact.series.get(k)) {
-                    write!(text, ",{:?}", value - exact.values[state][component])?;
+                let exact = exact.and_then(|exact| exact.series.get(k)?.values.get(state)?.get(component));
+                if let Some(exact) = exact {
+                    write!(text, ",{:?}", value - exact)?;
                 }
                 text.push('\n');
             }

@@ -32,7 +32,7 @@ impl Layer {
             | "single" => Self::Ground,
             "formula" => Self::Formula,
             "proof" => Self::Proof,
-            "equation" | "graph" | "verify" | "measure" => Self::Toolkit,
+            "batch" | "equation" | "graph" | "verify" | "measure" => Self::Toolkit,
             "catalog" => Self::Catalog,
             "scene" => Self::Scene,
             _ => Self::Room,

@@ -1,0 +1,107 @@
+//! A formula at many points: a column for every input, a column for every result.
+//!
+//! Rows are shared out to the threads of [rayon](rayon::ThreadPool::install), block by block: the inputs of a block are brought
+//! into the cache and checked at once, and its results written together. Every row has the bits that
+//! [`formula::value_and_jacobian`] gives it alone, whatever the number of threads.
+//!
+//! A column is a view of `ndarray`: of a slice, by `into`, or of numbers any stride apart. With a stride of 0, which
+//! `broadcast` gives, one number stands for all rows.
+//!
+//! Most entries of many Jacobians are 0 at every point. They have no column: [`entries`] tells those that do.
+//!
+//! ```
+//! use jointproof::batch::{entries, value_and_jacobian};
+//! use jointproof::slot::ContactForce;
+//!
+//! let (f2, f3) = ([3.0, 5.0, 8.0], [4.0, 12.0, 15.0]);
+//! let (mut fc, mut by_f2, mut by_f3) = ([0.0; 3], [0.0; 3], [0.0; 3]);
+//! assert_eq!(entries::<ContactForce>(), [[0, 0], [0, 1]]); // ∂fc/∂f2, ∂fc/∂f3
+//! let inputs = [(&f2).into(), (&f3).into()];
+//! let jacobian = &mut [(&mut by_f2).into(), (&mut by_f3).into()];
+//! value_and_jacobian::<ContactForce>(&inputs, &mut [(&mut fc).into()], jacobian)?;
+//! assert_eq!(fc, [5.0, 13.0, 17.0]);
+//! assert_eq!(by_f3, [0.8, 12.0 / 13.0, 15.0 / 17.0]);
+//! # Ok::<(), jointproof::batch::Error>(())
+//! ```
+//!
+//! A dense Jacobian is an array of zeros, of which the columns of the entries are handed in.
+//!
+//! What is wrong names the row and the input. All other rows are computed:
+//!
+//! ```
+//! # use jointproof::batch::value;
+//! # use jointproof::slot::ContactForce;
+//! let (f2, f3) = ([3.0, f64::NAN, 8.0], [4.0, 12.0, 15.0]);
+//! let mut fc = [0.0; 3];
+//! let error = value::<ContactForce>(&[(&f2).into(), (&f3).into()], &mut [(&mut fc).into()]).unwrap_err();
+//! assert_eq!(error.to_string(), "row 1: f2 is NaN; allowed is a finite number");
+//! assert_eq!([fc[0], fc[2]], [5.0, 17.0]);
+//! assert!(fc[1].is_nan());
+//! ```
+//!
+//! [`formula::value_and_jacobian`]: crate::formula::value_and_jacobian
+
+mod block;
+mod column;
+mod error;
+mod job;
+mod task;
+mod zeros;
+
+pub use error::{Error, Part, RowError};
+pub use ndarray::{ArrayView1, ArrayViewMut1};
+
+use crate::formula::{Fields, Formula};
+use job::{Job, Linearized, Value};
+use task::Task;
+
+/// So many rows are worth a thread.
+const LEAST: usize = 1024;
+
+/// The entries of the Jacobian of a formula that are not zero everywhere, each as its output and its input, counted by
+/// components in order. Of a formula that is not in the catalog these are all.
+pub fn entries<F: Formula>() -> Vec<[usize; 2]> {
+    let [outputs, inputs] = [F::Outputs::<f64>::LEN, F::Inputs::<f64>::LEN];
+    (0..outputs * inputs).filter(|&k| zeros::is_entry::<F>(k)).map(|k| [k / inputs, k % inputs]).collect()
+}
+
+/// The value of a formula at every row, checked as [`formula::value`](crate::formula::value) checks one. There is a column for
+/// every component of the inputs, and one for every component of the value.
+///
+/// # Errors
+/// [`Error::Rows`] naming the first row that is refused, why, and how many there are; their results are NaN, all others are
+/// computed. The other errors are about the columns, and nothing is computed then.
+pub fn value<F: Formula>(inputs: &[ArrayView1<f64>], value: &mut [ArrayViewMut1<f64>]) -> Result<(), Error> {
+    all::<F, Value>(inputs, value, None)
+}
+
+/// Value and Jacobian of a formula at every row, checked as
+/// [`formula::value_and_jacobian`](crate::formula::value_and_jacobian) checks one. The Jacobian has a column for every entry
+/// that [`entries`] tells.
+///
+/// # Errors
+/// As [`value`].
+pub fn value_and_jacobian<F: Formula>(
+    inputs: &[ArrayView1<f64>],
+    value: &mut [ArrayViewMut1<f64>],
+    jacobian: &mut [ArrayViewMut1<f64>],
+) -> Result<(), Error> {
+    all::<F, Linearized>(inputs, value, Some(jacobian))
+}
+
+fn all<F: Formula, J: Job<F>>(
+    inputs: &[ArrayView1<f64>],
+    value: &mut [ArrayViewMut1<f64>],
+    jacobian: Option<&mut [ArrayViewMut1<f64>]>,
+) -> Result<(), Error> {
+    let rows = inputs.first().map_or(0, ArrayView1::len);
+    error::expect(Part::Inputs, F::Inputs::<f64>::LEN, rows, inputs.iter().map(ArrayView1::len))?;
+    error::expect(Part::Value, F::Outputs::<f64>::LEN, rows, value.iter().map(ArrayViewMut1::len))?;
+    let mut outputs: Vec<_> = value.iter_mut().map(|column| column.view_mut()).collect();
+    if let Some(jacobian) = jacobian {
+        error::expect(Part::Jacobian, zeros::entries::<F>(), rows, jacobian.iter().map(ArrayViewMut1::len))?;
+        outputs.extend(jacobian.iter_mut().map(|column| column.view_mut()));
+    }
+    let share = rows.div_ceil(8 * rayon::current_num_threads()).max(LEAST);
+    Task { first: 0, rows, inputs: inputs.to_vec(), outputs }.run::<F, J>(share).into_result()
+}
