@@ -11,6 +11,9 @@ use jointproof::{fields, verify};
 use std::collections::HashSet;
 use std::f64::consts::TAU;
 
+#[path = "audit/planted.rs"]
+mod planted;
+
 #[test]
 fn every_formula_of_the_catalog_passes() {
     for formula in CATALOG {

@@ -8,6 +8,15 @@ use crate::proof::way::{Kernel, Runner, Way};
 use std::hint::black_box;
 use std::time::Instant;
 
+/// Tells the time in nanoseconds from some moment on.
+pub(super) type Clock<'a> = &'a dyn Fn() -> f64;
+
+/// The clock of the machine, from now on.
+pub(super) fn clock() -> impl Fn() -> f64 {
+    let start = Instant::now();
+    move || start.elapsed().as_secs_f64() * 1e9
+}
+
 /// What is timed beside the ways.
 const COPY: &str = "copy";
 const YARDSTICK: &str = "yardstick";
@@ -67,33 +76,40 @@ struct Contestant {
 }
 
 /// Fills in the times of a measurement.
-pub(super) fn time(ways: &[Way], copy: &Kernel, points: &Points, options: &Options, measurement: &mut Measurement) {
+pub(super) fn time(
+    ways: &[Way],
+    [copy, yardstick]: [Runner; 2],
+    points: &Points,
+    (options, clock): (&Options, Clock),
+    measurement: &mut Measurement,
+) {
     let pace = Pace::new(options);
-    let mut contestants: Vec<_> = ways.iter().flat_map(|way| of_way(way, points, pace)).collect();
+    let mut contestants: Vec<_> = ways.iter().flat_map(|way| of_way(way, points, pace, clock)).collect();
     let beside = |way, with_jacobian| Task { way, with_jacobian, hard: None };
-    contestants.push(Contestant::new(beside(COPY, true), (copy.runner)(&points.random), pace));
-    contestants.push(Contestant::new(beside(YARDSTICK, false), yardstick(), pace));
+    for (task, run) in [(beside(COPY, true), copy), (beside(YARDSTICK, false), yardstick)] {
+        contestants.push(Contestant::new(task, run, pace, clock));
+    }
     for round in 0..options.rounds.max(1) {
         // Each round begins with another one, so that none always follows the same neighbour's caches.
         let first = round % contestants.len();
         let (head, tail) = contestants.split_at_mut(first);
-        tail.iter_mut().chain(head).for_each(|contestant| contestant.take_turn(round));
+        tail.iter_mut().chain(head).for_each(|contestant| contestant.take_turn(round, clock));
     }
     enter(&contestants, &points.hard, measurement);
 }
 
 /// The value and the Jacobian of a way, over random points and at hard ones.
-fn of_way(way: &Way, points: &Points, pace: Pace) -> Vec<Contestant> {
+fn of_way(way: &Way, points: &Points, pace: Pace, clock: Clock) -> Vec<Contestant> {
     let mut contestants = Vec::new();
     for (kernel, with_jacobian) in [(&way.value, false), (&way.jacobian, true)] {
         let Some(kernel) = kernel else { continue };
         let task = Task { way: way.id, with_jacobian, hard: None };
-        contestants.push(Contestant::new(task, (kernel.runner)(&points.random), pace));
+        contestants.push(Contestant::new(task, (kernel.runner)(&points.random), pace, clock));
         if AT_HARD_POINTS.contains(&way.id) {
             contestants.extend(points.hard.iter().enumerate().map(|(k, point)| {
                 // The same loop as over random points, whose every point is this one.
                 let run = (kernel.runner)(&vec![point.inputs.clone(); pace.points]);
-                Contestant::new(Task { hard: Some(k), ..task }, run, pace.short())
+                Contestant::new(Task { hard: Some(k), ..task }, run, pace.short(), clock)
             }));
         }
     }
@@ -102,13 +118,13 @@ fn of_way(way: &Way, points: &Points, pace: Pace) -> Vec<Contestant> {
 
 impl Contestant {
     /// Finds how many evaluations fill a turn; that warms it up as well.
-    fn new(task: Task, run: Runner, pace: Pace) -> Self {
+    fn new(task: Task, run: Runner, pace: Pace, clock: Clock) -> Self {
         let Pace { points: all, turn_ns, every, rounds } = pace;
         let mut contestant = Self { task, run, points: 1, calls: 1, every, samples: Vec::new() };
-        let mut one = contestant.least();
+        let mut one = contestant.least(clock);
         if one * number(all) < turn_ns {
             contestant.points = all;
-            one = contestant.least();
+            one = contestant.least(clock);
         }
         let call = (one * number(contestant.points)).max(1.0);
         contestant.calls = whole(turn_ns / call);
@@ -123,22 +139,22 @@ impl Contestant {
     }
 
     /// The least of some turns: the first is cold, and another may be interrupted.
-    fn least(&mut self) -> f64 {
-        (0..4).map(|_| self.turn(0)).fold(f64::INFINITY, f64::min)
+    fn least(&mut self, clock: Clock) -> f64 {
+        (0..4).map(|_| self.turn(clock)).fold(f64::INFINITY, f64::min)
     }
 
     /// Nanoseconds an evaluation in one turn.
-    fn turn(&mut self, from: usize) -> f64 {
-        let start = Instant::now();
+    fn turn(&mut self, clock: Clock) -> f64 {
+        let start = clock();
         for _ in 0..self.calls {
-            (self.run)(from, self.points);
+            (self.run)(self.points);
         }
-        start.elapsed().as_secs_f64() * 1e9 / number(self.calls * self.points)
+        (clock() - start) / number(self.calls * self.points)
     }
 
-    fn take_turn(&mut self, round: usize) {
+    fn take_turn(&mut self, round: usize, clock: Clock) {
         if round.is_multiple_of(self.every) {
-            let time = self.turn(0);
+            let time = self.turn(clock);
             self.samples.push((round, time));
         }
     }
@@ -194,8 +210,13 @@ fn enter(contestants: &[Contestant], hard: &[HardPoint], measurement: &mut Measu
     measurement.yardstick = find(YARDSTICK, false, None).and_then(Contestant::time);
 }
 
+/// What is timed beside the ways, over these points.
+pub(super) fn beside<F: Proved>(points: &Points) -> [Runner; 2] {
+    [(copy::<F>().runner)(&points.random), yardstick()]
+}
+
 /// Reads every input and writes every output and Jacobian entry, and does nothing else.
-pub(super) fn copy<F: Proved>() -> Kernel {
+fn copy<F: Proved>() -> Kernel {
     let written = (F::Outputs::filled(1.0), F::Outputs::filled(F::Inputs::filled(1.0)));
     let compute = move |i: &F::Inputs<f64>| {
         black_box(&{ *i });
@@ -206,7 +227,7 @@ pub(super) fn copy<F: Proved>() -> Kernel {
 
 /// A chain of multiplications, divisions and square roots, each waiting for the one before.
 fn yardstick() -> Runner {
-    Box::new(|_, count| {
+    Box::new(|count| {
         for _ in 0..count {
             let mut x = black_box(2.0_f64);
             for _ in 0..4 {
@@ -216,3 +237,6 @@ fn yardstick() -> Runner {
         }
     })
 }
+
+#[cfg(test)]
+mod tests;

@@ -69,8 +69,8 @@ impl Way {
     }
 }
 
-/// Runs over the points from an index on, so many of them.
-pub(crate) type Runner = Box<dyn FnMut(usize, usize)>;
+/// Runs over so many of the points.
+pub(crate) type Runner = Box<dyn FnMut(usize)>;
 
 /// The results at components, as doubles in order.
 type Results = Box<dyn Fn(&[f64]) -> Vec<f64>>;
@@ -97,8 +97,8 @@ impl Kernel {
             results: Box::new(move |i| doubles(&compute(&convert(i)))),
             runner: Box::new(move |points| {
                 let points = converted(points, convert);
-                Box::new(move |from, count| {
-                    for i in &points[from..from + count] {
+                Box::new(move |count| {
+                    for i in &points[..count] {
                         black_box(&compute(black_box(i)));
                     }
                 })

@@ -21,14 +21,17 @@ pub struct Claim {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Deviation {
     /// Its size, in the unit of the claim.
+    #[serde(with = "any_double")]
     pub size: f64,
     /// The entry: `fc`, or `∂fc/∂f2`.
     pub entry: String,
     /// The case, or the number of the random point.
     pub point: String,
     /// What was found.
+    #[serde(with = "any_double")]
     pub found: f64,
     /// What was expected.
+    #[serde(with = "any_double")]
     pub expected: f64,
     /// The inputs, as golden files give them, to be pasted back.
     pub inputs: serde_json::Value,
@@ -74,11 +77,31 @@ impl Claim {
         self.worst = Some(Deviation { size: f64::MAX, entry: reason, point, found, expected, inputs });
     }
 
+    /// What is not a number is no deviation that anybody knows, and within no bound.
     pub(super) fn record(&mut self, size: f64, bound: f64, describe: impl FnOnce(f64) -> Deviation) {
+        let size = if size.is_nan() { f64::INFINITY } else { size };
         self.checks += 1;
         self.failures += usize::from(size > bound);
         if self.worst.as_ref().is_none_or(|worst| size > worst.size) {
             self.worst = Some(describe(size));
         }
+    }
+}
+
+/// Doubles as golden files have them, so that a claim that failed by NaN can be read back.
+mod any_double {
+    use crate::verify::golden::{double, number};
+    use serde::de::Error;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+    use serde_json::Value;
+
+    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes references")]
+    pub(super) fn serialize<S: Serializer>(x: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+        number(*x).serialize(serializer)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
+        let value = Value::deserialize(deserializer)?;
+        double(&value).ok_or_else(|| Error::custom(format_args!("{value} is no number")))
     }
 }

@@ -21,6 +21,7 @@ use crate::Octuple;
 use crate::formula::Field;
 use crate::proof::{Case, Convention, Flag, Proved};
 use crate::quantity::Domain;
+pub(super) use numbers::{double, number};
 use numbers::{four_digits_up, named_jacobian};
 
 /// At least this many cases drawn at random.

@@ -98,7 +98,7 @@ fn unreadable(field: &Field, shape: &[usize], value: &Value) -> Error {
 }
 
 /// The reverse of [`number`].
-fn double(value: &Value) -> Option<f64> {
+pub(in crate::verify) fn double(value: &Value) -> Option<f64> {
     match value.as_str() {
         Some("NaN") => Some(f64::NAN),
         Some("Infinity") => Some(f64::INFINITY),
@@ -108,7 +108,7 @@ fn double(value: &Value) -> Option<f64> {
 }
 
 /// A double, in JSON, which has no NaN and no infinity.
-fn number(x: f64) -> Value {
+pub(in crate::verify) fn number(x: f64) -> Value {
     serde_json::Number::from_f64(x).map_or_else(
         || {
             Value::from(if x.is_nan() {
