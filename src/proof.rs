@@ -28,6 +28,12 @@ pub trait Proved: Formula {
         Vec::new()
     }
 
+    /// Inputs put where the formula is used, from inputs whose components were drawn one by one: of a closest point the foot
+    /// and the distance are drawn, and not the slave point, which would be beyond an end more often than not.
+    fn placed(drawn: Self::Inputs<f64>) -> Self::Inputs<f64> {
+        drawn
+    }
+
     /// Inputs that [`validate`](Formula::validate) rejects; what the domains reject is added by itself.
     fn invalid_cases() -> Vec<Case<Self::Inputs<f64>>> {
         Vec::new()

@@ -1,10 +1,12 @@
 //! The audit: every claim about a formula, checked at its cases, beside its kinks and at random points.
 
+use super::branches::Branches;
 use super::claim::Claim;
 use super::difference::{differences, largest_of_field, step_size};
 use super::kinks::{self, Comparison, Looked, SMOOTH};
 use super::point::{Names, Point};
 use super::printed::{EQUATION, found};
+use super::reach::{Reached, reach};
 use super::shard::Shard;
 use super::subject::{Law, Subject};
 use super::{Sampler, Sensitivity, eta, finite, invariance};
@@ -43,6 +45,8 @@ const AD_AGAINST_DIFFERENCES: f64 = 1e-50;
 const AD_AGAINST_DIFFERENCES_HARD: f64 = 1e-35;
 /// The printed equation is compared at so many of the random points, and at all others.
 const PRINTED_AT: usize = 200;
+/// Sides of comparisons that so many random points take need not be searched for.
+const REACHED_FROM: usize = 64;
 /// Laws hold in 237 bits to this.
 const LAW: f64 = 1e-60;
 
@@ -56,8 +60,10 @@ pub struct Audit {
     pub formula: String,
     /// Document and section, and how much of the equation is printed there.
     pub provenance: String,
-    /// Named points: the cases, and points on and beside kinks.
+    /// Named points: the cases, points on and beside kinks, and those that were searched for.
     pub named_points: usize,
+    /// So many of them were searched for, since they take a side of a comparison that neither a case nor a random point takes.
+    pub searched_points: usize,
     /// Random points.
     pub random_points: usize,
     /// The seed of the random points.
@@ -115,10 +121,13 @@ impl Audit {
 /// What is found at a share of the random points, and how the comparisons of the formula came out there.
 pub(super) fn audit_share(subject: &Subject, options: &Options, shard: Shard) -> (Audit, Vec<Comparison>) {
     let (range, is_first) = (shard.range(options.samples), shard.is_first());
-    let named = if is_first { named_points(subject) } else { Vec::new() };
+    let mut named = if is_first { named_points(subject) } else { Vec::new() };
     let starts = is_first.then(|| random_points(subject, options, 0..options.samples.min(kinks::STARTS_AT)));
+    let searched = starts.as_ref().map_or_else(Vec::new, |starts| searched_points(subject, &named, starts));
+    let number = searched.len();
+    named.extend(searched);
     let random = random_points(subject, options, range.clone());
-    let points = Points { named, random, before: range.start, seed: options.seed, starts };
+    let points = Points { named, searched: number, random, before: range.start, seed: options.seed, starts };
     (audit_points(subject, &points), points.comparisons(subject))
 }
 
@@ -138,12 +147,14 @@ pub fn audit_at<F: Proved>(inputs: &F::Inputs<f64>) -> Result<Audit, Error> {
     check::<F>(inputs)?;
     let subject = Subject::of::<F>();
     let named = vec![Point::new(&subject, "given".into(), false, inputs.components())];
-    Ok(audit_points(&subject, &Points { named, random: Vec::new(), before: 0, seed: 0, starts: None }))
+    Ok(audit_points(&subject, &Points { named, searched: 0, random: Vec::new(), before: 0, seed: 0, starts: None }))
 }
 
 /// Where an audit, or a part of one, looks.
 struct Points<'a> {
     named: Vec<Point<'a>>,
+    /// So many of these were searched for.
+    searched: usize,
     random: Vec<Point<'a>>,
     /// So many random points are before these, in other parts.
     before: usize,
@@ -166,7 +177,7 @@ impl Points<'_> {
 }
 
 fn audit_points(subject: &Subject, points: &Points<'_>) -> Audit {
-    let Points { named, random, before, seed, starts } = points;
+    let Points { named, searched, random, before, seed, starts } = points;
     // Laws hold at points in general position; at a single given point they are checked there.
     let general = if points.is_given() { named } else { random };
     let names = Names::new(subject);
@@ -175,6 +186,7 @@ fn audit_points(subject: &Subject, points: &Points<'_>) -> Audit {
         formula: subject.spec.id.into(),
         provenance: format!("{}; {}", subject.spec.source, subject.spec.source.provenance),
         named_points: named.len(),
+        searched_points: *searched,
         random_points: random.len(),
         seed: *seed,
         closed_against_ad: Claim::new("closed form = automatic differentiation, in 237 bits", CLOSED_AGAINST_AD),
@@ -257,6 +269,20 @@ pub(crate) fn beside_kinks(subject: &Subject) -> impl Iterator<Item = (String, V
             (format!("kink {} {step:+}", kink.condition), moved)
         })
     })
+}
+
+/// Points that take sides of comparisons which neither named points nor the first random ones take.
+fn searched_points<'a>(subject: &'a Subject, named: &[Point], random: &[Point]) -> Vec<Point<'a>> {
+    let Ok(graph) = kinks::telling_graph(subject) else { return Vec::new() };
+    let names = Names::new(subject);
+    let words = kinks::Words { graph: &graph, names: &names.inputs };
+    let starts: Vec<_> = random.iter().take(REACHED_FROM).chain(named).map(|point| point.inputs.as_slice()).collect();
+    let point = |reached: Reached| {
+        let side = if reached.answer { "so" } else { "otherwise" };
+        let label = format!("searched, {}: {side}", words.of(reached.comparison));
+        Point::new(subject, label, false, reached.inputs)
+    };
+    reach(subject, &Branches::of(&graph), &starts).into_iter().map(point).collect()
 }
 
 /// What is known exactly at a point.

@@ -15,6 +15,7 @@ pub use file::{Bounds, Description, File, LAYOUT, LEAST_CASES, Provenance, Recor
 pub use numbers::components;
 pub use numbers::named;
 
+use super::branches::spread;
 use super::subject::Subject;
 use super::{Sampler, Sensitivity, exact, rounded};
 use crate::Octuple;
@@ -24,6 +25,8 @@ use crate::quantity::Domain;
 pub(super) use numbers::{double, number};
 use numbers::{four_digits_up, named_jacobian};
 
+/// So many points are drawn for each that is taken, so that no side of a comparison is left to chance.
+const CANDIDATES: usize = 4;
 /// At least this many cases drawn at random.
 const LEAST_RANDOM: usize = 16;
 /// The seed of the random cases.
@@ -65,7 +68,9 @@ pub(super) fn cases(subject: &Subject) -> Vec<Case<Vec<f64>>> {
     let mut cases = (subject.cases)();
     let mut sampler = Sampler::for_formula(subject.spec.id, SEED);
     let random = LEAST_RANDOM.max(LEAST_CASES.saturating_sub(cases.len()));
-    cases.extend((1..=random).map(|k| Case::new(Flag::Random, format!("random-{k}"), "", sampler.components(subject))));
+    let drawn = (0..random * CANDIDATES).map(|_| sampler.components(subject)).collect();
+    let chosen = spread(subject, drawn, random).into_iter().zip(1..);
+    cases.extend(chosen.map(|(inputs, k)| Case::new(Flag::Random, format!("random-{k}"), "", inputs)));
     cases.extend(out_of_domain(subject));
     cases.extend((subject.invalid_cases)());
     cases

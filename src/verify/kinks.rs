@@ -15,6 +15,7 @@ pub use coverage::{Comparison, Coverage};
 pub use jump::Rank;
 pub use register::Sides;
 pub use search::Search;
+pub(super) use words::Words;
 
 use jump::Neighbourhood;
 pub(super) use jump::SMOOTH;
@@ -85,7 +86,7 @@ pub(super) fn comparisons<'a>(
 }
 
 /// The graph of a formula, or why it does not tell where something jumps.
-fn telling_graph(subject: &Subject) -> Result<Graph, String> {
+pub(super) fn telling_graph(subject: &Subject) -> Result<Graph, String> {
     let graph = (subject.graph)().map_err(|why| why.to_string())?;
     if graph.ops().iter().any(|op| matches!(op, Op::Search(..))) {
         return Err("the formula is an iterative search, and no single operation shows where its result jumps".into());

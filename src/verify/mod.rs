@@ -43,6 +43,7 @@
 //! ```
 
 mod audit;
+mod branches;
 mod claim;
 mod difference;
 mod eta;
@@ -56,6 +57,7 @@ mod part;
 mod point;
 mod printed;
 mod prose;
+mod reach;
 mod sample;
 mod shard;
 mod subject;

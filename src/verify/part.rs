@@ -103,6 +103,7 @@ impl Audit {
             formula: self.formula,
             provenance: self.provenance,
             named_points: self.named_points + next.named_points,
+            searched_points: self.searched_points + next.searched_points,
             random_points: self.random_points + next.random_points,
             seed: self.seed,
             closed_against_ad: self.closed_against_ad.and(next.closed_against_ad),

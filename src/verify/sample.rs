@@ -53,7 +53,7 @@ impl Sampler {
     /// If the formula refuses whatever is drawn from its domains, which only its author can mend.
     pub(crate) fn components(&mut self, subject: &Subject) -> Vec<f64> {
         for _ in 0..DRAWS {
-            let inputs = self.fields(subject.inputs);
+            let inputs = (subject.placed)(&self.fields(subject.inputs));
             if (subject.check)(&inputs).is_ok() {
                 return inputs;
             }

@@ -18,6 +18,8 @@ pub(crate) struct Subject {
     pub(crate) check: fn(&[f64]) -> Result<(), Error>,
     /// Whether inputs in 237 bits are valid together.
     pub(crate) is_valid: fn(&[Octuple]) -> bool,
+    /// Inputs where the formula is used, from components that were drawn one by one.
+    pub(crate) placed: fn(&[f64]) -> Vec<f64>,
     /// The value, and the closed-form Jacobian output by output.
     pub(crate) value: fn(&[f64]) -> Vec<f64>,
     pub(crate) jacobian: fn(&[f64]) -> Vec<f64>,
@@ -64,6 +66,7 @@ impl Subject {
             outputs: F::Outputs::<f64>::FIELDS,
             check: |i| formula::check::<F>(&typed(i)),
             is_valid: |i| F::validate(&typed::<Octuple, _>(i)).is_ok(),
+            placed: |i| F::placed(typed(i)).components(),
             value: value::<F, _>,
             jacobian: jacobian::<F, _>,
             linearized: |i| {

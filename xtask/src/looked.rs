@@ -33,7 +33,10 @@ fn of_coverage(coverage: &Coverage) -> Vec<String> {
     let [comparisons, asked] =
         [(coverage.comparisons, "comparison"), (coverage.asked, "time")].map(|(number, noun)| count(number, noun));
     let sides = if coverage.never.is_empty() { ", both branches of each reached" } else { "" };
-    [vec![format!("{comparisons}, evaluated {asked}{sides}")], named("branches not reached", &coverage.never)].concat()
+    let least = coverage.least;
+    let told =
+        format!("{comparisons}, evaluated {asked}, each side that was reached at {least} points at least{sides}");
+    [vec![told], named("branches not reached", &coverage.never)].concat()
 }
 
 fn named(what: &str, texts: &[String]) -> Vec<String> {

@@ -7,8 +7,10 @@ use super::view::View;
 use crate::Octuple;
 use crate::formula::Formula;
 use crate::proof::{Case, Kink};
-use crate::scalar::{Leaf, Scalar};
+use crate::scalar::{Leaf, Scalar, direction};
+use crate::slide_line::left;
 use crate::slide_line::shape::Shape;
+use nalgebra::Vector2;
 
 /// Slave points about the corner, given by their place (r, z) seen from the vertex; but for the first, which names it.
 pub(super) fn cases<I>(at_corner: fn(f64, f64) -> I) -> Vec<Case<I>> {
@@ -26,6 +28,13 @@ pub(super) fn cases<I>(at_corner: fn(f64, f64) -> I) -> Vec<Case<I>> {
         Case::hard("near-centre-1e-8", "1e-8 beside the centre of curvature", at_corner(1e-8, 0.75)),
         Case::hard("near-medial", "1e-12 beside the medial axis", at_corner(1e-12, 0.875)),
     ]
+}
+
+/// A slave point from two numbers that were drawn: the foot at −1 … 1 along the line, in three of ten beyond an end, and the
+/// distance from it. `on` gives a place on the line, and the tangent there.
+pub(in crate::slide_line) fn slave_point(drawn: Vector2<f64>, on: impl Fn(f64) -> [Vector2<f64>; 2]) -> Vector2<f64> {
+    let [x, tangent] = on(1.0625 * drawn.x / (1.0 + drawn.x.abs()));
+    x + left(Vector2::from(direction([tangent.x, tangent.y]))) * drawn.y
 }
 
 /// Whether inputs are on a kink.

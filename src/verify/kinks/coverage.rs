@@ -1,7 +1,8 @@
 //! How often each side of each comparison of a formula was taken at the points of an audit.
 
 use super::words::Words;
-use crate::graph::{Graph, Op};
+use crate::graph::Graph;
+use crate::verify::branches::Branches;
 use serde::{Deserialize, Serialize};
 
 /// The comparisons of value and Jacobian, and the sides of them that no point reached.
@@ -11,6 +12,8 @@ pub struct Coverage {
     pub comparisons: usize,
     /// How often each was asked, all together.
     pub asked: usize,
+    /// How many points took the side that was taken least, of those that were taken at all.
+    pub least: usize,
     /// What never came out so, in words.
     pub never: Vec<String>,
 }
@@ -33,8 +36,9 @@ impl Coverage {
             [0, _] => Some(format!("{words}: never otherwise")),
             _ => None,
         });
-        let asked = comparisons.iter().flat_map(|comparison| comparison.counts).sum();
-        Self { comparisons: comparisons.len(), asked, never: never.collect() }
+        let counts = comparisons.iter().flat_map(|comparison| comparison.counts);
+        let least = counts.clone().filter(|&count| count > 0).min().unwrap_or(0);
+        Self { comparisons: comparisons.len(), asked: counts.sum(), least, never: never.collect() }
     }
 }
 
@@ -45,20 +49,11 @@ pub(in crate::verify) fn comparisons<'a>(
     points: impl Iterator<Item = &'a [f64]>,
 ) -> Vec<Comparison> {
     let words = Words { graph, names };
-    let results = [graph.value.as_slice(), &graph.jacobian].concat();
-    let nodes = graph.needed(&results);
-    let is_comparison = |op: &Op| matches!(op, Op::Compare(..));
-    let comparisons: Vec<_> = nodes.iter().copied().filter(|&node| is_comparison(graph.op(node))).collect();
-    if comparisons.is_empty() {
-        return Vec::new();
+    let branches = Branches::of(graph);
+    let mut tally = branches.tally();
+    if !branches.comparisons.is_empty() {
+        points.for_each(|point| tally.add(&branches.answers(point)));
     }
-    let mut counts = vec![[0_usize; 2]; comparisons.len()];
-    for point in points {
-        let all = graph.results(point, nodes.iter().copied());
-        let live = graph.live(&results, &all);
-        for (count, node) in counts.iter_mut().zip(&comparisons).filter(|(_, node)| live[node.index()]) {
-            count[usize::from(all[node.index()] == 1.0)] += 1;
-        }
-    }
-    comparisons.iter().zip(counts).map(|(&node, counts)| Comparison { words: words.of(node), counts }).collect()
+    let comparison = |(&node, counts)| Comparison { words: words.of(node), counts };
+    branches.comparisons.iter().zip(tally.0).map(comparison).collect()
 }

@@ -8,9 +8,9 @@ const DEPTH: usize = 5;
 const LENGTH: usize = 70;
 
 /// A graph, and the names of its inputs.
-pub(super) struct Words<'a> {
-    pub(super) graph: &'a Graph,
-    pub(super) names: &'a [String],
+pub(in crate::verify) struct Words<'a> {
+    pub(in crate::verify) graph: &'a Graph,
+    pub(in crate::verify) names: &'a [String],
 }
 
 /// How strongly an expression holds together: what is looser than its surroundings needs brackets.
@@ -23,7 +23,7 @@ enum Bond {
 
 impl Words<'_> {
     /// The expression; where it is long, its inner parts are left out.
-    pub(super) fn of(&self, node: Node) -> String {
+    pub(in crate::verify) fn of(&self, node: Node) -> String {
         let mut texts = (1..=DEPTH).rev().map(|depth| self.written(node, depth).0);
         let short = texts.find(|text| text.chars().count() <= LENGTH);
         short.unwrap_or_else(|| self.written(node, 1).0.chars().take(LENGTH).chain(['…']).collect())

@@ -5,6 +5,7 @@ use crate::Octuple;
 use crate::formula::{Fields, Formula};
 use crate::proof::{Case, Kink, Law, Proved, hard, law};
 use crate::scalar::sign;
+use crate::slide_line::closest::evidence;
 use crate::slide_line::{LinearPlace, LinearPoint, left, length};
 use nalgebra::Vector2;
 
@@ -49,6 +50,12 @@ impl Proved for ClosestLinear {
         cases.push(Case::hard("tiny", "lengths of 1e-200: squares underflow", scaled(1e-200)));
         cases.push(Case::hard("huge", "lengths of 1e200: squares overflow", scaled(1e200)));
         cases
+    }
+
+    fn placed(drawn: LinearSlave<f64>) -> LinearSlave<f64> {
+        let LinearSlave { xs, x1, x2 } = drawn;
+        let on = |g| [LinearPoint::eval(&LinearPlace { x1, x2, g }).x, x2 - x1];
+        LinearSlave { xs: evidence::slave_point(xs, on), ..drawn }
     }
 
     fn invalid_cases() -> Vec<Case<LinearSlave<f64>>> {

@@ -5,7 +5,7 @@ use crate::Octuple;
 use crate::formula::{Fields, Formula};
 use crate::proof::{Case, Kink, Law, Proved, law};
 use crate::scalar::{norm, sign};
-use crate::slide_line::closest::Foot;
+use crate::slide_line::closest::{Foot, evidence};
 use crate::slide_line::points::proof::{arch, parabolas, quarter_point};
 use crate::slide_line::{ClosestLinear, LinearSlave, ParabolicPlace, ParabolicPoint, left, length};
 use nalgebra::Vector2;
@@ -65,6 +65,15 @@ impl Proved for ClosestParabolic {
             },
         ));
         cases
+    }
+
+    fn placed(drawn: ParabolicSlave<f64>) -> ParabolicSlave<f64> {
+        let ParabolicSlave { xs, x1, x2, x3 } = drawn;
+        let on = |g| {
+            let point = ParabolicPoint::eval(&ParabolicPlace { x1, x2, x3, g });
+            [point.x, point.dx]
+        };
+        ParabolicSlave { xs: evidence::slave_point(xs, on), ..drawn }
     }
 
     fn invalid_cases() -> Vec<Case<ParabolicSlave<f64>>> {
