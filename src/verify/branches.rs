@@ -67,15 +67,18 @@ impl Tally {
     }
 }
 
-/// So many of these points, spread over the sides of the comparisons: one after another the first one that takes the side which
-/// was taken least. Where all take the same sides, these are the first ones.
+/// So many points at least take each side, if there are so many.
+const LEAST: usize = 2;
+
+/// So many of these points, spread over the sides of the comparisons: one after another the first one that takes a side which
+/// few have taken; where there is none, the first one.
 pub(super) fn spread(subject: &Subject, drawn: Vec<Vec<f64>>, count: usize) -> Vec<Vec<f64>> {
     let graph = (subject.graph)().unwrap_or_default();
     let branches = Branches::of(&graph);
     let mut tally = branches.tally();
     let mut left: Vec<_> = drawn.into_iter().map(|point| (branches.answers(&point), point)).collect();
     let next = |_| {
-        let rarest = left.iter().enumerate().min_by_key(|(_, (answers, _))| tally.rarest(answers));
+        let rarest = left.iter().enumerate().min_by_key(|(_, (answers, _))| tally.rarest(answers).min(LEAST));
         let (answers, point) = left.remove(rarest?.0);
         tally.add(&answers);
         Some(point)

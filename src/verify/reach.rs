@@ -54,7 +54,9 @@ pub(super) fn reach(subject: &Subject, branches: &Branches, points: &[&[f64]]) -
         }
         let before = search.found.len();
         search.cross();
-        special.iter().for_each(|point| search.specialise(point));
+        for point in &special {
+            search.specialise(point);
+        }
         if search.found.len() == before {
             break;
         }
@@ -153,7 +155,8 @@ impl Search<'_> {
             for factor in FACTORS {
                 self.changed(start, |point| point[field.clone()].iter_mut().for_each(|x| *x *= factor));
             }
-            for other in self.fields[..k].to_vec().into_iter().filter(|other| other.len() == field.len()) {
+            let same: Vec<_> = self.fields[..k].iter().filter(|other| other.len() == field.len()).cloned().collect();
+            for other in same {
                 for sign in [1.0, -1.0] {
                     let others: Vec<_> = start[other.clone()].iter().map(|x| sign * x).collect();
                     self.changed(start, |point| point[field.clone()].copy_from_slice(&others));
