@@ -19,6 +19,7 @@ pub(super) struct Area {
     files: GlobSet,
     except: GlobSet,
     kept: Vec<Kept>,
+    harmless: Vec<Harmless>,
 }
 
 #[derive(Deserialize)]
@@ -31,6 +32,19 @@ struct List {
     except: Vec<String>,
     #[serde(default)]
     fault: Vec<Kept>,
+    #[serde(default)]
+    harmless: Vec<Harmless>,
+}
+
+/// Faults made by rule that nothing can notice.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Harmless {
+    file: String,
+    /// The line, without the spaces around it.
+    line: String,
+    was: String,
+    why: String,
 }
 
 /// A fault in a list.
@@ -63,13 +77,20 @@ pub(super) fn read(root: &Path) -> anyhow::Result<Vec<Area>> {
 
 impl Area {
     fn read(path: &Path) -> anyhow::Result<Self> {
-        let List { files, except, fault } = toml::from_str(&std::fs::read_to_string(path)?)?;
+        let List { files, except, fault, harmless } = toml::from_str(&std::fs::read_to_string(path)?)?;
         let name = path.file_stem().context("a file has a name")?.to_string_lossy().into_owned();
-        Ok(Self { name, files: globs(&files)?, except: globs(&except)?, kept: fault })
+        Ok(Self { name, files: globs(&files)?, except: globs(&except)?, kept: fault, harmless })
     }
 
     pub(super) fn has(&self, file: &str) -> bool {
         self.files.is_match(file) && !self.except.is_match(file)
+    }
+
+    /// Why nothing can notice a fault made by rule in this source, if so.
+    pub(super) fn why_harmless(&self, fault: &Fault, text: &str) -> Option<String> {
+        let line = text.lines().nth(fault.line - 1)?.trim();
+        let is_it = |known: &&Harmless| (&*known.file, &*known.line, &*known.was) == (&*fault.file, line, &*fault.was);
+        self.harmless.iter().find(is_it).map(|known| known.why.clone())
     }
 
     /// The faults of the list.

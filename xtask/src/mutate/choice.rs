@@ -2,7 +2,8 @@
 
 use super::area::Area;
 use super::fault::Fault;
-use super::sites::{Made, Sites};
+use super::rules::Made;
+use super::sites::Sites;
 use anyhow::Context;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -25,7 +26,10 @@ impl Choice {
             let mut ranked = Vec::new();
             for (file, text) in sources.iter().filter(|(file, _)| area.has(file)) {
                 let sites = Sites::read(text).with_context(|| file.clone())?;
-                let mut faults: Vec<_> = sites.made.into_iter().map(|made| fault(area, file, made)).collect();
+                let mut faults: Vec<_> = sites.rules.made.into_iter().map(|made| fault(area, file, made)).collect();
+                for fault in &mut faults {
+                    fault.equivalent = area.why_harmless(fault, text);
+                }
                 faults.sort_by_key(|fault| hash(seed, fault));
                 let mut seen = BTreeSet::new();
                 faults.retain(|fault| seen.insert(fault.id.clone()));

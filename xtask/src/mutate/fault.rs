@@ -69,7 +69,7 @@ pub(super) enum Verdict {
     Killed(String),
     /// This test, or one of those run with it, took far too long or too much memory, or ended without a word.
     Stopped(String),
-    /// So many tests reached it, and none failed.
+    /// So many tests that come to it were run, and none failed.
     Survived(usize),
     /// Nothing can notice it, and this is why.
     Equivalent(String),

@@ -5,14 +5,23 @@ use super::fault::{Fault, Verdict};
 use super::process::{self, Ended, How};
 use super::reach::{Test, command};
 use std::collections::BTreeMap;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Tests of one program that take less together are run together.
 const QUICK: f64 = 4.0;
 /// How much longer than without a fault tests may take.
 const TIMES: f64 = 8.0;
 
-/// Tries a fault. Tests may take `grace` seconds longer than some times what they take without it.
+/// How long a fault is tried.
+#[derive(Clone, Copy)]
+pub(super) struct Patience {
+    /// Tests may take so many seconds longer than some times what they take without the fault.
+    pub(super) grace: u32,
+    /// After so many seconds the tests that are left are not run.
+    pub(super) enough: u64,
+}
+
+/// Tries a fault.
 ///
 /// # Errors
 /// That a test cannot be started.
@@ -21,10 +30,15 @@ pub(super) fn judge(
     tests: &[Test],
     number: usize,
     fault: &Fault,
-    grace: u32,
+    Patience { grace, enough }: Patience,
 ) -> anyhow::Result<Verdict> {
     let reaching: Vec<&Test> = tests.iter().filter(|test| test.reached.contains(&fault.id)).collect();
+    let (from, mut run) = (Instant::now(), 0);
     for batch in batches(&reaching) {
+        if from.elapsed().as_secs() >= enough {
+            break;
+        }
+        run += batch.len();
         let binary = &built.binaries[batch[0].binary];
         let names: Vec<&str> = batch.iter().map(|test| test.name.as_str()).filter(|name| !name.is_empty()).collect();
         let mut command = command(binary, &names);
@@ -39,7 +53,7 @@ pub(super) fn judge(
             How::Aborted | How::Late => return Ok(Verdict::Stopped(named(running(&ended).unwrap_or(&all)))),
         }
     }
-    Ok(Verdict::Survived(reaching.len()))
+    Ok(Verdict::Survived(run))
 }
 
 /// What is run together: quick tests of one program, then the others by themselves. What takes least comes first.

@@ -21,6 +21,8 @@ struct Kept {
     /// The revision that the faults were planted in.
     commit: String,
     machine: String,
+    /// Which tests were run, and how long.
+    tests: String,
     faults: Vec<Judged>,
 }
 
@@ -28,7 +30,7 @@ struct Kept {
 ///
 /// # Errors
 /// What the file system says.
-pub(super) fn keep(root: &Path, judged: &[Judged]) -> anyhow::Result<()> {
+pub(super) fn keep(root: &Path, judged: &[Judged], tests: &str) -> anyhow::Result<()> {
     let path = root.join(FILE);
     let mut kept = if path.exists() { read(root)? } else { BTreeMap::new() };
     let said = |program: &str, arguments: &[&str]| {
@@ -40,7 +42,8 @@ pub(super) fn keep(root: &Path, judged: &[Judged]) -> anyhow::Result<()> {
     let machine = format!("{}, {} cores", said("uname", &["-sm"]), std::thread::available_parallelism()?);
     for name in by(judged, |one| Some(&one.area)).into_keys() {
         let faults = judged.iter().filter(|one| one.area == name).cloned().collect();
-        let area = Kept { date: date.clone(), commit: commit.clone(), machine: machine.clone(), faults };
+        let (date, commit, machine) = (date.clone(), commit.clone(), machine.clone());
+        let area = Kept { date, commit, machine, tests: tests.to_owned(), faults };
         kept.insert(name.to_owned(), area);
     }
     crate::files::write(&path, &(serde_json::to_string_pretty(&kept)? + "\n"))?;
@@ -101,12 +104,23 @@ fn cells(name: &str, score: Score) -> Vec<String> {
 
 fn by_area(kept: &BTreeMap<String, Kept>, judged: &[Judged]) -> Table {
     let row = |(name, score): (&str, Score)| {
-        let run =
-            kept.get(name).map_or(String::new(), |area| format!("{}, `{}`, {}", area.date, area.commit, area.machine));
+        let run = kept.get(name).map_or(String::new(), |area| {
+            format!("{}, `{}`, {}, {}", area.date, area.commit, area.machine, area.tests)
+        });
         [cells(name, score), vec![run]].concat()
     };
     let rows = by(judged, |one| Some(&one.area)).into_iter().map(row).collect();
-    table(&["area", "noticed", "not noticed", "change nothing", "rate", "when, at which revision, on what"], rows)
+    table(
+        &[
+            "area",
+            "noticed",
+            "not noticed",
+            "change nothing",
+            "rate",
+            "when, at which revision, on what, with which tests",
+        ],
+        rows,
+    )
 }
 
 /// A formula's faults are those in the file that it is written in.

@@ -27,6 +27,7 @@ use anyhow::ensure;
 use bench::Bench;
 use choice::Choice;
 use fault::{Fault, Judged, Verdict};
+use judge::Patience;
 use kit::{Project, Usage};
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
@@ -68,6 +69,9 @@ pub(crate) struct Arguments {
     /// How much longer a fault may make a test run before it counts as noticed, beside eight times its own time
     #[arg(long, value_name = "SECONDS", default_value_t = 20)]
     grace: u32,
+    /// After so many seconds the tests of a fault that are left are not run
+    #[arg(long, value_name = "SECONDS", default_value_t = 600)]
+    enough: u64,
     /// Only the tests of this package
     #[arg(long, value_name = "NAME")]
     package: Option<String>,
@@ -103,7 +107,8 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     crate::files::write(&bench.beside("result.json"), &serde_json::to_string_pretty(&judged)?)?;
     print(&table::text(&judged))?;
     if arguments.keep {
-        kept::keep(root, &judged)?;
+        let package = arguments.package.as_deref().unwrap_or("every package");
+        kept::keep(root, &judged, &format!("those of {package}, {} s a fault", arguments.enough))?;
     }
     let well = table::by(&judged, |one| Some(&one.area)).values().all(table::Score::is_enough);
     Ok(if well { ExitCode::SUCCESS } else { ExitCode::FAILURE })
@@ -125,12 +130,13 @@ fn judge_all(bench: &Bench, choice: &Choice, arguments: &Arguments) -> anyhow::R
     say(&format!("{} planted, {} to be tried", count(built.faults.len(), "fault"), faults.len()));
     process::limit_memory()?;
     let tests = reach::reach(bench, &built, Duration::from_secs(arguments.longest), arguments.jobs)?;
+    let patience = Patience { grace: arguments.grace, enough: arguments.enough };
     let done = AtomicUsize::new(0);
     workers::in_parallel(arguments.jobs, &faults, |(number, fault)| {
         let verdict = match &fault.equivalent {
             // Whoever names it wants to see.
             Some(why) if arguments.fault.is_none() => Verdict::Equivalent(why.clone()),
-            _ => judge::judge(&built, &tests, *number, fault, arguments.grace)?,
+            _ => judge::judge(&built, &tests, *number, fault, patience)?,
         };
         let (number, of) = (done.fetch_add(1, Relaxed) + 1, faults.len());
         say(&format!("{number}/{of} {} {}", fault.id, in_words(&verdict)));

@@ -1,9 +1,8 @@
 //! Where in a source a fault can be planted, and the faults that are made by rule.
 
-use super::fault::{Place, Shape};
-use super::rules;
+use super::fault::Shape;
+use super::rules::{Rules, has_let};
 use anyhow::Context;
-use proc_macro2::Span;
 use std::ops::Range;
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
@@ -11,20 +10,10 @@ use syn::{Attribute, Block, Expr, Item, Stmt};
 
 /// What was found in a source.
 pub(super) struct Sites<'a> {
-    text: &'a str,
     /// Every part that can be there twice.
     pub(super) places: Vec<(Range<usize>, Shape)>,
     /// Faults made by rule.
-    pub(super) made: Vec<Made>,
-}
-
-/// A fault made by rule.
-pub(super) struct Made {
-    /// Where it begins: line and column, from 1.
-    pub(super) at: (usize, usize),
-    pub(super) was: String,
-    pub(super) becomes: String,
-    pub(super) place: Place,
+    pub(super) rules: Rules<'a>,
 }
 
 impl<'a> Sites<'a> {
@@ -34,24 +23,9 @@ impl<'a> Sites<'a> {
     /// That it is not Rust.
     pub(super) fn read(text: &'a str) -> anyhow::Result<Self> {
         let file = syn::parse_file(text).context("this cannot be read")?;
-        let mut sites = Self { text, places: Vec::new(), made: Vec::new() };
+        let mut sites = Self { places: Vec::new(), rules: Rules::new(text) };
         sites.visit_file(&file);
         Ok(sites)
-    }
-
-    pub(super) fn text(&self, span: Span) -> &'a str {
-        &self.text[span.byte_range()]
-    }
-
-    /// A fault at `at`, which changes the part `span`.
-    pub(super) fn make(&mut self, at: Span, span: Span, shape: Shape, [was, becomes, text]: [&str; 3]) {
-        let start = at.start();
-        self.made.push(Made {
-            at: (start.line, start.column + 1),
-            was: was.to_owned(),
-            becomes: becomes.to_owned(),
-            place: Place { range: span.byte_range(), text: text.to_owned(), shape },
-        });
     }
 
     fn expression(&mut self, expr: &Expr, shape: Shape) {
@@ -59,7 +33,7 @@ impl<'a> Sites<'a> {
             self.places.push((expr.span().byte_range(), shape));
         }
         if !has_let(expr) {
-            rules::of_expression(self, expr, shape);
+            self.rules.of_expression(expr, shape);
         }
         visit::visit_expr(self, expr);
     }
@@ -71,7 +45,7 @@ impl<'a> Sites<'a> {
         self.places.push((body.span().byte_range(), Shape::Body));
         // How a value is shown to a person who debugs is no claim.
         if signature.ident != "fmt" {
-            rules::of_body(self, &signature.output, body);
+            self.rules.of_body(&signature.output, body);
             self.visit_block(body);
         }
     }
@@ -110,7 +84,7 @@ impl<'ast> Visit<'ast> for Sites<'_> {
         match statement {
             Stmt::Expr(expr, None) if is_block_like(expr) => self.expression(expr, Shape::Bare),
             Stmt::Expr(expr, Some(_)) => {
-                rules::of_statement(self, expr);
+                self.rules.of_statement(expr);
                 self.expression(expr, Shape::Expression);
             }
             statement => visit::visit_stmt(self, statement),
@@ -169,15 +143,6 @@ fn is_place(expr: &Expr) -> bool {
         Expr::Path(_) | Expr::Field(_) | Expr::Index(_) | Expr::Infer(_) => true,
         Expr::Unary(unary) => matches!(unary.op, syn::UnOp::Deref(_)),
         Expr::Paren(inner) => is_place(&inner.expr),
-        _ => false,
-    }
-}
-
-/// Whether it binds names for what stands behind it.
-pub(super) fn has_let(expr: &Expr) -> bool {
-    match expr {
-        Expr::Let(_) => true,
-        Expr::Binary(binary) => has_let(&binary.left) || has_let(&binary.right),
         _ => false,
     }
 }

@@ -84,6 +84,7 @@ fn arguments() -> Arguments {
         seed: 0,
         jobs: 2,
         grace: 1,
+        enough: 60,
         package: None,
         longest: 900,
         list: false,
