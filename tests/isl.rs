@@ -38,6 +38,9 @@ fn bad_elements_and_steps_are_named() {
     assert_eq!(message(Increment::new(0.0).unwrap_err()), "duration is 0.0; allowed is a finite number > 0");
     let pulling = second().with_pressures([(3, f64::NAN)]).unwrap_err();
     assert_eq!(message(pulling), "node 3 has the pressure NaN; allowed are finite pressures ≥ 0");
+    let pulling = second().with_pressures([(3, 1.0), (4, -1.0)]).unwrap_err();
+    assert_eq!(message(pulling), "node 4 has the pressure -1; allowed are finite pressures ≥ 0");
+    assert!(second().with_pressures([(3, 0.0)]).is_ok());
 
     let contact = flat(Interaction::default());
     let start = contact.start(ring(2.0, 0.0)).unwrap();
@@ -125,6 +128,10 @@ fn hard_contact_presses_only_when_closed() {
         [3, 4].map(|node| state.node(node).unwrap().s11)
     };
     assert_eq!((pressures(0.0), pressures(-1e-9), pressures(1e-9)), ([20.0, 30.0], [20.0, 30.0], [0.0, 0.0]));
+    // A node that is not named has no pressure.
+    let one = second().with_pressures([(3, 20.0)]).unwrap();
+    let state = contact.advance(&start, ring(2.0, 0.0), &one).unwrap();
+    assert_eq!([3, 4].map(|node| state.node(node).unwrap().s11), [20.0, 0.0]);
     let tolerant = flat(Interaction::hard(1e-6).unwrap());
     assert_eq!(tolerant.advance(&start, ring(2.0, 1e-9), &pressed).unwrap().node(4).unwrap().s11, 30.0);
 }
@@ -286,6 +293,20 @@ fn past_the_end_of_the_line_nothing_is_transmitted() {
     assert_eq!(outside.e11, -0.25);
 }
 
+/// The way goes on along the tangent past either end, with its sign.
+#[test]
+fn past_the_ends_slip_goes_on() {
+    let line = SlideLine::new(Interpolation::Linear, [1, 2]).unwrap();
+    let placed = line.place(&Nodes::new([(1, [1.0, 0.0]), (2, [5.0, 0.0])]).unwrap()).unwrap();
+    let slip = |from: f64, to: f64| {
+        let [from, to] = [from, to].map(|r| placed.closest([r, 0.5].into()).unwrap());
+        placed.slip(&from, &to)
+    };
+    for (from, to) in [(0.75, 0.25), (0.25, 0.75), (1.5, 0.5), (0.5, 1.5), (5.5, 6.0), (4.5, 5.5), (6.0, 0.5)] {
+        assert_eq!(slip(from, to), to - from, "{from} to {to}");
+    }
+}
+
 // --- Equilibrium -----------------------------------------------------------------------------------------------------
 
 /// A corner that is curved, smoothed or sharp, and elements of both types that press into it.
@@ -392,6 +413,21 @@ fn the_torque_is_that_of_the_pressures() {
     let exact = contact.start(ring(2.0, -0.25).convert::<Octuple>()).unwrap();
     let expected = Octuple::PI * 2.0 * 25.0 * 19.0 / 3.0;
     assert!((contact.torque(&exact).unwrap() / expected - 1.0).to_f64().abs() < 1e-70);
+}
+
+/// Where a node moves away faster than the law presses, damping pulls; what pulls transmits no torque.
+#[test]
+fn a_node_that_damping_pulls_has_no_part_in_the_torque() {
+    let contact = flat(Interaction::linear(100.0).unwrap().with_damping(50.0, 10.0, 0.5).unwrap());
+    let start = contact.start(ring(2.0, -0.25)).unwrap();
+    let places = Nodes::new([(1, [1.0, 0.0]), (2, [5.0, 0.0]), (3, [2.0, -0.05]), (4, [3.0, -0.3])]).unwrap();
+    let state = contact.advance(&start, places.clone(), &second()).unwrap();
+    let [pulled, pushed] = [3, 4].map(|node| state.node(node).unwrap().s11);
+    assert!((pulled + 5.0).abs() < 1e-12 && (pushed - 32.5).abs() < 1e-12, "{pulled} {pushed}");
+    let [element] = contact.elements().elements() else { panic!("one") };
+    assert_eq!(element.number(), 10);
+    let expected = element.torque(&places, |node| Ok(if node == 3 { 0.0 } else { pushed })).unwrap();
+    assert_eq!(contact.torque(&state).unwrap(), expected);
 }
 
 #[test]

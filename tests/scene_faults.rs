@@ -138,6 +138,20 @@ fn place_and_turn(kind: &Kind) -> (&'static str, &'static str) {
 }
 
 /// The kinds say which parameters are in order, and so does the formula that reads them.
+/// Friction that is given as 0 needs as little as friction that is not given.
+#[test]
+fn a_coefficient_of_zero_needs_no_stiffness() {
+    let read = |mu: &str| {
+        Scene::parse(&format!(
+            r#"{{"dimension": "3d", "orientations": {{"o": {{"rotation": [0, 0, 0]}}}},
+            "nodes": {{"a": {{"at": [0, 0, 0], "orientation": "o"}}, "b": {{"at": [1, 0, 0]}}}},
+            "elements": {{"e": {{"kind": "slot", "nodes": ["a", "b"]{mu}}}}}, "outputs": ["PHI"]}}"#
+        ))
+    };
+    assert!(read("").is_ok() && read(r#", "mu": 0"#).is_ok() && read(r#", "mu": 0.5, "k_stick": 1"#).is_ok());
+    assert!(read(r#", "mu": 0.5"#).unwrap_err().to_string().contains("no \"k_stick\", needed for scene.stick"));
+}
+
 #[test]
 fn stops_in_the_wrong_order_are_refused() {
     let mut pairs = 0;

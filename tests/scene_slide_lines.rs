@@ -93,12 +93,15 @@ fn hard_contact_pushes_where_it_is_closed_and_only_there() {
         "nodes": {"a": {"at": [1, 0]}, "b": {"at": [5, 0]}, "m": {"at": [2, 1]}, "n": {"at": [3, 1]}},
         "slide_lines": {"plate": {"type": "linear", "nodes": ["a", "b"]}},
         "elements": {"ring": {"kind": "isl21a", "nodes": ["m", "n"], "slide_line": "plate"}},
-        "frames": [{"time": 0, "pressures": {"m": 7, "n": 8}}, {"time": 1, "nodes": {"m": {"u": [0, -1]}}}],
+        "frames": [{"time": 0, "pressures": {"m": 7, "n": 8}}, {"time": 1, "nodes": {"m": {"u": [0, -1]}}},
+        {"time": 2, "pressures": {"m": 4}}],
         "outputs": ["E11", "S11"]}"#;
     let results = Results::of(&scene(text)).unwrap();
     assert_eq!(results.get("ring", "S11", 0), Some(&[0.0, 0.0][..]));
     assert_eq!(results.get("ring", "E11", 1), Some(&[0.0, 1.0][..]));
     assert_eq!(results.get("ring", "S11", 1), Some(&[7.0, 0.0][..]));
+    // A pressure that is given again takes the place of the one before.
+    assert_eq!(results.get("ring", "S11", 2), Some(&[4.0, 0.0][..]));
 }
 
 #[test]
@@ -267,6 +270,48 @@ fn what_ran_is_counted_where_it_runs() {
     let [law, slip] = ["interaction.pressure_exponential", "slide_line.slip_increment_linear"];
     assert_eq!((count(&planned, law), count(&planned, slip)), (6, 6));
     assert_eq!((count(&ran, law), count(&ran, slip)), (1, 6));
+}
+
+/// A first state that has moved asks where the nodes came from, which is a search more for each.
+#[test]
+fn the_search_for_the_place_before_is_counted() {
+    let moved = ring(1.0, RUBBING, r#"["E12"]"#).replace(r#"{"time": 0}, "#, "");
+    let still = ring(1.0, RUBBING, r#"["E12"]"#);
+    let searches = |text: &str| {
+        let counts = Results::of(&scene(text)).unwrap().counts;
+        counts.iter().find(|(formula, _)| *formula == "slide_line.closest_linear").unwrap().1
+    };
+    assert_eq!(
+        (searches(&moved), searches(&still)),
+        (6, 6),
+        "three nodes: one state with two searches, or two with one"
+    );
+}
+
+/// Where a node moves away faster than the law presses, damping pulls; what pulls transmits no torque.
+#[test]
+fn a_node_that_damping_pulls_has_no_part_in_the_torque() {
+    let text = r#"{"dimension": "axisymmetric",
+        "nodes": {"a": {"at": [1, 0]}, "b": {"at": [5, 0]}, "m": {"at": [2, -0.25]}, "n": {"at": [3, -0.25]}},
+        "slide_lines": {"plate": {"type": "linear", "nodes": ["a", "b"], "pressure": {"k": 100},
+            "damping": {"mu0": 50, "c0": 10, "eta": 0.5}}},
+        "elements": {"ring": {"kind": "isl21a", "nodes": ["m", "n"], "slide_line": "plate"}},
+        "frames": [{"time": 0}, {"time": 2, "nodes": {"m": {"u": [0, 0.2]}, "n": {"u": [0, -0.05]}}}],
+        "outputs": ["S11", "T"]}"#;
+    let results = Results::of(&scene(text)).unwrap();
+    let &[pulled, pushed] = results.get("ring", "S11", 1).unwrap() else { panic!("two nodes") };
+    // The law gives 5 and 30; the rates are those of two seconds.
+    close(pulled, 5.0 - 50.0 * 0.2 / 2.0);
+    close(pushed, 30.0 + 50.0 * 0.05 / 2.0);
+    let quicker = Results::of(&scene(&text.replace("\"time\": 2", "\"time\": 1"))).unwrap();
+    let &[pulled, pushed] = quicker.get("ring", "S11", 1).unwrap() else { panic!("two nodes") };
+    close(pulled, -5.0);
+    let places = Nodes::new([(3, [2.0, -0.05]), (4, [3.0, -0.3])]).unwrap();
+    let element = IslElement::isl21a(1, [3, 4]).unwrap();
+    let torque = |on_m: f64| element.torque(&places, |node| Ok(if node == 3 { on_m } else { pushed })).unwrap();
+    let found = quicker.get("ring", "T", 1).unwrap()[0];
+    assert!((found / torque(0.0) - 1.0).abs() < 1e-12, "{found}");
+    assert!((torque(pulled) / torque(0.0) - 1.0).abs() > 1e-3);
 }
 
 #[test]

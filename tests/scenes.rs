@@ -89,6 +89,13 @@ fn no_lever_no_moment_term() {
 fn a_reference_length_saves_the_initial_one() {
     let motion = |given| plan(&one("3d", &format!(r#""kind": "slot"{given}"#), r#"["U1MAT"]"#));
     assert_eq!(motion("").len(), 3);
+    let length = |given: &str| {
+        let scene = one("3d", &format!(r#""kind": "slot"{given}"#), r#"["U1", "U1MAT"]"#);
+        let results = Results::of(&scene).unwrap();
+        ["U1", "U1MAT"].map(|output| results.get("e", output, 0).unwrap()[0])
+    };
+    // From x = 1 to 1.5.
+    assert_eq!((length(""), length(r#", "l1_ref": 2"#)), ([0.5, 0.5], [0.5, -0.5]));
     // relative_motion gives u1 too, which needs x0.
     assert_eq!(
         motion(r#", "l1_ref": 2"#),
@@ -114,6 +121,7 @@ fn the_scene_of_the_readme_is_the_first_example() {
 fn counts_are_what_ran() {
     let results = Results::of(&scene(TELESCOPE)).unwrap();
     assert_eq!(results.times.len(), 9);
+    assert_eq!(one("3d", r#""kind": "slot""#, "[]").nodes(), 2);
     let count = |id| results.counts.iter().find(|(formula, _)| *formula == id).map_or(0, |&(_, count)| count);
     assert_eq!((count("slot.constraint"), count("slot.relative_position"), count("scene.angles")), (9, 10, 1));
     assert_eq!((count("translator.contact_force"), count("slot.contact_force")), (9, 0));

@@ -133,6 +133,11 @@ fn a_joint_that_starts_at_half_a_turn_does_not_jump() {
         let ur1 = align.constraint(&a, &triad(PI + step, 0.0, 0.0)).unwrap().ur1;
         assert!((ur1 - step).abs() < 1e-15, "{ur1}");
     }
+    let align = Align::new(&a, &triad(0.0, 0.0, PI)).unwrap();
+    for step in [1e-3, -1e-3] {
+        let ur3 = align.constraint(&a, &triad(0.0, 0.0, PI + step)).unwrap().ur3;
+        assert!((ur3 - step).abs() < 1e-15, "{ur3}");
+    }
     // The documented residual is the plain difference, nearly a full turn on one side.
     let [e1a, e2a, e3a] = [Vector3::x(), Vector3::y(), Vector3::z()];
     let b = triad(PI - 1e-3, 0.0, 0.0);
@@ -155,6 +160,9 @@ fn gimbal_lock_is_rejected_at_the_start_and_later() {
     let global = Triad::global();
     let upright = Triad::new(-Vector3::z(), Vector3::y(), Vector3::x()).unwrap();
     assert!(matches!(Align::new(&global, &upright).unwrap_err(), Error::GimbalLock { .. }));
+    let since = AlignFromStart::new(&global, &global);
+    assert!(matches!(since.constraint(&global, &upright).unwrap_err(), Error::GimbalLock { .. }));
+    assert!(matches!(since.constraint_jacobian(&global, &upright).unwrap_err(), Error::GimbalLock { .. }));
     let start = Pose { triad_a: global, triad_b: global, xa: Vector3::zeros(), xb: Vector3::zeros() };
     let translator = Translator::new(&start).unwrap();
     let locked = Pose { triad_b: upright, ..start };

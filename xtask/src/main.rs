@@ -8,6 +8,8 @@ mod figures;
 #[cfg(feature = "ours")]
 mod museum;
 #[cfg(feature = "ours")]
+mod mutate;
+#[cfg(feature = "ours")]
 mod scene;
 #[cfg(feature = "ours")]
 mod statements;
@@ -36,6 +38,7 @@ fn ours(project: Project) -> Project {
         .called(if is_installed() { "jointproof" } else { "cargo xtask" })
         .with_command("scene", scene::run)
         .with_command("tidy", tidy::run)
+        .with_command("mutate", mutate::run)
         .with_golden("scenes", scene::golden)
         .with_check("statements", statements::verify)
         .with_reach(tidy::reach)

@@ -152,9 +152,7 @@ impl Partial {
     /// An empty folder beside `out`, named after this process; old leftovers of interrupted runs are removed.
     fn beside(out: &Path) -> Result<Self> {
         let name = out.file_name().with_context(|| format!("{} cannot hold a book", out.display()))?;
-        if !may_hold_a_book(out) {
-            bail!("{} holds something else than a book; give a new or an empty folder", out.display());
-        }
+        check_folder(out)?;
         let prefix = format!("{}.partial-", name.to_string_lossy());
         let parent = out.parent().unwrap_or(Path::new("."));
         fs::create_dir_all(parent)?;
@@ -187,6 +185,14 @@ impl Partial {
         }
         Ok(())
     }
+}
+
+/// Refuses a folder in which something would be lost.
+pub(crate) fn check_folder(out: &Path) -> Result<()> {
+    if !may_hold_a_book(out) {
+        bail!("{} holds something else than a book; give a new or an empty folder", out.display());
+    }
+    Ok(())
 }
 
 /// Whether nothing but an older book is lost when a book is put there.

@@ -1,6 +1,6 @@
 //! `book`: builds the book of a project, and shows it.
 
-use super::build::{Options, Summary, build};
+use super::build::{Options, Summary, build, check_folder};
 use super::calculator;
 use super::fault::Faults;
 use super::gather::content;
@@ -96,8 +96,10 @@ fn absent() -> bool {
 
 /// Builds the book, and lists all that is wrong with it if it is.
 pub(crate) fn build_book(project: &Project, out: Option<PathBuf>, report: Option<Report>) -> anyhow::Result<Summary> {
-    let out = out.or_else(|| Some(project.target().join("book")));
-    build(project.root(), &Options { out }, content(project, report)?).map_err(|error| {
+    let out = out.unwrap_or_else(|| project.target().join("book"));
+    // Before the content, which takes long.
+    check_folder(&out)?;
+    build(project.root(), &Options { out: Some(out) }, content(project, report)?).map_err(|error| {
         match error.downcast::<Faults>() {
             Ok(faults) => anyhow::anyhow!("the book cannot be built\n{faults}"),
             Err(error) => error,

@@ -1,0 +1,169 @@
+//! Areas: which files belong together, and the faults in them that are kept in a list. They stand in `tests/faults`.
+
+use super::fault::{Fault, Place};
+use super::sites::Sites;
+use anyhow::{Context, bail, ensure};
+use globset::{Glob, GlobSet, GlobSetBuilder};
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::path::Path;
+
+/// The folder of the lists, from the root.
+pub(super) const FOLDER: &str = "tests/faults";
+
+/// An area.
+pub(super) struct Area {
+    /// Its name, which is that of its file.
+    pub(super) name: String,
+    files: GlobSet,
+    except: GlobSet,
+    kept: Vec<Kept>,
+    harmless: Vec<Harmless>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct List {
+    /// The files that belong to the area, as patterns.
+    files: Vec<String>,
+    /// And those of them that do not.
+    #[serde(default)]
+    except: Vec<String>,
+    #[serde(default)]
+    fault: Vec<Kept>,
+    #[serde(default)]
+    harmless: Vec<Harmless>,
+}
+
+/// Faults made by rule that nothing can notice.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Harmless {
+    file: String,
+    /// The line, without the spaces around it.
+    line: String,
+    was: String,
+    why: String,
+}
+
+/// A fault in a list.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Kept {
+    id: String,
+    file: String,
+    /// A text before the one that is changed, where that alone stands there more than once.
+    after: Option<String>,
+    /// What is changed; an empty line in the report is worse than a long one here.
+    find: String,
+    put: String,
+    /// Why nothing can notice it.
+    equivalent: Option<String>,
+}
+
+/// Every area, in the order of their names.
+///
+/// # Errors
+/// What is wrong with a list.
+pub(super) fn read(root: &Path) -> anyhow::Result<Vec<Area>> {
+    let folder = root.join(FOLDER);
+    let entries = std::fs::read_dir(&folder).with_context(|| format!("cannot read {}", folder.display()))?;
+    let mut paths: Vec<_> = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
+    paths.sort();
+    let lists = paths.iter().filter(|path| path.extension().is_some_and(|end| end == "toml"));
+    lists.map(|path| Area::read(path).with_context(|| path.display().to_string())).collect()
+}
+
+impl Area {
+    fn read(path: &Path) -> anyhow::Result<Self> {
+        let List { files, except, fault, harmless } = toml::from_str(&std::fs::read_to_string(path)?)?;
+        let name = path.file_stem().context("a file has a name")?.to_string_lossy().into_owned();
+        Ok(Self { name, files: globs(&files)?, except: globs(&except)?, kept: fault, harmless })
+    }
+
+    pub(super) fn has(&self, file: &str) -> bool {
+        self.files.is_match(file) && !self.except.is_match(file)
+    }
+
+    /// Why nothing can notice a fault made by rule in this source, if so.
+    pub(super) fn why_harmless(&self, fault: &Fault, text: &str) -> Option<String> {
+        let line = text.lines().nth(fault.line - 1)?.trim();
+        let is_it = |known: &&Harmless| (&*known.file, &*known.line, &*known.was) == (&*fault.file, line, &*fault.was);
+        self.harmless.iter().find(is_it).map(|known| known.why.clone())
+    }
+
+    /// The faults of the list.
+    ///
+    /// # Errors
+    /// A text that is not there, or more than once; a file that belongs to another area.
+    pub(super) fn kept(&self, sources: &BTreeMap<String, String>) -> anyhow::Result<Vec<Fault>> {
+        self.kept
+            .iter()
+            .map(|kept| self.fault(kept, sources).with_context(|| format!("{}: {}", self.name, kept.id)))
+            .collect()
+    }
+
+    fn fault(&self, kept: &Kept, sources: &BTreeMap<String, String>) -> anyhow::Result<Fault> {
+        let Kept { id, file, find, put, equivalent, .. } = kept;
+        ensure!(self.has(file), "{file} is not of this area");
+        let text = sources.get(file).with_context(|| format!("there is no {file}"))?;
+        let range = kept.find(text)?;
+        let places = places(text, &range, put)?;
+        ensure!(!places.is_empty(), "no function has it, so that it cannot be switched");
+        let line = 1 + text[..range.start].matches('\n').count();
+        Ok(Fault {
+            id: format!("{}.{id}", self.name),
+            area: self.name.clone(),
+            file: file.clone(),
+            line,
+            was: find.clone(),
+            becomes: put.clone(),
+            equivalent: equivalent.clone(),
+            places,
+        })
+    }
+}
+
+impl Kept {
+    /// Where the text that is changed stands.
+    fn find(&self, text: &str) -> anyhow::Result<Range<usize>> {
+        let once = |text: &str, wanted: &str| match text.matches(wanted).count() {
+            0 => bail!("{} has no {wanted:?}", self.file),
+            1 => Ok(text.find(wanted).expect("it was counted")),
+            times => bail!("{} has {wanted:?} {times} times: `after` says which", self.file),
+        };
+        let start = match &self.after {
+            None => once(text, &self.find)?,
+            Some(after) => {
+                let from = once(text, after)? + after.len();
+                from + text[from..]
+                    .find(&self.find)
+                    .with_context(|| format!("behind {after:?} is no {:?}", self.find))?
+            }
+        };
+        Ok(start..start + self.find.len())
+    }
+}
+
+/// What encloses a change and can be there twice, the smallest first.
+fn places(text: &str, change: &Range<usize>, put: &str) -> anyhow::Result<Vec<Place>> {
+    let sites = Sites::read(text)?;
+    let enclosing =
+        sites.places.into_iter().filter(|(range, _)| range.start <= change.start && change.end <= range.end);
+    let place = |(range, shape): (Range<usize>, _)| {
+        let text = [&text[range.start..change.start], put, &text[change.end..range.end]].concat();
+        Place { range, text, shape }
+    };
+    let mut places: Vec<_> = enclosing.map(place).collect();
+    places.sort_by_key(|place| place.range.len());
+    Ok(places)
+}
+
+fn globs(patterns: &[String]) -> anyhow::Result<GlobSet> {
+    let mut set = GlobSetBuilder::new();
+    for pattern in patterns {
+        set.add(Glob::new(pattern)?);
+    }
+    Ok(set.build()?)
+}

@@ -1,0 +1,189 @@
+//! The copy built, with all faults that the compiler takes.
+
+use super::bench::Bench;
+use super::choice::{self, Choice};
+use super::fault::Fault;
+use super::plant::Planted;
+use crate::console::{count, say};
+use anyhow::{Context, bail, ensure};
+use serde::Deserialize;
+use std::collections::{BTreeMap, BTreeSet};
+use std::io::{BufRead, BufReader};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// What is tried before giving up: the compiler says a part of what it has to say at a time.
+const ROUNDS: usize = 40;
+/// Where it is kept which faults the compiler refuses.
+const REFUSED: &str = "refused.json";
+
+/// A program with tests.
+#[derive(Clone, Debug)]
+pub(super) struct Binary {
+    /// As the target is called, with the package's name before it where that is not the first.
+    pub(super) name: String,
+    pub(super) path: PathBuf,
+    /// The folder of its package.
+    pub(super) folder: PathBuf,
+}
+
+/// What the build made.
+pub(super) struct Built {
+    pub(super) faults: Vec<Fault>,
+    pub(super) binaries: Vec<Binary>,
+}
+
+/// A message of cargo, of which only this is read.
+#[derive(Deserialize)]
+struct Message {
+    reason: String,
+    #[serde(rename = "message")]
+    diagnostic: Option<Diagnostic>,
+    target: Option<Target>,
+    executable: Option<PathBuf>,
+    manifest_path: Option<PathBuf>,
+    profile: Option<Profile>,
+}
+
+#[derive(Deserialize)]
+struct Diagnostic {
+    level: String,
+    rendered: Option<String>,
+    spans: Vec<Span>,
+}
+
+#[derive(Deserialize)]
+struct Span {
+    file_name: String,
+    byte_start: usize,
+    byte_end: usize,
+    is_primary: bool,
+}
+
+#[derive(Deserialize)]
+struct Target {
+    name: String,
+}
+
+#[derive(Deserialize)]
+struct Profile {
+    test: bool,
+}
+
+/// Plants faults and builds all tests. A fault that the compiler refuses is planted in a larger part of the source; if there is
+/// none it is given up, and another one is taken.
+///
+/// # Errors
+/// An error of the compiler that no fault is to blame for, or a fault of a list that it refuses.
+pub(super) fn build(bench: &Bench, choice: &Choice, per_area: usize, package: Option<&str>) -> anyhow::Result<Built> {
+    let sources = bench.sources()?;
+    let (mut refused, mut places) = load(bench);
+    for _ in 0..ROUNDS {
+        let faults: Vec<_> = choice
+            .take(per_area, &refused)
+            .into_iter()
+            .map(|fault| {
+                let place = places.get(&choice::key(&fault)).copied().unwrap_or(0);
+                (fault, place)
+            })
+            .collect();
+        let planted = bench.plant(&faults, &sources)?;
+        let (binaries, errors) = cargo(bench, package)?;
+        if errors.is_empty() {
+            bench.clear()?;
+            let listed = choice.refused(&refused).join(", ");
+            ensure!(listed.is_empty(), "the compiler refuses faults of the lists: {listed}");
+            let faults = faults.into_iter().map(|(fault, _)| fault).collect();
+            return Ok(Built { faults, binaries });
+        }
+        let blamed = blamed(&planted, &errors)?;
+        say(&format!("the compiler refuses {}", count(blamed.len(), "fault")));
+        for number in blamed {
+            let (fault, place) = &faults[number];
+            if place + 1 < fault.places.len() {
+                places.insert(choice::key(fault), place + 1);
+            } else {
+                refused.insert(choice::key(fault));
+            }
+        }
+        let kept = serde_json::to_string_pretty(&(&refused, &places))?;
+        crate::files::write(&bench.beside(REFUSED), &kept)?;
+    }
+    bail!("the compiler still refuses faults after {ROUNDS} rounds")
+}
+
+/// What was refused the last time; whoever changes a source changes where its faults are, which costs a round.
+fn load(bench: &Bench) -> (BTreeSet<String>, BTreeMap<String, usize>) {
+    let text = std::fs::read_to_string(bench.beside(REFUSED)).unwrap_or_default();
+    serde_json::from_str(&text).unwrap_or_default()
+}
+
+/// The faults that the compiler has refused.
+pub(super) fn refused(bench: &Bench) -> BTreeSet<String> {
+    load(bench).0
+}
+
+/// The faults that are to blame for errors.
+fn blamed(planted: &BTreeMap<String, Planted>, errors: &[Diagnostic]) -> anyhow::Result<BTreeSet<usize>> {
+    let mut all = BTreeSet::new();
+    for error in errors {
+        let of = |span: &&Span| {
+            planted.get(&span.file_name).map_or(Vec::new(), |p| p.blamed(&(span.byte_start..span.byte_end)))
+        };
+        let (primary, others): (Vec<_>, Vec<_>) = error.spans.iter().partition(|span| span.is_primary);
+        let mut found: Vec<usize> = primary.iter().flat_map(of).collect();
+        if found.is_empty() {
+            found = others.iter().flat_map(of).collect();
+        }
+        all.extend(found);
+    }
+    if all.is_empty() {
+        let said: Vec<_> = errors.iter().filter_map(|error| error.rendered.as_deref()).collect();
+        bail!("this does not build, and no fault is to blame:\n{}", said.concat());
+    }
+    Ok(all)
+}
+
+/// Builds the tests: the programs, or the compiler's errors.
+fn cargo(bench: &Bench, package: Option<&str>) -> anyhow::Result<(Vec<Binary>, Vec<Diagnostic>)> {
+    let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    let packages = package.map_or(vec!["--workspace"], |package| vec!["--package", package]);
+    command.arg("test").args(packages).args(["--no-run", "--no-fail-fast", "--message-format", "json"]);
+    command.current_dir(bench.tree()).env("CARGO_TARGET_DIR", bench.beside("target"));
+    command.env("CARGO_PROFILE_DEV_DEBUG", "none");
+    let mut child = command.stdin(Stdio::null()).stdout(Stdio::piped()).spawn().context("cannot start cargo")?;
+    let (mut binaries, mut errors) = (Vec::new(), Vec::new());
+    for line in BufReader::new(child.stdout.take().context("it is piped")?).lines() {
+        let Ok(message) = serde_json::from_str::<Message>(&line?) else { continue };
+        match message {
+            Message { diagnostic: Some(diagnostic), .. }
+                if diagnostic.level == "error" && !diagnostic.spans.is_empty() =>
+            {
+                errors.push(diagnostic);
+            }
+            Message {
+                reason,
+                executable: Some(path),
+                manifest_path: Some(manifest),
+                target: Some(target),
+                profile,
+                ..
+            } if reason == "compiler-artifact" && profile.as_ref().is_some_and(|profile| profile.test) => {
+                let folder = manifest.parent().context("a manifest has a folder")?.to_path_buf();
+                binaries.push(Binary { name: name(&bench.tree(), &folder, &target.name), path, folder });
+            }
+            _ => {}
+        }
+    }
+    let well = child.wait()?.success();
+    ensure!(well || !errors.is_empty(), "this does not build");
+    binaries.sort_by(|a, b| a.name.cmp(&b.name));
+    Ok((binaries, errors))
+}
+
+fn name(tree: &Path, folder: &Path, target: &str) -> String {
+    match folder.strip_prefix(tree) {
+        Ok(inside) if !inside.as_os_str().is_empty() => format!("{}/{target}", inside.display()),
+        _ => target.to_owned(),
+    }
+}

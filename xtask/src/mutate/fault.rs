@@ -1,0 +1,115 @@
+//! A fault, and where its switch goes.
+
+use serde::{Deserialize, Serialize};
+use std::ops::Range;
+
+/// A change of a source that a test ought to notice.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Fault {
+    /// Its name: that of the list, or `file:line:column`.
+    pub(super) id: String,
+    /// The area that it belongs to.
+    pub(super) area: String,
+    /// The file, from the root, with forward slashes.
+    pub(super) file: String,
+    /// The line, from 1.
+    pub(super) line: usize,
+    /// What stands there.
+    pub(super) was: String,
+    /// What stands there instead.
+    pub(super) becomes: String,
+    /// Why nothing can notice it, if so.
+    pub(super) equivalent: Option<String>,
+    /// Where it can be planted, the smallest place first. What the compiler refuses in one place it may take in a larger one.
+    pub(super) places: Vec<Place>,
+}
+
+/// A part of a source that is there twice, as it was and with the fault.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Place {
+    /// The bytes that are replaced.
+    pub(super) range: Range<usize>,
+    /// The text with the fault.
+    pub(super) text: String,
+    pub(super) shape: Shape,
+}
+
+/// What a part of a source is, which decides how a switch is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Shape {
+    /// A value.
+    Expression,
+    /// A value that ends with a brace, where parentheses cannot stand.
+    Bare,
+    /// An expression whose value is not used.
+    Statement,
+    /// The block of a function, with its braces.
+    Body,
+}
+
+impl Shape {
+    /// What stands before the fault, between it and what was, and behind.
+    pub(super) fn switch(self, number: usize) -> [String; 3] {
+        let asked = format!("if ::planted::at({number}) {{ ");
+        let [before, between, after] = match self {
+            Self::Expression => ["(", " } else { ", " })"],
+            Self::Bare => ["", " } else { ", " }"],
+            Self::Statement => ["", " } else { ", "; }"],
+            Self::Body => ["{ ", " } else ", " }"],
+        };
+        [before.to_owned() + &asked, between.to_owned(), after.to_owned()]
+    }
+}
+
+/// What came of a fault.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase", deny_unknown_fields)]
+pub(super) enum Verdict {
+    /// This test failed.
+    Killed(String),
+    /// This test, or one of those run with it, took far too long or too much memory, or ended without a word.
+    Stopped(String),
+    /// So many tests that come to it were run, and none failed.
+    Survived(usize),
+    /// Nothing can notice it, and this is why.
+    Equivalent(String),
+}
+
+/// A fault and what came of it, as it is kept.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Judged {
+    pub(super) id: String,
+    pub(super) area: String,
+    pub(super) file: String,
+    pub(super) line: usize,
+    pub(super) was: String,
+    pub(super) becomes: String,
+    pub(super) verdict: Verdict,
+}
+
+impl Judged {
+    pub(super) fn new(fault: &Fault, verdict: Verdict) -> Self {
+        let Fault { id, area, file, line, was, becomes, .. } = fault.clone();
+        Self { id, area, file, line, was, becomes, verdict }
+    }
+
+    /// Where it is, and what is changed, in a line.
+    pub(super) fn change(&self) -> String {
+        let Self { file, line, .. } = self;
+        format!("{file}:{line}: {} → {}", short(&self.was), short(&self.becomes))
+    }
+}
+
+/// The characters of a change that are shown.
+const SHOWN: usize = 60;
+
+/// A text in a line, cut where it is long.
+fn short(text: &str) -> String {
+    let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    match line.char_indices().nth(SHOWN) {
+        _ if line.is_empty() => "nothing".into(),
+        Some((end, _)) => format!("`{}…`", &line[..end]),
+        None => format!("`{line}`"),
+    }
+}

@@ -1,0 +1,170 @@
+//! `cargo xtask mutate`: faults planted one by one, and the tests that notice them.
+//!
+//! All faults are written into a copy of the tree at once, each behind a switch, so that one build serves for all: what was
+//! `a + b` is `(if ::planted::at(17) { a - b } else { a + b })`. Every test is then run once without a fault, which tells
+//! which faults it comes to, and every fault is tried with those tests only, the quickest first.
+
+mod area;
+mod bench;
+mod build;
+mod choice;
+mod fault;
+mod judge;
+mod kept;
+mod plant;
+mod process;
+mod reach;
+mod rules;
+mod sites;
+mod table;
+#[cfg(test)]
+mod tests;
+mod workers;
+
+use crate::Outcome;
+use crate::console::{count, green, print, red, say, yellow};
+use anyhow::ensure;
+use bench::Bench;
+use choice::Choice;
+use fault::{Fault, Judged, Verdict};
+use judge::Patience;
+use kit::{Project, Usage};
+use std::process::ExitCode;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+use std::time::Duration;
+
+pub(crate) use kept::{tables, texts};
+
+/// Plant faults one by one and see which the tests notice
+///
+/// The faults are those listed in `tests/faults` and some that are made by rule, spread over all files. They are planted in a copy
+/// below `target/mutate`, which is built once. The exit code is 1 if in some area fewer than 95 % are noticed.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  {command} mutate                                  all of them, which takes an hour and more
+  {command} mutate --area scenes --sample 20        twenty of an area
+  {command} mutate --fault scenes.wrap              one, with the test that notices it
+  {command} mutate --seed 7 --sample 50             others than those that are always made
+  {command} mutate --list                           what would be planted
+  {command} mutate --keep                           all of them, for the book")]
+pub(crate) struct Arguments {
+    /// Only faults of this area; may be given several times
+    #[arg(long, value_name = "AREA")]
+    area: Vec<String>,
+    /// Only so many, taken at random
+    #[arg(long, value_name = "N")]
+    sample: Option<usize>,
+    /// Only the fault of this name, or those whose names begin with it
+    #[arg(long, value_name = "ID")]
+    fault: Option<String>,
+    /// Faults made by rule in every area
+    #[arg(long, value_name = "N", default_value_t = 30)]
+    made: usize,
+    /// Which faults are made, and which are in a sample
+    #[arg(long, value_name = "S", default_value_t = 0)]
+    seed: u64,
+    /// Faults that are tried at the same time
+    #[arg(long, value_name = "N", default_value_t = 2)]
+    jobs: usize,
+    /// How much longer a fault may make a test run before it counts as noticed, beside eight times its own time
+    #[arg(long, value_name = "SECONDS", default_value_t = 20)]
+    grace: u32,
+    /// After so many seconds the tests of a fault that are left are not run
+    #[arg(long, value_name = "SECONDS", default_value_t = 600)]
+    enough: u64,
+    /// Only the tests of this package
+    #[arg(long, value_name = "NAME")]
+    package: Option<String>,
+    /// Tests that take longer without a fault are left out
+    #[arg(long, value_name = "SECONDS", default_value_t = 900)]
+    longest: u64,
+    /// Only list the faults
+    #[arg(long)]
+    list: bool,
+    /// Keep what came of whole areas in `tests/data/faults.json`, which the book shows
+    #[arg(long, conflicts_with_all = ["sample", "fault", "seed", "list"])]
+    keep: bool,
+}
+
+pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
+    project.needs_repository("mutate", "")?;
+    let root = project.root();
+    let areas = area::read(root)?;
+    for name in &arguments.area {
+        if !areas.iter().any(|area| area.name == *name) {
+            let names: Vec<_> = areas.iter().map(|area| area.name.as_str()).collect();
+            return Err(Usage(format!("there is no area {name}; there are {}", names.join(", "))).into());
+        }
+    }
+    let bench = Bench::new(root, root.join("target/mutate"))?;
+    let choice = Choice::read(&areas, &bench.sources()?, arguments.seed)?;
+    if arguments.list {
+        let faults = wanted(arguments, &choice.take(arguments.made, &build::refused(&bench)));
+        print(&faults.iter().map(|(_, fault)| line(fault)).collect::<String>())?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    let judged = judge_all(&bench, &choice, arguments)?;
+    crate::files::write(&bench.beside("result.json"), &serde_json::to_string_pretty(&judged)?)?;
+    print(&table::text(&judged))?;
+    if arguments.keep {
+        let package = arguments.package.as_deref().unwrap_or("every package");
+        kept::keep(root, &judged, &format!("those of {package}, {} s a fault", arguments.enough))?;
+    }
+    let well = table::by(&judged, |one| Some(&one.area)).values().all(table::Score::is_enough);
+    Ok(if well { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+fn line(fault: &Fault) -> String {
+    let verdict = Verdict::Equivalent(fault.equivalent.clone().unwrap_or_default());
+    let change = Judged::new(fault, verdict).change();
+    let note = fault.equivalent.as_ref().map_or(String::new(), |why| format!(" (nothing can notice it: {why})"));
+    format!("{} {}: {change}{note}\n", fault.area, fault.id)
+}
+
+/// Plants all faults, and tries those that are wanted.
+fn judge_all(bench: &Bench, choice: &Choice, arguments: &Arguments) -> anyhow::Result<Vec<Judged>> {
+    say("building");
+    let built = build::build(bench, choice, arguments.made, arguments.package.as_deref())?;
+    let faults = wanted(arguments, &built.faults);
+    ensure!(!faults.is_empty(), Usage("no fault is like that; --list shows all".into()));
+    say(&format!("{} planted, {} to be tried", count(built.faults.len(), "fault"), faults.len()));
+    process::limit_memory()?;
+    let tests = reach::reach(bench, &built, Duration::from_secs(arguments.longest), arguments.jobs)?;
+    let patience = Patience { grace: arguments.grace, enough: arguments.enough };
+    let done = AtomicUsize::new(0);
+    workers::in_parallel(arguments.jobs, &faults, |(number, fault)| {
+        let verdict = match &fault.equivalent {
+            // Whoever names it wants to see.
+            Some(why) if arguments.fault.is_none() => Verdict::Equivalent(why.clone()),
+            _ => judge::judge(&built, &tests, *number, fault, patience)?,
+        };
+        let (number, of) = (done.fetch_add(1, Relaxed) + 1, faults.len());
+        say(&format!("{number}/{of} {} {}", fault.id, in_words(&verdict)));
+        Ok(Judged::new(fault, verdict))
+    })
+}
+
+fn in_words(verdict: &Verdict) -> String {
+    match verdict {
+        Verdict::Killed(test) => format!("{} by {test}", green("killed")),
+        Verdict::Stopped(test) => format!("{} in {test}", green("stopped")),
+        Verdict::Survived(0) => red("survived, no test comes there"),
+        Verdict::Survived(tests) => red(format!("survived {}", count(*tests, "test"))),
+        Verdict::Equivalent(_) => yellow("equivalent"),
+    }
+}
+
+/// The faults that the arguments name, with their numbers.
+fn wanted(arguments: &Arguments, faults: &[Fault]) -> Vec<(usize, Fault)> {
+    let is_wanted = |fault: &Fault| {
+        let is_named = |name: &String| fault.id.starts_with(name.as_str());
+        (arguments.area.is_empty() || arguments.area.contains(&fault.area))
+            && arguments.fault.as_ref().is_none_or(is_named)
+    };
+    let mut wanted: Vec<_> = faults.iter().cloned().enumerate().filter(|(_, fault)| is_wanted(fault)).collect();
+    if let Some(sample) = arguments.sample {
+        wanted.sort_by_key(|(_, fault)| choice::hash(arguments.seed, fault));
+        wanted.truncate(sample);
+    }
+    wanted
+}

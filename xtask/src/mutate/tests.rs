@@ -1,0 +1,183 @@
+//! A crate of a few lines, whose tests miss two faults.
+
+use super::*;
+use std::fs;
+use std::process::Command;
+
+const MANIFEST: &str = "[package]\nname = \"tiny\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[workspace]\n";
+const SOURCE: &str = "\
+/// A sum of squares, unless it is too large.
+pub fn squares(x: &[f64], largest: f64) -> Option<f64> {
+    let mut sum = 0.0;
+    for x in x {
+        sum += x * x;
+    }
+    if sum > largest { None } else { Some(sum) }
+}
+
+/// Counts down.
+pub fn steps(mut from: u32) -> u64 {
+    let mut steps = 0;
+    while from > 0 {
+        from -= 1;
+        steps += 1;
+    }
+    steps
+}
+
+/// Nobody asks.
+pub fn unasked(x: f64) -> f64 {
+    x - 1.5
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn squares() {
+        assert_eq!(super::squares(&[1.0, 2.0], 9.0), Some(5.0));
+        assert_eq!(super::squares(&[1.0, 4.0], 9.0), None);
+    }
+
+    #[test]
+    fn steps() {
+        assert_eq!(super::steps(3), 3);
+    }
+}
+";
+const LIST: &str = "\
+files = [\"src/**\"]
+[[fault]]
+id = \"sign\"
+file = \"src/lib.rs\"
+find = \"sum += x * x\"
+put = \"sum -= x * x\"
+[[fault]]
+id = \"equal\"
+file = \"src/lib.rs\"
+find = \"sum > largest\"
+put = \"sum >= largest\"
+[[fault]]
+id = \"endless\"
+file = \"src/lib.rs\"
+find = \"from -= 1;\"
+put = \"\"
+[[fault]]
+id = \"name\"
+file = \"src/lib.rs\"
+after = \"mut from\"
+find = \"let mut steps = 0;\"
+put = \"let mut steps = 0_u64;\"
+equivalent = \"the type is the same\"
+[[fault]]
+id = \"unasked\"
+file = \"src/lib.rs\"
+find = \"1.5\"
+put = \"1.6\"
+";
+
+fn arguments() -> Arguments {
+    Arguments {
+        area: Vec::new(),
+        sample: None,
+        fault: None,
+        made: 3,
+        seed: 0,
+        jobs: 2,
+        grace: 1,
+        enough: 60,
+        package: None,
+        longest: 900,
+        list: false,
+        keep: false,
+    }
+}
+
+fn tiny() -> tempfile::TempDir {
+    let root = tempfile::tempdir().unwrap();
+    for (file, text) in [
+        ("Cargo.toml", MANIFEST),
+        ("src/lib.rs", SOURCE),
+        ("tests/faults/sums.toml", LIST),
+        (".gitignore", "target/\n"),
+    ] {
+        let path = root.path().join(file);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, text).unwrap();
+    }
+    let git = Command::new("git").args(["init", "--quiet"]).current_dir(root.path()).status().unwrap();
+    assert!(git.success());
+    root
+}
+
+#[test]
+fn what_tests_miss_survives_and_the_rest_does_not() {
+    let root = tiny();
+    let bench = Bench::new(root.path(), root.path().join("target/mutate")).unwrap();
+    let areas = area::read(root.path()).unwrap();
+    let choice = Choice::read(&areas, &bench.sources().unwrap(), 0).unwrap();
+    let judged = judge_all(&bench, &choice, &arguments()).unwrap();
+    let of =
+        |id: &str| judged.iter().find(|one| one.id == format!("sums.{id}")).map(|one| one.verdict.clone()).unwrap();
+    assert_eq!(of("sign"), Verdict::Killed("tiny: tests::squares".into()));
+    assert_eq!(of("equal"), Verdict::Survived(1));
+    assert_eq!(of("endless"), Verdict::Stopped("tiny: tests::steps".into()));
+    assert_eq!(of("name"), Verdict::Equivalent("the type is the same".into()));
+    assert_eq!(of("unasked"), Verdict::Survived(0));
+    assert_eq!(judged.len(), 8);
+    let text = table::text(&judged);
+    assert!(
+        text.contains("survived: sums.equal\n    src/lib.rs:7: `sum > largest` → `sum >= largest`; 1 test comes there"),
+        "{text}"
+    );
+    assert!(text.contains("sums  too few"), "{text}");
+    // Tests that read sources see them as they are.
+    assert_eq!(fs::read_to_string(bench.tree().join("src/lib.rs")).unwrap(), SOURCE);
+}
+
+#[test]
+fn a_list_that_does_not_fit_is_refused() {
+    let root = tiny();
+    let bench = Bench::new(root.path(), root.path().join("target/mutate")).unwrap();
+    let refused = |list: &str| {
+        fs::write(root.path().join("tests/faults/sums.toml"), list).unwrap();
+        let areas = area::read(root.path()).unwrap();
+        format!("{:#}", Choice::read(&areas, &bench.sources().unwrap(), 0).err().unwrap())
+    };
+    let fault =
+        |rest: &str| format!("files = [\"src/**\"]\n[[fault]]\nid = \"a\"\nfile = \"src/lib.rs\"\nput = \"\"\n{rest}");
+    assert!(refused(&fault("find = \"there is none\"")).contains("sums: a: src/lib.rs has no \"there is none\""));
+    assert!(refused(&fault("find = \"steps += 1\"\nafter = \"steps\"")).contains("times: `after` says which"));
+    assert!(refused(&fault("find = \"steps\"")).contains("times: `after` says which"));
+    assert!(refused(&fault("find = \"super::squares(&[1.0, 2.0]\"")).contains("no function has it"));
+    assert!(refused(&fault("find = \"1.5\"").replace("src/**", "other/**")).contains("is not of this area"));
+}
+
+#[test]
+fn a_fault_within_another_is_in_what_was_there() {
+    let text = "fn f() { a + b * c }";
+    let place = |range: std::ops::Range<usize>, put: &str| fault::Place {
+        range,
+        text: put.into(),
+        shape: fault::Shape::Expression,
+    };
+    let fault = |places| Fault {
+        id: String::new(),
+        area: String::new(),
+        file: String::new(),
+        line: 1,
+        was: String::new(),
+        becomes: String::new(),
+        equivalent: None,
+        places,
+    };
+    let [outer, inner] = [fault(vec![place(9..18, "a - b * c")]), fault(vec![place(13..18, "b / c")])];
+    let planted = plant::plant(text, &[(0, &outer, 0), (1, &inner, 0)]);
+    let expected =
+        "fn f() { (if ::planted::at(0) { a - b * c } else { a + (if ::planted::at(1) { b / c } else { b * c }) }) }";
+    assert_eq!(planted.text, expected);
+    let at = |part: &str| planted.text.find(part).map(|start| planted.blamed(&(start..start + part.len()))).unwrap();
+    assert_eq!(at("a - b"), [0]);
+    assert_eq!(at("b / c"), [1]);
+    assert_eq!(at("a + (if"), [0]);
+    assert_eq!(at(expected), [1, 0]);
+}
