@@ -49,11 +49,15 @@ mod job;
 mod task;
 mod zeros;
 
+pub(crate) use job::{Job, Linearized};
+#[cfg(feature = "measure")]
+pub(crate) use task::Row;
+
 pub use error::{Error, Part, RowError};
 pub use ndarray::{ArrayView1, ArrayViewMut1};
 
 use crate::formula::{Fields, Formula};
-use job::{Job, Linearized, Value};
+use job::Value;
 use ndarray::{Array2, Axis, Slice};
 use task::Task;
 

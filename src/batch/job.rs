@@ -8,7 +8,7 @@ use crate::formula::{Fields, Formula, ValueAndJacobian, Visitor, value, value_an
 use std::marker::PhantomData;
 
 /// What is computed of a formula.
-pub(super) trait Job<F: Formula> {
+pub(crate) trait Job<F: Formula> {
     /// How many numbers that is, without those that are zero everywhere.
     const LEN: usize;
     /// Its numbers, zeros and all.
@@ -39,7 +39,7 @@ impl<F: Formula> Job<F> for Value {
 }
 
 /// The value, then the Jacobian, output by output over all inputs.
-pub(super) struct Linearized;
+pub(crate) struct Linearized;
 
 impl<F: Formula> Job<F> for Linearized {
     const LEN: usize = F::Outputs::<f64>::LEN + zeros::entries::<F>();

@@ -84,10 +84,10 @@ fn rows<F: Formula, J: Job<F>>(inputs: &[&[f64]], outputs: &mut [&mut [f64]], fi
 }
 
 /// Writes the numbers of a row, each into the next column.
-struct Row<'b, 'c> {
-    columns: &'b mut [&'c mut [f64]],
-    at: usize,
-    place: usize,
+pub(crate) struct Row<'b, 'c> {
+    pub(crate) columns: &'b mut [&'c mut [f64]],
+    pub(crate) at: usize,
+    pub(crate) place: usize,
 }
 
 impl Visitor<f64> for Row<'_, '_> {
