@@ -14,10 +14,10 @@ use std::time::Instant;
 
 /// Points that the columns repeat: so many that a processor does not learn their branches by heart.
 const POINTS: usize = 1024;
-/// As many rows are there at least: enough for two threads.
-const LEAST: usize = 2048;
-/// Each takes its turn so often.
-const ROUNDS: usize = 11;
+/// As many rows are there at least.
+const LEAST: usize = 256;
+/// A turn is long: each comes once in so many rounds.
+const EVERY: usize = 12;
 
 /// Times value and Jacobian over columns, all taking turns.
 pub(super) fn time<F: Proved>(options: &Options) -> Option<Columns> {
@@ -28,7 +28,7 @@ pub(super) fn time<F: Proved>(options: &Options) -> Option<Columns> {
     let mut tables = Tables::new(&points, rows, numbers);
     let thread = rayon::ThreadPoolBuilder::new().num_threads(1).build().ok()?;
     let mut turns = [const { Vec::new() }; 5];
-    for _ in 0..ROUNDS {
+    for _ in 0..options.rounds.div_ceil(EVERY) {
         let taken = [
             nanoseconds(rows, || tables.looped::<F>()),
             thread.install(|| nanoseconds(rows, || tables.batch::<F>())),

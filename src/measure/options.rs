@@ -21,7 +21,7 @@ pub struct Options {
     pub rounds: usize,
     /// How long one turn lasts, in nanoseconds.
     pub turn_ns: f64,
-    /// Bytes of the columns of many points; more where these are too few rows for two threads.
+    /// Bytes of the columns of many points.
     #[serde(default)]
     pub column_bytes: usize,
 }
@@ -36,7 +36,7 @@ impl Options {
             steps_per_decade: 2,
             rounds: 61,
             turn_ns: 60e3,
-            column_bytes: 1 << 20,
+            column_bytes: 1 << 19,
         }
     }
 
