@@ -11,7 +11,7 @@ mod finite;
 mod source;
 
 pub use checked::{check, value, value_and_jacobian};
-pub use fields::{Component, Field, Fields, Part};
+pub use fields::{Component, Field, Fields, Part, Visitor};
 #[cfg(feature = "verify")]
 pub(crate) use fields::{entries, typed};
 pub use finite::Finite;

@@ -1,38 +1,39 @@
-//! Columns of the caller, and blocks of their rows.
+//! Columns of the caller, seen as slices.
+//!
+//! A column in one piece is read and written where it is: its rows follow each other, so that the processor fetches the next
+//! while it computes. Of a column with a stride some rows at a time are kept at hand.
 
 use ndarray::{ArrayView1, ArrayViewMut1};
+use std::ops::Range;
 
-/// Rows in a block: five lines of the cache. So columns of a block, one after the other, do not push each other out of it.
-pub(super) const ROWS: usize = 40;
-
-/// The rows of a block of one column.
-pub(super) type Rows = [f64; ROWS];
+/// So many rows of a column with a stride are kept at hand.
+pub(super) const ROWS: usize = 128;
 
 /// A column of inputs.
 pub(super) enum Source<'c> {
     Whole(&'c [f64]),
-    Strided(ArrayView1<'c, f64>),
+    Kept(ArrayView1<'c, f64>, Vec<f64>),
 }
 
 impl<'c> From<ArrayView1<'c, f64>> for Source<'c> {
     fn from(column: ArrayView1<'c, f64>) -> Self {
-        column.to_slice().map_or(Self::Strided(column), Self::Whole)
+        column.to_slice().map_or_else(|| Self::Kept(column, Vec::new()), Self::Whole)
     }
 }
 
 impl Source<'_> {
-    /// Brings so many rows from this one on into a block.
-    #[inline]
-    pub(super) fn bring(&self, from: usize, count: usize, block: &mut Rows) {
+    pub(super) fn is_kept(&self) -> bool {
+        matches!(self, Self::Kept(..))
+    }
+
+    /// These rows.
+    pub(super) fn rows(&mut self, rows: Range<usize>) -> &[f64] {
         match self {
-            Self::Whole(column) => match column[from..].first_chunk() {
-                Some(rows) => *block = *rows,
-                None => block[..count].copy_from_slice(&column[from..from + count]),
-            },
-            Self::Strided(column) => {
-                for (k, x) in block[..count].iter_mut().enumerate() {
-                    *x = column[from + k];
-                }
+            Self::Whole(column) => &column[rows],
+            Self::Kept(column, kept) => {
+                kept.clear();
+                kept.extend(rows.map(|row| column[row]));
+                kept
             }
         }
     }
@@ -41,32 +42,36 @@ impl Source<'_> {
 /// A column of results.
 pub(super) enum Target<'c> {
     Whole(&'c mut [f64]),
-    Strided(ArrayViewMut1<'c, f64>),
+    Kept(ArrayViewMut1<'c, f64>, Vec<f64>),
 }
 
 impl<'c> From<ArrayViewMut1<'c, f64>> for Target<'c> {
     fn from(column: ArrayViewMut1<'c, f64>) -> Self {
         if !column.is_standard_layout() {
-            return Self::Strided(column);
+            return Self::Kept(column, vec![0.0; ROWS]);
         }
         Self::Whole(column.into_slice().expect("a standard layout is in one piece"))
     }
 }
 
 impl Target<'_> {
-    /// Brings so many rows of a block to where they are wanted.
-    #[inline]
-    pub(super) fn bring(&mut self, from: usize, count: usize, block: &Rows) {
+    pub(super) fn is_kept(&self) -> bool {
+        matches!(self, Self::Kept(..))
+    }
+
+    /// Where these rows are written; [`Target::bring`] ends it.
+    pub(super) fn rows(&mut self, rows: Range<usize>) -> &mut [f64] {
         match self {
-            Self::Whole(column) => match column[from..].first_chunk_mut() {
-                Some(rows) => *rows = *block,
-                None => column[from..from + count].copy_from_slice(&block[..count]),
-            },
-            Self::Strided(column) => {
-                for (k, x) in block[..count].iter().enumerate() {
-                    column[from + k] = *x;
-                }
-            }
+            Self::Whole(column) => &mut column[rows],
+            Self::Kept(_, kept) => &mut kept[..rows.len()],
+        }
+    }
+
+    /// Brings these rows to where they are wanted.
+    pub(super) fn bring(&mut self, rows: Range<usize>) {
+        let Self::Kept(column, kept) = self else { return };
+        for (row, x) in rows.zip(kept) {
+            column[row] = *x;
         }
     }
 }

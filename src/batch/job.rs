@@ -4,26 +4,22 @@
 
 use super::zeros;
 use crate::error::Error;
-use crate::formula::{Fields, Formula, ValueAndJacobian, value, value_and_jacobian};
+use crate::formula::{Fields, Formula, ValueAndJacobian, Visitor, value, value_and_jacobian};
+use std::marker::PhantomData;
 
 /// What is computed of a formula.
-pub(super) trait Job<F: Formula> {
+pub(crate) trait Job<F: Formula> {
     /// How many numbers that is, without those that are zero everywhere.
     const LEN: usize;
     /// Its numbers, zeros and all.
     type Results;
-    /// Of inputs whose components are allowed.
-    ///
-    /// # Errors
-    /// What is wrong with them together.
-    fn of_allowed(i: &F::Inputs<f64>) -> Result<Self::Results, Error>;
-    /// Hands out the numbers in order, without those that are zero everywhere.
-    fn hand_out(results: &Self::Results, to: &mut impl FnMut(f64));
-    /// What the checked call says of these inputs.
+    /// Of inputs that are checked.
     ///
     /// # Errors
     /// What is wrong with them, or with the results.
-    fn check(i: &F::Inputs<f64>) -> Result<(), Error>;
+    fn of(i: &F::Inputs<f64>) -> Result<Self::Results, Error>;
+    /// Shows the numbers in order, without those that are zero everywhere.
+    fn show(results: &Self::Results, visitor: &mut impl Visitor<f64>);
 }
 
 /// The value.
@@ -33,44 +29,55 @@ impl<F: Formula> Job<F> for Value {
     const LEN: usize = F::Outputs::<f64>::LEN;
     type Results = F::Outputs<f64>;
     #[inline(always)]
-    fn of_allowed(i: &F::Inputs<f64>) -> Result<Self::Results, Error> {
-        F::try_eval(i)
+    fn of(i: &F::Inputs<f64>) -> Result<Self::Results, Error> {
+        value::<F>(i)
     }
     #[inline(always)]
-    fn hand_out(value: &Self::Results, to: &mut impl FnMut(f64)) {
-        value.for_each_component(to);
-    }
-    #[cold]
-    fn check(i: &F::Inputs<f64>) -> Result<(), Error> {
-        value::<F>(i).map(|_| ())
+    fn show(value: &Self::Results, visitor: &mut impl Visitor<f64>) {
+        value.accept(visitor);
     }
 }
 
 /// The value, then the Jacobian, output by output over all inputs.
-pub(super) struct Linearized;
+pub(crate) struct Linearized;
 
 impl<F: Formula> Job<F> for Linearized {
     const LEN: usize = F::Outputs::<f64>::LEN + zeros::entries::<F>();
     type Results = ValueAndJacobian<F, f64>;
     #[inline(always)]
-    fn of_allowed(i: &F::Inputs<f64>) -> Result<Self::Results, Error> {
-        F::try_linearized(i)
+    fn of(i: &F::Inputs<f64>) -> Result<Self::Results, Error> {
+        value_and_jacobian::<F>(i)
     }
     #[inline(always)]
-    fn hand_out((value, jacobian): &Self::Results, to: &mut impl FnMut(f64)) {
-        value.for_each_component(to);
-        let mut entry = 0;
-        jacobian.for_each_component(&mut |gradient| {
-            gradient.for_each_component(&mut |x| {
-                if zeros::is_entry::<F>(entry) {
-                    to(x);
-                }
-                entry += 1;
-            });
-        });
+    fn show((value, jacobian): &Self::Results, visitor: &mut impl Visitor<f64>) {
+        value.accept(visitor);
+        jacobian.accept(&mut Gradients(&mut Entries::<F, _> { visitor, entry: 0, formula: PhantomData }));
     }
-    #[cold]
-    fn check(i: &F::Inputs<f64>) -> Result<(), Error> {
-        value_and_jacobian::<F>(i).map(|_| ())
+}
+
+/// Shows the entries of gradients.
+struct Gradients<'v, V>(&'v mut V);
+
+impl<I: Fields<f64>, V: Visitor<f64>> Visitor<I> for Gradients<'_, V> {
+    #[inline(always)]
+    fn visit(&mut self, gradient: I) {
+        gradient.accept(self.0);
+    }
+}
+
+/// Shows those entries that are not zero everywhere.
+struct Entries<'v, F, V> {
+    visitor: &'v mut V,
+    entry: usize,
+    formula: PhantomData<F>,
+}
+
+impl<F: Formula, V: Visitor<f64>> Visitor<f64> for Entries<'_, F, V> {
+    #[inline(always)]
+    fn visit(&mut self, x: f64) {
+        if zeros::is_entry::<F>(self.entry) {
+            self.visitor.visit(x);
+        }
+        self.entry += 1;
     }
 }

@@ -1,11 +1,16 @@
-//! The rows of a task, block by block.
+//! The rows of a task.
 
-use super::block::Block;
+#![expect(clippy::inline_always, reason = "a formula and what is done with its results are compiled as one piece")]
+
 use super::column::{ROWS, Source, Target};
-use super::error::Refused;
+use super::error::{Refused, RowError};
 use super::job::Job;
-use crate::formula::Formula;
+use crate::error::Error;
+use crate::formula::{Fields, Formula, Visitor};
 use ndarray::{ArrayView1, ArrayViewMut1, Axis};
+
+/// Computes rows of these inputs, of which the first has this place in the batch, into columns as long.
+type Compute = fn(&[&[f64]], &mut [&mut [f64]], usize) -> Refused;
 
 /// Some rows of a batch: their columns of inputs, and those of the results that are not zero everywhere.
 pub(super) struct Task<'c> {
@@ -20,16 +25,15 @@ impl Task<'_> {
     /// Computes all rows, and tells which of them are refused; more rows than a share are divided among the threads.
     pub(super) fn run<F: Formula, J: Job<F>>(self, share: usize) -> Refused {
         if self.rows <= share {
-            return self.blocks::<F, J>();
+            return self.compute(rows::<F, J>);
         }
         let [one, other] = self.halves();
         let (one, other) = rayon::join(|| one.run::<F, J>(share), || other.run::<F, J>(share));
         one.and(other)
     }
 
-    /// Both halves, the first of whole blocks.
     fn halves(self) -> [Self; 2] {
-        let middle = (self.rows / 2).next_multiple_of(ROWS).min(self.rows);
+        let middle = self.rows / 2;
         let inputs = self.inputs.into_iter().map(|column| column.split_at(Axis(0), middle));
         let (inputs, other_inputs) = inputs.unzip();
         let outputs = self.outputs.into_iter().map(|column| column.split_at(Axis(0), middle));
@@ -39,21 +43,67 @@ impl Task<'_> {
         [Self { first: self.first, rows: middle, inputs, outputs }, other]
     }
 
-    fn blocks<F: Formula, J: Job<F>>(self) -> Refused {
-        let inputs: Vec<_> = self.inputs.into_iter().map(Source::from).collect();
+    /// Computes the rows, some at a time where columns are kept at hand.
+    fn compute(self, rows: Compute) -> Refused {
+        let mut inputs: Vec<_> = self.inputs.into_iter().map(Source::from).collect();
         let mut outputs: Vec<_> = self.outputs.into_iter().map(Target::from).collect();
-        let mut block = Block::<F, J>::new();
+        let keeps = inputs.iter().any(Source::is_kept) || outputs.iter().any(Target::is_kept);
+        let some = if keeps { ROWS } else { self.rows.max(1) };
         let mut refused = Refused::default();
-        for from in (0..self.rows).step_by(ROWS) {
-            let count = ROWS.min(self.rows - from);
-            for (column, rows) in inputs.iter().zip(&mut block.inputs) {
-                column.bring(from, count, rows);
-            }
-            refused = refused.and(block.compute(count, self.first + from));
-            for (column, rows) in outputs.iter_mut().zip(&block.outputs) {
-                column.bring(from, count, rows);
+        for from in (0..self.rows).step_by(some) {
+            let range = from..self.rows.min(from + some);
+            let read: Vec<_> = inputs.iter_mut().map(|column| column.rows(range.clone())).collect();
+            let mut written: Vec<_> = outputs.iter_mut().map(|column| column.rows(range.clone())).collect();
+            refused = refused.and(rows(&read, &mut written, self.first + from));
+            for column in &mut outputs {
+                column.bring(range.clone());
             }
         }
         refused
     }
+}
+
+/// See [`Compute`].
+fn rows<F: Formula, J: Job<F>>(inputs: &[&[f64]], outputs: &mut [&mut [f64]], first: usize) -> Refused {
+    // How many columns there are is known here, so that none of them is looked up below.
+    let inputs = &inputs[..F::Inputs::<f64>::LEN];
+    let columns = &mut outputs[..J::LEN];
+    let mut refused = Refused::default();
+    for row in 0..inputs.first().map_or(0, |column| column.len()) {
+        let mut next = 0;
+        let i = F::Inputs::from_components(&mut || {
+            next += 1;
+            inputs[next - 1][row]
+        });
+        match J::of(&i) {
+            Ok(results) => J::show(&results, &mut Row { columns, at: row, place: 0 }),
+            Err(error) => refuse(columns, row, first, error, &mut refused),
+        }
+    }
+    refused
+}
+
+/// Writes the numbers of a row, each into the next column.
+pub(crate) struct Row<'b, 'c> {
+    pub(crate) columns: &'b mut [&'c mut [f64]],
+    pub(crate) at: usize,
+    pub(crate) place: usize,
+}
+
+impl Visitor<f64> for Row<'_, '_> {
+    #[inline(always)]
+    fn visit(&mut self, x: f64) {
+        self.columns[self.place][self.at] = x;
+        self.place += 1;
+    }
+}
+
+/// Of a row that is refused every number is NaN.
+#[cold]
+#[inline(never)]
+fn refuse(columns: &mut [&mut [f64]], row: usize, first: usize, error: Error, refused: &mut Refused) {
+    for column in columns {
+        column[row] = f64::NAN;
+    }
+    refused.add(RowError { row: first + row, error });
 }

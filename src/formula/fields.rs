@@ -53,8 +53,14 @@ pub trait Fields<T: Component>: Component {
     /// Hands out the components in order, each with the field that it belongs to.
     fn for_each_of_field(&self, visit: &mut impl FnMut(&'static Field, T));
 
+    /// Shows a visitor the components in order.
+    fn accept(&self, visitor: &mut impl Visitor<T>);
+
     /// Hands out the components in order.
-    fn for_each_component(&self, visit: &mut impl FnMut(T));
+    #[inline(always)]
+    fn for_each_component(&self, visit: &mut impl FnMut(T)) {
+        self.accept(&mut Each(visit));
+    }
 
     /// An array with room for the components.
     fn array_of(value: T) -> Self::Array;
@@ -91,14 +97,35 @@ const fn components_of(fields: &[Field]) -> usize {
     }
 }
 
+/// Who looks at components; unlike a closure, what it does with each can be compiled in its place.
+pub trait Visitor<T> {
+    /// Looks at a component.
+    fn visit(&mut self, component: T);
+}
+
+/// Calls a closure.
+struct Each<'f, F>(&'f mut F);
+
+impl<T, F: FnMut(T)> Visitor<T> for Each<'_, F> {
+    #[inline(always)]
+    fn visit(&mut self, component: T) {
+        (self.0)(component);
+    }
+}
+
 /// One field's worth of components: a scalar, a short column, or a square matrix row by row.
 pub trait Part<T> {
     /// How many.
     const LEN: usize;
     /// Builds the part from its components in order.
     fn from_components(next: &mut impl FnMut() -> T) -> Self;
+    /// Shows a visitor the components in order.
+    fn accept(&self, visitor: &mut impl Visitor<T>);
     /// Hands out the components in order.
-    fn for_each_component(&self, visit: &mut impl FnMut(T));
+    #[inline(always)]
+    fn for_each_component(&self, visit: &mut impl FnMut(T)) {
+        self.accept(&mut Each(visit));
+    }
 }
 
 impl<T: Component> Part<T> for T {
@@ -108,8 +135,8 @@ impl<T: Component> Part<T> for T {
         next()
     }
     #[inline(always)]
-    fn for_each_component(&self, visit: &mut impl FnMut(T)) {
-        visit(*self);
+    fn accept(&self, visitor: &mut impl Visitor<T>) {
+        visitor.visit(*self);
     }
 }
 
@@ -120,9 +147,9 @@ impl<T: Component> Part<T> for Vector2<T> {
         Vector2::new(next(), next())
     }
     #[inline(always)]
-    fn for_each_component(&self, visit: &mut impl FnMut(T)) {
-        visit(self.x);
-        visit(self.y);
+    fn accept(&self, visitor: &mut impl Visitor<T>) {
+        visitor.visit(self.x);
+        visitor.visit(self.y);
     }
 }
 
@@ -133,10 +160,10 @@ impl<T: Component> Part<T> for Vector3<T> {
         Vector3::new(next(), next(), next())
     }
     #[inline(always)]
-    fn for_each_component(&self, visit: &mut impl FnMut(T)) {
-        visit(self.x);
-        visit(self.y);
-        visit(self.z);
+    fn accept(&self, visitor: &mut impl Visitor<T>) {
+        visitor.visit(self.x);
+        visitor.visit(self.y);
+        visitor.visit(self.z);
     }
 }
 
@@ -149,10 +176,10 @@ impl<T: Component, const N: usize> Part<T> for SMatrix<T, N, N> {
         SMatrix::from_fn(|row, column| rows[row][column])
     }
     #[inline(always)]
-    fn for_each_component(&self, visit: &mut impl FnMut(T)) {
+    fn accept(&self, visitor: &mut impl Visitor<T>) {
         for row in 0..N {
             for column in 0..N {
-                visit(self[(row, column)]);
+                visitor.visit(self[(row, column)]);
             }
         }
     }
@@ -204,8 +231,8 @@ macro_rules! fields {
                 })*
             }
             #[inline(always)]
-            fn for_each_component(&self, visit: &mut impl FnMut($T)) {
-                $($crate::formula::Part::for_each_component(&self.$field, visit);)*
+            fn accept(&self, visitor: &mut impl $crate::formula::Visitor<$T>) {
+                $($crate::formula::Part::accept(&self.$field, visitor);)*
             }
             #[inline(always)]
             fn array_of(value: $T) -> Self::Array {

@@ -41,21 +41,6 @@ impl Finite {
             Self::Between => are_between(i),
         }
     }
-
-    /// Whether this is such a component, by [`Finite::Below`].
-    #[cfg(feature = "batch")]
-    #[inline(always)]
-    pub(crate) fn is_below(x: f64) -> bool {
-        x.abs() < Self::LARGEST
-    }
-
-    /// Whether this is such a component, by [`Finite::Between`].
-    #[inline(always)]
-    #[expect(clippy::needless_bitwise_bool, reason = "a branch for every component would cost more")]
-    pub(crate) fn is_between(x: f64) -> bool {
-        let size = x.abs();
-        (size < Self::LARGEST) & ((size >= Self::SMALLEST) | (size == 0.0))
-    }
 }
 
 /// Zero where x is finite: x − x is 0 there, and NaN elsewhere. Two operations, which the compiler does two at a time.
@@ -74,9 +59,13 @@ fn are_below(i: &impl Fields<f64>) -> bool {
 }
 
 #[inline(always)]
+#[expect(clippy::needless_bitwise_bool, reason = "a branch for every component would cost more")]
 fn are_between(i: &impl Fields<f64>) -> bool {
     let mut all = true;
-    i.for_each_component(&mut |x| all &= Finite::is_between(x));
+    i.for_each_component(&mut |x| {
+        let size = x.abs();
+        all &= (size < Finite::LARGEST) & ((size >= Finite::SMALLEST) | (size == 0.0));
+    });
     all
 }
 

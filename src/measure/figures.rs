@@ -22,6 +22,9 @@ pub struct Measurement {
     pub copy: Option<Time>,
     /// Time of a fixed piece of arithmetic, the same for every formula: how fast the machine was meanwhile.
     pub yardstick: Option<Time>,
+    /// Many points at once.
+    #[serde(default)]
+    pub columns: Option<Columns>,
     /// The ways, the closed form first.
     pub ways: Vec<WayFigures>,
     /// Error of differences over their step.
@@ -42,12 +45,54 @@ impl Measurement {
         }
         self.copy = Time::of_both(self.copy, other.copy);
         self.yardstick = Time::of_both(self.yardstick, other.yardstick);
+        self.columns = self.columns.zip(other.columns).map(|(ours, theirs)| ours.and(theirs));
         self
     }
 
     /// The way of this identifier.
     pub fn way(&self, id: &str) -> Option<&WayFigures> {
         self.ways.iter().find(|way| way.id == id)
+    }
+}
+
+/// Value and Jacobian over columns: nanoseconds a row, and ratios of times taken in the same round.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Columns {
+    /// How many rows there are.
+    pub rows: usize,
+    /// Bytes that are read and written for a row: inputs, outputs, and entries of the Jacobian that are not zero everywhere.
+    pub bytes: usize,
+    /// All threads.
+    pub threads: usize,
+    /// A program's loop over the columns, checked.
+    pub looped: Time,
+    /// A batch on one thread.
+    pub one_thread: Time,
+    /// A batch on all threads.
+    pub all_threads: Time,
+    /// A batch on one thread, over the loop.
+    pub one_over_loop: Time,
+    /// A batch on all threads, over the loop.
+    pub all_over_loop: Time,
+    /// A batch on one thread, over copying as many bytes on one: what memory allows.
+    pub one_over_copy: Time,
+    /// A batch on all threads, over copying as many bytes on all.
+    pub all_over_copy: Time,
+}
+
+impl Columns {
+    fn and(self, other: Self) -> Self {
+        Self {
+            looped: self.looped.and(other.looped),
+            one_thread: self.one_thread.and(other.one_thread),
+            all_threads: self.all_threads.and(other.all_threads),
+            one_over_loop: self.one_over_loop.and(other.one_over_loop),
+            all_over_loop: self.all_over_loop.and(other.all_over_loop),
+            one_over_copy: self.one_over_copy.and(other.one_over_copy),
+            all_over_copy: self.all_over_copy.and(other.all_over_copy),
+            ..self
+        }
     }
 }
 

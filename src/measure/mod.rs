@@ -11,6 +11,8 @@
 //! | `octuple-ad` | | automatic differentiation in 237 bits, rounded |
 //! | the formula's own, see [`Proved::ways`] | as given | its automatic differentiation in `f64` |
 //!
+//! Many points at once are timed apart, see [`Columns`].
+//!
 //! Errors are the same on every machine with the same mathematical library; they are found first, and may be found for
 //! many formulas at once. Times want a machine that does nothing else. They are taken over random points, and of `closed` and
 //! `checked` at every hard point alone too: see [`Figures::hardest`].
@@ -26,6 +28,7 @@
 //! ```
 
 mod clock;
+mod columns;
 mod difference;
 mod exact;
 mod figures;
@@ -34,7 +37,7 @@ mod quantile;
 mod ways;
 
 pub use difference::Scheme;
-pub use figures::{Curve, Errors, Figures, Measurement, PointTime, Quantiles, Step, Time, WayFigures};
+pub use figures::{Columns, Curve, Errors, Figures, Measurement, PointTime, Quantiles, Step, Time, WayFigures};
 pub use options::Options;
 
 use crate::formula::Field;
@@ -70,6 +73,7 @@ fn measured(subject: &Subject, points: &exact::Points, ways: &[Way], curves: Vec
         hard_points: points.hard.len(),
         copy: None,
         yardstick: None,
+        columns: None,
         ways: ways.iter().map(|way| ways::errors(way, points)).collect(),
         curves,
     }
@@ -80,4 +84,5 @@ pub fn times<F: Proved>(options: &Options, measurement: &mut Measurement) {
     let ways = ways::all::<F>(&measurement.curves);
     let points = clock::Points { random: options.timing_inputs::<F>(), hard: exact::hard(&Subject::of::<F>()) };
     clock::time(&ways, clock::beside::<F>(&points), &points, (options, &clock::clock()), measurement);
+    measurement.columns = columns::time::<F>(options);
 }

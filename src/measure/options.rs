@@ -21,17 +21,37 @@ pub struct Options {
     pub rounds: usize,
     /// How long one turn lasts, in nanoseconds.
     pub turn_ns: f64,
+    /// Bytes of the columns of many points.
+    #[serde(default)]
+    pub column_bytes: usize,
 }
 
 impl Options {
     /// About a tenth of a second for a formula.
     pub const fn quick() -> Self {
-        Self { seed: 1, random_points: 50, timing_points: 128, steps_per_decade: 2, rounds: 61, turn_ns: 60e3 }
+        Self {
+            seed: 1,
+            random_points: 50,
+            timing_points: 128,
+            steps_per_decade: 2,
+            rounds: 61,
+            turn_ns: 60e3,
+            column_bytes: 1 << 19,
+        }
     }
 
     /// Some seconds for a formula.
     pub const fn full() -> Self {
-        Self { seed: 1, random_points: 1000, timing_points: 128, steps_per_decade: 4, rounds: 301, turn_ns: 300e3 }
+        Self {
+            seed: 1,
+            random_points: 1000,
+            timing_points: 128,
+            steps_per_decade: 4,
+            rounds: 301,
+            turn_ns: 300e3,
+            // More than the caches of most processors hold.
+            column_bytes: 1 << 27,
+        }
     }
 
     /// The points over which time is taken, by components.

@@ -187,6 +187,7 @@ mod tests {
             hard_points: 24,
             copy: Some(time(3.0 * scale)),
             yardstick: Some(time(12.0 * scale)),
+            columns: None,
             ways: vec![way("closed", 10.0), way("ad", 100.0)],
             curves: Vec::new(),
         };

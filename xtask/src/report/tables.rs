@@ -4,7 +4,7 @@ use super::data::Report;
 use super::price;
 use super::verdict::Verdict;
 use crate::console::{bold, figure, green, red};
-use jointproof::measure::{Errors, Measurement, Time, WayFigures};
+use jointproof::measure::{Columns, Errors, Measurement, Time, WayFigures};
 use std::fmt::Write;
 
 /// Nanoseconds in three digits, with the unit that suits them.
@@ -98,6 +98,9 @@ pub(super) fn text(report: &Report) -> anyhow::Result<String> {
             let rest: Vec<_> = (1..row.len()).map(|k| format!("{:>w$}", row[k], w = width(k))).collect();
             writeln!(text, "    {first}  {}", rest.join("  "))?;
         }
+        if let Some(columns) = &measurement.columns {
+            writeln!(text, "    {}", many(columns))?;
+        }
         if let Some(verdict) = Verdict::of(measurement) {
             let (mark, why) = if verdict.holds() {
                 (green("yes"), format!("automatic differentiation takes {:.1} times as long", verdict.speedup))
@@ -113,6 +116,22 @@ pub(super) fn text(report: &Report) -> anyhow::Result<String> {
     }
     text += &footer(report);
     Ok(text)
+}
+
+/// What many points at once take.
+fn many(columns: &Columns) -> String {
+    let Columns { rows, bytes, threads, looped, one_thread, all_threads, .. } = columns;
+    format!(
+        "{rows} rows of columns, {bytes} bytes each: a loop {}; a batch {}, that is {:.2} of the loop and {:.1} of a copy; \
+         with {threads} threads {}, {:.2} and {:.1}",
+        duration(looped.median),
+        duration(one_thread.median),
+        columns.one_over_loop.median,
+        columns.one_over_copy.median,
+        duration(all_threads.median),
+        columns.all_over_loop.median,
+        columns.all_over_copy.median,
+    )
 }
 
 /// What the columns mean, and where the figures are from.
@@ -142,6 +161,9 @@ pub(super) fn markdown(report: &Report) -> anyhow::Result<String> {
         writeln!(text, "| {} |\n|---|{}", HEAD.join(" | "), "--:|".repeat(HEAD.len() - 1))?;
         for way in &measurement.ways {
             writeln!(text, "| {} |", cells(way).join(" | "))?;
+        }
+        if let Some(columns) = &measurement.columns {
+            writeln!(text, "\n{}.", many(columns))?;
         }
         if let Some(said) = price::said(measurement) {
             writeln!(text, "\nThe closed form: {said}.")?;

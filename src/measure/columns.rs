@@ -1,0 +1,129 @@
+//! Many points at once, columns in and columns out: a batch on one thread and on all, beside a program's loop over the same
+//! columns, and beside what memory allows.
+
+use super::options::random;
+use super::{Columns, Options, Time};
+use crate::batch::{ArrayView1, ArrayViewMut1, Job, Linearized, Row, columns, value_and_jacobian};
+use crate::formula::{self, Fields};
+use crate::proof::Proved;
+use crate::verify::Subject;
+use ndarray::Array2;
+use rayon::prelude::*;
+use std::hint::black_box;
+use std::time::Instant;
+
+/// Points that the columns repeat: so many that a processor does not learn their branches by heart.
+const POINTS: usize = 1024;
+/// As many rows are there at least.
+const LEAST: usize = 256;
+/// A turn is long: each comes once in so many rounds.
+const EVERY: usize = 12;
+
+/// Times value and Jacobian over columns, all taking turns.
+pub(super) fn time<F: Proved>(options: &Options) -> Option<Columns> {
+    let points = random(&Subject::of::<F>(), options.seed, POINTS);
+    let numbers = F::Inputs::<f64>::LEN + <Linearized as Job<F>>::LEN;
+    let bytes = numbers * size_of::<f64>();
+    let rows = (options.column_bytes / bytes).max(LEAST);
+    let mut tables = Tables::new(&points, rows, numbers);
+    let thread = rayon::ThreadPoolBuilder::new().num_threads(1).build().ok()?;
+    let mut turns = [const { Vec::new() }; 5];
+    for _ in 0..options.rounds.div_ceil(EVERY) {
+        let taken = [
+            nanoseconds(rows, || tables.looped::<F>()),
+            thread.install(|| nanoseconds(rows, || tables.batch::<F>())),
+            nanoseconds(rows, || tables.batch::<F>()),
+            thread.install(|| nanoseconds(rows, || tables.copy())),
+            nanoseconds(rows, || tables.copy()),
+        ];
+        turns.iter_mut().zip(taken).for_each(|(turns, turn)| turns.push(turn));
+    }
+    let ratios = |of: &[f64], unit: &[f64]| Time::of(of.iter().zip(unit).map(|(of, unit)| of / unit).collect());
+    let [looped, one, all, copy, copies] = &turns;
+    Some(Columns {
+        rows,
+        bytes,
+        threads: rayon::current_num_threads(),
+        one_over_loop: ratios(one, looped)?,
+        all_over_loop: ratios(all, looped)?,
+        one_over_copy: ratios(one, copy)?,
+        all_over_copy: ratios(all, copies)?,
+        looped: Time::of(turns[0].clone())?,
+        one_thread: Time::of(turns[1].clone())?,
+        all_threads: Time::of(turns[2].clone())?,
+    })
+}
+
+/// How long a row takes.
+#[expect(clippy::cast_precision_loss, reason = "rows are far below 2^53")]
+fn nanoseconds(rows: usize, work: impl FnOnce()) -> f64 {
+    let start = Instant::now();
+    work();
+    start.elapsed().as_secs_f64() * 1e9 / rows as f64
+}
+
+/// Columns of inputs and results, and as many bytes to be copied.
+struct Tables {
+    inputs: Array2<f64>,
+    results: Array2<f64>,
+    from: Vec<f64>,
+    to: Vec<f64>,
+}
+
+impl Tables {
+    fn new(points: &[Vec<f64>], rows: usize, numbers: usize) -> Self {
+        let mut inputs = columns(points[0].len(), rows);
+        for (k, mut column) in inputs.rows_mut().into_iter().enumerate() {
+            column.iter_mut().zip(points.iter().cycle()).for_each(|(x, point)| *x = point[k]);
+        }
+        let mut results = columns(numbers - points[0].len(), rows);
+        // Memory that was never written is not there yet.
+        results.fill(1.0);
+        let half = rows * numbers / 2;
+        Self { inputs, results, from: vec![1.0; half], to: vec![2.0; half] }
+    }
+
+    fn batch<F: Proved>(&mut self) {
+        let inputs: Vec<_> = self.inputs.rows().into_iter().collect();
+        let mut results: Vec<_> = self.results.rows_mut().into_iter().collect();
+        let (value, jacobian) = results.split_at_mut(F::Outputs::<f64>::LEN);
+        // A row that is refused is a row, too.
+        let _ = black_box(value_and_jacobian::<F>(black_box(&inputs), value, jacobian));
+        black_box(&mut self.results);
+    }
+
+    fn looped<F: Proved>(&mut self) {
+        let inputs: Vec<_> =
+            self.inputs.rows().into_iter().filter_map(|column: ArrayView1<f64>| column.to_slice()).collect();
+        let results = self.results.rows_mut().into_iter();
+        let mut results: Vec<_> = results.filter_map(ArrayViewMut1::into_slice).collect();
+        black_box(looped::<F>(black_box(&inputs), &mut results));
+        black_box(&mut self.results);
+    }
+
+    fn copy(&mut self) {
+        let share = self.from.len().div_ceil(rayon::current_num_threads());
+        let shares = self.to.par_chunks_mut(share).zip(self.from.par_chunks(share));
+        shares.for_each(|(to, from)| black_box(to).copy_from_slice(black_box(from)));
+    }
+}
+
+/// What a program does without batches: the checked call at every row. Tells how many rows are refused.
+#[inline(never)]
+fn looped<F: Proved>(inputs: &[&[f64]], results: &mut [&mut [f64]]) -> usize {
+    let inputs = &inputs[..F::Inputs::<f64>::LEN];
+    let columns = &mut results[..<Linearized as Job<F>>::LEN];
+    let mut refused = 0;
+    for row in 0..inputs[0].len() {
+        let mut next = 0;
+        let i = F::Inputs::from_components(&mut || {
+            next += 1;
+            inputs[next - 1][row]
+        });
+        match formula::value_and_jacobian::<F>(&i) {
+            Ok(results) => <Linearized as Job<F>>::show(&results, &mut Row { columns, at: row, place: 0 }),
+            Err(_) => refused += 1,
+        }
+    }
+    refused
+}
