@@ -55,6 +55,8 @@ mod prose;
 mod report;
 #[cfg(feature = "commands")]
 mod review;
+#[cfg(all(test, feature = "commands"))]
+mod sample;
 #[cfg(feature = "commands")]
 mod selection;
 #[cfg(feature = "commands")]
