@@ -105,8 +105,9 @@ impl Formula for Product {
             Fault::PrintedDerivative => p += length * (i.s - i.s.re()) * amount(Fault::PrintedDerivative, 5e-55),
             Fault::Kink => p += abs(i.s) * length * amount(Fault::Kink, 1e-12),
             Fault::NanValue => {
+                // 0/0, where 53 bits do not have it.
                 let lost = more::<D>(1e-20) - 1.0;
-                p *= lost / lost;
+                p *= lost * lost.recip();
             }
             Fault::NanBeside if beside(i.s) != 0.0 => p *= f64::NAN,
             _ => {}

@@ -315,6 +315,11 @@ mod tests {
         assert_eq!((comparison.drift, comparison.notes.len()), (1.0, 1));
     }
 
+    /// The errors at hard or at random points.
+    fn of(figures: &mut Figures, is_hard: bool) -> &mut Errors {
+        if is_hard { figures.hard.as_mut().unwrap() } else { &mut figures.random }
+    }
+
     #[test]
     fn every_figure_of_every_way_is_compared() {
         type Figure = fn(&mut WayFigures) -> &mut Option<Figures>;
@@ -331,9 +336,6 @@ mod tests {
                 assert_eq!(with(&|figures| figures.time = Some(time(1.5 * factor * ns))), (whole.clone(), "slower"));
                 for (points, is_hard) in [("random", false), ("hard", true)] {
                     let what = format!("{whole}, {points} points");
-                    fn of(figures: &mut Figures, is_hard: bool) -> &mut Errors {
-                        if is_hard { figures.hard.as_mut().unwrap() } else { &mut figures.random }
-                    }
                     let less = (what.clone(), "less accurate");
                     assert_eq!(with(&|figures| of(figures, is_hard).eta.median = 0.4), less);
                     assert_eq!(with(&|figures| of(figures, is_hard).eta.p99 = 1.15), less);

@@ -36,7 +36,7 @@ impl Formula for Square {
         let factor = match PLANTED.as_str() {
             "audit" => nothing + 1.0,
             // 0/0 in 53 bits.
-            "nan" => (nothing + lost) / (nothing + lost),
+            "nan" => (nothing + lost) * (nothing + lost).recip(),
             _ => D::one(),
         };
         Area { area: i.a * i.a * factor }

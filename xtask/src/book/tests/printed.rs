@@ -101,7 +101,7 @@ fn in_words(page: &str) -> String {
         let (tag, mut after) = tag.split_once('>').unwrap();
         let name = tag.split(' ').next().unwrap();
         if let Some((_, latex)) = tag.split_once("alttext=\"") {
-            text += &format!("${}$", latex.split('"').next().unwrap());
+            text = [&text, "$", latex.split('"').next().unwrap(), "$"].concat();
         }
         if let "math" | "svg" | "script" | "style" = name {
             after = after.split_once(&format!("</{name}>")).unwrap().1;
@@ -117,7 +117,7 @@ fn in_words(page: &str) -> String {
     let decoded = text.replace("&lt;", "<").replace("&gt;", ">").replace("&quot;", "\"").replace("&#10;", "\n");
     let lines = decoded.replace("&#123;", "{").replace("&amp;", "&");
     let trimmed = lines.lines().map(|line| line.trim().trim_end_matches(" |").trim_end());
-    trimmed.filter(|line| !line.is_empty()).map(|line| format!("{line}\n")).collect()
+    trimmed.filter(|line| !line.is_empty()).flat_map(|line| [line, "\n"]).collect()
 }
 
 #[test]
