@@ -11,6 +11,8 @@ use jointproof::{fields, verify};
 use std::collections::HashSet;
 use std::f64::consts::TAU;
 
+#[path = "audit/laws.rs"]
+mod laws;
 #[path = "audit/planted.rs"]
 mod planted;
 
