@@ -144,6 +144,12 @@ fn an_audit_fails_in_every_format() {
     }
     let point = ["audit", "--filter", "gate.square", "--point", "{\"a\": 3}"];
     gate.run("", &point).exits(0);
+    // What nobody checked has not held, though it did not fail.
+    gate.run("unchecked", &["audit", "--samples", "20"]).exits(1).prints("NOT CHECKED: a square turned over");
+    let (off, ran) = gate.off("unchecked");
+    assert_eq!(off, ["audit"]);
+    ran.exits(1).says("NOT CHECKED: a square turned over");
+    gate.run("unchecked", &point).exits(0);
     gate.run("audit", &point).exits(1).prints("FAILED 2 TIMES: η of the value");
 }
 
