@@ -5,7 +5,7 @@ use jointproof::proof::law::{equal, equal_vectors, equal_with, no_work, orthonor
 use jointproof::proof::{Equation, Proved};
 use jointproof::quantity::{Domain, Quantity, Shape, Unit};
 use jointproof::scalar::{Scalar, norm};
-use jointproof::verify::{Options, Sensitivity, audit, eta, relative};
+use jointproof::verify::{Claim, Options, Sensitivity, audit, eta, relative};
 use jointproof::{Octuple, fields};
 use nalgebra::{Matrix3, Vector3};
 use std::cell::Cell;
@@ -74,7 +74,7 @@ impl Proved for Ratio {}
 fn laws_of(what: &'static str) -> [bool; 2] {
     OF.set(what);
     let audit = audit::<Ratio>(&Options { samples: 4, seed: 1 });
-    let laws: Vec<_> = audit.laws.iter().map(|law| law.held()).collect();
+    let laws: Vec<_> = audit.laws.iter().map(Claim::held).collect();
     laws.try_into().expect("there are two laws of every formula")
 }
 
