@@ -11,13 +11,16 @@ use jointproof::{fields, verify};
 use std::collections::HashSet;
 use std::f64::consts::TAU;
 
+#[path = "audit/laws.rs"]
+mod laws;
 #[path = "audit/planted.rs"]
 mod planted;
 
 #[test]
 fn every_formula_of_the_catalog_passes() {
+    // Points of another seed than those of `verify`, which takes a thousand.
     for formula in CATALOG {
-        let audit = formula.audit(&Options { samples: 100, seed: 2 });
+        let audit = formula.audit(&Options { samples: 25, seed: 2 });
         assert!(audit.passed(), "{audit:#?}");
         // No registered kink is lost: the graph alone leads to each.
         if let Some(Looked::Graph { search, .. }) = audit.looked {

@@ -145,7 +145,7 @@ fn height() -> impl Strategy<Value = Option<f64>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 1000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig::with_cases(1000))]
 
     #[test]
     fn nothing_is_nearer_on_a_straight_segment(nodes in [point(), point()], xs in point(), height in height()) {
@@ -224,7 +224,7 @@ fn answers<F: Curve>(components: &[f64]) -> Result<(), TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 4000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig::with_cases(4000))]
 
     #[test]
     fn any_input_is_answered(components in proptest::collection::vec(any_double(), 13)) {

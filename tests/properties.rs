@@ -7,17 +7,29 @@ use jointproof::formula::Field;
 use jointproof::quantity::Unit;
 use jointproof::verify::golden;
 use proptest::prelude::*;
-use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use proptest::test_runner::{Config, RngSeed, TestRunner};
 
 /// Runs a property on every formula, at `cases` points each.
 fn for_every_formula(cases: u32, property: impl Fn(&'static dyn AnyFormula, &[f64]) -> Result<(), TestCaseError>) {
     for formula in CATALOG {
-        // The same points in every run: a failure is one of the code, and not of the day.
-        let config = Config { cases, failure_persistence: None, ..Config::default() };
-        let mut runner = TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha));
+        let mut runner = TestRunner::new(Config::with_cases(cases));
         let outcome = runner.run(&common::inputs(*formula), |inputs| property(*formula, &inputs));
         outcome.unwrap_or_else(|error| panic!("{}: {error}", formula.spec().id));
     }
+}
+
+/// The same points in every run: a failure is one of the code, and not of the day. `.cargo/config.toml` says so for every
+/// test that cargo runs; `.ci/long` asks for other points.
+#[test]
+fn random_points_are_the_same_in_every_run() {
+    let config = Config::default();
+    assert!(matches!(config.rng_seed, RngSeed::Fixed(_)), "PROPTEST_RNG_SEED is set by cargo in the repository");
+    assert!(config.failure_persistence.is_none(), "what one run found steers another");
+    let tests = std::fs::read_dir(std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests")).unwrap();
+    let kept = tests
+        .map(|entry| entry.unwrap().path())
+        .find(|path| path.extension().is_some_and(|x| x == "proptest-regressions"));
+    assert_eq!(kept, None, "what was found once is a test with a name");
 }
 
 /// Components in units of length 2ᵃ, force 2ᵇ and time 2ᶜ.
@@ -77,7 +89,7 @@ fn together_value_and_jacobian_are_those_of_each_alone() {
 fn no_input_panics() {
     for formula in CATALOG {
         let components: usize = formula.inputs().iter().map(Field::len).sum();
-        let mut runner = TestRunner::new(Config { cases: 256, failure_persistence: None, ..Config::default() });
+        let mut runner = TestRunner::new(Config::with_cases(256));
         let anything = prop::collection::vec(common::anything(), components);
         let outcome = runner.run(&anything, |inputs| {
             if let Ok(outputs) = formula.value(&inputs) {

@@ -124,7 +124,7 @@ fn all_finite<const R: usize, const C: usize>(result: Result<SMatrix<f64, R, C>,
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig::with_cases(2000))]
 
     /// Whatever the input: a finite result or an error, and no panic.
     #[test]

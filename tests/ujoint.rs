@@ -284,9 +284,58 @@ fn a_parameter_of_zero_drops_its_term_and_a_small_one_does_not() {
     assert!(moments(0.0, 1e-3).0.mc1 > 1e3);
 }
 
+/// Whatever a program passes, the connector answers with numbers or with an error.
+fn does_not_panic(
+    x: [f64; 6],
+    loads: [f64; 6],
+    cross: [f64; 7],
+    stops: [f64; 4],
+    [alpha, gamma]: [f64; 2],
+) -> Result<(), TestCaseError> {
+    let [xa, xb] = [Vector3::new(x[0], x[1], x[2]), Vector3::new(x[3], x[4], x[5])];
+    let now = Pose { triad_b: triad(alpha, 0.1, gamma), xa, xb, ..pose() };
+    let [f1, f2, f3, m1, m2, m3] = loads;
+    let loads = Loads { f1, f2, f3, m1, m2, m3 };
+    let [rp, la, ra, ls, mu, mc1_int, mc3_int] = cross;
+    let [theta1_min, theta1_max, theta3_min, theta3_max] = stops;
+    let joint = UJoint::new(&pose()).unwrap();
+    if let Ok(residuals) = joint.constraint(&now) {
+        prop_assert!(residuals.components().iter().all(|x| x.is_finite()));
+    }
+    if let Ok(force) = joint.constraint_force(&now.triad_a, &loads) {
+        prop_assert!(force.f.iter().all(|f| f.is_finite()));
+    }
+    if let Ok(joint) = joint.with_stops(&Stops { theta1_min, theta1_max, theta3_min, theta3_max })
+        && let Ok(gaps) = joint.gaps(&now)
+    {
+        for (gap, stop) in gaps.unwrap().components().into_iter().zip(stops) {
+            let as_its_stop = if stop.is_finite() { gap.is_finite() } else { gap == f64::INFINITY };
+            prop_assert!(as_its_stop, "{} before {}", gap, stop);
+        }
+    }
+    let _ = (UJoint::new(&now), joint.constraint_jacobian(&now), joint.relative_motion(&now));
+    let _ = (joint.constraint_moment(&now, &loads), joint.kinetic_moment(&now, &loads), joint.reaction(&loads));
+    if let Ok(joint) = joint.with_friction(&Cross { rp, la, ra, ls, mu, mc1_int, mc3_int })
+        && let Ok(Some((phi, jac))) = joint.friction_jacobian(&now, &loads)
+    {
+        prop_assert!(phi.components().iter().all(|phi| phi.is_finite()));
+        prop_assert!(jac.components().iter().all(|row| row.components().iter().all(|slope| slope.is_finite())));
+    }
+    Ok(())
+}
+
+/// A stop that is not there, where everything else is 0 of either sign.
+#[test]
+fn a_stop_at_infinity_is_none() {
+    let mut x = [0.0; 6];
+    x[2] = -0.0;
+    let mut loads = [0.0; 6];
+    loads[4] = -0.0;
+    does_not_panic(x, loads, [0.0; 7], [0.0, 0.0, 0.0, f64::INFINITY], [0.0; 2]).unwrap();
+}
+
 proptest! {
-    /// Whatever a program passes, the connector answers with numbers or with an error. The formulas are tried so in
-    /// `properties.rs`.
+    /// The formulas are tried so in `properties.rs`.
     #[test]
     fn the_connector_does_not_panic(
         x in proptest::array::uniform6(common::anything()),
@@ -295,34 +344,6 @@ proptest! {
         stops in proptest::array::uniform4(common::anything()),
         [alpha, gamma] in proptest::array::uniform2(-3.5..3.5),
     ) {
-        let [xa, xb] = [Vector3::new(x[0], x[1], x[2]), Vector3::new(x[3], x[4], x[5])];
-        let now = Pose { triad_b: triad(alpha, 0.1, gamma), xa, xb, ..pose() };
-        let [f1, f2, f3, m1, m2, m3] = loads;
-        let loads = Loads { f1, f2, f3, m1, m2, m3 };
-        let [rp, la, ra, ls, mu, mc1_int, mc3_int] = cross;
-        let [theta1_min, theta1_max, theta3_min, theta3_max] = stops;
-        let joint = UJoint::new(&pose()).unwrap();
-        if let Ok(residuals) = joint.constraint(&now) {
-            prop_assert!(residuals.components().iter().all(|x| x.is_finite()));
-        }
-        if let Ok(force) = joint.constraint_force(&now.triad_a, &loads) {
-            prop_assert!(force.f.iter().all(|f| f.is_finite()));
-        }
-        if let Ok(joint) = joint.with_stops(&Stops { theta1_min, theta1_max, theta3_min, theta3_max })
-            && let Ok(gaps) = joint.gaps(&now)
-        {
-            for (gap, stop) in gaps.unwrap().components().into_iter().zip(stops) {
-                let as_its_stop = if stop.is_finite() { gap.is_finite() } else { gap == f64::INFINITY };
-                prop_assert!(as_its_stop, "{} before {}", gap, stop);
-            }
-        }
-        let _ = (UJoint::new(&now), joint.constraint_jacobian(&now), joint.relative_motion(&now));
-        let _ = (joint.constraint_moment(&now, &loads), joint.kinetic_moment(&now, &loads), joint.reaction(&loads));
-        if let Ok(joint) = joint.with_friction(&Cross { rp, la, ra, ls, mu, mc1_int, mc3_int })
-            && let Ok(Some((phi, jac))) = joint.friction_jacobian(&now, &loads)
-        {
-            prop_assert!(phi.components().iter().all(|phi| phi.is_finite()));
-            prop_assert!(jac.components().iter().all(|row| row.components().iter().all(|slope| slope.is_finite())));
-        }
+        does_not_panic(x, loads, cross, stops, [alpha, gamma])?;
     }
 }

@@ -6,7 +6,7 @@ use jointproof::proof::law::equal;
 use jointproof::proof::{Case, Kink, Law, Proved};
 use jointproof::quantity::{Domain, Quantity, Shape, Unit};
 use jointproof::scalar::{Scalar, abs, constant, direction, leaf, norm, sign};
-use jointproof::verify::{Audit, Claim, Options, audit, audit_at};
+use jointproof::verify::{Audit, Claim, Deviation, Looked, Options, audit, audit_at};
 use jointproof::{Octuple, fields};
 use nalgebra::Vector3;
 use std::cell::Cell;
@@ -40,6 +40,13 @@ enum Fault {
     OwnLaw,
     /// A derivative that jumps where nothing is registered.
     Kink,
+    /// A derivative that jumps at a named point, where no graph tells.
+    Corner,
+    /// What rounding does just beside a kink, where a component is the size of the fault; and in the derivative on it.
+    BesideKink,
+    OnKink,
+    /// A number on the way that is too large for `f64`, though the result is not.
+    Overflow,
     /// NaN in `f64`; just beside every double; on a side of a law.
     NanValue,
     NanBeside,
@@ -104,9 +111,13 @@ impl Formula for Product {
             Fault::PrintedValue => p += constant::<D>(leaf(p)) * amount(Fault::PrintedValue, 5e-55),
             Fault::PrintedDerivative => p += length * (i.s - i.s.re()) * amount(Fault::PrintedDerivative, 5e-55),
             Fault::Kink => p += abs(i.s) * length * amount(Fault::Kink, 1e-12),
+            Fault::Corner if i.s.re() > 0.0 => p += abs(i.s - 3.0) * length * amount(Fault::Corner, 1.0),
+            Fault::BesideKink if i.v.x.re() == PLANTED.get().1 => p *= rounded::<D>(1e4),
+            Fault::Overflow => p = p * 1e290 / 1e290,
             Fault::NanValue => {
+                // 0/0, where 53 bits do not have it.
                 let lost = more::<D>(1e-20) - 1.0;
-                p *= lost / lost;
+                p *= lost * lost.recip();
             }
             Fault::NanBeside if beside(i.s) != 0.0 => p *= f64::NAN,
             _ => {}
@@ -122,8 +133,11 @@ impl Formula for Product {
             * rounded::<D>(amount(Fault::Jacobian, 64.0));
         let kink = amount(Fault::Kink, 1e-12);
         let factor = factor(i, length);
-        let by_length = (i.s + abs(i.s) * kink) * factor;
-        let by_s = (sign(i.s) * kink + more::<D>(0.0)) * length * factor * own;
+        let corner = if i.s > 0.0 { amount(Fault::Corner, 1.0) } else { 0.0 };
+        let by_length = (i.s + abs(i.s) * kink + abs(i.s - 3.0) * corner) * factor;
+        let nothing =
+            if PLANTED.get().0 == Fault::OnKink && length == 0.0 { rounded::<D>(100.0) - 1.0 } else { D::zero() };
+        let by_s = (sign(i.s) * kink + sign(i.s - 3.0) * corner + 1.0) * length * factor * own + nothing;
         Outputs { p: Inputs { s: by_s, v: Vector3::from(direction(components)) * by_length } }
     }
 
@@ -212,6 +226,56 @@ fn without_a_fault_every_claim_is_checked_and_holds() {
     assert!(audit.passed() && audit.no_claim_failed(), "{:#?}", caught(&audit));
     assert_eq!(audit.claims().count(), 12, "a claim is missing");
     assert!(audit.claims().all(|claim| claim.checks > 0 && claim.worst.is_some()), "{audit:#?}");
+    // Both cases, five points on and beside the kink, and the random ones; four derivatives; value and Jacobian alone and
+    // together. On the kink there are no differences and no derivative of the equation; laws are for random points.
+    assert_eq!((audit.named_points, audit.random_points, audit.seed), (7, 24, 3));
+    let checks: Vec<_> = audit.claims().take(9).map(|claim| claim.checks).collect();
+    assert_eq!(checks, [31 * 4, 30 * 4, 31 * 2, 31 * 4 * 2, 31, 30 * 4, 24, 24, 24]);
+}
+
+/// What jumps is told from the side where the input is smaller to the other.
+#[test]
+fn the_register_tells_the_sides_in_order() {
+    let register = with(Fault::Nothing, 0.0).register.expect("there is a kink");
+    let Deviation { entry, point, found, expected, .. } = register.worst.expect("it was looked at");
+    assert_eq!((entry.as_str(), point.as_str()), ("∂p/∂v[0]", "kink v_1 = v_2 = v_3 = 0"));
+    assert_eq!((expected, found), (-2.0, 2.0));
+}
+
+#[test]
+fn points_on_a_kink_and_beside_it_are_looked_at() {
+    for step in [2e-3, -2e-3, 1e-9, -1e-9] {
+        let audit = with(Fault::BesideKink, step);
+        assert_caught(&audit, &["η of the value"], &format!("{step}"));
+        assert_eq!(audit.eta.failures, 2, "alone and together");
+        assert_eq!(audit.eta.worst.unwrap().point, format!("kink v_1 = v_2 = v_3 = 0 {step:+}"));
+    }
+    let audit = with(Fault::OnKink, 1.0);
+    assert_caught(&audit, &["η of the closed-form Jacobian"], "on the kink");
+    assert_eq!(audit.eta_jacobian.worst.unwrap().point, "kink v_1 = v_2 = v_3 = 0 +0");
+}
+
+#[test]
+fn a_corner_at_a_named_point_is_found_where_no_graph_tells() {
+    let audit = with(Fault::Corner, 0.5);
+    assert!(matches!(audit.looked, Some(Looked::NamedPoints { .. })), "{:?}", audit.looked);
+    let worst = audit.kinks.worst.as_ref().expect("it was compared");
+    assert!(audit.kinks.failures > 0 && !audit.passed());
+    assert_eq!((worst.entry.as_str(), worst.point.as_str()), ("∂p/∂s", "three"));
+    // Half of the length less below than above.
+    assert!((worst.expected - 1.5).abs() < 1e-9 && (worst.found - 4.5).abs() < 1e-9, "{worst:?}");
+}
+
+#[test]
+fn an_intermediate_overflow_is_caught() {
+    assert_caught(&with(Fault::Overflow, 1.0), &["nothing overflows at inputs"], "overflow");
+}
+
+#[test]
+fn an_invalid_point_is_refused() {
+    PLANTED.set((Fault::Nothing, 0.0));
+    let refused = audit_at::<Product>(&Inputs { s: f64::NAN, v: Vector3::x() });
+    assert_eq!(refused.unwrap_err().to_string(), "s is NaN; allowed is a finite number");
 }
 
 /// The slope at s = 0 jumps by twice the part; the equation, which says nothing of it, is off too.

@@ -267,3 +267,48 @@ fn against_golden(project: &Project, formula: &dyn AnyFormula) -> String {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample;
+
+    /// What was found by the two audits of the sample.
+    fn audits() -> [Audit; 2] {
+        [sample::passed(), sample::failed()]
+    }
+
+    fn without_colours(text: &str) -> String {
+        anstream::adapter::strip_str(text).to_string()
+    }
+
+    #[test]
+    fn text_says_what_the_audits_found() {
+        let printed = text(&audits(), Audit::passed).unwrap();
+        sample::assert_printed("audit.txt", &without_colours(&printed));
+    }
+
+    #[test]
+    fn markdown_says_what_the_audits_found() {
+        let project = Project::new("sample", env!("CARGO_MANIFEST_DIR"), &[]);
+        let printed = markdown(&project, &[], &audits(), Audit::passed).unwrap();
+        sample::assert_printed("audit.md", &without_colours(&printed));
+        let all_well = markdown(&project, &[], &audits()[..1], Audit::passed).unwrap();
+        assert!(all_well.contains("1 formulas audited, every claim held.") && !all_well.contains("Off"), "{all_well}");
+    }
+
+    /// What was not checked has not held, unless nobody could check it.
+    #[test]
+    fn a_claim_that_was_not_checked_is_off_but_at_a_single_point() {
+        let mut audit = sample::passed();
+        (audit.equation.checks, audit.equation.worst) = (0, None);
+        let [strict, lenient] = [Audit::passed, Audit::no_claim_failed]
+            .map(|passed| without_colours(&text(std::slice::from_ref(&audit), passed).unwrap()));
+        assert!(strict.starts_with("off t.first at 27 points") && strict.ends_with(", 1 formula off\n"), "{strict}");
+        assert!(
+            lenient.starts_with("ok  t.first at 27 points") && lenient.ends_with(", 0 formulas off\n"),
+            "{lenient}"
+        );
+        assert!(strict.contains("NOT CHECKED: printed equation = value"), "{strict}");
+    }
+}

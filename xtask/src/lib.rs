@@ -57,6 +57,8 @@ mod prose;
 mod report;
 #[cfg(feature = "commands")]
 mod review;
+#[cfg(all(test, feature = "commands"))]
+mod sample;
 #[cfg(feature = "commands")]
 mod selection;
 #[cfg(feature = "commands")]

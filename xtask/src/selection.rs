@@ -25,9 +25,8 @@ impl Selection {
     pub(crate) fn formulas(&self, project: &Project) -> anyhow::Result<Vec<&'static dyn AnyFormula>> {
         let catalog = project.catalog();
         let Some(filter) = &self.filter else { return Ok(catalog.to_vec()) };
-        let glob = globset::Glob::new(filter).map_err(|error| Usage(format!("--filter is not a pattern: {error}")))?;
-        let matcher = glob.compile_matcher();
-        let selected: Vec<_> = catalog.iter().copied().filter(|f| matcher.is_match(f.spec().id)).collect();
+        let is_asked = self.is_asked()?;
+        let selected: Vec<_> = catalog.iter().copied().filter(|formula| is_asked(formula.spec().id)).collect();
         if selected.is_empty() {
             let ids: Vec<_> = catalog.iter().map(|formula| formula.spec().id).collect();
             return Err(
@@ -35,5 +34,13 @@ impl Selection {
             );
         }
         Ok(selected)
+    }
+
+    /// Whether a formula of this identifier is asked for, if there is one.
+    pub(crate) fn is_asked(&self) -> Result<impl Fn(&str) -> bool + use<>, Usage> {
+        let pattern = self.filter.as_deref().unwrap_or("*");
+        let glob = globset::Glob::new(pattern).map_err(|error| Usage(format!("--filter is not a pattern: {error}")))?;
+        let matcher = glob.compile_matcher();
+        Ok(move |id: &str| matcher.is_match(id))
     }
 }

@@ -122,6 +122,17 @@ fn a_planted_slowdown_is_named_and_exits_1() {
 }
 
 #[test]
+fn a_formula_that_vanished_is_named_if_it_was_asked_for() {
+    let bench = Bench::new();
+    let old = bench.path("old.json");
+    tampered(&old, |formula| formula["formula"] = "slot.contact_farce".into());
+    let against = |filter| quick(&bench, filter, &["--against", old.to_str().unwrap()]);
+    against("slot.contact_f*").exits(1).prints("missing slot.contact_farce: no longer measured");
+    let ran = against("slot.contact_force");
+    assert!(!ran.stdout.contains("missing"), "{ran:#?}");
+}
+
+#[test]
 fn two_reports_on_everything_can_be_compared() {
     let bench = Bench::new();
     let old = bench.path("old.json");

@@ -47,7 +47,7 @@ fn timed(ways: &[(&'static str, Cost, Cost)], options: &Options) -> Measurement 
         inputs: 1,
         outputs: 1,
         random_points: 0,
-        hard_points: 2,
+        hard_points: 3,
         copy: None,
         yardstick: None,
         ways: kernels.iter().map(figures).collect(),
@@ -55,7 +55,7 @@ fn timed(ways: &[(&'static str, Cost, Cost)], options: &Options) -> Measurement 
     };
     let hard = |case: &str, x: f64| HardPoint { case: case.into(), inputs: vec![x] };
     let random = (0..8).map(|k| vec![f64::from(k) / 8.0]).collect();
-    let points = Points { random, hard: vec![hard("far", 2.0), hard("extreme", 1e200)] };
+    let points = Points { random, hard: vec![hard("near", 1.5), hard("far", 2.0), hard("extreme", 1e200)] };
     let beside: [Cost; 2] = [|_| 3.0, |_| 12.0];
     let beside = beside.map(|cost| (kernel(&work, cost).runner)(&points.random));
     let clock = {
@@ -81,15 +81,12 @@ fn assert_time(found: Option<Time>, expected: f64) {
     }
 }
 
-/// The hard point costs five times as much as a random one, the extreme one forty times.
-const CLOSED: Cost = |x| {
-    if x < 1.0 {
-        10.0
-    } else if x < 10.0 {
-        50.0
-    } else {
-        400.0
-    }
+/// Hard points cost twice and five times as much as random ones, the extreme one forty times.
+const CLOSED: Cost = |x| match x {
+    x if x < 1.0 => 10.0,
+    x if x < 2.0 => 20.0,
+    x if x < 10.0 => 50.0,
+    _ => 400.0,
 };
 const WITH_JACOBIAN: Cost = |x| CLOSED(x) * 3.0;
 const SLOW: Cost = |_| 700.0;
@@ -117,8 +114,8 @@ fn every_hard_point_is_timed_alone_in_units_of_random_ones() {
     for (figures, factor) in [(&closed.value, 1.0), (&closed.jacobian, 3.0)] {
         let figures = figures.as_ref().unwrap();
         let times: Vec<_> = figures.hard_times.iter().map(|at| (at.case.as_str(), at.ordinary)).collect();
-        assert_eq!(times, [("far", true), ("extreme", false)]);
-        for (at, time) in figures.hard_times.iter().zip([50.0, 400.0]) {
+        assert_eq!(times, [("near", true), ("far", true), ("extreme", false)]);
+        for (at, time) in figures.hard_times.iter().zip([20.0, 50.0, 400.0]) {
             assert_time(Some(at.time), time * factor);
             assert_time(Some(at.ratio), time / 10.0);
         }
@@ -126,7 +123,7 @@ fn every_hard_point_is_timed_alone_in_units_of_random_ones() {
         assert_eq!(figures.hardest().map(|at| at.case.as_str()), Some("far"));
     }
     let timed_at_hard = |id| measured.way(id).unwrap().value.as_ref().unwrap().hard_times.len();
-    assert_eq!(["closed", "checked", "ad"].map(timed_at_hard), [2, 2, 0]);
+    assert_eq!(["closed", "checked", "ad"].map(timed_at_hard), [3, 3, 0]);
 }
 
 /// A way that becomes slower round by round has the middle one's time, and four of five rounds between low and high.
@@ -232,7 +229,7 @@ fn both_halves_count_alike() {
         let figures = half.ways[0].value.as_mut().unwrap();
         figures.time = time(10.0 * scale, 9.0 * scale, 12.0 * scale);
         figures.ratio = time(1.0 * scale, 0.9 * scale, 1.2 * scale);
-        let at = &mut figures.hard_times[1];
+        let at = &mut figures.hard_times[2];
         (at.time, at.ratio) = (same(400.0 * scale), same(40.0 * scale));
         half
     };
@@ -240,10 +237,11 @@ fn both_halves_count_alike() {
     assert_eq!((both.copy, both.yardstick), (time(4.5, 2.0, 10.0), time(18.0, 11.0, 26.0)));
     let figures = both.ways[0].value.as_ref().unwrap();
     assert_eq!((figures.time, figures.ratio), (time(15.0, 9.0, 24.0), time(1.5, 0.9, 2.4)));
-    assert_eq!(Some(figures.hard_times[1].time), time(600.0, 400.0, 800.0));
-    assert_eq!(Some(figures.hard_times[1].ratio), time(60.0, 40.0, 80.0));
+    assert_eq!(Some(figures.hard_times[2].time), time(600.0, 400.0, 800.0));
+    assert_eq!(Some(figures.hard_times[2].ratio), time(60.0, 40.0, 80.0));
     let jacobian = both.ways[0].jacobian.as_ref().unwrap();
     assert_time(jacobian.time, 30.0);
+    assert_eq!(half(2.0).and(&half(1.0)), half(1.0).and(&half(2.0)));
     // A half without times has nothing to say, and nothing is made up for it.
     let mut untimed = half(1.0);
     untimed.copy = None;

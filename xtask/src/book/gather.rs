@@ -256,3 +256,85 @@ fn counts(file: &File) -> GoldenCounts {
     }
     GoldenCounts { file: format!("{}.json", file.formula), total: file.cases.len(), flags }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use jointproof::catalog::CATALOG;
+    use jointproof::proof::Flag;
+    use jointproof::verify::golden::Record;
+
+    fn entry_of(formula: &dyn AnyFormula) -> Entry {
+        let project = Project::new("gather", env!("CARGO_MANIFEST_DIR"), CATALOG).in_folder("..");
+        entry(&project, formula, &Index::new(&[]), &Evidence::default())
+    }
+
+    fn find(id: &str) -> &'static dyn AnyFormula {
+        jointproof::catalog::find(id).unwrap_or_else(|| panic!("there is no {id}"))
+    }
+
+    /// Each column is what the catalog says under this name, and not its neighbour.
+    #[test]
+    fn symbols_are_those_of_the_fields() {
+        for formula in CATALOG {
+            for field in formula.inputs().iter().chain(formula.outputs()) {
+                let quantity = field.quantity;
+                let Symbol { name, latex, shape, unit, allowed, meaning } = symbol(field);
+                assert_eq!(
+                    (name.as_str(), latex.as_str(), meaning.as_str()),
+                    (field.name, quantity.latex, quantity.meaning)
+                );
+                let dimensions = quantity.shape.dimensions();
+                let kind = if dimensions.len() == 2 { "mat" } else { "vec" };
+                let expected = dimensions.first().map_or("scalar".into(), |count| format!("{kind}{count}"));
+                assert_eq!((shape, allowed), (expected, quantity.domain.allowed()));
+                assert_eq!(unit.replace('²', "^2").replace('³', "^3"), quantity.unit.to_string());
+            }
+        }
+    }
+
+    #[test]
+    fn sides_of_a_kink_are_in_the_order_of_the_input() {
+        let of = |id: &str| entry_of(find(id)).kinks;
+        let abs = &of("slot.friction")[0];
+        let Kink { at, derivative, left, right, .. } = abs;
+        assert_eq!((at.as_str(), left.as_str(), right.as_str()), ("$f_1 = 0$", "−1", "1"));
+        assert_eq!(derivative, r"$\partial P/\partial f_1$");
+        for formula in CATALOG {
+            for (shown, known) in entry_of(*formula).kinks.iter().zip(formula.kinks()) {
+                let Some(Sides { sides, .. }) = known.sides else { panic!("{}: {known:?}", formula.spec().id) };
+                assert_eq!(
+                    [&shown.left, &shown.right].map(String::as_str),
+                    sides.map(four_digits).each_ref().map(String::as_str)
+                );
+                assert_eq!(shown.at, format!("${}$", known.condition));
+            }
+        }
+    }
+
+    #[test]
+    fn golden_cases_are_counted_by_what_they_are_for() {
+        let formula = find("slot.contact_force");
+        let file = formula.golden();
+        let GoldenCounts { total, flags, .. } = entry_of(formula).golden.expect("it is committed");
+        assert_eq!(total, file.cases.len());
+        for flag in [Flag::Hand, Flag::Hard, Flag::Random, Flag::Invalid, Flag::Kink] {
+            let with = file.cases.iter().filter(|case: &&Record| case.flags.contains(&flag)).count();
+            let shown = flags.iter().find(|(name, _)| name == flag.name()).map_or(0, |(_, count)| *count);
+            assert_eq!(shown, with, "{flag:?}");
+        }
+    }
+
+    /// A golden check that found a difference, or none, is no evidence.
+    #[test]
+    fn only_what_was_executed_and_the_same_is_evidence() {
+        let project = Project::new("gather", env!("CARGO_MANIFEST_DIR"), CATALOG).in_folder("..");
+        let formula = find("slot.stop");
+        for (same, cases) in [(true, Some(5)), (false, None)] {
+            let mut evidence = Evidence::default();
+            evidence.golden.insert("slot.stop".into(), crate::evidence::GoldenCheck { cases: 5, same });
+            let entry = entry(&project, formula, &Index::new(&[]), &evidence);
+            assert_eq!((entry.evidence.golden_cases, entry.evidence.audit), (cases, None));
+        }
+    }
+}

@@ -9,6 +9,8 @@ use super::fault::Faults;
 use super::output::write;
 use crate::extension::{Exhibits, Fact};
 
+mod printed;
+
 /// Two formulas, one of them with code.
 fn content() -> Content {
     let symbol = |name: &str, latex: &str| Symbol {
@@ -47,6 +49,11 @@ fn content() -> Content {
 
 /// Writes a book of one chapter and builds it.
 fn book(root: &Path, chapter: &str) -> anyhow::Result<()> {
+    book_of(root, chapter, content())
+}
+
+/// The same of other content.
+fn book_of(root: &Path, chapter: &str, content: Content) -> anyhow::Result<()> {
     let file = |path: &str, text: &str| write(&root.join("book").join(path), text.as_bytes()).unwrap();
     file("book.toml", "[book]\ntitle = \"T\"\n");
     file("src/SUMMARY.md", "# Summary\n\n- [One](one.md)\n");
@@ -54,7 +61,7 @@ fn book(root: &Path, chapter: &str) -> anyhow::Result<()> {
     file("figures/plain.svg", "<svg viewBox=\"0 0 1 1\"><title>Plain</title><path d=\"M0 0\"/></svg>\n");
     file("theme/book.css", "");
     file("theme/code.css", "");
-    build(root, &Options::default(), content()).map(|_| ())
+    build(root, &Options::default(), content).map(|_| ())
 }
 
 /// The page of the chapter.

@@ -36,6 +36,12 @@ pub(crate) struct Change {
     pub(crate) figures: String,
 }
 
+impl Change {
+    fn missing(what: String) -> Self {
+        Self { what, how: "missing", figures: "no longer measured".into() }
+    }
+}
+
 /// A change of less than this is none.
 const LEAST: f64 = 1.1;
 /// A time within this of another is the same: a cycle or two.
@@ -43,8 +49,8 @@ const LEAST_NS: f64 = 0.5;
 /// η within this of another is the same.
 const LEAST_ETA: f64 = 0.05;
 
-/// Compares.
-pub(crate) fn compare(old: &Report, new: &Report) -> Comparison {
+/// Compares, as far as formulas were asked for.
+pub(crate) fn compare(old: &Report, new: &Report, is_asked: impl Fn(&str) -> bool) -> Comparison {
     let pairs: Vec<_> = new.formulas.iter().filter_map(|now| Some((old.formula(&now.formula)?, now))).collect();
     let mut notes = Vec::new();
     let drift = drift(&pairs).unwrap_or_else(|| {
@@ -62,7 +68,9 @@ pub(crate) fn compare(old: &Report, new: &Report) -> Comparison {
     if missing > 0 {
         notes.push(format!("{missing} formulas are not in the old report"));
     }
-    let changes = pairs.iter().flat_map(|(old, new)| formula(old, new, drift, same_points)).collect();
+    let gone = old.formulas.iter().filter(|before| is_asked(&before.formula) && new.formula(&before.formula).is_none());
+    let gone = gone.map(|before| Change::missing(before.formula.clone()));
+    let changes = gone.chain(pairs.iter().flat_map(|(old, new)| formula(old, new, drift, same_points))).collect();
     Comparison { drift, formulas: pairs.len(), changes, notes }
 }
 
@@ -80,7 +88,7 @@ fn formula(old: &Measurement, new: &Measurement, drift: f64, same_points: bool) 
     let of_way = |before: &WayFigures| {
         let name = format!("{} {}", new.formula, before.id);
         let Some(now) = new.way(&before.id) else {
-            return vec![Change { what: name, how: "missing", figures: "no longer measured".into() }];
+            return vec![Change::missing(name)];
         };
         let parts = [("value", &before.value, &now.value), ("Jacobian", &before.jacobian, &now.jacobian)];
         parts
@@ -203,11 +211,16 @@ mod tests {
         }
     }
 
+    /// The comparison of reports on everything.
+    fn against(old: &Report, new: &Report) -> Comparison {
+        compare(old, new, |_| true)
+    }
+
     /// The changes between a report and one that was tampered with.
     fn changes(tamper: impl FnOnce(&mut Report)) -> Vec<(String, &'static str)> {
         let mut new = report(1.0);
         tamper(&mut new);
-        compare(&report(1.0), &new).changes.into_iter().map(|change| (change.what, change.how)).collect()
+        against(&report(1.0), &new).changes.into_iter().map(|change| (change.what, change.how)).collect()
     }
 
     fn closed(report: &mut Report) -> &mut Figures {
@@ -221,7 +234,7 @@ mod tests {
 
     #[test]
     fn a_slower_machine_is_drift_and_no_change() {
-        let comparison = compare(&report(1.0), &report(1.7));
+        let comparison = against(&report(1.0), &report(1.7));
         assert!((comparison.drift - 1.7).abs() < 1e-12);
         assert_eq!(comparison.changes, []);
     }
@@ -232,12 +245,14 @@ mod tests {
         assert_eq!(found, [("t.second closed Jacobian".to_owned(), "slower")]);
         let mut slow = report(1.7);
         closed(&mut slow).time = Some(time(26.0 * 1.7));
-        assert_eq!(compare(&report(1.0), &slow).changes.len(), 1, "on a slower machine too");
+        assert_eq!(against(&report(1.0), &slow).changes.len(), 1, "on a slower machine too");
     }
 
     #[test]
     fn a_slowdown_within_the_spread_is_noise() {
         assert_eq!(changes(|new| closed(new).time = Some(time(21.5))), []);
+        let less_than_a_tenth = Some(Time { median: 21.5, low: 21.2, high: 21.6 });
+        assert_eq!(changes(|new| closed(new).time = less_than_a_tenth), []);
         let wide = Some(Time { median: 26.0, low: 20.0, high: 40.0 });
         assert_eq!(changes(|new| closed(new).time = wide), []);
     }
@@ -253,13 +268,15 @@ mod tests {
 
     #[test]
     fn with_other_points_only_medians_count() {
-        let other = |new: &mut Report| new.options.random_points = 400;
-        let mut greater_maximum = report(1.0);
-        other(&mut greater_maximum);
-        closed(&mut greater_maximum).random.eta.max = 1.9;
-        assert_eq!(compare(&report(1.0), &greater_maximum).changes, []);
-        closed(&mut greater_maximum).random.eta.median = 0.7;
-        assert_eq!(compare(&report(1.0), &greater_maximum).changes.len(), 1);
+        let others: [fn(&mut Report); 2] = [|new| new.options.random_points = 400, |new| new.options.seed = 7];
+        for other in others {
+            let mut greater_maximum = report(1.0);
+            other(&mut greater_maximum);
+            closed(&mut greater_maximum).random.eta.max = 1.9;
+            assert_eq!(against(&report(1.0), &greater_maximum).changes, []);
+            closed(&mut greater_maximum).random.eta.median = 0.7;
+            assert_eq!(against(&report(1.0), &greater_maximum).changes.len(), 1);
+        }
     }
 
     #[test]
@@ -268,6 +285,106 @@ mod tests {
         assert_eq!(found, [("t.first ad".to_owned(), "missing")]);
         let mut old = report(1.0);
         old.formulas.pop();
-        assert_eq!(compare(&old, &report(1.0)).changes, []);
+        assert_eq!(against(&old, &report(1.0)).changes, []);
+    }
+
+    #[test]
+    fn a_formula_that_vanished_is_a_change_if_it_was_asked_for() {
+        let mut new = report(1.0);
+        new.formulas.remove(0);
+        let found = against(&report(1.0), &new).changes;
+        assert_eq!(found, [Change::missing("t.first".into())]);
+        assert_eq!(compare(&report(1.0), &new, |id| id == "t.second").changes, []);
+    }
+
+    /// Drift is what most of what did not change did; one that was disturbed does not count, on either side.
+    #[test]
+    fn drift_is_the_median() {
+        for (outlier, scale) in [(0.1, 1.7), (20.0, 1.7), (0.1, 1.0), (20.0, 1.0)] {
+            let mut new = report(scale);
+            let copy = new.formulas[0].copy.as_mut().unwrap();
+            copy.median *= outlier;
+            let comparison = against(&report(1.0), &new);
+            assert!((comparison.drift - scale).abs() < 1e-12, "{outlier}: {}", comparison.drift);
+            assert_eq!(comparison.changes, []);
+        }
+        // A faster machine does not hide what became slower on it.
+        let mut fast = report(0.5);
+        closed(&mut fast).time = Some(time(13.0));
+        assert_eq!(against(&report(1.0), &fast).changes.len(), 1);
+        let [mut old, mut new] = [report(1.0), report(1.0)];
+        for formula in old.formulas.iter_mut().chain(&mut new.formulas) {
+            (formula.copy, formula.yardstick) = (None, None);
+        }
+        let comparison = against(&old, &new);
+        assert_eq!((comparison.drift, comparison.notes.len()), (1.0, 1));
+    }
+
+    /// The errors at hard or at random points.
+    fn of(figures: &mut Figures, is_hard: bool) -> &mut Errors {
+        if is_hard { figures.hard.as_mut().unwrap() } else { &mut figures.random }
+    }
+
+    #[test]
+    fn every_figure_of_every_way_is_compared() {
+        type Figure = fn(&mut WayFigures) -> &mut Option<Figures>;
+        let parts: [(Figure, &str, f64); 2] =
+            [(|way| &mut way.value, "value", 10.0), (|way| &mut way.jacobian, "Jacobian", 20.0)];
+        for (k, (id, factor)) in [("closed", 1.0), ("ad", 10.0)].into_iter().enumerate() {
+            for (part, name, ns) in parts {
+                let with = |change: &dyn Fn(&mut Figures)| {
+                    let found = changes(|new| change(part(&mut new.formulas[1].ways[k]).as_mut().unwrap()));
+                    assert_eq!(found.len(), 1, "{id} {name}: {found:?}");
+                    found[0].clone()
+                };
+                let whole = format!("t.second {id} {name}");
+                assert_eq!(with(&|figures| figures.time = Some(time(1.5 * factor * ns))), (whole.clone(), "slower"));
+                for (points, is_hard) in [("random", false), ("hard", true)] {
+                    let what = format!("{whole}, {points} points");
+                    let less = (what.clone(), "less accurate");
+                    assert_eq!(with(&|figures| of(figures, is_hard).eta.median = 0.4), less);
+                    assert_eq!(with(&|figures| of(figures, is_hard).eta.p99 = 1.15), less);
+                    assert_eq!(with(&|figures| of(figures, is_hard).eta.max = 1.35), less);
+                    assert_eq!(with(&|figures| of(figures, is_hard).not_finite = 1), (what, "fails at more points"));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_became_better_is_no_change() {
+        let better = |new: &mut Report| {
+            for figures in new
+                .formulas
+                .iter_mut()
+                .flat_map(|one| &mut one.ways)
+                .flat_map(|way| [&mut way.value, &mut way.jacobian])
+            {
+                let figures = figures.as_mut().unwrap();
+                (figures.time, figures.random.eta) = (Some(time(1.0)), Quantiles::default());
+            }
+        };
+        assert_eq!(changes(better), []);
+    }
+
+    #[test]
+    fn a_comparison_is_told_with_figures_before_and_now() {
+        let mut new = report(1.5);
+        closed(&mut new).time = Some(time(45.0));
+        new.formulas[0].ways[1].value.as_mut().unwrap().random.eta.max = 2.5;
+        new.machine.cores = 3;
+        new.formulas.push(Measurement { formula: "t.new".into(), ..report(1.0).formulas.remove(0) });
+        let text = anstream::adapter::strip_str(&against(&report(1.0), &new).text()).to_string();
+        let expected = "note: the machine or the build is another one; times are compared after scaling\n\
+                        note: 1 formulas are not in the old report\n\
+                        less accurate t.first ad value, random points: η max 1.20 → 2.50\n\
+                        slower t.second closed Jacobian: 20.0 ns × drift 1.50 → 45.0 ns\n\
+                        off 2 figures became worse in 2 formulas; unchanged code took 1.50 of its old time\n";
+        assert_eq!(text, expected);
+        let same = anstream::adapter::strip_str(&against(&report(1.0), &report(1.0)).text()).to_string();
+        assert_eq!(
+            same,
+            "ok nothing became slower or less accurate in 2 formulas; unchanged code took 1.00 of its old time\n"
+        );
     }
 }

@@ -82,7 +82,8 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     if let Some(path) = &arguments.timing_json {
         export::timing(path, &report)?;
     }
-    let comparison = old.map(|old| against::compare(&old, &report));
+    let is_asked = arguments.selection.is_asked()?;
+    let comparison = old.map(|old| against::compare(&old, &report, is_asked));
     match (arguments.format, &comparison) {
         (Format::Json, _) => print(&serde_json::to_string_pretty(&report)?)?,
         (Format::Text | Format::Markdown, Some(comparison)) => print(&comparison.text())?,

@@ -185,6 +185,14 @@ mod tests {
     }
 
     #[test]
+    fn a_report_says_what_was_measured() {
+        let report = crate::sample::report();
+        let plain = |text: String| anstream::adapter::strip_str(&text).to_string();
+        crate::sample::assert_printed("report.txt", &plain(text(&report).unwrap()));
+        crate::sample::assert_printed("report.md", &plain(markdown(&report).unwrap()));
+    }
+
+    #[test]
     fn a_spread_is_the_larger_side() {
         assert_eq!(spread(Time { low: 9.0, median: 10.0, high: 10.5 }), "±10%");
     }

@@ -1,0 +1,61 @@
+//! A formula that owes nothing, and what can be wrong with it.
+
+use jointproof::formula::{Component, Document, Formula, Jacobian, Spec};
+use jointproof::proof::law::equal;
+use jointproof::proof::{Case, Law, Proved};
+use jointproof::quantity::{Domain, Quantity, Unit};
+use jointproof::{Octuple, Scalar, fields};
+use std::sync::LazyLock;
+
+/// Where the fault is named.
+pub const PLANT: &str = "JOINTPROOF_TEST_PLANT";
+
+static PLANTED: LazyLock<String> = LazyLock::new(|| std::env::var(PLANT).unwrap_or_default());
+
+const SIDE: Quantity = Quantity::scalar("a", Unit::L, Domain::Real, "side of a square");
+const AREA: Quantity = Quantity::scalar("A", Unit::L.times(Unit::L), Domain::Real, "its area");
+
+fields! { pub struct Side<T> { a: T = SIDE } }
+fields! { pub struct Area<T> { area: T = AREA } }
+
+#[derive(Clone, Copy)]
+pub struct Square;
+
+impl Formula for Square {
+    const SPEC: Spec =
+        Spec::new("gate.square", "Area of a square", Document::new("Squares").ours("", "everybody knows"))
+            .equation("A = a^2")
+            .eta(1.0, 1.0);
+    type Inputs<T: Component> = Side<T>;
+    type Outputs<T: Component> = Area<T>;
+
+    fn eval<D: Scalar>(i: &Side<D>) -> Area<D> {
+        // Exact in 237 bits, and a hundred roundings in 53.
+        let lost = D::from(1e-14);
+        let nothing = (D::from(1024.0) + lost) - 1024.0 - lost;
+        let factor = match PLANTED.as_str() {
+            "audit" => nothing + 1.0,
+            // 0/0 in 53 bits.
+            "nan" => (nothing + lost) * (nothing + lost).recip(),
+            _ => D::one(),
+        };
+        Area { area: i.a * i.a * factor }
+    }
+
+    fn jacobian<D: Scalar>(i: &Side<D>) -> Jacobian<Self, D> {
+        Area { area: Side { a: i.a * 2.0 } }
+    }
+}
+
+impl Proved for Square {
+    fn cases() -> Vec<Case<Side<f64>>> {
+        vec![Case::hand("three", "3² = 9", Side { a: 3.0 }), Case::hard("zero", "nothing at all", Side { a: 0.0 })]
+    }
+
+    fn laws() -> Vec<Law<Self>> {
+        vec![Law::new("a square turned over is as large", |i: &Side<Octuple>| match PLANTED.as_str() {
+            "unchecked" => Vec::new(),
+            _ => equal(Self::eval(i).area, Self::eval(&Side { a: -i.a }).area),
+        })]
+    }
+}
