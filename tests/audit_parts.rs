@@ -17,8 +17,8 @@ fn bytes(audit: &Audit) -> String {
     serde_json::to_string(audit).unwrap()
 }
 
-fn sent(part: Part) -> Part {
-    serde_json::from_str(&serde_json::to_string(&part).unwrap()).unwrap()
+fn sent(part: &Part) -> Part {
+    serde_json::from_str(&serde_json::to_string(part).unwrap()).unwrap()
 }
 
 fn joined(parts: impl IntoIterator<Item = Part>) -> Part {
@@ -35,7 +35,7 @@ fn parts_are_the_whole_however_many_and_however_joined() {
         assert_eq!(whole.random_points, OPTIONS.samples);
         // Of 64 parts many have no point.
         for of in [1, 3, 16, 64] {
-            let all = parts(formula, of).into_iter().map(sent).collect::<Vec<_>>();
+            let all = parts(formula, of).iter().map(sent).collect::<Vec<_>>();
             let in_order = joined(all.clone()).into_audit().unwrap();
             assert_eq!(bytes(&in_order), bytes(&whole), "{of} parts");
             let groups = all.chunks(of.div_ceil(4)).map(|group| joined(group.to_vec()));

@@ -47,6 +47,7 @@ pub(crate) fn passed() -> Audit {
         formula: "t.first".into(),
         provenance: "Document, section “One”; printed".into(),
         named_points: 7,
+        searched_points: 3,
         random_points: 20,
         seed: 9,
         closed_against_ad: claim("closed form = automatic differentiation", 1e-60, [101, 0], 1.1e-61),
@@ -71,7 +72,7 @@ pub(crate) fn passed() -> Audit {
                 not_reached: ["a", "b", "c"].map(|name| format!("{name} = 0")).into(),
                 found: vec!["f_2 = 0".into()],
             },
-            coverage: Coverage { comparisons: 6, asked: 160, never: vec!["x < 0: never so".into()] },
+            coverage: Coverage { comparisons: 6, asked: 160, least: 13, never: vec!["x < 0: never so".into()] },
         }),
     }
 }
@@ -150,6 +151,7 @@ pub(crate) fn measurement(formula: &str, slow: f64) -> Measurement {
         hard_points: 9,
         copy: Some(time(3.0 * slow)),
         yardstick: Some(time(17.0 * slow)),
+        columns: None,
         ways: vec![
             way("closed", "closed form", 11.0 * slow, 0.4),
             way("checked", "closed form, checked", 13.0 * slow, 0.4),

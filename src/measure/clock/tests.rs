@@ -50,6 +50,7 @@ fn timed(ways: &[(&'static str, Cost, Cost)], options: &Options) -> Measurement 
         hard_points: 3,
         copy: None,
         yardstick: None,
+        columns: None,
         ways: kernels.iter().map(figures).collect(),
         curves: Vec::new(),
     };
