@@ -39,6 +39,8 @@ impl Default for Options {
 
 /// Closed form and automatic differentiation agree in 237 bits to this.
 const CLOSED_AGAINST_AD: f64 = 1e-60;
+/// What is this part of a number, or less, is left by rounding it in 237 bits, a little more than 71 digits.
+const NOTHING: f64 = 1e-68;
 /// Automatic differentiation and differences agree in 237 bits to this at random points.
 const AD_AGAINST_DIFFERENCES: f64 = 1e-50;
 /// At hard points the step of differences must be shorter than the distance to the next kink, and digits are lost.
@@ -300,6 +302,14 @@ impl Exact {
         Self { values: (subject.exact_value)(inputs), ad: subject.derivative(inputs), bends: bends_at(point, closed) }
     }
 
+    /// The largest entry in the row of the k-th.
+    fn largest_of_output(&self, k: usize, inputs: usize) -> Octuple {
+        let row = k / inputs * inputs;
+        self.ad[row..row + inputs]
+            .iter()
+            .fold(Octuple::zero(), |most, entry| if entry.abs() > most { entry.abs() } else { most })
+    }
+
     /// How much every output changes with the inputs.
     fn sensitivities(&self, inputs: &[Octuple]) -> Vec<Sensitivity> {
         self.ad.chunks(inputs.len()).map(|gradient| Sensitivity::new(gradient, inputs)).collect()
@@ -355,11 +365,14 @@ impl Audit {
         }
     }
 
-    /// Judged against the entry and what rounding of the inputs can do to it: an entry may be what a cancellation left.
+    /// Judged against the entry and what rounding of the inputs can do to it: an entry may be what a cancellation left. One that is
+    /// nothing beside others of its output is what rounding in 237 bits left of their terms, and judged against them.
     fn check_closed_form(&mut self, point: &Point, names: &Names, exact: &Exact, closed: &[Octuple]) {
         for (k, ((&closed, &ad), bend)) in closed.iter().zip(&exact.ad).zip(&exact.bends).enumerate() {
             let describe = |size| point.deviation(size, names.entry(k), closed.to_f64(), ad.to_f64());
-            self.closed_against_ad.record(bend.plus(ad).share_of(closed - ad), CLOSED_AGAINST_AD, describe);
+            let (own, largest) = (bend.plus(ad), exact.largest_of_output(k, point.exact.len()));
+            let scale = if own.size() < largest * NOTHING { own.plus(largest) } else { own };
+            self.closed_against_ad.record(scale.share_of(closed - ad), CLOSED_AGAINST_AD, describe);
         }
     }
 

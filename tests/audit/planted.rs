@@ -226,11 +226,11 @@ fn without_a_fault_every_claim_is_checked_and_holds() {
     assert!(audit.passed() && audit.no_claim_failed(), "{:#?}", caught(&audit));
     assert_eq!(audit.claims().count(), 12, "a claim is missing");
     assert!(audit.claims().all(|claim| claim.checks > 0 && claim.worst.is_some()), "{audit:#?}");
-    // Both cases, five points on and beside the kink, and the random ones; four derivatives; value and Jacobian alone and
-    // together. On the kink there are no differences and no derivative of the equation; laws are for random points.
-    assert_eq!((audit.named_points, audit.random_points, audit.seed), (7, 24, 3));
+    // Both cases, five points on and beside the kink, one that was searched for, and the random ones; four derivatives; value
+    // and Jacobian alone and together. On the kink there are no differences and no derivative of the equation; laws are for random points.
+    assert_eq!((audit.named_points, audit.searched_points, audit.random_points, audit.seed), (8, 1, 24, 3));
     let checks: Vec<_> = audit.claims().take(9).map(|claim| claim.checks).collect();
-    assert_eq!(checks, [31 * 4, 30 * 4, 31 * 2, 31 * 4 * 2, 31, 30 * 4, 24, 24, 24]);
+    assert_eq!(checks, [32 * 4, 31 * 4, 32 * 2, 32 * 4 * 2, 32, 31 * 4, 24, 24, 24]);
 }
 
 /// What jumps is told from the side where the input is smaller to the other.
@@ -287,7 +287,9 @@ fn a_jump_is_demanded_from_its_bound_on() {
         let audit = with(Fault::Kink, times);
         assert_caught(&audit, expected, &format!("{times} times a jump"));
         let worst = audit.kinks.worst.expect("it was compared");
-        assert_eq!((worst.entry.as_str(), worst.point.as_str()), ("∂p/∂s", "where s = 0"));
+        // On the kink, where candidates of the graph and where sides of comparisons were searched for.
+        assert!(["where s = 0", "searched, s < 0: otherwise"].contains(&worst.point.as_str()), "{worst:?}");
+        assert_eq!(worst.entry, "∂p/∂s");
         let jump = (worst.found - worst.expected) / (worst.found + worst.expected);
         assert!(
             (jump / (times * 1e-12) - 1.0).abs() < 1e-2,
