@@ -1,5 +1,7 @@
 //! What a formula does, written down, does what the formula does.
 
+mod common;
+
 use jointproof::Scalar;
 use jointproof::catalog::{AnyFormula, CATALOG};
 use jointproof::formula::{Component, Field, Formula, Jacobian, Spec};
@@ -12,7 +14,7 @@ use std::sync::LazyLock;
 
 /// The inputs of all valid golden cases, and random ones.
 fn points(formula: &dyn AnyFormula, random: usize) -> Vec<Vec<f64>> {
-    let cases = formula.golden().cases.into_iter().filter(|case| case.out.is_some());
+    let cases = common::golden(formula).cases.into_iter().filter(|case| case.out.is_some());
     let cases = cases.map(|case| components(formula.inputs(), &case.inputs).unwrap());
     let random = formula.timing_inputs(&Options { timing_points: random, ..Options::quick() });
     let count = formula.inputs().iter().map(Field::len).sum();

@@ -1,11 +1,21 @@
-//! Shared property-test strategies: inputs of any formula, drawn from the domains that its fields declare.
+//! What test files share: golden files, and strategies for inputs of any formula, drawn from the domains that its fields declare.
 
 #![allow(dead_code, reason = "each test file uses its part")]
 
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
 use jointproof::quantity::{Domain, Node, Shape};
+use jointproof::verify::golden::File;
 use proptest::prelude::*;
+
+/// The golden file of a formula as it stands in the repository, which takes far less time than to compute it. That it is what the
+/// code says is tested in `golden.rs`.
+pub fn golden(formula: &dyn AnyFormula) -> File {
+    let path = format!("{}/golden/{}.json", env!("CARGO_MANIFEST_DIR"), formula.spec().id);
+    let text =
+        std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}; run: cargo xtask golden"));
+    File::parse(&text).unwrap()
+}
 
 /// A number of either sign with a magnitude from 2⁻¹⁰ to 2¹⁰, as the bounds are stated for.
 pub fn signed() -> impl Strategy<Value = f64> {
