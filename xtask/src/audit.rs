@@ -29,7 +29,7 @@ use std::path::PathBuf;
 /// point is printed with its inputs; --point tests it again.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
-  {command} audit                                every formula at 1000 random points each
+  {command} audit                                every formula at 1000 random points
   {command} audit --samples 100000 --seed 7      more points, other seed
   {command} audit --filter '{family}.*' --format markdown  to paste into a code review
   {command} audit --since main                   what a change touches
