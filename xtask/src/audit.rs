@@ -33,7 +33,7 @@ use std::path::PathBuf;
   {command} audit --samples 100000 --seed 7      more points, other seed
   {command} audit --filter '{family}.*' --format markdown  to paste into a code review
   {command} audit --since main                   what a change touches
-  {command} audit --format github                in a workflow: annotations and a summary
+  {command} audit --format github                in a workflow: annotations
   {command} audit --samples 1000000 --shard 3/16 > 3.json  on one of sixteen machines
   {command} audit --merge *.json                 their results together
   {command} audit --filter {formula} --point '{point}'")]
