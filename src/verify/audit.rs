@@ -275,16 +275,16 @@ pub(crate) fn beside_kinks(subject: &Subject) -> impl Iterator<Item = (String, V
 
 /// Points that take sides of comparisons which neither named points nor the first random ones take.
 fn searched_points<'a>(subject: &'a Subject, named: &[Point], random: &[Point]) -> Vec<Point<'a>> {
-    let Ok(graph) = kinks::telling_graph(subject) else { return Vec::new() };
+    let Ok(graph) = subject.telling_graph() else { return Vec::new() };
     let names = Names::new(subject);
-    let words = kinks::Words { graph: &graph, names: &names.inputs };
+    let words = kinks::Words { graph, names: &names.inputs };
     let starts: Vec<_> = random.iter().take(REACHED_FROM).chain(named).map(|point| point.inputs.as_slice()).collect();
     let point = |reached: Reached| {
         let side = if reached.answer { "so" } else { "otherwise" };
         let label = format!("searched, {}: {side}", words.of(reached.comparison));
         Point::new(subject, label, false, reached.inputs)
     };
-    reach(subject, &Branches::of(&graph), &starts).into_iter().map(point).collect()
+    reach(subject, &Branches::of(graph), &starts).into_iter().map(point).collect()
 }
 
 /// What is known exactly at a point.

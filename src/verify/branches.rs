@@ -73,8 +73,8 @@ const LEAST: usize = 2;
 /// So many of these points, spread over the sides of the comparisons: one after another the first one that takes a side which
 /// few have taken; where there is none, the first one.
 pub(super) fn spread(subject: &Subject, drawn: Vec<Vec<f64>>, count: usize) -> Vec<Vec<f64>> {
-    let graph = (subject.graph)().unwrap_or_default();
-    let branches = Branches::of(&graph);
+    let nothing = Graph::default();
+    let branches = Branches::of(subject.graph().unwrap_or(&nothing));
     let mut tally = branches.tally();
     let mut left: Vec<_> = drawn.into_iter().map(|point| (branches.answers(&point), point)).collect();
     let next = |_| {

@@ -25,7 +25,6 @@ pub(crate) use register::sides;
 use super::claim::Claim;
 use super::point::{Names, Point};
 use super::subject::Subject;
-use crate::graph::{Graph, Op};
 use serde::{Deserialize, Serialize};
 
 /// So many random points are started from before the named ones.
@@ -62,13 +61,13 @@ pub(super) fn jump(point: &Point, output: usize, input: usize) -> f64 {
 /// Looks for kinks in the graph of a formula, and records in the claim what is not registered. Which sides of comparisons were
 /// taken is not known yet.
 pub(super) fn look(subject: &Subject, names: &Names, [named, random]: [&[Point]; 2], claim: &mut Claim) -> Looked {
-    let graph = match telling_graph(subject) {
+    let graph = match subject.telling_graph() {
         Ok(graph) => graph,
         Err(why) => return Looked::NamedPoints { why },
     };
     // Points in general position come first.
     let starts: Vec<_> = random.iter().take(FEW).chain(named).chain(random.iter().skip(FEW)).collect();
-    let search = search::search(subject, &graph, names, &starts, claim);
+    let search = search::search(subject, graph, names, &starts, claim);
     if search.candidates == 0 {
         // That there is no such place is what was checked.
         claim.checks += 1;
@@ -82,14 +81,5 @@ pub(super) fn comparisons<'a>(
     names: &Names,
     points: impl Iterator<Item = &'a [f64]>,
 ) -> Vec<Comparison> {
-    telling_graph(subject).map(|graph| coverage::comparisons(&graph, &names.inputs, points)).unwrap_or_default()
-}
-
-/// The graph of a formula, or why it does not tell where something jumps.
-pub(super) fn telling_graph(subject: &Subject) -> Result<Graph, String> {
-    let graph = (subject.graph)().map_err(|why| why.to_string())?;
-    if graph.ops().iter().any(|op| matches!(op, Op::Search(..))) {
-        return Err("the formula is an iterative search, and no single operation shows where its result jumps".into());
-    }
-    Ok(graph)
+    subject.telling_graph().map(|graph| coverage::comparisons(graph, &names.inputs, points)).unwrap_or_default()
 }

@@ -5,9 +5,10 @@
 
 use super::jet::{Sweep, differentiate, jacobian, value};
 use crate::formula::{self, Field, Fields, Formula, Spec, entries, typed};
-use crate::graph::{self, Graph, NotRecorded};
+use crate::graph::{self, Graph, NotRecorded, Op};
 use crate::proof::{self, Case, Convention, Equation, Proved};
 use crate::{Error, Octuple};
+use std::cell::OnceCell;
 
 /// A formula without its types.
 pub(crate) struct Subject {
@@ -34,8 +35,10 @@ pub(crate) struct Subject {
     /// The formula's own cases, and those that it rejects.
     pub(crate) cases: fn() -> Vec<Case<Vec<f64>>>,
     pub(crate) invalid_cases: fn() -> Vec<Case<Vec<f64>>>,
-    /// What it does, written down.
-    pub(crate) graph: fn() -> Result<Graph, NotRecorded>,
+    /// Writes down what it does, which takes long.
+    record: fn() -> Result<Graph, NotRecorded>,
+    /// The same, once it was asked for.
+    graph: OnceCell<Result<Graph, NotRecorded>>,
     pub(crate) kinks: Vec<Kink>,
     pub(crate) laws: Vec<Law>,
 }
@@ -79,7 +82,8 @@ impl Subject {
             dual_jacobian: jacobian::<F, _>,
             cases: || F::cases().into_iter().map(flat::<F>).collect(),
             invalid_cases: || F::invalid_cases().into_iter().map(flat::<F>).collect(),
-            graph: graph::record::<F>,
+            record: graph::record::<F>,
+            graph: OnceCell::new(),
             kinks: F::kinks().into_iter().map(Kink::of).collect(),
             laws: F::laws().into_iter().map(Law::of).collect(),
         }
@@ -99,6 +103,22 @@ impl Subject {
     /// The gradient of every entry of the Jacobian.
     pub(crate) fn second_derivative(&self, exact: &[Octuple]) -> Vec<Vec<Octuple>> {
         differentiate(exact, &self.dual_jacobian)
+    }
+
+    /// What it does, written down.
+    pub(crate) fn graph(&self) -> Result<&Graph, &NotRecorded> {
+        self.graph.get_or_init(self.record).as_ref()
+    }
+
+    /// The graph, or why it does not tell where something jumps.
+    pub(crate) fn telling_graph(&self) -> Result<&Graph, String> {
+        let graph = self.graph().map_err(ToString::to_string)?;
+        if graph.ops().iter().any(|op| matches!(op, Op::Search(..))) {
+            return Err(
+                "the formula is an iterative search, and no single operation shows where its result jumps".into()
+            );
+        }
+        Ok(graph)
     }
 
     /// The kink that these inputs are on.
