@@ -258,11 +258,20 @@ fn how_ended(status: ExitStatus) -> String {
 #[cfg(all(test, unix))]
 mod tests {
     use super::*;
+    use std::time::Instant;
+
+    /// So long no program takes that does what it should, however busy the machine is.
+    const PATIENT: Duration = Duration::from_mins(1);
+    /// So long one is waited for of which silence is expected, and answers too.
+    const SHORT: Duration = Duration::from_secs(1);
 
     /// A program of the shell, asked for two numbers at each of these points.
     fn asked(script: &str, questions: usize) -> Result<Replies, String> {
+        asked_within(PATIENT, script, questions)
+    }
+
+    fn asked_within(limit: Duration, script: &str, questions: usize) -> Result<Replies, String> {
         let command = ["sh", "-c", script].map(str::to_owned);
-        let limit = Duration::from_millis(300);
         let peer = Peer { command: &command, limit, head: None, numbers: 2, digits: Digits::Decimal };
         let questions: Vec<_> = (0..questions).map(|k| k.to_string()).collect();
         peer.ask(&questions).unwrap()
@@ -281,7 +290,7 @@ mod tests {
 
     #[test]
     fn a_point_at_which_it_hangs_is_found_and_the_rest_is_asked() {
-        let found = asked("while read x; do [ $x = 7 ] && sleep 60; echo $x 2; done", 20).unwrap();
+        let found = asked_within(SHORT, "while read x; do [ $x = 7 ] && sleep 60; echo $x 2; done", 20).unwrap();
         assert_eq!((lines(&found), &found.replies[7]), (19, &Reply::Hangs));
     }
 
@@ -312,18 +321,27 @@ mod tests {
     #[test]
     fn what_never_answers_is_told_at_once() {
         assert!(asked("echo no >&2; exit 3", 9).unwrap_err().contains("ends with exit code 3; it says:\nno"));
-        assert!(asked("sleep 60", 9).unwrap_err().contains("nothing comes within the limit"));
+        assert!(asked_within(Duration::ZERO, "sleep 60", 9).unwrap_err().contains("nothing comes within the limit"));
         assert!(asked("echo usage: f x", 9).unwrap_err().contains("`usage: f x`"));
         assert!(asked("while read x; do echo 1 2; echo 3 4; done", 9).unwrap_err().contains("4 lines for 2 points"));
-        assert!(asked("yes", 9).is_err());
+        assert!(asked_within(SHORT, "yes", 9).is_err());
     }
 
     #[test]
     fn one_that_does_not_end_is_told_and_nothing_is_left_running() {
-        let mark = format!("61.{}", std::process::id());
-        let found = asked(&format!("sleep {mark} & while read x; do echo $x 2; done; exec 1>&-; sleep {mark}"), 3);
-        assert!(found.unwrap().noticed.contains("it does not end with its input"));
-        let running = std::process::Command::new("ps").args(["-eo", "args"]).output().unwrap();
-        assert!(!String::from_utf8_lossy(&running.stdout).contains(&format!("sleep {mark}")));
+        let mark = format!("601.{}", std::process::id());
+        let script = format!("sleep {mark} & while read x; do echo $x 2; done; exec 1>&-; sleep {mark}");
+        let found = asked_within(SHORT, &script, 3).unwrap();
+        assert!(found.noticed.contains("it does not end with its input"), "{found:?}");
+        let is_running = || {
+            let running = std::process::Command::new("ps").args(["-eo", "args"]).output().unwrap();
+            String::from_utf8_lossy(&running.stdout).contains(&format!("sleep {mark}"))
+        };
+        // What is killed is gone when the system comes to it; what is left running goes on for ten minutes.
+        let end = Instant::now() + PATIENT;
+        while is_running() {
+            assert!(Instant::now() < end, "sleep {mark} is left running");
+            std::thread::sleep(Duration::from_millis(10));
+        }
     }
 }
