@@ -3,18 +3,9 @@
 
 mod common;
 
-use common::repository;
+use common::{is_here, repository};
 use std::path::Path;
 use std::process::Command;
-
-/// Whether a compiler is here; if not, that is said.
-fn is_here(compiler: &str) -> bool {
-    let is_here = Command::new(compiler).arg("--version").output().is_ok();
-    if !is_here {
-        eprintln!("skipped: there is no {compiler}");
-    }
-    is_here
-}
 
 /// Compiles a reader in which a text is replaced, and runs it on the golden file; whether all is right, and what it prints.
 fn read(command: &[&str], file: &str, [from, to]: [&str; 2]) -> (bool, String) {

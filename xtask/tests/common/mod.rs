@@ -67,6 +67,18 @@ impl Bench {
     }
 }
 
+/// Whether a program that a comparison needs is here. If not, the comparison is skipped, which is said, unless it is required
+/// as in `.ci/run`.
+pub fn is_here(program: &str) -> bool {
+    const REQUIRED: &str = "JOINTPROOF_REQUIRE_FOREIGN";
+    let is_here = Command::new(program).arg("--version").output().is_ok_and(|output| output.status.success());
+    if !is_here {
+        assert!(std::env::var_os(REQUIRED).is_none(), "{REQUIRED} is set, but {program} is not found");
+        eprintln!("skipped: there is no {program}");
+    }
+    is_here
+}
+
 fn copy(from: &Path, to: &Path) {
     if from.is_dir() {
         for entry in fs::read_dir(from).unwrap() {

@@ -1,7 +1,7 @@
 //! Ports of formulas: drivers that call what is exported, compiled, with mistakes planted in them.
 #![allow(dead_code, reason = "each test file is a crate of its own and uses what it needs")]
 
-use crate::common::Bench;
+use crate::common::{Bench, is_here};
 use std::fs;
 use std::path::PathBuf;
 use std::process::Command;
@@ -59,19 +59,21 @@ impl Lang {
         }
     }
 
-    /// Whether what it needs is here; if not, that is said.
+    /// Whether what it needs is here; if not, that is said. Python may lack NumPy even where compilers are required.
     pub fn is_here(self) -> bool {
-        let (program, arguments): (_, &[&str]) = match self {
-            Self::C => ("gcc", &["--version"]),
-            Self::Cpp => ("g++", &["--version"]),
-            Self::Fortran => ("gfortran", &["--version"]),
-            Self::Python => ("python3", &["-c", "import numpy"]),
-        };
-        let is_here = Command::new(program).args(arguments).output().is_ok_and(|output| output.status.success());
-        if !is_here {
-            eprintln!("skipped: {} cannot be run here", self.name());
+        match self {
+            Self::C => is_here("gcc"),
+            Self::Cpp => is_here("g++"),
+            Self::Fortran => is_here("gfortran"),
+            Self::Python => {
+                let numpy = Command::new("python3").args(["-c", "import numpy"]).output();
+                let is_here = numpy.is_ok_and(|output| output.status.success());
+                if !is_here {
+                    eprintln!("skipped: there is no NumPy");
+                }
+                is_here
+            }
         }
-        is_here
     }
 
     /// The text behind which inputs are known, and that before which results are.
