@@ -31,6 +31,12 @@ pub(crate) struct Arguments {
     /// Fewer points and rounds: under 20 s for all formulas
     #[arg(long)]
     quick: bool,
+    /// Random points at which errors are found [default: 1000, or 50 if quick]
+    #[arg(long, value_name = "N")]
+    samples: Option<usize>,
+    /// How often each method is timed [default: 301, or 61 if quick]
+    #[arg(long, value_name = "N")]
+    rounds: Option<usize>,
     /// Format of the result
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -61,6 +67,18 @@ enum Format {
     Json,
 }
 
+impl Arguments {
+    /// How much to measure.
+    fn options(&self) -> Options {
+        let options = if self.quick { Options::quick() } else { Options::full() };
+        Options {
+            random_points: self.samples.unwrap_or(options.random_points),
+            rounds: self.rounds.unwrap_or(options.rounds),
+            ..options
+        }
+    }
+}
+
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     if arguments.schema {
         print(&serde_json::to_string_pretty(&schemars::schema_for!(Report))?)?;
@@ -71,7 +89,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     }
     let formulas = arguments.selection.formulas(project)?;
     let old = arguments.against.as_deref().map(Report::read).transpose()?;
-    let options = if arguments.quick { Options::quick() } else { Options::full() };
+    let options = arguments.options();
     if let Some(folder) = &arguments.inputs {
         export::inputs(folder, &formulas, &options)?;
     }
