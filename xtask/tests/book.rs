@@ -3,18 +3,37 @@
 mod common;
 
 use common::Bench;
-use jointproof::catalog::CATALOG;
+use jointproof::catalog::{AnyFormula, CATALOG};
+use serde_json::Value;
+use std::collections::HashSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-/// The book, built once for all tests here, in a folder that only they use.
+/// The book, built once for all tests here, in a folder that only they use, with a report on every formula that is kept.
 static BOOK: LazyLock<PathBuf> = LazyLock::new(|| {
     let bench = Bench::new();
+    let kept = bench.path("target/jointproof");
+    fs::create_dir_all(&kept).unwrap();
+    fs::write(kept.join("report.json"), report(&bench).to_string()).unwrap();
     let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("book");
     bench.run(&["book", "--unmeasured", "--out", out.to_str().unwrap()]).exits(0);
     out
 });
+
+/// A report in which every formula has the figures of one, for what is shown is not judged here.
+fn report(bench: &Bench) -> Value {
+    let quick = ["report", "--here", "--quick", "--filter", "slot.contact_force", "--format", "json"];
+    let mut report: Value = serde_json::from_str(&bench.run(&quick).quiet().stdout).unwrap();
+    let one = report["formulas"][0].take();
+    let named = |formula: &&dyn AnyFormula| {
+        let mut named = one.clone();
+        named["formula"] = formula.spec().id.into();
+        named
+    };
+    report["formulas"] = CATALOG.iter().map(named).collect();
+    report
+}
 
 /// All files below a folder whose names end so.
 fn files(folder: &Path, extensions: &[&str]) -> Vec<(String, String)> {
@@ -38,35 +57,56 @@ fn chapters() -> impl Iterator<Item = (String, String)> {
         .filter(move |(name, _)| !name.starts_with(&listings) && !name.ends_with("print.html"))
 }
 
+/// What stands behind each of these in the chapters, up to the end: a long text is gone through once, not once a formula.
+fn behind(start: &str, end: &str) -> Vec<String> {
+    let until_end = |text: &str| text.split(end).next().unwrap().to_owned();
+    chapters().flat_map(|(_, page)| page.split(start).skip(1).map(until_end).collect::<Vec<_>>()).collect()
+}
+
+/// Asserts that each formula has just one of these texts, which begins with its identifier; and gives them, in order.
+fn one_each(texts: &[String], what: &str) -> Vec<(&'static dyn AnyFormula, String)> {
+    let one = |formula: &&'static dyn AnyFormula| {
+        let begin = format!("{}\"", formula.spec().id);
+        let own: Vec<_> = texts.iter().filter(|text| text.starts_with(&begin)).collect();
+        assert_eq!(own.len(), 1, "{what} of {}", formula.spec().id);
+        (*formula, own[0].clone())
+    };
+    CATALOG.iter().map(one).collect()
+}
+
 #[test]
 fn every_formula_has_one_anchor_and_its_equation_as_mathml() {
-    let pages: Vec<_> = chapters().collect();
-    for formula in CATALOG {
-        let anchor = format!("<h3 id=\"{}\">", formula.spec().id);
-        let entries: Vec<_> = pages.iter().filter_map(|(_, page)| page.split_once(&anchor)).collect();
-        // The first chapter is the index too.
-        assert_eq!(entries.len(), 1, "{anchor}");
-        let entry = entries[0].1.split("</section>").next().unwrap();
+    // The first chapter is the index too.
+    for (formula, entry) in one_each(&behind("<h3 id=\"", "</section>"), "entries") {
         assert!(entry.contains("display=\"block\""), "{} has no equation", formula.spec().id);
         let rows = entry.matches("<tr><td><math").count();
         assert_eq!(rows, formula.inputs().len() + formula.outputs().len(), "symbols of {}", formula.spec().id);
     }
 }
 
+/// All formulas have a graph, as `tests/graph.rs` asserts, from which a calculator is made.
 #[test]
-fn every_formula_has_a_calculator_or_says_why_not() {
-    let pages: String = chapters().map(|(_, page)| page).collect();
-    for formula in CATALOG {
+fn every_formula_has_a_calculator() {
+    for (formula, _) in one_each(&behind("<details class=\"calculator\" data-formula=\"", ">"), "calculators") {
         let id = formula.spec().id;
-        let calculator = format!("<details class=\"calculator\" data-formula=\"{id}\">");
-        if formula.graph().is_ok() {
-            assert_eq!(pages.matches(&calculator).count(), 1, "{id}");
-            let script = fs::read_to_string(BOOK.join(format!("calculator/{id}.js"))).unwrap();
-            assert!(script.contains("\nfunction jacobian(i) {\n"), "{script}");
-        } else {
-            let entry = pages.split(&format!("<h3 id=\"{id}\">")).nth(1).unwrap();
-            assert!(entry.split("</section>").next().unwrap().contains("Not exported, hence no calculator: "), "{id}");
+        let script = fs::read_to_string(BOOK.join(format!("calculator/{id}.js"))).unwrap();
+        assert!(script.contains("\nfunction jacobian(i) {\n"), "{script}");
+    }
+}
+
+#[test]
+fn the_report_that_is_kept_is_shown() {
+    let titles = behind("<title>", "</title>");
+    for id in CATALOG.iter().map(|formula| formula.spec().id) {
+        for plot in ["speed against error", "error of differences over their step"] {
+            assert!(titles.contains(&format!("{id}: {plot}")), "{id} has no plot of {plot}");
         }
+    }
+    let speed = fs::read_to_string(BOOK.join("speed.html")).unwrap();
+    assert!(!speed.contains("Not measured"));
+    let linked: HashSet<_> = speed.split('#').skip(1).filter_map(|text| text.split('"').next()).collect();
+    for id in CATALOG.iter().map(|formula| formula.spec().id) {
+        assert!(linked.contains(id), "{id} is not in the table");
     }
 }
 
