@@ -6,7 +6,7 @@ mod common;
 mod gated;
 
 use common::Ran;
-use gated::PLANT;
+use gated::{PLANT, is_planted};
 use kit::{Beside, Project};
 use std::fs;
 use std::path::PathBuf;
@@ -22,15 +22,13 @@ fn main() -> ExitCode {
     // Who lists or filters tests asks for none of these.
     if std::env::args().len() == 1 {
         every_gate_closes_for_its_fault_alone();
+        every_verdict_is_given_even_if_all_is_off();
+        only_the_unfiltered_writing_form_removes_a_file_without_a_formula();
         an_audit_fails_in_every_format();
         evidence_counts_for_the_version_that_it_is_of();
         what_is_owed_closes_every_gate();
     }
     ExitCode::SUCCESS
-}
-
-fn is_planted(fault: &str) -> bool {
-    std::env::var(PLANT).is_ok_and(|planted| planted == fault)
 }
 
 fn project() -> Project {
@@ -98,14 +96,14 @@ impl Gate {
 /// A fault, how it is planted beside the environment, what is said, and whether `golden --check` and `audit` see it.
 type Planted = (&'static str, fn(&Gate), &'static str, [bool; 2]);
 
-fn every_gate_closes_for_its_fault_alone() {
-    let golden = |gate: &Gate| {
+const FAULTS: [Planted; 8] = {
+    fn golden(gate: &Gate) {
         let file = gate.path("golden/gate.square.json");
         let text = fs::read_to_string(&file).unwrap();
         assert_eq!(text.matches("\"area\": 9.0").count(), 1, "{text}");
         fs::write(file, text.replace("\"area\": 9.0", "\"area\": 9.000000000000002")).unwrap();
-    };
-    let faults: [Planted; 8] = [
+    }
+    [
         ("", |_| (), "", [false, false]),
         ("owed", |_| (), "a poem: in `gate.square.txt`", [true, true]),
         ("golden", golden, "case three out.area  (1 ulp apart)", [true, false]),
@@ -119,8 +117,11 @@ fn every_gate_closes_for_its_fault_alone() {
             [false, false],
         ),
         ("book", |gate| gate.append("book/src/one.md", "\n[x](two.md)\n"), "the link `two.html`", [false, false]),
-    ];
-    for (fault, plant, said, seen) in faults {
+    ]
+};
+
+fn every_gate_closes_for_its_fault_alone() {
+    for (fault, plant, said, seen) in FAULTS {
         let gate = Gate::new();
         plant(&gate);
         let (off, ran) = gate.off(fault);
@@ -132,6 +133,36 @@ fn every_gate_closes_for_its_fault_alone() {
             assert!(!is_seen || ran.stdout.contains(said), "{ran:#?}");
         }
     }
+}
+
+fn every_verdict_is_given_even_if_all_is_off() {
+    let gate = Gate::new();
+    for (_, plant, ..) in FAULTS {
+        plant(&gate);
+    }
+    let named = FAULTS.map(|(fault, ..)| fault);
+    let (off, mut ran) = gate.off(&named.join(","));
+    assert_eq!(off, named[1..], "{ran:#?}");
+    for (.., said, _) in FAULTS {
+        ran = ran.says(said);
+    }
+    ran.exits(1);
+}
+
+fn only_the_unfiltered_writing_form_removes_a_file_without_a_formula() {
+    let gate = Gate::new();
+    let before = fs::read(gate.path("golden/gate.square.json")).unwrap();
+    let orphan = gate.path("golden/gate.gone.json");
+    fs::copy(gate.path("golden/gate.square.json"), &orphan).unwrap();
+    let filtered = ["golden", "--filter", "gate.square"];
+    let check = [&filtered[..], &["--check"]].concat();
+    gate.run("", &check).exits(1).prints("golden/gate.gone.json has no formula").says("golden");
+    gate.run("", &filtered).quiet();
+    assert!(orphan.exists());
+    gate.run("", &["golden"]).quiet().prints("removed golden/gate.gone.json: no such formula");
+    assert!(!orphan.exists());
+    gate.run("", &check).quiet();
+    assert_eq!(fs::read(gate.path("golden/gate.square.json")).unwrap(), before);
 }
 
 fn an_audit_fails_in_every_format() {

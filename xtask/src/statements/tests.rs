@@ -30,6 +30,26 @@ fn nothing_is_wrong() {
     assert_eq!(faults(&documents::all(), &errata::all(), &world()), Vec::<String>::new());
 }
 
+/// With a golden file missing that statements refer to.
+#[cfg(unix)]
+#[test]
+fn verify_is_told_whether_anything_is_wrong() {
+    let whole = Project::new("jointproof", env!("CARGO_MANIFEST_DIR"), CATALOG).in_folder("..");
+    assert!(super::verify(&whole).unwrap().0);
+    let folder = tempfile::tempdir().unwrap();
+    let link = |part: &str| std::os::unix::fs::symlink(whole.root().join(part), folder.path().join(part)).unwrap();
+    ["src", "tests", "book"].into_iter().for_each(link);
+    std::fs::create_dir(folder.path().join("golden")).unwrap();
+    for file in std::fs::read_dir(whole.golden()).unwrap().map(|file| file.unwrap().file_name()) {
+        if file != "slot.stop.json" {
+            link(&format!("golden/{}", file.to_str().unwrap()));
+        }
+    }
+    let part =
+        Project::new("jointproof", env!("CARGO_MANIFEST_DIR"), CATALOG).in_folder(folder.path().to_str().unwrap());
+    assert!(!super::verify(&part).unwrap().0);
+}
+
 #[test]
 fn a_statement_that_nothing_covers_fails() {
     assert_eq!(planted(covered("L99", "It floats.")), ["slot-L99: nothing covers it"]);

@@ -7,10 +7,15 @@ use jointproof::quantity::{Domain, Quantity, Unit};
 use jointproof::{Octuple, Scalar, fields};
 use std::sync::LazyLock;
 
-/// Where the fault is named.
+/// Where faults are named, with commas between them.
 pub const PLANT: &str = "JOINTPROOF_TEST_PLANT";
 
 static PLANTED: LazyLock<String> = LazyLock::new(|| std::env::var(PLANT).unwrap_or_default());
+
+/// Whether a fault is among those that are named.
+pub fn is_planted(fault: &str) -> bool {
+    PLANTED.split(',').any(|planted| planted == fault)
+}
 
 const SIDE: Quantity = Quantity::scalar("a", Unit::L, Domain::Real, "side of a square");
 const AREA: Quantity = Quantity::scalar("A", Unit::L.times(Unit::L), Domain::Real, "its area");
@@ -33,11 +38,13 @@ impl Formula for Square {
         // Exact in 237 bits, and a hundred roundings in 53.
         let lost = D::from(1e-14);
         let nothing = (D::from(1024.0) + lost) - 1024.0 - lost;
-        let factor = match PLANTED.as_str() {
-            "audit" => nothing + 1.0,
+        let factor = if is_planted("audit") {
+            nothing + 1.0
+        } else if is_planted("nan") {
             // 0/0 in 53 bits.
-            "nan" => (nothing + lost) * (nothing + lost).recip(),
-            _ => D::one(),
+            (nothing + lost) * (nothing + lost).recip()
+        } else {
+            D::one()
         };
         Area { area: i.a * i.a * factor }
     }
@@ -53,9 +60,11 @@ impl Proved for Square {
     }
 
     fn laws() -> Vec<Law<Self>> {
-        vec![Law::new("a square turned over is as large", |i: &Side<Octuple>| match PLANTED.as_str() {
-            "unchecked" => Vec::new(),
-            _ => equal(Self::eval(i).area, Self::eval(&Side { a: -i.a }).area),
+        vec![Law::new("a square turned over is as large", |i: &Side<Octuple>| {
+            if is_planted("unchecked") {
+                return Vec::new();
+            }
+            equal(Self::eval(i).area, Self::eval(&Side { a: -i.a }).area)
         })]
     }
 }
