@@ -3,13 +3,14 @@
 use jointproof::catalog::{AnyFormula, CATALOG, find};
 use jointproof::proof::{Convention, Flag};
 use jointproof::verify::golden::{File, LEAST_CASES};
+use rayon::prelude::*;
 use std::collections::HashSet;
 use std::path::PathBuf;
 use std::sync::LazyLock;
 
 /// Every formula with its golden file, computed once.
 static NOW: LazyLock<Vec<(&dyn AnyFormula, File)>> =
-    LazyLock::new(|| CATALOG.iter().map(|formula| (*formula, formula.golden())).collect());
+    LazyLock::new(|| CATALOG.par_iter().map(|formula| (*formula, formula.golden())).collect());
 
 fn directory() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("golden")

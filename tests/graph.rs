@@ -9,6 +9,7 @@ use jointproof::graph::{Graph, NotRecorded, Statement, record};
 use jointproof::measure::Options;
 use jointproof::slot::{Contact, ContactForce as SlotContactForce, CrossForces};
 use jointproof::verify::golden::components;
+use rayon::prelude::*;
 use std::fmt::Write;
 use std::sync::LazyLock;
 
@@ -29,19 +30,19 @@ fn bits(value: &[f64], jacobian: &[f64]) -> Vec<u64> {
 static GRAPHS: LazyLock<Vec<Graph>> = LazyLock::new(|| {
     let graph =
         |formula: &&dyn AnyFormula| formula.graph().unwrap_or_else(|why| panic!("{}: {why}", formula.spec().id));
-    CATALOG.iter().map(graph).collect()
+    CATALOG.par_iter().map(graph).collect()
 });
 
 #[test]
 fn every_formula_is_recorded_and_gives_its_own_bits() {
-    for (formula, graph) in CATALOG.iter().zip(&*GRAPHS) {
+    CATALOG.par_iter().zip(&*GRAPHS).for_each(|(formula, graph)| {
         let id = formula.spec().id;
         for inputs in points(*formula, 200) {
             let (value, jacobian) = formula.value_and_jacobian(&inputs).unwrap();
             let (found, entries) = graph.run(&inputs);
             assert_eq!(bits(&found, &entries), bits(&value, &jacobian), "{id} at {inputs:?}");
         }
-    }
+    });
 }
 
 /// The line of the table for a formula, from what was recorded of it.
