@@ -11,7 +11,7 @@ use crate::proof::{Convention, Flag, Proved};
 use crate::scalar::{abs, sign};
 use crate::verify::{
     Audit, Claim, Judge, Kink, Options, Part, Printed, Shard, Sides, Subject, Trial, audit, audit_at, audit_equation,
-    audit_part, claims_about, exact, golden, kinks_as_printed, number_of, sides,
+    audit_part, claims_about, eta_at_scale, exact, golden, kinks_as_printed, number_of, sides,
 };
 use crate::{
     Error, Octuple, align, cardan, coulomb, element, interaction, join, slide_line, slider, slot, translator, ujoint,
@@ -97,6 +97,8 @@ pub trait AnyFormula: Send + Sync {
         value: &mut [ArrayViewMut1<f64>],
         jacobian: &mut [ArrayViewMut1<f64>],
     ) -> Result<(), batch::Error>;
+    /// The bounds of η of value and Jacobian, checked at so many points whose inputs are 0 or from 1/`scale` to `scale` in size.
+    fn eta_at_scale(&self, scale: f64, options: &Options) -> [Claim; 2];
     /// What it does, written down: the value, the closed-form Jacobian, and which inputs it refuses.
     ///
     /// # Errors
@@ -157,6 +159,9 @@ impl<F: Proved> AnyFormula for F {
     }
     fn audit(&self, options: &Options) -> Audit {
         audit::<F>(options)
+    }
+    fn eta_at_scale(&self, scale: f64, options: &Options) -> [Claim; 2] {
+        eta_at_scale::<F>(scale, options)
     }
     fn audit_part(&self, options: &Options, shard: Shard) -> Part {
         audit_part::<F>(options, shard)

@@ -35,6 +35,7 @@ impl Formula for Yield {
     const SPEC: Spec = Spec::new("coulomb.yield", "Yield function", Document::SLOT.printed("Friction"))
         .equation(r"\Phi = P - \mu F_N")
         .eta(2.0, 0.0)
+        .scale(1e250)
         .finite(Finite::Below);
     type Inputs<T: Component> = Tractions<T>;
     type Outputs<T: Component> = YieldFunction<T>;
@@ -88,6 +89,7 @@ impl Formula for ReturnMap {
     )
         .equation(r"f = \begin{cases} f^{\mathrm{trial}} & \lvert f^{\mathrm{trial}}\rvert < \mu F_N \\ \mu F_N \operatorname{sign} f^{\mathrm{trial}} & \text{otherwise}\end{cases}")
         .eta(1.0, 0.0)
+        .scale(1e250)
         .finite(Finite::Below);
     type Inputs<T: Component> = Trial<T>;
     type Outputs<T: Component> = Tangential<T>;

@@ -66,6 +66,8 @@ pub struct Spec {
     pub eta: f64,
     /// The stated bound of η of every entry of the closed-form Jacobian in `f64`.
     pub eta_jacobian: f64,
+    /// Both bounds of η hold where every component of the inputs is 0, or from one part in so many to so many in size.
+    pub scale: f64,
     /// Whether moving and turning the whole model moves and turns the outputs with it (frame indifference). A formula
     /// that refers to the global axes is not objective.
     pub objective: bool,
@@ -74,10 +76,14 @@ pub struct Spec {
 }
 
 impl Spec {
+    /// The scale of a formula that says nothing of it: products of ten numbers of such sizes neither over- nor underflow.
+    pub const SCALE: f64 = 1e30;
+
     /// An objective formula; its equation and its bounds follow.
     pub const fn new(id: &'static str, title: &'static str, source: Source) -> Self {
         let (latex, given, eta, eta_jacobian) = ("", [].as_slice(), 0.0, 0.0);
-        Self { id, title, source, latex, given, eta, eta_jacobian, objective: true, finite: Finite::Unknown }
+        let (scale, objective, finite) = (Self::SCALE, true, Finite::Unknown);
+        Self { id, title, source, latex, given, eta, eta_jacobian, scale, objective, finite }
     }
 
     /// The equation in LaTeX.
@@ -96,6 +102,24 @@ impl Spec {
     #[must_use]
     pub const fn eta(self, value: f64, jacobian: f64) -> Self {
         Self { eta: value, eta_jacobian: jacobian, ..self }
+    }
+
+    /// The sizes up to which the bounds of η hold: every component of the inputs is 0, or from 1/`scale` to `scale`. Beyond, a
+    /// product of some of them may under- or overflow on the way to a result that does not.
+    #[must_use]
+    pub const fn scale(self, scale: f64) -> Self {
+        Self { scale, ..self }
+    }
+
+    /// The sizes of inputs at which the bounds of η hold, in words.
+    ///
+    /// ```
+    /// use jointproof::formula::Formula;
+    /// use jointproof::ujoint::HingeAxial;
+    /// assert_eq!(HingeAxial::SPEC.sizes(), "from 1/1e50 to 1e50");
+    /// ```
+    pub fn sizes(&self) -> String {
+        format!("from 1/{0:e} to {0:e}", self.scale)
     }
 
     /// The inputs at which neither an output nor a derivative overflows, which makes checked calls cheap there.

@@ -38,6 +38,7 @@ impl Formula for PressureLinear {
     const SPEC: Spec = Spec::new("interaction.pressure_linear", "Linear pressure–overclosure law", SOURCE)
         .equation(r"p = \begin{cases} k\,h & h > 0 \\ 0 & \text{otherwise}\end{cases}")
         .eta(1.0, 0.0)
+        .scale(1e250)
         .finite(Finite::Below);
     type Inputs<T: Component> = LinearContact<T>;
     type Outputs<T: Component> = ContactPressure<T>;
@@ -81,7 +82,8 @@ impl PressureExponential {
 impl Formula for PressureExponential {
     const SPEC: Spec = Spec::new("interaction.pressure_exponential", "Exponential pressure–overclosure law", SOURCE)
         .equation(r"p = \begin{cases} \dfrac{p_0}{e-1}\,s\,(e^s - 1) & s > 0 \\ 0 & \text{otherwise}\end{cases}\qquad s = \frac{h}{c_0} + 1")
-        .eta(5.0, 8.0);
+        .eta(5.0, 8.0)
+        .scale(1e120);
     type Inputs<T: Component> = ExponentialContact<T>;
     type Outputs<T: Component> = ContactPressure<T>;
 
@@ -150,6 +152,7 @@ impl Formula for Damping {
     const SPEC: Spec = Spec::new("interaction.damping", "Viscous contact damping", SOURCE)
         .equation(r"p = v \begin{cases} \mu_0 & -h \le \eta c_0 \\ \mu_0\,\dfrac{c_0 + h}{(1-\eta)\,c_0} & \eta c_0 < -h < c_0 \\ 0 & \text{otherwise}\end{cases}")
         .eta(2.0, 2.0)
+        .scale(1e50)
         .finite(Finite::Between);
     type Inputs<T: Component> = DampingContact<T>;
     type Outputs<T: Component> = ContactPressure<T>;

@@ -60,6 +60,7 @@ impl Formula for Constraint {
     )
     .equation(r"g_i = \mathbf{e}_{ia}\cdot(\mathbf{x}_b-\mathbf{x}_a) - d_{0i},\quad i = 1, 2, 3")
     .eta(2.0, 1.0)
+    .scale(1e250)
     .finite(Finite::Below);
     type Inputs<T: Component> = Joined<T>;
     type Outputs<T: Component> = Displaced<T>;

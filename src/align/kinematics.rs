@@ -65,6 +65,7 @@ impl Formula for Constraint {
     .equation(r"u_{r1} = \alpha - \alpha_0,\quad u_{r2} = \beta - \beta_0,\quad u_{r3} = \gamma - \gamma_0")
     .given(&[Given::new(r"\alpha,\ \beta,\ \gamma", &CardanAngles::SPEC)])
     .eta(2.0, 4.0)
+    .scale(1e250)
     .finite(Finite::Between);
     type Inputs<T: Component> = Orientations<T>;
     type Outputs<T: Component> = Misalignment<T>;
@@ -135,6 +136,7 @@ impl Formula for ConstraintMoment {
     )
     .equation(r"\mathbf{m} = m_1\,\mathbf{e}_{1a} + m_2\,\mathbf{e}_{2a} + m_3\,\mathbf{e}_{3a}")
     .eta(1.5, 0.0)
+    .scale(1e250)
     .finite(Finite::Below);
     type Inputs<T: Component> = Moments<T>;
     type Outputs<T: Component> = Moment<T>;

@@ -46,6 +46,7 @@ impl Formula for Response {
     )
         .equation(r"f = \begin{cases} f^{\mathrm{trial}} & \lvert f^{\mathrm{trial}}\rvert < \mu F_N \\ \mu F_N \operatorname{sign} f^{\mathrm{trial}} & \text{otherwise}\end{cases},\quad f^{\mathrm{trial}} = k_{\mathrm{el}}(u-u_0^{\mathrm{slip}}),\quad u^{\mathrm{slip}} = u - \frac{f}{k_{\mathrm{el}}}")
         .eta(1.5, 1.5)
+        .scale(1e120)
         .finite(Finite::Between);
     type Inputs<T: Component> = Sliding<T>;
     type Outputs<T: Component> = Slid<T>;

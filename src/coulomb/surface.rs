@@ -53,6 +53,7 @@ impl Formula for ReturnMap2d {
     )
         .equation(r"\mathbf{f} = \begin{cases} \mathbf{f}^{\mathrm{trial}} & \lvert\mathbf{f}^{\mathrm{trial}}\rvert < \mu F_N \\ \mu F_N\,\mathbf{f}^{\mathrm{trial}}/\lvert\mathbf{f}^{\mathrm{trial}}\rvert & \text{otherwise}\end{cases}")
         .eta(2.5, 4.0)
+        .scale(1e120)
         .finite(Finite::Between);
     type Inputs<T: Component> = Trial2d<T>;
     type Outputs<T: Component> = Tangential2d<T>;

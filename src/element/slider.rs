@@ -164,6 +164,7 @@ impl Formula for Rows {
         // An entry is a sum of what turns the line and what moves m along it. Where the two cancel, and what inputs do to them
         // with them, their roundings remain: of 170 000 entries two are above 16.
         .eta(6.0, 128.0)
+        .scale(1e3)
         .finite(Finite::Between)
         .not_objective();
     type Inputs<T: Component> = Nodes<T>;
@@ -290,6 +291,7 @@ impl Formula for Forces {
             Given::new(r"\xi", &IncrementalConstraint::SPEC),
         ])
         .eta(6.0, 16.0)
+        .scale(1e3)
         .finite(Finite::Between)
         .not_objective();
     type Inputs<T: Component> = SliderLoads<T>;
@@ -349,6 +351,7 @@ impl Formula for GeometricStiffness {
         ])
         // As those of the rows; of 420 000 entries two are above 32.
         .eta(8.0, 128.0)
+        .scale(1e80)
         .finite(Finite::Between)
         .not_objective();
     type Inputs<T: Component> = SliderLoads<T>;

@@ -74,6 +74,7 @@ impl Formula for Rows {
         .equation(r"\mathbf{g}_{u1} = -(1-\xi)\,\mathbf{t},\quad \mathbf{g}_{un} = -\xi\,\mathbf{t},\quad \mathbf{g}_{um} = \mathbf{t},\quad \mathbf{t} = \mathbf{s}\times\mathbf{n}")
         .given(&GIVEN)
         .eta(4.0, 8.0)
+        .scale(1e250)
         .finite(Finite::Between);
     type Inputs<T: Component> = Nodes2d<T>;
     type Outputs<T: Component> = SliderRow2d<T>;
@@ -148,6 +149,7 @@ impl Formula for Forces {
         .equation(r"\mathbf{f}_m = \lambda\,\mathbf{t},\quad \mathbf{f}_1 = -(1-\xi)\,\mathbf{f}_m,\quad \mathbf{f}_n = -\xi\,\mathbf{f}_m,\quad \mathbf{t} = \mathbf{s}\times\mathbf{n}")
         .given(&GIVEN)
         .eta(4.0, 8.0)
+        .scale(1e80)
         .finite(Finite::Between);
     type Inputs<T: Component> = SliderLoads2d<T>;
     type Outputs<T: Component> = SliderForces2d<T>;
@@ -202,6 +204,7 @@ impl Formula for GeometricStiffness {
         .equation(r"\begin{aligned} \mathbf{P} &= -\frac{\lambda}{l}\,\mathbf{n}\otimes\mathbf{t},\quad \mathbf{Q} = -\frac{\lambda}{l}\,\mathbf{t}\otimes\mathbf{n},\quad \mathbf{t} = \mathbf{s}\times\mathbf{n}, \\ \mathbf{K}_{um,un} &= \mathbf{P},\quad \mathbf{K}_{u1,un} = \xi\,\mathbf{Q} - (1-\xi)\,\mathbf{P},\quad \mathbf{K}_{u1,u1} = (1-\xi)(\mathbf{P}+\mathbf{Q}),\quad \mathbf{K}_{un,un} = -\xi\,(\mathbf{P}+\mathbf{Q}) \end{aligned}")
         .given(&[Given::new(r"\mathbf{n},\ l", &Line::SPEC), Given::new(r"\xi", &IncrementalConstraint::SPEC)])
         .eta(4.0, 12.0)
+        .scale(1e80)
         .finite(Finite::Between);
     type Inputs<T: Component> = SliderLoads2d<T>;
     type Outputs<T: Component> = SliderStiffness2d<T>;

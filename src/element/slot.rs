@@ -41,6 +41,7 @@ impl Formula for Rows {
     )
     .equation(r"\begin{aligned} \mathbf{g}_{y,ua} &= -\mathbf{e}_{2a}, & \mathbf{g}_{y,\theta a} &= \mathbf{e}_{2a}\times(\mathbf{x}_b-\mathbf{x}_a), & \mathbf{g}_{y,ub} &= \mathbf{e}_{2a},\\ \mathbf{g}_{z,ua} &= -\mathbf{e}_{3a}, & \mathbf{g}_{z,\theta a} &= \mathbf{e}_{3a}\times(\mathbf{x}_b-\mathbf{x}_a), & \mathbf{g}_{z,ub} &= \mathbf{e}_{3a} \end{aligned}")
     .eta(1.5, 1.0)
+    .scale(1e250)
     .finite(Finite::Below);
     type Inputs<T: Component> = SlotPlaces<T>;
     type Outputs<T: Component> = SlotRows<T>;
@@ -142,6 +143,7 @@ impl Formula for Forces {
     )
     .equation(r"\mathbf{f}_b = f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{f}_a = -\mathbf{f}_b,\quad \mathbf{m}_a = \mathbf{f}_b\times(\mathbf{x}_b-\mathbf{x}_a)")
     .eta(1.5, 1.5)
+    .scale(1e250)
     .finite(Finite::Below);
     type Inputs<T: Component> = SlotLoads<T>;
     type Outputs<T: Component> = JoinForces<T>;
@@ -170,6 +172,7 @@ impl Formula for GeometricStiffness {
     )
     .equation(r"\mathbf{f} = f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{d} = \mathbf{x}_b-\mathbf{x}_a,\quad \mathbf{K}_{ua,\theta a} = \mathbf{f}\times\mathbf{I},\quad \mathbf{K}_{\theta a,\theta a} = \mathbf{f}\otimes\mathbf{d} - (\mathbf{f}\cdot\mathbf{d})\,\mathbf{I}")
     .eta(1.5, 1.5)
+    .scale(1e150)
     .finite(Finite::Below);
     type Inputs<T: Component> = SlotLoads<T>;
     type Outputs<T: Component> = JoinStiffness<T>;
@@ -198,6 +201,7 @@ impl Formula for SymmetricStiffness {
     )
     .equation(r"\mathbf{f} = f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{d} = \mathbf{x}_b-\mathbf{x}_a,\quad \mathbf{S}_{\theta a,\theta a} = \tfrac12(\mathbf{f}\otimes\mathbf{d} + \mathbf{d}\otimes\mathbf{f}) - (\mathbf{f}\cdot\mathbf{d})\,\mathbf{I}")
     .eta(1.5, 1.5)
+    .scale(1e250)
     .finite(Finite::Below);
     type Inputs<T: Component> = SlotLoads<T>;
     type Outputs<T: Component> = JoinSymmetric<T>;

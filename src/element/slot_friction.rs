@@ -49,6 +49,7 @@ impl Formula for Response {
         .equation(r"f_1 = \begin{cases} f^{\mathrm{trial}} & \lvert f^{\mathrm{trial}}\rvert < \mu F_N \\ \mu F_N \operatorname{sign} f^{\mathrm{trial}} & \text{otherwise}\end{cases},\quad f^{\mathrm{trial}} = k_{\mathrm{el}}(u_1-u_0^{\mathrm{slip}}),\quad u^{\mathrm{slip}} = u_1 - \frac{f_1}{k_{\mathrm{el}}}")
         .given(&[Given::new(r"F_N", &Friction::SPEC)])
         .eta(1.5, 2.0)
+        .scale(1e120)
         .finite(Finite::Between);
     type Inputs<T: Component> = SlotSliding<T>;
     type Outputs<T: Component> = SlotSlid<T>;
@@ -118,6 +119,7 @@ impl Formula for Response2d {
     )
         .equation(r"f_1 = \begin{cases} f^{\mathrm{trial}} & \lvert f^{\mathrm{trial}}\rvert < \mu F_N \\ \mu F_N \operatorname{sign} f^{\mathrm{trial}} & \text{otherwise}\end{cases},\quad F_N = \left\lvert\lvert f_2\rvert + F_C^{\mathrm{int}}\right\rvert,\quad f^{\mathrm{trial}} = k_{\mathrm{el}}(u_1-u_0^{\mathrm{slip}}),\quad u^{\mathrm{slip}} = u_1 - \frac{f_1}{k_{\mathrm{el}}}")
         .eta(1.5, 2.0)
+        .scale(1e120)
         .finite(Finite::Between);
     type Inputs<T: Component> = SlotSliding2d<T>;
     type Outputs<T: Component> = SlotSlid<T>;

@@ -47,6 +47,7 @@ impl Formula for Rows {
     )
     .equation(r"\mathbf{g}_{y,ua} = -\mathbf{e}_{2a},\quad g_{y,\theta a} = (\mathbf{s}\times\mathbf{e}_{2a})\cdot(\mathbf{x}_b-\mathbf{x}_a),\quad \mathbf{g}_{y,ub} = \mathbf{e}_{2a}")
     .eta(1.5, 1.0)
+    .scale(1e250)
     .finite(Finite::Below);
     type Inputs<T: Component> = PlanePlaces<T>;
     type Outputs<T: Component> = PlaneRow<T>;
@@ -109,6 +110,7 @@ impl Formula for Forces {
     )
     .equation(r"\mathbf{f}_b = f_2\,\mathbf{e}_{2a},\quad \mathbf{f}_a = -\mathbf{f}_b,\quad m_a = (\mathbf{s}\times\mathbf{f}_b)\cdot(\mathbf{x}_b-\mathbf{x}_a)")
     .eta(1.5, 1.5)
+    .scale(1e250)
     .finite(Finite::Below);
     type Inputs<T: Component> = PlaneLoads<T>;
     type Outputs<T: Component> = PlaneForces<T>;
@@ -144,6 +146,7 @@ impl Formula for GeometricStiffness {
     )
     .equation(r"\mathbf{f} = f_2\,\mathbf{e}_{2a},\quad \mathbf{k}_{ua,\theta a} = -\mathbf{s}\times\mathbf{f},\quad k_{\theta a,\theta a} = -\mathbf{f}\cdot(\mathbf{x}_b-\mathbf{x}_a)")
     .eta(1.5, 1.5)
+    .scale(1e250)
     .finite(Finite::Below);
     type Inputs<T: Component> = PlaneLoads<T>;
     type Outputs<T: Component> = PlaneStiffness<T>;

@@ -83,7 +83,8 @@ impl Formula for Rows {
         .given(&[Given::new(r"\mathbf{u}_1,\ \mathbf{u}_3", &align::Rows::SPEC)])
         // An entry is a sum of terms that may cancel, and what inputs do to them with them; then their roundings remain. Of the
         // rows at 5000 random points the worst is 30.
-        .eta(8.0, 48.0);
+        .eta(8.0, 48.0)
+        .scale(1e250);
     type Inputs<T: Component> = TranslatorPlaces<T>;
     type Outputs<T: Component> = TranslatorRows<T>;
 
@@ -257,7 +258,8 @@ impl Formula for Forces {
         )])
         // An entry is a sum of terms that may cancel, and what inputs do to them with them; then their roundings remain. Of the
         // rows at 5000 random points the worst is 30.
-        .eta(6.0, 48.0);
+        .eta(6.0, 48.0)
+        .scale(1e250);
     type Inputs<T: Component> = TranslatorLoads<T>;
     type Outputs<T: Component> = NodalForces<T>;
 
@@ -315,7 +317,8 @@ impl Formula for GeometricStiffness {
             Given::new(r"\mathbf{m}_b", &align::Moments::SPEC),
         ])
         // Those of ALIGN.
-        .eta(24.0, 96.0);
+        .eta(24.0, 96.0)
+        .scale(1e250);
     type Inputs<T: Component> = TranslatorLoads<T>;
     type Outputs<T: Component> = TranslatorStiffness<T>;
 

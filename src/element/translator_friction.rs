@@ -44,7 +44,8 @@ impl Formula for Response {
     )
         .equation(r"f_1 = \begin{cases} f^{\mathrm{trial}} & \lvert f^{\mathrm{trial}}\rvert < \mu F_N \\ \mu F_N \operatorname{sign} f^{\mathrm{trial}} & \text{otherwise}\end{cases},\quad f^{\mathrm{trial}} = k_{\mathrm{el}}(u_1-u_0^{\mathrm{slip}}),\quad u^{\mathrm{slip}} = u_1 - \frac{f_1}{k_{\mathrm{el}}}")
         .given(&[Given::new(r"F_N", &Friction::SPEC)])
-        .eta(2.0, 3.0);
+        .eta(2.0, 3.0)
+        .scale(1e80);
     type Inputs<T: Component> = TranslatorSliding<T>;
     type Outputs<T: Component> = SlotSlid<T>;
 

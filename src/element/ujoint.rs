@@ -69,6 +69,7 @@ impl Formula for Rows {
     )
     .equation(r"\mathbf{g}_{i,ua} = -\mathbf{e}_{ia},\quad \mathbf{g}_{i,\theta a} = \mathbf{e}_{ia}\times(\mathbf{x}_b-\mathbf{x}_a),\quad \mathbf{g}_{i,ub} = \mathbf{e}_{ia}\quad (i = 1, 2, 3),\quad \mathbf{g}_{\mathrm{rot},\theta a} = \mathbf{e}_{1a}\times\mathbf{e}_{3b},\quad \mathbf{g}_{\mathrm{rot},\theta b} = \mathbf{e}_{3b}\times\mathbf{e}_{1a}")
     .eta(1.5, 1.0)
+    .scale(1e250)
     .finite(Finite::Below);
     type Inputs<T: Component> = JointPlaces<T>;
     type Outputs<T: Component> = JointRows<T>;
@@ -214,6 +215,7 @@ impl Formula for Forces {
     )
     .equation(r"\mathbf{f}_b = f_1\,\mathbf{e}_{1a} + f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{f}_a = -\mathbf{f}_b,\quad \mathbf{m}_a = \mathbf{f}_b\times(\mathbf{x}_b-\mathbf{x}_a) + \lambda_{\mathrm{rot}}\,\mathbf{e}_{1a}\times\mathbf{e}_{3b},\quad \mathbf{m}_b = \lambda_{\mathrm{rot}}\,\mathbf{e}_{3b}\times\mathbf{e}_{1a}")
     .eta(1.5, 1.5)
+    .scale(1e250)
     .finite(Finite::Below);
     type Inputs<T: Component> = JointLoads<T>;
     type Outputs<T: Component> = NodalForces<T>;
@@ -253,6 +255,7 @@ impl Formula for GeometricStiffness {
     )
     .equation(r"\mathbf{f} = f_1\,\mathbf{e}_{1a} + f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{d} = \mathbf{x}_b-\mathbf{x}_a,\quad \mathbf{K}_{ua,\theta a} = \mathbf{f}\times\mathbf{I},\quad \mathbf{K}_{\theta a,\theta a} = \mathbf{f}\otimes\mathbf{d} - (\mathbf{f}\cdot\mathbf{d})\,\mathbf{I} + \lambda_{\mathrm{rot}}(\mathbf{e}_{1a}\otimes\mathbf{e}_{3b} - (\mathbf{e}_{1a}\cdot\mathbf{e}_{3b})\,\mathbf{I}),\quad \mathbf{K}_{\theta b,\theta b} = \lambda_{\mathrm{rot}}(\mathbf{e}_{3b}\otimes\mathbf{e}_{1a} - (\mathbf{e}_{1a}\cdot\mathbf{e}_{3b})\,\mathbf{I}),\quad \mathbf{K}_{\theta a,\theta b} = -\mathbf{K}_{\theta b,\theta b}")
     .eta(1.5, 1.5)
+    .scale(1e250)
     .finite(Finite::Below);
     type Inputs<T: Component> = JointLoads<T>;
     type Outputs<T: Component> = JointStiffness<T>;
@@ -293,6 +296,7 @@ impl Formula for SymmetricStiffness {
     )
     .equation(r"\mathbf{f} = f_1\,\mathbf{e}_{1a} + f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{d} = \mathbf{x}_b-\mathbf{x}_a,\quad \mathbf{S}_{\theta b,\theta b} = \lambda_{\mathrm{rot}}(\tfrac12(\mathbf{e}_{1a}\otimes\mathbf{e}_{3b} + \mathbf{e}_{3b}\otimes\mathbf{e}_{1a}) - (\mathbf{e}_{1a}\cdot\mathbf{e}_{3b})\,\mathbf{I}),\quad \mathbf{S}_{\theta a,\theta a} = \tfrac12(\mathbf{f}\otimes\mathbf{d} + \mathbf{d}\otimes\mathbf{f}) - (\mathbf{f}\cdot\mathbf{d})\,\mathbf{I} + \mathbf{S}_{\theta b,\theta b}")
     .eta(1.5, 1.5)
+    .scale(1e250)
     .finite(Finite::Below);
     type Inputs<T: Component> = JointLoads<T>;
     type Outputs<T: Component> = JointSymmetric<T>;

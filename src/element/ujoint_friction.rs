@@ -83,7 +83,8 @@ impl Formula for Response {
             Given::new(r"M_{N1},\ M_{N3}", &NormalMoments::SPEC),
             Given::new(r"M_{C1},\ M_{C3}", &ContactMoments::SPEC),
         ])
-        .eta(2.0, 6.0);
+        .eta(2.0, 6.0)
+        .scale(1e50);
     type Inputs<T: Component> = CrossSliding<T>;
     type Outputs<T: Component> = CrossSlid<T>;
 

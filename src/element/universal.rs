@@ -33,6 +33,7 @@ impl Formula for Rows {
     )
     .equation(r"\mathbf{g}_{\mathrm{rot},\theta a} = \mathbf{e}_{1a}\times\mathbf{e}_{3b},\quad \mathbf{g}_{\mathrm{rot},\theta b} = \mathbf{e}_{3b}\times\mathbf{e}_{1a}")
     .eta(1.0, 0.0)
+    .scale(1e250)
     .finite(Finite::Below);
     type Inputs<T: Component> = CrossAxes<T>;
     type Outputs<T: Component> = UniversalRow<T>;
@@ -80,6 +81,7 @@ impl Formula for Moments {
     )
     .equation(r"\mathbf{m}_a = \lambda_{\mathrm{rot}}\,\mathbf{e}_{1a}\times\mathbf{e}_{3b},\quad \mathbf{m}_b = -\mathbf{m}_a")
     .eta(1.5, 1.5)
+    .scale(1e250)
     .finite(Finite::Below);
     type Inputs<T: Component> = UniversalLoads<T>;
     type Outputs<T: Component> = UniversalMoments<T>;
@@ -184,6 +186,7 @@ impl Formula for GeometricStiffness {
     )
     .equation(r"\mathbf{K}_{\theta a,\theta a} = \lambda_{\mathrm{rot}}(\mathbf{e}_{1a}\otimes\mathbf{e}_{3b} - (\mathbf{e}_{1a}\cdot\mathbf{e}_{3b})\,\mathbf{I}),\quad \mathbf{K}_{\theta b,\theta b} = \lambda_{\mathrm{rot}}(\mathbf{e}_{3b}\otimes\mathbf{e}_{1a} - (\mathbf{e}_{1a}\cdot\mathbf{e}_{3b})\,\mathbf{I}),\quad \mathbf{K}_{\theta a,\theta b} = -\mathbf{K}_{\theta b,\theta b}")
     .eta(1.5, 1.5)
+    .scale(1e250)
     .finite(Finite::Below);
     type Inputs<T: Component> = UniversalLoads<T>;
     type Outputs<T: Component> = UniversalStiffness<T>;
@@ -223,6 +226,7 @@ impl Formula for SymmetricStiffness {
     )
     .equation(r"\mathbf{S}_{\theta a,\theta a} = \lambda_{\mathrm{rot}}(\tfrac12(\mathbf{e}_{1a}\otimes\mathbf{e}_{3b} + \mathbf{e}_{3b}\otimes\mathbf{e}_{1a}) - (\mathbf{e}_{1a}\cdot\mathbf{e}_{3b})\,\mathbf{I}),\quad \mathbf{S}_{\theta b,\theta b} = \mathbf{S}_{\theta a,\theta a}")
     .eta(1.5, 1.5)
+    .scale(1e250)
     .finite(Finite::Below);
     type Inputs<T: Component> = UniversalLoads<T>;
     type Outputs<T: Component> = UniversalSymmetric<T>;

@@ -123,6 +123,10 @@ mod tests {
             assert_round_trip(magnitude);
             assert_round_trip(-magnitude);
         }
+        // There is one NaN, whatever the sign and the bits of the one it comes from.
+        for nan in [f64::NAN, -f64::NAN, f64::from_bits(0x7ff0_0000_0000_0001)] {
+            assert_eq!(Octuple::from(nan).0.to_bits(), f256::NAN.to_bits());
+        }
     }
 
     #[test]

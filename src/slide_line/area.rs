@@ -35,6 +35,7 @@ impl Formula for ContactAreaLinear {
     const SPEC: Spec = Spec::new("slide_line.contact_area_linear", "Contact areas of ISL21A", SOURCE)
         .equation(r"A_i = 2\pi r_i\,\tfrac{\ell}{2},\quad r_i = x_{i,1}\quad (i = 1, 2),\quad \ell = \lvert\mathbf{x}_2-\mathbf{x}_1\rvert")
         .eta(3.0, 4.0)
+        .scale(1e250)
         .finite(Finite::Below)
         .not_objective();
     type Inputs<T: Component> = LinearNodes<T>;
@@ -88,6 +89,7 @@ impl Formula for ContactAreaParabolic {
         .equation(r"A_i = 2\pi r_i\,w_i\,\lvert\mathbf{X}'(g_i)\rvert,\quad r_i = x_{i,1}\quad (i = 1, 2, 3),\quad (w_1, w_2, w_3) = (\tfrac13, \tfrac43, \tfrac13),\quad (g_1, g_2, g_3) = (-1, 0, 1)")
 .given(&[Given::new(r"\mathbf{X}'(g)", &ParabolicPoint::SPEC)])
         .eta(3.0, 6.0)
+        .scale(1e250)
         .finite(Finite::Below)
         .not_objective();
     type Inputs<T: Component> = ParabolicNodes<T>;

@@ -37,6 +37,7 @@ impl Formula for LinearPoint {
     )
         .equation(r"\mathbf{X} = \tfrac12(1-g)\,\mathbf{x}_1 + \tfrac12(1+g)\,\mathbf{x}_2,\quad \mathbf{X}' = \tfrac12(\mathbf{x}_2-\mathbf{x}_1)")
         .eta(2.0, 1.0)
+        .scale(1e250)
         .finite(Finite::Below);
     type Inputs<T: Component> = LinearPlace<T>;
     type Outputs<T: Component> = CurvePoint<T>;
@@ -78,6 +79,7 @@ impl Formula for ParabolicPoint {
     )
     .equation(r"\begin{aligned} \mathbf{X} &= \tfrac12 g(g-1)\,\mathbf{x}_1 + (1-g^2)\,\mathbf{x}_2 + \tfrac12 g(g+1)\,\mathbf{x}_3, \\ \mathbf{X}' &= (g-\tfrac12)\,\mathbf{x}_1 - 2g\,\mathbf{x}_2 + (g+\tfrac12)\,\mathbf{x}_3 \end{aligned}")
     .eta(3.0, 3.0)
+    .scale(1e40)
     .finite(Finite::Below);
     type Inputs<T: Component> = ParabolicPlace<T>;
     type Outputs<T: Component> = CurvePoint<T>;

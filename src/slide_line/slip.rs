@@ -51,6 +51,7 @@ impl Formula for SlipIncrementLinear {
     .equation(r"\Delta E_{12} = \mathbf{t}\cdot\Bigl(\Delta\mathbf{x}_s - \sum_{i=1}^{2} N_i\,\Delta\mathbf{x}_i\Bigr),\quad N_1 = \tfrac12(1-g),\quad N_2 = \tfrac12(1+g)")
 .given(&[Given::new(r"\mathbf{t}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &LinearPoint::SPEC)])
     .eta(4.0, 5.0)
+    .scale(1e20)
     .finite(Finite::Between);
     type Inputs<T: Component> = LinearMotion<T>;
     type Outputs<T: Component> = Slip<T>;

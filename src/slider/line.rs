@@ -32,6 +32,7 @@ impl Formula for Line {
     )
     .equation(r"l = \lvert\mathbf{x}_n-\mathbf{x}_1\rvert,\quad \mathbf{n} = (\mathbf{x}_n-\mathbf{x}_1)/l")
     .eta(3.0, 5.0)
+    .scale(1e250)
     .finite(Finite::Between);
     type Inputs<T: Component> = Ends<T>;
     type Outputs<T: Component> = Direction<T>;
@@ -100,6 +101,7 @@ impl Formula for DirectionVariation {
         .equation(r"\mathrm{d}l = \mathbf{n}\cdot(\mathrm{d}\mathbf{x}_n-\mathrm{d}\mathbf{x}_1),\quad \mathrm{d}\mathbf{n} = \bigl((\mathrm{d}\mathbf{x}_n-\mathrm{d}\mathbf{x}_1) - \mathrm{d}l\,\mathbf{n}\bigr)/l")
 .given(&[Given::new(r"\mathbf{n},\ l", &Line::SPEC)])
         .eta(5.0, 6.0)
+        .scale(1e250)
         .finite(Finite::Between);
     type Inputs<T: Component> = MovingEnds<T>;
     type Outputs<T: Component> = DirectionChange<T>;

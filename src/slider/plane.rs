@@ -47,6 +47,7 @@ impl Formula for Constraint2d {
     )
     .given(&[Given::new(r"\mathbf{n}", &Line::SPEC)])
     .eta(3.0, 5.0)
+    .scale(1e250)
     .finite(Finite::Between);
     type Inputs<T: Component> = Nodes2d<T>;
     type Outputs<T: Component> = Distance2d<T>;
@@ -101,6 +102,7 @@ impl Formula for IncrementalConstraint2d {
     )
     .given(&[Given::new(r"\xi", &IncrementalConstraint::SPEC), Given::new(r"\mathbf{n}", &Line::SPEC)])
     .eta(3.0, 5.0)
+    .scale(1e100)
     .finite(Finite::Between);
     type Inputs<T: Component> = MovingNodes2d<T>;
     type Outputs<T: Component> = IncrementalResidual2d<T>;
@@ -166,6 +168,7 @@ impl Formula for Eliminate2d {
     .equation(r"x_{m,i} = x_{1,i} + \frac{n_i}{n_k}(x_{m,k}-x_{1,k})")
     .given(&[Given::new(r"i,\ k", &Increment2d::SPEC), Given::new(r"\mathbf{n}", &Line::SPEC)])
     .eta(2.0, 2.0)
+    .scale(1e250)
     .finite(Finite::Between)
     .not_objective();
     type Inputs<T: Component> = KeptCoordinate2d<T>;
@@ -220,6 +223,7 @@ impl Formula for Increment2d {
         .equation(r"\mathrm{d}x_{m,i} = w_i + \frac{n_i}{n_k}(\mathrm{d}x_{m,k}-w_k),\quad \mathbf{w} = (1-\xi)\,\mathrm{d}\mathbf{x}_1 + \xi\,\mathrm{d}\mathbf{x}_n,\quad (i, k) = \begin{cases} (2, 1) & \lvert d_1\rvert \ge \lvert d_2\rvert \\ (1, 2) & \text{otherwise} \end{cases},\quad \mathbf{d} = \mathbf{x}_n-\mathbf{x}_1")
 .given(&[Given::new(r"\xi", &IncrementalConstraint::SPEC), Given::new(r"\mathbf{n}", &Line::SPEC)])
         .eta(3.0, 5.0)
+        .scale(1e120)
         .finite(Finite::Between)
         .not_objective();
     type Inputs<T: Component> = KeptIncrement2d<T>;

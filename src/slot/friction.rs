@@ -27,6 +27,7 @@ impl Formula for ContactForce {
         Spec::new("slot.contact_force", "Contact force", Document::SLOT.reconstructed("Friction", "the root was lost"))
             .equation(r"F_C = \sqrt{f_2^2 + f_3^2}")
             .eta(2.0, 2.0)
+            .scale(1e250)
             .finite(Finite::Below);
     type Inputs<T: Component> = CrossForces<T>;
     type Outputs<T: Component> = Contact<T>;
@@ -66,6 +67,7 @@ impl Formula for NormalForce {
     const SPEC: Spec = Spec::new("slot.normal_force", "Normal force", Document::SLOT.printed("Friction"))
         .equation(r"F_N = \lvert F_C + F_C^{\mathrm{int}}\rvert")
         .eta(1.0, 0.0)
+        .scale(1e250)
         .finite(Finite::Below);
     type Inputs<T: Component> = ContactForces<T>;
     type Outputs<T: Component> = Normal<T>;
@@ -105,6 +107,7 @@ impl Formula for Friction {
     )
         .equation(r"P = \lvert f_1\rvert,\quad F_N = \left\lvert\sqrt{f_2^2+f_3^2} + F_C^{\mathrm{int}}\right\rvert,\quad \Phi = P - \mu F_N")
         .eta(4.0, 4.0)
+        .scale(1e120)
         .finite(Finite::Below);
     type Inputs<T: Component> = SlotLoads<T>;
     type Outputs<T: Component> = FrictionOutputs<T>;

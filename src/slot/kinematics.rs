@@ -33,6 +33,7 @@ impl Formula for RelativePosition {
     const SPEC: Spec = Spec::new("slot.relative_position", "Relative position", Document::SLOT.printed("Description"))
         .equation(r"x = \mathbf{e}_{1a}\cdot(\mathbf{x}_b-\mathbf{x}_a),\quad y = \mathbf{e}_{2a}\cdot(\mathbf{x}_b-\mathbf{x}_a),\quad z = \mathbf{e}_{3a}\cdot(\mathbf{x}_b-\mathbf{x}_a)")
         .eta(4.0, 1.0)
+        .scale(1e250)
         .finite(Finite::Below);
     type Inputs<T: Component> = Positions<T>;
     type Outputs<T: Component> = Relative<T>;
@@ -75,6 +76,7 @@ impl Formula for Constraint {
     const SPEC: Spec = Spec::new("slot.constraint", "Constraint", Document::SLOT.printed("Description"))
         .equation(r"g_y = \mathbf{e}_{2a}\cdot(\mathbf{x}_b-\mathbf{x}_a) - y_0,\quad g_z = \mathbf{e}_{3a}\cdot(\mathbf{x}_b-\mathbf{x}_a) - z_0")
         .eta(4.0, 1.0)
+        .scale(1e250)
         .finite(Finite::Below);
     type Inputs<T: Component> = SlotPositions<T>;
     type Outputs<T: Component> = Residuals<T>;
@@ -116,6 +118,7 @@ impl Formula for Constraint2d {
         Spec::new("slot.constraint_2d", "Constraint in the plane", Document::SLOT.printed("Description"))
             .equation(r"g_y = \mathbf{e}_{2a}\cdot(\mathbf{x}_b-\mathbf{x}_a) - y_0")
             .eta(4.0, 1.0)
+            .scale(1e250)
             .finite(Finite::Below);
     type Inputs<T: Component> = SlotPositions2d<T>;
     type Outputs<T: Component> = Residual2d<T>;
@@ -148,6 +151,7 @@ impl Formula for ConstraintForce {
     const SPEC: Spec = Spec::new("slot.constraint_force", "Constraint force", Document::SLOT.printed("Description"))
         .equation(r"\mathbf{f} = f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a}")
         .eta(2.0, 1.0)
+        .scale(1e250)
         .finite(Finite::Below);
     type Inputs<T: Component> = CrossFrame<T>;
     type Outputs<T: Component> = Force<T>;
@@ -181,6 +185,7 @@ impl Formula for RelativeMotion {
     const SPEC: Spec = Spec::new("slot.relative_motion", "Relative motion", Document::SLOT.printed("Description"))
         .equation(r"u_1 = x - x_0,\quad u_1^{\mathrm{mat}} = x - l_1^{\mathrm{ref}}")
         .eta(1.0, 0.0)
+        .scale(1e250)
         .finite(Finite::Below);
     type Inputs<T: Component> = SlotLengths<T>;
     type Outputs<T: Component> = Displacements<T>;
@@ -220,6 +225,7 @@ impl Formula for KineticForce {
     const SPEC: Spec = Spec::new("slot.kinetic_force", "Kinetic force", Document::SLOT.printed("Description"))
         .equation(r"\mathbf{f} = f_1\,\mathbf{e}_{1a}")
         .eta(1.0, 0.0)
+        .scale(1e250)
         .finite(Finite::Below);
     type Inputs<T: Component> = SlotForce<T>;
     type Outputs<T: Component> = AlongForce<T>;
@@ -258,6 +264,7 @@ impl Formula for Stop {
     )
     .equation(r"\mathit{gap}_{\min} = x - l_1^{\min},\quad \mathit{gap}_{\max} = l_1^{\max} - x")
     .eta(1.0, 0.0)
+    .scale(1e250)
     .finite(Finite::Below);
     type Inputs<T: Component> = StopLengths<T>;
     type Outputs<T: Component> = Gaps<T>;

@@ -30,6 +30,7 @@ impl Formula for TorqueForce {
     )
         .equation(r"M_{\mathrm{torq}} = \lvert m_1\rvert,\quad F_{\mathrm{torq}} = \begin{cases} M_{\mathrm{torq}}/R_r & R_r > 0 \\ 0 & R_r = 0 \end{cases}")
         .eta(0.5, 0.5)
+        .scale(1e120)
         .finite(Finite::Between);
     type Inputs<T: Component> = Torque<T>;
     type Outputs<T: Component> = TorqueContact<T>;
@@ -72,6 +73,7 @@ impl Formula for RadialForce {
     )
     .equation(r"F_r = \sqrt{f_2^2 + f_3^2}")
     .eta(1.0, 3.0)
+    .scale(1e250)
     .finite(Finite::Below);
     type Inputs<T: Component> = CrossForces<T>;
     type Outputs<T: Component> = RadialContact<T>;
@@ -114,6 +116,7 @@ impl Formula for BendingForce {
     )
         .equation(r"M_{\mathrm{bend}} = \sqrt{m_2^2 + m_3^2},\quad F_{\mathrm{bend}} = \begin{cases} 2 M_{\mathrm{bend}}/L & L > 0 \\ 0 & L = 0 \end{cases}")
         .eta(1.0, 3.0)
+        .scale(1e120)
         .finite(Finite::Between);
     type Inputs<T: Component> = Bending<T>;
     type Outputs<T: Component> = BendingContact<T>;

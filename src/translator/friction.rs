@@ -51,6 +51,7 @@ impl Formula for ContactForce {
         .equation(r"\begin{aligned} F_C &= F_{\mathrm{torq}} + F_r + F_{\mathrm{bend}} = \begin{cases} \lvert m_1/R_r\rvert & R_r > 0 \\ 0 & R_r = 0 \end{cases} + \sqrt{f_2^2 + f_3^2} + \sqrt{(\beta m_2)^2 + (\beta m_3)^2}, \\ \beta &= \begin{cases} 2/L & L > 0 \\ 0 & L = 0 \end{cases} \end{aligned}")
 .given(&[Given::new(r"F_{\mathrm{torq}}", &TorqueForce::SPEC), Given::new(r"F_r", &RadialForce::SPEC), Given::new(r"F_{\mathrm{bend}}", &BendingForce::SPEC)])
         .eta(2.0, 3.0)
+        .scale(1e250)
         .finite(Finite::Between);
     type Inputs<T: Component> = ContactLoads<T>;
     type Outputs<T: Component> = Contact<T>;
@@ -111,6 +112,7 @@ impl Formula for Friction {
         .equation(r"P = \lvert f_1\rvert,\quad F_N = \left\lvert F_C + F_C^{\mathrm{int}}\right\rvert,\quad \Phi = P - \mu F_N")
 .given(&[Given::new(r"F_C", &ContactForce::SPEC)])
         .eta(4.0, 3.0)
+        .scale(1e80)
         .finite(Finite::Between);
     type Inputs<T: Component> = FrictionLoads<T>;
     type Outputs<T: Component> = FrictionOutputs<T>;

@@ -67,6 +67,7 @@ impl Formula for Friction {
             Given::new(r"M_{C1},\ M_{C3}", &ContactMoments::SPEC),
         ])
         .eta(2.0, 6.0)
+        .scale(1e50)
         .finite(Finite::Between);
     type Inputs<T: Component> = FrictionLoads<T>;
     type Outputs<T: Component> = YieldPair<T>;

@@ -50,6 +50,7 @@ impl Formula for Constraint {
     )
         .equation(r"g_i = \mathbf{e}_{ia}\cdot(\mathbf{x}_b-\mathbf{x}_a) - d_{0i}\ (i = 1, 2, 3),\quad g_{\mathrm{rot}} = \mathbf{e}_{1a}\cdot\mathbf{e}_{3b} - c_0")
         .eta(2.0, 1.0)
+        .scale(1e250)
         .finite(Finite::Below);
     type Inputs<T: Component> = Jointed<T>;
     type Outputs<T: Component> = JointResiduals<T>;
@@ -99,6 +100,7 @@ impl Formula for Stop {
     )
         .equation(r"\mathit{gap}_{1\min} = \alpha - \theta_1^{\min},\quad \mathit{gap}_{1\max} = \theta_1^{\max} - \alpha,\quad \mathit{gap}_{3\min} = \gamma - \theta_3^{\min},\quad \mathit{gap}_{3\max} = \theta_3^{\max} - \gamma")
         .eta(1.0, 0.0)
+        .scale(1e250)
         .finite(Finite::Below);
     type Inputs<T: Component> = StopAngles<T>;
     type Outputs<T: Component> = AngleGaps<T>;

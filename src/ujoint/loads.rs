@@ -27,6 +27,7 @@ impl Formula for Reaction {
         Spec::new("ujoint.reaction", "Reaction force", Document::UJOINT.reconstructed("Friction", "the root was lost"))
             .equation(r"F_r = \sqrt{f_1^2 + f_2^2 + f_3^2}")
             .eta(1.5, 3.5)
+            .scale(1e250)
             .finite(Finite::Below);
     type Inputs<T: Component> = JoinForces<T>;
     type Outputs<T: Component> = ReactionForce<T>;
@@ -61,6 +62,7 @@ impl Formula for CrossDirection {
         Spec::new("ujoint.cross_direction", "Direction across the cross", Document::UJOINT.printed("Friction"))
             .equation(r"\mathbf{e}_{\mathrm{cross}} = \mathbf{e}_{1a}\times\mathbf{e}_{3b}")
             .eta(1.0, 0.0)
+            .scale(1e250)
             .finite(Finite::Below);
     type Inputs<T: Component> = CrossAxes<T>;
     type Outputs<T: Component> = CrossNormal<T>;

@@ -25,6 +25,7 @@ impl Formula for NormalMoments {
     const SPEC: Spec = Spec::new("ujoint.normal_moments", "Normal moments", Document::UJOINT.printed("Friction"))
         .equation(r"M_{Nk} = 2\lvert M_{Ck}\rvert + \lvert M_{Ck}^{\mathrm{int}}\rvert\quad (k = 1, 3)")
         .eta(1.0, 0.0)
+        .scale(1e250)
         .finite(Finite::Below);
     type Inputs<T: Component> = AllContactMoments<T>;
     type Outputs<T: Component> = NormalMomentPair<T>;

@@ -35,6 +35,7 @@ impl Formula for Constraint {
     )
     .equation(r"g = \mathbf{e}_{1a}\cdot\mathbf{e}_{3b} - c_0")
     .eta(2.0, 0.0)
+    .scale(1e250)
     .finite(Finite::Below);
     type Inputs<T: Component> = Shafts<T>;
     type Outputs<T: Component> = Skew<T>;
@@ -71,6 +72,7 @@ impl Formula for Angles {
     )
         .equation(r"\alpha = -\operatorname{atan2}(\mathbf{e}_{2a}\cdot\mathbf{e}_{3b},\ \mathbf{e}_{3a}\cdot\mathbf{e}_{3b}),\quad \gamma = -\operatorname{atan2}(\mathbf{e}_{1a}\cdot\mathbf{e}_{2b},\ \mathbf{e}_{1a}\cdot\mathbf{e}_{1b})")
         .eta(2.0, 8.0)
+        .scale(1e250)
         .finite(Finite::Between);
     type Inputs<T: Component> = Triads<T>;
     type Outputs<T: Component> = Turns<T>;
@@ -122,6 +124,7 @@ impl Formula for RelativeMotion {
     )
         .equation(r"u_{r1} = \alpha-\alpha_0,\quad u_{r3} = \gamma-\gamma_0,\quad u_{r1}^{\mathrm{mat}} = \alpha-\theta_1^{\mathrm{ref}},\quad u_{r3}^{\mathrm{mat}} = \gamma-\theta_3^{\mathrm{ref}}")
         .eta(1.0, 0.0)
+        .scale(1e250)
         .finite(Finite::Below);
     type Inputs<T: Component> = TurnsSince<T>;
     type Outputs<T: Component> = Rotations<T>;

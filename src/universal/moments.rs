@@ -45,6 +45,7 @@ impl Formula for ConstraintMoment {
     .equation(r"\mathbf{m} = m_2\,(\cos\alpha\,\mathbf{e}_{2a} + \sin\alpha\,\mathbf{e}_{3a})")
     .given(&[Given::new(r"\alpha", &Angles::SPEC)])
     .eta(6.0, 8.0)
+    .scale(1e250)
     .finite(Finite::Between);
     type Inputs<T: Component> = Twisted<T>;
     type Outputs<T: Component> = Moment<T>;
@@ -106,6 +107,7 @@ impl Formula for KineticMoment {
     )
     .equation(r"\mathbf{m} = m_1\,\mathbf{e}_{1a} + m_3\,\mathbf{e}_{3b}")
     .eta(1.5, 0.0)
+    .scale(1e250)
     .finite(Finite::Below);
     type Inputs<T: Component> = Driven<T>;
     type Outputs<T: Component> = FreeMoment<T>;

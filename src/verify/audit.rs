@@ -1,41 +1,25 @@
 //! The audit: every claim about a formula, checked at its cases, beside its kinks and at random points.
 
+use super::accuracy::{Exact, bends_at, check_jacobian, check_value};
 use super::branches::Branches;
 use super::claim::Claim;
 use super::difference::{differences, largest_of_field, step_size};
 use super::kinks::{self, Comparison, Looked, SMOOTH};
-use super::point::{Names, Point};
+use super::point::{Names, Options, Point, random_points};
 use super::printed::{EQUATION, found};
 use super::reach::{Reached, reach};
+use super::scale::scaled;
 use super::shard::Shard;
 use super::subject::{Law, Subject};
-use super::{Sampler, Sensitivity, eta, finite, invariance};
+use super::{Sensitivity, finite, invariance};
 use crate::equation::Equation;
 use crate::formula::{Fields, check};
-use crate::power::power_of_two;
 use crate::proof::law::residual;
 use crate::proof::{Convention, Proved};
 use crate::{Error, Octuple};
 use num_traits::{Signed, Zero};
 use serde::{Deserialize, Serialize};
 use std::cell::OnceCell;
-use std::ops::Range;
-
-/// How much to audit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Options {
-    /// Random points, beside the cases and the neighbourhoods of kinks.
-    pub samples: usize,
-    /// Seed of the random points.
-    pub seed: u64,
-}
-
-impl Default for Options {
-    /// A thousand points of seed 1.
-    fn default() -> Self {
-        Self { samples: 1000, seed: 1 }
-    }
-}
 
 /// Closed form and automatic differentiation agree in 237 bits to this.
 const CLOSED_AGAINST_AD: f64 = 1e-60;
@@ -78,6 +62,8 @@ pub struct Audit {
     pub eta: Claim,
     /// The closed-form Jacobian in `f64` is accurate.
     pub eta_jacobian: Claim,
+    /// The same two at sizes up to the [scale](crate::formula::Spec::scale) that is stated; `None` at a single given point.
+    pub scaled: Option<[Claim; 2]>,
     /// The printed equation is the value, in 237 bits.
     pub equation: Claim,
     /// The derivative of the printed equation is the closed form, in 237 bits.
@@ -102,6 +88,7 @@ impl Audit {
         let printed = [&self.equation, &self.equation_jacobian];
         derivatives
             .into_iter()
+            .chain(self.scaled.iter().flatten())
             .chain(printed)
             .chain(&self.laws)
             .chain(&self.finite)
@@ -131,14 +118,6 @@ pub(super) fn audit_share(subject: &Subject, options: &Options, shard: Shard) ->
     let random = random_points(subject, options, range.clone());
     let points = Points { named, searched: number, random, before: range.start, seed: options.seed, starts };
     (audit_points(subject, &points), points.comparisons(subject))
-}
-
-/// Random points of a formula, which are the same whatever is asked for: those before are drawn, too.
-fn random_points<'a>(subject: &'a Subject, options: &Options, range: Range<usize>) -> Vec<Point<'a>> {
-    let mut sampler = Sampler::for_formula(subject.spec.id, options.seed);
-    let point = |(k, inputs)| Point::new(subject, format!("random {k} of seed {}", options.seed), true, inputs);
-    let drawn = (0..range.end).map(|k| (k, sampler.components(subject)));
-    drawn.skip(range.start).map(point).collect()
 }
 
 /// Audits one formula at one point.
@@ -198,6 +177,7 @@ fn audit_points(subject: &Subject, points: &Points<'_>) -> Audit {
         ),
         eta: Claim::new("η of the value in f64", subject.spec.eta),
         eta_jacobian: Claim::new("η of the closed-form Jacobian in f64", subject.spec.eta_jacobian),
+        scaled: (!points.is_given()).then(|| scaled(subject, &names, random, *before, *seed)),
         equation,
         equation_jacobian,
         laws: invariance::of_all(subject).iter().chain(&subject.laws).map(|law| check_law(law, general)).collect(),
@@ -287,61 +267,6 @@ fn searched_points<'a>(subject: &'a Subject, named: &[Point], random: &[Point]) 
     reach(subject, &Branches::of(graph), &starts).into_iter().map(point).collect()
 }
 
-/// What is known exactly at a point.
-struct Exact {
-    values: Vec<Octuple>,
-    /// The Jacobian by automatic differentiation.
-    ad: Vec<Octuple>,
-    /// How much every entry of it changes with the inputs.
-    bends: Vec<Sensitivity>,
-}
-
-impl Exact {
-    fn at(point: &Point, closed: &[Octuple]) -> Self {
-        let (subject, inputs) = (point.subject, &point.exact);
-        Self { values: (subject.exact_value)(inputs), ad: subject.derivative(inputs), bends: bends_at(point, closed) }
-    }
-
-    /// The largest entry in the row of the k-th.
-    fn largest_of_output(&self, k: usize, inputs: usize) -> Octuple {
-        let row = k / inputs * inputs;
-        self.ad[row..row + inputs]
-            .iter()
-            .fold(Octuple::zero(), |most, entry| if entry.abs() > most { entry.abs() } else { most })
-    }
-
-    /// How much every output changes with the inputs.
-    fn sensitivities(&self, inputs: &[Octuple]) -> Vec<Sensitivity> {
-        self.ad.chunks(inputs.len()).map(|gradient| Sensitivity::new(gradient, inputs)).collect()
-    }
-}
-
-/// How much every entry of the Jacobian, here `closed`, changes with the inputs.
-fn bends_at(point: &Point, closed: &[Octuple]) -> Vec<Sensitivity> {
-    let (subject, inputs) = (point.subject, point.exact.as_slice());
-    // At random points no kink is near, and a difference has 35 digits for a small part of the time.
-    if point.random && point.kink.is_none() {
-        return bends_by_differences(subject, inputs, closed);
-    }
-    let gradients = subject.second_derivative(inputs);
-    gradients.iter().map(|gradient| Sensitivity::new(gradient, inputs)).collect()
-}
-
-/// As [`bends_at`], by what a change of one input after another, by the same part, does to the Jacobian.
-fn bends_by_differences(subject: &Subject, inputs: &[Octuple], here: &[Octuple]) -> Vec<Sensitivity> {
-    let part = power_of_two(-118);
-    let changes = (0..inputs.len()).filter(|&k| inputs[k] != 0.0).map(|k| {
-        let mut moved = inputs.to_vec();
-        moved[k] += inputs[k] * part;
-        (subject.exact_jacobian)(&moved)
-    });
-    let mut sums = vec![Octuple::zero(); here.len()];
-    for there in changes {
-        sums.iter_mut().zip(there.iter().zip(here)).for_each(|(sum, (&there, &here))| *sum += (there - here).abs());
-    }
-    sums.into_iter().map(|sum| Sensitivity::new(&[sum], &[Octuple::from(part.recip())])).collect()
-}
-
 /// The claims made about every formula.
 impl Audit {
     fn check(&mut self, point: &Point, names: &Names, equation: Option<&Equation>) {
@@ -359,9 +284,9 @@ impl Audit {
         }
         // The value and the Jacobian alone, and as they come together.
         let [value, jacobian] = (subject.linearized)(&point.inputs);
-        self.check_value(point, names, &exact, [(subject.value)(&point.inputs), value]);
+        check_value(&mut self.eta, point, names, &exact, [(subject.value)(&point.inputs), value]);
         if point.kink != Some(Convention::Switch) {
-            self.check_jacobian(point, names, &exact, [(subject.jacobian)(&point.inputs), jacobian]);
+            check_jacobian(&mut self.eta_jacobian, point, names, &exact, [(subject.jacobian)(&point.inputs), jacobian]);
         }
     }
 
@@ -423,29 +348,6 @@ impl Audit {
         let size = if size <= SMOOTH { size } else { size.min(kinks::jump(point, entry / inputs, entry % inputs)) };
         let describe = |size| point.deviation(size, names.entry(entry), above.to_f64(), below.to_f64());
         self.kinks.record(size, SMOOTH, describe);
-    }
-
-    fn check_value(&mut self, point: &Point, names: &Names, exact: &Exact, values: [Vec<f64>; 2]) {
-        let sizes = exact.sensitivities(&point.exact);
-        for computed in values {
-            for (output, ((&computed, &value), &sensitivity)) in
-                computed.iter().zip(&exact.values).zip(&sizes).enumerate()
-            {
-                let describe = |size| point.deviation(size, names.outputs[output].clone(), computed, value.to_f64());
-                self.eta.record(eta(computed, value, sensitivity), self.eta.bound, describe);
-            }
-        }
-    }
-
-    /// The closed form in `f64` is judged against automatic differentiation, so that a wrong one cannot be its own judge.
-    fn check_jacobian(&mut self, point: &Point, names: &Names, exact: &Exact, jacobians: [Vec<f64>; 2]) {
-        for computed in jacobians {
-            for (entry, ((&computed, &ad), &bend)) in computed.iter().zip(&exact.ad).zip(&exact.bends).enumerate() {
-                let size = eta(computed, ad, bend);
-                let describe = |size| point.deviation(size, names.entry(entry), computed, ad.to_f64());
-                self.eta_jacobian.record(size, self.eta_jacobian.bound, describe);
-            }
-        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! What is exact at a point, to judge the answers of another program by.
 
-use super::audit::{Options, beside_kinks};
+use super::audit::beside_kinks;
+use super::point::Options;
 use super::subject::Subject;
 use super::{Sampler, Sensitivity, eta, exact, golden};
 use crate::proof::{Convention, Proved};

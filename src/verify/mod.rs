@@ -42,6 +42,7 @@
 //! assert!(audit.passed(), "{audit:#?}");
 //! ```
 
+mod accuracy;
 mod audit;
 mod branches;
 mod claim;
@@ -59,13 +60,14 @@ mod printed;
 mod prose;
 mod reach;
 mod sample;
+mod scale;
 mod shard;
 mod subject;
 mod trial;
 
 #[cfg(feature = "measure")]
 pub(crate) use audit::beside_kinks;
-pub use audit::{Audit, Options, audit_at, audit_equation};
+pub use audit::{Audit, audit_at, audit_equation};
 pub use claim::{Claim, Deviation};
 pub use difference::central_differences;
 #[cfg(feature = "measure")]
@@ -75,8 +77,10 @@ pub use jet::{derivative_of_jacobian, jacobian_by_ad};
 pub use judge::{Judge, Known, Truth};
 pub use kinks::{Comparison, Coverage, Looked, Rank, Search, Sides};
 pub use part::{Part, audit, audit_part};
+pub use point::Options;
 pub use prose::{Printed, claims_about, claims_at_large, kinks_as_printed, number_at_large, number_of};
 pub use sample::Sampler;
+pub use scale::eta_at_scale;
 pub use shard::{PartError, Shard};
 pub use trial::Trial;
 

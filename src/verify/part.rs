@@ -1,9 +1,10 @@
 //! Parts of an audit, for many machines: each draws the same random points and audits its share of them, and what follows one
 //! another is joined, in whatever groups, to the audit of one machine.
 
-use super::audit::{Audit, Options, audit_share};
+use super::audit::{Audit, audit_share};
 use super::claim::Claim;
 use super::kinks::{Comparison, Coverage, Looked};
+use super::point::Options;
 use super::shard::{PartError, Shard};
 use super::subject::Subject;
 use crate::proof::Proved;
@@ -95,10 +96,6 @@ impl Part {
 impl Audit {
     /// With what was found at points that follow.
     fn and(self, next: Self) -> Self {
-        let either = |one: Option<Claim>, next: Option<Claim>| match (one, next) {
-            (Some(one), Some(next)) => Some(one.and(next)),
-            (one, next) => one.or(next),
-        };
         Self {
             formula: self.formula,
             provenance: self.provenance,
@@ -110,13 +107,24 @@ impl Audit {
             ad_against_differences: self.ad_against_differences.and(next.ad_against_differences),
             eta: self.eta.and(next.eta),
             eta_jacobian: self.eta_jacobian.and(next.eta_jacobian),
+            scaled: either(self.scaled, next.scaled, |[one, two], [next_one, next_two]| {
+                [one.and(next_one), two.and(next_two)]
+            }),
             equation: self.equation.and(next.equation),
             equation_jacobian: self.equation_jacobian.and(next.equation_jacobian),
             laws: self.laws.into_iter().zip(next.laws).map(|(one, next)| one.and(next)).collect(),
-            finite: either(self.finite, next.finite),
+            finite: either(self.finite, next.finite, Claim::and),
             kinks: self.kinks.and(next.kinks),
-            register: either(self.register, next.register),
+            register: either(self.register, next.register, Claim::and),
             looked: self.looked.or(next.looked),
         }
+    }
+}
+
+/// What was found of something by one part or by both.
+fn either<T>(one: Option<T>, next: Option<T>, and: impl FnOnce(T, T) -> T) -> Option<T> {
+    match (one, next) {
+        (Some(one), Some(next)) => Some(and(one, next)),
+        (one, next) => one.or(next),
     }
 }

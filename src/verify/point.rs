@@ -1,11 +1,29 @@
 //! A point at which claims are checked, and the names of what is compared there.
 
 use super::claim::Deviation;
+use super::sample::Sampler;
 use super::subject::Subject;
 use super::{exact, golden};
 use crate::Octuple;
 use crate::formula::Field;
 use crate::proof::Convention;
+use std::ops::Range;
+
+/// How much to audit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// Random points, beside the cases and the neighbourhoods of kinks.
+    pub samples: usize,
+    /// Seed of the random points.
+    pub seed: u64,
+}
+
+impl Default for Options {
+    /// A thousand points of seed 1.
+    fn default() -> Self {
+        Self { samples: 1000, seed: 1 }
+    }
+}
 
 /// A point of a formula.
 pub(super) struct Point<'a> {
@@ -28,6 +46,14 @@ impl<'a> Point<'a> {
         let inputs = golden::named(self.subject.inputs, &self.inputs).into();
         Deviation { size, entry, point: self.label.clone(), found, expected, inputs }
     }
+}
+
+/// Random points of a formula, which are the same whatever is asked for: those before are drawn, too.
+pub(super) fn random_points<'a>(subject: &'a Subject, options: &Options, range: Range<usize>) -> Vec<Point<'a>> {
+    let mut sampler = Sampler::for_formula(subject.spec.id, options.seed);
+    let point = |(k, inputs)| Point::new(subject, format!("random {k} of seed {}", options.seed), true, inputs);
+    let drawn = (0..range.end).map(|k| (k, sampler.components(subject)));
+    drawn.skip(range.start).map(point).collect()
 }
 
 /// Names of components: `x`, `xa[2]`.

@@ -1,7 +1,8 @@
 //! What prose claims in mathematics, at the points of the formula that it is about.
 
-use super::audit::{Options, named_points};
+use super::audit::named_points;
 use super::claim::{Claim, Deviation};
+use super::point::Options;
 use super::printed::EQUATION;
 use super::subject::{Kink, Subject};
 use super::{Sampler, Sensitivity, exact, golden};

@@ -6,10 +6,14 @@ use crate::proof::Proved;
 use crate::quantity::{Domain, Node, Shape};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
+use std::ops::RangeInclusive;
 
 /// A source of test points. Only integer arithmetic, + − × ÷ and √ are used, so a seed gives the same doubles anywhere.
 #[derive(Clone, Debug)]
 pub struct Sampler(ChaCha8Rng);
+
+/// Numbers are drawn from so many doublings below 1 to as many above.
+pub(super) const DOUBLINGS: i64 = 10;
 
 /// So many draws refused one after another are no chance: `validate` and the domains contradict each other.
 const DRAWS: usize = 1000;
@@ -103,6 +107,12 @@ impl Sampler {
     pub(super) fn below(&mut self, count: usize) -> usize {
         let count = u64::try_from(count).expect("a count is below 2⁶⁴");
         usize::try_from(self.0.next_u64() % count).expect("it is below a count")
+    }
+
+    /// A whole number of a range.
+    pub(super) fn whole(&mut self, range: RangeInclusive<i64>) -> i64 {
+        let count = range.end().abs_diff(*range.start()) + 1;
+        range.start().wrapping_add_unsigned(self.0.next_u64() % count)
     }
 
     fn coin(&mut self) -> bool {

@@ -1,8 +1,8 @@
 //! Points of a formula and its values there, against which an equation can be tried that somebody else wrote.
 
-use super::audit::{Options, named_points};
+use super::audit::named_points;
 use super::claim::{Claim, Deviation};
-use super::point::{Names, Point};
+use super::point::{Names, Options, Point};
 use super::printed::{EQUATION, found};
 use super::subject::Subject;
 use super::{Sampler, Sensitivity, golden};

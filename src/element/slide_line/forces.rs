@@ -73,7 +73,8 @@ impl Formula for Linear {
     const SPEC: Spec = Spec::new("slide_line.nodal_forces_linear", "Nodal forces of contact on a straight segment", OURS)
         .equation(r"\mathbf{f}_s = A\,(S_{11}\,\mathbf{n} - S_{12}\,\mathbf{t}),\quad \mathbf{f}_1 = -\tfrac12(1-g)\,\mathbf{f}_s,\quad \mathbf{f}_2 = -\tfrac12(1+g)\,\mathbf{f}_s")
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &LinearPoint::SPEC)])
-        .eta(2.0, 4.0);
+        .eta(2.0, 4.0)
+        .scale(1e120);
     type Inputs<T: Component> = LinearLoads<T>;
     type Outputs<T: Component> = LinearForces<T>;
 
@@ -108,7 +109,8 @@ impl Formula for Parabolic {
     const SPEC: Spec = Spec::new("slide_line.nodal_forces_parabolic", "Nodal forces of contact on a parabolic segment", OURS)
         .equation(r"\mathbf{f}_s = A\,(S_{11}\,\mathbf{n} - S_{12}\,\mathbf{t}),\quad \mathbf{f}_1 = -\tfrac12 g(g-1)\,\mathbf{f}_s,\quad \mathbf{f}_2 = -(1-g^2)\,\mathbf{f}_s,\quad \mathbf{f}_3 = -\tfrac12 g(g+1)\,\mathbf{f}_s")
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &ParabolicPoint::SPEC)])
-        .eta(2.0, 8.0);
+        .eta(2.0, 8.0)
+        .scale(1e5);
     type Inputs<T: Component> = ParabolicLoads<T>;
     type Outputs<T: Component> = ParabolicForces<T>;
 

@@ -46,7 +46,8 @@ impl Formula for Response {
         ),
     )
         .equation(r"S_{12} = \begin{cases} S^{\mathrm{trial}} & S_{11} > 0,\ \lvert S^{\mathrm{trial}}\rvert < \mu S_{11} \\ \mu S_{11} \operatorname{sign} S^{\mathrm{trial}} & S_{11} > 0 \\ 0 & \text{otherwise}\end{cases},\quad S^{\mathrm{trial}} = S_{12}^{\mathrm{before}} + k_{\mathrm{el}}\,\Delta E_{12}")
-        .eta(1.0, 0.0);
+        .eta(1.0, 0.0)
+        .scale(1e250);
     type Inputs<T: Component> = Rubbing<T>;
     type Outputs<T: Component> = Shear<T>;
 

@@ -111,6 +111,7 @@ impl Formula for ClosestSmoothedLinear {
 .given(&[Given::new(r"\mathbf{X}(t),\ \mathbf{X}'", &SmoothedLinearPoint::SPEC), Given::new(r"\mathbf{n}", &LocalBasis::SPEC)])
         // Above 8 at few random points: the separation by f, where both segments are nearly in line.
         .eta(4.0, 48.0)
+        .scale(1e3)
         .finite(Finite::Between);
     type Inputs<T: Component> = LinearCornerSlave<T>;
     type Outputs<T: Component> = CornerFoot<T>;

@@ -109,6 +109,7 @@ impl Formula for ClosestSmoothedParabolic {
         // Of 100,000 entries at random points a handful is above 24: derivatives by f between nodes whose distances
         // differ by factors of 1e6, where the ends move nearly along the tangent.
         .eta(4.0, 128.0)
+        .scale(1e3)
         .finite(Finite::Between);
     type Inputs<T: Component> = ParabolicCornerSlave<T>;
     type Outputs<T: Component> = CornerFoot<T>;

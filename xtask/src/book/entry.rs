@@ -184,6 +184,7 @@ fn evidence(ran: &Evidence) -> String {
         ("its derivative against closed form", &audit.equation_jacobian),
     ];
     chips.extend(claims.iter().map(|(what, claim)| format!("{what} {}", worst(claim))));
+    chips.extend(audit.scaled.iter().flatten().map(|claim| format!("{}: {}", escape(&claim.claim), worst(claim))));
     chips.extend(audit.looked.iter().flat_map(looked::lines).map(|line| escape(&line)));
     format!("<ul class=\"chips\">{}</ul>", each(chips, |chip| format!("<li>{chip}</li>")))
 }

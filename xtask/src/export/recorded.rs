@@ -101,6 +101,7 @@ pub(super) fn description(one: &Recorded) -> Vec<String> {
     lines.push(String::new());
     lines
         .push(format!("eta <= {} of the value, <= {} of the Jacobian, in units of 2^-53", spec.eta, spec.eta_jacobian));
+    lines.push(format!("where inputs are 0 or {} in size", spec.sizes()));
     lines.extend(one.formula.kinks().iter().map(|kink| format!("kink: {}", kink.condition)));
     lines.push(format!("Golden cases: golden/{}.json of jointproof {}", spec.id, env!("CARGO_PKG_VERSION")));
     lines.extend(one.checksum.iter().map(|checksum| format!("SHA-256 {checksum}")));

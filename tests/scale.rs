@@ -1,0 +1,91 @@
+//! Up to which sizes of inputs the bounds of η hold, and that beyond they do not.
+//!
+//! The audit checks them at sizes up to the [scale](jointproof::formula::Spec::scale) that a formula states. Here stand inputs a
+//! little larger or smaller at which a bound is exceeded, one for every formula that does not hold everywhere.
+//! `cargo test --test scale -- --ignored` searches for the scales and such inputs again.
+
+use jointproof::catalog::{AnyFormula, CATALOG};
+use jointproof::verify::{Claim, Deviation, Options};
+use rayon::prelude::*;
+use serde_json::{Map, Value};
+use std::path::PathBuf;
+
+/// Of these a formula states one.
+const SCALES: [f64; 15] = [1e3, 1e5, 1e10, 1e15, 1e20, 1e30, 1e40, 1e50, 1e60, 1e80, 1e100, 1e120, 1e150, 1e200, 1e250];
+/// At so many random points, taken to other sizes, a search finds a bound exceeded or not.
+const SEARCHED: Options = Options { samples: 300, seed: 5 };
+
+fn file() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/beyond.json")
+}
+
+/// The components of inputs that are given by their names.
+fn components(inputs: &Value) -> Vec<f64> {
+    match inputs {
+        Value::Object(fields) => fields.values().flat_map(components).collect(),
+        Value::Array(numbers) => numbers.iter().flat_map(components).collect(),
+        number => vec![number.as_f64().unwrap()],
+    }
+}
+
+/// Formulas state a scale so many steps below the first at which the search finds a bound exceeded, since another search may find
+/// one earlier.
+const MARGIN: usize = 2;
+
+/// The scale at which a bound is exceeded if this one is stated; none if it is the largest, which is stated if none is exceeded.
+fn beyond(scale: f64) -> Option<f64> {
+    let place = SCALES.iter().position(|&known| known == scale).unwrap();
+    let last = SCALES.len() - 1;
+    (place < last).then(|| SCALES[(place + MARGIN).min(last)])
+}
+
+fn exceeded(claims: &[&Claim]) -> bool {
+    claims.iter().any(|claim| claim.failures > 0)
+}
+
+#[test]
+fn beyond_the_sizes_that_are_stated_a_bound_is_exceeded() {
+    let kept: Map<String, Value> = serde_json::from_str(&std::fs::read_to_string(file()).unwrap()).unwrap();
+    for formula in CATALOG {
+        let spec = formula.spec();
+        assert!(SCALES.contains(&spec.scale), "{} states {:e}", spec.id, spec.scale);
+        let Some(beyond) = beyond(spec.scale) else {
+            assert!(!kept.contains_key(spec.id), "{} holds everywhere", spec.id);
+            continue;
+        };
+        let inputs = components(kept.get(spec.id).unwrap_or_else(|| panic!("nothing is kept of {}", spec.id)));
+        assert!(inputs.iter().all(|x| (1.0 / beyond..=beyond).contains(&x.abs())), "{}: too far", spec.id);
+        let audit = formula.audit_at(&inputs).unwrap();
+        assert!(exceeded(&[&audit.eta, &audit.eta_jacobian]), "{} holds at {}", spec.id, kept[spec.id]);
+    }
+}
+
+#[test]
+#[ignore = "searches for a quarter of an hour"]
+fn the_sizes_that_are_stated_are_those_that_a_search_finds() {
+    let found: Vec<_> = CATALOG.par_iter().map(|formula| search(*formula)).collect();
+    let mut kept = Map::new();
+    let mut others = Vec::new();
+    for (formula, (scale, beyond)) in CATALOG.iter().zip(found) {
+        let spec = formula.spec();
+        if spec.scale != scale {
+            others.push(format!("{} states {:e}, found is {scale:e}", spec.id, spec.scale));
+        }
+        kept.extend(beyond.map(|beyond| (spec.id.to_owned(), beyond.inputs)));
+    }
+    std::fs::write(file(), serde_json::to_string_pretty(&kept).unwrap() + "\n").unwrap();
+    assert_eq!(others, [""; 0]);
+}
+
+/// The scale to be stated, and where a bound is exceeded most at the first at which it is.
+fn search(formula: &dyn AnyFormula) -> (f64, Option<Deviation>) {
+    for (k, &scale) in SCALES.iter().enumerate().skip(1) {
+        let claims = formula.eta_at_scale(scale, &SEARCHED);
+        assert!(claims.iter().all(|claim| claim.checks > 0), "{}: nothing was drawn", formula.spec().id);
+        let worst = claims.into_iter().filter(|claim| claim.failures > 0).find_map(|claim| claim.worst);
+        if worst.is_some() {
+            return (SCALES[k.saturating_sub(MARGIN)], worst);
+        }
+    }
+    (SCALES[SCALES.len() - 1], None)
+}
