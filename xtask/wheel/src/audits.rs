@@ -1,0 +1,67 @@
+//! Audits, and parts of them, as JSON.
+
+use jointproof::catalog::{AnyFormula, find};
+use jointproof::verify::{Audit, Options, Part, Shard};
+use pyo3::exceptions::{PyKeyError, PyValueError};
+use pyo3::prelude::*;
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+
+fn found(id: &str) -> PyResult<&'static dyn AnyFormula> {
+    find(id).ok_or_else(|| PyKeyError::new_err(id.to_owned()))
+}
+
+fn invalid(error: impl std::fmt::Display) -> PyErr {
+    PyValueError::new_err(error.to_string())
+}
+
+fn written(value: &impl serde::Serialize) -> PyResult<String> {
+    serde_json::to_string(value).map_err(invalid)
+}
+
+fn read<T: serde::de::DeserializeOwned>(text: &str) -> PyResult<T> {
+    serde_json::from_str(text).map_err(invalid)
+}
+
+/// The audits of these formulas.
+#[pyfunction]
+pub(crate) fn audit(py: Python<'_>, ids: Vec<String>, samples: usize, seed: u64) -> PyResult<String> {
+    let formulas = ids.iter().map(|id| found(id)).collect::<PyResult<Vec<_>>>()?;
+    let options = Options { samples, seed };
+    let audits = py.detach(|| formulas.par_iter().map(|formula| formula.audit(&options)).collect::<Vec<_>>());
+    written(&audits)
+}
+
+/// A part of the audit of a formula: the one of this number, counted from 1, of so many.
+#[pyfunction]
+pub(crate) fn audit_part(
+    py: Python<'_>,
+    id: &str,
+    samples: usize,
+    seed: u64,
+    index: usize,
+    of: usize,
+) -> PyResult<String> {
+    let formula = found(id)?;
+    let shard = Shard::new(index, of).map_err(invalid)?;
+    written(&py.detach(|| formula.audit_part(&Options { samples, seed }, shard)))
+}
+
+/// Two parts that follow one another as one.
+#[pyfunction]
+pub(crate) fn join_parts(one: &str, next: &str) -> PyResult<String> {
+    written(&read::<Part>(one)?.and(read(next)?).map_err(invalid)?)
+}
+
+/// The audit that all parts are.
+#[pyfunction]
+pub(crate) fn audit_whole(part: &str) -> PyResult<String> {
+    written(&read::<Part>(part)?.into_audit().map_err(invalid)?)
+}
+
+/// Audits in words, and whether all of them passed.
+#[pyfunction]
+pub(crate) fn audit_text(audits: &str) -> PyResult<(String, bool)> {
+    let audits: Vec<Audit> = read(audits)?;
+    let text = kit::audited::text(&audits, Audit::passed).map_err(invalid)?;
+    Ok((text, audits.iter().all(Audit::passed)))
+}
