@@ -1,6 +1,6 @@
 //! Audits, and parts of them, as JSON.
 
-use jointproof::catalog::{AnyFormula, find};
+use jointproof::catalog::{AnyFormula, CATALOG, find};
 use jointproof::verify::{Audit, Options, Part, Shard};
 use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::prelude::*;
@@ -22,11 +22,22 @@ fn read<T: serde::de::DeserializeOwned>(text: &str) -> PyResult<T> {
     serde_json::from_str(text).map_err(invalid)
 }
 
+/// What is not given is as the commands have it.
+pub(crate) fn options(samples: Option<usize>, seed: Option<u64>) -> Options {
+    let usual = Options::default();
+    Options { samples: samples.unwrap_or(usual.samples), seed: seed.unwrap_or(usual.seed) }
+}
+
 /// The audits of these formulas.
 #[pyfunction]
-pub(crate) fn audit(py: Python<'_>, ids: Vec<String>, samples: usize, seed: u64) -> PyResult<String> {
+pub(crate) fn audit(
+    py: Python<'_>,
+    ids: Vec<String>,
+    samples: Option<usize>,
+    seed: Option<u64>,
+) -> PyResult<String> {
     let formulas = ids.iter().map(|id| found(id)).collect::<PyResult<Vec<_>>>()?;
-    let options = Options { samples, seed };
+    let options = options(samples, seed);
     let audits = py.detach(|| formulas.par_iter().map(|formula| formula.audit(&options)).collect::<Vec<_>>());
     written(&audits)
 }
@@ -36,14 +47,15 @@ pub(crate) fn audit(py: Python<'_>, ids: Vec<String>, samples: usize, seed: u64)
 pub(crate) fn audit_part(
     py: Python<'_>,
     id: &str,
-    samples: usize,
-    seed: u64,
+    samples: Option<usize>,
+    seed: Option<u64>,
     index: usize,
     of: usize,
 ) -> PyResult<String> {
     let formula = found(id)?;
     let shard = Shard::new(index, of).map_err(invalid)?;
-    written(&py.detach(|| formula.audit_part(&Options { samples, seed }, shard)))
+    let options = options(samples, seed);
+    written(&py.detach(|| formula.audit_part(&options, shard)))
 }
 
 /// Two parts that follow one another as one.
@@ -52,10 +64,21 @@ pub(crate) fn join_parts(one: &str, next: &str) -> PyResult<String> {
     written(&read::<Part>(one)?.and(read(next)?).map_err(invalid)?)
 }
 
-/// The audit that all parts are.
+/// The audits that parts are, in the order of the catalog, in whatever order the parts are given.
 #[pyfunction]
-pub(crate) fn audit_whole(part: &str) -> PyResult<String> {
-    written(&read::<Part>(part)?.into_audit().map_err(invalid)?)
+pub(crate) fn join_all(parts: Vec<String>) -> PyResult<String> {
+    let mut parts = parts.iter().map(|part| read::<Part>(part)).collect::<PyResult<Vec<_>>>()?;
+    let place = |part: &Part| CATALOG.iter().position(|formula| formula.spec().id == part.formula());
+    parts.sort_by_cached_key(|part| (place(part), part.first()));
+    let mut audits = Vec::new();
+    let mut rest = parts.into_iter().peekable();
+    while let Some(mut whole) = rest.next() {
+        while let Some(next) = rest.next_if(|next| next.formula() == whole.formula()) {
+            whole = whole.and(next).map_err(invalid)?;
+        }
+        audits.push(whole.into_audit().map_err(invalid)?);
+    }
+    written(&audits)
 }
 
 /// Audits in words, and whether all of them passed.
@@ -63,5 +86,5 @@ pub(crate) fn audit_whole(part: &str) -> PyResult<String> {
 pub(crate) fn audit_text(audits: &str) -> PyResult<(String, bool)> {
     let audits: Vec<Audit> = read(audits)?;
     let text = kit::audited::text(&audits, Audit::passed).map_err(invalid)?;
-    Ok((text, audits.iter().all(Audit::passed)))
+    Ok((kit::console::plain(&text), audits.iter().all(Audit::passed)))
 }

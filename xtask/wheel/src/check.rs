@@ -1,7 +1,7 @@
 //! Functions of Python, judged as programs are.
 
+use crate::audits::options;
 use crate::formulas::formula;
-use jointproof::verify::Options;
 use kit::check::{self, Answer, Grade, Number};
 use numpy::PyArray2;
 use pyo3::exceptions::PyValueError;
@@ -64,12 +64,12 @@ impl Called {
         py: Python<'_>,
         place: usize,
         with_jacobian: bool,
-        samples: usize,
-        seed: u64,
+        samples: Option<usize>,
+        seed: Option<u64>,
         with_invalid_inputs: bool,
     ) -> PyResult<Self> {
         let formula = formula(place)?;
-        let options = Options { samples, seed };
+        let options = options(samples, seed);
         let inputs = formula.inputs().iter().map(jointproof::formula::Field::len).sum();
         let called = py.detach(|| check::Called::new(formula, with_jacobian, &options, with_invalid_inputs));
         Ok(Self { called, inputs })
