@@ -10,7 +10,7 @@ Every formula is a function in the module of its family::
     0.6
 
 ``formulas`` has all of them by identifier. :func:`check` judges a function of yours, :func:`audit` proves formulas again,
-:func:`scene` evaluates scene files. ``jointproof.jax``, ``jointproof.torch`` and ``jointproof.blocks`` bring formulas to
+:func:`scene` evaluates scene files, :func:`plot` draws an output and its derivative. ``jointproof.jax``, ``jointproof.torch`` and ``jointproof.blocks`` bring formulas to
 where arrays are those of others.
 """
 
@@ -23,6 +23,7 @@ from .auditing import Audits, audit, audit_part, join, join_parts
 from .checking import Checked, check
 from .errors import InputError, ShapeError
 from .formula import Field, Formula, Gradient, Jacobian, Linearized, made
+from .plotting import Plot, plot
 from .scenes import Scene, scene
 
 __all__ = [
@@ -34,6 +35,7 @@ __all__ = [
     "InputError",
     "Jacobian",
     "Linearized",
+    "Plot",
     "Scene",
     "ShapeError",
     "audit",
@@ -43,6 +45,7 @@ __all__ = [
     "formulas",
     "join",
     "join_parts",
+    "plot",
     "scene",
 ]
 

@@ -17,7 +17,8 @@ class Field:
     __slots__ = ("name", "latex", "shape", "unit", "allowed", "meaning", "size", "start")
 
     def __init__(self, said, start):
-        self.name = said["name"]
+        # As the document has it, but for `lambda`, which is a word of Python.
+        self.name = said["name"] + "_" * keyword.iskeyword(said["name"])
         self.latex = said["latex"]
         self.shape = tuple(said["shape"])
         self.unit = said["unit"]
