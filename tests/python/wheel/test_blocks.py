@@ -90,7 +90,7 @@ def test_a_process_that_is_killed_loses_nothing(tmp_path):
     with distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster:
         with distributed.Client(cluster) as client:
             parts = client.map(slow_part, ["slot.friction"] * 8, range(1, 9), [8] * 8, [str(killed)] * 8, pure=False)
-            audits = jointproof.join(client.gather(parts))
+            audits = jointproof.merge(client.gather(parts))
     assert killed.exists()
     assert audits.json == jointproof.audit("slot.friction", samples=40).json
 

@@ -15,7 +15,7 @@ def test_every_formula_is_a_function_of_its_family():
     assert len(jointproof.formulas) > 100
     for id, formula in jointproof.formulas.items():
         family, name = id.split(".")
-        assert getattr(getattr(jointproof, family), name) is formula is jointproof.find(id)
+        assert getattr(getattr(jointproof, family), jointproof.formula.named(name)) is formula is jointproof.find(id)
         assert list(inspect.signature(formula).parameters) == [*(field.name for field in formula.inputs), "out"]
 
 

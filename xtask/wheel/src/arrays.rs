@@ -85,11 +85,14 @@ impl<'a> Call<'a> {
             let all = self.inputs.iter().all(|array| fits(array.strides()))
                 && self.results.iter().all(|array| fits(array.strides()));
             if all && outer > 0 && inner > 0 {
-                self.inputs.iter_mut().for_each(|array| assert!(array.merge_axes(Axis(axis), Axis(axis - 1))));
-                self.results.iter_mut().for_each(|array| assert!(array.merge_axes(Axis(axis), Axis(axis - 1))));
-                self.shape[axis - 1] = outer * inner;
-                self.steps[axis - 1] = self.steps[axis];
-                self = self.without(axis);
+                for array in &mut self.inputs {
+                    array.merge_axes(Axis(axis - 1), Axis(axis));
+                }
+                for array in &mut self.results {
+                    array.merge_axes(Axis(axis - 1), Axis(axis));
+                }
+                self.shape[axis] = outer * inner;
+                self = self.without(axis - 1);
             }
         }
         self

@@ -60,13 +60,13 @@ pub(crate) fn audit_part(
 
 /// Two parts that follow one another as one.
 #[pyfunction]
-pub(crate) fn join_parts(one: &str, next: &str) -> PyResult<String> {
+pub(crate) fn merge_parts(one: &str, next: &str) -> PyResult<String> {
     written(&read::<Part>(one)?.and(read(next)?).map_err(invalid)?)
 }
 
 /// The audits that parts are, in the order of the catalog, in whatever order the parts are given.
 #[pyfunction]
-pub(crate) fn join_all(parts: Vec<String>) -> PyResult<String> {
+pub(crate) fn merge_all(parts: Vec<String>) -> PyResult<String> {
     let mut parts = parts.iter().map(|part| read::<Part>(part)).collect::<PyResult<Vec<_>>>()?;
     let place = |part: &Part| CATALOG.iter().position(|formula| formula.spec().id == part.formula());
     parts.sort_by_cached_key(|part| (place(part), part.first()));

@@ -17,7 +17,7 @@ use pyo3::pymodule;
 #[pymodule]
 mod _jointproof {
     #[pymodule_export]
-    use super::audits::{audit, audit_part, audit_text, join_all, join_parts};
+    use super::audits::{audit, audit_part, audit_text, merge_all, merge_parts};
     #[pymodule_export]
     use super::check::{Called, Found, Judged};
     #[pymodule_export]

@@ -6,7 +6,7 @@ Every formula is a function in the module of its family::
     >>> jointproof.slot.contact_force(f2=3.0, f3=[4.0, 0.0]).fc
     array([5., 3.])
     >>> value, jacobian = jointproof.slot.contact_force.linearize(3.0, 4.0)
-    >>> jacobian.fc.f2
+    >>> print(jacobian.fc.f2)
     0.6
 
 ``formulas`` has all of them by identifier. :func:`check` judges a function of yours, :func:`audit` proves formulas again,
@@ -19,7 +19,7 @@ import sys
 from types import MappingProxyType, ModuleType
 
 from . import _jointproof
-from .auditing import Audits, audit, audit_part, join, join_parts
+from .auditing import Audits, audit, audit_part, merge, merge_parts
 from .checking import Checked, check
 from .errors import InputError, ShapeError
 from .formula import Field, Formula, Gradient, Jacobian, Linearized, made
@@ -43,8 +43,8 @@ __all__ = [
     "check",
     "find",
     "formulas",
-    "join",
-    "join_parts",
+    "merge",
+    "merge_parts",
     "plot",
     "scene",
 ]
@@ -66,7 +66,7 @@ def find(formula):
 
 def _families():
     for id, formula in _all.items():
-        family, name = id.split(".")
+        family, _ = id.split(".")
         path = f"{__name__}.{family}"
         if path not in sys.modules:
             module = ModuleType(path, f"The formulas of the family {family}.")
@@ -75,8 +75,8 @@ def _families():
             sys.modules[path] = module
             globals()[family] = module
             __all__.append(family)
-        setattr(sys.modules[path], name, formula)
-        sys.modules[path].__all__.append(name)
+        setattr(sys.modules[path], formula.__name__, formula)
+        sys.modules[path].__all__.append(formula.__name__)
 
 
 _families()

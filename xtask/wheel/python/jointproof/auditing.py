@@ -46,14 +46,14 @@ def audit_part(formula, index, of, *, samples=None, seed=None):
     return _jointproof.audit_part(_id(formula), samples, seed, index, of)
 
 
-def join_parts(one, following):
+def merge_parts(one, following):
     """A part of an audit and the one that follows it, as one part."""
-    return _jointproof.join_parts(one, following)
+    return _jointproof.merge_parts(one, following)
 
 
-def join(parts):
+def merge(parts):
     """The audits that parts are, of one formula or of several, in whatever order the parts are given."""
-    return Audits(_jointproof.join_all(list(parts)))
+    return Audits(_jointproof.merge_all(list(parts)))
 
 
 def chosen(patterns):

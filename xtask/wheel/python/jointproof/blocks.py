@@ -193,7 +193,7 @@ def audit(*patterns, shards, samples=None, seed=None):
         for id in auditing.chosen(patterns)
         for index in range(1, shards + 1)
     ]
-    return dask.delayed(auditing.join)(parts)
+    return dask.delayed(auditing.merge)(parts)
 
 
 class arrow:

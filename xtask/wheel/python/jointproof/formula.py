@@ -11,14 +11,18 @@ from . import _jointproof
 from .errors import InputError, ShapeError
 
 
+def named(name):
+    """A name of the documents in Python, whose own words get an underscore: ``lambda_``, ``yield_``."""
+    return name + "_" * keyword.iskeyword(name)
+
+
 class Field:
     """An input or an output: ``name``, ``latex``, ``shape``, ``unit``, ``allowed`` (in words), ``meaning``."""
 
     __slots__ = ("name", "latex", "shape", "unit", "allowed", "meaning", "size", "start")
 
     def __init__(self, said, start):
-        # As the document has it, but for `lambda`, which is a word of Python.
-        self.name = said["name"] + "_" * keyword.iskeyword(said["name"])
+        self.name = named(said["name"])
         self.latex = said["latex"]
         self.shape = tuple(said["shape"])
         self.unit = said["unit"]
@@ -127,6 +131,7 @@ class Formula:
         self._inputs = dict(zip(self._input_names, self.inputs))
         self._outputs = {field.name: field for field in self.outputs}
         family, name = self.id.split(".")
+        name = named(name)
         self.__name__, self.__module__ = name, f"jointproof.{family}"
         self.Value = namedtuple(f"{_capitals(name)}Value", self._outputs, module=self.__module__)
         self.Value.__doc__ = f"The results of {self.id}."
@@ -360,8 +365,6 @@ def docstring(formula):
 def made(place, said):
     """The one instance of a class of its own, whose documentation is that of the formula."""
     family, name = said["id"].split(".")
-    if keyword.iskeyword(name) or not name.isidentifier():
-        raise ValueError(f"{name} is no name in Python")
     made = type(_capitals(name), (Formula,), {"__module__": f"jointproof.{family}"})(place, said)
     type(made).__doc__ = docstring(made)
     return made
