@@ -16,7 +16,7 @@ class Audits:
         self.text, self.passed = _jointproof.audit_text(text)
 
     def __repr__(self):
-        return self.text
+        return self.text.rstrip()
 
     def __bool__(self):
         return self.passed

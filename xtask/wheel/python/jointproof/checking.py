@@ -25,7 +25,7 @@ class Checked:
         self._formula = formula
 
     def __repr__(self):
-        return self.text
+        return self.text.rstrip()
 
     def __bool__(self):
         return self.is_well
