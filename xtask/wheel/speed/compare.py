@@ -33,7 +33,8 @@ from definitions import DEFINITIONS
 
 import jointproof
 
-ROOT = Path(__file__).resolve().parents[3]
+HERE = Path(__file__).resolve().parent
+TARGET = HERE.parents[2] / "target" / "speed"
 jax.config.update("jax_enable_x64", True)
 
 
@@ -101,14 +102,12 @@ class Rust:
     """A program that computes the same batch, whenever it is told to."""
 
     def __init__(self, id, columns):
-        command = ["cargo", "build", "--quiet", "--release", "--example", "batch_speed", "--features", "measure"]
-        subprocess.run(command, cwd=ROOT, check=True)
+        command = ["cargo", "build", "--quiet", "--release", "--manifest-path", HERE / "Cargo.toml"]
+        subprocess.run([*command, "--target-dir", TARGET], check=True)
         self.file = tempfile.NamedTemporaryFile(suffix=".bin")
         columns.T.tofile(self.file.name)
-        program = ROOT / "target" / "release" / "examples" / "batch_speed"
-        self.program = subprocess.Popen(
-            [program, id, self.file.name], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
-        )
+        program = [TARGET / "release" / "batch-speed", id, self.file.name]
+        self.program = subprocess.Popen(program, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
     def round(self):
         self.program.stdin.write("\n")

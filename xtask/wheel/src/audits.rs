@@ -30,12 +30,7 @@ pub(crate) fn options(samples: Option<usize>, seed: Option<u64>) -> Options {
 
 /// The audits of these formulas.
 #[pyfunction]
-pub(crate) fn audit(
-    py: Python<'_>,
-    ids: Vec<String>,
-    samples: Option<usize>,
-    seed: Option<u64>,
-) -> PyResult<String> {
+pub(crate) fn audit(py: Python<'_>, ids: Vec<String>, samples: Option<usize>, seed: Option<u64>) -> PyResult<String> {
     let formulas = ids.iter().map(|id| found(id)).collect::<PyResult<Vec<_>>>()?;
     let options = options(samples, seed);
     let audits = py.detach(|| formulas.par_iter().map(|formula| formula.audit(&options)).collect::<Vec<_>>());

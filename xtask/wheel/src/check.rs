@@ -90,7 +90,13 @@ impl Called {
     }
 
     /// Judges the answers of both times, in the order of the points.
-    fn judge(&self, py: Python<'_>, name: &str, first: Vec<Bound<'_, PyAny>>, second: Vec<Bound<'_, PyAny>>) -> PyResult<Judged> {
+    fn judge(
+        &self,
+        py: Python<'_>,
+        name: &str,
+        first: Vec<Bound<'_, PyAny>>,
+        second: Vec<Bound<'_, PyAny>>,
+    ) -> PyResult<Judged> {
         let answers = [answers(&first)?, answers(&second)?];
         let judged = py.detach(|| self.called.judge(name, &answers));
         let judged = judged.ok_or_else(|| PyValueError::new_err("an answer has not as many numbers as the formula"))?;

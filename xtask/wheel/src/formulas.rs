@@ -24,7 +24,12 @@ pub(crate) fn formula(place: usize) -> PyResult<&'static dyn AnyFormula> {
 /// All formulas in the order of the book, as JSON.
 #[pyfunction]
 pub(crate) fn catalog() -> String {
-    CATALOG.iter().zip(BATCHES).map(|(formula, batch)| described(*formula, &(batch.entries)())).collect::<Value>().to_string()
+    CATALOG
+        .iter()
+        .zip(BATCHES)
+        .map(|(formula, batch)| described(*formula, &(batch.entries)()))
+        .collect::<Value>()
+        .to_string()
 }
 
 fn described(formula: &dyn AnyFormula, entries: &[[usize; 2]]) -> Value {
@@ -61,9 +66,7 @@ fn field(field: &Field) -> Value {
 pub(crate) fn kinks(py: Python<'_>, place: usize) -> PyResult<String> {
     let formula = formula(place)?;
     let kinks = py.detach(|| formula.kinks());
-    let kink = |kink: &jointproof::catalog::KinkEntry| {
-        json!({ "condition": kink.condition, "at": kink.at, "across": kink.across, "one_sided": kink.one_sided })
-    };
+    let kink = |kink: &jointproof::catalog::KinkEntry| json!({ "condition": kink.condition, "at": kink.at, "across": kink.across, "one_sided": kink.one_sided });
     Ok(kinks.iter().map(kink).collect::<Value>().to_string())
 }
 
