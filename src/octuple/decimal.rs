@@ -212,6 +212,11 @@ impl Decimal {
 }
 
 impl Octuple {
+    /// |x| with all its digits to be rounded, or without a precision with the fewest.
+    fn decimal(self, precision: Option<usize>) -> Decimal {
+        if precision.is_some() { Decimal::exact(self.0) } else { Decimal::shortest(self.0) }
+    }
+
     /// Writes |x| by `text` with the sign, width and fill that `f` asks for.
     fn pad(self, f: &mut fmt::Formatter<'_>, text: &str) -> fmt::Result {
         f.pad_integral(self.0.is_sign_positive(), "", text)
@@ -229,15 +234,9 @@ impl fmt::Display for Octuple {
         if !self.is_finite() {
             return self.special(f);
         }
-        let text = match f.precision() {
-            Some(decimals) => Decimal::exact(self.0).fixed(decimals),
-            None => {
-                let shortest = Decimal::shortest(self.0);
-                let decimals = shortest.decimals();
-                shortest.fixed(decimals)
-            }
-        };
-        self.pad(f, &text)
+        let decimal = self.decimal(f.precision());
+        let decimals = f.precision().unwrap_or_else(|| decimal.decimals());
+        self.pad(f, &decimal.fixed(decimals))
     }
 }
 
@@ -247,15 +246,9 @@ impl fmt::LowerExp for Octuple {
         if !self.is_finite() {
             return self.special(f);
         }
-        let text = match f.precision() {
-            Some(decimals) => Decimal::exact(self.0).scientific(decimals),
-            None => {
-                let shortest = Decimal::shortest(self.0);
-                let decimals = shortest.digits.len().saturating_sub(1);
-                shortest.scientific(decimals)
-            }
-        };
-        self.pad(f, &text)
+        let decimal = self.decimal(f.precision());
+        let decimals = f.precision().unwrap_or_else(|| decimal.digits.len().saturating_sub(1));
+        self.pad(f, &decimal.scientific(decimals))
     }
 }
 

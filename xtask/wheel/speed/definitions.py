@@ -63,9 +63,7 @@ def universal_kinetic_moment(lib, *components):
 def ujoint_decomposition(lib, *components):
     e1a, e2a, e3a, e3b, f = (components[k : k + 3] for k in range(0, 15, 3))
     force = [dot(f, axes) for axes in zip(e1a, e2a, e3a)]
-    across = cross(e1a, e3b)
-    length = lib.sqrt(dot(across, across))
-    return [dot(force, e1a), dot(force, e3b), dot(force, across) / length]
+    return [dot(force, e1a), dot(force, e3b), dot(force, cross(e1a, e3b))]
 
 
 def slide_line_torque_linear(lib, r1, z1, r2, z2, p1, p2):
