@@ -1,4 +1,4 @@
-"""Ten formulas of as many rooms, as their equations are printed in the book, for JAX and for CasADi.
+"""A formula of every room, as their equations are printed in the book, for JAX and for CasADi.
 
 A definition takes the functions of a library and the components of the inputs in order, and returns those of the outputs.
 What the equations say about single points where a length is zero is left out, which is faster.
@@ -66,6 +66,12 @@ def ujoint_decomposition(lib, *components):
     return [dot(force, e1a), dot(force, e3b), dot(force, cross(e1a, e3b))]
 
 
+def slider_line(lib, *components):
+    d = minus(components[3:], components[:3])
+    length = lib.sqrt(dot(d, d))
+    return [*(x / length for x in d), length]
+
+
 def slide_line_torque_linear(lib, r1, z1, r2, z2, p1, p2):
     length = lib.sqrt((r2 - r1) * (r2 - r1) + (z2 - z1) * (z2 - z1))
     first = r1 * r1 / 4 + r1 * r2 / 6 + r2 * r2 / 12
@@ -78,6 +84,13 @@ def interaction_pressure_exponential(lib, h, c0, p0):
     return [lib.where(s > 0, p0 / (e - 1) * s * (lib.exp(s) - 1), 0.0)]
 
 
+def element_arm(lib, *components):
+    r, f, m = (components[k : k + 3] for k in range(0, 9, 3))
+    along = dot(r, f)
+    stiffness = [r[i] * f[j] - (along if i == j else 0.0) for i in range(3) for j in range(3)]
+    return [*(x + y for x, y in zip(m, cross(r, f))), *stiffness]
+
+
 DEFINITIONS = {
     "slot.friction": slot_friction,
     "coulomb.response": coulomb_response,
@@ -87,6 +100,8 @@ DEFINITIONS = {
     "join.constraint": join_constraint,
     "universal.kinetic_moment": universal_kinetic_moment,
     "ujoint.decomposition": ujoint_decomposition,
+    "slider.line": slider_line,
     "slide_line.torque_linear": slide_line_torque_linear,
     "interaction.pressure_exponential": interaction_pressure_exponential,
+    "element.arm": element_arm,
 }

@@ -3,7 +3,9 @@
 
 use jointproof::batch::{ArrayView1, ArrayViewMut1, columns, entries, value_and_jacobian};
 use jointproof::formula::{Fields, Formula};
-use jointproof::{align, cardan, coulomb, interaction, join, slide_line, slot, translator, ujoint, universal};
+use jointproof::{
+    align, cardan, coulomb, element, interaction, join, slide_line, slider, slot, translator, ujoint, universal,
+};
 use std::error::Error;
 use std::io::{self, BufRead, Write};
 use std::time::Instant;
@@ -12,7 +14,7 @@ use std::time::Instant;
 type Run = fn(&[f64]) -> Result<(), Box<dyn Error>>;
 
 /// Those of `definitions.py`.
-const FORMULAS: [(&str, Run); 10] = [
+const FORMULAS: [(&str, Run); 12] = [
     of::<slot::Friction>(),
     of::<coulomb::Response>(),
     of::<cardan::CardanAngles>(),
@@ -21,8 +23,10 @@ const FORMULAS: [(&str, Run); 10] = [
     of::<join::Constraint>(),
     of::<universal::KineticMoment>(),
     of::<ujoint::Decomposition>(),
+    of::<slider::Line>(),
     of::<slide_line::TorqueLinear>(),
     of::<interaction::PressureExponential>(),
+    of::<element::offset::Arm>(),
 ];
 
 const fn of<F: Formula>() -> (&'static str, Run) {
@@ -34,7 +38,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (Some(id), Some(file)) = (arguments.next(), arguments.next()) else {
         return Err("usage: batch-speed FORMULA FILE".into());
     };
-    let (_, run) = FORMULAS.iter().find(|(known, _)| *known == id).ok_or("this formula is not among the ten")?;
+    let (_, run) =
+        FORMULAS.iter().find(|(known, _)| *known == id).ok_or("this formula is not among those of definitions.py")?;
     let bytes = std::fs::read(file)?;
     let numbers: Vec<f64> = bytes.as_chunks::<8>().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect();
     run(&numbers)
