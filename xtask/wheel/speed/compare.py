@@ -166,11 +166,11 @@ def in_casadi(id, formula, columns, out):
     function = casadi.Function("f", [x], [y, casadi.jacobian(y, x)])
     count = len(columns)
     matrix = casadi.DM(np.ascontiguousarray(columns.T))
-    few = function.map(5)(matrix[:, :5])
-    value = np.asarray(few[0]).T
-    jacobian = np.asarray(casadi.densify(few[1])).reshape(formula.m, 5, formula.n).transpose(1, 0, 2)
-    agree(id, "CasADi", packed(formula, out)[:5], value)
-    agree(id, "CasADi", out.jacobian.array[:5], jacobian)
+    some = np.linspace(0, count - 1, 1000, dtype=int)
+    values, jacobians = function.map(len(some))(np.ascontiguousarray(columns[some].T))
+    jacobian = np.asarray(casadi.densify(jacobians)).reshape(formula.m, len(some), formula.n).transpose(1, 0, 2)
+    agree(id, "CasADi", packed(formula, out)[some], np.asarray(values).T)
+    agree(id, "CasADi", out.jacobian.array[some], jacobian)
     maps = [function.map(count), function.map(count, "thread", os.cpu_count())]
     return [lambda mapped=mapped: mapped(matrix) for mapped in maps]
 

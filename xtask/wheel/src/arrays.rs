@@ -136,7 +136,7 @@ impl<'a> Call<'a> {
 }
 
 /// The components of a field, whose axes are the last ones, each as an array, in order.
-pub(crate) fn components<'a>(array: ArrayViewD<'a, f64>, axes: usize) -> Vec<ArrayViewD<'a, f64>> {
+pub(crate) fn components(array: ArrayViewD<'_, f64>, axes: usize) -> Vec<ArrayViewD<'_, f64>> {
     if axes == 0 {
         return vec![array];
     }
@@ -146,7 +146,7 @@ pub(crate) fn components<'a>(array: ArrayViewD<'a, f64>, axes: usize) -> Vec<Arr
 }
 
 /// As [`components`], to be written.
-pub(crate) fn components_mut<'a>(mut array: ArrayViewMutD<'a, f64>, axes: usize) -> Vec<ArrayViewMutD<'a, f64>> {
+pub(crate) fn components_mut(mut array: ArrayViewMutD<'_, f64>, axes: usize) -> Vec<ArrayViewMutD<'_, f64>> {
     if axes == 0 {
         return vec![array];
     }

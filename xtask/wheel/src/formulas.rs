@@ -16,6 +16,9 @@ use serde_json::{Value, json};
 /// Why a call was refused, by names.
 type Told<'py> = Option<Bound<'py, PyDict>>;
 
+/// What comes out, or why nothing does.
+type OrTold<'py, T> = PyResult<(Option<T>, Told<'py>)>;
+
 /// The formula in this place.
 pub(crate) fn formula(place: usize) -> PyResult<&'static dyn AnyFormula> {
     CATALOG.get(place).copied().ok_or_else(|| PyIndexError::new_err(format!("there is no formula in place {place}")))
@@ -72,21 +75,17 @@ pub(crate) fn kinks(py: Python<'_>, place: usize) -> PyResult<String> {
 
 /// The outputs at one point, by components in order, or why it is refused.
 #[pyfunction]
-pub(crate) fn value_at(py: Python<'_>, place: usize, inputs: Vec<f64>) -> PyResult<(Option<Vec<f64>>, Told<'_>)> {
+pub(crate) fn value_at(py: Python<'_>, place: usize, inputs: Vec<f64>) -> OrTold<'_, Vec<f64>> {
     one(py, formula(place)?.value(&inputs))
 }
 
 /// Outputs and Jacobian at one point, as [`value_at`].
 #[pyfunction]
-pub(crate) fn linearize_at(
-    py: Python<'_>,
-    place: usize,
-    inputs: Vec<f64>,
-) -> PyResult<(Option<(Vec<f64>, Vec<f64>)>, Told<'_>)> {
+pub(crate) fn linearize_at(py: Python<'_>, place: usize, inputs: Vec<f64>) -> OrTold<'_, (Vec<f64>, Vec<f64>)> {
     one(py, formula(place)?.value_and_jacobian(&inputs))
 }
 
-fn one<T>(py: Python<'_>, results: Result<T, Error>) -> PyResult<(Option<T>, Told<'_>)> {
+fn one<T>(py: Python<'_>, results: Result<T, Error>) -> OrTold<'_, T> {
     match results {
         Ok(results) => Ok((Some(results), None)),
         Err(error) => Ok((None, Refused::new(0, error, 1).told(py)?)),
@@ -156,13 +155,12 @@ fn another_shape() -> PyErr {
 /// The outputs, and the entries of the Jacobian, in 237 bits at one point: decimal numbers with the fewest digits that
 /// identify them. On a switch there is no Jacobian.
 #[pyfunction]
-#[expect(clippy::type_complexity, reason = "what Python is told is a tuple")]
 pub(crate) fn exact(
     py: Python<'_>,
     place: usize,
     inputs: Vec<f64>,
     with_jacobian: bool,
-) -> PyResult<(Option<(Vec<String>, Option<Vec<String>>)>, Told<'_>)> {
+) -> OrTold<'_, (Vec<String>, Option<Vec<String>>)> {
     let formula = formula(place)?;
     let truth = py.detach(|| formula.judge().at(&inputs, with_jacobian));
     let numbers = |known: Vec<jointproof::verify::Known>| known.iter().map(|known| known.exact.to_string()).collect();

@@ -3,6 +3,8 @@
 //! Arrays are read and written where they are, while Python does something else. What is told about formulas and audits is
 //! passed as JSON; names, broadcasting and errors are the matter of the package in `python/jointproof`.
 
+#![expect(clippy::needless_pass_by_value, reason = "what comes from Python is handed over")]
+
 mod arrays;
 mod audits;
 mod batches;
