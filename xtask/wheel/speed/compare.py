@@ -184,7 +184,8 @@ def agree(id, who, ours, theirs):
     known = np.isfinite(theirs)
     assert known.mean() > 0.9, f"{id}: {who} has too few numbers"
     scale = np.abs(ours).max(axis=0, keepdims=True)
-    scale = np.where(scale > 0, scale, scale.max()) + np.zeros_like(ours)
+    # A product of perpendicular axes is zero but for roundings.
+    scale = np.maximum(scale, 1e-6 * scale.max()) + np.zeros_like(ours)
     off = np.abs(ours - theirs)[known] / scale[known]
     assert np.quantile(off, 0.98) < 1e-9, f"{id}: {who} computes another number: {off.max()}"
 
