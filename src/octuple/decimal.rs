@@ -305,9 +305,10 @@ mod tests {
             assert_eq!(format!("{wide:+60.decimals$}|{wide:<60.2}|{wide:060.3e}"), format!("{x:+60.decimals$}|{x:<60.2}|{x:060.3e}"));
         }
 
-        /// As f256 prints, whose tables are left out, but for whole numbers and powers of two, where f256 takes other digits.
+        /// As few as f256 prints, whose tables are left out, but for whole numbers and powers of two, where it takes others; of two
+        /// that are as near it takes the larger.
         #[test]
-        fn the_fewest_digits_are_mostly_those_of_f256(exponent in -2000..2000_i32, high: u128, low: u128, zeros in 0..236_u32) {
+        fn the_fewest_digits_are_as_few_as_those_of_f256(exponent in -2000..2000_i32, high: u128, low: u128, zeros in 0..236_u32) {
             let cut = |bits: u128, zeros: u32| if zeros < 128 { bits >> zeros << zeros } else { 0 };
             let (high, low) = (cut(high, zeros.saturating_sub(128)), cut(low, zeros));
             let high = high & ((1 << 108) - 1);
@@ -317,7 +318,7 @@ mod tests {
                 assert_eq!(text.parse::<Octuple>().unwrap().0.to_bits(), x.to_bits());
             }
             if !x.fract().eq_zero() && (high, low) != (0, 0) {
-                assert_eq!((ours, fixed), (format!("{x:e}"), x.to_string()));
+                assert_eq!((ours.len(), fixed.len()), (format!("{x:e}").len(), x.to_string().len()));
             }
         }
 
