@@ -1,6 +1,6 @@
 //! Every formula, in the order of the book.
 
-#[cfg(feature = "batch")]
+#[cfg(feature = "batch-by-id")]
 use crate::batch::{self, ArrayView1, ArrayViewMut1};
 use crate::equation::Claims;
 use crate::formula::{Field, Fields, Formula, Spec, check, entries, value, value_and_jacobian};
@@ -77,16 +77,16 @@ pub trait AnyFormula: Send + Sync {
     /// # Errors
     /// As there, and [`Error::Components`] where a slice has another length; nothing is written then.
     fn value_and_jacobian_into(&self, i: &[f64], value: &mut [f64], jacobian: &mut [f64]) -> Result<(), Error>;
-    #[cfg(feature = "batch")]
+    #[cfg(feature = "batch-by-id")]
     /// See [`batch::entries`].
     fn batch_entries(&self) -> Vec<[usize; 2]>;
-    #[cfg(feature = "batch")]
+    #[cfg(feature = "batch-by-id")]
     /// See [`batch::value`].
     ///
     /// # Errors
     /// As there.
     fn batch_value(&self, inputs: &[ArrayView1<f64>], value: &mut [ArrayViewMut1<f64>]) -> Result<(), batch::Error>;
-    #[cfg(feature = "batch")]
+    #[cfg(feature = "batch-by-id")]
     /// See [`batch::value_and_jacobian`].
     ///
     /// # Errors
@@ -214,15 +214,15 @@ impl<F: Proved> AnyFormula for F {
         gradients.for_each_component(&mut |gradient| write(&gradient, places));
         Ok(())
     }
-    #[cfg(feature = "batch")]
+    #[cfg(feature = "batch-by-id")]
     fn batch_entries(&self) -> Vec<[usize; 2]> {
         batch::entries::<F>()
     }
-    #[cfg(feature = "batch")]
+    #[cfg(feature = "batch-by-id")]
     fn batch_value(&self, inputs: &[ArrayView1<f64>], value: &mut [ArrayViewMut1<f64>]) -> Result<(), batch::Error> {
         batch::value::<F>(inputs, value)
     }
-    #[cfg(feature = "batch")]
+    #[cfg(feature = "batch-by-id")]
     fn batch_value_and_jacobian(
         &self,
         inputs: &[ArrayView1<f64>],

@@ -27,7 +27,8 @@
 //! |---|---|
 //! | `batch` | `batch` |
 //! | `verify` | `Octuple` (237 bits, the exact reference) and `Single`, `proof`, `equation`, `verify`, `catalog` |
-//! | `measure` | `measure`, and `batch` and `verify` with it |
+//! | `batch-by-id` | batches by identifier in `catalog`, and `batch` and `verify` with them |
+//! | `measure` | `measure`, and `batch-by-id` with it |
 //! | `scene` | `scene`, and `verify` with it: a scene can show the error of every number |
 //!
 //! ```

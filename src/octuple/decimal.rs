@@ -1,13 +1,16 @@
-//! Octuple in decimal, with as many digits as asked for: the exact value, rounded once, half to even.
+//! Octuple in decimal, with as many digits as asked for: the exact value, rounded once, half to even; or with the fewest
+//! that read back as the same number.
 //!
-//! f256 panics beyond 75 digits. Every finite binary number has a finite decimal expansion: m · 2^e is whole for
+//! f256 panics beyond 75 digits, and for the fewest it brings tables of megabytes. Every finite binary number has a finite decimal expansion: m · 2^e is whole for
 //! e ≥ 0, and for e < 0 it is m · 5^-e with the decimal point −e places to the left.
 
+use std::cmp::Ordering;
 use std::fmt;
 
 use f256::f256;
 
 use super::Octuple;
+use super::bits::HIGH_FRACTION_BITS;
 
 /// A natural number in groups of nine decimal digits, the least significant group first.
 struct Groups(Vec<u64>);
@@ -46,7 +49,38 @@ impl Groups {
     }
 }
 
+/// A number of 256 bits, its upper half first, times 2^exponent.
+struct Binary {
+    significand: [u128; 2],
+    exponent: i32,
+}
+
+impl Binary {
+    /// |x|, for a finite x; its significand has 237 bits at most.
+    fn of(x: f256) -> Self {
+        const SMALLEST_EXPONENT: i32 = -262_378;
+        let (high, low) = x.abs().to_bits();
+        let stored = i32::try_from(high >> HIGH_FRACTION_BITS).expect("19 bits fit");
+        let leading_one = u128::from(stored > 0) << HIGH_FRACTION_BITS;
+        let fraction = high & ((1 << HIGH_FRACTION_BITS) - 1);
+        Self { significand: [fraction | leading_one, low], exponent: SMALLEST_EXPONENT + (stored - 1).max(0) }
+    }
+
+    /// Between which numbers all others are further away than a neighbour of this one: halfway to each.
+    fn halfway(&self) -> [Self; 2] {
+        let [high, low] = self.significand;
+        let exponent = self.exponent - 2;
+        let fourfold = [high << 2 | low >> 126, low << 2];
+        // Below a power of two numbers are twice as dense.
+        let is_power = [high, low] == [1 << HIGH_FRACTION_BITS, 0];
+        let (below, borrow) = fourfold[1].overflowing_sub(if is_power { 1 } else { 2 });
+        [[fourfold[0] - u128::from(borrow), below], [fourfold[0], fourfold[1] + 2]]
+            .map(|significand| Self { significand, exponent })
+    }
+}
+
 /// 0.d₁d₂d₃… · 10^point with d₁ ≠ 0; zero has no digits.
+#[derive(Clone)]
 struct Decimal {
     digits: Vec<u8>,
     point: i64,
@@ -55,14 +89,11 @@ struct Decimal {
 impl Decimal {
     /// |x| exactly, for a finite x.
     fn exact(x: f256) -> Self {
-        const FRACTION_BITS_HIGH: u32 = 108;
-        const SMALLEST_EXPONENT: i32 = -262_378;
-        let (high, low) = x.abs().to_bits();
-        let stored = i32::try_from(high >> FRACTION_BITS_HIGH).expect("19 bits fit");
-        let leading_one = u128::from(stored > 0) << FRACTION_BITS_HIGH;
-        let significand = [high & ((1 << FRACTION_BITS_HIGH) - 1) | leading_one, low];
-        let exponent = SMALLEST_EXPONENT + (stored - 1).max(0);
+        Self::of(&Binary::of(x))
+    }
 
+    fn of(x: &Binary) -> Self {
+        let &Binary { significand, exponent } = x;
         let mut number = Groups(Vec::new());
         for byte in significand.iter().flat_map(|part| part.to_be_bytes()) {
             number.multiply_add(1 << 8, byte);
@@ -70,7 +101,56 @@ impl Decimal {
         number.multiply_by_power(if exponent < 0 { 5 } else { 2 }, exponent.unsigned_abs());
         let digits = number.digits();
         let point = i64::try_from(digits.len()).expect("what is in memory can be counted") + i64::from(exponent.min(0));
-        Self { digits, point }
+        Self { digits, point }.trimmed()
+    }
+
+    /// The fewest digits that read back as |x|, for a finite x; of these, the nearest number.
+    fn shortest(x: f256) -> Self {
+        let binary = Binary::of(x);
+        let exact = Self::of(&binary);
+        if exact.digits.is_empty() {
+            return exact;
+        }
+        let [low, high] = binary.halfway().map(|x| Self::of(&x));
+        // Ties go to the even one.
+        let is_even = binary.significand[1].is_multiple_of(2);
+        let reads_back = |decimal: &Self| match [low.order(decimal), decimal.order(&high)] {
+            [Ordering::Less, Ordering::Less] => true,
+            [Ordering::Greater, _] | [_, Ordering::Greater] => false,
+            _ => is_even,
+        };
+        let found = (1..exact.digits.len()).find_map(|keep| exact.beside(keep).into_iter().find(reads_back));
+        found.unwrap_or(exact)
+    }
+
+    /// The nearest number of this many digits, and the next above it.
+    fn beside(&self, keep: usize) -> [Self; 2] {
+        let mut nearest = self.clone();
+        nearest.round(i64::try_from(keep).expect("what is in memory can be counted"));
+        let mut above = nearest.clone();
+        above.increment();
+        [nearest, above].map(Self::trimmed)
+    }
+
+    /// Without zeros at the end.
+    fn trimmed(mut self) -> Self {
+        let zeros = self.digits.iter().rev().take_while(|digit| **digit == b'0').count();
+        self.digits.truncate(self.digits.len() - zeros);
+        self
+    }
+
+    /// Which of two is larger, where neither is zero nor has zeros at the end.
+    fn order(&self, other: &Self) -> Ordering {
+        self.point.cmp(&other.point).then_with(|| self.digits.cmp(&other.digits))
+    }
+
+    /// So many digits stand behind the point.
+    fn decimals(&self) -> usize {
+        if self.digits.is_empty() {
+            return 0;
+        }
+        let digits = i64::try_from(self.digits.len()).expect("what is in memory can be counted");
+        usize::try_from(digits - self.point).unwrap_or(0)
     }
 
     /// Rounded to `keep` digits, which may be none or less: then what is left is 0 or the digit before the first.
@@ -134,28 +214,44 @@ impl Decimal {
     }
 }
 
-/// Writes |x| by `text` with the sign, width and fill that `f` asks for.
-fn pad(x: f256, f: &mut fmt::Formatter<'_>, text: &str) -> fmt::Result {
-    f.pad_integral(x.is_sign_positive(), "", text)
+impl Octuple {
+    /// |x| with all its digits to be rounded, or without a precision with the fewest.
+    fn decimal(self, precision: Option<usize>) -> Decimal {
+        if precision.is_some() { Decimal::exact(self.0) } else { Decimal::shortest(self.0) }
+    }
+
+    /// Writes |x| by `text` with the sign, width and fill that `f` asks for.
+    fn pad(self, f: &mut fmt::Formatter<'_>, text: &str) -> fmt::Result {
+        f.pad_integral(self.0.is_sign_positive(), "", text)
+    }
+
+    /// Writes what is not finite as doubles are.
+    fn special(self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(&self.to_f64(), f)
+    }
 }
 
 /// Without a precision: the fewest digits that read back as the same number.
 impl fmt::Display for Octuple {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match f.precision() {
-            Some(decimals) if self.is_finite() => pad(self.0, f, &Decimal::exact(self.0).fixed(decimals)),
-            _ => fmt::Display::fmt(&self.0, f),
+        if !self.is_finite() {
+            return self.special(f);
         }
+        let decimal = self.decimal(f.precision());
+        let decimals = f.precision().unwrap_or_else(|| decimal.decimals());
+        self.pad(f, &decimal.fixed(decimals))
     }
 }
 
 /// Without a precision: the fewest digits that read back as the same number.
 impl fmt::LowerExp for Octuple {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match f.precision() {
-            Some(decimals) if self.is_finite() => pad(self.0, f, &Decimal::exact(self.0).scientific(decimals)),
-            _ => fmt::LowerExp::fmt(&self.0, f),
+        if !self.is_finite() {
+            return self.special(f);
         }
+        let decimal = self.decimal(f.precision());
+        let decimals = f.precision().unwrap_or_else(|| decimal.digits.len().saturating_sub(1));
+        self.pad(f, &decimal.scientific(decimals))
     }
 }
 
@@ -207,6 +303,23 @@ mod tests {
             assert_eq!(format!("{wide:.decimals$}"), format!("{x:.decimals$}"));
             assert_eq!(format!("{wide:.decimals$e}"), format!("{x:.decimals$e}"));
             assert_eq!(format!("{wide:+60.decimals$}|{wide:<60.2}|{wide:060.3e}"), format!("{x:+60.decimals$}|{x:<60.2}|{x:060.3e}"));
+        }
+
+        /// As few as f256 prints, whose tables are left out, but for whole numbers and powers of two, where it takes others; of two
+        /// that are as near it takes the larger.
+        #[test]
+        fn the_fewest_digits_are_as_few_as_those_of_f256(exponent in -2000..2000_i32, high: u128, low: u128, zeros in 0..236_u32) {
+            let cut = |bits: u128, zeros: u32| if zeros < 128 { bits >> zeros << zeros } else { 0 };
+            let (high, low) = (cut(high, zeros.saturating_sub(128)), cut(low, zeros));
+            let high = high & ((1 << 108) - 1);
+            let x = scale_by_power_of_two(f256::from_bits((high | power_of_two(0).to_bits().0, low)), exponent);
+            let (ours, fixed) = (format!("{:e}", Octuple(x)), Octuple(x).to_string());
+            for text in [&ours, &fixed] {
+                assert_eq!(text.parse::<Octuple>().unwrap().0.to_bits(), x.to_bits());
+            }
+            if !x.fract().eq_zero() && (high, low) != (0, 0) {
+                assert_eq!((ours.len(), fixed.len()), (format!("{x:e}").len(), x.to_string().len()));
+            }
         }
 
         /// 72 decimals behind the first digit identify a number of 237 bits; so do the shortest digits.

@@ -31,6 +31,11 @@ pub fn bold(text: impl std::fmt::Display) -> String {
     format!("{BOLD}{text}{PLAIN}")
 }
 
+/// A text without its colours.
+pub fn plain(text: &str) -> String {
+    anstream::adapter::strip_str(text).to_string()
+}
+
 /// `1 case`, `2 cases`.
 pub fn count(number: usize, noun: &str) -> String {
     format!("{number} {noun}{}", if number == 1 { "" } else { "s" })

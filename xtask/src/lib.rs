@@ -12,8 +12,10 @@
 //! }
 //! ```
 //!
-//! `report` times a program that is built with optimisation: the same one, without the feature `commands`.
+//! `report` times a program that is built with optimisation: the same one, with the feature `measure`
+//! alone.
 
+#[cfg(feature = "measure")]
 pub mod measuring;
 mod project;
 
@@ -72,7 +74,7 @@ pub use book::{Fault, listing_page, uncovered};
 pub use commands::main;
 #[cfg(feature = "commands")]
 pub use extension::{Beside, Exhibits, Fact, Moving, Served, Slider, Table};
-#[cfg(not(feature = "commands"))]
+#[cfg(all(feature = "measure", not(feature = "commands")))]
 pub use measuring::main;
 #[cfg(feature = "commands")]
 pub use outcome::{Outcome, Usage};

@@ -4,6 +4,7 @@ use super::answer::{Answer, Heard};
 use super::map::names;
 use super::question::{Question, Wanted, other_order, questions, sizes};
 use super::verdict::{Bounds, Court, Grade};
+use crate::console::plain;
 use jointproof::catalog::AnyFormula;
 use jointproof::verify::Options;
 use jointproof::verify::golden::named;
@@ -99,7 +100,7 @@ impl Called {
         Some(Judged {
             is_well: judgement.found.is_well(),
             numbers: numbers.collect(),
-            text: anstream::adapter::strip_str(&judgement.text).to_string(),
+            text: plain(&judgement.text),
             causes: judgement.causes,
         })
     }

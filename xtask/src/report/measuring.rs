@@ -66,7 +66,7 @@ fn ask(project: &Project, request: &Request, record: &mut Record) -> anyhow::Res
     let this = std::env::current_exe()?;
     let program = this.file_stem().context("this program has no name")?;
     let mut child = Command::new(&cargo)
-        .args(["run", "--release", "--no-default-features", "--manifest-path"])
+        .args(["run", "--release", "--no-default-features", "--features", "measure", "--manifest-path"])
         .arg(project.manifest())
         .arg("--bin")
         .arg(program)
@@ -87,7 +87,7 @@ fn ask(project: &Project, request: &Request, record: &mut Record) -> anyhow::Res
     if !status.success() {
         let manifest = project.manifest().display();
         bail!(
-            "`cargo run --release --no-default-features --manifest-path {manifest}` ended with {status}; what it said is above"
+            "`cargo run --release --no-default-features --features measure --manifest-path {manifest}` ended with {status}; what it said is above"
         );
     }
     Ok(())

@@ -1,0 +1,62 @@
+"""Documentation and type stubs are what the catalog says."""
+
+import pathlib
+import subprocess
+import sys
+
+import pytest
+from conftest import wanted
+
+import jointproof
+
+WHEEL = pathlib.Path(__file__).parents[3] / "xtask" / "wheel"
+
+
+def test_stubs_are_current():
+    done = subprocess.run([sys.executable, WHEEL / "stubs.py", "--check"], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+
+
+def test_every_formula_says_what_it_is():
+    for formula in jointproof.formulas.values():
+        said = formula.__doc__
+        assert formula.title in said and str(formula.source) in said
+        for field in (*formula.inputs, *formula.outputs):
+            line = next(line for line in said.split("\n") if line.strip().startswith(f"{field.name}: {field.meaning}"))
+            assert field.allowed in line and f"unit {field.unit}" in line
+            assert not field.shape or str(list(field.shape)) in line
+
+
+def test_what_is_documented_is_what_runs():
+    """The examples of the package's own documentation."""
+    import doctest
+
+    failed, tried = doctest.testmod(jointproof)
+    assert tried > 3 and failed == 0
+
+
+def test_a_type_checker_sees_names(tmp_path, monkeypatch):
+    api = wanted("mypy.api")
+    source = tmp_path / "uses.py"
+    source.write_text(
+        "import numpy as np\n"
+        "from jointproof.slot import contact_force\n"
+        "value, jacobian = contact_force.linearize(f2=np.ones(3), f3=4.0)\n"
+        "value.fc, jacobian.fc.f2\n"
+        "value.fd\n"
+        "contact_force(f4=1.0)\n"
+    )
+    monkeypatch.setenv("MYPYPATH", str(pathlib.Path(jointproof.__file__).parents[1]))
+    said, _, _ = api.run(["--no-incremental", "--follow-imports", "silent", "--cache-dir", str(tmp_path), str(source)])
+    assert '_ContactForceValue" has no attribute "fd"' in said
+    assert 'Unexpected keyword argument "f4"' in said
+    assert all(line.startswith(f"{source}:5") or line.startswith(f"{source}:6") for line in said.split("\n")[:-2]), said
+
+
+@pytest.mark.parametrize("family", sorted({id.split(".")[0] for id in jointproof.formulas}))
+def test_a_stub_has_what_is_there(family):
+    import ast
+
+    tree = ast.parse((WHEEL / "python" / "jointproof" / f"{family}.pyi").read_text(encoding="utf-8"))
+    named = {node.target.id for node in tree.body if isinstance(node, ast.AnnAssign)} - {"Numbers"}
+    assert named == set(getattr(jointproof, family).__all__)

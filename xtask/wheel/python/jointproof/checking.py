@@ -1,0 +1,208 @@
+"""Functions of others, judged as `cargo xtask check` judges programs."""
+
+import html
+import inspect
+
+import numpy as np
+
+from . import _jointproof
+
+_COLOURS = {"right": "#cfe8cf", "inaccurate": "#f6e3a1", "wrong": "#f0b4ae"}
+
+
+class Checked:
+    """What a function is worth: ``is_well`` says whether nothing is to be mended, ``text`` has everything that was found,
+    ``causes`` what explains it, and ``numbers`` every output and every entry of the Jacobian, with its ``name``, its ``grade``
+    (right, inaccurate, wrong), ``checked``, ``off``, ``bound``, and the ``worst`` η, with what was found and what is exact at
+    ``inputs``. It prints as text, and a notebook shows the map of entries."""
+
+    def __init__(self, formula, judged):
+        self.formula = formula.id
+        self.is_well = judged.is_well
+        self.text = judged.text
+        self.causes = judged.causes
+        self.numbers = judged.numbers
+        self._formula = formula
+
+    def __repr__(self):
+        return self.text.rstrip()
+
+    def __bool__(self):
+        return self.is_well
+
+    def _repr_html_(self):
+        causes = "".join(f"<li>{html.escape(cause)}</li>" for cause in self.causes)
+        verdict = "nothing is to be mended" if self.is_well else "something is to be mended"
+        return (
+            f"<h4>{html.escape(self.formula)}: {verdict}</h4>"
+            f"{f'<ul>{causes}</ul>' if causes else ''}{self._map()}"
+            f"<details><summary>everything</summary><pre>{html.escape(self.text)}</pre></details>"
+        )
+
+    def _map(self):
+        """A row for every output: its value, then its derivatives, coloured by their grades."""
+        m, n = self._formula.m, self._formula.n
+        values, entries = self.numbers[:m], self.numbers[m:]
+        rows = []
+        for k, value in enumerate(values):
+            cells = [_cell(number) for number in [value, *entries[k * n : k * n + n if entries else k * n]]]
+            rows.append(f"<tr>{''.join(cells)}</tr>")
+        return f"<table>{''.join(rows)}</table>"
+
+
+def _cell(number):
+    title = f"{number.name}: {number.grade}, {number.off} of {number.checked} beyond {number.bound:g}"
+    if number.worst is not None:
+        eta, found, exact = number.worst
+        title += f"; η {eta:.2g}: {found!r} for {exact!r} at {number.inputs}"
+    colour = _COLOURS[number.grade]
+    return f'<td style="background:{colour};color:#222" title="{html.escape(title)}">{html.escape(number.name)}</td>'
+
+
+def check(formula, function, jacobian=None, *, samples=None, seed=None, invalid=True, vectorized=False):
+    """Judges a function that computes a formula: at golden points, on kinks and beside them, and at random, each twice.
+
+    ``function`` is called with the inputs by name, if its parameters have the names of the formula's inputs, else by place, in
+    the order of the formula: numbers, and arrays for vectors. It returns the outputs: a number, an array, a tuple in order, or
+    a mapping by names.
+
+    ``jacobian`` is a function of the same inputs that returns the derivatives: an array of the components of the outputs by
+    those of the inputs; for every output, in order or by names, those by every input; or for the one output there is, those by
+    every input. ``True`` says that ``function`` returns outputs and derivatives; ``"jax"`` has ``jax.jacfwd`` derive it.
+
+    Inputs that the formula refuses are asked for too, unless ``invalid`` is false: a function refuses them by a ValueError or an
+    ArithmeticError, or by NaN or infinity. A NotImplementedError leaves a point out.
+
+    With ``vectorized`` the function is called with all points at once, which are the first axis of all arrays, also of those
+    that it returns; it refuses by NaN.
+    """
+    from . import find
+
+    formula = find(formula)
+    called = _jointproof.Called(formula._place, jacobian is not None, samples, seed, invalid)
+    points, order = called.points(), np.array(called.other_order(), dtype=int)
+    asked = _asked(formula, function, jacobian)
+    ask = _all_at_once if vectorized else _one_by_one
+    first = ask(formula, asked, points)
+    second = [None] * len(points)
+    for place, answer in zip(order, ask(formula, asked, points[order])):
+        second[place] = answer
+    name = getattr(function, "__name__", type(function).__name__)
+    return Checked(formula, called.judge(name, first, second))
+
+
+def _asked(formula, function, jacobian):
+    """What takes inputs in order and returns outputs, and derivatives or None."""
+    function = _by_name_or_place(formula, function)
+    if jacobian is None:
+        return lambda inputs: (function(inputs), None)
+    if jacobian is True:
+        return lambda inputs: function(inputs)
+    if jacobian == "jax":
+        import jax
+
+        derived = jax.jacfwd(lambda *inputs: _outputs(formula, function(inputs)), argnums=tuple(range(len(formula.inputs))))
+        return lambda inputs: (function(inputs), derived(*inputs))
+    derivatives = _by_name_or_place(formula, jacobian)
+    return lambda inputs: (function(inputs), derivatives(inputs))
+
+
+def _by_name_or_place(formula, function):
+    names = [field.name for field in formula.inputs]
+    try:
+        parameters = inspect.signature(function).parameters.values()
+    except (TypeError, ValueError):
+        parameters = []
+    if {parameter.name for parameter in parameters if parameter.default is parameter.empty} >= set(names):
+        return lambda inputs: function(**dict(zip(names, inputs)))
+    return lambda inputs: function(*inputs)
+
+
+def _one_by_one(formula, asked, points):
+    return [_answer(formula, asked, point) for point in points]
+
+
+def _answer(formula, asked, point):
+    """What a function answers at a point: its numbers, or in words that it does not."""
+    inputs = [field.of(point) for field in formula.inputs]
+    try:
+        with np.errstate(all="ignore"):
+            value, derivatives = asked(inputs)
+    except (ValueError, ArithmeticError):
+        return ("refused", "")
+    except NotImplementedError as error:
+        return ("skipped", str(error))
+    except Exception as error:  # noqa: BLE001: whatever a function does is an answer
+        return ("bad", f"{type(error).__name__}: {error}")
+    try:
+        return _numbers(formula, value, derivatives, ()).tolist()
+    except (TypeError, ValueError, KeyError, IndexError) as error:
+        return ("bad", str(error))
+
+
+def _all_at_once(formula, asked, points):
+    with np.errstate(all="ignore"):
+        value, derivatives = asked([field.of(points) for field in formula.inputs])
+    return _numbers(formula, value, derivatives, (len(points),)).tolist()
+
+
+def _numbers(formula, value, derivatives, shape):
+    """All numbers of an answer in order: outputs, then the Jacobian row by row."""
+    value = _outputs(formula, value)
+    parts = [_part(field.name, x, shape, (field.size,)) for field, x in zip(formula.outputs, value)]
+    if derivatives is not None:
+        parts.append(_dense(formula, derivatives, shape).reshape(*shape, -1))
+    return np.concatenate(parts, axis=-1)
+
+
+def _outputs(formula, value):
+    """The outputs in order, a part each."""
+    outputs = formula.outputs
+    if hasattr(value, "keys"):
+        return tuple(value[field.name] for field in outputs)
+    if len(outputs) == 1 and not isinstance(value, tuple):
+        return (value,)
+    if not isinstance(value, (tuple, list)):
+        # All components in an array.
+        return tuple(value[..., field.places] for field in outputs)
+    if len(value) != len(outputs):
+        raise ValueError(f"{len(value)} outputs instead of {len(outputs)}")
+    return tuple(value)
+
+
+def _dense(formula, derivatives, shape):
+    """The Jacobian: components of the outputs by those of the inputs."""
+    outputs, inputs = formula.outputs, formula.inputs
+    array = getattr(derivatives, "array", derivatives)
+    if not hasattr(derivatives, "keys") and not isinstance(derivatives, (tuple, list)):
+        return _part("the Jacobian", array, shape, (formula.m, formula.n))
+    rows = _of_outputs(outputs, inputs, derivatives)
+    blocks = []
+    for output, row in zip(outputs, rows, strict=True):
+        by = [row[field.name] for field in inputs] if hasattr(row, "keys") else row
+        if not isinstance(by, (tuple, list)):
+            blocks.append(_part(f"∂{output.name}", by, shape, (output.size, formula.n)))
+            continue
+        named = zip(inputs, by, strict=True)
+        blocks.append(
+            np.concatenate([_part(f"∂{output.name}/∂{x.name}", b, shape, (output.size, x.size)) for x, b in named], axis=-1)
+        )
+    return np.concatenate(blocks, axis=-2)
+
+
+def _of_outputs(outputs, inputs, derivatives):
+    """The derivatives of every output, in order."""
+    if hasattr(derivatives, "keys"):
+        is_of_one = len(outputs) == 1 and outputs[0].name not in derivatives
+        return [derivatives] if is_of_one else [derivatives[field.name] for field in outputs]
+    is_of_one = len(outputs) == 1 and len(derivatives) == len(inputs)
+    is_nested = len(derivatives) == 1 and isinstance(derivatives[0], (tuple, list, dict))
+    return [derivatives] if is_of_one and not is_nested else derivatives
+
+
+def _part(name, x, shape, wanted):
+    """A part of an answer as an array of this many components."""
+    array = np.asarray(x, dtype=float)
+    if array.size != np.prod(shape + wanted, dtype=int):
+        raise ValueError(f"{name} has the shape {list(array.shape)}")
+    return array.reshape(shape + wanted)

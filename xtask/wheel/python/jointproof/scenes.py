@@ -1,0 +1,55 @@
+"""Scenes: connectors together, over a history of states, as columns."""
+
+import json
+import os
+
+from . import _jointproof
+
+
+class Scene:
+    """The results of a scene: ``title``, ``times``, ``counts`` (how often each formula was evaluated), and a column for every
+    output of every element: ``scene["guide", "FN"]``, a row for every state, NaN where the output is not there."""
+
+    def __init__(self, results):
+        import numpy as np
+
+        self.title = results.title
+        self.times = np.array(results.times)
+        self.counts = dict(results.counts)
+        self.columns = {(series.element, series.output): series.values for series in results.series}
+
+    def __getitem__(self, element_and_output):
+        values = self.columns[element_and_output]
+        return values[:, 0] if values.shape[1] == 1 else values
+
+    def __repr__(self):
+        return f"<scene {self.title!r}: {len(self.times)} states, {len(self.columns)} outputs>"
+
+    def frame(self):
+        """A frame of pandas: the times as its index, a column for every component of an output of an element."""
+        import pandas as pd
+
+        columns = {
+            (element, output, component): values[:, component]
+            for (element, output), values in self.columns.items()
+            for component in range(values.shape[1])
+        }
+        index = pd.Index(self.times, name="time")
+        frame = pd.DataFrame(columns, index=index)
+        frame.columns = pd.MultiIndex.from_tuples(columns, names=["element", "output", "component"])
+        return frame
+
+    def _repr_html_(self):
+        return self.frame()._repr_html_()
+
+
+def scene(source, *, exact=False):
+    """Evaluates a scene: the path of a file, its text, or what JSON makes of it; in doubles, or in 237 bits rounded once."""
+    if isinstance(source, dict):
+        text = json.dumps(source)
+    elif isinstance(source, str) and source.lstrip().startswith("{"):
+        text = source
+    else:
+        with open(os.fspath(source), encoding="utf-8") as file:
+            text = file.read()
+    return Scene(_jointproof.Scene(text, exact))

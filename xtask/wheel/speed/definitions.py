@@ -1,0 +1,107 @@
+"""A formula of every room, as their equations are printed in the book, for JAX and for CasADi.
+
+A definition takes the functions of a library and the components of the inputs in order, and returns those of the outputs.
+What the equations say about single points where a length is zero is left out, which is faster.
+"""
+
+from __future__ import annotations
+
+from math import e, pi
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def minus(a, b):
+    return [x - y for x, y in zip(a, b)]
+
+
+def slot_friction(lib, f1, f2, f3, fc_int, mu):
+    p = lib.abs(f1)
+    fn = lib.abs(lib.sqrt(f2 * f2 + f3 * f3) + fc_int)
+    return [p, fn, p - mu * fn]
+
+
+def coulomb_response(lib, u, slip_before, k_el, mu, fn):
+    trial = k_el * (u - slip_before)
+    f = lib.where(lib.abs(trial) < mu * fn, trial, mu * fn * lib.sign(trial))
+    return [f, u - f / k_el]
+
+
+def cardan_angles(lib, *components):
+    e1a, e2a, e3a, e1b, e2b, e3b = (components[k : k + 3] for k in range(0, 18, 3))
+    alpha = -lib.arctan2(dot(e2a, e3b), dot(e3a, e3b))
+    return [alpha, lib.arcsin(dot(e1a, e3b)), -lib.arctan2(dot(e1a, e2b), dot(e1a, e1b))]
+
+
+def align_constraint_moment(lib, *components):
+    e1a, e2a, e3a, m = (components[k : k + 3] for k in range(0, 12, 3))
+    return [dot(m, axes) for axes in zip(e1a, e2a, e3a)]
+
+
+def translator_bending_force(lib, m2, m3, length):
+    m_bend = lib.sqrt(m2 * m2 + m3 * m3)
+    return [m_bend, 2 * m_bend / length]
+
+
+def join_constraint(lib, *components):
+    e1a, e2a, e3a, xa, xb, d0 = (components[k : k + 3] for k in range(0, 18, 3))
+    return [dot(axis, minus(xb, xa)) - d for axis, d in zip((e1a, e2a, e3a), d0)]
+
+
+def universal_kinetic_moment(lib, *components):
+    e1a, e3b = components[:3], components[3:6]
+    m1, m3 = components[6:]
+    return [m1 * x + m3 * y for x, y in zip(e1a, e3b)]
+
+
+def ujoint_decomposition(lib, *components):
+    e1a, e2a, e3a, e3b, f = (components[k : k + 3] for k in range(0, 15, 3))
+    force = [dot(f, axes) for axes in zip(e1a, e2a, e3a)]
+    return [dot(force, e1a), dot(force, e3b), dot(force, cross(e1a, e3b))]
+
+
+def slider_line(lib, *components):
+    d = minus(components[3:], components[:3])
+    length = lib.sqrt(dot(d, d))
+    return [*(x / length for x in d), length]
+
+
+def slide_line_torque_linear(lib, r1, z1, r2, z2, p1, p2):
+    length = lib.sqrt((r2 - r1) * (r2 - r1) + (z2 - z1) * (z2 - z1))
+    first = r1 * r1 / 4 + r1 * r2 / 6 + r2 * r2 / 12
+    second = r1 * r1 / 12 + r1 * r2 / 6 + r2 * r2 / 4
+    return [2 * pi * length * (p1 * first + p2 * second)]
+
+
+def interaction_pressure_exponential(lib, h, c0, p0):
+    s = h / c0 + 1
+    return [lib.where(s > 0, p0 / (e - 1) * s * (lib.exp(s) - 1), 0.0)]
+
+
+def element_arm(lib, *components):
+    r, f, m = (components[k : k + 3] for k in range(0, 9, 3))
+    along = dot(r, f)
+    stiffness = [r[i] * f[j] - (along if i == j else 0.0) for i in range(3) for j in range(3)]
+    return [*(x + y for x, y in zip(m, cross(r, f))), *stiffness]
+
+
+DEFINITIONS = {
+    "slot.friction": slot_friction,
+    "coulomb.response": coulomb_response,
+    "cardan.angles": cardan_angles,
+    "align.constraint_moment": align_constraint_moment,
+    "translator.bending_force": translator_bending_force,
+    "join.constraint": join_constraint,
+    "universal.kinetic_moment": universal_kinetic_moment,
+    "ujoint.decomposition": ujoint_decomposition,
+    "slider.line": slider_line,
+    "slide_line.torque_linear": slide_line_torque_linear,
+    "interaction.pressure_exponential": interaction_pressure_exponential,
+    "element.arm": element_arm,
+}

@@ -1,0 +1,128 @@
+//! Functions of Python, judged as programs are.
+
+use crate::audits::options;
+use crate::formulas::formula;
+use kit::check::{self, Answer, Grade, Number};
+use numpy::PyArray2;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+/// The points at which a function is called.
+#[pyclass(frozen)]
+pub(crate) struct Called {
+    called: check::Called,
+    inputs: usize,
+}
+
+/// What its answers are worth.
+#[pyclass(frozen, get_all)]
+pub(crate) struct Judged {
+    is_well: bool,
+    text: String,
+    causes: Vec<String>,
+    numbers: Vec<Py<Found>>,
+}
+
+/// What was found about one number of the answers.
+#[pyclass(frozen, get_all)]
+pub(crate) struct Found {
+    name: String,
+    grade: &'static str,
+    checked: usize,
+    off: usize,
+    bound: f64,
+    /// The largest η, what was found, and what is exact there.
+    worst: Option<(f64, f64, f64)>,
+    /// The inputs there, as JSON.
+    inputs: Option<String>,
+}
+
+/// An answer: numbers, `None` for those that are not computed, or words that begin with what they are.
+#[derive(FromPyObject)]
+enum Said {
+    Numbers(Vec<Option<f64>>),
+    Words((String, String)),
+}
+
+impl From<Said> for Answer {
+    fn from(said: Said) -> Self {
+        match said {
+            Said::Numbers(numbers) => Self::Numbers(numbers),
+            Said::Words((kind, words)) => match kind.as_str() {
+                "refused" => Self::Refused(Some(words).filter(|words| !words.is_empty())),
+                "skipped" => Self::Skipped(words),
+                _ => Self::Bad(words),
+            },
+        }
+    }
+}
+
+#[pymethods]
+impl Called {
+    #[new]
+    fn new(
+        py: Python<'_>,
+        place: usize,
+        with_jacobian: bool,
+        samples: Option<usize>,
+        seed: Option<u64>,
+        with_invalid_inputs: bool,
+    ) -> PyResult<Self> {
+        let formula = formula(place)?;
+        let options = options(samples, seed);
+        let inputs = formula.inputs().iter().map(jointproof::formula::Field::len).sum();
+        let called = py.detach(|| check::Called::new(formula, with_jacobian, &options, with_invalid_inputs));
+        Ok(Self { called, inputs })
+    }
+
+    /// The inputs of every point, a row each, by components in order.
+    fn points<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let rows: Vec<Vec<f64>> = self.called.points().map(<[f64]>::to_vec).collect();
+        if rows.is_empty() {
+            return Ok(PyArray2::zeros(py, [0, self.inputs], false));
+        }
+        PyArray2::from_vec2(py, &rows).map_err(|error| PyValueError::new_err(error.to_string()))
+    }
+
+    /// The places of the points in the order in which they are asked for the second time.
+    fn other_order(&self) -> Vec<usize> {
+        self.called.other_order()
+    }
+
+    /// Judges the answers of both times, in the order of the points.
+    fn judge(
+        &self,
+        py: Python<'_>,
+        name: &str,
+        first: Vec<Bound<'_, PyAny>>,
+        second: Vec<Bound<'_, PyAny>>,
+    ) -> PyResult<Judged> {
+        let answers = [answers(&first)?, answers(&second)?];
+        let judged = py.detach(|| self.called.judge(name, &answers));
+        let judged = judged.ok_or_else(|| PyValueError::new_err("an answer has not as many numbers as the formula"))?;
+        let numbers = judged.numbers.into_iter().map(|number| Py::new(py, Found::from(number)));
+        Ok(Judged {
+            is_well: judged.is_well,
+            text: judged.text,
+            causes: judged.causes,
+            numbers: numbers.collect::<PyResult<_>>()?,
+        })
+    }
+}
+
+fn answers(said: &[Bound<'_, PyAny>]) -> PyResult<Vec<Answer>> {
+    said.iter().map(|said| Ok(said.extract::<Said>()?.into())).collect()
+}
+
+impl From<Number> for Found {
+    fn from(number: Number) -> Self {
+        let Number { name, grade, counts: [checked, off], bound, worst, inputs } = number;
+        let grade = match grade {
+            Grade::Right => "right",
+            Grade::Inaccurate => "inaccurate",
+            Grade::Wrong => "wrong",
+        };
+        let worst = worst.map(|[eta, found, exact]| (eta, found, exact));
+        Self { name, grade, checked, off, bound, worst, inputs: inputs.map(|inputs| inputs.to_string()) }
+    }
+}

@@ -1,0 +1,29 @@
+//! What the Python package `jointproof` is made of: formulas over arrays of NumPy, exact numbers, audits, checks, scenes.
+//!
+//! Arrays are read and written where they are, while Python does something else. What is told about formulas and audits is
+//! passed as JSON; names, broadcasting and errors are the matter of the package in `python/jointproof`.
+
+#![expect(clippy::needless_pass_by_value, reason = "what comes from Python is handed over")]
+
+mod arrays;
+mod audits;
+mod batches;
+mod check;
+mod formulas;
+mod rows;
+mod scene;
+
+use pyo3::pymodule;
+
+/// The compiled part of the package `jointproof`.
+#[pymodule]
+mod _jointproof {
+    #[pymodule_export]
+    use super::audits::{audit, audit_part, audit_text, merge_all, merge_parts};
+    #[pymodule_export]
+    use super::check::{Called, Found, Judged};
+    #[pymodule_export]
+    use super::formulas::{catalog, exact, kinks, linearize_at, over_arrays, value_at};
+    #[pymodule_export]
+    use super::scene::{Scene, Series};
+}

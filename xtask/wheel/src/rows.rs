@@ -1,0 +1,56 @@
+//! Rows that were refused, as Python is told of them.
+
+use jointproof::Error;
+use jointproof::batch::RowError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// The rows of a call that were refused.
+#[derive(Debug, Default)]
+pub(crate) struct Refused {
+    first: Option<RowError>,
+    count: usize,
+}
+
+impl Refused {
+    pub(crate) fn new(row: usize, error: Error, count: usize) -> Self {
+        Self { first: Some(RowError { row, error }), count }
+    }
+
+    /// Those of two parts of a call, the same whichever ended first.
+    pub(crate) fn and(self, other: Self) -> Self {
+        let firsts = [self.first, other.first].into_iter().flatten();
+        Self { first: firsts.min_by_key(|first| first.row), count: self.count + other.count }
+    }
+
+    /// What is wrong with the first row, by names; `None` where none is refused.
+    pub(crate) fn told(self, py: Python<'_>) -> PyResult<Option<Bound<'_, PyDict>>> {
+        let Some(RowError { row, error }) = self.first else { return Ok(None) };
+        let told = PyDict::new(py);
+        let (input, value, allowed) = named(&error);
+        told.set_item("row", row)?;
+        told.set_item("count", self.count)?;
+        told.set_item("kind", error.kind())?;
+        told.set_item("input", input)?;
+        told.set_item("value", value)?;
+        told.set_item("allowed", allowed)?;
+        told.set_item("reason", error.to_string())?;
+        Ok(Some(told))
+    }
+}
+
+/// The input that an error names first, and its value and what is allowed, where these are said of one number.
+fn named(error: &Error) -> (Option<String>, Option<f64>, Option<String>) {
+    let (input, value, allowed) = match error {
+        Error::NonFinite { name, value, allowed } | Error::OutOfRange { name, value, allowed } => {
+            return (Some(name.to_string()), Some(*value), Some(allowed.clone()));
+        }
+        Error::OutOfOrder { lower, lower_value, .. } => (*lower, Some(*lower_value), None),
+        Error::NotUnit { name, .. } | Error::TooShort { name, .. } => (*name, None, None),
+        Error::NotPerpendicular { first, .. } | Error::LeftHanded { first, .. } | Error::TooClose { first, .. } => {
+            (*first, None, None)
+        }
+        _ => return (None, None, None),
+    };
+    (Some(input.to_owned()), value, allowed)
+}

@@ -1,0 +1,54 @@
+//! Scenes: columns of results.
+
+use jointproof::scene;
+use numpy::PyArray2;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+/// The results of a scene.
+#[pyclass(frozen, get_all)]
+pub(crate) struct Scene {
+    title: String,
+    times: Vec<f64>,
+    counts: Vec<(&'static str, usize)>,
+    series: Vec<Py<Series>>,
+}
+
+/// An output of an element over the states, a row for every state: NaN where it is not there.
+#[pyclass(frozen, get_all)]
+pub(crate) struct Series {
+    element: String,
+    output: &'static str,
+    values: Py<PyArray2<f64>>,
+}
+
+fn invalid(error: impl std::fmt::Display) -> PyErr {
+    PyValueError::new_err(error.to_string())
+}
+
+#[pymethods]
+impl Scene {
+    /// Evaluates the text of a scene file in doubles, or in 237 bits rounded once.
+    #[new]
+    fn new(py: Python<'_>, text: &str, exact: bool) -> PyResult<Self> {
+        let results = py.detach(|| {
+            let scene = scene::Scene::parse(text).map_err(|error| error.to_string())?;
+            let results = if exact { scene::Results::exact(&scene) } else { scene::Results::of(&scene) };
+            results.map_err(|error| error.to_string())
+        });
+        let scene::Results { title, times, counts, series, .. } = results.map_err(invalid)?;
+        let series = series.into_iter().map(|series| Py::new(py, Series::of(py, series)?));
+        Ok(Self { title, times, counts, series: series.collect::<PyResult<_>>()? })
+    }
+}
+
+impl Series {
+    fn of(py: Python<'_>, series: scene::Series) -> PyResult<Self> {
+        let scene::Series { element, output, values } = series;
+        let width = values.width();
+        let row = |state: &[f64]| if state.is_empty() { vec![f64::NAN; width] } else { state.to_vec() };
+        let rows: Vec<Vec<f64>> = values.iter().map(row).collect();
+        let values = PyArray2::from_vec2(py, &rows).map_err(invalid)?.unbind();
+        Ok(Self { element, output, values })
+    }
+}
