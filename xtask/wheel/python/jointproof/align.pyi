@@ -54,6 +54,7 @@ class _Constraint(Formula):
         ur2: constraint residual of the second Cardan angle, zero when it has its initial value (unit 1; a finite number)
         ur3: constraint residual of the third Cardan angle, zero when it has its initial value (unit 1; a finite number)
 
+    Accuracy: η at most 2 of the value, 4 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: TRANSLATOR, Description (ours: the page of ALIGN was not given; the angles are held at their initial values).
     """
     def __call__(self, e1a: ArrayLike, e2a: ArrayLike, e3a: ArrayLike, e1b: ArrayLike, e2b: ArrayLike, e3b: ArrayLike, alpha0: ArrayLike, beta0: ArrayLike, gamma0: ArrayLike, *, out: Any = None) -> _ConstraintValue: ...
@@ -97,6 +98,7 @@ class _ConstraintMoment(Formula):
     Outputs:
         m: constraint moment on node b, its opposite on node a, in the global frame ([3], unit FL; a finite number)
 
+    Accuracy: η at most 1.5 of the value, 0 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: TRANSLATOR, Summary (ours: the page names the components m1, m2, m3; that they are along the triad of a is ours).
     """
     def __call__(self, e1a: ArrayLike, e2a: ArrayLike, e3a: ArrayLike, m1: ArrayLike, m2: ArrayLike, m3: ArrayLike, *, out: Any = None) -> _ConstraintMomentValue: ...
@@ -147,6 +149,7 @@ class _Rows(Formula):
         ur2_tb: derivative of the second residual of ALIGN by the spin of node b; the derivative by the spin of node a is its negative ([3], unit 1; a finite number)
         ur3_tb: derivative of the third residual of ALIGN by the spin of node b; the derivative by the spin of node a is its negative ([3], unit 1; a finite number)
 
+    Accuracy: η at most 8 of the value, 48 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: TRANSLATOR, Description (ours: the page of ALIGN was not given; these are derivatives of the angles that are held).
     """
     def __call__(self, e1a: ArrayLike, e2a: ArrayLike, e3a: ArrayLike, e1b: ArrayLike, e2b: ArrayLike, e3b: ArrayLike, *, out: Any = None) -> _RowsValue: ...
@@ -199,6 +202,7 @@ class _NodalMoments(Formula):
         ma: moment of the connector on node a, in the global frame ([3], unit FL; a finite number)
         mb: moment of the connector on node b, in the global frame ([3], unit FL; a finite number)
 
+    Accuracy: η at most 6 of the value, 48 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: TRANSLATOR, Description (ours: the page of ALIGN was not given; these are derivatives of the angles that are held).
     """
     def __call__(self, e1a: ArrayLike, e2a: ArrayLike, e3a: ArrayLike, e1b: ArrayLike, e2b: ArrayLike, e3b: ArrayLike, lambda_r1: ArrayLike, lambda_r2: ArrayLike, lambda_r3: ArrayLike, *, out: Any = None) -> _NodalMomentsValue: ...
@@ -249,6 +253,7 @@ class _GeometricStiffness(Formula):
     Outputs:
         k_tb_tb: derivative of the moment on node b by the spin of node b, at constant multipliers ([3, 3], unit FL; a finite number)
 
+    Accuracy: η at most 24 of the value, 96 of the Jacobian, inputs from 1/1e5 to 1e5 in size.
     Source: TRANSLATOR, Description (ours: the page of ALIGN was not given; these are derivatives of the angles that are held).
     """
     def __call__(self, e1a: ArrayLike, e2a: ArrayLike, e3a: ArrayLike, e1b: ArrayLike, e2b: ArrayLike, e3b: ArrayLike, lambda_r1: ArrayLike, lambda_r2: ArrayLike, lambda_r3: ArrayLike, *, out: Any = None) -> _GeometricStiffnessValue: ...

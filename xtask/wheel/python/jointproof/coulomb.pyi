@@ -36,6 +36,7 @@ class _Yield(Formula):
     Outputs:
         phi: yield function: stick below 0, slip at 0 (unit F; a finite number)
 
+    Accuracy: η at most 2 of the value, 0 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: SLOT, Friction (printed).
     """
     def __call__(self, p: ArrayLike, mu: ArrayLike, fn: ArrayLike, *, out: Any = None) -> _YieldValue: ...
@@ -74,6 +75,7 @@ class _ReturnMap(Formula):
     Outputs:
         f: friction force, positive where it resists positive motion (unit F; a finite number)
 
+    Accuracy: η at most 1 of the value, 0 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: SLOT, Friction (ours: the page says when it sticks and that the force is then μ F_N; the return of a trial force is the usual one).
     """
     def __call__(self, f_trial: ArrayLike, mu: ArrayLike, fn: ArrayLike, *, out: Any = None) -> _ReturnMapValue: ...
@@ -112,6 +114,7 @@ class _ReturnMap2d(Formula):
     Outputs:
         f: friction force on a surface, in the direction of the motion that it resists ([2], unit F; a finite number)
 
+    Accuracy: η at most 2.5 of the value, 4 of the Jacobian, inputs from 1/1e120 to 1e120 in size.
     Source: SLOT, Friction (ours: the page has one direction of sliding; on a surface the force has the direction of the trial force).
     """
     def __call__(self, f_trial: ArrayLike, mu: ArrayLike, fn: ArrayLike, *, out: Any = None) -> _ReturnMap2dValue: ...
@@ -157,6 +160,7 @@ class _Response(Formula):
         f: friction force, positive where it resists positive motion (unit F; a finite number)
         slip: slip after the increment: the motion at which the tangential force would be 0 (unit L; a finite number)
 
+    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e120 to 1e120 in size.
     Source: SLOT, Friction (ours: the page says when it sticks; stick at a finite stiffness, from the motion and what has slipped before, is the usual one).
     """
     def __call__(self, u: ArrayLike, slip_before: ArrayLike, k_el: ArrayLike, mu: ArrayLike, fn: ArrayLike, *, out: Any = None) -> _ResponseValue: ...

@@ -35,6 +35,7 @@ class _PressureLinear(Formula):
     Outputs:
         p: contact pressure, positive in compression (unit F/L^2; a finite number)
 
+    Accuracy: η at most 1 of the value, 0 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: Slide lines, Defining nondefault mechanical surface interactions with slide line elements (ours: the section names the laws; those that it refers to were not given).
     """
     def __call__(self, h: ArrayLike, k: ArrayLike, *, out: Any = None) -> _PressureLinearValue: ...
@@ -73,6 +74,7 @@ class _PressureExponential(Formula):
     Outputs:
         p: contact pressure, positive in compression (unit F/L^2; a finite number)
 
+    Accuracy: η at most 5 of the value, 8 of the Jacobian, inputs from 1/1e120 to 1e120 in size.
     Source: Slide lines, Defining nondefault mechanical surface interactions with slide line elements (ours: the section names the laws; those that it refers to were not given).
     """
     def __call__(self, h: ArrayLike, c0: ArrayLike, p0: ArrayLike, *, out: Any = None) -> _PressureExponentialValue: ...
@@ -116,6 +118,7 @@ class _Damping(Formula):
     Outputs:
         p: contact pressure, positive in compression (unit F/L^2; a finite number)
 
+    Accuracy: η at most 2 of the value, 2 of the Jacobian, inputs from 1/1e50 to 1e50 in size.
     Source: Slide lines, Defining nondefault mechanical surface interactions with slide line elements (ours: the section names the laws; those that it refers to were not given).
     """
     def __call__(self, h: ArrayLike, v: ArrayLike, mu0: ArrayLike, c0: ArrayLike, eta: ArrayLike, *, out: Any = None) -> _DampingValue: ...

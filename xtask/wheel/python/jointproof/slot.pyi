@@ -46,6 +46,7 @@ class _RelativePosition(Formula):
         y: relative position of b along e2a, positive in its direction (unit L; a finite number)
         z: relative position of b along e3a, positive in its direction (unit L; a finite number)
 
+    Accuracy: η at most 4 of the value, 1 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: SLOT, Description (printed).
     """
     def __call__(self, e1a: ArrayLike, e2a: ArrayLike, e3a: ArrayLike, xa: ArrayLike, xb: ArrayLike, *, out: Any = None) -> _RelativePositionValue: ...
@@ -92,6 +93,7 @@ class _Constraint(Formula):
         gy: constraint residual along e2a, zero when b is on the slot (unit L; a finite number)
         gz: constraint residual along e3a, zero when b is on the slot (unit L; a finite number)
 
+    Accuracy: η at most 4 of the value, 1 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: SLOT, Description (printed).
     """
     def __call__(self, e2a: ArrayLike, e3a: ArrayLike, xa: ArrayLike, xb: ArrayLike, y0: ArrayLike, z0: ArrayLike, *, out: Any = None) -> _ConstraintValue: ...
@@ -131,6 +133,7 @@ class _Constraint2d(Formula):
     Outputs:
         gy: constraint residual along e2a, zero when b is on the slot (unit L; a finite number)
 
+    Accuracy: η at most 4 of the value, 1 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: SLOT, Description (printed).
     """
     def __call__(self, e2a: ArrayLike, xa: ArrayLike, xb: ArrayLike, y0: ArrayLike, *, out: Any = None) -> _Constraint2dValue: ...
@@ -170,6 +173,7 @@ class _ConstraintForce(Formula):
     Outputs:
         f: constraint force on node b, its opposite on node a, in the global frame ([3], unit F; a finite number)
 
+    Accuracy: η at most 2 of the value, 1 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: SLOT, Description (printed).
     """
     def __call__(self, e2a: ArrayLike, e3a: ArrayLike, f2: ArrayLike, f3: ArrayLike, *, out: Any = None) -> _ConstraintForceValue: ...
@@ -210,6 +214,7 @@ class _RelativeMotion(Formula):
         u1: available displacement along e1a, zero at the start (unit L; a finite number)
         u1_mat: constitutive displacement along e1a, zero at the reference length (unit L; a finite number)
 
+    Accuracy: η at most 1 of the value, 0 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: SLOT, Description (printed).
     """
     def __call__(self, x: ArrayLike, x0: ArrayLike, l1_ref: ArrayLike, *, out: Any = None) -> _RelativeMotionValue: ...
@@ -245,6 +250,7 @@ class _KineticForce(Formula):
     Outputs:
         f: kinetic force on node a, its opposite on node b, in the global frame ([3], unit F; a finite number)
 
+    Accuracy: η at most 1 of the value, 0 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: SLOT, Description (printed).
     """
     def __call__(self, e1a: ArrayLike, f1: ArrayLike, *, out: Any = None) -> _KineticForceValue: ...
@@ -280,6 +286,7 @@ class _ContactForce(Formula):
     Outputs:
         fc: contact force that the connector's loads produce (unit F; a finite number ≥ 0)
 
+    Accuracy: η at most 2 of the value, 2 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: SLOT, Friction (reconstructed: the root was lost).
     """
     def __call__(self, f2: ArrayLike, f3: ArrayLike, *, out: Any = None) -> _ContactForceValue: ...
@@ -315,6 +322,7 @@ class _NormalForce(Formula):
     Outputs:
         fn: normal force that produces friction (unit F; a finite number ≥ 0)
 
+    Accuracy: η at most 1 of the value, 0 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: SLOT, Friction (printed).
     """
     def __call__(self, fc: ArrayLike, fc_int: ArrayLike, *, out: Any = None) -> _NormalForceValue: ...
@@ -362,6 +370,7 @@ class _Friction(Formula):
         fn: normal force that produces friction (unit F; a finite number ≥ 0)
         phi: yield function: stick below 0, slip at 0 (unit F; a finite number)
 
+    Accuracy: η at most 4 of the value, 4 of the Jacobian, inputs from 1/1e120 to 1e120 in size.
     Source: SLOT, Friction (reconstructed: the root in F_C was lost).
     """
     def __call__(self, f1: ArrayLike, f2: ArrayLike, f3: ArrayLike, fc_int: ArrayLike, mu: ArrayLike, *, out: Any = None) -> _FrictionValue: ...
@@ -402,6 +411,7 @@ class _Stop(Formula):
         gap_min: distance to the lower stop, negative beyond it (unit L; a finite number)
         gap_max: distance to the upper stop, negative beyond it (unit L; a finite number)
 
+    Accuracy: η at most 1 of the value, 0 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: SLOT, Summary (reconstructed: both signs ≤ were lost; l, which the page does not define, is taken for x).
     """
     def __call__(self, x: ArrayLike, l1_min: ArrayLike, l1_max: ArrayLike, *, out: Any = None) -> _StopValue: ...
@@ -457,6 +467,7 @@ class _Rows(Formula):
         gz_ta: derivative of SLOT's residual along e3a by the spin of node a ([3], unit L; a finite number)
         gz_ub: derivative of SLOT's residual along e3a by the translation of node b ([3], unit 1; a finite number)
 
+    Accuracy: η at most 1.5 of the value, 1 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: SLOT, Description (ours: the page prints the residuals; these are their derivatives).
     """
     def __call__(self, e2a: ArrayLike, e3a: ArrayLike, xa: ArrayLike, xb: ArrayLike, *, out: Any = None) -> _RowsValue: ...
@@ -506,6 +517,7 @@ class _NodalForces(Formula):
         ma: moment of the connector on node a, in the global frame ([3], unit FL; a finite number)
         fb: force of the connector on node b, in the global frame ([3], unit F; a finite number)
 
+    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: SLOT, Description (ours: the page prints the force on b; on a is what balances it).
     """
     def __call__(self, e2a: ArrayLike, e3a: ArrayLike, xa: ArrayLike, xb: ArrayLike, f2: ArrayLike, f3: ArrayLike, *, out: Any = None) -> _NodalForcesValue: ...
@@ -552,6 +564,7 @@ class _GeometricStiffness(Formula):
         k_ua_ta: derivative of the force on node a by the spin of node a, at constant multipliers ([3, 3], unit F; a finite number)
         k_ta_ta: derivative of the moment on node a by the spin of node a, at constant multipliers ([3, 3], unit FL; a finite number)
 
+    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e150 to 1e150 in size.
     Source: SLOT, Description (ours: the page prints the residuals; it is the derivative of their nodal forces).
     """
     def __call__(self, e2a: ArrayLike, e3a: ArrayLike, xa: ArrayLike, xb: ArrayLike, f2: ArrayLike, f3: ArrayLike, *, out: Any = None) -> _GeometricStiffnessValue: ...
@@ -595,6 +608,7 @@ class _SymmetricStiffness(Formula):
     Outputs:
         s_ta_ta: symmetric part of the derivative of the moment on node a by the spin of node a ([3, 3], unit FL; a finite number)
 
+    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: SLOT, Description (ours: the page prints the residuals; for programs that solve symmetric equations).
     """
     def __call__(self, e2a: ArrayLike, e3a: ArrayLike, xa: ArrayLike, xb: ArrayLike, f2: ArrayLike, f3: ArrayLike, *, out: Any = None) -> _SymmetricStiffnessValue: ...
@@ -638,6 +652,7 @@ class _Rows2d(Formula):
         gy_ta: derivative of SLOT's residual in the plane by the spin of node a, positive from the first axis to the second (unit L; a finite number)
         gy_ub: derivative of SLOT's residual in the plane by the translation of node b ([2], unit 1; a finite number)
 
+    Accuracy: η at most 1.5 of the value, 1 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: SLOT, Description (ours: the page prints the residual; this is its derivative).
     """
     def __call__(self, e2a: ArrayLike, xa: ArrayLike, xb: ArrayLike, *, out: Any = None) -> _Rows2dValue: ...
@@ -683,6 +698,7 @@ class _NodalForces2d(Formula):
         ma: moment of the connector on node a in the plane, positive from the first axis to the second (unit FL; a finite number)
         fb: force of the connector on node b in the plane, in the global frame ([2], unit F; a finite number)
 
+    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: SLOT, Description (ours: the page prints the force on b; on a is what balances it).
     """
     def __call__(self, e2a: ArrayLike, xa: ArrayLike, xb: ArrayLike, f2: ArrayLike, *, out: Any = None) -> _NodalForces2dValue: ...
@@ -725,6 +741,7 @@ class _GeometricStiffness2d(Formula):
         k_ua_ta: derivative of the force on node a by the spin of node a in the plane, at constant multipliers ([2], unit F; a finite number)
         k_ta_ta: derivative of the moment on node a by the spin of node a in the plane, at constant multipliers (unit FL; a finite number)
 
+    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: SLOT, Description (ours: the page prints the residual; it is the derivative of its nodal forces).
     """
     def __call__(self, e2a: ArrayLike, xa: ArrayLike, xb: ArrayLike, f2: ArrayLike, *, out: Any = None) -> _GeometricStiffness2dValue: ...
@@ -774,6 +791,7 @@ class _FrictionResponse(Formula):
         f1: kinetic force along e1a, which acts on node a, and its opposite on node b: conjugate to u1 (unit F; a finite number)
         slip: slip after the increment: the motion at which the tangential force would be 0 (unit L; a finite number)
 
+    Accuracy: η at most 1.5 of the value, 2 of the Jacobian, inputs from 1/1e120 to 1e120 in size.
     Source: SLOT, Friction (ours: the page prints F_N and the yield function; the response is the return map's).
     """
     def __call__(self, u1: ArrayLike, slip_before: ArrayLike, k_el: ArrayLike, f2: ArrayLike, f3: ArrayLike, fc_int: ArrayLike, mu: ArrayLike, *, out: Any = None) -> _FrictionResponseValue: ...
@@ -821,6 +839,7 @@ class _FrictionResponse2d(Formula):
         f1: kinetic force along e1a, which acts on node a, and its opposite on node b: conjugate to u1 (unit F; a finite number)
         slip: slip after the increment: the motion at which the tangential force would be 0 (unit L; a finite number)
 
+    Accuracy: η at most 1.5 of the value, 2 of the Jacobian, inputs from 1/1e120 to 1e120 in size.
     Source: SLOT, Friction (ours: the page prints F_N and the yield function; the response is the return map's).
     """
     def __call__(self, u1: ArrayLike, slip_before: ArrayLike, k_el: ArrayLike, f2: ArrayLike, fc_int: ArrayLike, mu: ArrayLike, *, out: Any = None) -> _FrictionResponse2dValue: ...

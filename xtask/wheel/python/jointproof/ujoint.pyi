@@ -49,6 +49,7 @@ class _Constraint(Formula):
         g: residual of JOIN as components in a's triad, zero when b is in its place ([3], unit L; a finite number)
         g_rot: residual of UNIVERSAL in UJOINT, zero when e1a and e3b have their initial angle (unit 1; a finite number)
 
+    Accuracy: η at most 2 of the value, 1 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: UJOINT, Description (ours: the pages of JOIN and UNIVERSAL were not given).
     """
     def __call__(self, e1a: ArrayLike, e2a: ArrayLike, e3a: ArrayLike, e3b: ArrayLike, xa: ArrayLike, xb: ArrayLike, d0: ArrayLike, c0: ArrayLike, *, out: Any = None) -> _ConstraintValue: ...
@@ -86,6 +87,7 @@ class _Reaction(Formula):
     Outputs:
         fr: reaction force: magnitude of the force that JOIN transmits (unit F; a finite number ≥ 0)
 
+    Accuracy: η at most 1.5 of the value, 3.5 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: UJOINT, Friction (reconstructed: the root was lost).
     """
     def __call__(self, f1: ArrayLike, f2: ArrayLike, f3: ArrayLike, *, out: Any = None) -> _ReactionValue: ...
@@ -121,6 +123,7 @@ class _CrossDirection(Formula):
     Outputs:
         e_cross: normal of the cross plane, e1a × e3b, in the global frame ([3], unit 1; a finite number)
 
+    Accuracy: η at most 1 of the value, 0 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: UJOINT, Friction (printed).
     """
     def __call__(self, e1a: ArrayLike, e3b: ArrayLike, *, out: Any = None) -> _CrossDirectionValue: ...
@@ -159,6 +162,7 @@ class _TwistFactors(Formula):
         alpha_twist: share of the twisting moment that acts as bending moment on a hinge (unit 1; a finite number ≥ 0)
         beta_twist: transverse force on a hinge, divided by the twisting moment over the arm length (unit 1; a finite number ≥ 0)
 
+    Accuracy: η at most 2 of the value, 4 of the Jacobian, inputs from 1/1e150 to 1e150 in size.
     Source: UJOINT, Friction (ours: the page prints the limits and names the beam theories; the curve between is ours).
     """
     def __call__(self, la: ArrayLike, rp: ArrayLike, *, out: Any = None) -> _TwistFactorsValue: ...
@@ -197,6 +201,7 @@ class _AxialFactors(Formula):
         alpha_axial: share of a force along an axis of the cross for each hinge on that axis (unit 1; a finite number ≥ 0)
         beta_axial: share of a force along an axis of the cross for each hinge on the other axis (unit 1; a finite number ≥ 0)
 
+    Accuracy: η at most 2 of the value, 4 of the Jacobian, inputs from 1/1e120 to 1e120 in size.
     Source: UJOINT, Friction (ours: the page uses both factors and defines neither).
     """
     def __call__(self, la: ArrayLike, rp: ArrayLike, *, out: Any = None) -> _AxialFactorsValue: ...
@@ -248,6 +253,7 @@ class _Decomposition(Formula):
         f_axial3: force along e3b at the centre of the cross (unit F; a finite number)
         f_bend: force along e1a × e3b at the centre of the cross, which bends its arms (unit F; a finite number)
 
+    Accuracy: η at most 2 of the value, 2 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: UJOINT, Friction (printed).
     """
     def __call__(self, e1a: ArrayLike, e2a: ArrayLike, e3a: ArrayLike, e3b: ArrayLike, f1: ArrayLike, f2: ArrayLike, f3: ArrayLike, *, out: Any = None) -> _DecompositionValue: ...
@@ -288,6 +294,7 @@ class _HingeTwist(Formula):
         m_twist_hinge: bending moment on each hinge from the twisting moment (unit FL; a finite number ≥ 0)
         f_twist_hinge: transverse force on each hinge from the twisting moment (unit F; a finite number ≥ 0)
 
+    Accuracy: η at most 2 of the value, 3 of the Jacobian, inputs from 1/1e50 to 1e50 in size.
     Source: UJOINT, Friction (reconstructed: the quotient by L_a was lost).
     """
     def __call__(self, m2: ArrayLike, la: ArrayLike, rp: ArrayLike, *, out: Any = None) -> _HingeTwistValue: ...
@@ -336,6 +343,7 @@ class _HingeAxial(Formula):
         f_transv_hinge1: transverse force on each hinge along e1a from the force along e3b (unit F; a finite number ≥ 0)
         f_transv_hinge3: transverse force on each hinge along e3b from the force along e1a (unit F; a finite number ≥ 0)
 
+    Accuracy: η at most 2 of the value, 3 of the Jacobian, inputs from 1/1e50 to 1e50 in size.
     Source: UJOINT, Friction (ours: printed without bars, so that a load reversed would relieve the hinge).
     """
     def __call__(self, f_axial1: ArrayLike, f_axial3: ArrayLike, la: ArrayLike, rp: ArrayLike, *, out: Any = None) -> _HingeAxialValue: ...
@@ -382,6 +390,7 @@ class _HingeTransverse(Formula):
         f_total_hinge1: total transverse force on each hinge along e1a (unit F; a finite number ≥ 0)
         f_total_hinge3: total transverse force on each hinge along e3b (unit F; a finite number ≥ 0)
 
+    Accuracy: η at most 2 of the value, 4 of the Jacobian, inputs from 1/1e50 to 1e50 in size.
     Source: UJOINT, Friction (reconstructed: the root and the quotient by 4 were lost).
     """
     def __call__(self, f_axial1: ArrayLike, f_axial3: ArrayLike, f_bend: ArrayLike, m2: ArrayLike, la: ArrayLike, rp: ArrayLike, *, out: Any = None) -> _HingeTransverseValue: ...
@@ -430,6 +439,7 @@ class _HingeBending(Formula):
         m_total_hinge: total bending moment on each hinge (unit FL; a finite number ≥ 0)
         f_total_bend: contact force in a sleeve from the total bending moment (unit F; a finite number ≥ 0)
 
+    Accuracy: η at most 2 of the value, 4 of the Jacobian, inputs from 1/1e60 to 1e60 in size.
     Source: UJOINT, Friction (reconstructed: the root and the quotients 1/8 and by L_s were lost; the bars are ours).
     """
     def __call__(self, f_bend: ArrayLike, m2: ArrayLike, la: ArrayLike, rp: ArrayLike, ls: ArrayLike, *, out: Any = None) -> _HingeBendingValue: ...
@@ -488,6 +498,7 @@ class _ContactMoments(Formula):
         mc1: contact moment of a hinge along e1a, which the connector's loads produce (unit FL; a finite number)
         mc3: contact moment of a hinge along e3b, which the connector's loads produce (unit FL; a finite number)
 
+    Accuracy: η at most 2 of the value, 6 of the Jacobian, inputs from 1/1e80 to 1e80 in size.
     Source: UJOINT, Friction (printed).
     """
     def __call__(self, e1a: ArrayLike, e2a: ArrayLike, e3a: ArrayLike, e3b: ArrayLike, f1: ArrayLike, f2: ArrayLike, f3: ArrayLike, m2: ArrayLike, rp: ArrayLike, la: ArrayLike, ra: ArrayLike, ls: ArrayLike, *, out: Any = None) -> _ContactMomentsValue: ...
@@ -530,6 +541,7 @@ class _NormalMoments(Formula):
         mn1: normal moment that produces friction about e1a (unit FL; a finite number ≥ 0)
         mn3: normal moment that produces friction about e3b (unit FL; a finite number ≥ 0)
 
+    Accuracy: η at most 1 of the value, 0 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: UJOINT, Friction (printed).
     """
     def __call__(self, mc1: ArrayLike, mc3: ArrayLike, mc1_int: ArrayLike, mc3_int: ArrayLike, *, out: Any = None) -> _NormalMomentsValue: ...
@@ -598,6 +610,7 @@ class _Friction(Formula):
         phi1: yield function about e1a: stick below 0, slip at 0 (unit FL; a finite number)
         phi3: yield function about e3b: stick below 0, slip at 0 (unit FL; a finite number)
 
+    Accuracy: η at most 2 of the value, 6 of the Jacobian, inputs from 1/1e50 to 1e50 in size.
     Source: UJOINT, Friction (printed).
     """
     def __call__(self, e1a: ArrayLike, e2a: ArrayLike, e3a: ArrayLike, e3b: ArrayLike, f1: ArrayLike, f2: ArrayLike, f3: ArrayLike, m2: ArrayLike, rp: ArrayLike, la: ArrayLike, ra: ArrayLike, ls: ArrayLike, m1: ArrayLike, m3: ArrayLike, mc1_int: ArrayLike, mc3_int: ArrayLike, mu: ArrayLike, *, out: Any = None) -> _FrictionValue: ...
@@ -650,6 +663,7 @@ class _Stop(Formula):
         gap3_min: angle to the lower stop about e3b, negative beyond it (unit 1; a finite number)
         gap3_max: angle to the upper stop about e3b, negative beyond it (unit 1; a finite number)
 
+    Accuracy: η at most 1 of the value, 0 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: UJOINT, Summary (reconstructed: the signs ≤ were lost; the first row is printed with γ, where α is meant).
     """
     def __call__(self, alpha: ArrayLike, gamma: ArrayLike, theta1_min: ArrayLike, theta1_max: ArrayLike, theta3_min: ArrayLike, theta3_max: ArrayLike, *, out: Any = None) -> _StopValue: ...
@@ -723,6 +737,7 @@ class _Rows(Formula):
         g_rot_ta: derivative of the residual of UNIVERSAL by the spin of node a ([3], unit 1; a finite number)
         g_rot_tb: derivative of the residual of UNIVERSAL by the spin of node b ([3], unit 1; a finite number)
 
+    Accuracy: η at most 1.5 of the value, 1 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: UJOINT, Description (ours: the page names the residuals; these are their derivatives).
     """
     def __call__(self, e1a: ArrayLike, e2a: ArrayLike, e3a: ArrayLike, e3b: ArrayLike, xa: ArrayLike, xb: ArrayLike, *, out: Any = None) -> _RowsValue: ...
@@ -783,6 +798,7 @@ class _NodalForces(Formula):
         fb: force of the connector on node b, in the global frame ([3], unit F; a finite number)
         mb: moment of the connector on node b, in the global frame ([3], unit FL; a finite number)
 
+    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: UJOINT, Description (ours: the page names the residuals; these do the work of their multipliers).
     """
     def __call__(self, e1a: ArrayLike, e2a: ArrayLike, e3a: ArrayLike, e3b: ArrayLike, xa: ArrayLike, xb: ArrayLike, f1: ArrayLike, f2: ArrayLike, f3: ArrayLike, lambda_rot: ArrayLike, *, out: Any = None) -> _NodalForcesValue: ...
@@ -843,6 +859,7 @@ class _GeometricStiffness(Formula):
         k_ta_tb: derivative of the moment on node a by the spin of node b, at constant multipliers ([3, 3], unit FL; a finite number)
         k_tb_tb: derivative of the moment on node b by the spin of node b, at constant multipliers ([3, 3], unit FL; a finite number)
 
+    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: UJOINT, Description (ours: the page names the residuals; it is the derivative of their nodal forces).
     """
     def __call__(self, e1a: ArrayLike, e2a: ArrayLike, e3a: ArrayLike, e3b: ArrayLike, xa: ArrayLike, xb: ArrayLike, f1: ArrayLike, f2: ArrayLike, f3: ArrayLike, lambda_rot: ArrayLike, *, out: Any = None) -> _GeometricStiffnessValue: ...
@@ -897,6 +914,7 @@ class _SymmetricStiffness(Formula):
         s_ta_ta: symmetric part of the derivative of the moment on node a by the spin of node a ([3, 3], unit FL; a finite number)
         s_tb_tb: symmetric part of the derivative of the moment on node b by the spin of node b ([3, 3], unit FL; a finite number)
 
+    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: UJOINT, Description (ours: the page names the residuals; for programs that solve symmetric equations).
     """
     def __call__(self, e1a: ArrayLike, e2a: ArrayLike, e3a: ArrayLike, e3b: ArrayLike, xa: ArrayLike, xb: ArrayLike, f1: ArrayLike, f2: ArrayLike, f3: ArrayLike, lambda_rot: ArrayLike, *, out: Any = None) -> _SymmetricStiffnessValue: ...
@@ -980,6 +998,7 @@ class _FrictionResponse(Formula):
         slip1: slip about e1a after the increment: the rotation at which m1 would be 0 (unit 1; a finite number)
         slip3: slip about e3b after the increment: the rotation at which m3 would be 0 (unit 1; a finite number)
 
+    Accuracy: η at most 2 of the value, 6 of the Jacobian, inputs from 1/1e50 to 1e50 in size.
     Source: UJOINT, Friction (ours: the page prints M_N and the yield functions; the response is the return map's).
     """
     def __call__(self, ur1: ArrayLike, ur3: ArrayLike, slip1_before: ArrayLike, slip3_before: ArrayLike, k_el1: ArrayLike, k_el3: ArrayLike, e1a: ArrayLike, e2a: ArrayLike, e3a: ArrayLike, e3b: ArrayLike, f1: ArrayLike, f2: ArrayLike, f3: ArrayLike, m2: ArrayLike, rp: ArrayLike, la: ArrayLike, ra: ArrayLike, ls: ArrayLike, mc1_int: ArrayLike, mc3_int: ArrayLike, mu: ArrayLike, *, out: Any = None) -> _FrictionResponseValue: ...
