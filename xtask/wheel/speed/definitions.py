@@ -66,10 +66,14 @@ def ujoint_decomposition(lib, *components):
     return [dot(force, e1a), dot(force, e3b), dot(force, cross(e1a, e3b))]
 
 
-def slider_line(lib, *components):
-    d = minus(components[3:], components[:3])
+def slider_constraint(lib, *components):
+    x1, xn, xm = (components[k : k + 3] for k in range(0, 9, 3))
+    d, v = minus(xn, x1), minus(xm, x1)
     length = lib.sqrt(dot(d, d))
-    return [*(x / length for x in d), length]
+    n = [x / length for x in d]
+    across = lib.sqrt(n[1] * n[1] + n[2] * n[2])
+    t1 = [0.0, n[2] / across, -n[1] / across]
+    return [dot(v, t1), dot(v, cross(n, t1))]
 
 
 def slide_line_torque_linear(lib, r1, z1, r2, z2, p1, p2):
@@ -100,7 +104,7 @@ DEFINITIONS = {
     "join.constraint": join_constraint,
     "universal.kinetic_moment": universal_kinetic_moment,
     "ujoint.decomposition": ujoint_decomposition,
-    "slider.line": slider_line,
+    "slider.constraint": slider_constraint,
     "slide_line.torque_linear": slide_line_torque_linear,
     "interaction.pressure_exponential": interaction_pressure_exponential,
     "element.arm": element_arm,

@@ -23,7 +23,7 @@ const FORMULAS: [(&str, Run); 12] = [
     of::<join::Constraint>(),
     of::<universal::KineticMoment>(),
     of::<ujoint::Decomposition>(),
-    of::<slider::Line>(),
+    of::<slider::Constraint>(),
     of::<slide_line::TorqueLinear>(),
     of::<interaction::PressureExponential>(),
     of::<element::offset::Arm>(),
