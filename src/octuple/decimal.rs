@@ -1,8 +1,8 @@
 //! Octuple in decimal, with as many digits as asked for: the exact value, rounded once, half to even; or with the fewest
 //! that read back as the same number.
 //!
-//! f256 panics beyond 75 digits, and for the fewest it brings tables of megabytes. Every finite binary number has a finite decimal expansion: m · 2^e is whole for
-//! e ≥ 0, and for e < 0 it is m · 5^-e with the decimal point −e places to the left.
+//! f256 panics beyond 75 digits, and for the fewest it brings tables of megabytes. Every finite binary number has a finite decimal
+//! expansion: m · 2^e is whole for e ≥ 0, and for e < 0 it is m · 5^-e with the decimal point −e places to the left.
 
 use std::cmp::Ordering;
 use std::fmt;
