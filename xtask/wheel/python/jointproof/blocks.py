@@ -161,10 +161,9 @@ def linearize(formula, *args, **kwargs):
 def summary(formula, *args, **kwargs):
     """The summary of all rows of arrays of Dask, to be computed: ``summary(…).compute()``. Rows are along the first axis."""
     import dask
-
-    formula, inputs = _bound(formula, args, kwargs)
     import dask.array as da
 
+    formula, inputs = _bound(formula, args, kwargs)
     inputs = [da.asarray(x) for x in inputs]
     (rows,) = {tuple(x.chunks[0]) for x in inputs if x.ndim} or {(1,)}
     firsts = np.concatenate([[0], np.cumsum(rows)[:-1]]).tolist()
