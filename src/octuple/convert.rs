@@ -66,20 +66,18 @@ impl FromStr for Octuple {
     }
 }
 
-/// A literal of 72 digits for one of more: cut off, with a last digit 1 for all that was not zero. This may go the
-/// wrong way within 10^-71 of halfway between two numbers, which here have less than 20 bits.
+/// A literal of 71 digits for one of more: the others are cut off. This may go the wrong way within 10^-70 above halfway between two
+/// numbers, which here have less than 20 bits; halfway itself has tens of thousands of digits.
 fn shortened_literal(text: &str) -> Option<String> {
-    const DIGITS: usize = 72;
+    const DIGITS: usize = 71;
     let (number, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
     let (whole, fraction) = number.split_once('.').unwrap_or((number, ""));
     let sign = if whole.starts_with('-') { "-" } else { "" };
     let digits = whole.trim_start_matches(['+', '-']).to_owned() + fraction;
     let point = exponent.parse::<i64>().ok()?.checked_sub(i64::try_from(fraction.len()).ok()?)?;
-    let digits = digits.trim_start_matches('0');
-    let (kept, rest) = digits.split_at_checked(DIGITS - 1)?;
-    let last = u8::from(rest.bytes().any(|digit| digit != b'0'));
-    let point = point.checked_add(i64::try_from(rest.len()).ok()? - 1)?;
-    Some(format!("{sign}{kept}{last}e{point}"))
+    let (kept, rest) = digits.trim_start_matches('0').split_at_checked(DIGITS)?;
+    let point = point.checked_add(i64::try_from(rest.len()).ok()?)?;
+    Some(format!("{sign}{kept}e{point}"))
 }
 
 #[cfg(test)]

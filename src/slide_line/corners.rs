@@ -7,11 +7,11 @@
 pub(super) mod proof;
 
 use super::points::CurvePoint;
-use super::shape::{LinearCorner, ParabolicCorner, Shape, combination, gap};
+use super::shape::{LinearCorner, ParabolicCorner, Shape, Sides, combination, gap};
 use crate::fields;
 use crate::formula::{Component, Document, Finite, Formula, Jacobian, Source, Spec, along};
 use crate::quantity::{CORNER_T, FRACTION, X1, X2, X3, X4, X5};
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, choice};
 use nalgebra::Vector2;
 
 /// Σ wᵢ xᵢ.
@@ -26,6 +26,21 @@ fields! {
     /// A smoothed corner between two straight segments, and a place on it.
     pub struct LinearCornerPlace<T> {
         x1: Vector2<T> = X1, x2: Vector2<T> = X2, x3: Vector2<T> = X3, f: T = FRACTION, t: T = CORNER_T,
+    }
+}
+
+impl<D: Scalar> LinearCornerPlace<D> {
+    /// X′/f = 2t (x3−x2) − 2s (x1−x2) = 2 min(s,t) (x3−x1) + 2 |t−s| times the nearer side.
+    ///
+    /// The last, since near t = ½ the rounding of a side would do harm: x2 hardly matters there.
+    #[inline]
+    fn rate(&self) -> Vector2<D> {
+        let (s, t) = (-self.t + 1.0, self.t);
+        let Sides { before, after, chord } = Sides::new([self.x1, self.x2, self.x3]);
+        let [behind] = choice(|| [D::from(if t > s { 1.0 } else { 0.0 })]);
+        let ahead = -behind + 1.0;
+        let turned = before * ((s - t) * ahead) + after * ((t - s) * behind) + chord * (s * behind + t * ahead);
+        turned * D::from(2.0)
     }
 }
 
@@ -50,21 +65,15 @@ impl Formula for SmoothedLinearPoint {
 
     #[inline]
     fn eval<D: Scalar>(i: &LinearCornerPlace<D>) -> CurvePoint<D> {
-        let nodes = [i.x1, i.x2, i.x3];
-        CurvePoint {
-            x: point(&nodes, LinearCorner::weights(i.f, i.t)),
-            dx: combination(&nodes, LinearCorner::rates(i.f, i.t)) * i.f,
-        }
+        let [n1, _, n3] = LinearCorner::weights(i.f, i.t);
+        CurvePoint { x: i.x2 + (i.x1 - i.x2) * n1 + (i.x3 - i.x2) * n3, dx: i.rate() * i.f }
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &LinearCornerPlace<D>) -> Jacobian<Self, D> {
-        let (f, nodes) = (i.f, [i.x1, i.x2, i.x3]);
         let s = -i.t + 1.0;
-        let (first, last) = (s * s, i.t * i.t);
-        let rates = LinearCorner::rates(f, i.t);
-        let (bulge, rate) = (combination(&nodes, [first, -(first + last), last]), combination(&nodes, rates));
-        let second = combination(&nodes, LinearCorner::second_derivatives(f, i.t));
+        let (bulge, rate) = ((i.x1 - i.x2) * (s * s) + (i.x3 - i.x2) * (i.t * i.t), i.rate());
+        let second = Sides::new([i.x1, i.x2, i.x3]).second_derivative() * D::from(2.0);
         let row = |k, [n1, n2, n3]: [D; 3], f, t| LinearCornerPlace {
             x1: along(k, n1),
             x2: along(k, n2),
@@ -72,8 +81,9 @@ impl Formula for SmoothedLinearPoint {
             f,
             t,
         };
-        let x = |k| row(k, LinearCorner::weights(f, i.t), bulge[k], rate[k] * f);
-        let dx = |k| row(k, rates.map(|rate| rate * f), rate[k], second[k] * f);
+        let rates = LinearCorner::rates(i.f, i.t).map(|rate| rate * i.f);
+        let x = |k| row(k, LinearCorner::weights(i.f, i.t), bulge[k], rate[k] * i.f);
+        let dx = |k| row(k, rates, rate[k], second[k] * i.f);
         CurvePoint { x: Vector2::new(x(0), x(1)), dx: Vector2::new(dx(0), dx(1)) }
     }
 }

@@ -146,3 +146,22 @@ impl Tree {
         visited
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_box_around_points_whose_difference_overflows_is_no_larger_than_they_need() {
+        let points = [Vector2::new(1.5e308, 4e307), Vector2::new(-1.0e308, 1.2e308), Vector2::new(5e307, -2e307)];
+        let OrientedBox { center, along, half } = OrientedBox::around(&points);
+        assert_eq!(along, Vector2::x());
+        for (center, half, [low, high]) in
+            [(center.x, half.x, [-1.0e308, 1.5e308]), (center.y, half.y, [-2e307, 1.2e308])]
+        {
+            let [below, above] = [low - (center - half), (center + half) - high];
+            assert!(below >= 0.0 && above >= 0.0, "{low:e} to {high:e} in {center:e} ± {half:e}");
+            assert!(below.max(above) <= 1e-14 * 1.5e308, "{low:e} to {high:e} in {center:e} ± {half:e}");
+        }
+    }
+}

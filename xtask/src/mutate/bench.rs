@@ -45,6 +45,11 @@ impl Bench {
         Ok(bench)
     }
 
+    /// The project.
+    pub(super) fn root(&self) -> &Path {
+        &self.root
+    }
+
     /// The copy of the project.
     pub(super) fn tree(&self) -> PathBuf {
         self.folder.join("tree")

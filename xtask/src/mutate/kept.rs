@@ -50,6 +50,11 @@ pub(super) fn keep(root: &Path, judged: &[Judged], tests: &str) -> anyhow::Resul
     Ok(())
 }
 
+/// Every fault that is kept, of all areas; none where there is no such file.
+pub(super) fn judged(root: &Path) -> Vec<Judged> {
+    read(root).unwrap_or_default().into_values().flat_map(|area| area.faults).collect()
+}
+
 fn read(root: &Path) -> anyhow::Result<BTreeMap<String, Kept>> {
     let path = root.join(FILE);
     let text = std::fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;

@@ -2,7 +2,7 @@
 //!
 //! All faults are written into a copy of the tree at once, each behind a switch, so that one build serves for all: what was
 //! `a + b` is `(if ::planted::at(17) { a - b } else { a + b })`. Every test is then run once without a fault, which tells
-//! which faults it comes to, and every fault is tried with those tests only, the quickest first.
+//! which faults it comes to, and every fault is tried with those tests only, the quickest and likeliest first.
 
 mod area;
 mod bench;
@@ -11,6 +11,7 @@ mod choice;
 mod fault;
 mod judge;
 mod kept;
+mod noticed;
 mod plant;
 mod process;
 mod reach;
@@ -29,11 +30,15 @@ use choice::Choice;
 use fault::{Fault, Judged, Verdict};
 use judge::Patience;
 use kit::{Project, Usage};
+use noticed::Noticed;
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::time::Duration;
 
 pub(crate) use kept::{tables, texts};
+
+/// What the last run found, beside the copy.
+const RESULT: &str = "result.json";
 
 /// Plant faults one by one and see which the tests notice
 ///
@@ -104,7 +109,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         return Ok(ExitCode::SUCCESS);
     }
     let judged = judge_all(&bench, &choice, arguments)?;
-    crate::files::write(&bench.beside("result.json"), &serde_json::to_string_pretty(&judged)?)?;
+    crate::files::write(&bench.beside(RESULT), &serde_json::to_string_pretty(&judged)?)?;
     print(&table::text(&judged))?;
     if arguments.keep {
         let package = arguments.package.as_deref().unwrap_or("every package");
@@ -130,18 +135,26 @@ fn judge_all(bench: &Bench, choice: &Choice, arguments: &Arguments) -> anyhow::R
     say(&format!("{} planted, {} to be tried", count(built.faults.len(), "fault"), faults.len()));
     process::limit_memory()?;
     let tests = reach::reach(bench, &built, Duration::from_secs(arguments.longest), arguments.jobs)?;
+    let noticed = Noticed::of(&[earlier(bench), kept::judged(bench.root())].concat());
     let patience = Patience { grace: arguments.grace, enough: arguments.enough };
     let done = AtomicUsize::new(0);
     workers::in_parallel(arguments.jobs, &faults, |(number, fault)| {
         let verdict = match &fault.equivalent {
             // Whoever names it wants to see.
             Some(why) if arguments.fault.is_none() => Verdict::Equivalent(why.clone()),
-            _ => judge::judge(&built, &tests, *number, fault, patience)?,
+            _ => judge::judge(&built, &tests, &noticed, (*number, fault), patience)?,
         };
+        noticed.add(&fault.file, &verdict);
         let (number, of) = (done.fetch_add(1, Relaxed) + 1, faults.len());
         say(&format!("{number}/{of} {} {}", fault.id, in_words(&verdict)));
         Ok(Judged::new(fault, verdict))
     })
+}
+
+/// What the last run found, which need not be kept for the book; nothing where there was none.
+fn earlier(bench: &Bench) -> Vec<Judged> {
+    let text = std::fs::read_to_string(bench.beside(RESULT)).unwrap_or_default();
+    serde_json::from_str(&text).unwrap_or_default()
 }
 
 fn in_words(verdict: &Verdict) -> String {
