@@ -66,9 +66,13 @@ pub(crate) fn check(project: &Project, out: &Path) -> Result<Option<Checked>> {
     if !browser::is_here_or_not_required()? {
         return Ok(None);
     }
+    use_all(project, out, &mut Browser::start()?).map(Some)
+}
+
+/// Uses every calculator in this browser.
+pub(super) fn use_all(project: &Project, out: &Path, browser: &mut Browser) -> Result<Checked> {
     let out = out.canonicalize()?;
     let mut checked = Checked::default();
-    let mut browser = Browser::start()?;
     for page in pages(&out)? {
         let text = fs::read_to_string(&page)?;
         let ids = calculators(&text);
@@ -82,20 +86,20 @@ pub(crate) fn check(project: &Project, out: &Path) -> Result<Option<Checked>> {
             let golden = File::parse(&fs::read_to_string(project.golden_file(&id))?)?;
             checked.formulas += 1;
             checked.off.append(&mut browser.errors);
-            One { formula, golden: &golden, checked: &mut checked }.compare(&mut browser)?;
+            One { formula, golden: &golden, checked: &mut checked }.compare(browser)?;
         }
         let faults: Vec<String> = serde_json::from_value(browser.evaluate("faultsOnPhone()")?)?;
         checked.off.extend(faults.into_iter().map(|fault| format!("{} on a phone: {fault}", project.shown(&page))));
         checked.off.append(&mut browser.errors);
     }
-    checked.sizes = Sizes::of(&out, &mut browser)?;
+    checked.sizes = Sizes::of(&out, browser)?;
     if checked.sizes.all.len() != checked.formulas {
         checked.off.push(format!("{} scripts for {} calculators", checked.sizes.all.len(), checked.formulas));
     }
     if checked.sizes.shared > sizes::WANTED {
         checked.off.push(format!("calculators without formulas have {} bytes", checked.sizes.shared));
     }
-    Ok(Some(checked))
+    Ok(checked)
 }
 
 /// The formulas whose calculators are on a page.

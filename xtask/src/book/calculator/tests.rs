@@ -9,7 +9,7 @@ use jointproof::verify::golden::components;
 use jointproof::{coulomb, element, slot};
 use tempfile::TempDir;
 
-use super::check::{Checked, DRIVE, check};
+use super::check::{Checked, DRIVE, use_all};
 use crate::book::browser::{self, Browser};
 use crate::book::build::{Options, build};
 use crate::book::gather::content;
@@ -59,17 +59,17 @@ impl Book {
         self.folder.path().join("target/book")
     }
 
-    fn checked(&self) -> anyhow::Result<Checked> {
-        Ok(check(&self.project, &self.out())?.expect("there is a browser"))
+    fn checked(&self, browser: &mut Browser) -> anyhow::Result<Checked> {
+        use_all(&self.project, &self.out(), browser)
     }
 
     /// What the check says when a text of a script is another one; the script is mended afterwards.
-    fn with(&self, script: &str, from: &str, to: &str) -> String {
+    fn with(&self, browser: &mut Browser, [script, from, to]: [&str; 3]) -> String {
         let path = self.out().join("calculator").join(script);
         let text = fs::read_to_string(&path).unwrap();
         assert!(text.contains(from), "{from} is not in {text}");
         fs::write(&path, text.replace(from, to)).unwrap();
-        let said = match self.checked() {
+        let said = match self.checked(browser) {
             Ok(checked) => format!("{} {checked}", checked.is_well()),
             Err(error) => format!("error {error:#}"),
         };
@@ -81,7 +81,8 @@ impl Book {
 #[test]
 fn calculators_show_the_numbers_of_rust_and_a_planted_fault_is_named() {
     let Some(book) = Book::new() else { return };
-    let checked = book.checked().unwrap();
+    let mut browser = Browser::start().unwrap();
+    let checked = book.checked(&mut browser).unwrap();
     assert!(checked.is_well(), "{checked}");
     assert!(checked.to_string().starts_with("3 calculators: "), "{checked}");
     let friction = "slot.friction.js";
@@ -104,10 +105,10 @@ fn calculators_show_the_numbers_of_rust_and_a_planted_fault_is_named() {
         ("panel.js", "'aria-label': `${name}", "'aria-lable': `${name}", "has no name"),
         ("runtime.js", "Math.sqrt(sum);", "Math.sqrt(sum) * (1 + 2 ** -52);", ", expected "),
     ] {
-        let found = book.with(script, from, to);
+        let found = book.with(&mut browser, [script, from, to]);
         assert!(found.starts_with("false") && found.contains(said), "{to}: {found}");
     }
-    let found = book.with(friction, "jointproof.define", "jointproof.defined");
+    let found = book.with(&mut browser, [friction, "jointproof.define", "jointproof.defined"]);
     assert!(found.starts_with("error"), "{found}");
 }
 

@@ -101,6 +101,11 @@ pub(crate) fn check(project: &Project, out: &Path) -> Result<Option<Visited>> {
     if !browser::is_here_or_not_required()? {
         return Ok(None);
     }
+    visit(project, out, &mut [Browser::start()?, Browser::start()?]).map(Some)
+}
+
+/// Looks at every page, several browsers at the same time.
+fn visit(project: &Project, out: &Path, browsers: &mut [Browser; BROWSERS]) -> Result<Visited> {
     let out = out.canonicalize()?;
     let axe = std::env::var_os(AXE)
         .map(|path| fs::read_to_string(&path).with_context(|| format!("{} cannot be read", path.display())));
@@ -114,14 +119,9 @@ pub(crate) fn check(project: &Project, out: &Path) -> Result<Option<Visited>> {
     pages.sort_by_key(|page| std::cmp::Reverse(page.metadata().map_or(0, |metadata| metadata.len())));
     let bar = console::progress("pages", pages.len());
     let next = AtomicUsize::new(0);
-    let browse = || -> Result<Visited> {
-        let mut visit = Visit {
-            browser: Browser::start()?,
-            out: &out,
-            axe: axe.as_deref(),
-            visited: Visited::default(),
-            sizes: BTreeMap::new(),
-        };
+    let browse = |browser| -> Result<Visited> {
+        let (axe, visited, sizes) = (axe.as_deref(), Visited::default(), BTreeMap::new());
+        let mut visit = Visit { browser, out: &out, axe, visited, sizes };
         while let Some(page) = pages.get(next.fetch_add(1, Ordering::Relaxed)) {
             visit.page(page).with_context(|| format!("{} cannot be looked at", project.shown(page)))?;
             bar.inc(1);
@@ -129,25 +129,26 @@ pub(crate) fn check(project: &Project, out: &Path) -> Result<Option<Visited>> {
         Ok(visit.visited)
     };
     let mut visited = std::thread::scope(|scope| {
-        let others: Vec<_> = (1..BROWSERS).map(|_| scope.spawn(browse)).collect();
-        others.into_iter().try_fold(browse()?, |visited, other| match other.join() {
+        let browse = &browse;
+        let visits = browsers.each_mut().map(|browser| scope.spawn(move || browse(browser)));
+        visits.into_iter().try_fold(Visited::default(), |visited, visit| match visit.join() {
             Ok(found) => Ok::<_, anyhow::Error>(visited.and(found?)),
             Err(panic) => std::panic::resume_unwind(panic),
         })
     })?;
     bar.finish_and_clear();
-    let mut browser = Browser::start()?;
+    let [browser, _] = browsers;
     if let Some(page) = with_controls(&pages)? {
-        keyboard(&mut browser, &page, &mut visited)?;
+        keyboard(browser, &page, &mut visited)?;
     }
-    visited.answers = queries::ask(project, &out, &mut browser, VISIT)?;
+    visited.answers = queries::ask(project, &out, browser, VISIT)?;
     visited.note("index.html", browser.errors.drain(..));
     visited.weights.sort();
     let heavy: Vec<_> = visited.weights.iter().filter(|(weight, _)| *weight > WANTED).cloned().collect();
     for (weight, page) in heavy {
         visited.note(&page, [format!("the first view loads {weight} bytes, wanted are {WANTED}")]);
     }
-    Ok(Some(visited))
+    Ok(visited)
 }
 
 /// So many browsers look at pages at the same time.
@@ -181,7 +182,7 @@ fn longest(folder: &Path) -> Result<Option<PathBuf>> {
 
 /// A visit under way.
 struct Visit<'a> {
-    browser: Browser,
+    browser: &'a mut Browser,
     out: &'a Path,
     axe: Option<&'a str>,
     visited: Visited,
@@ -204,7 +205,7 @@ impl Visit<'_> {
         self.visited.pages += 1;
         self.browser.screen(PHONE)?;
         self.browser.prefer(false, false)?;
-        open(&mut self.browser, page)?;
+        open(self.browser, page)?;
         let weight = self.weight(page)?;
         if !page.ends_with("print.html") {
             self.visited.weights.push((weight, name.clone()));
@@ -226,7 +227,7 @@ impl Visit<'_> {
         }
         self.note(&name, "", "barriers()")?;
         self.browser.prefer(true, true)?;
-        open(&mut self.browser, page)?;
+        open(self.browser, page)?;
         self.browser.evaluate("unfold()")?;
         self.browser.evaluate(axe)?;
         self.note(&name, "in dark colours, ", "barriers({ runOnly: ['color-contrast'] })")?;

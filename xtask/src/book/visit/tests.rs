@@ -7,7 +7,7 @@ use jointproof::catalog::AnyFormula;
 use jointproof::{coulomb, slot};
 use tempfile::TempDir;
 
-use super::check;
+use super::{BROWSERS, visit};
 use crate::book::browser::{self, Browser};
 use crate::book::build::{Options, build};
 use crate::book::gather::content;
@@ -59,16 +59,21 @@ impl Book {
         self.folder.path().join("target/book").canonicalize().unwrap()
     }
 
-    fn said(&self) -> String {
-        let visited = check(&self.project, &self.out()).unwrap().expect("there is a browser");
+    fn said(&self, browsers: &mut [Browser; BROWSERS]) -> String {
+        let visited = visit(&self.project, &self.out(), browsers).unwrap();
         format!("{} {visited}", visited.is_well())
     }
+}
+
+fn browsers() -> [Browser; BROWSERS] {
+    [Browser::start().unwrap(), Browser::start().unwrap()]
 }
 
 #[test]
 fn a_good_book_is_well_and_planted_faults_are_named() {
     let Some(book) = Book::new(CHAPTER, QUERIES) else { return };
-    let said = book.said();
+    let mut browsers = browsers();
+    let said = book.said(&mut browsers);
     assert!(said.starts_with("true") && said.contains("5 of 5 queries"), "{said}");
     let page = book.out().join("coulomb.html");
     let good = fs::read_to_string(&page).unwrap();
@@ -84,7 +89,7 @@ fn a_good_book_is_well_and_planted_faults_are_named() {
     }
     for (planted, expected) in faults {
         fs::write(&page, good.replacen("</main>", &format!("{planted}</main>"), 1)).unwrap();
-        let said = book.said();
+        let said = book.said(&mut browsers);
         assert!(said.starts_with("false") && said.contains(expected), "{planted}: {said}");
     }
 }
@@ -92,7 +97,7 @@ fn a_good_book_is_well_and_planted_faults_are_named() {
 #[test]
 fn a_wrong_answer_of_search_is_named() {
     let Some(book) = Book::new(CHAPTER, "yield => coulomb.html#one\n") else { return };
-    let said = book.said();
+    let said = book.said(&mut browsers());
     assert!(said.starts_with("false"), "{said}");
     assert!(said.contains("yield: wanted is coulomb.html#one, found coulomb.html#coulomb.yield"), "{said}");
 }
