@@ -182,6 +182,13 @@ const PLANTED: &[Planted] = &[
         "a constant of single precision",
     ),
     planted(
+        "squares out of range",
+        C,
+        "slot.contact_force",
+        Within("jp_norm2(f2, f3)", "sqrt(f2 * f2 + f3 * f3)"),
+        "right but for inputs below 1e-140 or above 1e140",
+    ),
+    planted(
         "stale state",
         C,
         "slot.friction",
@@ -221,7 +228,7 @@ const PLANTED: &[Planted] = &[
 ];
 
 /// The classes that have to be named rightly of those that are planted.
-const NAMED: usize = 14;
+const NAMED: usize = 15;
 
 #[test]
 fn planted_mistakes_are_named_and_none_wrongly() {

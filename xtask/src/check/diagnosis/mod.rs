@@ -67,6 +67,7 @@ fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
         .or_else(|| symmetric::cause(evidence, off))
         .or_else(|| inputs::cause(evidence, off))
         .or_else(|| observed::single_precision(evidence, off))
+        .or_else(|| observed::out_of_range(evidence, off))
         .or_else(|| altered::cause(evidence, off))
         .or_else(|| permuted::entries(evidence, off))
 }

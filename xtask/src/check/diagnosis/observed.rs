@@ -2,6 +2,7 @@
 
 use super::evidence::{Evidence, LEAST};
 use std::collections::BTreeSet;
+use std::ops::RangeInclusive;
 
 /// It is off on kinks alone.
 pub(super) fn on_kinks(evidence: &Evidence<'_>) -> Option<String> {
@@ -32,10 +33,34 @@ pub(super) fn single_precision(evidence: &Evidence<'_>, off: &[usize]) -> Option
             if found != f64::from(rounded(found)) || found != f64::from(rounded(own)) {
                 return None;
             }
-            seen += 1;
+            // What overflows does so in either precision.
+            seen += usize::from(found.is_finite());
         }
     }
     (seen >= LEAST).then(|| "results are rounded to single precision".to_owned())
+}
+
+/// Numbers whose squares are in the range of doubles, with some digits to spare.
+const SQUARED: RangeInclusive<f64> = 1e-140..=1e140;
+
+/// It is off where inputs are so large or so small that their squares are not in the range of doubles, and right elsewhere.
+pub(super) fn out_of_range(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
+    let samples = evidence.off_samples(off);
+    let is_extreme = |x: &f64| *x != 0.0 && !SQUARED.contains(&x.abs());
+    let all_are = samples.iter().all(|sample| sample.inputs(evidence).iter().any(is_extreme));
+    let is_lost = |x: f64| x == 0.0 || !x.is_finite();
+    let lost = samples.iter().filter(|sample| {
+        let mut found = off.iter().filter(|&&place| evidence.is_off(sample, place)).filter_map(|&k| sample.found[k]);
+        found.any(is_lost)
+    });
+    let (count, lost) = (samples.len(), lost.count());
+    (all_are && count >= LEAST && lost > 0).then(|| {
+        let (least, most) = (SQUARED.start(), SQUARED.end());
+        format!(
+            "right but for inputs below {least:e} or above {most:e}, where {lost} of {count} points give 0, NaN or an infinity: a \
+             square or a product on the way leaves the range of doubles"
+        )
+    })
 }
 
 /// In single precision.
