@@ -3,7 +3,7 @@
 use super::fault::{Fault, Place};
 use super::sites::Sites;
 use anyhow::{Context, bail, ensure};
-use globset::{Glob, GlobSet, GlobSetBuilder};
+use globset::{GlobBuilder, GlobSet, GlobSetBuilder};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -160,10 +160,11 @@ fn places(text: &str, change: &Range<usize>, put: &str) -> anyhow::Result<Vec<Pl
     Ok(places)
 }
 
+/// A `*` is within a folder, `**` is any folders.
 fn globs(patterns: &[String]) -> anyhow::Result<GlobSet> {
     let mut set = GlobSetBuilder::new();
     for pattern in patterns {
-        set.add(Glob::new(pattern)?);
+        set.add(GlobBuilder::new(pattern).literal_separator(true).build()?);
     }
     Ok(set.build()?)
 }

@@ -121,8 +121,9 @@ impl<'a> Rules<'a> {
         // A body that is one word is what it is.
         let is_word = matches!(body.stmts.as_slice(), [Stmt::Expr(Expr::Lit(_) | Expr::Path(_), None)]);
         let was = self.text(body.span());
+        let is_it = |text: &str| was.trim_matches(['{', '}']).trim() == text;
         for (text, at) in instead.iter().zip([body.brace_token.span.open(), body.brace_token.span.close()]) {
-            if !is_word {
+            if !is_word && !is_it(text) {
                 self.make(at, body.span(), Shape::Body, [was, text, text]);
             }
         }
