@@ -150,7 +150,7 @@ pub(super) fn acos(x: f256) -> f256 {
         return acos_of_one_minus(f256::ONE - x);
     }
     if x < f256::from(-0.999) {
-        return PI - (acos_of_one_minus(f256::ONE + x) - FRAC_PI_2_TAIL.mul2());
+        return PI - acos_of_one_minus(f256::ONE + x);
     }
     x.acos()
 }

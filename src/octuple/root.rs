@@ -83,6 +83,16 @@ mod tests {
         }
     }
 
+    /// The root of 1 − 2⁻²³⁷ is nearer to that number itself than to 1, if only just.
+    #[test]
+    fn below_a_power_of_two_the_next_number_is_at_half_the_distance() {
+        for k in [-6, 0, 7] {
+            let (s, x) = (power_of_two(k), power_of_two(2 * k).next_down());
+            assert!(is_nearest(s, left(power_of_two(2 * k), s)) && !is_nearest(s, left(x, s)));
+            assert!(sqrt(x) == s.next_down() && sqrt(power_of_two(2 * k).next_up()) == s);
+        }
+    }
+
     /// The bits after the point, the upper ones first.
     type Fraction = (u128, u128);
 
