@@ -81,6 +81,14 @@ fn every_equation_is_its_formula() {
 }
 
 #[test]
+fn an_audit_of_the_equation_alone_compares_it_where_an_audit_does() {
+    let (formula, options) = (find("slot.contact_force").unwrap(), Options { samples: 230, seed: 1 });
+    let checks = |claims: [&verify::Claim; 2]| claims.map(|claim| claim.checks);
+    let (alone, whole) = (formula.audit_equation(&options), formula.audit(&options));
+    assert_eq!(checks(alone.each_ref()), checks([&whole.equation, &whole.equation_jacobian]));
+}
+
+#[test]
 fn what_cannot_be_read_is_named_with_its_place() {
     let formula = find("slot.contact_force").unwrap();
     let error = |latex| Equation::read(latex, &[], formula.inputs(), formula.outputs()).unwrap_err().to_string();

@@ -5,7 +5,7 @@ use jointproof::formula::{Component, Document, Formula, Jacobian, Spec};
 use jointproof::proof::{Case, Convention, Kink, Proved};
 use jointproof::quantity::{F2, F3, FC};
 use jointproof::scalar::{Scalar, abs, atan2, direction, norm, sign};
-use jointproof::verify::{Audit, Looked, Options, audit};
+use jointproof::verify::{Audit, Looked, Options, Printed, audit, kinks_as_printed};
 use jointproof::{Error, fields};
 
 fields! { struct Inputs<T> { f2: T = F2, f3: T = F3 } }
@@ -289,4 +289,51 @@ fn a_side_that_no_point_takes_is_searched_for_and_named_where_nothing_reaches_it
     assert_eq!(told(audited::<Apex, true>()), (0, Vec::new()));
     assert_eq!(told(audited::<Lines, false>()), (1, Vec::new()));
     assert_eq!(told(audited::<Impossible, false>()), (0, vec!["f2 f2 + f3 f3 < 0: never so".to_string()]));
+}
+
+/// f2 + f3, which has no comparison.
+#[derive(Clone, Copy)]
+struct Smooth;
+impl Plant for Smooth {
+    fn value<D: Scalar>(f2: D, f3: D) -> D {
+        f2 + f3
+    }
+    fn gradient<D: Scalar>(_: D, _: D) -> [D; 2] {
+        [D::one(); 2]
+    }
+    fn kinks<const R: bool>() -> Vec<Kink<Planted<Self, R>>> {
+        Vec::new()
+    }
+}
+
+#[test]
+fn that_there_is_no_place_to_look_at_is_one_check() {
+    let audit = audited::<Smooth, false>();
+    // Beside it both derivatives at the case.
+    assert_eq!((audit.kinks.checks, audit.kinks.failures), (1 + 2, 0));
+}
+
+/// max(f2, 0) with a register that prints a whole strip about its kink: all that is farther away is told rightly.
+#[derive(Clone, Copy)]
+struct Strip;
+impl Plant for Strip {
+    fn value<D: Scalar>(f2: D, f3: D) -> D {
+        Ramp::value(f2, f3)
+    }
+    fn gradient<D: Scalar>(f2: D, f3: D) -> [D; 2] {
+        Ramp::gradient(f2, f3)
+    }
+    fn kinks<const R: bool>() -> Vec<Kink<Planted<Self, R>>> {
+        let on_it = Inputs { f2: 0.0, ..AT };
+        vec![Kink::<Planted<Self, R>>::subgradient(r"f_2^2 \le 0.0001", |i| i.f2 == 0.0, on_it, BY_F2)]
+    }
+}
+
+#[test]
+fn a_printed_condition_that_holds_beside_its_kink_is_off() {
+    let printed = kinks_as_printed::<Planted<Strip, true>>();
+    let [(_, Printed::Off(why))] = printed.as_slice() else { panic!("{printed:?}") };
+    assert_eq!(why, r#"`f_2^2 \le 0.0001` is so at {"f2":0.002,"f3":4.0}"#);
+    let printed = kinks_as_printed::<Planted<Difference, true>>();
+    assert_eq!(printed, [("f_2 = f_3".to_owned(), Printed::Executed(4))]);
 }

@@ -127,3 +127,17 @@ fn looped<F: Proved>(inputs: &[&[f64]], results: &mut [&mut [f64]]) -> usize {
     }
     refused
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Half of the bytes are read and half are written.
+    #[test]
+    fn as_many_numbers_are_copied_as_a_batch_reads_and_writes() {
+        let mut tables = Tables::new(&[vec![3.0, 4.0]], 10, 5);
+        assert_eq!((tables.inputs.dim(), tables.results.dim()), ((2, 10), (3, 10)));
+        tables.copy();
+        assert!(tables.from == [1.0; 25] && tables.to == tables.from);
+    }
+}

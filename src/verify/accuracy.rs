@@ -85,3 +85,16 @@ pub(super) fn check_jacobian(claim: &mut Claim, point: &Point, names: &Names, ex
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_largest_entry_is_that_of_the_output() {
+        let ad = [1.0, -5.0, 2.0, 0.25, 0.5, -0.125].map(Octuple::from).to_vec();
+        let exact = Exact { values: Vec::new(), ad, bends: Vec::new() };
+        let largest: Vec<_> = (0..6).map(|k| exact.largest_of_output(k, 3).to_f64()).collect();
+        assert_eq!(largest, [5.0, 5.0, 5.0, 0.5, 0.5, 0.5]);
+    }
+}

@@ -53,3 +53,20 @@ pub(super) fn value<F: Formula, T: Scalar>(i: &[T]) -> Vec<T> {
 pub(super) fn jacobian<F: Formula, T: Scalar>(i: &[T]) -> Vec<T> {
     entries(&F::jacobian(&typed(i)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::slot::{ContactForce, CrossForces};
+
+    /// Of √(x² + y²): y²/r³, −x y/r³, x²/r³.
+    #[test]
+    fn derivatives_of_a_jacobian_are_second_derivatives() {
+        let found = derivative_of_jacobian::<ContactForce, f64>(&CrossForces { f2: 3.0, f3: 4.0 });
+        let expected = [[16.0, -12.0], [-12.0, 9.0]].map(|row| row.map(|x| x / 125.0));
+        assert!(found.len() == 2 && found.iter().all(|row| row.len() == 2));
+        for (found, expected) in found.iter().flatten().zip(expected.as_flattened()) {
+            assert!((found - expected).abs() < 1e-15, "{found} is not {expected}");
+        }
+    }
+}

@@ -62,14 +62,18 @@ struct Range {
 }
 
 impl Range {
+    /// Whether a component has a size of the range.
+    fn has(self, x: f64) -> bool {
+        x == 0.0 || (1.0 / self.scale..=self.scale).contains(&x.abs())
+    }
+
     /// The point at another size, and what is exact there. Points do not depend on which others are drawn.
     fn draw<'a>(self, from: &Point<'a>, k: usize) -> Option<(Point<'a>, Exact)> {
         let subject = from.subject;
         let mut sampler = Sampler::named(&format!("{} scaled {k}", subject.spec.id), self.seed);
-        let is_within = |&x: &f64| x == 0.0 || (1.0 / self.scale..=self.scale).contains(&x.abs());
         (0..TRIES).find_map(|_| {
             let inputs = resized(subject, &from.inputs, self.scale, &mut sampler);
-            if !inputs.iter().all(is_within) || (subject.check)(&inputs).is_err() {
+            if !inputs.iter().all(|&x| self.has(x)) || (subject.check)(&inputs).is_err() {
                 return None;
             }
             let point = Point::new(subject, format!("{} at another size", from.label), false, inputs);
@@ -115,5 +119,18 @@ fn power(scale: f64, sampler: &mut Sampler) -> i64 {
         0 => -most,
         1 => most,
         _ => sampler.whole(-most..=most),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_range_has_its_ends_and_zero() {
+        let range = Range { scale: 8.0, seed: 0 };
+        let [inside, outside] =
+            [[0.0, 0.125, -0.125, 8.0, -8.0], [1e-300, 0.125_f64.next_down(), 8.0_f64.next_up(), -9.0, f64::NAN]];
+        assert!(inside.into_iter().all(|x| range.has(x)) && !outside.into_iter().any(|x| range.has(x)));
     }
 }
