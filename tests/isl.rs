@@ -33,6 +33,7 @@ fn bad_elements_and_steps_are_named() {
     let twice = "has a node twice; allowed are different nodes";
     assert_eq!(message(IslElement::isl21a(8, [1, 1]).unwrap_err()), format!("element 8 {twice}"));
     assert_eq!(message(IslElement::isl22a(9, [1, 2, 1]).unwrap_err()), format!("element 9 {twice}"));
+    assert_eq!(IslElement::isl22a(9, [1, 2, 3]).unwrap().number(), 9);
     let empty = ElementSet::new("flank", []).unwrap_err();
     assert_eq!(message(empty), "the element set flank is empty; allowed is at least one element");
     assert_eq!(message(Increment::new(0.0).unwrap_err()), "duration is 0.0; allowed is a finite number > 0");
