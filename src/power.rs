@@ -17,3 +17,8 @@ pub(crate) const fn power_of_two(exponent: i64) -> f64 {
     #[expect(clippy::cast_sign_loss, reason = "the biased exponent of a normal double is positive")]
     f64::from_bits(((exponent + 1023) as u64) << 52)
 }
+
+/// The exponent of a positive normal number: of the largest power of two that is not above it.
+pub(crate) const fn exponent(x: f64) -> i64 {
+    (x.to_bits() >> 52).cast_signed() - 1023
+}

@@ -5,6 +5,7 @@
 //! `cargo test --test scale -- --ignored` searches for the scales and such inputs again.
 
 use jointproof::catalog::{AnyFormula, CATALOG};
+use jointproof::verify::golden::components;
 use jointproof::verify::{Claim, Deviation, Options};
 use rayon::prelude::*;
 use serde_json::{Map, Value};
@@ -17,15 +18,6 @@ const SEARCHED: Options = Options { samples: 300, seed: 5 };
 
 fn file() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/beyond.json")
-}
-
-/// The components of inputs that are given by their names.
-fn components(inputs: &Value) -> Vec<f64> {
-    match inputs {
-        Value::Object(fields) => fields.values().flat_map(components).collect(),
-        Value::Array(numbers) => numbers.iter().flat_map(components).collect(),
-        number => vec![number.as_f64().unwrap()],
-    }
 }
 
 /// Formulas state a scale so many steps below the first at which the search finds a bound exceeded, since another search may find
@@ -53,7 +45,9 @@ fn beyond_the_sizes_that_are_stated_a_bound_is_exceeded() {
             assert!(!kept.contains_key(spec.id), "{} holds everywhere", spec.id);
             continue;
         };
-        let inputs = components(kept.get(spec.id).unwrap_or_else(|| panic!("nothing is kept of {}", spec.id)));
+        let named = kept.get(spec.id).and_then(Value::as_object);
+        let named = named.unwrap_or_else(|| panic!("nothing is kept of {}", spec.id));
+        let inputs = components(formula.inputs(), named).unwrap();
         assert!(inputs.iter().all(|x| (1.0 / beyond..=beyond).contains(&x.abs())), "{}: too far", spec.id);
         let audit = formula.audit_at(&inputs).unwrap();
         assert!(exceeded(&[&audit.eta, &audit.eta_jacobian]), "{} holds at {}", spec.id, kept[spec.id]);

@@ -32,7 +32,8 @@ fields! {
 impl<D: Scalar> LinearCornerPlace<D> {
     /// X′/f = 2t (x3−x2) − 2s (x1−x2) = 2 min(s,t) (x3−x1) + 2 |t−s| times the nearer side.
     ///
-    /// The last, since near t = ½ the rounding of a side would do harm: x2 hardly matters there.
+    /// It is computed in the last form: near t = ½ node x2 hardly matters, and the roundings of the sides, which have it, would. A
+    /// comparison that only chooses factors costs no branch.
     #[inline]
     fn rate(&self) -> Vector2<D> {
         let (s, t) = (-self.t + 1.0, self.t);

@@ -6,6 +6,7 @@ use super::subject::Subject;
 use super::{Sensitivity, eta};
 use crate::Octuple;
 use crate::power::power_of_two;
+use crate::proof::Convention;
 use num_traits::{Signed, Zero};
 
 /// What is known exactly at a point.
@@ -63,8 +64,17 @@ fn bends_by_differences(subject: &Subject, inputs: &[Octuple], here: &[Octuple])
     sums.into_iter().map(|sum| Sensitivity::new(&[sum], &[Octuple::from(part.recip())])).collect()
 }
 
-/// The value alone, and as it comes with the Jacobian.
-pub(super) fn check_value(claim: &mut Claim, point: &Point, names: &Names, exact: &Exact, values: [Vec<f64>; 2]) {
+/// Value and Jacobian in `f64`, each alone and as they come together; on a switch there is no derivative.
+pub(super) fn check_accuracy([value, jacobian]: [&mut Claim; 2], point: &Point, names: &Names, exact: &Exact) {
+    let (subject, inputs) = (point.subject, &point.inputs);
+    let [with_jacobian, linearized] = (subject.linearized)(inputs);
+    check_value(value, point, names, exact, [(subject.value)(inputs), with_jacobian]);
+    if point.kink != Some(Convention::Switch) {
+        check_jacobian(jacobian, point, names, exact, [(subject.jacobian)(inputs), linearized]);
+    }
+}
+
+fn check_value(claim: &mut Claim, point: &Point, names: &Names, exact: &Exact, values: [Vec<f64>; 2]) {
     let sizes = exact.sensitivities(&point.exact);
     for computed in values {
         for (output, ((&computed, &value), &sensitivity)) in computed.iter().zip(&exact.values).zip(&sizes).enumerate()
@@ -76,7 +86,7 @@ pub(super) fn check_value(claim: &mut Claim, point: &Point, names: &Names, exact
 }
 
 /// The closed form in `f64` is judged against automatic differentiation, so that a wrong one cannot be its own judge.
-pub(super) fn check_jacobian(claim: &mut Claim, point: &Point, names: &Names, exact: &Exact, jacobians: [Vec<f64>; 2]) {
+fn check_jacobian(claim: &mut Claim, point: &Point, names: &Names, exact: &Exact, jacobians: [Vec<f64>; 2]) {
     for computed in jacobians {
         for (entry, ((&computed, &ad), &bend)) in computed.iter().zip(&exact.ad).zip(&exact.bends).enumerate() {
             let size = eta(computed, ad, bend);

@@ -1,6 +1,6 @@
 //! The audit: every claim about a formula, checked at its cases, beside its kinks and at random points.
 
-use super::accuracy::{Exact, bends_at, check_jacobian, check_value};
+use super::accuracy::{Exact, bends_at, check_accuracy};
 use super::branches::Branches;
 use super::claim::Claim;
 use super::difference::{differences, largest_of_field, step_size};
@@ -14,8 +14,8 @@ use super::subject::{Law, Subject};
 use super::{Sensitivity, finite, invariance};
 use crate::equation::Equation;
 use crate::formula::{Fields, check};
+use crate::proof::Proved;
 use crate::proof::law::residual;
-use crate::proof::{Convention, Proved};
 use crate::{Error, Octuple};
 use num_traits::{Signed, Zero};
 use serde::{Deserialize, Serialize};
@@ -282,12 +282,7 @@ impl Audit {
             let bend = |k: usize| exact.bends[k];
             check_equation(claims, point, names, &exact.values, || exact.ad.as_slice(), bend, equation);
         }
-        // The value and the Jacobian alone, and as they come together.
-        let [value, jacobian] = (subject.linearized)(&point.inputs);
-        check_value(&mut self.eta, point, names, &exact, [(subject.value)(&point.inputs), value]);
-        if point.kink != Some(Convention::Switch) {
-            check_jacobian(&mut self.eta_jacobian, point, names, &exact, [(subject.jacobian)(&point.inputs), jacobian]);
-        }
+        check_accuracy([&mut self.eta, &mut self.eta_jacobian], point, names, &exact);
     }
 
     /// Judged against the entry and what rounding of the inputs can do to it: an entry may be what a cancellation left. One that is

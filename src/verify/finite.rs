@@ -5,7 +5,7 @@ use super::point::{Names, Point};
 use super::sample::Sampler;
 use super::subject::Subject;
 use crate::formula::Finite;
-use crate::power::power_of_two;
+use crate::power::{exponent, power_of_two};
 
 /// So many drawn from each point of the audit.
 const DRAWS: usize = 4;
@@ -97,9 +97,7 @@ impl Extremes {
 
     /// Every power of two equally likely.
     fn between(&mut self) -> f64 {
-        let exponent = |x: f64| (x.to_bits() >> 52).cast_signed() - 1023;
-        let (low, high) = (exponent(self.smallest), exponent(Finite::LARGEST));
-        let drawn = self.sampler.below(usize::try_from(high - low).expect("the limits are in order"));
-        power_of_two(low + i64::try_from(drawn).expect("exponents are small")) * (1.0 + self.sampler.unit())
+        let drawn = self.sampler.whole(exponent(self.smallest)..=exponent(Finite::LARGEST) - 1);
+        power_of_two(drawn) * (1.0 + self.sampler.unit())
     }
 }

@@ -1,13 +1,13 @@
 //! How accurate a formula is at inputs of very different sizes.
 
-use super::accuracy::{Exact, check_jacobian, check_value};
+use super::accuracy::{Exact, check_accuracy};
 use super::claim::Claim;
 use super::point::{Names, Options, Point, random_points};
 use super::sample::{DOUBLINGS, Sampler};
 use super::subject::Subject;
 use crate::Octuple;
-use crate::power::power_of_two;
-use crate::proof::{Convention, Proved};
+use crate::power::{exponent, power_of_two};
+use crate::proof::Proved;
 use crate::quantity::{Domain, Quantity};
 use num_traits::Signed;
 
@@ -44,12 +44,7 @@ fn check<'a>(
     let mut value = claim("the value", spec.eta);
     let mut jacobian = claim("the closed-form Jacobian", spec.eta_jacobian);
     for (point, exact) in points.filter_map(|(k, point)| range.draw(point, k)) {
-        let inputs = &point.inputs;
-        let [with_jacobian, linearized] = (subject.linearized)(inputs);
-        check_value(&mut value, &point, names, &exact, [(subject.value)(inputs), with_jacobian]);
-        if point.kink != Some(Convention::Switch) {
-            check_jacobian(&mut jacobian, &point, names, &exact, [(subject.jacobian)(inputs), linearized]);
-        }
+        check_accuracy([&mut value, &mut jacobian], &point, names, &exact);
     }
     [value, jacobian]
 }
@@ -113,8 +108,7 @@ fn in_units(quantity: &Quantity, units: [i64; 3]) -> i64 {
 
 /// Of two: as far as what is drawn stays within the scale, or any below.
 fn power(scale: f64, sampler: &mut Sampler) -> i64 {
-    let exponent = (scale.to_bits() >> 52).cast_signed() - 1023;
-    let most = (exponent - DOUBLINGS).max(0);
+    let most = (exponent(scale) - DOUBLINGS).max(0);
     match sampler.below(4) {
         0 => -most,
         1 => most,

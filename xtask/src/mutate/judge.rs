@@ -1,7 +1,7 @@
 //! A fault tried with the tests that come to it, until one fails: the quickest first, and sooner those that have noticed faults of
 //! its file.
 
-use super::build::Built;
+use super::build::{Binary, Built};
 use super::fault::{Fault, Verdict};
 use super::noticed::Noticed;
 use super::process::{self, Ended, How};
@@ -38,7 +38,7 @@ pub(super) fn judge(
 ) -> anyhow::Result<Verdict> {
     let reaching: Vec<&Test> = tests.iter().filter(|test| test.reached.contains(&fault.id)).collect();
     let likely = noticed.in_file(&fault.file);
-    let is_likely = |test: &Test| likely.contains(&full_name(built, test));
+    let is_likely = |test: &Test| likely.contains(&named(&built.binaries[test.binary], &test.name));
     let (from, mut run) = (Instant::now(), 0);
     for batch in batches(&reaching, is_likely) {
         if from.elapsed().as_secs() >= enough {
@@ -52,18 +52,18 @@ pub(super) fn judge(
         let seconds: f64 = batch.iter().map(|test| test.seconds).sum();
         let ended = process::run(command, Duration::from_secs_f64(seconds * TIMES + f64::from(grace)))?;
         let all = names.join(", ");
-        let named = |test: &str| format!("{}: {test}", binary.name);
         match ended.how {
             How::Well => {}
-            How::Badly => return Ok(Verdict::Killed(named(failed(&ended).unwrap_or(&all)))),
-            How::Aborted | How::Late => return Ok(Verdict::Stopped(named(running(&ended).unwrap_or(&all)))),
+            How::Badly => return Ok(Verdict::Killed(named(binary, failed(&ended).unwrap_or(&all)))),
+            How::Aborted | How::Late => return Ok(Verdict::Stopped(named(binary, running(&ended).unwrap_or(&all)))),
         }
     }
     Ok(Verdict::Survived(run))
 }
 
-fn full_name(built: &Built, test: &Test) -> String {
-    format!("{}: {}", built.binaries[test.binary].name, test.name)
+/// A test with its program, as a verdict names it.
+fn named(binary: &Binary, test: &str) -> String {
+    format!("{}: {test}", binary.name)
 }
 
 /// What is run together: quick tests of one program, then the others by themselves. What takes least comes first, where a likely

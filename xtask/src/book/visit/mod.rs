@@ -101,7 +101,11 @@ pub(crate) fn check(project: &Project, out: &Path) -> Result<Option<Visited>> {
     if !browser::is_here_or_not_required()? {
         return Ok(None);
     }
-    visit(project, out, &mut [Browser::start()?, Browser::start()?]).map(Some)
+    visit(project, out, &mut browsers()?).map(Some)
+}
+
+fn browsers() -> Result<[Browser; BROWSERS]> {
+    Ok([Browser::start()?, Browser::start()?])
 }
 
 /// Looks at every page, several browsers at the same time.

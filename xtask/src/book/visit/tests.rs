@@ -7,7 +7,7 @@ use jointproof::catalog::AnyFormula;
 use jointproof::{coulomb, slot};
 use tempfile::TempDir;
 
-use super::{BROWSERS, visit};
+use super::{BROWSERS, browsers, visit};
 use crate::book::browser::{self, Browser};
 use crate::book::build::{Options, build};
 use crate::book::gather::content;
@@ -65,14 +65,10 @@ impl Book {
     }
 }
 
-fn browsers() -> [Browser; BROWSERS] {
-    [Browser::start().unwrap(), Browser::start().unwrap()]
-}
-
 #[test]
 fn a_good_book_is_well_and_planted_faults_are_named() {
     let Some(book) = Book::new(CHAPTER, QUERIES) else { return };
-    let mut browsers = browsers();
+    let mut browsers = browsers().unwrap();
     let said = book.said(&mut browsers);
     assert!(said.starts_with("true") && said.contains("5 of 5 queries"), "{said}");
     let page = book.out().join("coulomb.html");
@@ -97,7 +93,7 @@ fn a_good_book_is_well_and_planted_faults_are_named() {
 #[test]
 fn a_wrong_answer_of_search_is_named() {
     let Some(book) = Book::new(CHAPTER, "yield => coulomb.html#one\n") else { return };
-    let said = book.said(&mut browsers());
+    let said = book.said(&mut browsers().unwrap());
     assert!(said.starts_with("false"), "{said}");
     assert!(said.contains("yield: wanted is coulomb.html#one, found coulomb.html#coulomb.yield"), "{said}");
 }
