@@ -91,7 +91,11 @@ fn an_audit_of_the_equation_alone_compares_it_where_an_audit_does() {
 #[test]
 fn what_cannot_be_read_is_named_with_its_place() {
     let formula = find("slot.contact_force").unwrap();
-    let error = |latex| Equation::read(latex, &[], formula.inputs(), formula.outputs()).unwrap_err().to_string();
+    let error = |latex| {
+        let error = Equation::read(latex, &[], formula.inputs(), formula.outputs()).unwrap_err();
+        assert!(error.to_string().contains(&format!("byte {}: ", error.at())), "{error} at {}", error.at());
+        error.to_string()
+    };
     let mut wrong = Vec::new();
     for (latex, expected) in [
         (r"F_C = \sqrt{f_2^2 + f_4^2}", "byte 20: f_4 is nobody's symbol"),

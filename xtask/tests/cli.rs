@@ -67,6 +67,14 @@ fn a_filter_that_matches_nothing_is_bad_usage_and_lists_what_there_is() {
 }
 
 #[test]
+fn a_name_that_no_input_or_output_has_is_bad_usage() {
+    let equation = ["equation", r"r = \sqrt{f_2^2 + f_3^2}", "--against", "slot.contact_force", "--let"];
+    let bench = Bench::new();
+    bench.run(&[&equation[..], &["r=fd"]].concat()).bad_usage("--let r=fd: fd is none of f2, f3, fc");
+    bench.run(&[&equation[..], &["r=fc"]].concat()).quiet().prints("the same function as slot.contact_force");
+}
+
+#[test]
 fn results_are_printed_and_nothing_else_is_said() {
     let bench = Bench::new();
     let quick = ["audit", "--filter", "slot.contact_force", "--samples", "3"];
