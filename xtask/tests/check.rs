@@ -128,6 +128,12 @@ fn state_between_calls_is_found() {
 }
 
 #[test]
+fn what_is_off_at_a_single_case_is_named_and_not_explained() {
+    let ran = awk(&[], &format!("$1 == 1.5 {{ $1 = 1.25 }} {RIGHT}"));
+    ran.exits(1).prints("off coulomb.yield").prints("diagnosis: unexplained: it is off at 1 point alone");
+}
+
+#[test]
 fn the_worst_point_can_be_given_back() {
     let wrong = RIGHT.replace("-$3", "$3");
     let ran = awk(&[], &wrong).exits(1).prints("diagnosis: the sign is turned of ∂phi/∂mu");

@@ -269,14 +269,20 @@ impl Court<'_> {
         };
         let is_named = !question.name.starts_with("random ");
         let here = if is_named { results(&question.inputs) } else { None };
-        let jumps = |x: f64, y: f64| (x - y).abs() > 1e-6 * (x.abs() + y.abs());
         let steps = 0..if here.is_some() { 2 * question.inputs.len() } else { 0 };
         steps.filter_map(move |step| {
-            let mut inputs = question.inputs.clone();
-            let x = &mut inputs[step / 2];
-            *x = if step % 2 == 0 { x.next_up() } else { x.next_down() };
-            let there = results(&inputs)?;
-            here.iter().flatten().zip(&there).any(|(&x, &y)| jumps(x, y)).then_some(inputs)
+            let moved = |by: f64| {
+                let mut inputs = question.inputs.clone();
+                let x = inputs[step / 2];
+                let beside = if step % 2 == 0 { x.next_up() } else { x.next_down() };
+                inputs[step / 2] = x + by * (beside - x);
+                inputs
+            };
+            let beside = moved(1.0);
+            let there = results(&beside)?;
+            let farther = results(&moved(FARTHER)).unwrap_or_else(|| there.clone());
+            let mut numbers = here.iter().flatten().zip(&there).zip(&farther);
+            numbers.any(|((&x, &y), &z)| is_jump(x, y, z)).then_some(beside)
         })
     }
 
@@ -332,4 +338,13 @@ fn is_same(first: &Answer, second: &Answer) -> bool {
         (Answer::Numbers(first), Answer::Numbers(second)) => first.iter().map(bits).eq(second.iter().map(bits)),
         (first, second) => first == second,
     }
+}
+
+/// So many roundings farther on it is looked whether something has jumped.
+const FARTHER: f64 = 8.0;
+
+/// Whether something jumps from x to y, and does not go on to z as what passes through 0 does.
+fn is_jump(x: f64, y: f64, z: f64) -> bool {
+    let step = (x - y).abs();
+    step > 1e-6 * (x.abs() + y.abs()) && (z - y).abs() < step
 }

@@ -34,7 +34,7 @@ pub(super) fn diagnose(court: &Court<'_>, answers: &[Vec<Answer>; 2], verdict: &
         return vec!["it is off where a rounding decides on which side of a kink it is, and nowhere else".into()];
     }
     if points < LEAST {
-        return vec![format!("unexplained: it is off at {points} points alone")];
+        return vec![format!("unexplained: it is off at {} alone", crate::console::count(points, "point"))];
     }
     explain(&evidence)
 }
