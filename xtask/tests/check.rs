@@ -130,7 +130,8 @@ fn state_between_calls_is_found() {
 #[test]
 fn what_is_off_at_a_single_case_is_named_and_not_explained() {
     let ran = awk(&[], &format!("$1 == 1.5 {{ $1 = 1.25 }} {RIGHT}"));
-    ran.exits(1).prints("off coulomb.yield").prints("diagnosis: unexplained: it is off at 1 point alone");
+    let ran = ran.exits(1).prints("off coulomb.yield").prints("phi x | + + +\n");
+    ran.prints("diagnosis: unexplained: it is off at 1 point alone");
 }
 
 #[test]
@@ -155,6 +156,18 @@ fn bad_usage_is_told() {
         .run(&["check", "--formula", ID, "--point", "[]", "--", "cat"])
         .bad_usage("--point is not a JSON object of p, mu, fn");
     bench.run(&["check", "--formula", ID, "--driver", "julia", "--exported"]).bad_usage("nothing is exported");
+}
+
+#[test]
+fn a_driver_says_what_goes_in_and_out() {
+    let ran = Bench::new().run(&["check", "--formula", "slider.line", "--driver", "python"]).quiet();
+    let ran = ran
+        .prints("in  x1(3) [L] position of node 1")
+        .prints("out l [L] distance")
+        .prints("your code is still missing");
+    assert!(!ran.stdout.contains("exported"), "{ran:#?}");
+    let ran = Bench::new().run(&["check", "--formula", "slider.line", "--driver", "python", "--exported"]).quiet();
+    ran.prints("import jp_slider_line as exported").prints("if exported.refused(x1, xn):");
 }
 
 #[test]
