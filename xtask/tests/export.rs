@@ -1,0 +1,24 @@
+//! `cargo xtask export --check`: what is exported, compiled and run where the compilers are, has every bit of what runs here.
+
+mod common;
+
+use common::{Bench, is_here};
+
+#[test]
+fn what_is_exported_has_every_bit() {
+    for (lang, program) in [("c", "gcc"), ("fortran", "gfortran"), ("js", "node")] {
+        if !is_here(program) {
+            continue;
+        }
+        let bench = Bench::new();
+        let out = bench.path("exported");
+        let wanted = ["--filter", "slot.*", "--out", out.to_str().unwrap()];
+        let checked = [&["export", "--lang", lang][..], &wanted, &["--check", "--samples", "20"]].concat();
+        let ran = bench.run(&checked).exits(0).prints(&format!("ok  {program}: "));
+        assert!(ran.stdout.contains(" 0 differ"), "{ran:#?}");
+        // Something was compared.
+        let said = ran.stdout.lines().find(|line| line.starts_with(&format!("ok  {program}"))).unwrap();
+        let numbers: u64 = said.split(' ').find_map(|word| word.parse().ok()).unwrap();
+        assert!(numbers > 1000, "{said}");
+    }
+}
