@@ -19,6 +19,7 @@ pub(crate) const fn power_of_two(exponent: i64) -> f64 {
 }
 
 /// The exponent of a positive normal number: of the largest power of two that is not above it.
+#[cfg(feature = "verify")]
 pub(crate) const fn exponent(x: f64) -> i64 {
     (x.to_bits() >> 52).cast_signed() - 1023
 }
