@@ -26,10 +26,9 @@ impl Writer<'_> {
 
     fn entry(&mut self, of: Id, by: Id) -> Id {
         let row = self.beside.outputs.iter().find(|(output, _)| *output == of);
-        match (row, self.tape.op(by)) {
-            (Some((_, row)), Op::Input(input)) if input < row.len() => row[input],
-            _ => self.tape.derivative(of, by),
-        }
+        let input = |by| if let Op::Input(input) = by { Some(input) } else { None };
+        let given = input(self.tape.op(by)).and_then(|input| row?.1.get(input).copied());
+        given.unwrap_or_else(|| self.tape.derivative(of, by))
     }
 
     /// `\mathrm{d}x` or `\delta x` of something that is defined and changes with what changes.

@@ -208,3 +208,21 @@ fn sign(relation: Relation) -> &'static str {
         Relation::Unequal => r"\ne",
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::statement;
+    use crate::equation::statement::statements;
+
+    #[test]
+    fn brackets_are_as_high_as_what_stands_in_them() {
+        for latex in [
+            r"a = (b + c)^2",
+            r"a = \left(\frac{b}{c}\right)^2",
+            r"a = \left(b + \frac{c}{d}\right)\,e",
+            r"a = (b - (c + d))\,e",
+        ] {
+            assert_eq!(statement(&statements(latex, Vec::new()).unwrap()[0]), latex);
+        }
+    }
+}

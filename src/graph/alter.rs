@@ -12,7 +12,7 @@ pub enum Instead {
 }
 
 impl Graph {
-    /// The graph with something else at one place. It may use any input, and of the other results those that stand before.
+    /// The graph with something else at one place. It may use what stands before, as all inputs do.
     ///
     /// # Panics
     /// If it uses what stands behind.
@@ -20,11 +20,6 @@ impl Graph {
     pub fn altered(&self, place: Node, instead: &Instead) -> Self {
         let mut altered = Self::default();
         let mut moved: Vec<Option<Node>> = vec![None; self.ops().len()];
-        for (place, op) in self.ops().iter().enumerate() {
-            if matches!(op, Op::Input(_)) {
-                moved[place] = Some(altered.enter(op.clone()));
-            }
-        }
         for (here, op) in self.ops().iter().enumerate() {
             let at = |node: &Node| moved[node.index()].expect("operands stand before");
             let op = match instead {

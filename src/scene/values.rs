@@ -94,6 +94,7 @@ mod tests {
         assert!(values.iter().eq(states));
         assert_eq!((values.get(4), values.get(3), values.get(5)), (Some(states[4]), Some(states[3]), None));
         assert_eq!((values.len(), values.width(), values.numbers()), (5, 2, &[1.0, 2.0, 3.0, 4.0][..]));
+        assert_eq!((values.is_empty(), Values::default().is_empty()), (false, true));
         assert_eq!(serde_json::to_string(&values).unwrap(), "[[],[1.0,2.0],[],[],[3.0,4.0]]");
     }
 }

@@ -157,6 +157,7 @@ fn the_schema_takes_every_scene_and_refuses_what_the_reader_refuses() {
     let read = |path: &str| -> Value { serde_json::from_str(&fs::read_to_string(scene(path)).unwrap()).unwrap() };
     let schema = read("schema.json");
     jsonschema::meta::validate(&schema).unwrap_or_else(|error| panic!("{}: {error}", error.instance_path()));
+    assert_eq!(schema, jointproof::scene::schema());
     let validator = jsonschema::draft202012::new(&schema).unwrap();
     let scenes = fs::read_dir(repository().join("golden/scenes")).unwrap().map(|entry| entry.unwrap().file_name());
     for name in scenes.map(|name| name.into_string().unwrap()).filter(|name| name.matches('.').count() == 1) {

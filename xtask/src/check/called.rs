@@ -109,3 +109,28 @@ impl Called {
         named(self.formula.inputs(), &self.questions[question].inputs).into()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use jointproof::catalog::find;
+
+    #[test]
+    fn a_refusal_is_an_answer_and_too_few_numbers_are_none() {
+        let formula = find("slot.contact_force").unwrap();
+        let called = Called::new(formula, false, &Options { samples: 10, ..Options::default() }, true);
+        let answer = |inputs: &[f64]| match formula.value_and_jacobian(inputs) {
+            Ok((value, _)) => Answer::Numbers(value.into_iter().map(Some).collect()),
+            Err(_) => Answer::Refused(None),
+        };
+        let right: Vec<_> = called.points().map(answer).collect();
+        assert!(right.iter().any(|answer| matches!(answer, Answer::Refused(_))));
+        let judged = called.judge("mine", &[right.clone(), right.clone()]).unwrap();
+        assert!(judged.is_well, "{}", judged.text);
+        let with_first = |first| [&[first][..], &right[1..]].concat();
+        assert!(called.judge("mine", &[right.clone(), with_first(Answer::Numbers(Vec::new()))]).is_none());
+        assert!(called.judge("mine", &[right.clone(), right[1..].to_vec()]).is_none());
+        let refused = called.judge("mine", &[with_first(Answer::Refused(None)), right.clone()]).unwrap();
+        assert!(!refused.is_well, "{}", refused.text);
+    }
+}

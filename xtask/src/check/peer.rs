@@ -286,6 +286,9 @@ mod tests {
         let found = asked("while read x; do echo $x 2; done", 50).unwrap();
         assert_eq!(found.replies[49], Reply::Line("49 2".into()));
         assert!(lines(&found) == 50 && found.noticed.is_empty(), "{found:?}");
+        // What it says for itself, at its end, is no fault.
+        let found = asked("while read x; do echo $x 2; done; echo bye >&2", 50).unwrap();
+        assert!(lines(&found) == 50 && found.noticed.is_empty(), "{found:?}");
     }
 
     #[test]

@@ -208,6 +208,7 @@ mod tests {
     use super::super::c::C;
     use super::super::fortran::Fortran;
     use super::super::javascript::JavaScript;
+    use super::super::numpy::NumPy;
     use super::super::points;
     use super::super::recorded::record;
     use super::*;
@@ -248,11 +249,38 @@ mod tests {
     }
 
     #[test]
+    fn functions_of_a_language_may_be_off_in_units_of_what_is_larger_1_or_the_number() {
+        let is_near = |id, found: f64, expected| {
+            let (recorded, _) = record(&[find(id).unwrap()], None);
+            is_near(&recorded[0], 4.0, [found, expected])
+        };
+        let calling = "interaction.pressure_exponential";
+        assert!(is_near(calling, 1.0 + 8.0 * f64::EPSILON, 1.0) && !is_near(calling, 1.0 + 9.0 * f64::EPSILON, 1.0));
+        assert!(is_near(calling, -3.0 + 16.0 * f64::EPSILON, -3.0) && is_near(calling, 4.0 * f64::EPSILON, 0.0));
+        assert!(!is_near("slot.contact_force", 1.0 + f64::EPSILON, 1.0));
+    }
+
+    #[test]
+    fn the_head_of_a_file_says_what_the_formula_is() {
+        let formula = find("slot.contact_force").unwrap();
+        let (recorded, _) = record(&[formula], None);
+        for language in [&C as &dyn Language, &Fortran, &JavaScript, &NumPy] {
+            let files = language.files(&recorded);
+            let (name, text) = files.iter().find(|(name, _)| name.starts_with("jp_slot_contact_force")).unwrap();
+            for said in [formula.spec().title, formula.spec().latex, "slot.contact_force", "eta <= ", "norm2(f2, f3)"] {
+                assert!(text.contains(said), "{said} is not in {name}");
+            }
+        }
+    }
+
+    #[test]
     fn no_line_and_no_file_is_too_long() {
         let ids = ["ujoint.friction", "ujoint.geometric_stiffness", "slider.increment", "cardan.angles"];
         let (recorded, _) = record(&ids.map(|id| find(id).unwrap()), None);
         for language in [&C as &dyn Language, &Fortran, &JavaScript] {
-            for (name, text) in language.files(&recorded) {
+            let files = language.files(&recorded);
+            assert!(files == language.files(&recorded), "other files for the same formulas");
+            for (name, text) in files {
                 assert!(text.lines().count() <= 400, "{name}");
                 let long = text.lines().find(|line| line.chars().count() > 100);
                 assert_eq!(long, None, "{name}");

@@ -61,3 +61,22 @@ fn classic(module: &str) -> String {
     let lines: Vec<_> = module.lines().map(|line| line.strip_prefix("export ").unwrap_or(line)).collect();
     lines.join("\n")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn everything_that_is_exported_comes_back() {
+        let script = runtime_script();
+        let (_, given) = script.rsplit_once("return { ").unwrap();
+        let names: Vec<_> = given.split_once(" }").unwrap().0.split(", ").collect();
+        assert_eq!(names.len(), RUNTIME.matches("\nexport ").count());
+        for name in names {
+            assert!(
+                script.contains(&format!("function {name}(")) || script.contains(&format!("const {name} =")),
+                "{name}"
+            );
+        }
+    }
+}

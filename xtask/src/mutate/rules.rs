@@ -97,11 +97,13 @@ impl<'a> Rules<'a> {
         }
     }
 
-    /// A call whose value is not used is left out. A hint to the compiler says nothing else.
+    /// A call whose value is not used is left out. A hint to the compiler says nothing else, and how far a bar of progress is goes
+    /// to terminals alone.
     pub(super) fn of_statement(&mut self, expr: &Expr) {
-        let is_hint = self.text(expr.span()).ends_with("cold_path()");
-        if matches!(expr, Expr::Call(_) | Expr::MethodCall(_)) && !is_hint {
-            self.make(expr.span(), expr.span(), Shape::Statement, [self.text(expr.span()), "", ""]);
+        let text = self.text(expr.span());
+        let is_unseen = text.ends_with("cold_path()") || text.starts_with("bar.") || text.starts_with("self.bar.");
+        if matches!(expr, Expr::Call(_) | Expr::MethodCall(_)) && !is_unseen {
+            self.make(expr.span(), expr.span(), Shape::Statement, [text, "", ""]);
         }
     }
 

@@ -175,3 +175,25 @@ fn is_near(sample: &Sample, place: usize, source: usize, sign: f64) -> bool {
     let known = known.exact.to_f64() * sign;
     (found - known).abs() <= 1e-9 * (found.abs() + known.abs())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::transpose;
+
+    #[test]
+    fn a_matrix_is_transposed_where_it_stands() {
+        // A number, a matrix, another number, and their derivatives by two inputs.
+        let (first, m, n) = (1, 11, 2);
+        let same: Vec<usize> = (0..m + m * n).collect();
+        let of =
+            |k: usize| if (first..first + 9).contains(&k) { first + (k - first) % 3 * 3 + (k - first) / 3 } else { k };
+        let expected = |place: usize| {
+            if place < m { of(place) } else { m + of((place - m) / n) * n + (place - m) % n }
+        };
+        let mut places = same.clone();
+        transpose(&mut places, first, [m, n]);
+        assert_eq!(places, same.iter().copied().map(expected).collect::<Vec<_>>());
+        transpose(&mut places, first, [m, n]);
+        assert_eq!(places, same);
+    }
+}

@@ -94,3 +94,21 @@ static void take(const char *name, size_t inputs, void (*loop)(const double *, s
 }
 
 "#;
+
+#[cfg(test)]
+mod tests {
+    use super::files;
+    use crate::export::recorded::record;
+    use jointproof::catalog::find;
+
+    #[test]
+    fn every_formula_has_a_loop_that_is_called() {
+        let ids = ["slot.contact_force", "coulomb.yield"];
+        let files = files(&record(&ids.map(|id| find(id).unwrap()), None).0);
+        let file = |wanted: &str| files.iter().find(|(name, _)| name == wanted).map_or("", |(_, text)| text);
+        for name in ids.map(|id| id.replace('.', "_")) {
+            assert!(file("speed_1.c").contains(&format!("        jp_{name}_jacobian(")), "{name}");
+            assert!(file("speed.c").contains(&format!("    take(\"{name}\", ")), "{name}");
+        }
+    }
+}
