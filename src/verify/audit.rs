@@ -37,7 +37,7 @@ const REACHED_FROM: usize = 64;
 const LAW: f64 = 1e-60;
 
 /// Steps of differences: the first one at random points, the best one at hard points.
-const STEPS: [f64; 4] = [1e-18, 1e-22, 1e-26, 1e-30];
+const STEPS: [f64; 4] = [3e-19, 1e-22, 1e-26, 1e-30];
 
 /// What an audit of one formula found.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

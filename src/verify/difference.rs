@@ -9,7 +9,7 @@ use num_traits::{Signed, Zero};
 /// The gradient of every output with respect to input component `k`, by fourth-order central differences in 237 bits:
 /// (8(y₊₁ − y₋₁) − (y₊₂ − y₋₂)) / 12h, with h = `step` times the size of the input (where it is 0, of its field or of what has its unit).
 ///
-/// Rounding costs about 2⁻²³⁶/`step` and truncation `step`⁴: at 1e-18 both are far below 1e-50. Near a kink the step
+/// Rounding costs about 2⁻²³⁶/`step` and truncation `step`⁴: at 3e-19 both are far below 1e-50. Near a kink the step
 /// must be shorter than the distance to it, and fewer digits remain.
 pub fn central_differences<F: Proved>(inputs: &[Octuple], k: usize, step: f64) -> Vec<Octuple> {
     let subject = Subject::of::<F>();

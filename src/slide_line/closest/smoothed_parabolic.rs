@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec, ValueAndJacobian};
 use crate::quantity::{FRACTION, X1, X2, X3, X4, X5, XS};
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, abs, choice};
 use crate::slide_line::basis::LocalBasis;
 use crate::slide_line::check_distinct;
 use crate::slide_line::corners::SmoothedParabolicPoint;
@@ -40,6 +40,38 @@ impl<D: Scalar> ParabolicCornerSlave<D> {
     }
 }
 
+/// n·∂X/∂f of these weights of the nodes in ∂X/∂f.
+///
+/// Since n ⟂ Y′, a multiple of Y′ may be taken out of ∂X/∂f: that which takes out its largest term, where what is left is smaller.
+/// So it is free of the cancellation where ∂X/∂f is nearly along the tangent.
+fn across<D: Scalar>(view: &View<D, ParabolicCorner, 5>, foot: &Foot<D, 5>, weights: [D; 5]) -> D {
+    let size = |k: usize| {
+        let arm = view.nodes[k] - view.nodes[2];
+        abs(arm.x) + abs(arm.y)
+    };
+    let without = |k: usize| {
+        let multiple = weights[k] / foot.rates[k];
+        let left: [D; 5] =
+            std::array::from_fn(|j| if j == k { D::zero() } else { weights[j] - multiple * foot.rates[j] });
+        let terms = |j: usize| (abs(weights[j]) + abs(multiple * foot.rates[j])) * size(j);
+        (left, [0, 1, 3, 4].into_iter().filter(|&j| j != k).fold(D::zero(), |sum, j| sum + terms(j)))
+    };
+    let all = [0, 1, 3, 4].into_iter().fold(D::zero(), |sum, j| sum + abs(weights[j]) * size(j));
+    let best = choice(|| {
+        let mut best = (weights, all);
+        for k in [0, 1, 3, 4] {
+            if foot.rates[k] != 0.0 {
+                let other = without(k);
+                if other.1 < best.1 {
+                    best = other;
+                }
+            }
+        }
+        best.0
+    });
+    foot.normal().dot(&view.combination(best))
+}
+
 impl<D: Scalar> ParabolicCornerSlave<D> {
     /// The foot, unless two nodes coincide or the curve stands still there.
     fn checked_foot(&self) -> Result<(View<D, ParabolicCorner, 5>, Foot<D, 5>), Error> {
@@ -68,9 +100,10 @@ impl ClosestSmoothedParabolic {
         let t = |n, m| view.per_unit(foot.coordinate_by(n, m));
         let normal = foot.normal();
         // By f: of X, Y′ and Y″, and of X′, which is f Y′ and hence quadratic in f.
-        let [point, rate, second] = ParabolicCorner::by_fraction(i.f, foot.u).map(|weights| view.combination(weights));
-        let rate_of_point = view.combination(ParabolicCorner::rates(i.f * 2.0, foot.u));
-        let (point, rate) = (point + rate_of_point * foot.missing, rate + second * foot.missing);
+        let [by_f, rates, second_derivatives] = ParabolicCorner::by_fraction(i.f, foot.u);
+        let moved = |n: [D; 5], rates: [D; 5]| std::array::from_fn(|k| n[k] + rates[k] * foot.missing);
+        let by_f = moved(by_f, ParabolicCorner::rates(i.f * 2.0, foot.u));
+        let (point, rate) = (view.combination(by_f), view.combination(moved(rates, second_derivatives)));
         let gradients = CornerFoot {
             t: ParabolicCornerSlave {
                 xs: t(-D::one(), D::zero()),
@@ -88,7 +121,7 @@ impl ClosestSmoothedParabolic {
                 x3: normal * -n3,
                 x4: normal * -n4,
                 x5: normal * -n5,
-                f: if foot.inside { -(normal.dot(&point) * view.binade.unit) } else { i.end_turning(view, foot) },
+                f: if foot.inside { -(across(view, foot, by_f) * view.binade.unit) } else { i.end_turning(view, foot) },
             },
         };
         (Self::value_at(view, foot), gradients)

@@ -10,6 +10,15 @@ use crate::slide_line::{ClosestLinear, LinearCornerPlace, LinearSlave, SmoothedL
 use nalgebra::Vector2;
 
 impl Proved for ClosestSmoothedLinear {
+    fn placed(drawn: LinearCornerSlave<f64>) -> LinearCornerSlave<f64> {
+        let LinearCornerSlave { xs, x1, x2, x3, f } = drawn;
+        let on = |along: f64| {
+            let on = SmoothedLinearPoint::eval(&LinearCornerPlace { x1, x2, x3, f, t: along.midpoint(1.0) });
+            [on.x, on.dx]
+        };
+        LinearCornerSlave { xs: evidence::slave_point(xs, on), ..drawn }
+    }
+
     fn cases() -> Vec<Case<LinearCornerSlave<f64>>> {
         let mut cases =
             vec![Case::hand("open", "the corner is z = r² + 1/4: foot (0, 0.25) at t = 1/2", at_corner(0.0, 0.5))];

@@ -12,6 +12,16 @@ use crate::slide_line::{
 use nalgebra::Vector2;
 
 impl Proved for ClosestSmoothedParabolic {
+    fn placed(drawn: ParabolicCornerSlave<f64>) -> ParabolicCornerSlave<f64> {
+        let ParabolicCornerSlave { xs, x1, x2, x3, x4, x5, f } = drawn;
+        let on = |along: f64| {
+            let t = along.midpoint(1.0);
+            let on = SmoothedParabolicPoint::eval(&ParabolicCornerPlace { x1, x2, x3, x4, x5, f, t });
+            [on.x, on.dx]
+        };
+        ParabolicCornerSlave { xs: evidence::slave_point(xs, on), ..drawn }
+    }
+
     fn cases() -> Vec<Case<ParabolicCornerSlave<f64>>> {
         let mut cases =
             vec![Case::hand("open", "straight segments, z = r² + 1/4: foot (0, 0.25) at t = 1/2", at_corner(0.0, 0.5))];
