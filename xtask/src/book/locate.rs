@@ -149,7 +149,9 @@ mod tests {
                     fn guards() { check(\"a.b\") }\n}\n";
         let test = "use x::A;\n#[test]\nfn all() { let _ = \"a.b\"; go::<A>(); }\nfn help() { \"a.b\"; }\n";
         let file = |path: &str, text: &str| SourceFile { path: path.to_owned(), text: text.to_owned() };
-        vec![file("src/a.rs", room), file("tests/golden.rs", test)]
+        // Another family may have a type of this name.
+        let other = "#[test]\nfn other() { go::<A>(); }\n";
+        vec![file("src/a.rs", room), file("tests/golden.rs", test), file("tests/other.rs", other)]
     }
 
     #[test]

@@ -128,6 +128,7 @@ fn search_sees_words_but_neither_code_nor_listings() {
     book(root.path(), GOOD).unwrap();
     let index = fs::read_to_string(root.path().join("target/book/searchindex.js")).unwrap();
     assert!(index.contains("t.second") && !index.contains("unusual"));
+    assert!(index.contains("\"index\":{\"pages\":[["), "{index}");
     let listing = fs::read_to_string(root.path().join("target/book/source/src/t.rs.html")).unwrap();
     assert!(listing.contains("id=\"L4\"") && listing.contains("unusual_word"));
 }
@@ -193,4 +194,22 @@ fn files_can_be_included() {
     write(&root.path().join("tools/read.py"), b"price = '$5'\n").unwrap();
     book(root.path(), &format!("{GOOD}```python\n{{{{#include ../../tools/read.py}}}}\n```\n")).unwrap();
     assert!(page(root.path()).contains("price = '$5'"));
+}
+
+#[cfg(unix)]
+#[test]
+fn old_leftovers_of_builds_are_removed_and_nothing_else() {
+    use std::time::{Duration, SystemTime};
+    let root = tempfile::tempdir().unwrap();
+    let beside = |name: &str| root.path().join("target").join(name);
+    let made = |name: &str, age: Duration| {
+        fs::create_dir_all(beside(name)).unwrap();
+        fs::File::open(beside(name)).unwrap().set_modified(SystemTime::now() - age).unwrap();
+    };
+    made("book.partial-1", Duration::from_hours(1));
+    made("book.partial-2", Duration::ZERO);
+    made("letters", Duration::from_hours(1));
+    book(root.path(), GOOD).unwrap();
+    let are_there = ["book.partial-1", "book.partial-2", "letters", "book"].map(|name| beside(name).is_dir());
+    assert_eq!(are_there, [false, true, true, true]);
 }

@@ -274,3 +274,14 @@ impl Mistake for OtherAngle {
         cross
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::CopiedStiffness;
+
+    #[test]
+    fn the_second_matrix_alone_is_transposed() {
+        let places: Vec<_> = (0..18).map(CopiedStiffness::place).collect();
+        assert_eq!(places, [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 12, 15, 10, 13, 16, 11, 14, 17]);
+    }
+}

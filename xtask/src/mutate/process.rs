@@ -32,14 +32,14 @@ pub(super) enum How {
     Late,
 }
 
-/// Limits the memory of every program that is started from now on.
+/// Limits the memory of every program that is started from now on: what it writes to, since browsers reserve much more.
 pub(super) fn limit_memory() -> anyhow::Result<()> {
     #[cfg(unix)]
     {
         use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
-        let Rlimit { maximum, .. } = getrlimit(Resource::As);
+        let Rlimit { maximum, .. } = getrlimit(Resource::Data);
         let current = Some(maximum.map_or(MEMORY, |maximum| maximum.min(MEMORY)));
-        setrlimit(Resource::As, Rlimit { current, maximum }).context("cannot limit memory")?;
+        setrlimit(Resource::Data, Rlimit { current, maximum }).context("cannot limit memory")?;
     }
     Ok(())
 }

@@ -167,3 +167,18 @@ pub(super) fn apart(a: f64, b: f64) -> f64 {
     let size = a.abs().max(b.abs());
     if size == 0.0 { 0.0 } else { (a - b).abs() / size }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{apart, digits};
+
+    #[test]
+    fn numbers_have_four_digits_and_differences_a_size() {
+        let shown = [0.0, 0.5, -12.345_678, 1e-3, 1.2e-4, 99_999.0, 1.5e5].map(digits);
+        assert_eq!(
+            shown,
+            ["0", "0.5", "−12.35", "0.001", "$1.2\\cdot10^{-4}$", "$1\\cdot10^{5}$", "$1.5\\cdot10^{5}$"]
+        );
+        assert_eq!([apart(0.0, 0.0), apart(1.0, -1.0), apart(2.0, 1.0)], [0.0, 2.0, 0.5]);
+    }
+}

@@ -314,3 +314,17 @@ fn hexadecimal(x: f64) -> String {
     let (lead, exponent) = if exponent == 0 { (0, -1022) } else { (1, exponent - 1023) };
     format!("{sign}0x{lead}.{fraction:013x}p{exponent:+}")
 }
+
+#[cfg(test)]
+mod told {
+    use super::Checked;
+
+    #[test]
+    fn where_nothing_was_compared_nothing_is_well() {
+        let all = || Checked { numbers: 1, chosen: 1, ..Checked::default() };
+        assert!(all().is_well());
+        assert!(!Checked { numbers: 0, ..all() }.is_well());
+        assert!(!Checked { chosen: 0, ..all() }.is_well());
+        assert!(!Checked { off: vec!["t.first".into()], ..all() }.is_well());
+    }
+}
