@@ -128,3 +128,25 @@ fn add(path: &Path, hasher: &mut impl Hasher) {
         hasher.write(&std::fs::read(path).unwrap_or_default());
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_reached_is_kept_for_this_version_alone() {
+        let root = tempfile::tempdir().unwrap();
+        let found = |_: &Project| Ok(Reach::from([("found".to_owned(), Vec::new())]));
+        let project = Project::new("reached", root.path().to_str().unwrap().to_owned().leak(), &[]).with_reach(found);
+        let keep = |fingerprint| {
+            let kept = Kept { fingerprint, reach: Reach::from([("kept".to_owned(), Vec::new())]) };
+            files::write(&project.kept("reach.json"), &serde_json::to_string(&kept).unwrap()).unwrap();
+        };
+        let is = |name| reach(&project).unwrap().into_keys().eq([name]);
+        assert!(is("found") && is("found"));
+        keep(fingerprint(&project));
+        assert!(is("kept"));
+        keep(!fingerprint(&project));
+        assert!(is("found"));
+    }
+}

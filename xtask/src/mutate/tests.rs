@@ -181,3 +181,45 @@ fn a_fault_within_another_is_in_what_was_there() {
     assert_eq!(at("a + (if"), [0]);
     assert_eq!(at(expected), [1, 0]);
 }
+
+#[test]
+fn every_rule_makes_its_fault_where_it_can_and_nowhere_else() {
+    let source = "
+fn f(x: f64, all: &[f64]) -> bool {
+    let whole = -x.abs() * 2.0 + 1e-9;
+    if is_far(x) { note(x); }
+    bar.inc(1);
+    let near = match x { _ if is_near(x) => 3, _ => all.iter().rev().map(|y| y - x).len() };
+    all.iter().any(|y| *y > whole) || !done && near != 4
+}
+#[cfg(test)]
+mod tests { fn g() -> bool { 1 == 2 } }
+";
+    let made = sites::Sites::read(source).unwrap().rules.made;
+    let mut made: Vec<_> = made.iter().map(|made| (made.at, made.was.as_str(), made.becomes.as_str())).collect();
+    made.sort_unstable();
+    let (bodies, parts): (Vec<_>, Vec<_>) = made.into_iter().partition(|(_, was, _)| was.starts_with('{'));
+    assert_eq!(bodies.iter().map(|(_, _, becomes)| *becomes).collect::<Vec<_>>(), ["true", "false"]);
+    let shown: Vec<_> = parts.iter().map(|((line, _), was, becomes)| format!("{line}: {was} → {becomes}")).collect();
+    let expected = [
+        "3: -x.abs() → x.abs()",
+        "3: x.abs() → x",
+        "3: * → /",
+        "3: 2.0 → 3.0",
+        "3: + → -",
+        "4: is_far(x) → !(is_far(x))",
+        "4: note(x) → ",
+        "5: 1 → 2",
+        "6: 3 → 4",
+        "6: all.iter().rev() → all.iter()",
+        "6: - → +",
+        "7: any → all",
+        "7: > → >=",
+        "7: || → &&",
+        "7: !done → done",
+        "7: && → ||",
+        "7: != → ==",
+        "7: 4 → 5",
+    ];
+    assert_eq!(shown, expected);
+}

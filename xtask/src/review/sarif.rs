@@ -43,3 +43,16 @@ fn fingerprint(formula: &str, claim: &str) -> String {
     let digest = Sha256::digest(format!("{formula}\n{claim}"));
     digest.iter().take(8).map(|byte| format!("{byte:02x}")).collect::<Vec<_>>().concat()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::fingerprint;
+
+    #[test]
+    fn a_finding_is_known_by_formula_and_claim() {
+        let one = fingerprint("slot.friction", "closed form");
+        assert_eq!(one.len(), 16);
+        assert_eq!(one, fingerprint("slot.friction", "closed form"));
+        assert!(one != fingerprint("slot.yield", "closed form") && one != fingerprint("slot.friction", "symmetry"));
+    }
+}

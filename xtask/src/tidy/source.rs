@@ -228,3 +228,15 @@ fn member_attributes(item: &ImplItem) -> &[Attribute] {
         _ => &[],
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::defined_by;
+
+    #[test]
+    fn a_macro_call_defines_what_stands_behind_keywords_and_at_the_start_of_a_row() {
+        let names = |tokens: &str| defined_by(tokens.parse().unwrap());
+        assert_eq!(names("/// A place. \n pub struct Place<T> { x: T = X }"), ["Place"]);
+        assert_eq!(names("FIRST, \"x_1\", Length; SECOND, symbol(3), Angle;"), ["FIRST", "SECOND"]);
+    }
+}
