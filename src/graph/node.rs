@@ -288,3 +288,17 @@ impl Graph {
         self
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Node, Op};
+
+    #[test]
+    fn both_and_either_are_known_again() {
+        let [x, y, z] = [1, 2, 3].map(Node::at);
+        let known = |op: Op| [op.both_of(), op.either_of()];
+        assert_eq!(known(Op::both(x, y)), [Some([x, y]), None]);
+        assert_eq!(known(Op::either(x, y)), [None, Some([x, y])]);
+        assert_eq!(known(Op::Select(x, y, z)), [None, None]);
+    }
+}

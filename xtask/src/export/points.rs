@@ -64,3 +64,20 @@ fn code(one: &Recorded, error: &Error) -> Option<u32> {
     };
     code.map(|code| u32::try_from(code).expect("a formula has few inputs"))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::recorded::record;
+    use super::code;
+    use jointproof::catalog::find;
+
+    #[test]
+    fn what_is_required_of_all_inputs_has_a_code_behind_theirs() {
+        let formula = find("slide_line.contact_area_parabolic").unwrap();
+        let (recorded, _) = record(&[formula], None);
+        let (inputs, refusals) = (formula.inputs().len(), &recorded[0].graph.refusals);
+        assert!(refusals.len() > 1, "{refusals:?}");
+        let codes: Vec<_> = refusals.iter().filter_map(|error| code(&recorded[0], error)).collect();
+        assert!(codes.iter().map(|&code| code as usize).eq(inputs + 1..=inputs + refusals.len()), "{codes:?}");
+    }
+}
