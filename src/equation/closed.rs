@@ -169,3 +169,21 @@ fn count(e: &Expr, name: &Name) -> usize {
     let here = matches!(&e.kind, Kind::Symbol(symbol) if symbol == name);
     usize::from(here) + e.parts().into_iter().map(|part| count(part, name)).sum::<usize>()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::put_in;
+    use crate::equation::latex;
+    use crate::equation::statement::statements;
+
+    #[test]
+    fn what_is_used_once_is_put_in_unless_it_is_an_output() {
+        let given = statements(r"a = b + c,\quad d = 2\,a,\quad e = d^2 + d,\quad h = 3\,e", Vec::new()).unwrap();
+        let closed = |outputs: &[&str]| -> Vec<String> {
+            let is_output = |name: &super::Name| outputs.iter().any(|output| *name == super::Name::letter(*output));
+            put_in(given.clone(), is_output).iter().map(latex::statement).collect()
+        };
+        assert_eq!(closed(&["h"]), [r"d = 2\,(b + c)", r"h = 3\,(d^2 + d)"]);
+        assert_eq!(closed(&["e", "h"]), [r"d = 2\,(b + c)", "e = d^2 + d", r"h = 3\,e"]);
+    }
+}
