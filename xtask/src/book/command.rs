@@ -17,7 +17,7 @@ use std::process::{Command, Stdio};
 /// Build the book: every formula with its source, code, tests, golden cases and evidence
 ///
 /// The evidence shown is what the last `golden --check` and `audit` found about this very version of the code; speed and
-/// error are those of the last `report` on all formulas, or of a quick one made now if there is none.
+/// error are those of the last `report` on all formulas, made here or kept as the reference, or of a quick one made now.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
   {command} book           build into target/book; open index.html there

@@ -21,6 +21,7 @@ use std::path::PathBuf;
 #[command(after_help = "Examples:
   {command} report                              all formulas, a few minutes
   {command} report --quick --filter '{family}.*'    a first look
+  {command} report --reference                  and keep it for the book of all
   {command} report --format json > old.json     to keep
   {command} report --against old.json           what became worse; exit code 1 if anything did
   {command} report --inputs points              points for a program in another language
@@ -49,6 +50,9 @@ pub(crate) struct Arguments {
     /// Write nanoseconds per value, and per value with Jacobian, for each formula
     #[arg(long, value_name = "FILE")]
     timing_json: Option<PathBuf>,
+    /// Keep the report in the repository, too, for the book on machines where nothing was measured
+    #[arg(long, conflicts_with_all = ["here", "quick", "filter"])]
+    reference: bool,
     /// Measure in this process without building an optimised one: starts quickly, for tests
     #[arg(long)]
     here: bool,
@@ -96,6 +100,9 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     let report = measure(project, &formulas, options, arguments.here)?;
     if arguments.selection.is_all() && !arguments.here {
         say(&format!("kept for the book in {}", project.shown(&report.keep(project)?)));
+        if arguments.reference {
+            say(&format!("and as the reference in {}", project.shown(&report.keep_as_reference(project)?)));
+        }
     }
     if let Some(path) = &arguments.timing_json {
         export::timing(path, &report)?;
@@ -127,7 +134,7 @@ pub(crate) fn measure(
     Ok(Report::new(project, build, options, formulas))
 }
 
-/// The report kept for the book, or a quick one made now if none covers every formula.
+/// The report kept for the book, here or in the repository, or a quick one made now if none covers every formula.
 pub(crate) fn kept_or_quick(project: &Project) -> anyhow::Result<Report> {
     if let Some(kept) = Report::kept(project) {
         return Ok(kept);

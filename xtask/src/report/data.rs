@@ -7,6 +7,7 @@ use anyhow::Context;
 use jointproof::measure::{Measurement, Options};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
 
@@ -76,10 +77,10 @@ impl Report {
             .with_context(|| format!("{shown} is not a report; `report --format json` writes one"))
     }
 
-    /// The report kept for the book, if it is about every formula.
+    /// The report kept for the book: of those about every formula the last one made here, or the reference.
     pub(crate) fn kept(project: &Project) -> Option<Self> {
-        let kept = Self::read(&place(project)).ok()?;
-        project.catalog().iter().all(|formula| kept.formula(formula.spec().id).is_some()).then_some(kept)
+        let is_whole = |report: &Self| project.catalog().iter().all(|one| report.formula(one.spec().id).is_some());
+        [place(project), reference(project)].iter().filter_map(|path| Self::read(path).ok()).find(is_whole)
     }
 
     /// Keeps it for the book.
@@ -88,10 +89,40 @@ impl Report {
         files::write(&place, &serde_json::to_string(self)?)?;
         Ok(place)
     }
+
+    /// Keeps it as the reference, a formula a line, in as many digits as tell something.
+    pub(super) fn keep_as_reference(&self, project: &Project) -> anyhow::Result<PathBuf> {
+        let (place, mut all) = (reference(project), serde_json::to_value(self)?);
+        shorten(&mut all);
+        let formulas: Vec<_> = all["formulas"].take().as_array().into_iter().flatten().map(Value::to_string).collect();
+        let text =
+            all.to_string().replace("\"formulas\":null", &format!("\"formulas\":[\n{}\n]", formulas.join(",\n")));
+        files::write(&place, &(text + "\n"))?;
+        Ok(place)
+    }
 }
 
+/// Where the last report made here is.
 fn place(project: &Project) -> PathBuf {
     project.kept("report.json")
+}
+
+/// Where the report is that the book shows on a machine where none was made.
+fn reference(project: &Project) -> PathBuf {
+    project.root().join("book/report.json")
+}
+
+/// Four digits of every number: no time is repeated to more.
+fn shorten(value: &mut Value) {
+    match value {
+        Value::Number(number) if number.is_f64() => {
+            let short = number.as_f64().and_then(|x| format!("{x:.3e}").parse::<f64>().ok());
+            *value = short.map_or(Value::Null, Value::from);
+        }
+        Value::Array(all) => all.iter_mut().for_each(shorten),
+        Value::Object(all) => all.values_mut().for_each(shorten),
+        _ => {}
+    }
 }
 
 fn sources(project: &Project) -> String {
@@ -139,6 +170,32 @@ fn utc(seconds: u64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_reference_is_shown_where_nothing_was_measured() {
+        let root = tempfile::tempdir().unwrap();
+        let project = Project::new("referred", root.path().to_str().unwrap().to_owned().leak(), &[]);
+        assert_eq!(Report::kept(&project), None);
+        let report = crate::sample::report();
+        let path = report.keep_as_reference(&project).unwrap();
+        let reference = Report::kept(&project).unwrap();
+        let whole = std::fs::read_to_string(path).unwrap();
+        assert_eq!(whole.lines().count(), report.formulas.len() + 2, "{whole}");
+        let mut short = serde_json::to_value(&report).unwrap();
+        shorten(&mut short);
+        assert_eq!(serde_json::to_value(&reference).unwrap(), short);
+        // What was measured here counts more.
+        let here = Report { created: "later".into(), ..report };
+        here.keep(&project).unwrap();
+        assert_eq!(Report::kept(&project), Some(here));
+    }
+
+    #[test]
+    fn numbers_are_shortened_to_four_digits() {
+        let mut value = serde_json::json!({ "a": [1.234_56, -2.0, 0.0, 7, 1.5e-300], "b": { "c": "0.123456" } });
+        shorten(&mut value);
+        assert_eq!(value, serde_json::json!({ "a": [1.235, -2.0, 0.0, 7, 1.5e-300], "b": { "c": "0.123456" } }));
+    }
 
     #[test]
     fn dates_are_those_of_the_calendar() {
