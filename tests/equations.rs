@@ -204,3 +204,14 @@ fn claims_of_prose_are_held_or_not() {
         assert_eq!(verdict(latex, ""), Err(expected.into()));
     }
 }
+
+#[test]
+fn decimals_are_what_they_say() {
+    let formula = find("slot.contact_force").unwrap();
+    let value = |latex| {
+        let equation = Equation::read(latex, &[], formula.inputs(), formula.outputs()).unwrap();
+        equation.values(&[3.0_f64, 5.0], &[])[0]
+    };
+    assert_eq!(value(r"F_C = 12.375\,f_2 + 0.25\,f_3"), 38.375);
+    assert_eq!(value(r"F_C = f_2^2 + 100\,f_3"), 509.0);
+}

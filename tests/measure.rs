@@ -2,7 +2,7 @@
 
 use jointproof::fields;
 use jointproof::formula::{Component, Document, Fields, Formula, Jacobian, Spec};
-use jointproof::measure::{Errors, Measurement, Options, Scheme, errors};
+use jointproof::measure::{Errors, Measurement, Options, Scheme, errors, measure};
 use jointproof::proof::{Case, Kink, Proved, Way};
 use jointproof::quantity::{Domain, Quantity, Unit};
 use jointproof::scalar::Scalar;
@@ -166,4 +166,14 @@ fn time_is_taken_at_the_first_of_the_points_at_which_errors_are_found() {
     let mut sampler = Sampler::new::<Cube>(OPTIONS.seed);
     let expected: Vec<_> = (0..7).map(|_| sampler.inputs::<Cube>().components()).collect();
     assert_eq!(OPTIONS.timing_inputs::<Cube>(), expected);
+}
+
+#[test]
+fn a_measurement_has_times_beside_errors() {
+    let few = Options { random_points: 5, timing_points: 4, rounds: 3, ..Options::quick() };
+    let whole = measure::<Cube>(&few);
+    let closed = whole.way("closed").unwrap();
+    let figures = closed.value.as_ref().unwrap();
+    assert!(figures.time.is_some_and(|time| time.median > 0.0) && figures.random.relative.max < 1e-15, "{figures:?}");
+    assert!(whole.copy.is_some());
 }

@@ -245,6 +245,7 @@ fn single_rounds_on_entry() {
     assert_eq!(Single::one() + 1e-8, 1.0);
     assert_eq!("0.1".parse::<Single>().unwrap(), tenth);
     assert_eq!(Single::from_i64(16_777_217).unwrap(), 16_777_216.0);
+    assert_eq!(Single::from_u64(16_777_219).unwrap(), 16_777_220.0);
     assert_eq!(Single::from_i128(-(1 << 100) - 1), Single::from_f64(-2.0_f64.powi(100)));
     assert_eq!([Single::from_f64(0.1), Single::from_f32(0.1)], [Some(tenth); 2]);
     assert_eq!(format!("{tenth} {tenth:?} {tenth:e} {tenth:.2}"), "0.1 0.1 1e-1 0.10");

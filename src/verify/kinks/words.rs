@@ -102,3 +102,14 @@ fn number(x: f64) -> String {
     let text = if x == 0.0 || (1e-3..1e6).contains(&size) { x.to_string() } else { format!("{x:.3e}") };
     text.replace('-', "−")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::number;
+
+    #[test]
+    fn small_and_large_numbers_are_short() {
+        let shown = [0.0, -0.5, 1e-3, -1e-4, 123_456.0, -2.5e7].map(number);
+        assert_eq!(shown, ["0", "−0.5", "0.001", "−1.000e−4", "123456", "−2.500e7"]);
+    }
+}

@@ -127,28 +127,12 @@ impl Browser {
         base64(answer["data"].as_str().unwrap_or_default()).context("the browser sends another picture than PNG")
     }
 
-    /// Presses a key: one that has a character, or one with a name like `Tab`.
-    pub(super) fn press(&mut self, key: &str) -> Result<()> {
-        let code = match key {
-            "Tab" => 9,
-            "Enter" => 13,
-            "Escape" => 27,
-            "ArrowRight" => 39,
-            "ArrowDown" => 40,
-            _ => 0,
-        };
-        let text = match key {
-            "Enter" => "\r",
-            one if one.chars().count() == 1 => one,
-            _ => "",
-        };
-        let mut event = json!({ "type": "keyDown", "key": key, "windowsVirtualKeyCode": code });
-        if !text.is_empty() {
-            event["text"] = text.into();
+    /// Presses the key that goes on to the next control.
+    pub(super) fn press_tab(&mut self) -> Result<()> {
+        for way in ["keyDown", "keyUp"] {
+            self.call("Input.dispatchKeyEvent", &json!({ "type": way, "key": "Tab", "windowsVirtualKeyCode": 9 }))?;
         }
-        self.call("Input.dispatchKeyEvent", &event)?;
-        self.call("Input.dispatchKeyEvent", &json!({ "type": "keyUp", "key": key, "windowsVirtualKeyCode": code }))
-            .map(drop)
+        Ok(())
     }
 
     /// Opens a page from its file, and waits until it is loaded.

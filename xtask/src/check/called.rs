@@ -132,5 +132,8 @@ mod tests {
         assert!(called.judge("mine", &[right.clone(), right[1..].to_vec()]).is_none());
         let refused = called.judge("mine", &[with_first(Answer::Refused(None)), right.clone()]).unwrap();
         assert!(!refused.is_well, "{}", refused.text);
+        let valid = Called::new(formula, false, &Options { samples: 10, ..Options::default() }, false);
+        let is_valid = |inputs: &[f64]| matches!(answer(inputs), Answer::Numbers(_));
+        assert!(valid.points().len() > 10 && valid.points().all(is_valid));
     }
 }

@@ -348,3 +348,15 @@ fn is_jump(x: f64, y: f64, z: f64) -> bool {
     let step = (x - y).abs();
     step > 1e-6 * (x.abs() + y.abs()) && (z - y).abs() < step
 }
+
+#[cfg(test)]
+mod tests {
+    use super::is_jump;
+
+    #[test]
+    fn a_jump_is_more_than_rounding_and_does_not_go_on() {
+        assert!(is_jump(1.0, 2.0, 2.0) && is_jump(-1.0, 1.0, 1.5));
+        assert!(!is_jump(1.0, 1.0 + 1e-7, 1.0 + 1e-7) && !is_jump(-1.0, -1.0 - 1e-7, -1.0));
+        assert!(!is_jump(-1e-3, 1e-3, 3e-3), "it passes through 0");
+    }
+}

@@ -271,6 +271,10 @@ mod tests {
                 assert!(text.contains(said), "{said} is not in {name}");
             }
         }
+        let files = NumPy.files(&recorded);
+        let (_, text) = files.iter().find(|(name, _)| name.starts_with("jp_slot_contact_force")).unwrap();
+        assert!(text.contains("INPUTS = [\n    ('f2', 1),\n    ('f3', 1),\n]\n"), "{text}");
+        assert!(text.contains("OUTPUTS = [\n    ('fc', 1),\n]\n"), "{text}");
     }
 
     #[test]

@@ -26,6 +26,7 @@ use std::path::PathBuf;
   {command} report --against old.json           what became worse; exit code 1 if anything did
   {command} report --inputs points              points for a program in another language
   {command} report --timing-json times.json     times of the closed forms at these points")]
+#[expect(clippy::struct_excessive_bools, reason = "they are switches")]
 pub(crate) struct Arguments {
     #[command(flatten)]
     selection: Selection,

@@ -344,7 +344,7 @@ fn keyboard(browser: &mut Browser, page: &Path, visited: &mut Visited) -> Result
     open(browser, page)?;
     let controls = browser.evaluate("controls().length")?.as_u64().context("no number of controls")?;
     for _ in 0..controls + 20 {
-        browser.press("Tab")?;
+        browser.press_tab()?;
         let fault = browser.evaluate("focused()")?;
         visited.note(&name, fault.as_str().filter(|fault| !fault.is_empty()).map(String::from));
     }
