@@ -26,9 +26,12 @@ impl Writer<'_> {
 
     fn entry(&mut self, of: Id, by: Id) -> Id {
         let row = self.beside.outputs.iter().find(|(output, _)| *output == of);
-        let input = |by| if let Op::Input(input) = by { Some(input) } else { None };
-        let given = input(self.tape.op(by)).and_then(|input| row?.1.get(input).copied());
-        given.unwrap_or_else(|| self.tape.derivative(of, by))
+        if let Op::Input(input) = self.tape.op(by)
+            && let Some(&entry) = row.and_then(|(_, row)| row.get(input))
+        {
+            return entry;
+        }
+        self.tape.derivative(of, by)
     }
 
     /// `\mathrm{d}x` or `\delta x` of something that is defined and changes with what changes.

@@ -77,7 +77,6 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
         // The foot is between two neighbouring numbers. At the tip of a bent segment the tangent turns within a few
         // of them, so what is missing is carried on to all that depends on it.
         let missing = constant::<D>(place.newton_step());
-        let moved = |n: [D; N], rates: [D; N], step: D| std::array::from_fn(|k| n[k] + rates[k] * step);
         let rates = S::rates(view.f, u);
         let weights = moved(S::weights(view.f, u), rates, S::factor(view.f) * missing);
         let place = CurveAt {
@@ -152,4 +151,10 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
         let foot = Self::on(view);
         if foot.stands_still(view) { Err(Error::NoTangent { coordinate, value: foot.u.re() }) } else { Ok(foot) }
     }
+}
+
+/// Weights of the nodes a step further, from how fast they change.
+#[inline]
+pub(super) fn moved<D: Scalar, const N: usize>(weights: [D; N], rates: [D; N], step: D) -> [D; N] {
+    std::array::from_fn(|k| weights[k] + rates[k] * step)
 }

@@ -3,6 +3,7 @@
 #[cfg(feature = "verify")]
 mod proof;
 
+use super::foot::moved;
 use super::{CornerFoot, Foot, View};
 use crate::error::Error;
 use crate::fields;
@@ -40,6 +41,9 @@ impl<D: Scalar> ParabolicCornerSlave<D> {
     }
 }
 
+/// The nodes beside the corner.
+const BESIDE: [usize; 4] = [0, 1, 3, 4];
+
 /// n·∂X/∂f of these weights of the nodes in ∂X/∂f.
 ///
 /// Since n ⟂ Y′, a multiple of Y′ may be taken out of ∂X/∂f: that which takes out its largest term, where what is left is smaller.
@@ -54,17 +58,15 @@ fn across<D: Scalar>(view: &View<D, ParabolicCorner, 5>, foot: &Foot<D, 5>, weig
         let left: [D; 5] =
             std::array::from_fn(|j| if j == k { D::zero() } else { weights[j] - multiple * foot.rates[j] });
         let terms = |j: usize| (abs(weights[j]) + abs(multiple * foot.rates[j])) * size(j);
-        (left, [0, 1, 3, 4].into_iter().filter(|&j| j != k).fold(D::zero(), |sum, j| sum + terms(j)))
+        (left, BESIDE.into_iter().filter(|&j| j != k).fold(D::zero(), |sum, j| sum + terms(j)))
     };
-    let all = [0, 1, 3, 4].into_iter().fold(D::zero(), |sum, j| sum + abs(weights[j]) * size(j));
+    let all = BESIDE.into_iter().fold(D::zero(), |sum, j| sum + abs(weights[j]) * size(j));
     let best = choice(|| {
         let mut best = (weights, all);
-        for k in [0, 1, 3, 4] {
-            if foot.rates[k] != 0.0 {
-                let other = without(k);
-                if other.1 < best.1 {
-                    best = other;
-                }
+        for k in BESIDE.into_iter().filter(|&k| foot.rates[k] != 0.0) {
+            let other = without(k);
+            if other.1 < best.1 {
+                best = other;
             }
         }
         best.0
@@ -101,9 +103,8 @@ impl ClosestSmoothedParabolic {
         let normal = foot.normal();
         // By f: of X, Y′ and Y″, and of X′, which is f Y′ and hence quadratic in f.
         let [by_f, rates, second_derivatives] = ParabolicCorner::by_fraction(i.f, foot.u);
-        let moved = |n: [D; 5], rates: [D; 5]| std::array::from_fn(|k| n[k] + rates[k] * foot.missing);
-        let by_f = moved(by_f, ParabolicCorner::rates(i.f * 2.0, foot.u));
-        let (point, rate) = (view.combination(by_f), view.combination(moved(rates, second_derivatives)));
+        let by_f = moved(by_f, ParabolicCorner::rates(i.f * 2.0, foot.u), foot.missing);
+        let (point, rate) = (view.combination(by_f), view.combination(moved(rates, second_derivatives, foot.missing)));
         let gradients = CornerFoot {
             t: ParabolicCornerSlave {
                 xs: t(-D::one(), D::zero()),

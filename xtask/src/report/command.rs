@@ -19,7 +19,7 @@ use std::path::PathBuf;
 /// for the book.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
-  {command} report                              all formulas, a few minutes
+  {command} report                              all formulas, more than ten minutes
   {command} report --quick --filter '{family}.*'    a first look
   {command} report --reference                  and keep it for the book of all
   {command} report --format json > old.json     to keep
