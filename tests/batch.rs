@@ -137,3 +137,24 @@ fn columns_that_do_not_fit_are_refused() {
     let none: ArrayView1<f64> = (&[]).into();
     value::<ContactForce>(&[none, none], &mut [(&mut []).into()]).unwrap();
 }
+
+#[test]
+fn columns_in_one_piece_and_with_a_stride_go_together() {
+    let formula = find("slot.friction").unwrap();
+    let points = points(formula, 1000, 0);
+    let (rows, outputs) = (points.nrows(), components_of(formula.outputs()));
+    let rows_apart = columns(&points);
+    let pieces = points.t().as_standard_layout().to_owned();
+    let whole: Vec<_> = pieces.rows().into_iter().collect();
+    for inputs in [&rows_apart, &whole] {
+        let (mut strided, mut others) = (Array2::zeros((rows, 2)), Array2::zeros((outputs - 1, rows)));
+        let mut value: Vec<_> = strided.columns_mut().into_iter().take(1).chain(others.rows_mut()).collect();
+        // The golden points that are refused are NaN.
+        let _ = formula.batch_value(inputs, &mut value);
+        for (row, point) in points.rows().into_iter().enumerate() {
+            let alone = formula.value(point.as_slice().unwrap()).unwrap_or_else(|_| vec![f64::NAN; outputs]);
+            let found: Vec<f64> = value.iter().map(|column| column[row]).collect();
+            assert_eq!(bits(&found), bits(&alone), "{point}");
+        }
+    }
+}

@@ -5,7 +5,7 @@ mod common;
 use jointproof::Scalar;
 use jointproof::catalog::{AnyFormula, CATALOG};
 use jointproof::formula::{Component, Field, Formula, Jacobian, Spec};
-use jointproof::graph::{Graph, NotRecorded, Statement, record};
+use jointproof::graph::{Graph, NotRecorded, Op, Statement, record};
 use jointproof::measure::Options;
 use jointproof::slot::{Contact, ContactForce as SlotContactForce, CrossForces};
 use jointproof::verify::golden::components;
@@ -184,6 +184,32 @@ impl Planted for FastWhereBothHold {
         }
         (0..20).fold(i.f2, |sum, _| (sum * i.f3).sin())
     }
+}
+
+/// A formula that asks what follows from what it knows.
+#[derive(Clone, Copy, Debug)]
+struct AsksAgain;
+
+impl Planted for AsksAgain {
+    fn fc<D: Scalar>(i: &CrossForces<D>) -> D {
+        if i.f2 <= i.f3 {
+            i.f2
+        } else if i.f2 < i.f3 {
+            i.f3 * 3.0
+        } else if i.f2 == i.f3 {
+            i.f2 * 3.0
+        } else {
+            i.f2 * 2.0
+        }
+    }
+}
+
+#[test]
+fn what_follows_from_a_comparison_is_not_asked() {
+    let graph = record::<Of<AsksAgain>>().unwrap();
+    let asked = graph.ops().iter().any(|op| *op == Op::Number(3.0_f64.to_bits()));
+    assert!(!asked, "{:?}", graph.ops());
+    assert_eq!([graph.run(&[1.0, 2.0]).0, graph.run(&[2.0, 1.0]).0], [[1.0], [4.0]]);
 }
 
 #[test]

@@ -460,3 +460,10 @@ fn the_table_prints_as_often_as_asked() {
     assert!(json.contains(r#"{"increment":3,"slide_line":"ring","torque":"#), "{json}");
     assert_eq!(serde_json::from_str::<TorquePrint>(&json).unwrap(), table);
 }
+
+#[test]
+fn an_area_that_overflows_is_refused_also_beside_one_that_does_not() {
+    let nodes = Nodes::new([(3, [1.0, 0.0]), (4, [1e200, 0.0])]).unwrap();
+    let refused = IslElement::isl21a(10, [3, 4]).unwrap().areas(&nodes);
+    assert_eq!(refused.unwrap_err(), Error::Overflow { name: "area" });
+}

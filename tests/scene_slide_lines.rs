@@ -329,3 +329,21 @@ fn a_fault_of_an_element_is_not_also_one_of_its_nodes() {
         .replace(r#""time": 0}"#, r#""time": 0, "pressures": {"m": 1}}"#);
     assert_eq!(Scene::parse(&text).unwrap_err().len(), 1);
 }
+
+#[test]
+fn the_torque_of_a_line_is_that_of_the_elements_that_are_asked_for_it() {
+    let text = THREAD.replace(
+        r#""nodes": ["pin 1", "pin 2"], "slide_line": "box" }"#,
+        r#""nodes": ["pin 1", "pin 2"], "slide_line": "box", "outputs": ["S11"] }"#,
+    );
+    let results = Results::of(&scene(&text)).unwrap();
+    let torque = |name: &str, state| results.get(name, "T", state).map(|torque| torque[0]);
+    let mut carries = false;
+    for state in 0..results.times.len() {
+        assert_eq!(torque("thread 1", state), None);
+        let of_three: f64 = ["thread 2", "thread 3", "thread 4"].map(|name| torque(name, state).unwrap()).iter().sum();
+        close(torque("box", state).unwrap(), of_three);
+        carries |= of_three > 0.0;
+    }
+    assert!(carries);
+}

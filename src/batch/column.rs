@@ -22,10 +22,6 @@ impl<'c> From<ArrayView1<'c, f64>> for Source<'c> {
 }
 
 impl Source<'_> {
-    pub(super) fn is_kept(&self) -> bool {
-        matches!(self, Self::Kept(..))
-    }
-
     /// These rows.
     pub(super) fn rows(&mut self, rows: Range<usize>) -> &[f64] {
         match self {
@@ -55,10 +51,6 @@ impl<'c> From<ArrayViewMut1<'c, f64>> for Target<'c> {
 }
 
 impl Target<'_> {
-    pub(super) fn is_kept(&self) -> bool {
-        matches!(self, Self::Kept(..))
-    }
-
     /// Where these rows are written; [`Target::bring`] ends it.
     pub(super) fn rows(&mut self, rows: Range<usize>) -> &mut [f64] {
         match self {

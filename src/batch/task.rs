@@ -47,8 +47,9 @@ impl Task<'_> {
     fn compute(self, rows: Compute) -> Refused {
         let mut inputs: Vec<_> = self.inputs.into_iter().map(Source::from).collect();
         let mut outputs: Vec<_> = self.outputs.into_iter().map(Target::from).collect();
-        let keeps = inputs.iter().any(Source::is_kept) || outputs.iter().any(Target::is_kept);
-        let some = if keeps { ROWS } else { self.rows.max(1) };
+        let gathers = inputs.iter().any(|column| matches!(column, Source::Kept(..)));
+        let scatters = outputs.iter().any(|column| matches!(column, Target::Kept(..)));
+        let some = if gathers || scatters { ROWS } else { self.rows.max(1) };
         let mut refused = Refused::default();
         for from in (0..self.rows).step_by(some) {
             let range = from..self.rows.min(from + some);

@@ -291,7 +291,15 @@ impl Graph {
 
 #[cfg(test)]
 mod tests {
-    use super::{Node, Op};
+    use super::{Node, Op, Search};
+    use crate::Octuple;
+
+    #[test]
+    fn searches_are_told_apart_by_their_names() {
+        let named = |name| Search { name, find: |_| 0.0, find_exactly: |_| Octuple::from(0.0) };
+        assert_eq!(named("nearest_place"), named("nearest_place"));
+        assert_ne!(named("nearest_place"), named("root"));
+    }
 
     #[test]
     fn both_and_either_are_known_again() {

@@ -111,3 +111,23 @@ impl Kernel {
 fn converted<I>(points: &[Vec<f64>], convert: fn(&[f64]) -> I) -> Vec<I> {
     points.iter().map(|point| convert(point)).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Kernel;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    #[test]
+    fn a_loop_computes_every_point_that_it_is_asked_for() {
+        static COMPUTED: AtomicUsize = AtomicUsize::new(0);
+        let double = |x: &f64| {
+            COMPUTED.fetch_add(1, Ordering::Relaxed);
+            2.0 * x
+        };
+        let kernel = Kernel::new(|components| components[0], double, |y| vec![*y]);
+        assert_eq!((kernel.results)(&[3.0]), [6.0]);
+        let before = COMPUTED.load(Ordering::Relaxed);
+        (kernel.runner)(&[vec![1.0], vec![2.0], vec![3.0]])(2);
+        assert_eq!(COMPUTED.load(Ordering::Relaxed) - before, 2);
+    }
+}

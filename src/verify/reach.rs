@@ -217,3 +217,15 @@ fn triads(fields: &[Field]) -> Vec<Vec<Range<usize>>> {
     }
     triads.into_iter().map(|(_, ranges)| ranges).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::triads;
+    use crate::catalog::find;
+
+    #[test]
+    fn the_vectors_of_a_node_are_one_triad() {
+        let of = |id| triads(find(id).unwrap().inputs());
+        assert_eq!(of("cardan.angles"), [[0..3, 3..6, 6..9], [9..12, 12..15, 15..18]]);
+    }
+}

@@ -131,3 +131,24 @@ fn aligned(text: &str) -> String {
     };
     rows.iter().enumerate().map(line).collect::<Vec<_>>().join("\n")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use jointproof::{slide_line::ClosestLinear, slot::ContactForce};
+
+    #[test]
+    fn examples_have_a_point_of_the_shortest_formula() {
+        let shown =
+            |project: &Project| examples(project, "{command} audit --point '{point}'  of {formula}, a {family}");
+        let project = |catalog| Project::new("named", env!("CARGO_MANIFEST_DIR"), catalog).called("joints");
+        assert_eq!(
+            shown(&project(&[&ClosestLinear, &ContactForce])),
+            "joints audit --point '{\"f2\": 1, \"f3\": 1}'   of slot.contact_force, a slot"
+        );
+        assert_eq!(
+            shown(&project(&[&ClosestLinear])),
+            "joints audit --point '{\"xs\": [1, 1], \"x1\": [1, 1], \"x2\": [1, 1]}'   of slide_line.closest_linear, a slide_line"
+        );
+    }
+}

@@ -18,14 +18,16 @@ pub(crate) fn touched<'a>(
     project.needs_repository("audit --since", "")?;
     let changed = changed(project, revision)?;
     let reach = evidence::reach(project);
-    let is_touched = |formula: &&&dyn AnyFormula| {
-        let files = reach.as_ref().and_then(|reach| reach.get(formula.spec().id));
-        files.map_or_else(
-            || changed.iter().any(|file| file.starts_with("src") || file.starts_with("golden")),
-            |files| files.iter().any(|file| changed.contains(file)),
-        )
-    };
-    Ok(formulas.iter().filter(is_touched).copied().collect())
+    let files = |formula: &dyn AnyFormula| reach.as_ref().and_then(|reach| reach.get(formula.spec().id));
+    Ok(formulas.iter().filter(|formula| is_touched(files(**formula).map(Vec::as_slice), &changed)).copied().collect())
+}
+
+/// Whether what rests on these files, if they are known, is touched by a change.
+fn is_touched(files: Option<&[PathBuf]>, changed: &BTreeSet<PathBuf>) -> bool {
+    match files {
+        Some(files) => files.iter().any(|file| changed.contains(file)),
+        None => changed.iter().any(|file| file.starts_with("src") || file.starts_with("golden")),
+    }
 }
 
 /// Every file that differs from the revision, or is new, from the root of the project.
@@ -42,4 +44,19 @@ fn changed(project: &Project, revision: &str) -> anyhow::Result<BTreeSet<PathBuf
     let differs = git(&["diff", "--name-only", "--relative", revision, "--"])?;
     let new = git(&["ls-files", "--others", "--exclude-standard"])?;
     Ok(differs.lines().chain(new.lines()).map(PathBuf::from).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_change_touches_what_rests_on_it() {
+        let changed = |names: &[&str]| names.iter().map(PathBuf::from).collect::<BTreeSet<_>>();
+        let slot = changed(&["README.md", "src/slot.rs"]);
+        let [eft, slots] = ["src/eft.rs", "src/slot.rs"].map(PathBuf::from);
+        assert!(is_touched(Some(&[slots, eft.clone()]), &slot) && !is_touched(Some(&[eft]), &slot));
+        assert!(is_touched(None, &slot) && is_touched(None, &changed(&["golden/a.json", "README.md"])));
+        assert!(!is_touched(None, &changed(&["README.md"])));
+    }
 }

@@ -2,13 +2,15 @@
 
 mod common;
 
-use common::Bench;
+use common::{Bench, Ran};
 use jointproof::catalog::{AnyFormula, CATALOG};
 use serde_json::Value;
 use std::collections::HashSet;
+use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
+use std::time::Duration;
 
 /// The book, built once for all tests here, in a folder that only they use, with a report on every formula that is kept.
 static BOOK: LazyLock<PathBuf> = LazyLock::new(|| {
@@ -17,9 +19,38 @@ static BOOK: LazyLock<PathBuf> = LazyLock::new(|| {
     fs::create_dir_all(&kept).unwrap();
     fs::write(kept.join("report.json"), report(&bench).to_string()).unwrap();
     let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("book");
-    bench.run(&["book", "--unmeasured", "--out", out.to_str().unwrap()]).exits(0);
+    let mut command = bench.command(&["book", "--unmeasured", "--open", "--out", out.to_str().unwrap()]);
+    if cfg!(target_os = "linux") {
+        command.env("PATH", opener(&bench));
+    }
+    Ran::from(command.output().unwrap()).exits(0);
+    assert!(!cfg!(target_os = "linux") || was_opened(&bench, &out), "the book is not shown");
     out
 });
+
+/// The search path with a program before all others that only writes down what it is to open.
+fn opener(bench: &Bench) -> OsString {
+    let folder = bench.path("programs");
+    fs::create_dir_all(&folder).unwrap();
+    let program = folder.join("xdg-open");
+    fs::write(&program, format!("#!/bin/sh\necho \"$1\" > '{}'\n", bench.path("opened").display())).unwrap();
+    #[cfg(unix)]
+    fs::set_permissions(&program, std::os::unix::fs::PermissionsExt::from_mode(0o755)).unwrap();
+    let before = std::env::var_os("PATH").unwrap_or_default();
+    std::env::join_paths([folder].into_iter().chain(std::env::split_paths(&before))).unwrap()
+}
+
+/// Whether the first page was opened; what opens it runs on its own.
+fn was_opened(bench: &Bench, out: &Path) -> bool {
+    let index = format!("{}\n", out.join("index.html").display());
+    let is_it = || fs::read_to_string(bench.path("opened")).is_ok_and(|opened| opened == index);
+    (0..1000).any(|_| {
+        is_it() || {
+            std::thread::sleep(Duration::from_millis(10));
+            false
+        }
+    })
+}
 
 /// A report in which every formula has the figures of one, for what is shown is not judged here.
 fn report(bench: &Bench) -> Value {

@@ -64,7 +64,13 @@ for line in sys.stdin:
     python(&["--json"], json).quiet();
     python(&["--json"], &json.replace("-x['fn']", "x['fn']")).exits(1).prints("the sign is turned of ∂phi/∂mu");
     let skipped = json.replace("answer = {'seq': asked['seq']}", "answer = {'seq': asked['seq'], 'skipped': 'later'}");
-    python(&["--json"], &skipped).exits(1).prints("skipped ").prints(": later");
+    let ran = python(&["--json"], &skipped).exits(1);
+    let number = |before: &str| {
+        let text = ran.stdout.split(before).next().and_then(|text| text.split_whitespace().last());
+        text.and_then(|text| text.parse::<usize>().ok()).unwrap_or_else(|| panic!("{ran:#?}"))
+    };
+    let skipped = number(" points, each asked twice") - number(" refused as they must be");
+    ran.prints(&format!("skipped {skipped} points (")).prints(", …): later");
     let bits = "
 import struct, sys
 for line in sys.stdin:

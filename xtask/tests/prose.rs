@@ -36,6 +36,10 @@ fn what_is_wrong_in_the_chapters_is_found_and_nothing_else() {
     for (chapter, from, to) in planted {
         mutate(&bench, chapter, from, to);
     }
+    let chapters = fs::read_dir(bench.path("book/src")).unwrap().map(|entry| entry.unwrap().path());
+    let text: String = chapters.filter_map(|path| fs::read_to_string(path).ok()).collect();
+    // What is not marked is not executed either.
+    let presented = text.lines().filter(|line| line.starts_with("{{#presentation ")).count() + 1;
     let ran = bench
         .run(&["equation", "--samples", "0"])
         .exits(1)
@@ -45,7 +49,8 @@ fn what_is_wrong_in_the_chapters_is_found_and_nothing_else() {
         .prints("`CLOSED_AGAINST_AD` has no 61 in it")
         .prints("coulomb.md:3: 0.02 does not say where it is from")
         .prints("coulomb.md:5: this equation is neither executed nor marked")
-        .prints(&format!("{} equations: ", CATALOG.len()));
+        .prints(&format!("{} equations: ", CATALOG.len()))
+        .prints(&format!(", {presented} for presentation, "));
     let off = ran.stdout.lines().filter(|line| line.starts_with("off ")).count();
     assert_eq!(off, 6, "{ran:#?}");
     let (before, _) = ran.stdout.split_once(" views of entries").expect("views are counted");

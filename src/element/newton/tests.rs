@@ -477,6 +477,14 @@ fn mistakes_that_are_planted_are_caught() {
     mistakes_are_caught(&ujoint(1e3), &ujoint(0.125), SVector::from([3.0, -4.0, 12.0, 5.0]), before);
 }
 
+/// Whether multipliers are refused by the formulas that take them.
+fn refuses<E, const N: usize>(element: &E, nodes: &Nodes<f64>) -> bool
+where
+    E: Element<N, Nodes<f64> = Nodes<f64>, State<f64> = ()>,
+{
+    matches!(element.newton(nodes, &SVector::repeat(f64::NAN), &()), Err(crate::Error::NonFinite { .. }))
+}
+
 #[test]
 fn what_is_not_valid_is_refused() {
     let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
@@ -488,4 +496,6 @@ fn what_is_not_valid_is_refused() {
     let smooth = SlotElement { contact: None, ..slot };
     let lost = Nodes { xb: Vector3::new(f64::NAN, 0.0, 0.0), ..nodes };
     assert_eq!(refused(smooth.newton(&lost, &SVector::zeros(), &0.0)), "xb[0] is NaN; allowed is a finite number");
+    assert!(refuses(&AlignElement { angles0: [0.1, 0.2, -0.3] }, &nodes));
+    assert!(refuses(&JoinElement { d0: Vector3::y() }, &nodes) && refuses(&UniversalElement { c0: 0.0 }, &nodes));
 }

@@ -80,3 +80,22 @@ impl<L: Leaf> Candidates<L> {
         others.any(|u| self.expansion.compare(u, best).is_eq())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::slide_line::closest::candidates::Place;
+    use crate::slide_line::closest::expansion::Expansion;
+
+    #[test]
+    fn two_places_are_tied_whatever_a_third_is() {
+        // The distance to (u, 0), seen from (0, 1).
+        let expansion =
+            Expansion { gap: Vector2::y(), factor: 1.0, y: [Vector2::x(), Vector2::zeros(), Vector2::zeros()] };
+        let tied = |places: &[f64]| {
+            Candidates { expansion, places: places.iter().map(|&u| Place::Inside(u)).collect() }.tied()
+        };
+        assert!(tied(&[-1.0, 1.0, 2.0]) && tied(&[2.0, -1.0, 1.0]));
+        assert!(!tied(&[-1.0, 2.0, 3.0]) && !tied(&[1.0]));
+    }
+}

@@ -105,7 +105,6 @@ impl<L: Leaf> Bracket<L> {
         let middle = |from: L, to: L| from + (to - from) * 0.5;
         let mut u = middle(from, to);
         let mut step = to - from;
-        let mut looked_for_short = false;
         for _ in 0..MOST_STEPS {
             let (value, slope) = value_and_slope(p, u);
             if value == 0.0 {
@@ -124,8 +123,7 @@ impl<L: Leaf> Bracket<L> {
                 return next;
             }
             u = next;
-            if !looked_for_short && abs(step) < SHORT * SHORT {
-                looked_for_short = true;
+            if abs(step) < SHORT * SHORT {
                 let short = short_fraction(u);
                 if value_and_slope(p, short).0 == 0.0 {
                     return short;
@@ -166,4 +164,19 @@ fn derivative<L: Leaf>(p: &[L]) -> ArrayVec<L, 5> {
 /// Horner's scheme.
 fn value_and_slope<L: Leaf>(p: &[L], u: L) -> (L, L) {
     p.iter().rev().fold((L::zero(), L::zero()), |(value, slope), &c| (value * u + c, slope * u + value))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Octuple;
+
+    #[test]
+    fn a_short_root_is_met_exactly_where_three_merge() {
+        // (1/4 − u)³ (1 + u²) falls through 0.
+        let p = [1.0, -12.0, 49.0, -76.0, 48.0, -64.0].map(|c| Octuple::from(c / 64.0));
+        let at = |u: f64| value_and_slope(&p, Octuple::from(u)).0;
+        let ends = [-1.0, 1.0];
+        assert_eq!(falling(&p, ends.map(Octuple::from), ends.map(at)).as_slice(), [Octuple::from(0.25)]);
+    }
 }

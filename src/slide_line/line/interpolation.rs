@@ -18,8 +18,11 @@ impl Interpolation {
         }
     }
 
-    pub(super) fn allows(self, count: usize) -> bool {
-        count > self.stride() && (count - 1).is_multiple_of(self.stride())
+    pub(super) const fn allows(self, count: usize) -> bool {
+        match self {
+            Self::Linear => count >= 2,
+            Self::Parabolic => count >= 3 && !count.is_multiple_of(2),
+        }
     }
 
     pub(super) const fn allowed(self) -> &'static str {

@@ -167,6 +167,34 @@ mod tests {
     }
 
     #[test]
+    fn what_pairs_lose_is_summed_exactly_whatever_the_size() {
+        const TINY: f64 = f64::EPSILON;
+        let none = CrossLoads {
+            e1a: Vector3::zeros(),
+            e2a: Vector3::zeros(),
+            e3a: Vector3::zeros(),
+            e3b: Vector3::zeros(),
+            f1: 0.0,
+            f2: 0.0,
+            f3: 0.0,
+        };
+        for size in [1.0, 2.0_f64.powi(60), 2.0_f64.powi(-60)] {
+            // (1 + ε)(1 − ε) − 1, from two forces.
+            let [e1a, e2a, e3a] = [1.0 + TINY, 1.0 - TINY, 1.0].map(|x| Vector3::new(x, 0.0, 0.0));
+            let (f2, f3) = ((1.0 + TINY) * size, -size);
+            let two = Decomposition::eval(&CrossLoads { e1a, e2a, e3a, f2, f3, ..none });
+            assert_eq!(two.f_axial1, -TINY * TINY * (1.0 + TINY) * size);
+            // (1 + ε)² − (1 + 2ε) + ε²/4, from one; in doubles the last term is left alone.
+            let e3a = Vector3::new(1.0 + TINY, 1.0 + 2.0 * TINY, 0.5 * TINY);
+            let e1a = Vector3::new(1.0 + TINY, -1.0, 0.5 * TINY);
+            let one = Decomposition::eval(&CrossLoads { e1a, e3a, f3: size, ..none });
+            assert_eq!(one.f_axial1, 1.25 * TINY * TINY * size);
+            let one = Decomposition::eval(&CrossLoads { e1a, e2a: e3a, f2: size, ..none });
+            assert_eq!(one.f_axial1, 1.25 * TINY * TINY * size);
+        }
+    }
+
+    #[test]
     fn derivatives_stay() {
         let [x, y] = [0.6, 0.8].map(Dual64::from);
         let zero = Dual64::from(0.0);

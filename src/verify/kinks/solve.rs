@@ -67,7 +67,7 @@ impl<'a> Solver<'a> {
         let sizes = self.sizes(&exact(start));
         let goals = self.goals(start);
         let gaps = self.gaps(start, &rounded(&sizes), &goals);
-        let moves = |gap: &Gap<f64>, k: usize| gap.gradient[k].abs() > 0.0 && gap.gradient[k].is_finite();
+        let moves = |gap: &Gap<f64>, k: usize| gap.gradient[k].is_normal();
         let moved = |k: usize| gaps.iter().filter(|gap| moves(gap, k)).count();
         // Those come first that move no other equation, and move this one most.
         let moving = |gap: &Gap<f64>| {

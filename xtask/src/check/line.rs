@@ -187,6 +187,7 @@ mod tests {
     #[test]
     fn bits_are_read_and_written() {
         let mut manners = Manners::new();
+        assert!(is_number("0x3ff0000000000000", Digits::Hex) && !is_number("0x03ff0000000000000", Digits::Hex));
         for x in [0.1, -0.0, f64::INFINITY, 5e-324] {
             let line = Digits::Hex.show(x);
             let Answer::Numbers(found) = read(&line, 1, Digits::Hex, &mut manners) else { panic!("{line}") };

@@ -81,7 +81,7 @@ fn direction(formula: &dyn AnyFormula, question: &Question, sampler: &mut Sample
     Some(steps.zip([value.clone()].into_iter().chain(behind.iter().cloned())).map(|(h, y)| at(h, y)).collect())
 }
 
-/// A direction in which inputs may move, each in proportion to its size; those that may not, as unit vectors, stay.
+/// A direction in which inputs may move, each in proportion to its size; those that would leave their domain stay.
 fn tangent(formula: &dyn AnyFormula, x: &[f64], sampler: &mut Sampler) -> Vec<f64> {
     let mut v = vec![0.0; x.len()];
     let mut first = 0;
@@ -151,5 +151,29 @@ fn given(answer: &Answer, count: usize) -> Option<Vec<f64>> {
     match answer {
         Answer::Numbers(numbers) => numbers[..count].iter().copied().collect(),
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use jointproof::catalog::find;
+    use jointproof::measure::Options;
+
+    #[test]
+    fn what_would_leave_its_domain_stays() {
+        let formula = find("slide_line.closest_smoothed_linear").unwrap();
+        let mut x = formula.timing_inputs(&Options { timing_points: 1, ..Options::quick() });
+        let fraction = x.len() - 1;
+        x[fraction] = 0.5_f64.next_down();
+        let (mut moves, mut stays) = (0, 0);
+        for seed in 0..20 {
+            let v = tangent(formula, &x, &mut Sampler::named("test", seed));
+            let moved: Vec<_> = x.iter().zip(&v).map(|(x, v)| x + STEPS[0] * v).collect();
+            assert!(formula.value_and_jacobian(&moved).is_ok(), "{moved:?}");
+            assert!(v[..fraction].iter().all(|v| *v != 0.0));
+            *(if v[fraction] == 0.0 { &mut stays } else { &mut moves }) += 1;
+        }
+        assert!(moves > 0 && stays > 0);
     }
 }

@@ -46,3 +46,17 @@ fn components(fields: &[Field]) -> impl Iterator<Item = String> {
     };
     fields.iter().flat_map(of)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::positions;
+    use jointproof::catalog::find;
+
+    #[test]
+    fn fields_are_found_by_their_names_or_not_at_all() {
+        let inputs = |id| find(id).unwrap().inputs();
+        assert_eq!(positions(inputs("slot.contact_force"), inputs("slot.contact_force")), Some(vec![0, 1]));
+        assert_eq!(positions(inputs("slot.contact_force"), inputs("coulomb.yield")), None);
+        assert_eq!(positions(&inputs("coulomb.yield")[1..], inputs("coulomb.yield")), Some(vec![1, 2]));
+    }
+}

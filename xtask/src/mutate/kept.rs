@@ -169,3 +169,16 @@ fn equivalent(judged: &[Judged]) -> Table {
     });
     table(&["area", "change", "why nothing can notice it"], rows.collect())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::defines;
+    use std::path::Path;
+
+    #[test]
+    fn a_formula_is_where_it_is_implemented() {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../src/slot/friction.rs");
+        assert!(defines(&file, "Friction") && !defines(&file, "RelativePosition"));
+        assert!(!defines(&file.with_file_name("none.rs"), "Friction"));
+    }
+}

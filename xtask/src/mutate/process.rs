@@ -96,3 +96,15 @@ fn kill(child: &mut Child) {
     // Where it is gone there is nothing to kill.
     let _ = child.kill();
 }
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::{MEMORY, limit_memory};
+    use rustix::process::{Resource, getrlimit};
+
+    #[test]
+    fn memory_is_limited() {
+        limit_memory().unwrap();
+        assert!(getrlimit(Resource::Data).current.is_some_and(|limit| limit <= MEMORY));
+    }
+}

@@ -1,6 +1,7 @@
 //! A crate of a few lines, whose tests miss two faults.
 
 use super::*;
+use std::collections::BTreeSet;
 use std::fs;
 use std::process::Command;
 
@@ -150,6 +151,23 @@ fn a_list_that_does_not_fit_is_refused() {
     assert!(refused(&fault("find = \"steps\"")).contains("times: `after` says which"));
     assert!(refused(&fault("find = \"super::squares(&[1.0, 2.0]\"")).contains("no function has it"));
     assert!(refused(&fault("find = \"1.5\"").replace("src/**", "other/**")).contains("is not of this area"));
+}
+
+#[test]
+fn faults_have_names_of_their_own() {
+    let root = tiny();
+    let source = "pub fn near(x: f64) -> bool {\n    x.abs().sqrt() < 1.0 && is_near(x)\n}\n";
+    fs::write(root.path().join("src/lib.rs"), source).unwrap();
+    fs::write(root.path().join("tests/faults/sums.toml"), "files = [\"src/**\"]").unwrap();
+    let bench = Bench::new(root.path(), root.path().join("target/mutate")).unwrap();
+    let areas = area::read(root.path()).unwrap();
+    let choice = Choice::read(&areas, &bench.sources().unwrap(), 0).unwrap();
+    let mut names: Vec<_> = choice.take(100, &BTreeSet::new()).into_iter().map(|fault| fault.id).collect();
+    let all = names.len();
+    names.sort();
+    names.dedup();
+    assert_eq!(names.len(), all);
+    assert!(all > 5, "{names:?}");
 }
 
 #[test]

@@ -129,4 +129,22 @@ mod tests {
         assert_eq!([speed(long, short), speed(longer, short)], [Speed::Same, Speed::Slower]);
         assert_eq!(speed(time(1.4, 1.4, 1.4), time(0.7, 0.7, 0.7)), Speed::Same, "less than a nanosecond apart");
     }
+
+    #[test]
+    fn an_exception_says_why() {
+        let why = |speed, accurate, eta| Verdict { speedup: 0.5, speed, accurate, eta }.exception();
+        assert_eq!(why(Speed::Faster, true, [1.0, 2.0]), "");
+        assert!(why(Speed::Slower, true, [1.0, 2.0]).starts_with("automatic differentiation takes 0.50 of"));
+        let few = why(Speed::Faster, false, [3.0, 2.0]);
+        assert_eq!(
+            few,
+            "η of the closed form is up to 3.00, of automatic differentiation 2.00: both errors are a few roundings, in a different order"
+        );
+        for eta in [[90.0, 2.0], [3.0, 50.0]] {
+            assert!(
+                why(Speed::Faster, false, eta).ends_with("terms cancel in both, and are summed in a different order")
+            );
+        }
+        assert_eq!(why(Speed::Same, false, [3.0, 2.0]).split("; ").count(), 2);
+    }
 }

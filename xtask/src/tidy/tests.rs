@@ -174,6 +174,8 @@ fn a_circle_between_folders_is_found_where_no_file_is_in_one() {
 fn formulas_and_rooms_do_not_use_the_toolkit() {
     let formula = one_rs("fn more() { crate::verify::law() }");
     one(&[("src/a/one.rs", &formula)], &["src/a/one.rs:12: `crate::verify::law`: a file of formulas"]);
+    let specification = TIDY[4].1.replace("id: \"a.one\"", "id: \"a.one\", of: crate::verify::law()");
+    one(&[("src/a/one.rs", &specification)], &["`crate::verify::law`: a file of formulas"]);
     let ungated = "mod one;\nmod proof;\npub use one::*;\n";
     one(
         &[("src/a.rs", ungated)],

@@ -76,3 +76,15 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn of_places_that_are_equally_near_all_are_kept() {
+    let nodes = Nodes::new([(1, [1.0, 0.0]), (2, [2.0, 0.0]), (3, [3.0, 0.0])]).unwrap();
+    let placed = SlideLine::new(Interpolation::Linear, [1, 2, 3]).unwrap().place(&nodes).unwrap();
+    let mut nearest = Nearest::new();
+    for piece in [1, 0] {
+        let foot = placed.foot(placed.piece(piece), Vector2::new(2.0, 1.0));
+        assert_eq!(nearest.offer(piece, foot, 0.0), 1.0);
+    }
+    assert_eq!(nearest.best().map(|(piece, _)| piece), Some(0));
+}

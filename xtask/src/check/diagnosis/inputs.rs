@@ -157,3 +157,20 @@ fn others(inputs: &[Field]) -> Vec<Other> {
     others.push(Other { what: "inputs are rounded to single precision".into(), from: same, is_single: true });
     others
 }
+
+#[cfg(test)]
+mod tests {
+    use super::others;
+    use jointproof::catalog::find;
+
+    #[test]
+    fn single_numbers_without_a_unit_may_be_angles() {
+        let degrees = |id| {
+            let others = others(find(id).unwrap().inputs()).into_iter().map(|other| other.what);
+            others.filter(|what| what.contains("degrees")).collect::<Vec<_>>()
+        };
+        assert_eq!(degrees("coulomb.yield"), [""; 0]);
+        assert_eq!(degrees("slot.constraint"), [""; 0]);
+        assert_eq!(degrees("universal.constraint"), ["c0 is taken for degrees", "c0 is converted to degrees"]);
+    }
+}

@@ -178,7 +178,20 @@ fn is_near(sample: &Sample, place: usize, source: usize, sign: f64) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::transpose;
+    use super::*;
+    use jointproof::Octuple;
+    use jointproof::verify::Known;
+
+    #[test]
+    fn a_number_is_worth_a_look_where_nine_digits_are_right() {
+        let known = Known::combined(std::iter::empty()).with(Octuple::from(3.0));
+        let is_near = |found: f64, sign: f64| {
+            let sample = Sample { question: 0, expected: vec![Some(known)], found: vec![Some(found)], kink: None };
+            is_near(&sample, 0, 0, sign)
+        };
+        assert!(is_near(3.0, 1.0) && is_near(3.0 + 3e-9, 1.0) && is_near(-3.0 - 3e-9, -1.0));
+        assert!(!is_near(3.0 + 1e-8, 1.0) && !is_near(3.0, -1.0));
+    }
 
     #[test]
     fn a_matrix_is_transposed_where_it_stands() {
