@@ -478,11 +478,8 @@ fn mistakes_that_are_planted_are_caught() {
 }
 
 /// Whether multipliers are refused by the formulas that take them.
-fn refuses<E, const N: usize>(element: &E, nodes: &Nodes<f64>) -> bool
-where
-    E: Element<N, Nodes<f64> = Nodes<f64>, State<f64> = ()>,
-{
-    matches!(element.newton(nodes, &SVector::repeat(f64::NAN), &()), Err(crate::Error::NonFinite { .. }))
+fn refuses<E: Element<N, Nodes<f64> = Nodes<f64>, State<f64> = ()>, const N: usize>(e: &E, at: &Nodes<f64>) -> bool {
+    matches!(e.newton(at, &SVector::repeat(f64::NAN), &()), Err(crate::Error::NonFinite { .. }))
 }
 
 #[test]
