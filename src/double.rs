@@ -1,5 +1,6 @@
 //! `f64` as a number that formulas compute with.
 
+use crate::angle::angle;
 use crate::eft::exact_sum;
 use crate::scalar::{Leaf, Scalar, Squares, itself};
 
@@ -38,7 +39,7 @@ impl Scalar for f64 {
     }
     #[inline]
     fn angle_of(y: Self, x: Self) -> Self {
-        y.atan2(x)
+        angle(y, x)
     }
     #[inline]
     fn abs_of(x: Self) -> Self {

@@ -9,7 +9,7 @@ mod proof;
 
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Source, Spec, ValueAndJacobian};
 use crate::quantity::{
     CLEARANCE, CLOSING_RATE, DAMPING_FRACTION, MU0, OVERCLOSURE, PRESSURE, PRESSURE_AT_TOUCH, STIFFNESS,
 };
@@ -93,17 +93,23 @@ impl Formula for PressureExponential {
         ContactPressure { p: if s > 0.0 { i.p0 * (s * (s.exp_m1() / e_minus_one::<D>())) } else { D::zero() } }
     }
 
-    /// d(s(eˢ − 1))/ds = (1 + s)(eˢ − 1) + s, and ds = (dh − (s − 1) dc0)/c0.
     #[inline]
     fn jacobian<D: Scalar>(i: &ExponentialContact<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    /// d(s(eˢ − 1))/ds = (1 + s)(eˢ − 1) + s, and ds = (dh − (s − 1) dc0)/c0.
+    #[inline]
+    fn linearized<D: Scalar>(i: &ExponentialContact<D>) -> ValueAndJacobian<Self, D> {
         let s = Self::closure(i);
         if s <= 0.0 {
-            return ContactPressure { p: ExponentialContact::filled(D::zero()) };
+            return (ContactPressure { p: D::zero() }, ContactPressure { p: ExponentialContact::filled(D::zero()) });
         }
         let growth = s.exp_m1();
         let slope = i.p0 / e_minus_one::<D>() * ((s + 1.0) * growth + s) / i.c0;
-        let p = ExponentialContact { h: slope, c0: -(slope * (i.h / i.c0)), p0: s * (growth / e_minus_one::<D>()) };
-        ContactPressure { p }
+        let by_p0 = s * (growth / e_minus_one::<D>());
+        let p = ExponentialContact { h: slope, c0: -(slope * (i.h / i.c0)), p0: by_p0 };
+        (ContactPressure { p: i.p0 * by_p0 }, ContactPressure { p })
     }
 
     #[inline]

@@ -303,16 +303,17 @@ pub(crate) fn gap<D: Scalar, const N: usize>(xs: Vector2<D>, nodes: &[Vector2<D>
     nodes.iter().zip(weights).fold(xs - base, |gap, (x, w)| gap - (x - base) * w)
 }
 
-/// The node of the largest weight.
+/// The node of the largest weight. Places are compared and not nodes, so that no branch is mispredicted.
+#[inline]
 fn heaviest<D: Scalar, const N: usize>(nodes: &[Vector2<D>; N], weights: [D; N]) -> Vector2<D> {
     let heaviest = || {
-        let mut best = (nodes[0], weights[0]);
-        for (&x, &w) in nodes.iter().zip(&weights) {
-            if w > best.1 {
-                best = (x, w);
-            }
+        let (mut place, mut most) = (0, weights[0]);
+        for (k, &weight) in weights.iter().enumerate().skip(1) {
+            let is_more = weight > most;
+            place = if is_more { k } else { place };
+            most = if is_more { weight } else { most };
         }
-        [best.0.x, best.0.y]
+        [nodes[place].x, nodes[place].y]
     };
     choice(heaviest).into()
 }

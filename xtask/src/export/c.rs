@@ -132,7 +132,7 @@ pub(super) const NAMES: Names = Names {
         Unary::ExponentialMinusOne => "expm1",
         Unary::PowerOfTwo => "jp_power_of_two",
     },
-    angle: "atan2",
+    angle: "jp_angle",
     maximum: "fmax",
     multiply_add: "fma",
     norm: "jp_norm",

@@ -28,7 +28,7 @@ const NAMES: Names = Names {
         Unary::ExponentialMinusOne => "jp_expm1",
         Unary::PowerOfTwo => "jp_power_of_two",
     },
-    angle: "atan2",
+    angle: "jp_angle",
     maximum: "max",
     multiply_add: "jp_fma",
     norm: "jp_norm",

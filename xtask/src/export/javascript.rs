@@ -26,7 +26,7 @@ const NAMES: Names = Names {
         Unary::ExponentialMinusOne => "Math.expm1",
         Unary::PowerOfTwo => "powerOfTwo",
     },
-    angle: "Math.atan2",
+    angle: "angle",
     maximum: "Math.max",
     multiply_add: "multiplyAdd",
     norm: "norm",
@@ -129,7 +129,7 @@ pub(super) fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
 
 fn imports<'a>(stem: &str, parts: impl Iterator<Item = &'a usize>) -> String {
     let parts = parts.map(|part| format!("import {{ part{part} }} from './jp_{stem}_part{part}.mjs';\n"));
-    "import {\n    exactSum, multiplyAdd, nearestPlace, norm2, norm3, norm4, powerOfTwo,\n} from './jp_runtime.mjs';\n"
+    "import {\n    angle, exactSum, multiplyAdd, nearestPlace, norm2, norm3, norm4, powerOfTwo,\n} from './jp_runtime.mjs';\n"
         .to_owned()
         + &parts.collect::<String>()
 }

@@ -83,6 +83,41 @@ contains
         length = jp_norm([x, y, z, w])
     end function jp_norm4
 
+    ! The angle of (x, y): beside the nearest sixteenth of a turn the arc tangent is a polynomial.
+    pure function jp_angle(y, x) result(turn)
+        real(dp), intent(in) :: y, x
+        real(dp) :: turn, across, along, large, small, steep, back, wide, t, z, z2, z4
+        real(dp) :: p0, p4, p8, rest, way, eighths, low
+        real(dp), parameter :: p(0:11) = [ &
+            -0.3333333333333333_dp, 0.19999999999999804_dp, -0.1428571428565978_dp, &
+            0.11111111105150588_dp, -0.09090908753259112_dp, 0.07692296368042296_dp, &
+            -0.0666642476020052_dp, 0.05878927554473807_dp, -0.05230443640686948_dp, &
+            0.045515447340221615_dp, -0.03456931506332609_dp, 0.016284375050043393_dp]
+        across = abs(y)
+        along = abs(x)
+        large = merge(across, along, across > along)
+        small = merge(along, across, along < across)
+        if (.not. (large > 0.0_dp .and. large < 1e300_dp)) then
+            turn = atan2(y, x)
+            return
+        end if
+        steep = merge(1.0_dp, 0.0_dp, across > along)
+        back = merge(1.0_dp, 0.0_dp, x < 0.0_dp)
+        wide = merge(1.0_dp, 0.0_dp, small > 0.41421356237309503_dp*large)
+        t = (small - large*wide)/(large + small*wide)
+        z = t*t
+        z2 = z*z
+        z4 = z2*z2
+        p0 = (p(0) + p(1)*z) + (p(2) + p(3)*z)*z2
+        p4 = (p(4) + p(5)*z) + (p(6) + p(7)*z)*z2
+        p8 = (p(8) + p(9)*z) + (p(10) + p(11)*z)*z2
+        rest = t*(z*(p0 + (p4 + p8*z4)*z4))
+        way = (1.0_dp - 2.0_dp*steep)*(1.0_dp - 2.0_dp*back)
+        eighths = (2.0_dp*steep + (4.0_dp*back)*(1.0_dp - steep)) + way*wide
+        low = (way*eighths)*3.061616997868383e-17_dp
+        turn = sign(eighths*0.7853981633974483_dp + way*(t + (rest + low)), y)
+    end function jp_angle
+
     ! The largest power of two that is not above a positive number, within 2**(-1022) and 2**1022.
     pure function jp_power_of_two(x) result(power)
         real(dp), intent(in) :: x

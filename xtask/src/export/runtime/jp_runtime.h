@@ -45,6 +45,32 @@ JP_UNUSED static double jp_norm4(double x, double y, double z, double w)
     return jp_norm(((x * x + y * y) + z * z) + w * w, (const double[]){x, y, z, w}, 4);
 }
 
+/* The angle of (x, y): beside the nearest sixteenth of a turn the arc tangent is a polynomial. */
+JP_UNUSED static double jp_angle(double y, double x)
+{
+    static const double p[12] = {
+        -0.3333333333333333, 0.19999999999999804, -0.1428571428565978,
+        0.11111111105150588, -0.09090908753259112, 0.07692296368042296,
+        -0.0666642476020052, 0.05878927554473807, -0.05230443640686948,
+        0.045515447340221615, -0.03456931506332609, 0.016284375050043393};
+    const double across = fabs(y), along = fabs(x);
+    const double large = across > along ? across : along;
+    const double small = along < across ? along : across;
+    if (!(large > 0.0 && large < 1e300)) return atan2(y, x);
+    const double steep = across > along ? 1.0 : 0.0, back = x < 0.0 ? 1.0 : 0.0;
+    const double wide = small > 0.41421356237309503 * large ? 1.0 : 0.0;
+    const double t = (small - large * wide) / (large + small * wide);
+    const double z = t * t, z2 = z * z, z4 = z2 * z2;
+    const double p0 = (p[0] + p[1] * z) + (p[2] + p[3] * z) * z2;
+    const double p4 = (p[4] + p[5] * z) + (p[6] + p[7] * z) * z2;
+    const double p8 = (p[8] + p[9] * z) + (p[10] + p[11] * z) * z2;
+    const double rest = t * (z * (p0 + (p4 + p8 * z4) * z4));
+    const double way = (1.0 - 2.0 * steep) * (1.0 - 2.0 * back);
+    const double eighths = (2.0 * steep + (4.0 * back) * (1.0 - steep)) + way * wide;
+    const double low = (way * eighths) * 3.061616997868383e-17;
+    return copysign(eighths * 0.7853981633974483 + way * (t + (rest + low)), y);
+}
+
 /* The largest power of two that is not above a positive number, within 2^-1022 and 2^1022. */
 JP_UNUSED static double jp_power_of_two(double x)
 {

@@ -31,6 +31,37 @@ export const norm2 = (x, y) => norm([x, y]);
 export const norm3 = (x, y, z) => norm([x, y, z]);
 export const norm4 = (x, y, z, w) => norm([x, y, z, w]);
 
+const arcTangent = [
+    -0.3333333333333333, 0.19999999999999804, -0.1428571428565978,
+    0.11111111105150588, -0.09090908753259112, 0.07692296368042296,
+    -0.0666642476020052, 0.05878927554473807, -0.05230443640686948,
+    0.045515447340221615, -0.03456931506332609, 0.016284375050043393,
+];
+
+// The angle of (x, y): beside the nearest sixteenth of a turn the arc tangent is a polynomial.
+export function angle(y, x) {
+    const p = arcTangent;
+    const across = Math.abs(y);
+    const along = Math.abs(x);
+    const large = across > along ? across : along;
+    const small = along < across ? along : across;
+    if (!(large > 0 && large < 1e300)) return Math.atan2(y, x);
+    const steep = across > along ? 1 : 0;
+    const back = x < 0 ? 1 : 0;
+    const wide = small > 0.41421356237309503 * large ? 1 : 0;
+    const t = (small - large * wide) / (large + small * wide);
+    const z = t * t;
+    const z2 = z * z;
+    const z4 = z2 * z2;
+    const four = (k) => (p[k] + p[k + 1] * z) + (p[k + 2] + p[k + 3] * z) * z2;
+    const rest = t * (z * (four(0) + (four(4) + four(8) * z4) * z4));
+    const way = (1 - 2 * steep) * (1 - 2 * back);
+    const eighths = (2 * steep + (4 * back) * (1 - steep)) + way * wide;
+    const low = (way * eighths) * 3.061616997868383e-17;
+    const turn = eighths * 0.7853981633974483 + way * (t + (rest + low));
+    return y < 0 || Object.is(y, -0) ? -turn : turn;
+}
+
 const bits = new DataView(new ArrayBuffer(8));
 
 // The largest power of two that is not above a positive number, within 2^-1022 and 2^1022.
