@@ -37,11 +37,13 @@ fields! {
 
 impl<T: Component> Joined<T> {
     /// Without the initial position.
+    #[inline]
     const fn positions(&self) -> Positions<T> {
         let Self { e1a, e2a, e3a, xa, xb, .. } = *self;
         Positions { e1a, e2a, e3a, xa, xb }
     }
 
+    #[inline]
     const fn of(positions: Positions<T>, d0: Vector3<T>) -> Self {
         let Positions { e1a, e2a, e3a, xa, xb } = positions;
         Self { e1a, e2a, e3a, xa, xb, d0 }

@@ -26,6 +26,7 @@ fields! {
 
 impl<T: Component> Orientations<T> {
     /// From both triads and the initial angles.
+    #[inline]
     pub const fn new(triads: &Triads<T>, initial: &Angles<T>) -> Self {
         let Triads { e1a, e2a, e3a, e1b, e2b, e3b } = *triads;
         let Angles { alpha: alpha0, beta: beta0, gamma: gamma0 } = *initial;
@@ -33,6 +34,7 @@ impl<T: Component> Orientations<T> {
     }
 
     /// The initial angles.
+    #[inline]
     pub const fn initial(&self) -> Angles<T> {
         Angles { alpha: self.alpha0, beta: self.beta0, gamma: self.gamma0 }
     }
@@ -44,6 +46,7 @@ impl<D: Scalar> Oriented<D> for Orientations<D> {
         let Self { e1a, e2a, e3a, e1b, e2b, e3b, .. } = *self;
         Triads { e1a, e2a, e3a, e1b, e2b, e3b }
     }
+    #[inline]
     fn of(triads: Triads<D>) -> Self {
         Self::new(&triads, &Angles::filled(D::zero()))
     }

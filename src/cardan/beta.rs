@@ -23,6 +23,7 @@ fields! {
 }
 
 impl<T: Component> From<&Triads<T>> for BetaAxes<T> {
+    #[inline]
     fn from(i: &Triads<T>) -> Self {
         Self { e1a: i.e1a, e1b: i.e1b, e2b: i.e2b, e3b: i.e3b }
     }

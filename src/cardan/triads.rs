@@ -18,6 +18,7 @@ fields! {
 
 impl<T: Component> Triads<T> {
     /// From the triads of a and of b.
+    #[inline]
     pub const fn new([e1a, e2a, e3a]: [Vector3<T>; 3], [e1b, e2b, e3b]: [Vector3<T>; 3]) -> Self {
         Self { e1a, e2a, e3a, e1b, e2b, e3b }
     }
@@ -26,6 +27,7 @@ impl<T: Component> Triads<T> {
 impl<D: Scalar> Triads<D> {
     /// The moments on a and on b of a unit multiplier whose residual has this gradient: with δe = ω × e in every vector
     /// of a node, Σ (∂g/∂e)·δe = ω·Σ e × ∂g/∂e.
+    #[inline]
     pub fn moments(&self, gradient: &Self) -> [Vector3<D>; 2] {
         let moment = |e: Vector3<D>, slope: Vector3<D>| e.cross(&slope);
         let on_a = moment(self.e1a, gradient.e1a) + moment(self.e2a, gradient.e2a) + moment(self.e3a, gradient.e3a);
@@ -57,6 +59,7 @@ impl<D: Scalar> Oriented<D> for Triads<D> {
     fn triads(&self) -> Self {
         *self
     }
+    #[inline]
     fn of(triads: Self) -> Self {
         triads
     }

@@ -139,6 +139,7 @@ fn of_third<D: Scalar>([e1a, e2b, e1b]: [Vector3<D>; 3]) -> Triads<D> {
 }
 
 /// Rejects what has no angles, and β = ±90°, where they have no derivative.
+#[inline]
 fn check<D: Scalar>(i: &Triads<D>) -> Result<(), Error> {
     CardanAngles::validate(i)?;
     if arc_sine_slope(&i.e1a, &i.e3b) > 0.0 {
@@ -200,18 +201,21 @@ fields! {
 
 impl<T: Component> AlignLoads<T> {
     /// From both triads and the multipliers.
+    #[inline]
     pub const fn new(triads: &Triads<T>, [lambda_r1, lambda_r2, lambda_r3]: [T; 3]) -> Self {
         let Triads { e1a, e2a, e3a, e1b, e2b, e3b } = *triads;
         Self { e1a, e2a, e3a, e1b, e2b, e3b, lambda_r1, lambda_r2, lambda_r3 }
     }
 
     /// The triads.
+    #[inline]
     pub const fn triads(&self) -> Triads<T> {
         let Self { e1a, e2a, e3a, e1b, e2b, e3b, .. } = *self;
         Triads { e1a, e2a, e3a, e1b, e2b, e3b }
     }
 
     /// The multipliers.
+    #[inline]
     pub const fn multipliers(&self) -> [T; 3] {
         [self.lambda_r1, self.lambda_r2, self.lambda_r3]
     }

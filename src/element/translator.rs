@@ -47,6 +47,7 @@ fields! {
 }
 
 impl<T: Component> TranslatorRows<T> {
+    #[inline]
     const fn of(slot: SlotRows<T>, align: AlignRows<T>) -> Self {
         let SlotRows { gy_ua, gy_ta, gy_ub, gz_ua, gz_ta, gz_ub } = slot;
         let AlignRows { ur1_tb, ur2_tb, ur3_tb } = align;
@@ -55,18 +56,21 @@ impl<T: Component> TranslatorRows<T> {
 }
 
 impl<T: Component> TranslatorPlaces<T> {
+    #[inline]
     const fn slot(&self) -> SlotPlaces<T> {
         let Self { e2a, e3a, xa, xb, .. } = *self;
         SlotPlaces { e2a, e3a, xa, xb }
     }
 
     /// The triads.
+    #[inline]
     pub const fn triads(&self) -> Triads<T> {
         let Self { e1a, e2a, e3a, e1b, e2b, e3b, .. } = *self;
         Triads { e1a, e2a, e3a, e1b, e2b, e3b }
     }
 
     /// From both triads and places.
+    #[inline]
     pub const fn new(triads: &Triads<T>, [xa, xb]: [Vector3<T>; 2]) -> Self {
         let Triads { e1a, e2a, e3a, e1b, e2b, e3b } = *triads;
         Self { e1a, e2a, e3a, e1b, e2b, e3b, xa, xb }
@@ -177,6 +181,7 @@ fields! {
 
 impl<T: Component> TranslatorLoads<T> {
     /// From what SLOT and ALIGN see of it.
+    #[inline]
     pub const fn new(slot: &SlotLoads<T>, align: &AlignLoads<T>) -> Self {
         let SlotLoads { xa, xb, f2, f3, .. } = *slot;
         let AlignLoads { e1a, e2a, e3a, e1b, e2b, e3b, lambda_r1, lambda_r2, lambda_r3 } = *align;
@@ -184,12 +189,14 @@ impl<T: Component> TranslatorLoads<T> {
     }
 
     /// What SLOT sees of it.
+    #[inline]
     pub const fn slot(&self) -> SlotLoads<T> {
         let Self { e2a, e3a, xa, xb, f2, f3, .. } = *self;
         SlotLoads { e2a, e3a, xa, xb, f2, f3 }
     }
 
     /// What ALIGN sees of it.
+    #[inline]
     pub const fn align(&self) -> AlignLoads<T> {
         let Self { e1a, e2a, e3a, e1b, e2b, e3b, lambda_r1, lambda_r2, lambda_r3, .. } = *self;
         AlignLoads { e1a, e2a, e3a, e1b, e2b, e3b, lambda_r1, lambda_r2, lambda_r3 }

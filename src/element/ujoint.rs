@@ -39,10 +39,12 @@ fields! {
 }
 
 impl<T: Component> JointPlaces<T> {
+    #[inline]
     const fn positions(&self) -> Positions<T> {
         let Self { e1a, e2a, e3a, xa, xb, .. } = *self;
         Positions { e1a, e2a, e3a, xa, xb }
     }
+    #[inline]
     const fn axes(&self) -> CrossAxes<T> {
         let Self { e1a, e3b, .. } = *self;
         CrossAxes { e1a, e3b }
@@ -50,6 +52,7 @@ impl<T: Component> JointPlaces<T> {
 }
 
 impl<T: Component> JointRows<T> {
+    #[inline]
     fn of(join: JoinRows<T>, universal: UniversalRow<T>) -> Self {
         let JoinRows { g1_ua, g1_ta, g1_ub, g2_ua, g2_ta, g2_ub, g3_ua, g3_ta, g3_ub } = join;
         let UniversalRow { g_rot_ta, g_rot_tb } = universal;
@@ -130,10 +133,12 @@ fields! {
 }
 
 impl<T: Component> JointLoads<T> {
+    #[inline]
     const fn of_join(&self) -> JoinLoads<T> {
         let Self { e1a, e2a, e3a, xa, xb, f1, f2, f3, .. } = *self;
         JoinLoads { e1a, e2a, e3a, xa, xb, f1, f2, f3 }
     }
+    #[inline]
     const fn of_universal(&self) -> UniversalLoads<T> {
         let Self { e1a, e3b, lambda_rot, .. } = *self;
         UniversalLoads { e1a, e3b, lambda_rot }

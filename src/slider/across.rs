@@ -63,6 +63,7 @@ impl<D: Scalar> Across<D> {
     }
 
     /// The axes e, a, b.
+    #[inline]
     pub(super) fn axes(&self) -> [usize; 3] {
         if self.axis.along_i { [2, 0, 1] } else { [0, 1, 2] }
     }

@@ -84,6 +84,7 @@ struct Azimuth<D> {
 }
 
 impl<D: Scalar> Azimuth<D> {
+    #[inline]
     fn new(across: &Across<D>) -> Self {
         let [root, _] = across.roots;
         let Span { d: c, binade, .. } = across.projected;
@@ -93,6 +94,7 @@ impl<D: Scalar> Azimuth<D> {
 }
 
 /// The angular velocity of n about the axis, (n_a dn_b − n_b dn_a)/h².
+#[inline]
 fn spin<D: Scalar>(across: &Across<D>, dn: &Vector2<D>) -> D {
     let Span { d: c, square, binade } = across.projected;
     c.perp(dn) / square * binade.per_unit

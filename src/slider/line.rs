@@ -64,6 +64,7 @@ impl Formula for Line {
 }
 
 /// I − n nᵀ for a unit vector n, its diagonal as a sum of squares, so that nothing cancels.
+#[inline]
 pub(super) fn across<D: Scalar>(n: &Vector3<D>) -> Matrix3<D> {
     let square = n.component_mul(n);
     let [xy, yz, zx] = [-n.x * n.y, -n.y * n.z, -n.z * n.x];

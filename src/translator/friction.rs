@@ -19,12 +19,15 @@ fields! {
 }
 
 impl<T: Component> ContactLoads<T> {
+    #[inline]
     const fn torque(&self) -> Torque<T> {
         Torque { m1: self.m1, rr: self.rr }
     }
+    #[inline]
     const fn radial(&self) -> CrossForces<T> {
         CrossForces { f2: self.f2, f3: self.f3 }
     }
+    #[inline]
     const fn bending(&self) -> Bending<T> {
         Bending { m2: self.m2, m3: self.m3, l: self.l }
     }
@@ -97,6 +100,7 @@ impl<T: Component> FrictionLoads<T> {
         Self { f1, f2, f3, m1, m2, m3, rr, l, fc_int, mu }
     }
 
+    #[inline]
     const fn contact(&self) -> ContactLoads<T> {
         let Self { f2, f3, m1, m2, m3, rr, l, .. } = *self;
         ContactLoads { f2, f3, m1, m2, m3, rr, l }

@@ -29,6 +29,7 @@ fields! {
 
 impl<T: Component> Placement<T> {
     /// From what SLOT and ALIGN see of it.
+    #[inline]
     pub const fn new(slot: &SlotPositions<T>, align: &Orientations<T>) -> Self {
         let SlotPositions { xa, xb, y0, z0, .. } = *slot;
         let Orientations { e1a, e2a, e3a, e1b, e2b, e3b, alpha0, beta0, gamma0 } = *align;
@@ -36,6 +37,7 @@ impl<T: Component> Placement<T> {
     }
 
     /// What SLOT sees of it.
+    #[inline]
     pub const fn slot(&self) -> SlotPositions<T> {
         let Self { e2a, e3a, xa, xb, y0, z0, .. } = *self;
         SlotPositions { e2a, e3a, xa, xb, y0, z0 }
@@ -54,6 +56,7 @@ impl<D: Scalar> Oriented<D> for Placement<D> {
     fn triads(&self) -> Triads<D> {
         self.align().triads()
     }
+    #[inline]
     fn of(triads: Triads<D>) -> Self {
         Self::new(&SlotPositions::filled(D::zero()), &Orientations::of(triads))
     }

@@ -28,12 +28,14 @@ fields! {
 
 impl<T: Component> FrictionLoads<T> {
     /// Without what [`ContactMoments`] does not take.
+    #[inline]
     pub(super) const fn joint(&self) -> JointLoads<T> {
         let Self { e1a, e2a, e3a, e3b, f1, f2, f3, m2, rp, la, ra, ls, .. } = *self;
         JointLoads { e1a, e2a, e3a, e3b, f1, f2, f3, m2, rp, la, ra, ls }
     }
 
     /// From its two halves, the second taken from `rest`.
+    #[inline]
     pub(crate) const fn of(joint: JointLoads<T>, rest: Self) -> Self {
         let JointLoads { e1a, e2a, e3a, e3b, f1, f2, f3, m2, rp, la, ra, ls } = joint;
         Self { e1a, e2a, e3a, e3b, f1, f2, f3, m2, rp, la, ra, ls, ..rest }

@@ -28,10 +28,12 @@ fields! {
 }
 
 impl<T: Component> Jointed<T> {
+    #[inline]
     const fn joined(&self) -> Joined<T> {
         let Self { e1a, e2a, e3a, xa, xb, d0, .. } = *self;
         Joined { e1a, e2a, e3a, xa, xb, d0 }
     }
+    #[inline]
     const fn shafts(&self) -> Shafts<T> {
         let Self { e1a, e3b, c0, .. } = *self;
         Shafts { e1a, e3b, c0 }

@@ -243,6 +243,20 @@ fn planted_mistakes_are_named() {
 }
 
 #[test]
+fn half_of_what_is_off_is_no_cause() {
+    let class = |planted: &&Planted| planted.class == "spin";
+    let Planted { lang, id, plant: After(code), says, .. } = PLANTED.iter().find(class).unwrap() else { panic!() };
+    if lang.is_here() {
+        let more = format!("{code}\n        y_all(1:9) = 2*y_all(1:9)");
+        let bench = Bench::new();
+        let program = port(&bench, *lang, id, After(more.leak()));
+        let said = check(&bench, id, &program, &["--samples", "50"], 1);
+        assert!(said.contains("diagnosis: value: unexplained"), "{said}");
+        assert!(said.contains(&format!("diagnosis: Jacobian: {says}")), "{said}");
+    }
+}
+
+#[test]
 fn drivers_with_what_is_exported_pass_in_every_language() {
     for lang in Lang::ALL.into_iter().filter(|lang| lang.is_here()) {
         for id in ["slot.friction", "ujoint.friction", "coulomb.return_map"] {

@@ -67,3 +67,17 @@ fn by_field(fields: &[Field], tallies: &[Tally]) -> String {
     let of_field = |field: &Field| rest.by_ref().take(field.len()).map(mark).collect::<String>();
     fields.iter().map(of_field).collect::<Vec<_>>().join(" ")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn marks_tell_what_was_not_given_from_what_was_not_asked() {
+        let shown = |checked, absent, grade| mark(&Tally { checked, absent, grade, ..Tally::default() });
+        let marks = [(0, 0), (0, 1), (1, 0)].map(|(checked, absent)| shown(checked, absent, Grade::Right));
+        assert_eq!(marks, [" ".to_owned(), "-".to_owned(), green("+")]);
+        assert_eq!(shown(1, 1, Grade::Inaccurate), yellow("~"));
+        assert_eq!(shown(2, 0, Grade::Wrong), red("x"));
+    }
+}

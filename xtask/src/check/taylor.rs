@@ -159,6 +159,17 @@ mod tests {
     use super::*;
     use jointproof::catalog::find;
     use jointproof::measure::Options;
+    use jointproof::verify;
+
+    #[test]
+    fn there_are_directions_where_formulas_are_smooth() {
+        for id in ["coulomb.yield", "slot.constraint", "cardan.angles"] {
+            let formula = find(id).unwrap();
+            let asked = super::super::question::questions(formula, Wanted::Products, &verify::Options::default());
+            let all = questions(formula, &asked, 1);
+            assert_eq!(all.len(), BASES * (1 + STEPS.len()), "{id}");
+        }
+    }
 
     #[test]
     fn what_would_leave_its_domain_stays() {

@@ -192,3 +192,15 @@ fn constant(number: f64) -> Instances {
     let instance = || (Sort::Constant, what(), Instead::Op(Op::Number(single.to_bits())));
     (single != number && single.is_finite()).then(instance).into_iter().collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn constants_of_single_precision_are_others() {
+        let others = |number: f64| constant(number).into_iter().map(|(_, what, _)| what).collect::<Vec<_>>();
+        assert_eq!(others(0.1), ["the constant 0.1 has single precision"]);
+        assert_eq!([0.5, -2.0, 1e300].map(|number| others(number).len()), [0; 3]);
+    }
+}

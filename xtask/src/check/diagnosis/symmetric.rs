@@ -46,9 +46,10 @@ fn blocks(outputs: &'static [Field]) -> Vec<(&'static str, usize)> {
 
 /// Whether every number that is off, and every other one of the same part, is what the symmetric parts of these blocks have.
 fn explains(evidence: &Evidence<'_>, off: &[usize], blocks: &[(&str, usize)]) -> bool {
-    let [n, m] = sizes(evidence.court.formula);
+    let m = sizes(evidence.court.formula)[1];
     let mut mirrored: Vec<_> = (0..evidence.names.len()).collect();
-    let derivatives = if mirrored.len() > m { n } else { 0 };
+    // As many as there are inputs, or none.
+    let derivatives = (mirrored.len() - m) / m;
     for (_, first) in blocks {
         transpose(&mut mirrored, *first, [m, derivatives]);
     }
