@@ -30,7 +30,7 @@
 //! assert_eq!(
 //!     faults.to_string(),
 //!     "output (line 1, column 51): unknown key \"output\"; \
-//!      allowed is one of title, dimension, orientations, nodes, slide_lines, elements, frames, outputs",
+//!      allowed is one of title, dimension, columns, orientations, nodes, slide_lines, elements, frames, outputs",
 //! );
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -41,10 +41,12 @@
 //! have the same bits for every number of threads. Memory is bounded by what [`Run::bytes`] states, whatever
 //! the number of states.
 
+mod columns;
 mod evaluate;
 mod json;
 mod kind;
 mod model;
+pub mod npz;
 mod plan;
 mod read;
 mod results;
@@ -53,6 +55,7 @@ mod run;
 mod schema;
 mod values;
 
+pub use columns::{Column, Columns, Unwritten};
 pub use json::{Fault, Faults};
 pub use kind::{Dimension, Fallback, Kind, Origin, Use, When};
 pub use model::Scene;

@@ -41,7 +41,8 @@ fn text() -> Value {
 
 fn of_dimension(dimension: Dimension) -> Value {
     let kinds: Vec<_> = Kind::all().filter(|kind| kind.dimension == dimension).collect();
-    let node = record(&entries(keys::NODE, [vector(dimension.coordinates()), text()]), &["at"]);
+    let at = or_array(vector(dimension.coordinates()));
+    let node = record(&entries(keys::NODE, [at, text()]), &["at"]);
     let elements: Vec<_> = kinds.iter().map(|kind| of_kind(kind)).collect();
     let mut outputs: Vec<_> = kinds.iter().flat_map(|kind| kind.outputs()).map(|(name, _)| name).collect();
     outputs.sort_unstable();
@@ -51,18 +52,36 @@ fn of_dimension(dimension: Dimension) -> Value {
         [
             text(),
             json!({ "const": dimension.name() }),
+            json!({ "type": "string", "description": "a .npz file beside the scene, with the arrays that it names" }),
             named(&orientation(dimension)),
             named(&node),
             named(&slide_line()),
             named(&json!({ "oneOf": elements })),
-            json!({ "type": "array", "items": frame(dimension, &kinds), "minItems": 1 }),
+            frames(dimension, &kinds),
             json!({ "type": "array", "items": { "enum": outputs }, "uniqueItems": true }),
         ],
     );
     if dimension != Dimension::Axisymmetric {
         properties.remove("slide_lines");
     }
-    record(&properties, &["dimension", "nodes", "elements"])
+    let mut schema = record(&properties, &["dimension", "nodes", "elements"]);
+    // Without a file of columns, no name stands for an array of it.
+    let numbers =
+        kinds.iter().flat_map(|kind| kind.parameters()).map(|(name, _)| (name.into(), json!({ "type": "number" })));
+    let of_each = |properties: Map<String, Value>| json!({ "additionalProperties": { "properties": properties } });
+    schema["if"] = json!({ "required": ["columns"] });
+    schema["else"] = json!({ "properties": {
+        "nodes": of_each(entries(["at"], [json!({ "type": "array" })])),
+        "elements": of_each(numbers.collect()),
+        "frames": { "type": "array" },
+    } });
+    schema
+}
+
+/// The same, or the name of an array: what is said about a value counts for values of its type alone.
+fn or_array(mut schema: Value) -> Value {
+    schema["type"] = json!([schema["type"], "string"]);
+    schema
 }
 
 fn orientation(dimension: Dimension) -> Value {
@@ -104,18 +123,36 @@ fn slide_line() -> Value {
     schema
 }
 
-fn frame(dimension: Dimension, kinds: &[&Kind]) -> Value {
+/// An array of frames, or one frame whose values are arrays over all states.
+fn frames(dimension: Dimension, kinds: &[&Kind]) -> Value {
     let time = json!({ "type": "number" });
+    let turn = if dimension == Dimension::Space { vector(3) } else { time.clone() };
+    let loads = |kind: &Kind| kind.loads().map(|name| (name.into(), number(kind.quantity(name)))).collect();
+    let pressure = of_domain(Domain::NonNegative);
+    let frame = frame(dimension, kinds, [time, vector(dimension.coordinates()), turn, pressure], loads);
+    let array = || json!({ "type": "string" });
+    let loads = |kind: &Kind| kind.loads().map(|name| (name.into(), array())).collect();
+    let mut frames = self::frame(dimension, kinds, [array(), array(), array(), array()], loads);
+    frames["type"] = json!(["array", "object"]);
+    frames["items"] = frame;
+    frames["minItems"] = json!(1);
+    frames
+}
+
+fn frame(
+    dimension: Dimension,
+    kinds: &[&Kind],
+    [time, displacement, turn, pressure]: [Value; 4],
+    loads: impl Fn(&Kind) -> Map<String, Value>,
+) -> Value {
     let motion = |turn: Option<Value>| {
-        let all = std::iter::once(vector(dimension.coordinates())).chain(turn);
+        let all = std::iter::once(displacement.clone()).chain(turn);
         named(&record(&entries(keys::MOTION, all), &[]))
     };
     if dimension == Dimension::Axisymmetric {
-        let all = entries(keys::SLIDING_FRAME, [time, motion(None), named(&of_domain(Domain::NonNegative))]);
-        return record(&all, &["time"]);
+        return record(&entries(keys::SLIDING_FRAME, [time, motion(None), named(&pressure)]), &["time"]);
     }
-    let turn = if dimension == Dimension::Space { vector(3) } else { json!({ "type": "number" }) };
-    let loads: Vec<_> = kinds.iter().map(|kind| of_loads(kind)).collect();
+    let loads: Vec<_> = kinds.iter().map(|kind| record(&loads(kind), &[])).collect();
     let all = entries(keys::FRAME, [time, motion(Some(turn)), named(&json!({ "anyOf": loads }))]);
     record(&all, &["time"])
 }
@@ -160,15 +197,11 @@ fn of_kind(kind: &Kind) -> Value {
         properties.remove("slide_line");
     }
     for (name, fallback) in kind.parameters() {
-        let mut schema = number(kind.quantity(name));
+        let mut schema = or_array(number(kind.quantity(name)));
         if let Fallback::Number(fallback) = fallback {
             schema["default"] = json!(fallback);
         }
         properties.insert(name.into(), schema);
     }
     record(&properties, if kind.slides() { &["kind", "nodes", "slide_line"] } else { &["kind", "nodes"] })
-}
-
-fn of_loads(kind: &Kind) -> Value {
-    record(&kind.loads().map(|name| (name.into(), number(kind.quantity(name)))).collect(), &[])
 }

@@ -1,6 +1,7 @@
 //! How files are written.
 
 use anyhow::Context;
+use std::fs::File;
 use std::io::Write;
 use std::path::Path;
 
@@ -13,15 +14,26 @@ pub fn write(path: &Path, text: &str) -> anyhow::Result<bool> {
     if std::fs::read(path).is_ok_and(|present| present == text.as_bytes()) {
         return Ok(false);
     }
+    write_with(path, |file| {
+        file.write_all(text.as_bytes())?;
+        Ok(file.sync_all()?)
+    })?;
+    Ok(true)
+}
+
+/// The same for what is written piece by piece, and not compared before.
+///
+/// # Errors
+/// As [`write`].
+pub fn write_with(path: &Path, content: impl FnOnce(&mut File) -> anyhow::Result<()>) -> anyhow::Result<()> {
     let shown = path.display();
     let directory = path.parent().with_context(|| format!("{shown} has no directory"))?;
+    let directory = if directory.as_os_str().is_empty() { Path::new(".") } else { directory };
     std::fs::create_dir_all(directory).with_context(|| format!("cannot make {}", directory.display()))?;
     let mut file = builder().tempfile_in(directory).with_context(|| format!("cannot write beside {shown}"))?;
-    file.write_all(text.as_bytes())
-        .and_then(|()| file.as_file().sync_all())
-        .with_context(|| format!("cannot write {shown}"))?;
+    content(file.as_file_mut()).with_context(|| format!("cannot write {shown}"))?;
     file.persist(path).with_context(|| format!("cannot rename to {shown}"))?;
-    Ok(true)
+    Ok(())
 }
 
 fn builder() -> tempfile::Builder<'static, 'static> {

@@ -149,6 +149,52 @@ fn a_generated_scene_runs() {
     assert_eq!(ran.stdout.lines().count(), 1 + 100 * 5 * 5);
 }
 
+/// A generated scene and its description with arrays: the names of the members differ, and nothing else.
+#[test]
+fn a_scene_of_arrays_gives_the_same_numbers() {
+    let bench = Bench::new();
+    let [json, described, arrays] = ["many.json", "described.json", "many.npz"].map(|name| bench.path(name));
+    let arrays = arrays.to_string_lossy();
+    let generate = |more: &[&str]| {
+        let all = [&["scene", "--generate", "100", "--of", "translator", "--states", "3"], more].concat();
+        bench.run(&all).quiet().stdout
+    };
+    fs::write(&json, generate(&[])).unwrap();
+    fs::write(&described, generate(&["--columns", &arrays])).unwrap();
+    let results = |path: &std::path::Path| {
+        let csv = bench.run(&["scene", &path.to_string_lossy(), "--format", "csv"]).quiet().stdout;
+        csv.replace(['[', ']'], "")
+    };
+    assert_eq!(results(&described).lines().count(), 1 + 100 * 3 * 8);
+    assert_eq!(results(&json), results(&described));
+}
+
+#[test]
+fn results_are_written_by_the_name_of_their_file() {
+    let bench = Bench::new();
+    let rail = scene("rail.json");
+    let written = |name: &str| {
+        let path = bench.path(name);
+        let ran = bench.run(&["scene", &rail, "--out", &path.to_string_lossy()]).quiet();
+        assert_eq!(ran.stdout, "");
+        fs::read(path).unwrap()
+    };
+    let printed = |format: &str| bench.run(&["scene", &rail, "--format", format]).quiet().stdout.into_bytes();
+    assert_eq!(written("results.csv"), printed("csv"));
+    assert_eq!(written("results.json"), printed("json").trim_ascii_end());
+    let arrays = written("results.npz");
+    assert_eq!(arrays, written("again.NPZ"));
+    assert!(arrays.starts_with(b"PK") && arrays.windows(14).any(|name| name == b"guide/CSF1.npy"));
+    bench.run(&["scene", &rail, "--out", "results.xls"]).exits(2).says("one of .npz, .json, .csv, .txt");
+    bench.run(&["scene", &rail, &rail, "--out", "results.npz"]).bad_usage("the results of one scene");
+    // Where something is wrong, nothing is written.
+    let wrong = bench.path("wrong.json");
+    fs::write(&wrong, WRONG).unwrap();
+    let out = bench.path("none.npz");
+    bench.run(&["scene", &wrong.to_string_lossy(), "--out", &out.to_string_lossy()]).exits(1);
+    assert!(!out.exists());
+}
+
 /// What a mutation does to a scene.
 type Mutation = fn(&mut Value);
 
@@ -184,5 +230,18 @@ fn the_schema_takes_every_scene_and_refuses_what_the_reader_refuses() {
         assert!(!validator.is_valid(&wrong), "{what} is accepted by the schema");
         let text = serde_json::to_string(&wrong).unwrap();
         assert!(jointproof::scene::Scene::parse(&text).is_err(), "{what} is accepted by the reader");
+    }
+    // Names of arrays stand where the scene names a file of them, and nowhere else.
+    let named: [(&str, Mutation); 3] = [
+        ("a node", |scene| scene["nodes"]["inner"]["at"] = json!("inner")),
+        ("a parameter", |scene| scene["elements"]["telescope"]["mu"] = json!("mu")),
+        ("a history", |scene| scene["frames"] = json!({ "time": "time", "nodes": { "inner": { "u": "u" } } })),
+    ];
+    for (what, name) in named {
+        let mut scene = telescope.clone();
+        name(&mut scene);
+        assert!(!validator.is_valid(&scene), "{what} as the name of an array of no file is accepted");
+        scene["columns"] = json!("arrays.npz");
+        assert!(validator.is_valid(&scene), "{what} as the name of an array is not accepted");
     }
 }

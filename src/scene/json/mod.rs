@@ -10,4 +10,4 @@ mod token;
 mod value;
 
 pub use fault::{Fault, Faults};
-pub(super) use reader::{Read, Reader, Stop};
+pub(super) use reader::{Mark, Read, Reader, Stop};

@@ -2,6 +2,7 @@
 
 use super::fault::{Fault, Faults};
 use crate::error::Error;
+use std::borrow::Cow;
 use std::fmt::Write;
 
 /// Nothing that follows can be judged, as the text is not JSON from here on; the fault is recorded.
@@ -10,16 +11,23 @@ pub(in crate::scene) struct Stop;
 
 pub(in crate::scene) type Read<T> = Result<T, Stop>;
 
+/// A place in the text with the JSON path to it.
+#[derive(Clone, Debug)]
+pub(in crate::scene) struct Mark {
+    path: String,
+    place: usize,
+}
+
 /// A step of the path to a value.
-pub(super) enum Segment {
-    Key(String),
+pub(super) enum Segment<'t> {
+    Key(Cow<'t, str>),
     Index(usize),
 }
 
 pub(in crate::scene) struct Reader<'t> {
     pub(super) text: &'t str,
     pub(super) at: usize,
-    pub(super) path: Vec<Segment>,
+    pub(super) path: Vec<Segment<'t>>,
     pub(in crate::scene) faults: Faults,
 }
 
@@ -39,22 +47,48 @@ impl<'t> Reader<'t> {
         self.at = place;
     }
 
+    /// Whether the next value begins so.
+    pub(in crate::scene) fn begins_with(&mut self, byte: u8) -> bool {
+        self.blank();
+        self.peek() == Some(byte)
+    }
+
     /// Does something below a key of the path.
-    pub(in crate::scene) fn below<T>(&mut self, key: &str, job: impl FnOnce(&mut Self) -> T) -> T {
+    pub(in crate::scene) fn below<T>(&mut self, key: &'static str, job: impl FnOnce(&mut Self) -> T) -> T {
         self.path.push(Segment::Key(key.into()));
         let result = job(self);
         self.path.pop();
         result
     }
 
+    /// A place with the path to it, for a fault that shows later.
+    pub(in crate::scene) fn mark(&self, place: usize) -> Mark {
+        Mark { path: self.path(), place }
+    }
+
     /// Records a fault at a place.
     pub(in crate::scene) fn fault(&mut self, place: usize, found: impl Into<String>, allowed: impl Into<String>) {
-        if !self.faults.room() {
-            return;
+        if self.faults.room() {
+            self.record_fault(self.path(), place, found.into(), allowed.into());
         }
+    }
+
+    /// Records a fault at a place that was marked.
+    pub(in crate::scene) fn fault_at(&mut self, mark: Mark, found: impl Into<String>, allowed: impl Into<String>) {
+        if self.faults.room() {
+            self.record_fault(mark.path, mark.place, found.into(), allowed.into());
+        }
+    }
+
+    fn record_fault(&mut self, path: String, place: usize, found: String, allowed: String) {
         let before = &self.text[..place];
         let line = before.bytes().filter(|&byte| byte == b'\n').count() + 1;
         let column = before.chars().rev().take_while(|&c| c != '\n').count() + 1;
+        self.faults.push(Fault { path, line, column, found, allowed });
+    }
+
+    /// The JSON path to where the reader is.
+    fn path(&self) -> String {
         let mut path = String::new();
         for segment in &self.path {
             let dot = if path.is_empty() { "" } else { "." };
@@ -66,7 +100,7 @@ impl<'t> Reader<'t> {
                 Segment::Index(index) => write!(path, "[{index}]"),
             };
         }
-        self.faults.push(Fault { path, line, column, found: found.into(), allowed: allowed.into() });
+        path
     }
 
     /// Records what a typed constructor says.

@@ -1,11 +1,12 @@
 //! The tokens of JSON, and stepping over values.
 
 use super::reader::{Read, Reader, Stop, excerpt};
+use std::borrow::Cow;
 
 /// How deep a value may be nested; a scene needs 5.
 const DEPTH: usize = 32;
 
-impl Reader<'_> {
+impl<'t> Reader<'t> {
     /// Steps over any value, without recursion.
     pub(in crate::scene) fn skip(&mut self) -> Read<()> {
         let mut open: Vec<u8> = Vec::new();
@@ -111,25 +112,29 @@ impl Reader<'_> {
     }
 
     /// A string, whose opening quote is next. What is between the quotes is decoded by `serde_json`.
-    pub(super) fn quoted(&mut self) -> Read<String> {
+    pub(super) fn quoted(&mut self) -> Read<Cow<'t, str>> {
         let start = self.at;
+        let mut has_escapes = false;
         self.at += 1;
         loop {
             match self.peek() {
                 Some(b'"') => break,
                 // Whatever it stands for, a quote behind it closes nothing.
-                Some(b'\\') => self.at += if self.at + 1 < self.text.len() { 2 } else { 1 },
+                Some(b'\\') => {
+                    has_escapes = true;
+                    self.at += if self.at + 1 < self.text.len() { 2 } else { 1 };
+                }
                 Some(byte) if byte >= b' ' => self.at += 1,
                 _ => return self.stop("a closing quote"),
             }
         }
         self.at += 1;
         let inside = &self.text[start + 1..self.at - 1];
-        if !inside.contains('\\') {
-            return Ok(inside.to_owned());
+        if !has_escapes {
+            return Ok(Cow::Borrowed(inside));
         }
         let quoted = &self.text[start..self.at];
-        serde_json::from_str(quoted).map_err(|_| {
+        serde_json::from_str(quoted).map(Cow::Owned).map_err(|_| {
             self.fault(start, excerpt(quoted), "a string with JSON's escapes");
             Stop
         })

@@ -3,10 +3,12 @@
 use super::reader::{Read, Reader, Segment, excerpt};
 use crate::error::Error;
 use crate::quantity::Domain;
+use std::borrow::Cow;
+use std::fmt::Display;
 
-impl Reader<'_> {
+impl<'t> Reader<'t> {
     /// Steps over a value of the wrong type and says so.
-    fn mistyped(&mut self, allowed: &str) -> Read<()> {
+    fn mistyped(&mut self, allowed: impl Display) -> Read<()> {
         let place = self.place();
         let found = match self.peek() {
             Some(b'{') => "an object".into(),
@@ -15,14 +17,14 @@ impl Reader<'_> {
         };
         self.skip()?;
         let found = if found.is_empty() { excerpt(&self.text[place..self.at]) } else { found };
-        self.fault(place, found, allowed);
+        self.fault(place, found, allowed.to_string());
         Ok(())
     }
 
     /// The members of an object, each with the place of its key; `false` if it is something else.
     pub(in crate::scene) fn object(
         &mut self,
-        allowed: &str,
+        allowed: impl Display,
         mut member: impl FnMut(&mut Self, &str, usize) -> Read<()>,
     ) -> Read<bool> {
         if !self.take(b'{') {
@@ -60,18 +62,19 @@ impl Reader<'_> {
         names: &[&str],
         mut member: impl FnMut(&mut Self, usize) -> Read<()>,
     ) -> Read<bool> {
-        let mut seen = vec![false; names.len()];
+        // No object has as many names as there are bits.
+        let mut seen = 0_u64;
         self.object("an object", |reader, key, place| match names.iter().position(|&name| name == key) {
             None => {
                 reader.fault(place, format!("unknown key {key:?}"), format!("one of {}", names.join(", ")));
                 reader.skip()
             }
-            Some(index) if seen[index] => {
+            Some(index) if seen >> index & 1 == 1 => {
                 reader.fault(place, format!("{key:?} for the second time"), "each key once");
                 reader.skip()
             }
             Some(index) => {
-                seen[index] = true;
+                seen |= 1 << index;
                 member(reader, index)
             }
         })
@@ -80,7 +83,7 @@ impl Reader<'_> {
     /// The items of an array; `false` if it is something else.
     pub(in crate::scene) fn array(
         &mut self,
-        allowed: &str,
+        allowed: impl Display,
         mut item: impl FnMut(&mut Self, usize) -> Read<()>,
     ) -> Read<bool> {
         if !self.take(b'[') {
@@ -106,7 +109,7 @@ impl Reader<'_> {
     }
 
     /// A string.
-    pub(in crate::scene) fn string(&mut self, allowed: &str) -> Read<Option<String>> {
+    pub(in crate::scene) fn string(&mut self, allowed: impl Display) -> Read<Option<Cow<'t, str>>> {
         self.blank();
         if self.peek() == Some(b'"') {
             return self.quoted().map(Some);
@@ -118,7 +121,7 @@ impl Reader<'_> {
     pub(in crate::scene) fn number(&mut self, domain: Domain) -> Read<Option<f64>> {
         let place = self.place();
         let Some(number) = self.numeral()? else {
-            return self.mistyped(&domain.allowed()).map(|()| None);
+            return self.mistyped(domain.allowed()).map(|()| None);
         };
         if Error::check("", None, number, domain).is_err() {
             let found = excerpt(&self.text[place..self.at]);
@@ -132,9 +135,9 @@ impl Reader<'_> {
     /// An array of exactly `N` finite numbers.
     pub(in crate::scene) fn vector<const N: usize>(&mut self) -> Read<Option<[f64; N]>> {
         let place = self.place();
-        let allowed = format!("an array of {N} numbers");
+        let allowed = format_args!("an array of {N} numbers");
         let (mut vector, mut count, mut sound) = ([0.0; N], 0, true);
-        let is_array = self.array(&allowed, |reader, index| {
+        let is_array = self.array(allowed, |reader, index| {
             count += 1;
             match reader.number(Domain::Real)? {
                 Some(number) => vector.get_mut(index).into_iter().for_each(|slot| *slot = number),
@@ -143,7 +146,7 @@ impl Reader<'_> {
             Ok(())
         })?;
         if is_array && count != N {
-            self.fault(place, format!("an array of {count}"), allowed);
+            self.fault(place, format!("an array of {count}"), allowed.to_string());
         }
         Ok((is_array && sound && count == N).then_some(vector))
     }

@@ -1,15 +1,17 @@
 //! A scene as it was read and checked.
 
+mod element;
 mod frame;
 mod named;
 mod orientation;
 
-pub(super) use frame::{Changes, Frame};
-pub(super) use named::Named;
+pub(super) use element::{Parameter, SceneElement};
+pub(super) use frame::{Changes, Frame, Unsorted};
+pub(super) use named::{Members, Named};
 pub(super) use orientation::{Axes, Orientation, exactly, global, turned};
 
 use super::kind::{Dimension, Kind};
-use crate::isl::{IslElement, Surface};
+use crate::isl::Surface;
 
 /// A model over a history of states, and what is wanted of it; made by [`Scene::parse`].
 #[derive(Clone, Debug)]
@@ -18,6 +20,8 @@ pub struct Scene {
     pub(in crate::scene) dimension: Dimension,
     pub(in crate::scene) orientations: Named<Orientation>,
     pub(in crate::scene) nodes: Named<SceneNode>,
+    /// Where every node is initially, by its number.
+    pub(in crate::scene) at: Vec<[f64; 3]>,
     /// Slide lines, of axisymmetric scenes only.
     pub(in crate::scene) lines: Named<SceneLine>,
     pub(in crate::scene) elements: Named<SceneElement>,
@@ -37,13 +41,18 @@ impl Scene {
     pub fn nodes(&self) -> usize {
         self.nodes.len()
     }
-    /// The names of the elements, in the order of the file.
+    /// The names of the elements and sets of elements, in the order of the file.
     pub fn elements(&self) -> impl ExactSizeIterator<Item = &str> {
         self.elements.names()
     }
-    /// The kind of an element.
+    /// The number of elements, with those of sets.
+    pub fn size(&self) -> usize {
+        self.elements.len()
+    }
+    /// The kind of an element or a set of them.
     pub fn kind(&self, element: &str) -> Option<&'static Kind> {
-        self.elements.number_of(element).map(|number| self.elements[number].kind)
+        let members = self.elements.members(element)?;
+        Some(self.elements[members.number(0)].kind)
     }
     /// The times of the states, in order.
     pub fn times(&self) -> impl ExactSizeIterator<Item = f64> {
@@ -51,10 +60,9 @@ impl Scene {
     }
 }
 
-/// A node where it is initially.
+/// A node, or a set of nodes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SceneNode {
-    pub(super) at: [f64; 3],
     /// The global axes if `None`.
     pub(super) orientation: Option<u32>,
 }
@@ -65,25 +73,4 @@ pub(super) struct SceneLine {
     pub(super) surface: Surface,
     /// In every how many states; never where it is 0.
     pub(super) torque_frequency: u32,
-}
-
-/// An element with what it was given.
-#[derive(Clone, Debug)]
-pub(super) struct SceneElement {
-    pub(super) kind: &'static Kind,
-    pub(super) nodes: Box<[u32]>,
-    pub(super) sliding: Option<Sliding>,
-    /// In the order of [`Kind::parameters`]; `None` where the scene gives none.
-    pub(super) parameters: Box<[Option<f64>]>,
-    /// A bit per output of the kind.
-    pub(super) outputs: u64,
-}
-
-/// An element on its slide line.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Sliding {
-    /// The line, by its place in the scene.
-    pub(super) line: u32,
-    /// Its nodes are numbered by their place in the scene; its own number says nothing.
-    pub(super) element: IslElement,
 }

@@ -1,52 +1,187 @@
 //! What a scene has by name.
 
 use indexmap::IndexSet;
+use std::fmt::{self, Write as _};
 use std::ops::Index;
 
-/// Things by name, in the order of the file, in which they are numbered.
+/// Things by name, in the order of the file. A thing is one, or a set of many that have one name; the members of all
+/// things are numbered through.
 #[derive(Clone, Debug)]
 pub(in crate::scene) struct Named<T> {
     names: IndexSet<Box<str>>,
     things: Vec<T>,
+    /// The members of each thing.
+    members: Vec<Members>,
+    len: u32,
+}
+
+/// Members of one thing: all of them, or those that a reference selects.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::scene) struct Members {
+    first: u32,
+    /// From one to the next; 0 where there is one that stands for all.
+    step: u32,
+    /// How many; `None` of what is no set.
+    count: Option<u32>,
+}
+
+impl Members {
+    fn one(first: u32) -> Self {
+        Self { first, step: 0, count: None }
+    }
+
+    /// How many of a set there are; `None` of what is no set.
+    pub(in crate::scene) fn count(&self) -> Option<u32> {
+        self.count
+    }
+
+    /// How many there are.
+    pub(in crate::scene) fn len(&self) -> u32 {
+        self.count.unwrap_or(1)
+    }
+
+    /// The number of a member by its place; what is no set stands for every place.
+    #[inline]
+    pub(in crate::scene) fn number(&self, place: u32) -> u32 {
+        self.first + self.step * place
+    }
+
+    /// The numbers of all.
+    pub(in crate::scene) fn numbers(self) -> impl ExactSizeIterator<Item = u32> {
+        (0..self.len()).map(move |place| self.number(place))
+    }
+
+    /// What is selected of a set by what stands between brackets, as in Python: `3`, `1:`, `:-1` or `::2`.
+    fn select(&self, selection: &str) -> Option<Self> {
+        let count = i64::from(self.count?);
+        let place = |text: &str, absent: i64| {
+            if text.is_empty() {
+                return Some(absent);
+            }
+            let place: i64 = text.parse().ok()?;
+            Some(if place < 0 { place + count } else { place })
+        };
+        let parts: Vec<_> = selection.split(':').collect();
+        if let [one] = parts[..] {
+            let at = u32::try_from(place(one, -1)?).ok().filter(|&at| i64::from(at) < count)?;
+            return Some(Self::one(self.number(at)));
+        }
+        let [from, to, step] = [0, 1, 2].map(|part| parts.get(part).copied().unwrap_or_default());
+        let step = if step.is_empty() { 1 } else { step.parse::<u32>().ok().filter(|&step| step > 0)? };
+        let from = u32::try_from(place(from, 0)?.min(count)).ok()?;
+        let to = u32::try_from(place(to, count)?.min(count)).ok()?;
+        let selected = to.checked_sub(from).filter(|&selected| selected > 0 && parts.len() <= 3)?;
+        Some(Self { first: self.number(from), step: self.step * step, count: Some(selected.div_ceil(step)) })
+    }
+}
+
+/// The name of a member: that of its thing, and its place in a set.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(in crate::scene) struct Name<'n> {
+    of: &'n str,
+    place: Option<u32>,
+}
+
+impl Name<'_> {
+    /// Writes it behind a text.
+    pub(in crate::scene) fn push_to(self, text: &mut String) {
+        text.push_str(self.of);
+        if let Some(place) = self.place {
+            // Writing to a string cannot fail.
+            let _ = write!(text, "[{place}]");
+        }
+    }
+}
+
+impl fmt::Display for Name<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.of)?;
+        self.place.map_or(Ok(()), |place| write!(f, "[{place}]"))
+    }
+}
+
+/// In quotes.
+impl fmt::Debug for Name<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:?}", self.to_string())
+    }
 }
 
 impl<T> Default for Named<T> {
     fn default() -> Self {
-        Self { names: IndexSet::new(), things: Vec::new() }
+        Self { names: IndexSet::new(), things: Vec::new(), members: Vec::new(), len: 0 }
     }
 }
 
 impl<T> Named<T> {
     /// As many as can be numbered in 32 bits, nodes beside orientations.
-    const MOST: usize = 1 << 30;
+    const MOST: u32 = 1 << 30;
 
-    /// Adds one of a new name; gives it back if there is no number left.
-    pub(in crate::scene) fn push(&mut self, name: &str, thing: T) -> Result<(), T> {
-        if self.len() == Self::MOST {
+    /// Adds a thing of a new name, or a set of so many; gives it back if there are not as many numbers left.
+    pub(in crate::scene) fn push(&mut self, name: &str, count: Option<u32>, thing: T) -> Result<(), T> {
+        let members = Members { first: self.len, step: u32::from(count.is_some()), count };
+        if members.len() > Self::MOST - self.len {
             return Err(thing);
         }
         self.names.insert(name.into());
         self.things.push(thing);
+        self.members.push(members);
+        self.len += members.len();
         Ok(())
     }
 
+    /// How many members all things have.
     pub(in crate::scene) fn len(&self) -> usize {
-        self.things.len()
+        self.len as usize
     }
 
     /// The number that the next will have.
     pub(in crate::scene) fn next_number(&self) -> u32 {
-        number(self.len())
+        self.len
     }
 
-    pub(in crate::scene) fn number_of(&self, name: &str) -> Option<u32> {
-        self.names.get_index_of(name).map(number)
+    /// The members that a reference names: those of a thing, or the selected ones of a set, as `b[3]` or `b[1:]`.
+    pub(in crate::scene) fn members(&self, reference: &str) -> Option<Members> {
+        if let Some(thing) = self.names.get_index_of(reference) {
+            return Some(self.members[thing]);
+        }
+        let (name, selection) = reference.strip_suffix(']')?.split_once('[')?;
+        self.members[self.names.get_index_of(name)?].select(selection)
     }
 
-    pub(in crate::scene) fn name(&self, number: u32) -> &str {
-        &self.names[number as usize]
+    /// The members of the thing of this name if it is the one at a place, or else wherever it is; names mostly come in the
+    /// order of the things. The place is then that of the next.
+    pub(in crate::scene) fn members_near(&self, place: &mut usize, name: &str) -> Option<Members> {
+        if self.names.get_index(*place).is_none_or(|known| **known != *name) {
+            *place = self.names.get_index_of(name)?;
+        }
+        *place += 1;
+        Some(self.members[*place - 1])
     }
 
+    /// Whether there is a thing of this name.
+    pub(in crate::scene) fn knows(&self, name: &str) -> bool {
+        self.names.contains(name)
+    }
+
+    /// The place of the thing of which this is a member, and that of the member in it.
+    #[inline]
+    pub(in crate::scene) fn locate(&self, number: u32) -> (usize, u32) {
+        // Where there is no set, a thing has the place of its number.
+        if self.things.len() == self.len() {
+            return (number as usize, 0);
+        }
+        let thing = self.members.partition_point(|members| members.first <= number) - 1;
+        (thing, number - self.members[thing].first)
+    }
+
+    /// The name of a member.
+    pub(in crate::scene) fn name(&self, number: u32) -> Name<'_> {
+        let (thing, place) = self.locate(number);
+        Name { of: &self.names[thing], place: self.members[thing].count.map(|_| place) }
+    }
+
+    /// The names of the things.
     pub(in crate::scene) fn names(&self) -> impl ExactSizeIterator<Item = &str> {
         self.names.iter().map(|name| &**name)
     }
@@ -55,25 +190,78 @@ impl<T> Named<T> {
         &self.things
     }
 
-    pub(in crate::scene) fn iter(&self) -> impl Iterator<Item = (&str, &T)> {
-        self.names().zip(&self.things)
+    /// The things with their names and members.
+    pub(in crate::scene) fn iter(&self) -> impl Iterator<Item = (&str, Members, &T)> {
+        self.names().zip(&self.members).zip(&self.things).map(|((name, &members), thing)| (name, members, thing))
+    }
+
+    /// The thing at a place with its name and members.
+    pub(in crate::scene) fn nth(&self, place: usize) -> (&str, Members, &T) {
+        (&self.names[place], self.members[place], &self.things[place])
     }
 
     /// Each made into something else, or `None` if one of them cannot be.
     pub(in crate::scene) fn each<U>(self, make: impl FnMut(T) -> Option<U>) -> Option<Named<U>> {
-        let things = self.things.into_iter().map(make).collect::<Option<_>>()?;
-        Some(Named { names: self.names, things })
+        let Self { names, things, members, len } = self;
+        let things = things.into_iter().map(make).collect::<Option<_>>()?;
+        Some(Named { names, things, members, len })
     }
 }
 
+/// The thing of which this is a member.
 impl<T> Index<u32> for Named<T> {
     type Output = T;
 
     fn index(&self, number: u32) -> &T {
-        &self.things[number as usize]
+        &self.things[self.locate(number).0]
     }
 }
 
-fn number(index: usize) -> u32 {
-    u32::try_from(index).expect("no more are taken than can be numbered")
+#[cfg(test)]
+mod tests {
+    use super::Named;
+
+    fn named() -> Named<&'static str> {
+        let mut named = Named::default();
+        for (name, count) in [("a", None), ("b", Some(5)), ("c[1]", None), ("d", Some(1))] {
+            named.push(name, count, name).unwrap();
+        }
+        named
+    }
+
+    #[test]
+    fn members_are_numbered_through() {
+        let named = named();
+        assert_eq!(named.len(), 8);
+        let names: Vec<_> = (0..8).map(|number| named.name(number).to_string()).collect();
+        assert_eq!(names, ["a", "b[0]", "b[1]", "b[2]", "b[3]", "b[4]", "c[1]", "d[0]"]);
+        let alone =
+            |name: &String| named.members(name).filter(|members| members.count().is_none()).map(|one| one.number(0));
+        assert!((0..8).all(|number| alone(&names[number as usize]) == Some(number)));
+        assert_eq!([0, 5, 6].map(|number| named[number]), ["a", "b", "c[1]"]);
+    }
+
+    #[test]
+    fn sets_are_selected_from_as_in_python() {
+        let named = named();
+        let numbers = |reference: &str| named.members(reference).map(|members| members.numbers().collect::<Vec<_>>());
+        for (reference, expected) in [
+            ("a", &[0][..]),
+            ("b", &[1, 2, 3, 4, 5]),
+            ("b[:]", &[1, 2, 3, 4, 5]),
+            ("b[1:]", &[2, 3, 4, 5]),
+            ("b[:-1]", &[1, 2, 3, 4]),
+            ("b[1:-1:2]", &[2, 4]),
+            ("b[::3]", &[1, 4]),
+            ("b[2:99]", &[3, 4, 5]),
+            ("b[-1]", &[5]),
+            ("d[0]", &[7]),
+        ] {
+            assert_eq!(numbers(reference).as_deref(), Some(expected), "{reference}");
+        }
+        let none = ["b[5]", "b[-6]", "b[]", "b[3:3]", "b[4:2]", "b[::0]", "b[::-1]", "b[1:2:1:1]", "b[x]", "b[0][0]"];
+        for reference in none.into_iter().chain(["a[0]", "a[:]", "c", "[0]", "b[", "b]", "b[-9:]"]) {
+            assert_eq!(numbers(reference), None, "{reference}");
+        }
+    }
 }

@@ -7,7 +7,7 @@ use super::line::PlanLine;
 use crate::coulomb::ReturnMap;
 use crate::formula::Formula;
 use crate::isl::{IslElement, Slave, Stage, Surface, Wanted};
-use crate::scene::model::{Scene, SceneElement, SceneLine, Sliding};
+use crate::scene::model::{Members, Scene, SceneElement, SceneLine};
 use indexmap::IndexMap;
 use std::collections::HashMap;
 
@@ -22,14 +22,14 @@ pub(in crate::scene) struct ContactPlan<'s> {
     /// Every node that slides on it, once, by its place in the scene.
     pub(in crate::scene) slaves: Vec<Slave>,
     /// The elements of which something is wanted, in the order of the file.
-    pub(in crate::scene) elements: Vec<WantedElement<'s>>,
+    pub(in crate::scene) elements: Vec<WantedElement>,
 }
 
 /// An element of which something is wanted.
 #[derive(Debug)]
-pub(in crate::scene) struct WantedElement<'s> {
-    pub(in crate::scene) name: &'s str,
-    pub(in crate::scene) element: &'s IslElement,
+pub(in crate::scene) struct WantedElement {
+    /// It has the number of the scene's; so have its nodes.
+    pub(in crate::scene) element: IslElement,
     /// Its nodes, by their place among the slaves.
     pub(in crate::scene) slaves: Vec<usize>,
     pub(in crate::scene) outputs: Vec<Output>,
@@ -77,6 +77,16 @@ impl Output {
         }
     }
 
+    /// Whether every node of an element has it.
+    pub(in crate::scene) fn is_of_nodes(self) -> bool {
+        self != Self::Torque
+    }
+
+    /// How many components an element or each of its nodes has.
+    pub(in crate::scene) fn components(self) -> usize {
+        if matches!(self, Self::Tangent | Self::Normal) { 2 } else { 1 }
+    }
+
     fn of(element: &SceneElement) -> Vec<Self> {
         Self::ALL.into_iter().enumerate().filter(|(bit, _)| element.outputs >> bit & 1 == 1).map(|(_, o)| o).collect()
     }
@@ -91,7 +101,7 @@ impl Output {
 impl<'s> ContactPlan<'s> {
     /// A plan per slide line of which something is wanted.
     pub(in crate::scene) fn all(scene: &'s Scene) -> Vec<Self> {
-        let plan = |(name, line): (&'s str, &'s SceneLine)| Self {
+        let plan = |(name, _, line): (&'s str, _, &'s SceneLine)| Self {
             name,
             surface: &line.surface,
             torque_frequency: line.torque_frequency,
@@ -100,13 +110,12 @@ impl<'s> ContactPlan<'s> {
         };
         let mut plans: Vec<Self> = scene.lines.iter().map(plan).collect();
         let mut places = HashMap::new();
-        for (name, element) in scene.elements.iter().filter(|(_, element)| element.outputs != 0) {
-            let Some(Sliding { line, element: isl }) = &element.sliding else { continue };
-            let plan = &mut plans[*line as usize];
+        for (members, element, line) in sliding(scene) {
+            let plan = &mut plans[line as usize];
             let outputs = Output::of(element);
             let wanted = outputs.iter().fold(Wanted::default(), |all, output| all.and(output.wanted()));
-            let place = |&node: &u32| {
-                let place = *places.entry((*line, node)).or_insert_with(|| {
+            let mut place = |&node: &u32| {
+                let place = *places.entry((line, node)).or_insert_with(|| {
                     plan.slaves.push(Slave { node, wanted: Wanted::default() });
                     plan.slaves.len() - 1
                 });
@@ -114,8 +123,11 @@ impl<'s> ContactPlan<'s> {
                 slave.wanted = slave.wanted.and(wanted);
                 place
             };
-            let slaves = isl.nodes().iter().map(place).collect();
-            plan.elements.push(WantedElement { name, element: isl, slaves, outputs });
+            for member in 0..members.len() {
+                let element = isl_element(members.number(member), &element.nodes_of(member));
+                let slaves = element.nodes().iter().map(&mut place).collect();
+                plan.elements.push(WantedElement { element, slaves, outputs: outputs.clone() });
+            }
         }
         plans.retain(|plan| !plan.elements.is_empty());
         plans
@@ -137,7 +149,7 @@ impl<'s> ContactPlan<'s> {
         stages.sort_unstable_keys();
         let mut of_elements: IndexMap<_, usize> = IndexMap::new();
         for wanted in &self.elements {
-            let element = wanted.element;
+            let element = &wanted.element;
             if wanted.wants(Output::Torque) {
                 *of_elements.entry((element.torque_formula(), "output T")).or_default() += 1;
             }
@@ -154,7 +166,23 @@ impl<'s> ContactPlan<'s> {
     }
 }
 
-impl WantedElement<'_> {
+/// The elements that slide and of which something is wanted, with the places of their lines.
+fn sliding(scene: &Scene) -> impl Iterator<Item = (Members, &SceneElement, u32)> {
+    let wanted = scene.elements.iter().filter(|(_, _, element)| element.outputs != 0);
+    wanted.filter_map(|(_, members, element)| Some((members, element, element.line?)))
+}
+
+/// An element on its line.
+fn isl_element(number: u32, nodes: &[u32]) -> IslElement {
+    let element = match *nodes {
+        [a, b] => IslElement::isl21a(number, [a, b]),
+        [a, b, c] => IslElement::isl22a(number, [a, b, c]),
+        _ => unreachable!("the kinds that slide have two or three nodes"),
+    };
+    element.expect("no element that has a node twice gets here")
+}
+
+impl WantedElement {
     /// Whether an output is wanted of it.
     pub(in crate::scene) fn wants(&self, output: Output) -> bool {
         self.outputs.contains(&output)

@@ -13,7 +13,7 @@ pub(super) use recipe::{Parameter, Pass, Recipe};
 pub(super) use signature::Signature;
 
 use super::kind::Kind;
-use super::model::Scene;
+use super::model::{Scene, SceneElement};
 use indexmap::IndexMap;
 use std::collections::HashMap;
 
@@ -38,15 +38,19 @@ impl<'s> Plan<'s> {
     pub fn new(scene: &'s Scene) -> Self {
         let mut known = HashMap::new();
         let mut groups: Vec<Group> = Vec::new();
-        for (index, element) in (0..).zip(scene.elements.things()) {
-            if element.outputs == 0 || element.sliding.is_some() {
+        for (_, members, element) in scene.elements.iter() {
+            if element.outputs == 0 || element.line.is_some() {
                 continue;
             }
-            let group = *known.entry(Signature::of(element)).or_insert_with_key(|signature| {
-                groups.push(Group { kind: element.kind, elements: Vec::new(), recipe: Recipe::new(signature) });
-                groups.len() - 1
-            });
-            groups[group].elements.push(index);
+            let SceneElement { kind, outputs, .. } = *element;
+            let parameters: Vec<_> = element.parameters.iter().collect();
+            for (signature, alike) in Signature::of_members(kind, &parameters, outputs, members.len()) {
+                let group = *known.entry(signature).or_insert_with_key(|signature| {
+                    groups.push(Group { kind, elements: Vec::new(), recipe: Recipe::new(signature) });
+                    groups.len() - 1
+                });
+                groups[group].elements.extend(alike.map(|member| members.number(member)));
+            }
         }
         Self { scene, groups, contacts: ContactPlan::all(scene) }
     }

@@ -1,7 +1,8 @@
 //! What decides which formulas an element needs.
 
-use crate::scene::kind::{Fallback, Kind, When};
-use crate::scene::model::SceneElement;
+use crate::scene::kind::{Kind, When};
+use crate::scene::model::Parameter;
+use std::ops::Range;
 
 /// What decides which formulas an element needs.
 #[derive(Clone, Copy)]
@@ -15,20 +16,40 @@ pub(in crate::scene) struct Signature {
 }
 
 impl Signature {
-    pub(in crate::scene) fn of(element: &SceneElement) -> Self {
-        let zero = |(value, (_, fallback)): (&Option<f64>, (_, Fallback))| {
-            value.or(fallback.number()).map(|number| number == 0.0)
+    /// Those of the members of a set of so many, one after the other as long as they are alike.
+    pub(in crate::scene) fn of_members(
+        kind: &'static Kind,
+        parameters: &[&Parameter],
+        outputs: u64,
+        count: u32,
+    ) -> Vec<(Self, Range<u32>)> {
+        let switches = parameters.iter().enumerate().filter_map(|(bit, parameter)| match parameter {
+            Parameter::Each(numbers) => Some((bit, &**numbers)),
+            _ => None,
+        });
+        let decides: Vec<_> = switches.filter(|(bit, _)| kind.switches() >> bit & 1 == 1).collect();
+        let zeros = |member: u32| {
+            let is_zero = |&(bit, numbers): &(usize, &[f64])| u64::from(numbers[member as usize] == 0.0) << bit;
+            decides.iter().map(is_zero).sum::<u64>()
         };
-        let parameters = element.parameters.iter().zip(element.kind.parameters());
-        Self::new(element.kind, parameters.map(zero), element.outputs)
+        let mut all = Vec::new();
+        let mut from = 0;
+        while from < count {
+            let here = if decides.is_empty() { 0 } else { zeros(from) };
+            let differs = |&member: &u32| zeros(member) != here;
+            let to = if decides.is_empty() { count } else { (from + 1..count).find(differs).unwrap_or(count) };
+            all.push((Self::of_member(kind, parameters, outputs, from), from..to));
+            from = to;
+        }
+        all
     }
 
-    /// Of an element, given for each parameter of its kind whether it is 0, or `None` if it has no number.
-    pub(in crate::scene) fn new(kind: &'static Kind, zero: impl Iterator<Item = Option<bool>>, outputs: u64) -> Self {
+    fn of_member(kind: &'static Kind, parameters: &[&Parameter], outputs: u64, member: u32) -> Self {
         let (mut on, mut given) = (0, 0);
-        for (bit, zero) in zero.enumerate() {
-            on |= u64::from(zero != Some(true)) << bit;
-            given |= u64::from(zero.is_some()) << bit;
+        for (bit, (parameter, (_, fallback))) in parameters.iter().zip(kind.parameters()).enumerate() {
+            let number = parameter.of(member).or(fallback.number());
+            on |= u64::from(number != Some(0.0)) << bit;
+            given |= u64::from(number.is_some()) << bit;
         }
         Self { kind, outputs, on: on & kind.switches(), given }
     }

@@ -1,9 +1,9 @@
 //! What the needed formulas say about parameters.
 
-use super::given::Given;
 use crate::error::Error;
 use crate::scene::json::Reader;
 use crate::scene::kind::{Fallback, Kind, Origin};
+use crate::scene::model::Parameter;
 use crate::scene::plan::{Needs, Signature};
 use std::collections::HashMap;
 
@@ -13,50 +13,48 @@ pub(super) struct Checks {
     known: HashMap<Signature, Needs>,
 }
 
+/// One that was given badly is not also a missing one, nor one that is 0.
+const FAULTY: Parameter = Parameter::One(1.0);
+
 impl Checks {
-    /// Says what is wrong with the parameters of an element that stands at a place.
+    /// Says what is wrong with the parameters of an element, or of a set of so many, that stands at a place; those that are
+    /// faulty are `None`.
     pub(super) fn run(
         &mut self,
         reader: &mut Reader,
         place: usize,
         kind: &'static Kind,
-        given: &[Given],
+        count: u32,
+        given: &[Option<Parameter>],
         outputs: u64,
     ) {
-        self.check_required(reader, place, kind, given, outputs);
-        let value = |name: &str| {
-            let mut parameters = kind.parameters().zip(given);
-            parameters.find(|((parameter, _), _)| *parameter == name).and_then(|(_, given)| given.number())
-        };
+        let parameters: Vec<_> = given.iter().map(|parameter| parameter.as_ref().unwrap_or(&FAULTY)).collect();
+        for (signature, _) in Signature::of_members(kind, &parameters, outputs, count) {
+            self.check_required(reader, place, signature);
+        }
         for &(lower, upper) in kind.ordered {
-            if let (Some(low), Some(high)) = (value(lower), value(upper))
-                && let Err(error) = Error::check_order((lower, low), (upper, high))
-            {
+            let [lower, upper] = [lower, upper].map(|name| {
+                let mut parameters = kind.parameters().zip(given);
+                (name, parameters.find(|((parameter, _), _)| *parameter == name).and_then(|(_, given)| given.as_ref()))
+            });
+            let value = |given: Option<&Parameter>, member| given.and_then(|given| given.of(member));
+            let checked = (0..count).try_for_each(|member| match (value(lower.1, member), value(upper.1, member)) {
+                (Some(low), Some(high)) => Error::check_order((lower.0, low), (upper.0, high)),
+                _ => Ok(()),
+            });
+            if let Err(error) = checked {
                 reader.reject(place, &error);
             }
         }
     }
 
-    /// Says which parameter an output needs that is not given. One that was given badly is not also a missing one.
-    fn check_required(
-        &mut self,
-        reader: &mut Reader,
-        place: usize,
-        kind: &'static Kind,
-        given: &[Given],
-        outputs: u64,
-    ) {
-        let is_zero = |(given, (_, fallback)): (&Given, (_, Fallback))| match given {
-            Given::Absent => fallback.number().map(|number| number == 0.0),
-            Given::Faulty => Some(false),
-            Given::Number(number) => Some(*number == 0.0),
-        };
-        let signature = Signature::new(kind, given.iter().zip(kind.parameters()).map(is_zero), outputs);
+    /// Says which parameter an output needs that is not given.
+    fn check_required(&mut self, reader: &mut Reader, place: usize, signature: Signature) {
         let needs = self.known.entry(signature).or_insert_with(|| Needs::of_outputs(&signature));
         for &(name, origin) in &needs.given {
             if origin == Origin::Parameter(Fallback::Required) && !signature.gives(name) {
                 let why = needs.reasons(name);
-                let allowed = format!("a number, the {}", kind.meaning(name));
+                let allowed = format!("a number, the {}", signature.kind.meaning(name));
                 reader.fault(place, format!("no {name:?}, needed for {why}"), allowed);
             }
         }

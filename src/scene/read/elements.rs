@@ -1,21 +1,30 @@
 //! The elements of a scene file.
 
 use super::checks::Checks;
+use super::columns::{Columns, Reference};
 use super::given::Given;
 use super::keys;
-use super::names::{named, refer, refer_all};
+use super::names::{named_sets, refer, refer_all};
 use super::outputs::Outputs;
 use super::triads::Inherited;
-use crate::isl::IslElement;
+use crate::quantity::Domain;
 use crate::scene::json::{Read, Reader};
 use crate::scene::kind::{Dimension, Kind};
-use crate::scene::model::{Named, SceneElement, SceneLine, SceneNode, Sliding};
+use crate::scene::model::{Members, Named, Parameter, SceneElement, SceneLine, SceneNode};
+use crate::scene::npz::{Array, Unfit};
 
-/// An element as far as it could be read.
+/// What elements may refer to.
+pub(super) struct Known<'k> {
+    pub(super) nodes: &'k Named<Option<SceneNode>>,
+    pub(super) lines: &'k Named<Option<SceneLine>>,
+    pub(super) columns: &'k Columns,
+}
+
+/// An element, or a set of elements, as far as it could be read.
 pub(super) enum Draft {
     Whole(SceneElement),
     /// With a fault: the kind and the nodes that are known all the same.
-    Faulty(Option<&'static Kind>, Vec<u32>),
+    Faulty(Option<&'static Kind>, Vec<Members>),
 }
 
 impl Draft {
@@ -26,7 +35,7 @@ impl Draft {
         }
     }
 
-    pub(super) fn nodes(&self) -> &[u32] {
+    pub(super) fn nodes(&self) -> &[Members] {
         match self {
             Self::Whole(element) => &element.nodes,
             Self::Faulty(_, nodes) => nodes,
@@ -44,26 +53,25 @@ impl Draft {
 pub(super) fn elements_of(
     reader: &mut Reader,
     dimension: Dimension,
-    nodes: &Named<Option<SceneNode>>,
-    lines: &Named<Option<SceneLine>>,
+    known: &Known,
     wanted: &Outputs,
     inherited: &mut Inherited,
 ) -> Read<Named<Draft>> {
     let kinds: Vec<_> = Kind::all().filter(|kind| kind.dimension == dimension).collect();
     let masks: Vec<_> = kinds.iter().map(|kind| wanted.mask(kind)).collect();
     let mut checks = Checks::default();
-    let elements = named(reader, |reader, number| {
+    let elements = named_sets(reader, |reader, _| {
         let place = reader.place();
-        let Some(index) = kind_of(reader, &kinds)? else { return Ok(Draft::Faulty(None, Vec::new())) };
+        let Some(index) = kind_of(reader, &kinds)? else { return Ok((None, Draft::Faulty(None, Vec::new()))) };
         reader.go(place);
-        let parts = Parts::read(reader, kinds[index], nodes, lines)?;
+        let parts = Parts::read(reader, kinds[index], known)?;
         let outputs = parts.outputs.unwrap_or(masks[index]);
-        inherited.check(reader, place, parts.kind, parts.nodes.as_deref().unwrap_or_default(), nodes);
+        inherited.check(reader, place, parts.kind, parts.nodes.as_deref().unwrap_or_default(), known.nodes);
         // An element that slides has no parameters, and is planned with its line.
         if parts.nodes.is_some() && !parts.kind.slides() {
-            checks.run(reader, place, parts.kind, &parts.parameters, outputs);
+            checks.run(reader, place, parts.kind, parts.count.unwrap_or(1), &parts.parameters, outputs);
         }
-        Ok(parts.check(reader, place, number, outputs))
+        Ok((parts.count, parts.check(reader, place, outputs)))
     })?;
     // An element of an unknown kind may have any output.
     if let Some(used) = elements.things().iter().map(Draft::kind).collect::<Option<Vec<_>>>() {
@@ -102,49 +110,61 @@ fn kind_of(reader: &mut Reader, kinds: &[&'static Kind]) -> Read<Option<usize>> 
 struct Parts {
     kind: &'static Kind,
     /// Those that are known, if there are any nodes at all.
-    nodes: Option<Vec<Option<u32>>>,
+    nodes: Option<Vec<Option<Members>>>,
+    /// How many of a set they stand for.
+    count: Option<u32>,
     /// Whether a slide line is named, and which, if it is known.
     names_line: bool,
     line: Option<u32>,
-    /// In the order of [`Kind::parameters`].
-    parameters: Vec<Given>,
+    /// In the order of [`Kind::parameters`]; `None` where one is faulty.
+    parameters: Vec<Option<Parameter>>,
     /// A bit per output, where the element says which.
     outputs: Option<u64>,
 }
 
 impl Parts {
-    fn read(
-        reader: &mut Reader,
-        kind: &'static Kind,
-        nodes: &Named<Option<SceneNode>>,
-        lines: &Named<Option<SceneLine>>,
-    ) -> Read<Self> {
+    fn read(reader: &mut Reader, kind: &'static Kind, known: &Known) -> Read<Self> {
         let names: Vec<_> = kind.parameters().map(|(name, _)| name).collect();
         let own = if kind.slides() { &keys::SLIDING_ELEMENT[..] } else { &keys::ELEMENT };
         let keys: Vec<_> = own.iter().chain(&names).copied().collect();
-        let parameters = vec![Given::Absent; names.len()];
-        let mut parts = Self { kind, nodes: None, names_line: false, line: None, parameters, outputs: None };
+        let parameters = vec![Some(Parameter::Absent); names.len()];
+        let mut parts =
+            Self { kind, nodes: None, count: None, names_line: false, line: None, parameters, outputs: None };
+        let mut arrays = Vec::new();
         reader.record(&keys, |reader, key| {
             match key {
                 0 => reader.skip()?,
-                1 => parts.nodes = Some(nodes_of(reader, kind, nodes)?),
+                1 => parts.nodes = Some(nodes_of(reader, kind, known.nodes)?),
                 2 => parts.outputs = Some(Outputs::of_element(reader, kind)?),
                 3 if kind.slides() => {
                     parts.names_line = true;
-                    parts.line = refer(reader, lines, "slide line")?;
+                    parts.line = refer(reader, known.lines, "slide line")?;
                 }
                 _ => {
                     let index = key - own.len();
-                    parts.parameters[index] = Given::read(reader, kind.domain(names[index]))?;
+                    if let Some(array) = known.columns.refer(reader)? {
+                        arrays.push((index, array));
+                    } else {
+                        let given = Given::read(reader, kind.domain(names[index]))?;
+                        parts.parameters[index] = given.number().map(Parameter::One);
+                    }
                 }
             }
             Ok(())
         })?;
+        let ends: Vec<_> = parts.nodes.iter().flatten().copied().flatten().collect();
+        parts.count = SceneElement::count(&ends);
+        // Of nodes that are not known it is not known how many there are.
+        let is_known = parts.count.is_some() || ends.len() == kind.nodes.len();
+        for (index, array) in arrays {
+            let column = || column_of(reader, known.columns, array, parts.count, kind.domain(names[index]));
+            parts.parameters[index] = is_known.then(column).flatten().map(Parameter::Each);
+        }
         Ok(parts)
     }
 
-    /// The element with this number, if nothing is missing or wrong.
-    fn check(self, reader: &mut Reader, place: usize, number: u32, outputs: u64) -> Draft {
+    /// The element, if nothing is missing or wrong.
+    fn check(self, reader: &mut Reader, place: usize, outputs: u64) -> Draft {
         let Self { kind, nodes, names_line, line, parameters, .. } = self;
         let Some(ends) = nodes else {
             let roles = format!("an array of {} nodes: {}", kind.nodes.len(), kind.nodes.join(", "));
@@ -155,39 +175,62 @@ impl Parts {
             let allowed = "an element with the slide line that it slides on";
             reader.fault(place, "an element without \"slide_line\"", allowed);
         }
-        let nodes: Vec<u32> = ends.iter().copied().flatten().collect();
+        let nodes: Vec<Members> = ends.iter().copied().flatten().collect();
         let all_known = nodes.len() == ends.len() && nodes.len() == kind.nodes.len();
-        if !all_known || parameters.contains(&Given::Faulty) || (kind.slides() && line.is_none()) {
-            return Draft::Faulty(Some(kind), nodes);
+        let parameters = parameters.into_iter().collect::<Option<_>>();
+        match parameters.filter(|_| all_known && (!kind.slides() || line.is_some())) {
+            Some(parameters) => {
+                let nodes = nodes.into_iter().collect();
+                Draft::Whole(SceneElement { kind, nodes, line, parameters, outputs })
+            }
+            None => Draft::Faulty(Some(kind), nodes),
         }
-        let sliding = line.map(|line| sliding(number, &nodes, line));
-        let parameters = parameters.into_iter().map(Given::number).collect();
-        Draft::Whole(SceneElement { kind, nodes: nodes.into(), sliding, parameters, outputs })
     }
 }
 
-/// An element on its line.
-fn sliding(number: u32, nodes: &[u32], line: u32) -> Sliding {
-    let element = match *nodes {
-        [a, b] => IslElement::isl21a(number, [a, b]),
-        [a, b, c] => IslElement::isl22a(number, [a, b, c]),
-        _ => unreachable!("the kinds that slide have two or three nodes"),
+/// A number for each element of a set, from an array.
+fn column_of(
+    reader: &mut Reader,
+    columns: &Columns,
+    array: Reference,
+    count: Option<u32>,
+    domain: Domain,
+) -> Option<Box<[f64]>> {
+    let Some(count) = count else {
+        reader.fault_at(array.mark, "an array for one element", domain.allowed());
+        return None;
     };
-    Sliding { line, element: element.expect("no element that has a node twice gets here") }
+    let load = |mut array: Array| -> Result<Box<[f64]>, Unfit> {
+        array.outline().expect(&[count as usize], "elements")?;
+        let numbers = array.numbers()?;
+        match numbers.iter().position(|&number| !domain.allows(number)) {
+            Some(place) => Err(array.outline().wrong(numbers[place], place, domain.allowed())),
+            None => Ok(numbers.into()),
+        }
+    };
+    columns.load(reader, array, load)
 }
 
-fn nodes_of(reader: &mut Reader, kind: &Kind, nodes: &Named<Option<SceneNode>>) -> Read<Vec<Option<u32>>> {
+fn nodes_of(reader: &mut Reader, kind: &Kind, nodes: &Named<Option<SceneNode>>) -> Read<Vec<Option<Members>>> {
     let place = reader.place();
     let allowed = format!("an array of {} nodes: {}", kind.nodes.len(), kind.nodes.join(", "));
     let Some(mut ends) = refer_all(reader, nodes, &allowed, "node")? else { return Ok(Vec::new()) };
     if ends.len() != kind.nodes.len() {
         reader.fault(place, format!("an array of {}", ends.len()), allowed);
     }
+    let sets: Vec<_> = ends.iter().flatten().filter_map(Members::count).collect();
+    let count = sets.first().copied().unwrap_or(1);
+    if let Some(other) = sets.into_iter().find(|&other| other != count) {
+        let found = format!("sets of {count} and of {other} nodes");
+        reader.fault(place, found, "sets of equally many nodes, and single nodes");
+        return Ok(vec![None; ends.len()]);
+    }
     for index in 1..ends.len() {
-        if let (Some(node), before) = (ends[index], &ends[..index])
-            && before.contains(&Some(node))
-        {
-            reader.fault(place, format!("node {:?} for the second time", nodes.name(node)), "different nodes");
+        let Some(end) = ends[index] else { continue };
+        let is_twice = |place| ends[..index].iter().flatten().any(|before| before.number(place) == end.number(place));
+        if let Some(twice) = (0..count).find(|&place| is_twice(place)) {
+            let node = nodes.name(end.number(twice));
+            reader.fault(place, format!("node {node:?} for the second time"), "different nodes");
             ends[index] = None;
         }
     }

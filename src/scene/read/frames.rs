@@ -3,33 +3,28 @@
 use super::elements::Draft;
 use super::given::Given;
 use super::keys;
-use super::names::look_up;
+use super::names::look_up_all;
 use super::nodes::point;
 use crate::quantity::Domain;
 use crate::scene::json::{Read, Reader};
 use crate::scene::kind::{Dimension, Kind};
-use crate::scene::model::{Changes, Frame, Named, SceneNode};
+use crate::scene::model::{Frame, Members, Named, SceneNode, Unsorted};
+use arrayvec::ArrayVec;
 
-pub(super) fn frames_of(
-    reader: &mut Reader,
-    dimension: Dimension,
-    nodes: &Named<Option<SceneNode>>,
-    elements: &Named<Draft>,
-) -> Read<Vec<Frame>> {
+pub(super) fn frames_of(reader: &mut Reader, mentions: &mut Mentions) -> Read<Vec<Frame>> {
     let place = reader.place();
-    let mut history = History::new(dimension, nodes, elements);
     let (mut frames, mut last, mut any) = (Vec::new(), None, false);
     let is_array = reader.array("an array of frames", |reader, index| {
         any = true;
         let place = reader.place();
-        let frame = history.frame(reader, index, last)?;
+        let frame = mentions.frame(reader, index, last)?;
         match frame.time {
             _ if !frame.is_object => {}
             Given::Absent => reader.fault(place, "a frame without \"time\"", "a frame with its time"),
             Given::Faulty => {}
             Given::Number(time) => {
                 last = Some(time);
-                frames.push(Frame { time, ..frame.changes }.sorted());
+                frames.push(frame.changes.sorted(time));
             }
         }
         Ok(())
@@ -44,56 +39,76 @@ pub(super) fn frames_of(
 struct ReadFrame {
     is_object: bool,
     time: Given,
-    changes: Frame,
+    changes: ReadChanges,
+}
+
+/// What a frame changes, as it was read.
+#[derive(Default)]
+struct ReadChanges {
+    moves: Unsorted<[f64; 3]>,
+    turns: Unsorted<[f64; 3]>,
+    loads: Vec<Unsorted<f64>>,
+    pressures: Unsorted<f64>,
+}
+
+impl ReadChanges {
+    fn sorted(self, time: f64) -> Frame {
+        let Self { moves, turns, loads, pressures } = self;
+        let loads = loads.into_iter().map(Unsorted::sorted).collect();
+        Frame { time, moves: moves.sorted(), turns: turns.sorted(), loads, pressures: pressures.sorted() }
+    }
 }
 
 /// What frames may mention.
-struct History<'k> {
-    dimension: Dimension,
-    moved: Mentioned<'k, Option<SceneNode>>,
-    pressed: Mentioned<'k, Option<SceneNode>>,
-    loaded: Mentioned<'k, Draft>,
+pub(super) struct Mentions<'k> {
+    pub(super) dimension: Dimension,
+    pub(super) moved: Mentioned<'k, Option<SceneNode>>,
+    pub(super) pressed: Mentioned<'k, Option<SceneNode>>,
+    pub(super) loaded: Mentioned<'k, Draft>,
     /// Whether each node may be one of an element, where elements slide; any may be of an element whose nodes are not known.
-    slides: Vec<bool>,
+    pub(super) slides: Vec<bool>,
 }
 
-impl<'k> History<'k> {
-    fn new(dimension: Dimension, nodes: &'k Named<Option<SceneNode>>, elements: &'k Named<Draft>) -> Self {
+impl<'k> Mentions<'k> {
+    pub(super) fn new(dimension: Dimension, nodes: &'k Named<Option<SceneNode>>, elements: &'k Named<Draft>) -> Self {
         let is_open =
             |draft: &Draft| draft.kind().is_none_or(|kind| kind.slides() && draft.nodes().len() < kind.nodes.len());
         let mut slides = vec![elements.things().iter().any(is_open); nodes.len()];
         let sliding = |draft: &&Draft| draft.kind().is_some_and(Kind::slides);
         let of_elements = elements.things().iter().filter(sliding).flat_map(Draft::nodes);
-        of_elements.for_each(|&node| slides[node as usize] = true);
+        of_elements.for_each(|nodes| nodes.numbers().for_each(|node| slides[node as usize] = true));
         let [moved, pressed] = [Mentioned::none(nodes, "node"), Mentioned::none(nodes, "node")];
         Self { dimension, moved, pressed, loaded: Mentioned::none(elements, "element"), slides }
     }
 
+    /// Whether elements slide, in frames with other keys.
+    pub(super) fn sliding(&self) -> bool {
+        self.dimension == Dimension::Axisymmetric
+    }
+
     /// Reads a frame; `last` is the time of the one before it.
     fn frame(&mut self, reader: &mut Reader, index: usize, last: Option<f64>) -> Read<ReadFrame> {
+        let sliding = self.sliding();
         let Self { dimension, moved, pressed, loaded, slides } = self;
-        let sliding = *dimension == Dimension::Axisymmetric;
         let keys = if sliding { &keys::SLIDING_FRAME } else { &keys::FRAME };
-        let (mut time, mut frame) = (Given::Absent, Frame::default());
+        let (mut time, mut frame) = (Given::Absent, ReadChanges::default());
         let is_object = reader.record(keys, |reader, key| match key {
             0 => {
                 time = time_of(reader, last)?;
                 Ok(())
             }
-            1 => moved.each(reader, index, |reader, node, _| motion_of(reader, *dimension, node, &mut frame)),
-            _ if sliding => pressed.each(reader, index, |reader, node, place| {
-                if !slides[node as usize] {
-                    reader.fault(place, "a node of no element", "a node that slides on a line");
-                }
+            1 => moved.each(reader, index, |reader, nodes, _| motion_of(reader, *dimension, nodes, &mut frame)),
+            _ if sliding => pressed.each(reader, index, |reader, nodes, place| {
+                check_sliding(reader, place, slides, nodes);
                 if let Some(pressure) = reader.number(Domain::NonNegative)? {
-                    frame.pressures.push(node, pressure);
+                    frame.pressures.push_all(nodes, pressure);
                 }
                 Ok(())
             }),
             _ => {
                 let elements = loaded.known;
-                loaded.each(reader, index, |reader, element, _| match elements[element].kind() {
-                    Some(kind) => loads_of(reader, kind, element, &mut frame),
+                loaded.each(reader, index, |reader, of, _| match elements[of.number(0)].kind() {
+                    Some(kind) => loads_of(reader, kind, of, &mut frame),
                     None => reader.skip(),
                 })
             }
@@ -113,9 +128,16 @@ fn time_of(reader: &mut Reader, last: Option<f64>) -> Read<Given> {
     Ok(time)
 }
 
+/// Says if one of these nodes slides on no line.
+pub(super) fn check_sliding(reader: &mut Reader, place: usize, slides: &[bool], nodes: Members) {
+    if nodes.numbers().any(|node| !slides[node as usize]) {
+        reader.fault(place, "a node of no element", "a node that slides on a line");
+    }
+}
+
 /// What frames mention by name, each once a frame.
-struct Mentioned<'k, T> {
-    known: &'k Named<T>,
+pub(super) struct Mentioned<'k, T> {
+    pub(super) known: &'k Named<T>,
     what: &'static str,
     /// The last frame that mentioned each, if one did.
     last: Vec<Option<usize>>,
@@ -127,49 +149,68 @@ impl<'k, T> Mentioned<'k, T> {
     }
 
     /// The members of an object whose keys are names of these; `read` is told which, and where its key stands.
-    fn each(
+    pub(super) fn each(
         &mut self,
         reader: &mut Reader,
         frame: usize,
-        mut read: impl FnMut(&mut Reader, u32, usize) -> Read<()>,
+        mut read: impl FnMut(&mut Reader, Members, usize) -> Read<()>,
     ) -> Read<()> {
         let Self { known, what, last } = self;
-        reader.object(&format!("an object of {what}s"), |reader, name, place| {
-            let Some(index) = look_up(reader, known, place, name, what) else { return reader.skip() };
-            if last[index as usize].replace(frame) == Some(frame) {
+        let mut next = 0;
+        reader.object(format_args!("an object of {what}s"), |reader, name, place| {
+            let found = known.members_near(&mut next, name);
+            let found = found.or_else(|| look_up_all(reader, known, place, name, what));
+            let Some(members) = found else { return reader.skip() };
+            let mut is_twice = false;
+            for number in members.numbers() {
+                is_twice |= last[number as usize].replace(frame) == Some(frame);
+            }
+            if is_twice {
                 reader.fault(place, format!("{name:?} for the second time"), "each name once");
             }
-            read(reader, index, place)
+            read(reader, members, place)
         })?;
         Ok(())
     }
 }
 
-fn motion_of(reader: &mut Reader, dimension: Dimension, node: u32, frame: &mut Frame) -> Read<()> {
-    let keys = if dimension == Dimension::Axisymmetric { &keys::MOTION[..1] } else { &keys::MOTION };
-    reader.record(keys, |reader, key| {
+/// How nodes may move: in a slide line's plane they do not turn.
+pub(super) fn motions(dimension: Dimension) -> &'static [&'static str] {
+    if dimension == Dimension::Axisymmetric { &keys::MOTION[..1] } else { &keys::MOTION }
+}
+
+fn motion_of(reader: &mut Reader, dimension: Dimension, nodes: Members, frame: &mut ReadChanges) -> Read<()> {
+    reader.record(motions(dimension), |reader, key| {
         let (motions, by) = match key {
             0 => (&mut frame.moves, point(reader, dimension)?),
             _ if dimension == Dimension::Space => (&mut frame.turns, reader.vector()?),
-            _ => (&mut frame.turns, reader.number(Domain::Angle)?.map(|angle| [0.0, 0.0, angle])),
+            _ => (&mut frame.turns, reader.number(Domain::Angle)?.map(in_plane)),
         };
         if let Some(by) = by {
-            motions.push(node, by);
+            motions.push_all(nodes, by);
         }
         Ok(())
     })?;
     Ok(())
 }
 
-fn loads_of(reader: &mut Reader, kind: &Kind, element: u32, frame: &mut Frame) -> Read<()> {
-    let names: Vec<_> = kind.loads().collect();
+/// The rotation vector of an angle.
+pub(super) fn in_plane(angle: f64) -> [f64; 3] {
+    [0.0, 0.0, angle]
+}
+
+/// Loads that a kind can have: forces and moments.
+const MOST_LOADS: usize = 6;
+
+fn loads_of(reader: &mut Reader, kind: &Kind, elements: Members, frame: &mut ReadChanges) -> Read<()> {
+    let names: ArrayVec<_, MOST_LOADS> = kind.loads().collect();
     reader.record(&names, |reader, key| {
         let value = reader.number(kind.domain(names[key]))?;
         if frame.loads.len() <= key {
-            frame.loads.resize_with(key + 1, Changes::default);
+            frame.loads.resize_with(key + 1, Unsorted::default);
         }
         if let Some(value) = value {
-            frame.loads[key].push(element, value);
+            frame.loads[key].push_all(elements, value);
         }
         Ok(())
     })?;

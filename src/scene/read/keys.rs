@@ -4,8 +4,8 @@ use crate::quantity::{CLEARANCE, DAMPING_FRACTION, Domain, MU, MU0, PRESSURE_AT_
 use crate::slide_line::Interpolation;
 
 /// The keys of a scene.
-pub(in crate::scene) const SCENE: [&str; 8] =
-    ["title", "dimension", "orientations", "nodes", "slide_lines", "elements", "frames", "outputs"];
+pub(in crate::scene) const SCENE: [&str; 9] =
+    ["title", "dimension", "columns", "orientations", "nodes", "slide_lines", "elements", "frames", "outputs"];
 pub(in crate::scene) const NODE: [&str; 2] = ["at", "orientation"];
 /// Of an orientation in space, of which one stands.
 pub(in crate::scene) const SPACE_ORIENTATION: [&str; 3] = ["axes", "rotation", "quaternion"];

@@ -1,9 +1,11 @@
 //! From the text of a scene file to a checked [`Scene`].
 
 mod checks;
+mod columns;
 mod elements;
 mod frames;
 mod given;
+mod history;
 pub(super) mod keys;
 mod names;
 mod nodes;
@@ -14,22 +16,37 @@ mod triads;
 use super::json::{Faults, Read, Reader};
 use super::kind::Dimension;
 use super::model::{Frame, Scene};
-use elements::{Draft, elements_of};
-use frames::frames_of;
-use nodes::{nodes_of, orientations_of};
+use columns::Columns;
+use elements::{Draft, Known, elements_of};
+use frames::{Mentions, frames_of};
+use history::history_of;
+use nodes::{Nodes, nodes_of, orientations_of};
 use outputs::Outputs;
 use slide_lines::slide_lines_of;
+use std::path::Path;
 use triads::Inherited;
 
 impl Scene {
-    /// Reads a scene file and checks it.
+    /// Reads the text of a scene and checks it.
     ///
     /// # Errors
     /// Everything that is wrong with it, each with its JSON path, line, column, what was found and what is allowed.
     /// Text that is not JSON is the last fault that is found.
     pub fn parse(text: &str) -> Result<Self, Faults> {
+        Self::read(text, None)
+    }
+
+    /// The same for a text that stands in a file in this folder, beside the file of columns that it may name.
+    ///
+    /// # Errors
+    /// As [`Scene::parse`], and everything that is wrong with the columns: the file, the array, and which index.
+    pub fn parse_in(folder: &Path, text: &str) -> Result<Self, Faults> {
+        Self::read(text, Some(folder))
+    }
+
+    fn read(text: &str, folder: Option<&Path>) -> Result<Self, Faults> {
         let mut reader = Reader::new(text);
-        let scene = scene(&mut reader);
+        let scene = scene(&mut reader, folder);
         match scene {
             Ok(Some(scene)) if reader.faults.none() => Ok(scene),
             _ => Err(reader.faults),
@@ -38,7 +55,7 @@ impl Scene {
 }
 
 /// First where each part stands, then the parts in the order in which they refer to each other. `None` after a fault.
-fn scene(reader: &mut Reader) -> Read<Option<Scene>> {
+fn scene(reader: &mut Reader, folder: Option<&Path>) -> Read<Option<Scene>> {
     let start = reader.place();
     let mut parts = [None; keys::SCENE.len()];
     let is_object = reader.record(&keys::SCENE, |reader, key| {
@@ -54,34 +71,50 @@ fn scene(reader: &mut Reader) -> Read<Option<Scene>> {
             reader.fault(start, format!("no {key:?}"), "a scene with dimension, nodes and elements");
         }
     }
-    let [title, dimension, orientations, nodes, lines, elements, frames, outputs] = parts;
+    let [title, dimension, columns, orientations, nodes, lines, elements, frames, outputs] = parts;
     let title = part(reader, "title", title, |reader| reader.string("a string"))?.flatten().unwrap_or_default();
     let dimension = part(reader, "dimension", dimension, dimension_of)?.flatten();
     let Some(dimension) = dimension else { return Ok(None) };
+    let columns = part(reader, "columns", columns, |reader| Columns::read(reader, folder))?.unwrap_or_default();
     let turns = part(reader, "orientations", orientations, |reader| orientations_of(reader, dimension))?;
     let turns = turns.unwrap_or_default();
     // Without these, everything that refers to them would be another fault.
     let (Some(_), Some(_)) = (nodes, elements) else { return Ok(None) };
-    let nodes = part(reader, "nodes", nodes, |reader| nodes_of(reader, dimension, &turns))?.unwrap_or_default();
+    let nodes = part(reader, "nodes", nodes, |reader| nodes_of(reader, dimension, &turns, &columns))?;
+    let Some(Nodes { named: nodes, at }) = nodes else { return Ok(None) };
     let lines = lines.filter(|&place| belongs(reader, place, dimension));
     let lines = part(reader, "slide_lines", lines, |reader| slide_lines_of(reader, &nodes))?.unwrap_or_default();
     let outputs = part(reader, "outputs", outputs, |reader| Outputs::read(reader, dimension))?.unwrap_or_default();
     let mut inherited = Inherited::default();
     let elements = part(reader, "elements", elements, |reader| {
-        elements_of(reader, dimension, &nodes, &lines, &outputs, &mut inherited)
+        elements_of(
+            reader,
+            dimension,
+            &Known { nodes: &nodes, lines: &lines, columns: &columns },
+            &outputs,
+            &mut inherited,
+        )
     })?;
     let elements = elements.unwrap_or_default();
-    let frames = part(reader, "frames", frames, |reader| frames_of(reader, dimension, &nodes, &elements))?;
+    let frames = part(reader, "frames", frames, |reader| {
+        let mut mentions = Mentions::new(dimension, &nodes, &elements);
+        if columns.are_there() && reader.begins_with(b'{') {
+            history_of(reader, &mut mentions, &columns)
+        } else {
+            frames_of(reader, &mut mentions)
+        }
+    })?;
     let frames = frames.unwrap_or_else(|| vec![Frame::default()]);
     let whole = || {
         Some(Scene {
-            title,
+            title: title.into(),
             dimension,
             orientations: turns.each(|orientation| orientation)?,
             nodes: {
-                let mut numbers = 0..;
-                nodes.each(|node| Some(inherited.give(numbers.next()?, node?)))?
+                let mut places = 0..;
+                nodes.each(|node| Some(inherited.give(places.next()?, node?)))?
             },
+            at,
             lines: lines.each(|line| line)?,
             elements: elements.each(Draft::whole)?,
             frames,
@@ -103,7 +136,7 @@ fn belongs(reader: &mut Reader, lines: usize, dimension: Dimension) -> bool {
 /// A part of the scene, if there is one.
 fn part<'t, T>(
     reader: &mut Reader<'t>,
-    key: &str,
+    key: &'static str,
     place: Option<usize>,
     read: impl FnOnce(&mut Reader<'t>) -> Read<T>,
 ) -> Read<Option<T>> {

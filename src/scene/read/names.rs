@@ -1,7 +1,7 @@
 //! Names of the author's choice, and references to them.
 
 use crate::scene::json::{Read, Reader, Stop};
-use crate::scene::model::Named;
+use crate::scene::model::{Members, Named};
 
 /// The members of an object whose keys are names, each once; `item` is told its number. An entry with a fault may have a
 /// name all the same, to which others may refer without another fault; where there are no names at all, nothing that could
@@ -10,15 +10,23 @@ pub(super) fn named<'t, T>(
     reader: &mut Reader<'t>,
     mut item: impl FnMut(&mut Reader<'t>, u32) -> Read<T>,
 ) -> Read<Named<T>> {
+    named_sets(reader, |reader, number| Ok((None, item(reader, number)?)))
+}
+
+/// The same where an entry may be a set of so many.
+pub(super) fn named_sets<'t, T>(
+    reader: &mut Reader<'t>,
+    mut item: impl FnMut(&mut Reader<'t>, u32) -> Read<(Option<u32>, T)>,
+) -> Read<Named<T>> {
     let mut all = Named::default();
     let is_object = reader.object("an object of named entries", |reader, name, place| {
         if name.is_empty() {
             reader.fault(place, "an empty name", "a name");
         }
-        let value = item(reader, all.next_number())?;
-        if all.number_of(name).is_some() {
+        let (count, value) = item(reader, all.next_number())?;
+        if all.knows(name) {
             reader.fault(place, format!("{name:?} for the second time"), "each name once");
-        } else if all.push(name, value).is_err() {
+        } else if all.push(name, count, value).is_err() {
             reader.fault(place, format!("{} entries and one more", all.len()), "no more than can be numbered");
         }
         Ok(())
@@ -26,16 +34,18 @@ pub(super) fn named<'t, T>(
     if is_object { Ok(all) } else { Err(Stop) }
 }
 
-/// An array of names that must be known: the number of each that is.
+/// An array of names that must be known: the members that each names that is.
 pub(super) fn refer_all<T>(
     reader: &mut Reader,
     known: &Named<T>,
     allowed: &str,
     what: &str,
-) -> Read<Option<Vec<Option<u32>>>> {
+) -> Read<Option<Vec<Option<Members>>>> {
     let mut found = Vec::new();
     let is_array = reader.array(allowed, |reader, _| {
-        found.push(refer(reader, known, what)?);
+        let place = reader.place();
+        let name = reader.string(format_args!("the name of a {what}"))?;
+        found.push(name.and_then(|name| look_up_all(reader, known, place, &name, what)));
         Ok(())
     })?;
     Ok(is_array.then_some(found))
@@ -44,19 +54,35 @@ pub(super) fn refer_all<T>(
 /// A name that must be known: its number if it is.
 pub(super) fn refer<T>(reader: &mut Reader, known: &Named<T>, what: &str) -> Read<Option<u32>> {
     let place = reader.place();
-    let name = reader.string(&format!("the name of a {what}"))?;
+    let name = reader.string(format_args!("the name of a {what}"))?;
     Ok(name.and_then(|name| look_up(reader, known, place, &name, what)))
 }
 
 /// Names that an error lists.
 const SHOWN: usize = 8;
 
-/// The number of a name that must be known.
+/// The number of a name that must be known, of what is no set.
 pub(super) fn look_up<T>(reader: &mut Reader, known: &Named<T>, place: usize, name: &str, what: &str) -> Option<u32> {
-    let number = known.number_of(name);
-    if number.is_none() {
+    let members = look_up_all(reader, known, place, name, what)?;
+    if members.count().is_some() {
+        reader.fault(place, format!("{name:?}, a set"), format!("the name of one {what}"));
+        return None;
+    }
+    Some(members.number(0))
+}
+
+/// The members that a name stands for, which must be known.
+pub(super) fn look_up_all<T>(
+    reader: &mut Reader,
+    known: &Named<T>,
+    place: usize,
+    name: &str,
+    what: &str,
+) -> Option<Members> {
+    let members = known.members(name);
+    if members.is_none() {
         let mut names: Vec<_> = known.names().take(SHOWN).map(|name| format!("{name:?}")).collect();
-        if known.len() > SHOWN {
+        if known.things().len() > SHOWN {
             names.push("…".into());
         }
         let allowed = if names.is_empty() {
@@ -66,5 +92,5 @@ pub(super) fn look_up<T>(reader: &mut Reader, known: &Named<T>, place: usize, na
         };
         reader.fault(place, format!("no {what} {name:?}"), allowed);
     }
-    number
+    members
 }

@@ -1,11 +1,13 @@
 //! Nodes, and how they stand: triads by two axes, as a rotation vector, as a quaternion, or by an angle in the plane.
 
+use super::columns::Columns;
 use super::keys;
-use super::names::{named, refer};
+use super::names::{named, named_sets, refer};
 use crate::quantity::Domain;
-use crate::scene::json::{Read, Reader};
+use crate::scene::json::{Read, Reader, Stop};
 use crate::scene::kind::Dimension;
 use crate::scene::model::{Named, Orientation, SceneNode};
+use crate::scene::npz::{Array, Unfit};
 
 /// How parallel two axes may be: the least sine of the angle between them.
 const PARALLEL: f64 = 1e-6;
@@ -18,18 +20,26 @@ pub(super) fn point(reader: &mut Reader, dimension: Dimension) -> Read<Option<[f
     Ok(reader.vector()?.map(|[x, y]: [f64; 2]| [x, y, 0.0]))
 }
 
+/// Nodes and sets of nodes, and where each node is, by its number.
+pub(super) struct Nodes {
+    pub(super) named: Named<Option<SceneNode>>,
+    pub(super) at: Vec<[f64; 3]>,
+}
+
 pub(super) fn nodes_of(
     reader: &mut Reader,
     dimension: Dimension,
     orientations: &Named<Option<Orientation>>,
-) -> Read<Named<Option<SceneNode>>> {
-    named(reader, |reader, _| {
+    columns: &Columns,
+) -> Read<Nodes> {
+    let mut all = Vec::new();
+    let named = named_sets(reader, |reader, _| {
         let place = reader.place();
         let (mut given, mut at, mut orientation, mut sound) = (false, None, None, true);
         let is_object = reader.record(&keys::NODE, |reader, key| {
             if key == 0 {
                 given = true;
-                at = point(reader, dimension)?;
+                at = positions(reader, dimension, columns)?;
             } else {
                 orientation = refer(reader, orientations, "orientation")?;
                 // One that is not known is not also a missing one.
@@ -40,8 +50,55 @@ pub(super) fn nodes_of(
         if is_object && !given {
             reader.fault(place, "a node without \"at\"", "a node with its coordinates");
         }
-        Ok(at.filter(|_| sound).map(|at| SceneNode { at, orientation }))
-    })
+        let node = at.as_ref().filter(|_| sound).map(|_| SceneNode { orientation });
+        let count = match at {
+            Some(At::One(at)) => {
+                all.push(at);
+                None
+            }
+            Some(At::Each(mut each)) => {
+                let count = u32::try_from(each.len()).unwrap_or(u32::MAX);
+                all.append(&mut each);
+                Some(count)
+            }
+            None => {
+                // It has a number all the same, to which others may refer.
+                all.push([0.0; 3]);
+                None
+            }
+        };
+        Ok((count, node))
+    })?;
+    Ok(Nodes { named, at: all })
+}
+
+/// Where a node is, or each of a set.
+enum At {
+    One([f64; 3]),
+    Each(Vec<[f64; 3]>),
+}
+
+/// Coordinates, or an array of the coordinates of a set of nodes.
+fn positions(reader: &mut Reader, dimension: Dimension, columns: &Columns) -> Read<Option<At>> {
+    let Some(array) = columns.refer(reader)? else { return Ok(point(reader, dimension)?.map(At::One)) };
+    let coordinates = dimension.coordinates();
+    let load = |mut array: Array| -> Result<At, Unfit> {
+        match *array.outline().shape() {
+            [count, components] if count > 0 && components == coordinates => {}
+            _ => {
+                return Err(array
+                    .outline()
+                    .misshapen(format!("(n, {coordinates}): nodes, at least one, and coordinates")));
+            }
+        }
+        let numbers = array.numbers()?;
+        if coordinates == 3 {
+            return Ok(At::Each(numbers.as_chunks().0.to_vec()));
+        }
+        Ok(At::Each(numbers.as_chunks().0.iter().map(|&[x, y]| [x, y, 0.0]).collect()))
+    };
+    // Without it, it is not known how many there are, and everything that refers to them would be another fault.
+    columns.load(reader, array, load).map(Some).ok_or(Stop)
 }
 
 pub(super) fn orientations_of(reader: &mut Reader, dimension: Dimension) -> Read<Named<Option<Orientation>>> {

@@ -27,12 +27,12 @@ impl Outputs {
         reader.array("an array of output names", |reader, _| {
             let place = reader.place();
             let Some(name) = reader.string("the name of an output")? else { return Ok(()) };
-            if !known.contains(&name.as_str()) {
+            if !known.contains(&&*name) {
                 reader.fault(place, format!("no output {name:?}"), format!("one of {}", known.join(", ")));
             } else if all.iter().any(|(other, _)| *other == name) {
                 reader.fault(place, format!("{name:?} for the second time"), "each output once");
             } else {
-                all.push((name, place));
+                all.push((name.into(), place));
             }
             Ok(())
         })?;

@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::isl::{Interaction, Surface};
 use crate::quantity::{Domain, FRACTION};
 use crate::scene::json::{Read, Reader};
-use crate::scene::model::{Named, SceneLine, SceneNode};
+use crate::scene::model::{Members, Named, SceneLine, SceneNode};
 use crate::slide_line::{Interpolation, SlideLine};
 use std::ops::RangeInclusive;
 
@@ -23,7 +23,7 @@ fn slide_line(reader: &mut Reader, nodes: &Named<Option<SceneNode>>) -> Read<Opt
     let is_object = reader.record(&keys::SLIDE_LINE, |reader, key| {
         match key {
             0 => interpolation = Some(type_of(reader)?),
-            1 => ends.push(refer_all(reader, nodes, "an array of nodes, in sequence", "node")?),
+            1 => ends.push(refer_all(reader, nodes, "an array of nodes, in sequence", "node")?.map(in_sequence)),
             2 => ends.push(generated(reader, nodes)?),
             3 => smoothing = reader.number(FRACTION.domain)?,
             4 => interaction = pressure_of(reader)?,
@@ -52,6 +52,12 @@ fn slide_line(reader: &mut Reader, nodes: &Named<Option<SceneNode>>) -> Read<Opt
             Ok(None)
         }
     }
+}
+
+/// The nodes one by one; those of a set in their order.
+fn in_sequence(nodes: Vec<Option<Members>>) -> Vec<Option<u32>> {
+    let each = |members: Members| members.numbers().map(Some);
+    nodes.into_iter().flat_map(|nodes| nodes.map_or_else(|| vec![None], |members| each(members).collect())).collect()
 }
 
 /// A whole number of a range.

@@ -2,13 +2,14 @@
 
 use crate::scene::json::Reader;
 use crate::scene::kind::{Kind, Origin};
-use crate::scene::model::{Named, SceneNode};
+use crate::scene::model::{Members, Named, SceneNode};
 use std::collections::HashMap;
 
-/// Orientations that nodes without one have from the first node of their connector.
+/// Orientations that nodes without one have from the first node of their connector, by the place of a node or a set of
+/// nodes in the scene.
 #[derive(Default)]
 pub(super) struct Inherited {
-    of: HashMap<u32, u32>,
+    of: HashMap<usize, u32>,
 }
 
 impl Inherited {
@@ -19,10 +20,13 @@ impl Inherited {
         reader: &mut Reader,
         place: usize,
         kind: &Kind,
-        ends: &[Option<u32>],
+        ends: &[Option<Members>],
         nodes: &Named<Option<SceneNode>>,
     ) {
-        let [Some(a), second, ..] = *ends else { return };
+        let [Some(a), second, ..] = ends.iter().map(|end| end.map(|members| members.number(0))).collect::<Vec<_>>()[..]
+        else {
+            return;
+        };
         let Some(first) = nodes[a].filter(|_| kind.reads_triad(0)) else { return };
         let Some(orientation) = first.orientation else {
             let found = format!("node a, {:?}, without an orientation", nodes.name(a));
@@ -33,7 +37,7 @@ impl Inherited {
         if nodes[b].is_none_or(|node| node.orientation.is_some()) {
             return;
         }
-        if *self.of.entry(b).or_insert(orientation) != orientation {
+        if *self.of.entry(nodes.locate(b).0).or_insert(orientation) != orientation {
             let found = format!(
                 "node b, {:?}, without an orientation, and two connectors that differ in theirs",
                 nodes.name(b)
@@ -43,8 +47,8 @@ impl Inherited {
     }
 
     /// Gives them to the nodes.
-    pub(super) fn give(&self, number: u32, node: SceneNode) -> SceneNode {
-        SceneNode { orientation: node.orientation.or_else(|| self.of.get(&number).copied()), ..node }
+    pub(super) fn give(&self, place: usize, node: SceneNode) -> SceneNode {
+        SceneNode { orientation: node.orientation.or_else(|| self.of.get(&place).copied()) }
     }
 }
 

@@ -149,21 +149,38 @@ impl<'s, T: Number> ContactRun<'s, T> {
         &self.tally
     }
 
-    /// Results of the current state: those of the elements in the order of the file, then the torque of the line.
-    pub(super) fn for_each_result(&self, limit: usize, visit: &mut impl FnMut(&'s str, &'static str, &[T])) {
+    /// Results of the current state: those of the elements, by their numbers, in the order of the file, then the torque of
+    /// the line, which has no number.
+    pub(super) fn for_each_result(&self, limit: usize, visit: &mut impl FnMut(Option<u32>, &'static str, &[T])) {
         for (k, element) in self.plan.elements.iter().enumerate().take(limit) {
             for &output in &element.outputs {
-                visit(element.name, output.name(), &self.components(k, element, output));
+                visit(Some(element.element.number()), output.name(), &self.components(k, element, output));
             }
         }
         if self.plan.torque() {
             let total = self.shows_torque.then_some(self.total);
-            visit(self.plan.name, Output::Torque.name(), total.as_slice());
+            visit(None, Output::Torque.name(), total.as_slice());
         }
     }
 
+    /// The outputs of the elements by their numbers, and how many components each has, in the order of the results.
+    pub(super) fn outputs(&self) -> impl Iterator<Item = (Option<u32>, &'static str, usize)> {
+        let of_element = |element: &'s WantedElement| {
+            let slaves = element.slaves.len();
+            element.outputs.iter().map(move |output| {
+                (
+                    Some(element.element.number()),
+                    output.name(),
+                    output.components() * if output.is_of_nodes() { slaves } else { 1 },
+                )
+            })
+        };
+        let torque = self.plan.torque().then_some((None, Output::Torque.name(), 1));
+        self.plan.elements.iter().flat_map(of_element).chain(torque)
+    }
+
     /// The components of an output of an element, which has this place among those of the plan.
-    fn components(&self, place: usize, element: &WantedElement<'_>, output: Output) -> ArrayVec<T, 6> {
+    fn components(&self, place: usize, element: &WantedElement, output: Output) -> ArrayVec<T, 6> {
         let slaves = element.slaves.iter().map(|&slave| &self.slaves[slave]);
         match output {
             Output::E11 => slaves.map(|slave| slave.state.e11).collect(),

@@ -7,7 +7,9 @@ use crate::scene::evaluate::{Column, Failure, LANES, Lanes, Number, Span};
 use crate::scene::kind::Origin;
 use crate::scene::model::{Changes, Frame, Scene};
 use crate::scene::plan::{Group, Parameter, Pass};
+use arrayvec::ArrayVec;
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// What the elements of a group keep from state to state, their results among it.
 #[derive(Debug)]
@@ -32,17 +34,21 @@ impl<T: Number> GroupState<T> {
         let mut lasting = zeros(group.elements.len().div_ceil(LANES) * recipe.lasting);
         let mut ends = Vec::new();
         for (block, lasting) in group.elements.chunks(LANES).zip(lasting.chunks_exact_mut(recipe.lasting)) {
-            for (lane, &element) in block.iter().enumerate() {
-                let given = &scene.elements[element].parameters;
+            let located = block.iter().map(|&element| scene.elements.locate(element));
+            let given: ArrayVec<_, LANES> =
+                located.map(|(thing, member)| (&scene.elements.things()[thing], member)).collect();
+            for (lane, &(element, member)) in given.iter().enumerate() {
                 for &Parameter { index, fallback, register } in &recipe.parameters {
-                    let number = given[index].or(fallback).expect("elements of a group have the same numbers given");
+                    let number = element.parameters[index].of(member).or(fallback);
+                    let number = number.expect("elements of a group have the same numbers given");
                     lasting[register][lane] = T::exactly(number);
                 }
             }
             ends.extend((0..group.kind.nodes.len()).map(|node| {
-                let place = |&element: &u32| nodes.place(scene.elements[element].nodes[node]);
                 let mut places = [0; LANES];
-                places.iter_mut().zip(block).for_each(|(end, element)| *end = place(element));
+                for (place, &(element, member)) in places.iter_mut().zip(&given) {
+                    *place = nodes.place(element.nodes[node].number(member));
+                }
                 End { places, triad: nodes.common_triad(&places[..block.len()]) }
             }));
         }
@@ -80,6 +86,22 @@ impl<T: Number> GroupState<T> {
     pub(super) fn output(&self, group: &Group, element: usize, span: Span) -> impl Iterator<Item = T> {
         let block = &self.lasting[element / LANES * group.recipe.lasting..];
         block[span.range()].iter().map(move |column| column[element % LANES])
+    }
+
+    /// Copies the components of an output of these elements, next to each other for each element.
+    pub(super) fn copy(&self, group: &Group, elements: Range<usize>, span: Span, to: &mut [f64]) {
+        let mut rest = to;
+        let mut element = elements.start;
+        while element < elements.end {
+            let lanes = element % LANES..LANES.min(element % LANES + elements.end - element);
+            let block = &self.lasting[element / LANES * group.recipe.lasting..][span.range()];
+            let (here, later) = rest.split_at_mut(lanes.len() * span.len);
+            for (component, column) in block.iter().enumerate() {
+                let numbers = here[component..].iter_mut().step_by(span.len);
+                numbers.zip(&column[lanes.clone()]).for_each(|(number, value)| *number = value.rounded());
+            }
+            (rest, element) = (later, element + lanes.len());
+        }
     }
 
     /// Bytes that last from state to state.

@@ -6,12 +6,14 @@
 
 mod blocks;
 mod contact;
+mod gather;
 mod group;
 mod nodes;
 mod prefetch;
 mod problem;
 mod share;
 
+pub(super) use gather::{Gather, array_name};
 pub use problem::{Culprit, Problem, Problems};
 
 use super::evaluate::{Failure, Number};
@@ -84,7 +86,7 @@ impl<'s, T: Number> Run<'s, T> {
         for (group, state) in self.plan.groups.iter().zip(&mut self.groups) {
             let failures = state.evaluate(&Inputs { group, nodes: &self.nodes, frame });
             problems.extend(failures.into_iter().take(LISTED).map(|Failure { element, formula, error }| {
-                let culprit = Culprit::Element(self.scene.elements.name(group.elements[element]).into());
+                let culprit = Culprit::Element(self.scene.elements.name(group.elements[element]).to_string());
                 let message = error.to_string();
                 Problem { culprit, state: frame.map(|_| self.states), formula, error, message }
             }));
@@ -113,16 +115,27 @@ impl<'s, T: Number> Run<'s, T> {
 
     /// Results of the current state: for the first elements in the order of the file, output by output, the components;
     /// then for every slide line of which it is wanted the torque.
-    pub fn for_each_result(&self, elements: usize, mut visit: impl FnMut(&'s str, &'static str, &[T])) {
+    pub fn for_each_result(&self, elements: usize, mut visit: impl FnMut(&str, &'static str, &[T])) {
+        let names = &self.scene.elements;
+        let mut name = String::new();
         for contact in &self.contacts {
-            contact.for_each_result(elements, &mut visit);
+            contact.for_each_result(elements, &mut |element, output, components| {
+                name.clear();
+                match element {
+                    Some(number) => names.name(number).push_to(&mut name),
+                    None => name.push_str(contact.name()),
+                }
+                visit(&name, output, components);
+            });
         }
-        let places = self.scene.elements.names().zip(&self.places).take(elements);
-        for (name, [group, place]) in places.filter_map(|(name, place)| Some((name, place.as_ref()?))) {
+        let places = (0..).zip(&self.places).take(elements);
+        for (number, [group, place]) in places.filter_map(|(number, place)| Some((number, place.as_ref()?))) {
             let (group, state) = (&self.plan.groups[*group as usize], &self.groups[*group as usize]);
+            name.clear();
+            names.name(number).push_to(&mut name);
             for &(output, span) in &group.recipe.outputs {
                 let components: ArrayVec<T, 3> = state.output(group, *place as usize, span).collect();
-                visit(name, output, &components);
+                visit(&name, output, &components);
             }
         }
     }
@@ -154,9 +167,9 @@ fn slipped(scene: &Scene, state: usize, line: &str, failure: isl::Failure) -> Pr
     let slide_line = line.to_owned();
     let culprit = match culprit {
         isl::Culprit::Line => Culprit::SlideLine(slide_line),
-        isl::Culprit::Node(node) => Culprit::SlidingNode { slide_line, node: scene.nodes.name(node).into() },
+        isl::Culprit::Node(node) => Culprit::SlidingNode { slide_line, node: scene.nodes.name(node).to_string() },
         isl::Culprit::Element(element) => {
-            Culprit::SlidingElement { slide_line, element: scene.elements.name(element).into() }
+            Culprit::SlidingElement { slide_line, element: scene.elements.name(element).to_string() }
         }
     };
     let message = error.with_names(|node| format!("{:?}", scene.nodes.name(node)));

@@ -43,7 +43,7 @@ impl<'s, T: Number> NodeStates<'s, T> {
         let displacements: Cow<'s, [_]> = Cow::Owned(vec![[0.0; 3]; moving.len()]);
         let mut nodes = Self {
             places,
-            initial: fixed.iter().chain(&moving).map(|&node| scene.nodes[node].at).collect(),
+            initial: fixed.iter().chain(&moving).map(|&node| scene.at[node as usize]).collect(),
             moving,
             before: increments.then(|| displacements.clone()),
             displacements,
@@ -62,8 +62,10 @@ impl<'s, T: Number> NodeStates<'s, T> {
     /// Every node has the triad of its orientation; those that turn in some state, one of their own.
     fn share_triads(&mut self, scene: &Scene) {
         self.triad_of = vec![0; scene.nodes.len()];
-        for (node, &place) in scene.nodes.things().iter().zip(&self.places) {
-            self.triad_of[place as usize] = node.orientation.map_or(0, |index| index + 1);
+        let orientations =
+            scene.nodes.iter().flat_map(|(_, members, node)| members.numbers().map(|_| node.orientation));
+        for (orientation, &place) in orientations.zip(&self.places) {
+            self.triad_of[place as usize] = orientation.map_or(0, |index| index + 1);
         }
         let (_, turning) = changed(scene, |frame| &frame.turns);
         let first = u32::try_from(self.triads.len()).expect("orientations and nodes together are numbered in 32 bits");
@@ -196,7 +198,7 @@ impl<'s, T: Number> NodeStates<'s, T> {
 /// The nodes of which no frame changes something, and those of which one does, by their numbers in the scene.
 fn changed(scene: &Scene, changes: impl Fn(&Frame) -> &Changes<[f64; 3]>) -> (Vec<u32>, Vec<u32>) {
     let mut is_changed = vec![false; scene.nodes.len()];
-    let all = scene.frames.iter().flat_map(|frame| &changes(frame).of);
+    let all = scene.frames.iter().flat_map(|frame| &*changes(frame).of);
     all.for_each(|&node| is_changed[node as usize] = true);
     (0..scene.nodes.next_number()).partition(|&node| !is_changed[node as usize])
 }

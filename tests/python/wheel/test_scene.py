@@ -46,3 +46,41 @@ def test_a_scene_is_a_frame():
 def test_a_fault_has_its_place():
     with pytest.raises(ValueError, match='unknown key "output"'):
         jointproof.scene(SCENE | {"output": []})
+
+
+@pytest.mark.parametrize("save", [np.savez, np.savez_compressed])
+def test_a_scene_names_arrays(tmp_path, save):
+    count, states = 5, 3
+    time = np.arange(1.0, states + 1)
+    start = np.linspace([1, 2, 3], [2, 3, 4], count)
+    u = np.multiply.outer(time, np.linspace([0.5, 0, 0], [1, 0, 0], count))
+    arrays = {"start": start, "mu": np.linspace(0, 0.5, count), "time": time, "u": u, "f2": u[:, :, 0]}
+    save(tmp_path / "many.npz", **arrays)
+    described = SCENE | {
+        "columns": "many.npz",
+        "nodes": SCENE["nodes"] | {"car": {"at": "start"}},
+        "elements": {"guide": {"kind": "slot", "nodes": ["rail", "car"], "mu": "mu", "k_stick": 2}},
+        "frames": {"time": "time", "nodes": {"car": {"u": "u"}}, "loads": {"guide": {"f2": "f2"}}},
+        "outputs": ["U1", "CSF1", "RF"],
+    }
+    path = tmp_path / "many.json"
+    path.write_text(json.dumps(described))
+    scene = jointproof.scene(path)
+    for k in range(count):
+        frames = [
+            {"time": time[i], "nodes": {"car": {"u": u[i, k].tolist()}}, "loads": {"guide": {"f2": u[i, k, 0]}}}
+            for i in range(states)
+        ]
+        element = {"kind": "slot", "nodes": ["rail", "car"], "mu": arrays["mu"][k], "k_stick": 2}
+        nodes = SCENE["nodes"] | {"car": {"at": start[k].tolist()}}
+        alone = described | {"nodes": nodes, "elements": {"guide": element}, "frames": frames}
+        alone = jointproof.scene({key: value for key, value in alone.items() if key != "columns"})
+        for output in described["outputs"]:
+            assert np.array_equal(scene[f"guide[{k}]", output], alone["guide", output]), (k, output)
+
+    save(tmp_path / "many.npz", **arrays | {"u": u.astype("float32")})
+    with pytest.raises(ValueError, match="frames.nodes.car.u .*array \"u\" of \"many.npz\": numbers of type '<f4'"):
+        jointproof.scene(path)
+    save(tmp_path / "many.npz", **arrays | {"u": np.asfortranarray(u)})
+    with pytest.raises(ValueError, match="Fortran order; allowed is C order"):
+        jointproof.scene(path)

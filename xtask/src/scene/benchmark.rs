@@ -1,7 +1,8 @@
 //! What an element of a scene costs per state, against a bare loop of the same formulas.
 
 use super::bare::{Bare, Joint, Slot, Translator};
-use super::generate::{self, STATES};
+use super::file_to_file;
+use super::generate::{Generated, STATES};
 use crate::console::{print, say};
 use anyhow::ensure;
 use jointproof::scene::{Plan, Run, Scene};
@@ -19,6 +20,7 @@ pub(crate) fn run() -> anyhow::Result<()> {
     }
     of::<Slot>(&mut report)?;
     of::<Translator>(&mut report)?;
+    file_to_file::run(&mut report)?;
     print(&report)
 }
 
@@ -36,7 +38,7 @@ fn of<J: Joint>(report: &mut String) -> anyhow::Result<()> {
         say(&format!("{elements} elements of kind {kind}"));
         let before = resident();
         let mut text = Vec::new();
-        generate::write(J::SORT, elements, &mut text)?;
+        Generated { of: J::SORT, connectors: elements, states: STATES }.write(&mut text)?;
         let text = String::from_utf8(text)?;
         let start = Instant::now();
         let scene = Scene::parse(&text)?;
@@ -103,8 +105,17 @@ fn compare<J: Joint>(run: &Run<'_, f64>, bare: &Bare<J>) -> anyhow::Result<()> {
 
 /// Bytes of memory that this process has, where the system tells.
 fn resident() -> Option<usize> {
+    memory("VmRSS:")
+}
+
+/// The most bytes of memory that this process has had, where the system tells.
+pub(super) fn peak() -> Option<usize> {
+    memory("VmHWM:")
+}
+
+fn memory(which: &str) -> Option<usize> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
+    let line = status.lines().find_map(|line| line.strip_prefix(which))?;
     line.split_whitespace().next()?.parse::<usize>().ok().map(|kilobytes| kilobytes * 1024)
 }
 

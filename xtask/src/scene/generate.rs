@@ -1,9 +1,11 @@
 //! Scenes of any size, to measure with: sliding connectors side by side, each with friction and its own motion.
 
+use jointproof::scene::npz::Writer;
+use serde_json::json;
 use std::fmt::Write as _;
 use std::io::{BufWriter, Write};
 
-/// States of a generated scene.
+/// States of a generated scene, if nothing else is asked for.
 pub(crate) const STATES: usize = 5;
 
 /// The connector of a generated scene.
@@ -88,51 +90,111 @@ pub(crate) fn loads(state: usize, connector: usize) -> [f64; 5] {
     [force + 0.5, -moment, moment + 0.25, force, -0.75]
 }
 
-/// Writes the scene as it is made.
-pub(crate) fn write(connector: Connector, connectors: usize, out: &mut impl Write) -> anyhow::Result<()> {
-    let mut out = BufWriter::with_capacity(1 << 20, out);
-    let comma = |index: usize| if index == 0 { "" } else { "," };
-    let ([first, second, _], [car, beside, _]) = (RAIL, CAR);
-    let kind = connector.kind();
-    write!(
-        out,
-        "{{\"title\":\"{connectors} connectors of kind {kind}\",\n\"dimension\":\"3d\",\n\
-        \"orientations\":{{\"rail\":{{\"axes\":[{first:?},{second:?}]}},\"car\":{{\"axes\":[{car:?},{beside:?}]}}}},\n\"nodes\":{{"
-    )?;
-    for i in 0..connectors {
-        let [a, b] = nodes(i);
+/// A scene that is generated.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Generated {
+    pub(crate) of: Connector,
+    pub(crate) connectors: usize,
+    pub(crate) states: usize,
+}
+
+impl Generated {
+    /// What stands before the nodes, whose numbers may stand in a file of columns.
+    fn write_head(self, columns: Option<&str>, out: &mut impl Write) -> anyhow::Result<()> {
+        let ([first, second, _], [car, beside, _]) = (RAIL, CAR);
+        let Self { of, connectors, .. } = self;
+        let columns = columns.map_or_else(String::new, |file| format!("\"columns\":{},\n", json!(file)));
         write!(
             out,
-            "{}\n\"a{i}\":{{\"at\":{a:?},\"orientation\":\"rail\"}},\"b{i}\":{{\"at\":{b:?},\"orientation\":\"car\"}}",
-            comma(i)
+            "{{\"title\":\"{connectors} connectors of kind {}\",\n\"dimension\":\"3d\",\n{columns}\
+            \"orientations\":{{\"rail\":{{\"axes\":[{first:?},{second:?}]}},\"car\":{{\"axes\":[{car:?},{beside:?}]}}}},\n\"nodes\":{{",
+            of.kind()
         )?;
+        Ok(())
     }
-    write!(out, "}},\n\"elements\":{{")?;
-    for i in 0..connectors {
-        write!(
-            out,
-            "{}\n\"s{i}\":{{\"kind\":\"{kind}\",\"nodes\":[\"a{i}\",\"b{i}\"],\"mu\":{},\"k_stick\":{K_STICK}{}}}",
-            comma(i),
-            mu(i),
-            connector.levers(),
-        )?;
-    }
-    write!(out, "}},\n\"frames\":[")?;
-    for state in 0..STATES {
-        write!(out, "{}\n{{\"time\":{state},\"nodes\":{{", comma(state))?;
+
+    /// Writes the scene as it is made.
+    pub(crate) fn write(self, out: &mut impl Write) -> anyhow::Result<()> {
+        let mut out = BufWriter::with_capacity(1 << 20, out);
+        let comma = |index: usize| if index == 0 { "" } else { "," };
+        let Self { of, connectors, states } = self;
+        let kind = of.kind();
+        self.write_head(None, &mut out)?;
         for i in 0..connectors {
-            write!(out, "{}\"b{i}\":{{\"u\":{:?}}}", comma(i), displacement(state, i))?;
+            let [a, b] = nodes(i);
+            write!(
+                out,
+                "{}\n\"a{i}\":{{\"at\":{a:?},\"orientation\":\"rail\"}},\"b{i}\":{{\"at\":{b:?},\"orientation\":\"car\"}}",
+                comma(i)
+            )?;
         }
-        write!(out, "}},\"loads\":{{")?;
+        write!(out, "}},\n\"elements\":{{")?;
         for i in 0..connectors {
-            let mut given = String::new();
-            for (load, value) in connector.loads().iter().zip(loads(state, i)) {
-                write!(given, "{}\"{load}\":{value}", if given.is_empty() { "" } else { "," })?;
+            write!(
+                out,
+                "{}\n\"s{i}\":{{\"kind\":\"{kind}\",\"nodes\":[\"a{i}\",\"b{i}\"],\"mu\":{},\"k_stick\":{K_STICK}{}}}",
+                comma(i),
+                mu(i),
+                of.levers(),
+            )?;
+        }
+        write!(out, "}},\n\"frames\":[")?;
+        for state in 0..states {
+            write!(out, "{}\n{{\"time\":{state},\"nodes\":{{", comma(state))?;
+            for i in 0..connectors {
+                write!(out, "{}\"b{i}\":{{\"u\":{:?}}}", comma(i), displacement(state, i))?;
             }
-            write!(out, "{}\"s{i}\":{{{given}}}", comma(i))?;
+            write!(out, "}},\"loads\":{{")?;
+            for i in 0..connectors {
+                let mut given = String::new();
+                for (load, value) in of.loads().iter().zip(loads(state, i)) {
+                    write!(given, "{}\"{load}\":{value}", if given.is_empty() { "" } else { "," })?;
+                }
+                write!(out, "{}\"s{i}\":{{{given}}}", comma(i))?;
+            }
+            write!(out, "}}}}")?;
         }
-        write!(out, "}}}}")?;
+        writeln!(out, "],\n\"outputs\":{:?}}}", of.outputs())?;
+        Ok(out.flush()?)
     }
-    writeln!(out, "],\n\"outputs\":{:?}}}", connector.outputs())?;
-    Ok(out.flush()?)
+
+    /// Writes the scene without its numbers, which stand in a file of arrays of this name.
+    pub(crate) fn write_description(self, columns: &str, out: &mut impl Write) -> anyhow::Result<()> {
+        let of = self.of;
+        let loads: serde_json::Map<_, _> = of.loads().iter().map(|&load| (load.into(), load.into())).collect();
+        self.write_head(Some(columns), out)?;
+        writeln!(
+            out,
+            "\n\"a\":{{\"at\":\"a\",\"orientation\":\"rail\"}},\"b\":{{\"at\":\"b\",\"orientation\":\"car\"}}}},\n\
+            \"elements\":{{\"s\":{{\"kind\":\"{}\",\"nodes\":[\"a\",\"b\"],\"mu\":\"mu\",\"k_stick\":{K_STICK}{}}}}},\n\
+            \"frames\":{{\"time\":\"time\",\"nodes\":{{\"b\":{{\"u\":\"u\"}}}},\"loads\":{{\"s\":{}}}}},\n\
+            \"outputs\":{:?}}}",
+            of.kind(),
+            of.levers(),
+            serde_json::Value::Object(loads),
+            of.outputs()
+        )?;
+        Ok(())
+    }
+
+    /// Writes the numbers that [`Self::write_description`] names.
+    #[expect(clippy::cast_precision_loss, reason = "counts far below 2^53")]
+    pub(crate) fn write_arrays(self, out: impl Write) -> std::io::Result<()> {
+        let Self { of, connectors, states } = self;
+        let mut arrays = Writer::new(out);
+        for (node, name) in ["a", "b"].into_iter().enumerate() {
+            let at: Vec<_> = (0..connectors).flat_map(|i| nodes(i)[node]).collect();
+            arrays.write(name, &[connectors, 3], &at)?;
+        }
+        arrays.write("mu", &[connectors], &(0..connectors).map(mu).collect::<Vec<_>>())?;
+        arrays.write("time", &[states], &(0..states).map(|state| state as f64).collect::<Vec<_>>())?;
+        let each = || (0..states).flat_map(|state| (0..connectors).map(move |i| (state, i)));
+        let u: Vec<_> = each().flat_map(|(state, i)| displacement(state, i)).collect();
+        arrays.write("u", &[states, connectors, 3], &u)?;
+        for (load, name) in of.loads().iter().enumerate() {
+            let values: Vec<_> = each().map(|(state, i)| loads(state, i)[load]).collect();
+            arrays.write(name, &[states, connectors], &values)?;
+        }
+        arrays.finish()
+    }
 }

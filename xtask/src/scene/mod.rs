@@ -3,8 +3,10 @@
 mod bare;
 mod benchmark;
 mod examples;
+mod file_to_file;
 mod generate;
 mod kinds;
+mod out;
 mod plot;
 mod show;
 
@@ -14,9 +16,11 @@ pub(crate) use kinds::{anchor, served, tables};
 use crate::console::{print, progress, say};
 use crate::{Outcome, files};
 use anyhow::Context;
+use generate::Generated;
 use jointproof::Octuple;
-use jointproof::scene::{Plan, Results, Scene};
-use kit::Project;
+use jointproof::scene::{Columns, Plan, Results, Scene};
+use kit::{Project, Usage};
+use out::{Form, Target};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -33,8 +37,10 @@ use std::time::{Duration, Instant};
   {command} scene golden/scenes/rail.json --plot .   an SVG per output over the history
   {command} scene *.json --format csv > all.csv      for a spreadsheet
   {command} scene - --format json < my.json          from standard input
+  {command} scene my.json --out results.npz          for numpy: np.load('results.npz')['guide/FN']
   {command} scene --generate 10000 > many.json       a scene to measure with
-  {command} scene --benchmark                        what an element costs per state")]
+  {command} scene --generate 10000 --columns many.npz > many.json    the same, its numbers as arrays
+  {command} scene --benchmark                        what an element costs per state, and JSON beside columns")]
 pub(crate) struct Arguments {
     /// Scene files; `-` is standard input
     #[arg(value_name = "FILE", required_unless_present_any = ["generate", "benchmark"])]
@@ -45,32 +51,55 @@ pub(crate) struct Arguments {
     /// How to print the results
     #[arg(long, value_enum, default_value_t = show::Format::Text)]
     format: show::Format,
+    /// Write the results to this file instead, by its name: `.npz` arrays that numpy opens, `.json`, `.csv` or `.txt`
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["format", "plan"])]
+    out: Option<Target>,
     /// Evaluate in 237 bits too, and give the error of every number
     #[arg(long)]
     error: bool,
     /// Write a plot of every output over the history into this folder, as SVG
     #[arg(long, value_name = "FOLDER")]
     plot: Option<PathBuf>,
-    /// Print a scene of N sliding connectors over 5 states
+    /// Print a scene of N sliding connectors
     #[arg(long, value_name = "N", conflicts_with_all = ["files", "benchmark"])]
     generate: Option<usize>,
     /// The connector of a generated scene
     #[arg(long, value_enum, requires = "generate", default_value_t = generate::Connector::Slot)]
     of: generate::Connector,
+    /// The states of a generated scene
+    #[arg(long, value_name = "N", requires = "generate", default_value_t = generate::STATES)]
+    states: usize,
+    /// Write the numbers of a generated scene as arrays into this file, beside which the scene is to stand
+    #[arg(long, value_name = "FILE", requires = "generate")]
+    columns: Option<PathBuf>,
     /// Measure scenes of 10, 10,000 and 1,000,000 elements against a bare loop of the same formulas; an optimised build does
     /// that better: `cargo run --release -p xtask -- scene --benchmark`
     #[arg(long, conflicts_with = "files")]
     benchmark: bool,
+    /// Write into this file how many bytes of memory there were at most
+    #[arg(long, value_name = "FILE", hide = true)]
+    peak: Option<PathBuf>,
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     if let Some(elements) = arguments.generate {
-        piped(generate::write(arguments.of, elements, &mut anstream::stdout().lock()))?;
+        let generated = Generated { of: arguments.of, connectors: elements, states: arguments.states };
+        match &arguments.columns {
+            None => piped(generated.write(&mut anstream::stdout().lock()))?,
+            Some(path) => {
+                let name = path.file_name().context("--columns needs the name of a file")?.to_string_lossy();
+                files::write_with(path, |file| Ok(generated.write_arrays(file)?))?;
+                piped(generated.write_description(&name, &mut anstream::stdout().lock()))?;
+            }
+        }
         return Ok(ExitCode::SUCCESS);
     }
     if arguments.benchmark {
         benchmark::run()?;
         return Ok(ExitCode::SUCCESS);
+    }
+    if arguments.out.is_some() && arguments.files.len() > 1 {
+        return Err(Usage("--out takes the results of one scene".into()).into());
     }
     let mut scenes = Vec::new();
     for path in &arguments.files {
@@ -98,6 +127,9 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     }
     if !documents.is_empty() {
         print(&format!("[{}]", documents.join(",")))?;
+    }
+    if let Some((path, peak)) = arguments.peak.as_ref().zip(benchmark::peak()) {
+        files::write(path, &peak.to_string())?;
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -134,7 +166,9 @@ fn read(path: &Path) -> anyhow::Result<Result<Scene, String>> {
         Ok(text) => text,
         Err(error) => return Ok(Err(format!("{shown}: byte {} is not UTF-8", error.utf8_error().valid_up_to()))),
     };
-    Ok(Scene::parse(&text).map_err(|faults| {
+    // A path without a folder is in this one, as is standard input.
+    let folder = path.parent().unwrap_or(Path::new(""));
+    Ok(Scene::parse_in(folder, &text).map_err(|faults| {
         let lines = faults.list().iter().map(|fault| format!("{shown}: {fault}\n")).collect::<Vec<_>>().concat();
         let count = faults.len();
         format!("{lines}{shown}: {count} {}", if count == 1 { "fault" } else { "faults" })
@@ -147,18 +181,31 @@ fn one(project: &Project, arguments: &Arguments, path: &Path, scene: &Scene) -> 
     if arguments.plan {
         return show::plan(&plan, arguments.format).map(Some);
     }
-    if arguments.format == show::Format::Csv && !arguments.error && arguments.plot.is_none() {
-        piped(show::stream(&plan, &mut anstream::stdout().lock()))?;
+    let format = match &arguments.out {
+        Some(Target { path, form: Form::Arrays }) => {
+            let bar = progress("scene", scene.times().len());
+            files::write_with(path, |file| Ok(Columns::stream(&plan, file, || bar.inc(1))?))?;
+            bar.finish_and_clear();
+            return Ok(None);
+        }
+        Some(Target { form: Form::Printed(format), .. }) => *format,
+        None => arguments.format,
+    };
+    if format == show::Format::Csv && !arguments.error && arguments.plot.is_none() {
+        match &arguments.out {
+            Some(Target { path, .. }) => files::write_with(path, |file| show::stream(&plan, file))?,
+            None => piped(show::stream(&plan, &mut anstream::stdout().lock()))?,
+        }
         return Ok(None);
     }
-    let limit = if arguments.format == show::Format::Text { show::SHOWN } else { usize::MAX };
+    let limit = if format == show::Format::Text { show::SHOWN } else { usize::MAX };
     let (results, time) = timed("f64", scene, |each| Results::collect::<f64>(&plan, limit, each))?;
     let exact = if arguments.error {
         Some(timed("237 bits", scene, |each| Results::collect::<Octuple>(&plan, limit, each))?)
     } else {
         None
     };
-    let text = show::results(scene, &results, exact.as_ref().map(|(exact, _)| exact), arguments.format)?;
+    let text = show::results(scene, &results, exact.as_ref().map(|(exact, _)| exact), format)?;
     if let Some((_, exact_time)) = exact {
         let microseconds = |time: Duration| time.as_secs_f64() * 1e6;
         say(&format!("{:.1} µs in f64, {:.1} µs in 237 bits", microseconds(time), microseconds(exact_time)));
@@ -170,6 +217,10 @@ fn one(project: &Project, arguments: &Arguments, path: &Path, scene: &Scene) -> 
             files::write(&target, &svg)?;
             say(&format!("wrote {}", project.shown(&target)));
         }
+    }
+    if let Some(Target { path, .. }) = &arguments.out {
+        files::write(path, &text)?;
+        return Ok(None);
     }
     Ok(Some(text))
 }

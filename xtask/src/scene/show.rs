@@ -60,11 +60,10 @@ pub(crate) fn results(
         Format::Text => text(scene, results, exact),
         Format::Csv => csv(results, exact),
         Format::Json => {
+            let Some(exact) = exact else { return Ok(serde_json::to_string_pretty(results)?) };
             let mut value = serde_json::to_value(results)?;
-            if let Some(exact) = exact {
-                for (k, (series, exact)) in results.series.iter().zip(&exact.series).enumerate() {
-                    value["series"][k]["errors"] = json!(errors(series, exact));
-                }
+            for (k, (series, exact)) in results.series.iter().zip(&exact.series).enumerate() {
+                value["series"][k]["errors"] = json!(errors(series, exact));
             }
             Ok(serde_json::to_string_pretty(&value)?)
         }
@@ -103,7 +102,7 @@ fn text(scene: &Scene, results: &Results, exact: Option<&Results>) -> anyhow::Re
         table(&mut text, &columns)?;
         text.push('\n');
     }
-    let rest = scene.elements().len().saturating_sub(SHOWN);
+    let rest = scene.size().saturating_sub(SHOWN);
     if rest > 0 {
         writeln!(text, "… and {rest} more elements: --format csv or json prints all")?;
     }

@@ -4,6 +4,7 @@ use jointproof::scene;
 use numpy::PyArray2;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use std::path::PathBuf;
 
 /// The results of a scene.
 #[pyclass(frozen, get_all)]
@@ -28,11 +29,15 @@ fn invalid(error: impl std::fmt::Display) -> PyErr {
 
 #[pymethods]
 impl Scene {
-    /// Evaluates the text of a scene file in doubles, or in 237 bits rounded once.
+    /// Evaluates the text of a scene file, which is in this folder if it is in one, in doubles, or in 237 bits rounded once.
     #[new]
-    fn new(py: Python<'_>, text: &str, exact: bool) -> PyResult<Self> {
+    fn new(py: Python<'_>, text: &str, exact: bool, folder: Option<PathBuf>) -> PyResult<Self> {
         let results = py.detach(|| {
-            let scene = scene::Scene::parse(text).map_err(|error| error.to_string())?;
+            let parsed = match &folder {
+                Some(folder) => scene::Scene::parse_in(folder, text),
+                None => scene::Scene::parse(text),
+            };
+            let scene = parsed.map_err(|error| error.to_string())?;
             let results = if exact { scene::Results::exact(&scene) } else { scene::Results::of(&scene) };
             results.map_err(|error| error.to_string())
         });

@@ -44,12 +44,16 @@ class Scene:
 
 
 def scene(source, *, exact=False):
-    """Evaluates a scene: the path of a file, its text, or what JSON makes of it; in doubles, or in 237 bits rounded once."""
+    """Evaluates a scene: the path of a file, its text, or what JSON makes of it; in doubles, or in 237 bits rounded once.
+    A file may name one of arrays beside it, as ``numpy.savez`` writes it."""
+    folder = None
     if isinstance(source, dict):
         text = json.dumps(source)
     elif isinstance(source, str) and source.lstrip().startswith("{"):
         text = source
     else:
-        with open(os.fspath(source), encoding="utf-8") as file:
+        path = os.fspath(source)
+        with open(path, encoding="utf-8") as file:
             text = file.read()
-    return Scene(_jointproof.Scene(text, exact))
+        folder = os.path.dirname(path)
+    return Scene(_jointproof.Scene(text, exact, folder))

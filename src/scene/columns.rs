@@ -1,0 +1,175 @@
+//! Results of a scene as columns: an array per output, in a file that numpy opens.
+
+use super::evaluate::Number;
+use super::model::Scene;
+use super::npz::{Rows, Writer};
+use super::plan::Plan;
+use super::run::{Gather, Problems, Run, array_name};
+use crate::Octuple;
+use std::fmt;
+use std::io::{self, Seek, Write};
+
+/// All results of a scene over its states, an array for every output of an element, a set of elements or a slide line.
+///
+/// They are the numbers of [`Results`](super::Results), without a vector or a name for every element of a set.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Columns {
+    /// The times of the states.
+    pub times: Vec<f64>,
+    /// Formulas, and how often each was evaluated.
+    pub counts: Vec<(&'static str, usize)>,
+    /// Those of slide lines first, then those of the other elements in the order of the file.
+    pub columns: Vec<Column>,
+}
+
+/// Rows of fewer numbers, on average, are not worth a write each.
+const SHORT: usize = 512;
+
+/// Why columns could not be written.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum Unwritten {
+    /// Formulas that are undefined in some state.
+    Problems(Problems),
+    /// What the file system says, or a name that an archive cannot hold.
+    Io(io::Error),
+}
+
+impl From<Problems> for Unwritten {
+    fn from(problems: Problems) -> Self {
+        Self::Problems(problems)
+    }
+}
+
+impl From<io::Error> for Unwritten {
+    fn from(error: io::Error) -> Self {
+        Self::Io(error)
+    }
+}
+
+impl fmt::Display for Unwritten {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Problems(problems) => problems.fmt(f),
+            Self::Io(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for Unwritten {}
+
+/// An output over the states.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    /// The element, the set of elements or the slide line.
+    pub element: String,
+    /// The output.
+    pub output: &'static str,
+    /// How many numbers there are along each axis: states; the elements of a set; components, where there are several.
+    pub shape: Vec<usize>,
+    /// State after state; NaN where an output is not there.
+    pub numbers: Vec<f64>,
+}
+
+impl Column {
+    /// The name of the array in a file: `guide/FN`.
+    pub fn name(&self) -> String {
+        array_name(&self.element, self.output)
+    }
+}
+
+impl Columns {
+    /// The name of the array of times in a file.
+    pub const TIME: &str = "time";
+
+    /// Evaluates a scene in `f64`.
+    ///
+    /// # Errors
+    /// A formula that is undefined in some state.
+    pub fn of(scene: &Scene) -> Result<Self, Problems> {
+        Self::collect::<f64>(&Plan::new(scene), || ())
+    }
+
+    /// Evaluates a scene in 237 bits and rounds once.
+    ///
+    /// # Errors
+    /// As [`Columns::of`].
+    pub fn exact(scene: &Scene) -> Result<Self, Problems> {
+        Self::of(scene)?;
+        Self::collect::<Octuple>(&Plan::new(scene), || ())
+    }
+
+    /// Evaluates a plan; `each` is called after every state.
+    ///
+    /// # Errors
+    /// As [`Columns::of`].
+    pub fn collect<T: Number>(plan: &Plan<'_>, mut each: impl FnMut()) -> Result<Self, Problems> {
+        let mut run = Run::<T>::new(plan)?;
+        let gathered = run.gathered();
+        let times: Vec<_> = plan.scene.times().collect();
+        let column = |gather: &Gather<'_>| {
+            let shape = gather.shape(times.len());
+            let numbers = vec![0.0; shape.iter().product()];
+            Column { element: gather.name.into(), output: gather.output, shape, numbers }
+        };
+        let mut columns: Vec<_> = gathered.columns.iter().map(column).collect();
+        for state in 0..times.len() {
+            run.advance()?;
+            each();
+            let rows = columns.iter_mut().map(|column| {
+                let row = column.numbers.len() / column.shape[0];
+                &mut column.numbers[state * row..][..row]
+            });
+            run.gather(&gathered, &mut rows.collect::<Vec<_>>());
+        }
+        Ok(Self { times, counts: run.counts(), columns })
+    }
+
+    /// Evaluates a plan in `f64` and writes what [`Columns::write`] would write, state by state, so that memory does not grow
+    /// with the number of states; `each` is called after every state.
+    ///
+    /// # Errors
+    /// What [`Columns::of`] and [`Columns::write`] say; what was written before is then no whole file.
+    pub fn stream(plan: &Plan<'_>, to: impl Write + Seek, mut each: impl FnMut()) -> Result<(), Unwritten> {
+        let mut run = Run::<f64>::new(plan)?;
+        let gathered = run.gathered();
+        let row = |gather: &Gather<'_>| vec![0.0; gather.shape(1).iter().product()];
+        let mut rows: Vec<_> = gathered.columns.iter().map(row).collect();
+        let numbers: usize = rows.iter().map(Vec::len).sum();
+        if numbers < SHORT * rows.len() {
+            return Ok(Self::collect::<f64>(plan, each)?.write(to)?);
+        }
+        let times: Vec<_> = plan.scene.times().collect();
+        let time = std::iter::once((Self::TIME.into(), vec![times.len()]));
+        let arrays = gathered.columns.iter().map(|gather| (gather.array(), gather.shape(times.len())));
+        let mut arrays = Rows::new(to, time.chain(arrays))?;
+        arrays.push(0, &times)?;
+        for _ in 0..times.len() {
+            run.advance()?;
+            each();
+            run.gather(&gathered, &mut rows.iter_mut().map(|row| &mut row[..]).collect::<Vec<_>>());
+            for (array, row) in (1..).zip(&rows) {
+                arrays.push(array, row)?;
+            }
+        }
+        Ok(arrays.finish()?)
+    }
+
+    /// An output of an element, of a set of elements or of a slide line.
+    pub fn get(&self, element: &str, output: &str) -> Option<&Column> {
+        self.columns.iter().find(|column| column.element == element && column.output == output)
+    }
+
+    /// Writes them to a file of arrays, the same bytes for the same numbers: `time`, then `guide/FN` and so on.
+    ///
+    /// # Errors
+    /// A name that an archive cannot hold, and what the file system says.
+    pub fn write(&self, to: impl Write) -> io::Result<()> {
+        let mut arrays = Writer::new(to);
+        arrays.write(Self::TIME, &[self.times.len()], &self.times)?;
+        for column in &self.columns {
+            arrays.write(&column.name(), &column.shape, &column.numbers)?;
+        }
+        arrays.finish()
+    }
+}

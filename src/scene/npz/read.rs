@@ -1,0 +1,208 @@
+//! Reading arrays, piece by piece to where their numbers are wanted.
+
+use super::header;
+use super::unfit::{Unfit, tuple};
+use flate2::read::DeflateDecoder;
+use rawzip::{CompressionMethod, FileReader, ZipArchive, ZipArchiveEntryWayfinder, ZipVerification};
+use std::collections::HashMap;
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+/// Numbers that are read at once: they stay in the cache until they are checked.
+const PIECE: usize = 1 << 14;
+
+/// Names that an error lists.
+const SHOWN: usize = 8;
+
+/// A file of arrays.
+pub(in crate::scene) struct Archive {
+    /// As the scene names it.
+    name: String,
+    bytes: ZipArchive<FileReader>,
+    entries: HashMap<String, Entry>,
+}
+
+/// Where an array is in the file.
+#[derive(Clone, Copy)]
+struct Entry {
+    place: ZipArchiveEntryWayfinder,
+    method: CompressionMethod,
+}
+
+impl Archive {
+    /// Opens a file, which the scene names so.
+    pub(in crate::scene) fn open(path: &Path, name: &str) -> Result<Self, Unfit> {
+        let no_file = |error: io::Error| Unfit::new(format!("no file {name:?}: {error}"), "a file that can be read");
+        let broken = |error: rawzip::Error| {
+            Unfit::new(format!("{name:?}, which is no whole archive: {error}"), "a .npz file, as numpy.savez writes it")
+        };
+        let file = File::open(path).map_err(no_file)?;
+        let mut buffer = vec![0; rawzip::RECOMMENDED_BUFFER_SIZE];
+        let archive = ZipArchive::from_file(file, &mut buffer).map_err(broken)?;
+        let mut buffer = vec![0; rawzip::MAX_CENTRAL_DIRECTORY_RECORD_SIZE];
+        let mut found = archive.entries(&mut buffer);
+        let mut entries = HashMap::new();
+        while let Some(entry) = found.next_entry().map_err(broken)? {
+            let file = String::from_utf8_lossy(entry.file_path().as_bytes()).into_owned();
+            let array = file.strip_suffix(".npy").unwrap_or(&file).to_owned();
+            let at = Entry { place: entry.wayfinder(), method: entry.compression_method() };
+            if entries.insert(array, at).is_some() {
+                return Err(Unfit::new(format!("{file:?} of {name:?} for the second time"), "each array once"));
+            }
+        }
+        Ok(Self { name: name.into(), bytes: archive, entries })
+    }
+
+    /// Begins to read an array.
+    pub(in crate::scene) fn array(&self, name: &str) -> Result<Array<'_>, Unfit> {
+        let Some(&Entry { place, method }) = self.entries.get(name) else {
+            let mut names: Vec<_> = self.entries.keys().map(|name| format!("{name:?}")).collect();
+            names.sort_unstable();
+            if names.len() > SHOWN {
+                names.splice(SHOWN.., ["…".into()]);
+            }
+            let allowed =
+                if names.is_empty() { "none, it is empty".into() } else { format!("one of {}", names.join(", ")) };
+            return Err(Unfit::new(format!("no array {name:?} in {:?}", self.name), allowed));
+        };
+        let called = format!("array {name:?} of {:?}", self.name);
+        let damaged =
+            |error: &dyn std::fmt::Display| Unfit::new(format!("{called}, damaged: {error}"), "a whole array");
+        let entry = self.bytes.get_entry(place).map_err(|error| damaged(&error))?;
+        let stored = entry.reader();
+        let expected = stored.claim_verifier();
+        let bytes: Box<dyn Read + Send> = match method {
+            CompressionMethod::STORE => Box::new(stored),
+            CompressionMethod::DEFLATE => Box::new(DeflateDecoder::new(stored)),
+            other => {
+                return Err(Unfit::new(
+                    format!("{called}, compressed by method {other}"),
+                    "an array that is stored or deflated: numpy.savez or numpy.savez_compressed",
+                ));
+            }
+        };
+        let mut bytes = Summed { bytes, sum: crc32fast::Hasher::new() };
+        let (shape, before) = header::read(&mut bytes)
+            .map_err(|Unfit { found, allowed }| Unfit { found: format!("{called}: {found}"), allowed })?;
+        let size = shape.iter().try_fold(size_of::<f64>() as u64, |size, &axis| size.checked_mul(axis as u64));
+        if size.and_then(|size| size.checked_add(before)) != Some(expected.uncompressed_size) {
+            let numbers = expected.uncompressed_size.saturating_sub(before);
+            let allowed = format!("as many as its shape {} takes", tuple(&shape));
+            return Err(Unfit::new(format!("{called} with {numbers} bytes of numbers"), allowed));
+        }
+        Ok(Array { outline: Outline { called, shape }, bytes, expected, read: 0 })
+    }
+}
+
+/// Bytes with their checksum so far.
+struct Summed<'a> {
+    bytes: Box<dyn Read + Send + 'a>,
+    sum: crc32fast::Hasher,
+}
+
+impl Read for Summed<'_> {
+    fn read(&mut self, to: &mut [u8]) -> io::Result<usize> {
+        let read = self.bytes.read(to)?;
+        self.sum.update(&to[..read]);
+        Ok(read)
+    }
+}
+
+/// What an array is called in an error, and how many numbers there are along each axis.
+#[derive(Clone)]
+pub(in crate::scene) struct Outline {
+    called: String,
+    shape: Vec<usize>,
+}
+
+/// An array that is being read.
+pub(in crate::scene) struct Array<'a> {
+    outline: Outline,
+    bytes: Summed<'a>,
+    expected: ZipVerification,
+    /// Numbers so far.
+    read: usize,
+}
+
+impl Outline {
+    /// How many numbers there are along each axis.
+    pub(in crate::scene) fn shape(&self) -> &[usize] {
+        &self.shape
+    }
+
+    /// Checks the shape; `axes` says what is counted along each.
+    pub(in crate::scene) fn expect(&self, shape: &[usize], axes: &str) -> Result<(), Unfit> {
+        if self.shape == shape {
+            return Ok(());
+        }
+        Err(self.misshapen(format!("{}: {axes}", tuple(shape))))
+    }
+
+    /// A shape that is not as it must be.
+    pub(in crate::scene) fn misshapen(&self, allowed: impl Into<String>) -> Unfit {
+        Unfit::new(format!("{} of shape {}", self.called, tuple(&self.shape)), allowed)
+    }
+
+    /// A number that is not as it must be, by its place among all.
+    pub(in crate::scene) fn wrong(&self, number: f64, place: usize, allowed: impl Into<String>) -> Unfit {
+        let mut index = vec![0; self.shape.len()];
+        let mut rest = place;
+        for (index, &size) in index.iter_mut().zip(&self.shape).rev() {
+            (*index, rest) = (rest % size.max(1), rest / size.max(1));
+        }
+        Unfit::new(format!("{} with {number:?} at {index:?}", self.called), allowed)
+    }
+
+    fn damaged(&self, error: &dyn std::fmt::Display) -> Unfit {
+        Unfit::new(format!("{}, damaged: {error}", self.called), "a whole array")
+    }
+}
+
+impl Array<'_> {
+    pub(in crate::scene) fn outline(&self) -> &Outline {
+        &self.outline
+    }
+
+    /// Reads the next numbers, all of which must be finite.
+    pub(in crate::scene) fn fill(&mut self, numbers: &mut [f64]) -> Result<(), Unfit> {
+        for piece in numbers.chunks_mut(PIECE) {
+            let read = self.bytes.read_exact(bytemuck::cast_slice_mut(piece));
+            read.map_err(|error| self.outline.damaged(&error))?;
+            let mut finite = true;
+            for number in piece.iter_mut() {
+                *number = f64::from_bits(u64::from_le(number.to_bits()));
+                finite &= number.is_finite();
+            }
+            if !finite && let Some(place) = piece.iter().position(|number| !number.is_finite()) {
+                return Err(self.outline.wrong(piece[place], self.read + place, "finite numbers"));
+            }
+            self.read += piece.len();
+        }
+        Ok(())
+    }
+
+    /// Reads all numbers.
+    pub(in crate::scene) fn numbers(&mut self) -> Result<Vec<f64>, Unfit> {
+        let len = self.outline.shape.iter().product();
+        let mut numbers = Vec::new();
+        // What a file claims to hold is not believed before it is there.
+        while numbers.len() < len {
+            let from = numbers.len();
+            numbers.resize(len.min(from + PIECE), 0.0);
+            self.fill(&mut numbers[from..])?;
+        }
+        self.finish()?;
+        Ok(numbers)
+    }
+
+    /// Checks that nothing is left, and that it was what was written.
+    pub(in crate::scene) fn finish(&mut self) -> Result<(), Unfit> {
+        let left = self.bytes.read(&mut [0]).map_err(|error| self.outline.damaged(&error))?;
+        let read = ZipVerification {
+            crc: self.bytes.sum.clone().finalize(),
+            uncompressed_size: self.expected.uncompressed_size + left as u64,
+        };
+        self.expected.valid(read).map_err(|error| self.outline.damaged(&error))
+    }
+}

@@ -1,0 +1,105 @@
+//! Arrays that grow together, row by row.
+
+use super::write::{Entry, little_endian_pieces};
+use rawzip::ZipArchiveWriter;
+use std::cell::Cell;
+use std::io::{self, Seek, SeekFrom, Write};
+
+/// A file of arrays of which each gets its next row in turn; it has the bytes of those that [`Writer`](super::Writer) writes
+/// one after the other.
+///
+/// Where the numbers of each array stand is known from the shapes. What stands between them holds their checksums, and is
+/// written at the end.
+pub(in crate::scene) struct Rows<W: Write + Seek> {
+    to: W,
+    arrays: Vec<Growing>,
+}
+
+struct Growing {
+    entry: Entry,
+    /// Where its next number is written.
+    at: u64,
+    sum: crc32fast::Hasher,
+}
+
+impl<W: Write + Seek> Rows<W> {
+    /// Arrays of these names and shapes.
+    pub(in crate::scene) fn new(to: W, arrays: impl Iterator<Item = (String, Vec<usize>)>) -> io::Result<Self> {
+        let growing = |(name, shape): (String, Vec<usize>)| {
+            let entry = Entry::new(&name, &shape)?;
+            let mut sum = crc32fast::Hasher::new();
+            sum.update(&entry.head);
+            Ok(Growing { entry, at: 0, sum })
+        };
+        let mut arrays: Vec<_> = arrays.map(growing).collect::<io::Result<_>>()?;
+        let places = frame(io::sink(), &Cell::new(false), &arrays)?;
+        arrays.iter_mut().zip(places).for_each(|(array, at)| array.at = at);
+        Ok(Self { to, arrays })
+    }
+
+    /// Writes the next numbers of an array.
+    pub(in crate::scene) fn push(&mut self, array: usize, numbers: &[f64]) -> io::Result<()> {
+        let Growing { at, sum, .. } = &mut self.arrays[array];
+        self.to.seek(SeekFrom::Start(*at))?;
+        *at += size_of_val(numbers) as u64;
+        little_endian_pieces(numbers, |bytes| {
+            sum.update(bytes);
+            self.to.write_all(bytes)
+        })
+    }
+
+    /// Ends the file.
+    pub(in crate::scene) fn finish(mut self) -> io::Result<()> {
+        self.to.rewind()?;
+        let between = Cell::new(true);
+        frame(Gaps { to: &mut self.to, between: &between, ahead: 0 }, &between, &self.arrays)?;
+        self.to.flush()
+    }
+}
+
+/// Writes what stands between the numbers, and zeros for the numbers, while `between` is false. Returns where they stand.
+fn frame(to: impl Write, between: &Cell<bool>, arrays: &[Growing]) -> io::Result<Vec<u64>> {
+    static ZEROS: [u8; 1 << 16] = [0; 1 << 16];
+    let mut archive = ZipArchiveWriter::new(to);
+    let mut places = Vec::new();
+    for Growing { entry, sum, .. } in arrays {
+        let mut writing = entry.start(&mut archive)?;
+        places.push(writing.stream_offset());
+        between.set(false);
+        let mut left = entry.numbers * size_of::<f64>();
+        while left > 0 {
+            let piece = left.min(ZEROS.len());
+            writing.write_all(&ZEROS[..piece])?;
+            left -= piece;
+        }
+        between.set(true);
+        entry.finish(writing, sum.clone().finalize())?;
+    }
+    archive.finish().map_err(io::Error::other)?;
+    Ok(places)
+}
+
+/// Steps over what is not `between` the numbers.
+struct Gaps<'g, W> {
+    to: &'g mut W,
+    between: &'g Cell<bool>,
+    /// Bytes that were stepped over since the last that was written.
+    ahead: i64,
+}
+
+impl<W: Write + Seek> Write for Gaps<'_, W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if !self.between.get() {
+            self.ahead += i64::try_from(bytes.len()).map_err(io::Error::other)?;
+            return Ok(bytes.len());
+        }
+        if self.ahead > 0 {
+            self.to.seek_relative(std::mem::take(&mut self.ahead))?;
+        }
+        self.to.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.to.flush()
+    }
+}

@@ -1,0 +1,79 @@
+//! Numbers that stand as arrays in a file beside the scene.
+
+use crate::scene::json::{Mark, Read, Reader, Stop};
+use crate::scene::npz::{Archive, Array, Unfit};
+use std::path::Path;
+
+/// The file of arrays that a scene names, if it names one.
+#[derive(Default)]
+pub(super) struct Columns {
+    archive: Option<Archive>,
+}
+
+/// An array by its name, and where the scene names it.
+pub(super) struct Reference {
+    pub(super) name: String,
+    pub(super) mark: Mark,
+}
+
+impl Columns {
+    /// Reads which file it is; `folder` is where the scene is, if it is in one. Without the file, nothing that could refer to
+    /// it is read.
+    pub(super) fn read(reader: &mut Reader, folder: Option<&Path>) -> Read<Self> {
+        let place = reader.place();
+        let Some(name) = reader.string("the path of a .npz file")? else { return Err(Stop) };
+        let Some(folder) = folder else {
+            reader.fault(
+                place,
+                "columns in a text that is in no folder",
+                "a scene without columns, or read from a file",
+            );
+            return Err(Stop);
+        };
+        match Archive::open(&folder.join(&*name), &name) {
+            Ok(archive) => Ok(Self { archive: Some(archive) }),
+            Err(Unfit { found, allowed }) => {
+                reader.fault(place, found, allowed);
+                Err(Stop)
+            }
+        }
+    }
+
+    /// Whether the scene names a file of arrays.
+    pub(super) fn are_there(&self) -> bool {
+        self.archive.is_some()
+    }
+
+    /// The name of an array, if one stands next. Without a file of arrays, a string is no name.
+    pub(super) fn refer(&self, reader: &mut Reader) -> Read<Option<Reference>> {
+        let place = reader.place();
+        if self.archive.is_none() || !reader.begins_with(b'"') {
+            return Ok(None);
+        }
+        let mark = reader.mark(place);
+        Ok(reader.string("the name of an array")?.map(|name| Reference { name: name.into(), mark }))
+    }
+
+    /// Reads something from an array, or says what is wrong with it.
+    pub(super) fn load<T>(
+        &self,
+        reader: &mut Reader,
+        Reference { name, mark }: Reference,
+        load: impl FnOnce(Array) -> Result<T, Unfit>,
+    ) -> Option<T> {
+        match self.open(&name).and_then(load) {
+            Ok(loaded) => Some(loaded),
+            Err(Unfit { found, allowed }) => {
+                reader.fault_at(mark, found, allowed);
+                None
+            }
+        }
+    }
+
+    /// Begins to read an array.
+    pub(super) fn open(&self, name: &str) -> Result<Array<'_>, Unfit> {
+        let archive =
+            self.archive.as_ref().ok_or_else(|| Unfit::new("no file of arrays", "a scene with \"columns\""))?;
+        archive.array(name)
+    }
+}
