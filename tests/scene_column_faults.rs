@@ -4,7 +4,7 @@ mod columns;
 
 use columns::{Array, FILE, array, column_bits, file, folder, parse};
 use jointproof::scene::npz::Writer;
-use jointproof::scene::{Columns, Scene};
+use jointproof::scene::{Columns, Plan, Results, Run, Scene, Stopped};
 use rawzip::{CompressionMethod, ZipArchiveWriter};
 use serde_json::{Value, json};
 use std::io::Write;
@@ -81,7 +81,7 @@ fn every_mistake_in_an_array_is_said_with_its_place() {
         (
             with("b", &[2, 3], &nan(6, 4)),
             "nodes.b.at",
-            r#"array "b" of "arrays.npz" with NaN at [1, 1]; allowed is finite numbers"#,
+            r#"array "b" of "arrays.npz" with NaN at [1, 1]; allowed is a finite number"#,
         ),
         (
             with("mu", &[3], &[0.0; 3]),
@@ -111,12 +111,12 @@ fn every_mistake_in_an_array_is_said_with_its_place() {
         (
             with("u", &[3, 2, 3], &nan(18, 17)),
             "frames.nodes.b.u",
-            r#"array "u" of "arrays.npz" with NaN at [2, 1, 2]; allowed is finite numbers"#,
+            r#"array "u" of "arrays.npz" with NaN at [2, 1, 2]; allowed is a finite number"#,
         ),
         (
             with("u", &[3, 2, 3], &[f64::INFINITY; 18]),
             "frames.nodes.b.u",
-            r#"array "u" of "arrays.npz" with inf at [0, 0, 0]; allowed is finite numbers"#,
+            r#"array "u" of "arrays.npz" with inf at [0, 0, 0]; allowed is a finite number"#,
         ),
         (
             with("f", &[3], &[1.0; 3]),
@@ -213,6 +213,54 @@ fn no_damage_goes_unseen_or_panics() {
     }
     // Times of entries, say, that nothing depends on.
     assert!(harmless < bytes.len() / 2, "{harmless} of {} flips are not seen", 2 * bytes.len());
+}
+
+/// The history is read again while it is evaluated, from the file as it is then.
+#[test]
+fn a_file_that_changes_after_the_scene_was_read_is_seen() {
+    let (scene, arrays) = sound();
+    let folder = folder("changed");
+    let whole = file(&arrays);
+    let said = |changed: &[u8]| {
+        let read = parse(&folder, &scene, &whole).unwrap();
+        let of_whole = column_bits(&Columns::of(&read).unwrap());
+        assert_eq!(of_whole, column_bits(&Columns::of(&read).unwrap()), "what is read twice is the same");
+        std::fs::write(folder.join(FILE), changed).unwrap();
+        let plan = Plan::new(&read);
+        if let Ok(mut run) = Run::<f64>::new(&plan) {
+            let ended: Vec<_> = (0..5).map(|_| run.advance().ok()).collect();
+            assert!(ended.contains(&None), "{ended:?}: it goes on, and does not panic");
+        }
+        match [Columns::of(&read).map(|_| ()), Results::of(&read).map(|_| ())] {
+            [Err(Stopped::Unreadable(columns)), Err(Stopped::Unreadable(results))] if columns == results => columns,
+            other => panic!("{other:?}"),
+        }
+    };
+    let with_u = |u: &[f64]| {
+        let mut arrays = arrays.clone();
+        arrays[3] = array("u", &[3, 2, 3], u);
+        file(&arrays)
+    };
+    // Another number under the checksum of those before; only in "u" there are two of them side by side.
+    let mut other = whole.clone();
+    let two = [0.5; 2].map(f64::to_le_bytes).concat();
+    let at = whole.windows(two.len()).position(|bytes| bytes == two).unwrap();
+    other[at..][..8].copy_from_slice(&0.375_f64.to_le_bytes());
+    let mut nan = [0.5; 18];
+    nan[7] = f64::NAN;
+    for (changed, found) in [
+        (with_u(&nan), r#"array "u" of "arrays.npz" with NaN at [1, 0, 1]"#),
+        (other, r#"array "u" of "arrays.npz", damaged: "#),
+        (whole[..100].to_vec(), "damaged: "),
+        (Vec::new(), "damaged: "),
+    ] {
+        let unreadable = said(&changed);
+        assert!(unreadable.found.contains(found), "{unreadable}");
+        assert!(unreadable.path.starts_with("frames."), "{unreadable}");
+    }
+    let unreadable = said(&with_u(&nan));
+    assert_eq!(unreadable.path, "frames.nodes.b.u");
+    assert!(unreadable.to_string().ends_with("allowed is a finite number"), "{unreadable}");
 }
 
 #[test]

@@ -274,6 +274,54 @@ fn elements_lie_between_neighbours_of_a_set() {
     assert_same("neighbours", &sets, &arrays, &single);
 }
 
+/// Arrays of parts of a set, in any order, are those of the set; in the plane, where values have two components and one.
+#[test]
+fn a_history_may_be_given_in_parts() {
+    const COUNT: usize = 5;
+    const STATES: usize = 3;
+    let scene = |nodes: Value, loads: Value| {
+        json!({ "dimension": "2d", "columns": FILE, "orientations": { "o": { "angle": 0.5 } },
+            "nodes": { "b": { "at": "b" }, "a": { "at": "a", "orientation": "o" } },
+            "elements": { "e": { "kind": "slot", "nodes": ["a", "b"], "mu": 0.25, "k_stick": 8 } },
+            "outputs": ["U1", "CSF1", "RF"], "frames": { "time": "time", "nodes": nodes, "loads": loads } })
+    };
+    let each = |from: usize, step: usize, of: &dyn Fn(usize, usize) -> Vec<f64>| -> Vec<f64> {
+        (0..STATES).flat_map(|state| (from..COUNT).step_by(step).flat_map(move |k| of(state, k))).collect()
+    };
+    let u = |state, k| vec![some(k, state), some(k, state + 4)];
+    let ur = |state, k| vec![some(k, 2 * state) / 8.0];
+    let f = |state, k| vec![some(k, 3 * state) - 0.5];
+    let at = |shift: usize| (0..COUNT).flat_map(|k| [some(k, shift), real(k)]).collect::<Vec<_>>();
+    let arrays = file(&[
+        array("a", &[COUNT, 2], &at(0)),
+        array("b", &[COUNT, 2], &at(5)),
+        array("time", &[STATES], &[0.0, 1.0, 1.5]),
+        array("u", &[STATES, COUNT, 2], &each(0, 1, &u)),
+        array("even", &[STATES, 3, 2], &each(0, 2, &u)),
+        array("odd", &[STATES, 2, 2], &each(1, 2, &u)),
+        array("ur", &[STATES, COUNT], &each(0, 1, &ur)),
+        array("last", &[STATES], &each(4, 1, &ur)),
+        array(
+            "others",
+            &[STATES, 4],
+            &(0..STATES).flat_map(|state| (0..4).flat_map(move |k| ur(state, k))).collect::<Vec<_>>(),
+        ),
+        array("f", &[STATES, COUNT], &each(0, 1, &f)),
+        array("f even", &[STATES, 3], &each(0, 2, &f)),
+        array("f odd", &[STATES, 2], &each(1, 2, &f)),
+    ]);
+    let whole = scene(json!({ "b": { "u": "u" }, "a": { "ur": "ur" } }), json!({ "e": { "f2": "f" } }));
+    let parts = scene(
+        json!({ "b[1::2]": { "u": "odd" }, "b[::2]": { "u": "even" }, "a[-1]": { "ur": "last" }, "a[:-1]": { "ur": "others" } }),
+        json!({ "e[::2]": { "f2": "f even" }, "e[1::2]": { "f2": "f odd" } }),
+    );
+    let folder = folder("parts");
+    let results = |scene: &Value| column_bits(&Columns::of(&parse(&folder, scene, &arrays).unwrap()).unwrap());
+    assert_eq!(results(&whole), results(&parts));
+    let moved = Columns::of(&parse(&folder, &parts, &arrays).unwrap()).unwrap();
+    assert!(moved.get("e", "RF").unwrap().numbers.iter().any(|&number| number != 0.0));
+}
+
 /// In frames of numbers, a set is moved as one.
 #[test]
 fn a_number_in_a_frame_is_that_of_every_member() {

@@ -200,8 +200,7 @@ const RUBBING: &str = r#""pressure": {"c0": 0.1, "p0": 7}, "damping": {"mu0": 3,
 #[test]
 fn an_overflow_is_blamed_on_the_formula_and_the_place_where_it_was() {
     let expect = |text: &str, expected: &str| {
-        let problems = Results::of(&scene(text)).unwrap_err();
-        let first = problems.0[0].to_string();
+        let first = Results::of(&scene(text)).unwrap_err().to_string();
         assert!(first.starts_with(expected), "found    {first}\nexpected {expected}");
     };
     let node = |formula: &str| format!("node \"m\" on slide line \"plate\", frames[1], {formula}");

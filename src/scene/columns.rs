@@ -4,7 +4,7 @@ use super::evaluate::Number;
 use super::model::Scene;
 use super::npz::{Rows, Writer};
 use super::plan::Plan;
-use super::run::{Gather, Problems, Run, array_name};
+use super::run::{Gather, Run, Stopped, array_name};
 use crate::Octuple;
 use std::fmt;
 use std::io::{self, Seek, Write};
@@ -22,22 +22,19 @@ pub struct Columns {
     pub columns: Vec<Column>,
 }
 
-/// Rows of fewer numbers, on average, are not worth a write each.
-const SHORT: usize = 512;
-
 /// Why columns could not be written.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum Unwritten {
-    /// Formulas that are undefined in some state.
-    Problems(Problems),
+    /// There are no results.
+    Stopped(Stopped),
     /// What the file system says, or a name that an archive cannot hold.
     Io(io::Error),
 }
 
-impl From<Problems> for Unwritten {
-    fn from(problems: Problems) -> Self {
-        Self::Problems(problems)
+impl From<Stopped> for Unwritten {
+    fn from(stopped: Stopped) -> Self {
+        Self::Stopped(stopped)
     }
 }
 
@@ -50,7 +47,7 @@ impl From<io::Error> for Unwritten {
 impl fmt::Display for Unwritten {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Problems(problems) => problems.fmt(f),
+            Self::Stopped(stopped) => stopped.fmt(f),
             Self::Io(error) => error.fmt(f),
         }
     }
@@ -85,8 +82,8 @@ impl Columns {
     /// Evaluates a scene in `f64`.
     ///
     /// # Errors
-    /// A formula that is undefined in some state.
-    pub fn of(scene: &Scene) -> Result<Self, Problems> {
+    /// As [`Results::of`](super::Results::of).
+    pub fn of(scene: &Scene) -> Result<Self, Stopped> {
         Self::collect::<f64>(&Plan::new(scene), || ())
     }
 
@@ -94,7 +91,7 @@ impl Columns {
     ///
     /// # Errors
     /// As [`Columns::of`].
-    pub fn exact(scene: &Scene) -> Result<Self, Problems> {
+    pub fn exact(scene: &Scene) -> Result<Self, Stopped> {
         Self::of(scene)?;
         Self::collect::<Octuple>(&Plan::new(scene), || ())
     }
@@ -103,7 +100,7 @@ impl Columns {
     ///
     /// # Errors
     /// As [`Columns::of`].
-    pub fn collect<T: Number>(plan: &Plan<'_>, mut each: impl FnMut()) -> Result<Self, Problems> {
+    pub fn collect<T: Number>(plan: &Plan<'_>, mut each: impl FnMut()) -> Result<Self, Stopped> {
         let mut run = Run::<T>::new(plan)?;
         let gathered = run.gathered();
         let times: Vec<_> = plan.scene.times().collect();
@@ -135,10 +132,6 @@ impl Columns {
         let gathered = run.gathered();
         let row = |gather: &Gather<'_>| vec![0.0; gather.shape(1).iter().product()];
         let mut rows: Vec<_> = gathered.columns.iter().map(row).collect();
-        let numbers: usize = rows.iter().map(Vec::len).sum();
-        if numbers < SHORT * rows.len() {
-            return Ok(Self::collect::<f64>(plan, each)?.write(to)?);
-        }
         let times: Vec<_> = plan.scene.times().collect();
         let time = std::iter::once((Self::TIME.into(), vec![times.len()]));
         let arrays = gathered.columns.iter().map(|gather| (gather.array(), gather.shape(times.len())));

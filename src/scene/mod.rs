@@ -2,8 +2,9 @@
 //!
 //! A scene is a JSON file: a dimension, nodes with orientations, elements of a [`Kind`] with parameters, frames that move
 //! nodes and load elements, and the outputs wanted, by name. [`Scene::parse`] reads it and reports every mistake
-//! with its place; [`Plan`] finds the least set of formulas that the outputs need; [`Run`] evaluates them state by state in
-//! `f64` or in 237 bits; [`Results`] collects what comes out.
+//! with its place; [`Scene::parse_in`] also reads the file of arrays that it may name. [`Plan`] finds the least set of
+//! formulas that the outputs need; [`Run`] evaluates them state by state in `f64` or in 237 bits; [`Results`] collects what
+//! comes out by name, [`Columns`] as arrays.
 //!
 //! ```
 //! use jointproof::scene::{Results, Scene};
@@ -39,7 +40,7 @@
 //!
 //! Time is linear in elements and states, and elements are spread over all cores; no element sees another, so the results
 //! have the same bits for every number of threads. Memory is bounded by what [`Run::bytes`] states, whatever
-//! the number of states.
+//! the number of states; a history in columns stays in its file, which is read once to check it and once by every run.
 
 mod columns;
 mod evaluate;
@@ -61,6 +62,6 @@ pub use kind::{Dimension, Fallback, Kind, Origin, Use, When};
 pub use model::Scene;
 pub use plan::{Plan, PlanLine};
 pub use results::{Results, Series};
-pub use run::{Culprit, Problem, Problems, Run};
+pub use run::{Culprit, Problem, Problems, Run, Stopped, Unreadable};
 pub use schema::schema;
 pub use values::Values;

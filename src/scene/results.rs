@@ -3,7 +3,7 @@
 use super::evaluate::Number;
 use super::model::Scene;
 use super::plan::Plan;
-use super::run::{Problems, Run};
+use super::run::{Run, Stopped};
 use super::values::Values;
 use crate::Octuple;
 use serde::Serialize;
@@ -79,8 +79,8 @@ impl Results {
     /// Evaluates a scene in `f64`.
     ///
     /// # Errors
-    /// A formula that is undefined in some state.
-    pub fn of(scene: &Scene) -> Result<Self, Problems> {
+    /// A formula that is undefined in some state, and an array of the history that cannot be read.
+    pub fn of(scene: &Scene) -> Result<Self, Stopped> {
         Self::in_number::<f64>(&Plan::new(scene))
     }
 
@@ -88,14 +88,14 @@ impl Results {
     ///
     /// # Errors
     /// As [`Results::of`].
-    pub fn exact(scene: &Scene) -> Result<Self, Problems> {
+    pub fn exact(scene: &Scene) -> Result<Self, Stopped> {
         let plan = Plan::new(scene);
         // Whether inputs are allowed is asked in doubles.
         Self::in_number::<f64>(&plan)?;
         Self::in_number::<Octuple>(&plan)
     }
 
-    fn in_number<T: Number>(plan: &Plan<'_>) -> Result<Self, Problems> {
+    fn in_number<T: Number>(plan: &Plan<'_>) -> Result<Self, Stopped> {
         Self::collect::<T>(plan, usize::MAX, || ())
     }
 
@@ -103,7 +103,7 @@ impl Results {
     ///
     /// # Errors
     /// As [`Results::of`].
-    pub fn collect<T: Number>(plan: &Plan<'_>, elements: usize, mut each: impl FnMut()) -> Result<Self, Problems> {
+    pub fn collect<T: Number>(plan: &Plan<'_>, elements: usize, mut each: impl FnMut()) -> Result<Self, Stopped> {
         let mut run = Run::<T>::new(plan)?;
         let mut series: Vec<Series> = Vec::new();
         let mut times = Vec::new();

@@ -14,7 +14,7 @@ pub(in crate::scene) type Read<T> = Result<T, Stop>;
 /// A place in the text with the JSON path to it.
 #[derive(Clone, Debug)]
 pub(in crate::scene) struct Mark {
-    path: String,
+    pub(in crate::scene) path: String,
     place: usize,
 }
 

@@ -18,6 +18,70 @@ pub(in crate::scene) struct Frame {
     pub(in crate::scene) pressures: Changes<f64>,
 }
 
+/// What changes from state to state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(in crate::scene) enum Quantity {
+    Moves,
+    Turns,
+    Pressures,
+    /// By the place of the load in its kind.
+    Loads(usize),
+}
+
+impl Quantity {
+    /// Its place among all.
+    pub(in crate::scene) fn place(self) -> usize {
+        match self {
+            Self::Moves => 0,
+            Self::Turns => 1,
+            Self::Pressures => 2,
+            Self::Loads(load) => 3 + load,
+        }
+    }
+}
+
+impl Frame {
+    /// Which nodes or elements change.
+    pub(super) fn of_mut(&mut self, quantity: Quantity) -> &mut Arc<[u32]> {
+        match quantity {
+            Quantity::Moves => &mut self.moves.of,
+            Quantity::Turns => &mut self.turns.of,
+            Quantity::Pressures => &mut self.pressures.of,
+            Quantity::Loads(load) => &mut self.load_mut(load).of,
+        }
+    }
+
+    /// A load, by its place in its kind.
+    fn load_mut(&mut self, load: usize) -> &mut Changes<f64> {
+        if self.loads.len() <= load {
+            self.loads.resize_with(load + 1, Changes::default);
+        }
+        &mut self.loads[load]
+    }
+
+    /// The same with a 0 for every value.
+    pub(in crate::scene) fn zeroed(&self) -> Self {
+        let Self { time, moves, turns, loads, pressures } = self;
+        let loads = loads.iter().map(Changes::zeroed).collect();
+        Self { time: *time, moves: moves.zeroed(), turns: turns.zeroed(), loads, pressures: pressures.zeroed() }
+    }
+
+    /// Bytes of all values.
+    pub(in crate::scene) fn bytes(&self) -> usize {
+        let Self { moves, turns, loads, pressures, .. } = self;
+        let vectors = size_of_val(&*moves.to) + size_of_val(&*turns.to);
+        vectors + loads.iter().chain([pressures]).map(|changes| size_of_val(&*changes.to)).sum::<usize>()
+    }
+
+    /// The numbers of all values, for each [`Quantity`] by its place, and how many there are in a value.
+    pub(in crate::scene) fn numbers_mut(&mut self) -> impl Iterator<Item = (&mut [f64], usize)> {
+        let Self { moves, turns, loads, pressures, .. } = self;
+        let vectors = [moves, turns].map(|changes| (changes.to.as_flattened_mut(), 3));
+        let numbers = std::iter::once(pressures).chain(loads).map(|changes| (&mut *changes.to, 1));
+        vectors.into_iter().chain(numbers)
+    }
+}
+
 /// New values of some nodes or elements: which they are, each once and in their order, and beside it their values.
 #[derive(Clone, Debug)]
 pub(in crate::scene) struct Changes<V> {
@@ -29,6 +93,13 @@ pub(in crate::scene) struct Changes<V> {
 impl<V> Default for Changes<V> {
     fn default() -> Self {
         Self { of: Arc::default(), to: Vec::new() }
+    }
+}
+
+impl<V: bytemuck::Zeroable + Clone> Changes<V> {
+    /// The same with a 0 for every value.
+    fn zeroed(&self) -> Self {
+        Self { of: Arc::clone(&self.of), to: vec![V::zeroed(); self.of.len()] }
     }
 }
 

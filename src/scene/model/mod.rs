@@ -2,11 +2,13 @@
 
 mod element;
 mod frame;
+mod history;
 mod named;
 mod orientation;
 
 pub(super) use element::{Parameter, SceneElement};
-pub(super) use frame::{Changes, Frame, Unsorted};
+pub(super) use frame::{Changes, Frame, Quantity, Unsorted};
+pub(super) use history::{Components, History, HistoryColumn, HistoryColumns, OpenColumn, Places};
 pub(super) use named::{Members, Named};
 pub(super) use orientation::{Axes, Orientation, exactly, global, turned};
 
@@ -25,7 +27,7 @@ pub struct Scene {
     /// Slide lines, of axisymmetric scenes only.
     pub(in crate::scene) lines: Named<SceneLine>,
     pub(in crate::scene) elements: Named<SceneElement>,
-    pub(in crate::scene) frames: Vec<Frame>,
+    pub(in crate::scene) history: History,
 }
 
 impl Scene {
@@ -56,7 +58,7 @@ impl Scene {
     }
     /// The times of the states, in order.
     pub fn times(&self) -> impl ExactSizeIterator<Item = f64> {
-        self.frames.iter().map(|frame| frame.time)
+        (0..self.history.len()).map(|state| self.history.time(state))
     }
 }
 

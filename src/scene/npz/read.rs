@@ -2,11 +2,13 @@
 
 use super::header;
 use super::unfit::{Unfit, tuple};
+use crate::quantity::Domain;
 use flate2::read::DeflateDecoder;
 use rawzip::{CompressionMethod, FileReader, ZipArchive, ZipArchiveEntryWayfinder, ZipVerification};
 use std::collections::HashMap;
+use std::fmt;
 use std::fs::File;
-use std::io::{self, Read};
+use std::io::{self, BufReader, Read};
 use std::path::Path;
 
 /// Numbers that are read at once: they stay in the cache until they are checked.
@@ -15,12 +17,21 @@ const PIECE: usize = 1 << 14;
 /// Names that an error lists.
 const SHOWN: usize = 8;
 
+/// Bytes that are read from the file at once, of arrays that are read in smaller pieces.
+const BUFFER: u64 = 1 << 16;
+
 /// A file of arrays.
 pub(in crate::scene) struct Archive {
     /// As the scene names it.
     name: String,
     bytes: ZipArchive<FileReader>,
     entries: HashMap<String, Entry>,
+}
+
+impl fmt::Debug for Archive {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Archive").field("name", &self.name).finish_non_exhaustive()
+    }
 }
 
 /// Where an array is in the file.
@@ -72,8 +83,11 @@ impl Archive {
         let entry = self.bytes.get_entry(place).map_err(|error| damaged(&error))?;
         let stored = entry.reader();
         let expected = stored.claim_verifier();
-        let bytes: Box<dyn Read + Send> = match method {
-            CompressionMethod::STORE => Box::new(stored),
+        let bytes: Box<dyn Read + Send + Sync> = match method {
+            CompressionMethod::STORE => {
+                let all = usize::try_from(BUFFER.min(expected.uncompressed_size)).unwrap_or_default();
+                Box::new(BufReader::with_capacity(all, stored))
+            }
             CompressionMethod::DEFLATE => Box::new(DeflateDecoder::new(stored)),
             other => {
                 return Err(Unfit::new(
@@ -97,8 +111,14 @@ impl Archive {
 
 /// Bytes with their checksum so far.
 struct Summed<'a> {
-    bytes: Box<dyn Read + Send + 'a>,
+    bytes: Box<dyn Read + Send + Sync + 'a>,
     sum: crc32fast::Hasher,
+}
+
+impl fmt::Debug for Summed<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Summed").field("sum", &self.sum).finish_non_exhaustive()
+    }
 }
 
 impl Read for Summed<'_> {
@@ -110,13 +130,14 @@ impl Read for Summed<'_> {
 }
 
 /// What an array is called in an error, and how many numbers there are along each axis.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub(in crate::scene) struct Outline {
     called: String,
     shape: Vec<usize>,
 }
 
 /// An array that is being read.
+#[derive(Debug)]
 pub(in crate::scene) struct Array<'a> {
     outline: Outline,
     bytes: Summed<'a>,
@@ -164,18 +185,19 @@ impl Array<'_> {
         &self.outline
     }
 
-    /// Reads the next numbers, all of which must be finite.
-    pub(in crate::scene) fn fill(&mut self, numbers: &mut [f64]) -> Result<(), Unfit> {
+    /// Reads the next numbers, all of which must be finite and in a domain.
+    pub(in crate::scene) fn fill(&mut self, numbers: &mut [f64], domain: Domain) -> Result<(), Unfit> {
         for piece in numbers.chunks_mut(PIECE) {
             let read = self.bytes.read_exact(bytemuck::cast_slice_mut(piece));
             read.map_err(|error| self.outline.damaged(&error))?;
-            let mut finite = true;
             for number in piece.iter_mut() {
                 *number = f64::from_bits(u64::from_le(number.to_bits()));
-                finite &= number.is_finite();
             }
-            if !finite && let Some(place) = piece.iter().position(|number| !number.is_finite()) {
-                return Err(self.outline.wrong(piece[place], self.read + place, "finite numbers"));
+            let is_sound = |&number: &f64| number.is_finite() && domain.allows(number);
+            if !are_all(piece, domain)
+                && let Some(place) = piece.iter().position(|number| !is_sound(number))
+            {
+                return Err(self.outline.wrong(piece[place], self.read + place, domain.allowed()));
             }
             self.read += piece.len();
         }
@@ -183,14 +205,14 @@ impl Array<'_> {
     }
 
     /// Reads all numbers.
-    pub(in crate::scene) fn numbers(&mut self) -> Result<Vec<f64>, Unfit> {
+    pub(in crate::scene) fn numbers(&mut self, domain: Domain) -> Result<Vec<f64>, Unfit> {
         let len = self.outline.shape.iter().product();
         let mut numbers = Vec::new();
         // What a file claims to hold is not believed before it is there.
         while numbers.len() < len {
             let from = numbers.len();
             numbers.resize(len.min(from + PIECE), 0.0);
-            self.fill(&mut numbers[from..])?;
+            self.fill(&mut numbers[from..], domain)?;
         }
         self.finish()?;
         Ok(numbers)
@@ -205,4 +227,10 @@ impl Array<'_> {
         };
         self.expected.valid(read).map_err(|error| self.outline.damaged(&error))
     }
+}
+
+/// Whether all numbers are finite and in a domain. To look at all of them is faster than to stop at one.
+fn are_all(numbers: &[f64], domain: Domain) -> bool {
+    let are_finite = numbers.iter().fold(true, |all, number| all & number.is_finite());
+    are_finite && (domain == Domain::Real || numbers.iter().fold(true, |all, &number| all & domain.allows(number)))
 }

@@ -1,6 +1,6 @@
 //! Arrays that grow together, row by row.
 
-use super::write::{Entry, little_endian_pieces};
+use super::write::{Entry, PIECE, little_endian_pieces};
 use rawzip::ZipArchiveWriter;
 use std::cell::Cell;
 use std::io::{self, Seek, SeekFrom, Write};
@@ -9,17 +9,43 @@ use std::io::{self, Seek, SeekFrom, Write};
 /// one after the other.
 ///
 /// Where the numbers of each array stand is known from the shapes. What stands between them holds their checksums, and is
-/// written at the end.
+/// written at the end. Short rows are written together.
 pub(in crate::scene) struct Rows<W: Write + Seek> {
     to: W,
     arrays: Vec<Growing>,
+    /// Numbers of an array that wait at most.
+    wait: usize,
 }
+
+/// Numbers of all arrays that wait at most.
+const WAIT: usize = 1 << 20;
 
 struct Growing {
     entry: Entry,
-    /// Where its next number is written.
+    /// Numbers that wait to be written.
+    waiting: Vec<f64>,
+    /// Where the next number is written.
     at: u64,
     sum: crc32fast::Hasher,
+}
+
+impl Growing {
+    fn write(&mut self, numbers: &[f64], to: &mut (impl Write + Seek)) -> io::Result<()> {
+        to.seek(SeekFrom::Start(self.at))?;
+        self.at += size_of_val(numbers) as u64;
+        little_endian_pieces(numbers, |bytes| {
+            self.sum.update(bytes);
+            to.write_all(bytes)
+        })
+    }
+
+    fn write_waiting(&mut self, to: &mut (impl Write + Seek)) -> io::Result<()> {
+        let mut waiting = std::mem::take(&mut self.waiting);
+        self.write(&waiting, to)?;
+        waiting.clear();
+        self.waiting = waiting;
+        Ok(())
+    }
 }
 
 impl<W: Write + Seek> Rows<W> {
@@ -29,27 +55,33 @@ impl<W: Write + Seek> Rows<W> {
             let entry = Entry::new(&name, &shape)?;
             let mut sum = crc32fast::Hasher::new();
             sum.update(&entry.head);
-            Ok(Growing { entry, at: 0, sum })
+            Ok(Growing { entry, waiting: Vec::new(), at: 0, sum })
         };
         let mut arrays: Vec<_> = arrays.map(growing).collect::<io::Result<_>>()?;
         let places = frame(io::sink(), &Cell::new(false), &arrays)?;
         arrays.iter_mut().zip(places).for_each(|(array, at)| array.at = at);
-        Ok(Self { to, arrays })
+        let wait = PIECE.min(WAIT / arrays.len().max(1));
+        Ok(Self { to, arrays, wait })
     }
 
     /// Writes the next numbers of an array.
     pub(in crate::scene) fn push(&mut self, array: usize, numbers: &[f64]) -> io::Result<()> {
-        let Growing { at, sum, .. } = &mut self.arrays[array];
-        self.to.seek(SeekFrom::Start(*at))?;
-        *at += size_of_val(numbers) as u64;
-        little_endian_pieces(numbers, |bytes| {
-            sum.update(bytes);
-            self.to.write_all(bytes)
-        })
+        let growing = &mut self.arrays[array];
+        if growing.waiting.len() + numbers.len() > self.wait {
+            growing.write_waiting(&mut self.to)?;
+        }
+        if numbers.len() > self.wait {
+            return growing.write(numbers, &mut self.to);
+        }
+        growing.waiting.extend(numbers);
+        Ok(())
     }
 
     /// Ends the file.
     pub(in crate::scene) fn finish(mut self) -> io::Result<()> {
+        for growing in &mut self.arrays {
+            growing.write_waiting(&mut self.to)?;
+        }
         self.to.rewind()?;
         let between = Cell::new(true);
         frame(Gaps { to: &mut self.to, between: &between, ahead: 0 }, &between, &self.arrays)?;

@@ -5,7 +5,7 @@ use rawzip::{DataDescriptorOutput, ZipArchiveWriter, ZipEntryWriter, path::ZipFi
 use std::io::{self, BufWriter, Write};
 
 /// Numbers that are written at once: they stay in the cache between checksum and file.
-const PIECE: usize = 1 << 14;
+pub(super) const PIECE: usize = 1 << 14;
 
 /// Writes a file of arrays, one after the other.
 ///

@@ -3,11 +3,12 @@
 use crate::scene::json::{Mark, Read, Reader, Stop};
 use crate::scene::npz::{Archive, Array, Unfit};
 use std::path::Path;
+use std::sync::Arc;
 
 /// The file of arrays that a scene names, if it names one.
 #[derive(Default)]
 pub(super) struct Columns {
-    archive: Option<Archive>,
+    archive: Option<Arc<Archive>>,
 }
 
 /// An array by its name, and where the scene names it.
@@ -31,7 +32,7 @@ impl Columns {
             return Err(Stop);
         };
         match Archive::open(&folder.join(&*name), &name) {
-            Ok(archive) => Ok(Self { archive: Some(archive) }),
+            Ok(archive) => Ok(Self { archive: Some(Arc::new(archive)) }),
             Err(Unfit { found, allowed }) => {
                 reader.fault(place, found, allowed);
                 Err(Stop)
@@ -39,9 +40,9 @@ impl Columns {
         }
     }
 
-    /// Whether the scene names a file of arrays.
-    pub(super) fn are_there(&self) -> bool {
-        self.archive.is_some()
+    /// The file of arrays.
+    pub(super) fn file(&self) -> Option<&Arc<Archive>> {
+        self.archive.as_ref()
     }
 
     /// The name of an array, if one stands next. Without a file of arrays, a string is no name.
@@ -54,26 +55,14 @@ impl Columns {
         Ok(reader.string("the name of an array")?.map(|name| Reference { name: name.into(), mark }))
     }
 
-    /// Reads something from an array, or says what is wrong with it.
+    /// Reads something from an array that was referred to, or says what is wrong with it.
     pub(super) fn load<T>(
         &self,
         reader: &mut Reader,
         Reference { name, mark }: Reference,
         load: impl FnOnce(Array) -> Result<T, Unfit>,
     ) -> Option<T> {
-        match self.open(&name).and_then(load) {
-            Ok(loaded) => Some(loaded),
-            Err(Unfit { found, allowed }) => {
-                reader.fault_at(mark, found, allowed);
-                None
-            }
-        }
-    }
-
-    /// Begins to read an array.
-    pub(super) fn open(&self, name: &str) -> Result<Array<'_>, Unfit> {
-        let archive =
-            self.archive.as_ref().ok_or_else(|| Unfit::new("no file of arrays", "a scene with \"columns\""))?;
-        archive.array(name)
+        let loaded = self.archive.as_ref()?.array(&name).and_then(load);
+        loaded.map_err(|Unfit { found, allowed }| reader.fault_at(mark, found, allowed)).ok()
     }
 }

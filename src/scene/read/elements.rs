@@ -202,11 +202,7 @@ fn column_of(
     };
     let load = |mut array: Array| -> Result<Box<[f64]>, Unfit> {
         array.outline().expect(&[count as usize], "elements")?;
-        let numbers = array.numbers()?;
-        match numbers.iter().position(|&number| !domain.allows(number)) {
-            Some(place) => Err(array.outline().wrong(numbers[place], place, domain.allowed())),
-            None => Ok(numbers.into()),
-        }
+        Ok(array.numbers(domain)?.into())
     };
     columns.load(reader, array, load)
 }

@@ -195,7 +195,7 @@ fn motion_of(reader: &mut Reader, dimension: Dimension, nodes: Members, frame: &
 }
 
 /// The rotation vector of an angle.
-pub(super) fn in_plane(angle: f64) -> [f64; 3] {
+fn in_plane(angle: f64) -> [f64; 3] {
     [0.0, 0.0, angle]
 }
 

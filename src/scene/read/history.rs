@@ -1,47 +1,40 @@
 //! The history of a scene as columns: frames whose values are arrays over all states.
 
 use super::columns::{Columns, Reference};
-use super::frames::{Mentions, check_sliding, in_plane, motions};
+use super::frames::{Mentions, check_sliding, motions};
 use super::keys;
 use crate::quantity::Domain;
-use crate::scene::json::{Read, Reader};
+use crate::scene::json::{Mark, Read, Reader};
 use crate::scene::kind::Dimension;
-use crate::scene::model::{Changes, Frame, Members};
-use crate::scene::npz::{Array, Unfit};
-use bytemuck::Pod;
+use crate::scene::model::{Components, History, HistoryColumn, HistoryColumns, OpenColumn, Places, Quantity};
+use crate::scene::npz::{Archive, Array, Unfit};
 use rayon::prelude::*;
 use std::sync::Arc;
 
-/// What an array changes.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Quantity {
-    Moves,
-    Turns,
-    /// By the place of the load in its kind.
-    Loads(usize),
-    Pressures,
-}
-
-/// An array that is wanted: its first axis are the states, its next the nodes or elements of a set.
+/// A column, and where the scene names it.
 struct Wanted {
-    array: Reference,
-    quantity: Quantity,
-    of: Members,
-    domain: Domain,
+    column: HistoryColumn,
+    mark: Mark,
 }
 
-/// The values of nodes or elements, state by state.
-enum Values {
-    Vectors(Vec<Vec<[f64; 3]>>),
-    Numbers(Vec<Vec<f64>>),
-}
-
-/// Reads frames of which every value is an array.
-pub(super) fn history_of(reader: &mut Reader, mentions: &mut Mentions, columns: &Columns) -> Read<Vec<Frame>> {
+/// Reads frames of which every value is an array of the file.
+pub(super) fn history_of(
+    reader: &mut Reader,
+    mentions: &mut Mentions,
+    columns: &Columns,
+    file: &Arc<Archive>,
+) -> Read<History> {
     let place = reader.place();
     let (mut time, mut wanted, mut given) = (None, Vec::new(), false);
     let keys = if mentions.sliding() { &keys::SLIDING_FRAME } else { &keys::FRAME };
     let dimension = mentions.dimension;
+    let mut want = |reader: &mut Reader, of, quantity, domain| {
+        let Some(Reference { name: array, mark }) = array_of(reader, columns)? else { return Ok(()) };
+        let (path, components, places) = (mark.path.clone(), components(quantity, dimension), Places::From(0));
+        let column = HistoryColumn { array, path, quantity, domain, components, of, places };
+        wanted.push(Wanted { column, mark });
+        Ok(())
+    };
     reader.record(keys, |reader, key| match key {
         0 => {
             given = true;
@@ -50,31 +43,20 @@ pub(super) fn history_of(reader: &mut Reader, mentions: &mut Mentions, columns: 
         }
         1 => mentions.moved.each(reader, 0, |reader, of, _| {
             reader.record(motions(dimension), |reader, key| {
-                let quantity = [Quantity::Moves, Quantity::Turns][key];
-                let array = array_of(reader, columns)?;
-                wanted.extend(array.map(|array| Wanted { array, quantity, of, domain: Domain::Real }));
-                Ok(())
+                want(reader, of, [Quantity::Moves, Quantity::Turns][key], Domain::Real)
             })?;
             Ok(())
         }),
         _ if dimension == Dimension::Axisymmetric => mentions.pressed.each(reader, 0, |reader, of, place| {
             check_sliding(reader, place, &mentions.slides, of);
-            let array = array_of(reader, columns)?;
-            let (quantity, domain) = (Quantity::Pressures, Domain::NonNegative);
-            wanted.extend(array.map(|array| Wanted { array, quantity, of, domain }));
-            Ok(())
+            want(reader, of, Quantity::Pressures, Domain::NonNegative)
         }),
         _ => {
             let elements = mentions.loaded.known;
             mentions.loaded.each(reader, 0, |reader, of, _| {
                 let Some(kind) = elements[of.number(0)].kind() else { return reader.skip() };
                 let names: Vec<_> = kind.loads().collect();
-                reader.record(&names, |reader, key| {
-                    let (quantity, domain) = (Quantity::Loads(key), kind.domain(names[key]));
-                    let array = array_of(reader, columns)?;
-                    wanted.extend(array.map(|array| Wanted { array, quantity, of, domain }));
-                    Ok(())
-                })?;
+                reader.record(&names, |reader, key| want(reader, of, Quantity::Loads(key), kind.domain(names[key])))?;
                 Ok(())
             })
         }
@@ -83,8 +65,19 @@ pub(super) fn history_of(reader: &mut Reader, mentions: &mut Mentions, columns: 
         reader.fault(place, "frames without \"time\"", "frames with the array of their times");
     }
     let times = time.and_then(|time| columns.load(reader, time, times));
-    let Some(times) = times else { return Ok(Vec::new()) };
-    Ok(load(reader, dimension, columns, times, wanted))
+    // Without times it is not known how many states there are.
+    Ok(times.map_or_else(|| History::Frames(Vec::new()), |times| checked(reader, file, times, wanted)))
+}
+
+/// The components of a value that the array of a quantity gives: in the plane, nodes move in it and turn in it.
+fn components(quantity: Quantity, dimension: Dimension) -> Components {
+    let in_space = dimension == Dimension::Space;
+    match quantity {
+        Quantity::Moves => Components { first: 0, count: dimension.coordinates() },
+        Quantity::Turns if in_space => Components { first: 0, count: 3 },
+        Quantity::Turns => Components { first: 2, count: 1 },
+        Quantity::Pressures | Quantity::Loads(_) => Components { first: 0, count: 1 },
+    }
 }
 
 /// The name of an array, which must stand next.
@@ -101,7 +94,7 @@ fn times(mut array: Array) -> Result<Vec<f64>, Unfit> {
     if !matches!(*array.outline().shape(), [states] if states > 0) {
         return Err(array.outline().misshapen("(n,): states, at least one"));
     }
-    let times = array.numbers()?;
+    let times = array.numbers(Domain::Real)?;
     match times.windows(2).position(|pair| pair[1] <= pair[0]) {
         Some(before) => {
             let allowed = format!("times after those before, here {:?}", times[before]);
@@ -111,119 +104,20 @@ fn times(mut array: Array) -> Result<Vec<f64>, Unfit> {
     }
 }
 
-/// Reads all arrays, on all cores, and makes frames of them.
-fn load(
-    reader: &mut Reader,
-    dimension: Dimension,
-    columns: &Columns,
-    times: Vec<f64>,
-    wanted: Vec<Wanted>,
-) -> Vec<Frame> {
+/// Checks all arrays, on all cores.
+fn checked(reader: &mut Reader, file: &Arc<Archive>, times: Vec<f64>, wanted: Vec<Wanted>) -> History {
     let states = times.len();
-    let read = |wanted: &Wanted| wanted.read(dimension, columns, states);
-    let read: Vec<_> = wanted.par_iter().map(read).collect();
-    let mut frames: Vec<_> = times.into_iter().map(|time| Frame { time, ..Frame::default() }).collect();
-    let mut all = Vec::new();
-    for (Wanted { array, quantity, of, .. }, values) in wanted.into_iter().zip(read) {
-        match values {
-            Ok(values) => all.push((quantity, of, values)),
-            Err(Unfit { found, allowed }) => reader.fault_at(array.mark, found, allowed),
+    let check = |wanted: &Wanted| {
+        let mut open = OpenColumn::new(&wanted.column, file, states)?;
+        (0..states).try_for_each(|_| open.advance(|_, _| ()))
+    };
+    let checks: Vec<_> = wanted.par_iter().map(check).collect();
+    let mut columns = Vec::new();
+    for (Wanted { mark, column }, check) in wanted.into_iter().zip(checks) {
+        match check {
+            Ok(()) => columns.push(column),
+            Err(Unfit { found, allowed }) => reader.fault_at(mark, found, allowed),
         }
     }
-    while let Some(&(quantity, ..)) = all.first() {
-        let of_quantity = all.extract_if(.., |(other, ..)| *other == quantity);
-        let (mut vectors, mut numbers) = (Vec::new(), Vec::new());
-        for (_, of, values) in of_quantity {
-            match values {
-                Values::Vectors(values) => vectors.push((of, values)),
-                Values::Numbers(values) => numbers.push((of, values)),
-            }
-        }
-        match quantity {
-            Quantity::Moves => set(&mut frames, vectors, |frame| &mut frame.moves),
-            Quantity::Turns => set(&mut frames, vectors, |frame| &mut frame.turns),
-            Quantity::Pressures => set(&mut frames, numbers, |frame| &mut frame.pressures),
-            Quantity::Loads(load) => set(&mut frames, numbers, |frame| {
-                if frame.loads.len() <= load {
-                    frame.loads.resize_with(load + 1, Changes::default);
-                }
-                &mut frame.loads[load]
-            }),
-        }
-    }
-    frames
-}
-
-/// Gives every frame its values of a quantity, of all nodes or elements that some array changes.
-fn set<V: Copy>(
-    frames: &mut [Frame],
-    columns: Vec<(Members, Vec<Vec<V>>)>,
-    changes: impl Fn(&mut Frame) -> &mut Changes<V>,
-) {
-    let mut of: Vec<u32> = columns.iter().flat_map(|(of, _)| of.numbers()).collect();
-    let is_sorted = of.is_sorted();
-    let mut order: Vec<usize> = Vec::new();
-    if !is_sorted {
-        order.extend(0..of.len());
-        order.sort_unstable_by_key(|&place| of[place]);
-        of.sort_unstable();
-    }
-    let of: Arc<[u32]> = of.into();
-    let mut columns: Vec<_> = columns.into_iter().map(|(_, states)| states.into_iter()).collect();
-    for frame in frames {
-        let mut parts = columns.iter_mut().filter_map(Iterator::next);
-        let mut to = parts.next().unwrap_or_default();
-        parts.for_each(|part| to.extend(part));
-        if !is_sorted {
-            to = order.iter().map(|&place| to[place]).collect();
-        }
-        *changes(frame) = Changes { of: Arc::clone(&of), to };
-    }
-}
-
-impl Wanted {
-    fn read(&self, dimension: Dimension, columns: &Columns, states: usize) -> Result<Values, Unfit> {
-        let array = columns.open(&self.array.name)?;
-        let in_space = dimension == Dimension::Space;
-        Ok(match self.quantity {
-            Quantity::Moves if !in_space => {
-                let in_plane = |[x, y]: [f64; 2]| [x, y, 0.0];
-                Values::Vectors(each(self.states(array, states)?, in_plane))
-            }
-            Quantity::Turns if !in_space => Values::Vectors(each(self.states(array, states)?, in_plane)),
-            Quantity::Moves | Quantity::Turns => Values::Vectors(self.states(array, states)?),
-            Quantity::Loads(_) | Quantity::Pressures => Values::Numbers(self.states(array, states)?),
-        })
-    }
-
-    /// The values of every state, whose components stand next to each other.
-    fn states<V: Pod>(&self, mut array: Array, states: usize) -> Result<Vec<Vec<V>>, Unfit> {
-        let components = size_of::<V>() / size_of::<f64>();
-        let count = self.of.count().map(|count| count as usize);
-        let width = Some(components).filter(|&components| components > 1);
-        let shape: Vec<_> = [Some(states), count, width].into_iter().flatten().collect();
-        let axes = [Some("states"), count.map(|_| "members"), width.map(|_| "components")];
-        array.outline().expect(&shape, &axes.into_iter().flatten().collect::<Vec<_>>().join(", "))?;
-        let len = self.of.len() as usize;
-        let mut all = Vec::with_capacity(states);
-        for state in 0..states {
-            let mut values = vec![V::zeroed(); len];
-            let numbers: &mut [f64] = bytemuck::cast_slice_mut(&mut values);
-            array.fill(numbers)?;
-            if self.domain != Domain::Real
-                && let Some(place) = numbers.iter().position(|&number| !self.domain.allows(number))
-            {
-                let at = state * len * components + place;
-                return Err(array.outline().wrong(numbers[place], at, self.domain.allowed()));
-            }
-            all.push(values);
-        }
-        array.finish()?;
-        Ok(all)
-    }
-}
-
-/// Every value made into another.
-fn each<A, B>(states: Vec<Vec<A>>, make: impl Fn(A) -> B + Copy) -> Vec<Vec<B>> {
-    states.into_iter().map(|values| values.into_iter().map(make).collect()).collect()
+    History::Columns(HistoryColumns::new(Arc::clone(file), times, columns))
 }

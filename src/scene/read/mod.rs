@@ -15,7 +15,7 @@ mod triads;
 
 use super::json::{Faults, Read, Reader};
 use super::kind::Dimension;
-use super::model::{Frame, Scene};
+use super::model::{Frame, History, Scene};
 use columns::Columns;
 use elements::{Draft, Known, elements_of};
 use frames::{Mentions, frames_of};
@@ -36,7 +36,8 @@ impl Scene {
         Self::read(text, None)
     }
 
-    /// The same for a text that stands in a file in this folder, beside the file of columns that it may name.
+    /// The same for a text that stands in a file in this folder, beside the file of columns that it may name. All numbers of
+    /// the history are checked and left in that file, which stays open and is read again, state by state, by every run.
     ///
     /// # Errors
     /// As [`Scene::parse`], and everything that is wrong with the columns: the file, the array, and which index.
@@ -96,15 +97,14 @@ fn scene(reader: &mut Reader, folder: Option<&Path>) -> Read<Option<Scene>> {
         )
     })?;
     let elements = elements.unwrap_or_default();
-    let frames = part(reader, "frames", frames, |reader| {
+    let history = part(reader, "frames", frames, |reader| {
         let mut mentions = Mentions::new(dimension, &nodes, &elements);
-        if columns.are_there() && reader.begins_with(b'{') {
-            history_of(reader, &mut mentions, &columns)
-        } else {
-            frames_of(reader, &mut mentions)
+        match columns.file() {
+            Some(file) if reader.begins_with(b'{') => history_of(reader, &mut mentions, &columns, file),
+            _ => frames_of(reader, &mut mentions).map(History::Frames),
         }
     })?;
-    let frames = frames.unwrap_or_else(|| vec![Frame::default()]);
+    let history = history.unwrap_or_else(|| History::Frames(vec![Frame::default()]));
     let whole = || {
         Some(Scene {
             title: title.into(),
@@ -117,7 +117,7 @@ fn scene(reader: &mut Reader, folder: Option<&Path>) -> Read<Option<Scene>> {
             at,
             lines: lines.each(|line| line)?,
             elements: elements.each(Draft::whole)?,
-            frames,
+            history,
         })
     };
     Ok(whole())

@@ -91,7 +91,7 @@ fn positions(reader: &mut Reader, dimension: Dimension, columns: &Columns) -> Re
                     .misshapen(format!("(n, {coordinates}): nodes, at least one, and coordinates")));
             }
         }
-        let numbers = array.numbers()?;
+        let numbers = array.numbers(Domain::Real)?;
         if coordinates == 3 {
             return Ok(At::Each(numbers.as_chunks().0.to_vec()));
         }

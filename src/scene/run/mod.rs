@@ -3,6 +3,7 @@
 //! Elements are taken in blocks; each block has its own registers, and no element sees another, so the results do not
 //! depend on how many threads there are. What lasts from state to state is what the plan keeps per element, the
 //! results of the last state, and initial position and triad per node; displacements are read where the frame holds them.
+//! Of a history in columns, one state is in memory.
 
 mod blocks;
 mod contact;
@@ -12,9 +13,10 @@ mod nodes;
 mod prefetch;
 mod problem;
 mod share;
+mod states;
 
 pub(super) use gather::{Gather, array_name};
-pub use problem::{Culprit, Problem, Problems};
+pub use problem::{Culprit, Problem, Problems, Stopped, Unreadable};
 
 use super::evaluate::{Failure, Number};
 use super::model::{Frame, Scene};
@@ -25,6 +27,7 @@ use contact::{ContactRun, Increment};
 use group::{GroupState, Inputs};
 use indexmap::IndexMap;
 use nodes::NodeStates;
+use states::States;
 
 /// Problems that are listed.
 const LISTED: usize = 100;
@@ -34,8 +37,9 @@ const LISTED: usize = 100;
 pub struct Run<'s, T> {
     scene: &'s Scene,
     plan: &'s Plan<'s>,
-    /// How many states there were.
+    /// How many states there were, and those to come.
     states: usize,
+    frames: States<'s>,
     nodes: NodeStates<'s, T>,
     groups: Vec<GroupState<T>>,
     /// Group, and place in it, of every element of which something is wanted.
@@ -47,9 +51,10 @@ impl<'s, T: Number> Run<'s, T> {
     /// The initial configuration.
     ///
     /// # Errors
-    /// A formula that is undefined there.
-    pub fn new(plan: &'s Plan<'s>) -> Result<Self, Problems> {
+    /// A formula that is undefined there, and an array of the history that cannot be read.
+    pub fn new(plan: &'s Plan<'s>) -> Result<Self, Stopped> {
         let scene = plan.scene;
+        let frames = States::new(&scene.history)?;
         let mut places = vec![None; scene.elements.len()];
         for (group, index) in plan.groups.iter().zip(0..) {
             for (&element, place) in group.elements.iter().zip(0..) {
@@ -59,25 +64,24 @@ impl<'s, T: Number> Run<'s, T> {
         let nodes = NodeStates::new(plan);
         let groups = plan.groups.iter().map(|group| GroupState::new(scene, group, &nodes)).collect();
         let contacts = plan.contacts.iter().map(ContactRun::new).collect();
-        let mut run = Self { scene, plan, states: 0, nodes, groups, places, contacts };
+        let mut run = Self { scene, plan, states: 0, frames, nodes, groups, places, contacts };
         let problems = run.evaluate(None);
-        if problems.is_empty() { Ok(run) } else { Err(Problems(problems)) }
+        if problems.is_empty() { Ok(run) } else { Err(Problems(problems).into()) }
     }
 
     /// The next state; `false` if there is none.
     ///
     /// # Errors
-    /// A formula that is undefined there, or a result that no double can hold.
-    pub fn advance(&mut self) -> Result<bool, Problems> {
-        let Some(frame) = self.scene.frames.get(self.states) else {
-            return Ok(false);
-        };
-        self.nodes.advance(frame);
-        let mut problems = self.evaluate(Some(frame));
-        problems.extend(self.slide(frame));
+    /// A formula that is undefined there, a result that no double can hold, and an array of the history that cannot be read.
+    pub fn advance(&mut self) -> Result<bool, Stopped> {
+        let Some(mut frame) = self.frames.advance()? else { return Ok(false) };
+        self.nodes.advance(&mut frame);
+        let mut problems = self.evaluate(Some(&frame));
+        problems.extend(self.slide(&frame));
         problems.truncate(LISTED);
+        self.frames.reuse(frame);
         self.states += 1;
-        if problems.is_empty() { Ok(true) } else { Err(Problems(problems)) }
+        if problems.is_empty() { Ok(true) } else { Err(Problems(problems).into()) }
     }
 
     /// Evaluates every element in a frame, or without one in the initial configuration.
@@ -97,9 +101,9 @@ impl<'s, T: Number> Run<'s, T> {
 
     /// The next state of the slide lines.
     fn slide(&mut self, frame: &Frame) -> Vec<Problem> {
-        let last = self.states.checked_sub(1).map(|last| &self.scene.frames[last]);
-        let duration = last.map(|last| frame.time - last.time);
-        let is_last = self.states + 1 == self.scene.frames.len();
+        let history = &self.scene.history;
+        let duration = self.states.checked_sub(1).map(|last| frame.time - history.time(last));
+        let is_last = self.states + 1 == history.len();
         let increment = Increment { nodes: &self.nodes, duration, pressures: &frame.pressures, is_last };
         let (scene, state) = (self.scene, self.states);
         let mut problems = Vec::new();
@@ -153,11 +157,11 @@ impl<'s, T: Number> Run<'s, T> {
         counts.into_iter().collect()
     }
 
-    /// Bytes that last from state to state: of elements, and of nodes.
+    /// Bytes that last from state to state: of elements, and of nodes with what is read of a history in columns.
     pub fn bytes(&self) -> [usize; 2] {
         let evaluated: usize = self.groups.iter().map(GroupState::bytes).sum();
         let sliding: usize = self.contacts.iter().map(ContactRun::bytes).sum();
-        [evaluated + sliding + size_of_val(&*self.places), self.nodes.bytes()]
+        [evaluated + sliding + size_of_val(&*self.places), self.nodes.bytes() + self.frames.bytes()]
     }
 }
 

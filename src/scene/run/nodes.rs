@@ -17,7 +17,7 @@ pub(super) struct NodeStates<'s, T> {
     initial: Vec<[f64; 3]>,
     /// The nodes that move in some state, by their numbers in the scene.
     moving: Vec<u32>,
-    /// Their displacements: those of a frame, if it tells all of them.
+    /// Their displacements: those of a frame of the scene, if it tells all of them.
     displacements: Cow<'s, [[f64; 3]]>,
     /// Displacements in the last state, if anything asks for increments.
     before: Option<Cow<'s, [[f64; 3]]>>,
@@ -141,13 +141,16 @@ impl<'s, T: Number> NodeStates<'s, T> {
         &self.triads[number as usize]
     }
 
-    /// Moves and turns them.
-    pub(super) fn advance(&mut self, frame: &'s Frame) {
+    /// Moves and turns them. Of a frame that was read, what tells all displacements is taken, for older ones.
+    pub(super) fn advance(&mut self, frame: &mut Cow<'s, Frame>) {
         if let Some(before) = &mut self.before {
             before.clone_from(&self.displacements);
         }
         if frame.moves.of.len() == self.moving.len() {
-            self.displacements = Cow::Borrowed(&frame.moves.to);
+            match frame {
+                Cow::Borrowed(frame) => self.displacements = Cow::Borrowed(&frame.moves.to),
+                Cow::Owned(frame) => std::mem::swap(self.displacements.to_mut(), &mut frame.moves.to),
+            }
         } else if !frame.moves.of.is_empty() {
             self.move_some(frame);
         }
@@ -198,7 +201,7 @@ impl<'s, T: Number> NodeStates<'s, T> {
 /// The nodes of which no frame changes something, and those of which one does, by their numbers in the scene.
 fn changed(scene: &Scene, changes: impl Fn(&Frame) -> &Changes<[f64; 3]>) -> (Vec<u32>, Vec<u32>) {
     let mut is_changed = vec![false; scene.nodes.len()];
-    let all = scene.frames.iter().flat_map(|frame| &*changes(frame).of);
+    let all = scene.history.mentions().iter().flat_map(|frame| &*changes(frame).of);
     all.for_each(|&node| is_changed[node as usize] = true);
     (0..scene.nodes.next_number()).partition(|&node| !is_changed[node as usize])
 }

@@ -1,0 +1,167 @@
+//! The history of a scene: its states one by one, or in columns.
+
+use super::frame::{Frame, Quantity};
+use super::named::Members;
+use crate::quantity::Domain;
+use crate::scene::npz::{Archive, Array, Unfit};
+use indexmap::IndexMap;
+use std::sync::Arc;
+
+/// What changes from state to state.
+#[derive(Clone, Debug)]
+pub(in crate::scene) enum History {
+    Frames(Vec<Frame>),
+    Columns(HistoryColumns),
+}
+
+impl History {
+    /// How many states there are.
+    pub(in crate::scene) fn len(&self) -> usize {
+        match self {
+            Self::Frames(frames) => frames.len(),
+            Self::Columns(columns) => columns.times.len(),
+        }
+    }
+
+    /// The time of a state.
+    pub(in crate::scene) fn time(&self, state: usize) -> f64 {
+        match self {
+            Self::Frames(frames) => frames[state].time,
+            Self::Columns(columns) => columns.times[state],
+        }
+    }
+
+    /// Frames that mention everything that changes in some state.
+    pub(in crate::scene) fn mentions(&self) -> &[Frame] {
+        match self {
+            Self::Frames(frames) => frames,
+            Self::Columns(columns) => std::slice::from_ref(&columns.changed),
+        }
+    }
+}
+
+/// A history of which every value is an array of a file. The values stay there, so memory does not grow with the states.
+#[derive(Clone, Debug)]
+pub(in crate::scene) struct HistoryColumns {
+    pub(in crate::scene) file: Arc<Archive>,
+    pub(in crate::scene) times: Vec<f64>,
+    pub(in crate::scene) columns: Vec<HistoryColumn>,
+    /// What every state changes, without values.
+    pub(in crate::scene) changed: Frame,
+}
+
+/// An array of which the first axis are the states; its next are the nodes or elements of a set, and components.
+#[derive(Clone, Debug)]
+pub(in crate::scene) struct HistoryColumn {
+    /// Its name, and the JSON path to it.
+    pub(in crate::scene) array: String,
+    pub(in crate::scene) path: String,
+    pub(in crate::scene) quantity: Quantity,
+    pub(in crate::scene) domain: Domain,
+    /// The components of a value that it gives.
+    pub(in crate::scene) components: Components,
+    pub(in crate::scene) of: Members,
+    pub(in crate::scene) places: Places,
+}
+
+/// Components that stand next to each other in a value.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::scene) struct Components {
+    pub(in crate::scene) first: usize,
+    pub(in crate::scene) count: usize,
+}
+
+/// The places that members have among all that change.
+#[derive(Clone, Debug)]
+pub(in crate::scene) enum Places {
+    /// Next to each other, from this one on.
+    From(usize),
+    Each(Box<[usize]>),
+}
+
+impl HistoryColumns {
+    /// Columns of a file, each of them of other nodes or elements than the others of its quantity.
+    pub(in crate::scene) fn new(file: Arc<Archive>, times: Vec<f64>, mut columns: Vec<HistoryColumn>) -> Self {
+        let mut changed = Frame::default();
+        let mut numbers: IndexMap<_, Vec<u32>> = IndexMap::new();
+        for column in &columns {
+            numbers.entry(column.quantity).or_default().extend(column.of.numbers());
+        }
+        for (quantity, mut numbers) in numbers {
+            numbers.sort_unstable();
+            *changed.of_mut(quantity) = numbers.into();
+        }
+        for column in &mut columns {
+            column.places = Places::new(column.of, changed.of_mut(column.quantity));
+        }
+        Self { file, times, columns, changed }
+    }
+}
+
+impl Places {
+    /// The places of members among these, which are in order.
+    fn new(members: Members, among: &[u32]) -> Self {
+        let place = |number| among.partition_point(|&other| other < number);
+        let (first, last) = (members.number(0), members.number(members.len() - 1));
+        let from = place(first);
+        if place(last) - from + 1 == members.len() as usize {
+            return Self::From(from);
+        }
+        Self::Each(members.numbers().map(place).collect())
+    }
+
+    /// The place of a member, counted from 0.
+    pub(in crate::scene) fn of(&self, member: usize) -> usize {
+        match self {
+            Self::From(first) => first + member,
+            Self::Each(places) => places[member],
+        }
+    }
+}
+
+/// A column that is being read, state by state.
+#[derive(Debug)]
+pub(in crate::scene) struct OpenColumn<'s> {
+    pub(in crate::scene) column: &'s HistoryColumn,
+    array: Array<'s>,
+    /// How many states are left.
+    left: usize,
+    /// Room for some members, few enough to stay in the cache.
+    piece: Vec<f64>,
+}
+
+/// Numbers in a piece at most.
+const PIECE: usize = 1 << 14;
+
+impl<'s> OpenColumn<'s> {
+    /// Opens the array of a history of so many states and checks its shape.
+    pub(in crate::scene) fn new(column: &'s HistoryColumn, file: &'s Archive, states: usize) -> Result<Self, Unfit> {
+        let array = file.array(&column.array)?;
+        let Components { count: components, .. } = column.components;
+        let members = column.of.count().map(|count| (count as usize, "members"));
+        let width = Some((components, "components")).filter(|_| components > 1);
+        let (shape, axes): (Vec<_>, Vec<_>) = [Some((states, "states")), members, width].into_iter().flatten().unzip();
+        array.outline().expect(&shape, &axes.join(", "))?;
+        let piece = vec![0.0; (column.of.len() as usize).min(PIECE / components) * components];
+        Ok(Self { column, array, left: states, piece })
+    }
+
+    /// Reads the next state, piece by piece; `take` is told the place of the first member of each.
+    pub(in crate::scene) fn advance(&mut self, mut take: impl FnMut(usize, &[f64])) -> Result<(), Unfit> {
+        let Components { count: components, .. } = self.column.components;
+        let members = self.column.of.len() as usize;
+        let at_once = self.piece.len() / components;
+        for first in (0..members).step_by(at_once) {
+            let piece = &mut self.piece[..at_once.min(members - first) * components];
+            self.array.fill(piece, self.column.domain)?;
+            take(first, piece);
+        }
+        self.left -= 1;
+        if self.left == 0 { self.array.finish() } else { Ok(()) }
+    }
+
+    /// Bytes of the room for a piece.
+    pub(in crate::scene) fn bytes(&self) -> usize {
+        size_of_val(&*self.piece)
+    }
+}

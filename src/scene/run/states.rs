@@ -1,0 +1,111 @@
+//! The states of a history, one after the other.
+
+use super::problem::Unreadable;
+use crate::scene::model::{Frame, History, HistoryColumns, OpenColumn, Places};
+use crate::scene::npz::Unfit;
+use rayon::prelude::*;
+use std::borrow::Cow;
+
+/// The frames that are still to come.
+#[derive(Debug)]
+pub(super) enum States<'s> {
+    Frames(std::slice::Iter<'s, Frame>),
+    Columns(Reading<'s>),
+}
+
+/// Columns that are read state by state.
+#[derive(Debug)]
+pub(super) struct Reading<'s> {
+    times: std::slice::Iter<'s, f64>,
+    /// Those of each quantity, by its place.
+    open: Vec<Vec<OpenColumn<'s>>>,
+    /// Room for the next state.
+    frame: Frame,
+}
+
+impl<'s> States<'s> {
+    pub(super) fn new(history: &'s History) -> Result<Self, Unreadable> {
+        Ok(match history {
+            History::Frames(frames) => Self::Frames(frames.iter()),
+            History::Columns(columns) => Self::Columns(Reading::new(columns)?),
+        })
+    }
+
+    /// The next frame, if there is one.
+    pub(super) fn advance(&mut self) -> Result<Option<Cow<'s, Frame>>, Unreadable> {
+        match self {
+            Self::Frames(frames) => Ok(frames.next().map(Cow::Borrowed)),
+            Self::Columns(reading) => Ok(reading.advance()?.map(Cow::Owned)),
+        }
+    }
+
+    /// Bytes that last from state to state.
+    pub(super) fn bytes(&self) -> usize {
+        match self {
+            Self::Frames(_) => 0,
+            Self::Columns(Reading { open, frame, .. }) => {
+                frame.bytes() + open.iter().flatten().map(OpenColumn::bytes).sum::<usize>()
+            }
+        }
+    }
+
+    /// Takes back the room of a frame.
+    pub(super) fn reuse(&mut self, frame: Cow<'s, Frame>) {
+        if let (Self::Columns(reading), Cow::Owned(frame)) = (self, frame) {
+            reading.frame = frame;
+        }
+    }
+}
+
+impl<'s> Reading<'s> {
+    fn new(columns: &'s HistoryColumns) -> Result<Self, Unreadable> {
+        let HistoryColumns { file, times, columns, changed } = columns;
+        let mut open = Vec::new();
+        for column in columns {
+            let opened = OpenColumn::new(column, file, times.len());
+            let place = column.quantity.place();
+            if open.len() <= place {
+                open.resize_with(place + 1, Vec::new);
+            }
+            open[place].push(opened.map_err(|unfit| unreadable(&column.path, unfit))?);
+        }
+        Ok(Self { times: times.iter(), open, frame: changed.zeroed() })
+    }
+
+    /// Reads the next state, its quantities on all cores.
+    fn advance(&mut self) -> Result<Option<Frame>, Unreadable> {
+        let Some(&time) = self.times.next() else { return Ok(None) };
+        let mut frame = std::mem::take(&mut self.frame);
+        frame.time = time;
+        let mut quantities: Vec<_> = self.open.iter_mut().zip(frame.numbers_mut()).collect();
+        let read = |(columns, (numbers, width)): &mut (&mut Vec<OpenColumn>, (&mut [f64], usize))| {
+            columns.iter_mut().try_for_each(|column| read(column, numbers, *width))
+        };
+        // Of several faults the first is said, whichever core is faster.
+        let read: Vec<_> = quantities.par_iter_mut().map(read).collect();
+        let Some(fault) = read.into_iter().find_map(Result::err) else { return Ok(Some(frame)) };
+        self.frame = frame;
+        Err(fault)
+    }
+}
+
+/// Reads the next state of a column into the values of its quantity, each of so many numbers.
+fn read(open: &mut OpenColumn, numbers: &mut [f64], width: usize) -> Result<(), Unreadable> {
+    let column = open.column;
+    let [from, components] = [column.components.first, column.components.count];
+    let taken = open.advance(|first, piece| match &column.places {
+        Places::From(place) if components == width => {
+            numbers[(place + first) * width..][..piece.len()].copy_from_slice(piece);
+        }
+        places => {
+            for (member, value) in (first..).zip(piece.chunks_exact(components)) {
+                numbers[places.of(member) * width + from..][..components].copy_from_slice(value);
+            }
+        }
+    });
+    taken.map_err(|unfit| unreadable(&column.path, unfit))
+}
+
+fn unreadable(path: &str, Unfit { found, allowed }: Unfit) -> Unreadable {
+    Unreadable { path: path.into(), found, allowed }
+}
