@@ -127,7 +127,7 @@ impl Columns {
     ///
     /// # Errors
     /// What [`Columns::of`] and [`Columns::write`] say; what was written before is then no whole file.
-    pub fn stream(plan: &Plan<'_>, to: impl Write + Seek, mut each: impl FnMut()) -> Result<(), Unwritten> {
+    pub fn stream(plan: &Plan<'_>, to: impl Write + Seek + Send, mut each: impl FnMut()) -> Result<(), Unwritten> {
         let mut run = Run::<f64>::new(plan)?;
         let gathered = run.gathered();
         let row = |gather: &Gather<'_>| vec![0.0; gather.shape(1).iter().product()];
@@ -137,14 +137,17 @@ impl Columns {
         let arrays = gathered.columns.iter().map(|gather| (gather.array(), gather.shape(times.len())));
         let mut arrays = Rows::new(to, time.chain(arrays))?;
         arrays.push(0, &times)?;
-        for _ in 0..times.len() {
-            run.advance()?;
+        let mut push = |rows: &[Vec<f64>]| (1..).zip(rows).try_for_each(|(array, row)| arrays.push(array, row));
+        for state in 0..times.len() {
+            // A state is written while the next one is evaluated.
+            let before = if state == 0 { &[] } else { &rows[..] };
+            let (written, evaluated) = rayon::join(|| push(before), || run.advance());
+            written?;
+            evaluated?;
             each();
             run.gather(&gathered, &mut rows.iter_mut().map(|row| &mut row[..]).collect::<Vec<_>>());
-            for (array, row) in (1..).zip(&rows) {
-                arrays.push(array, row)?;
-            }
         }
+        push(&rows)?;
         Ok(arrays.finish()?)
     }
 

@@ -187,6 +187,10 @@ fn results_are_written_by_the_name_of_their_file() {
     assert!(arrays.starts_with(b"PK") && arrays.windows(14).any(|name| name == b"guide/CSF1.npy"));
     bench.run(&["scene", &rail, "--out", "results.xls"]).exits(2).says("one of .npz, .json, .csv, .txt");
     bench.run(&["scene", &rail, &rail, "--out", "results.npz"]).bad_usage("the results of one scene");
+    for more in [&["--error"][..], &["--plot", "plots"]] {
+        let asked = [&["scene", &rail, "--out", "results.npz"], more].concat();
+        bench.run(&asked).bad_usage("arrays are written without --error and --plot");
+    }
     // Where something is wrong, nothing is written.
     let wrong = bench.path("wrong.json");
     fs::write(&wrong, WRONG).unwrap();

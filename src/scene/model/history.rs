@@ -3,7 +3,7 @@
 use super::frame::{Frame, Quantity};
 use super::named::Members;
 use crate::quantity::Domain;
-use crate::scene::npz::{Archive, Array, Unfit};
+use crate::scene::npz::{Archive, Array, PIECE, Unfit};
 use indexmap::IndexMap;
 use std::sync::Arc;
 
@@ -130,9 +130,6 @@ pub(in crate::scene) struct OpenColumn<'s> {
     piece: Vec<f64>,
 }
 
-/// Numbers in a piece at most.
-const PIECE: usize = 1 << 14;
-
 impl<'s> OpenColumn<'s> {
     /// Opens the array of a history of so many states and checks its shape.
     pub(in crate::scene) fn new(column: &'s HistoryColumn, file: &'s Archive, states: usize) -> Result<Self, Unfit> {
@@ -146,6 +143,12 @@ impl<'s> OpenColumn<'s> {
         Ok(Self { column, array, left: states, piece })
     }
 
+    /// Reads the next state to where its values stand, one behind the other.
+    pub(in crate::scene) fn advance_to(&mut self, values: &mut [f64]) -> Result<(), Unfit> {
+        self.array.fill(values, self.column.domain)?;
+        self.end_state()
+    }
+
     /// Reads the next state, piece by piece; `take` is told the place of the first member of each.
     pub(in crate::scene) fn advance(&mut self, mut take: impl FnMut(usize, &[f64])) -> Result<(), Unfit> {
         let Components { count: components, .. } = self.column.components;
@@ -156,6 +159,10 @@ impl<'s> OpenColumn<'s> {
             self.array.fill(piece, self.column.domain)?;
             take(first, piece);
         }
+        self.end_state()
+    }
+
+    fn end_state(&mut self) -> Result<(), Unfit> {
         self.left -= 1;
         if self.left == 0 { self.array.finish() } else { Ok(()) }
     }

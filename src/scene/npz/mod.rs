@@ -9,6 +9,9 @@ mod rows;
 mod unfit;
 mod write;
 
+/// Numbers that are read, checked or written at once, few enough to stay in the cache meanwhile.
+pub(super) const PIECE: usize = 1 << 14;
+
 pub(super) use read::{Archive, Array};
 pub(super) use rows::Rows;
 pub(super) use unfit::Unfit;

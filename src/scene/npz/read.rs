@@ -1,7 +1,7 @@
 //! Reading arrays, piece by piece to where their numbers are wanted.
 
-use super::header;
 use super::unfit::{Unfit, tuple};
+use super::{PIECE, header};
 use crate::quantity::Domain;
 use flate2::read::DeflateDecoder;
 use rawzip::{CompressionMethod, FileReader, ZipArchive, ZipArchiveEntryWayfinder, ZipVerification};
@@ -11,8 +11,8 @@ use std::fs::File;
 use std::io::{self, BufReader, Read};
 use std::path::Path;
 
-/// Numbers that are read at once: they stay in the cache until they are checked.
-const PIECE: usize = 1 << 14;
+/// Numbers of an array for which there is room before it is known that the file has as many as it claims.
+const BELIEVED: usize = 1 << 20;
 
 /// Names that an error lists.
 const SHOWN: usize = 8;
@@ -206,9 +206,8 @@ impl Array<'_> {
 
     /// Reads all numbers.
     pub(in crate::scene) fn numbers(&mut self, domain: Domain) -> Result<Vec<f64>, Unfit> {
-        let len = self.outline.shape.iter().product();
-        let mut numbers = Vec::new();
-        // What a file claims to hold is not believed before it is there.
+        let len: usize = self.outline.shape.iter().product();
+        let mut numbers = Vec::with_capacity(len.min(BELIEVED));
         while numbers.len() < len {
             let from = numbers.len();
             numbers.resize(len.min(from + PIECE), 0.0);

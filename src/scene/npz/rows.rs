@@ -1,6 +1,7 @@
 //! Arrays that grow together, row by row.
 
-use super::write::{Entry, PIECE, little_endian_pieces};
+use super::PIECE;
+use super::write::{Entry, little_endian_pieces};
 use rawzip::ZipArchiveWriter;
 use std::cell::Cell;
 use std::io::{self, Seek, SeekFrom, Write};

@@ -1,11 +1,8 @@
 //! Writing arrays.
 
-use super::header;
+use super::{PIECE, header};
 use rawzip::{DataDescriptorOutput, ZipArchiveWriter, ZipEntryWriter, path::ZipFilePath};
 use std::io::{self, BufWriter, Write};
-
-/// Numbers that are written at once: they stay in the cache between checksum and file.
-pub(super) const PIECE: usize = 1 << 14;
 
 /// Writes a file of arrays, one after the other.
 ///

@@ -139,13 +139,13 @@ pub(super) fn check_sliding(reader: &mut Reader, place: usize, slides: &[bool], 
 pub(super) struct Mentioned<'k, T> {
     pub(super) known: &'k Named<T>,
     what: &'static str,
-    /// The last frame that mentioned each, if one did.
-    last: Vec<Option<usize>>,
+    /// The last frame that mentioned each, counted from 1; 0 if none did.
+    last: Vec<usize>,
 }
 
 impl<'k, T> Mentioned<'k, T> {
     fn none(known: &'k Named<T>, what: &'static str) -> Self {
-        Self { known, what, last: vec![None; known.len()] }
+        Self { known, what, last: vec![0; known.len()] }
     }
 
     /// The members of an object whose keys are names of these; `read` is told which, and where its key stands.
@@ -163,7 +163,7 @@ impl<'k, T> Mentioned<'k, T> {
             let Some(members) = found else { return reader.skip() };
             let mut is_twice = false;
             for number in members.numbers() {
-                is_twice |= last[number as usize].replace(frame) == Some(frame);
+                is_twice |= std::mem::replace(&mut last[number as usize], frame + 1) == frame + 1;
             }
             if is_twice {
                 reader.fault(place, format!("{name:?} for the second time"), "each name once");

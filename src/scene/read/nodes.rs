@@ -17,7 +17,12 @@ pub(super) fn point(reader: &mut Reader, dimension: Dimension) -> Read<Option<[f
     if dimension == Dimension::Space {
         return reader.vector();
     }
-    Ok(reader.vector()?.map(|[x, y]: [f64; 2]| [x, y, 0.0]))
+    Ok(reader.vector()?.map(in_plane))
+}
+
+/// A point of the plane.
+fn in_plane([x, y]: [f64; 2]) -> [f64; 3] {
+    [x, y, 0.0]
 }
 
 /// Nodes and sets of nodes, and where each node is, by its number.
@@ -56,10 +61,14 @@ pub(super) fn nodes_of(
                 all.push(at);
                 None
             }
-            Some(At::Each(mut each)) => {
-                let count = u32::try_from(each.len()).unwrap_or(u32::MAX);
-                all.append(&mut each);
-                Some(count)
+            Some(At::Each(numbers)) => {
+                let before = all.len();
+                if dimension == Dimension::Space {
+                    all.extend_from_slice(numbers.as_chunks().0);
+                } else {
+                    all.extend(numbers.as_chunks().0.iter().copied().map(in_plane));
+                }
+                Some(u32::try_from(all.len() - before).unwrap_or(u32::MAX))
             }
             None => {
                 // It has a number all the same, to which others may refer.
@@ -72,10 +81,10 @@ pub(super) fn nodes_of(
     Ok(Nodes { named, at: all })
 }
 
-/// Where a node is, or each of a set.
+/// Where a node is, or the coordinates of each of a set.
 enum At {
     One([f64; 3]),
-    Each(Vec<[f64; 3]>),
+    Each(Vec<f64>),
 }
 
 /// Coordinates, or an array of the coordinates of a set of nodes.
@@ -83,19 +92,12 @@ fn positions(reader: &mut Reader, dimension: Dimension, columns: &Columns) -> Re
     let Some(array) = columns.refer(reader)? else { return Ok(point(reader, dimension)?.map(At::One)) };
     let coordinates = dimension.coordinates();
     let load = |mut array: Array| -> Result<At, Unfit> {
-        match *array.outline().shape() {
-            [count, components] if count > 0 && components == coordinates => {}
-            _ => {
-                return Err(array
-                    .outline()
-                    .misshapen(format!("(n, {coordinates}): nodes, at least one, and coordinates")));
-            }
+        let is_fit = matches!(*array.outline().shape(), [count, components] if count > 0 && components == coordinates);
+        if !is_fit {
+            let allowed = format!("(n, {coordinates}): nodes, at least one, and coordinates");
+            return Err(array.outline().misshapen(allowed));
         }
-        let numbers = array.numbers(Domain::Real)?;
-        if coordinates == 3 {
-            return Ok(At::Each(numbers.as_chunks().0.to_vec()));
-        }
-        Ok(At::Each(numbers.as_chunks().0.iter().map(|&[x, y]| [x, y, 0.0]).collect()))
+        array.numbers(Domain::Real).map(At::Each)
     };
     // Without it, it is not known how many there are, and everything that refers to them would be another fault.
     columns.load(reader, array, load).map(Some).ok_or(Stop)

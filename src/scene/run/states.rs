@@ -1,7 +1,7 @@
 //! The states of a history, one after the other.
 
 use super::problem::Unreadable;
-use crate::scene::model::{Frame, History, HistoryColumns, OpenColumn, Places};
+use crate::scene::model::{Components, Frame, History, HistoryColumn, HistoryColumns, OpenColumn, Places};
 use crate::scene::npz::Unfit;
 use rayon::prelude::*;
 use std::borrow::Cow;
@@ -91,19 +91,19 @@ impl<'s> Reading<'s> {
 
 /// Reads the next state of a column into the values of its quantity, each of so many numbers.
 fn read(open: &mut OpenColumn, numbers: &mut [f64], width: usize) -> Result<(), Unreadable> {
-    let column = open.column;
-    let [from, components] = [column.components.first, column.components.count];
-    let taken = open.advance(|first, piece| match &column.places {
-        Places::From(place) if components == width => {
-            numbers[(place + first) * width..][..piece.len()].copy_from_slice(piece);
+    let HistoryColumn { path, places, components, of, .. } = open.column;
+    let Components { first: from, count } = *components;
+    let read = match places {
+        Places::From(place) if count == width => {
+            open.advance_to(&mut numbers[place * width..][..of.len() as usize * width])
         }
-        places => {
-            for (member, value) in (first..).zip(piece.chunks_exact(components)) {
-                numbers[places.of(member) * width + from..][..components].copy_from_slice(value);
+        places => open.advance(|first, piece| {
+            for (member, value) in (first..).zip(piece.chunks_exact(count)) {
+                numbers[places.of(member) * width + from..][..count].copy_from_slice(value);
             }
-        }
-    });
-    taken.map_err(|unfit| unreadable(&column.path, unfit))
+        }),
+    };
+    read.map_err(|unfit| unreadable(path, unfit))
 }
 
 fn unreadable(path: &str, Unfit { found, allowed }: Unfit) -> Unreadable {

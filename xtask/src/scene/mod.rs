@@ -101,6 +101,10 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     if arguments.out.is_some() && arguments.files.len() > 1 {
         return Err(Usage("--out takes the results of one scene".into()).into());
     }
+    let is_arrays = arguments.out.as_ref().is_some_and(|target| target.form == Form::Arrays);
+    if is_arrays && (arguments.error || arguments.plot.is_some()) {
+        return Err(Usage("arrays are written without --error and --plot".into()).into());
+    }
     let mut scenes = Vec::new();
     for path in &arguments.files {
         match read(path)? {
