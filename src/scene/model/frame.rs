@@ -1,4 +1,4 @@
-//! The history of a scene.
+//! A state of a history: what changes from the state before.
 
 use super::named::Members;
 use std::ops::Range;

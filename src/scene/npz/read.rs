@@ -78,9 +78,7 @@ impl Archive {
             return Err(Unfit::new(format!("no array {name:?} in {:?}", self.name), allowed));
         };
         let called = format!("array {name:?} of {:?}", self.name);
-        let damaged =
-            |error: &dyn std::fmt::Display| Unfit::new(format!("{called}, damaged: {error}"), "a whole array");
-        let entry = self.bytes.get_entry(place).map_err(|error| damaged(&error))?;
+        let entry = self.bytes.get_entry(place).map_err(|error| damaged(&called, error))?;
         let stored = entry.reader();
         let expected = stored.claim_verifier();
         let bytes: Box<dyn Read + Send + Sync> = match method {
@@ -107,6 +105,11 @@ impl Archive {
         }
         Ok(Array { outline: Outline { called, shape }, bytes, expected, read: 0 })
     }
+}
+
+/// An array, called so, that is not what was written.
+fn damaged(called: &str, error: impl fmt::Display) -> Unfit {
+    Unfit::new(format!("{called}, damaged: {error}"), "a whole array")
 }
 
 /// Bytes with their checksum so far.
@@ -175,8 +178,8 @@ impl Outline {
         Unfit::new(format!("{} with {number:?} at {index:?}", self.called), allowed)
     }
 
-    fn damaged(&self, error: &dyn std::fmt::Display) -> Unfit {
-        Unfit::new(format!("{}, damaged: {error}", self.called), "a whole array")
+    fn damaged(&self, error: impl fmt::Display) -> Unfit {
+        damaged(&self.called, error)
     }
 }
 
@@ -189,7 +192,7 @@ impl Array<'_> {
     pub(in crate::scene) fn fill(&mut self, numbers: &mut [f64], domain: Domain) -> Result<(), Unfit> {
         for piece in numbers.chunks_mut(PIECE) {
             let read = self.bytes.read_exact(bytemuck::cast_slice_mut(piece));
-            read.map_err(|error| self.outline.damaged(&error))?;
+            read.map_err(|error| self.outline.damaged(error))?;
             for number in piece.iter_mut() {
                 *number = f64::from_bits(u64::from_le(number.to_bits()));
             }
@@ -219,12 +222,12 @@ impl Array<'_> {
 
     /// Checks that nothing is left, and that it was what was written.
     pub(in crate::scene) fn finish(&mut self) -> Result<(), Unfit> {
-        let left = self.bytes.read(&mut [0]).map_err(|error| self.outline.damaged(&error))?;
+        let left = self.bytes.read(&mut [0]).map_err(|error| self.outline.damaged(error))?;
         let read = ZipVerification {
             crc: self.bytes.sum.clone().finalize(),
             uncompressed_size: self.expected.uncompressed_size + left as u64,
         };
-        self.expected.valid(read).map_err(|error| self.outline.damaged(&error))
+        self.expected.valid(read).map_err(|error| self.outline.damaged(error))
     }
 }
 
