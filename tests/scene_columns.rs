@@ -3,7 +3,7 @@
 mod columns;
 
 use columns::{Array, FILE, array, column_bits, file, folder, parse};
-use jointproof::scene::{Columns, Plan, Results, Scene};
+use jointproof::scene::{Columns, Plan, Results, Run, Scene};
 use rawzip::ZipArchive;
 use serde_json::{Map, Value, json};
 use std::fs;
@@ -320,6 +320,36 @@ fn a_history_may_be_given_in_parts() {
     assert_eq!(results(&whole), results(&parts));
     let moved = Columns::of(&parse(&folder, &parts, &arrays).unwrap()).unwrap();
     assert!(moved.get("e", "RF").unwrap().numbers.iter().any(|&number| number != 0.0));
+}
+
+/// Of the values of a history in columns, those of one state are in memory.
+#[test]
+fn memory_does_not_grow_with_the_states() {
+    const COUNT: usize = 50;
+    let scene = json!({ "dimension": "2d", "columns": FILE, "orientations": { "o": { "angle": 0.5 } },
+        "nodes": { "a": { "at": [0, 0], "orientation": "o" }, "b": { "at": "b" } },
+        "elements": { "e": { "kind": "slot", "nodes": ["a", "b"], "mu": 0.25, "k_stick": 8 } }, "outputs": ["CSF1"],
+        "frames": { "time": "time", "nodes": { "b": { "u": "u" } }, "loads": { "e": { "f2": "f" } } } });
+    let folder = folder("memory");
+    let bytes = |states: usize| {
+        let arrays = file(&[
+            array("b", &[COUNT, 2], &[1.0; 2 * COUNT]),
+            array("time", &[states], &(0..states).map(real).collect::<Vec<_>>()),
+            array("u", &[states, COUNT, 2], &vec![0.5; states * COUNT * 2]),
+            array("f", &[states, COUNT], &vec![2.0; states * COUNT]),
+        ]);
+        let scene = parse(&folder, &scene, &arrays).unwrap();
+        let plan = Plan::new(&scene);
+        let mut run = Run::<f64>::new(&plan).unwrap();
+        let before = run.bytes();
+        while run.advance().unwrap() {}
+        assert_eq!(before, run.bytes(), "{states} states");
+        before
+    };
+    let [elements, nodes] = bytes(2);
+    assert_eq!(bytes(200), [elements, nodes]);
+    // Where they are, and how far they move in the state that is evaluated and in the next.
+    assert!(nodes > 3 * COUNT * size_of::<[f64; 3]>(), "{nodes}");
 }
 
 /// In frames of numbers, a set is moved as one.
