@@ -236,20 +236,21 @@ fn a_file_that_changes_after_the_scene_was_read_is_seen() {
             other => panic!("{other:?}"),
         }
     };
-    let with_u = |u: &[f64]| {
-        let mut arrays = arrays.clone();
-        arrays[3] = array("u", &[3, 2, 3], u);
-        file(&arrays)
+    let u_with_nan_at = |place: usize| {
+        let numbers: Vec<_> = (0..18).map(|k| if k == place { f64::NAN } else { 0.5 }).collect();
+        array("u", &[3, 2, 3], &numbers)
+    };
+    let with = |changed: &[Array]| {
+        let known = |array: &Array| changed.iter().find(|(name, ..)| *name == array.0).unwrap_or(array).clone();
+        file(&arrays.iter().map(known).collect::<Vec<_>>())
     };
     // Another number under the checksum of those before; only in "u" there are two of them side by side.
     let mut other = whole.clone();
     let two = [0.5; 2].map(f64::to_le_bytes).concat();
     let at = whole.windows(two.len()).position(|bytes| bytes == two).unwrap();
     other[at..][..8].copy_from_slice(&0.375_f64.to_le_bytes());
-    let mut nan = [0.5; 18];
-    nan[7] = f64::NAN;
     for (changed, found) in [
-        (with_u(&nan), r#"array "u" of "arrays.npz" with NaN at [1, 0, 1]"#),
+        (with(&[u_with_nan_at(7)]), r#"array "u" of "arrays.npz" with NaN at [1, 0, 1]"#),
         (other, r#"array "u" of "arrays.npz", damaged: "#),
         (whole[..100].to_vec(), "damaged: "),
         (Vec::new(), "damaged: "),
@@ -258,7 +259,12 @@ fn a_file_that_changes_after_the_scene_was_read_is_seen() {
         assert!(unreadable.found.contains(found), "{unreadable}");
         assert!(unreadable.path.starts_with("frames."), "{unreadable}");
     }
-    let unreadable = said(&with_u(&nan));
+    // Of two faults the first is said: that of the first state, and in it that of the displacement.
+    let no_load = array("f", &[3, 2], &[f64::NAN; 6]);
+    for (place, path) in [(7, "frames.loads.e.f2"), (0, "frames.nodes.b.u")] {
+        assert_eq!(said(&with(&[u_with_nan_at(place), no_load.clone()])).path, path);
+    }
+    let unreadable = said(&with(&[u_with_nan_at(7)]));
     assert_eq!(unreadable.path, "frames.nodes.b.u");
     assert!(unreadable.to_string().ends_with("allowed is a finite number"), "{unreadable}");
 }

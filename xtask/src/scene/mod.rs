@@ -21,7 +21,7 @@ use jointproof::Octuple;
 use jointproof::scene::{Columns, Plan, Results, Scene};
 use kit::{Project, Usage};
 use out::{Form, Target};
-use std::io::Read;
+use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
@@ -223,7 +223,7 @@ fn one(project: &Project, arguments: &Arguments, path: &Path, scene: &Scene) -> 
         }
     }
     if let Some(Target { path, .. }) = &arguments.out {
-        files::write(path, &text)?;
+        files::write_with(path, |file| Ok(file.write_all(text.as_bytes())?))?;
         return Ok(None);
     }
     Ok(Some(text))
