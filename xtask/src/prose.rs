@@ -47,8 +47,8 @@ pub(crate) fn check(project: &Project) -> anyhow::Result<(Vec<Fault>, String)> {
                 _ => tally.presented += 1,
             }
         }
+        tally.numbers += numerals.len();
         for numeral in &numerals {
-            tally.numbers += 1;
             note(numeral.line, held(project, &formulas, numeral));
         }
     }

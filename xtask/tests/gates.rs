@@ -146,7 +146,7 @@ fn every_verdict_is_given_even_if_all_is_off() {
     for (.., said, _) in FAULTS {
         ran = ran.says(said);
     }
-    ran.exits(1);
+    ran.says("to make the files what the code says: ").exits(1);
 }
 
 fn only_the_unfiltered_writing_form_removes_a_file_without_a_formula() {

@@ -31,8 +31,6 @@ impl Choice {
                     fault.equivalent = area.why_harmless(fault, text);
                 }
                 faults.sort_by_key(|fault| hash(seed, fault));
-                let mut seen = BTreeSet::new();
-                faults.retain(|fault| seen.insert(fault.id.clone()));
                 ranked.extend(faults.into_iter().enumerate());
             }
             // First one of every file, then a second one.

@@ -172,8 +172,31 @@ fn equivalent(judged: &[Judged]) -> Table {
 
 #[cfg(test)]
 mod tests {
-    use super::defines;
-    use std::path::Path;
+    use super::*;
+    use crate::mutate::fault::Verdict;
+
+    #[test]
+    fn a_run_replaces_its_areas_and_leaves_the_others() {
+        let root = tempfile::tempdir().unwrap();
+        let judged_in = |area: &str, id: &str, verdict| Judged {
+            id: id.to_owned(),
+            area: area.to_owned(),
+            file: "src/a.rs".to_owned(),
+            line: 1,
+            was: "+".to_owned(),
+            becomes: "-".to_owned(),
+            verdict,
+        };
+        let [first, other, second] = [
+            judged_in("sums", "first", Verdict::Survived(2)),
+            judged_in("roots", "other", Verdict::Survived(0)),
+            judged_in("sums", "second", Verdict::Killed("tiny: tests::sums".into())),
+        ];
+        keep(root.path(), &[first, other.clone()], "all").unwrap();
+        keep(root.path(), std::slice::from_ref(&second), "few").unwrap();
+        let found: Vec<_> = judged(root.path()).into_iter().map(|one| (one.id, one.verdict)).collect();
+        assert_eq!(found, [other, second].map(|one| (one.id, one.verdict)));
+    }
 
     #[test]
     fn a_formula_is_where_it_is_implemented() {

@@ -3,6 +3,7 @@
 use super::*;
 use std::collections::BTreeSet;
 use std::fs;
+use std::path::Path;
 use std::process::Command;
 
 const MANIFEST: &str = "[package]\nname = \"tiny\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[workspace]\n";
@@ -26,6 +27,12 @@ pub fn steps(mut from: u32) -> u64 {
     steps
 }
 
+/// Both of a pair.
+pub fn both(x: f64) -> usize {
+    let pair = [x; 2];
+    pair.len()
+}
+
 /// Nobody asks.
 pub fn unasked(x: f64) -> f64 {
     x - 1.5
@@ -42,6 +49,11 @@ mod tests {
     #[test]
     fn steps() {
         assert_eq!(super::steps(3), 3);
+    }
+
+    #[test]
+    fn both() {
+        assert_eq!(super::both(1.0), 2);
     }
 }
 ";
@@ -69,6 +81,11 @@ after = \"mut from\"
 find = \"let mut steps = 0;\"
 put = \"let mut steps = 0_u64;\"
 equivalent = \"the type is the same\"
+[[fault]]
+id = \"three\"
+file = \"src/lib.rs\"
+find = \"[x; 2]\"
+put = \"[x; 3]\"
 [[fault]]
 id = \"unasked\"
 file = \"src/lib.rs\"
@@ -123,14 +140,16 @@ fn what_tests_miss_survives_and_the_rest_does_not() {
     assert_eq!(of("equal"), Verdict::Survived(1));
     assert_eq!(of("endless"), Verdict::Stopped("tiny: tests::steps".into()));
     assert_eq!(of("name"), Verdict::Equivalent("the type is the same".into()));
+    // The compiler refuses it as an expression, and takes it as a block.
+    assert_eq!(of("three"), Verdict::Killed("tiny: tests::both".into()));
     assert_eq!(of("unasked"), Verdict::Survived(0));
-    assert_eq!(judged.len(), 8);
+    assert_eq!(judged.len(), 9);
     let text = table::text(&judged);
     assert!(
         text.contains("survived: sums.equal\n    src/lib.rs:7: `sum > largest` → `sum >= largest`; 1 test comes there"),
         "{text}"
     );
-    assert!(text.contains(" 71.4% sums  too few"), "{text}");
+    assert!(text.contains(" 75.0% sums  too few"), "{text}");
     // Tests that read sources see them as they are.
     assert_eq!(fs::read_to_string(bench.tree().join("src/lib.rs")).unwrap(), SOURCE);
 }
@@ -158,16 +177,32 @@ fn faults_have_names_of_their_own() {
     let root = tiny();
     let source = "pub fn near(x: f64) -> bool {\n    x.abs().sqrt() < 1.0 && is_near(x)\n}\n";
     fs::write(root.path().join("src/lib.rs"), source).unwrap();
-    fs::write(root.path().join("tests/faults/sums.toml"), "files = [\"src/**\"]").unwrap();
+    let list = "files = [\"src/**\"]\n[[harmless]]\nfile = \"src/lib.rs\"\nline = \"x.abs().sqrt() < 1.0 && is_near(x)\"\n\
+                was = \"<\"\nwhy = \"it is a matter of taste\"\n";
+    fs::write(root.path().join("tests/faults/sums.toml"), list).unwrap();
     let bench = Bench::new(root.path(), root.path().join("target/mutate")).unwrap();
     let areas = area::read(root.path()).unwrap();
     let choice = Choice::read(&areas, &bench.sources().unwrap(), 0).unwrap();
-    let mut names: Vec<_> = choice.take(100, &BTreeSet::new()).into_iter().map(|fault| fault.id).collect();
+    let faults = choice.take(100, &BTreeSet::new());
+    let harmless: Vec<_> = faults.iter().filter(|fault| fault.equivalent.is_some()).map(|fault| &*fault.was).collect();
+    assert_eq!(harmless, ["<"]);
+    let mut names: Vec<_> = faults.into_iter().map(|fault| fault.id).collect();
     let all = names.len();
     names.sort();
     names.dedup();
     assert_eq!(names.len(), all);
     assert!(all > 5, "{names:?}");
+}
+
+#[test]
+fn the_lists_of_this_project_fit_its_sources() {
+    let (root, target) = (Path::new(env!("CARGO_MANIFEST_DIR")).join(".."), tempfile::tempdir().unwrap());
+    let bench = Bench::new(&root, target.path().to_owned()).unwrap();
+    let areas = area::read(&root).unwrap();
+    let choice = Choice::read(&areas, &bench.sources().unwrap(), 0).unwrap();
+    let faults = choice.take(usize::MAX, &BTreeSet::new());
+    let names: BTreeSet<_> = faults.iter().map(|fault| &fault.id).collect();
+    assert_eq!(names.len(), faults.len());
 }
 
 #[test]

@@ -27,3 +27,17 @@ pub(super) fn in_parallel<T: Sync, R: Send>(
     all.sort_by_key(|(number, _)| *number);
     all.into_iter().map(|(_, result)| result).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::in_parallel;
+
+    #[test]
+    fn results_come_in_order_from_any_number_of_threads() {
+        for jobs in [0, 1, 3] {
+            assert_eq!(in_parallel(jobs, &[5, 3, 8], |x| Ok(10 * x)).unwrap(), [50, 30, 80]);
+        }
+        let refused = |x: &i32| if *x > 3 { anyhow::bail!("{x} is large") } else { Ok(*x) };
+        assert_eq!(in_parallel(2, &[1, 5, 8], refused).unwrap_err().to_string(), "5 is large");
+    }
+}

@@ -121,5 +121,8 @@ mod tests {
         let circles: Vec<_> = tangles.iter().map(|tangle| tangle.circles.clone()).collect();
         assert_eq!(circles, [vec![vec![7, 8]], vec![vec![1, 2], vec![1, 2, 3]]]);
         assert_eq!(tangles[1].nodes, BTreeSet::from([1, 2, 3]));
+        let chained = Graph::new([(1, 2), (2, 1), (2, 3), (3, 4), (4, 3)]).tangles();
+        let nodes: Vec<_> = chained.into_iter().map(|tangle| tangle.nodes).collect();
+        assert_eq!(nodes, [BTreeSet::from([1, 2]), BTreeSet::from([3, 4])]);
     }
 }

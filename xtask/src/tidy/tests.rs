@@ -199,7 +199,9 @@ fn a_typed_identifier_fails_with_what_to_write() {
         &["tool/src/main.rs:2: the identifier \"a.one\" is typed; write `One::SPEC.id`"],
     );
     one(&[("tool/src/main.rs", &main("a.on3"))], &["the identifier \"a.on3\" is typed; no formula is called so"]);
-    assert_eq!(found(&[("tool/src/main.rs", &main("motion.x1"))]), Vec::<String>::new());
+    for other in ["motion.x1", "a.Foo", "A.one", "a."] {
+        assert_eq!(found(&[("tool/src/main.rs", &main(other))]), Vec::<String>::new(), "{other}");
+    }
 }
 
 #[test]
@@ -229,6 +231,12 @@ fn a_file_has_no_more_than_500_lines() {
     let lines = |number: usize| "// A line.\n".repeat(number);
     assert_eq!(found(&[("tests/long.rs", &lines(500))]), Vec::<String>::new());
     one(&[("tests/long.rs", &lines(501))], &["tests/long.rs: 501 lines, allowed are 500"]);
+}
+
+#[test]
+fn files_with_formulas_are_short() {
+    let formula = one_rs(&"    // A comment.\n".repeat(150));
+    one(&[("src/a/one.rs", &formula)], &["the files with formulas have a median of 1"]);
 }
 
 #[test]
