@@ -46,6 +46,13 @@ fn parts_are_the_whole_however_many_and_however_joined() {
 }
 
 #[test]
+fn parts_are_sorted_by_their_first() {
+    let all = parts(&slot::Friction, 3);
+    assert_eq!(all.iter().map(Part::first).collect::<Vec<_>>(), [1, 2, 3]);
+    assert_eq!(joined(all[1..].to_vec()).first(), 2);
+}
+
+#[test]
 fn what_is_not_one_audit_is_refused() {
     let all = parts(&slot::Friction, 3);
     let said = |error: PartError| error.to_string();

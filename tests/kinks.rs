@@ -5,7 +5,7 @@ use jointproof::formula::{Component, Document, Formula, Jacobian, Spec};
 use jointproof::proof::{Case, Convention, Kink, Proved};
 use jointproof::quantity::{F2, F3, FC};
 use jointproof::scalar::{Scalar, abs, atan2, direction, norm, sign};
-use jointproof::verify::{Audit, Looked, Options, Printed, audit, kinks_as_printed};
+use jointproof::verify::{Audit, Looked, Options, Printed, audit, kink, kinks_as_printed};
 use jointproof::{Error, fields};
 
 fields! { struct Inputs<T> { f2: T = F2, f3: T = F3 } }
@@ -72,6 +72,8 @@ fn assert_demanded<P: Plant>(place: &str, is_there: fn(f64, f64) -> bool) {
     assert_ne!(worst.found, worst.expected, "{place}: {worst:?}");
     let with = audited::<P, true>();
     assert!(with.kinks.held(), "{place}: {:#?}", with.kinks);
+    let Some(Looked::Graph { search, .. }) = &with.looked else { panic!("it is recorded") };
+    assert!(!search.found.is_empty(), "{place}: {search:?}");
     assert!(with.register.as_ref().is_some_and(jointproof::verify::Claim::held), "{place}: {:#?}", with.register);
 }
 
@@ -211,6 +213,12 @@ impl Plant for Technical {
     fn kinks<const R: bool>() -> Vec<Kink<Planted<Self, R>>> {
         vec![Kink::<Planted<Self, R>>::of_abs(AT, |i| [i.f2])]
     }
+}
+
+#[test]
+fn a_point_on_a_kink_is_told_with_the_convention_there() {
+    let at = |f2, f3| kink::<Planted<Apex, true>>(&Inputs { f2, f3 });
+    assert_eq!([at(0.0, 0.0), at(3.0, 0.0)], [Some(Convention::Subgradient), None]);
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! The residuals of the three angles, and the moment that holds them.
 
+#![expect(clippy::inline_always, reason = "a call would write the vectors to memory, and wait for them there")]
+
 #[cfg(feature = "verify")]
 mod proof;
 
@@ -41,14 +43,31 @@ impl<T: Component> Orientations<T> {
 }
 
 impl<D: Scalar> Oriented<D> for Orientations<D> {
-    #[inline]
+    #[inline(always)]
     fn triads(&self) -> Triads<D> {
-        let Self { e1a, e2a, e3a, e1b, e2b, e3b, .. } = *self;
-        Triads { e1a, e2a, e3a, e1b, e2b, e3b }
+        // By components: copies of whole vectors go through memory.
+        Triads {
+            e1a: self.e1a.xyz(),
+            e2a: self.e2a.xyz(),
+            e3a: self.e3a.xyz(),
+            e1b: self.e1b.xyz(),
+            e2b: self.e2b.xyz(),
+            e3b: self.e3b.xyz(),
+        }
     }
-    #[inline]
+    #[inline(always)]
     fn of(triads: Triads<D>) -> Self {
-        Self::new(&triads, &Angles::filled(D::zero()))
+        Self {
+            e1a: triads.e1a.xyz(),
+            e2a: triads.e2a.xyz(),
+            e3a: triads.e3a.xyz(),
+            e1b: triads.e1b.xyz(),
+            e2b: triads.e2b.xyz(),
+            e3b: triads.e3b.xyz(),
+            alpha0: D::zero(),
+            beta0: D::zero(),
+            gamma0: D::zero(),
+        }
     }
 }
 
@@ -73,13 +92,13 @@ impl Formula for Constraint {
     type Inputs<T: Component> = Orientations<T>;
     type Outputs<T: Component> = Misalignment<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &Orientations<D>) -> Misalignment<D> {
         let Angles { alpha, beta, gamma } = CardanAngles::eval(&i.triads());
         Misalignment { ur1: alpha - i.alpha0, ur2: beta - i.beta0, ur3: gamma - i.gamma0 }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &Orientations<D>) -> Jacobian<Self, D> {
         Misalignment::since_start(CardanAngles::jacobian(&i.triads()))
     }
@@ -92,7 +111,7 @@ impl Formula for Constraint {
 
 impl<D: Scalar> Misalignment<Orientations<D>> {
     /// The derivatives of angles less their initial values.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn since_start(angles: Angles<Triads<D>>) -> Self {
         let Angles { alpha, beta, gamma } = angles;
         Self {

@@ -1,5 +1,7 @@
 //! The three angles as documented, β by the arc sine.
 
+#![expect(clippy::inline_always, reason = "a call would write the vectors to memory, and wait for them there")]
+
 #[cfg(feature = "verify")]
 mod proof;
 
@@ -39,7 +41,7 @@ impl Formula for CardanAngles {
     type Inputs<T: Component> = Triads<T>;
     type Outputs<T: Component> = Angles<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &Triads<D>) -> Angles<D> {
         Angles {
             alpha: alpha(&i.e2a, &i.e3a, &i.e3b),
@@ -48,7 +50,7 @@ impl Formula for CardanAngles {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &Triads<D>) -> Jacobian<Self, D> {
         let zero = Triads::filled(D::zero());
         let slope = arc_sine_slope(&i.e1a, &i.e3b);

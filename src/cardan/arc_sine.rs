@@ -10,23 +10,23 @@ const STEEP: f64 = 0.99;
 /// asin(a·b), ±90° beyond ±1.
 #[inline]
 pub(super) fn arc_sine<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
-    let (sine, cosine) = sine_and_cosine(a, b);
+    let sine = a.dot(b);
+    if abs(sine) < STEEP {
+        return sine.asin();
+    }
+    let cosine = steep_cosine(a, b);
     if cosine == 0.0 { sign(sine).asin() } else { atan2(sine, cosine) }
 }
 
 /// The derivative of [`arc_sine`] with respect to a·b: 1/√(1 − (a·b)²); 0 beyond ±1.
 #[inline]
 pub(crate) fn arc_sine_slope<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
-    let (_, cosine) = sine_and_cosine(a, b);
-    if cosine == 0.0 { D::zero() } else { cosine.recip() }
-}
-
-/// a·b and √(1 − (a·b)²), 0 beyond ±1.
-#[inline]
-fn sine_and_cosine<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> (D, D) {
     let sine = a.dot(b);
-    let cosine = if abs(sine) < STEEP { ((-sine + 1.0) * (sine + 1.0)).sqrt() } else { steep_cosine(a, b) };
-    (sine, cosine)
+    if abs(sine) < STEEP {
+        return ((-sine + 1.0) * (sine + 1.0)).sqrt().recip();
+    }
+    let cosine = steep_cosine(a, b);
+    if cosine == 0.0 { D::zero() } else { cosine.recip() }
 }
 
 /// √(1 − (a·b)²) where |a·b| is close to 1; 0 beyond.

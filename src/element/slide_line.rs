@@ -58,7 +58,6 @@ struct Place<D, const N: usize> {
 }
 
 impl<D: Scalar> Place<D, 2> {
-    #[inline]
     fn linear([x1, x2]: [Vector2<D>; 2], g: D) -> Self {
         let (length, t) = length_and_tangent(x2 - x1);
         let (zero, per_length) = (D::zero(), length.recip());
@@ -69,7 +68,6 @@ impl<D: Scalar> Place<D, 2> {
 }
 
 impl<D: Scalar> Place<D, 3> {
-    #[inline]
     fn parabolic(nodes: [Vector2<D>; 3], g: D) -> Self {
         let sides = Sides::new(nodes);
         let (speed, t) = length_and_tangent(sides.rate(g));
@@ -92,7 +90,6 @@ impl<D: Scalar, const N: usize> Place<D, N> {
     /// With derivatives by the nodes and by g, which are the first of K numbers.
     ///
     /// The tangent turns by δφ = Σ (Nᵢ′/|X′|) n·δxᵢ + κ |X′| δg, and |X′| changes by the part Σ (Nᵢ′/|X′|) t·δxᵢ + (t·X″/|X′|) δg.
-    #[inline]
     fn varied<const K: usize>(&self) -> Spot<Term<D, K>, N> {
         let Self { spot: Spot { t, n, weights, rates, curvature }, speed, spreads, bend, stretch } = *self;
         let slope = |by_node: &dyn Fn(usize) -> Vector2<D>, by_g: D| {
@@ -119,7 +116,6 @@ impl<D: Scalar, const N: usize> Place<D, N> {
 }
 
 /// a times a vector.
-#[inline]
 fn times<T: Number + nalgebra::Scalar>(v: Vector2<T>, a: T) -> Vector2<T> {
     v.map(|x| x * a)
 }

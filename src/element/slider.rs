@@ -260,7 +260,6 @@ impl<D: Scalar> SliderLoads<D> {
         View::new(&self.x1, &self.xn, &self.xm)
     }
 
-    #[inline]
     const fn multipliers(&self) -> [D; 2] {
         [self.lambda_1, self.lambda_2]
     }

@@ -1,5 +1,7 @@
 //! The five residuals: SLOT's two and ALIGN's three.
 
+#![expect(clippy::inline_always, reason = "a call would write the vectors to memory, and wait for them there")]
+
 #[cfg(feature = "verify")]
 mod proof;
 
@@ -52,11 +54,19 @@ impl<T: Component> Placement<T> {
 }
 
 impl<D: Scalar> Oriented<D> for Placement<D> {
-    #[inline]
+    #[inline(always)]
     fn triads(&self) -> Triads<D> {
-        self.align().triads()
+        // By components: copies of whole vectors go through memory.
+        Triads {
+            e1a: self.e1a.xyz(),
+            e2a: self.e2a.xyz(),
+            e3a: self.e3a.xyz(),
+            e1b: self.e1b.xyz(),
+            e2b: self.e2b.xyz(),
+            e3b: self.e3b.xyz(),
+        }
     }
-    #[inline]
+    #[inline(always)]
     fn of(triads: Triads<D>) -> Self {
         Self::new(&SlotPositions::filled(D::zero()), &Orientations::of(triads))
     }
@@ -80,14 +90,14 @@ impl Formula for Constraint {
     type Inputs<T: Component> = Placement<T>;
     type Outputs<T: Component> = AllResiduals<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &Placement<D>) -> AllResiduals<D> {
         let Residuals { gy, gz } = slot::Constraint::eval(&i.slot());
         let Misalignment { ur1, ur2, ur3 } = align::Constraint::eval(&i.align());
         AllResiduals { gy, gz, ur1, ur2, ur3 }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &Placement<D>) -> Jacobian<Self, D> {
         let Residuals { gy, gz } = slot::Constraint::jacobian(&i.slot());
         let Misalignment { ur1, ur2, ur3 } = align::Constraint::jacobian(&i.align());

@@ -52,7 +52,7 @@ pub(super) fn bends_at(point: &Point, closed: &[Octuple]) -> Vec<Sensitivity> {
 /// As [`bends_at`], by what a change of one input after another, by the same part, does to the Jacobian.
 fn bends_by_differences(subject: &Subject, inputs: &[Octuple], here: &[Octuple]) -> Vec<Sensitivity> {
     let part = power_of_two(-118);
-    let changes = (0..inputs.len()).filter(|&k| inputs[k] != 0.0).map(|k| {
+    let changes = (0..inputs.len()).map(|k| {
         let mut moved = inputs.to_vec();
         moved[k] += inputs[k] * part;
         (subject.exact_jacobian)(&moved)

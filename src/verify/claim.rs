@@ -73,7 +73,7 @@ impl Claim {
     pub(super) fn fail(&mut self, reason: String) {
         self.failures += 1;
         let inputs = serde_json::Value::Null;
-        let (point, found, expected) = (String::new(), 0.0, 0.0);
+        let (point, found, expected) = Default::default();
         self.worst = Some(Deviation { size: f64::MAX, entry: reason, point, found, expected, inputs });
     }
 
