@@ -9,7 +9,7 @@ pub(super) mod proof;
 use super::points::CurvePoint;
 use super::shape::{LinearCorner, ParabolicCorner, Shape, Sides, combination, gap};
 use crate::fields;
-use crate::formula::{Component, Document, Finite, Formula, Jacobian, Source, Spec, along};
+use crate::formula::{Component, Document, Finite, Formula, Jacobian, Source, Spec, ValueAndJacobian, along};
 use crate::quantity::{CORNER_T, FRACTION, X1, X2, X3, X4, X5};
 use crate::scalar::{Scalar, choice};
 use nalgebra::Vector2;
@@ -124,12 +124,18 @@ impl Formula for SmoothedParabolicPoint {
 
     #[inline]
     fn jacobian<D: Scalar>(i: &ParabolicCornerPlace<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &ParabolicCornerPlace<D>) -> ValueAndJacobian<Self, D> {
         let (f, nodes) = (i.f, [i.x1, i.x2, i.x3, i.x4, i.x5]);
-        let weights = ParabolicCorner::weights(f, i.t);
-        let rates = ParabolicCorner::rates(f, i.t).map(|rate| rate * f);
-        let rate = combination(&nodes, rates);
+        let (weights, rates) = (ParabolicCorner::weights(f, i.t), ParabolicCorner::rates(f, i.t));
+        let value = CurvePoint { x: point(&nodes, weights), dx: combination(&nodes, rates) * f };
+        let (rates, rate) = (rates.map(|rate| rate * f), value.dx);
         let second = combination(&nodes, ParabolicCorner::second_derivatives(f, i.t)) * f;
-        let [x_by_f, ..] = ParabolicCorner::by_fraction(f, i.t).map(|weights| combination(&nodes, weights));
+        let [weights_by_f, ..] = ParabolicCorner::by_fraction(f, i.t);
+        let x_by_f = combination(&nodes, weights_by_f);
         // The rates are linear in f: f times them has the derivative that they have at 2f.
         let rate_by_f = combination(&nodes, ParabolicCorner::rates(f * 2.0, i.t));
         let row = |k, [n1, n2, n3, n4, n5]: [D; 5], f, t| ParabolicCornerPlace {
@@ -143,6 +149,6 @@ impl Formula for SmoothedParabolicPoint {
         };
         let x = |k| row(k, weights, x_by_f[k], rate[k]);
         let dx = |k| row(k, rates, rate_by_f[k], second[k]);
-        CurvePoint { x: Vector2::new(x(0), x(1)), dx: Vector2::new(dx(0), dx(1)) }
+        (value, CurvePoint { x: Vector2::new(x(0), x(1)), dx: Vector2::new(dx(0), dx(1)) })
     }
 }
