@@ -8,7 +8,7 @@ mod proof;
 use crate::cardan::{Angles, CardanAngles, Oriented, Triads};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Finite, Formula, Given, Jacobian, Spec, along};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec, along};
 use crate::quantity::{ALPHA0, BETA0, E1A, E1B, E2A, E2B, E3A, E3B, GAMMA0, M1, M2, M3, MOMENT, UR1, UR2, UR3};
 use crate::scalar::{Scalar, abs, pi, sign};
 use nalgebra::Vector3;

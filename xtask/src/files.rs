@@ -24,7 +24,7 @@ pub fn write(path: &Path, text: &str) -> anyhow::Result<bool> {
 /// The same for what is written piece by piece, and not compared before.
 ///
 /// # Errors
-/// As [`write`].
+/// As [`write()`].
 pub fn write_with(path: &Path, content: impl FnOnce(&mut File) -> anyhow::Result<()>) -> anyhow::Result<()> {
     let shown = path.display();
     let directory = path.parent().with_context(|| format!("{shown} has no directory"))?;

@@ -33,14 +33,14 @@ use std::time::{Duration, Instant};
 #[command(after_help = "Examples:
   {command} scene golden/scenes/rail.json            a table per output
   {command} scene golden/scenes/rail.json --plan     which formulas, how often, and why
-  {command} scene golden/scenes/rail.json --error    each number with its error against 237 bits
+  {command} scene golden/scenes/rail.json --error    each number with its error
   {command} scene golden/scenes/rail.json --plot .   an SVG per output over the history
   {command} scene *.json --format csv > all.csv      for a spreadsheet
   {command} scene - --format json < my.json          from standard input
-  {command} scene my.json --out results.npz          for numpy: np.load('results.npz')['guide/FN']
+  {command} scene my.json --out results.npz          for numpy: np.load('results.npz')
   {command} scene --generate 10000 > many.json       a scene to measure with
-  {command} scene --generate 10000 --columns many.npz > many.json    the same, its numbers as arrays
-  {command} scene --benchmark                        what an element costs per state, and JSON beside columns")]
+  {command} scene --generate 100 --columns a.npz > a.json    another, its numbers as arrays
+  {command} scene --benchmark                        what an element costs per state")]
 pub(crate) struct Arguments {
     /// Scene files; `-` is standard input
     #[arg(value_name = "FILE", required_unless_present_any = ["generate", "benchmark"])]
