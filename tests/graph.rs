@@ -10,6 +10,7 @@ use jointproof::measure::Options;
 use jointproof::slot::{Contact, ContactForce as SlotContactForce, CrossForces};
 use jointproof::verify::golden::components;
 use rayon::prelude::*;
+use std::cmp::Ordering;
 use std::fmt::Write;
 use std::sync::LazyLock;
 
@@ -210,6 +211,27 @@ fn what_follows_from_a_comparison_is_not_asked() {
     let asked = graph.ops().iter().any(|op| *op == Op::Number(3.0_f64.to_bits()));
     assert!(!asked, "{:?}", graph.ops());
     assert_eq!([graph.run(&[1.0, 2.0]).0, graph.run(&[2.0, 1.0]).0], [[1.0], [4.0]]);
+}
+
+/// A formula that asks for the order of two numbers.
+#[derive(Clone, Copy, Debug)]
+struct AsksForTheOrder;
+
+impl Planted for AsksForTheOrder {
+    fn fc<D: Scalar>(i: &CrossForces<D>) -> D {
+        D::from(match i.f2.partial_cmp(&i.f3) {
+            Some(Ordering::Less) => -1.0,
+            Some(Ordering::Equal) => 0.0,
+            Some(Ordering::Greater) | None => 1.0,
+        })
+    }
+}
+
+#[test]
+fn the_order_of_two_numbers_is_recorded() {
+    let graph = record::<Of<AsksForTheOrder>>().unwrap();
+    let found = [[1.0, 2.0], [2.0, 2.0], [2.0, 1.0]].map(|inputs| graph.run(&inputs).0);
+    assert_eq!(found, [[-1.0], [0.0], [1.0]]);
 }
 
 #[test]

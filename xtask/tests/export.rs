@@ -22,3 +22,20 @@ fn what_is_exported_has_every_bit() {
         assert!(numbers > 1000, "{said}");
     }
 }
+
+#[test]
+fn lines_are_counted() {
+    let bench = Bench::new();
+    let ran = bench.run(&[
+        "export",
+        "--lang",
+        "numpy",
+        "--filter",
+        "coulomb.*",
+        "--out",
+        bench.path("out").to_str().unwrap(),
+    ]);
+    let files = std::fs::read_dir(bench.path("out")).unwrap().map(|entry| entry.unwrap().path());
+    let lines: usize = files.map(|file| std::fs::read_to_string(file).unwrap().lines().count()).sum();
+    ran.exits(0).prints(&format!(" formulas, {lines} lines in "));
+}

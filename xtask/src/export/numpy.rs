@@ -211,6 +211,14 @@ mod tests {
     use jointproof::catalog::find;
 
     #[test]
+    fn the_module_names_every_formula() {
+        let formulas = ["coulomb.yield", "slot.contact_force"].map(|id| find(id).unwrap());
+        let files = NumPy.files(&record(&formulas, None).0);
+        let named = |text: &str| text.contains("FORMULAS = [\n    coulomb_yield,\n    slot_contact_force,\n]\n");
+        assert_eq!(files.iter().filter(|(_, text)| named(text)).count(), 1);
+    }
+
+    #[test]
     fn the_joint_for_exudyn_comes_with_all_formulas_that_it_calls() {
         let files = |ids: &[&str]| {
             let formulas: Vec<_> = ids.iter().map(|id| find(id).unwrap()).collect();
