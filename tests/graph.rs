@@ -213,6 +213,25 @@ fn what_follows_from_a_comparison_is_not_asked() {
     assert_eq!([graph.run(&[1.0, 2.0]).0, graph.run(&[2.0, 1.0]).0], [[1.0], [4.0]]);
 }
 
+#[test]
+fn the_gradient_of_a_value_is_its_row_of_the_jacobian() {
+    for id in ["cardan.beta_two_argument", "interaction.pressure_exponential", "slot.friction", "translator.friction"] {
+        let formula = jointproof::catalog::find(id).unwrap();
+        let graph = formula.graph().unwrap();
+        for inputs in points(formula, 20) {
+            let jacobian = formula.value_and_jacobian(&inputs).unwrap().1;
+            for (value, row) in graph.value.iter().zip(jacobian.chunks(inputs.len())) {
+                let needed = graph.needed(&[*value]);
+                let all = graph.results(&inputs, needed.iter().copied());
+                let gradient = graph.gradient(*value, &needed, &all, inputs.len());
+                let largest = row.iter().fold(0.0_f64, |largest, slope| largest.max(slope.abs()));
+                let off = gradient.iter().zip(row).map(|(found, slope)| (found - slope).abs());
+                assert!(off.into_iter().all(|off| off <= 1e-9 * largest || off.is_nan()), "{id} at {inputs:?}");
+            }
+        }
+    }
+}
+
 /// A formula that asks for the order of two numbers.
 #[derive(Clone, Copy, Debug)]
 struct AsksForTheOrder;

@@ -57,3 +57,17 @@ pub(in crate::verify) fn comparisons<'a>(
     let comparison = |(&node, counts)| Comparison { words: words.of(node), counts };
     branches.comparisons.iter().zip(tally.0).map(comparison).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_least_count_is_of_a_side_that_is_taken() {
+        let taken = |words: &str, counts| Comparison { words: words.to_owned(), counts };
+        let coverage = Coverage::of(&[taken("x < y", [3, 7]), taken("x = 0", [5, 0]), taken("y = 0", [0, 9])]);
+        assert_eq!((coverage.comparisons, coverage.asked, coverage.least), (3, 24, 3));
+        assert_eq!(coverage.never, ["x = 0: never so", "y = 0: never otherwise"]);
+        assert_eq!(Coverage::of(&[]).least, 0);
+    }
+}

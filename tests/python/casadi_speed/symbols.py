@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 import sys
+from contextlib import nullcontext
 from pathlib import Path
 from types import ModuleType
 from typing import Any, Callable
@@ -124,6 +125,9 @@ def stand_in() -> ModuleType:
     module, functions = ModuleType("mpmath"), ModuleType("mp")
     functions.sqrt, functions.exp = unary(ca.sqrt, math.sqrt), unary(ca.exp, math.exp)
     functions.asin = unary(ca.asin, math.asin)
+    functions.sin, functions.cos = unary(ca.sin, math.sin), unary(ca.cos, math.cos)
+    # More digits are for numbers.
+    functions.dps, functions.workdps = 15, lambda digits: nullcontext()
     functions.atan2 = lambda y, x: Number(ca.atan2(plain(y), plain(x)))
     functions.pi, functions.e = math.pi, math.e
     module.mp, module.mpf, module.mag = functions, number, None

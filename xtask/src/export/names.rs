@@ -49,8 +49,19 @@ fn components(fields: &[Field]) -> impl Iterator<Item = String> {
 
 #[cfg(test)]
 mod tests {
-    use super::positions;
+    use super::*;
     use jointproof::catalog::find;
+
+    #[test]
+    fn what_another_formula_computes_has_its_name() {
+        let all = ["slot.friction", "slot.contact_force"].map(|id| {
+            let formula = find(id).unwrap();
+            (formula, formula.graph().unwrap())
+        });
+        let names = of(&all[0], &all);
+        assert_eq!(names.values().collect::<Vec<_>>(), ["fc_"]);
+        assert!(names.keys().all(|node| !all[0].1.is_atom(*node)));
+    }
 
     #[test]
     fn fields_are_found_by_their_names_or_not_at_all() {

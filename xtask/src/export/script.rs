@@ -67,6 +67,14 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_number_is_near_but_for_roundings() {
+        let of = |id| script(jointproof::catalog::find(id).unwrap()).unwrap();
+        let (exponential, products) = (of("interaction.pressure_exponential"), of("coulomb.yield"));
+        assert!(exponential.is_near(1.5, 1.5_f64.next_up()) && !exponential.is_near(1.5, 1.501));
+        assert!(!products.is_near(1.5, 1.5_f64.next_up()));
+    }
+
+    #[test]
     fn everything_that_is_exported_comes_back() {
         let script = runtime_script();
         let (_, given) = script.rsplit_once("return { ").unwrap();
