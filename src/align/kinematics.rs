@@ -8,7 +8,7 @@ mod proof;
 use crate::cardan::{Angles, CardanAngles, Oriented, Triads};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec, along};
+use crate::formula::{Component, Document, Fields, Finite, Formula, Given, Jacobian, Spec, along};
 use crate::quantity::{ALPHA0, BETA0, E1A, E1B, E2A, E2B, E3A, E3B, GAMMA0, M1, M2, M3, MOMENT, UR1, UR2, UR3};
 use crate::scalar::{Scalar, abs, pi, sign};
 use nalgebra::Vector3;
@@ -45,29 +45,12 @@ impl<T: Component> Orientations<T> {
 impl<D: Scalar> Oriented<D> for Orientations<D> {
     #[inline(always)]
     fn triads(&self) -> Triads<D> {
-        // By components: copies of whole vectors go through memory.
-        Triads {
-            e1a: self.e1a.xyz(),
-            e2a: self.e2a.xyz(),
-            e3a: self.e3a.xyz(),
-            e1b: self.e1b.xyz(),
-            e2b: self.e2b.xyz(),
-            e3b: self.e3b.xyz(),
-        }
+        let Self { e1a, e2a, e3a, e1b, e2b, e3b, .. } = self;
+        Triads::by_components([e1a, e2a, e3a], [e1b, e2b, e3b])
     }
     #[inline(always)]
     fn of(triads: Triads<D>) -> Self {
-        Self {
-            e1a: triads.e1a.xyz(),
-            e2a: triads.e2a.xyz(),
-            e3a: triads.e3a.xyz(),
-            e1b: triads.e1b.xyz(),
-            e2b: triads.e2b.xyz(),
-            e3b: triads.e3b.xyz(),
-            alpha0: D::zero(),
-            beta0: D::zero(),
-            gamma0: D::zero(),
-        }
+        Self::new(&triads, &Angles::filled(D::zero()))
     }
 }
 

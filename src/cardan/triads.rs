@@ -25,6 +25,14 @@ impl<T: Component> Triads<T> {
 }
 
 impl<D: Scalar> Triads<D> {
+    /// From vectors that stand elsewhere, component by component: copies of whole vectors go through memory.
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "a call would write the vectors to memory, and wait for them there")]
+    pub(crate) fn by_components(a: [&Vector3<D>; 3], b: [&Vector3<D>; 3]) -> Self {
+        let ([e1a, e2a, e3a], [e1b, e2b, e3b]) = (a, b);
+        Self { e1a: e1a.xyz(), e2a: e2a.xyz(), e3a: e3a.xyz(), e1b: e1b.xyz(), e2b: e2b.xyz(), e3b: e3b.xyz() }
+    }
+
     /// The moments on a and on b of a unit multiplier whose residual has this gradient: with δe = ω × e in every vector
     /// of a node, Σ (∂g/∂e)·δe = ω·Σ e × ∂g/∂e.
     #[inline]

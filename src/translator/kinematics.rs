@@ -56,15 +56,8 @@ impl<T: Component> Placement<T> {
 impl<D: Scalar> Oriented<D> for Placement<D> {
     #[inline(always)]
     fn triads(&self) -> Triads<D> {
-        // By components: copies of whole vectors go through memory.
-        Triads {
-            e1a: self.e1a.xyz(),
-            e2a: self.e2a.xyz(),
-            e3a: self.e3a.xyz(),
-            e1b: self.e1b.xyz(),
-            e2b: self.e2b.xyz(),
-            e3b: self.e3b.xyz(),
-        }
+        let Self { e1a, e2a, e3a, e1b, e2b, e3b, .. } = self;
+        Triads::by_components([e1a, e2a, e3a], [e1b, e2b, e3b])
     }
     #[inline(always)]
     fn of(triads: Triads<D>) -> Self {
