@@ -21,10 +21,9 @@ pub mod response;
 pub mod rows;
 pub mod stiffness;
 
-use super::chain::Term;
-use crate::scalar::Scalar;
-use crate::slide_line::{Sides, length_and_tangent, shape};
-use nalgebra::{SVector, Vector2};
+use crate::scalar::{Scalar, abs, choice};
+use crate::slide_line::{LinearPlace, ParabolicPlace, Sides, length_and_tangent, shape};
+use nalgebra::Vector2;
 use std::ops::{Add, Mul, Neg};
 
 /// What products and sums are made of: numbers, or numbers with their derivatives.
@@ -49,6 +48,8 @@ struct Place<D, const N: usize> {
     spot: Spot<D, N>,
     /// |X′|.
     speed: D,
+    /// Nᵢ′.
+    weight_rates: [D; N],
     /// The derivatives of the rates by g, (Nᵢ″ X′ − Nᵢ′ X″)·t/|X′|².
     spreads: [D; N],
     /// n·X″/|X′|, by which the tangent turns with g.
@@ -63,7 +64,8 @@ impl<D: Scalar> Place<D, 2> {
         let (zero, per_length) = (D::zero(), length.recip());
         let (weights, rates) = (shape::linear(g), [-per_length, per_length]);
         let spot = Spot { t, n: Vector2::new(-t.y, t.x), weights, rates, curvature: zero };
-        Self { spot, speed: length * 0.5, spreads: [zero; 2], bend: zero, stretch: zero }
+        let weight_rates = [D::from(-0.5), D::from(0.5)];
+        Self { spot, speed: length * 0.5, weight_rates, spreads: [zero; 2], bend: zero, stretch: zero }
     }
 }
 
@@ -73,45 +75,78 @@ impl<D: Scalar> Place<D, 3> {
         let (speed, t) = length_and_tangent(sides.rate(g));
         let per_speed = speed.recip();
         let bend = sides.turn(speed) * per_speed;
+        let weight_rates = shape::parabolic_rates(g);
         let spot = Spot {
             t,
             n: Vector2::new(-t.y, t.x),
             weights: shape::parabolic(g),
-            rates: shape::parabolic_rates(g).map(|rate| rate * per_speed),
+            rates: weight_rates.map(|rate| rate * per_speed),
             curvature: bend * per_speed,
         };
         // Nᵢ″ X′ − Nᵢ′ X″ does not depend on g.
         let spreads = [sides.after, -sides.chord, sides.before].map(|side| t.dot(&(side * per_speed)) * per_speed);
-        Self { spot, speed, spreads, bend, stretch: t.dot(&sides.second_derivative()) * per_speed }
+        Self { spot, speed, weight_rates, spreads, bend, stretch: t.dot(&sides.second_derivative()) * per_speed }
     }
 }
 
 impl<D: Scalar, const N: usize> Place<D, N> {
-    /// With derivatives by the nodes and by g, which are the first of K numbers.
+    /// The derivatives of −Nᵢ (x n + y t), where `by_g` is that of Nᵢ t. `part` has those of a component of which there is a share,
+    /// and what it changes by with g.
+    #[inline(always)]
+    fn of_node<G>(
+        &self,
+        i: usize,
+        by_g: &[Vector2<D>; N],
+        [x, y]: [D; 2],
+        part: impl Fn(usize, D, D) -> G,
+    ) -> Vector2<G> {
+        let (share, by_g) = (-self.spot.weights[i], by_g[i]);
+        Vector2::new(part(0, share, by_g.y * x - by_g.x * y), part(1, share, -(by_g.x * x + by_g.y * y)))
+    }
+}
+
+impl<D: Scalar> Place<D, 2> {
+    /// The derivatives of Nᵢ t by g.
+    #[inline(always)]
+    fn by_g(&self) -> [Vector2<D>; 2] {
+        self.weight_rates.map(|rate| self.spot.t * rate)
+    }
+
+    /// The derivatives of a number that changes by `turned` times the turn of the tangent with the nodes, Σ (Nᵢ′/|X′|) n·δxᵢ, and
+    /// by `g` times δg.
+    #[inline(always)]
+    fn by(&self, turned: D, g: D) -> LinearPlace<D> {
+        let x2 = self.spot.n * self.spot.rates[1] * turned;
+        LinearPlace { x1: -x2, x2, g }
+    }
+}
+
+impl<D: Scalar> Place<D, 3> {
+    /// The derivatives of Nᵢ t by g, Nᵢ′ t + Nᵢ t′, where t′ is κ |X′| n.
     ///
-    /// The tangent turns by δφ = Σ (Nᵢ′/|X′|) n·δxᵢ + κ |X′| δg, and |X′| changes by the part Σ (Nᵢ′/|X′|) t·δxᵢ + (t·X″/|X′|) δg.
-    fn varied<const K: usize>(&self) -> Spot<Term<D, K>, N> {
-        let Self { spot: Spot { t, n, weights, rates, curvature }, speed, spreads, bend, stretch } = *self;
-        let slope = |by_node: &dyn Fn(usize) -> Vector2<D>, by_g: D| {
-            SVector::<D, K>::from_fn(|k, _| match k / 2 {
-                node if node < N => by_node(node)[k % 2],
-                _ if k == 2 * N => by_g,
-                _ => D::zero(),
-            })
-        };
-        let none = Vector2::from_element(D::zero());
-        let turned = slope(&|i| n * rates[i], bend);
-        let weight = |i: usize| Term::new(weights[i], slope(&|_| none, rates[i] * speed));
-        let rate = |i: usize| Term::new(rates[i], slope(&|j| t * -(rates[i] * rates[j]), spreads[i]));
-        let (per_speed, twice) = (speed.recip(), curvature * 2.0);
-        let bent = slope(&|i| n * (spreads[i] * per_speed) - t * (twice * rates[i]), -(curvature * stretch * 3.0));
-        Spot {
-            t: Vector2::from_fn(|k, _| Term::new(t[k], turned * n[k])),
-            n: Vector2::from_fn(|k, _| Term::new(n[k], -(turned * t[k]))),
-            weights: std::array::from_fn(weight),
-            rates: std::array::from_fn(rate),
-            curvature: Term::new(curvature, bent),
-        }
+    /// N₁ and N₃ are ½ g (g ∓ 1): with e = g n·t′, which is −½ n·chord/|X′|, theirs are g (t + ½ e n) ∓ ½ (t + e n). Where the
+    /// midside node is far from a short chord, e n takes away nearly all of t, and what is left is ½ t (t·chord) + g X″, by |X′|.
+    #[inline(always)]
+    fn by_g(&self, nodes: [Vector2<D>; 3], g: D) -> [Vector2<D>; 3] {
+        let Spot { t, n, weights, .. } = self.spot;
+        let (sides, per_speed) = (Sides::new(nodes), self.speed.recip());
+        let (chord, curved) = (sides.chord * D::from(0.5), sides.second_derivative() * g);
+        let size = |v: Vector2<D>| abs(v.x) + abs(v.y);
+        let [x, y, e] = choice::<D, 3>(|| {
+            let is_far = size(curved) > size(chord) * 4.0;
+            let e = if is_far { -n.dot(&chord) * per_speed } else { self.bend * g };
+            let rest = if is_far { (t * t.dot(&chord) + curved) * per_speed } else { t + n * e };
+            [rest.x, rest.y, e]
+        });
+        let (half, both) = (Vector2::new(x, y) * D::from(0.5), (t + n * (e * 0.5)) * g);
+        [both - half, n * (weights[1] * self.bend) - t * (g * 2.0), both + half]
+    }
+
+    /// As of a straight segment.
+    #[inline(always)]
+    fn by(&self, turned: D, g: D) -> ParabolicPlace<D> {
+        let of = |i: usize| self.spot.n * self.spot.rates[i] * turned;
+        ParabolicPlace { x1: of(0), x2: of(1), x3: of(2), g }
     }
 }
 

@@ -4,13 +4,14 @@
 mod proof;
 
 use super::{Number, Place, Spot, times};
-use crate::element::chain::{Term, gradients};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Given, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
 use crate::quantity::{AREA, LINE_FORCE_1, LINE_FORCE_2, LINE_FORCE_3, LINE_FORCE_S, S11, S12, SEGMENT_G, X1, X2, X3};
 use crate::scalar::Scalar;
-use crate::slide_line::{LinearPoint, LocalBasis, ParabolicPoint, check_distinct, check_tangent};
+use crate::slide_line::{
+    LinearPlace, LinearPoint, LocalBasis, ParabolicPlace, ParabolicPoint, check_distinct, check_tangent,
+};
 use nalgebra::Vector2;
 
 const OURS: Source =
@@ -53,9 +54,36 @@ fn acting<T: Number + nalgebra::Scalar, const N: usize>(
     (fs, spot.weights.map(|weight| times(fs, -weight)))
 }
 
-/// Area and stresses, which follow the first inputs.
-fn loads<D: Scalar, const K: usize>(loads: [D; 3]) -> [Term<D, K>; 3] {
-    [0, 1, 2].map(|k| Term::variable(loads[k], K - 3 + k))
+/// How the force on the slave point changes.
+struct Change<D> {
+    /// A S11 and −A S12, by which it is made of n and t.
+    loads: [D; 2],
+    /// By the turn of the tangent: −A (S11 t + S12 n).
+    turned: Vector2<D>,
+    by_area: Vector2<D>,
+    by_s11: Vector2<D>,
+    by_s12: Vector2<D>,
+}
+
+impl<D: Scalar> Change<D> {
+    #[inline(always)]
+    fn new<const N: usize>(spot: &Spot<D, N>, [area, s11, s12]: [D; 3]) -> Self {
+        let Spot { t, n, .. } = *spot;
+        let (normal, shear) = (area * s11, area * s12);
+        Self {
+            loads: [normal, -shear],
+            turned: -(t * normal + n * shear),
+            by_area: n * s11 - t * s12,
+            by_s11: n * area,
+            by_s12: t * -area,
+        }
+    }
+
+    /// By area and stresses.
+    #[inline(always)]
+    fn by_loads(&self, k: usize) -> [D; 3] {
+        [self.by_area[k], self.by_s11[k], self.by_s12[k]]
+    }
 }
 
 /// What contact on a straight segment exerts: pressure along n and shear against t, times the area, shared out by the weights.
@@ -85,7 +113,26 @@ impl Formula for Linear {
 
     #[inline]
     fn jacobian<D: Scalar>(i: &LinearLoads<D>) -> Jacobian<Self, D> {
-        gradients(&Self::at(&Place::linear([i.x1, i.x2], i.g).varied::<8>(), loads([i.area, i.s11, i.s12])))
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &LinearLoads<D>) -> ValueAndJacobian<Self, D> {
+        let place = Place::linear([i.x1, i.x2], i.g);
+        let by_g = place.by_g();
+        let change = Change::new(&place.spot, [i.area, i.s11, i.s12]);
+        let part = |k: usize, share: D, g: D| {
+            let LinearPlace { x1, x2, g } = place.by(change.turned[k] * share, g);
+            let [area, s11, s12] = change.by_loads(k).map(|by| by * share);
+            LinearLoads { x1, x2, g, area, s11, s12 }
+        };
+        let fs = Vector2::new(part(0, D::one(), D::zero()), part(1, D::one(), D::zero()));
+        let by = LinearForces {
+            fs,
+            f1: place.of_node(0, &by_g, change.loads, part),
+            f2: place.of_node(1, &by_g, change.loads, part),
+        };
+        (Self::at(&place.spot, [i.area, i.s11, i.s12]), by)
     }
 
     #[inline]
@@ -121,7 +168,31 @@ impl Formula for Parabolic {
 
     #[inline]
     fn jacobian<D: Scalar>(i: &ParabolicLoads<D>) -> Jacobian<Self, D> {
-        gradients(&Self::at(&Place::parabolic([i.x1, i.x2, i.x3], i.g).varied::<10>(), loads([i.area, i.s11, i.s12])))
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &ParabolicLoads<D>) -> ValueAndJacobian<Self, D> {
+        let nodes = [i.x1, i.x2, i.x3];
+        let place = Place::parabolic(nodes, i.g);
+        let by_g = place.by_g(nodes, i.g);
+        let change = Change::new(&place.spot, [i.area, i.s11, i.s12]);
+        let part = |k: usize, share: D, g: D| {
+            let ParabolicPlace { x1, x2, x3, g } = place.by(change.turned[k] * share, g);
+            let [area, s11, s12] = change.by_loads(k).map(|by| by * share);
+            ParabolicLoads { x1, x2, x3, g, area, s11, s12 }
+        };
+        let fs = Vector2::new(
+            part(0, D::one(), place.bend * change.turned.x),
+            part(1, D::one(), place.bend * change.turned.y),
+        );
+        let by = ParabolicForces {
+            fs,
+            f1: place.of_node(0, &by_g, change.loads, part),
+            f2: place.of_node(1, &by_g, change.loads, part),
+            f3: place.of_node(2, &by_g, change.loads, part),
+        };
+        (Self::at(&place.spot, [i.area, i.s11, i.s12]), by)
     }
 
     #[inline]

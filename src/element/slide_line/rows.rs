@@ -3,11 +3,10 @@
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 
-use super::{Number, Place, Spot, times};
-use crate::element::chain::gradients;
+use super::{Place, Spot};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Given, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
 use crate::quantity::{E11_U1, E11_U2, E11_U3, E11_US, E12_U1, E12_U2, E12_U3, E12_US};
 use crate::scalar::Scalar;
 use crate::slide_line::{
@@ -35,8 +34,8 @@ fields! {
 }
 
 /// Of the nodes of a segment: −Nᵢ times a vector.
-fn of_nodes<T: Number + nalgebra::Scalar, const N: usize>(spot: &Spot<T, N>, v: Vector2<T>) -> [Vector2<T>; N] {
-    spot.weights.map(|weight| times(v, -weight))
+fn of_nodes<D: Scalar, const N: usize>(spot: &Spot<D, N>, v: Vector2<D>) -> [Vector2<D>; N] {
+    spot.weights.map(|weight| v * -weight)
 }
 
 /// The rows of separation and slip on a straight segment.
@@ -44,7 +43,7 @@ fn of_nodes<T: Number + nalgebra::Scalar, const N: usize>(spot: &Spot<T, N>, v: 
 pub struct Linear;
 
 impl Linear {
-    fn at<T: Number + nalgebra::Scalar>(spot: &Spot<T, 2>) -> LinearRows<T> {
+    fn at<D: Scalar>(spot: &Spot<D, 2>) -> LinearRows<D> {
         let ([e11_u1, e11_u2], [e12_u1, e12_u2]) = (of_nodes(spot, spot.n), of_nodes(spot, spot.t));
         LinearRows { e11_us: spot.n, e11_u1, e11_u2, e12_us: spot.t, e12_u1, e12_u2 }
     }
@@ -66,7 +65,27 @@ impl Formula for Linear {
 
     #[inline]
     fn jacobian<D: Scalar>(i: &LinearPlace<D>) -> Jacobian<Self, D> {
-        gradients(&Self::at(&Place::linear([i.x1, i.x2], i.g).varied::<5>()))
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &LinearPlace<D>) -> ValueAndJacobian<Self, D> {
+        let place = Place::linear([i.x1, i.x2], i.g);
+        let by_g = place.by_g();
+        let Spot { t, n, .. } = place.spot;
+        // n turns away from t, and t towards n.
+        let (zero, one) = (D::zero(), D::one());
+        let of_n = |k: usize, share: D, g: D| place.by(share * -t[k], g);
+        let of_t = |k: usize, share: D, g: D| place.by(share * n[k], g);
+        let by = LinearRows {
+            e11_us: Vector2::new(of_n(0, one, zero), of_n(1, one, zero)),
+            e11_u1: place.of_node(0, &by_g, [one, zero], of_n),
+            e11_u2: place.of_node(1, &by_g, [one, zero], of_n),
+            e12_us: Vector2::new(of_t(0, one, zero), of_t(1, one, zero)),
+            e12_u1: place.of_node(0, &by_g, [zero, one], of_t),
+            e12_u2: place.of_node(1, &by_g, [zero, one], of_t),
+        };
+        (Self::at(&place.spot), by)
     }
 
     #[inline]
@@ -80,7 +99,7 @@ impl Formula for Linear {
 pub struct Parabolic;
 
 impl Parabolic {
-    fn at<T: Number + nalgebra::Scalar>(spot: &Spot<T, 3>) -> ParabolicRows<T> {
+    fn at<D: Scalar>(spot: &Spot<D, 3>) -> ParabolicRows<D> {
         let ([e11_u1, e11_u2, e11_u3], [e12_u1, e12_u2, e12_u3]) = (of_nodes(spot, spot.n), of_nodes(spot, spot.t));
         ParabolicRows { e11_us: spot.n, e11_u1, e11_u2, e11_u3, e12_us: spot.t, e12_u1, e12_u2, e12_u3 }
     }
@@ -102,7 +121,29 @@ impl Formula for Parabolic {
 
     #[inline]
     fn jacobian<D: Scalar>(i: &ParabolicPlace<D>) -> Jacobian<Self, D> {
-        gradients(&Self::at(&Place::parabolic([i.x1, i.x2, i.x3], i.g).varied::<7>()))
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &ParabolicPlace<D>) -> ValueAndJacobian<Self, D> {
+        let nodes = [i.x1, i.x2, i.x3];
+        let place = Place::parabolic(nodes, i.g);
+        let by_g = place.by_g(nodes, i.g);
+        let Spot { t, n, .. } = place.spot;
+        let (zero, one) = (D::zero(), D::one());
+        let of_n = |k: usize, share: D, g: D| place.by(share * -t[k], g);
+        let of_t = |k: usize, share: D, g: D| place.by(share * n[k], g);
+        let by = ParabolicRows {
+            e11_us: Vector2::new(of_n(0, one, -t.x * place.bend), of_n(1, one, -t.y * place.bend)),
+            e11_u1: place.of_node(0, &by_g, [one, zero], of_n),
+            e11_u2: place.of_node(1, &by_g, [one, zero], of_n),
+            e11_u3: place.of_node(2, &by_g, [one, zero], of_n),
+            e12_us: Vector2::new(of_t(0, one, n.x * place.bend), of_t(1, one, n.y * place.bend)),
+            e12_u1: place.of_node(0, &by_g, [zero, one], of_t),
+            e12_u2: place.of_node(1, &by_g, [zero, one], of_t),
+            e12_u3: place.of_node(2, &by_g, [zero, one], of_t),
+        };
+        (Self::at(&place.spot), by)
     }
 
     #[inline]

@@ -9,11 +9,10 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::{Number, Place, Spot};
-use crate::element::chain::{Term, gradients};
+use super::{Place, Spot};
 use crate::error::{Error, Name};
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Given, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
 use crate::quantity::{
     CONTACT_LAMBDA, LINE_K_U1_U1, LINE_K_U1_U2, LINE_K_U1_U3, LINE_K_U2_U2, LINE_K_U2_U3, LINE_K_U3_U3, LINE_K_US_U1,
     LINE_K_US_U2, LINE_K_US_U3, LINE_K_US_US, SEGMENT_G, SEPARATION, X1, X2, X3,
@@ -57,13 +56,8 @@ fields! {
 }
 
 /// v ⊗ w times a.
-fn outer<T: Number + nalgebra::Scalar>(v: &Vector2<T>, w: &Vector2<T>, a: T) -> Matrix2<T> {
+fn outer<D: Scalar>(v: &Vector2<D>, w: &Vector2<D>, a: D) -> Matrix2<D> {
     Matrix2::from_fn(|i, j| v[i] * w[j] * a)
-}
-
-/// A matrix and others.
-fn sum<T: Number + nalgebra::Scalar, const M: usize>(first: Matrix2<T>, rest: [Matrix2<T>; M]) -> Matrix2<T> {
-    rest.into_iter().fold(first, |sum, m| sum.zip_map(&m, |x, y| x + y))
 }
 
 /// The geometric stiffness of contact on a straight segment, λ ∂²E11.
@@ -73,20 +67,15 @@ pub struct Linear;
 impl Linear {
     /// With b₂ = −b₁ = 1/ℓ and κ = 0. N₁ P − N₂ Q is ½ (P − Q) − ½ g (P + Q), and P − Q has no direction: λ/ℓ times what turns
     /// to the right.
-    fn at<T: Number + nalgebra::Scalar>(
-        spot: &Spot<T, 2>,
-        [half, half_g]: [T; 2],
-        separation: T,
-        lambda: T,
-    ) -> LinearStiffness<T> {
+    fn at<D: Scalar>(spot: &Spot<D, 2>, i: &LinearTouch<D>) -> LinearStiffness<D> {
         let Spot { t, n, weights: [n1, n2], rates: [_, per_length], .. } = *spot;
-        let per = lambda * per_length;
-        let (p, q, r) = (outer(&t, &n, per), outer(&n, &t, per), outer(&n, &n, -(per * per_length * separation)));
-        let (both, part) = (sum(p, [q]), |m: Matrix2<T>, a: T| m.map(|entry| entry * a));
-        let mut k_u1_u2 = sum(r.map(|entry| -entry), [part(both, -half_g)]);
-        k_u1_u2.m12 = k_u1_u2.m12 + per * half;
-        k_u1_u2.m21 = k_u1_u2.m21 + -(per * half);
-        LinearStiffness { k_us_u1: p, k_u1_u1: sum(r, [part(both, -n1)]), k_u1_u2, k_u2_u2: sum(r, [part(both, n2)]) }
+        let (half, per) = (D::from(0.5), i.lambda * per_length);
+        let (p, q, r) = (outer(&t, &n, per), outer(&n, &t, per), outer(&n, &n, per * per_length * i.separation));
+        let both = p + q;
+        let mut k_u1_u2 = r - both * (i.g * half);
+        k_u1_u2.m12 += per * half;
+        k_u1_u2.m21 -= per * half;
+        LinearStiffness { k_us_u1: p, k_u1_u1: both * -n1 - r, k_u1_u2, k_u2_u2: both * n2 - r }
     }
 }
 
@@ -101,16 +90,51 @@ impl Formula for Linear {
 
     #[inline]
     fn eval<D: Scalar>(i: &LinearTouch<D>) -> LinearStiffness<D> {
-        let halves = [D::from(0.5), i.g * 0.5];
-        Self::at(&Place::linear([i.x1, i.x2], i.g).spot, halves, i.separation, i.lambda)
+        Self::at(&Place::linear([i.x1, i.x2], i.g).spot, i)
+    }
+
+    /// Every block is made of t⊗n + n⊗t, which turns with the tangent by 2 (n⊗n − t⊗t) δφ, and of n⊗n, which turns by −(t⊗n + n⊗t) δφ.
+    /// The length changes by δℓ/ℓ = t·(δx₂ − δx₁)/ℓ.
+    #[inline]
+    fn jacobian<D: Scalar>(i: &LinearTouch<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
     }
 
     #[inline]
-    fn jacobian<D: Scalar>(i: &LinearTouch<D>) -> Jacobian<Self, D> {
-        let spot = Place::linear([i.x1, i.x2], i.g).varied::<7>();
-        let half = Term::constant(D::from(0.5));
-        let halves = [half, Term::variable(i.g, 4) * half];
-        gradients(&Self::at(&spot, halves, Term::variable(i.separation, 5), Term::variable(i.lambda, 6)))
+    fn linearized<D: Scalar>(i: &LinearTouch<D>) -> ValueAndJacobian<Self, D> {
+        let spot = Place::linear([i.x1, i.x2], i.g).spot;
+        let Spot { t, n, weights: [n1, n2], rates: [_, per_length], .. } = spot;
+        let (half, per, bend) = (D::from(0.5), i.lambda * per_length, i.lambda * per_length * per_length);
+        let entry = |turned: D, stretched: D, [g, separation, lambda]: [D; 3]| {
+            let x2 = (n * turned + t * stretched) * per_length;
+            LinearTouch { x1: -x2, x2, g, separation, lambda }
+        };
+        let (cos, sin) = ((t.x - t.y) * (t.x + t.y), t.x * t.y * 2.0);
+        let (both, turn) = (Matrix2::new(-sin, cos, cos, sin), Matrix2::new(-cos, -sin, -sin, cos));
+        let across = Matrix2::new(n.x * n.x, n.x * n.y, n.x * n.y, n.y * n.y);
+        let block = |weight: D, weight_rate: D, sign: D, skew: D| {
+            let skew = Matrix2::new(D::zero(), skew, -skew, D::zero());
+            Matrix2::from_fn(|row, column| {
+                let at = (row, column);
+                let (shear, across) = (both[at] * weight + skew[at], across[at] * sign);
+                let by_separation = across * bend;
+                let turned = turn[at] * weight * per * 2.0 - both[at] * sign * bend * i.separation;
+                let stretched = -(shear * per + by_separation * i.separation * 2.0);
+                let by_lambda = (shear + across * (i.separation * per_length)) * per_length;
+                entry(turned, stretched, [both[at] * weight_rate * per, by_separation, by_lambda])
+            })
+        };
+        let of_slave = |row: usize, column: usize| {
+            let (shear, zero) = (t[row] * n[column], D::zero());
+            entry(turn[(row, column)] * per, -(shear * per), [zero, zero, shear * per_length])
+        };
+        let by = LinearStiffness {
+            k_us_u1: Matrix2::from_fn(of_slave),
+            k_u1_u1: block(-n1, half, -D::one(), D::zero()),
+            k_u1_u2: block(-(i.g * half), -half, D::one(), half),
+            k_u2_u2: block(n2, half, -D::one(), D::zero()),
+        };
+        (Self::at(&spot, i), by)
     }
 
     #[inline]
@@ -137,14 +161,14 @@ type Degree = Option<usize>;
 pub struct Parabolic;
 
 /// A block, where `by` is λ/(1 − κ E11).
-fn block<T: Number + nalgebra::Scalar>(spot: &Spot<T, 3>, separation: T, by: T, [i, j]: [Degree; 2]) -> Matrix2<T> {
+fn block<D: Scalar>(spot: &Spot<D, 3>, separation: D, by: D, [i, j]: [Degree; 2]) -> Matrix2<D> {
     let Spot { t, n, weights, rates, curvature } = *spot;
-    let motion = |i: Degree, x: T| i.map_or(x, |i| -(x * weights[i]));
+    let motion = |i: Degree, x: D| i.map_or(x, |i| -(x * weights[i]));
     let bend = outer(&t, &t, motion(i, motion(j, -(by * curvature))));
     let shear = j.map(|j| outer(&t, &n, motion(i, -(by * rates[j]))));
     let back = i.map(|i| outer(&n, &t, motion(j, -(by * rates[i]))));
     let turn = i.zip(j).map(|(i, j)| outer(&n, &n, -(by * separation * rates[i] * rates[j])));
-    [shear, back, turn].into_iter().flatten().fold(bend, |all, m| sum(all, [m]))
+    [shear, back, turn].into_iter().flatten().fold(bend, |all, m| all + m)
 }
 
 /// All that differ.
@@ -164,12 +188,28 @@ fn blocks<T: Component>(block: impl Fn([Degree; 2]) -> Matrix2<T>) -> ParabolicS
     }
 }
 
-/// How far the closest point moves along the line, (aᵢ t + E11 bᵢ n)/(1 − κ E11), and how far the line turns there,
-/// (bᵢ n + κ aᵢ t)/(1 − κ E11), where the slave point or a node moves.
-fn carried<D: Scalar>(spot: &Spot<D, 3>, separation: D, per: D, i: Degree) -> [Vector2<D>; 2] {
-    let Spot { t, n, weights, rates, curvature } = *spot;
-    let (a, b) = i.map_or((D::one(), D::zero()), |i| (-weights[i], rates[i]));
-    [(t * a + n * (separation * b)) * per, (n * b + t * (curvature * a)) * per]
+/// What the motion of the slave point or of a node does.
+struct Motion<D> {
+    /// aᵢ and bᵢ.
+    held: [D; 2],
+    /// Their derivatives by g.
+    by_g: [D; 2],
+    /// How far the closest point moves along the line, (aᵢ t + E11 bᵢ n)/(1 − κ E11).
+    moved: Vector2<D>,
+    /// How far the line turns there, (bᵢ n + κ aᵢ t)/(1 − κ E11).
+    turned: Vector2<D>,
+}
+
+impl<D: Scalar> Motion<D> {
+    #[inline(always)]
+    fn new(place: &Place<D, 3>, separation: D, per: D, degree: Degree) -> Self {
+        let (one, zero) = (D::one(), D::zero());
+        let [a, b] = degree.map_or([one, zero], |i| [-place.spot.weights[i], place.spot.rates[i]]);
+        let by_g = degree.map_or([zero; 2], |i| [-place.weight_rates[i], place.spreads[i]]);
+        let Spot { t, n, curvature, .. } = place.spot;
+        let moved = (t * a + n * (separation * b)) * per;
+        Self { held: [a, b], by_g, moved, turned: (n * b + t * (curvature * a)) * per }
+    }
 }
 
 impl Formula for Parabolic {
@@ -189,23 +229,54 @@ impl Formula for Parabolic {
         blocks(|degrees| block(&spot, i.separation, by, degrees))
     }
 
-    /// By E11 and by κ a block changes by the products of what `carried` says, times −λ: quotients that would cancel otherwise.
+    /// By E11 and by κ a block changes by the products of how far the line turns there and how far the point moves, times −λ:
+    /// quotients that would cancel otherwise. By the length, bᵢ changes as 1/ℓ does, and κ as 1/ℓ².
     #[inline]
     fn jacobian<D: Scalar>(i: &ParabolicTouch<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &ParabolicTouch<D>) -> ValueAndJacobian<Self, D> {
         let place = Place::parabolic([i.x1, i.x2, i.x3], i.g);
-        let (spot, varied, per) = (place.spot, place.varied::<9>(), i.per_reach(&place.spot));
-        let held = Spot { curvature: Term::constant(spot.curvature), ..varied };
-        let (separation, by) = (Term::constant(i.separation), Term::variable(i.lambda, 8) * Term::constant(per));
-        let by_separation = Term::<D, 9>::variable(i.separation, 7).slope;
-        gradients(&blocks(|[a, b]| {
-            let ([moved_a, turned_a], [moved_b, turned_b]) =
-                (carried(&spot, i.separation, per, a), carried(&spot, i.separation, per, b));
-            block(&held, separation, by, [a, b]).map_with_location(|row, column, entry| {
-                let (of_turn, of_way) = (turned_a[row] * turned_b[column], moved_a[row] * moved_b[column]);
-                let more = by_separation * of_turn + varied.curvature.slope * of_way;
-                Term::new(entry.value, entry.slope - more * i.lambda)
-            })
-        }))
+        let (Spot { t, n, curvature, .. }, per) = (place.spot, i.per_reach(&place.spot));
+        let (per_speed, stretch) = (place.speed.recip(), curvature * place.stretch * 3.0);
+        let form =
+            |[a, b]: [D; 2], [c, d]: [D; 2]| Matrix2::new(curvature * a * c, a * d, b * c, i.separation * b * d) * per;
+        let turning = |m: Matrix2<D>| {
+            let (shear, difference) = (m.m12 + m.m21, m.m11 - m.m22);
+            Matrix2::new(-shear, difference, difference, shear)
+        };
+        let stretching = |m: Matrix2<D>| Matrix2::new(D::zero(), m.m12, m.m21, m.m22 * 2.0);
+        // In the plane, from the basis of t and n; with the sign that all blocks have.
+        let in_plane = |m: Matrix2<D>| {
+            let [u, v] = [t * m.m11 + n * m.m21, t * m.m12 + n * m.m22];
+            Matrix2::from_fn(|row, column| -(u[row] * t[column] + v[row] * n[column]))
+        };
+        let along = place.spot.rates.map(|rate| t * rate);
+        let across = place.spot.rates.map(|rate| n * rate);
+        let bent = place.spreads.map(|spread| n * (spread * per_speed));
+        let motions = [None, Some(0), Some(1), Some(2)].map(|degree| Motion::new(&place, i.separation, per, degree));
+        let motion = |degree: Degree| &motions[degree.map_or(0, |node| node + 1)];
+        let value = blocks(|degrees| block(&place.spot, i.separation, i.lambda * per, degrees));
+        let by = blocks(|degrees| {
+            let [first, second] = degrees.map(motion);
+            let held = form(first.held, second.held);
+            let by_curvature = outer(&first.moved, &second.moved, -i.lambda);
+            let by_g = form(first.by_g, second.held) + form(first.held, second.by_g);
+            let by_g = in_plane(by_g * i.lambda) - by_curvature * stretch;
+            let stretched = -in_plane(stretching(held) * i.lambda) - by_curvature * (curvature * 2.0);
+            let (turned, by_lambda) = (in_plane(turning(held) * i.lambda), in_plane(held));
+            let by_separation = outer(&first.turned, &second.turned, -i.lambda);
+            let entry = |row: usize, column: usize| {
+                let at = (row, column);
+                let of_node = |k: usize| across[k] * turned[at] + along[k] * stretched[at] + bent[k] * by_curvature[at];
+                let (g, separation, lambda) = (place.bend * turned[at] + by_g[at], by_separation[at], by_lambda[at]);
+                ParabolicTouch { x1: of_node(0), x2: of_node(1), x3: of_node(2), g, separation, lambda }
+            };
+            Matrix2::new(entry(0, 0), entry(0, 1), entry(1, 0), entry(1, 1))
+        });
+        (value, by)
     }
 
     #[inline]

@@ -25,6 +25,9 @@ pub(in crate::element::slide_line) fn straight_places() -> Vec<Case<LinearPlace<
 pub(in crate::element::slide_line) fn curved_places() -> Vec<Case<ParabolicPlace<f64>>> {
     let mut cases = ParabolicPoint::cases();
     cases.retain(|Case { inputs: i, .. }| check_tangent([i.x1, i.x2, i.x3], i.g).is_ok());
+    let [x1, x2, x3] = [[-0.1, 0.002], [1.0, -28000.0], [4.75, 0.001]].map(Vector2::from);
+    let far = ParabolicPlace { x1, x2, x3, g: -0.0055 };
+    cases.push(Case::hard("far-midside", "far from a short chord: Nᵢ′ t and Nᵢ t′ are nearly opposite", far));
     cases
 }
 
