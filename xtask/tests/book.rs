@@ -4,7 +4,6 @@ mod common;
 
 use common::{Bench, Ran};
 use jointproof::catalog::{AnyFormula, CATALOG};
-use serde_json::Value;
 use std::collections::HashSet;
 use std::ffi::OsString;
 use std::fs;
@@ -12,12 +11,9 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use std::time::Duration;
 
-/// The book, built once for all tests here, in a folder that only they use, with a report on every formula that is kept.
+/// The book, built once for all tests here, in a folder that only they use, with the report that is kept as the reference.
 static BOOK: LazyLock<PathBuf> = LazyLock::new(|| {
     let bench = Bench::new();
-    let kept = bench.path("target/jointproof");
-    fs::create_dir_all(&kept).unwrap();
-    fs::write(kept.join("report.json"), report(&bench).to_string()).unwrap();
     let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("book");
     let mut command = bench.command(&["book", "--unmeasured", "--open", "--out", out.to_str().unwrap()]);
     if cfg!(target_os = "linux") {
@@ -50,20 +46,6 @@ fn was_opened(bench: &Bench, out: &Path) -> bool {
             false
         }
     })
-}
-
-/// A report in which every formula has the figures of one, for what is shown is not judged here.
-fn report(bench: &Bench) -> Value {
-    let quick = ["report", "--here", "--quick", "--filter", "slot.contact_force", "--format", "json"];
-    let mut report: Value = serde_json::from_str(&bench.run(&quick).quiet().stdout).unwrap();
-    let one = report["formulas"][0].take();
-    let named = |formula: &&dyn AnyFormula| {
-        let mut named = one.clone();
-        named["formula"] = formula.spec().id.into();
-        named
-    };
-    report["formulas"] = CATALOG.iter().map(named).collect();
-    report
 }
 
 /// All files below a folder whose names end so.
@@ -126,7 +108,7 @@ fn every_formula_has_a_calculator() {
 }
 
 #[test]
-fn the_report_that_is_kept_is_shown() {
+fn the_report_of_reference_is_shown() {
     let titles = behind("<title>", "</title>");
     for id in CATALOG.iter().map(|formula| formula.spec().id) {
         for plot in ["speed against error", "error of differences over their step"] {
@@ -171,6 +153,48 @@ fn nothing_is_fetched_from_the_network() {
     for (name, page) in chapters() {
         assert!(!page.contains("class=\"playground\""), "{name} has code that is run elsewhere");
     }
+}
+
+/// What is on the pages is looked at once, by whoever changes it; after that only what is meant to change may.
+#[test]
+fn every_section_and_script_is_as_it_was_accepted() {
+    let (kept, now) = (Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/printed/pages.txt"), digests());
+    if std::env::var_os("UPDATE_PRINTED").is_some() {
+        fs::write(&kept, &now).unwrap();
+    }
+    let kept = fs::read_to_string(kept).unwrap_or_default();
+    let [kept, now]: [HashSet<&str>; 2] = [&kept, &now].map(|text| text.lines().collect());
+    let mut other: Vec<_> = kept.symmetric_difference(&now).filter_map(|line| line.split(' ').next()).collect();
+    other.sort_unstable();
+    other.dedup();
+    assert!(other.is_empty(), "look at {other:#?}; to accept: UPDATE_PRINTED=1 cargo test -p xtask --test book");
+}
+
+/// The sections of all chapters and the scripts of all calculators, each with a digest of its text, in order.
+fn digests() -> String {
+    let from_root = |path: &str| Path::new(path).strip_prefix(&*BOOK).unwrap().display().to_string();
+    let mut lines = Vec::new();
+    for (path, page) in chapters() {
+        let Some((_, main)) = page.split_once("<main>") else { continue };
+        let mut sections = main.split("</main>").next().unwrap().split(" id=\"");
+        lines.push((from_root(&path), sections.next().unwrap().to_owned()));
+        lines.extend(sections.map(|section| {
+            let name = section.split('"').next().unwrap();
+            (format!("{}#{name}", from_root(&path)), section.to_owned())
+        }));
+    }
+    lines.extend(files(&BOOK.join("calculator"), &["js"]).into_iter().map(|(path, text)| (from_root(&path), text)));
+    lines.sort();
+    lines.iter().map(|(name, text)| format!("{} {:016x}\n", name.replace(' ', "_"), digest(text))).collect()
+}
+
+/// FNV-1a, the same everywhere; revisions count as equal.
+fn digest(text: &str) -> u64 {
+    let is_revision = |word: &&str| word.len() == 40 && word.bytes().all(|byte| byte.is_ascii_hexdigit());
+    let words = text.split('/').filter(|word| !is_revision(word));
+    words
+        .flat_map(|word| word.bytes().chain([b'/']))
+        .fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
 }
 
 #[test]

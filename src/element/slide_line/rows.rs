@@ -110,7 +110,7 @@ impl Formula for Parabolic {
         .equation(r"\begin{aligned} \mathbf{e}_{11,us} &= \mathbf{n}, & \mathbf{e}_{11,u1} &= -N_1\,\mathbf{n}, & \mathbf{e}_{11,u2} &= -N_2\,\mathbf{n}, & \mathbf{e}_{11,u3} &= -N_3\,\mathbf{n}, \\ \mathbf{e}_{12,us} &= \mathbf{t}, & \mathbf{e}_{12,u1} &= -N_1\,\mathbf{t}, & \mathbf{e}_{12,u2} &= -N_2\,\mathbf{t}, & \mathbf{e}_{12,u3} &= -N_3\,\mathbf{t}, \\ N_1 &= \tfrac12 g(g-1), & N_2 &= 1-g^2, & N_3 &= \tfrac12 g(g+1) \end{aligned}")
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &ParabolicPoint::SPEC)])
         .eta(3.0, 10.0)
-        .scale(1e3);
+        .scale(1e20);
     type Inputs<T: Component> = ParabolicPlace<T>;
     type Outputs<T: Component> = ParabolicRows<T>;
 

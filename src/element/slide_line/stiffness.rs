@@ -84,7 +84,7 @@ impl Formula for Linear {
         .equation(r"\begin{aligned} \mathbf{P} &= \frac{\lambda}{\ell}\,\mathbf{t}\otimes\mathbf{n},\quad \mathbf{Q} = \frac{\lambda}{\ell}\,\mathbf{n}\otimes\mathbf{t},\quad \mathbf{R} = \frac{\lambda E_{11}}{\ell^2}\,\mathbf{n}\otimes\mathbf{n}, \\ \mathbf{K}_{us,u1} &= \mathbf{P},\quad \mathbf{K}_{u1,u1} = -N_1(\mathbf{P}+\mathbf{Q}) - \mathbf{R},\quad \mathbf{K}_{u1,u2} = N_1\,\mathbf{P} - N_2\,\mathbf{Q} + \mathbf{R},\quad \mathbf{K}_{u2,u2} = N_2(\mathbf{P}+\mathbf{Q}) - \mathbf{R}, \\ N_1 &= \tfrac12(1-g),\quad N_2 = \tfrac12(1+g),\quad \ell = \lvert\mathbf{x}_2-\mathbf{x}_1\rvert \end{aligned}")
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &LinearPoint::SPEC)])
         .eta(4.0, 6.0)
-        .scale(1e50);
+        .scale(1e80);
     type Inputs<T: Component> = LinearTouch<T>;
     type Outputs<T: Component> = LinearStiffness<T>;
 

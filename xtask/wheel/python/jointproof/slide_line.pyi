@@ -116,7 +116,7 @@ class _RowsParabolic(Formula):
         e12_u2: variation of the slip over a place that is held by the translation of the second node ([2], unit 1; a finite number)
         e12_u3: variation of the slip over a place that is held by the translation of the third node ([2], unit 1; a finite number)
 
-    Accuracy: η at most 3 of the value, 10 of the Jacobian, inputs from 1/1e3 to 1e3 in size.
+    Accuracy: η at most 3 of the value, 10 of the Jacobian, inputs from 1/1e20 to 1e20 in size.
     Source: Slide lines, Element output (ours: the section names separation and slip; these are their variations).
     """
     def __call__(self, x1: ArrayLike, x2: ArrayLike, x3: ArrayLike, g: ArrayLike, *, out: Any = None) -> _RowsParabolicValue: ...
@@ -221,7 +221,7 @@ class _NodalForcesParabolic(Formula):
         f2: force of the contact on the second node, around the whole circumference ([2], unit F; a finite number)
         f3: force of the contact on the third node, around the whole circumference ([2], unit F; a finite number)
 
-    Accuracy: η at most 2 of the value, 8 of the Jacobian, inputs from 1/1e5 to 1e5 in size.
+    Accuracy: η at most 2 of the value, 8 of the Jacobian, inputs from 1/1e20 to 1e20 in size.
     Source: Slide lines, Element output (ours: the section names pressure and shear stress, and prints no forces).
     """
     def __call__(self, x1: ArrayLike, x2: ArrayLike, x3: ArrayLike, g: ArrayLike, area: ArrayLike, s11: ArrayLike, s12: ArrayLike, *, out: Any = None) -> _NodalForcesParabolicValue: ...
@@ -274,7 +274,7 @@ class _GeometricStiffnessLinear(Formula):
         k_u1_u2: derivative of the force on the first node by the translation of the second node, at a constant contact force ([2, 2], unit F/L; a finite number)
         k_u2_u2: derivative of the force on the second node by the translation of the second node, at a constant contact force ([2, 2], unit F/L; a finite number)
 
-    Accuracy: η at most 4 of the value, 6 of the Jacobian, inputs from 1/1e50 to 1e50 in size.
+    Accuracy: η at most 4 of the value, 6 of the Jacobian, inputs from 1/1e80 to 1e80 in size.
     Source: Slide lines, Element output (ours: the section names the separation; it is the derivative of the force along its normal).
     """
     def __call__(self, x1: ArrayLike, x2: ArrayLike, g: ArrayLike, separation: ArrayLike, lambda_: ArrayLike, *, out: Any = None) -> _GeometricStiffnessLinearValue: ...
