@@ -67,7 +67,7 @@ impl Formula for Response {
         Self::linearized(i).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &SlotSliding<D>) -> ValueAndJacobian<Self, D> {
         let SlotSliding { u1, slip_before, k_el, mu, .. } = *i;
         let (FrictionOutputs { r#fn, .. }, FrictionOutputs { r#fn: normal, .. }) = Friction::linearized(&i.loads());
@@ -94,14 +94,14 @@ fields! {
 
 impl<D: Scalar> SlotSliding2d<D> {
     /// In space, where there is no f3.
-    #[inline]
+    #[inline(always)]
     fn in_space(&self) -> SlotSliding<D> {
         let Self { u1, slip_before, k_el, f2, fc_int, mu } = *self;
         SlotSliding { u1, slip_before, k_el, f2, f3: D::zero(), fc_int, mu }
     }
 
     /// A gradient without what the plane has not.
-    #[inline]
+    #[inline(always)]
     fn of_space(SlotSliding { u1, slip_before, k_el, f2, fc_int, mu, .. }: SlotSliding<D>) -> Self {
         Self { u1, slip_before, k_el, f2, fc_int, mu }
     }
@@ -134,7 +134,7 @@ impl Formula for Response2d {
         Self::linearized(i).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &SlotSliding2d<D>) -> ValueAndJacobian<Self, D> {
         let (value, SlotSlid { f1, slip }) = Response::linearized(&i.in_space());
         (value, SlotSlid { f1: SlotSliding2d::of_space(f1), slip: SlotSliding2d::of_space(slip) })
