@@ -6,7 +6,7 @@ mod proof;
 use super::{Triads, turn_gradient};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec, ValueAndJacobian};
 use crate::quantity::{BETA, E1A, E1B, E2B, E3B};
 use crate::scalar::{Scalar, atan2, has_length, norm, norm_and_direction};
 use nalgebra::Vector3;
@@ -62,10 +62,17 @@ impl Formula for BetaTwoArgument {
     /// first order. So β is the angle of e1a between the axes m and e3b, and m may be taken as fixed.
     #[inline]
     fn jacobian<D: Scalar>(i: &BetaAxes<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline(always)]
+    fn linearized<D: Scalar>(i: &BetaAxes<D>) -> ValueAndJacobian<Self, D> {
         let (cosine, [n1, n2]) = norm_and_direction([i.e1a.dot(&i.e1b), i.e1a.dot(&i.e2b)]);
         let m = i.e1b * n1 + i.e2b * n2;
-        let [by_e1a, by_e3b, by_m] = turn_gradient([&i.e1a, &i.e3b, &m], (i.e1a.dot(&i.e3b), cosine));
-        Beta { beta: BetaAxes { e1a: -by_e1a, e1b: by_m * -n1, e2b: by_m * -n2, e3b: -by_e3b } }
+        let sine = i.e1a.dot(&i.e3b);
+        let [by_e1a, by_e3b, by_m] = turn_gradient([&i.e1a, &i.e3b, &m], (sine, cosine));
+        let by = BetaAxes { e1a: -by_e1a, e1b: by_m * -n1, e2b: by_m * -n2, e3b: -by_e3b };
+        (Beta { beta: atan2(sine + 0.0, cosine) }, Beta { beta: by })
     }
 
     #[inline]

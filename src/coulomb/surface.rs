@@ -3,8 +3,9 @@
 #[cfg(feature = "verify")]
 mod proof;
 
+use super::Trial;
 use crate::fields;
-use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec, ValueAndJacobian};
 use crate::quantity::{F_TANGENTIAL_SURFACE, F_TRIAL_SURFACE, FN, MU};
 use crate::scalar::{Scalar, norm_and_direction};
 use nalgebra::Vector2;
@@ -35,10 +36,19 @@ impl<D: Scalar> Trial2d<D> {
     #[inline]
     fn contact(&self) -> Contact<D> {
         let (length, along) = norm_and_direction::<D, 2>(self.f_trial.into());
-        if self.mu.mul_add(self.r#fn, -length) > 0.0 || length == 0.0 {
+        if (Trial { f_trial: length, mu: self.mu, r#fn: self.r#fn }).sticks() || length == 0.0 {
             return Contact::Sticks;
         }
         Contact::Slips { length, along: along.into() }
+    }
+
+    /// The force.
+    #[inline]
+    fn transmitted(&self, contact: &Contact<D>) -> Vector2<D> {
+        match contact {
+            Contact::Sticks => self.f_trial,
+            Contact::Slips { along, .. } => along * (self.mu * self.r#fn),
+        }
     }
 }
 
@@ -60,16 +70,19 @@ impl Formula for ReturnMap2d {
 
     #[inline]
     fn eval<D: Scalar>(i: &Trial2d<D>) -> Tangential2d<D> {
-        match i.contact() {
-            Contact::Sticks => Tangential2d { f: i.f_trial },
-            Contact::Slips { along, .. } => Tangential2d { f: along * (i.mu * i.r#fn) },
-        }
+        Tangential2d { f: i.transmitted(&i.contact()) }
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &Trial2d<D>) -> Jacobian<Self, D> {
-        let (zero, one) = (D::zero(), D::one());
-        let [x, y] = match i.contact() {
+        Self::linearized(i).1
+    }
+
+    #[inline(always)]
+    fn linearized<D: Scalar>(i: &Trial2d<D>) -> ValueAndJacobian<Self, D> {
+        let (zero, one, contact) = (D::zero(), D::one(), i.contact());
+        let f = i.transmitted(&contact);
+        let [x, y] = match contact {
             Contact::Sticks => [Vector2::new(one, zero), Vector2::new(zero, one)].map(|f_trial| Trial2d {
                 f_trial,
                 mu: zero,
@@ -81,6 +94,6 @@ impl Formula for ReturnMap2d {
                 [0, 1].map(|k| Trial2d { f_trial: turned * across[k], mu: i.r#fn * along[k], r#fn: i.mu * along[k] })
             }
         };
-        Tangential2d { f: Vector2::new(x, y) }
+        (Tangential2d { f }, Tangential2d { f: Vector2::new(x, y) })
     }
 }

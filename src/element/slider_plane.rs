@@ -199,6 +199,16 @@ fields! {
 #[derive(Clone, Copy, Debug)]
 pub struct GeometricStiffness;
 
+impl GeometricStiffness {
+    #[inline(always)]
+    fn of<D: Scalar>(i: &SliderLoads2d<D>, view: &View<D>) -> SliderStiffness2d<D> {
+        let p = view.turning() * i.lambda;
+        let (q, both) = (p.transpose(), p + p.transpose());
+        let [rest, share] = [view.along.rest(1.0), view.along.share(1.0)].map(|weight| weight.value);
+        SliderStiffness2d { k_u1_u1: both * rest, k_u1_un: q * share - p * rest, k_un_un: both * -share, k_um_un: p }
+    }
+}
+
 impl Formula for GeometricStiffness {
     const SPEC: Spec = Spec::new("slider.geometric_stiffness_2d", "Geometric stiffness of SLIDER in the plane", OURS)
         .equation(r"\begin{aligned} \mathbf{P} &= -\frac{\lambda}{l}\,\mathbf{n}\otimes\mathbf{t},\quad \mathbf{Q} = -\frac{\lambda}{l}\,\mathbf{t}\otimes\mathbf{n},\quad \mathbf{t} = \mathbf{s}\times\mathbf{n}, \\ \mathbf{K}_{um,un} &= \mathbf{P},\quad \mathbf{K}_{u1,un} = \xi\,\mathbf{Q} - (1-\xi)\,\mathbf{P},\quad \mathbf{K}_{u1,u1} = (1-\xi)(\mathbf{P}+\mathbf{Q}),\quad \mathbf{K}_{un,un} = -\xi\,(\mathbf{P}+\mathbf{Q}) \end{aligned}")
@@ -211,33 +221,36 @@ impl Formula for GeometricStiffness {
 
     #[inline]
     fn eval<D: Scalar>(i: &SliderLoads2d<D>) -> SliderStiffness2d<D> {
-        let view = i.view();
-        let p = view.turning() * i.lambda;
-        let (q, both) = (p.transpose(), p + p.transpose());
-        let [rest, share] = [view.along.rest(1.0), view.along.share(1.0)].map(|weight| weight.value);
-        SliderStiffness2d { k_u1_u1: both * rest, k_u1_un: q * share - p * rest, k_un_un: both * -share, k_um_un: p }
+        Self::of(i, &i.view())
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &SliderLoads2d<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline(always)]
+    fn linearized<D: Scalar>(i: &SliderLoads2d<D>) -> ValueAndJacobian<Self, D> {
         let view = i.view();
         let (along, turning) = (&view.along, view.turning());
         let of_p = |weight: Weight<D>, row: usize, column: usize| {
             i.gradient(along, weight, turning[(row, column)], &view.bending(row, column))
         };
-        let sum = |weight_of_p: Weight<D>, weight_of_q: Weight<D>| {
-            Matrix2::from_fn(|row, column| {
-                let (p, q) = (of_p(weight_of_p, row, column), of_p(weight_of_q, column, row));
-                SliderLoads2d { x1: p.x1 + q.x1, xn: p.xn + q.xn, xm: p.xm + q.xm, lambda: p.lambda + q.lambda }
-            })
+        let sum = |[weight_of_p, weight_of_q]: [Weight<D>; 2], row: usize, column: usize| {
+            let (p, q) = (of_p(weight_of_p, row, column), of_p(weight_of_q, column, row));
+            SliderLoads2d { x1: p.x1 + q.x1, xn: p.xn + q.xn, xm: p.xm + q.xm, lambda: p.lambda + q.lambda }
+        };
+        let symmetric = |weight: Weight<D>| {
+            let (both, beside) = ([weight; 2], sum([weight; 2], 0, 1));
+            Matrix2::new(sum(both, 0, 0), beside, beside, sum(both, 1, 1))
         };
         let [.., whole] = along.lever();
-        SliderStiffness2d {
-            k_u1_u1: sum(along.rest(1.0), along.rest(1.0)),
-            k_u1_un: sum(along.rest(-1.0), along.share(1.0)),
-            k_un_un: sum(along.share(-1.0), along.share(-1.0)),
-            k_um_un: Matrix2::from_fn(|row, column| of_p(whole, row, column)),
-        }
+        let other = [along.rest(-1.0), along.share(1.0)];
+        let k_u1_un = Matrix2::new(sum(other, 0, 0), sum(other, 0, 1), sum(other, 1, 0), sum(other, 1, 1));
+        let k_um_un = Matrix2::new(of_p(whole, 0, 0), of_p(whole, 0, 1), of_p(whole, 1, 0), of_p(whole, 1, 1));
+        let [k_u1_u1, k_un_un] = [symmetric(along.rest(1.0)), symmetric(along.share(-1.0))];
+        let by = SliderStiffness2d { k_u1_u1, k_u1_un, k_un_un, k_um_un };
+        (Self::of(i, &view), by)
     }
 
     #[inline]

@@ -8,7 +8,7 @@ use super::check_radii;
 use super::points::ParabolicPoint;
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
 use crate::quantity::{A1, A2, A3, X1, X2, X3};
 use crate::scalar::{Scalar, pi};
 use nalgebra::Vector2;
@@ -84,6 +84,15 @@ fn lengths<D: Scalar>(i: &ParabolicNodes<D>) -> [(D, Vector2<D>); 3] {
     [before * three - after, i.x3 - i.x1, after * three - before].map(length_and_tangent)
 }
 
+impl ContactAreaParabolic {
+    /// With these lengths.
+    #[inline]
+    fn of<D: Scalar>(i: &ParabolicNodes<D>, [first, middle, last]: [D; 3]) -> ThreeAreas<D> {
+        let third = pi::<D>() / 3.0;
+        ThreeAreas { a1: third * i.x1.x * first, a2: third * 4.0 * i.x2.x * middle, a3: third * i.x3.x * last }
+    }
+}
+
 impl Formula for ContactAreaParabolic {
     const SPEC: Spec = Spec::new("slide_line.contact_area_parabolic", "Contact areas of ISL22A", SOURCE)
         .equation(r"A_i = 2\pi r_i\,w_i\,\lvert\mathbf{X}'(g_i)\rvert,\quad r_i = x_{i,1}\quad (i = 1, 2, 3),\quad (w_1, w_2, w_3) = (\tfrac13, \tfrac43, \tfrac13),\quad (g_1, g_2, g_3) = (-1, 0, 1)")
@@ -97,23 +106,27 @@ impl Formula for ContactAreaParabolic {
 
     #[inline]
     fn eval<D: Scalar>(i: &ParabolicNodes<D>) -> ThreeAreas<D> {
-        let [(first, _), (middle, _), (last, _)] = lengths(i);
-        let third = pi::<D>() / 3.0;
-        ThreeAreas { a1: third * i.x1.x * first, a2: third * 4.0 * i.x2.x * middle, a3: third * i.x3.x * last }
+        Self::of(i, lengths(i).map(|(length, _)| length))
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &ParabolicNodes<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline(always)]
+    fn linearized<D: Scalar>(i: &ParabolicNodes<D>) -> ValueAndJacobian<Self, D> {
         let [(first, t1), (middle, t2), (last, t3)] = lengths(i);
         let third = pi::<D>() / 3.0;
         let radius = |x| Vector2::new(third * x, D::zero());
         let scaled = |t: Vector2<D>, factor: f64| t * D::from(factor);
         let (s1, s2, s3) = (t1 * (third * i.x1.x), t2 * (third * 4.0 * i.x2.x), t3 * (third * i.x3.x));
-        ThreeAreas {
+        let by = ThreeAreas {
             a1: ParabolicNodes { x1: radius(first) - scaled(s1, 3.0), x2: scaled(s1, 4.0), x3: -s1 },
             a2: ParabolicNodes { x1: -s2, x2: radius(middle * 4.0), x3: s2 },
             a3: ParabolicNodes { x1: s3, x2: scaled(s3, -4.0), x3: radius(last) + scaled(s3, 3.0) },
-        }
+        };
+        (Self::of(i, [first, middle, last]), by)
     }
 
     #[inline]

@@ -6,7 +6,7 @@ mod proof;
 use super::left;
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec, ValueAndJacobian};
 use crate::quantity::{CURVE_RATE, NORMAL, TANGENT};
 use crate::scalar::{Scalar, norm_and_direction};
 use nalgebra::Vector2;
@@ -49,13 +49,19 @@ impl Formula for LocalBasis {
     /// δt = n (n·δdx)/|dx| and δn = −t (n·δdx)/|dx|: a change of dx along t does nothing.
     #[inline]
     fn jacobian<D: Scalar>(i: &Direction<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline(always)]
+    fn linearized<D: Scalar>(i: &Direction<D>) -> ValueAndJacobian<Self, D> {
         let (length, t) = length_and_tangent(i.dx);
         let n = left(t);
         let turn = n / length;
-        Basis {
+        let by = Basis {
             t: n.map(|component| Direction { dx: turn * component }),
             n: t.map(|component| Direction { dx: turn * -component }),
-        }
+        };
+        (Basis { t, n }, by)
     }
 
     #[inline]

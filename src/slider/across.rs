@@ -44,7 +44,7 @@ impl Axis {
 
     /// The vector with these components along e, a and b.
     #[inline]
-    pub(crate) fn vector<D: Scalar>(self, by_axis: D, by_a: D, by_b: D) -> Vector3<D> {
+    pub(crate) fn vector<T>(self, by_axis: T, by_a: T, by_b: T) -> Vector3<T> {
         if self.along_i { Vector3::new(by_a, by_b, by_axis) } else { Vector3::new(by_axis, by_a, by_b) }
     }
 }
@@ -62,12 +62,6 @@ impl<D: Scalar> Across<D> {
         Self { axis, projected, along, ratio, roots }
     }
 
-    /// The axes e, a, b.
-    #[inline]
-    pub(super) fn axes(&self) -> [usize; 3] {
-        if self.axis.along_i { [2, 0, 1] } else { [0, 1, 2] }
-    }
-
     /// The component of a vector along the axis, and those along a and b.
     #[inline]
     pub(super) fn split(&self, v: &Vector3<D>) -> (D, Vector2<D>) {
@@ -76,7 +70,7 @@ impl<D: Scalar> Across<D> {
 
     /// The vector with these components along the axis, a and b.
     #[inline]
-    pub(super) fn vector(&self, by_axis: D, by_a: D, by_b: D) -> Vector3<D> {
+    pub(super) fn vector<T>(&self, by_axis: T, by_a: T, by_b: T) -> Vector3<T> {
         self.axis.vector(by_axis, by_a, by_b)
     }
 

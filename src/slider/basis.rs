@@ -7,7 +7,7 @@ use super::across::Across;
 use super::span::Span;
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec, ValueAndJacobian};
 use crate::quantity::{SLIDER_DN, SLIDER_DT1, SLIDER_DT2, SLIDER_N, SLIDER_T1, SLIDER_T2};
 use crate::scalar::Scalar;
 use nalgebra::{Vector2, Vector3};
@@ -26,6 +26,16 @@ fields! {
 /// With h = |(n2, n3)|: t1 = (0, n3, −n2)/h and t2 = (−h, n1 n2/h, n1 n3/h).
 #[derive(Clone, Copy, Debug)]
 pub struct Basis;
+
+impl Basis {
+    #[inline(always)]
+    fn of<D: Scalar>(i: &LineDirection<D>, across: &Across<D>) -> Tangents<D> {
+        let ([ray_1, _], [root, _]) = (across.rays(), across.roots);
+        let Span { d: c, binade, .. } = across.projected;
+        let tilted = c * across.split(&i.n).0 / root;
+        Tangents { t1: ray_1 / root, t2: across.vector(-root * binade.unit, tilted.x, tilted.y) }
+    }
+}
 
 impl Formula for Basis {
     const SPEC: Spec = Spec::new(
@@ -46,27 +56,31 @@ impl Formula for Basis {
 
     #[inline]
     fn eval<D: Scalar>(i: &LineDirection<D>) -> Tangents<D> {
-        let across = Across::new(&i.n);
-        let ([ray_1, _], [root, _]) = (across.rays(), across.roots);
-        let Span { d: c, binade, .. } = across.projected;
-        let tilted = c * across.split(&i.n).0 / root;
-        Tangents { t1: ray_1 / root, t2: across.vector(-root * binade.unit, tilted.x, tilted.y) }
+        Self::of(i, &Across::new(&i.n))
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &LineDirection<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline(always)]
+    fn linearized<D: Scalar>(i: &LineDirection<D>) -> ValueAndJacobian<Self, D> {
         let across = Across::new(&i.n);
         let Azimuth { ca, cb, ca_n, cb_n } = Azimuth::new(&across);
         let (polar, zero) = (across.split(&i.n).0, D::zero());
         let row = |by_axis: D, [by_a, by_b]: [D; 2]| LineDirection { n: across.vector(by_axis, by_a, by_b) };
         let nothing = row(zero, [zero; 2]);
-        let mut rows = Tangents { t1: [nothing; 3].into(), t2: [row(zero, [-ca, -cb]); 3].into() };
-        let [_, a, b] = across.axes();
-        rows.t1[a] = row(zero, cb_n);
-        rows.t1[b] = row(zero, ca_n.map(|x| -x));
-        rows.t2[a] = row(ca, ca_n.map(|x| polar * x));
-        rows.t2[b] = row(cb, cb_n.map(|x| polar * x));
-        rows
+
+        let by = Tangents {
+            t1: across.vector(nothing, row(zero, cb_n), row(zero, ca_n.map(|x| -x))),
+            t2: across.vector(
+                row(zero, [-ca, -cb]),
+                row(ca, ca_n.map(|x| polar * x)),
+                row(cb, cb_n.map(|x| polar * x)),
+            ),
+        };
+        (Self::of(i, &across), by)
     }
 
     #[inline]
@@ -171,19 +185,24 @@ impl Formula for BasisVariation {
         let place = |by_axis: D, [by_a, by_b]: [D; 2]| across.vector(by_axis, by_a, by_b);
         let nothing = TurningDirection { n: place(zero, [zero; 2]), dn: place(zero, [zero; 2]) };
         let spread = TurningDirection { n: place(zero, sum_of(-dn_a, ca_n, -dn_b, cb_n)), dn: place(zero, [-ca, -cb]) };
-        let mut rows = TangentChanges { dt1: [nothing; 3].into(), dt2: [spread; 3].into() };
-        let [_, a, b] = across.axes();
-        rows.dt1[a] = TurningDirection { n: place(zero, a_n), dn: place(zero, a_dn) };
-        rows.dt1[b] = TurningDirection { n: place(zero, b_n), dn: place(zero, b_dn) };
-        rows.dt2[a] = TurningDirection {
-            n: place(-cb * omega, sum_of(dn_axis, ca_n, -polar, b_n)),
-            dn: place(ca, b_dn.map(|x| -polar * x)),
-        };
-        rows.dt2[b] = TurningDirection {
-            n: place(ca * omega, sum_of(dn_axis, cb_n, polar, a_n)),
-            dn: place(cb, a_dn.map(|x| polar * x)),
-        };
-        rows
+        TangentChanges {
+            dt1: across.vector(
+                nothing,
+                TurningDirection { n: place(zero, a_n), dn: place(zero, a_dn) },
+                TurningDirection { n: place(zero, b_n), dn: place(zero, b_dn) },
+            ),
+            dt2: across.vector(
+                spread,
+                TurningDirection {
+                    n: place(-cb * omega, sum_of(dn_axis, ca_n, -polar, b_n)),
+                    dn: place(ca, b_dn.map(|x| -polar * x)),
+                },
+                TurningDirection {
+                    n: place(ca * omega, sum_of(dn_axis, cb_n, polar, a_n)),
+                    dn: place(cb, a_dn.map(|x| polar * x)),
+                },
+            ),
+        }
     }
 
     #[inline]

@@ -11,7 +11,7 @@ use super::slide::Slide;
 use super::span::{Span, Station};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec, ValueAndJacobian};
 use crate::quantity::{
     SLIDER_DX1_PLANE, SLIDER_DXM_PLANE, SLIDER_DXMI, SLIDER_DXMK, SLIDER_DXN_PLANE, SLIDER_G, SLIDER_R,
     SLIDER_X1_PLANE, SLIDER_XM_PLANE, SLIDER_XMI_PLANE, SLIDER_XMK, SLIDER_XN_PLANE,
@@ -118,23 +118,27 @@ impl Formula for IncrementalConstraint2d {
     /// With v = dxm − (1−ξ) dx1 − ξ dxn and γ = t·(dxn − dx1), ∂r = v·∂t − γ ∂ξ, and v·∂t = −(v·n)/l t·(∂xn − ∂x1).
     #[inline]
     fn jacobian<D: Scalar>(i: &MovingNodes2d<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline(always)]
+    fn linearized<D: Scalar>(i: &MovingNodes2d<D>) -> ValueAndJacobian<Self, D> {
         let span = Span::new(&i.x1, &i.xn);
         let station = Station::new(&span, &i.x1, &i.xn, &i.xm);
         let ([share, rest], [share_x1, share_xn, share_xm]) = (station.shares(), station.gradients(&span));
         let v = i.dxm - station.blend(&i.dx1, &i.dxn);
-        // Everything times the length of d, by which the row is divided in the end.
         let (root, ray) = (span.square.sqrt(), Vector2::new(-span.d.y, span.d.x));
-        let (gain, turn) = (span.d.perp(&(i.dxn - i.dx1)), v.dot(&span.d) * span.binade.per_unit / span.square);
-        IncrementalResidual2d {
-            r: MovingNodes2d {
-                x1: (ray * turn - share_x1 * gain) / root,
-                xn: (ray * -turn - share_xn * gain) / root,
-                xm: share_xm * -gain / root,
-                dx1: ray * -rest / root,
-                dxn: ray * -share / root,
-                dxm: ray / root,
-            },
-        }
+        let (t, turn) = (ray / root, v.dot(&span.d) * span.binade.per_unit / span.square);
+        let gain = span.d.perp(&(i.dxn - i.dx1)) / root;
+        let by = MovingNodes2d {
+            x1: t * turn - share_x1 * gain,
+            xn: t * -turn - share_xn * gain,
+            xm: share_xm * -gain,
+            dx1: t * -rest,
+            dxn: t * -share,
+            dxm: t,
+        };
+        (IncrementalResidual2d { r: span.d.perp(&v) / root }, IncrementalResidual2d { r: by })
     }
 
     #[inline]
@@ -182,10 +186,16 @@ impl Formula for Eliminate2d {
 
     #[inline]
     fn jacobian<D: Scalar>(i: &KeptCoordinate2d<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline(always)]
+    fn linearized<D: Scalar>(i: &KeptCoordinate2d<D>) -> ValueAndJacobian<Self, D> {
         let Pivots2d { i: axis, k } = Pivots2d::new(&i.x1, &i.xn);
         let place = Place::new(&i.x1, &i.xn, k, i.xmk);
         let [x1, xn] = place.gradients(axis);
-        Coordinate2d { xmi: KeptCoordinate2d { x1, xn, xmk: place.slope(axis) } }
+        let by = KeptCoordinate2d { x1, xn, xmk: place.slope(axis) };
+        (Coordinate2d { xmi: place.coordinate(axis) }, Coordinate2d { xmi: by })
     }
 
     #[inline]
@@ -239,11 +249,17 @@ impl Formula for Increment2d {
 
     #[inline]
     fn jacobian<D: Scalar>(i: &KeptIncrement2d<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline(always)]
+    fn linearized<D: Scalar>(i: &KeptIncrement2d<D>) -> ValueAndJacobian<Self, D> {
         let pivots = Pivots2d::new(&i.x1, &i.xn);
-        let row = Slide::new(&i.x1, &i.xn, &i.xm, pivots.k).gradients(&i.dx1, &i.dxn, i.dxmk).row(pivots.i);
-        Increment2dOutput {
-            dxmi: KeptIncrement2d { x1: row.x1, xn: row.xn, xm: row.xm, dx1: row.dx1, dxn: row.dxn, dxmk: row.dxmk },
-        }
+        let slide = Slide::new(&i.x1, &i.xn, &i.xm, pivots.k);
+        let [dxmi] = slide.increments([pivots.i], &i.dx1, &i.dxn, i.dxmk);
+        let row = slide.gradients(&i.dx1, &i.dxn, i.dxmk).row(pivots.i);
+        let by = KeptIncrement2d { x1: row.x1, xn: row.xn, xm: row.xm, dx1: row.dx1, dxn: row.dxn, dxmk: row.dxmk };
+        (Increment2dOutput { dxmi }, Increment2dOutput { dxmi: by })
     }
 
     #[inline]
