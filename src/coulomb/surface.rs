@@ -78,7 +78,7 @@ impl Formula for ReturnMap2d {
         Self::linearized(i).1
     }
 
-    #[inline(always)]
+    #[inline]
     fn linearized<D: Scalar>(i: &Trial2d<D>) -> ValueAndJacobian<Self, D> {
         let (zero, one, contact) = (D::zero(), D::one(), i.contact());
         let f = i.transmitted(&contact);

@@ -15,6 +15,8 @@
 //! Forces are those of the whole circumference. Those on the slave point and on the segment add up to nothing, along the axis
 //! and along the radius: the nodes of a segment are rings, and what a ring takes up in its hoop is not the contact's.
 
+#![expect(clippy::inline_always, reason = "a call would write the results to memory, and wait for them there")]
+
 pub mod forces;
 pub mod friction;
 pub mod response;

@@ -3,6 +3,8 @@
 //! The tangent is ∂(f1, u_slip)/∂(u1, f2, f3, …): in stick the stiffness k_el alone, in slip what the normal force does, which
 //! makes a matrix unsymmetric. Without ∂(μ F_N)/∂(f2, f3) Newton's method converges linearly.
 
+#![expect(clippy::inline_always, reason = "a call would write the results to memory, and wait for them there")]
+
 #[cfg(feature = "verify")]
 mod proof;
 

@@ -114,7 +114,7 @@ impl Formula for ContactAreaParabolic {
         Self::linearized(i).1
     }
 
-    #[inline(always)]
+    #[inline]
     fn linearized<D: Scalar>(i: &ParabolicNodes<D>) -> ValueAndJacobian<Self, D> {
         let [(first, t1), (middle, t2), (last, t3)] = lengths(i);
         let third = pi::<D>() / 3.0;

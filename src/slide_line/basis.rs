@@ -52,7 +52,7 @@ impl Formula for LocalBasis {
         Self::linearized(i).1
     }
 
-    #[inline(always)]
+    #[inline]
     fn linearized<D: Scalar>(i: &Direction<D>) -> ValueAndJacobian<Self, D> {
         let (length, t) = length_and_tangent(i.dx);
         let n = left(t);
