@@ -170,7 +170,7 @@ fn every_section_and_script_is_as_it_was_accepted() {
     assert!(other.is_empty(), "look at {other:#?}; to accept: UPDATE_PRINTED=1 cargo test -p xtask --test book");
 }
 
-/// The sections of all chapters and the scripts of all calculators, each with a digest of its text, in order.
+/// The sections of all chapters, the scripts of all calculators and the index of the search, each with a digest of its text, in order.
 fn digests() -> String {
     let from_root = |path: &str| Path::new(path).strip_prefix(&*BOOK).unwrap().display().to_string();
     let mut lines = Vec::new();
@@ -184,6 +184,7 @@ fn digests() -> String {
         }));
     }
     lines.extend(files(&BOOK.join("calculator"), &["js"]).into_iter().map(|(path, text)| (from_root(&path), text)));
+    lines.push(("searchindex.js".into(), fs::read_to_string(BOOK.join("searchindex.js")).unwrap()));
     lines.sort();
     lines.iter().map(|(name, text)| format!("{} {:016x}\n", name.replace(' ', "_"), digest(text))).collect()
 }

@@ -73,6 +73,11 @@ mod tests {
         assert_eq!(moving.still().map(String::as_str), Some("<svg>\n<b/>\n</svg>\n"));
         let text = positions(&moving);
         assert!(text.contains(r#""moved":[1]"#) && text.contains(r#""frames":[["<a/>"],["<b/>"]]"#), "{text}");
+        let frames = vec!["<a/>\n<c/>\n".into(), "<b/>\n<c/>\n".into()];
+        assert!(
+            positions(&Moving { frames, ..moving.clone() }).contains(r#""moved":[0]"#),
+            "the first line moves, too"
+        );
         assert!(sliders(&moving).contains("max=\"1\" value=\"1\"><output>1</output>"));
     }
 }

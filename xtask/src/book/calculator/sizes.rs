@@ -44,8 +44,12 @@ impl Sizes {
                 all.push(([compressed(code)?, compressed(&text)?], id.to_owned()));
             }
         }
+        Ok(Self::new(page, shared, all))
+    }
+
+    fn new(page: u64, shared: u64, mut all: Vec<([u64; 2], String)>) -> Self {
         all.sort();
-        Ok(Self { page, shared, all })
+        Self { page, shared, all }
     }
 }
 
@@ -60,5 +64,21 @@ impl fmt::Display for Sizes {
         large.iter().try_for_each(|([code, whole], id)| {
             write!(f, "\n    {id}: {} bytes, {} with golden cases", shared + code, shared + whole)
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Sizes;
+
+    #[test]
+    fn sizes_are_told_by_the_one_in_the_middle_and_those_that_are_large() {
+        let all = [(300, 900), (20_000, 30_000), (100, 500)];
+        let all = all.iter().map(|&(code, whole)| ([code, whole], format!("f.{code}"))).collect();
+        assert_eq!(
+            Sizes::new(1000, 2000, all).to_string(),
+            "compressed 1000 bytes a page, 2000 with a calculator open, 2900 with a formula and its golden cases in the middle \
+             of all;\n    code with the formula below 15000 for 2 of 3\n    f.20000: 22000 bytes, 32000 with golden cases"
+        );
     }
 }

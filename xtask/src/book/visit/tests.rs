@@ -7,7 +7,7 @@ use jointproof::catalog::AnyFormula;
 use jointproof::{coulomb, slot};
 use tempfile::TempDir;
 
-use super::{BROWSERS, browsers, visit};
+use super::{BROWSERS, Visited, browsers, visit};
 use crate::book::browser::{self, Browser};
 use crate::book::build::{Options, build};
 use crate::book::gather::content;
@@ -119,4 +119,19 @@ fn sliders_show_the_position_they_are_at() {
         .unwrap();
     let text = shown.as_str().unwrap().split_whitespace().collect::<Vec<_>>().join(" ");
     assert_eq!(text, "Moved here|Moved there|1 mm|1 mm");
+}
+
+#[test]
+fn what_was_found_in_some_pages_is_added_to_what_was_found_in_others() {
+    let found = |pages: usize| Visited {
+        pages,
+        searched: 2 * pages,
+        controls: 3 * pages,
+        answers: None,
+        weights: vec![(7, format!("{pages}.html"))],
+        off: [("too wide".to_owned(), vec![pages.to_string()])].into(),
+    };
+    let both = found(1).and(found(10));
+    assert_eq!((both.pages, both.searched, both.controls, both.weights.len()), (11, 22, 33, 2));
+    assert_eq!(both.off["too wide"], ["1", "10"]);
 }
