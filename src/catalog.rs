@@ -8,7 +8,6 @@ use crate::graph::{self, Graph, NotRecorded};
 #[cfg(feature = "measure")]
 use crate::measure::{self, Measurement};
 use crate::proof::{Convention, Flag, Proved};
-use crate::scalar::{abs, sign};
 use crate::verify::{
     Audit, Claim, Judge, Kink, Options, Part, Printed, Shard, Sides, Subject, Trial, audit, audit_at, audit_equation,
     audit_part, claims_about, eta_at_scale, exact, golden, kinks_as_printed, number_of, sides,
@@ -291,12 +290,12 @@ fn one_sided(subject: &Subject, kink: &Kink) -> Vec<[f64; 2]> {
         (subject.exact_value)(&moved)
     };
     let (below, here, above) = (value(-step), value(step * 0.0), value(step));
-    let difference = |to: Octuple, from: Octuple| match kink.convention {
-        Convention::Cut if abs(to - from) > Octuple::PI => to - from - Octuple::PI * sign(to - from) * 2.0,
-        _ => to - from,
+    let less_turns = |difference: Octuple| match kink.convention {
+        Convention::Cut => align::wrapped(difference),
+        _ => difference,
     };
-    let sides = |k: usize| [difference(here[k], below[k]), difference(above[k], here[k])];
-    (0..here.len()).map(|k| sides(k).map(|d| (d / step).to_f64())).collect()
+    let sides = |k: usize| [here[k] - below[k], above[k] - here[k]];
+    (0..here.len()).map(|k| sides(k).map(|d| (less_turns(d) / step).to_f64())).collect()
 }
 
 /// Every formula.

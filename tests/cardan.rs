@@ -15,6 +15,7 @@ use jointproof::verify::{eta, exactly};
 use jointproof::{Error, Octuple};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use near_right_angle::errors_near_right_angle;
+use num_traits::Zero;
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -109,6 +110,27 @@ fn an_arc_sine_beyond_1_is_rejected_even_where_the_scalar_product_rounds_to_1() 
     assert_eq!(angles.beta, CardanAngles::eval(&exact).beta.to_f64());
     let expected = CardanAngles::jacobian(&exact).beta.e1a.x.to_f64();
     assert!((jac.beta.e1a.x / expected - 1.0).abs() < 4e-16, "{} {expected}", jac.beta.e1a.x);
+}
+
+/// No axis has a component of 0, and the first axis of a is nearest to the third: what is largest is subtracted last from 1, so that
+/// sums are rounded as products are.
+#[test]
+fn near_90_degrees_the_arc_sine_is_that_of_the_components_as_they_are() {
+    let a = turned(&[Vector3::z(), Vector3::x(), Vector3::y()], &rotation(0.3, -0.4, 0.5));
+    for distance in [0.1, 1e-2, 1e-4, 1e-6] {
+        for beta in [FRAC_PI_2 - distance, distance - FRAC_PI_2] {
+            let triads = Triads::new(a, turned(&a, &rotation(0.7, beta, -0.2)));
+            let exact = exactly::<CardanAngles>(&triads);
+            let (angles, jac) = value_and_jacobian::<CardanAngles>(&triads).unwrap();
+            let off = (CardanAngles::eval(&exact).beta - angles.beta).to_f64();
+            assert!(off.abs() <= 2e-16, "{beta}: {off:e}");
+            let slopes = jac.beta.components().into_iter().zip(CardanAngles::jacobian(&exact).beta.components());
+            for (slope, exact) in slopes.filter(|(_, exact)| !exact.is_zero()) {
+                let off = (exact / slope - 1.0).to_f64();
+                assert!(off.abs() <= 1e-15, "{beta}: {off:e}");
+            }
+        }
+    }
 }
 
 #[test]

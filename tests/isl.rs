@@ -71,6 +71,37 @@ fn bad_interactions_are_named() {
     assert_eq!(message(hard.with_friction(0.1, 0.0)), "stiffness is 0.0; allowed is a finite number > 0");
 }
 
+/// Numbers that are exact in binary.
+#[test]
+fn an_interaction_says_what_presses_and_rubs() {
+    let rubbing = |law: Interaction| law.with_friction(0.25, 64.0).unwrap();
+    let [hard, soft] = [Interaction::hard(0.125), Interaction::exponential(0.5, 20.0)].map(|law| rubbing(law.unwrap()));
+    let linear = rubbing(Interaction::linear(64.0).unwrap());
+    let damped = linear.with_damping(16.0, 1.0, 0.5).unwrap();
+    // The overclosure, the rate of closing; the pressures, with 7 as the multiplier.
+    for (h, v, expected) in [
+        (0.25, 0.5, [7.0, 16.0, 24.0]),
+        (0.25, -2.0, [7.0, 16.0, -16.0]),
+        (-0.125, 1.0, [7.0, 0.0, 16.0]),
+        (-0.25, 0.0, [0.0, 0.0, 0.0]),
+        (-2.0, 1.0, [0.0, 0.0, 0.0]),
+    ] {
+        assert_eq!([hard, linear, damped].map(|law| law.pressure(h, v, 7.0)), expected, "{h} {v}");
+    }
+    assert_eq!([-0.5, 0.0].map(|h| soft.pressure(h, 0.0, 7.0)), [0.0, 20.0]);
+    // It sticks, slips to either side, and what pulls or does not rub transmits nothing.
+    for (s12, slip, p, expected) in [
+        (0.5, 0.03125, 16.0, 2.5),
+        (0.5, 0.25, 16.0, 4.0),
+        (0.5, -0.25, 16.0, -4.0),
+        (0.5, 0.0, 0.0, 0.0),
+        (0.5, 0.25, -16.0, 0.0),
+    ] {
+        assert_eq!(damped.shear(s12, slip, p), expected, "{s12} {slip} {p}");
+    }
+    assert_eq!(Interaction::default().shear(0.5, 0.25, 16.0), 0.0);
+}
+
 #[test]
 fn areas_add_up_at_shared_nodes() {
     let line = SlideLine::new(Interpolation::Linear, [1, 2]).unwrap();

@@ -1,6 +1,7 @@
 //! Kinks are found: a planted formula fails without its register and passes with it, and a register of what does not
 //! happen fails too.
 
+use jointproof::catalog::{CATALOG, KinkEntry};
 use jointproof::formula::{Component, Document, Formula, Jacobian, Spec};
 use jointproof::proof::{Case, Convention, Kink, Proved};
 use jointproof::quantity::{F2, F3, FC};
@@ -344,4 +345,35 @@ fn a_printed_condition_that_holds_beside_its_kink_is_off() {
     assert_eq!(why, r#"`f_2^2 \le 0.0001` is so at {"f2":0.002,"f3":4.0}"#);
     let printed = kinks_as_printed::<Planted<Difference, true>>();
     assert_eq!(printed, [("f_2 = f_3".to_owned(), Printed::Executed(4))]);
+}
+
+#[test]
+fn every_printed_condition_of_the_catalog_is_that_of_its_register() {
+    for formula in CATALOG {
+        let (id, kinks, printed) = (formula.spec().id, formula.kinks(), formula.kinks_as_printed());
+        assert!(kinks.iter().map(|kink| &kink.condition).eq(printed.iter().map(|(condition, _)| condition)), "{id}");
+        assert!(printed.iter().all(|(_, printed)| !matches!(printed, Printed::Off(_))), "{id}: {printed:?}");
+    }
+}
+
+/// The derivatives to either side of a kink, which the catalog finds by differences, are those that the closed form has there.
+/// Where a value jumps or rises without bound there are none; that only a switch does.
+#[test]
+fn the_derivatives_beside_every_kink_are_those_of_the_closed_form() {
+    for formula in CATALOG {
+        for KinkEntry { condition, convention, at, across, one_sided, .. } in formula.kinks() {
+            if convention == Convention::Switch && one_sided.iter().flatten().any(|slope| slope.abs() > 1e10) {
+                continue;
+            }
+            for (side, step) in [-1e-7, 1e-7].into_iter().enumerate() {
+                let inputs: Vec<_> = at.iter().zip(&across).map(|(at, by)| at + step * by).collect();
+                let rows = formula.jacobian(&inputs).unwrap();
+                for (row, slopes) in rows.chunks(inputs.len()).zip(&one_sided) {
+                    let slope: f64 = row.iter().zip(&across).map(|(derivative, by)| derivative * by).sum();
+                    let off = (slope - slopes[side]).abs();
+                    assert!(off <= 1e-6 * (1.0 + slope.abs()), "{} {condition} {slope} {slopes:?}", formula.spec().id);
+                }
+            }
+        }
+    }
 }

@@ -3,13 +3,13 @@
 #![expect(clippy::float_cmp, reason = "exact results are expected exactly")]
 
 use jointproof::align::{self, Align, AlignFromStart};
-use jointproof::cardan::{Angles, MOST_CONDITION, condition, rotation, turned};
+use jointproof::cardan::{Angles, MOST_CONDITION, Triads, condition, rotation, turned};
 use jointproof::formula::{Fields, check, value};
 use jointproof::frame::Triad;
 use jointproof::slot::Slot;
 use jointproof::translator::{ContactForce, ContactLoads, Friction, FrictionLoads, Gradient, Loads, Pose, Translator};
 use jointproof::{Error, catalog, formula, translator};
-use nalgebra::Vector3;
+use nalgebra::{Rotation3, Vector3};
 use proptest::prelude::*;
 use std::f64::consts::PI;
 
@@ -278,7 +278,7 @@ fn a_start_near_a_right_angle_is_refused_with_its_condition_number() {
     assert!(said.contains("(89.900°), where the angles have the condition number 1.146e3; allowed is"), "{said}");
 }
 
-/// At the start, the derivative by a spin of b is the triad of a, wherever b stands; and it is that of differences.
+/// At the start, the derivative by a spin of b is the triad of a, wherever b stands.
 #[test]
 fn angles_from_the_start_are_regular_everywhere() {
     let a = triad(0.3, -0.4, 0.5);
@@ -301,6 +301,27 @@ fn angles_from_the_start_are_regular_everywhere() {
         let found = align.constraint(&a, &moved).unwrap();
         for (found, expected) in [(found.ur1, 0.1), (found.ur2, -0.2), (found.ur3, 0.3)] {
             assert!((found - expected).abs() < 1e-15, "{beta}: {found} is not {expected}");
+        }
+        // There the derivative is that of differences, by spins of either node.
+        let rows = align.constraint_jacobian(&a, &moved).unwrap().1;
+        let by_spins = [rows.ur1, rows.ur2, rows.ur3].map(|row| Triads::from((&a, &moved)).moments(&row));
+        let read = |a: &Triad, b: &Triad| {
+            let found = align.constraint(a, b).unwrap();
+            Vector3::new(found.ur1, found.ur2, found.ur3)
+        };
+        for axis in 0..3 {
+            let spun = |t: &Triad, angle: f64| {
+                let turn = Rotation3::new(Vector3::ith(axis, angle));
+                Triad::new(turn * t.e1(), turn * t.e2(), turn * t.e3()).unwrap()
+            };
+            let step = 1e-5;
+            let by_a = read(&spun(&a, step), &moved) - read(&spun(&a, -step), &moved);
+            let by_b = read(&a, &spun(&moved, step)) - read(&a, &spun(&moved, -step));
+            for (row, spins) in by_spins.iter().enumerate() {
+                for (spin, difference) in spins.iter().zip([by_a, by_b]) {
+                    assert!((spin[axis] - difference[row] / (2.0 * step)).abs() < 1e-9, "{beta}: {row} by {axis}");
+                }
+            }
         }
     }
 }

@@ -5,7 +5,6 @@ mod proof;
 
 use super::slot_friction::SlotSlid;
 use crate::coulomb::{self, Slid, Sliding};
-use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec, ValueAndJacobian};
 use crate::quantity::{F2, F3, FC_INT, K_EL, L_OVERLAP, M1, M2, M3, MU, RR, U_SLIP_BEFORE, U1};
@@ -83,10 +82,5 @@ impl Formula for Response {
             mu: by.mu,
         };
         (SlotSlid { f1: value.f, slip: value.slip }, SlotSlid { f1: row(by.f), slip: row(by.slip) })
-    }
-
-    #[inline]
-    fn validate<D: Scalar>(i: &TranslatorSliding<D>) -> Result<(), Error> {
-        Friction::validate(&i.loads())
     }
 }

@@ -123,7 +123,8 @@ impl<D: Scalar> UniversalLoads<D> {
     #[inline(always)]
     fn gradient(&self, [by_e1a, by_e3b]: [Vector3<D>; 2], something: D, sign: D) -> Self {
         let factor = self.lambda_rot * sign;
-        Self { e1a: by_e1a * factor, e3b: by_e3b * factor, lambda_rot: something * sign }
+        let lambda_rot = something * sign;
+        Self { e1a: by_e1a * factor, e3b: by_e3b * factor, lambda_rot }
     }
 
     #[inline(always)]

@@ -122,3 +122,20 @@ fn octuple(subject: &Subject) -> [Way; 2] {
         )),
     ]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::slot::ContactForce;
+
+    /// A number that is missing would be no error at all.
+    #[test]
+    fn every_number_is_nan_where_the_checked_way_refuses() {
+        let Way { value, jacobian, .. } = checked::<ContactForce>();
+        let at = |inputs: &[f64]| [&value, &jacobian].map(|kernel| (kernel.as_ref().unwrap().results)(inputs));
+        assert_eq!(at(&[3.0, 4.0]), [vec![5.0], vec![0.6, 0.8]]);
+        let refused = at(&[f64::NAN, 4.0]);
+        assert_eq!(refused.each_ref().map(Vec::len), [1, 2]);
+        assert!(refused.concat().into_iter().all(f64::is_nan));
+    }
+}

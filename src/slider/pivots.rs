@@ -151,6 +151,17 @@ mod tests {
     use crate::Octuple;
     use proptest::prelude::*;
 
+    /// d1 is above d2 by 2⁴⁶⁷, which their rounding makes 2⁴⁸⁸: d2 (d1 − d2) is below d3² = 2¹⁰²², and rounded it overflows.
+    #[test]
+    fn pivots_are_those_of_the_exact_differences_where_products_overflow() {
+        let power = |exponent| 2.0_f64.powi(exponent);
+        let d2 = power(540) + power(488);
+        let x1 = Vector3::new(power(487), power(467) - power(487), 0.0);
+        let xn = Vector3::new(d2 + power(488), d2, power(511));
+        assert_eq!((xn - x1).xy(), xn.xy());
+        assert_eq!(Pivots::new(&x1, &xn), Pivots { i: 2, j: 0, k: 1 });
+    }
+
     proptest! {
         /// At ties, and where the rounding of a coordinate moved the line beside one.
         #[test]

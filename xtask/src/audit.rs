@@ -288,6 +288,17 @@ mod tests {
         sample::assert_printed("audit.txt", &without_colours(&printed));
     }
 
+    /// A figure of 0 has no worst point: of all, the first is as bad.
+    #[test]
+    fn a_figure_of_0_has_no_point_to_look_at() {
+        let mut audit = sample::passed();
+        let figures = [&mut audit.eta, &mut audit.eta_jacobian].into_iter().chain(audit.scaled.iter_mut().flatten());
+        figures.filter_map(|claim| claim.worst.as_mut()).for_each(|worst| worst.size = 0.0);
+        let printed = without_colours(&text(&[audit], Audit::passed).unwrap());
+        assert!(printed.contains("103        0    4.00  η of the value in f64\n"), "{printed}");
+        assert!(!printed.contains("worst of"), "{printed}");
+    }
+
     #[test]
     fn markdown_says_what_the_audits_found() {
         let project = Project::new("sample", env!("CARGO_MANIFEST_DIR"), &[]);

@@ -25,7 +25,7 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     let formulas = arguments.selection.formulas(project)?;
-    let width = formulas.iter().map(|formula| formula.spec().id.len()).max().unwrap_or(0);
+    let width = formulas.iter().map(|formula| formula.spec().id.len()).max().unwrap_or_default();
     let line = |formula: &&dyn AnyFormula| format!("{:width$}  {}\n", formula.spec().id, formula.spec().title);
     let text: Vec<_> = if arguments.show {
         formulas.iter().map(|formula| shown(*formula)).collect()

@@ -5,7 +5,7 @@ mod common;
 
 use common::{Bench, Ran};
 use jointproof::catalog::{AnyFormula, CATALOG};
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;
 use std::sync::LazyLock;
@@ -189,4 +189,40 @@ fn what_is_no_report_is_refused_with_advice() {
     let manifest = common::repository().join("Cargo.toml");
     let ran = Bench::new().run(&["report", "--against", manifest.to_str().unwrap()]).exits(1);
     ran.says("is not a report").says("--format json");
+}
+
+/// The reference, on every formula.
+fn reference() -> Value {
+    serde_json::from_slice(&fs::read(common::repository().join("book/report.json")).unwrap()).unwrap()
+}
+
+/// Runs the command so that nothing is built or measured: the measuring program says what stands in the reference, and ends with
+/// this code.
+#[cfg(unix)]
+fn measured(bench: &Bench, code: i32, arguments: &[&str]) -> Ran {
+    use std::os::unix::fs::PermissionsExt;
+    let reference = reference();
+    let begun = json!({ "Begun": reference["build"] });
+    let measured = reference["formulas"].as_array().unwrap().iter().map(|formula| json!({ "Measured": formula }));
+    let events: Vec<_> = std::iter::once(begun).chain(measured).map(|event| event.to_string()).collect();
+    let [cargo, said] = ["cargo", "said"].map(|name| bench.path(name));
+    fs::write(&said, events.join("\n")).unwrap();
+    fs::write(&cargo, format!("#!/bin/sh\ncat > /dev/null\ncat '{}'\nexit {code}\n", said.display())).unwrap();
+    fs::set_permissions(&cargo, fs::Permissions::from_mode(0o755)).unwrap();
+    Ran::from(bench.command(arguments).env("CARGO", &cargo).output().unwrap())
+}
+
+#[test]
+#[cfg(unix)]
+fn a_report_on_everything_is_kept_for_the_book_unless_the_measuring_failed() {
+    let bench = Bench::new();
+    let kept = bench.path("target/jointproof/report.json");
+    measured(&bench, 3, &["report"]).exits(1).says("ended with exit status: 3; what it said is above");
+    measured(&bench, 0, &["report", "--filter", "slot.*"]).exits(0);
+    assert!(!kept.exists());
+    let ran = measured(&bench, 0, &["report", "--format", "json"]).exits(0).says("kept for the book in ");
+    let texts = [fs::read_to_string(&kept).unwrap(), ran.stdout];
+    let [kept, printed]: [Value; 2] = texts.map(|text| serde_json::from_str(&text).unwrap());
+    assert_eq!(kept, printed);
+    assert_eq!([&kept["build"], &kept["formulas"]], [&reference()["build"], &reference()["formulas"]]);
 }

@@ -39,7 +39,7 @@ pub(super) struct Place {
 pub(super) enum Shape {
     /// A value.
     Expression,
-    /// A value that ends with a brace, where parentheses cannot stand.
+    /// A value behind which no semicolon stands, as that of a block or of an arm: parentheses could be taken for a call there.
     Bare,
     /// An expression whose value is not used.
     Statement,

@@ -137,7 +137,7 @@ fn judge_all(bench: &Bench, choice: &Choice, arguments: &Arguments) -> anyhow::R
     let tests = reach::reach(bench, &built, Duration::from_secs(arguments.longest), arguments.jobs)?;
     let noticed = Noticed::of(&[earlier(bench), kept::judged(bench.root())].concat());
     let patience = Patience { grace: arguments.grace, enough: arguments.enough };
-    let done = AtomicUsize::new(0);
+    let progress = Progress { done: AtomicUsize::default(), of: faults.len() };
     workers::in_parallel(arguments.jobs, &faults, |(number, fault)| {
         let verdict = match &fault.equivalent {
             // Whoever names it wants to see.
@@ -145,10 +145,23 @@ fn judge_all(bench: &Bench, choice: &Choice, arguments: &Arguments) -> anyhow::R
             _ => judge::judge(&built, &tests, &noticed, (*number, fault), patience)?,
         };
         noticed.add(&fault.file, &verdict);
-        let (number, of) = (done.fetch_add(1, Relaxed) + 1, faults.len());
-        say(&format!("{number}/{of} {} {}", fault.id, in_words(&verdict)));
+        say(&progress.after(fault, &verdict));
         Ok(Judged::new(fault, verdict))
     })
+}
+
+/// How far all faults have been tried, by any number of threads.
+struct Progress {
+    done: AtomicUsize,
+    of: usize,
+}
+
+impl Progress {
+    /// One more has been tried: how many these are, and what came of it.
+    fn after(&self, fault: &Fault, verdict: &Verdict) -> String {
+        let number = self.done.fetch_add(1, Relaxed) + 1;
+        format!("{number}/{} {} {}", self.of, fault.id, in_words(verdict))
+    }
 }
 
 /// What the last run found, which need not be kept for the book; nothing where there was none.

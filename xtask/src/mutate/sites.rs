@@ -82,7 +82,7 @@ impl<'ast> Visit<'ast> for Sites<'_> {
 
     fn visit_stmt(&mut self, statement: &'ast Stmt) {
         match statement {
-            Stmt::Expr(expr, None) if is_block_like(expr) => self.expression(expr, Shape::Bare),
+            Stmt::Expr(expr, None) => self.expression(expr, Shape::Bare),
             Stmt::Expr(expr, Some(_)) => {
                 self.rules.of_statement(expr);
                 self.expression(expr, Shape::Expression);
@@ -95,8 +95,7 @@ impl<'ast> Visit<'ast> for Sites<'_> {
         if let Some((_, guard)) = &arm.guard {
             self.visit_expr(guard);
         }
-        let shape = if is_block_like(&arm.body) { Shape::Bare } else { Shape::Expression };
-        self.expression(&arm.body, shape);
+        self.expression(&arm.body, Shape::Bare);
     }
 
     fn visit_expr_if(&mut self, branch: &'ast syn::ExprIf) {
@@ -145,10 +144,6 @@ fn is_place(expr: &Expr) -> bool {
         Expr::Paren(inner) => is_place(&inner.expr),
         _ => false,
     }
-}
-
-fn is_block_like(expr: &Expr) -> bool {
-    matches!(expr, Expr::If(_) | Expr::Match(_) | Expr::ForLoop(_) | Expr::While(_) | Expr::Loop(_) | Expr::Block(_))
 }
 
 /// Whether what has these attributes is there only for tests.

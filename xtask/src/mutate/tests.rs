@@ -1,6 +1,7 @@
 //! A crate of a few lines, whose tests miss two faults.
 
 use super::*;
+use crate::console::plain;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
@@ -205,6 +206,58 @@ fn the_lists_of_this_project_fit_its_sources() {
     assert_eq!(names.len(), faults.len());
 }
 
+fn nameless() -> Fault {
+    let (id, area, file) = Default::default();
+    let (was, becomes) = Default::default();
+    Fault { id, area, file, line: 1, was, becomes, equivalent: None, places: Vec::new() }
+}
+
+#[test]
+fn progress_counts_what_was_tried_and_says_what_came_of_it() {
+    let progress = Progress { done: AtomicUsize::default(), of: 5 };
+    let verdicts = [
+        Verdict::Killed("tiny: tests::squares".into()),
+        Verdict::Stopped("tiny: tests::steps".into()),
+        Verdict::Survived(0),
+        Verdict::Survived(2),
+        Verdict::Equivalent("it is a matter of taste".into()),
+    ];
+    let fault = Fault { id: "sums.sign".into(), ..nameless() };
+    let said = verdicts.map(|verdict| plain(&progress.after(&fault, &verdict)));
+    let expected = [
+        "1/5 sums.sign killed by tiny: tests::squares",
+        "2/5 sums.sign stopped in tiny: tests::steps",
+        "3/5 sums.sign survived, no test comes there",
+        "4/5 sums.sign survived 2 tests",
+        "5/5 sums.sign equivalent",
+    ];
+    assert_eq!(said, expected);
+}
+
+/// `+` can be no `-` between texts, whatever is there twice; a longer body that `-` stands in is refused as well.
+#[test]
+fn what_the_compiler_refuses_everywhere_is_given_up() {
+    let root = tiny();
+    fs::write(root.path().join("src/lib.rs"), "pub fn loud(word: String) -> String {\n    word + \"!\"\n}\n").unwrap();
+    let built = |list: &str| {
+        fs::write(root.path().join("tests/faults/sums.toml"), format!("files = [\"src/**\"]\n{list}")).unwrap();
+        let bench = Bench::new(root.path(), root.path().join("target/mutate")).unwrap();
+        let choice = Choice::read(&area::read(root.path()).unwrap(), &bench.sources().unwrap(), 0).unwrap();
+        let of = |faults: Vec<Fault>| faults.into_iter().map(|fault| fault.becomes).collect::<Vec<_>>();
+        let all = of(choice.take(9, &BTreeSet::new()));
+        let built = build::build(&bench, &choice, 9, None).map(|built| of(built.faults));
+        (all, built, of(choice.take(9, &build::refused(&bench))))
+    };
+    let (all, taken, left) = built("");
+    assert_eq!(
+        (all.len(), taken.unwrap(), left),
+        (2, vec!["String::new()".to_owned()], vec!["String::new()".to_owned()])
+    );
+    let (_, refused, _) =
+        built("[[fault]]\nid = \"word\"\nfile = \"src/lib.rs\"\nfind = \"word +\"\nput = \"word *\"\n");
+    assert_eq!(refused.unwrap_err().to_string(), "the compiler refuses faults of the lists: sums.word");
+}
+
 #[test]
 fn a_fault_within_another_is_in_what_was_there() {
     let text = "fn f() { a + b * c }";
@@ -213,16 +266,7 @@ fn a_fault_within_another_is_in_what_was_there() {
         text: put.into(),
         shape: fault::Shape::Expression,
     };
-    let fault = |places| Fault {
-        id: String::new(),
-        area: String::new(),
-        file: String::new(),
-        line: 1,
-        was: String::new(),
-        becomes: String::new(),
-        equivalent: None,
-        places,
-    };
+    let fault = |places| Fault { places, ..nameless() };
     let [outer, inner] = [fault(vec![place(9..18, "a - b * c")]), fault(vec![place(13..18, "b / c")])];
     let planted = plant::plant(text, &[(0, &outer, 0), (1, &inner, 0)]);
     let expected =

@@ -29,9 +29,14 @@ pub(super) fn too_long(root: &Path, tree: &Tree) -> anyhow::Result<(Vec<Finding>
 pub(super) fn median(tree: &Tree) -> (usize, usize) {
     let with_formulas =
         tree.sources.iter().filter(|source| source.path.starts_with("src/") && !source.formulas.is_empty());
-    let mut lengths: Vec<usize> = with_formulas.map(|source| source.lines).collect();
+    let lengths: Vec<usize> = with_formulas.map(|source| source.lines).collect();
+    (lengths.len(), middle(lengths))
+}
+
+/// What as many are above as below; of two in the middle the larger. 0 where there is none.
+fn middle(mut lengths: Vec<usize>) -> usize {
     lengths.sort_unstable();
-    (lengths.len(), lengths.get(lengths.len() / 2).copied().unwrap_or(0))
+    lengths.get(lengths.len() / 2).copied().unwrap_or(0)
 }
 
 /// That the median is too great, if it is bounded.
@@ -50,6 +55,12 @@ fn over(median: usize, below: Option<usize>) -> Option<Finding> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn as_many_are_above_the_middle_as_below() {
+        let middles = [vec![], vec![7], vec![9, 7], vec![50, 10, 40, 20, 30]].map(middle);
+        assert_eq!(middles, [0, 7, 9, 30]);
+    }
 
     #[test]
     fn the_median_has_to_be_below_its_bound() {

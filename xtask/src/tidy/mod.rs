@@ -75,13 +75,9 @@ enum Rule {
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     project.needs_repository("tidy", "")?;
     let ids: Vec<&str> = project.catalog().iter().map(|formula| formula.spec().id).collect();
-    let Tidiness { findings, counts } = check(project.root(), &ids, &arguments.rules)?;
-    let lines: Vec<_> = findings.iter().map(ToString::to_string).collect();
-    let verdict = if findings.is_empty() { green("ok ") } else { red("off") };
-    let found = count(findings.len(), "finding");
-    let summary = format!("{verdict} {}: {found}; {counts}", bold("tidy"));
-    print(&lines.into_iter().chain([summary]).collect::<Vec<_>>().join("\n"))?;
-    Ok(if findings.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    let tidiness = check(project.root(), &ids, &arguments.rules)?;
+    print(&tidiness.text())?;
+    Ok(if tidiness.findings.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
 /// How the sources are.
@@ -91,6 +87,17 @@ struct Tidiness {
     findings: Vec<Finding>,
     /// What was looked at, in a line.
     counts: String,
+}
+
+impl Tidiness {
+    /// All findings, then the verdict in a line.
+    fn text(&self) -> String {
+        let Self { findings, counts } = self;
+        let lines = findings.iter().map(ToString::to_string);
+        let verdict = if findings.is_empty() { green("ok ") } else { red("off") };
+        let summary = format!("{verdict} {}: {}; {counts}", bold("tidy"), count(findings.len(), "finding"));
+        lines.chain([summary]).collect::<Vec<_>>().join("\n")
+    }
 }
 
 /// Checks the workspace at `root` by these rules, or by all if none is named. `formulas` are the identifiers of the catalog.

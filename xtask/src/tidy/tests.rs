@@ -1,6 +1,7 @@
 //! Each rule finds what is planted, and nothing in a tree that is as it should be.
 
 use super::*;
+use crate::console::plain;
 use std::fs;
 use tempfile::TempDir;
 
@@ -72,6 +73,20 @@ fn a_tree_as_it_should_be_is_clean() {
         tidiness.counts,
         "7 files, 5 uses, 0 circles of files, 0 with folders; 1 file with formulas, median 17 lines"
     );
+}
+
+#[test]
+fn what_is_printed_is_every_finding_and_the_verdict() {
+    let printed = |rules: &[Rule]| {
+        let root = planted(&[("tool/src/main.rs", "fn main() {\n    f(\"a.one\", \"a.on3\");\n}\n")]);
+        plain(&check(root.path(), &IDS, rules).unwrap().text())
+    };
+    let counts = "7 files, 4 uses, 0 circles of files, 0 with folders; 1 file with formulas, median 17 lines";
+    assert_eq!(printed(&[Rule::Lengths]), format!("ok  tidy: 0 findings; {counts}"));
+    let found = "tool/src/main.rs:2: the identifier \"a.on3\" is typed; no formula is called so; take the id of one from its `SPEC`\n\
+                 tool/src/main.rs:2: the identifier \"a.one\" is typed; write `One::SPEC.id`\n\
+                 off tidy: 2 findings; ";
+    assert_eq!(printed(&[]), format!("{found}{counts}"));
 }
 
 #[test]

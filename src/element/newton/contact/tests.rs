@@ -184,4 +184,13 @@ fn what_is_not_valid_is_refused() {
     let mut folded = ring(0.0);
     folded.segments[1][1] = folded.segments[1][0];
     assert!(refused(STICKS, folded).contains("x2"));
+    let mut inside_out = ring(0.0);
+    inside_out.nodes[1].x = -1.0;
+    assert_eq!(refused(STICKS, inside_out), "x2[0] is -1.0; allowed is a finite number ≥ 0");
+    let of_three = |places| Isl22a(STICKS).newton(&places, &before()).unwrap_err().to_string();
+    let [mut folded, mut inside_out] = [arched(0.0); 2];
+    folded.segments[2][2] = folded.segments[2][1];
+    assert_eq!(of_three(folded), "x2 and x3 are 0.0 apart; allowed is a distance ≥ 2.2250738585072014e-308");
+    inside_out.nodes[1].x = -1.0;
+    assert_eq!(of_three(inside_out), "x2[0] is -1.0; allowed is a finite number ≥ 0");
 }
