@@ -73,6 +73,7 @@ pub use error::Error;
 use lower::{Place, Writer};
 use name::Name;
 use scope::Entries;
+use std::collections::BTreeSet;
 use syntax::ArgMin;
 use tape::{Id, Op, Tape};
 use value::Value;
@@ -85,7 +86,7 @@ pub struct Equation {
     /// The components of the outputs.
     outputs: Vec<Id>,
     /// Forms that are printed as equal.
-    equal: Vec<(Id, Id)>,
+    equal: BTreeSet<(Id, Id)>,
     smallest: Option<Smallest>,
 }
 

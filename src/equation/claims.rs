@@ -335,8 +335,6 @@ impl Known {
                 writer.symbol(name, statement.at, Place::ROOT)?;
             }
         }
-        writer.equal.sort_unstable();
-        writer.equal.dedup();
         let equal = writer.equal.iter().map(|&(left, right)| Claimed {
             left,
             relation: Relation::Equal,

@@ -7,6 +7,7 @@ use super::syntax::{Body, Condition, Expr, Function, Kind, Operator, Relation, S
 use super::tape::{Beside, Id, Op, Tape};
 use super::value::{Value, binary, constant, each, norm, squares};
 use crate::formula::Field;
+use std::collections::BTreeSet;
 
 /// Where a symbol is looked up: among the parameters, in an entry, and then where that entry is referred to.
 #[derive(Clone, Copy)]
@@ -39,7 +40,7 @@ pub(super) struct Writer<'e> {
     /// Symbols taken from other entries that were needed.
     pub(super) taken: Vec<bool>,
     /// Forms printed as equal in the equation itself.
-    pub(super) equal: Vec<(Id, Id)>,
+    pub(super) equal: BTreeSet<(Id, Id)>,
     /// What is known besides, to prose.
     pub(super) beside: Beside,
 }
@@ -63,7 +64,7 @@ impl<'e> Writer<'e> {
             solution,
             used: vec![false; own.statements.len()],
             taken: vec![false; own.given.len()],
-            equal: Vec::new(),
+            equal: BTreeSet::new(),
             beside: Beside::default(),
         }
     }

@@ -50,3 +50,46 @@ fn carried(op: Op, result: Octuple, all: &[Octuple], sizes: &[Octuple]) -> Octup
         Op::Select(condition, a, b) => size(if all[condition] == Octuple::one() { a } else { b }),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::syntax::Relation;
+    use super::*;
+
+    /// a is 4 and off by 2 roundings, b is 3 and by 5; c is 0.6 and by 7.
+    #[test]
+    fn roundings_reach_what_follows() {
+        let mut tape = Tape::default();
+        let [a, b, c] = [0, 1, 2].map(|k| tape.push(Op::Input(k)));
+        let less = tape.push(Op::Compare(Relation::Less, b, a));
+        let call = |function, x, y| Op::Call(function, x, y);
+        let (sin_c, cos_c) = (0.6_f64.sin(), 0.6_f64.cos());
+        let expected = [
+            (Op::Number(3.0_f64.to_bits()), 0.0),
+            (Op::Pi, std::f64::consts::PI),
+            (Op::Negative(a), 2.0),
+            (Op::Abs(b), 5.0),
+            (Op::Add(a, b), 7.0 + 2.0 + 5.0),
+            (Op::Subtract(b, a), 1.0 + 2.0 + 5.0),
+            (Op::Multiply(a, b), 12.0 + 2.0 * 3.0 + 5.0 * 4.0),
+            (Op::Divide(b, a), 0.75 + 5.0 / 4.0 + 2.0 * 3.0 / 16.0),
+            (Op::Power(b, 3), 27.0 + 5.0 * 27.0),
+            (Op::Exp(c), 8.0 * 0.6_f64.exp()),
+            (Op::Norm([a, b, a]), 41.0_f64.sqrt() + 2.0 + 5.0 + 2.0),
+            (call(Function::Sqrt, a, a), 2.0 + 2.0 / 4.0),
+            (call(Function::Sin, c, c), sin_c + 7.0),
+            (call(Function::Cos, c, c), cos_c + 7.0),
+            (call(Function::ArcSin, c, c), 0.6_f64.asin() + 7.0 / 0.8),
+            (call(Function::Atan2, b, a), 3.0_f64.atan2(4.0) + 5.0 * 4.0 / 25.0 + 2.0 * 3.0 / 25.0),
+            (call(Function::Sign, a, a), 0.0),
+            (Op::Select(less, a, b), 2.0),
+            (Op::Select(c, a, b), 5.0),
+        ];
+        let ids: Vec<_> = expected.iter().map(|&(op, _)| tape.push(op)).collect();
+        let sizes = terms(&tape, &[4.0, 3.0, 0.6].map(Octuple::from), &[2.0, 5.0, 7.0].map(Octuple::from));
+        for (id, (op, expected)) in ids.into_iter().zip(expected) {
+            let found = sizes[id].to_f64();
+            assert!((found - expected).abs() <= 1e-14 * expected, "{op:?}: {found}, expected {expected}");
+        }
+    }
+}

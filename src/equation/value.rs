@@ -154,3 +154,20 @@ fn word(operator: Operator) -> &'static str {
         Operator::Divide => "a quotient",
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_sums_of_squares_are_lengths() {
+        let mut tape = Tape::default();
+        let [a, b, c] = [0, 1, 2].map(|k| tape.push(Op::Input(k)));
+        let [aa, bb, cc, cube] = [(a, 2), (b, 2), (c, 2), (c, 3)].map(|(x, power)| tape.push(Op::Power(x, power)));
+        let two = tape.add(aa, bb);
+        let [three, with_cube] = [cc, cube].map(|last| tape.add(two, last));
+        let difference = tape.subtract(aa, bb);
+        let of = [aa, three, with_cube, difference, a].map(|sum| squares(&tape, sum));
+        assert_eq!(of, [Some(vec![a]), Some(vec![a, b, c]), None, None, None]);
+    }
+}

@@ -318,3 +318,23 @@ fn times(a: Expr, b: Expr) -> Expr {
         (a, b) => expr(Kind::Binary(Operator::Times, Box::new(expr(a)), Box::new(expr(b)))),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::equation::latex;
+    use crate::equation::statement::statements;
+
+    #[test]
+    fn what_does_not_change_in_one_case_is_zero_there() {
+        let given = r"\mathbf{a} = \begin{cases} \mathbf{b} & c > 0 \\ \mathbf{d} & \text{otherwise} \end{cases},\quad e = \begin{cases} 2\,f & c > 0 \\ g & \text{otherwise} \end{cases}";
+        let given = statements(given, Vec::new()).unwrap();
+        let changing = [Name { bold: true, ..Name::letter("b") }, Name::letter("f")];
+        let varied: Vec<_> = variations(&given, &changing).iter().map(latex::statement).collect();
+        let expected = [
+            r"\delta \mathbf{a} = \begin{cases} \delta \mathbf{b} & c > 0 \\ 0\,\mathbf{d} & \text{otherwise} \end{cases}",
+            r"\delta e = \begin{cases} 2\,\delta f & c > 0 \\ 0 & \text{otherwise} \end{cases}",
+        ];
+        assert_eq!(varied, expected);
+    }
+}

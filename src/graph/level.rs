@@ -111,3 +111,23 @@ impl Choices {
         sets
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::graph::Relation;
+
+    #[test]
+    fn choices_by_one_condition_are_made_together_where_none_follows_from_another() {
+        let mut graph = Graph::default();
+        let [x, y, z] = [0, 1, 2].map(|k| graph.enter(Op::Input(k)));
+        let [first, second] = [(x, y), (y, z)].map(|(a, b)| graph.enter(Op::Compare(Relation::Less, a, b)));
+        let early = graph.enter(Op::Select(first, x, y));
+        let other = graph.enter(Op::Select(second, y, z));
+        let late = graph.enter(Op::Select(first, other, z));
+        let follows = graph.enter(Op::Select(first, early, late));
+        let levels = graph.levels();
+        assert_eq!([x, first, other].map(|node| levels[node.index()]), [0, 0, 1]);
+        assert_eq!([early, late, follows].map(|node| levels[node.index()]), [2, 2, 3]);
+    }
+}

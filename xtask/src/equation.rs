@@ -132,3 +132,21 @@ fn failed(id: &str, claim: &Claim) -> String {
     });
     failures + &worst.unwrap_or_default()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::console::plain;
+
+    #[test]
+    fn what_was_compared_is_told_with_the_worst_of_it() {
+        let audit = crate::sample::failed();
+        let said = |claim: &Claim| plain(&text("t.second", claim));
+        let differs = "off not t.second: 15 of 206 comparisons differ\n  \
+            most at random 206 of seed 9: fc is 0.9955, the equation gives 1.0045, off by 4e-3 of it\n  \
+            at {\"f2\":3.0045,\"f3\":4.0}\n";
+        assert_eq!(said(&audit.equation_jacobian), differs);
+        let holds = "ok  the same function as t.second: 105 comparisons in 237 bits\n";
+        assert_eq!(said(&crate::sample::passed().equation), holds);
+    }
+}

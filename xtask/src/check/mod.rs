@@ -23,6 +23,8 @@ mod question;
 mod report;
 #[cfg(feature = "commands")]
 mod taylor;
+#[cfg(all(test, feature = "commands"))]
+mod tests;
 mod verdict;
 
 pub use answer::Answer;

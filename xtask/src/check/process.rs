@@ -147,3 +147,16 @@ fn kill(child: &mut Child) {
     // Where it is gone there is nothing to kill.
     let _ = child.kill();
 }
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_the_last_that_is_said_is_kept() {
+        let command = ["sh", "-c", "printf '%05000d' 7 >&2"].map(str::to_owned);
+        let process = Process::start(&command, String::new()).unwrap();
+        while process.line(Duration::from_mins(1)) != Next::End {}
+        assert_eq!(process.said.recv().unwrap(), [vec![b'0'; KEPT - 1], vec![b'7']].concat());
+    }
+}

@@ -75,6 +75,12 @@ mod tests {
     }
 
     #[test]
+    fn numbers_are_told_by_their_names() {
+        let script = script(jointproof::catalog::find("slider.line").unwrap()).unwrap();
+        assert_eq!([0, 3, 4, 27].map(|k| script.entry(k)), ["n[0]", "l", "∂n[0]/∂x1[0]", "∂l/∂xn[2]"]);
+    }
+
+    #[test]
     fn everything_that_is_exported_comes_back() {
         let script = runtime_script();
         let (_, given) = script.rsplit_once("return { ").unwrap();

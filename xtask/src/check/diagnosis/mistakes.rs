@@ -203,4 +203,30 @@ mod tests {
         assert_eq!(others(0.1), ["the constant 0.1 has single precision"]);
         assert_eq!([0.5, -2.0, 1e300].map(|number| others(number).len()), [0; 3]);
     }
+
+    /// Every mistake in the values of a few formulas, and what their outputs are with it.
+    #[cfg(feature = "commands")]
+    #[test]
+    fn all_mistakes_and_what_comes_of_them() {
+        let of = |(id, at): (&str, &[f64])| {
+            let formula = jointproof::catalog::find(id).unwrap();
+            let graph = formula.graph().unwrap();
+            let told = |mistake: Mistake| {
+                let altered = graph.altered(mistake.place, &mistake.instead);
+                let all = altered.results(at, altered.needed(&altered.value));
+                let values: Vec<_> = altered.value.iter().map(|node| format!("{:.5}", all[node.index()])).collect();
+                format!("  {:?}: {}: {}\n", mistake.sort, mistake.what, values.join(" "))
+            };
+            let mistakes = mistakes(&graph, formula.inputs(), &graph.value);
+            format!("{id}\n{}", mistakes.into_iter().map(told).collect::<String>())
+        };
+        let formulas: [(&str, &[f64]); 5] = [
+            ("slot.friction", &[-7.0, 3.0, 4.5, -1.5, 0.3]),
+            ("coulomb.return_map", &[-7.0, 0.3, 11.0]),
+            ("interaction.pressure_exponential", &[0.1, 0.7, 1.3]),
+            ("slider.line", &[0.3, -0.7, 1.1, 2.3, 0.9, -1.7]),
+            ("slot.constraint_2d", &[0.6, 0.8, 1.1, -0.3, 2.7, 1.9, 0.2]),
+        ];
+        crate::sample::assert_printed("mistakes.txt", &formulas.map(of).concat());
+    }
 }

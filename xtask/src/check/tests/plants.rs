@@ -1,0 +1,218 @@
+//! The mistakes that are planted.
+
+use super::super::question::Wanted::{self, Jacobian, Products, Value};
+use std::f64::consts::PI;
+
+/// What is done otherwise.
+#[derive(Clone, Copy)]
+pub(super) enum Plant {
+    Nothing,
+    /// To valid inputs.
+    Before(fn(&mut [f64])),
+    /// To the numbers of an answer, from the inputs.
+    After(fn(&[f64], &mut [f64])),
+    /// To both.
+    Both(fn(&mut [f64]), fn(&[f64], &mut [f64])),
+}
+
+use Plant::{After, Before, Both, Nothing};
+
+/// A name, the formula, what is answered, and the mistake.
+pub(super) const PLANTS: &[(&str, &str, Wanted, Plant)] = &[
+    ("right", "slot.friction", Jacobian, Nothing),
+    ("right value", "slot.friction", Value, Nothing),
+    ("right products", "slot.friction", Products, Nothing),
+    ("two factors", "slot.friction", Jacobian, After(|_, y| scale(y, &[(FN + 1, -1.0), (FN + 2, 2.0)]))),
+    (
+        "four entries",
+        "slot.friction",
+        Jacobian,
+        After(|_, y| scale(y, &[FN + 1, FN + 3, PHI + 2, PHI + 4].map(|k| (k, -1.0)))),
+    ),
+    (
+        "five entries",
+        "slot.friction",
+        Jacobian,
+        After(|_, y| scale(y, &[FN + 1, FN + 3, PHI + 1, PHI + 2, PHI + 4].map(|k| (k, 0.25)))),
+    ),
+    (
+        "too many factors",
+        "slot.friction",
+        Jacobian,
+        After(|_, y| scale(y, &[(FN + 1, -1.0), (FN + 2, 2.0), (FN + 3, 4.0), (PHI, 0.5)])),
+    ),
+    ("a row", "slot.friction", Jacobian, After(|_, y| scale(y, &[0, 1, 2, 3, 4].map(|k| (PHI + k, 1.5))))),
+    (
+        "two columns",
+        "slot.friction",
+        Jacobian,
+        After(|_, y| scale(y, &[FN + 1, FN + 2, PHI + 1, PHI + 2].map(|k| (k, -2.0)))),
+    ),
+    ("two components", "slider.line", Jacobian, After(|_, y| y[4..16].iter_mut().for_each(|y| *y *= 0.5))),
+    ("all", "universal.angles", Jacobian, After(|_, y| y.iter_mut().for_each(|y| *y *= 180.0 / PI))),
+    ("nothing at all", "slot.friction", Jacobian, After(|_, y| y.fill(0.0))),
+    ("a rounding too many", "slot.contact_force", Jacobian, After(|_, y| y[0] *= 1.0 + 9.0 * f64::EPSILON)),
+    ("a constant of single precision", "slot.contact_force", Jacobian, After(|_, y| y[0] *= f64::from(0.1_f32) / 0.1)),
+    ("factors of values", "slot.friction", Value, After(|_, y| scale(y, &[(0, -1.0), (2, -0.5)]))),
+    ("transposed", "ujoint.twist_factors", Jacobian, After(|_, y| y.swap(3, 4))),
+    ("column by column", "slot.friction", Jacobian, After(|_, y| move_entries(y, |k| (k % 3) * 5 + k / 3))),
+    ("read column by column", "slot.friction", Jacobian, After(|_, y| move_entries(y, |k| k / 5 + (k % 5) * 3))),
+    ("a block", "element.rotation_vector", Jacobian, After(|_, y| transpose_block(y, 0))),
+    (
+        "all blocks",
+        "element.rotation_vector",
+        Jacobian,
+        After(|_, y| [0, 3].iter().for_each(|&j| transpose_block(y, j))),
+    ),
+    (
+        "a matrix",
+        "element.arm",
+        Jacobian,
+        After(|_, y| [(4, 6), (5, 9), (8, 10)].iter().for_each(|&(a, b)| exchange_rows(y, [12, 9], a, b))),
+    ),
+    ("outputs", "slot.friction", Jacobian, After(|_, y| exchange_rows(y, [3, 5], 0, 2))),
+    ("components of outputs", "slider.line", Value, After(|_, y| y.swap(0, 2))),
+    ("derivatives", "slot.friction", Jacobian, After(|_, y| (0..3).for_each(|i| y.swap(3 + 5 * i + 1, 3 + 5 * i + 4)))),
+    ("an index", "slot.friction", Jacobian, After(|_, y| (y[FN + 2], y[PHI + 1]) = (-y[FN + 1], y[PHI + 2]))),
+    ("symmetric part", "universal.geometric_stiffness", Jacobian, After(|_, y| symmetrise(y, 0))),
+    (
+        "symmetric parts",
+        "universal.geometric_stiffness",
+        Jacobian,
+        After(|_, y| [0, 18].iter().for_each(|&first| symmetrise(y, first))),
+    ),
+    ("degrees", "element.euler_parameters", Jacobian, Before(|x| x[0] *= PI / 180.0)),
+    (
+        "degrees, and derivatives by them",
+        "element.euler_parameters",
+        Jacobian,
+        Both(|x| x[0] *= PI / 180.0, |_, y| (0..4).for_each(|i| y[4 + 7 * i] *= PI / 180.0)),
+    ),
+    ("to degrees", "element.euler_parameters", Value, Before(|x| x[0] *= 180.0 / PI)),
+    ("sign of an input", "slot.friction", Jacobian, Before(|x| x[3] *= -1.0)),
+    ("an input twice", "slot.friction", Jacobian, Before(|x| x[1] *= 2.0)),
+    ("half of an input", "slider.line", Jacobian, Before(|x| x[..3].iter_mut().for_each(|x| *x *= 0.5))),
+    ("components of an input", "slider.line", Jacobian, Before(|x| x.swap(3, 5))),
+    ("inputs", "slot.friction", Jacobian, Before(|x| x.swap(0, 2))),
+    (
+        "inputs, and derivatives by them",
+        "slot.friction",
+        Jacobian,
+        Both(|x| x.swap(0, 2), |_, y| (0..3).for_each(|i| y.swap(3 + 5 * i, 3 + 5 * i + 2))),
+    ),
+    ("inputs of single precision", "slot.friction", Jacobian, Before(|x| x.iter_mut().for_each(|x| *x = single(*x)))),
+    (
+        "results of single precision",
+        "slot.friction",
+        Jacobian,
+        After(|_, y| y.iter_mut().for_each(|y| *y = single(*y))),
+    ),
+    ("squares", "slot.contact_force", Value, After(|x, y| y[0] = (x[0] * x[0] + x[1] * x[1]).sqrt())),
+    ("a sign in the value", "coulomb.yield", Value, After(|x, y| y[0] = x[0] + x[1] * x[2])),
+    (
+        "a sign, and its derivatives",
+        "coulomb.yield",
+        Jacobian,
+        After(|x, y| y.copy_from_slice(&[x[0] + x[1] * x[2], 1.0, x[2], x[1]])),
+    ),
+    ("a branch always", "coulomb.return_map", Jacobian, After(|x, y| y.copy_from_slice(&[x[0], 1.0, 0.0, 0.0]))),
+    ("a branch never", "coulomb.return_map", Value, After(|x, y| y[0] = slips(x))),
+    (
+        "branches exchanged",
+        "coulomb.return_map",
+        Value,
+        After(|x, y| y[0] = if x[0].abs() < x[1] * x[2] { slips(x) } else { x[0] }),
+    ),
+    ("a term", "slot.normal_force", Value, After(|x, y| y[0] = x[0].abs())),
+    ("another input", "slot.friction", Value, After(|x, y| (y[1], y[2]) = friction(x, x[1].hypot(x[3])))),
+    ("half of it explained", "slot.friction", Jacobian, After(|x, y| (y[0], y[PHI + 4]) = (-y[0], x[1]))),
+    ("nothing explained", "slot.friction", Jacobian, After(|x, y| (y[0], y[PHI + 4]) = (x[2], x[1]))),
+    (
+        "NaN at a kink",
+        "slot.contact_force",
+        Jacobian,
+        After(|x, y| {
+            if y[0] == 0.0 {
+                y[1] = x[0] / y[0]
+            }
+        }),
+    ),
+    (
+        "a convention at a kink",
+        "slot.contact_force",
+        Jacobian,
+        After(|_, y| {
+            if y[0] == 0.0 {
+                y[1..].fill(0.6)
+            }
+        }),
+    ),
+    (
+        "a point alone",
+        "slot.contact_force",
+        Jacobian,
+        After(|x, y| {
+            if x == [3.0, 4.0] {
+                y[0] += 1.0
+            }
+        }),
+    ),
+    ("sign of a product", "slot.friction", Products, After(|_, y| y[5] *= -1.0)),
+    ("another function", "coulomb.yield", Products, After(|_, y| y.iter_mut().for_each(|y| *y *= 3.0))),
+    ("a product by one input", "slot.friction", Products, After(|_, y| y[7] *= 2.0)),
+];
+
+/// Where the derivatives of the outputs fn and phi of `slot.friction` begin.
+const FN: usize = 8;
+const PHI: usize = 13;
+
+fn scale(numbers: &mut [f64], factors: &[(usize, f64)]) {
+    factors.iter().for_each(|&(k, factor)| numbers[k] *= factor);
+}
+
+/// The Jacobian of `slot.friction` with entries from elsewhere.
+fn move_entries(numbers: &mut [f64], from: fn(usize) -> usize) {
+    let jacobian = numbers[3..].to_vec();
+    (0..15).for_each(|k| numbers[3 + k] = jacobian[from(k)]);
+}
+
+/// The derivatives of the output of `element.rotation_vector` by the input that begins there, transposed.
+fn transpose_block(numbers: &mut [f64], first: usize) {
+    for (i, j) in [(0, 1), (0, 2), (1, 2)] {
+        numbers.swap(3 + 6 * i + first + j, 3 + 6 * j + first + i);
+    }
+}
+
+fn exchange_rows(numbers: &mut [f64], [m, n]: [usize; 2], a: usize, b: usize) {
+    numbers.swap(a, b);
+    (0..n).for_each(|j| numbers.swap(m + n * a + j, m + n * b + j));
+}
+
+/// The symmetric part of a matrix of `universal.geometric_stiffness`, with its derivatives by seven inputs.
+fn symmetrise(numbers: &mut [f64], first: usize) {
+    for (i, j) in [(0, 1), (0, 2), (1, 2)] {
+        let (a, b) = (first + 3 * i + j, first + 3 * j + i);
+        let mut halve = |a: usize, b: usize| {
+            let half = (numbers[a] + numbers[b]) / 2.0;
+            (numbers[a], numbers[b]) = (half, half);
+        };
+        halve(a, b);
+        (0..7).for_each(|k| halve(27 + 7 * a + k, 27 + 7 * b + k));
+    }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "the mistake that is planted")]
+fn single(x: f64) -> f64 {
+    f64::from(x as f32)
+}
+
+/// The normal force and Φ of `slot.friction` with another contact force.
+fn friction(x: &[f64], fc: f64) -> (f64, f64) {
+    let normal = (fc + x[3]).abs();
+    (normal, x[0].abs() - x[4] * normal)
+}
+
+/// What `coulomb.return_map` transmits where it slips.
+fn slips(x: &[f64]) -> f64 {
+    if x[0] == 0.0 { 0.0 } else { (x[1] * x[2]).copysign(x[0]) }
+}
