@@ -127,16 +127,17 @@ impl Formula for IncrementalConstraint2d {
         let station = Station::new(&span, &i.x1, &i.xn, &i.xm);
         let ([share, rest], [share_x1, share_xn, share_xm]) = (station.shares(), station.gradients(&span));
         let v = i.dxm - station.blend(&i.dx1, &i.dxn);
+        // Everything times the length of d, by which the row is divided in the end: what is zero stays it.
         let (root, ray) = (span.square.sqrt(), Vector2::new(-span.d.y, span.d.x));
-        let (t, turn) = (ray / root, v.dot(&span.d) * span.binade.per_unit / span.square);
-        let gain = span.d.perp(&(i.dxn - i.dx1)) / root;
+        let (gain, turn) = (span.d.perp(&(i.dxn - i.dx1)), v.dot(&span.d) * span.binade.per_unit / span.square);
+        let per_root = root.recip();
         let by = MovingNodes2d {
-            x1: t * turn - share_x1 * gain,
-            xn: t * -turn - share_xn * gain,
-            xm: share_xm * -gain,
-            dx1: t * -rest,
-            dxn: t * -share,
-            dxm: t,
+            x1: (ray * turn - share_x1 * gain) * per_root,
+            xn: (ray * -turn - share_xn * gain) * per_root,
+            xm: share_xm * -gain * per_root,
+            dx1: ray * -rest * per_root,
+            dxn: ray * -share * per_root,
+            dxm: ray * per_root,
         };
         (IncrementalResidual2d { r: span.d.perp(&v) / root }, IncrementalResidual2d { r: by })
     }

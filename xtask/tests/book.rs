@@ -189,9 +189,13 @@ fn digests() -> String {
     lines.iter().map(|(name, text)| format!("{} {:016x}\n", name.replace(' ', "_"), digest(text))).collect()
 }
 
-/// FNV-1a, the same everywhere; revisions count as equal.
+/// FNV-1a, the same everywhere. Revisions and lines of sources count as equal: they change with what the pages do not show.
 fn digest(text: &str) -> u64 {
     let is_revision = |word: &&str| word.len() == 40 && word.bytes().all(|byte| byte.is_ascii_hexdigit());
+    let is_line = |c: char| c.is_ascii_digit() || c == '-' || c == 'L';
+    let (start, lines) = text.split_once("#L").unwrap_or((text, ""));
+    let text: String =
+        [start].into_iter().chain(lines.split("#L").map(|rest| rest.trim_start_matches(is_line))).collect();
     let words = text.split('/').filter(|word| !is_revision(word));
     words
         .flat_map(|word| word.bytes().chain([b'/']))
