@@ -133,7 +133,7 @@ pub(super) const PLANTS: &[(&str, &str, Wanted, Plant)] = &[
         Jacobian,
         After(|x, y| {
             if y[0] == 0.0 {
-                y[1] = x[0] / y[0]
+                y[1] = x[0] / y[0];
             }
         }),
     ),
@@ -143,7 +143,7 @@ pub(super) const PLANTS: &[(&str, &str, Wanted, Plant)] = &[
         Jacobian,
         After(|_, y| {
             if y[0] == 0.0 {
-                y[1..].fill(0.6)
+                y[1..].fill(0.6);
             }
         }),
     ),
@@ -153,7 +153,7 @@ pub(super) const PLANTS: &[(&str, &str, Wanted, Plant)] = &[
         Jacobian,
         After(|x, y| {
             if x == [3.0, 4.0] {
-                y[0] += 1.0
+                y[0] += 1.0;
             }
         }),
     ),
@@ -167,7 +167,9 @@ const FN: usize = 8;
 const PHI: usize = 13;
 
 fn scale(numbers: &mut [f64], factors: &[(usize, f64)]) {
-    factors.iter().for_each(|&(k, factor)| numbers[k] *= factor);
+    for &(k, factor) in factors {
+        numbers[k] *= factor;
+    }
 }
 
 /// The Jacobian of `slot.friction` with entries from elsewhere.
@@ -193,7 +195,7 @@ fn symmetrise(numbers: &mut [f64], first: usize) {
     for (i, j) in [(0, 1), (0, 2), (1, 2)] {
         let (a, b) = (first + 3 * i + j, first + 3 * j + i);
         let mut halve = |a: usize, b: usize| {
-            let half = (numbers[a] + numbers[b]) / 2.0;
+            let half = f64::midpoint(numbers[a], numbers[b]);
             (numbers[a], numbers[b]) = (half, half);
         };
         halve(a, b);
