@@ -186,7 +186,8 @@ fn digests() -> String {
     lines.extend(files(&BOOK.join("calculator"), &["js"]).into_iter().map(|(path, text)| (from_root(&path), text)));
     lines.push(("searchindex.js".into(), fs::read_to_string(BOOK.join("searchindex.js")).unwrap()));
     lines.sort();
-    lines.iter().map(|(name, text)| format!("{} {:016x}\n", name.replace(' ', "_"), digest(text))).collect()
+    let line = |(name, text): &(String, String)| format!("{} {:016x}", name.replace(' ', "_"), digest(text));
+    lines.iter().map(line).collect::<Vec<_>>().join("\n") + "\n"
 }
 
 /// FNV-1a, the same everywhere. Revisions and lines of sources count as equal: they change with what the pages do not show.
