@@ -1,5 +1,6 @@
 //! A fault, and where its switch goes.
 
+use super::choice::hash;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
@@ -85,13 +86,17 @@ pub(super) struct Judged {
     pub(super) line: usize,
     pub(super) was: String,
     pub(super) becomes: String,
+    /// What tells it from the other faults of its file, wherever it has moved to since; 0 where that was not kept.
+    #[serde(default)]
+    pub(super) hash: u64,
     pub(super) verdict: Verdict,
 }
 
 impl Judged {
     pub(super) fn new(fault: &Fault, verdict: Verdict) -> Self {
+        let hash = hash(0, fault);
         let Fault { id, area, file, line, was, becomes, .. } = fault.clone();
-        Self { id, area, file, line, was, becomes, verdict }
+        Self { id, area, file, line, was, becomes, hash, verdict }
     }
 
     /// Where it is, and what is changed, in a line.

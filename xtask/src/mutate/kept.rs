@@ -185,6 +185,7 @@ mod tests {
             line: 1,
             was: "+".to_owned(),
             becomes: "-".to_owned(),
+            hash: 1,
             verdict,
         };
         let [first, other, second] = [

@@ -9,6 +9,7 @@ mod bench;
 mod build;
 mod choice;
 mod fault;
+mod found;
 mod judge;
 mod kept;
 mod noticed;
@@ -28,17 +29,16 @@ use anyhow::ensure;
 use bench::Bench;
 use choice::Choice;
 use fault::{Fault, Judged, Verdict};
+use found::{Before, Found, earlier};
 use judge::Patience;
 use kit::{Project, Usage};
 use noticed::Noticed;
+use std::collections::BTreeMap;
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::time::Duration;
 
 pub(crate) use kept::{tables, texts};
-
-/// What the last run found, beside the copy.
-const RESULT: &str = "result.json";
 
 /// Plant faults one by one and see which the tests notice
 ///
@@ -51,6 +51,7 @@ const RESULT: &str = "result.json";
   {command} mutate --fault scenes.wrap              one, with the test that notices it
   {command} mutate --seed 7 --sample 50             others than those that are always made
   {command} mutate --list                           what would be planted
+  {command} mutate --again                          what the run before did not notice, with the tests of today
   {command} mutate --keep                           all of them, for the book")]
 pub(crate) struct Arguments {
     /// Only faults of this area; may be given several times
@@ -83,12 +84,24 @@ pub(crate) struct Arguments {
     /// Tests that take longer without a fault are left out
     #[arg(long, value_name = "SECONDS", default_value_t = 900)]
     longest: u64,
+    /// Do not try again what the run before noticed
+    #[arg(long)]
+    again: bool,
     /// Only list the faults
     #[arg(long)]
     list: bool,
     /// Keep what came of whole areas in `tests/data/faults.json`, which the book shows
-    #[arg(long, conflicts_with_all = ["sample", "fault", "seed", "list"])]
+    #[arg(long, conflicts_with_all = ["sample", "fault", "list"])]
     keep: bool,
+}
+
+impl Arguments {
+    /// Which tests were run, for how long, and on which faults.
+    fn in_words(&self) -> String {
+        let package = self.package.as_deref().unwrap_or("every package");
+        let again = if self.again { "; what was noticed before was not tried again" } else { "" };
+        format!("those of {package}, {} s a fault, seed {}{again}", self.enough, self.seed)
+    }
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
@@ -109,11 +122,9 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         return Ok(ExitCode::SUCCESS);
     }
     let judged = judge_all(&bench, &choice, arguments)?;
-    crate::files::write(&bench.beside(RESULT), &serde_json::to_string_pretty(&judged)?)?;
     print(&table::text(&judged))?;
     if arguments.keep {
-        let package = arguments.package.as_deref().unwrap_or("every package");
-        kept::keep(root, &judged, &format!("those of {package}, {} s a fault", arguments.enough))?;
+        kept::keep(root, &judged, &arguments.in_words())?;
     }
     let well = table::by(&judged, |one| Some(&one.area)).values().all(table::Score::is_enough);
     Ok(if well { ExitCode::SUCCESS } else { ExitCode::FAILURE })
@@ -132,22 +143,35 @@ fn judge_all(bench: &Bench, choice: &Choice, arguments: &Arguments) -> anyhow::R
     let built = build::build(bench, choice, arguments.made, arguments.package.as_deref())?;
     let faults = wanted(arguments, &built.faults);
     ensure!(!faults.is_empty(), Usage("no fault is like that; --list shows all".into()));
-    say(&format!("{} planted, {} to be tried", count(built.faults.len(), "fault"), faults.len()));
+    let earlier = earlier(bench);
+    let before = Before::of(if arguments.again { &earlier } else { &[] });
+    let noticed = Noticed::of(&[&earlier[..], &kept::judged(bench.root())].concat());
+    let known = |fault: &Fault| match &fault.equivalent {
+        // Whoever names it wants to see.
+        Some(why) if arguments.fault.is_none() => Some(Verdict::Equivalent(why.clone())),
+        _ => before.verdict(fault),
+    };
+    let (mut judged, mut open) = (BTreeMap::new(), Vec::new());
+    for (number, fault) in &faults {
+        match known(fault) {
+            Some(verdict) => drop(judged.insert(*number, Judged::new(fault, verdict))),
+            None => open.push((*number, fault)),
+        }
+    }
+    say(&format!("{} planted, {} to be tried", count(built.faults.len(), "fault"), open.len()));
     process::limit_memory()?;
     let tests = reach::reach(bench, &built, Duration::from_secs(arguments.longest), arguments.jobs)?;
-    let noticed = Noticed::of(&[earlier(bench), kept::judged(bench.root())].concat());
     let patience = Patience { grace: arguments.grace, enough: arguments.enough };
-    let progress = Progress { done: AtomicUsize::default(), of: faults.len() };
-    workers::in_parallel(arguments.jobs, &faults, |(number, fault)| {
-        let verdict = match &fault.equivalent {
-            // Whoever names it wants to see.
-            Some(why) if arguments.fault.is_none() => Verdict::Equivalent(why.clone()),
-            _ => judge::judge(&built, &tests, &noticed, (*number, fault), patience)?,
-        };
+    let progress = Progress { done: AtomicUsize::default(), of: open.len() };
+    let areas = faults.iter().map(|(_, fault)| fault.area.as_str()).collect();
+    let found = Found::new(bench, earlier, judged, &areas);
+    workers::in_parallel(arguments.jobs, &open, |&(number, fault)| {
+        let verdict = judge::judge(&built, &tests, &noticed, (number, fault), patience)?;
         noticed.add(&fault.file, &verdict);
         say(&progress.after(fault, &verdict));
-        Ok(Judged::new(fault, verdict))
-    })
+        found.add(number, Judged::new(fault, verdict))
+    })?;
+    Ok(found.all())
 }
 
 /// How far all faults have been tried, by any number of threads.
@@ -162,12 +186,6 @@ impl Progress {
         let number = self.done.fetch_add(1, Relaxed) + 1;
         format!("{number}/{} {} {}", self.of, fault.id, in_words(verdict))
     }
-}
-
-/// What the last run found, which need not be kept for the book; nothing where there was none.
-fn earlier(bench: &Bench) -> Vec<Judged> {
-    let text = std::fs::read_to_string(bench.beside(RESULT)).unwrap_or_default();
-    serde_json::from_str(&text).unwrap_or_default()
 }
 
 fn in_words(verdict: &Verdict) -> String {

@@ -106,6 +106,7 @@ fn arguments() -> Arguments {
         enough: 60,
         package: None,
         longest: 900,
+        again: false,
         list: false,
         keep: false,
     }
@@ -151,8 +152,23 @@ fn what_tests_miss_survives_and_the_rest_does_not() {
         "{text}"
     );
     assert!(text.contains(" 75.0% sums  too few"), "{text}");
+    // What was not noticed is tried again, with a test that is new, and what was noticed is not.
+    let tests = fs::read_to_string(root.path().join("src/lib.rs")).unwrap().replace(
+        "    #[test]\n    fn steps() {",
+        "    #[test]\n    fn at_most() {\n        assert_eq!(super::squares(&[3.0], 9.0), Some(9.0));\n    }\n\n    #[test]\n    fn steps() {",
+    );
+    let source = tests.replace("assert_eq!(super::steps(3), 3);", "");
+    fs::write(root.path().join("src/lib.rs"), &source).unwrap();
+    let bench = Bench::new(root.path(), root.path().join("target/mutate")).unwrap();
+    let choice = Choice::read(&areas, &bench.sources().unwrap(), 0).unwrap();
+    let again = judge_all(&bench, &choice, &Arguments { again: true, ..arguments() }).unwrap();
+    let changed: Vec<_> =
+        again.iter().filter(|one| judged.iter().all(|old| old.verdict != one.verdict || old.id != one.id)).collect();
+    assert_eq!(changed.iter().map(|one| &*one.id).collect::<Vec<_>>(), ["sums.equal"]);
+    assert_eq!(changed[0].verdict, Verdict::Killed("tiny: tests::at_most".into()));
+    assert_eq!(earlier(&bench), again);
     // Tests that read sources see them as they are.
-    assert_eq!(fs::read_to_string(bench.tree().join("src/lib.rs")).unwrap(), SOURCE);
+    assert_eq!(fs::read_to_string(bench.tree().join("src/lib.rs")).unwrap(), source);
 }
 
 #[test]
