@@ -6,15 +6,15 @@ use common::{Bench, Ran};
 use jointproof::catalog::{AnyFormula, CATALOG};
 use std::collections::HashSet;
 use std::ffi::OsString;
-use std::fs;
+use std::fs::{self, File};
 use std::path::{Path, PathBuf};
-use std::sync::LazyLock;
+use std::sync::{LazyLock, OnceLock};
 use std::time::Duration;
 
 /// The book, built once for all tests here, in a folder that only they use, with the report that is kept as the reference.
 static BOOK: LazyLock<PathBuf> = LazyLock::new(|| {
     let bench = Bench::new();
-    let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("book");
+    let out = free_folder();
     let mut command = bench.command(&["book", "--unmeasured", "--open", "--out", out.to_str().unwrap()]);
     if cfg!(target_os = "linux") {
         command.env("PATH", opener(&bench));
@@ -23,6 +23,20 @@ static BOOK: LazyLock<PathBuf> = LazyLock::new(|| {
     assert!(!cfg!(target_os = "linux") || was_opened(&bench, &out), "the book is not shown");
     out
 });
+
+/// The first folder that no other run of these tests is using.
+fn free_folder() -> PathBuf {
+    static LOCK: OnceLock<File> = OnceLock::new();
+    let folder = |number: u32| Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("book-{number}"));
+    let locked = |number| {
+        let lock = File::create(folder(number).with_extension("lock")).unwrap();
+        lock.try_lock().ok()?;
+        Some((folder(number), lock))
+    };
+    let (folder, lock) = (0..).find_map(locked).unwrap();
+    LOCK.set(lock).unwrap();
+    folder
+}
 
 /// The search path with a program before all others that only writes down what it is to open.
 fn opener(bench: &Bench) -> OsString {

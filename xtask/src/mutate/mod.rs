@@ -51,7 +51,7 @@ pub(crate) use kept::{tables, texts};
   {command} mutate --fault scenes.wrap              one, with the test that notices it
   {command} mutate --seed 7 --sample 50             others than those that are always made
   {command} mutate --list                           what would be planted
-  {command} mutate --again                          what the run before did not notice, with the tests of today
+  {command} mutate --again                          what the run before did not notice
   {command} mutate --keep                           all of them, for the book")]
 pub(crate) struct Arguments {
     /// Only faults of this area; may be given several times
