@@ -17,7 +17,6 @@ use jointproof::slider::{Increment, KeptIncrement, Pivots, Slider};
 use nalgebra::Vector3;
 use serde_json::{Value, json};
 use std::fmt::Write;
-use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 /// A line with m on it, how nodes 1 and n are moved, and how far m is along the kept axis.
@@ -140,12 +139,12 @@ impl Model {
 
     /// The displacement of m that CalculiX prints for an input, and half a unit of the last digit of each component.
     fn run(&self, input: String) -> (Vector3<f64>, Vector3<f64>) {
-        let folder = Folder::new(self.name);
-        std::fs::write(folder.0.join("model.inp"), input).unwrap();
-        let run = Command::new("ccx").arg("model").current_dir(&folder.0).stdin(Stdio::null()).output().unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("model.inp"), input).unwrap();
+        let run = Command::new("ccx").arg("model").current_dir(folder.path()).stdin(Stdio::null()).output().unwrap();
         let log = String::from_utf8_lossy(&run.stdout);
         assert!(run.status.success() && !log.contains("*ERROR"), "{}: {log}", self.name);
-        let printed = std::fs::read_to_string(folder.0.join("model.dat")).unwrap();
+        let printed = std::fs::read_to_string(folder.path().join("model.dat")).unwrap();
         let of_m = printed.lines().filter_map(|line| line.trim_start().strip_prefix("3 ")).next_back();
         let numbers: Vec<_> = of_m.unwrap_or_else(|| panic!("no node 3 in {printed}")).split_whitespace().collect();
         let value = |axis: usize| numbers[axis].parse::<f64>().unwrap();
@@ -156,25 +155,6 @@ impl Model {
             format!("0.5e{}", exponent.parse::<i32>().unwrap() - 6).parse().unwrap()
         };
         (Vector3::from_fn(|axis, _| value(axis)), Vector3::from_fn(|axis, _| half_unit(axis)))
-    }
-}
-
-/// A temporary folder that goes when it is done with.
-struct Folder(PathBuf);
-
-impl Folder {
-    fn new(name: &str) -> Self {
-        static COUNT: std::sync::atomic::AtomicU32 = std::sync::atomic::AtomicU32::new(0);
-        let count = COUNT.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
-        let path = std::env::temp_dir().join(format!("jointproof-{}-{name}-{count}", std::process::id()));
-        std::fs::create_dir(&path).unwrap();
-        Self(path)
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        let _ = std::fs::remove_dir_all(&self.0);
     }
 }
 

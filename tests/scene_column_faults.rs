@@ -2,7 +2,7 @@
 
 mod columns;
 
-use columns::{Array, FILE, array, column_bits, file, folder, parse};
+use columns::{Array, FILE, array, column_bits, file, parse};
 use jointproof::scene::npz::Writer;
 use jointproof::scene::{Columns, Plan, Results, Run, Scene, Stopped};
 use rawzip::{CompressionMethod, ZipArchiveWriter};
@@ -55,12 +55,12 @@ fn made(header: &str, numbers: &[u8], method: CompressionMethod) -> Vec<u8> {
 #[test]
 fn every_mistake_in_an_array_is_said_with_its_place() {
     let (scene, arrays) = sound();
-    let folder = folder("mistakes");
-    parse(&folder, &scene, &file(&arrays)).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    parse(folder.path(), &scene, &file(&arrays)).unwrap();
     let with = |name: &str, shape: &[usize], numbers: &[f64]| {
         let mut arrays = arrays.clone();
         *arrays.iter_mut().find(|(known, ..)| known == name).unwrap() = array(name, shape, numbers);
-        parse(&folder, &scene, &file(&arrays)).map(|_| ()).unwrap_err()
+        parse(folder.path(), &scene, &file(&arrays)).map(|_| ()).unwrap_err()
     };
     let place = |message: String, path: &str| {
         let rest = message.strip_prefix(path).unwrap_or_else(|| panic!("{message} is not at {path}"));
@@ -126,23 +126,23 @@ fn every_mistake_in_an_array_is_said_with_its_place() {
     ] {
         assert_eq!(place(message, path), expected);
     }
-    let message = parse(&folder, &scene, &file(&arrays[..4])).unwrap_err();
+    let message = parse(folder.path(), &scene, &file(&arrays[..4])).unwrap_err();
     assert_eq!(
         place(message, "frames.loads.e.f2"),
         r#"no array "f" in "arrays.npz"; allowed is one of "b", "mu", "time", "u""#
     );
     // All are said together.
-    let message = parse(&folder, &scene, &file(&arrays[..1])).unwrap_err();
+    let message = parse(folder.path(), &scene, &file(&arrays[..1])).unwrap_err();
     assert_eq!(message.lines().count(), 2, "{message}");
 }
 
 #[test]
 fn every_mistake_in_a_file_is_said() {
     let (mut scene, _) = sound();
-    let folder = folder("files");
+    let folder = tempfile::tempdir().unwrap();
     scene["nodes"] = json!({ "a": { "at": [0, 0, 0] } });
     (scene["elements"], scene["outputs"], scene["frames"]) = (json!({}), json!([]), json!({ "time": "time" }));
-    let said = |bytes: &[u8]| parse(&folder, &scene, bytes).map(|scene| scene.times().collect::<Vec<_>>());
+    let said = |bytes: &[u8]| parse(folder.path(), &scene, bytes).map(|scene| scene.times().collect::<Vec<_>>());
     let header = |descr: &str, order: &str, shape: &str| {
         format!("{{'descr': {descr}, 'fortran_order': {order}, 'shape': {shape}, }}")
     };
@@ -178,7 +178,7 @@ fn every_mistake_in_a_file_is_said() {
     let twice = file(&[array("time", &[1], &[0.0]), array("time", &[1], &[1.0])]);
     assert!(said(&twice).unwrap_err().contains("\"time.npy\" of \"arrays.npz\" for the second time"));
     scene["columns"] = json!("none.npz");
-    let message = parse(&folder, &scene, b"").unwrap_err();
+    let message = parse(folder.path(), &scene, b"").unwrap_err();
     assert!(message.starts_with("columns (line 1, column ") && message.contains("no file \"none.npz\""), "{message}");
     let message = Scene::parse(&scene.to_string()).unwrap_err().to_string();
     assert!(message.contains("columns in a text that is in no folder"), "{message}");
@@ -188,10 +188,10 @@ fn every_mistake_in_a_file_is_said() {
 #[test]
 fn no_damage_goes_unseen_or_panics() {
     let (scene, arrays) = sound();
-    let folder = folder("damage");
+    let folder = tempfile::tempdir().unwrap();
     let bytes = file(&arrays);
     let read =
-        |bytes: &[u8]| parse(&folder, &scene, bytes).ok().map(|scene| column_bits(&Columns::of(&scene).unwrap()));
+        |bytes: &[u8]| parse(folder.path(), &scene, bytes).ok().map(|scene| column_bits(&Columns::of(&scene).unwrap()));
     let whole = read(&bytes).unwrap();
     let compressed =
         made("{'descr': '<f8', 'fortran_order': False, 'shape': (3,), }", &[0; 24], CompressionMethod::DEFLATE);
@@ -219,13 +219,13 @@ fn no_damage_goes_unseen_or_panics() {
 #[test]
 fn a_file_that_changes_after_the_scene_was_read_is_seen() {
     let (scene, arrays) = sound();
-    let folder = folder("changed");
+    let folder = tempfile::tempdir().unwrap();
     let whole = file(&arrays);
     let said = |changed: &[u8]| {
-        let read = parse(&folder, &scene, &whole).unwrap();
+        let read = parse(folder.path(), &scene, &whole).unwrap();
         let of_whole = column_bits(&Columns::of(&read).unwrap());
         assert_eq!(of_whole, column_bits(&Columns::of(&read).unwrap()), "what is read twice is the same");
-        std::fs::write(folder.join(FILE), changed).unwrap();
+        std::fs::write(folder.path().join(FILE), changed).unwrap();
         let plan = Plan::new(&read);
         if let Ok(mut run) = Run::<f64>::new(&plan) {
             let ended: Vec<_> = (0..5).map(|_| run.advance().ok()).collect();
@@ -272,12 +272,12 @@ fn a_file_that_changes_after_the_scene_was_read_is_seen() {
 #[test]
 fn references_that_do_not_fit_are_said() {
     let (scene, arrays) = sound();
-    let folder = folder("references");
+    let folder = tempfile::tempdir().unwrap();
     let bytes = file(&arrays);
     let said = |change: &dyn Fn(&mut Value)| {
         let mut scene = scene.clone();
         change(&mut scene);
-        parse(&folder, &scene, &bytes).map(|_| ()).unwrap_err()
+        parse(folder.path(), &scene, &bytes).map(|_| ()).unwrap_err()
     };
     for (message, expected) in [
         (
@@ -297,7 +297,7 @@ fn references_that_do_not_fit_are_said() {
     sets["nodes"]["c"] = json!({ "at": "c", "orientation": "o" });
     sets["elements"]["e"]["nodes"] = json!(["c", "b"]);
     let with_c = [arrays.clone(), vec![array("c", &[3, 3], &[0.0; 9])]].concat();
-    let message = parse(&folder, &sets, &file(&with_c)).map(|_| ()).unwrap_err();
+    let message = parse(folder.path(), &sets, &file(&with_c)).map(|_| ()).unwrap_err();
     assert!(message.contains("sets of 3 and of 2 nodes"), "{message}");
     // Without a file, a string is no array.
     let mut without = scene.clone();

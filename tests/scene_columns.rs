@@ -2,7 +2,7 @@
 
 mod columns;
 
-use columns::{Array, FILE, array, column_bits, file, folder, parse};
+use columns::{Array, FILE, array, column_bits, file, parse};
 use jointproof::scene::{Columns, Plan, Results, Run, Scene};
 use rawzip::ZipArchive;
 use serde_json::{Map, Value, json};
@@ -86,7 +86,7 @@ fn bits(results: &Results) -> Vec<(String, Vec<u64>)> {
 
 #[test]
 fn every_example_gives_the_same_bits_from_json_and_from_columns() {
-    let folder = folder("examples");
+    let folder = tempfile::tempdir().unwrap();
     for (name, json) in examples() {
         let scene = Scene::parse(&json.to_string()).unwrap();
         let results = Results::of(&scene).unwrap();
@@ -99,7 +99,7 @@ fn every_example_gives_the_same_bits_from_json_and_from_columns() {
         assert_eq!((&results.times, &results.counts), (&columns.times, &columns.counts), "{name}");
         let (described, arrays) = as_columns(&json);
         let from_columns =
-            parse(&folder, &described, &file(&arrays)).unwrap_or_else(|faults| panic!("{name}: {faults}"));
+            parse(folder.path(), &described, &file(&arrays)).unwrap_or_else(|faults| panic!("{name}: {faults}"));
         assert_eq!(bits(&results), bits(&Results::of(&from_columns).unwrap()), "{name}: history");
         let exact =
             [Columns::exact(&scene), Columns::exact(&from_columns)].map(|columns| column_bits(&columns.unwrap()));
@@ -114,7 +114,7 @@ fn every_example_gives_the_same_bits_from_json_and_from_columns() {
 
 /// The same scene twice: sets with arrays, and every member by its name.
 fn assert_same(test: &str, sets: &Value, arrays: &[Array], single: &Value) {
-    let of_sets = parse(&folder(test), sets, &file(arrays)).unwrap();
+    let of_sets = parse(tempfile::tempdir().unwrap().path(), sets, &file(arrays)).unwrap();
     let of_single = Scene::parse(&single.to_string()).unwrap_or_else(|faults| panic!("{faults}"));
     let results = Results::of(&of_sets).unwrap();
     assert_eq!(bits(&results), bits(&Results::of(&of_single).unwrap()), "{test}");
@@ -315,10 +315,10 @@ fn a_history_may_be_given_in_parts() {
         json!({ "b[1::2]": { "u": "odd" }, "b[::2]": { "u": "even" }, "a[-1]": { "ur": "last" }, "a[:-1]": { "ur": "others" } }),
         json!({ "e[::2]": { "f2": "f even" }, "e[1::2]": { "f2": "f odd" } }),
     );
-    let folder = folder("parts");
-    let results = |scene: &Value| column_bits(&Columns::of(&parse(&folder, scene, &arrays).unwrap()).unwrap());
+    let folder = tempfile::tempdir().unwrap();
+    let results = |scene: &Value| column_bits(&Columns::of(&parse(folder.path(), scene, &arrays).unwrap()).unwrap());
     assert_eq!(results(&whole), results(&parts));
-    let moved = Columns::of(&parse(&folder, &parts, &arrays).unwrap()).unwrap();
+    let moved = Columns::of(&parse(folder.path(), &parts, &arrays).unwrap()).unwrap();
     assert!(moved.get("e", "RF").unwrap().numbers.iter().any(|&number| number != 0.0));
 }
 
@@ -330,7 +330,7 @@ fn memory_does_not_grow_with_the_states() {
         "nodes": { "a": { "at": [0, 0], "orientation": "o" }, "b": { "at": "b" } },
         "elements": { "e": { "kind": "slot", "nodes": ["a", "b"], "mu": 0.25, "k_stick": 8 } }, "outputs": ["CSF1"],
         "frames": { "time": "time", "nodes": { "b": { "u": "u" } }, "loads": { "e": { "f2": "f" } } } });
-    let folder = folder("memory");
+    let folder = tempfile::tempdir().unwrap();
     let bytes = |states: usize| {
         let arrays = file(&[
             array("b", &[COUNT, 2], &[1.0; 2 * COUNT]),
@@ -338,7 +338,7 @@ fn memory_does_not_grow_with_the_states() {
             array("u", &[states, COUNT, 2], &vec![0.5; states * COUNT * 2]),
             array("f", &[states, COUNT], &vec![2.0; states * COUNT]),
         ]);
-        let scene = parse(&folder, &scene, &arrays).unwrap();
+        let scene = parse(folder.path(), &scene, &arrays).unwrap();
         let plan = Plan::new(&scene);
         let mut run = Run::<f64>::new(&plan).unwrap();
         let before = run.bytes();
@@ -362,16 +362,17 @@ fn a_number_in_a_frame_is_that_of_every_member() {
             "frames": [{ "time": 0, "nodes": nodes, "loads": { "e[1:]": { "f2": 3 }, "e[0]": { "f2": 1 } } }] })
     };
     let arrays = file(&[array("b", &[3, 2], &[1.0, 0.0, 2.0, 0.0, 3.0, 0.0])]);
-    let folder = folder("broadcast");
-    let moved = parse(&folder, &scene(json!({ "b[1]": { "u": [0.5, 0] }, "b[0]": { "u": [0.25, 0] } })), &arrays);
+    let folder = tempfile::tempdir().unwrap();
+    let moved = parse(folder.path(), &scene(json!({ "b[1]": { "u": [0.5, 0] }, "b[0]": { "u": [0.25, 0] } })), &arrays);
     let columns = Columns::of(&moved.unwrap()).unwrap();
     assert_eq!(
         columns.get("e", "U1").map(|column| (&*column.shape, &*column.numbers)),
         Some((&[1, 3][..], &[0.25, 0.5, 0.0][..]))
     );
-    let moved = Columns::of(&parse(&folder, &scene(json!({ "b": { "u": [0.5, 0] } })), &arrays).unwrap()).unwrap();
+    let moved =
+        Columns::of(&parse(folder.path(), &scene(json!({ "b": { "u": [0.5, 0] } })), &arrays).unwrap()).unwrap();
     assert_eq!(moved.get("e", "U1").unwrap().numbers, [0.5; 3]);
-    let twice = parse(&folder, &scene(json!({ "b": { "u": [0.5, 0] }, "b[2]": { "u": [0.5, 0] } })), &arrays);
+    let twice = parse(folder.path(), &scene(json!({ "b": { "u": [0.5, 0] }, "b[2]": { "u": [0.5, 0] } })), &arrays);
     assert!(twice.unwrap_err().contains("\"b[2]\" for the second time"));
 }
 

@@ -5,20 +5,13 @@ use jointproof::scene::npz::Writer;
 use jointproof::scene::{Column, Columns, Scene};
 use serde_json::Value;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// The file of arrays of every scene here.
 pub const FILE: &str = "arrays.npz";
 
 /// An array: its name, its sizes, its numbers.
 pub type Array = (String, Vec<usize>, Vec<f64>);
-
-/// A folder of its own for a test.
-pub fn folder(test: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("scene_columns").join(test);
-    fs::create_dir_all(&folder).unwrap();
-    folder
-}
 
 /// An array of a name and a shape.
 pub fn array(name: &str, shape: &[usize], numbers: &[f64]) -> Array {

@@ -217,17 +217,15 @@ mod tests {
 
     /// What the check says of an export in which a text of a file is replaced by another.
     fn judged(id: &str, file: &str, from: &str, to: &str) -> String {
-        let folder = std::env::temp_dir().join(format!("jointproof-{}-{id}-{}", std::process::id(), from.len()));
-        std::fs::create_dir_all(&folder).unwrap();
+        let folder = tempfile::tempdir().unwrap();
         let (recorded, _) = record(&[find(id).unwrap()], None);
         for (name, text) in C.files(&recorded) {
             let planted = if name == file { text.replace(from, to) } else { text.clone() };
             assert_eq!(name == file, planted != text, "{from} is not in {name}");
-            files::write(&folder.join(name), &planted).unwrap();
+            files::write(&folder.path().join(name), &planted).unwrap();
         }
         let points = points::all(&recorded, 20);
-        let judged = all(&C, &folder, &recorded, &points).unwrap();
-        std::fs::remove_dir_all(&folder).unwrap();
+        let judged = all(&C, folder.path(), &recorded, &points).unwrap();
         let said: Vec<_> = judged.iter().map(|judged| format!("{} {judged}", judged.is_well())).collect();
         said.join("\n")
     }
