@@ -153,7 +153,10 @@ fn the_points_are_written_for_other_programs() {
     let bench = Bench::new();
     let (points, timing) = (bench.path("points"), bench.path("timing.json"));
     let more = ["--inputs", points.to_str().unwrap(), "--timing-json", timing.to_str().unwrap()];
-    quick(&bench, "slot.friction", &more).exits(0);
+    let ran = quick(&bench, "slot.friction", &more).exits(0);
+    for (what, path) in [("the points", &points), ("times", &timing)] {
+        assert!(ran.stderr.contains(&format!("wrote {what} of 1 formula into {}", path.display())), "{ran:#?}");
+    }
     let read = |path: &Path| -> Value { serde_json::from_slice(&fs::read(path).unwrap()).unwrap() };
     let description = read(&points.join("slot.friction.json"));
     let [count, stride] = ["count", "stride"].map(|name| usize::try_from(description[name].as_u64().unwrap()).unwrap());

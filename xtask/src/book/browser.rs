@@ -237,3 +237,15 @@ impl Drop for Browser {
         let _ = self.child.wait();
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_browser_is_here_if_it_is_in_the_search_path() {
+        let path = std::env::var_os("PATH").unwrap_or_default();
+        let is_there = std::env::split_paths(&path).any(|folder| folder.join(PROGRAM).is_file());
+        assert_eq!(is_here(), is_there);
+    }
+}

@@ -149,6 +149,8 @@ mod tests {
         assert_eq!(answer(id, r#"{"seq":3,"out":[5],"jac":[["Infinity",0.8]]}"#), numbers(&[5.0, f64::INFINITY, 0.8]));
         assert_eq!(answer(id, r#"{"seq":3,"refuse":"f2"}"#), Answer::Refused(Some("f2".into())));
         assert_eq!(answer(id, r#"{"seq":3,"skipped":"not yet"}"#), Answer::Skipped("not yet".into()));
+        let products = r#"{"seq":3,"out":5,"jv":[1],"wj":[0.25,0.5]}"#;
+        assert_eq!(read(find(id).unwrap(), Wanted::Products, 3, products), numbers(&[5.0, 1.0, 0.25, 0.5]));
         let bad = |line| match answer(id, line) {
             Answer::Bad(what) => what,
             other => panic!("{other:?}"),

@@ -118,13 +118,13 @@ fn number(token: &str, digits: Digits, seen: &mut Manners) -> Option<Option<f64>
 
 /// NaN and infinities as C libraries and Fortran spell them, beside those that everybody knows.
 fn special(text: &str) -> Option<f64> {
-    let (sign, text) = text.strip_prefix('-').map_or((1.0, text), |text| (-1.0, text));
+    let (infinity, text) = text.strip_prefix('-').map_or((f64::INFINITY, text), |text| (f64::NEG_INFINITY, text));
     let text = text.trim_start_matches('+');
     if text.starts_with("nan") || text.starts_with("snan") || text.starts_with("qnan") {
         return Some(f64::NAN);
     }
     match text.strip_prefix("1.#")? {
-        infinite if infinite.starts_with("inf") => Some(sign * f64::INFINITY),
+        infinite if infinite.starts_with("inf") => Some(infinity),
         _ => Some(f64::NAN),
     }
 }

@@ -187,3 +187,30 @@ fn name(tree: &Path, folder: &Path, target: &str) -> String {
         _ => target.to_owned(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::ops::Range;
+
+    #[test]
+    fn the_fault_that_an_error_points_at_is_to_blame() {
+        let switches = vec![(0, 0..20, 5..10), (1, 30..50, 35..40)];
+        let planted = BTreeMap::from([("a.rs".to_owned(), Planted { text: String::new(), switches })]);
+        let span = |at: Range<usize>, is_primary| Span {
+            file_name: "a.rs".into(),
+            byte_start: at.start,
+            byte_end: at.end,
+            is_primary,
+        };
+        let blamed = |spans: [Span; 2]| {
+            let error =
+                Diagnostic { level: "error".into(), rendered: Some("mismatched types".into()), spans: spans.into() };
+            blamed(&planted, &[error]).map(|all| all.into_iter().collect::<Vec<_>>())
+        };
+        assert_eq!(blamed([span(6..8, true), span(36..38, false)]).unwrap(), [0]);
+        assert_eq!(blamed([span(90..91, true), span(36..38, false)]).unwrap(), [1]);
+        let nobody = blamed([span(90..91, true), span(95..96, false)]).unwrap_err().to_string();
+        assert!(nobody.contains("mismatched types"), "{nobody}");
+    }
+}

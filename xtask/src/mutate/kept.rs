@@ -200,6 +200,12 @@ mod tests {
     }
 
     #[test]
+    fn a_rate_is_of_what_can_be_noticed() {
+        let rate = |killed, survived| cells("", Score { killed, survived, equivalent: 3, stopped: 0 })[4].clone();
+        assert_eq!([rate(0, 0), rate(1, 0), rate(3, 1)], ["–", "100 %", "75 %"]);
+    }
+
+    #[test]
     fn a_formula_is_where_it_is_implemented() {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../src/slot/friction.rs");
         assert!(defines(&file, "Friction") && !defines(&file, "RelativePosition"));

@@ -200,6 +200,9 @@ fn faults_have_names_of_their_own() {
     let bench = Bench::new(root.path(), root.path().join("target/mutate")).unwrap();
     let areas = area::read(root.path()).unwrap();
     let choice = Choice::read(&areas, &bench.sources().unwrap(), 0).unwrap();
+    let first = |seed| Choice::read(&areas, &bench.sources().unwrap(), seed).unwrap().take(1, &BTreeSet::new());
+    let firsts: BTreeSet<_> = (0..20).flat_map(first).map(|fault| fault.id).collect();
+    assert!(firsts.len() > 3, "another seed takes others: {firsts:?}");
     let faults = choice.take(100, &BTreeSet::new());
     let harmless: Vec<_> = faults.iter().filter(|fault| fault.equivalent.is_some()).map(|fault| &*fault.was).collect();
     assert_eq!(harmless, ["<"]);
@@ -291,6 +294,7 @@ fn a_fault_within_another_is_in_what_was_there() {
     let at = |part: &str| planted.text.find(part).map(|start| planted.blamed(&(start..start + part.len()))).unwrap();
     assert_eq!(at("a - b"), [0]);
     assert_eq!(at("b / c"), [1]);
+    assert_eq!(at("(if ::planted::at(1) { b / c } else { b * c })"), [1]);
     assert_eq!(at("a + (if"), [0]);
     assert_eq!(at(expected), [1, 0]);
 }

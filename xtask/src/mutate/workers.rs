@@ -30,13 +30,23 @@ pub(super) fn in_parallel<T: Sync, R: Send>(
 
 #[cfg(test)]
 mod tests {
-    use super::in_parallel;
+    use super::*;
 
     #[test]
     fn results_come_in_order_from_any_number_of_threads() {
         for jobs in [0, 1, 3] {
             assert_eq!(in_parallel(jobs, &[5, 3, 8], |x| Ok(10 * x)).unwrap(), [50, 30, 80]);
         }
+        // One thread has the first and the third item, the other one the second.
+        let begun = AtomicUsize::default();
+        let waiting = |&item: &usize| {
+            begun.fetch_max(item, Relaxed);
+            while item < 2 && begun.load(Relaxed) <= item {
+                thread::yield_now();
+            }
+            Ok(item)
+        };
+        assert_eq!(in_parallel(2, &[0, 1, 2], waiting).unwrap(), [0, 1, 2]);
         let refused = |x: &i32| if *x > 3 { anyhow::bail!("{x} is large") } else { Ok(*x) };
         assert_eq!(in_parallel(2, &[1, 5, 8], refused).unwrap_err().to_string(), "5 is large");
     }

@@ -1,7 +1,7 @@
 //! For programs in other languages: the points over which time is taken, and the times here.
 
 use super::data::{Machine, Report};
-use crate::console::say;
+use crate::console::{count, say};
 use crate::files;
 use crate::measuring::Build;
 use anyhow::Context;
@@ -66,7 +66,7 @@ pub(super) fn inputs(folder: &Path, formulas: &[&dyn AnyFormula], options: &Opti
         let text = serde_json::to_string_pretty(&description)? + "\n";
         files::write(&folder.join(format!("{id}.json")), &text)?;
     }
-    say(&format!("wrote the points of {} formulas into {}", formulas.len(), folder.display()));
+    say(&format!("wrote the points of {} into {}", count(formulas.len(), "formula"), folder.display()));
     Ok(())
 }
 
@@ -104,7 +104,7 @@ pub(super) fn timing(path: &Path, report: &Report) -> anyhow::Result<()> {
     };
     let path = std::path::absolute(path)?;
     files::write(&path, &(serde_json::to_string_pretty(&timing)? + "\n"))?;
-    say(&format!("wrote times of {} formulas into {}", report.formulas.len(), path.display()));
+    say(&format!("wrote times of {} into {}", count(report.formulas.len(), "formula"), path.display()));
     Ok(())
 }
 

@@ -5,7 +5,7 @@ mod screens;
 #[cfg(test)]
 mod tests;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -43,7 +43,7 @@ pub(crate) struct Visited {
     controls: usize,
     answers: Option<Answers>,
     /// Compressed bytes of the first view of each chapter.
-    weights: Vec<(u64, String)>,
+    weights: BTreeSet<(u64, String)>,
     /// What is off, with the pages where it is.
     off: BTreeMap<String, Vec<String>>,
 }
@@ -81,7 +81,7 @@ impl fmt::Display for Visited {
         }
         write!(f, "{} reached by keyboard", count(self.controls, "control"))?;
         if let Some((weight, page)) = self.weights.last() {
-            let middle = self.weights[self.weights.len() / 2].0;
+            let middle = self.weights.iter().nth(self.weights.len() / 2).map_or(0, |(weight, _)| *weight);
             write!(f, "\n    first view, compressed: {middle} bytes in the middle of all, at most {weight} ({page})")?;
         }
         if let Some(answers) = &self.answers {
@@ -147,7 +147,6 @@ fn visit(project: &Project, out: &Path, browsers: &mut [Browser; BROWSERS]) -> R
     }
     visited.answers = queries::ask(project, &out, browser, VISIT)?;
     visited.note("index.html", browser.errors.drain(..));
-    visited.weights.sort();
     let heavy: Vec<_> = visited.weights.iter().filter(|(weight, _)| *weight > WANTED).cloned().collect();
     for (weight, page) in heavy {
         visited.note(&page, [format!("the first view loads {weight} bytes, wanted are {WANTED}")]);
@@ -212,7 +211,7 @@ impl Visit<'_> {
         open(self.browser, page)?;
         let weight = self.weight(page)?;
         if !page.ends_with("print.html") {
-            self.visited.weights.push((weight, name.clone()));
+            self.visited.weights.insert((weight, name.clone()));
         }
         self.letters(&name)?;
         self.note(&name, "", "wider()")?;

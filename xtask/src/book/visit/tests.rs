@@ -128,7 +128,7 @@ fn what_was_found_in_some_pages_is_added_to_what_was_found_in_others() {
         searched: 2 * pages,
         controls: 3 * pages,
         answers: None,
-        weights: vec![(7, format!("{pages}.html"))],
+        weights: [(7, format!("{pages}.html"))].into(),
         off: [("too wide".to_owned(), vec![pages.to_string()])].into(),
     };
     let both = found(1).and(found(10));

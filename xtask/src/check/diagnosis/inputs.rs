@@ -87,8 +87,7 @@ fn is_exact(evidence: &Evidence<'_>, off: &[usize], other: &Other, chain: Chain)
             off.iter().all(|&place| {
                 let (Some(found), Some(_)) = (sample.found[place], &sample.expected[place]) else { return true };
                 let terms = sources(other, chain, m, place).into_iter();
-                let terms: Option<Vec<_>> =
-                    terms.map(|(source, factor)| Some((numbers.get(source).copied()??, factor))).collect();
+                let terms: Option<Vec<_>> = terms.map(|(source, factor)| Some((numbers[source]?, factor))).collect();
                 // On a kink there is nothing to compare with.
                 let Some(terms) = terms else { return true };
                 let known = match terms.as_slice() {

@@ -81,6 +81,7 @@ pub(super) const PLANTS: &[(&str, &str, Wanted, Plant)] = &[
         Jacobian,
         After(|_, y| [0, 18].iter().for_each(|&first| symmetrise(y, first))),
     ),
+    ("a pair of a matrix", "universal.geometric_stiffness", Jacobian, After(|_, y| symmetrise_pair(y, 0, [0, 1]))),
     ("degrees", "element.euler_parameters", Jacobian, Before(|x| x[0] *= PI / 180.0)),
     (
         "degrees, and derivatives by them",
@@ -115,6 +116,8 @@ pub(super) const PLANTS: &[(&str, &str, Wanted, Plant)] = &[
         Jacobian,
         After(|x, y| y.copy_from_slice(&[x[0] + x[1] * x[2], 1.0, x[2], x[1]])),
     ),
+    ("nearly a sign", "coulomb.yield", Value, After(|x, y| y[0] = (x[0] + x[1] * x[2]) * (1.0 + 1e-11))),
+    ("what never changes", "coulomb.yield", Jacobian, After(|_, y| y[1] = 1.75)),
     ("a branch always", "coulomb.return_map", Jacobian, After(|x, y| y.copy_from_slice(&[x[0], 1.0, 0.0, 0.0]))),
     ("a branch never", "coulomb.return_map", Value, After(|x, y| y[0] = slips(x))),
     (
@@ -159,6 +162,7 @@ pub(super) const PLANTS: &[(&str, &str, Wanted, Plant)] = &[
     ),
     ("sign of a product", "slot.friction", Products, After(|_, y| y[5] *= -1.0)),
     ("another function", "coulomb.yield", Products, After(|_, y| y.iter_mut().for_each(|y| *y *= 3.0))),
+    ("nothing of products", "slot.friction", Products, After(|_, y| y.fill(0.0))),
     ("a product by one input", "slot.friction", Products, After(|_, y| y[7] *= 2.0)),
 ];
 
@@ -192,15 +196,17 @@ fn exchange_rows(numbers: &mut [f64], [m, n]: [usize; 2], a: usize, b: usize) {
 
 /// The symmetric part of a matrix of `universal.geometric_stiffness`, with its derivatives by seven inputs.
 fn symmetrise(numbers: &mut [f64], first: usize) {
-    for (i, j) in [(0, 1), (0, 2), (1, 2)] {
-        let (a, b) = (first + 3 * i + j, first + 3 * j + i);
-        let mut halve = |a: usize, b: usize| {
-            let half = f64::midpoint(numbers[a], numbers[b]);
-            (numbers[a], numbers[b]) = (half, half);
-        };
-        halve(a, b);
-        (0..7).for_each(|k| halve(27 + 7 * a + k, 27 + 7 * b + k));
-    }
+    [[0, 1], [0, 2], [1, 2]].iter().for_each(|&pair| symmetrise_pair(numbers, first, pair));
+}
+
+fn symmetrise_pair(numbers: &mut [f64], first: usize, [i, j]: [usize; 2]) {
+    let (a, b) = (first + 3 * i + j, first + 3 * j + i);
+    let mut halve = |a: usize, b: usize| {
+        let half = f64::midpoint(numbers[a], numbers[b]);
+        (numbers[a], numbers[b]) = (half, half);
+    };
+    halve(a, b);
+    (0..7).for_each(|k| halve(27 + 7 * a + k, 27 + 7 * b + k));
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "the mistake that is planted")]
