@@ -175,5 +175,5 @@ fn a_measurement_has_times_beside_errors() {
     let closed = whole.way("closed").unwrap();
     let figures = closed.value.as_ref().unwrap();
     assert!(figures.time.is_some_and(|time| time.median > 0.0) && figures.random.relative.max < 1e-15, "{figures:?}");
-    assert!(whole.copy.is_some());
+    assert!(whole.copy.is_some() && whole.columns.is_some());
 }

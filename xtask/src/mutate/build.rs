@@ -8,6 +8,7 @@ use crate::console::{count, say};
 use anyhow::{Context, bail, ensure};
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -16,6 +17,34 @@ use std::process::{Command, Stdio};
 const ROUNDS: usize = 40;
 /// Where it is kept which faults the compiler refuses.
 const REFUSED: &str = "refused.json";
+
+/// Which tests are built and run.
+#[derive(clap::Args)]
+pub(super) struct Programs {
+    /// Only the tests of this package
+    #[arg(long, value_name = "NAME")]
+    pub(super) package: Option<String>,
+    /// Only this program of tests; may be given several times
+    #[arg(long, value_name = "NAME")]
+    pub(super) test: Vec<String>,
+}
+
+impl Programs {
+    /// As cargo takes them.
+    fn arguments(&self) -> Vec<&str> {
+        let packages = self.package.as_deref().map_or(vec!["--workspace"], |package| vec!["--package", package]);
+        packages.into_iter().chain(self.test.iter().flat_map(|test| ["--test", test])).collect()
+    }
+}
+
+impl fmt::Display for Programs {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if !self.test.is_empty() {
+            write!(f, "{} of ", self.test.join(", "))?;
+        }
+        f.write_str(self.package.as_deref().unwrap_or("every package"))
+    }
+}
 
 /// A program with tests.
 #[derive(Clone, Debug)]
@@ -75,7 +104,7 @@ struct Profile {
 ///
 /// # Errors
 /// An error of the compiler that no fault is to blame for, or a fault of a list that it refuses.
-pub(super) fn build(bench: &Bench, choice: &Choice, per_area: usize, package: Option<&str>) -> anyhow::Result<Built> {
+pub(super) fn build(bench: &Bench, choice: &Choice, per_area: usize, programs: &Programs) -> anyhow::Result<Built> {
     let sources = bench.sources()?;
     let (mut refused, mut places) = load(bench);
     for _ in 0..ROUNDS {
@@ -88,7 +117,7 @@ pub(super) fn build(bench: &Bench, choice: &Choice, per_area: usize, package: Op
             })
             .collect();
         let planted = bench.plant(&faults, &sources)?;
-        let (binaries, errors) = cargo(bench, package)?;
+        let (binaries, errors) = cargo(bench, programs)?;
         if errors.is_empty() {
             bench.clear()?;
             let listed = choice.refused(&refused).join(", ");
@@ -145,10 +174,9 @@ fn blamed(planted: &BTreeMap<String, Planted>, errors: &[Diagnostic]) -> anyhow:
 }
 
 /// Builds the tests: the programs, or the compiler's errors.
-fn cargo(bench: &Bench, package: Option<&str>) -> anyhow::Result<(Vec<Binary>, Vec<Diagnostic>)> {
+fn cargo(bench: &Bench, programs: &Programs) -> anyhow::Result<(Vec<Binary>, Vec<Diagnostic>)> {
     let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    let packages = package.map_or(vec!["--workspace"], |package| vec!["--package", package]);
-    command.arg("test").args(packages).args(["--no-run", "--no-fail-fast", "--message-format", "json"]);
+    command.arg("test").args(programs.arguments()).args(["--no-run", "--no-fail-fast", "--message-format", "json"]);
     command.current_dir(bench.tree()).env("CARGO_TARGET_DIR", bench.beside("target"));
     command.env("CARGO_PROFILE_DEV_DEBUG", "none");
     let mut child = command.stdin(Stdio::null()).stdout(Stdio::piped()).spawn().context("cannot start cargo")?;
@@ -192,6 +220,15 @@ fn name(tree: &Path, folder: &Path, target: &str) -> String {
 mod tests {
     use super::*;
     use std::ops::Range;
+
+    #[test]
+    fn programs_are_named_to_cargo_and_to_readers() {
+        let all = Programs { package: None, test: Vec::new() };
+        assert_eq!((all.arguments(), all.to_string()), (vec!["--workspace"], "every package".to_owned()));
+        let two = Programs { package: Some("tiny".into()), test: vec!["sums".into(), "roots".into()] };
+        assert_eq!(two.arguments(), ["--package", "tiny", "--test", "sums", "--test", "roots"]);
+        assert_eq!(two.to_string(), "sums, roots of tiny");
+    }
 
     #[test]
     fn the_fault_that_an_error_points_at_is_to_blame() {

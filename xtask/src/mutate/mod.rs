@@ -27,6 +27,7 @@ use crate::Outcome;
 use crate::console::{count, green, print, red, say, yellow};
 use anyhow::ensure;
 use bench::Bench;
+use build::Programs;
 use choice::Choice;
 use fault::{Fault, Judged, Verdict};
 use found::{Before, Found, earlier};
@@ -78,9 +79,8 @@ pub(crate) struct Arguments {
     /// After so many seconds the tests of a fault that are left are not run
     #[arg(long, value_name = "SECONDS", default_value_t = 600)]
     enough: u64,
-    /// Only the tests of this package
-    #[arg(long, value_name = "NAME")]
-    package: Option<String>,
+    #[command(flatten)]
+    programs: Programs,
     /// Tests that take longer without a fault are left out
     #[arg(long, value_name = "SECONDS", default_value_t = 900)]
     longest: u64,
@@ -98,9 +98,8 @@ pub(crate) struct Arguments {
 impl Arguments {
     /// Which tests were run, for how long, and on which faults.
     fn in_words(&self) -> String {
-        let package = self.package.as_deref().unwrap_or("every package");
         let again = if self.again { "; what was noticed before was not tried again" } else { "" };
-        format!("those of {package}, {} s a fault, seed {}{again}", self.enough, self.seed)
+        format!("those of {}, {} s a fault, seed {}{again}", self.programs, self.enough, self.seed)
     }
 }
 
@@ -140,7 +139,7 @@ fn line(fault: &Fault) -> String {
 /// Plants all faults, and tries those that are wanted.
 fn judge_all(bench: &Bench, choice: &Choice, arguments: &Arguments) -> anyhow::Result<Vec<Judged>> {
     say("building");
-    let built = build::build(bench, choice, arguments.made, arguments.package.as_deref())?;
+    let built = build::build(bench, choice, arguments.made, &arguments.programs)?;
     let faults = wanted(arguments, &built.faults);
     ensure!(!faults.is_empty(), Usage("no fault is like that; --list shows all".into()));
     let earlier = earlier(bench);

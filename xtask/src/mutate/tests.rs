@@ -94,6 +94,10 @@ find = \"1.5\"
 put = \"1.6\"
 ";
 
+fn every() -> Programs {
+    Programs { package: None, test: Vec::new() }
+}
+
 fn arguments() -> Arguments {
     Arguments {
         area: Vec::new(),
@@ -104,7 +108,7 @@ fn arguments() -> Arguments {
         jobs: 2,
         grace: 1,
         enough: 60,
-        package: None,
+        programs: every(),
         longest: 900,
         again: false,
         list: false,
@@ -167,6 +171,7 @@ fn what_tests_miss_survives_and_the_rest_does_not() {
     assert_eq!(changed.iter().map(|one| &*one.id).collect::<Vec<_>>(), ["sums.equal"]);
     assert_eq!(changed[0].verdict, Verdict::Killed("tiny: tests::at_most".into()));
     assert_eq!(earlier(&bench), again);
+    assert_eq!(arguments().in_words(), "those of every package, 60 s a fault, seed 0");
     // Tests that read sources see them as they are.
     assert_eq!(fs::read_to_string(bench.tree().join("src/lib.rs")).unwrap(), source);
 }
@@ -264,7 +269,7 @@ fn what_the_compiler_refuses_everywhere_is_given_up() {
         let choice = Choice::read(&area::read(root.path()).unwrap(), &bench.sources().unwrap(), 0).unwrap();
         let of = |faults: Vec<Fault>| faults.into_iter().map(|fault| fault.becomes).collect::<Vec<_>>();
         let all = of(choice.take(9, &BTreeSet::new()));
-        let built = build::build(&bench, &choice, 9, None).map(|built| of(built.faults));
+        let built = build::build(&bench, &choice, 9, &every()).map(|built| of(built.faults));
         (all, built, of(choice.take(9, &build::refused(&bench))))
     };
     let (all, taken, left) = built("");

@@ -100,10 +100,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     }
     let report = measure(project, &formulas, options, arguments.here)?;
     if arguments.selection.is_all() && !arguments.here {
-        say(&format!("kept for the book in {}", project.shown(&report.keep(project)?)));
-        if arguments.reference {
-            say(&format!("and as the reference in {}", project.shown(&report.keep_as_reference(project)?)));
-        }
+        keep(project, &report, arguments.reference)?;
     }
     if let Some(path) = &arguments.timing_json {
         export::timing(path, &report)?;
@@ -121,6 +118,15 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     }
     let worse = comparison.is_some_and(|comparison| !comparison.changes.is_empty());
     Ok(verdict(!worse))
+}
+
+/// Keeps a report on everything for the book here, and in the repository if it is to be the reference.
+fn keep(project: &Project, report: &Report, is_reference: bool) -> anyhow::Result<()> {
+    say(&format!("kept for the book in {}", project.shown(&report.keep(project)?)));
+    if is_reference {
+        say(&format!("and as the reference in {}", project.shown(&report.keep_as_reference(project)?)));
+    }
+    Ok(())
 }
 
 /// Measures, in an optimised program unless `here`.
@@ -145,4 +151,22 @@ pub(crate) fn kept_or_quick(project: &Project) -> anyhow::Result<Report> {
     let report = measure(project, project.catalog(), Options::quick(), false)?;
     report.keep(project)?;
     Ok(report)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_report_is_the_reference_only_if_it_is_to_be() {
+        let root = tempfile::tempdir().unwrap();
+        let project = Project::new("kept", root.path().to_str().unwrap().to_owned().leak(), &[]);
+        let report = crate::sample::report();
+        let reference = report.keep_as_reference(&project).unwrap();
+        for is_reference in [false, true] {
+            let _ = std::fs::remove_file(&reference);
+            keep(&project, &report, is_reference).unwrap();
+            assert_eq!((Report::kept(&project).as_ref(), reference.exists()), (Some(&report), is_reference));
+        }
+    }
 }
