@@ -115,3 +115,13 @@ fn derivatives<T: Leaf>(op: &Op, result: T, all: &[T]) -> Vec<T> {
 fn by_factors<T: Leaf>([a, b, c, d]: [T; 4]) -> [T; 4] {
     [b * c * d, a * c * d, a * b * d, a * b * c]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::by_factors;
+
+    #[test]
+    fn a_product_of_four_has_four_derivatives() {
+        assert_eq!(by_factors([2.0, 3.0, 5.0, 7.0]), [105.0, 70.0, 42.0, 30.0]);
+    }
+}

@@ -26,7 +26,7 @@ pub(super) fn time<F: Proved>(options: &Options) -> Option<Columns> {
     let bytes = numbers * size_of::<f64>();
     let rows = (options.column_bytes / bytes).max(LEAST);
     let mut tables = Tables::new(&points, rows, numbers);
-    let thread = rayon::ThreadPoolBuilder::new().num_threads(1).build().ok()?;
+    let thread = one_thread()?;
     let mut turns = [const { Vec::new() }; 5];
     for _ in 0..options.rounds.div_ceil(EVERY) {
         let taken = [
@@ -52,6 +52,10 @@ pub(super) fn time<F: Proved>(options: &Options) -> Option<Columns> {
         one_thread: Time::of(turns[1].clone())?,
         all_threads: Time::of(turns[2].clone())?,
     })
+}
+
+fn one_thread() -> Option<rayon::ThreadPool> {
+    rayon::ThreadPoolBuilder::new().num_threads(1).build().ok()
 }
 
 /// How long a row takes.
@@ -131,6 +135,11 @@ fn looped<F: Proved>(inputs: &[&[f64]], results: &mut [&mut [f64]]) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn one_thread_is_one() {
+        assert_eq!(one_thread().unwrap().current_num_threads(), 1);
+    }
 
     /// Half of the bytes are read and half are written.
     #[test]

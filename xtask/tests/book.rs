@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{Bench, Ran};
+use common::{Bench, Ran, assert_accepted};
 use jointproof::catalog::{AnyFormula, CATALOG};
 use std::collections::HashSet;
 use std::ffi::OsString;
@@ -174,49 +174,35 @@ fn nothing_is_fetched_from_the_network() {
 /// What is on the pages is looked at once, by whoever changes it; after that only what is meant to change may.
 #[test]
 fn every_section_and_script_is_as_it_was_accepted() {
-    let (kept, now) = (Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/printed/pages.txt"), digests());
-    if std::env::var_os("UPDATE_PRINTED").is_some() {
-        fs::write(&kept, &now).unwrap();
-    }
-    let kept = fs::read_to_string(kept).unwrap_or_default();
-    let [kept, now]: [HashSet<&str>; 2] = [&kept, &now].map(|text| text.lines().collect());
-    let mut other: Vec<_> = kept.symmetric_difference(&now).filter_map(|line| line.split(' ').next()).collect();
-    other.sort_unstable();
-    other.dedup();
-    assert!(other.is_empty(), "look at {other:#?}; to accept: UPDATE_PRINTED=1 cargo test -p xtask --test book");
+    assert_accepted("book", "pages.txt", &accepted());
 }
 
-/// The sections of all chapters, the scripts of all calculators and the index of the search, each with a digest of its text, in order.
-fn digests() -> String {
+/// The sections of all chapters, the scripts of all calculators and the index of the search.
+fn accepted() -> Vec<(String, String)> {
     let from_root = |path: &str| Path::new(path).strip_prefix(&*BOOK).unwrap().display().to_string();
-    let mut lines = Vec::new();
+    let mut texts = Vec::new();
     for (path, page) in chapters() {
         let Some((_, main)) = page.split_once("<main>") else { continue };
         let mut sections = main.split("</main>").next().unwrap().split(" id=\"");
-        lines.push((from_root(&path), sections.next().unwrap().to_owned()));
-        lines.extend(sections.map(|section| {
+        texts.push((from_root(&path), lasting(sections.next().unwrap())));
+        texts.extend(sections.map(|section| {
             let name = section.split('"').next().unwrap();
-            (format!("{}#{name}", from_root(&path)), section.to_owned())
+            (format!("{}#{name}", from_root(&path)), lasting(section))
         }));
     }
-    lines.extend(files(&BOOK.join("calculator"), &["js"]).into_iter().map(|(path, text)| (from_root(&path), text)));
-    lines.push(("searchindex.js".into(), fs::read_to_string(BOOK.join("searchindex.js")).unwrap()));
-    lines.sort();
-    let line = |(name, text): &(String, String)| format!("{} {:016x}", name.replace(' ', "_"), digest(text));
-    lines.iter().map(line).collect::<Vec<_>>().join("\n") + "\n"
+    texts.extend(files(&BOOK.join("calculator"), &["js"]).into_iter().map(|(path, text)| (from_root(&path), text)));
+    texts.push(("searchindex.js".into(), fs::read_to_string(BOOK.join("searchindex.js")).unwrap()));
+    texts
 }
 
-/// FNV-1a, the same everywhere. Revisions and lines of sources count as equal: they change with what the pages do not show.
-fn digest(text: &str) -> u64 {
+/// A text without revisions and lines of sources: they change with what the pages do not show.
+fn lasting(text: &str) -> String {
     let is_revision = |word: &&str| word.len() == 40 && word.bytes().all(|byte| byte.is_ascii_hexdigit());
     let is_line = |c: char| c.is_ascii_digit() || c == '-' || c == 'L';
     let (start, lines) = text.split_once("#L").unwrap_or((text, ""));
     let text: String =
         [start].into_iter().chain(lines.split("#L").map(|rest| rest.trim_start_matches(is_line))).collect();
-    let words = text.split('/').filter(|word| !is_revision(word));
-    words
-        .flat_map(|word| word.bytes().chain([b'/']))
-        .fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+    text.split('/').filter(|word| !is_revision(word)).collect::<Vec<_>>().join("/")
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{Bench, is_here};
+use common::{Bench, assert_accepted, is_here};
 
 #[test]
 fn what_is_exported_has_every_bit() {
@@ -38,4 +38,22 @@ fn lines_are_counted() {
     let files = std::fs::read_dir(bench.path("out")).unwrap().map(|entry| entry.unwrap().path());
     let lines: usize = files.map(|file| std::fs::read_to_string(file).unwrap().lines().count()).sum();
     ran.exits(0).prints(&format!(" formulas, {lines} lines in "));
+}
+
+/// What is exported is looked at once, by whoever changes it: branches, functions, a search, programs in parts, user routines.
+#[test]
+fn every_file_is_as_it_was_accepted() {
+    const FORMULAS: &str = "{coulomb.return_map,interaction.pressure_exponential,universal.angles,slide_line.closest_parabolic,\
+                            slider.geometric_stiffness,slot.friction}";
+    let of = ["c", "fortran", "js", "numpy", "fpcore"].map(|lang| (lang, vec!["--lang", lang, "--filter", FORMULAS]));
+    let shells =
+        ["uel-slot", "uel-translator", "uel-ujoint", "fric", "mpc"].map(|shell| (shell, vec!["--shell", shell]));
+    let mut texts = Vec::new();
+    for (name, wanted) in of.into_iter().chain(shells) {
+        let bench = Bench::new();
+        bench.run(&[&["export", "--out", bench.path("out").to_str().unwrap()], &wanted[..]].concat()).exits(0);
+        let files = bench.files("out").into_iter();
+        texts.extend(files.map(|(file, (bytes, _))| (format!("{name}/{file}"), String::from_utf8(bytes).unwrap())));
+    }
+    assert_accepted("export", "exports.txt", &texts);
 }

@@ -4,6 +4,7 @@ mod common;
 
 use common::Bench;
 use jointproof::catalog::CATALOG;
+use jointproof::verify::Options;
 use std::fs;
 
 /// A copy of the chapters, and of what their numbers refer to.
@@ -40,6 +41,9 @@ fn what_is_wrong_in_the_chapters_is_found_and_nothing_else() {
     let text: String = chapters.filter_map(|path| fs::read_to_string(path).ok()).collect();
     // What is not marked is not executed either.
     let presented = text.lines().filter(|line| line.starts_with("{{#presentation ")).count() + 1;
+    let options = Options { samples: 0, ..Options::default() };
+    let claims: Vec<_> = CATALOG.iter().map(|formula| formula.audit_equation(&options)).collect();
+    let [values, derivatives] = [0, 1].map(|part| claims.iter().map(|claims| claims[part].checks).sum::<usize>());
     let ran = bench
         .run(&["equation", "--samples", "0"])
         .exits(1)
@@ -49,7 +53,7 @@ fn what_is_wrong_in_the_chapters_is_found_and_nothing_else() {
         .prints("`CLOSED_AGAINST_AD` has no 61 in it")
         .prints("coulomb.md:3: 0.02 does not say where it is from")
         .prints("coulomb.md:5: this equation is neither executed nor marked")
-        .prints(&format!("{} equations: ", CATALOG.len()))
+        .prints(&format!("{} equations: {values} values and {derivatives} derivatives compared in ", CATALOG.len()))
         .prints(&format!(", {presented} for presentation, "));
     let off = ran.stdout.lines().filter(|line| line.starts_with("off ")).count();
     assert_eq!(off, 6, "{ran:#?}");

@@ -238,6 +238,24 @@ mod tests {
     }
 
     #[test]
+    fn what_is_off_by_functions_of_the_language_is_counted() {
+        let (recorded, _) = record(&[find("interaction.pressure_exponential").unwrap()], None);
+        let points = points::all(&recorded, 1);
+        let toolchain = Toolchain { name: "node", commands: Vec::new(), epsilons: 4.0 };
+        let mut judged =
+            Judged { toolchain: "node", compared: 0, differ: 0, near: BTreeMap::new(), refused: 0, worst: None };
+        for found in [1.0, 1.0 + f64::EPSILON, 1.0 - f64::EPSILON, 1.0 + 16.0 * f64::EPSILON] {
+            judged.number(&toolchain, (&recorded[0], &points[0][0]), 0, [found, 1.0]);
+        }
+        let said = judged.to_string();
+        assert!(
+            said.starts_with("node: 4 numbers, 1 differ, 2 by functions of the language alone; 0 refused"),
+            "{said}"
+        );
+        assert!(said.contains("interaction.pressure_exponential: 2 numbers, by 1.0 ulp at most"), "{said}");
+    }
+
+    #[test]
     fn another_refusal_is_named() {
         let said = judged("slider.line", "jp_slider_line.c", "return 2 + (int)", "return 1 + (int)");
         assert!(

@@ -37,10 +37,7 @@ pub(super) fn compare(project: &Project, folder: &Path, recorded: &[Recorded]) -
     let bar = progress("C", 2 * ROUNDS);
     let mut run = || -> anyhow::Result<()> {
         for _ in 0..ROUNDS {
-            for line in ask(folder, "./speed", &[])?.lines() {
-                let (name, time) = line.split_once(' ').context("the program prints names and times")?;
-                c.entry(name.to_owned()).or_default().push(time.parse()?);
-            }
+            read(&ask(folder, "./speed", &[])?, &mut c)?;
             bar.inc(1);
         }
         Ok(())
@@ -69,6 +66,15 @@ pub(super) fn compare(project: &Project, folder: &Path, recorded: &[Recorded]) -
     print(&format!("{within} of {} at most 1.15; geometric mean {mean:.2}\n", rows.len()))
 }
 
+/// Reads what the program prints: a name and a time in every line.
+fn read(printed: &str, times: &mut HashMap<String, Vec<f64>>) -> anyhow::Result<()> {
+    for line in printed.lines() {
+        let (name, time) = line.split_once(' ').context("the program prints names and times")?;
+        times.entry(name.to_owned()).or_default().push(time.parse()?);
+    }
+    Ok(())
+}
+
 /// How long value and Jacobian of a formula take in Rust, in nanoseconds, where invalid inputs are refused.
 fn checked(report: &Report, id: &str) -> Option<f64> {
     let measured = report.formulas.iter().find(|measured| measured.formula == id)?;
@@ -86,7 +92,16 @@ fn ask(folder: &Path, program: &str, arguments: &[&str]) -> anyhow::Result<Strin
 
 #[cfg(test)]
 mod tests {
-    use super::checked;
+    use super::*;
+
+    #[test]
+    fn a_time_is_read_from_every_line() {
+        let mut times = HashMap::new();
+        read("a 1.5\nb 2\n", &mut times).unwrap();
+        read("a 0.5\n", &mut times).unwrap();
+        assert_eq!(times, HashMap::from([("a".into(), vec![1.5, 0.5]), ("b".into(), vec![2.0])]));
+        assert_eq!(read("a", &mut times).unwrap_err().to_string(), "the program prints names and times");
+    }
 
     #[test]
     fn each_formula_has_its_own_time() {

@@ -1,7 +1,7 @@
 //! The command as a user runs it, in surroundings that a test decides.
 #![allow(dead_code, reason = "each test file is a crate of its own and uses what it needs")]
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -65,6 +65,28 @@ impl Bench {
         };
         fs::read_dir(self.path(folder)).unwrap().map(|file| entry(file.unwrap())).collect()
     }
+}
+
+/// Asserts that texts, each with a name, are those that were once looked at and accepted, of which digests are kept in
+/// `tests/printed`. With `UPDATE_PRINTED` in the environment they are accepted.
+pub fn assert_accepted(test: &str, kept: &str, texts: &[(String, String)]) {
+    let mut now: Vec<_> =
+        texts.iter().map(|(name, text)| format!("{} {:016x}", name.replace(' ', "_"), digest(text))).collect();
+    now.sort();
+    let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/printed").join(kept);
+    if std::env::var_os("UPDATE_PRINTED").is_some() {
+        fs::write(&kept, now.join("\n") + "\n").unwrap();
+    }
+    let kept = fs::read_to_string(kept).unwrap_or_default();
+    let (kept, now): (BTreeSet<&str>, BTreeSet<&str>) =
+        (kept.lines().collect(), now.iter().map(String::as_str).collect());
+    let other: BTreeSet<_> = kept.symmetric_difference(&now).filter_map(|line| line.split(' ').next()).collect();
+    assert!(other.is_empty(), "look at {other:#?}; to accept: UPDATE_PRINTED=1 cargo test -p xtask --test {test}");
+}
+
+/// FNV-1a, the same everywhere.
+fn digest(text: &str) -> u64 {
+    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
 }
 
 /// Whether a program that a comparison needs is here. If not, the comparison is skipped, which is said, unless it is required
