@@ -76,3 +76,16 @@ pub fn relative(a: Octuple, b: Octuple) -> f64 {
     let relative = (difference / largest).to_f64();
     if relative.is_nan() { f64::INFINITY } else { relative }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_relative_difference_is_of_the_larger_size() {
+        for (a, b, expected) in [(-1.0, -2.0, 0.5), (-2.0, -1.0, 0.5), (1.0, -1.0, 2.0), (0.0, 0.0, 0.0)] {
+            assert_eq!(relative(a.into(), b.into()), expected);
+        }
+        assert_eq!(relative(f64::NAN.into(), 1.0.into()), f64::INFINITY);
+    }
+}

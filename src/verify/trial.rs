@@ -101,3 +101,17 @@ fn evaluated(point: Point<'_>) -> TrialPoint {
     let sizes = gradients.chunks(exact.len()).map(|gradient| Sensitivity::new(gradient, &exact)).collect();
     TrialPoint { label, inputs, exact, values, sizes, on_kink: kink.is_some() }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn random_points_are_as_many_as_asked() {
+        let points = |samples| {
+            let options = Options { samples, ..Options::default() };
+            Trial::of::<crate::slot::ContactForce>(&options).points.len()
+        };
+        assert_eq!(points(5), points(0) + 5);
+    }
+}
