@@ -17,6 +17,19 @@ fn faults(text: &str) -> Vec<String> {
 }
 
 #[test]
+fn eight_names_are_listed_and_what_is_more_is_said() {
+    let allowed = |nodes: usize| {
+        let named: Vec<_> = (1..=nodes).map(|k| format!(r#""n{k}": {{ "at": [0, 0, 0] }}"#)).collect();
+        let elements = r#"{ "s": { "kind": "slot", "nodes": ["n1", "q"] } }"#;
+        let scene = format!(r#"{{ "dimension": "3d", "nodes": {{ {} }}, "elements": {elements} }}"#, named.join(", "));
+        let about_q = faults(&scene).into_iter().find(|fault| fault.contains("no node \"q\"")).unwrap();
+        about_q.split_once("one of ").unwrap().1.to_owned()
+    };
+    let eight = r#""n1", "n2", "n3", "n4", "n5", "n6", "n7", "n8""#;
+    assert_eq!([allowed(8), allowed(9)], [eight.to_owned(), format!("{eight}, …")]);
+}
+
+#[test]
 fn every_mistake_is_reported_with_its_place() {
     let text = r#"{
   "dimension": "3d",

@@ -92,11 +92,10 @@ fn whole_power(x: f256, n: i32) -> Pair {
 
 /// Powers of 0, ∞ and NaN.
 fn power_of_special(x: f256, negative: bool, odd: bool) -> f256 {
-    let magnitude = match x.abs() {
-        a if a.is_nan() => return f256::NAN,
-        a if a.eq_zero() == negative => f256::INFINITY,
-        _ => f256::ZERO,
-    };
+    if x.is_nan() {
+        return f256::NAN;
+    }
+    let magnitude = if x.eq_zero() == negative { f256::INFINITY } else { f256::ZERO };
     if odd { magnitude.copysign(x) } else { magnitude }
 }
 

@@ -31,10 +31,9 @@ fn bad_lines_are_named() {
         let expected = format!("{count} nodes are given; allowed is {odd}");
         assert_eq!(message(SlideLine::new(Interpolation::Parabolic, nodes)), expected);
     }
-    assert_eq!(
-        message(SlideLine::new(Interpolation::Linear, [7])),
-        "1 nodes are given; allowed is at least 2 nodes in a linear slide line"
-    );
+    for one in [SlideLine::new(Interpolation::Linear, [7]), SlideLine::generate(Interpolation::Linear, 7, 7, 1)] {
+        assert_eq!(message(one), "1 nodes are given; allowed is at least 2 nodes in a linear slide line");
+    }
     assert_eq!(
         message(SlideLine::generate(Interpolation::Parabolic, 1, 4, 1)),
         format!("4 nodes are given; allowed is {odd}")

@@ -3,9 +3,10 @@
 use super::unfit::{Unfit, tuple};
 use super::{PIECE, header};
 use crate::quantity::Domain;
+use crate::scene::read::some_of;
 use flate2::read::DeflateDecoder;
 use rawzip::{CompressionMethod, FileReader, ZipArchive, ZipArchiveEntryWayfinder, ZipVerification};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::fmt;
 use std::fs::File;
 use std::io::{self, BufReader, Read};
@@ -13,9 +14,6 @@ use std::path::Path;
 
 /// Numbers of an array for which there is room before it is known that the file has as many as it claims.
 const BELIEVED: usize = 1 << 20;
-
-/// Names that an error lists.
-const SHOWN: usize = 8;
 
 /// Bytes that are read from the file at once, of arrays that are read in smaller pieces.
 const BUFFER: u64 = 1 << 16;
@@ -68,13 +66,9 @@ impl Archive {
     /// Begins to read an array.
     pub(in crate::scene) fn array(&self, name: &str) -> Result<Array<'_>, Unfit> {
         let Some(&Entry { place, method }) = self.entries.get(name) else {
-            let mut names: Vec<_> = self.entries.keys().map(|name| format!("{name:?}")).collect();
-            names.sort_unstable();
-            if names.len() > SHOWN {
-                names.splice(SHOWN.., ["…".into()]);
-            }
-            let allowed =
-                if names.is_empty() { "none, it is empty".into() } else { format!("one of {}", names.join(", ")) };
+            let names: BTreeSet<_> = self.entries.keys().collect();
+            let names = some_of(names.into_iter());
+            let allowed = if names.is_empty() { "none, it is empty".into() } else { format!("one of {names}") };
             return Err(Unfit::new(format!("no array {name:?} in {:?}", self.name), allowed));
         };
         let called = format!("array {name:?} of {:?}", self.name);

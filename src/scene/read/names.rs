@@ -2,6 +2,7 @@
 
 use crate::scene::json::{Read, Reader, Stop};
 use crate::scene::model::{Members, Named};
+use std::fmt;
 
 /// The members of an object whose keys are names, each once; `item` is told its number. An entry with a fault may have a
 /// name all the same, to which others may refer without another fault; where there are no names at all, nothing that could
@@ -61,6 +62,15 @@ pub(super) fn refer<T>(reader: &mut Reader, known: &Named<T>, what: &str) -> Rea
 /// Names that an error lists.
 const SHOWN: usize = 8;
 
+/// Names as an error lists them: the first ones, and whether there are more.
+pub(in crate::scene) fn some_of(names: impl Iterator<Item = impl fmt::Debug>) -> String {
+    let mut names: Vec<_> = names.take(SHOWN + 1).map(|name| format!("{name:?}")).collect();
+    if names.len() > SHOWN {
+        names[SHOWN] = "…".into();
+    }
+    names.join(", ")
+}
+
 /// The number of a name that must be known, of what is no set.
 pub(super) fn look_up<T>(reader: &mut Reader, known: &Named<T>, place: usize, name: &str, what: &str) -> Option<u32> {
     let members = look_up_all(reader, known, place, name, what)?;
@@ -81,15 +91,8 @@ pub(super) fn look_up_all<T>(
 ) -> Option<Members> {
     let members = known.members(name);
     if members.is_none() {
-        let mut names: Vec<_> = known.names().take(SHOWN).map(|name| format!("{name:?}")).collect();
-        if known.things().len() > SHOWN {
-            names.push("…".into());
-        }
-        let allowed = if names.is_empty() {
-            format!("no {what}, there are none")
-        } else {
-            format!("one of {}", names.join(", "))
-        };
+        let names = some_of(known.names());
+        let allowed = if names.is_empty() { format!("no {what}, there are none") } else { format!("one of {names}") };
         reader.fault(place, format!("no {what} {name:?}"), allowed);
     }
     members

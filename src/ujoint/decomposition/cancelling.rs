@@ -191,6 +191,12 @@ mod tests {
             assert_eq!(one.f_axial1, 1.25 * TINY * TINY * size);
             let one = Decomposition::eval(&CrossLoads { e1a, e2a: e3a, f2: size, ..none });
             assert_eq!(one.f_axial1, 1.25 * TINY * TINY * size);
+            // What is left is below the last digits of a pair.
+            let [small, smaller] = [-60, -120].map(|n| 2.0_f64.powi(n));
+            let e1a = Vector3::new(1.0, 1.0, 1.0);
+            let [e2a, e3a] = [smaller, 0.0].map(|z| Vector3::new(1.0, small, z));
+            let left = Decomposition::eval(&CrossLoads { e1a, e2a, e3a, f2: size, f3: -size, ..none });
+            assert_eq!(left.f_axial1, smaller * size);
         }
     }
 
