@@ -5,6 +5,9 @@ use std::fmt;
 /// Faults that are listed; what is beyond is only counted.
 const LISTED: usize = 100;
 
+/// Names that a fault lists.
+const SHOWN: usize = 8;
+
 /// One mistake in a scene file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
@@ -76,3 +79,12 @@ impl fmt::Display for Faults {
 }
 
 impl std::error::Error for Faults {}
+
+/// Names as an error lists them: the first ones, and whether there are more.
+pub(in crate::scene) fn some_of(names: impl Iterator<Item = impl fmt::Debug>) -> String {
+    let mut names: Vec<_> = names.take(SHOWN + 1).map(|name| format!("{name:?}")).collect();
+    if names.len() > SHOWN {
+        names[SHOWN] = "…".into();
+    }
+    names.join(", ")
+}

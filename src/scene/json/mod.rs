@@ -9,5 +9,6 @@ mod reader;
 mod token;
 mod value;
 
+pub(super) use fault::some_of;
 pub use fault::{Fault, Faults};
 pub(super) use reader::{Mark, Read, Reader, Stop};

@@ -20,7 +20,6 @@ use columns::Columns;
 use elements::{Draft, Known, elements_of};
 use frames::{Mentions, frames_of};
 use history::history_of;
-pub(super) use names::some_of;
 use nodes::{Nodes, nodes_of, orientations_of};
 use outputs::Outputs;
 use slide_lines::slide_lines_of;

@@ -1,8 +1,7 @@
 //! Names of the author's choice, and references to them.
 
-use crate::scene::json::{Read, Reader, Stop};
+use crate::scene::json::{Read, Reader, Stop, some_of};
 use crate::scene::model::{Members, Named};
-use std::fmt;
 
 /// The members of an object whose keys are names, each once; `item` is told its number. An entry with a fault may have a
 /// name all the same, to which others may refer without another fault; where there are no names at all, nothing that could
@@ -57,18 +56,6 @@ pub(super) fn refer<T>(reader: &mut Reader, known: &Named<T>, what: &str) -> Rea
     let place = reader.place();
     let name = reader.string(format_args!("the name of a {what}"))?;
     Ok(name.and_then(|name| look_up(reader, known, place, &name, what)))
-}
-
-/// Names that an error lists.
-const SHOWN: usize = 8;
-
-/// Names as an error lists them: the first ones, and whether there are more.
-pub(in crate::scene) fn some_of(names: impl Iterator<Item = impl fmt::Debug>) -> String {
-    let mut names: Vec<_> = names.take(SHOWN + 1).map(|name| format!("{name:?}")).collect();
-    if names.len() > SHOWN {
-        names[SHOWN] = "…".into();
-    }
-    names.join(", ")
 }
 
 /// The number of a name that must be known, of what is no set.

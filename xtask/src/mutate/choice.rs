@@ -30,11 +30,11 @@ impl Choice {
                 for fault in &mut faults {
                     fault.equivalent = area.why_harmless(fault, text);
                 }
-                faults.sort_by_key(|fault| hash(seed, fault));
+                faults.sort_by_key(|fault| fault.hash(seed));
                 ranked.extend(faults.into_iter().enumerate());
             }
             // First one of every file, then a second one.
-            ranked.sort_by_key(|(rank, fault)| (*rank, hash(seed, fault)));
+            ranked.sort_by_key(|(rank, fault)| (*rank, fault.hash(seed)));
             choice.made.push(ranked.into_iter().map(|(_, fault)| fault).collect());
         }
         Ok(choice)
@@ -61,13 +61,5 @@ fn fault(area: &Area, file: &str, made: Made) -> Fault {
 
 /// What tells it from every other fault, and from what bore its name before a source was changed.
 pub(super) fn key(fault: &Fault) -> String {
-    format!("{} {:016x}", fault.id, hash(0, fault))
-}
-
-/// A number that is the same on every machine, and that a change elsewhere in the file leaves as it is (FNV-1a).
-pub(super) fn hash(seed: u64, fault: &Fault) -> u64 {
-    let whole = fault.places.last().map_or("", |place| place.text.as_str());
-    let words = [fault.file.as_str(), fault.was.as_str(), fault.becomes.as_str(), whole];
-    let bytes = words.iter().flat_map(|word| word.bytes().chain([0]));
-    bytes.fold(0xcbf2_9ce4_8422_2325 ^ seed, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+    format!("{} {:016x}", fault.id, fault.hash(0))
 }

@@ -1,6 +1,5 @@
 //! A fault, and where its switch goes.
 
-use super::choice::hash;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
@@ -23,6 +22,16 @@ pub(super) struct Fault {
     pub(super) equivalent: Option<String>,
     /// Where it can be planted, the smallest place first. What the compiler refuses in one place it may take in a larger one.
     pub(super) places: Vec<Place>,
+}
+
+impl Fault {
+    /// A number that is the same on every machine, and that a change elsewhere in the file leaves as it is (FNV-1a).
+    pub(super) fn hash(&self, seed: u64) -> u64 {
+        let whole = self.places.last().map_or("", |place| place.text.as_str());
+        let words = [self.file.as_str(), self.was.as_str(), self.becomes.as_str(), whole];
+        let bytes = words.iter().flat_map(|word| word.bytes().chain([0]));
+        bytes.fold(0xcbf2_9ce4_8422_2325 ^ seed, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+    }
 }
 
 /// A part of a source that is there twice, as it was and with the fault.
@@ -94,7 +103,7 @@ pub(super) struct Judged {
 
 impl Judged {
     pub(super) fn new(fault: &Fault, verdict: Verdict) -> Self {
-        let hash = hash(0, fault);
+        let hash = fault.hash(0);
         let Fault { id, area, file, line, was, becomes, .. } = fault.clone();
         Self { id, area, file, line, was, becomes, hash, verdict }
     }

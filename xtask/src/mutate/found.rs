@@ -1,7 +1,6 @@
 //! What a run has found so far. It is written after every fault, so that a run that was cut short is gone on with.
 
 use super::bench::Bench;
-use super::choice::hash;
 use super::fault::{Fault, Judged, Verdict};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
@@ -70,7 +69,7 @@ impl Before {
 
     /// What came of this fault, if a test noticed it.
     pub(super) fn verdict(&self, fault: &Fault) -> Option<Verdict> {
-        self.0.get(&hash(0, fault)).cloned()
+        self.0.get(&fault.hash(0)).cloned()
     }
 }
 

@@ -206,7 +206,7 @@ fn wanted(arguments: &Arguments, faults: &[Fault]) -> Vec<(usize, Fault)> {
     };
     let mut wanted: Vec<_> = faults.iter().cloned().enumerate().filter(|(_, fault)| is_wanted(fault)).collect();
     if let Some(sample) = arguments.sample {
-        wanted.sort_by_key(|(_, fault)| choice::hash(arguments.seed, fault));
+        wanted.sort_by_key(|(_, fault)| fault.hash(arguments.seed));
         wanted.truncate(sample);
     }
     wanted

@@ -196,9 +196,12 @@ fn exchange_rows(numbers: &mut [f64], [m, n]: [usize; 2], a: usize, b: usize) {
 
 /// The symmetric part of a matrix of `universal.geometric_stiffness`, with its derivatives by seven inputs.
 fn symmetrise(numbers: &mut [f64], first: usize) {
-    [[0, 1], [0, 2], [1, 2]].iter().for_each(|&pair| symmetrise_pair(numbers, first, pair));
+    for pair in [[0, 1], [0, 2], [1, 2]] {
+        symmetrise_pair(numbers, first, pair);
+    }
 }
 
+/// The same for two entries of it.
 fn symmetrise_pair(numbers: &mut [f64], first: usize, [i, j]: [usize; 2]) {
     let (a, b) = (first + 3 * i + j, first + 3 * j + i);
     let mut halve = |a: usize, b: usize| {
