@@ -177,7 +177,7 @@ fn every_section_and_script_is_as_it_was_accepted() {
     assert_accepted("book", "pages.txt", &accepted());
 }
 
-/// The sections of all chapters, the scripts of all calculators and the index of the search.
+/// The sections of all chapters, the scripts of all calculators and figures, and the index of the search.
 fn accepted() -> Vec<(String, String)> {
     let from_root = |path: &str| Path::new(path).strip_prefix(&*BOOK).unwrap().display().to_string();
     let mut texts = Vec::new();
@@ -190,19 +190,27 @@ fn accepted() -> Vec<(String, String)> {
             (format!("{}#{name}", from_root(&path)), lasting(section))
         }));
     }
-    texts.extend(files(&BOOK.join("calculator"), &["js"]).into_iter().map(|(path, text)| (from_root(&path), text)));
-    texts.push(("searchindex.js".into(), fs::read_to_string(BOOK.join("searchindex.js")).unwrap()));
+    for scripts in ["calculator", "figures"] {
+        let scripts = files(&BOOK.join(scripts), &["js"]).into_iter();
+        texts.extend(scripts.map(|(path, text)| (from_root(&path), text)));
+    }
+    texts.push(("searchindex.js".into(), lasting(&fs::read_to_string(BOOK.join("searchindex.js")).unwrap())));
     texts
 }
 
 /// A text without revisions and lines of sources: they change with what the pages do not show.
 fn lasting(text: &str) -> String {
     let is_revision = |word: &&str| word.len() == 40 && word.bytes().all(|byte| byte.is_ascii_hexdigit());
-    let is_line = |c: char| c.is_ascii_digit() || c == '-' || c == 'L';
-    let (start, lines) = text.split_once("#L").unwrap_or((text, ""));
-    let text: String =
-        [start].into_iter().chain(lines.split("#L").map(|rest| rest.trim_start_matches(is_line))).collect();
+    let text = without_lines(&without_lines(text, "#L"), ".rs:");
     text.split('/').filter(|word| !is_revision(word)).collect::<Vec<_>>().join("/")
+}
+
+/// A text without the numbers of lines that stand behind this mark.
+fn without_lines(text: &str, mark: &str) -> String {
+    let is_line = |c: char| c.is_ascii_digit() || c == '-' || c == 'L';
+    let mut parts = text.split(mark);
+    let start = parts.next().unwrap_or_default().to_owned();
+    parts.fold(start, |text, part| text + mark + part.trim_start_matches(is_line))
 }
 
 #[test]

@@ -348,7 +348,7 @@ fn keyboard(browser: &mut Browser, page: &Path, visited: &mut Visited) -> Result
         visited.note(&name, fault.as_str().filter(|fault| !fault.is_empty()).map(String::from));
     }
     let unreached: Vec<String> = serde_json::from_value(browser.evaluate("unreached()")?)?;
-    visited.controls = usize::try_from(controls)? - unreached.len().min(usize::try_from(controls)?);
+    visited.controls = usize::try_from(controls)?.saturating_sub(unreached.len());
     visited.note(&name, unreached);
     Ok(())
 }

@@ -71,6 +71,8 @@ fn a_good_book_is_well_and_planted_faults_are_named() {
     let mut browsers = browsers().unwrap();
     let said = book.said(&mut browsers);
     assert!(said.starts_with("true") && said.contains("5 of 5 queries"), "{said}");
+    let controls = said.split("; ").find_map(|part| part.split_once(" controls reached")?.0.parse::<usize>().ok());
+    assert!(controls > Some(10), "{said}");
     let page = book.out().join("coulomb.html");
     let good = fs::read_to_string(&page).unwrap();
     let mut faults = vec![
