@@ -18,21 +18,22 @@ pub(super) fn earlier(bench: &Bench) -> Vec<Judged> {
 /// What this run has found so far.
 pub(super) struct Found {
     path: PathBuf,
-    /// Of the runs before, the areas that this one leaves alone.
+    /// Of the runs before, the faults that this one leaves alone.
     others: Vec<Judged>,
     /// By the numbers of the faults.
     judged: Mutex<BTreeMap<usize, Judged>>,
 }
 
 impl Found {
-    /// With what is known already.
+    /// With what is known already of the faults that are `wanted`.
     pub(super) fn new(
         bench: &Bench,
         earlier: Vec<Judged>,
         known: BTreeMap<usize, Judged>,
-        areas: &BTreeSet<&str>,
+        wanted: &[(usize, Fault)],
     ) -> Self {
-        let others = earlier.into_iter().filter(|one| !areas.contains(one.area.as_str())).collect();
+        let wanted: BTreeSet<u64> = wanted.iter().map(|(_, fault)| fault.hash(0)).collect();
+        let others = earlier.into_iter().filter(|one| !wanted.contains(&one.hash)).collect();
         Self { path: bench.beside(RESULT), others, judged: Mutex::new(known) }
     }
 

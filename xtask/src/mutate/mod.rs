@@ -52,7 +52,7 @@ pub(crate) use kept::{tables, texts};
   {command} mutate --fault scenes.wrap              one, with the test that notices it
   {command} mutate --seed 7 --sample 50             others than those that are always made
   {command} mutate --list                           what would be planted
-  {command} mutate --again                          what the run before did not notice
+  {command} mutate --again                          what earlier runs did not notice
   {command} mutate --keep                           all of them, for the book")]
 pub(crate) struct Arguments {
     /// Only faults of this area; may be given several times
@@ -84,7 +84,7 @@ pub(crate) struct Arguments {
     /// Tests that take longer without a fault are left out
     #[arg(long, value_name = "SECONDS", default_value_t = 900)]
     longest: u64,
-    /// Do not try again what the run before noticed
+    /// Do not try again what earlier runs noticed
     #[arg(long)]
     again: bool,
     /// Only list the faults
@@ -162,8 +162,7 @@ fn judge_all(bench: &Bench, choice: &Choice, arguments: &Arguments) -> anyhow::R
     let tests = reach::reach(bench, &built, Duration::from_secs(arguments.longest), arguments.jobs)?;
     let patience = Patience { grace: arguments.grace, enough: arguments.enough };
     let progress = Progress { done: AtomicUsize::default(), of: open.len() };
-    let areas = faults.iter().map(|(_, fault)| fault.area.as_str()).collect();
-    let found = Found::new(bench, earlier, judged, &areas);
+    let found = Found::new(bench, earlier, judged, &faults);
     workers::in_parallel(arguments.jobs, &open, |&(number, fault)| {
         let verdict = judge::judge(&built, &tests, &noticed, (number, fault), patience)?;
         noticed.add(&fault.file, &verdict);

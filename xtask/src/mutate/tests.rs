@@ -171,6 +171,14 @@ fn what_tests_miss_survives_and_the_rest_does_not() {
     assert_eq!(changed.iter().map(|one| &*one.id).collect::<Vec<_>>(), ["sums.equal"]);
     assert_eq!(changed[0].verdict, Verdict::Killed("tiny: tests::at_most".into()));
     assert_eq!(earlier(&bench), again);
+    // A run of one fault leaves the others as they were found.
+    let one = Arguments { fault: Some("sums.unasked".into()), ..arguments() };
+    assert_eq!(judge_all(&bench, &choice, &one).unwrap().len(), 1);
+    let sorted = |mut all: Vec<Judged>| {
+        all.sort_by(|a, b| a.id.cmp(&b.id));
+        all
+    };
+    assert_eq!(sorted(earlier(&bench)), sorted(again));
     assert_eq!(arguments().in_words(), "those of every package, 60 s a fault, seed 0");
     // Tests that read sources see them as they are.
     assert_eq!(fs::read_to_string(bench.tree().join("src/lib.rs")).unwrap(), source);
