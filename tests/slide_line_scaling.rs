@@ -8,8 +8,6 @@ use std::hint::black_box;
 use std::time::Instant;
 
 const SEGMENTS: [u32; 3] = [10, 1_000, 100_000];
-/// Fewer pieces than there are slave points, and as many as a model may have.
-const FINENESS: [u32; 2] = [100, 1_000_000];
 const LINES: [(Interpolation, bool); 4] = [
     (Interpolation::Linear, false),
     (Interpolation::Linear, true),
@@ -51,48 +49,6 @@ fn a_longer_line_costs_few_more_evaluations() {
             let most = evaluated.max().unwrap();
             assert!(most <= 8, "{most} of {segments}");
         }
-    }
-}
-
-/// An arc of radius 1 about (2, 0).
-fn arc(kind: Interpolation, segments: u32, smoothed: bool) -> PlacedLine {
-    let stride = if kind == Interpolation::Linear { 1 } else { 2 };
-    let count = segments * stride + 1;
-    let node = |k: u32| (k + 1, around(f64::from(k) / f64::from(count - 1), 1.0).into());
-    let line = SlideLine::generate(kind, 1, count, 1).unwrap();
-    let line = if smoothed { line.smoothed(SlideLine::SMOOTHING).unwrap() } else { line };
-    line.place(&Nodes::new((0..count).map(node)).unwrap()).unwrap()
-}
-
-/// At a share of the arc, so far from its centre.
-fn around(share: f64, radius: f64) -> Vector2<f64> {
-    let (sine, cosine) = (2.5 * share).sin_cos();
-    Vector2::new(2.0 - radius * cosine, radius * sine)
-}
-
-/// Segments that are much shorter than the slave point is far, up to half the radius of curvature.
-#[test]
-#[cfg_attr(
-    debug_assertions,
-    ignore = "a million segments take minutes without optimisation; .ci/run has them in a release build"
-)]
-fn a_finer_line_costs_few_more_evaluations() {
-    for (kind, smoothed) in LINES {
-        let mean = |segments| {
-            let line = arc(kind, segments, smoothed);
-            let share = |k: u32| f64::from(k.wrapping_mul(2_654_435_769)) / f64::from(u32::MAX);
-            let slaves = (0..SLAVES).map(|k| around(share(k), 0.5 + share(k.wrapping_mul(40_503))));
-            let evaluated: usize = slaves.map(|xs| line.closest(xs).unwrap().evaluated).sum();
-            f64::from(u32::try_from(evaluated).unwrap()) / f64::from(SLAVES)
-        };
-        let [few, many] = FINENESS.map(mean);
-        println!(
-            "{kind:?}{}: {few:.2} of {}, {many:.2} of {}",
-            if smoothed { ", smoothed" } else { "" },
-            FINENESS[0],
-            FINENESS[1]
-        );
-        assert!(many <= 3.0 * few, "{few} of {}, {many} of {}", FINENESS[0], FINENESS[1]);
     }
 }
 
