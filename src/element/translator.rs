@@ -16,7 +16,7 @@ use super::universal::UniversalMoments;
 use crate::cardan::Triads;
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
+use crate::formula::{Component, Document, Fields, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
 use crate::quantity::{
     E1A, E1B, E2A, E2B, E3A, E3B, F2, F3, GY_TA, GY_UA, GY_UB, GZ_TA, GZ_UA, GZ_UB, K_TA_TA, K_TB_TB, K_UA_TA,
     LAMBDA_R1, LAMBDA_R2, LAMBDA_R3, UR1_TB, UR2_TB, UR3_TB, XA, XB,
@@ -88,7 +88,8 @@ impl Formula for Rows {
         // An entry is a sum of terms that may cancel, and what inputs do to them with them; then their roundings remain. Of the
         // rows at 5000 random points the worst is 30.
         .eta(8.0, 48.0)
-        .scale(1e250);
+        .scale(1e250)
+        .finite(Finite::Between);
     type Inputs<T: Component> = TranslatorPlaces<T>;
     type Outputs<T: Component> = TranslatorRows<T>;
 
@@ -157,15 +158,15 @@ impl<D: Scalar> TranslatorPlaces<D> {
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_ur1(&self, turns: &Turns<D>, k: usize) -> Self {
-        Self::by_triads(&turns.of_ur1(k))
+        Self::by_triads(&turns.of_ur1(D::one(), k))
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_ur2(&self, turns: &Turns<D>, k: usize) -> Self {
-        Self::by_triads(&turns.of_ur2(k))
+        Self::by_triads(&turns.of_ur2(D::one(), k))
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_ur3(&self, turns: &Turns<D>, k: usize) -> Self {
-        Self::by_triads(&turns.of_ur3(k))
+        Self::by_triads(&turns.of_ur3(D::one(), k))
     }
 }
 
@@ -266,7 +267,8 @@ impl Formula for Forces {
         // An entry is a sum of terms that may cancel, and what inputs do to them with them; then their roundings remain. Of the
         // rows at 5000 random points the worst is 30.
         .eta(6.0, 48.0)
-        .scale(1e250);
+        .scale(1e250)
+        .finite(Finite::Between);
     type Inputs<T: Component> = TranslatorLoads<T>;
     type Outputs<T: Component> = NodalForces<T>;
 

@@ -9,7 +9,7 @@
 
 #![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
 
-use super::products::double_cross;
+use super::products::{double_cross, matrix};
 use crate::formula::along;
 use crate::scalar::{Scalar, norm_and_direction};
 use nalgebra::{Matrix3, Vector3};
@@ -53,12 +53,12 @@ impl<D: Scalar> Turn<D> {
         self.v
     }
 
-    /// The gradient of the n-th component of [`row`](Self::row): by e, p and q.
+    /// The gradient of a number of times the n-th component of [`row`](Self::row): by e, p and q.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn row_gradient(&self, n: usize) -> [Vector3<D>; 3] {
+    pub(super) fn row_gradient(&self, times: D, n: usize) -> [Vector3<D>; 3] {
         let Self { e, k, u, h, v, square: [re, im], skewed: [_, skewed] } = self;
-        let twice = double_cross(e, e).column(n).into_owned();
-        let by_e = -(v * k[n] + h * u[n]) - e.cross(&unit(n)) * *skewed;
+        let twice = double_cross(e, e).column(n) * times;
+        let by_e = -(v * (k[n] * times) + h * (u[n] * times)) - e.cross(&along(n, *skewed * times));
         [by_e, -re.cross(&twice), -im.cross(&twice)]
     }
 
@@ -69,56 +69,65 @@ impl<D: Scalar> Turn<D> {
         e * u.transpose() - h * v.transpose() - v * h.transpose()
     }
 
-    /// What the gradients of [`curvature`](Self::curvature) are made of.
-    #[inline(always)]
-    pub(super) fn curving(self) -> Curving<D> {
-        Curving {
-            by_u: [self.u_gradient(0), self.u_gradient(1), self.u_gradient(2)],
-            by_h: [self.h_gradient(0), self.h_gradient(1), self.h_gradient(2)],
-            by_v: [self.row_gradient(0), self.row_gradient(1), self.row_gradient(2)],
+    /// The gradients of the entries of a number of times [`curvature`](Self::curvature): by e, p and q.
+    #[inline(never)]
+    pub(super) fn curving(&self, times: D) -> Matrix3<[Vector3<D>; 3]> {
+        let Self { e, k, u, h, v, square: [re, im], skewed: [real, imaginary] } = self;
+        let (h, v) = (h * times, v * times);
+        let curving = Curving {
             turn: self,
-        }
+            times,
+            twice: double_cross(e, e),
+            by_h: k * v.transpose() + u * h.transpose(),
+            by_v: k * h.transpose() - u * v.transpose(),
+            by_e: h * *imaginary - v * *real,
+            by_p: im * v.transpose() + re * h.transpose(),
+            by_q: im * h.transpose() - re * v.transpose(),
+        };
+        matrix!(curving.gradient)
     }
 
-    /// As [`row_gradient`](Self::row_gradient), of u.
+    /// The gradient of the n-th component of u: by e, p and q.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn u_gradient(&self, n: usize) -> [Vector3<D>; 3] {
         let Self { e, k, u, square: [re, im], .. } = self;
         let across = |g: &Vector3<D>| double_cross(g, e).row(n).transpose();
         [-(u * k[n] + k * u[n]), across(re), across(im)]
     }
-
-    /// As [`row_gradient`](Self::row_gradient), of h.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn h_gradient(&self, n: usize) -> [Vector3<D>; 3] {
-        let Self { e, k, u, h, v, square: [re, im], skewed: [skewed, _] } = self;
-        let twice = double_cross(e, e).column(n).into_owned();
-        let by_e = v * u[n] - h * k[n] + e.cross(&unit(n)) * *skewed;
-        [by_e, -im.cross(&twice), re.cross(&twice)]
-    }
 }
 
-/// A turn with the gradients of its vectors: by e, p and q, component by component.
-pub(super) struct Curving<D> {
-    turn: Turn<D>,
-    by_u: [[Vector3<D>; 3]; 3],
-    by_h: [[Vector3<D>; 3]; 3],
-    by_v: [[Vector3<D>; 3]; 3],
+/// A turn with what the gradients of its curvature are made of.
+///
+/// Those of h ⊗ v + v ⊗ h are symmetric: each is a sum of what a matrix gives for an entry and for its mirror image.
+struct Curving<'a, D> {
+    turn: &'a Turn<D>,
+    times: D,
+    /// e ⊗ e − (e·e) I.
+    twice: Matrix3<D>,
+    by_h: Matrix3<D>,
+    by_v: Matrix3<D>,
+    by_e: Vector3<D>,
+    by_p: Matrix3<D>,
+    by_q: Matrix3<D>,
 }
 
-impl<D: Scalar> Curving<D> {
+impl<D: Scalar> Curving<'_, D> {
     /// The gradient of an entry of the curvature: by e, p and q.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn gradient(&self, r: usize, c: usize) -> [Vector3<D>; 3] {
-        let (Turn { e, u, h, v, .. }, Self { by_u, by_h, by_v, .. }) = (&self.turn, self);
-        let turned = |k: usize| by_h[r][k] * v[c] + by_v[c][k] * h[r] + by_v[r][k] * h[c] + by_h[c][k] * v[r];
-        let by = |k: usize| by_u[c][k] * e[r] - turned(k);
-        [by(0) + along(r, u[c]), by(1), by(2)]
+    fn gradient(&self, r: usize, c: usize) -> [Vector3<D>; 3] {
+        let Turn { e, u, .. } = self.turn;
+        let [by_e, by_p, by_q] = self.turn.u_gradient(c).map(|by| by * (e[r] * self.times));
+        let [turned_e, turned_p, turned_q] = self.turned(r, c);
+        [by_e + along(r, u[c] * self.times) + turned_e, by_p + turned_p, by_q + turned_q]
     }
-}
 
-/// The n-th axis.
-#[inline(always)]
-fn unit<D: Scalar>(n: usize) -> Vector3<D> {
-    along(n, D::one())
+    /// The gradient of an entry of −h ⊗ v − v ⊗ h. The sums are such that the compiler finds that of the mirror image equal.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn turned(&self, r: usize, c: usize) -> [Vector3<D>; 3] {
+        let (Turn { e, h, v, .. }, Self { twice, by_h, by_v, by_e, by_p, by_q, .. }) = (self.turn, self);
+        let both = |m: &Matrix3<D>| m[(r, c)] + m[(c, r)];
+        let across = |m: &Matrix3<D>| m.column(c).cross(&twice.column(r)) + m.column(r).cross(&twice.column(c));
+        let axial = e.cross(&along(r, by_e[c])) + e.cross(&along(c, by_e[r]));
+        [h * both(by_h) + v * both(by_v) + axial, across(by_p), across(by_q)]
+    }
 }

@@ -49,12 +49,14 @@ fn both_looked_at<F: Formula>(i: &F::Inputs<f64>) -> Result<ValueAndJacobian<F, 
     if !are_allowed(i) {
         return Err(not_allowed(i));
     }
-    let (out, jacobian) = F::try_linearized(i)?;
-    if are_finite(&out) & are_finite_gradients(&jacobian) {
-        Ok((out, jacobian))
-    } else {
-        Err(derivative_overflow::<F>(i))
+    // Looked at where it is returned: large Jacobians are not copied.
+    let mut found = F::try_linearized(i);
+    if let Ok((out, jacobian)) = &found
+        && !(are_finite(out) & are_finite_gradients(jacobian))
+    {
+        found = Err(derivative_overflow::<F>(i));
     }
+    found
 }
 
 /// Whether the inputs are finite, in their domains, and valid together.

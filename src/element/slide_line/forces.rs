@@ -6,7 +6,7 @@ mod proof;
 use super::{Number, Place, Spot, times};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
 use crate::quantity::{AREA, LINE_FORCE_1, LINE_FORCE_2, LINE_FORCE_3, LINE_FORCE_S, S11, S12, SEGMENT_G, X1, X2, X3};
 use crate::scalar::Scalar;
 use crate::slide_line::{
@@ -102,7 +102,8 @@ impl Formula for Linear {
         .equation(r"\mathbf{f}_s = A\,(S_{11}\,\mathbf{n} - S_{12}\,\mathbf{t}),\quad \mathbf{f}_1 = -\tfrac12(1-g)\,\mathbf{f}_s,\quad \mathbf{f}_2 = -\tfrac12(1+g)\,\mathbf{f}_s")
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &LinearPoint::SPEC)])
         .eta(2.0, 4.0)
-        .scale(1e120);
+        .scale(1e120)
+        .finite(Finite::Between);
     type Inputs<T: Component> = LinearLoads<T>;
     type Outputs<T: Component> = LinearForces<T>;
 
@@ -157,7 +158,8 @@ impl Formula for Parabolic {
         .equation(r"\mathbf{f}_s = A\,(S_{11}\,\mathbf{n} - S_{12}\,\mathbf{t}),\quad \mathbf{f}_1 = -\tfrac12 g(g-1)\,\mathbf{f}_s,\quad \mathbf{f}_2 = -(1-g^2)\,\mathbf{f}_s,\quad \mathbf{f}_3 = -\tfrac12 g(g+1)\,\mathbf{f}_s")
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &ParabolicPoint::SPEC)])
         .eta(2.0, 8.0)
-        .scale(1e20);
+        .scale(1e20)
+        .finite(Finite::Between);
     type Inputs<T: Component> = ParabolicLoads<T>;
     type Outputs<T: Component> = ParabolicForces<T>;
 

@@ -6,7 +6,7 @@ pub(super) mod proof;
 use super::{Place, Spot};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
 use crate::quantity::{E11_U1, E11_U2, E11_U3, E11_US, E12_U1, E12_U2, E12_U3, E12_US};
 use crate::scalar::Scalar;
 use crate::slide_line::{
@@ -54,7 +54,8 @@ impl Formula for Linear {
         .equation(r"\begin{aligned} \mathbf{e}_{11,us} &= \mathbf{n}, & \mathbf{e}_{11,u1} &= -N_1\,\mathbf{n}, & \mathbf{e}_{11,u2} &= -N_2\,\mathbf{n}, \\ \mathbf{e}_{12,us} &= \mathbf{t}, & \mathbf{e}_{12,u1} &= -N_1\,\mathbf{t}, & \mathbf{e}_{12,u2} &= -N_2\,\mathbf{t}, \\ N_1 &= \tfrac12(1-g), & N_2 &= \tfrac12(1+g) \end{aligned}")
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &LinearPoint::SPEC)])
         .eta(3.0, 4.0)
-        .scale(1e250);
+        .scale(1e250)
+        .finite(Finite::Between);
     type Inputs<T: Component> = LinearPlace<T>;
     type Outputs<T: Component> = LinearRows<T>;
 
@@ -110,7 +111,8 @@ impl Formula for Parabolic {
         .equation(r"\begin{aligned} \mathbf{e}_{11,us} &= \mathbf{n}, & \mathbf{e}_{11,u1} &= -N_1\,\mathbf{n}, & \mathbf{e}_{11,u2} &= -N_2\,\mathbf{n}, & \mathbf{e}_{11,u3} &= -N_3\,\mathbf{n}, \\ \mathbf{e}_{12,us} &= \mathbf{t}, & \mathbf{e}_{12,u1} &= -N_1\,\mathbf{t}, & \mathbf{e}_{12,u2} &= -N_2\,\mathbf{t}, & \mathbf{e}_{12,u3} &= -N_3\,\mathbf{t}, \\ N_1 &= \tfrac12 g(g-1), & N_2 &= 1-g^2, & N_3 &= \tfrac12 g(g+1) \end{aligned}")
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &ParabolicPoint::SPEC)])
         .eta(3.0, 10.0)
-        .scale(1e20);
+        .scale(1e20)
+        .finite(Finite::Between);
     type Inputs<T: Component> = ParabolicPlace<T>;
     type Outputs<T: Component> = ParabolicRows<T>;
 

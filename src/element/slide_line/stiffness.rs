@@ -12,7 +12,7 @@ mod proof;
 use super::{Place, Spot};
 use crate::error::{Error, Name};
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
 use crate::quantity::{
     CONTACT_LAMBDA, LINE_K_U1_U1, LINE_K_U1_U2, LINE_K_U1_U3, LINE_K_U2_U2, LINE_K_U2_U3, LINE_K_U3_U3, LINE_K_US_U1,
     LINE_K_US_U2, LINE_K_US_U3, LINE_K_US_US, SEGMENT_G, SEPARATION, X1, X2, X3,
@@ -84,7 +84,8 @@ impl Formula for Linear {
         .equation(r"\begin{aligned} \mathbf{P} &= \frac{\lambda}{\ell}\,\mathbf{t}\otimes\mathbf{n},\quad \mathbf{Q} = \frac{\lambda}{\ell}\,\mathbf{n}\otimes\mathbf{t},\quad \mathbf{R} = \frac{\lambda E_{11}}{\ell^2}\,\mathbf{n}\otimes\mathbf{n}, \\ \mathbf{K}_{us,u1} &= \mathbf{P},\quad \mathbf{K}_{u1,u1} = -N_1(\mathbf{P}+\mathbf{Q}) - \mathbf{R},\quad \mathbf{K}_{u1,u2} = N_1\,\mathbf{P} - N_2\,\mathbf{Q} + \mathbf{R},\quad \mathbf{K}_{u2,u2} = N_2(\mathbf{P}+\mathbf{Q}) - \mathbf{R}, \\ N_1 &= \tfrac12(1-g),\quad N_2 = \tfrac12(1+g),\quad \ell = \lvert\mathbf{x}_2-\mathbf{x}_1\rvert \end{aligned}")
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &LinearPoint::SPEC)])
         .eta(4.0, 6.0)
-        .scale(1e80);
+        .scale(1e80)
+        .finite(Finite::Between);
     type Inputs<T: Component> = LinearTouch<T>;
     type Outputs<T: Component> = LinearStiffness<T>;
 
