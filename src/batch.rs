@@ -3,6 +3,9 @@
 //! Rows are shared out to the threads of [rayon](rayon::ThreadPool::install). Every row is checked, and has the bits that
 //! [`formula::value_and_jacobian`] gives it alone, whatever the number of threads.
 //!
+//! Of a formula that only adds, multiplies, divides and takes roots, several rows are computed at once, in the vectors of the
+//! processor.
+//!
 //! A column is a view of `ndarray`: of a slice, by `into`, or of numbers any stride apart. With a stride of 0, which
 //! `broadcast` gives, one number stands for all rows.
 //!
@@ -46,8 +49,9 @@
 mod column;
 mod error;
 mod job;
+mod straight;
+mod structure;
 mod task;
-mod zeros;
 
 pub(crate) use job::{Job, Linearized};
 #[cfg(feature = "measure")]
@@ -86,7 +90,7 @@ pub fn columns(count: usize, rows: usize) -> Array2<f64> {
 /// components in order. Of a formula that is not in the catalog these are all.
 pub fn entries<F: Formula>() -> Vec<[usize; 2]> {
     let [outputs, inputs] = [F::Outputs::<f64>::LEN, F::Inputs::<f64>::LEN];
-    (0..outputs * inputs).filter(|&k| zeros::is_entry::<F>(k)).map(|k| [k / inputs, k % inputs]).collect()
+    (0..outputs * inputs).filter(|&k| structure::is_entry::<F>(k)).map(|k| [k / inputs, k % inputs]).collect()
 }
 
 /// The value of a formula at every row, checked as [`formula::value`](crate::formula::value) checks one. There is a column for
@@ -123,7 +127,7 @@ fn all<F: Formula, J: Job<F>>(
     error::expect(Part::Value, F::Outputs::<f64>::LEN, rows, value.iter().map(ArrayViewMut1::len))?;
     let mut outputs: Vec<_> = value.iter_mut().map(|column| column.view_mut()).collect();
     if let Some(jacobian) = jacobian {
-        error::expect(Part::Jacobian, zeros::entries::<F>(), rows, jacobian.iter().map(ArrayViewMut1::len))?;
+        error::expect(Part::Jacobian, structure::entries::<F>(), rows, jacobian.iter().map(ArrayViewMut1::len))?;
         outputs.extend(jacobian.iter_mut().map(|column| column.view_mut()));
     }
     let share = rows.div_ceil(8 * rayon::current_num_threads()).max(LEAST);

@@ -2,7 +2,7 @@
 
 #![expect(clippy::inline_always, reason = "a formula and what is done with its results are compiled as one piece")]
 
-use super::zeros;
+use super::structure;
 use crate::error::Error;
 use crate::formula::{Fields, Formula, ValueAndJacobian, Visitor, value, value_and_jacobian};
 use std::marker::PhantomData;
@@ -18,6 +18,8 @@ pub(crate) trait Job<F: Formula> {
     /// # Errors
     /// What is wrong with them, or with the results.
     fn of(i: &F::Inputs<f64>) -> Result<Self::Results, Error>;
+    /// Of inputs that were checked and tell that nothing overflows.
+    fn unchecked(i: &F::Inputs<f64>) -> Self::Results;
     /// Shows the numbers in order, without those that are zero everywhere.
     fn show(results: &Self::Results, visitor: &mut impl Visitor<f64>);
 }
@@ -33,6 +35,10 @@ impl<F: Formula> Job<F> for Value {
         value::<F>(i)
     }
     #[inline(always)]
+    fn unchecked(i: &F::Inputs<f64>) -> Self::Results {
+        F::eval(i)
+    }
+    #[inline(always)]
     fn show(value: &Self::Results, visitor: &mut impl Visitor<f64>) {
         value.accept(visitor);
     }
@@ -42,11 +48,15 @@ impl<F: Formula> Job<F> for Value {
 pub(crate) struct Linearized;
 
 impl<F: Formula> Job<F> for Linearized {
-    const LEN: usize = F::Outputs::<f64>::LEN + zeros::entries::<F>();
+    const LEN: usize = F::Outputs::<f64>::LEN + structure::entries::<F>();
     type Results = ValueAndJacobian<F, f64>;
     #[inline(always)]
     fn of(i: &F::Inputs<f64>) -> Result<Self::Results, Error> {
         value_and_jacobian::<F>(i)
+    }
+    #[inline(always)]
+    fn unchecked(i: &F::Inputs<f64>) -> Self::Results {
+        F::linearized(i)
     }
     #[inline(always)]
     fn show((value, jacobian): &Self::Results, visitor: &mut impl Visitor<f64>) {
@@ -75,7 +85,7 @@ struct Entries<'v, F, V> {
 impl<F: Formula, V: Visitor<f64>> Visitor<f64> for Entries<'_, F, V> {
     #[inline(always)]
     fn visit(&mut self, x: f64) {
-        if zeros::is_entry::<F>(self.entry) {
+        if structure::is_entry::<F>(self.entry) {
             self.visitor.visit(x);
         }
         self.entry += 1;

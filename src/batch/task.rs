@@ -5,9 +5,12 @@
 use super::column::{ROWS, Source, Target};
 use super::error::{Refused, RowError};
 use super::job::Job;
+use super::straight;
+use super::structure::is_straight;
 use crate::error::Error;
 use crate::formula::{Fields, Formula, Visitor};
 use ndarray::{ArrayView1, ArrayViewMut1, Axis};
+use std::ops::Range;
 
 /// Computes rows of these inputs, of which the first has this place in the batch, into columns as long.
 type Compute = fn(&[&[f64]], &mut [&mut [f64]], usize) -> Refused;
@@ -66,11 +69,26 @@ impl Task<'_> {
 
 /// See [`Compute`].
 fn rows<F: Formula, J: Job<F>>(inputs: &[&[f64]], outputs: &mut [&mut [f64]], first: usize) -> Refused {
+    let all = 0..inputs.first().map_or(0, |column| column.len());
+    if const { is_straight::<F>() } {
+        return straight::rows::<F, J>(inputs, outputs, all, first);
+    }
+    one_by_one::<F, J>(inputs, outputs, all, first)
+}
+
+/// These rows; `first` is the place of the first of all in the batch.
+#[inline(never)]
+pub(super) fn one_by_one<F: Formula, J: Job<F>>(
+    inputs: &[&[f64]],
+    outputs: &mut [&mut [f64]],
+    rows: Range<usize>,
+    first: usize,
+) -> Refused {
     // How many columns there are is known here, so that none of them is looked up below.
     let inputs = &inputs[..F::Inputs::<f64>::LEN];
     let columns = &mut outputs[..J::LEN];
     let mut refused = Refused::default();
-    for row in 0..inputs.first().map_or(0, |column| column.len()) {
+    for row in rows {
         let mut next = 0;
         let i = F::Inputs::from_components(&mut || {
             next += 1;

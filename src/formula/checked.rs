@@ -26,6 +26,12 @@ pub fn value<F: Formula>(i: &F::Inputs<f64>) -> Result<F::Outputs<f64>, Error> {
     if F::SPEC.finite.covers(i) & are_in_domain(i) { F::try_eval(i) } else { value_looked_at::<F>(i) }
 }
 
+/// Whether inputs are in their domains, and tell that nothing overflows.
+#[inline(always)]
+pub(crate) fn is_plain<F: Formula>(i: &F::Inputs<f64>) -> bool {
+    F::SPEC.finite.covers(i) & are_in_domain(i)
+}
+
 #[inline(never)]
 fn value_looked_at<F: Formula>(i: &F::Inputs<f64>) -> Result<F::Outputs<f64>, Error> {
     if !are_allowed(i) {

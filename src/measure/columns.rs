@@ -48,9 +48,9 @@ pub(super) fn time<F: Proved>(options: &Options) -> Option<Columns> {
         all_over_loop: ratios(all, looped)?,
         one_over_copy: ratios(one, copy)?,
         all_over_copy: ratios(all, copies)?,
-        looped: Time::of(turns[0].clone())?,
-        one_thread: Time::of(turns[1].clone())?,
-        all_threads: Time::of(turns[2].clone())?,
+        looped: Time::of(looped.clone())?,
+        one_thread: Time::of(one.clone())?,
+        all_threads: Time::of(all.clone())?,
     })
 }
 

@@ -1,0 +1,114 @@
+//! Rows of a formula that only adds, multiplies, divides and takes roots, several at a time.
+//!
+//! No row waits for a comparison, so that the compiler takes as many at once as the vectors of a processor hold. It compiles this
+//! a second time for processors whose vectors hold four doubles; both give the bits of one row alone.
+
+#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
+
+use super::error::Refused;
+use super::job::Job;
+use super::task::one_by_one;
+use crate::formula::{Fields, Formula, Visitor, is_plain};
+use std::marker::PhantomData;
+use std::ops::Range;
+
+/// Rows that are computed together: two lines of the cache in every column.
+const TOGETHER: usize = 16;
+
+/// What these rows have in one column.
+type Line = [f64; TOGETHER];
+
+/// As [`one_by_one`].
+pub(super) fn rows<F: Formula, J: Job<F>>(
+    inputs: &[&[f64]],
+    outputs: &mut [&mut [f64]],
+    rows: Range<usize>,
+    first: usize,
+) -> Refused {
+    pulp::Arch::new().dispatch(Stretch::<F, J> { inputs, outputs, rows, first, job: PhantomData })
+}
+
+/// A stretch of rows.
+struct Stretch<'r, 'i, 'o, F, J> {
+    inputs: &'r [&'i [f64]],
+    outputs: &'r mut [&'o mut [f64]],
+    rows: Range<usize>,
+    first: usize,
+    job: PhantomData<(F, J)>,
+}
+
+impl<F: Formula, J: Job<F>> pulp::WithSimd for Stretch<'_, '_, '_, F, J> {
+    type Output = Refused;
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) -> Refused {
+        let Self { inputs, outputs, rows, first, .. } = self;
+        let (mut read, mut written) = (vec![Line::default(); F::Inputs::<f64>::LEN], vec![Line::default(); J::LEN]);
+        let mut refused = Refused::default();
+        for from in rows.clone().step_by(TOGETHER) {
+            let some = from..rows.end.min(from + TOGETHER);
+            for (line, column) in read.iter_mut().zip(inputs) {
+                copy(&column[some.clone()], line);
+            }
+            if compute::<F, J>(&read, &mut written, some.len()) {
+                for (column, line) in outputs.iter_mut().zip(&written) {
+                    copy(line, &mut column[some.clone()]);
+                }
+            } else {
+                refused = refused.and(one_by_one::<F, J>(inputs, outputs, some, first));
+            }
+        }
+        refused
+    }
+}
+
+/// Copies the rows that both have; where these are all, their number is known here.
+#[inline(always)]
+fn copy(from: &[f64], to: &mut [f64]) {
+    if let (Some(from), Some(to)) = (from.first_chunk::<TOGETHER>(), to.first_chunk_mut::<TOGETHER>()) {
+        *to = *from;
+    } else {
+        to.iter_mut().zip(from).for_each(|(to, from)| *to = *from);
+    }
+}
+
+/// Computes so many rows, and tells whether that could be done; else some may be refused, and all are to be looked at.
+#[inline(always)]
+fn compute<F: Formula, J: Job<F>>(read: &[Line], written: &mut [Line], count: usize) -> bool {
+    // How many columns and rows there are at most is known here, so that none of them is looked up below.
+    let (read, lines) = (&read[..F::Inputs::<f64>::LEN], &mut written[..J::LEN]);
+    let count = count.min(TOGETHER);
+    let inputs = |row: usize| {
+        let mut next = 0;
+        F::Inputs::from_components(&mut || {
+            next += 1;
+            read[next - 1][row]
+        })
+    };
+    let mut are_plain = true;
+    for row in 0..count {
+        let i = inputs(row);
+        are_plain &= is_plain::<F>(&i) & F::validate(&i).is_ok();
+    }
+    if are_plain {
+        for row in 0..count {
+            J::show(&J::unchecked(&inputs(row)), &mut Place { lines, row, next: 0 });
+        }
+    }
+    are_plain
+}
+
+/// Writes the numbers of a row, each into the next line.
+struct Place<'l> {
+    lines: &'l mut [Line],
+    row: usize,
+    next: usize,
+}
+
+impl Visitor<f64> for Place<'_> {
+    #[inline(always)]
+    fn visit(&mut self, x: f64) {
+        self.lines[self.next][self.row] = x;
+        self.next += 1;
+    }
+}
