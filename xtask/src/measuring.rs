@@ -10,7 +10,7 @@ use jointproof::measure::{Measurement, Options};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::error::Error;
-use std::io::{Write, stdin, stdout};
+use std::io::{Read, Write, stdin, stdout};
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
@@ -67,7 +67,7 @@ impl Build {
 
 /// The program that is measured: reads a request from standard input and writes what happens to standard output.
 pub fn main(project: &Project) -> ExitCode {
-    match answer(project) {
+    match answer(project, stdin().lock(), stdout().lock()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             // A standard error that is closed is not worth failing for twice.
@@ -77,10 +77,9 @@ pub fn main(project: &Project) -> ExitCode {
     }
 }
 
-fn answer(project: &Project) -> Result<(), Box<dyn Error>> {
-    let request = serde_json::from_reader(stdin().lock())
+fn answer(project: &Project, input: impl Read, mut out: impl Write) -> Result<(), Box<dyn Error>> {
+    let request = serde_json::from_reader(input)
         .map_err(|error| format!("no request of `report` on standard input (built without commands?): {error}"))?;
-    let mut out = stdout().lock();
     measure(project, &request, |event| {
         serde_json::to_writer(&mut out, &event)?;
         out.write_all(b"\n")?;
@@ -140,4 +139,48 @@ fn compare<E>(
         }
         Ok(compared)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Build, Event, Request, answer};
+    use crate::project::Project;
+    use jointproof::catalog::CATALOG;
+    use jointproof::measure::Options;
+
+    #[test]
+    fn a_request_is_answered_event_by_event() {
+        let project = Project::new("measured", env!("CARGO_MANIFEST_DIR"), CATALOG);
+        let ids = ["coulomb.yield", "slot.contact_force"];
+        let options = Options {
+            random_points: 3,
+            timing_points: 2,
+            rounds: 2,
+            turn_ns: 1e3,
+            column_bytes: 1,
+            ..Options::quick()
+        };
+        let request = Request { formulas: ids.map(String::from).into(), options };
+        let mut out = Vec::new();
+        answer(&project, serde_json::to_string(&request).unwrap().as_bytes(), &mut out).unwrap();
+        let events = String::from_utf8(out).unwrap();
+        let mut events: Vec<Event> = events.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+        // Errors are found on all cores, and told as they come.
+        events[1..3].sort_by_key(|event| format!("{event:?}"));
+        let [begun, events @ ..] = events.as_slice() else { panic!("nothing is told") };
+        assert_eq!(*begun, Event::Begun(Build::this()));
+        let told: Vec<_> = events
+            .iter()
+            .map(|event| match event {
+                Event::Begun(_) => panic!("it begins once"),
+                Event::Compared(id) => ("compared", id.as_str()),
+                Event::Timed(id) => ("timed", id.as_str()),
+                Event::Measured(measurement) => ("measured", measurement.formula.as_str()),
+            })
+            .collect();
+        let expected = ["compared", "timed", "measured"].map(|what| ids.map(|id| (what, id)));
+        assert_eq!(told, expected.concat());
+        let said = answer(&project, "no".as_bytes(), &mut Vec::new()).unwrap_err().to_string();
+        assert!(said.starts_with("no request of `report` on standard input"), "{said}");
+    }
 }

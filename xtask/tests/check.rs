@@ -133,6 +133,9 @@ fn state_between_calls_is_found() {
         .prints("∂phi/∂mu is that of the point asked before");
     let counts = r#"{ printf "%.17g 1 %.17g %.17g\n", $1 - $2 * $3 + NR, -$3, -$2; fflush() }"#;
     awk(&[], counts).exits(1).prints("state is kept between calls; what it is does not show");
+    // One derivative is that of the point before, the other counts: neither explains both.
+    let two = r#"{ printf "%.17g 1 %.17g %.17g\n", $1 - $2 * $3, -before, -$2 - NR; before = $3; fflush() }"#;
+    awk(&[], two).exits(1).prints("state is kept between calls; what it is does not show");
 }
 
 #[test]

@@ -158,6 +158,7 @@ mod tests {
         reads("  1.5,  -0.0 ", [1.5, -0.0], None);
         reads("1.5D+02 2", [150.0, 2.0], Some("D exponents"));
         reads("1.5-102 2", [1.5e-102, 2.0], Some("exponents without a letter"));
+        reads("1+300 -2-300", [1e300, -2e-300], Some("exponents without a letter"));
         reads("0,5 2", [0.5, 2.0], Some("a comma as decimal point"));
         reads("NaN +Infinity", [f64::NAN, f64::INFINITY], None);
         reads("-nan(ind) 1.#INF", [f64::NAN, f64::INFINITY], Some("NaN or infinity in a spelling of its own"));

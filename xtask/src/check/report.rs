@@ -77,8 +77,9 @@ pub(super) fn text(
         line(format!("{} what must be refused: {}: {why}", red("accepts"), court.questions[question].name));
     }
     for (what, all) in [("refuses", found.refused_wrongly.len()), ("accepts", found.accepted.len())] {
-        if all > SHOWN {
-            line(format!("{what} {} more", all - SHOWN));
+        match all.saturating_sub(SHOWN) {
+            0 => {}
+            more => line(format!("{what} {more} more")),
         }
     }
     if let Some(&question) = found.two_answers.first() {

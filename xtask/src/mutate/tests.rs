@@ -245,6 +245,13 @@ fn nameless() -> Fault {
 }
 
 #[test]
+fn a_sample_has_as_many_faults_as_are_asked_for() {
+    let faults = vec![nameless(); 5];
+    let of = |sample| wanted(&Arguments { sample, ..arguments() }, &faults).len();
+    assert_eq!([of(None), of(Some(2)), of(Some(9))], [5, 2, 5]);
+}
+
+#[test]
 fn progress_counts_what_was_tried_and_says_what_came_of_it() {
     let progress = Progress { done: AtomicUsize::default(), of: 5 };
     let verdicts = [
@@ -318,7 +325,7 @@ fn every_rule_makes_its_fault_where_it_can_and_nowhere_else() {
 fn f(x: f64, all: &[f64]) -> bool {
     let whole = -x.abs() * 2.0 + 1e-9;
     if is_far(x) { note(x); }
-    bar.inc(1);
+    bar.inc(1); let still = true;
     let near = match x { _ if is_near(x) => 3, _ => all.iter().rev().map(|y| y - x).len() };
     all.iter().any(|y| *y > whole) || !done && near != 4
 }
@@ -340,6 +347,7 @@ mod tests { fn g() -> bool { 1 == 2 } }
         "4: is_far(x) → !(is_far(x))",
         "4: note(x) → ",
         "5: 1 → 2",
+        "5: true → false",
         "6: 3 → 4",
         "6: all.iter().rev() → all.iter()",
         "6: - → +",

@@ -58,7 +58,7 @@ pub(super) fn inputs(folder: &Path, formulas: &[&dyn AnyFormula], options: &Opti
             file,
             layout: "little-endian IEEE doubles without header; all inputs of the first point, then of the next",
             count: options.timing_points,
-            stride: doubles.len() / options.timing_points.max(1),
+            stride: formula.inputs().iter().map(|field| field.quantity.shape.len()).sum(),
             seed: options.seed,
             inputs: formula.inputs().iter().map(Into::into).collect(),
             outputs: formula.outputs().iter().map(Into::into).collect(),

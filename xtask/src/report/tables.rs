@@ -180,8 +180,8 @@ mod tests {
 
     #[test]
     fn durations_have_three_digits_and_a_fitting_unit() {
-        let shown = [0.5124, 9.99, 12.34, 456.7, 1234.0, 2.5e7].map(duration);
-        assert_eq!(shown, ["0.51 ns", "9.99 ns", "12.3 ns", "457 ns", "1.23 µs", "25.0 ms"]);
+        let shown = [0.5124, 9.99, 12.34, 456.7, 1e3, 1234.0, 1e6, 2.5e7].map(duration);
+        assert_eq!(shown, ["0.51 ns", "9.99 ns", "12.3 ns", "457 ns", "1.00 µs", "1.23 µs", "1.00 ms", "25.0 ms"]);
     }
 
     #[test]
