@@ -136,6 +136,8 @@ fn the_report_of_reference_is_shown() {
     let linked: HashSet<_> = speed.split('#').skip(1).filter_map(|text| text.split('"').next()).collect();
     for id in CATALOG.iter().map(|formula| formula.spec().id) {
         assert!(linked.contains(id), "{id} is not in the table");
+        let family = id.split_once('.').unwrap().0;
+        assert!(speed.contains(&format!("<figure id=\"speed-{family}\">")), "{family} has no plot");
     }
 }
 

@@ -243,6 +243,20 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_picture_comes_in_base_64() {
+        let cases: [(&str, &[u8]); 4] = [
+            ("", b""),
+            ("U2xvdA==", b"Slot"),
+            ("VUpPSU5U", b"UJOINT"),
+            ("AP+/zK/6yvc=", &[0, 255, 191, 204, 175, 250, 202, 247]),
+        ];
+        for (text, bytes) in cases {
+            assert_eq!(base64(text).as_deref(), Some(bytes), "{text}");
+        }
+        assert_eq!(base64("no~"), None);
+    }
+
+    #[test]
     fn the_browser_is_here_if_it_is_in_the_search_path() {
         let path = std::env::var_os("PATH").unwrap_or_default();
         let is_there = std::env::split_paths(&path).any(|folder| folder.join(PROGRAM).is_file());

@@ -69,7 +69,7 @@ fn models(lambda: f64) -> Models {
 
 #[cfg(test)]
 mod tests {
-    use super::curves;
+    use super::{Model, Models, curves};
 
     #[test]
     fn the_ends_are_the_printed_limits_but_for_timoshenko() {
@@ -79,5 +79,16 @@ mod tests {
         assert!(first.used.alpha_twist < 2e-4 && (first.used.beta_twist - 0.25).abs() < 2e-4);
         assert!((last.used.alpha_twist - 0.125).abs() < 2e-6 && (last.used.beta_twist - 0.375).abs() < 2e-6);
         assert!(first.timoshenko.alpha_twist < -0.24);
+    }
+
+    #[test]
+    fn every_model_is_in_equilibrium() {
+        for Models { lambda, used, rigid, timoshenko, euler_bernoulli } in curves(-1, 3, 21) {
+            for Model { alpha_twist, beta_twist, alpha_axial, beta_axial } in [used, rigid, timoshenko, euler_bernoulli]
+            {
+                let off = [beta_twist - alpha_twist - 0.25, alpha_axial + beta_axial - 0.5];
+                assert!(off.iter().all(|off| off.abs() < 1e-12), "{lambda}: {off:?}");
+            }
+        }
     }
 }
