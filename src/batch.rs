@@ -49,13 +49,14 @@
 mod column;
 mod error;
 mod job;
+mod row;
 mod straight;
 mod structure;
 mod task;
 
 pub(crate) use job::{Job, Linearized};
 #[cfg(feature = "measure")]
-pub(crate) use task::Row;
+pub(crate) use row::Row;
 
 pub use error::{Error, Part, RowError};
 pub use ndarray::{ArrayView1, ArrayViewMut1};

@@ -10,6 +10,7 @@ mod fields;
 mod finite;
 mod source;
 
+#[cfg(feature = "batch")]
 pub(crate) use checked::is_plain;
 pub use checked::{check, value, value_and_jacobian};
 pub use fields::{Component, Field, Fields, Part, Visitor};

@@ -7,7 +7,7 @@
 
 use super::error::Refused;
 use super::job::Job;
-use super::task::one_by_one;
+use super::row::one_by_one;
 use crate::formula::{Fields, Formula, Visitor, is_plain};
 use std::marker::PhantomData;
 use std::ops::Range;

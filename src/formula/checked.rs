@@ -23,7 +23,7 @@ use crate::error::Error;
 /// ```
 #[inline]
 pub fn value<F: Formula>(i: &F::Inputs<f64>) -> Result<F::Outputs<f64>, Error> {
-    if F::SPEC.finite.covers(i) & are_in_domain(i) { F::try_eval(i) } else { value_looked_at::<F>(i) }
+    if is_plain::<F>(i) { F::try_eval(i) } else { value_looked_at::<F>(i) }
 }
 
 /// Whether inputs are in their domains, and tell that nothing overflows.
@@ -47,7 +47,7 @@ fn value_looked_at<F: Formula>(i: &F::Inputs<f64>) -> Result<F::Outputs<f64>, Er
 /// As [`value`], or naming the output with a derivative that overflowed.
 #[inline]
 pub fn value_and_jacobian<F: Formula>(i: &F::Inputs<f64>) -> Result<ValueAndJacobian<F, f64>, Error> {
-    if F::SPEC.finite.covers(i) & are_in_domain(i) { F::try_linearized(i) } else { both_looked_at::<F>(i) }
+    if is_plain::<F>(i) { F::try_linearized(i) } else { both_looked_at::<F>(i) }
 }
 
 #[inline(never)]

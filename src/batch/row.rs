@@ -1,0 +1,60 @@
+//! Rows of a batch one after the other.
+
+#![expect(clippy::inline_always, reason = "a formula and what is done with its results are compiled as one piece")]
+
+use super::error::{Refused, RowError};
+use super::job::Job;
+use crate::error::Error;
+use crate::formula::{Fields, Formula, Visitor};
+use std::ops::Range;
+
+/// These rows; `first` is the place of the first of all in the batch.
+#[inline(never)]
+pub(super) fn one_by_one<F: Formula, J: Job<F>>(
+    inputs: &[&[f64]],
+    outputs: &mut [&mut [f64]],
+    rows: Range<usize>,
+    first: usize,
+) -> Refused {
+    // How many columns there are is known here, so that none of them is looked up below.
+    let inputs = &inputs[..F::Inputs::<f64>::LEN];
+    let columns = &mut outputs[..J::LEN];
+    let mut refused = Refused::default();
+    for row in rows {
+        let mut next = 0;
+        let i = F::Inputs::from_components(&mut || {
+            next += 1;
+            inputs[next - 1][row]
+        });
+        match J::of(&i) {
+            Ok(results) => J::show(&results, &mut Row { columns, at: row, place: 0 }),
+            Err(error) => refuse(columns, row, first, error, &mut refused),
+        }
+    }
+    refused
+}
+
+/// Writes the numbers of a row, each into the next column.
+pub(crate) struct Row<'b, 'c> {
+    pub(crate) columns: &'b mut [&'c mut [f64]],
+    pub(crate) at: usize,
+    pub(crate) place: usize,
+}
+
+impl Visitor<f64> for Row<'_, '_> {
+    #[inline(always)]
+    fn visit(&mut self, x: f64) {
+        self.columns[self.place][self.at] = x;
+        self.place += 1;
+    }
+}
+
+/// Of a row that is refused every number is NaN.
+#[cold]
+#[inline(never)]
+fn refuse(columns: &mut [&mut [f64]], row: usize, first: usize, error: Error, refused: &mut Refused) {
+    for column in columns {
+        column[row] = f64::NAN;
+    }
+    refused.add(RowError { row: first + row, error });
+}
