@@ -67,7 +67,7 @@ impl Task<'_> {
 /// See [`Compute`].
 fn rows<F: Formula, J: Job<F>>(inputs: &[&[f64]], outputs: &mut [&mut [f64]], first: usize) -> Refused {
     let all = 0..inputs.first().map_or(0, |column| column.len());
-    if const { is_straight::<F>() } {
+    if const { is_straight::<F>() && J::LEN <= straight::MOST } {
         return straight::rows::<F, J>(inputs, outputs, all, first);
     }
     one_by_one::<F, J>(inputs, outputs, all, first)
