@@ -8,20 +8,39 @@ use crate::Octuple;
 use crate::power::power_of_two;
 use crate::proof::Convention;
 use num_traits::{Signed, Zero};
+use std::cell::OnceCell;
 
 /// What is known exactly at a point.
 pub(super) struct Exact {
     pub(super) values: Vec<Octuple>,
-    /// The Jacobian by automatic differentiation.
+    /// The Jacobian by automatic differentiation, and by the closed form.
     pub(super) ad: Vec<Octuple>,
-    /// How much every entry of it changes with the inputs.
-    pub(super) bends: Vec<Sensitivity>,
+    pub(super) closed: Vec<Octuple>,
+    /// How much every entry of the Jacobian changes with the inputs, and a part of that, once they were asked for.
+    bends: OnceCell<Vec<Sensitivity>>,
+    least_bends: OnceCell<Vec<Sensitivity>>,
 }
 
 impl Exact {
-    pub(super) fn at(point: &Point, closed: &[Octuple]) -> Self {
+    pub(super) fn at(point: &Point) -> Self {
         let (subject, inputs) = (point.subject, &point.exact);
-        Self { values: (subject.exact_value)(inputs), ad: subject.derivative(inputs), bends: bends_at(point, closed) }
+        Self {
+            values: (subject.exact_value)(inputs),
+            ad: subject.derivative(inputs),
+            closed: (subject.exact_jacobian)(inputs),
+            bends: OnceCell::new(),
+            least_bends: OnceCell::new(),
+        }
+    }
+
+    /// How much the k-th entry of the Jacobian changes with the inputs, which takes a Jacobian for every input.
+    pub(super) fn bend(&self, point: &Point, k: usize) -> Sensitivity {
+        self.bends.get_or_init(|| bends_at(point, &self.closed))[k]
+    }
+
+    /// A number that is not larger, by one Jacobian more.
+    pub(super) fn least_bend(&self, point: &Point, k: usize) -> Sensitivity {
+        self.least_bends.get_or_init(|| least_bends(point, &self.closed))[k]
     }
 
     /// The largest entry in the row of the k-th.
@@ -49,9 +68,12 @@ pub(super) fn bends_at(point: &Point, closed: &[Octuple]) -> Vec<Sensitivity> {
     gradients.iter().map(|gradient| Sensitivity::new(gradient, inputs)).collect()
 }
 
+/// Inputs change by this part of them in differences of Jacobians.
+const PART: i64 = -118;
+
 /// As [`bends_at`], by what a change of one input after another, by the same part, does to the Jacobian.
 fn bends_by_differences(subject: &Subject, inputs: &[Octuple], here: &[Octuple]) -> Vec<Sensitivity> {
-    let part = power_of_two(-118);
+    let part = power_of_two(PART);
     let changes = (0..inputs.len()).map(|k| {
         let mut moved = inputs.to_vec();
         moved[k] += inputs[k] * part;
@@ -61,7 +83,20 @@ fn bends_by_differences(subject: &Subject, inputs: &[Octuple], here: &[Octuple])
     for there in changes {
         sums.iter_mut().zip(there.iter().zip(here)).for_each(|(sum, (&there, &here))| *sum += (there - here).abs());
     }
-    sums.into_iter().map(|sum| Sensitivity::new(&[sum], &[Octuple::from(part.recip())])).collect()
+    sums.into_iter().map(per_part).collect()
+}
+
+/// By what a change of all inputs at once does, every other one up and every other one down.
+fn least_bends(point: &Point, here: &[Octuple]) -> Vec<Sensitivity> {
+    let part = power_of_two(PART);
+    let moved: Vec<_> =
+        point.exact.iter().zip([part, -part].into_iter().cycle()).map(|(&x, part)| x + x * part).collect();
+    let there = (point.subject.exact_jacobian)(&moved);
+    there.iter().zip(here).map(|(&there, &here)| per_part((there - here).abs())).collect()
+}
+
+fn per_part(change: Octuple) -> Sensitivity {
+    Sensitivity::new(&[change], &[Octuple::from(power_of_two(PART).recip())])
 }
 
 /// Value and Jacobian in `f64`, each alone and as they come together; on a switch there is no derivative.
@@ -88,10 +123,12 @@ fn check_value(claim: &mut Claim, point: &Point, names: &Names, exact: &Exact, v
 /// The closed form in `f64` is judged against automatic differentiation, so that a wrong one cannot be its own judge.
 fn check_jacobian(claim: &mut Claim, point: &Point, names: &Names, exact: &Exact, jacobians: [Vec<f64>; 2]) {
     for computed in jacobians {
-        for (entry, ((&computed, &ad), &bend)) in computed.iter().zip(&exact.ad).zip(&exact.bends).enumerate() {
-            let size = eta(computed, ad, bend);
+        for (entry, (&computed, &ad)) in computed.iter().zip(&exact.ad).enumerate() {
+            let at_most = || eta(computed, ad, Sensitivity::none());
+            let closer = || eta(computed, ad, exact.least_bend(point, entry));
+            let size = || eta(computed, ad, exact.bend(point, entry));
             let describe = |size| point.deviation(size, names.entry(entry), computed, ad.to_f64());
-            claim.record(size, claim.bound, describe);
+            claim.record_last([&at_most, &closer, &size], claim.bound, describe);
         }
     }
 }
@@ -103,7 +140,8 @@ mod tests {
     #[test]
     fn the_largest_entry_is_that_of_the_output() {
         let ad = [1.0, -5.0, 2.0, 0.25, 0.5, -0.125].map(Octuple::from).to_vec();
-        let exact = Exact { values: Vec::new(), ad, bends: Vec::new() };
+        let (values, closed) = Default::default();
+        let exact = Exact { values, ad, closed, bends: OnceCell::new(), least_bends: OnceCell::new() };
         let largest: Vec<_> = (0..6).map(|k| exact.largest_of_output(k, 3).to_f64()).collect();
         assert_eq!(largest, [5.0, 5.0, 5.0, 0.5, 0.5, 0.5]);
     }

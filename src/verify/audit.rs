@@ -3,7 +3,7 @@
 use super::accuracy::{Exact, bends_at, check_accuracy};
 use super::branches::Branches;
 use super::claim::Claim;
-use super::difference::{differences, largest_of_field, step_size};
+use super::difference::{Direction, differences, largest_of_field};
 use super::kinks::{self, Comparison, Looked, SMOOTH};
 use super::point::{Names, Options, Point, random_points};
 use super::printed::{EQUATION, found};
@@ -11,7 +11,7 @@ use super::reach::{Reached, reach};
 use super::scale::scaled;
 use super::shard::Shard;
 use super::subject::{Law, Subject};
-use super::{Sensitivity, finite, invariance};
+use super::{Sampler, Sensitivity, finite, invariance};
 use crate::equation::Equation;
 use crate::formula::{Fields, check};
 use crate::proof::Proved;
@@ -29,8 +29,9 @@ const NOTHING: f64 = 1e-68;
 const AD_AGAINST_DIFFERENCES: f64 = 1e-50;
 /// At hard points the step of differences must be shorter than the distance to the next kink, and digits are lost.
 const AD_AGAINST_DIFFERENCES_HARD: f64 = 1e-35;
-/// The printed equation is compared at so many of the random points, and at all others.
-const PRINTED_AT: usize = 200;
+/// At so many of the random points, and at all named ones, the printed equation is compared, and differences one input after
+/// another; at the others differences are along one direction of all inputs.
+const CLOSELY_AT: usize = 200;
 /// Sides of comparisons that so many random points take need not be searched for.
 const REACHED_FROM: usize = 64;
 /// Laws hold in 237 bits to this.
@@ -192,9 +193,12 @@ fn audit_points(subject: &Subject, points: &Points<'_>) -> Audit {
         // That an equation cannot be read is said once, by the first part.
         audit.equation = audit.equation.begun_anew();
     }
-    let is_compared = |k: usize| k < named.len() || before + k < named.len() + PRINTED_AT;
-    for (k, point) in named.iter().chain(random).enumerate() {
-        audit.check(point, &names, printed.as_ref().filter(|_| is_compared(k)));
+    let closely = CLOSELY_AT.saturating_sub(*before).min(random.len());
+    for point in named.iter().chain(&random[..closely]) {
+        audit.check_closely(point, &names, printed.as_ref());
+    }
+    for point in &random[closely..] {
+        audit.check(point, &names);
     }
     audit
 }
@@ -208,7 +212,7 @@ fn equation_of(subject: &Subject, options: &Options) -> [Claim; 2] {
     let (printed, mut claims) = read_equation(subject);
     let Some(printed) = printed else { return claims };
     let names = Names::new(subject);
-    let random = random_points(subject, options, 0..options.samples.min(PRINTED_AT));
+    let random = random_points(subject, options, 0..options.samples.min(CLOSELY_AT));
     for point in named_points(subject).into_iter().chain(random) {
         if printed.is_defined(point.kink.is_some()) {
             let values = (subject.exact_value)(&point.exact);
@@ -269,63 +273,91 @@ fn searched_points<'a>(subject: &'a Subject, named: &[Point], random: &[Point]) 
 
 /// The claims made about every formula.
 impl Audit {
-    fn check(&mut self, point: &Point, names: &Names, equation: Option<&Equation>) {
-        let (subject, inputs) = (point.subject, &point.exact);
-        let closed = (subject.exact_jacobian)(inputs);
-        let exact = Exact::at(point, &closed);
-        self.check_closed_form(point, names, &exact, &closed);
+    fn check_closely(&mut self, point: &Point, names: &Names, equation: Option<&Equation>) {
+        let exact = Exact::at(point);
+        self.check_code(point, names, &exact);
         if point.kink.is_none() {
             self.check_ad(point, names, &exact);
         }
         if let Some(equation) = equation.filter(|equation| equation.is_defined(point.kink.is_some())) {
             let claims = [&mut self.equation, &mut self.equation_jacobian];
-            let bend = |k: usize| exact.bends[k];
+            let bend = |k: usize| exact.bend(point, k);
             check_equation(claims, point, names, &exact.values, || exact.ad.as_slice(), bend, equation);
         }
-        check_accuracy([&mut self.eta, &mut self.eta_jacobian], point, names, &exact);
+    }
+
+    fn check(&mut self, point: &Point, names: &Names) {
+        let exact = Exact::at(point);
+        self.check_code(point, names, &exact);
+        if point.kink.is_none() {
+            self.check_ad_along(point, names, &exact);
+        }
+    }
+
+    /// The closed form in 237 bits, and all that is computed in `f64`.
+    fn check_code(&mut self, point: &Point, names: &Names, exact: &Exact) {
+        self.check_closed_form(point, names, exact);
+        check_accuracy([&mut self.eta, &mut self.eta_jacobian], point, names, exact);
     }
 
     /// Judged against the entry and what rounding of the inputs can do to it: an entry may be what a cancellation left. One that is
     /// nothing beside others of its output is what rounding in 237 bits left of their terms, and judged against them.
-    fn check_closed_form(&mut self, point: &Point, names: &Names, exact: &Exact, closed: &[Octuple]) {
-        for (k, ((&closed, &ad), bend)) in closed.iter().zip(&exact.ad).zip(&exact.bends).enumerate() {
+    fn check_closed_form(&mut self, point: &Point, names: &Names, exact: &Exact) {
+        for (k, (&closed, &ad)) in exact.closed.iter().zip(&exact.ad).enumerate() {
             let describe = |size| point.deviation(size, names.entry(k), closed.to_f64(), ad.to_f64());
-            let (own, largest) = (bend.plus(ad), exact.largest_of_output(k, point.exact.len()));
-            let scale = if own.size() < largest * NOTHING { own.plus(largest) } else { own };
-            self.closed_against_ad.record(scale.share_of(closed - ad), CLOSED_AGAINST_AD, describe);
+            let share_beside = |bend: Sensitivity| bend.plus(ad).share_of(closed - ad);
+            let share = || {
+                let (own, largest) = (exact.bend(point, k).plus(ad), exact.largest_of_output(k, point.exact.len()));
+                let scale = if own.size() < largest * NOTHING { own.plus(largest) } else { own };
+                scale.share_of(closed - ad)
+            };
+            let at_most = || share_beside(Sensitivity::none());
+            let closer = || share_beside(exact.least_bend(point, k));
+            self.closed_against_ad.record_last([&at_most, &closer, &share], CLOSED_AGAINST_AD, describe);
         }
     }
 
-    /// Differences are judged against the entry and what rounding of the value can do to it, |y|/|x|, where |x| is the
-    /// size that the step is a part of. Where y is 0 whatever is rounded, because its terms cancel, |y| is the largest of
-    /// its field.
+    /// Differences by one input after another.
     fn check_ad(&mut self, point: &Point, names: &Names, exact: &Exact) {
         let (inputs, ad) = (point.exact.as_slice(), &exact.ad);
         let steps = if point.random { &STEPS[..1] } else { &STEPS[..] };
         let bound = if point.random { AD_AGAINST_DIFFERENCES } else { AD_AGAINST_DIFFERENCES_HARD };
-        let sizes = exact.sensitivities(inputs);
+        let rounding = rounding_of_values(point, exact);
         for input in 0..inputs.len() {
-            let step = step_size(point.subject.inputs, inputs, input);
-            let attempt = |&step: &f64| differences(point.subject, inputs, &exact.values, (input, step));
+            let along = Direction::of_one(point.subject, inputs, input);
+            let attempt = |&step: &f64| differences(point.subject, inputs, &exact.values, &along, step);
             let attempts: Vec<_> = steps.iter().map(attempt).collect();
-            for (output, (&value, size)) in exact.values.iter().zip(&sizes).enumerate() {
+            for (output, rounding) in rounding.iter().enumerate() {
                 let entry = output * inputs.len() + input;
-                let own = size.plus(value);
-                let largest = || largest_of_field(point.subject.outputs, &exact.values, output);
-                let size = if own.size().is_zero() { own.plus(largest()) } else { own }.per(step);
-                let scale = ad[entry].abs() + size;
+                let scale = ad[entry].abs() + rounding.per(along.unit());
                 let deviations = attempts.iter().map(|rows| (ad[entry] - rows.central[output]).abs());
                 let best = deviations.reduce(|best, next| if next < best { next } else { best });
                 let Some(best) = best else { continue };
-                let relative = if best == 0.0 { 0.0 } else { (best / scale).to_f64() };
                 let found = attempts[0].central[output].to_f64();
                 let describe = |size| point.deviation(size, names.entry(entry), ad[entry].to_f64(), found);
-                self.ad_against_differences.record(relative, bound, describe);
+                self.ad_against_differences.record(share(best, scale), bound, describe);
                 if !point.random {
                     let sides: Vec<_> = attempts.iter().map(|rows| rows.sides_of(output)).collect();
                     self.check_sides(point, names, entry, scale, &sides);
                 }
             }
+        }
+    }
+
+    /// Differences along one direction of all inputs, other ones at every point.
+    fn check_ad_along(&mut self, point: &Point, names: &Names, exact: &Exact) {
+        let (subject, inputs) = (point.subject, point.exact.as_slice());
+        let mut sampler = Sampler::named(&format!("{} along {}", subject.spec.id, point.label), 0);
+        let along = Direction::of_all(subject, inputs, &mut sampler);
+        let found = differences(subject, inputs, &exact.values, &along, STEPS[0]).central;
+        let expected = exact.ad.chunks(inputs.len()).map(|gradient| along.derivative(gradient));
+        let compared = expected.zip(found).zip(rounding_of_values(point, exact));
+        for (output, ((expected, found), rounding)) in compared.enumerate() {
+            let entry = || format!("{} along a direction of all inputs", names.outputs[output]);
+            let describe = |size| point.deviation(size, entry(), expected.to_f64(), found.to_f64());
+            let scale = expected.abs() + rounding.per(along.unit());
+            let size = share((expected - found).abs(), scale);
+            self.ad_against_differences.record(size, AD_AGAINST_DIFFERENCES, describe);
         }
     }
 
@@ -344,6 +376,23 @@ impl Audit {
         let describe = |size| point.deviation(size, names.entry(entry), above.to_f64(), below.to_f64());
         self.kinks.record(size, SMOOTH, describe);
     }
+}
+
+/// What rounding can do to the values, |y| and what rounding of the inputs does, by which differences are judged beside the
+/// derivative itself. Where that is 0, because the terms of y cancel, |y| is the largest of its field.
+fn rounding_of_values(point: &Point, exact: &Exact) -> Vec<Sensitivity> {
+    let sizes = exact.sensitivities(&point.exact);
+    let rounding = |(output, (size, &value)): (usize, (Sensitivity, &Octuple))| {
+        let own = size.plus(value);
+        let largest = || largest_of_field(point.subject.outputs, &exact.values, output);
+        if own.size().is_zero() { own.plus(largest()) } else { own }
+    };
+    sizes.into_iter().zip(&exact.values).enumerate().map(rounding).collect()
+}
+
+/// A deviation as a part of a scale; none is none of any.
+fn share(deviation: Octuple, scale: Octuple) -> f64 {
+    if deviation == 0.0 { 0.0 } else { (deviation / scale).to_f64() }
 }
 
 /// Value and Jacobian of the printed equation, each judged as those of the code are.

@@ -77,6 +77,25 @@ impl Claim {
         self.worst = Some(Deviation { size: f64::MAX, entry: reason, point, found, expected, inputs });
     }
 
+    /// Records the last of sizes of which none is larger than the one before, but each takes longer to compute. Where one
+    /// that is too large is within the bound and not the largest deviation, the others are not asked for.
+    pub(super) fn record_last(
+        &mut self,
+        sizes: [&dyn Fn() -> f64; 3],
+        bound: f64,
+        describe: impl FnOnce(f64) -> Deviation,
+    ) {
+        let known = self.worst.as_ref().map_or(f64::NEG_INFINITY, |worst| worst.size);
+        let mut size = f64::INFINITY;
+        for next in sizes {
+            size = next();
+            if size <= known.min(bound) {
+                break;
+            }
+        }
+        self.record(size, bound, describe);
+    }
+
     /// What is not a number is no deviation that anybody knows, and within no bound.
     pub(super) fn record(&mut self, size: f64, bound: f64, describe: impl FnOnce(f64) -> Deviation) {
         let size = if size.is_nan() { f64::INFINITY } else { size };

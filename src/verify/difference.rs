@@ -1,5 +1,6 @@
 //! Jacobians by differences, to judge automatic differentiation itself.
 
+use super::sample::Sampler;
 use super::subject::Subject;
 use crate::Octuple;
 use crate::formula::Field;
@@ -13,14 +14,55 @@ use num_traits::{Signed, Zero};
 /// must be shorter than the distance to it, and fewer digits remain.
 pub fn central_differences<F: Proved>(inputs: &[Octuple], k: usize, step: f64) -> Vec<Octuple> {
     let subject = Subject::of::<F>();
-    differences(&subject, inputs, &(subject.exact_value)(inputs), (k, step)).central
+    let along = Direction::of_one(&subject, inputs, k);
+    differences(&subject, inputs, &(subject.exact_value)(inputs), &along, step).central
 }
 
-/// The gradient of every output with respect to an input component.
+/// A way to go from a point.
+pub(super) struct Direction {
+    /// What is added to each input component by going one unit far.
+    moves: Vec<Octuple>,
+    unit: Octuple,
+}
+
+impl Direction {
+    /// One component changes, and derivatives are by this component.
+    pub(super) fn of_one(subject: &Subject, inputs: &[Octuple], k: usize) -> Self {
+        let unit = step_size(subject.inputs, inputs, k);
+        Self { moves: (0..inputs.len()).map(|i| if i == k { unit } else { Octuple::zero() }).collect(), unit }
+    }
+
+    /// Every component changes, by between half and all of its size, up or down. Derivatives are by a number.
+    pub(super) fn of_all(subject: &Subject, inputs: &[Octuple], sampler: &mut Sampler) -> Self {
+        let moves = (0..inputs.len()).map(|k| {
+            let part = 0.5 + sampler.unit() / 2.0;
+            step_size(subject.inputs, inputs, k) * if sampler.coin() { part } else { -part }
+        });
+        Self { moves: moves.collect(), unit: Octuple::from(1.0) }
+    }
+
+    /// How large the change is of what derivatives are by.
+    pub(super) fn unit(&self) -> Octuple {
+        self.unit
+    }
+
+    /// The derivative of what has this gradient.
+    pub(super) fn derivative(&self, gradient: &[Octuple]) -> Octuple {
+        let terms = gradient.iter().zip(&self.moves).map(|(&slope, &way)| slope * way);
+        terms.fold(Octuple::zero(), |sum, term| sum + term) / self.unit
+    }
+
+    /// A point at so many units from here.
+    fn moved(&self, inputs: &[Octuple], step: f64, steps: f64) -> Vec<Octuple> {
+        inputs.iter().zip(&self.moves).map(|(&x, &way)| x + way * step * steps).collect()
+    }
+}
+
+/// The derivative of every output along a direction.
 pub(super) struct Differences {
     /// As [`central_differences`].
     pub(super) central: Vec<Octuple>,
-    /// From the point to where the component is smaller, and to where it is larger.
+    /// From the point backwards, and forwards.
     pub(super) one_sided: [Vec<Octuple>; 2],
 }
 
@@ -31,22 +73,17 @@ impl Differences {
     }
 }
 
-/// Differences of a formula without its types, which has these values `here`, by a component and a step.
+/// Differences of a formula without its types, which has these values `here`.
 pub(super) fn differences(
     subject: &Subject,
     inputs: &[Octuple],
     here: &[Octuple],
-    (k, step): (usize, f64),
+    along: &Direction,
+    step: f64,
 ) -> Differences {
-    let h = step_size(subject.inputs, inputs, k) * step;
-    let shifted = |steps: f64| -> Vec<Octuple> {
-        let mut moved = inputs.to_vec();
-        if let Some(x) = moved.get_mut(k) {
-            *x += h * steps;
-        }
-        (subject.exact_value)(&moved)
-    };
-    let [far_below, below, above, far_above] = [-2.0, -1.0, 1.0, 2.0].map(shifted);
+    let h = along.unit * step;
+    let values = |steps: f64| (subject.exact_value)(&along.moved(inputs, step, steps));
+    let [far_below, below, above, far_above] = [-2.0, -1.0, 1.0, 2.0].map(values);
     let near = above.iter().zip(&below).map(|(&above, &below)| (above - below) * 8.0);
     let far = far_above.iter().zip(&far_below).map(|(&above, &below)| above - below);
     let central = near.zip(far).map(|(near, far)| (near - far) / (h * 12.0)).collect();
@@ -77,4 +114,34 @@ pub(super) fn step_size(fields: &[Field], inputs: &[Octuple], k: usize) -> Octup
     let unit = |f: usize| fields[f].quantity.unit;
     let candidates = [largest_where(&|f| f == field), largest_where(&|f| unit(f) == unit(field))];
     candidates.into_iter().find(|size| !size.is_zero()).unwrap_or_else(|| Octuple::from(1.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::slot::ContactForce;
+    use crate::verify::exact;
+
+    /// Of √(x² + y²) at (3, 4), whose gradient is (0.6, 0.8).
+    #[test]
+    fn derivatives_are_by_one_component_or_along_a_direction_of_all() {
+        let (subject, inputs) = (Subject::of::<ContactForce>(), exact(&[3.0, 4.0]));
+        let gradient = subject.derivative(&inputs);
+        let mut sampler = Sampler::named("direction", 1);
+        let of_all = Direction::of_all(&subject, &inputs, &mut sampler);
+        for (way, size) in of_all.moves.iter().zip([3.0, 4.0]) {
+            let part = way.abs().to_f64() / size;
+            assert!((0.5..=1.0).contains(&part), "{part}");
+        }
+        assert_eq!(of_all.unit().to_f64(), 1.0);
+        let of_one = [0, 1].map(|k| Direction::of_one(&subject, &inputs, k));
+        assert_eq!(of_one.each_ref().map(|along| along.unit().to_f64()), [3.0, 4.0]);
+        let by_hand = of_all.moves[0].to_f64() * 0.6 + of_all.moves[1].to_f64() * 0.8;
+        for (along, expected) in of_one.iter().chain([&of_all]).zip([0.6, 0.8, by_hand]) {
+            let found = differences(&subject, &inputs, &exact(&[5.0]), along, 3e-19);
+            assert!((along.derivative(&gradient).to_f64() - expected).abs() < 1e-15);
+            assert!((found.central[0] - along.derivative(&gradient)).abs() < 1e-50);
+            assert!(found.sides_of(0).iter().all(|side| (side.to_f64() - expected).abs() < 1e-15));
+        }
+    }
 }

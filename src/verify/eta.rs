@@ -17,6 +17,11 @@ impl Sensitivity {
         Self(terms.fold(Octuple::zero(), |sum, term| sum + term))
     }
 
+    /// Of what no input changes.
+    pub(super) fn none() -> Self {
+        Self(Octuple::zero())
+    }
+
     /// Together with |y| itself.
     #[must_use]
     pub fn plus(self, y: Octuple) -> Self {

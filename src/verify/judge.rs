@@ -62,7 +62,7 @@ impl Known {
 
     /// A sum of products with doubles, whose size is the sum of the sizes.
     pub fn combined(terms: impl Iterator<Item = (Self, f64)>) -> Self {
-        let none = Self { exact: Octuple::from(0.0), sensitivity: Sensitivity::new(&[], &[]) };
+        let none = Self { exact: Octuple::from(0.0), sensitivity: Sensitivity::none() };
         terms.fold(none, |sum, (known, factor)| {
             let term = known.times(factor);
             let size = sum.sensitivity.and(term.sensitivity.plus(term.exact));

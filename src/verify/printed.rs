@@ -78,7 +78,7 @@ impl Found<'_> {
     ) {
         for (output, &value) in values.iter().enumerate() {
             let found = self.values[output];
-            let share = match Sensitivity::new(&[], &[]).plus(value).share_of(found - value) {
+            let share = match Sensitivity::none().plus(value).share_of(found - value) {
                 share if share > EQUATION => judged(size(output).plus(value), found - value, || self.terms(output)),
                 share => share,
             };
@@ -86,7 +86,7 @@ impl Found<'_> {
             claim.record(share, EQUATION, |share| describe(share, entry(), found.to_f64(), value.to_f64()));
         }
         for &(first, next) in &self.equal {
-            let share = Sensitivity::new(&[], &[]).plus(first).plus(next).share_of(next - first);
+            let share = Sensitivity::none().plus(first).plus(next).share_of(next - first);
             let entry = || "the form after the next sign of equality".into();
             claim.record(share, EQUATION, |share| describe(share, entry(), next.to_f64(), first.to_f64()));
         }
@@ -107,7 +107,7 @@ impl Found<'_> {
         describe: impl Fn(f64, String, f64, f64) -> Deviation,
     ) {
         for (k, (&found, &closed)) in self.jacobian.iter().zip(closed).enumerate() {
-            let share = match Sensitivity::new(&[], &[]).plus(closed).share_of(found - closed) {
+            let share = match Sensitivity::none().plus(closed).share_of(found - closed) {
                 share if share > EQUATION => judged(bend(k).plus(closed), found - closed, || self.terms_of_entry(k)),
                 share => share,
             };

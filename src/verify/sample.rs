@@ -115,7 +115,7 @@ impl Sampler {
         range.start().wrapping_add_unsigned(self.0.next_u64() % count)
     }
 
-    fn coin(&mut self) -> bool {
+    pub(super) fn coin(&mut self) -> bool {
         self.0.next_u32().is_multiple_of(2)
     }
 

@@ -72,7 +72,7 @@ impl Range {
                 return None;
             }
             let point = Point::new(subject, format!("{} at another size", from.label), false, inputs);
-            let exact = Exact::at(&point, &(subject.exact_jacobian)(&point.exact));
+            let exact = Exact::at(&point);
             let is_double = |x: &Octuple| x.abs() <= Octuple::from(f64::MAX);
             exact.values.iter().chain(&exact.ad).all(is_double).then_some((point, exact))
         })

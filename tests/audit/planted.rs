@@ -6,7 +6,7 @@ use jointproof::proof::law::equal;
 use jointproof::proof::{Case, Kink, Law, Proved};
 use jointproof::quantity::{Domain, Quantity, Shape, Unit};
 use jointproof::scalar::{Scalar, abs, constant, direction, leaf, norm, sign};
-use jointproof::verify::{Audit, Claim, Deviation, Looked, Options, audit, audit_at};
+use jointproof::verify::{Audit, Claim, Deviation, Looked, Options, Sampler, audit, audit_at};
 use jointproof::{Octuple, fields};
 use nalgebra::Vector3;
 use std::cell::Cell;
@@ -26,6 +26,8 @@ enum Fault {
     /// Automatic differentiation: the value has a part of which it knows no derivative; everywhere, or at a hard point only.
     Rule,
     RuleAtHardPoint,
+    /// Where the number is the size of the fault.
+    RuleAtNumber,
     /// What rounding does in `f64`; in `linearized` alone, where value and Jacobian come together.
     Value,
     Jacobian,
@@ -110,6 +112,7 @@ impl Formula for Product {
             Fault::RuleAtHardPoint if i.s.re() == 3.0 => {
                 p += length * beside(i.s) * amount(Fault::RuleAtHardPoint, 4e-35);
             }
+            Fault::RuleAtNumber if i.s.re() == PLANTED.get().1 => p += length * beside(i.s) * 1e-46,
             Fault::PrintedValue => p += constant::<D>(leaf(p)) * amount(Fault::PrintedValue, 5e-55),
             Fault::PrintedDerivative => p += length * (i.s - i.s.re()) * amount(Fault::PrintedDerivative, 5e-55),
             Fault::Kink => p += abs(i.s) * length * amount(Fault::Kink, 1e-12),
@@ -223,6 +226,31 @@ fn each_claim_catches_its_fault_alone_and_from_its_bound_on() {
             let found = claim.worst.as_ref().map_or(0.0, |worst| worst.size) / bound;
             assert!((found - times).abs() <= exact * times, "{context}: {found} times the bound");
         }
+    }
+}
+
+/// Where there are many random points, differences by one input after another are at the first of them alone.
+#[test]
+fn a_direction_of_all_inputs_sees_what_single_ones_do() {
+    let (samples, seed) = (202, 3);
+    let mut sampler = Sampler::new::<Product>(seed);
+    let numbers: Vec<_> = (0..samples).map(|_| sampler.inputs::<Product>().s).collect();
+    for (at, entry) in [(199, "∂p/∂s"), (200, "p along a direction of all inputs")] {
+        PLANTED.set((Fault::RuleAtNumber, numbers[at]));
+        let audit = audit::<Product>(&Options { samples, seed });
+        assert_caught(&audit, &["automatic differentiation = differences"], entry);
+        // Four derivatives at each named point but the one on the kink, and at the first 200 random ones.
+        let closely = audit.named_points - 1 + 200;
+        let claim = audit.ad_against_differences;
+        assert_eq!((claim.checks, claim.failures), (closely * 4 + 2, 1));
+        let worst = claim.worst.expect("it was compared");
+        assert_eq!((worst.entry.as_str(), &worst.point), (entry, &format!("random {at} of seed {seed}")));
+        let size = worst.size / 1e-46;
+        assert!((0.1..=1.0).contains(&size), "{entry}: {size} of what was planted");
+        assert!(
+            worst.expected == worst.found && worst.found != 0.0,
+            "they differ where doubles have no digits: {worst:?}"
+        );
     }
 }
 
