@@ -142,10 +142,59 @@ impl Planted for CallsTheUnknown {
     }
 }
 
+/// Formulas that ask for a sign, which is a comparison that nobody sees.
+#[derive(Clone, Copy, Debug)]
+struct AsksWhetherPositive;
+
+impl Planted for AsksWhetherPositive {
+    fn fc<D: Scalar>(i: &CrossForces<D>) -> D {
+        if i.f2.is_positive() { i.f2 } else { i.f3 }
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+struct AsksWhetherNegative;
+
+impl Planted for AsksWhetherNegative {
+    fn fc<D: Scalar>(i: &CrossForces<D>) -> D {
+        if i.f2.is_negative() { i.f2 } else { i.f3 }
+    }
+}
+
+/// A formula with seventeen branches, one independent of the other.
+#[derive(Clone, Copy, Debug)]
+struct HasManyWays;
+
+impl Planted for HasManyWays {
+    fn fc<D: Scalar>(i: &CrossForces<D>) -> D {
+        (0..17).fold(i.f2, |sum, k| if i.f3 > f64::from(k) { sum + 1.0 } else { sum * 2.0 })
+    }
+}
+
+/// A formula that makes numbers of whole ones.
+#[derive(Clone, Copy, Debug)]
+struct MakesNumbers;
+
+impl Planted for MakesNumbers {
+    fn fc<D: Scalar>(i: &CrossForces<D>) -> D {
+        let number = |x: Option<D>| x.expect("it is a number");
+        i.f2 * number(D::from_i64(-3)) + i.f3 * number(D::from_u64(5)) + number(D::from_f64(0.25))
+    }
+}
+
+#[test]
+fn numbers_are_recorded_however_they_are_made() {
+    let graph = record::<Of<MakesNumbers>>().unwrap();
+    assert_eq!(graph.run(&[2.0, 7.0]).0, [-6.0 + 35.0 + 0.25]);
+}
+
 #[test]
 fn what_is_not_recorded_says_why() {
     assert_eq!(record::<Of<LooksAtTheValue>>().unwrap_err(), NotRecorded::Value);
     assert_eq!(record::<Of<CallsTheUnknown>>().unwrap_err(), NotRecorded::Function("cbrt"));
+    assert_eq!(record::<Of<AsksWhetherPositive>>().unwrap_err(), NotRecorded::Function("is_sign_positive"));
+    assert_eq!(record::<Of<AsksWhetherNegative>>().unwrap_err(), NotRecorded::Function("is_sign_negative"));
+    assert_eq!(record::<Of<HasManyWays>>().unwrap_err(), NotRecorded::Ways(65_536));
 }
 
 /// What is refused beyond the domains of single inputs has a position among the reasons; values in these are not known.

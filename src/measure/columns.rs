@@ -10,7 +10,6 @@ use crate::verify::Subject;
 use ndarray::Array2;
 use rayon::prelude::*;
 use std::hint::black_box;
-use std::time::Instant;
 
 /// Points that the columns repeat: so many that a processor does not learn their branches by heart.
 const POINTS: usize = 1024;
@@ -19,8 +18,11 @@ const LEAST: usize = 256;
 /// A turn is long: each comes once in so many rounds.
 const EVERY: usize = 12;
 
+/// Tells the time in nanoseconds, on any thread.
+type Clock<'a> = &'a (dyn Fn() -> f64 + Sync);
+
 /// Times value and Jacobian over columns, all taking turns.
-pub(super) fn time<F: Proved>(options: &Options) -> Option<Columns> {
+pub(super) fn time<F: Proved>(options: &Options, clock: Clock) -> Option<Columns> {
     let points = random(&Subject::of::<F>(), options.seed, POINTS);
     let numbers = F::Inputs::<f64>::LEN + <Linearized as Job<F>>::LEN;
     let bytes = numbers * size_of::<f64>();
@@ -30,11 +32,11 @@ pub(super) fn time<F: Proved>(options: &Options) -> Option<Columns> {
     let mut turns = [const { Vec::new() }; 5];
     for _ in 0..options.rounds.div_ceil(EVERY) {
         let taken = [
-            nanoseconds(rows, || tables.looped::<F>()),
-            thread.install(|| nanoseconds(rows, || tables.batch::<F>())),
-            nanoseconds(rows, || tables.batch::<F>()),
-            thread.install(|| nanoseconds(rows, || tables.copy())),
-            nanoseconds(rows, || tables.copy()),
+            a_row(rows, clock, || tables.looped::<F>()),
+            thread.install(|| a_row(rows, clock, || tables.batch::<F>())),
+            a_row(rows, clock, || tables.batch::<F>()),
+            thread.install(|| a_row(rows, clock, || tables.copy())),
+            a_row(rows, clock, || tables.copy()),
         ];
         turns.iter_mut().zip(taken).for_each(|(turns, turn)| turns.push(turn));
     }
@@ -60,10 +62,10 @@ fn one_thread() -> Option<rayon::ThreadPool> {
 
 /// How long a row takes.
 #[expect(clippy::cast_precision_loss, reason = "rows are far below 2^53")]
-fn nanoseconds(rows: usize, work: impl FnOnce()) -> f64 {
-    let start = Instant::now();
+fn a_row(rows: usize, clock: Clock, work: impl FnOnce()) -> f64 {
+    let start = clock();
     work();
-    start.elapsed().as_secs_f64() * 1e9 / rows as f64
+    (clock() - start) / rows as f64
 }
 
 /// Columns of inputs and results, and as many bytes to be copied.
@@ -135,6 +137,63 @@ fn looped<F: Proved>(inputs: &[&[f64]], results: &mut [&mut [f64]]) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::slot::ContactForce;
+    use std::sync::Mutex;
+
+    /// The loop, a batch on one thread and on all, and copying on one and on all, round by round.
+    #[test]
+    fn every_ratio_is_of_times_of_its_own() {
+        // Two inputs, one output, and its two derivatives.
+        let bytes = 5 * 8;
+        for (column_bytes, rows) in [(bytes * 300, 300), (bytes, LEAST)] {
+            let options = Options { column_bytes, rounds: 2 * EVERY + 1, ..Options::quick() };
+            let (took, factors) = ([14.0, 7.0, 3.5, 2.0, 0.5], [1.0, 3.0, 5.0]);
+            let turns = factors
+                .iter()
+                .flat_map(|factor| took.map(|took| took * factor * f64::from(u16::try_from(rows).unwrap())));
+            // Time passes from the first time that it is asked for to the second.
+            let state = Mutex::new((0.0, turns.flat_map(|turn| [0.0, turn]).collect::<Vec<_>>().into_iter()));
+            let clock = || {
+                let mut state = state.lock().unwrap();
+                state.0 += state.1.next().expect("there are three rounds");
+                state.0
+            };
+            let found = time::<ContactForce>(&options, &clock).unwrap();
+            assert_eq!((found.rows, found.bytes, found.threads), (rows, bytes, rayon::current_num_threads()));
+            let times = [found.looped, found.one_thread, found.all_threads];
+            assert_eq!(
+                times.map(|time| [time.low, time.median, time.high]),
+                [14.0, 7.0, 3.5].map(|x| [x, 3.0 * x, 5.0 * x])
+            );
+            let ratios = [found.one_over_loop, found.all_over_loop, found.one_over_copy, found.all_over_copy];
+            assert_eq!(
+                ratios.map(|ratio| [ratio.low, ratio.median, ratio.high]),
+                [0.5, 0.25, 3.5, 7.0].map(|x| [x; 3])
+            );
+            assert!(state.into_inner().unwrap().1.next().is_none(), "a round is missing");
+        }
+    }
+
+    #[test]
+    fn a_loop_and_a_batch_write_what_the_formula_gives() {
+        let points = [vec![3.0, 4.0], vec![f64::NAN, 1.0], vec![-6.0, 8.0]];
+        let expected = [[5.0, 0.6, 0.8], [1.0; 3], [10.0, -0.6, 0.8], [5.0, 0.6, 0.8]];
+        for run in [Tables::looped::<ContactForce>, Tables::batch::<ContactForce>] {
+            let mut tables = Tables::new(&points, 4, 5);
+            run(&mut tables);
+            for (row, expected) in tables.results.columns().into_iter().zip(expected) {
+                // What is refused is not written, or is written as NaN.
+                assert!(
+                    row.iter().zip(expected).all(|(x, y)| *x == y || x.is_nan() && y == 1.0),
+                    "{row}: {expected:?}"
+                );
+            }
+        }
+        let inputs = [[3.0, -1.0, 1.0], [4.0, f64::NAN, 0.0]];
+        let mut results = [[0.0; 3]; 3];
+        let mut results: Vec<_> = results.iter_mut().map(<[f64; 3]>::as_mut_slice).collect();
+        assert_eq!(looped::<ContactForce>(&inputs.each_ref().map(<[f64; 3]>::as_slice), &mut results), 1);
+    }
 
     #[test]
     fn one_thread_is_one() {

@@ -139,6 +139,31 @@ mod tests {
     }
 
     #[test]
+    fn ordinary_numbers_are_zero_or_far_from_the_ends() {
+        let is_ordinary = |x: f64| HardPoint { case: String::new(), inputs: vec![1.0, x] }.is_ordinary();
+        for x in [0.0, 1e-100, -1e-100, 1e100, -1e100] {
+            assert!(is_ordinary(x), "{x}");
+        }
+        for x in [1e-100_f64.next_down(), 1e100_f64.next_up(), -1e101, 5e-324, f64::INFINITY, f64::NAN] {
+            assert!(!is_ordinary(x), "{x}");
+        }
+    }
+
+    /// A point counts by the worst of its numbers, in each measure apart.
+    #[test]
+    fn errors_are_of_points() {
+        let sensitivity = Sensitivity::new(&[Octuple::from(1.0)], &[Octuple::from(3.0)]);
+        let point = vec![Exact::new(1.0.into(), Sensitivity::none()), Exact::new(1.0.into(), sensitivity)];
+        // The size of the first number is 1, of the second 4.
+        let found = errors([(&point, vec![1.0 + 4.0 * U, 1.0 + 8.0 * U]), (&point, vec![1.0, f64::NAN])]);
+        assert_eq!((found.points, found.not_finite), (2, 1));
+        assert!(
+            (found.eta.max - 4.0).abs() < 1e-12 && (found.relative.max / (8.0 * U) - 1.0).abs() < 1e-12,
+            "{found:?}"
+        );
+    }
+
+    #[test]
     fn what_is_not_finite_has_an_infinite_error() {
         let exact = Exact::new(Octuple::from(1.0), Sensitivity::new(&[], &[]));
         assert_eq!(exact.error(f64::NAN), (f64::INFINITY, f64::INFINITY));

@@ -83,6 +83,7 @@ fn measured(subject: &Subject, points: &exact::Points, ways: &[Way], curves: Vec
 pub fn times<F: Proved>(options: &Options, measurement: &mut Measurement) {
     let ways = ways::all::<F>(&measurement.curves);
     let points = clock::Points { random: options.timing_inputs::<F>(), hard: exact::hard(&Subject::of::<F>()) };
-    clock::time(&ways, clock::beside::<F>(&points), &points, (options, &clock::clock()), measurement);
-    measurement.columns = columns::time::<F>(options);
+    let clock = clock::clock();
+    clock::time(&ways, clock::beside::<F>(&points), &points, (options, &clock), measurement);
+    measurement.columns = columns::time::<F>(options, &clock);
 }

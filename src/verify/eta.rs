@@ -18,7 +18,7 @@ impl Sensitivity {
     }
 
     /// Of what no input changes.
-    pub(super) fn none() -> Self {
+    pub(crate) fn none() -> Self {
         Self(Octuple::zero())
     }
 

@@ -25,6 +25,41 @@ fn json_holds_what_was_asked_for() {
 }
 
 #[test]
+fn shares_make_the_whole_and_files_of_something_else_are_named() {
+    let bench = Bench::new();
+    let of = |more: &[&str]| bench.run(&[&["audit", "--filter", "{slot.contact_force,slot.rows}"], more].concat());
+    let shares = ["1/2", "2/2"].map(|shard| {
+        let file = bench.path(&shard.replace('/', "of"));
+        std::fs::write(&file, of(&["--samples", "9", "--seed", "5", "--shard", shard]).quiet().stdout).unwrap();
+        file.to_str().unwrap().to_owned()
+    });
+    let whole = of(&["--samples", "9", "--seed", "5", "--format", "json"]).quiet().stdout;
+    let merge = |files: &[&str]| of(&[&["--format", "json", "--merge"], files].concat());
+    let [first, second] = shares.each_ref().map(String::as_str);
+    assert_eq!(merge(&[second, first]).quiet().stdout, whole, "in any order");
+    merge(&[first]).bad_usage("");
+    let other = bench.path("other");
+    std::fs::write(&other, "[1]").unwrap();
+    merge(&[other.to_str().unwrap()]).exits(1).says("other is not what `audit --shard` prints");
+    std::fs::write(&other, "[]").unwrap();
+    merge(&[other.to_str().unwrap()]).bad_usage("--merge: no share of a formula that was asked for is in these files");
+}
+
+#[test]
+fn of_many_changes_the_first_are_listed() {
+    let bench = Bench::with(&["golden"]);
+    let path = bench.path("golden/slot.friction.json");
+    let mut file = File::parse(&std::fs::read_to_string(&path).unwrap()).unwrap();
+    for case in file.cases.iter_mut().filter(|case| case.out.is_some()).take(7) {
+        case.out.as_mut().unwrap().insert("fn".into(), 1e9.into()).unwrap();
+    }
+    std::fs::write(&path, file.render().unwrap()).unwrap();
+    let ran = bench.run(&["audit", "--filter", ID, "--samples", "1", "--format", "markdown"]).quiet();
+    let ran = ran.prints("Against the committed golden file: 7 changes.\n\n").prints("\n- … and 2 more\n\n");
+    assert_eq!(ran.stdout.matches("committed 1000000000.0, computed").count(), 5);
+}
+
+#[test]
 fn a_seed_gives_the_same_points_again_and_another_gives_others() {
     let seed = |seed| audit(&["--samples", "5", "--seed", seed]);
     assert_eq!(seed("5"), seed("5"));

@@ -55,5 +55,20 @@ fn every_file_is_as_it_was_accepted() {
         let files = bench.files("out").into_iter();
         texts.extend(files.map(|(file, (bytes, _))| (format!("{name}/{file}"), String::from_utf8(bytes).unwrap())));
     }
+    texts.extend(drivers());
     assert_accepted("export", "exports.txt", &texts);
+}
+
+/// Programs to begin with, that call somebody's own code or, as an example, what is exported.
+fn drivers() -> impl Iterator<Item = (String, String)> {
+    let own = ["c", "cpp", "fortran", "python", "julia"].map(|lang| (lang, "own", vec![]));
+    let exported = ["c", "cpp", "fortran", "python"].map(|lang| (lang, "exported", vec!["--exported"]));
+    let all = own.into_iter().chain(exported).flat_map(|(lang, of, options)| {
+        ["value", "jacobian"]
+            .map(|wanted| (lang, of, [&["--driver", lang, "--wanted", wanted], &options[..]].concat(), wanted))
+    });
+    all.map(|(lang, of, options, wanted)| {
+        let ran = Bench::new().run(&[&["check", "--formula", "slider.eliminate"], &options[..]].concat()).exits(0);
+        (format!("driver/{lang} {of} {wanted}"), ran.stdout)
+    })
 }

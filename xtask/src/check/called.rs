@@ -133,6 +133,10 @@ mod tests {
         let refused = called.judge("mine", &[with_first(Answer::Refused(None)), right.clone()]).unwrap();
         assert!(!refused.is_well, "{}", refused.text);
         let valid = Called::new(formula, false, &Options { samples: 10, ..Options::default() }, false);
+        let mut order = called.other_order();
+        assert!(!order.is_sorted());
+        order.sort_unstable();
+        assert!(order.into_iter().eq(0..called.points().len()), "each comes once");
         let is_valid = |inputs: &[f64]| matches!(answer(inputs), Answer::Numbers(_));
         assert!(valid.points().len() > 10 && valid.points().all(is_valid));
     }

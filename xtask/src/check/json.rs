@@ -147,6 +147,8 @@ mod tests {
         let id = "slot.contact_force";
         assert_eq!(answer(id, r#"{"seq":3,"out":5,"jac":[0.6,0.8]}"#), numbers(&[5.0, 0.6, 0.8]));
         assert_eq!(answer(id, r#"{"seq":3,"out":[5],"jac":[["Infinity",0.8]]}"#), numbers(&[5.0, f64::INFINITY, 0.8]));
+        let with_gap = Answer::Numbers(vec![Some(5.0), None, Some(0.8)]);
+        assert_eq!(answer(id, r#"{"seq":3,"out":5,"jac":[null,0.8]}"#), with_gap);
         assert_eq!(answer(id, r#"{"seq":3,"refuse":"f2"}"#), Answer::Refused(Some("f2".into())));
         assert_eq!(answer(id, r#"{"seq":3,"skipped":"not yet"}"#), Answer::Skipped("not yet".into()));
         let products = r#"{"seq":3,"out":5,"jv":[1],"wj":[0.25,0.5]}"#;

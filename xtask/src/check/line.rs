@@ -167,7 +167,7 @@ mod tests {
 
     #[test]
     fn what_is_no_answer_is_named() {
-        let bad = |line| match numbers(line).0 {
+        let bad = |line: &str| match numbers(line).0 {
             Answer::Bad(what) => what,
             answer => panic!("{line}: {answer:?}"),
         };
@@ -176,6 +176,9 @@ mod tests {
         assert_eq!(bad("1 ********"), "`********` is no number");
         assert_eq!(bad("1,5,2 3"), "`1,5,2` is no number");
         assert_eq!(bad("f = 1"), "`f` is no number");
+        let long = "x".repeat(31);
+        assert_eq!(bad(&format!("{} 1", &long[..30])), format!("`{}` is no number", &long[..30]));
+        assert_eq!(bad(&format!("{long} 1")), format!("`{}…` is no number", &long[..30]));
     }
 
     #[test]

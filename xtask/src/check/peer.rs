@@ -307,6 +307,21 @@ mod tests {
     }
 
     #[test]
+    fn what_dies_again_and_again_is_given_up() {
+        let after = |deaths: usize| {
+            let script =
+                format!("while read x; do [ $x -ge 3 ] && [ $x -lt {} ] && exit 3; echo $x 2; done", 3 + deaths);
+            asked(&script, 20).unwrap()
+        };
+        let gives_up =
+            |found: &Replies| found.noticed.iter().any(|what| what.starts_with("not asked any more after 8 points"));
+        let (all, some) = (after(MOST_FAULTS - 1), after(MOST_FAULTS));
+        assert!(lines(&all) == 20 - (MOST_FAULTS - 1) && !gives_up(&all), "{all:?}");
+        assert!(lines(&some) == 3 && gives_up(&some), "{some:?}");
+        assert_eq!(some.replies[3 + MOST_FAULTS..], vec![Reply::NotAsked; 20 - 3 - MOST_FAULTS]);
+    }
+
+    #[test]
     fn output_that_is_kept_back_is_told_and_the_culprit_found() {
         let script = "a=; while read x; do [ $x = 5 ] && kill -9 $$; a=\"$a$x 2\n\"; done; printf %s \"$a\"";
         let found = asked(script, 16).unwrap();

@@ -162,6 +162,24 @@ mod tests {
     use jointproof::verify;
 
     #[test]
+    fn a_remainder_falls_by_a_power_of_the_step() {
+        // The first output has no remainder.
+        let slope = |remainder: fn(f64) -> f64, noise: f64| {
+            let behind = STEPS.map(|h| [9.0, 7.0 + 3.0 * h + remainder(h)]);
+            let behind = behind.each_ref().map(<[f64; 2]>::as_slice);
+            let values = Values { start: &[9.0, 7.0], product: &[0.0, 3.0], behind };
+            assert_eq!(values.slope(0, noise), None);
+            values.slope(1, noise)
+        };
+        let (first, last) = (STEPS[0] * STEPS[0], STEPS[2] * STEPS[2]);
+        assert_eq!(slope(|h| h * h, 0.0), Some(2.0));
+        assert_eq!(slope(|h| -h, 0.0), Some(1.0));
+        // What rounding leaves is not looked at, and nothing falls below it.
+        assert_eq!(slope(|h| h * h, first), None);
+        assert_eq!(slope(|h| h * h, 4.0 * last), Some(1.0));
+    }
+
+    #[test]
     fn there_are_directions_where_formulas_are_smooth() {
         for id in ["coulomb.yield", "slot.constraint", "cardan.angles"] {
             let formula = find(id).unwrap();

@@ -61,14 +61,18 @@ fn numbers(numbers: Vec<f64>) -> Answer {
 /// The answer of the formula with a mistake in it.
 fn planted(plant: Plant, wanted: Wanted, formula: &dyn AnyFormula, question: &Question) -> Answer {
     let mut inputs = question.inputs.clone();
-    if let (Plant::Before(change) | Plant::Both(change, _), Own::Results(_)) = (plant, &question.own) {
+    if let (Plant::Before(change) | Plant::Both(change, _) | Plant::Gaps(change, _), Own::Results(_)) =
+        (plant, &question.own)
+    {
         change(&mut inputs);
     }
     let Some(mut answer) = own(formula, wanted, question, &inputs) else { return Answer::Refused(None) };
-    if let Plant::After(change) | Plant::Both(_, change) = plant {
+    if let Plant::After(change) | Plant::Both(_, change) | Plant::Gaps(_, change) = plant {
         change(&question.inputs, &mut answer);
     }
-    numbers(answer)
+    let is_gap = matches!(plant, Plant::Gaps(..)) && question.inputs[0] < 0.0;
+    let last = answer.len() - usize::from(is_gap);
+    Answer::Numbers(answer.into_iter().enumerate().map(|(k, x)| (k < last).then_some(x)).collect())
 }
 
 #[test]

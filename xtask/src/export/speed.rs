@@ -55,15 +55,22 @@ pub(super) fn compare(project: &Project, folder: &Path, recorded: &[Recorded]) -
         times.sort_by(f64::total_cmp);
         rows.push((id, times[times.len() / 2], time));
     }
+    print(&table(rows))
+}
+
+/// Times in C and in Rust, the worst of C first, and what they come to.
+#[expect(clippy::cast_precision_loss, reason = "formulas are few")]
+fn table(mut rows: Vec<(&str, f64, f64)>) -> String {
     rows.sort_by(|a, b| (b.1 / b.2).total_cmp(&(a.1 / a.2)));
-    print("formula                                        C, ns   Rust, ns   ratio\n")?;
-    for (id, c, rust) in &rows {
-        print(&format!("{id:44} {c:8.1} {rust:10.1} {:7.2}\n", c / rust))?;
+    let mut text = "formula                                        C, ns   Rust, ns   ratio\n".to_owned();
+    let ratios: Vec<_> = rows.iter().map(|(_, c, rust)| c / rust).collect();
+    for ((id, c, rust), ratio) in rows.iter().zip(&ratios) {
+        text += &format!("{id:44} {c:8.1} {rust:10.1} {ratio:7.2}\n");
     }
-    let power = 1.0 / f64::from(u32::try_from(rows.len())?);
-    let mean: f64 = rows.iter().map(|(_, c, rust)| (c / rust).powf(power)).product();
-    let within = rows.iter().filter(|(_, c, rust)| c / rust <= 1.15).count();
-    print(&format!("{within} of {} at most 1.15; geometric mean {mean:.2}\n", rows.len()))
+    let power = (rows.len() as f64).recip();
+    let mean: f64 = ratios.iter().map(|ratio| ratio.powf(power)).product();
+    let within = ratios.iter().filter(|ratio| **ratio <= 1.15).count();
+    text + &format!("{within} of {} at most 1.15; geometric mean {mean:.2}\n", rows.len())
 }
 
 /// Reads what the program prints: a name and a time in every line.
@@ -101,6 +108,20 @@ mod tests {
         read("a 0.5\n", &mut times).unwrap();
         assert_eq!(times, HashMap::from([("a".into(), vec![1.5, 0.5]), ("b".into(), vec![2.0])]));
         assert_eq!(read("a", &mut times).unwrap_err().to_string(), "the program prints names and times");
+    }
+
+    #[test]
+    fn the_worst_of_c_is_first_and_the_mean_is_of_ratios() {
+        let rows = vec![("b.even", 3.0, 3.0), ("a.worst", 40.0, 10.0), ("d.bound", 1.15, 1.0), ("c.best", 10.0, 46.0)];
+        let expected = "\
+formula                                        C, ns   Rust, ns   ratio
+a.worst                                          40.0       10.0    4.00
+d.bound                                           1.1        1.0    1.15
+b.even                                            3.0        3.0    1.00
+c.best                                           10.0       46.0    0.22
+3 of 4 at most 1.15; geometric mean 1.00
+";
+        assert_eq!(table(rows), expected);
     }
 
     #[test]

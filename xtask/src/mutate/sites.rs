@@ -103,6 +103,7 @@ impl<'ast> Visit<'ast> for Sites<'_> {
         self.visit_block(&branch.then_branch);
         // Behind `else` stands a block or an `if`, and nothing else can.
         if let Some((_, otherwise)) = &branch.else_branch {
+            self.rules.of_expression(otherwise, Shape::Expression);
             visit::visit_expr(self, otherwise);
         }
     }

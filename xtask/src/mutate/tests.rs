@@ -238,6 +238,27 @@ fn the_lists_of_this_project_fit_its_sources() {
     assert_eq!(names.len(), faults.len());
 }
 
+#[test]
+fn a_line_of_the_list_says_what_is_changed_and_what_nothing_can_notice() {
+    let fault = Fault {
+        id: "sums.sign".into(),
+        area: "sums".into(),
+        file: "src/lib.rs".into(),
+        was: "+".into(),
+        becomes: "-".into(),
+        ..nameless()
+    };
+    let harmless = Fault { equivalent: Some("nobody asks".into()), ..fault.clone() };
+    assert_eq!(line(&fault), "sums sums.sign: src/lib.rs:1: `+` → `-`\n");
+    assert_eq!(line(&harmless), "sums sums.sign: src/lib.rs:1: `+` → `-` (nothing can notice it: nobody asks)\n");
+}
+
+#[test]
+fn of_nothing_all_is_noticed() {
+    let score = table::Score::default();
+    assert!(score.rate() == 1.0 && score.is_enough());
+}
+
 fn nameless() -> Fault {
     let (id, area, file) = Default::default();
     let (was, becomes) = Default::default();
@@ -329,14 +350,30 @@ fn f(x: f64, all: &[f64]) -> bool {
     let near = match x { _ if is_near(x) => 3, _ => all.iter().rev().map(|y| y - x).len() };
     all.iter().any(|y| *y > whole) || !done && near != 4
 }
+trait Far {
+    fn is_far(&self) -> usize { if self.no() { 6 } else if self.yes() { 7 } else { 8 } }
+    fn near(&self) -> f32;
+}
+impl Far for f64 {
+    fn yes(&self) -> Two { let Some(x) = self else { return go(9) }; x }
+    const fn fixed() -> u32 { 10 }
+    #[test]
+    fn tested() -> u32 { 11 }
+    #[doctest]
+    fn kept() -> Two { [self; 12] }
+}
 #[cfg(test)]
 mod tests { fn g() -> bool { 1 == 2 } }
+#[cfg(doctest)]
+mod examples { fn g() -> bool { 1 == 2 } }
+#[cfg(unix)]
+mod here { fn g() -> Two { 13 } }
 ";
     let made = sites::Sites::read(source).unwrap().rules.made;
     let mut made: Vec<_> = made.iter().map(|made| (made.at, made.was.as_str(), made.becomes.as_str())).collect();
     made.sort_unstable();
     let (bodies, parts): (Vec<_>, Vec<_>) = made.into_iter().partition(|(_, was, _)| was.starts_with('{'));
-    assert_eq!(bodies.iter().map(|(_, _, becomes)| *becomes).collect::<Vec<_>>(), ["true", "false"]);
+    assert_eq!(bodies.iter().map(|(_, _, becomes)| *becomes).collect::<Vec<_>>(), ["true", "false", "0"]);
     let shown: Vec<_> = parts.iter().map(|((line, _), was, becomes)| format!("{line}: {was} → {becomes}")).collect();
     let expected = [
         "3: -x.abs() → x.abs()",
@@ -358,6 +395,13 @@ mod tests { fn g() -> bool { 1 == 2 } }
         "7: && → ||",
         "7: != → ==",
         "7: 4 → 5",
+        "10: self.no() → !(self.no())",
+        "10: 6 → 7",
+        "10: self.yes() → !(self.yes())",
+        "10: 7 → 8",
+        "10: 8 → 9",
+        "14: 9 → 10",
+        "26: 13 → 14",
     ];
     assert_eq!(shown, expected);
 }

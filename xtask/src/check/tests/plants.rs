@@ -13,9 +13,11 @@ pub(super) enum Plant {
     After(fn(&[f64], &mut [f64])),
     /// To both.
     Both(fn(&mut [f64]), fn(&[f64], &mut [f64])),
+    /// To both; the last number is not given where the first input is below 0.
+    Gaps(fn(&mut [f64]), fn(&[f64], &mut [f64])),
 }
 
-use Plant::{After, Before, Both, Nothing};
+use Plant::{After, Before, Both, Gaps, Nothing};
 
 /// A name, the formula, what is answered, and the mistake.
 pub(super) const PLANTS: &[(&str, &str, Wanted, Plant)] = &[
@@ -157,6 +159,36 @@ pub(super) const PLANTS: &[(&str, &str, Wanted, Plant)] = &[
         After(|x, y| {
             if x == [3.0, 4.0] {
                 y[0] += 1.0;
+            }
+        }),
+    ),
+    ("an input, with gaps", "slot.friction", Jacobian, Gaps(|x| x[3] *= -1.0, |_, _| {})),
+    ("a factor, with gaps", "slot.friction", Jacobian, Gaps(|_| {}, |_, y| y[FN + 9] *= -2.0)),
+    (
+        "a sign, with gaps",
+        "coulomb.yield",
+        Jacobian,
+        Gaps(|_| {}, |x, y| y.copy_from_slice(&[x[0] + x[1] * x[2], 1.0, x[2], x[1]])),
+    ),
+    (
+        "an index, with gaps",
+        "slot.friction",
+        Jacobian,
+        Gaps(|_| {}, |_, y| (y[FN + 2], y[FN + 9]) = (y[FN + 1], y[FN + 1])),
+    ),
+    (
+        "a matrix of values",
+        "universal.geometric_stiffness",
+        Value,
+        After(|_, y| [(1, 3), (2, 6), (5, 7)].iter().for_each(|&(a, b)| y.swap(a, b))),
+    ),
+    (
+        "0 beside what is large",
+        "slot.contact_force",
+        Value,
+        After(|x, y| {
+            if x.contains(&0.0) {
+                y[0] = 0.0
             }
         }),
     ),
