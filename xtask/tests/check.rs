@@ -229,6 +229,9 @@ fn reviewers_are_told_on_the_line_of_the_routine() {
         .prints("::error file=mine.f90,line=40,title=coulomb.yield%3A the sign is turned of ∂phi/∂mu");
     let written = std::fs::read_to_string(summary.path()).unwrap();
     assert!(written.contains("diagnosis: the sign is turned of ∂phi/∂mu"), "{written}");
+    github("BEGIN { exit 3 }")
+        .exits(1)
+        .prints("::error file=mine.f90,line=40,title=coulomb.yield%3A it does not answer");
     assert_eq!(github(RIGHT).quiet().stdout.lines().count(), 1, "what is right costs a line");
     for format in ["sarif", "rdjson"] {
         let ran = awk(&["--format", format, "--at", "mine.f90"], &wrong).exits(1).prints("mine.f90");

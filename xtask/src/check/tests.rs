@@ -108,6 +108,23 @@ fn is_random(question: &Question) -> bool {
     question.name.starts_with("random ")
 }
 
+/// A refusal by numbers needs one output that is none, wherever it stands.
+#[test]
+fn one_nan_among_the_outputs_refuses() {
+    let refused_by = |place: usize, x: f64| {
+        said("slot.friction", Jacobian, 5, |formula, question| match planted(Nothing, Jacobian, formula, question) {
+            Answer::Refused(_) => numbers((0..18).map(|k| if k == place { x } else { 1.0 }).collect()),
+            right => right,
+        })
+    };
+    for place in 0..3 {
+        let said = refused_by(place, f64::INFINITY);
+        assert!(said.starts_with("ok") && said.contains(" refused as they must be"), "{said}");
+    }
+    let said = refused_by(3, f64::NAN);
+    assert!(said.starts_with("off") && said.contains(", 0 refused as they must be"), "{said}");
+}
+
 #[test]
 fn all_that_is_said_of_odd_answers() {
     let right = |formula: &dyn AnyFormula, question: &Question| planted(Nothing, Jacobian, formula, question);

@@ -238,6 +238,23 @@ fn the_lists_of_this_project_fit_its_sources() {
     assert_eq!(names.len(), faults.len());
 }
 
+/// What git does not know is gone from the copy, but not what was built there.
+#[test]
+fn the_copy_has_the_files_of_the_project_and_no_others() {
+    let root = tiny();
+    let folder = root.path().join("target/mutate");
+    let old = ["src/old.rs", "target/kept", "Cargo.lock"].map(|file| folder.join("tree").join(file));
+    for file in &old {
+        fs::create_dir_all(file.parent().unwrap()).unwrap();
+        fs::write(file, "").unwrap();
+    }
+    Bench::new(root.path(), folder.clone()).unwrap();
+    assert_eq!(old.map(|file| file.exists()), [false, true, true]);
+    for file in ["Cargo.toml", "src/lib.rs", "tests/faults/sums.toml", ".gitignore"] {
+        assert_eq!(fs::read(folder.join("tree").join(file)).unwrap(), fs::read(root.path().join(file)).unwrap());
+    }
+}
+
 #[test]
 fn a_line_of_the_list_says_what_is_changed_and_what_nothing_can_notice() {
     let fault = Fault {
@@ -369,7 +386,14 @@ mod examples { fn g() -> bool { 1 == 2 } }
 #[cfg(unix)]
 mod here { fn g() -> Two { 13 } }
 ";
-    let made = sites::Sites::read(source).unwrap().rules.made;
+    let sites = sites::Sites::read(source).unwrap();
+    let places: Vec<_> = sites.places.iter().map(|(range, _)| &source[range.clone()]).collect();
+    for part in ["-x.abs() * 2.0", "note(x)", "*y > whole", "go(9)", "{ 13 }"] {
+        assert!(places.contains(&part), "{part} is not in {places:?}");
+    }
+    // What can be written to stands for a place, and not for a value.
+    assert!(!places.iter().any(|part| ["x", "self", "*y"].contains(part)), "{places:?}");
+    let made = sites.rules.made;
     let mut made: Vec<_> = made.iter().map(|made| (made.at, made.was.as_str(), made.becomes.as_str())).collect();
     made.sort_unstable();
     let (bodies, parts): (Vec<_>, Vec<_>) = made.into_iter().partition(|(_, was, _)| was.starts_with('{'));

@@ -114,6 +114,7 @@ fn failures(figures: &Figures) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use jointproof::measure::{Errors, Quantiles};
 
     fn time(low: f64, median: f64, high: f64) -> Time {
         Time { median, low, high }
@@ -128,6 +129,20 @@ mod tests {
         assert_eq!([speed(short, long), speed(short, longer)], [Speed::Same, Speed::Faster]);
         assert_eq!([speed(long, short), speed(longer, short)], [Speed::Same, Speed::Slower]);
         assert_eq!(speed(time(1.4, 1.4, 1.4), time(0.7, 0.7, 0.7)), Speed::Same, "less than a nanosecond apart");
+    }
+
+    #[test]
+    fn the_greatest_error_is_of_random_and_hard_points_where_there_are_any() {
+        let of = |max: f64| Quantiles { max, ..Quantiles::default() };
+        let errors = |max| Errors { points: 1, not_finite: 0, eta: of(max), relative: Quantiles::default() };
+        let figures = |hard: Option<f64>| Figures {
+            time: None,
+            ratio: None,
+            hard_times: Vec::new(),
+            random: errors(0.25),
+            hard: hard.map(errors),
+        };
+        assert_eq!([None, Some(0.125), Some(2.0)].map(|hard| greatest(&figures(hard))), [0.25, 0.25, 2.0]);
     }
 
     #[test]

@@ -57,6 +57,11 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_median_must_be_below_its_bound() {
+        assert!(over(149, Some(150)).is_none() && over(150, Some(150)).is_some() && over(1000, None).is_none());
+    }
+
+    #[test]
     fn as_many_are_above_the_middle_as_below() {
         let middles = [vec![], vec![7], vec![9, 7], vec![50, 10, 40, 20, 30]].map(middle);
         assert_eq!(middles, [0, 7, 9, 30]);

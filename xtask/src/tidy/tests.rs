@@ -116,6 +116,7 @@ fn a_circle_is_found_through_re_exports_globs_macros_and_functions() {
         ("fn f() {\n    use super::all::*;\n    let _ = Y {};\n}", "crate::make!();"),
         ("use lib_a::y;\nfn f() { g::<y::Y>() }", "use crate::make;\nmake! {}"),
         ("use self::super::y::Y as _;", "fn f() -> <crate::X as Clone>::T {}"),
+        ("fn f() { m!(#crate::all::Y) }", "fn f() { m!(#(crate::X)) }"),
     ] {
         let lib = "mod x;\nmod y;\nmod all { pub(crate) use super::y::*; }\npub use x::X;\npub use y::Y as Renamed;\n";
         let x = format!("{x}{uses_x}\n");
@@ -157,7 +158,8 @@ fn a_file_that_uses_what_it_re_exports_is_in_a_circle_and_one_that_passes_it_on_
 fn names_that_are_no_uses_make_no_circle() {
     let lib = "mod x;\nmod y;\npub use x::*;\npub use y::{Y, go};\n";
     let y = "pub struct Y;\npub fn go() {}\n/// [`X`](crate::X)\n#[doc = \"crate::X\"]\nfn f(go: f64) -> f64 { go.x(go) }\n\
-             macro_rules! m { () => { crate::X } }\n#[cfg(all(test, unix))]\nuse crate::X;\nimpl Y { #[test] fn t() { crate::X } }\n";
+             macro_rules! m { () => { crate::X } }\n#[cfg(all(test, unix))]\nuse crate::X;\nimpl Y { #[test] fn t() { crate::X } }\n\
+             fn g() { #![rule(crate::X)] #[rule(crate::X)] let one = 1; }\n";
     assert_eq!(
         found(&[("src/lib.rs", lib), ("src/x.rs", "use super::Y;\npub struct X;\n"), ("src/y.rs", y)]),
         Vec::<String>::new()

@@ -143,6 +143,16 @@ pub(super) const PLANTS: &[(&str, &str, Wanted, Plant)] = &[
         }),
     ),
     (
+        "NaN at a kink, and another convention",
+        "slot.contact_force",
+        Jacobian,
+        After(|_, y| {
+            if y[0] == 0.0 {
+                y[1..].copy_from_slice(&[0.6, f64::NAN]);
+            }
+        }),
+    ),
+    (
         "a convention at a kink",
         "slot.contact_force",
         Jacobian,
