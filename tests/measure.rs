@@ -162,6 +162,15 @@ fn differences_have_their_best_step() {
 }
 
 #[test]
+fn there_is_a_step_in_every_decade_at_least() {
+    let steps = |steps_per_decade| {
+        let options = Options { steps_per_decade, random_points: 2, ..OPTIONS };
+        errors::<Cube>(&options).curves[0].steps.len()
+    };
+    assert_eq!([0, 1, 3].map(steps), [15, 15, 43]);
+}
+
+#[test]
 fn time_is_taken_at_the_first_of_the_points_at_which_errors_are_found() {
     let mut sampler = Sampler::new::<Cube>(OPTIONS.seed);
     let expected: Vec<_> = (0..7).map(|_| sampler.inputs::<Cube>().components()).collect();
