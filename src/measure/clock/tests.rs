@@ -252,5 +252,5 @@ fn both_halves_count_alike() {
 /// The number is that of an interpreter of Python.
 #[test]
 fn the_yardstick_is_the_same_arithmetic_in_every_version() {
-    assert_eq!(chain(2.0).to_bits(), 1.808775336651888_f64.to_bits());
+    assert_eq!(chain(2.0).to_bits(), 1.808_775_336_651_888_f64.to_bits());
 }

@@ -62,15 +62,17 @@ pub(super) fn compare(project: &Project, folder: &Path, recorded: &[Recorded]) -
 #[expect(clippy::cast_precision_loss, reason = "formulas are few")]
 fn table(mut rows: Vec<(&str, f64, f64)>) -> String {
     rows.sort_by(|a, b| (b.1 / b.2).total_cmp(&(a.1 / a.2)));
-    let mut text = "formula                                        C, ns   Rust, ns   ratio\n".to_owned();
     let ratios: Vec<_> = rows.iter().map(|(_, c, rust)| c / rust).collect();
-    for ((id, c, rust), ratio) in rows.iter().zip(&ratios) {
-        text += &format!("{id:44} {c:8.1} {rust:10.1} {ratio:7.2}\n");
-    }
+    let line = |((id, c, rust), ratio): (&(&str, f64, f64), &f64)| format!("{id:44} {c:8.1} {rust:10.1} {ratio:7.2}\n");
+    let lines: String = rows.iter().zip(&ratios).map(line).collect();
     let power = (rows.len() as f64).recip();
     let mean: f64 = ratios.iter().map(|ratio| ratio.powf(power)).product();
     let within = ratios.iter().filter(|ratio| **ratio <= 1.15).count();
-    text + &format!("{within} of {} at most 1.15; geometric mean {mean:.2}\n", rows.len())
+    format!(
+        "formula                                        C, ns   Rust, ns   ratio\n{lines}{within} of {} at most 1.15; \
+         geometric mean {mean:.2}\n",
+        rows.len()
+    )
 }
 
 /// Reads what the program prints: a name and a time in every line.

@@ -198,7 +198,7 @@ pub(super) const PLANTS: &[(&str, &str, Wanted, Plant)] = &[
         Value,
         After(|x, y| {
             if x.contains(&0.0) {
-                y[0] = 0.0
+                y[0] = 0.0;
             }
         }),
     ),
