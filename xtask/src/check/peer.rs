@@ -331,6 +331,9 @@ mod tests {
 
     #[test]
     fn banners_and_wrapped_lines_are_understood() {
+        // A line that is half of numbers is none with an answer.
+        let found = asked("echo solver 2; while read x; do echo $x 2; done", 9).unwrap();
+        assert!(lines(&found) == 9 && found.noticed.len() == 1, "{found:?}");
         let found = asked("echo hello world; while read x; do echo $x; echo 2; done", 9).unwrap();
         assert_eq!(found.replies[8], Reply::Line("8 2".into()));
         assert_eq!(found.noticed.len(), 2, "{found:?}");

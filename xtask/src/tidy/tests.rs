@@ -159,9 +159,10 @@ fn names_that_are_no_uses_make_no_circle() {
     let lib = "mod x;\nmod y;\npub use x::*;\npub use y::{Y, go};\n";
     let y = "pub struct Y;\npub fn go() {}\n/// [`X`](crate::X)\n#[doc = \"crate::X\"]\nfn f(go: f64) -> f64 { go.x(go) }\n\
              macro_rules! m { () => { crate::X } }\n#[cfg(all(test, unix))]\nuse crate::X;\nimpl Y { #[test] fn t() { crate::X } }\n\
-             fn g() { #![rule(crate::X)] #[rule(crate::X)] let one = 1; }\n";
+             fn g() { #![rule(crate::X)] #[rule(crate::X)] let one = 1; }\n\
+             use super::*;\nfn h(run: f64) -> [f64; 1] { let f = |run| run; f(run); [run] }\n";
     assert_eq!(
-        found(&[("src/lib.rs", lib), ("src/x.rs", "use super::Y;\npub struct X;\n"), ("src/y.rs", y)]),
+        found(&[("src/lib.rs", lib), ("src/x.rs", "use super::Y;\npub struct X;\npub fn run() {}\n"), ("src/y.rs", y)]),
         Vec::<String>::new()
     );
 }
