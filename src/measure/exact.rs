@@ -139,6 +139,20 @@ mod tests {
     }
 
     #[test]
+    fn doubles_decide_only_where_number_and_size_are_ordinary() {
+        let is_quick = |exact: f64, size: f64| {
+            let sensitivity = Sensitivity::new(&[Octuple::from(size)], &[Octuple::from(1.0)]);
+            Exact::new(exact.into(), sensitivity).near.is_some()
+        };
+        for (exact, size) in [(1.0, 1.0), (0.0, 0.0), (0.0, 1.0), (1e-249, 1.0), (1e200, 1e249)] {
+            assert!(is_quick(exact, size), "{exact} {size}");
+        }
+        for (exact, size) in [(1e-251, 1.0), (1.0, 1e251), (0.0, 1e-251), (1e251, 0.0), (1e-251, 1e-251)] {
+            assert!(!is_quick(exact, size), "{exact} {size}");
+        }
+    }
+
+    #[test]
     fn ordinary_numbers_are_zero_or_far_from_the_ends() {
         let is_ordinary = |x: f64| HardPoint { case: String::new(), inputs: vec![1.0, x] }.is_ordinary();
         for x in [0.0, 1e-100, -1e-100, 1e100, -1e100] {

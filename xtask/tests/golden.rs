@@ -53,6 +53,14 @@ fn a_wrong_last_bit_is_found_and_nothing_is_written() {
 }
 
 #[test]
+fn the_first_golden_file_makes_the_folder() {
+    let bench = Bench::with(&[]);
+    bench.run(&WRITE).exits(0);
+    assert!(bench.path("golden").join(NAME).exists());
+    bench.run(&CHECK).exits(0);
+}
+
+#[test]
 fn every_kind_of_difference_is_named() {
     type Change = fn(&mut File);
     let changes: [(Change, &str); 6] = [

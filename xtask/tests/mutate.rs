@@ -51,6 +51,18 @@ fn a_list_builds_nothing_and_an_area_must_be_there() {
 }
 
 #[test]
+fn a_test_that_fails_without_a_fault_tells_nothing() {
+    let bench = tiny(LIST);
+    let source = fs::read_to_string(bench.path("src/lib.rs")).unwrap();
+    fs::write(bench.path("src/lib.rs"), source.replace("next(2), 3", "next(2), 4")).unwrap();
+    let ran = bench
+        .run(&["mutate", "--made", "0"])
+        .exits(1)
+        .says("tiny test fails or takes too long without a fault, so it tells nothing");
+    ran.prints("survived: sums.sign");
+}
+
+#[test]
 fn the_exit_code_says_whether_enough_is_noticed_and_the_book_gets_what_is_kept() {
     let all = ["mutate", "--made", "0", "--grace", "1"];
     let well = tiny(LIST);

@@ -31,8 +31,18 @@ fn a_skeleton_is_written_in_the_places_of_its_neighbours() {
         let is_parsed = !file.starts_with("src") || syn::parse_file(&text).is_ok();
         assert!(is_parsed, "{file} is not Rust:\n{text}");
     }
+    assert!(!bench.path("book/permalinks.txt").exists(), "there is no list, and none is made");
     // A second time, nothing is overwritten.
     bench.run(&["new", "slot.made_power"]).exits(1).says("src/slot/made_power.rs is there already");
+}
+
+#[test]
+fn a_new_entry_gets_an_address_where_they_are_listed() {
+    let bench = Bench::with(&[&PARTS[..], &["book/permalinks.txt"]].concat());
+    let before = fs::read_to_string(bench.path("book/permalinks.txt")).unwrap();
+    bench.run(&["new", "slot.made_power"]).quiet().prints("changed book/permalinks.txt\n");
+    let after = fs::read_to_string(bench.path("book/permalinks.txt")).unwrap();
+    assert_eq!(after, format!("{}\nslot.made_power\n", before.trim_end()));
 }
 
 #[test]

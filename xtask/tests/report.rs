@@ -107,6 +107,11 @@ fn a_planted_loss_of_accuracy_is_named_and_exits_1() {
     let ran = ran.prints("slot.contact_force closed Jacobian, random points").prints("less accurate");
     let count = ran.stdout.matches("less accurate slot").count();
     assert_eq!(count, 1, "errors are the same in every run: {ran:#?}");
+    // As JSON the report alone is printed, and what is said of it beside.
+    let wanted = ["--format", "json", "--against", old.to_str().unwrap()];
+    let ran =
+        quick(&bench, "slot.contact_force", &wanted).exits(1).says("less accurate slot.contact_force closed Jacobian");
+    serde_json::from_str::<serde_json::Value>(&ran.stdout).unwrap();
 }
 
 #[test]

@@ -136,7 +136,7 @@ fn search_sees_words_but_neither_code_nor_listings() {
 #[test]
 fn every_fault_is_named_at_once_with_chapter_and_line() {
     let chapter = "# One\n\n{{#formula t.first}}\n\n{{#formula t.frist}}\n\n{{#formula t.first}}\n\n{{#nonsense}}\n\n\
-                   {{#figure nothing}}\n\n{{#table none}}\n\nBad $\\frac a$ here.\n\nCosts $ 5 {\n";
+                   {{#figure nothing}}\n\n{{#table none}}\n\n{{#output none}}\n\nBad $\\frac a$ here.\n\nCosts $ 5 {\n";
     let faults = faults(chapter);
     let expected = [
         "book/src: formula `t.second` is in the catalog but in no chapter; add `{{#formula t.second}}`",
@@ -145,8 +145,9 @@ fn every_fault_is_named_at_once_with_chapter_and_line() {
         "book/src/one.md:9: unknown directive `{{#nonsense}}`",
         "book/src/one.md:11: no figure `nothing`; there are: plain",
         "book/src/one.md:13: no table `none`; there are: ",
-        "book/src/one.md:15: cannot set the formula `\\frac a`",
-        "book/src/one.md:17: no formula is closed in `$ 5 {`",
+        "book/src/one.md:15: no output `none`; there are: ",
+        "book/src/one.md:17: cannot set the formula `\\frac a`",
+        "book/src/one.md:19: no formula is closed in `$ 5 {`",
     ];
     assert_eq!(faults.len(), expected.len(), "{faults:#?}");
     for (fault, expected) in faults.iter().zip(expected) {

@@ -39,7 +39,7 @@ impl<'a> Sites<'a> {
     }
 
     fn function(&mut self, attributes: &[Attribute], signature: &syn::Signature, body: &Block) {
-        if signature.constness.is_some() || is_test(attributes) {
+        if signature.constness.is_some() || is_elsewhere(attributes) {
             return;
         }
         self.places.push((body.span().byte_range(), Shape::Body));
@@ -56,8 +56,8 @@ impl<'ast> Visit<'ast> for Sites<'_> {
         match item {
             Item::Const(_) | Item::Static(_) | Item::Enum(_) | Item::Struct(_) | Item::Type(_) | Item::Macro(_) => {}
             Item::Fn(function) => self.function(&function.attrs, &function.sig, &function.block),
-            Item::Mod(module) if is_test(&module.attrs) => {}
-            Item::Impl(implementation) if is_test(&implementation.attrs) => {}
+            Item::Mod(module) if is_elsewhere(&module.attrs) => {}
+            Item::Impl(implementation) if is_elsewhere(&implementation.attrs) => {}
             item => visit::visit_item(self, item),
         }
     }
@@ -147,11 +147,14 @@ fn is_place(expr: &Expr) -> bool {
     }
 }
 
-/// Whether what has these attributes is there only for tests.
-fn is_test(attributes: &[Attribute]) -> bool {
+/// Whether what has these attributes is there only for tests, or on another system.
+fn is_elsewhere(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|attribute| {
         let path = attribute.path();
-        let condition = || attribute.parse_args::<syn::Ident>().is_ok_and(|word| word == "test" || word == "doctest");
+        let condition = || {
+            let wanted = attribute.parse_args::<proc_macro2::TokenStream>().map(|tokens| tokens.to_string());
+            wanted.is_ok_and(|wanted| matches!(wanted.as_str(), "test" | "doctest" | "not (unix)"))
+        };
         path.is_ident("test") || (path.is_ident("cfg") && condition())
     })
 }

@@ -255,6 +255,34 @@ fn the_copy_has_the_files_of_the_project_and_no_others() {
     }
 }
 
+/// The switch is a dependency of the workspace's head and of every package that a fault is in, and of no other.
+#[test]
+fn packages_with_faults_and_the_head_get_the_switch() {
+    let root = tiny();
+    let package = |name: &str| format!("[package]\nname = \"{name}\"\nversion = \"0.0.0\"\nedition = \"2024\"\n");
+    for (file, text) in
+        [("with/Cargo.toml", package("with")), ("with/src/lib.rs", "pub fn two() -> u32 {\n    2\n}\n".into())]
+    {
+        for folder in ["", "with/inner/", "without/"] {
+            let file = if folder.is_empty() { file.to_owned() } else { file.replace("with/", folder) };
+            fs::create_dir_all(root.path().join(&file).parent().unwrap()).unwrap();
+            fs::write(root.path().join(&file), &text).unwrap();
+        }
+    }
+    fs::write(root.path().join("tests/faults/sums.toml"), "files = [\"with/inner/**\"]\n").unwrap();
+    let bench = Bench::new(root.path(), root.path().join("target/mutate")).unwrap();
+    let sources = bench.sources().unwrap();
+    let choice = Choice::read(&area::read(root.path()).unwrap(), &sources, 0).unwrap();
+    let faults: Vec<_> = choice.take(9, &BTreeSet::new()).into_iter().map(|fault| (fault, 0)).collect();
+    assert!(!faults.is_empty() && faults.iter().all(|(fault, _)| fault.file == "with/inner/src/lib.rs"));
+    bench.plant(&faults, &sources).unwrap();
+    let manifest = |folder: &str| fs::read_to_string(bench.tree().join(folder).join("Cargo.toml")).unwrap();
+    let switch = |up: &str| format!("\n[dependencies]\nplanted = {{ path = \"{up}planted\" }}\n");
+    assert!(manifest("").contains(&switch("../")) && manifest("").contains("[profile.dev.package.planted]"));
+    assert!(manifest("with/inner").ends_with(&switch("../../../")), "{}", manifest("with/inner"));
+    assert_eq!(["with", "without"].map(manifest), [package("with"), package("with")]);
+}
+
 #[test]
 fn a_line_of_the_list_says_what_is_changed_and_what_nothing_can_notice() {
     let fault = Fault {
@@ -393,6 +421,9 @@ mod tests { fn g() -> bool { 1 == 2 } }
 mod examples { fn g() -> bool { 1 == 2 } }
 #[cfg(unix)]
 mod here { fn g() -> Two { 13 } }
+#[cfg(not(unix))]
+fn there() -> u32 { 14 }
+fn bound(x: Two) -> Two { if let Some(y) = x && y > 15.5 { y } else { z } }
 ";
     let sites = sites::Sites::read(source).unwrap();
     let places: Vec<_> = sites.places.iter().map(|(range, _)| &source[range.clone()]).collect();
@@ -434,6 +465,8 @@ mod here { fn g() -> Two { 13 } }
         "10: 8 → 9",
         "14: 9 → 10",
         "26: 13 → 14",
+        "29: > → >=",
+        "29: 15.5 → 16.5",
     ];
     assert_eq!(shown, expected);
 }

@@ -13,7 +13,7 @@ pub(super) enum Plant {
     After(fn(&[f64], &mut [f64])),
     /// To both.
     Both(fn(&mut [f64]), fn(&[f64], &mut [f64])),
-    /// To both; the last number is not given where the first input is below 0.
+    /// To both; the last number is not given where a bit of the first input is 0.
     Gaps(fn(&mut [f64]), fn(&[f64], &mut [f64])),
 }
 
