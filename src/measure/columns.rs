@@ -175,6 +175,16 @@ mod tests {
     }
 
     #[test]
+    fn the_time_of_a_row_is_that_of_the_work_by_rows() {
+        let (now, mut is_done) = (Mutex::new(100.0), false);
+        let time = a_row(4, &|| *now.lock().unwrap(), || {
+            is_done = true;
+            *now.lock().unwrap() += 10.0;
+        });
+        assert!(is_done && time == 2.5);
+    }
+
+    #[test]
     fn a_loop_and_a_batch_write_what_the_formula_gives() {
         let points = [vec![3.0, 4.0], vec![f64::NAN, 1.0], vec![-6.0, 8.0]];
         let expected = [[5.0, 0.6, 0.8], [1.0; 3], [10.0, -0.6, 0.8], [5.0, 0.6, 0.8]];

@@ -196,3 +196,26 @@ fn collect(path: &Path, name: Option<&str>, texts: &mut Vec<String>) {
         texts.extend(std::fs::read_to_string(path));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sources_of_a_name_are_collected_from_all_folders_and_nothing_else() {
+        let root = tempfile::tempdir().unwrap();
+        for file in ["a.rs", "a.txt", "b.rs", "inner/a.rs"] {
+            let path = root.path().join(file);
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(path, file).unwrap();
+        }
+        let collected = |name: Option<&str>| {
+            let mut texts = Vec::new();
+            collect(root.path(), name, &mut texts);
+            texts.sort();
+            texts
+        };
+        assert_eq!(collected(Some("a")), ["a.rs", "inner/a.rs"]);
+        assert_eq!(collected(None), ["a.rs", "b.rs", "inner/a.rs"]);
+    }
+}

@@ -124,7 +124,15 @@ fn formulas_are_listed_and_shown() {
     let ran = bench.run(&["formulas"]).quiet();
     assert_eq!(ran.stdout.lines().count(), CATALOG.len());
     let shown = ["formulas", "--filter", "coulomb.return_map", "--show"];
-    bench.run(&shown).quiet().prints("in  f_trial (F): ").prints("a finite number ≥ 0").prints("kink: ");
+    bench
+        .run(&shown)
+        .quiet()
+        .prints("in  f_trial (F): ")
+        .prints("a finite number ≥ 0")
+        .prints("out f (F): friction")
+        .prints("kink: ");
+    let ran = bench.run(&["formulas", "--filter", "slider.line", "--show"]).quiet();
+    ran.prints("\n    in  x1[3] (L): ").prints("\n    out n[3] (1): ").prints("η of the value at most ");
 }
 
 #[test]

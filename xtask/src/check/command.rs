@@ -203,3 +203,22 @@ fn asked(formula: &dyn AnyFormula, arguments: &Arguments) -> anyhow::Result<Vec<
     let inputs = components(formula.inputs(), &inputs).map_err(|error| Usage(format!("--point: {error}")))?;
     Ok(of_points(formula, arguments.wanted, vec![("given".into(), inputs)], arguments.seed))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_place_has_a_line_from_1_on() {
+        for (text, file, line) in [
+            ("mine.f90", "mine.f90", 1),
+            ("mine.f90:40", "mine.f90", 40),
+            ("mine.f90:0", "mine.f90", 1),
+            ("c:/mine.f90", "c:/mine.f90", 1),
+            ("c:/mine.f90:7", "c:/mine.f90", 7),
+        ] {
+            let place = at(text).unwrap();
+            assert_eq!((place.file.as_str(), place.line), (file, line), "{text}");
+        }
+    }
+}

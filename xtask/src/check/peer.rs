@@ -304,6 +304,7 @@ mod tests {
         assert_eq!(lines(&found), 18);
         assert_eq!(found.replies[7], Reply::Ends("dies of signal 9".into()));
         assert_eq!(found.replies[9], Reply::Ends("ends with exit code 3".into()));
+        assert!(!found.noticed.iter().any(|what| what.contains("flush")), "{found:?}");
     }
 
     #[test]

@@ -149,6 +149,12 @@ pub(super) const PLANTS: &[(&str, &str, Wanted, Plant)] = &[
         Jacobian,
         After(|x, y| y.copy_from_slice(&[x[0] + x[1] * x[2], 1.0, x[2], x[1]])),
     ),
+    (
+        "another sign, and the first derivative",
+        "coulomb.yield",
+        Jacobian,
+        After(|x, y| (y[0], y[1]) = (-x[0] - x[1] * x[2], -1.0)),
+    ),
     ("nearly a sign", "coulomb.yield", Value, After(|x, y| y[0] = (x[0] + x[1] * x[2]) * (1.0 + 1e-11))),
     ("what never changes", "coulomb.yield", Jacobian, After(|_, y| y[1] = 1.75)),
     ("a branch always", "coulomb.return_map", Jacobian, After(|x, y| y.copy_from_slice(&[x[0], 1.0, 0.0, 0.0]))),
