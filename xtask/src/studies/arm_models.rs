@@ -79,6 +79,12 @@ mod tests {
         assert!(first.used.alpha_twist < 2e-4 && (first.used.beta_twist - 0.25).abs() < 2e-4);
         assert!((last.used.alpha_twist - 0.125).abs() < 2e-6 && (last.used.beta_twist - 0.375).abs() < 2e-6);
         assert!(first.timoshenko.alpha_twist < -0.24);
+        // A short arm is nearly rigid, a long one has the factors of Euler and Bernoulli.
+        let factors = |model: &Model| [model.alpha_twist, model.beta_twist, model.alpha_axial, model.beta_axial];
+        for (used, model) in [(&first.used, &first.rigid), (&last.used, &last.euler_bernoulli)] {
+            let off = factors(used).into_iter().zip(factors(model)).map(|(used, model)| (used - model).abs());
+            assert!(off.clone().all(|off| off < 5e-3), "{:?}", off.collect::<Vec<_>>());
+        }
     }
 
     #[test]

@@ -114,6 +114,7 @@ fn a_circle_is_found_through_re_exports_globs_macros_and_functions() {
         ("use crate::Renamed;", "use crate::X;"),
         ("fn f() { vec![crate::all::Y] }", "use super::*;\nfn f(x: X) {}"),
         ("fn f() {\n    use super::all::*;\n    let _ = Y {};\n}", "crate::make!();"),
+        ("fn f() {\n    use super::all::*;\n    go()\n}", "pub fn go() {}\nuse crate::X;"),
         ("use lib_a::y;\nfn f() { g::<y::Y>() }", "use crate::make;\nmake! {}"),
         ("use self::super::y::Y as _;", "fn f() -> <crate::X as Clone>::T {}"),
         ("fn f() { m!(#crate::all::Y) }", "fn f() { m!(#(crate::X)) }"),

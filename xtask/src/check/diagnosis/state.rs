@@ -21,26 +21,26 @@ pub(super) fn diagnose(court: &Court<'_>, answers: &[Vec<Answer>; 2], verdict: &
     let judge = court.formula.judge();
     let off: BTreeSet<_> = (0..verdict.tallies.len()).filter(|&place| verdict.tallies[place].off > 0).collect();
     let names = names(court.formula.inputs(), court.formula.outputs(), court.wanted);
-    for (whose, other) in [("asked before", -1), ("asked first", 0)] {
-        if belongs(court, &judge, answers, &asked, &off, other) {
+    for (whose, is_first) in [("asked before", false), ("asked first", true)] {
+        if belongs(court, &judge, answers, &asked, &off, is_first) {
             return format!("{} is that of the point {whose}: state is kept between calls", list(&names, &off));
         }
     }
     "state is kept between calls; what it is does not show".into()
 }
 
-/// Whether every answer that is off belongs to the question before it, or to the first one if `other` is 0.
+/// Whether every answer that is off belongs to the question before it, or to the first one.
 fn belongs(
     court: &Court<'_>,
     judge: &Judge,
     answers: &[Vec<Answer>; 2],
     asked: &[(usize, usize)],
     places: &BTreeSet<usize>,
-    other: isize,
+    is_first: bool,
 ) -> bool {
     let mut seen = 0;
     for (place, &(turn, k)) in asked.iter().enumerate().skip(1).take(ANSWERS) {
-        let other = if other == 0 { 0 } else { place - 1 };
+        let other = if is_first { 0 } else { place - 1 };
         let Answer::Numbers(found) = &answers[turn][k] else { continue };
         let expected = court.expected(judge, asked[other].1).1;
         let fits = places.iter().all(|&place| match (found[place], &expected[place]) {
