@@ -344,7 +344,7 @@ mod tests {
     fn what_never_answers_is_told_at_once() {
         assert!(asked("echo no >&2; exit 3", 9).unwrap_err().contains("ends with exit code 3; it says:\nno"));
         assert!(asked_within(Duration::ZERO, "sleep 60", 9).unwrap_err().contains("nothing comes within the limit"));
-        assert!(asked("echo usage: f x", 9).unwrap_err().contains("`usage: f x`"));
+        assert!(asked("echo usage: f x; echo more", 9).unwrap_err().contains("`usage: f x`"));
         assert!(asked("while read x; do echo 1 2; echo 3 4; done", 9).unwrap_err().contains("4 lines for 2 points"));
         assert!(asked_within(SHORT, "yes", 9).is_err());
     }

@@ -70,7 +70,7 @@ fn planted(plant: Plant, wanted: Wanted, formula: &dyn AnyFormula, question: &Qu
     if let Plant::After(change) | Plant::Both(_, change) | Plant::Gaps(_, change) = plant {
         change(&question.inputs, &mut answer);
     }
-    let is_gap = matches!(plant, Plant::Gaps(..)) && (question.inputs[0].to_bits() >> 40) % 2 == 0;
+    let is_gap = matches!(plant, Plant::Gaps(..)) && (question.inputs[0].to_bits() >> 40).is_multiple_of(2);
     let last = answer.len() - usize::from(is_gap);
     Answer::Numbers(answer.into_iter().enumerate().map(|(k, x)| (k < last).then_some(x)).collect())
 }
