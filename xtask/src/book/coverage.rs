@@ -92,3 +92,24 @@ fn nearest<'a>(ids: &[&'a str], id: &str) -> Option<&'a str> {
     let scored = ids.iter().map(|known| (alike(known), *known));
     scored.filter(|(score, known)| score * 2 >= known.len()).max().map(|(_, known)| known)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn half_of_an_identifier_is_a_hint() {
+        let ids = ["slot.rows", "slot.friction", "coulomb.yield"];
+        for (id, near) in [
+            ("slot.frction", Some("slot.friction")),
+            ("slider.rows", Some("slot.rows")),
+            // Five of nine letters are enough, four are not.
+            ("slot.", Some("slot.rows")),
+            ("slot", None),
+            ("coulomb.x", Some("coulomb.yield")),
+            ("ujoint", None),
+        ] {
+            assert_eq!(nearest(&ids, id), near, "{id}");
+        }
+    }
+}

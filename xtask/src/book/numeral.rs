@@ -145,6 +145,11 @@ mod tests {
             ("1100", 1146.0, true),
             ("1200", 1146.0, false),
             ("23", 22.9, true),
+            // Either side of what lies halfway, though 0.3 − 0.25 is not quite 0.05.
+            ("0.2", 0.25, true),
+            ("0.3", 0.25, true),
+            ("2.68", 2.675, true),
+            ("0.3", 0.2499, false),
             ("x", 1.0, false),
         ] {
             assert_eq!(is_rounded(written, value), is_so, "{written} for {value}");
