@@ -60,12 +60,16 @@ impl Exact {
 /// How much every entry of the Jacobian, here `closed`, changes with the inputs.
 pub(super) fn bends_at(point: &Point, closed: &[Octuple]) -> Vec<Sensitivity> {
     let (subject, inputs) = (point.subject, point.exact.as_slice());
-    // At random points no kink is near, and a difference has 35 digits for a small part of the time.
-    if point.random && point.kink.is_none() {
+    if has_no_kink_near(point) {
         return bends_by_differences(subject, inputs, closed);
     }
     let gradients = subject.second_derivative(inputs);
     gradients.iter().map(|gradient| Sensitivity::new(gradient, inputs)).collect()
+}
+
+/// At random points no kink is near, and a difference has 35 digits for a small part of the time.
+fn has_no_kink_near(point: &Point) -> bool {
+    point.random && point.kink.is_none()
 }
 
 /// Inputs change by this part of them in differences of Jacobians.
@@ -86,8 +90,11 @@ fn bends_by_differences(subject: &Subject, inputs: &[Octuple], here: &[Octuple])
     sums.into_iter().map(per_part).collect()
 }
 
-/// By what a change of all inputs at once does, every other one up and every other one down.
+/// By what a change of all inputs at once does, every other one up and every other one down; near a kink it tells nothing.
 fn least_bends(point: &Point, here: &[Octuple]) -> Vec<Sensitivity> {
+    if !has_no_kink_near(point) {
+        return vec![Sensitivity::none(); here.len()];
+    }
     let part = power_of_two(PART);
     let moved: Vec<_> =
         point.exact.iter().zip([part, -part].into_iter().cycle()).map(|(&x, part)| x + x * part).collect();
@@ -136,6 +143,36 @@ fn check_jacobian(claim: &mut Claim, point: &Point, names: &Names, exact: &Exact
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::coulomb::ReturnMap;
+    use crate::proof::Proved;
+    use crate::slot::{ContactForce, Friction};
+    use crate::verify::Options;
+    use crate::verify::audit::named_points;
+    use crate::verify::point::random_points;
+
+    /// On a kink, beside it, and at random points.
+    #[test]
+    fn the_least_bend_is_not_more_than_the_bend() {
+        fn compare<F: Proved>() {
+            let subject = Subject::of::<F>();
+            let random = random_points(&subject, &Options { samples: 20, seed: 1 }, 0..20);
+            let mut kinks = 0;
+            for point in named_points(&subject).iter().chain(&random) {
+                let exact = Exact::at(point);
+                kinks += usize::from(point.kink.is_some());
+                for k in 0..exact.ad.len() {
+                    let [least, bend] = [exact.least_bend(point, k), exact.bend(point, k)].map(Sensitivity::size);
+                    // As far as differences have digits.
+                    let size = (bend + exact.ad[k].abs()) * 1e-30;
+                    assert!(least <= bend + size, "{} at {}: {least:?} > {bend:?}", subject.spec.id, point.label);
+                }
+            }
+            assert!(kinks > 0, "{} has no point on a kink", subject.spec.id);
+        }
+        compare::<ReturnMap>();
+        compare::<ContactForce>();
+        compare::<Friction>();
+    }
 
     #[test]
     fn the_largest_entry_is_that_of_the_output() {

@@ -273,6 +273,7 @@ fn searched_points<'a>(subject: &'a Subject, named: &[Point], random: &[Point]) 
 
 /// The claims made about every formula.
 impl Audit {
+    /// All that is claimed of a point.
     fn check_closely(&mut self, point: &Point, names: &Names, equation: Option<&Equation>) {
         let exact = Exact::at(point);
         self.check_code(point, names, &exact);
@@ -286,6 +287,7 @@ impl Audit {
         }
     }
 
+    /// The same without the printed equation, and with differences in one direction alone.
     fn check(&mut self, point: &Point, names: &Names) {
         let exact = Exact::at(point);
         self.check_code(point, names, &exact);
