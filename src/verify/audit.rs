@@ -215,14 +215,12 @@ fn equation_of(subject: &Subject, options: &Options) -> [Claim; 2] {
     let random = random_points(subject, options, 0..options.samples.min(CLOSELY_AT));
     for point in named_points(subject).into_iter().chain(random) {
         if printed.is_defined(point.kink.is_some()) {
-            let values = (subject.exact_value)(&point.exact);
+            let (values, closed) = ((subject.exact_value)(&point.exact), (subject.exact_jacobian)(&point.exact));
             // Few numbers are so close to a cancellation that it is asked what rounding of the inputs does to them.
             let (gradients, bends) = (OnceCell::new(), OnceCell::new());
             let gradients = || gradients.get_or_init(|| subject.derivative(&point.exact)).as_slice();
-            let closed = || (subject.exact_jacobian)(&point.exact);
-            let bend = |k: usize| bends.get_or_init(|| bends_at(&point, &closed()))[k];
-            let [on_values, on_jacobian] = &mut claims;
-            check_equation([on_values, on_jacobian], &point, &names, &values, gradients, bend, &printed);
+            let bend = |k: usize| bends.get_or_init(|| bends_at(&point, &closed))[k];
+            check_equation(claims.each_mut(), &point, &names, [&values, &closed], gradients, bend, &printed);
         }
     }
     claims
@@ -283,7 +281,8 @@ impl Audit {
         if let Some(equation) = equation.filter(|equation| equation.is_defined(point.kink.is_some())) {
             let claims = [&mut self.equation, &mut self.equation_jacobian];
             let bend = |k: usize| exact.bend(point, k);
-            check_equation(claims, point, names, &exact.values, || exact.ad.as_slice(), bend, equation);
+            let known = [&exact.values, &exact.closed].map(Vec::as_slice);
+            check_equation(claims, point, names, known, || exact.ad.as_slice(), bend, equation);
         }
     }
 
@@ -331,16 +330,16 @@ impl Audit {
             let attempts: Vec<_> = steps.iter().map(attempt).collect();
             for (output, rounding) in rounding.iter().enumerate() {
                 let entry = output * inputs.len() + input;
-                let scale = ad[entry].abs() + rounding.per(along.unit());
+                let scale = Sensitivity::none().plus(ad[entry]).plus(rounding.per(along.unit()));
                 let deviations = attempts.iter().map(|rows| (ad[entry] - rows.central[output]).abs());
                 let best = deviations.reduce(|best, next| if next < best { next } else { best });
                 let Some(best) = best else { continue };
                 let found = attempts[0].central[output].to_f64();
                 let describe = |size| point.deviation(size, names.entry(entry), ad[entry].to_f64(), found);
-                self.ad_against_differences.record(share(best, scale), bound, describe);
+                self.ad_against_differences.record(scale.share_of(best), bound, describe);
                 if !point.random {
                     let sides: Vec<_> = attempts.iter().map(|rows| rows.sides_of(output)).collect();
-                    self.check_sides(point, names, entry, scale, &sides);
+                    self.check_sides(point, names, entry, scale.size(), &sides);
                 }
             }
         }
@@ -357,9 +356,8 @@ impl Audit {
         for (output, ((expected, found), rounding)) in compared.enumerate() {
             let entry = || format!("{} along a direction of all inputs", names.outputs[output]);
             let describe = |size| point.deviation(size, entry(), expected.to_f64(), found.to_f64());
-            let scale = expected.abs() + rounding.per(along.unit());
-            let size = share((expected - found).abs(), scale);
-            self.ad_against_differences.record(size, AD_AGAINST_DIFFERENCES, describe);
+            let scale = Sensitivity::none().plus(expected).plus(rounding.per(along.unit()));
+            self.ad_against_differences.record(scale.share_of(expected - found), AD_AGAINST_DIFFERENCES, describe);
         }
     }
 
@@ -392,28 +390,22 @@ fn rounding_of_values(point: &Point, exact: &Exact) -> Vec<Sensitivity> {
     sizes.into_iter().zip(&exact.values).enumerate().map(rounding).collect()
 }
 
-/// A deviation as a part of a scale; none is none of any.
-fn share(deviation: Octuple, scale: Octuple) -> f64 {
-    if deviation == 0.0 { 0.0 } else { (deviation / scale).to_f64() }
-}
-
 /// Value and Jacobian of the printed equation, each judged as those of the code are.
 fn check_equation<'g>(
     [values, jacobian]: [&mut Claim; 2],
     point: &Point,
     names: &Names,
-    exact: &[Octuple],
+    [exact, closed]: [&[Octuple]; 2],
     gradients: impl Fn() -> &'g [Octuple],
     bend: impl Fn(usize) -> Sensitivity,
     equation: &Equation,
 ) {
-    let closed = (point.subject.exact_jacobian)(&point.exact);
     let found = found(equation, &point.exact, exact);
     let size = |k: usize| Sensitivity::new(&gradients()[k * point.exact.len()..], &point.exact);
     let describe = |size, entry, found, expected| point.deviation(size, entry, found, expected);
     found.record_values(values, exact, size, &names.outputs, describe);
     if point.kink.is_none() {
-        found.record_jacobian(jacobian, &closed, bend, |k| names.entry(k), describe);
+        found.record_jacobian(jacobian, closed, bend, |k| names.entry(k), describe);
     }
 }
 
