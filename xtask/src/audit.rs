@@ -188,9 +188,23 @@ pub(crate) fn audit(project: &Project, formulas: &[&dyn AnyFormula], options: &O
     let bar = progress("audit", formulas.len());
     let audits: Vec<_> = formulas.par_iter().progress_with(bar).map(|formula| formula.audit(options)).collect();
     let mut evidence = Evidence::load(project);
-    evidence.audits.extend(audits.iter().map(|audit| (audit.formula.clone(), audit.clone())));
+    evidence.add_audits(&audits);
     evidence.save(project)?;
     Ok(audits)
+}
+
+/// Audits the formulas of which this very program has not found already, with these options, that every claim holds; says how
+/// many were known.
+pub(crate) fn audit_unknown(
+    project: &Project,
+    formulas: &[&dyn AnyFormula],
+    options: &Options,
+) -> anyhow::Result<(Vec<Audit>, usize)> {
+    let mut known = Evidence::load(project).found_by_this_program(options);
+    let id = |formula: &&dyn AnyFormula| formula.spec().id;
+    let unknown: Vec<_> = formulas.iter().copied().filter(|formula| !known.contains_key(id(formula))).collect();
+    known.extend(audit(project, &unknown, options)?.into_iter().map(|audit| (audit.formula.clone(), audit)));
+    Ok((formulas.iter().filter_map(|formula| known.remove(id(formula))).collect(), formulas.len() - unknown.len()))
 }
 
 fn markdown(

@@ -5,11 +5,12 @@
 
 use crate::files;
 use crate::project::Project;
-use jointproof::verify::Audit;
+use jointproof::verify::{Audit, Options};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hasher};
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
 /// What the last golden check and audit found about this version of the code.
 #[derive(Debug, Default, Serialize, Deserialize)]
@@ -20,6 +21,9 @@ pub(crate) struct Evidence {
     pub(crate) golden: BTreeMap<String, GoldenCheck>,
     /// By formula.
     pub(crate) audits: BTreeMap<String, Audit>,
+    /// By formula, the program that audited it.
+    #[serde(default)]
+    auditors: BTreeMap<String, String>,
 }
 
 /// What a golden check compared.
@@ -43,7 +47,30 @@ impl Evidence {
         };
         let golden = stored.golden.into_iter().filter(|(id, _)| is_of_this(id)).collect();
         let audits = stored.audits.into_iter().filter(|(id, _)| is_of_this(id)).collect();
-        Self { fingerprints, golden, audits }
+        Self { fingerprints, golden, audits, auditors: stored.auditors }
+    }
+
+    /// Keeps what this program found.
+    pub(crate) fn add_audits(&mut self, audits: &[Audit]) {
+        let program = program();
+        for audit in audits {
+            self.audits.insert(audit.formula.clone(), audit.clone());
+            match program {
+                Some(program) => self.auditors.insert(audit.formula.clone(), program.to_owned()),
+                None => self.auditors.remove(&audit.formula),
+            };
+        }
+    }
+
+    /// By formula, the audits in which this very program found with these options that every claim holds: it would find it
+    /// again, since an audit depends on nothing else.
+    pub(crate) fn found_by_this_program(mut self, options: &Options) -> BTreeMap<String, Audit> {
+        let Some(program) = program() else { return BTreeMap::new() };
+        self.audits.retain(|id, audit| {
+            let same = (audit.random_points, audit.seed) == (options.samples, options.seed);
+            same && audit.passed() && self.auditors.get(id).is_some_and(|auditor| auditor == program)
+        });
+        self.audits
     }
 
     /// Keeps it, where the project is: a program that was installed may have outlived it.
@@ -116,6 +143,13 @@ pub(crate) fn fingerprint(project: &Project) -> u64 {
     hasher.finish()
 }
 
+/// The SHA-256 of the program that is running; `None` where it cannot be read.
+fn program() -> Option<&'static str> {
+    static PROGRAM: LazyLock<Option<String>> =
+        LazyLock::new(|| std::fs::read(std::env::current_exe().ok()?).ok().map(files::digest));
+    PROGRAM.as_deref()
+}
+
 fn add(path: &Path, hasher: &mut impl Hasher) {
     if let Ok(entries) = std::fs::read_dir(path) {
         let mut paths: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();
@@ -132,6 +166,7 @@ fn add(path: &Path, hasher: &mut impl Hasher) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sample;
 
     #[test]
     fn what_was_reached_is_kept_for_this_version_alone() {
@@ -148,5 +183,23 @@ mod tests {
         assert!(is("kept"));
         keep(!fingerprint(&project));
         assert!(is("found"));
+    }
+    #[test]
+    fn what_holds_is_known_to_the_program_that_found_it_with_these_options_alone() {
+        let [passed, failed] = [sample::passed(), sample::failed()];
+        let options = Options { samples: passed.random_points, seed: passed.seed };
+        let known = |change: fn(&mut Evidence), options| {
+            let mut evidence = Evidence::default();
+            evidence.add_audits(&[passed.clone(), failed.clone()]);
+            change(&mut evidence);
+            evidence.found_by_this_program(&options).into_keys().collect::<Vec<_>>()
+        };
+        assert_eq!(known(|_| (), options), [passed.formula.clone()]);
+        let other = |evidence: &mut Evidence| evidence.auditors.values_mut().for_each(|program| program.push('0'));
+        let none: [String; 0] = [];
+        assert_eq!(known(other, options), none);
+        assert_eq!(known(|evidence| evidence.auditors.clear(), options), none);
+        assert_eq!(known(|_| (), Options { samples: options.samples + 1, ..options }), none);
+        assert_eq!(known(|_| (), Options { seed: options.seed + 1, ..options }), none);
     }
 }

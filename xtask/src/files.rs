@@ -1,9 +1,22 @@
-//! How files are written.
+//! How files are written, and told from one another.
 
 use anyhow::Context;
+use sha2::{Digest, Sha256};
 use std::fs::File;
 use std::io::Write;
 use std::path::Path;
+
+/// The SHA-256 of a content, in hexadecimal digits.
+pub(crate) fn digest(content: impl AsRef<[u8]>) -> String {
+    Sha256::digest(content).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// The first digits of it, which are enough to tell one version from another.
+pub(crate) fn short_digest(content: impl AsRef<[u8]>) -> String {
+    let mut digest = digest(content);
+    digest.truncate(16);
+    digest
+}
 
 /// Writes a file under a temporary name beside it and renames it, so that an interrupted run leaves the old one whole.
 /// A file that already holds the text is not touched. Returns whether it was written.

@@ -27,6 +27,7 @@ fn main() -> ExitCode {
         an_audit_fails_in_every_format();
         evidence_counts_for_the_version_that_it_is_of();
         what_is_owed_closes_every_gate();
+        what_this_program_found_is_not_audited_again();
     }
     ExitCode::SUCCESS
 }
@@ -217,4 +218,20 @@ fn what_is_owed_closes_every_gate() {
     let gate = Gate::new();
     gate.run("owed", &["golden"]).exits(1).prints("gate.square owes");
     gate.run("owed", &["audit", "--samples", "3", "--format", "json"]).exits(1).says("gate.square owes");
+}
+
+fn what_this_program_found_is_not_audited_again() {
+    let gate = Gate::new();
+    let known = ", 1 known from before in ";
+    let verify = |fault: &str, more: &[&str]| gate.run(fault, &[&["verify", "--samples", "20"], more].concat());
+    let first = verify("", &[]).exits(0);
+    assert!(!first.stdout.contains(known), "{first:#?}");
+    // Nobody looks, so nobody sees what is planted.
+    verify("audit", &[]).exits(0).prints(known);
+    verify("audit", &["--fresh"]).exits(1);
+    // What failed is looked at again.
+    let again = verify("", &[]).exits(0);
+    assert!(!again.stdout.contains(known), "{again:#?}");
+    let more = gate.run("", &["verify", "--samples", "21"]).exits(0);
+    assert!(!more.stdout.contains(known), "{more:#?}");
 }

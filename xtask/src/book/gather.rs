@@ -7,6 +7,7 @@ use super::content::{
 use super::locate::Index;
 use super::worked;
 use crate::evidence::Evidence;
+use crate::files::short_digest;
 use crate::project::Project;
 use crate::report::data::Report;
 use anyhow::Context;
@@ -19,7 +20,6 @@ use jointproof::verify::golden::File;
 use jointproof::verify::{Rank, Sides};
 use mdbook_driver::config::Config;
 use rayon::prelude::*;
-use sha2::{Digest, Sha256};
 use std::path::Path;
 
 /// What the book of a project is made from.
@@ -108,7 +108,7 @@ fn entry(project: &Project, formula: &dyn AnyFormula, index: &Index<'_>, evidenc
         closed: view.as_ref().map(|view| view.closed.clone()).unwrap_or_default(),
         variation: view.map(|view| view.variation).unwrap_or_default(),
         uses: uses(spec.given),
-        digest: text.map(|text| digest(&text)),
+        digest: text.map(short_digest),
         worked: golden.as_ref().and_then(|golden| worked::of(formula, golden)),
         source: source(spec.source),
         inputs: formula.inputs().iter().map(symbol).collect(),
@@ -123,12 +123,6 @@ fn entry(project: &Project, formula: &dyn AnyFormula, index: &Index<'_>, evidenc
         },
         calculator: Calculator::Absent,
     }
-}
-
-/// The first digits of the SHA-256 of a text, which are enough to tell one version from another.
-fn digest(text: &str) -> String {
-    let digits: Vec<_> = Sha256::digest(text).iter().take(8).map(|byte| format!("{byte:02x}")).collect();
-    digits.concat()
 }
 
 /// What entries are cited with: the authors of the book, and the first version that the manifest names.

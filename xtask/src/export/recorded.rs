@@ -1,12 +1,12 @@
 //! A formula that is exported, and what every language says of it: names, what it is, and which inputs it refuses.
 
 use super::names;
+use crate::files;
 use jointproof::Error;
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
 use jointproof::graph::{Graph, Node, NotRecorded};
 use jointproof::quantity::Domain;
-use sha2::{Digest, Sha256};
 use std::collections::HashMap;
 use std::path::Path;
 
@@ -41,8 +41,7 @@ pub(super) fn record(
 }
 
 fn checksum(path: &Path) -> Option<String> {
-    let digest: Vec<_> = Sha256::digest(std::fs::read(path).ok()?).iter().map(|byte| format!("{byte:02x}")).collect();
-    Some(digest.concat())
+    std::fs::read(path).ok().map(files::digest)
 }
 
 impl Recorded {

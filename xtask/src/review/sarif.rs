@@ -1,8 +1,8 @@
 //! SARIF 2.1.0. A result without a location would make a whole upload fail.
 
 use super::{Finding, slug};
+use crate::files::short_digest;
 use serde_json::{Value, json};
-use sha2::{Digest, Sha256};
 
 /// One run with every finding; without any, what was shown before is taken away.
 pub(crate) fn sarif(findings: &[Finding]) -> anyhow::Result<String> {
@@ -40,8 +40,7 @@ pub(crate) fn sarif(findings: &[Finding]) -> anyhow::Result<String> {
 
 /// By which a finding is known again when lines have moved.
 fn fingerprint(formula: &str, claim: &str) -> String {
-    let digest = Sha256::digest(format!("{formula}\n{claim}"));
-    digest.iter().take(8).map(|byte| format!("{byte:02x}")).collect::<Vec<_>>().concat()
+    short_digest(format!("{formula}\n{claim}"))
 }
 
 #[cfg(test)]
