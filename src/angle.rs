@@ -31,29 +31,48 @@ const LARGE: f64 = 1e300;
 /// The angle of (x, y), right to two units in the last place; special values as those of [`f64::atan2`].
 #[inline]
 pub(crate) fn angle(y: f64, x: f64) -> f64 {
-    let (across, along) = (y.abs(), x.abs());
-    let large = if across > along { across } else { along };
-    let small = if along < across { along } else { across };
-    if !(large > 0.0 && large < LARGE) {
+    let [angle] = angles([y], [x]);
+    angle
+}
+
+/// The angles of several points, each with the bits of [`angle`]; step by step for all of them, which vectors of a processor do at once.
+#[inline]
+pub(crate) fn angles<const N: usize>(y: [f64; N], x: [f64; N]) -> [f64; N] {
+    let (across, along) = (y.map(f64::abs), x.map(f64::abs));
+    let large = of_both(across, along, |across, along| if across > along { across } else { along });
+    let small = of_both(across, along, |across, along| if along < across { along } else { across });
+    if !large.iter().all(|&large| large > 0.0 && large < LARGE) {
         return extreme(y, x);
     }
-    let [is_steep, is_back, is_wide] = [across > along, x < 0.0, small > TAN_SIXTEENTH * large].map(one_if);
-    let t = (small - large * is_wide) / (large + small * is_wide);
-    let rest = t * arc_tangent_beyond(t * t);
-    let way = (1.0 - 2.0 * is_steep) * (1.0 - 2.0 * is_back);
-    let eighths = 2.0 * is_steep + 4.0 * is_back * (1.0 - is_steep) + way * is_wide;
-    let turn = eighths * FRAC_PI_4 + way * (t + (rest + way * eighths * FRAC_PI_4_LOW));
-    turn.copysign(y)
+    let is_steep = of_both(across, along, |across, along| one_if(across > along));
+    let is_back = x.map(|x| one_if(x < 0.0));
+    let is_wide = of_both(small, large, |small, large| one_if(small > TAN_SIXTEENTH * large));
+    let t: [f64; N] = std::array::from_fn(|k| (small[k] - large[k] * is_wide[k]) / (large[k] + small[k] * is_wide[k]));
+    let beyond = arc_tangents_beyond(of_both(t, t, |t, same| t * same));
+    std::array::from_fn(|k| {
+        let rest = t[k] * beyond[k];
+        let way = (1.0 - 2.0 * is_steep[k]) * (1.0 - 2.0 * is_back[k]);
+        let eighths = 2.0 * is_steep[k] + 4.0 * is_back[k] * (1.0 - is_steep[k]) + way * is_wide[k];
+        let turn = eighths * FRAC_PI_4 + way * (t[k] + (rest + way * eighths * FRAC_PI_4_LOW));
+        turn.copysign(y[k])
+    })
 }
 
 /// z P(z), in parts that do not wait for each other.
 #[inline]
-fn arc_tangent_beyond(z: f64) -> f64 {
+fn arc_tangents_beyond<const N: usize>(z: [f64; N]) -> [f64; N] {
     let p = ARC_TANGENT;
-    let z2 = z * z;
-    let z4 = z2 * z2;
-    let four = |k: usize| (p[k] + p[k + 1] * z) + (p[k + 2] + p[k + 3] * z) * z2;
-    z * (four(0) + (four(4) + four(8) * z4) * z4)
+    z.map(|z| {
+        let z2 = z * z;
+        let z4 = z2 * z2;
+        let four = |k: usize| (p[k] + p[k + 1] * z) + (p[k + 2] + p[k + 3] * z) * z2;
+        z * (four(0) + (four(4) + four(8) * z4) * z4)
+    })
+}
+
+#[inline]
+fn of_both<const N: usize>(x: [f64; N], y: [f64; N], of: impl Fn(f64, f64) -> f64) -> [f64; N] {
+    std::array::from_fn(|k| of(x[k], y[k]))
 }
 
 #[inline]
@@ -61,10 +80,13 @@ fn one_if(condition: bool) -> f64 {
     if condition { 1.0 } else { 0.0 }
 }
 
-/// At the origin, at infinity, beside it, and of what is no number.
+/// Where one of the points is the origin, at infinity, beside it, or no number.
 #[cold]
-fn extreme(y: f64, x: f64) -> f64 {
-    y.atan2(x)
+fn extreme<const N: usize>(y: [f64; N], x: [f64; N]) -> [f64; N] {
+    of_both(y, x, |y, x| {
+        let large = if y.abs() > x.abs() { y.abs() } else { x.abs() };
+        if large > 0.0 && large < LARGE { angle(y, x) } else { y.atan2(x) }
+    })
 }
 
 #[cfg(test)]

@@ -22,6 +22,8 @@
 //! β has two forms. [`CardanAngles`] is the documented arc sine. [`BetaTwoArgument`] is ours: equal on orthonormal
 //! triads and accurate up to ±90°, where the arc sine makes 1e-8 of a rounding of 1e-16. [`between`] takes ours.
 
+#![expect(clippy::inline_always, reason = "a call would write the vectors to memory, and wait for them there")]
+
 mod accurate;
 mod angles;
 mod arc_sine;
@@ -38,7 +40,8 @@ pub(crate) use triads::Oriented;
 pub use triads::{Triads, check_turns};
 
 use crate::error::Error;
-use crate::scalar::{Scalar, atan2, has_length, norm_and_direction, pi};
+use crate::formula::Fields;
+use crate::scalar::{Scalar, angles, has_length, norm_and_direction, pi};
 use nalgebra::{Matrix3, Vector3};
 
 /// The first angle, α = −atan2(e2a·e3b, e3a·e3b).
@@ -91,10 +94,39 @@ pub fn check_gamma<D: Scalar>(e1a: &Vector3<D>, e1b: &Vector3<D>, e2b: &Vector3<
     Err(Error::GimbalLock { angle: "gamma", sine: "e1a·e2b", cosine: "e1a·e1b" })
 }
 
-/// −atan2(v·p, v·q), blind to the signs of zeros: half a turn is −π, no turn is +0.
+/// [`alpha`] and [`gamma`], in less time than one after the other.
+#[inline(always)]
+pub(crate) fn alpha_and_gamma<D: Scalar>(i: &Triads<D>) -> [D; 2] {
+    let [sines, cosines] = sines_and_cosines(i);
+    turns(sines, cosines)
+}
+
+/// The derivatives of [`alpha_and_gamma`].
+#[inline(always)]
+pub(crate) fn alpha_and_gamma_gradients<D: Scalar>(i: &Triads<D>) -> [Triads<D>; 2] {
+    let ([sines, cosines], zero) = (sines_and_cosines(i), Triads::filled(D::zero()));
+    let [[by_e3b, by_e2a, by_e3a], [by_e1a, by_e2b, by_e1b]] =
+        turn_gradients([[&i.e3b, &i.e2a, &i.e3a], [&i.e1a, &i.e2b, &i.e1b]], sines, cosines);
+    [Triads { e2a: by_e2a, e3a: by_e3a, e3b: by_e3b, ..zero }, Triads { e1a: by_e1a, e1b: by_e1b, e2b: by_e2b, ..zero }]
+}
+
+/// The scalar products of which α and γ are the angles, but for the sign.
+#[inline(always)]
+fn sines_and_cosines<D: Scalar>(i: &Triads<D>) -> [[D; 2]; 2] {
+    [[i.e3b.dot(&i.e2a), i.e1a.dot(&i.e2b)], [i.e3b.dot(&i.e3a), i.e1a.dot(&i.e1b)]]
+}
+
+/// −atan2(v·p, v·q).
 #[inline]
 fn turn<D: Scalar>(v: &Vector3<D>, p: &Vector3<D>, q: &Vector3<D>) -> D {
-    D::zero() - atan2(v.dot(p) + 0.0, v.dot(q))
+    let [turn] = turns([v.dot(p)], [v.dot(q)]);
+    turn
+}
+
+/// −atan2(sine, cosine), blind to the signs of zeros: half a turn is −π, no turn is +0.
+#[inline(always)]
+fn turns<D: Scalar, const N: usize>(sines: [D; N], cosines: [D; N]) -> [D; N] {
+    angles(sines.map(|sine| sine + 0.0), cosines).map(|angle| D::zero() - angle)
 }
 
 /// The derivatives of −atan2(v·p, v·q) with respect to v, p and q, from v·p and v·q.
@@ -103,13 +135,27 @@ fn turn<D: Scalar>(v: &Vector3<D>, p: &Vector3<D>, q: &Vector3<D>) -> D {
 /// (p × q) × v, which knows that lengthening v does not turn it: the two terms cancel where v lies near an axis, the
 /// double product does not.
 #[inline]
-fn turn_gradient<D: Scalar>([v, p, q]: [&Vector3<D>; 3], (sine, cosine): (D, D)) -> [Vector3<D>; 3] {
-    let square = sine * sine + cosine * cosine;
-    if !(square > 1e-30 && square < 1e30) {
-        return extreme_turn_gradient([v, p, q], (sine, cosine));
+fn turn_gradient<D: Scalar>(of: [&Vector3<D>; 3], (sine, cosine): (D, D)) -> [Vector3<D>; 3] {
+    let [gradient] = turn_gradients([of], [sine], [cosine]);
+    gradient
+}
+
+/// Several of them.
+#[inline(always)]
+fn turn_gradients<D: Scalar, const N: usize>(
+    of: [[&Vector3<D>; 3]; N],
+    sines: [D; N],
+    cosines: [D; N],
+) -> [[Vector3<D>; 3]; N] {
+    let squares: [D; N] = std::array::from_fn(|k| sines[k] * sines[k] + cosines[k] * cosines[k]);
+    if !squares.iter().all(|&square| square > 1e-30 && square < 1e30) {
+        return std::array::from_fn(|k| extreme_turn_gradient(of[k], (sines[k], cosines[k])));
     }
-    let by = square.recip();
-    [p.cross(q).cross(v) * by, v * (-cosine * by), v * (sine * by)]
+    let by = squares.map(|square| square.recip());
+    std::array::from_fn(|k| {
+        let [v, p, q] = of[k];
+        [p.cross(q).cross(v) * by[k], v * (-cosines[k] * by[k]), v * (sines[k] * by[k])]
+    })
 }
 
 /// [`turn_gradient`] where squares under- or overflow.

@@ -1,6 +1,6 @@
 //! `f64` as a number that formulas compute with.
 
-use crate::angle::angle;
+use crate::angle::{angle, angles};
 use crate::eft::exact_sum;
 use crate::scalar::{Leaf, Scalar, Squares, itself};
 
@@ -40,6 +40,10 @@ impl Scalar for f64 {
     #[inline]
     fn angle_of(y: Self, x: Self) -> Self {
         angle(y, x)
+    }
+    #[inline]
+    fn angles_of<const N: usize>(y: [Self; N], x: [Self; N]) -> [Self; N] {
+        angles(y, x)
     }
     #[inline]
     fn abs_of(x: Self) -> Self {

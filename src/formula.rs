@@ -6,6 +6,7 @@
 //! of the inputs. `jac.fc.f2` is ∂fc/∂f2.
 
 mod checked;
+mod few;
 mod fields;
 mod finite;
 mod source;
@@ -13,6 +14,7 @@ mod source;
 #[cfg(feature = "batch")]
 pub(crate) use checked::is_plain;
 pub use checked::{check, value, value_and_jacobian};
+pub(crate) use few::{Few, cross_gradient, next};
 pub use fields::{Component, Field, Fields, Part, Visitor};
 #[cfg(feature = "verify")]
 pub(crate) use fields::{entries, typed};

@@ -15,7 +15,7 @@ mod proof;
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{
-    Component, Document, Finite, Formula, Jacobian, Spec, ValueAndJacobian, value, value_and_jacobian,
+    Component, Document, Finite, Formula, Jacobian, Spec, ValueAndJacobian, along, value, value_and_jacobian,
 };
 use crate::frame::Triad;
 use crate::quantity::{D0, E1A, E2A, E3A, G_JOIN, XA, XB};
@@ -76,11 +76,7 @@ impl Formula for Constraint {
     #[inline]
     fn jacobian<D: Scalar>(i: &Joined<D>) -> Jacobian<Self, D> {
         let here = RelativePosition::jacobian(&i.positions());
-        let row = |k: usize, gradient| {
-            let mut d0 = Vector3::from_element(D::zero());
-            d0[k] = -D::one();
-            Joined::of(gradient, d0)
-        };
+        let row = |k: usize, gradient| Joined::of(gradient, along(k, -D::one()));
         Displaced { g: Vector3::new(row(0, here.x), row(1, here.y), row(2, here.z)) }
     }
 }

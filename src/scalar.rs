@@ -35,6 +35,11 @@ pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scal
     }
     /// See [`atan2`].
     fn angle_of(y: Self, x: Self) -> Self;
+    /// See [`angles`].
+    #[inline]
+    fn angles_of<const N: usize>(y: [Self; N], x: [Self; N]) -> [Self; N] {
+        std::array::from_fn(|k| Self::angle_of(y[k], x[k]))
+    }
     /// See [`choice`].
     #[inline]
     fn choice_of<const N: usize>(choose: impl Fn() -> [Self; N]) -> [Self; N] {
@@ -205,6 +210,17 @@ fn direction_of_subnormal<D: Scalar, const N: usize>(x: [D; N]) -> [D; N] {
 #[inline]
 pub fn atan2<D: Scalar>(y: D, x: D) -> D {
     D::angle_of(y, x)
+}
+
+/// [`atan2`] of several points, which in doubles takes hardly longer than of one.
+///
+/// ```
+/// use jointproof::scalar::{angles, atan2};
+/// assert_eq!(angles([2.0, 1.0], [0.0, -1.0]), [atan2(2.0, 0.0), atan2(1.0, -1.0)]);
+/// ```
+#[inline]
+pub fn angles<D: Scalar, const N: usize>(y: [D; N], x: [D; N]) -> [D; N] {
+    D::angles_of(y, x)
 }
 
 /// |x|, with derivative 0 at 0.

@@ -1,8 +1,6 @@
 //! The three angles as programs should take them, β in the two-argument form; and what the arc sine loses.
 
-use super::{
-    Angles, Beta, BetaAxes, BetaTwoArgument, Triads, alpha, alpha_gradient, check_turns, gamma, gamma_gradient,
-};
+use super::{Angles, Beta, BetaAxes, BetaTwoArgument, Triads, alpha_and_gamma, alpha_and_gamma_gradients, check_turns};
 use crate::error::Error;
 use crate::formula::{Fields, Formula};
 use crate::frame::Triad;
@@ -74,21 +72,15 @@ impl From<(&Triad, &Triad)> for Triads<f64> {
 /// As [`CardanAngles`](super::CardanAngles), with β from [`BetaTwoArgument`].
 #[inline]
 pub fn accurate<D: Scalar>(i: &Triads<D>) -> Angles<D> {
-    Angles {
-        alpha: alpha(&i.e2a, &i.e3a, &i.e3b),
-        beta: BetaTwoArgument::eval(&BetaAxes::from(i)).beta,
-        gamma: gamma(&i.e1a, &i.e1b, &i.e2b),
-    }
+    let [alpha, gamma] = alpha_and_gamma(i);
+    Angles { alpha, beta: BetaTwoArgument::eval(&BetaAxes::from(i)).beta, gamma }
 }
 
 /// The derivatives of [`accurate`].
 pub fn accurate_jacobian<D: Scalar>(i: &Triads<D>) -> Angles<Triads<D>> {
     let zero = Triads::filled(D::zero());
-    let [e2a, e3a, e3b] = alpha_gradient(&i.e2a, &i.e3a, &i.e3b);
-    let alpha = Triads { e2a, e3a, e3b, ..zero };
     let Beta { beta: BetaAxes { e1a, e1b, e2b, e3b } } = BetaTwoArgument::jacobian(&BetaAxes::from(i));
     let beta = Triads { e1a, e1b, e2b, e3b, ..zero };
-    let [e1a, e1b, e2b] = gamma_gradient(&i.e1a, &i.e1b, &i.e2b);
-    let gamma = Triads { e1a, e1b, e2b, ..zero };
+    let [alpha, gamma] = alpha_and_gamma_gradients(i);
     Angles { alpha, beta, gamma }
 }

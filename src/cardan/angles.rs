@@ -6,7 +6,7 @@
 mod proof;
 
 use super::arc_sine::{arc_sine, arc_sine_slope, check_arc_sine};
-use super::{Triads, alpha, alpha_gradient, check_turns, gamma, gamma_gradient};
+use super::{Triads, alpha_and_gamma, alpha_and_gamma_gradients, check_turns};
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec};
@@ -43,11 +43,8 @@ impl Formula for CardanAngles {
 
     #[inline(always)]
     fn eval<D: Scalar>(i: &Triads<D>) -> Angles<D> {
-        Angles {
-            alpha: alpha(&i.e2a, &i.e3a, &i.e3b),
-            beta: arc_sine(&i.e1a, &i.e3b),
-            gamma: gamma(&i.e1a, &i.e1b, &i.e2b),
-        }
+        let [alpha, gamma] = alpha_and_gamma(i);
+        Angles { alpha, beta: arc_sine(&i.e1a, &i.e3b), gamma }
     }
 
     #[inline(always)]
@@ -55,10 +52,7 @@ impl Formula for CardanAngles {
         let zero = Triads::filled(D::zero());
         let slope = arc_sine_slope(&i.e1a, &i.e3b);
         let beta = Triads { e1a: i.e3b * slope, e3b: i.e1a * slope, ..zero };
-        let [e2a, e3a, e3b] = alpha_gradient(&i.e2a, &i.e3a, &i.e3b);
-        let alpha = Triads { e2a, e3a, e3b, ..zero };
-        let [e1a, e1b, e2b] = gamma_gradient(&i.e1a, &i.e1b, &i.e2b);
-        let gamma = Triads { e1a, e1b, e2b, ..zero };
+        let [alpha, gamma] = alpha_and_gamma_gradients(i);
         Angles { alpha, beta, gamma }
     }
 

@@ -10,13 +10,15 @@
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 
-use super::products::{column, cross_gradient, double_cross, double_cross_gradient, matrix};
+use super::products::{column, double_cross, double_cross_gradient, matrix};
 use super::turn::Turn;
 use super::universal::UniversalMoments;
 use crate::cardan::{CardanAngles, Triads, arc_sine_slope};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
+use crate::formula::{
+    Component, Document, Few, Fields, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian, cross_gradient,
+};
 use crate::quantity::{E1A, E1B, E2A, E2B, E3A, E3B, K_TB_TB, LAMBDA_R1, LAMBDA_R2, LAMBDA_R3, UR1_TB, UR2_TB, UR3_TB};
 use crate::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
@@ -80,7 +82,7 @@ impl<D: Scalar> Turns<D> {
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn of_ur2(&self, times: D, n: usize) -> Triads<D> {
         let ([by_e3b, by_e1a], slope) = (cross_gradient(&self.e3b, &self.e1a, n), self.slope * times);
-        self.by_arms([by_e1a * slope, by_e3b * slope], self.by_sine() * (self.node_line()[n] * times))
+        self.by_arms([by_e1a.times(slope), by_e3b.times(slope)], self.by_sine() * (self.node_line()[n] * times))
     }
 
     /// As [`of_ur1`](Self::of_ur1), of the third row.
@@ -107,8 +109,10 @@ impl<D: Scalar> Turns<D> {
         let (by_sine, cube) = (self.by_sine(), *slope * *slope * *slope);
         let again = (cube + *sine * *slope * *slope * by_sine * 3.0) * times;
         let (slope, by_sine) = (*slope * times, by_sine * times);
-        let by_both =
-            [by_a * slope + (a_r * n[c] + a_c * n[r]) * by_sine, by_b * slope + (b_r * n[c] + b_c * n[r]) * by_sine];
+        let sum = |direct: Few<D>, of_r: Few<D>, of_c: Few<D>| {
+            direct.added_to(&of_r.added_to(&of_c.times(n[r] * by_sine), n[c] * by_sine), slope)
+        };
+        let by_both = [sum(by_a, a_r, a_c), sum(by_b, b_r, b_c)];
         self.by_arms(by_both, double_cross(e3b, e1a)[(r, c)] * by_sine + n[r] * n[c] * again)
     }
 

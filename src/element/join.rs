@@ -7,9 +7,9 @@
 pub(super) mod proof;
 
 use super::lever::Lever;
-use super::products::{column, cross_gradient, double_cross, matrix, skew, symmetric};
+use super::products::{column, double_cross, matrix, skew, symmetric};
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec, along};
+use crate::formula::{Component, Document, Few, Fields, Finite, Formula, Jacobian, Spec, along, cross_gradient};
 use crate::quantity::{
     E1A, E2A, E3A, F2, F3, FORCE_A, FORCE_B, G1_TA, G1_UA, G1_UB, G2_TA, G2_UA, G2_UB, G3_TA, G3_UA, G3_UB, JOIN_F1,
     K_TA_TA, K_UA_TA, MOMENT_A, S_TA_TA, XA, XB,
@@ -108,7 +108,7 @@ impl<D: Scalar> Positions<D> {
     #[inline(always)]
     pub(super) fn of_moment(&self, n: usize, k: usize) -> Self {
         let [by_axis, by_arm] = cross_gradient(&self.axis(n), &(self.xb - self.xa), k);
-        Self { xa: -by_arm, xb: by_arm, ..Self::by_axis(n, by_axis) }
+        Self { xa: by_arm.times(-D::one()), xb: by_arm.vector(), ..Self::by_axis(n, by_axis.vector()) }
     }
 }
 
@@ -136,31 +136,16 @@ impl<D: Scalar> Lever<D> for JoinLoads<D> {
     }
 
     #[inline(always)]
-    fn gradient(&self, by_force: &Vector3<D>, by_arm: &Vector3<D>) -> Self {
+    fn gradient(&self, [by_force, by_arm]: [Few<D>; 2]) -> Self {
         Self {
-            e1a: by_force * self.f1,
-            e2a: by_force * self.f2,
-            e3a: by_force * self.f3,
-            xa: -by_arm,
-            xb: *by_arm,
-            f1: self.e1a.dot(by_force),
-            f2: self.e2a.dot(by_force),
-            f3: self.e3a.dot(by_force),
-        }
-    }
-
-    #[inline(always)]
-    fn of_force(&self, k: usize, sign: D) -> Self {
-        let none = Vector3::from_element(D::zero());
-        Self {
-            e1a: along(k, self.f1 * sign),
-            e2a: along(k, self.f2 * sign),
-            e3a: along(k, self.f3 * sign),
-            xa: none,
-            xb: none,
-            f1: self.e1a[k] * sign,
-            f2: self.e2a[k] * sign,
-            f3: self.e3a[k] * sign,
+            e1a: by_force.times(self.f1),
+            e2a: by_force.times(self.f2),
+            e3a: by_force.times(self.f3),
+            xa: by_arm.times(-D::one()),
+            xb: by_arm.vector(),
+            f1: by_force.dot(&self.e1a),
+            f2: by_force.dot(&self.e2a),
+            f3: by_force.dot(&self.e3a),
         }
     }
 }

@@ -2,8 +2,9 @@
 
 #![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
 
-use super::products::{cross_gradient, double_cross_gradient, mean, skew_gradient};
+use super::products::{double_cross_gradient, skew_gradient, symmetric_gradient};
 use crate::formula::Fields;
+use crate::formula::{Few, cross_gradient};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
 
@@ -16,48 +17,41 @@ pub(super) trait Lever<D: Scalar>: Fields<D> {
     /// d.
     fn arm(&self) -> Vector3<D>;
     /// The gradient of something by f and d, by the inputs.
-    fn gradient(&self, by_force: &Vector3<D>, by_arm: &Vector3<D>) -> Self;
-    /// Of the k-th component of f, times a sign.
-    fn of_force(&self, k: usize, sign: D) -> Self;
+    fn gradient(&self, by: [Few<D>; 2]) -> Self;
 
     /// Of the k-th component of f.
     #[inline(always)]
     fn of_fb(&self, k: usize) -> Self {
-        self.of_force(k, D::one())
+        self.gradient([Few::one(k, D::one()), Few::none()])
     }
 
     /// Of the k-th component of −f.
     #[inline(always)]
     fn of_fa(&self, k: usize) -> Self {
-        self.of_force(k, -D::one())
+        self.gradient([Few::one(k, -D::one()), Few::none()])
     }
 
     /// Of the k-th component of f × d.
     #[inline(always)]
     fn of_ma(&self, k: usize) -> Self {
-        let [by_force, by_arm] = cross_gradient(&self.force(), &self.arm(), k);
-        self.gradient(&by_force, &by_arm)
+        self.gradient(cross_gradient(&self.force(), &self.arm(), k))
     }
 
     /// Of an entry of f × I.
     #[inline(always)]
     fn of_k_ua_ta(&self, row: usize, column: usize) -> Self {
-        self.gradient(&skew_gradient(row, column), &Vector3::from_element(D::zero()))
+        self.gradient([skew_gradient(row, column), Few::none()])
     }
 
     /// Of an entry of f ⊗ d − (f·d) I.
     #[inline(always)]
     fn of_k_ta_ta(&self, row: usize, column: usize) -> Self {
-        let [by_force, by_arm] = double_cross_gradient(&self.force(), &self.arm(), row, column);
-        self.gradient(&by_force, &by_arm)
+        self.gradient(double_cross_gradient(&self.force(), &self.arm(), row, column))
     }
 
     /// Of an entry of the symmetric part of that.
     #[inline(always)]
     fn of_s_ta_ta(&self, row: usize, column: usize) -> Self {
-        if row == column {
-            return self.of_k_ta_ta(row, row);
-        }
-        mean(&self.of_k_ta_ta(row, column), &self.of_k_ta_ta(column, row))
+        self.gradient(symmetric_gradient(&self.force(), &self.arm(), row, column))
     }
 }

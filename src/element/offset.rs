@@ -8,10 +8,10 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::products::{column, cross_gradient, double_cross, double_cross_gradient, matrix};
+use super::products::{column, double_cross, double_cross_gradient, matrix};
 use super::{Forces, Rows, Stiffness};
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec, along};
+use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec, along, cross_gradient};
 use crate::quantity::{ARM, ARM_FORCE, ARM_MOMENT, K_ARM, NODE_MOMENT};
 use crate::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
@@ -58,14 +58,14 @@ impl<D: Scalar> ArmLoads<D> {
     #[inline(always)]
     fn of_moment(&self, k: usize) -> Self {
         let [by_arm, by_force] = cross_gradient(&self.r, &self.f, k);
-        Self { r: by_arm, f: by_force, m: along(k, D::one()) }
+        Self { r: by_arm.vector(), f: by_force.vector(), m: along(k, D::one()) }
     }
 
     /// The gradient of an entry of the block.
     #[inline(always)]
     fn of_block(&self, row: usize, column: usize) -> Self {
         let [by_arm, by_force] = double_cross_gradient(&self.r, &self.f, row, column);
-        Self { r: by_arm, f: by_force, ..Self::filled(D::zero()) }
+        Self { r: by_arm.vector(), f: by_force.vector(), ..Self::filled(D::zero()) }
     }
 }
 

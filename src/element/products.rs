@@ -2,16 +2,9 @@
 
 #![expect(clippy::inline_always, reason = "the compiler sees the indices, and computes no zeros")]
 
-use crate::formula::Fields;
+use crate::formula::{Few, next};
 use crate::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
-
-/// The gradients of the k-th component of a × b: by a, and by b.
-#[inline(always)]
-pub(super) fn cross_gradient<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>, k: usize) -> [Vector3<D>; 2] {
-    let across = |v: &Vector3<D>| skew(v).column(k).into_owned();
-    [across(b), -across(a)]
-}
 
 /// \[v×\]: what takes w to v × w.
 #[inline(always)]
@@ -22,12 +15,11 @@ pub(super) fn skew<D: Scalar>(v: &Vector3<D>) -> Matrix3<D> {
 
 /// The gradient of an entry of [`skew`] by the vector.
 #[inline(always)]
-pub(super) fn skew_gradient<D: Scalar>(row: usize, column: usize) -> Vector3<D> {
-    let mut gradient = Vector3::from_element(D::zero());
-    if row != column {
-        gradient[3 - row - column] = if column == (row + 1) % 3 { -D::one() } else { D::one() };
+pub(super) fn skew_gradient<D: Scalar>(row: usize, column: usize) -> Few<D> {
+    if row == column {
+        return Few::none();
     }
-    gradient
+    Few::one(3 - row - column, if column == next(row)[0] { -D::one() } else { D::one() })
 }
 
 /// a ⊗ b − (a·b) I = \[b×\] \[a×\]: what takes w to b × (a × w).
@@ -50,15 +42,22 @@ pub(super) fn double_cross_gradient<D: Scalar>(
     b: &Vector3<D>,
     row: usize,
     column: usize,
-) -> [Vector3<D>; 2] {
+) -> [Few<D>; 2] {
     if row == column {
-        let others = |v: &Vector3<D>| Vector3::from_fn(|k, _| if k == row { D::zero() } else { -v[k] });
-        return [others(b), others(a)];
+        let [k, l] = next(row);
+        return [Few::two((k, -b[k]), (l, -b[l])), Few::two((k, -a[k]), (l, -a[l]))];
     }
-    let (mut by_a, mut by_b) = (Vector3::from_element(D::zero()), Vector3::from_element(D::zero()));
-    by_a[row] = b[column];
-    by_b[column] = a[row];
-    [by_a, by_b]
+    [Few::one(row, b[column]), Few::one(column, a[row])]
+}
+
+/// The gradients of an entry of the symmetric part of [`double_cross`]: by a, and by b.
+#[inline(always)]
+pub(super) fn symmetric_gradient<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>, row: usize, column: usize) -> [Few<D>; 2] {
+    if row == column {
+        return double_cross_gradient(a, b, row, row);
+    }
+    let by = |v: &Vector3<D>| Few::two((row, v[column] * 0.5), (column, v[row] * 0.5));
+    [by(b), by(a)]
 }
 
 /// ½ (M + Mᵀ).
@@ -69,22 +68,6 @@ pub(super) fn symmetric<D: Scalar>(m: &Matrix3<D>) -> Matrix3<D> {
             if row == column { m[(row, row)] } else { (m[(row, column)] + m[(column, row)]) * 0.5 }
         },
     )
-}
-
-/// ½ (a + b), component by component.
-#[inline(always)]
-pub(super) fn mean<D: Scalar, I: Fields<D>>(a: &I, b: &I) -> I {
-    let mut sum = I::array_of(D::zero());
-    for part in [a, b] {
-        let mut places = sum.as_mut().iter_mut();
-        part.for_each_component(&mut |x| {
-            if let Some(place) = places.next() {
-                *place += x;
-            }
-        });
-    }
-    let mut all = sum.as_ref().iter().map(|&x| x * 0.5);
-    I::from_components(&mut || all.next().expect("an array has as many components as it was made for"))
 }
 
 /// The column of what a method gives for every index, after what else it takes. Each is a call of its own: in a loop, or through a closure, the

@@ -15,9 +15,8 @@
 pub(super) mod proof;
 mod stumpff;
 
-use super::products::cross_gradient;
 use crate::fields;
-use crate::formula::{Component, Document, Finite, Formula, Jacobian, Source, Spec, along};
+use crate::formula::{Component, Document, Finite, Formula, Jacobian, Source, Spec, along, cross_gradient};
 use crate::quantity::{EULER_MOMENT, EULER_MOMENT0, EULER_Q, EULER_Q0, PSI, PSI_MOMENT, SPIN_MOMENT};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
@@ -67,11 +66,12 @@ impl Formula for RotationVector {
             let [by_psi, by_m] = cross_gradient(psi, m, k);
             let [direct, by_across] = cross_gradient(psi, &across, k);
             TurnedLoad {
-                psi: psi * lengthened[k] - by_psi * c2 + (direct + m.cross(&by_across)) * c3,
-                m: along::<D, 3>(k, c1) - by_m * c2 + psi * (psi[k] * c3),
+                psi: by_psi
+                    .added_to(&direct.added_to(&(psi * lengthened[k] + m.cross(&by_across.vector()) * c3), c3), -c2),
+                m: by_m.added_to(&(along::<D, 3>(k, c1) + psi * (psi[k] * c3)), -c2),
             }
         };
-        RotationVectorMoment { m_psi: Vector3::from_fn(|k, _| row(k)) }
+        RotationVectorMoment { m_psi: Vector3::new(row(0), row(1), row(2)) }
     }
 }
 
@@ -108,11 +108,11 @@ impl Formula for EulerParameters {
         let two = D::from(2.0);
         let row = |k: usize| {
             let [by_q, by_m] = cross_gradient(&i.q, &i.m, k);
-            QuaternionLoad { q0: i.m[k] * two, q: by_q * -two, m: (along::<D, 3>(k, i.q0) - by_m) * two }
+            QuaternionLoad { q0: i.m[k] * two, q: by_q.times(-two), m: by_m.added_to(&along(k, i.q0 * two), -two) }
         };
         EulerMoment {
             m_q0: QuaternionLoad { q0: D::zero(), q: i.m * -two, m: i.q * -two },
-            m_q: Vector3::from_fn(|k, _| row(k)),
+            m_q: Vector3::new(row(0), row(1), row(2)),
         }
     }
 }

@@ -8,9 +8,9 @@ mod proof;
 
 use super::join::{JoinForces, JoinStiffness, JoinSymmetric};
 use super::lever::Lever;
-use super::products::{column, cross_gradient, double_cross, matrix, skew, symmetric};
+use super::products::{column, double_cross, matrix, skew, symmetric};
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec, along};
+use crate::formula::{Component, Document, Few, Fields, Finite, Formula, Jacobian, Spec, along, cross_gradient};
 use crate::quantity::{E2A, E3A, F2, F3, GY_TA, GY_UA, GY_UB, GZ_TA, GZ_UA, GZ_UB, XA, XB};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
@@ -85,13 +85,15 @@ impl<D: Scalar> SlotPlaces<D> {
     }
     #[inline(always)]
     pub(super) fn of_moment_of_y(&self, k: usize) -> Self {
-        let [e2a, by_arm] = cross_gradient(&self.e2a, &(self.xb - self.xa), k);
-        Self { e2a, xa: -by_arm, xb: by_arm, ..Self::filled(D::zero()) }
+        let [by_axis, by_arm] = cross_gradient(&self.e2a, &(self.xb - self.xa), k);
+        let [xa, xb] = [by_arm.times(-D::one()), by_arm.vector()];
+        Self { e2a: by_axis.vector(), xa, xb, ..Self::filled(D::zero()) }
     }
     #[inline(always)]
     pub(super) fn of_moment_of_z(&self, k: usize) -> Self {
-        let [e3a, by_arm] = cross_gradient(&self.e3a, &(self.xb - self.xa), k);
-        Self { e3a, xa: -by_arm, xb: by_arm, ..Self::filled(D::zero()) }
+        let [by_axis, by_arm] = cross_gradient(&self.e3a, &(self.xb - self.xa), k);
+        let [xa, xb] = [by_arm.times(-D::one()), by_arm.vector()];
+        Self { e3a: by_axis.vector(), xa, xb, ..Self::filled(D::zero()) }
     }
 }
 
@@ -114,20 +116,15 @@ impl<D: Scalar> Lever<D> for SlotLoads<D> {
     }
 
     #[inline(always)]
-    fn gradient(&self, by_force: &Vector3<D>, by_arm: &Vector3<D>) -> Self {
+    fn gradient(&self, [by_force, by_arm]: [Few<D>; 2]) -> Self {
         Self {
-            e2a: by_force * self.f2,
-            e3a: by_force * self.f3,
-            xa: -by_arm,
-            xb: *by_arm,
-            f2: self.e2a.dot(by_force),
-            f3: self.e3a.dot(by_force),
+            e2a: by_force.times(self.f2),
+            e3a: by_force.times(self.f3),
+            xa: by_arm.times(-D::one()),
+            xb: by_arm.vector(),
+            f2: by_force.dot(&self.e2a),
+            f3: by_force.dot(&self.e3a),
         }
-    }
-
-    #[inline(always)]
-    fn of_force(&self, k: usize, sign: D) -> Self {
-        self.gradient(&along(k, sign), &Vector3::from_element(D::zero()))
     }
 }
 

@@ -32,9 +32,10 @@ impl<D: Scalar> Turn<D> {
     #[inline(always)]
     pub(super) fn new(e: &Vector3<D>, p: &Vector3<D>, q: &Vector3<D>) -> Self {
         let (r, [c, s]) = norm_and_direction([e.dot(q), e.dot(p)]);
-        let (along, across) = (c / r, s / r);
+        let per = r.recip();
+        let (along, across) = (c * per, s * per);
         let (k, u) = (p * across + q * along, q * across - p * along);
-        let (cos, sin) = ((c - s) * (c + s) / r / r, c * s * 2.0 / r / r);
+        let (cos, sin) = ((c - s) * (c + s) * per * per, c * s * 2.0 * per * per);
         let (stretch, shear) = ((q - p).dot(&(q + p)), p.dot(q) * 2.0);
         Self {
             e: *e,

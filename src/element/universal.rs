@@ -5,9 +5,9 @@
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 
-use super::products::{column, cross_gradient, double_cross, double_cross_gradient, matrix, mean, symmetric};
+use super::products::{column, double_cross, double_cross_gradient, matrix, symmetric, symmetric_gradient};
 use crate::fields;
-use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Few, Finite, Formula, Jacobian, Spec, cross_gradient};
 use crate::quantity::{
     E1A, E3B, G_ROT_TA, G_ROT_TB, K_TA_TA, K_TA_TB, K_TB_TB, LAMBDA_ROT, MOMENT_A, MOMENT_B, S_TA_TA, S_TB_TB,
 };
@@ -55,7 +55,7 @@ impl<D: Scalar> CrossAxes<D> {
     #[inline(always)]
     pub(super) fn of_cross(&self, sign: D, k: usize) -> Self {
         let [by_e1a, by_e3b] = cross_gradient(&self.e1a, &self.e3b, k);
-        Self { e1a: by_e1a * sign, e3b: by_e3b * sign }
+        Self { e1a: by_e1a.times(sign), e3b: by_e3b.times(sign) }
     }
 }
 
@@ -121,10 +121,9 @@ impl<D: Scalar> UniversalLoads<D> {
 
     /// The gradient of something times λ, by e1a, e3b and λ.
     #[inline(always)]
-    fn gradient(&self, [by_e1a, by_e3b]: [Vector3<D>; 2], something: D, sign: D) -> Self {
+    fn gradient(&self, [by_e1a, by_e3b]: [Few<D>; 2], something: D, sign: D) -> Self {
         let factor = self.lambda_rot * sign;
-        let lambda_rot = something * sign;
-        Self { e1a: by_e1a * factor, e3b: by_e3b * factor, lambda_rot }
+        Self { e1a: by_e1a.times(factor), e3b: by_e3b.times(factor), lambda_rot: something * sign }
     }
 
     #[inline(always)]
@@ -171,10 +170,8 @@ impl<D: Scalar> UniversalLoads<D> {
     /// The gradient of an entry of the symmetric part of either.
     #[inline(always)]
     pub(super) fn of_symmetric(&self, row: usize, column: usize) -> Self {
-        if row == column {
-            return self.of_k_ta_ta(row, row);
-        }
-        mean(&self.of_k_ta_ta(row, column), &self.of_k_ta_ta(column, row))
+        let by_axes = symmetric_gradient(&self.e1a, &self.e3b, row, column);
+        self.gradient(by_axes, symmetric(&double_cross(&self.e1a, &self.e3b))[(row, column)], D::one())
     }
 }
 

@@ -292,12 +292,14 @@ fn with_middle<D: Scalar>([[n1, n2], [n5, n4]]: [[D; 2]; 2], n3: D) -> [D; 5] {
 }
 
 /// Σ wᵢ xᵢ for weights that add up to 0.
+#[inline]
 pub(super) fn combination<D: Scalar, const N: usize>(nodes: &[Vector2<D>; N], weights: [D; N]) -> Vector2<D> {
     let base = heaviest(nodes, weights.map(abs));
     nodes.iter().zip(weights).fold(Vector2::from_element(D::zero()), |sum, (x, w)| sum + (x - base) * w)
 }
 
 /// xs − Σ wᵢ xᵢ for weights that add up to 1.
+#[inline]
 pub(crate) fn gap<D: Scalar, const N: usize>(xs: Vector2<D>, nodes: &[Vector2<D>; N], weights: [D; N]) -> Vector2<D> {
     let base = heaviest(nodes, weights);
     nodes.iter().zip(weights).fold(xs - base, |gap, (x, w)| gap - (x - base) * w)

@@ -1,5 +1,7 @@
 //! The directions across the line as quotients: a vector of polynomials, divided by a root.
 
+#![expect(clippy::inline_always, reason = "where components stand is known where it is compiled in place")]
+
 use super::span::Span;
 use crate::binade::Binade;
 use crate::scalar::Scalar;
@@ -52,7 +54,22 @@ impl Axis {
 impl<D: Scalar> Across<D> {
     #[inline]
     pub(super) fn new(d: &Vector3<D>) -> Self {
-        let axis = Axis::of(d);
+        Self::about(Axis::of(d), d)
+    }
+
+    /// What follows from it. It is compiled for either axis, so that where a component stands is known there.
+    #[inline(always)]
+    pub(super) fn with<T>(d: &Vector3<D>, then: impl Fn(&Self) -> T) -> T {
+        if Axis::of(d).along_i {
+            std::hint::cold_path();
+            then(&Self::about(Axis { along_i: true }, d))
+        } else {
+            then(&Self::about(Axis { along_i: false }, d))
+        }
+    }
+
+    #[inline]
+    fn about(axis: Axis, d: &Vector3<D>) -> Self {
         let (along, c) = axis.split(d);
         let (projected, whole) = (Span::along(c), Binade::of(d.iter().copied()));
         let along = along * whole.per_unit;
@@ -74,6 +91,19 @@ impl<D: Scalar> Across<D> {
         self.axis.vector(by_axis, by_a, by_b)
     }
 
+    /// c as a unit vector.
+    #[inline]
+    pub(super) fn azimuth(&self) -> [D; 2] {
+        let c = self.projected.d / self.roots[0];
+        [c.x, c.y]
+    }
+
+    /// h = |(d_a, d_b)|.
+    #[inline]
+    pub(super) fn distance(&self) -> D {
+        self.roots[0] * self.projected.binade.unit
+    }
+
     /// The rays along t1 and t2.
     #[inline]
     pub(super) fn rays(&self) -> [Vector3<D>; 2] {
@@ -92,15 +122,14 @@ impl<D: Scalar> Across<D> {
     /// κ t1, κ = d_e/(l h), with the ray's length.
     #[inline]
     pub(super) fn twist(&self, sideward: D) -> Vector3<D> {
-        let Span { d: c, square, binade } = self.projected;
-        let size = self.along * sideward / square * binade.per_unit;
+        let c = self.projected.d;
+        let size = self.along * sideward * self.projected.factor();
         self.vector(D::zero(), c.y * size, -c.x * size)
     }
 
     /// v·c/(c·c), in units of d.
     #[inline]
     pub(super) fn share_outward(&self, v: &Vector3<D>) -> D {
-        let Span { d: c, square, binade } = self.projected;
-        c.dot(&self.split(v).1) * binade.per_unit / square
+        self.projected.d.dot(&self.split(v).1) * self.projected.factor()
     }
 }

@@ -30,10 +30,28 @@ pub struct Basis;
 impl Basis {
     #[inline(always)]
     fn of<D: Scalar>(i: &LineDirection<D>, across: &Across<D>) -> Tangents<D> {
-        let ([ray_1, _], [root, _]) = (across.rays(), across.roots);
-        let Span { d: c, binade, .. } = across.projected;
-        let tilted = c * across.split(&i.n).0 / root;
-        Tangents { t1: ray_1 / root, t2: across.vector(-root * binade.unit, tilted.x, tilted.y) }
+        let ([ca, cb], polar) = (across.azimuth(), across.split(&i.n).0);
+        Tangents {
+            t1: across.vector(D::zero(), cb, -ca),
+            t2: across.vector(-across.distance(), polar * ca, polar * cb),
+        }
+    }
+
+    #[inline(always)]
+    fn gradients<D: Scalar>(i: &LineDirection<D>, across: &Across<D>) -> Jacobian<Self, D> {
+        let Azimuth { ca, cb, ca_n, cb_n, .. } = Azimuth::new(across);
+        let (polar, zero) = (across.split(&i.n).0, D::zero());
+        let row = |by_axis: D, [by_a, by_b]: [D; 2]| LineDirection { n: across.vector(by_axis, by_a, by_b) };
+        let nothing = row(zero, [zero; 2]);
+
+        Tangents {
+            t1: across.vector(nothing, row(zero, cb_n), row(zero, ca_n.map(|x| -x))),
+            t2: across.vector(
+                row(zero, [-ca, -cb]),
+                row(ca, ca_n.map(|x| polar * x)),
+                row(cb, cb_n.map(|x| polar * x)),
+            ),
+        }
     }
 }
 
@@ -56,7 +74,7 @@ impl Formula for Basis {
 
     #[inline]
     fn eval<D: Scalar>(i: &LineDirection<D>) -> Tangents<D> {
-        Self::of(i, &Across::new(&i.n))
+        Across::with(&i.n, |across| Self::of(i, across))
     }
 
     #[inline]
@@ -66,21 +84,7 @@ impl Formula for Basis {
 
     #[inline(always)]
     fn linearized<D: Scalar>(i: &LineDirection<D>) -> ValueAndJacobian<Self, D> {
-        let across = Across::new(&i.n);
-        let Azimuth { ca, cb, ca_n, cb_n } = Azimuth::new(&across);
-        let (polar, zero) = (across.split(&i.n).0, D::zero());
-        let row = |by_axis: D, [by_a, by_b]: [D; 2]| LineDirection { n: across.vector(by_axis, by_a, by_b) };
-        let nothing = row(zero, [zero; 2]);
-
-        let by = Tangents {
-            t1: across.vector(nothing, row(zero, cb_n), row(zero, ca_n.map(|x| -x))),
-            t2: across.vector(
-                row(zero, [-ca, -cb]),
-                row(ca, ca_n.map(|x| polar * x)),
-                row(cb, cb_n.map(|x| polar * x)),
-            ),
-        };
-        (Self::of(i, &across), by)
+        Across::with(&i.n, |across| (Self::of(i, across), Self::gradients(i, across)))
     }
 
     #[inline]
@@ -93,6 +97,8 @@ impl Formula for Basis {
 struct Azimuth<D> {
     ca: D,
     cb: D,
+    /// 1/h
+    by: D,
     ca_n: [D; 2],
     cb_n: [D; 2],
 }
@@ -100,10 +106,9 @@ struct Azimuth<D> {
 impl<D: Scalar> Azimuth<D> {
     #[inline]
     fn new(across: &Across<D>) -> Self {
-        let [root, _] = across.roots;
-        let Span { d: c, binade, .. } = across.projected;
-        let (ca, cb, h) = (c.x / root, c.y / root, root * binade.unit);
-        Self { ca, cb, ca_n: [cb * cb / h, -ca * cb / h], cb_n: [-ca * cb / h, ca * ca / h] }
+        let ([ca, cb], by) = (across.azimuth(), across.distance().recip());
+        let mixed = -ca * by * cb;
+        Self { ca, cb, by, ca_n: [cb * by * cb, mixed], cb_n: [mixed, ca * by * ca] }
     }
 }
 
@@ -131,30 +136,12 @@ fields! {
 #[derive(Clone, Copy, Debug)]
 pub struct BasisVariation;
 
-impl Formula for BasisVariation {
-    const SPEC: Spec = Spec::new(
-        "slider.basis_variation",
-        "Variation of the directions across",
-        Document::SLIDER.reconstructed(
-            "",
-            "every symbol was lost; the words: the changes of both normals in the derivatives of the constraints",
-        ),
-    )
-        .equation(r"\mathrm{d}\mathbf{t}_1 = \frac{\mathrm{d}\mathbf{n}\times\mathbf{e} - \bigl(\mathbf{t}_1\cdot(\mathrm{d}\mathbf{n}\times\mathbf{e})\bigr)\,\mathbf{t}_1}{\lvert\mathbf{n}\times\mathbf{e}\rvert},\quad \mathrm{d}\mathbf{t}_2 = \mathrm{d}\mathbf{n}\times\mathbf{t}_1 + \mathbf{n}\times\mathrm{d}\mathbf{t}_1,\quad \mathbf{e} = \begin{cases} \mathbf{i} & \mathbf{n}\times\mathbf{i} \ne \mathbf{0} \\ \mathbf{k} & \text{otherwise} \end{cases}")
-.given(&[Given::new(r"\mathbf{t}_1", &Basis::SPEC)])
-        .eta(3.0, 5.0)
-        .scale(1e250)
-        .finite(Finite::Between)
-        .not_objective();
-    type Inputs<T: Component> = TurningDirection<T>;
-    type Outputs<T: Component> = TangentChanges<T>;
-
-    #[inline]
-    fn eval<D: Scalar>(i: &TurningDirection<D>) -> TangentChanges<D> {
-        let across = Across::new(&i.n);
-        let Azimuth { ca, cb, .. } = Azimuth::new(&across);
+impl BasisVariation {
+    #[inline(always)]
+    fn of<D: Scalar>(i: &TurningDirection<D>, across: &Across<D>) -> TangentChanges<D> {
+        let [ca, cb] = across.azimuth();
         let ((polar, _), (dn_axis, dn)) = (across.split(&i.n), across.split(&i.dn));
-        let omega = spin(&across, &dn);
+        let omega = spin(across, &dn);
         TangentChanges {
             dt1: across.vector(D::zero(), ca * omega, cb * omega),
             dt2: across.vector(
@@ -165,16 +152,14 @@ impl Formula for BasisVariation {
         }
     }
 
-    #[inline]
-    fn jacobian<D: Scalar>(i: &TurningDirection<D>) -> Jacobian<Self, D> {
-        let across = Across::new(&i.n);
-        let Azimuth { ca, cb, ca_n, cb_n } = Azimuth::new(&across);
+    #[inline(always)]
+    fn gradients<D: Scalar>(i: &TurningDirection<D>, across: &Across<D>) -> Jacobian<Self, D> {
+        let Azimuth { ca, cb, by, ca_n, cb_n } = Azimuth::new(across);
         let ((polar, _), (dn_axis, dn)) = (across.split(&i.n), across.split(&i.dn));
-        let (dn_a, dn_b, omega) = (dn.x, dn.y, spin(&across, &dn));
-        let h = across.roots[0] * across.projected.binade.unit;
+        let (dn_a, dn_b, omega) = (dn.x, dn.y, spin(across, &dn));
         let (sum, difference) = (ca * cb * 2.0, (cb - ca) * (cb + ca));
-        let omega_n = [difference * dn_b + sum * dn_a, difference * dn_a - sum * dn_b].map(|x| x / h / h);
-        let omega_dn = [-cb / h, ca / h];
+        let omega_n = [difference * dn_b + sum * dn_a, difference * dn_a - sum * dn_b].map(|x| x * by * by);
+        let omega_dn = [-cb * by, ca * by];
 
         // Gradients along a and b: of x u + y v, where x and y are held; of c ω, by n and by dn.
         let sum_of = |x: D, u: [D; 2], y: D, v: [D; 2]| [x * u[0] + y * v[0], x * u[1] + y * v[1]];
@@ -203,6 +188,40 @@ impl Formula for BasisVariation {
                 },
             ),
         }
+    }
+}
+
+impl Formula for BasisVariation {
+    const SPEC: Spec = Spec::new(
+        "slider.basis_variation",
+        "Variation of the directions across",
+        Document::SLIDER.reconstructed(
+            "",
+            "every symbol was lost; the words: the changes of both normals in the derivatives of the constraints",
+        ),
+    )
+        .equation(r"\mathrm{d}\mathbf{t}_1 = \frac{\mathrm{d}\mathbf{n}\times\mathbf{e} - \bigl(\mathbf{t}_1\cdot(\mathrm{d}\mathbf{n}\times\mathbf{e})\bigr)\,\mathbf{t}_1}{\lvert\mathbf{n}\times\mathbf{e}\rvert},\quad \mathrm{d}\mathbf{t}_2 = \mathrm{d}\mathbf{n}\times\mathbf{t}_1 + \mathbf{n}\times\mathrm{d}\mathbf{t}_1,\quad \mathbf{e} = \begin{cases} \mathbf{i} & \mathbf{n}\times\mathbf{i} \ne \mathbf{0} \\ \mathbf{k} & \text{otherwise} \end{cases}")
+.given(&[Given::new(r"\mathbf{t}_1", &Basis::SPEC)])
+        .eta(3.0, 5.0)
+        .scale(1e250)
+        .finite(Finite::Between)
+        .not_objective();
+    type Inputs<T: Component> = TurningDirection<T>;
+    type Outputs<T: Component> = TangentChanges<T>;
+
+    #[inline]
+    fn eval<D: Scalar>(i: &TurningDirection<D>) -> TangentChanges<D> {
+        Across::with(&i.n, |across| Self::of(i, across))
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &TurningDirection<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline(always)]
+    fn linearized<D: Scalar>(i: &TurningDirection<D>) -> ValueAndJacobian<Self, D> {
+        Across::with(&i.n, |across| (Self::of(i, across), Self::gradients(i, across)))
     }
 
     #[inline]

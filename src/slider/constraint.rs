@@ -9,7 +9,7 @@ use super::line::Line;
 use super::span::{Span, Station};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec, ValueAndJacobian};
 use crate::quantity::{
     SLIDER_DX1, SLIDER_DXM, SLIDER_DXN, SLIDER_G1, SLIDER_G2, SLIDER_R1, SLIDER_R2, SLIDER_X1, SLIDER_XM, SLIDER_XN,
 };
@@ -106,7 +106,7 @@ impl Formula for Constraint {
     }
 
     #[inline]
-    fn linearized<D: Scalar>(i: &Nodes<D>) -> (Distances<D>, Jacobian<Self, D>) {
+    fn linearized<D: Scalar>(i: &Nodes<D>) -> ValueAndJacobian<Self, D> {
         let view = View::new(i);
         (view.distances(), view.gradients())
     }
@@ -134,6 +134,44 @@ fields! {
 #[derive(Clone, Copy, Debug)]
 pub struct IncrementalConstraint;
 
+impl IncrementalConstraint {
+    #[inline(always)]
+    fn of<D: Scalar>(i: &MovingNodes<D>, across: &Across<D>) -> IncrementalResiduals<D> {
+        let station = Station::new(&Span::new(&i.x1, &i.xn), &i.x1, &i.xn, &i.xm);
+        let ([along_1, along_2], [root_1, root_2]) =
+            (across.along_rays(&(i.dxm - station.blend(&i.dx1, &i.dxn))), across.roots);
+        IncrementalResiduals { r1: along_1 / root_1, r2: along_2 / root_2 }
+    }
+
+    /// With v = dxm − (1−ξ) dx1 − ξ dxn and γ_q = t_q·(dxn − dx1), the line enters through t_q, whose variation is that in
+    /// [`Constraint`] with v for xm − x1, and through ξ: ∂r_q = v·∂t_q − γ_q ∂ξ.
+    #[inline(always)]
+    fn gradients<D: Scalar>(i: &MovingNodes<D>, across: &Across<D>) -> Jacobian<Self, D> {
+        let span = Span::new(&i.x1, &i.xn);
+        let station = Station::new(&span, &i.x1, &i.xn, &i.xm);
+        let ([share, rest], [share_x1, share_xn, share_xm]) = (station.shares(), station.gradients(&span));
+        let v = i.dxm - station.blend(&i.dx1, &i.dxn);
+        let share_v = v.dot(&span.d) * span.factor();
+        // Everything times the length of the ray, from which the rows are freed in the end.
+        let (ray, gain) = (across.rays(), across.along_rays(&(i.dxn - i.dx1)));
+        let twist = across.twist(across.split(&v).1.perp(&across.projected.d));
+        let turning = [ray[0] * -across.share_outward(&v), twist - ray[1] * share_v];
+        let row = |q: usize| {
+            let per = across.roots[q].recip();
+            let t = ray[q] * per;
+            MovingNodes {
+                x1: -(turning[q] + share_x1 * gain[q]) * per,
+                xn: (turning[q] - share_xn * gain[q]) * per,
+                xm: share_xm * -(gain[q] * per),
+                dx1: t * -rest,
+                dxn: t * -share,
+                dxm: t,
+            }
+        };
+        IncrementalResiduals { r1: row(0), r2: row(1) }
+    }
+}
+
 impl Formula for IncrementalConstraint {
     const SPEC: Spec = Spec::new(
         "slider.incremental_constraint",
@@ -154,38 +192,17 @@ impl Formula for IncrementalConstraint {
 
     #[inline(always)]
     fn eval<D: Scalar>(i: &MovingNodes<D>) -> IncrementalResiduals<D> {
-        let station = Station::new(&Span::new(&i.x1, &i.xn), &i.x1, &i.xn, &i.xm);
-        let across = Across::new(&(i.xn - i.x1));
-        let ([along_1, along_2], [root_1, root_2]) =
-            (across.along_rays(&(i.dxm - station.blend(&i.dx1, &i.dxn))), across.roots);
-        IncrementalResiduals { r1: along_1 / root_1, r2: along_2 / root_2 }
+        Across::with(&(i.xn - i.x1), |across| Self::of(i, across))
     }
 
-    /// With v = dxm − (1−ξ) dx1 − ξ dxn and γ_q = t_q·(dxn − dx1), the line enters through t_q, whose variation is that in
-    /// [`Constraint`] with v for xm − x1, and through ξ: ∂r_q = v·∂t_q − γ_q ∂ξ.
     #[inline]
     fn jacobian<D: Scalar>(i: &MovingNodes<D>) -> Jacobian<Self, D> {
-        let (span, across) = (Span::new(&i.x1, &i.xn), Across::new(&(i.xn - i.x1)));
-        let station = Station::new(&span, &i.x1, &i.xn, &i.xm);
-        let ([share, rest], [share_x1, share_xn, share_xm]) = (station.shares(), station.gradients(&span));
-        let v = i.dxm - station.blend(&i.dx1, &i.dxn);
-        let share_v = v.dot(&span.d) * span.binade.per_unit / span.square;
-        // Everything times the length of the ray, by which the rows are divided in the end.
-        let (ray, gain) = (across.rays(), across.along_rays(&(i.dxn - i.dx1)));
-        let twist = across.twist(across.split(&v).1.perp(&across.projected.d));
-        let turning = [ray[0] * -across.share_outward(&v), twist - ray[1] * share_v];
-        let row = |q: usize| {
-            let root = across.roots[q];
-            MovingNodes {
-                x1: -(turning[q] + share_x1 * gain[q]) / root,
-                xn: (turning[q] - share_xn * gain[q]) / root,
-                xm: share_xm * -gain[q] / root,
-                dx1: ray[q] * -rest / root,
-                dxn: ray[q] * -share / root,
-                dxm: ray[q] / root,
-            }
-        };
-        IncrementalResiduals { r1: row(0), r2: row(1) }
+        Self::linearized(i).1
+    }
+
+    #[inline(always)]
+    fn linearized<D: Scalar>(i: &MovingNodes<D>) -> ValueAndJacobian<Self, D> {
+        Across::with(&(i.xn - i.x1), |across| (Self::of(i, across), Self::gradients(i, across)))
     }
 
     #[inline]

@@ -51,7 +51,7 @@ impl Formula for Line {
     #[inline]
     fn linearized<D: Scalar>(i: &Ends<D>) -> ValueAndJacobian<Self, D> {
         let direction = Self::eval(i);
-        let turn = across(&direction.n) / direction.l;
+        let turn = across(&direction.n) * direction.l.recip();
         let row = |by_xn: Vector3<D>| Ends { x1: -by_xn, xn: by_xn };
         let along = |axis: usize| row(turn.column(axis).into_owned());
         (direction, Direction { n: Vector3::new(along(0), along(1), along(2)), l: row(direction.n) })
@@ -119,9 +119,9 @@ impl Formula for DirectionVariation {
     fn jacobian<D: Scalar>(i: &MovingEnds<D>) -> Jacobian<Self, D> {
         let Direction { n, l } = Line::eval(&Ends { x1: i.x1, xn: i.xn });
         let DirectionChange { dn, dl } = Self::eval(i);
-        let turn = across(&n) / l;
-        let outer = dn * n.transpose();
-        let bend = -(outer + outer.transpose() + turn * dl) / l;
+        let per = l.recip();
+        let (turn, outer) = (across(&n) * per, dn * n.transpose());
+        let bend = (outer + outer.transpose() + turn * dl) * -per;
         let row = |xn: Vector3<D>, dxn: Vector3<D>| MovingEnds { x1: -xn, xn, dx1: -dxn, dxn };
         let along = |axis: usize| row(bend.column(axis).into_owned(), turn.column(axis).into_owned());
         DirectionChange { dn: Vector3::new(along(0), along(1), along(2)), dl: row(dn, n) }

@@ -129,8 +129,8 @@ impl Formula for IncrementalConstraint2d {
         let v = i.dxm - station.blend(&i.dx1, &i.dxn);
         // Everything times the length of d, by which the row is divided in the end: what is zero stays it.
         let (root, ray) = (span.square.sqrt(), Vector2::new(-span.d.y, span.d.x));
-        let (gain, turn) = (span.d.perp(&(i.dxn - i.dx1)), v.dot(&span.d) * span.binade.per_unit / span.square);
         let per_root = root.recip();
+        let (gain, turn) = (span.d.perp(&(i.dxn - i.dx1)), v.dot(&span.d) * span.factor());
         let by = MovingNodes2d {
             x1: (ray * turn - share_x1 * gain) * per_root,
             xn: (ray * -turn - share_xn * gain) * per_root,

@@ -25,6 +25,12 @@ impl<D: Scalar, const N: usize> Span<D, N> {
         let d = d * binade.per_unit;
         Self { d, square: d.dot(&d), binade }
     }
+
+    /// What makes v·d, v in the units of the nodes, the share that v has in the line: (xn − x1)·v over the square of the length.
+    #[inline]
+    pub(crate) fn factor(&self) -> D {
+        self.binade.per_unit / self.square
+    }
 }
 
 /// The place of m: m − end = τ (xn − x1) + something across the line, where "end" is the nearer of nodes 1 and n.
@@ -46,7 +52,7 @@ impl<D: Scalar, const N: usize> Station<D, N> {
         let (ahead_of_1, ahead_of_n) = (from_1.dot(&span.d), from_n.dot(&span.d));
         let nearer_to_n = abs(ahead_of_n) < abs(ahead_of_1);
         let (offset, ahead) = if nearer_to_n { (from_n, ahead_of_n) } else { (from_1, ahead_of_1) };
-        Self { nearer_to_n, offset, tau: ahead * span.binade.per_unit / span.square }
+        Self { nearer_to_n, offset, tau: ahead * span.factor() }
     }
 
     /// ξ and 1 − ξ, both without loss.
@@ -68,7 +74,7 @@ impl<D: Scalar, const N: usize> Station<D, N> {
     /// With the part f of m − x1 across the line: ∂ξ/∂xm = d/d·d, ∂ξ/∂xn = (f − ξ d)/d·d, ∂ξ/∂x1 = −(f + (1 − ξ) d)/d·d.
     #[inline]
     pub(crate) fn gradients(&self, span: &Span<D, N>) -> [SVector<D, N>; 3] {
-        let factor = span.binade.per_unit / span.square;
+        let factor = span.factor();
         let [by_x1, by_xn] = self.unscaled_gradients(span);
         [by_x1 * -factor, by_xn * factor, span.d * factor]
     }

@@ -4,7 +4,7 @@
 mod proof;
 
 use crate::fields;
-use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec, along};
+use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec, cross_gradient};
 use crate::quantity::{E_CROSS, E1A, E3B, F2, F3, JOIN_F1, UJOINT_FR};
 use crate::scalar::{Scalar, direction, norm};
 use nalgebra::Vector3;
@@ -75,8 +75,8 @@ impl Formula for CrossDirection {
     #[inline]
     fn jacobian<D: Scalar>(i: &CrossAxes<D>) -> Jacobian<Self, D> {
         let row = |k| {
-            let unit = along(k, D::one());
-            CrossAxes { e1a: i.e3b.cross(&unit), e3b: unit.cross(&i.e1a) }
+            let [by_e1a, by_e3b] = cross_gradient(&i.e1a, &i.e3b, k);
+            CrossAxes { e1a: by_e1a.vector(), e3b: by_e3b.vector() }
         };
         CrossNormal { e_cross: Vector3::new(row(0), row(1), row(2)) }
     }

@@ -3,7 +3,7 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use crate::cardan::{Triads, alpha, alpha_gradient, check_turns, gamma, gamma_gradient};
+use crate::cardan::{Triads, alpha_and_gamma, alpha_and_gamma_gradients, check_turns};
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec};
@@ -79,16 +79,14 @@ impl Formula for Angles {
 
     #[inline]
     fn eval<D: Scalar>(i: &Triads<D>) -> Turns<D> {
-        Turns { alpha: alpha(&i.e2a, &i.e3a, &i.e3b), gamma: gamma(&i.e1a, &i.e1b, &i.e2b) }
+        let [alpha, gamma] = alpha_and_gamma(i);
+        Turns { alpha, gamma }
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &Triads<D>) -> Jacobian<Self, D> {
-        let zero = Triads::filled(D::zero());
-        let [e2a, e3a, e3b] = alpha_gradient(&i.e2a, &i.e3a, &i.e3b);
-        let by_alpha = Triads { e2a, e3a, e3b, ..zero };
-        let [e1a, e1b, e2b] = gamma_gradient(&i.e1a, &i.e1b, &i.e2b);
-        Turns { alpha: by_alpha, gamma: Triads { e1a, e1b, e2b, ..zero } }
+        let [alpha, gamma] = alpha_and_gamma_gradients(i);
+        Turns { alpha, gamma }
     }
 
     #[inline]

@@ -99,7 +99,7 @@ impl Proved for BasisVariation {
                 let along = |row: LineDirection<_>| row.n.dot(&i.dn);
                 let TangentChanges { dt1, dt2 } = Self::eval(i);
                 let across = Across::new(&i.n);
-                let spin = law::length(i.dn) / (across.roots[0] * across.projected.binade.unit);
+                let spin = law::length(i.dn) / across.distance();
                 let first = dt1.iter().zip(&jac.t1).map(|(&dt, &row)| (dt, along(row)));
                 let second = dt2.iter().zip(&jac.t2).map(|(&dt, &row)| (dt, along(row)));
                 law::equal_all_with(first.chain(second), spin * law::length(i.n))
