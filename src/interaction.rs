@@ -13,7 +13,7 @@ use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Sou
 use crate::quantity::{
     CLEARANCE, CLOSING_RATE, DAMPING_FRACTION, MU0, OVERCLOSURE, PRESSURE, PRESSURE_AT_TOUCH, STIFFNESS,
 };
-use crate::scalar::{Scalar, abs, e_minus_one};
+use crate::scalar::{Leaf, Scalar, abs, constant};
 
 const SOURCE: Source = Document::SLIDE_LINE.ours(
     "Defining nondefault mechanical surface interactions with slide line elements",
@@ -66,10 +66,24 @@ fields! {
 pub struct PressureExponential;
 
 impl PressureExponential {
-    /// s = h/c0 + 1 with a single rounding that counts: near the onset h = −c0 the sum h + c0 is exact.
+    /// p/p0, and its derivative by s; `None` where nothing touches.
+    ///
+    /// With q = h/c0 it is (1 + q)(1 + κ (e^q − 1)), κ = e/(e − 1), which a rounding of 1 + q does not disturb. Near the onset, where
+    /// the second factor vanishes, it is s (eˢ − 1)/(e − 1): there the sum h + c0 is exact.
     #[inline]
-    fn closure<D: Scalar>(i: &ExponentialContact<D>) -> D {
-        if i.h * 2.0 < -i.c0 { (i.h + i.c0) / i.c0 } else { i.h / i.c0 + 1.0 }
+    fn rise<D: Scalar>(i: &ExponentialContact<D>) -> Option<[D; 2]> {
+        let [kappa, per] = growth::<D>();
+        if i.h * 2.0 >= -i.c0 {
+            let q = i.h / i.c0;
+            let (s, m) = (q + 1.0, q.exp_m1() * kappa);
+            return Some([s * (m + 1.0), s * (m + kappa) + (m + 1.0)]);
+        }
+        let s = (i.h + i.c0) / i.c0;
+        if s <= 0.0 {
+            return None;
+        }
+        let m = s.exp_m1() * per;
+        Some([s * m, (s + 1.0) * m + s * per])
     }
 
     #[cold]
@@ -89,8 +103,7 @@ impl Formula for PressureExponential {
 
     #[inline]
     fn eval<D: Scalar>(i: &ExponentialContact<D>) -> ContactPressure<D> {
-        let s = Self::closure(i);
-        ContactPressure { p: if s > 0.0 { i.p0 * (s * (s.exp_m1() / e_minus_one::<D>())) } else { D::zero() } }
+        ContactPressure { p: Self::rise(i).map_or(D::zero(), |[share, _]| i.p0 * share) }
     }
 
     #[inline]
@@ -98,18 +111,15 @@ impl Formula for PressureExponential {
         Self::linearized(i).1
     }
 
-    /// d(s(eˢ − 1))/ds = (1 + s)(eˢ − 1) + s, and ds = (dh − (s − 1) dc0)/c0.
+    /// ds = (dh − q dc0)/c0.
     #[inline]
     fn linearized<D: Scalar>(i: &ExponentialContact<D>) -> ValueAndJacobian<Self, D> {
-        let s = Self::closure(i);
-        if s <= 0.0 {
+        let Some([share, by_s]) = Self::rise(i) else {
             return (ContactPressure { p: D::zero() }, ContactPressure { p: ExponentialContact::filled(D::zero()) });
-        }
-        let growth = s.exp_m1();
-        let slope = i.p0 / e_minus_one::<D>() * ((s + 1.0) * growth + s) / i.c0;
-        let by_p0 = s * (growth / e_minus_one::<D>());
-        let p = ExponentialContact { h: slope, c0: -(slope * (i.h / i.c0)), p0: by_p0 };
-        (ContactPressure { p: i.p0 * by_p0 }, ContactPressure { p })
+        };
+        let slope = i.p0 / i.c0 * by_s;
+        let p = ExponentialContact { h: slope, c0: -(slope * (i.h / i.c0)), p0: share };
+        (ContactPressure { p: i.p0 * share }, ContactPressure { p })
     }
 
     #[inline]
@@ -120,6 +130,13 @@ impl Formula for PressureExponential {
         }
         Self::check_slopes(i)
     }
+}
+
+/// e/(e − 1) and 1/(e − 1).
+#[inline]
+fn growth<D: Scalar>() -> [D; 2] {
+    let of = |minus_one: D::Leaf| [(minus_one + 1.0) / minus_one, D::Leaf::from(1.0) / minus_one];
+    D::Leaf::constants([1.581_976_706_869_326_5, 0.581_976_706_869_326_5], || of(D::Leaf::e_minus_one())).map(constant)
 }
 
 fields! {

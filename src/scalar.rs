@@ -41,7 +41,8 @@ pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scal
         std::array::from_fn(|k| Self::angle_of(y[k], x[k]))
     }
     /// See [`choice`].
-    #[inline]
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "what is chosen by is at hand where it is compiled in place")]
     fn choice_of<const N: usize>(choose: impl Fn() -> [Self; N]) -> [Self; N] {
         choose()
     }
@@ -243,7 +244,8 @@ pub fn abs<D: Scalar>(x: D) -> D {
 /// let [larger] = choice(|| [if 2.0 > 3.0 { 2.0 } else { 3.0 }]);
 /// assert_eq!(larger, 3.0);
 /// ```
-#[inline]
+#[inline(always)]
+#[expect(clippy::inline_always, reason = "as of `Scalar::choice_of`")]
 pub fn choice<D: Scalar, const N: usize>(choose: impl Fn() -> [D; N]) -> [D; N] {
     D::choice_of(choose)
 }

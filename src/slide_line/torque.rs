@@ -60,11 +60,11 @@ impl Formula for TorqueLinear {
         let (m1, m2) = (q1 * 3.0 + mixed + q2, q1 + mixed + q2 * 3.0);
         let sixth = pi::<D>() / 6.0;
         let band = sixth * length;
-        let stretch = t * (sixth * (i.p1 * m1 + i.p2 * m2));
-        let twice = band * 2.0;
+        // What a node does to its radius and to the length may cancel: π/6 comes last.
+        let (twice, stretch) = (length * 2.0, t * (i.p1 * m1 + i.p2 * m2));
         let radius = |moment| Vector2::new(twice * moment, D::zero());
-        let x1 = radius(i.p1 * (r1 * 3.0 + r2) + i.p2 * (r1 + r2)) - stretch;
-        let x2 = radius(i.p1 * (r1 + r2) + i.p2 * (r1 + r2 * 3.0)) + stretch;
+        let x1 = (radius(i.p1 * (r1 * 3.0 + r2) + i.p2 * (r1 + r2)) - stretch) * sixth;
+        let x2 = (radius(i.p1 * (r1 + r2) + i.p2 * (r1 + r2 * 3.0)) + stretch) * sixth;
         Torque { t: LinearPressures { x1, x2, p1: band * m1, p2: band * m2 } }
     }
 

@@ -140,8 +140,8 @@ impl Formula for BendingForce {
         let (f_bend, by_length) = if i.l == 0.0 {
             (zero, Bending { m2: zero, m3: zero, l: zero })
         } else {
-            let f_bend = m_bend * 2.0 / i.l;
-            (f_bend, Bending { m2: n2 * 2.0 / i.l, m3: n3 * 2.0 / i.l, l: -f_bend / i.l })
+            let (f_bend, per) = (m_bend * 2.0 / i.l, i.l.recip());
+            (f_bend, Bending { m2: n2 * 2.0 * per, m3: n3 * 2.0 * per, l: -(f_bend * per) })
         };
         (BendingContact { m_bend, f_bend }, BendingContact { m_bend: by_moment, f_bend: by_length })
     }

@@ -1,12 +1,14 @@
 //! The force at the centre of the cross in parts along its axes and across them.
 
+#![expect(clippy::inline_always, reason = "value and gradients share the force where they are compiled as one piece")]
+
 mod cancelling;
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 
 use super::{CrossAxes, CrossDirection};
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Finite, Formula, Given, Jacobian, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec, ValueAndJacobian};
 use crate::quantity::{CROSS_F_BEND, E1A, E2A, E3A, E3B, F_AXIAL1, F_AXIAL3, F2, F3, JOIN_F1};
 use crate::scalar::{Leaf, Scalar, abs, choice, leaf};
 use nalgebra::Vector3;
@@ -42,21 +44,83 @@ impl<D: Scalar> CrossLoads<D> {
     pub(super) fn e_cross(&self) -> Vector3<D> {
         CrossDirection::eval(&CrossAxes { e1a: self.e1a, e3b: self.e3b }).e_cross
     }
+}
+
+/// The force, and the vectors that it is multiplied by.
+struct Parts<D> {
+    beside: Vector3<D>,
+    force: Vector3<D>,
+    e_cross: Vector3<D>,
+}
+
+impl<D: Scalar> Parts<D> {
+    #[inline(always)]
+    fn new(i: &CrossLoads<D>) -> Self {
+        let beside = i.force_beside_e1a();
+        Self { force: i.e1a * i.f1 + beside, beside, e_cross: i.e_cross() }
+    }
 
     /// The three products as they stand.
-    #[inline]
-    fn decomposed(&self) -> CrossForces<D> {
-        let beside = self.force_beside_e1a();
-        let force = self.e1a * self.f1 + beside;
+    #[inline(always)]
+    fn decomposed(&self, i: &CrossLoads<D>) -> CrossForces<D> {
         CrossForces {
-            f_axial1: force.dot(&self.e1a),
-            f_axial3: force.dot(&self.e3b),
-            f_bend: beside.dot(&self.e_cross()),
+            f_axial1: self.force.dot(&i.e1a),
+            f_axial3: self.force.dot(&i.e3b),
+            f_bend: self.beside.dot(&self.e_cross),
+        }
+    }
+
+    /// The same with the right signs.
+    #[inline(always)]
+    fn value(&self, i: &CrossLoads<D>) -> CrossForces<D> {
+        let [f_axial1, f_axial3, f_bend] = choice(|| {
+            let rough = self.decomposed(i);
+            let lost = i.doubtful(&rough);
+            let is_lost = lost.f_axial1 | lost.f_axial3 | lost.f_bend;
+            let CrossForces { f_axial1, f_axial3, f_bend } = if is_lost { i.settled(rough) } else { rough };
+            [f_axial1, f_axial3, f_bend]
+        });
+        CrossForces { f_axial1, f_axial3, f_bend }
+    }
+
+    #[inline(always)]
+    fn gradients(&self, i: &CrossLoads<D>) -> CrossForces<CrossLoads<D>> {
+        let Self { beside, force, e_cross } = self;
+        let CrossLoads { e1a, e2a, e3a, e3b, .. } = i;
+        let zero = D::zero();
+        CrossForces {
+            f_axial1: CrossLoads {
+                e1a: force + e1a * i.f1,
+                e2a: e1a * i.f2,
+                e3a: e1a * i.f3,
+                e3b: Vector3::new(zero, zero, zero),
+                f1: e1a.dot(e1a),
+                f2: e2a.dot(e1a),
+                f3: e3a.dot(e1a),
+            },
+            f_axial3: CrossLoads {
+                e1a: e3b * i.f1,
+                e2a: e3b * i.f2,
+                e3a: e3b * i.f3,
+                e3b: *force,
+                f1: e1a.dot(e3b),
+                f2: e2a.dot(e3b),
+                f3: e3a.dot(e3b),
+            },
+            f_bend: CrossLoads {
+                e1a: e3b.cross(beside),
+                e2a: e_cross * i.f2,
+                e3a: e_cross * i.f3,
+                e3b: beside.cross(e1a),
+                f1: zero,
+                f2: e2a.dot(e_cross),
+                f3: e3a.dot(e_cross),
+            },
         }
     }
 }
 
-/// The rounding error of [`CrossLoads::decomposed`] is below this part of the sum of the sizes of all products.
+/// The rounding error of [`Parts::decomposed`] is below this part of the sum of the sizes of all products.
 const fn rounding<L: Leaf>() -> f64 {
     4.0 * L::EPSILON
 }
@@ -94,51 +158,17 @@ impl Formula for Decomposition {
 
     #[inline]
     fn eval<D: Scalar>(i: &CrossLoads<D>) -> CrossForces<D> {
-        let [f_axial1, f_axial3, f_bend] = choice(|| {
-            let rough = i.decomposed();
-            let lost = i.doubtful(&rough);
-            let is_lost = lost.f_axial1 | lost.f_axial3 | lost.f_bend;
-            let CrossForces { f_axial1, f_axial3, f_bend } = if is_lost { i.settled(rough) } else { rough };
-            [f_axial1, f_axial3, f_bend]
-        });
-        CrossForces { f_axial1, f_axial3, f_bend }
+        Parts::new(i).value(i)
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &CrossLoads<D>) -> Jacobian<Self, D> {
-        let beside = i.force_beside_e1a();
-        let force = i.e1a * i.f1 + beside;
-        let e_cross = i.e_cross();
-        let [e1a, e2a, e3a, e3b] = [i.e1a, i.e2a, i.e3a, i.e3b];
-        let zero = CrossLoads::filled(D::zero());
-        CrossForces {
-            f_axial1: CrossLoads {
-                e1a: force + e1a * i.f1,
-                e2a: e1a * i.f2,
-                e3a: e1a * i.f3,
-                f1: e1a.dot(&e1a),
-                f2: e2a.dot(&e1a),
-                f3: e3a.dot(&e1a),
-                ..zero
-            },
-            f_axial3: CrossLoads {
-                e1a: e3b * i.f1,
-                e2a: e3b * i.f2,
-                e3a: e3b * i.f3,
-                e3b: force,
-                f1: e1a.dot(&e3b),
-                f2: e2a.dot(&e3b),
-                f3: e3a.dot(&e3b),
-            },
-            f_bend: CrossLoads {
-                e1a: e3b.cross(&beside),
-                e2a: e_cross * i.f2,
-                e3a: e_cross * i.f3,
-                e3b: beside.cross(&e1a),
-                f1: D::zero(),
-                f2: e2a.dot(&e_cross),
-                f3: e3a.dot(&e_cross),
-            },
-        }
+        Parts::new(i).gradients(i)
+    }
+
+    #[inline(always)]
+    fn linearized<D: Scalar>(i: &CrossLoads<D>) -> ValueAndJacobian<Self, D> {
+        let parts = Parts::new(i);
+        (parts.value(i), parts.gradients(i))
     }
 }
