@@ -66,8 +66,8 @@ use job::Value;
 use ndarray::{Array2, Axis, Slice};
 use task::Task;
 
-/// So many rows are worth a thread.
-const LEAST: usize = 1024;
+/// So many numbers are worth a thread: to wake one takes as long as some thousands.
+const WORTH: usize = 1 << 17;
 
 /// Columns of zeros that do not share their places in the cache: the rows of a table that is a little wider than it shows.
 ///
@@ -131,6 +131,6 @@ fn all<F: Formula, J: Job<F>>(
         error::expect(Part::Jacobian, structure::entries::<F>(), rows, jacobian.iter().map(ArrayViewMut1::len))?;
         outputs.extend(jacobian.iter_mut().map(|column| column.view_mut()));
     }
-    let share = rows.div_ceil(8 * rayon::current_num_threads()).max(LEAST);
+    let share = rows.div_ceil(8 * rayon::current_num_threads()).max(WORTH / (F::Inputs::<f64>::LEN + J::LEN));
     Task { first: 0, rows, inputs: inputs.to_vec(), outputs }.run::<F, J>(share).into_result()
 }

@@ -103,8 +103,9 @@ fn every_row_has_its_own_bits() {
 #[test]
 fn every_row_has_its_own_bits_on_any_number_of_threads() {
     let formula = find("slot.friction").unwrap();
-    let points = points(formula, 5000, 30);
-    for threads in [1, 2, 3] {
+    // More rows than are worth a single thread.
+    let points = points(formula, 9000, 30);
+    for threads in [1, 3] {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| compare(formula, &points));
     }

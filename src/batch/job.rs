@@ -22,6 +22,10 @@ pub(crate) trait Job<F: Formula> {
     fn unchecked(i: &F::Inputs<f64>) -> Self::Results;
     /// Shows the numbers in order, without those that are zero everywhere.
     fn show(results: &Self::Results, visitor: &mut impl Visitor<f64>);
+    /// Shows all numbers in order.
+    fn show_all(results: &Self::Results, visitor: &mut impl Visitor<f64>);
+    /// Which of all numbers are those that are not zero everywhere.
+    fn places() -> Vec<usize>;
 }
 
 /// The value.
@@ -41,6 +45,13 @@ impl<F: Formula> Job<F> for Value {
     #[inline(always)]
     fn show(value: &Self::Results, visitor: &mut impl Visitor<f64>) {
         value.accept(visitor);
+    }
+    #[inline(always)]
+    fn show_all(value: &Self::Results, visitor: &mut impl Visitor<f64>) {
+        value.accept(visitor);
+    }
+    fn places() -> Vec<usize> {
+        (0..F::Outputs::<f64>::LEN).collect()
     }
 }
 
@@ -62,6 +73,16 @@ impl<F: Formula> Job<F> for Linearized {
     fn show((value, jacobian): &Self::Results, visitor: &mut impl Visitor<f64>) {
         value.accept(visitor);
         jacobian.accept(&mut Gradients(&mut Entries::<F, _> { visitor, entry: 0, formula: PhantomData }));
+    }
+    #[inline(always)]
+    fn show_all((value, jacobian): &Self::Results, visitor: &mut impl Visitor<f64>) {
+        value.accept(visitor);
+        jacobian.accept(&mut Gradients(visitor));
+    }
+    fn places() -> Vec<usize> {
+        let [outputs, inputs] = [F::Outputs::<f64>::LEN, F::Inputs::<f64>::LEN];
+        let entries = (0..outputs * inputs).filter(|&k| structure::is_entry::<F>(k));
+        (0..outputs).chain(entries.map(|k| outputs + k)).collect()
     }
 }
 

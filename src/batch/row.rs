@@ -8,6 +8,13 @@ use crate::error::Error;
 use crate::formula::{Fields, Formula, Visitor};
 use std::ops::Range;
 
+/// So many rows are made before the first of them is computed: what was just written number by number, a processor cannot read
+/// by pairs without waiting for it.
+const AHEAD: usize = 16;
+
+/// So many numbers of a row at most are asked one by one whether they are wanted.
+pub(super) const MOST: usize = 96;
+
 /// These rows; `first` is the place of the first of all in the batch.
 #[inline(never)]
 pub(super) fn one_by_one<F: Formula, J: Job<F>>(
@@ -19,19 +26,59 @@ pub(super) fn one_by_one<F: Formula, J: Job<F>>(
     // How many columns there are is known here, so that none of them is looked up below.
     let inputs = &inputs[..F::Inputs::<f64>::LEN];
     let columns = &mut outputs[..J::LEN];
-    let mut refused = Refused::default();
-    for row in rows {
-        let mut next = 0;
-        let i = F::Inputs::from_components(&mut || {
-            next += 1;
-            inputs[next - 1][row]
-        });
-        match J::of(&i) {
-            Ok(results) => J::show(&results, &mut Row { columns, at: row, place: 0 }),
-            Err(error) => refuse(columns, row, first, error, &mut refused),
+    let (mut refused, mut made, mut all) = (Refused::default(), Vec::with_capacity(AHEAD), All::of::<F, J>());
+    for from in rows.clone().step_by(AHEAD) {
+        let some = from..rows.end.min(from + AHEAD);
+        made.clear();
+        made.extend(some.clone().map(|row| {
+            let mut next = 0;
+            F::Inputs::from_components(&mut || {
+                next += 1;
+                inputs[next - 1][row]
+            })
+        }));
+        for (row, i) in some.zip(&made) {
+            match J::of(i) {
+                Ok(results) if const { J::LEN <= MOST } => {
+                    J::show(&results, &mut Row { columns, at: row, place: 0 });
+                }
+                Ok(results) => all.write::<F, J>(&results, columns, row),
+                Err(error) => refuse(columns, row, first, error, &mut refused),
+            }
         }
     }
     refused
+}
+
+/// All numbers of a row, zeros and all, and which of them are wanted.
+///
+/// Where there are many, to ask of each whether it is zero everywhere would take far longer than to write it.
+struct All {
+    numbers: Vec<f64>,
+    next: usize,
+    wanted: Vec<usize>,
+}
+
+impl All {
+    fn of<F: Formula, J: Job<F>>() -> Self {
+        let most = F::Outputs::<f64>::LEN * (1 + F::Inputs::<f64>::LEN);
+        Self { numbers: vec![0.0; most], next: 0, wanted: J::places() }
+    }
+
+    #[inline(always)]
+    fn write<F: Formula, J: Job<F>>(&mut self, results: &J::Results, columns: &mut [&mut [f64]], row: usize) {
+        self.next = 0;
+        J::show_all(results, self);
+        columns.iter_mut().zip(&self.wanted).for_each(|(column, &place)| column[row] = self.numbers[place]);
+    }
+}
+
+impl Visitor<f64> for All {
+    #[inline(always)]
+    fn visit(&mut self, x: f64) {
+        self.numbers[self.next] = x;
+        self.next += 1;
+    }
 }
 
 /// Writes the numbers of a row, each into the next column.

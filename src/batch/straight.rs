@@ -15,9 +15,6 @@ use std::ops::Range;
 /// Rows that are computed together: two lines of the cache in every column.
 const TOGETHER: usize = 16;
 
-/// So many numbers of a row at most: where there are more, to write them takes nearly all of the time.
-pub(super) const MOST: usize = 128;
-
 /// What these rows have in one column.
 type Line = [f64; TOGETHER];
 

@@ -3,7 +3,7 @@
 use super::column::{ROWS, Source, Target};
 use super::error::Refused;
 use super::job::Job;
-use super::row::one_by_one;
+use super::row::{MOST, one_by_one};
 use super::straight;
 use super::structure::is_straight;
 use crate::formula::Formula;
@@ -67,7 +67,7 @@ impl Task<'_> {
 /// See [`Compute`].
 fn rows<F: Formula, J: Job<F>>(inputs: &[&[f64]], outputs: &mut [&mut [f64]], first: usize) -> Refused {
     let all = 0..inputs.first().map_or(0, |column| column.len());
-    if const { is_straight::<F>() && J::LEN <= straight::MOST } {
+    if const { is_straight::<F>() && J::LEN <= MOST } {
         return straight::rows::<F, J>(inputs, outputs, all, first);
     }
     one_by_one::<F, J>(inputs, outputs, all, first)
