@@ -4,6 +4,8 @@
 //! the angle beside the nearest sixteenth has a tangent t of at most tan 22.5°. Its arc tangent is t + t³ P(t²). Which eighth it
 //! is says how many times π/4 comes on top, and which way the rest counts.
 
+#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
+
 use std::f64::consts::FRAC_PI_4;
 
 /// π/4 minus the double below it.
@@ -36,7 +38,7 @@ pub(crate) fn angle(y: f64, x: f64) -> f64 {
 }
 
 /// The angles of several points, each with the bits of [`angle`]; step by step for all of them, which vectors of a processor do at once.
-#[inline]
+#[inline(always)]
 pub(crate) fn angles<const N: usize>(y: [f64; N], x: [f64; N]) -> [f64; N] {
     let (across, along) = (y.map(f64::abs), x.map(f64::abs));
     let large = of_both(across, along, |across, along| if across > along { across } else { along });
@@ -48,9 +50,8 @@ pub(crate) fn angles<const N: usize>(y: [f64; N], x: [f64; N]) -> [f64; N] {
     let is_back = x.map(|x| one_if(x < 0.0));
     let is_wide = of_both(small, large, |small, large| one_if(small > TAN_SIXTEENTH * large));
     let t: [f64; N] = std::array::from_fn(|k| (small[k] - large[k] * is_wide[k]) / (large[k] + small[k] * is_wide[k]));
-    let beyond = arc_tangents_beyond(of_both(t, t, |t, same| t * same));
     std::array::from_fn(|k| {
-        let rest = t[k] * beyond[k];
+        let rest = t[k] * arc_tangent_beyond(t[k] * t[k]);
         let way = (1.0 - 2.0 * is_steep[k]) * (1.0 - 2.0 * is_back[k]);
         let eighths = 2.0 * is_steep[k] + 4.0 * is_back[k] * (1.0 - is_steep[k]) + way * is_wide[k];
         let turn = eighths * FRAC_PI_4 + way * (t[k] + (rest + way * eighths * FRAC_PI_4_LOW));
@@ -59,23 +60,21 @@ pub(crate) fn angles<const N: usize>(y: [f64; N], x: [f64; N]) -> [f64; N] {
 }
 
 /// z P(z), in parts that do not wait for each other.
-#[inline]
-fn arc_tangents_beyond<const N: usize>(z: [f64; N]) -> [f64; N] {
+#[inline(always)]
+fn arc_tangent_beyond(z: f64) -> f64 {
     let p = ARC_TANGENT;
-    z.map(|z| {
-        let z2 = z * z;
-        let z4 = z2 * z2;
-        let four = |k: usize| (p[k] + p[k + 1] * z) + (p[k + 2] + p[k + 3] * z) * z2;
-        z * (four(0) + (four(4) + four(8) * z4) * z4)
-    })
+    let z2 = z * z;
+    let z4 = z2 * z2;
+    let four = |k: usize| (p[k] + p[k + 1] * z) + (p[k + 2] + p[k + 3] * z) * z2;
+    z * (four(0) + (four(4) + four(8) * z4) * z4)
 }
 
-#[inline]
+#[inline(always)]
 fn of_both<const N: usize>(x: [f64; N], y: [f64; N], of: impl Fn(f64, f64) -> f64) -> [f64; N] {
     std::array::from_fn(|k| of(x[k], y[k]))
 }
 
-#[inline]
+#[inline(always)]
 fn one_if(condition: bool) -> f64 {
     if condition { 1.0 } else { 0.0 }
 }

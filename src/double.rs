@@ -41,7 +41,8 @@ impl Scalar for f64 {
     fn angle_of(y: Self, x: Self) -> Self {
         angle(y, x)
     }
-    #[inline]
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
     fn angles_of<const N: usize>(y: [Self; N], x: [Self; N]) -> [Self; N] {
         angles(y, x)
     }

@@ -219,7 +219,8 @@ pub fn atan2<D: Scalar>(y: D, x: D) -> D {
 /// use jointproof::scalar::{angles, atan2};
 /// assert_eq!(angles([2.0, 1.0], [0.0, -1.0]), [atan2(2.0, 0.0), atan2(1.0, -1.0)]);
 /// ```
-#[inline]
+#[inline(always)]
+#[expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
 pub fn angles<D: Scalar, const N: usize>(y: [D; N], x: [D; N]) -> [D; N] {
     D::angles_of(y, x)
 }

@@ -15,6 +15,7 @@ use crate::scalar::{Scalar, choice};
 use nalgebra::Vector2;
 
 /// Σ wᵢ xᵢ.
+#[inline]
 fn point<D: Scalar, const N: usize>(nodes: &[Vector2<D>; N], weights: [D; N]) -> Vector2<D> {
     -gap(Vector2::from_element(D::zero()), nodes, weights)
 }

@@ -54,6 +54,8 @@ impl Linear {
         [Term::new(n1, -half), Term::new(n2, half)]
     }
 
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "where derivatives are 0 is seen where it is compiled in place")]
     fn at<D: Scalar, const K: usize>(i: &LinearPressed<Term<D, K>>) -> LinearAnswer<Term<D, K>> {
         let LinearPressed { xs, xo, x1, x2, g_before, s12_before, k, k_el, mu } = *i;
         let slave = LinearSlave { xs, x1, x2 };
