@@ -44,7 +44,11 @@ fn tiny(list: &str) -> Bench {
 #[test]
 fn a_list_builds_nothing_and_an_area_must_be_there() {
     let bench = tiny(LIST);
-    bench.run(&["mutate", "--area", "sum", "--list"]).bad_usage("there is no area sum; there are sums");
+    let other = "files = [\"other/**\"]\n";
+    for name in ["zeros", "roots"] {
+        fs::write(bench.path(&format!("tests/faults/{name}.toml")), other).unwrap();
+    }
+    bench.run(&["mutate", "--area", "sum", "--list"]).bad_usage("there is no area sum; there are roots, sums, zeros");
     let ran = bench.run(&["mutate", "--area", "sums", "--list", "--made", "0"]).exits(0);
     assert_eq!(ran.stdout, "sums sums.sign: src/lib.rs:2: `x + 1` → `x - 1`\n");
     assert!(!bench.path("target/mutate/target").exists());
