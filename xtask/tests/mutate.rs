@@ -62,7 +62,10 @@ fn a_test_that_fails_without_a_fault_tells_nothing() {
     let ran = bench
         .run(&["mutate", "--made", "0"])
         .exits(1)
-        .says("tiny test fails or takes too long without a fault, so it tells nothing");
+        .says("1 fault planted, 1 to be tried")
+        .says("tiny: 1 tests, ")
+        .says("tiny test fails or takes too long without a fault, so it tells nothing")
+        .says("1/1 sums.sign survived, no test comes there");
     ran.prints("survived: sums.sign");
 }
 
