@@ -55,6 +55,28 @@ mod tests {
         assert_eq!([of(2, 3), of(5, 6), head(&project, "none.rs", 8, 9)], [2, 5, 8]);
     }
 
+    /// Without the wanted function it is the first that is there, without any the module, and without that the manifest.
+    #[test]
+    fn a_claim_stands_at_the_nearest_place_that_there_is() {
+        use jointproof::slot::ContactForce;
+        let root = tempfile::tempdir().unwrap();
+        let project = Project::new("place", env!("CARGO_MANIFEST_DIR"), &[]).in_folder(root.path().to_str().unwrap());
+        let place = |claim: &str| {
+            let Place { file, line } = of_claim(&project, &ContactForce, claim).unwrap();
+            format!("{file}:{line}")
+        };
+        assert_eq!(ContactForce.path(), "jointproof::slot::friction::ContactForce");
+        assert_eq!(place("symmetry"), "Cargo.toml:1");
+        let write = |file: &str, text: &str| crate::files::write(&root.path().join(file), text).unwrap();
+        write("src/slot.rs", "mod friction;\n");
+        assert_eq!(place("symmetry"), "src/slot.rs:1");
+        write("src/slot/friction.rs", "made! {}\n");
+        assert_eq!(place("symmetry"), "src/slot/friction.rs:1");
+        let functions = "impl Formula for ContactForce {\n    fn eval() {}\n\n    fn linearized() {}\n}\n";
+        write("src/slot/friction.rs", functions);
+        assert_eq!([place("symmetry"), place("derivative of the printed equation")], ["src/slot/friction.rs:2"; 2]);
+    }
+
     #[test]
     fn every_claim_has_a_place_and_nearly_every_formula_its_functions() {
         let project = Project::new("jointproof", env!("CARGO_MANIFEST_DIR"), CATALOG).in_folder("..");
