@@ -239,7 +239,7 @@ mod tests {
             change(&mut evidence);
             evidence.found_by_this_program(&options).into_keys().collect::<Vec<_>>()
         };
-        assert_eq!(known(|_| (), options), [passed.formula.clone()]);
+        assert_eq!(known(|_| (), options), [passed.formula.as_str()]);
         let other = |evidence: &mut Evidence| evidence.auditors.values_mut().for_each(|program| program.push('0'));
         let none: [String; 0] = [];
         assert_eq!(known(other, options), none);

@@ -2,13 +2,17 @@
 
 use anyhow::Context;
 use sha2::{Digest, Sha256};
+use std::fmt::Write as _;
 use std::fs::File;
 use std::io::Write;
 use std::path::Path;
 
 /// The SHA-256 of a content, in hexadecimal digits.
 pub(crate) fn digest(content: impl AsRef<[u8]>) -> String {
-    Sha256::digest(content).iter().map(|byte| format!("{byte:02x}")).collect()
+    Sha256::digest(content).iter().fold(String::new(), |mut digits, byte| {
+        let _ = write!(digits, "{byte:02x}");
+        digits
+    })
 }
 
 /// The first digits of it, which are enough to tell one version from another.
