@@ -210,3 +210,83 @@ impl Recorder {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::cmp::Ordering::{self, Equal, Greater, Less};
+
+    const ORDERS: [Ordering; 3] = [Less, Equal, Greater];
+
+    /// A comparison of x with y, or of y with x where it is swapped.
+    #[derive(Clone, Copy)]
+    struct Asked {
+        relation: Relation,
+        swapped: bool,
+    }
+
+    impl Asked {
+        fn all() -> impl Iterator<Item = Self> {
+            let relations = [Relation::Less, Relation::LessOrEqual, Relation::Equal];
+            relations.into_iter().flat_map(|relation| [false, true].map(|swapped| Self { relation, swapped }))
+        }
+
+        /// Whether it holds where x and y are in this order.
+        fn holds(self, order: Ordering) -> bool {
+            let order = if self.swapped { order.reverse() } else { order };
+            match self.relation {
+                Relation::Less => order == Less,
+                Relation::LessOrEqual => order != Greater,
+                Relation::Equal => order == Equal,
+            }
+        }
+
+        fn nodes(self, [x, y]: [Node; 2]) -> (Relation, Node, Node) {
+            if self.swapped { (self.relation, y, x) } else { (self.relation, x, y) }
+        }
+    }
+
+    /// What is known of a comparison after others that came out as they do in one of these orders: whatever holds in all orders
+    /// that are left, and nothing else.
+    #[test]
+    fn what_follows_from_two_comparisons_is_known_and_nothing_else() {
+        for (first, second) in Asked::all().flat_map(|first| Asked::all().map(move |second| (first, second))) {
+            for truth in ORDERS {
+                let answers = [first, second].map(|asked| asked.holds(truth));
+                let mut recorder = Recorder::default();
+                let nodes = [0, 1].map(|k| recorder.graph.enter(Op::Input(k)));
+                for (asked, answer) in [first, second].into_iter().zip(answers) {
+                    let (relation, x, y) = asked.nodes(nodes);
+                    let node = recorder.graph.enter(Op::Compare(relation, x, y));
+                    recorder.run.facts.insert(node, answer);
+                }
+                let is_left = |order: &Ordering| [first, second].map(|asked| asked.holds(*order)) == answers;
+                let left: Vec<_> = ORDERS.into_iter().filter(is_left).collect();
+                for third in Asked::all() {
+                    let (relation, x, y) = third.nodes(nodes);
+                    let in_all = |answer: bool| left.iter().all(|&order| third.holds(order) == answer);
+                    let expected = if in_all(true) { Some(true) } else { in_all(false).then_some(false) };
+                    assert_eq!(recorder.known(relation, x, y), expected, "{relation:?} of {left:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_comparison_comes_out_as_the_script_says_and_what_is_certain_is_not_in_it() {
+        let mut recorder = Recorder::default();
+        let [x, y, z] = [0, 1, 2].map(|k| recorder.graph.enter(Op::Input(k)));
+        let [one, two] = [1.0_f64, 2.0].map(|number| recorder.graph.enter(Op::Number(number.to_bits())));
+        recorder.run.script = vec![false, true];
+        let mut decide = |relation, x, y| recorder.decide(relation, x, y);
+        assert_eq!([decide(Relation::Less, one, two), decide(Relation::Less, two, one)], [true, false]);
+        let same = [Relation::Less, Relation::LessOrEqual, Relation::Equal].map(|relation| decide(relation, x, x));
+        assert_eq!(same, [false, true, true]);
+        assert!(!decide(Relation::Less, x, y) && decide(Relation::LessOrEqual, y, x));
+        assert!(decide(Relation::Less, y, z) && !decide(Relation::LessOrEqual, z, y));
+        // Behind the script what is asked holds.
+        assert!(decide(Relation::Less, x, z));
+        let answers: Vec<_> = recorder.run.taken.iter().map(|(_, answer)| *answer).collect();
+        assert_eq!(answers, [false, true, true]);
+    }
+}

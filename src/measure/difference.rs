@@ -119,7 +119,61 @@ fn combine<F: Formula, const N: usize>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Scalar;
+    use crate::fields;
+    use crate::formula::{Component, Document, Jacobian, Spec};
+    use crate::quantity::{Domain, Quantity, Shape, Unit};
     use crate::slot::{ContactForce, CrossForces};
+    use nalgebra::Vector2;
+
+    const P: Quantity = Quantity::new("p", Shape::Vec2, Unit::ONE, Domain::Real, "two numbers");
+    const Q: Quantity = Quantity::scalar("q", Unit::ONE, Domain::Real, "another");
+    const Y: Quantity = Quantity::new("y", Shape::Vec2, Unit::ONE, Domain::Real, "squares");
+    fields! { struct Inputs<T> { p: Vector2<T> = P, q: T = Q } }
+    fields! { struct Outputs<T> { y: Vector2<T> = Y } }
+
+    #[derive(Clone, Copy)]
+    struct Squares;
+
+    impl Formula for Squares {
+        const SPEC: Spec = Spec::new("t.squares", "Squares", Document::new("Squares").printed(""));
+        type Inputs<T: Component> = Inputs<T>;
+        type Outputs<T: Component> = Outputs<T>;
+        fn eval<D: Scalar>(i: &Inputs<D>) -> Outputs<D> {
+            Outputs { y: Vector2::new(i.p.x * i.p.x - i.p.y, i.p.y * i.q * i.q) }
+        }
+        fn jacobian<D: Scalar>(i: &Inputs<D>) -> Jacobian<Self, D> {
+            let (zero, one) = (D::zero(), D::one());
+            let first = Inputs { p: Vector2::new(i.p.x * 2.0, -one), q: zero };
+            let second = Inputs { p: Vector2::new(zero, i.q * i.q), q: i.p.y * i.q * 2.0 };
+            Outputs { y: Vector2::new(first, second) }
+        }
+    }
+
+    /// Of a square the forward difference is off by the step, which is a part of the largest component of its input: all is exact.
+    #[test]
+    fn a_step_is_a_part_of_the_largest_component_of_an_input() {
+        let entries =
+            |jacobian: &Jacobian<Squares, f64>| [jacobian.y.x, jacobian.y.y].map(|row| [row.p.x, row.p.y, row.q]);
+        let forward = |p: [f64; 2], q: f64| {
+            let inputs = Inputs { p: p.into(), q };
+            let (value, jacobian) = Scheme::Forward.value_and_jacobian::<Squares>(0.25, &inputs);
+            ([value.y.x, value.y.y], entries(&jacobian))
+        };
+        // Steps of 1 and 2.
+        let large = [[-8.0 + 1.0, -1.0, 0.0], [0.0, 64.0, -32.0 + 2.0 * 2.0]];
+        assert_eq!(forward([-4.0, 2.0], -8.0), ([14.0, 128.0], large));
+        // Steps of 1/8 and 1/16.
+        let small = [[0.5 + 0.125, -1.0, 0.0], [0.0, 0.0625, -0.25 - 0.5 * 0.0625]];
+        assert_eq!(forward([0.25, -0.5], 0.25), ([0.5625, -0.03125], small));
+        // At 0 a quarter.
+        assert_eq!(forward([0.0, 0.0], 0.0), ([0.0, 0.0], [[0.25, -1.0, 0.0], [0.0; 3]]));
+        for scheme in [Scheme::Central, Scheme::Fourth] {
+            let inputs = Inputs { p: Vector2::new(-4.0, 2.0), q: -8.0 };
+            let (_, found) = scheme.value_and_jacobian::<Squares>(0.25, &inputs);
+            assert_eq!(entries(&found), entries(&Squares::jacobian(&inputs)), "{scheme:?}");
+        }
+    }
 
     /// Truncation falls with the order of the scheme: h, h², h⁴.
     #[test]

@@ -112,7 +112,12 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     if !matches!(arguments.format, Format::Text | Format::Markdown) && !owed.is_empty() {
         say(owed.concat().trim_end());
     }
-    Ok(verdict(owed.is_empty() && audits.iter().all(passed)))
+    Ok(verdict(is_well(&owed, &audits, passed)))
+}
+
+/// Whether nothing is owed, and every audit has passed.
+fn is_well(owed: &[String], audits: &[Audit], passed: fn(&Audit) -> bool) -> bool {
+    owed.is_empty() && audits.iter().all(passed)
 }
 
 /// What failed, a finding a claim, each on the line of the function that it is about.
@@ -271,21 +276,25 @@ fn against_golden(project: &Project, formula: &dyn AnyFormula) -> String {
     match golden::changes(project, formula).as_deref() {
         Err(reason) => format!("There is no committed golden file to compare with: {reason}\n\n"),
         Ok([]) => "Against the committed golden file: no change.\n\n".into(),
-        Ok(changes) => {
-            let mut listed: Vec<_> = changes.iter().take(LISTED).map(ToString::to_string).collect();
-            if changes.len() > LISTED {
-                listed.push(format!("… and {} more", changes.len() - LISTED));
-            }
-            let changed = count(changes.len(), "change");
-            format!("Against the committed golden file: {changed}.\n\n- {}\n\n", listed.join("\n- "))
-        }
+        Ok(changes) => listed(changes),
     }
+}
+
+/// What has changed, of much the first.
+fn listed(changes: &[impl ToString]) -> String {
+    let mut listed: Vec<_> = changes.iter().take(LISTED).map(ToString::to_string).collect();
+    if changes.len() > LISTED {
+        listed.push(format!("… and {} more", changes.len() - LISTED));
+    }
+    let changed = count(changes.len(), "change");
+    format!("Against the committed golden file: {changed}.\n\n- {}\n\n", listed.join("\n- "))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::sample;
+    use jointproof::slot::{ContactForce, Friction};
 
     /// What was found by the two audits of the sample.
     fn audits() -> [Audit; 2] {
@@ -311,6 +320,10 @@ mod tests {
         let printed = without_colours(&text(&[audit], Audit::passed).unwrap());
         assert!(printed.contains("103        0    4.00  η of the value in f64\n"), "{printed}");
         assert!(!printed.contains("worst of"), "{printed}");
+        let mut audit = sample::passed();
+        audit.eta.worst.as_mut().unwrap().size = 0.5;
+        let printed = without_colours(&text(&[audit], Audit::passed).unwrap());
+        assert!(printed.contains("worst of η of the value in f64: 0.50 at fc"), "any other has: {printed}");
     }
 
     #[test]
@@ -320,6 +333,56 @@ mod tests {
         sample::assert_printed("audit.md", &without_colours(&printed));
         let all_well = markdown(&project, &[], &audits()[..1], Audit::passed).unwrap();
         assert!(all_well.contains("1 formulas audited, every claim held.") && !all_well.contains("Off"), "{all_well}");
+    }
+
+    #[test]
+    fn all_must_have_passed_and_nothing_be_owed() {
+        let [passed, failed] = audits();
+        let is_well = |owed: &[String], audits: &[Audit]| is_well(owed, audits, Audit::passed);
+        assert!(is_well(&[], &[]) && is_well(&[], &[passed.clone(), passed.clone()]));
+        assert!(!is_well(&[], &[passed.clone(), failed.clone()]) && !is_well(&[], &[failed, passed.clone()]));
+        assert!(!is_well(&["a poem".into()], &[passed]));
+    }
+
+    #[test]
+    fn what_failed_even_once_is_a_finding_on_the_line_of_its_function() {
+        let project = Project::new("jointproof", env!("CARGO_MANIFEST_DIR"), &[]).in_folder("..");
+        let (mut well, mut badly) = (sample::passed(), sample::passed());
+        (well.formula, badly.formula) = (ContactForce.spec().id.into(), Friction.spec().id.into());
+        badly.closed_against_ad.failures = 1;
+        badly.eta.failures = 2;
+        let found = findings(&project, &[&ContactForce, &Friction], &[well, badly]).unwrap();
+        let line = |place: &crate::review::Place| {
+            let text = std::fs::read_to_string(project.root().join(&place.file)).unwrap();
+            format!("{}: {}", place.file, text.lines().nth(place.line - 1).unwrap().trim())
+        };
+        let places: Vec<_> = found.iter().map(|finding| line(&finding.place)).collect();
+        assert!(places[0].starts_with("src/slot/friction.rs: fn jacobian<"), "{places:?}");
+        assert!(places[1].starts_with("src/slot/friction.rs: fn eval<"), "{places:?}");
+        let claims: Vec<_> = found.iter().map(|finding| (finding.formula.as_str(), finding.claim.as_str())).collect();
+        let expected = ["closed form = automatic differentiation", "η of the value in f64"];
+        assert_eq!(claims, expected.map(|claim| ("slot.friction", claim)));
+        assert_eq!(
+            found[1].message,
+            "failed 2 of 103 times\nworst of η of the value in f64: 1.25 at fc, random 103 of seed 9\n\
+             found 2.25, expected -0.25\n--point '{\"f2\":4.25,\"f3\":4.0}'"
+        );
+    }
+
+    #[test]
+    fn what_is_owed_stands_in_a_fence_of_its_own() {
+        assert_eq!(fenced(&[]), "");
+        let owed = [format!("{} owes\n    a poem\n", crate::console::bold("a.b")), "c.d owes\n".into()];
+        assert_eq!(fenced(&owed), "## Owed\n\n```text\na.b owes\n    a poem\nc.d owes\n```\n");
+    }
+
+    #[test]
+    fn of_more_than_five_changes_the_rest_is_counted() {
+        let of = |number: usize| listed(&["a", "b", "c", "d", "e", "f"][..number]);
+        let head = "Against the committed golden file: ";
+        assert_eq!(of(1), format!("{head}1 change.\n\n- a\n\n"));
+        assert_eq!(of(5), format!("{head}5 changes.\n\n- a\n- b\n- c\n- d\n- e\n\n"));
+        assert_eq!(of(6), format!("{head}6 changes.\n\n- a\n- b\n- c\n- d\n- e\n- … and 1 more\n\n"));
     }
 
     /// What was not checked has not held, unless nobody could check it.

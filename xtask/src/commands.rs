@@ -124,7 +124,7 @@ fn aligned(text: &str) -> String {
         (example.to_owned(), what.trim().to_owned())
     };
     let rows: Vec<_> = text.lines().map(split).collect();
-    let width = rows.iter().filter(|row| !row.1.is_empty()).map(|row| row.0.chars().count()).max().unwrap_or(0);
+    let width = rows.iter().filter(|row| !row.1.is_empty()).map(|row| row.0.chars().count()).max().unwrap_or_default();
     let line = |(k, (example, what)): (usize, &(String, String))| {
         let indent = if k == 0 { "" } else { "  " };
         format!("{indent}{example:width$}   {what}").trim_end().to_owned()
@@ -136,6 +136,16 @@ fn aligned(text: &str) -> String {
 mod tests {
     use super::*;
     use jointproof::{slide_line::ClosestLinear, slot::ContactForce};
+
+    #[test]
+    fn what_examples_do_stands_in_a_column_and_the_first_is_not_indented() {
+        let text = "Examples:\n  a  the first\n  longer --one 1    the second\n  a command alone that is much longer than these";
+        let expected = "Examples:\n  a                the first\n  longer --one 1   the second\n  \
+                        a command alone that is much longer than these";
+        assert_eq!(aligned(text), expected);
+        assert_eq!(aligned("a  b\nc d"), "a   b\n  c d");
+        assert_eq!(aligned("a b\nc"), "a b\n  c");
+    }
 
     #[test]
     fn examples_have_a_point_of_the_shortest_formula() {

@@ -184,6 +184,51 @@ mod tests {
         keep(!fingerprint(&project));
         assert!(is("found"));
     }
+
+    /// A formula rests on the files that it reaches: on what they hold, and on what they are called.
+    #[test]
+    fn a_fingerprint_is_of_the_files_that_are_reached() {
+        let root = tempfile::tempdir().unwrap();
+        let write = |file: &str, text: &str| files::write(&root.path().join(file), text).unwrap();
+        let reached = |_: &Project| {
+            let reach = [("a.b", &["src/a.rs"][..]), ("a.c", &["src/a.rs", "src/c"])];
+            Ok(reach.map(|(id, files)| (id.to_owned(), files.iter().map(PathBuf::from).collect())).into())
+        };
+        let project = Project::new("reached", root.path().to_str().unwrap().to_owned().leak(), &[]).with_reach(reached);
+        let of = || fingerprints(&project).into_values().collect::<Vec<_>>();
+        write("src/a.rs", "one");
+        write("src/c/d.rs", "two");
+        let first = of();
+        assert_eq!(first, of());
+        assert_ne!(first[0], first[1]);
+        write("src/c/d.rs", "three");
+        let second = of();
+        assert!(second[0] == first[0] && second[1] != first[1]);
+        std::fs::rename(root.path().join("src/c/d.rs"), root.path().join("src/c/e.rs")).unwrap();
+        let third = of();
+        assert!(third[0] == first[0] && third[1] != second[1]);
+        write("src/a.rs", "four");
+        assert!(of().iter().zip(&third).all(|(now, before)| now != before));
+    }
+
+    /// What was found is kept by formula: what is found of one leaves the others as they are.
+    #[test]
+    fn what_was_found_is_loaded_again_where_nothing_has_changed() {
+        let root = tempfile::tempdir().unwrap();
+        let found = |_: &Project| Ok(Reach::from([("t.first".to_owned(), vec![PathBuf::from("src/a.rs")])]));
+        let project = Project::new("loaded", root.path().to_str().unwrap().to_owned().leak(), &[]).with_reach(found);
+        let edit = |text: &str| files::write(&root.path().join("src/a.rs"), text).unwrap();
+        let loaded = || Evidence::load(&project).audits.into_keys().collect::<Vec<_>>();
+        edit("one");
+        let mut evidence = Evidence::load(&project);
+        // Of the second formula nobody says on what it rests.
+        evidence.add_audits(&[sample::passed(), sample::failed()]);
+        evidence.save(&project).unwrap();
+        assert_eq!(loaded(), ["t.first"]);
+        edit("two");
+        assert_eq!(loaded(), [""; 0]);
+    }
+
     #[test]
     fn what_holds_is_known_to_the_program_that_found_it_with_these_options_alone() {
         let [passed, failed] = [sample::passed(), sample::failed()];
@@ -194,7 +239,7 @@ mod tests {
             change(&mut evidence);
             evidence.found_by_this_program(&options).into_keys().collect::<Vec<_>>()
         };
-        assert_eq!(known(|_| (), options), [passed.formula.clone()]);
+        assert_eq!(known(|_| (), options), [passed.formula.as_str()]);
         let other = |evidence: &mut Evidence| evidence.auditors.values_mut().for_each(|program| program.push('0'));
         let none: [String; 0] = [];
         assert_eq!(known(other, options), none);

@@ -98,3 +98,23 @@ pub struct Table {
     /// The rows, each as long as the head.
     pub rows: Vec<Vec<String>>,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_seen_first_is_the_frame_where_all_sliders_start_the_last_running_fastest() {
+        let slider = |values: usize, start| Slider { label: String::new(), values: vec![String::new(); values], start };
+        let still = |sliders: Vec<Slider>| {
+            let frames = (0..24).map(|k| k.to_string()).collect();
+            Moving { name: String::new(), sliders, frames }.still().cloned()
+        };
+        assert_eq!(still(Vec::new()), Some("0".into()));
+        assert_eq!(still(vec![slider(24, 5)]), Some("5".into()));
+        // (1 · 3 + 2) · 4 + 3
+        assert_eq!(still(vec![slider(2, 1), slider(3, 2), slider(4, 3)]), Some("23".into()));
+        assert_eq!(still(vec![slider(2, 1), slider(12, 0)]), Some("12".into()));
+        assert_eq!(still(vec![slider(24, 24)]), None);
+    }
+}

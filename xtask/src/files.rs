@@ -2,13 +2,17 @@
 
 use anyhow::Context;
 use sha2::{Digest, Sha256};
+use std::fmt::Write as _;
 use std::fs::File;
 use std::io::Write;
 use std::path::Path;
 
 /// The SHA-256 of a content, in hexadecimal digits.
 pub(crate) fn digest(content: impl AsRef<[u8]>) -> String {
-    Sha256::digest(content).iter().map(|byte| format!("{byte:02x}")).collect()
+    Sha256::digest(content).iter().fold(String::new(), |mut digits, byte| {
+        let _ = write!(digits, "{byte:02x}");
+        digits
+    })
 }
 
 /// The first digits of it, which are enough to tell one version from another.
@@ -56,4 +60,43 @@ fn builder() -> tempfile::Builder<'static, 'static> {
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o644));
     builder
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The digest is the one that the standard gives for this text.
+    #[test]
+    fn a_digest_is_that_of_sha_256_in_hexadecimal_digits() {
+        let expected = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+        assert_eq!(digest("abc"), expected);
+        assert_eq!(short_digest("abc"), expected[..16]);
+    }
+
+    #[test]
+    fn a_file_is_written_once_into_a_folder_that_is_made_and_nothing_is_left_beside_it() {
+        let root = tempfile::tempdir().unwrap();
+        let path = root.path().join("a/b.txt");
+        assert!(write(&path, "one").unwrap() && !write(&path, "one").unwrap() && write(&path, "two").unwrap());
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), "two");
+        assert_eq!(std::fs::read_dir(root.path().join("a")).unwrap().count(), 1);
+        // What cannot be written is left as it was.
+        let refused = write_with(&path, |_| anyhow::bail!("no more")).unwrap_err();
+        assert_eq!(format!("{refused:#}"), format!("cannot write {}: no more", path.display()));
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), "two");
+    }
+
+    /// As any other file that is made here, but only its owner may write to it, and nobody run it.
+    #[cfg(unix)]
+    #[test]
+    fn others_may_read_what_is_written() {
+        use std::os::unix::fs::PermissionsExt;
+        let root = tempfile::tempdir().unwrap();
+        let [ours, any] = ["ours", "any"].map(|name| root.path().join(name));
+        write(&ours, "one").unwrap();
+        std::fs::write(&any, "one").unwrap();
+        let [ours, any] = [ours, any].map(|path| std::fs::metadata(path).unwrap().permissions().mode() & 0o777);
+        assert_eq!(ours, any & 0o644);
+    }
 }

@@ -251,3 +251,26 @@ pub(crate) fn changes(project: &Project, formula: &dyn AnyFormula) -> Result<Vec
     let committed = File::parse(&committed).map_err(|error| error.to_string())?;
     Ok(formula.golden().differences(&committed))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use jointproof::slot::ContactForce;
+
+    #[test]
+    fn files_of_no_formula_are_named_in_order_and_no_others() {
+        let root = tempfile::tempdir().unwrap();
+        let project = Project::new("golden", env!("CARGO_MANIFEST_DIR"), &[&ContactForce]);
+        let project = project.in_folder(root.path().to_str().unwrap());
+        assert!(orphans(&project).unwrap().is_empty(), "there is no such folder yet");
+        let names = ["z.a", "slot.friction", "b.c", "y", "slot.contact", "a.b", "m.n"];
+        let others = ["schema.json", "slot.contact_force.json", "a.b.txt", "README.md"].map(str::to_owned);
+        for name in names.iter().map(|name| format!("{name}.json")).chain(others) {
+            files::write(&project.golden().join(name), "{}").unwrap();
+        }
+        let found = orphans(&project).unwrap();
+        let found: Vec<_> = found.iter().map(|path| project.shown(path)).collect();
+        let expected = ["a.b", "b.c", "m.n", "slot.contact", "slot.friction", "y", "z.a"];
+        assert_eq!(found, expected.map(|name| format!("golden/{name}.json")));
+    }
+}

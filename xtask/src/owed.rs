@@ -165,6 +165,34 @@ mod tests {
     impl Proved for Bare {}
 
     #[test]
+    fn an_input_needs_a_symbol_and_a_meaning() {
+        const fn quantity(latex: &'static str, meaning: &'static str) -> Quantity {
+            Quantity::scalar(latex, Unit::ONE, Domain::Real, meaning)
+        }
+        static QUANTITIES: [Quantity; 3] = [quantity("x", "a number"), quantity("x", ""), quantity("", "a number")];
+        let described = QUANTITIES.each_ref().map(|quantity| is_described(&Field::new("x", quantity)));
+        assert_eq!(described, [true, false, false]);
+    }
+
+    #[test]
+    fn a_name_is_of_small_letters_digits_and_underscores_and_begins_with_a_letter() {
+        for name in ["a", "a1", "contact_force_2d", "x_"] {
+            assert!(is_name(name), "{name}");
+        }
+        for name in ["", "1a", "_a", "A", "aB", "a-b", "a b", "ä"] {
+            assert!(!is_name(name), "{name}");
+        }
+    }
+
+    #[test]
+    fn a_skeleton_pays_what_can_be_known_and_leaves_the_rest_to_its_author() {
+        let project = Project::new("bare", env!("CARGO_MANIFEST_DIR"), &[]).with_debt("a poem", |_, _| false, "");
+        let demands = demands(&project);
+        let paid: Vec<_> = demands.iter().filter(|demand| !demand.is_of_author).map(|demand| demand.what).collect();
+        assert_eq!((paid, demands.len()), (vec!["an identifier", "an entry in the book"], 11));
+    }
+
+    #[test]
     fn all_that_is_owed_is_named_at_once() {
         let folder = tempfile::tempdir().unwrap();
         std::fs::create_dir_all(folder.path().join("book/src")).unwrap();

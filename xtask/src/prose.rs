@@ -200,6 +200,107 @@ fn collect(path: &Path, name: Option<&str>, texts: &mut Vec<String>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use jointproof::formula::{Component, Document, Formula, Jacobian, Spec};
+    use jointproof::proof::{Case, Kink, Proved};
+    use jointproof::quantity::{Domain, Quantity, Unit};
+    use jointproof::slot::ContactForce;
+    use jointproof::{Octuple, Scalar, fields};
+
+    const SIDE: Quantity = Quantity::scalar("a", Unit::L, Domain::Real, "side of a square");
+    const AREA: Quantity = Quantity::scalar("A", Unit::L.times(Unit::L), Domain::Real, "its area");
+    fields! { struct Side<T> { a: T = SIDE } }
+    fields! { struct Area<T> { area: T = AREA } }
+
+    /// Its derivative is wrong, and two of its three kinks are where they are said to be.
+    #[derive(Clone, Copy)]
+    struct Wrong;
+
+    impl Formula for Wrong {
+        const SPEC: Spec = Spec::new("t.wrong", "Area of a square", Document::new("Squares").ours("", "we say so"))
+            .equation("A = a^2");
+        type Inputs<T: Component> = Side<T>;
+        type Outputs<T: Component> = Area<T>;
+        #[inline]
+        fn eval<D: Scalar>(i: &Side<D>) -> Area<D> {
+            Area { area: i.a * i.a }
+        }
+        #[inline]
+        fn jacobian<D: Scalar>(i: &Side<D>) -> Jacobian<Self, D> {
+            Area { area: Side { a: i.a * 3.0 } }
+        }
+    }
+
+    impl Proved for Wrong {
+        fn cases() -> Vec<Case<Side<f64>>> {
+            vec![Case::hand("three", "3² = 9", Side { a: 3.0 })]
+        }
+
+        fn kinks() -> Vec<Kink<Self>> {
+            let kink = |condition: &str| {
+                Kink::subgradient(condition, |i: &Side<Octuple>| i.a == 0.0, Side { a: 0.0 }, Side { a: 1.0 })
+            };
+            ["a = 0", r"\text{it is nothing}", "a = 1"].map(kink).into()
+        }
+    }
+
+    #[test]
+    fn what_is_wrong_with_an_entry_is_said_and_the_rest_is_counted() {
+        let (tally, off) = entry(&Wrong);
+        assert_eq!((tally.kinks, tally.in_words, tally.views), (1, 1, 1));
+        assert!(off.iter().all(|fault| (fault.file.as_str(), fault.line) == ("the entry of t.wrong", 0)));
+        let said: Vec<_> = off.iter().map(|fault| fault.message.as_str()).collect();
+        assert_eq!(said[0], "a kink: `a = 1` is not so at {\"a\":0.0}");
+        assert!(said[1].contains(" differ, most `") && said.len() == 2, "{said:?}");
+    }
+
+    #[test]
+    fn a_claim_must_have_been_compared_somewhere_and_hold_everywhere() {
+        let claim = |failures| {
+            let mut claim = crate::sample::passed().eta;
+            claim.failures = failures;
+            claim
+        };
+        assert_eq!(verdict(&claim(0)), Ok(()));
+        let expected = "1 of 103 comparisons differ, most `fc` at random 103 of seed 9: -0.25 on the left, 2.25 on the right, \
+                        off by 1.25 of it\n    at {\"f2\":4.25,\"f3\":4.0}";
+        assert_eq!(verdict(&claim(1)), Err(expected.to_owned()));
+        let nowhere = Claim { worst: None, ..claim(0) };
+        assert_eq!(verdict(&nowhere), Err("this was compared nowhere: its conditions hold at no point".into()));
+    }
+
+    #[test]
+    fn chapters_and_entries_are_checked_and_counted_together() {
+        let root = tempfile::tempdir().unwrap();
+        let project = || {
+            let project = Project::new("prose", env!("CARGO_MANIFEST_DIR"), &[&ContactForce, &Wrong]);
+            project.in_folder(root.path().to_str().unwrap())
+        };
+        let [(first, nothing), (second, faults)] = [entry(&ContactForce), entry(&Wrong)];
+        assert!(nothing.is_empty() && first.in_words == 0);
+        let (views, kinks) = (first.views + second.views, first.kinks + second.kinks);
+        let comparisons = first.comparisons + second.comparisons;
+        // Without a book there are the entries alone.
+        let (off, counts) = check(&project()).unwrap();
+        assert_eq!(off.len(), faults.len());
+        let entries = format!("{} of entries and {} executed", count(views, "view"), count(kinks, "kink"));
+        assert_eq!(
+            counts,
+            format!("0 equations, {entries}, 0 for presentation, 1 in words, {comparisons} comparisons, 0 numbers")
+        );
+        let text = "# One\n\n{{#equation slot.contact_force}}\n\n$$\nF_C^2 = f_2^2 + f_3^2\n$$\n\n\
+                    {{#presentation it is so}}\n\n$$\na = b\n$$\n\n{{#equation slot.contact_force}}\n\n$$\nF_C = f_2\n$$\n\n\
+                    It is {{2.5 = 5/2}} and {{2.6 = 5/2}}.\n";
+        crate::files::write(&root.path().join("book/src/one.md"), text).unwrap();
+        let (off, counts) = check(&project()).unwrap();
+        let chapter: Vec<_> = off.iter().filter(|fault| fault.file == "book/src/one.md").collect();
+        assert_eq!((off.len(), chapter.len()), (faults.len() + 2, 2), "{off:?}");
+        assert!(chapter[0].line == 17 && chapter[0].message.contains("differ"), "{chapter:?}");
+        assert_eq!((chapter[1].line, chapter[1].message.as_str()), (21, "2.6 is not 2.5, which `5/2` is"));
+        assert!(counts.starts_with(&format!("2 equations, {entries}, 1 for presentation, 1 in words, ")), "{counts}");
+        let compared =
+            counts.split(", ").nth(4).and_then(|part| part.strip_suffix(" comparisons")?.parse::<usize>().ok());
+        assert!(compared > Some(comparisons + 2 * SAMPLES) && counts.ends_with(" comparisons, 2 numbers"), "{counts}");
+    }
 
     #[test]
     fn sources_of_a_name_are_collected_from_all_folders_and_nothing_else() {

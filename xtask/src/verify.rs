@@ -9,7 +9,6 @@ use crate::report::data::Report;
 use crate::selection::Selection;
 use crate::{audit, audited, owed, prose};
 use jointproof::verify::{Audit, Options};
-use std::fmt::Write;
 use std::time::{Duration, Instant};
 
 /// Check everything: completeness, golden files, audit, statements, chapters, book
@@ -50,14 +49,18 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     }
     steps.push(step("prose", || check_prose(project))?);
     steps.push(step("book", || Ok(check_book(project)))?);
-    let mut summary = String::new();
-    let width = steps.iter().map(|step| step.name.len()).max().unwrap_or(0);
-    for Step { name, passed, counts, time } in &steps {
-        let mark = if *passed { green("ok ") } else { red("off") };
-        writeln!(summary, "{mark} {name:<width$} {counts} in {:.1} s", time.as_secs_f64())?;
-    }
-    print(&summary)?;
+    print(&summary(&steps))?;
     Ok(verdict(steps.iter().all(|step| step.passed)))
+}
+
+/// A line a step, with what was looked at in a column.
+fn summary(steps: &[Step]) -> String {
+    let width = steps.iter().map(|step| step.name.len()).max().unwrap_or_default();
+    let line = |Step { name, passed, counts, time }: &Step| {
+        let mark = if *passed { green("ok ") } else { red("off") };
+        format!("{mark} {name:<width$} {counts} in {:.1} s\n", time.as_secs_f64())
+    };
+    steps.iter().map(line).collect()
 }
 
 fn step(name: &'static str, job: impl FnOnce() -> anyhow::Result<(bool, String)>) -> anyhow::Result<Step> {
@@ -123,5 +126,24 @@ fn check_book(project: &Project) -> (bool, String) {
             console::error(&format!("{error:#}"));
             (false, "not built".into())
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_summary_is_a_line_a_step_with_what_was_looked_at_in_a_column() {
+        let step = |name, passed, counts: &str, milliseconds| Step {
+            name,
+            passed,
+            counts: counts.into(),
+            time: Duration::from_millis(milliseconds),
+        };
+        let steps = [step("owed", true, "1 formula", 0), step("statements", false, "2 sides", 1234)];
+        let expected = "ok  owed       1 formula in 0.0 s\noff statements 2 sides in 1.2 s\n";
+        assert_eq!(console::plain(&summary(&steps)), expected);
+        assert_eq!(summary(&[]), "");
     }
 }

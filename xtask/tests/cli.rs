@@ -122,7 +122,10 @@ fn a_closed_pipe_does_not_hide_that_something_is_off() {
 fn formulas_are_listed_and_shown() {
     let bench = Bench::new();
     let ran = bench.run(&["formulas"]).quiet();
-    assert_eq!(ran.stdout.lines().count(), CATALOG.len());
+    let width = CATALOG.iter().map(|formula| formula.spec().id.len()).max().unwrap();
+    let line = |id: &str, title: &str| format!("{id:width$}  {title}\n");
+    let lines: String = CATALOG.iter().map(|formula| line(formula.spec().id, formula.spec().title)).collect();
+    assert_eq!(ran.stdout, lines);
     let shown = ["formulas", "--filter", "coulomb.return_map", "--show"];
     bench
         .run(&shown)

@@ -44,7 +44,11 @@ fn tiny(list: &str) -> Bench {
 #[test]
 fn a_list_builds_nothing_and_an_area_must_be_there() {
     let bench = tiny(LIST);
-    bench.run(&["mutate", "--area", "sum", "--list"]).bad_usage("there is no area sum; there are sums");
+    let other = "files = [\"other/**\"]\n";
+    for name in ["zeros", "roots"] {
+        fs::write(bench.path(&format!("tests/faults/{name}.toml")), other).unwrap();
+    }
+    bench.run(&["mutate", "--area", "sum", "--list"]).bad_usage("there is no area sum; there are roots, sums, zeros");
     let ran = bench.run(&["mutate", "--area", "sums", "--list", "--made", "0"]).exits(0);
     assert_eq!(ran.stdout, "sums sums.sign: src/lib.rs:2: `x + 1` → `x - 1`\n");
     assert!(!bench.path("target/mutate/target").exists());
@@ -58,7 +62,10 @@ fn a_test_that_fails_without_a_fault_tells_nothing() {
     let ran = bench
         .run(&["mutate", "--made", "0"])
         .exits(1)
-        .says("tiny test fails or takes too long without a fault, so it tells nothing");
+        .says("1 fault planted, 1 to be tried")
+        .says("tiny: 1 tests, ")
+        .says("tiny test fails or takes too long without a fault, so it tells nothing")
+        .says("1/1 sums.sign survived, no test comes there");
     ran.prints("survived: sums.sign");
 }
 

@@ -255,6 +255,82 @@ mod tests {
         assert!(said.contains("interaction.pressure_exponential: 2 numbers, by 1.0 ulp at most"), "{said}");
     }
 
+    fn nothing() -> Judged {
+        Judged { toolchain: "node", compared: 0, differ: 0, near: BTreeMap::new(), refused: 0, worst: None }
+    }
+
+    #[test]
+    fn all_is_well_where_something_was_compared_and_nothing_differs() {
+        let is_well = |compared, differ| Judged { compared, differ, ..nothing() }.is_well();
+        assert!(is_well(1, 0) && is_well(9, 0));
+        assert!(!is_well(0, 0) && !is_well(9, 1) && !is_well(9, 9));
+    }
+
+    #[test]
+    fn how_far_off_functions_are_is_in_units_of_1_or_of_what_is_larger() {
+        let (recorded, _) = record(&[find("interaction.pressure_exponential").unwrap()], None);
+        let points = points::all(&recorded, 1);
+        let toolchain = Toolchain { name: "node", commands: Vec::new(), epsilons: 4.0 };
+        let largest = |found: f64, expected: f64| {
+            let mut judged = nothing();
+            judged.number(&toolchain, (&recorded[0], &points[0][0]), 0, [found, expected]);
+            judged.near.into_values().next()
+        };
+        let unit = f64::EPSILON;
+        assert_eq!(largest(-4.0 - 8.0 * unit, -4.0), Some((1, 2.0)));
+        assert_eq!(largest(0.5 - 3.0 * unit, 0.5), Some((1, 3.0)));
+        assert_eq!(largest(-4.0 - 40.0 * unit, -4.0), None);
+        assert_eq!(largest(0.5, 0.5), None);
+    }
+
+    /// A formula with a value and two entries, at three points: one with results, one that is refused, one that is too large.
+    #[test]
+    fn what_a_driver_wrote_is_compared_point_by_point() {
+        let (recorded, _) = record(&[find("slot.contact_force").unwrap()], None);
+        let toolchain = Toolchain { name: "gcc", commands: Vec::new(), epsilons: 0.0 };
+        let points = || {
+            let point = |name: &str, expected| Point { name: name.into(), inputs: vec![3.0, 4.0], expected };
+            let results = Expected::Results(vec![5.0, 0.5, 0.75]);
+            vec![vec![point("a", results), point("b", Expected::Refused(2)), point("c", Expected::TooLarge)]]
+        };
+        let compared = |found: &[f64]| {
+            let bytes: Vec<_> = found.iter().flat_map(|x| x.to_le_bytes()).collect();
+            compare(&toolchain, &recorded, &points(), &bytes).map(|judged| (judged.is_well(), judged.to_string()))
+        };
+        let [well, refused, large] = [[0.0, 5.0, 0.5, 0.75], [2.0, 9.0, 9.0, 9.0], [7.0; 4]];
+        let of = |points: [[f64; 4]; 3]| compared(points.as_flattened()).unwrap();
+        assert_eq!(of([well, refused, large]), (true, "gcc: 3 numbers, 0 differ; 1 refused alike".into()));
+        let off = |numbers, differ, what: &str| {
+            let said = format!("gcc: {numbers}, {differ} differ; 1 refused alike\n    slot.contact_force at {what}");
+            (false, said)
+        };
+        let other = [0.0, 5.0, 0.25, 0.5];
+        assert_eq!(of([other, refused, large]), off("3 numbers", 2, "a: ∂fc/∂f2: 2.5e-1, expected 5e-1"));
+        let valid = off("0 numbers", 1, "a: refuses input 1, which is valid");
+        assert_eq!(of([[1.0, 5.0, 0.5, 0.75], refused, large]), valid);
+        let two =
+            off("0 numbers", 1, "a: the function for the value gives another one than the function with the Jacobian");
+        assert_eq!(of([[-1.0, 5.0, 0.5, 0.75], refused, large]), two);
+        let another = off("3 numbers", 1, "b: gives the return code 1, expected is the refusal 2");
+        assert_eq!(of([well, [1.0; 4], large]), another);
+        for short in [&well[..2], &[well, refused].as_flattened()[..5], &[well, refused].concat()] {
+            assert_eq!(compared(short).unwrap_err().to_string(), "the driver wrote too few results");
+        }
+    }
+
+    #[test]
+    fn entries_are_named_by_outputs_and_inputs_and_their_components() {
+        let named = |id: &str, all: std::ops::Range<usize>| {
+            let (recorded, _) = record(&[find(id).unwrap()], None);
+            all.map(|k| entry(&recorded[0], k)).collect::<Vec<_>>()
+        };
+        assert_eq!(named("slot.contact_force", 0..3), ["fc", "∂fc/∂f2", "∂fc/∂f3"]);
+        let line = named("slider.line", 0..17);
+        assert_eq!(line[..4], ["n[0]", "n[1]", "n[2]", "l"]);
+        assert_eq!(line[4..6], ["∂n[0]/∂x1[0]", "∂n[0]/∂x1[1]"]);
+        assert_eq!(line[9..11], ["∂n[0]/∂xn[2]", "∂n[1]/∂x1[0]"]);
+    }
+
     #[test]
     fn another_refusal_is_named() {
         let said = judged("slider.line", "jp_slider_line.c", "return 2 + (int)", "return 1 + (int)");

@@ -176,3 +176,53 @@ impl<S: Into<String>> From<S> for Text {
         Self(text.into())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_is_filled_to_its_width_and_no_further() {
+        assert_eq!(filled(["aa", "bb", "cc"].into_iter(), 5), ["aa bb", "cc"]);
+        assert_eq!(filled(["aa", "bb", "cc"].into_iter(), 4), ["aa", "bb", "cc"]);
+        assert_eq!(filled(["ää", "bb", "much too long"].into_iter(), 5), ["ää bb", "much too long"]);
+        assert_eq!(filled(std::iter::empty::<&str>(), 5), [""; 0]);
+    }
+
+    #[test]
+    fn texts_are_broken_at_spaces_where_a_line_would_have_more_than_90_characters() {
+        let [most, more] = [45, 46].map(|length| format!("{}  {}", "a".repeat(44), "b".repeat(length)));
+        assert_eq!(wrapped(&most), [most.replace("  ", " ")]);
+        assert_eq!(wrapped(&more), ["a".repeat(44), "b".repeat(46)]);
+        assert_eq!(wrapped(""), [""]);
+    }
+
+    #[test]
+    fn a_domain_is_what_a_component_is_compared_with() {
+        assert_eq!(bounds(Domain::Real), []);
+        assert_eq!([bounds(Domain::NonNegative), bounds(Domain::Positive)], [[(">=", 0.0)], [(">", 0.0)]]);
+        assert_eq!(bounds(Domain::Between(1.0, 2.0)), [(">", 1.0), ("<", 2.0)]);
+        assert_eq!(bounds(Domain::Within(1.0, 2.0)), [(">=", 1.0), ("<=", 2.0)]);
+        assert_eq!(bounds(Domain::HalfOpen(1.0, 2.0)), [(">=", 1.0), ("<", 2.0)]);
+    }
+
+    #[test]
+    fn what_is_always_0_is_told_from_other_entries_and_rows() {
+        let (recorded, refused) = record(&[jointproof::catalog::find("slider.eliminate").unwrap()], None);
+        assert!(refused.is_empty());
+        let one = &recorded[0];
+        let ((zeros, others), rows) = (one.entries(), one.rows());
+        assert_eq!(zeros.len() + others.len(), one.graph.jacobian.len());
+        assert_eq!(one.graph.jacobian.len(), one.row() * one.graph.value.len());
+        assert!(zeros.iter().all(|&k| one.graph.constant(one.graph.jacobian[k]) == Some(0.0)));
+        assert!(
+            others.iter().all(|&(k, entry)| one.graph.jacobian[k] == entry && one.graph.constant(entry) != Some(0.0))
+        );
+        // A row is there if any of its entries is.
+        let there: std::collections::BTreeSet<_> = others.iter().map(|(k, _)| k / one.row() * one.row()).collect();
+        assert!(rows.iter().map(|(first, _)| *first).eq(there));
+        let (alone, both) = (one.results(false), one.results(true));
+        assert_eq!(both.len() - alone.len(), one.graph.jacobian.len());
+        assert_eq!(both[..alone.len()], alone);
+    }
+}

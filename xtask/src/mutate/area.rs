@@ -168,3 +168,54 @@ fn globs(patterns: &[String]) -> anyhow::Result<GlobSet> {
     }
     Ok(set.build()?)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_text_is_found_once_or_behind_another() {
+        let find = |after: Option<&str>, wanted: &str| {
+            let kept = Kept {
+                id: "a".into(),
+                file: "src/a.rs".into(),
+                after: after.map(str::to_owned),
+                find: wanted.into(),
+                put: String::new(),
+                equivalent: None,
+            };
+            kept.find("one two three two").map_err(|error| error.to_string())
+        };
+        assert_eq!(find(None, "three"), Ok(8..13));
+        assert_eq!(find(Some("three"), "two"), Ok(14..17));
+        assert_eq!(find(Some("one"), "two"), Ok(4..7));
+        // Behind it, not in it.
+        assert_eq!(find(Some("one two "), "t"), Ok(8..9));
+        assert_eq!(find(None, "two"), Err("src/a.rs has \"two\" 2 times: `after` says which".into()));
+        assert_eq!(find(Some("three two"), "two"), Err("behind \"three two\" is no \"two\"".into()));
+    }
+
+    #[test]
+    fn of_the_places_around_a_change_the_smallest_comes_first() {
+        let text = "fn f() -> u8 { g(a + b, c) }\nfn h() -> u8 { 3 }\n";
+        let at = text.find('+').unwrap();
+        let places = places(text, &(at..at + 1), "-").unwrap();
+        let put: Vec<_> = places.iter().map(|place| place.text.as_str()).collect();
+        assert_eq!(put, ["a - b", "g(a - b, c)", "{ g(a - b, c) }"]);
+    }
+
+    #[test]
+    fn areas_are_in_the_order_of_their_names_and_a_star_is_within_a_folder() {
+        let root = tempfile::tempdir().unwrap();
+        let folder = root.path().join(FOLDER);
+        std::fs::create_dir_all(&folder).unwrap();
+        for name in ["d.toml", "b.toml", "f.toml", "a.toml", "e.toml", "c.toml", "none.txt"] {
+            let list = "files = [\"src/*.rs\", \"src/a/**\"]\nexcept = [\"**/tests.rs\"]\n";
+            std::fs::write(folder.join(name), list).unwrap();
+        }
+        let areas = read(root.path()).unwrap();
+        assert!(areas.iter().map(|area| area.name.as_str()).eq(["a", "b", "c", "d", "e", "f"]));
+        let files = ["src/a.rs", "src/b/a.rs", "src/a/b/c.rs", "src/tests.rs", "src/a/tests.rs", "other/a.rs"];
+        assert_eq!(files.map(|file| areas[0].has(file)), [true, false, true, false, false, false]);
+    }
+}

@@ -177,11 +177,7 @@ fn files(root: &Path) -> anyhow::Result<Vec<String>> {
     let output = Command::new("git").args(arguments).current_dir(root).output().context("this needs git")?;
     ensure!(output.status.success(), "git ls-files: {}", String::from_utf8_lossy(&output.stderr).trim());
     let listed = String::from_utf8(output.stdout)?;
-    let mut files: Vec<_> =
-        listed.split_terminator('\0').filter(|f| root.join(f).is_file()).map(str::to_owned).collect();
-    files.sort();
-    files.dedup();
-    Ok(files)
+    Ok(listed.split_terminator('\0').filter(|f| root.join(f).is_file()).map(str::to_owned).collect())
 }
 
 /// Every file below a folder, from there.

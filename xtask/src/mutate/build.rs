@@ -99,6 +99,23 @@ struct Profile {
     test: bool,
 }
 
+impl Message {
+    /// The program with tests that was built.
+    fn test(self, tree: &Path) -> Option<Binary> {
+        let is_test = self.reason == "compiler-artifact" && self.profile?.test;
+        let folder = self.manifest_path?.parent()?.to_path_buf();
+        let (path, name) = (self.executable?, name(tree, &folder, &self.target?.name));
+        is_test.then_some(Binary { name, path, folder })
+    }
+}
+
+impl Diagnostic {
+    /// Whether it is an error at some place, and not the one that says how many there are.
+    fn is_error(&self) -> bool {
+        self.level == "error" && !self.spans.is_empty()
+    }
+}
+
 /// Plants faults and builds all tests. A fault that the compiler refuses is planted in a larger part of the source; if there is
 /// none it is given up, and another one is taken.
 ///
@@ -184,23 +201,8 @@ fn cargo(bench: &Bench, programs: &Programs) -> anyhow::Result<(Vec<Binary>, Vec
     for line in BufReader::new(child.stdout.take().context("it is piped")?).lines() {
         let Ok(message) = serde_json::from_str::<Message>(&line?) else { continue };
         match message {
-            Message { diagnostic: Some(diagnostic), .. }
-                if diagnostic.level == "error" && !diagnostic.spans.is_empty() =>
-            {
-                errors.push(diagnostic);
-            }
-            Message {
-                reason,
-                executable: Some(path),
-                manifest_path: Some(manifest),
-                target: Some(target),
-                profile,
-                ..
-            } if reason == "compiler-artifact" && profile.as_ref().is_some_and(|profile| profile.test) => {
-                let folder = manifest.parent().context("a manifest has a folder")?.to_path_buf();
-                binaries.push(Binary { name: name(&bench.tree(), &folder, &target.name), path, folder });
-            }
-            _ => {}
+            Message { diagnostic: Some(diagnostic), .. } if diagnostic.is_error() => errors.push(diagnostic),
+            message => binaries.extend(message.test(&bench.tree())),
         }
     }
     let well = child.wait()?.success();
@@ -249,5 +251,32 @@ mod tests {
         assert_eq!(blamed([span(90..91, true), span(36..38, false)]).unwrap(), [1]);
         let nobody = blamed([span(90..91, true), span(95..96, false)]).unwrap_err().to_string();
         assert!(nobody.contains("mismatched types"), "{nobody}");
+    }
+
+    #[test]
+    fn of_what_cargo_says_programs_with_tests_are_taken() {
+        let built = |reason: &str, executable: &str, folder: &str, test: bool| {
+            let message = format!(
+                "{{\"reason\": \"{reason}\", \"executable\": {executable}, \"target\": {{\"name\": \"audit\"}}, \
+                 \"manifest_path\": \"/tree/{folder}Cargo.toml\", \"profile\": {{\"test\": {test}}}}}"
+            );
+            let message: Message = serde_json::from_str(&message).unwrap();
+            message.test(Path::new("/tree")).map(|binary| (binary.name, binary.path, binary.folder))
+        };
+        let taken = |name: &str, folder: &str| Some((name.to_owned(), "/target/a".into(), folder.into()));
+        assert_eq!(built("compiler-artifact", "\"/target/a\"", "", true), taken("audit", "/tree"));
+        assert_eq!(built("compiler-artifact", "\"/target/a\"", "tool/", true), taken("tool/audit", "/tree/tool"));
+        assert_eq!(built("compiler-artifact", "\"/target/a\"", "", false), None);
+        assert_eq!(built("build-script-executed", "\"/target/a\"", "", true), None);
+        assert_eq!(built("compiler-artifact", "null", "", true), None);
+    }
+
+    #[test]
+    fn an_error_is_one_that_has_a_place() {
+        let is_error = |level: &str, places: usize| {
+            let span = |_| Span { file_name: "a.rs".into(), byte_start: 1, byte_end: 2, is_primary: true };
+            Diagnostic { level: level.into(), rendered: None, spans: (0..places).map(span).collect() }.is_error()
+        };
+        assert!(is_error("error", 1) && is_error("error", 2) && !is_error("error", 0) && !is_error("warning", 1));
     }
 }

@@ -63,3 +63,30 @@ fn fault(area: &Area, file: &str, made: Made) -> Fault {
 pub(super) fn key(fault: &Fault) -> String {
     format!("{} {:016x}", fault.id, fault.hash(0))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mutate::area;
+
+    #[test]
+    fn every_file_has_its_share_before_one_has_a_second() {
+        let root = tempfile::tempdir().unwrap();
+        std::fs::create_dir_all(root.path().join(area::FOLDER)).unwrap();
+        std::fs::write(root.path().join(area::FOLDER).join("a.toml"), "files = [\"src/**\"]\n").unwrap();
+        let text = "fn f(x: f64) -> f64 {\n    x + 1.5 * x - x / 2.5\n}\n";
+        let names = ["src/a.rs", "src/b.rs", "src/c.rs", "other/d.rs"];
+        let sources = names.map(|name| (name.to_owned(), text.to_owned())).into();
+        let choice = Choice::read(&area::read(root.path()).unwrap(), &sources, 0).unwrap();
+        for rounds in 1..4 {
+            let taken = choice.take(3 * rounds, &BTreeSet::new());
+            let of = |file: &str| taken.iter().filter(|fault| fault.file == file).count();
+            assert_eq!(names.map(of), [rounds, rounds, rounds, 0]);
+        }
+        // Those that are refused are made good by others.
+        let first = choice.take(1, &BTreeSet::new());
+        let others = choice.take(1, &first.iter().map(key).collect());
+        assert_eq!((first.len(), others.len()), (1, 1));
+        assert!(first[0] != others[0]);
+    }
+}

@@ -127,3 +127,57 @@ fn short(text: &str) -> String {
         None => format!("`{line}`"),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn fault(places: &[&str]) -> Fault {
+        let place = |text: &&str| Place { range: 0..1, text: (*text).to_owned(), shape: Shape::Expression };
+        Fault {
+            id: "a.b".into(),
+            area: "a".into(),
+            file: "src/a.rs".into(),
+            line: 3,
+            was: "+".into(),
+            becomes: "-".into(),
+            equivalent: None,
+            places: places.iter().map(place).collect(),
+        }
+    }
+
+    /// The numbers are those of FNV-1a, computed by another program, of the words with a 0 behind each.
+    #[test]
+    fn a_hash_is_of_the_change_and_of_the_largest_place_that_it_stands_in() {
+        let one = fault(&["-", "b - c"]);
+        assert_eq!([one.hash(0), one.hash(7)], [0x8d4a_7cfb_315f_1ccc, 0xea74_7c58_ef43_d34d]);
+        assert_eq!(fault(&[]).hash(0), 0xa9e7_0d13_a1e9_1338);
+        // Wherever it has moved to, and whatever it is called.
+        assert_eq!(Fault { id: "c".into(), line: 9, ..one.clone() }.hash(0), one.hash(0));
+        let kept = Judged::new(&one, Verdict::Survived(2));
+        assert_eq!((kept.hash, kept.line, kept.verdict), (one.hash(0), 3, Verdict::Survived(2)));
+    }
+
+    #[test]
+    fn a_change_is_shown_in_a_line_that_is_not_too_long() {
+        let change = |was: &str| {
+            let fault = Fault { was: was.into(), becomes: String::new(), ..fault(&[]) };
+            Judged::new(&fault, Verdict::Survived(0)).change()
+        };
+        assert_eq!(change("a  +\n    b"), "src/a.rs:3: `a + b` → nothing");
+        assert_eq!(change(&"é".repeat(60)), format!("src/a.rs:3: `{}` → nothing", "é".repeat(60)));
+        assert_eq!(change(&"é".repeat(61)), format!("src/a.rs:3: `{}…` → nothing", "é".repeat(60)));
+    }
+
+    #[test]
+    fn a_switch_is_written_as_what_it_stands_for() {
+        let written = |shape: Shape| {
+            let [before, between, after] = shape.switch(4);
+            format!("{before}FAULT{between}WAS{after}")
+        };
+        assert_eq!(written(Shape::Expression), "(if ::planted::at(4) { FAULT } else { WAS })");
+        assert_eq!(written(Shape::Bare), "if ::planted::at(4) { FAULT } else { WAS }");
+        assert_eq!(written(Shape::Statement), "if ::planted::at(4) { FAULT } else { WAS; }");
+        assert_eq!(written(Shape::Body), "{ if ::planted::at(4) { FAULT } else WAS }");
+    }
+}

@@ -63,7 +63,7 @@ impl Before {
     pub(super) fn of(judged: &[Judged]) -> Self {
         let is_noticed = |verdict: &Verdict| matches!(verdict, Verdict::Killed(_) | Verdict::Stopped(_));
         let (noticed, others): (Vec<_>, Vec<_>) = judged.iter().partition(|one| is_noticed(&one.verdict));
-        let others: BTreeSet<u64> = others.iter().map(|one| one.hash).chain([0]).collect();
+        let others: BTreeSet<u64> = others.iter().map(|one| one.hash).collect();
         let verdicts = noticed.iter().filter(|one| !others.contains(&one.hash));
         Self(verdicts.map(|one| (one.hash, one.verdict.clone())).collect())
     }

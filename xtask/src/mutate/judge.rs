@@ -50,7 +50,7 @@ pub(super) fn judge(
         let mut command = command(binary, &names);
         command.env("JOINTPROOF_FAULT", number.to_string()).env_remove("JOINTPROOF_FAULTS_ASKED");
         let seconds: f64 = batch.iter().map(|test| test.seconds).sum();
-        let ended = process::run(command, Duration::from_secs_f64(seconds * TIMES + f64::from(grace)))?;
+        let ended = process::run(command, longest(seconds, grace))?;
         let all = names.join(", ");
         match ended.how {
             How::Well => {}
@@ -59,6 +59,11 @@ pub(super) fn judge(
         }
     }
     Ok(Verdict::Survived(run))
+}
+
+/// How long tests may take that take so many seconds without a fault.
+fn longest(seconds: f64, grace: u32) -> Duration {
+    Duration::from_secs_f64(seconds * TIMES + f64::from(grace))
 }
 
 /// A test with its program, as a verdict names it.
@@ -100,7 +105,52 @@ fn running(ended: &Ended) -> Option<&str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::mutate::process::How;
     use std::collections::BTreeSet;
+
+    fn ended(said: &str) -> Ended {
+        Ended { how: How::Badly, time: Duration::ZERO, said: said.into() }
+    }
+
+    #[test]
+    fn the_first_test_that_failed_is_named_and_the_last_that_was_begun() {
+        let said = ended("test a ... ok\ntest b ... FAILED\ntest c ... FAILED\ntest d ... ");
+        assert_eq!((failed(&said), running(&said)), (Some("b"), Some("d")));
+        let silent = ended("running 2 tests\n");
+        assert_eq!((failed(&silent), running(&silent)), (None, None));
+    }
+
+    #[test]
+    fn tests_may_take_some_times_as_long_as_without_a_fault_and_a_while_more() {
+        assert_eq!(longest(2.5, 3), Duration::from_secs(23));
+        assert_eq!(longest(0.0, 1), Duration::from_secs(1));
+    }
+
+    /// A program that fails has noticed any fault, if it is run.
+    #[cfg(unix)]
+    #[test]
+    fn when_it_is_enough_no_test_is_run() {
+        let binary = Binary { name: "no".into(), path: "false".into(), folder: std::env::temp_dir() };
+        let built = Built { faults: Vec::new(), binaries: vec![binary] };
+        let reached = BTreeSet::from(["a.one".to_owned()]);
+        let test = Test { binary: 0, name: String::new(), seconds: 0.0, succeeds: true, reached };
+        let fault = Fault {
+            id: "a.one".into(),
+            area: "a".into(),
+            file: "src/a.rs".into(),
+            line: 1,
+            was: "+".into(),
+            becomes: "-".into(),
+            equivalent: None,
+            places: Vec::new(),
+        };
+        let after = |enough| {
+            let patience = Patience { grace: 20, enough };
+            judge(&built, std::slice::from_ref(&test), &Noticed::default(), (0, &fault), patience).unwrap()
+        };
+        assert_eq!(after(0), Verdict::Survived(0));
+        assert_eq!(after(60), Verdict::Killed("no: ".into()));
+    }
 
     #[test]
     fn quick_tests_of_one_program_run_together_and_what_takes_least_comes_first() {

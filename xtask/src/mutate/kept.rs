@@ -200,6 +200,48 @@ mod tests {
     }
 
     #[test]
+    fn tables_show_areas_checkers_and_what_lives_or_changes_nothing() {
+        let one = |area: &str, verdict| Judged {
+            id: "a.b".to_owned(),
+            area: area.to_owned(),
+            file: "src/a.rs".to_owned(),
+            line: 3,
+            was: "+".to_owned(),
+            becomes: "-".to_owned(),
+            hash: 1,
+            verdict,
+        };
+        let killed = |test: &str| Verdict::Killed(test.to_owned());
+        let judged = [
+            one("sums", killed("late: a")),
+            one("sums", Verdict::Stopped("often: b".into())),
+            one("sums", killed("often: c")),
+            one("sums", killed("early: d")),
+            one("roots", Verdict::Survived(4)),
+            one("roots", Verdict::Equivalent("nobody asks".into())),
+        ];
+        let kept = Kept {
+            date: "today".into(),
+            commit: "0123".into(),
+            machine: "a machine".into(),
+            tests: "all".into(),
+            faults: Vec::new(),
+        };
+        let rows = |table: Table| {
+            assert!(table.rows.iter().all(|row| row.len() == table.head.len()));
+            table.rows.iter().map(|row| row.join(" | ")).collect::<Vec<_>>()
+        };
+        let areas = by_area(&BTreeMap::from([("sums".to_owned(), kept)]), &judged);
+        assert_eq!(
+            rows(areas),
+            ["roots | 0 | 1 | 1 | 0 % | ", "sums | 4 | 0 | 0 | 100 % | today, `0123`, a machine, all"]
+        );
+        assert_eq!(rows(by_checker(&judged)), ["`often` | 2", "`early` | 1", "`late` | 1"]);
+        assert_eq!(rows(that_live(&judged)), ["roots | src/a.rs:3: `+` → `-` | 4"]);
+        assert_eq!(rows(equivalent(&judged)), ["roots | src/a.rs:3: `+` → `-` | nobody asks"]);
+    }
+
+    #[test]
     fn a_rate_is_of_what_can_be_noticed() {
         let rate = |killed, survived| cells("", Score { killed, survived, equivalent: 3, stopped: 0 })[4].clone();
         assert_eq!([rate(0, 0), rate(1, 0), rate(3, 1)], ["–", "100 %", "75 %"]);

@@ -125,8 +125,12 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     if arguments.keep {
         kept::keep(root, &judged, &arguments.in_words())?;
     }
-    let well = table::by(&judged, |one| Some(&one.area)).values().all(table::Score::is_enough);
-    Ok(if well { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    Ok(if is_enough(&judged) { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// Whether in every area enough is noticed.
+fn is_enough(judged: &[Judged]) -> bool {
+    table::by(judged, |one| Some(&one.area)).values().all(table::Score::is_enough)
 }
 
 fn line(fault: &Fault) -> String {

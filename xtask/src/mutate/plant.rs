@@ -61,3 +61,35 @@ impl Planted {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mutate::fault::Shape;
+
+    #[test]
+    fn faults_stand_side_by_side_in_whatever_order_they_come() {
+        let fault = |range: Range<usize>, text: &str, shape| Fault {
+            id: "a.b".into(),
+            area: "a".into(),
+            file: "src/a.rs".into(),
+            line: 1,
+            was: String::new(),
+            becomes: text.into(),
+            equivalent: None,
+            places: vec![Place { range, text: text.into(), shape }],
+        };
+        let [first, second] = [fault(0..2, "a", Shape::Bare), fault(2..4, "b", Shape::Bare)];
+        let third = fault(5..6, "", Shape::Statement);
+        let planted = plant("x;y;=z;", &[(6, &third, 0), (5, &second, 0), (4, &first, 0), (9, &first, 1)]);
+        let expected = "if ::planted::at(4) { a } else { x; }if ::planted::at(5) { b } else { y; }=\
+                        if ::planted::at(6) {  } else { z; };";
+        assert_eq!(planted.text, expected);
+        let numbers: Vec<_> = planted.switches.iter().map(|(number, ..)| *number).collect();
+        assert_eq!(numbers, [4, 5, 6]);
+        for (number, switch, text) in &planted.switches {
+            assert!(planted.text[switch.clone()].starts_with(&format!("if ::planted::at({number})")));
+            assert_eq!(planted.text[text.clone()], *["a", "b", ""][number - 4]);
+        }
+    }
+}

@@ -38,10 +38,16 @@ pub(super) fn limit_memory() -> anyhow::Result<()> {
     {
         use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
         let Rlimit { maximum, .. } = getrlimit(Resource::Data);
-        let current = Some(maximum.map_or(MEMORY, |maximum| maximum.min(MEMORY)));
+        let current = Some(allowed(maximum));
         setrlimit(Resource::Data, Rlimit { current, maximum }).context("cannot limit memory")?;
     }
     Ok(())
+}
+
+/// How much memory a program may take where there is a limit already, or none.
+#[cfg(unix)]
+fn allowed(maximum: Option<u64>) -> u64 {
+    maximum.map_or(MEMORY, |maximum| maximum.min(MEMORY))
 }
 
 /// Runs a program to its end or to the end of the time, with all that it starts.
@@ -99,8 +105,13 @@ fn kill(child: &mut Child) {
 
 #[cfg(all(test, unix))]
 mod tests {
-    use super::{MEMORY, limit_memory};
+    use super::{MEMORY, allowed, limit_memory};
     use rustix::process::{Resource, getrlimit};
+
+    #[test]
+    fn a_limit_that_there_is_already_is_not_raised() {
+        assert_eq!([None, Some(MEMORY - 1), Some(MEMORY + 1)].map(allowed), [MEMORY, MEMORY - 1, MEMORY]);
+    }
 
     #[test]
     fn memory_is_limited() {

@@ -111,3 +111,22 @@ pub(super) fn command(binary: &Binary, tests: &[&str]) -> Command {
     }
     command
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_program_is_run_as_cargo_would_run_it_and_repeatably() {
+        let binary = Binary { name: "a".into(), path: "/target/a".into(), folder: "/tree/a".into() };
+        let all = command(&binary, &[]);
+        assert_eq!((all.get_program(), all.get_current_dir()), ("/target/a".as_ref(), Some("/tree/a".as_ref())));
+        assert_eq!(all.get_args().count(), 0);
+        let given = |name: &str| all.get_envs().find(|(key, _)| *key == name).and_then(|(_, value)| value?.to_str());
+        assert_eq!(given("CARGO_MANIFEST_DIR"), Some("/tree/a"));
+        assert!(given("CARGO").is_some_and(|program| program.ends_with("cargo")));
+        assert_eq!([given("RAYON_NUM_THREADS"), given("PROPTEST_FAILURE_PERSISTENCE")], [Some("1"), Some("off")]);
+        let some = command(&binary, &["b::c", "d"]);
+        assert!(some.get_args().eq(["--exact", "--test-threads", "1", "b::c", "d"]));
+    }
+}

@@ -181,3 +181,76 @@ pub(super) fn has_let(expr: &Expr) -> bool {
         _ => false,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::mutate::sites::Sites;
+
+    fn made(text: &str) -> Vec<String> {
+        let made = Sites::read(text).unwrap().rules.made;
+        made.iter().map(|made| format!("{} → {}", made.was, made.becomes)).collect()
+    }
+
+    #[test]
+    fn a_function_says_what_its_type_allows_unless_it_says_no_other_thing() {
+        let instead = |output: &str| {
+            let made = made(&format!("fn f(x: A) -> {output} {{ g(x) }}"));
+            made.into_iter().map(|change| change.replace("{ g(x) } → ", "")).collect::<Vec<_>>().join(", ")
+        };
+        for (output, expected) in [
+            ("bool", "true, false"),
+            ("usize", "0"),
+            ("u64", "0"),
+            ("u32", "0"),
+            ("f64", "0.0"),
+            ("String", "String::new()"),
+            ("anyhow::Result<()>", "Ok(())"),
+            ("Result<(), Error>", "Ok(())"),
+            ("Option<A>", "None"),
+            ("Vec < A >", "Vec::new()"),
+            ("A", ""),
+            ("i32", ""),
+        ] {
+            assert_eq!(instead(output), expected, "{output}");
+        }
+        for word in
+            ["fn f() -> bool { x }", "fn f() -> Vec<A> { Vec::new() }", "fn f() -> Option<A> { None }", "fn f() {}"]
+        {
+            assert_eq!(made(word), [""; 0], "{word}");
+        }
+    }
+
+    #[test]
+    fn a_condition_is_turned_round_where_it_is_neither_compared_nor_bound() {
+        assert_eq!(made("fn f(x: A) -> A { while g(x) {} y }"), ["g(x) → !(g(x))"]);
+        assert_eq!(made("fn f(x: A) -> A { while x < y {} y }"), ["< → <="]);
+        assert_eq!(made("fn f(x: A) -> A { if let Some(y) = x { y } else { x } }"), [""; 0]);
+        assert_eq!(made("fn f(x: A) -> A { if let Some(y) = x && g(y) { y } else { x } }"), [""; 0]);
+        assert_eq!(made("fn f(x: A) -> A { if !x { y } else { x } }"), ["!x → x"]);
+    }
+
+    #[test]
+    fn methods_are_taken_for_others_and_forgotten_where_they_have_no_arguments() {
+        assert_eq!(made("fn f(x: A) -> A { x.min(y) }"), ["min → max"]);
+        assert_eq!(made("fn f(x: A) -> A { x.last() }"), ["last → first"]);
+        assert_eq!(made("fn f(x: A) -> A { x.sqrt() }"), ["x.sqrt() → x"]);
+        assert_eq!(made("fn f(x: A) -> A { x.sqrt(y) }"), [""; 0]);
+        let sites = Sites::read("fn f(x: A) -> A { x.min::<B>(y) }").unwrap();
+        assert_eq!(sites.rules.made[0].place.text, "x.max::<B>(y)");
+    }
+
+    #[test]
+    fn calls_are_left_out_but_hints_and_bars() {
+        assert_eq!(made("fn f() { g(x); y.h(); }"), ["g(x) → ", "y.h() → "]);
+        assert_eq!(made("fn f() { cold_path(); bar.inc(x); self.bar.inc(x); x.bar.inc(x); }"), ["x.bar.inc(x) → "]);
+        assert_eq!(made("fn f() { x; y?; }"), [""; 0]);
+    }
+
+    #[test]
+    fn numbers_are_one_larger_but_not_powers_of_ten() {
+        assert_eq!(
+            made("fn f() -> A { [7, 8_usize, 0.5, 2.0_f32, 1e-9, 'a'] }"),
+            ["7 → 8", "8_usize → 9usize", "0.5 → 1.5", "2.0_f32 → 3.0f32"]
+        );
+    }
+}

@@ -158,3 +158,33 @@ fn is_elsewhere(attributes: &[Attribute]) -> bool {
         path.is_ident("test") || (path.is_ident("cfg") && condition())
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn made(text: &str) -> Vec<String> {
+        let made = Sites::read(text).unwrap().rules.made;
+        let mut made: Vec<_> = made.iter().map(|made| (made.at, format!("{} → {}", made.was, made.becomes))).collect();
+        made.sort();
+        made.into_iter().map(|(_, change)| change).collect()
+    }
+
+    #[test]
+    fn faults_are_made_wherever_code_can_stand() {
+        assert_eq!(made("fn f(x: A) -> A { match x { _ if x > y => z, _ => w } }"), ["> → >="]);
+        assert_eq!(made("fn f(x: A) -> A { [x + y; 3] }"), ["+ → -"]);
+        assert_eq!(made("fn f(x: A) -> A { |y| -> A { x + y } }"), ["+ → -"]);
+        assert_eq!(made("fn f(x: A) -> A { |y| x * y }"), ["* → /"]);
+        assert_eq!(made("fn f(x: A) -> A { let y: [A; 2] = g::<4>(x)[5]; y }"), ["5 → 6"]);
+        assert_eq!(made("fn f(x: A) { x[1] = 2; x.y += 3; }"), ["1 → 2", "2 → 3", "+= → -=", "3 → 4"]);
+        assert_eq!(made("fn f(x: A) -> A { let Some(y) = x else { return -x }; y }"), ["-x → x"]);
+        assert_eq!(made("const X: A = 1 + 2; fn f(x: A) -> A { const { 3 + 4 } }"), [""; 0]);
+    }
+
+    /// What is not shown to a person who debugs is a claim.
+    #[test]
+    fn how_a_value_is_shown_has_no_faults() {
+        assert_eq!(made("impl Debug for A { fn fmt(&self) -> u32 { 1 + 2 } fn other(&self) -> A { 3 } }"), ["3 → 4"]);
+    }
+}

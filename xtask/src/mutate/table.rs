@@ -89,3 +89,51 @@ pub(super) fn text(judged: &[Judged]) -> String {
     }
     text
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn judged(area: &str, was: &str, verdict: Verdict) -> Judged {
+        let [id, area, was] = [format!("{area}.{was}"), area.to_owned(), was.to_owned()];
+        Judged { id, area, file: "src/a.rs".into(), line: 3, was, becomes: String::new(), hash: 1, verdict }
+    }
+
+    #[test]
+    fn a_rate_is_the_part_that_was_noticed_and_enough_from_95_percent_on() {
+        let score = |killed, survived| Score { killed, survived, stopped: 1, equivalent: 9 };
+        let rates = [(0, 0), (0, 1), (1, 0), (1, 1), (3, 1), (19, 1), (18, 1)].map(|(k, s)| score(k, s));
+        assert_eq!(rates.map(|score| score.rate()), [1.0, 0.0, 1.0, 0.5, 0.75, 0.95, 18.0 / 19.0]);
+        assert_eq!(rates.map(|score| score.is_enough()), [true, false, true, false, false, true, false]);
+    }
+
+    #[test]
+    fn what_is_printed_is_every_survivor_and_a_line_an_area() {
+        let killed = || Verdict::Killed("tiny: tests::sum".into());
+        let stopped = || Verdict::Stopped("tiny: tests::sum".into());
+        let all = [
+            judged("sums", "a", killed()),
+            judged("sums", "b", killed()),
+            judged("sums", "c", stopped()),
+            judged("roots", "d", Verdict::Survived(0)),
+            judged("roots", "e", Verdict::Survived(1)),
+            judged("roots", "f", Verdict::Survived(2)),
+            judged("roots", "g", Verdict::Equivalent("nobody asks".into())),
+            judged("roots", "h", killed()),
+        ];
+        let expected = "\
+survived: roots.d
+    src/a.rs:3: `d` → nothing; no test comes there
+survived: roots.e
+    src/a.rs:3: `e` → nothing; 1 test comes there
+survived: roots.f
+    src/a.rs:3: `f` → nothing; 2 tests come there
+  killed  stopped survived equivalent   rate
+       1        0        3          1  25.0% roots  too few
+       3        1        0          0 100.0% sums
+       4        1        3          1  57.1% all  too few
+";
+        assert_eq!(text(&all), expected);
+        assert_eq!(all.iter().filter_map(checker).collect::<Vec<_>>(), ["tiny"; 4]);
+    }
+}

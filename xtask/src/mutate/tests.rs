@@ -269,18 +269,23 @@ fn packages_with_faults_and_the_head_get_the_switch() {
             fs::write(root.path().join(&file), &text).unwrap();
         }
     }
-    fs::write(root.path().join("tests/faults/sums.toml"), "files = [\"with/inner/**\"]\n").unwrap();
+    fs::write(root.path().join("tests/faults/sums.toml"), "files = [\"with/inner/**\", \"src/**\"]\n").unwrap();
     let bench = Bench::new(root.path(), root.path().join("target/mutate")).unwrap();
     let sources = bench.sources().unwrap();
     let choice = Choice::read(&area::read(root.path()).unwrap(), &sources, 0).unwrap();
     let faults: Vec<_> = choice.take(9, &BTreeSet::new()).into_iter().map(|fault| (fault, 0)).collect();
-    assert!(!faults.is_empty() && faults.iter().all(|(fault, _)| fault.file == "with/inner/src/lib.rs"));
+    let files: BTreeSet<_> = faults.iter().map(|(fault, _)| fault.file.as_str()).collect();
+    assert!(files.iter().eq(&["src/lib.rs", "with/inner/src/lib.rs"]), "{files:?}");
     bench.plant(&faults, &sources).unwrap();
     let manifest = |folder: &str| fs::read_to_string(bench.tree().join(folder).join("Cargo.toml")).unwrap();
     let switch = |up: &str| format!("\n[dependencies]\nplanted = {{ path = \"{up}planted\" }}\n");
     assert!(manifest("").contains(&switch("../")) && manifest("").contains("[profile.dev.package.planted]"));
     assert!(manifest("with/inner").ends_with(&switch("../../../")), "{}", manifest("with/inner"));
     assert_eq!(["with", "without"].map(manifest), [package("with"), package("with")]);
+    for file in [".gitignore", "without/src/lib.rs"] {
+        let [copy, original] = [bench.tree(), root.path().to_owned()].map(|at| fs::read(at.join(file)).unwrap());
+        assert_eq!(copy, original, "{file}");
+    }
 }
 
 #[test]
@@ -299,9 +304,11 @@ fn a_line_of_the_list_says_what_is_changed_and_what_nothing_can_notice() {
 }
 
 #[test]
-fn of_nothing_all_is_noticed() {
-    let score = table::Score::default();
-    assert!(score.rate() == 1.0 && score.is_enough());
+fn enough_must_be_noticed_in_every_area() {
+    let judged = |area: &str, verdict| Judged::new(&Fault { area: area.into(), ..nameless() }, verdict);
+    let well = judged("sums", Verdict::Killed("tiny: tests::squares".into()));
+    let badly = judged("roots", Verdict::Survived(1));
+    assert!(is_enough(&[]) && is_enough(std::slice::from_ref(&well)) && !is_enough(&[well, badly]));
 }
 
 fn nameless() -> Fault {

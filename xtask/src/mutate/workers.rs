@@ -37,6 +37,8 @@ mod tests {
         for jobs in [0, 1, 3] {
             assert_eq!(in_parallel(jobs, &[5, 3, 8], |x| Ok(10 * x)).unwrap(), [50, 30, 80]);
         }
+        let one = in_parallel(1, &[0; 9], |_| Ok(thread::current().id())).unwrap();
+        assert!(one.iter().all(|thread| *thread == one[0]), "one job is one thread");
         // One thread has the first and the third item, the other one the second.
         let begun = AtomicUsize::default();
         let waiting = |&item: &usize| {

@@ -142,3 +142,40 @@ fn read_all(path: &Path) -> anyhow::Result<String> {
     }
     Ok(text)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_entry_belongs_behind_the_last_one_in_the_chapter_that_has_most_of_the_family() {
+        let root = tempfile::tempdir().unwrap();
+        let project = || Project::new("new", env!("CARGO_MANIFEST_DIR"), &[]).in_folder(root.path().to_str().unwrap());
+        assert!(chapter(&project(), "a").unwrap().is_none(), "there is no book");
+        let entry = |id: &str| format!("{{{{#formula {id}}}}}\n\n");
+        for (file, ids) in [
+            ("one.md", &["b.x", "b.y", "b.z", "a.x"][..]),
+            ("two.md", &["a.y", "b.u", "a.z", "b.v", "b.w", "b.s"]),
+            ("three.md", &["b.r", "b.q", "b.p", "b.o", "a.w"]),
+        ] {
+            let text: String = ids.iter().map(|id| entry(id)).collect();
+            files::write(&root.path().join("book/src").join(file), &text).unwrap();
+        }
+        let of = |family: &str| chapter(&project(), family).map(|found| found.map(|at| (at.file, at.id, at.line)));
+        assert_eq!(of("a").unwrap(), Some(("book/src/two.md".into(), "a.z".into(), 5)));
+        assert_eq!(of("b").unwrap().map(|(file, ..)| file), Some("book/src/two.md".into()));
+        assert_eq!(of("c").unwrap_err().to_string(), "no chapter has an entry of `c`; write one, and try again");
+    }
+
+    #[test]
+    fn neighbours_are_the_texts_of_a_file_or_of_all_below_a_folder() {
+        let root = tempfile::tempdir().unwrap();
+        for file in ["a.rs", "a/b.rs", "a/c/d.rs"] {
+            files::write(&root.path().join(file), file).unwrap();
+        }
+        let read = |path: &str| read_all(&root.path().join(path)).unwrap();
+        assert_eq!((read("a.rs"), read("b")), ("a.rs".to_owned(), String::new()));
+        let below = read("a");
+        assert!(below == "a/b.rsa/c/d.rs" || below == "a/c/d.rsa/b.rs", "{below}");
+    }
+}

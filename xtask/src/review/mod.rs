@@ -49,7 +49,14 @@ mod tests {
         let text = annotations(&findings(2));
         let expected = "::error file=src/a%2Cb.rs,line=1,title=family.formula0%3A η of the value in f64::found 1, expected 2%0A--point '{\"x\": 100%25}'";
         assert_eq!(text.lines().next(), Some(expected));
-        assert_eq!(annotations(&findings(10)).lines().count(), 10);
+        let ten = annotations(&findings(10));
+        assert!(ten.lines().count() == 10 && !ten.contains(" more"), "{ten}");
+        let eleven = annotations(&findings(11));
+        assert!(
+            eleven.lines().count() == 10
+                && eleven.ends_with(",line=10,title=family.formula9%3A η of the value in f64::and 2 more\n"),
+            "{eleven}"
+        );
         let many = annotations(&findings(12));
         assert_eq!(many.lines().count(), 10);
         assert!(many.lines().last().unwrap().ends_with("::and 3 more"), "{many}");
@@ -72,6 +79,15 @@ mod tests {
             assert!(place["region"]["startLine"].as_u64().unwrap() > 0);
             assert!(result["partialFingerprints"]["formulaAndClaim/v1"].is_string());
         }
+        // Each claim is one rule, however its findings are mixed with others.
+        let mut mixed = findings(4);
+        (mixed[0].claim, mixed[2].claim) = ("symmetry".into(), "symmetry".into());
+        let log: Value = serde_json::from_str(&sarif(&mixed).unwrap()).unwrap();
+        let rules = log["runs"][0]["tool"]["driver"]["rules"].as_array().unwrap();
+        let ids: Vec<_> = rules.iter().filter_map(|rule| rule["id"].as_str()).collect();
+        assert_eq!(ids, ["symmetry", "η-of-the-value-in-f64"]);
+        let indices = log["runs"][0]["results"].as_array().unwrap().iter().map(|result| result["ruleIndex"].as_u64());
+        assert!(indices.eq([0, 1, 0, 1].map(Some)));
         let empty: Value = serde_json::from_str(&sarif(&[]).unwrap()).unwrap();
         assert_eq!(empty["runs"][0]["results"], Value::Array(Vec::new()), "what was on a page before is taken away");
     }

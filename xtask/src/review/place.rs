@@ -44,6 +44,40 @@ mod tests {
     use jointproof::catalog::CATALOG;
 
     #[test]
+    fn the_head_of_a_function_is_behind_its_documentation_and_attributes() {
+        let root = tempfile::tempdir().unwrap();
+        let text = "fn a() {}\n/// Doc.\n#[inline]\n    fn b() {\n}\nconst C: u8 = 1;\nfn d() {}\n";
+        std::fs::write(root.path().join("a.rs"), text).unwrap();
+        let project = Project::new("head", env!("CARGO_MANIFEST_DIR"), &[]).in_folder(root.path().to_str().unwrap());
+        let of = |first, last| head(&project, "a.rs", first, last);
+        assert_eq!([of(1, 1), of(2, 5), of(3, 4), of(4, 5), of(7, 7)], [1, 4, 4, 4, 7]);
+        // Where there is none, the first line.
+        assert_eq!([of(2, 3), of(5, 6), head(&project, "none.rs", 8, 9)], [2, 5, 8]);
+    }
+
+    /// Without the wanted function it is the first that is there, without any the module, and without that the manifest.
+    #[test]
+    fn a_claim_stands_at_the_nearest_place_that_there_is() {
+        use jointproof::slot::ContactForce;
+        let root = tempfile::tempdir().unwrap();
+        let project = Project::new("place", env!("CARGO_MANIFEST_DIR"), &[]).in_folder(root.path().to_str().unwrap());
+        let place = |claim: &str| {
+            let Place { file, line } = of_claim(&project, &ContactForce, claim).unwrap();
+            format!("{file}:{line}")
+        };
+        assert_eq!(ContactForce.path(), "jointproof::slot::friction::ContactForce");
+        assert_eq!(place("symmetry"), "Cargo.toml:1");
+        let write = |file: &str, text: &str| crate::files::write(&root.path().join(file), text).unwrap();
+        write("src/slot.rs", "mod friction;\n");
+        assert_eq!(place("symmetry"), "src/slot.rs:1");
+        write("src/slot/friction.rs", "made! {}\n");
+        assert_eq!(place("symmetry"), "src/slot/friction.rs:1");
+        let functions = "impl Formula for ContactForce {\n    fn eval() {}\n\n    fn linearized() {}\n}\n";
+        write("src/slot/friction.rs", functions);
+        assert_eq!([place("symmetry"), place("derivative of the printed equation")], ["src/slot/friction.rs:2"; 2]);
+    }
+
+    #[test]
     fn every_claim_has_a_place_and_nearly_every_formula_its_functions() {
         let project = Project::new("jointproof", env!("CARGO_MANIFEST_DIR"), CATALOG).in_folder("..");
         let mut found = 0;

@@ -72,3 +72,29 @@ fn flatten(tree: &UseTree, path: &mut Vec<String>, is_public: bool, imports: &mu
         UseTree::Glob(glob) => leaf(path, None, Known::Glob, glob.star_token.spans[0].start().line),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_use_is_taken_apart_and_each_part_shown_as_one_would_write_it_alone() {
+        let of = |text: &str| Import::of(&syn::parse_str(text).unwrap());
+        let shown = |text: &str| of(text).iter().map(Import::shown).collect::<Vec<_>>();
+        assert_eq!(shown("use a;"), ["use a"]);
+        assert_eq!(
+            shown("use a::{b::{C, D as E}, f, g::*, H as _};"),
+            ["use a::b::C", "use a::b::D as E", "use a::f", "use a::g::*", "use a::H as _"]
+        );
+        // A module itself is known by its name, whatever it is in.
+        assert_eq!(
+            shown("use crate::y::{self, self as z, Y};"),
+            ["use crate::y", "use crate::y as z", "use crate::y::Y"]
+        );
+        assert_eq!(of("use crate::y::{self};")[0].known, Known::As("y".into()));
+        assert_eq!((&of("use self as z;")[0].path, of("use a::a;").len()), (&vec!["self".to_owned()], 1));
+        let lines = |text: &str| of(text).iter().map(|import| (import.line, import.is_public)).collect::<Vec<_>>();
+        assert_eq!(lines("use a::{\nB,\nC as D,\ne::*,\n};"), [(2, false), (3, false), (4, false)]);
+        assert_eq!(lines("\npub(crate) use a::B;"), [(2, true)]);
+    }
+}

@@ -131,6 +131,6 @@ pub(super) fn part(path: &str) -> Option<Part> {
 /// The files without a formula that prove one, or that are there only where formulas are proved.
 fn evidence(tree: &Tree) -> BTreeSet<usize> {
     let gated = tree.modules.iter().filter(|module| module.is_proof).map(|module| module.file);
-    let proving = (0..tree.sources.len()).filter(|&file| tree.sources[file].proves);
+    let proving = tree.sources.iter().enumerate().filter(|(_, source)| source.proves).map(|(file, _)| file);
     gated.chain(proving).filter(|&file| tree.sources[file].formulas.is_empty()).collect()
 }

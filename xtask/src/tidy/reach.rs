@@ -17,10 +17,11 @@ pub(crate) fn reach(project: &Project) -> anyhow::Result<BTreeMap<String, Vec<Pa
     for &(from, to) in edges(&tree).keys() {
         uses.entry(from).or_default().insert(to);
     }
-    let files: Vec<FileId> = (0..tree.sources.len()).collect();
-    let of_part = |file: &FileId, wanted| part(&tree.sources[*file].path) == Some(wanted);
-    let common: BTreeSet<FileId> = files.iter().copied().filter(|file| of_part(file, Part::Common)).collect();
-    let rooms: BTreeSet<FileId> = files.iter().copied().filter(|file| of_part(file, Part::Room)).collect();
+    let of_part = |wanted| -> BTreeSet<FileId> {
+        let files = tree.sources.iter().enumerate();
+        files.filter(|(_, source)| part(&source.path) == Some(wanted)).map(|(file, _)| file).collect()
+    };
+    let (common, rooms) = (of_part(Part::Common), of_part(Part::Room));
     let of = |id: &str| {
         let defines = |file: &&FileId| {
             let specs = tree.sources[**file].formulas.iter().flat_map(|formula| &formula.spec);
@@ -54,6 +55,8 @@ pub(crate) fn reach(project: &Project) -> anyhow::Result<BTreeMap<String, Vec<Pa
 mod tests {
     use super::*;
     use jointproof::catalog::CATALOG;
+    use jointproof::slot::{ContactForce, Friction};
+    use std::fs;
 
     #[test]
     fn a_formula_rests_on_its_room_and_on_what_all_have_in_common() {
@@ -77,5 +80,63 @@ mod tests {
         assert!(!rests("coulomb.yield", "src/join.rs") && !rests("slider.line", "src/coulomb.rs"));
         let alone = reach.values().filter(|files| files.len() < reach["coulomb.yield"].len() + 40).count();
         assert!(alone > CATALOG.len() / 2, "most formulas rest on few rooms: {alone} of {}", CATALOG.len());
+    }
+
+    const FILES: [(&str, &str); 13] = [
+        ("Cargo.toml", "[package]\nname = \"jointproof\"\n"),
+        (
+            "src/lib.rs",
+            "mod formula;\nmod catalog;\nmod measure;\nmod verify;\nmod slot;\nmod low;\nmod lower;\nmod hard;\nmod other;\n\
+             mod another;\n",
+        ),
+        ("src/formula.rs", "pub trait Formula {}\n"),
+        ("src/verify.rs", "pub fn law() {}\n"),
+        ("src/measure.rs", "pub fn way() {}\n"),
+        ("src/catalog.rs", "use crate::slot::ContactForce;\n"),
+        ("src/slot.rs", "mod contact_force;\nmod proof;\npub use contact_force::ContactForce;\n"),
+        (
+            "src/slot/contact_force.rs",
+            "use crate::low::Low;\npub struct ContactForce;\nimpl Formula for ContactForce {\n    \
+             const SPEC: Spec = Spec::new(\"slot.contact_force\", \"A title\");\n}\n",
+        ),
+        ("src/slot/proof.rs", "use super::ContactForce;\nuse crate::hard::Hard;\nimpl Proved for ContactForce {}\n"),
+        ("src/low.rs", "use crate::lower::Lower;\npub struct Low(Lower);\n"),
+        ("src/lower.rs", "use crate::low::Low;\npub struct Lower(Low);\n"),
+        ("src/hard.rs", "pub struct Hard;\n"),
+        // One uses the formula and proves nothing, the other proves something else.
+        ("src/other.rs", "use crate::slot::ContactForce;\nuse crate::another::Another;\n"),
+    ];
+
+    #[test]
+    fn a_formula_rests_on_what_proves_it_and_on_all_that_these_use() {
+        let root = tempfile::tempdir().unwrap();
+        for (file, text) in
+            FILES.iter().chain(&[("src/another.rs", "pub struct Another;\nimpl Proved for Another {}\n")])
+        {
+            fs::create_dir_all(root.path().join(file).parent().unwrap()).unwrap();
+            fs::write(root.path().join(file), text).unwrap();
+        }
+        let project = Project::new("reached", env!("CARGO_MANIFEST_DIR"), &[&ContactForce, &Friction]);
+        let reached = reach(&project.in_folder(root.path().to_str().unwrap())).unwrap();
+        let of = |id: &str| {
+            let mut files: Vec<_> = reached[id].iter().map(|file| file.to_str().unwrap()).collect();
+            files.sort_unstable();
+            files
+        };
+        let own = ["src/hard.rs", "src/low.rs", "src/lower.rs", "src/slot/contact_force.rs", "src/slot/proof.rs"];
+        let common = ["src/formula.rs", "src/verify.rs"];
+        let sorted = |parts: &[&[&'static str]]| {
+            let mut all = parts.concat();
+            all.sort_unstable();
+            all
+        };
+        assert_eq!(
+            of("slot.contact_force"),
+            sorted(&[&["Cargo.lock", "golden/slot.contact_force.json"], &common, &own])
+        );
+        // No file defines the other one: it may rest on all rooms.
+        let rooms = ["src/another.rs", "src/other.rs", "src/slot.rs"];
+        assert_eq!(of("slot.friction"), sorted(&[&["Cargo.lock", "golden/slot.friction.json"], &common, &own, &rooms]));
+        assert_eq!(reached.len(), 2);
     }
 }

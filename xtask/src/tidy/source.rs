@@ -231,12 +231,70 @@ fn member_attributes(item: &ImplItem) -> &[Attribute] {
 
 #[cfg(test)]
 mod tests {
-    use super::defined_by;
+    use super::*;
+
+    fn read(text: &str) -> Source {
+        Source::read("a.rs".into(), text).unwrap()
+    }
+
+    fn paths(words: &Words) -> Vec<String> {
+        words.paths.iter().map(|mention| mention.path.join("::")).collect()
+    }
 
     #[test]
     fn a_macro_call_defines_what_stands_behind_keywords_and_at_the_start_of_a_row() {
         let names = |tokens: &str| defined_by(tokens.parse().unwrap());
         assert_eq!(names("/// A place. \n pub struct Place<T> { x: T = X }"), ["Place"]);
         assert_eq!(names("FIRST, \"x_1\", Length; SECOND, symbol(3), Angle;"), ["FIRST", "SECOND"]);
+    }
+
+    #[test]
+    fn what_is_defined_is_known_by_its_name_and_tests_are_left_out() {
+        let source = read(
+            "/// Doc.\n#[cfg(test)]\nstruct Tested;\n#[test]\nfn tested() { a::b() }\n#[cfg(doctest)]\nmod examples {}\n\
+             #[cfg(all(unix, any(test)))]\nconst KEPT: One = a::c;\n#[cfg(unix)]\nfn kept() { a::d() }\n\
+             made! { struct Made(a::e) }\nmacro_rules! own { () => { a::f } }\n\
+             /// Doc.\n#[macro_export]\nmacro_rules! shared { () => { a::g } }\n",
+        );
+        let Scope { items, exported, words, children, .. } = source.scope;
+        assert_eq!(items.into_iter().collect::<Vec<_>>(), ["KEPT", "Made", "kept", "own", "shared"]);
+        assert_eq!((exported, children.len()), (vec!["shared".to_owned()], 0));
+        assert_eq!(paths(&words), ["a::c", "a::d", "a::e"]);
+        assert!(!source.proves && source.formulas.is_empty());
+    }
+
+    #[test]
+    fn a_module_has_the_features_that_it_needs() {
+        let source = read(
+            "mod a;\n#[cfg(feature = \"verify\")]\nmod b { fn c() {} }\n\
+             #[cfg(all(feature = \"ours\", any(unix, feature = \"measure\"), not(feature = \"scene\")))]\nmod d;\n\
+             #[cfg(not(feature = \"verify\"))]\nmod e;\n",
+        );
+        let child = |child: &Child| (child.name.clone(), child.features.join(" "), child.scope.is_some());
+        let expected = [("a", "", false), ("b", "verify", true), ("d", "ours measure", false), ("e", "", false)]
+            .map(|(name, features, is_here)| (name.to_owned(), features.to_owned(), is_here));
+        assert_eq!(source.scope.children.iter().map(child).collect::<Vec<_>>(), expected);
+    }
+
+    #[test]
+    fn a_formula_is_its_specification_its_functions_and_what_else_it_names() {
+        let source = read(
+            "impl crate::Formula for One {\n    const SPEC: Spec = Spec::new(\"a.one\", a::of());\n    const TWO: A = a::two();\n    \
+             type Inputs<T> = a::Three<T>;\n    /// Doc.\n    #[inline]\n    fn eval() { a::four() }\n    /// Doc.\n    \
+             fn jacobian() {}\n    #[test]\n    fn tested() {}\n}\nimpl a::Proved for One {}\n",
+        );
+        let [FormulaImpl { name, spec, functions }] = source.formulas.as_slice() else { panic!("there is one") };
+        assert_eq!((name.as_str(), spec.as_slice()), ("One", &[("a.one".to_owned(), 2)][..]));
+        assert_eq!(functions, &[("eval".to_owned(), 7, true), ("jacobian".to_owned(), 9, false)]);
+        assert!(source.proves);
+        // The identifier is not typed: it is declared here.
+        assert!(source.scope.words.strings.is_empty());
+        let paths = paths(&source.scope.words);
+        for path in ["Spec::new", "a::of", "a::two", "a::Three", "a::four", "crate::Formula", "a::Proved"] {
+            assert_eq!(paths.iter().filter(|known| *known == path).count(), 1, "{path} in {paths:?}");
+        }
+        let other = read("impl Other for One { const SPEC: &str = \"a.one\"; }");
+        assert!(other.formulas.is_empty() && !other.proves);
+        assert_eq!(other.scope.words.strings, [("a.one".to_owned(), 1)]);
     }
 }

@@ -49,6 +49,16 @@ fn found(files: &[(&str, &str)]) -> Vec<String> {
     tidiness.findings.iter().map(ToString::to_string).collect()
 }
 
+/// Every use between files, and what stands there.
+fn uses(files: &[(&str, &str)]) -> Vec<String> {
+    let root = planted(files);
+    let tree = Tree::read(root.path()).unwrap();
+    let shown = |(&(from, to), place): (&(usize, usize), &edges::Place)| {
+        format!("{} → {}: {}", tree.sources[from].path, tree.sources[to].path, place.text)
+    };
+    edges::edges(&tree).iter().map(shown).collect()
+}
+
 /// Asserts that there is one finding, and that it has all these parts.
 #[track_caller]
 fn one(files: &[(&str, &str)], parts: &[&str]) {
@@ -190,6 +200,55 @@ fn a_circle_between_folders_is_found_where_no_file_is_in_one() {
 }
 
 #[test]
+fn circles_of_files_and_of_folders_are_counted_each() {
+    let files = [
+        ("src/lib.rs", "mod x;\nmod y;\nmod p;\nmod q;\n"),
+        ("src/x.rs", "use crate::y::Y;\npub struct X;\n"),
+        ("src/y.rs", "use crate::x::X;\npub struct Y;\n"),
+        ("src/p.rs", "pub mod low;\nmod high;\n"),
+        ("src/p/low.rs", "pub struct Low;\n"),
+        ("src/p/high.rs", "use crate::q::Q;\n"),
+        ("src/q/mod.rs", "use crate::p::low::Low;\npub struct Q(Low);\n"),
+    ];
+    let tidiness = check(planted(&files).path(), &IDS, &[Rule::Circles]).unwrap();
+    assert!(tidiness.counts.contains(", 4 uses, 1 circle of files, 1 with folders; "), "{}", tidiness.counts);
+    assert_eq!(tidiness.findings.len(), 2);
+}
+
+#[test]
+fn a_name_leads_to_the_file_that_defines_it() {
+    let main = ("tool/src/main.rs", "fn main() {}\n");
+    let all = |files: &[(&str, &str)]| uses(&[&[main], files].concat());
+    // A function and a module of one name: what has something in it is the module.
+    let twice = [
+        ("src/lib.rs", "mod x;\nmod y;\n"),
+        ("src/x.rs", "fn f() { crate::y::go() }\nuse crate::y::go::Z;\n"),
+        ("src/y.rs", "pub mod go;\npub fn go() {}\n"),
+        ("src/y/go.rs", "pub struct Z;\n"),
+    ];
+    assert_eq!(all(&twice), ["src/x.rs → src/y.rs: crate::y::go", "src/x.rs → src/y/go.rs: use crate::y::go::Z"]);
+    // What is in a type is where the type is.
+    let within = [
+        ("src/lib.rs", "mod x;\nmod y;\n"),
+        ("src/x.rs", "fn f() { crate::y::Y::new() }\n"),
+        ("src/y.rs", "pub struct Y;\n"),
+    ];
+    assert_eq!(all(&within), ["src/x.rs → src/y.rs: crate::y::Y::new"]);
+    // One glob may be gone through for each part of a path.
+    let again = [
+        ("src/lib.rs", "mod inner;\nmod x;\npub use inner::*;\n"),
+        ("src/inner.rs", "pub mod a;\npub struct T;\n"),
+        ("src/inner/a.rs", "pub use crate::*;\n"),
+        ("src/x.rs", "use crate::a::T;\n"),
+    ];
+    assert_eq!(all(&again), ["src/x.rs → src/inner.rs: use crate::a::T"]);
+    // Globs that bring each other end, and what nobody defines leads nowhere.
+    let round =
+        [("src/lib.rs", "mod x;\npub use x::*;\n"), ("src/x.rs", "use super::*;\nfn f() { Nowhere::new(Nothing) }\n")];
+    assert_eq!(all(&round), [""; 0]);
+}
+
+#[test]
 fn formulas_and_rooms_do_not_use_the_toolkit() {
     let formula = one_rs("fn more() { crate::verify::law() }");
     one(&[("src/a/one.rs", &formula)], &["src/a/one.rs:12: `crate::verify::law`: a file of formulas"]);
@@ -218,6 +277,9 @@ fn a_typed_identifier_fails_with_what_to_write() {
         &["tool/src/main.rs:2: the identifier \"a.one\" is typed; write `One::SPEC.id`"],
     );
     one(&[("tool/src/main.rs", &main("a.on3"))], &["the identifier \"a.on3\" is typed; no formula is called so"]);
+    // Of the strings of a `SPEC`, that is the identifier which looks like one.
+    let titled = TIDY[4].1.replace("{ id:", "{ title: \"A.b\", id:");
+    one(&[("src/a/one.rs", &titled), ("tool/src/main.rs", &main("a.one"))], &["is typed; write `One::SPEC.id`"]);
     for other in ["motion.x1", "a.Foo", "A.one", "a."] {
         assert_eq!(found(&[("tool/src/main.rs", &main(other))]), Vec::<String>::new(), "{other}");
     }
@@ -255,7 +317,7 @@ fn a_file_has_no_more_than_500_lines() {
 #[test]
 fn files_with_formulas_are_short() {
     let formula = one_rs(&"    // A comment.\n".repeat(150));
-    one(&[("src/a/one.rs", &formula)], &["the files with formulas have a median of 1"]);
+    one(&[("src/a/one.rs", &formula)], &["src: the files with formulas have a median of 1"]);
 }
 
 #[test]

@@ -137,3 +137,87 @@ fn is_call(next: Option<&TokenTree>, second: Option<&TokenTree>) -> bool {
         _ => false,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn words(code: &str) -> Words {
+        let mut words = Words::default();
+        words.read(code.parse().unwrap());
+        words
+    }
+
+    /// Paths, names, imports and strings, each with its line, with bars between the four.
+    fn shown(words: &Words) -> String {
+        let paths = words.paths.iter().map(|mention| format!("{} {}", mention.path.join("::"), mention.line));
+        let names = words.names.iter().map(|(name, line)| format!("{name} {line}"));
+        let imports = words.imports.iter().map(|import| format!("{} {}", import.shown(), import.line));
+        let strings = words.strings.iter().map(|(text, line)| format!("{text} {line}"));
+        let joined = |all: Vec<String>| all.join(", ");
+        [joined(paths.collect()), joined(names.collect()), joined(imports.collect()), joined(strings.collect())]
+            .join(" | ")
+    }
+
+    #[track_caller]
+    fn says(code: &str, expected: &str) {
+        assert_eq!(shown(&words(code)), expected, "{code}");
+    }
+
+    #[test]
+    fn what_begins_with_a_capital_or_is_called_is_a_name() {
+        says("One", " | One 1 |  | ");
+        says("let one = two\n+ Two - three;\nOne", " | One 3, Two 2 |  | ");
+        says(
+            "one(two) + three.four(five) + Six { seven: eight } + nine {} + ten[Eleven]",
+            " | Eleven 1, Six 1, one 1 |  | ",
+        );
+        says("note!(x); told![x]; one != (two)", " | note 1, told 1 |  | ");
+        says("one::<Two>(three)", " | Two 1, one 1 |  | ");
+        says("let one: dyn Two = if three { four } else { five }", " | Two 1 |  | ");
+        // The first line of two.
+        says("One\nOne", " | One 1 |  | ");
+    }
+
+    #[test]
+    fn a_path_is_all_its_segments_and_begins_where_no_other_goes_on() {
+        says("crate::one::Two", "crate::one::Two 1 |  |  | ");
+        says("\none::two(three)", "one::two 2 |  |  | ");
+        says("x = ::one::Two", "one::Two 1 |  |  | ");
+        says("f(::one::Two)", "one::Two 1 | f 1 |  | ");
+        // What stands behind a `>` or a group goes on with what is before.
+        says("One::<Two>::new(three)", " | One 1, Two 1 |  | ");
+        says("[One]::of::two(three)", " | One 1 |  | ");
+        says("<One as two::Three>::FOUR", "two::Three 1 | One 1 |  | ");
+        says("one.two::<Three>().Four", " | Three 1 |  | ");
+    }
+
+    #[test]
+    fn attributes_and_lifetimes_are_passed_over_and_what_is_put_in_is_not() {
+        says("#[one(Two)] Three", " | Three 1 |  | ");
+        says("#![one(Two)] Three", " | Three 1 |  | ");
+        says("#One #(Two) #{Three}", " | One 1, Three 1, Two 1 |  | ");
+        says("&'One Two", " | Two 1 |  | ");
+    }
+
+    #[test]
+    fn imports_within_functions_are_taken_apart() {
+        says("use one::{two, Three as Four}; Five", " | Five 1 | use one::two 1, use one::Three as Four 1 | ");
+        says("f(); use crate::one;", " | f 1 | use crate::one 1 | ");
+        // What is none is read as it stands.
+        says("use", " |  |  | ");
+        says("use One", " | One 1 |  | ");
+    }
+
+    #[test]
+    fn strings_are_kept_and_other_literals_are_not() {
+        says("\"one\" 2 'T' b\"three\"\nr\"four\" Five", " | Five 2 |  | one 1, four 2");
+    }
+
+    #[test]
+    fn what_is_read_elsewhere_is_added() {
+        let mut all = words("One; one::two; \"three\"");
+        all.append(words("\nOne; Four; five::six; use seven::Eight; \"nine\""));
+        assert_eq!(shown(&all), "one::two 1, five::six 2 | Four 2, One 1 | use seven::Eight 2 | three 1, nine 2");
+    }
+}
