@@ -30,7 +30,7 @@ fn explains(evidence: &Evidence<'_>, off: &[usize], places: &Places) -> bool {
 }
 
 /// Every exchange that has a name.
-fn exchanges(evidence: &Evidence<'_>) -> Vec<(String, Places)> {
+pub(super) fn exchanges(evidence: &Evidence<'_>) -> Vec<(String, Places)> {
     let (inputs, outputs) = (evidence.court.formula.inputs(), evidence.court.formula.outputs());
     let count = |fields: &[Field]| fields.iter().map(Field::len).sum::<usize>();
     let (n, m) = (count(inputs), count(outputs));
@@ -163,7 +163,7 @@ pub(super) fn entries(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> 
                 && evidence.is_always(place, |sample| sample.expected[source].map(|known| known.times(sign)))
         };
         let (source, sign) = part.flat_map(|source| [(source, 1.0), (source, -1.0)]).find(fits)?;
-        let sign = if sign < 0.0 { "−" } else { "" };
+        let sign = if sign.is_sign_negative() { "−" } else { "" };
         told.push(format!("{} holds {sign}{}", evidence.names[place], list(&evidence.names, &[source].into())));
     }
     (!told.is_empty() && told.len() <= 4).then(|| format!("an index is wrong: {}", told.join("; ")))
