@@ -170,3 +170,6 @@ fn places(court: &Court<'_>, questions: &[usize]) -> String {
         _ => names.join(", "),
     }
 }
+
+#[cfg(all(test, feature = "commands"))]
+mod tests;
