@@ -73,7 +73,8 @@ fn is_near(evidence: &Evidence<'_>, sample: &Sample, off: &[usize], other: &Othe
 /// Whether they are in 237 bits, everywhere.
 fn is_exact(evidence: &Evidence<'_>, off: &[usize], other: &Other, chain: Chain) -> bool {
     let m = evidence.parts()[0].len();
-    let has_jacobian = off.iter().any(|&place| place >= m);
+    // Parts are looked at as a whole.
+    let has_jacobian = off.contains(&m);
     let samples: Vec<_> = evidence.samples.iter().collect();
     let formula = evidence.court.formula;
     let results = samples.par_iter().map_init(

@@ -29,7 +29,7 @@ fn explains(evidence: &Evidence<'_>, off: &[usize], places: &Places) -> bool {
         .all(|place| evidence.is_always(place, |sample: &Sample| sample.expected[places[place]]))
 }
 
-/// Every exchange that has a name.
+/// Every exchange that has a name; one that moves nothing explains nothing.
 pub(super) fn exchanges(evidence: &Evidence<'_>) -> Vec<(String, Places)> {
     let (inputs, outputs) = (evidence.court.formula.inputs(), evidence.court.formula.outputs());
     let count = |fields: &[Field]| fields.iter().map(Field::len).sum::<usize>();
@@ -38,7 +38,7 @@ pub(super) fn exchanges(evidence: &Evidence<'_>) -> Vec<(String, Places)> {
     let has_jacobian = same.len() > m;
     let entry = |i: usize, j: usize| m + i * n + j;
     let mut exchanges = Vec::new();
-    if has_jacobian && n > 1 && m > 1 {
+    if has_jacobian {
         let (mut written, mut read) = (same.clone(), same.clone());
         for k in 0..m * n {
             written[m + k] = entry(k % m, k / m);
@@ -103,9 +103,7 @@ fn blocks(
         }
         row += output.len();
     }
-    if each.len() > 1 {
-        each.push(("transposed: every square block of the Jacobian".into(), all));
-    }
+    each.push(("transposed: every square block of the Jacobian".into(), all));
     each
 }
 

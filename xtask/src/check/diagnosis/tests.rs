@@ -139,6 +139,31 @@ fn what_is_off_at_one_point_does_not_hide_what_is_off_at_all() {
 }
 
 #[test]
+fn a_mistake_may_be_in_one_derivative_alone() {
+    let points: &[&[f64]] =
+        &[&[1.0, 2.0, 3.0, 4.0, 7.0, 5.0], &[-1.0, 0.5, 2.0, 3.0, 1.0, -4.0], &[0.5, 0.25, -3.0, 2.0, -1.0, 1.5]];
+    // The first output is of unit length: its derivatives are over the length, which is the last output.
+    let undivided = |_: &[f64], y: &mut Numbers| y[4] = y[4].zip(y[3]).map(|(slope, length)| slope * length);
+    let said = cause(("slider.line", Wanted::Jacobian), points, undivided);
+    assert!(said.starts_with("the division by "), "{said}");
+}
+
+#[test]
+fn a_mistake_may_be_in_the_value_and_in_one_derivative() {
+    let without = |x: &[f64], y: &mut Numbers| (y[0], y[1]) = (Some(-x[1] * x[2]), Some(0.0));
+    let said = cause(("coulomb.yield", Wanted::Jacobian), YIELD, without);
+    assert_eq!(said, "the term p is left out of p − mu fn");
+}
+
+#[test]
+fn of_two_mistakes_the_simpler_one_is_named() {
+    // Where p is 1 it may as well be the factor fn that is missing.
+    let points: &[&[f64]] = &[&[1.0, 0.5, 4.0], &[1.0, 0.25, 3.0], &[1.0, 0.75, 5.0]];
+    let said = cause(("coulomb.yield", Wanted::Value), points, |x, y| y[0] = Some(1.0 - x[1]));
+    assert_eq!(said, "p for fn in mu fn");
+}
+
+#[test]
 fn an_explanation_holds_where_the_program_would_have_refused() {
     // Inputs are exchanged, but not where one would be refused in the other's place.
     let exchanged = |x: &[f64], y: &mut Numbers| {
@@ -163,6 +188,31 @@ fn other_inputs_may_lie_on_a_kink() {
         *y = [of.0, of.1].concat().into_iter().map(Some).collect();
     };
     assert_eq!(cause(("coulomb.return_map", Wanted::Jacobian), points, twice), "the input f_trial is taken twice");
+}
+
+#[test]
+fn other_inputs_have_to_explain_the_derivatives_too() {
+    let points: &[&[f64]] = &[&[3.0, 1.0], &[5.0, -2.0], &[4.0, 2.5]];
+    let turned = |x: &[f64], y: &mut Numbers| {
+        let sign = (x[0] - x[1]).signum();
+        *y = [(x[0] - x[1]).abs(), sign * (1.0 + 1e-10), -sign * (1.0 + x[0] * 1e-10)].map(Some).to_vec();
+    };
+    let said = causes(("slot.normal_force", Wanted::Jacobian), points, turned);
+    let explained = "value: the sign of the input fc_int is turned: this explains all 3 points looked at";
+    assert_eq!(said, [explained, "Jacobian: unexplained"]);
+}
+
+#[test]
+fn an_exchange_explains_all_that_is_off_in_a_part_and_needs_no_other_part() {
+    let points: &[&[f64]] =
+        &[&[1.0, 2.0, 3.0, 4.0, 7.0, 5.0], &[-1.0, 0.5, 2.0, 3.0, 1.0, -4.0], &[0.5, 0.0, 3.0, 2.0, -1.0, 1.5]];
+    let line = ("slider.line", Wanted::Jacobian);
+    assert_eq!(cause(line, points, |_, y| y.swap(0, 2)), "exchanged: the outputs n[0] and n[2]");
+    let and_another = |x: &[f64], y: &mut Numbers| {
+        y.swap(0, 2);
+        times(&mut y[3], x[1] + 3.0);
+    };
+    assert_eq!(cause(line, points, and_another), "unexplained");
 }
 
 #[test]
@@ -219,4 +269,11 @@ fn symmetric_parts_explain_all_of_a_part_or_nothing() {
     let said = causes(("universal.geometric_stiffness", Wanted::Jacobian), points, mistake);
     let explained = "value: by rotation vectors, not by spins: the symmetric part of k_ta_ta";
     assert_eq!(said, [&format!("{explained}: this explains all 3 points looked at"), "Jacobian: unexplained"]);
+    // The diagonal has nothing to do with it.
+    let stiffness = ("universal.geometric_stiffness", Wanted::Value);
+    let said = causes(stiffness, points, |_, y| {
+        let half = y[1].zip(y[3]).map(|(x, y)| f64::midpoint(x, y));
+        (y[0], y[1], y[3]) = (y[0].map(|x| 1.0 + 2.0 * x * x), half, half);
+    });
+    assert_eq!(said, ["unexplained"]);
 }

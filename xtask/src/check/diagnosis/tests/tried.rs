@@ -29,7 +29,11 @@ fn exchanged(id: &'static str, wanted: Wanted, begin: &str) -> String {
                 let moved: Vec<_> = moved
                     .map(|(place, &from)| format!("{} ← {}", evidence.names[place], evidence.names[from]))
                     .collect();
-                let _ = writeln!(text, "    {what}\n        {}", moved.join(", "));
+                let _ = writeln!(
+                    text,
+                    "    {what}\n        {}",
+                    if moved.is_empty() { "nothing".into() } else { moved.join(", ") }
+                );
             }
             text
         },
