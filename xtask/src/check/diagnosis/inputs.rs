@@ -62,12 +62,13 @@ fn is_near(evidence: &Evidence<'_>, sample: &Sample, off: &[usize], other: &Othe
         let terms = sources(other, chain, value.len(), place);
         terms.into_iter().map(|(source, factor)| numbers[source] * factor).sum()
     };
-    off.iter().all(|&place| {
+    let fits = |&place: &usize| {
         let (Some(found), Some(known)) = (sample.found[place], &sample.expected[place]) else { return true };
         // Half of the digits, or what is not off at all.
         let expected = at(place);
         known.with(expected.into()).eta(found) <= 1e8 || known.eta(found) <= evidence.tolerance(place)
-    })
+    };
+    off.iter().all(fits)
 }
 
 /// Whether they are in 237 bits, everywhere.

@@ -151,8 +151,12 @@ fn a_mistake_may_be_in_one_derivative_alone() {
 #[test]
 fn a_mistake_may_be_in_the_value_and_in_one_derivative() {
     let without = |x: &[f64], y: &mut Numbers| (y[0], y[1]) = (Some(-x[1] * x[2]), Some(0.0));
-    let said = cause(("coulomb.yield", Wanted::Jacobian), YIELD, without);
-    assert_eq!(said, "the term p is left out of p − mu fn");
+    // Where the term is 0 the value is right without it.
+    let with_none: [&[f64]; 4] = [&[0.0, 0.5, 4.0], YIELD[0], YIELD[1], YIELD[2]];
+    for points in [YIELD, &with_none] {
+        let said = cause(("coulomb.yield", Wanted::Jacobian), points, without);
+        assert_eq!(said, "the term p is left out of p − mu fn");
+    }
 }
 
 #[test]
