@@ -83,3 +83,19 @@ fn all_that_is_tried() {
     ];
     assert_printed("check_tried.txt", &text.join("\n"));
 }
+
+#[test]
+fn every_product_of_an_exact_sum_may_be_left_out() {
+    let formula = find("slider.eliminate").unwrap();
+    let graph = formula.graph().unwrap();
+    let nodes = graph.needed(&graph.value);
+    let products = |node: &Node| if let Op::ExactSum(products) = graph.op(*node) { Some(products.len()) } else { None };
+    let (sum, count) = nodes.iter().find_map(|node| Some((*node, products(node)?))).unwrap();
+    let mistakes = mistakes::mistakes(&graph, formula.inputs(), &[sum]);
+    let left_out: Vec<_> = mistakes.into_iter().filter(|mistake| mistake.place == sum).collect();
+    assert_eq!(left_out.len(), count);
+    for mistake in left_out {
+        let jointproof::graph::Instead::Op(Op::ExactSum(rest)) = mistake.instead else { panic!("{}", mistake.what) };
+        assert_eq!(rest.len(), count - 1, "{}", mistake.what);
+    }
+}
