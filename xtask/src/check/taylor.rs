@@ -279,7 +279,7 @@ mod tests {
         for from in [0.5_f64.next_down(), 0.5 - 0.5 * STEPS[1] / 2.0] {
             x[fraction] = from;
             let (mut moves, mut stays) = (0, 0);
-            for seed in 0..20 {
+            for seed in 0..200 {
                 let v = tangent(formula, &x, &mut Sampler::named("test", seed));
                 let moved: Vec<_> = x.iter().zip(&v).map(|(x, v)| x + STEPS[0] * v).collect();
                 assert!(formula.value_and_jacobian(&moved).is_ok(), "{moved:?}");

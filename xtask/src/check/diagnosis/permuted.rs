@@ -189,6 +189,8 @@ mod tests {
         };
         assert!(is_near(3.0, 1.0) && is_near(3.0 + 3e-9, 1.0) && is_near(-3.0 - 3e-9, -1.0));
         assert!(!is_near(3.0 + 1e-8, 1.0) && !is_near(3.0, -1.0));
+        let not_given = Sample { question: 0, expected: vec![Some(known)], found: vec![None], kink: None };
+        assert!(!super::is_near(&not_given, 0, 0, 1.0));
     }
 
     #[test]

@@ -127,6 +127,16 @@ fn of_a_number_that_never_changes_a_factor_needs_a_name() {
 }
 
 #[test]
+fn what_is_not_given_is_not_off() {
+    let mistake = |x: &[f64], y: &mut Numbers| {
+        times(&mut y[0], 2.0);
+        y[2] = y[2].filter(|_| x[0] != 3.0);
+    };
+    let said = cause(("slot.contact_force", Wanted::Jacobian), CONTACT, mistake);
+    assert_eq!(said, "a factor of 2 too much in fc");
+}
+
+#[test]
 fn what_is_off_at_one_point_does_not_hide_what_is_off_at_all() {
     let mistake = |x: &[f64], y: &mut Numbers| {
         times(&mut y[2], -1.0);

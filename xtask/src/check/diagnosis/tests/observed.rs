@@ -22,7 +22,7 @@ fn other_numbers_of_single_precision_are_no_rounded_ones() {
     let other = |x: &[f64], y: &mut Numbers| y[0] = y[0].map(|y| single(y * (1.0 + x[1] * 1e-4)));
     assert_eq!(cause(CONTACT_FORCE, points, other), "unexplained");
     // Nor is one among them that has all digits.
-    let one = |x: &[f64], y: &mut Numbers| y[0] = y[0].map(|y| if x[0] == 2.0 { y * 1.000001 } else { single(y) });
+    let one = |x: &[f64], y: &mut Numbers| y[0] = y[0].map(|y| if x[0] == 2.0 { y * (1.0 + 1e-6) } else { single(y) });
     assert_eq!(cause(CONTACT_FORCE, points, one), "unexplained");
 }
 

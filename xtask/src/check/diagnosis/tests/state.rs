@@ -5,7 +5,8 @@ const NOT_TOLD: &str = "state is kept between calls; what it is does not show";
 /// What is said of a program that is asked at some points of the yield function, then again in another order, and holds a
 /// number of an answer.
 fn told(count: usize, mut hold: impl FnMut(usize, &mut Numbers)) -> String {
-    let points: Vec<_> = (0..count).map(|k| [k as f64 + 1.0, 0.5, 4.0 - k as f64]).collect();
+    let numbers = (0_u32..).map(f64::from).take(count);
+    let points: Vec<_> = numbers.map(|k| [k + 1.0, 0.5, 4.0 - k]).collect();
     let points: Vec<_> = points.iter().map(<[f64; 3]>::as_slice).collect();
     let what = ("coulomb.yield", Wanted::Jacobian);
     looked(
@@ -57,20 +58,21 @@ fn a_number_that_is_not_given_belongs_to_any_point() {
 
 #[test]
 fn one_answer_that_is_off_once_belongs_to_no_point() {
-    assert_eq!(
-        told(4, |turn, y| if turn == 6 {
-            times(&mut y[2], 1.5)
-        }),
-        NOT_TOLD
-    );
+    let said = told(4, |turn, y| {
+        if turn == 6 {
+            times(&mut y[2], 1.5);
+        }
+    });
+    assert_eq!(said, NOT_TOLD);
 }
 
 #[test]
 fn every_number_that_is_off_belongs_to_the_same_point() {
-    let mut before = None;
-    let said = told(4, |turn, y| {
+    let (mut before, mut factor) = (None, 0.0);
+    let said = told(4, |_, y| {
         y[2] = before.replace(y[2]).unwrap_or(y[2]);
-        times(&mut y[0], 1.0 + turn as f64);
+        factor += 1.0;
+        times(&mut y[0], factor);
     });
     assert_eq!(said, NOT_TOLD);
 }
