@@ -372,6 +372,12 @@ mod tests {
     }
 
     #[test]
+    fn a_line_behind_the_last_answer_is_told() {
+        let found = asked("while read x; do echo $x 2; done; echo done", 5).unwrap();
+        assert!(lines(&found) == 5 && found.noticed.iter().eq(["lines behind the last answer"]), "{found:?}");
+    }
+
+    #[test]
     fn a_program_that_is_not_there_is_named_without_its_arguments() {
         let command = ["./no-such-program", "argument"].map(str::to_owned);
         let peer = Peer { command: &command, limit: PATIENT, head: None, numbers: 2, digits: Digits::Decimal };
