@@ -99,6 +99,23 @@ fn four_indices_may_be_wrong() {
 }
 
 #[test]
+fn an_index_is_wrong_where_three_points_show_another_number() {
+    let friction = ("slot.friction", Wanted::Jacobian);
+    let index = |y: &mut Numbers| y[FN + 2] = y[FN + 1];
+    // A sign is no index: no number holds its own opposite.
+    let and_sign = |_: &[f64], y: &mut Numbers| {
+        index(y);
+        times(&mut y[PHI + 4], -1.0);
+    };
+    assert_eq!(cause(friction, FRICTION, and_sign), "unexplained");
+    let and_two = |x: &[f64], y: &mut Numbers| {
+        index(y);
+        y[PHI + 4] = y[PHI + 3].filter(|_| x[0] != 3.0);
+    };
+    assert_eq!(cause(friction, FRICTION, and_two), "unexplained");
+}
+
+#[test]
 fn a_factor_is_told_with_what_it_is_of_in_the_fewest_words() {
     let turned = |places: &'static [usize]| {
         move |_: &[f64], y: &mut Numbers| places.iter().for_each(|&place| times(&mut y[place], -1.0))
