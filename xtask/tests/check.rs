@@ -41,6 +41,9 @@ fn products_are_judged_by_those_who_have_no_jacobian() {
     awk(&["--wanted", "products"], &product("+")).exits(1).prints("(J v) of phi wrong at ").prints(
         "J v are not the derivatives of its own values of phi along 6 directions: the remainder falls as h^1.0",
     );
+    // What is told of a slope is that of the first time; the second time the sign is turned.
+    let first = format!("{{ if (seen[$0]++) $4 = -$4 }} {}", product("-"));
+    awk(&["--wanted", "products"], &first).exits(1).prints(own).prints("state is kept between calls");
     // Another function, with the products of that.
     let other = r#"{ printf "%.17g %.17g %.17g %.17g %.17g\n", $1 + $2 * $3, $4 + $3 * $5 + $2 * $6, $7, $3 * $7, $2 * $7; fflush() }"#;
     awk(&["--wanted", "products"], other).exits(1).prints(own);
@@ -229,6 +232,9 @@ fn reviewers_are_told_on_the_line_of_the_routine() {
         .prints("::error file=mine.f90,line=40,title=coulomb.yield%3A the sign is turned of ∂phi/∂mu");
     let written = std::fs::read_to_string(summary.path()).unwrap();
     assert!(written.contains("diagnosis: the sign is turned of ∂phi/∂mu"), "{written}");
+    // Of two causes the first is the title.
+    let two = RIGHT.replace("-$3", "$3").replace("$1 - $2 * $3", "$1 * $1 - $2");
+    github(&two).exits(1).prints("title=coulomb.yield%3A value%3A unexplained");
     github("BEGIN { exit 3 }")
         .exits(1)
         .prints("::error file=mine.f90,line=40,title=coulomb.yield%3A it does not answer");

@@ -15,8 +15,11 @@ impl Digits {
     pub(super) fn show(self, x: f64) -> String {
         match self {
             Self::Hex => format!("{:016X}", x.to_bits()),
-            Self::Decimal if x.is_infinite() => if x > 0.0 { "Infinity" } else { "-Infinity" }.into(),
-            Self::Decimal => format!("{x:?}"),
+            Self::Decimal => match x {
+                f64::INFINITY => "Infinity".into(),
+                f64::NEG_INFINITY => "-Infinity".into(),
+                x => format!("{x:?}"),
+            },
         }
     }
 }
@@ -186,6 +189,28 @@ mod tests {
         assert_eq!(numbers("refuse").0, Answer::Refused(None));
         assert_eq!(numbers(" REFUSED mu").0, Answer::Refused(Some("mu".into())));
         assert_eq!(numbers("- 2").0, Answer::Numbers(vec![None, Some(2.0)]));
+    }
+
+    #[test]
+    fn how_often_a_manner_is_seen_is_counted() {
+        let mut manners = Manners::new();
+        for (line, count) in [("1.5D+02 2d0", 2), ("1 2D0", 3), ("1 2", 3), ("3D0 what", 3)] {
+            read(line, 2, Digits::Decimal, &mut manners);
+            assert_eq!(manners, Manners::from([("D exponents", count)]), "{line}");
+        }
+    }
+
+    #[test]
+    fn numbers_are_apart_by_blanks_commas_semicolons_and_what_ends_a_text() {
+        for line in ["1;2", "1\t2", "1, 2", "1\0 2", ";1;;2;"] {
+            reads(line, [1.0, 2.0], None);
+        }
+    }
+
+    #[test]
+    fn numbers_are_asked_so_that_every_language_reads_them() {
+        let shown = [0.1, -2.0, 1e300, f64::INFINITY, f64::NEG_INFINITY, f64::NAN].map(|x| Digits::Decimal.show(x));
+        assert_eq!(shown, ["0.1", "-2.0", "1e300", "Infinity", "-Infinity", "NaN"]);
     }
 
     #[test]

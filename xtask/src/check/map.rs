@@ -30,7 +30,7 @@ fn components(fields: &[Field]) -> Vec<String> {
 
 fn mark(tally: &Tally) -> String {
     match tally.grade {
-        _ if tally.checked == 0 => if tally.absent > 0 { "-" } else { " " }.into(),
+        _ if tally.checked == 0 => if tally.is_absent { "-" } else { " " }.into(),
         Grade::Right => green("+"),
         Grade::Inaccurate => yellow("~"),
         Grade::Wrong => red("x"),
@@ -41,7 +41,7 @@ fn mark(tally: &Tally) -> String {
 pub(super) fn map(inputs: &[Field], outputs: &[Field], wanted: Wanted, tallies: &[Tally]) -> String {
     let (rows, width) = (components(outputs), components(inputs).len());
     let (values, rest) = tallies.split_at(rows.len().min(tallies.len()));
-    let name = rows.iter().map(String::len).max().unwrap_or(0);
+    let name = rows.iter().map(String::len).max().unwrap_or_default();
     let mut text = String::new();
     for (k, (row, value)) in rows.iter().zip(values).enumerate() {
         let marks = match wanted {
@@ -74,10 +74,10 @@ mod tests {
 
     #[test]
     fn marks_tell_what_was_not_given_from_what_was_not_asked() {
-        let shown = |checked, absent, grade| mark(&Tally { checked, absent, grade, ..Tally::default() });
-        let marks = [(0, 0), (0, 1), (1, 0)].map(|(checked, absent)| shown(checked, absent, Grade::Right));
+        let shown = |checked, is_absent, grade| mark(&Tally { checked, is_absent, grade, ..Tally::default() });
+        let marks = [(0, false), (0, true), (1, false)].map(|(checked, absent)| shown(checked, absent, Grade::Right));
         assert_eq!(marks, [" ".to_owned(), "-".to_owned(), green("+")]);
-        assert_eq!(shown(1, 1, Grade::Inaccurate), yellow("~"));
-        assert_eq!(shown(2, 0, Grade::Wrong), red("x"));
+        assert_eq!(shown(1, true, Grade::Inaccurate), yellow("~"));
+        assert_eq!(shown(2, false, Grade::Wrong), red("x"));
     }
 }

@@ -108,8 +108,8 @@ impl Peer<'_> {
                 };
                 faults += 1;
             } else if is_blind {
-                let middle = (answered + range.end).div_ceil(2).min(range.end - 1).max(answered + 1);
-                left.extend([(middle..range.end, false), (answered..middle, false)]);
+                let middle = (answered + range.end).div_ceil(2);
+                left.extend([middle..range.end, answered..middle].map(|half| (half, is_suspect)));
             } else {
                 left.extend([(answered + 1..range.end, false), (answered..answered + 1, true)]);
             }
@@ -338,6 +338,51 @@ mod tests {
         let found = asked("echo hello world; while read x; do echo $x; echo 2; done", 9).unwrap();
         assert_eq!(found.replies[8], Reply::Line("8 2".into()));
         assert_eq!(found.noticed.len(), 2, "{found:?}");
+    }
+
+    #[test]
+    fn a_long_banner_is_read_over() {
+        let script =
+            "k=0; while [ $k -lt 100 ]; do echo hello; k=$((k + 1)); done; while read x; do echo $x; echo 2; done";
+        let found = asked(script, 4).unwrap();
+        assert_eq!(found.replies[3], Reply::Line("3 2".into()));
+    }
+
+    #[test]
+    fn the_first_line_of_a_process_may_take_four_times_as_long() {
+        let limit = Duration::from_millis(500);
+        let found = asked_within(limit, "sleep 0.75; while read x; do echo $x 2; done", 3).unwrap();
+        assert!(lines(&found) == 3 && found.noticed.is_empty(), "{found:?}");
+    }
+
+    #[test]
+    fn one_that_ends_late_ends_by_itself() {
+        let found = asked("while read x; do echo $x 2; done; exec 1>&- 2>&-; sleep 0.2", 3).unwrap();
+        assert!(lines(&found) == 3 && found.noticed.is_empty(), "{found:?}");
+        let why = asked("exec 1>&- 2>&-; sleep 0.2; exit 3", 3).unwrap_err();
+        assert_eq!(why, "it prints nothing: ends with exit code 3");
+    }
+
+    #[test]
+    fn the_last_that_it_says_is_told_where_it_ends() {
+        let script = "while read x; do [ $x = 3 ] && { echo oh >&2; echo no >&2; exit 3; }; echo $x 2; done";
+        assert_eq!(asked(script, 5).unwrap().replies[3], Reply::Ends("ends with exit code 3: no".into()));
+        let found = asked("while read x; do echo $x 2; done; exit 4", 5).unwrap();
+        assert!(found.noticed.contains("behind the last answer it ends with exit code 4"), "{found:?}");
+    }
+
+    #[test]
+    fn a_line_behind_the_last_answer_is_told() {
+        let found = asked("while read x; do echo $x 2; done; echo done", 5).unwrap();
+        assert!(lines(&found) == 5 && found.noticed.iter().eq(["lines behind the last answer"]), "{found:?}");
+    }
+
+    #[test]
+    fn a_program_that_is_not_there_is_named_without_its_arguments() {
+        let command = ["./no-such-program", "argument"].map(str::to_owned);
+        let peer = Peer { command: &command, limit: PATIENT, head: None, numbers: 2, digits: Digits::Decimal };
+        let error = peer.ask(&["1".to_owned()]).unwrap_err().to_string();
+        assert!(error.starts_with("./no-such-program cannot be started: "), "{error}");
     }
 
     #[test]

@@ -15,10 +15,10 @@ const LOOK: Duration = Duration::from_millis(1);
 
 /// A running program.
 pub(super) struct Process {
-    child: Child,
+    /// Until it has been waited for: then its number may be another's.
+    child: Option<Child>,
     lines: Receiver<String>,
     said: Receiver<Vec<u8>>,
-    is_reaped: bool,
 }
 
 /// What comes of waiting for a line.
@@ -72,7 +72,7 @@ impl Process {
             // Nobody may want to know.
             let _ = all.send(text);
         });
-        Ok(Self { child, lines, said, is_reaped: false })
+        Ok(Self { child: Some(child), lines, said })
     }
 
     /// The next line that it prints.
@@ -87,15 +87,14 @@ impl Process {
     /// Waits until it ends by itself, or ends it; how it ended, and whether by itself. What it has started is ended, too.
     pub(super) fn finish(mut self, limit: Duration) -> io::Result<(ExitStatus, bool)> {
         let from = Instant::now();
-        let mut by_itself = has_ended(&mut self.child);
+        let mut child = self.child.take().expect("nobody else waits for it");
+        let mut by_itself = has_ended(&mut child);
         while !by_itself && from.elapsed() < limit {
             thread::sleep(LOOK);
-            by_itself = has_ended(&mut self.child);
+            by_itself = has_ended(&mut child);
         }
-        kill(&mut self.child);
-        let status = self.child.wait()?;
-        self.is_reaped = true;
-        Ok((status, by_itself))
+        kill(&mut child);
+        Ok((child.wait()?, by_itself))
     }
 
     /// The last that it has said on standard error.
@@ -107,10 +106,10 @@ impl Process {
 
 impl Drop for Process {
     fn drop(&mut self) {
-        if !self.is_reaped {
-            kill(&mut self.child);
+        if let Some(child) = &mut self.child {
+            kill(child);
             // It was killed: there is nothing else to be done about it.
-            let _ = self.child.wait();
+            let _ = child.wait();
         }
     }
 }
@@ -118,7 +117,7 @@ impl Drop for Process {
 /// The next line; of one that is too long the beginning, and then nothing more.
 fn line_of(stdout: &mut impl BufRead) -> Option<String> {
     let mut bytes = Vec::new();
-    let read = stdout.by_ref().take(LONGEST).read_until(b'\n', &mut bytes).unwrap_or(0);
+    let read = stdout.by_ref().take(LONGEST).read_until(b'\n', &mut bytes).ok()?;
     (read > 0).then(|| String::from_utf8_lossy(&bytes).trim_end_matches(['\n', '\r']).to_owned())
 }
 
@@ -151,6 +150,33 @@ fn kill(child: &mut Child) {
 #[cfg(all(test, unix))]
 mod tests {
     use super::*;
+
+    fn shell(script: &str) -> Process {
+        Process::start(&["sh", "-c", script].map(str::to_owned), String::new()).unwrap()
+    }
+
+    #[test]
+    fn an_empty_line_is_a_line() {
+        let process = shell("printf '\\n1\\r\\n\\n2'");
+        let lines: Vec<_> = (0..5).map(|_| process.line(Duration::from_mins(1))).collect();
+        let line = |text: &str| Next::Line(text.to_owned());
+        assert_eq!(lines, [line(""), line("1"), line(""), line("2"), Next::End]);
+    }
+
+    #[test]
+    fn one_that_ends_late_is_waited_for() {
+        let (status, by_itself) = shell("exec 1>&-; sleep 0.1; exit 3").finish(Duration::from_mins(1)).unwrap();
+        assert_eq!((status.code(), by_itself), (Some(3), true));
+    }
+
+    #[test]
+    fn one_that_is_dropped_is_ended() {
+        let process = shell("sleep 60");
+        let pid = rustix::process::Pid::from_child(process.child.as_ref().unwrap());
+        let from = Instant::now();
+        drop(process);
+        assert!(rustix::process::test_kill_process(pid).is_err() && from.elapsed() < Duration::from_secs(30));
+    }
 
     #[test]
     fn only_the_last_that_is_said_is_kept() {

@@ -134,7 +134,7 @@ pub(super) fn of_points(
 
 /// All places of a list in another order, in which hardly any follows the one that it followed before.
 pub(super) fn other_order(count: usize) -> Vec<usize> {
-    let step = (count * 5 / 8..count).find(|step| gcd(*step, count) == 1).unwrap_or(1);
+    let step = (count * 5 / 8..count).find(|step| gcd(*step, count) == 1).unwrap_or_default();
     (0..count).map(|k| (k * step + count / 2) % count).collect()
 }
 
@@ -145,6 +145,28 @@ fn gcd(a: usize, b: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use jointproof::catalog::find;
+
+    #[test]
+    fn what_is_valid_is_asked_first() {
+        let options = Options { samples: 10, ..Options::default() };
+        let formula = find("slot.friction").unwrap();
+        let asked = questions(formula, Wanted::Value, &options);
+        assert_eq!(asked.len(), formula.judge().points(&options).len());
+        assert!(!asked[0].must_be_refused() && asked[asked.len() - 1].must_be_refused());
+        assert!(asked.is_sorted_by_key(Question::must_be_refused));
+    }
+
+    #[test]
+    fn an_answer_has_the_outputs_and_what_is_wanted_beside() {
+        let all = [Wanted::Value, Wanted::Jacobian, Wanted::Products];
+        assert_eq!(all.map(|wanted| wanted.numbers([5, 3])), [3, 18, 11]);
+    }
+
+    #[test]
+    fn the_other_order_begins_in_the_middle() {
+        assert_eq!(other_order(8), [4, 1, 6, 3, 0, 5, 2, 7]);
+    }
 
     #[test]
     fn the_other_order_has_every_place_once() {

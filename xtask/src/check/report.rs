@@ -164,12 +164,12 @@ fn by_what(list: &[(usize, String)]) -> BTreeMap<&str, Vec<usize>> {
 
 /// Some of the names, and how many there are.
 fn places(court: &Court<'_>, questions: &[usize]) -> String {
-    // Whoever answers differently the second time is named once.
-    let mut questions = questions.to_vec();
-    questions.dedup();
     let names: Vec<_> = questions.iter().take(3).map(|&question| court.questions[question].name.as_str()).collect();
     match questions.len() {
         all if all > 3 => format!("{} ({}, …)", count(all, "point"), names.join(", ")),
         _ => names.join(", "),
     }
 }
+
+#[cfg(all(test, feature = "commands"))]
+mod tests;

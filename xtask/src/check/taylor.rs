@@ -63,9 +63,13 @@ fn direction(formula: &dyn AnyFormula, question: &Question, sampler: &mut Sample
     let product: Vec<f64> = (0..m).map(|i| row(i).zip(&v).map(|(slope, v)| slope * v).sum()).collect();
     let size = |i: usize| value[i].abs() + row(i).zip(x).map(|(slope, x)| (slope * x).abs()).sum::<f64>();
     let noise: Vec<f64> = (0..m).map(|i| NOISE * size(i)).collect();
-    let behind = STEPS.map(|step| formula.value_and_jacobian(&stepped(step)).map(|(value, _)| value).ok());
-    let behind: Vec<Vec<f64>> = behind.into_iter().collect::<Option<_>>()?;
-    let own = Values { start: &value, product: &product, behind: [0, 1, 2].map(|k| behind[k].as_slice()) };
+    let [Some(a), Some(b), Some(c)] =
+        STEPS.map(|step| formula.value_and_jacobian(&stepped(step)).map(|(value, _)| value).ok())
+    else {
+        return None;
+    };
+    let behind = [a, b, c];
+    let own = Values { start: &value, product: &product, behind: behind.each_ref().map(Vec::as_slice) };
     if (0..m).any(|i| own.slope(i, noise[i]).is_some_and(|slope| slope < SECOND_ORDER)) {
         return None;
     }
@@ -189,6 +193,83 @@ mod tests {
         }
     }
 
+    /// What is asked along a direction from a point of a formula.
+    fn from(id: &str, x: &[f64], seed: u64) -> Option<Vec<Question>> {
+        let formula = find(id).unwrap();
+        let points = vec![("random 7".to_owned(), x.to_vec())];
+        let asked = super::super::question::of_points(formula, Wanted::Products, points, 1);
+        direction(formula, &asked[0], &mut Sampler::named("test", seed))
+    }
+
+    #[test]
+    fn a_direction_has_its_beginning_and_its_steps() {
+        let x = [3.0, 0.25, 5.0];
+        let all = from("coulomb.yield", &x, 1).unwrap();
+        let names: Vec<_> = all.iter().map(|question| question.name.as_str()).collect();
+        let steps = ["0.00390625", "0.001953125", "0.0009765625"].map(|step| format!("random 7, {step} along v"));
+        assert_eq!(names, [&["random 7"][..], &steps.each_ref().map(String::as_str)].concat());
+        assert_eq!(all[0].inputs, x);
+        let [longest, shortest] = [1, 3].map(|k: usize| [0, 1, 2].map(|j| all[k].inputs[j] - x[j]));
+        for (longest, shortest) in longest.iter().zip(&shortest) {
+            assert!(*shortest != 0.0 && (longest - 4.0 * shortest).abs() <= 1e-12 * longest.abs());
+        }
+    }
+
+    #[test]
+    fn what_rounding_leaves_is_told_by_all_terms() {
+        // Φ = p − μ F_N, whose derivatives by the factors give the product once more each.
+        let (p, mu, normal) = (1.0, 0.25, 8.0);
+        let size = 1.0 + 1.0 + 2.0 + 2.0;
+        for question in from("coulomb.yield", &[p, mu, normal], 1).unwrap() {
+            assert_eq!(question.along.unwrap().noise, [NOISE * size]);
+        }
+    }
+
+    #[test]
+    fn there_is_no_direction_over_a_kink() {
+        let are_over = |id: &str, x: &[f64]| (0..20).filter(|&seed| from(id, x, seed).is_none()).count();
+        assert_eq!(are_over("coulomb.return_map", &[1.0, 0.5, 4.0]), 0);
+        assert!(are_over("coulomb.return_map", &[2.0 - 1e-6, 0.5, 4.0]) > 5);
+        // Of three outputs the second has none at F_N = 0.
+        assert!(are_over("slot.friction", &[-2.0, 3.0, 4.0, -5.0 + 1e-6, 0.25]) > 5);
+    }
+
+    #[test]
+    fn a_direction_is_squeezed_between_the_sizes_of_the_inputs() {
+        let formula = find("slider.line").unwrap();
+        let x = [1e-3, -0.5, 0.25, -8.0, 4.0, 2.0];
+        for seed in 0..5 {
+            let v = tangent(formula, &x, &mut Sampler::named("test", seed));
+            let mut sampler = Sampler::named("test", seed);
+            for (k, v) in v.into_iter().enumerate() {
+                let (drawn, part) = (sampler.real(), v / if k < 3 { 0.5 } else { 8.0 });
+                assert!((part / (1.0 - part.abs()) - drawn).abs() <= 1e-9 * (1.0 + drawn * drawn), "{drawn} {part}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_not_given_behind_the_products_is_not_needed() {
+        let formula = find("slot.friction").unwrap();
+        let options = verify::Options { samples: 10, ..verify::Options::default() };
+        let asked = super::super::question::questions(formula, Wanted::Products, &options);
+        let asked = questions(formula, &asked, 1);
+        let court = Court {
+            formula,
+            wanted: Wanted::Products,
+            bounds: super::super::verdict::Bounds::of(formula),
+            questions: &asked,
+        };
+        let answer = |question: &Question| {
+            let [v, _] = question.directions.as_ref().unwrap();
+            let (value, jacobian) = formula.value_and_jacobian(&question.inputs).unwrap();
+            let product = jacobian.chunks(5).map(|row| row.iter().zip(v).map(|(slope, v)| slope * v).sum());
+            Answer::Numbers(value.into_iter().chain(product).map(Some).chain([None; 5]).collect())
+        };
+        let told = told(&court, &asked.iter().map(answer).collect::<Vec<_>>()).unwrap();
+        assert!(told.starts_with("J v are the derivatives of its own values along 6 directions"), "{told}");
+    }
+
     #[test]
     fn what_would_leave_its_domain_stays() {
         let formula = find("slide_line.closest_smoothed_linear").unwrap();
@@ -198,7 +279,7 @@ mod tests {
         for from in [0.5_f64.next_down(), 0.5 - 0.5 * STEPS[1] / 2.0] {
             x[fraction] = from;
             let (mut moves, mut stays) = (0, 0);
-            for seed in 0..20 {
+            for seed in 0..200 {
                 let v = tangent(formula, &x, &mut Sampler::named("test", seed));
                 let moved: Vec<_> = x.iter().zip(&v).map(|(x, v)| x + STEPS[0] * v).collect();
                 assert!(formula.value_and_jacobian(&moved).is_ok(), "{moved:?}");

@@ -41,8 +41,8 @@ impl Bounds {
 pub(super) struct Tally {
     pub(super) checked: usize,
     pub(super) off: usize,
-    /// It was left out.
-    pub(super) absent: usize,
+    /// Whether it was left out somewhere.
+    pub(super) is_absent: bool,
     pub(super) grade: Grade,
     pub(super) worst: Option<Worst>,
 }
@@ -117,7 +117,7 @@ impl Tally {
     fn add(&mut self, other: Self) {
         self.checked += other.checked;
         self.off += other.off;
-        self.absent += other.absent;
+        self.is_absent |= other.is_absent;
         self.grade = self.grade.max(other.grade);
         if other.worst.as_ref().is_some_and(|worst| self.worst.as_ref().is_none_or(|mine| worst.eta > mine.eta)) {
             self.worst = other.worst;
@@ -152,11 +152,8 @@ impl Court<'_> {
     pub(super) fn judge(&self, answers: &[Vec<Answer>; 2]) -> Verdict {
         let questions = (0..self.questions.len()).into_par_iter();
         let one = |judge: &mut Judge, k: usize| self.one(judge, k, [&answers[0][k], &answers[1][k]]);
-        let mut verdict = questions.map_init(|| self.formula.judge(), one).reduce(Verdict::default, Verdict::and);
-        for questions in [&mut verdict.off, &mut verdict.two_answers, &mut verdict.accepted] {
-            questions.sort_unstable();
-        }
-        verdict
+        // Neighbours are put together, so that all lists are in order.
+        questions.map_init(|| self.formula.judge(), one).reduce(Verdict::default, Verdict::and)
     }
 
     fn one(&self, judge: &Judge, k: usize, answers: [&Answer; 2]) -> Verdict {
@@ -228,11 +225,11 @@ impl Court<'_> {
                     verdict.judged += 1;
                     is_off |= tally.record(k, *found, known, self.bound(place));
                 }
-                (None, _) => tally.absent += 1,
+                (None, _) => tally.is_absent = true,
                 (_, None) => {}
             }
         }
-        if is_off && verdict.off.last() != Some(&k) {
+        if is_off && verdict.off.is_empty() {
             verdict.off.push(k);
         }
     }
@@ -267,22 +264,22 @@ impl Court<'_> {
             let (value, jacobian) = self.formula.value_and_jacobian(inputs).ok()?;
             Some([value, jacobian].concat())
         };
-        let is_named = !question.name.starts_with("random ");
-        let here = if is_named { results(&question.inputs) } else { None };
-        let steps = 0..if here.is_some() { 2 * question.inputs.len() } else { 0 };
-        steps.filter_map(move |step| {
-            let moved = |by: f64| {
-                let mut inputs = question.inputs.clone();
-                let x = inputs[step / 2];
-                let beside = if step % 2 == 0 { x.next_up() } else { x.next_down() };
-                inputs[step / 2] = x + by * (beside - x);
-                inputs
-            };
-            let beside = moved(1.0);
-            let there = results(&beside)?;
-            let farther = results(&moved(FARTHER)).unwrap_or_else(|| there.clone());
-            let mut numbers = here.iter().flatten().zip(&there).zip(&farther);
-            numbers.any(|((&x, &y), &z)| is_jump(x, y, z)).then_some(beside)
+        let here = if question.name.starts_with("random ") { None } else { results(&question.inputs) };
+        let both = |(place, x): (usize, &f64)| [x.next_up(), x.next_down()].map(|beside| (place, beside - x));
+        let steps = question.inputs.iter().enumerate().flat_map(both);
+        here.into_iter().flat_map(move |here| {
+            steps.clone().filter_map(move |(place, step)| {
+                let moved = |by: f64| {
+                    let mut inputs = question.inputs.clone();
+                    inputs[place] += by * step;
+                    inputs
+                };
+                let beside = moved(1.0);
+                let there = results(&beside)?;
+                let farther = results(&moved(FARTHER)).unwrap_or_else(|| there.clone());
+                let mut numbers = here.iter().zip(&there).zip(&farther);
+                numbers.any(|((&x, &y), &z)| is_jump(x, y, z)).then_some(beside)
+            })
         })
     }
 
@@ -350,13 +347,4 @@ fn is_jump(x: f64, y: f64, z: f64) -> bool {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::is_jump;
-
-    #[test]
-    fn a_jump_is_more_than_rounding_and_does_not_go_on() {
-        assert!(is_jump(1.0, 2.0, 2.0) && is_jump(-1.0, 1.0, 1.5));
-        assert!(!is_jump(1.0, 1.0 + 1e-7, 1.0 + 1e-7) && !is_jump(-1.0, -1.0 - 1e-7, -1.0));
-        assert!(!is_jump(-1e-3, 1e-3, 3e-3), "it passes through 0");
-    }
-}
+mod tests;

@@ -27,7 +27,7 @@ pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
     if samples.len() < LEAST || graph.ops().len() > LONGEST {
         return None;
     }
-    let m = evidence.parts()[0].len();
+    let m = graph.value.len();
     let results: Vec<Node> = graph.value.iter().chain(&graph.jacobian).copied().collect();
     let wanted: Vec<Node> = off.iter().map(|&place| results[place]).collect();
     let has_both = off.iter().any(|&place| place < m) && off.iter().any(|&place| place >= m);

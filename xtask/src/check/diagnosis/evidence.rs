@@ -34,7 +34,7 @@ pub(super) struct Evidence<'a> {
 
 impl<'a> Evidence<'a> {
     pub(super) fn new(court: &'a Court<'a>, answers: &[Answer], verdict: &Verdict) -> Self {
-        let most = NUMBERS / court.wanted.numbers(sizes(court.formula)) + LEAST;
+        let most = NUMBERS / court.wanted.numbers(sizes(court.formula));
         let is_valid = |k: &usize| matches!(court.questions[*k].own, Own::Results(_));
         let right = (0..answers.len()).filter(|k| is_valid(k) && verdict.off.binary_search(k).is_err());
         // Points drawn at random are in general position.

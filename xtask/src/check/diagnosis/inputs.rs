@@ -9,15 +9,15 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::f64::consts::PI;
 
 /// Other inputs in the place of those that were asked for.
-struct Other {
-    what: String,
+pub(super) struct Other {
+    pub(super) what: String,
     /// Where each component comes from, and by what it is multiplied.
     from: Vec<(usize, f64)>,
     is_single: bool,
 }
 
 impl Other {
-    fn of(&self, inputs: &[f64]) -> Vec<f64> {
+    pub(super) fn of(&self, inputs: &[f64]) -> Vec<f64> {
         let single = |x: f64| if self.is_single { f64::from(rounded(x)) } else { x };
         self.from.iter().map(|&(place, factor)| single(inputs[place] * factor)).collect()
     }
@@ -62,32 +62,32 @@ fn is_near(evidence: &Evidence<'_>, sample: &Sample, off: &[usize], other: &Othe
         let terms = sources(other, chain, value.len(), place);
         terms.into_iter().map(|(source, factor)| numbers[source] * factor).sum()
     };
-    off.iter().all(|&place| {
+    let fits = |&place: &usize| {
         let (Some(found), Some(known)) = (sample.found[place], &sample.expected[place]) else { return true };
         // Half of the digits, or what is not off at all.
         let expected = at(place);
         known.with(expected.into()).eta(found) <= 1e8 || known.eta(found) <= evidence.tolerance(place)
-    })
+    };
+    off.iter().all(fits)
 }
 
 /// Whether they are in 237 bits, everywhere.
 fn is_exact(evidence: &Evidence<'_>, off: &[usize], other: &Other, chain: Chain) -> bool {
     let m = evidence.parts()[0].len();
-    let has_jacobian = off.iter().any(|&place| place >= m);
+    // Parts are looked at as a whole.
+    let has_jacobian = off.contains(&m);
     let samples: Vec<_> = evidence.samples.iter().collect();
     let formula = evidence.court.formula;
     let results = samples.par_iter().map_init(
         || formula.judge(),
         |judge, sample| {
             let Ok(truth) = judge.at(&other.of(sample.inputs(evidence)), has_jacobian) else { return false };
-            let numbers: Vec<Option<Known>> = match truth.jacobian {
-                Some(jacobian) => truth.value.into_iter().chain(jacobian).map(Some).collect(),
-                None => truth.value.into_iter().map(Some).collect(),
-            };
+            let numbers: Vec<Known> = truth.value.into_iter().chain(truth.jacobian.into_iter().flatten()).collect();
             off.iter().all(|&place| {
                 let (Some(found), Some(_)) = (sample.found[place], &sample.expected[place]) else { return true };
                 let terms = sources(other, chain, m, place).into_iter();
-                let terms: Option<Vec<_>> = terms.map(|(source, factor)| Some((numbers[source]?, factor))).collect();
+                let terms: Option<Vec<_>> =
+                    terms.map(|(source, factor)| Some((*numbers.get(source)?, factor))).collect();
                 // On a kink there is nothing to compare with.
                 let Some(terms) = terms else { return true };
                 let known = match terms.as_slice() {
@@ -113,7 +113,7 @@ fn sources(other: &Other, chain: Chain, m: usize, place: usize) -> Vec<(usize, f
 }
 
 /// Every mistake with inputs that is looked for.
-fn others(inputs: &[Field]) -> Vec<Other> {
+pub(super) fn others(inputs: &[Field]) -> Vec<Other> {
     let count = inputs.iter().map(Field::len).sum();
     let same: Vec<_> = (0..count).map(|k| (k, 1.0)).collect();
     let mut starts = Vec::new();

@@ -10,6 +10,8 @@ mod observed;
 mod permuted;
 mod state;
 mod symmetric;
+#[cfg(all(test, feature = "commands"))]
+mod tests;
 mod wording;
 
 use super::answer::Answer;

@@ -9,7 +9,7 @@ pub(super) fn on_kinks(evidence: &Evidence<'_>) -> Option<String> {
     let off = evidence.off_samples(&evidence.off);
     let kinks: BTreeSet<_> = off.iter().map(|sample| sample.kink.as_deref()).collect();
     let kinks: Option<Vec<_>> = kinks.into_iter().collect();
-    let conditions = kinks.filter(|kinks| !kinks.is_empty())?.join(" and ");
+    let conditions = kinks?.join(" and ");
     let numbers = off.iter().flat_map(|sample| {
         evidence.off.iter().filter(|&&place| evidence.is_off(sample, place)).filter_map(|&place| sample.found[place])
     });

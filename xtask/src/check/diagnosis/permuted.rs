@@ -29,8 +29,8 @@ fn explains(evidence: &Evidence<'_>, off: &[usize], places: &Places) -> bool {
         .all(|place| evidence.is_always(place, |sample: &Sample| sample.expected[places[place]]))
 }
 
-/// Every exchange that has a name.
-fn exchanges(evidence: &Evidence<'_>) -> Vec<(String, Places)> {
+/// Every exchange that has a name; one that moves nothing explains nothing.
+pub(super) fn exchanges(evidence: &Evidence<'_>) -> Vec<(String, Places)> {
     let (inputs, outputs) = (evidence.court.formula.inputs(), evidence.court.formula.outputs());
     let count = |fields: &[Field]| fields.iter().map(Field::len).sum::<usize>();
     let (n, m) = (count(inputs), count(outputs));
@@ -38,7 +38,7 @@ fn exchanges(evidence: &Evidence<'_>) -> Vec<(String, Places)> {
     let has_jacobian = same.len() > m;
     let entry = |i: usize, j: usize| m + i * n + j;
     let mut exchanges = Vec::new();
-    if has_jacobian && n > 1 && m > 1 {
+    if has_jacobian {
         let (mut written, mut read) = (same.clone(), same.clone());
         for k in 0..m * n {
             written[m + k] = entry(k % m, k / m);
@@ -103,9 +103,7 @@ fn blocks(
         }
         row += output.len();
     }
-    if each.len() > 1 {
-        each.push(("transposed: every square block of the Jacobian".into(), all));
-    }
+    each.push(("transposed: every square block of the Jacobian".into(), all));
     each
 }
 
@@ -163,7 +161,7 @@ pub(super) fn entries(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> 
                 && evidence.is_always(place, |sample| sample.expected[source].map(|known| known.times(sign)))
         };
         let (source, sign) = part.flat_map(|source| [(source, 1.0), (source, -1.0)]).find(fits)?;
-        let sign = if sign < 0.0 { "−" } else { "" };
+        let sign = if sign.is_sign_negative() { "−" } else { "" };
         told.push(format!("{} holds {sign}{}", evidence.names[place], list(&evidence.names, &[source].into())));
     }
     (!told.is_empty() && told.len() <= 4).then(|| format!("an index is wrong: {}", told.join("; ")))
@@ -191,6 +189,8 @@ mod tests {
         };
         assert!(is_near(3.0, 1.0) && is_near(3.0 + 3e-9, 1.0) && is_near(-3.0 - 3e-9, -1.0));
         assert!(!is_near(3.0 + 1e-8, 1.0) && !is_near(3.0, -1.0));
+        let not_given = Sample { question: 0, expected: vec![Some(known)], found: vec![None], kink: None };
+        assert!(!super::is_near(&not_given, 0, 0, 1.0));
     }
 
     #[test]

@@ -10,18 +10,14 @@
 
 use super::evidence::{Evidence, Sample};
 use super::permuted::transpose;
-use crate::check::question::{Wanted, sizes};
+use crate::check::question::sizes;
 use jointproof::formula::Field;
 use jointproof::verify::Known;
 
 /// The blocks whose symmetric parts explain these numbers, in words.
 pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
-    if evidence.court.wanted == Wanted::Products {
-        return None;
-    }
     let blocks = blocks(evidence.court.formula.outputs());
-    let all = (blocks.len() > 1).then_some(blocks.as_slice());
-    let which = blocks.chunks(1).chain(all).find(|blocks| explains(evidence, off, blocks))?;
+    let which = blocks.chunks(1).chain([blocks.as_slice()]).find(|blocks| explains(evidence, off, blocks))?;
     let names: Vec<_> = which.iter().map(|(name, _)| *name).collect();
     Some(format!("by rotation vectors, not by spins: the symmetric part of {}", names.join(", ")))
 }

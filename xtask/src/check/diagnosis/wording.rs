@@ -73,3 +73,32 @@ pub(super) fn component(inputs: &[Field], mut k: usize) -> String {
     }
     unreachable!("a graph has the inputs of its formula")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use jointproof::graph::Instead;
+
+    #[test]
+    fn sums_are_in_parentheses_within_products_alone() {
+        let formula = jointproof::catalog::find("slot.normal_force").unwrap();
+        let graph = formula.graph().unwrap();
+        let results = |graph: &Graph| [graph.value.as_slice(), &graph.jacobian].concat();
+        let nodes = graph.needed(&results(&graph));
+        let find = |is_it: &dyn Fn(&Op) -> bool| *nodes.iter().find(|node| is_it(graph.op(**node))).unwrap();
+        // All others stand before it, so that it is a result.
+        let last = *nodes.last().unwrap();
+        let place = results(&graph).iter().position(|node| *node == last).unwrap();
+        let sum = find(&|op| matches!(op, Op::Binary(Binary::Add, ..)));
+        let [force, one] = [find(&|op| matches!(op, Op::Input(0))), find(&|op| *op == Op::Number(1.0_f64.to_bits()))];
+        let written = |op: Op| {
+            let altered = graph.altered(last, &Instead::Op(op));
+            expression(&altered, formula.inputs(), results(&altered)[place])
+        };
+        assert_eq!(written(Op::Unary(Unary::Absolute, sum)), "|fc + fc_int|");
+        assert_eq!(written(Op::Unary(Unary::Negative, sum)), "−(fc + fc_int)");
+        assert_eq!(written(Op::Norm([sum, force].into())), "length(fc + fc_int, fc)");
+        let products = [[sum, force, one, one], [force, one, one, one]];
+        assert_eq!(written(Op::ExactSum(products.into())), "(fc + fc_int) fc + fc");
+    }
+}

@@ -5,6 +5,8 @@ mod c;
 mod fortran;
 mod plan;
 mod scripts;
+#[cfg(test)]
+mod tests;
 
 pub(super) use plan::Driver;
 
