@@ -208,3 +208,27 @@ impl Drop for Partial {
         let _ = fs::remove_dir_all(&self.0);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_book_goes_where_nothing_or_a_book_was() {
+        let folder = tempfile::tempdir().unwrap();
+        let holding = |name: &str, files: &[&str]| {
+            let path = folder.path().join(name);
+            fs::create_dir(&path).unwrap();
+            files.iter().for_each(|file| fs::write(path.join(file), "").unwrap());
+            check_folder(&path).map_err(|error| error.to_string().replace(&path.display().to_string(), "it"))
+        };
+        assert_eq!(holding("empty", &[]), Ok(()));
+        assert_eq!(holding("book", &[".nojekyll", "toc.js", "a.html"]), Ok(()));
+        for (name, files) in [("letters", ["a.txt"]), ("site", [".nojekyll"]), ("scripts", ["toc.js"])] {
+            let refused = "it holds something else than a book; give a new or an empty folder";
+            assert_eq!(holding(name, &files), Err(refused.to_owned()), "{name}");
+        }
+        assert!(check_folder(&folder.path().join("new")).is_ok());
+        assert!(check_folder(&folder.path().join("letters/a.txt")).is_err());
+    }
+}

@@ -16,7 +16,7 @@ pub(crate) fn listing(source: &SourceFile, book_title: &str) -> String {
     let path = escape(&source.path);
     let root = "../".repeat(listing_page(&source.path).matches('/').count());
     let title = escape(book_title);
-    let mut lines = String::with_capacity(source.text.len() * 3);
+    let mut lines = String::new();
     for (index, line) in highlight(&source.text).iter().enumerate() {
         let n = index + 1;
         let _ = writeln!(
