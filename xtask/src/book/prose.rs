@@ -62,6 +62,7 @@ pub(crate) fn read(file: &str, text: &str) -> Chapter {
         }
         before = mark(&piece).map(|mark| (mark, line));
     }
+    faults.extend(before.map(|(_, line)| fault(line, "no equation follows this")));
     let bare = numeral::bare(text).into_iter();
     faults.extend(bare.map(|(line, numeral)| {
         fault(
@@ -144,7 +145,10 @@ mod tests {
         assert_eq!(displays, [("\na = b\n".into(), 3, Some(executed)), ("\nd\n".into(), 11, Some(shown))]);
         let unmarked = faults("# A\n\n$$\na = b\n$$\n");
         assert!(unmarked.len() == 1 && unmarked[0].starts_with("a.md:3: this equation is neither"), "{unmarked:?}");
-        assert_eq!(faults("a\n\n{{#presentation why}}\n\n`b`\n"), ["a.md:3: no equation follows this"]);
+        for rest in ["", "`b`\n"] {
+            let text = format!("a\n\n{{{{#presentation why}}}}\n\n{rest}");
+            assert_eq!(faults(&text), ["a.md:3: no equation follows this"]);
+        }
     }
 
     #[test]
