@@ -85,6 +85,16 @@ fn calculators_show_the_numbers_of_rust_and_a_planted_fault_is_named() {
     let checked = book.checked(&mut browser).unwrap();
     assert!(checked.is_well(), "{checked}");
     assert!(checked.to_string().starts_with("3 calculators: "), "{checked}");
+    let mut loaded = |names: [&str; 2]| -> u64 {
+        let text = |name: &str| fs::read_to_string(book.out().join("calculator").join(name)).unwrap();
+        let mut size =
+            |name| browser.evaluate(&format!("compressed({})", serde_json::Value::from(text(name)))).unwrap();
+        names.into_iter().map(|name| size(name).as_u64().unwrap()).sum()
+    };
+    let (page, opened) = (loaded(["calculator.js", "calculator.css"]), loaded(["runtime.js", "panel.js"]));
+    assert!(page > 500 && opened > 500, "{page} and {opened} bytes");
+    let said = format!("; compressed {page} bytes a page, {} with a calculator open, ", page + opened);
+    assert!(checked.to_string().contains(&said), "{checked}");
     let friction = "slot.friction.js";
     for (script, from, to, said) in [
         (friction, "norm2(i.f2, i.f3)", "norm2(i.f2, i.f2)", "slot.friction, case "),
@@ -110,6 +120,13 @@ fn calculators_show_the_numbers_of_rust_and_a_planted_fault_is_named() {
     }
     let found = book.with(&mut browser, [friction, "jointproof.define", "jointproof.defined"]);
     assert!(found.starts_with("error"), "{found}");
+    // A script too many, and one that is too long however it is compressed.
+    fs::write(book.out().join("calculator/slot.more.js"), "").unwrap();
+    let digits: String = (1..9000_u32).map(|k| k.wrapping_mul(2_654_435_769).to_string()).collect();
+    let found = book.with(&mut browser, ["runtime.js", "'use strict';\n", &format!("'use strict';\n// {digits}\n")]);
+    for said in ["4 scripts for 3 calculators", "calculators without formulas have "] {
+        assert!(found.starts_with("false") && found.contains(said), "{said}: {found}");
+    }
 }
 
 /// The copied calls, compiled with the export and executed, give the bits of Rust.
