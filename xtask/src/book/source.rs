@@ -67,7 +67,8 @@ mod tests {
         let page = listing(&source, "Book");
         assert_eq!(listing_page(&source.path), "source/src/a.rs.html");
         assert_eq!(page.matches("class=\"line\"").count(), 3);
-        assert!(page.contains("id=\"L2\"") && page.contains("a &lt; b"));
+        let second = "<span id=\"L2\" class=\"line\"><a href=\"#L2\" data-n=\"2\" aria-label=\"line 2\"></a>    a &lt; b</span>\n";
+        assert!(page.contains(second) && page.contains("id=\"L1\"") && page.contains("id=\"L3\""), "{page}");
         assert!(page.contains("href=\"../../css/variables.css\""));
     }
 }
