@@ -139,7 +139,7 @@ fn fill(folder: &Path, to_root: &str, later: &Deferred) -> Result<()> {
             let page = fs::read_to_string(&path)?;
             let page = mend::mended(&search::in_page(&later.fill(&page)));
             let head_end = calculator::head(&page, to_root) + &moving::head(&page, to_root) + &head_end;
-            write(&path, page.replacen("</head>", &head_end, 1).as_bytes())?;
+            write(&path, page.replace("</head>", &head_end).as_bytes())?;
         }
     }
     Ok(())

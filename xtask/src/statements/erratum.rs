@@ -200,6 +200,7 @@ mod tests {
         assert_eq!(all_digits(&[-2.0, 1.5e-12, 2.5e-12]), "−2, 0, $2.5\\cdot10^{-12}$");
         assert_eq!(all_digits(&[0.5, 0.75e-12]), "0.5, $7.5\\cdot10^{-13}$");
         assert_eq!(all_digits(&[-1e-3, 0.0]), "−0.001, 0");
+        assert_eq!(all_digits(&[1.0, 1e-12]), "1, $1\\cdot10^{-12}$");
     }
 
     fn reading(kind: Kind, off: f64) -> Reading {

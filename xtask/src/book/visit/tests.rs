@@ -236,7 +236,7 @@ fn a_page_weighs_all_that_it_loads_and_each_file_once() {
     let css = file("a.css", b"p { color: red }");
     let script = file("b.js", b"const b = 1;");
     let link = "<link rel=\"stylesheet\" href=\"a.css\">";
-    let page = file("page.html", format!("<!DOCTYPE html>{link}{link}<script src=\"b.js\"></script>").as_bytes());
+    let page = file("page.html", format!("<!DOCTYPE html>{link}<script src=\"b.js\"></script>{link}").as_bytes());
     let mut browser = Browser::start().unwrap();
     let mut visit_of = |page: &PathBuf| {
         browser.open(page).unwrap();
