@@ -219,7 +219,9 @@ mod tests {
         let holding = |name: &str, files: &[&str]| {
             let path = folder.path().join(name);
             fs::create_dir(&path).unwrap();
-            files.iter().for_each(|file| fs::write(path.join(file), "").unwrap());
+            for file in files {
+                fs::write(path.join(file), "").unwrap();
+            }
             check_folder(&path).map_err(|error| error.to_string().replace(&path.display().to_string(), "it"))
         };
         assert_eq!(holding("empty", &[]), Ok(()));

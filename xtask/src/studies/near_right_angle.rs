@@ -1,9 +1,10 @@
 //! What both forms of β lose near 90°.
 
 use jointproof::Octuple;
-use jointproof::cardan::{CardanAngles, Triads, accurate, rotation, turned, turns};
+use jointproof::cardan::{CardanAngles, Triads, accurate, rotation, turned};
 use jointproof::formula::value;
 use jointproof::scalar::abs;
+use nalgebra::Vector3;
 
 /// What both forms of β make of triads that are rotations rounded to doubles.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,8 +48,8 @@ fn poses(beta: Octuple) -> impl Iterator<Item = [Octuple; 3]> {
 
 /// Triads that stand at these angles to one another, neither along the global axes, every component rounded once.
 fn rounded_triads([alpha, beta, gamma]: [Octuple; 3]) -> Triads<f64> {
-    let [global, _] = turns::axes([1, 2, 3]);
-    let a = turned(&global.map(|e| e.map(Octuple::from)), &rotation(alpha, gamma * 0.25, gamma - alpha));
+    let global = [Vector3::x(), Vector3::y(), Vector3::z()];
+    let a = turned(&global, &rotation(alpha, gamma * 0.25, gamma - alpha));
     let b = turned(&a, &rotation(alpha, beta, gamma));
     let [a, b] = [a, b].map(|triad| triad.map(|e| e.map(Octuple::to_f64)));
     Triads::new(a, b)

@@ -5,17 +5,17 @@ use jointproof::catalog::find;
 use jointproof::slot;
 
 /// What is told when the calculator of a formula shows this in a case.
-fn told(formula: &'static dyn AnyFormula, case: &str, shown: Shown) -> Result<Checked> {
+fn told(formula: &'static dyn AnyFormula, case: &str, shown: &Shown) -> Result<Checked> {
     let golden = formula.golden();
     let mut checked = Checked::default();
     let case = golden.cases.iter().find(|known| known.id == case).context("no such case")?;
     let point = components(formula.inputs(), &case.inputs)?;
-    One { formula, golden: &golden, checked: &mut checked }.case(case, &point, &shown)?;
+    One { formula, golden: &golden, checked: &mut checked }.case(case, &point, shown)?;
     Ok(checked)
 }
 
 /// The same of f₂ = 3, f₃ = 4, whose value is 5 and whose derivatives are 0.6 and 0.8.
-fn of_contact(shown: Shown) -> Checked {
+fn of_contact(shown: &Shown) -> Checked {
     told(&slot::ContactForce, "pythagoras", shown).unwrap()
 }
 
@@ -43,18 +43,18 @@ fn where_nothing_was_compared_nothing_is_well() {
 
 #[test]
 fn the_numbers_of_rust_are_well_and_others_are_named() {
-    let checked = of_contact(right());
+    let checked = of_contact(&right());
     assert_eq!((checked.cases, checked.numbers, checked.differ, checked.near), (1, 3, 0, 0));
     assert_eq!((checked.chosen, checked.off), (0, vec![]));
-    let off = of_contact(numbers(&["5", "0.6", "0.75"]));
+    let off = of_contact(&numbers(&["5", "0.6", "0.75"]));
     assert_eq!((off.numbers, off.differ), (3, 1));
     assert_eq!(off.off[0], "slot.contact_force, case pythagoras: ∂fc/∂f3: 7.5e-1, expected 8e-1");
     assert!(off.off[1].starts_with("slot.contact_force, case pythagoras: ∂fc/∂f3: η = "), "{:?}", off.off);
     assert_eq!(off.off.len(), 2, "{:?}", off.off);
-    let few = of_contact(numbers(&["5", "0.6"]));
+    let few = of_contact(&numbers(&["5", "0.6"]));
     assert_eq!(few.off, ["slot.contact_force, case pythagoras: it shows 2 of 3 numbers"]);
     assert_eq!(few.numbers, 0);
-    let error = told(&slot::ContactForce, "pythagoras", numbers(&["5", "x", "0.8"])).err().unwrap();
+    let error = told(&slot::ContactForce, "pythagoras", &numbers(&["5", "x", "0.8"])).err().unwrap();
     assert_eq!(error.to_string(), "\"x\" is no number");
 }
 
@@ -62,7 +62,7 @@ fn the_numbers_of_rust_are_well_and_others_are_named() {
 fn a_case_from_the_menu_fills_the_fields_and_gives_the_same() {
     let chosen = |fields: [&str; 2], same| {
         let chosen = Some(fields.map(String::from).to_vec());
-        let checked = of_contact(Shown { chosen, same, ..right() });
+        let checked = of_contact(&Shown { chosen, same, ..right() });
         assert_eq!(checked.chosen, 1);
         checked.off
     };
@@ -76,7 +76,7 @@ fn a_case_from_the_menu_fills_the_fields_and_gives_the_same() {
 
 #[test]
 fn what_is_valid_may_not_be_refused() {
-    let off = of_contact(refusal("too long")).off;
+    let off = of_contact(&refusal("too long")).off;
     assert_eq!(off, ["slot.contact_force, case pythagoras: it refuses what is valid: too long"]);
 }
 
@@ -87,11 +87,11 @@ fn what_is_invalid_is_refused_in_the_words_of_rust() {
     let case = golden.cases.iter().find(|case| case.id == "mu-negative").unwrap();
     let point = components(formula.inputs(), &case.inputs).unwrap();
     let error = formula.value_and_jacobian(&point).unwrap_err();
-    let right = told(formula, "mu-negative", refusal(&error.to_string())).unwrap();
+    let right = told(formula, "mu-negative", &refusal(&error.to_string())).unwrap();
     assert_eq!((right.refused, right.together, right.off), (1, 0, vec![]));
     // What an input alone must be is said of that input.
     for words in [format!("Refused; required is {}", error.required()), String::new()] {
-        let wrong = told(formula, "mu-negative", refusal(&words)).unwrap();
+        let wrong = told(formula, "mu-negative", &refusal(&words)).unwrap();
         let off = format!("slot.friction, case mu-negative: it says {words:?}, and Rust {:?}", error.to_string());
         assert_eq!((wrong.refused, wrong.together, wrong.off), (0, 0, vec![off]));
     }
@@ -104,9 +104,9 @@ fn what_all_inputs_together_must_be_may_be_said_without_their_values() {
     let case = golden.cases.iter().find(|case| case.error.as_deref() == Some("OutOfOrder")).unwrap();
     let point = components(formula.inputs(), &case.inputs).unwrap();
     let error = formula.value_and_jacobian(&point).unwrap_err();
-    let right = told(formula, &case.id, refusal(&format!("Refused; required is {}", error.required()))).unwrap();
+    let right = told(formula, &case.id, &refusal(&format!("Refused; required is {}", error.required()))).unwrap();
     assert_eq!((right.refused, right.together, right.off), (0, 1, vec![]));
-    let wrong = told(formula, &case.id, refusal("Refused; required is luck")).unwrap();
+    let wrong = told(formula, &case.id, &refusal("Refused; required is luck")).unwrap();
     assert_eq!((wrong.together, wrong.off.len()), (0, 1));
 }
 
@@ -229,7 +229,9 @@ fn chapters_are_the_pages_of_the_first_folder_in_order() {
         "html",
         "source/c.html",
     ];
-    names.iter().for_each(|name| fs::write(folder.path().join(name), "").unwrap());
+    for name in names {
+        fs::write(folder.path().join(name), "").unwrap();
+    }
     let pages = pages(folder.path()).unwrap();
     let found: Vec<_> = pages.iter().map(|page| page.strip_prefix(folder.path()).unwrap().to_str().unwrap()).collect();
     assert_eq!(found, ["a.html", "b.html", "x.html", "y.html", "z.html"]);
