@@ -19,7 +19,8 @@ static BOOK: LazyLock<PathBuf> = LazyLock::new(|| {
     if cfg!(target_os = "linux") {
         command.env("PATH", opener(&bench));
     }
-    let ran = Ran::from(command.output().unwrap()).exits(0);
+    let entries = format!(" chapters, {} formulas, ", CATALOG.len());
+    let ran = Ran::from(command.output().unwrap()).exits(0).says(&entries).says(" listings in ");
     // What was not asked for is not looked at.
     assert_eq!(ran.stdout.lines().count(), 1, "{ran:#?}");
     assert!(!cfg!(target_os = "linux") || was_opened(&bench, &out), "the book is not shown");

@@ -78,16 +78,13 @@ impl Browser {
             .spawn()
             .context("sh cannot be started")?;
         let commands = child.stdin.take().context("the browser has no pipe to write to")?;
-        let mut answers = BufReader::new(child.stdout.take().context("the browser has no pipe to read from")?);
+        let answers = BufReader::new(child.stdout.take().context("the browser has no pipe to read from")?);
         let (sender, messages) = channel();
         std::thread::spawn(move || {
-            let mut bytes = Vec::new();
-            while answers.read_until(0, &mut bytes).is_ok_and(|count| count > 0) {
-                let message = serde_json::from_slice(bytes.strip_suffix(&[0]).unwrap_or(&bytes));
-                if message.is_ok_and(|message| sender.send(message).is_err()) {
+            for bytes in answers.split(0).map_while(Result::ok) {
+                if serde_json::from_slice(&bytes).is_ok_and(|message| sender.send(message).is_err()) {
                     return;
                 }
-                bytes.clear();
             }
         });
         let (session, errors) = (None, Vec::new());
@@ -211,10 +208,10 @@ fn base64(text: &str) -> Option<Vec<u8>> {
         b'/' => Some(63),
         _ => None,
     };
-    let mut bytes = Vec::with_capacity(text.len() / 4 * 3);
+    let mut bytes = Vec::new();
     let (mut held, mut bits) = (0_u32, 0);
     for c in text.bytes().filter(|c| *c != b'=') {
-        held = (held << 6 | u32::from(digit(c)?)) & 0xffff;
+        held = held << 6 | u32::from(digit(c)?);
         bits += 6;
         if bits >= 8 {
             bits -= 8;
@@ -261,5 +258,26 @@ mod tests {
         let path = std::env::var_os("PATH").unwrap_or_default();
         let is_there = std::env::split_paths(&path).any(|folder| folder.join(PROGRAM).is_file());
         assert_eq!(is_here(), is_there);
+    }
+
+    #[test]
+    fn errors_of_a_page_are_noted_and_nothing_else() {
+        if !is_here_or_not_required().unwrap() {
+            return;
+        }
+        let folder = tempfile::tempdir().unwrap();
+        let page = folder.path().join("page.html");
+        let text = "<!DOCTYPE html><meta name=viewport content=\"width=device-width\"><script>console.log('fine'); console.error('bad')</script><img src=\"none.png\">
+            <script>console.warn('fine'); throw new Error('thrown');</script>";
+        std::fs::write(&page, text).unwrap();
+        let mut browser = Browser::start().unwrap();
+        browser.open(&page).unwrap();
+        assert_eq!(browser.evaluate("Promise.resolve(innerWidth)").unwrap(), PHONE.width);
+        let found = |part: &str| browser.errors.iter().filter(|error| error.contains(part)).count();
+        assert_eq!((found("\"bad\""), found("Error: thrown\n"), found("none.png")), (1, 1, 1), "{:?}", browser.errors);
+        assert_eq!(browser.errors.len(), 3, "{:?}", browser.errors);
+        let error = browser.evaluate("(() => { throw new Error('asked for') })()").unwrap_err().to_string();
+        assert!(error.starts_with("the page threw Error: asked for"), "{error}");
+        assert!(browser.open(&folder.path().join("no.html")).unwrap_err().to_string().contains("cannot be opened"));
     }
 }

@@ -139,7 +139,7 @@ fn fill(folder: &Path, to_root: &str, later: &Deferred) -> Result<()> {
             let page = fs::read_to_string(&path)?;
             let page = mend::mended(&search::in_page(&later.fill(&page)));
             let head_end = calculator::head(&page, to_root) + &moving::head(&page, to_root) + &head_end;
-            write(&path, page.replacen("</head>", &head_end, 1).as_bytes())?;
+            write(&path, page.replace("</head>", &head_end).as_bytes())?;
         }
     }
     Ok(())
@@ -206,5 +206,31 @@ fn may_hold_a_book(out: &Path) -> bool {
 impl Drop for Partial {
     fn drop(&mut self) {
         let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_book_goes_where_nothing_or_a_book_was() {
+        let folder = tempfile::tempdir().unwrap();
+        let holding = |name: &str, files: &[&str]| {
+            let path = folder.path().join(name);
+            fs::create_dir(&path).unwrap();
+            for file in files {
+                fs::write(path.join(file), "").unwrap();
+            }
+            check_folder(&path).map_err(|error| error.to_string().replace(&path.display().to_string(), "it"))
+        };
+        assert_eq!(holding("empty", &[]), Ok(()));
+        assert_eq!(holding("book", &[".nojekyll", "toc.js", "a.html"]), Ok(()));
+        for (name, files) in [("letters", ["a.txt"]), ("site", [".nojekyll"]), ("scripts", ["toc.js"])] {
+            let refused = "it holds something else than a book; give a new or an empty folder";
+            assert_eq!(holding(name, &files), Err(refused.to_owned()), "{name}");
+        }
+        assert!(check_folder(&folder.path().join("new")).is_ok());
+        assert!(check_folder(&folder.path().join("letters/a.txt")).is_err());
     }
 }

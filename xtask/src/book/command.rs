@@ -83,9 +83,12 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
 
 /// Says what was found, and whether it is well.
 fn told(found: &impl Display, is_well: bool) -> anyhow::Result<bool> {
-    let head = if is_well { console::green("ok ") } else { console::red("off") };
-    console::print(&format!("{head} {found}\n"))?;
+    console::print(&format!("{} {found}\n", head(is_well)))?;
     Ok(is_well)
+}
+
+fn head(is_well: bool) -> String {
+    if is_well { console::green("ok ") } else { console::red("off") }
 }
 
 /// Where a browser is not required.
@@ -121,4 +124,16 @@ fn open(index: &Path) -> anyhow::Result<()> {
         .spawn()
         .with_context(|| format!("cannot run {opener}; open {shown} by hand"))?;
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_off_is_told_and_no_browser_is_no_fault() {
+        assert!(told(&"all of it", true).unwrap() && !told(&"one part", false).unwrap());
+        assert!(head(true).contains("ok ") && head(false).contains("off"));
+        assert!(absent());
+    }
 }

@@ -98,7 +98,29 @@ mod tests {
     use super::*;
 
     #[test]
+    fn chapters_are_the_texts_of_their_folder_with_the_entries_in_them() {
+        let root = tempfile::tempdir().unwrap();
+        let folder = root.path().join(CHAPTERS);
+        fs::create_dir_all(&folder).unwrap();
+        for (name, text) in [
+            ("b.md", "b\n\n{{#formula t.b}}\n\n{{#text t.c}}\n"),
+            ("a.md", "{{#formula t.a}}\n"),
+            ("c.txt", "{{#formula t.c}}\n"),
+        ] {
+            fs::write(folder.join(name), text).unwrap();
+        }
+        let names: Vec<_> = chapters(root.path()).unwrap().into_keys().collect();
+        assert_eq!(names, ["book/src/a.md", "book/src/b.md"]);
+        let found = directives(root.path()).unwrap();
+        let found: Vec<_> = found.iter().map(|found| format!("{} {}:{}", found.id, found.file, found.line)).collect();
+        assert_eq!(found, ["t.a book/src/a.md:1", "t.b book/src/b.md:3"]);
+        let faults = uncovered(root.path(), &["t.a", "t.c"]).unwrap();
+        assert_eq!(faults.len(), 2, "{faults:?}");
+    }
+
+    #[test]
     fn half_of_an_identifier_is_a_hint() {
+        assert_eq!(nearest(&["ab.cde"], "ab."), Some("ab.cde"));
         let ids = ["slot.rows", "slot.friction", "coulomb.yield"];
         for (id, near) in [
             ("slot.frction", Some("slot.friction")),

@@ -33,7 +33,7 @@ impl Deferred {
     /// Replaces every placeholder in a finished page.
     pub(crate) fn fill(&self, page: &str) -> String {
         let pieces = self.pieces.borrow();
-        let mut out = String::with_capacity(page.len() * 2);
+        let mut out = String::new();
         let mut rest = page;
         while let Some(start) = rest.find(OPEN) {
             out.push_str(&rest[..start]);

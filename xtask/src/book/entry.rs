@@ -294,3 +294,27 @@ fn test_list(pages: &Pages<'_>, at: &Place, tests: &[TestRef], singular: &str, p
         count => format!("<details><summary>{count} tests {plural}</summary><ul>{items}</ul></details>"),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample;
+
+    #[test]
+    fn laws_of_every_formula_are_those_that_each_audit_has() {
+        let of = |laws: &[&[&str]]| {
+            let entry = |claims: &&[&str]| {
+                let mut audit = sample::passed();
+                let law = audit.laws[0].clone();
+                audit.laws = claims.iter().map(|claim| Claim { claim: (*claim).into(), ..law.clone() }).collect();
+                Entry { evidence: Evidence { audit: Some(audit), golden_cases: None }, ..Entry::default() }
+            };
+            let mut content = Content { entries: laws.iter().map(entry).collect(), ..Content::default() };
+            // One that was not audited is none that lacks a law.
+            content.entries.push(Entry::default());
+            common_laws(&content).into_iter().map(String::from).collect::<Vec<_>>()
+        };
+        assert_eq!(of(&[&["a", "b", "c"], &["c", "d", "a"], &["c", "a", "b"]]), ["a", "c"]);
+        assert!(of(&[&["a"], &["b"]]).is_empty() && of(&[&["a"]]).is_empty() && of(&[]).is_empty());
+    }
+}

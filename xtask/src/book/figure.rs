@@ -69,17 +69,47 @@ fn svg_element(svg: &str) -> &str {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::book::content::Content;
+    use crate::book::deferred::Deferred;
 
     #[test]
     fn only_safe_drawings_are_inlined() {
         assert_eq!(unfit("<svg><title>t</title></svg>"), None);
-        assert!(unfit("<svg><title>t</title><script/></svg>").is_some());
+        let acts = Some("has a script or style sheet, which would act on the whole page");
+        assert_eq!(unfit("<svg><title>t</title><script/></svg>"), acts);
+        assert_eq!(unfit("<svg><title>t</title><style/></svg>"), acts);
+        for part in ["<svg><title>t</title>", "<title>t</title></svg>", "words"] {
+            assert_eq!(unfit(part), Some("is not an SVG drawing"), "{part}");
+        }
         assert!(unfit("<svg></svg>").is_some_and(|reason| reason.contains("title")));
     }
 
     #[test]
+    fn a_drawing_that_is_not_fit_is_a_fault() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("bad.svg"), "<svg></svg>").unwrap();
+        let (content, later) = (Content::default(), Deferred::default());
+        let pages = Pages::new(&content, &later);
+        let at = Place { file: "a.md".into(), line: 3, page: "a.html".into() };
+        assert_eq!(figure(&pages, &at, folder.path(), "bad It."), "");
+        assert_eq!(figure(&pages, &at, folder.path(), "worse"), "");
+        let faults: Vec<_> = pages.faults.borrow().0.iter().map(ToString::to_string).collect();
+        let untitled = "a.md:3: figure `bad` has no <title>, which readers who cannot see it need";
+        assert_eq!(faults, [untitled, "a.md:3: no figure `worse`; there are: bad"]);
+    }
+
+    #[test]
     fn names_stay_in_the_folder() {
-        assert_eq!(read(Path::new("/"), "../etc/passwd"), None);
+        let outer = tempfile::tempdir().unwrap();
+        let folder = outer.path().join("figures");
+        std::fs::create_dir(&folder).unwrap();
+        for name in ["b-2_x.y", "a", "", "../outside", "c d"] {
+            std::fs::write(folder.join(format!("{name}.svg")), name).unwrap();
+        }
+        std::fs::write(folder.join("notes.txt"), "").unwrap();
+        assert_eq!(["a", "b-2_x.y"].map(|name| read(&folder, name).as_deref() == Some(name)), [true; 2]);
+        assert_eq!(["", "../outside", "c d", "none"].map(|name| read(&folder, name)), [const { None }; 4]);
+        assert_eq!(names(&folder), ["", "a", "b-2_x.y", "c d"]);
         assert_eq!(svg_element("<?xml version=\"1.0\"?>\n<svg></svg>\n"), "<svg></svg>");
     }
 }

@@ -319,6 +319,38 @@ mod tests {
         }
     }
 
+    #[test]
+    fn numbers_have_four_decimals_at_most_and_components_their_place() {
+        let shown = [0.0, -0.0, 0.25, -1.0 / 3.0, 12.0, 1e-9, f64::NEG_INFINITY].map(four_digits);
+        assert_eq!(shown, ["0", "0", "0.25", "−0.3333", "12", "0", "unbounded"]);
+        let fields = find("slide_line.basis").inputs();
+        let count: usize = fields.iter().map(Field::len).sum();
+        let names: Vec<_> = (0..count).map(|place| component(fields, place)).collect();
+        let expected = fields.iter().flat_map(|field| {
+            let latex = field.quantity.latex;
+            let of_many = move |k| format!("({latex})_{{{k}}}");
+            if field.len() == 1 { vec![latex.to_owned()] } else { (1..=field.len()).map(of_many).collect() }
+        });
+        assert_eq!(names, expected.collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn formulas_are_named_once_however_many_symbols_are_from_them() {
+        for formula in CATALOG {
+            let all = formula.spec().given;
+            let [mut expected, mut found]: [Vec<String>; 2] =
+                [all.iter().map(|given| given.from.id.to_owned()).collect(), uses(all)];
+            let words: Vec<_> =
+                all.iter().map(|given| format!("${}$ from `{}`", given.symbols, given.from.id)).collect();
+            assert_eq!(given(all).strip_prefix("where ").unwrap_or_default(), words.join(", "));
+            expected.sort();
+            expected.dedup();
+            found.sort();
+            assert_eq!(found, expected, "{}", formula.spec().id);
+        }
+        assert_eq!((given(&[]).as_str(), uses(&[]).len()), ("", 0));
+    }
+
     /// A golden check that found a difference, or none, is no evidence.
     #[test]
     fn only_what_was_executed_and_the_same_is_evidence() {

@@ -133,3 +133,59 @@ pub(crate) fn summary(entry: &Entry) -> String {
     }
     each(parts, |part| format!("<span>{part}</span>"))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::book::content::Content;
+    use crate::book::deferred::Deferred;
+    use crate::extension::Exhibits;
+
+    fn place() -> Place {
+        Place { file: "a.md".into(), line: 1, page: "a.html".into() }
+    }
+
+    #[test]
+    fn a_derivative_is_open_where_it_is_short_and_may_be() {
+        let (content, later) = (Content::default(), Deferred::default());
+        let pages = Pages::new(&content, &later);
+        let shown = |lines: &[String], may_be_open| later.fill(&view(&pages, &place(), "V", lines, may_be_open));
+        let (short, long) = (vec!["a = b = c".to_owned()], vec!["a = b".to_owned(); 100]);
+        assert_eq!(shown(&[], true), "");
+        assert!(shown(&short, true).starts_with("<details class=\"view\" open><summary>V</summary>"));
+        assert!(shown(&short, false).starts_with("<details class=\"view\"><summary>"));
+        assert!(shown(&long, true).starts_with("<details class=\"view\"><summary>"));
+        // One sign of each line stands below those of the others.
+        assert!(shown(&short, true).contains(r"\begin&#123;aligned} a &amp;= b = c \end&#123;aligned}"));
+    }
+
+    #[test]
+    fn outputs_that_a_formula_computes_are_named_once_with_all_their_places() {
+        let served = |formula: &str, output: &str, of: &str, place: &str| Served {
+            formula: formula.into(),
+            output: output.into(),
+            of: of.into(),
+            place: place.into(),
+        };
+        let all = vec![
+            served("t.a", "U1", "slot", "s.html#3d"),
+            served("t.a", "U1", "slot", "s.html#3d"),
+            served("t.a", "U1", "slot", "s.html#2d"),
+            served("t.b", "U2", "slot", "s.html#3d"),
+            served("t.a", "RF", "slot", "s.html#3d"),
+            served("t.a", "U1", "join", "s.html#3d"),
+            served("t.a", "U1", "slot", "s.html#3d"),
+        ];
+        let uses = Entry { id: "t.c".into(), uses: vec!["t.a".into()], ..Entry::default() };
+        let exhibits = Exhibits { served: all, ..Exhibits::default() };
+        let content = Content { entries: vec![uses], exhibits, ..Content::default() };
+        let later = Deferred::default();
+        let pages = Pages::new(&content, &later);
+        let of = |id: &str| used_by(&pages, &place(), &Entry { id: id.into(), ..Entry::default() });
+        let link = |anchor: &str, of: &str| format!("<a href=\"s.html#{anchor}\">{of}</a>");
+        let slots = format!("{}, {} and {}", link("3d", "slot"), link("2d", "slot"), link("3d", "join"));
+        let rf = format!("<code>RF</code> of {}", link("3d", "slot"));
+        assert_eq!(of("t.a"), format!("<code>t.c</code>, outputs of scenes <code>U1</code> of {slots}, {rf}"));
+        assert_eq!(of("t.c"), "");
+    }
+}

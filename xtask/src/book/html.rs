@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 /// Escapes text for an HTML element or attribute, and hides `{{` from mdBook's own directives.
 pub(crate) fn escape(text: &str) -> String {
-    let mut out = String::with_capacity(text.len() + 16);
+    let mut out = String::new();
     for c in text.chars() {
         match c {
             '&' => out.push_str("&amp;"),
@@ -21,7 +21,7 @@ pub(crate) fn escape(text: &str) -> String {
 
 /// Escapes text so that neither Markdown nor HTML sees anything in it but characters.
 pub(crate) fn escape_markdown(text: &str) -> String {
-    let mut out = String::with_capacity(text.len() * 2);
+    let mut out = String::new();
     for c in text.chars() {
         if c.is_ascii_punctuation() {
             let _ = write!(out, "&#{};", u32::from(c));
@@ -94,7 +94,9 @@ mod tests {
     #[test]
     fn escapes_what_would_be_read_as_markup() {
         assert_eq!(escape("a<b & \"{{#x"), "a&lt;b &amp; &quot;&#123;&#123;#x");
+        assert_eq!(escape("a>\nb"), "a&gt;&#10;b");
         assert_eq!(escape_markdown("a*b|c"), "a&#42;b&#124;c");
+        assert_eq!(escape_markdown("a\nb"), "a b");
     }
 
     #[test]
@@ -108,6 +110,8 @@ mod tests {
         assert_eq!(number(-12.4), "−12");
         assert_eq!(number(3.14e-71), "3.1\u{a0}×\u{a0}10<sup>−71</sup>");
         assert_eq!((number(0.0), number(4.0)), ("0".into(), "4".into()));
+        let shown = [0.01, 9.5, 10.6, -0.5, 10_000.0, f64::INFINITY, f64::NAN].map(number);
+        assert_eq!(shown, ["0.01", "9.50", "11", "−0.50", "1.0\u{a0}×\u{a0}10<sup>4</sup>", "inf", "NaN"]);
     }
 
     #[test]

@@ -97,22 +97,41 @@ mod tests {
 
     #[test]
     fn dead_links_are_named_and_live_ones_are_not() {
-        let folder = tempfile::tempdir().unwrap();
-        std::fs::create_dir(folder.path().join("s")).unwrap();
+        let outer = tempfile::tempdir().unwrap();
+        let folder = outer.path().join("book");
+        std::fs::create_dir_all(folder.join("s")).unwrap();
         let good =
             "<h1 id=\"top\"></h1> <a href=\"s/b.html#L1\"></a> <a href=\"#top\"></a> <a href=\"https://x.y/#z\"></a>";
-        std::fs::write(folder.path().join("a.html"), format!("{good} <a href=\"c.html\"></a> <a href=\"#no\"></a>"))
-            .unwrap();
-        std::fs::write(folder.path().join("s/b.html"), "<b id=\"L1\"></b> <a href=\"../a.html\"></a>").unwrap();
+        std::fs::write(folder.join("a.html"), format!("{good} <a href=\"c.html\"></a> <a href=\"#no\"></a>")).unwrap();
+        let listing = "<b id=\"L1\"></b> <a href=\"../a.html#top\"></a> <a href=\"../../letter.txt\"></a> <a href=\"../c.css#x\"></a>";
+        std::fs::write(folder.join("s/b.html"), listing).unwrap();
+        std::fs::write(folder.join("c.css"), "").unwrap();
+        // What mdBook makes for another place, and what is no page.
+        for name in ["print.html", "404.html", "d.txt"] {
+            std::fs::write(folder.join(name), "<a href=\"gone.html\"></a>").unwrap();
+        }
+        // What is outside is not of the book, though it is there.
+        std::fs::write(outer.path().join("letter.txt"), "").unwrap();
         let mut faults = Faults::default();
-        check(folder.path(), &mut faults).unwrap();
+        check(&folder, &mut faults).unwrap();
         let text: Vec<String> = faults.0.iter().map(ToString::to_string).collect();
         assert_eq!(
             text,
             [
                 "a.html: the link `#no` names an anchor its page does not have",
-                "a.html: the link `c.html` names no file of the book"
+                "a.html: the link `c.html` names no file of the book",
+                "s/b.html: the link `../../letter.txt` names no file of the book"
             ]
         );
+    }
+
+    #[test]
+    fn what_names_a_scheme_or_a_host_leads_out_of_the_book() {
+        for link in ["a.html", "a/b:c.html", "a.html?x:y", "#x:y", "a.html#"] {
+            assert!(is_local(link), "{link}");
+        }
+        for link in ["https://x.y/z", "mailto:x@y.z", "//x.y/z", "#"] {
+            assert!(!is_local(link), "{link}");
+        }
     }
 }

@@ -91,14 +91,14 @@ fn formula_impl<'t, 'a>(tokens: &'t [Token<'a>], type_name: &str) -> Option<&'t 
         let head: Vec<&str> = tokens[start..open].iter().map(|token| token.text).collect();
         let split = head.iter().position(|text| *text == "for");
         if split.is_some_and(|at| head[..at].contains(&"Formula") && head[at..].contains(&type_name)) {
-            return Some(&tokens[open + 1..closing(tokens, open)]);
+            return Some(&tokens[open + 1..closing(tokens, open)?]);
         }
     }
     None
 }
 
 /// The index of the brace that closes the one at `open`.
-fn closing(tokens: &[Token<'_>], open: usize) -> usize {
+fn closing(tokens: &[Token<'_>], open: usize) -> Option<usize> {
     let mut depth = 0_usize;
     for (at, token) in tokens.iter().enumerate().skip(open) {
         match token.text {
@@ -107,23 +107,21 @@ fn closing(tokens: &[Token<'_>], open: usize) -> usize {
             _ => {}
         }
         if depth == 0 {
-            return at;
+            return Some(at);
         }
     }
-    tokens.len().saturating_sub(1)
+    None
 }
 
 /// The lines of one function in the body of an `impl`.
 fn function(source: &SourceFile, body: &[Token<'_>], name: &str) -> Option<CodeSpan> {
     let at = body.windows(2).position(|pair| pair[0].text == "fn" && pair[1].text == name)?;
     let open = at + body[at..].iter().position(|token| token.text == "{")?;
-    let last = body.get(closing(body, open))?.line;
+    let last = body[closing(body, open)?].line;
     let lines: Vec<&str> = source.text.lines().collect();
-    let mut first = body[at].line;
-    let belongs = |line: &str| line.trim_start().starts_with("///") || line.trim_start().starts_with("#[");
-    while first > 1 && lines.get(first - 2).is_some_and(|line| belongs(line)) {
-        first -= 1;
-    }
+    let belongs = |line: &&&str| line.trim_start().starts_with("///") || line.trim_start().starts_with("#[");
+    let above = lines[..body[at].line - 1].iter().rev().take_while(belongs).count();
+    let first = body[at].line - above;
     Some(CodeSpan { name: name.to_owned(), file: source.path.clone(), first, last })
 }
 
@@ -136,7 +134,7 @@ fn enclosing_test(source: &SourceFile, tokens: &[Token<'_>], at: usize) -> Optio
     let is_test = attributes.into_iter().any(|text| text == "test");
     let name = tokens[start + 1].text.to_owned();
     let test = TestRef { name, file: source.path.clone(), line: tokens[start].line };
-    (is_test && open < at && at < closing(tokens, open)).then_some(test)
+    (is_test && open < at && at < closing(tokens, open)?).then_some(test)
 }
 
 #[cfg(test)]
@@ -162,6 +160,40 @@ mod tests {
         let lines: Vec<_> = spans.iter().map(|s| (s.name.as_str(), s.first, s.last)).collect();
         assert_eq!(lines, [("eval", 4, 8), ("jacobian", 9, 9)]);
         assert_eq!(index.functions("src/a.rs", "B", &["eval"]), []);
+    }
+
+    #[test]
+    fn code_that_is_cut_off_has_no_functions() {
+        let file = |text: &str| SourceFile { path: "src/a.rs".to_owned(), text: text.to_owned() };
+        let lines = |text: &str| {
+            let sources = [file(text)];
+            let spans = Index::new(&sources).functions("src/a.rs", "A", &["eval"]);
+            spans.iter().map(|span| (span.first, span.last)).collect::<Vec<_>>()
+        };
+        assert_eq!(lines("impl Formula for A { fn eval() {} }"), [(1, 1)]);
+        assert_eq!(lines("impl Formula for A {\n fn eval() {\n"), []);
+        // The formula's own functions, in whatever order types are.
+        let others = "impl Formula for B {\n fn eval() {}\n}\nimpl A {\n fn eval() {}\n}\n";
+        assert_eq!(
+            lines(&format!(
+                "{others}impl<T> x::Formula for A {{\n// eval\n\nfn other() {{}}\n#[inline]\nfn eval() {{\n}}\n}}\n"
+            )),
+            [(11, 13)]
+        );
+    }
+
+    #[test]
+    fn tests_of_the_catalog_are_those_in_tests_that_name_it() {
+        let source = |path: &str| SourceFile {
+            path: path.to_owned(),
+            text:
+                "#[test]\nfn one() {}\n#[test]\nfn all() {\n  CATALOG;\n}\n#[test]\nfn each() { for_every_formula() }\n"
+                    .to_owned(),
+        };
+        let sources = [source("src/a.rs"), source("tests/b.rs")];
+        let tests = Index::new(&sources).tests_over_catalog();
+        let names: Vec<_> = tests.iter().map(|t| (t.name.as_str(), t.file.as_str(), t.line)).collect();
+        assert_eq!(names, [("all", "tests/b.rs", 4), ("each", "tests/b.rs", 8)]);
     }
 
     #[test]

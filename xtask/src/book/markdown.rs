@@ -259,6 +259,35 @@ mod tests {
         assert_eq!(found.len(), 2, "mathematics in an argument belongs to the directive");
     }
 
+    /// The lines of what is wrong.
+    fn wrong(chapter: &str) -> Vec<usize> {
+        scan(chapter).1.into_iter().map(|(line, _)| line).collect()
+    }
+
+    #[test]
+    fn stray_dollars_are_named_once_a_line_and_not_in_code() {
+        assert_eq!(wrong("a $ b\n\nc $ d $ e\n\nf $ g"), [1, 3, 5]);
+        assert_eq!(wrong("```\na $ b\n```\n\nc $ d"), [5]);
+        assert!(scan("ab *c* 5 $ d").1[0].1.starts_with("no formula is closed in `$ d`; "));
+    }
+
+    #[test]
+    fn pieces_are_in_order_and_their_places_are_theirs_alone() {
+        let chapter = "a $x$\n\n{{#kinks}}\n\n`b` and $y$\n\n{{#speed own t}}\nc";
+        let found = scan(chapter).0;
+        let texts: Vec<_> = found.iter().map(|found| &chapter[found.range.clone()]).collect();
+        assert_eq!(texts, ["$x$", "{{#kinks}}", "`b`", "$y$", "{{#speed own t}}"]);
+        assert_eq!(found.iter().map(|found| found.line).collect::<Vec<_>>(), [1, 3, 5, 5, 7]);
+    }
+
+    #[test]
+    fn directives_in_code_are_left_alone_wherever_it_stands() {
+        let chapter = "```\n{{#kinks}}\n```\n\n```\n{{#symbols}}\n```\n\n`{{#sources}}`\n";
+        assert_eq!(pieces(chapter), [Piece::Code("{{#sources}}".to_owned())]);
+        assert!(wrong(chapter).is_empty());
+        assert_eq!(wrong("a {{#kinks}}\n\n{{#kinks}} b\n"), [1, 3]);
+    }
+
     #[test]
     fn a_directive_must_stand_alone_and_be_closed() {
         assert!(scan("see {{#kinks}}").1[0].1.contains("alone"));

@@ -55,7 +55,7 @@ impl Math {
             at: latex.get(..error.0.start).map_or(0, |before| before.chars().count()) + 1,
         })?;
         let alternative = escape(latex);
-        Ok(level(&result.mathml).replacen("<math", &format!("<math alttext=\"{alternative}\""), 1))
+        Ok(level(&result.mathml).replace("<math", &format!("<math alttext=\"{alternative}\"")))
     }
 }
 

@@ -29,11 +29,11 @@ fn with_whole_options(page: &str) -> String {
     for piece in pieces {
         let is_block = out.ends_with("<pre>");
         out.push_str("<code>");
-        let code = piece.split_once("</code>").map_or("", |(code, _)| code);
-        if is_block || !code.contains("--") {
+        if is_block {
             out.push_str(piece);
             continue;
         }
+        let code = piece.split_once("</code>").map_or("", |(code, _)| code);
         let words = code.split(' ').map(|word| {
             if word.starts_with("--") { format!("<span class=\"option\">{word}</span>") } else { word.to_owned() }
         });
@@ -50,10 +50,10 @@ pub(crate) fn mended(page: &str) -> String {
         page = page.replace(from, &to.replace("{page.js}", SCRIPT));
     }
     if !page.contains(" class=\"language-") {
-        page = page.replacen(COLOURS, NO_COLOURS, 1);
+        page = page.replace(COLOURS, NO_COLOURS);
     }
     // The table of contents for readers without scripts.
-    if page.contains("<title>") { page } else { page.replacen("<head>", "<head>\n<title>Contents</title>", 1) }
+    if page.contains("<title>") { page } else { page.replace("<head>", "<head>\n<title>Contents</title>") }
 }
 
 #[cfg(test)]
@@ -65,6 +65,21 @@ mod tests {
         let options =
             "<code>golden <span class=\"option\">--check</span> a--b</code>, <pre><code>golden --check</code>";
         assert_eq!(with_whole_options("<code>golden --check a--b</code>, <pre><code>golden --check</code>"), options);
+        assert_eq!(with_whole_options("a <code>b c</code> d"), "a <code>b c</code> d");
+    }
+
+    #[test]
+    fn a_script_that_colours_is_loaded_where_there_is_code_to_colour() {
+        let script = "<title>T</title><script src=\"highlight.js\"></script>";
+        assert_eq!(mended(script), format!("<title>T</title><script {NO_COLOURS}"));
+        let code = format!("{script}<code class=\"language-sh\">");
+        assert_eq!(mended(&code), code);
+    }
+
+    #[test]
+    fn a_page_without_a_title_gets_one() {
+        assert_eq!(mended("<head><title>T</title></head>"), "<head><title>T</title></head>");
+        assert_eq!(mended("<head></head>"), "<head>\n<title>Contents</title></head>");
     }
 
     #[test]

@@ -25,10 +25,9 @@ pub(crate) enum Origin {
 
 /// The chapter with every such number as it is written, and the numbers.
 pub(crate) fn shown(chapter: &str) -> (String, Vec<Numeral>) {
-    let (mut out, mut all, mut done) = (String::with_capacity(chapter.len()), Vec::new(), 0);
-    for (range, mut numeral) in found(chapter) {
+    let (mut out, mut all, mut done) = (String::new(), Vec::new(), 0);
+    for (range, numeral) in found(chapter) {
         out.extend([&chapter[done..range.start], &numeral.written]);
-        numeral.line = line(chapter, range.start);
         all.push(numeral);
         done = range.end;
     }
@@ -73,7 +72,7 @@ fn found(chapter: &str) -> Vec<(Range<usize>, Numeral)> {
             continue;
         }
         if let Some(inside) = balanced(&chapter[start + 2..])
-            && let Some(numeral) = numeral(inside)
+            && let Some(numeral) = numeral(inside, line(chapter, start))
         {
             from = start + inside.len() + 4;
             all.push((start..from, numeral));
@@ -82,8 +81,8 @@ fn found(chapter: &str) -> Vec<(Range<usize>, Numeral)> {
     all
 }
 
-fn numeral(inside: &str) -> Option<Numeral> {
-    let of = |written: &str, origin| Numeral { written: written.trim().into(), origin, line: 0 };
+fn numeral(inside: &str, line: usize) -> Option<Numeral> {
+    let of = |written: &str, origin| Numeral { written: written.trim().into(), origin, line };
     if let Some(written) = inside.strip_prefix("given ") {
         return Some(of(written, Origin::Given));
     }
@@ -101,7 +100,7 @@ fn numeral(inside: &str) -> Option<Numeral> {
 /// Whether a number, rounded to the places that are written, is what is written. Zeros at the end of a whole number
 /// need not be right.
 pub(crate) fn is_rounded(written: &str, value: f64) -> bool {
-    let plain: String = written.chars().filter(|c| !c.is_whitespace() && *c != '\u{a0}').collect();
+    let plain: String = written.chars().filter(|c| !c.is_whitespace()).collect();
     let Ok(number) = plain.parse::<f64>() else { return false };
     let places = match plain.split_once('.') {
         Some((_, decimals)) => i32::try_from(decimals.len()).unwrap_or(i32::MAX),
@@ -130,6 +129,26 @@ mod tests {
     }
 
     #[test]
+    fn numbers_are_found_from_the_first_letter_on_and_outside_all_code() {
+        assert_eq!(shown("{{given 3}}").0, "3");
+        assert_eq!(shown("{{{{given 3}} x").0, "{{3 x");
+        let code = "`{{given 1}}` {{given 2}} `{{given 3}}`";
+        assert_eq!(shown(code).0, "`{{given 1}}` 2 `{{given 3}}`");
+    }
+
+    #[test]
+    fn claims_are_found_with_their_lines_beside_what_is_none() {
+        let chapter = "# Of 1.5\n\n[2.5](x.md) then 3.5\n\n```\n4.5\n```\n\na\nb 5.5 of {{given 6.5}}, version 1.2.3\n";
+        assert_eq!(bare(chapter), [(3, "3.5".to_owned()), (10, "5.5".to_owned())]);
+    }
+
+    #[test]
+    fn of_directives_captions_make_claims() {
+        let chapter = "{{#speed 1.5}}\n\n{{#presentation 2.5 of it}}\n\n{{#figure a It is 3.5 wide.}}\n";
+        assert_eq!(bare(chapter), [(5, "3.5".to_owned())]);
+    }
+
+    #[test]
     fn decimals_and_percentages_are_found_where_they_are_claims() {
         let found = |text| bare(text).into_iter().map(|(_, decimal)| decimal).collect::<Vec<_>>();
         assert_eq!(found("1.5 or $f = 0.2$, 20 % and {{given 3.5}} in 3 steps; `0.7`. At 3."), ["1.5", "0.2", "20"]);
@@ -150,6 +169,10 @@ mod tests {
             ("0.3", 0.25, true),
             ("2.68", 2.675, true),
             ("0.3", 0.2499, false),
+            ("3.7", 3.76, false),
+            ("1 100", 1146.0, true),
+            ("1\u{a0}100", 1146.0, true),
+            ("1 100", 1151.0, false),
             ("x", 1.0, false),
         ] {
             assert_eq!(is_rounded(written, value), is_so, "{written} for {value}");

@@ -145,3 +145,47 @@ impl<'t> Link<'t> {
         Some(Self { before, words, target, after })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn place(page: &str) -> Place {
+        Place { file: "a.md".into(), line: 7, page: page.into() }
+    }
+
+    #[test]
+    fn texts_have_mathematics_code_and_links() {
+        let (content, later) = (Content::default(), Deferred::default());
+        let mut pages = Pages::new(&content, &later);
+        pages.places.insert("t.one".into(), place("b/c.html"));
+        let at = place("b/a.html");
+        let shown = |html: String| later.fill(&html);
+        let link = "<a href=\"../b/c.html#t.one\"><code>t.one</code></a>";
+        assert_eq!(
+            pages.text(&at, "a < `t.one` [`d` e](f.html#g) h"),
+            "a &lt; <code>t.one</code> <a href=\"../f.html#g\"><code>d</code> e</a> h"
+        );
+        assert_eq!(pages.linked_text(&at, "`t.one`, `x`"), format!("{link}, <code>x</code>"));
+        assert_eq!(pages.link("b/c.html", "t.one"), "<a href=\"#t.one\"><code>t.one</code></a>");
+        let mathematics = shown(pages.text(&at, "of $x$!"));
+        assert!(
+            mathematics.starts_with("of <math alttext=\"x\">") && mathematics.ends_with("</math>!"),
+            "{mathematics}"
+        );
+        assert!(pages.faults.borrow().0.is_empty());
+    }
+
+    #[test]
+    fn what_is_not_closed_or_cannot_be_set_is_a_fault() {
+        let (content, later) = (Content::default(), Deferred::default());
+        let pages = Pages::new(&content, &later);
+        let at = place("a.html");
+        assert_eq!(pages.text(&at, "a `b"), "a `b");
+        assert_eq!(later.fill(&pages.inline_math(&at, "\\nonsense")), "");
+        let faults: Vec<_> = pages.faults.borrow().0.iter().map(ToString::to_string).collect();
+        assert_eq!(faults.len(), 2, "{faults:?}");
+        assert_eq!(faults[0], "a.md:7: unclosed ``` in the catalog text \"a `b\"");
+        assert!(faults[1].starts_with("a.md:7: cannot set the formula `\\nonsense`"), "{faults:?}");
+    }
+}

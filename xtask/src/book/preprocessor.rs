@@ -1,6 +1,6 @@
 //! The mdBook preprocessor, run within this process: directives become entries and pages, LaTeX becomes `MathML`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
 use mdbook_preprocessor::book::{Book, Chapter};
@@ -39,7 +39,7 @@ impl Preprocessor for Formulary {
             chapter.content = with_texts(&self.content, &shown);
             let found = read(chapter, &pages, &mut entries);
             if found.iter().any(is_evidence) {
-                evidence = Some(place(chapter, 0).page);
+                evidence = Some(page(chapter));
             }
             scans.push(found);
         });
@@ -60,7 +60,7 @@ impl Preprocessor for Formulary {
 impl Formulary {
     /// The chapter with every piece replaced.
     fn expand(&self, pages: &Pages<'_>, chapter: &Chapter, found: &[Found]) -> String {
-        let mut out = String::with_capacity(chapter.content.len() * 2);
+        let mut out = String::new();
         let (mut done, mut mark) = (0, None);
         for Found { piece, range, line } in found {
             out.push_str(&chapter.content[done..range.start]);
@@ -119,7 +119,7 @@ impl Formulary {
 
 /// The chapter with `{{#text name}}` replaced by the Markdown of this name, which is then read as if it stood there.
 fn with_texts(content: &Content, chapter: &str) -> String {
-    let mut out = String::with_capacity(chapter.len());
+    let mut out = String::new();
     let mut done = 0;
     for Found { piece, range, .. } in scan(chapter).0 {
         if let Piece::Directive { name, argument } = piece
@@ -173,9 +173,17 @@ fn is_evidence(found: &Found) -> bool {
 
 /// A line of a chapter.
 fn place(chapter: &Chapter, line: usize) -> Place {
-    let path = |path: &Option<PathBuf>| path.clone().unwrap_or_default().to_string_lossy().replace('\\', "/");
-    let page = PathBuf::from(path(&chapter.path)).with_extension("html").to_string_lossy().into_owned();
-    Place { file: format!("book/src/{}", path(&chapter.source_path)), line, page }
+    Place { file: format!("book/src/{}", slashed(chapter.source_path.as_deref())), line, page: page(chapter) }
+}
+
+/// The page that a chapter becomes.
+fn page(chapter: &Chapter) -> String {
+    let page = PathBuf::from(slashed(chapter.path.as_deref())).with_extension("html");
+    page.to_string_lossy().into_owned()
+}
+
+fn slashed(path: Option<&Path>) -> String {
+    path.unwrap_or(Path::new("")).to_string_lossy().replace('\\', "/")
 }
 
 /// Finds the pieces of a chapter, and notes where formulas have their entries.
@@ -202,5 +210,27 @@ fn note(entries: Vec<(Directive, Place)>, pages: &mut Pages<'_>) {
     pages.faults.borrow_mut().0.extend(coverage::faults(&ids, &directives));
     for (directive, at) in directives.into_iter().zip(places) {
         pages.places.entry(directive.id).or_insert(at);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn below_a_display_it_is_said_how_it_is_held() {
+        let (content, later) = (Content::default(), Deferred::default());
+        let pages = Pages::new(&content, &later);
+        let at = Place { file: "a.md".into(), line: 1, page: "a.html".into() };
+        let said = |mark: Mark| later.fill(&note_of(&pages, &at, &mark)).replace("<code>", "`").replace("</code>", "`");
+        let executed = |about: &str| said(Mark::Executed(about.into()));
+        let held = |text: &str| format!("<span class=\"held\">{text}</span>");
+        assert_eq!(said(Mark::Presentation("as it is".into())), held("Not executed: as it is."));
+        assert_eq!(executed("let a = 1; slot.stop"), held("Executed against `slot.stop`."));
+        assert_eq!(executed("; let a = 1"), held("Executed for random numbers."));
+        assert!(executed("if a").starts_with("<span class=\"held\">Executed for random numbers, where <math"));
+        assert!(
+            executed("slot.stop; if a").starts_with("<span class=\"held\">Executed against `slot.stop`, where <math")
+        );
     }
 }

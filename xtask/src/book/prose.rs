@@ -62,6 +62,7 @@ pub(crate) fn read(file: &str, text: &str) -> Chapter {
         }
         before = mark(&piece).map(|mark| (mark, line));
     }
+    faults.extend(before.map(|(_, line)| fault(line, "no equation follows this")));
     let bare = numeral::bare(text).into_iter();
     faults.extend(bare.map(|(line, numeral)| {
         fault(
@@ -122,5 +123,62 @@ impl Formulas<'_> {
         let own = definitions.join(r"\quad ");
         setting.definitions = format!(r"{}\quad {own}", setting.definitions);
         Ok((of, setting))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use jointproof::catalog::CATALOG;
+
+    fn faults(text: &str) -> Vec<String> {
+        read("a.md", text).faults.iter().map(ToString::to_string).collect()
+    }
+
+    #[test]
+    fn every_display_has_a_mark_and_every_mark_a_display() {
+        let good = "{{#equation slot.stop}}\n\n$$\na = b\n$$\n\n`c`\n\n{{#presentation as it is}}\n\n$$\nd\n$$\n";
+        let Chapter { displays, faults: none, .. } = read("a.md", good);
+        assert_eq!(none, []);
+        let displays: Vec<_> = displays.into_iter().map(|Display { latex, line, mark }| (latex, line, mark)).collect();
+        let [executed, shown] = [Mark::Executed("slot.stop".into()), Mark::Presentation("as it is".into())];
+        assert_eq!(displays, [("\na = b\n".into(), 3, Some(executed)), ("\nd\n".into(), 11, Some(shown))]);
+        let unmarked = faults("# A\n\n$$\na = b\n$$\n");
+        assert!(unmarked.len() == 1 && unmarked[0].starts_with("a.md:3: this equation is neither"), "{unmarked:?}");
+        for rest in ["", "`b`\n"] {
+            let text = format!("a\n\n{{{{#presentation why}}}}\n\n{rest}");
+            assert_eq!(faults(&text), ["a.md:3: no equation follows this"]);
+        }
+    }
+
+    #[test]
+    fn what_is_said_of_a_display_is_read_part_by_part() {
+        let formulas = Formulas(CATALOG);
+        let said =
+            "slot.stop; let a = 1; ; if f_1 > 0; put x = 2; free y; from slot.friction P, F_C; let b = 2; triads";
+        let (of, setting) = formulas.setting(said, None).unwrap();
+        assert_eq!(of.unwrap().spec().id, "slot.stop");
+        assert_eq!(setting.of.as_ref().unwrap().spec.id, "slot.stop");
+        assert_eq!([&setting.condition, &setting.put, &setting.free], ["f_1 > 0", "x = 2", "y"]);
+        assert!(setting.definitions.ends_with(r"a = 1\quad b = 2"), "{}", setting.definitions);
+        let from: Vec<_> = setting.from.iter().map(|(symbols, spec)| (symbols.as_str(), spec.id)).collect();
+        assert_eq!((setting.triads, from), (true, vec![("P, F_C", "slot.friction")]));
+        assert!(setting.above.is_empty());
+        let before = ((of, setting), "c = a".to_owned());
+        let (of, setting) = formulas.setting("above; let c = 3", Some(&before)).unwrap();
+        assert_eq!(
+            (of.unwrap().spec().id, setting.triads, setting.above),
+            ("slot.stop", true, vec!["c = a".to_owned()])
+        );
+        assert!(setting.definitions.contains("b = 2") && setting.definitions.ends_with("c = 3"));
+        assert!(!formulas.setting("slot.stop", None).unwrap().1.triads);
+    }
+
+    #[test]
+    fn what_cannot_be_read_of_a_display_is_said() {
+        let said = |argument: &str| Formulas(CATALOG).setting(argument, None).err().unwrap_or_default();
+        assert_eq!(said("slot.nothing"), "no formula `slot.nothing` in the catalog");
+        assert_eq!(said("above"), "nothing is executed above");
+        assert!(said("where a = 1").starts_with("`where` is none of let, if, put,"));
     }
 }

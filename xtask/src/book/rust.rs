@@ -230,10 +230,92 @@ mod tests {
         assert_eq!(of(Kind::Lifetime), ["'a", "'a"]);
     }
 
+    /// The tokens that are no spaces, with a letter for their kind.
+    fn read(text: &str) -> String {
+        let letter = |kind| match kind {
+            Kind::Space => unreachable!("left out"),
+            Kind::Comment => 'c',
+            Kind::Text => 's',
+            Kind::Number => 'n',
+            Kind::Keyword => 'k',
+            Kind::Type => 't',
+            Kind::Name => 'w',
+            Kind::Lifetime => 'l',
+            Kind::Mark => 'm',
+        };
+        let tokens = tokens(text).into_iter().filter(|token| token.0 != Kind::Space);
+        tokens.map(|(kind, text)| format!("{}:{text}", letter(kind))).collect::<Vec<_>>().join(" ")
+    }
+
+    #[test]
+    fn names_keywords_and_types_are_told_apart() {
+        assert_eq!(read("fn _a_1 Box2 é9 bar rust crab x"), "k:fn w:_a_1 t:Box2 w:é9 w:bar w:rust w:crab w:x");
+    }
+
+    #[test]
+    fn numbers_end_where_rust_ends_them() {
+        for (text, tokens) in [
+            ("1_000.5f64,", "n:1_000.5f64 m:,"),
+            ("1e-3+2", "n:1e-3 m:+ n:2"),
+            ("1E+30-4", "n:1E+30 m:- n:4"),
+            ("0xe+1", "n:0xe m:+ n:1"),
+            ("1.max(2)", "n:1 m:. w:max m:( n:2 m:)"),
+            ("1._x", "n:1 m:. w:_x"),
+            ("1..2", "n:1 m:. m:. n:2"),
+            ("1.;", "n:1. m:;"),
+            ("1.", "n:1."),
+            ("7 8", "n:7 n:8"),
+        ] {
+            assert_eq!(read(text), tokens, "{text}");
+        }
+    }
+
+    #[test]
+    fn texts_end_at_the_quote_that_closes_them() {
+        for (text, tokens) in [
+            (r#""" x"#, r#"s:"" w:x"#),
+            (r#""a\\" x "b""#, r#"s:"a\\" w:x s:"b""#),
+            (r#""a\"b\n" x"#, r#"s:"a\"b\n" w:x"#),
+            (r#"b"a\"b" x"#, r#"s:b"a\"b" w:x"#),
+            (r#"r"\" x"#, r#"s:r"\" w:x"#),
+            (r#"br"\" x"#, r#"s:br"\" w:x"#),
+            (r##"cr#"a"b"# x"##, r##"s:cr#"a"b"# w:x"##),
+            (r###"r##"a"#b"## x"###, r###"s:r##"a"#b"## w:x"###),
+            (r#"bcr"a" x"#, r#"w:bcr s:"a" w:x"#),
+            (r"b'x' b'\'' y", r"s:b'x' s:b'\'' w:y"),
+            (r"'a' '\n' '\\' 'é' x", r"s:'a' s:'\n' s:'\\' s:'é' w:x"),
+            ("'a_b, '_ 'static>", "l:'a_b m:, l:'_ l:'static m:>"),
+        ] {
+            assert_eq!(read(text), tokens, "{text}");
+        }
+    }
+
+    #[test]
+    fn comments_end_at_their_own_end() {
+        for (text, tokens) in [
+            ("/* a /* b */ é */ x", "c:/* a /* b */ é */ w:x"),
+            ("/**/x", "c:/**/ w:x"),
+            ("/*/ a */ x", "c:/*/ a */ w:x"),
+            ("// a /*\nx", "c:// a /* w:x"),
+            ("a/b", "w:a m:/ w:b"),
+        ] {
+            assert_eq!(read(text), tokens, "{text}");
+        }
+    }
+
     #[test]
     fn each_line_is_complete_html() {
         let lines = highlight("/* a\nb */ fn\n\n");
         assert_eq!(lines, ["<i class=\"rc\">/* a</i>", "<i class=\"rc\">b */</i> <i class=\"rk\">fn</i>", ""]);
+        assert_eq!(highlight("\nx"), ["", "x"]);
+        assert_eq!(highlight("x\n"), ["x"]);
+        assert_eq!(highlight("/*\n\n*/"), ["<i class=\"rc\">/*</i>", "", "<i class=\"rc\">*/</i>"]);
+    }
+
+    #[test]
+    fn every_kind_has_its_colour() {
+        let coloured = "<i class=\"rk\">let</i> a<i class=\"rl\">'b</i>:<i class=\"rt\">C</i>=<i class=\"rn\">1</i><i class=\"rs\">'&lt;'</i>";
+        assert_eq!(highlight("let a'b:C=1'<'"), [coloured]);
     }
 
     #[test]
@@ -242,6 +324,7 @@ mod tests {
             block(&["    a".into(), String::new(), "      b".into()]),
             "<pre><code class=\"nohighlight\">a\n\n  b</code></pre>"
         );
+        assert_eq!(block(&[" ".into()]), "<pre><code class=\"nohighlight\"> </code></pre>");
     }
 
     #[test]

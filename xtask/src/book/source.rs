@@ -16,7 +16,7 @@ pub(crate) fn listing(source: &SourceFile, book_title: &str) -> String {
     let path = escape(&source.path);
     let root = "../".repeat(listing_page(&source.path).matches('/').count());
     let title = escape(book_title);
-    let mut lines = String::with_capacity(source.text.len() * 3);
+    let mut lines = String::new();
     for (index, line) in highlight(&source.text).iter().enumerate() {
         let n = index + 1;
         let _ = writeln!(
@@ -67,7 +67,8 @@ mod tests {
         let page = listing(&source, "Book");
         assert_eq!(listing_page(&source.path), "source/src/a.rs.html");
         assert_eq!(page.matches("class=\"line\"").count(), 3);
-        assert!(page.contains("id=\"L2\"") && page.contains("a &lt; b"));
+        let second = "<span id=\"L2\" class=\"line\"><a href=\"#L2\" data-n=\"2\" aria-label=\"line 2\"></a>    a &lt; b</span>\n";
+        assert!(page.contains(second) && page.contains("id=\"L1\"") && page.contains("id=\"L3\""), "{page}");
         assert!(page.contains("href=\"../../css/variables.css\""));
     }
 }

@@ -185,3 +185,35 @@ pub(crate) fn named(pages: &Pages<'_>, at: &Place, name: &str) -> String {
         title + &table
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_symbol_has_a_row_for_each_thing_it_stands_for_and_names_a_formula_once() {
+        let symbol = |name: &str, unit: &str| Symbol { name: name.into(), unit: unit.into(), ..Symbol::default() };
+        let entry = |id: &str, inputs: Vec<Symbol>, outputs: Vec<Symbol>| Entry {
+            id: id.into(),
+            inputs,
+            outputs,
+            ..Entry::default()
+        };
+        let entries = vec![
+            entry("t.a", vec![symbol("x", "F")], vec![symbol("x", "F"), symbol("b", "1")]),
+            entry("t.b", vec![symbol("x", "F"), symbol("x", "L")], vec![symbol("x", "F")]),
+            entry("t.c", vec![symbol("x", "1")], vec![symbol("X", "1")]),
+        ];
+        let content = Content { entries, ..Content::default() };
+        let rows = symbol_rows(&content);
+        let shown: Vec<_> = rows.iter().map(|row| (&*row.anchor, &*row.symbol.unit, row.users.join(" "))).collect();
+        let expected = [
+            ("symbol-b", "1", "t.a"),
+            ("symbol-X", "1", "t.c"),
+            ("symbol-x", "1", "t.c"),
+            ("symbol-x-2", "F", "t.a t.b"),
+            ("symbol-x-3", "L", "t.b"),
+        ];
+        assert_eq!(shown, expected.map(|(anchor, unit, users)| (anchor, unit, users.to_owned())));
+    }
+}

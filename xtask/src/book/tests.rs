@@ -198,6 +198,24 @@ fn files_can_be_included() {
     assert!(page(root.path()).contains("price = '$5'"));
 }
 
+#[test]
+fn a_chapter_that_is_not_there_is_not_made_up() {
+    let root = tempfile::tempdir().unwrap();
+    book(root.path(), GOOD).unwrap();
+    let summary = |text: &str| write(&root.path().join("book/src/SUMMARY.md"), text.as_bytes()).unwrap();
+    let build = || build(root.path(), &Options::default(), content());
+    summary("# Summary\n\n- [One](one.md)\n- [Two](two.md)\n");
+    let error = format!("{:#}", build().unwrap_err());
+    assert!(error.contains("two.md"), "{error}");
+    assert!(!root.path().join("book/src/two.md").exists());
+    // Chapters keep their names.
+    write(&root.path().join("book/src/README.md"), b"# Read\n").unwrap();
+    summary("# Summary\n\n- [One](one.md)\n- [Read](README.md)\n");
+    let built = build().unwrap();
+    assert_eq!((built.chapters, built.formulas, built.listings), (2, 2, 1));
+    assert!(root.path().join("target/book/README.html").is_file());
+}
+
 #[cfg(unix)]
 #[test]
 fn old_leftovers_of_builds_are_removed_and_nothing_else() {

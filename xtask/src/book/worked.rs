@@ -161,4 +161,41 @@ mod tests {
         assert_eq!(digits(&[1e-9, -0.0]), ("=", vec!["10^{-9}".into(), "0".into()]));
         assert_eq!([plain("-0.5"), plain("10^{-9}")], ["−0.5", "$10^{-9}$"]);
     }
+
+    #[test]
+    fn numbers_of_ten_letters_are_written_out_and_longer_ones_with_a_power() {
+        for (x, text) in [
+            (0.001_234_567, "0.00123457"),
+            (0.000_123_456_7, r"1.23457\cdot 10^{-4}"),
+            (1_234_567_890.0, "1234570000"),
+            (-1_234_567_890.0, r"-1.23457\cdot 10^{9}"),
+            (1e10, "10^{10}"),
+            (-0.0, "0"),
+        ] {
+            assert_eq!(short(x).0, text);
+        }
+    }
+
+    #[test]
+    fn of_many_inputs_those_are_shown_that_are_not_0() {
+        let fields = find("join.rows").unwrap().inputs();
+        let count = fields.iter().map(Field::len).sum::<usize>();
+        assert!(count > ALL, "{count} components");
+        let mut point = vec![0.0; count];
+        assert_eq!(given(fields, &point), ["the rest 0"]);
+        let after = fields[0].len();
+        point[after] = 2.0;
+        let shown = given(fields, &point);
+        let second = format!("${} =$ (2, 0, 0)", fields[1].quantity.latex);
+        assert_eq!(shown, [second, "the rest 0".to_owned()]);
+        let ones = given(fields, &vec![1.0; count]);
+        assert_eq!(ones.len(), fields.len(), "{ones:?}");
+    }
+
+    #[test]
+    fn few_outputs_are_shown_and_that_there_are_more() {
+        let texts = |count: usize| (0..count).map(|k| k.to_string()).collect::<Vec<_>>();
+        assert_eq!(first(texts(4)), ["0", "1", "2", "3"]);
+        assert_eq!(first(texts(5)), ["0", "1", "2", "3", "…"]);
+    }
 }

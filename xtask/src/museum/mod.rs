@@ -45,6 +45,14 @@ mod tests {
     use super::*;
 
     #[test]
+    fn one_failure_is_enough_to_fail() {
+        let mut audit = crate::worked_example::run();
+        audit.eta.failures = 1;
+        let failures: Vec<_> = failed(&audit).map(|claim| claim.failures).collect();
+        assert!(failures.contains(&1) && !failures.contains(&0) && failures.len() < audit.claims().count());
+    }
+
+    #[test]
     fn every_error_is_caught_by_the_audit_of_its_formula_alone() {
         let pieces = pieces::all();
         assert_eq!(pieces.len(), 12);

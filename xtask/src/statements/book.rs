@@ -163,3 +163,15 @@ fn sources(documents: &[Document]) -> String {
     }
     text
 }
+
+#[cfg(test)]
+mod tests {
+    use super::short;
+
+    #[test]
+    fn paths_are_shown_from_their_type_on_or_with_the_module_of_a_function() {
+        assert_eq!(short("a::b::Type<c::D>::method"), "`Type::method`");
+        assert_eq!(short("a::b::c::function"), "`c::function`");
+        assert_eq!(short("function"), "`function`");
+    }
+}

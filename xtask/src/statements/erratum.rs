@@ -146,11 +146,11 @@ fn all_digits(values: &[f64]) -> String {
 fn digits(x: f64) -> String {
     let scientific = format!("{x:.3e}");
     let (mantissa, power) = scientific.split_once('e').unwrap_or((&scientific, "0"));
-    let power: i32 = power.parse().unwrap_or(0);
+    let power: i32 = power.parse().unwrap_or_default();
     match power {
         _ if x == 0.0 => "0".into(),
         -3..=4 => {
-            let decimals = usize::try_from(3 - power).unwrap_or(0);
+            let decimals = usize::try_from(3 - power).unwrap_or_default();
             without_zeros(&format!("{x:.decimals$}")).replace('-', "−")
         }
         _ => format!("${}\\cdot10^{{{power}}}$", without_zeros(&mantissa[..mantissa.len() - 2])),
@@ -170,15 +170,79 @@ pub(super) fn apart(a: f64, b: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{apart, digits};
+    use super::{Comparison, Erratum, Kind, Reading, all_digits, apart, at, digits};
 
     #[test]
     fn numbers_have_four_digits_and_differences_a_size() {
-        let shown = [0.0, 0.5, -12.345_678, 1e-3, 1.2e-4, 99_999.0, 1.5e5].map(digits);
+        let shown = [0.0, 1.0, 100.0, 0.5, -12.345_678, 12_345.6, 1e-3, 1.2e-4, 99_999.0, 1.5e5].map(digits);
         assert_eq!(
             shown,
-            ["0", "0.5", "−12.35", "0.001", "$1.2\\cdot10^{-4}$", "$1\\cdot10^{5}$", "$1.5\\cdot10^{5}$"]
+            [
+                "0",
+                "1",
+                "100",
+                "0.5",
+                "−12.35",
+                "12346",
+                "0.001",
+                "$1.2\\cdot10^{-4}$",
+                "$1\\cdot10^{5}$",
+                "$1.5\\cdot10^{5}$"
+            ]
         );
         assert_eq!([apart(0.0, 0.0), apart(1.0, -1.0), apart(2.0, 1.0)], [0.0, 2.0, 0.5]);
+        assert_eq!([apart(-2.0, 1.0), apart(1.0, -2.0), apart(1.0, 2.0), apart(-0.5, -0.25)], [1.5, 1.5, 0.5, 0.5]);
+    }
+
+    #[test]
+    fn what_is_rounding_beside_the_largest_is_0() {
+        assert_eq!(all_digits(&[1.0, 1e-13, -1e-13, 0.5]), "1, 0, 0, 0.5");
+        assert_eq!(all_digits(&[-2.0, 1.5e-12, 2.5e-12]), "−2, 0, $2.5\\cdot10^{-12}$");
+        assert_eq!(all_digits(&[0.5, 0.75e-12]), "0.5, $7.5\\cdot10^{-13}$");
+        assert_eq!(all_digits(&[-1e-3, 0.0]), "−0.001, 0");
+        assert_eq!(all_digits(&[1.0, 1e-12]), "1, $1\\cdot10^{-12}$");
+    }
+
+    fn reading(kind: Kind, off: f64) -> Reading {
+        Reading { kind, whose: "x".into(), latex: "", values: vec![1.0], off }
+    }
+
+    fn comparison(readings: &[(Kind, f64)]) -> Comparison {
+        let readings = readings.iter().map(|&(kind, off)| reading(kind, off)).collect();
+        Comparison { readings, ..at("", "law").within(0.5) }
+    }
+
+    #[test]
+    fn right_is_up_to_the_bound_and_broken_far_beyond_it() {
+        use Kind::{Literal, Right};
+        let faults = |readings: &[(Kind, f64)]| comparison(readings).faults().count();
+        assert_eq!([faults(&[(Right, 0.5)]), faults(&[(Right, 0.75)])], [0, 1]);
+        assert_eq!([faults(&[(Literal, 501.0)]), faults(&[(Literal, 500.0)]), faults(&[(Literal, 3.0)])], [0, 1, 1]);
+    }
+
+    #[test]
+    fn every_comparison_has_a_literal_reading_beside_a_right_one() {
+        use Kind::{Literal, Right};
+        let [both, literal, right] =
+            [[(Literal, 1e9), (Right, 0.0)].as_slice(), &[(Literal, 1e9), (Literal, 1e9)], &[(Right, 0.0)]];
+        let faults = |all: &[&[(Kind, f64)]]| {
+            let comparisons = all.iter().map(|readings| comparison(readings)).collect();
+            Erratum { anchor: "a", comparisons }.faults()
+        };
+        assert!(faults(&[both]).is_empty() && faults(&[both, both]).is_empty());
+        for lacking in [[both, literal], [right, both]] {
+            assert_eq!(faults(&lacking), ["erratum a: no literal reading beside a right one"]);
+        }
+        assert_eq!(faults(&[]).len(), 1);
+    }
+
+    #[test]
+    fn an_erratum_is_shown_as_a_table_a_comparison() {
+        let readings = vec![Reading { latex: "a = b", values: vec![1.0, 2.5], ..reading(Kind::Right, 0.125) }];
+        let comparison = Comparison { readings, ..at("$a = 1$", "law") };
+        let head =
+            "*Point:* $a = 1$. *Law:* law.\n\n| Reading | Equation | Value | Off the law by |\n|---|---|---|---|\n";
+        let expected = format!("{head}| x | $a = b$ | 1, 2.5 | 0.125 |\n\n");
+        assert_eq!(Erratum { anchor: "a", comparisons: vec![comparison] }.markdown(), expected);
     }
 }

@@ -108,6 +108,39 @@ fn an_erratum_without_its_place_in_the_chapter_fails() {
 }
 
 #[test]
+fn an_erratum_has_a_heading_and_its_tables() {
+    let errata = |chapter: &str| {
+        let mut errata = errata::all();
+        errata.truncate(1);
+        errata[0].anchor = "lost";
+        let faults = faults(&[], &errata, &World::of(&[("book/src/errata.md", chapter)], &[]));
+        faults.into_iter().filter(|fault| fault.starts_with("erratum lost: ")).count()
+    };
+    assert_eq!(errata("## Lost {#lost}\n\n{{#text erratum-lost}}\n"), 0);
+    assert_eq!(errata("## Lost {#lost}\n"), 1);
+    assert_eq!(errata("## Found\n\n{{#text erratum-lost}}\n"), 1);
+}
+
+#[test]
+fn what_is_outside_is_covered_by_nothing() {
+    let both = outside("L99", "It floats.", "nothing to code").chapter("slot.md");
+    assert_eq!(planted(both), ["slot-L99: it is outside, and covered"]);
+    assert!(planted(outside("L99", "It floats.", "nothing to code")).is_empty());
+    assert!(planted(mended("L99", "It floats.", "lost-roots").chapter("slot.md")).is_empty());
+}
+
+#[test]
+fn a_formula_is_of_a_section_of_its_document() {
+    let mut documents = documents::all();
+    let (id, source) = (slot::KineticForce::SPEC.id, slot::KineticForce::SPEC.source);
+    let own = documents.iter_mut().find(|document| document.source == source.document).unwrap();
+    assert!(own.sections.contains(&source.section));
+    own.sections = &["Elsewhere"];
+    let expected = format!("{id}: its section \"{}\" is not one of {}", source.section, source.document.title);
+    assert!(faults(&documents, &errata::all(), &world()).contains(&expected));
+}
+
+#[test]
 fn an_erratum_that_shows_nothing_fails() {
     assert_eq!(
         Erratum { anchor: "empty", comparisons: Vec::new() }.faults(),

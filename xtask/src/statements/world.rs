@@ -37,6 +37,14 @@ impl World {
         Ok(world)
     }
 
+    /// A repository of these chapters and this code, without golden files.
+    #[cfg(test)]
+    pub(super) fn of(chapters: &[(&str, &str)], code: &[(&str, &str)]) -> Self {
+        let named =
+            |files: &[(&str, &str)]| files.iter().map(|(name, text)| ((*name).into(), (*text).into())).collect();
+        Self { chapters: named(chapters), code: named(code), golden: PathBuf::new() }
+    }
+
     /// The text of a chapter.
     pub(super) fn chapter(&self, file: &str) -> Option<&str> {
         self.chapters.get(&format!("book/src/{file}")).map(String::as_str)
@@ -170,4 +178,78 @@ fn read(project: &Project, folder: &Path, ending: &str, into: &mut BTreeMap<Stri
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn place(found: Option<Place>) -> Option<(String, usize)> {
+        found.map(|place| (place.file, place.line))
+    }
+
+    #[test]
+    fn tests_are_functions_with_the_attribute_right_above_them() {
+        let code = "#[test]\nfn one() {}\n\nfn helper() {}\n\n#[test]\n/// About it.\n  #[ignore]\nfn two() {\n}\nfn three() {}\n";
+        let world = World::of(&[], &[("tests/a.rs", code), ("src/a.rs", "#[test]\nfn four() {}\n")]);
+        let line = |test: &str| place(world.test(test));
+        assert_eq!(line("a::one"), Some(("tests/a.rs".into(), 2)));
+        assert_eq!(line("a::two"), Some(("tests/a.rs".into(), 9)));
+        for none in ["a::helper", "a::three", "a::four", "b::one", "one"] {
+            assert_eq!(line(none), None, "{none}");
+        }
+    }
+
+    #[test]
+    fn functions_and_types_are_found_by_their_paths() {
+        let code = "use b::Two;\nstruct One<T>(T);\npub enum Two { A }\nfn free() {}\n// Two has make too.\nimpl One<f64> {\n  fn make(&self) {}\n}\nimpl Two {\n  pub fn make() {}\n}\nmacro! {\n  fn made() {}\n}\n";
+        let world = World::of(&[], &[("src/a/b.rs", code), ("src/c.rs", "pub(crate) fn top() {}\n")]);
+        let line = |path: &str| place(world.item(path)).map(|(file, line)| format!("{file}:{line}"));
+        for (path, found) in [
+            ("x::a::b::One<f64>", Some("src/a/b.rs:2")),
+            ("x::a::b::Two", Some("src/a/b.rs:3")),
+            ("x::a::b::free", Some("src/a/b.rs:4")),
+            ("x::a::b::One<x::a::b::Two>::make", Some("src/a/b.rs:7")),
+            ("x::a::b::Two::make", Some("src/a/b.rs:10")),
+            ("x::a::b::Two::made", Some("src/a/b.rs:13")),
+            ("x::c::top", Some("src/c.rs:1")),
+            ("x::a::b::A", None),
+            ("x::a::b::Two::none", None),
+            ("x::a::b::none", None),
+            ("x::c::free", None),
+        ] {
+            assert_eq!(line(path).as_deref(), found, "{path}");
+        }
+    }
+
+    #[test]
+    fn a_path_is_plain_without_its_parameters() {
+        assert_eq!(plain("a::B<c::D<E>, F>::g"), "a::B::g");
+        assert_eq!(plain("a>b<c"), "ab");
+    }
+
+    #[test]
+    fn a_line_defines_what_follows_the_word() {
+        assert!(defines("pub fn  name<T>(", "fn", "name") && defines("struct Name;", "struct", "Name"));
+        for line in ["fn names() {}", "let fn_name = 1;", "// of fn: other name", "name fn", "enum name {", ""] {
+            assert!(!defines(line, "fn", "name"), "{line}");
+        }
+    }
+
+    #[test]
+    fn places_are_chapters_and_their_anchors() {
+        let world = World::of(&[("book/src/a.md", "# One two\n")], &[]);
+        assert!(world.has_place("a.md") && world.has_place("a.md#one-two"));
+        assert!(!world.has_place("b.md") && !world.has_place("a.md#one") && !world.has_place("b.md#one-two"));
+    }
+
+    #[test]
+    fn outputs_are_those_of_a_kind_or_of_one_dimension_of_it() {
+        let found = |name: &str| output(name).map(|kind| format!("{} {}", kind.name, kind.dimension.name()));
+        assert_eq!(found("slot/U1"), found("slot@3d/U1"));
+        assert_eq!(found("slot@2d/U1").as_deref(), Some("slot 2d"));
+        for none in ["slot/U9", "slot", "nothing/U1", "slot@4d/U1"] {
+            assert_eq!(found(none), None, "{none}");
+        }
+    }
 }

@@ -69,11 +69,13 @@ fn models(lambda: f64) -> Models {
 
 #[cfg(test)]
 mod tests {
-    use super::{Model, Models, curves};
+    use super::{Model, Models, curves, models};
+    use jointproof::ujoint::{Arm, arm};
 
     #[test]
     fn the_ends_are_the_printed_limits_but_for_timoshenko() {
         let curves = curves(-1, 3, 101);
+        assert!((curves[50].lambda - 10.0).abs() < 1e-14 && curves.len() == 101, "{:?}", curves[50]);
         let (first, last) = (curves.first().unwrap(), curves.last().unwrap());
         assert_eq!((first.lambda, last.lambda), (0.1, 1000.0));
         assert!(first.used.alpha_twist < 2e-4 && (first.used.beta_twist - 0.25).abs() < 2e-4);
@@ -85,6 +87,23 @@ mod tests {
             let off = factors(used).into_iter().zip(factors(model)).map(|(used, model)| (used - model).abs());
             assert!(off.clone().all(|off| off < 5e-3), "{:?}", off.collect::<Vec<_>>());
         }
+    }
+
+    #[test]
+    fn curves_of_few_points_have_the_ends() {
+        let lambdas = |count: u32| curves(-1, 3, count).iter().map(|models| models.lambda).collect::<Vec<_>>();
+        assert_eq!((lambdas(0), lambdas(1), lambdas(2)), (vec![], vec![0.1], vec![0.1, 1000.0]));
+    }
+
+    /// An arm as long as its cross is wide: bent, it is three times as stiff as stretched; shear makes that softer.
+    #[test]
+    fn a_short_arm_is_stiffer_when_it_is_bent() {
+        let Models { timoshenko, euler_bernoulli, used, .. } = models(1.0);
+        assert_eq!([euler_bernoulli.alpha_axial, euler_bernoulli.beta_axial], [0.125, 0.375]);
+        let phi = arm::phi(&Arm { la: 1.0, rp: 1.0 });
+        let ratio = timoshenko.beta_axial / timoshenko.alpha_axial;
+        assert!((ratio * (1.0 + phi) - 3.0).abs() < 1e-12, "{ratio}, φ = {phi}");
+        assert!(used.alpha_twist > 0.0 && used.alpha_twist < 0.125, "{used:?}");
     }
 
     #[test]

@@ -1,9 +1,10 @@
 //! What both forms of β lose near 90°.
 
 use jointproof::Octuple;
-use jointproof::cardan::{CardanAngles, Triads, accurate, rotation, turned, turns};
+use jointproof::cardan::{CardanAngles, Triads, accurate, rotation, turned};
 use jointproof::formula::value;
 use jointproof::scalar::abs;
+use nalgebra::Vector3;
 
 /// What both forms of β make of triads that are rotations rounded to doubles.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,12 +26,10 @@ pub(crate) fn errors_near_right_angle(distances: &[f64]) -> Vec<NearRightAngle> 
 
 fn errors_at(distance: f64) -> NearRightAngle {
     let beta = Octuple::PI / 2.0 - distance;
-    let turns = (0..8).map(|k| Octuple::from(-2.75) + f64::from(k) * 0.75);
-    let poses = turns.clone().flat_map(|alpha| turns.clone().map(move |gamma| [alpha, beta, gamma]));
     let error = |found: f64| abs((Octuple::from(found) - beta) / beta).to_f64();
 
     let mut worst = NearRightAngle { distance, arc_sine: 0.0, rejected: 0.0, two_argument: 0.0 };
-    for pose in poses {
+    for pose in poses(beta) {
         let triads = rounded_triads(pose);
         worst.two_argument = worst.two_argument.max(error(accurate(&triads).beta));
         match value::<CardanAngles>(&triads) {
@@ -41,11 +40,42 @@ fn errors_at(distance: f64) -> NearRightAngle {
     worst
 }
 
+/// Eight α by eight γ, all around.
+fn poses(beta: Octuple) -> impl Iterator<Item = [Octuple; 3]> {
+    let turns = (0..8).map(|k| Octuple::from(-2.75) + f64::from(k) * 0.75);
+    turns.clone().flat_map(move |alpha| turns.clone().map(move |gamma| [alpha, beta, gamma]))
+}
+
 /// Triads that stand at these angles to one another, neither along the global axes, every component rounded once.
 fn rounded_triads([alpha, beta, gamma]: [Octuple; 3]) -> Triads<f64> {
-    let [global, _] = turns::axes([1, 2, 3]);
-    let a = turned(&global.map(|e| e.map(Octuple::from)), &rotation(alpha, gamma * 0.25, gamma - alpha));
+    let global = [Vector3::x(), Vector3::y(), Vector3::z()];
+    let a = turned(&global, &rotation(alpha, gamma * 0.25, gamma - alpha));
     let b = turned(&a, &rotation(alpha, beta, gamma));
     let [a, b] = [a, b].map(|triad| triad.map(|e| e.map(Octuple::to_f64)));
     Triads::new(a, b)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn poses_go_all_around_in_equal_steps() {
+        let all: Vec<_> = poses(Octuple::from(1.5)).map(|pose| pose.map(Octuple::to_f64)).collect();
+        let steps = [-2.75, -2.0, -1.25, -0.5, 0.25, 1.0, 1.75, 2.5];
+        let expected = steps.iter().flat_map(|&alpha| steps.iter().map(move |&gamma| [alpha, 1.5, gamma]));
+        assert_eq!(all, expected.collect::<Vec<_>>());
+    }
+
+    /// Far from 90° both forms keep all digits; at 90° up to rounding, the arc sine has half of them or none.
+    #[test]
+    fn the_arc_sine_loses_half_of_the_digits_and_then_all() {
+        let [far, near] = [0.5, 1e-9].map(errors_at);
+        assert_eq!((far.distance, far.rejected), (0.5, 0.0));
+        assert!(far.arc_sine > 0.0 && far.arc_sine < 1e-15, "{far:?}");
+        assert!(far.two_argument > 0.0 && far.two_argument < 1e-15, "{far:?}");
+        assert!(near.arc_sine > 1e-9 && near.arc_sine < 1e-7 && near.two_argument < 1e-15, "{near:?}");
+        // Rounding makes more than 1 of about every other sine.
+        assert_eq!(near.rejected, 31.0 / 64.0);
+    }
 }

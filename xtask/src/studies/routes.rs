@@ -92,3 +92,64 @@ fn error(found: &[f64], exact: &[Octuple], kept: f64) -> f64 {
     let errors = found.iter().zip(exact).map(|(&found, &exact)| (exact - found).to_f64().abs());
     errors.fold(0.0, f64::max) / size
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SETTING: Setting = Setting { tilt: 0.5, length: 4.0, share: 0.25, offset: 2.0 };
+
+    fn is_at(found: Vector3<f64>, expected: [f64; 3]) {
+        assert!((found - Vector3::from(expected)).amax() < 1e-14, "{found}, expected {expected:?}");
+    }
+
+    #[test]
+    fn an_ordinary_line_is_as_steep_as_long_as_far_and_halved() {
+        assert_eq!(Setting::default(), Setting { tilt: 1.0, length: 1.0, share: 0.5, offset: 1.0 });
+    }
+
+    /// Two lines forwards and two backwards, each in a quarter of its own, from one point.
+    #[test]
+    fn lines_go_from_one_point_into_all_quarters() {
+        let scenes = SETTING.scenes();
+        assert_eq!(scenes.len(), 64);
+        let ends = [[4.0, 1.2, 1.6], [-4.0, 1.92, -0.56], [4.0, -1.6, 1.2], [-4.0, -0.56, -1.92]];
+        for (scenes, end) in scenes.chunks(16).zip(ends) {
+            for (scene, share) in scenes.iter().zip([0.175, 0.225, 0.275, 0.325].iter().cycle()) {
+                is_at(scene.x1, [0.6, -1.4, 1.8]);
+                is_at(scene.xn - scene.x1, end);
+                is_at(scene.xm - scene.x1, end.map(|x| x * share));
+            }
+        }
+    }
+
+    /// Of all together, of either end alone, and of the node on the line less than of the ends.
+    #[test]
+    fn every_line_is_moved_in_four_ways() {
+        let motions = [
+            ([0.01, -0.02, 0.035], [-0.015, 0.03, 0.0125], 0.02),
+            ([0.03, 0.01, -0.02], [0.025, -0.02, 0.015], -0.01),
+            ([0.0; 3], [0.01, 0.03, -0.035], 0.005),
+            ([-0.02, 0.015, 0.01], [0.0; 3], 0.015),
+        ];
+        for scenes in SETTING.scenes().chunks(16) {
+            for (scenes, (dx1, dxn, dxmk)) in scenes.chunks(4).zip(motions) {
+                for scene in scenes {
+                    is_at(scene.dx1, dx1);
+                    is_at(scene.dxn, dxn);
+                    assert!((scene.dxmk - dxmk).abs() < 1e-14);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn an_error_is_a_part_of_the_largest_component_or_of_the_kept_one() {
+        let exact = [1.0, -4.0].map(Octuple::from);
+        assert_eq!(error(&[1.5, -3.0], &exact, 0.5), 0.25);
+        assert_eq!(error(&[0.5, -4.0], &exact, -8.0), 0.0625);
+        assert_eq!(error(&[1.0, -4.0], &exact, 0.5), 0.0);
+        let worst = SETTING.worst(|scene| [scene.dxmk, -scene.dxmk]);
+        assert_eq!(worst, RouteErrors { documented: 0.02, direct: 0.01 });
+    }
+}

@@ -17,6 +17,9 @@ use crate::console::count;
 use crate::export::{self, Script};
 use crate::project::Project;
 
+#[cfg(test)]
+mod tests;
+
 /// What is done in the page.
 pub(super) const DRIVE: &str = include_str!("drive.js");
 
@@ -85,7 +88,6 @@ pub(super) fn use_all(project: &Project, out: &Path, browser: &mut Browser) -> R
             let formula = project.find(&id).with_context(|| format!("there is no formula {id}"))?;
             let golden = File::parse(&fs::read_to_string(project.golden_file(&id))?)?;
             checked.formulas += 1;
-            checked.off.append(&mut browser.errors);
             One { formula, golden: &golden, checked: &mut checked }.compare(browser)?;
         }
         let faults: Vec<String> = serde_json::from_value(browser.evaluate("faultsOnPhone()")?)?;
@@ -310,21 +312,7 @@ fn hexadecimal(x: f64) -> String {
     }
     let sign = if x.is_sign_negative() { "-" } else { "" };
     let bits = x.to_bits();
-    let (exponent, fraction) = (i64::try_from(bits >> 52 & 0x7ff).unwrap_or(0), bits & 0xf_ffff_ffff_ffff);
+    let (exponent, fraction) = ((bits >> 52 & 0x7ff).cast_signed(), bits & 0xf_ffff_ffff_ffff);
     let (lead, exponent) = if exponent == 0 { (0, -1022) } else { (1, exponent - 1023) };
     format!("{sign}0x{lead}.{fraction:013x}p{exponent:+}")
-}
-
-#[cfg(test)]
-mod told {
-    use super::Checked;
-
-    #[test]
-    fn where_nothing_was_compared_nothing_is_well() {
-        let all = || Checked { numbers: 1, chosen: 1, ..Checked::default() };
-        assert!(all().is_well());
-        assert!(!Checked { numbers: 0, ..all() }.is_well());
-        assert!(!Checked { chosen: 0, ..all() }.is_well());
-        assert!(!Checked { off: vec!["t.first".into()], ..all() }.is_well());
-    }
 }

@@ -9,7 +9,7 @@ use jointproof::verify::golden::components;
 use jointproof::{coulomb, element, slot};
 use tempfile::TempDir;
 
-use super::check::{Checked, DRIVE, use_all};
+use super::check::{Checked, DRIVE, check, use_all};
 use crate::book::browser::{self, Browser};
 use crate::book::build::{Options, build};
 use crate::book::gather::content;
@@ -81,10 +81,22 @@ impl Book {
 #[test]
 fn calculators_show_the_numbers_of_rust_and_a_planted_fault_is_named() {
     let Some(book) = Book::new() else { return };
-    let mut browser = Browser::start().unwrap();
-    let checked = book.checked(&mut browser).unwrap();
+    let checked = check(&book.project, &book.out()).unwrap().expect("the browser is here");
     assert!(checked.is_well(), "{checked}");
     assert!(checked.to_string().starts_with("3 calculators: "), "{checked}");
+    let mut browser = Browser::start().unwrap();
+    browser.open(&book.out().join("one.html").canonicalize().unwrap()).unwrap();
+    browser.evaluate(DRIVE).unwrap();
+    let mut loaded = |names: [&str; 2]| -> u64 {
+        let text = |name: &str| fs::read_to_string(book.out().join("calculator").join(name)).unwrap();
+        let mut size =
+            |name| browser.evaluate(&format!("compressed({})", serde_json::Value::from(text(name)))).unwrap();
+        names.into_iter().map(|name| size(name).as_u64().unwrap()).sum()
+    };
+    let (page, opened) = (loaded(["calculator.js", "calculator.css"]), loaded(["runtime.js", "panel.js"]));
+    assert!(page > 500 && opened > 500, "{page} and {opened} bytes");
+    let said = format!("; compressed {page} bytes a page, {} with a calculator open, ", page + opened);
+    assert!(checked.to_string().contains(&said), "{checked}");
     let friction = "slot.friction.js";
     for (script, from, to, said) in [
         (friction, "norm2(i.f2, i.f3)", "norm2(i.f2, i.f2)", "slot.friction, case "),
@@ -110,6 +122,13 @@ fn calculators_show_the_numbers_of_rust_and_a_planted_fault_is_named() {
     }
     let found = book.with(&mut browser, [friction, "jointproof.define", "jointproof.defined"]);
     assert!(found.starts_with("error"), "{found}");
+    // A script too many, and one that is too long however it is compressed.
+    fs::write(book.out().join("calculator/slot.more.js"), "").unwrap();
+    let digits: String = (1..9000_u32).map(|k| k.wrapping_mul(2_654_435_769).to_string()).collect();
+    let found = book.with(&mut browser, ["runtime.js", "'use strict';\n", &format!("'use strict';\n// {digits}\n")]);
+    for said in ["4 scripts for 3 calculators", "calculators without formulas have "] {
+        assert!(found.starts_with("false") && found.contains(said), "{said}: {found}");
+    }
 }
 
 /// The copied calls, compiled with the export and executed, give the bits of Rust.

@@ -30,7 +30,7 @@ const LONGEST: usize = 6000;
 
 /// A page that loads our script.
 pub(crate) fn in_page(page: &str) -> String {
-    page.replacen(&format!("{THEIRS}\""), &format!("{OURS}\""), 1)
+    page.replace(&format!("{THEIRS}\""), &format!("{OURS}\""))
 }
 
 /// Puts our script and our index in the place of mdBook's, where there is one.

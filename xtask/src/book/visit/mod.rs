@@ -59,6 +59,14 @@ impl Visited {
         }
     }
 
+    /// Pages that load too much are off.
+    fn note_heavy(&mut self) {
+        let heavy: Vec<_> = self.weights.iter().filter(|(weight, _)| *weight > WANTED).cloned().collect();
+        for (weight, page) in heavy {
+            self.note(&page, [format!("the first view loads {weight} bytes, wanted are {WANTED}")]);
+        }
+    }
+
     /// With what was found in other pages.
     fn and(mut self, other: Self) -> Self {
         self.pages += other.pages;
@@ -101,19 +109,18 @@ pub(crate) fn check(project: &Project, out: &Path) -> Result<Option<Visited>> {
     if !browser::is_here_or_not_required()? {
         return Ok(None);
     }
-    visit(project, out, &mut browsers()?).map(Some)
+    let axe = std::env::var_os(AXE)
+        .map(|path| fs::read_to_string(&path).with_context(|| format!("{} cannot be read", path.display())));
+    visit(project, out, &mut browsers()?, axe.transpose()?.as_deref()).map(Some)
 }
 
 fn browsers() -> Result<[Browser; BROWSERS]> {
     Ok([Browser::start()?, Browser::start()?])
 }
 
-/// Looks at every page, several browsers at the same time.
-fn visit(project: &Project, out: &Path, browsers: &mut [Browser; BROWSERS]) -> Result<Visited> {
+/// Looks at every page, several browsers at the same time, and with this script for barriers if there is one.
+fn visit(project: &Project, out: &Path, browsers: &mut [Browser; BROWSERS], axe: Option<&str>) -> Result<Visited> {
     let out = out.canonicalize()?;
-    let axe = std::env::var_os(AXE)
-        .map(|path| fs::read_to_string(&path).with_context(|| format!("{} cannot be read", path.display())));
-    let axe = axe.transpose()?;
     let mut pages = chapters(&out)?;
     // It is shown in the place of a page that is missing, so its links start at the root of a server.
     pages.retain(|page| !page.ends_with("404.html"));
@@ -124,7 +131,7 @@ fn visit(project: &Project, out: &Path, browsers: &mut [Browser; BROWSERS]) -> R
     let bar = console::progress("pages", pages.len());
     let next = AtomicUsize::new(0);
     let browse = |browser| -> Result<Visited> {
-        let (axe, visited, sizes) = (axe.as_deref(), Visited::default(), BTreeMap::new());
+        let (visited, sizes) = (Visited::default(), BTreeMap::new());
         let mut visit = Visit { browser, out: &out, axe, visited, sizes };
         while let Some(page) = pages.get(next.fetch_add(1, Ordering::Relaxed)) {
             visit.page(page).with_context(|| format!("{} cannot be looked at", project.shown(page)))?;
@@ -147,10 +154,7 @@ fn visit(project: &Project, out: &Path, browsers: &mut [Browser; BROWSERS]) -> R
     }
     visited.answers = queries::ask(project, &out, browser, VISIT)?;
     visited.note("index.html", browser.errors.drain(..));
-    let heavy: Vec<_> = visited.weights.iter().filter(|(weight, _)| *weight > WANTED).cloned().collect();
-    for (weight, page) in heavy {
-        visited.note(&page, [format!("the first view loads {weight} bytes, wanted are {WANTED}")]);
-    }
+    visited.note_heavy();
     Ok(visited)
 }
 
@@ -240,7 +244,8 @@ impl Visit<'_> {
     /// Characters of formulas that the mathematical font does not have.
     fn letters(&mut self, name: &str) -> Result<()> {
         let css = fs::read_to_string(self.out.join("fonts/fonts.css")).unwrap_or_default();
-        let face = css.split("@font-face").skip(1).find(|face| face.contains(MATHEMATICAL)).unwrap_or_default();
+        let is_it = |face: &&str| declared(face, "font-family").is_some_and(|family| family == MATHEMATICAL);
+        let face = css.split("@font-face").find(is_it).unwrap_or_default();
         let Some(range) = declared(face, "unicode-range") else { return Ok(()) };
         let used: Vec<char> = serde_json::from_value(self.browser.evaluate("characters()")?)?;
         let lost = used.into_iter().filter(|c| !c.is_whitespace() && !is_within(*c, &range));
@@ -299,7 +304,7 @@ fn open(browser: &mut Browser, page: &Path) -> Result<()> {
 /// The files of fonts that `fonts.css` gives for these families, styles and ranges.
 fn fonts(folder: &Path, loaded: &[[String; 3]]) -> Result<Vec<PathBuf>> {
     let css = fs::read_to_string(folder.join("fonts.css")).unwrap_or_default();
-    let faces: Vec<&str> = css.split("@font-face").skip(1).collect();
+    let faces: Vec<&str> = css.split("@font-face").collect();
     let mut files = Vec::new();
     for [family, style, range] in loaded {
         let is_it = |face: &&&str| {

@@ -4,7 +4,7 @@ use std::fmt;
 use std::fs;
 use std::path::Path;
 
-use anyhow::{Context as _, Result, bail};
+use anyhow::{Result, bail, ensure};
 
 use crate::book::browser::{Browser, DESK};
 use crate::project::Project;
@@ -71,6 +71,28 @@ fn parsed(list: &str) -> Result<Vec<(&str, Vec<&str>)>> {
         };
         queries.push((query.trim(), wanted.split(" or ").map(str::trim).collect()));
     }
-    queries.first().context("no query in the list")?;
+    ensure!(!queries.is_empty(), "no query in the list");
     Ok(queries)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nineteen_of_twenty_answers_are_enough() {
+        let enough = |asked, right| Answers { asked, right, wrong: Vec::new() }.are_enough();
+        assert!(enough(40, 38) && enough(1, 1) && enough(20, 20) && enough(20, 19));
+        assert!(!enough(40, 37) && !enough(20, 18) && !enough(1, 0) && !enough(0, 0));
+    }
+
+    #[test]
+    fn queries_stand_a_line_each_beside_remarks() {
+        let list = "# What readers type.\n\na b => c.html#d\n μ  => e.html or f.html\n";
+        let expected = [("a b", vec!["c.html#d"]), ("μ", vec!["e.html", "f.html"])];
+        assert_eq!(parsed(list).unwrap(), expected);
+        let error = |list: &str| parsed(list).unwrap_err().to_string();
+        assert_eq!(error("# none\n\n"), "no query in the list");
+        assert_eq!(error("a => b\n\nc -> d\n"), "book/queries.txt:3: wanted is `query => page`");
+    }
 }
