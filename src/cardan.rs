@@ -40,7 +40,6 @@ pub(crate) use triads::Oriented;
 pub use triads::{Triads, check_turns};
 
 use crate::error::Error;
-use crate::formula::Fields;
 use crate::scalar::{Scalar, angles, has_length, norm_and_direction, pi};
 use nalgebra::{Matrix3, Vector3};
 
@@ -92,28 +91,6 @@ pub fn check_gamma<D: Scalar>(e1a: &Vector3<D>, e1b: &Vector3<D>, e2b: &Vector3<
         return Ok(());
     }
     Err(Error::GimbalLock { angle: "gamma", sine: "e1a·e2b", cosine: "e1a·e1b" })
-}
-
-/// [`alpha`] and [`gamma`], in less time than one after the other.
-#[inline(always)]
-pub(crate) fn alpha_and_gamma<D: Scalar>(i: &Triads<D>) -> [D; 2] {
-    let [sines, cosines] = sines_and_cosines(i);
-    turns(sines, cosines)
-}
-
-/// The derivatives of [`alpha_and_gamma`].
-#[inline(always)]
-pub(crate) fn alpha_and_gamma_gradients<D: Scalar>(i: &Triads<D>) -> [Triads<D>; 2] {
-    let ([sines, cosines], zero) = (sines_and_cosines(i), Triads::filled(D::zero()));
-    let [[by_e3b, by_e2a, by_e3a], [by_e1a, by_e2b, by_e1b]] =
-        turn_gradients([[&i.e3b, &i.e2a, &i.e3a], [&i.e1a, &i.e2b, &i.e1b]], sines, cosines);
-    [Triads { e2a: by_e2a, e3a: by_e3a, e3b: by_e3b, ..zero }, Triads { e1a: by_e1a, e1b: by_e1b, e2b: by_e2b, ..zero }]
-}
-
-/// The scalar products of which α and γ are the angles, but for the sign.
-#[inline(always)]
-fn sines_and_cosines<D: Scalar>(i: &Triads<D>) -> [[D; 2]; 2] {
-    [[i.e3b.dot(&i.e2a), i.e1a.dot(&i.e2b)], [i.e3b.dot(&i.e3a), i.e1a.dot(&i.e1b)]]
 }
 
 /// −atan2(v·p, v·q).

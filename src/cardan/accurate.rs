@@ -1,6 +1,6 @@
 //! The three angles as programs should take them, β in the two-argument form; and what the arc sine loses.
 
-use super::{Angles, Beta, BetaAxes, BetaTwoArgument, Triads, alpha_and_gamma, alpha_and_gamma_gradients, check_turns};
+use super::{Angles, Beta, BetaAxes, BetaTwoArgument, Triads, check_turns};
 use crate::error::Error;
 use crate::formula::{Fields, Formula};
 use crate::frame::Triad;
@@ -72,7 +72,7 @@ impl From<(&Triad, &Triad)> for Triads<f64> {
 /// As [`CardanAngles`](super::CardanAngles), with β from [`BetaTwoArgument`].
 #[inline]
 pub fn accurate<D: Scalar>(i: &Triads<D>) -> Angles<D> {
-    let [alpha, gamma] = alpha_and_gamma(i);
+    let [alpha, gamma] = i.alpha_and_gamma();
     Angles { alpha, beta: BetaTwoArgument::eval(&BetaAxes::from(i)).beta, gamma }
 }
 
@@ -81,6 +81,6 @@ pub fn accurate_jacobian<D: Scalar>(i: &Triads<D>) -> Angles<Triads<D>> {
     let zero = Triads::filled(D::zero());
     let Beta { beta: BetaAxes { e1a, e1b, e2b, e3b } } = BetaTwoArgument::jacobian(&BetaAxes::from(i));
     let beta = Triads { e1a, e1b, e2b, e3b, ..zero };
-    let [alpha, gamma] = alpha_and_gamma_gradients(i);
+    let [alpha, gamma] = i.alpha_and_gamma_gradients();
     Angles { alpha, beta, gamma }
 }

@@ -6,7 +6,7 @@
 mod proof;
 
 use super::arc_sine::{arc_sine, arc_sine_slope, check_arc_sine};
-use super::{Triads, alpha_and_gamma, alpha_and_gamma_gradients, check_turns};
+use super::{Triads, check_turns};
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec};
@@ -43,7 +43,7 @@ impl Formula for CardanAngles {
 
     #[inline(always)]
     fn eval<D: Scalar>(i: &Triads<D>) -> Angles<D> {
-        let [alpha, gamma] = alpha_and_gamma(i);
+        let [alpha, gamma] = i.alpha_and_gamma();
         Angles { alpha, beta: arc_sine(&i.e1a, &i.e3b), gamma }
     }
 
@@ -52,7 +52,7 @@ impl Formula for CardanAngles {
         let zero = Triads::filled(D::zero());
         let slope = arc_sine_slope(&i.e1a, &i.e3b);
         let beta = Triads { e1a: i.e3b * slope, e3b: i.e1a * slope, ..zero };
-        let [alpha, gamma] = alpha_and_gamma_gradients(i);
+        let [alpha, gamma] = i.alpha_and_gamma_gradients();
         Angles { alpha, beta, gamma }
     }
 

@@ -1,9 +1,11 @@
 //! The triads of both nodes.
 
-use super::{check_alpha, check_gamma};
+#![expect(clippy::inline_always, reason = "a call would write the vectors to memory, and wait for them there")]
+
+use super::{check_alpha, check_gamma, turn_gradients, turns};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::Component;
+use crate::formula::{Component, Fields};
 use crate::quantity::{E1A, E1B, E2A, E2B, E3A, E3B};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
@@ -27,10 +29,32 @@ impl<T: Component> Triads<T> {
 impl<D: Scalar> Triads<D> {
     /// From vectors that stand elsewhere, component by component: copies of whole vectors go through memory.
     #[inline(always)]
-    #[expect(clippy::inline_always, reason = "a call would write the vectors to memory, and wait for them there")]
     pub(crate) fn by_components(a: [&Vector3<D>; 3], b: [&Vector3<D>; 3]) -> Self {
         let ([e1a, e2a, e3a], [e1b, e2b, e3b]) = (a, b);
         Self { e1a: e1a.xyz(), e2a: e2a.xyz(), e3a: e3a.xyz(), e1b: e1b.xyz(), e2b: e2b.xyz(), e3b: e3b.xyz() }
+    }
+
+    /// α and γ, in less time than one after the other.
+    #[inline(always)]
+    pub(crate) fn alpha_and_gamma(&self) -> [D; 2] {
+        let [sines, cosines] = self.sines_and_cosines();
+        turns(sines, cosines)
+    }
+
+    /// The derivatives of both.
+    #[inline(always)]
+    pub(crate) fn alpha_and_gamma_gradients(&self) -> [Self; 2] {
+        let ([sines, cosines], zero) = (self.sines_and_cosines(), Self::filled(D::zero()));
+        let of = [[&self.e3b, &self.e2a, &self.e3a], [&self.e1a, &self.e2b, &self.e1b]];
+        let [[by_e3b, by_e2a, by_e3a], [by_e1a, by_e2b, by_e1b]] = turn_gradients(of, sines, cosines);
+        [Self { e2a: by_e2a, e3a: by_e3a, e3b: by_e3b, ..zero }, Self { e1a: by_e1a, e1b: by_e1b, e2b: by_e2b, ..zero }]
+    }
+
+    /// The scalar products of which α and γ are the angles, but for the sign.
+    #[inline(always)]
+    fn sines_and_cosines(&self) -> [[D; 2]; 2] {
+        let Self { e1a, e2a, e3a, e1b, e2b, e3b } = self;
+        [[e3b.dot(e2a), e1a.dot(e2b)], [e3b.dot(e3a), e1a.dot(e1b)]]
     }
 
     /// The moments on a and on b of a unit multiplier whose residual has this gradient: with δe = ω × e in every vector

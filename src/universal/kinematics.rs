@@ -3,7 +3,7 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use crate::cardan::{Triads, alpha_and_gamma, alpha_and_gamma_gradients, check_turns};
+use crate::cardan::{Triads, check_turns};
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec};
@@ -79,13 +79,13 @@ impl Formula for Angles {
 
     #[inline]
     fn eval<D: Scalar>(i: &Triads<D>) -> Turns<D> {
-        let [alpha, gamma] = alpha_and_gamma(i);
+        let [alpha, gamma] = i.alpha_and_gamma();
         Turns { alpha, gamma }
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &Triads<D>) -> Jacobian<Self, D> {
-        let [alpha, gamma] = alpha_and_gamma_gradients(i);
+        let [alpha, gamma] = i.alpha_and_gamma_gradients();
         Turns { alpha, gamma }
     }
 
