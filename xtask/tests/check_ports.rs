@@ -159,7 +159,7 @@ const PLANTED: &[Planted] = &[
         Within("t6 + fc_int", "t6 - fc_int"),
         "the sign of the input fc_int is turned",
     ),
-    planted("sign of a term", C, "translator.friction", Within("t25 - t76", "t25 + t76"), "the sign of mu"),
+    planted("sign of a term", C, "translator.friction", Within("t25 - t77", "t25 + t77"), "the sign of mu"),
     planted(
         "single precision",
         C,

@@ -169,10 +169,10 @@ fn what_is_off_at_one_point_does_not_hide_what_is_off_at_all() {
 fn a_mistake_may_be_in_one_derivative_alone() {
     let points: &[&[f64]] =
         &[&[1.0, 2.0, 3.0, 4.0, 7.0, 5.0], &[-1.0, 0.5, 2.0, 3.0, 1.0, -4.0], &[0.5, 0.25, -3.0, 2.0, -1.0, 1.5]];
-    // The first output is of unit length: its derivatives are over the length, which is the last output.
+    // The first output is of unit length: its derivatives are times one over the length, which is the last output.
     let undivided = |_: &[f64], y: &mut Numbers| y[4] = y[4].zip(y[3]).map(|(slope, length)| slope * length);
     let said = cause(("slider.line", Wanted::Jacobian), points, undivided);
-    assert!(said.starts_with("the division by "), "{said}");
+    assert!(said.starts_with("the factor 1 / length("), "{said}");
 }
 
 #[test]
