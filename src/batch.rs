@@ -90,8 +90,8 @@ pub fn columns(count: usize, rows: usize) -> Array2<f64> {
 /// The entries of the Jacobian of a formula that are not zero everywhere, each as its output and its input, counted by
 /// components in order. Of a formula that is not in the catalog these are all.
 pub fn entries<F: Formula>() -> Vec<[usize; 2]> {
-    let [outputs, inputs] = [F::Outputs::<f64>::LEN, F::Inputs::<f64>::LEN];
-    (0..outputs * inputs).filter(|&k| structure::is_entry::<F>(k)).map(|k| [k / inputs, k % inputs]).collect()
+    let inputs = F::Inputs::<f64>::LEN;
+    structure::places::<F>().map(|k| [k / inputs, k % inputs]).collect()
 }
 
 /// The value of a formula at every row, checked as [`formula::value`](crate::formula::value) checks one. There is a column for

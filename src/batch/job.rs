@@ -80,9 +80,8 @@ impl<F: Formula> Job<F> for Linearized {
         jacobian.accept(&mut Gradients(visitor));
     }
     fn places() -> Vec<usize> {
-        let [outputs, inputs] = [F::Outputs::<f64>::LEN, F::Inputs::<f64>::LEN];
-        let entries = (0..outputs * inputs).filter(|&k| structure::is_entry::<F>(k));
-        (0..outputs).chain(entries.map(|k| outputs + k)).collect()
+        let outputs = F::Outputs::<f64>::LEN;
+        (0..outputs).chain(structure::places::<F>().map(|k| outputs + k)).collect()
     }
 }
 

@@ -84,6 +84,11 @@ const fn value_of(digit: u8) -> u8 {
     }
 }
 
+/// The entries that are not zero everywhere.
+pub(super) fn places<F: Formula>() -> impl Iterator<Item = usize> {
+    (0..all::<F>()).filter(|&k| is_entry::<F>(k))
+}
+
 /// How many entries are not zero everywhere.
 pub(super) const fn entries<F: Formula>() -> usize {
     let (mut k, mut count) = (0, 0);

@@ -3,8 +3,7 @@
 #![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
 
 use super::products::{double_cross_gradient, skew_gradient, symmetric_gradient};
-use crate::formula::Fields;
-use crate::formula::{Few, cross_gradient};
+use crate::formula::{Few, Fields, cross_gradient};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
 
