@@ -1,5 +1,7 @@
 //! What presses the parts of a TRANSLATOR together: torque, radial force and bending, each for itself.
 
+#![expect(clippy::inline_always, reason = "a call would write the loads to memory, and wait for them there")]
+
 #[cfg(feature = "verify")]
 mod proof;
 
@@ -46,7 +48,7 @@ impl Formula for TorqueForce {
         Self::linearized(i).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &Torque<D>) -> (TorqueContact<D>, Jacobian<Self, D>) {
         let (zero, s) = (D::zero(), sign(i.m1));
         let TorqueContact { m_torq, f_torq } = Self::eval(i);
@@ -88,7 +90,7 @@ impl Formula for RadialForce {
         RadialContact { fr: slot::ContactForce::jacobian(i).fc }
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &CrossForces<D>) -> (RadialContact<D>, Jacobian<Self, D>) {
         let (value, jacobian) = slot::ContactForce::linearized(i);
         (RadialContact { fr: value.fc }, RadialContact { fr: jacobian.fc })
@@ -132,7 +134,7 @@ impl Formula for BendingForce {
         Self::linearized(i).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &Bending<D>) -> (BendingContact<D>, Jacobian<Self, D>) {
         let zero = D::zero();
         let (m_bend, [n2, n3]) = norm_and_direction([i.m2, i.m3]);

@@ -1,5 +1,7 @@
 //! The contact force of torque, radial force and bending together, and the friction that it allows.
 
+#![expect(clippy::inline_always, reason = "a call would write the loads to memory, and wait for them there")]
+
 #[cfg(feature = "verify")]
 mod proof;
 
@@ -72,7 +74,7 @@ impl Formula for ContactForce {
         Self::linearized(i).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &ContactLoads<D>) -> (Contact<D>, Jacobian<Self, D>) {
         let (torque, by_torque) = TorqueForce::linearized(&i.torque());
         let (radial, by_radial) = RadialForce::linearized(&i.radial());
@@ -134,7 +136,7 @@ impl Formula for Friction {
         Self::linearized(i).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &FrictionLoads<D>) -> (FrictionOutputs<D>, Jacobian<Self, D>) {
         let zero = D::zero();
         let (Contact { fc }, Contact { fc: by }) = ContactForce::linearized(&i.contact());
