@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import json
 import shlex
+import shutil
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
@@ -27,6 +28,8 @@ class Exported:
 
     @classmethod
     def made(cls, xtask: str, filter: str, folder: Path) -> Exported:
+        # Parts of an older export would be linked, too.
+        shutil.rmtree(folder, ignore_errors=True)
         run(xtask, "export", "--lang", "c", "--filter", filter, "--out", folder)
         library = folder / "all.so"
         sources = sorted(folder.glob("jp_*.c"))
