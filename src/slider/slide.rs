@@ -55,7 +55,7 @@ impl<D: Scalar, const N: usize> Slide<D, N> {
             per_dk,
             shares: station.shares(),
             by_share: station.unscaled_gradients(&span),
-            factor: per_unit / span.square * per_dk,
+            factor: span.factor() * per_dk,
             relative: dxn - dx1,
             lever: excess * per_dk * per_unit,
         }
