@@ -37,15 +37,39 @@ pub(crate) fn angle(y: f64, x: f64) -> f64 {
     angle
 }
 
-/// The angles of several points, each with the bits of [`angle`]; step by step for all of them, which vectors of a processor do at once.
+/// The angles of several points, each with the bits of [`angle`].
 #[inline(always)]
 pub(crate) fn angles<const N: usize>(y: [f64; N], x: [f64; N]) -> [f64; N] {
+    if of_both(y, x, larger).into_iter().all(is_usual) { usual(y, x) } else { extreme(y, x) }
+}
+
+/// The angles of points, or NaN of those that are extreme.
+#[inline(always)]
+pub(crate) fn usual_angles<const N: usize>(y: [f64; N], x: [f64; N]) -> [f64; N] {
+    let (sizes, angles) = (of_both(y, x, larger), usual(y, x));
+    of_both(sizes, angles, |size, angle| if is_usual(size) { angle } else { f64::NAN })
+}
+
+/// The larger of |x| and |y|.
+#[inline(always)]
+fn larger(y: f64, x: f64) -> f64 {
+    let (across, along) = (y.abs(), x.abs());
+    if across > along { across } else { along }
+}
+
+/// Whether the larger of |x| and |y| is neither zero nor beyond what can be added and divided; no if it is NaN.
+#[inline(always)]
+#[expect(clippy::needless_bitwise_bool, reason = "a branch would keep points from being taken at once")]
+fn is_usual(large: f64) -> bool {
+    (large > 0.0) & (large < LARGE)
+}
+
+/// The angles of points that are not extreme; step by step for all of them, which vectors of a processor do at once.
+#[inline(always)]
+fn usual<const N: usize>(y: [f64; N], x: [f64; N]) -> [f64; N] {
     let (across, along) = (y.map(f64::abs), x.map(f64::abs));
-    let large = of_both(across, along, |across, along| if across > along { across } else { along });
+    let large = of_both(y, x, larger);
     let small = of_both(across, along, |across, along| if along < across { along } else { across });
-    if !large.iter().all(|&large| large > 0.0 && large < LARGE) {
-        return extreme(y, x);
-    }
     let is_steep = of_both(across, along, |across, along| one_if(across > along));
     let is_back = x.map(|x| one_if(x < 0.0));
     let is_wide = of_both(small, large, |small, large| one_if(small > TAN_SIXTEENTH * large));
@@ -82,10 +106,7 @@ fn one_if(condition: bool) -> f64 {
 /// Where one of the points is the origin, at infinity, beside it, or no number.
 #[cold]
 fn extreme<const N: usize>(y: [f64; N], x: [f64; N]) -> [f64; N] {
-    of_both(y, x, |y, x| {
-        let large = if y.abs() > x.abs() { y.abs() } else { x.abs() };
-        if large > 0.0 && large < LARGE { angle(y, x) } else { y.atan2(x) }
-    })
+    of_both(y, x, |y, x| if is_usual(larger(y, x)) { angle(y, x) } else { y.atan2(x) })
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@
 use crate::batch::{self, ArrayView1, ArrayViewMut1};
 use crate::equation::Claims;
 use crate::formula::{Field, Fields, Formula, Spec, check, entries, value, value_and_jacobian};
-use crate::graph::{self, Graph, NotRecorded};
+use crate::graph::{self, Extremes, Graph, NotRecorded};
 #[cfg(feature = "measure")]
 use crate::measure::{self, Measurement};
 use crate::proof::{Convention, Flag, Proved};
@@ -102,7 +102,14 @@ pub trait AnyFormula: Send + Sync {
     ///
     /// # Errors
     /// What in it cannot be written down.
-    fn graph(&self) -> Result<Graph, NotRecorded>;
+    fn graph(&self) -> Result<Graph, NotRecorded> {
+        self.graph_with(Extremes::Computed)
+    }
+    /// The same, and what becomes of extreme numbers in it.
+    ///
+    /// # Errors
+    /// What in it cannot be written down.
+    fn graph_with(&self, extremes: Extremes) -> Result<Graph, NotRecorded>;
     #[cfg(feature = "measure")]
     /// The errors of every way to compute it, found now.
     fn errors(&self, options: &measure::Options) -> Measurement;
@@ -186,8 +193,8 @@ impl<F: Proved> AnyFormula for F {
     fn number(&self, expression: &Claims) -> Octuple {
         number_of::<F>(expression)
     }
-    fn graph(&self) -> Result<Graph, NotRecorded> {
-        graph::record::<F>()
+    fn graph_with(&self, extremes: Extremes) -> Result<Graph, NotRecorded> {
+        graph::record_with::<F>(extremes)
     }
     fn value(&self, components: &[f64]) -> Result<Vec<f64>, Error> {
         Ok(value::<F>(&from_components::<F>(components)?)?.components())

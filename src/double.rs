@@ -5,7 +5,7 @@ use crate::eft::exact_sum;
 use crate::scalar::{Leaf, Scalar, Squares, itself};
 
 /// 2⁻⁹⁰⁰ … 2¹⁰⁰⁰, factor 2⁶⁰⁰.
-const SQUARES: Squares = Squares::new(-900, 1000, 600);
+pub(crate) const SQUARES: Squares = Squares::new(-900, 1000, 600);
 
 impl Leaf for f64 {
     const EPSILON: f64 = Self::EPSILON;

@@ -13,6 +13,8 @@ mod source;
 
 #[cfg(feature = "batch")]
 pub(crate) use checked::is_plain;
+#[cfg(feature = "batch")]
+pub(crate) use finite::bits_unless_finite;
 pub use checked::{check, value, value_and_jacobian};
 pub(crate) use few::{Few, cross_gradient, next};
 pub use fields::{Component, Field, Fields, Part, Visitor};
@@ -161,7 +163,8 @@ pub trait Formula: Copy + Send + Sync + 'static {
     fn jacobian<D: Scalar>(i: &Self::Inputs<D>) -> Jacobian<Self, D>;
 
     /// Both at once; overridden where they share work. The value has the bits of [`eval`](Self::eval).
-    #[inline]
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
     fn linearized<D: Scalar>(i: &Self::Inputs<D>) -> ValueAndJacobian<Self, D> {
         (Self::eval(i), Self::jacobian(i))
     }

@@ -80,10 +80,12 @@ pub mod isl;
 pub mod join;
 #[cfg(feature = "measure")]
 pub mod measure;
-#[cfg(feature = "verify")]
+#[cfg(any(feature = "verify", feature = "batch"))]
 mod newtype;
 #[cfg(feature = "verify")]
 pub mod octuple;
+#[cfg(feature = "batch")]
+mod ordinary;
 mod power;
 #[cfg(feature = "verify")]
 pub mod proof;

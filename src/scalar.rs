@@ -31,7 +31,11 @@ pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scal
     #[inline]
     fn norm_and_direction_of<const N: usize>(x: [Self; N]) -> (Self, [Self; N]) {
         let length = norm(x);
-        if length >= f64::MIN_POSITIVE { (length, divide(x, length)) } else { (length, direction_of_subnormal(x)) }
+        if length >= f64::MIN_POSITIVE || !Self::has_extremes() {
+            return (length, x.map(|x| x / length));
+        }
+        std::hint::cold_path();
+        (length, direction_of_subnormal(x))
     }
     /// See [`atan2`].
     fn angle_of(y: Self, x: Self) -> Self;
@@ -45,6 +49,12 @@ pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scal
     #[expect(clippy::inline_always, reason = "what is chosen by is at hand where it is compiled in place")]
     fn choice_of<const N: usize>(choose: impl Fn() -> [Self; N]) -> [Self; N] {
         choose()
+    }
+    /// Whether what is extreme is computed in another way. Where several rows of a batch are computed at once it is not, lest the
+    /// others wait for it: its numbers are NaN, results with them, and the row is computed again by itself.
+    #[inline]
+    fn has_extremes() -> bool {
+        true
     }
     /// See [`abs`].
     #[inline]
@@ -189,7 +199,6 @@ pub fn norm_and_direction<D: Scalar, const N: usize>(x: [D; N]) -> (D, [D; N]) {
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "a call would need the components in memory, on the way that is usual too")]
 fn direction_of_subnormal<D: Scalar, const N: usize>(x: [D; N]) -> [D; N] {
-    std::hint::cold_path();
     let x = x.map(|x| x * power_of_two(60));
     divide(x, norm(x))
 }
@@ -251,6 +260,25 @@ pub fn choice<D: Scalar, const N: usize>(choose: impl Fn() -> [D; N]) -> [D; N] 
     D::choice_of(choose)
 }
 
+/// Numbers that are computed in another way where they would over- or underflow, which hardly ever happens; or NaN there, of a scalar
+/// without [extremes](Scalar::has_extremes).
+#[inline(always)]
+#[expect(clippy::inline_always, reason = "as of `Scalar::choice_of`")]
+pub(crate) fn usually<D: Scalar, const N: usize>(
+    is_usual: bool,
+    usual: impl FnOnce() -> [D; N],
+    extreme: impl FnOnce() -> [D; N],
+) -> [D; N] {
+    if !D::has_extremes() {
+        return usual().map(|x| if is_usual { x } else { D::from(f64::NAN) });
+    }
+    if is_usual {
+        return usual();
+    }
+    std::hint::cold_path();
+    extreme()
+}
+
 /// −1, 0 or 1: the derivative of [`abs`].
 #[inline]
 pub fn sign<D: Scalar>(x: D) -> D {
@@ -287,7 +315,9 @@ impl Squares {
     #[inline]
     pub(crate) fn norm<D: Scalar, const N: usize>(&self, x: [D; N]) -> D {
         let sum = sum_of_squares(x);
-        if sum > self.smallest && sum < self.largest { sum.sqrt() } else { self.rescaled(x) }
+        let is_usual = (sum > self.smallest) & (sum < self.largest);
+        let [length] = usually(is_usual, || [sum.sqrt()], || [self.rescaled(x)]);
+        length
     }
 
     #[inline(always)]
@@ -296,7 +326,6 @@ impl Squares {
         reason = "a call would need the components in memory, on the way that is usual too"
     )]
     fn rescaled<D: Scalar, const N: usize>(&self, x: [D; N]) -> D {
-        std::hint::cold_path();
         let large = x.iter().any(|&x| abs(x) > 1.0);
         let factor = if large { self.rescale.recip() } else { self.rescale };
         sum_of_squares(x.map(|x| x * factor)).sqrt() / factor

@@ -4,7 +4,8 @@
 
 use super::structure;
 use crate::error::Error;
-use crate::formula::{Fields, Formula, ValueAndJacobian, Visitor, value, value_and_jacobian};
+use crate::formula::{Component, Fields, Formula, ValueAndJacobian, Visitor, value, value_and_jacobian};
+use crate::scalar::Scalar;
 use std::marker::PhantomData;
 
 /// What is computed of a formula.
@@ -12,18 +13,18 @@ pub(crate) trait Job<F: Formula> {
     /// How many numbers that is, without those that are zero everywhere.
     const LEN: usize;
     /// Its numbers, zeros and all.
-    type Results;
+    type Results<D: Component>;
     /// Of inputs that are checked.
     ///
     /// # Errors
     /// What is wrong with them, or with the results.
-    fn of(i: &F::Inputs<f64>) -> Result<Self::Results, Error>;
+    fn of(i: &F::Inputs<f64>) -> Result<Self::Results<f64>, Error>;
     /// Of inputs that were checked and tell that nothing overflows.
-    fn unchecked(i: &F::Inputs<f64>) -> Self::Results;
+    fn unchecked<D: Scalar>(i: &F::Inputs<D>) -> Self::Results<D>;
     /// Shows the numbers in order, without those that are zero everywhere.
-    fn show(results: &Self::Results, visitor: &mut impl Visitor<f64>);
+    fn show<D: Component>(results: &Self::Results<D>, visitor: &mut impl Visitor<D>);
     /// Shows all numbers in order.
-    fn show_all(results: &Self::Results, visitor: &mut impl Visitor<f64>);
+    fn show_all(results: &Self::Results<f64>, visitor: &mut impl Visitor<f64>);
     /// Which of all numbers are those that are not zero everywhere.
     fn places() -> Vec<usize>;
 }
@@ -33,21 +34,21 @@ pub(super) struct Value;
 
 impl<F: Formula> Job<F> for Value {
     const LEN: usize = F::Outputs::<f64>::LEN;
-    type Results = F::Outputs<f64>;
+    type Results<D: Component> = F::Outputs<D>;
     #[inline(always)]
-    fn of(i: &F::Inputs<f64>) -> Result<Self::Results, Error> {
+    fn of(i: &F::Inputs<f64>) -> Result<Self::Results<f64>, Error> {
         value::<F>(i)
     }
     #[inline(always)]
-    fn unchecked(i: &F::Inputs<f64>) -> Self::Results {
+    fn unchecked<D: Scalar>(i: &F::Inputs<D>) -> Self::Results<D> {
         F::eval(i)
     }
     #[inline(always)]
-    fn show(value: &Self::Results, visitor: &mut impl Visitor<f64>) {
+    fn show<D: Component>(value: &Self::Results<D>, visitor: &mut impl Visitor<D>) {
         value.accept(visitor);
     }
     #[inline(always)]
-    fn show_all(value: &Self::Results, visitor: &mut impl Visitor<f64>) {
+    fn show_all(value: &Self::Results<f64>, visitor: &mut impl Visitor<f64>) {
         value.accept(visitor);
     }
     fn places() -> Vec<usize> {
@@ -60,24 +61,24 @@ pub(crate) struct Linearized;
 
 impl<F: Formula> Job<F> for Linearized {
     const LEN: usize = F::Outputs::<f64>::LEN + structure::entries::<F>();
-    type Results = ValueAndJacobian<F, f64>;
+    type Results<D: Component> = ValueAndJacobian<F, D>;
     #[inline(always)]
-    fn of(i: &F::Inputs<f64>) -> Result<Self::Results, Error> {
+    fn of(i: &F::Inputs<f64>) -> Result<Self::Results<f64>, Error> {
         value_and_jacobian::<F>(i)
     }
     #[inline(always)]
-    fn unchecked(i: &F::Inputs<f64>) -> Self::Results {
+    fn unchecked<D: Scalar>(i: &F::Inputs<D>) -> Self::Results<D> {
         F::linearized(i)
     }
     #[inline(always)]
-    fn show((value, jacobian): &Self::Results, visitor: &mut impl Visitor<f64>) {
+    fn show<D: Component>((value, jacobian): &Self::Results<D>, visitor: &mut impl Visitor<D>) {
         value.accept(visitor);
-        jacobian.accept(&mut Gradients(&mut Entries::<F, _> { visitor, entry: 0, formula: PhantomData }));
+        jacobian.accept(&mut Gradients::of(&mut Entries::<F, _> { visitor, entry: 0, formula: PhantomData }));
     }
     #[inline(always)]
-    fn show_all((value, jacobian): &Self::Results, visitor: &mut impl Visitor<f64>) {
+    fn show_all((value, jacobian): &Self::Results<f64>, visitor: &mut impl Visitor<f64>) {
         value.accept(visitor);
-        jacobian.accept(&mut Gradients(visitor));
+        jacobian.accept(&mut Gradients::of(visitor));
     }
     fn places() -> Vec<usize> {
         let outputs = F::Outputs::<f64>::LEN;
@@ -86,12 +87,22 @@ impl<F: Formula> Job<F> for Linearized {
 }
 
 /// Shows the entries of gradients.
-struct Gradients<'v, V>(&'v mut V);
+struct Gradients<'v, D, V> {
+    visitor: &'v mut V,
+    of: PhantomData<D>,
+}
 
-impl<I: Fields<f64>, V: Visitor<f64>> Visitor<I> for Gradients<'_, V> {
+impl<'v, D, V: Visitor<D>> Gradients<'v, D, V> {
+    #[inline(always)]
+    fn of(visitor: &'v mut V) -> Self {
+        Self { visitor, of: PhantomData }
+    }
+}
+
+impl<D: Component, I: Fields<D>, V: Visitor<D>> Visitor<I> for Gradients<'_, D, V> {
     #[inline(always)]
     fn visit(&mut self, gradient: I) {
-        gradient.accept(self.0);
+        gradient.accept(self.visitor);
     }
 }
 
@@ -102,9 +113,9 @@ struct Entries<'v, F, V> {
     formula: PhantomData<F>,
 }
 
-impl<F: Formula, V: Visitor<f64>> Visitor<f64> for Entries<'_, F, V> {
+impl<F: Formula, D, V: Visitor<D>> Visitor<D> for Entries<'_, F, V> {
     #[inline(always)]
-    fn visit(&mut self, x: f64) {
+    fn visit(&mut self, x: D) {
         if structure::is_entry::<F>(self.entry) {
             self.visitor.visit(x);
         }

@@ -1,19 +1,25 @@
-//! Rows of a formula that only adds, multiplies, divides and takes roots, several at a time.
+//! Rows of a formula of simple operations and comparisons, several at a time.
 //!
-//! No row waits for a comparison, so that the compiler takes as many at once as the vectors of a processor hold. It compiles this
-//! a second time for processors whose vectors hold four doubles; both give the bits of one row alone.
+//! A comparison chooses between numbers that are computed anyway, and no row waits for one that is extreme ([`Ordinary`]), so that
+//! the compiler takes as many at once as the vectors of a processor hold. It compiles this a second time for processors whose
+//! vectors hold four doubles; both give the bits of one row alone.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
 
 use super::error::Refused;
 use super::job::Job;
 use super::row::one_by_one;
-use crate::formula::{Fields, Formula, Visitor, is_plain};
+use super::structure::is_guarded;
+use crate::formula::{Component, Fields, Formula, Visitor, bits_unless_finite, is_plain};
+use crate::ordinary::Ordinary;
 use std::marker::PhantomData;
 use std::ops::Range;
 
 /// Rows that are computed together: two lines of the cache in every column.
 const TOGETHER: usize = 16;
+
+/// So many numbers of a row at most: then those of all these rows fit into the cache.
+pub(super) const MOST_TOGETHER: usize = 256;
 
 /// What these rows have in one column.
 type Line = [f64; TOGETHER];
@@ -78,24 +84,30 @@ fn compute<F: Formula, J: Job<F>>(read: &[Line], written: &mut [Line], count: us
     // How many columns and rows there are at most is known here, so that none of them is looked up below.
     let (read, lines) = (&read[..F::Inputs::<f64>::LEN], &mut written[..J::LEN]);
     let count = count.min(TOGETHER);
-    let inputs = |row: usize| {
-        let mut next = 0;
-        F::Inputs::from_components(&mut || {
-            next += 1;
-            read[next - 1][row]
-        })
-    };
     let mut are_plain = true;
     for row in 0..count {
-        let i = inputs(row);
-        are_plain &= is_plain::<F>(&i) & F::validate(&i).is_ok();
+        are_plain &= is_plain::<F>(&inputs(read, row)) & F::validate(&inputs::<F::Inputs<Ordinary>, _>(read, row)).is_ok();
     }
     if are_plain {
+        let mut bits = 0;
         for row in 0..count {
-            J::show(&J::unchecked(&inputs(row)), &mut Place { lines, row, next: 0 });
+            let mut place = Place { lines, row, next: 0, bits: 0 };
+            J::show(&J::unchecked::<Ordinary>(&inputs(read, row)), &mut place);
+            bits |= place.bits;
         }
+        are_plain = const { !is_guarded::<F>() } || bits == 0;
     }
     are_plain
+}
+
+/// The inputs of a row.
+#[inline(always)]
+fn inputs<I: Fields<D>, D: Component + From<f64>>(read: &[Line], row: usize) -> I {
+    let mut next = 0;
+    I::from_components(&mut || {
+        next += 1;
+        D::from(read[next - 1][row])
+    })
 }
 
 /// Writes the numbers of a row, each into the next line.
@@ -103,12 +115,15 @@ struct Place<'l> {
     lines: &'l mut [Line],
     row: usize,
     next: usize,
+    /// Zero as long as all numbers are finite.
+    bits: u64,
 }
 
-impl Visitor<f64> for Place<'_> {
+impl Visitor<Ordinary> for Place<'_> {
     #[inline(always)]
-    fn visit(&mut self, x: f64) {
-        self.lines[self.next][self.row] = x;
+    fn visit(&mut self, x: Ordinary) {
+        self.lines[self.next][self.row] = x.to_f64();
+        self.bits |= bits_unless_finite(x.to_f64());
         self.next += 1;
     }
 }

@@ -1,8 +1,8 @@
-//! Which entries of a Jacobian are zero everywhere, and which formulas never ask how large a number is.
+//! Which entries of a Jacobian are zero everywhere, and of which formulas several rows are computed together.
 //!
 //! `structure.txt` has a line for every formula of the catalog: its identifier, and a bit for each entry, output by output over
-//! all inputs, four in a hexadecimal digit, the first the lowest. A formula that only adds, multiplies, divides and takes
-//! roots, the same at all inputs, has `straight` after it. The file is written by a test, `tests/graph.rs`, from what is recorded
+//! all inputs, four in a hexadecimal digit, the first the lowest. A formula of simple operations and comparisons has `straight` after
+//! it, or `guarded` where an extreme number makes a result NaN. The file is written by a test, `tests/graph.rs`, from what is recorded
 //! of the formulas, and read by the compiler.
 
 #![expect(clippy::inline_always, reason = "which entries are zero is known where a formula is compiled")]
@@ -32,10 +32,19 @@ const fn digits<F: Formula>() -> Option<&'static [u8]> {
     }
 }
 
-/// Whether a formula only adds, multiplies, divides and takes roots, the same at all inputs.
+/// Whether several rows of a formula are computed together.
 pub(super) const fn is_straight<F: Formula>() -> bool {
+    has_word::<F>(b"straight") || is_guarded::<F>()
+}
+
+/// Whether several rows of a formula are computed together, and one that is extreme has a result that is NaN.
+pub(super) const fn is_guarded<F: Formula>() -> bool {
+    has_word::<F>(b"guarded")
+}
+
+const fn has_word<F: Formula>(word: &[u8]) -> bool {
     match line::<F>() {
-        Some(line) => are_equal(cut(line, b' ').1, b"straight"),
+        Some(line) => are_equal(cut(line, b' ').1, word),
         None => false,
     }
 }

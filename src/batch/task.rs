@@ -3,8 +3,8 @@
 use super::column::{ROWS, Source, Target};
 use super::error::Refused;
 use super::job::Job;
-use super::row::{MOST, one_by_one};
-use super::straight;
+use super::row::one_by_one;
+use super::straight::{self, MOST_TOGETHER};
 use super::structure::is_straight;
 use crate::formula::Formula;
 use ndarray::{ArrayView1, ArrayViewMut1, Axis};
@@ -67,7 +67,7 @@ impl Task<'_> {
 /// See [`Compute`].
 fn rows<F: Formula, J: Job<F>>(inputs: &[&[f64]], outputs: &mut [&mut [f64]], first: usize) -> Refused {
     let all = 0..inputs.first().map_or(0, |column| column.len());
-    if const { is_straight::<F>() && J::LEN <= MOST } {
+    if const { is_straight::<F>() && J::LEN <= MOST_TOGETHER } {
         return straight::rows::<F, J>(inputs, outputs, all, first);
     }
     one_by_one::<F, J>(inputs, outputs, all, first)

@@ -1,7 +1,7 @@
 //! The arc sine of a scalar product, with value and derivative as good close to ±1 as the components allow.
 
 use crate::error::Error;
-use crate::scalar::{Scalar, abs, atan2, sign};
+use crate::scalar::{Scalar, abs, atan2, sign, usually};
 use nalgebra::Vector3;
 
 /// Above this |sin β| the difference 1 − |sin β| is formed without rounding.
@@ -22,11 +22,12 @@ pub(super) fn arc_sine<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
 #[inline]
 pub(crate) fn arc_sine_slope<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
     let sine = a.dot(b);
-    if abs(sine) < STEEP {
-        return ((-sine + 1.0) * (sine + 1.0)).sqrt().recip();
-    }
-    let cosine = steep_cosine(a, b);
-    if cosine == 0.0 { D::zero() } else { cosine.recip() }
+    let gentle = || [((-sine + 1.0) * (sine + 1.0)).sqrt().recip()];
+    let [slope] = usually(abs(sine) < STEEP, gentle, || {
+        let cosine = steep_cosine(a, b);
+        [if cosine == 0.0 { D::zero() } else { cosine.recip() }]
+    });
+    slope
 }
 
 /// √(1 − (a·b)²) where |a·b| is close to 1; 0 beyond.

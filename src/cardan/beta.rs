@@ -65,7 +65,7 @@ impl Formula for BetaTwoArgument {
         Self::linearized(i).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &BetaAxes<D>) -> ValueAndJacobian<Self, D> {
         let (cosine, [n1, n2]) = norm_and_direction([i.e1a.dot(&i.e1b), i.e1a.dot(&i.e2b)]);
         let m = i.e1b * n1 + i.e2b * n2;

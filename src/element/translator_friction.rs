@@ -61,7 +61,7 @@ impl Formula for Response {
         Self::linearized(i).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &TranslatorSliding<D>) -> ValueAndJacobian<Self, D> {
         let TranslatorSliding { u1, slip_before, k_el, mu, .. } = *i;
         let (friction, by_loads) = Friction::linearized(&i.loads());

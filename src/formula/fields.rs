@@ -177,6 +177,19 @@ impl<T: Component, const N: usize> Part<T> for SMatrix<T, N, N> {
     }
     #[inline(always)]
     fn accept(&self, visitor: &mut impl Visitor<T>) {
+        if N == 3 {
+            // In a loop the compiler would not see which component it is, and what is done with it.
+            visitor.visit(self[(0, 0)]);
+            visitor.visit(self[(0, 1)]);
+            visitor.visit(self[(0, 2)]);
+            visitor.visit(self[(1, 0)]);
+            visitor.visit(self[(1, 1)]);
+            visitor.visit(self[(1, 2)]);
+            visitor.visit(self[(2, 0)]);
+            visitor.visit(self[(2, 1)]);
+            visitor.visit(self[(2, 2)]);
+            return;
+        }
         for row in 0..N {
             for column in 0..N {
                 visitor.visit(self[(row, column)]);

@@ -46,7 +46,7 @@ impl Finite {
 /// Zero where x is finite: x − x is 0 there, and NaN elsewhere. Two operations, which the compiler does two at a time.
 #[inline(always)]
 #[expect(clippy::eq_op, reason = "the difference of a number and itself tells whether it is finite")]
-pub(super) fn bits_unless_finite(x: f64) -> u64 {
+pub(crate) fn bits_unless_finite(x: f64) -> u64 {
     (x - x).to_bits()
 }
 

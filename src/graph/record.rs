@@ -1,7 +1,7 @@
 //! A formula, and why it may have no graph.
 
 use super::node::Graph;
-use super::recorder::{self, Escape, Failure, MOST_RUNS};
+use super::recorder::{self, Escape, Extremes, Failure, MOST_RUNS};
 use super::traced::Traced;
 use crate::error::Error;
 use crate::formula::{Fields, Formula, entries, typed};
@@ -43,6 +43,14 @@ impl std::error::Error for NotRecorded {}
 /// # Errors
 /// What in the formula cannot be written down.
 pub fn record<F: Formula>() -> Result<Graph, NotRecorded> {
+    record_with::<F>(Extremes::Computed)
+}
+
+/// The graph of a formula, and what becomes of extreme numbers in it.
+///
+/// # Errors
+/// What in the formula cannot be written down.
+pub fn record_with<F: Formula>(extremes: Extremes) -> Result<Graph, NotRecorded> {
     let inputs = || {
         let inputs: Vec<_> = (0..F::Inputs::<f64>::LEN).map(Traced::input).collect();
         typed::<_, F::Inputs<Traced>>(&inputs)
@@ -54,7 +62,7 @@ pub fn record<F: Formula>() -> Result<Graph, NotRecorded> {
         no_value_was_asked();
         value.components().into_iter().chain(entries(&jacobian)).map(Traced::node).collect()
     };
-    let (mut graph, [refusal, results]) = recorder::record([&refusal, &results])?;
+    let (mut graph, [refusal, results]) = recorder::record(extremes, [&refusal, &results])?;
     let (value, jacobian) = results.split_at(F::Outputs::<f64>::LEN);
     (graph.value, graph.jacobian) = (value.to_vec(), jacobian.to_vec());
     graph.refusals = errors.into_inner();

@@ -24,6 +24,17 @@ struct Recorder {
     runs: usize,
     /// Whether this run has asked for the value of something that depends on the inputs.
     asked: bool,
+    extremes: Extremes,
+}
+
+/// What becomes of numbers that would over- or underflow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Extremes {
+    /// They are computed in another way, as a single point is.
+    #[default]
+    Computed,
+    /// They are NaN, as where several rows of a batch are computed at once.
+    Nan,
 }
 
 /// How comparisons come out in a run.
@@ -58,8 +69,11 @@ pub(super) enum Failure {
 }
 
 /// Records runs, each with its comparisons in every possible way, into a new graph; and what they result in.
-pub(super) fn record<const N: usize>(runs: [&dyn Fn() -> Vec<Node>; N]) -> Result<(Graph, [Vec<Node>; N]), Failure> {
-    RECORDER.set(Some(Recorder::default()));
+pub(super) fn record<const N: usize>(
+    extremes: Extremes,
+    runs: [&dyn Fn() -> Vec<Node>; N],
+) -> Result<(Graph, [Vec<Node>; N]), Failure> {
+    RECORDER.set(Some(Recorder { extremes, ..Recorder::default() }));
     let results = catch_unwind(AssertUnwindSafe(|| runs.map(sides)));
     let recorder = RECORDER.take().expect("it was set before the run");
     match results {
@@ -121,6 +135,10 @@ pub(super) fn ask() -> f64 {
 /// Whether that has happened since the last time.
 pub(super) fn has_asked() -> bool {
     with(|recorder| std::mem::take(&mut recorder.asked))
+}
+
+pub(super) fn extremes() -> Extremes {
+    with(|recorder| recorder.extremes)
 }
 
 /// Gives the run up.

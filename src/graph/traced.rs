@@ -1,7 +1,7 @@
 //! A number that writes down what is done to it.
 
 use super::node::{self, Binary, Node, Op, Relation, Unary};
-use super::recorder::{Escape, ask, constant, decide, enter, escape, sides};
+use super::recorder::{Escape, Extremes, ask, constant, decide, enter, escape, extremes, sides};
 use crate::newtype::{newtype_dual_num, newtype_number};
 use crate::scalar::{Leaf, Scalar, Search, e_minus_one, itself, pi};
 use num_traits::FromPrimitive;
@@ -223,6 +223,9 @@ impl Scalar for Traced {
         let nodes = sides(&|| choose().map(Self::node).to_vec());
         let nodes = nodes.unwrap_or_else(|| panic!("no side of a choice can be reached"));
         std::array::from_fn(|k| Self(Place(nodes[k])))
+    }
+    fn has_extremes() -> bool {
+        extremes() == Extremes::Computed
     }
     fn abs_of(x: Self) -> Self {
         Self(x.0.abs())

@@ -128,7 +128,7 @@ impl Formula for SmoothedParabolicPoint {
         Self::linearized(i).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &ParabolicCornerPlace<D>) -> ValueAndJacobian<Self, D> {
         let (f, nodes) = (i.f, [i.x1, i.x2, i.x3, i.x4, i.x5]);
         let (weights, rates) = (ParabolicCorner::weights(f, i.t), ParabolicCorner::rates(f, i.t));

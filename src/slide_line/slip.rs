@@ -119,14 +119,14 @@ impl Formula for SlipIncrementParabolic {
     type Inputs<T: Component> = ParabolicMotion<T>;
     type Outputs<T: Component> = Slip<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &ParabolicMotion<D>) -> Slip<D> {
         let (_, t) = length_and_tangent(Self::sides(i).rate(i.g));
         Slip { dslip: t.dot(&Self::relative_motion(i)) }
     }
 
     /// The tangent turns by n·δX′/|X′|, with δX′ = Σ Nᵢ′ δxᵢ + X″ δg.
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &ParabolicMotion<D>) -> Jacobian<Self, D> {
         let [n1, n2, n3] = shape::parabolic(i.g);
         let [r1, r2, r3] = shape::parabolic_rates(i.g);

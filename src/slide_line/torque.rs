@@ -207,7 +207,7 @@ impl Formula for TorqueParabolic {
         Self::linearized(i).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &ParabolicPressures<D>) -> (Torque<D>, Jacobian<Self, D>) {
         let (middle, pairs) = Station::all(i);
         let zero = D::zero();

@@ -60,12 +60,13 @@ impl<D: Scalar> Across<D> {
     /// What follows from it. It is compiled for either axis, so that where a component stands is known there.
     #[inline(always)]
     pub(super) fn with<T>(d: &Vector3<D>, then: impl Fn(&Self) -> T) -> T {
-        if Axis::of(d).along_i {
+        let Axis { along_i } = Axis::of(d);
+        if along_i && D::has_extremes() {
             std::hint::cold_path();
-            then(&Self::about(Axis { along_i: true }, d))
-        } else {
-            then(&Self::about(Axis { along_i: false }, d))
+            return then(&Self::about(Axis { along_i: true }, d));
         }
+        let d = if along_i { Vector3::from_element(D::from(f64::NAN)) } else { *d };
+        then(&Self::about(Axis { along_i: false }, &d))
     }
 
     #[inline]

@@ -105,7 +105,7 @@ impl Formula for Constraint {
         View::new(i).gradients()
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &Nodes<D>) -> ValueAndJacobian<Self, D> {
         let view = View::new(i);
         (view.distances(), view.gradients())

@@ -16,7 +16,7 @@ mod proof;
 use crate::fields;
 use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec};
 use crate::quantity::{ALPHA_AXIAL, ALPHA_TWIST, BETA_AXIAL, BETA_TWIST, LA, RP};
-use crate::scalar::{Scalar, choice};
+use crate::scalar::{Scalar, choice, usually};
 use std::hint::select_unpredictable;
 
 fields! {
@@ -37,12 +37,10 @@ impl<D: Scalar> Arm<D> {
     fn slenderness(&self, above: f64, below: f64) -> Slenderness<D> {
         let [slender, rigid, la, rp] = choice(|| {
             let squares = self.la * self.la + self.rp * self.rp;
-            let Slenderness { slender, rigid, gradient: Self { la, rp } } = if squares > 1e-60 && squares < 1e60 {
-                self.regular_slenderness(above, below)
-            } else {
-                self.rescaled_slenderness(above, below)
-            };
-            [slender, rigid, la, rp]
+            let is_usual = (squares > 1e-60) & (squares < 1e60);
+            let numbers = |Slenderness { slender, rigid, gradient: Self { la, rp } }| [slender, rigid, la, rp];
+            let regular = || numbers(self.regular_slenderness(above, below));
+            usually(is_usual, regular, || numbers(self.rescaled_slenderness(above, below)))
         });
         Slenderness { slender, rigid, gradient: Self { la, rp } }
     }

@@ -77,13 +77,13 @@ impl Formula for Angles {
     type Inputs<T: Component> = Triads<T>;
     type Outputs<T: Component> = Turns<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &Triads<D>) -> Turns<D> {
         let [alpha, gamma] = i.alpha_and_gamma();
         Turns { alpha, gamma }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &Triads<D>) -> Jacobian<Self, D> {
         let [alpha, gamma] = i.alpha_and_gamma_gradients();
         Turns { alpha, gamma }

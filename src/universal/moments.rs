@@ -50,13 +50,13 @@ impl Formula for ConstraintMoment {
     type Inputs<T: Component> = Twisted<T>;
     type Outputs<T: Component> = Moment<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &Twisted<D>) -> Moment<D> {
         let (_, [cosine, sine]) = turn(i);
         Moment { m: (i.e2a * cosine + i.e3a * sine) * i.m2 }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &Twisted<D>) -> Jacobian<Self, D> {
         let (length, [cosine, sine]) = turn(i);
         let line_of_nodes = i.e2a * cosine + i.e3a * sine;

@@ -117,7 +117,7 @@ impl Formula for Linear {
         Self::linearized(i).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &LinearLoads<D>) -> ValueAndJacobian<Self, D> {
         let place = Place::linear([i.x1, i.x2], i.g);
         let by_g = place.by_g();
@@ -173,7 +173,7 @@ impl Formula for Parabolic {
         Self::linearized(i).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &ParabolicLoads<D>) -> ValueAndJacobian<Self, D> {
         let nodes = [i.x1, i.x2, i.x3];
         let place = Place::parabolic(nodes, i.g);

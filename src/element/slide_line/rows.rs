@@ -69,7 +69,7 @@ impl Formula for Linear {
         Self::linearized(i).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &LinearPlace<D>) -> ValueAndJacobian<Self, D> {
         let place = Place::linear([i.x1, i.x2], i.g);
         let by_g = place.by_g();
@@ -126,7 +126,7 @@ impl Formula for Parabolic {
         Self::linearized(i).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &ParabolicPlace<D>) -> ValueAndJacobian<Self, D> {
         let nodes = [i.x1, i.x2, i.x3];
         let place = Place::parabolic(nodes, i.g);

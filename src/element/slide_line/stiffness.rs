@@ -101,7 +101,7 @@ impl Formula for Linear {
         Self::linearized(i).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &LinearTouch<D>) -> ValueAndJacobian<Self, D> {
         let spot = Place::linear([i.x1, i.x2], i.g).spot;
         let Spot { t, n, weights: [n1, n2], rates: [_, per_length], .. } = spot;

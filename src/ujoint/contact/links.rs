@@ -9,13 +9,13 @@
 
 use super::loads::{ContactMomentPair, JointLoads, moment};
 use crate::formula::Formula;
-use crate::scalar::{Scalar, choice, norm_and_direction};
+use crate::scalar::{Scalar, choice, norm_and_direction, usually};
 use crate::ujoint::hinge::{Shared, bending, in_sleeve, share_of, transverse};
 use crate::ujoint::{AxialFactors, Bending, CrossForces, HingeTwist, Twist};
 use nalgebra::Vector3;
 
 /// M_C of both axes, and their gradients.
-#[inline]
+#[inline(always)]
 pub(super) fn linearized<D: Scalar>(i: &JointLoads<D>) -> (ContactMomentPair<D>, ContactMomentPair<JointLoads<D>>) {
     let loads = i.at_centre();
     let [(mc1, by1), (mc3, by3)] = first_link(i, &loads);
@@ -121,18 +121,16 @@ fn sizes_and_directions<D: Scalar>(sums: [[D; 3]; 3]) -> [(D, [D; 3]); 3] {
     let [a, b, c] = sums;
     let square = |x: [D; 3]| x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
     let (aa, bb, cc) = (square(a), square(b), square(c));
-    let regular = |square: D| square > 1e-270 && square < 1e300;
+    let regular = |square: D| (square > 1e-270) & (square < 1e300);
     let divided = |x: [D; 3], square: D| {
         let size = square.sqrt();
         let per_size = size * square.recip();
         [size, x[0] * per_size, x[1] * per_size, x[2] * per_size]
     };
     let numbers = choice(|| {
-        if regular(aa) & regular(bb) & regular(cc) {
-            flat([divided(a, aa), divided(b, bb), divided(c, cc)])
-        } else {
-            irregular(sums)
-        }
+        let are_regular = regular(aa) & regular(bb) & regular(cc);
+        let flattened = || flat([divided(a, aa), divided(b, bb), divided(c, cc)]);
+        usually(are_regular, flattened, || irregular(sums))
     });
     [0, 4, 8].map(|k| (numbers[k], [numbers[k + 1], numbers[k + 2], numbers[k + 3]]))
 }

@@ -59,14 +59,14 @@ impl Formula for HingeTransverse {
     type Inputs<T: Component> = CentreLoads<T>;
     type Outputs<T: Component> = TransverseForces<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &CentreLoads<D>) -> TransverseForces<D> {
         let (twist, axial) = (HingeTwist::eval(&i.twist()), HingeAxial::eval(&i.axial()));
         let total = |f_transv| norm(transverse(i.f_bend, &twist, f_transv));
         TransverseForces { f_total_hinge1: total(axial.f_transv_hinge1), f_total_hinge3: total(axial.f_transv_hinge3) }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &CentreLoads<D>) -> Jacobian<Self, D> {
         let (twist, twist_slope) = HingeTwist::linearized(&i.twist());
         let (axial, axial_slope) = HingeAxial::linearized(&i.axial());

@@ -1,0 +1,103 @@
+//! [`Ordinary`]: a double of several that are computed at once.
+
+use crate::angle::usual_angles;
+use crate::double::SQUARES;
+use crate::newtype::{newtype_dual_num, newtype_number};
+use crate::scalar::Scalar;
+use num_traits::FromPrimitive;
+use std::fmt;
+use std::num::ParseFloatError;
+use std::str::FromStr;
+
+/// An `f64` that never takes another way where it is extreme: it becomes NaN there, without a branch.
+///
+/// A loop over rows of a formula then has no branch that the compiler could not turn into a choice between numbers, and takes as
+/// many rows at once as the vectors of a processor hold. What is not NaN has the bits that it has in `f64`.
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+#[repr(transparent)]
+pub(crate) struct Ordinary(f64);
+
+impl Ordinary {
+    #[inline]
+    pub(crate) fn to_f64(self) -> f64 {
+        self.0
+    }
+}
+
+newtype_number!(Ordinary(f64), zero: 0.0, one: 1.0, rem: ::std::ops::Rem::rem);
+newtype_dual_num!(Ordinary, f64);
+
+impl Scalar for Ordinary {
+    type Leaf = f64;
+    #[inline]
+    fn leaf_of(x: Self) -> f64 {
+        x.0
+    }
+    #[inline]
+    fn constant_of(x: f64) -> Self {
+        Self(x)
+    }
+    #[inline]
+    fn norm_of<const N: usize>(x: [Self; N]) -> Self {
+        SQUARES.norm(x)
+    }
+    #[inline]
+    fn angle_of(y: Self, x: Self) -> Self {
+        let [angle] = Self::angles_of([y], [x]);
+        angle
+    }
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
+    fn angles_of<const N: usize>(y: [Self; N], x: [Self; N]) -> [Self; N] {
+        usual_angles(y.map(Self::to_f64), x.map(Self::to_f64)).map(Self)
+    }
+    #[inline]
+    fn has_extremes() -> bool {
+        false
+    }
+    #[inline]
+    fn abs_of(x: Self) -> Self {
+        Self(x.0.abs())
+    }
+}
+
+impl From<f64> for Ordinary {
+    #[inline]
+    fn from(x: f64) -> Self {
+        Self(x)
+    }
+}
+
+impl FromPrimitive for Ordinary {
+    fn from_i64(n: i64) -> Option<Self> {
+        f64::from_i64(n).map(Self)
+    }
+    fn from_u64(n: u64) -> Option<Self> {
+        f64::from_u64(n).map(Self)
+    }
+}
+
+impl FromStr for Ordinary {
+    type Err = ParseFloatError;
+    fn from_str(text: &str) -> Result<Self, ParseFloatError> {
+        text.parse().map(Self)
+    }
+}
+
+impl fmt::Display for Ordinary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(&self.0, f)
+    }
+}
+
+impl fmt::Debug for Ordinary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Debug::fmt(&self.0, f)
+    }
+}
+
+impl fmt::LowerExp for Ordinary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::LowerExp::fmt(&self.0, f)
+    }
+}
