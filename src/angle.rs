@@ -6,6 +6,7 @@
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
 
+use crate::scalar::is_between;
 use std::f64::consts::FRAC_PI_4;
 
 /// π/4 minus the double below it.
@@ -59,9 +60,8 @@ fn larger(y: f64, x: f64) -> f64 {
 
 /// Whether the larger of |x| and |y| is neither zero nor beyond what can be added and divided; no if it is NaN.
 #[inline(always)]
-#[expect(clippy::needless_bitwise_bool, reason = "a branch would keep points from being taken at once")]
 fn is_usual(large: f64) -> bool {
-    (large > 0.0) & (large < LARGE)
+    is_between(large, 0.0, LARGE)
 }
 
 /// The angles of points that are not extreme; step by step for all of them, which vectors of a processor do at once.

@@ -40,7 +40,7 @@ pub(crate) use triads::Oriented;
 pub use triads::{Triads, check_turns};
 
 use crate::error::Error;
-use crate::scalar::{Scalar, angles, has_length, norm_and_direction, pi, usually};
+use crate::scalar::{Scalar, angles, has_length, is_between, norm_and_direction, pi, usually};
 use nalgebra::{Matrix3, Vector3};
 
 /// The first angle, α = −atan2(e2a·e3b, e3a·e3b).
@@ -125,7 +125,7 @@ fn turn_gradients<D: Scalar, const N: usize>(
     cosines: [D; N],
 ) -> [[Vector3<D>; 3]; N] {
     let squares: [D; N] = std::array::from_fn(|k| sines[k] * sines[k] + cosines[k] * cosines[k]);
-    let are_usual = squares.iter().fold(true, |all, &square| all & (square > 1e-30) & (square < 1e30));
+    let are_usual = squares.iter().fold(true, |all, &square| all & is_between(square, 1e-30, 1e30));
     if !are_usual && D::has_extremes() {
         return std::array::from_fn(|k| extreme_turn_gradient(of[k], (sines[k], cosines[k])));
     }

@@ -13,14 +13,14 @@ mod source;
 
 #[cfg(feature = "batch")]
 pub(crate) use checked::is_plain;
-#[cfg(feature = "batch")]
-pub(crate) use finite::bits_unless_finite;
 pub use checked::{check, value, value_and_jacobian};
 pub(crate) use few::{Few, cross_gradient, next};
 pub use fields::{Component, Field, Fields, Part, Visitor};
 #[cfg(feature = "verify")]
 pub(crate) use fields::{entries, typed};
 pub use finite::Finite;
+#[cfg(feature = "batch")]
+pub(crate) use finite::bits_unless_finite;
 pub use source::{Document, Provenance, Source};
 
 use crate::error::Error;

@@ -260,6 +260,13 @@ pub fn choice<D: Scalar, const N: usize>(choose: impl Fn() -> [D; N]) -> [D; N] 
     D::choice_of(choose)
 }
 
+/// Whether a number lies between these, without a branch that would keep rows from being computed at once.
+#[inline]
+#[expect(clippy::needless_bitwise_bool, reason = "the branch is what is avoided")]
+pub(crate) fn is_between<D: Scalar>(x: D, least: f64, most: f64) -> bool {
+    (x > least) & (x < most)
+}
+
 /// Numbers that are computed in another way where they would over- or underflow, which hardly ever happens; or NaN there, of a scalar
 /// without [extremes](Scalar::has_extremes).
 #[inline(always)]
@@ -315,7 +322,7 @@ impl Squares {
     #[inline]
     pub(crate) fn norm<D: Scalar, const N: usize>(&self, x: [D; N]) -> D {
         let sum = sum_of_squares(x);
-        let is_usual = (sum > self.smallest) & (sum < self.largest);
+        let is_usual = is_between(sum, self.smallest, self.largest);
         let [length] = usually(is_usual, || [sum.sqrt()], || [self.rescaled(x)]);
         length
     }

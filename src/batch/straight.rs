@@ -15,8 +15,8 @@ use crate::ordinary::Ordinary;
 use std::marker::PhantomData;
 use std::ops::Range;
 
-/// Rows that are computed together: two lines of the cache in every column.
-const TOGETHER: usize = 16;
+/// Rows that are computed together: four lines of the cache in every column.
+const TOGETHER: usize = 32;
 
 /// So many numbers of a row at most: then those of all these rows fit into the cache.
 pub(super) const MOST_TOGETHER: usize = 256;
@@ -86,7 +86,8 @@ fn compute<F: Formula, J: Job<F>>(read: &[Line], written: &mut [Line], count: us
     let count = count.min(TOGETHER);
     let mut are_plain = true;
     for row in 0..count {
-        are_plain &= is_plain::<F>(&inputs(read, row)) & F::validate(&inputs::<F::Inputs<Ordinary>, _>(read, row)).is_ok();
+        are_plain &=
+            is_plain::<F>(&inputs(read, row)) & F::validate(&inputs::<F::Inputs<Ordinary>, _>(read, row)).is_ok();
     }
     if are_plain {
         let mut bits = 0;

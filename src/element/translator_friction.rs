@@ -1,5 +1,7 @@
 //! The friction of TRANSLATOR after a motion, with its consistent tangent by all constraint forces and moments.
 
+#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
+
 #[cfg(feature = "verify")]
 mod proof;
 

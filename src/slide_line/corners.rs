@@ -3,6 +3,8 @@
 //! A fraction f of each segment next to the corner is cut off and replaced by a curve that is tangent to both. The
 //! source names smoothing and sends the reader elsewhere for its details; these curves are ours.
 
+#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
+
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 

@@ -1,5 +1,7 @@
 //! Slip: how far the slave point moves along the line, relative to the material under it.
 
+#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
+
 #[cfg(feature = "verify")]
 mod proof;
 

@@ -1,5 +1,7 @@
 //! The greatest torque that a slide line transmits: T = ∬ r² p ds dθ, as if the friction coefficient were 1.
 
+#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
+
 #[cfg(feature = "verify")]
 mod proof;
 
@@ -129,7 +131,6 @@ struct Station<D> {
 }
 
 // Five of these stand in a row in every result; as calls they took as long as all the rest.
-#[expect(clippy::inline_always, reason = "measured")]
 impl<D: Scalar> Station<D> {
     #[inline(always)]
     fn new(weight: D, radius: D, pressure: D, rate: Vector2<D>) -> Self {
@@ -176,7 +177,6 @@ impl<D: Scalar> Station<D> {
 }
 
 /// A row of the rule.
-#[expect(clippy::inline_always, reason = "constants should be seen as such")]
 #[inline(always)]
 fn rule<D: Scalar>(row: usize) -> [D; 5] {
     D::Leaf::constants(RULE[row], || definition(row)).map(scalar::constant)

@@ -1,5 +1,7 @@
 //! The contact moments of the hinges.
 
+#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
+
 #[cfg(feature = "verify")]
 pub(crate) mod proof;
 
@@ -47,7 +49,7 @@ impl Formula for ContactMoments {
         Self::linearized(i).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &JointLoads<D>) -> (ContactMomentPair<D>, Jacobian<Self, D>) {
         links::linearized(i)
     }

@@ -1,5 +1,7 @@
 //! The friction that the normal moments allow.
 
+#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
+
 #[cfg(feature = "verify")]
 mod proof;
 
@@ -85,7 +87,7 @@ impl Formula for Friction {
         Self::linearized(i).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &FrictionLoads<D>) -> (YieldPair<D>, Jacobian<Self, D>) {
         let (moments, contact) = ContactMoments::linearized(&i.joint());
         let (NormalMomentPair { mn1, mn3 }, normal) = NormalMoments::linearized(&i.moments(moments));

@@ -1,5 +1,7 @@
 //! What is held, and what turns.
 
+#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
+
 #[cfg(feature = "verify")]
 mod proof;
 

@@ -1,5 +1,7 @@
 //! The moment that holds the shafts at their angle, and the moments about them.
 
+#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
+
 #[cfg(feature = "verify")]
 mod proof;
 

@@ -7,9 +7,11 @@
 //!    with the two axial forces exchanged, so that one function, [`Common::hinge`], serves both.
 //! 2. [`Force::chain`]: the three loads by forces and vectors.
 
+#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
+
 use super::loads::{ContactMomentPair, JointLoads, moment};
 use crate::formula::Formula;
-use crate::scalar::{Scalar, choice, norm_and_direction, usually};
+use crate::scalar::{Scalar, choice, is_between, norm_and_direction, usually};
 use crate::ujoint::hinge::{Shared, bending, in_sleeve, share_of, transverse};
 use crate::ujoint::{AxialFactors, Bending, CrossForces, HingeTwist, Twist};
 use nalgebra::Vector3;
@@ -43,7 +45,7 @@ struct ByLoads<D> {
 }
 
 /// M_C = F_axial^hinge Ra + (F_total^hinge + F_total^bend) Rp for a hinge on axis 1 and one on axis 3.
-#[inline]
+#[inline(always)]
 fn first_link<D: Scalar>(i: &JointLoads<D>, loads: &CrossForces<D>) -> [(D, ByLoads<D>); 2] {
     let CrossForces { f_axial1, f_axial3, f_bend } = *loads;
     let JointLoads { rp, la, ls, .. } = *i;
@@ -121,7 +123,7 @@ fn sizes_and_directions<D: Scalar>(sums: [[D; 3]; 3]) -> [(D, [D; 3]); 3] {
     let [a, b, c] = sums;
     let square = |x: [D; 3]| x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
     let (aa, bb, cc) = (square(a), square(b), square(c));
-    let regular = |square: D| (square > 1e-270) & (square < 1e300);
+    let regular = |square: D| is_between(square, 1e-270, 1e300);
     let divided = |x: [D; 3], square: D| {
         let size = square.sqrt();
         let per_size = size * square.recip();

@@ -1,5 +1,7 @@
 //! The whole transverse force on a hinge.
 
+#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
+
 #[cfg(feature = "verify")]
 mod proof;
 
