@@ -40,7 +40,7 @@ pub(crate) use triads::Oriented;
 pub use triads::{Triads, check_turns};
 
 use crate::error::Error;
-use crate::scalar::{Scalar, angles, has_length, is_between, norm_and_direction, pi, usually};
+use crate::scalar::{Scalar, angles, has_length, is_between, norm_and_direction, number_if, pi};
 use nalgebra::{Matrix3, Vector3};
 
 /// The first angle, α = −atan2(e2a·e3b, e3a·e3b).
@@ -129,7 +129,7 @@ fn turn_gradients<D: Scalar, const N: usize>(
     if !are_usual && D::has_extremes() {
         return std::array::from_fn(|k| extreme_turn_gradient(of[k], (sines[k], cosines[k])));
     }
-    let by = usually(are_usual, || squares.map(|square| square.recip()), || squares);
+    let by = squares.map(|square| number_if(are_usual, square.recip()));
     std::array::from_fn(|k| {
         let [v, p, q] = of[k];
         [p.cross(q).cross(v) * by[k], v * (-cosines[k] * by[k]), v * (sines[k] * by[k])]

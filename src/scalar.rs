@@ -31,11 +31,10 @@ pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scal
     #[inline]
     fn norm_and_direction_of<const N: usize>(x: [Self; N]) -> (Self, [Self; N]) {
         let length = norm(x);
-        if length >= f64::MIN_POSITIVE || !Self::has_extremes() {
+        if !Self::has_extremes() {
             return (length, x.map(|x| x / length));
         }
-        std::hint::cold_path();
-        (length, direction_of_subnormal(x))
+        if length >= f64::MIN_POSITIVE { (length, divide(x, length)) } else { (length, direction_of_subnormal(x)) }
     }
     /// See [`atan2`].
     fn angle_of(y: Self, x: Self) -> Self;
@@ -50,8 +49,13 @@ pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scal
     fn choice_of<const N: usize>(choose: impl Fn() -> [Self; N]) -> [Self; N] {
         choose()
     }
-    /// Whether what is extreme is computed in another way. Where several rows of a batch are computed at once it is not, lest the
-    /// others wait for it: its numbers are NaN, results with them, and the row is computed again by itself.
+    /// Whether what is extreme, and would over- or underflow, is computed in another way. Where several rows of a batch are computed
+    /// at once it is not, lest the others wait for it: its numbers are NaN, results with them, and the row is computed again by
+    /// itself. So where another way begins,
+    ///
+    /// ```text
+    /// if is_usual || !D::has_extremes() { number_if(is_usual, x) } else { … }
+    /// ```
     #[inline]
     fn has_extremes() -> bool {
         true
@@ -199,6 +203,7 @@ pub fn norm_and_direction<D: Scalar, const N: usize>(x: [D; N]) -> (D, [D; N]) {
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "a call would need the components in memory, on the way that is usual too")]
 fn direction_of_subnormal<D: Scalar, const N: usize>(x: [D; N]) -> [D; N] {
+    std::hint::cold_path();
     let x = x.map(|x| x * power_of_two(60));
     divide(x, norm(x))
 }
@@ -267,23 +272,10 @@ pub(crate) fn is_between<D: Scalar>(x: D, least: f64, most: f64) -> bool {
     (x > least) & (x < most)
 }
 
-/// Numbers that are computed in another way where they would over- or underflow, which hardly ever happens; or NaN there, of a scalar
-/// without [extremes](Scalar::has_extremes).
-#[inline(always)]
-#[expect(clippy::inline_always, reason = "as of `Scalar::choice_of`")]
-pub(crate) fn usually<D: Scalar, const N: usize>(
-    is_usual: bool,
-    usual: impl FnOnce() -> [D; N],
-    extreme: impl FnOnce() -> [D; N],
-) -> [D; N] {
-    if !D::has_extremes() {
-        return usual().map(|x| if is_usual { x } else { D::from(f64::NAN) });
-    }
-    if is_usual {
-        return usual();
-    }
-    std::hint::cold_path();
-    extreme()
+/// The number, or NaN where it is [extreme](Scalar::has_extremes).
+#[inline]
+pub(crate) fn number_if<D: Scalar>(is_usual: bool, x: D) -> D {
+    if is_usual { x } else { D::from(f64::NAN) }
 }
 
 /// −1, 0 or 1: the derivative of [`abs`].
@@ -323,8 +315,7 @@ impl Squares {
     pub(crate) fn norm<D: Scalar, const N: usize>(&self, x: [D; N]) -> D {
         let sum = sum_of_squares(x);
         let is_usual = is_between(sum, self.smallest, self.largest);
-        let [length] = usually(is_usual, || [sum.sqrt()], || [self.rescaled(x)]);
-        length
+        if is_usual || !D::has_extremes() { number_if(is_usual, sum.sqrt()) } else { self.rescaled(x) }
     }
 
     #[inline(always)]
@@ -333,6 +324,7 @@ impl Squares {
         reason = "a call would need the components in memory, on the way that is usual too"
     )]
     fn rescaled<D: Scalar, const N: usize>(&self, x: [D; N]) -> D {
+        std::hint::cold_path();
         let large = x.iter().any(|&x| abs(x) > 1.0);
         let factor = if large { self.rescale.recip() } else { self.rescale };
         sum_of_squares(x.map(|x| x * factor)).sqrt() / factor

@@ -1,7 +1,7 @@
 //! The arc sine of a scalar product, with value and derivative as good close to ±1 as the components allow.
 
 use crate::error::Error;
-use crate::scalar::{Scalar, abs, atan2, sign, usually};
+use crate::scalar::{Scalar, abs, atan2, number_if, sign};
 use nalgebra::Vector3;
 
 /// Above this |sin β| the difference 1 − |sin β| is formed without rounding.
@@ -22,12 +22,12 @@ pub(super) fn arc_sine<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
 #[inline]
 pub(crate) fn arc_sine_slope<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
     let sine = a.dot(b);
-    let gentle = || [((-sine + 1.0) * (sine + 1.0)).sqrt().recip()];
-    let [slope] = usually(abs(sine) < STEEP, gentle, || {
-        let cosine = steep_cosine(a, b);
-        [if cosine == 0.0 { D::zero() } else { cosine.recip() }]
-    });
-    slope
+    let is_gentle = abs(sine) < STEEP;
+    if is_gentle || !D::has_extremes() {
+        return number_if(is_gentle, ((-sine + 1.0) * (sine + 1.0)).sqrt().recip());
+    }
+    let cosine = steep_cosine(a, b);
+    if cosine == 0.0 { D::zero() } else { cosine.recip() }
 }
 
 /// √(1 − (a·b)²) where |a·b| is close to 1; 0 beyond.

@@ -17,7 +17,7 @@ use crate::cardan::{CardanAngles, Triads, arc_sine_slope};
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{
-    Component, Document, Few, Fields, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian, cross_gradient,
+    Component, Document, Fields, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian, cross_gradient,
 };
 use crate::quantity::{E1A, E1B, E2A, E2B, E3A, E3B, K_TB_TB, LAMBDA_R1, LAMBDA_R2, LAMBDA_R3, UR1_TB, UR2_TB, UR3_TB};
 use crate::scalar::Scalar;
@@ -109,10 +109,11 @@ impl<D: Scalar> Turns<D> {
         let (by_sine, cube) = (self.by_sine(), *slope * *slope * *slope);
         let again = (cube + *sine * *slope * *slope * by_sine * 3.0) * times;
         let (slope, by_sine) = (*slope * times, by_sine * times);
-        let sum = |direct: Few<D>, of_r: Few<D>, of_c: Few<D>| {
-            direct.added_to(&of_r.added_to(&of_c.times(n[r] * by_sine), n[c] * by_sine), slope)
-        };
-        let by_both = [sum(by_a, a_r, a_c), sum(by_b, b_r, b_c)];
+        let (times_r, times_c) = (n[r] * by_sine, n[c] * by_sine);
+        let by_both = [
+            by_a.added_to(&a_r.added_to(&a_c.times(times_r), times_c), slope),
+            by_b.added_to(&b_r.added_to(&b_c.times(times_r), times_c), slope),
+        ];
         self.by_arms(by_both, double_cross(e3b, e1a)[(r, c)] * by_sine + n[r] * n[c] * again)
     }
 

@@ -4,7 +4,7 @@
 
 use super::span::Span;
 use crate::binade::Binade;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, number_if};
 use nalgebra::{Vector2, Vector3};
 
 /// A vector d in terms of the axis e whose cross product makes t1 = d×e/|d×e|: axis 1, or axis 3 where d2 = d3 = 0 exactly.
@@ -65,7 +65,7 @@ impl<D: Scalar> Across<D> {
             std::hint::cold_path();
             return then(&Self::about(Axis { along_i: true }, d));
         }
-        let d = if along_i { Vector3::from_element(D::from(f64::NAN)) } else { *d };
+        let d = d.map(|x| number_if(!along_i, x));
         then(&Self::about(Axis { along_i: false }, &d))
     }
 

@@ -16,7 +16,7 @@ mod proof;
 use crate::fields;
 use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec};
 use crate::quantity::{ALPHA_AXIAL, ALPHA_TWIST, BETA_AXIAL, BETA_TWIST, LA, RP};
-use crate::scalar::{Scalar, choice, is_between, usually};
+use crate::scalar::{Scalar, choice, is_between, number_if};
 use std::hint::select_unpredictable;
 
 fields! {
@@ -38,9 +38,12 @@ impl<D: Scalar> Arm<D> {
         let [slender, rigid, la, rp] = choice(|| {
             let squares = self.la * self.la + self.rp * self.rp;
             let is_usual = is_between(squares, 1e-60, 1e60);
-            let numbers = |Slenderness { slender, rigid, gradient: Self { la, rp } }| [slender, rigid, la, rp];
-            let regular = || numbers(self.regular_slenderness(above, below));
-            usually(is_usual, regular, || numbers(self.rescaled_slenderness(above, below)))
+            let Slenderness { slender, rigid, gradient: Self { la, rp } } = if is_usual || !D::has_extremes() {
+                self.regular_slenderness(above, below)
+            } else {
+                self.rescaled_slenderness(above, below)
+            };
+            [slender, rigid, la, rp].map(|x| number_if(is_usual || D::has_extremes(), x))
         });
         Slenderness { slender, rigid, gradient: Self { la, rp } }
     }

@@ -10,7 +10,7 @@ use super::{CrossAxes, CrossDirection};
 use crate::fields;
 use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec, ValueAndJacobian};
 use crate::quantity::{CROSS_F_BEND, E1A, E2A, E3A, E3B, F_AXIAL1, F_AXIAL3, F2, F3, JOIN_F1};
-use crate::scalar::{Leaf, Scalar, abs, choice, leaf, usually};
+use crate::scalar::{Leaf, Scalar, abs, choice, leaf, number_if};
 use nalgebra::Vector3;
 
 fields! {
@@ -77,8 +77,9 @@ impl<D: Scalar> Parts<D> {
             let rough = self.decomposed(i);
             let lost = i.doubtful(&rough);
             let is_lost = lost.f_axial1 | lost.f_axial3 | lost.f_bend;
-            let forces = |CrossForces { f_axial1, f_axial3, f_bend }| [f_axial1, f_axial3, f_bend];
-            usually(!is_lost, || forces(rough), || forces(i.settled(rough)))
+            let is_settled = is_lost && D::has_extremes();
+            let CrossForces { f_axial1, f_axial3, f_bend } = if is_settled { i.settled(rough) } else { rough };
+            [f_axial1, f_axial3, f_bend].map(|force| number_if(is_settled || !is_lost, force))
         });
         CrossForces { f_axial1, f_axial3, f_bend }
     }

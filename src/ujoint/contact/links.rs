@@ -11,7 +11,7 @@
 
 use super::loads::{ContactMomentPair, JointLoads, moment};
 use crate::formula::Formula;
-use crate::scalar::{Scalar, choice, is_between, norm_and_direction, usually};
+use crate::scalar::{Scalar, choice, is_between, norm_and_direction, number_if};
 use crate::ujoint::hinge::{Shared, bending, in_sleeve, share_of, transverse};
 use crate::ujoint::{AxialFactors, Bending, CrossForces, HingeTwist, Twist};
 use nalgebra::Vector3;
@@ -131,8 +131,11 @@ fn sizes_and_directions<D: Scalar>(sums: [[D; 3]; 3]) -> [(D, [D; 3]); 3] {
     };
     let numbers = choice(|| {
         let are_regular = regular(aa) & regular(bb) & regular(cc);
-        let flattened = || flat([divided(a, aa), divided(b, bb), divided(c, cc)]);
-        usually(are_regular, flattened, || irregular(sums))
+        if are_regular || !D::has_extremes() {
+            flat([divided(a, aa), divided(b, bb), divided(c, cc)]).map(|x| number_if(are_regular, x))
+        } else {
+            irregular(sums)
+        }
     });
     [0, 4, 8].map(|k| (numbers[k], [numbers[k + 1], numbers[k + 2], numbers[k + 3]]))
 }
