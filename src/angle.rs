@@ -45,6 +45,7 @@ pub(crate) fn angles<const N: usize>(y: [f64; N], x: [f64; N]) -> [f64; N] {
 }
 
 /// The angles of points, or NaN of those that are extreme.
+#[cfg(feature = "batch")]
 #[inline(always)]
 pub(crate) fn usual_angles<const N: usize>(y: [f64; N], x: [f64; N]) -> [f64; N] {
     let (sizes, angles) = (of_both(y, x, larger), usual(y, x));

@@ -88,3 +88,21 @@ pub(in crate::slide_line) fn curved_foot<D: Scalar, S: Shape<N>, const N: usize>
 fn size<D: Scalar>(v: Vector2<D>) -> f64 {
     norm([v.x.re(), v.y.re()])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::slide_line::shape::Parabola;
+
+    #[test]
+    fn past_either_end_of_a_curve_the_distance_is_that_along_the_outward_tangent() {
+        let nodes = [0.0, 2.0, 4.0].map(|x| Vector2::new(x, 0.0));
+        for x in [-3.0, 7.0] {
+            let foot = curved_foot::<f64, Parabola, 3>(Vector2::new(x, 0.5), nodes, 0.0, [-1.0, 1.0]);
+            assert_eq!((foot.inside, foot.beyond), (false, 3.0));
+            // The weights are those of the point on that tangent.
+            let point: Vector2<f64> = nodes.iter().zip(&foot.weights).map(|(node, &weight)| node * weight).sum();
+            assert_eq!((point, foot.weights.iter().sum::<f64>()), (Vector2::new(x, 0.0), 1.0));
+        }
+    }
+}
