@@ -1,8 +1,8 @@
 //! Rows of a formula of simple operations and comparisons, several at a time.
 //!
 //! A comparison chooses between numbers that are computed anyway, and no row waits for one that is extreme ([`Ordinary`]), so that
-//! the compiler takes as many at once as the vectors of a processor hold. It compiles this a second time for processors whose
-//! vectors hold four doubles; both give the bits of one row alone.
+//! the compiler takes as many at once as the vectors of a processor hold: four on one with AVX2, for which this is compiled. What
+//! it gives has the bits of one row alone.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
 
@@ -19,7 +19,7 @@ use std::ops::Range;
 const TOGETHER: usize = 32;
 
 /// So many numbers of a row at most: then those of all these rows fit into the cache.
-pub(super) const MOST_TOGETHER: usize = 256;
+pub(super) const MOST_TOGETHER: usize = 160;
 
 /// What these rows have in one column.
 type Line = [f64; TOGETHER];
@@ -31,7 +31,15 @@ pub(super) fn rows<F: Formula, J: Job<F>>(
     rows: Range<usize>,
     first: usize,
 ) -> Refused {
-    pulp::Arch::new().dispatch(Stretch::<F, J> { inputs, outputs, rows, first, job: PhantomData })
+    let stretch = Stretch::<F, J> { inputs, outputs, rows, first, job: PhantomData };
+    // A second copy of all formulas, for processors of this kind without vectors of four doubles, would be as large as the first.
+    #[cfg(target_arch = "x86_64")]
+    return match pulp::x86::V3::try_new() {
+        Some(vectors) => pulp::Simd::vectorize(vectors, stretch),
+        None => one_by_one::<F, J>(stretch.inputs, stretch.outputs, stretch.rows, first),
+    };
+    #[cfg(not(target_arch = "x86_64"))]
+    pulp::Arch::new().dispatch(stretch)
 }
 
 /// A stretch of rows.
