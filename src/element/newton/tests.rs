@@ -495,7 +495,6 @@ fn what_is_not_valid_is_refused() {
     assert_eq!(refused(smooth.newton(&lost, &SVector::zeros(), &0.0)), "xb[0] is NaN; allowed is a finite number");
     assert!(refuses(&AlignElement { angles0: [0.1, 0.2, -0.3] }, &nodes));
     assert!(refuses(&JoinElement { d0: Vector3::y() }, &nodes) && refuses(&UniversalElement { c0: 0.0 }, &nodes));
-    let still = UJointState { turns: [0.0; 2], slip: [0.0; 2] };
-    let found = UJOINT.newton(&nodes, &SVector::repeat(f64::NAN), &still);
+    let found = UJOINT.newton(&nodes, &SVector::repeat(f64::NAN), &UJointState { turns: [0.0; 2], slip: [0.0; 2] });
     assert!(matches!(found, Err(crate::Error::NonFinite { .. })));
 }
