@@ -5,8 +5,9 @@ mod common;
 use jointproof::Scalar;
 use jointproof::catalog::{AnyFormula, CATALOG};
 use jointproof::formula::{Component, Field, Formula, Jacobian, Spec};
-use jointproof::graph::{Binary, Extremes, Graph, Node, NotRecorded, Op, Statement, Unary, record};
+use jointproof::graph::{Binary, Extremes, Graph, Node, NotRecorded, Op, Statement, Unary, record, record_with};
 use jointproof::measure::Options;
+use jointproof::scalar::norm;
 use jointproof::slot::{Contact, ContactForce as SlotContactForce, CrossForces};
 use jointproof::verify::golden::components;
 use rayon::prelude::*;
@@ -200,6 +201,38 @@ impl<P: Planted> Formula for Of<P> {
     fn jacobian<D: Scalar>(i: &CrossForces<D>) -> Jacobian<Self, D> {
         Contact { fc: CrossForces { f2: i.f2, f3: i.f3 } }
     }
+}
+
+/// What is told of a length that is NaN: by what is made of it, by what an answer that is then no chooses, or by nothing.
+macro_rules! by_a_length {
+    ($($name:ident: |$i:ident, $length:ident| $fc:expr;)*) => {
+        $(#[derive(Clone, Copy, Debug)]
+        struct $name;
+
+        impl Planted for $name {
+            fn fc<D: Scalar>($i: &CrossForces<D>) -> D {
+                let $length = norm([$i.f2, $i.f3]);
+                $fc
+            }
+        })*
+    };
+}
+by_a_length! {
+    IsIt: |i, length| length + i.f2;
+    ChoosesBetweenMultiples: |i, length| if length < 1.0 { length * i.f2 } else { length * i.f3 };
+    ChoosesItWhereNot: |i, length| if length < 1.0 { i.f2 } else { length };
+    ChoosesItWhereSo: |i, length| if length < 1.0 { length } else { i.f2 };
+    HidesIt: |i, length| if length < 1.0 { i.f2 } else { i.f3 };
+}
+
+#[test]
+fn rows_are_together_only_where_every_extreme_one_is_told() {
+    fn words<P: Planted>() -> &'static str {
+        by_rows_in_words(&record_with::<Of<P>>(Extremes::Nan).unwrap())
+    }
+    let told = [words::<IsIt>(), words::<ChoosesBetweenMultiples>(), words::<ChoosesItWhereNot>()];
+    assert_eq!(told, [" guarded\n"; 3]);
+    assert_eq!([words::<ChoosesItWhereSo>(), words::<HidesIt>()], ["\n"; 2]);
 }
 
 /// A formula that looks at a double where it should compare scalars.
