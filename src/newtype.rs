@@ -265,6 +265,24 @@ macro_rules! newtype_dual_num {
     };
 }
 
+/// Read and written as the float inside.
+macro_rules! newtype_text {
+    ($type:ident: $($trait:ident),*) => {
+        impl ::std::str::FromStr for $type {
+            type Err = ::std::num::ParseFloatError;
+            /// The number nearest to a decimal literal.
+            fn from_str(text: &str) -> Result<Self, Self::Err> {
+                text.parse().map(Self)
+            }
+        }
+        $(impl ::std::fmt::$trait for $type {
+            fn fmt(&self, f: &mut ::std::fmt::Formatter<'_>) -> ::std::fmt::Result {
+                ::std::fmt::$trait::fmt(&self.0, f)
+            }
+        })*
+    };
+}
+
 macro_rules! newtype_functions {
     ($math:ident: $($function:ident)*) => {
         $(#[inline]
@@ -274,4 +292,4 @@ macro_rules! newtype_functions {
     };
 }
 
-pub(crate) use {newtype_dual_num, newtype_functions, newtype_number, newtype_operator};
+pub(crate) use {newtype_dual_num, newtype_functions, newtype_number, newtype_operator, newtype_text};

@@ -2,12 +2,9 @@
 
 use crate::angle::usual_angles;
 use crate::double::SQUARES;
-use crate::newtype::{newtype_dual_num, newtype_number};
+use crate::newtype::{newtype_dual_num, newtype_number, newtype_text};
 use crate::scalar::Scalar;
 use num_traits::FromPrimitive;
-use std::fmt;
-use std::num::ParseFloatError;
-use std::str::FromStr;
 
 /// An `f64` that never takes another way where it is extreme: it becomes NaN there, without a branch.
 ///
@@ -26,6 +23,7 @@ impl Ordinary {
 
 newtype_number!(Ordinary(f64), zero: 0.0, one: 1.0, rem: ::std::ops::Rem::rem);
 newtype_dual_num!(Ordinary, f64);
+newtype_text!(Ordinary: Display, Debug, LowerExp);
 
 impl Scalar for Ordinary {
     type Leaf = f64;
@@ -74,30 +72,5 @@ impl FromPrimitive for Ordinary {
     }
     fn from_u64(n: u64) -> Option<Self> {
         f64::from_u64(n).map(Self)
-    }
-}
-
-impl FromStr for Ordinary {
-    type Err = ParseFloatError;
-    fn from_str(text: &str) -> Result<Self, ParseFloatError> {
-        text.parse().map(Self)
-    }
-}
-
-impl fmt::Display for Ordinary {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(&self.0, f)
-    }
-}
-
-impl fmt::Debug for Ordinary {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Debug::fmt(&self.0, f)
-    }
-}
-
-impl fmt::LowerExp for Ordinary {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::LowerExp::fmt(&self.0, f)
     }
 }

@@ -51,11 +51,7 @@ pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scal
     }
     /// Whether what is extreme, and would over- or underflow, is computed in another way. Where several rows of a batch are computed
     /// at once it is not, lest the others wait for it: its numbers are NaN, results with them, and the row is computed again by
-    /// itself. So where another way begins,
-    ///
-    /// ```text
-    /// if is_usual || !D::has_extremes() { number_if(is_usual, x) } else { … }
-    /// ```
+    /// itself.
     #[inline]
     fn has_extremes() -> bool {
         true
@@ -272,7 +268,11 @@ pub(crate) fn is_between<D: Scalar>(x: D, least: f64, most: f64) -> bool {
     (x > least) & (x < most)
 }
 
-/// The number, or NaN where it is [extreme](Scalar::has_extremes).
+/// The number, or NaN where it is [extreme](Scalar::has_extremes). Where another way begins,
+///
+/// ```text
+/// if is_usual || !D::has_extremes() { number_if(is_usual, x) } else { … }
+/// ```
 #[inline]
 pub(crate) fn number_if<D: Scalar>(is_usual: bool, x: D) -> D {
     if is_usual { x } else { D::from(f64::NAN) }

@@ -1,14 +1,10 @@
 //! [`Single`]: 24-bit arithmetic behind the interface of the other scalars.
 
-use std::fmt;
-use std::num::ParseFloatError;
-use std::str::FromStr;
-
 use num_dual::DualNum;
 use num_traits::FromPrimitive;
 
 use crate::eft::exact_sum;
-use crate::newtype::{newtype_dual_num, newtype_number};
+use crate::newtype::{newtype_dual_num, newtype_number, newtype_text};
 use crate::scalar::{Leaf, Scalar, Squares, e_minus_one, itself, pi};
 
 /// An `f32` that reads and speaks `f64`: every operation rounds to 24 bits, every `f64` operand is rounded to `f32`
@@ -36,6 +32,7 @@ impl Single {
 
 newtype_number!(Single(f32), zero: 0.0, one: 1.0, rem: ::std::ops::Rem::rem);
 newtype_dual_num!(Single, f32);
+newtype_text!(Single: Display, Debug, LowerExp);
 
 impl Leaf for Single {
     const EPSILON: f64 = f32::EPSILON as f64;
@@ -99,31 +96,5 @@ impl FromPrimitive for Single {
     }
     fn from_f64(value: f64) -> Option<Self> {
         Some(Self::from(value))
-    }
-}
-
-impl FromStr for Single {
-    type Err = ParseFloatError;
-    /// The `f32` nearest to a decimal literal.
-    fn from_str(text: &str) -> Result<Self, ParseFloatError> {
-        text.parse().map(Self)
-    }
-}
-
-impl fmt::Display for Single {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(&self.0, f)
-    }
-}
-
-impl fmt::Debug for Single {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Debug::fmt(&self.0, f)
-    }
-}
-
-impl fmt::LowerExp for Single {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::LowerExp::fmt(&self.0, f)
     }
 }
