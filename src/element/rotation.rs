@@ -11,12 +11,16 @@
 //! from the right, a stiffness K becomes Tᵀ K T + ∂(Tᵀ m)/∂ψ; with Euler parameters likewise. Both are what the Jacobians here
 //! hold: Tᵀ by m, the other term by ψ. At a whole turn, |ψ| = 2π, T is singular: a program changes ψ by a whole turn before.
 
+#![expect(clippy::inline_always, reason = "value and derivatives share the functions of ψ where they are one piece")]
+
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 mod stumpff;
 
 use crate::fields;
-use crate::formula::{Component, Document, Finite, Formula, Jacobian, Source, Spec, along, cross_gradient};
+use crate::formula::{
+    Component, Document, Finite, Formula, Jacobian, Source, Spec, ValueAndJacobian, along, cross_gradient,
+};
 use crate::quantity::{EULER_MOMENT, EULER_MOMENT0, EULER_Q, EULER_Q0, PSI, PSI_MOMENT, SPIN_MOMENT};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
@@ -39,6 +43,14 @@ fields! {
 #[derive(Clone, Copy, Debug)]
 pub struct RotationVector;
 
+impl<D: Scalar> TurnedLoad<D> {
+    #[inline(always)]
+    fn moment(&self, Stumpff { c1, c2, c3 }: &Stumpff<D>) -> RotationVectorMoment<D> {
+        let Self { psi, m } = self;
+        RotationVectorMoment { m_psi: m * *c1 - psi.cross(m) * *c2 + psi * (psi.dot(m) * *c3) }
+    }
+}
+
 impl Formula for RotationVector {
     const SPEC: Spec = Spec::new("element.rotation_vector", "A moment on a rotation vector", OURS)
         .equation(r"\begin{aligned} \mathbf{m}_\psi &= A\,\mathbf{m} - B\,\boldsymbol{\psi}\times\mathbf{m} + C\,(\boldsymbol{\psi}\cdot\mathbf{m})\,\boldsymbol{\psi},\quad \psi = \lvert\boldsymbol{\psi}\rvert,\quad A = \begin{cases} 1 & \psi = 0 \\ \frac{\sin\psi}{\psi} & \text{otherwise} \end{cases}, \\ B &= \begin{cases} \tfrac12 & \psi = 0 \\ \frac{1-\cos\psi}{\psi^2} & \text{otherwise} \end{cases},\quad C = \begin{cases} \tfrac16 & \psi = 0 \\ \frac{\psi-\sin\psi}{\psi^3} & \text{otherwise} \end{cases} \end{aligned}")
@@ -51,14 +63,19 @@ impl Formula for RotationVector {
 
     #[inline]
     fn eval<D: Scalar>(i: &TurnedLoad<D>) -> RotationVectorMoment<D> {
-        let (Stumpff { c1, c2, c3 }, _) = Stumpff::new(i.psi.dot(&i.psi));
-        RotationVectorMoment { m_psi: i.m * c1 - i.psi.cross(&i.m) * c2 + i.psi * (i.psi.dot(&i.m) * c3) }
+        i.moment(&Stumpff::new(i.psi.dot(&i.psi)).0)
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &TurnedLoad<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline(always)]
+    fn linearized<D: Scalar>(i: &TurnedLoad<D>) -> ValueAndJacobian<Self, D> {
         let TurnedLoad { psi, m } = i;
-        let (Stumpff { c1, c2, c3 }, [slope2, slope3]) = Stumpff::new(psi.dot(psi));
+        let (functions, [slope2, slope3]) = Stumpff::new(psi.dot(psi));
+        let Stumpff { c1, c2, c3 } = functions;
         // By ψ as m − c2 ψ × m + c3 ψ × (ψ × m), whose derivatives vanish as they should where m is along ψ.
         let across = psi.cross(m);
         let lengthened = psi.cross(&across) * slope3 - across * slope2;
@@ -71,7 +88,7 @@ impl Formula for RotationVector {
                 m: by_m.added_to(&(along::<D, 3>(k, c1) + psi * (psi[k] * c3)), -c2),
             }
         };
-        RotationVectorMoment { m_psi: Vector3::new(row(0), row(1), row(2)) }
+        (i.moment(&functions), RotationVectorMoment { m_psi: Vector3::new(row(0), row(1), row(2)) })
     }
 }
 

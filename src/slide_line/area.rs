@@ -1,5 +1,7 @@
 //! Contact area of the nodes of axisymmetric elements, around the whole circumference.
 
+#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
+
 #[cfg(feature = "verify")]
 mod proof;
 
@@ -41,14 +43,14 @@ impl Formula for ContactAreaLinear {
     type Inputs<T: Component> = LinearNodes<T>;
     type Outputs<T: Component> = TwoAreas<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &LinearNodes<D>) -> TwoAreas<D> {
         let (length, _) = length_and_tangent(i.x2 - i.x1);
         let band = pi::<D>() * length;
         TwoAreas { a1: band * i.x1.x, a2: band * i.x2.x }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &LinearNodes<D>) -> Jacobian<Self, D> {
         let (length, t) = length_and_tangent(i.x2 - i.x1);
         let band = pi::<D>() * length;

@@ -1,5 +1,7 @@
 //! The local basis of a slide line.
 
+#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
+
 #[cfg(feature = "verify")]
 mod proof;
 
@@ -52,7 +54,7 @@ impl Formula for LocalBasis {
         Self::linearized(i).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &Direction<D>) -> ValueAndJacobian<Self, D> {
         let (length, t) = length_and_tangent(i.dx);
         let n = left(t);

@@ -58,14 +58,14 @@ impl Formula for SlipIncrementLinear {
     type Inputs<T: Component> = LinearMotion<T>;
     type Outputs<T: Component> = Slip<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &LinearMotion<D>) -> Slip<D> {
         let (_, t) = length_and_tangent(i.x2 - i.x1);
         Slip { dslip: t.dot(&Self::relative_motion(i)) }
     }
 
     /// The segment turns by n·(δx2 − δx1)/ℓ, which brings n·motion into the slip.
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &LinearMotion<D>) -> Jacobian<Self, D> {
         let (length, t) = length_and_tangent(i.x2 - i.x1);
         let [n1, n2] = shape::linear(i.g);

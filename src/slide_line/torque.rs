@@ -45,7 +45,7 @@ impl Formula for TorqueLinear {
     type Inputs<T: Component> = LinearPressures<T>;
     type Outputs<T: Component> = Torque<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &LinearPressures<D>) -> Torque<D> {
         let (length, _) = length_and_tangent(i.x2 - i.x1);
         let (r1, r2) = (i.x1.x, i.x2.x);
@@ -54,7 +54,7 @@ impl Formula for TorqueLinear {
         Torque { t: pi::<D>() / 6.0 * length * moment }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &LinearPressures<D>) -> Jacobian<Self, D> {
         let (length, t) = length_and_tangent(i.x2 - i.x1);
         let (r1, r2) = (i.x1.x, i.x2.x);

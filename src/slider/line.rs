@@ -1,5 +1,7 @@
 //! The line through nodes 1 and n, and how it varies when they move.
 
+#![expect(clippy::inline_always, reason = "value and derivatives share the line where they are compiled as one piece")]
+
 #[cfg(feature = "verify")]
 mod proof;
 
@@ -37,7 +39,7 @@ impl Formula for Line {
     type Inputs<T: Component> = Ends<T>;
     type Outputs<T: Component> = Direction<T>;
 
-    #[inline]
+    #[inline(always)]
     fn eval<D: Scalar>(i: &Ends<D>) -> Direction<D> {
         let (l, n) = norm_and_direction((i.xn - i.x1).into());
         Direction { n: n.into(), l }
@@ -48,7 +50,7 @@ impl Formula for Line {
         Self::linearized(i).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &Ends<D>) -> ValueAndJacobian<Self, D> {
         let direction = Self::eval(i);
         let turn = across(&direction.n) * direction.l.recip();
@@ -90,6 +92,19 @@ fields! {
 #[derive(Clone, Copy, Debug)]
 pub struct DirectionVariation;
 
+impl<D: Scalar> MovingEnds<D> {
+    #[inline(always)]
+    fn line(&self) -> Direction<D> {
+        Line::eval(&Ends { x1: self.x1, xn: self.xn })
+    }
+
+    #[inline(always)]
+    fn change(&self, Direction { n, l }: &Direction<D>) -> DirectionChange<D> {
+        let motion = self.dxn - self.dx1;
+        DirectionChange { dn: n.cross(&motion.cross(n)) / *l, dl: n.dot(&motion) }
+    }
+}
+
 impl Formula for DirectionVariation {
     const SPEC: Spec = Spec::new(
         "slider.direction_variation",
@@ -109,22 +124,26 @@ impl Formula for DirectionVariation {
 
     #[inline]
     fn eval<D: Scalar>(i: &MovingEnds<D>) -> DirectionChange<D> {
-        let Direction { n, l } = Line::eval(&Ends { x1: i.x1, xn: i.xn });
-        let motion = i.dxn - i.dx1;
-        DirectionChange { dn: n.cross(&motion.cross(&n)) / l, dl: n.dot(&motion) }
+        i.change(&i.line())
     }
 
     /// ∂dn/∂dxn = (I − n nᵀ)/l and ∂dn/∂xn = −(dn nᵀ + n dnᵀ + (dl/l)(I − n nᵀ))/l, symmetric matrices both.
     #[inline]
     fn jacobian<D: Scalar>(i: &MovingEnds<D>) -> Jacobian<Self, D> {
-        let Direction { n, l } = Line::eval(&Ends { x1: i.x1, xn: i.xn });
-        let DirectionChange { dn, dl } = Self::eval(i);
+        Self::linearized(i).1
+    }
+
+    #[inline(always)]
+    fn linearized<D: Scalar>(i: &MovingEnds<D>) -> ValueAndJacobian<Self, D> {
+        let line = i.line();
+        let change = i.change(&line);
+        let (Direction { n, l }, DirectionChange { dn, dl }) = (line, change);
         let per = l.recip();
         let (turn, outer) = (across(&n) * per, dn * n.transpose());
         let bend = (outer + outer.transpose() + turn * dl) * -per;
         let row = |xn: Vector3<D>, dxn: Vector3<D>| MovingEnds { x1: -xn, xn, dx1: -dxn, dxn };
         let along = |axis: usize| row(bend.column(axis).into_owned(), turn.column(axis).into_owned());
-        DirectionChange { dn: Vector3::new(along(0), along(1), along(2)), dl: row(dn, n) }
+        (change, DirectionChange { dn: Vector3::new(along(0), along(1), along(2)), dl: row(dn, n) })
     }
 
     #[inline]
