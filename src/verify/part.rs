@@ -128,3 +128,38 @@ fn either<T>(one: Option<T>, next: Option<T>, and: impl FnOnce(T, T) -> T) -> Op
         (one, next) => one.or(next),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::slot::ContactForce;
+
+    #[test]
+    fn what_one_part_alone_has_found_is_kept() {
+        let joined = |one, next| either(one, next, |one: usize, next| 10 * one + next);
+        assert_eq!(joined(Some(1), Some(2)), Some(12));
+        assert_eq!((joined(Some(1), None), joined(None, Some(2)), joined(None, None)), (Some(1), Some(2), None));
+    }
+
+    fn part([first, last]: [usize; 2], of: usize, samples: usize) -> Part {
+        let shard = Shard::new(first, of).expect("there is one");
+        let part = audit_part::<ContactForce>(&Options { samples: 0, seed: 1 }, shard);
+        Part { shards: [first, last], samples, ..part }
+    }
+
+    #[test]
+    fn parts_are_joined_that_follow_one_another_in_one_audit() {
+        let why = |one: Part, next: Part| one.and(next).expect_err("it is refused").to_string();
+        let second = part([2, 2], 3, 8);
+        assert_eq!((second.first(), second.formula()), (2, "slot.contact_force"));
+        let found = second.clone().and(part([3, 3], 3, 8)).expect("it follows");
+        assert_eq!(found.shards, [2, 3]);
+        assert_eq!(why(second.clone(), part([2, 2], 3, 8)), "slot.contact_force: part 2 of 3 does not follow 2");
+        let expected = "parts of two audits: slot.contact_force, 8 points of seed 1, in 3 parts; \
+                        slot.contact_force, 9 points of seed 1, in 3 parts";
+        assert_eq!(why(second.clone(), part([3, 3], 3, 9)), expected);
+        assert!(why(second.clone(), part([3, 3], 4, 8)).ends_with("in 4 parts"));
+        let missing = found.into_audit().expect_err("the first is missing").to_string();
+        assert_eq!(missing, "slot.contact_force: parts 2 to 3 of 3 are not all");
+    }
+}

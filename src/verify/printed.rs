@@ -176,3 +176,82 @@ fn excess(equation: &Equation, smallest: &SmallestAt<Octuple>, mut point: Vec<Oc
     }
     worst
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::formula::Field;
+    use crate::quantity::{F2, F3, FC, SEGMENT_G, X};
+
+    fn smallest(place: f64, slope: f64) -> SmallestAt<Octuple> {
+        let [place, low, high, objective, slope] = [place, -1.0, 1.0, 0.0, slope].map(Octuple::from);
+        SmallestAt { output: 0, place, low, high, objective, slope }
+    }
+
+    #[test]
+    fn a_place_stays_at_a_bound_from_which_the_objective_rises() {
+        let slopes = [2.0, 3.0, 4.0].map(Octuple::from);
+        let at = |place, slope| {
+            let mut motion = [Octuple::zero(); 2];
+            let settled = settled(&smallest(place, slope), &slopes, &mut motion).to_f64();
+            (settled, motion.map(Octuple::to_f64))
+        };
+        for (place, slope) in [(-1.0, 0.0), (-1.0, 2.0), (1.0, 0.0), (1.0, -2.0)] {
+            assert_eq!(at(place, slope), (place, [0.0; 2]), "{place} {slope}");
+        }
+        for (place, slope) in [(-1.0, -2.0), (1.0, 2.0), (-1.5, 2.0), (1.5, -2.0)] {
+            assert!(at(place, slope).0.is_nan(), "{place} {slope}");
+        }
+        // A step of Newton's method, and how the place moves with each input.
+        assert_eq!(at(0.5, 1.0), (0.25, [-0.5, -0.75]));
+    }
+
+    #[test]
+    fn a_deviation_is_judged_by_its_terms_where_its_own_size_is_too_small() {
+        let (one, deviation) = (Sensitivity::none().plus(1.0.into()), Octuple::from(1e-50));
+        assert_eq!(judged(one, Octuple::from(1e-56), || panic!("it is small enough")), 1e-56);
+        assert!((judged(one, deviation, || Octuple::from(9.0)) * 1e51 - 1.0).abs() < 1e-9);
+    }
+
+    const PLACE: [Field; 1] = [Field::new("g", &SEGMENT_G)];
+    const NEAREST: &str = r"g = \operatorname*{arg\,min}_{-1\le g\le 1} (x-g)^2";
+
+    #[test]
+    fn the_place_of_something_smallest_is_settled_from_where_it_is_known_to_be() {
+        let equation = Equation::read(NEAREST, &[], &[Field::new("x", &X)], &PLACE).expect("it can be read");
+        let at = |x: f64, place: f64| {
+            let found = found(&equation, &[x.into()], &[place.into()]);
+            let numbers = [&found.values, &found.jacobian, &found.motion, &found.by_place];
+            (numbers.map(|numbers| numbers[0].to_f64()), found.curvature.to_f64(), found.better)
+        };
+        assert_eq!(at(0.25, 0.25), ([0.25, 1.0, 1.0, 1.0], 2.0, Some(0.0)));
+        // It is not where it is said to be: a step leads there, and another place is better.
+        let (numbers, curvature, better) = at(0.5, 0.0);
+        assert_eq!((numbers, curvature), ([0.5, 1.0, 1.0, 1.0], 2.0));
+        assert_eq!(better, Some(1.0));
+        assert_eq!(at(3.0, 1.0), ([1.0, 0.0, 0.0, 1.0], 2.0, Some(0.0)));
+    }
+
+    #[test]
+    fn forms_that_are_printed_as_equal_are_compared() {
+        let fields = [Field::new("f2", &F2), Field::new("f3", &F3)];
+        let record = |latex: &str, value: f64| {
+            let equation = Equation::read(latex, &[], &fields, &[Field::new("fc", &FC)]).expect("it can be read");
+            let mut claim = Claim::new("so", EQUATION);
+            let point = [3.0, 4.0].map(Octuple::from);
+            let describe = |size, entry, found, expected| {
+                let (point, inputs) = ("there".into(), serde_json::Value::Null);
+                Deviation { size, entry, point, found, expected, inputs }
+            };
+            let size = |_| Sensitivity::none();
+            found(&equation, &point, &[]).record_values(&mut claim, &[value.into()], size, &["fc".into()], describe);
+            let worst = claim.worst.expect("it was compared");
+            (claim.checks, claim.failures, worst.entry, worst.found, worst.expected)
+        };
+        let root = r"F_C = \sqrt{f_2^2 + f_3^2}";
+        assert_eq!(record(root, 5.0), (1, 0, "fc".into(), 5.0, 5.0));
+        assert_eq!(record(root, 6.0), (1, 1, "fc".into(), 5.0, 6.0));
+        let other = format!("{root} = f_2 + f_3");
+        assert_eq!(record(&other, 5.0), (2, 1, "the form after the next sign of equality".into(), 7.0, 5.0));
+    }
+}

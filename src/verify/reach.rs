@@ -35,15 +35,7 @@ pub(super) struct Reached {
 
 /// Points that take sides which these do not.
 pub(super) fn reach(subject: &Subject, branches: &Branches, points: &[&[f64]]) -> Vec<Reached> {
-    let mut search = Search {
-        subject,
-        branches,
-        fields: ranges(subject.inputs),
-        triads: triads(subject.inputs),
-        tally: branches.tally(),
-        starts: vec![Default::default(); branches.comparisons.len()],
-        found: Vec::new(),
-    };
+    let mut search = Search::new(subject, branches);
     for point in points {
         search.enter(point);
     }
@@ -76,7 +68,19 @@ struct Search<'a> {
     found: Vec<Reached>,
 }
 
-impl Search<'_> {
+impl<'a> Search<'a> {
+    fn new(subject: &'a Subject, branches: &'a Branches<'a>) -> Self {
+        Self {
+            subject,
+            branches,
+            fields: ranges(subject.inputs),
+            triads: triads(subject.inputs),
+            tally: branches.tally(),
+            starts: vec![Default::default(); branches.comparisons.len()],
+            found: Vec::new(),
+        }
+    }
+
     /// Keeps a point to start from, and tells the first comparison of which it takes a new side.
     fn enter(&mut self, point: &[f64]) -> Option<(Node, bool)> {
         let answers = self.branches.answers(point);
@@ -219,13 +223,4 @@ fn triads(fields: &[Field]) -> Vec<Vec<Range<usize>>> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::triads;
-    use crate::catalog::find;
-
-    #[test]
-    fn the_vectors_of_a_node_are_one_triad() {
-        let of = |id| triads(find(id).unwrap().inputs());
-        assert_eq!(of("cardan.angles"), [[0..3, 3..6, 6..9], [9..12, 12..15, 15..18]]);
-    }
-}
+mod tests;
