@@ -99,7 +99,7 @@ fn least_bends(point: &Point, here: &[Octuple]) -> Vec<Sensitivity> {
     let moved: Vec<_> =
         point.exact.iter().zip([part, -part].into_iter().cycle()).map(|(&x, part)| x + x * part).collect();
     let there = (point.subject.exact_jacobian)(&moved);
-    there.iter().zip(here).map(|(&there, &here)| per_part((there - here).abs())).collect()
+    there.iter().zip(here).map(|(&there, &here)| per_part(there - here)).collect()
 }
 
 fn per_part(change: Octuple) -> Sensitivity {

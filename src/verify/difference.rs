@@ -192,4 +192,12 @@ mod tests {
         let found = differences(&subject, &inputs, &exact(&[2.0]), &along, 3e-19);
         assert_eq!(found.sides_of(0).map(Octuple::to_f64), [1.0, 0.0]);
     }
+
+    #[test]
+    fn central_differences_are_by_one_component() {
+        for (k, expected) in [(0, 0.6), (1, 0.8)] {
+            let found = central_differences::<ContactForce>(&exact(&[3.0, 4.0]), k, 3e-19);
+            assert!(found.len() == 1 && (found[0].to_f64() - expected).abs() < 1e-15, "{found:?}");
+        }
+    }
 }

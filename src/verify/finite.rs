@@ -153,6 +153,7 @@ mod tests {
             let worst = found.worst.as_ref().expect("it was checked");
             assert!(found.failures > 0 && !worst.found.is_finite(), "{found:?}");
             assert_eq!((worst.size, worst.entry.as_str()), (f64::MAX, "∂p/∂k"));
+            assert_eq!((found.bound, worst.expected), (0.0, 0.0));
         }
         let at = |found: Option<Claim>| found.and_then(|claim| claim.worst).expect("it was checked").point;
         let (between, below) = (at(claimed::<Power<true, false>>(0, 20)), at(claimed::<Power<false, true>>(0, 20)));

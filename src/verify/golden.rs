@@ -151,7 +151,7 @@ mod tests {
     use crate::coulomb::ReturnMap;
     use crate::formula::Formula;
     use crate::proof::Proved;
-    use crate::slot::{ContactForce, Friction};
+    use crate::slot::{ContactForce, Friction, Stop};
 
     fn record_of<F: Proved>(inputs: &[f64]) -> Record {
         record(&Subject::of::<F>(), &Case::hand("a", "so", inputs.to_vec()))
@@ -199,6 +199,9 @@ mod tests {
         let with = |flag| all.iter().filter(|case| case.flag == flag).count();
         assert_eq!((with(Flag::Random), with(Flag::Invalid)), (LEAST_CASES - own.len(), out_of_domain(&subject).len()));
         assert_eq!(all[own.len()].id, "random-1");
+        let stop = Subject::of::<Stop>();
+        let refused = (stop.invalid_cases)();
+        assert!(!refused.is_empty() && cases(&stop).ends_with(&refused));
         // Where a formula has many of its own, some are random nevertheless.
         let mut many = subject;
         many.cases = || vec![Case::hand("a", "", vec![1.0, 0.5, 4.0]); LEAST_CASES];

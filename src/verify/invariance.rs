@@ -93,7 +93,9 @@ fn move_part(part: &[Octuple], domain: Domain, shape: Shape, reach: Octuple) -> 
 mod tests {
     use super::*;
     use crate::proof::law::residual;
-    use crate::quantity::{E1A, FORCE, K_EL, K_U1_U1, K_U1_U1_PLANE, MU0, Quantity, X, XA, XA_PLANE};
+    use crate::quantity::{
+        D0, E1A, FORCE, FORCE_M_PLANE, K_EL, K_U1_U1, K_U1_U1_PLANE, MU0, Quantity, X, XA, XA_PLANE,
+    };
     use crate::slider::Basis;
     use crate::slot::{ContactForce, RelativePosition};
     use crate::verify::exact;
@@ -141,7 +143,7 @@ mod tests {
         assert_close(&after(&FORCE, &[0.0; 3], 2.0), &exact(&[0.0; 3]));
         // Numbers, and components in a triad, stay as they are.
         assert_close(&after(&X, &[3.0], 2.0), &exact(&[3.0]));
-        assert_close(&after(&crate::quantity::D0, &[3.0, 4.0, 5.0], 2.0), &exact(&[3.0, 4.0, 5.0]));
+        assert_close(&after(&D0, &[3.0, 4.0, 5.0], 2.0), &exact(&[3.0, 4.0, 5.0]));
     }
 
     /// The lengths of what is turned and the angles between are kept, and it is turned by a right-handed rotation.
@@ -156,10 +158,9 @@ mod tests {
         assert_close(&[x.clone(), y.clone(), z.clone()].concat(), &rows.concat());
         let sum: Vec<_> = (0..3).map(|k| x[k] * 2.0 - y[k] + z[k] * 3.0).collect();
         assert_close(&of([2.0, -1.0, 3.0]), &sum);
-        assert_close(
-            &after(&crate::quantity::FORCE_M_PLANE, &[1.0, 0.0], 1.0),
-            &[Octuple::from(3.0) / 5.0, Octuple::from(4.0) / 5.0],
-        );
+        let [c, s] = [3.0, 4.0].map(|x| Octuple::from(x) / 5.0);
+        assert_close(&after(&FORCE_M_PLANE, &[1.0, 0.0], 1.0), &[c, s]);
+        assert_close(&after(&FORCE_M_PLANE, &[0.0, 1.0], 1.0), &[-s, c]);
     }
 
     /// A matrix a bᵀ becomes that of the turned a and b.
@@ -172,7 +173,7 @@ mod tests {
             assert_close(&after(matrix, &product, 1.0), &expected);
         }
         check(&K_U1_U1, &FORCE, [[1.0, 2.0, -3.0], [5.0, -7.0, 11.0]]);
-        check(&K_U1_U1_PLANE, &crate::quantity::FORCE_M_PLANE, [[1.0, 2.0], [5.0, -7.0]]);
+        check(&K_U1_U1_PLANE, &FORCE_M_PLANE, [[1.0, 2.0], [5.0, -7.0]]);
     }
 
     #[test]

@@ -85,7 +85,7 @@ fn names(fields: &[Field]) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::coulomb::ReturnMap;
+    use crate::coulomb::{ReturnMap, Trial};
     use crate::slot::{Constraint, ContactForce};
 
     #[test]
@@ -119,5 +119,11 @@ mod tests {
         assert_eq!((names.inputs.len(), names.inputs[2].as_str(), names.inputs[13].as_str()), (14, "e2a[2]", "z0"));
         assert_eq!(names.outputs, ["gy", "gz"]);
         assert_eq!([0, 13, 14, 17].map(|k| names.entry(k)), ["∂gy/∂e2a[0]", "∂gy/∂z0", "∂gz/∂e2a[0]", "∂gz/∂e3a[0]"]);
+    }
+
+    #[test]
+    fn the_kink_of_typed_inputs_is_that_of_their_components() {
+        let at = |f_trial| crate::verify::kink::<ReturnMap>(&Trial { f_trial, mu: 0.5, r#fn: 4.0 });
+        assert_eq!((at(2.0), at(2.5)), (Some(Convention::Switch), None));
     }
 }

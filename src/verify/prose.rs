@@ -208,44 +208,4 @@ fn make_orthonormal(fields: &[Field], inputs: &mut [Octuple]) {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::quantity::{E1A, E1B, E2A, E2A_PLANE, X};
-    use crate::slot::RelativePosition;
-
-    #[test]
-    fn triads_are_made_orthonormal_each_by_itself() {
-        let field = |quantity| Field::new("field", quantity);
-        let mut inputs = exact(&[3.0, 4.0, 0.0, 9.0, 1.0, 2.0, 0.0, 3.0, 4.0, 12.0]);
-        make_orthonormal(&[&E1A, &X, &E2A, &E1B].map(field), &mut inputs);
-        let expected = [0.6, 0.8, 0.0, 9.0, -0.8, 0.6, 0.0, 3.0 / 13.0, 4.0 / 13.0, 12.0 / 13.0];
-        let close = |(x, expected): (&Octuple, f64)| (x.to_f64() - expected).abs() < 1e-15;
-        assert!(inputs.iter().zip(expected).all(close), "{inputs:?}");
-        // To all digits, and in the plane.
-        let product = inputs[0] * inputs[4] + inputs[1] * inputs[5];
-        assert!(product.to_f64().abs() < 1e-70, "{product:?}");
-        let mut inputs = exact(&[3.0, -4.0]);
-        make_orthonormal(&[field(&E2A_PLANE)], &mut inputs);
-        assert!(inputs.iter().zip([0.6, -0.8]).all(close), "{inputs:?}");
-    }
-
-    /// x = e1a·(xb − xa): a unit vector may be off in every component by a part of 1, a number by a part of itself.
-    #[test]
-    fn sizes_are_of_the_inputs_then_of_values_and_derivatives() {
-        let subject = Subject::of::<RelativePosition>();
-        let inputs = exact(&[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 2.0, -3.0, 4.0]);
-        let [values, jacobian] = [(subject.exact_value)(&inputs), (subject.exact_jacobian)(&inputs)];
-        let of = |triads| sizes(&subject, &inputs, &values, &jacobian, triads);
-        let [rounded, exact] = [true, false].map(|triads| of(triads).iter().map(|x| x.to_f64()).collect::<Vec<_>>());
-        assert_eq!((rounded.len(), exact.len()), (15 + 3 + 45, 15 + 3 + 45));
-        assert_eq!(
-            (&rounded[..9], &rounded[9..15], &exact[..15]),
-            ([1.0; 9].as_slice(), [0.0; 6].as_slice(), [0.0; 15].as_slice())
-        );
-        assert_eq!(rounded[15..18], [9.0 + 2.0 + 2.0, 9.0 + 3.0 + 3.0, 9.0 + 4.0 + 4.0]);
-        assert_eq!(exact[15..18], [2.0 + 2.0 + 2.0, 3.0 + 3.0 + 3.0, 4.0 + 4.0 + 4.0]);
-        // ∂x/∂e1a = xb − xa, and ∂x/∂xb = e1a.
-        assert_eq!((rounded[18..21].to_vec(), rounded[18 + 12], exact[18 + 12]), (vec![4.0, 6.0, 8.0], 2.0, 2.0));
-        assert_eq!((rounded[18 + 13], exact[18 + 13]), (1.0, 0.0));
-    }
-}
+mod tests;

@@ -6,7 +6,7 @@
 use super::branches::{Branches, Tally};
 use super::subject::Subject;
 use crate::formula::Field;
-use crate::graph::{Node, Op, Relation};
+use crate::graph::{Node, Op};
 use crate::quantity::Domain;
 use crate::scalar::direction;
 use std::ops::Range;
@@ -128,7 +128,7 @@ impl<'a> Search<'a> {
     /// Newton's method towards where the numbers of a comparison are equal.
     fn towards(&mut self, k: usize, mut point: Vec<f64>, stretch: f64) {
         let graph = self.branches.graph;
-        let Op::Compare(relation, x, y) = *graph.op(self.branches.comparisons[k]) else { return };
+        let Op::Compare(_, x, y) = *graph.op(self.branches.comparisons[k]) else { return };
         let needed = graph.needed(&[x, y]);
         for _ in 0..STEPS {
             let all = graph.results(&point, needed.iter().copied());
@@ -136,13 +136,13 @@ impl<'a> Search<'a> {
             let [of_x, of_y] = [x, y].map(|node| graph.gradient(node, &needed, &all, point.len()));
             let slopes: Vec<_> = of_x.iter().zip(&of_y).map(|(x, y)| x - y).collect();
             let steepest = slopes.iter().fold(0.0_f64, |most, slope| most.max(slope.abs()));
-            let is_there = gap == 0.0 && relation == Relation::Equal;
-            if is_there || !gap.is_finite() || !steepest.is_finite() || steepest == 0.0 {
-                return;
-            }
             let square: f64 = slopes.iter().map(|slope| (slope / steepest).powi(2)).sum();
             for (x, slope) in point.iter_mut().zip(&slopes) {
                 *x -= stretch * (gap / steepest) / square * (slope / steepest);
+            }
+            // So it is where the numbers are not finite, and where nothing changes them.
+            if point.iter().any(|x| x.is_nan()) {
+                return;
             }
             self.make_perpendicular(&mut point);
             self.visit(&point);

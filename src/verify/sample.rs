@@ -291,6 +291,8 @@ mod tests {
         // The least is 0.1 beside two of at most 1.
         assert!(directions.as_flattened().iter().all(|x| x.abs() > 0.07 && x.abs() < 0.991));
         assert!(directions.as_flattened().iter().any(|x| x.abs() < 0.12));
+        let negative = directions.as_flattened().iter().filter(|x| **x < 0.0).count();
+        assert!((240..360).contains(&negative), "{negative}");
     }
 
     const OTHER: Quantity = Quantity::new("o", Shape::Vec3, X.unit, Domain::Triad(Node("o"), 3), "of another node");
@@ -309,7 +311,7 @@ mod tests {
         assert_eq!((drawn.len(), drawn[9]), (10, again.number(Domain::NonNegative)));
         // A direction is the first vector of a.
         assert_eq!(sampler().fields(&fields(&[&SLIDER_N])), a[0]);
-        let in_plane = sampler().fields(&fields(&[&E2A_PLANE, &XA_PLANE]));
+        let in_plane = sampler().fields(&fields(&[&E2A_PLANE, &XA_PLANE, &MU]));
         assert_eq!(in_plane[..2], sampler().triad(true)[1][..2]);
     }
 

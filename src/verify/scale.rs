@@ -128,6 +128,7 @@ mod tests {
         assert!(inside.into_iter().all(|x| range.has(x)) && !outside.into_iter().any(|x| range.has(x)));
     }
 
+    use crate::coulomb::Response;
     use crate::quantity::Unit;
     use crate::slot::{ContactForce, RelativePosition};
     use crate::ujoint::Stop;
@@ -148,6 +149,7 @@ mod tests {
         let inner = drawn.iter().filter(|power| power.abs() < 20).count();
         // Each end is drawn by a quarter, and what is between by the rest.
         assert!((120..280).contains(&inner), "{inner}");
+        assert!([-20, 20].iter().all(|end| drawn.iter().filter(|power| *power == end).count() > 60));
         assert!((-5..5).all(|power| drawn.contains(&power)));
         assert_eq!(of(2.0, 50), [0; 50]);
     }
@@ -214,5 +216,40 @@ mod tests {
         let again = range.draw(&from, 7).expect("it was drawn before").0;
         assert_eq!(again.inputs, point.inputs);
         assert_eq!(exact.values, (subject.exact_value)(&point.exact));
+    }
+
+    /// Powers of which no double is the square, in two factors.
+    #[test]
+    fn inputs_are_resized_by_powers_that_are_drawn() {
+        let subject = Subject::of::<ContactForce>();
+        let mut sampler = Sampler::named("powers", 1);
+        for (scale, most) in [(2.0_f64.powi(30), 20), (f64::MAX, 1013)] {
+            let drawn: Vec<_> = (0..60).flat_map(|_| powers(&[1.5; 2], scale, &mut sampler, &subject)).collect();
+            assert_eq!((drawn.iter().min(), drawn.iter().max()), (Some(&-most), Some(&most)));
+        }
+    }
+
+    /// A stiffness changes by the units of force and length, which may take it out of range.
+    #[test]
+    fn what_is_out_of_range_or_overflows_is_not_drawn() {
+        let subject = Subject::of::<Response>();
+        let from = Point::new(&subject, "there".into(), true, vec![3.0, 2.0, 1000.0, 0.5, 7.0]);
+        let range = Range { scale: 1e6, seed: 1 };
+        let drawn: Vec<_> = (0..50).filter_map(|k| range.draw(&from, k)).collect();
+        assert!(drawn.len() > 40 && drawn.iter().all(|(point, _)| point.inputs.iter().all(|&x| range.has(x))));
+        let subject = Subject::of::<ContactForce>();
+        let from = Point::new(&subject, "there".into(), true, vec![2000.0, 2000.0]);
+        let range = Range { scale: f64::MAX, seed: 1 };
+        let drawn: Vec<_> = (0..50).filter_map(|k| range.draw(&from, k)).collect();
+        assert!(drawn.len() > 40 && drawn.iter().all(|(_, exact)| exact.values[0].to_f64().is_finite()));
+    }
+
+    #[test]
+    fn a_point_is_resized_alike_whoever_asks() {
+        let subject = Subject::of::<ContactForce>();
+        let options = Options { samples: 1, seed: 1 };
+        let points = random_points(&subject, &options, 0..1);
+        let asked = at_scale(&subject, subject.spec.scale, &options);
+        assert_eq!(scaled(&subject, &Names::new(&subject), &points, 0, 1), asked);
     }
 }

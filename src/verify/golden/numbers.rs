@@ -148,7 +148,7 @@ mod tests {
             assert_eq!(four_digits_up(scale), expected, "{scale}");
         }
         // Of twelve digits a part in 2⁴⁰ is the last one.
-        assert_eq!(four_digits_up(2.0 * (1.0 + 2.0_f64.powi(-41))), 2.0);
+        assert_eq!(four_digits_up(2.0 * (1.0 + 1.5 * 2.0_f64.powi(-41))), 2.0);
         assert_eq!(four_digits_up(2.0 * (1.0 + 2.0_f64.powi(-39))), 2.001);
     }
 

@@ -6,8 +6,8 @@ use crate::formula::{Component, Document, Formula, Jacobian, Spec, typed};
 use crate::proof::Proved;
 use crate::quantity::{E1A, E2A, E2B, F2, FORCE_1_PLANE, FORCE_M_PLANE, MU, SLIDER_N, XA};
 use crate::scalar::Scalar;
-use crate::slot::RelativePosition;
-use nalgebra::Vector2;
+use crate::slot::{Constraint2d, RelativePosition};
+use nalgebra::{Vector2, Vector3};
 
 fields! { struct Pair<T> { v: Vector2<T> = FORCE_M_PLANE, w: Vector2<T> = FORCE_1_PLANE } }
 fields! { struct Number<T> { s: T = F2 } }
@@ -30,6 +30,8 @@ fn is_special<const WHERE: usize, D: Scalar>(&Pair { v, w }: &Pair<D>) -> bool {
         9 => w.x > 1e60 && v.y > 1e60,
         10 => v.y == 0.0,
         11 => w.x < 0.0 && w.y > 0.0,
+        // So flat that no step leads to it.
+        13 => v.x * v.x * v.x * v.x * v.x < 1e-100 && w.x + w.y * 2.0 > 40.0,
         _ => v.x + v.y * 2.0 > 40.0,
     }
 }
@@ -110,6 +112,51 @@ fn a_search_ends_with_every_side() {
     assert!(sides.len() == 2 || sides.len() == 3, "{sides:?}");
 }
 
+/// What becomes special leads to sides that are stepped to in the next round.
+#[test]
+fn a_search_goes_on_while_it_finds_something() {
+    let subject = Subject::of::<Special<13>>();
+    let branches = Branches::of(subject.graph().expect("it is recorded"));
+    let found = reach(&subject, &branches, &[&START]);
+    let sides: Vec<_> = found.iter().map(|reached| (reached.comparison, reached.answer)).collect();
+    let [first, second] = branches.comparisons[..] else { panic!("there are two") };
+    assert_eq!(sides, [(first, true), (second, true)]);
+    assert!(is_special::<13, f64>(&typed(&found[1].inputs)), "{:?}", found[1].inputs);
+}
+
+fields! { struct Turned<T> { e1a: Vector3<T> = E1A } }
+
+/// Twice as much where the unit vector is far from the first axis.
+#[derive(Clone, Copy)]
+struct Tilted;
+impl Formula for Tilted {
+    const SPEC: Spec = Spec::new("planted.tilted", "Tilted", Document::new("None").printed(""));
+    type Inputs<T: Component> = Turned<T>;
+    type Outputs<T: Component> = Number<T>;
+    fn eval<D: Scalar>(i: &Turned<D>) -> Number<D> {
+        Number { s: if i.e1a.x < 0.5 { i.e1a.y * 2.0 } else { i.e1a.y } }
+    }
+    fn jacobian<D: Scalar>(i: &Turned<D>) -> Jacobian<Self, D> {
+        let slope = if i.e1a.x < 0.5 { D::from(2.0) } else { D::one() };
+        Number { s: Turned { e1a: Vector3::new(D::zero(), slope, D::zero()) } }
+    }
+}
+impl Proved for Tilted {}
+
+#[test]
+fn unit_vectors_that_are_found_are_unit_vectors() {
+    let start = [0.6, 0.8, 0.0];
+    let ways = [
+        found_by::<Tilted>(&start, |search| search.towards(0, start.to_vec(), 2.0)),
+        found_by::<Tilted>(&start, |search| search.specialise(&start)),
+    ];
+    for found in ways {
+        let [Reached { inputs, answer: true, .. }] = &found[..] else { panic!("there is one such side") };
+        let length = inputs.iter().map(|x| x * x).sum::<f64>();
+        assert!(inputs[0] < 0.5 && (length - 1.0).abs() < 1e-15, "{inputs:?}");
+    }
+}
+
 #[test]
 fn the_first_new_side_is_told_and_few_points_are_kept() {
     let subject = Subject::of::<Special<0>>();
@@ -147,6 +194,11 @@ fn vectors_of_a_triad_are_made_perpendicular_in_order() {
     let half = 0.5_f64.sqrt();
     let expected = [half, half, 0.0, -half, half, 0.0, 0.0, 0.0, -1.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0];
     assert!(point.iter().zip(expected).all(|(x, expected)| (x - expected).abs() < 1e-15), "{point:?}");
+    let subject = Subject::of::<Constraint2d>();
+    let branches = Branches::of(subject.graph().expect("it is recorded"));
+    let mut point = vec![3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0];
+    Search::new(&subject, &branches).make_perpendicular(&mut point);
+    assert_eq!(point, [0.6, 0.8, 5.0, 6.0, 7.0, 8.0, 9.0]);
 }
 
 #[test]
