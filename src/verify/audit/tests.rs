@@ -93,6 +93,8 @@ fn an_equation_is_not_compared_where_it_has_several_values() {
     let smooth = named.iter().find(|point| point.kink.is_none()).expect("there is one");
     let claim = at(&smooth.inputs);
     assert!(claim.held(), "{claim:?}");
+    let [value, _] = audit_equation::<ClosestLinear>(&Options { samples: 0, seed: 1 });
+    assert_eq!(value.checks, claim.checks * named.iter().filter(|point| point.kink.is_none()).count());
 }
 
 #[test]

@@ -82,6 +82,8 @@ fn numbers_that_may_be_any_are_drawn() {
     let numbers = free(&claims, &mut Sampler::for_formula("prose", 1));
     assert_eq!(numbers.len(), 2);
     assert_ne!(numbers[0], numbers[1]);
+    let close = Claims::read("1.000000001 = 1", &Setting::default()).expect("it can be read");
+    assert!(claims_at_large(&close, &OPTIONS).worst.is_some_and(|worst| worst.size > 1e-10 && worst.size < 1e-9));
     let wrong = Claims::read("a + 1 = a", &Setting { free: "a".into(), ..Setting::default() }).expect("it can be read");
     let wrong = claims_at_large(&wrong, &Options { samples: 1, seed: 1 });
     let worst = wrong.worst.expect("it was checked");
