@@ -257,7 +257,7 @@ mod tests {
         assert_eq!(first("slot.friction", 1), Sampler::new::<crate::slot::Friction>(1).real());
         assert_eq!(
             [first("a", 0), first("a", 1), first("ab", 0)],
-            [12.27163634039055, 1.6316919074469758, 59.974091053969715]
+            [12.271_636_340_390_55, 1.631_691_907_446_975_8, 59.974_091_053_969_715]
         );
     }
 

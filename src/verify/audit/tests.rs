@@ -137,9 +137,9 @@ fn a_point_is_checked_closely_or_not() {
         let mut audit = begun(&subject);
         let point = point(&subject, true, &[f2, f2]);
         if closely {
-            audit.check_closely(&point, &names, None)
+            audit.check_closely(&point, &names, None);
         } else {
-            audit.check(&point, &names)
+            audit.check(&point, &names);
         }
         let counts = [&audit.closed_against_ad, &audit.eta, &audit.eta_jacobian, &audit.ad_against_differences];
         assert_eq!(counts.map(|claim| claim.checks), [2, 2, 4, differences], "{f2} {closely}");
