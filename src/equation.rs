@@ -328,3 +328,17 @@ fn check_closed(writer: &Writer<'_>, needed: Vec<Id>, inputs: &[(Name, Field)]) 
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantity::{F2, F3, FC};
+
+    #[test]
+    fn a_number_is_not_defined_by_what_looks_like_a_component_of_it() {
+        let (inputs, outputs) = ([Field::new("f2", &F2), Field::new("f3", &F3)], [Field::new("fc", &FC)]);
+        let latex = r"F = \sqrt{F_1 + f_3^2},\quad F_1 = f_2^2";
+        let equation = Equation::read(latex, &[("F", "fc")], &inputs, &outputs).expect("it can be read");
+        assert_eq!(equation.values(&[3.0, 4.0], &[]), [5.0]);
+    }
+}

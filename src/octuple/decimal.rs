@@ -285,6 +285,17 @@ mod tests {
         assert_eq!(format!("{:.0}", Octuple::MAX).len(), 78_914);
     }
 
+    /// Numbers are twice as far apart above a power of two as below, so that of 72 digits those just above 2⁻¹²⁹ read back, and
+    /// those just below it, which are nearer, do not.
+    #[test]
+    fn the_fewest_digits_of_a_power_of_two_may_be_above_it() {
+        let power = Octuple(scale_by_power_of_two(f256::ONE, -129));
+        let text = "1.46936793852785938496092067152780709727333194596510940188593963284802158e-39";
+        assert_eq!(format!("{power:e}"), text);
+        assert!(text.parse::<Octuple>().unwrap() == power);
+        assert!(text.replace("158e", "157e").parse::<Octuple>().unwrap() != power);
+    }
+
     #[test]
     fn special_values() {
         for (x, text) in [(f64::NAN, "NaN"), (f64::INFINITY, "inf"), (f64::NEG_INFINITY, "-inf")] {

@@ -99,7 +99,7 @@ fn least_bends(point: &Point, here: &[Octuple]) -> Vec<Sensitivity> {
     let moved: Vec<_> =
         point.exact.iter().zip([part, -part].into_iter().cycle()).map(|(&x, part)| x + x * part).collect();
     let there = (point.subject.exact_jacobian)(&moved);
-    there.iter().zip(here).map(|(&there, &here)| per_part((there - here).abs())).collect()
+    there.iter().zip(here).map(|(&there, &here)| per_part(there - here)).collect()
 }
 
 fn per_part(change: Octuple) -> Sensitivity {
@@ -181,5 +181,78 @@ mod tests {
         let exact = Exact { values, ad, closed, bends: OnceCell::new(), least_bends: OnceCell::new() };
         let largest: Vec<_> = (0..6).map(|k| exact.largest_of_output(k, 3).to_f64()).collect();
         assert_eq!(largest, [5.0, 5.0, 5.0, 0.5, 0.5, 0.5]);
+    }
+
+    fn point<'a>(subject: &'a Subject, random: bool, inputs: &[f64]) -> Point<'a> {
+        Point::new(subject, "here".into(), random, inputs.to_vec())
+    }
+
+    /// Of x/r and y/r at (3, 4): 2 x y²/r³ and 2 x² y/r³, since what one input adds, the other one moving the other way adds too.
+    #[test]
+    fn bends_are_what_each_input_does_to_a_derivative() {
+        let subject = Subject::of::<ContactForce>();
+        let point = point(&subject, true, &[3.0, 4.0]);
+        let exact = Exact::at(&point);
+        for (k, expected) in [0.768, 0.576].into_iter().enumerate() {
+            for found in [exact.least_bend(&point, k), exact.bend(&point, k)].map(Sensitivity::size) {
+                assert!((found.to_f64() - expected).abs() < 1e-15, "{k}: {found:?}");
+            }
+        }
+    }
+
+    /// At a named point it is the second derivative to the last digit, and so on a kink, where a difference would be a jump.
+    #[test]
+    fn differences_tell_bends_at_random_points_alone() {
+        let subject = Subject::of::<ReturnMap>();
+        for (random, f_trial, by_differences) in [(true, 3.0, true), (false, 3.0, false), (true, 2.0, false)] {
+            let point = point(&subject, random, &[f_trial, 0.5, 4.0]);
+            assert_eq!(has_no_kink_near(&point), by_differences, "{random} {f_trial}");
+            let exact = Exact::at(&point);
+            for k in 0..3 {
+                let [least, bend] = [exact.least_bend(&point, k), exact.bend(&point, k)].map(Sensitivity::size);
+                assert!(bend <= 4.0 && (by_differences || least == 0.0), "{random} {f_trial}: {least:?}, {bend:?}");
+            }
+        }
+        let subject = Subject::of::<ContactForce>();
+        let point = point(&subject, false, &[3.0, 4.0]);
+        let exact = Exact::at(&point);
+        let expected = Sensitivity::new(&subject.second_derivative(&point.exact)[0], &point.exact);
+        assert_eq!(
+            (exact.bend(&point, 0).size(), exact.least_bend(&point, 0).size()),
+            (expected.size(), Octuple::zero())
+        );
+    }
+
+    /// What is off in one part of what is exact is found there, by its size.
+    #[test]
+    fn value_and_jacobian_are_judged_by_their_own_errors() {
+        let subject = Subject::of::<ContactForce>();
+        let (point, names) = (point(&subject, false, &[3.0, 4.0]), Names::new(&subject));
+        let off = |x: &mut Octuple| *x *= 1.0 + power_of_two(-40);
+        let [mut value, mut jacobian] = ["value", "Jacobian"].map(|claim| Claim::new(claim, 2.0));
+        let mut exact = Exact::at(&point);
+        exact.values.iter_mut().for_each(off);
+        off(&mut exact.ad[1]);
+        check_accuracy([&mut value, &mut jacobian], &point, &names, &exact);
+        // Alone and together; 2¹³ roundings, of which the sensitivity takes a share.
+        assert_eq!((value.checks, value.failures, jacobian.checks, jacobian.failures), (2, 2, 4, 2));
+        let worst = [value, jacobian].map(|claim| claim.worst.expect("it was checked"));
+        assert_eq!(worst.each_ref().map(|worst| worst.entry.as_str()), ["fc", "∂fc/∂f3"]);
+        for (worst, (expected, number)) in worst.iter().zip([(8192.0 / 2.0, 5.0), (8192.0 * 0.8 / 1.376, 0.8)]) {
+            assert!((worst.size / expected - 1.0).abs() < 1e-3, "{worst:?}");
+            assert!((worst.found - number).abs() < 1e-15 && worst.expected > worst.found, "{worst:?}");
+        }
+    }
+
+    #[test]
+    fn on_a_switch_no_derivative_is_judged() {
+        let subject = Subject::of::<ReturnMap>();
+        let checks = |f_trial| {
+            let (point, names) = (point(&subject, false, &[f_trial, 0.5, 4.0]), Names::new(&subject));
+            let [mut value, mut jacobian] = ["value", "Jacobian"].map(|claim| Claim::new(claim, 2.0));
+            check_accuracy([&mut value, &mut jacobian], &point, &names, &Exact::at(&point));
+            (value.checks, jacobian.checks)
+        };
+        assert_eq!((checks(2.0), checks(3.0)), ((2, 0), (2, 6)));
     }
 }

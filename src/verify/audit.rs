@@ -421,3 +421,6 @@ fn check_law(law: &Law, points: &[Point]) -> Claim {
     }
     claim
 }
+
+#[cfg(test)]
+mod tests;

@@ -85,3 +85,57 @@ pub(super) fn spread(subject: &Subject, drawn: Vec<Vec<f64>>, count: usize) -> V
     };
     (0..count).map_while(next).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::coulomb::ReturnMap;
+
+    fn tally() -> Tally {
+        Tally(vec![[0, 2], [3, 1], [5, 0]])
+    }
+
+    #[test]
+    fn sides_are_counted_where_they_were_taken() {
+        let mut tally = tally();
+        tally.add(&vec![Some(false), None, Some(true)]);
+        assert_eq!(tally, Tally(vec![[1, 2], [3, 1], [5, 1]]));
+        assert!(tally.is_full() && tally.has(0, false));
+        tally.0[1][0] = 0;
+        assert!(!tally.is_full() && !tally.has(1, false) && tally.has(1, true));
+    }
+
+    #[test]
+    fn the_rarest_side_is_among_those_that_are_taken() {
+        assert_eq!(tally().rarest(&vec![Some(true), Some(false), Some(false)]), 2);
+        assert_eq!(tally().rarest(&vec![None, Some(true), Some(false)]), 1);
+        assert_eq!(tally().rarest(&vec![Some(false), Some(true), None]), 0);
+        assert_eq!(tally().rarest(&vec![None; 3]), usize::MAX);
+    }
+
+    /// Whether a force is below a limit is asked everywhere, and what rounding of the product did only where both are equal.
+    #[test]
+    fn what_nothing_depends_on_has_no_answer() {
+        let subject = Subject::of::<ReturnMap>();
+        let graph = subject.graph().expect("it is recorded");
+        let branches = Branches::of(graph);
+        let answers = |f_trial| branches.answers(&[f_trial, 0.5, 4.0]);
+        let live = |answers: &Answers| answers.iter().filter(|answer| answer.is_some()).count();
+        let [sticks, ties, slips] = [1.0, 2.0, 3.0].map(answers);
+        assert!(live(&sticks) < live(&ties), "{sticks:?}, {ties:?}");
+        assert!(sticks.iter().zip(&slips).any(|both| matches!(both, (Some(one), Some(other)) if one != other)));
+        assert_eq!(branches.tally(), Tally(vec![[0; 2]; sticks.len()]));
+        assert!(branches.comparisons.iter().all(|node| matches!(graph.op(*node), Op::Compare(..))));
+    }
+
+    #[test]
+    fn points_are_spread_over_sides_until_each_was_taken_twice() {
+        let subject = Subject::of::<ReturnMap>();
+        let at = |f_trial: f64| vec![f_trial, 0.5, 4.0];
+        // Below 2 it sticks, and beyond it slips.
+        let drawn: Vec<_> = [1.0, 1.1, 1.2, 1.3, 3.0, 3.1, 3.2].map(at).into();
+        let forces = |count| spread(&subject, drawn.clone(), count).iter().map(|point| point[0]).collect::<Vec<_>>();
+        assert_eq!(forces(6), [1.0, 3.0, 1.1, 3.1, 1.2, 1.3]);
+        assert_eq!(forces(9), [1.0, 3.0, 1.1, 3.1, 1.2, 1.3, 3.2]);
+    }
+}

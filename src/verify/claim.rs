@@ -124,3 +124,99 @@ mod any_double {
         double(&value).ok_or_else(|| Error::custom(format_args!("{value} is no number")))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::cell::Cell;
+
+    fn deviation(size: f64, entry: &str) -> Deviation {
+        let (found, expected, inputs) = (2.0, 1.0, serde_json::Value::Null);
+        Deviation { size, entry: entry.into(), point: "there".into(), found, expected, inputs }
+    }
+
+    /// A claim of bound 3 that was checked at deviations of these sizes, named by their place.
+    fn checked(sizes: &[f64]) -> Claim {
+        let mut claim = Claim::new("it is so", 3.0);
+        for (k, &size) in sizes.iter().enumerate() {
+            claim.record(size, 3.0, |size| deviation(size, &k.to_string()));
+        }
+        claim
+    }
+
+    fn worst(claim: &Claim) -> (f64, &str) {
+        claim.worst.as_ref().map_or((-1.0, ""), |worst| (worst.size, &worst.entry))
+    }
+
+    #[test]
+    fn a_claim_holds_that_was_checked_and_did_not_fail() {
+        assert!(!checked(&[]).held());
+        assert!(checked(&[0.0]).held() && checked(&[1.0, 3.0]).held());
+        assert!(!checked(&[3.0_f64.next_up(), 0.0]).held());
+    }
+
+    #[test]
+    fn checks_and_failures_are_counted_and_the_first_of_the_worst_is_kept() {
+        let claim = checked(&[0.0, 4.0, 3.0, 4.0, 5.0, 5.0]);
+        assert_eq!((claim.checks, claim.failures, worst(&claim)), (6, 4, (5.0, "4")));
+        assert_eq!(worst(&checked(&[0.0, 0.0])), (0.0, "0"));
+        let nan = checked(&[f64::NAN, 9.0]);
+        assert_eq!((nan.failures, worst(&nan)), (2, (f64::INFINITY, "0")));
+        assert_eq!(claim.begun_anew(), checked(&[]));
+    }
+
+    #[test]
+    fn of_two_parts_checks_are_added_and_the_larger_deviation_is_kept() {
+        let both = |one: &[f64], next: &[f64]| checked(one).and(checked(next));
+        let joined = both(&[1.0, 7.0], &[4.0, 8.0, 2.0]);
+        assert_eq!((joined.checks, joined.failures, worst(&joined)), (5, 3, (8.0, "1")));
+        assert_eq!(worst(&both(&[1.0, 7.0], &[7.0])), (7.0, "1"));
+        assert_eq!(worst(&both(&[1.0, 7.0], &[])), (7.0, "1"));
+        assert_eq!(worst(&both(&[], &[2.0])), (2.0, "0"));
+        assert_eq!(both(&[], &[]), checked(&[]));
+    }
+
+    #[test]
+    fn what_cannot_be_checked_has_failed() {
+        let mut claim = checked(&[1.0]);
+        claim.fail("it cannot be read".into());
+        assert_eq!((claim.checks, claim.failures, worst(&claim)), (1, 1, (f64::MAX, "it cannot be read")));
+    }
+
+    /// Sizes of which none is larger than the one before: how many are asked for, and which is recorded.
+    #[test]
+    fn a_size_is_looked_at_more_closely_where_it_would_fail_or_be_the_worst() {
+        let last = |before: &[f64], sizes: [f64; 3]| {
+            let (mut claim, asked) = (checked(before), Cell::new(0));
+            let ask = |k: usize| {
+                asked.set(asked.get() + 1);
+                sizes[k]
+            };
+            let asks: [&dyn Fn() -> f64; 3] = [&|| ask(0), &|| ask(1), &|| ask(2)];
+            claim.record_last(asks, 3.0, |size| deviation(size, "last"));
+            assert_eq!(claim.checks, before.len() + 1);
+            let (size, entry) = worst(&claim);
+            (asked.get(), (size, if entry == "last" { "last" } else { "before" }), claim.failures)
+        };
+        // Nothing is known yet: the first one is the worst in any case.
+        assert_eq!(last(&[], [2.0, 1.0, 0.5]), (3, (0.5, "last"), 0));
+        assert_eq!(last(&[2.0], [2.0, 1.0, 0.5]), (1, (2.0, "before"), 0));
+        assert_eq!(last(&[2.0], [2.5, 1.0, 0.5]), (2, (2.0, "before"), 0));
+        assert_eq!(last(&[2.0], [2.5, 2.5, 2.5]), (3, (2.5, "last"), 0));
+        // Below the worst, but too large.
+        assert_eq!(last(&[9.0], [4.0, 3.0, 0.5]), (2, (9.0, "before"), 1));
+        assert_eq!(last(&[9.0], [4.0, 4.0, 4.0]), (3, (9.0, "before"), 2));
+    }
+
+    #[test]
+    fn a_deviation_that_is_no_number_is_read_back() {
+        let said = serde_json::to_value(deviation(f64::INFINITY, "a")).unwrap();
+        assert_eq!((&said["size"], &said["found"]), (&"Infinity".into(), &2.0.into()));
+        let back: Deviation = serde_json::from_value(said.clone()).unwrap();
+        assert_eq!(back, deviation(f64::INFINITY, "a"));
+        let mut wrong = said;
+        wrong["size"] = "large".into();
+        let refused = serde_json::from_value::<Deviation>(wrong).unwrap_err().to_string();
+        assert_eq!(refused, "\"large\" is no number");
+    }
+}

@@ -119,6 +119,8 @@ pub(super) fn step_size(fields: &[Field], inputs: &[Octuple], k: usize) -> Octup
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::coulomb::ReturnMap;
+    use crate::quantity::{F2, MU, X, XA};
     use crate::slot::ContactForce;
     use crate::verify::exact;
 
@@ -142,6 +144,60 @@ mod tests {
             assert!((along.derivative(&gradient).to_f64() - expected).abs() < 1e-15);
             assert!((found.central[0] - along.derivative(&gradient)).abs() < 1e-50);
             assert!(found.sides_of(0).iter().all(|side| (side.to_f64() - expected).abs() < 1e-15));
+        }
+    }
+
+    #[test]
+    fn directions_of_all_go_up_and_down_by_between_half_and_all() {
+        let (subject, inputs) = (Subject::of::<ContactForce>(), exact(&[2.0, -1.0]));
+        let mut sampler = Sampler::named("directions", 1);
+        let parts = (0..100).flat_map(|_| {
+            let moves = Direction::of_all(&subject, &inputs, &mut sampler).moves;
+            [moves[0].to_f64() / 2.0, moves[1].to_f64()]
+        });
+        let parts: Vec<_> = parts.collect();
+        assert!(parts.iter().all(|part| (0.5..=1.0).contains(&part.abs())), "{parts:?}");
+        for range in [-1.0..-0.9, -0.6..-0.5, 0.5..0.6, 0.9..1.0] {
+            assert!(parts.iter().any(|part| range.contains(part)), "{range:?}: {parts:?}");
+        }
+    }
+
+    const FIELDS: &[Field] =
+        &[Field::new("xa", &XA), Field::new("mu", &MU), Field::new("x", &X), Field::new("f2", &F2)];
+
+    #[test]
+    fn a_step_is_of_the_size_of_a_number_or_of_what_is_most_like_it() {
+        let step = |inputs: [f64; 6], k| step_size(FIELDS, &exact(&inputs), k).to_f64();
+        let inputs = [0.0, -3.0, 2.0, 0.0, -7.0, 0.0];
+        // Its own, that of its field, and 1 where nothing has its unit.
+        assert_eq!([0, 1, 2, 3, 4, 5].map(|k| step(inputs, k)), [3.0, 3.0, 2.0, 1.0, 7.0, 1.0]);
+        // That of its unit where its whole field is nothing.
+        assert_eq!(step([0.0, 0.0, 0.0, 5.0, -7.0, 9.0], 1), 7.0);
+        assert_eq!(step([1.0, -3.0, 2.0, 5.0, 0.0, 9.0], 4), 3.0);
+    }
+
+    #[test]
+    fn the_largest_of_a_field_is_of_no_other_field() {
+        let numbers = exact(&[1.0, -3.0, 2.0, 8.0, -7.0, 9.0]);
+        let largest = [0, 1, 2, 3, 4, 5].map(|k| largest_of_field(FIELDS, &numbers, k).to_f64());
+        assert_eq!(largest, [3.0, 3.0, 3.0, 8.0, 7.0, 9.0]);
+        assert_eq!(largest_of_field(FIELDS, &exact(&[0.0; 6]), 1), Octuple::zero());
+    }
+
+    /// No more than μ F_N, here 2, is transmitted.
+    #[test]
+    fn sides_are_told_apart_in_order() {
+        let (subject, inputs) = (Subject::of::<ReturnMap>(), exact(&[2.0, 0.5, 4.0]));
+        let along = Direction::of_one(&subject, &inputs, 0);
+        let found = differences(&subject, &inputs, &exact(&[2.0]), &along, 3e-19);
+        assert_eq!(found.sides_of(0).map(Octuple::to_f64), [1.0, 0.0]);
+    }
+
+    #[test]
+    fn central_differences_are_by_one_component() {
+        for (k, expected) in [(0, 0.6), (1, 0.8)] {
+            let found = central_differences::<ContactForce>(&exact(&[3.0, 4.0]), k, 3e-19);
+            assert!(found.len() == 1 && (found[0].to_f64() - expected).abs() < 1e-15, "{found:?}");
         }
     }
 }

@@ -93,4 +93,45 @@ mod tests {
         }
         assert_eq!(relative(f64::NAN.into(), 1.0.into()), f64::INFINITY);
     }
+
+    /// Of x y at (3, −4), whose gradient is (−4, 3).
+    fn of_product() -> Sensitivity {
+        Sensitivity::new(&[-4.0, 3.0].map(Octuple::from), &[3.0, -4.0].map(Octuple::from))
+    }
+
+    #[test]
+    fn a_sensitivity_is_the_sum_of_what_each_input_does() {
+        assert_eq!(of_product().size(), 24.0);
+        assert_eq!(of_product().plus((-2.0).into()).size(), 26.0);
+        assert_eq!(of_product().times(-0.5).size(), 12.0);
+        assert_eq!(of_product().and(of_product().times(2.0)).size(), 72.0);
+        assert_eq!(of_product().per(8.0.into()), 3.0);
+        assert_eq!(Sensitivity::none().size(), 0.0);
+    }
+
+    #[test]
+    fn a_share_is_relative_but_of_nothing_and_of_what_is_no_number() {
+        let share_of = |deviation: f64| of_product().share_of(deviation.into());
+        assert_eq!([6.0, -12.0, 0.0, f64::NAN].map(share_of), [0.25, 0.5, 0.0, f64::INFINITY]);
+        assert_eq!([0.0, 1.0].map(|x| Sensitivity::none().share_of(x.into())), [0.0, f64::INFINITY]);
+    }
+
+    #[test]
+    fn a_backward_error_is_in_roundings_of_the_number_and_of_its_inputs() {
+        let (one, twice) = (Octuple::from(1.0), 1.0 + 2.0 * U);
+        let eta_of = |computed, exact, size: f64| eta(computed, exact, Sensitivity::none().plus(size.into()));
+        assert_eq!((eta_of(twice, one, 0.0), eta_of(twice, one, 3.0)), (2.0, 0.5));
+        assert_eq!((eta_of(-twice, -one, 0.0), eta_of(1.0, one * twice, 0.0)), (2.0, 2.0 / twice));
+        assert_eq!(eta_of(f64::NAN, one, 0.0), f64::INFINITY);
+    }
+
+    /// No double is nearer to half the smallest one than 0 and it are.
+    #[test]
+    fn a_backward_error_at_nothing_is_in_halves_of_the_smallest_double() {
+        let smallest = f64::from_bits(1);
+        let eta_of = |computed, exact| eta(computed, exact, Sensitivity::none());
+        assert_eq!(eta_of(0.0, 0.0.into()), 0.0);
+        assert_eq!(eta_of(smallest, 0.0.into()), 2.0);
+        assert!((eta_of(0.0, Octuple::from(smallest) * 0.5) - 1.0).abs() < 1e-15);
+    }
 }

@@ -144,3 +144,104 @@ fn scales<'a>(numbers: &[Octuple], gradients: impl Iterator<Item = &'a [Octuple]
     let scale = |(&y, gradient): (&Octuple, _)| Sensitivity::new(gradient, inputs).plus(y).size();
     numbers.iter().zip(gradients).map(scale).map(|scale| four_digits_up(scale.to_f64())).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::coulomb::ReturnMap;
+    use crate::formula::Formula;
+    use crate::proof::Proved;
+    use crate::slot::{ContactForce, Friction, Stop};
+
+    fn record_of<F: Proved>(inputs: &[f64]) -> Record {
+        record(&Subject::of::<F>(), &Case::hand("a", "so", inputs.to_vec()))
+    }
+
+    fn json(record: &Record) -> serde_json::Value {
+        serde_json::to_value(record).expect("it is written so")
+    }
+
+    #[test]
+    fn every_domain_has_its_bad_values() {
+        let finite = |domain| bad_values(domain).split_off(3);
+        assert_eq!(finite(Domain::Real), []);
+        assert_eq!(finite(Domain::NonNegative), [("negative", -1.0)]);
+        assert_eq!(finite(Domain::Positive), [("zero", 0.0), ("negative", -1.0)]);
+        let (below, above) = (2.0_f64.next_down(), 5.0_f64.next_up());
+        assert_eq!(finite(Domain::Between(2.0, 5.0)), [("too-small", 2.0), ("too-large", 5.0)]);
+        assert_eq!(finite(Domain::HalfOpen(2.0, 5.0)), [("too-small", below), ("too-large", 5.0)]);
+        assert_eq!(finite(Domain::Within(2.0, 5.0)), [("too-small", below), ("too-large", above)]);
+        let names: Vec<_> = bad_values(Domain::Real).iter().map(|(name, value)| format!("{name} {value}")).collect();
+        assert_eq!(names, ["nan NaN", "infinite inf", "negative-infinite -inf"]);
+        for domain in [Domain::NonNegative, Domain::Positive, Domain::Between(2.0, 5.0), Domain::HalfOpen(2.0, 5.0)] {
+            assert!(finite(domain).iter().all(|&(_, value)| !domain.allows(value)), "{domain:?}");
+        }
+    }
+
+    /// The last component of every field is the one that is wrong.
+    #[test]
+    fn every_input_is_tried_outside_its_domain() {
+        let subject = Subject::of::<crate::slot::Constraint>();
+        let invalid = out_of_domain(&subject);
+        assert_eq!(invalid.len(), 3 * subject.inputs.len());
+        let place = |case: &Case<Vec<f64>>| case.inputs.iter().position(|x| !x.is_finite());
+        let places: Vec<_> = invalid.iter().step_by(3).filter_map(place).collect();
+        assert_eq!(places, [2, 5, 8, 11, 12, 13]);
+        assert_eq!((invalid[0].id.as_str(), invalid[4].id.as_str()), ("e2a-nan", "e3a-infinite"));
+        assert!(invalid.iter().all(|case| case.flag == Flag::Invalid && (subject.check)(&case.inputs).is_err()));
+    }
+
+    #[test]
+    fn cases_are_those_of_the_formula_random_ones_and_invalid_ones() {
+        let subject = Subject::of::<ReturnMap>();
+        let (own, all) = ((subject.cases)(), cases(&subject));
+        assert_eq!(all[..own.len()], own);
+        let with = |flag| all.iter().filter(|case| case.flag == flag).count();
+        assert_eq!((with(Flag::Random), with(Flag::Invalid)), (LEAST_CASES - own.len(), out_of_domain(&subject).len()));
+        assert_eq!(all[own.len()].id, "random-1");
+        let stop = Subject::of::<Stop>();
+        let refused = (stop.invalid_cases)();
+        assert!(!refused.is_empty() && cases(&stop).ends_with(&refused));
+        // Where a formula has many of its own, some are random nevertheless.
+        let mut many = subject;
+        many.cases = || vec![Case::hand("a", "", vec![1.0, 0.5, 4.0]); LEAST_CASES];
+        assert_eq!(cases(&many).iter().filter(|case| case.flag == Flag::Random).count(), LEAST_RANDOM);
+    }
+
+    #[test]
+    fn a_case_has_its_results_and_their_scales() {
+        let at = json(&record_of::<ContactForce>(&[3.0, 4.0]));
+        let expected = serde_json::json!({
+            "id": "a", "flags": ["hand"], "comment": "so", "in": {"f2": 3.0, "f3": 4.0},
+            "out": {"fc": 5.0}, "out_scale": {"fc": 10.0},
+            "jac": {"fc": {"f2": 0.6, "f3": 0.8}}, "jac_scale": {"fc": {"f2": 1.368, "f3": 1.376}},
+        });
+        assert_eq!(at, expected);
+        let refused = json(&record_of::<ContactForce>(&[f64::NAN, 4.0]));
+        let expected = serde_json::json!({
+            "id": "a", "flags": ["hand"], "comment": "so", "in": {"f2": "NaN", "f3": 4.0}, "error": "NonFinite",
+        });
+        assert_eq!(refused, expected);
+    }
+
+    #[test]
+    fn on_a_kink_a_case_is_flagged_and_on_a_switch_it_has_no_jacobian() {
+        let has =
+            |record: Record| (record.flags.contains(&Flag::Kink), record.jac.is_some(), record.jac_scale.is_some());
+        assert_eq!(has(record_of::<ReturnMap>(&[2.0, 0.5, 4.0])), (true, false, false));
+        assert_eq!(has(record_of::<ReturnMap>(&[2.5, 0.5, 4.0])), (false, true, true));
+        assert_eq!(has(record_of::<ContactForce>(&[0.0, 0.0])), (true, true, true));
+    }
+
+    #[test]
+    fn a_file_says_what_the_formula_is() {
+        let file = file::<Friction>();
+        assert_eq!(
+            (file.formula.as_str(), file.schema.as_str(), file.layout),
+            ("slot.friction", "schema.json", LAYOUT)
+        );
+        assert_eq!((file.eta.value, file.eta.jacobian), (Friction::SPEC.eta, Friction::SPEC.eta_jacobian));
+        assert_eq!((file.inputs.len(), file.inputs[0].name.as_str(), file.inputs[0].unit.as_str()), (5, "f1", "F"));
+        assert_eq!((file.outputs.len(), file.cases.len()), (3, cases(&Subject::of::<Friction>()).len()));
+    }
+}

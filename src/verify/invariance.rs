@@ -88,3 +88,118 @@ fn move_part(part: &[Octuple], domain: Domain, shape: Shape, reach: Octuple) -> 
         .map(|axis| part.iter().enumerate().fold(shift(axis), |sum, (k, &x)| sum + x * triad[k][axis]))
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::proof::law::residual;
+    use crate::quantity::{
+        D0, E1A, FORCE, FORCE_M_PLANE, K_EL, K_U1_U1, K_U1_U1_PLANE, MU0, Quantity, X, XA, XA_PLANE,
+    };
+    use crate::slider::Basis;
+    use crate::slot::{ContactForce, RelativePosition};
+    use crate::verify::exact;
+
+    const HEAT: Quantity = Quantity::scalar("h", Unit::TEMPERATURE, Domain::Real, "a temperature");
+
+    #[test]
+    fn every_unit_is_scaled_by_a_factor_of_its_own() {
+        let fields = [
+            Field::new("xa", &XA),
+            Field::new("k_el", &K_EL),
+            Field::new("mu0", &MU0),
+            Field::new("h", &HEAT),
+            Field::new("e1a", &E1A),
+        ];
+        // L, F/L, FT/L³, Θ and 1, with 2³, 2⁻⁵, 2⁷ and 2¹¹ for L, F, T and Θ.
+        let found = rescale(&fields, &exact(&[1.0; 9])).iter().map(|x| x.to_f64().log2()).collect::<Vec<_>>();
+        assert_eq!(found, [3.0, 3.0, 3.0, -8.0, -7.0, 11.0, 0.0, 0.0, 0.0]);
+        assert_eq!(rescale(&fields[..1], &exact(&[2.0, 3.0, -5.0])), exact(&[16.0, 24.0, -40.0]));
+    }
+
+    #[test]
+    fn the_reach_is_the_largest_coordinate_of_a_point() {
+        let fields = [Field::new("x", &X), Field::new("xa", &XA)];
+        assert_eq!(reach(&fields, &exact(&[9.0, 2.0, -5.0, 3.0])), 5.0);
+        assert_eq!(reach(&fields, &exact(&[9.0, 0.0, 0.0, 0.0])), 1.0);
+        assert_eq!(reach(&fields[..1], &exact(&[9.0])), 1.0);
+    }
+
+    /// What a field becomes where a model of this reach is moved.
+    fn after(quantity: &'static Quantity, numbers: &[f64], reach: f64) -> Vec<Octuple> {
+        moved(&[Field::new("field", quantity)], &exact(numbers), reach.into())
+    }
+
+    fn assert_close(found: &[Octuple], expected: &[Octuple]) {
+        let is_close = |(found, expected): (&Octuple, &Octuple)| (*found - *expected).abs() < 1e-65;
+        let all = found.len() == expected.len() && found.iter().zip(expected).all(is_close);
+        assert!(all, "{found:?} is not {expected:?}");
+    }
+
+    #[test]
+    fn points_are_moved_in_proportion_and_vectors_are_not() {
+        assert_close(&after(&XA, &[0.0; 3], 2.0), &exact(&[2.5, -14.0, 7.0]));
+        assert_close(&after(&XA_PLANE, &[0.0; 2], 2.0), &exact(&[2.5, -14.0]));
+        assert_close(&after(&FORCE, &[0.0; 3], 2.0), &exact(&[0.0; 3]));
+        // Numbers, and components in a triad, stay as they are.
+        assert_close(&after(&X, &[3.0], 2.0), &exact(&[3.0]));
+        assert_close(&after(&D0, &[3.0, 4.0, 5.0], 2.0), &exact(&[3.0, 4.0, 5.0]));
+    }
+
+    /// The lengths of what is turned and the angles between are kept, and it is turned by a right-handed rotation.
+    #[test]
+    fn vectors_are_turned() {
+        let of = |numbers: [f64; 3]| after(&FORCE, &numbers, 1.0);
+        let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(of);
+        // (w, x, y, z) = (2, −1, 3, 4)/√30.
+        let by_hand = [[-20.0, 10.0, -20.0], [-22.0, -4.0, 20.0], [4.0, 28.0, 10.0]];
+        let thirtieth = |row: [f64; 3]| exact(&row).iter().map(|&x| x / 30.0).collect::<Vec<_>>();
+        let rows = by_hand.map(thirtieth);
+        assert_close(&[x.clone(), y.clone(), z.clone()].concat(), &rows.concat());
+        let sum: Vec<_> = (0..3).map(|k| x[k] * 2.0 - y[k] + z[k] * 3.0).collect();
+        assert_close(&of([2.0, -1.0, 3.0]), &sum);
+        let [c, s] = [3.0, 4.0].map(|x| Octuple::from(x) / 5.0);
+        assert_close(&after(&FORCE_M_PLANE, &[1.0, 0.0], 1.0), &[c, s]);
+        assert_close(&after(&FORCE_M_PLANE, &[0.0, 1.0], 1.0), &[-s, c]);
+    }
+
+    /// A matrix a bᵀ becomes that of the turned a and b.
+    #[test]
+    fn matrices_are_turned_on_both_sides() {
+        fn check<const N: usize>(matrix: &'static Quantity, vector: &'static Quantity, [a, b]: [[f64; N]; 2]) {
+            let product: Vec<_> = a.iter().flat_map(|a| b.map(|b| a * b)).collect();
+            let [a, b] = [a, b].map(|numbers| after(vector, &numbers, 1.0));
+            let expected: Vec<_> = a.iter().flat_map(|&a| b.iter().map(move |&b| a * b)).collect();
+            assert_close(&after(matrix, &product, 1.0), &expected);
+        }
+        check(&K_U1_U1, &FORCE, [[1.0, 2.0, -3.0], [5.0, -7.0, 11.0]]);
+        check(&K_U1_U1_PLANE, &FORCE_M_PLANE, [[1.0, 2.0], [5.0, -7.0]]);
+    }
+
+    #[test]
+    fn a_formula_that_is_not_objective_is_homogeneous_alone() {
+        let statements = |subject: &Subject| -> Vec<_> {
+            of_all(subject).into_iter().map(|law| law.statement.split(':').next().map(str::to_owned)).collect()
+        };
+        let [homogeneity, indifference] =
+            ["dimensional homogeneity", "frame indifference"].map(|name| Some(name.into()));
+        assert_eq!(statements(&Subject::of::<ContactForce>()), [homogeneity.clone(), indifference]);
+        assert_eq!(statements(&Subject::of::<Basis>()), [homogeneity]);
+    }
+
+    #[test]
+    fn laws_hold_at_a_point_and_rounding_is_judged_by_the_sizes_of_the_inputs() {
+        let subject = Subject::of::<RelativePosition>();
+        let inputs = exact(&[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 3.0, -2.0, 5.0, 7.0, 1.0, 4.0]);
+        for law in of_all(&subject) {
+            let sides = (law.sides)(&inputs);
+            assert_eq!(sides.len(), 3);
+            assert!(sides.iter().all(|equation| residual(equation) < 1e-60), "{}: {sides:?}", law.statement);
+            if law.statement.starts_with("frame") {
+                // The square of 1 and the sum of all inputs, and the value itself: (4, 3, −1).
+                let scales: Vec<_> = sides.iter().map(|equation| equation.scale.to_f64()).collect();
+                assert_eq!(scales, [26.0 * 26.0 + 4.0, 26.0 * 26.0 + 3.0, 26.0 * 26.0 + 1.0]);
+            }
+        }
+    }
+}

@@ -69,4 +69,23 @@ mod tests {
             assert!((found - expected).abs() < 1e-15, "{found} is not {expected}");
         }
     }
+
+    /// Σ k xₖ², and x₀ x₆.
+    #[test]
+    fn there_may_be_more_inputs_than_a_sweep_carries() {
+        let inputs = [2.0, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0];
+        let found = differentiate(&inputs, &|x: &[Sweep<f64>]| {
+            let squares = x.iter().zip([0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0]).map(|(&x, k)| x * x * k);
+            vec![squares.fold(Sweep::from_re(0.0), |sum, term| sum + term), x[0] * x[6]]
+        });
+        assert_eq!(found[0], [0.0, 6.0, 20.0, 42.0, 88.0, 130.0, 204.0]);
+        assert_eq!(found[1], [17.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0]);
+        assert_eq!(found.len(), 2);
+    }
+
+    #[test]
+    fn a_jacobian_by_automatic_differentiation_has_its_names() {
+        let found = jacobian_by_ad::<ContactForce, f64>(&CrossForces { f2: 3.0, f3: 4.0 });
+        assert!((found.fc.f2 - 0.6).abs() < 1e-15 && (found.fc.f3 - 0.8).abs() < 1e-15, "{found:?}");
+    }
 }

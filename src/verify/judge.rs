@@ -115,3 +115,83 @@ impl Judge {
         Ok(Truth { value, jacobian, kink })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::coulomb::ReturnMap;
+    use crate::proof::Proved;
+    use crate::slot::ContactForce;
+
+    fn known(exact: f64, gradient: f64) -> Known {
+        let [exact, gradient] = [exact, gradient].map(Octuple::from);
+        Known { exact, sensitivity: Sensitivity::new(&[gradient], &[1.0.into()]) }
+    }
+
+    /// How large η is of what is off by 2⁻⁵³.
+    fn eta_beside(known: Known) -> f64 {
+        known.eta(known.exact.to_f64() + f64::EPSILON / 2.0)
+    }
+
+    #[test]
+    fn what_is_known_of_a_number_is_known_of_products_and_sums() {
+        assert_eq!(known(0.5, 1.5).eta(0.5), 0.0);
+        assert_eq!(eta_beside(known(0.5, 1.5)), 0.5);
+        let other = known(0.5, 1.5).with(0.25.into());
+        assert!(other.exact == 0.25 && eta_beside(other) == 1.0 / 1.75);
+        let times = known(0.25, 0.75).times(-2.0);
+        assert!(times.exact == -0.5 && eta_beside(times) == 0.5);
+        // 0.5 · 3 − 0.25 · 4, of which every term has its size and what its number changes.
+        let sum = Known::combined([(known(0.5, 0.5), 3.0), (known(0.25, 1.0), -4.0)].into_iter());
+        assert!(sum.exact == 0.5 && eta_beside(sum) == 1.0 / (0.5 + 1.5 + 1.5 + 1.0 + 4.0));
+    }
+
+    #[test]
+    fn points_are_cases_those_beside_kinks_and_so_many_random_ones() {
+        let judge = Judge::of::<ReturnMap>();
+        let points = |samples| judge.points(&Options { samples, seed: 5 });
+        let (none, two) = (points(0), points(2));
+        assert_eq!(none.len(), golden::cases(&judge.subject).len() + 5 * ReturnMap::kinks().len());
+        let names: Vec<_> = two[none.len()..].iter().map(|(name, _)| name.as_str()).collect();
+        assert_eq!(names, ["random 0 of seed 5", "random 1 of seed 5"]);
+        assert_eq!(two[none.len()].1, Sampler::for_formula("coulomb.return_map", 5).components(&judge.subject));
+    }
+
+    #[test]
+    fn value_and_jacobian_are_exact_with_what_rounding_of_the_inputs_does() {
+        let truth = Judge::of::<ContactForce>().at(&[3.0, 4.0], true).expect("the inputs are valid");
+        let jacobian = truth.jacobian.expect("it was asked for");
+        assert_eq!((truth.value.len(), jacobian.len()), (1, 2));
+        assert!(truth.kink.is_none());
+        assert_eq!(truth.value[0].exact, 5.0);
+        // 16 roundings, of 5 and as much for the inputs; x/r changes by 2 x y²/r³, and y/r by 2 x² y/r³.
+        assert_eq!(truth.value[0].eta(5.0 + 8.0 * f64::EPSILON), 1.6);
+        for (known, number, bend) in [(jacobian[0], 0.6, 0.768), (jacobian[1], 0.8, 0.576)] {
+            let roundings = 1e-9 / (f64::EPSILON / 2.0);
+            let expected = roundings / (number + bend);
+            assert!((known.eta(number + 1e-9) / expected - 1.0).abs() < 1e-6, "{number}");
+        }
+    }
+
+    #[test]
+    fn on_a_switch_there_is_no_jacobian_and_elsewhere_none_that_is_not_asked_for() {
+        let judge = Judge::of::<ReturnMap>();
+        let at = |f_trial, with_jacobian| judge.at(&[f_trial, 0.5, 4.0], with_jacobian).expect("they are valid");
+        assert!(at(1.0, true).jacobian.is_some() && at(1.0, false).jacobian.is_none());
+        let tie = at(2.0, true);
+        assert!(tie.jacobian.is_none());
+        assert!(matches!(tie.kink, Some((condition, Convention::Switch)) if condition.contains("mu F_N")));
+        let apex = Judge::of::<ContactForce>().at(&[0.0, 0.0], true).expect("they are valid");
+        assert!(matches!(apex.kink, Some((_, Convention::Subgradient))) && apex.jacobian.is_some());
+    }
+
+    #[test]
+    fn inputs_that_are_too_few_or_not_allowed_are_refused() {
+        let judge = Judge::of::<ReturnMap>();
+        assert_eq!(judge.at(&[1.0], true).unwrap_err(), Error::Components { found: 1, expected: 3 });
+        assert_eq!(
+            judge.at(&[1.0, -0.5, 4.0], true).unwrap_err().to_string(),
+            "mu is -0.5; allowed is a finite number ≥ 0"
+        );
+    }
+}

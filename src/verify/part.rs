@@ -128,3 +128,47 @@ fn either<T>(one: Option<T>, next: Option<T>, and: impl FnOnce(T, T) -> T) -> Op
         (one, next) => one.or(next),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::coulomb::ReturnMap;
+
+    #[test]
+    fn what_one_part_alone_has_found_is_kept() {
+        let joined = |one, next| either(one, next, |one: usize, next| 10 * one + next);
+        assert_eq!(joined(Some(1), Some(2)), Some(12));
+        assert_eq!((joined(Some(1), None), joined(None, Some(2)), joined(None, None)), (Some(1), Some(2), None));
+    }
+
+    /// Parts of these places, in which so many things were counted.
+    fn part(shards: [usize; 2], of: usize, samples: usize, count: usize) -> Part {
+        let shard = Shard::new(2, 2).expect("there is one");
+        let mut part = audit_part::<ReturnMap>(&Options { samples: 0, seed: 1 }, shard);
+        assert!(!part.comparisons.is_empty());
+        part.comparisons.iter_mut().for_each(|comparison| comparison.counts = [count, 2 * count]);
+        part.audit.named_points = count;
+        part.audit.searched_points = 3 * count;
+        part.audit.random_points = 5 * count;
+        Part { shards, of, samples, ..part }
+    }
+
+    #[test]
+    fn parts_are_joined_that_follow_one_another_in_one_audit() {
+        let why = |one: Part, next: Part| one.and(next).expect_err("it is refused").to_string();
+        let second = part([2, 3], 5, 8, 10);
+        assert_eq!((second.first(), second.formula()), (2, "coulomb.return_map"));
+        let found = second.clone().and(part([4, 5], 5, 8, 7)).expect("it follows");
+        assert_eq!(found.shards, [2, 5]);
+        assert!(found.comparisons.iter().all(|comparison| comparison.counts == [17, 34]));
+        let audit = &found.audit;
+        assert_eq!([audit.named_points, audit.searched_points, audit.random_points], [17, 51, 85]);
+        assert_eq!(why(second.clone(), part([3, 4], 5, 8, 7)), "coulomb.return_map: part 3 of 5 does not follow 3");
+        let expected = "parts of two audits: coulomb.return_map, 8 points of seed 1, in 5 parts; \
+                        coulomb.return_map, 9 points of seed 1, in 5 parts";
+        assert_eq!(why(second.clone(), part([4, 5], 5, 9, 7)), expected);
+        assert!(why(second, part([4, 5], 6, 8, 7)).ends_with("in 6 parts"));
+        let missing = found.into_audit().expect_err("the first is missing").to_string();
+        assert_eq!(missing, "coulomb.return_map: parts 2 to 5 of 5 are not all");
+    }
+}

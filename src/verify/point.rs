@@ -81,3 +81,49 @@ fn names(fields: &[Field]) -> Vec<String> {
     };
     fields.iter().flat_map(of_field).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::coulomb::{ReturnMap, Trial};
+    use crate::slot::{Constraint, ContactForce};
+
+    #[test]
+    fn a_point_knows_its_kink_and_names_its_inputs() {
+        let subject = Subject::of::<ReturnMap>();
+        let at = |f_trial| Point::new(&subject, "here".into(), true, vec![f_trial, 0.5, 4.0]);
+        assert_eq!((at(2.0).kink, at(2.5).kink), (Some(Convention::Switch), None));
+        assert_eq!(at(2.5).exact, exact(&[2.5, 0.5, 4.0]));
+        let Deviation { size, entry, point, found, expected, inputs } = at(2.5).deviation(1.0, "f".into(), 2.0, 3.0);
+        assert_eq!((size, entry.as_str(), point.as_str(), found, expected), (1.0, "f", "here", 2.0, 3.0));
+        assert_eq!(inputs, serde_json::json!({"f_trial": 2.5, "mu": 0.5, "fn": 4.0}));
+    }
+
+    #[test]
+    fn random_points_do_not_depend_on_how_many_are_asked_for() {
+        let subject = Subject::of::<ContactForce>();
+        let options = Options { samples: 0, seed: 7 };
+        let drawn = |range| {
+            let points = random_points(&subject, &options, range).into_iter();
+            points.map(|point| (point.label, point.random, point.inputs)).collect::<Vec<_>>()
+        };
+        let all = drawn(0..5);
+        assert_eq!((all.len(), all[2].0.as_str(), all[2].1), (5, "random 2 of seed 7", true));
+        assert_ne!(all[0].2, all[1].2);
+        assert_eq!(drawn(2..4), all[2..4]);
+    }
+
+    #[test]
+    fn components_are_named_by_field_and_place() {
+        let names = Names::new(&Subject::of::<Constraint>());
+        assert_eq!((names.inputs.len(), names.inputs[2].as_str(), names.inputs[13].as_str()), (14, "e2a[2]", "z0"));
+        assert_eq!(names.outputs, ["gy", "gz"]);
+        assert_eq!([0, 13, 14, 17].map(|k| names.entry(k)), ["∂gy/∂e2a[0]", "∂gy/∂z0", "∂gz/∂e2a[0]", "∂gz/∂e3a[0]"]);
+    }
+
+    #[test]
+    fn the_kink_of_typed_inputs_is_that_of_their_components() {
+        let at = |f_trial| crate::verify::kink::<ReturnMap>(&Trial { f_trial, mu: 0.5, r#fn: 4.0 });
+        assert_eq!((at(2.0), at(2.5)), (Some(Convention::Switch), None));
+    }
+}

@@ -206,3 +206,6 @@ fn make_orthonormal(fields: &[Field], inputs: &mut [Octuple]) {
         before.push((node, vector));
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -6,7 +6,7 @@
 use super::branches::{Branches, Tally};
 use super::subject::Subject;
 use crate::formula::Field;
-use crate::graph::{Node, Op, Relation};
+use crate::graph::{Node, Op};
 use crate::quantity::Domain;
 use crate::scalar::direction;
 use std::ops::Range;
@@ -35,15 +35,7 @@ pub(super) struct Reached {
 
 /// Points that take sides which these do not.
 pub(super) fn reach(subject: &Subject, branches: &Branches, points: &[&[f64]]) -> Vec<Reached> {
-    let mut search = Search {
-        subject,
-        branches,
-        fields: ranges(subject.inputs),
-        triads: triads(subject.inputs),
-        tally: branches.tally(),
-        starts: vec![Default::default(); branches.comparisons.len()],
-        found: Vec::new(),
-    };
+    let mut search = Search::new(subject, branches);
     for point in points {
         search.enter(point);
     }
@@ -76,7 +68,19 @@ struct Search<'a> {
     found: Vec<Reached>,
 }
 
-impl Search<'_> {
+impl<'a> Search<'a> {
+    fn new(subject: &'a Subject, branches: &'a Branches<'a>) -> Self {
+        Self {
+            subject,
+            branches,
+            fields: ranges(subject.inputs),
+            triads: triads(subject.inputs),
+            tally: branches.tally(),
+            starts: vec![Default::default(); branches.comparisons.len()],
+            found: Vec::new(),
+        }
+    }
+
     /// Keeps a point to start from, and tells the first comparison of which it takes a new side.
     fn enter(&mut self, point: &[f64]) -> Option<(Node, bool)> {
         let answers = self.branches.answers(point);
@@ -124,7 +128,7 @@ impl Search<'_> {
     /// Newton's method towards where the numbers of a comparison are equal.
     fn towards(&mut self, k: usize, mut point: Vec<f64>, stretch: f64) {
         let graph = self.branches.graph;
-        let Op::Compare(relation, x, y) = *graph.op(self.branches.comparisons[k]) else { return };
+        let Op::Compare(_, x, y) = *graph.op(self.branches.comparisons[k]) else { return };
         let needed = graph.needed(&[x, y]);
         for _ in 0..STEPS {
             let all = graph.results(&point, needed.iter().copied());
@@ -132,13 +136,13 @@ impl Search<'_> {
             let [of_x, of_y] = [x, y].map(|node| graph.gradient(node, &needed, &all, point.len()));
             let slopes: Vec<_> = of_x.iter().zip(&of_y).map(|(x, y)| x - y).collect();
             let steepest = slopes.iter().fold(0.0_f64, |most, slope| most.max(slope.abs()));
-            let is_there = gap == 0.0 && relation == Relation::Equal;
-            if is_there || !gap.is_finite() || !steepest.is_finite() || steepest == 0.0 {
-                return;
-            }
             let square: f64 = slopes.iter().map(|slope| (slope / steepest).powi(2)).sum();
             for (x, slope) in point.iter_mut().zip(&slopes) {
                 *x -= stretch * (gap / steepest) / square * (slope / steepest);
+            }
+            // So it is where the numbers are not finite, and where nothing changes them.
+            if point.iter().any(|x| x.is_nan()) {
+                return;
             }
             self.make_perpendicular(&mut point);
             self.visit(&point);
@@ -219,13 +223,4 @@ fn triads(fields: &[Field]) -> Vec<Vec<Range<usize>>> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::triads;
-    use crate::catalog::find;
-
-    #[test]
-    fn the_vectors_of_a_node_are_one_triad() {
-        let of = |id| triads(find(id).unwrap().inputs());
-        assert_eq!(of("cardan.angles"), [[0..3, 3..6, 6..9], [9..12, 12..15, 15..18]]);
-    }
-}
+mod tests;

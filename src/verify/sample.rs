@@ -178,3 +178,178 @@ pub(crate) fn rotation<D: crate::Scalar>(w: D, x: D, y: D, z: D) -> [[D; 3]; 3] 
         [double(x * z + y * w), double(y * z - x * w), diagonal(x, y)],
     ]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fields;
+    use crate::formula::{Component, Document, Formula, Jacobian, Spec};
+    use crate::quantity::{E1A, E2A, E2A_PLANE, FRACTION, MU, Quantity, SLIDER_N, X, XA_PLANE};
+    use crate::{Error, Scalar};
+
+    fn sampler() -> Sampler {
+        Sampler::named("a sampler", 1)
+    }
+
+    fn range(numbers: &[f64]) -> [f64; 2] {
+        [
+            numbers.iter().copied().fold(f64::INFINITY, f64::min),
+            numbers.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+        ]
+    }
+
+    fn assert_reaches(numbers: &[f64], low: f64, high: f64) {
+        let ([least, most], margin) = (range(numbers), (high - low) / 20.0);
+        let is_near = |x: f64, end: f64| (x - end).abs() < margin;
+        assert!(low < least && most < high && is_near(least, low) && is_near(most, high), "{least} to {most}");
+    }
+
+    #[test]
+    fn numbers_are_of_their_domains_and_reach_their_ends() {
+        let mut sampler = sampler();
+        let mut drawn = |domain| (0..500).map(|_| sampler.number(domain)).collect::<Vec<_>>();
+        for domain in [Domain::Real, Domain::Point, Domain::Vector] {
+            let numbers = drawn(domain);
+            let sizes: Vec<_> = numbers.iter().map(|x| x.abs().log2()).collect();
+            assert_reaches(&sizes, -10.0, 10.0);
+            let negative = numbers.iter().filter(|x| **x < 0.0).count();
+            assert!((200..300).contains(&negative), "{negative}");
+        }
+        for domain in [Domain::NonNegative, Domain::Positive] {
+            let logarithms: Vec<_> = drawn(domain).iter().map(|x| x.log2()).collect();
+            assert_reaches(&logarithms, -10.0, 10.0);
+        }
+        assert_reaches(&drawn(Domain::Angle), -std::f64::consts::PI, std::f64::consts::PI);
+        for domain in [Domain::Between(2.0, 5.0), Domain::Within(2.0, 5.0), Domain::HalfOpen(2.0, 5.0)] {
+            assert_reaches(&drawn(domain), 2.0, 5.0);
+        }
+    }
+
+    /// An odd multiple of 2⁻⁵³, so that neither 0 nor 1 is drawn.
+    #[test]
+    fn the_unit_interval_has_no_ends() {
+        let mut sampler = sampler();
+        let numbers: Vec<_> = (0..500).map(|_| sampler.unit()).collect();
+        assert_reaches(&numbers, 0.0, 1.0);
+        assert!(numbers.iter().all(|x| x * 2.0_f64.powi(53) % 2.0 == 1.0));
+    }
+
+    #[test]
+    fn whole_numbers_are_all_that_there_are() {
+        let mut sampler = sampler();
+        let mut seen: Vec<_> = (0..100).map(|_| sampler.whole(-2..=1)).collect();
+        seen.sort_unstable();
+        seen.dedup();
+        assert_eq!(seen, [-2, -1, 0, 1]);
+        let mut seen: Vec<_> = (0..100).map(|_| sampler.below(3)).collect();
+        seen.sort_unstable();
+        seen.dedup();
+        assert_eq!(seen, [0, 1, 2]);
+        assert_eq!(sampler.whole(7..=7), 7);
+        let heads = (0..1000).filter(|_| sampler.coin()).count();
+        assert!((450..550).contains(&heads), "{heads}");
+    }
+
+    /// These numbers are the same on every machine, and golden files depend on them.
+    #[test]
+    fn a_seed_and_a_name_give_the_same_numbers_anywhere() {
+        let first = |name: &str, seed| Sampler::named(name, seed).real();
+        assert_eq!(first("slot.friction", 1), Sampler::new::<crate::slot::Friction>(1).real());
+        assert_eq!(
+            [first("a", 0), first("a", 1), first("ab", 0)],
+            [12.271_636_340_390_55, 1.631_691_907_446_975_8, 59.974_091_053_969_715]
+        );
+    }
+
+    /// At (cos 30°, 0, 0, sin 30°) a turn by 60° about the third axis.
+    #[test]
+    fn a_quaternion_turns_by_twice_its_angle() {
+        let (root, half) = (3.0_f64.sqrt() / 2.0, 0.5);
+        let found = rotation(root, 0.0, 0.0, half);
+        let expected = [[half, root, 0.0], [-root, half, 0.0], [0.0, 0.0, 1.0]];
+        let close = |(found, expected): (&f64, &f64)| (found - expected).abs() < 1e-15;
+        assert!(found.as_flattened().iter().zip(expected.as_flattened()).all(close), "{found:?}");
+        let cyclic = rotation(root, half, 0.0, 0.0);
+        assert!((cyclic[1][2] - root).abs() < 1e-15 && (cyclic[2][1] + root).abs() < 1e-15, "{cyclic:?}");
+        let cyclic = rotation(root, 0.0, half, 0.0);
+        assert!((cyclic[2][0] - root).abs() < 1e-15 && (cyclic[0][2] + root).abs() < 1e-15, "{cyclic:?}");
+    }
+
+    #[test]
+    fn triads_are_right_handed_and_far_from_the_axes() {
+        let mut sampler = sampler();
+        for plane in [false, true] {
+            for _ in 0..50 {
+                let [a, b, c] = sampler.triad(plane).map(nalgebra::Vector3::from);
+                assert!((a.cross(&b) - c).norm() < 1e-15 && (a.norm() - 1.0).abs() < 1e-15);
+                assert!(a.dot(&b).abs() < 1e-15 && a.x < 0.999);
+                assert_eq!(c.z == 1.0, plane);
+            }
+        }
+        let directions: Vec<[f64; 3]> = (0..200).map(|_| sampler.direction()).collect();
+        assert!(directions.iter().all(|v| (v.iter().map(|x| x * x).sum::<f64>() - 1.0).abs() < 1e-15));
+        // The least is 0.1 beside two of at most 1.
+        assert!(directions.as_flattened().iter().all(|x| x.abs() > 0.07 && x.abs() < 0.991));
+        assert!(directions.as_flattened().iter().any(|x| x.abs() < 0.12));
+        let negative = directions.as_flattened().iter().filter(|x| **x < 0.0).count();
+        assert!((240..360).contains(&negative), "{negative}");
+    }
+
+    const OTHER: Quantity = Quantity::new("o", Shape::Vec3, X.unit, Domain::Triad(Node("o"), 3), "of another node");
+
+    #[test]
+    fn unit_vectors_of_a_node_are_of_one_triad() {
+        let fields = |quantities: &[&'static Quantity]| -> Vec<_> {
+            quantities.iter().map(|quantity| Field::new("field", quantity)).collect()
+        };
+        let in_space = fields(&[&E2A, &E1A, &OTHER, &MU]);
+        assert_eq!(nodes(&in_space), [Node::A, Node::B, Node("o")]);
+        let drawn = sampler().fields(&in_space);
+        let mut again = sampler();
+        let [a, _, other] = [(); 3].map(|()| again.triad(false));
+        assert_eq!(drawn[..9], [a[1], a[0], other[2]].concat());
+        assert_eq!((drawn.len(), drawn[9]), (10, again.number(Domain::NonNegative)));
+        // A direction is the first vector of a.
+        assert_eq!(sampler().fields(&fields(&[&SLIDER_N])), a[0]);
+        let in_plane = sampler().fields(&fields(&[&E2A_PLANE, &XA_PLANE, &MU]));
+        assert_eq!(in_plane[..2], sampler().triad(true)[1][..2]);
+    }
+
+    fields! { struct Part<T> { f: T = FRACTION } }
+
+    /// Draws are refused above a quarter, or all of them; what is drawn is halved.
+    #[derive(Clone, Copy)]
+    struct Halved<const NONE: bool>;
+    impl<const NONE: bool> Formula for Halved<NONE> {
+        const SPEC: Spec = Spec::new("planted.half", "Half", Document::new("None").printed(""));
+        type Inputs<T: Component> = Part<T>;
+        type Outputs<T: Component> = Part<T>;
+        fn eval<D: Scalar>(i: &Part<D>) -> Part<D> {
+            *i
+        }
+        fn jacobian<D: Scalar>(_: &Part<D>) -> Jacobian<Self, D> {
+            Part { f: Part { f: D::one() } }
+        }
+        fn validate<D: Scalar>(i: &Part<D>) -> Result<(), Error> {
+            if NONE || i.f > 0.125 { Error::check("f", None, f64::NAN, Domain::Real) } else { Ok(()) }
+        }
+    }
+    impl<const NONE: bool> Proved for Halved<NONE> {
+        fn placed(drawn: Part<f64>) -> Part<f64> {
+            Part { f: drawn.f / 2.0 }
+        }
+    }
+
+    #[test]
+    fn inputs_are_placed_and_drawn_again_until_they_are_valid() {
+        let mut sampler = sampler();
+        let drawn: Vec<_> = (0..200).map(|_| sampler.inputs::<Halved<false>>().f).collect();
+        assert_reaches(&drawn, 0.0, 0.125);
+    }
+
+    #[test]
+    #[should_panic(expected = "planted.half: 1000 points drawn from the domains were all refused")]
+    fn a_formula_that_refuses_everything_is_told_so() {
+        sampler().inputs::<Halved<true>>();
+    }
+}

@@ -127,4 +127,129 @@ mod tests {
             [[0.0, 0.125, -0.125, 8.0, -8.0], [1e-300, 0.125_f64.next_down(), 8.0_f64.next_up(), -9.0, f64::NAN]];
         assert!(inside.into_iter().all(|x| range.has(x)) && !outside.into_iter().any(|x| range.has(x)));
     }
+
+    use crate::coulomb::Response;
+    use crate::quantity::Unit;
+    use crate::slot::{ContactForce, RelativePosition};
+    use crate::ujoint::Stop;
+
+    /// The exponents of two by which components changed.
+    fn powers(inputs: &[f64], scale: f64, sampler: &mut Sampler, subject: &Subject) -> Vec<i64> {
+        let resized = resized(subject, inputs, scale, sampler);
+        resized.iter().zip(inputs).map(|(x, before)| exponent(x / before)).collect()
+    }
+
+    /// Up to 2³⁰, from which 2¹⁰ are left to what is drawn.
+    #[test]
+    fn powers_reach_as_far_as_the_scale_allows_and_no_farther() {
+        let mut sampler = Sampler::named("powers", 1);
+        let mut of = |scale: f64, count: usize| (0..count).map(|_| power(scale, &mut sampler)).collect::<Vec<_>>();
+        let drawn = of(2.0_f64.powi(30), 400);
+        assert_eq!((drawn.iter().min(), drawn.iter().max()), (Some(&-20), Some(&20)));
+        let inner = drawn.iter().filter(|power| power.abs() < 20).count();
+        // Each end is drawn by a quarter, and what is between by the rest.
+        assert!((120..280).contains(&inner), "{inner}");
+        assert!([-20, 20].iter().all(|end| drawn.iter().filter(|power| *power == end).count() > 60));
+        assert!((-5..5).all(|power| drawn.contains(&power)));
+        assert_eq!(of(2.0, 50), [0; 50]);
+    }
+
+    #[test]
+    fn directions_stay_and_positions_are_resized_together_or_each_by_itself() {
+        let subject = Subject::of::<RelativePosition>();
+        let mut sampler = Sampler::named("resized", 1);
+        let mut ways = [0, 0];
+        for _ in 0..40 {
+            let powers = powers(&[1.5; 15], 1e30, &mut sampler, &subject);
+            assert_eq!(powers[..9], [0; 9]);
+            let (xa, xb) = (&powers[9..12], &powers[12..]);
+            assert!(xa.iter().all(|power| *power == xa[0]) && xb.iter().all(|power| *power == xb[0]));
+            ways[usize::from(xa[0] == xb[0])] += 1;
+        }
+        assert!(ways.iter().all(|&count| count > 5), "{ways:?}");
+    }
+
+    #[test]
+    fn angles_become_smaller_alone() {
+        let subject = Subject::of::<Stop>();
+        let mut sampler = Sampler::named("angles", 1);
+        let angles: Vec<_> = (0..20).flat_map(|_| powers(&[0.5; 6], 1e30, &mut sampler, &subject)).collect();
+        assert!(angles.iter().all(|&power| power <= 0) && angles.iter().any(|&power| power < -50), "{angles:?}");
+    }
+
+    #[test]
+    fn units_are_multiplied_as_a_quantity_has_them() {
+        let of = |unit: Unit| in_units(&Quantity::scalar("q", unit, Domain::Real, "any"), [3, 50, 700]);
+        assert_eq!([Unit::L, Unit::F, Unit::T, Unit::ONE].map(of), [3, 50, 700, 0]);
+        assert_eq!([Unit::new(-2, 1, 0), Unit::new(1, 0, -1)].map(of), [44, -697]);
+        // What no double has is as good as any other power that none has.
+        assert_eq!([Unit::new(0, 0, 3), Unit::new(0, 0, -3)].map(of), [2000, -2000]);
+    }
+
+    #[test]
+    fn some_points_are_taken_to_another_size_and_named_so() {
+        let subject = Subject::of::<ContactForce>();
+        let (options, names) = (Options { samples: 0, seed: 1 }, Names::new(&subject));
+        let checks = |before: usize, end: usize| {
+            let points = random_points(&subject, &options, before..end);
+            scaled(&subject, &names, &points, before, 1).map(|claim| claim.checks)
+        };
+        // Value, and two derivatives, alone and together: of the points 0, 25, 50.
+        assert_eq!((checks(0, 1), checks(1, 25), checks(1, 26), checks(0, 51)), ([2, 4], [0, 0], [2, 4], [6, 12]));
+        let [value, jacobian] = at_scale(&subject, 1e6, &Options { samples: 3, seed: 1 });
+        assert_eq!((value.claim.as_str(), value.bound), ("η of the value in f64, at sizes from 1/1e6 to 1e6", 2.0));
+        assert!(jacobian.claim.starts_with("η of the closed-form Jacobian in f64"), "{}", jacobian.claim);
+        assert_eq!((value.checks, jacobian.checks), (6, 12));
+        assert!(value.worst.expect("it was checked").point.ends_with(" of seed 1 at another size"));
+    }
+
+    #[test]
+    fn what_is_drawn_is_of_the_range_and_exact() {
+        let subject = Subject::of::<ContactForce>();
+        let from = Point::new(&subject, "there".into(), true, vec![3.0, -4.0]);
+        let range = Range { scale: 1e6, seed: 1 };
+        let drawn: Vec<_> = (0..50).filter_map(|k| range.draw(&from, k)).collect();
+        assert_eq!(drawn.len(), 50);
+        assert!(drawn.iter().all(|(point, _)| point.inputs.iter().all(|&x| range.has(x)) && !point.random));
+        assert!(drawn.iter().any(|(point, _)| point.inputs[0] != drawn[0].0.inputs[0]));
+        let (point, exact) = &drawn[7];
+        let again = range.draw(&from, 7).expect("it was drawn before").0;
+        assert_eq!(again.inputs, point.inputs);
+        assert_eq!(exact.values, (subject.exact_value)(&point.exact));
+    }
+
+    /// Powers of which no double is the square, in two factors.
+    #[test]
+    fn inputs_are_resized_by_powers_that_are_drawn() {
+        let subject = Subject::of::<ContactForce>();
+        let mut sampler = Sampler::named("powers", 1);
+        for (scale, most) in [(2.0_f64.powi(30), 20), (f64::MAX, 1013)] {
+            let drawn: Vec<_> = (0..60).flat_map(|_| powers(&[1.5; 2], scale, &mut sampler, &subject)).collect();
+            assert_eq!((drawn.iter().min(), drawn.iter().max()), (Some(&-most), Some(&most)));
+        }
+    }
+
+    /// A stiffness changes by the units of force and length, which may take it out of range.
+    #[test]
+    fn what_is_out_of_range_or_overflows_is_not_drawn() {
+        let subject = Subject::of::<Response>();
+        let from = Point::new(&subject, "there".into(), true, vec![3.0, 2.0, 1000.0, 0.5, 7.0]);
+        let range = Range { scale: 1e6, seed: 1 };
+        let drawn: Vec<_> = (0..50).filter_map(|k| range.draw(&from, k)).collect();
+        assert!(drawn.len() > 40 && drawn.iter().all(|(point, _)| point.inputs.iter().all(|&x| range.has(x))));
+        let subject = Subject::of::<ContactForce>();
+        let from = Point::new(&subject, "there".into(), true, vec![2000.0, 2000.0]);
+        let range = Range { scale: f64::MAX, seed: 1 };
+        let drawn: Vec<_> = (0..50).filter_map(|k| range.draw(&from, k)).collect();
+        assert!(drawn.len() > 40 && drawn.iter().all(|(_, exact)| exact.values[0].to_f64().is_finite()));
+    }
+
+    #[test]
+    fn a_point_is_resized_alike_whoever_asks() {
+        let subject = Subject::of::<ContactForce>();
+        let options = Options { samples: 1, seed: 1 };
+        let points = random_points(&subject, &options, 0..1);
+        let asked = at_scale(&subject, subject.spec.scale, &options);
+        assert_eq!(scaled(&subject, &Names::new(&subject), &points, 0, 1), asked);
+    }
 }

@@ -61,3 +61,32 @@ impl fmt::Display for PartError {
 }
 
 impl std::error::Error for PartError {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shares_follow_one_another_and_the_first_have_one_more() {
+        let ranges = |of: usize, samples| (1..=of).map(|k| Shard { index: k, of }.range(samples)).collect::<Vec<_>>();
+        assert_eq!(ranges(3, 11), [0..4, 4..8, 8..11]);
+        assert_eq!(ranges(3, 2), [0..1, 1..2, 2..2]);
+        assert_eq!(Shard::WHOLE.range(7), 0..7);
+        assert_eq!(Shard { index: 2, of: 2 }.range(usize::MAX).end, usize::MAX);
+    }
+
+    #[test]
+    fn parts_are_counted_from_one_and_written_as_they_are_read() {
+        assert_eq!("3/16".parse(), Ok(Shard { index: 3, of: 16 }));
+        assert!("1/16".parse::<Shard>().unwrap().is_first() && !"2/16".parse::<Shard>().unwrap().is_first());
+        for (wrong, why) in [
+            ("0/4", "there is no part 0 of 4: parts are counted from 1"),
+            ("5/4", "there is no part 5 of 4: parts are counted from 1"),
+            ("3", "'3' is not a part as 3/16 is one"),
+            ("a/4", "'a/4' is not a part as 3/16 is one"),
+        ] {
+            assert_eq!(wrong.parse::<Shard>().unwrap_err().to_string(), why);
+        }
+        assert_eq!(Shard::new(4, 4), Ok(Shard { index: 4, of: 4 }));
+    }
+}

@@ -148,3 +148,44 @@ impl Law {
 fn flat<F: Formula>(case: Case<F::Inputs<f64>>) -> Case<Vec<f64>> {
     Case { id: case.id, flag: case.flag, comment: case.comment, inputs: case.inputs.components() }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::coulomb::ReturnMap;
+    use crate::slide_line::ClosestParabolic;
+    use crate::verify::exact;
+
+    #[test]
+    fn a_subject_is_its_formula() {
+        let subject = Subject::of::<ReturnMap>();
+        let (sticks, slips) = ([1.0, 0.5, 4.0], [3.0, 0.5, 4.0]);
+        assert_eq!(((subject.value)(&sticks), (subject.value)(&slips)), (vec![1.0], vec![2.0]));
+        assert_eq!((subject.jacobian)(&slips), [0.0, 4.0, 0.5]);
+        assert_eq!((subject.linearized)(&slips), [vec![2.0], vec![0.0, 4.0, 0.5]]);
+        assert_eq!((subject.exact_value)(&exact(&slips)), exact(&[2.0]));
+        assert_eq!((subject.exact_jacobian)(&exact(&sticks)), exact(&[1.0, 0.0, 0.0]));
+        assert_eq!(subject.derivative(&exact(&slips)), exact(&[0.0, 4.0, 0.5]));
+        let second = subject.second_derivative(&exact(&slips));
+        assert_eq!(second, [[0.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]].map(|row| exact(&row)));
+        assert!((subject.check)(&slips).is_ok() && (subject.check)(&[1.0, -0.5, 4.0]).is_err());
+        assert_eq!((subject.placed)(&slips), slips);
+        assert_eq!((subject.cases)()[1].inputs, slips);
+    }
+
+    #[test]
+    fn the_kink_is_that_on_which_the_inputs_are() {
+        let subject = Subject::of::<ReturnMap>();
+        let at = |f_trial| subject.kink(&exact(&[f_trial, 0.5, 4.0]));
+        assert_eq!([1.0, 2.0, -2.0].map(at), [None, Some(Convention::Switch), Some(Convention::Switch)]);
+        let kink = &subject.kinks[0];
+        assert_eq!((&*kink.at, &*kink.across), ([2.0, 0.5, 4.0].as_slice(), [1.0, 0.0, 0.0].as_slice()));
+    }
+
+    #[test]
+    fn the_graph_of_a_search_does_not_tell() {
+        assert!(Subject::of::<ReturnMap>().telling_graph().is_ok());
+        let why = Subject::of::<ClosestParabolic>().telling_graph().expect_err("it is a search");
+        assert!(why.starts_with("the formula is an iterative search"), "{why}");
+    }
+}

@@ -114,4 +114,41 @@ mod tests {
         };
         assert_eq!(points(5), points(0) + 5);
     }
+
+    use crate::formula::Fields;
+    use crate::slot::{Contact, ContactForce, CrossForces};
+
+    fn read(latex: &str) -> Equation {
+        let renamed = [("a", "f2"), ("b", "f3"), ("F", "fc")];
+        Equation::read(latex, &renamed, CrossForces::<f64>::FIELDS, Contact::<f64>::FIELDS).expect("it can be read")
+    }
+
+    /// What is off at one point in many is found there, and elsewhere nothing is.
+    #[test]
+    fn an_equation_is_compared_at_every_point() {
+        let trial = Trial::of::<ContactForce>(&Options { samples: 3, seed: 1 });
+        let right = trial.compare(&read(r"F = \sqrt{a^2 + b^2}"));
+        assert_eq!((right.checks, right.failures), (trial.points.len(), 0));
+        let on_kink =
+            read(r"F = \begin{cases} \sqrt{a^2 + b^2} & a \ne 0 \\ \sqrt{a^2 + b^2} + 1 & \text{otherwise}\end{cases}");
+        let compared = trial.compare(&on_kink);
+        let there = trial.points.iter().filter(|point| point.inputs[0] == 0.0).count();
+        assert_eq!((compared.checks, compared.failures, there > 0), (trial.points.len(), there, true));
+        let first = trial.first_difference(&on_kink).expect("there is one");
+        let point = trial.points.iter().find(|point| point.inputs[0] == 0.0).expect("it was counted");
+        assert_eq!((&first.point, first.entry.as_str()), (&point.label, "fc"));
+        assert_eq!((first.found - first.expected, &first.inputs["f2"]), (1.0, &0.0.into()));
+        assert_eq!(trial.first_difference(&read(r"F = \sqrt{a^2 + b^2}")), None);
+    }
+
+    /// Random points come first, since those in general position tell most.
+    #[test]
+    fn what_is_known_of_a_point_is_exact() {
+        let trial = Trial::of::<ContactForce>(&Options { samples: 1, seed: 1 });
+        assert_eq!(trial.points[0].label, "random 0 of seed 1");
+        let point = trial.points.iter().find(|point| point.inputs == [3.0, 4.0]).expect("it is a case");
+        assert_eq!((point.values[0], point.on_kink), (5.0.into(), false));
+        assert!((point.sizes[0].size().to_f64() - 5.0).abs() < 1e-15, "{:?}", point.sizes);
+        assert!(trial.points.iter().any(|point| point.on_kink && point.inputs == [0.0, 0.0]));
+    }
 }

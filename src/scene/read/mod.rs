@@ -127,7 +127,6 @@ fn scene(reader: &mut Reader, folder: Option<&Path>) -> Read<Option<Scene>> {
 fn belongs(reader: &mut Reader, lines: usize, dimension: Dimension) -> bool {
     let belong = dimension == Dimension::Axisymmetric;
     if !belong {
-        reader.go(lines);
         reader.below("slide_lines", |reader| reader.fault(lines, "slide lines", "none but in an axisymmetric scene"));
     }
     belong

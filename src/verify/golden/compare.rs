@@ -103,3 +103,70 @@ impl fmt::Display for Difference {
         self.ulps.map_or(Ok(()), |ulps| write!(f, " ({ulps} ulp apart)"))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::slot::ContactForce;
+    use crate::verify::golden;
+    use serde_json::json;
+
+    #[test]
+    fn doubles_between_two_are_counted_through_zero() {
+        let tiny = f64::from_bits(1);
+        for (a, b, expected) in [
+            (1.0, 1.0, 0),
+            (1.0, 1.0_f64.next_up(), 1),
+            (-1.0, (-1.0_f64).next_up().next_up(), 2),
+            (-tiny, tiny, 2),
+            (0.0, -0.0, 0),
+            (0.0, 1.0, 1.0_f64.to_bits()),
+            (-1.0, 1.0, 2 * 1.0_f64.to_bits()),
+        ] {
+            assert_eq!((ulps(a, b), ulps(b, a)), (expected, expected), "{a} and {b}");
+        }
+    }
+
+    fn differences(committed: &Value, now: &Value) -> Vec<String> {
+        let mut all = Vec::new();
+        compare_values("a", "", committed, now, &mut all);
+        all.iter().map(ToString::to_string).collect()
+    }
+
+    #[test]
+    fn a_difference_says_where_it_is_and_how_large() {
+        let committed = json!({"out": {"f": [1.0, 2.0]}, "only": 1, "zero": -0.0, "list": [1]});
+        let now = json!({"out": {"f": [1.0, 2.0_f64.next_up()]}, "zero": 0.0, "list": [1, 2], "new": "so"});
+        let expected = [
+            "case a, list: committed [1], computed [1,2]",
+            "case a, new: committed null, computed \"so\"",
+            "case a, only: committed 1, computed null",
+            "case a, out.f[1]: committed 2.0, computed 2.0000000000000004 (1 ulp apart)",
+            "case a, zero: committed -0.0, computed 0.0 (0 ulp apart)",
+        ];
+        assert_eq!(differences(&committed, &now), expected);
+        assert_eq!(differences(&now, &now), [""; 0]);
+    }
+
+    #[test]
+    fn cases_that_are_in_one_file_alone_are_named() {
+        let file = golden::file::<ContactForce>();
+        let [mut now, mut committed] = [file.clone(), file.clone()];
+        now.cases.truncate(3);
+        committed.cases.drain(..1);
+        committed.cases.truncate(3);
+        committed.cases[0].comment = "another".into();
+        let ids: Vec<_> = file.cases.iter().map(|case| case.id.as_str()).collect();
+        let [first, changed, last] = [ids[0], ids[1], ids[3]];
+        let found: Vec<_> = now.differences(&committed).iter().map(ToString::to_string).collect();
+        assert_eq!(found.len(), 3);
+        assert_eq!(found[0], format!("case {first}: committed absent, computed present"));
+        assert!(
+            found[1].starts_with(&format!("case {changed}, comment: committed \"another\", computed ")),
+            "{}",
+            found[1]
+        );
+        assert_eq!(found[2], format!("case {last}: committed present, computed absent"));
+        assert_eq!(file.differences(&file), []);
+    }
+}

@@ -181,3 +181,29 @@ impl File {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::slot::ContactForce;
+    use crate::verify::golden;
+
+    #[test]
+    fn a_file_ends_with_a_line_and_reads_back() {
+        let file = golden::file::<ContactForce>();
+        let text = file.render().unwrap();
+        assert!(text.starts_with("{\n  \"schema\": \"schema.json\",\n") && text.ends_with("\n}\n"));
+        assert_eq!(File::parse(&text).unwrap(), file);
+        let other = text.replace(&format!("\"layout\": {LAYOUT}"), "\"layout\": 7");
+        assert_eq!(File::parse(&other).unwrap_err().to_string(), "layout 7; this version reads layout 2");
+        assert!(File::parse(&text.replace("\"title\"", "\"name\"")).is_err());
+    }
+
+    #[test]
+    fn provenance_has_its_reason() {
+        let of = |provenance: formula::Provenance| serde_json::to_string(&Provenance::from(provenance)).unwrap();
+        assert_eq!(of(crate::formula::Provenance::Printed), "{\"kind\":\"printed\"}");
+        let ours = of(crate::formula::Provenance::Ours("no page has it"));
+        assert_eq!(ours, "{\"kind\":\"ours\",\"why\":\"no page has it\"}");
+    }
+}

@@ -64,3 +64,40 @@ impl serde_json::ser::Formatter for Layout {
         writer.write_all(b": ")
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde::Serialize;
+    use serde_json::json;
+
+    /// The root, its lists, and the cases are opened; what is below, and a list of numbers, are not.
+    #[test]
+    fn each_field_of_a_case_has_a_line() {
+        let value = json!({
+            "a": [1, 2],
+            "cases": [{"in": {"x": [1, 2], "y": {"z": 3, "w": [4]}}, "id": "b"}, {"id": "c"}],
+        });
+        let mut text = Vec::new();
+        value.serialize(&mut serde_json::Serializer::with_formatter(&mut text, Layout::default())).unwrap();
+        let expected = r#"{
+  "a": [
+    1,
+    2
+  ],
+  "cases": [
+    {
+      "in": {
+        "x": [1, 2],
+        "y": {"z": 3, "w": [4]}
+      },
+      "id": "b"
+    },
+    {
+      "id": "c"
+    }
+  ]
+}"#;
+        assert_eq!(String::from_utf8(text).unwrap(), expected);
+    }
+}

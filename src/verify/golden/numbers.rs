@@ -122,3 +122,94 @@ pub(in crate::verify) fn number(x: f64) -> Value {
         Value::Number,
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantity::{F2, K_U1_U1_PLANE, MU, XA, XB_PLANE};
+    use serde_json::json;
+
+    #[test]
+    fn scales_are_rounded_up_to_four_digits() {
+        for (scale, expected) in [
+            (0.0, 0.0),
+            (1.0, 1.0),
+            (12.345, 12.35),
+            (12.3401, 12.35),
+            (12.34, 12.34),
+            // What rounding left above four digits is not rounded up.
+            (12.340_000_000_000_002, 12.34),
+            (12.340_000_001, 12.35),
+            (9999.5, 10000.0),
+            (9.9991e-7, 1e-6),
+            (1.2346e-20, 1.235e-20),
+            (6.78949e22, 6.79e22),
+        ] {
+            assert_eq!(four_digits_up(scale), expected, "{scale}");
+        }
+        // Of twelve digits a part in 2⁴⁰ is the last one.
+        assert_eq!(four_digits_up(2.0 * (1.0 + 1.5 * 2.0_f64.powi(-41))), 2.0);
+        assert_eq!(four_digits_up(2.0 * (1.0 + 2.0_f64.powi(-39))), 2.001);
+    }
+
+    const FIELDS: [Field; 3] = [Field::new("mu", &MU), Field::new("xa", &XA), Field::new("k", &K_U1_U1_PLANE)];
+
+    #[test]
+    fn numbers_have_names_and_shapes() {
+        let components = [0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
+        let named = named(&FIELDS, &components);
+        let expected = json!({"mu": 0.5, "xa": [1.0, 2.0, 3.0], "k": [[4.0, 5.0], [6.0, 7.0]]});
+        assert_eq!(Value::from(named.clone()), expected);
+        assert_eq!(super::components(&FIELDS, &named).unwrap(), components);
+    }
+
+    /// Rows of outputs, columns of inputs: nested by the shape of the output and within it by that of the input.
+    #[test]
+    fn entries_of_a_jacobian_are_nested_by_both_shapes() {
+        let [inputs, outputs] =
+            [[Field::new("x", &XB_PLANE), Field::new("mu", &MU)], [Field::new("f", &F2), Field::new("g", &XB_PLANE)]];
+        let entries: Vec<_> = (1..=9).map(f64::from).collect();
+        let expected = json!({
+            "f": {"x": [1.0, 2.0], "mu": 3.0},
+            "g": {"x": [[4.0, 5.0], [7.0, 8.0]], "mu": [6.0, 9.0]},
+        });
+        assert_eq!(Value::from(named_jacobian(&outputs, &inputs, &entries)), expected);
+    }
+
+    #[test]
+    fn what_is_missing_unknown_or_of_another_shape_is_named() {
+        let refused = |changed: &str, value: Option<Value>| {
+            let mut inputs = named(&FIELDS, &[1.0; 8]);
+            match value {
+                Some(value) => drop(inputs.insert(changed.into(), value)),
+                None => drop(inputs.remove(changed)),
+            }
+            components(&FIELDS, &inputs).unwrap_err().to_string()
+        };
+        for (found, expected) in [
+            (refused("nu", Some(json!(1))), "nu is no input; allowed is mu, xa, k"),
+            (refused("mu", None), "mu is missing; allowed is a number"),
+            (refused("mu", Some(json!("much"))), "mu is \"much\"; allowed is a number"),
+            (refused("xa", Some(json!([1.0, 2.0]))), "xa is [1.0,2.0]; allowed is an array of 3 numbers"),
+            (refused("xa", Some(json!([1, "b", 3]))), "xa is [1,\"b\",3]; allowed is an array of 3 numbers"),
+            (refused("k", Some(json!([1, 2]))), "k is [1,2]; allowed is an array of 2 rows of 2 numbers"),
+        ] {
+            assert_eq!(found, expected);
+        }
+    }
+
+    #[test]
+    fn what_json_has_no_number_for_is_a_word() {
+        for (x, expected) in [
+            (f64::NAN, json!("NaN")),
+            (f64::INFINITY, json!("Infinity")),
+            (f64::NEG_INFINITY, json!("-Infinity")),
+            (-0.5, json!(-0.5)),
+        ] {
+            assert_eq!(number(x), expected);
+            assert_eq!(double(&expected).map(f64::to_bits), Some(x.to_bits()));
+        }
+        assert_eq!(double(&json!("infinity")), None);
+        assert_eq!(double(&json!(7)), Some(7.0));
+    }
+}

@@ -45,8 +45,23 @@ fn verify_is_told_whether_anything_is_wrong() {
             link(&format!("golden/{}", file.to_str().unwrap()));
         }
     }
-    let part =
-        Project::new("jointproof", env!("CARGO_MANIFEST_DIR"), CATALOG).in_folder(folder.path().to_str().unwrap());
+    let told = std::process::Command::new(std::env::current_exe().unwrap())
+        .args(["--exact", "statements::tests::what_is_wrong_is_said", "--nocapture"])
+        .env(FOLDER, folder.path())
+        .output()
+        .unwrap();
+    let said = String::from_utf8_lossy(&told.stderr).into_owned();
+    assert!(told.status.success() && said.contains("slot.stop"), "{said}");
+}
+
+/// Where a project stands in which something is wrong.
+const FOLDER: &str = "JOINTPROOF_WRONG_STATEMENTS";
+
+/// What the test before runs by itself, to read what is said to people.
+#[test]
+fn what_is_wrong_is_said() {
+    let Ok(folder) = std::env::var(FOLDER) else { return };
+    let part = Project::new("jointproof", env!("CARGO_MANIFEST_DIR"), CATALOG).in_folder(&folder);
     assert!(!super::verify(&part).unwrap().0);
 }
 

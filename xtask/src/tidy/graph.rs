@@ -68,7 +68,7 @@ impl<N: Copy + Ord> Graph<N> {
     /// The shortest circle through the use of `to` by `from`, beginning at its least node.
     fn circle(&self, from: N, to: N) -> Option<Vec<N>> {
         let mut back = self.way(to, from)?;
-        let least = back.iter().enumerate().min_by_key(|(_, node)| **node).map_or(0, |(at, _)| at);
+        let (least, _) = back.iter().enumerate().min_by_key(|(_, node)| **node)?;
         back.rotate_left(least);
         Some(back)
     }
