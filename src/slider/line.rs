@@ -93,15 +93,12 @@ fields! {
 pub struct DirectionVariation;
 
 impl<D: Scalar> MovingEnds<D> {
+    /// The line, and how it varies.
     #[inline(always)]
-    fn line(&self) -> Direction<D> {
-        Line::eval(&Ends { x1: self.x1, xn: self.xn })
-    }
-
-    #[inline(always)]
-    fn change(&self, Direction { n, l }: &Direction<D>) -> DirectionChange<D> {
+    fn variation(&self) -> (Direction<D>, DirectionChange<D>) {
+        let line @ Direction { n, l } = Line::eval(&Ends { x1: self.x1, xn: self.xn });
         let motion = self.dxn - self.dx1;
-        DirectionChange { dn: n.cross(&motion.cross(n)) / *l, dl: n.dot(&motion) }
+        (line, DirectionChange { dn: n.cross(&motion.cross(&n)) / l, dl: n.dot(&motion) })
     }
 }
 
@@ -124,7 +121,7 @@ impl Formula for DirectionVariation {
 
     #[inline]
     fn eval<D: Scalar>(i: &MovingEnds<D>) -> DirectionChange<D> {
-        i.change(&i.line())
+        i.variation().1
     }
 
     /// ∂dn/∂dxn = (I − n nᵀ)/l and ∂dn/∂xn = −(dn nᵀ + n dnᵀ + (dl/l)(I − n nᵀ))/l, symmetric matrices both.
@@ -135,9 +132,7 @@ impl Formula for DirectionVariation {
 
     #[inline(always)]
     fn linearized<D: Scalar>(i: &MovingEnds<D>) -> ValueAndJacobian<Self, D> {
-        let line = i.line();
-        let change = i.change(&line);
-        let (Direction { n, l }, DirectionChange { dn, dl }) = (line, change);
+        let (Direction { n, l }, change @ DirectionChange { dn, dl }) = i.variation();
         let per = l.recip();
         let (turn, outer) = (across(&n) * per, dn * n.transpose());
         let bend = (outer + outer.transpose() + turn * dl) * -per;
