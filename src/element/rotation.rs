@@ -11,8 +11,6 @@
 //! from the right, a stiffness K becomes Tᵀ K T + ∂(Tᵀ m)/∂ψ; with Euler parameters likewise. Both are what the Jacobians here
 //! hold: Tᵀ by m, the other term by ψ. At a whole turn, |ψ| = 2π, T is singular: a program changes ψ by a whole turn before.
 
-#![expect(clippy::inline_always, reason = "value and derivatives share the functions of ψ where they are one piece")]
-
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 mod stumpff;
@@ -44,7 +42,7 @@ fields! {
 pub struct RotationVector;
 
 impl<D: Scalar> TurnedLoad<D> {
-    #[inline(always)]
+    #[inline]
     fn moment(&self, Stumpff { c1, c2, c3 }: &Stumpff<D>) -> RotationVectorMoment<D> {
         let Self { psi, m } = self;
         RotationVectorMoment { m_psi: m * *c1 - psi.cross(m) * *c2 + psi * (psi.dot(m) * *c3) }
@@ -71,7 +69,7 @@ impl Formula for RotationVector {
         Self::linearized(i).1
     }
 
-    #[inline(always)]
+    #[inline]
     fn linearized<D: Scalar>(i: &TurnedLoad<D>) -> ValueAndJacobian<Self, D> {
         let TurnedLoad { psi, m } = i;
         let (functions, [slope2, slope3]) = Stumpff::new(psi.dot(psi));

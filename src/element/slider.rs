@@ -170,14 +170,14 @@ impl Formula for Rows {
     type Inputs<T: Component> = Nodes<T>;
     type Outputs<T: Component> = SliderRows<T>;
 
-    #[inline(always)]
+    #[inline]
     fn eval<D: Scalar>(i: &Nodes<D>) -> SliderRows<D> {
         let View { along, t: [t1, t2], .. } = View::new(&i.x1, &i.xn, &i.xm);
         let [on_1, on_n, _] = along.lever().map(|weight| weight.value);
         SliderRows { g1_u1: t1 * on_1, g1_un: t1 * on_n, g1_um: t1, g2_u1: t2 * on_1, g2_un: t2 * on_n, g2_um: t2 }
     }
 
-    #[inline(always)]
+    #[inline]
     fn jacobian<D: Scalar>(i: &Nodes<D>) -> Jacobian<Self, D> {
         let view = View::new(&i.x1, &i.xn, &i.xm);
         let (turning, [on_1, on_n, on_m]) = (view.turning(), view.along.lever());
@@ -297,7 +297,7 @@ impl Formula for Forces {
     type Inputs<T: Component> = SliderLoads<T>;
     type Outputs<T: Component> = SliderForces<T>;
 
-    #[inline(always)]
+    #[inline]
     fn eval<D: Scalar>(i: &SliderLoads<D>) -> SliderForces<D> {
         let view = i.view();
         let force = i.force(&view);
@@ -305,7 +305,7 @@ impl Formula for Forces {
         SliderForces { force_1: force * on_1, force_n: force * on_n, force_m: force }
     }
 
-    #[inline(always)]
+    #[inline]
     fn jacobian<D: Scalar>(i: &SliderLoads<D>) -> Jacobian<Self, D> {
         let view = i.view();
         let turning = view.turning();
@@ -357,7 +357,7 @@ impl Formula for GeometricStiffness {
     type Inputs<T: Component> = SliderLoads<T>;
     type Outputs<T: Component> = SliderStiffness<T>;
 
-    #[inline(always)]
+    #[inline]
     fn eval<D: Scalar>(i: &SliderLoads<D>) -> SliderStiffness<D> {
         let view = i.view();
         let p = i.turning(&view);
@@ -370,7 +370,7 @@ impl Formula for GeometricStiffness {
         }
     }
 
-    #[inline(always)]
+    #[inline]
     fn jacobian<D: Scalar>(i: &SliderLoads<D>) -> Jacobian<Self, D> {
         let view = i.view();
         let (along, turning) = (&view.along, view.turning());

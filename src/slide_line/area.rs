@@ -43,7 +43,7 @@ impl Formula for ContactAreaLinear {
     type Inputs<T: Component> = LinearNodes<T>;
     type Outputs<T: Component> = TwoAreas<T>;
 
-    #[inline(always)]
+    #[inline]
     fn eval<D: Scalar>(i: &LinearNodes<D>) -> TwoAreas<D> {
         let (length, _) = length_and_tangent(i.x2 - i.x1);
         let band = pi::<D>() * length;

@@ -58,7 +58,7 @@ impl Formula for SlipIncrementLinear {
     type Inputs<T: Component> = LinearMotion<T>;
     type Outputs<T: Component> = Slip<T>;
 
-    #[inline(always)]
+    #[inline]
     fn eval<D: Scalar>(i: &LinearMotion<D>) -> Slip<D> {
         let (_, t) = length_and_tangent(i.x2 - i.x1);
         Slip { dslip: t.dot(&Self::relative_motion(i)) }

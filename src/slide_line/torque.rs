@@ -45,7 +45,7 @@ impl Formula for TorqueLinear {
     type Inputs<T: Component> = LinearPressures<T>;
     type Outputs<T: Component> = Torque<T>;
 
-    #[inline(always)]
+    #[inline]
     fn eval<D: Scalar>(i: &LinearPressures<D>) -> Torque<D> {
         let (length, _) = length_and_tangent(i.x2 - i.x1);
         let (r1, r2) = (i.x1.x, i.x2.x);
