@@ -233,7 +233,7 @@ impl Graph {
     }
 
     /// The place of a result, which is entered where it is new.
-    pub(super) fn enter(&mut self, op: Op) -> Node {
+    pub(crate) fn enter(&mut self, op: Op) -> Node {
         if let Some(&node) = self.known.get(&op) {
             return node;
         }

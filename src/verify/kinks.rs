@@ -6,6 +6,8 @@
 mod candidate;
 mod coverage;
 mod jump;
+#[cfg(test)]
+mod planted;
 mod register;
 mod search;
 mod solve;

@@ -61,6 +61,7 @@ pub(in crate::verify) fn comparisons<'a>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::graph::Relation;
 
     #[test]
     fn the_least_count_is_of_a_side_that_is_taken() {
@@ -68,6 +69,25 @@ mod tests {
         let coverage = Coverage::of(&[taken("x < y", [3, 7]), taken("x = 0", [5, 0]), taken("y = 0", [0, 9])]);
         assert_eq!((coverage.comparisons, coverage.asked, coverage.least), (3, 24, 3));
         assert_eq!(coverage.never, ["x = 0: never so", "y = 0: never otherwise"]);
-        assert_eq!(Coverage::of(&[]).least, 0);
+        assert_eq!(Coverage::of(&[]), Coverage::default());
+        let alone = Coverage::of(&[taken("x < y", [0, 0])]);
+        assert_eq!((alone.asked, alone.least, alone.never), (0, 0, vec!["x < y: never asked".to_owned()]));
+    }
+
+    /// x < y, and y < 0 where it is not.
+    #[test]
+    fn a_comparison_is_counted_at_points_that_come_to_it() {
+        let mut graph = Graph::default();
+        let [x, y] = graph.inputs();
+        let zero = graph.number(0.0);
+        let [first, second] = [(x, y), (y, zero)].map(|(a, b)| graph.compare(Relation::Less, a, b));
+        let inner = graph.select(second, x, zero);
+        graph.value = vec![graph.select(first, y, inner)];
+        let names = ["x", "y"].map(str::to_owned);
+        let points: [&[f64]; 4] = [&[1.0, 2.0], &[3.0, 2.0], &[3.0, -2.0], &[4.0, 2.0]];
+        let counted = comparisons(&graph, &names, points.into_iter());
+        let shown: Vec<_> = counted.iter().map(|counted| (counted.words.as_str(), counted.counts)).collect();
+        assert_eq!(shown, [("x < y", [3, 1]), ("y < 0", [2, 1])]);
+        assert_eq!(comparisons(&Graph::default(), &names, points.into_iter()), []);
     }
 }

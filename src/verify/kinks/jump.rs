@@ -245,17 +245,4 @@ fn worst(jumps: Vec<Jump>) -> Jump {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::coulomb::Yield;
-    use crate::verify::exact;
-
-    #[test]
-    fn rounding_is_in_proportion_to_the_sizes_of_all_terms() {
-        let (subject, at) = (Subject::of::<Yield>(), exact(&[7.0, 0.5, 3.0]));
-        let beside = Neighbourhood::new(&subject, &at);
-        // P − μ F
-        let [p, mu, force] = [0, 1, 2].map(|input| beside.unit(input));
-        assert_eq!(beside.terms(), [p + mu * 3.0 + force * 0.5]);
-    }
-}
+mod tests;

@@ -252,3 +252,222 @@ fn eliminate<T: Number>(mut rows: Vec<Vec<T>>, part: f64) -> Option<Vec<T>> {
     }
     Some(solution)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::planted::Inputs;
+    use super::*;
+    use crate::formula::Fields;
+    use crate::graph::Binary::{Add, Multiply, Subtract};
+    use crate::graph::{Relation, Unary};
+
+    /// A number of x, y and c, and what it is to be equal to.
+    type Equation = fn(&mut Graph, [Node; 3]) -> (Node, Other);
+
+    /// Asks the solver of these equations.
+    fn solved<T>(equations: &[Equation], ask: impl FnOnce(&Solver<'_>) -> T) -> T {
+        let mut graph = Graph::default();
+        let inputs = graph.inputs();
+        let pairs = equations.iter().map(|equation| equation(&mut graph, inputs)).collect();
+        let candidate = Candidate { node: inputs[0], words: String::new(), pairs, negative: None };
+        ask(&Solver::new(&graph, Inputs::<f64>::FIELDS, &candidate))
+    }
+
+    /// Inputs near a start.
+    fn near(equations: &[Equation], start: [f64; 3], is_met: fn(&[f64]) -> bool) -> Option<Vec<f64>> {
+        solved(equations, |solver| solver.near(&start, |at| is_met(&rounded(at))).map(|at| rounded(&at)))
+    }
+
+    /// A sum of x, y and c with these factors.
+    fn sum(graph: &mut Graph, inputs: [Node; 3], factors: [f64; 3]) -> Node {
+        let mut sum = graph.number(0.0);
+        for (input, factor) in inputs.into_iter().zip(factors).filter(|(_, factor)| *factor != 0.0) {
+            let factor = graph.number(factor);
+            let term = graph.binary(Multiply, factor, input);
+            sum = graph.binary(Add, sum, term);
+        }
+        sum
+    }
+
+    #[test]
+    fn a_number_is_to_be_another_one_or_the_power_of_two_above_it() {
+        let [x] = Graph::default().inputs();
+        assert_eq!((goal(3.0, &Other::Number(2.0)), goal(3.0, &Other::Node(x))), (Ok(2.0), Err(x)));
+        assert_eq!([3.0, 4.0, 0.75].map(|value| goal(value, &Other::PowerOfTwo)), [Ok(4.0), Ok(8.0), Ok(1.0)]);
+    }
+
+    #[test]
+    fn gaps_are_in_units_of_the_inputs_and_of_their_terms() {
+        let product: Equation = |graph, [x, _, c]| (graph.binary(Multiply, x, c), Other::Number(4.0));
+        let other: Equation = |graph, [x, y, c]| (graph.binary(Multiply, x, c), Other::Node(y));
+        let power: Equation = |graph, [x, _, c]| (graph.binary(Multiply, c, x), Other::PowerOfTwo);
+        let shown = |start: [f64; 3]| {
+            solved(&[product, other, power], |solver| {
+                let goals = solver.goals(&start);
+                let sizes = rounded(&solver.sizes(&exact(&start)));
+                let gaps = solver.gaps(&start, &sizes, &goals);
+                let gaps = gaps.into_iter().map(|gap| (gap.residual, gap.gradient, gap.scale)).collect::<Vec<_>>();
+                (goals, gaps)
+            })
+        };
+        let (goals, gaps) = shown([2.0, 3.0, 5.0]);
+        assert_eq!(goals, [Some(4.0), None, Some(16.0)]);
+        assert_eq!(gaps[0], (6.0, vec![10.0, 0.0, 10.0], 10.0 + 4.0 + 20.0));
+        assert_eq!(gaps[1], (7.0, vec![10.0, -3.0, 10.0], 10.0 + 3.0 + 23.0));
+        assert_eq!(gaps[2], (-6.0, vec![10.0, 0.0, 10.0], 10.0 + 16.0 + 20.0));
+        let (_, gaps) = shown([-2.0, 3.0, 5.0]);
+        assert_eq!(gaps[1], (-13.0, vec![10.0, -3.0, -10.0], 10.0 + 3.0 + 23.0));
+    }
+
+    #[test]
+    fn one_component_changes_that_moves_the_number_most() {
+        let equation: Equation = |graph, inputs| (sum(graph, inputs, [1.0, 2.0, 4.0]), Other::Number(11.0));
+        let near = |is_met| near(&[equation], [1.0, 1.0, 1.0], is_met);
+        assert_eq!(near(|_| true), Some(vec![1.0, 1.0, 2.0]));
+        assert_eq!(near(|at| at[2] == 1.0), Some(vec![1.0, 3.0, 1.0]));
+        // A third one is not tried.
+        assert_eq!(near(|at| at[0] != 1.0), None);
+    }
+
+    #[test]
+    fn of_several_equations_each_has_its_own_component() {
+        let first: Equation = |graph, inputs| (sum(graph, inputs, [1.0, 1.0, 4.0]), Other::Number(10.0));
+        let second: Equation = |_, [.., c]| (c, Other::Number(2.0));
+        let near_ones = |is_met| near(&[first, second], [1.0, 1.0, 1.0], is_met);
+        assert_eq!(near_ones(|_| true), Some(vec![1.0, 1.0, 2.0]));
+        // c moves both, though it moves the first most.
+        let near_others = |is_met| near(&[first, second], [2.0, 1.0, 1.0], is_met);
+        assert_eq!(near_others(|_| true), Some(vec![1.0, 1.0, 2.0]));
+        // Where that will not do, all of them change by little.
+        let all = near_others(|at| at[1] != 1.0).expect("a solution");
+        assert_eq!((all[0] + all[1], all[2]), (2.0, 2.0));
+        assert!((all[0] - 1.2).abs() < 1e-12 && (all[1] - 0.8).abs() < 1e-12, "{all:?}");
+    }
+
+    #[test]
+    fn a_component_that_another_equation_has_taken_is_left_to_it() {
+        let first: Equation = |graph, inputs| (sum(graph, inputs, [4.0, 1.0, 2.0]), Other::Number(15.0));
+        let second: Equation = |graph, inputs| (sum(graph, inputs, [4.0, 1.0, -2.0]), Other::Number(7.0));
+        assert_eq!(near(&[first, second], [1.0, 1.0, 1.0], |_| true), Some(vec![2.5, 1.0, 2.0]));
+    }
+
+    #[test]
+    fn what_is_no_double_has_all_its_digits_and_what_is_one_no_more() {
+        let third: Equation = |graph, inputs| (sum(graph, inputs, [3.0, 0.0, 0.0]), Other::Number(1.0));
+        let at = solved(&[third], |solver| solver.near(&[1.0, 1.0, 1.0], |_| true)).expect("a solution");
+        assert!(abs(at[0] * 3.0 - 1.0) < 1e-62 && at[0] != Octuple::from(at[0].to_f64()), "{at:?}");
+        assert_eq!(rounded(&at[1..]), [1.0, 1.0]);
+        for start in [1.0, 2.0, 5.0, 100.0] {
+            let cube: Equation = |graph, [x, ..]| {
+                let square = graph.binary(Multiply, x, x);
+                (graph.binary(Multiply, square, x), Other::Number(27.0))
+            };
+            let at = solved(&[cube], |solver| solver.near(&[start, 1.0, 1.0], |_| true)).expect("a solution");
+            assert_eq!(at, exact(&[3.0, 1.0, 1.0]), "from {start}");
+        }
+    }
+
+    #[test]
+    fn what_is_left_of_a_number_that_vanishes_is_nothing() {
+        for start in [1.0, 0.3, -1.0] {
+            let equation: Equation = |graph, [x, ..]| {
+                let exponential = graph.unary(Unary::ExponentialMinusOne, x);
+                let tenths = sum(graph, [exponential; 3], [0.1, 0.7, 0.0]);
+                (tenths, Other::Number(0.0))
+            };
+            let at = solved(&[equation], |solver| solver.near(&[start, 1.0, 1.0], |_| true));
+            assert_eq!(at, Some(exact(&[0.0, 1.0, 1.0])), "from {start}");
+        }
+    }
+
+    #[test]
+    fn where_nothing_solves_an_equation_nothing_is_found() {
+        let square: Equation = |graph, [x, ..]| (graph.binary(Multiply, x, x), Other::Number(-1.0));
+        let root: Equation = |graph, [x, ..]| (graph.unary(Unary::Root, x), Other::Number(-1.0));
+        let flat: Equation = |graph, _| (graph.number(2.0), Other::Number(1.0));
+        let contrary: Equation = |_, [x, ..]| (x, Other::Number(1.0));
+        let other: Equation = |_, [x, ..]| (x, Other::Number(2.0));
+        for equations in [&[square][..], &[root], &[flat], &[contrary, other]] {
+            assert_eq!(near(equations, [1.0, 1.0, 1.0], |_| true), None);
+        }
+        let both = near(&[contrary, contrary], [3.0, 1.0, 1.0], |_| true);
+        assert_eq!(both, Some(vec![1.0, 1.0, 1.0]));
+    }
+
+    #[test]
+    fn a_point_is_on_a_candidate_exactly_and_on_its_side() {
+        let mut graph = Graph::default();
+        let [x, y, c] = graph.inputs();
+        let below = graph.binary(Subtract, y, c);
+        let pairs = vec![(x, Other::Number(2.0))];
+        let is_on = |negative, point: [f64; 3]| {
+            let candidate = Candidate { node: x, words: String::new(), pairs: pairs.clone(), negative };
+            Solver::new(&graph, Inputs::<f64>::FIELDS, &candidate).is_on(&point)
+        };
+        assert!(is_on(None, [2.0, 1.0, 1.0]) && !is_on(None, [2.0_f64.next_up(), 1.0, 1.0]));
+        assert!(is_on(Some(below), [2.0, 1.0, 3.0]) && !is_on(Some(below), [3.0, 1.0, 3.0]));
+        assert!(!is_on(Some(below), [2.0, 1.0, 1.0]) && !is_on(Some(below), [2.0, 2.0, 1.0]));
+    }
+
+    #[test]
+    fn between_points_on_different_sides_there_is_one_on_none() {
+        let between = |equation: Equation, starts: &[[f64; 3]], is_met: fn(&[f64]) -> bool| {
+            let starts: Vec<_> = starts.iter().map(|start| start.to_vec()).collect();
+            solved(&[equation], |solver| solver.between(&starts, |at| is_met(&rounded(at))).map(|at| rounded(&at)))
+        };
+        let one: Equation = |_, [x, ..]| (x, Other::Number(1.0));
+        // One that is on it itself is on no side.
+        let starts = [[1.0, 9.0, 1.0], [4.0, 4.0, 1.0], [0.0, 0.0, 1.0], [8.0, 1.0, 1.0], [-8.0, 1.0, 1.0]];
+        let found = between(one, &starts, |_| true).expect("one is between");
+        assert!(found[0] == 1.0 && (found[1] - 1.0).abs() < 1e-15 && found[2] == 1.0, "{found:?}");
+        assert_eq!(between(one, &starts, |at| at[1] > 3.0), None);
+        assert_eq!(between(one, &starts[..2], |_| true), None);
+        assert_eq!(between(one, &starts[2..3], |_| true), None);
+        let other: Equation = |_, [x, y, _]| (x, Other::Node(y));
+        let found = between(other, &[[0.0, 2.0, 1.0], [8.0, 2.0, 1.0]], |_| true).expect("one is between");
+        assert!(found[0] == found[1] && (found[1] - 2.0).abs() < 1e-15, "{found:?}");
+        // Neither of these comes there by itself.
+        let flat: Equation = |graph, [x, ..]| {
+            let [one, three] = [1.0, 3.0].map(|c| graph.number(c));
+            let [is_low, is_inside] = [one, three].map(|end| graph.compare(Relation::Less, x, end));
+            let upper = graph.select(is_inside, x, three);
+            (graph.select(is_low, one, upper), Other::Number(2.0))
+        };
+        let starts = [[0.0, 1.0, 1.0], [8.0, 1.0, 1.0]];
+        assert_eq!(starts.map(|start| near(&[flat], start, |_| true)), [None, None]);
+        assert_eq!(between(flat, &starts, |_| true), Some(vec![2.0, 1.0, 1.0]));
+    }
+
+    #[test]
+    fn the_smallest_changes_close_all_gaps() {
+        let gap = |residual: f64, gradient: [f64; 3]| Gap { residual, gradient: gradient.into(), scale: 1.0 };
+        assert_eq!(least_change(&[gap(25.0, [3.0, 9.0, -4.0])], &[0, 2], 0.0), Some(vec![3.0, -4.0]));
+        assert_eq!(least_change(&[gap(10.0, [3.0, 9.0, -4.0])], &[2], 0.0), Some(vec![-2.5]));
+        let two = [gap(2.0, [1.0, 1.0, 0.0]), gap(3.0, [0.0, 1.0, 1.0])];
+        let changes = least_change(&two, &[0, 1, 2], 1e-12).expect("they are independent");
+        let expected = [1.0 / 3.0, 5.0 / 3.0, 4.0 / 3.0];
+        assert!(changes.iter().zip(expected).all(|(found, expected)| (found - expected).abs() < 1e-14), "{changes:?}");
+        // The same equation twice, and one that nothing changes.
+        let same = [gap(2.0, [1.0, 0.0, 1.0]), gap(2.0, [1.0, 0.0, 1.0])];
+        let changes = least_change(&same, &[0, 2], 1e-12).expect("a little is added");
+        assert!(changes.iter().all(|change| (change - 1.0).abs() < 1e-9), "{changes:?}");
+        assert_eq!(least_change(&[gap(1.0, [0.0; 3])], &[0, 1, 2], 1e-12), None);
+    }
+
+    #[test]
+    fn a_matrix_is_eliminated_while_its_pivots_are_sound() {
+        let three = vec![vec![4.0, 2.0, 2.0, 8.0], vec![2.0, 5.0, 3.0, 10.0], vec![2.0, 3.0, 6.0, 4.0]];
+        let solution = eliminate(three.clone(), 0.0).expect("it is positive");
+        for row in &three {
+            let left: f64 = row.iter().zip(&solution).map(|(entry, x)| entry * x).sum();
+            assert!((left - row[3]).abs() < 1e-14, "{solution:?}");
+        }
+        // The second pivot is half of what it was.
+        let half = |part| eliminate(vec![vec![4.0, 2.0, 8.0], vec![2.0, 2.0, 6.0]], part);
+        assert_eq!((half(0.49), half(0.5)), (Some(vec![1.0, 2.0]), None));
+        assert_eq!(
+            (eliminate(vec![vec![2.0, 6.0]], 0.0), eliminate(vec![vec![0.0, 6.0]], 0.0)),
+            (Some(vec![3.0]), None)
+        );
+    }
+}
