@@ -111,7 +111,7 @@ fn an_absolute_value_jumps_by_all_of_its_derivative() {
             vec![Octuple::one(), zero, zero, if i[0] > 0.0 { -Octuple::one() } else { Octuple::one() }, zero, zero]
         },
     );
-    assert_eq!((a.size, a.output, b.output, b.sides.map(|side| side.to_f64())), (0.0, 0, 1, [1.0, -1.0]));
+    assert_eq!((a.size, a.output, b.output, b.sides.map(Octuple::to_f64)), (0.0, 0, 1, [1.0, -1.0]));
     // x is as large as c is. Beside 2 there is the closed form at the point.
     assert_eq!(b.size, 2.0 / (2.0 + 1.0));
 }
@@ -122,7 +122,7 @@ fn a_jump_is_relative_to_derivatives_value_and_terms() {
     let value: Function = |i| vec![if i[0] > 0.0 { i[0] * 3.0 } else { -i[0] } - 5.0, Octuple::zero()];
     let jacobian: Function = |i| exact(&[if i[0] > 0.0 { 3.0 } else { -1.0 }, -7.0, 0.0, 0.0, 0.0, 0.0]);
     let [a, b] = at_zero(value, jacobian);
-    assert_eq!(a.sides.map(|side| side.to_f64()), [-1.0, 3.0]);
+    assert_eq!(a.sides.map(Octuple::to_f64), [-1.0, 3.0]);
     let terms = 1.0 + 7.0;
     assert!((a.size - 4.0 / (1.0 + 3.0 + 5.0 + terms)).abs() < 1e-11, "{a:?}");
     assert_eq!((b.size, b.output), (0.0, 1));
@@ -183,7 +183,7 @@ fn derivatives_along_two_directions_add_up_where_there_is_one() {
         Neighbourhood::new(&subject, &at).additive([&[1.0, 0.0, 0.0], &[0.0, 1.0, 0.0]])
     };
     let apex = additive([0.0, 0.0, 1.0]);
-    assert_eq!((apex.output, apex.sides.map(|side| side.to_f64())), (0, [2.0, 1.0]));
+    assert_eq!((apex.output, apex.sides.map(Octuple::to_f64)), (0, [2.0, 1.0]));
     // 1 of the sum of both and what x does.
     assert_eq!(apex.size, 1.0 / (2.0 + 1.0 + 1.0));
     assert!(additive([1.0, 2.0, 1.0]).is_smooth());
