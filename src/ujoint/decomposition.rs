@@ -70,15 +70,15 @@ impl<D: Scalar> Parts<D> {
         }
     }
 
-    /// The same with the right signs.
+    /// The same with the right signs. What is small within the choice is compiled in its place.
     #[inline(always)]
     fn value(&self, i: &CrossLoads<D>) -> CrossForces<D> {
+        let (rough, rounding) = (self.decomposed(i), i.rounding());
         let [f_axial1, f_axial3, f_bend] = choice(|| {
-            let rough = self.decomposed(i);
-            let lost = i.doubtful(&rough);
+            let lost = rough.below(&rounding);
             let is_lost = lost.f_axial1 | lost.f_axial3 | lost.f_bend;
             let is_settled = is_lost && D::has_extremes();
-            let CrossForces { f_axial1, f_axial3, f_bend } = if is_settled { i.settled(rough) } else { rough };
+            let CrossForces { f_axial1, f_axial3, f_bend } = if is_settled { i.settled(rough, lost) } else { rough };
             [f_axial1, f_axial3, f_bend].map(|force| number_if(is_settled || !is_lost, force))
         });
         CrossForces { f_axial1, f_axial3, f_bend }
@@ -121,24 +121,32 @@ impl<D: Scalar> Parts<D> {
     }
 }
 
-/// The rounding error of [`Parts::decomposed`] is below this part of the sum of the sizes of all products.
-const fn rounding<L: Leaf>() -> f64 {
-    4.0 * L::EPSILON
-}
-
 impl<D: Scalar> CrossLoads<D> {
-    /// Which of them rounding may have given their sign.
-    #[inline]
-    fn doubtful(&self, rough: &CrossForces<D>) -> CrossForces<bool> {
+    /// What the rounding errors of [`Parts::decomposed`] are below: four units of the sums of the sizes of all products.
+    #[inline(always)]
+    fn rounding(&self) -> CrossForces<D::Leaf> {
         let size = |v: &Vector3<D>| abs(leaf(v.x)) + abs(leaf(v.y)) + abs(leaf(v.z));
         let (e1a, e3b) = (size(&self.e1a), size(&self.e3b));
         let beside = size(&self.e2a) * abs(leaf(self.f2)) + size(&self.e3a) * abs(leaf(self.f3));
         let force = e1a * abs(leaf(self.f1)) + beside;
-        let is_lost = |x: D, size: D::Leaf| abs(leaf(x)) < size * rounding::<D::Leaf>();
+        let rounding = |size: D::Leaf| size * (4.0 * D::Leaf::EPSILON);
         CrossForces {
-            f_axial1: is_lost(rough.f_axial1, force * e1a),
-            f_axial3: is_lost(rough.f_axial3, force * e3b),
-            f_bend: is_lost(rough.f_bend, beside * (e1a * e3b)),
+            f_axial1: rounding(force * e1a),
+            f_axial3: rounding(force * e3b),
+            f_bend: rounding(beside * (e1a * e3b)),
+        }
+    }
+}
+
+impl<D: Scalar> CrossForces<D> {
+    /// Which of them rounding may have given their sign.
+    #[inline(always)]
+    fn below(&self, rounding: &CrossForces<D::Leaf>) -> CrossForces<bool> {
+        let is_below = |x: D, rounding: D::Leaf| abs(leaf(x)) < rounding;
+        CrossForces {
+            f_axial1: is_below(self.f_axial1, rounding.f_axial1),
+            f_axial3: is_below(self.f_axial3, rounding.f_axial3),
+            f_bend: is_below(self.f_bend, rounding.f_bend),
         }
     }
 }

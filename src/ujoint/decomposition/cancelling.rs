@@ -15,10 +15,9 @@ const fn rounding_of_pairs<L: Leaf>() -> f64 {
 }
 
 impl<D: Scalar> CrossLoads<D> {
-    /// Replaces what rounding may have spoilt. By value, since a reference would keep the loads in memory for those who do not call.
+    /// Replaces what is doubtful. By value, since a reference would keep the loads in memory for those who do not call.
     #[cold]
-    pub(super) fn settled(self, rough: CrossForces<D>) -> CrossForces<D> {
-        let doubtful = self.doubtful(&rough);
+    pub(super) fn settled(self, rough: CrossForces<D>, doubtful: CrossForces<bool>) -> CrossForces<D> {
         // Forces near 1: no product leaves the range of the numbers.
         let Binade { unit, per_unit } = Binade::of([self.f1, self.f2, self.f3].map(leaf));
         let loads = self.leaves(per_unit);
