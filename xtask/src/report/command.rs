@@ -21,7 +21,7 @@ use std::path::PathBuf;
 #[command(after_help = "Examples:
   {command} report                              all formulas, more than ten minutes
   {command} report --quick --filter '{family}.*'    a first look
-  {command} report --reference                  and keep it for the book of all
+  {command} report --quick --reference          and keep it for the book of all
   {command} report --format json > old.json     to keep
   {command} report --against old.json           what became worse; exit code 1 if anything did
   {command} report --inputs points              points for a program in another language
@@ -30,7 +30,7 @@ use std::path::PathBuf;
 pub(crate) struct Arguments {
     #[command(flatten)]
     selection: Selection,
-    /// Fewer points and rounds: under 20 s for all formulas
+    /// Fewer points and rounds, and columns that the caches hold: a minute or two for all formulas
     #[arg(long)]
     quick: bool,
     /// Random points at which errors are found [default: 1000, or 50 if quick]
@@ -52,7 +52,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "FILE")]
     timing_json: Option<PathBuf>,
     /// Keep the report in the repository, too, for the book on machines where nothing was measured
-    #[arg(long, conflicts_with_all = ["here", "quick", "filter"])]
+    #[arg(long, conflicts_with_all = ["here", "filter"])]
     reference: bool,
     /// Measure in this process without building an optimised one: starts quickly, for tests
     #[arg(long)]
