@@ -36,7 +36,7 @@ pub(crate) struct Subject {
     pub(crate) cases: fn() -> Vec<Case<Vec<f64>>>,
     pub(crate) invalid_cases: fn() -> Vec<Case<Vec<f64>>>,
     /// Writes down what it does, which takes long.
-    record: fn() -> Result<Graph, NotRecorded>,
+    pub(super) record: fn() -> Result<Graph, NotRecorded>,
     /// The same, once it was asked for.
     graph: OnceCell<Result<Graph, NotRecorded>>,
     pub(crate) kinks: Vec<Kink>,

@@ -151,6 +151,68 @@ fn a_point_is_checked_closely_or_not() {
     }
 }
 
+/// Random points are started from in the first part alone, and not more than are asked for.
+#[test]
+fn kinks_are_searched_from_random_points_by_the_first_part() {
+    let mut subject = Subject::of::<ReturnMap>();
+    subject.cases = Vec::new;
+    subject.kinks.clear();
+    let shared = |samples, index| {
+        let shard = Shard::new(index, 2).expect("there is one");
+        let (audit, _) = audit_share(&subject, &Options { samples, seed: 1 }, shard);
+        let searched = match audit.looked {
+            Some(Looked::Graph { search, .. }) => Some(search.points),
+            _ => None,
+        };
+        (searched, audit.searched_points, audit.named_points, audit.random_points)
+    };
+    assert_eq!(shared(0, 1), (Some(0), 0, 0, 0));
+    let (searched, reached, named, random) = shared(1, 1);
+    assert!(searched > Some(0) && reached > 0 && named == reached && random == 1, "{searched:?} {reached}");
+    assert_eq!(shared(3, 2), (None, 0, 0, 1));
+}
+
+/// At 1e-21 beside the tie, relatively, the first step is too long and the second is not.
+#[test]
+fn differences_are_by_the_first_step_at_random_points_and_by_the_best_at_others() {
+    let subject = Subject::of::<ReturnMap>();
+    let failures = |random, beside: f64, off: f64| {
+        let (mut audit, mut point) = (begun(&subject), point(&subject, random, &[2.0, 0.5, 4.0]));
+        point.exact[0] += beside;
+        let mut exact = Exact::at(&point);
+        exact.ad.iter_mut().for_each(|slope| *slope *= Octuple::from(off) + 1.0);
+        audit.check_ad(&point, &Names::new(&subject), &exact);
+        (audit.ad_against_differences.checks, audit.ad_against_differences.failures)
+    };
+    let both = |beside, off| [true, false].map(|random| failures(random, beside, off));
+    assert_eq!(both(1.0, 0.0), [(3, 0), (3, 0)]);
+    // Slipping, it does not depend on the trial force.
+    assert_eq!(both(1.0, 1e-40), [(3, 2), (3, 0)]);
+    assert_eq!(both(1.0, 1e-30), [(3, 2), (3, 2)]);
+    assert_eq!(both(2e-21, 0.0), [(3, 3), (3, 0)]);
+}
+
+/// Of f = f2 e2a + f3 e3a, the second component, which is off by 10⁻⁵⁰.
+#[test]
+fn values_of_an_equation_are_judged_by_their_own_gradients() {
+    let subject = Subject::of::<crate::slot::ConstraintForce>();
+    let names = Names::new(&subject);
+    let point = point(&subject, true, &[0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 3.0, 4.0]);
+    let (Some(equation), _) = read_equation(&subject) else { panic!("it can be read") };
+    let (mut values, closed) = ((subject.exact_value)(&point.exact), (subject.exact_jacobian)(&point.exact));
+    values[1] += Octuple::from(1e-50);
+    let mut gradients = vec![Octuple::zero(); 24];
+    // By f2, which is 3.
+    gradients[8 + 6] = Octuple::from(1e10);
+    let mut claims = [(); 2].map(|()| Claim::new("the equation is the value", EQUATION));
+    let bend = |_| Sensitivity::none();
+    check_equation(claims.each_mut(), &point, &names, [&values, &closed], || &gradients, bend, &equation);
+    let [values, jacobian] = claims;
+    assert_eq!((values.checks, values.failures, jacobian.checks, jacobian.failures), (3, 0, 24, 0));
+    let worst = values.worst.expect("it was checked");
+    assert!((worst.size * 3e60 - 1.0).abs() < 1e-8 && worst.entry.ends_with("[1]"), "{worst:?}");
+}
+
 /// Of sides over several steps those count that differ least; and only where the derivative jumps there indeed.
 #[test]
 fn sides_that_differ_are_looked_at_once_more() {

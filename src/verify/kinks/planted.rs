@@ -6,7 +6,7 @@ use crate::proof::Convention;
 use crate::quantity::{Domain, Quantity, Unit};
 use crate::slot::ContactForce;
 use crate::verify::{Kink, Subject};
-use crate::{Octuple, fields};
+use crate::{Error, Octuple, fields};
 
 const X: Quantity = Quantity::scalar("x", Unit::L, Domain::Real, "first number");
 const Y: Quantity = Quantity::scalar("y", Unit::F, Domain::Within(0.0, 4.0), "second number");
@@ -42,6 +42,20 @@ pub(super) fn kink(condition: &str, holds: fn(&[Octuple]) -> bool, at: [f64; 3],
         at: at.into(),
         across: across.into(),
     }
+}
+
+/// That inputs are refused unless this holds.
+pub(super) fn only_where(holds: bool) -> Result<(), Error> {
+    let (first, second, third) = ("e1", "e2", "e3");
+    if holds { Ok(()) } else { Err(Error::LeftHanded { first, second, third }) }
+}
+
+/// A graph of x, y and c that gives these.
+pub(super) fn graph(value: impl FnOnce(&mut Graph, [Node; 3]) -> Vec<Node>) -> Graph {
+    let mut graph = Graph::default();
+    let inputs = graph.inputs();
+    graph.value = value(&mut graph, inputs);
+    graph
 }
 
 /// Operations are planted one by one.

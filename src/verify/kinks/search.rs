@@ -53,16 +53,7 @@ pub(in crate::verify) fn search(
     let simple =
         simple.filter(|start: &Vec<f64>| (subject.check)(start).is_ok() && subject.kink(&exact(start)).is_none());
     let starts: Vec<_> = simple.chain(starts.iter().cloned()).collect();
-    let refused = (subject.invalid_cases)().into_iter().map(|case| case.inputs);
-    let mut looking = Looking {
-        subject,
-        graph,
-        names,
-        of_value: graph.needed(&graph.value),
-        register: Register::new(subject),
-        refused: refused.filter(|inputs| inputs.iter().all(|x| x.is_finite())).collect(),
-        directions: Sampler::for_formula(subject.spec.id, 0),
-    };
+    let mut looking = Looking::new(subject, graph, names);
     let candidates = candidates(subject, graph, names);
     for candidate in &candidates {
         search.candidates += 1;
@@ -127,7 +118,20 @@ struct Looking<'a> {
     directions: Sampler,
 }
 
-impl Looking<'_> {
+impl<'a> Looking<'a> {
+    fn new(subject: &'a Subject, graph: &'a Graph, names: &'a Names) -> Self {
+        let refused = (subject.invalid_cases)().into_iter().map(|case| case.inputs);
+        Self {
+            subject,
+            graph,
+            names,
+            of_value: graph.needed(&graph.value),
+            register: Register::new(subject),
+            refused: refused.filter(|inputs| inputs.iter().all(|x| x.is_finite())).collect(),
+            directions: Sampler::for_formula(subject.spec.id, 0),
+        }
+    }
+
     /// Points of the domain on a candidate, at which the value depends on it.
     fn points_on(&self, candidate: &Candidate, starts: &[Vec<f64>]) -> Vec<Vec<Octuple>> {
         let solver = Solver::new(self.graph, self.subject.inputs, candidate);
@@ -221,7 +225,10 @@ impl Looking<'_> {
     }
 }
 
-/// A number of the same sign with a single digit, whose products and sums are doubles.
+/// A number of the same sign with a single digit, whose products and sums are doubles; 0 of 0.
 fn power_of_two_near(x: f64) -> f64 {
-    if x == 0.0 { x } else { power_of_two_below(x.abs())[0].copysign(x) }
+    power_of_two_below(x)[0].copysign(x)
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,6 +1,7 @@
 use super::*;
 use crate::coulomb::ReturnMap;
 use crate::quantity::{E1A, E1B, E2A, E2A_PLANE, X};
+use crate::slider::Eliminate2d;
 use crate::slot::{ContactForce, RelativePosition};
 
 #[test]
@@ -131,6 +132,55 @@ fn conditions_of_kinks_are_executed_on_them_beside_them_and_at_cases() {
     assert!(off("f_2 + f_9 = 0").contains("f_9"));
     let [(_, tie)] = &kinks_as_printed::<ReturnMap>()[..] else { panic!("there is one") };
     assert_eq!(*tie, Printed::Executed((Subject::of::<ReturnMap>().cases)().len() + 3));
+}
+
+#[test]
+fn a_condition_must_hold_at_just_those_cases_at_which_the_kink_does() {
+    let mut subject = Subject::of::<ContactForce>();
+    let off = |subject: &Subject| match as_printed(subject).swap_remove(0) {
+        (_, Printed::Off(why)) => why,
+        other => panic!("{other:?}"),
+    };
+    subject.kinks[0].holds = Box::new(|i| i[1] == 0.0);
+    assert_eq!(off(&subject), r#"`f_2 = f_3 = 0` is not so at {"f2":-2.0,"f3":0.0}"#);
+    subject.kinks[0].holds = Box::new(|_| false);
+    subject.kinks[0].condition = r"f_2 (f_2 + 2) = 0,\ f_3 = 0".into();
+    assert_eq!(off(&subject), r#"`f_2 (f_2 + 2) = 0,\ f_3 = 0` is so at {"f2":-2.0,"f3":0.0}"#);
+}
+
+#[test]
+fn a_printed_equality_holds_to_so_many_digits_and_an_order_as_it_is() {
+    let subject = Subject::of::<ContactForce>();
+    let holds = |condition: &str, off: f64| {
+        let claims = Claims::read(condition, &setting(&subject, "")).expect("it can be read");
+        is_met(&subject, &claims, &[Octuple::from(1.0) + Octuple::from(off) * 2.0, Octuple::from(0.0)])
+    };
+    // Relative to the sum of both sides.
+    assert_eq!([0.0, EQUATION, 1.01 * EQUATION].map(|off| holds("f_2 = 1", off)), [true, true, false]);
+    assert_eq!([-1e-60, 0.0, 1e-60].map(|off| holds("f_2 > 1", off)), [false, false, true]);
+    let both = r"f_2 = 1,\ f_3 > -1";
+    assert_eq!((holds(both, 0.0), holds(both, 0.5), holds(r"f_2 = 1,\ f_3 > 1", 0.0)), (true, false, false));
+}
+
+/// Kinks are at doubles, of which nothing is rounded: not even triads.
+#[test]
+fn a_printed_equality_of_triads_is_of_these_as_they_are() {
+    let subject = Subject::of::<RelativePosition>();
+    let equality = r"\mathbf{e}_{1a}\cdot(\mathbf{x}_b-\mathbf{x}_a) = 0";
+    let claims = Claims::read(equality, &setting(&subject, "")).expect("it can be read");
+    let holds = |x: f64| {
+        let triad = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
+        is_met(&subject, &claims, &exact(&[&triad[..], &[0.0; 3], &[x, 1.0, 0.0]].concat()))
+    };
+    assert_eq!([0.0, 1e-60].map(holds), [true, false]);
+}
+
+/// The differences of lengths that it takes from another formula are in that one's equation.
+#[test]
+fn a_condition_may_be_in_symbols_of_equations_that_are_referred_to() {
+    let printed = kinks_as_printed::<Eliminate2d>();
+    assert!(printed.iter().any(|(condition, _)| condition == r"\lvert d_1\rvert = \lvert d_2\rvert"));
+    assert!(printed.iter().all(|(_, printed)| matches!(printed, Printed::Executed(_))), "{printed:?}");
 }
 
 #[test]
