@@ -85,7 +85,7 @@ mod tests {
             for size in [1.0 - a_little, 1.0 + a_little] {
                 assert_eq!(compare(gap, u, v * size), Ordering::Equal, "{gap} {u} {v} {size}");
             }
-            let [nearer, farther] = [1.0 - 1e-13, 1.0 + 1e-13].map(|size| compare(gap, u, gap + (v - gap) * size));
+            let [nearer, farther] = [1.0 - 1e-12, 1.0 + 1e-12].map(|size| compare(gap, u, gap + (v - gap) * size));
             assert_eq!([nearer, farther], [Ordering::Greater, Ordering::Less], "{gap} {u} {v}");
             assert_eq!(compare(gap, u, u), Ordering::Equal);
         }
