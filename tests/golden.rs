@@ -2,7 +2,7 @@
 
 use jointproof::catalog::{AnyFormula, CATALOG, find};
 use jointproof::proof::{Convention, Flag};
-use jointproof::verify::golden::{File, LEAST_CASES};
+use jointproof::verify::golden::{File, LEAST_CASES, Record};
 use rayon::prelude::*;
 use std::collections::HashSet;
 use std::path::PathBuf;
@@ -31,6 +31,19 @@ fn files_are_what_the_code_says_byte_for_byte() {
             let shown: Vec<_> = differences.iter().take(5).map(ToString::to_string).collect();
             panic!("{}: {shown:#?}; to accept: cargo xtask golden", formula.spec().id);
         }
+    }
+}
+
+/// Which is known without computing them: quick enough to be asked for always.
+#[test]
+fn files_have_the_cases_that_their_formulas_state_now() {
+    for formula in CATALOG {
+        let file = File::parse(&committed(*formula)).unwrap();
+        let first = |case: &Record| case.flags[0];
+        let stated: Vec<_> = file.cases.iter().map(first).take_while(|flag| *flag != Flag::Random).collect();
+        assert!(stated == formula.cases(), "{}: cases came or went; to accept: cargo xtask golden", file.formula);
+        let after: Vec<_> = file.cases.iter().map(first).skip_while(|flag| *flag != Flag::Random).collect();
+        assert!(after.iter().all(|flag| [Flag::Random, Flag::Invalid].contains(flag)), "{}", file.formula);
     }
 }
 

@@ -104,3 +104,72 @@ pub(crate) const FIFTEENTHS: [[f64; 3]; 3] = [[-10.0, 10.0, 5.0], [2.0, -5.0, 14
 pub fn plane_triad() -> [Vector2<f64>; 2] {
     [Vector2::new(5.0, 12.0) / 13.0, Vector2::new(-12.0, 5.0) / 13.0]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    /// The number that stands in an identifier behind a word.
+    fn named(id: &str, word: &str) -> Option<f64> {
+        let said = id.split_once(word)?.1;
+        let end = said.find("-loads").unwrap_or(said.len());
+        said[..end].parse().ok()
+    }
+
+    fn is(found: f64, said: f64) -> bool {
+        (found / said - 1.0).abs() < 1e-15 * 2.0
+    }
+
+    #[test]
+    fn arms_are_as_slender_and_as_loaded_as_they_are_called() {
+        let slender = arms().into_iter().filter_map(|arm| Some((named(arm.id, "lambda-")?, arm.value)));
+        assert_eq!(slender.filter(|(said, [length, radius])| is(length / radius, *said)).count(), 6);
+        let extreme: Vec<_> = loaded_arms()
+            .into_iter()
+            .map(|arm| {
+                let [length, radius, load] = arm.value;
+                let [said, said_load] = ["lambda-", "loads-"].map(|word| named(arm.id, word).unwrap());
+                assert!(is(length / radius, said) && load == said_load, "{}: {:?}", arm.id, arm.value);
+                [said, said_load]
+            })
+            .collect();
+        assert_eq!(extreme, [[1e-12, 1e-150], [1e-12, 1e150], [1e12, 1e-150], [1e12, 1e150]]);
+    }
+
+    #[test]
+    fn places_are_as_far_apart_as_they_are_called() {
+        let all = places::<3>();
+        let ids: Vec<_> = all.iter().map(|place| place.id).collect();
+        assert_eq!(ids, ["offset-1e8", "offset-1e12", "distance-1e-12", "distance-1e12", "coincident"]);
+        for Hard { id, value: [a, b], .. } in &all {
+            let far = named(id, "offset-").unwrap_or(if *id == "coincident" { 0.5 } else { 0.0 });
+            let apart = named(id, "distance-").unwrap_or(if *id == "coincident" { 0.0 } else { 1.0 });
+            assert_eq!(*a, Vector3::new(far, -far, far), "{id}");
+            let step = Vector3::new(0.75, -0.5, 0.4375) * apart;
+            assert!((b - a - step).amax() <= far * f64::EPSILON, "{id}");
+        }
+    }
+
+    #[test]
+    fn norms_are_of_every_size_and_loads_all_but_subnormal() {
+        let all = norms::<2>();
+        let values: Vec<_> = all.iter().map(|norm| norm.value).collect();
+        let pattern = |scale: f64| [3.0 * scale, -4.0 * scale];
+        let [tiny, huge, subnormal] = [1e-200, 1e200, 1e-310].map(pattern);
+        assert_eq!(values, [[0.0; 2], [-2.5, 0.0], [0.0, 2.5], tiny, huge, subnormal, [1.0, 1e-17]]);
+        let ids = |all: Vec<Hard<[f64; 2]>>| all.into_iter().map(|norm| norm.id).collect::<BTreeSet<_>>();
+        let (norms, loads) = (ids(all), ids(loads()));
+        assert_eq!(norms.difference(&loads).copied().collect::<Vec<_>>(), ["subnormal"]);
+        assert_eq!(norms.len(), 7);
+    }
+
+    #[test]
+    fn triads_are_rotations() {
+        let [e1, e2, e3] = triad();
+        assert!((e1.cross(&e2) - e3).amax() < 1e-15 && (e2.cross(&e3) - e1).amax() < 1e-15);
+        assert!(e1.dot(&e2).abs() < 1e-15 && (e1.norm() - 1.0).abs() < 1e-15);
+        let [t, n] = plane_triad();
+        assert!((t.norm() - 1.0).abs() < 1e-15 && n == Vector2::new(-t.y, t.x));
+    }
+}

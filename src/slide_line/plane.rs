@@ -34,3 +34,32 @@ pub(crate) fn check_radii<D: Scalar, const N: usize>(points: [(&'static str, Vec
     let left = points.iter().find(|(_, x)| x.x < 0.0);
     left.map_or(Ok(()), |&(name, x)| Error::check(name, Some(0), x.x.re(), Domain::NonNegative))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_point_left_of_the_axis_is_named_and_one_on_it_is_none() {
+        let check = |radii: [f64; 2]| {
+            let [x1, x2] = radii.map(|r| Vector2::new(r, -2.0));
+            check_radii([("x1", x1), ("x2", x2)]).map_err(|error| error.to_string())
+        };
+        assert_eq!(check([0.0, 0.5]), Ok(()));
+        for (radii, named) in [([0.0, -0.5], "x2[0] is -0.5"), ([-0.25, -0.5], "x1[0] is -0.25")] {
+            let said = check(radii).unwrap_err();
+            assert!(said.starts_with(named), "{said}");
+        }
+    }
+
+    #[test]
+    fn any_two_points_at_one_place_are_noticed() {
+        let check = |places: [f64; 3]| {
+            let [x1, x2, x3] = places.map(|x| Vector2::new(x, 1.0));
+            check_distinct([("x1", x1), ("x2", x2), ("x3", x3)]).is_ok()
+        };
+        assert!(check([1.0, 2.0, 3.0]));
+        assert!(!check([1.0, 1.0, 3.0]) && !check([1.0, 2.0, 1.0]) && !check([1.0, 2.0, 2.0]));
+        assert_eq!((left(Vector2::new(1.0, 2.0)), length(Vector2::new(3.0, -4.0))), (Vector2::new(-2.0, 1.0), 5.0));
+    }
+}

@@ -319,3 +319,57 @@ fn heaviest<D: Scalar, const N: usize>(nodes: &[Vector2<D>; N], weights: [D; N])
     };
     choice(heaviest).into()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Sides that do not belong together tell which of them are taken.
+    #[test]
+    fn a_rate_is_that_of_the_chord_near_the_midside_node_and_of_the_halves_elsewhere() {
+        let [before, after, chord] = [[1.0, 0.0], [1.0, 0.0], [4.0, 0.0]].map(Vector2::from);
+        let sides = Sides { before, after, chord };
+        for g in [0.0, 0.24, -0.24] {
+            assert_eq!(sides.rate(g).x, 2.0, "{g}");
+        }
+        for g in [0.25, -0.25, 0.5, -0.5, 1.0, -1.0] {
+            assert_eq!(sides.rate(g).x, 1.0, "{g}");
+        }
+    }
+
+    #[test]
+    fn a_turn_is_measured_with_the_shorter_side() {
+        let turn = |after: [f64; 2], chord: [f64; 2]| {
+            let [before, after, chord] = [[2.0, 0.0], after, chord].map(Vector2::from);
+            Sides { before, after, chord }.turn(2.0)
+        };
+        assert_eq!((turn([0.0, 4.0], [0.0, 3.0]), turn([0.0, 4.0], [0.0, 5.0])), (3.0, 4.0));
+        assert_eq!((turn([0.0, 4.0], [1.0, 3.0]), turn([-3.0, 4.0], [1.0, -5.0])), (4.0, -5.0));
+        assert_eq!(turn([-1.0, 4.0], [-3.0, 3.0]), 4.0);
+    }
+
+    #[test]
+    fn the_heaviest_node_is_the_first_of_the_largest_weight() {
+        let nodes = [1.0, 2.0, 3.0].map(|x| Vector2::new(x, -x));
+        for (weights, heaviest) in [
+            ([0.5, 0.2, 0.3], 1.0),
+            ([0.2, 0.5, 0.3], 2.0),
+            ([0.2, 0.3, 0.5], 3.0),
+            ([0.4, 0.4, 0.2], 1.0),
+            ([0.2, 0.4, 0.4], 2.0),
+            ([-2.0, -3.0, -1.0], 3.0),
+        ] {
+            assert_eq!(super::heaviest(&nodes, weights), Vector2::new(heaviest, -heaviest), "{weights:?}");
+        }
+    }
+
+    /// Nodes far from the origin: the differences are exact, products of whole places would not be.
+    #[test]
+    fn sums_are_taken_from_differences() {
+        let far = Vector2::new(1e15, -1e15);
+        let nodes = [[0.0, 0.0], [1.0, 3.0], [4.0, 2.0]].map(|x| Vector2::from(x) + far);
+        let weights = [-0.125, 0.75, 0.375];
+        assert_eq!(gap(far + Vector2::new(5.0, 7.0), &nodes, weights), Vector2::new(2.75, 4.0));
+        assert_eq!(combination(&nodes, [-0.3, 0.1, 0.2]), Vector2::new(0.1 + 4.0 * 0.2, 0.1 * 3.0 + 0.2 * 2.0));
+    }
+}

@@ -89,6 +89,11 @@ mod tests {
     use crate::slot::{Constraint, ContactForce};
 
     #[test]
+    fn by_default_there_are_a_thousand_points_of_seed_1() {
+        assert_eq!(Options::default(), Options { samples: 1000, seed: 1 });
+    }
+
+    #[test]
     fn a_point_knows_its_kink_and_names_its_inputs() {
         let subject = Subject::of::<ReturnMap>();
         let at = |f_trial| Point::new(&subject, "here".into(), true, vec![f_trial, 0.5, 4.0]);

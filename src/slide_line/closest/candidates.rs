@@ -105,3 +105,35 @@ impl Search<13> for NearestPlace {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// On the line (u, 0) seen from (foot, 1).
+    fn reach(foot: f64, residuals: [f64; 2]) -> Reach<f64> {
+        let y = [Vector2::x(), Vector2::zeros(), Vector2::zeros()];
+        let expansion = Expansion { gap: Vector2::new(foot, 1.0), factor: 1.0, y };
+        Reach { expansion, ends: [-1.0, 1.0], residuals }
+    }
+
+    #[test]
+    fn an_end_is_a_candidate_unless_the_distance_falls_from_it() {
+        let places = |residuals| reach(0.25, residuals).candidates().places.to_vec();
+        let [from, to, inside] = [Place::End(-1.0), Place::End(1.0), Place::Inside(0.25)];
+        assert_eq!(places([1.25, -0.75]), [inside]);
+        for (low, high) in [(-1.0, 1.0), (0.0, 1.0), (-1.0, 0.0), (0.0, 0.0)] {
+            assert_eq!(places([low, high]), [from, to], "{low} {high}");
+        }
+        assert_eq!((places([1.0, 0.0]), places([0.0, -1.0]), places([-1.0, -1.0])), (vec![to], vec![from], vec![from]));
+        assert_eq!(places([f64::NAN; 2]), [to]);
+    }
+
+    #[test]
+    fn the_nearest_place_is_an_end_or_inside_and_of_equal_ones_the_first() {
+        let nearest = |foot, residuals| reach(foot, residuals).nearest();
+        assert_eq!(nearest(0.25, [1.25, -0.75]), Place::Inside(0.25));
+        assert_eq!((nearest(-3.0, [-2.0, -4.0]), nearest(3.0, [4.0, 2.0])), (Place::End(-1.0), Place::End(1.0)));
+        assert_eq!((nearest(0.0, [-1.0, 1.0]), nearest(0.5, [-1.0, 1.0])), (Place::End(-1.0), Place::End(1.0)));
+    }
+}

@@ -158,3 +158,72 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
 pub(super) fn moved<D: Scalar, const N: usize>(weights: [D; N], rates: [D; N], step: D) -> [D; N] {
     std::array::from_fn(|k| weights[k] + rates[k] * step)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::slide_line::shape::{Parabola, ParabolicCorner};
+
+    /// Between ends that leave no room for a step, all that is to the foot is missing, so that it can be seen.
+    #[test]
+    fn what_is_missing_is_carried_on_to_all_that_depends_on_it() {
+        // On (g, g²) at g = 1/2: r = 1/8 and r′ = −1/2.
+        let nodes = [[-1.0, 1.0], [0.0, 0.0], [1.0, 1.0]].map(Vector2::from);
+        let view = View::<f64, Parabola, 3>::new(Vector2::new(-0.125, 1.0), nodes, 0.0);
+        let foot = Foot::inside(&view, 0.5, [0.5, 0.5]);
+        assert_eq!((foot.u, foot.missing, foot.beyond, foot.inside), (0.5, 0.25, 0.0, true));
+        assert_eq!((foot.weights, foot.rates), ([-0.125, 0.5, 0.625], [0.25, -1.5, 1.25]));
+        assert_eq!((foot.gap, foot.rate), (Vector2::new(-0.875, 0.5), Vector2::new(1.0, 1.5)));
+        assert_eq!((foot.per_slope, foot.parts()), (-2.25_f64.recip(), [0.25, 0.75]));
+    }
+
+    #[test]
+    fn on_a_cubic_the_third_derivative_is_carried_on_too() {
+        let nodes = [[0.0, 0.0], [1.0, 2.0], [2.0, 1.0], [3.0, 4.0], [6.0, 5.0]].map(Vector2::from);
+        let (f, u) = (0.375, 0.25);
+        let view = View::<f64, ParabolicCorner, 5>::new(Vector2::new(1.75, 2.5), nodes, f);
+        let place = view.at(u);
+        let foot = Foot::inside(&view, u, [u, u]);
+        let step = place.newton_step();
+        assert_eq!((foot.u, foot.missing), (u, step));
+        assert!(step.abs() > 0.01, "{step}");
+        let [rates, seconds] = [ParabolicCorner::rates(f, u), ParabolicCorner::second_derivatives(f, u)];
+        let third = view.combination(ParabolicCorner::third_derivatives(f));
+        assert_eq!(foot.weights, moved(ParabolicCorner::weights(f, u), rates, f * step));
+        assert_eq!(foot.rates, moved(rates, seconds, step));
+        assert_eq!(foot.gap, view.gap(foot.weights));
+        let [rate, second] = [place.rate + place.second * step, place.second + third * step];
+        let close =
+            |found: f64, expected: f64| assert!((found / expected - 1.0).abs() < 1e-14, "{found} and not {expected}");
+        close(foot.rate.x, rate.x);
+        close(foot.rate.y, rate.y);
+        close(foot.per_slope.recip(), foot.gap.dot(&second) - f * rate.dot(&rate));
+    }
+
+    #[test]
+    fn a_step_is_taken_where_it_is_inside_and_makes_the_residual_smaller() {
+        let nodes = [[-1.0, 1.0], [0.0, 0.0], [1.0, 1.0]].map(Vector2::from);
+        let view = View::<f64, Parabola, 3>::new(Vector2::new(0.0, 0.25), nodes, 0.0);
+        // r = −u/2 − 2u³: from 1/8 to 1/88.
+        let taken = |ends| Foot::inside(&view, 0.125, ends).u;
+        let step = view.at(0.125).newton_step();
+        assert_eq!(taken([-1.0, 1.0]), 0.125 + step);
+        assert_eq!((taken([0.125 + step, 1.0]), taken([-1.0, 0.125 + step])), (0.125, 0.125));
+        // From beside a maximum of r a step leads far away, where r is larger: r = ½u − 2u³.
+        let view = View::<f64, Parabola, 3>::new(Vector2::new(0.0, 0.75), nodes, 0.0);
+        let (place, step) = (view.at(0.3125), view.at(0.3125).newton_step());
+        assert!(view.at(0.3125 + step).residual().abs() > place.residual().abs());
+        assert_eq!(Foot::inside(&view, 0.3125, [-9.0, 9.0]).u, 0.3125);
+    }
+
+    #[test]
+    fn a_curve_stands_still_where_its_rate_is_only_rounding() {
+        let at = |middle: f64| {
+            let nodes = [0.0, middle, 4.0].map(|x| Vector2::new(x + 8.0, 1.0));
+            let view = View::<f64, Parabola, 3>::new(Vector2::new(7.0, 1.0), nodes, 0.0);
+            Foot::at_end(&view, -1.0).stands_still(&view)
+        };
+        // X′(−1) is 2 (x₂ − x₁) − ½ (x₃ − x₁), of terms that add up to 3 where x₂ is the quarter point.
+        assert_eq!([0.0, 1e-15, 1e-14, 1e-13, 1.0].map(|by| at(1.0 + by)), [true, true, false, false, false]);
+    }
+}

@@ -170,6 +170,7 @@ fn value_and_slope<L: Leaf>(p: &[L], u: L) -> (L, L) {
 mod tests {
     use super::*;
     use crate::Octuple;
+    use crate::power::power_of_two;
 
     #[test]
     fn a_short_root_is_met_exactly_where_three_merge() {
@@ -178,5 +179,65 @@ mod tests {
         let at = |u: f64| value_and_slope(&p, Octuple::from(u)).0;
         let ends = [-1.0, 1.0];
         assert_eq!(falling(&p, ends.map(Octuple::from), ends.map(at)).as_slice(), [Octuple::from(0.25)]);
+    }
+
+    fn bracket(p: &[Octuple], ends: [f64; 2]) -> Bracket<Octuple> {
+        let [from, to] = ends.map(Octuple::from);
+        let [low, high] = [from, to].map(|u| value_and_slope(p, u).0);
+        Bracket { from, to, low, high }
+    }
+
+    #[test]
+    fn a_root_very_near_a_short_fraction_but_not_on_it_stays_where_it_is() {
+        let root = Octuple::from(0.25) + power_of_two(-200);
+        let p = [root, Octuple::from(-1.0)];
+        assert_eq!(bracket(&p, [-1.0, 1.0]).refined(&p), Some(root));
+        let p = [Octuple::from(0.25), Octuple::from(-1.0)];
+        assert_eq!(bracket(&p, [-1.0, 1.0]).refined(&p), Some(Octuple::from(0.25)));
+    }
+
+    #[test]
+    fn from_the_root_in_doubles_few_steps_lead_to_all_digits() {
+        let p = [2.0, 0.0, -1.0].map(Octuple::from);
+        let root = bracket(&p, [1.0, 2.0]).refined(&p).unwrap();
+        assert!(abs(root * root - 2.0) < 1e-70);
+        assert_eq!(bracket(&p, [1.0, 2.0]).crossing(&p), root);
+    }
+
+    /// Newton's method creeps towards a root that is three, and one at an end has no sign on its other side.
+    #[test]
+    fn what_is_no_simple_root_between_the_ends_is_not_refined() {
+        // (1/3 − u)³
+        let third = Octuple::from(1.0) / 3.0;
+        let p = [third * third * third, -(third * third * 3.0), third * 3.0, Octuple::from(-1.0)];
+        assert_eq!(bracket(&p, [-1.0, 1.0]).refined(&p), None);
+        let root = bracket(&p, [-1.0, 1.0]).crossing(&p);
+        assert!(abs(root - third) < 1e-20, "{:e}", (root - third).to_f64());
+        for ends in [[0.25, 1.0], [0.0, 0.25]] {
+            let p = [Octuple::from(0.25), Octuple::from(-1.0)];
+            assert_eq!(bracket(&p, ends).refined(&p), None);
+        }
+    }
+
+    #[test]
+    fn values_of_0_at_the_ends_are_no_roots_and_one_inside_counts_once() {
+        let falling = |p: [f64; 6], ends: [f64; 2]| falling(&p, ends, ends.map(|u| value_and_slope(&p, u).0)).to_vec();
+        let line = [1.0, -1.0, 0.0, 0.0, 0.0, 0.0];
+        assert_eq!((falling(line, [0.0, 1.0]), falling(line, [1.0, 2.0])), (vec![], vec![]));
+        assert_eq!((falling(line, [0.0, 4.0]), falling([0.0; 6], [0.0, 1.0])), (vec![1.0], vec![]));
+        // −(u + 1) u (u − 1) rises at 0, between two falls; (u − 1)² (3 − u) only touches 0 at 1, which counts.
+        assert_eq!(falling([0.0, 1.0, 0.0, -1.0, 0.0, 0.0], [-2.0, 2.0]), [-1.0, 1.0]);
+        assert_eq!(falling([3.0, -7.0, 5.0, -1.0, 0.0, 0.0], [0.0, 4.0]), [1.0, 3.0]);
+        // −u (u² − 1) (u² − 4), with five roots, and its opposite.
+        assert_eq!(falling([0.0, -4.0, 0.0, 5.0, 0.0, -1.0], [-3.0, 3.0]), [-2.0, 0.0, 2.0]);
+        assert_eq!(falling([0.0, 4.0, 0.0, -5.0, 0.0, 1.0], [-3.0, 3.0]), [-1.0, 1.0]);
+    }
+
+    #[test]
+    fn polynomials_are_evaluated_derived_and_trimmed() {
+        assert_eq!(value_and_slope(&[1.0, 2.0, 3.0], 2.0), (17.0, 14.0));
+        assert_eq!(derivative(&[7.0, 1.0, 1.0, 1.0, 1.0, 1.0]).as_slice(), [1.0, 2.0, 3.0, 4.0, 5.0]);
+        assert_eq!((trimmed(&[0.0, 1.0, 0.0, 0.0]), trimmed(&[0.0; 3])), (&[0.0, 1.0][..], &[][..]));
+        assert_eq!([0.3, -0.3, 0.75].map(|u| short_fraction(u) * 1_048_576.0), [314_573.0, -314_573.0, 786_432.0]);
     }
 }

@@ -151,6 +151,97 @@ impl Tree {
 mod tests {
     use super::*;
 
+    fn is_near(found: Vector2<f64>, x: f64, y: f64) {
+        assert!((found - Vector2::new(x, y)).amax() < 1e-13, "{found} and not ({x}, {y})");
+    }
+
+    #[test]
+    fn a_box_lies_along_the_way_from_the_first_point_to_the_last() {
+        // 5 along (0.6, 0.8); the second point is in the middle and 1 to the left.
+        let OrientedBox { center, along, half } =
+            OrientedBox::around(&[Vector2::new(1.0, 1.0), Vector2::new(1.7, 3.6), Vector2::new(4.0, 5.0)]);
+        is_near(along, 0.6, 0.8);
+        is_near(center, 2.1, 3.3);
+        is_near(half, 2.5, 0.5);
+        let there_and_back =
+            OrientedBox::around(&[Vector2::new(1.0, 1.0), Vector2::new(3.0, 2.0), Vector2::new(1.0, 1.0)]);
+        assert_eq!(there_and_back.along, Vector2::x());
+        is_near(there_and_back.half, 1.0, 0.5);
+    }
+
+    #[test]
+    fn a_box_is_wider_than_its_points_by_the_rounding_of_its_place_and_of_its_size() {
+        let found = OrientedBox::around(&[Vector2::new(10.0, 0.0), Vector2::new(12.0, 2.0), Vector2::new(14.0, 0.0)]);
+        assert_eq!((found.center, found.along), (Vector2::new(12.0, 1.0), Vector2::x()));
+        assert_eq!(found.half, Vector2::new(2.0 + 14.0 * BLUR, 1.0 + 14.0 * BLUR));
+    }
+
+    /// A square box, and one that is turned: each corner of it reaches farther than the others somewhere.
+    #[test]
+    fn a_box_over_two_has_the_corners_of_both() {
+        let upright = OrientedBox { center: Vector2::zeros(), along: Vector2::x(), half: Vector2::new(1.0, 1.0) };
+        let turned = OrientedBox {
+            center: Vector2::new(10.0, 0.0),
+            along: Vector2::new(0.6, 0.8),
+            half: Vector2::new(2.0, 1.0),
+        };
+        let both = upright.with(&turned);
+        is_near(both.along, 1.0, 0.0);
+        is_near(both.center, 5.5, 0.0);
+        is_near(both.half, 6.5, 2.2);
+        let back = turned.with(&upright);
+        is_near(back.along, -1.0, 0.0);
+        is_near(back.center, 5.5, 0.0);
+        is_near(back.half, 6.5, 2.2);
+    }
+
+    #[test]
+    fn a_bound_is_below_the_distance_by_its_rounding_and_by_that_of_the_box() {
+        let inside = OrientedBox { center: Vector2::new(1.0, 2.0), along: Vector2::y(), half: Vector2::new(3.0, 1.0) };
+        let blur = 8.0 * BLUR;
+        assert_eq!(inside.blur(), blur);
+        // Along is up: 3 and 4 beyond a corner, on either side; then beside a side, and inside.
+        for (x, y, distance) in
+            [(6.0, 8.0, 5.0), (-4.0, -4.0, 5.0), (6.0, -4.0, 5.0), (1.5, 8.0, 3.0), (-4.0, 2.5, 4.0), (1.5, 2.5, 0.0)]
+        {
+            let below = distance - inside.bound(Vector2::new(x, y));
+            assert!(
+                (below - (2.0 * distance * BLUR + 2.0 * blur)).abs() <= 8.0 * f64::EPSILON,
+                "({x}, {y}): {below:e}"
+            );
+        }
+        let tree = Tree::new(vec![OrientedBox::EVERYWHERE, inside]);
+        assert_eq!(tree.blur(1, 2.0), blur + 2.0 * BLUR);
+    }
+
+    #[test]
+    fn each_level_has_half_as_many_boxes_as_that_below() {
+        let at = |x: f64| OrientedBox::around(&[Vector2::new(x, 0.0), Vector2::new(x + 1.0, 0.0)]);
+        let sizes = |count: u32| {
+            let tree = Tree::new((0..count).map(|x| at(f64::from(x))).collect());
+            tree.levels.iter().map(Vec::len).collect::<Vec<_>>()
+        };
+        assert_eq!((sizes(1), sizes(2), sizes(5)), (vec![1], vec![2, 1], vec![5, 3, 2, 1]));
+    }
+
+    #[test]
+    fn nearer_boxes_are_visited_first_and_of_equal_ones_the_first() {
+        let at = |x: f64| OrientedBox::around(&[Vector2::new(x, 0.0), Vector2::new(x + 1.0, 0.0)]);
+        let visited = |x: f64, boxes: &[f64], reach: f64| {
+            let mut order = Vec::new();
+            let tree = Tree::new(boxes.iter().map(|&x| at(x)).collect());
+            let count = tree.search(Vector2::new(x, 1.0), |piece| {
+                order.push(piece);
+                reach
+            });
+            assert_eq!(count, order.len());
+            order
+        };
+        assert_eq!(visited(0.5, &[0.0, 0.0, 0.0, 0.0, 0.0], f64::INFINITY), [0, 1, 2, 3, 4]);
+        assert_eq!(visited(4.5, &[0.0, 1.0, 2.0, 3.0, 4.0], f64::INFINITY), [4, 3, 2, 1, 0]);
+        assert_eq!(visited(2.5, &[0.0, 1.0, 2.0, 3.0, 4.0], 1.0), [2]);
+    }
+
     #[test]
     fn a_box_around_points_whose_difference_overflows_is_no_larger_than_they_need() {
         let points = [Vector2::new(1.5e308, 4e307), Vector2::new(-1.0e308, 1.2e308), Vector2::new(5e307, -2e307)];

@@ -88,3 +88,94 @@ fn of_places_that_are_equally_near_all_are_kept() {
     }
     assert_eq!(nearest.best().map(|(piece, _)| piece), Some(0));
 }
+
+fn placed(kind: Interpolation, smoothing: Option<f64>, places: &[[f64; 2]]) -> PlacedLine {
+    let nodes = Nodes::new((1..).zip(places.iter().copied())).unwrap();
+    let line = SlideLine::new(kind, (1..).take(places.len()).collect::<Vec<_>>()).unwrap();
+    let line = match smoothing {
+        Some(f) => line.smoothed(f).unwrap(),
+        None => line,
+    };
+    line.place(&nodes).unwrap()
+}
+
+/// By the control points as they are worked out by hand; all numbers are exact.
+#[test]
+fn a_box_is_around_the_control_points_of_its_piece() {
+    let points = [[0.0, 0.0], [16.0, 8.0], [32.0, 0.0], [48.0, -8.0], [64.0, 32.0]];
+    let sum =
+        |weights: &[f64]| -> Vector2<f64> { points.iter().zip(weights).map(|(&x, &w)| Vector2::from(x) * w).sum() };
+    let straight = placed(Interpolation::Linear, Some(0.25), &points);
+    assert_eq!(straight.bounds(Piece::Segment(1)), OrientedBox::around(&[sum(&[0.0, 1.0]), sum(&[0.0, 0.0, 1.0])]));
+    let corner = [sum(&[0.25, 0.75]), sum(&[0.0, 1.0]), sum(&[0.0, 0.75, 0.25])];
+    assert_eq!(straight.bounds(straight.piece(1)), OrientedBox::around(&corner));
+    let curved = placed(Interpolation::Parabolic, Some(0.375), &points);
+    let parabola = [sum(&[1.0]), sum(&[-0.5, 2.0, -0.5]), sum(&[0.0, 0.0, 1.0])];
+    assert_eq!(curved.bounds(Piece::Segment(0)), OrientedBox::around(&parabola));
+    // From g = 1/4 on the one to g = −1/4 on the other, where dg/dt is 3/2.
+    let ends = [sum(&[-0.093_75, 0.937_5, 0.156_25]), sum(&[0.0, 0.0, 0.156_25, 0.937_5, -0.093_75])];
+    let [to_first, to_last] = [sum(&[-0.125, -0.25, 0.375]), sum(&[0.0, 0.0, 0.375, -0.25, -0.125])];
+    let corner = [ends[0], ends[0] + to_first, ends[1] + to_last, ends[1]];
+    assert_eq!(curved.bounds(curved.piece(1)), OrientedBox::around(&corner));
+}
+
+#[test]
+fn at_a_node_the_side_is_that_of_both_segments() {
+    let at =
+        |places: &[[f64; 2]], xs: [f64; 2]| placed(Interpolation::Linear, None, places).closest(xs.into()).unwrap();
+    let hill = [[0.0, 0.0], [1.0, 1.0], [2.0, 0.0]];
+    let close = |found: f64, expected: f64| assert!((found - expected).abs() < 1e-15, "{found} and not {expected}");
+    for (xs, separation, [x, y]) in [
+        ([1.0, 1.25], 0.25, [0.0, 1.0]),
+        ([1.15, 1.2], 0.25, [0.6, 0.8]),
+        ([1.0, 3.0], 2.0, [0.0, 1.0]),
+        ([1.0, 1.0], 0.0, [0.0, 1.0]),
+    ] {
+        let closest = at(&hill, xs);
+        assert_eq!(closest.place, Place::Node { number: 2 });
+        close(closest.separation, separation);
+        close(closest.normal.x, x);
+        close(closest.normal.y, y);
+        close(closest.tangent.x, y);
+        close(closest.tangent.y, -x);
+        assert_eq!(closest.foot, Foot { piece: 1, u: -1.0, beyond: 0.0 });
+        assert_eq!(closest.weights.as_slice(), [(2, 1.0)]);
+    }
+    // Back along the same way the outside is the right-hand side, and no component of the normals is positive.
+    let closest = at(&[[4.0, 0.0], [2.0, 2.0], [0.0, 2.0]], [2.15, 2.2]);
+    assert_eq!(closest.place, Place::Node { number: 2 });
+    close(closest.separation, -0.25);
+    close(closest.normal.x, -0.6);
+    close(closest.normal.y, -0.8);
+}
+
+/// The second parabola has its midside node at the quarter point: it stands still where it begins.
+#[test]
+fn where_the_next_segment_stands_still_a_node_has_no_normal() {
+    let places = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [2.0, 4.0]];
+    let placed = placed(Interpolation::Parabolic, None, &places);
+    let standing = Error::NoTangent { coordinate: "g", value: -1.0 };
+    assert_eq!(placed.tangent(1, -1.0).unwrap_err(), standing);
+    assert_eq!(placed.tangent(0, 1.0).unwrap(), Vector2::x());
+    assert_eq!(placed.tangent(1, 1.0).unwrap(), Vector2::y());
+    assert_eq!(placed.closest([3.0, -1.0].into()).unwrap_err(), standing);
+}
+
+#[test]
+fn past_either_end_the_way_goes_on_and_a_corner_takes_its_part_of_the_segments() {
+    let line = placed(Interpolation::Linear, Some(0.25), &[[1.0, 0.0], [2.0, 0.0], [3.0, 0.0], [4.0, 0.0]]);
+    assert_eq!((line.segments(), line.pieces()), (3, 5));
+    let ends: Vec<_> = (0..5).map(|k| line.ends(line.piece(k))).collect();
+    assert_eq!(ends, [[-1.0, 0.5], [0.0, 1.0], [-0.5, 0.5], [0.0, 1.0], [-0.5, 1.0]]);
+    let before = line.closest([0.5, 1.0].into()).unwrap();
+    assert_eq!(before.place, Place::Beyond { number: 1, distance: 0.5 });
+    assert_eq!(before.foot, Foot { piece: 0, u: -1.0, beyond: -0.5 });
+    let behind = line.closest([5.5, 1.0].into()).unwrap();
+    assert_eq!(behind.place, Place::Beyond { number: 4, distance: 1.5 });
+    assert_eq!(behind.foot, Foot { piece: 4, u: 1.0, beyond: 1.5 });
+    assert_eq!(
+        (line.slip(&before, &behind), line.slip(&behind, &before), line.slip(&before, &before)),
+        (5.0, -5.0, 0.0)
+    );
+    assert_eq!(PlacedLine::passed(&before.foot, &behind.foot), 5);
+}
