@@ -236,3 +236,36 @@ impl std::fmt::Debug for Kind {
         write!(f, "{} ({})", self.name, self.dimension.name())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The parameters of a kind that have a bit.
+    fn switches(kind: &str, dimension: Dimension) -> Vec<&'static str> {
+        let kind = Kind::find(kind, dimension).unwrap();
+        let switches = kind.switches();
+        assert!(switches.checked_shr(u32::try_from(kind.parameters().count()).unwrap()) == Some(0), "no other bit");
+        let bits = kind.parameters().enumerate().filter(|(bit, _)| switches >> bit & 1 == 1);
+        bits.map(|(_, (name, _))| name).collect()
+    }
+
+    #[test]
+    fn a_parameter_has_a_bit_where_it_decides_about_a_formula_by_being_zero() {
+        use Dimension::{Axisymmetric, Plane, Space};
+        for (kind, dimension, expected) in [
+            ("slot", Space, &["mu"][..]),
+            ("slot", Plane, &["mu"]),
+            ("align", Space, &[]),
+            ("join", Space, &[]),
+            ("universal", Space, &[]),
+            ("slider", Space, &[]),
+            ("isl21a", Axisymmetric, &[]),
+        ] {
+            assert_eq!(switches(kind, dimension), expected, "{kind}");
+        }
+        let mut of_translator = switches("translator", Space);
+        of_translator.sort_unstable();
+        assert_eq!(of_translator, ["l", "mu", "rr"]);
+    }
+}

@@ -106,3 +106,54 @@ fn writers(signature: &Signature, register: &'static str) -> (&'static Use, Opti
         writers.next().unwrap_or_else(|| unreachable!("{kind:?} is not given {register}, and computes it nowhere"));
     (first, writers.next())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::model::Parameter;
+
+    #[test]
+    fn what_is_wanted_and_what_a_formula_reads_is_given_or_computed() {
+        for kind in Kind::all().filter(|kind| !kind.slides()) {
+            let bits = kind.outputs().count();
+            for given in [Parameter::Absent, Parameter::One(0.0), Parameter::One(1.0)] {
+                let parameters = vec![&given; kind.parameters().count()];
+                for (a, b) in (0..bits).flat_map(|a| (a..bits).map(move |b| (a, b))) {
+                    let signature = Signature::of_members(kind, &parameters, 1 << a | 1 << b, 1)[0].0;
+                    let needs = Needs::of_outputs(&signature);
+                    let is_there = |register: &str| {
+                        needs.given.iter().any(|(name, _)| *name == register)
+                            || needs.formulas.iter().any(|(formula, _)| formula.writes(register).is_some())
+                    };
+                    for (name, register) in wanted(kind, signature.outputs) {
+                        assert!(is_there(register), "{kind:?}: {name}");
+                    }
+                    for (formula, _) in &needs.formulas {
+                        let inputs = formula.step.inputs().iter().map(|field| formula.register(field.name));
+                        inputs.for_each(|input| assert!(is_there(input), "{kind:?}: {input} of {}", formula.id()));
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn every_formula_and_every_register_is_needed_once_with_all_its_reasons() {
+        for kind in Kind::all().filter(|kind| !kind.slides()) {
+            let given = Parameter::One(1.0);
+            let parameters = vec![&given; kind.parameters().count()];
+            let all = (1 << kind.outputs().count()) - 1;
+            let needs = Needs::of_outputs(&Signature::of_members(kind, &parameters, all, 1)[0].0);
+            for (index, (name, _)) in needs.given.iter().enumerate() {
+                assert!(needs.given[..index].iter().all(|(before, _)| before != name), "{kind:?}: {name}");
+            }
+            for (index, (formula, whys)) in needs.formulas.iter().enumerate() {
+                let is_it = |(other, _): &(&'static Use, _)| std::ptr::eq(*other, *formula);
+                assert!(!needs.formulas[..index].iter().any(is_it), "{kind:?}: {}", formula.id());
+                for (name, register) in kind.outputs().filter(|(_, register)| formula.writes(register).is_some()) {
+                    assert!(whys.contains(&format!("output {name}")), "{kind:?}: {register} of {}", formula.id());
+                }
+            }
+        }
+    }
+}
