@@ -175,3 +175,14 @@ fn some_of_thousands_of_nodes_move_and_turn_on() {
         assert!((of('t', "GAMMA") - ur).abs() < 1e-15, "{k} {state}: {}", of('t', "GAMMA"));
     }
 }
+
+/// About the diagonal by √3, which is not by nothing.
+#[test]
+fn equal_parts_of_a_rotation_vector_turn_too() {
+    let (at_once, later) = (seen(r#""rotation": [1, 1, 1]"#, "[0, 0, 0]"), seen(r#""rotation": [0, 0, 0]"#, "[1, 1, 1]"));
+    assert_close(at_once, later, "from the start or after it");
+    // b is (−1, 0, 1) from the diagonal, and (−1, 2, −1)/√3 across it; a turns the other way than b is seen to.
+    let (sine, cosine) = 3_f64.sqrt().sin_cos();
+    let across = [-1.0, 2.0, -1.0].map(|part| part * sine / 3_f64.sqrt());
+    assert_close(at_once, [2.0 - cosine - across[0], 2.0 - across[1], 2.0 + cosine - across[2]], "about the diagonal");
+}

@@ -434,7 +434,7 @@ fn a_plan_has_its_formulas_in_order_whichever_element_comes_first() {
             ("slide_line.closest_smoothed_linear", 4, false),
             ("slide_line.slip_increment_linear", 2, false),
             ("interaction.pressure_linear", 2, false),
-            ("slide_line.area_linear", 1, false),
+            ("slide_line.contact_area_linear", 1, false),
             ("slide_line.torque_linear", 1, false),
         ]
     );

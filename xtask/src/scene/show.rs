@@ -137,7 +137,7 @@ fn add_columns(columns: &mut Vec<Column>, series: &Series, exact: Option<&Series
 
 /// Nine significant digits, without zeros that say nothing.
 fn digits(x: f64) -> String {
-    let magnitude = if x == 0.0 { 0.0 } else { x.abs().log10().floor() };
+    let magnitude = if x == 0.0 { x } else { x.abs().log10().floor() };
     if !(-5.0..9.0).contains(&magnitude) {
         return format!("{x:.8e}");
     }
@@ -171,10 +171,8 @@ fn meaning(scene: &Scene, results: &Results, output: &str) -> String {
     let of_output = results.series.iter().filter(|series| series.output == output);
     // The torque of a slide line goes by the name of the line; it is that of its elements.
     let sliding = || Kind::all().find(|kind| kind.slides() && kind.output(output).is_some());
-    let mut kinds: Vec<&Kind> = of_output.filter_map(|series| scene.kind(&series.element).or_else(sliding)).collect();
-    kinds.dedup_by_key(|kind| kind.name);
     let mut meanings: Vec<(&str, String)> = Vec::new();
-    for kind in kinds {
+    for kind in of_output.filter_map(|series| scene.kind(&series.element).or_else(sliding)) {
         let Some(quantity) = kind.output(output).and_then(|register| kind.quantity(register)) else { continue };
         let words = format!("{} ({})", quantity.meaning, quantity.unit);
         if meanings.iter().all(|(_, known)| *known != words) {
