@@ -70,7 +70,9 @@ fn what_tells_no_triad_is_refused() {
     assert!(refused(r#""axes": [[1, 0, 0]]"#).contains("1 vectors"));
     assert!(refused(r#""rotation": [0, 0, 0], "quaternion": [1, 0, 0, 0]"#).contains("2 descriptions"));
     assert!(refused("").contains("0 descriptions"));
-    for once in [r#""axes": 5"#, r#""axes": [[1, 0, 0], true]"#, r#""axes": []"#, r#""quaternion": [1, 0]"#, r#""rotation": 0"#] {
+    for once in
+        [r#""axes": 5"#, r#""axes": [[1, 0, 0], true]"#, r#""axes": []"#, r#""quaternion": [1, 0]"#, r#""rotation": 0"#]
+    {
         assert_eq!(refused(once).lines().count(), 1, "{once}: {}", refused(once));
     }
 }
@@ -148,7 +150,9 @@ fn some_of_thousands_of_nodes_move_and_turn_on() {
     let list = |of: &dyn Fn(usize) -> String| (0..COUNT).map(of).collect::<Vec<_>>().join(", ");
     let nodes = list(&|k| format!(r#""n{k}": {{"at": [0, {k}, 0]}}"#));
     let element = |k| {
-        format!(r#""s{k}": {{"kind": "slot", "nodes": ["a", "n{k}"]}}, "t{k}": {{"kind": "align", "nodes": ["a", "n{k}"]}}"#)
+        format!(
+            r#""s{k}": {{"kind": "slot", "nodes": ["a", "n{k}"]}}, "t{k}": {{"kind": "align", "nodes": ["a", "n{k}"]}}"#
+        )
     };
     let elements = LOOKED_AT.map(element).join(", ");
     let motion = |k: usize, u: f64, ur: f64| format!(r#""n{k}": {{"u": [{u:?}, 0, 0], "ur": [0, 0, {ur:?}]}}"#);
@@ -166,7 +170,8 @@ fn some_of_thousands_of_nodes_move_and_turn_on() {
         frame(1),
         frame(2)
     ));
-    let results = rayon::ThreadPoolBuilder::new().num_threads(2).build().unwrap().install(|| Results::of(&scene).unwrap());
+    let results =
+        rayon::ThreadPoolBuilder::new().num_threads(2).build().unwrap().install(|| Results::of(&scene).unwrap());
     for (k, state) in LOOKED_AT.into_iter().flat_map(|k| [0, 1, 2].map(|state| (k, state))) {
         let moved = again.iter().any(|&(since, node)| node == k && since <= state);
         let (u, ur) = if moved { (7.0, -0.25) } else { (first(k), first(k)) };
@@ -179,10 +184,11 @@ fn some_of_thousands_of_nodes_move_and_turn_on() {
 /// About the diagonal by √3, which is not by nothing.
 #[test]
 fn equal_parts_of_a_rotation_vector_turn_too() {
-    let (at_once, later) = (seen(r#""rotation": [1, 1, 1]"#, "[0, 0, 0]"), seen(r#""rotation": [0, 0, 0]"#, "[1, 1, 1]"));
+    let (at_once, later) =
+        (seen(r#""rotation": [1, 1, 1]"#, "[0, 0, 0]"), seen(r#""rotation": [0, 0, 0]"#, "[1, 1, 1]"));
     assert_close(at_once, later, "from the start or after it");
-    // b is (−1, 0, 1) from the diagonal, and (−1, 2, −1)/√3 across it; a turns the other way than b is seen to.
+    // b is (−1, 0, 1) from the diagonal, and is seen to turn to (−1, 2, −1)/√3.
     let (sine, cosine) = 3_f64.sqrt().sin_cos();
     let across = [-1.0, 2.0, -1.0].map(|part| part * sine / 3_f64.sqrt());
-    assert_close(at_once, [2.0 - cosine - across[0], 2.0 - across[1], 2.0 + cosine - across[2]], "about the diagonal");
+    assert_close(at_once, [2.0 - cosine + across[0], 2.0 + across[1], 2.0 + cosine + across[2]], "about the diagonal");
 }

@@ -409,8 +409,7 @@ fn a_hundred_problems_are_listed_at_most() {
     };
     // At the start, of two groups of sixty.
     let outputs = |k: usize| if k.is_multiple_of(2) { r#""UR2""# } else { r#""UR1", "UR2""# };
-    let element =
-        |k| format!(r#""e{k}": {{"kind": "translator", "nodes": ["a", "b"], "outputs": [{}]}}"#, outputs(k));
+    let element = |k| format!(r#""e{k}": {{"kind": "translator", "nodes": ["a", "b"], "outputs": [{}]}}"#, outputs(k));
     let elements = (0..120).map(element).collect::<Vec<_>>().join(", ");
     let start = format!(
         r#"{{"dimension": "3d", "orientations": {{"o": {{"rotation": [0, 1.57, 0]}}, "p": {{"rotation": [0, 0, 0]}}}},

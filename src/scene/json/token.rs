@@ -146,7 +146,7 @@ mod tests {
     use super::*;
 
     /// Where the reading of a value stops, and what is allowed there; `None` where the value is whole.
-    fn stops(text: &str, read: impl Fn(&mut Reader) -> Read<()>) -> Option<(usize, usize, String)> {
+    fn stops<'t>(text: &'t str, read: impl Fn(&mut Reader<'t>) -> Read<()>) -> Option<(usize, usize, String)> {
         let mut reader = Reader::new(text);
         let stopped = read(&mut reader).is_err();
         assert_eq!(reader.faults.len(), usize::from(stopped), "{text}");

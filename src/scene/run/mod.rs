@@ -266,7 +266,11 @@ mod tests {
             assert_eq!(run.bytes(), [of_elements(&plan), nodes + next_state + pieces]);
             let mut found = [Vec::new(), Vec::new(), Vec::new()];
             run.for_each_result(usize::MAX, |_, output, components| {
-                let (index, component) = if output == "Y" { (0, 0) } else { [(1, 0), (2, 1)][usize::from(output == "RF")] };
+                let (index, component) = match output {
+                    "Y" => (0, 0),
+                    "U1" => (1, 0),
+                    _ => (2, 1),
+                };
                 found[index].push(components[component]);
             });
             assert_eq!(found[0], numbers(|k| [1.0 - k, 0.0]).chunks(2).map(|y| y[0]).collect::<Vec<_>>());

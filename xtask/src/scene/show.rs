@@ -262,7 +262,8 @@ mod tests {
 
     /// So many slots of which the second node moves by a quarter and by a half.
     fn scene(elements: usize, outputs: &str) -> Scene {
-        let elements: Vec<_> = (0..elements).map(|k| format!(r#""e{k}": {{"kind": "slot", "nodes": ["a", "b"]}}"#)).collect();
+        let elements: Vec<_> =
+            (0..elements).map(|k| format!(r#""e{k}": {{"kind": "slot", "nodes": ["a", "b"]}}"#)).collect();
         let text = format!(
             r#"{{"title": "Slots", "dimension": "2d", "orientations": {{"o": {{"angle": 0}}}},
             "nodes": {{"a": {{"at": [0, 0], "orientation": "o"}}, "b": {{"at": [1, 0]}}}},
@@ -316,7 +317,8 @@ mod tests {
 
     #[test]
     fn elements_that_are_not_shown_are_counted() {
-        for (elements, rest) in [(8, None), (9, Some("… and 1 more elements")), (11, Some("… and 3 more elements"))] {
+        for (elements, rest) in [(8, None), (9, Some("… and 1 more elements")), (11, Some("… and 3 more elements"))]
+        {
             let scene = scene(elements, r#"["U1"]"#);
             let shown = results(&scene, &Results::of(&scene).unwrap(), None, Format::Text).unwrap();
             let said = shown.lines().find(|line| line.starts_with('…'));
