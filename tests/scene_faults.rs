@@ -451,11 +451,11 @@ fn one_mistake_is_one_fault() {
     let slot = |rest: &str| format!(r#"{{"kind": "slot"{rest}}}"#);
     let sound = slot(r#", "nodes": ["a", "b"]"#);
     for (frames, expected) in [
-        ("[]", "frames (line 2, column 72): no frame; allowed is one frame or more"),
-        ("5", "frames (line 2, column 72): 5; allowed is an array of frames"),
-        ("[5]", "frames[0] (line 2, column 73): 5; allowed is an object"),
-        (r#"[{"time": "0"}]"#, "frames[0].time (line 2, column 82): \"0\"; allowed is a finite number"),
-        (r#"[{"time": 0, "nodes": 5}]"#, "frames[0].nodes (line 2, column 94): 5; allowed is an object of nodes"),
+        ("[]", "frames (line 2, column 81): no frame; allowed is one frame or more"),
+        ("5", "frames (line 2, column 81): 5; allowed is an array of frames"),
+        ("[5]", "frames[0] (line 2, column 82): 5; allowed is an object"),
+        (r#"[{"time": "0"}]"#, "frames[0].time (line 2, column 91): \"0\"; allowed is a finite number"),
+        (r#"[{"time": 0, "nodes": 5}]"#, "frames[0].nodes (line 2, column 103): 5; allowed is an object of nodes"),
     ] {
         let found = found(&sound, frames);
         assert!(found.len() == 1 && found[0].starts_with(expected), "{found:#?}");
