@@ -135,7 +135,7 @@ pub struct Kind {
     pub given: &'static [&'static [(&'static str, Origin)]],
     /// Parameters of which the first must not be above the second.
     pub ordered: &'static [(&'static str, &'static str)],
-    /// Its formulas, the preferred first where several compute the same; in groups, some of which several kinds have.
+    /// Its formulas, of which one at a time computes a register; in groups, some of which several kinds have.
     pub formulas: &'static [&'static [Use]],
     /// Registers that hold something else here than the fields of their formulas say.
     pub meanings: &'static [(&'static str, &'static Quantity)],
@@ -149,7 +149,7 @@ impl Kind {
         self.given.iter().copied().flatten().copied()
     }
 
-    /// Its formulas, the preferred first where several compute the same.
+    /// Its formulas, of which one at a time computes a register.
     pub fn formulas(&self) -> impl Iterator<Item = &'static Use> + use<> {
         self.formulas.iter().copied().flatten()
     }
