@@ -376,6 +376,26 @@ fn a_number_in_a_frame_is_that_of_every_member() {
     assert!(twice.unwrap_err().contains("\"b[2]\" for the second time"));
 }
 
+/// What a part of a set is loaded with is that of its own kind, whatever kind comes behind it.
+#[test]
+fn the_last_member_of_a_set_is_of_the_kind_of_the_set() {
+    let scene = |frames: Value| {
+        json!({ "dimension": "3d", "columns": FILE, "orientations": { "o": { "rotation": [0, 0, 0] } },
+            "nodes": { "a": { "at": [0, 0, 0], "orientation": "o" }, "b": { "at": "b" } },
+            "elements": { "e": { "kind": "slot", "nodes": ["a", "b"] }, "t": { "kind": "align", "nodes": ["a", "b[0]"] } },
+            "outputs": ["FC", "RM"], "frames": frames })
+    };
+    let arrays = file(&[array("b", &[3, 3], &[1.0; 9]), array("time", &[1], &[0.0]), array("f", &[1, 1], &[3.0])]);
+    let folder = tempfile::tempdir().unwrap();
+    for frames in [
+        json!([{ "time": 0, "loads": { "e[2:]": { "f2": 3 } } }]),
+        json!({ "time": "time", "loads": { "e[2:]": { "f2": "f" } } }),
+    ] {
+        let scene = parse(folder.path(), &scene(frames), &arrays).unwrap();
+        assert_eq!(Columns::of(&scene).unwrap().get("e", "FC").unwrap().numbers, [0.0, 0.0, 3.0]);
+    }
+}
+
 #[test]
 fn the_same_results_have_the_same_bytes() {
     let text = include_str!("../golden/scenes/thread.json");

@@ -436,3 +436,42 @@ fn a_translator_that_starts_near_a_right_angle_is_refused() {
         }
     }
 }
+
+/// Nothing follows from a mistake that would be another fault.
+#[test]
+fn one_mistake_is_one_fault() {
+    let found = |element: &str, frames: &str| {
+        let node = |name: &str| format!(r#""{name}": {{"at": [0, 0, 0], "orientation": "o"}}"#);
+        faults(&format!(
+            r#"{{"dimension": "3d", "orientations": {{"o": {{"rotation": [0, 0, 0]}}}}, "nodes": {{{}}},
+            "elements": {{"e": {element}}}, "frames": {frames}}}"#,
+            ["a", "b", "c", "d"].map(node).join(", ")
+        ))
+    };
+    let slot = |rest: &str| format!(r#"{{"kind": "slot"{rest}}}"#);
+    let sound = slot(r#", "nodes": ["a", "b"]"#);
+    for (frames, expected) in [
+        ("[]", "frames (line 2, column 81): no frame; allowed is one frame or more"),
+        ("5", "frames (line 2, column 81): 5; allowed is an array of frames"),
+        ("[5]", "frames[0] (line 2, column 82): 5; allowed is an object"),
+        (r#"[{"time": "0"}]"#, "frames[0].time (line 2, column 91): \"0\"; allowed is a finite number"),
+        (r#"[{"time": 0, "nodes": 5}]"#, "frames[0].nodes (line 2, column 103): 5; allowed is an object of nodes"),
+    ] {
+        let found = found(&sound, frames);
+        assert!(found.len() == 1 && found[0].starts_with(expected), "{found:#?}");
+    }
+    for (element, expected) in [
+        ("5".into(), "5; allowed is an element"),
+        (slot(r#", "mu": 0.5, "outputs": ["CSF1"]"#), "an element without \"nodes\""),
+        (slot(r#", "nodes": 5"#), "5; allowed is an array of 2 nodes: a, b"),
+        (slot(r#", "nodes": ["a", "b", "c", "d"]"#), "an array of 4; allowed is an array of 2 nodes"),
+        (slot(r#", "nodes": ["a", "b"], "kind": "slott""#), "\"kind\" for the second time"),
+        (slot(r#", "nodes": ["a", "b"], "outputs": ["CSF1"], "mu": 1, "k_stick": "x""#), "\"x\"; allowed is"),
+        (slot(r#", "nodes": ["a", "b"], "outputs": 5"#), "5; allowed is an array of output names"),
+        (r#"{"kind": "slider", "nodes": ["a", "b", "a"]}"#.into(), "node \"a\" for the second time"),
+        (r#"{"kind": "slider", "nodes": ["a", "b", "b"]}"#.into(), "node \"b\" for the second time"),
+    ] {
+        let found = found(&element, r#"[{"time": 0}]"#);
+        assert!(found.len() == 1 && found[0].contains(expected), "{element}: {found:#?}");
+    }
+}

@@ -70,6 +70,11 @@ fn what_tells_no_triad_is_refused() {
     assert!(refused(r#""axes": [[1, 0, 0]]"#).contains("1 vectors"));
     assert!(refused(r#""rotation": [0, 0, 0], "quaternion": [1, 0, 0, 0]"#).contains("2 descriptions"));
     assert!(refused("").contains("0 descriptions"));
+    for once in
+        [r#""axes": 5"#, r#""axes": [[1, 0, 0], true]"#, r#""axes": []"#, r#""quaternion": [1, 0]"#, r#""rotation": 0"#]
+    {
+        assert_eq!(refused(once).lines().count(), 1, "{once}: {}", refused(once));
+    }
 }
 
 /// Elements of a group share registers in blocks, and blocks are shared out to tasks: each must have its own nodes' triads and
@@ -120,4 +125,70 @@ fn each_of_thousands_of_elements_is_as_if_it_were_alone() {
             }
         }
     }
+}
+
+#[test]
+fn in_the_plane_an_angle_turns_to_the_left() {
+    let scene = scene(
+        r#"{"dimension": "2d", "orientations": {"o": {"angle": 0}},
+        "nodes": {"a": {"at": [0, 0], "orientation": "o"}, "b": {"at": [1, 2]}},
+        "elements": {"e": {"kind": "slot", "nodes": ["a", "b"]}}, "outputs": ["X", "Y"],
+        "frames": [{"time": 0}, {"time": 1, "nodes": {"a": {"ur": 1.5707963267948966}}}]}"#,
+    );
+    let results = Results::of(&scene).unwrap();
+    let at = |state| ["X", "Y"].map(|output| results.get("e", output, state).unwrap()[0]);
+    assert_eq!(at(0), [1.0, 2.0]);
+    let [x, y] = at(1);
+    assert_close([x, y, 0.0], [2.0, -1.0, 0.0], "a quarter of a turn");
+}
+
+/// More nodes than one thread takes, of which some move and turn again in later frames.
+#[test]
+fn some_of_thousands_of_nodes_move_and_turn_on() {
+    const COUNT: usize = 4200;
+    const LOOKED_AT: [usize; 8] = [0, 1, 2, 4095, 4096, 4097, 4198, 4199];
+    let list = |of: &dyn Fn(usize) -> String| (0..COUNT).map(of).collect::<Vec<_>>().join(", ");
+    let nodes = list(&|k| format!(r#""n{k}": {{"at": [0, {k}, 0]}}"#));
+    let element = |k| {
+        format!(
+            r#""s{k}": {{"kind": "slot", "nodes": ["a", "n{k}"]}}, "t{k}": {{"kind": "align", "nodes": ["a", "n{k}"]}}"#
+        )
+    };
+    let elements = LOOKED_AT.map(element).join(", ");
+    let motion = |k: usize, u: f64, ur: f64| format!(r#""n{k}": {{"u": [{u:?}, 0, 0], "ur": [0, 0, {ur:?}]}}"#);
+    let first = |k: usize| f64::from(u32::try_from(k).unwrap()) / 8192.0;
+    let again = [(1, 1), (1, 4096), (1, 4199), (2, 4097)];
+    let frame = |state| {
+        let motions = again.iter().filter(|&&(of, _)| of == state).map(|&(_, k)| motion(k, 7.0, -0.25));
+        motions.collect::<Vec<_>>().join(", ")
+    };
+    let scene = scene(&format!(
+        r#"{{"dimension": "3d", "orientations": {{"o": {{"rotation": [0, 0, 0]}}}}, "outputs": ["X", "GAMMA"],
+        "nodes": {{{nodes}, "a": {{"at": [0, 0, 0], "orientation": "o"}}}}, "elements": {{{elements}}},
+        "frames": [{{"time": 0, "nodes": {{{}}}}}, {{"time": 1, "nodes": {{{}}}}}, {{"time": 2, "nodes": {{{}}}}}]}}"#,
+        list(&|k| motion(k, first(k), first(k))),
+        frame(1),
+        frame(2)
+    ));
+    let results =
+        rayon::ThreadPoolBuilder::new().num_threads(2).build().unwrap().install(|| Results::of(&scene).unwrap());
+    for (k, state) in LOOKED_AT.into_iter().flat_map(|k| [0, 1, 2].map(|state| (k, state))) {
+        let moved = again.iter().any(|&(since, node)| node == k && since <= state);
+        let (u, ur) = if moved { (7.0, -0.25) } else { (first(k), first(k)) };
+        let of = |element: char, output| results.get(&format!("{element}{k}"), output, state).unwrap()[0];
+        assert_eq!(of('s', "X"), u, "{k} {state}");
+        assert!((of('t', "GAMMA") - ur).abs() < 1e-15, "{k} {state}: {}", of('t', "GAMMA"));
+    }
+}
+
+/// About the diagonal by √3, which is not by nothing.
+#[test]
+fn equal_parts_of_a_rotation_vector_turn_too() {
+    let (at_once, later) =
+        (seen(r#""rotation": [1, 1, 1]"#, "[0, 0, 0]"), seen(r#""rotation": [0, 0, 0]"#, "[1, 1, 1]"));
+    assert_close(at_once, later, "from the start or after it");
+    // b is (−1, 0, 1) from the diagonal, and is seen to turn to (−1, 2, −1)/√3.
+    let (sine, cosine) = 3_f64.sqrt().sin_cos();
+    let across = [-1.0, 2.0, -1.0].map(|part| part * sine / 3_f64.sqrt());
+    assert_close(at_once, [2.0 - cosine + across[0], 2.0 + across[1], 2.0 + cosine + across[2]], "about the diagonal");
 }

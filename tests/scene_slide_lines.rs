@@ -346,3 +346,105 @@ fn the_torque_of_a_line_is_that_of_the_elements_that_are_asked_for_it() {
     }
     assert!(carries);
 }
+
+/// What is wrong with a slide line over nodes that are called `n1` to `n7`.
+fn wrong(line: &str) -> Vec<String> {
+    let nodes = (1..=7).map(|k| format!(r#""n{k}": {{"at": [{k}, 0]}}"#)).collect::<Vec<_>>().join(", ");
+    let text = format!(
+        r#"{{"dimension": "axisymmetric", "nodes": {{{nodes}}}, "slide_lines": {{"l": {line}}}, "elements": {{}}}}"#
+    );
+    let faults = Scene::parse(&text).err();
+    faults.map_or_else(Vec::new, |faults| faults.list().iter().map(ToString::to_string).collect())
+}
+
+#[test]
+fn whole_numbers_are_of_their_range_and_generated_names_of_their_line() {
+    let line = |rest: &str| wrong(&format!(r#"{{"type": "linear"{rest}}}"#));
+    let generate = |rest: &str| line(&format!(r#", "generate": {{{rest}}}"#));
+    let frequency = |number: &str| line(&format!(r#", "nodes": ["n1", "n2"], "torque_frequency": {number}"#));
+    let to_7 = r#""first": "n1", "last": "n7""#;
+    for sound in ["", r#", "increment": 1"#, r#", "increment": 2"#, r#", "increment": 3"#, r#", "increment": 6"#] {
+        assert_eq!(generate(&format!("{to_7}{sound}")), [""; 0], "{sound}");
+    }
+    assert!(["0", "1", "4294967295"].iter().all(|number| frequency(number).is_empty()));
+    for number in ["-1", "0.5", "4294967296"] {
+        let found = frequency(number);
+        assert!(found.len() == 1 && found[0].ends_with("a whole number from 0 to 4294967295"), "{found:?}");
+    }
+    for number in ["0", "1.5", "-2", "4294967296"] {
+        let found = generate(&format!(r#"{to_7}, "increment": {number}"#));
+        assert!(found.len() == 1 && found[0].ends_with("a whole number from 1 to 4294967295"), "{found:?}");
+    }
+    let multiple = |from: &str, step: &str| format!("\"n\" with a number that is {from} and a multiple of {step} more");
+    for (rest, expected) in [
+        (format!(r#"{to_7}, "increment": 4"#), multiple("1", "4")),
+        (format!(r#"{to_7}, "increment": 8"#), multiple("1", "8")),
+        (r#""first": "n7", "last": "n1""#.into(), multiple("7", "1")),
+        (r#""first": "n1", "last": "m7""#.into(), multiple("1", "1")),
+        (r#""first": "n1", "last": "n""#.into(), "names that end in a number".into()),
+        (r#""first": "n1""#.into(), "first, last, and increment if it is not 1".into()),
+    ] {
+        let found = generate(&rest);
+        assert!(found.len() == 1 && found[0].ends_with(&expected), "{rest}: {found:?}");
+    }
+    let found = generate(r#""first": "n5", "last": "n9""#);
+    assert!(found.len() == 1 && found[0].contains("no node \"n8\""), "{found:?}");
+    // Its one node is wrong with the line, not with the names.
+    let found = generate(r#""first": "n2", "last": "n2""#);
+    assert!(found.len() == 1 && !found[0].contains("multiple"), "{found:?}");
+}
+
+#[test]
+fn one_mistake_in_a_slide_line_is_one_fault() {
+    let line = |rest: &str| wrong(&format!(r#"{{"type": "linear", "nodes": ["n1", "n2"]{rest}}}"#));
+    assert_eq!(line(""), [""; 0]);
+    for (found, expected) in [
+        (wrong("5"), "5; allowed is an object"),
+        (wrong(r#"{"type": "linear", "generate": 5}"#), "5; allowed is an object"),
+        (line(r#", "generate": {"first": "n1", "last": "n2"}"#), "a slide line with \"nodes\" and \"generate\""),
+        (line(r#", "pressure": {"k": -1}"#), "-1; allowed is"),
+        (line(r#", "pressure": {"k": 1, "c0": "x"}"#), "\"x\"; allowed is"),
+        (line(r#", "pressure": {}"#), "0 parameters; allowed is k alone"),
+        (line(r#", "friction": {"mu": 0.1, "k_stick": "x"}"#), "\"x\"; allowed is"),
+        (line(r#", "friction": 5"#), "5; allowed is an object"),
+        (line(r#", "damping": {"mu0": 1, "eta": 0.5}"#), "2 parameters; allowed is all of mu0, c0, eta"),
+    ] {
+        assert!(found.len() == 1 && found[0].contains(expected), "{expected}: {found:?}");
+    }
+    let turned = r#"{"dimension": "axisymmetric", "nodes": {"a": {"at": [1, 0]}}, "elements": {},
+        "frames": [{"time": 0, "nodes": {"a": {"ur": 0.5}}}]}"#;
+    let found = Scene::parse(turned).unwrap_err().to_string();
+    assert!(found.ends_with("unknown key \"ur\"; allowed is one of u"), "{found}");
+}
+
+#[test]
+fn a_plan_has_its_formulas_in_order_whichever_element_comes_first() {
+    let wants = |text: String, element: &str, outputs: &str| {
+        let (before, rest) = text.split_once(&format!("\"{element}\": {{")).unwrap();
+        format!("{before}\"{element}\": {{ \"outputs\": {outputs}, {rest}")
+    };
+    let text = THREAD.replace(r#"["E11", "E12", "S11", "S12", "T"]"#, "[]");
+    let text = wants(wants(text, "thread 1", r#"["T"]"#), "thread 3", r#"["AREA", "E12"]"#);
+    let scene = scene(&text);
+    let lines = Plan::new(&scene).lines();
+    let formulas: Vec<_> = lines.iter().map(|line| (line.formula, line.elements, line.once)).collect();
+    assert_eq!(
+        formulas,
+        [
+            ("slide_line.closest_smoothed_linear", 4, false),
+            ("slide_line.slip_increment_linear", 2, false),
+            ("interaction.pressure_linear", 2, false),
+            ("slide_line.contact_area_linear", 1, false),
+            ("slide_line.torque_linear", 1, false),
+        ]
+    );
+}
+
+#[test]
+fn results_of_the_first_elements_on_a_line_alone_are_kept() {
+    let scene = scene(THREAD);
+    let first = Results::collect::<f64>(&Plan::new(&scene), 2, || ()).unwrap();
+    let mut elements: Vec<_> = first.series.iter().map(|series| &*series.element).collect();
+    elements.dedup();
+    assert_eq!(elements, ["thread 1", "thread 2", "box"]);
+}

@@ -1,7 +1,7 @@
 //! Scenes: plans held to the least, histories, results against the typed API and against closed forms.
 
 use jointproof::scene::rules::RULES;
-use jointproof::scene::{Plan, Results, Scene};
+use jointproof::scene::{Columns, Plan, Results, Run, Scene, Stopped};
 use jointproof::slot::{Pose, Slot};
 use jointproof::verify::Options;
 use nalgebra::Vector3;
@@ -350,4 +350,94 @@ fn what_a_formula_rejects_in_a_state_names_element_and_state() {
     let problems = Results::of(&scene).unwrap_err().to_string();
     assert!(problems.starts_with("element \"rail\", frames[1], slider.constraint: x1 and xn are 0"), "{problems}");
     assert_eq!(Results::exact(&scene).unwrap_err().to_string(), problems);
+}
+
+#[test]
+fn a_plan_counts_what_runs_and_the_start_runs_once() {
+    for text in [TELESCOPE, DRIVE_SHAFT, INTERFACE, RAIL] {
+        let scene = scene(text);
+        let plan = Plan::new(&scene);
+        let results = Results::of(&scene).unwrap();
+        assert_eq!(plan.counts(results.times.len()), results.counts);
+        // Nothing of a state was evaluated before the first.
+        let run = Run::<f64>::new(&plan).unwrap();
+        let mut at_start: Vec<_> = plan.lines().into_iter().filter(|line| line.once).map(|line| line.formula).collect();
+        at_start.dedup();
+        let mut counted: Vec<_> = run.counts().into_iter().map(|(formula, _)| formula).collect();
+        assert!(run.counts().iter().all(|&(_, count)| count > 0));
+        at_start.sort_unstable();
+        at_start.dedup();
+        counted.sort_unstable();
+        assert_eq!(counted, at_start);
+    }
+}
+
+#[test]
+fn results_of_the_first_elements_alone_are_kept() {
+    let scene = scene(DRIVE_SHAFT);
+    let plan = Plan::new(&scene);
+    let (all, mut states) = (Results::of(&scene).unwrap(), 0);
+    let first = Results::collect::<f64>(&plan, 1, || states += 1).unwrap();
+    assert_eq!(states, all.times.len());
+    assert!(first.series.iter().eq(all.series.iter().filter(|series| series.element == "first")));
+    assert!(first.series.len() < all.series.len() && !first.series.is_empty());
+}
+
+#[test]
+fn a_column_is_that_of_an_element_and_an_output() {
+    let scene = one("3d", r#""kind": "slot""#, r#"["U1", "FC"]"#);
+    let columns = Columns::of(&scene).unwrap();
+    let numbers = |element, output| columns.get(element, output).map(|column| &*column.numbers);
+    assert_eq!([numbers("e", "U1"), numbers("e", "FC")], [Some(&[0.5][..]), Some(&[3.0][..])]);
+    assert_eq!([numbers("e", "X"), numbers("a", "U1")], [None; 2]);
+}
+
+#[test]
+fn the_largest_double_is_a_result() {
+    let text = r#"{"dimension": "2d", "orientations": {"o": {"angle": 0}},
+        "nodes": {"a": {"at": [0, 0], "orientation": "o"}, "b": {"at": [1, 0]}},
+        "elements": {"e": {"kind": "slot", "nodes": ["a", "b"]}}, "outputs": ["KF"],
+        "frames": [{"time": 0, "loads": {"e": {"f1": -1.7976931348623157e308}}}]}"#;
+    assert_eq!(Results::of(&scene(text)).unwrap().get("e", "KF", 0).unwrap()[0], f64::MIN);
+}
+
+#[test]
+fn a_hundred_problems_are_listed_at_most() {
+    let listed = |text: &str| match Results::of(&scene(text)) {
+        Err(Stopped::Problems(problems)) => problems.0.len(),
+        other => panic!("{other:?}"),
+    };
+    // At the start, of two groups of sixty.
+    let outputs = |k: usize| if k.is_multiple_of(2) { r#""UR2""# } else { r#""UR1", "UR2""# };
+    let element = |k| format!(r#""e{k}": {{"kind": "translator", "nodes": ["a", "b"], "outputs": [{}]}}"#, outputs(k));
+    let elements = (0..120).map(element).collect::<Vec<_>>().join(", ");
+    let start = format!(
+        r#"{{"dimension": "3d", "orientations": {{"o": {{"rotation": [0, 1.57, 0]}}, "p": {{"rotation": [0, 0, 0]}}}},
+        "nodes": {{"a": {{"at": [0, 0, 0], "orientation": "o"}}, "b": {{"at": [0, 0, 0], "orientation": "p"}}}},
+        "elements": {{{elements}}}}}"#
+    );
+    assert_eq!(listed(&start), 100);
+    // In a state, of as many slide lines.
+    let each = |of: fn(usize) -> String| (0..101).map(of).collect::<Vec<_>>().join(", ");
+    let lines = each(|k| format!(r#""l{k}": {{"type": "linear", "nodes": ["a", "b"]}}"#));
+    let rings = each(|k| format!(r#""r{k}": {{"kind": "isl21a", "nodes": ["m", "n"], "slide_line": "l{k}"}}"#));
+    let state = format!(
+        r#"{{"dimension": "axisymmetric", "slide_lines": {{{lines}}}, "elements": {{{rings}}}, "outputs": ["E11"],
+        "nodes": {{"a": {{"at": [1, 0]}}, "b": {{"at": [5, 0]}}, "m": {{"at": [2, 1]}}, "n": {{"at": [3, 1]}}}},
+        "frames": [{{"time": 0}}, {{"time": 1, "nodes": {{"b": {{"u": [-4, 0]}}}}}}]}}"#
+    );
+    assert_eq!(listed(&state), 100);
+}
+
+#[test]
+fn nodes_may_turn_whose_triad_nobody_reads() {
+    let results = |turn: &str| {
+        let text = format!(
+            r#"{{"dimension": "3d", "nodes": {{"a": {{"at": [0, 0, 0]}}, "b": {{"at": [2, 0, 0]}}, "m": {{"at": [1, 1, 0]}}}},
+            "elements": {{"rail": {{"kind": "slider", "nodes": ["a", "b", "m"]}}}}, "outputs": ["G1", "G2"],
+            "frames": [{{"time": 0, "nodes": {{"m": {{"u": [0, 1, 0]{turn}}}}}}}]}}"#
+        );
+        Results::of(&scene(&text)).unwrap()
+    };
+    assert_eq!(results(""), results(r#", "ur": [0, 0, 1]"#));
 }

@@ -33,6 +33,9 @@ fn all_mistakes_are_said_with_their_places_and_nothing_is_written() {
         .says("wrong.json: elements.s.nodes[1] (line 4, column 55): no node \"b\"; allowed is one of \"a\"\n")
         .says("wrong.json: elements.s.mu (line 4, column 67): -1; allowed is a finite number ≥ 0\n")
         .says("wrong.json: 3 faults\n");
+    let one = r#"{ "dimension": "3d", "nodes": {}, "elements": {}, "outputs": ["U9"] }"#;
+    fs::write(bench.path("wrong.json"), one).unwrap();
+    bench.run(&["scene", &wrong]).exits(1).says("wrong.json: 1 fault\n");
 }
 
 #[test]
@@ -79,6 +82,7 @@ fn every_output_is_called_what_it_is_of_its_own_connector() {
 fn errors_stand_beside_the_numbers() {
     let file = scene("telescope.json");
     let ran = Bench::new().run(&["scene", &file, "--error", "--format", "csv"]).exits(0).says("µs in f64");
+    assert!(!ran.stderr.contains(", 0.0 µs in 237 bits"), "{}", ran.stderr);
     let mut lines = ran.stdout.lines();
     assert_eq!(lines.next(), Some("time,element,output,component,value,error"));
     let errors: Vec<f64> = lines.map(|line| line.rsplit(',').next().unwrap().parse().unwrap()).collect();
@@ -137,6 +141,9 @@ fn plots_are_drawings_of_every_output() {
     bench.run(&["scene", &scene("telescope.json"), "--plot", &folder.to_string_lossy()]).exits(0).says("wrote");
     let svg = fs::read_to_string(folder.join("telescope.CSF1.svg")).unwrap();
     assert!(svg.starts_with("<svg") && svg.contains("<title") && !svg.contains("NaN"), "{svg}");
+    let plot = ["scene", &scene("rail.json"), "--format", "csv", "--plot", &folder.to_string_lossy()];
+    bench.run(&plot).exits(0).says("wrote").prints("time,element,output,component,value");
+    assert!(folder.join("rail.CSF1.svg").exists());
 }
 
 #[test]
@@ -147,6 +154,13 @@ fn a_generated_scene_runs() {
     fs::write(&file, generated.stdout).unwrap();
     let ran = bench.run(&["scene", &file.to_string_lossy(), "--format", "csv"]).quiet();
     assert_eq!(ran.stdout.lines().count(), 1 + 100 * 5 * 5);
+    // A table has the first elements; what is no table has all.
+    let text = bench.run(&["scene", &file.to_string_lossy()]).quiet().prints("… and 92 more elements").stdout;
+    let headings = text.lines().find(|line| line.trim_start().starts_with("time")).unwrap();
+    assert_eq!(headings.split_whitespace().count(), 1 + 8, "{headings}");
+    let json = bench.run(&["scene", &file.to_string_lossy(), "--format", "json"]).quiet().stdout;
+    let results: Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(results["series"].as_array().unwrap().len(), 100 * 5);
 }
 
 /// A generated scene and its description with arrays: the names of the members differ, and nothing else.

@@ -31,17 +31,10 @@ pub trait Number: Scalar {
 pub trait Step: Sync {
     /// The identifier.
     fn id(&self) -> &'static str;
-    /// The title.
-    fn title(&self) -> &'static str;
     /// The inputs.
     fn inputs(&self) -> &'static [Field];
     /// The outputs.
     fn outputs(&self) -> &'static [Field];
-    /// Whether these input components, in order, are allowed.
-    ///
-    /// # Errors
-    /// As [`check`](crate::formula::check).
-    fn check(&self, components: &[f64]) -> Result<(), Error>;
     /// Evaluates every lane in `f64`.
     fn run_double(&self, wiring: &Wiring, lanes: &mut Lanes<'_, f64>, failures: &mut Vec<Failure>);
     /// Evaluates every lane in 237 bits.
@@ -52,19 +45,11 @@ impl<F: Formula> Step for F {
     fn id(&self) -> &'static str {
         F::SPEC.id
     }
-    fn title(&self) -> &'static str {
-        F::SPEC.title
-    }
     fn inputs(&self) -> &'static [Field] {
         F::Inputs::<f64>::FIELDS
     }
     fn outputs(&self) -> &'static [Field] {
         F::Outputs::<f64>::FIELDS
-    }
-    fn check(&self, components: &[f64]) -> Result<(), Error> {
-        let (found, expected) = (components.len(), F::Inputs::<f64>::LEN);
-        let inputs = F::Inputs::from_slice(components).ok_or(Error::Components { found, expected })?;
-        crate::formula::check::<F>(&inputs)
     }
     fn run_double(&self, wiring: &Wiring, lanes: &mut Lanes<'_, f64>, failures: &mut Vec<Failure>) {
         pulp::Arch::new().dispatch(Vectors::<F> { wiring, lanes, failures, formula: PhantomData });

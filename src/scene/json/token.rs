@@ -140,3 +140,70 @@ impl<'t> Reader<'t> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Where the reading of a value stops, and what is allowed there; `None` where the value is whole.
+    fn stops<'t>(text: &'t str, read: impl Fn(&mut Reader<'t>) -> Read<()>) -> Option<(usize, usize, String)> {
+        let mut reader = Reader::new(text);
+        let stopped = read(&mut reader).is_err();
+        assert_eq!(reader.faults.len(), usize::from(stopped), "{text}");
+        reader.faults.list().first().map(|fault| (fault.line, fault.column, fault.allowed.clone()))
+    }
+
+    #[test]
+    fn values_are_nested_so_deep_and_no_deeper() {
+        let nested = |depth: usize| format!("{}{}", "[".repeat(depth), "]".repeat(depth));
+        assert_eq!(stops(&nested(32), Reader::skip), None);
+        assert_eq!(stops(&nested(33), Reader::skip), Some((1, 33, "a depth of 32".into())));
+        let below = |reader: &mut Reader| reader.below("a", |reader| reader.below("b", Reader::skip));
+        assert_eq!(stops(&nested(30), below), None);
+        assert_eq!(stops(&nested(31), below), Some((1, 31, "a depth of 32".into())));
+    }
+
+    #[test]
+    fn what_is_no_json_is_said_where_it_stands() {
+        for (text, column, allowed) in [
+            ("01", 2, "a number without leading zeros"),
+            ("-0012", 3, "a number without leading zeros"),
+            ("-x", 2, "a digit after the minus sign"),
+            ("1.x", 3, "a digit after the point"),
+            ("1e+x", 4, "a digit in the exponent"),
+            ("\"ab", 4, "a closing quote"),
+            ("\"a\\", 4, "a closing quote"),
+            ("\"a\u{1f}\"", 3, "a closing quote"),
+            ("{\"a\" 1}", 6, "a colon"),
+            ("{\"a\": 1, 2}", 10, "a name in double quotes"),
+            ("{1}", 2, "a name in double quotes"),
+            ("[1 2]", 4, "a comma or the closing bracket"),
+            ("[1}", 3, "a comma or the closing bracket"),
+            ("tru", 1, "a JSON value"),
+        ] {
+            assert_eq!(stops(text, Reader::skip), Some((1, column, allowed.into())), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_json_is_stepped_over() {
+        for text in [
+            "0",
+            "-0",
+            "0.5",
+            "-10.25e-3",
+            "1E+2",
+            "true",
+            "null",
+            "[]",
+            "{}",
+            "[[], {}]",
+            "\"a b\"",
+            "\"a\\\"b\"",
+            "{\"a\": [1, {\"b\": false}], \"c\": \"\"}",
+        ] {
+            let mut reader = Reader::new(text);
+            assert!(reader.skip().is_ok() && reader.end().is_ok(), "{text}");
+        }
+    }
+}

@@ -157,3 +157,50 @@ impl<'t> Reader<'t> {
         if self.at < self.text.len() { self.stop("nothing after the scene") } else { Ok(()) }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Three numbers, and the faults that were found.
+    fn vector(text: &str) -> (Option<[f64; 3]>, Vec<String>) {
+        let mut reader = Reader::new(text);
+        let vector = reader.vector().unwrap();
+        (vector, reader.faults.list().iter().map(|fault| fault.found.clone()).collect())
+    }
+
+    #[test]
+    fn a_vector_is_an_array_of_so_many_numbers_or_one_fault() {
+        assert_eq!(vector("[1, 2, 3]"), (Some([1.0, 2.0, 3.0]), Vec::new()));
+        for (text, found) in [
+            ("5", "5"),
+            ("{}", "an object"),
+            ("[]", "an array of 0"),
+            ("[1, 2]", "an array of 2"),
+            ("[1, 2, 3, 4]", "an array of 4"),
+            ("[1, true, 3]", "true"),
+        ] {
+            assert_eq!(vector(text), (None, vec![found.into()]), "{text}");
+        }
+    }
+
+    #[test]
+    fn the_members_of_a_record_are_read_once_each() {
+        let mut reader = Reader::new(r#"{"b": 1, "x": 2, "a": 3, "b": 4}"#);
+        let mut read = Vec::new();
+        let is_object = reader.record(&["a", "b"], |reader, key| {
+            read.push((key, reader.number(Domain::Real)?));
+            Ok(())
+        });
+        assert!(is_object.unwrap());
+        assert_eq!(read, [(1, Some(1.0)), (0, Some(3.0))]);
+        let found: Vec<_> = reader.faults.list().iter().map(|fault| (fault.column, &*fault.found)).collect();
+        assert_eq!(found, [(10, "unknown key \"x\""), (26, "\"b\" for the second time")]);
+    }
+
+    #[test]
+    fn a_text_is_over_where_only_blanks_follow() {
+        let ends = |text| Reader::new(text).end().is_ok();
+        assert!(ends("") && ends(" \t\r\n") && !ends(" x"));
+    }
+}

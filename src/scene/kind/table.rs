@@ -135,7 +135,7 @@ pub struct Kind {
     pub given: &'static [&'static [(&'static str, Origin)]],
     /// Parameters of which the first must not be above the second.
     pub ordered: &'static [(&'static str, &'static str)],
-    /// Its formulas, the preferred first where several compute the same; in groups, some of which several kinds have.
+    /// Its formulas, of which one at a time computes a register; in groups, some of which several kinds have.
     pub formulas: &'static [&'static [Use]],
     /// Registers that hold something else here than the fields of their formulas say.
     pub meanings: &'static [(&'static str, &'static Quantity)],
@@ -149,7 +149,7 @@ impl Kind {
         self.given.iter().copied().flatten().copied()
     }
 
-    /// Its formulas, the preferred first where several compute the same.
+    /// Its formulas, of which one at a time computes a register.
     pub fn formulas(&self) -> impl Iterator<Item = &'static Use> + use<> {
         self.formulas.iter().copied().flatten()
     }
@@ -234,5 +234,38 @@ impl Kind {
 impl std::fmt::Debug for Kind {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{} ({})", self.name, self.dimension.name())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The parameters of a kind that have a bit.
+    fn switches(kind: &str, dimension: Dimension) -> Vec<&'static str> {
+        let kind = Kind::find(kind, dimension).unwrap();
+        let switches = kind.switches();
+        assert!(switches.checked_shr(u32::try_from(kind.parameters().count()).unwrap()) == Some(0), "no other bit");
+        let bits = kind.parameters().enumerate().filter(|(bit, _)| switches >> bit & 1 == 1);
+        bits.map(|(_, (name, _))| name).collect()
+    }
+
+    #[test]
+    fn a_parameter_has_a_bit_where_it_decides_about_a_formula_by_being_zero() {
+        use Dimension::{Axisymmetric, Plane, Space};
+        for (kind, dimension, expected) in [
+            ("slot", Space, &["mu"][..]),
+            ("slot", Plane, &["mu"]),
+            ("align", Space, &[]),
+            ("join", Space, &[]),
+            ("universal", Space, &[]),
+            ("slider", Space, &[]),
+            ("isl21a", Axisymmetric, &[]),
+        ] {
+            assert_eq!(switches(kind, dimension), expected, "{kind}");
+        }
+        let mut of_translator = switches("translator", Space);
+        of_translator.sort_unstable();
+        assert_eq!(of_translator, ["l", "mu", "rr"]);
     }
 }

@@ -264,4 +264,27 @@ mod tests {
             assert_eq!(numbers(reference), None, "{reference}");
         }
     }
+
+    #[test]
+    fn no_more_are_taken_than_can_be_numbered() {
+        let most = Named::<()>::MOST;
+        let mut named = Named::default();
+        named.push("one", None, ()).unwrap();
+        assert!(named.push("too many", Some(most), ()).is_err());
+        named.push("the rest", Some(most - 1), ()).unwrap();
+        assert!(named.push("one more", None, ()).is_err());
+        assert_eq!((named.next_number(), named.names().len()), (most, 2));
+    }
+
+    #[test]
+    fn names_that_come_out_of_order_are_found_all_the_same() {
+        let named = named();
+        let mut place = 0;
+        let mut near = |name: &str| {
+            let number = named.members_near(&mut place, name).map(|members| members.number(0));
+            (number, place)
+        };
+        assert_eq!(["a", "b", "d", "a"].map(&mut near), [(Some(0), 1), (Some(1), 2), (Some(7), 4), (Some(0), 1)]);
+        assert_eq!([near("x"), near("b"), near("c[1]")], [(None, 1), (Some(1), 2), (Some(6), 3)]);
+    }
 }

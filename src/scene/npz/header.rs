@@ -202,4 +202,19 @@ mod tests {
         assert_eq!(found(&claim), "a header of 4294967295 bytes");
         assert_eq!(found(&[MAGIC, &[1, 0, 1, 0, 0xFF]].concat()), "a header that is no text");
     }
+
+    #[test]
+    fn a_header_may_be_as_long_as_a_structure_needs_and_no_longer() {
+        let start = "{'descr': '<f8', 'fortran_order': False, 'shape': (2,), }";
+        let padded = |len: usize| array(2, &[start, &" ".repeat(len - start.len())].concat());
+        assert_eq!(read(&mut &*padded(LONGEST)).unwrap().0, [2]);
+        assert_eq!(read(&mut &*padded(LONGEST + 1)).unwrap_err().found, "a header of 65537 bytes");
+    }
+
+    #[test]
+    fn versions_from_one_to_three_are_known() {
+        let text = "{'descr': '<f8', 'fortran_order': False, 'shape': (2,), }";
+        assert!([1, 2, 3].iter().all(|&version| read(&mut &*array(version, text)).is_ok()));
+        assert!([0, 4].iter().all(|&version| read(&mut &*array(version, text)).unwrap_err().found == "no array"));
+    }
 }

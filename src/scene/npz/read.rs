@@ -167,7 +167,7 @@ impl Outline {
         let mut index = vec![0; self.shape.len()];
         let mut rest = place;
         for (index, &size) in index.iter_mut().zip(&self.shape).rev() {
-            (*index, rest) = (rest % size.max(1), rest / size.max(1));
+            (*index, rest) = (rest % size, rest / size);
         }
         Unfit::new(format!("{} with {number:?} at {index:?}", self.called), allowed)
     }
@@ -229,4 +229,36 @@ impl Array<'_> {
 fn are_all(numbers: &[f64], domain: Domain) -> bool {
     let are_finite = numbers.iter().fold(true, |all, number| all & number.is_finite());
     are_finite && (domain == Domain::Real || numbers.iter().fold(true, |all, &number| all & domain.allows(number)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_wrong_number_is_named_by_its_place_along_each_axis() {
+        let said = |shape: &[usize], place| {
+            Outline { called: "it".into(), shape: shape.into() }.wrong(0.5, place, "another").found
+        };
+        assert_eq!(said(&[2, 3, 4], 23), "it with 0.5 at [1, 2, 3]");
+        assert_eq!(said(&[2, 3, 4], 5), "it with 0.5 at [0, 1, 1]");
+        assert_eq!(said(&[3, 1, 2], 5), "it with 0.5 at [2, 0, 1]");
+        assert_eq!(said(&[2, 1], 1), "it with 0.5 at [1, 0]");
+        assert_eq!(said(&[9], 8), "it with 0.5 at [8]");
+    }
+
+    #[test]
+    fn all_numbers_are_finite_and_in_the_domain_or_not_all_are() {
+        for (numbers, domain, expected) in [
+            ([0.0, -1.0], Domain::Real, true),
+            ([0.0, -1.0], Domain::NonNegative, false),
+            ([-1.0, 0.0], Domain::NonNegative, false),
+            ([0.0, 1.0], Domain::NonNegative, true),
+            ([f64::NAN, 1.0], Domain::Real, false),
+            ([1.0, f64::INFINITY], Domain::NonNegative, false),
+        ] {
+            assert_eq!(are_all(&numbers, domain), expected, "{numbers:?}");
+        }
+        assert!(are_all(&[], Domain::Positive));
+    }
 }

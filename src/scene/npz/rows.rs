@@ -136,3 +136,45 @@ impl<W: Write + Seek> Write for Gaps<'_, W> {
         self.to.flush()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::npz::Writer;
+    use std::io::Cursor;
+
+    fn rows<'a>(to: &'a mut Cursor<Vec<u8>>, shapes: &[usize]) -> Rows<&'a mut Cursor<Vec<u8>>> {
+        let arrays = shapes.iter().enumerate().map(|(array, &len)| (format!("a{array}"), vec![len]));
+        Rows::new(to, arrays).unwrap()
+    }
+
+    #[test]
+    fn rows_of_any_length_stand_in_their_order_and_few_numbers_wait() {
+        let numbers: Vec<f64> = (0..2 * u32::try_from(PIECE).unwrap() + 7).map(f64::from).collect();
+        let mut expected = Vec::new();
+        let mut writer = Writer::new(&mut expected);
+        writer.write("a0", &[numbers.len()], &numbers).unwrap();
+        writer.write("a1", &[3], &numbers[..3]).unwrap();
+        writer.finish().unwrap();
+        let mut to = Cursor::new(Vec::new());
+        let mut rows = rows(&mut to, &[numbers.len(), 3]);
+        let mut rest = &numbers[..];
+        for len in [5, PIECE, 1, PIECE + 1] {
+            let (row, later) = rest.split_at(len);
+            rows.push(0, row).unwrap();
+            rest = later;
+            assert!(rows.arrays[0].waiting.len() <= PIECE);
+        }
+        rows.push(1, &numbers[..3]).unwrap();
+        rows.finish().unwrap();
+        assert!(to.into_inner() == expected);
+    }
+
+    #[test]
+    fn fewer_numbers_of_each_wait_where_there_are_many_arrays() {
+        let mut to = Cursor::new(Vec::new());
+        assert_eq!(rows(&mut to, &[]).wait, PIECE);
+        assert_eq!(rows(&mut to, &[1; 8]).wait, PIECE);
+        assert_eq!(rows(&mut to, &[1; 1000]).wait, 1048);
+    }
+}

@@ -31,44 +31,28 @@ impl Needs {
         readers.map(|(formula, _)| formula.id()).collect::<Vec<_>>().join(", ")
     }
 
-    /// What these registers need. Where several formulas compute a register, one that is needed anyway is taken, and the
-    /// first otherwise; so those without alternative are settled first.
+    /// What these registers need.
     pub(in crate::scene) fn of(signature: &Signature, wanted: impl Iterator<Item = (&'static str, String)>) -> Self {
         let mut needs = Self::default();
         let mut open: Vec<Wanted> = wanted.collect();
         while !open.is_empty() {
-            let (mut later, mut next) = (Vec::new(), Vec::new());
+            let mut next = Vec::new();
             for (register, why) in open {
-                needs.settle(signature, register, why, &mut next, &mut later);
+                needs.settle(signature, register, why, &mut next);
             }
-            if next.is_empty() && !later.is_empty() {
-                let (register, why) = later.remove(0);
-                needs.take(writers(signature, register).0, why, &mut next);
-            }
-            next.append(&mut later);
             open = next;
         }
         needs
     }
 
-    /// Settles where a register comes from, or leaves it for later where there is a choice.
-    fn settle(
-        &mut self,
-        signature: &Signature,
-        register: &'static str,
-        why: String,
-        next: &mut Vec<Wanted>,
-        later: &mut Vec<Wanted>,
-    ) {
+    /// Settles where a register comes from.
+    fn settle(&mut self, signature: &Signature, register: &'static str, why: String, next: &mut Vec<Wanted>) {
         if let Some(origin) = signature.kind.given(register) {
             self.give(signature, register, origin, next);
         } else if let Some((_, whys)) = self.formulas.iter_mut().find(|(f, _)| f.writes(register).is_some()) {
             whys.push(why);
         } else {
-            match writers(signature, register) {
-                (formula, None) => self.take(formula, why, next),
-                (_, Some(_)) => later.push((register, why)),
-            }
+            self.take(writer(signature, register), why, next);
         }
     }
 
@@ -98,11 +82,115 @@ impl Needs {
 /// A register that is wanted, and why.
 type Wanted = (&'static str, String);
 
-/// The formulas that compute a register: the preferred one, and another if there is one.
-fn writers(signature: &Signature, register: &'static str) -> (&'static Use, Option<&'static Use>) {
+/// The formula that computes a register; no kind has two at once.
+fn writer(signature: &Signature, register: &'static str) -> &'static Use {
     let kind = signature.kind;
     let mut writers = kind.writers(register).filter(|formula| signature.applies(formula.when));
-    let first =
-        writers.next().unwrap_or_else(|| unreachable!("{kind:?} is not given {register}, and computes it nowhere"));
-    (first, writers.next())
+    writers.next().unwrap_or_else(|| unreachable!("{kind:?} is not given {register}, and computes it nowhere"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::kind::When;
+    use crate::scene::model::Parameter;
+
+    /// The parameters on which it depends whether a formula is taken.
+    fn conditions(kind: &Kind) -> Vec<&'static str> {
+        let mut names: Vec<_> = kind
+            .formulas()
+            .flat_map(|formula| match formula.when {
+                When::Always => &[],
+                When::AllZero(names) | When::NotAllZero(names) | When::AllGiven(names) | When::NotAllGiven(names) => {
+                    names
+                }
+            })
+            .copied()
+            .collect();
+        names.sort_unstable();
+        names.dedup();
+        names
+    }
+
+    /// Whether a formula or a state after it reads a register, or it is shown.
+    fn is_read(kind: &Kind, register: &str) -> bool {
+        kind.outputs().any(|(_, shown)| shown == register)
+            || kind.formulas().any(|formula| formula.reads(register).is_some())
+            || kind.origins().any(|origin| match origin {
+                Origin::Initial(of) | Origin::Before(of) | Origin::Parameter(Fallback::As(of)) => of == register,
+                _ => false,
+            })
+    }
+
+    /// Else the one that is needed anyway would have to be looked for.
+    #[test]
+    fn no_kind_has_two_formulas_at_once_that_compute_a_register() {
+        let numbers = [Parameter::Absent, Parameter::One(0.0), Parameter::One(1.0)];
+        for kind in Kind::all().filter(|kind| !kind.slides()) {
+            let names = conditions(kind);
+            let most = 3_usize.pow(u32::try_from(names.len()).unwrap());
+            for choice in 0..most {
+                let digit = |name| {
+                    names
+                        .iter()
+                        .position(|known| *known == name)
+                        .map_or(0, |at| choice / 3_usize.pow(u32::try_from(at).unwrap()) % 3)
+                };
+                let parameters: Vec<_> = kind.parameters().map(|(name, _)| &numbers[digit(name)]).collect();
+                let signature = Signature::of_members(kind, &parameters, 1, 1)[0].0;
+                let taken = || kind.formulas().filter(|formula| signature.applies(formula.when));
+                let of_formula =
+                    |formula: &'static Use| formula.step.outputs().iter().map(|field| formula.register(field.name));
+                let mut written: Vec<_> =
+                    taken().flat_map(of_formula).filter(|register| is_read(kind, register)).collect();
+                written.sort_unstable();
+                assert!(written.is_sorted_by(|one, next| one < next), "{kind:?}: {written:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_wanted_and_what_a_formula_reads_is_given_or_computed() {
+        for kind in Kind::all().filter(|kind| !kind.slides()) {
+            let bits = kind.outputs().count();
+            for given in [Parameter::Absent, Parameter::One(0.0), Parameter::One(1.0)] {
+                let parameters = vec![&given; kind.parameters().count()];
+                for (a, b) in (0..bits).flat_map(|a| (a..bits).map(move |b| (a, b))) {
+                    let signature = Signature::of_members(kind, &parameters, 1 << a | 1 << b, 1)[0].0;
+                    let needs = Needs::of_outputs(&signature);
+                    let is_there = |register: &str| {
+                        needs.given.iter().any(|(name, _)| *name == register)
+                            || needs.formulas.iter().any(|(formula, _)| formula.writes(register).is_some())
+                    };
+                    for (name, register) in wanted(kind, signature.outputs) {
+                        assert!(is_there(register), "{kind:?}: {name}");
+                    }
+                    for (formula, _) in &needs.formulas {
+                        let inputs = formula.step.inputs().iter().map(|field| formula.register(field.name));
+                        inputs.for_each(|input| assert!(is_there(input), "{kind:?}: {input} of {}", formula.id()));
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn every_formula_and_every_register_is_needed_once_with_all_its_reasons() {
+        for kind in Kind::all().filter(|kind| !kind.slides()) {
+            let given = Parameter::One(1.0);
+            let parameters = vec![&given; kind.parameters().count()];
+            let all = (1 << kind.outputs().count()) - 1;
+            let needs = Needs::of_outputs(&Signature::of_members(kind, &parameters, all, 1)[0].0);
+            for (index, (name, _)) in needs.given.iter().enumerate() {
+                assert!(needs.given[..index].iter().all(|(before, _)| before != name), "{kind:?}: {name}");
+            }
+            for (index, (formula, whys)) in needs.formulas.iter().enumerate() {
+                let is_it = |(other, _): &(&'static Use, _)| std::ptr::eq(*other, *formula);
+                assert!(!needs.formulas[..index].iter().any(is_it), "{kind:?}: {}", formula.id());
+                for (name, register) in kind.outputs().filter(|(_, register)| formula.writes(register).is_some()) {
+                    assert!(whys.contains(&format!("output {name}")), "{kind:?}: {register} of {}", formula.id());
+                }
+            }
+        }
+    }
 }

@@ -181,3 +181,54 @@ impl Layout {
         self.spans.push((name, span));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::model;
+
+    /// Recipes for all outputs together and for each alone, with all parameters given and with none.
+    fn recipes() -> impl Iterator<Item = (&'static Kind, Recipe)> {
+        Kind::all().filter(|kind| !kind.slides()).flat_map(|kind| {
+            let bits = kind.outputs().count();
+            let outputs = move || (0..bits).map(|bit| 1 << bit).chain([(1 << bits) - 1]);
+            [model::Parameter::Absent, model::Parameter::One(1.0)].into_iter().flat_map(move |given| {
+                outputs().map(move |outputs| {
+                    let parameters = vec![&given; kind.parameters().count()];
+                    (kind, Recipe::new(&Signature::of_members(kind, &parameters, outputs, 1)[0].0))
+                })
+            })
+        })
+    }
+
+    #[test]
+    fn there_is_no_register_that_nothing_uses() {
+        for (kind, recipe) in recipes() {
+            let Recipe { lasting, passing, parameters, loads, start, state, outputs } = &recipe;
+            let spans = outputs.iter().map(|(_, span)| *span);
+            let given = parameters.iter().map(|parameter| parameter.register).chain(loads.iter().copied().flatten());
+            let lasts = spans.map(|span| span.range().end).chain(given.map(|register| register + 1)).max();
+            assert!(lasts.is_some_and(|end| end <= *lasting), "{kind:?}");
+            let of_pass = |pass: &Pass| {
+                let before = pass.before.iter().flat_map(|&(of, before)| [of, before]);
+                let spans = before.chain(pass.reads.iter().map(|&(_, span)| span));
+                let wired = pass.steps.iter().flat_map(|step| step.wiring.inputs.iter().chain(&step.wiring.outputs));
+                let ends = spans.map(|span| span.range().end).chain(wired.map(|&register| usize::from(register) + 1));
+                ends.max().unwrap_or(0)
+            };
+            let end = [lasts.unwrap_or(0), of_pass(start), of_pass(state)].into_iter().max();
+            assert_eq!(end, Some(lasting + passing), "{kind:?}");
+        }
+    }
+
+    #[test]
+    fn what_a_formula_is_needed_for_is_said_once_and_in_order() {
+        for (kind, recipe) in recipes() {
+            for Planned { why, .. } in recipe.start.steps.iter().chain(&recipe.state.steps) {
+                let plain = why.replace(", the initial value", " initially").replace(", which is not given", "");
+                let whys: Vec<_> = plain.split(", ").collect();
+                assert!(whys.is_sorted_by(|one, next| one < next), "{kind:?}: {why}");
+            }
+        }
+    }
+}

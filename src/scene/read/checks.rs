@@ -14,7 +14,7 @@ pub(super) struct Checks {
 }
 
 /// One that was given badly is not also a missing one, nor one that is 0.
-const FAULTY: Parameter = Parameter::One(1.0);
+const FAULTY: Parameter = Parameter::One(f64::NAN);
 
 impl Checks {
     /// Says what is wrong with the parameters of an element, or of a set of so many, that stands at a place; those that are

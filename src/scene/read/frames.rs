@@ -216,3 +216,11 @@ fn loads_of(reader: &mut Reader, kind: &Kind, elements: Members, frame: &mut Rea
     })?;
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn an_angle_in_the_plane_turns_about_the_third_axis() {
+        assert_eq!(super::in_plane(0.5), [0.0, 0.0, 0.5]);
+    }
+}

@@ -72,7 +72,7 @@ pub(super) fn nodes_of(
             }
             None => {
                 // It has a number all the same, to which others may refer.
-                all.push([0.0; 3]);
+                all.push(Default::default());
                 None
             }
         };
@@ -158,4 +158,12 @@ fn quaternion(reader: &mut Reader) -> Read<Option<Orientation>> {
         return Ok(None);
     }
     Ok(Some(Orientation::Quaternion(quaternion)))
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn a_point_of_the_plane_is_at_height_zero() {
+        assert_eq!(super::in_plane([1.0, 2.0]), [1.0, 2.0, 0.0]);
+    }
 }

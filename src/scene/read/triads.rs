@@ -55,7 +55,6 @@ impl Inherited {
 impl Kind {
     /// Whether it measures in the triad of a node, by its place.
     fn reads_triad(&self, node: usize) -> bool {
-        let axes = [0, 1, 2].map(|axis| Origin::Axis(node, axis));
-        self.origins().any(|origin| axes.contains(&origin))
+        self.origins().any(|origin| matches!(origin, Origin::Axis(of, _) if of == node))
     }
 }

@@ -200,3 +200,18 @@ impl<'s, T: Number> ContactRun<'s, T> {
         size_of_val(&*self.slaves) + size_of_val(&*self.areas) + size_of_val(&*self.torques)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Plan, Scene};
+
+    #[test]
+    fn bytes_are_those_of_nodes_and_elements() {
+        let scene = Scene::parse(include_str!("../../../golden/scenes/thread.json")).unwrap();
+        let plan = Plan::new(&scene);
+        let of_element = size_of::<ArrayVec<f64, 3>>() + size_of::<f64>();
+        let run = ContactRun::<f64>::new(&plan.contacts[0]);
+        assert_eq!(run.bytes(), 5 * size_of::<SlaveRun<f64>>() + 4 * of_element);
+    }
+}

@@ -179,3 +179,104 @@ fn slipped(scene: &Scene, state: usize, line: &str, failure: isl::Failure) -> Pr
     let message = error.with_names(|node| format!("{:?}", scene.nodes.name(node)));
     Problem { culprit, state: Some(state), formula, error, message }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::blocks::End;
+    use super::*;
+    use crate::scene::evaluate::{Column, LANES};
+    use crate::scene::npz::{PIECE, Writer};
+    use std::fs::File;
+
+    /// Bytes of the elements of a scene's only group.
+    fn of_elements(plan: &Plan<'_>) -> usize {
+        let [group] = &plan.groups[..] else { unreachable!("the elements are alike") };
+        let (elements, blocks) = (group.elements.len(), group.elements.len().div_ceil(LANES));
+        let block = group.recipe.lasting * size_of::<Column<f64>>() + group.kind.nodes.len() * size_of::<End>();
+        blocks * block + elements * size_of::<Option<[u32; 2]>>()
+    }
+
+    const VECTOR: usize = size_of::<[f64; 3]>();
+    const TRIAD: usize = 3 * VECTOR;
+
+    #[test]
+    fn bytes_are_those_of_all_that_lasts() {
+        let scene = Scene::parse(
+            r#"{"dimension": "3d", "orientations": {"o": {"rotation": [0, 0, 0]}},
+            "nodes": {"a": {"at": [0, 0, 0], "orientation": "o"}, "b": {"at": [1, 0, 0]}, "c": {"at": [2, 0, 0]}},
+            "elements": {"e": {"kind": "slot", "nodes": ["a", "b"]}, "f": {"kind": "slot", "nodes": ["a", "c"]}},
+            "frames": [{"time": 0, "nodes": {"b": {"u": [1, 0, 0]}, "a": {"ur": [0, 0, 1]}}}], "outputs": ["U1"]}"#,
+        );
+        let scene = scene.unwrap();
+        let plan = Plan::new(&scene);
+        let mut run = Run::<f64>::new(&plan).unwrap();
+        // Their places, where they are, and whose triad they have; of one that moves, its displacement; of one that turns, its
+        // triad beside the global one and that of the orientation.
+        let nodes = 3 * (4 + VECTOR + 4) + (4 + VECTOR) + (8 + TRIAD) + 2 * TRIAD;
+        assert_eq!(run.bytes(), [of_elements(&plan), nodes]);
+        assert!(run.advance().unwrap());
+        // The frame has the displacements.
+        assert_eq!(run.bytes(), [of_elements(&plan), nodes - VECTOR]);
+    }
+
+    #[test]
+    fn increments_need_the_displacements_before() {
+        let scene = Scene::parse(
+            r#"{"dimension": "3d", "nodes": {"a": {"at": [0, 0, 0]}, "b": {"at": [1, 0, 0]}, "m": {"at": [0.5, 0, 0]}},
+            "elements": {"e": {"kind": "slider", "nodes": ["a", "b", "m"]}},
+            "frames": [{"time": 0, "nodes": {"b": {"u": [1, 0, 0]}, "m": {"u": [1, 0, 0]}}}], "outputs": ["DXMI"]}"#,
+        );
+        let scene = scene.unwrap();
+        let plan = Plan::new(&scene);
+        let run = Run::<f64>::new(&plan).unwrap();
+        let nodes = 3 * (4 + VECTOR) + 2 * (4 + 2 * VECTOR) + TRIAD;
+        assert_eq!(run.bytes(), [of_elements(&plan), nodes]);
+    }
+
+    /// Of more members than are read at once, in the plane, where an array has two components of three.
+    #[test]
+    fn columns_are_read_piece_by_piece() {
+        for count in [3, PIECE + 10] {
+            let folder = tempfile::tempdir().unwrap();
+            let mut arrays = Writer::new(File::create(folder.path().join("arrays.npz")).unwrap());
+            let numbers = |of: fn(f64) -> [f64; 2]| -> Vec<f64> {
+                (0..u32::try_from(count).unwrap()).flat_map(|k| of(f64::from(k))).collect()
+            };
+            arrays.write("b", &[count, 2], &numbers(|k| [k / 4.0, 1.0])).unwrap();
+            arrays.write("time", &[1], &[0.5]).unwrap();
+            let u = numbers(|k| [k / 8.0, -k]);
+            arrays.write("u", &[1, count, 2], &u).unwrap();
+            arrays.write("f", &[1, count], &u[..count]).unwrap();
+            arrays.finish().unwrap();
+            let scene = Scene::parse_in(
+                folder.path(),
+                r#"{"dimension": "2d", "columns": "arrays.npz", "orientations": {"o": {"angle": 0}},
+                "nodes": {"a": {"at": [0, 0], "orientation": "o"}, "b": {"at": "b"}},
+                "elements": {"e": {"kind": "slot", "nodes": ["a", "b"]}}, "outputs": ["Y", "U1", "RF"],
+                "frames": {"time": "time", "nodes": {"b": {"u": "u"}}, "loads": {"e": {"f2": "f"}}}}"#,
+            );
+            let scene = scene.unwrap_or_else(|faults| panic!("{faults}"));
+            let plan = Plan::new(&scene);
+            let mut run = Run::<f64>::new(&plan).unwrap();
+            let nodes = (count + 1) * (4 + VECTOR + 4) + count * (4 + VECTOR) + 2 * TRIAD;
+            let next_state = count * (VECTOR + size_of::<f64>());
+            let pieces = ((2 * count).min(PIECE) + count.min(PIECE)) * size_of::<f64>();
+            assert_eq!(run.bytes(), [of_elements(&plan), nodes + next_state + pieces]);
+            assert!(run.advance().unwrap());
+            assert_eq!(run.bytes(), [of_elements(&plan), nodes + next_state + pieces]);
+            let mut found = [Vec::new(), Vec::new(), Vec::new()];
+            run.for_each_result(usize::MAX, |_, output, components| {
+                let (index, component) = match output {
+                    "Y" => (0, 0),
+                    "U1" => (1, 0),
+                    _ => (2, 1),
+                };
+                found[index].push(components[component]);
+            });
+            assert_eq!(found[0], numbers(|k| [1.0 - k, 0.0]).chunks(2).map(|y| y[0]).collect::<Vec<_>>());
+            assert_eq!(found[1], u.chunks(2).map(|u| u[0]).collect::<Vec<_>>());
+            assert_eq!(found[2], u[..count]);
+            assert!(!run.advance().unwrap());
+        }
+    }
+}

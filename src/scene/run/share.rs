@@ -17,3 +17,14 @@ pub(super) fn shared<T: Send>(items: &mut [T], job: impl Fn(usize, &mut [T]) + S
         items.par_chunks_mut(share).enumerate().for_each(|(index, items)| job(index * share, items));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn every_thread_gets_eight_tasks_that_are_worth_it() {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().unwrap();
+        let task = |items, least| pool.install(|| super::task(items, least));
+        assert_eq!([task(1600, 1), task(1601, 1), task(1600, 100), task(1600, 101)], [100, 101, 100, 101]);
+        assert_eq!([task(0, 16), task(10, 16)], [16; 2]);
+    }
+}

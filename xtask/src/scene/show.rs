@@ -137,7 +137,7 @@ fn add_columns(columns: &mut Vec<Column>, series: &Series, exact: Option<&Series
 
 /// Nine significant digits, without zeros that say nothing.
 fn digits(x: f64) -> String {
-    let magnitude = if x == 0.0 { 0.0 } else { x.abs().log10().floor() };
+    let magnitude = if x == 0.0 { x } else { x.abs().log10().floor() };
     if !(-5.0..9.0).contains(&magnitude) {
         return format!("{x:.8e}");
     }
@@ -171,10 +171,8 @@ fn meaning(scene: &Scene, results: &Results, output: &str) -> String {
     let of_output = results.series.iter().filter(|series| series.output == output);
     // The torque of a slide line goes by the name of the line; it is that of its elements.
     let sliding = || Kind::all().find(|kind| kind.slides() && kind.output(output).is_some());
-    let mut kinds: Vec<&Kind> = of_output.filter_map(|series| scene.kind(&series.element).or_else(sliding)).collect();
-    kinds.dedup_by_key(|kind| kind.name);
     let mut meanings: Vec<(&str, String)> = Vec::new();
-    for kind in kinds {
+    for kind in of_output.filter_map(|series| scene.kind(&series.element).or_else(sliding)) {
         let Some(quantity) = kind.output(output).and_then(|register| kind.quantity(register)) else { continue };
         let words = format!("{} ({})", quantity.meaning, quantity.unit);
         if meanings.iter().all(|(_, known)| *known != words) {
@@ -260,5 +258,118 @@ mod tests {
     #[test]
     fn a_comma_in_a_name_is_quoted() {
         assert_eq!(quoted(r#"a "b", c"#), r#""a ""b"", c""#);
+    }
+
+    /// So many slots of which the second node moves by a quarter and by a half.
+    fn scene(elements: usize, outputs: &str) -> Scene {
+        let elements: Vec<_> =
+            (0..elements).map(|k| format!(r#""e{k}": {{"kind": "slot", "nodes": ["a", "b"]}}"#)).collect();
+        let text = format!(
+            r#"{{"title": "Slots", "dimension": "2d", "orientations": {{"o": {{"angle": 0}}}},
+            "nodes": {{"a": {{"at": [0, 0], "orientation": "o"}}, "b": {{"at": [1, 0]}}}},
+            "elements": {{{}}}, "outputs": {outputs}, "frames": [{{"time": 0, "nodes": {{"b": {{"u": [0.25, 0]}}}}}},
+            {{"time": 12.5, "nodes": {{"b": {{"u": [0.5, 0]}}}}, "loads": {{"e0": {{"f2": 3}}}}}}]}}"#,
+            elements.join(", ")
+        );
+        Scene::parse(&text).unwrap()
+    }
+
+    /// Results, and others whose last number is larger by a quarter.
+    fn both(scene: &Scene) -> [Results; 2] {
+        let found = Results::of(scene).unwrap();
+        let mut other = found.clone();
+        *other.series.last_mut().unwrap().values.numbers_mut().last_mut().unwrap() += 0.25;
+        [found, other]
+    }
+
+    /// The tables of a text.
+    fn tables(text: &str) -> Vec<&str> {
+        text.lines().filter(|line| line.starts_with("  ") && !line.contains('×')).collect()
+    }
+
+    #[test]
+    fn a_table_has_a_column_per_element_and_one_per_error() {
+        let scene = scene(2, r#"["U1"]"#);
+        let [found, other] = both(&scene);
+        let shown = results(&scene, &found, None, Format::Text).unwrap();
+        assert_eq!(tables(&shown), ["  time    e0    e1", "   0.0  0.25  0.25", "  12.5   0.5   0.5"]);
+        assert!(shown.contains("Slots") && !shown.contains("more elements"));
+        assert!(shown.contains("        4 × slot.relative_motion\n"), "{shown}");
+        let shown = results(&scene, &found, Some(&other), Format::Text).unwrap();
+        let expected = [
+            "  time    e0  error    e1    error",
+            "   0.0  0.25      0  0.25        0",
+            "  12.5   0.5      0   0.5  -2.5e-1",
+        ];
+        assert_eq!(tables(&shown), expected);
+        let vector = self::scene(1, r#"["RF", "U1"]"#);
+        let shown = results(&vector, &Results::of(&vector).unwrap(), None, Format::Text).unwrap();
+        let expected = [
+            "  time    e0",
+            "   0.0  0.25",
+            "  12.5   0.5",
+            "  time  e0[0]  e0[1]  e0[2]",
+            "   0.0      0      0      0",
+            "  12.5      0      3      0",
+        ];
+        assert_eq!(tables(&shown), expected);
+    }
+
+    #[test]
+    fn elements_that_are_not_shown_are_counted() {
+        for (elements, rest) in [(8, None), (9, Some("… and 1 more elements")), (11, Some("… and 3 more elements"))]
+        {
+            let scene = scene(elements, r#"["U1"]"#);
+            let shown = results(&scene, &Results::of(&scene).unwrap(), None, Format::Text).unwrap();
+            let said = shown.lines().find(|line| line.starts_with('…'));
+            assert_eq!(said, rest.map(|rest| format!("{rest}: --format csv or json prints all")).as_deref());
+        }
+    }
+
+    #[test]
+    fn a_line_of_csv_has_a_number_and_its_error() {
+        let scene = scene(2, r#"["U1"]"#);
+        let [found, other] = both(&scene);
+        let lines = "0.0,e0,U1,0,0.25\n0.0,e1,U1,0,0.25\n12.5,e0,U1,0,0.5\n12.5,e1,U1,0,0.5\n";
+        let shown = results(&scene, &found, None, Format::Csv).unwrap();
+        assert_eq!(shown, format!("{HEAD}{lines}"));
+        let mut streamed = Vec::new();
+        stream(&Plan::new(&scene), &mut streamed).unwrap();
+        assert_eq!(String::from_utf8(streamed).unwrap(), shown);
+        let expected = "time,element,output,component,value,error\n0.0,e0,U1,0,0.25,0.0\n0.0,e1,U1,0,0.25,0.0\n\
+            12.5,e0,U1,0,0.5,0.0\n12.5,e1,U1,0,0.5,-0.25\n";
+        assert_eq!(results(&scene, &found, Some(&other), Format::Csv).unwrap(), expected);
+    }
+
+    #[test]
+    fn json_has_an_error_for_every_number() {
+        let scene = scene(2, r#"["U1"]"#);
+        let [found, other] = both(&scene);
+        let of = |exact| -> serde_json::Value {
+            serde_json::from_str(&results(&scene, &found, exact, Format::Json).unwrap()).unwrap()
+        };
+        assert!(of(None)["series"][0].get("errors").is_none());
+        let errors = of(Some(&other));
+        assert_eq!(errors["series"][0]["errors"], json!([[0.0], [0.0]]));
+        assert_eq!(errors["series"][1]["errors"], json!([[0.0], [-0.25]]));
+    }
+
+    #[test]
+    fn a_plan_says_how_often_each_formula_is_evaluated_for_an_element() {
+        let scene = scene(3, r#"["U1"]"#);
+        let scenes_plan = Plan::new(&scene);
+        let shown = |format| plan(&scenes_plan, format).unwrap();
+        let csv = shown(Format::Csv);
+        let times: Vec<_> = csv.lines().map(|line| line.split(',').take(4).collect::<Vec<_>>().join(",")).collect();
+        let expected = [
+            "formula,kind,elements,times",
+            "slot.relative_position,slot,3,1",
+            "slot.relative_position,slot,3,2",
+            "slot.relative_motion,slot,3,2",
+        ];
+        assert_eq!(times, expected);
+        let json: Vec<serde_json::Value> = serde_json::from_str(&shown(Format::Json)).unwrap();
+        assert_eq!(json.iter().map(|line| line["times"].as_u64().unwrap()).collect::<Vec<_>>(), [1, 2, 2]);
+        assert!(shown(Format::Text).ends_with("\n15 evaluations over 2 states\n"));
     }
 }
