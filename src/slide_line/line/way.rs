@@ -10,7 +10,8 @@ use crate::slide_line::shape::{self, LinearCorner, Parabola, ParabolicCorner, Sh
 use crate::slide_line::{LinearMotion, ParabolicMotion, SlipIncrementLinear, SlipIncrementParabolic};
 use nalgebra::Vector2;
 
-/// Parts of a curve that turns back: between the ends of such a part Gauss's rule is right up to the rounding of a double.
+/// Parts of a curve that turns back: between the ends of such a part Gauss's rule is right up to the rounding of a double, unless the
+/// curve bends as no element should. Of a parabola five times as high as wide the way is off by 1e-11, of one 150 times as high by 5e-6.
 const PARTS: f64 = 24.0;
 
 impl<D: Scalar> PlacedLine<D> {

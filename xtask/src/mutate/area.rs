@@ -96,8 +96,12 @@ impl Area {
     /// The faults of the list.
     ///
     /// # Errors
-    /// A text that is not there, or more than once; a file that belongs to another area.
+    /// A text that is not there, or more than once; a file that belongs to another area; a line of what is harmless that is gone.
     pub(super) fn kept(&self, sources: &BTreeMap<String, String>) -> anyhow::Result<Vec<Fault>> {
+        for Harmless { file, line, .. } in &self.harmless {
+            let is_there = sources.get(file).is_some_and(|text| text.lines().any(|there| there.trim() == line));
+            ensure!(is_there, "{}: {file} has no line {line:?} that could be harmless", self.name);
+        }
         self.kept
             .iter()
             .map(|kept| self.fault(kept, sources).with_context(|| format!("{}: {}", self.name, kept.id)))
@@ -193,6 +197,20 @@ mod tests {
         assert_eq!(find(Some("one two "), "t"), Ok(8..9));
         assert_eq!(find(None, "two"), Err("src/a.rs has \"two\" 2 times: `after` says which".into()));
         assert_eq!(find(Some("three two"), "two"), Err("behind \"three two\" is no \"two\"".into()));
+    }
+
+    #[test]
+    fn a_harmless_line_that_is_gone_is_refused() {
+        let known =
+            |line: &str| Harmless { file: "src/a.rs".into(), line: line.into(), was: "+".into(), why: String::new() };
+        let kept = |line: &str| {
+            let (files, except) = (globs(&["src/**".into()]).unwrap(), GlobSet::empty());
+            let area = Area { name: "a".into(), files, except, kept: Vec::new(), harmless: vec![known(line)] };
+            let sources = [("src/a.rs".to_owned(), "fn f() {\n    x + 1;\n}\n".to_owned())].into();
+            area.kept(&sources).map(|faults| faults.len()).map_err(|error| error.to_string())
+        };
+        assert_eq!(kept("x + 1;"), Ok(0));
+        assert_eq!(kept("x + 1"), Err("a: src/a.rs has no line \"x + 1\" that could be harmless".into()));
     }
 
     #[test]
