@@ -473,11 +473,11 @@ fn points_on_a_kink_are_no_starts() {
 #[test]
 fn a_kink_that_no_first_point_met_is_looked_for_from_the_other_starts() {
     let points = |special: &[(usize, f64)]| {
-        let mut points = vec![[4.0, 0.0, 1.0]; 34];
-        for (point, k) in points.iter_mut().zip(0_u8..) {
-            (point[0], point[1]) = (4.0 + f64::from(k) / 64.0, f64::from(k) / 16.0);
+        let point = |k| [4.0 + f64::from(k) / 64.0, f64::from(k) / 16.0, 1.0];
+        let mut points: Vec<_> = (0_u8..34).map(point).collect();
+        for &(k, c) in special {
+            points[k][2] = c;
         }
-        special.iter().for_each(|&(k, c)| points[k][2] = c);
         points
     };
     let mut subject = smooth();
