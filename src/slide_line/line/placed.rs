@@ -290,4 +290,4 @@ impl<D: Scalar> Nearest<D> {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

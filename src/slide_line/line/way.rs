@@ -124,17 +124,7 @@ pub(crate) fn gauss<D: Scalar>() -> [[D; 2]; 5] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::slide_line::{Nodes, SlideLine};
-
-    fn placed(kind: Interpolation, smoothing: Option<f64>, places: &[[f64; 2]]) -> PlacedLine {
-        let nodes = Nodes::new((1..).zip(places.iter().copied())).unwrap();
-        let line = SlideLine::new(kind, (1..).take(places.len()).collect::<Vec<_>>()).unwrap();
-        let line = match smoothing {
-            Some(f) => line.smoothed(f).unwrap(),
-            None => line,
-        };
-        line.place(&nodes).unwrap()
-    }
+    use crate::slide_line::line::placed::tests::placed;
 
     #[test]
     fn the_rate_of_slip_has_the_sign_of_the_step_and_is_the_length_of_the_rate_times_it() {

@@ -89,7 +89,12 @@ fn of_places_that_are_equally_near_all_are_kept() {
     assert_eq!(nearest.best().map(|(piece, _)| piece), Some(0));
 }
 
-fn placed(kind: Interpolation, smoothing: Option<f64>, places: &[[f64; 2]]) -> PlacedLine {
+/// The line through nodes at these places, perhaps smoothed.
+pub(in crate::slide_line::line) fn placed(
+    kind: Interpolation,
+    smoothing: Option<f64>,
+    places: &[[f64; 2]],
+) -> PlacedLine {
     let nodes = Nodes::new((1..).zip(places.iter().copied())).unwrap();
     let line = SlideLine::new(kind, (1..).take(places.len()).collect::<Vec<_>>()).unwrap();
     let line = match smoothing {
