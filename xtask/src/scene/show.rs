@@ -172,7 +172,10 @@ fn meaning(scene: &Scene, results: &Results, output: &str) -> String {
     // The torque of a slide line goes by the name of the line; it is that of its elements.
     let sliding = || Kind::all().find(|kind| kind.slides() && kind.output(output).is_some());
     let mut meanings: Vec<(&str, String)> = Vec::new();
-    for kind in of_output.filter_map(|series| scene.kind(&series.element).or_else(sliding)) {
+    // Of many elements in a row that are of one kind, one is asked.
+    let mut kinds: Vec<&Kind> = of_output.filter_map(|series| scene.kind(&series.element).or_else(sliding)).collect();
+    kinds.dedup_by_key(|kind| kind.name);
+    for kind in kinds {
         let Some(quantity) = kind.output(output).and_then(|register| kind.quantity(register)) else { continue };
         let words = format!("{} ({})", quantity.meaning, quantity.unit);
         if meanings.iter().all(|(_, known)| *known != words) {
