@@ -159,7 +159,8 @@ fn kinks_are_searched_from_random_points_by_the_first_part() {
     subject.kinks.clear();
     let shared = |samples, index| {
         let shard = Shard::new(index, 2).expect("there is one");
-        let (audit, _) = audit_share(&subject, &Options { samples, seed: 1 }, shard);
+        let (audit, comparisons) = audit_share(&subject, &Options { samples, seed: 1 }, shard);
+        assert!(!comparisons.is_empty());
         let searched = match audit.looked {
             Some(Looked::Graph { search, .. }) => Some(search.points),
             _ => None,
@@ -170,6 +171,35 @@ fn kinks_are_searched_from_random_points_by_the_first_part() {
     let (searched, reached, named, random) = shared(1, 1);
     assert!(searched > Some(0) && reached > 0 && named == reached && random == 1, "{searched:?} {reached}");
     assert_eq!(shared(3, 2), (None, 0, 0, 1));
+    // Nor does another part look at cases and kinks.
+    let (subject, second) = (Subject::of::<ReturnMap>(), Shard::new(2, 2).expect("there is one"));
+    assert_eq!(audit_share(&subject, &Options { samples: 0, seed: 1 }, second).0.named_points, 0);
+}
+
+/// Differences are by both inputs, or along one direction.
+#[test]
+fn the_first_random_points_of_all_parts_are_checked_closely() {
+    let subject = Subject::of::<ContactForce>();
+    let checks = |before| {
+        let random = vec![point(&subject, true, &[3.0, 4.0])];
+        let points = Points { named: Vec::new(), searched: 0, random, before, seed: 1, starts: None };
+        audit_points(&subject, &points).ad_against_differences.checks
+    };
+    assert_eq!([CLOSELY_AT - 1, CLOSELY_AT].map(checks), [2, 1]);
+}
+
+/// ∂f₁/∂f2 = 1, beside which f2 = ∂f₁/∂e2a₁ is large.
+#[test]
+fn an_entry_that_is_not_nothing_is_judged_by_itself() {
+    let subject = Subject::of::<crate::slot::ConstraintForce>();
+    let point = point(&subject, true, &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1e10, 4.0]);
+    let failures = |off: f64| {
+        let (mut audit, mut exact) = (begun(&subject), Exact::at(&point));
+        exact.closed[6] += Octuple::from(off);
+        audit.check_closed_form(&point, &Names::new(&subject), &exact);
+        (audit.closed_against_ad.checks, audit.closed_against_ad.failures)
+    };
+    assert_eq!([0.0, 1e-61, 1e-55].map(failures), [(24, 0), (24, 0), (24, 1)]);
 }
 
 /// At 1e-21 beside the tie, relatively, the first step is too long and the second is not.
@@ -190,6 +220,11 @@ fn differences_are_by_the_first_step_at_random_points_and_by_the_best_at_others(
     assert_eq!(both(1.0, 1e-40), [(3, 2), (3, 0)]);
     assert_eq!(both(1.0, 1e-30), [(3, 2), (3, 2)]);
     assert_eq!(both(2e-21, 0.0), [(3, 3), (3, 0)]);
+    // Every output has its own entries.
+    let subject = Subject::of::<crate::slot::ConstraintForce>();
+    let (mut audit, point) = (begun(&subject), point(&subject, true, &[0.5, 2.0, 0.25, 0.75, 3.0, 5.0, 7.0, 4.0]));
+    audit.check_ad(&point, &Names::new(&subject), &Exact::at(&point));
+    assert_eq!((audit.ad_against_differences.checks, audit.ad_against_differences.failures), (24, 0));
 }
 
 /// Of f = f2 e2a + f3 e3a, the second component, which is off by 10⁻⁵⁰.
@@ -229,7 +264,7 @@ fn sides_that_differ_are_looked_at_once_more() {
         (worst.size, worst.expected, worst.found, worst.entry)
     };
     // P = |f1| has a corner at f1 = 0, by f1 alone.
-    let corner = [0.0, 3.0, 4.0, 1.0, 0.25];
+    let [corner, smooth] = [0.0, 1.0].map(|f1| [f1, 3.0, 4.0, 1.0, 0.25]);
     let of = |entry, scale, sides: &[[f64; 2]]| checked(corner, entry, scale, sides).0;
     assert_eq!(of(0, 4.0, &[[1.0, -3.0]]), 0.5);
     assert_eq!(of(0, 0.0, &[[-1.0, -2.0], [1.0, -3.0]]), 1.0 / 3.0);
@@ -237,8 +272,10 @@ fn sides_that_differ_are_looked_at_once_more() {
     assert_eq!(of(0, 0.0, &[[0.0, 0.0]]), 0.0);
     assert_eq!(of(0, 4.0, &[[1.0, -3.0], [7.0, 7.0]]), 0.0);
     assert_eq!(of(1, 4.0, &[[1.0, -3.0]]), 0.0);
-    assert_eq!(checked([1.0, 3.0, 4.0, 1.0, 0.25], 0, 4.0, &[[1.0, -3.0]]).0, 0.0);
-    let (_, below, above, entry) = checked(corner, 0, 4.0, &[[1.0, -3.0]]);
+    assert_eq!(checked(smooth, 0, 4.0, &[[1.0, -3.0]]).0, 0.0);
+    assert_eq!(checked(smooth, 0, 1e12 - 1.0, &[[0.0, 1.0]]).0, SMOOTH);
+    // The longer of two steps that are as good is shown.
+    let (_, below, above, entry) = checked(corner, 0, 4.0, &[[1.0, -3.0], [3.0, -1.0]]);
     assert_eq!((below, above, entry.as_str()), (1.0, -3.0, "∂p/∂f1"));
 }
 

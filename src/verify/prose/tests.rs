@@ -15,9 +15,9 @@ fn triads_are_made_orthonormal_each_by_itself() {
     // To all digits, and in the plane.
     let product = inputs[0] * inputs[4] + inputs[1] * inputs[5];
     assert!(product.to_f64().abs() < 1e-70, "{product:?}");
-    let mut inputs = exact(&[3.0, -4.0]);
-    make_orthonormal(&[field(&E2A_PLANE)], &mut inputs);
-    assert!(inputs.iter().zip([0.6, -0.8]).all(close), "{inputs:?}");
+    let mut inputs = exact(&[3.0, -4.0, 12.0]);
+    make_orthonormal(&[&E2A_PLANE, &X].map(field), &mut inputs);
+    assert!(inputs.iter().zip([0.6, -0.8, 12.0]).all(close), "{inputs:?}");
 }
 
 /// x = e1a·(xb − xa): a unit vector may be off in every component by a part of 1, a number by a part of itself.
@@ -160,6 +160,14 @@ fn a_printed_equality_holds_to_so_many_digits_and_an_order_as_it_is() {
     assert_eq!([-1e-60, 0.0, 1e-60].map(|off| holds("f_2 > 1", off)), [false, false, true]);
     let both = r"f_2 = 1,\ f_3 > -1";
     assert_eq!((holds(both, 0.0), holds(both, 0.5), holds(r"f_2 = 1,\ f_3 > 1", 0.0)), (true, false, false));
+}
+
+#[test]
+fn terms_are_asked_for_where_two_sides_differ_too_much_alone() {
+    let claims = Claims::read("f_2 = 1", &setting(&Subject::of::<ContactForce>(), "")).expect("it can be read");
+    let point = [Octuple::from(1.0) + Octuple::from(EQUATION) * 2.0, Octuple::from(0.0)];
+    let point = claims.point(&point, None, &[]);
+    assert_eq!(share(&claims, &claims.at(&point)[0], &point, || panic!("it is close enough")), EQUATION);
 }
 
 /// Kinks are at doubles, of which nothing is rounded: not even triads.
