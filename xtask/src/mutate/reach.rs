@@ -106,6 +106,8 @@ pub(super) fn command(binary: &Binary, tests: &[&str]) -> Command {
     command.current_dir(&binary.folder).env("CARGO_MANIFEST_DIR", &binary.folder);
     command.env("CARGO", std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.env("RAYON_NUM_THREADS", "1").env("PROPTEST_FAILURE_PERSISTENCE", "off");
+    // The tests are about the copy, also where the commands are told of another project.
+    command.env_remove("JOINTPROOF_ROOT");
     if !tests.is_empty() {
         command.args(["--exact", "--test-threads", "1"]).args(tests);
     }
@@ -126,6 +128,7 @@ mod tests {
         assert_eq!(given("CARGO_MANIFEST_DIR"), Some("/tree/a"));
         assert!(given("CARGO").is_some_and(|program| program.ends_with("cargo")));
         assert_eq!([given("RAYON_NUM_THREADS"), given("PROPTEST_FAILURE_PERSISTENCE")], [Some("1"), Some("off")]);
+        assert!(all.get_envs().any(|(key, value)| key == "JOINTPROOF_ROOT" && value.is_none()));
         let some = command(&binary, &["b::c", "d"]);
         assert!(some.get_args().eq(["--exact", "--test-threads", "1", "b::c", "d"]));
     }
