@@ -1,6 +1,7 @@
 //! `f64` as a number that formulas compute with.
 
 use crate::angle::{angle, angles};
+use crate::asin::asin;
 use crate::eft::exact_sum;
 use crate::scalar::{Leaf, Scalar, Squares, itself};
 
@@ -45,6 +46,11 @@ impl Scalar for f64 {
     #[expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
     fn angles_of<const N: usize>(y: [Self; N], x: [Self; N]) -> [Self; N] {
         angles(y, x)
+    }
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
+    fn asin_of(x: Self) -> Self {
+        asin(x)
     }
     #[inline]
     fn abs_of(x: Self) -> Self {

@@ -58,6 +58,7 @@ assert_eq!(exact.fc.to_f64(), 5.0);
 
 pub mod align;
 mod angle;
+mod asin;
 #[cfg(feature = "batch")]
 pub mod batch;
 mod binade;

@@ -1,6 +1,7 @@
 //! [`Ordinary`]: a double of several that are computed at once.
 
 use crate::angle::usual_angles;
+use crate::asin::asin;
 use crate::double::SQUARES;
 use crate::newtype::{newtype_dual_num, newtype_number, newtype_text};
 use crate::scalar::Scalar;
@@ -48,6 +49,11 @@ impl Scalar for Ordinary {
     #[expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
     fn angles_of<const N: usize>(y: [Self; N], x: [Self; N]) -> [Self; N] {
         usual_angles(y.map(Self::to_f64), x.map(Self::to_f64)).map(Self)
+    }
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
+    fn asin_of(x: Self) -> Self {
+        Self(asin(x.0))
     }
     #[inline]
     fn has_extremes() -> bool {

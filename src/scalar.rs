@@ -5,7 +5,8 @@
 //!
 //! Three functions live here because the plain ones lose their derivative, or their value, at ordinary positions
 //! of a joint. [`norm`] neither overflows nor underflows and has derivative 0 at the zero vector; [`atan2`] has the
-//! right derivative at ±90° and ±180°; [`abs`] has derivative 0 at 0. All three hold for second derivatives too.
+//! right derivative at ±90° and ±180°; [`abs`] has derivative 0 at 0. All three hold for second derivatives too. A fourth,
+//! [`asin`], has the same bits on every machine, and no branch.
 //!
 //! Comparisons between dual numbers look at the real part only, which is what a branch of a formula means; to
 //! compare derivatives, compare the parts.
@@ -17,7 +18,8 @@ use num_dual::{Derivative, Dual, Dual2, Dual2SVec, DualNum, DualSVec, HyperDual}
 /// A number that formulas compute with: real, or carrying derivatives.
 ///
 /// `Primitive = f64` lets formulas be written with plain literals, `2.0 * x` as `x * 2.0`, for every scalar alike.
-/// The methods are the guarded elementary functions; call them by the free functions [`norm`], [`atan2`] and [`abs`].
+/// The methods are the guarded elementary functions; call them by the free functions [`norm`], [`atan2`], [`asin`] and
+/// [`abs`].
 pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scalar {
     /// The number without its derivatives.
     type Leaf: Leaf;
@@ -42,6 +44,11 @@ pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scal
     #[inline]
     fn angles_of<const N: usize>(y: [Self; N], x: [Self; N]) -> [Self; N] {
         std::array::from_fn(|k| Self::angle_of(y[k], x[k]))
+    }
+    /// See [`asin`].
+    #[inline]
+    fn asin_of(x: Self) -> Self {
+        DualNum::asin(&x)
     }
     /// See [`choice`].
     #[inline(always)]
@@ -235,6 +242,22 @@ pub fn angles<D: Scalar, const N: usize>(y: [D; N], x: [D; N]) -> [D; N] {
     D::angles_of(y, x)
 }
 
+/// The arc sine, with the derivative 1/√(1 − x²), which is infinite at ±1; beyond, it is NaN.
+///
+/// In `f64` it is right to two units in the last place, and has the same bits on every machine.
+///
+/// ```
+/// use jointproof::scalar::asin;
+/// use num_dual::Dual64;
+/// let slope = asin(Dual64::from_re(0.6).derivative()).eps;
+/// assert_eq!((asin(1.0), slope), (std::f64::consts::FRAC_PI_2, 1.25));
+/// ```
+#[inline(always)]
+#[expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
+pub fn asin<D: Scalar>(x: D) -> D {
+    D::asin_of(x)
+}
+
 /// |x|, with derivative 0 at 0.
 ///
 /// ```
@@ -406,6 +429,13 @@ macro_rules! first_order {
                 };
                 result
             }
+            #[inline]
+            fn asin_of(x: Self) -> Self {
+                let mut result = Self::from_re(asin(x.re));
+                let cosine = ((-x.re + 1.0) * (x.re + 1.0)).sqrt();
+                result.eps = x.eps * cosine.recip();
+                result
+            }
         }
     };
 }
@@ -427,6 +457,9 @@ macro_rules! second_order {
             }
             fn angle_of(y: Self, x: Self) -> Self {
                 $fold(atan2($unfold(y), $unfold(x)))
+            }
+            fn asin_of(x: Self) -> Self {
+                $fold(asin($unfold(x)))
             }
         }
     };

@@ -104,7 +104,7 @@ fn is_extreme_itself(graph: &Graph, node: Node) -> bool {
 fn is_simple(op: &Op) -> bool {
     match op {
         Op::Unary(function, _) => {
-            matches!(function, Unary::Negative | Unary::Root | Unary::Absolute | Unary::PowerOfTwo)
+            matches!(function, Unary::Negative | Unary::Root | Unary::Absolute | Unary::ArcSine | Unary::PowerOfTwo)
         }
         op => !matches!(op, Op::ExactSum(_) | Op::Search(..)),
     }

@@ -1,7 +1,7 @@
 //! The guarded functions: value, first and second derivative on the hard cases, over `f64` and 237 bits; and what
 //! num-dual does without the guard, so that we learn when it is mended.
 
-use jointproof::scalar::{Scalar, abs, atan2, direction, norm, sign};
+use jointproof::scalar::{Scalar, abs, asin, atan2, direction, norm, sign};
 use jointproof::{Octuple, Single};
 use num_dual::{Dual, Dual2, Dual64, DualNum, DualSVec, DualStruct, HyperDual, hessian};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
@@ -142,6 +142,20 @@ fn atan2_honours_signed_zeros_as_ieee_does() {
 fn atan2_at_the_origin_has_derivative_zero_and_not_nan() {
     let angle = atan2(seeded::<f64>(0.0), seeded(0.0));
     assert_eq!((angle.re, angle.eps), (0.0, 0.0));
+}
+
+#[test]
+fn asin_is_right_to_second_order() {
+    fn check<T: Scalar>() {
+        for sine in [0.3_f64, 0.6, -0.8, 0.999] {
+            let cosine = ((1.0 - sine) * (1.0 + sine)).sqrt();
+            let (found, [first, _], [[second, _], _]) = second_order::<T>(|x, _| asin(x), [sine, 0.0]);
+            assert!(close(found, sine.asin()) && close(first, cosine.recip()), "{sine}: {found} {first}");
+            assert!(close(second, sine / cosine.powi(3)), "{sine}: {second}");
+        }
+    }
+    check::<f64>();
+    check::<Octuple>();
 }
 
 #[test]

@@ -23,10 +23,6 @@ pub(crate) trait Job<F: Formula> {
     fn unchecked<D: Scalar>(i: &F::Inputs<D>) -> Self::Results<D>;
     /// Shows the numbers in order, without those that are zero everywhere.
     fn show<D: Component>(results: &Self::Results<D>, visitor: &mut impl Visitor<D>);
-    /// Shows all numbers in order.
-    fn show_all(results: &Self::Results<f64>, visitor: &mut impl Visitor<f64>);
-    /// Which of all numbers are those that are not zero everywhere.
-    fn places() -> Vec<usize>;
 }
 
 /// The value.
@@ -46,13 +42,6 @@ impl<F: Formula> Job<F> for Value {
     #[inline(always)]
     fn show<D: Component>(value: &Self::Results<D>, visitor: &mut impl Visitor<D>) {
         value.accept(visitor);
-    }
-    #[inline(always)]
-    fn show_all(value: &Self::Results<f64>, visitor: &mut impl Visitor<f64>) {
-        value.accept(visitor);
-    }
-    fn places() -> Vec<usize> {
-        (0..F::Outputs::<f64>::LEN).collect()
     }
 }
 
@@ -74,15 +63,6 @@ impl<F: Formula> Job<F> for Linearized {
     fn show<D: Component>((value, jacobian): &Self::Results<D>, visitor: &mut impl Visitor<D>) {
         value.accept(visitor);
         jacobian.accept(&mut Gradients::of(&mut Entries::<F, _> { visitor, entry: 0, formula: PhantomData }));
-    }
-    #[inline(always)]
-    fn show_all((value, jacobian): &Self::Results<f64>, visitor: &mut impl Visitor<f64>) {
-        value.accept(visitor);
-        jacobian.accept(&mut Gradients::of(visitor));
-    }
-    fn places() -> Vec<usize> {
-        let outputs = F::Outputs::<f64>::LEN;
-        (0..outputs).chain(structure::places::<F>().map(|k| outputs + k)).collect()
     }
 }
 

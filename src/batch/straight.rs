@@ -92,21 +92,20 @@ fn compute<F: Formula, J: Job<F>>(read: &[Line], written: &mut [Line], count: us
     // How many columns and rows there are at most is known here, so that none of them is looked up below.
     let (read, lines) = (&read[..F::Inputs::<f64>::LEN], &mut written[..J::LEN]);
     let count = count.min(TOGETHER);
-    let mut are_plain = true;
+    // Bits, which vectors keep at the width of the numbers: zero as long as every row is as it should be.
+    let mut bits = 0;
     for row in 0..count {
-        are_plain &=
-            is_plain::<F>(&inputs(read, row)) & F::validate(&inputs::<F::Inputs<Ordinary>, _>(read, row)).is_ok();
+        let is_valid = F::validate(&inputs::<F::Inputs<Ordinary>, _>(read, row)).is_ok();
+        bits |= u64::from(!(is_plain::<F>(&inputs(read, row)) & is_valid));
     }
-    if are_plain {
-        let mut bits = 0;
+    if bits == 0 {
         for row in 0..count {
             let mut place = Place { lines, row, next: 0, bits: 0 };
             J::show(&J::unchecked::<Ordinary>(&inputs(read, row)), &mut place);
-            bits |= place.bits;
+            bits |= if const { is_guarded::<F>() } { place.bits } else { 0 };
         }
-        are_plain = const { !is_guarded::<F>() } || bits == 0;
     }
-    are_plain
+    bits == 0
 }
 
 /// The inputs of a row.

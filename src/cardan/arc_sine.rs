@@ -1,21 +1,39 @@
 //! The arc sine of a scalar product, with value and derivative as good close to ±1 as the components allow.
 
+#![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
+
 use crate::error::Error;
-use crate::scalar::{Scalar, abs, atan2, number_if, sign};
+use crate::scalar::{Leaf, Scalar, abs, asin, constant, pi, sign};
 use nalgebra::Vector3;
 
 /// Above this |sin β| the difference 1 − |sin β| is formed without rounding.
 const STEEP: f64 = 0.99;
+/// π/2 minus the double below it.
+const FRAC_PI_2_LOW: f64 = 6.123_233_995_736_766e-17;
 
 /// asin(a·b), ±90° beyond ±1.
-#[inline]
+#[inline(always)]
 pub(super) fn arc_sine<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
     let sine = a.dot(b);
-    if abs(sine) < STEEP {
-        return sine.asin();
+    let is_gentle = abs(sine) < STEEP;
+    if !D::has_extremes() {
+        return gentle_or_steep(is_gentle, sine, shortfall(a, b));
     }
-    let cosine = steep_cosine(a, b);
-    if cosine == 0.0 { sign(sine).asin() } else { atan2(sine, cosine) }
+    if is_gentle { asin(sine) } else { steep_arc_sine(sine, shortfall(a, b)) }
+}
+
+#[cold]
+fn steep_arc_sine<D: Scalar>(sine: D, shortfall: D) -> D {
+    if shortfall > 0.0 { gentle_or_steep(false, sine, shortfall) } else { asin(sign(sine)) }
+}
+
+/// The arc sine, where it is steep from what the sine falls short of ±1: twice the arc sine of √(shortfall/2) is what is missing
+/// to 90°.
+#[inline(always)]
+fn gentle_or_steep<D: Scalar>(is_gentle: bool, sine: D, shortfall: D) -> D {
+    let angle = asin(if is_gentle { sine } else { (shortfall * 0.5).sqrt() });
+    let [low] = D::Leaf::constants([FRAC_PI_2_LOW], || [D::Leaf::from(0.0)]).map(constant::<D>);
+    if is_gentle { angle } else { sign(sine) * (pi::<D>() * 0.5 - (angle * 2.0 - low)) }
 }
 
 /// The derivative of [`arc_sine`] with respect to a·b: 1/√(1 − (a·b)²); 0 beyond ±1.
@@ -23,22 +41,27 @@ pub(super) fn arc_sine<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
 pub(crate) fn arc_sine_slope<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
     let sine = a.dot(b);
     let is_gentle = abs(sine) < STEEP;
-    if is_gentle || !D::has_extremes() {
-        return number_if(is_gentle, ((-sine + 1.0) * (sine + 1.0)).sqrt().recip());
+    let gentle = (-sine + 1.0) * (sine + 1.0);
+    if !D::has_extremes() {
+        return (if is_gentle { gentle } else { steep_square(shortfall(a, b)) }).sqrt().recip();
     }
-    let cosine = steep_cosine(a, b);
-    if cosine == 0.0 { D::zero() } else { cosine.recip() }
+    if is_gentle { gentle.sqrt().recip() } else { steep_slope(shortfall(a, b)) }
 }
 
-/// √(1 − (a·b)²) where |a·b| is close to 1; 0 beyond.
 #[cold]
-fn steep_cosine<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
-    let shortfall = shortfall(a, b);
-    if shortfall > 0.0 { (shortfall * (-shortfall + 2.0)).sqrt() } else { D::zero() }
+fn steep_slope<D: Scalar>(shortfall: D) -> D {
+    if shortfall > 0.0 { steep_square(shortfall).sqrt().recip() } else { D::zero() }
+}
+
+/// 1 − (a·b)².
+#[inline(always)]
+fn steep_square<D: Scalar>(shortfall: D) -> D {
+    shortfall * (-shortfall + 2.0)
 }
 
 /// 1 − |a·b| as if computed with twice the digits, so that its sign and its leading digits are right even where a·b
 /// rounds to ±1: products and sums are taken together with their rounding errors.
+#[inline(always)]
 fn shortfall<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
     let side = -sign(a.dot(b));
     let (mut sum, mut errors) = (D::one(), D::zero());
@@ -53,13 +76,13 @@ fn shortfall<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
     sum + errors
 }
 
-/// Rejects |e1a·e3b| > 1, which has no arc sine.
+/// Rejects |e1a·e3b| > 1, which has no arc sine. Where several rows are computed at once, numbers are not finite there.
 ///
 /// # Errors
 /// [`Error::NoArcSine`].
 #[inline]
 pub(super) fn check_arc_sine<D: Scalar>(e1a: &Vector3<D>, e3b: &Vector3<D>) -> Result<(), Error> {
-    if abs(e1a.dot(e3b)) < STEEP {
+    if !D::has_extremes() || abs(e1a.dot(e3b)) < STEEP {
         return Ok(());
     }
     check_steep(e1a, e3b)

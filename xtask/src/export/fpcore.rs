@@ -111,6 +111,7 @@ impl Printed<'_> {
         };
         match self.one.graph.op(node) {
             Op::Unary(Unary::PowerOfTwo, x) => format!("(exp2 (floor (log2 {})))", self.text(*x)),
+            Op::Unary(Unary::ArcSine, x) => call("asin", &[*x]),
             Op::Unary(function, x) => call((NAMES.unary)(*function), &[*x]),
             Op::Binary(operation, x, y) => call(binary(*operation), &[*x, *y]),
             Op::MultiplyAdd(x, y, z) => call("fma", &[*x, *y, *z]),
@@ -206,7 +207,7 @@ mod tests {
             ("fma", [x, y, z]) => x.mul_add(*y, *z),
             ("sqrt", [x]) => x.sqrt(),
             ("fabs", [x]) => x.abs(),
-            ("asin", [x]) => x.asin(),
+            ("asin", [x]) => jointproof::scalar::asin(*x),
             ("expm1", [x]) => x.exp_m1(),
             ("atan2", [y, x]) => jointproof::scalar::atan2(*y, *x),
             ("<", [x, y]) => answer(x < y),

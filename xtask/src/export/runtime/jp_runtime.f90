@@ -118,6 +118,40 @@ contains
         turn = sign(eighths*0.7853981633974483_dp + way*(t + (rest + low)), y)
     end function jp_angle
 
+    ! The arc sine: up to 1/2 a polynomial, beyond what twice another one leaves of a quarter turn.
+    pure function jp_asin(x) result(angle)
+        real(dp), intent(in) :: x
+        real(dp) :: angle, size, missing, z, s, turn, way, low, z2, z4, p0, p4, p8, rest, total, lost
+        real(dp), parameter :: p(0:11) = [ &
+            0.16666666666665653_dp, 0.0750000000029469_dp, 0.04464285685604654_dp, &
+            0.030381958187905646_dp, 0.022371777525770062_dp, 0.017359447897278054_dp, &
+            0.013887491270956195_dp, 0.012155871500411723_dp, 0.006580488107098665_dp, &
+            0.01939632260033307_dp, -0.016032766254421116_dp, 0.03179011988382487_dp]
+        size = abs(x)
+        missing = (1.0_dp - size)*0.5_dp
+        z = size*size
+        s = size
+        turn = 0.0_dp
+        low = 0.0_dp
+        way = 1.0_dp
+        if (size > 0.5_dp) then
+            z = missing
+            s = sqrt(missing)
+            turn = 1.5707963267948966_dp
+            low = 3.061616997868383e-17_dp
+            way = -2.0_dp
+        end if
+        z2 = z*z
+        z4 = z2*z2
+        p0 = (p(0) + p(1)*z) + (p(2) + p(3)*z)*z2
+        p4 = (p(4) + p(5)*z) + (p(6) + p(7)*z)*z2
+        p8 = (p(8) + p(9)*z) + (p(10) + p(11)*z)*z2
+        rest = s*(z*(p0 + (p4 + p8*z4)*z4)) - low
+        total = turn + way*s
+        lost = (turn - total) + way*s
+        angle = sign(total + (lost + way*rest), x)
+    end function jp_asin
+
     ! The largest power of two that is not above a positive number, within 2**(-1022) and 2**1022.
     pure function jp_power_of_two(x) result(power)
         real(dp), intent(in) :: x

@@ -71,6 +71,28 @@ JP_UNUSED static double jp_angle(double y, double x)
     return copysign(eighths * 0.7853981633974483 + way * (t + (rest + low)), y);
 }
 
+/* The arc sine: up to 1/2 a polynomial, beyond what twice another one leaves of a quarter turn. */
+JP_UNUSED static double jp_asin(double x)
+{
+    static const double p[12] = {
+        0.16666666666665653, 0.0750000000029469, 0.04464285685604654,
+        0.030381958187905646, 0.022371777525770062, 0.017359447897278054,
+        0.013887491270956195, 0.012155871500411723, 0.006580488107098665,
+        0.01939632260033307, -0.016032766254421116, 0.03179011988382487};
+    const double size = fabs(x), missing = (1.0 - size) * 0.5;
+    const int wide = size > 0.5;
+    const double z = wide ? missing : size * size, s = wide ? sqrt(missing) : size;
+    const double turn = wide ? 1.5707963267948966 : 0.0, way = wide ? -2.0 : 1.0;
+    const double z2 = z * z, z4 = z2 * z2;
+    const double p0 = (p[0] + p[1] * z) + (p[2] + p[3] * z) * z2;
+    const double p4 = (p[4] + p[5] * z) + (p[6] + p[7] * z) * z2;
+    const double p8 = (p[8] + p[9] * z) + (p[10] + p[11] * z) * z2;
+    const double low = wide ? 3.061616997868383e-17 : 0.0;
+    const double rest = s * (z * (p0 + (p4 + p8 * z4) * z4)) - low;
+    const double sum = turn + way * s, lost = (turn - sum) + way * s;
+    return copysign(sum + (lost + way * rest), x);
+}
+
 /* The largest power of two that is not above a positive number, within 2^-1022 and 2^1022. */
 JP_UNUSED static double jp_power_of_two(double x)
 {

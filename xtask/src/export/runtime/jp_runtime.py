@@ -101,6 +101,32 @@ def angle(y, x):
     return np.where((large > 0.0) & (large < 1e300), turn, np.arctan2(y, x))
 
 
+ARC_SINE = (
+    0.16666666666665653, 0.0750000000029469, 0.04464285685604654,
+    0.030381958187905646, 0.022371777525770062, 0.017359447897278054,
+    0.013887491270956195, 0.012155871500411723, 0.006580488107098665,
+    0.01939632260033307, -0.016032766254421116, 0.03179011988382487,
+)
+
+
+def asin(x):
+    """The arc sine: up to 1/2 a polynomial, beyond what twice another one leaves of a quarter turn."""
+    p = ARC_SINE
+    size = np.abs(x)
+    missing = (1.0 - size) * 0.5
+    wide = size > 0.5
+    z, s = np.where(wide, missing, size * size), np.where(wide, np.sqrt(missing), size)
+    turn, low = np.where(wide, 1.5707963267948966, 0.0), np.where(wide, 3.061616997868383e-17, 0.0)
+    way = np.where(wide, -2.0, 1.0)
+    z2 = z * z
+    z4 = z2 * z2
+    p0, p4, p8 = ((p[k] + p[k + 1] * z) + (p[k + 2] + p[k + 3] * z) * z2 for k in (0, 4, 8))
+    rest = s * (z * (p0 + (p4 + p8 * z4) * z4)) - low
+    total = turn + way * s
+    lost = (turn - total) + way * s
+    return np.copysign(total + (lost + way * rest), x)
+
+
 def power_of_two(x):
     """The largest power of two that is not above a positive number, within 2^-1022 and 2^1022."""
     bits = np.ascontiguousarray(x, dtype=float).view(np.int64) & 0x7FF0000000000000
