@@ -19,11 +19,12 @@ pub(super) fn arc_sine<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
     if !D::has_extremes() {
         return gentle_or_steep(is_gentle, sine, shortfall(a, b));
     }
-    if is_gentle { asin(sine) } else { steep_arc_sine(sine, shortfall(a, b)) }
+    if is_gentle { asin(sine) } else { steep_arc_sine(a, b) }
 }
 
 #[cold]
-fn steep_arc_sine<D: Scalar>(sine: D, shortfall: D) -> D {
+fn steep_arc_sine<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
+    let (sine, shortfall) = (a.dot(b), shortfall(a, b));
     if shortfall > 0.0 { gentle_or_steep(false, sine, shortfall) } else { asin(sign(sine)) }
 }
 
@@ -45,11 +46,12 @@ pub(crate) fn arc_sine_slope<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
     if !D::has_extremes() {
         return (if is_gentle { gentle } else { steep_square(shortfall(a, b)) }).sqrt().recip();
     }
-    if is_gentle { gentle.sqrt().recip() } else { steep_slope(shortfall(a, b)) }
+    if is_gentle { gentle.sqrt().recip() } else { steep_slope(a, b) }
 }
 
 #[cold]
-fn steep_slope<D: Scalar>(shortfall: D) -> D {
+fn steep_slope<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
+    let shortfall = shortfall(a, b);
     if shortfall > 0.0 { steep_square(shortfall).sqrt().recip() } else { D::zero() }
 }
 
