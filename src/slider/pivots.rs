@@ -162,6 +162,15 @@ mod tests {
         assert_eq!(Pivots::new(&x1, &xn), Pivots { i: 2, j: 0, k: 1 });
     }
 
+    /// Else every line would be looked at exactly, which takes a hundred times as long.
+    #[test]
+    fn rounding_decides_only_beside_a_tie() {
+        let ways = [[3.0, 1.0, 5.0], [10.0, 5.0, 1.0], [10.0, 9.0, 3.0]].map(steep_if_certain);
+        assert_eq!(ways, [Some(true), Some(false), None]);
+        let beside = [10.0, 9.0, 3.0 + 1e-13];
+        assert_eq!(steep_if_certain(beside), Some(true));
+    }
+
     proptest! {
         /// At ties, and where the rounding of a coordinate moved the line beside one.
         #[test]

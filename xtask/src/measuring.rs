@@ -97,7 +97,7 @@ pub fn measure<E>(project: &Project, request: &Request, mut tell: impl FnMut(Eve
     let formulas: Vec<_> = request.formulas.iter().filter_map(|id| project.find(id)).collect();
     let mut compared = compare(&formulas, &request.options, |id| tell(Event::Compared(id)))?;
     compared.sort_by_key(|(k, _)| *k);
-    let half = Options { rounds: request.options.rounds.div_ceil(2), ..request.options };
+    let half = half(&request.options);
     for (k, first) in &mut compared {
         formulas[*k].times(&half, first);
         tell(Event::Timed(first.formula.clone()))?;
@@ -141,12 +141,23 @@ fn compare<E>(
     })
 }
 
+/// The rounds that are done first, and as many once more.
+fn half(options: &Options) -> Options {
+    Options { rounds: options.rounds.div_ceil(2), ..*options }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{Build, Event, Request, answer};
+    use super::{Build, Event, Request, answer, half};
     use crate::project::Project;
     use jointproof::catalog::CATALOG;
     use jointproof::measure::Options;
+
+    #[test]
+    fn both_halves_have_as_many_rounds_as_are_asked_for() {
+        let rounds = [1, 6, 61].map(|rounds| half(&Options { rounds, ..Options::quick() }).rounds);
+        assert_eq!(rounds, [1, 3, 31]);
+    }
 
     #[test]
     fn a_request_is_answered_event_by_event() {

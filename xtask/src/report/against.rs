@@ -211,6 +211,16 @@ mod tests {
         }
     }
 
+    /// One disturbed yardstick of four, the first, is not how much slower the machine is.
+    #[test]
+    fn the_drift_is_the_median_however_ratios_follow_each_other() {
+        let (old, mut new) = (report(1.0), report(2.0));
+        new.formulas[0].copy = Some(time(3.0 * 50.0));
+        new.formulas[1].copy = Some(time(3.0 * 1.9));
+        new.formulas[1].yardstick = Some(time(12.0 * 1.8));
+        assert_eq!(against(&old, &new).drift, 2.0);
+    }
+
     /// The comparison of reports on everything.
     fn against(old: &Report, new: &Report) -> Comparison {
         compare(old, new, |_| true)
