@@ -174,3 +174,14 @@ fn constants_are_correctly_rounded() {
     assert_eq!(Octuple::MAX, (Octuple::from(2.0) - Octuple::EPSILON) * Octuple::from(2.0).powi(262_143));
     assert!(Octuple::NAN.is_nan() && !Octuple::INFINITY.is_finite() && Octuple::INFINITY > Octuple::MAX);
 }
+
+/// Factors are scaled where they are so large or so small, which is not for what has no exponent.
+#[test]
+fn what_is_zero_or_not_finite_is_multiplied_and_added_beside_what_is_huge() {
+    let (one, huge) = (Octuple::from(1.0), DualNum::powi(&Octuple::from(2.0), 70_000));
+    let of = |x: f64| Octuple::from(x).mul_add(huge, one);
+    assert_eq!(of(0.0), one);
+    assert_eq!([f64::INFINITY, f64::NEG_INFINITY].map(|x| of(x).to_f64()), [f64::INFINITY, f64::NEG_INFINITY]);
+    assert!(of(f64::NAN).to_f64().is_nan());
+    assert_eq!(of(1.0), huge);
+}

@@ -70,11 +70,8 @@ pub(super) fn nodes_of(
                 }
                 Some(u32::try_from(all.len() - before).unwrap_or(u32::MAX))
             }
-            None => {
-                // It has a number all the same, to which others may refer.
-                all.push(Default::default());
-                None
-            }
+            // It has a number all the same, to which others may refer; that it is nowhere is a fault, and ends the reading.
+            None => None,
         };
         Ok((count, node))
     })?;
