@@ -6,6 +6,7 @@ use jointproof::element::newton::{
     AlignElement, CrossContact, Element, JoinElement, Nodes, SliderElement, SliderElement2d, SlotContact, SlotElement,
     SlotElement2d, TranslatorContact, TranslatorElement, UJointElement, UJointState, UniversalElement,
 };
+use jointproof::element::offset::Arms;
 use jointproof::element::slot_plane::PlanePlaces;
 use jointproof::element::translator_friction::{self, TranslatorSliding};
 use jointproof::element::ujoint_friction::{self, CrossSliding};
@@ -398,5 +399,31 @@ fn ujoint_rubs_about_both_axes_and_counts_whole_turns() {
         let (rubs, on_b) = (found.forces - smooth.forces, -(rows.ur1_tb * expected.m1 + rows.ur3_tb * expected.m3));
         assert!((rubs.fixed_rows::<3>(9) - on_b).amax() < 1e-12 && (rubs.fixed_rows::<3>(3) + on_b).amax() < 1e-12);
         assert_eq!((rubs.fixed_rows::<3>(0).amax(), rubs.fixed_rows::<3>(6).amax()), (0.0, 0.0));
+    }
+}
+
+/// Forces, and what follows the multipliers, have the moments of their arms; stick and slip differ in what follows them.
+#[test]
+fn on_arms_forces_and_what_follows_multipliers_have_moments() {
+    let arms = Arms { a: Vector3::new(0.5, -1.0, 2.0), b: Vector3::new(-3.0, 0.25, 1.0) };
+    let slot = SlotElement { contact: Some(RUBS), ..SLOT };
+    let (at_points, _) = slot.newton(&Named::standing(), &[3.0, -4.0].into(), &0.5).unwrap();
+    let on_arms = at_points.on_arms(&arms);
+    assert_ne!(at_points.by_multipliers, at_points.rows.transpose(), "it slips");
+    assert_eq!(on_arms.residuals, at_points.residuals);
+    let moved = |actions: SVector<f64, 12>| {
+        let mut actions = actions;
+        for (node, arm) in [(0, arms.a), (6, arms.b)] {
+            let moment = arm.cross(&actions.fixed_rows::<3>(node));
+            let mut spin = actions.fixed_rows_mut::<3>(node + 3);
+            spin += moment;
+        }
+        actions
+    };
+    assert_eq!(on_arms.forces, moved(at_points.forces));
+    for k in 0..2 {
+        assert_eq!(on_arms.by_multipliers.column(k), moved(at_points.by_multipliers.column(k).into_owned()));
+        let row = moved(at_points.rows.row(k).transpose());
+        assert_eq!(on_arms.rows.row(k).transpose(), row);
     }
 }

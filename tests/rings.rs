@@ -3,6 +3,7 @@
 use jointproof::element::newton::{Isl21a, Isl22a, LineContact, OnLine, PressureLaw, SlaveState};
 use jointproof::element::slide_line::friction;
 use jointproof::formula::{Fields, Formula};
+use jointproof::interaction::{ExponentialContact, PressureExponential};
 use nalgebra::Vector2;
 
 #[test]
@@ -130,5 +131,46 @@ fn a_ring_tells_that_forces_or_a_torque_overflow() {
         let found = element.contribution(&places(unit, depth), &before);
         let finite = found.forces.iter().chain(&found.stiffness).chain(&found.torque_row).all(|x| x.is_finite());
         assert_ne!(finite, found.torque.is_finite(), "{k:e}");
+    }
+}
+
+/// Between the ends, pressed and dragged: what acts on a node is shared out over its own segment, and over no other.
+#[test]
+fn what_acts_on_a_node_acts_back_on_its_segment() {
+    let nodes = [at(2.0, 0.25), at(3.5, 0.75)];
+    let segments = [[at(1.0, 0.0), at(3.0, 1.0)], [at(3.0, 1.0), at(5.0, 1.25)]];
+    let before = SlaveState { g: 0.25, s12: 0.125 };
+    let found = Isl21a(LINE).newton(&OnLine { nodes, segments }, &[before; 2]).unwrap();
+    let force = |node: usize| found.forces.fixed_rows::<2>(2 * node).into_owned();
+    for slave in 0..2 {
+        let (g, on_slave) = (found.after[slave].g, force(slave));
+        let shares = [(1.0 - g) / 2.0, (1.0 + g) / 2.0];
+        for (k, share) in shares.into_iter().enumerate() {
+            assert!((force(2 + 2 * slave + k) + on_slave * share).amax() < 1e-12 * on_slave.amax(), "{slave}, {k}");
+        }
+    }
+    let nodes = [at(1.5, 0.25), at(2.25, 0.75), at(3.0, 0.5)];
+    let segments = [[at(1.0, 0.0), at(2.25, 1.0), at(4.0, 0.5)]; 3];
+    let found = Isl22a(LINE).newton(&OnLine { nodes, segments }, &[before; 3]).unwrap();
+    let force = |node: usize| found.forces.fixed_rows::<2>(2 * node).into_owned();
+    for slave in 0..3 {
+        let (g, on_slave) = (found.after[slave].g, force(slave));
+        let shares = [g * (g - 1.0) / 2.0, 1.0 - g * g, g * (g + 1.0) / 2.0];
+        for (k, share) in shares.into_iter().enumerate() {
+            assert!((force(3 + 3 * slave + k) + on_slave * share).amax() < 1e-12 * on_slave.amax(), "{slave}, {k}");
+        }
+    }
+}
+
+#[test]
+fn the_exponential_law_presses_by_its_clearance() {
+    let (c0, p0) = (0.5, 20.0);
+    for h in [-0.75, -0.25, 0.125] {
+        let mut places = ring(at(2.0, -h));
+        places.nodes[1].y = -h;
+        let law = PressureLaw::Exponential { c0, p0 };
+        let found = Isl21a(LineContact { law, ..LINE }).newton(&places, &[BEFORE; 2]).unwrap();
+        let expected = PressureExponential::eval(&ExponentialContact { h, c0, p0 }).p;
+        assert_eq!((found.pressures, expected > 0.0), ([expected; 2], h > -c0));
     }
 }
