@@ -144,7 +144,7 @@ fn what_acts_on_a_node_acts_back_on_its_segment() {
     let force = |node: usize| found.forces.fixed_rows::<2>(2 * node).into_owned();
     for slave in 0..2 {
         let (g, on_slave) = (found.after[slave].g, force(slave));
-        let shares = [(1.0 - g) / 2.0, (1.0 + g) / 2.0];
+        let shares = [0.5 * (1.0 - g), 0.5 * (1.0 + g)];
         for (k, share) in shares.into_iter().enumerate() {
             assert!((force(2 + 2 * slave + k) + on_slave * share).amax() < 1e-12 * on_slave.amax(), "{slave}, {k}");
         }
@@ -155,7 +155,7 @@ fn what_acts_on_a_node_acts_back_on_its_segment() {
     let force = |node: usize| found.forces.fixed_rows::<2>(2 * node).into_owned();
     for slave in 0..3 {
         let (g, on_slave) = (found.after[slave].g, force(slave));
-        let shares = [g * (g - 1.0) / 2.0, 1.0 - g * g, g * (g + 1.0) / 2.0];
+        let shares = [0.5 * g * (g - 1.0), 1.0 - g * g, 0.5 * g * (g + 1.0)];
         for (k, share) in shares.into_iter().enumerate() {
             assert!((force(3 + 3 * slave + k) + on_slave * share).amax() < 1e-12 * on_slave.amax(), "{slave}, {k}");
         }
