@@ -45,7 +45,7 @@ impl Named for Nodes<f64> {
     fn vectors(&mut self) -> Vec<(&'static str, &mut [f64])> {
         let Self { a: [e1a, e2a, e3a], b: [e1b, e2b, e3b], xa, xb } = self;
         let names = ["e1a", "e2a", "e3a", "e1b", "e2b", "e3b", "xa", "xb"];
-        names.into_iter().zip([e1a, e2a, e3a, e1b, e2b, e3b, xa, xb].map(|v| v.as_mut_slice())).collect()
+        names.into_iter().zip([e1a, e2a, e3a, e1b, e2b, e3b, xa, xb].map(Vector3::as_mut_slice)).collect()
     }
 }
 
@@ -55,7 +55,7 @@ impl Named for PlanePlaces<f64> {
     }
     fn vectors(&mut self) -> Vec<(&'static str, &mut [f64])> {
         let Self { e2a, xa, xb } = self;
-        ["e2a", "xa", "xb"].into_iter().zip([e2a, xa, xb].map(|v| v.as_mut_slice())).collect()
+        ["e2a", "xa", "xb"].into_iter().zip([e2a, xa, xb].map(Vector2::as_mut_slice)).collect()
     }
 }
 
@@ -66,7 +66,7 @@ impl Named for slider::Nodes<f64> {
     }
     fn vectors(&mut self) -> Vec<(&'static str, &mut [f64])> {
         let Self { x1, xn, xm } = self;
-        ["x1", "xn", "xm"].into_iter().zip([x1, xn, xm].map(|v| v.as_mut_slice())).collect()
+        ["x1", "xn", "xm"].into_iter().zip([x1, xn, xm].map(Vector3::as_mut_slice)).collect()
     }
 }
 
@@ -77,7 +77,7 @@ impl Named for slider::Nodes2d<f64> {
     }
     fn vectors(&mut self) -> Vec<(&'static str, &mut [f64])> {
         let Self { x1, xn, xm } = self;
-        ["x1", "xn", "xm"].into_iter().zip([x1, xn, xm].map(|v| v.as_mut_slice())).collect()
+        ["x1", "xn", "xm"].into_iter().zip([x1, xn, xm].map(Vector2::as_mut_slice)).collect()
     }
 }
 
@@ -91,8 +91,8 @@ fn refusal<E: Element<N, DOFS>, const N: usize, const DOFS: usize>(
     element.newton(nodes, &multipliers.into(), before).err().map(|error| error.to_string())
 }
 
-fn is_nan(name: &str) -> Option<String> {
-    Some(format!("{name} is NaN; allowed is a finite number"))
+fn is_nan(name: &str) -> String {
+    format!("{name} is NaN; allowed is a finite number")
 }
 
 /// Where an element does not refuse what it is to ask, each number of nodes and multipliers in turn, or refuses what it does not.
@@ -118,14 +118,14 @@ where
         for component in 0..size {
             let mut nodes = P::standing();
             nodes.vectors()[k].1[component] = f64::NAN;
-            let expected = is_nan(&format!("{name}[{component}]")).filter(|_| places.contains(&name));
+            let expected = places.contains(&name).then(|| is_nan(&format!("{name}[{component}]")));
             compare(refusal(element, &nodes, loads, before), expected);
         }
     }
     for (k, name) in multipliers.into_iter().enumerate() {
         let mut loads = loads;
         loads[k] = f64::NAN;
-        compare(refusal(element, &P::standing(), loads, before), is_nan(name));
+        compare(refusal(element, &P::standing(), loads, before), Some(is_nan(name)));
     }
     wrong
 }
