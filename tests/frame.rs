@@ -47,6 +47,38 @@ fn every_angle_is_held_to_the_tolerance() {
 }
 
 #[test]
+fn the_tolerance_itself_is_let_in_and_the_next_number_is_not() {
+    for (leaning, other) in [(0, 1), (1, 2), (2, 0)] {
+        for sign in [1.0, -1.0] {
+            let leaned = |by: f64| {
+                let mut axes = axes();
+                let to = axes[other];
+                axes[leaning] += to * (sign * by);
+                refusal(axes)
+            };
+            assert_eq!(leaned(TOLERANCE), None);
+            assert!(leaned(TOLERANCE.next_up()).is_some());
+        }
+    }
+    let (x, y) = (Vector2::x(), Vector2::y());
+    assert!(PlaneTriad::new(x, y + x * TOLERANCE).is_ok() && PlaneTriad::new(x, y - x * TOLERANCE).is_ok());
+    let next = TOLERANCE.next_up();
+    assert!(PlaneTriad::new(x, y + x * next).is_err() && PlaneTriad::new(x, y - x * next).is_err());
+}
+
+#[test]
+fn triads_are_let_in_however_their_volume_is_rounded() {
+    for degrees in 0..360 {
+        let (s, c) = f64::from(degrees).to_radians().sin_cos();
+        let [e1, e2, e3] = [Vector3::new(c, s, 0.0), Vector3::new(-s, c, 0.0), Vector3::z()];
+        for [e1, e2, e3] in [[e1, e2, e3], [e2, e3, e1], [e3, e1, e2]] {
+            assert_eq!(refusal([e1, e2, e3]), None, "{degrees}°");
+            assert!(refusal([e1, e2, -e3]).unwrap().contains("right-handed"), "{degrees}°");
+        }
+    }
+}
+
+#[test]
 fn left_handed_triads_are_refused_in_space_and_in_the_plane() {
     let [e1, e2, e3] = axes();
     assert_eq!(refusal([e2, e3, e1]), None);
