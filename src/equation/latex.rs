@@ -211,8 +211,8 @@ fn sign(relation: Relation) -> &'static str {
 
 #[cfg(test)]
 mod tests {
-    use super::statement;
-    use crate::equation::statement::statements;
+    use super::{name, statement};
+    use crate::equation::statement::{statements, symbols};
 
     #[test]
     fn brackets_are_as_high_as_what_stands_in_them() {
@@ -223,6 +223,77 @@ mod tests {
             r"a = (b - (c + d))\,e",
         ] {
             assert_eq!(statement(&statements(latex, Vec::new()).unwrap()[0]), latex);
+        }
+    }
+    #[test]
+    fn what_is_written_is_what_was_read() {
+        for latex in [
+            "a = b = -c - d",
+            r"a = -b\,c\,d",
+            r"a = b - (c - d) - e",
+            r"a = -(b + c)",
+            r"a = 2\,b + c",
+            r"a = b\cdot(c - d)",
+            r"a = (b + c)\,(d + e)",
+            r"a = b^2\,(c + d)",
+            r"\mathbf{a} = (b + c)\,\mathbf{d}",
+            r"\mathbf{a} = (\mathbf{b}\times\mathbf{c})\times d",
+            r"a = \mathbf{b}\cdot(\mathbf{c}\times\mathbf{d}) + \mathbf{b}\otimes\mathbf{d}",
+            r"a = \frac{b + c}{d} + \tfrac{1}{2}",
+            r"a = \frac{\partial b}{\partial c}",
+            r"a = \sum_{q=1}^{3} b_{q}\,c",
+            r"a = \left(\sum_{q=1}^{3} b_{q}\right)\,c",
+            r"a = \lvert b - c\rvert + \sqrt{b + c} + e^{b - c}",
+            r"a = \sin b + \cos(b + c) + \arcsin\alpha",
+            r"a = \operatorname{sign} b + \operatorname{round}(b - c) + \operatorname{atan2}(b, c)",
+            r"a = (b^{\mathrm{int}})^2 + (\Delta b)^3 + 2^2 + b^9",
+            r"a = \begin{cases} b & c > d,\ e \le b \\ c & d \ge e \\ d & e \ne b \\ e & c < d \\ b & c = d \\ c & \text{otherwise} \end{cases}",
+            r"a = \left(\begin{cases} b & c > d \end{cases}\right)^2",
+            "r(g, h) = g^2",
+            r"a = \operatorname*{arg\,min}_{-1 \le a \le b}\,\lvert c\rvert",
+        ] {
+            assert_eq!(statement(&statements(latex, Vec::new()).unwrap()[0]), latex);
+        }
+        for (read, written) in [
+            (r"a = b + (c - d)", "a = b + c - d"),
+            // A bracket behind a symbol could be taken for a function of it.
+            (r"a = b\,(c + d)", r"a = b\cdot (c + d)"),
+            (r"\mathbf{a} = \mathbf{b}\,(c + d)", r"\mathbf{a} = (c + d)\,\mathbf{b}"),
+            (r"a = (b)", "a = b"),
+        ] {
+            assert_eq!(statement(&statements(read, Vec::new()).unwrap()[0]), written);
+        }
+        let functions = statements(r"r(g, h) = g\,h,\quad a = r(b, 2)\,r(c + d, 1)", Vec::new()).unwrap();
+        assert_eq!(statement(&functions[1]), r"a = r(b, 2)\,r(c + d, 1)");
+    }
+
+    #[test]
+    fn names_are_written_as_they_are_read() {
+        for latex in [
+            "x",
+            "x_{2}",
+            "x_{m,k}",
+            "X''_{1}",
+            r"\mathbf{X}'",
+            r"F_{C}^{\mathrm{int}}",
+            r"\boldsymbol{\theta}_{\mathrm{axial}k}",
+            r"\mathit{ab}",
+            r"\mathbf{ab}",
+            r"\mathrm{d}x",
+            r"\Delta x",
+            r"\delta \mathrm{d}x",
+            r"\delta \Delta \mathbf{x}",
+            "c^-",
+            r"c^{\max}",
+            r"c_{\alpha k}",
+            r"c_{\alpha\beta}",
+            r"c_{\max}",
+            r"c_{\perp1}",
+            r"c_{k\alpha}",
+            r"\ell",
+            r"\alpha_{1}",
+        ] {
+            assert_eq!(name(&symbols(latex).unwrap()[0].0), latex);
         }
     }
 }

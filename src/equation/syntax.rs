@@ -246,3 +246,152 @@ impl Expr {
 pub(super) fn small(value: usize) -> f64 {
     u32::try_from(value).map_or(f64::NAN, f64::from)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::equation::latex;
+    use crate::equation::statement::{chains, statements};
+
+    fn read(latex: &str) -> Vec<Statement> {
+        statements(latex, vec![Name::letter("f")]).expect("it can be read")
+    }
+
+    /// The only side of a definition of a.
+    fn side(latex: &str) -> Expr {
+        read(&format!("a = {latex}"))[0].expressions()[0].clone()
+    }
+
+    /// Of each kind one, with z in every place.
+    const KINDS: &[&str] = &[
+        "z",
+        "f(b, z)",
+        r"\operatorname{atan2}(z, z)",
+        r"\sin z",
+        "(z, b, z)",
+        "-z",
+        r"\lvert z\rvert",
+        "z + z",
+        r"z\cdot z",
+        "z^{z}",
+        r"\frac{\partial z}{\partial b}",
+        r"\sum_{k=1}^{3} z",
+        r"\begin{cases} z & z < b,\ b < z \\ b & c > z \\ z & \text{otherwise} \end{cases}",
+    ];
+
+    #[test]
+    fn an_index_in_any_place_makes_a_family() {
+        let count = |latex: &str| match chains(&format!(r"{latex},\quad q = 1, 2"), vec![Name::letter("f")]) {
+            Ok(all) => all.len(),
+            Err(_) => 0,
+        };
+        // On either side or in between, in the name of a function, below a partial derivative.
+        for one in ["a_q = 0", "0 = a_q", "0 = a_q = b", "0 = f_q(a)", "0 = f(a, b_q)"] {
+            assert_eq!(count(one), 2, "{one}");
+        }
+        assert_eq!(count(r"0 = \frac{\partial a}{\partial b_q}"), 2);
+        for kind in KINDS {
+            assert_eq!([count(&format!("0 = {}", kind.replace('z', "b_q"))), count(&format!("0 = {kind}"))], [2, 0]);
+        }
+        // A sum over the same letter has its own, beside which there may be one.
+        let sum = r"0 = \sum_{q=1}^{3} a_q";
+        assert_eq!([count(sum), count(&format!("{sum} + b_q"))], [0, 2]);
+        // What has no index stays as it is.
+        assert_eq!(count(r"a = 0,\ a_q = 1"), 3);
+    }
+
+    #[test]
+    fn a_number_stands_in_every_place_of_an_index() {
+        let same = |a: &Expr, b: &Expr| assert_eq!(format!("{a:?}"), format!("{b:?}"));
+        for kind in KINDS {
+            same(&side(&kind.replace('z', "c_q")).with_index("q", 2), &side(&kind.replace('z', "c_2")));
+        }
+        // By itself it is a number; what cannot be read as one, behind a sine or in the place of a symbol, is left out.
+        for kind in KINDS.iter().filter(|kind| !kind.contains("sin") && !kind.contains("partial")) {
+            same(&side(&kind.replace('z', "q")).with_index("q", 2), &side(&kind.replace('z', "2")));
+        }
+        same(&side(r"\frac{\partial a}{\partial b_q}").with_index("q", 3), &side(r"\frac{\partial a}{\partial b_3}"));
+        let own = side(r"\sum_{q=1}^{3} a_q");
+        same(&own.with_index("q", 2), &own);
+        let statement = |latex: &str| statements(latex, Vec::new()).unwrap().swap_remove(0);
+        let functions = ["f_q(g) = f_q(a)", "f_2(g) = f_2(a)"].map(statement);
+        same(&functions[0].expressions()[0].with_index("q", 2), functions[1].expressions()[0]);
+        assert_eq!(small(7), 7.0);
+    }
+
+    #[test]
+    fn a_family_is_written_out() {
+        let written = |latex: &str| read(latex).iter().map(latex::statement).collect::<Vec<_>>();
+        assert_eq!(written(r"a_q = b_q = c,\quad q = 2, 5"), ["a_{2} = b_{2} = c", "a_{5} = b_{5} = c"]);
+        assert_eq!(
+            written(r"a_q = \operatorname*{arg\,min}_{b_q \le a_q \le c_q} d_q,\quad q = 1, 2"),
+            [1, 2].map(|q| r"a_{q} = \operatorname*{arg\,min}_{b_{q} \le a_{q} \le c_{q}}\,d_{q}"
+                .replace("{q}", &format!("{{{q}}}")))
+        );
+        let items = read(r"(a_q, b_q) = f(c_q),\quad q = 1, 2");
+        let of = |k: usize| format!("{:?}", items[k].expressions()[0].kind);
+        assert!(of(0).starts_with("Item(") && of(0).ends_with(", 0)") && of(1).ends_with(", 1)"), "{}", of(1));
+        assert!(items.len() == 4 && of(3).contains(r#"["2"]"#) && !of(3).contains(r#"["q"]"#), "{}", of(3));
+    }
+
+    #[test]
+    fn symbols_are_replaced_in_every_place() {
+        let put = |e: &Expr| match &e.kind {
+            Kind::Symbol(name) if *name == Name::letter("z") => {
+                Some(Expr { kind: Kind::Symbol(Name::letter("u")), at: e.at })
+            }
+            _ => None,
+        };
+        for kind in KINDS {
+            assert_eq!(format!("{:?}", side(kind).replaced(&put)), format!("{:?}", side(&kind.replace('z', "u"))));
+        }
+        let item = Expr { kind: Kind::Item(Box::new(side("z")), 1), at: 0 };
+        let Kind::Item(inside, 1) = item.replaced(&put).kind else { panic!("it is the same item") };
+        assert_eq!(format!("{inside:?}"), format!("{:?}", side("u")));
+    }
+
+    #[test]
+    fn a_vector_is_told_by_its_letters() {
+        for vector in [
+            r"\mathbf{v}",
+            r"-\mathbf{v}",
+            r"\mathbf{v} + b",
+            r"b - \mathbf{v}",
+            r"b\,\mathbf{v}",
+            r"\mathbf{v}\,b",
+            r"b\cdot\mathbf{v}",
+            r"\mathbf{v}\cdot b",
+            r"\frac{\mathbf{v}}{b}",
+            r"b\times c",
+            r"b\otimes c",
+            "(b, c)",
+            r"\sum_{k=1}^{2} \mathbf{v}_k",
+            r"\begin{cases} \mathbf{v} & b > 0 \end{cases}",
+            r"\frac{\partial\mathbf{v}}{\partial b}",
+            r"\frac{\partial b}{\partial\mathbf{v}}",
+        ] {
+            assert!(side(vector).is_vector(), "{vector}");
+        }
+        for number in [
+            "2",
+            "b",
+            "-b",
+            "b + c",
+            r"b\,c",
+            r"b\cdot c",
+            r"\mathbf{v}\cdot\mathbf{w}",
+            r"\frac{b}{c}",
+            r"\frac{b}{\mathbf{v}}",
+            r"\sum_{k=1}^{2} b_k",
+            r"\lvert\mathbf{v}\rvert",
+            r"\sqrt{b}",
+            "b^2",
+            r"\begin{cases} b & \mathbf{v} = \mathbf{0} \end{cases}",
+            r"\frac{\partial b}{\partial c}",
+        ] {
+            assert!(!side(number).is_vector(), "{number}");
+        }
+        let function = statements(r"\mathbf{r}(g) = g\,\mathbf{v},\quad a = \mathbf{r}(b)", Vec::new()).unwrap();
+        assert!(function[1].expressions()[0].is_vector());
+    }
+}

@@ -337,4 +337,69 @@ mod tests {
         ];
         assert_eq!(varied, expected);
     }
+    /// The variations of statements; a, b and **v** are inputs.
+    fn varied(given: &str) -> Vec<String> {
+        let inputs = [Name::letter("a"), Name::letter("b"), Name { bold: true, ..Name::letter("v") }];
+        variations(&statements(given, Vec::new()).unwrap(), &inputs).iter().map(latex::statement).collect()
+    }
+
+    #[test]
+    fn each_operation_has_its_rule() {
+        for (given, expected) in [
+            ("a + k", r"\delta a"),
+            ("k - a", r"-\delta a"),
+            ("a - b", r"\delta a - \delta b"),
+            ("-a", r"-\delta a"),
+            (r"a\,b", r"\delta a\,b + a\,\delta b"),
+            (r"2\,a", r"2\,\delta a"),
+            (r"\frac{a}{k}", r"\frac{\delta a}{k}"),
+            (r"\frac{k}{a}", r"-\frac{k\,\delta a}{a^2}"),
+            (r"\frac{a}{b}", r"\frac{\delta a}{b} - \frac{a\,\delta b}{b^2}"),
+            ("a^2", r"2\,a\,\delta a"),
+            ("a^3", r"3\,a^2\,\delta a"),
+            ("e^{a}", r"e^{a}\,\delta a"),
+            (r"\sqrt{a}", r"\frac{\frac{\delta a}{2}}{\sqrt{a}}"),
+            (r"\sqrt{a^2 + b^2}", r"\frac{a\,\delta a + b\,\delta b}{\sqrt{a^2 + b^2}}"),
+            (r"\sqrt{k - a^2}", r"-\frac{a\,\delta a}{\sqrt{k - a^2}}"),
+            (r"\sin a", r"\cos a\,\delta a"),
+            (r"\cos a", r"-\sin a\,\delta a"),
+            (r"\arcsin a", r"\frac{\delta a}{\sqrt{1 - a^2}}"),
+            (r"\operatorname{atan2}(a, b)", r"\frac{b\,\delta a - a\,\delta b}{a^2 + b^2}"),
+            (r"\operatorname{atan2}(k, b)", r"-\frac{k\,\delta b}{k^2 + b^2}"),
+            (r"\lvert a\rvert", r"\operatorname{sign} a\,\delta a"),
+            (r"\lvert\mathbf{v}\rvert", r"\frac{\mathbf{v}\cdot\delta \mathbf{v}}{\lvert \mathbf{v}\rvert}"),
+            (r"\mathbf{v}\times\mathbf{c}", r"\delta \mathbf{v}\times\mathbf{c}"),
+            (r"\mathbf{c}\cdot\mathbf{v}", r"\mathbf{c}\cdot\delta \mathbf{v}"),
+            ("(a, k)", r"(\delta a, 0)"),
+            ("v_2", r"\delta v_{2}"),
+            (r"\sum_{q=1}^{2} v_q", r"\sum_{q=1}^{2} \delta v_{q}"),
+        ] {
+            assert_eq!(varied(&format!("y = {given}")), [format!(r"\delta y = {expected}")], "{given}");
+        }
+    }
+
+    #[test]
+    fn what_does_not_change_has_no_variation() {
+        let condition = r"\begin{cases} k & a > 0 \\ 2 & \text{otherwise} \end{cases}";
+        let index = r"\sum_{q=1}^{2} k_q";
+        for fixed in ["k", "2", "k^2", r"\operatorname{sign} a", r"\operatorname{round}(a)", "(k, 0)", condition, index]
+        {
+            assert_eq!(varied(&format!("y = {fixed}")), [""; 0], "{fixed}");
+        }
+    }
+
+    #[test]
+    fn what_is_defined_changes_with_what_it_is_made_from_in_any_order() {
+        assert_eq!(varied(r"y = c + k,\quad c = a,\quad k = 2"), [r"\delta y = \delta c", r"\delta c = \delta a"]);
+        // A function changes at fixed arguments, with a letter of its own even if an input has that, and with them.
+        let functions = r"r(b) = b^2\,a,\quad y = r(k),\quad z = r(b)";
+        assert_eq!(
+            varied(functions),
+            [
+                r"\delta r(b) = b^2\,\delta a",
+                r"\delta y = \delta r(k)",
+                r"\delta z = 2\,b\,\delta b\,a + b^2\,\delta a"
+            ]
+        );
+    }
 }

@@ -2,6 +2,8 @@
 
 mod common;
 
+#[cfg(unix)]
+use common::reference;
 use common::{Bench, assert_accepted, is_here};
 
 #[test]
@@ -21,6 +23,60 @@ fn what_is_exported_has_every_bit() {
         let numbers: u64 = said.split(' ').find_map(|word| word.parse().ok()).unwrap();
         assert!(numbers > 1000, "{said}");
     }
+}
+
+/// The times of Rust are said, those of C are taken; none of these is judged.
+#[test]
+#[cfg(unix)]
+fn times_of_c_and_of_rust_are_printed_with_their_ratio() {
+    if !["cc", "make"].into_iter().all(is_here) {
+        return;
+    }
+    const RUST: [(&str, f64); 2] = [("slot.contact_force", 8.0), ("coulomb.yield", 0.5)];
+    let mut report = reference();
+    for measured in report["formulas"].as_array_mut().unwrap() {
+        let time = RUST.iter().find(|(id, _)| measured["formula"] == *id).map_or(1e6, |(_, time)| *time);
+        let ways = measured["ways"].as_array_mut().unwrap().iter_mut();
+        for way in ways.filter(|way| way["jacobian"]["time"].is_object()) {
+            // The other ways take longer.
+            way["jacobian"]["time"]["median"] = if way["id"] == "checked" { time } else { 1e6 }.into();
+        }
+    }
+    let bench = Bench::new();
+    let out = bench.path("exported");
+    let wanted = ["--filter", "{slot.contact_force,coulomb.yield}", "--out", out.to_str().unwrap()];
+    let ran = bench.run_measured(&report, 0, &[&["export", "--lang", "c", "--speed"][..], &wanted].concat()).exits(0);
+    let (_, table) = ran.stdout.split_once("formula   ").expect("there is a table");
+    let lines: Vec<Vec<_>> = table.lines().skip(1).map(|line| line.split_whitespace().collect()).collect();
+    let (last, rows) = lines.split_last().unwrap();
+    let mut ids: Vec<_> = rows.iter().map(|row| row[0]).collect();
+    ids.sort_unstable();
+    assert_eq!(ids, ["coulomb.yield", "slot.contact_force"]);
+    let mut ratios = Vec::new();
+    for row in rows {
+        let [c, rust, ratio] = [1, 2, 3].map(|k| row[k].parse::<f64>().unwrap());
+        assert!(c > 0.0 && ratio > 0.0, "{row:?}");
+        assert_eq!(RUST.iter().find(|(id, _)| *id == row[0]).unwrap().1, rust);
+        // As far as the printed digits tell.
+        assert!((ratio * rust - c).abs() <= 0.05 + 0.005 * rust + 1e-9, "{row:?}");
+        ratios.push(ratio);
+    }
+    assert!(ratios[0] >= ratios[1], "{table}");
+    let [fewest, most] = [f64::lt, f64::le].map(|is| ratios.iter().filter(|ratio| is(ratio, &1.15)).count());
+    let within: usize = last[0].parse().unwrap();
+    assert!(fewest <= within && within <= most, "{table}");
+    assert_eq!(last[1..6], ["of", "2", "at", "most", "1.15;"]);
+    let mean: f64 = last[8].parse().unwrap();
+    assert!(ratios[1] <= mean && mean <= ratios[0], "{table}");
+}
+
+#[test]
+fn only_c_is_timed() {
+    let bench = Bench::new();
+    let out = bench.path("exported");
+    let wanted = ["--filter", "slot.contact_force", "--out", out.to_str().unwrap()];
+    let ran = bench.run(&[&["export", "--lang", "js", "--speed"][..], &wanted].concat()).exits(1);
+    ran.says("--speed takes the time of C: --lang c");
 }
 
 #[test]

@@ -3,9 +3,9 @@
 
 mod common;
 
-use common::{Bench, Ran};
+use common::{Bench, Ran, reference};
 use jointproof::catalog::{AnyFormula, CATALOG};
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::fs;
 use std::path::Path;
 use std::sync::LazyLock;
@@ -199,25 +199,11 @@ fn what_is_no_report_is_refused_with_advice() {
     ran.says("is not a report").says("--format json");
 }
 
-/// The reference, on every formula.
-fn reference() -> Value {
-    serde_json::from_slice(&fs::read(common::repository().join("book/report.json")).unwrap()).unwrap()
-}
-
 /// Runs the command so that nothing is built or measured: the measuring program says what stands in the reference, and ends with
 /// this code.
 #[cfg(unix)]
 fn measured(bench: &Bench, code: i32, arguments: &[&str]) -> Ran {
-    use std::os::unix::fs::PermissionsExt;
-    let reference = reference();
-    let begun = json!({ "Begun": reference["build"] });
-    let measured = reference["formulas"].as_array().unwrap().iter().map(|formula| json!({ "Measured": formula }));
-    let events: Vec<_> = std::iter::once(begun).chain(measured).map(|event| event.to_string()).collect();
-    let [cargo, said] = ["cargo", "said"].map(|name| bench.path(name));
-    fs::write(&said, events.join("\n")).unwrap();
-    fs::write(&cargo, format!("#!/bin/sh\ncat > /dev/null\ncat '{}'\nexit {code}\n", said.display())).unwrap();
-    fs::set_permissions(&cargo, fs::Permissions::from_mode(0o755)).unwrap();
-    Ran::from(bench.command(arguments).env("CARGO", &cargo).output().unwrap())
+    bench.run_measured(&reference(), code, arguments)
 }
 
 #[test]

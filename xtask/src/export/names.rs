@@ -63,6 +63,62 @@ mod tests {
         assert!(names.keys().all(|node| !all[0].1.is_atom(*node)));
     }
 
+    /// Names of what the friction of a slot computes.
+    fn names_of_friction(others: &[Known]) -> Vec<(Node, String)> {
+        let friction = known("slot.friction");
+        of(&friction, others).into_iter().collect()
+    }
+
+    fn known(id: &str) -> Known {
+        let formula = find(id).unwrap();
+        (formula, formula.graph().unwrap())
+    }
+
+    /// As this formula, which takes the same inputs, the contact force or what that is computed from.
+    fn known_as(id: &str, of_force: impl Fn(&Graph, Node) -> bool) -> Known {
+        let (_, mut graph) = known("slot.contact_force");
+        let node = graph.needed(&graph.value).into_iter().find(|&node| of_force(&graph, node)).unwrap();
+        graph.value = vec![node];
+        (find(id).unwrap(), graph)
+    }
+
+    #[test]
+    fn the_first_of_two_formulas_gives_the_name() {
+        let same = |id| known_as(id, |graph, node| graph.value[0] == node);
+        let [contact, radial] = ["slot.contact_force", "translator.radial_force"].map(same);
+        let names = [[contact.clone(), radial.clone()], [radial, contact]].map(|others| names_of_friction(&others));
+        assert_eq!(names.map(|names| names.into_iter().map(|(_, name)| name).collect::<Vec<_>>()), [["fc_"], ["fr_"]]);
+    }
+
+    #[test]
+    fn an_input_keeps_its_own_name() {
+        assert_eq!(names_of_friction(&[known_as("translator.radial_force", Graph::is_atom)]), []);
+    }
+
+    #[test]
+    fn no_two_results_have_one_name() {
+        let [forces, whole] = ["slot.nodal_forces", "slot.constraint_force"].map(known);
+        // As if the terms were the components of that force.
+        let mut terms = whole.clone();
+        let graph = &mut terms.1;
+        let is_term = |node: &Node| !graph.is_atom(*node) && !graph.value.contains(node);
+        graph.value = graph.needed(&graph.value).into_iter().filter(is_term).take(3).collect();
+        let names = |others: &[Known]| {
+            let mut names: Vec<_> = of(&forces, others).into_values().collect();
+            names.sort_unstable();
+            names
+        };
+        for others in [vec![whole.clone()], vec![terms.clone()], vec![whole, terms]] {
+            assert_eq!(names(&others), ["f_1", "f_2", "f_3"]);
+        }
+    }
+
+    #[test]
+    fn components_are_named_in_lower_case_and_by_their_number() {
+        let names: Vec<_> = components(find("slot.nodal_forces").unwrap().outputs()).collect();
+        assert_eq!(names, ["fa_1", "fa_2", "fa_3", "ma_1", "ma_2", "ma_3", "fb_1", "fb_2", "fb_3"]);
+    }
+
     #[test]
     fn fields_are_found_by_their_names_or_not_at_all() {
         let inputs = |id| find(id).unwrap().inputs();

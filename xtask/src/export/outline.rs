@@ -178,3 +178,92 @@ fn steps(statements: Vec<Statement>) -> Vec<Step> {
     };
     statements.into_iter().map(step).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use jointproof::catalog::find;
+
+    /// Statements that take so many lines.
+    fn lines(graph: &Graph, count: usize) -> Vec<Step> {
+        let first = graph.value[0];
+        assert!(!matches!(graph.op(first), Op::ExactSum(_) | Op::Search(..)), "it takes a line");
+        vec![Step::Compute(first); count]
+    }
+
+    fn outline(graph: &Graph) -> Outline<'_> {
+        Outline { graph, uses: HashMap::new(), main: Vec::new(), parts: Vec::new() }
+    }
+
+    fn choice(graph: &Graph, results: usize, [yes, no]: [usize; 2]) -> Step {
+        let node = graph.value[0];
+        let [yes, no] = [yes, no].map(|count| lines(graph, count));
+        Step::Choose { condition: node, results: vec![[node; 3]; results], yes, no }
+    }
+
+    /// But for the three lines that every choice has.
+    #[test]
+    fn a_choice_that_no_part_could_hold_is_shortened_until_one_can() {
+        let graph = find("slot.contact_force").unwrap().graph().unwrap();
+        for results in [1, 5, 30] {
+            for count in 60..=PART + 10 {
+                for sides in [[count, count], [count, 1], [1, count]] {
+                    let mut outline = outline(&graph);
+                    let choice = choice(&graph, results, sides);
+                    let before = outline.lines_of(&choice);
+                    let held = outline.within_a_part(choice);
+                    let after = outline.lines_of(&held);
+                    assert!(after <= PART + 3, "{results} results, sides of {sides:?} lines: {after}");
+                    assert!(before > PART || after == before, "{results} results, sides of {sides:?} lines: {after}");
+                    assert!(outline.parts.iter().all(|part| outline.lines(&part.steps) <= PART));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_short_enough_is_left_and_the_rest_in_parts() {
+        let graph = find("slot.contact_force").unwrap().graph().unwrap();
+        let parts = |count: usize, limit: usize| {
+            let mut outline = outline(&graph);
+            let steps = outline.shortened(lines(&graph, count), limit);
+            let parts: Vec<_> = outline.parts.iter().map(|part| outline.lines(&part.steps)).collect();
+            (outline.lines(&steps), parts)
+        };
+        assert_eq!(parts(100, 100), (100, vec![]));
+        // A call takes three lines.
+        assert_eq!(parts(101, 100), (3, vec![101]));
+        assert_eq!(parts(PART, 100), (3, vec![PART]));
+        assert_eq!(parts(2 * PART + 9, 100), (9, vec![PART, PART, 9]));
+        // No call where that is no shorter.
+        assert_eq!(parts(PART + 3, 100), (6, vec![PART]));
+        assert_eq!([parts(3, 1), parts(4, 1)], [(3, vec![]), (3, vec![4])]);
+    }
+
+    #[test]
+    fn a_part_takes_what_it_needs_and_gives_what_others_need() {
+        let formula = find("slot.friction").unwrap();
+        let graph = formula.graph().unwrap();
+        let results: Vec<_> = graph.value.iter().chain(&graph.jacobian).copied().collect();
+        let outline = Outline::new(&graph, &results, 1);
+        assert!(!outline.parts.is_empty());
+        for part in &outline.parts {
+            let (mut used, mut defined) = (HashSet::new(), HashSet::new());
+            outline.walk(&part.steps, &mut |node| _ = used.insert(node), &mut |node| _ = defined.insert(node));
+            let mut given: Vec<_> =
+                used.into_iter().filter(|node| !defined.contains(node) && !graph.is_atom(*node)).collect();
+            given.sort_unstable();
+            assert_eq!(part.given, given);
+            assert!(part.found.is_sorted() && part.found.iter().all(|node| defined.contains(node)));
+        }
+        // With no other use, all results that are computed are found in one part or are computed beside the parts.
+        let (mut there, mut beside) = (HashSet::new(), HashSet::new());
+        outline.parts.iter().for_each(|part| there.extend(part.found.iter().copied()));
+        for step in &outline.main {
+            if !matches!(step, Step::Call(_)) {
+                outline.walk(std::slice::from_ref(step), &mut |_| (), &mut |node| _ = beside.insert(node));
+            }
+        }
+        assert!(results.iter().all(|node| graph.is_atom(*node) || there.contains(node) || beside.contains(node)));
+    }
+}

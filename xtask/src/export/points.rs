@@ -68,8 +68,57 @@ fn code(one: &Recorded, error: &Error) -> Option<u32> {
 #[cfg(test)]
 mod tests {
     use super::super::recorded::record;
-    use super::code;
+    use super::{Expected, all, code};
     use jointproof::catalog::find;
+
+    #[test]
+    fn golden_cases_kinks_and_random_points_are_compared() {
+        let formula = find("slot.friction").unwrap();
+        let (recorded, _) = record(&[formula], None);
+        let points = all(&recorded, 3).swap_remove(0);
+        let names: Vec<_> = points.iter().map(|point| point.name.as_str()).collect();
+        let cases: Vec<_> = formula.golden().cases.into_iter().map(|case| case.id).collect();
+        let kinks: Vec<_> = formula.kinks().iter().map(|kink| format!("kink {}", kink.condition)).collect();
+        assert!(!kinks.is_empty() && cases.len() > 1);
+        let random = ["random 0", "random 1", "random 2"].map(String::from);
+        assert_eq!(names, [&cases[..], &kinks, &random].concat());
+        let mut refused = 0;
+        for point in &points {
+            match (&point.expected, formula.value_and_jacobian(&point.inputs)) {
+                (Expected::Results(found), Ok((value, jacobian))) => {
+                    let expected = [value, jacobian].concat();
+                    assert!(
+                        found.iter().map(|x| x.to_bits()).eq(expected.iter().map(|x| x.to_bits())),
+                        "{}",
+                        point.name
+                    );
+                }
+                (Expected::Refused(found), Err(error)) => {
+                    refused += 1;
+                    assert_eq!(code(&recorded[0], &error), Some(*found), "{}", point.name);
+                }
+                (Expected::TooLarge, Err(error)) => assert_eq!(code(&recorded[0], &error), None, "{}", point.name),
+                _ => panic!("{}", point.name),
+            }
+        }
+        assert!(refused > 0);
+    }
+
+    #[test]
+    fn an_input_that_is_refused_is_told_by_its_position() {
+        let formula = find("slot.friction").unwrap();
+        let (recorded, _) = record(&[formula], None);
+        let valid = formula
+            .timing_inputs(&jointproof::measure::Options { timing_points: 1, ..jointproof::measure::Options::quick() });
+        let mut from = 0;
+        for (k, field) in formula.inputs().iter().enumerate() {
+            let mut inputs = valid.clone();
+            inputs[from + field.len() - 1] = f64::NAN;
+            let error = formula.value_and_jacobian(&inputs).unwrap_err();
+            assert_eq!(code(&recorded[0], &error), Some(u32::try_from(k).unwrap() + 1), "{}", field.name);
+            from += field.len();
+        }
+    }
 
     #[test]
     fn what_is_required_of_all_inputs_has_a_code_behind_theirs() {

@@ -209,3 +209,37 @@ pub(super) fn folded(line: &str, goes_on: &str) -> Vec<String> {
     lines.push(rest);
     lines
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_is_broken_at_the_last_comma_that_leaves_room_for_the_sign() {
+        let call = |first: usize| format!("  call({}, {}, c);", "a".repeat(first), "b".repeat(40));
+        // 98 characters, and one more.
+        let [most, more] = [44, 45].map(call);
+        assert_eq!((most.len(), folded(&most, "")), (WIDTH, vec![most.clone()]));
+        let rest = |text: &str| format!("      {text}");
+        assert_eq!(folded(&more, ""), [more.replace(", c);", ","), rest("c);")]);
+        // A comma at the edge, and where a sign follows.
+        let edge = |first: usize| format!("  call({}, {});", "a".repeat(first), "b".repeat(40));
+        for (first, sign, breaks) in [(89, "", 2), (90, "", 1), (88, " &", 1), (87, " &", 2)] {
+            let lines = folded(&edge(first), sign);
+            assert_eq!(lines.len(), breaks, "{lines:#?}");
+            assert!(
+                breaks == 1
+                    || lines
+                        == [format!("  call({},{sign}", "a".repeat(first)), rest(&format!("{});", "b".repeat(40)))]
+            );
+        }
+        let uninterrupted = "x".repeat(200);
+        assert_eq!(folded(&uninterrupted, " &"), [uninterrupted.clone()]);
+        // As often as needed.
+        let long = format!("f({});", vec!["argument"; 60].join(", "));
+        let lines = folded(&long, " &");
+        assert!(lines.len() > 5 && lines.iter().all(|line| line.len() <= WIDTH + 1), "{lines:#?}");
+        assert!(lines[1..].iter().all(|line| line.starts_with("    argument")), "{lines:#?}");
+        assert_eq!(lines.concat().replace(", &    ", ", "), long);
+    }
+}

@@ -225,4 +225,41 @@ mod tests {
         assert_eq!(both.len() - alone.len(), one.graph.jacobian.len());
         assert_eq!(both[..alone.len()], alone);
     }
+    #[test]
+    fn what_refuses_inputs_is_told_by_its_code() {
+        let (recorded, _) = record(&[jointproof::catalog::find("slide_line.contact_area_parabolic").unwrap()], None);
+        let (one, lines) = (&recorded[0], refusals(&recorded[0]));
+        // A code each, without those lines that go on.
+        let inputs = one.formula.inputs();
+        let count = inputs.len() + one.graph.refusals.len();
+        for code in 1..=count {
+            let found: Vec<_> = lines.iter().filter(|line| line.starts_with(&format!("{code} unless "))).collect();
+            assert_eq!(found.len(), 1, "{lines:#?}");
+            let field = inputs.get(code - 1);
+            assert!(
+                field.is_none_or(|field| found[0].starts_with(&format!("{code} unless {}: ", field.name))),
+                "{found:?}"
+            );
+        }
+        assert_eq!(stem(one), "slide_line_contact_area_parabolic");
+    }
+
+    #[test]
+    fn a_word_of_the_language_is_no_name() {
+        assert_eq!(["lambda", "mu"].map(|name| unreserved(name, &["if", "lambda"])), ["lambda_", "mu"]);
+    }
+
+    #[test]
+    fn a_golden_file_is_told_by_its_checksum_where_there_is_one() {
+        let folder = tempfile::tempdir().unwrap();
+        let formula = jointproof::catalog::find("slot.contact_force").unwrap();
+        let said = |folder| {
+            let (recorded, _) = record(&[formula], folder);
+            description(&recorded[0]).into_iter().filter(|line| line.starts_with("SHA-256 ")).collect::<Vec<_>>()
+        };
+        assert_eq!((said(None), said(Some(folder.path()))), (vec![], vec![]));
+        std::fs::write(folder.path().join("slot.contact_force.json"), "").unwrap();
+        let empty = "SHA-256 e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855";
+        assert_eq!(said(Some(folder.path())), [empty]);
+    }
 }

@@ -1,6 +1,7 @@
 //! The command as a user runs it, in surroundings that a test decides.
 #![allow(dead_code, reason = "each test file is a crate of its own and uses what it needs")]
 
+use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -10,6 +11,11 @@ use tempfile::TempDir;
 /// The repository.
 pub fn repository() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap()
+}
+
+/// The report that is the reference, on every formula.
+pub fn reference() -> Value {
+    serde_json::from_slice(&fs::read(repository().join("book/report.json")).unwrap()).unwrap()
 }
 
 /// A folder to work in: commands keep their evidence and put the book there, and if a part of the repository has been
@@ -55,6 +61,21 @@ impl Bench {
     /// Runs the command.
     pub fn run(&self, arguments: &[&str]) -> Ran {
         Ran::from(self.command(arguments).output().unwrap())
+    }
+
+    /// Runs the command so that nothing is built or measured: the measuring program says what stands in this report, and ends with
+    /// this code.
+    #[cfg(unix)]
+    pub fn run_measured(&self, report: &Value, code: i32, arguments: &[&str]) -> Ran {
+        use std::os::unix::fs::PermissionsExt;
+        let begun = json!({ "Begun": report["build"] });
+        let measured = report["formulas"].as_array().unwrap().iter().map(|formula| json!({ "Measured": formula }));
+        let events: Vec<_> = std::iter::once(begun).chain(measured).map(|event| event.to_string()).collect();
+        let [cargo, said] = ["cargo", "said"].map(|name| self.path(name));
+        fs::write(&said, events.join("\n")).unwrap();
+        fs::write(&cargo, format!("#!/bin/sh\ncat > /dev/null\ncat '{}'\nexit {code}\n", said.display())).unwrap();
+        fs::set_permissions(&cargo, fs::Permissions::from_mode(0o755)).unwrap();
+        Ran::from(self.command(arguments).env("CARGO", &cargo).output().unwrap())
     }
 
     /// Every file of a folder, by name, with its bytes and the time it was written.
