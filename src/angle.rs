@@ -76,7 +76,7 @@ fn usual<const N: usize>(y: [f64; N], x: [f64; N]) -> [f64; N] {
     let is_wide = of_both(small, large, |small, large| one_if(small > TAN_SIXTEENTH * large));
     let t: [f64; N] = std::array::from_fn(|k| (small[k] - large[k] * is_wide[k]) / (large[k] + small[k] * is_wide[k]));
     std::array::from_fn(|k| {
-        let rest = t[k] * arc_tangent_beyond(t[k] * t[k]);
+        let rest = t[k] * beyond(&ARC_TANGENT, t[k] * t[k]);
         let way = (1.0 - 2.0 * is_steep[k]) * (1.0 - 2.0 * is_back[k]);
         let eighths = 2.0 * is_steep[k] + 4.0 * is_back[k] * (1.0 - is_steep[k]) + way * is_wide[k];
         let turn = eighths * FRAC_PI_4 + way * (t[k] + (rest + way * eighths * FRAC_PI_4_LOW));
@@ -86,8 +86,7 @@ fn usual<const N: usize>(y: [f64; N], x: [f64; N]) -> [f64; N] {
 
 /// z P(z), in parts that do not wait for each other.
 #[inline(always)]
-fn arc_tangent_beyond(z: f64) -> f64 {
-    let p = ARC_TANGENT;
+pub(crate) fn beyond(p: &[f64; 12], z: f64) -> f64 {
     let z2 = z * z;
     let z4 = z2 * z2;
     let four = |k: usize| (p[k] + p[k + 1] * z) + (p[k + 2] + p[k + 3] * z) * z2;

@@ -5,6 +5,7 @@
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
 
+use crate::angle::beyond;
 use std::f64::consts::FRAC_PI_2;
 use std::hint::select_unpredictable;
 
@@ -37,20 +38,10 @@ pub(crate) fn asin(x: f64) -> f64 {
     let turn = select_unpredictable(is_wide, FRAC_PI_2, 0.0);
     let low = select_unpredictable(is_wide, HALF_FRAC_PI_2_LOW, 0.0);
     let way = select_unpredictable(is_wide, -2.0, 1.0);
-    let rest = s * beyond(z) - low;
+    let rest = s * beyond(&ARC_SINE, z) - low;
     let sum = turn + way * s;
     let lost = (turn - sum) + way * s;
     (sum + (lost + way * rest)).copysign(x)
-}
-
-/// z P(z), in parts that do not wait for each other.
-#[inline(always)]
-fn beyond(z: f64) -> f64 {
-    let p = ARC_SINE;
-    let z2 = z * z;
-    let z4 = z2 * z2;
-    let four = |k: usize| (p[k] + p[k + 1] * z) + (p[k + 2] + p[k + 3] * z) * z2;
-    z * (four(0) + (four(4) + four(8) * z4) * z4)
 }
 
 #[cfg(test)]

@@ -83,11 +83,20 @@ contains
         length = jp_norm([x, y, z, w])
     end function jp_norm4
 
+    ! z P(z), in parts that do not wait for each other.
+    pure function jp_beyond(p, z) result(beyond)
+        real(dp), intent(in) :: p(0:11), z
+        real(dp) :: beyond, z2, z4
+        z2 = z*z
+        z4 = z2*z2
+        beyond = ((p(4) + p(5)*z) + (p(6) + p(7)*z)*z2) + ((p(8) + p(9)*z) + (p(10) + p(11)*z)*z2)*z4
+        beyond = z*(((p(0) + p(1)*z) + (p(2) + p(3)*z)*z2) + beyond*z4)
+    end function jp_beyond
+
     ! The angle of (x, y): beside the nearest sixteenth of a turn the arc tangent is a polynomial.
     pure function jp_angle(y, x) result(turn)
         real(dp), intent(in) :: y, x
-        real(dp) :: turn, across, along, large, small, steep, back, wide, t, z, z2, z4
-        real(dp) :: p0, p4, p8, rest, way, eighths, low
+        real(dp) :: turn, across, along, large, small, steep, back, wide, t, rest, way, eighths, low
         real(dp), parameter :: p(0:11) = [ &
             -0.3333333333333333_dp, 0.19999999999999804_dp, -0.1428571428565978_dp, &
             0.11111111105150588_dp, -0.09090908753259112_dp, 0.07692296368042296_dp, &
@@ -105,13 +114,7 @@ contains
         back = merge(1.0_dp, 0.0_dp, x < 0.0_dp)
         wide = merge(1.0_dp, 0.0_dp, small > 0.41421356237309503_dp*large)
         t = (small - large*wide)/(large + small*wide)
-        z = t*t
-        z2 = z*z
-        z4 = z2*z2
-        p0 = (p(0) + p(1)*z) + (p(2) + p(3)*z)*z2
-        p4 = (p(4) + p(5)*z) + (p(6) + p(7)*z)*z2
-        p8 = (p(8) + p(9)*z) + (p(10) + p(11)*z)*z2
-        rest = t*(z*(p0 + (p4 + p8*z4)*z4))
+        rest = t*jp_beyond(p, t*t)
         way = (1.0_dp - 2.0_dp*steep)*(1.0_dp - 2.0_dp*back)
         eighths = (2.0_dp*steep + (4.0_dp*back)*(1.0_dp - steep)) + way*wide
         low = (way*eighths)*3.061616997868383e-17_dp
@@ -121,32 +124,20 @@ contains
     ! The arc sine: up to 1/2 a polynomial, beyond what twice another one leaves of a quarter turn.
     pure function jp_asin(x) result(angle)
         real(dp), intent(in) :: x
-        real(dp) :: angle, size, missing, z, s, turn, way, low, z2, z4, p0, p4, p8, rest, total, lost
+        real(dp) :: angle, size, z, s, turn, way, rest, total, lost
+        logical :: wide
         real(dp), parameter :: p(0:11) = [ &
             0.16666666666665653_dp, 0.0750000000029469_dp, 0.04464285685604654_dp, &
             0.030381958187905646_dp, 0.022371777525770062_dp, 0.017359447897278054_dp, &
             0.013887491270956195_dp, 0.012155871500411723_dp, 0.006580488107098665_dp, &
             0.01939632260033307_dp, -0.016032766254421116_dp, 0.03179011988382487_dp]
         size = abs(x)
-        missing = (1.0_dp - size)*0.5_dp
-        z = size*size
-        s = size
-        turn = 0.0_dp
-        low = 0.0_dp
-        way = 1.0_dp
-        if (size > 0.5_dp) then
-            z = missing
-            s = sqrt(missing)
-            turn = 1.5707963267948966_dp
-            low = 3.061616997868383e-17_dp
-            way = -2.0_dp
-        end if
-        z2 = z*z
-        z4 = z2*z2
-        p0 = (p(0) + p(1)*z) + (p(2) + p(3)*z)*z2
-        p4 = (p(4) + p(5)*z) + (p(6) + p(7)*z)*z2
-        p8 = (p(8) + p(9)*z) + (p(10) + p(11)*z)*z2
-        rest = s*(z*(p0 + (p4 + p8*z4)*z4)) - low
+        wide = size > 0.5_dp
+        z = merge((1.0_dp - size)*0.5_dp, size*size, wide)
+        s = merge(sqrt(z), size, wide)
+        turn = merge(1.5707963267948966_dp, 0.0_dp, wide)
+        way = merge(-2.0_dp, 1.0_dp, wide)
+        rest = s*jp_beyond(p, z) - merge(3.061616997868383e-17_dp, 0.0_dp, wide)
         total = turn + way*s
         lost = (turn - total) + way*s
         angle = sign(total + (lost + way*rest), x)

@@ -45,6 +45,16 @@ JP_UNUSED static double jp_norm4(double x, double y, double z, double w)
     return jp_norm(((x * x + y * y) + z * z) + w * w, (const double[]){x, y, z, w}, 4);
 }
 
+/* z P(z), in parts that do not wait for each other. */
+JP_UNUSED static double jp_beyond(const double *p, double z)
+{
+    const double z2 = z * z, z4 = z2 * z2;
+    const double p0 = (p[0] + p[1] * z) + (p[2] + p[3] * z) * z2;
+    const double p4 = (p[4] + p[5] * z) + (p[6] + p[7] * z) * z2;
+    const double p8 = (p[8] + p[9] * z) + (p[10] + p[11] * z) * z2;
+    return z * (p0 + (p4 + p8 * z4) * z4);
+}
+
 /* The angle of (x, y): beside the nearest sixteenth of a turn the arc tangent is a polynomial. */
 JP_UNUSED static double jp_angle(double y, double x)
 {
@@ -60,11 +70,7 @@ JP_UNUSED static double jp_angle(double y, double x)
     const double steep = across > along ? 1.0 : 0.0, back = x < 0.0 ? 1.0 : 0.0;
     const double wide = small > 0.41421356237309503 * large ? 1.0 : 0.0;
     const double t = (small - large * wide) / (large + small * wide);
-    const double z = t * t, z2 = z * z, z4 = z2 * z2;
-    const double p0 = (p[0] + p[1] * z) + (p[2] + p[3] * z) * z2;
-    const double p4 = (p[4] + p[5] * z) + (p[6] + p[7] * z) * z2;
-    const double p8 = (p[8] + p[9] * z) + (p[10] + p[11] * z) * z2;
-    const double rest = t * (z * (p0 + (p4 + p8 * z4) * z4));
+    const double rest = t * jp_beyond(p, t * t);
     const double way = (1.0 - 2.0 * steep) * (1.0 - 2.0 * back);
     const double eighths = (2.0 * steep + (4.0 * back) * (1.0 - steep)) + way * wide;
     const double low = (way * eighths) * 3.061616997868383e-17;
@@ -83,12 +89,7 @@ JP_UNUSED static double jp_asin(double x)
     const int wide = size > 0.5;
     const double z = wide ? missing : size * size, s = wide ? sqrt(missing) : size;
     const double turn = wide ? 1.5707963267948966 : 0.0, way = wide ? -2.0 : 1.0;
-    const double z2 = z * z, z4 = z2 * z2;
-    const double p0 = (p[0] + p[1] * z) + (p[2] + p[3] * z) * z2;
-    const double p4 = (p[4] + p[5] * z) + (p[6] + p[7] * z) * z2;
-    const double p8 = (p[8] + p[9] * z) + (p[10] + p[11] * z) * z2;
-    const double low = wide ? 3.061616997868383e-17 : 0.0;
-    const double rest = s * (z * (p0 + (p4 + p8 * z4) * z4)) - low;
+    const double rest = s * jp_beyond(p, z) - (wide ? 3.061616997868383e-17 : 0.0);
     const double sum = turn + way * s, lost = (turn - sum) + way * s;
     return copysign(sum + (lost + way * rest), x);
 }

@@ -38,9 +38,16 @@ const arcTangent = [
     0.045515447340221615, -0.03456931506332609, 0.016284375050043393,
 ];
 
+// z P(z), in parts that do not wait for each other.
+function beyond(p, z) {
+    const z2 = z * z;
+    const z4 = z2 * z2;
+    const four = (k) => (p[k] + p[k + 1] * z) + (p[k + 2] + p[k + 3] * z) * z2;
+    return z * (four(0) + (four(4) + four(8) * z4) * z4);
+}
+
 // The angle of (x, y): beside the nearest sixteenth of a turn the arc tangent is a polynomial.
 export function angle(y, x) {
-    const p = arcTangent;
     const across = Math.abs(y);
     const along = Math.abs(x);
     const large = across > along ? across : along;
@@ -50,11 +57,7 @@ export function angle(y, x) {
     const back = x < 0 ? 1 : 0;
     const wide = small > 0.41421356237309503 * large ? 1 : 0;
     const t = (small - large * wide) / (large + small * wide);
-    const z = t * t;
-    const z2 = z * z;
-    const z4 = z2 * z2;
-    const four = (k) => (p[k] + p[k + 1] * z) + (p[k + 2] + p[k + 3] * z) * z2;
-    const rest = t * (z * (four(0) + (four(4) + four(8) * z4) * z4));
+    const rest = t * beyond(arcTangent, t * t);
     const way = (1 - 2 * steep) * (1 - 2 * back);
     const eighths = (2 * steep + (4 * back) * (1 - steep)) + way * wide;
     const low = (way * eighths) * 3.061616997868383e-17;
@@ -71,17 +74,13 @@ const arcSine = [
 
 // The arc sine: up to 1/2 a polynomial, beyond what twice another one leaves of a quarter turn.
 export function asin(x) {
-    const p = arcSine;
     const size = Math.abs(x);
     const missing = (1 - size) * 0.5;
     const wide = size > 0.5;
     const z = wide ? missing : size * size;
     const s = wide ? Math.sqrt(missing) : size;
     const [turn, low, way] = wide ? [1.5707963267948966, 3.061616997868383e-17, -2] : [0, 0, 1];
-    const z2 = z * z;
-    const z4 = z2 * z2;
-    const four = (k) => (p[k] + p[k + 1] * z) + (p[k + 2] + p[k + 3] * z) * z2;
-    const rest = s * (z * (four(0) + (four(4) + four(8) * z4) * z4)) - low;
+    const rest = s * beyond(arcSine, z) - low;
     const sum = turn + way * s;
     const lost = (turn - sum) + way * s;
     const angle = sum + (lost + way * rest);

@@ -79,9 +79,16 @@ ARC_TANGENT = (
 )
 
 
+def beyond(p, z):
+    """z P(z), in parts that do not wait for each other."""
+    z2 = z * z
+    z4 = z2 * z2
+    p0, p4, p8 = ((p[k] + p[k + 1] * z) + (p[k + 2] + p[k + 3] * z) * z2 for k in (0, 4, 8))
+    return z * (p0 + (p4 + p8 * z4) * z4)
+
+
 def angle(y, x):
     """The angle of (x, y): beside the nearest sixteenth of a turn the arc tangent is a polynomial."""
-    p = ARC_TANGENT
     across, along = np.abs(y), np.abs(x)
     large = np.where(across > along, across, along)
     small = np.where(along < across, along, across)
@@ -89,11 +96,7 @@ def angle(y, x):
         np.where(holds, 1.0, 0.0) for holds in (across > along, x < 0.0, small > 0.41421356237309503 * large)
     )
     t = (small - large * wide) / (large + small * wide)
-    z = t * t
-    z2 = z * z
-    z4 = z2 * z2
-    p0, p4, p8 = ((p[k] + p[k + 1] * z) + (p[k + 2] + p[k + 3] * z) * z2 for k in (0, 4, 8))
-    rest = t * (z * (p0 + (p4 + p8 * z4) * z4))
+    rest = t * beyond(ARC_TANGENT, t * t)
     way = (1.0 - 2.0 * steep) * (1.0 - 2.0 * back)
     eighths = (2.0 * steep + (4.0 * back) * (1.0 - steep)) + way * wide
     low = (way * eighths) * 3.061616997868383e-17
@@ -111,17 +114,13 @@ ARC_SINE = (
 
 def asin(x):
     """The arc sine: up to 1/2 a polynomial, beyond what twice another one leaves of a quarter turn."""
-    p = ARC_SINE
     size = np.abs(x)
     missing = (1.0 - size) * 0.5
     wide = size > 0.5
     z, s = np.where(wide, missing, size * size), np.where(wide, np.sqrt(missing), size)
     turn, low = np.where(wide, 1.5707963267948966, 0.0), np.where(wide, 3.061616997868383e-17, 0.0)
     way = np.where(wide, -2.0, 1.0)
-    z2 = z * z
-    z4 = z2 * z2
-    p0, p4, p8 = ((p[k] + p[k + 1] * z) + (p[k + 2] + p[k + 3] * z) * z2 for k in (0, 4, 8))
-    rest = s * (z * (p0 + (p4 + p8 * z4) * z4)) - low
+    rest = s * beyond(ARC_SINE, z) - low
     total = turn + way * s
     lost = (turn - total) + way * s
     return np.copysign(total + (lost + way * rest), x)
