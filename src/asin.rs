@@ -68,9 +68,15 @@ mod tests {
         }
     }
 
+    /// By the root it would be the double above the nearest.
+    #[test]
+    fn up_to_a_half_no_root_is_taken() {
+        assert_eq!(asin(0.5), 0.523_598_775_598_298_8);
+    }
+
     #[test]
     fn special_values_are_those_of_the_library() {
-        for x in [0.0, 5e-324, f64::MIN_POSITIVE, 0.5, 1.0, 1.0_f64.next_up(), 2.0, f64::MAX, f64::INFINITY, f64::NAN] {
+        for x in [0.0, 5e-324, f64::MIN_POSITIVE, 1.0, 1.0_f64.next_up(), 2.0, f64::MAX, f64::INFINITY, f64::NAN] {
             for x in [x, -x] {
                 let (found, expected) = (asin(x), x.asin());
                 assert!(

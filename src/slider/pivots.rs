@@ -167,7 +167,7 @@ mod tests {
     fn rounding_decides_only_beside_a_tie() {
         let ways = [[3.0, 1.0, 5.0], [10.0, 5.0, 1.0], [10.0, 9.0, 3.0]].map(steep_if_certain);
         assert_eq!(ways, [Some(true), Some(false), None]);
-        let beside = [10.0, 9.0, 3.0 + 1e-13];
+        let beside = [10.0, 9.0, 3.0 + 1e-12];
         assert_eq!(steep_if_certain(beside), Some(true));
     }
 
