@@ -152,6 +152,30 @@ mod tests {
         }
     }
 
+    /// A number that no double is near is not zero, and an error against zero has no size to be measured by.
+    #[test]
+    fn what_is_nearly_zero_is_not_taken_for_it() {
+        let sensitivity = Sensitivity::new(&[Octuple::from(1.0)], &[Octuple::from(1.0)]);
+        let tiny = Octuple::from(1e-200) * Octuple::from(1e-200);
+        for exact in [tiny, -tiny] {
+            let exact = Exact::new(exact, sensitivity);
+            assert!(exact.near.is_none());
+            assert!(exact.error(0.0).1 > 0.0, "no digit is right");
+        }
+        let zero = Exact::new(Octuple::from(0.0), Sensitivity::none());
+        assert!(zero.near.is_some());
+        assert_eq!([zero.error(0.0), zero.error(1.0)], [(0.0, 0.0), (f64::INFINITY, 1.0)]);
+    }
+
+    #[test]
+    fn an_error_of_one_is_one() {
+        let exact = Exact::new(1.0.into(), Sensitivity::none());
+        assert_eq!(exact.error(2.0), (1.0 / U, 0.5));
+        assert_eq!(exact.error(1.0), (0.0, 0.0));
+        let found = errors([(&vec![exact], vec![1.0])]);
+        assert_eq!((found.points, found.eta.max, found.relative.max), (1, 0.0, 0.0));
+    }
+
     #[test]
     fn ordinary_numbers_are_zero_or_far_from_the_ends() {
         let is_ordinary = |x: f64| HardPoint { case: String::new(), inputs: vec![1.0, x] }.is_ordinary();

@@ -65,3 +65,19 @@ pub(super) fn random(subject: &Subject, seed: u64, count: usize) -> Vec<Vec<f64>
     let mut sampler = Sampler::for_formula(subject.spec.id, seed);
     (0..count).map(|_| sampler.components(subject)).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Options;
+
+    /// As `report --help` and the book say.
+    #[test]
+    fn as_much_is_measured_as_is_said() {
+        let [quick, full] = [Options::quick(), Options::full()];
+        for Options { seed, timing_points, .. } in [quick, full] {
+            assert_eq!((seed, timing_points), (1, 128));
+        }
+        let counts = [quick, full].map(|it| (it.random_points, it.steps_per_decade, it.rounds, it.column_bytes));
+        assert_eq!(counts, [(50, 2, 61, 524_288), (1000, 4, 301, 134_217_728)]);
+    }
+}

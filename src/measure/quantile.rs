@@ -11,7 +11,8 @@ fn quantile(sorted: &[f64], fraction: f64) -> f64 {
         reason = "a position in a list of measurements"
     )]
     let rank = (fraction * sorted.len() as f64).ceil() as usize;
-    sorted.get(rank.clamp(1, sorted.len().max(1)) - 1).copied().unwrap_or(0.0)
+    let last = sorted.len().max(1);
+    sorted.get(rank.clamp(1, last) - 1).copied().unwrap_or(0.0)
 }
 
 impl Quantiles {

@@ -148,10 +148,11 @@ fn half(options: &Options) -> Options {
 
 #[cfg(test)]
 mod tests {
-    use super::{Build, Event, Request, answer, half};
+    use super::{Build, Event, Request, answer, compare, half, measure};
     use crate::project::Project;
-    use jointproof::catalog::CATALOG;
+    use jointproof::catalog::{AnyFormula, CATALOG};
     use jointproof::measure::Options;
+    use std::thread;
 
     #[test]
     fn both_halves_have_as_many_rounds_as_are_asked_for() {
@@ -159,19 +160,54 @@ mod tests {
         assert_eq!(rounds, [1, 3, 31]);
     }
 
+    /// As little as can be.
+    const LEAST: Options = Options {
+        random_points: 3,
+        timing_points: 2,
+        rounds: 2,
+        turn_ns: 1e3,
+        column_bytes: 1,
+        steps_per_decade: 1,
+        ..Options::quick()
+    };
+
+    /// There are more than threads.
+    #[test]
+    fn the_errors_of_every_formula_are_found() {
+        let count = thread::available_parallelism().map_or(1, usize::from) + 2;
+        let formula: &dyn AnyFormula = &jointproof::slot::ContactForce;
+        let mut told = Vec::new();
+        let options = Options { random_points: 1, ..LEAST };
+        let found = compare(&vec![formula; count], &options, |id| {
+            told.push(id);
+            Ok::<_, ()>(())
+        });
+        let mut numbers: Vec<_> = found.unwrap().into_iter().map(|(k, _)| k).collect();
+        numbers.sort_unstable();
+        assert_eq!(numbers, (0..count).collect::<Vec<_>>());
+        assert_eq!(told, vec!["slot.contact_force"; count]);
+    }
+
+    #[test]
+    fn nothing_is_told_to_whom_it_failed_to_be_told() {
+        let project = Project::new("told", env!("CARGO_MANIFEST_DIR"), CATALOG);
+        let request = Request { formulas: vec!["slot.contact_force".into(); 2], options: LEAST };
+        for last in [1, 2, 4, 6] {
+            let mut told = 0;
+            let ended = measure(&project, &request, |_| {
+                told += 1;
+                if told == last { Err("enough") } else { Ok(()) }
+            });
+            assert_eq!((ended, told), (Err("enough"), last));
+        }
+    }
+
     #[test]
     fn a_request_is_answered_event_by_event() {
         let project = Project::new("measured", env!("CARGO_MANIFEST_DIR"), CATALOG);
-        let ids = ["coulomb.yield", "slot.contact_force"];
-        let options = Options {
-            random_points: 3,
-            timing_points: 2,
-            rounds: 2,
-            turn_ns: 1e3,
-            column_bytes: 1,
-            ..Options::quick()
-        };
-        let request = Request { formulas: ids.map(String::from).into(), options };
+        // The errors of the second are known before those of the first.
+        let ids = ["align.rows", "coulomb.yield"];
+        let request = Request { formulas: ids.map(String::from).into(), options: LEAST };
         let mut out = Vec::new();
         answer(&project, serde_json::to_string(&request).unwrap().as_bytes(), &mut out).unwrap();
         let events = String::from_utf8(out).unwrap();
@@ -186,7 +222,12 @@ mod tests {
                 Event::Begun(_) => panic!("it begins once"),
                 Event::Compared(id) => ("compared", id.as_str()),
                 Event::Timed(id) => ("timed", id.as_str()),
-                Event::Measured(measurement) => ("measured", measurement.formula.as_str()),
+                Event::Measured(measurement) => {
+                    // A round and another one, of which no two have the same times everywhere.
+                    let mut times = measurement.ways.iter().filter_map(|way| way.jacobian.as_ref()?.time);
+                    assert!(times.any(|time| time.low < time.high), "{measurement:?}");
+                    ("measured", measurement.formula.as_str())
+                }
             })
             .collect();
         let expected = ["compared", "timed", "measured"].map(|what| ids.map(|id| (what, id)));

@@ -211,6 +211,72 @@ fn no_contestant_always_follows_the_same() {
     assert_eq!(rounds, "cyyccyyc");
 }
 
+/// Rounds are told apart: a time is in units of what the other one took in the same round, and only where it had a turn.
+#[test]
+fn ratios_are_of_times_of_one_round() {
+    let of = |every, samples: &[(usize, f64)]| {
+        let task = Task { way: "ad", with_jacobian: true, hard: None };
+        Contestant { task, run: Box::new(|_| ()), points: 1, calls: 1, every, samples: samples.to_vec() }
+    };
+    let unit = of(1, &[(0, 2.0), (1, 8.0), (2, 4.0), (4, 16.0)]);
+    assert_eq!(of(1, &[(1, 4.0), (2, 12.0), (3, 5.0), (4, 16.0)]).ratios(&unit), [0.5, 3.0, 1.0]);
+}
+
+#[test]
+fn four_turns_tell_how_long_one_is() {
+    let pace = Pace { points: 100, turn_ns: 1e4, every: 1, rounds: 40 };
+    let task = Task { way: "ad", with_jacobian: false, hard: None };
+    for (cost, expected, first) in [(40.0, &[1, 1, 1, 1, 100, 100, 100, 100][..], 2), (500.0, &[1; 4][..], 1)] {
+        let (work, counts) = (Work::default(), Rc::new(std::cell::RefCell::new(Vec::new())));
+        let run: Runner = {
+            let (work, counts) = (work.clone(), counts.clone());
+            Box::new(move |count| {
+                counts.borrow_mut().push(count);
+                work.set(work.get() + number(count) * cost);
+            })
+        };
+        let mut contestant = Contestant::new(task, run, pace, &|| work.get());
+        assert_eq!(*counts.borrow(), expected, "{cost}");
+        contestant.take_turn(0, &|| work.get());
+        assert_eq!(counts.borrow().len() - expected.len(), first, "{cost}");
+    }
+    // What takes no time that a clock shows takes a nanosecond a call.
+    let contestant = Contestant::new(task, Box::new(|_| ()), pace, &|| 7.0);
+    assert_eq!((contestant.points, contestant.calls, contestant.every), (100, 10_000, 1));
+}
+
+#[test]
+fn every_round_and_every_point_count_unless_there_are_none() {
+    let pace = |timing_points| {
+        let Pace { points, turn_ns, every, rounds } = Pace::new(&Options { timing_points, ..options() });
+        (points, turn_ns, every, rounds)
+    };
+    assert_eq!([0, 1, 8].map(pace), [1, 1, 8].map(|points| (points, 10e3, 1, 20)));
+    let no_points = Points { random: Vec::new(), hard: Vec::new() };
+    let mut calls = [0, 1, 2].map(|rounds| {
+        let (work, calls) = (Work::default(), Rc::new(Cell::new(0)));
+        let runner = || -> Runner {
+            let (work, calls) = (work.clone(), calls.clone());
+            Box::new(move |_| {
+                calls.set(calls.get() + 1);
+                work.set(work.get() + 1e6);
+            })
+        };
+        let mut measurement = timed(&[], &options());
+        time(
+            &[],
+            [runner(), runner()],
+            &no_points,
+            (&Options { rounds, ..options() }, &|| work.get()),
+            &mut measurement,
+        );
+        calls.get()
+    });
+    let one_round = calls[1];
+    calls.iter_mut().for_each(|calls| *calls -= one_round);
+    assert_eq!(calls, [0, 0, 2]);
+}
+
 #[test]
 fn a_clock_goes_on() {
     let clock = clock();

@@ -330,6 +330,93 @@ mod tests {
         assert_eq!((comparison.drift, comparison.notes.len()), (1.0, 1));
     }
 
+    /// A time is slower beyond the spread, a tenth and half a nanosecond, all of them, and not at the limit itself.
+    #[test]
+    fn slower_is_beyond_every_limit() {
+        let exactly = |median| Time { median, low: median, high: median };
+        for (before, now, is_slower) in
+            [(2.0, 2.5, false), (2.0, 2.625, true), (2.0, 3.0, true), (10.0, 10.0 * LEAST, false), (10.0, 11.5, true)]
+        {
+            assert_eq!(slower(exactly(before), exactly(now), 1.0), is_slower, "{before} {now}");
+        }
+        let [before, now] =
+            [(9.0, 10.0, 12.0), (12.0, 20.0, 21.0)].map(|(low, median, high)| Time { median, low, high });
+        assert!(!slower(before, now, 1.0), "the spreads touch each other");
+        assert!(slower(before, Time { low: 12.5, ..now }, 1.0));
+        // The spread is on the slower machine what it was there.
+        let [wide, far] =
+            [(20.0, 30.0, 31.0), (25.0, 30.0, 31.0)].map(|(low, median, high)| Time { median, low, high });
+        assert_eq!([wide, far].map(|now| slower(before, now, 2.0)), [false, true]);
+        assert!(slower(before, Time { low: 6.5, median: 8.0, high: 9.0 }, 0.5));
+    }
+
+    #[test]
+    fn less_accurate_is_beyond_every_limit() {
+        let of = |median, p99, max| Errors {
+            points: 9,
+            not_finite: 0,
+            eta: Quantiles { median, p99, max },
+            relative: Quantiles::default(),
+        };
+        let found = |before, now, same_points| errors("it", &before, &now, same_points).map(|change| change.figures);
+        // The largest before and now.
+        for (before, now, is_worse) in [
+            (0.0, LEAST_ETA, false),
+            (0.0, 0.0625, true),
+            (0.25, 0.28125, false),
+            (1.25, 1.3125, false),
+            (10.0, 10.0 * LEAST, false),
+            (10.0, 11.5, true),
+        ] {
+            let found = found(of(0.0, 0.0, before), of(0.0, 0.0, now), true);
+            assert_eq!(found.is_some(), is_worse, "{before} {now}: {found:?}");
+        }
+        // At other points the medians alone, and twice as much is chance.
+        let before = of(0.25, 0.5, 0.75);
+        for (now, expected) in [
+            (of(0.5, 0.5, 0.75), None),
+            (of(0.25, 9.0, 9.5), None),
+            (of(0.625, 0.625, 0.75), Some("η median 0.25 → 0.62")),
+        ] {
+            assert_eq!(found(before, now, false).as_deref(), expected);
+        }
+        // The first that is worse is told.
+        assert_eq!(found(before, of(0.25, 1.5, 9.5), true).as_deref(), Some("η 99 % 0.50 → 1.50"));
+        let failing = |not_finite| Errors { not_finite, ..before };
+        assert_eq!(found(failing(1), failing(3), true).as_deref(), Some("1 → 3"));
+        for (before, now, same_points) in [(1, 3, false), (3, 1, true), (3, 3, true)] {
+            assert_eq!(found(failing(before), failing(now), same_points), None);
+        }
+    }
+
+    #[test]
+    fn drift_is_told_where_there_is_some() {
+        for (scale, expected) in [(1.0, "20.0 ns → 40.0 ns"), (0.5, "20.0 ns × drift 0.50 → 20.0 ns")] {
+            let mut new = report(scale);
+            closed(&mut new).time = Some(time(40.0 * scale));
+            let found = against(&report(1.0), &new).changes;
+            assert_eq!(found.iter().map(|change| change.figures.as_str()).collect::<Vec<_>>(), [expected]);
+        }
+    }
+
+    #[test]
+    fn what_is_in_the_way_of_a_comparison_is_noted() {
+        let machine = "the machine or the build is another one; times are compared after scaling";
+        let points = "other points or another number of them: of errors only medians are compared";
+        let notes: [(fn(&mut Report), &[&str]); 5] = [
+            (|_| (), &[]),
+            (|new| new.machine.cores = 3, &[machine]),
+            (|new| new.build.flags = "-C x".into(), &[machine]),
+            (|new| new.options.seed = 7, &[points]),
+            (|new| new.options.random_points = 7, &[points]),
+        ];
+        for (tamper, expected) in notes {
+            let mut new = report(1.0);
+            tamper(&mut new);
+            assert_eq!(against(&report(1.0), &new).notes, expected);
+        }
+    }
+
     /// The errors at hard or at random points.
     fn of(figures: &mut Figures, is_hard: bool) -> &mut Errors {
         if is_hard { figures.hard.as_mut().unwrap() } else { &mut figures.random }

@@ -156,6 +156,32 @@ pub(crate) fn kept_or_quick(project: &Project) -> anyhow::Result<Report> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use clap::{Args, FromArgMatches};
+
+    #[test]
+    fn as_much_is_measured_as_is_asked_for() {
+        let options = |arguments: &[&str]| {
+            let command = Arguments::augment_args(clap::Command::new("report").no_binary_name(true));
+            Arguments::from_arg_matches(&command.try_get_matches_from(arguments).unwrap()).unwrap().options()
+        };
+        assert_eq!([options(&[]), options(&["--quick"])], [Options::full(), Options::quick()]);
+        let some = options(&["--samples", "3", "--rounds", "4"]);
+        assert_eq!(some, Options { random_points: 3, rounds: 4, ..Options::full() });
+    }
+
+    /// Nothing can be built here, so that only what is kept is there.
+    #[test]
+    fn what_is_kept_is_not_measured_anew_and_what_is_not_is_by_an_optimised_program() {
+        let root = tempfile::tempdir().unwrap();
+        let project = Project::new("anew", root.path().to_str().unwrap().to_owned().leak(), &[]);
+        // Under a target folder that is shared it outlives the test.
+        let _ = std::fs::remove_file(project.kept("report.json"));
+        let said = kept_or_quick(&project).unwrap_err().to_string();
+        assert_eq!(said, "the measuring failed");
+        let report = crate::sample::report();
+        report.keep(&project).unwrap();
+        assert_eq!(kept_or_quick(&project).unwrap(), report);
+    }
 
     #[test]
     fn a_report_is_the_reference_only_if_it_is_to_be() {

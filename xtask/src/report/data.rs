@@ -175,6 +175,8 @@ mod tests {
     fn the_reference_is_shown_where_nothing_was_measured() {
         let root = tempfile::tempdir().unwrap();
         let project = Project::new("referred", root.path().to_str().unwrap().to_owned().leak(), &[]);
+        // Under a target folder that is shared it outlives the test.
+        let _ = std::fs::remove_file(place(&project));
         assert_eq!(Report::kept(&project), None);
         let report = crate::sample::report();
         let path = report.keep_as_reference(&project).unwrap();
@@ -198,9 +200,57 @@ mod tests {
     }
 
     #[test]
+    fn a_report_says_what_it_is_about_and_when_it_was_made() {
+        let root = tempfile::tempdir().unwrap();
+        let project = Project::new("made", root.path().to_str().unwrap().to_owned().leak(), &[]);
+        let Report { build, options, formulas, .. } = crate::sample::report();
+        let report = Report::new(&project, build, options, formulas);
+        assert_eq!(report.version, 2);
+        // As `2025-06-01T12:34:56Z`, later than this test was written.
+        let shape: String = report.created.chars().map(|c| if c.is_ascii_digit() { '0' } else { c }).collect();
+        assert_eq!(shape, "0000-00-00T00:00:00Z");
+        assert!(report.created.as_str() > "2025", "{}", report.created);
+        assert!(report.machine.cores > 0 && report.machine.system == std::env::consts::OS);
+        assert!(report.sources.len() == 16 && report.is_current(&project));
+        std::fs::create_dir(root.path().join("src")).unwrap();
+        std::fs::write(root.path().join("src/lib.rs"), "other code").unwrap();
+        assert!(!report.is_current(&project));
+    }
+
+    #[test]
+    fn a_family_is_what_stands_before_the_dot() {
+        let of =
+            |family| crate::sample::report().of_family(family).formulas.into_iter().map(|one| one.formula).collect();
+        let found: [Vec<String>; 3] = ["t", "u", "t.first"].map(of);
+        assert_eq!(found, [vec!["t.first".to_owned()], vec!["u.second".to_owned()], Vec::new()]);
+    }
+
+    #[test]
+    fn a_report_on_every_formula_alone_is_for_the_book() {
+        let root = tempfile::tempdir().unwrap();
+        let catalog = &jointproof::catalog::CATALOG[..2];
+        let project = Project::new("whole", root.path().to_str().unwrap().to_owned().leak(), catalog);
+        let formulas = catalog.iter().map(|formula| crate::sample::measurement(formula.spec().id, 1.0)).collect();
+        let whole = Report { formulas, ..crate::sample::report() };
+        for left_out in [0, 1] {
+            let mut part = whole.clone();
+            part.formulas.remove(left_out);
+            part.keep(&project).unwrap();
+            assert_eq!(Report::kept(&project), None);
+        }
+        whole.keep_as_reference(&project).unwrap();
+        let kept = Report::kept(&project).unwrap();
+        assert_eq!(kept.formulas.len(), 2, "the last one here is not about every formula");
+        whole.keep(&project).unwrap();
+        assert_eq!(Report::kept(&project), Some(whole));
+    }
+
+    #[test]
     fn dates_are_those_of_the_calendar() {
         assert_eq!(utc(0), "1970-01-01T00:00:00Z");
         assert_eq!(utc(31_536_000), "1971-01-01T00:00:00Z");
+        assert_eq!(utc(2_678_399), "1970-01-31T23:59:59Z");
+        assert_eq!(utc(2_678_400), "1970-02-01T00:00:00Z");
         assert_eq!(utc(951_782_399), "2000-02-28T23:59:59Z");
         assert_eq!(utc(951_782_400), "2000-02-29T00:00:00Z");
         assert_eq!(utc(1_735_689_599), "2024-12-31T23:59:59Z");

@@ -53,3 +53,77 @@ pub(crate) fn summary(report: &Report) -> Option<String> {
         dearest.formula
     ))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A report whose closed form of the first formula takes so many times as long at its ordinary hard point.
+    fn with(value: f64, jacobian: f64) -> Report {
+        let mut report = crate::sample::report();
+        let closed = &mut report.formulas[0].ways[0];
+        for (figures, ratio) in [(&mut closed.value, value), (&mut closed.jacobian, jacobian)] {
+            figures.as_mut().unwrap().hard_times[0].ratio.median = ratio;
+        }
+        report
+    }
+
+    #[test]
+    fn the_hardest_point_is_an_ordinary_one_of_value_or_jacobian() {
+        for (value, jacobian, expected) in [(3.0, 2.0, ("value", 3.0)), (2.0, 4.0, ("value and Jacobian", 4.0))] {
+            let report = with(value, jacobian);
+            let (part, point) = hardest(&report.formulas[0]).unwrap();
+            assert_eq!((part, point.ratio.median, point.case.as_str()), (expected.0, expected.1, "near"));
+            let said = said(&report.formulas[0]).unwrap();
+            let expected = format!(
+                "checked, value and Jacobian take 1.18 times as long; at its hardest ordinary point, near, the {part} takes \
+                 {:.2} times as long as at random ones",
+                expected.1
+            );
+            assert_eq!(said, expected);
+        }
+        let mut nothing = with(1.0, 1.0).formulas.remove(0);
+        for figures in nothing.ways.iter_mut().flat_map(|way| [&mut way.value, &mut way.jacobian]).flatten() {
+            figures.hard_times.clear();
+        }
+        assert_eq!(said(&nothing).unwrap(), "checked, value and Jacobian take 1.18 times as long");
+        nothing.ways.remove(1);
+        assert_eq!(said(&nothing), None);
+    }
+
+    #[test]
+    fn what_takes_more_than_ten_times_as_long_is_named() {
+        let said = |value, jacobian| summary(&with(value, jacobian)).unwrap();
+        for (value, jacobian) in [(1.0, 1.0), (10.0, 1.0), (10.0, 10.0)] {
+            let said = said(value, jacobian);
+            assert!(
+                said.ends_with("Above 10 times the time of random points at an ordinary hard one: none."),
+                "{said}"
+            );
+        }
+        for (value, jacobian, named) in [(10.5, 1.0, "(10.50)"), (11.0, 12.0, "(12.00)")] {
+            let said = said(value, jacobian);
+            assert!(said.ends_with(&format!("at an ordinary hard one: t.first at near {named}.")), "{said}");
+        }
+        let mut both = with(20.0, 1.0);
+        both.formulas[1] = both.formulas[0].clone();
+        assert!(summary(&both).unwrap().ends_with("t.first at near (20.00), t.first at near (20.00)."));
+    }
+
+    /// 2 and 8 are 4 in the geometric mean.
+    #[test]
+    fn the_price_of_checks_is_a_mean_and_the_worst() {
+        let mut report = crate::sample::report();
+        for (measurement, price) in report.formulas.iter_mut().zip([8.0, 2.0]) {
+            for (id, factor) in [("closed", 1.0), ("checked", price)] {
+                let way = measurement.ways.iter_mut().find(|way| way.id == id).unwrap();
+                way.jacobian.as_mut().unwrap().time.as_mut().unwrap().median = 3.0 * factor;
+            }
+        }
+        let said = summary(&report).unwrap();
+        let expected = "Checks: value and Jacobian take 4.00 times as long in the geometric mean, 8.00 times in the worst (t.first).";
+        assert!(said.starts_with(expected), "{said}");
+        report.formulas.clear();
+        assert_eq!(summary(&report), None);
+    }
+}

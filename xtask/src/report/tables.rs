@@ -177,11 +177,15 @@ pub(super) fn markdown(report: &Report) -> anyhow::Result<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use jointproof::measure::Quantiles;
 
     #[test]
     fn durations_have_three_digits_and_a_fitting_unit() {
         let shown = [0.5124, 9.99, 12.34, 456.7, 1e3, 1234.0, 1e6, 2.5e7].map(duration);
         assert_eq!(shown, ["0.51 ns", "9.99 ns", "12.3 ns", "457 ns", "1.00 µs", "1.23 µs", "1.00 ms", "25.0 ms"]);
+        // What would be rounded to four digits.
+        let shown = [9.995, 10.5, 99.94, 99.95, 100.4].map(duration);
+        assert_eq!(shown, ["10.0 ns", "10.5 ns", "99.9 ns", "100 ns", "100 ns"]);
     }
 
     #[test]
@@ -195,5 +199,44 @@ mod tests {
     #[test]
     fn a_spread_is_the_larger_side() {
         assert_eq!(spread(Time { low: 9.0, median: 10.0, high: 10.5 }), "±10%");
+        assert_eq!(spread(Time { low: 9.0, median: 10.0, high: 20.0 }), "±100%");
+    }
+
+    #[test]
+    fn the_worst_error_says_where_there_is_none() {
+        let eta = Quantiles { median: 1.0, p99: 2.0, max: 3.0 };
+        let errors = |not_finite| Some(Errors { points: 9, not_finite, eta, relative: Quantiles::default() });
+        let shown = [None, errors(0), errors(1), errors(8), errors(9)].map(worst);
+        assert_eq!(shown, ["–", "3.00", "3.00, 1 not finite", "3.00, 8 not finite", "not finite"]);
+    }
+
+    #[test]
+    fn many_points_at_once_have_a_line() {
+        let time = |median| Time { median, low: 0.5 * median, high: 2.0 * median };
+        let [looped, one_thread, all_threads] = [50.0, 20.0, 10.0].map(time);
+        let [one_over_loop, all_over_loop, one_over_copy, all_over_copy] = [0.4, 0.2, 2.5, 5.5].map(time);
+        let mut report = crate::sample::report();
+        report.formulas[1].columns = Some(Columns {
+            rows: 300,
+            bytes: 40,
+            threads: 3,
+            looped,
+            one_thread,
+            all_threads,
+            one_over_loop,
+            all_over_loop,
+            one_over_copy,
+            all_over_copy,
+        });
+        report.build.flags = "-C something".into();
+        let line = "300 rows of columns, 40 bytes each: a loop 50.0 ns; a batch 20.0 ns, that is 0.40 of the loop and 2.5 of a \
+                    copy; with 3 threads 10.0 ns, 0.20 and 5.5";
+        for (text, line) in [
+            (text(&report).unwrap(), format!("\n    {line}\n")),
+            (markdown(&report).unwrap(), format!("\n\n{line}.\n")),
+        ] {
+            assert_eq!(text.matches(&line).count(), 1, "{text}");
+            assert!(text.contains("a target a profile, -C something, seed 9\n"), "{text}");
+        }
     }
 }

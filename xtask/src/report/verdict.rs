@@ -129,6 +129,65 @@ mod tests {
         assert_eq!([speed(short, long), speed(short, longer)], [Speed::Same, Speed::Faster]);
         assert_eq!([speed(long, short), speed(longer, short)], [Speed::Same, Speed::Slower]);
         assert_eq!(speed(time(1.4, 1.4, 1.4), time(0.7, 0.7, 0.7)), Speed::Same, "less than a nanosecond apart");
+        assert_eq!(speed(time(4.0, 4.0, 4.0), time(5.0, 5.0, 5.0)), Speed::Faster, "a nanosecond apart");
+        // Spreads that touch each other, and a quarter to the last bit.
+        assert_eq!(speed(time(90.0, 100.0, 104.0), time(104.0, 105.0, 106.0)), Speed::Same);
+        assert_eq!(speed(time(10.0, 20.0, 40.0), time(10.0, 25.0, 40.0)), Speed::Same);
+    }
+
+    /// Of a measurement whose closed form and automatic differentiation are changed.
+    fn of(tamper: impl FnOnce(&mut Figures, &mut Figures)) -> Verdict {
+        let mut measurement = crate::sample::measurement("t.first", 1.0);
+        let [closed, _, _, ad, ..] = measurement.ways.as_mut_slice() else { panic!("there are seven ways") };
+        tamper(closed.jacobian.as_mut().unwrap(), ad.jacobian.as_mut().unwrap());
+        Verdict::of(&measurement).unwrap()
+    }
+
+    #[test]
+    fn as_accurate_is_within_a_rounding() {
+        for (closed, ad, accurate) in
+            [(5.0, 5.0, true), (5.5, 5.0, true), (5.5_f64.next_up(), 5.0, false), (7.0, 5.0, false), (5.0, 9.0, true)]
+        {
+            let verdict = of(|one, other| (one.random.eta.max, other.random.eta.max) = (closed, ad));
+            assert_eq!((verdict.accurate, verdict.eta), (accurate, [closed, ad]));
+        }
+    }
+
+    #[test]
+    fn as_accurate_is_without_more_failures() {
+        // At random and at hard points.
+        for (closed, ad, accurate) in [
+            ((0, Some(0)), (0, Some(0)), true),
+            ((2, Some(0)), (1, Some(1)), true),
+            ((0, Some(2)), (2, Some(0)), true),
+            ((0, None), (0, Some(0)), true),
+            ((2, Some(1)), (1, Some(1)), false),
+            ((1, Some(2)), (2, Some(0)), false),
+            ((1, None), (0, None), false),
+            ((0, Some(1)), (2, Some(3)), true),
+        ] {
+            let set = |figures: &mut Figures, (random, hard)| {
+                figures.random.not_finite = random;
+                figures.hard = figures.hard.zip(hard).map(|(errors, not_finite)| Errors { not_finite, ..errors });
+            };
+            let verdict = of(|one, other| {
+                set(one, closed);
+                set(other, ad);
+            });
+            assert_eq!(verdict.accurate, accurate, "{closed:?} {ad:?}");
+        }
+    }
+
+    #[test]
+    fn the_claim_is_of_speed_and_of_accuracy() {
+        let said = |speed, accurate| {
+            let verdict = Verdict { speedup: 2.0, speed, accurate, eta: [1.0; 2] };
+            (verdict.holds(), verdict.in_short())
+        };
+        let speeds = [Speed::Faster, Speed::Same, Speed::Slower];
+        assert_eq!(speeds.map(|speed| said(speed, true)), [(true, "yes"), (false, "as fast"), (false, "slower")]);
+        assert_eq!(speeds.map(|speed| said(speed, false)), [(false, "less accurate"), (false, "no"), (false, "no")]);
+        assert_eq!(of(|_, ad| ad.time = Some(time(55.0, 55.0, 55.0))).speedup, 2.0);
     }
 
     #[test]
@@ -155,7 +214,8 @@ mod tests {
             few,
             "η of the closed form is up to 3.00, of automatic differentiation 2.00: both errors are a few roundings, in a different order"
         );
-        for eta in [[90.0, 2.0], [3.0, 50.0]] {
+        assert_eq!(why(Speed::Faster, false, [8.0, 7.0]).split(": ").last(), few.split(": ").last());
+        for eta in [[90.0, 2.0], [3.0, 50.0], [8.0_f64.next_up(), 7.0]] {
             assert!(
                 why(Speed::Faster, false, eta).ends_with("terms cancel in both, and are summed in a different order")
             );
