@@ -89,7 +89,8 @@ contains
         real(dp) :: beyond, z2, z4
         z2 = z*z
         z4 = z2*z2
-        beyond = ((p(4) + p(5)*z) + (p(6) + p(7)*z)*z2) + ((p(8) + p(9)*z) + (p(10) + p(11)*z)*z2)*z4
+        beyond = ((p(8) + p(9)*z) + (p(10) + p(11)*z)*z2)*z4
+        beyond = ((p(4) + p(5)*z) + (p(6) + p(7)*z)*z2) + beyond
         beyond = z*(((p(0) + p(1)*z) + (p(2) + p(3)*z)*z2) + beyond*z4)
     end function jp_beyond
 
