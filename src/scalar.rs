@@ -5,8 +5,8 @@
 //!
 //! Three functions live here because the plain ones lose their derivative, or their value, at ordinary positions
 //! of a joint. [`norm`] neither overflows nor underflows and has derivative 0 at the zero vector; [`atan2`] has the
-//! right derivative at ±90° and ±180°; [`abs`] has derivative 0 at 0. All three hold for second derivatives too. A fourth,
-//! [`asin`], has the same bits on every machine, and no branch.
+//! right derivative at ±90° and ±180°; [`abs`] has derivative 0 at 0. All three hold for second derivatives too. [`asin`]
+//! has the same bits on every machine, and no branch.
 //!
 //! Comparisons between dual numbers look at the real part only, which is what a branch of a formula means; to
 //! compare derivatives, compare the parts.
@@ -248,9 +248,8 @@ pub fn angles<D: Scalar, const N: usize>(y: [D; N], x: [D; N]) -> [D; N] {
 ///
 /// ```
 /// use jointproof::scalar::asin;
-/// use num_dual::Dual64;
-/// let slope = asin(Dual64::from_re(0.6).derivative()).eps;
-/// assert_eq!((asin(1.0), slope), (std::f64::consts::FRAC_PI_2, 1.25));
+/// let tilted = asin(num_dual::Dual64::from_re(0.6).derivative());
+/// assert_eq!((asin(1.0), tilted.eps), (std::f64::consts::FRAC_PI_2, 1.25));
 /// ```
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]

@@ -28,7 +28,7 @@ impl Layer {
     /// The layer of a module at the root of the library; what is not named here is a room.
     fn of(module: &str) -> Self {
         match module {
-            "angle" | "binade" | "double" | "eft" | "error" | "newtype" | "octuple" | "ordinary" | "power"
+            "angle" | "asin" | "binade" | "double" | "eft" | "error" | "newtype" | "octuple" | "ordinary" | "power"
             | "quantity" | "scalar" | "single" => Self::Ground,
             "formula" => Self::Formula,
             "proof" => Self::Proof,
