@@ -61,7 +61,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(5000))]
         #[test]
-        fn it_is_right_to_two_units(x in -1.0..1.0_f64, angle in -1.5708..1.5708_f64, power in -1000..-1) {
+        fn it_is_right_to_two_units(x in -1.0..1.0_f64, angle in -FRAC_PI_2..FRAC_PI_2, power in -1000..-1) {
             for x in [x, angle.sin(), x * 2.0_f64.powi(power), 0.5 + x * 1e-6, 1.0 - x.abs() * 2.0_f64.powi(power / 20)] {
                 prop_assert!(error(x) < 1.3, "{x:e}: {}", error(x));
             }

@@ -29,10 +29,10 @@ fn what_is_exported_has_every_bit() {
 #[test]
 #[cfg(unix)]
 fn times_of_c_and_of_rust_are_printed_with_their_ratio() {
+    const RUST: [(&str, f64); 2] = [("slot.contact_force", 8.0), ("coulomb.yield", 0.5)];
     if !["cc", "make"].into_iter().all(is_here) {
         return;
     }
-    const RUST: [(&str, f64); 2] = [("slot.contact_force", 8.0), ("coulomb.yield", 0.5)];
     let mut report = reference();
     for measured in report["formulas"].as_array_mut().unwrap() {
         let time = RUST.iter().find(|(id, _)| measured["formula"] == *id).map_or(1e6, |(_, time)| *time);

@@ -273,7 +273,9 @@ fn every_round_and_every_point_count_unless_there_are_none() {
         calls.get()
     });
     let one_round = calls[1];
-    calls.iter_mut().for_each(|calls| *calls -= one_round);
+    for calls in &mut calls {
+        *calls -= one_round;
+    }
     assert_eq!(calls, [0, 0, 2]);
 }
 

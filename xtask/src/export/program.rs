@@ -234,7 +234,7 @@ mod tests {
             );
         }
         let uninterrupted = "x".repeat(200);
-        assert_eq!(folded(&uninterrupted, " &"), [uninterrupted.clone()]);
+        assert_eq!(folded(&uninterrupted, " &"), std::slice::from_ref(&uninterrupted));
         // As often as needed.
         let long = format!("f({});", vec!["argument"; 60].join(", "));
         let lines = folded(&long, " &");

@@ -401,9 +401,10 @@ mod tests {
 
     #[test]
     fn what_is_in_the_way_of_a_comparison_is_noted() {
+        type Tamper = fn(&mut Report);
         let machine = "the machine or the build is another one; times are compared after scaling";
         let points = "other points or another number of them: of errors only medians are compared";
-        let notes: [(fn(&mut Report), &[&str]); 5] = [
+        let notes: [(Tamper, &[&str]); 5] = [
             (|_| (), &[]),
             (|new| new.machine.cores = 3, &[machine]),
             (|new| new.build.flags = "-C x".into(), &[machine]),
