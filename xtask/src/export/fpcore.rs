@@ -224,6 +224,14 @@ mod tests {
         }
     }
 
+    #[test]
+    fn a_formula_that_searches_is_refused() {
+        let (recorded, _) =
+            record(&["slide_line.closest_parabolic", "slot.friction"].map(|id| find(id).unwrap()), None);
+        let [searches, computes] = [0, 1].map(|k| FpCore.refuses(&recorded[k]));
+        assert!(searches.is_some_and(|why| why.contains("it searches in a loop")) && computes.is_none());
+    }
+
     /// What is printed is read back and evaluated: at ordinary points it has the bits of the formula.
     #[test]
     fn expressions_have_the_bits_of_the_formula() {

@@ -27,9 +27,14 @@ const LONGEST: usize = 400;
 /// The files of a formula, its functions in parts where they are too long for one.
 pub(super) fn files_of(language: &dyn Syntax, one: &Recorded) -> Vec<File> {
     let limits = [usize::MAX, 100, 60, 30, 15, 5];
-    let is_short = |files: &Vec<File>| files.iter().all(|(_, text)| text.lines().count() <= LONGEST);
-    let mut files = limits.into_iter().map(|limit| language.formula(one, limit));
-    files.find(is_short).unwrap_or_else(|| language.formula(one, limits[limits.len() - 1]))
+    let mut files = Vec::new();
+    for limit in limits {
+        files = language.formula(one, limit);
+        if files.iter().all(|(_, text)| text.lines().count() <= LONGEST) {
+            break;
+        }
+    }
+    files
 }
 
 /// A language to print in.
