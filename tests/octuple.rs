@@ -185,3 +185,11 @@ fn what_is_zero_or_not_finite_is_multiplied_and_added_beside_what_is_huge() {
     assert!(of(f64::NAN).to_f64().is_nan());
     assert_eq!(of(1.0), huge);
 }
+
+/// The smallest number of all, to which a share of itself is added that is lost.
+#[test]
+fn what_is_tiny_is_multiplied_and_added() {
+    let tiny = Octuple::MIN_POSITIVE * Octuple::EPSILON;
+    assert!(tiny > Octuple::from(0.0));
+    assert_eq!(DualNum::mul_add(&Octuple::EPSILON, tiny, tiny), tiny);
+}

@@ -169,6 +169,10 @@ mod tests {
             let wide = Octuple::from_i128(n).unwrap();
             assert_eq!(format!("{wide}"), n.to_string());
         }
+        assert_eq!(
+            [-3, i64::MIN].map(|n| format!("{}", Octuple::from_i64(n).unwrap())),
+            ["-3", "-9223372036854775808"]
+        );
         assert_eq!(format!("{}", Octuple::from_u128(u128::MAX).unwrap()), u128::MAX.to_string());
         assert_eq!(Octuple::from_usize(usize::MAX).unwrap(), Octuple::from_u64(u64::MAX).unwrap());
         assert_eq!(Octuple::from_f64(0.1).unwrap(), 0.1);
