@@ -18,8 +18,8 @@ use std::ops::Range;
 /// Rows that are computed together: four lines of the cache in every column.
 const TOGETHER: usize = 32;
 
-/// So many numbers of a row at most: those of all these rows fit into the cache, and a program with all formulas stays small.
-pub(super) const MOST_TOGETHER: usize = 110;
+/// So many numbers of a row at most: longer rows are faster one by one, and a program with all formulas stays small.
+pub(super) const MOST_TOGETHER: usize = 60;
 
 /// What these rows have in one column.
 type Line = [f64; TOGETHER];
