@@ -30,16 +30,19 @@ fn every_length_is_held_to_the_tolerance() {
     }
 }
 
+/// What is said of axes of which one leans by so much towards another.
+fn leaned(leaning: usize, other: usize, by: f64) -> Option<String> {
+    let mut axes = axes();
+    let to = axes[other];
+    axes[leaning] += to * by;
+    refusal(axes)
+}
+
 #[test]
 fn every_angle_is_held_to_the_tolerance() {
     for (leaning, other, name) in [(0, 1, "e1·e2"), (1, 2, "e2·e3"), (2, 0, "e3·e1")] {
         for sign in [1.0, -1.0] {
-            let leaned = |by: f64| {
-                let mut axes = axes();
-                let to = axes[other];
-                axes[leaning] += to * (sign * by);
-                refusal(axes)
-            };
+            let leaned = |by: f64| leaned(leaning, other, sign * by);
             assert_eq!(leaned(NEAR), None, "{name}");
             assert!(leaned(FAR).unwrap().starts_with(&format!("{name} is ")), "{name}");
         }
@@ -50,12 +53,7 @@ fn every_angle_is_held_to_the_tolerance() {
 fn the_tolerance_itself_is_let_in_and_the_next_number_is_not() {
     for (leaning, other) in [(0, 1), (1, 2), (2, 0)] {
         for sign in [1.0, -1.0] {
-            let leaned = |by: f64| {
-                let mut axes = axes();
-                let to = axes[other];
-                axes[leaning] += to * (sign * by);
-                refusal(axes)
-            };
+            let leaned = |by: f64| leaned(leaning, other, sign * by);
             assert_eq!(leaned(TOLERANCE), None);
             assert!(leaned(TOLERANCE.next_up()).is_some());
         }

@@ -337,6 +337,7 @@ mod tests {
         ];
         assert_eq!(varied, expected);
     }
+
     /// The variations of statements; a, b and **v** are inputs.
     fn varied(given: &str) -> Vec<String> {
         let inputs = [Name::letter("a"), Name::letter("b"), Name { bold: true, ..Name::letter("v") }];
