@@ -1,8 +1,7 @@
 //! The audit passes on the catalog, and catches what is planted: a wrong sign, a missing factor 2, a swapped index, a
 //! wrong value at a kink, an inaccurate algorithm.
 
-mod common;
-
+use crate::common;
 use jointproof::catalog::CATALOG;
 use jointproof::formula::{Component, Document, Finite, Formula, Jacobian, Spec};
 use jointproof::proof::{Case, Convention, Flag, Kink, Proved};
@@ -15,9 +14,7 @@ use rayon::prelude::*;
 use std::collections::HashSet;
 use std::f64::consts::TAU;
 
-#[path = "audit/laws.rs"]
 mod laws;
-#[path = "audit/planted.rs"]
 mod planted;
 
 #[test]

@@ -1,5 +1,4 @@
 //! Parts of an audit, joined in any groups, are byte for byte the audit of one machine.
-#![cfg(feature = "verify")]
 
 use jointproof::catalog::AnyFormula;
 use jointproof::verify::{Audit, Options, Part, PartError, Shard};

@@ -1,7 +1,6 @@
 //! Bad input gets a typed error that names the parameter, its value and what is allowed.
 
-mod common;
-
+use crate::common;
 use jointproof::Error;
 use jointproof::catalog::{AnyFormula, CATALOG};
 use jointproof::formula::{Field, value, value_and_jacobian};

@@ -9,7 +9,7 @@
 //! .ci/run. How well it agrees stands in `tests/data/foreign/calculix.json`, which the book shows; to write it anew:
 //!
 //! ```sh
-//! cargo test --test calculix -- --ignored
+//! cargo test --test all calculix:: -- --ignored
 //! ```
 
 use jointproof::formula::value;

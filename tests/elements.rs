@@ -262,6 +262,29 @@ fn every_element_asks_for_its_parameters() {
     );
 }
 
+/// What nobody reads may be anything.
+#[test]
+fn an_element_that_rubs_asks_for_what_it_remembers() {
+    let slot = |contact| refusal(&SlotElement { contact, ..SLOT }, &Named::standing(), [3.0; 2], &f64::NAN);
+    let slot_2d = |contact| refusal(&SlotElement2d { contact, ..SLOT_2D }, &Named::standing(), [3.0], &f64::NAN);
+    let translator =
+        |contact| refusal(&TranslatorElement { contact, ..TRANSLATOR }, &Named::standing(), [3.0; 5], &f64::NAN);
+    let slipped = Some(is_nan("slip_before"));
+    assert_eq!([slot(Some(RUBS)), slot_2d(Some(RUBS)), translator(Some(SLEEVE))], [(); 3].map(|()| slipped.clone()));
+    assert_eq!([slot(None), slot_2d(None), translator(None)], [const { None }; 3]);
+
+    for (k, name) in ["turns[0]", "turns[1]", "slip1_before", "slip3_before"].into_iter().enumerate() {
+        let mut numbers = [0.0; 4];
+        numbers[k] = f64::NAN;
+        let [turns, slip] = [[numbers[0], numbers[1]], [numbers[2], numbers[3]]];
+        let ujoint = |contact| {
+            let before = UJointState { turns, slip };
+            refusal(&UJointElement { contact, ..UJOINT }, &Named::standing(), [3.0; 4], &before)
+        };
+        assert_eq!([ujoint(Some(HINGES)), ujoint(None)], [Some(is_nan(name)), None]);
+    }
+}
+
 #[test]
 fn nodes_are_refused_where_a_line_or_an_angle_is_not_defined() {
     let [x, y, z] = [Vector3::x(), Vector3::y(), Vector3::z()];

@@ -1,7 +1,6 @@
 //! What the layout of golden files promises: scales by which a port can be judged, matrices as rows, a version.
 
-mod common;
-
+use crate::common;
 use jointproof::catalog::{AnyFormula, CATALOG};
 use jointproof::formula::{Component, Document, Field, Formula, Jacobian, Spec};
 use jointproof::proof::{Case, Proved};

@@ -1,7 +1,6 @@
 //! What a formula does, written down, does what the formula does.
 
-mod common;
-
+use crate::common;
 use jointproof::Scalar;
 use jointproof::catalog::{AnyFormula, CATALOG};
 use jointproof::formula::{Component, Field, Formula, Jacobian, Spec};

@@ -5,7 +5,7 @@
 //!
 //! ```text
 //! python3 tests/data/octuple_reference.py --random 500 --seed 7 > /tmp/more.csv
-//! OCTUPLE_REFERENCE=/tmp/more.csv cargo test --test octuple -- --nocapture worst
+//! OCTUPLE_REFERENCE=/tmp/more.csv cargo test --test all octuple::worst -- --nocapture
 //! ```
 
 use std::collections::BTreeMap;

@@ -1,7 +1,6 @@
 //! Properties of every formula of the catalog, tried by proptest on inputs from the declared domains.
 
-mod common;
-
+use crate::common;
 use jointproof::catalog::{AnyFormula, CATALOG};
 use jointproof::formula::Field;
 use jointproof::quantity::Unit;

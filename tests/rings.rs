@@ -50,16 +50,16 @@ fn past_either_end_of_a_straight_segment_nothing_is_transmitted() {
     }
 }
 
-/// The search on a parabolic one stops at its ends, so that what is at an end may be past it.
+/// The search on a parabolic one stops at its ends: what is past one and what is above it have the same place.
 #[test]
-fn at_either_end_of_a_parabolic_segment_nothing_is_transmitted() {
+fn past_either_end_of_a_parabolic_segment_nothing_is_transmitted() {
     let inside = 1.0 - 2.0_f64.powi(-20);
     for (r, g, pressure) in [
         (0.75, -1.0, 0.0),
-        (1.0, -1.0, 0.0),
+        (1.0, -1.0, 8.0),
         (2.0 - inside, -inside, 8.0),
         (2.0 + inside, inside, 8.0),
-        (3.0, 1.0, 0.0),
+        (3.0, 1.0, 8.0),
         (3.25, 1.0, 0.0),
     ] {
         let found = Isl22a(LINE).contribution(&broad(at(r, -0.125)), &[BEFORE; 3]);
@@ -112,6 +112,23 @@ fn every_ring_asks_for_its_parameters_and_places() {
             let mut lost = curved;
             lost.segments[segment][node][axis] = f64::NAN;
             assert_eq!(of_three(LINE, &lost), expected, "{segment}");
+        }
+    }
+}
+
+#[test]
+fn every_ring_asks_for_what_its_nodes_remember() {
+    let (straight, curved) = (ring(at(2.0, -0.125)), broad(at(2.0, -0.125)));
+    let lost = [SlaveState { g: f64::NAN, ..BEFORE }, SlaveState { s12: f64::NAN, ..BEFORE }];
+    for (slave, (before, name)) in (0..3).flat_map(|slave| lost.into_iter().zip(["g", "s12"]).map(move |x| (slave, x)))
+    {
+        let words = Some(format!("{name}_before[{slave}] is NaN; allowed is a finite number"));
+        let mut three = [BEFORE; 3];
+        three[slave] = before;
+        assert_eq!(Isl22a(LINE).newton(&curved, &three).err().map(|error| error.to_string()), words);
+        if slave < 2 {
+            let two = [three[0], three[1]];
+            assert_eq!(Isl21a(LINE).newton(&straight, &two).err().map(|error| error.to_string()), words);
         }
     }
 }

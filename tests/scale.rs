@@ -2,7 +2,7 @@
 //!
 //! The audit checks them at sizes up to the [scale](jointproof::formula::Spec::scale) that a formula states. Here stand inputs a
 //! little larger or smaller at which a bound is exceeded, one for every formula that does not hold everywhere.
-//! `cargo test --test scale -- --ignored` searches for the scales and such inputs again.
+//! `cargo test --test all scale:: -- --ignored` searches for the scales and such inputs again.
 
 use jointproof::catalog::{AnyFormula, CATALOG};
 use jointproof::verify::golden::components;

@@ -1,8 +1,6 @@
 //! What is wrong with the arrays of a scene: all of it is said, with its place, and nothing panics.
 
-mod columns;
-
-use columns::{Array, FILE, array, column_bits, file, parse};
+use crate::columns::{Array, FILE, array, column_bits, file, parse};
 use jointproof::scene::npz::Writer;
 use jointproof::scene::{Columns, Plan, Results, Run, Scene, Stopped};
 use rawzip::{CompressionMethod, ZipArchiveWriter};

@@ -1,8 +1,6 @@
 //! Scenes whose numbers stand as arrays in a file: the same bits as from JSON, and the same care about mistakes.
 
-mod columns;
-
-use columns::{Array, FILE, array, column_bits, file, parse};
+use crate::columns::{Array, FILE, array, column_bits, file, parse};
 use jointproof::scene::{Columns, Plan, Results, Run, Scene};
 use rawzip::ZipArchive;
 use serde_json::{Map, Value, json};

@@ -244,7 +244,7 @@ fn a_few_thousand_mutants_do_not_panic() {
 }
 
 #[test]
-#[ignore = "takes minutes, and wants an optimised build: cargo test --release --test scene_mutations -- --ignored"]
+#[ignore = "takes minutes, and wants an optimised build: cargo test --release --test all scene_mutations:: -- --ignored"]
 fn a_million_mutants_do_not_panic() {
     judge_mutants(1_000_000);
 }

@@ -1,6 +1,6 @@
 //! What the closest point of a slide line costs per slave point, for short and for long lines.
 //!
-//! `cargo test --release --test slide_line_scaling -- --ignored --nocapture`
+//! `cargo test --release --test all slide_line_scaling:: -- --ignored --nocapture`
 
 use jointproof::slide_line::{Interpolation, Nodes, PlacedLine, SlideLine};
 use nalgebra::Vector2;

@@ -1,9 +1,9 @@
 //! SLIDER as a program uses it: the typed API, both routes, the pivots, second derivatives, and any input at all.
 
-mod common;
 #[path = "../xtask/src/studies/routes.rs"]
 mod routes;
 
+use crate::common;
 use jointproof::formula::{Fields, Formula};
 use jointproof::proof::Proved;
 use jointproof::scalar::{Scalar, abs};

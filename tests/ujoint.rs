@@ -1,7 +1,6 @@
 //! UJOINT as a program uses it, what it rejects, and what its derivatives do at ordinary and at extreme positions.
 
-mod common;
-
+use crate::common;
 use jointproof::cardan::{Triads, rotation, turned};
 use jointproof::formula::{Fields, Formula, Jacobian, value};
 use jointproof::frame::Triad;

@@ -177,11 +177,16 @@ pub trait Element<const MULTIPLIERS: usize, const DOFS: usize = 12> {
     /// What friction remembers from one increment to the next.
     type State<D: Scalar>: Copy;
 
-    /// Whether the parameters and these nodes and multipliers are valid.
+    /// Whether the parameters, these nodes and multipliers, and what friction remembers are valid.
     ///
     /// # Errors
     /// The first number that is not.
-    fn check(&self, nodes: &Self::Nodes<f64>, multipliers: &SVector<f64, MULTIPLIERS>) -> Result<(), Error>;
+    fn check(
+        &self,
+        nodes: &Self::Nodes<f64>,
+        multipliers: &SVector<f64, MULTIPLIERS>,
+        before: &Self::State<f64>,
+    ) -> Result<(), Error>;
 
     /// What it adds, and the state after the motion, at numbers that [`check`](Self::check) allows.
     fn contribution<D: Scalar>(
@@ -249,7 +254,7 @@ pub trait Element<const MULTIPLIERS: usize, const DOFS: usize = 12> {
         multipliers: &SVector<f64, MULTIPLIERS>,
         before: &Self::State<f64>,
     ) -> Result<(Contribution<f64, MULTIPLIERS, DOFS>, Self::State<f64>), Error> {
-        self.check(nodes, multipliers)?;
+        self.check(nodes, multipliers, before)?;
         let (found, after) = self.contribution(nodes, multipliers, before);
         if found.is_finite() { Ok((found, after)) } else { Err(Error::Overflow { name: "contribution" }) }
     }

@@ -1,7 +1,5 @@
 //! What test files share: golden files, and strategies for inputs of any formula, drawn from the domains that its fields declare.
 
-#![allow(dead_code, reason = "each test file uses its part")]
-
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
 use jointproof::quantity::{Domain, Node, Shape};

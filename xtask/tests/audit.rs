@@ -1,8 +1,6 @@
 //! `cargo xtask audit`: its formats, and points that are given back.
 
-mod common;
-
-use common::Bench;
+use crate::common::Bench;
 use jointproof::catalog::CATALOG;
 use jointproof::verify::golden::File;
 use jointproof::verify::{Audit, Claim, Deviation};

@@ -1,8 +1,6 @@
 //! The real book: whole, complete, and content with no network.
 
-mod common;
-
-use common::{Bench, Ran, assert_accepted};
+use crate::common::{Bench, Ran, assert_accepted};
 use jointproof::catalog::{AnyFormula, CATALOG};
 use std::collections::HashSet;
 use std::ffi::OsString;

@@ -1,8 +1,6 @@
 //! `cargo xtask check`: how programs are asked, and what is said of those that do not answer well.
 
-mod common;
-
-use common::{Bench, Ran};
+use crate::common::{Bench, Ran};
 use std::time::{Duration, Instant};
 
 const ID: &str = "coulomb.yield";

@@ -1,11 +1,7 @@
 //! `cargo xtask check --abi`: routines of the interfaces that programs of finite elements prescribe, as their users write them.
 
-mod common;
-#[path = "common/port.rs"]
-mod port;
-
-use common::Bench;
-use port::{Lang, check, sources};
+use crate::common::Bench;
+use crate::port::{Lang, check, sources};
 use std::process::Command;
 
 /// A routine as its users write it, and the formulas that are exported for it.

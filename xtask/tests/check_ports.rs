@@ -1,12 +1,8 @@
 //! `cargo xtask check` of ports: correct ones pass, and mistakes that are planted in them are named.
 
-mod common;
-#[path = "common/port.rs"]
-mod port;
-
-use common::Bench;
-use port::Plant::{After, Before, Driver, Nothing, Within};
-use port::{Lang, Plant, check, port};
+use crate::common::Bench;
+use crate::port::Plant::{After, Before, Driver, Nothing, Within};
+use crate::port::{Lang, Plant, check, port};
 
 /// A class of mistakes, where it is planted, and what the diagnosis says of it.
 struct Planted {

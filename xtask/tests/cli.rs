@@ -1,8 +1,6 @@
 //! The command line: exit codes, help, colours, closed pipes, and which stream says what.
 
-mod common;
-
-use common::{Bench, Ran};
+use crate::common::{self, Bench, Ran};
 use jointproof::catalog::CATALOG;
 use std::process::Stdio;
 

@@ -1,10 +1,8 @@
 //! `cargo xtask export --check`: what is exported, compiled and run where the compilers are, has every bit of what runs here.
 
-mod common;
-
 #[cfg(unix)]
-use common::reference;
-use common::{Bench, assert_accepted, is_here};
+use crate::common::reference;
+use crate::common::{Bench, assert_accepted, is_here};
 
 #[test]
 fn what_is_exported_has_every_bit() {

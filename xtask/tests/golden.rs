@@ -1,8 +1,6 @@
 //! `cargo xtask golden`: what it finds, what it writes, and what it leaves alone.
 
-mod common;
-
-use common::Bench;
+use crate::common::{self, Bench};
 use jointproof::catalog::CATALOG;
 use jointproof::verify::golden::File;
 use std::collections::BTreeMap;

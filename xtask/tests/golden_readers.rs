@@ -1,9 +1,7 @@
 //! The readers of golden files in C and Fortran that the book shows: a right port passes, and wrong ones do not. That in Python
 //! has its test beside the oracle.
 
-mod common;
-
-use common::{is_here, repository};
+use crate::common::{is_here, repository};
 use std::path::Path;
 use std::process::Command;
 

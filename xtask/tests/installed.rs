@@ -1,8 +1,6 @@
 //! `jointproof` as `cargo install` leaves it: outside of the repository, and without one.
 
-mod common;
-
-use common::{Bench, Ran};
+use crate::common::{self, Bench, Ran};
 use std::fs;
 
 /// The command in an empty folder, with no repository behind it.

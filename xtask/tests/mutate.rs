@@ -1,8 +1,6 @@
 //! `cargo xtask mutate` on a crate of a few lines.
 
-mod common;
-
-use common::Bench;
+use crate::common::Bench;
 use std::fs;
 use std::process::Command;
 

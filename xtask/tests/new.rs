@@ -1,8 +1,6 @@
 //! `cargo xtask new`: what it writes, where, and what it refuses.
 
-mod common;
-
-use common::Bench;
+use crate::common::Bench;
 use std::fs;
 
 const PARTS: [&str; 3] = ["src", "book/src", "tests/python/oracle"];

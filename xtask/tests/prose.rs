@@ -1,8 +1,6 @@
 //! What the chapters claim is executed: a wrong glyph in them fails the check that `verify` runs.
 
-mod common;
-
-use common::Bench;
+use crate::common::Bench;
 use jointproof::catalog::CATALOG;
 use jointproof::verify::Options;
 use std::fs;

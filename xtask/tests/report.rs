@@ -1,9 +1,7 @@
 //! `cargo xtask report`: its JSON, its completeness, its files, its place in the book, and what `--against` says. No
 //! time is judged here.
 
-mod common;
-
-use common::{Bench, Ran, reference};
+use crate::common::{self, Bench, Ran, reference};
 use jointproof::catalog::{AnyFormula, CATALOG};
 use serde_json::Value;
 use std::fs;

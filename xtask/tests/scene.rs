@@ -1,8 +1,6 @@
 //! `cargo xtask scene`: what it prints, what it says about mistakes, and the schema of its files.
 
-mod common;
-
-use common::{Bench, Ran, repository};
+use crate::common::{Bench, Ran, repository};
 use serde_json::{Value, json};
 use std::fs;
 

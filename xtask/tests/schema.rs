@@ -1,9 +1,6 @@
 //! The schema of golden files accepts every one of them and nothing that is not one.
 
-#![cfg(feature = "ours")]
-
-mod common;
-
+use crate::common;
 use jsonschema::Validator;
 use serde_json::{Value, json};
 use std::fs;

@@ -3,9 +3,7 @@
 //! A driver in Fortran calls the routine with the arguments of its interface, at points that come over a pipe as the bits of their
 //! numbers, and answers with bits.
 
-mod common;
-
-use common::{Bench, is_here};
+use crate::common::{Bench, is_here};
 use jointproof::element::newton::{
     CrossContact, Element, Nodes, SlotContact, SlotElement, TranslatorContact, TranslatorElement, UJointElement,
     UJointState,

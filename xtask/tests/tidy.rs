@@ -1,8 +1,6 @@
 //! `cargo xtask tidy` as a user runs it, on a copy of the repository.
 
-mod common;
-
-use common::Bench;
+use crate::common::Bench;
 use std::fs;
 
 const REPOSITORY: [&str; 5] = ["Cargo.toml", "book/src", "src", "tests", "xtask"];

@@ -27,7 +27,7 @@ impl Element<3> for AlignElement {
     type Nodes<D: Scalar> = Nodes<D>;
     type State<D: Scalar> = ();
 
-    fn check(&self, nodes: &Nodes<f64>, multipliers: &Vector3<f64>) -> Result<(), Error> {
+    fn check(&self, nodes: &Nodes<f64>, multipliers: &Vector3<f64>, (): &()) -> Result<(), Error> {
         check::<Constraint>(&self.orientations(nodes))?;
         check::<align::Moments>(&AlignLoads::new(&nodes.triads(), *multipliers.as_ref()))
     }

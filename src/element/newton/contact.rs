@@ -8,7 +8,7 @@
 //! | signs | forces act on the nodes, as everywhere |
 //!
 //! Two slave nodes may touch the same segment; whoever assembles adds up what belongs to one node. A slave node past an end of its
-//! segment transmits nothing: on a line of several segments the next one is then the one to ask.
+//! segment transmits nothing: on a line of several segments the next one is then the one to ask. One above an end is on both.
 
 mod shape;
 #[cfg(all(test, feature = "verify"))]
@@ -221,6 +221,8 @@ impl LineContact {
         for (slave, segment) in places.segments.iter().enumerate() {
             S::check(&places.nodes, slave, segment)?;
         }
+        Error::check_vector("g_before", before.map(|slave| slave.g).into())?;
+        Error::check_vector("s12_before", before.map(|slave| slave.s12).into())?;
         let found = self.contribution::<S, f64, N, K>(places, before);
         let Pressed { forces, stiffness, torque, torque_row, .. } = &found;
         let finite = forces.iter().chain(stiffness).chain(torque_row).all(|x| x.is_finite()) && torque.is_finite();

@@ -26,7 +26,7 @@ impl Element<3> for JoinElement {
     type Nodes<D: Scalar> = Nodes<D>;
     type State<D: Scalar> = ();
 
-    fn check(&self, nodes: &Nodes<f64>, multipliers: &Vector3<f64>) -> Result<(), Error> {
+    fn check(&self, nodes: &Nodes<f64>, multipliers: &Vector3<f64>, (): &()) -> Result<(), Error> {
         check::<Constraint>(&self.joined(nodes))?;
         check::<join::Forces>(&nodes.join_loads(*multipliers.as_ref()))
     }

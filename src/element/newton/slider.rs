@@ -26,7 +26,7 @@ impl Element<2, 9> for SliderElement {
     type Nodes<D: Scalar> = Nodes<D>;
     type State<D: Scalar> = ();
 
-    fn check(&self, nodes: &Nodes<f64>, multipliers: &Vector2<f64>) -> Result<(), Error> {
+    fn check(&self, nodes: &Nodes<f64>, multipliers: &Vector2<f64>, (): &()) -> Result<(), Error> {
         check::<Constraint>(nodes)?;
         check::<Forces>(&loads(nodes, *multipliers.as_ref()))
     }
@@ -71,7 +71,7 @@ impl Element<1, 6> for SliderElement2d {
     type Nodes<D: Scalar> = Nodes2d<D>;
     type State<D: Scalar> = ();
 
-    fn check(&self, nodes: &Nodes2d<f64>, multiplier: &Vector1<f64>) -> Result<(), Error> {
+    fn check(&self, nodes: &Nodes2d<f64>, multiplier: &Vector1<f64>, (): &()) -> Result<(), Error> {
         check::<Constraint2d>(nodes)?;
         check::<slider_plane::Forces>(&loads_2d(nodes, multiplier))
     }

@@ -43,13 +43,13 @@ impl Element<2> for SlotElement {
     type Nodes<D: Scalar> = Nodes<D>;
     type State<D: Scalar> = D;
 
-    fn check(&self, nodes: &Nodes<f64>, multipliers: &Vector2<f64>) -> Result<(), Error> {
+    fn check(&self, nodes: &Nodes<f64>, multipliers: &Vector2<f64>, &before: &f64) -> Result<(), Error> {
         let (Positions { e2a, e3a, xa, xb, .. }, [f2, f3]) = (nodes.positions(), *multipliers.as_ref());
         let [x0, y0, z0] = *self.start.as_ref();
         Error::check("x0", None, x0, Domain::Real)?;
         check::<Constraint>(&SlotPositions { e2a, e3a, xa, xb, y0, z0 })?;
         check::<join::Forces>(&nodes.join_loads([0.0, f2, f3]))?;
-        self.contact.map_or(Ok(()), |contact| check::<Response>(&contact.sliding(0.0, 0.0, [f2, f3])))
+        self.contact.map_or(Ok(()), |contact| check::<Response>(&contact.sliding(0.0, before, [f2, f3])))
     }
 
     fn smooth(&self) -> Self {

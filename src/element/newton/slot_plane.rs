@@ -45,11 +45,11 @@ impl Element<1, 6> for SlotElement2d {
     type Nodes<D: Scalar> = PlanePlaces<D>;
     type State<D: Scalar> = D;
 
-    fn check(&self, nodes: &PlanePlaces<f64>, multiplier: &Vector1<f64>) -> Result<(), Error> {
+    fn check(&self, nodes: &PlanePlaces<f64>, multiplier: &Vector1<f64>, &before: &f64) -> Result<(), Error> {
         Error::check("x0", None, self.start.x, Domain::Real)?;
         check::<Constraint2d>(&self.positions(nodes))?;
         check::<Forces>(&loads(nodes, multiplier.x))?;
-        self.contact.map_or(Ok(()), |contact| check::<Response2d>(&contact.sliding_2d(0.0, 0.0, multiplier.x)))
+        self.contact.map_or(Ok(()), |contact| check::<Response2d>(&contact.sliding_2d(0.0, before, multiplier.x)))
     }
 
     fn smooth(&self) -> Self {

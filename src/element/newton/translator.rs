@@ -67,13 +67,13 @@ impl Element<5> for TranslatorElement {
     type Nodes<D: Scalar> = Nodes<D>;
     type State<D: Scalar> = D;
 
-    fn check(&self, nodes: &Nodes<f64>, multipliers: &SVector<f64, 5>) -> Result<(), Error> {
+    fn check(&self, nodes: &Nodes<f64>, multipliers: &SVector<f64, 5>, &before: &f64) -> Result<(), Error> {
         let [f2, f3, l1, l2, l3] = multipliers.data.0[0];
         Error::check("x0", None, self.start.x, Domain::Real)?;
         check::<Constraint>(&self.placement(nodes))?;
         check::<join::Forces>(&nodes.join_loads([0.0, f2, f3]))?;
         check::<align::Moments>(&AlignLoads::new(&nodes.triads(), [l1, l2, l3]))?;
-        self.contact.map_or(Ok(()), |contact| check::<Response>(&contact.sliding(0.0, 0.0, [f2, f3], [0.0; 3])))
+        self.contact.map_or(Ok(()), |contact| check::<Response>(&contact.sliding(0.0, before, [f2, f3], [0.0; 3])))
     }
 
     fn smooth(&self) -> Self {

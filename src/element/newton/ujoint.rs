@@ -100,14 +100,17 @@ impl Element<4> for UJointElement {
     type Nodes<D: Scalar> = Nodes<D>;
     type State<D: Scalar> = UJointState<D>;
 
-    fn check(&self, nodes: &Nodes<f64>, multipliers: &Vector4<f64>) -> Result<(), Error> {
+    fn check(&self, nodes: &Nodes<f64>, multipliers: &Vector4<f64>, before: &UJointState<f64>) -> Result<(), Error> {
         check::<Constraint>(&self.jointed(nodes))?;
         check::<ujoint::Forces>(&loads(nodes, multipliers))?;
         let Some(contact) = self.contact else { return Ok(()) };
         Error::check("alpha0", None, self.angles0[0], Domain::Real)?;
         Error::check("gamma0", None, self.angles0[1], Domain::Real)?;
         check::<align::Rows>(&nodes.triads())?;
-        check::<Response>(&contact.sliding(nodes, *multipliers.as_ref()))
+        Error::check_vector("turns", before.turns.into())?;
+        let [slip1_before, slip3_before] = before.slip;
+        let sliding = contact.sliding(nodes, *multipliers.as_ref());
+        check::<Response>(&CrossSliding { slip1_before, slip3_before, ..sliding })
     }
 
     fn smooth(&self) -> Self {

@@ -32,7 +32,7 @@ impl Element<1> for UniversalElement {
     type Nodes<D: Scalar> = Nodes<D>;
     type State<D: Scalar> = ();
 
-    fn check(&self, nodes: &Nodes<f64>, multiplier: &Vector1<f64>) -> Result<(), Error> {
+    fn check(&self, nodes: &Nodes<f64>, multiplier: &Vector1<f64>, (): &()) -> Result<(), Error> {
         check::<Constraint>(&self.shafts(nodes))?;
         check::<universal::Moments>(&loads(nodes, multiplier))
     }

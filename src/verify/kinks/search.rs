@@ -208,13 +208,13 @@ impl<'a> Looking<'a> {
     fn described(&self, candidate: &Candidate, at: &[Octuple], inputs: &[usize], jump: Jump) -> Deviation {
         let neighbourhood = Neighbourhood::new(self.subject, at);
         let (inner, edge) = neighbourhood.sides(inputs);
-        let across = inner.iter().map(|&k| (k, neighbourhood.across(&neighbourhood.axis(k))));
-        let inward = edge.iter().map(|&(k, sign)| (k, neighbourhood.inward(&neighbourhood.towards(k, sign))));
+        let across = inner.iter().map(|&k| ((k, 1.0), neighbourhood.across(&neighbourhood.axis(k))));
+        let inward = edge.iter().map(|&(k, sign)| ((k, sign), neighbourhood.inward(&neighbourhood.towards(k, sign))));
         let most = across.chain(inward).max_by(|(_, a), (_, b)| a.size.total_cmp(&b.size));
         let (entry, sides) = match most.filter(|(_, most)| !most.is_smooth() || jump.is_smooth()) {
-            Some((input, Jump { output, sides, .. })) => {
+            Some(((input, sign), Jump { output, sides, .. })) => {
                 let entry = self.names.entry(output * self.names.inputs.len() + input);
-                (entry, sides.map(|slope| slope / neighbourhood.unit(input)))
+                (entry, sides.map(|slope| slope / (neighbourhood.unit(input) * sign)))
             }
             None => (format!("∂{} along the sum of two directions", self.names.outputs[jump.output]), jump.sides),
         };

@@ -21,6 +21,7 @@ mod import;
 mod inline;
 mod layers;
 mod lengths;
+mod programs;
 mod reach;
 mod resolve;
 mod source;
@@ -39,7 +40,7 @@ use tree::Tree;
 
 pub(crate) use reach::reach;
 
-/// Check the sources: circular imports, layers, typed identifiers, inlining, lengths
+/// Check the sources: circular imports, layers, typed identifiers, inlining, lengths, tests
 ///
 /// Circular imports between files or folders are not allowed, direct or indirect. An import is a `use` or a path in code that
 /// names something of another file, followed through re-exports to the file that defines it; tests do not count. In each
@@ -70,6 +71,8 @@ enum Rule {
     Directives,
     /// No file has more than 500 lines
     Lengths,
+    /// Every file of tests belongs to a program
+    Tests,
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
@@ -124,6 +127,7 @@ fn check(root: &Path, formulas: &[&str], rules: &[Rule]) -> anyhow::Result<Tidin
         (Rule::Inline, inline::missing(&tree)),
         (Rule::Directives, kit::uncovered(root, formulas)?.into_iter().map(Finding::from).collect()),
         (Rule::Lengths, too_long),
+        (Rule::Tests, programs::forgotten(root, &tree)?),
     ];
     let wanted = found.into_iter().filter(|(rule, _)| rules.is_empty() || rules.contains(rule));
     findings.extend(wanted.flat_map(|(_, found)| found));

@@ -314,6 +314,30 @@ fn a_file_has_no_more_than_500_lines() {
     one(&[("tests/long.rs", &lines(501))], &["tests/long.rs: 501 lines, allowed are 500"]);
 }
 
+/// Each member has its own; what lies deeper belongs to a file that is named.
+#[test]
+fn a_file_of_tests_that_no_program_has_is_found() {
+    let manifest =
+        ("tool/Cargo.toml", "[package]\nname = \"tool\"\n[[test]]\nname = \"all\"\n[[test]]\nname = \"alone\"\n");
+    let named = [
+        manifest,
+        ("tests/all.rs", "mod sums;\n"),
+        ("tests/sums.rs", ""),
+        ("tests/sums/deeper.rs", ""),
+        ("tool/tests/all.rs", "mod roots;\n"),
+        ("tool/tests/roots.rs", ""),
+        ("tool/tests/alone.rs", ""),
+    ];
+    assert_eq!(found(&named), Vec::<String>::new());
+    for (path, folder) in [("tests/roots.rs", "tests"), ("tool/tests/sums.rs", "tool/tests")] {
+        let name = path.rsplit('/').next().unwrap().trim_end_matches(".rs");
+        let said = format!("{path}: no program has these tests; write `mod {name};` in {folder}/all.rs");
+        assert_eq!(found(&[&named[..], &[(path, "")]].concat()), [said]);
+    }
+    // Without a program of all each is one.
+    assert_eq!(found(&[("tests/sums.rs", ""), ("tests/roots.rs", "")]), Vec::<String>::new());
+}
+
 #[test]
 fn files_with_formulas_are_short() {
     let formula = one_rs(&"    // A comment.\n".repeat(150));

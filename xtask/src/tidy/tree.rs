@@ -58,15 +58,17 @@ pub(super) struct Module {
 }
 
 #[derive(Deserialize)]
-struct Manifest {
+pub(super) struct Manifest {
     package: Option<Named>,
     lib: Option<Named>,
     workspace: Option<Workspace>,
+    #[serde(default)]
+    pub(super) test: Vec<Named>,
 }
 
 #[derive(Deserialize)]
-struct Named {
-    name: Option<String>,
+pub(super) struct Named {
+    pub(super) name: Option<String>,
 }
 
 #[derive(Deserialize)]
@@ -151,7 +153,7 @@ impl Tree {
     }
 }
 
-fn manifest(path: &Path) -> anyhow::Result<Manifest> {
+pub(super) fn manifest(path: &Path) -> anyhow::Result<Manifest> {
     let text = fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
     toml::from_str(&text).with_context(|| format!("cannot read {}", path.display()))
 }

@@ -1,5 +1,5 @@
 //! The command as a user runs it, in surroundings that a test decides.
-#![allow(dead_code, reason = "each test file is a crate of its own and uses what it needs")]
+#![allow(dead_code, reason = "`gates` and `review` are programs of their own and use what they need")]
 
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
@@ -102,7 +102,10 @@ pub fn assert_accepted(test: &str, kept: &str, texts: &[(String, String)]) {
     let (kept, now): (BTreeSet<&str>, BTreeSet<&str>) =
         (kept.lines().collect(), now.iter().map(String::as_str).collect());
     let other: BTreeSet<_> = kept.symmetric_difference(&now).filter_map(|line| line.split(' ').next()).collect();
-    assert!(other.is_empty(), "look at {other:#?}; to accept: UPDATE_PRINTED=1 cargo test -p xtask --test {test}");
+    assert!(
+        other.is_empty(),
+        "look at {other:#?}; to accept: UPDATE_PRINTED=1 cargo test -p xtask --test all {test}::"
+    );
 }
 
 /// FNV-1a, the same everywhere.

@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::formula::check;
 use crate::scalar::Scalar;
 use crate::slide_line::{
-    ClosestLinear, ClosestParabolic, ContactAreaLinear, ContactAreaParabolic, LinearMotion, LinearNodes,
+    ClosestLinear, ClosestParabolic, ContactAreaLinear, ContactAreaParabolic, CurvePoint, LinearMotion, LinearNodes,
     LinearPressures, LinearSlave, ParabolicMotion, ParabolicNodes, ParabolicPlace, ParabolicPoint, ParabolicPressures,
     ParabolicSlave, SlipIncrementLinear, SlipIncrementParabolic, TorqueLinear, TorqueParabolic, gauss,
 };
@@ -94,6 +94,14 @@ impl Shape<2> for Straight {
     }
 }
 
+/// Whether the line from a place to the slave node is normal to the segment. The search stops at the ends of a segment: a slave
+/// node above an end is there as well as one past it.
+fn is_upright<D: Scalar, const K: usize>(xs: Point<D, K>, place: &ParabolicPlace<Term<D, K>>) -> bool {
+    let CurvePoint { x, dx } = chain::<ParabolicPoint, _, K>(place);
+    let [along_r, along_z] = [0, 1].map(|axis| (xs[axis] + -x[axis]) * dx[axis]);
+    (along_r + along_z).value == D::zero()
+}
+
 /// A parabolic segment, and ISL22A.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Curved;
@@ -101,7 +109,8 @@ pub(super) struct Curved;
 impl Shape<3> for Curved {
     fn foot<D: Scalar, const K: usize>(xs: Point<D, K>, &[x1, x2, x3]: &[Point<D, K>; 3]) -> Touched<D, K> {
         let foot = chain::<ClosestParabolic, _, K>(&ParabolicSlave { xs, x1, x2, x3 });
-        let inside = foot.g.value > -1.0 && foot.g.value < 1.0;
+        let is_between = foot.g.value > -1.0 && foot.g.value < 1.0;
+        let inside = is_between || is_upright(xs, &ParabolicPlace { x1, x2, x3, g: foot.g });
         Touched { g: foot.g, separation: foot.separation, inside }
     }
 

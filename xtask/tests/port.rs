@@ -1,5 +1,4 @@
 //! Ports of formulas: drivers that call what is exported, compiled, with mistakes planted in them.
-#![allow(dead_code, reason = "each test file is a crate of its own and uses what it needs")]
 
 use crate::common::{Bench, is_here};
 use std::fs;

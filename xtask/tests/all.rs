@@ -1,0 +1,22 @@
+//! Tests of the commands, in one program.
+
+mod audit;
+mod book;
+mod check;
+mod check_abi;
+mod check_ports;
+mod cli;
+mod common;
+mod export;
+mod golden;
+mod golden_readers;
+mod installed;
+mod mutate;
+mod new;
+mod port;
+mod prose;
+mod report;
+mod scene;
+mod schema;
+mod shells;
+mod tidy;
