@@ -80,3 +80,15 @@ impl FromPrimitive for Ordinary {
         f64::from_u64(n).map(Self)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Ordinary;
+    use num_traits::FromPrimitive;
+
+    #[test]
+    fn a_whole_number_is_that_double() {
+        let found = [Ordinary::from_i64(-3), Ordinary::from_u64(5), Ordinary::from_u64(u64::MAX)];
+        assert_eq!(found.map(|x| x.map(Ordinary::to_f64)), [Some(-3.0), Some(5.0), Some(18_446_744_073_709_551_616.0)]);
+    }
+}

@@ -349,6 +349,24 @@ fn shared_work_waits_for_its_condition() {
     }
 }
 
+/// The same, where the work is needed in any case.
+#[derive(Clone, Copy, Debug)]
+struct SettlesAndSums;
+
+impl Planted for SettlesAndSums {
+    fn fc<D: Scalar>(i: &CrossForces<D>) -> D {
+        let shared = (0..20).fold(i.f2, |sum, _| (sum + i.f3).sin());
+        SettlesWhatIsLost::fc(i) + shared
+    }
+}
+
+#[test]
+fn work_that_is_needed_elsewhere_joins_no_choices() {
+    let has_joined = |graph: &Graph| graph.ops().iter().any(|op| op.either_of().is_some());
+    assert!(has_joined(&record::<Of<SettlesWhatIsLost>>().unwrap()));
+    assert!(!has_joined(&record::<Of<SettlesAndSums>>().unwrap()));
+}
+
 /// A result that is computed where one of two conditions fails belongs to one side.
 #[derive(Clone, Copy, Debug)]
 struct FastWhereBothHold;

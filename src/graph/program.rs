@@ -249,3 +249,58 @@ fn is_cheap(op: &Op) -> bool {
         _ => false,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::graph::node::Relation;
+
+    /// What is used before it is there.
+    fn early(graph: &Graph, statements: &[Statement], there: &HashSet<Node>) -> Vec<Node> {
+        let mut there = there.clone();
+        let mut early = Vec::new();
+        for statement in statements {
+            let missing = |there: &HashSet<Node>, node: &Node| !graph.is_atom(*node) && !there.contains(node);
+            match statement {
+                Statement::Compute(node) => {
+                    early.extend(graph.op(*node).operands().into_iter().filter(|operand| missing(&there, operand)));
+                    there.insert(*node);
+                }
+                Statement::Choose { condition, results, yes, no } => {
+                    early.extend([*condition].into_iter().filter(|node| missing(&there, node)));
+                    for (side, k) in [(yes, 1), (no, 2)] {
+                        early.extend(self::early(graph, side, &there));
+                        let within = side.iter().filter_map(|statement| match statement {
+                            Statement::Compute(node) => Some(*node),
+                            Statement::Choose { .. } => None,
+                        });
+                        let there: HashSet<_> = there.iter().copied().chain(within).collect();
+                        early.extend(results.iter().map(|result| result[k]).filter(|node| missing(&there, node)));
+                    }
+                    there.extend(results.iter().map(|result| result[0]));
+                }
+            }
+        }
+        early
+    }
+
+    /// A choice is made for all of its results where the first of them is needed. What only the last of them takes was entered
+    /// after the first.
+    #[test]
+    fn what_a_choice_takes_is_there_before_it() {
+        for is_yes in [true, false] {
+            let mut graph = Graph::default();
+            let [x, y] = [0, 1].map(|k| graph.enter(Op::Input(k)));
+            let condition = graph.enter(Op::Compare(Relation::Less, x, y));
+            let mut roots = |node| (0..8).fold(node, |node, _| graph.enter(Op::Unary(Unary::Root, node)));
+            let (heavy, deep) = (roots(x), roots(y));
+            let first = graph.enter(Op::Select(condition, heavy, y));
+            let late = graph.enter(Op::Unary(Unary::Sine, y));
+            let [yes, no] = if is_yes { [late, deep] } else { [deep, late] };
+            let last = graph.enter(Op::Select(condition, yes, no));
+            let statements = graph.statements(&[first, late, last]);
+            assert!(statements.iter().any(|it| matches!(it, Statement::Choose { results, .. } if results.len() == 2)));
+            assert_eq!(early(&graph, &statements, &HashSet::new()), [], "{statements:?}");
+        }
+    }
+}

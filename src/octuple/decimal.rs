@@ -278,6 +278,14 @@ mod tests {
     }
 
     #[test]
+    fn a_carry_out_of_the_first_digit_makes_another() {
+        for x in [9.96, 99.96, 0.996, 9.5, 999.75] {
+            let wide = Octuple::from(x);
+            assert_eq!(format!("{wide:.0} {wide:.1}|{wide:.0e} {wide:.1e}"), format!("{x:.0} {x:.1}|{x:.0e} {x:.1e}"));
+        }
+    }
+
+    #[test]
     fn the_ends_of_the_range() {
         assert_eq!(format!("{:.3e}", Octuple::MAX), "1.611e78913");
         assert_eq!(format!("{:.3e}", Octuple(f256::MIN_GT_ZERO)), "2.248e-78984");

@@ -308,3 +308,24 @@ fn makefile(formulas: &[Vec<File>], drivers: &[File]) -> String {
     text.push("\n%.o: %.f90\n\t$(FC) $(FFLAGS) -c $<\n\nclean:\n\trm -f *.o *.mod driver\n");
     text.finished()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{PartLines, part_source};
+    use crate::export::program::Lines;
+
+    /// Results of earlier parts, and none where a part needs none.
+    #[test]
+    fn a_part_takes_what_it_is_given() {
+        let source = |given| {
+            part_source("t", &PartLines { number: 2, inputs: Vec::new(), given, found: 3, lines: Lines::default() })
+        };
+        for given in [1, 2] {
+            let text = source(given);
+            assert!(text.contains("subroutine jp_t_part2(given, found)\n"), "{text}");
+            assert!(text.contains(&format!("real(dp), intent(in) :: given({given})\n")), "{text}");
+        }
+        let text = source(0);
+        assert!(text.contains("subroutine jp_t_part2(found)\n") && !text.contains("given"), "{text}");
+    }
+}

@@ -52,8 +52,7 @@ pub(super) fn compare(project: &Project, folder: &Path, recorded: &[Recorded]) -
         let id = one.formula.spec().id;
         let time = checked(&rust, id).context("the report has the times of the checked call")?;
         let times = c.get_mut(&stem(one)).context("the program printed the time of every formula")?;
-        times.sort_by(f64::total_cmp);
-        rows.push((id, times[times.len() / 2], time));
+        rows.push((id, median(times), time));
     }
     print(&table(rows))
 }
@@ -73,6 +72,12 @@ fn table(mut rows: Vec<(&str, f64, f64)>) -> String {
          geometric mean {mean:.2}\n",
         rows.len()
     )
+}
+
+/// The one in the middle, and of two there the greater.
+fn median(times: &mut [f64]) -> f64 {
+    times.sort_by(f64::total_cmp);
+    times[times.len() / 2]
 }
 
 /// Reads what the program prints: a name and a time in every line.
@@ -110,6 +115,12 @@ mod tests {
         read("a 0.5\n", &mut times).unwrap();
         assert_eq!(times, HashMap::from([("a".into(), vec![1.5, 0.5]), ("b".into(), vec![2.0])]));
         assert_eq!(read("a", &mut times).unwrap_err().to_string(), "the program prints names and times");
+    }
+
+    #[test]
+    fn as_many_times_are_below_the_one_in_the_middle_as_above() {
+        assert_eq!(median(&mut [5.0, 1.0, 40.0, 2.0, 3.0]), 3.0);
+        assert_eq!(median(&mut [4.0, 1.0, 3.0, 2.0]), 3.0);
     }
 
     #[test]
