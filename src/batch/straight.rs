@@ -19,7 +19,7 @@ use std::ops::Range;
 const TOGETHER: usize = 32;
 
 /// So many numbers of a row at most: longer rows are faster one by one, and a program with all formulas stays small.
-pub(super) const MOST_TOGETHER: usize = 60;
+pub(super) const MOST_TOGETHER: usize = 120;
 
 /// What these rows have in one column.
 type Line = [f64; TOGETHER];

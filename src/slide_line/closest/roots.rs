@@ -125,7 +125,7 @@ impl<L: Leaf> Bracket<L> {
             u = next;
             if abs(step) < SHORT * SHORT {
                 let short = short_fraction(u);
-                if value_and_slope(p, short).0 == 0.0 {
+                if self.from <= short && short <= self.to && value_and_slope(p, short).0 == 0.0 {
                     return short;
                 }
             }
@@ -194,6 +194,16 @@ mod tests {
         assert_eq!(bracket(&p, [-1.0, 1.0]).refined(&p), Some(root));
         let p = [Octuple::from(0.25), Octuple::from(-1.0)];
         assert_eq!(bracket(&p, [-1.0, 1.0]).refined(&p), Some(Octuple::from(0.25)));
+    }
+
+    /// Another root may be so near.
+    #[test]
+    fn a_short_root_outside_of_the_bracket_is_not_taken() {
+        let [other, root] = [0.5, 0.5 + 2.0_f64.powi(-30)].map(Octuple::from);
+        let p = [other * root, -(other + root), Octuple::from(1.0)];
+        let beyond = bracket(&p, [0.5 + 2.0_f64.powi(-31), 1.0]);
+        assert!([beyond.searched(&p), beyond.crossing(&p)].iter().all(|&u| abs(u - root) < 1e-60));
+        assert_eq!(bracket(&p, [0.25, 0.5 + 2.0_f64.powi(-31)]).crossing(&p), other);
     }
 
     #[test]
