@@ -93,19 +93,14 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     }
     let Some(lang) = arguments.lang else { return Ok(verdict(true)) };
     let formulas = arguments.selection.formulas(project)?;
-    let (recorded, refused) = record(&formulas, Some(&project.golden()));
-    for (formula, why) in &refused {
+    let (recorded, not_recorded) = record(&formulas, Some(&project.golden()));
+    let language = lang.language();
+    let (recorded, refused): (Vec<_>, Vec<_>) = recorded.into_iter().partition(|one| language.refuses(one).is_none());
+    let not_recorded = not_recorded.into_iter().map(|(formula, why)| (formula, why.to_string()));
+    let refused = refused.iter().filter_map(|one| Some((one.formula, language.refuses(one)?.to_owned())));
+    for (formula, why) in not_recorded.chain(refused) {
         say(&format!("not exported: {}: {why}", formula.spec().id));
     }
-    let language = lang.language();
-    let mut written = Vec::new();
-    for one in recorded {
-        match language.refuses(&one) {
-            Some(why) => say(&format!("not exported: {}: {why}", one.formula.spec().id)),
-            None => written.push(one),
-        }
-    }
-    let recorded = written;
     let mut lines = 0;
     for (name, text) in language.files(&recorded) {
         lines += text.lines().count();
