@@ -1,7 +1,6 @@
 //! What a formula does, written down, does what the formula does.
 
 use crate::common;
-use jointproof::Scalar;
 use jointproof::catalog::{AnyFormula, CATALOG};
 use jointproof::formula::{Component, Field, Formula, Jacobian, Spec};
 use jointproof::graph::{Binary, Extremes, Graph, Node, NotRecorded, Op, Statement, Unary, record, record_with};
@@ -9,6 +8,7 @@ use jointproof::measure::Options;
 use jointproof::scalar::norm;
 use jointproof::slot::{Contact, ContactForce as SlotContactForce, CrossForces};
 use jointproof::verify::golden::components;
+use jointproof::{Error, Scalar};
 use rayon::prelude::*;
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
@@ -182,6 +182,9 @@ fn a_graph_has_both_sides() {
 /// What a planted formula computes from two forces.
 trait Planted: Copy + Send + Sync + 'static {
     fn fc<D: Scalar>(i: &CrossForces<D>) -> D;
+    fn validate<D: Scalar>(_: &CrossForces<D>) -> Result<(), Error> {
+        Ok(())
+    }
 }
 
 /// The formula of it; its derivative is not asked for.
@@ -199,6 +202,10 @@ impl<P: Planted> Formula for Of<P> {
 
     fn jacobian<D: Scalar>(i: &CrossForces<D>) -> Jacobian<Self, D> {
         Contact { fc: CrossForces { f2: i.f2, f3: i.f3 } }
+    }
+
+    fn validate<D: Scalar>(i: &CrossForces<D>) -> Result<(), Error> {
+        P::validate(i)
     }
 }
 
@@ -241,6 +248,20 @@ struct LooksAtTheValue;
 impl Planted for LooksAtTheValue {
     fn fc<D: Scalar>(i: &CrossForces<D>) -> D {
         if i.f2.re() > 0.0 { i.f2 } else { i.f3 }
+    }
+}
+
+/// A formula that looks at a double where it says whether inputs are valid.
+#[derive(Clone, Copy, Debug)]
+struct LooksWhetherValid;
+
+impl Planted for LooksWhetherValid {
+    fn fc<D: Scalar>(i: &CrossForces<D>) -> D {
+        i.f2 + i.f3
+    }
+
+    fn validate<D: Scalar>(i: &CrossForces<D>) -> Result<(), Error> {
+        if i.f2.re() > 1e300 { Err(Error::Overflow { name: "f2" }) } else { Ok(()) }
     }
 }
 
@@ -303,6 +324,7 @@ fn numbers_are_recorded_however_they_are_made() {
 #[test]
 fn what_is_not_recorded_says_why() {
     assert_eq!(record::<Of<LooksAtTheValue>>().unwrap_err(), NotRecorded::Value);
+    assert_eq!(record::<Of<LooksWhetherValid>>().unwrap_err(), NotRecorded::Value);
     assert_eq!(record::<Of<CallsTheUnknown>>().unwrap_err(), NotRecorded::Function("cbrt"));
     assert_eq!(record::<Of<AsksWhetherPositive>>().unwrap_err(), NotRecorded::Function("is_sign_positive"));
     assert_eq!(record::<Of<AsksWhetherNegative>>().unwrap_err(), NotRecorded::Function("is_sign_negative"));

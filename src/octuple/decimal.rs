@@ -206,8 +206,6 @@ impl Decimal {
         }
         let keep = decimals.saturating_add(1);
         self.round(i64::try_from(keep).unwrap_or(i64::MAX));
-        // A carry out of the first digit leaves one zero too many at the end.
-        self.digits.truncate(keep);
         let exponent = self.point - 1;
         self.point = 1;
         format!("{}e{exponent}", self.fixed(decimals))
