@@ -18,7 +18,7 @@ use std::ops::Range;
 /// Rows that are computed together: four lines of the cache in every column.
 const TOGETHER: usize = 32;
 
-/// So many numbers of a row at most: longer rows are faster one by one, and a program with all formulas stays small.
+/// So many numbers of a row at most, so that a program with all formulas stays small.
 pub(super) const MOST_TOGETHER: usize = 120;
 
 /// What these rows have in one column.

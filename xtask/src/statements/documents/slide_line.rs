@@ -74,7 +74,7 @@ fn basis() -> Vec<Statement> {
         covered("L18-s3", "Nodes of the slave must not penetrate the master.")
             .formulas(&[&slide_line::ClosestLinear, &slide_line::ClosestParabolic])
             .outputs(&["isl21a/E11", "isl22a/E11"])
-            .test("slide_line/main::a_point_on_the_wrong_side_penetrates")
+            .test("slide_line::a_point_on_the_wrong_side_penetrates")
             .chapter("slide-line-elements.md#what-is-the-sources-and-what-is-ours"),
         covered(
             "L19",
@@ -88,10 +88,10 @@ fn line() -> Vec<Statement> {
     vec![
         covered("L22-s1", "The nodes of a line are listed or generated.")
             .item::<SlideLine>()
-            .test("slide_line/main::generated_nodes_are_the_listed_ones"),
+            .test("slide_line::generated_nodes_are_the_listed_ones"),
         covered("L22-s2", "Their sequence must make a continuous line.")
             .item::<SlideLine>()
-            .test("slide_line/main::bad_lines_are_named"),
+            .test("slide_line::bad_lines_are_named"),
         covered("L22-s3", "It defines the tangent.").formulas(&[&slide_line::LocalBasis]),
         covered("L22-s4", "Segments are linear or parabolic, depending on the order of the elements.")
             .item::<Interpolation>()
@@ -109,12 +109,12 @@ fn line() -> Vec<Statement> {
             .cases(&slide_line::ParabolicPoint, &["first-node", "midside-node", "last-node"]),
         covered("L32-s2", "Its number of nodes should be odd.")
             .item::<SlideLine>()
-            .test("slide_line/main::bad_lines_are_named")
+            .test("slide_line::bad_lines_are_named")
             .chapter("slide-line-elements.md#the-line"),
         covered("L33", "Keyword: SLIDE LINE, TYPE=PARABOLIC.").chapter("scenes.md#slide-lines"),
         covered("L40", "Nodes can be generated from a first, a last and an increment.")
             .item::<SlideLine>()
-            .test("slide_line/main::generated_nodes_are_the_listed_ones")
+            .test("slide_line::generated_nodes_are_the_listed_ones")
             .test("scene_parts::generated_nodes_are_the_listed_ones")
             .chapter("scenes.md#slide-lines"),
         covered("L41", "Keyword: SLIDE LINE, GENERATE.").item::<SlideLine>().chapter("scenes.md#slide-lines"),
@@ -243,7 +243,7 @@ fn library() -> Vec<Statement> {
         covered("L79", "Degrees of freedom 1 and 2 at the nodes.").item::<Nodes>().chapter("scenes.md#slide-lines"),
         covered("L81", "Two additional variables at each node, for the contact stresses.")
             .chapter("slide-line-elements.md#what-is-the-sources-and-what-is-ours"),
-        covered("L83", "The coordinates are r and z.").item::<Nodes>().test("slide_line/main::bad_nodes_are_named"),
+        covered("L83", "The coordinates are r and z.").item::<Nodes>().test("slide_line::bad_nodes_are_named"),
         covered("L85", "The property definition: SLIDE LINE and INTERFACE.")
             .chapter("slide-line-elements.md#which-elements"),
         outside("L87", "There is no element loading.", "nothing to implement"),
