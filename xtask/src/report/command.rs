@@ -39,6 +39,9 @@ pub(crate) struct Arguments {
     /// How often each method is timed [default: 301, or 61 if quick]
     #[arg(long, value_name = "N")]
     rounds: Option<usize>,
+    /// Bytes of the columns over which batches are timed [default: 134217728, or 524288 if quick]
+    #[arg(long, value_name = "N")]
+    columns: Option<usize>,
     /// Format of the result
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -79,6 +82,7 @@ impl Arguments {
         Options {
             random_points: self.samples.unwrap_or(options.random_points),
             rounds: self.rounds.unwrap_or(options.rounds),
+            column_bytes: self.columns.unwrap_or(options.column_bytes),
             ..options
         }
     }
@@ -165,8 +169,8 @@ mod tests {
             Arguments::from_arg_matches(&command.try_get_matches_from(arguments).unwrap()).unwrap().options()
         };
         assert_eq!([options(&[]), options(&["--quick"])], [Options::full(), Options::quick()]);
-        let some = options(&["--samples", "3", "--rounds", "4"]);
-        assert_eq!(some, Options { random_points: 3, rounds: 4, ..Options::full() });
+        let some = options(&["--samples", "3", "--rounds", "4", "--columns", "5"]);
+        assert_eq!(some, Options { random_points: 3, rounds: 4, column_bytes: 5, ..Options::full() });
     }
 
     /// Nothing can be built here, so that only what is kept is there.
