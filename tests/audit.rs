@@ -38,8 +38,8 @@ fn hard_cases_alone_pass() {
         let golden = common::golden(*formula);
         let is_hard = |case: &&Record| case.error.is_none() && !case.flags.contains(&Flag::Random);
         let hard: Vec<_> = golden.cases.iter().filter(is_hard).collect();
-        let some = if k % 8 == 0 { &hard[..] } else { &hard[k % hard.len()..=k % hard.len()] };
-        for case in some {
+        let step = if k % 8 == 0 { 1 } else { hard.len() };
+        for case in hard.into_iter().skip(k % step).step_by(step) {
             let inputs = verify::golden::components(formula.inputs(), &case.inputs).unwrap();
             let audit = formula.audit_at(&inputs).unwrap();
             // Laws are for points in general position; derivatives and accuracy are for all.
