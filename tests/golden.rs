@@ -32,6 +32,8 @@ fn files_are_what_the_code_says_byte_for_byte() {
             let shown: Vec<_> = differences.iter().take(5).map(ToString::to_string).collect();
             panic!("{}: {shown:#?}; to accept: cargo xtask golden", formula.spec().id);
         }
+        // Nothing is lost on the way into a file and back.
+        assert!(now == *file, "{}: {:?}", file.formula, now.differences(file));
     });
 }
 
