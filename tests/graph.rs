@@ -251,7 +251,7 @@ impl Planted for LooksAtTheValue {
     }
 }
 
-/// A formula that looks at a double where it says whether inputs are valid.
+/// A formula that looks at a double where it says that inputs are valid, and refuses others.
 #[derive(Clone, Copy, Debug)]
 struct LooksWhetherValid;
 
@@ -261,7 +261,8 @@ impl Planted for LooksWhetherValid {
     }
 
     fn validate<D: Scalar>(i: &CrossForces<D>) -> Result<(), Error> {
-        if i.f2.re() > 1e300 { Err(Error::Overflow { name: "f2" }) } else { Ok(()) }
+        let is_valid = i.f2 < i.f3 && i.f2.re().partial_cmp(&1e300) != Some(Ordering::Greater);
+        if is_valid { Ok(()) } else { Err(Error::Overflow { name: "f2" }) }
     }
 }
 

@@ -256,26 +256,21 @@ mod tests {
     use crate::graph::node::Relation;
 
     /// What is used before it is there.
-    fn early(graph: &Graph, statements: &[Statement], there: &HashSet<Node>) -> Vec<Node> {
-        let mut there = there.clone();
+    fn early(graph: &Graph, statements: &[Statement], there: &mut HashSet<Node>) -> Vec<Node> {
+        let missing = |there: &HashSet<Node>, node: &Node| !graph.is_atom(*node) && !there.contains(node);
         let mut early = Vec::new();
         for statement in statements {
-            let missing = |there: &HashSet<Node>, node: &Node| !graph.is_atom(*node) && !there.contains(node);
             match statement {
                 Statement::Compute(node) => {
-                    early.extend(graph.op(*node).operands().into_iter().filter(|operand| missing(&there, operand)));
+                    early.extend(graph.op(*node).operands().into_iter().filter(|operand| missing(there, operand)));
                     there.insert(*node);
                 }
                 Statement::Choose { condition, results, yes, no } => {
-                    early.extend([*condition].into_iter().filter(|node| missing(&there, node)));
+                    early.extend([*condition].into_iter().filter(|node| missing(there, node)));
                     for (side, k) in [(yes, 1), (no, 2)] {
-                        early.extend(self::early(graph, side, &there));
-                        let within = side.iter().filter_map(|statement| match statement {
-                            Statement::Compute(node) => Some(*node),
-                            Statement::Choose { .. } => None,
-                        });
-                        let there: HashSet<_> = there.iter().copied().chain(within).collect();
-                        early.extend(results.iter().map(|result| result[k]).filter(|node| missing(&there, node)));
+                        let mut within = there.clone();
+                        early.extend(self::early(graph, side, &mut within));
+                        early.extend(results.iter().map(|result| result[k]).filter(|node| missing(&within, node)));
                     }
                     there.extend(results.iter().map(|result| result[0]));
                 }
@@ -300,7 +295,7 @@ mod tests {
             let last = graph.enter(Op::Select(condition, yes, no));
             let statements = graph.statements(&[first, late, last]);
             assert!(statements.iter().any(|it| matches!(it, Statement::Choose { results, .. } if results.len() == 2)));
-            assert_eq!(early(&graph, &statements, &HashSet::new()), [], "{statements:?}");
+            assert_eq!(early(&graph, &statements, &mut HashSet::new()), [], "{statements:?}");
         }
     }
 }

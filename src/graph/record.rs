@@ -72,8 +72,10 @@ pub fn record_with<F: Formula>(extremes: Extremes) -> Result<Graph, NotRecorded>
 
 /// 0 where the inputs are valid together, else the position of the error among all that there are, from 1.
 fn refusal<F: Formula>(inputs: &F::Inputs<Traced>, errors: &RefCell<Vec<Error>>) -> f64 {
-    // What is asked of valid inputs is told where the results are recorded.
-    let Err(error) = F::validate(inputs) else { return 0.0 };
+    let Err(error) = F::validate(inputs) else {
+        no_value_was_asked();
+        return 0.0;
+    };
     // An error tells values.
     recorder::has_asked();
     let mut errors = errors.borrow_mut();
