@@ -55,7 +55,7 @@ fn opener(bench: &Bench) -> OsString {
 fn was_opened(bench: &Bench, out: &Path) -> bool {
     let index = format!("{}\n", out.join("index.html").display());
     let is_it = || fs::read_to_string(bench.path("opened")).is_ok_and(|opened| opened == index);
-    (0..1000).any(|_| {
+    (0..6000).any(|_| {
         is_it() || {
             std::thread::sleep(Duration::from_millis(10));
             false

@@ -1,7 +1,6 @@
 //! `cargo xtask check`: how programs are asked, and what is said of those that do not answer well.
 
 use crate::common::{Bench, Ran};
-use std::time::{Duration, Instant};
 
 const ID: &str = "coulomb.yield";
 /// Φ = P − μ F_N and its derivatives.
@@ -96,20 +95,18 @@ fn oddities_of_print_are_understood_and_told() {
 #[test]
 fn what_is_no_answer_is_named_and_the_run_goes_on() {
     let at = |what: &str| format!("NR == 40 {{ {what} }} NR != 40 {RIGHT}");
-    let odd = |what: &str| awk(&["--limit", "0.5"], &at(what)).exits(1);
+    let odd = |what: &str| awk(&["--limit", "3"], &at(what)).exits(1);
     odd("print 1; fflush()").prints("no answer").prints("1 numbers instead of 4");
     odd("print \"1 2 3 many\"; fflush()").prints("`many` is no number");
     // A process of its own gets this point as its first one.
-    awk(&["--limit", "0.5"], &format!("$1 == 1.5 {{ exit 3 }} {RIGHT}")).exits(1).prints("ends with exit code 3");
+    awk(&["--limit", "3"], &format!("$1 == 1.5 {{ exit 3 }} {RIGHT}")).exits(1).prints("ends with exit code 3");
 }
 
 #[test]
 fn a_program_that_hangs_is_ended_at_its_limit() {
-    let start = Instant::now();
     let hanging = format!("$1 == 1.5 {{ while (1) {{}} }} {RIGHT}");
-    awk(&["--limit", "0.3"], &hanging).exits(1).prints("no answer within the limit");
-    awk(&["--limit", "0.3"], "{ while (1) {} }").exits(1).prints("it prints nothing: nothing comes within the limit");
-    assert!(start.elapsed() < Duration::from_secs(30), "{:?}", start.elapsed());
+    awk(&["--limit", "1"], &hanging).exits(1).prints("no answer within the limit");
+    awk(&["--limit", "1"], "{ while (1) {} }").exits(1).prints("it prints nothing: nothing comes within the limit");
 }
 
 #[test]

@@ -69,7 +69,7 @@ fn a_test_that_fails_without_a_fault_tells_nothing() {
 
 #[test]
 fn the_exit_code_says_whether_enough_is_noticed_and_the_book_gets_what_is_kept() {
-    let all = ["mutate", "--made", "0", "--grace", "1"];
+    let all = ["mutate", "--made", "0", "--grace", "5"];
     let well = tiny(LIST);
     well.run(&all).exits(0).prints("100.0% sums");
     assert!(!well.path("tests/data/faults.json").exists());

@@ -12,6 +12,8 @@ const LONGEST: u64 = 1 << 20;
 const KEPT: usize = 2000;
 /// How often it is looked whether a process has ended.
 const LOOK: Duration = Duration::from_millis(1);
+/// So long the last that it has said may take to come.
+const LAST: Duration = Duration::from_secs(3);
 
 /// A running program.
 pub(super) struct Process {
@@ -97,9 +99,9 @@ impl Process {
         Ok((child.wait()?, by_itself))
     }
 
-    /// The last that it has said on standard error.
+    /// The last that it has said on standard error; what has left its group and keeps that open is not waited for.
     pub(super) fn last_words(&self) -> String {
-        let said = self.said.recv_timeout(Duration::from_millis(200)).unwrap_or_default();
+        let said = self.said.recv_timeout(LAST).unwrap_or_default();
         String::from_utf8_lossy(&said).trim().to_owned()
     }
 }

@@ -106,7 +106,7 @@ fn arguments() -> Arguments {
         made: 3,
         seed: 0,
         jobs: 2,
-        grace: 1,
+        grace: 5,
         enough: 60,
         programs: every(),
         longest: 900,
