@@ -3,7 +3,8 @@
 use crate::angle::{angle, angles};
 use crate::asin::asin;
 use crate::eft::exact_sum;
-use crate::scalar::{Leaf, Scalar, Squares, itself};
+use crate::scalar::{Leaf, Scalar, itself};
+use crate::squares::Squares;
 
 /// 2⁻⁹⁰⁰ … 2¹⁰⁰⁰, factor 2⁶⁰⁰.
 pub(crate) const SQUARES: Squares = Squares::new(-900, 1000, 600);
@@ -37,6 +38,10 @@ impl Scalar for f64 {
     #[inline]
     fn norm_of<const N: usize>(x: [Self; N]) -> Self {
         SQUARES.norm(x)
+    }
+    #[inline]
+    fn norm_and_direction_of<const N: usize>(x: [Self; N]) -> (Self, [Self; N]) {
+        SQUARES.norm_and_direction(x)
     }
     #[inline]
     fn angle_of(y: Self, x: Self) -> Self {

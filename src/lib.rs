@@ -99,6 +99,7 @@ pub mod single;
 pub mod slide_line;
 pub mod slider;
 pub mod slot;
+mod squares;
 pub mod translator;
 pub mod ujoint;
 pub mod universal;

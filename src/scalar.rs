@@ -36,7 +36,7 @@ pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scal
         if !Self::has_extremes() {
             return (length, x.map(|x| x / length));
         }
-        if length >= f64::MIN_POSITIVE { (length, divide(x, length)) } else { (length, direction_of_subnormal(x)) }
+        (length, divided(x, length))
     }
     /// See [`atan2`].
     fn angle_of(y: Self, x: Self) -> Self;
@@ -202,6 +202,13 @@ pub fn norm_and_direction<D: Scalar, const N: usize>(x: [D; N]) -> (D, [D; N]) {
     D::norm_and_direction_of(x)
 }
 
+/// The direction of what has this length.
+#[inline(always)]
+#[expect(clippy::inline_always, reason = "a call would need the components in memory, on the way that is usual too")]
+pub(crate) fn divided<D: Scalar, const N: usize>(x: [D; N], length: D) -> [D; N] {
+    if length >= f64::MIN_POSITIVE { divide(x, length) } else { direction_of_subnormal(x) }
+}
+
 /// A subnormal length has lost digits that the direction needs; a power of two brings them back.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "a call would need the components in memory, on the way that is usual too")]
@@ -318,39 +325,6 @@ fn divide<D: Scalar, const N: usize>(x: [D; N], length: D) -> [D; N] {
 #[inline]
 pub(crate) fn sum_of_squares<D: Scalar, const N: usize>(x: [D; N]) -> D {
     x.iter().fold(D::zero(), |sum, &x| sum + x * x)
-}
-
-/// Where squares can be summed as they are, and the power of two that brings everything else there.
-pub(crate) struct Squares {
-    smallest: f64,
-    largest: f64,
-    rescale: f64,
-}
-
-impl Squares {
-    /// From the exponents of the two limits of the sum, and of the factor.
-    pub(crate) const fn new(smallest: i64, largest: i64, rescale: i64) -> Self {
-        Self { smallest: power_of_two(smallest), largest: power_of_two(largest), rescale: power_of_two(rescale) }
-    }
-
-    #[inline]
-    pub(crate) fn norm<D: Scalar, const N: usize>(&self, x: [D; N]) -> D {
-        let sum = sum_of_squares(x);
-        let is_usual = is_between(sum, self.smallest, self.largest);
-        if is_usual || !D::has_extremes() { number_if(is_usual, sum.sqrt()) } else { self.rescaled(x) }
-    }
-
-    #[inline(always)]
-    #[expect(
-        clippy::inline_always,
-        reason = "a call would need the components in memory, on the way that is usual too"
-    )]
-    fn rescaled<D: Scalar, const N: usize>(&self, x: [D; N]) -> D {
-        std::hint::cold_path();
-        let large = x.iter().any(|&x| abs(x) > 1.0);
-        let factor = if large { self.rescale.recip() } else { self.rescale };
-        sum_of_squares(x.map(|x| x * factor)).sqrt() / factor
-    }
 }
 
 /// A leaf is its own leaf.

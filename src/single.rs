@@ -5,7 +5,8 @@ use num_traits::FromPrimitive;
 
 use crate::eft::exact_sum;
 use crate::newtype::{newtype_dual_num, newtype_number, newtype_text};
-use crate::scalar::{Leaf, Scalar, Squares, e_minus_one, itself, pi};
+use crate::scalar::{Leaf, Scalar, e_minus_one, itself, pi};
+use crate::squares::Squares;
 
 /// An `f32` that reads and speaks `f64`: every operation rounds to 24 bits, every `f64` operand is rounded to `f32`
 /// on entry (in comparisons too, so that `Single::from(0.1) == 0.1`).

@@ -8,7 +8,7 @@ use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec, ValueAndJacobian};
 use crate::quantity::{BETA, E1A, E1B, E2B, E3B};
-use crate::scalar::{Scalar, atan2, has_length, norm, norm_and_direction};
+use crate::scalar::{Scalar, angles, atan2, has_length, norm, norm_and_direction};
 use nalgebra::Vector3;
 
 fields! {
@@ -72,7 +72,8 @@ impl Formula for BetaTwoArgument {
         let sine = i.e1a.dot(&i.e3b);
         let [by_e1a, by_e3b, by_m] = turn_gradient([&i.e1a, &i.e3b, &m], (sine, cosine));
         let by = BetaAxes { e1a: -by_e1a, e1b: by_m * -n1, e2b: by_m * -n2, e3b: -by_e3b };
-        (Beta { beta: atan2(sine + 0.0, cosine) }, Beta { beta: by })
+        let [beta] = angles([sine + 0.0], [cosine]);
+        (Beta { beta }, Beta { beta: by })
     }
 
     #[inline]

@@ -120,14 +120,12 @@ impl Formula for EulerParameters {
 
     #[inline]
     fn jacobian<D: Scalar>(i: &QuaternionLoad<D>) -> Jacobian<Self, D> {
-        let two = D::from(2.0);
+        let (two, minus) = (D::from(2.0), D::from(-1.0));
+        let (q0, q, m) = (i.q0 * two, i.q * two, i.m * two);
         let row = |k: usize| {
-            let [by_q, by_m] = cross_gradient(&i.q, &i.m, k);
-            QuaternionLoad { q0: i.m[k] * two, q: by_q.times(-two), m: by_m.added_to(&along(k, i.q0 * two), -two) }
+            let [by_q, by_m] = cross_gradient(&q, &m, k);
+            QuaternionLoad { q0: m[k], q: by_q.times(minus), m: by_m.added_to(&along(k, q0), minus) }
         };
-        EulerMoment {
-            m_q0: QuaternionLoad { q0: D::zero(), q: i.m * -two, m: i.q * -two },
-            m_q: Vector3::new(row(0), row(1), row(2)),
-        }
+        EulerMoment { m_q0: QuaternionLoad { q0: D::zero(), q: -m, m: -q }, m_q: Vector3::new(row(0), row(1), row(2)) }
     }
 }

@@ -93,16 +93,27 @@ impl Kernel {
         compute: impl Fn(&I) -> O + Copy + 'static,
         doubles: impl Fn(&O) -> Vec<f64> + 'static,
     ) -> Self {
+        Self::with_loop(convert, compute, doubles, move |points| {
+            // What looks at a result may have changed all memory, so every point is read anew.
+            for i in points {
+                black_box(&compute(i));
+            }
+        })
+    }
+
+    /// With a loop of its own, `over`, that calls the formula by its name: so it is compiled in the loop as in that of a program.
+    /// What is handed over as a value is called behind another call.
+    pub(crate) fn with_loop<I: 'static, O>(
+        convert: fn(&[f64]) -> I,
+        compute: impl Fn(&I) -> O + 'static,
+        doubles: impl Fn(&O) -> Vec<f64> + 'static,
+        over: impl Fn(&[I]) + Copy + 'static,
+    ) -> Self {
         Self {
             results: Box::new(move |i| doubles(&compute(&convert(i)))),
             runner: Box::new(move |points| {
                 let points = converted(points, convert);
-                Box::new(move |count| {
-                    // What looks at a result may have changed all memory, so every point is read anew.
-                    for i in &points[..count] {
-                        black_box(&compute(i));
-                    }
-                })
+                Box::new(move |count| over(&points[..count]))
             }),
         }
     }

@@ -9,7 +9,7 @@
 pub(super) mod proof;
 
 use super::points::CurvePoint;
-use super::shape::{LinearCorner, ParabolicCorner, Shape, Sides, combination, gap};
+use super::shape::{LinearCorner, ParabolicCorner, Shape, Sides, combination, from_heaviest, gap, weighted};
 use crate::fields;
 use crate::formula::{Component, Document, Finite, Formula, Jacobian, Source, Spec, ValueAndJacobian, along};
 use crate::quantity::{CORNER_T, FRACTION, X1, X2, X3, X4, X5};
@@ -134,13 +134,14 @@ impl Formula for SmoothedParabolicPoint {
     fn linearized<D: Scalar>(i: &ParabolicCornerPlace<D>) -> ValueAndJacobian<Self, D> {
         let (f, nodes) = (i.f, [i.x1, i.x2, i.x3, i.x4, i.x5]);
         let (weights, rates) = (ParabolicCorner::weights(f, i.t), ParabolicCorner::rates(f, i.t));
-        let value = CurvePoint { x: point(&nodes, weights), dx: combination(&nodes, rates) * f };
+        let seen = from_heaviest(&nodes, rates);
+        let value = CurvePoint { x: point(&nodes, weights), dx: weighted(&seen, rates) * f };
         let (rates, rate) = (rates.map(|rate| rate * f), value.dx);
-        let second = combination(&nodes, ParabolicCorner::second_derivatives(f, i.t)) * f;
+        let second = weighted(&seen, ParabolicCorner::second_derivatives(f, i.t)) * f;
         let [weights_by_f, ..] = ParabolicCorner::by_fraction(f, i.t);
-        let x_by_f = combination(&nodes, weights_by_f);
+        let x_by_f = weighted(&seen, weights_by_f);
         // The rates are linear in f: f times them has the derivative that they have at 2f.
-        let rate_by_f = combination(&nodes, ParabolicCorner::rates(f * 2.0, i.t));
+        let rate_by_f = weighted(&seen, ParabolicCorner::rates(f * 2.0, i.t));
         let row = |k, [n1, n2, n3, n4, n5]: [D; 5], f, t| ParabolicCornerPlace {
             x1: along(k, n1),
             x2: along(k, n2),

@@ -294,8 +294,22 @@ fn with_middle<D: Scalar>([[n1, n2], [n5, n4]]: [[D; 2]; 2], n3: D) -> [D; 5] {
 /// Σ wᵢ xᵢ for weights that add up to 0.
 #[inline]
 pub(super) fn combination<D: Scalar, const N: usize>(nodes: &[Vector2<D>; N], weights: [D; N]) -> Vector2<D> {
+    weighted(&from_heaviest(nodes, weights), weights)
+}
+
+/// The nodes from that of the largest weight, whatever its sign.
+#[inline(always)]
+#[expect(clippy::inline_always, reason = "a call would need nodes and weights in memory")]
+pub(super) fn from_heaviest<D: Scalar, const N: usize>(nodes: &[Vector2<D>; N], weights: [D; N]) -> [Vector2<D>; N] {
     let base = heaviest(nodes, weights.map(abs));
-    nodes.iter().zip(weights).fold(Vector2::from_element(D::zero()), |sum, (x, w)| sum + (x - base) * w)
+    nodes.map(|x| x - base)
+}
+
+/// Σ wᵢ xᵢ, of any weights that add up to 0 if all xᵢ are seen from the same place.
+#[inline(always)]
+#[expect(clippy::inline_always, reason = "a call would need nodes and weights in memory")]
+pub(super) fn weighted<D: Scalar, const N: usize>(nodes: &[Vector2<D>; N], weights: [D; N]) -> Vector2<D> {
+    nodes.iter().zip(weights).fold(Vector2::from_element(D::zero()), |sum, (x, w)| sum + x * w)
 }
 
 /// xs − Σ wᵢ xᵢ for weights that add up to 1.

@@ -49,24 +49,22 @@ impl Formula for TorqueLinear {
     fn eval<D: Scalar>(i: &LinearPressures<D>) -> Torque<D> {
         let (length, _) = length_and_tangent(i.x2 - i.x1);
         let (r1, r2) = (i.x1.x, i.x2.x);
-        let (q1, q2, mixed) = (r1 * r1, r2 * r2, r1 * r2 * 2.0);
-        let moment = i.p1 * (q1 * 3.0 + mixed + q2) + i.p2 * (q1 + mixed + q2 * 3.0);
-        Torque { t: pi::<D>() / 6.0 * length * moment }
+        let [m1, m2] = moments(r1, r2);
+        Torque { t: pi::<D>() / 6.0 * length * (i.p1 * m1 + i.p2 * m2) }
     }
 
     #[inline(always)]
     fn jacobian<D: Scalar>(i: &LinearPressures<D>) -> Jacobian<Self, D> {
         let (length, t) = length_and_tangent(i.x2 - i.x1);
         let (r1, r2) = (i.x1.x, i.x2.x);
-        let (q1, q2, mixed) = (r1 * r1, r2 * r2, r1 * r2 * 2.0);
-        let (m1, m2) = (q1 * 3.0 + mixed + q2, q1 + mixed + q2 * 3.0);
+        let ([m1, m2], both) = (moments(r1, r2), r1 + r2);
         let sixth = pi::<D>() / 6.0;
         let band = sixth * length;
         // What a node does to its radius and to the length may cancel: π/6 comes last.
         let (twice, stretch) = (length * 2.0, t * (i.p1 * m1 + i.p2 * m2));
         let radius = |moment| Vector2::new(twice * moment, D::zero());
-        let x1 = (radius(i.p1 * (r1 * 3.0 + r2) + i.p2 * (r1 + r2)) - stretch) * sixth;
-        let x2 = (radius(i.p1 * (r1 + r2) + i.p2 * (r1 + r2 * 3.0)) + stretch) * sixth;
+        let x1 = (radius(i.p1 * (both + r1 * 2.0) + i.p2 * both) - stretch) * sixth;
+        let x2 = (radius(i.p1 * both + i.p2 * (both + r2 * 2.0)) + stretch) * sixth;
         Torque { t: LinearPressures { x1, x2, p1: band * m1, p2: band * m2 } }
     }
 
@@ -74,6 +72,13 @@ impl Formula for TorqueLinear {
     fn validate<D: Scalar>(i: &LinearPressures<D>) -> Result<(), Error> {
         check_radii([("x1", i.x1), ("x2", i.x2)])
     }
+}
+
+/// 3r1² + 2r1r2 + r2² and r1² + 2r1r2 + 3r2², as (r1 + r2)² + 2r².
+#[inline(always)]
+fn moments<D: Scalar>(r1: D, r2: D) -> [D; 2] {
+    let square = (r1 + r2) * (r1 + r2);
+    [r1, r2].map(|r| square + r * r * 2.0)
 }
 
 fields! {

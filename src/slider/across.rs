@@ -60,13 +60,24 @@ impl<D: Scalar> Across<D> {
     /// What follows from it. It is compiled for either axis, so that where a component stands is known there.
     #[inline(always)]
     pub(super) fn with<T>(d: &Vector3<D>, then: impl Fn(&Self) -> T) -> T {
-        let Axis { along_i } = Axis::of(d);
-        if along_i && D::has_extremes() {
+        if let Some(across) = Self::about_k(d) { then(&across) } else { then(&Self::about_i(d)) }
+    }
+
+    /// About axis 3, if that is the one.
+    #[inline(always)]
+    pub(super) fn about_k(d: &Vector3<D>) -> Option<Self> {
+        let axis = Axis::of(d);
+        (axis.along_i && D::has_extremes()).then(|| {
             std::hint::cold_path();
-            return then(&Self::about(Axis { along_i: true }, d));
-        }
-        let d = d.map(|x| number_if(!along_i, x));
-        then(&Self::about(Axis { along_i: false }, &d))
+            Self::about(Axis { along_i: true }, d)
+        })
+    }
+
+    /// About axis 1, if the other one is not.
+    #[inline(always)]
+    pub(super) fn about_i(d: &Vector3<D>) -> Self {
+        let Axis { along_i } = Axis::of(d);
+        Self::about(Axis { along_i: false }, &d.map(|x| number_if(!along_i, x)))
     }
 
     #[inline]
