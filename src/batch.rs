@@ -62,6 +62,7 @@ pub use error::{Error, Part, RowError};
 pub use ndarray::{ArrayView1, ArrayViewMut1};
 
 use crate::formula::{Fields, Formula};
+use crate::prefetch::LINE;
 use job::Value;
 use ndarray::{Array2, Axis, Slice};
 use task::Task;
@@ -79,11 +80,12 @@ const WORTH: usize = 1 << 17;
 /// views[2][4095] = 1.0;
 /// ```
 pub fn columns(count: usize, rows: usize) -> Array2<f64> {
-    const LINE: usize = 8;
-    // An odd number of lines of the cache.
-    let width = (rows.div_ceil(LINE) | 1) * LINE;
-    let mut table = Array2::zeros((count, width));
-    table.slice_axis_inplace(Axis(1), Slice::from(..rows));
+    const DOUBLES: usize = LINE / size_of::<f64>();
+    // An odd number of lines of the cache, with room for what stands before the first of them.
+    let width = ((rows + DOUBLES - 1).div_ceil(DOUBLES) | 1) * DOUBLES;
+    let mut table: Array2<f64> = Array2::zeros((count, width));
+    let before = table.as_ptr().align_offset(LINE);
+    table.slice_axis_inplace(Axis(1), Slice::from(before..before + rows));
     table
 }
 

@@ -88,6 +88,8 @@ pub mod octuple;
 #[cfg(feature = "batch")]
 mod ordinary;
 mod power;
+#[cfg(any(feature = "batch", feature = "scene"))]
+mod prefetch;
 #[cfg(feature = "verify")]
 pub mod proof;
 pub mod quantity;

@@ -1,8 +1,11 @@
 //! Rows of a formula of simple operations and comparisons, several at a time.
 //!
 //! A comparison chooses between numbers that are computed anyway, and no row waits for one that is extreme ([`Ordinary`]), so that
-//! the compiler takes as many at once as the vectors of a processor hold: four on one with AVX2, for which this is compiled. What
+//! the compiler takes as many at once as the vectors of a processor hold: eight on one with AVX-512, four on one with AVX2. What
 //! it gives has the bits of one row alone.
+//!
+//! Half of the time of a simple formula is that of its columns. Rows that are computed together are whole lines of the cache, in
+//! columns and in between; of columns that no cache holds, the next lines are asked for while these are computed.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
 
@@ -12,8 +15,9 @@ use super::row::one_by_one;
 use super::structure::is_guarded;
 use crate::formula::{Component, Fields, Formula, Visitor, bits_unless_finite, is_plain};
 use crate::ordinary::Ordinary;
+use crate::prefetch::{LINE, prefetch};
 use std::marker::PhantomData;
-use std::ops::Range;
+use std::ops::{Deref, Range};
 
 /// Rows that are computed together: four lines of the cache in every column.
 const TOGETHER: usize = 32;
@@ -21,8 +25,13 @@ const TOGETHER: usize = 32;
 /// So many numbers of a row at most, so that a program with all formulas stays small.
 pub(super) const MOST_TOGETHER: usize = 120;
 
-/// What these rows have in one column.
-type Line = [f64; TOGETHER];
+/// So many bytes of a batch are not at hand in the cache of a core.
+const FAR: usize = 1 << 20;
+
+/// What these rows have in one column. It begins with a line of the cache: vectors that lie in two take twice as long.
+#[derive(Clone)]
+#[repr(align(64))]
+struct Column([f64; TOGETHER]);
 
 /// As [`one_by_one`].
 pub(super) fn rows<F: Formula, J: Job<F>>(
@@ -32,11 +41,12 @@ pub(super) fn rows<F: Formula, J: Job<F>>(
     first: usize,
 ) -> Refused {
     let stretch = Stretch::<F, J> { inputs, outputs, rows, first, job: PhantomData };
-    // A second copy of all formulas, for processors of this kind without vectors of four doubles, would be as large as the first.
+    // One more copy of all formulas, for processors of this kind without vectors of four doubles, would be as large as each of these.
     #[cfg(target_arch = "x86_64")]
-    return match pulp::x86::V3::try_new() {
-        Some(vectors) => pulp::Simd::vectorize(vectors, stretch),
-        None => one_by_one::<F, J>(stretch.inputs, stretch.outputs, stretch.rows, first),
+    return match (pulp::x86::V4::try_new(), pulp::x86::V3::try_new()) {
+        (Some(vectors), _) => pulp::Simd::vectorize(vectors, stretch),
+        (_, Some(vectors)) => pulp::Simd::vectorize(vectors, stretch),
+        _ => one_by_one::<F, J>(stretch.inputs, stretch.outputs, stretch.rows, first),
     };
     #[cfg(not(target_arch = "x86_64"))]
     pulp::Arch::new().dispatch(stretch)
@@ -57,22 +67,43 @@ impl<F: Formula, J: Job<F>> pulp::WithSimd for Stretch<'_, '_, '_, F, J> {
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, _: S) -> Refused {
         let Self { inputs, outputs, rows, first, .. } = self;
-        let (mut read, mut written) = (vec![Line::default(); F::Inputs::<f64>::LEN], vec![Line::default(); J::LEN]);
+        let [mut read, mut written] =
+            [F::Inputs::<f64>::LEN, J::LEN].map(|columns| vec![Column([0.0; TOGETHER]); columns]);
+        let is_far = rows.len() * (read.len() + written.len()) * size_of::<f64>() > FAR;
+        let before = outputs.first().map_or(0, |column| column[rows.start..].as_ptr().align_offset(LINE));
         let mut refused = Refused::default();
-        for from in rows.clone().step_by(TOGETHER) {
-            let some = from..rows.end.min(from + TOGETHER);
-            for (line, column) in read.iter_mut().zip(inputs) {
-                copy(&column[some.clone()], line);
+        for some in together(rows, before) {
+            if is_far {
+                ask_for(inputs, some.end);
+                ask_for(outputs, some.end);
+            }
+            for (Column(here), column) in read.iter_mut().zip(inputs) {
+                copy(&column[some.clone()], here);
             }
             if compute::<F, J>(&read, &mut written, some.len()) {
-                for (column, line) in outputs.iter_mut().zip(&written) {
-                    copy(line, &mut column[some.clone()]);
+                for (column, Column(here)) in outputs.iter_mut().zip(&written) {
+                    copy(here, &mut column[some.clone()]);
                 }
             } else {
                 refused = refused.and(one_by_one::<F, J>(inputs, outputs, some, first));
             }
         }
         refused
+    }
+}
+
+/// Rows that are computed together: first those before a line of the cache begins, of which there are as many, if any.
+fn together(rows: Range<usize>, before: usize) -> impl Iterator<Item = Range<usize>> {
+    let start = rows.end.min(rows.start.saturating_add(before));
+    let some = (start..rows.end).step_by(TOGETHER).map(move |from| from..rows.end.min(from + TOGETHER));
+    std::iter::once(rows.start..start).filter(|first| !first.is_empty()).chain(some)
+}
+
+/// Has as many rows brought to the cache as are computed together.
+#[inline(never)]
+fn ask_for(columns: &[impl Deref<Target = [f64]>], from: usize) {
+    for rows in columns.iter().filter_map(|column| column.get(from..from + TOGETHER)) {
+        rows.iter().step_by(LINE / size_of::<f64>()).for_each(prefetch);
     }
 }
 
@@ -88,39 +119,38 @@ fn copy(from: &[f64], to: &mut [f64]) {
 
 /// Computes so many rows, and tells whether that could be done; else some may be refused, and all are to be looked at.
 #[inline(always)]
-fn compute<F: Formula, J: Job<F>>(read: &[Line], written: &mut [Line], count: usize) -> bool {
+fn compute<F: Formula, J: Job<F>>(read: &[Column], written: &mut [Column], count: usize) -> bool {
     // How many columns and rows there are at most is known here, so that none of them is looked up below.
-    let (read, lines) = (&read[..F::Inputs::<f64>::LEN], &mut written[..J::LEN]);
+    let (read, columns) = (&read[..F::Inputs::<f64>::LEN], &mut written[..J::LEN]);
     let count = count.min(TOGETHER);
-    // Bits, which vectors keep at the width of the numbers: zero as long as every row is as it should be.
+    // Bits, which vectors keep at the width of the numbers: zero as long as every row is as it should be. What a formula checks
+    // itself may take branches, which would keep the compiler from vectors in one pass with all else.
     let mut bits = 0;
     for row in 0..count {
-        let is_valid = F::validate(&inputs::<F::Inputs<Ordinary>, _>(read, row)).is_ok();
-        bits |= u64::from(!(is_plain::<F>(&inputs(read, row)) & is_valid));
+        bits |= u64::from(F::validate(&inputs::<F::Inputs<Ordinary>, _>(read, row)).is_err());
     }
-    if bits == 0 {
-        for row in 0..count {
-            let mut place = Place { lines, row, next: 0, bits: 0 };
-            J::show(&J::unchecked::<Ordinary>(&inputs(read, row)), &mut place);
-            bits |= if const { is_guarded::<F>() } { place.bits } else { 0 };
-        }
+    for row in 0..count {
+        bits |= u64::from(!is_plain::<F>(&inputs(read, row)));
+        let mut place = Place { columns, row, next: 0, bits: 0 };
+        J::show(&J::unchecked::<Ordinary>(&inputs(read, row)), &mut place);
+        bits |= if const { is_guarded::<F>() } { place.bits } else { 0 };
     }
     bits == 0
 }
 
 /// The inputs of a row.
 #[inline(always)]
-fn inputs<I: Fields<D>, D: Component + From<f64>>(read: &[Line], row: usize) -> I {
+fn inputs<I: Fields<D>, D: Component + From<f64>>(read: &[Column], row: usize) -> I {
     let mut next = 0;
     I::from_components(&mut || {
         next += 1;
-        D::from(read[next - 1][row])
+        D::from(read[next - 1].0[row])
     })
 }
 
-/// Writes the numbers of a row, each into the next line.
+/// Writes the numbers of a row, each into the next column.
 struct Place<'l> {
-    lines: &'l mut [Line],
+    columns: &'l mut [Column],
     row: usize,
     next: usize,
     /// Zero as long as all numbers are finite.
@@ -130,7 +160,7 @@ struct Place<'l> {
 impl Visitor<Ordinary> for Place<'_> {
     #[inline(always)]
     fn visit(&mut self, x: Ordinary) {
-        self.lines[self.next][self.row] = x.to_f64();
+        self.columns[self.next].0[self.row] = x.to_f64();
         self.bits |= bits_unless_finite(x.to_f64());
         self.next += 1;
     }

@@ -4,9 +4,9 @@ pub mod documented;
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::Pivots;
 use super::constraint::IncrementalConstraint;
 use super::line::Line;
+use super::pivots::Spatial;
 use super::place::Place;
 use super::slide::Slide;
 use crate::error::Error;
@@ -30,23 +30,22 @@ fields! {
 
 /// The place of m on the line from one coordinate: xm_i = x1_i + (n_i/n_k)(xm_k − x1_k), and the same for j.
 ///
-/// The axes are those of [`Pivots`]. Any point of the line may stand in for x1; the nearer of nodes 1 and n does.
+/// The axes are those of [`Pivots`](super::Pivots). Any point of the line may stand in for x1; the nearer of nodes 1 and n does.
 #[derive(Clone, Copy, Debug)]
 pub struct Eliminate;
 
 impl<D: Scalar> KeptCoordinate<D> {
-    /// The axes, and where on the line m is.
+    /// Where on the line m is.
     #[inline(always)]
-    fn place(&self) -> (Pivots, Place<D, 3>) {
-        let pivots = Pivots::new(&self.x1, &self.xn);
-        (pivots, Place::new(&self.x1, &self.xn, pivots.k, self.xmk))
+    fn place(&self) -> Place<D, Spatial, 3> {
+        Place::new(&self.x1, &self.xn, Spatial::new(&self.x1, &self.xn), self.xmk)
     }
 }
 
-impl Pivots {
+impl<D: Scalar> Place<D, Spatial, 3> {
     #[inline(always)]
-    fn coordinates<D: Scalar>(self, place: &Place<D, 3>) -> Coordinates<D> {
-        Coordinates { xmi: place.coordinate(self.i), xmj: place.coordinate(self.j) }
+    fn coordinates(&self) -> Coordinates<D> {
+        Coordinates { xmi: self.coordinate(0), xmj: self.coordinate(1) }
     }
 }
 
@@ -70,8 +69,7 @@ impl Formula for Eliminate {
 
     #[inline(always)]
     fn eval<D: Scalar>(i: &KeptCoordinate<D>) -> Coordinates<D> {
-        let (pivots, place) = i.place();
-        pivots.coordinates(&place)
+        i.place().coordinates()
     }
 
     #[inline]
@@ -79,14 +77,14 @@ impl Formula for Eliminate {
         Self::linearized(i).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &KeptCoordinate<D>) -> (Coordinates<D>, Jacobian<Self, D>) {
-        let (pivots, place) = i.place();
+        let place = i.place();
         let row = |axis: usize| {
             let [x1, xn] = place.gradients(axis);
             KeptCoordinate { x1, xn, xmk: place.slope(axis) }
         };
-        (pivots.coordinates(&place), Coordinates { xmi: row(pivots.i), xmj: row(pivots.j) })
+        (place.coordinates(), Coordinates { xmi: row(0), xmj: row(1) })
     }
 
     #[inline]
@@ -114,6 +112,13 @@ fields! {
 #[derive(Clone, Copy, Debug)]
 pub struct Increment;
 
+impl<D: Scalar> KeptIncrement<D> {
+    #[inline(always)]
+    fn slide(&self) -> Slide<D, Spatial, 3> {
+        Slide::new(&self.x1, &self.xn, &self.xm, Spatial::new(&self.x1, &self.xn))
+    }
+}
+
 impl Formula for Increment {
     const SPEC: Spec = Spec::new(
         "slider.increment",
@@ -134,9 +139,7 @@ impl Formula for Increment {
 
     #[inline(always)]
     fn eval<D: Scalar>(i: &KeptIncrement<D>) -> Increments<D> {
-        let Pivots { i: axis_i, j: axis_j, k } = Pivots::new(&i.x1, &i.xn);
-        let slide = Slide::new(&i.x1, &i.xn, &i.xm, k);
-        let [dxmi, dxmj] = slide.increments([axis_i, axis_j], &i.dx1, &i.dxn, i.dxmk);
+        let [dxmi, dxmj] = i.slide().increments(&i.dx1, &i.dxn, i.dxmk);
         Increments { dxmi, dxmj }
     }
 
@@ -145,34 +148,20 @@ impl Formula for Increment {
         Self::linearized(i).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &KeptIncrement<D>) -> (Increments<D>, Jacobian<Self, D>) {
-        // The axes as constants, so that no index is looked up: half as long in f64.
-        match Pivots::new(&i.x1, &i.xn) {
-            Pivots { i: 1, j: 0, .. } => along_axes::<D, 1, 0, 2>(i),
-            Pivots { i: 1, .. } => along_axes::<D, 1, 2, 0>(i),
-            Pivots { j: 0, .. } => along_axes::<D, 2, 0, 1>(i),
-            Pivots { .. } => along_axes::<D, 2, 1, 0>(i),
-        }
+        let slide = i.slide();
+        let [dxmi, dxmj] = slide.increments(&i.dx1, &i.dxn, i.dxmk);
+        let rows = slide.gradients(&i.dx1, &i.dxn, i.dxmk);
+        let row = |axis: usize| {
+            let row = rows.row(axis);
+            KeptIncrement { x1: row.x1, xn: row.xn, xm: row.xm, dx1: row.dx1, dxn: row.dxn, dxmk: row.dxmk }
+        };
+        (Increments { dxmi, dxmj }, Increments { dxmi: row(0), dxmj: row(1) })
     }
 
     #[inline]
     fn validate<D: Scalar>(i: &KeptIncrement<D>) -> Result<(), Error> {
         Error::check_apart(("x1", i.x1), ("xn", i.xn))
     }
-}
-
-/// Value and Jacobian of [`Increment`] for these axes.
-#[inline]
-fn along_axes<D: Scalar, const I: usize, const J: usize, const K: usize>(
-    i: &KeptIncrement<D>,
-) -> (Increments<D>, Increments<KeptIncrement<D>>) {
-    let slide = Slide::new(&i.x1, &i.xn, &i.xm, K);
-    let [dxmi, dxmj] = slide.increments([I, J], &i.dx1, &i.dxn, i.dxmk);
-    let rows = slide.gradients(&i.dx1, &i.dxn, i.dxmk);
-    let row = |axis: usize| {
-        let row = rows.row(axis);
-        KeptIncrement { x1: row.x1, xn: row.xn, xm: row.xm, dx1: row.dx1, dxn: row.dxn, dxmk: row.dxmk }
-    };
-    (Increments { dxmi, dxmj }, Increments { dxmi: row(I), dxmj: row(J) })
 }

@@ -2,7 +2,7 @@
 
 use crate::binade::Binade;
 use crate::eft::Pair;
-use crate::scalar::{Leaf, Scalar, abs, choice, leaf};
+use crate::scalar::{Leaf, Scalar, abs, choice, leaf, number_if};
 use nalgebra::{SVector, Vector2, Vector3};
 
 /// The axes of elimination in space, counted from 0: coordinates i and j of node m follow from coordinate k.
@@ -44,8 +44,8 @@ impl Pivots {
     /// The pivots of the line from x1 to xn.
     #[inline]
     pub fn new<D: Scalar>(x1: &Vector3<D>, xn: &Vector3<D>) -> Self {
-        let (i, far) = if at_least(x1, xn, 2, 1) { (1, 2) } else { (2, 1) };
-        if steep(x1, xn, i, far) { Self { i, j: 0, k: far } } else { Self { i, j: far, k: 0 } }
+        let [i, j, k] = Spatial::new(x1, xn).arranged([0, 1, 2]);
+        Self { i, j, k }
     }
 
     /// The alternative rule: keep the axis of the largest |n_k|, the first on a tie, so that |n_k| ≥ 1/√3. The
@@ -80,7 +80,99 @@ impl Pivots2d {
     /// The pivots of the line from x1 to xn.
     #[inline]
     pub fn new<D: Scalar>(x1: &Vector2<D>, xn: &Vector2<D>) -> Self {
-        if at_least(x1, xn, 0, 1) { Self { i: 1, k: 0 } } else { Self { i: 0, k: 1 } }
+        let [i, k] = Plane::new(x1, xn).arranged([0, 1]);
+        Self { i, k }
+    }
+}
+
+/// In which order the axes are taken: those that are eliminated, then the one that is kept.
+///
+/// Which component stands where is chosen by comparisons, and none is looked up by its index: rows of a batch, each with an order
+/// of its own, are computed together.
+pub(super) trait Order<const N: usize>: Copy {
+    /// What stands by axis, in this order.
+    fn arranged<T: Copy>(self, by_axis: [T; N]) -> [T; N];
+    /// What stands in this order, by axis.
+    fn by_axis<T: Copy>(self, arranged: [T; N]) -> [T; N];
+    /// A number, or NaN where rows are computed together and rounding could decide about the order.
+    fn if_known<D: Scalar>(self, x: D) -> D;
+}
+
+/// The order (i, j, k) of [`Pivots`].
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Spatial {
+    /// Whether |d3| ≥ |d2|.
+    far_is_third: bool,
+    /// Whether axis 1 is eliminated.
+    is_steep: bool,
+    is_known: bool,
+}
+
+impl Spatial {
+    #[inline(always)]
+    pub(super) fn new<D: Scalar>(x1: &Vector3<D>, xn: &Vector3<D>) -> Self {
+        let far_is_third = at_least(x1, xn, 2, 1);
+        let [d1, d2, d3] = [0, 1, 2].map(|axis| abs(leaf(xn[axis]) - leaf(x1[axis])));
+        let sizes = if far_is_third { [d1, d3, d2] } else { [d1, d2, d3] };
+        let far_is_larger = |far| at_least(x1, xn, far, 0);
+        if D::has_extremes() {
+            let [far, near] = if far_is_third { [2, 1] } else { [1, 2] };
+            let decide = || steep_exactly(&x1.map(leaf), &xn.map(leaf), near, far);
+            let is_steep = answer::<D::Leaf>(|| steep(sizes, || far_is_larger(far)).unwrap_or_else(decide));
+            return Self { far_is_third, is_steep, is_known: true };
+        }
+        let [larger_as_second, larger_as_third] = [1, 2].map(far_is_larger);
+        let is_larger = if far_is_third { larger_as_third } else { larger_as_second };
+        let ([excess, doubt], is_flat) = (excess(sizes), sizes[2] == 0.0);
+        let is_steep = answer::<D::Leaf>(|| if is_flat { is_larger & (sizes[1] > 0.0) } else { excess > doubt });
+        let is_known = answer::<D::Leaf>(|| is_flat | (abs(excess) > doubt));
+        Self { far_is_third, is_steep, is_known }
+    }
+}
+
+impl Order<3> for Spatial {
+    #[inline(always)]
+    fn arranged<T: Copy>(self, [first, second, third]: [T; 3]) -> [T; 3] {
+        let [near, far] = if self.far_is_third { [second, third] } else { [third, second] };
+        if self.is_steep { [near, first, far] } else { [near, far, first] }
+    }
+    #[inline(always)]
+    fn by_axis<T: Copy>(self, [near, j, k]: [T; 3]) -> [T; 3] {
+        let [first, far] = if self.is_steep { [j, k] } else { [k, j] };
+        if self.far_is_third { [first, near, far] } else { [first, far, near] }
+    }
+    #[inline(always)]
+    fn if_known<D: Scalar>(self, x: D) -> D {
+        number_if(self.is_known, x)
+    }
+}
+
+/// The order (i, k) of [`Pivots2d`].
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Plane {
+    /// Whether |d1| ≥ |d2|.
+    first_is_kept: bool,
+}
+
+impl Plane {
+    #[inline(always)]
+    pub(super) fn new<D: Scalar>(x1: &Vector2<D>, xn: &Vector2<D>) -> Self {
+        Self { first_is_kept: at_least(x1, xn, 0, 1) }
+    }
+}
+
+impl Order<2> for Plane {
+    #[inline(always)]
+    fn arranged<T: Copy>(self, [first, second]: [T; 2]) -> [T; 2] {
+        if self.first_is_kept { [second, first] } else { [first, second] }
+    }
+    #[inline(always)]
+    fn by_axis<T: Copy>(self, arranged: [T; 2]) -> [T; 2] {
+        self.arranged(arranged)
+    }
+    #[inline(always)]
+    fn if_known<D: Scalar>(self, x: D) -> D {
+        x
     }
 }
 
@@ -101,31 +193,23 @@ fn answer<L: Leaf>(is_so: impl Fn() -> bool) -> bool {
     one == 1.0
 }
 
-/// Whether p² + q² ≥ p |d1|, for the exact d; p = |d_far| ≥ q = |d_near|. False for p = 0, a line along axis 1.
+/// Whether p² + q² ≥ p |d1|, for rounded sizes |d1|, p = |d_far| ≥ q = |d_near|, unless they come so near to a tie that rounding
+/// could decide, or overflow. No for p = 0, a line along axis 1; for q = 0 it is known whether p is at least |d1|.
 #[inline]
-fn steep<D: Scalar>(x1: &Vector3<D>, xn: &Vector3<D>, near: usize, far: usize) -> bool {
-    let sizes = [0, far, near].map(|axis| abs(leaf(xn[axis]) - leaf(x1[axis])));
-    answer::<D::Leaf>(|| {
-        if sizes[2] == 0.0 {
-            return sizes[1] > 0.0 && at_least(x1, xn, far, 0);
-        }
-        steep_if_certain(sizes).unwrap_or_else(|| steep_exactly(&x1.map(leaf), &xn.map(leaf), near, far))
-    })
+fn steep<L: Leaf>(sizes: [L; 3], far_is_larger: impl Fn() -> bool) -> Option<bool> {
+    let [_, p, q] = sizes;
+    if q == 0.0 {
+        return Some(p > 0.0 && far_is_larger());
+    }
+    let [excess, doubt] = excess(sizes);
+    (abs(excess) > doubt).then_some(excess > doubt)
 }
 
-/// The same for rounded sizes |d1|, p and q, unless they come so near to a tie that rounding could decide, or overflow.
-#[inline]
-fn steep_if_certain<L: Leaf>([along, p, q]: [L; 3]) -> Option<bool> {
+/// p² + q² − p |d1|, and what it may be wrong by.
+#[inline(always)]
+fn excess<L: Leaf>([along, p, q]: [L; 3]) -> [L; 2] {
     // 32 roundings; those of differences, products and sums add up to at most 9.
-    let doubt = p * (along + p) * (16.0 * L::EPSILON) + f64::MIN_POSITIVE;
-    let excess = q * q - p * (along - p);
-    if excess > doubt {
-        Some(true)
-    } else if excess < -doubt {
-        Some(false)
-    } else {
-        None
-    }
+    [q * q - p * (along - p), p * (along + p) * (16.0 * L::EPSILON) + f64::MIN_POSITIVE]
 }
 
 #[cold]
@@ -134,7 +218,7 @@ fn steep_exactly<L: Leaf>(x1: &Vector3<L>, xn: &Vector3<L>, near: usize, far: us
     let per_unit = Binade::of(x1.iter().chain(xn).copied()).per_unit;
     let difference = |axis: usize| Pair::difference(xn[axis] * per_unit, x1[axis] * per_unit).abs();
     let [along, p, q] = [0, far, near].map(difference);
-    if let Some(steep) = steep_if_certain([along.high, p.high, q.high]) {
+    if let Some(steep) = steep([along.high, p.high, q.high], || at_least(x1, xn, far, 0)) {
         return steep;
     }
     // q² − p |d1| + p², of the parts of each.
@@ -165,10 +249,10 @@ mod tests {
     /// Else every line would be looked at exactly, which takes a hundred times as long.
     #[test]
     fn rounding_decides_only_beside_a_tie() {
-        let ways = [[3.0, 1.0, 5.0], [10.0, 5.0, 1.0], [10.0, 9.0, 3.0]].map(steep_if_certain);
+        let ways = [[3.0, 1.0, 5.0], [10.0, 5.0, 1.0], [10.0, 9.0, 3.0]].map(|sizes| steep(sizes, || unreachable!()));
         assert_eq!(ways, [Some(true), Some(false), None]);
         let beside = [10.0, 9.0, 3.0 + 1e-12];
-        assert_eq!(steep_if_certain(beside), Some(true));
+        assert_eq!(steep(beside, || unreachable!()), Some(true));
     }
 
     proptest! {

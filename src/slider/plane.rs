@@ -3,9 +3,9 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::Pivots2d;
 use super::constraint::IncrementalConstraint;
 use super::line::Line;
+use super::pivots::Plane;
 use super::place::Place;
 use super::slide::Slide;
 use super::span::{Span, Station};
@@ -159,7 +159,7 @@ fields! {
     pub struct Coordinate2d<T> { xmi: T = SLIDER_XMI_PLANE }
 }
 
-/// The place of m on the line from one coordinate, with the axes of [`Pivots2d`]: xm_i = x1_i + (n_i/n_k)(xm_k − x1_k).
+/// The place of m on the line from one coordinate, with the axes of [`Pivots2d`](super::Pivots2d): xm_i = x1_i + (n_i/n_k)(xm_k − x1_k).
 #[derive(Clone, Copy, Debug)]
 pub struct Eliminate2d;
 
@@ -181,8 +181,7 @@ impl Formula for Eliminate2d {
 
     #[inline(always)]
     fn eval<D: Scalar>(i: &KeptCoordinate2d<D>) -> Coordinate2d<D> {
-        let Pivots2d { i: axis, k } = Pivots2d::new(&i.x1, &i.xn);
-        Coordinate2d { xmi: Place::new(&i.x1, &i.xn, k, i.xmk).coordinate(axis) }
+        Coordinate2d { xmi: Place::new(&i.x1, &i.xn, Plane::new(&i.x1, &i.xn), i.xmk).coordinate(0) }
     }
 
     #[inline]
@@ -192,11 +191,10 @@ impl Formula for Eliminate2d {
 
     #[inline(always)]
     fn linearized<D: Scalar>(i: &KeptCoordinate2d<D>) -> ValueAndJacobian<Self, D> {
-        let Pivots2d { i: axis, k } = Pivots2d::new(&i.x1, &i.xn);
-        let place = Place::new(&i.x1, &i.xn, k, i.xmk);
-        let [x1, xn] = place.gradients(axis);
-        let by = KeptCoordinate2d { x1, xn, xmk: place.slope(axis) };
-        (Coordinate2d { xmi: place.coordinate(axis) }, Coordinate2d { xmi: by })
+        let place = Place::new(&i.x1, &i.xn, Plane::new(&i.x1, &i.xn), i.xmk);
+        let [x1, xn] = place.gradients(0);
+        let by = KeptCoordinate2d { x1, xn, xmk: place.slope(0) };
+        (Coordinate2d { xmi: place.coordinate(0) }, Coordinate2d { xmi: by })
     }
 
     #[inline]
@@ -217,7 +215,7 @@ fields! {
     pub struct Increment2dOutput<T> { dxmi: T = SLIDER_DXMI }
 }
 
-/// The eliminated increment of m in the plane, with the axes of [`Pivots2d`]: w = (1−ξ) dx1 + ξ dxn,
+/// The eliminated increment of m in the plane, with the axes of [`Pivots2d`](super::Pivots2d): w = (1−ξ) dx1 + ξ dxn,
 /// dxm_i = w_i + (n_i/n_k)(dxm_k − w_k).
 #[derive(Clone, Copy, Debug)]
 pub struct Increment2d;
@@ -242,9 +240,8 @@ impl Formula for Increment2d {
 
     #[inline(always)]
     fn eval<D: Scalar>(i: &KeptIncrement2d<D>) -> Increment2dOutput<D> {
-        let pivots = Pivots2d::new(&i.x1, &i.xn);
-        let slide = Slide::new(&i.x1, &i.xn, &i.xm, pivots.k);
-        let [dxmi] = slide.increments([pivots.i], &i.dx1, &i.dxn, i.dxmk);
+        let slide = Slide::new(&i.x1, &i.xn, &i.xm, Plane::new(&i.x1, &i.xn));
+        let [dxmi] = slide.increments(&i.dx1, &i.dxn, i.dxmk);
         Increment2dOutput { dxmi }
     }
 
@@ -255,10 +252,9 @@ impl Formula for Increment2d {
 
     #[inline(always)]
     fn linearized<D: Scalar>(i: &KeptIncrement2d<D>) -> ValueAndJacobian<Self, D> {
-        let pivots = Pivots2d::new(&i.x1, &i.xn);
-        let slide = Slide::new(&i.x1, &i.xn, &i.xm, pivots.k);
-        let [dxmi] = slide.increments([pivots.i], &i.dx1, &i.dxn, i.dxmk);
-        let row = slide.gradients(&i.dx1, &i.dxn, i.dxmk).row(pivots.i);
+        let slide = Slide::new(&i.x1, &i.xn, &i.xm, Plane::new(&i.x1, &i.xn));
+        let [dxmi] = slide.increments(&i.dx1, &i.dxn, i.dxmk);
+        let row = slide.gradients(&i.dx1, &i.dxn, i.dxmk).row(0);
         let by = KeptIncrement2d { x1: row.x1, xn: row.xn, xm: row.xm, dx1: row.dx1, dxn: row.dxn, dxmk: row.dxmk };
         (Increment2dOutput { dxmi }, Increment2dOutput { dxmi: by })
     }

@@ -10,7 +10,6 @@ mod contact;
 mod gather;
 mod group;
 mod nodes;
-mod prefetch;
 mod problem;
 mod share;
 mod states;

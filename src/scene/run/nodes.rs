@@ -1,6 +1,6 @@
 //! Where the nodes are.
 
-use super::prefetch::prefetch;
+use crate::prefetch::prefetch;
 use super::share::shared;
 use crate::scene::evaluate::Number;
 use crate::scene::kind::Origin;

@@ -29,7 +29,7 @@ impl Layer {
     fn of(module: &str) -> Self {
         match module {
             "angle" | "asin" | "binade" | "double" | "eft" | "error" | "newtype" | "octuple" | "ordinary" | "power"
-            | "quantity" | "scalar" | "single" | "squares" => Self::Ground,
+            | "prefetch" | "quantity" | "scalar" | "single" | "squares" => Self::Ground,
             "formula" => Self::Formula,
             "proof" => Self::Proof,
             "batch" | "equation" | "graph" | "verify" | "measure" => Self::Toolkit,

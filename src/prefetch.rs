@@ -1,12 +1,12 @@
 //! Bringing values from memory before they are read.
 
 /// Bytes of a cache line, which come together.
-pub(super) const LINE: usize = 64;
+pub(crate) const LINE: usize = 64;
 
 /// Asks the processor to bring a value from memory into its cache, because it will be read soon. It is a hint: where there
 /// is no such instruction nothing happens.
 #[inline]
-pub(super) fn prefetch<V>(value: &V) {
+pub(crate) fn prefetch<V>(value: &V) {
     #[cfg(target_arch = "x86_64")]
     safe_arch::prefetch_t0(value);
     #[cfg(not(target_arch = "x86_64"))]
