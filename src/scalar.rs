@@ -36,7 +36,7 @@ pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scal
         if !Self::has_extremes() {
             return (length, x.map(|x| x / length));
         }
-        (length, divided(x, length))
+        (length, direction_of_length(x, length))
     }
     /// See [`atan2`].
     fn angle_of(y: Self, x: Self) -> Self;
@@ -205,7 +205,7 @@ pub fn norm_and_direction<D: Scalar, const N: usize>(x: [D; N]) -> (D, [D; N]) {
 /// The direction of what has this length.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "a call would need the components in memory, on the way that is usual too")]
-pub(crate) fn divided<D: Scalar, const N: usize>(x: [D; N], length: D) -> [D; N] {
+pub(crate) fn direction_of_length<D: Scalar, const N: usize>(x: [D; N], length: D) -> [D; N] {
     if length >= f64::MIN_POSITIVE { divide(x, length) } else { direction_of_subnormal(x) }
 }
 

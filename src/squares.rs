@@ -1,7 +1,7 @@
 //! Lengths in numbers whose squares may over- or underflow.
 
 use crate::power::power_of_two;
-use crate::scalar::{Scalar, abs, divided, is_between, number_if, sum_of_squares};
+use crate::scalar::{Scalar, abs, direction_of_length, is_between, number_if, sum_of_squares};
 
 /// Where squares can be summed as they are, and the power of two that brings everything else there.
 pub(crate) struct Squares {
@@ -23,7 +23,7 @@ impl Squares {
         if is_usual || !D::has_extremes() { number_if(is_usual, sum.sqrt()) } else { self.rescaled(x) }
     }
 
-    /// The norm and the direction; of what is usual nobody asks whether its length is subnormal.
+    /// The norm and the direction, of numbers with extremes; of what is usual nobody asks whether its length is subnormal.
     #[inline]
     pub(crate) fn norm_and_direction<D: Scalar, const N: usize>(&self, x: [D; N]) -> (D, [D; N]) {
         let sum = sum_of_squares(x);
@@ -32,7 +32,7 @@ impl Squares {
             return (length, x.map(|x| x / length));
         }
         let length = self.rescaled(x);
-        (length, divided(x, length))
+        (length, direction_of_length(x, length))
     }
 
     #[inline(always)]

@@ -1,7 +1,7 @@
 //! Rows of a formula of simple operations and comparisons, several at a time.
 //!
 //! A comparison chooses between numbers that are computed anyway, and no row waits for one that is extreme ([`Ordinary`]), so that
-//! the compiler takes as many at once as the vectors of a processor hold: eight on one with AVX-512, four on one with AVX2. What
+//! the compiler takes as many at once as the vectors of a processor hold: four on one with AVX2, and with the feature `batch-avx512` eight on one with AVX-512. What
 //! it gives has the bits of one row alone.
 //!
 //! Half of the time of a simple formula is that of its columns. Rows that are computed together are whole lines of the cache, in
@@ -19,11 +19,14 @@ use crate::prefetch::{LINE, prefetch};
 use std::marker::PhantomData;
 use std::ops::{Deref, Range};
 
-/// Rows that are computed together: four lines of the cache in every column.
+/// Rows that are computed together: four lines of the cache in every column. It is always as many, so that the compiler makes no
+/// second loop for what is left over.
 const TOGETHER: usize = 32;
+/// Fewer are faster one by one.
+const FEW: usize = 8;
 
 /// So many numbers of a row at most, so that a program with all formulas stays small.
-pub(super) const MOST_TOGETHER: usize = 120;
+pub(super) const MOST_TOGETHER: usize = 160;
 
 /// So many bytes of a batch are not at hand in the cache of a core.
 const FAR: usize = 1 << 20;
@@ -41,12 +44,15 @@ pub(super) fn rows<F: Formula, J: Job<F>>(
     first: usize,
 ) -> Refused {
     let stretch = Stretch::<F, J> { inputs, outputs, rows, first, job: PhantomData };
-    // One more copy of all formulas, for processors of this kind without vectors of four doubles, would be as large as each of these.
+    // One more copy of all formulas, for processors of this kind without vectors of four doubles, would be as large as this one.
+    #[cfg(all(target_arch = "x86_64", feature = "batch-avx512"))]
+    if let Some(vectors) = pulp::x86::V4::try_new() {
+        return pulp::Simd::vectorize(vectors, stretch);
+    }
     #[cfg(target_arch = "x86_64")]
-    return match (pulp::x86::V4::try_new(), pulp::x86::V3::try_new()) {
-        (Some(vectors), _) => pulp::Simd::vectorize(vectors, stretch),
-        (_, Some(vectors)) => pulp::Simd::vectorize(vectors, stretch),
-        _ => one_by_one::<F, J>(stretch.inputs, stretch.outputs, stretch.rows, first),
+    return match pulp::x86::V3::try_new() {
+        Some(vectors) => pulp::Simd::vectorize(vectors, stretch),
+        None => one_by_one::<F, J>(stretch.inputs, stretch.outputs, stretch.rows, first),
     };
     #[cfg(not(target_arch = "x86_64"))]
     pulp::Arch::new().dispatch(stretch)
@@ -78,11 +84,11 @@ impl<F: Formula, J: Job<F>> pulp::WithSimd for Stretch<'_, '_, '_, F, J> {
                 ask_for(outputs, some.end);
             }
             for (Column(here), column) in read.iter_mut().zip(inputs) {
-                copy(&column[some.clone()], here);
+                take(&column[some.clone()], here);
             }
-            if compute::<F, J>(&read, &mut written, some.len()) {
+            if some.len() >= FEW && compute::<F, J>(&read, &mut written) {
                 for (column, Column(here)) in outputs.iter_mut().zip(&written) {
-                    copy(here, &mut column[some.clone()]);
+                    give(here, &mut column[some.clone()]);
                 }
             } else {
                 refused = refused.and(one_by_one::<F, J>(inputs, outputs, some, first));
@@ -107,29 +113,40 @@ fn ask_for(columns: &[impl Deref<Target = [f64]>], from: usize) {
     }
 }
 
-/// Copies the rows that both have; where these are all, their number is known here.
+/// Takes these rows of a column; the first of them stands for those that are missing to as many as are computed.
 #[inline(always)]
-fn copy(from: &[f64], to: &mut [f64]) {
-    if let (Some(from), Some(to)) = (from.first_chunk::<TOGETHER>(), to.first_chunk_mut::<TOGETHER>()) {
-        *to = *from;
+fn take(from: &[f64], to: &mut [f64; TOGETHER]) {
+    if let Some(all) = from.first_chunk() {
+        *to = *all;
     } else {
-        to.iter_mut().zip(from).for_each(|(to, from)| *to = *from);
+        let (some, missing) = to.split_at_mut(from.len());
+        some.copy_from_slice(from);
+        missing.fill(from[0]);
     }
 }
 
-/// Computes so many rows, and tells whether that could be done; else some may be refused, and all are to be looked at.
+/// Gives as many rows to a column as it has.
 #[inline(always)]
-fn compute<F: Formula, J: Job<F>>(read: &[Column], written: &mut [Column], count: usize) -> bool {
-    // How many columns and rows there are at most is known here, so that none of them is looked up below.
+fn give(from: &[f64; TOGETHER], to: &mut [f64]) {
+    if let Some(all) = to.first_chunk_mut() {
+        *all = *from;
+    } else {
+        to.copy_from_slice(&from[..to.len()]);
+    }
+}
+
+/// Computes all rows, and tells whether that could be done; else some may be refused, and all are to be looked at.
+#[inline(always)]
+fn compute<F: Formula, J: Job<F>>(read: &[Column], written: &mut [Column]) -> bool {
+    // How many columns there are is known here, so that none of them is looked up below.
     let (read, columns) = (&read[..F::Inputs::<f64>::LEN], &mut written[..J::LEN]);
-    let count = count.min(TOGETHER);
     // Bits, which vectors keep at the width of the numbers: zero as long as every row is as it should be. What a formula checks
     // itself may take branches, which would keep the compiler from vectors in one pass with all else.
     let mut bits = 0;
-    for row in 0..count {
+    for row in 0..TOGETHER {
         bits |= u64::from(F::validate(&inputs::<F::Inputs<Ordinary>, _>(read, row)).is_err());
     }
-    for row in 0..count {
+    for row in 0..TOGETHER {
         bits |= u64::from(!is_plain::<F>(&inputs(read, row)));
         let mut place = Place { columns, row, next: 0, bits: 0 };
         J::show(&J::unchecked::<Ordinary>(&inputs(read, row)), &mut place);

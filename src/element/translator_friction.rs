@@ -8,7 +8,7 @@ mod proof;
 use super::slot_friction::SlotSlid;
 use crate::coulomb::{self, Slid, Sliding};
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec, ValueAndJacobian};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec, ValueAndJacobian};
 use crate::quantity::{F2, F3, FC_INT, K_EL, L_OVERLAP, M1, M2, M3, MU, RR, U_SLIP_BEFORE, U1};
 use crate::scalar::Scalar;
 use crate::translator::{Friction, FrictionLoads};
@@ -46,7 +46,8 @@ impl Formula for Response {
         .equation(r"f_1 = \begin{cases} f^{\mathrm{trial}} & \lvert f^{\mathrm{trial}}\rvert < \mu F_N \\ \mu F_N \operatorname{sign} f^{\mathrm{trial}} & \text{otherwise}\end{cases},\quad f^{\mathrm{trial}} = k_{\mathrm{el}}(u_1-u_0^{\mathrm{slip}}),\quad u^{\mathrm{slip}} = u_1 - \frac{f_1}{k_{\mathrm{el}}}")
         .given(&[Given::new(r"F_N", &Friction::SPEC)])
         .eta(2.0, 3.0)
-        .scale(1e80);
+        .scale(1e80)
+        .finite(Finite::Between);
     type Inputs<T: Component> = TranslatorSliding<T>;
     type Outputs<T: Component> = SlotSlid<T>;
 

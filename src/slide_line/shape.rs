@@ -305,7 +305,7 @@ pub(super) fn from_heaviest<D: Scalar, const N: usize>(nodes: &[Vector2<D>; N], 
     nodes.map(|x| x - base)
 }
 
-/// Σ wᵢ xᵢ, of any weights that add up to 0 if all xᵢ are seen from the same place.
+/// Σ wᵢ xᵢ. Weights that add up to 0 may take nodes as seen from one of them.
 #[inline(always)]
 #[expect(clippy::inline_always, reason = "a call would need nodes and weights in memory")]
 pub(super) fn weighted<D: Scalar, const N: usize>(nodes: &[Vector2<D>; N], weights: [D; N]) -> Vector2<D> {

@@ -4,6 +4,7 @@
 
 use super::span::Span;
 use crate::binade::Binade;
+use crate::formula::{Formula, Jacobian, ValueAndJacobian};
 use crate::scalar::{Scalar, number_if};
 use nalgebra::{Vector2, Vector3};
 
@@ -51,21 +52,58 @@ impl Axis {
     }
 }
 
+/// A formula of the directions across a line.
+pub(super) trait AcrossLine: Formula {
+    /// Along the line.
+    fn line<D: Scalar>(i: &Self::Inputs<D>) -> Vector3<D>;
+    fn value<D: Scalar>(i: &Self::Inputs<D>, across: &Across<D>) -> Self::Outputs<D>;
+    fn gradients<D: Scalar>(i: &Self::Inputs<D>, across: &Across<D>) -> Jacobian<Self, D>;
+}
+
+// For either axis a function is compiled, so that where a component stands is known there: in place about axis 1, as a call about
+// axis 3, which is rare. A closure for both would be left as a call.
+
+/// The value of such a formula.
+#[inline(always)]
+pub(super) fn value<F: AcrossLine, D: Scalar>(i: &F::Inputs<D>) -> F::Outputs<D> {
+    #[cold]
+    #[inline(never)]
+    fn about_k<F: AcrossLine, D: Scalar>(i: &F::Inputs<D>, across: &Across<D>) -> F::Outputs<D> {
+        F::value(i, across)
+    }
+    let line = F::line(i);
+    if let Some(across) = Across::about_k(&line) {
+        about_k::<F, D>(i, &across)
+    } else {
+        F::value(i, &Across::about_i(&line))
+    }
+}
+
+/// Value and Jacobian of such a formula.
+#[inline(always)]
+pub(super) fn linearized<F: AcrossLine, D: Scalar>(i: &F::Inputs<D>) -> ValueAndJacobian<F, D> {
+    #[cold]
+    #[inline(never)]
+    fn about_k<F: AcrossLine, D: Scalar>(i: &F::Inputs<D>, across: &Across<D>) -> ValueAndJacobian<F, D> {
+        (F::value(i, across), F::gradients(i, across))
+    }
+    let line = F::line(i);
+    if let Some(across) = Across::about_k(&line) {
+        return about_k::<F, D>(i, &across);
+    }
+    let across = Across::about_i(&line);
+    (F::value(i, &across), F::gradients(i, &across))
+}
+
 impl<D: Scalar> Across<D> {
     #[inline]
     pub(super) fn new(d: &Vector3<D>) -> Self {
         Self::about(Axis::of(d), d)
     }
 
-    /// What follows from it. It is compiled for either axis, so that where a component stands is known there.
-    #[inline(always)]
-    pub(super) fn with<T>(d: &Vector3<D>, then: impl Fn(&Self) -> T) -> T {
-        if let Some(across) = Self::about_k(d) { then(&across) } else { then(&Self::about_i(d)) }
-    }
-
     /// About axis 3, if that is the one.
     #[inline(always)]
-    pub(super) fn about_k(d: &Vector3<D>) -> Option<Self> {
+    fn about_k(d: &Vector3<D>) -> Option<Self> {
         let axis = Axis::of(d);
         (axis.along_i && D::has_extremes()).then(|| {
             std::hint::cold_path();
@@ -75,7 +113,7 @@ impl<D: Scalar> Across<D> {
 
     /// About axis 1, if the other one is not.
     #[inline(always)]
-    pub(super) fn about_i(d: &Vector3<D>) -> Self {
+    fn about_i(d: &Vector3<D>) -> Self {
         let Axis { along_i } = Axis::of(d);
         Self::about(Axis { along_i: false }, &d.map(|x| number_if(!along_i, x)))
     }

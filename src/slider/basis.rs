@@ -3,7 +3,7 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::across::Across;
+use super::across::{self, Across, AcrossLine};
 use super::span::Span;
 use crate::error::Error;
 use crate::fields;
@@ -27,9 +27,14 @@ fields! {
 #[derive(Clone, Copy, Debug)]
 pub struct Basis;
 
-impl Basis {
+impl AcrossLine for Basis {
     #[inline(always)]
-    fn of<D: Scalar>(i: &LineDirection<D>, across: &Across<D>) -> Tangents<D> {
+    fn line<D: Scalar>(i: &LineDirection<D>) -> Vector3<D> {
+        i.n
+    }
+
+    #[inline(always)]
+    fn value<D: Scalar>(i: &LineDirection<D>, across: &Across<D>) -> Tangents<D> {
         let ([ca, cb], polar) = (across.azimuth(), across.split(&i.n).0);
         Tangents {
             t1: across.vector(D::zero(), cb, -ca),
@@ -74,7 +79,7 @@ impl Formula for Basis {
 
     #[inline]
     fn eval<D: Scalar>(i: &LineDirection<D>) -> Tangents<D> {
-        Across::with(&i.n, |across| Self::of(i, across))
+        across::value::<Self, D>(i)
     }
 
     #[inline]
@@ -84,7 +89,7 @@ impl Formula for Basis {
 
     #[inline(always)]
     fn linearized<D: Scalar>(i: &LineDirection<D>) -> ValueAndJacobian<Self, D> {
-        Across::with(&i.n, |across| (Self::of(i, across), Self::gradients(i, across)))
+        across::linearized::<Self, D>(i)
     }
 
     #[inline]
@@ -136,9 +141,14 @@ fields! {
 #[derive(Clone, Copy, Debug)]
 pub struct BasisVariation;
 
-impl BasisVariation {
+impl AcrossLine for BasisVariation {
     #[inline(always)]
-    fn of<D: Scalar>(i: &TurningDirection<D>, across: &Across<D>) -> TangentChanges<D> {
+    fn line<D: Scalar>(i: &TurningDirection<D>) -> Vector3<D> {
+        i.n
+    }
+
+    #[inline(always)]
+    fn value<D: Scalar>(i: &TurningDirection<D>, across: &Across<D>) -> TangentChanges<D> {
         let [ca, cb] = across.azimuth();
         let ((polar, _), (dn_axis, dn)) = (across.split(&i.n), across.split(&i.dn));
         let omega = spin(across, &dn);
@@ -150,12 +160,6 @@ impl BasisVariation {
                 cb * dn_axis + polar * ca * omega,
             ),
         }
-    }
-
-    /// About axis 3, which is rare. A closure for either axis would be left as a call, and take half as long again about axis 1.
-    #[cold]
-    fn about_k<D: Scalar>(i: &TurningDirection<D>, across: &Across<D>) -> ValueAndJacobian<Self, D> {
-        (Self::of(i, across), Self::gradients(i, across))
     }
 
     #[inline(always)]
@@ -217,7 +221,7 @@ impl Formula for BasisVariation {
 
     #[inline]
     fn eval<D: Scalar>(i: &TurningDirection<D>) -> TangentChanges<D> {
-        Across::with(&i.n, |across| Self::of(i, across))
+        across::value::<Self, D>(i)
     }
 
     #[inline]
@@ -227,11 +231,7 @@ impl Formula for BasisVariation {
 
     #[inline(always)]
     fn linearized<D: Scalar>(i: &TurningDirection<D>) -> ValueAndJacobian<Self, D> {
-        if let Some(across) = Across::about_k(&i.n) {
-            return Self::about_k(i, &across);
-        }
-        let across = Across::about_i(&i.n);
-        (Self::of(i, &across), Self::gradients(i, &across))
+        across::linearized::<Self, D>(i)
     }
 
     #[inline]

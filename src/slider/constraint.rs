@@ -3,7 +3,7 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::across::Across;
+use super::across::{self, Across, AcrossLine};
 use super::basis::Basis;
 use super::line::Line;
 use super::span::{Span, Station};
@@ -134,9 +134,14 @@ fields! {
 #[derive(Clone, Copy, Debug)]
 pub struct IncrementalConstraint;
 
-impl IncrementalConstraint {
+impl AcrossLine for IncrementalConstraint {
     #[inline(always)]
-    fn of<D: Scalar>(i: &MovingNodes<D>, across: &Across<D>) -> IncrementalResiduals<D> {
+    fn line<D: Scalar>(i: &MovingNodes<D>) -> Vector3<D> {
+        i.xn - i.x1
+    }
+
+    #[inline(always)]
+    fn value<D: Scalar>(i: &MovingNodes<D>, across: &Across<D>) -> IncrementalResiduals<D> {
         let station = Station::new(&Span::new(&i.x1, &i.xn), &i.x1, &i.xn, &i.xm);
         let ([along_1, along_2], [root_1, root_2]) =
             (across.along_rays(&(i.dxm - station.blend(&i.dx1, &i.dxn))), across.roots);
@@ -192,7 +197,7 @@ impl Formula for IncrementalConstraint {
 
     #[inline(always)]
     fn eval<D: Scalar>(i: &MovingNodes<D>) -> IncrementalResiduals<D> {
-        Across::with(&(i.xn - i.x1), |across| Self::of(i, across))
+        across::value::<Self, D>(i)
     }
 
     #[inline]
@@ -202,7 +207,7 @@ impl Formula for IncrementalConstraint {
 
     #[inline(always)]
     fn linearized<D: Scalar>(i: &MovingNodes<D>) -> ValueAndJacobian<Self, D> {
-        Across::with(&(i.xn - i.x1), |across| (Self::of(i, across), Self::gradients(i, across)))
+        across::linearized::<Self, D>(i)
     }
 
     #[inline]

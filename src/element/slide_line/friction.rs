@@ -5,7 +5,7 @@ mod proof;
 
 use crate::coulomb::{ReturnMap, Trial};
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec};
 use crate::quantity::{DSLIP, MU, S11, S12, S12_BEFORE, SHEAR_STIFFNESS};
 use crate::scalar::Scalar;
 
@@ -47,7 +47,8 @@ impl Formula for Response {
     )
         .equation(r"S_{12} = \begin{cases} S^{\mathrm{trial}} & S_{11} > 0,\ \lvert S^{\mathrm{trial}}\rvert < \mu S_{11} \\ \mu S_{11} \operatorname{sign} S^{\mathrm{trial}} & S_{11} > 0 \\ 0 & \text{otherwise}\end{cases},\quad S^{\mathrm{trial}} = S_{12}^{\mathrm{before}} + k_{\mathrm{el}}\,\Delta E_{12}")
         .eta(1.0, 0.0)
-        .scale(1e250);
+        .scale(1e250)
+        .finite(Finite::Below);
     type Inputs<T: Component> = Rubbing<T>;
     type Outputs<T: Component> = Shear<T>;
 

@@ -115,8 +115,9 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     }
     let bench = Bench::new(root, root.join("target/mutate"))?;
     let choice = Choice::read(&areas, &bench.sources()?, arguments.seed)?;
+    // Before they are built, too: a name that is none is told at once.
+    let faults = wanted(arguments, &choice.take(arguments.made, &build::refused(&bench)))?;
     if arguments.list {
-        let faults = wanted(arguments, &choice.take(arguments.made, &build::refused(&bench)));
         print(&faults.iter().map(|(_, fault)| line(fault)).collect::<String>())?;
         return Ok(ExitCode::SUCCESS);
     }
@@ -144,8 +145,7 @@ fn line(fault: &Fault) -> String {
 fn judge_all(bench: &Bench, choice: &Choice, arguments: &Arguments) -> anyhow::Result<Vec<Judged>> {
     say("building");
     let built = build::build(bench, choice, arguments.made, &arguments.programs)?;
-    let faults = wanted(arguments, &built.faults);
-    ensure!(!faults.is_empty(), Usage("no fault is like that; --list shows all".into()));
+    let faults = wanted(arguments, &built.faults)?;
     let earlier = earlier(bench);
     let before = Before::of(if arguments.again { &earlier } else { &[] });
     let noticed = Noticed::of(&[&earlier[..], &kept::judged(bench.root())].concat());
@@ -201,7 +201,7 @@ fn in_words(verdict: &Verdict) -> String {
 }
 
 /// The faults that the arguments name, with their numbers.
-fn wanted(arguments: &Arguments, faults: &[Fault]) -> Vec<(usize, Fault)> {
+fn wanted(arguments: &Arguments, faults: &[Fault]) -> anyhow::Result<Vec<(usize, Fault)>> {
     let is_wanted = |fault: &Fault| {
         let is_named = |name: &String| fault.id.starts_with(name.as_str());
         (arguments.area.is_empty() || arguments.area.contains(&fault.area))
@@ -212,5 +212,6 @@ fn wanted(arguments: &Arguments, faults: &[Fault]) -> Vec<(usize, Fault)> {
         wanted.sort_by_key(|(_, fault)| fault.hash(arguments.seed));
         wanted.truncate(sample);
     }
-    wanted
+    ensure!(!wanted.is_empty(), Usage("no fault is like that; --list without --fault and --sample shows all".into()));
+    Ok(wanted)
 }

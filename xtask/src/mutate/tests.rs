@@ -320,16 +320,25 @@ fn nameless() -> Fault {
 #[test]
 fn a_sample_has_as_many_faults_as_are_asked_for() {
     let faults = vec![nameless(); 5];
-    let of = |sample| wanted(&Arguments { sample, ..arguments() }, &faults).len();
+    let of = |sample| wanted(&Arguments { sample, ..arguments() }, &faults).unwrap().len();
     assert_eq!([of(None), of(Some(2)), of(Some(9))], [5, 2, 5]);
     // Which they are is drawn, by the seed.
     let faults: Vec<_> = (0..9).map(|k| Fault { was: k.to_string(), ..nameless() }).collect();
     let drawn = |seed| -> Vec<usize> {
         let arguments = Arguments { sample: Some(3), seed, ..arguments() };
-        wanted(&arguments, &faults).into_iter().map(|(number, _)| number).collect()
+        wanted(&arguments, &faults).unwrap().into_iter().map(|(number, _)| number).collect()
     };
     assert_eq!(drawn(1), drawn(1));
     assert!((2..9).any(|seed| drawn(seed) != drawn(1)) && (1..9).all(|seed| drawn(seed).len() == 3));
+}
+
+#[test]
+fn a_name_that_no_fault_has_is_an_error() {
+    let named = |fault: &str| wanted(&Arguments { fault: Some(fault.into()), ..arguments() }, &[nameless()]);
+    assert_eq!(named("").unwrap().len(), 1);
+    let error = named("norm").err().unwrap();
+    assert_eq!(error.to_string(), "no fault is like that; --list without --fault and --sample shows all");
+    assert!(error.is::<Usage>());
 }
 
 #[test]
