@@ -3,14 +3,16 @@
 //! Rows are shared out to the threads of [rayon](rayon::ThreadPool::install). Every row is checked, and has the bits that
 //! [`formula::value_and_jacobian`] gives it alone, whatever the number of threads.
 //!
-//! Of a formula of simple operations and comparisons, and with at most 160 numbers a row, several rows are computed at once, in the
-//! vectors of the processor. Those among which one is so large or so small that it is computed in another way are then computed one by one.
+//! Of a formula of simple operations and comparisons, and with at most 160 results a row, several rows are computed at once, in the
+//! vectors of the processor; the feature `batch-avx512` adds wider ones, where there are any. Those among which one is so large or
+//! so small that it is computed in another way are then computed one by one.
 //!
 //! A column is a view of `ndarray`: of a slice, by `into`, or of numbers any stride apart. With a stride of 0, which
 //! `broadcast` gives, one number stands for all rows.
 //!
 //! Columns in one piece are fastest, and fastest of all where they do not begin a multiple of 4096 bytes apart, as large vectors
-//! do that are allocated one by one: there they share their places in the cache. [`columns`] makes some that do not.
+//! do that are allocated one by one: there they share their places in the cache. [`columns`] makes some that do not, and that
+//! begin with a line of the cache, as the vectors of the processor are read and written fastest.
 //!
 //! Most entries of many Jacobians are 0 at every point. They have no column: [`entries`] tells those that do.
 //!
@@ -70,7 +72,8 @@ use task::Task;
 /// So many numbers are worth a thread: to wake one takes as long as some thousands.
 const WORTH: usize = 1 << 17;
 
-/// Columns of zeros that do not share their places in the cache: the rows of a table that is a little wider than it shows.
+/// Columns of zeros that do not share their places in the cache, and each begin with one of its lines: the rows of a table that is
+/// a little wider than it shows.
 ///
 /// ```
 /// use jointproof::batch::{ArrayViewMut1, columns};

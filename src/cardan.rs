@@ -144,10 +144,10 @@ fn extreme_turn_gradient<D: Scalar>([v, p, q]: [&Vector3<D>; 3], (sine, cosine):
     [p.cross(q).cross(v) * by * by, v * (-cosine * by), v * (sine * by)]
 }
 
-/// Whether [`turn`] and its derivatives are defined.
+/// Whether [`turn`] and its derivatives are defined. Where several rows are computed at once, they are NaN if not.
 #[inline]
 fn is_turn<D: Scalar>(v: &Vector3<D>, p: &Vector3<D>, q: &Vector3<D>) -> bool {
-    has_length([v.dot(p), v.dot(q)])
+    !D::has_extremes() || has_length([v.dot(p), v.dot(q)])
 }
 
 /// An angle, a number of full turns on or back, nearest to another one: how a joint is followed from state to state that

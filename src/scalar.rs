@@ -175,12 +175,13 @@ pub fn norm<D: Scalar, const N: usize>(x: [D; N]) -> D {
 }
 
 /// Whether the length of a vector is a normal number, so that it has a direction. The sum of the magnitudes tells without a
-/// root, but for lengths near the limit (for 16 components at most, whose length is a quarter of their sum at least).
+/// root, but for lengths near the limit (for 16 components at most, whose length is a quarter of their sum at least). Of rows that are
+/// computed together such a one is told that it has none, and looked at by itself.
 #[inline]
 pub(crate) fn has_length<D: Scalar, const N: usize>(x: [D; N]) -> bool {
     const { assert!(N <= 16) };
     let sum = x.into_iter().map(abs).fold(D::zero(), |sum, x| sum + x);
-    let is_long = || sum > 4.0 * f64::MIN_POSITIVE || norm(x) >= f64::MIN_POSITIVE;
+    let is_long = || sum > 4.0 * f64::MIN_POSITIVE || D::has_extremes() && norm(x) >= f64::MIN_POSITIVE;
     let [length] = choice(|| [if is_long() { D::one() } else { D::zero() }]);
     length > 0.0
 }

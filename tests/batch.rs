@@ -100,6 +100,44 @@ fn every_row_has_its_own_bits() {
     }
 }
 
+/// As many as are computed together, fewer and more, in columns that begin anywhere in a line of the cache.
+#[test]
+fn every_row_has_its_own_bits_in_batches_of_any_length() {
+    let formula = find("slot.friction").unwrap();
+    let points = points(formula, 80, 0);
+    let by_columns = points.t().as_standard_layout().reversed_axes().to_owned();
+    let expected: Vec<_> = points.rows().into_iter().map(|point| alone(formula, point.as_slice().unwrap())).collect();
+    let outputs = components_of(formula.outputs());
+    for (from, rows) in (0..9).flat_map(|from| [1, 7, 8, 31, 32, 33, 39, 40, 71].map(|rows| (from, rows))) {
+        let some = by_columns.slice_axis(Axis(0), (from..from + rows).into());
+        let mut results = Array2::<f64>::zeros([outputs + formula.batch_entries().len(), 90]).reversed_axes();
+        {
+            let taken = results.slice_axis_mut(Axis(0), (9 - from..9 - from + rows).into());
+            let (mut value, mut jacobian) = taken.split_at(Axis(1), outputs);
+            let [value, jacobian] =
+                [&mut value, &mut jacobian].map(|table| table.columns_mut().into_iter().collect::<Vec<_>>());
+            let inputs: Vec<_> = some.columns().into_iter().collect();
+            // Golden points that are not allowed are among them.
+            let _ = formula.batch_value_and_jacobian(&inputs, &mut { value }, &mut { jacobian });
+        }
+        let (before, found) = results.view().split_at(Axis(0), 9 - from);
+        let (found, after) = found.split_at(Axis(0), rows);
+        assert!(before.iter().chain(after).all(|x| *x == 0.0), "{rows} rows from {from}");
+        assert_rows("slot.friction", &some.to_owned(), &found.to_owned(), &expected[from..from + rows]);
+    }
+}
+
+#[test]
+fn columns_begin_with_different_lines_of_the_cache() {
+    for (count, rows) in [(0, 5), (3, 1), (4, 7), (5, 8), (2, 4096)] {
+        let table = jointproof::batch::columns(count, rows);
+        assert_eq!((table.dim(), table.iter().all(|x| *x == 0.0)), ((count, rows), true));
+        let places: Vec<_> = table.rows().into_iter().map(|column| column.as_ptr() as usize).collect();
+        assert!(places.iter().all(|place| place % 64 == 0), "{count} {rows}: {places:?}");
+        assert!(places.windows(2).all(|pair| (pair[1] - pair[0]) / 64 % 2 == 1), "{count} {rows}: {places:?}");
+    }
+}
+
 #[test]
 fn every_row_has_its_own_bits_on_any_number_of_threads() {
     let formula = find("slot.friction").unwrap();

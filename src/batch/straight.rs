@@ -1,8 +1,8 @@
 //! Rows of a formula of simple operations and comparisons, several at a time.
 //!
 //! A comparison chooses between numbers that are computed anyway, and no row waits for one that is extreme ([`Ordinary`]), so that
-//! the compiler takes as many at once as the vectors of a processor hold: four on one with AVX2, and with the feature `batch-avx512` eight on one with AVX-512. What
-//! it gives has the bits of one row alone.
+//! the compiler takes as many at once as the vectors of a processor hold: four on one with AVX2, and eight on one with AVX-512,
+//! which the feature `batch-avx512` adds. What it gives has the bits of one row alone.
 //!
 //! Half of the time of a simple formula is that of its columns. Rows that are computed together are whole lines of the cache, in
 //! columns and in between; of columns that no cache holds, the next lines are asked for while these are computed.
@@ -25,7 +25,7 @@ const TOGETHER: usize = 32;
 /// Fewer are faster one by one.
 const FEW: usize = 8;
 
-/// So many numbers of a row at most, so that a program with all formulas stays small.
+/// So many results of a row at most, so that they stay in the nearest cache, and a program with all formulas small.
 pub(super) const MOST_TOGETHER: usize = 160;
 
 /// So many bytes of a batch are not at hand in the cache of a core.
@@ -180,5 +180,33 @@ impl Visitor<Ordinary> for Place<'_> {
         self.columns[self.next].0[self.row] = x.to_f64();
         self.bits |= bits_unless_finite(x.to_f64());
         self.next += 1;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_before_a_line_of_the_cache_are_by_themselves() {
+        let ranges = |rows, before| together(rows, before).collect::<Vec<_>>();
+        assert_eq!(ranges(3..80, 5), [3..8, 8..40, 40..72, 72..80]);
+        assert_eq!(ranges(0..64, 0), [0..32, 32..64]);
+        assert_eq!(ranges(2..4, 7), [2..4]);
+        assert_eq!(ranges(5..5, 3), []);
+        assert_eq!(ranges(1..3, usize::MAX), [1..3]);
+    }
+
+    #[test]
+    fn the_first_row_stands_for_those_that_are_missing() {
+        let column: [f64; 40] = std::array::from_fn(|k| f64::from(u8::try_from(k).unwrap()));
+        let (mut here, mut back) = ([-1.0; TOGETHER], [-1.0; 40]);
+        take(&column[1..4], &mut here);
+        assert!(here[..3] == [1.0, 2.0, 3.0] && here[3..] == [1.0; TOGETHER - 3]);
+        give(&here, &mut back[5..8]);
+        assert!(back[..5] == [-1.0; 5] && back[5..8] == [1.0, 2.0, 3.0] && back[8..] == [-1.0; 32]);
+        take(&column[2..34], &mut here);
+        give(&here, &mut back[4..36]);
+        assert_eq!(back[4..36], column[2..34]);
     }
 }

@@ -3,7 +3,7 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use crate::coulomb::{self, Sliding};
+use crate::coulomb::{self, Slid, Sliding};
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Finite, Formula, Given, Jacobian, Spec, ValueAndJacobian};
 use crate::quantity::{
@@ -41,36 +41,10 @@ impl<D: Scalar> CrossSliding<D> {
     }
 
     /// A gradient by what [`ContactMoments`] takes.
-    #[inline(always)]
+    #[inline]
     fn by_loads(loads: JointLoads<D>) -> Self {
         let JointLoads { e1a, e2a, e3a, e3b, f1, f2, f3, m2, rp, la, ra, ls } = loads;
         Self { e1a, e2a, e3a, e3b, f1, f2, f3, m2, rp, la, ra, ls, ..Self::filled(D::zero()) }
-    }
-
-    /// A gradient of what friction about the first axis gives: by what slides there, by all contact moments and by their loads.
-    #[inline(always)]
-    fn about_first(by: &Sliding<D>, normal: &AllContactMoments<D>, contact: &JointLoads<D>) -> Self {
-        Self {
-            ur1: by.u,
-            slip1_before: by.slip_before,
-            k_el1: by.k_el,
-            mc1_int: by.r#fn * normal.mc1_int,
-            mu: by.mu,
-            ..Self::by_loads(contact.times(by.r#fn * normal.mc1))
-        }
-    }
-
-    /// The same about the third axis.
-    #[inline(always)]
-    fn about_third(by: &Sliding<D>, normal: &AllContactMoments<D>, contact: &JointLoads<D>) -> Self {
-        Self {
-            ur3: by.u,
-            slip3_before: by.slip_before,
-            k_el3: by.k_el,
-            mc3_int: by.r#fn * normal.mc3_int,
-            mu: by.mu,
-            ..Self::by_loads(contact.times(by.r#fn * normal.mc3))
-        }
     }
 
     /// The contact moments of the loads, with the internal ones.
@@ -127,20 +101,36 @@ impl Formula for Response {
         Self::linearized(i).1
     }
 
-    #[inline(always)]
+    #[inline]
     fn linearized<D: Scalar>(i: &CrossSliding<D>) -> ValueAndJacobian<Self, D> {
         let (moments, contact) = ContactMoments::linearized(&i.loads());
         let (normal, by) = NormalMoments::linearized(&i.moments(moments));
-        let [first, third] = i.sliding(normal);
-        let ((first, by_first), (third, by_third)) =
-            (coulomb::Response::linearized(&first), coulomb::Response::linearized(&third));
+        let [first, third] = i.sliding(normal).map(|sliding| coulomb::Response::linearized(&sliding));
+        let row1 = |slid: Sliding<D>| CrossSliding {
+            ur1: slid.u,
+            slip1_before: slid.slip_before,
+            k_el1: slid.k_el,
+            mc1_int: slid.r#fn * by.mn1.mc1_int,
+            mu: slid.mu,
+            ..CrossSliding::by_loads(contact.mc1.times(slid.r#fn * by.mn1.mc1))
+        };
+        let row3 = |slid: Sliding<D>| CrossSliding {
+            ur3: slid.u,
+            slip3_before: slid.slip_before,
+            k_el3: slid.k_el,
+            mc3_int: slid.r#fn * by.mn3.mc3_int,
+            mu: slid.mu,
+            ..CrossSliding::by_loads(contact.mc3.times(slid.r#fn * by.mn3.mc3))
+        };
+        let (Slid { f: m1, slip: slip1 }, Slid { f: m3, slip: slip3 }) = (first.0, third.0);
+        let value = CrossSlid { m1, m3, slip1, slip3 };
         (
-            CrossSlid { m1: first.f, m3: third.f, slip1: first.slip, slip3: third.slip },
+            value,
             CrossSlid {
-                m1: CrossSliding::about_first(&by_first.f, &by.mn1, &contact.mc1),
-                m3: CrossSliding::about_third(&by_third.f, &by.mn3, &contact.mc3),
-                slip1: CrossSliding::about_first(&by_first.slip, &by.mn1, &contact.mc1),
-                slip3: CrossSliding::about_third(&by_third.slip, &by.mn3, &contact.mc3),
+                m1: row1(first.1.f),
+                m3: row3(third.1.f),
+                slip1: row1(first.1.slip),
+                slip3: row3(third.1.slip),
             },
         )
     }
