@@ -85,7 +85,7 @@ const WORTH: usize = 1 << 17;
 pub fn columns(count: usize, rows: usize) -> Array2<f64> {
     const DOUBLES: usize = LINE / size_of::<f64>();
     // An odd number of lines of the cache, with room for what stands before the first of them.
-    let width = ((rows + DOUBLES - 1).div_ceil(DOUBLES) | 1) * DOUBLES;
+    let width = ((rows.div_ceil(DOUBLES) + 1) | 1) * DOUBLES;
     let mut table: Array2<f64> = Array2::zeros((count, width));
     let before = table.as_ptr().align_offset(LINE);
     table.slice_axis_inplace(Axis(1), Slice::from(before..before + rows));
