@@ -189,12 +189,12 @@ mod tests {
 
     #[test]
     fn rows_before_a_line_of_the_cache_are_by_themselves() {
-        let ranges = |rows, before| together(rows, before).collect::<Vec<_>>();
-        assert_eq!(ranges(3..80, 5), [3..8, 8..40, 40..72, 72..80]);
-        assert_eq!(ranges(0..64, 0), [0..32, 32..64]);
-        assert_eq!(ranges(2..4, 7), [2..4]);
-        assert_eq!(ranges(5..5, 3), []);
-        assert_eq!(ranges(1..3, usize::MAX), [1..3]);
+        let ends = |rows, before| together(rows, before).map(|some| [some.start, some.end]).collect::<Vec<_>>();
+        assert_eq!(ends(3..80, 5), [[3, 8], [8, 40], [40, 72], [72, 80]]);
+        assert_eq!(ends(0..64, 0), [[0, 32], [32, 64]]);
+        assert_eq!(ends(2..4, 7), [[2, 4]]);
+        assert_eq!(ends(1..3, usize::MAX), [[1, 3]]);
+        assert!(ends(5..5, 3).is_empty());
     }
 
     #[test]

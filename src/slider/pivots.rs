@@ -124,7 +124,7 @@ impl Spatial {
         let [larger_as_second, larger_as_third] = [1, 2].map(far_is_larger);
         let is_larger = if far_is_third { larger_as_third } else { larger_as_second };
         let ([excess, doubt], is_flat) = (excess(sizes), sizes[2] == 0.0);
-        let is_steep = answer::<D::Leaf>(|| if is_flat { is_larger & (sizes[1] > 0.0) } else { excess > doubt });
+        let is_steep = answer::<D::Leaf>(|| if is_flat { is_larger && sizes[1] > 0.0 } else { excess > doubt });
         let is_known = answer::<D::Leaf>(|| is_flat | (abs(excess) > doubt));
         Self { far_is_third, is_steep, is_known }
     }
