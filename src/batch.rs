@@ -71,6 +71,8 @@ use task::Task;
 
 /// So many numbers are worth a thread: to wake one takes as long as some thousands.
 const WORTH: usize = 1 << 17;
+/// So many numbers the cache of a core has at hand: more are asked for before they are needed.
+const AT_HAND: usize = 1 << 17;
 
 /// Columns of zeros that do not share their places in the cache, and each begin with one of its lines: the rows of a table that is
 /// a little wider than it shows.
@@ -136,6 +138,8 @@ fn all<F: Formula, J: Job<F>>(
         error::expect(Part::Jacobian, structure::entries::<F>(), rows, jacobian.iter().map(ArrayViewMut1::len))?;
         outputs.extend(jacobian.iter_mut().map(|column| column.view_mut()));
     }
-    let share = rows.div_ceil(8 * rayon::current_num_threads()).max(WORTH / (F::Inputs::<f64>::LEN + J::LEN));
-    Task { first: 0, rows, inputs: inputs.to_vec(), outputs }.run::<F, J>(share).into_result()
+    let numbers = F::Inputs::<f64>::LEN + J::LEN;
+    let share = rows.div_ceil(8 * rayon::current_num_threads()).max(WORTH / numbers);
+    let is_far = rows > AT_HAND / numbers;
+    Task { first: 0, rows, is_far, inputs: inputs.to_vec(), outputs }.run::<F, J>(share).into_result()
 }

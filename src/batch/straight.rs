@@ -28,22 +28,20 @@ const FEW: usize = 8;
 /// So many results of a row at most, so that they stay in the nearest cache, and a program with all formulas small.
 pub(super) const MOST_TOGETHER: usize = 160;
 
-/// So many bytes of a batch are not at hand in the cache of a core.
-const FAR: usize = 1 << 20;
-
 /// What these rows have in one column. It begins with a line of the cache: vectors that lie in two take twice as long.
 #[derive(Clone)]
 #[repr(align(64))]
 struct Column([f64; TOGETHER]);
 
-/// As [`one_by_one`].
+/// As [`one_by_one`]; what is far is asked for before it is needed.
 pub(super) fn rows<F: Formula, J: Job<F>>(
     inputs: &[&[f64]],
     outputs: &mut [&mut [f64]],
     rows: Range<usize>,
     first: usize,
+    is_far: bool,
 ) -> Refused {
-    let stretch = Stretch::<F, J> { inputs, outputs, rows, first, job: PhantomData };
+    let stretch = Stretch::<F, J> { inputs, outputs, rows, first, is_far, job: PhantomData };
     // One more copy of all formulas, for processors of this kind without vectors of four doubles, would be as large as this one.
     #[cfg(all(target_arch = "x86_64", feature = "batch-avx512"))]
     if let Some(vectors) = pulp::x86::V4::try_new() {
@@ -64,6 +62,7 @@ struct Stretch<'r, 'i, 'o, F, J> {
     outputs: &'r mut [&'o mut [f64]],
     rows: Range<usize>,
     first: usize,
+    is_far: bool,
     job: PhantomData<(F, J)>,
 }
 
@@ -72,10 +71,9 @@ impl<F: Formula, J: Job<F>> pulp::WithSimd for Stretch<'_, '_, '_, F, J> {
 
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, _: S) -> Refused {
-        let Self { inputs, outputs, rows, first, .. } = self;
+        let Self { inputs, outputs, rows, first, is_far, .. } = self;
         let [mut read, mut written] =
             [F::Inputs::<f64>::LEN, J::LEN].map(|columns| vec![Column([0.0; TOGETHER]); columns]);
-        let is_far = rows.len() * (read.len() + written.len()) * size_of::<f64>() > FAR;
         let before = outputs.first().map_or(0, |column| column[rows.start..].as_ptr().align_offset(LINE));
         let mut refused = Refused::default();
         for some in together(rows, before) {

@@ -9,14 +9,16 @@ use super::structure::is_straight;
 use crate::formula::{Finite, Formula};
 use ndarray::{ArrayView1, ArrayViewMut1, Axis};
 
-/// Computes rows of these inputs, of which the first has this place in the batch, into columns as long.
-type Compute = fn(&[&[f64]], &mut [&mut [f64]], usize) -> Refused;
+/// Computes rows of these inputs, of which the first has this place in the batch, into columns as long, which may be far.
+type Compute = fn(&[&[f64]], &mut [&mut [f64]], usize, bool) -> Refused;
 
 /// Some rows of a batch: their columns of inputs, and those of the results that are not zero everywhere.
 pub(super) struct Task<'c> {
     /// The place of the first row in the batch.
     pub(super) first: usize,
     pub(super) rows: usize,
+    /// Whether the batch is larger than what is at hand in a cache.
+    pub(super) is_far: bool,
     pub(super) inputs: Vec<ArrayView1<'c, f64>>,
     pub(super) outputs: Vec<ArrayViewMut1<'c, f64>>,
 }
@@ -33,14 +35,14 @@ impl Task<'_> {
     }
 
     fn halves(self) -> [Self; 2] {
-        let middle = self.rows / 2;
+        let (middle, is_far) = (self.rows / 2, self.is_far);
         let inputs = self.inputs.into_iter().map(|column| column.split_at(Axis(0), middle));
         let (inputs, other_inputs) = inputs.unzip();
         let outputs = self.outputs.into_iter().map(|column| column.split_at(Axis(0), middle));
         let (outputs, other_outputs) = outputs.unzip();
-        let other =
-            Self { first: self.first + middle, rows: self.rows - middle, inputs: other_inputs, outputs: other_outputs };
-        [Self { first: self.first, rows: middle, inputs, outputs }, other]
+        let (first, rows) = (self.first + middle, self.rows - middle);
+        let other = Self { first, rows, is_far, inputs: other_inputs, outputs: other_outputs };
+        [Self { first: self.first, rows: middle, is_far, inputs, outputs }, other]
     }
 
     /// Computes the rows, some at a time where columns are kept at hand.
@@ -55,7 +57,7 @@ impl Task<'_> {
             let range = from..self.rows.min(from + some);
             let read: Vec<_> = inputs.iter_mut().map(|column| column.rows(range.clone())).collect();
             let mut written: Vec<_> = outputs.iter_mut().map(|column| column.rows(range.clone())).collect();
-            refused = refused.and(rows(&read, &mut written, self.first + from));
+            refused = refused.and(rows(&read, &mut written, self.first + from, self.is_far));
             for column in &mut outputs {
                 column.bring(range.clone());
             }
@@ -65,11 +67,11 @@ impl Task<'_> {
 }
 
 /// See [`Compute`].
-fn rows<F: Formula, J: Job<F>>(inputs: &[&[f64]], outputs: &mut [&mut [f64]], first: usize) -> Refused {
+fn rows<F: Formula, J: Job<F>>(inputs: &[&[f64]], outputs: &mut [&mut [f64]], first: usize, is_far: bool) -> Refused {
     let all = 0..inputs.first().map_or(0, |column| column.len());
     // Where inputs never tell that nothing overflows, every row would be looked at again.
     if const { is_straight::<F>() && J::LEN <= MOST_TOGETHER && !matches!(F::SPEC.finite, Finite::Unknown) } {
-        return straight::rows::<F, J>(inputs, outputs, all, first);
+        return straight::rows::<F, J>(inputs, outputs, all, first, is_far);
     }
     one_by_one::<F, J>(inputs, outputs, all, first)
 }
