@@ -2,14 +2,16 @@
 """Time and error of every formula beside the C that CasADi generates from the oracle's definitions.
 
 CasADi differentiates the definitions and writes C, which is compiled by gcc and clang with -O2 and -O3; the fastest
-counts. Both compute the outputs and the dense Jacobian over the same points, in turns: C, Rust by `report`, and again.
-A ratio is our time by that of C, the median of the rounds; below 1 ours is faster. The hardest is the largest ratio at a
-case flagged hard, each timed alone. η is the largest backward error of
-the Jacobian at the golden cases, random ones and chosen ones (hand, limit, hard), away from kinks.
+counts. It is compiled in the loop that times it, as our formulas are; with --called it is called, as a program calls
+what stands in a file of its own. Both compute the outputs and the dense Jacobian over the same points, in turns: C,
+Rust by `report`, and again. A ratio is our time by that of C, the median of the rounds; below 1 ours is faster. The
+hardest is the largest ratio at a case flagged hard, each timed alone. η is the largest backward error of the Jacobian
+at the golden cases, random ones and chosen ones (hand, limit, hard), away from kinks.
 
 examples:
   python3 tests/python/casadi_speed/compare.py
   python3 tests/python/casadi_speed/compare.py --filter 'slot.*' --rounds 5
+  python3 tests/python/casadi_speed/compare.py --compiler gcc --called
 """
 
 from __future__ import annotations
@@ -89,21 +91,25 @@ def parse() -> argparse.Namespace:
     parser.add_argument("--filter", default="*", metavar="GLOB", help="only the formulas that match")
     parser.add_argument("--rounds", type=int, default=3, help="how often both are timed (3)")
     parser.add_argument("--turns", type=int, default=21, help="turns of C a round, whose median counts (21)")
+    parser.add_argument("--compiler", choices=("gcc", "clang"), help="only this one (the faster of both)")
+    parser.add_argument("--called", action="store_true", help="C is called, as from a file of its own")
     parser.add_argument("--xtask", default="cargo xtask", metavar="COMMAND", help="runs report and export (cargo xtask)")
     parser.add_argument("--out", type=Path, default=Path("target/casadi"), metavar="FOLDER", help="what is generated")
     return parser.parse_args()
 
 
-def missing() -> str | None:
+def missing(options: argparse.Namespace) -> str | None:
     packages = [name for name in ("casadi", "numpy") if importlib.util.find_spec(name) is None]
     if packages:
         return f"{' and '.join(packages)} not installed: pip install --requirement {REQUIREMENTS}"
+    if options.compiler and not shutil.which(options.compiler):
+        return f"{options.compiler} is not here"
     return None if any(map(shutil.which, ("gcc", "clang"))) else "neither gcc nor clang is here"
 
 
 def main() -> int:
     options = parse()
-    if why := missing():
+    if why := missing(options):
         print(f"skipped: {why}")
         return 0
     rows = prepared(options)
@@ -116,19 +122,20 @@ def main() -> int:
 
 def prepared(options: argparse.Namespace) -> list[Row]:
     """Everything compiled, and compared with the golden files."""
-    from compiled import compiled
+    from compiled import COMPILERS, compiled, compilers
     from golden import cases, errors
     from ours import Exported
     from symbols import CATALOG, ITERATIVE
 
     folder = options.out.resolve()
     folder.mkdir(parents=True, exist_ok=True)
+    by = compilers((options.compiler,) if options.compiler else COMPILERS)
     exported, rows = Exported.made(options.xtask, options.filter, folder / "export"), []
     for id, entry in sorted(CATALOG.items()):
         if id in ITERATIVE or not fnmatch.fnmatch(id, options.filter):
             continue
         lengths = [{name: length or 1 for name, length in some.items()} for some in (entry.inputs, entry.outputs)]
-        c, at = compiled(id, folder), cases(id)
+        c, at = compiled(id, folder, by, options.called), cases(id)
         ours = errors(at, lambda x: exported.evaluate(id, *lengths, x))
         rows.append(Row(id, c, at, errors(at, c[0].evaluate), ours))
         if not rows[-1].errors.are_of_this_formula():

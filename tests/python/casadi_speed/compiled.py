@@ -21,11 +21,14 @@ LOOP = r"""
 #define N {inputs}
 #define M {results}
 
+/* What this is, the compiler cannot tell, as of a function in another file. */
+static int (*volatile called)(const casadi_real **, casadi_real **, casadi_int *, casadi_real *, int) = {name};
+
 static inline void one(const double *x, double *both)
 {{
     const double *arguments[1] = {{x}};
     double *results[2] = {{both, both + {outputs}}};
-    {name}(arguments, results, 0, 0, 0);
+    {call}(arguments, results, 0, 0, 0);
 }}
 
 void evaluate(const double *x, double *both) {{ one(x, both); }}
@@ -48,8 +51,9 @@ double nanoseconds(const double *x, long points, long calls)
 """
 
 
-def compilers() -> list[str]:
-    return [compiler for compiler in COMPILERS if shutil.which(compiler)]
+def compilers(wanted: tuple[str, ...] = COMPILERS) -> list[str]:
+    """Those of them that are here."""
+    return [compiler for compiler in wanted if shutil.which(compiler)]
 
 
 @dataclass
@@ -80,18 +84,19 @@ def pointer(x: np.ndarray):
     return x.ctypes.data_as(ctypes.c_void_p)
 
 
-def compiled(id: str, folder: Path) -> list[Compiled]:
-    """A formula by every compiler that is here, at every level."""
+def compiled(id: str, folder: Path, by: list[str], called: bool) -> list[Compiled]:
+    """A formula by these compilers, at every level; called, or compiled in place if that is faster."""
     generated = function(id)
     name, outputs, entries = generated.name(), generated.numel_out(0), generated.numel_out(1)
     generator = ca.CodeGenerator(f"{name}.c")
     generator.add(generated)
-    loop = LOOP.format(name=name, inputs=generated.numel_in(0), outputs=outputs, results=outputs + entries)
+    sizes = {"inputs": generated.numel_in(0), "outputs": outputs, "results": outputs + entries}
+    loop = LOOP.format(name=name, call="called" if called else name, **sizes)
     source = folder / f"{name}.c"
-    # Within one file, so that the call may be inlined, as Rust's is.
+    # Within one file, so that the call may be inlined, as Rust's is; CasADi itself writes a file that is called.
     source.write_text(generator.dump() + loop)
     found = []
-    for compiler in compilers():
+    for compiler in by:
         for level in LEVELS:
             library = folder / f"{name}{level}-{compiler}.so"
             command = [compiler, "-std=gnu99", level, *FLAGS, "-o", library, source, "-lm"]
