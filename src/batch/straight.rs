@@ -26,7 +26,7 @@ const TOGETHER: usize = 32;
 const FEW: usize = 8;
 
 /// So many results of a row at most, so that they stay in the nearest cache, and a program with all formulas small.
-pub(super) const MOST_TOGETHER: usize = 160;
+pub(super) const MOST_TOGETHER: usize = 145;
 
 /// What these rows have in one column. It begins with a line of the cache: vectors that lie in two take twice as long.
 #[derive(Clone)]
