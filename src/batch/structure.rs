@@ -7,7 +7,7 @@
 
 #![expect(clippy::inline_always, reason = "which entries are zero is known where a formula is compiled")]
 
-use crate::formula::{Fields, Formula};
+use crate::formula::{Fields, Finite, Formula};
 
 const TABLE: &[u8] = include_bytes!("structure.txt");
 
@@ -32,9 +32,10 @@ const fn digits<F: Formula>() -> Option<&'static [u8]> {
     }
 }
 
-/// Whether several rows of a formula are computed together.
+/// Whether several rows of a formula are computed together. Where inputs never tell that nothing overflows, every row would be
+/// looked at again.
 pub(super) const fn is_straight<F: Formula>() -> bool {
-    has_word::<F>(b"straight") || is_guarded::<F>()
+    !matches!(F::SPEC.finite, Finite::Unknown) && (has_word::<F>(b"straight") || is_guarded::<F>())
 }
 
 /// Whether several rows of a formula are computed together, and one that is extreme has a result that is NaN.

@@ -6,7 +6,7 @@ use super::job::Job;
 use super::row::one_by_one;
 use super::straight::{self, MOST_TOGETHER};
 use super::structure::is_straight;
-use crate::formula::{Finite, Formula};
+use crate::formula::Formula;
 use ndarray::{ArrayView1, ArrayViewMut1, Axis};
 
 /// Computes rows of these inputs, of which the first has this place in the batch, into columns as long, which may be far.
@@ -69,8 +69,7 @@ impl Task<'_> {
 /// See [`Compute`].
 fn rows<F: Formula, J: Job<F>>(inputs: &[&[f64]], outputs: &mut [&mut [f64]], first: usize, is_far: bool) -> Refused {
     let all = 0..inputs.first().map_or(0, |column| column.len());
-    // Where inputs never tell that nothing overflows, every row would be looked at again.
-    if const { is_straight::<F>() && J::LEN <= MOST_TOGETHER && !matches!(F::SPEC.finite, Finite::Unknown) } {
+    if const { is_straight::<F>() && J::LEN <= MOST_TOGETHER } {
         return straight::rows::<F, J>(inputs, outputs, all, first, is_far);
     }
     one_by_one::<F, J>(inputs, outputs, all, first)
