@@ -24,6 +24,12 @@ impl<T: Component> Triads<T> {
     pub const fn new([e1a, e2a, e3a]: [Vector3<T>; 3], [e1b, e2b, e3b]: [Vector3<T>; 3]) -> Self {
         Self { e1a, e2a, e3a, e1b, e2b, e3b }
     }
+
+    /// The axes of a, and those of b.
+    #[inline]
+    pub(crate) const fn axes(&self) -> [[&Vector3<T>; 3]; 2] {
+        [[&self.e1a, &self.e2a, &self.e3a], [&self.e1b, &self.e2b, &self.e3b]]
+    }
 }
 
 impl<D: Scalar> Triads<D> {

@@ -49,14 +49,14 @@ pub(super) struct Turns<D> {
 
 impl<D: Scalar> Turns<D> {
     #[inline(always)]
-    pub(super) fn new(i: &Triads<D>) -> Self {
+    pub(super) fn new([[e1a, e2a, e3a], [e1b, e2b, e3b]]: [[&Vector3<D>; 3]; 2]) -> Self {
         Self {
-            e1a: i.e1a,
-            e3b: i.e3b,
-            first: Turn::new(&i.e3b, &i.e2a, &i.e3a),
-            third: Turn::new(&i.e1a, &i.e2b, &i.e1b),
-            sine: i.e1a.dot(&i.e3b),
-            slope: arc_sine_slope(&i.e1a, &i.e3b),
+            e1a: *e1a,
+            e3b: *e3b,
+            first: Turn::new(e3b, e2a, e3a),
+            third: Turn::new(e1a, e2b, e1b),
+            sine: e1a.dot(e3b),
+            slope: arc_sine_slope(e1a, e3b),
         }
     }
 
@@ -172,7 +172,7 @@ impl Formula for Rows {
 
     #[inline]
     fn eval<D: Scalar>(i: &Triads<D>) -> AlignRows<D> {
-        let [ur1_tb, ur2_tb, ur3_tb] = Turns::new(i).rows();
+        let [ur1_tb, ur2_tb, ur3_tb] = Turns::new(i.axes()).rows();
         AlignRows { ur1_tb, ur2_tb, ur3_tb }
     }
 
@@ -183,7 +183,7 @@ impl Formula for Rows {
 
     #[inline(always)]
     fn linearized<D: Scalar>(i: &Triads<D>) -> ValueAndJacobian<Self, D> {
-        let turns = Turns::new(i);
+        let turns = Turns::new(i.axes());
         let [ur1_tb, ur2_tb, ur3_tb] = turns.rows();
         let one = D::one();
         let gradients = AlignRows {
@@ -224,6 +224,12 @@ impl<T: Component> AlignLoads<T> {
         Triads { e1a, e2a, e3a, e1b, e2b, e3b }
     }
 
+    /// The axes of a, and those of b.
+    #[inline]
+    pub(super) const fn axes(&self) -> [[&Vector3<T>; 3]; 2] {
+        [[&self.e1a, &self.e2a, &self.e3a], [&self.e1b, &self.e2b, &self.e3b]]
+    }
+
     /// The multipliers.
     #[inline]
     pub const fn multipliers(&self) -> [T; 3] {
@@ -257,29 +263,29 @@ impl<D: Scalar> AlignLoads<D> {
 
 /// The rows with their multipliers.
 pub(super) struct Loaded<D> {
-    loads: AlignLoads<D>,
+    multipliers: [D; 3],
     turns: Turns<D>,
     rows: [Vector3<D>; 3],
 }
 
 impl<D: Scalar> Loaded<D> {
     #[inline(always)]
-    pub(super) fn new(loads: &AlignLoads<D>) -> Self {
-        let turns = Turns::new(&loads.triads());
-        Self { loads: *loads, rows: turns.rows(), turns }
+    pub(super) fn new(axes: [[&Vector3<D>; 3]; 2], multipliers: [D; 3]) -> Self {
+        let turns = Turns::new(axes);
+        Self { multipliers, rows: turns.rows(), turns }
     }
 
     /// On b.
     #[inline(always)]
     pub(super) fn moment(&self) -> Vector3<D> {
-        let ([first, second, third], [l1, l2, l3]) = (self.rows, self.loads.multipliers());
+        let ([first, second, third], [l1, l2, l3]) = (self.rows, self.multipliers);
         first * l1 + second * l2 + third * l3
     }
 
     /// The gradient of the n-th component of the moment on b.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn of_mb(&self, n: usize) -> AlignLoads<D> {
-        let (turns, [first, second, third], [l1, l2, l3]) = (&self.turns, self.rows, self.loads.multipliers());
+        let (turns, [first, second, third], [l1, l2, l3]) = (&self.turns, self.rows, self.multipliers);
         let gradients = [turns.of_ur1(l1, n), turns.of_ur2(l2, n), turns.of_ur3(l3, n)];
         AlignLoads::gradient(gradients, [first[n], second[n], third[n]])
     }
@@ -312,7 +318,7 @@ impl Formula for Moments {
 
     #[inline]
     fn eval<D: Scalar>(i: &AlignLoads<D>) -> UniversalMoments<D> {
-        let mb = Loaded::new(i).moment();
+        let mb = Loaded::new(i.axes(), i.multipliers()).moment();
         UniversalMoments { ma: -mb, mb }
     }
 
@@ -323,7 +329,7 @@ impl Formula for Moments {
 
     #[inline(always)]
     fn linearized<D: Scalar>(i: &AlignLoads<D>) -> ValueAndJacobian<Self, D> {
-        let loaded = Loaded::new(i);
+        let loaded = Loaded::new(i.axes(), i.multipliers());
         let mb = loaded.moment();
         (UniversalMoments { ma: -mb, mb }, UniversalMoments { ma: column!(loaded.of_ma), mb: column!(loaded.of_mb) })
     }
@@ -342,8 +348,8 @@ fields! {
 }
 
 /// The changes of the rows with the spin of b, with their multipliers.
-struct Curved<D> {
-    loads: AlignLoads<D>,
+pub(super) struct Curved<D> {
+    multipliers: [D; 3],
     turns: Turns<D>,
     entries: [Matrix3<D>; 3],
     first: Matrix3<[Vector3<D>; 3]>,
@@ -352,24 +358,23 @@ struct Curved<D> {
 
 impl<D: Scalar> Curved<D> {
     #[inline(always)]
-    fn new(loads: &AlignLoads<D>) -> Self {
-        let turns = Turns::new(&loads.triads());
-        let [l1, _, l3] = loads.multipliers();
+    pub(super) fn new(axes: [[&Vector3<D>; 3]; 2], multipliers: [D; 3]) -> Self {
+        let (turns, [l1, _, l3]) = (Turns::new(axes), multipliers);
         let (first, third) = (turns.first.curving(l1), turns.third.curving(l3));
-        Self { loads: *loads, entries: turns.curvatures(), first, third, turns }
+        Self { multipliers, entries: turns.curvatures(), first, third, turns }
     }
 
     #[inline(always)]
-    fn stiffness(&self) -> Matrix3<D> {
-        let ([first, second, third], [l1, l2, l3]) = (self.entries, self.loads.multipliers());
+    pub(super) fn stiffness(&self) -> Matrix3<D> {
+        let ([first, second, third], [l1, l2, l3]) = (self.entries, self.multipliers);
         first * l1 + second * l2 + third * l3
     }
 
     /// The gradient of an entry of the stiffness.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn of_k_tb_tb(&self, r: usize, c: usize) -> AlignLoads<D> {
+    pub(super) fn of_k_tb_tb(&self, r: usize, c: usize) -> AlignLoads<D> {
         let [first, second, third] = &self.entries;
-        let second_gradient = self.turns.second_curvature_gradient(self.loads.lambda_r2, r, c);
+        let second_gradient = self.turns.second_curvature_gradient(self.multipliers[1], r, c);
         let gradients = [of_first(self.first[(r, c)]), second_gradient, of_third(self.third[(c, r)])];
         AlignLoads::gradient(gradients, [first[(r, c)], second[(r, c)], third[(r, c)]])
     }
@@ -394,7 +399,7 @@ impl Formula for GeometricStiffness {
 
     #[inline]
     fn eval<D: Scalar>(i: &AlignLoads<D>) -> AlignStiffness<D> {
-        let ([first, second, third], [l1, l2, l3]) = (Turns::new(&i.triads()).curvatures(), i.multipliers());
+        let ([first, second, third], [l1, l2, l3]) = (Turns::new(i.axes()).curvatures(), i.multipliers());
         AlignStiffness { k_tb_tb: first * l1 + second * l2 + third * l3 }
     }
 
@@ -406,7 +411,7 @@ impl Formula for GeometricStiffness {
     // Its results are too many to be copied, as they are where it is compiled in place.
     #[inline]
     fn linearized<D: Scalar>(i: &AlignLoads<D>) -> ValueAndJacobian<Self, D> {
-        let curved = Curved::new(i);
+        let curved = Curved::new(i.axes(), i.multipliers());
         (AlignStiffness { k_tb_tb: curved.stiffness() }, AlignStiffness { k_tb_tb: matrix!(curved.of_k_tb_tb) })
     }
 

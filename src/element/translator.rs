@@ -7,7 +7,7 @@
 mod proof;
 
 use super::NodalForces;
-use super::align::{self, AlignLoads, AlignRows, AlignStiffness, Loaded, Turns};
+use super::align::{Curved, self, AlignLoads, AlignRows, AlignStiffness, Loaded, Turns};
 use super::join::JoinStiffness;
 use super::lever::Lever;
 use super::products::{column, matrix};
@@ -69,6 +69,12 @@ impl<T: Component> TranslatorPlaces<T> {
         Triads { e1a, e2a, e3a, e1b, e2b, e3b }
     }
 
+    /// The axes of a, and those of b.
+    #[inline]
+    const fn axes(&self) -> [[&Vector3<T>; 3]; 2] {
+        [[&self.e1a, &self.e2a, &self.e3a], [&self.e1b, &self.e2b, &self.e3b]]
+    }
+
     /// From both triads and places.
     #[inline]
     pub const fn new(triads: &Triads<T>, [xa, xb]: [Vector3<T>; 2]) -> Self {
@@ -105,7 +111,7 @@ impl Formula for Rows {
 
     #[inline(always)]
     fn linearized<D: Scalar>(i: &TranslatorPlaces<D>) -> ValueAndJacobian<Self, D> {
-        let turns = Turns::new(&i.triads());
+        let turns = Turns::new(i.axes());
         let one = D::one();
         let gradients = TranslatorRows {
             gy_ua: column!(i.of_y, -one),
@@ -204,6 +210,17 @@ impl<T: Component> TranslatorLoads<T> {
     }
 }
 
+impl<T: Component> TranslatorLoads<T> {
+    /// The axes of a, and those of b.
+    #[inline]
+    const fn axes(&self) -> [[&Vector3<T>; 3]; 2] {
+        [[&self.e1a, &self.e2a, &self.e3a], [&self.e1b, &self.e2b, &self.e3b]]
+    }
+    const fn multipliers(&self) -> [T; 3] {
+        [self.lambda_r1, self.lambda_r2, self.lambda_r3]
+    }
+}
+
 impl<D: Scalar> TranslatorLoads<D> {
     /// A gradient by the inputs of SLOT.
     #[inline(always)]
@@ -286,7 +303,7 @@ impl Formula for Forces {
 
     #[inline(always)]
     fn linearized<D: Scalar>(i: &TranslatorLoads<D>) -> ValueAndJacobian<Self, D> {
-        let (forces, loaded) = (slot::Forces::eval(&i.slot()), Loaded::new(&i.align()));
+        let (forces, loaded) = (slot::Forces::eval(&i.slot()), Loaded::new(i.axes(), i.multipliers()));
         let mb = loaded.moment();
         let value = NodalForces { fa: forces.fa, ma: forces.ma + -mb, fb: forces.fb, mb };
         let gradients = NodalForces {
@@ -346,7 +363,8 @@ impl Formula for GeometricStiffness {
     #[inline]
     fn linearized<D: Scalar>(i: &TranslatorLoads<D>) -> ValueAndJacobian<Self, D> {
         let JoinStiffness { k_ua_ta, k_ta_ta } = slot::GeometricStiffness::eval(&i.slot());
-        let (AlignStiffness { k_tb_tb }, align) = align::GeometricStiffness::linearized(&i.align());
+        let curved = Curved::new(i.axes(), i.multipliers());
+        let (k_tb_tb, align) = (curved.stiffness(), AlignStiffness { k_tb_tb: matrix!(curved.of_k_tb_tb) });
         let gradients = TranslatorStiffness {
             k_ua_ta: matrix!(i.of_k_ua_ta),
             k_ta_ta: matrix!(i.of_k_ta_ta, &align),

@@ -10,7 +10,7 @@
 #![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
 
 use super::products::{double_cross, matrix};
-use crate::formula::along;
+use crate::formula::{along, cross_gradient};
 use crate::scalar::{Scalar, norm_and_direction};
 use nalgebra::{Matrix3, Vector3};
 
@@ -22,6 +22,8 @@ pub(super) struct Turn<D> {
     u: Vector3<D>,
     h: Vector3<D>,
     v: Vector3<D>,
+    /// 1/z = re − i im.
+    inverse: [D; 2],
     /// P/z², real and imaginary.
     square: [Vector3<D>; 2],
     /// P·P/z², real and imaginary.
@@ -43,6 +45,7 @@ impl<D: Scalar> Turn<D> {
             u,
             h: e.cross(&k),
             v: e.cross(&u),
+            inverse: [along * per, across * per],
             square: [q * cos + p * sin, p * cos - q * sin],
             skewed: [stretch * cos + shear * sin, shear * cos - stretch * sin],
         }
@@ -57,10 +60,11 @@ impl<D: Scalar> Turn<D> {
     /// The gradient of a number of times the n-th component of [`row`](Self::row): by e, p and q.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn row_gradient(&self, times: D, n: usize) -> [Vector3<D>; 3] {
-        let Self { e, k, u, h, v, square: [re, im], skewed: [_, skewed] } = self;
-        let twice = double_cross(e, e).column(n) * times;
-        let by_e = -(v * (k[n] * times) + h * (u[n] * times)) - e.cross(&along(n, *skewed * times));
-        [by_e, -re.cross(&twice), -im.cross(&twice)]
+        let Self { e, k, u, h, v, inverse, skewed: [_, skewed], .. } = self;
+        let ([_, axial], [re, im]) = (cross_gradient(e, e, n), inverse.map(|part| part * times));
+        let by_e = v * (k[n] * -times) - h * (u[n] * times);
+        let (by_p, by_q) = (e * (h[n] * re - v[n] * im), e * -(h[n] * im + v[n] * re));
+        [by_e + axial.times(*skewed * times), by_p + axial.times(-re), by_q + axial.times(im)]
     }
 
     /// How [`row`](Self::row) changes with the spin of e; with that of p and q it changes by the transpose, negative.
@@ -73,7 +77,7 @@ impl<D: Scalar> Turn<D> {
     /// The gradients of the entries of a number of times [`curvature`](Self::curvature): by e, p and q.
     #[inline(never)]
     pub(super) fn curving(&self, times: D) -> Matrix3<[Vector3<D>; 3]> {
-        let Self { e, k, u, h, v, square: [re, im], skewed: [real, imaginary] } = self;
+        let Self { e, k, u, h, v, square: [re, im], skewed: [real, imaginary], .. } = self;
         let (h, v) = (h * times, v * times);
         let curving = Curving {
             turn: self,
