@@ -15,7 +15,7 @@ pub(super) mod proof;
 
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
 use crate::quantity::{
     FORCE_1, FORCE_M, FORCE_N, K_U1_U1, K_U1_UN, K_UM_UN, K_UN_UN, SLIDER_G1_U1, SLIDER_G1_UM, SLIDER_G1_UN,
     SLIDER_G2_U1, SLIDER_G2_UM, SLIDER_G2_UN, SLIDER_LAMBDA1, SLIDER_LAMBDA2, SLIDER_X1, SLIDER_XM, SLIDER_XN,
@@ -36,18 +36,18 @@ fields! {
     }
 }
 
-/// A multiple of ξ, or of 1 − ξ: the value, and the derivative by ξ.
+/// ξ or 1 − ξ, with a sign: the value, and the derivative by ξ.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Weight<D> {
     pub(super) value: D,
-    pub(super) slope: D,
+    pub(super) slope: f64,
 }
 
 /// Where m is along the line, in as many dimensions as the model has.
 pub(super) struct Along<D, const N: usize> {
     /// ξ, 1 − ξ.
-    share: D,
-    rest: D,
+    pub(super) share: D,
+    pub(super) rest: D,
     /// ∂ξ by the positions of nodes 1, n and m.
     by_nodes: [SVector<D, N>; 3],
 }
@@ -64,29 +64,40 @@ impl<D: Scalar, const N: usize> Along<D, N> {
     /// ξ times a sign.
     #[inline(always)]
     pub(super) fn share(&self, sign: f64) -> Weight<D> {
-        Weight { value: self.share * sign, slope: D::from(sign) }
+        Weight { value: self.share * sign, slope: sign }
     }
 
     /// 1 − ξ times a sign.
     #[inline(always)]
     pub(super) fn rest(&self, sign: f64) -> Weight<D> {
-        Weight { value: self.rest * sign, slope: D::from(-sign) }
+        Weight { value: self.rest * sign, slope: -sign }
     }
 
-    /// What nodes 1, n and m take of the force on m.
+    /// What nodes 1 and n take of the force on m.
     #[inline(always)]
-    pub(super) fn lever(&self) -> [Weight<D>; 3] {
-        [self.rest(-1.0), self.share(-1.0), Weight { value: D::one(), slope: D::zero() }]
+    pub(super) fn lever(&self) -> [Weight<D>; 2] {
+        [self.rest(-1.0), self.share(-1.0)]
     }
 
     /// The gradient of a weighted number by the positions of nodes 1, n and m, from that of the number by d.
     #[inline(always)]
     pub(super) fn gradient(&self, weight: Weight<D>, number: D, by_d: &SVector<D, N>) -> [SVector<D, N>; 3] {
-        let turned = by_d * weight.value;
-        let along = number * weight.slope;
-        let [x1, xn, xm] = [self.by_nodes[0] * along, self.by_nodes[1] * along, self.by_nodes[2] * along];
-        [x1 - turned, xn + turned, xm]
+        self.moved_and_turned(weight.slope, number, by_d * weight.value)
     }
+
+    /// The gradient of something whose derivative by ξ is a number times a sign, and that by d is given.
+    #[inline(always)]
+    pub(super) fn moved_and_turned(&self, sign: f64, number: D, by_d: SVector<D, N>) -> [SVector<D, N>; 3] {
+        // The sign comes last: so the products are the same for all that differs by it.
+        let [x1, xn, xm] = self.by_nodes.map(|by| by * number * D::from(sign));
+        [x1 - by_d, xn + by_d, xm]
+    }
+}
+
+/// The gradient of something that changes with d alone.
+#[inline(always)]
+pub(super) fn turned<D: Scalar, const N: usize>(by_d: &SVector<D, N>) -> [SVector<D, N>; 3] {
+    [-by_d, *by_d, SVector::from_element(D::zero())]
 }
 
 /// The line, as its derivatives need it.
@@ -122,6 +133,12 @@ impl<D: Scalar> View<D> {
             per_length: l.recip(),
             per_outward: far.recip(),
         }
+    }
+
+    #[inline(always)]
+    fn rows(&self) -> SliderRows<D> {
+        let ([t1, t2], [on_1, on_n]) = (self.t, self.along.lever().map(|weight| weight.value));
+        SliderRows { g1_u1: t1 * on_1, g1_un: t1 * on_n, g1_um: t1, g2_u1: t2 * on_1, g2_un: t2 * on_n, g2_um: t2 }
     }
 
     /// ∂t1/∂d and ∂t2/∂d.
@@ -172,28 +189,32 @@ impl Formula for Rows {
 
     #[inline]
     fn eval<D: Scalar>(i: &Nodes<D>) -> SliderRows<D> {
-        let View { along, t: [t1, t2], .. } = View::new(&i.x1, &i.xn, &i.xm);
-        let [on_1, on_n, _] = along.lever().map(|weight| weight.value);
-        SliderRows { g1_u1: t1 * on_1, g1_un: t1 * on_n, g1_um: t1, g2_u1: t2 * on_1, g2_un: t2 * on_n, g2_um: t2 }
+        View::new(&i.x1, &i.xn, &i.xm).rows()
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &Nodes<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline(always)]
+    fn linearized<D: Scalar>(i: &Nodes<D>) -> ValueAndJacobian<Self, D> {
         let view = View::new(&i.x1, &i.xn, &i.xm);
-        let (turning, [on_1, on_n, on_m]) = (view.turning(), view.along.lever());
-        let entry = |q: usize, weight: Weight<D>, k: usize| {
-            let [x1, xn, xm] = view.along.gradient(weight, view.t[q][k], &turning[q].row(k).transpose());
-            Nodes { x1, xn, xm }
-        };
+        let (turning, [on_1, on_n]) = (view.turning(), view.along.lever());
+        let by_d = |q: usize, k: usize| turning[q].row(k).transpose();
+        let nodes = |[x1, xn, xm]: [Vector3<D>; 3]| Nodes { x1, xn, xm };
+        let entry = |q: usize, weight, k: usize| nodes(view.along.gradient(weight, view.t[q][k], &by_d(q, k)));
         let row = |q, weight| Vector3::new(entry(q, weight, 0), entry(q, weight, 1), entry(q, weight, 2));
-        SliderRows {
+        let on_m = |q| Vector3::new(by_d(q, 0), by_d(q, 1), by_d(q, 2)).map(|by_d| nodes(turned(&by_d)));
+        let gradients = SliderRows {
             g1_u1: row(0, on_1),
             g1_un: row(0, on_n),
-            g1_um: row(0, on_m),
+            g1_um: on_m(0),
             g2_u1: row(1, on_1),
             g2_un: row(1, on_n),
-            g2_um: row(1, on_m),
-        }
+            g2_um: on_m(1),
+        };
+        (view.rows(), gradients)
     }
 
     #[inline]
@@ -232,24 +253,24 @@ impl<D: Scalar> Loaded<D> {
         Self { value: a * first + b * second, by_d: a_by_d * first + b_by_d * second, by_multipliers: [a, b] }
     }
 
-    /// Of the sum of two, each with its weight.
+    /// Of the sum of two.
     #[inline(always)]
-    fn gradient(along: &Along<D, 3>, terms: [(Weight<D>, &Self); 2]) -> SliderLoads<D> {
-        let [(weight, one), (other_weight, other)] = terms;
-        let (one, other) = (one.weighted(along, weight), other.weighted(along, other_weight));
-        SliderLoads {
-            x1: one.x1 + other.x1,
-            xn: one.xn + other.xn,
-            xm: one.xm + other.xm,
-            lambda_1: one.lambda_1 + other.lambda_1,
-            lambda_2: one.lambda_2 + other.lambda_2,
-        }
+    fn plus(&self, other: &Self) -> Self {
+        let ([a, b], [c, d]) = (self.by_multipliers, other.by_multipliers);
+        Self { value: self.value + other.value, by_d: self.by_d + other.by_d, by_multipliers: [a + c, b + d] }
     }
 
     #[inline(always)]
     fn weighted(&self, along: &Along<D, 3>, weight: Weight<D>) -> SliderLoads<D> {
         let [x1, xn, xm] = along.gradient(weight, self.value, &self.by_d);
         let [lambda_1, lambda_2] = [self.by_multipliers[0] * weight.value, self.by_multipliers[1] * weight.value];
+        SliderLoads { x1, xn, xm, lambda_1, lambda_2 }
+    }
+
+    /// The gradient of the number itself.
+    #[inline(always)]
+    fn turned(&self) -> SliderLoads<D> {
+        let ([x1, xn, xm], [lambda_1, lambda_2]) = (turned(&self.by_d), self.by_multipliers);
         SliderLoads { x1, xn, xm, lambda_1, lambda_2 }
     }
 }
@@ -264,17 +285,26 @@ impl<D: Scalar> SliderLoads<D> {
         [self.lambda_1, self.lambda_2]
     }
 
-    /// The force on m.
+    /// The force on m, and what the lever makes of it.
     #[inline(always)]
-    fn force(&self, view: &View<D>) -> Vector3<D> {
-        view.t[0] * self.lambda_1 + view.t[1] * self.lambda_2
+    fn forces(&self, view: &View<D>) -> SliderForces<D> {
+        let force_m = view.t[0] * self.lambda_1 + view.t[1] * self.lambda_2;
+        let [on_1, on_n] = view.along.lever().map(|weight| weight.value);
+        SliderForces { force_1: force_m * on_1, force_n: force_m * on_n, force_m }
     }
 
-    /// P: how the force changes with d.
+    /// The blocks, of P: how the force on m changes with d.
     #[inline(always)]
-    fn turning(&self, view: &View<D>) -> Matrix3<D> {
+    fn stiffness(&self, view: &View<D>) -> SliderStiffness<D> {
         let [first, second] = view.turning();
-        first * self.lambda_1 + second * self.lambda_2
+        let p = first * self.lambda_1 + second * self.lambda_2;
+        let (q, share, rest) = (p.transpose(), view.along.share, view.along.rest);
+        SliderStiffness {
+            k_u1_u1: (p + q) * rest,
+            k_u1_un: q * share - p * rest,
+            k_un_un: (p + q) * -share,
+            k_um_un: p,
+        }
     }
 }
 
@@ -299,17 +329,19 @@ impl Formula for Forces {
 
     #[inline]
     fn eval<D: Scalar>(i: &SliderLoads<D>) -> SliderForces<D> {
-        let view = i.view();
-        let force = i.force(&view);
-        let [on_1, on_n, _] = view.along.lever().map(|weight| weight.value);
-        SliderForces { force_1: force * on_1, force_n: force * on_n, force_m: force }
+        i.forces(&i.view())
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &SliderLoads<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline(always)]
+    fn linearized<D: Scalar>(i: &SliderLoads<D>) -> ValueAndJacobian<Self, D> {
         let view = i.view();
         let turning = view.turning();
-        let ([t1, t2], [by_d1, by_d2], [on_1, on_n, on_m]) = (view.t, &turning, view.along.lever());
+        let ([t1, t2], [by_d1, by_d2], [on_1, on_n]) = (view.t, &turning, view.along.lever());
         let part = |k: usize| {
             Loaded::new(i.multipliers(), [t1[k], t2[k]], [by_d1.row(k).transpose(), by_d2.row(k).transpose()])
         };
@@ -318,7 +350,8 @@ impl Formula for Forces {
             let entry = |part: &Loaded<D>| part.weighted(&view.along, weight);
             Vector3::new(entry(&x), entry(&y), entry(&z))
         };
-        SliderForces { force_1: force(on_1), force_n: force(on_n), force_m: force(on_m) }
+        let force_m = Vector3::new(x.turned(), y.turned(), z.turned());
+        (i.forces(&view), SliderForces { force_1: force(on_1), force_n: force(on_n), force_m })
     }
 
     #[inline]
@@ -359,36 +392,38 @@ impl Formula for GeometricStiffness {
 
     #[inline]
     fn eval<D: Scalar>(i: &SliderLoads<D>) -> SliderStiffness<D> {
-        let view = i.view();
-        let p = i.turning(&view);
-        let (q, share, rest) = (p.transpose(), view.along.share, view.along.rest);
-        SliderStiffness {
-            k_u1_u1: (p + q) * rest,
-            k_u1_un: q * share - p * rest,
-            k_un_un: (p + q) * -share,
-            k_um_un: p,
-        }
+        i.stiffness(&i.view())
     }
 
     #[inline]
     fn jacobian<D: Scalar>(i: &SliderLoads<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline(always)]
+    fn linearized<D: Scalar>(i: &SliderLoads<D>) -> ValueAndJacobian<Self, D> {
         let view = i.view();
         let (along, turning) = (&view.along, view.turning());
         let p = Matrix3::from_fn(|row, column| {
             Loaded::new(i.multipliers(), turning.map(|by| by[(row, column)]), view.bending(row, column))
         });
-        let sum = |of_p: Weight<D>, of_q: Weight<D>| {
-            Matrix3::from_fn(|row, column| {
-                Loaded::gradient(along, [(of_p, &p[(row, column)]), (of_q, &p[(column, row)])])
-            })
+        let both = Matrix3::from_fn(|row, column| p[(row, column)].plus(&p[(column, row)]));
+        // The derivative of ξ Q − (1 − ξ) P by ξ is P + Q.
+        let beside = Matrix3::from_fn(|row, column| {
+            let (p, q) = (&p[(row, column)], &p[(column, row)]);
+            let mixed = |of_p: D, of_q: D| of_q * along.share - of_p * along.rest;
+            let turned = q.by_d * along.share - p.by_d * along.rest;
+            let [x1, xn, xm] = along.moved_and_turned(1.0, both[(row, column)].value, turned);
+            let [lambda_1, lambda_2] = std::array::from_fn(|k| mixed(p.by_multipliers[k], q.by_multipliers[k]));
+            SliderLoads { x1, xn, xm, lambda_1, lambda_2 }
+        });
+        let gradients = SliderStiffness {
+            k_u1_u1: both.map(|entry| entry.weighted(along, along.rest(1.0))),
+            k_u1_un: beside,
+            k_un_un: both.map(|entry| entry.weighted(along, along.share(-1.0))),
+            k_um_un: p.map(|entry| entry.turned()),
         };
-        let [.., whole] = along.lever();
-        SliderStiffness {
-            k_u1_u1: sum(along.rest(1.0), along.rest(1.0)),
-            k_u1_un: sum(along.rest(-1.0), along.share(1.0)),
-            k_un_un: sum(along.share(-1.0), along.share(-1.0)),
-            k_um_un: p.map(|entry| entry.weighted(along, whole)),
-        }
+        (i.stiffness(&view), gradients)
     }
 
     #[inline]

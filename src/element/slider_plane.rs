@@ -9,7 +9,7 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::slider::{Along, Weight, placed};
+use super::slider::{Along, Weight, placed, turned};
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
@@ -92,16 +92,15 @@ impl Formula for Rows {
     #[inline(always)]
     fn linearized<D: Scalar>(i: &Nodes2d<D>) -> ValueAndJacobian<Self, D> {
         let view = View::new(&i.x1, &i.xn, &i.xm);
-        let (turning, [on_1, on_n, on_m]) = (view.turning(), view.along.lever());
-        let entry = |weight: Weight<D>, k: usize| {
-            let [x1, xn, xm] = view.along.gradient(weight, view.t[k], &turning.row(k).transpose());
-            Nodes2d { x1, xn, xm }
-        };
+        let (turning, [on_1, on_n]) = (view.turning(), view.along.lever());
+        let by_d = Vector2::new(turning.row(0).transpose(), turning.row(1).transpose());
+        let nodes = |[x1, xn, xm]: [Vector2<D>; 3]| Nodes2d { x1, xn, xm };
+        let entry = |weight: Weight<D>, k: usize| nodes(view.along.gradient(weight, view.t[k], &by_d[k]));
         let row = |weight| Vector2::new(entry(weight, 0), entry(weight, 1));
         let on = |weight: Weight<D>| view.t * weight.value;
         (
-            SliderRow2d { g_u1: on(on_1), g_un: on(on_n), g_um: on(on_m) },
-            SliderRow2d { g_u1: row(on_1), g_un: row(on_n), g_um: row(on_m) },
+            SliderRow2d { g_u1: on(on_1), g_un: on(on_n), g_um: view.t },
+            SliderRow2d { g_u1: row(on_1), g_un: row(on_n), g_um: by_d.map(|by_d| nodes(turned(&by_d))) },
         )
     }
 
@@ -125,17 +124,46 @@ fields! {
     }
 }
 
+/// A number times the multiplier, with its derivatives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Loaded<D> {
+    value: D,
+    by_d: Vector2<D>,
+    by_multiplier: D,
+}
+
+impl<D: Scalar> Loaded<D> {
+    /// From the number and its gradient by d.
+    #[inline(always)]
+    fn new(multiplier: D, number: D, by_d: Vector2<D>) -> Self {
+        Self { value: number * multiplier, by_d: by_d * multiplier, by_multiplier: number }
+    }
+
+    /// Of the sum of two.
+    #[inline(always)]
+    fn plus(&self, other: &Self) -> Self {
+        let by_multiplier = self.by_multiplier + other.by_multiplier;
+        Self { value: self.value + other.value, by_d: self.by_d + other.by_d, by_multiplier }
+    }
+
+    #[inline(always)]
+    fn weighted(&self, along: &Along<D, 2>, weight: Weight<D>) -> SliderLoads2d<D> {
+        let [x1, xn, xm] = along.gradient(weight, self.value, &self.by_d);
+        SliderLoads2d { x1, xn, xm, lambda: self.by_multiplier * weight.value }
+    }
+
+    /// The gradient of the number itself.
+    #[inline(always)]
+    fn turned(&self) -> SliderLoads2d<D> {
+        let [x1, xn, xm] = turned(&self.by_d);
+        SliderLoads2d { x1, xn, xm, lambda: self.by_multiplier }
+    }
+}
+
 impl<D: Scalar> SliderLoads2d<D> {
     #[inline(always)]
     fn view(&self) -> View<D> {
         View::new(&self.x1, &self.xn, &self.xm)
-    }
-
-    /// The gradient of a weighted number times the multiplier, from that of the number by d.
-    #[inline(always)]
-    fn gradient(&self, along: &Along<D, 2>, weight: Weight<D>, number: D, by_d: &Vector2<D>) -> Self {
-        let [x1, xn, xm] = along.gradient(weight, number * self.lambda, &(by_d * self.lambda));
-        Self { x1, xn, xm, lambda: number * weight.value }
     }
 }
 
@@ -167,14 +195,14 @@ impl Formula for Forces {
     #[inline(always)]
     fn linearized<D: Scalar>(i: &SliderLoads2d<D>) -> ValueAndJacobian<Self, D> {
         let view = i.view();
-        let (turning, [on_1, on_n, on_m]) = (view.turning(), view.along.lever());
-        let entry =
-            |weight: Weight<D>, k: usize| i.gradient(&view.along, weight, view.t[k], &turning.row(k).transpose());
-        let force = |weight| Vector2::new(entry(weight, 0), entry(weight, 1));
+        let (turning, [on_1, on_n]) = (view.turning(), view.along.lever());
+        let part = |k: usize| Loaded::new(i.lambda, view.t[k], turning.row(k).transpose());
+        let parts = Vector2::new(part(0), part(1));
+        let by = |weight| parts.map(|part| part.weighted(&view.along, weight));
         let on = |weight: Weight<D>| view.t * (i.lambda * weight.value);
         (
-            SliderForces2d { force_1: on(on_1), force_n: on(on_n), force_m: on(on_m) },
-            SliderForces2d { force_1: force(on_1), force_n: force(on_n), force_m: force(on_m) },
+            SliderForces2d { force_1: on(on_1), force_n: on(on_n), force_m: view.t * i.lambda },
+            SliderForces2d { force_1: by(on_1), force_n: by(on_n), force_m: parts.map(|part| part.turned()) },
         )
     }
 
@@ -233,23 +261,22 @@ impl Formula for GeometricStiffness {
     fn linearized<D: Scalar>(i: &SliderLoads2d<D>) -> ValueAndJacobian<Self, D> {
         let view = i.view();
         let (along, turning) = (&view.along, view.turning());
-        let of_p = |weight: Weight<D>, row: usize, column: usize| {
-            i.gradient(along, weight, turning[(row, column)], &view.bending(row, column))
+        let entry =
+            |row: usize, column: usize| Loaded::new(i.lambda, turning[(row, column)], view.bending(row, column));
+        let p = Matrix2::new(entry(0, 0), entry(0, 1), entry(1, 0), entry(1, 1));
+        let both = p.zip_map(&p.transpose(), |p, q| p.plus(&q));
+        // The derivative of ξ Q − (1 − ξ) P by ξ is P + Q.
+        let k_u1_un = p.zip_map(&p.transpose(), |p, q| {
+            let turned = q.by_d * along.share - p.by_d * along.rest;
+            let [x1, xn, xm] = along.moved_and_turned(1.0, p.plus(&q).value, turned);
+            SliderLoads2d { x1, xn, xm, lambda: q.by_multiplier * along.share - p.by_multiplier * along.rest }
+        });
+        let by = SliderStiffness2d {
+            k_u1_u1: both.map(|entry| entry.weighted(along, along.rest(1.0))),
+            k_u1_un,
+            k_un_un: both.map(|entry| entry.weighted(along, along.share(-1.0))),
+            k_um_un: p.map(|entry| entry.turned()),
         };
-        let sum = |[weight_of_p, weight_of_q]: [Weight<D>; 2], row: usize, column: usize| {
-            let (p, q) = (of_p(weight_of_p, row, column), of_p(weight_of_q, column, row));
-            SliderLoads2d { x1: p.x1 + q.x1, xn: p.xn + q.xn, xm: p.xm + q.xm, lambda: p.lambda + q.lambda }
-        };
-        let symmetric = |weight: Weight<D>| {
-            let (both, beside) = ([weight; 2], sum([weight; 2], 0, 1));
-            Matrix2::new(sum(both, 0, 0), beside, beside, sum(both, 1, 1))
-        };
-        let [.., whole] = along.lever();
-        let other = [along.rest(-1.0), along.share(1.0)];
-        let k_u1_un = Matrix2::new(sum(other, 0, 0), sum(other, 0, 1), sum(other, 1, 0), sum(other, 1, 1));
-        let k_um_un = Matrix2::new(of_p(whole, 0, 0), of_p(whole, 0, 1), of_p(whole, 1, 0), of_p(whole, 1, 1));
-        let [k_u1_u1, k_un_un] = [symmetric(along.rest(1.0)), symmetric(along.share(-1.0))];
-        let by = SliderStiffness2d { k_u1_u1, k_u1_un, k_un_un, k_um_un };
         (Self::of(i, &view), by)
     }
 

@@ -7,7 +7,7 @@
 mod proof;
 
 use super::NodalForces;
-use super::align::{Curved, self, AlignLoads, AlignRows, AlignStiffness, Loaded, Turns};
+use super::align::{self, AlignLoads, AlignRows, AlignStiffness, Curved, Loaded, Turns};
 use super::join::JoinStiffness;
 use super::lever::Lever;
 use super::products::{column, matrix};
