@@ -7,7 +7,7 @@
 pub(super) mod proof;
 
 use super::lever::Lever;
-use super::products::{column, double_cross, matrix, skew, symmetric};
+use super::products::{column, double_cross, matrix, skew, symmetric, symmetric_matrix};
 use crate::fields;
 use crate::formula::{Component, Document, Few, Fields, Finite, Formula, Jacobian, Spec, along, cross_gradient};
 use crate::quantity::{
@@ -244,6 +244,6 @@ impl Formula for SymmetricStiffness {
 
     #[inline(always)]
     fn jacobian<D: Scalar>(i: &JoinLoads<D>) -> Jacobian<Self, D> {
-        JoinSymmetric { s_ta_ta: matrix!(i.of_s_ta_ta) }
+        JoinSymmetric { s_ta_ta: symmetric_matrix!(i.of_s_ta_ta) }
     }
 }

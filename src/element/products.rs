@@ -97,4 +97,15 @@ macro_rules! matrix {
     };
 }
 
-pub(super) use {column, matrix};
+/// As [`matrix`], of entries that are those of their mirror images, too.
+macro_rules! symmetric_matrix {
+    ($i:ident.$method:ident $(, $of:expr)*) => {{
+        let (xy, xz, yz) =
+            ($i.$method($($of,)* 0, 1), $i.$method($($of,)* 0, 2), $i.$method($($of,)* 1, 2));
+        let (xx, yy, zz) =
+            ($i.$method($($of,)* 0, 0), $i.$method($($of,)* 1, 1), $i.$method($($of,)* 2, 2));
+        nalgebra::Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
+    }};
+}
+
+pub(super) use {column, matrix, symmetric_matrix};

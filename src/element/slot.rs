@@ -8,7 +8,7 @@ mod proof;
 
 use super::join::{JoinForces, JoinStiffness, JoinSymmetric};
 use super::lever::Lever;
-use super::products::{column, double_cross, matrix, skew, symmetric};
+use super::products::{column, double_cross, matrix, skew, symmetric, symmetric_matrix};
 use crate::fields;
 use crate::formula::{Component, Document, Few, Fields, Finite, Formula, Jacobian, Spec, along, cross_gradient};
 use crate::quantity::{E2A, E3A, F2, F3, GY_TA, GY_UA, GY_UB, GZ_TA, GZ_UA, GZ_UB, XA, XB};
@@ -210,6 +210,6 @@ impl Formula for SymmetricStiffness {
 
     #[inline(always)]
     fn jacobian<D: Scalar>(i: &SlotLoads<D>) -> Jacobian<Self, D> {
-        JoinSymmetric { s_ta_ta: matrix!(i.of_s_ta_ta) }
+        JoinSymmetric { s_ta_ta: symmetric_matrix!(i.of_s_ta_ta) }
     }
 }

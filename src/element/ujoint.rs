@@ -8,7 +8,7 @@ mod proof;
 use super::NodalForces;
 use super::join::{self, JoinForces, JoinLoads, JoinRows, JoinStiffness};
 use super::lever::Lever;
-use super::products::{column, matrix, symmetric};
+use super::products::{column, matrix, symmetric, symmetric_matrix};
 use super::universal::{self, UniversalLoads, UniversalRow, UniversalStiffness};
 use crate::fields;
 use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec};
@@ -314,6 +314,6 @@ impl Formula for SymmetricStiffness {
 
     #[inline(always)]
     fn jacobian<D: Scalar>(i: &JointLoads<D>) -> Jacobian<Self, D> {
-        JointSymmetric { s_ta_ta: matrix!(i.of_s_ta_ta), s_tb_tb: matrix!(i.of_s_tb_tb) }
+        JointSymmetric { s_ta_ta: symmetric_matrix!(i.of_s_ta_ta), s_tb_tb: symmetric_matrix!(i.of_s_tb_tb) }
     }
 }

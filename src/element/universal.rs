@@ -5,7 +5,9 @@
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 
-use super::products::{column, double_cross, double_cross_gradient, matrix, symmetric, symmetric_gradient};
+use super::products::{
+    column, double_cross, double_cross_gradient, matrix, symmetric, symmetric_gradient, symmetric_matrix,
+};
 use crate::fields;
 use crate::formula::{Component, Document, Few, Finite, Formula, Jacobian, Spec, cross_gradient};
 use crate::quantity::{
@@ -237,7 +239,7 @@ impl Formula for SymmetricStiffness {
 
     #[inline(always)]
     fn jacobian<D: Scalar>(i: &UniversalLoads<D>) -> Jacobian<Self, D> {
-        let block = matrix!(i.of_symmetric);
+        let block = symmetric_matrix!(i.of_symmetric);
         UniversalSymmetric { s_ta_ta: block, s_tb_tb: block }
     }
 }
