@@ -71,14 +71,15 @@ fn usual<const N: usize>(y: [f64; N], x: [f64; N]) -> [f64; N] {
     let (across, along) = (y.map(f64::abs), x.map(f64::abs));
     let large = of_both(y, x, larger);
     let small = of_both(across, along, |across, along| if along < across { along } else { across });
-    let is_steep = of_both(across, along, |across, along| one_if(across > along));
-    let is_back = x.map(|x| one_if(x < 0.0));
+    let is_steep = of_both(across, along, |across, along| across > along);
+    let is_back = x.map(|x| x < 0.0);
     let is_wide = of_both(small, large, |small, large| one_if(small > TAN_SIXTEENTH * large));
     let t: [f64; N] = std::array::from_fn(|k| (small[k] - large[k] * is_wide[k]) / (large[k] + small[k] * is_wide[k]));
     std::array::from_fn(|k| {
         let rest = t[k] * beyond(&ARC_TANGENT, t[k] * t[k]);
-        let way = (1.0 - 2.0 * is_steep[k]) * (1.0 - 2.0 * is_back[k]);
-        let eighths = 2.0 * is_steep[k] + 4.0 * is_back[k] * (1.0 - is_steep[k]) + way * is_wide[k];
+        let way = if is_steep[k] == is_back[k] { 1.0 } else { -1.0 };
+        let quarters = 2.0 * one_if(is_steep[k]) + 4.0 * one_if(is_back[k] & !is_steep[k]);
+        let eighths = quarters + way * is_wide[k];
         let turn = eighths * FRAC_PI_4 + way * (t[k] + (rest + way * eighths * FRAC_PI_4_LOW));
         turn.copysign(y[k])
     })
@@ -94,7 +95,7 @@ pub(crate) fn beyond(p: &[f64; 12], z: f64) -> f64 {
 }
 
 #[inline(always)]
-fn of_both<const N: usize>(x: [f64; N], y: [f64; N], of: impl Fn(f64, f64) -> f64) -> [f64; N] {
+fn of_both<T, const N: usize>(x: [f64; N], y: [f64; N], of: impl Fn(f64, f64) -> T) -> [T; N] {
     std::array::from_fn(|k| of(x[k], y[k]))
 }
 

@@ -127,7 +127,7 @@ fn turn_gradients<D: Scalar, const N: usize>(
     let squares: [D; N] = std::array::from_fn(|k| sines[k] * sines[k] + cosines[k] * cosines[k]);
     let are_usual = squares.iter().fold(true, |all, &square| all & is_between(square, 1e-30, 1e30));
     if !are_usual && D::has_extremes() {
-        return std::array::from_fn(|k| extreme_turn_gradient(of[k], (sines[k], cosines[k])));
+        return std::array::from_fn(|k| extreme_turn_gradient(of[k].map(|v| *v), (sines[k], cosines[k])));
     }
     let by = squares.map(|square| number_if(are_usual, square.recip()));
     std::array::from_fn(|k| {
@@ -136,12 +136,12 @@ fn turn_gradients<D: Scalar, const N: usize>(
     })
 }
 
-/// [`turn_gradient`] where squares under- or overflow.
+/// [`turn_gradient`] where squares under- or overflow. By value: references would keep the vectors in memory for all.
 #[cold]
-fn extreme_turn_gradient<D: Scalar>([v, p, q]: [&Vector3<D>; 3], (sine, cosine): (D, D)) -> [Vector3<D>; 3] {
+fn extreme_turn_gradient<D: Scalar>([v, p, q]: [Vector3<D>; 3], (sine, cosine): (D, D)) -> [Vector3<D>; 3] {
     let (length, [sine, cosine]) = norm_and_direction([sine, cosine]);
     let by = length.recip();
-    [p.cross(q).cross(v) * by * by, v * (-cosine * by), v * (sine * by)]
+    [p.cross(&q).cross(&v) * by * by, v * (-cosine * by), v * (sine * by)]
 }
 
 /// Whether [`turn`] and its derivatives are defined. Where several rows are computed at once, they are NaN if not.

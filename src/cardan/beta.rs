@@ -70,8 +70,9 @@ impl Formula for BetaTwoArgument {
         let (cosine, [n1, n2]) = norm_and_direction([i.e1a.dot(&i.e1b), i.e1a.dot(&i.e2b)]);
         let m = i.e1b * n1 + i.e2b * n2;
         let sine = i.e1a.dot(&i.e3b);
-        let [by_e1a, by_e3b, by_m] = turn_gradient([&i.e1a, &i.e3b, &m], (sine, cosine));
-        let by = BetaAxes { e1a: -by_e1a, e1b: by_m * -n1, e2b: by_m * -n2, e3b: -by_e3b };
+        // β is 90° less the angle from the other axis, which has the opposite derivative.
+        let [by_e1a, by_m, by_e3b] = turn_gradient([&i.e1a, &m, &i.e3b], (cosine, sine));
+        let by = BetaAxes { e1a: by_e1a, e1b: by_m * n1, e2b: by_m * n2, e3b: by_e3b };
         // As a list of one it is compiled in place, which makes all of this a tenth faster; it has the same bits.
         let [beta] = angles([sine + 0.0], [cosine]);
         (Beta { beta }, Beta { beta: by })
