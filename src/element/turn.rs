@@ -45,7 +45,7 @@ impl<D: Scalar> Turn<D> {
             u,
             h: e.cross(&k),
             v: e.cross(&u),
-            inverse: [along * per, across * per],
+            inverse: [along, across],
             square: [q * cos + p * sin, p * cos - q * sin],
             skewed: [stretch * cos + shear * sin, shear * cos - stretch * sin],
         }
