@@ -25,21 +25,14 @@ impl<T: Component> Triads<T> {
         Self { e1a, e2a, e3a, e1b, e2b, e3b }
     }
 
-    /// The axes of a, and those of b.
-    #[inline]
-    pub(crate) const fn axes(&self) -> [[&Vector3<T>; 3]; 2] {
-        [[&self.e1a, &self.e2a, &self.e3a], [&self.e1b, &self.e2b, &self.e3b]]
+    /// From vectors that stand elsewhere, component by component: copies of whole vectors go through memory.
+    #[inline(always)]
+    pub(crate) fn by_components(a: [&Vector3<T>; 3], b: [&Vector3<T>; 3]) -> Self {
+        Self::new(a.map(|e| e.xyz()), b.map(|e| e.xyz()))
     }
 }
 
 impl<D: Scalar> Triads<D> {
-    /// From vectors that stand elsewhere, component by component: copies of whole vectors go through memory.
-    #[inline(always)]
-    pub(crate) fn by_components(a: [&Vector3<D>; 3], b: [&Vector3<D>; 3]) -> Self {
-        let ([e1a, e2a, e3a], [e1b, e2b, e3b]) = (a, b);
-        Self { e1a: e1a.xyz(), e2a: e2a.xyz(), e3a: e3a.xyz(), e1b: e1b.xyz(), e2b: e2b.xyz(), e3b: e3b.xyz() }
-    }
-
     /// α and γ, in less time than one after the other.
     #[inline(always)]
     pub(crate) fn alpha_and_gamma(&self) -> [D; 2] {

@@ -49,14 +49,14 @@ pub(super) struct Turns<D> {
 
 impl<D: Scalar> Turns<D> {
     #[inline(always)]
-    pub(super) fn new([[e1a, e2a, e3a], [e1b, e2b, e3b]]: [[&Vector3<D>; 3]; 2]) -> Self {
+    pub(super) fn new(i: &Triads<D>) -> Self {
         Self {
-            e1a: *e1a,
-            e3b: *e3b,
-            first: Turn::new(e3b, e2a, e3a),
-            third: Turn::new(e1a, e2b, e1b),
-            sine: e1a.dot(e3b),
-            slope: arc_sine_slope(e1a, e3b),
+            e1a: i.e1a,
+            e3b: i.e3b,
+            first: Turn::new(&i.e3b, &i.e2a, &i.e3a),
+            third: Turn::new(&i.e1a, &i.e2b, &i.e1b),
+            sine: i.e1a.dot(&i.e3b),
+            slope: arc_sine_slope(&i.e1a, &i.e3b),
         }
     }
 
@@ -172,7 +172,7 @@ impl Formula for Rows {
 
     #[inline]
     fn eval<D: Scalar>(i: &Triads<D>) -> AlignRows<D> {
-        let [ur1_tb, ur2_tb, ur3_tb] = Turns::new(i.axes()).rows();
+        let [ur1_tb, ur2_tb, ur3_tb] = Turns::new(i).rows();
         AlignRows { ur1_tb, ur2_tb, ur3_tb }
     }
 
@@ -183,7 +183,7 @@ impl Formula for Rows {
 
     #[inline(always)]
     fn linearized<D: Scalar>(i: &Triads<D>) -> ValueAndJacobian<Self, D> {
-        let turns = Turns::new(i.axes());
+        let turns = Turns::new(i);
         let [ur1_tb, ur2_tb, ur3_tb] = turns.rows();
         let one = D::one();
         let gradients = AlignRows {
@@ -219,15 +219,9 @@ impl<T: Component> AlignLoads<T> {
 
     /// The triads.
     #[inline]
-    pub const fn triads(&self) -> Triads<T> {
-        let Self { e1a, e2a, e3a, e1b, e2b, e3b, .. } = *self;
-        Triads { e1a, e2a, e3a, e1b, e2b, e3b }
-    }
-
-    /// The axes of a, and those of b.
-    #[inline]
-    pub(super) const fn axes(&self) -> [[&Vector3<T>; 3]; 2] {
-        [[&self.e1a, &self.e2a, &self.e3a], [&self.e1b, &self.e2b, &self.e3b]]
+    pub fn triads(&self) -> Triads<T> {
+        let Self { e1a, e2a, e3a, e1b, e2b, e3b, .. } = self;
+        Triads::by_components([e1a, e2a, e3a], [e1b, e2b, e3b])
     }
 
     /// The multipliers.
@@ -270,8 +264,8 @@ pub(super) struct Loaded<D> {
 
 impl<D: Scalar> Loaded<D> {
     #[inline(always)]
-    pub(super) fn new(axes: [[&Vector3<D>; 3]; 2], multipliers: [D; 3]) -> Self {
-        let turns = Turns::new(axes);
+    pub(super) fn new(loads: &AlignLoads<D>) -> Self {
+        let (turns, multipliers) = (Turns::new(&loads.triads()), loads.multipliers());
         Self { multipliers, rows: turns.rows(), turns }
     }
 
@@ -318,7 +312,7 @@ impl Formula for Moments {
 
     #[inline]
     fn eval<D: Scalar>(i: &AlignLoads<D>) -> UniversalMoments<D> {
-        let mb = Loaded::new(i.axes(), i.multipliers()).moment();
+        let mb = Loaded::new(i).moment();
         UniversalMoments { ma: -mb, mb }
     }
 
@@ -329,7 +323,7 @@ impl Formula for Moments {
 
     #[inline(always)]
     fn linearized<D: Scalar>(i: &AlignLoads<D>) -> ValueAndJacobian<Self, D> {
-        let loaded = Loaded::new(i.axes(), i.multipliers());
+        let loaded = Loaded::new(i);
         let mb = loaded.moment();
         (UniversalMoments { ma: -mb, mb }, UniversalMoments { ma: column!(loaded.of_ma), mb: column!(loaded.of_mb) })
     }
@@ -358,8 +352,8 @@ pub(super) struct Curved<D> {
 
 impl<D: Scalar> Curved<D> {
     #[inline(always)]
-    pub(super) fn new(axes: [[&Vector3<D>; 3]; 2], multipliers: [D; 3]) -> Self {
-        let (turns, [l1, _, l3]) = (Turns::new(axes), multipliers);
+    pub(super) fn new(loads: &AlignLoads<D>) -> Self {
+        let (turns, multipliers @ [l1, _, l3]) = (Turns::new(&loads.triads()), loads.multipliers());
         let (first, third) = (turns.first.curving(l1), turns.third.curving(l3));
         Self { multipliers, entries: turns.curvatures(), first, third, turns }
     }
@@ -399,7 +393,7 @@ impl Formula for GeometricStiffness {
 
     #[inline]
     fn eval<D: Scalar>(i: &AlignLoads<D>) -> AlignStiffness<D> {
-        let ([first, second, third], [l1, l2, l3]) = (Turns::new(i.axes()).curvatures(), i.multipliers());
+        let ([first, second, third], [l1, l2, l3]) = (Turns::new(&i.triads()).curvatures(), i.multipliers());
         AlignStiffness { k_tb_tb: first * l1 + second * l2 + third * l3 }
     }
 
@@ -411,7 +405,7 @@ impl Formula for GeometricStiffness {
     // Its results are too many to be copied, as they are where it is compiled in place.
     #[inline]
     fn linearized<D: Scalar>(i: &AlignLoads<D>) -> ValueAndJacobian<Self, D> {
-        let curved = Curved::new(i.axes(), i.multipliers());
+        let curved = Curved::new(i);
         (AlignStiffness { k_tb_tb: curved.stiffness() }, AlignStiffness { k_tb_tb: matrix!(curved.of_k_tb_tb) })
     }
 

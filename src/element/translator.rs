@@ -64,15 +64,9 @@ impl<T: Component> TranslatorPlaces<T> {
 
     /// The triads.
     #[inline]
-    pub const fn triads(&self) -> Triads<T> {
-        let Self { e1a, e2a, e3a, e1b, e2b, e3b, .. } = *self;
-        Triads { e1a, e2a, e3a, e1b, e2b, e3b }
-    }
-
-    /// The axes of a, and those of b.
-    #[inline]
-    const fn axes(&self) -> [[&Vector3<T>; 3]; 2] {
-        [[&self.e1a, &self.e2a, &self.e3a], [&self.e1b, &self.e2b, &self.e3b]]
+    pub fn triads(&self) -> Triads<T> {
+        let Self { e1a, e2a, e3a, e1b, e2b, e3b, .. } = self;
+        Triads::by_components([e1a, e2a, e3a], [e1b, e2b, e3b])
     }
 
     /// From both triads and places.
@@ -111,7 +105,7 @@ impl Formula for Rows {
 
     #[inline(always)]
     fn linearized<D: Scalar>(i: &TranslatorPlaces<D>) -> ValueAndJacobian<Self, D> {
-        let turns = Turns::new(i.axes());
+        let turns = Turns::new(&i.triads());
         let one = D::one();
         let gradients = TranslatorRows {
             gy_ua: column!(i.of_y, -one),
@@ -204,20 +198,10 @@ impl<T: Component> TranslatorLoads<T> {
 
     /// What ALIGN sees of it.
     #[inline]
-    pub const fn align(&self) -> AlignLoads<T> {
-        let Self { e1a, e2a, e3a, e1b, e2b, e3b, lambda_r1, lambda_r2, lambda_r3, .. } = *self;
-        AlignLoads { e1a, e2a, e3a, e1b, e2b, e3b, lambda_r1, lambda_r2, lambda_r3 }
-    }
-}
-
-impl<T: Component> TranslatorLoads<T> {
-    /// The axes of a, and those of b.
-    #[inline]
-    const fn axes(&self) -> [[&Vector3<T>; 3]; 2] {
-        [[&self.e1a, &self.e2a, &self.e3a], [&self.e1b, &self.e2b, &self.e3b]]
-    }
-    const fn multipliers(&self) -> [T; 3] {
-        [self.lambda_r1, self.lambda_r2, self.lambda_r3]
+    pub fn align(&self) -> AlignLoads<T> {
+        let Self { e1a, e2a, e3a, e1b, e2b, e3b, .. } = self;
+        let triads = Triads::by_components([e1a, e2a, e3a], [e1b, e2b, e3b]);
+        AlignLoads::new(&triads, [self.lambda_r1, self.lambda_r2, self.lambda_r3])
     }
 }
 
@@ -303,7 +287,7 @@ impl Formula for Forces {
 
     #[inline(always)]
     fn linearized<D: Scalar>(i: &TranslatorLoads<D>) -> ValueAndJacobian<Self, D> {
-        let (forces, loaded) = (slot::Forces::eval(&i.slot()), Loaded::new(i.axes(), i.multipliers()));
+        let (forces, loaded) = (slot::Forces::eval(&i.slot()), Loaded::new(&i.align()));
         let mb = loaded.moment();
         let value = NodalForces { fa: forces.fa, ma: forces.ma + -mb, fb: forces.fb, mb };
         let gradients = NodalForces {
@@ -363,7 +347,7 @@ impl Formula for GeometricStiffness {
     #[inline]
     fn linearized<D: Scalar>(i: &TranslatorLoads<D>) -> ValueAndJacobian<Self, D> {
         let JoinStiffness { k_ua_ta, k_ta_ta } = slot::GeometricStiffness::eval(&i.slot());
-        let curved = Curved::new(i.axes(), i.multipliers());
+        let curved = Curved::new(&i.align());
         let (k_tb_tb, align) = (curved.stiffness(), AlignStiffness { k_tb_tb: matrix!(curved.of_k_tb_tb) });
         let gradients = TranslatorStiffness {
             k_ua_ta: matrix!(i.of_k_ua_ta),
