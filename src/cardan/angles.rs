@@ -50,7 +50,7 @@ impl Formula for CardanAngles {
     #[inline(always)]
     fn jacobian<D: Scalar>(i: &Triads<D>) -> Jacobian<Self, D> {
         let zero = Triads::filled(D::zero());
-        let slope = arc_sine_slope(&i.e1a, &i.e3b);
+        let [slope, _] = arc_sine_slope(&i.e1a, &i.e3b);
         let beta = Triads { e1a: i.e3b * slope, e3b: i.e1a * slope, ..zero };
         let [alpha, gamma] = i.alpha_and_gamma_gradients();
         Angles { alpha, beta, gamma }

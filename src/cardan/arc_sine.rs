@@ -37,22 +37,30 @@ fn gentle_or_steep<D: Scalar>(is_gentle: bool, sine: D, shortfall: D) -> D {
     if is_gentle { angle } else { sign(sine) * (pi::<D>() * 0.5 - (angle * 2.0 - low)) }
 }
 
-/// The derivative of [`arc_sine`] with respect to a·b: 1/√(1 − (a·b)²); 0 beyond ±1.
+/// The derivative of [`arc_sine`] with respect to a·b, 1/√(1 − (a·b)²), and its square, of which it is the root: so that its
+/// powers have few roundings. 0 beyond ±1.
 #[inline]
-pub(crate) fn arc_sine_slope<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
+pub(crate) fn arc_sine_slope<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> [D; 2] {
     let sine = a.dot(b);
     let is_gentle = abs(sine) < STEEP;
     let gentle = (-sine + 1.0) * (sine + 1.0);
     if !D::has_extremes() {
-        return (if is_gentle { gentle } else { steep_square(shortfall(a, b)) }).sqrt().recip();
+        return per_square(if is_gentle { gentle } else { steep_square(shortfall(a, b)) });
     }
-    if is_gentle { gentle.sqrt().recip() } else { steep_slope(a, b) }
+    if is_gentle { per_square(gentle) } else { steep_slope(a, b) }
 }
 
 #[cold]
-fn steep_slope<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
+fn steep_slope<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> [D; 2] {
     let shortfall = shortfall(a, b);
-    if shortfall > 0.0 { steep_square(shortfall).sqrt().recip() } else { D::zero() }
+    if shortfall > 0.0 { per_square(steep_square(shortfall)) } else { [D::zero(); 2] }
+}
+
+/// 1/x and 1/x² of the square x² of a number.
+#[inline(always)]
+fn per_square<D: Scalar>(square: D) -> [D; 2] {
+    let per_square = square.recip();
+    [per_square.sqrt(), per_square]
 }
 
 /// 1 − (a·b)².

@@ -42,21 +42,24 @@ pub(super) struct Turns<D> {
     first: Turn<D>,
     /// γ, of e1a.
     third: Turn<D>,
-    /// sin β and 1/√(1 − sin² β).
+    /// sin β, 1/√(1 − sin² β) and its square.
     sine: D,
     slope: D,
+    square: D,
 }
 
 impl<D: Scalar> Turns<D> {
     #[inline(always)]
     pub(super) fn new(i: &Triads<D>) -> Self {
+        let [slope, square] = arc_sine_slope(&i.e1a, &i.e3b);
         Self {
             e1a: i.e1a,
             e3b: i.e3b,
             first: Turn::new(&i.e3b, &i.e2a, &i.e3a),
             third: Turn::new(&i.e1a, &i.e2b, &i.e1b),
             sine: i.e1a.dot(&i.e3b),
-            slope: arc_sine_slope(&i.e1a, &i.e3b),
+            slope,
+            square,
         }
     }
 
@@ -102,12 +105,12 @@ impl<D: Scalar> Turns<D> {
     /// The gradient of a number of times an entry of the second of [`curvatures`](Self::curvatures).
     #[inline(always)]
     fn second_curvature_gradient(&self, times: D, r: usize, c: usize) -> Triads<D> {
-        let Self { e1a, e3b, sine, slope, .. } = self;
+        let Self { e1a, e3b, sine, slope, square, .. } = self;
         let (n, by_n) = (self.node_line(), |k: usize| cross_gradient(e3b, e1a, k));
         let ([b_r, a_r], [b_c, a_c]) = (by_n(r), by_n(c));
         let [by_b, by_a] = double_cross_gradient(e3b, e1a, r, c);
-        let (by_sine, cube) = (self.by_sine(), *slope * *slope * *slope);
-        let again = (cube + *sine * *slope * *slope * by_sine * 3.0) * times;
+        let by_sine = self.by_sine();
+        let again = *slope * *square * (*sine * *sine * *square * 3.0 + 1.0) * times;
         let (slope, by_sine) = (*slope * times, by_sine * times);
         let (times_r, times_c) = (n[r] * by_sine, n[c] * by_sine);
         let by_both = [
@@ -120,7 +123,7 @@ impl<D: Scalar> Turns<D> {
     /// The derivative of the slope by sin β.
     #[inline(always)]
     fn by_sine(&self) -> D {
-        self.sine * self.slope * self.slope * self.slope
+        self.sine * self.slope * self.square
     }
 
     /// A gradient by e1a, e3b and sin β.
@@ -147,7 +150,8 @@ fn of_third<D: Scalar>([e1a, e2b, e1b]: [Vector3<D>; 3]) -> Triads<D> {
 #[inline]
 fn check<D: Scalar>(i: &Triads<D>) -> Result<(), Error> {
     CardanAngles::validate(i)?;
-    if arc_sine_slope(&i.e1a, &i.e3b) > 0.0 {
+    let [slope, _] = arc_sine_slope(&i.e1a, &i.e3b);
+    if slope > 0.0 {
         return Ok(());
     }
     Err(Error::GimbalLock { angle: "beta", sine: "e1a·e3b", cosine: "√(1 − (e1a·e3b)²)" })

@@ -1,8 +1,8 @@
 //! The angle −atan2(e·p, e·q), by which Cardan's first and third angle are measured, and its derivative by the spin of e.
 //!
 //! With i² = −1, P = q + i p and z = e·P, the angle is −Im ln z. Its derivative by the spin of e is −Im Y with Y = e × W and
-//! W = P/z. Where p and q are perpendicular and equally long, P·P is 0, and ∂Y/∂e is −W Yᵀ; what P·P adds is kept apart,
-//! so that nothing cancels in it.
+//! W = P/z. ∂Y/∂P is ([e×] − Y eᵀ)/z. Where p and q are perpendicular and equally long, P·P is 0, and ∂Y/∂e is −W Yᵀ; what
+//! P·P adds is kept apart, so that nothing cancels in it.
 //!
 //! Turned by a spin φ of p and q and a spin ψ of e, Y changes by (e ⊗ W − I − Y ⊗ Y) ψ + (I − W ⊗ e + Y ⊗ Y) φ. Its imaginary
 //! part has no unit matrix left: one matrix and its transpose say how the derivative turns.
@@ -11,7 +11,7 @@
 
 use super::products::{double_cross, matrix};
 use crate::formula::{along, cross_gradient};
-use crate::scalar::{Scalar, norm_and_direction};
+use crate::scalar::{Scalar, is_between, norm_and_direction, number_if};
 use nalgebra::{Matrix3, Vector3};
 
 /// W = k − i u and Y = h − i v.
@@ -33,11 +33,9 @@ pub(super) struct Turn<D> {
 impl<D: Scalar> Turn<D> {
     #[inline(always)]
     pub(super) fn new(e: &Vector3<D>, p: &Vector3<D>, q: &Vector3<D>) -> Self {
-        let (r, [c, s]) = norm_and_direction([e.dot(q), e.dot(p)]);
-        let per = r.recip();
-        let (along, across) = (c * per, s * per);
+        let inverse @ [along, across] = inverse([e.dot(q), e.dot(p)]);
         let (k, u) = (p * across + q * along, q * across - p * along);
-        let (cos, sin) = ((c - s) * (c + s) * per * per, c * s * 2.0 * per * per);
+        let (cos, sin) = ((along - across) * (along + across), along * across * 2.0);
         let (stretch, shear) = ((q - p).dot(&(q + p)), p.dot(q) * 2.0);
         Self {
             e: *e,
@@ -45,7 +43,7 @@ impl<D: Scalar> Turn<D> {
             u,
             h: e.cross(&k),
             v: e.cross(&u),
-            inverse: [along, across],
+            inverse,
             square: [q * cos + p * sin, p * cos - q * sin],
             skewed: [stretch * cos + shear * sin, shear * cos - stretch * sin],
         }
@@ -99,6 +97,25 @@ impl<D: Scalar> Turn<D> {
         let across = |g: &Vector3<D>| double_cross(g, e).row(n).transpose();
         [-(u * k[n] + k * u[n]), across(re), across(im)]
     }
+}
+
+/// The real part of 1/(c + i s), and the imaginary one with the other sign.
+#[inline(always)]
+fn inverse<D: Scalar>([c, s]: [D; 2]) -> [D; 2] {
+    let square = c * c + s * s;
+    let is_usual = is_between(square, 1e-280, 1e280);
+    if !is_usual && D::has_extremes() {
+        return extreme_inverse([c, s]);
+    }
+    let per_square = number_if(is_usual, square.recip());
+    [c * per_square, s * per_square]
+}
+
+/// [`inverse`] where squares under- or overflow.
+#[cold]
+fn extreme_inverse<D: Scalar>(z: [D; 2]) -> [D; 2] {
+    let (size, direction) = norm_and_direction(z);
+    direction.map(|part| part / size)
 }
 
 /// A turn with what the gradients of its curvature are made of.
