@@ -34,7 +34,11 @@ pub trait AnyFormula: Send + Sync {
     /// Where it has no derivative.
     fn kinks(&self) -> Vec<KinkEntry>;
     /// Its golden file, computed now.
-    fn golden(&self) -> golden::File;
+    fn golden(&self) -> golden::File {
+        self.golden_with(golden::LEAST_RANDOM)
+    }
+    /// Its golden file with at least so many cases drawn at random.
+    fn golden_with(&self, least_random: usize) -> golden::File;
     /// Its audit, executed now.
     fn audit(&self, options: &Options) -> Audit;
     /// A part of its audit, at its share of the random points.
@@ -160,8 +164,8 @@ impl<F: Proved> AnyFormula for F {
     fn kinks(&self) -> Vec<KinkEntry> {
         kinks(&Subject::of::<F>())
     }
-    fn golden(&self) -> golden::File {
-        golden::file::<F>()
+    fn golden_with(&self, least_random: usize) -> golden::File {
+        golden::file::<F>(least_random)
     }
     fn audit(&self, options: &Options) -> Audit {
         audit::<F>(options)

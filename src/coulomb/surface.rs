@@ -1,5 +1,10 @@
 //! The return map on a surface, where the tangential force has two components.
 
+#![expect(
+    clippy::inline_always,
+    reason = "value and gradients share the direction where they are compiled as one piece"
+)]
+
 #[cfg(feature = "verify")]
 mod proof;
 
@@ -25,30 +30,26 @@ fields! {
 #[derive(Clone, Copy, Debug)]
 pub struct ReturnMap2d;
 
-/// How the force comes about: as it was tried, or in this direction, with this length of the trial force.
-enum Contact<D> {
-    Sticks,
-    Slips { length: D, along: Vector2<D> },
+/// The trial force, and whether the contact holds it.
+struct Tried<D> {
+    length: D,
+    along: Vector2<D>,
+    sticks: bool,
 }
 
 impl<D: Scalar> Trial2d<D> {
     /// A force of 0 has no direction to slip in.
-    #[inline]
-    fn contact(&self) -> Contact<D> {
+    #[inline(always)]
+    fn tried(&self) -> Tried<D> {
         let (length, along) = norm_and_direction::<D, 2>(self.f_trial.into());
-        if (Trial { f_trial: length, mu: self.mu, r#fn: self.r#fn }).sticks() || length == 0.0 {
-            return Contact::Sticks;
-        }
-        Contact::Slips { length, along: along.into() }
+        let sticks = (Trial { f_trial: length, mu: self.mu, r#fn: self.r#fn }).sticks() || length == 0.0;
+        Tried { length, along: along.into(), sticks }
     }
 
     /// The force.
-    #[inline]
-    fn transmitted(&self, contact: &Contact<D>) -> Vector2<D> {
-        match contact {
-            Contact::Sticks => self.f_trial,
-            Contact::Slips { along, .. } => along * (self.mu * self.r#fn),
-        }
+    #[inline(always)]
+    fn transmitted(&self, tried: &Tried<D>) -> Vector2<D> {
+        if tried.sticks { self.f_trial } else { tried.along * (self.mu * self.r#fn) }
     }
 }
 
@@ -70,7 +71,7 @@ impl Formula for ReturnMap2d {
 
     #[inline]
     fn eval<D: Scalar>(i: &Trial2d<D>) -> Tangential2d<D> {
-        Tangential2d { f: i.transmitted(&i.contact()) }
+        Tangential2d { f: i.transmitted(&i.tried()) }
     }
 
     #[inline]
@@ -78,22 +79,17 @@ impl Formula for ReturnMap2d {
         Self::linearized(i).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &Trial2d<D>) -> ValueAndJacobian<Self, D> {
-        let (zero, one, contact) = (D::zero(), D::one(), i.contact());
-        let f = i.transmitted(&contact);
-        let [x, y] = match contact {
-            Contact::Sticks => [Vector2::new(one, zero), Vector2::new(zero, one)].map(|f_trial| Trial2d {
-                f_trial,
-                mu: zero,
-                r#fn: zero,
-            }),
-            Contact::Slips { length, along } => {
-                let across = Vector2::new(-along.y, along.x);
-                let turned = across * (i.mu * i.r#fn / length);
-                [0, 1].map(|k| Trial2d { f_trial: turned * across[k], mu: i.r#fn * along[k], r#fn: i.mu * along[k] })
-            }
-        };
+        let (zero, one, tried @ Tried { length, along, sticks }) = (D::zero(), D::one(), i.tried());
+        // What slips is computed in any case, and chosen: a branch would be mispredicted at every other point.
+        let across = Vector2::new(-along.y, along.x);
+        let turned = across * (i.mu * i.r#fn / length);
+        let slipping = |k: usize| Trial2d { f_trial: turned * across[k], mu: i.r#fn * along[k], r#fn: i.mu * along[k] };
+        let sticking = |f_trial| Trial2d { f_trial, mu: zero, r#fn: zero };
+        let x = if sticks { sticking(Vector2::new(one, zero)) } else { slipping(0) };
+        let y = if sticks { sticking(Vector2::new(zero, one)) } else { slipping(1) };
+        let f = i.transmitted(&tried);
         (Tangential2d { f }, Tangential2d { f: Vector2::new(x, y) })
     }
 }

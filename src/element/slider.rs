@@ -13,6 +13,7 @@
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 
+use super::products::column;
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
@@ -113,6 +114,8 @@ struct View<D> {
     /// 1/l, and 1/(l |n × e|).
     per_length: D,
     per_outward: D,
+    /// ∂t1/∂d and ∂t2/∂d.
+    turning: [Matrix3<D>; 2],
 }
 
 impl<D: Scalar> View<D> {
@@ -124,15 +127,13 @@ impl<D: Scalar> View<D> {
         let (upright, across) = axis.split(&d);
         let (far, [a, b]) = norm_and_direction(across.into());
         let (l, [tilt, lean]) = norm_and_direction([far, upright]);
-        Self {
-            along: Along::new(x1, xn, xm),
-            n: axis.vector(lean, tilt * a, tilt * b),
-            t: [axis.vector(zero, b, -a), axis.vector(-tilt, lean * a, lean * b)],
-            outward: axis.vector(zero, a, b),
-            lean,
-            per_length: l.recip(),
-            per_outward: far.recip(),
-        }
+        let (n, outward) = (axis.vector(lean, tilt * a, tilt * b), axis.vector(zero, a, b));
+        let (t1, t2) = (axis.vector(zero, b, -a), axis.vector(-tilt, lean * a, lean * b));
+        let (per_length, per_outward) = (l.recip(), far.recip());
+        // With the axis e: ∂t1/∂d = −(e × t1) ⊗ t1/(l |n × e|) and ∂t2/∂d = (n·e t1 ⊗ t1/|n × e| − n ⊗ t2)/l.
+        let along_t1 = t1.transpose() * per_outward;
+        let turning = [-outward * along_t1, t1 * along_t1 * lean - n * t2.transpose() * per_length];
+        Self { along: Along::new(x1, xn, xm), n, t: [t1, t2], outward, lean, per_length, per_outward, turning }
     }
 
     #[inline(always)]
@@ -141,17 +142,28 @@ impl<D: Scalar> View<D> {
         SliderRows { g1_u1: t1 * on_1, g1_un: t1 * on_n, g1_um: t1, g2_u1: t2 * on_1, g2_un: t2 * on_n, g2_um: t2 }
     }
 
-    /// ∂t1/∂d and ∂t2/∂d.
-    ///
-    /// With the axis e: ∂t1/∂d = −(e × t1) ⊗ t1/(l |n × e|) and ∂t2/∂d = (n·e t1 ⊗ t1/|n × e| − n ⊗ t2)/l.
+    /// The gradient of the k-th component of t_q, from q = 0, by the nodes.
     #[inline(always)]
-    fn turning(&self) -> [Matrix3<D>; 2] {
-        let [t1, t2] = &self.t;
-        let along_t1 = t1.transpose() * self.per_outward;
-        [-self.outward * along_t1, t1 * along_t1 * self.lean - self.n * t2.transpose() * self.per_length]
+    fn of_t(&self, q: usize, k: usize) -> Nodes<D> {
+        let [x1, xn, xm] = turned(&self.turning[q].row(k).transpose());
+        Nodes { x1, xn, xm }
     }
 
-    /// ∂²t1/∂d² and ∂²t2/∂d²: the gradients of an entry of [`turning`](Self::turning) by d.
+    /// As [`of_t`](Self::of_t), with a weight.
+    #[inline(always)]
+    fn of_row(&self, q: usize, weight: Weight<D>, k: usize) -> Nodes<D> {
+        let [x1, xn, xm] = self.along.gradient(weight, self.t[q][k], &self.turning[q].row(k).transpose());
+        Nodes { x1, xn, xm }
+    }
+
+    /// The k-th component of the force on m.
+    #[inline(always)]
+    fn loaded(&self, multipliers: [D; 2], k: usize) -> Loaded<D> {
+        let ([t1, t2], [by_d1, by_d2]) = (&self.t, &self.turning);
+        Loaded::new(multipliers, [t1[k], t2[k]], [by_d1.row(k).transpose(), by_d2.row(k).transpose()])
+    }
+
+    /// ∂²t1/∂d² and ∂²t2/∂d²: the gradients of an entry of `turning` by d.
     #[inline(always)]
     fn bending(&self, i: usize, j: usize) -> [Vector3<D>; 2] {
         let Self { n, t: [t1, t2], outward: c, lean, per_length, per_outward, .. } = self;
@@ -200,19 +212,14 @@ impl Formula for Rows {
     #[inline(always)]
     fn linearized<D: Scalar>(i: &Nodes<D>) -> ValueAndJacobian<Self, D> {
         let view = View::new(&i.x1, &i.xn, &i.xm);
-        let (turning, [on_1, on_n]) = (view.turning(), view.along.lever());
-        let by_d = |q: usize, k: usize| turning[q].row(k).transpose();
-        let nodes = |[x1, xn, xm]: [Vector3<D>; 3]| Nodes { x1, xn, xm };
-        let entry = |q: usize, weight, k: usize| nodes(view.along.gradient(weight, view.t[q][k], &by_d(q, k)));
-        let row = |q, weight| Vector3::new(entry(q, weight, 0), entry(q, weight, 1), entry(q, weight, 2));
-        let on_m = |q| Vector3::new(by_d(q, 0), by_d(q, 1), by_d(q, 2)).map(|by_d| nodes(turned(&by_d)));
+        let [on_1, on_n] = view.along.lever();
         let gradients = SliderRows {
-            g1_u1: row(0, on_1),
-            g1_un: row(0, on_n),
-            g1_um: on_m(0),
-            g2_u1: row(1, on_1),
-            g2_un: row(1, on_n),
-            g2_um: on_m(1),
+            g1_u1: column!(view.of_row, 0, on_1),
+            g1_un: column!(view.of_row, 0, on_n),
+            g1_um: column!(view.of_t, 0),
+            g2_u1: column!(view.of_row, 1, on_1),
+            g2_un: column!(view.of_row, 1, on_n),
+            g2_um: column!(view.of_t, 1),
         };
         (view.rows(), gradients)
     }
@@ -260,6 +267,7 @@ impl<D: Scalar> Loaded<D> {
         Self { value: self.value + other.value, by_d: self.by_d + other.by_d, by_multipliers: [a + c, b + d] }
     }
 
+    /// The gradient of a weighted number.
     #[inline(always)]
     fn weighted(&self, along: &Along<D, 3>, weight: Weight<D>) -> SliderLoads<D> {
         let [x1, xn, xm] = along.gradient(weight, self.value, &self.by_d);
@@ -296,7 +304,7 @@ impl<D: Scalar> SliderLoads<D> {
     /// The blocks, of P: how the force on m changes with d.
     #[inline(always)]
     fn stiffness(&self, view: &View<D>) -> SliderStiffness<D> {
-        let [first, second] = view.turning();
+        let [first, second] = view.turning;
         let p = first * self.lambda_1 + second * self.lambda_2;
         let (q, share, rest) = (p.transpose(), view.along.share, view.along.rest);
         SliderStiffness {
@@ -340,18 +348,14 @@ impl Formula for Forces {
     #[inline(always)]
     fn linearized<D: Scalar>(i: &SliderLoads<D>) -> ValueAndJacobian<Self, D> {
         let view = i.view();
-        let turning = view.turning();
-        let ([t1, t2], [by_d1, by_d2], [on_1, on_n]) = (view.t, &turning, view.along.lever());
-        let part = |k: usize| {
-            Loaded::new(i.multipliers(), [t1[k], t2[k]], [by_d1.row(k).transpose(), by_d2.row(k).transpose()])
+        let (force, along) = (column!(view.loaded, i.multipliers()), &view.along);
+        let [on_1, on_n] = along.lever();
+        let gradients = SliderForces {
+            force_1: force.map(|part| part.weighted(along, on_1)),
+            force_n: force.map(|part| part.weighted(along, on_n)),
+            force_m: force.map(|part| part.turned()),
         };
-        let [x, y, z] = [part(0), part(1), part(2)];
-        let force = |weight| {
-            let entry = |part: &Loaded<D>| part.weighted(&view.along, weight);
-            Vector3::new(entry(&x), entry(&y), entry(&z))
-        };
-        let force_m = Vector3::new(x.turned(), y.turned(), z.turned());
-        (i.forces(&view), SliderForces { force_1: force(on_1), force_n: force(on_n), force_m })
+        (i.forces(&view), gradients)
     }
 
     #[inline]
@@ -403,9 +407,9 @@ impl Formula for GeometricStiffness {
     #[inline(always)]
     fn linearized<D: Scalar>(i: &SliderLoads<D>) -> ValueAndJacobian<Self, D> {
         let view = i.view();
-        let (along, turning) = (&view.along, view.turning());
+        let along = &view.along;
         let p = Matrix3::from_fn(|row, column| {
-            Loaded::new(i.multipliers(), turning.map(|by| by[(row, column)]), view.bending(row, column))
+            Loaded::new(i.multipliers(), view.turning.map(|by| by[(row, column)]), view.bending(row, column))
         });
         let both = Matrix3::from_fn(|row, column| p[(row, column)].plus(&p[(column, row)]));
         // The derivative of ξ Q − (1 − ξ) P by ξ is P + Q.

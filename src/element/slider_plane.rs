@@ -42,22 +42,39 @@ struct View<D> {
     n: Vector2<D>,
     t: Vector2<D>,
     per_length: D,
+    /// ∂t/∂d = −n ⊗ t/l.
+    turning: Matrix2<D>,
 }
 
 impl<D: Scalar> View<D> {
     #[inline(always)]
     fn new(x1: &Vector2<D>, xn: &Vector2<D>, xm: &Vector2<D>) -> Self {
         let (l, [c, s]) = norm_and_direction((xn - x1).into());
-        Self { along: Along::new(x1, xn, xm), n: Vector2::new(c, s), t: Vector2::new(-s, c), per_length: l.recip() }
+        let (n, t, per_length) = (Vector2::new(c, s), Vector2::new(-s, c), l.recip());
+        Self { along: Along::new(x1, xn, xm), n, t, per_length, turning: n * t.transpose() * -per_length }
     }
 
-    /// ∂t/∂d = −n ⊗ t/l.
+    /// The gradient of the k-th component of t by the nodes.
     #[inline(always)]
-    fn turning(&self) -> Matrix2<D> {
-        self.n * self.t.transpose() * -self.per_length
+    fn of_t(&self, k: usize) -> Nodes2d<D> {
+        let [x1, xn, xm] = turned(&self.turning.row(k).transpose());
+        Nodes2d { x1, xn, xm }
     }
 
-    /// ∂²t/∂d²: the gradient of an entry of [`turning`](Self::turning) by d.
+    /// As [`of_t`](Self::of_t), with a weight.
+    #[inline(always)]
+    fn of_row(&self, weight: Weight<D>, k: usize) -> Nodes2d<D> {
+        let [x1, xn, xm] = self.along.gradient(weight, self.t[k], &self.turning.row(k).transpose());
+        Nodes2d { x1, xn, xm }
+    }
+
+    /// The k-th component of the force on m.
+    #[inline(always)]
+    fn loaded(&self, multiplier: D, k: usize) -> Loaded<D> {
+        Loaded::new(multiplier, self.t[k], self.turning.row(k).transpose())
+    }
+
+    /// ∂²t/∂d²: the gradient of an entry of `turning` by d.
     #[inline(always)]
     fn bending(&self, i: usize, j: usize) -> Vector2<D> {
         let Self { n, t, per_length, .. } = self;
@@ -92,16 +109,13 @@ impl Formula for Rows {
     #[inline(always)]
     fn linearized<D: Scalar>(i: &Nodes2d<D>) -> ValueAndJacobian<Self, D> {
         let view = View::new(&i.x1, &i.xn, &i.xm);
-        let (turning, [on_1, on_n]) = (view.turning(), view.along.lever());
-        let by_d = Vector2::new(turning.row(0).transpose(), turning.row(1).transpose());
-        let nodes = |[x1, xn, xm]: [Vector2<D>; 3]| Nodes2d { x1, xn, xm };
-        let entry = |weight: Weight<D>, k: usize| nodes(view.along.gradient(weight, view.t[k], &by_d[k]));
-        let row = |weight| Vector2::new(entry(weight, 0), entry(weight, 1));
-        let on = |weight: Weight<D>| view.t * weight.value;
-        (
-            SliderRow2d { g_u1: on(on_1), g_un: on(on_n), g_um: view.t },
-            SliderRow2d { g_u1: row(on_1), g_un: row(on_n), g_um: by_d.map(|by_d| nodes(turned(&by_d))) },
-        )
+        let [on_1, on_n] = view.along.lever();
+        let gradients = SliderRow2d {
+            g_u1: Vector2::new(view.of_row(on_1, 0), view.of_row(on_1, 1)),
+            g_un: Vector2::new(view.of_row(on_n, 0), view.of_row(on_n, 1)),
+            g_um: Vector2::new(view.of_t(0), view.of_t(1)),
+        };
+        (SliderRow2d { g_u1: view.t * on_1.value, g_un: view.t * on_n.value, g_um: view.t }, gradients)
     }
 
     #[inline]
@@ -195,15 +209,15 @@ impl Formula for Forces {
     #[inline(always)]
     fn linearized<D: Scalar>(i: &SliderLoads2d<D>) -> ValueAndJacobian<Self, D> {
         let view = i.view();
-        let (turning, [on_1, on_n]) = (view.turning(), view.along.lever());
-        let part = |k: usize| Loaded::new(i.lambda, view.t[k], turning.row(k).transpose());
-        let parts = Vector2::new(part(0), part(1));
-        let by = |weight| parts.map(|part| part.weighted(&view.along, weight));
-        let on = |weight: Weight<D>| view.t * (i.lambda * weight.value);
-        (
-            SliderForces2d { force_1: on(on_1), force_n: on(on_n), force_m: view.t * i.lambda },
-            SliderForces2d { force_1: by(on_1), force_n: by(on_n), force_m: parts.map(|part| part.turned()) },
-        )
+        let (force, along) = (Vector2::new(view.loaded(i.lambda, 0), view.loaded(i.lambda, 1)), &view.along);
+        let [on_1, on_n] = along.lever();
+        let gradients = SliderForces2d {
+            force_1: force.map(|part| part.weighted(along, on_1)),
+            force_n: force.map(|part| part.weighted(along, on_n)),
+            force_m: force.map(|part| part.turned()),
+        };
+        let [by_1, by_n] = [on_1, on_n].map(|weight| weight.value * i.lambda);
+        (SliderForces2d { force_1: view.t * by_1, force_n: view.t * by_n, force_m: view.t * i.lambda }, gradients)
     }
 
     #[inline]
@@ -230,7 +244,7 @@ pub struct GeometricStiffness;
 impl GeometricStiffness {
     #[inline(always)]
     fn of<D: Scalar>(i: &SliderLoads2d<D>, view: &View<D>) -> SliderStiffness2d<D> {
-        let p = view.turning() * i.lambda;
+        let p = view.turning * i.lambda;
         let (q, both) = (p.transpose(), p + p.transpose());
         let [rest, share] = [view.along.rest(1.0), view.along.share(1.0)].map(|weight| weight.value);
         SliderStiffness2d { k_u1_u1: both * rest, k_u1_un: q * share - p * rest, k_un_un: both * -share, k_um_un: p }
@@ -260,9 +274,9 @@ impl Formula for GeometricStiffness {
     #[inline(always)]
     fn linearized<D: Scalar>(i: &SliderLoads2d<D>) -> ValueAndJacobian<Self, D> {
         let view = i.view();
-        let (along, turning) = (&view.along, view.turning());
+        let along = &view.along;
         let entry =
-            |row: usize, column: usize| Loaded::new(i.lambda, turning[(row, column)], view.bending(row, column));
+            |row: usize, column: usize| Loaded::new(i.lambda, view.turning[(row, column)], view.bending(row, column));
         let p = Matrix2::new(entry(0, 0), entry(0, 1), entry(1, 0), entry(1, 1));
         let both = p.zip_map(&p.transpose(), |p, q| p.plus(&q));
         // The derivative of ξ Q − (1 − ξ) P by ξ is P + Q.

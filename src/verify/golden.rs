@@ -28,16 +28,17 @@ use numbers::{four_digits_up, named_jacobian};
 /// So many points are drawn for each that is taken, so that no side of a comparison is left to chance.
 const CANDIDATES: usize = 4;
 /// At least this many cases drawn at random.
-const LEAST_RANDOM: usize = 16;
+pub const LEAST_RANDOM: usize = 16;
 /// The seed of the random cases.
 const SEED: u64 = 0;
 
-/// The golden file of `F`, computed now.
-pub fn file<F: Proved>() -> File {
-    of(&Subject::of::<F>())
+/// The golden file of `F`, computed now, with at least so many cases drawn at random; the committed ones have
+/// [`LEAST_RANDOM`].
+pub fn file<F: Proved>(least_random: usize) -> File {
+    of(&Subject::of::<F>(), least_random)
 }
 
-fn of(subject: &Subject) -> File {
+fn of(subject: &Subject, least_random: usize) -> File {
     let spec = subject.spec;
     File {
         schema: "schema.json".into(),
@@ -50,7 +51,7 @@ fn of(subject: &Subject) -> File {
         eta: Bounds { value: spec.eta, jacobian: spec.eta_jacobian },
         inputs: describe(subject.inputs),
         outputs: describe(subject.outputs),
-        cases: cases(subject).iter().map(|case| record(subject, case)).collect(),
+        cases: cases(subject, least_random).iter().map(|case| record(subject, case)).collect(),
     }
 }
 
@@ -64,10 +65,10 @@ fn describe(fields: &[Field]) -> Vec<Description> {
 }
 
 /// All cases of a formula: its own, random ones, and every way to be invalid.
-pub(super) fn cases(subject: &Subject) -> Vec<Case<Vec<f64>>> {
+pub(super) fn cases(subject: &Subject, least_random: usize) -> Vec<Case<Vec<f64>>> {
     let mut cases = (subject.cases)();
     let mut sampler = Sampler::for_formula(subject.spec.id, SEED);
-    let random = LEAST_RANDOM.max(LEAST_CASES.saturating_sub(cases.len()));
+    let random = least_random.max(LEAST_CASES.saturating_sub(cases.len()));
     let drawn = (0..random * CANDIDATES).map(|_| sampler.components(subject)).collect();
     let chosen = spread(subject, drawn, random).into_iter().zip(1..);
     cases.extend(chosen.map(|(inputs, k)| Case::new(Flag::Random, format!("random-{k}"), "", inputs)));
@@ -194,7 +195,7 @@ mod tests {
     #[test]
     fn cases_are_those_of_the_formula_random_ones_and_invalid_ones() {
         let subject = Subject::of::<ReturnMap>();
-        let (own, all) = ((subject.cases)(), cases(&subject));
+        let (own, all) = ((subject.cases)(), cases(&subject, LEAST_RANDOM));
         assert_eq!(all[..own.len()], own);
         let with = |flag| all.iter().filter(|case| case.flag == flag).count();
         assert_eq!((with(Flag::Random), with(Flag::Invalid)), (LEAST_CASES - own.len(), out_of_domain(&subject).len()));
@@ -205,7 +206,8 @@ mod tests {
         // Where a formula has many of its own, some are random nevertheless.
         let mut many = subject;
         many.cases = || vec![Case::hand("a", "", vec![1.0, 0.5, 4.0]); LEAST_CASES];
-        assert_eq!(cases(&many).iter().filter(|case| case.flag == Flag::Random).count(), LEAST_RANDOM);
+        let random = |least| cases(&many, least).iter().filter(|case| case.flag == Flag::Random).count();
+        assert_eq!([LEAST_RANDOM, 100].map(random), [LEAST_RANDOM, 100]);
     }
 
     #[test]

@@ -80,7 +80,7 @@ impl Judge {
     /// Points to ask for, each with its name: golden cases, also those that must be refused, points on and beside kinks, and
     /// random ones.
     pub fn points(&self, options: &Options) -> Vec<(String, Vec<f64>)> {
-        let cases = golden::cases(&self.subject).into_iter().map(|case| (case.id, case.inputs));
+        let cases = golden::cases(&self.subject, golden::LEAST_RANDOM).into_iter().map(|case| (case.id, case.inputs));
         let mut sampler = Sampler::for_formula(self.subject.spec.id, options.seed);
         let random = (0..options.samples)
             .map(|k| (format!("random {k} of seed {}", options.seed), sampler.components(&self.subject)));
@@ -151,7 +151,10 @@ mod tests {
         let judge = Judge::of::<ReturnMap>();
         let points = |samples| judge.points(&Options { samples, seed: 5 });
         let (none, two) = (points(0), points(2));
-        assert_eq!(none.len(), golden::cases(&judge.subject).len() + 5 * ReturnMap::kinks().len());
+        assert_eq!(
+            none.len(),
+            golden::cases(&judge.subject, golden::LEAST_RANDOM).len() + 5 * ReturnMap::kinks().len()
+        );
         let names: Vec<_> = two[none.len()..].iter().map(|(name, _)| name.as_str()).collect();
         assert_eq!(names, ["random 0 of seed 5", "random 1 of seed 5"]);
         assert_eq!(two[none.len()].1, Sampler::for_formula("coulomb.return_map", 5).components(&judge.subject));

@@ -11,7 +11,7 @@ use crate::selection::Selection;
 use anyhow::Context;
 use indicatif::ParallelProgressIterator;
 use jointproof::catalog::AnyFormula;
-use jointproof::verify::golden::{Difference, File};
+use jointproof::verify::golden::{Difference, File, LEAST_RANDOM};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -24,7 +24,8 @@ use std::path::{Path, PathBuf};
   {command} golden                       write changed files, remove files without a formula
   {command} golden --check               regenerate in memory and compare, write nothing
   {command} golden --filter '{family}.*' only the formulas of a family
-  {command} golden --out cases           into a folder of another project")]
+  {command} golden --out cases           into a folder of another project
+  {command} golden --out cases --random 1000 with more cases drawn at random")]
 pub(crate) struct Arguments {
     /// Compare with the committed files and write nothing; exit 1 on any difference
     #[arg(long)]
@@ -32,6 +33,9 @@ pub(crate) struct Arguments {
     /// Write the files and their schema into this folder, for another project; the committed files are not changed
     #[arg(long, value_name = "FOLDER", conflicts_with = "check")]
     out: Option<PathBuf>,
+    /// At least so many cases drawn at random, other ones than those of the committed files
+    #[arg(long, value_name = "N", requires = "out")]
+    random: Option<usize>,
     #[command(flatten)]
     selection: Selection,
 }
@@ -46,7 +50,8 @@ const SHOWN: usize = 10;
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     if let Some(folder) = &arguments.out {
-        print(&write_into(folder, project, &arguments.selection)?)?;
+        let least_random = arguments.random.unwrap_or(LEAST_RANDOM);
+        print(&write_into(folder, project, &arguments.selection, least_random)?)?;
         return Ok(verdict(true));
     }
     project.needs_repository("golden", ", or take --out FOLDER, which writes the files elsewhere")?;
@@ -78,11 +83,16 @@ struct Regenerated {
     text: String,
 }
 
-fn regenerate(project: &Project, selection: &Selection, folder: &Path) -> anyhow::Result<Vec<Regenerated>> {
+fn regenerate(
+    project: &Project,
+    selection: &Selection,
+    folder: &Path,
+    least_random: usize,
+) -> anyhow::Result<Vec<Regenerated>> {
     let formulas = selection.formulas(project)?;
     let bar = progress("golden", formulas.len());
     let one = |formula: &&dyn AnyFormula| {
-        let file = formula.golden();
+        let file = formula.golden_with(least_random);
         Ok(Regenerated { path: folder.join(format!("{}.json", formula.spec().id)), text: file.render()?, file })
     };
     formulas.par_iter().progress_with(bar).map(one).collect()
@@ -114,7 +124,7 @@ fn orphans(project: &Project) -> anyhow::Result<Vec<PathBuf>> {
 }
 
 fn write(project: &Project, selection: &Selection) -> anyhow::Result<String> {
-    let regenerated = regenerate(project, selection, &project.golden())?;
+    let regenerated = regenerate(project, selection, &project.golden(), LEAST_RANDOM)?;
     let mut report = String::new();
     let mut outputs: Vec<_> = regenerated.iter().map(|golden| (&golden.path, &golden.text)).collect();
     let (schema_path, schema) = schema(&project.golden())?;
@@ -141,8 +151,8 @@ fn write(project: &Project, selection: &Selection) -> anyhow::Result<String> {
 }
 
 /// Writes the files of some formulas into a folder that is not the project's own. Nothing is removed there.
-fn write_into(folder: &Path, project: &Project, selection: &Selection) -> anyhow::Result<String> {
-    let regenerated = regenerate(project, selection, folder)?;
+fn write_into(folder: &Path, project: &Project, selection: &Selection, least_random: usize) -> anyhow::Result<String> {
+    let regenerated = regenerate(project, selection, folder, least_random)?;
     let (schema_path, schema) = schema(folder)?;
     for (path, text) in regenerated.iter().map(|golden| (&golden.path, &golden.text)).chain([(&schema_path, &schema)]) {
         files::write(path, text)?;
@@ -171,7 +181,7 @@ fn is_current(path: &Path, text: &str) -> bool {
 
 /// Checks the golden files of formulas, and keeps what was found as evidence.
 pub(crate) fn check(project: &Project, selection: &Selection) -> anyhow::Result<Checked> {
-    let regenerated = regenerate(project, selection, &project.golden())?;
+    let regenerated = regenerate(project, selection, &project.golden(), LEAST_RANDOM)?;
     let mut evidence = Evidence::load(project);
     let mut off = Vec::new();
     for golden in &regenerated {
