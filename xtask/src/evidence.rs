@@ -120,7 +120,7 @@ fn fingerprints(project: &Project) -> BTreeMap<String, u64> {
     let mut of_file = |file: &PathBuf| {
         *known.entry(file.clone()).or_insert_with(|| {
             let mut hasher = DefaultHasher::new();
-            add(&project.root().join(file), &mut hasher);
+            add(project.root(), file, &mut hasher);
             hasher.finish()
         })
     };
@@ -138,7 +138,7 @@ fn fingerprints(project: &Project) -> BTreeMap<String, u64> {
 pub(crate) fn fingerprint(project: &Project) -> u64 {
     let mut hasher = DefaultHasher::new();
     for directory in ["src", "golden"] {
-        add(&project.root().join(directory), &mut hasher);
+        add(project.root(), Path::new(directory), &mut hasher);
     }
     hasher.finish()
 }
@@ -150,16 +150,17 @@ fn program() -> Option<&'static str> {
     PROGRAM.as_deref()
 }
 
-fn add(path: &Path, hasher: &mut impl Hasher) {
-    if let Ok(entries) = std::fs::read_dir(path) {
-        let mut paths: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();
+/// Adds a file, or all of a folder, with their names from the root: they are the same wherever that is.
+fn add(root: &Path, path: &Path, hasher: &mut impl Hasher) {
+    if let Ok(entries) = std::fs::read_dir(root.join(path)) {
+        let mut paths: Vec<_> = entries.flatten().map(|entry| path.join(entry.file_name())).collect();
         paths.sort();
         for path in paths {
-            add(&path, hasher);
+            add(root, &path, hasher);
         }
     } else {
         hasher.write(path.to_string_lossy().as_bytes());
-        hasher.write(&std::fs::read(path).unwrap_or_default());
+        hasher.write(&std::fs::read(root.join(path)).unwrap_or_default());
     }
 }
 
@@ -209,6 +210,18 @@ mod tests {
         assert!(third[0] == first[0] && third[1] != second[1]);
         write("src/a.rs", "four");
         assert!(of().iter().zip(&third).all(|(now, before)| now != before));
+    }
+
+    /// What was measured in one checkout is of this version in every other.
+    #[test]
+    fn a_fingerprint_is_that_of_the_same_files_elsewhere() {
+        let of = |text: &str| {
+            let root = tempfile::tempdir().unwrap();
+            files::write(&root.path().join("src/a/b.rs"), text).unwrap();
+            fingerprint(&Project::new("elsewhere", root.path().to_str().unwrap().to_owned().leak(), &[]))
+        };
+        assert_eq!(of("one"), of("one"));
+        assert_ne!(of("one"), of("two"));
     }
 
     /// What was found is kept by formula: what is found of one leaves the others as they are.
