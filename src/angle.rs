@@ -78,7 +78,7 @@ fn usual<const N: usize>(y: [f64; N], x: [f64; N]) -> [f64; N] {
     std::array::from_fn(|k| {
         let rest = t[k] * beyond(&ARC_TANGENT, t[k] * t[k]);
         let way = if is_steep[k] == is_back[k] { 1.0 } else { -1.0 };
-        let quarters = 2.0 * one_if(is_steep[k]) + 4.0 * one_if(is_back[k] & !is_steep[k]);
+        let quarters = 2.0 * one_if(is_steep[k]) + 4.0 * one_if(is_back[k] && !is_steep[k]);
         let eighths = quarters + way * is_wide[k];
         let turn = eighths * FRAC_PI_4 + way * (t[k] + (rest + way * eighths * FRAC_PI_4_LOW));
         turn.copysign(y[k])

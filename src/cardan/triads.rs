@@ -28,7 +28,7 @@ impl<T: Component> Triads<T> {
     /// From vectors that stand elsewhere, component by component: copies of whole vectors go through memory.
     #[inline(always)]
     pub(crate) fn by_components(a: [&Vector3<T>; 3], b: [&Vector3<T>; 3]) -> Self {
-        Self::new(a.map(|e| e.xyz()), b.map(|e| e.xyz()))
+        Self::new(a.map(Vector3::xyz), b.map(Vector3::xyz))
     }
 }
 
