@@ -80,13 +80,31 @@ const fn all<F: Formula>() -> usize {
 /// Whether an entry is not zero everywhere; they are counted output by output over all inputs.
 #[inline(always)]
 pub(super) const fn is_entry<F: Formula>(k: usize) -> bool {
+    let first = const { &first_bits::<F>() };
+    if k / 64 < WORDS { first[k / 64] >> (k % 64) & 1 == 1 } else { is_digit::<F>(k) }
+}
+
+/// So many entries, 64 to each, are looked up in one step where the compiler does not know which it is.
+const WORDS: usize = 16;
+
+/// A bit for each of the first entries.
+const fn first_bits<F: Formula>() -> [u64; WORDS] {
+    let (mut bits, mut k) = ([0; WORDS], 0);
+    while k < 64 * WORDS {
+        bits[k / 64] |= (is_digit::<F>(k) as u64) << (k % 64);
+        k += 1;
+    }
+    bits
+}
+
+/// Whether an entry is not zero everywhere, as the table says.
+const fn is_digit<F: Formula>(k: usize) -> bool {
     match const { digits::<F>() } {
         Some(digits) => k / 4 < digits.len() && value_of(digits[k / 4]) >> (k % 4) & 1 == 1,
         None => true,
     }
 }
 
-#[inline(always)]
 const fn value_of(digit: u8) -> u8 {
     match digit {
         b'0'..=b'9' => digit - b'0',

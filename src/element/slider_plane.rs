@@ -74,6 +74,12 @@ impl<D: Scalar> View<D> {
         Loaded::new(multiplier, self.t[k], self.turning.row(k).transpose())
     }
 
+    /// An entry of P.
+    #[inline(always)]
+    fn bent(&self, multiplier: D, row: usize, column: usize) -> Loaded<D> {
+        Loaded::new(multiplier, self.turning[(row, column)], self.bending(row, column))
+    }
+
     /// ∂²t/∂d²: the gradient of an entry of `turning` by d.
     #[inline(always)]
     fn bending(&self, i: usize, j: usize) -> Vector2<D> {
@@ -164,6 +170,21 @@ impl<D: Scalar> Loaded<D> {
     fn weighted(&self, along: &Along<D, 2>, weight: Weight<D>) -> SliderLoads2d<D> {
         let [x1, xn, xm] = along.gradient(weight, self.value, &self.by_d);
         SliderLoads2d { x1, xn, xm, lambda: self.by_multiplier * weight.value }
+    }
+
+    /// Those of a symmetric matrix.
+    #[inline(always)]
+    fn symmetric([xx, xy, yy]: &[Self; 3], along: &Along<D, 2>, weight: Weight<D>) -> Matrix2<SliderLoads2d<D>> {
+        let beside = xy.weighted(along, weight);
+        Matrix2::new(xx.weighted(along, weight), beside, beside, yy.weighted(along, weight))
+    }
+
+    /// The gradient of ξ Q − (1 − ξ) P, from entries of P and Q, whose derivative by ξ is P + Q.
+    #[inline(always)]
+    fn beside(&self, q: &Self, along: &Along<D, 2>) -> SliderLoads2d<D> {
+        let by_d = q.by_d * along.share - self.by_d * along.rest;
+        let [x1, xn, xm] = along.moved_and_turned(1.0, self.value + q.value, by_d);
+        SliderLoads2d { x1, xn, xm, lambda: q.by_multiplier * along.share - self.by_multiplier * along.rest }
     }
 
     /// The gradient of the number itself.
@@ -275,21 +296,19 @@ impl Formula for GeometricStiffness {
     fn linearized<D: Scalar>(i: &SliderLoads2d<D>) -> ValueAndJacobian<Self, D> {
         let view = i.view();
         let along = &view.along;
-        let entry =
-            |row: usize, column: usize| Loaded::new(i.lambda, view.turning[(row, column)], view.bending(row, column));
-        let p = Matrix2::new(entry(0, 0), entry(0, 1), entry(1, 0), entry(1, 1));
-        let both = p.zip_map(&p.transpose(), |p, q| p.plus(&q));
-        // The derivative of ξ Q − (1 − ξ) P by ξ is P + Q.
-        let k_u1_un = p.zip_map(&p.transpose(), |p, q| {
-            let turned = q.by_d * along.share - p.by_d * along.rest;
-            let [x1, xn, xm] = along.moved_and_turned(1.0, p.plus(&q).value, turned);
-            SliderLoads2d { x1, xn, xm, lambda: q.by_multiplier * along.share - p.by_multiplier * along.rest }
-        });
+        let [xx, xy] = [view.bent(i.lambda, 0, 0), view.bent(i.lambda, 0, 1)];
+        let [yx, yy] = [view.bent(i.lambda, 1, 0), view.bent(i.lambda, 1, 1)];
+        let both = [xx.plus(&xx), xy.plus(&yx), yy.plus(&yy)];
         let by = SliderStiffness2d {
-            k_u1_u1: both.map(|entry| entry.weighted(along, along.rest(1.0))),
-            k_u1_un,
-            k_un_un: both.map(|entry| entry.weighted(along, along.share(-1.0))),
-            k_um_un: p.map(|entry| entry.turned()),
+            k_u1_u1: Loaded::symmetric(&both, along, along.rest(1.0)),
+            k_u1_un: Matrix2::new(
+                xx.beside(&xx, along),
+                xy.beside(&yx, along),
+                yx.beside(&xy, along),
+                yy.beside(&yy, along),
+            ),
+            k_un_un: Loaded::symmetric(&both, along, along.share(-1.0)),
+            k_um_un: Matrix2::new(xx.turned(), xy.turned(), yx.turned(), yy.turned()),
         };
         (Self::of(i, &view), by)
     }

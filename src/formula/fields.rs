@@ -177,8 +177,15 @@ impl<T: Component, const N: usize> Part<T> for SMatrix<T, N, N> {
     }
     #[inline(always)]
     fn accept(&self, visitor: &mut impl Visitor<T>) {
+        // In a loop the compiler would not see which component it is, and what is done with it.
+        if N == 2 {
+            visitor.visit(self[(0, 0)]);
+            visitor.visit(self[(0, 1)]);
+            visitor.visit(self[(1, 0)]);
+            visitor.visit(self[(1, 1)]);
+            return;
+        }
         if N == 3 {
-            // In a loop the compiler would not see which component it is, and what is done with it.
             visitor.visit(self[(0, 0)]);
             visitor.visit(self[(0, 1)]);
             visitor.visit(self[(0, 2)]);

@@ -2,6 +2,7 @@
 
 use crate::common::{self, Bench};
 use jointproof::catalog::CATALOG;
+use jointproof::proof::Flag;
 use jointproof::verify::golden::File;
 use std::collections::BTreeMap;
 use std::fs;
@@ -56,6 +57,19 @@ fn the_first_golden_file_makes_the_folder() {
     bench.run(&WRITE).exits(0);
     assert!(bench.path("golden").join(NAME).exists());
     bench.run(&CHECK).exits(0);
+}
+
+#[test]
+fn another_project_gets_as_many_random_cases_as_it_wants() {
+    let bench = bench();
+    let out = bench.path("cases");
+    let with_random = ["golden", "--filter", ID, "--random", "40"];
+    bench.run(&[&with_random[..], &["--out", out.to_str().unwrap()]].concat()).exits(0).prints("1 formula, ");
+    let wanted = File::parse(&fs::read_to_string(out.join(NAME)).unwrap()).unwrap();
+    let random = |file: &File| file.cases.iter().filter(|case| case.flags.contains(&Flag::Random)).count();
+    assert!(random(&wanted) == 40 && random(&parse(&bench)) < 40);
+    // The committed files have as many as all others have.
+    bench.run(&with_random).exits(2).says("--out <FOLDER>");
 }
 
 #[test]
