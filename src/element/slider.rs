@@ -209,7 +209,7 @@ impl Formula for Rows {
         Self::linearized(i).1
     }
 
-    #[inline(always)]
+    #[inline]
     fn linearized<D: Scalar>(i: &Nodes<D>) -> ValueAndJacobian<Self, D> {
         let view = View::new(&i.x1, &i.xn, &i.xm);
         let [on_1, on_n] = view.along.lever();
@@ -404,7 +404,8 @@ impl Formula for GeometricStiffness {
         Self::linearized(i).1
     }
 
-    #[inline(always)]
+    // Its results are too many to be copied, as they are where it is compiled in place.
+    #[inline]
     fn linearized<D: Scalar>(i: &SliderLoads<D>) -> ValueAndJacobian<Self, D> {
         let view = i.view();
         let along = &view.along;

@@ -177,8 +177,9 @@ impl<T: Component, const N: usize> Part<T> for SMatrix<T, N, N> {
     }
     #[inline(always)]
     fn accept(&self, visitor: &mut impl Visitor<T>) {
-        // In a loop the compiler would not see which component it is, and what is done with it.
-        if N == 2 {
+        // In a loop the compiler would not see which component it is, and what is done with it. Of the long gradients that there
+        // are in the plane this would be too much code.
+        if N == 2 && size_of::<T>() <= 8 * size_of::<f64>() {
             visitor.visit(self[(0, 0)]);
             visitor.visit(self[(0, 1)]);
             visitor.visit(self[(1, 0)]);

@@ -1,7 +1,5 @@
 //! The line from node 1 to node n, and where node m is along it, told from the end that is nearer to it.
 
-#![expect(clippy::inline_always, reason = "calls would write what all have in common to memory, and wait for it there")]
-
 use crate::binade::Binade;
 use crate::scalar::{Scalar, abs};
 use nalgebra::SVector;
@@ -15,13 +13,13 @@ pub(crate) struct Span<D, const N: usize> {
 }
 
 impl<D: Scalar, const N: usize> Span<D, N> {
-    #[inline(always)]
+    #[inline]
     pub(crate) fn new(x1: &SVector<D, N>, xn: &SVector<D, N>) -> Self {
         Self::along(xn - x1)
     }
 
     /// The line with this d.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn along(d: SVector<D, N>) -> Self {
         let binade = Binade::of(d.iter().copied());
         let d = d * binade.per_unit;
@@ -29,7 +27,7 @@ impl<D: Scalar, const N: usize> Span<D, N> {
     }
 
     /// What makes v·d, v in the units of the nodes, the share that v has in the line: (xn − x1)·v over the square of the length.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn factor(&self) -> D {
         self.binade.per_unit / self.square
     }
@@ -48,7 +46,7 @@ pub(crate) struct Station<D, const N: usize> {
 }
 
 impl<D: Scalar, const N: usize> Station<D, N> {
-    #[inline(always)]
+    #[inline]
     pub(crate) fn new(span: &Span<D, N>, x1: &SVector<D, N>, xn: &SVector<D, N>, xm: &SVector<D, N>) -> Self {
         let (from_1, from_n) = (xm - x1, xm - xn);
         let (ahead_of_1, ahead_of_n) = (from_1.dot(&span.d), from_n.dot(&span.d));
@@ -58,14 +56,14 @@ impl<D: Scalar, const N: usize> Station<D, N> {
     }
 
     /// ξ and 1 − ξ, both without loss.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn shares(&self) -> [D; 2] {
         let tau = self.tau;
         if self.nearer_to_n { [tau + 1.0, -tau] } else { [tau, -tau + 1.0] }
     }
 
     /// (1 − ξ) u1 + ξ un.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn blend(&self, u1: &SVector<D, N>, un: &SVector<D, N>) -> SVector<D, N> {
         let end = if self.nearer_to_n { un } else { u1 };
         end + (un - u1) * self.tau
@@ -74,7 +72,7 @@ impl<D: Scalar, const N: usize> Station<D, N> {
     /// The gradients of ξ with respect to x1, xn and xm.
     ///
     /// With the part f of m − x1 across the line: ∂ξ/∂xm = d/d·d, ∂ξ/∂xn = (f − ξ d)/d·d, ∂ξ/∂x1 = −(f + (1 − ξ) d)/d·d.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn gradients(&self, span: &Span<D, N>) -> [SVector<D, N>; 3] {
         let factor = span.factor();
         let [by_x1, by_xn] = self.unscaled_gradients(span);
@@ -82,7 +80,7 @@ impl<D: Scalar, const N: usize> Station<D, N> {
     }
 
     /// f + (1 − ξ) d and f − ξ d, in units of the line's size.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn unscaled_gradients(&self, span: &Span<D, N>) -> [SVector<D, N>; 2] {
         let [share, rest] = self.shares();
         let aside = self.offset * span.binade.per_unit - span.d * self.tau;
