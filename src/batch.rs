@@ -3,7 +3,7 @@
 //! Rows are shared out to the threads of [rayon](rayon::ThreadPool::install). Every row is checked, and has the bits that
 //! [`formula::value_and_jacobian`] gives it alone, whatever the number of threads.
 //!
-//! Of a formula of simple operations and comparisons, and with at most 119 results a row, several rows are computed at once, in
+//! Of a formula of simple operations and comparisons, and with at most 98 results a row, several rows are computed at once, in
 //! the vectors of the processor; the feature `batch-avx512` adds wider ones, where there are any, and up to 145 results. Those
 //! among which one is so large or so small that it is computed in another way are then computed one by one.
 //!

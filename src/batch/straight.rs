@@ -27,7 +27,7 @@ const FEW: usize = 8;
 
 /// So many results of a row at most, so that they stay in the nearest cache, and a program with all formulas small: without vectors of
 /// eight, as the Python package is built, still fewer.
-pub(super) const MOST_TOGETHER: usize = if cfg!(feature = "batch-avx512") { 145 } else { 119 };
+pub(super) const MOST_TOGETHER: usize = if cfg!(feature = "batch-avx512") { 145 } else { 98 };
 
 /// What these rows have in one column. It begins with a line of the cache: vectors that lie in two take twice as long.
 #[derive(Clone)]
