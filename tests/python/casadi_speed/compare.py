@@ -5,9 +5,8 @@ CasADi differentiates the definitions and writes C, which is compiled by gcc and
 counts. It is compiled in the loop that times it, as our formulas are; with --called it is called, as a program calls
 what stands in a file of its own. Both compute the outputs and the dense Jacobian over the same points, in turns: C,
 Rust by `report`, and again. A ratio is our time by that of C, the median of the rounds; below 1 ours is faster. The
-hardest is the largest ratio at a case flagged hard, each timed alone. η is what the backward error of the Jacobian keeps
-to at golden cases away from kinks: at 99 of 100 random ones, so that no single rounding decides, and at all chosen ones
-(hand, limit, hard).
+hardest is the largest ratio at a case flagged hard, each timed alone. η is the largest backward error of the Jacobian
+at golden cases, random ones and chosen ones (hand, limit, hard), away from kinks.
 
 examples:
   python3 tests/python/casadi_speed/compare.py
@@ -125,7 +124,7 @@ def main() -> int:
 def prepared(options: argparse.Namespace) -> list[Row]:
     """Everything compiled, and compared with the golden files."""
     from compiled import COMPILERS, compiled, compilers
-    from golden import cases, errors
+    from golden import ROOT, cases, errors
     from ours import Exported, run
     from symbols import CATALOG, ITERATIVE
 
@@ -141,7 +140,8 @@ def prepared(options: argparse.Namespace) -> list[Row]:
         c, at = compiled(id, folder, by, options.called), cases(id, exact)
         ours = errors(at, lambda x: exported.evaluate(id, *lengths, x))
         rows.append(Row(id, c, at, errors(at, c[0].evaluate), ours))
-        if not rows[-1].errors.are_of_this_formula():
+        # Of the committed cases: among many more, C itself loses digits at some.
+        if not errors(cases(id, ROOT / "golden"), c[0].evaluate).are_of_this_formula():
             raise SystemExit(f"what CasADi makes of {id} is not what golden/{id}.json says")
         print(f"compiled {id}", file=sys.stderr)
     return rows
