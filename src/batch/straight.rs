@@ -5,7 +5,8 @@
 //! which the feature `batch-avx512` adds. What it gives has the bits of one row alone.
 //!
 //! Half of the time of a simple formula is that of its columns. Rows that are computed together are whole lines of the cache, in
-//! columns and in between; of columns that no cache holds, the next lines are asked for while these are computed.
+//! columns and in between; the next lines of the results, and where no cache holds the columns those of the inputs, are asked for
+//! while these are computed.
 
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
 
@@ -19,11 +20,11 @@ use crate::prefetch::{LINE, prefetch};
 use std::marker::PhantomData;
 use std::ops::{Deref, Range};
 
-/// Rows that are computed together: four lines of the cache in every column. It is always as many, so that the compiler makes no
+/// Rows that are computed together: two lines of the cache in every column. It is always as many, so that the compiler makes no
 /// second loop for what is left over.
-const TOGETHER: usize = 32;
-/// Fewer are faster one by one.
-const FEW: usize = 8;
+const TOGETHER: usize = 16;
+/// Of more columns than these, longer pieces are asked for, and less often: memory is faster so.
+const MANY: usize = 32;
 
 /// So many results of a row at most, so that they stay in the nearest cache, and a program with all formulas small: without vectors of
 /// eight, as the Python package is built, still fewer.
@@ -73,22 +74,24 @@ impl<F: Formula, J: Job<F>> pulp::WithSimd for Stretch<'_, '_, '_, F, J> {
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, _: S) -> Refused {
         let Self { inputs, outputs, rows, first, is_far, .. } = self;
+        if rows.len() < TOGETHER {
+            return one_by_one::<F, J>(inputs, outputs, rows, first);
+        }
+        let times = if inputs.len() + outputs.len() > MANY { 2 } else { 1 };
         let [mut read, mut written] =
             [F::Inputs::<f64>::LEN, J::LEN].map(|columns| vec![Column([0.0; TOGETHER]); columns]);
         let before = outputs.first().map_or(0, |column| column[rows.start..].as_ptr().align_offset(LINE));
         let mut refused = Refused::default();
-        for some in together(rows, before) {
-            if is_far {
-                ask_for(inputs, some.end);
-                ask_for(outputs, some.end);
+        for (k, some) in together(rows.clone(), before).enumerate() {
+            // Rows before the first line of the cache, and what is left over, are computed with their neighbours.
+            let from = some.start.min(rows.end - TOGETHER);
+            if is_far && k.is_multiple_of(times) {
+                ask_for(inputs, from + 2 * TOGETHER, times * TOGETHER);
+                ask_for(outputs, from + 2 * TOGETHER, times * TOGETHER);
             }
-            for (Column(here), column) in read.iter_mut().zip(inputs) {
-                take(&column[some.clone()], here);
-            }
-            if some.len() >= FEW && compute::<F, J>(&read, &mut written) {
-                for (column, Column(here)) in outputs.iter_mut().zip(&written) {
-                    give(here, &mut column[some.clone()]);
-                }
+            take(inputs, from, &mut read);
+            if compute::<F, J>(&read, &mut written) {
+                give(&written, from, outputs);
             } else {
                 refused = refused.and(one_by_one::<F, J>(inputs, outputs, some, first));
             }
@@ -104,33 +107,31 @@ fn together(rows: Range<usize>, before: usize) -> impl Iterator<Item = Range<usi
     std::iter::once(rows.start..start).filter(|first| !first.is_empty()).chain(some)
 }
 
-/// Has as many rows brought to the cache as are computed together.
+/// Has so many rows brought to the cache.
 #[inline(never)]
-fn ask_for(columns: &[impl Deref<Target = [f64]>], from: usize) {
-    for rows in columns.iter().filter_map(|column| column.get(from..from + TOGETHER)) {
+fn ask_for(columns: &[impl Deref<Target = [f64]>], from: usize, count: usize) {
+    for rows in columns.iter().filter_map(|column| column.get(from..from + count)) {
         rows.iter().step_by(LINE / size_of::<f64>()).for_each(prefetch);
     }
 }
 
-/// Takes these rows of a column; the first of them stands for those that are missing to as many as are computed.
+/// Takes as many rows from here as are computed together.
 #[inline(always)]
-fn take(from: &[f64], to: &mut [f64; TOGETHER]) {
-    if let Some(all) = from.first_chunk() {
-        *to = *all;
-    } else {
-        let (some, missing) = to.split_at_mut(from.len());
-        some.copy_from_slice(from);
-        missing.fill(from[0]);
+fn take(from: &[&[f64]], row: usize, to: &mut [Column]) {
+    for (column, Column(here)) in from.iter().zip(to) {
+        *here = *column[row..].first_chunk().expect("so many rows are there");
     }
 }
 
-/// Gives as many rows to a column as it has.
+/// Gives them to the results, and asks for the next.
 #[inline(always)]
-fn give(from: &[f64; TOGETHER], to: &mut [f64]) {
-    if let Some(all) = to.first_chunk_mut() {
-        *all = *from;
-    } else {
-        to.copy_from_slice(&from[..to.len()]);
+fn give(from: &[Column], row: usize, to: &mut [&mut [f64]]) {
+    for (Column(here), column) in from.iter().zip(to) {
+        let (rows, next) = column[row..].split_first_chunk_mut().expect("so many rows are there");
+        *rows = *here;
+        if let Some(next) = next.first_chunk::<TOGETHER>() {
+            next.iter().step_by(LINE / size_of::<f64>()).for_each(prefetch);
+        }
     }
 }
 
@@ -189,23 +190,20 @@ mod tests {
     #[test]
     fn rows_before_a_line_of_the_cache_are_by_themselves() {
         let ends = |rows, before| together(rows, before).map(|some| [some.start, some.end]).collect::<Vec<_>>();
-        assert_eq!(ends(3..80, 5), [[3, 8], [8, 40], [40, 72], [72, 80]]);
-        assert_eq!(ends(0..64, 0), [[0, 32], [32, 64]]);
+        assert_eq!(ends(3..50, 5), [[3, 8], [8, 24], [24, 40], [40, 50]]);
+        assert_eq!(ends(0..32, 0), [[0, 16], [16, 32]]);
         assert_eq!(ends(2..4, 7), [[2, 4]]);
         assert_eq!(ends(1..3, usize::MAX), [[1, 3]]);
         assert!(ends(5..5, 3).is_empty());
     }
 
     #[test]
-    fn the_first_row_stands_for_those_that_are_missing() {
+    fn rows_are_taken_and_given_where_they_are() {
         let column: [f64; 40] = std::array::from_fn(|k| f64::from(u8::try_from(k).unwrap()));
-        let (mut here, mut back) = ([-1.0; TOGETHER], [-1.0; 40]);
-        take(&column[1..4], &mut here);
-        assert!(here[..3] == [1.0, 2.0, 3.0] && here[3..] == [1.0; TOGETHER - 3]);
-        give(&here, &mut back[5..8]);
-        assert!(back[..5] == [-1.0; 5] && back[5..8] == [1.0, 2.0, 3.0] && back[8..] == [-1.0; 32]);
-        take(&column[2..34], &mut here);
-        give(&here, &mut back[4..36]);
-        assert_eq!(back[4..36], column[2..34]);
+        let (mut here, mut back) = ([Column([-1.0; TOGETHER])], [-1.0; 40]);
+        take(&[&column], 3, &mut here);
+        assert_eq!(here[0].0, column[3..19]);
+        give(&here, 24, &mut [&mut back]);
+        assert!(back[..24] == [-1.0; 24] && back[24..] == column[3..19]);
     }
 }

@@ -1,11 +1,12 @@
 //! The angle −atan2(e·p, e·q), by which Cardan's first and third angle are measured, and its derivative by the spin of e.
 //!
 //! With i² = −1, P = q + i p and z = e·P, the angle is −Im ln z. Its derivative by the spin of e is −Im Y with Y = e × W and
-//! W = P/z. ∂Y/∂P is ([e×] − Y eᵀ)/z. Where p and q are perpendicular and equally long, P·P is 0, and ∂Y/∂e is −W Yᵀ; what
+//! W = P/z. ∂Y/∂P is ([e×] − Y eᵀ)/z. Where p and q are perpendicular and equally long, P·P is 0, and ∂Y/∂e is −W ⊗ Y; what
 //! P·P adds is kept apart, so that nothing cancels in it.
 //!
 //! Turned by a spin φ of p and q and a spin ψ of e, Y changes by (e ⊗ W − I − Y ⊗ Y) ψ + (I − W ⊗ e + Y ⊗ Y) φ. Its imaginary
-//! part has no unit matrix left: one matrix and its transpose say how the derivative turns.
+//! part has no unit matrix left: one matrix, Im(Y ⊗ Y − e ⊗ W), and its transpose say how the derivative turns. By e that matrix
+//! changes by −Im W ⊗ (Y ⊗ Y + W ⊗ (e × Y)), in which I + Y ⊗ Y, which cancels, is written as e ⊗ W + W ⊗ (e × Y).
 
 #![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
 
@@ -33,8 +34,9 @@ pub(super) struct Turn<D> {
 impl<D: Scalar> Turn<D> {
     #[inline(always)]
     pub(super) fn new(e: &Vector3<D>, p: &Vector3<D>, q: &Vector3<D>) -> Self {
-        let inverse @ [along, across] = inverse([e.dot(q), e.dot(p)]);
-        let (k, u) = (p * across + q * along, q * across - p * along);
+        let (inverse @ [along, across], [per, more]) = inverse([e.dot(q), e.dot(p)]);
+        // The difference q (e·p) − p (e·q), which u is of, would lose the digits of small components.
+        let (k, u) = (p * across + q * along, e.cross(&(q * per).cross(&(p * more))));
         let (cos, sin) = ((along - across) * (along + across), along * across * 2.0);
         let (stretch, shear) = ((q - p).dot(&(q + p)), p.dot(q) * 2.0);
         Self {
@@ -76,59 +78,63 @@ impl<D: Scalar> Turn<D> {
     #[inline(never)]
     pub(super) fn curving(&self, times: D) -> Matrix3<[Vector3<D>; 3]> {
         let Self { e, k, u, h, v, square: [re, im], skewed: [real, imaginary], .. } = self;
-        let (h, v) = (h * times, v * times);
+        // e × Y = x − i y; its imaginary part is that of −(e·e) W.
+        let (x, y) = (e.cross(h), u * -e.dot(e));
+        let (ht, vt) = (h.transpose() * times, v.transpose() * times);
+        let (xt, yt) = (x.transpose() * times, y.transpose() * times);
         let curving = Curving {
             turn: self,
             times,
             twice: double_cross(e, e),
-            by_h: k * v.transpose() + u * h.transpose(),
-            by_v: k * h.transpose() - u * v.transpose(),
-            by_e: h * *imaginary - v * *real,
-            by_p: im * v.transpose() + re * h.transpose(),
-            by_q: im * h.transpose() - re * v.transpose(),
+            by_k: h * vt + v * ht + k * yt + u * xt,
+            by_u: h * ht - v * vt + k * xt - u * yt,
+            skewed_w: (k * *imaginary - u * *real) * times,
+            skewed_y: (h * *imaginary - v * *real) * times,
+            by_p: im * vt + re * ht,
+            by_q: im * ht - re * vt,
         };
         matrix!(curving.gradient)
     }
 
-    /// The gradient of the n-th component of u: by e, p and q.
+    /// The gradient of the n-th component of u: by p and q.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn u_gradient(&self, n: usize) -> [Vector3<D>; 3] {
-        let Self { e, k, u, square: [re, im], .. } = self;
-        let across = |g: &Vector3<D>| double_cross(g, e).row(n).transpose();
-        [-(u * k[n] + k * u[n]), across(re), across(im)]
+    fn u_by_pq(&self, n: usize) -> [Vector3<D>; 2] {
+        let across = |g: &Vector3<D>| double_cross(g, &self.e).row(n).transpose();
+        [across(&self.square[0]), across(&self.square[1])]
     }
 }
 
-/// The real part of 1/(c + i s), and the imaginary one with the other sign.
+/// The real part of 1/(c + i s), and the imaginary one with the other sign; then two numbers whose product is 1/(c² + s²).
 #[inline(always)]
-fn inverse<D: Scalar>([c, s]: [D; 2]) -> [D; 2] {
+fn inverse<D: Scalar>([c, s]: [D; 2]) -> ([D; 2], [D; 2]) {
     let square = c * c + s * s;
     let is_usual = is_between(square, 1e-280, 1e280);
     if !is_usual && D::has_extremes() {
         return extreme_inverse([c, s]);
     }
     let per_square = number_if(is_usual, square.recip());
-    [c * per_square, s * per_square]
+    ([c * per_square, s * per_square], [per_square, D::one()])
 }
 
 /// [`inverse`] where squares under- or overflow.
 #[cold]
-fn extreme_inverse<D: Scalar>(z: [D; 2]) -> [D; 2] {
+fn extreme_inverse<D: Scalar>(z: [D; 2]) -> ([D; 2], [D; 2]) {
     let (size, direction) = norm_and_direction(z);
-    direction.map(|part| part / size)
+    (direction.map(|part| part / size), [size.recip(); 2])
 }
 
-/// A turn with what the gradients of its curvature are made of.
-///
-/// Those of h ⊗ v + v ⊗ h are symmetric: each is a sum of what a matrix gives for an entry and for its mirror image.
+/// A turn with what the gradients of its curvature are made of. All but the first three are the number of times as large.
 struct Curving<'a, D> {
     turn: &'a Turn<D>,
     times: D,
     /// e ⊗ e − (e·e) I.
     twice: Matrix3<D>,
-    by_h: Matrix3<D>,
-    by_v: Matrix3<D>,
-    by_e: Vector3<D>,
+    /// Y ⊗ Y + W ⊗ (e × Y), imaginary with the other sign, and real.
+    by_k: Matrix3<D>,
+    by_u: Matrix3<D>,
+    /// W P·P/z² and Y P·P/z², imaginary.
+    skewed_w: Vector3<D>,
+    skewed_y: Vector3<D>,
     by_p: Matrix3<D>,
     by_q: Matrix3<D>,
 }
@@ -137,19 +143,31 @@ impl<D: Scalar> Curving<'_, D> {
     /// The gradient of an entry of the curvature: by e, p and q.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn gradient(&self, r: usize, c: usize) -> [Vector3<D>; 3] {
-        let Turn { e, u, .. } = self.turn;
-        let [by_e, by_p, by_q] = self.turn.u_gradient(c).map(|by| by * (e[r] * self.times));
-        let [turned_e, turned_p, turned_q] = self.turned(r, c);
-        [by_e + along(r, u[c] * self.times) + turned_e, by_p + turned_p, by_q + turned_q]
+        let [by_p, by_q] = self.turn.u_by_pq(c).map(|by| by * (self.turn.e[r] * self.times));
+        let [turned_p, turned_q] = self.turned(r, c);
+        [self.by_e(r, c) + self.skewed(r, c), by_p + turned_p, by_q + turned_q]
     }
 
-    /// The gradient of an entry of −h ⊗ v − v ⊗ h. The sums are such that the compiler finds that of the mirror image equal.
+    /// By e where P·P is 0.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn turned(&self, r: usize, c: usize) -> [Vector3<D>; 3] {
-        let (Turn { e, h, v, .. }, Self { twice, by_h, by_v, by_e, by_p, by_q, .. }) = (self.turn, self);
-        let both = |m: &Matrix3<D>| m[(r, c)] + m[(c, r)];
+    fn by_e(&self, r: usize, c: usize) -> Vector3<D> {
+        let (Turn { k, u, .. }, Self { by_k, by_u, .. }) = (self.turn, self);
+        by_k.row(c).transpose() * k[r] + by_u.row(c).transpose() * u[r]
+    }
+
+    /// What P·P adds.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn skewed(&self, r: usize, c: usize) -> Vector3<D> {
+        let (Turn { e, .. }, Self { twice, skewed_w, skewed_y, .. }) = (self.turn, self);
+        e.cross(&along(r, skewed_y[c])) + e.cross(&along(c, skewed_y[r])) + twice.column(r) * skewed_w[c]
+    }
+
+    /// The gradient of an entry of −h ⊗ v − v ⊗ h by p and q. The sums are such that the compiler finds that of the mirror image
+    /// equal.
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn turned(&self, r: usize, c: usize) -> [Vector3<D>; 2] {
+        let Self { twice, by_p, by_q, .. } = self;
         let across = |m: &Matrix3<D>| m.column(c).cross(&twice.column(r)) + m.column(r).cross(&twice.column(c));
-        let axial = e.cross(&along(r, by_e[c])) + e.cross(&along(c, by_e[r]));
-        [h * both(by_h) + v * both(by_v) + axial, across(by_p), across(by_q)]
+        [across(by_p), across(by_q)]
     }
 }
