@@ -3,9 +3,9 @@
 //! Rows are shared out to the threads of [rayon](rayon::ThreadPool::install). Every row is checked, and has the bits that
 //! [`formula::value_and_jacobian`] gives it alone, whatever the number of threads.
 //!
-//! Of a formula of simple operations and comparisons, and with at most 98 results a row, several rows are computed at once, in
-//! the vectors of the processor; the feature `batch-avx512` adds wider ones, where there are any, and up to 145 results. Those
-//! among which one is so large or so small that it is computed in another way are then computed one by one.
+//! Of a formula of simple operations and comparisons, and with at most 261 results a row, several rows are computed at once, in
+//! the vectors of the processor; the feature `batch-avx512` adds wider ones, where there are any. Those among which one is so large
+//! or so small that it is computed in another way are then computed one by one.
 //!
 //! A column is a view of `ndarray`: of a slice, by `into`, or of numbers any stride apart. With a stride of 0, which
 //! `broadcast` gives, one number stands for all rows.
@@ -141,5 +141,5 @@ fn all<F: Formula, J: Job<F>>(
     let numbers = F::Inputs::<f64>::LEN + J::LEN;
     let share = rows.div_ceil(8 * rayon::current_num_threads()).max(WORTH / numbers);
     let is_far = rows > AT_HAND / numbers;
-    Task { first: 0, rows, is_far, inputs: inputs.to_vec(), outputs }.run::<F, J>(share).into_result()
+    Task { first: 0, rows, is_far, inputs: inputs.to_vec(), outputs }.run(task::rows::<F, J>, share).into_result()
 }

@@ -12,7 +12,7 @@ mod finite;
 mod source;
 
 #[cfg(feature = "batch")]
-pub(crate) use checked::is_plain;
+pub(crate) use checked::{are_allowed, is_plain};
 pub use checked::{check, value, value_and_jacobian};
 pub(crate) use few::{Few, cross_gradient, next};
 pub use fields::{Component, Field, Fields, Part, Visitor};

@@ -64,7 +64,7 @@ fn line(formula: &dyn AnyFormula, graph: &Graph) -> String {
 
 /// How several rows of a formula are computed together, if they are.
 fn by_rows_in_words(graph: &Graph) -> &'static str {
-    let results: Vec<_> = graph.value.iter().chain(&graph.jacobian).copied().collect();
+    let results: Vec<_> = graph.value.iter().chain(&graph.jacobian).chain(&graph.refusal).copied().collect();
     let mut needed = graph.needed(&results);
     needed.sort_unstable();
     if !needed.iter().all(|&node| is_simple(graph.op(node))) {
@@ -231,6 +231,20 @@ by_a_length! {
     HidesIt: |i, length| if length < 1.0 { i.f2 } else { i.f3 };
 }
 
+/// A formula that refuses by a length, of which no result tells whether it is NaN.
+#[derive(Clone, Copy, Debug)]
+struct RefusesByIt;
+
+impl Planted for RefusesByIt {
+    fn fc<D: Scalar>(i: &CrossForces<D>) -> D {
+        i.f2 + i.f3
+    }
+
+    fn validate<D: Scalar>(i: &CrossForces<D>) -> Result<(), Error> {
+        if norm([i.f2, i.f3]) < 1.0 { Err(Error::Overflow { name: "f2" }) } else { Ok(()) }
+    }
+}
+
 #[test]
 fn rows_are_together_only_where_every_extreme_one_is_told() {
     fn words<P: Planted>() -> &'static str {
@@ -238,7 +252,7 @@ fn rows_are_together_only_where_every_extreme_one_is_told() {
     }
     let told = [words::<IsIt>(), words::<ChoosesBetweenMultiples>(), words::<ChoosesItWhereNot>()];
     assert_eq!(told, [" guarded\n"; 3]);
-    assert_eq!([words::<ChoosesItWhereSo>(), words::<HidesIt>()], ["\n"; 2]);
+    assert_eq!([words::<ChoosesItWhereSo>(), words::<HidesIt>(), words::<RefusesByIt>()], ["\n"; 3]);
 }
 
 /// A formula that looks at a double where it should compare scalars.

@@ -14,7 +14,7 @@ use super::error::Refused;
 use super::job::Job;
 use super::row::one_by_one;
 use super::structure::is_guarded;
-use crate::formula::{Component, Fields, Formula, Visitor, bits_unless_finite, is_plain};
+use crate::formula::{Component, Fields, Formula, Visitor, are_allowed, bits_unless_finite, is_plain};
 use crate::ordinary::Ordinary;
 use crate::prefetch::{LINE, prefetch};
 use std::marker::PhantomData;
@@ -26,9 +26,8 @@ const TOGETHER: usize = 16;
 /// Of more columns than these, longer pieces are asked for, and less often: memory is faster so.
 const MANY: usize = 32;
 
-/// So many results of a row at most, so that they stay in the nearest cache, and a program with all formulas small: without vectors of
-/// eight, as the Python package is built, still fewer.
-pub(super) const MOST_TOGETHER: usize = if cfg!(feature = "batch-avx512") { 145 } else { 98 };
+/// So many results of a row at most, so that they stay in the nearest cache.
+pub(super) const MOST_TOGETHER: usize = 261;
 
 /// What these rows have in one column. It begins with a line of the cache: vectors that lie in two take twice as long.
 #[derive(Clone)]
@@ -147,10 +146,12 @@ fn compute<F: Formula, J: Job<F>>(read: &[Column], written: &mut [Column]) -> bo
         bits |= u64::from(F::validate(&inputs::<F::Inputs<Ordinary>, _>(read, row)).is_err());
     }
     for row in 0..TOGETHER {
-        bits |= u64::from(!is_plain::<F>(&inputs(read, row)));
+        let is_guarded = const { is_guarded::<F>() };
+        let i = inputs(read, row);
+        bits |= u64::from(!if is_guarded { are_allowed(&i) } else { is_plain::<F>(&i) });
         let mut place = Place { columns, row, next: 0, bits: 0 };
         J::show(&J::unchecked::<Ordinary>(&inputs(read, row)), &mut place);
-        bits |= if const { is_guarded::<F>() } { place.bits } else { 0 };
+        bits |= if is_guarded { place.bits } else { 0 };
     }
     bits == 0
 }

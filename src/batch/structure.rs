@@ -32,13 +32,12 @@ const fn digits<F: Formula>() -> Option<&'static [u8]> {
     }
 }
 
-/// Whether several rows of a formula are computed together. Where inputs never tell that nothing overflows, every row would be
-/// looked at again.
+/// Whether several rows of a formula are computed together: inputs tell that nothing overflows, or all results are looked at.
 pub(super) const fn is_straight<F: Formula>() -> bool {
-    !matches!(F::SPEC.finite, Finite::Unknown) && (has_word::<F>(b"straight") || is_guarded::<F>())
+    is_guarded::<F>() || has_word::<F>(b"straight") && !matches!(F::SPEC.finite, Finite::Unknown)
 }
 
-/// Whether several rows of a formula are computed together, and one that is extreme has a result that is NaN.
+/// Whether several rows of a formula are computed together, and all results looked at: where one is extreme, one of them is NaN.
 pub(super) const fn is_guarded<F: Formula>() -> bool {
     has_word::<F>(b"guarded")
 }

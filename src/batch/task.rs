@@ -9,7 +9,8 @@ use super::structure::is_straight;
 use crate::formula::Formula;
 use ndarray::{ArrayView1, ArrayViewMut1, Axis};
 
-/// Computes rows of these inputs, of which the first has this place in the batch, into columns as long, which may be far.
+/// Computes rows of these inputs, of which the first has this place in the batch, into columns as long, which may be far. It is a
+/// pointer, so that the threads are not compiled once for each formula: that would be a ninth of the Python package.
 type Compute = fn(&[&[f64]], &mut [&mut [f64]], usize, bool) -> Refused;
 
 /// Some rows of a batch: their columns of inputs, and those of the results that are not zero everywhere.
@@ -25,12 +26,12 @@ pub(super) struct Task<'c> {
 
 impl Task<'_> {
     /// Computes all rows, and tells which of them are refused; more rows than a share are divided among the threads.
-    pub(super) fn run<F: Formula, J: Job<F>>(self, share: usize) -> Refused {
+    pub(super) fn run(self, rows: Compute, share: usize) -> Refused {
         if self.rows <= share {
-            return self.compute(rows::<F, J>);
+            return self.compute(rows);
         }
         let [one, other] = self.halves();
-        let (one, other) = rayon::join(|| one.run::<F, J>(share), || other.run::<F, J>(share));
+        let (one, other) = rayon::join(|| one.run(rows, share), || other.run(rows, share));
         one.and(other)
     }
 
@@ -66,8 +67,13 @@ impl Task<'_> {
     }
 }
 
-/// See [`Compute`].
-fn rows<F: Formula, J: Job<F>>(inputs: &[&[f64]], outputs: &mut [&mut [f64]], first: usize, is_far: bool) -> Refused {
+/// What computes the rows of a formula.
+pub(super) fn rows<F: Formula, J: Job<F>>(
+    inputs: &[&[f64]],
+    outputs: &mut [&mut [f64]],
+    first: usize,
+    is_far: bool,
+) -> Refused {
     let all = 0..inputs.first().map_or(0, |column| column.len());
     if const { is_straight::<F>() && J::LEN <= MOST_TOGETHER } {
         return straight::rows::<F, J>(inputs, outputs, all, first, is_far);

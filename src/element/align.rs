@@ -406,8 +406,7 @@ impl Formula for GeometricStiffness {
         Self::linearized(i).1
     }
 
-    // Its results are too many to be copied, as they are where it is compiled in place.
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &AlignLoads<D>) -> ValueAndJacobian<Self, D> {
         let curved = Curved::new(i);
         (AlignStiffness { k_tb_tb: curved.stiffness() }, AlignStiffness { k_tb_tb: matrix!(curved.of_k_tb_tb) })

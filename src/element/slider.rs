@@ -24,6 +24,7 @@ use crate::quantity::{
 use crate::scalar::{Scalar, norm_and_direction};
 use crate::slider::{Axis, Basis, IncrementalConstraint, Line, Nodes, Span, Station};
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
+use std::array::from_fn;
 
 /// What all of them are derived from.
 const OURS: Source =
@@ -101,6 +102,58 @@ pub(super) fn turned<D: Scalar, const N: usize>(by_d: &SVector<D, N>) -> [SVecto
     [-by_d, *by_d, SVector::from_element(D::zero())]
 }
 
+/// A gradient by the positions of nodes 1, n and m, and by the multipliers.
+pub(super) type LoadsGradient<D, const N: usize, const M: usize> = ([SVector<D, N>; 3], [D; M]);
+
+/// A number that is linear in the multipliers, with its derivatives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Loaded<D, const N: usize, const M: usize> {
+    value: D,
+    by_d: SVector<D, N>,
+    by_multipliers: [D; M],
+}
+
+impl<D: Scalar, const N: usize, const M: usize> Loaded<D, N, M> {
+    /// The sum of numbers with their multipliers, from the numbers and their gradients by d.
+    #[inline(always)]
+    pub(super) fn new(multipliers: [D; M], numbers: [D; M], by_d: [SVector<D, N>; M]) -> Self {
+        let (mut value, mut turned) = (numbers[0] * multipliers[0], by_d[0] * multipliers[0]);
+        for m in 1..M {
+            value += numbers[m] * multipliers[m];
+            turned += by_d[m] * multipliers[m];
+        }
+        Self { value, by_d: turned, by_multipliers: numbers }
+    }
+
+    /// Of the sum of two.
+    #[inline(always)]
+    pub(super) fn plus(&self, other: &Self) -> Self {
+        let by_multipliers = from_fn(|m| self.by_multipliers[m] + other.by_multipliers[m]);
+        Self { value: self.value + other.value, by_d: self.by_d + other.by_d, by_multipliers }
+    }
+
+    /// The gradient of the number itself.
+    #[inline(always)]
+    pub(super) fn turned(&self) -> LoadsGradient<D, N, M> {
+        (turned(&self.by_d), self.by_multipliers)
+    }
+
+    /// The gradient of the weighted number.
+    #[inline(always)]
+    pub(super) fn weighted(&self, along: &Along<D, N>, weight: Weight<D>) -> LoadsGradient<D, N, M> {
+        let by_multipliers = self.by_multipliers.map(|by| by * weight.value);
+        (along.gradient(weight, self.value, &self.by_d), by_multipliers)
+    }
+
+    /// The gradient of ξ q − (1 − ξ) p, from p, whose derivative by ξ is p + q.
+    #[inline(always)]
+    pub(super) fn beside(&self, q: &Self, along: &Along<D, N>) -> LoadsGradient<D, N, M> {
+        let by_d = q.by_d * along.share - self.by_d * along.rest;
+        let mixed = |m: usize| q.by_multipliers[m] * along.share - self.by_multipliers[m] * along.rest;
+        (along.moved_and_turned(1.0, self.value + q.value, by_d), from_fn(mixed))
+    }
+}
+
 /// The line, as its derivatives need it.
 struct View<D> {
     along: Along<D, 3>,
@@ -158,7 +211,7 @@ impl<D: Scalar> View<D> {
 
     /// The k-th component of the force on m.
     #[inline(always)]
-    fn loaded(&self, multipliers: [D; 2], k: usize) -> Loaded<D> {
+    fn loaded(&self, multipliers: [D; 2], k: usize) -> Loaded<D, 3, 2> {
         let ([t1, t2], [by_d1, by_d2]) = (&self.t, &self.turning);
         Loaded::new(multipliers, [t1[k], t2[k]], [by_d1.row(k).transpose(), by_d2.row(k).transpose()])
     }
@@ -209,7 +262,7 @@ impl Formula for Rows {
         Self::linearized(i).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &Nodes<D>) -> ValueAndJacobian<Self, D> {
         let view = View::new(&i.x1, &i.xn, &i.xm);
         let [on_1, on_n] = view.along.lever();
@@ -244,42 +297,10 @@ fields! {
     }
 }
 
-/// A number that is linear in the multipliers, with its derivatives.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Loaded<D> {
-    value: D,
-    by_d: Vector3<D>,
-    by_multipliers: [D; 2],
-}
-
-impl<D: Scalar> Loaded<D> {
-    /// A times the first multiplier and b times the second, from a and b and their gradients by d.
+impl<D: Scalar> From<LoadsGradient<D, 3, 2>> for SliderLoads<D> {
     #[inline(always)]
-    fn new(multipliers: [D; 2], [a, b]: [D; 2], [a_by_d, b_by_d]: [Vector3<D>; 2]) -> Self {
-        let [first, second] = multipliers;
-        Self { value: a * first + b * second, by_d: a_by_d * first + b_by_d * second, by_multipliers: [a, b] }
-    }
-
-    /// Of the sum of two.
-    #[inline(always)]
-    fn plus(&self, other: &Self) -> Self {
-        let ([a, b], [c, d]) = (self.by_multipliers, other.by_multipliers);
-        Self { value: self.value + other.value, by_d: self.by_d + other.by_d, by_multipliers: [a + c, b + d] }
-    }
-
-    /// The gradient of a weighted number.
-    #[inline(always)]
-    fn weighted(&self, along: &Along<D, 3>, weight: Weight<D>) -> SliderLoads<D> {
-        let [x1, xn, xm] = along.gradient(weight, self.value, &self.by_d);
-        let [lambda_1, lambda_2] = [self.by_multipliers[0] * weight.value, self.by_multipliers[1] * weight.value];
-        SliderLoads { x1, xn, xm, lambda_1, lambda_2 }
-    }
-
-    /// The gradient of the number itself.
-    #[inline(always)]
-    fn turned(&self) -> SliderLoads<D> {
-        let ([x1, xn, xm], [lambda_1, lambda_2]) = (turned(&self.by_d), self.by_multipliers);
-        SliderLoads { x1, xn, xm, lambda_1, lambda_2 }
+    fn from(([x1, xn, xm], [lambda_1, lambda_2]): LoadsGradient<D, 3, 2>) -> Self {
+        Self { x1, xn, xm, lambda_1, lambda_2 }
     }
 }
 
@@ -351,9 +372,9 @@ impl Formula for Forces {
         let (force, along) = (column!(view.loaded, i.multipliers()), &view.along);
         let [on_1, on_n] = along.lever();
         let gradients = SliderForces {
-            force_1: force.map(|part| part.weighted(along, on_1)),
-            force_n: force.map(|part| part.weighted(along, on_n)),
-            force_m: force.map(|part| part.turned()),
+            force_1: force.map(|part| part.weighted(along, on_1).into()),
+            force_n: force.map(|part| part.weighted(along, on_n).into()),
+            force_m: force.map(|part| part.turned().into()),
         };
         (i.forces(&view), gradients)
     }
@@ -413,20 +434,12 @@ impl Formula for GeometricStiffness {
             Loaded::new(i.multipliers(), view.turning.map(|by| by[(row, column)]), view.bending(row, column))
         });
         let both = Matrix3::from_fn(|row, column| p[(row, column)].plus(&p[(column, row)]));
-        // The derivative of ξ Q − (1 − ξ) P by ξ is P + Q.
-        let beside = Matrix3::from_fn(|row, column| {
-            let (p, q) = (&p[(row, column)], &p[(column, row)]);
-            let mixed = |of_p: D, of_q: D| of_q * along.share - of_p * along.rest;
-            let turned = q.by_d * along.share - p.by_d * along.rest;
-            let [x1, xn, xm] = along.moved_and_turned(1.0, both[(row, column)].value, turned);
-            let [lambda_1, lambda_2] = std::array::from_fn(|k| mixed(p.by_multipliers[k], q.by_multipliers[k]));
-            SliderLoads { x1, xn, xm, lambda_1, lambda_2 }
-        });
+        let beside = |row, column| p[(row, column)].beside(&p[(column, row)], along).into();
         let gradients = SliderStiffness {
-            k_u1_u1: both.map(|entry| entry.weighted(along, along.rest(1.0))),
-            k_u1_un: beside,
-            k_un_un: both.map(|entry| entry.weighted(along, along.share(-1.0))),
-            k_um_un: p.map(|entry| entry.turned()),
+            k_u1_u1: both.map(|entry| entry.weighted(along, along.rest(1.0)).into()),
+            k_u1_un: Matrix3::from_fn(beside),
+            k_un_un: both.map(|entry| entry.weighted(along, along.share(-1.0)).into()),
+            k_um_un: p.map(|entry| entry.turned().into()),
         };
         (i.stiffness(&view), gradients)
     }

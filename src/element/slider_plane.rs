@@ -9,7 +9,7 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::slider::{Along, Weight, placed, turned};
+use super::slider::{Along, Loaded, LoadsGradient, Weight, placed, turned};
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
@@ -70,14 +70,14 @@ impl<D: Scalar> View<D> {
 
     /// The k-th component of the force on m.
     #[inline(always)]
-    fn loaded(&self, multiplier: D, k: usize) -> Loaded<D> {
-        Loaded::new(multiplier, self.t[k], self.turning.row(k).transpose())
+    fn loaded(&self, multiplier: D, k: usize) -> Loaded<D, 2, 1> {
+        Loaded::new([multiplier], [self.t[k]], [self.turning.row(k).transpose()])
     }
 
     /// An entry of P.
     #[inline(always)]
-    fn bent(&self, multiplier: D, row: usize, column: usize) -> Loaded<D> {
-        Loaded::new(multiplier, self.turning[(row, column)], self.bending(row, column))
+    fn bent(&self, multiplier: D, row: usize, column: usize) -> Loaded<D, 2, 1> {
+        Loaded::new([multiplier], [self.turning[(row, column)]], [self.bending(row, column)])
     }
 
     /// ∂²t/∂d²: the gradient of an entry of `turning` by d.
@@ -144,54 +144,10 @@ fields! {
     }
 }
 
-/// A number times the multiplier, with its derivatives.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Loaded<D> {
-    value: D,
-    by_d: Vector2<D>,
-    by_multiplier: D,
-}
-
-impl<D: Scalar> Loaded<D> {
-    /// From the number and its gradient by d.
+impl<D: Scalar> From<LoadsGradient<D, 2, 1>> for SliderLoads2d<D> {
     #[inline(always)]
-    fn new(multiplier: D, number: D, by_d: Vector2<D>) -> Self {
-        Self { value: number * multiplier, by_d: by_d * multiplier, by_multiplier: number }
-    }
-
-    /// Of the sum of two.
-    #[inline(always)]
-    fn plus(&self, other: &Self) -> Self {
-        let by_multiplier = self.by_multiplier + other.by_multiplier;
-        Self { value: self.value + other.value, by_d: self.by_d + other.by_d, by_multiplier }
-    }
-
-    #[inline(always)]
-    fn weighted(&self, along: &Along<D, 2>, weight: Weight<D>) -> SliderLoads2d<D> {
-        let [x1, xn, xm] = along.gradient(weight, self.value, &self.by_d);
-        SliderLoads2d { x1, xn, xm, lambda: self.by_multiplier * weight.value }
-    }
-
-    /// Those of a symmetric matrix.
-    #[inline(always)]
-    fn symmetric([xx, xy, yy]: &[Self; 3], along: &Along<D, 2>, weight: Weight<D>) -> Matrix2<SliderLoads2d<D>> {
-        let beside = xy.weighted(along, weight);
-        Matrix2::new(xx.weighted(along, weight), beside, beside, yy.weighted(along, weight))
-    }
-
-    /// The gradient of ξ Q − (1 − ξ) P, from entries of P and Q, whose derivative by ξ is P + Q.
-    #[inline(always)]
-    fn beside(&self, q: &Self, along: &Along<D, 2>) -> SliderLoads2d<D> {
-        let by_d = q.by_d * along.share - self.by_d * along.rest;
-        let [x1, xn, xm] = along.moved_and_turned(1.0, self.value + q.value, by_d);
-        SliderLoads2d { x1, xn, xm, lambda: q.by_multiplier * along.share - self.by_multiplier * along.rest }
-    }
-
-    /// The gradient of the number itself.
-    #[inline(always)]
-    fn turned(&self) -> SliderLoads2d<D> {
-        let [x1, xn, xm] = turned(&self.by_d);
-        SliderLoads2d { x1, xn, xm, lambda: self.by_multiplier }
+    fn from(([x1, xn, xm], [lambda]): LoadsGradient<D, 2, 1>) -> Self {
+        Self { x1, xn, xm, lambda }
     }
 }
 
@@ -233,9 +189,9 @@ impl Formula for Forces {
         let (force, along) = (Vector2::new(view.loaded(i.lambda, 0), view.loaded(i.lambda, 1)), &view.along);
         let [on_1, on_n] = along.lever();
         let gradients = SliderForces2d {
-            force_1: force.map(|part| part.weighted(along, on_1)),
-            force_n: force.map(|part| part.weighted(along, on_n)),
-            force_m: force.map(|part| part.turned()),
+            force_1: force.map(|part| part.weighted(along, on_1).into()),
+            force_n: force.map(|part| part.weighted(along, on_n).into()),
+            force_m: force.map(|part| part.turned().into()),
         };
         let [by_1, by_n] = [on_1, on_n].map(|weight| weight.value * i.lambda);
         (SliderForces2d { force_1: view.t * by_1, force_n: view.t * by_n, force_m: view.t * i.lambda }, gradients)
@@ -296,19 +252,28 @@ impl Formula for GeometricStiffness {
     fn linearized<D: Scalar>(i: &SliderLoads2d<D>) -> ValueAndJacobian<Self, D> {
         let view = i.view();
         let along = &view.along;
-        let [xx, xy] = [view.bent(i.lambda, 0, 0), view.bent(i.lambda, 0, 1)];
-        let [yx, yy] = [view.bent(i.lambda, 1, 0), view.bent(i.lambda, 1, 1)];
-        let both = [xx.plus(&xx), xy.plus(&yx), yy.plus(&yy)];
+        let p = Matrix2::new(
+            view.bent(i.lambda, 0, 0),
+            view.bent(i.lambda, 0, 1),
+            view.bent(i.lambda, 1, 0),
+            view.bent(i.lambda, 1, 1),
+        );
+        let both = [p.m11.plus(&p.m11), p.m12.plus(&p.m21), p.m22.plus(&p.m22)];
+        let weighted = |weight| {
+            let [xx, xy, yy] = both.map(|entry| entry.weighted(along, weight).into());
+            Matrix2::new(xx, xy, xy, yy)
+        };
+        let beside = |p: &Loaded<D, 2, 1>, q: &Loaded<D, 2, 1>| p.beside(q, along).into();
         let by = SliderStiffness2d {
-            k_u1_u1: Loaded::symmetric(&both, along, along.rest(1.0)),
+            k_u1_u1: weighted(along.rest(1.0)),
             k_u1_un: Matrix2::new(
-                xx.beside(&xx, along),
-                xy.beside(&yx, along),
-                yx.beside(&xy, along),
-                yy.beside(&yy, along),
+                beside(&p.m11, &p.m11),
+                beside(&p.m12, &p.m21),
+                beside(&p.m21, &p.m12),
+                beside(&p.m22, &p.m22),
             ),
-            k_un_un: Loaded::symmetric(&both, along, along.share(-1.0)),
-            k_um_un: Matrix2::new(xx.turned(), xy.turned(), yx.turned(), yy.turned()),
+            k_un_un: weighted(along.share(-1.0)),
+            k_um_un: p.map(|entry| entry.turned().into()),
         };
         (Self::of(i, &view), by)
     }

@@ -75,7 +75,7 @@ impl<D: Scalar> Turn<D> {
     }
 
     /// The gradients of the entries of a number of times [`curvature`](Self::curvature): by e, p and q.
-    #[inline(never)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn curving(&self, times: D) -> Matrix3<[Vector3<D>; 3]> {
         let Self { e, k, u, h, v, square: [re, im], skewed: [real, imaginary], .. } = self;
         // e × Y = x − i y; its imaginary part is that of −(e·e) W.

@@ -76,7 +76,7 @@ pub fn check<F: Formula>(i: &F::Inputs<f64>) -> Result<(), Error> {
 
 /// Whether every component is finite and in its domain.
 #[inline(always)]
-fn are_allowed(i: &impl Fields<f64>) -> bool {
+pub(crate) fn are_allowed(i: &impl Fields<f64>) -> bool {
     are_in_domain(i) & are_finite(i)
 }
 
