@@ -11,7 +11,7 @@
 pub(super) mod proof;
 
 use super::products::{column, double_cross, double_cross_gradient, matrix};
-use super::turn::Turn;
+use super::turn::{Curving, Turn};
 use super::universal::UniversalMoments;
 use crate::cardan::{CardanAngles, Triads, arc_sine_slope};
 use crate::error::Error;
@@ -350,8 +350,8 @@ pub(super) struct Curved<D> {
     multipliers: [D; 3],
     turns: Turns<D>,
     entries: [Matrix3<D>; 3],
-    first: Matrix3<[Vector3<D>; 3]>,
-    third: Matrix3<[Vector3<D>; 3]>,
+    first: Curving<D>,
+    third: Curving<D>,
 }
 
 impl<D: Scalar> Curved<D> {
@@ -373,7 +373,7 @@ impl<D: Scalar> Curved<D> {
     pub(super) fn of_k_tb_tb(&self, r: usize, c: usize) -> AlignLoads<D> {
         let [first, second, third] = &self.entries;
         let second_gradient = self.turns.second_curvature_gradient(self.multipliers[1], r, c);
-        let gradients = [of_first(self.first[(r, c)]), second_gradient, of_third(self.third[(c, r)])];
+        let gradients = [of_first(self.first.gradient(r, c)), second_gradient, of_third(self.third.gradient(c, r))];
         AlignLoads::gradient(gradients, [first[(r, c)], second[(r, c)], third[(r, c)]])
     }
 }

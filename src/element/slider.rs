@@ -13,7 +13,7 @@
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 
-use super::products::column;
+use super::products::{column, matrix, symmetric_matrix};
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
@@ -216,6 +216,12 @@ impl<D: Scalar> View<D> {
         Loaded::new(multipliers, [t1[k], t2[k]], [by_d1.row(k).transpose(), by_d2.row(k).transpose()])
     }
 
+    /// An entry of P.
+    #[inline(always)]
+    fn bent(&self, multipliers: [D; 2], i: usize, j: usize) -> Loaded<D, 3, 2> {
+        Loaded::new(multipliers, self.turning.map(|by| by[(i, j)]), self.bending(i, j))
+    }
+
     /// ∂²t1/∂d² and ∂²t2/∂d²: the gradients of an entry of `turning` by d.
     #[inline(always)]
     fn bending(&self, i: usize, j: usize) -> [Vector3<D>; 2] {
@@ -395,6 +401,39 @@ fields! {
     }
 }
 
+/// The entries of P, with their derivatives.
+struct Bent<'a, D> {
+    along: &'a Along<D, 3>,
+    p: Matrix3<Loaded<D, 3, 2>>,
+}
+
+impl<D: Scalar> Bent<'_, D> {
+    /// An entry of P + Q.
+    #[inline(always)]
+    fn both(&self, i: usize, j: usize) -> Loaded<D, 3, 2> {
+        self.p[(i, j)].plus(&self.p[(j, i)])
+    }
+
+    // The gradients of the entries of the blocks.
+
+    #[inline(always)]
+    fn of_k_u1_u1(&self, i: usize, j: usize) -> SliderLoads<D> {
+        self.both(i, j).weighted(self.along, self.along.rest(1.0)).into()
+    }
+    #[inline(always)]
+    fn of_k_u1_un(&self, i: usize, j: usize) -> SliderLoads<D> {
+        self.p[(i, j)].beside(&self.p[(j, i)], self.along).into()
+    }
+    #[inline(always)]
+    fn of_k_un_un(&self, i: usize, j: usize) -> SliderLoads<D> {
+        self.both(i, j).weighted(self.along, self.along.share(-1.0)).into()
+    }
+    #[inline(always)]
+    fn of_k_um_un(&self, i: usize, j: usize) -> SliderLoads<D> {
+        self.p[(i, j)].turned().into()
+    }
+}
+
 /// The geometric stiffness of SLIDER, Σ λ ∂²g by translations, on the line: symmetric.
 #[derive(Clone, Copy, Debug)]
 pub struct GeometricStiffness;
@@ -429,17 +468,12 @@ impl Formula for GeometricStiffness {
     #[inline]
     fn linearized<D: Scalar>(i: &SliderLoads<D>) -> ValueAndJacobian<Self, D> {
         let view = i.view();
-        let along = &view.along;
-        let p = Matrix3::from_fn(|row, column| {
-            Loaded::new(i.multipliers(), view.turning.map(|by| by[(row, column)]), view.bending(row, column))
-        });
-        let both = Matrix3::from_fn(|row, column| p[(row, column)].plus(&p[(column, row)]));
-        let beside = |row, column| p[(row, column)].beside(&p[(column, row)], along).into();
+        let bent = Bent { along: &view.along, p: matrix!(view.bent, i.multipliers()) };
         let gradients = SliderStiffness {
-            k_u1_u1: both.map(|entry| entry.weighted(along, along.rest(1.0)).into()),
-            k_u1_un: Matrix3::from_fn(beside),
-            k_un_un: both.map(|entry| entry.weighted(along, along.share(-1.0)).into()),
-            k_um_un: p.map(|entry| entry.turned().into()),
+            k_u1_u1: symmetric_matrix!(bent.of_k_u1_u1),
+            k_u1_un: matrix!(bent.of_k_u1_un),
+            k_un_un: symmetric_matrix!(bent.of_k_un_un),
+            k_um_un: matrix!(bent.of_k_um_un),
         };
         (i.stiffness(&view), gradients)
     }

@@ -249,6 +249,10 @@ impl<D: Scalar> TranslatorLoads<D> {
         Self::by_slot(self.slot().of_k_ua_ta(row, column))
     }
     #[cfg_attr(not(debug_assertions), inline(always))]
+    fn of_k_tb_tb(&self, align: &AlignStiffness<AlignLoads<D>>, row: usize, column: usize) -> Self {
+        Self::by_align(align.k_tb_tb[(row, column)])
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of_k_ta_ta(&self, align: &AlignStiffness<AlignLoads<D>>, row: usize, column: usize) -> Self {
         Self::by_both(self.slot().of_k_ta_ta(row, column), align.k_tb_tb[(column, row)])
     }
@@ -349,12 +353,14 @@ impl Formula for GeometricStiffness {
         let JoinStiffness { k_ua_ta, k_ta_ta } = slot::GeometricStiffness::eval(&i.slot());
         let curved = Curved::new(&i.align());
         let (k_tb_tb, align) = (curved.stiffness(), AlignStiffness { k_tb_tb: matrix!(curved.of_k_tb_tb) });
-        let gradients = TranslatorStiffness {
-            k_ua_ta: matrix!(i.of_k_ua_ta),
-            k_ta_ta: matrix!(i.of_k_ta_ta, &align),
-            k_tb_tb: align.k_tb_tb.map(TranslatorLoads::by_align),
-        };
-        (TranslatorStiffness { k_ua_ta, k_ta_ta: k_ta_ta + k_tb_tb.transpose(), k_tb_tb }, gradients)
+        (
+            TranslatorStiffness { k_ua_ta, k_ta_ta: k_ta_ta + k_tb_tb.transpose(), k_tb_tb },
+            TranslatorStiffness {
+                k_ua_ta: matrix!(i.of_k_ua_ta),
+                k_ta_ta: matrix!(i.of_k_ta_ta, &align),
+                k_tb_tb: matrix!(i.of_k_tb_tb, &align),
+            },
+        )
     }
 
     #[inline]

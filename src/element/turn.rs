@@ -10,7 +10,7 @@
 
 #![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
 
-use super::products::{double_cross, matrix};
+use super::products::double_cross;
 use crate::formula::{along, cross_gradient};
 use crate::scalar::{Scalar, is_between, norm_and_direction, number_if};
 use nalgebra::{Matrix3, Vector3};
@@ -76,14 +76,14 @@ impl<D: Scalar> Turn<D> {
 
     /// The gradients of the entries of a number of times [`curvature`](Self::curvature): by e, p and q.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub(super) fn curving(&self, times: D) -> Matrix3<[Vector3<D>; 3]> {
+    pub(super) fn curving(&self, times: D) -> Curving<D> {
         let Self { e, k, u, h, v, square: [re, im], skewed: [real, imaginary], .. } = self;
         // e × Y = x − i y; its imaginary part is that of −(e·e) W.
         let (x, y) = (e.cross(h), u * -e.dot(e));
         let (ht, vt) = (h.transpose() * times, v.transpose() * times);
         let (xt, yt) = (x.transpose() * times, y.transpose() * times);
-        let curving = Curving {
-            turn: self,
+        Curving {
+            turn: *self,
             times,
             twice: double_cross(e, e),
             by_k: h * vt + v * ht + k * yt + u * xt,
@@ -92,8 +92,7 @@ impl<D: Scalar> Turn<D> {
             skewed_y: (h * *imaginary - v * *real) * times,
             by_p: im * vt + re * ht,
             by_q: im * ht - re * vt,
-        };
-        matrix!(curving.gradient)
+        }
     }
 
     /// The gradient of the n-th component of u: by p and q.
@@ -124,8 +123,8 @@ fn extreme_inverse<D: Scalar>(z: [D; 2]) -> ([D; 2], [D; 2]) {
 }
 
 /// A turn with what the gradients of its curvature are made of. All but the first three are the number of times as large.
-struct Curving<'a, D> {
-    turn: &'a Turn<D>,
+pub(super) struct Curving<D> {
+    turn: Turn<D>,
     times: D,
     /// e ⊗ e − (e·e) I.
     twice: Matrix3<D>,
@@ -139,10 +138,10 @@ struct Curving<'a, D> {
     by_q: Matrix3<D>,
 }
 
-impl<D: Scalar> Curving<'_, D> {
+impl<D: Scalar> Curving<D> {
     /// The gradient of an entry of the curvature: by e, p and q.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn gradient(&self, r: usize, c: usize) -> [Vector3<D>; 3] {
+    pub(super) fn gradient(&self, r: usize, c: usize) -> [Vector3<D>; 3] {
         let [by_p, by_q] = self.turn.u_by_pq(c).map(|by| by * (self.turn.e[r] * self.times));
         let [turned_p, turned_q] = self.turned(r, c);
         [self.by_e(r, c) + self.skewed(r, c), by_p + turned_p, by_q + turned_q]
@@ -151,14 +150,14 @@ impl<D: Scalar> Curving<'_, D> {
     /// By e where P·P is 0.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn by_e(&self, r: usize, c: usize) -> Vector3<D> {
-        let (Turn { k, u, .. }, Self { by_k, by_u, .. }) = (self.turn, self);
+        let (Turn { k, u, .. }, Self { by_k, by_u, .. }) = (&self.turn, self);
         by_k.row(c).transpose() * k[r] + by_u.row(c).transpose() * u[r]
     }
 
     /// What P·P adds.
     #[cfg_attr(not(debug_assertions), inline(always))]
     fn skewed(&self, r: usize, c: usize) -> Vector3<D> {
-        let (Turn { e, .. }, Self { twice, skewed_w, skewed_y, .. }) = (self.turn, self);
+        let (Turn { e, .. }, Self { twice, skewed_w, skewed_y, .. }) = (&self.turn, self);
         e.cross(&along(r, skewed_y[c])) + e.cross(&along(c, skewed_y[r])) + twice.column(r) * skewed_w[c]
     }
 
