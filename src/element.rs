@@ -17,6 +17,7 @@
 //! since spins about different axes do not commute. Where nodal moments balance, it is symmetric after assembly.
 
 pub mod align;
+mod along;
 mod assembly;
 mod chain;
 pub mod join;

@@ -62,34 +62,51 @@ fn line(formula: &dyn AnyFormula, graph: &Graph) -> String {
     line + by_rows_in_words(&by_rows)
 }
 
-/// How several rows of a formula are computed together, if they are.
+/// How several rows of a formula are computed together, if they are: for the value alone, and for both.
 fn by_rows_in_words(graph: &Graph) -> &'static str {
-    let results: Vec<_> = graph.value.iter().chain(&graph.jacobian).chain(&graph.refusal).copied().collect();
-    let mut needed = graph.needed(&results);
+    let both = [&graph.value[..], &graph.jacobian].concat();
+    let found = [&graph.value, &both].map(|results| how_by_rows(graph, results));
+    if found.contains(&None) {
+        "\n"
+    } else if found.contains(&Some(Together::Guarded)) {
+        " guarded\n"
+    } else {
+        " straight\n"
+    }
+}
+
+/// How several rows are computed together.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Together {
+    Straight,
+    Guarded,
+}
+
+fn how_by_rows(graph: &Graph, results: &[Node]) -> Option<Together> {
+    let mut needed = graph.needed(&[results, graph.refusal.as_slice()].concat());
     needed.sort_unstable();
     if !needed.iter().all(|&node| is_simple(graph.op(node))) {
-        return "\n";
+        return None;
     }
     let extreme = extreme(graph, &needed);
     if extreme.is_empty() {
-        return " straight\n";
+        return Some(Together::Straight);
     }
     let asked = needed.iter().filter(|&&node| is_question(graph.op(node))).flat_map(|&node| graph.op(node).operands());
     let mut asked = asked.filter(|node| extreme.contains(node)).collect::<BTreeSet<_>>().into_iter();
-    if asked.all(|node| is_told(graph, &needed, &extreme, node)) { " guarded\n" } else { "\n" }
+    asked.all(|node| is_told(graph, results, &needed, &extreme, node)).then_some(Together::Guarded)
 }
 
 /// Whether a result is NaN if this number is, or if those are that it may be NaN by. Results that are made of a number by
 /// arithmetic are NaN anyway; what is chosen by it may not be.
-fn is_told(graph: &Graph, needed: &[Node], extreme: &BTreeSet<Node>, nan: Node) -> bool {
+fn is_told(graph: &Graph, results: &[Node], needed: &[Node], extreme: &BTreeSet<Node>, nan: Node) -> bool {
     let known = known_if_nan(graph, needed, nan);
-    let mut results = graph.value.iter().chain(&graph.jacobian);
     let is_told_by_others = || {
         let operands = graph.op(nan).operands();
-        !is_extreme_itself(graph, nan)
-            && operands.iter().filter(|node| extreme.contains(node)).all(|&node| is_told(graph, needed, extreme, node))
+        let mut operands = operands.iter().filter(|node| extreme.contains(node));
+        !is_extreme_itself(graph, nan) && operands.all(|&node| is_told(graph, results, needed, extreme, node))
     };
-    results.any(|result| known[result].is_some_and(f64::is_nan)) || is_told_by_others()
+    results.iter().any(|result| known[result].is_some_and(f64::is_nan)) || is_told_by_others()
 }
 
 /// Whether a number may be NaN where none is that it is made of.

@@ -10,7 +10,7 @@ use crate::formula::Formula;
 use ndarray::{ArrayView1, ArrayViewMut1, Axis};
 
 /// Computes rows of these inputs, of which the first has this place in the batch, into columns as long, which may be far. It is a
-/// pointer, so that the threads are not compiled once for each formula: that would be a ninth of the Python package.
+/// pointer, so that what divides rows among threads is compiled once: for each formula it would be a tenth of the Python package.
 type Compute = fn(&[&[f64]], &mut [&mut [f64]], usize, bool) -> Refused;
 
 /// Some rows of a batch: their columns of inputs, and those of the results that are not zero everywhere.

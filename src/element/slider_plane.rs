@@ -9,7 +9,8 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::slider::{Along, Loaded, LoadsGradient, Weight, placed, turned};
+use super::along::{Along, Loaded, LoadsGradient, Weight, turned};
+use super::slider::placed;
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
