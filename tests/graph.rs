@@ -1,9 +1,12 @@
 //! What a formula does, written down, does what the formula does.
 
+mod by_rows;
+
 use crate::common;
+use by_rows::by_rows_in_words;
 use jointproof::catalog::{AnyFormula, CATALOG};
 use jointproof::formula::{Component, Field, Formula, Jacobian, Spec};
-use jointproof::graph::{Binary, Extremes, Graph, Node, NotRecorded, Op, Statement, Unary, record, record_with};
+use jointproof::graph::{Extremes, Graph, NotRecorded, Op, Statement, record, record_with};
 use jointproof::measure::Options;
 use jointproof::scalar::norm;
 use jointproof::slot::{Contact, ContactForce as SlotContactForce, CrossForces};
@@ -11,7 +14,6 @@ use jointproof::verify::golden::components;
 use jointproof::{Error, Scalar};
 use rayon::prelude::*;
 use std::cmp::Ordering;
-use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::sync::LazyLock;
 
@@ -60,115 +62,6 @@ fn line(formula: &dyn AnyFormula, graph: &Graph) -> String {
     }
     let by_rows = formula.graph_with(Extremes::Nan).unwrap();
     line + by_rows_in_words(&by_rows)
-}
-
-/// How several rows of a formula are computed together, if they are: for the value alone, and for both.
-fn by_rows_in_words(graph: &Graph) -> &'static str {
-    let both = [&graph.value[..], &graph.jacobian].concat();
-    let found = [&graph.value, &both].map(|results| how_by_rows(graph, results));
-    if found.contains(&None) {
-        "\n"
-    } else if found.contains(&Some(Together::Guarded)) {
-        " guarded\n"
-    } else {
-        " straight\n"
-    }
-}
-
-/// How several rows are computed together.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Together {
-    Straight,
-    Guarded,
-}
-
-fn how_by_rows(graph: &Graph, results: &[Node]) -> Option<Together> {
-    let mut needed = graph.needed(&[results, graph.refusal.as_slice()].concat());
-    needed.sort_unstable();
-    if !needed.iter().all(|&node| is_simple(graph.op(node))) {
-        return None;
-    }
-    let extreme = extreme(graph, &needed);
-    if extreme.is_empty() {
-        return Some(Together::Straight);
-    }
-    let asked = needed.iter().filter(|&&node| is_question(graph.op(node))).flat_map(|&node| graph.op(node).operands());
-    let mut asked = asked.filter(|node| extreme.contains(node)).collect::<BTreeSet<_>>().into_iter();
-    asked.all(|node| is_told(graph, results, &needed, &extreme, node)).then_some(Together::Guarded)
-}
-
-/// Whether a result is NaN if this number is, or if those are that it may be NaN by. Results that are made of a number by
-/// arithmetic are NaN anyway; what is chosen by it may not be.
-fn is_told(graph: &Graph, results: &[Node], needed: &[Node], extreme: &BTreeSet<Node>, nan: Node) -> bool {
-    let known = known_if_nan(graph, needed, nan);
-    let is_told_by_others = || {
-        let operands = graph.op(nan).operands();
-        let mut operands = operands.iter().filter(|node| extreme.contains(node));
-        !is_extreme_itself(graph, nan) && operands.all(|&node| is_told(graph, results, needed, extreme, node))
-    };
-    results.iter().any(|result| known[result].is_some_and(f64::is_nan)) || is_told_by_others()
-}
-
-/// Whether a number may be NaN where none is that it is made of.
-fn is_extreme_itself(graph: &Graph, node: Node) -> bool {
-    let op = graph.op(node);
-    let is_nan = |node: Node| graph.constant(node).is_some_and(f64::is_nan);
-    matches!(op, Op::Norm(_) | Op::Binary(Binary::Angle, ..)) || op.operands().into_iter().any(is_nan)
-}
-
-/// Whether several rows take an operation together.
-fn is_simple(op: &Op) -> bool {
-    match op {
-        Op::Unary(function, _) => {
-            matches!(function, Unary::Negative | Unary::Root | Unary::Absolute | Unary::ArcSine | Unary::PowerOfTwo)
-        }
-        op => !matches!(op, Op::ExactSum(_) | Op::Search(..)),
-    }
-}
-
-/// The numbers that may be NaN where something is extreme.
-fn extreme(graph: &Graph, in_order: &[Node]) -> BTreeSet<Node> {
-    let mut extreme = BTreeSet::new();
-    for &node in in_order {
-        let may_be_nan = match graph.op(node) {
-            _ if is_extreme_itself(graph, node) => true,
-            Op::Select(_, yes, no) => extreme.contains(yes) || extreme.contains(no),
-            op => !is_question(op) && op.operands().iter().any(|node| extreme.contains(node)),
-        };
-        if may_be_nan {
-            extreme.insert(node);
-        }
-    }
-    extreme
-}
-
-/// Whether a result may be a number although an operand is NaN.
-fn is_question(op: &Op) -> bool {
-    matches!(op, Op::Compare(..) | Op::Unary(Unary::PowerOfTwo, _) | Op::Binary(Binary::Maximum, ..))
-}
-
-/// What is known of every result, whatever the inputs, where that of one is NaN; an answer is 1 or 0.
-fn known_if_nan(graph: &Graph, in_order: &[Node], nan: Node) -> BTreeMap<Node, Option<f64>> {
-    let mut known = BTreeMap::from([(nan, Some(f64::NAN))]);
-    for &node in in_order.iter().filter(|&&node| node != nan) {
-        let op = graph.op(node);
-        let is_nan = op.operands().iter().any(|operand| known[operand].is_some_and(f64::is_nan));
-        let result = match *op {
-            Op::Number(bits) => Some(f64::from_bits(bits)),
-            Op::Compare(..) if is_nan => Some(0.0),
-            Op::Compare(relation, x, y) => {
-                known[&x].zip(known[&y]).map(|(x, y)| f64::from(u8::from(relation.holds(x, y))))
-            }
-            Op::Select(answer, yes, no) => match known[&answer] {
-                Some(answer) => known[if answer == 0.0 { &no } else { &yes }],
-                None => known[&yes].filter(|x| known[&no].is_some_and(|y| *x == y || x.is_nan() && y.is_nan())),
-            },
-            _ if is_question(op) => None,
-            _ => is_nan.then_some(f64::NAN),
-        };
-        known.insert(node, result);
-    }
-    known
 }
 
 #[test]
