@@ -1,5 +1,10 @@
 //! The friction of UJOINT after turns about both axes of its cross, with its consistent tangent by all constraint forces.
 
+#![expect(
+    clippy::inline_always,
+    reason = "a call would write the moments to memory, and keep rows from being computed together"
+)]
+
 #[cfg(feature = "verify")]
 mod proof;
 
@@ -101,7 +106,7 @@ impl Formula for Response {
         Self::linearized(i).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &CrossSliding<D>) -> ValueAndJacobian<Self, D> {
         let (moments, contact) = ContactMoments::linearized(&i.loads());
         let (normal, by) = NormalMoments::linearized(&i.moments(moments));
