@@ -109,9 +109,13 @@ fn together(rows: Range<usize>, before: usize) -> impl Iterator<Item = Range<usi
 /// Has so many rows brought to the cache.
 #[inline(never)]
 fn ask_for(columns: &[impl Deref<Target = [f64]>], from: usize, count: usize) {
-    for rows in columns.iter().filter_map(|column| column.get(from..from + count)) {
-        rows.iter().step_by(LINE / size_of::<f64>()).for_each(prefetch);
-    }
+    columns.iter().filter_map(|column| column.get(from..from + count)).for_each(bring);
+}
+
+/// Has rows of a column brought to the cache.
+#[inline(always)]
+fn bring(rows: &[f64]) {
+    rows.iter().step_by(LINE / size_of::<f64>()).for_each(prefetch);
 }
 
 /// Takes as many rows from here as are computed together.
@@ -129,7 +133,7 @@ fn give(from: &[Column], row: usize, to: &mut [&mut [f64]]) {
         let (rows, next) = column[row..].split_first_chunk_mut().expect("so many rows are there");
         *rows = *here;
         if let Some(next) = next.first_chunk::<TOGETHER>() {
-            next.iter().step_by(LINE / size_of::<f64>()).for_each(prefetch);
+            bring(next);
         }
     }
 }

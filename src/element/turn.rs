@@ -122,7 +122,7 @@ fn extreme_inverse<D: Scalar>(z: [D; 2]) -> ([D; 2], [D; 2]) {
     (direction.map(|part| part / size), [size.recip(); 2])
 }
 
-/// A turn with what the gradients of its curvature are made of. All but the first three are the number of times as large.
+/// A turn with what the gradients of its curvature are made of; all that follows `twice` is multiplied by `times`.
 pub(super) struct Curving<D> {
     turn: Turn<D>,
     times: D,

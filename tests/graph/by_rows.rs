@@ -3,39 +3,37 @@
 use jointproof::graph::{Binary, Graph, Node, Op, Unary};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// How several rows of a formula are computed together, if they are: for the value alone, and for both.
+/// How several rows of a formula are computed together, if they are: the value alone, and the Jacobian too.
 pub fn by_rows_in_words(graph: &Graph) -> &'static str {
     let both = [&graph.value[..], &graph.jacobian].concat();
-    let found = [&graph.value, &both].map(|results| how_by_rows(graph, results));
-    if found.contains(&None) {
-        "\n"
-    } else if found.contains(&Some(Together::Guarded)) {
-        " guarded\n"
-    } else {
-        " straight\n"
+    match how_by_rows(graph, &graph.value).max(how_by_rows(graph, &both)) {
+        Rows::Straight => " straight\n",
+        Rows::Guarded => " guarded\n",
+        Rows::Apart => "\n",
     }
 }
 
-/// How several rows are computed together.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Together {
+/// How several rows are computed: from the simplest way.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Rows {
     Straight,
     Guarded,
+    Apart,
 }
 
-fn how_by_rows(graph: &Graph, results: &[Node]) -> Option<Together> {
+fn how_by_rows(graph: &Graph, results: &[Node]) -> Rows {
     let mut needed = graph.needed(&[results, graph.refusal.as_slice()].concat());
     needed.sort_unstable();
     if !needed.iter().all(|&node| is_simple(graph.op(node))) {
-        return None;
+        return Rows::Apart;
     }
     let extreme = extreme(graph, &needed);
     if extreme.is_empty() {
-        return Some(Together::Straight);
+        return Rows::Straight;
     }
     let asked = needed.iter().filter(|&&node| is_question(graph.op(node))).flat_map(|&node| graph.op(node).operands());
     let mut asked = asked.filter(|node| extreme.contains(node)).collect::<BTreeSet<_>>().into_iter();
-    asked.all(|node| is_told(graph, results, &needed, &extreme, node)).then_some(Together::Guarded)
+    if asked.all(|node| is_told(graph, results, &needed, &extreme, node)) { Rows::Guarded } else { Rows::Apart }
 }
 
 /// Whether a result is NaN if this number is, or if those are that it may be NaN by. Results that are made of a number by
