@@ -58,7 +58,7 @@ mod task;
 
 pub(crate) use job::{Job, Linearized};
 #[cfg(feature = "measure")]
-pub(crate) use row::Row;
+pub(crate) use row::{Row, of_components};
 
 pub use error::{Error, Part, RowError};
 pub use ndarray::{ArrayView1, ArrayViewMut1};

@@ -4,8 +4,11 @@
 
 use super::error::{Refused, RowError};
 use super::job::Job;
+use super::straight::MOST_TOGETHER;
+use super::structure::is_guarded;
 use crate::error::Error;
-use crate::formula::{Fields, Formula, Visitor};
+use crate::formula::{Component, Fields, Formula, Visitor, are_allowed, bits_unless_finite};
+use crate::ordinary::Ordinary;
 use std::ops::Range;
 
 /// So many rows are made before the first of them is computed: what was just written number by number, a processor cannot read
@@ -27,16 +30,18 @@ pub(super) fn one_by_one<F: Formula, J: Job<F>>(
     for from in rows.clone().step_by(AHEAD) {
         let some = from..rows.end.min(from + AHEAD);
         made.clear();
-        made.extend(some.clone().map(|row| {
-            let mut next = 0;
-            F::Inputs::from_components(&mut || {
-                next += 1;
-                inputs[next - 1][row]
-            })
-        }));
+        made.extend(some.clone().map(|row| of_components::<F::Inputs<f64>, _>(|k| inputs[k][row])));
         for (row, i) in some.zip(&made) {
+            // Many results would be copied on their way; as long as all are as they should be, they are written where they are computed.
+            if const { is_guarded::<F>() && J::LEN > MOST_TOGETHER } && are_allowed(i) && F::validate(i).is_ok() {
+                let mut place = Row::new(columns, row);
+                J::show(&J::unchecked::<Ordinary>(&of_components(|k| inputs[k][row])), &mut place);
+                if place.bits == 0 {
+                    continue;
+                }
+            }
             match J::of(i) {
-                Ok(results) => J::show(&results, &mut Row { columns, at: row, place: 0 }),
+                Ok(results) => J::show(&results, &mut Row::new(columns, row)),
                 Err(error) => refuse(columns, row, first, error, &mut refused),
             }
         }
@@ -44,18 +49,45 @@ pub(super) fn one_by_one<F: Formula, J: Job<F>>(
     refused
 }
 
+/// What has these components.
+#[inline(always)]
+pub(crate) fn of_components<I: Fields<D>, D: Component + From<f64>>(component: impl Fn(usize) -> f64) -> I {
+    let mut next = 0;
+    I::from_components(&mut || {
+        next += 1;
+        D::from(component(next - 1))
+    })
+}
+
 /// Writes the numbers of a row, each into the next column.
 pub(crate) struct Row<'b, 'c> {
-    pub(crate) columns: &'b mut [&'c mut [f64]],
-    pub(crate) at: usize,
-    pub(crate) place: usize,
+    columns: &'b mut [&'c mut [f64]],
+    at: usize,
+    place: usize,
+    /// Zero as long as all numbers are finite.
+    bits: u64,
+}
+
+impl<'b, 'c> Row<'b, 'c> {
+    #[inline(always)]
+    pub(crate) fn new(columns: &'b mut [&'c mut [f64]], at: usize) -> Self {
+        Self { columns, at, place: 0, bits: 0 }
+    }
 }
 
 impl Visitor<f64> for Row<'_, '_> {
     #[inline(always)]
     fn visit(&mut self, x: f64) {
         self.columns[self.place][self.at] = x;
+        self.bits |= bits_unless_finite(x);
         self.place += 1;
+    }
+}
+
+impl Visitor<Ordinary> for Row<'_, '_> {
+    #[inline(always)]
+    fn visit(&mut self, x: Ordinary) {
+        self.visit(x.to_f64());
     }
 }
 

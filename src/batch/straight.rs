@@ -12,9 +12,9 @@
 
 use super::error::Refused;
 use super::job::Job;
-use super::row::one_by_one;
+use super::row::{of_components, one_by_one};
 use super::structure::is_guarded;
-use crate::formula::{Component, Fields, Formula, Visitor, are_allowed, bits_unless_finite, is_plain};
+use crate::formula::{Fields, Formula, Visitor, are_allowed, bits_unless_finite, is_plain};
 use crate::ordinary::Ordinary;
 use crate::prefetch::{LINE, prefetch};
 use std::marker::PhantomData;
@@ -147,27 +147,17 @@ fn compute<F: Formula, J: Job<F>>(read: &[Column], written: &mut [Column]) -> bo
     // itself may take branches, which would keep the compiler from vectors in one pass with all else.
     let mut bits = 0;
     for row in 0..TOGETHER {
-        bits |= u64::from(F::validate(&inputs::<F::Inputs<Ordinary>, _>(read, row)).is_err());
+        bits |= u64::from(F::validate(&of_components::<F::Inputs<Ordinary>, _>(|k| read[k].0[row])).is_err());
     }
     for row in 0..TOGETHER {
         let is_guarded = const { is_guarded::<F>() };
-        let i = inputs(read, row);
+        let i = of_components(|k| read[k].0[row]);
         bits |= u64::from(!if is_guarded { are_allowed(&i) } else { is_plain::<F>(&i) });
         let mut place = Place { columns, row, next: 0, bits: 0 };
-        J::show(&J::unchecked::<Ordinary>(&inputs(read, row)), &mut place);
+        J::show(&J::unchecked::<Ordinary>(&of_components(|k| read[k].0[row])), &mut place);
         bits |= if is_guarded { place.bits } else { 0 };
     }
     bits == 0
-}
-
-/// The inputs of a row.
-#[inline(always)]
-fn inputs<I: Fields<D>, D: Component + From<f64>>(read: &[Column], row: usize) -> I {
-    let mut next = 0;
-    I::from_components(&mut || {
-        next += 1;
-        D::from(read[next - 1].0[row])
-    })
 }
 
 /// Writes the numbers of a row, each into the next column.

@@ -3,7 +3,9 @@
 
 use super::options::random;
 use super::{Columns, Options, Time};
-use crate::batch::{ArrayView1, ArrayViewMut1, Job, Linearized, Row, columns, value_and_jacobian};
+use crate::batch::{
+    ArrayView1, ArrayViewMut1, Error, Job, Linearized, Row, columns, of_components, value_and_jacobian,
+};
 use crate::formula::{self, Fields};
 use crate::proof::Proved;
 use crate::verify::Subject;
@@ -21,20 +23,50 @@ const EVERY: usize = 12;
 /// Tells the time in nanoseconds, on any thread.
 type Clock<'a> = &'a (dyn Fn() -> f64 + Sync);
 
+/// What is timed of a formula. It is by pointers, so that all that times it is compiled once.
+#[derive(Clone, Copy)]
+struct Work {
+    inputs: usize,
+    outputs: usize,
+    /// Results a row.
+    results: usize,
+    batch: Batch,
+    looped: Looped,
+}
+
+impl Work {
+    fn of<F: Proved>() -> Self {
+        Self {
+            inputs: F::Inputs::<f64>::LEN,
+            outputs: F::Outputs::<f64>::LEN,
+            results: <Linearized as Job<F>>::LEN,
+            batch: value_and_jacobian::<F>,
+            looped: looped::<F>,
+        }
+    }
+}
+
+type Batch = fn(&[ArrayView1<f64>], &mut [ArrayViewMut1<f64>], &mut [ArrayViewMut1<f64>]) -> Result<(), Error>;
+type Looped = fn(&[&[f64]], &mut [&mut [f64]]) -> usize;
+
 /// Times value and Jacobian over columns, all taking turns.
 pub(super) fn time<F: Proved>(options: &Options, clock: Clock) -> Option<Columns> {
     let points = random(&Subject::of::<F>(), options.seed, POINTS);
-    let numbers = F::Inputs::<f64>::LEN + <Linearized as Job<F>>::LEN;
+    timed(Work::of::<F>(), &points, options, clock)
+}
+
+fn timed(work: Work, points: &[Vec<f64>], options: &Options, clock: Clock) -> Option<Columns> {
+    let numbers = work.inputs + work.results;
     let bytes = numbers * size_of::<f64>();
     let rows = (options.column_bytes / bytes).max(LEAST);
-    let mut tables = Tables::new(&points, rows, numbers);
+    let mut tables = Tables::new(points, rows, numbers);
     let thread = one_thread()?;
     let mut turns = [const { Vec::new() }; 5];
     for _ in 0..options.rounds.div_ceil(EVERY) {
         let taken = [
-            thread.install(|| a_row(rows, clock, || tables.looped::<F>())),
-            thread.install(|| a_row(rows, clock, || tables.batch::<F>())),
-            a_row(rows, clock, || tables.batch::<F>()),
+            thread.install(|| a_row(rows, clock, || tables.looped(work))),
+            thread.install(|| a_row(rows, clock, || tables.batch(work))),
+            a_row(rows, clock, || tables.batch(work)),
             thread.install(|| a_row(rows, clock, || tables.copy())),
             a_row(rows, clock, || tables.copy()),
         ];
@@ -90,21 +122,21 @@ impl Tables {
         Self { inputs, results, from: vec![1.0; half], to: vec![2.0; half] }
     }
 
-    fn batch<F: Proved>(&mut self) {
+    fn batch(&mut self, work: Work) {
         let inputs: Vec<_> = self.inputs.rows().into_iter().collect();
         let mut results: Vec<_> = self.results.rows_mut().into_iter().collect();
-        let (value, jacobian) = results.split_at_mut(F::Outputs::<f64>::LEN);
+        let (value, jacobian) = results.split_at_mut(work.outputs);
         // A row that is refused is a row, too.
-        let _ = black_box(value_and_jacobian::<F>(black_box(&inputs), value, jacobian));
+        let _ = black_box((work.batch)(black_box(&inputs), value, jacobian));
         black_box(&mut self.results);
     }
 
-    fn looped<F: Proved>(&mut self) {
+    fn looped(&mut self, work: Work) {
         let inputs: Vec<_> =
             self.inputs.rows().into_iter().filter_map(|column: ArrayView1<f64>| column.to_slice()).collect();
         let results = self.results.rows_mut().into_iter();
         let mut results: Vec<_> = results.filter_map(ArrayViewMut1::into_slice).collect();
-        black_box(looped::<F>(black_box(&inputs), &mut results));
+        black_box((work.looped)(black_box(&inputs), &mut results));
         black_box(&mut self.results);
     }
 
@@ -121,17 +153,10 @@ fn looped<F: Proved>(inputs: &[&[f64]], results: &mut [&mut [f64]]) -> usize {
     let inputs = &inputs[..F::Inputs::<f64>::LEN];
     let columns = &mut results[..<Linearized as Job<F>>::LEN];
     let mut refused = 0;
-    for row in 0..inputs[0].len() {
-        let mut next = 0;
-        let i = F::Inputs::from_components(&mut || {
-            next += 1;
-            inputs[next - 1][row]
-        });
-        match formula::value_and_jacobian::<F>(&i) {
-            Ok(results) => <Linearized as Job<F>>::show(&results, &mut Row { columns, at: row, place: 0 }),
-            Err(_) => refused += 1,
-        }
-    }
+    (0..inputs[0].len()).for_each(|row| match formula::value_and_jacobian::<F>(&of_components(|k| inputs[k][row])) {
+        Ok(results) => <Linearized as Job<F>>::show(&results, &mut Row::new(columns, row)),
+        Err(_) => refused += 1,
+    });
     refused
 }
 
@@ -223,9 +248,9 @@ mod tests {
     fn a_loop_and_a_batch_write_what_the_formula_gives() {
         let points = [vec![3.0, 4.0], vec![f64::NAN, 1.0], vec![-6.0, 8.0]];
         let expected = [[5.0, 0.6, 0.8], [1.0; 3], [10.0, -0.6, 0.8], [5.0, 0.6, 0.8]];
-        for run in [Tables::looped::<ContactForce>, Tables::batch::<ContactForce>] {
+        for run in [Tables::looped, Tables::batch] {
             let mut tables = Tables::new(&points, 4, 5);
-            run(&mut tables);
+            run(&mut tables, Work::of::<ContactForce>());
             for (row, expected) in tables.results.columns().into_iter().zip(expected) {
                 // What is refused is not written, or is written as NaN.
                 assert!(

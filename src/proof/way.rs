@@ -93,7 +93,8 @@ impl Kernel {
         compute: impl Fn(&I) -> O + Copy + 'static,
         doubles: impl Fn(&O) -> Vec<f64> + 'static,
     ) -> Self {
-        Self::with_loop(convert, compute, doubles, move |points| {
+        let results = move |i: &_| doubles(&compute(i));
+        Self::of(convert, results, move |points| {
             // What looks at a result may have changed all memory, so every point is read anew.
             for i in points {
                 black_box(&compute(i));
@@ -102,15 +103,23 @@ impl Kernel {
     }
 
     /// With a loop of its own, `over`, that calls the formula by its name: so it is compiled in the loop as in that of a program.
-    /// What is handed over as a value is called behind another call.
-    pub(crate) fn with_loop<I: 'static, O>(
+    /// What is handed over as a value is called behind another call. `compute` is a pointer, and not compiled a second time.
+    pub(crate) fn with_loop<I: 'static, O: 'static>(
         convert: fn(&[f64]) -> I,
-        compute: impl Fn(&I) -> O + 'static,
+        compute: fn(&I) -> O,
         doubles: impl Fn(&O) -> Vec<f64> + 'static,
         over: impl Fn(&[I]) + Copy + 'static,
     ) -> Self {
+        Self::of(convert, move |i| doubles(&compute(i)), over)
+    }
+
+    fn of<I: 'static>(
+        convert: fn(&[f64]) -> I,
+        results: impl Fn(&I) -> Vec<f64> + 'static,
+        over: impl Fn(&[I]) + Copy + 'static,
+    ) -> Self {
         Self {
-            results: Box::new(move |i| doubles(&compute(&convert(i)))),
+            results: Box::new(move |i| results(&convert(i))),
             runner: Box::new(move |points| {
                 let points = converted(points, convert);
                 Box::new(move |count| over(&points[..count]))
