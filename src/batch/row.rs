@@ -4,8 +4,7 @@
 
 use super::error::{Refused, RowError};
 use super::job::Job;
-use super::straight::MOST_TOGETHER;
-use super::structure::is_guarded;
+use super::structure::{MOST_TOGETHER, is_guarded};
 use crate::error::Error;
 use crate::formula::{Component, Fields, Formula, Visitor, are_allowed, bits_unless_finite};
 use crate::ordinary::Ordinary;
