@@ -4,10 +4,8 @@
 
 use super::error::{Refused, RowError};
 use super::job::Job;
-use super::structure::{MOST_TOGETHER, is_guarded};
 use crate::error::Error;
-use crate::formula::{Component, Fields, Formula, Visitor, are_allowed, bits_unless_finite};
-use crate::ordinary::Ordinary;
+use crate::formula::{Component, Fields, Formula, Visitor};
 use std::ops::Range;
 
 /// So many rows are made before the first of them is computed: what was just written number by number, a processor cannot read
@@ -31,14 +29,6 @@ pub(super) fn one_by_one<F: Formula, J: Job<F>>(
         made.clear();
         made.extend(some.clone().map(|row| of_components::<F::Inputs<f64>, _>(|k| inputs[k][row])));
         for (row, i) in some.zip(&made) {
-            // Many results would be copied on their way; as long as all are as they should be, they are written where they are computed.
-            if const { is_guarded::<F>() && J::LEN > MOST_TOGETHER } && are_allowed(i) && F::validate(i).is_ok() {
-                let mut place = Row::new(columns, row);
-                J::show(&J::unchecked::<Ordinary>(&of_components(|k| inputs[k][row])), &mut place);
-                if place.bits == 0 {
-                    continue;
-                }
-            }
             match J::of(i) {
                 Ok(results) => J::show(&results, &mut Row::new(columns, row)),
                 Err(error) => refuse(columns, row, first, error, &mut refused),
@@ -63,14 +53,12 @@ pub(crate) struct Row<'b, 'c> {
     columns: &'b mut [&'c mut [f64]],
     at: usize,
     place: usize,
-    /// Zero as long as all numbers are finite.
-    bits: u64,
 }
 
 impl<'b, 'c> Row<'b, 'c> {
     #[inline(always)]
     pub(crate) fn new(columns: &'b mut [&'c mut [f64]], at: usize) -> Self {
-        Self { columns, at, place: 0, bits: 0 }
+        Self { columns, at, place: 0 }
     }
 }
 
@@ -78,15 +66,7 @@ impl Visitor<f64> for Row<'_, '_> {
     #[inline(always)]
     fn visit(&mut self, x: f64) {
         self.columns[self.place][self.at] = x;
-        self.bits |= bits_unless_finite(x);
         self.place += 1;
-    }
-}
-
-impl Visitor<Ordinary> for Row<'_, '_> {
-    #[inline(always)]
-    fn visit(&mut self, x: Ordinary) {
-        self.visit(x.to_f64());
     }
 }
 
