@@ -9,9 +9,6 @@
 
 use crate::formula::{Fields, Finite, Formula};
 
-/// So many results of a row at most are computed together with those of others, so that they stay in the nearest cache.
-pub(super) const MOST_TOGETHER: usize = 261;
-
 const TABLE: &[u8] = include_bytes!("structure.txt");
 
 /// What stands behind the identifier of this formula; of one that is not in the table, every entry counts.

@@ -114,6 +114,7 @@ impl Kernel {
         Self::of(convert, move |i| doubles(&compute(i)), over)
     }
 
+    /// `results` reads what is computed of converted inputs.
     fn of<I: 'static>(
         convert: fn(&[f64]) -> I,
         results: impl Fn(&I) -> Vec<f64> + 'static,
