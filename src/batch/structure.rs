@@ -79,6 +79,9 @@ const fn all<F: Formula>() -> usize {
 /// Whether an entry is not zero everywhere; they are counted output by output over all inputs.
 #[inline(always)]
 pub(super) const fn is_entry<F: Formula>(k: usize) -> bool {
+    if const { entries::<F>() == all::<F>() } {
+        return true;
+    }
     let first = const { &first_bits::<F>() };
     if k / 64 < WORDS { first[k / 64] >> (k % 64) & 1 == 1 } else { is_digit::<F>(k) }
 }
@@ -120,7 +123,7 @@ pub(super) fn places<F: Formula>() -> impl Iterator<Item = usize> {
 pub(super) const fn entries<F: Formula>() -> usize {
     let (mut k, mut count) = (0, 0);
     while k < all::<F>() {
-        count += is_entry::<F>(k) as usize;
+        count += is_digit::<F>(k) as usize;
         k += 1;
     }
     count

@@ -71,41 +71,54 @@ pub(super) fn symmetric<D: Scalar>(m: &Matrix3<D>) -> Matrix3<D> {
 }
 
 /// The column of what a method gives for every index, after what else it takes. Each is a call of its own: in a loop, or through a closure, the
-/// compiler would not see the index, and look up at run time where the zeros are.
+/// compiler would not see the index, and look up at run time where the zeros are. It may for what is larger than a double, where
+/// one operation takes longer than that: nine times the code would be most of a program.
 ///
 /// The method is always inlined where the compiler optimises; where it does not, each would only take its own room on the stack.
 macro_rules! column {
     ($i:ident.$method:ident $(, $of:expr)*) => {
-        nalgebra::Vector3::new($i.$method($($of,)* 0), $i.$method($($of,)* 1), $i.$method($($of,)* 2))
+        if const { size_of::<D>() > size_of::<f64>() } {
+            nalgebra::Vector3::from_fn(|row, _| $i.$method($($of,)* row))
+        } else {
+            nalgebra::Vector3::new($i.$method($($of,)* 0), $i.$method($($of,)* 1), $i.$method($($of,)* 2))
+        }
     };
 }
 
 /// As [`column`], a matrix by its rows and columns.
 macro_rules! matrix {
     ($i:ident.$method:ident $(, $of:expr)*) => {
-        nalgebra::Matrix3::new(
-            $i.$method($($of,)* 0, 0),
-            $i.$method($($of,)* 0, 1),
-            $i.$method($($of,)* 0, 2),
-            $i.$method($($of,)* 1, 0),
-            $i.$method($($of,)* 1, 1),
-            $i.$method($($of,)* 1, 2),
-            $i.$method($($of,)* 2, 0),
-            $i.$method($($of,)* 2, 1),
-            $i.$method($($of,)* 2, 2),
-        )
+        if const { size_of::<D>() > size_of::<f64>() } {
+            nalgebra::Matrix3::from_fn(|row, column| $i.$method($($of,)* row, column))
+        } else {
+            nalgebra::Matrix3::new(
+                $i.$method($($of,)* 0, 0),
+                $i.$method($($of,)* 0, 1),
+                $i.$method($($of,)* 0, 2),
+                $i.$method($($of,)* 1, 0),
+                $i.$method($($of,)* 1, 1),
+                $i.$method($($of,)* 1, 2),
+                $i.$method($($of,)* 2, 0),
+                $i.$method($($of,)* 2, 1),
+                $i.$method($($of,)* 2, 2),
+            )
+        }
     };
 }
 
 /// As [`matrix`], of entries that are those of their mirror images, too.
 macro_rules! symmetric_matrix {
-    ($i:ident.$method:ident $(, $of:expr)*) => {{
-        let (xy, xz, yz) =
-            ($i.$method($($of,)* 0, 1), $i.$method($($of,)* 0, 2), $i.$method($($of,)* 1, 2));
-        let (xx, yy, zz) =
-            ($i.$method($($of,)* 0, 0), $i.$method($($of,)* 1, 1), $i.$method($($of,)* 2, 2));
-        nalgebra::Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
-    }};
+    ($i:ident.$method:ident $(, $of:expr)*) => {
+        if const { size_of::<D>() > size_of::<f64>() } {
+            nalgebra::Matrix3::from_fn(|row, column| $i.$method($($of,)* row.min(column), row.max(column)))
+        } else {
+            let (xy, xz, yz) =
+                ($i.$method($($of,)* 0, 1), $i.$method($($of,)* 0, 2), $i.$method($($of,)* 1, 2));
+            let (xx, yy, zz) =
+                ($i.$method($($of,)* 0, 0), $i.$method($($of,)* 1, 1), $i.$method($($of,)* 2, 2));
+            nalgebra::Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
+        }
+    };
 }
 
 pub(super) use {column, matrix, symmetric_matrix};

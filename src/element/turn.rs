@@ -7,11 +7,13 @@
 //! Turned by a spin φ of p and q and a spin ψ of e, Y changes by (e ⊗ W − I − Y ⊗ Y) ψ + (I − W ⊗ e + Y ⊗ Y) φ. Its imaginary
 //! part has no unit matrix left: one matrix, Im(Y ⊗ Y − e ⊗ W), and its transpose say how the derivative turns. By e that matrix
 //! changes by −Im W ⊗ (Y ⊗ Y + W ⊗ (e × Y)), in which I + Y ⊗ Y, which cancels, is written as e ⊗ W + W ⊗ (e × Y).
+//! By P an entry of Y ⊗ Y − e ⊗ W changes by (Y_r [e×]_c + Y_c [e×]_r − 2 Y_r Y_c e − e_r (i_c − W_c e))/z: by p the imaginary part
+//! changes by the real part of that, by q by the imaginary one.
 
 #![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
 
-use super::products::double_cross;
-use crate::formula::{along, cross_gradient};
+use super::products::{double_cross, symmetric_matrix};
+use crate::formula::{cross_gradient, next};
 use crate::scalar::{Scalar, is_between, norm_and_direction, number_if};
 use nalgebra::{Matrix3, Vector3};
 
@@ -25,8 +27,6 @@ pub(super) struct Turn<D> {
     v: Vector3<D>,
     /// 1/z = re − i im.
     inverse: [D; 2],
-    /// P/z², real and imaginary.
-    square: [Vector3<D>; 2],
     /// P·P/z², real and imaginary.
     skewed: [D; 2],
 }
@@ -46,7 +46,6 @@ impl<D: Scalar> Turn<D> {
             h: e.cross(&k),
             v: e.cross(&u),
             inverse,
-            square: [q * cos + p * sin, p * cos - q * sin],
             skewed: [stretch * cos + shear * sin, shear * cos - stretch * sin],
         }
     }
@@ -71,35 +70,40 @@ impl<D: Scalar> Turn<D> {
     #[inline(always)]
     pub(super) fn curvature(&self) -> Matrix3<D> {
         let Self { e, u, h, v, .. } = self;
-        e * u.transpose() - h * v.transpose() - v * h.transpose()
+        let hv = h * v.transpose();
+        e * u.transpose() - hv - hv.transpose()
     }
 
     /// The gradients of the entries of a number of times [`curvature`](Self::curvature): by e, p and q.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn curving(&self, times: D) -> Curving<D> {
-        let Self { e, k, u, h, v, square: [re, im], skewed: [real, imaginary], .. } = self;
+        let Self { e, k, u, h, v, skewed: [real, imaginary], .. } = self;
+        let yy @ [re, im] = [symmetric_matrix!(self.yy_real), symmetric_matrix!(self.yy_imaginary)];
         // e × Y = x − i y; its imaginary part is that of −(e·e) W.
-        let (x, y) = (e.cross(h), u * -e.dot(e));
-        let (ht, vt) = (h.transpose() * times, v.transpose() * times);
-        let (xt, yt) = (x.transpose() * times, y.transpose() * times);
+        let (xt, yt) = (e.cross(h).transpose(), (u * -e.dot(e)).transpose());
+        let [real, imaginary] = [*real * times, *imaginary * times];
+        let per @ [per_re, per_im] = self.inverse.map(|part| part * times);
         Curving {
-            turn: *self,
-            times,
+            e: *e,
+            w: [k * times, u * times],
+            by_w: [im + k * yt + u * xt, re + k * xt - u * yt],
             twice: double_cross(e, e),
-            by_k: h * vt + v * ht + k * yt + u * xt,
-            by_u: h * ht - v * vt + k * xt - u * yt,
-            skewed_w: (k * *imaginary - u * *real) * times,
-            skewed_y: (h * *imaginary - v * *real) * times,
-            by_p: im * vt + re * ht,
-            by_q: im * ht - re * vt,
+            skewed_w: k * imaginary - u * real,
+            skewed_y: h * imaginary - v * real,
+            by_pq: [ByP::new(self, &yy, per), ByP::new(self, &yy, [-per_im, per_re])],
         }
     }
 
-    /// The gradient of the n-th component of u: by p and q.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn u_by_pq(&self, n: usize) -> [Vector3<D>; 2] {
-        let across = |g: &Vector3<D>| double_cross(g, &self.e).row(n).transpose();
-        [across(&self.square[0]), across(&self.square[1])]
+    /// An entry of Y ⊗ Y, real.
+    #[inline(always)]
+    fn yy_real(&self, r: usize, c: usize) -> D {
+        self.h[r] * self.h[c] - self.v[r] * self.v[c]
+    }
+
+    /// As [`yy_real`](Self::yy_real), imaginary with the other sign.
+    #[inline(always)]
+    fn yy_imaginary(&self, r: usize, c: usize) -> D {
+        self.h[r] * self.v[c] + self.v[r] * self.h[c]
     }
 }
 
@@ -122,51 +126,56 @@ fn extreme_inverse<D: Scalar>(z: [D; 2]) -> ([D; 2], [D; 2]) {
     (direction.map(|part| part / size), [size.recip(); 2])
 }
 
-/// A turn with what the gradients of its curvature are made of; all that follows `twice` is multiplied by `times`.
+/// What the gradients of a number of times the curvature of a turn are made of.
 pub(super) struct Curving<D> {
-    turn: Turn<D>,
-    times: D,
+    e: Vector3<D>,
+    /// W times that number, real, and imaginary with the other sign.
+    w: [Vector3<D>; 2],
+    /// Y ⊗ Y + W ⊗ (e × Y), imaginary with the other sign, and real.
+    by_w: [Matrix3<D>; 2],
     /// e ⊗ e − (e·e) I.
     twice: Matrix3<D>,
-    /// Y ⊗ Y + W ⊗ (e × Y), imaginary with the other sign, and real.
-    by_k: Matrix3<D>,
-    by_u: Matrix3<D>,
-    /// W P·P/z² and Y P·P/z², imaginary.
+    /// W P·P/z² and Y P·P/z², imaginary, times that number.
     skewed_w: Vector3<D>,
     skewed_y: Vector3<D>,
-    by_p: Matrix3<D>,
-    by_q: Matrix3<D>,
+    /// By p with that number, by q with −i times that number.
+    by_pq: [ByP<D>; 2],
 }
 
 impl<D: Scalar> Curving<D> {
-    /// The gradient of an entry of the curvature: by e, p and q.
+    /// The gradient of an entry: by e, p and q.
     #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn gradient(&self, r: usize, c: usize) -> [Vector3<D>; 3] {
-        let [by_p, by_q] = self.turn.u_by_pq(c).map(|by| by * (self.turn.e[r] * self.times));
-        let [turned_p, turned_q] = self.turned(r, c);
-        [self.by_e(r, c) + self.skewed(r, c), by_p + turned_p, by_q + turned_q]
+        let Self { e, w: [k, u], by_w: [by_k, by_u], twice, skewed_w, skewed_y, by_pq: [by_p, by_q] } = self;
+        let ([_, by_r], [_, by_c]) = (cross_gradient(e, e, r), cross_gradient(e, e, c));
+        // x_r [e×]_c + x_c [e×]_r, which the compiler finds to be the same for the mirror image.
+        let across = |x: &Vector3<D>| by_c.added_to(&by_r.times(x[c]), x[r]);
+        let by_e = by_k.row(c).transpose() * k[r] + by_u.row(c).transpose() * u[r];
+        let skewed = twice.column(r) * skewed_w[c] - across(skewed_y);
+        [by_e + skewed, across(&by_p.y) - by_p.along(e, r, c), across(&by_q.y) - by_q.along(e, r, c)]
+    }
+}
+
+/// What the real part of a number times ∂(Y ⊗ Y − e ⊗ W)/∂P is made of: the real parts of that number by z times Y, W and 2 Y ⊗ Y.
+/// The imaginary part is the real one of −i times that number.
+struct ByP<D> {
+    y: Vector3<D>,
+    w: Vector3<D>,
+    yy: Matrix3<D>,
+}
+
+impl<D: Scalar> ByP<D> {
+    #[inline(always)]
+    fn new(turn: &Turn<D>, yy: &[Matrix3<D>; 2], [re, im]: [D; 2]) -> Self {
+        let Turn { k, u, h, v, .. } = turn;
+        Self { y: h * re - v * im, w: k * re - u * im, yy: yy[0] * (re * 2.0) - yy[1] * (im * 2.0) }
     }
 
-    /// By e where P·P is 0.
+    /// 2 Y_r Y_c e + e_r (i_c − W_c e), by z. On the diagonal 1 − W_c e_c is the sum over the other axes, which does not cancel.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    fn by_e(&self, r: usize, c: usize) -> Vector3<D> {
-        let (Turn { k, u, .. }, Self { by_k, by_u, .. }) = (&self.turn, self);
-        by_k.row(c).transpose() * k[r] + by_u.row(c).transpose() * u[r]
-    }
-
-    /// What P·P adds.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn skewed(&self, r: usize, c: usize) -> Vector3<D> {
-        let (Turn { e, .. }, Self { twice, skewed_w, skewed_y, .. }) = (&self.turn, self);
-        e.cross(&along(r, skewed_y[c])) + e.cross(&along(c, skewed_y[r])) + twice.column(r) * skewed_w[c]
-    }
-
-    /// The gradient of an entry of −h ⊗ v − v ⊗ h by p and q. The sums are such that the compiler finds that of the mirror image
-    /// equal.
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn turned(&self, r: usize, c: usize) -> [Vector3<D>; 2] {
-        let Self { twice, by_p, by_q, .. } = self;
-        let across = |m: &Matrix3<D>| m.column(c).cross(&twice.column(r)) + m.column(r).cross(&twice.column(c));
-        [across(by_p), across(by_q)]
+    fn along(&self, e: &Vector3<D>, r: usize, c: usize) -> Vector3<D> {
+        let (w, yy, [l, m]) = (&self.w, self.yy[(r, c)], next(c));
+        let (across, diagonal) = (yy - e[r] * w[c], (e[l] * w[l] + e[m] * w[m]) * e[r]);
+        Vector3::from_fn(|k, _| if k == c { e[k] * yy + diagonal } else { e[k] * across })
     }
 }
