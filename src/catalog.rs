@@ -7,7 +7,7 @@ use crate::formula::{Field, Fields, Formula, Spec, check, entries, value, value_
 use crate::graph::{self, Extremes, Graph, NotRecorded};
 #[cfg(feature = "measure")]
 use crate::measure::{self, Measurement};
-use crate::proof::{Convention, Flag, Proved};
+use crate::proof::{Case, Convention, Flag, Proved};
 use crate::verify::{
     Audit, Claim, Judge, Kink, Options, Part, Printed, Shard, Sides, Subject, Trial, audit, audit_at, audit_equation,
     audit_part, claims_about, eta_at_scale, exact, golden, kinks_as_printed, number_of, sides,
@@ -39,6 +39,8 @@ pub trait AnyFormula: Send + Sync {
     }
     /// Its golden file with at least so many cases drawn at random.
     fn golden_with(&self, least_random: usize) -> golden::File;
+    /// The cases of its golden file without their results, which take nearly all of its time; inputs by components in order.
+    fn golden_cases(&self) -> Vec<Case<Vec<f64>>>;
     /// Its audit, executed now.
     fn audit(&self, options: &Options) -> Audit;
     /// A part of its audit, at its share of the random points.
@@ -166,6 +168,9 @@ impl<F: Proved> AnyFormula for F {
     }
     fn golden_with(&self, least_random: usize) -> golden::File {
         golden::file::<F>(least_random)
+    }
+    fn golden_cases(&self) -> Vec<Case<Vec<f64>>> {
+        golden::cases(&Subject::of::<F>(), golden::LEAST_RANDOM)
     }
     fn audit(&self, options: &Options) -> Audit {
         audit::<F>(options)

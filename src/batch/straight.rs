@@ -26,9 +26,6 @@ const TOGETHER: usize = 16;
 /// Of more columns than these, longer pieces are asked for, and less often: memory is faster so.
 const MANY: usize = 32;
 
-/// So many results of a row at most, so that they stay in the nearest cache.
-pub(super) const MOST_TOGETHER: usize = 261;
-
 /// What these rows have in one column. It begins with a line of the cache: vectors that lie in two take twice as long.
 #[derive(Clone)]
 #[repr(align(64))]

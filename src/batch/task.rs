@@ -4,8 +4,8 @@ use super::column::{ROWS, Source, Target};
 use super::error::Refused;
 use super::job::Job;
 use super::row::one_by_one;
-use super::straight::{self, MOST_TOGETHER};
-use super::structure::is_straight;
+use super::straight;
+use super::structure::{MOST_TOGETHER, is_straight};
 use crate::formula::Formula;
 use ndarray::{ArrayView1, ArrayViewMut1, Axis};
 

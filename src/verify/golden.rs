@@ -65,7 +65,7 @@ fn describe(fields: &[Field]) -> Vec<Description> {
 }
 
 /// All cases of a formula: its own, random ones, and every way to be invalid.
-pub(super) fn cases(subject: &Subject, least_random: usize) -> Vec<Case<Vec<f64>>> {
+pub(crate) fn cases(subject: &Subject, least_random: usize) -> Vec<Case<Vec<f64>>> {
     let mut cases = (subject.cases)();
     let mut sampler = Sampler::for_formula(subject.spec.id, SEED);
     let random = least_random.max(LEAST_CASES.saturating_sub(cases.len()));

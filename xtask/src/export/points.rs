@@ -4,7 +4,7 @@ use super::recorded::Recorded;
 use jointproof::Error;
 use jointproof::formula::Field;
 use jointproof::measure::Options;
-use jointproof::verify::golden::components;
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 /// A point of a formula, and what Rust says of it.
 pub(super) struct Point {
@@ -25,7 +25,7 @@ pub(super) enum Expected {
 
 /// The points of every formula: all golden cases, valid or not, one on each kink, and random ones.
 pub(super) fn all(recorded: &[Recorded], samples: usize) -> Vec<Vec<Point>> {
-    recorded.iter().map(|one| of(one, samples)).collect()
+    recorded.par_iter().map(|one| of(one, samples)).collect()
 }
 
 fn of(one: &Recorded, samples: usize) -> Vec<Point> {
@@ -37,11 +37,7 @@ fn of(one: &Recorded, samples: usize) -> Vec<Point> {
         };
         Point { name, inputs, expected }
     };
-    let cases = formula.golden().cases;
-    let cases = cases.into_iter().filter_map(|case| {
-        let inputs = components(formula.inputs(), &case.inputs).ok()?;
-        Some(point(case.id, inputs))
-    });
+    let cases = formula.golden_cases().into_iter().map(|case| point(case.id, case.inputs));
     let options = Options { timing_points: samples, ..Options::quick() };
     let random = formula.timing_inputs(&options);
     let count = formula.inputs().iter().map(Field::len).sum();
@@ -77,7 +73,7 @@ mod tests {
         let (recorded, _) = record(&[formula], None);
         let points = all(&recorded, 3).swap_remove(0);
         let names: Vec<_> = points.iter().map(|point| point.name.as_str()).collect();
-        let cases: Vec<_> = formula.golden().cases.into_iter().map(|case| case.id).collect();
+        let cases: Vec<_> = formula.golden_cases().into_iter().map(|case| case.id).collect();
         let kinks: Vec<_> = formula.kinks().iter().map(|kink| format!("kink {}", kink.condition)).collect();
         assert!(!kinks.is_empty() && cases.len() > 1);
         let random = ["random 0", "random 1", "random 2"].map(String::from);

@@ -7,6 +7,7 @@ use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
 use jointproof::graph::{Graph, Node, NotRecorded};
 use jointproof::quantity::Domain;
+use rayon::iter::{Either, IntoParallelRefIterator, ParallelIterator};
 use std::collections::HashMap;
 use std::path::Path;
 
@@ -25,13 +26,11 @@ pub(super) fn record(
     formulas: &[&'static dyn AnyFormula],
     golden: Option<&Path>,
 ) -> (Vec<Recorded>, Vec<(&'static dyn AnyFormula, NotRecorded)>) {
-    let (mut known, mut refused) = (Vec::new(), Vec::new());
-    for &formula in formulas {
-        match formula.graph() {
-            Ok(graph) => known.push((formula, graph)),
-            Err(why) => refused.push((formula, why)),
-        }
-    }
+    let of = |&formula: &&'static dyn AnyFormula| match formula.graph() {
+        Ok(graph) => Either::Left((formula, graph)),
+        Err(why) => Either::Right((formula, why)),
+    };
+    let (known, refused): (Vec<_>, Vec<_>) = formulas.par_iter().partition_map(of);
     let names: Vec<_> = known.iter().map(|one| names::of(one, &known)).collect();
     let recorded = known.into_iter().zip(names).map(|((formula, graph), names)| {
         let checksum = golden.and_then(|folder| checksum(&folder.join(format!("{}.json", formula.spec().id))));
