@@ -73,7 +73,7 @@ mod tests {
         let (recorded, _) = record(&[formula], None);
         let points = all(&recorded, 3).swap_remove(0);
         let names: Vec<_> = points.iter().map(|point| point.name.as_str()).collect();
-        let cases: Vec<_> = formula.golden_cases().into_iter().map(|case| case.id).collect();
+        let cases: Vec<_> = formula.golden().cases.into_iter().map(|case| case.id).collect();
         let kinks: Vec<_> = formula.kinks().iter().map(|kink| format!("kink {}", kink.condition)).collect();
         assert!(!kinks.is_empty() && cases.len() > 1);
         let random = ["random 0", "random 1", "random 2"].map(String::from);
