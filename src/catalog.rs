@@ -9,16 +9,19 @@ use crate::graph::{self, Extremes, Graph, NotRecorded};
 use crate::measure::{self, Measurement};
 use crate::proof::{Case, Convention, Flag, Proved};
 use crate::verify::{
-    Audit, Claim, Judge, Kink, Options, Part, Printed, Shard, Sides, Subject, Trial, audit, audit_at, audit_equation,
-    audit_part, claims_about, eta_at_scale, exact, golden, kinks_as_printed, number_of, sides,
+    Audit, Claim, Judge, Kink, Options, Part, Printed, Shard, Sides, Subject, Trial, audit_at, audit_equation,
+    claims_about, eta_at_scale, exact, golden, kinks_as_printed, number_of, sides,
 };
 use crate::{
     Error, Octuple, align, cardan, coulomb, element, interaction, join, slide_line, slider, slot, translator, ujoint,
     universal,
 };
+use std::any::{Any, TypeId};
+use std::borrow::Cow;
+use std::sync::OnceLock;
 
 /// A formula whose inputs and outputs are not known to the compiler; every [`Proved`] one is.
-pub trait AnyFormula: Send + Sync {
+pub trait AnyFormula: Any + Send + Sync {
     /// What is said about it.
     fn spec(&self) -> Spec;
     /// Its inputs.
@@ -39,7 +42,7 @@ pub trait AnyFormula: Send + Sync {
     }
     /// Its golden file with at least so many cases drawn at random.
     fn golden_with(&self, least_random: usize) -> golden::File;
-    /// The cases of its golden file without their results, which take nearly all of its time; inputs by components in order.
+    /// The cases of its golden file without their results; inputs by components in order.
     fn golden_cases(&self) -> Vec<Case<Vec<f64>>>;
     /// Its audit, executed now.
     fn audit(&self, options: &Options) -> Audit;
@@ -108,9 +111,7 @@ pub trait AnyFormula: Send + Sync {
     ///
     /// # Errors
     /// What in it cannot be written down.
-    fn graph(&self) -> Result<Graph, NotRecorded> {
-        self.graph_with(Extremes::Computed)
-    }
+    fn graph(&self) -> Result<Graph, NotRecorded>;
     /// The same, and what becomes of extreme numbers in it.
     ///
     /// # Errors
@@ -167,19 +168,19 @@ impl<F: Proved> AnyFormula for F {
         kinks(&Subject::of::<F>())
     }
     fn golden_with(&self, least_random: usize) -> golden::File {
-        golden::file::<F>(least_random)
+        golden::of(&subject::<F>(), least_random)
     }
     fn golden_cases(&self) -> Vec<Case<Vec<f64>>> {
-        golden::cases(&Subject::of::<F>(), golden::LEAST_RANDOM)
+        golden::cases(&subject::<F>(), golden::LEAST_RANDOM)
     }
     fn audit(&self, options: &Options) -> Audit {
-        audit::<F>(options)
+        Part::of(&subject::<F>(), options, Shard::WHOLE).told()
     }
     fn eta_at_scale(&self, scale: f64, options: &Options) -> [Claim; 2] {
         eta_at_scale::<F>(scale, options)
     }
     fn audit_part(&self, options: &Options, shard: Shard) -> Part {
-        audit_part::<F>(options, shard)
+        Part::of(&subject::<F>(), options, shard)
     }
     fn audit_at(&self, components: &[f64]) -> Result<Audit, Error> {
         audit_at::<F>(&from_components::<F>(components)?)
@@ -188,7 +189,7 @@ impl<F: Proved> AnyFormula for F {
         Trial::of::<F>(options)
     }
     fn judge(&self) -> Judge {
-        Judge::of::<F>()
+        Judge::about(subject::<F>())
     }
     fn audit_equation(&self, options: &Options) -> [Claim; 2] {
         audit_equation::<F>(options)
@@ -201,6 +202,9 @@ impl<F: Proved> AnyFormula for F {
     }
     fn number(&self, expression: &Claims) -> Octuple {
         number_of::<F>(expression)
+    }
+    fn graph(&self) -> Result<Graph, NotRecorded> {
+        graph_of::<F>().into_owned()
     }
     fn graph_with(&self, extremes: Extremes) -> Result<Graph, NotRecorded> {
         graph::record_with::<F>(extremes)
@@ -258,6 +262,21 @@ impl<F: Proved> AnyFormula for F {
     fn timing_inputs(&self, options: &measure::Options) -> Vec<f64> {
         options.timing_inputs::<F>().concat()
     }
+}
+
+/// A formula without its types, of which the catalog keeps the graph.
+fn subject<F: Proved>() -> Subject {
+    let mut subject = Subject::of::<F>();
+    subject.record = graph_of::<F>;
+    subject
+}
+
+/// The graph of a formula. One of the catalog is recorded once in a process, which takes seconds where nothing is optimised.
+fn graph_of<F: Formula>() -> Cow<'static, Result<Graph, NotRecorded>> {
+    static GRAPHS: [OnceLock<Result<Graph, NotRecorded>>; CATALOG.len()] = [const { OnceLock::new() }; CATALOG.len()];
+    let position = CATALOG.iter().position(|&formula| formula.type_id() == TypeId::of::<F>());
+    position
+        .map_or_else(|| Cow::Owned(graph::record::<F>()), |k| Cow::Borrowed(GRAPHS[k].get_or_init(graph::record::<F>)))
 }
 
 fn flags(subject: &Subject) -> Vec<Flag> {
@@ -449,4 +468,23 @@ pub static CATALOG: &[&dyn AnyFormula] = &[
 /// The formula of this identifier.
 pub fn find(id: &str) -> Option<&'static dyn AnyFormula> {
     CATALOG.iter().copied().find(|formula| formula.spec().id == id)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::coulomb::ReturnMap;
+    use crate::slot::ContactForce;
+
+    #[test]
+    fn a_graph_is_kept_for_each_formula() {
+        let kept = |graph: Cow<'static, Result<Graph, NotRecorded>>| match graph {
+            Cow::Borrowed(graph) => graph.as_ref().expect("it is recorded"),
+            Cow::Owned(_) => panic!("it is of the catalog"),
+        };
+        let [slips, touches, again] = [graph_of::<ReturnMap>, graph_of::<ContactForce>, graph_of::<ReturnMap>];
+        let (slips, touches, again) = (kept(slips()), kept(touches()), kept(again()));
+        assert!(std::ptr::eq(slips, again));
+        assert_eq!((slips.run(&[3.0, 0.5, 4.0]).0, touches.run(&[3.0, 4.0]).0), (vec![2.0], vec![5.0]));
+    }
 }

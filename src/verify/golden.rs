@@ -38,7 +38,7 @@ pub fn file<F: Proved>(least_random: usize) -> File {
     of(&Subject::of::<F>(), least_random)
 }
 
-fn of(subject: &Subject, least_random: usize) -> File {
+pub(crate) fn of(subject: &Subject, least_random: usize) -> File {
     let spec = subject.spec;
     File {
         schema: "schema.json".into(),

@@ -74,7 +74,11 @@ impl Known {
 impl Judge {
     /// Of this formula.
     pub fn of<F: Proved>() -> Self {
-        Self { subject: Subject::of::<F>() }
+        Self::about(Subject::of::<F>())
+    }
+
+    pub(crate) fn about(subject: Subject) -> Self {
+        Self { subject }
     }
 
     /// Points to ask for, each with its name: golden cases, also those that must be refused, points on and beside kinks, and

@@ -91,11 +91,12 @@ mod tests {
     use super::planted::{Function, graph, only_where, planted};
     use super::*;
     use crate::coulomb::ReturnMap;
-    use crate::graph::{Graph, Relation};
+    use crate::graph::{Graph, NotRecorded, Relation};
     use crate::slide_line::ClosestParabolic;
     use crate::verify::exact;
     use num_traits::Signed;
     use serde_json::json;
+    use std::borrow::Cow;
 
     fn point<'a>(subject: &'a Subject, inputs: &[f64]) -> Point<'a> {
         Point::new(subject, "there".into(), true, inputs.to_vec())
@@ -117,7 +118,7 @@ mod tests {
     }
 
     /// A formula that is smooth, and of whose graph this is the value.
-    fn with_graph(record: fn() -> Result<Graph, crate::graph::NotRecorded>) -> Subject {
+    fn with_graph(record: fn() -> Cow<'static, Result<Graph, NotRecorded>>) -> Subject {
         let mut subject = planted(|i| vec![i[0], i[1]], |_| exact(&[1.0, 0.0, 0.0, 0.0, 1.0, 0.0]));
         subject.record = record;
         subject
@@ -125,10 +126,10 @@ mod tests {
 
     fn asks_where_x_is_one() -> Subject {
         with_graph(|| {
-            Ok(graph(|graph, [x, ..]| {
+            Cow::Owned(Ok(graph(|graph, [x, ..]| {
                 let one = graph.number(1.0);
                 vec![graph.compare(Relation::Less, x, one)]
-            }))
+            })))
         })
     }
 
@@ -159,7 +160,7 @@ mod tests {
 
     #[test]
     fn that_there_is_no_candidate_is_a_check() {
-        let none = with_graph(|| Ok(graph(|_, [x, ..]| vec![x])));
+        let none = with_graph(|| Cow::Owned(Ok(graph(|_, [x, ..]| vec![x]))));
         let (found, claim) = looked(&none, [&[1.0], &[2.0, 4.0]]);
         assert_eq!(
             (found, claim.checks),

@@ -17,8 +17,7 @@ pub fn audit<F: Proved>(options: &Options) -> Audit {
 
 /// A part of the audit of one formula, at its share of the random points.
 pub fn audit_part<F: Proved>(options: &Options, shard: Shard) -> Part {
-    let (audit, comparisons) = audit_share(&Subject::of::<F>(), options, shard);
-    Part { shards: [shard.index; 2], of: shard.of, samples: options.samples, audit, comparisons }
+    Part::of(&Subject::of::<F>(), options, shard)
 }
 
 /// A part of the audit of one formula, or several that follow one another.
@@ -33,6 +32,12 @@ pub struct Part {
 }
 
 impl Part {
+    /// This part.
+    pub(crate) fn of(subject: &Subject, options: &Options, shard: Shard) -> Self {
+        let (audit, comparisons) = audit_share(subject, options, shard);
+        Self { shards: [shard.index; 2], of: shard.of, samples: options.samples, audit, comparisons }
+    }
+
     /// The identifier of the formula.
     pub fn formula(&self) -> &str {
         &self.audit.formula
@@ -84,7 +89,7 @@ impl Part {
     }
 
     /// The audit, which tells which sides of comparisons were taken.
-    fn told(self) -> Audit {
+    pub(crate) fn told(self) -> Audit {
         let mut audit = self.audit;
         if let Some(Looked::Graph { coverage, .. }) = &mut audit.looked {
             *coverage = Coverage::of(&self.comparisons);

@@ -8,6 +8,7 @@ use crate::formula::{self, Field, Fields, Formula, Spec, entries, typed};
 use crate::graph::{self, Graph, NotRecorded, Op};
 use crate::proof::{self, Case, Convention, Equation, Proved};
 use crate::{Error, Octuple};
+use std::borrow::Cow;
 use std::cell::OnceCell;
 
 /// A formula without its types.
@@ -36,9 +37,9 @@ pub(crate) struct Subject {
     pub(crate) cases: fn() -> Vec<Case<Vec<f64>>>,
     pub(crate) invalid_cases: fn() -> Vec<Case<Vec<f64>>>,
     /// Writes down what it does, which takes long.
-    pub(super) record: fn() -> Result<Graph, NotRecorded>,
+    pub(crate) record: fn() -> Cow<'static, Result<Graph, NotRecorded>>,
     /// The same, once it was asked for.
-    graph: OnceCell<Result<Graph, NotRecorded>>,
+    graph: OnceCell<Cow<'static, Result<Graph, NotRecorded>>>,
     pub(crate) kinks: Vec<Kink>,
     pub(crate) laws: Vec<Law>,
 }
@@ -82,7 +83,7 @@ impl Subject {
             dual_jacobian: jacobian::<F, _>,
             cases: || F::cases().into_iter().map(flat::<F>).collect(),
             invalid_cases: || F::invalid_cases().into_iter().map(flat::<F>).collect(),
-            record: graph::record::<F>,
+            record: || Cow::Owned(graph::record::<F>()),
             graph: OnceCell::new(),
             kinks: F::kinks().into_iter().map(Kink::of).collect(),
             laws: F::laws().into_iter().map(Law::of).collect(),
@@ -107,7 +108,7 @@ impl Subject {
 
     /// What it does, written down.
     pub(crate) fn graph(&self) -> Result<&Graph, &NotRecorded> {
-        self.graph.get_or_init(self.record).as_ref()
+        self.graph.get_or_init(self.record).as_ref().as_ref()
     }
 
     /// The graph, or why it does not tell where something jumps.
