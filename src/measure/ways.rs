@@ -3,7 +3,7 @@
 use super::exact::{self, Exact, Point, Points};
 use super::{Curve, Errors, Figures, Options, Scheme, Step, WayFigures};
 use crate::formula::{Fields, entries, typed, value, value_and_jacobian};
-use crate::proof::way::{Aligned, Kernel};
+use crate::proof::way::Kernel;
 use crate::proof::{Proved, Way, value_and_jacobian_by_ad};
 use crate::verify::{Subject, exact, rounded};
 use crate::{Octuple, Single};
@@ -66,13 +66,13 @@ fn errors_of(kernel: &Kernel, points: &[Point], exact: fn(&Point) -> Option<&Vec
 fn closed<F: Proved>() -> Way {
     let value = Kernel::with_loop(typed, F::eval::<f64>, Fields::components, |points| {
         for i in points {
-            black_box(&Aligned(F::eval(i)));
+            black_box(&F::eval(i));
         }
     });
     let entries = |(_, jacobian): &_| entries(jacobian);
     let jacobian = Kernel::with_loop(typed, F::linearized::<f64>, entries, |points| {
         for i in points {
-            black_box(&Aligned(F::linearized(i)));
+            black_box(&F::linearized(i));
         }
     });
     Way::of("closed", "closed form").value(value).jacobian(jacobian)

@@ -97,7 +97,7 @@ impl Kernel {
         Self::of(convert, results, move |points| {
             // What looks at a result may have changed all memory, so every point is read anew.
             for i in points {
-                black_box(&Aligned(compute(i)));
+                black_box(&compute(i));
             }
         })
     }
@@ -129,11 +129,6 @@ impl Kernel {
         }
     }
 }
-
-/// A result that begins with a line of the cache. On the stack it is a matter of chance where one begins, and in one process of
-/// four some formulas would take a third longer.
-#[repr(align(64))]
-pub(crate) struct Aligned<O>(pub(crate) O);
 
 /// Compiled once a kind of inputs, and not once a way.
 fn converted<I>(points: &[Vec<f64>], convert: fn(&[f64]) -> I) -> Vec<I> {

@@ -36,8 +36,7 @@ void evaluate(const double *x, double *both) {{ one(x, both); }}
 double nanoseconds(const double *x, long points, long calls)
 {{
     struct timespec start, end;
-    /* As `report` does: where the stack lies is a matter of chance. */
-    double both[M] __attribute__((aligned(64)));
+    double both[M];
     clock_gettime(CLOCK_MONOTONIC, &start);
     for (long call = 0; call < calls; ++call)
         for (long k = 0; k < points; ++k) {{
