@@ -85,15 +85,15 @@ impl Formula for Constraint {
 
     #[inline(always)]
     fn eval<D: Scalar>(i: &Placement<D>) -> AllResiduals<D> {
-        let Residuals { gy, gz } = slot::Constraint::eval(&i.slot());
         let Misalignment { ur1, ur2, ur3 } = align::Constraint::eval(&i.align());
+        let Residuals { gy, gz } = slot::Constraint::eval(&i.slot());
         AllResiduals { gy, gz, ur1, ur2, ur3 }
     }
 
     #[inline(always)]
     fn jacobian<D: Scalar>(i: &Placement<D>) -> Jacobian<Self, D> {
-        let Residuals { gy, gz } = slot::Constraint::jacobian(&i.slot());
         let Misalignment { ur1, ur2, ur3 } = align::Constraint::jacobian(&i.align());
+        let Residuals { gy, gz } = slot::Constraint::jacobian(&i.slot());
         let zero = D::zero();
         let of_slot = |g: SlotPositions<D>| {
             let SlotPositions { e2a, e3a, xa, xb, y0, z0 } = g;
