@@ -62,9 +62,19 @@ impl Pace {
     }
 }
 
-/// Where the stack begins within a line of the cache. Results lie on it, and where they cross lines some formulas take a third
-/// longer: turn by turn it begins elsewhere, so that a time is not one of the place that a build or a process happens to have.
-const PLACES: [fn(&mut dyn FnMut()); 4] = [with_room::<0>, with_room::<16>, with_room::<32>, with_room::<48>];
+/// How far the stack has grown: to another place within a line of the cache, in another eighth of a page. Results lie on it. Where
+/// they cross lines some formulas take a third longer, and at the end of a page three times as long: turn by turn it is another
+/// place, so that a time is not of the one that a build or a process happens to have.
+const PLACES: [fn(&mut dyn FnMut()); 8] = [
+    with_room::<0>,
+    with_room::<528>,
+    with_room::<1056>,
+    with_room::<1584>,
+    with_room::<2112>,
+    with_room::<2640>,
+    with_room::<3168>,
+    with_room::<3696>,
+];
 
 /// Runs with so many bytes more on the stack.
 #[inline(never)]

@@ -33,11 +33,11 @@ static inline void one(const double *x, double *both)
 
 void evaluate(const double *x, double *both) {{ one(x, both); }}
 
-/* Turn by turn the results lie at another place within a line of the cache, as those of `report` do. */
+/* Turn by turn the results lie at another place within a line of the cache and a page, as those of `report` do. */
 double nanoseconds(const double *x, long points, long calls, long turn)
 {{
     struct timespec start, end;
-    double room[M + 8] __attribute__((aligned(64))), *both = room + 2 * (turn % 4);
+    double room[M + 8 * 66], *both = room + 66 * (turn % 8);
     clock_gettime(CLOCK_MONOTONIC, &start);
     for (long call = 0; call < calls; ++call)
         for (long k = 0; k < points; ++k) {{
