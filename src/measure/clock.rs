@@ -168,9 +168,17 @@ impl Contestant {
 
     /// Nanoseconds an evaluation in its n-th turn.
     fn turn(&mut self, n: usize, clock: Clock) -> f64 {
-        let start = clock();
-        PLACES[n % PLACES.len()](&mut || (0..self.calls).for_each(|_| (self.run)(self.points)));
-        (clock() - start) / number(self.calls * self.points)
+        let mut time = 0.0;
+        PLACES[n % PLACES.len()](&mut || {
+            if self.calls > 1 {
+                // Its code and its points are back in the caches, from which others had pushed them.
+                (self.run)(self.points);
+            }
+            let start = clock();
+            (0..self.calls).for_each(|_| (self.run)(self.points));
+            time = clock() - start;
+        });
+        time / number(self.calls * self.points)
     }
 
     fn take_turn(&mut self, round: usize, clock: Clock) {
