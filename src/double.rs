@@ -35,6 +35,9 @@ impl Leaf for f64 {
 
 impl Scalar for f64 {
     itself!();
+    const ZERO: Self = 0.0;
+    const ONE: Self = 1.0;
+    const MINUS_ONE: Self = -1.0;
     #[inline]
     fn norm_of<const N: usize>(x: [Self; N]) -> Self {
         SQUARES.norm(x)

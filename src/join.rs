@@ -9,6 +9,8 @@
 //!
 //! [`Join`] is what a program calls.
 
+#![expect(clippy::inline_always, reason = "compiled in place, zeros that lie side by side are stored together")]
+
 #[cfg(feature = "verify")]
 mod proof;
 
@@ -73,7 +75,7 @@ impl Formula for Constraint {
         Displaced { g: Vector3::new(here.x, here.y, here.z) - i.d0 }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &Joined<D>) -> Jacobian<Self, D> {
         let here = RelativePosition::jacobian(&i.positions());
         let row = |k: usize, gradient| Joined::of(gradient, along(k, -D::one()));

@@ -68,6 +68,7 @@ pub mod cardan;
 pub mod catalog;
 pub mod coulomb;
 mod double;
+mod dual;
 mod eft;
 pub mod element;
 #[cfg(feature = "verify")]

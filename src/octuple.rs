@@ -109,6 +109,9 @@ impl Leaf for Octuple {
 /// The range of exponents is so wide that no square of a double leaves it.
 impl Scalar for Octuple {
     itself!();
+    const ZERO: Self = Self(f256::ZERO);
+    const ONE: Self = Self(f256::ONE);
+    const MINUS_ONE: Self = Self(f256::NEG_ONE);
     fn norm_of<const N: usize>(x: [Self; N]) -> Self {
         DualNum::sqrt(&sum_of_squares(x))
     }

@@ -28,6 +28,9 @@ newtype_text!(Ordinary: Display, Debug, LowerExp);
 
 impl Scalar for Ordinary {
     type Leaf = f64;
+    const ZERO: Self = Self(0.0);
+    const ONE: Self = Self(1.0);
+    const MINUS_ONE: Self = Self(-1.0);
     #[inline]
     fn leaf_of(x: Self) -> f64 {
         x.0

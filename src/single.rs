@@ -60,6 +60,9 @@ const SQUARES: Squares = Squares::new(-70, 120, 90);
 
 impl Scalar for Single {
     itself!();
+    const ZERO: Self = Self(0.0);
+    const ONE: Self = Self(1.0);
+    const MINUS_ONE: Self = Self(-1.0);
     #[inline]
     fn norm_of<const N: usize>(x: [Self; N]) -> Self {
         SQUARES.norm(x)

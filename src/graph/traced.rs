@@ -19,11 +19,11 @@ pub struct Traced(Place);
 
 impl Traced {
     pub(super) fn input(k: usize) -> Self {
-        Self(Place(enter(Op::Input(k))))
+        Self(Place::entered(Op::Input(k)))
     }
 
     pub(super) fn node(self) -> Node {
-        self.0.0
+        self.0.node()
     }
 
     /// The value of a constant; nothing else has one, and a run that asks for it cannot be recorded.
@@ -34,18 +34,27 @@ impl Traced {
 
 /// The place, with the operations that the numbers inside other scalars have.
 #[derive(Clone, Copy)]
-struct Place(Node);
-
-fn number(x: f64) -> Place {
-    Place(enter(Op::Number(x.to_bits())))
+enum Place {
+    Node(Node),
+    /// A constant, which is entered where it is used: there are some before anything is recorded.
+    Number(f64),
 }
 
 impl Place {
+    fn entered(op: Op) -> Self {
+        Self::Node(enter(op))
+    }
+    fn node(self) -> Node {
+        match self {
+            Self::Node(node) => node,
+            Self::Number(x) => enter(Op::Number(x.to_bits())),
+        }
+    }
     fn unary(self, function: Unary) -> Self {
-        Self(enter(Op::Unary(function, self.0)))
+        Self::entered(Op::Unary(function, self.node()))
     }
     fn binary(self, operation: Binary, other: Self) -> Self {
-        Self(enter(Op::Binary(operation, self.0, other.0)))
+        Self::entered(Op::Binary(operation, self.node(), other.node()))
     }
     fn abs(self) -> Self {
         self.unary(Unary::Absolute)
@@ -97,7 +106,7 @@ impl Rem for Place {
 
 impl PartialEq for Place {
     fn eq(&self, other: &Self) -> bool {
-        decide(Relation::Equal, self.0, other.0)
+        decide(Relation::Equal, self.node(), other.node())
     }
 }
 
@@ -133,7 +142,7 @@ impl PartialOrd for Traced {
 
 /// The functions of a number, by the names that they have in the standard library.
 mod function {
-    use super::{Binary, Escape, Op, Place, Unary, enter, escape, number};
+    use super::{Binary, Escape, Op, Place, Unary, escape};
 
     macro_rules! known {
         ($($name:ident $function:ident),*) => {
@@ -154,7 +163,7 @@ mod function {
     unknown!(cbrt exp2 ln log2 log10 ln_1p tan acos atan sinh cosh tanh asinh acosh atanh);
 
     pub(super) fn recip(x: Place) -> Place {
-        number(1.0) / x
+        Place::Number(1.0) / x
     }
     pub(super) fn powi(_: Place, _: i32) -> Place {
         escape(Escape::Function("powi"))
@@ -172,11 +181,11 @@ mod function {
         y.binary(Binary::Angle, x)
     }
     pub(super) fn mul_add(x: Place, y: Place, z: Place) -> Place {
-        Place(enter(Op::MultiplyAdd(x.0, y.0, z.0)))
+        Place::entered(Op::MultiplyAdd(x.node(), y.node(), z.node()))
     }
 }
 
-newtype_number!(Traced(Place), zero: number(0.0), one: number(1.0), rem: Rem::rem);
+newtype_number!(Traced(Place), zero: Place::Number(0.0), one: Place::Number(1.0), rem: Rem::rem);
 newtype_dual_num!(Traced, function);
 
 /// What a search finds from a list of as many numbers as it takes.
@@ -203,18 +212,21 @@ impl Leaf for Traced {
         [unit, Self(function::recip(unit.0))]
     }
     fn exact_sum(products: impl IntoIterator<Item = [Self; 4]>) -> Self {
-        Self(Place(enter(Op::ExactSum(products.into_iter().map(|product| product.map(Self::node)).collect()))))
+        Self(Place::entered(Op::ExactSum(products.into_iter().map(|product| product.map(Self::node)).collect())))
     }
     fn find<S: Search<N>, const N: usize>(from: [Self; N]) -> Self {
         let search = node::Search { name: S::NAME, find: found::<_, S, N>, find_exactly: found::<_, S, N> };
-        Self(Place(enter(Op::Search(search, from.map(Self::node).into()))))
+        Self(Place::entered(Op::Search(search, from.map(Self::node).into())))
     }
 }
 
 impl Scalar for Traced {
     itself!();
+    const ZERO: Self = Self(Place::Number(0.0));
+    const ONE: Self = Self(Place::Number(1.0));
+    const MINUS_ONE: Self = Self(Place::Number(-1.0));
     fn norm_of<const N: usize>(x: [Self; N]) -> Self {
-        Self(Place(enter(Op::Norm(x.map(Self::node).into()))))
+        Self(Place::entered(Op::Norm(x.map(Self::node).into())))
     }
     fn angle_of(y: Self, x: Self) -> Self {
         Self(function::atan2(y.0, x.0))
@@ -222,7 +234,7 @@ impl Scalar for Traced {
     fn choice_of<const N: usize>(choose: impl Fn() -> [Self; N]) -> [Self; N] {
         let nodes = sides(&|| choose().map(Self::node).to_vec());
         let nodes = nodes.unwrap_or_else(|| panic!("no side of a choice can be reached"));
-        std::array::from_fn(|k| Self(Place(nodes[k])))
+        std::array::from_fn(|k| Self(Place::Node(nodes[k])))
     }
     fn has_extremes() -> bool {
         extremes() == Extremes::Computed
@@ -234,7 +246,7 @@ impl Scalar for Traced {
 
 impl From<f64> for Traced {
     fn from(x: f64) -> Self {
-        Self(number(x))
+        Self(Place::Number(x))
     }
 }
 

@@ -1,5 +1,7 @@
 //! Where b is along the slot, what holds it there, and the forces that do.
 
+#![expect(clippy::inline_always, reason = "compiled in place, zeros that lie side by side are stored together")]
+
 #[cfg(feature = "verify")]
 mod proof;
 
@@ -44,7 +46,7 @@ impl Formula for RelativePosition {
         Relative { x: i.e1a.dot(&d), y: i.e2a.dot(&d), z: i.e3a.dot(&d) }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &Positions<D>) -> Jacobian<Self, D> {
         let d = i.xb - i.xa;
         let zero = Positions::filled(D::zero());
@@ -197,10 +199,11 @@ impl Formula for RelativeMotion {
 
     #[inline]
     fn jacobian<D: Scalar>(_: &SlotLengths<D>) -> Jacobian<Self, D> {
-        let (zero, one) = (D::zero(), D::one());
-        Displacements {
-            u1: SlotLengths { x: one, x0: -one, l1_ref: zero },
-            u1_mat: SlotLengths { x: one, x0: zero, l1_ref: -one },
+        const {
+            Displacements {
+                u1: SlotLengths { x: D::ONE, x0: D::MINUS_ONE, l1_ref: D::ZERO },
+                u1_mat: SlotLengths { x: D::ONE, x0: D::ZERO, l1_ref: D::MINUS_ONE },
+            }
         }
     }
 }
@@ -276,10 +279,11 @@ impl Formula for Stop {
 
     #[inline]
     fn jacobian<D: Scalar>(_: &StopLengths<D>) -> Jacobian<Self, D> {
-        let (zero, one) = (D::zero(), D::one());
-        Gaps {
-            gap_min: StopLengths { x: one, l1_min: -one, l1_max: zero },
-            gap_max: StopLengths { x: -one, l1_min: zero, l1_max: one },
+        const {
+            Gaps {
+                gap_min: StopLengths { x: D::ONE, l1_min: D::MINUS_ONE, l1_max: D::ZERO },
+                gap_max: StopLengths { x: D::MINUS_ONE, l1_min: D::ZERO, l1_max: D::ONE },
+            }
         }
     }
 

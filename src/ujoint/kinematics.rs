@@ -1,5 +1,7 @@
 //! What a universal joint holds, and how far its free angles go.
 
+#![expect(clippy::inline_always, reason = "compiled in place, zeros that lie side by side are stored together")]
+
 #[cfg(feature = "verify")]
 mod proof;
 
@@ -63,7 +65,7 @@ impl Formula for Constraint {
         JointResiduals { g, g_rot: universal::Constraint::eval(&i.shafts()).g }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &Jointed<D>) -> Jacobian<Self, D> {
         let zero = Jointed::filled(D::zero());
         let of_join = |Joined { e1a, e2a, e3a, xa, xb, d0 }| Jointed { e1a, e2a, e3a, xa, xb, d0, ..zero };
@@ -119,12 +121,22 @@ impl Formula for Stop {
 
     #[inline]
     fn jacobian<D: Scalar>(_: &StopAngles<D>) -> Jacobian<Self, D> {
-        let (one, zero) = (D::one(), StopAngles::filled(D::zero()));
-        AngleGaps {
-            gap1_min: StopAngles { alpha: one, theta1_min: -one, ..zero },
-            gap1_max: StopAngles { alpha: -one, theta1_max: one, ..zero },
-            gap3_min: StopAngles { gamma: one, theta3_min: -one, ..zero },
-            gap3_max: StopAngles { gamma: -one, theta3_max: one, ..zero },
+        const {
+            let (zero, one, minus_one) = (D::ZERO, D::ONE, D::MINUS_ONE);
+            let none = StopAngles {
+                alpha: zero,
+                gamma: zero,
+                theta1_min: zero,
+                theta1_max: zero,
+                theta3_min: zero,
+                theta3_max: zero,
+            };
+            AngleGaps {
+                gap1_min: StopAngles { alpha: one, theta1_min: minus_one, ..none },
+                gap1_max: StopAngles { alpha: minus_one, theta1_max: one, ..none },
+                gap3_min: StopAngles { gamma: one, theta3_min: minus_one, ..none },
+                gap3_max: StopAngles { gamma: minus_one, theta3_max: one, ..none },
+            }
         }
     }
 

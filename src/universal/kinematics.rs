@@ -8,7 +8,7 @@ mod proof;
 use crate::cardan::{Triads, check_turns};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec};
 use crate::quantity::{
     ALPHA, ALPHA0, C0, E1A, E3B, G_UNIVERSAL, GAMMA, GAMMA0, THETA1_REF, THETA3_REF, U_R1, U_R1_MAT, U_R3, U_R3_MAT,
 };
@@ -47,7 +47,7 @@ impl Formula for Constraint {
         Skew { g: i.e1a.dot(&i.e3b) - i.c0 }
     }
 
-    #[inline]
+    #[inline(always)]
     fn jacobian<D: Scalar>(i: &Shafts<D>) -> Jacobian<Self, D> {
         // By components: copies of whole vectors go through memory, twice.
         Skew { g: Shafts { e1a: i.e3b.xyz(), e3b: i.e1a.xyz(), c0: -D::one() } }
@@ -141,12 +141,16 @@ impl Formula for RelativeMotion {
 
     #[inline]
     fn jacobian<D: Scalar>(_: &TurnsSince<D>) -> Jacobian<Self, D> {
-        let (one, zero) = (D::one(), TurnsSince::filled(D::zero()));
-        Rotations {
-            ur1: TurnsSince { alpha: one, alpha0: -one, ..zero },
-            ur3: TurnsSince { gamma: one, gamma0: -one, ..zero },
-            ur1_mat: TurnsSince { alpha: one, theta1_ref: -one, ..zero },
-            ur3_mat: TurnsSince { gamma: one, theta3_ref: -one, ..zero },
+        const {
+            let (zero, one, minus_one) = (D::ZERO, D::ONE, D::MINUS_ONE);
+            let none =
+                TurnsSince { alpha: zero, gamma: zero, alpha0: zero, gamma0: zero, theta1_ref: zero, theta3_ref: zero };
+            Rotations {
+                ur1: TurnsSince { alpha: one, alpha0: minus_one, ..none },
+                ur3: TurnsSince { gamma: one, gamma0: minus_one, ..none },
+                ur1_mat: TurnsSince { alpha: one, theta1_ref: minus_one, ..none },
+                ur3_mat: TurnsSince { gamma: one, theta3_ref: minus_one, ..none },
+            }
         }
     }
 }
