@@ -1,7 +1,8 @@
 //! `report`: its arguments, and what it prints, writes and keeps.
 
 use super::data::Report;
-use super::{against, export, measuring, tables};
+use super::measuring::{self, Program};
+use super::{against, export, tables};
 use crate::console::{print, say};
 use crate::outcome::{Outcome, verdict};
 use crate::project::Project;
@@ -15,7 +16,7 @@ use std::path::PathBuf;
 ///
 /// Closed form, single precision, automatic differentiation, differences, 237-bit arithmetic and other methods that a
 /// formula registers are compared with the exact value at random and at hard points, and timed alternately. The
-/// measurement runs in a program built in release mode, which the first run compiles. A report on all formulas is stored
+/// measurement runs in a program built with optimisation, which the first run compiles. A report on all formulas is stored
 /// for the book.
 #[derive(clap::Args)]
 #[command(after_help = "Examples:
@@ -55,11 +56,14 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "FILE")]
     timing_json: Option<PathBuf>,
     /// Keep the report in the repository, too, for the book on machines where nothing was measured
-    #[arg(long, conflicts_with_all = ["here", "filter"])]
+    #[arg(long, conflicts_with_all = ["here", "profile", "filter"])]
     reference: bool,
     /// Measure in this process without building an optimised one: starts quickly, for tests
     #[arg(long)]
     here: bool,
+    /// Profile of cargo that the measuring program is built in, such as one of yours that keeps symbols for a profiler
+    #[arg(long, value_name = "NAME", default_value = "release", conflicts_with = "here")]
+    profile: String,
     /// Print the schema of reports in JSON, and measure nothing
     #[arg(long)]
     schema: bool,
@@ -86,6 +90,10 @@ impl Arguments {
             ..options
         }
     }
+
+    fn program(&self) -> Program<'_> {
+        if self.here { Program::This } else { Program::Built { profile: &self.profile } }
+    }
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
@@ -102,7 +110,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     if let Some(folder) = &arguments.inputs {
         export::inputs(folder, &formulas, &options)?;
     }
-    let report = measure(project, &formulas, options, arguments.here)?;
+    let report = measure(project, &formulas, options, arguments.program())?;
     if arguments.selection.is_all() && !arguments.here {
         keep(project, &report, arguments.reference)?;
     }
@@ -133,15 +141,15 @@ fn keep(project: &Project, report: &Report, is_reference: bool) -> anyhow::Resul
     Ok(())
 }
 
-/// Measures, in an optimised program unless `here`.
+/// Measures these formulas.
 pub(crate) fn measure(
     project: &Project,
     formulas: &[&dyn AnyFormula],
     options: Options,
-    here: bool,
+    program: Program<'_>,
 ) -> anyhow::Result<Report> {
     let ids = formulas.iter().map(|formula| formula.spec().id.to_owned()).collect();
-    let (build, formulas) = measuring::run(project, ids, options, here).context("the measuring failed")?;
+    let (build, formulas) = measuring::run(project, ids, options, program).context("the measuring failed")?;
     Ok(Report::new(project, build, options, formulas))
 }
 
@@ -152,7 +160,7 @@ pub(crate) fn kept_or_quick(project: &Project) -> anyhow::Result<Report> {
     }
     let command = project.command();
     say(&format!("no report on every formula is kept: measuring quickly; `{command} report` measures thoroughly"));
-    let report = measure(project, project.catalog(), Options::quick(), false)?;
+    let report = measure(project, project.catalog(), Options::quick(), Program::OPTIMISED)?;
     report.keep(project)?;
     Ok(report)
 }

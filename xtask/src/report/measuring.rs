@@ -14,20 +14,33 @@ pub(super) fn run(
     project: &Project,
     formulas: Vec<String>,
     options: Options,
-    here: bool,
+    program: Program<'_>,
 ) -> anyhow::Result<(Build, Vec<Measurement>)> {
     let mut record = Record { build: None, measured: Vec::new(), bar: progress("report", 3 * formulas.len()) };
     let request = Request { formulas, options };
-    if here {
-        measure(project, &request, |event| {
+    match program {
+        Program::This => measure(project, &request, |event| {
             record.note(event);
             Ok::<_, anyhow::Error>(())
-        })?;
-    } else {
-        ask(project, &request, &mut record)?;
+        })?,
+        Program::Built { profile } => ask(project, &request, profile, &mut record)?,
     }
     record.bar.finish_and_clear();
     Ok((record.build.context("the measuring program did not say how it was built")?, record.measured))
+}
+
+/// Which program measures.
+#[derive(Clone, Copy)]
+pub(crate) enum Program<'p> {
+    /// The one that runs.
+    This,
+    /// Another one, without the commands, that cargo builds in this profile.
+    Built { profile: &'p str },
+}
+
+impl Program<'_> {
+    /// What is measured unless something else is asked for.
+    pub(crate) const OPTIMISED: Self = Self::Built { profile: "release" };
 }
 
 /// What was said so far.
@@ -60,13 +73,13 @@ impl Record {
     }
 }
 
-/// Builds this program with optimisation and without what the commands need, by the same cargo, and asks it.
-fn ask(project: &Project, request: &Request, record: &mut Record) -> anyhow::Result<()> {
+/// Builds this program in a profile of cargo and without what the commands need, by the same cargo, and asks it.
+fn ask(project: &Project, request: &Request, profile: &str, record: &mut Record) -> anyhow::Result<()> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let this = std::env::current_exe()?;
     let program = this.file_stem().context("this program has no name")?;
     let mut child = Command::new(&cargo)
-        .args(["run", "--release", "--no-default-features", "--features", "measure", "--manifest-path"])
+        .args(["run", "--profile", profile, "--no-default-features", "--features", "measure", "--manifest-path"])
         .arg(project.manifest())
         .arg("--bin")
         .arg(program)
@@ -87,7 +100,7 @@ fn ask(project: &Project, request: &Request, record: &mut Record) -> anyhow::Res
     if !status.success() {
         let manifest = project.manifest().display();
         bail!(
-            "`cargo run --release --no-default-features --features measure --manifest-path {manifest}` ended with {status}; what it said is above"
+            "`cargo run --profile {profile} --no-default-features --features measure --manifest-path {manifest}` ended with {status}; what it said is above"
         );
     }
     Ok(())
