@@ -1,4 +1,4 @@
-//! Every formula, in the order of the book.
+//! Formulas whose types the compiler does not know; and, with the feature `catalog`, every one of ours in the order of the book.
 
 #[cfg(feature = "batch-by-id")]
 use crate::batch::{self, ArrayView1, ArrayViewMut1};
@@ -12,16 +12,13 @@ use crate::verify::{
     Audit, Claim, Judge, Kink, Options, Part, Printed, Shard, Sides, Subject, Trial, audit_at, audit_equation,
     claims_about, eta_at_scale, exact, golden, kinks_as_printed, number_of, sides,
 };
-use crate::{
-    Error, Octuple, align, cardan, coulomb, element, interaction, join, slide_line, slider, slot, translator, ujoint,
-    universal,
-};
-use std::any::{Any, TypeId};
+use crate::{Error, Octuple, align};
+#[cfg(feature = "catalog")]
+use crate::{cardan, coulomb, element, interaction, join, slide_line, slider, slot, translator, ujoint, universal};
 use std::borrow::Cow;
-use std::sync::OnceLock;
 
 /// A formula whose inputs and outputs are not known to the compiler; every [`Proved`] one is.
-pub trait AnyFormula: Any + Send + Sync {
+pub trait AnyFormula: Send + Sync {
     /// What is said about it.
     fn spec(&self) -> Spec;
     /// Its inputs.
@@ -204,7 +201,7 @@ impl<F: Proved> AnyFormula for F {
         number_of::<F>(expression)
     }
     fn graph(&self) -> Result<Graph, NotRecorded> {
-        graph_of::<F>().into_owned()
+        graph::recorded::<F>().clone()
     }
     fn graph_with(&self, extremes: Extremes) -> Result<Graph, NotRecorded> {
         graph::record_with::<F>(extremes)
@@ -264,19 +261,11 @@ impl<F: Proved> AnyFormula for F {
     }
 }
 
-/// A formula without its types, of which the catalog keeps the graph.
+/// A formula without its types, of which the graph is kept: what it does depends on its type alone.
 fn subject<F: Proved>() -> Subject {
     let mut subject = Subject::of::<F>();
-    subject.record = graph_of::<F>;
+    subject.record = || Cow::Borrowed(graph::recorded::<F>());
     subject
-}
-
-/// The graph of a formula. One of the catalog is recorded once in a process, which takes seconds where nothing is optimised.
-fn graph_of<F: Formula>() -> Cow<'static, Result<Graph, NotRecorded>> {
-    static GRAPHS: [OnceLock<Result<Graph, NotRecorded>>; CATALOG.len()] = [const { OnceLock::new() }; CATALOG.len()];
-    let position = CATALOG.iter().position(|&formula| formula.type_id() == TypeId::of::<F>());
-    position
-        .map_or_else(|| Cow::Owned(graph::record::<F>()), |k| Cow::Borrowed(GRAPHS[k].get_or_init(graph::record::<F>)))
 }
 
 fn flags(subject: &Subject) -> Vec<Flag> {
@@ -336,6 +325,7 @@ fn one_sided(subject: &Subject, kink: &Kink) -> Vec<[f64; 2]> {
 /// Every formula.
 ///
 /// A `static`, so that all of its code is compiled here, once, and not again in every program that reads it.
+#[cfg(feature = "catalog")]
 pub static CATALOG: &[&dyn AnyFormula] = &[
     &slot::RelativePosition,
     &slot::Constraint,
@@ -466,25 +456,7 @@ pub static CATALOG: &[&dyn AnyFormula] = &[
 ];
 
 /// The formula of this identifier.
+#[cfg(feature = "catalog")]
 pub fn find(id: &str) -> Option<&'static dyn AnyFormula> {
     CATALOG.iter().copied().find(|formula| formula.spec().id == id)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::coulomb::ReturnMap;
-    use crate::slot::ContactForce;
-
-    #[test]
-    fn a_graph_is_kept_for_each_formula() {
-        let kept = |graph: Cow<'static, Result<Graph, NotRecorded>>| match graph {
-            Cow::Borrowed(graph) => graph.as_ref().expect("it is recorded"),
-            Cow::Owned(_) => panic!("it is of the catalog"),
-        };
-        let [slips, touches, again] = [graph_of::<ReturnMap>, graph_of::<ContactForce>, graph_of::<ReturnMap>];
-        let (slips, touches, again) = (kept(slips()), kept(touches()), kept(again()));
-        assert!(std::ptr::eq(slips, again));
-        assert_eq!((slips.run(&[3.0, 0.5, 4.0]).0, touches.run(&[3.0, 4.0]).0), (vec![2.0], vec![5.0]));
-    }
 }

@@ -29,6 +29,7 @@ mod traced;
 pub use alter::Instead;
 pub use node::{Binary, Graph, Node, Op, Relation, Search, Unary};
 pub use program::Statement;
+pub(crate) use record::recorded;
 pub use record::{NotRecorded, record, record_with};
 pub use recorder::Extremes;
 pub use run::Number;

@@ -27,8 +27,9 @@
 //! |---|---|
 //! | `batch` | `batch` |
 //! | `batch-avx512` | `batch`, and its rows eight at a time where the processor has AVX-512 |
-//! | `verify` | `Octuple` (237 bits, the exact reference) and `Single`, `proof`, `equation`, `verify`, `catalog` |
-//! | `batch-by-id` | batches by identifier in `catalog`, and `batch` and `verify` with them |
+//! | `verify` | `Octuple` (237 bits, the exact reference) and `Single`, `proof`, `graph`, `equation`, `verify`, and formulas by name: `catalog::AnyFormula` |
+//! | `catalog` | every formula by identifier, with its proof: `catalog::CATALOG` and `catalog::find` |
+//! | `batch-by-id` | batches by `catalog::AnyFormula`, and `batch` and `verify` with them |
 //! | `measure` | `measure`, and `batch-by-id` and `batch-avx512` with it |
 //! | `scene` | `scene`, and `verify` with it: a scene can show the error of every number |
 //!

@@ -5,8 +5,11 @@ use super::recorder::{self, Escape, Extremes, Failure, MOST_RUNS};
 use super::traced::Traced;
 use crate::error::Error;
 use crate::formula::{Fields, Formula, entries, typed};
+use std::any::TypeId;
 use std::cell::RefCell;
+use std::collections::HashMap;
 use std::fmt;
+use std::sync::{LazyLock, Mutex, OnceLock, PoisonError};
 
 /// Why a formula was not recorded.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -44,6 +47,17 @@ impl std::error::Error for NotRecorded {}
 /// What in the formula cannot be written down.
 pub fn record<F: Formula>() -> Result<Graph, NotRecorded> {
     record_with::<F>(Extremes::Computed)
+}
+
+/// The same, recorded once in a process and kept as long as it runs: where nothing is optimised, it takes seconds.
+pub(crate) fn recorded<F: Formula>() -> &'static Result<Graph, NotRecorded> {
+    type Place = OnceLock<Result<Graph, NotRecorded>>;
+    static GRAPHS: LazyLock<Mutex<HashMap<TypeId, &'static Place>>> = LazyLock::new(Mutex::default);
+    let place = *GRAPHS.lock().unwrap_or_else(PoisonError::into_inner).entry(TypeId::of::<F>()).or_insert_with(|| {
+        // As many as there are formulas.
+        Box::leak(Box::default())
+    });
+    place.get_or_init(record::<F>)
 }
 
 /// The graph of a formula, and what becomes of extreme numbers in it.
@@ -102,5 +116,20 @@ impl From<Failure> for NotRecorded {
             Failure::Escape(Escape::Ways) => Self::Ways(MOST_RUNS),
             Failure::Escape(Escape::Endless) => Self::Endless,
         }
+    }
+}
+
+#[cfg(all(test, feature = "verify"))]
+mod tests {
+    use super::*;
+    use crate::coulomb::ReturnMap;
+    use crate::slot::ContactForce;
+
+    #[test]
+    fn the_graph_of_each_formula_is_kept() {
+        let (slips, touches, again) = (recorded::<ReturnMap>(), recorded::<ContactForce>(), recorded::<ReturnMap>());
+        assert!(std::ptr::eq(slips, again));
+        let value = |graph: &Result<Graph, _>, inputs: &[f64]| graph.as_ref().expect("it is recorded").run(inputs).0;
+        assert_eq!([value(slips, &[3.0, 0.5, 4.0]), value(touches, &[3.0, 4.0])], [[2.0], [5.0]]);
     }
 }

@@ -32,7 +32,7 @@ pub struct Part {
 }
 
 impl Part {
-    /// This part.
+    /// What an audit finds at this share of the random points, and with the first share at all others.
     pub(crate) fn of(subject: &Subject, options: &Options, shard: Shard) -> Self {
         let (audit, comparisons) = audit_share(subject, options, shard);
         Self { shards: [shard.index; 2], of: shard.of, samples: options.samples, audit, comparisons }

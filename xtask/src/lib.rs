@@ -15,7 +15,7 @@
 //! `report` times a program that is built with optimisation: the same one, with the feature `measure`
 //! alone.
 
-#[cfg(feature = "measure")]
+#[cfg(feature = "measuring")]
 pub mod measuring;
 mod project;
 
@@ -74,7 +74,7 @@ pub use book::{Fault, listing_page, uncovered};
 pub use commands::main;
 #[cfg(feature = "commands")]
 pub use extension::{Beside, Exhibits, Fact, Moving, Served, Slider, Table};
-#[cfg(all(feature = "measure", not(feature = "commands")))]
+#[cfg(all(feature = "measuring", not(feature = "commands")))]
 pub use measuring::main;
 #[cfg(feature = "commands")]
 pub use outcome::{Outcome, Usage};
