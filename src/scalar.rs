@@ -68,6 +68,12 @@ pub trait Scalar: DualNum<Primitive = f64> + Copy + Send + Sync + nalgebra::Scal
     fn has_extremes() -> bool {
         true
     }
+    /// Whether a test is made that saves time and changes no result. A graph is written down without it: what it saves is in it
+    /// anyway, and each test doubles the ways through.
+    #[inline]
+    fn takes_shortcuts() -> bool {
+        true
+    }
     /// See [`abs`].
     #[inline]
     fn abs_of(x: Self) -> Self {

@@ -239,6 +239,9 @@ impl Scalar for Traced {
     fn has_extremes() -> bool {
         extremes() == Extremes::Computed
     }
+    fn takes_shortcuts() -> bool {
+        !Self::has_extremes()
+    }
     fn abs_of(x: Self) -> Self {
         Self(x.0.abs())
     }

@@ -73,13 +73,14 @@ impl<D: Scalar> Parts<D> {
     /// The same with the right signs. What is small within the choice is compiled in its place.
     #[inline(always)]
     fn value(&self, i: &CrossLoads<D>) -> CrossForces<D> {
-        let (rough, rounding) = (self.decomposed(i), i.rounding());
+        let (rough, rounding) = (self.decomposed(i), i.most_rounding());
         let [f_axial1, f_axial3, f_bend] = choice(|| {
-            let lost = rough.below(&rounding);
-            let is_lost = lost.f_axial1 | lost.f_axial3 | lost.f_bend;
-            let is_settled = is_lost && D::has_extremes();
-            let CrossForces { f_axial1, f_axial3, f_bend } = if is_settled { i.settled(rough, lost) } else { rough };
-            [f_axial1, f_axial3, f_bend].map(|force| number_if(is_settled || !is_lost, force))
+            let is_below = |force: D| abs(leaf(force)) < rounding;
+            let is_doubtful =
+                !D::takes_shortcuts() || is_below(rough.f_axial1) | is_below(rough.f_axial3) | is_below(rough.f_bend);
+            let is_settled = is_doubtful && D::has_extremes();
+            let CrossForces { f_axial1, f_axial3, f_bend } = if is_settled { i.settled(rough) } else { rough };
+            [f_axial1, f_axial3, f_bend].map(|force| number_if(is_settled || !is_doubtful, force))
         });
         CrossForces { f_axial1, f_axial3, f_bend }
     }
@@ -122,32 +123,15 @@ impl<D: Scalar> Parts<D> {
 }
 
 impl<D: Scalar> CrossLoads<D> {
-    /// What the rounding errors of [`Parts::decomposed`] are below: four units of the sums of the sizes of all products.
+    /// What all three of [`Self::rounding`] are below, at less cost: 16 units of (|f1| + |f2| + |f3|) n (n + 1), where n is the sum
+    /// of the squares of all components. Two lengths multiplied are at most n, three n (n + 1) / 4, and the sizes of a vector's
+    /// components add up to √3 times its length.
     #[inline(always)]
-    fn rounding(&self) -> CrossForces<D::Leaf> {
-        let size = |v: &Vector3<D>| abs(leaf(v.x)) + abs(leaf(v.y)) + abs(leaf(v.z));
-        let (e1a, e3b) = (size(&self.e1a), size(&self.e3b));
-        let beside = size(&self.e2a) * abs(leaf(self.f2)) + size(&self.e3a) * abs(leaf(self.f3));
-        let force = e1a * abs(leaf(self.f1)) + beside;
-        let rounding = |size: D::Leaf| size * (4.0 * D::Leaf::EPSILON);
-        CrossForces {
-            f_axial1: rounding(force * e1a),
-            f_axial3: rounding(force * e3b),
-            f_bend: rounding(beside * (e1a * e3b)),
-        }
-    }
-}
-
-impl<D: Scalar> CrossForces<D> {
-    /// Which of them rounding may have given their sign.
-    #[inline(always)]
-    fn below(&self, rounding: &CrossForces<D::Leaf>) -> CrossForces<bool> {
-        let is_below = |x: D, rounding: D::Leaf| abs(leaf(x)) < rounding;
-        CrossForces {
-            f_axial1: is_below(self.f_axial1, rounding.f_axial1),
-            f_axial3: is_below(self.f_axial3, rounding.f_axial3),
-            f_bend: is_below(self.f_bend, rounding.f_bend),
-        }
+    fn most_rounding(&self) -> D::Leaf {
+        let square = |v: &Vector3<D>| leaf(v.x) * leaf(v.x) + leaf(v.y) * leaf(v.y) + leaf(v.z) * leaf(v.z);
+        let n = (square(&self.e1a) + square(&self.e2a)) + (square(&self.e3a) + square(&self.e3b));
+        let forces = abs(leaf(self.f1)) + (abs(leaf(self.f2)) + abs(leaf(self.f3)));
+        forces * (n * (n + 1.0) * (16.0 * D::Leaf::EPSILON))
     }
 }
 

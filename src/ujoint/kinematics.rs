@@ -7,7 +7,7 @@ mod proof;
 
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec, along};
 use crate::join::{self, Joined};
 use crate::quantity::{
     ALPHA, C0, D0, E1A, E2A, E3A, E3B, G_JOIN, G_ROT, GAMMA, GAP1_MAX, GAP1_MIN, GAP3_MAX, GAP3_MIN, THETA1_MAX,
@@ -67,12 +67,17 @@ impl Formula for Constraint {
 
     #[inline(always)]
     fn jacobian<D: Scalar>(i: &Jointed<D>) -> Jacobian<Self, D> {
-        let zero = Jointed::filled(D::zero());
-        let of_join = |Joined { e1a, e2a, e3a, xa, xb, d0 }| Jointed { e1a, e2a, e3a, xa, xb, d0, ..zero };
-        let Shafts { e1a, e3b, c0 } = universal::Constraint::jacobian(&i.shafts()).g;
+        let d = i.xb - i.xa;
+        let none = Jointed::filled(D::zero());
+        let held = |k| along(k, -D::one());
+        // Written out, though JOIN has these rows: put together from those, results are stored in an order that takes longer.
         JointResiduals {
-            g: join::Constraint::jacobian(&i.joined()).g.map(of_join),
-            g_rot: Jointed { e1a, e3b, c0, ..zero },
+            g: Vector3::new(
+                Jointed { e1a: d, xa: -i.e1a, xb: i.e1a, d0: held(0), ..none },
+                Jointed { e2a: d, xa: -i.e2a, xb: i.e2a, d0: held(1), ..none },
+                Jointed { e3a: d, xa: -i.e3a, xb: i.e3a, d0: held(2), ..none },
+            ),
+            g_rot: Jointed { e1a: i.e3b.xyz(), e3b: i.e1a.xyz(), c0: -D::one(), ..none },
         }
     }
 }

@@ -17,7 +17,8 @@ const fn rounding_of_pairs<L: Leaf>() -> f64 {
 impl<D: Scalar> CrossLoads<D> {
     /// Replaces what is doubtful. By value, since a reference would keep the loads in memory for those who do not call.
     #[cold]
-    pub(super) fn settled(self, rough: CrossForces<D>, doubtful: CrossForces<bool>) -> CrossForces<D> {
+    pub(super) fn settled(self, rough: CrossForces<D>) -> CrossForces<D> {
+        let doubtful = rough.below(&self.rounding());
         // Forces near 1: no product leaves the range of the numbers.
         let Binade { unit, per_unit } = Binade::of([self.f1, self.f2, self.f3].map(leaf));
         let loads = self.leaves(per_unit);
@@ -41,6 +42,20 @@ impl<D: Scalar> CrossLoads<D> {
         }
     }
 
+    /// What the rounding errors of the three products are below: four units of the sums of the sizes of all products.
+    fn rounding(&self) -> CrossForces<D::Leaf> {
+        let size = |v: &Vector3<D>| abs(leaf(v.x)) + abs(leaf(v.y)) + abs(leaf(v.z));
+        let (e1a, e3b) = (size(&self.e1a), size(&self.e3b));
+        let beside = size(&self.e2a) * abs(leaf(self.f2)) + size(&self.e3a) * abs(leaf(self.f3));
+        let force = e1a * abs(leaf(self.f1)) + beside;
+        let rounding = |size: D::Leaf| size * (4.0 * D::Leaf::EPSILON);
+        CrossForces {
+            f_axial1: rounding(force * e1a),
+            f_axial3: rounding(force * e3b),
+            f_bend: rounding(beside * (e1a * e3b)),
+        }
+    }
+
     /// Without derivatives, and the forces in a unit.
     fn leaves(&self, per_unit: D::Leaf) -> CrossLoads<D::Leaf> {
         let vector = |v: &Vector3<D>| v.map(leaf);
@@ -53,6 +68,18 @@ impl<D: Scalar> CrossLoads<D> {
             f1: force(self.f1),
             f2: force(self.f2),
             f3: force(self.f3),
+        }
+    }
+}
+
+impl<D: Scalar> CrossForces<D> {
+    /// Which of them rounding may have given their sign.
+    fn below(&self, rounding: &CrossForces<D::Leaf>) -> CrossForces<bool> {
+        let is_below = |x: D, rounding: D::Leaf| abs(leaf(x)) < rounding;
+        CrossForces {
+            f_axial1: is_below(self.f_axial1, rounding.f_axial1),
+            f_axial3: is_below(self.f_axial3, rounding.f_axial3),
+            f_bend: is_below(self.f_bend, rounding.f_bend),
         }
     }
 }
