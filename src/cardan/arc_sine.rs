@@ -19,12 +19,13 @@ pub(super) fn arc_sine<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
     if !D::has_extremes() {
         return gentle_or_steep(is_gentle, sine, shortfall(a, b));
     }
-    if is_gentle { asin(sine) } else { steep_arc_sine(a, b) }
+    if is_gentle { asin(sine) } else { steep_arc_sine([*a, *b]) }
 }
 
+/// By value, as what is cold here: references would keep the vectors in memory for all.
 #[cold]
-fn steep_arc_sine<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
-    let (sine, shortfall) = (a.dot(b), shortfall(a, b));
+fn steep_arc_sine<D: Scalar>([a, b]: [Vector3<D>; 2]) -> D {
+    let (sine, shortfall) = (a.dot(&b), shortfall(&a, &b));
     if shortfall > 0.0 { gentle_or_steep(false, sine, shortfall) } else { asin(sign(sine)) }
 }
 
@@ -47,12 +48,12 @@ pub(crate) fn arc_sine_slope<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> [D; 2
     if !D::has_extremes() {
         return per_square(if is_gentle { gentle } else { steep_square(shortfall(a, b)) });
     }
-    if is_gentle { per_square(gentle) } else { steep_slope(a, b) }
+    if is_gentle { per_square(gentle) } else { steep_slope([*a, *b]) }
 }
 
 #[cold]
-fn steep_slope<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> [D; 2] {
-    let shortfall = shortfall(a, b);
+fn steep_slope<D: Scalar>([a, b]: [Vector3<D>; 2]) -> [D; 2] {
+    let shortfall = shortfall(&a, &b);
     if shortfall > 0.0 { per_square(steep_square(shortfall)) } else { [D::zero(); 2] }
 }
 

@@ -29,19 +29,6 @@ fields! {
     pub struct JointResiduals<T> { g: Vector3<T> = G_JOIN, g_rot: T = G_ROT }
 }
 
-impl<T: Component> Jointed<T> {
-    #[inline]
-    const fn joined(&self) -> Joined<T> {
-        let Self { e1a, e2a, e3a, xa, xb, d0, .. } = *self;
-        Joined { e1a, e2a, e3a, xa, xb, d0 }
-    }
-    #[inline]
-    const fn shafts(&self) -> Shafts<T> {
-        let Self { e1a, e3b, c0, .. } = *self;
-        Shafts { e1a, e3b, c0 }
-    }
-}
-
 /// The four conditions of a universal joint: JOIN's three and UNIVERSAL's one.
 #[derive(Clone, Copy, Debug)]
 pub struct Constraint;
@@ -61,8 +48,9 @@ impl Formula for Constraint {
 
     #[inline]
     fn eval<D: Scalar>(i: &Jointed<D>) -> JointResiduals<D> {
-        let g = join::Constraint::eval(&i.joined()).g;
-        JointResiduals { g, g_rot: universal::Constraint::eval(&i.shafts()).g }
+        let Jointed { e1a, e2a, e3a, e3b, xa, xb, d0, c0 } = *i;
+        let g = join::Constraint::eval(&Joined { e1a, e2a, e3a, xa, xb, d0 }).g;
+        JointResiduals { g, g_rot: universal::Constraint::eval(&Shafts { e1a, e3b, c0 }).g }
     }
 
     #[inline(always)]

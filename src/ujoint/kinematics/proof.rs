@@ -4,9 +4,9 @@ use super::{Constraint, Jointed, Stop, StopAngles};
 use crate::Octuple;
 use crate::cardan::turns;
 use crate::formula::Formula;
-use crate::join::{self};
+use crate::join::{self, Joined};
 use crate::proof::{Case, Law, Proved, hard, law};
-use crate::universal::{self};
+use crate::universal::{self, Shafts};
 use nalgebra::Vector3;
 use num_traits::Zero;
 
@@ -47,7 +47,8 @@ impl Proved for Constraint {
         vec![
             Law::<Self>::new("its residuals and their derivatives are JOIN's and UNIVERSAL's", |i| {
                 let (out, jac) = Self::linearized(i);
-                let (joined, shafts) = (i.joined(), i.shafts());
+                let Jointed { e1a, e2a, e3a, e3b, xa, xb, d0, c0 } = *i;
+                let (joined, shafts) = (Joined { e1a, e2a, e3a, xa, xb, d0 }, Shafts { e1a, e3b, c0 });
                 let (join, universal) = (join::Constraint::eval(&joined), universal::Constraint::eval(&shafts));
                 let (by_join, by_universal) =
                     (join::Constraint::jacobian(&joined), universal::Constraint::jacobian(&shafts));
