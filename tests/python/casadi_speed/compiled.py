@@ -7,7 +7,7 @@ import shutil
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
-from statistics import median, quantiles
+from statistics import median
 
 import casadi as ca
 import numpy as np
@@ -72,16 +72,14 @@ class Compiled:
         self.library.evaluate(pointer(x), pointer(both))
         return both
 
-    def time(self, points: np.ndarray, turns: int, turn_ns: float = 1e5) -> dict[str, float]:
-        """Nanoseconds an evaluation: the median of some turns, and between what values four of five were, as of `report`."""
+    def nanoseconds(self, points: np.ndarray, turns: int, turn_ns: float = 1e5) -> float:
+        """Nanoseconds an evaluation: the median of some turns."""
         take = self.library.nanoseconds
         take.restype = ctypes.c_double
         take.argtypes = (ctypes.c_void_p, *[ctypes.c_long] * 3)
         once = min(take(pointer(points), len(points), 2, turn) for turn in range(3))
         calls = max(1, int(turn_ns / (once * len(points))))
-        found = [take(pointer(points), len(points), calls, turn) for turn in range(turns)]
-        tenths = quantiles(found, n=10, method="inclusive")
-        return {"median": median(found), "low": tenths[0], "high": tenths[-1]}
+        return median(take(pointer(points), len(points), calls, turn) for turn in range(turns))
 
 
 def pointer(x: np.ndarray):
