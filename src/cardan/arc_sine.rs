@@ -22,7 +22,7 @@ pub(super) fn arc_sine<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> D {
     if is_gentle { asin(sine) } else { steep_arc_sine([*a, *b]) }
 }
 
-/// By value, as what is cold here: references would keep the vectors in memory for all.
+/// By value, as [`steep_slope`]: references would keep the vectors in memory for all.
 #[cold]
 fn steep_arc_sine<D: Scalar>([a, b]: [Vector3<D>; 2]) -> D {
     let (sine, shortfall) = (a.dot(&b), shortfall(&a, &b));

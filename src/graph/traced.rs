@@ -239,6 +239,7 @@ impl Scalar for Traced {
     fn has_extremes() -> bool {
         extremes() == Extremes::Computed
     }
+    // Without extremes what is doubtful has no side of its own, and would be NaN everywhere.
     fn takes_shortcuts() -> bool {
         !Self::has_extremes()
     }

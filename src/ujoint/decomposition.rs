@@ -75,12 +75,10 @@ impl<D: Scalar> Parts<D> {
     fn value(&self, i: &CrossLoads<D>) -> CrossForces<D> {
         let (rough, rounding) = (self.decomposed(i), i.most_rounding());
         let [f_axial1, f_axial3, f_bend] = choice(|| {
-            let is_below = |force: D| abs(leaf(force)) < rounding;
-            let is_doubtful =
-                !D::takes_shortcuts() || is_below(rough.f_axial1) | is_below(rough.f_axial3) | is_below(rough.f_bend);
-            let is_settled = is_doubtful && D::has_extremes();
+            let is_certain = D::takes_shortcuts() && rough.smallest() > rounding;
+            let is_settled = !is_certain && D::has_extremes();
             let CrossForces { f_axial1, f_axial3, f_bend } = if is_settled { i.settled(rough) } else { rough };
-            [f_axial1, f_axial3, f_bend].map(|force| number_if(is_settled || !is_doubtful, force))
+            [f_axial1, f_axial3, f_bend].map(|force| number_if(is_certain || is_settled, force))
         });
         CrossForces { f_axial1, f_axial3, f_bend }
     }
@@ -122,16 +120,30 @@ impl<D: Scalar> Parts<D> {
     }
 }
 
+impl<D: Scalar> CrossForces<D> {
+    /// The size of the smallest. NaN is passed over, unless it is the first, which nothing is smaller than.
+    #[inline(always)]
+    fn smallest(&self) -> D::Leaf {
+        let smaller = |x: D::Leaf, y: D::Leaf| if y < x { y } else { x };
+        smaller(smaller(abs(leaf(self.f_axial1)), abs(leaf(self.f_axial3))), abs(leaf(self.f_bend)))
+    }
+}
+
 impl<D: Scalar> CrossLoads<D> {
-    /// What all three of [`Self::rounding`] are below, at less cost: 16 units of (|f1| + |f2| + |f3|) n (n + 1), where n is the sum
-    /// of the squares of all components. Two lengths multiplied are at most n, three n (n + 1) / 4, and the sizes of a vector's
-    /// components add up to √3 times its length.
+    /// What is above this is above all three of [`Self::rounding`], at less cost: 32 units of Σ |f e| (e1a² + 1) (e3b² + 1).
+    ///
+    /// The sizes of a vector's components add up to at most √3 times its length, which is at most (e² + 1) / 2: the largest of the
+    /// three is below 3.5 such units. Where terms underflow their sum is a seventh of what it should be, or nothing is above it.
     #[inline(always)]
     fn most_rounding(&self) -> D::Leaf {
-        let square = |v: &Vector3<D>| leaf(v.x) * leaf(v.x) + leaf(v.y) * leaf(v.y) + leaf(v.z) * leaf(v.z);
-        let n = (square(&self.e1a) + square(&self.e2a)) + (square(&self.e3a) + square(&self.e3b));
-        let forces = abs(leaf(self.f1)) + (abs(leaf(self.f2)) + abs(leaf(self.f3)));
-        forces * (n * (n + 1.0) * (16.0 * D::Leaf::EPSILON))
+        let Self { e1a, e2a, e3a, e3b, f1, f2, f3 } = self;
+        let size = |f: &D, e: &Vector3<D>| {
+            let [x, y, z] = [e.x * *f, e.y * *f, e.z * *f].map(|term| abs(leaf(term)));
+            x + y + z
+        };
+        let square = |e: &Vector3<D>| leaf(e.x) * leaf(e.x) + leaf(e.y) * leaf(e.y) + leaf(e.z) * leaf(e.z);
+        let sizes = size(f2, e2a) + size(f3, e3a) + size(f1, e1a);
+        sizes * ((square(e1a) + 1.0) * (square(e3b) + 1.0) * (32.0 * D::Leaf::EPSILON))
     }
 }
 

@@ -163,6 +163,7 @@ fn are_dependent<L: Leaf>([a, b, c]: [&Vector3<L>; 3]) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Parts;
     use super::*;
     use crate::formula::Formula;
     use crate::ujoint::Decomposition;
@@ -174,6 +175,34 @@ mod tests {
     }
 
     proptest! {
+        /// What is above the bound that costs less is above the others, whatever the sizes.
+        #[test]
+        fn most_rounding_is_above_each(
+            vectors in prop::array::uniform4(vector()), forces in prop::array::uniform3(-4.0..4.0_f64),
+            sizes in prop::array::uniform4(-600..160_i32), common in -300..300_i32,
+        ) {
+            let power = |exponent| 2.0_f64.powi(exponent);
+            let [e1a, e2a, e3a, e3b] = std::array::from_fn(|k| vectors[k] * power(sizes[k]));
+            let [f1, f2, f3] = forces.map(|f| f * power(common));
+            let i = CrossLoads { e1a, e2a, e3a, e3b, f1, f2, f3 };
+            let (most, CrossForces { f_axial1, f_axial3, f_bend }) = (i.most_rounding(), i.rounding());
+            for each in [f_axial1, f_axial3, f_bend] {
+                prop_assert!(most >= each, "{most:e} is below {each:e}");
+            }
+        }
+
+        /// Terms may be few of the smallest numbers: what rounding decides is still not above the bound.
+        #[test]
+        fn most_rounding_does_not_underflow(m in 1..8_i32, n in 1..8_i32, size in 60..300_i32) {
+            let (m, n, smallest, large) = (f64::from(m), f64::from(n), f64::from_bits(1), 2.0_f64.powi(size));
+            let e1a = Vector3::new(n, -m * (1.0 + f64::EPSILON), 0.0) * large;
+            let (e2a, e3a, e3b) = (Vector3::new(m, n, 0.0), Vector3::zeros(), Vector3::new(1.0, 2.0, 3.0));
+            let i = CrossLoads { e1a, e2a, e3a, e3b, f1: 0.0, f2: smallest, f3: 0.0 };
+            let rough = Parts::new(&i).decomposed(&i);
+            prop_assert!(rough.smallest() > 0.0 && rough.below(&i.rounding()).f_axial1);
+            prop_assert!(rough.smallest() <= i.most_rounding());
+        }
+
         /// Where large terms cancel exactly, tiny ones remain, which no rounding touches.
         #[test]
         fn what_remains_beside_terms_that_cancel_is_told(
