@@ -119,7 +119,7 @@ impl From<Failure> for NotRecorded {
     }
 }
 
-#[cfg(all(test, feature = "verify"))]
+#[cfg(test)]
 mod tests {
     use super::*;
     use crate::coulomb::ReturnMap;
