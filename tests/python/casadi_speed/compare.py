@@ -3,8 +3,8 @@
 
 CasADi differentiates the definitions and writes C, which is compiled by gcc and clang with -O2 and -O3; the fastest
 counts. It is compiled in the loop that times it, as our formulas are; with --called it is called, as a program calls
-what stands in a file of its own. Both compute the outputs and the dense Jacobian over the same points, in turns: C,
-Rust by `report`, and again. A ratio is our time by that of C, the median of the rounds; below 1 ours is faster. The
+what stands in a file of its own. Both compute the outputs and the dense Jacobian over the same points, in rounds: Rust
+by `report`, then C, whose formulas take turns as the ways of `report` do. A ratio is our time by that of C, the median of the rounds; below 1 ours is faster. The
 hardest is the largest ratio at a case flagged hard, each timed alone. η is the largest backward error of the Jacobian
 at golden cases, random ones and chosen ones (hand, limit, hard), away from kinks.
 
@@ -42,6 +42,8 @@ class Row:
     errors: Any
     ours: Any
     points: Any = None
+    all: dict[str, Any] = field(default_factory=dict)
+    at_hard: dict[tuple[str, str], Any] = field(default_factory=dict)
     ratios: list[float] = field(default_factory=list)
     hard: dict[str, list[float]] = field(default_factory=dict)
     times: tuple[float, float, float] = (math.nan, math.nan, math.nan)
@@ -64,20 +66,26 @@ class Row:
         """By more than the rounding of the golden numbers."""
         return any(ours > theirs + 1 for ours, theirs in zip(self.ours.jacobian(), self.errors.jacobian()))
 
-    def take(self, ours: dict[str, Any], turns: int) -> None:
-        """One round."""
+    def timed(self, ours: dict[str, Any]) -> list[Any]:
+        """What of C takes turns in a round: over all points, and at every hard one that ours is timed at, now and then."""
+        from compiled import Timed
         import numpy as np
 
-        by_flags = {one.flags: one.nanoseconds(self.points, turns) for one in self.c}
-        self.fastest = min(by_flags, key=by_flags.get)
-        rust, c = ours["value_and_jacobian"]["median"], by_flags[self.fastest]
+        self.all = {one.flags: Timed(one, self.points) for one in self.c}
+        hard = [case for case in self.cases if case.id in ours["hard"]]
+        at = {case.id: np.tile(case.x, (len(self.points), 1)) for case in hard}
+        self.at_hard = {(id, one.flags): Timed(one, x, every=4) for id, x in at.items() for one in self.c}
+        return [*self.all.values(), *self.at_hard.values()]
+
+    def take(self, ours: dict[str, Any]) -> None:
+        """One round."""
+        self.fastest = min(self.all, key=lambda flags: self.all[flags].nanoseconds)
+        rust, c = ours["value_and_jacobian"]["median"], self.all[self.fastest].nanoseconds
         self.ratios.append(rust / c)
         self.times = (rust, c, ours["copy"]["median"])
-        one = next(one for one in self.c if one.flags == self.fastest)
-        for case in self.cases:
-            if time := ours["hard"].get(case.id):
-                point = np.tile(case.x, (len(self.points), 1))
-                self.hard.setdefault(case.id, []).append(time["median"] / one.nanoseconds(point, turns // 4 + 1))
+        for (case, flags), timed in self.at_hard.items():
+            if flags == self.fastest:
+                self.hard.setdefault(case, []).append(ours["hard"][case]["median"] / timed.nanoseconds)
 
     def text(self) -> str:
         etas = " ".join(f"{eta:9.2g}" for eta in (*self.ours.jacobian(), *self.errors.jacobian()))
@@ -154,7 +162,12 @@ def measure(options: argparse.Namespace, family: str, rows: list[Row]) -> None:
     found = times(options.xtask, family, folder)
     for row in rows:
         row.points = points(row.id, folder)
-        row.take(found[row.id], options.turns)
+    timed = [one for row in rows for one in row.timed(found[row.id])]
+    for turn in range(options.turns):
+        for one in timed:
+            one.take_turn(turn)
+    for row in rows:
+        row.take(found[row.id])
 
 
 def report(rows: list[Row]) -> int:

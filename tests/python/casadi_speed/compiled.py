@@ -72,14 +72,31 @@ class Compiled:
         self.library.evaluate(pointer(x), pointer(both))
         return both
 
-    def nanoseconds(self, points: np.ndarray, turns: int, turn_ns: float = 1e5) -> float:
-        """Nanoseconds an evaluation: the median of some turns."""
-        take = self.library.nanoseconds
-        take.restype = ctypes.c_double
-        take.argtypes = (ctypes.c_void_p, *[ctypes.c_long] * 3)
-        once = min(take(pointer(points), len(points), 2, turn) for turn in range(3))
-        calls = max(1, int(turn_ns / (once * len(points))))
-        return median(take(pointer(points), len(points), calls, turn) for turn in range(turns))
+
+class Timed:
+    """One formula over some points, which takes turns with others, so that a slow moment of the machine falls on all alike."""
+
+    def __init__(self, compiled: Compiled, points: np.ndarray, every: int = 1, turn_ns: float = 1e5):
+        self.loop, self.points, self.every = compiled.library.nanoseconds, points, every
+        self.loop.restype = ctypes.c_double
+        self.loop.argtypes = (ctypes.c_void_p, *[ctypes.c_long] * 3)
+        once = min(self.turn(turn, calls=2) for turn in range(3))
+        self.calls = max(1, int(turn_ns / (once * len(points))))
+        self.samples: list[float] = []
+
+    def turn(self, turn: int, calls: int) -> float:
+        """Nanoseconds an evaluation in the n-th turn."""
+        return self.loop(pointer(self.points), len(self.points), calls, turn)
+
+    def take_turn(self, turn: int) -> None:
+        if turn % self.every == 0:
+            # As in `report`, a pass before it brings back what others pushed out of the caches.
+            self.turn(len(self.samples), calls=1)
+            self.samples.append(self.turn(len(self.samples), self.calls))
+
+    @property
+    def nanoseconds(self) -> float:
+        return median(self.samples)
 
 
 def pointer(x: np.ndarray):
