@@ -64,18 +64,24 @@ fn errors_of(kernel: &Kernel, points: &[Point], exact: fn(&Point) -> Option<&Vec
 }
 
 fn closed<F: Proved>() -> Way {
-    let value = Kernel::with_loop(typed, F::eval::<f64>, Fields::components, |points| {
-        for i in points {
-            black_box(&F::eval(i));
-        }
-    });
+    let value = Kernel::with_loop(typed, F::eval::<f64>, Fields::components, values::<F>);
     let entries = |(_, jacobian): &_| entries(jacobian);
-    let jacobian = Kernel::with_loop(typed, F::linearized::<f64>, entries, |points| {
-        for i in points {
-            black_box(&F::linearized(i));
-        }
-    });
+    let jacobian = Kernel::with_loop(typed, F::linearized::<f64>, entries, linearizations::<F>);
     Way::of("closed", "closed form").value(value).jacobian(jacobian)
+}
+
+#[inline(never)]
+fn values<F: Proved>(points: &[F::Inputs<f64>]) {
+    for i in points {
+        black_box(&F::eval(i));
+    }
+}
+
+#[inline(never)]
+fn linearizations<F: Proved>(points: &[F::Inputs<f64>]) {
+    for i in points {
+        black_box(&F::linearized(i));
+    }
 }
 
 /// As a program calls it; NaN where it is told what is wrong.

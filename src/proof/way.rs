@@ -102,14 +102,15 @@ impl Kernel {
         })
     }
 
-    /// With a loop of its own, `over`, that calls the formula by its name: so it is compiled in the loop as in that of a program.
-    /// What is handed over as a value is called behind another call. `compute` is a pointer, and not compiled a second time.
+    /// With a loop of its own, `over`, that calls the formula by its name: so it is compiled in the loop as in that of a program. It is a
+    /// function that is not inlined: within another, which keeps the points, some formulas take a sixth longer. What is handed over as
+    /// a value is called behind another call. `compute` is a pointer, and not compiled a second time.
     #[cfg(feature = "measure")]
     pub(crate) fn with_loop<I: 'static, O: 'static>(
         convert: fn(&[f64]) -> I,
         compute: fn(&I) -> O,
         doubles: impl Fn(&O) -> Vec<f64> + 'static,
-        over: impl Fn(&[I]) + Copy + 'static,
+        over: fn(&[I]),
     ) -> Self {
         Self::of(convert, move |i| doubles(&compute(i)), over)
     }
