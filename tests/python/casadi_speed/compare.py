@@ -4,9 +4,10 @@
 CasADi differentiates the definitions and writes C, which is compiled by gcc and clang with -O2 and -O3; the fastest
 counts. It is compiled in the loop that times it, as our formulas are; with --called it is called, as a program calls
 what stands in a file of its own. Both compute the outputs and the dense Jacobian over the same points, in rounds: Rust
-by `report`, then C, whose formulas take turns as the ways of `report` do. A ratio is our time by that of C, the median of the rounds; below 1 ours is faster. The
-hardest is the largest ratio at a case flagged hard, each timed alone. η is the largest backward error of the Jacobian
-at golden cases, random ones and chosen ones (hand, limit, hard), away from kinks.
+by `report`, then C, whose formulas take turns as the ways of `report` do. A ratio is our time by that of C, the median
+of the rounds; below 1 ours is faster. The hardest is the largest ratio at a case flagged hard, each timed alone. η is
+the largest backward error of the Jacobian at golden cases, random ones and chosen ones (hand, limit, hard), away from
+kinks.
 
 examples:
   python3 tests/python/casadi_speed/compare.py
@@ -42,12 +43,10 @@ class Row:
     errors: Any
     ours: Any
     points: Any = None
-    all: dict[str, Any] = field(default_factory=dict)
-    at_hard: dict[tuple[str, str], Any] = field(default_factory=dict)
     ratios: list[float] = field(default_factory=list)
     hard: dict[str, list[float]] = field(default_factory=dict)
     times: tuple[float, float, float] = (math.nan, math.nan, math.nan)
-    fastest: str = ""
+    fastest: Any = None
 
     @property
     def ratio(self) -> float:
@@ -66,32 +65,18 @@ class Row:
         """By more than the rounding of the golden numbers."""
         return any(ours > theirs + 1 for ours, theirs in zip(self.ours.jacobian(), self.errors.jacobian()))
 
-    def timed(self, ours: dict[str, Any]) -> list[Any]:
-        """What of C takes turns in a round: over all points, and at every hard one that ours is timed at, now and then."""
-        from compiled import Timed
-        import numpy as np
-
-        self.all = {one.flags: Timed(one, self.points) for one in self.c}
-        hard = [case for case in self.cases if case.id in ours["hard"]]
-        at = {case.id: np.tile(case.x, (len(self.points), 1)) for case in hard}
-        self.at_hard = {(id, one.flags): Timed(one, x, every=4) for id, x in at.items() for one in self.c}
-        return [*self.all.values(), *self.at_hard.values()]
-
-    def take(self, ours: dict[str, Any]) -> None:
-        """One round."""
-        self.fastest = min(self.all, key=lambda flags: self.all[flags].nanoseconds)
-        rust, c = ours["value_and_jacobian"]["median"], self.all[self.fastest].nanoseconds
+    def take(self, ours: dict[str, Any], by_compiled: list[float]) -> None:
+        """A round over all points; C by every compilation."""
+        c, self.fastest = min(zip(by_compiled, self.c), key=lambda pair: pair[0])
+        rust = ours["value_and_jacobian"]["median"]
         self.ratios.append(rust / c)
         self.times = (rust, c, ours["copy"]["median"])
-        for (case, flags), timed in self.at_hard.items():
-            if flags == self.fastest:
-                self.hard.setdefault(case, []).append(ours["hard"][case]["median"] / timed.nanoseconds)
 
     def text(self) -> str:
         etas = " ".join(f"{eta:9.2g}" for eta in (*self.ours.jacobian(), *self.errors.jacobian()))
         rust, c, copy = self.times
         spread = f"{min(self.ratios):.2f} to {max(self.ratios):.2f}"
-        return f"{self.id:40} {rust:8.1f} {c:8.1f} {copy:7.1f} {self.ratio:6.2f}  {spread:14} {self.hardest:7.2f} {etas}  {self.fastest}"
+        return f"{self.id:40} {rust:8.1f} {c:8.1f} {copy:7.1f} {self.ratio:6.2f}  {spread:14} {self.hardest:7.2f} {etas}  {self.fastest.flags}"
 
 
 def parse() -> argparse.Namespace:
@@ -156,18 +141,22 @@ def prepared(options: argparse.Namespace) -> list[Row]:
 
 
 def measure(options: argparse.Namespace, family: str, rows: list[Row]) -> None:
+    import numpy as np
+    from compiled import Timed, nanoseconds
     from ours import points, times
 
     folder = options.out.resolve()
     found = times(options.xtask, family, folder)
     for row in rows:
         row.points = points(row.id, folder)
-    timed = [one for row in rows for one in row.timed(found[row.id])]
-    for turn in range(options.turns):
-        for one in timed:
-            one.take_turn(turn)
+    of_c = iter(nanoseconds([Timed(one, row.points) for row in rows for one in row.c], options.turns))
     for row in rows:
-        row.take(found[row.id])
+        row.take(found[row.id], [next(of_c) for _ in row.c])
+    # At hard points that ours is timed at, each alone, only what was fastest.
+    hard = [(row, case) for row in rows for case in row.cases if case.id in found[row.id]["hard"]]
+    at_each = [Timed(row.fastest, np.tile(case.x, (len(row.points), 1))) for row, case in hard]
+    for (row, case), c in zip(hard, nanoseconds(at_each, options.turns // 4 + 1)):
+        row.hard.setdefault(case.id, []).append(found[row.id]["hard"][case.id]["median"] / c)
 
 
 def report(rows: list[Row]) -> int:

@@ -74,29 +74,29 @@ class Compiled:
 
 
 class Timed:
-    """One formula over some points, which takes turns with others, so that a slow moment of the machine falls on all alike."""
+    """One formula over some points, which takes turns with others."""
 
-    def __init__(self, compiled: Compiled, points: np.ndarray, every: int = 1, turn_ns: float = 1e5):
-        self.loop, self.points, self.every = compiled.library.nanoseconds, points, every
+    def __init__(self, compiled: Compiled, points: np.ndarray, turn_ns: float = 1e5):
+        self.loop, self.points = compiled.library.nanoseconds, points
         self.loop.restype = ctypes.c_double
         self.loop.argtypes = (ctypes.c_void_p, *[ctypes.c_long] * 3)
         once = min(self.turn(turn, calls=2) for turn in range(3))
         self.calls = max(1, int(turn_ns / (once * len(points))))
-        self.samples: list[float] = []
 
     def turn(self, turn: int, calls: int) -> float:
         """Nanoseconds an evaluation in the n-th turn."""
         return self.loop(pointer(self.points), len(self.points), calls, turn)
 
-    def take_turn(self, turn: int) -> None:
-        if turn % self.every == 0:
-            # As in `report`, a pass before it brings back what others pushed out of the caches.
-            self.turn(len(self.samples), calls=1)
-            self.samples.append(self.turn(len(self.samples), self.calls))
+    def warm_turn(self, turn: int) -> float:
+        """As in `report`, a pass before it brings back what others pushed out of the caches."""
+        self.turn(turn, calls=1)
+        return self.turn(turn, self.calls)
 
-    @property
-    def nanoseconds(self) -> float:
-        return median(self.samples)
+
+def nanoseconds(timed: list[Timed], turns: int) -> list[float]:
+    """Nanoseconds an evaluation of each, the median of its turns: all take turns, so that a slow moment falls on all alike."""
+    rounds = [[one.warm_turn(turn) for one in timed] for turn in range(turns)]
+    return [median(samples) for samples in zip(*rounds)]
 
 
 def pointer(x: np.ndarray):
