@@ -94,17 +94,12 @@ impl Kernel {
         doubles: impl Fn(&O) -> Vec<f64> + 'static,
     ) -> Self {
         let results = move |i: &_| doubles(&compute(i));
-        Self::of(convert, results, move |points| {
-            // What looks at a result may have changed all memory, so every point is read anew.
-            for i in points {
-                black_box(&compute(i));
-            }
-        })
+        Self::of(convert, results, move |points| each(points, compute))
     }
 
-    /// With a loop of its own, `over`, that calls the formula by its name: so it is compiled in the loop as in that of a program. It is a
-    /// function that is not inlined: within another, which keeps the points, some formulas take a sixth longer. What is handed over as
-    /// a value is called behind another call. `compute` is a pointer, and not compiled a second time.
+    /// With a loop of its own, `over`, that calls the formula by its name: so it is compiled in the loop as in that of a program. What is
+    /// handed over as a value is called behind another call. As [`each`] it is not inlined. `compute` is a pointer, and not compiled a
+    /// second time.
     #[cfg(feature = "measure")]
     pub(crate) fn with_loop<I: 'static, O: 'static>(
         convert: fn(&[f64]) -> I,
@@ -128,6 +123,16 @@ impl Kernel {
                 Box::new(move |count| over(&points[..count]))
             }),
         }
+    }
+}
+
+/// The loop, a function that is not inlined, as a program has it: within another, which keeps the points, some formulas take a sixth
+/// longer.
+#[inline(never)]
+fn each<I, O>(points: &[I], compute: impl Fn(&I) -> O) {
+    // What looks at a result may have changed all memory, so every point is read anew.
+    for i in points {
+        black_box(&compute(i));
     }
 }
 

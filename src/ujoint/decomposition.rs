@@ -73,9 +73,9 @@ impl<D: Scalar> Parts<D> {
     /// The same with the right signs. What is small within the choice is compiled in its place.
     #[inline(always)]
     fn value(&self, i: &CrossLoads<D>) -> CrossForces<D> {
-        let (rough, rounding) = (self.decomposed(i), i.most_rounding());
+        let rough = self.decomposed(i);
         let [f_axial1, f_axial3, f_bend] = choice(|| {
-            let is_certain = D::takes_shortcuts() && rough.smallest() > rounding;
+            let is_certain = D::takes_shortcuts() && i.most_rounding() < rough.smallest();
             let is_settled = !is_certain && D::has_extremes();
             let CrossForces { f_axial1, f_axial3, f_bend } = if is_settled { i.settled(rough) } else { rough };
             [f_axial1, f_axial3, f_bend].map(|force| number_if(is_certain || is_settled, force))
@@ -133,12 +133,12 @@ impl<D: Scalar> CrossLoads<D> {
     /// What is above this is above all three of [`Self::rounding`], at less cost: 32 units of Σ |f e| (e1a² + 1) (e3b² + 1).
     ///
     /// The sizes of a vector's components add up to at most √3 times its length, which is at most (e² + 1) / 2: the largest of the
-    /// three is below 3.5 such units. Where terms underflow their sum is a seventh of what it should be, or nothing is above it.
+    /// three is below 3.5 such units. Where terms underflow their sum is at least a seventh of what it should be, or all are zero.
     #[inline(always)]
     fn most_rounding(&self) -> D::Leaf {
         let Self { e1a, e2a, e3a, e3b, f1, f2, f3 } = self;
         let size = |f: &D, e: &Vector3<D>| {
-            let [x, y, z] = [e.x * *f, e.y * *f, e.z * *f].map(|term| abs(leaf(term)));
+            let [x, y, z] = [e.x, e.y, e.z].map(|component| abs(leaf(component) * leaf(*f)));
             x + y + z
         };
         let square = |e: &Vector3<D>| leaf(e.x) * leaf(e.x) + leaf(e.y) * leaf(e.y) + leaf(e.z) * leaf(e.z);
