@@ -95,6 +95,12 @@ impl<D: Scalar> PlaneLoads<D> {
     fn gradient(&self, by_force: &Vector2<D>, by_arm: &Vector2<D>) -> Self {
         Self { e2a: by_force * self.f2, xa: -by_arm, xb: *by_arm, f2: self.e2a.dot(by_force) }
     }
+
+    /// The gradient of the k-th component of that force, times a sign.
+    #[inline]
+    fn of_force(&self, sign: D, k: usize) -> Self {
+        Self { e2a: along(k, self.f2 * sign), f2: self.e2a[k] * sign, ..Self::filled(D::zero()) }
+    }
 }
 
 /// What SLOT exerts on its nodes in the plane, the multiplier times the row: on b the documented force f2 e2a, on a its
@@ -123,9 +129,9 @@ impl Formula for Forces {
 
     #[inline]
     fn jacobian<D: Scalar>(i: &PlaneLoads<D>) -> Jacobian<Self, D> {
-        let (one, none) = (D::one(), Vector2::from_element(D::zero()));
-        let force = |sign: D| Vector2::from_fn(|k, _| i.gradient(&along(k, sign), &none));
-        PlaneForces { fa: force(-one), ma: i.gradient(&-left(&(i.xb - i.xa)), &left(&i.force())), fb: force(one) }
+        let force = |sign: D| Vector2::from_fn(|k, _| i.of_force(sign, k));
+        let ma = i.gradient(&-left(&(i.xb - i.xa)), &left(&i.force()));
+        PlaneForces { fa: force(-D::one()), ma, fb: force(D::one()) }
     }
 }
 
@@ -159,9 +165,8 @@ impl Formula for GeometricStiffness {
 
     #[inline]
     fn jacobian<D: Scalar>(i: &PlaneLoads<D>) -> Jacobian<Self, D> {
-        let (one, none) = (D::one(), Vector2::from_element(D::zero()));
         PlaneStiffness {
-            k_ua_ta: Vector2::new(i.gradient(&along(1, one), &none), i.gradient(&along(0, -one), &none)),
+            k_ua_ta: Vector2::new(i.of_force(D::one(), 1), i.of_force(-D::one(), 0)),
             k_ta_ta: i.gradient(&(i.xa - i.xb), &-i.force()),
         }
     }

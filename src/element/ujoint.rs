@@ -275,6 +275,8 @@ impl Formula for GeometricStiffness {
 
     #[inline(always)]
     fn jacobian<D: Scalar>(i: &JointLoads<D>) -> Jacobian<Self, D> {
+        // From a copy of the inputs: read in place, the compiler stores ten more intermediate results.
+        let i = &JointLoads { ..*i };
         JointStiffness {
             k_ua_ta: matrix!(i.of_k_ua_ta),
             k_ta_ta: matrix!(i.of_k_ta_ta),
