@@ -4,10 +4,8 @@
 
 use super::error::{Refused, RowError};
 use super::job::Job;
-use super::structure::{MOST_TOGETHER, is_guarded};
 use crate::error::Error;
-use crate::formula::{Component, Fields, Formula, Visitor, bits_unless_finite, check};
-use crate::ordinary::Ordinary;
+use crate::formula::{Component, Fields, Formula, Visitor};
 use std::ops::Range;
 
 /// So many rows are made before the first of them is computed: what was just written number by number, a processor cannot read
@@ -31,13 +29,6 @@ pub(super) fn one_by_one<F: Formula, J: Job<F>>(
         made.clear();
         made.extend(some.clone().map(|row| of_components::<F::Inputs<f64>, _>(|k| inputs[k][row])));
         for (row, i) in some.zip(&made) {
-            let is_long = const { is_guarded::<F>() && J::LEN > MOST_TOGETHER };
-            if is_long && check::<F>(i).is_ok() {
-                let i = of_components(|k| inputs[k][row]);
-                if are_written::<F, J>(&i, Row::new(columns, row)) {
-                    continue;
-                }
-            }
             match J::of(i) {
                 Ok(results) => J::show(&results, &mut Row::new(columns, row)),
                 Err(error) => refuse(columns, row, first, error, &mut refused),
@@ -45,13 +36,6 @@ pub(super) fn one_by_one<F: Formula, J: Job<F>>(
         }
     }
     refused
-}
-
-/// Writes results where they are computed, where many would be copied on their way, and tells whether all of them are finite.
-#[inline(always)]
-fn are_written<F: Formula, J: Job<F>>(i: &F::Inputs<Ordinary>, mut row: Row) -> bool {
-    J::show(&J::unchecked(i), &mut row);
-    row.bits == 0
 }
 
 /// What has these components.
@@ -69,14 +53,12 @@ pub(crate) struct Row<'b, 'c> {
     columns: &'b mut [&'c mut [f64]],
     at: usize,
     place: usize,
-    /// Zero as long as all ordinary numbers are finite.
-    bits: u64,
 }
 
 impl<'b, 'c> Row<'b, 'c> {
     #[inline(always)]
     pub(crate) fn new(columns: &'b mut [&'c mut [f64]], at: usize) -> Self {
-        Self { columns, at, place: 0, bits: 0 }
+        Self { columns, at, place: 0 }
     }
 }
 
@@ -85,14 +67,6 @@ impl Visitor<f64> for Row<'_, '_> {
     fn visit(&mut self, x: f64) {
         self.columns[self.place][self.at] = x;
         self.place += 1;
-    }
-}
-
-impl Visitor<Ordinary> for Row<'_, '_> {
-    #[inline(always)]
-    fn visit(&mut self, x: Ordinary) {
-        self.visit(x.to_f64());
-        self.bits |= bits_unless_finite(x.to_f64());
     }
 }
 

@@ -74,8 +74,9 @@ impl<F: Formula, J: Job<F>> pulp::WithSimd for Stretch<'_, '_, '_, F, J> {
             return one_by_one::<F, J>(inputs, outputs, rows, first);
         }
         let times = if inputs.len() + outputs.len() > MANY { 2 } else { 1 };
-        let [mut read, mut written] =
-            [F::Inputs::<f64>::LEN, J::LEN].map(|columns| vec![Column([0.0; TOGETHER]); columns]);
+        // One table of inputs and results: of two, the compiler does not know for more than 250 numbers that they are not the same,
+        // and would take the rows one by one.
+        let mut columns = vec![Column([0.0; TOGETHER]); F::Inputs::<f64>::LEN + J::LEN];
         let before = outputs.first().map_or(0, |column| column[rows.start..].as_ptr().align_offset(LINE));
         let mut refused = Refused::default();
         for (k, some) in together(rows.clone(), before).enumerate() {
@@ -85,9 +86,9 @@ impl<F: Formula, J: Job<F>> pulp::WithSimd for Stretch<'_, '_, '_, F, J> {
                 ask_for(inputs, from + 2 * TOGETHER, times * TOGETHER);
                 ask_for(outputs, from + 2 * TOGETHER, times * TOGETHER);
             }
-            take(inputs, from, &mut read);
-            if compute::<F, J>(&read, &mut written) {
-                give(&written, from, outputs);
+            take(inputs, from, &mut columns);
+            if compute::<F, J>(&mut columns) {
+                give(&columns[F::Inputs::<f64>::LEN..], from, outputs);
             } else {
                 refused = refused.and(one_by_one::<F, J>(inputs, outputs, some, first));
             }
@@ -135,23 +136,24 @@ fn give(from: &[Column], row: usize, to: &mut [&mut [f64]]) {
     }
 }
 
-/// Computes all rows, and tells whether that could be done; else some may be refused, and all are to be looked at.
+/// Computes all rows, of which the inputs come first, and tells whether that could be done; else some may be refused, and all are to be looked at.
 #[inline(always)]
-fn compute<F: Formula, J: Job<F>>(read: &[Column], written: &mut [Column]) -> bool {
+fn compute<F: Formula, J: Job<F>>(columns: &mut [Column]) -> bool {
     // How many columns there are is known here, so that none of them is looked up below.
-    let (read, columns) = (&read[..F::Inputs::<f64>::LEN], &mut written[..J::LEN]);
+    let columns = &mut columns[..F::Inputs::<f64>::LEN + J::LEN];
     // Bits, which vectors keep at the width of the numbers: zero as long as every row is as it should be. What a formula checks
     // itself may take branches, which would keep the compiler from vectors in one pass with all else.
     let mut bits = 0;
     for row in 0..TOGETHER {
-        bits |= u64::from(F::validate(&of_components::<F::Inputs<Ordinary>, _>(|k| read[k].0[row])).is_err());
+        bits |= u64::from(F::validate(&of_components::<F::Inputs<Ordinary>, _>(|k| columns[k].0[row])).is_err());
     }
     for row in 0..TOGETHER {
         let is_guarded = const { is_guarded::<F>() };
-        let i = of_components(|k| read[k].0[row]);
+        let i = of_components(|k| columns[k].0[row]);
         bits |= u64::from(!if is_guarded { are_allowed(&i) } else { is_plain::<F>(&i) });
-        let mut place = Place { columns, row, next: 0, bits: 0 };
-        J::show(&J::unchecked::<Ordinary>(&of_components(|k| read[k].0[row])), &mut place);
+        let i = of_components(|k| columns[k].0[row]);
+        let mut place = Place { columns, row, next: F::Inputs::<f64>::LEN, bits: 0 };
+        J::show(&J::unchecked::<Ordinary>(&i), &mut place);
         bits |= if is_guarded { place.bits } else { 0 };
     }
     bits == 0

@@ -32,9 +32,6 @@ const fn digits<F: Formula>() -> Option<&'static [u8]> {
     }
 }
 
-/// So many results have rows at most that are computed together, so that they stay in the nearest cache.
-pub(super) const MOST_TOGETHER: usize = 261;
-
 /// Whether several rows of a formula are computed together: inputs tell that nothing overflows, or all results are looked at.
 pub(super) const fn is_straight<F: Formula>() -> bool {
     is_guarded::<F>() || has_word::<F>(b"straight") && !matches!(F::SPEC.finite, Finite::Unknown)

@@ -72,6 +72,7 @@ impl<D: Scalar> Place<D, 2> {
 }
 
 impl<D: Scalar> Place<D, 3> {
+    #[inline(always)]
     fn parabolic(nodes: [Vector2<D>; 3], g: D) -> Self {
         let sides = Sides::new(nodes);
         let (speed, t) = length_and_tangent(sides.rate(g));

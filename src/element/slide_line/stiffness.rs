@@ -161,31 +161,61 @@ type Degree = Option<usize>;
 #[derive(Clone, Copy, Debug)]
 pub struct Parabolic;
 
-/// A block, where `by` is λ/(1 − κ E11).
-fn block<D: Scalar>(spot: &Spot<D, 3>, separation: D, by: D, [i, j]: [Degree; 2]) -> Matrix2<D> {
-    let Spot { t, n, weights, rates, curvature } = *spot;
-    let motion = |i: Degree, x: D| i.map_or(x, |i| -(x * weights[i]));
-    let bend = outer(&t, &t, motion(i, motion(j, -(by * curvature))));
-    let shear = j.map(|j| outer(&t, &n, motion(i, -(by * rates[j]))));
-    let back = i.map(|i| outer(&n, &t, motion(j, -(by * rates[i]))));
-    let turn = i.zip(j).map(|(i, j)| outer(&n, &n, -(by * separation * rates[i] * rates[j])));
-    [shear, back, turn].into_iter().flatten().fold(bend, |all, m| all + m)
+/// What there is of every block.
+trait Blocks<D: Scalar> {
+    type Entry: Component;
+
+    fn block(&self, degrees: [Degree; 2]) -> Matrix2<Self::Entry>;
+
+    /// All that differ.
+    #[inline(always)]
+    fn all(&self) -> ParabolicStiffness<Self::Entry> {
+        let [s, a, b, c] = [None, Some(0), Some(1), Some(2)];
+        ParabolicStiffness {
+            k_us_us: self.inlined_or_called([s, s]),
+            k_us_u1: self.inlined_or_called([s, a]),
+            k_us_u2: self.inlined_or_called([s, b]),
+            k_us_u3: self.inlined_or_called([s, c]),
+            k_u1_u1: self.inlined_or_called([a, a]),
+            k_u1_u2: self.inlined_or_called([a, b]),
+            k_u1_u3: self.inlined_or_called([a, c]),
+            k_u2_u2: self.inlined_or_called([b, b]),
+            k_u2_u3: self.inlined_or_called([b, c]),
+            k_u3_u3: self.inlined_or_called([c, c]),
+        }
+    }
+
+    /// Where several rows are computed at once, what is called is not compiled for vectors; one row alone is faster with calls.
+    #[inline(always)]
+    fn inlined_or_called(&self, degrees: [Degree; 2]) -> Matrix2<Self::Entry> {
+        if D::has_extremes() { self.called(degrees) } else { self.block(degrees) }
+    }
+
+    #[inline]
+    fn called(&self, degrees: [Degree; 2]) -> Matrix2<Self::Entry> {
+        self.block(degrees)
+    }
 }
 
-/// All that differ.
-fn blocks<T: Component>(block: impl Fn([Degree; 2]) -> Matrix2<T>) -> ParabolicStiffness<T> {
-    let [s, a, b, c] = [None, Some(0), Some(1), Some(2)];
-    ParabolicStiffness {
-        k_us_us: block([s, s]),
-        k_us_u1: block([s, a]),
-        k_us_u2: block([s, b]),
-        k_us_u3: block([s, c]),
-        k_u1_u1: block([a, a]),
-        k_u1_u2: block([a, b]),
-        k_u1_u3: block([a, c]),
-        k_u2_u2: block([b, b]),
-        k_u2_u3: block([b, c]),
-        k_u3_u3: block([c, c]),
+/// The blocks, where `by` is λ/(1 − κ E11).
+struct Values<'p, D> {
+    spot: &'p Spot<D, 3>,
+    separation: D,
+    by: D,
+}
+
+impl<D: Scalar> Blocks<D> for Values<'_, D> {
+    type Entry = D;
+
+    #[inline(always)]
+    fn block(&self, [i, j]: [Degree; 2]) -> Matrix2<D> {
+        let Self { spot: Spot { t, n, weights, rates, curvature }, separation, by } = *self;
+        let motion = |i: Degree, x: D| i.map_or(x, |i| -(x * weights[i]));
+        let bend = outer(t, t, motion(i, motion(j, -(by * *curvature))));
+        let shear = j.map(|j| outer(t, n, motion(i, -(by * rates[j]))));
+        let back = i.map(|i| outer(n, t, motion(j, -(by * rates[i]))));
+        let turn = i.zip(j).map(|(i, j)| outer(n, n, -(by * separation * rates[i] * rates[j])));
+        [shear, back, turn].into_iter().flatten().fold(bend, |all, m| all + m)
     }
 }
 
@@ -213,6 +243,76 @@ impl<D: Scalar> Motion<D> {
     }
 }
 
+/// The derivatives of the blocks.
+struct Derivatives<'p, D> {
+    i: &'p ParabolicTouch<D>,
+    place: &'p Place<D, 3>,
+    /// 1/(1 − κ E11).
+    per: D,
+    /// The change of κ with g, for that of the length.
+    stretch: D,
+    /// Nᵢ′ t, Nᵢ′ n and the derivatives of Nᵢ′ by g, along n, over |X′|.
+    along: [Vector2<D>; 3],
+    across: [Vector2<D>; 3],
+    bent: [Vector2<D>; 3],
+    motions: [Motion<D>; 4],
+}
+
+impl<'p, D: Scalar> Derivatives<'p, D> {
+    #[inline(always)]
+    fn new(i: &'p ParabolicTouch<D>, place: &'p Place<D, 3>, per: D) -> Self {
+        let (Spot { t, n, curvature, rates, .. }, per_speed) = (place.spot, place.speed.recip());
+        let motion = |degree| Motion::new(place, i.separation, per, degree);
+        Self {
+            i,
+            place,
+            per,
+            stretch: curvature * place.stretch * 3.0,
+            along: rates.map(|rate| t * rate),
+            across: rates.map(|rate| n * rate),
+            bent: place.spreads.map(|spread| n * (spread * per_speed)),
+            motions: [motion(None), motion(Some(0)), motion(Some(1)), motion(Some(2))],
+        }
+    }
+}
+
+impl<D: Scalar> Blocks<D> for Derivatives<'_, D> {
+    type Entry = ParabolicTouch<D>;
+
+    #[inline(always)]
+    fn block(&self, degrees: [Degree; 2]) -> Matrix2<ParabolicTouch<D>> {
+        let Self { i, place, per, stretch, along, across, bent, motions } = self;
+        let Spot { t, n, curvature, .. } = place.spot;
+        let form =
+            |[a, b]: [D; 2], [c, d]: [D; 2]| Matrix2::new(curvature * a * c, a * d, b * c, i.separation * b * d) * *per;
+        let turning = |m: Matrix2<D>| {
+            let (shear, difference) = (m.m12 + m.m21, m.m11 - m.m22);
+            Matrix2::new(-shear, difference, difference, shear)
+        };
+        let stretching = |m: Matrix2<D>| Matrix2::new(D::zero(), m.m12, m.m21, m.m22 * 2.0);
+        // In the plane, from the basis of t and n; with the sign that all blocks have.
+        let in_plane = |m: Matrix2<D>| {
+            let [u, v] = [t * m.m11 + n * m.m21, t * m.m12 + n * m.m22];
+            Matrix2::from_fn(|row, column| -(u[row] * t[column] + v[row] * n[column]))
+        };
+        let [first, second] = degrees.map(|degree| &motions[degree.map_or(0, |node| node + 1)]);
+        let held = form(first.held, second.held);
+        let by_curvature = outer(&first.moved, &second.moved, -i.lambda);
+        let by_g = form(first.by_g, second.held) + form(first.held, second.by_g);
+        let by_g = in_plane(by_g * i.lambda) - by_curvature * *stretch;
+        let stretched = -in_plane(stretching(held) * i.lambda) - by_curvature * (curvature * 2.0);
+        let (turned, by_lambda) = (in_plane(turning(held) * i.lambda), in_plane(held));
+        let by_separation = outer(&first.turned, &second.turned, -i.lambda);
+        let entry = |row: usize, column: usize| {
+            let at = (row, column);
+            let of_node = |k: usize| across[k] * turned[at] + along[k] * stretched[at] + bent[k] * by_curvature[at];
+            let (g, separation, lambda) = (place.bend * turned[at] + by_g[at], by_separation[at], by_lambda[at]);
+            ParabolicTouch { x1: of_node(0), x2: of_node(1), x3: of_node(2), g, separation, lambda }
+        };
+        Matrix2::new(entry(0, 0), entry(0, 1), entry(1, 0), entry(1, 1))
+    }
+}
+
 impl Formula for Parabolic {
     const SPEC: Spec = Spec::new("slide_line.geometric_stiffness_parabolic", "Geometric stiffness of contact on a parabolic segment", OURS)
         .equation(r"\begin{aligned} \mathbf{K}_{us,us} &= -c\kappa\,\mathbf{t}\otimes\mathbf{t},\quad \mathbf{K}_{us,u1} = -c\,(\mathbf{t}\otimes\mathbf{b}_1 + \kappa\,\mathbf{t}\otimes\mathbf{a}_1),\quad \mathbf{K}_{us,u2} = -c\,(\mathbf{t}\otimes\mathbf{b}_2 + \kappa\,\mathbf{t}\otimes\mathbf{a}_2),\quad \mathbf{K}_{us,u3} = -c\,(\mathbf{t}\otimes\mathbf{b}_3 + \kappa\,\mathbf{t}\otimes\mathbf{a}_3), \\ \mathbf{K}_{u1,u1} &= -c\,(\mathbf{a}_1\otimes\mathbf{b}_1 + \mathbf{b}_1\otimes\mathbf{a}_1 + \kappa\,\mathbf{a}_1\otimes\mathbf{a}_1 + E_{11}\,\mathbf{b}_1\otimes\mathbf{b}_1),\quad \mathbf{K}_{u1,u2} = -c\,(\mathbf{a}_1\otimes\mathbf{b}_2 + \mathbf{b}_1\otimes\mathbf{a}_2 + \kappa\,\mathbf{a}_1\otimes\mathbf{a}_2 + E_{11}\,\mathbf{b}_1\otimes\mathbf{b}_2), \\ \mathbf{K}_{u1,u3} &= -c\,(\mathbf{a}_1\otimes\mathbf{b}_3 + \mathbf{b}_1\otimes\mathbf{a}_3 + \kappa\,\mathbf{a}_1\otimes\mathbf{a}_3 + E_{11}\,\mathbf{b}_1\otimes\mathbf{b}_3),\quad \mathbf{K}_{u2,u2} = -c\,(\mathbf{a}_2\otimes\mathbf{b}_2 + \mathbf{b}_2\otimes\mathbf{a}_2 + \kappa\,\mathbf{a}_2\otimes\mathbf{a}_2 + E_{11}\,\mathbf{b}_2\otimes\mathbf{b}_2), \\ \mathbf{K}_{u2,u3} &= -c\,(\mathbf{a}_2\otimes\mathbf{b}_3 + \mathbf{b}_2\otimes\mathbf{a}_3 + \kappa\,\mathbf{a}_2\otimes\mathbf{a}_3 + E_{11}\,\mathbf{b}_2\otimes\mathbf{b}_3),\quad \mathbf{K}_{u3,u3} = -c\,(\mathbf{a}_3\otimes\mathbf{b}_3 + \mathbf{b}_3\otimes\mathbf{a}_3 + \kappa\,\mathbf{a}_3\otimes\mathbf{a}_3 + E_{11}\,\mathbf{b}_3\otimes\mathbf{b}_3), \\ c &= \frac{\lambda}{1-\kappa E_{11}},\quad \kappa = \frac{\mathbf{n}\cdot(\mathbf{x}_1-2\,\mathbf{x}_2+\mathbf{x}_3)}{\lvert\mathbf{X}'\rvert^2},\quad \mathbf{a}_1 = -\tfrac12 g(g-1)\,\mathbf{t},\quad \mathbf{a}_2 = -(1-g^2)\,\mathbf{t},\quad \mathbf{a}_3 = -\tfrac12 g(g+1)\,\mathbf{t}, \\ \mathbf{b}_1 &= \frac{g-\tfrac12}{\lvert\mathbf{X}'\rvert}\,\mathbf{n},\quad \mathbf{b}_2 = -\frac{2g}{\lvert\mathbf{X}'\rvert}\,\mathbf{n},\quad \mathbf{b}_3 = \frac{g+\tfrac12}{\lvert\mathbf{X}'\rvert}\,\mathbf{n} \end{aligned}")
@@ -227,7 +327,7 @@ impl Formula for Parabolic {
     fn eval<D: Scalar>(i: &ParabolicTouch<D>) -> ParabolicStiffness<D> {
         let spot = Place::parabolic([i.x1, i.x2, i.x3], i.g).spot;
         let by = i.lambda * i.per_reach(&spot);
-        blocks(|degrees| block(&spot, i.separation, by, degrees))
+        Values { spot: &spot, separation: i.separation, by }.all()
     }
 
     /// By E11 and by κ a block changes by the products of how far the line turns there and how far the point moves, times −λ:
@@ -237,47 +337,12 @@ impl Formula for Parabolic {
         Self::linearized(i).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &ParabolicTouch<D>) -> ValueAndJacobian<Self, D> {
         let place = Place::parabolic([i.x1, i.x2, i.x3], i.g);
-        let (Spot { t, n, curvature, .. }, per) = (place.spot, i.per_reach(&place.spot));
-        let (per_speed, stretch) = (place.speed.recip(), curvature * place.stretch * 3.0);
-        let form =
-            |[a, b]: [D; 2], [c, d]: [D; 2]| Matrix2::new(curvature * a * c, a * d, b * c, i.separation * b * d) * per;
-        let turning = |m: Matrix2<D>| {
-            let (shear, difference) = (m.m12 + m.m21, m.m11 - m.m22);
-            Matrix2::new(-shear, difference, difference, shear)
-        };
-        let stretching = |m: Matrix2<D>| Matrix2::new(D::zero(), m.m12, m.m21, m.m22 * 2.0);
-        // In the plane, from the basis of t and n; with the sign that all blocks have.
-        let in_plane = |m: Matrix2<D>| {
-            let [u, v] = [t * m.m11 + n * m.m21, t * m.m12 + n * m.m22];
-            Matrix2::from_fn(|row, column| -(u[row] * t[column] + v[row] * n[column]))
-        };
-        let along = place.spot.rates.map(|rate| t * rate);
-        let across = place.spot.rates.map(|rate| n * rate);
-        let bent = place.spreads.map(|spread| n * (spread * per_speed));
-        let motions = [None, Some(0), Some(1), Some(2)].map(|degree| Motion::new(&place, i.separation, per, degree));
-        let motion = |degree: Degree| &motions[degree.map_or(0, |node| node + 1)];
-        let value = blocks(|degrees| block(&place.spot, i.separation, i.lambda * per, degrees));
-        let by = blocks(|degrees| {
-            let [first, second] = degrees.map(motion);
-            let held = form(first.held, second.held);
-            let by_curvature = outer(&first.moved, &second.moved, -i.lambda);
-            let by_g = form(first.by_g, second.held) + form(first.held, second.by_g);
-            let by_g = in_plane(by_g * i.lambda) - by_curvature * stretch;
-            let stretched = -in_plane(stretching(held) * i.lambda) - by_curvature * (curvature * 2.0);
-            let (turned, by_lambda) = (in_plane(turning(held) * i.lambda), in_plane(held));
-            let by_separation = outer(&first.turned, &second.turned, -i.lambda);
-            let entry = |row: usize, column: usize| {
-                let at = (row, column);
-                let of_node = |k: usize| across[k] * turned[at] + along[k] * stretched[at] + bent[k] * by_curvature[at];
-                let (g, separation, lambda) = (place.bend * turned[at] + by_g[at], by_separation[at], by_lambda[at]);
-                ParabolicTouch { x1: of_node(0), x2: of_node(1), x3: of_node(2), g, separation, lambda }
-            };
-            Matrix2::new(entry(0, 0), entry(0, 1), entry(1, 0), entry(1, 1))
-        });
-        (value, by)
+        let per = i.per_reach(&place.spot);
+        let value = Values { spot: &place.spot, separation: i.separation, by: i.lambda * per };
+        (value.all(), Derivatives::new(i, &place, per).all())
     }
 
     #[inline]
