@@ -14,7 +14,7 @@ mod source;
 #[cfg(feature = "batch")]
 pub(crate) use checked::{are_allowed, is_plain};
 pub use checked::{check, value, value_and_jacobian};
-pub(crate) use few::{Few, cross_gradient, next};
+pub(crate) use few::{Few, Sign, cross_gradient, next};
 pub use fields::{Component, Field, Fields, Part, Visitor};
 #[cfg(feature = "verify")]
 pub(crate) use fields::{entries, typed};

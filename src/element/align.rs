@@ -108,10 +108,10 @@ impl<D: Scalar> Turns<D> {
         let Self { e1a, e3b, sine, slope, square, .. } = self;
         let (n, by_n) = (self.node_line(), |k: usize| cross_gradient(e3b, e1a, k));
         let ([b_r, a_r], [b_c, a_c]) = (by_n(r), by_n(c));
-        let [by_b, by_a] = double_cross_gradient(e3b, e1a, r, c);
+        let ([by_b, by_a], sign) = double_cross_gradient(e3b, e1a, r, c);
         let by_sine = self.by_sine();
         let again = *slope * *square * (*sine * *sine * *square * 3.0 + 1.0) * times;
-        let (slope, by_sine) = (*slope * times, by_sine * times);
+        let (slope, by_sine) = (sign.of(*slope * times), by_sine * times);
         let (times_r, times_c) = (n[r] * by_sine, n[c] * by_sine);
         let by_both = [
             by_a.added_to(&a_r.added_to(&a_c.times(times_r), times_c), slope),

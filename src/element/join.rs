@@ -9,7 +9,7 @@ pub(super) mod proof;
 use super::lever::Lever;
 use super::products::{column, double_cross, matrix, skew, symmetric, symmetric_matrix};
 use crate::fields;
-use crate::formula::{Component, Document, Few, Fields, Finite, Formula, Jacobian, Spec, along, cross_gradient};
+use crate::formula::{Component, Document, Few, Fields, Finite, Formula, Jacobian, Sign, Spec, along, cross_gradient};
 use crate::quantity::{
     E1A, E2A, E3A, F2, F3, FORCE_A, FORCE_B, G1_TA, G1_UA, G1_UB, G2_TA, G2_UA, G2_UB, G3_TA, G3_UA, G3_UB, JOIN_F1,
     K_TA_TA, K_UA_TA, MOMENT_A, S_TA_TA, XA, XB,
@@ -136,16 +136,16 @@ impl<D: Scalar> Lever<D> for JoinLoads<D> {
     }
 
     #[inline(always)]
-    fn gradient(&self, [by_force, by_arm]: [Few<D>; 2]) -> Self {
+    fn gradient(&self, ([by_force, by_arm], sign): ([Few<D>; 2], Sign)) -> Self {
         Self {
-            e1a: by_force.times(self.f1),
-            e2a: by_force.times(self.f2),
-            e3a: by_force.times(self.f3),
-            xa: by_arm.times(-D::one()),
-            xb: by_arm.vector(),
-            f1: by_force.dot(&self.e1a),
-            f2: by_force.dot(&self.e2a),
-            f3: by_force.dot(&self.e3a),
+            e1a: by_force.signed(sign, self.f1),
+            e2a: by_force.signed(sign, self.f2),
+            e3a: by_force.signed(sign, self.f3),
+            xa: by_arm.signed(-sign, D::one()),
+            xb: by_arm.signed(sign, D::one()),
+            f1: sign.of(by_force.dot(&self.e1a)),
+            f2: sign.of(by_force.dot(&self.e2a)),
+            f3: sign.of(by_force.dot(&self.e3a)),
         }
     }
 }

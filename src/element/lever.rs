@@ -3,7 +3,7 @@
 #![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
 
 use super::products::{double_cross_gradient, skew_gradient, symmetric_gradient};
-use crate::formula::{Few, Fields, cross_gradient};
+use crate::formula::{Few, Fields, Sign, cross_gradient};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
 
@@ -15,31 +15,31 @@ pub(super) trait Lever<D: Scalar>: Fields<D> {
     fn force(&self) -> Vector3<D>;
     /// d.
     fn arm(&self) -> Vector3<D>;
-    /// The gradient of something by f and d, by the inputs.
-    fn gradient(&self, by: [Few<D>; 2]) -> Self;
+    /// The gradient of something by the inputs, of which this is that by f and d, and its sign.
+    fn gradient(&self, by: ([Few<D>; 2], Sign)) -> Self;
 
     /// Of the k-th component of f.
     #[inline(always)]
     fn of_fb(&self, k: usize) -> Self {
-        self.gradient([Few::one(k, D::one()), Few::none()])
+        self.gradient(([Few::one(k, D::one()), Few::none()], Sign::Plus))
     }
 
     /// Of the k-th component of −f.
     #[inline(always)]
     fn of_fa(&self, k: usize) -> Self {
-        self.gradient([Few::one(k, -D::one()), Few::none()])
+        self.gradient(([Few::one(k, D::one()), Few::none()], Sign::Minus))
     }
 
     /// Of the k-th component of f × d.
     #[inline(always)]
     fn of_ma(&self, k: usize) -> Self {
-        self.gradient(cross_gradient(&self.force(), &self.arm(), k))
+        self.gradient((cross_gradient(&self.force(), &self.arm(), k), Sign::Plus))
     }
 
     /// Of an entry of f × I.
     #[inline(always)]
     fn of_k_ua_ta(&self, row: usize, column: usize) -> Self {
-        self.gradient([skew_gradient(row, column), Few::none()])
+        self.gradient(([skew_gradient(row, column), Few::none()], Sign::Plus))
     }
 
     /// Of an entry of f ⊗ d − (f·d) I.

@@ -11,7 +11,7 @@ mod proof;
 use super::products::{column, double_cross, double_cross_gradient, matrix};
 use super::{Forces, Rows, Stiffness};
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec, along, cross_gradient};
+use crate::formula::{Component, Document, Few, Fields, Finite, Formula, Jacobian, Spec, along, cross_gradient};
 use crate::quantity::{ARM, ARM_FORCE, ARM_MOMENT, K_ARM, NODE_MOMENT};
 use crate::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
@@ -64,8 +64,9 @@ impl<D: Scalar> ArmLoads<D> {
     /// The gradient of an entry of the block.
     #[inline(always)]
     fn of_block(&self, row: usize, column: usize) -> Self {
-        let [by_arm, by_force] = double_cross_gradient(&self.r, &self.f, row, column);
-        Self { r: by_arm.vector(), f: by_force.vector(), ..Self::filled(D::zero()) }
+        let ([by_arm, by_force], sign) = double_cross_gradient(&self.r, &self.f, row, column);
+        let by = |few: Few<D>| few.signed(sign, D::one());
+        Self { r: by(by_arm), f: by(by_force), ..Self::filled(D::zero()) }
     }
 }
 

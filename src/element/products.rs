@@ -2,7 +2,7 @@
 
 #![expect(clippy::inline_always, reason = "the compiler sees the indices, and computes no zeros")]
 
-use crate::formula::{Few, next};
+use crate::formula::{Few, Sign, next};
 use crate::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
 
@@ -35,29 +35,35 @@ pub(super) fn double_cross<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> Matrix3
     m
 }
 
-/// The gradients of an entry of [`double_cross`]: by a, and by b.
+/// The gradients of an entry of [`double_cross`]: by a, and by b, and their sign.
 #[inline(always)]
 pub(super) fn double_cross_gradient<D: Scalar>(
     a: &Vector3<D>,
     b: &Vector3<D>,
     row: usize,
     column: usize,
-) -> [Few<D>; 2] {
+) -> ([Few<D>; 2], Sign) {
     if row == column {
         let [k, l] = next(row);
-        return [Few::two((k, -b[k]), (l, -b[l])), Few::two((k, -a[k]), (l, -a[l]))];
+        let by = |v: &Vector3<D>| Few::two((k, v[k]), (l, v[l]));
+        return ([by(b), by(a)], Sign::Minus);
     }
-    [Few::one(row, b[column]), Few::one(column, a[row])]
+    ([Few::one(row, b[column]), Few::one(column, a[row])], Sign::Plus)
 }
 
-/// The gradients of an entry of the symmetric part of [`double_cross`]: by a, and by b.
+/// The gradients of an entry of the symmetric part of [`double_cross`]: by a, and by b, and their sign.
 #[inline(always)]
-pub(super) fn symmetric_gradient<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>, row: usize, column: usize) -> [Few<D>; 2] {
+pub(super) fn symmetric_gradient<D: Scalar>(
+    a: &Vector3<D>,
+    b: &Vector3<D>,
+    row: usize,
+    column: usize,
+) -> ([Few<D>; 2], Sign) {
     if row == column {
         return double_cross_gradient(a, b, row, row);
     }
     let by = |v: &Vector3<D>| Few::two((row, v[column] * 0.5), (column, v[row] * 0.5));
-    [by(b), by(a)]
+    ([by(b), by(a)], Sign::Plus)
 }
 
 /// ½ (M + Mᵀ).

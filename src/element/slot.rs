@@ -10,7 +10,7 @@ use super::join::{JoinForces, JoinStiffness, JoinSymmetric};
 use super::lever::Lever;
 use super::products::{column, double_cross, matrix, skew, symmetric, symmetric_matrix};
 use crate::fields;
-use crate::formula::{Component, Document, Few, Fields, Finite, Formula, Jacobian, Spec, along, cross_gradient};
+use crate::formula::{Component, Document, Few, Fields, Finite, Formula, Jacobian, Sign, Spec, along, cross_gradient};
 use crate::quantity::{E2A, E3A, F2, F3, GY_TA, GY_UA, GY_UB, GZ_TA, GZ_UA, GZ_UB, XA, XB};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
@@ -116,14 +116,14 @@ impl<D: Scalar> Lever<D> for SlotLoads<D> {
     }
 
     #[inline(always)]
-    fn gradient(&self, [by_force, by_arm]: [Few<D>; 2]) -> Self {
+    fn gradient(&self, ([by_force, by_arm], sign): ([Few<D>; 2], Sign)) -> Self {
         Self {
-            e2a: by_force.times(self.f2),
-            e3a: by_force.times(self.f3),
-            xa: by_arm.times(-D::one()),
-            xb: by_arm.vector(),
-            f2: by_force.dot(&self.e2a),
-            f3: by_force.dot(&self.e3a),
+            e2a: by_force.signed(sign, self.f2),
+            e3a: by_force.signed(sign, self.f3),
+            xa: by_arm.signed(-sign, D::one()),
+            xb: by_arm.signed(sign, D::one()),
+            f2: sign.of(by_force.dot(&self.e2a)),
+            f3: sign.of(by_force.dot(&self.e3a)),
         }
     }
 }

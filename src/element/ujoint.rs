@@ -275,7 +275,7 @@ impl Formula for GeometricStiffness {
 
     #[inline(always)]
     fn jacobian<D: Scalar>(i: &JointLoads<D>) -> Jacobian<Self, D> {
-        // From a copy of the inputs: read in place, the compiler stores ten more intermediate results.
+        // Of a copy of the inputs the compiler keeps more in registers: it stores ten results fewer on the way.
         let i = &JointLoads { ..*i };
         JointStiffness {
             k_ua_ta: matrix!(i.of_k_ua_ta),

@@ -9,7 +9,7 @@ use super::products::{
     column, double_cross, double_cross_gradient, matrix, symmetric, symmetric_gradient, symmetric_matrix,
 };
 use crate::fields;
-use crate::formula::{Component, Document, Few, Finite, Formula, Jacobian, Spec, cross_gradient};
+use crate::formula::{Component, Document, Few, Finite, Formula, Jacobian, Sign, Spec, cross_gradient};
 use crate::quantity::{
     E1A, E3B, G_ROT_TA, G_ROT_TB, K_TA_TA, K_TA_TB, K_TB_TB, LAMBDA_ROT, MOMENT_A, MOMENT_B, S_TA_TA, S_TB_TB,
 };
@@ -121,59 +121,61 @@ impl<D: Scalar> UniversalLoads<D> {
         double_cross(&self.e1a, &self.e3b) * self.lambda_rot
     }
 
-    /// The gradient of something times λ, by e1a, e3b and λ.
+    /// The gradient of something times λ, by e1a, e3b and λ: of what is so with this sign.
     #[inline(always)]
-    fn gradient(&self, [by_e1a, by_e3b]: [Few<D>; 2], something: D, sign: D) -> Self {
-        let factor = self.lambda_rot * sign;
-        Self { e1a: by_e1a.times(factor), e3b: by_e3b.times(factor), lambda_rot: something * sign }
+    fn gradient(&self, [by_e1a, by_e3b]: [Few<D>; 2], something: D, sign: Sign) -> Self {
+        let by = |few: Few<D>| few.signed(sign, self.lambda_rot);
+        Self { e1a: by(by_e1a), e3b: by(by_e3b), lambda_rot: sign.of(something) }
     }
 
     #[inline(always)]
-    fn of_moment(&self, k: usize, sign: D) -> Self {
+    fn of_moment(&self, k: usize, sign: Sign) -> Self {
         self.gradient(cross_gradient(&self.e1a, &self.e3b, k), self.e1a.cross(&self.e3b)[k], sign)
     }
 
     #[inline(always)]
-    fn of_block(&self, row: usize, column: usize, sign: D) -> Self {
-        let by_axes = double_cross_gradient(&self.e1a, &self.e3b, row, column);
-        self.gradient(by_axes, double_cross(&self.e1a, &self.e3b)[(row, column)], sign)
+    fn of_block(&self, row: usize, column: usize, sign: Sign) -> Self {
+        let (by_axes, own) = double_cross_gradient(&self.e1a, &self.e3b, row, column);
+        let entry = double_cross(&self.e1a, &self.e3b)[(row, column)];
+        self.gradient(by_axes, own.of(entry), own.of(sign))
     }
 
     /// The gradient of the k-th component of the moment on a.
     #[inline(always)]
     pub(super) fn of_ma(&self, k: usize) -> Self {
-        self.of_moment(k, D::one())
+        self.of_moment(k, Sign::Plus)
     }
 
     /// The gradient of the k-th component of the moment on b.
     #[inline(always)]
     pub(super) fn of_mb(&self, k: usize) -> Self {
-        self.of_moment(k, -D::one())
+        self.of_moment(k, Sign::Minus)
     }
 
     /// The gradient of an entry of the block of a.
     #[inline(always)]
     pub(super) fn of_k_ta_ta(&self, row: usize, column: usize) -> Self {
-        self.of_block(row, column, D::one())
+        self.of_block(row, column, Sign::Plus)
     }
 
     /// The gradient of an entry of the block of a and b.
     #[inline(always)]
     pub(super) fn of_k_ta_tb(&self, row: usize, column: usize) -> Self {
-        self.of_block(column, row, -D::one())
+        self.of_block(column, row, Sign::Minus)
     }
 
     /// The gradient of an entry of the block of b.
     #[inline(always)]
     pub(super) fn of_k_tb_tb(&self, row: usize, column: usize) -> Self {
-        self.of_block(column, row, D::one())
+        self.of_block(column, row, Sign::Plus)
     }
 
     /// The gradient of an entry of the symmetric part of either.
     #[inline(always)]
     pub(super) fn of_symmetric(&self, row: usize, column: usize) -> Self {
-        let by_axes = symmetric_gradient(&self.e1a, &self.e3b, row, column);
-        self.gradient(by_axes, symmetric(&double_cross(&self.e1a, &self.e3b))[(row, column)], D::one())
+        let (by_axes, sign) = symmetric_gradient(&self.e1a, &self.e3b, row, column);
+        let entry = symmetric(&double_cross(&self.e1a, &self.e3b))[(row, column)];
+        self.gradient(by_axes, sign.of(entry), sign)
     }
 }
 

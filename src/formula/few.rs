@@ -4,12 +4,41 @@
 
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
+use std::ops::Neg;
 
 /// A vector of which at most two components are not zero everywhere: their places and values.
 ///
 /// The zeros are no numbers that are multiplied, so that nobody computes with them, and none gets a sign.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Few<D>([(usize, D); 2]);
+
+/// A sign that is taken out of a gradient, so that its products are those of others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Sign {
+    Plus,
+    Minus,
+}
+
+impl Sign {
+    #[inline(always)]
+    pub(crate) fn of<X: Neg<Output = X>>(self, x: X) -> X {
+        match self {
+            Self::Plus => x,
+            Self::Minus => -x,
+        }
+    }
+}
+
+impl Neg for Sign {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        match self {
+            Self::Plus => Self::Minus,
+            Self::Minus => Self::Plus,
+        }
+    }
+}
 
 /// No vector has a component there.
 const NOWHERE: usize = 3;
@@ -33,10 +62,20 @@ impl<D: Scalar> Few<D> {
     }
     #[inline(always)]
     pub(crate) fn times(self, factor: D) -> Vector3<D> {
+        self.made(|x| x * factor)
+    }
+    /// As [`times`](Self::times), with this sign: products come first.
+    #[inline(always)]
+    pub(crate) fn signed(self, sign: Sign, factor: D) -> Vector3<D> {
+        self.made(|x| sign.of(x * factor))
+    }
+    /// The vector of what is made of these components.
+    #[inline(always)]
+    fn made(self, make: impl Fn(D) -> D) -> Vector3<D> {
         let [one, other] = self.0;
         let at = |k: usize| match k {
-            _ if k == one.0 => one.1 * factor,
-            _ if k == other.0 => other.1 * factor,
+            _ if k == one.0 => make(one.1),
+            _ if k == other.0 => make(other.1),
             _ => D::zero(),
         };
         Vector3::new(at(0), at(1), at(2))
