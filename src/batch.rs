@@ -3,9 +3,9 @@
 //! Rows are shared out to the threads of [rayon](rayon::ThreadPool::install). Every row is checked, and has the bits that
 //! [`formula::value_and_jacobian`] gives it alone, whatever the number of threads.
 //!
-//! Of a formula of simple operations and comparisons, and with at most 261 results a row, several rows are computed at once, in
-//! the vectors of the processor; the feature `batch-avx512` adds wider ones, where there are any. Those among which one is so large
-//! or so small that it is computed in another way are then computed one by one.
+//! Of a formula of simple operations and comparisons several rows are computed at once, in the vectors of the processor; the
+//! feature `batch-avx512` adds wider ones, where there are any. Those among which one is so large or so small that it is computed
+//! in another way are then computed one by one.
 //!
 //! A column is a view of `ndarray`: of a slice, by `into`, or of numbers any stride apart. With a stride of 0, which
 //! `broadcast` gives, one number stands for all rows.
