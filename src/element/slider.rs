@@ -225,6 +225,26 @@ impl<D: Scalar> SliderLoads<D> {
             k_um_un: p,
         }
     }
+
+    #[inline(always)]
+    fn linearized(&self) -> ValueAndJacobian<GeometricStiffness, D> {
+        let view = self.view();
+        let bent = Bent { along: &view.along, p: matrix!(view.bent, self.multipliers()) };
+        let gradients = SliderStiffness {
+            k_u1_u1: symmetric_matrix!(bent.of_k_u1_u1),
+            k_u1_un: matrix!(bent.of_k_u1_un),
+            k_un_un: symmetric_matrix!(bent.of_k_un_un),
+            k_um_un: matrix!(bent.of_k_um_un),
+        };
+        (self.stiffness(&view), gradients)
+    }
+
+    /// Where several rows are computed at once, what is called is not compiled for vectors. The results of one alone are too many
+    /// to be copied, as they are where it is compiled in place.
+    #[inline(never)]
+    fn linearized_by_call(&self) -> ValueAndJacobian<GeometricStiffness, D> {
+        self.linearized()
+    }
 }
 
 /// What SLIDER exerts on its nodes, Rowsᵀ λ: on m the force across the line, on nodes 1 and n what a lever needs.
@@ -348,18 +368,9 @@ impl Formula for GeometricStiffness {
         Self::linearized(i).1
     }
 
-    // Its results are too many to be copied, as they are where it is compiled in place.
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &SliderLoads<D>) -> ValueAndJacobian<Self, D> {
-        let view = i.view();
-        let bent = Bent { along: &view.along, p: matrix!(view.bent, i.multipliers()) };
-        let gradients = SliderStiffness {
-            k_u1_u1: symmetric_matrix!(bent.of_k_u1_u1),
-            k_u1_un: matrix!(bent.of_k_u1_un),
-            k_un_un: symmetric_matrix!(bent.of_k_un_un),
-            k_um_un: matrix!(bent.of_k_um_un),
-        };
-        (i.stiffness(&view), gradients)
+        if D::has_extremes() { i.linearized_by_call() } else { i.linearized() }
     }
 
     #[inline]

@@ -348,7 +348,7 @@ impl Formula for GeometricStiffness {
         Self::linearized(i).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn linearized<D: Scalar>(i: &TranslatorLoads<D>) -> ValueAndJacobian<Self, D> {
         let JoinStiffness { k_ua_ta, k_ta_ta } = slot::GeometricStiffness::eval(&i.slot());
         let curved = Curved::new(&i.align());
