@@ -81,9 +81,8 @@ fn are_joined(graph: &Graph, condition: Node, own: &Own, (yes, no): (Node, Node)
     let (left, right) = (graph.op(yes), graph.op(no));
     // A length that was there before the sides parted is there on both, and is not computed again.
     let is_known = matches!(left, Op::Norm(_)) && (yes < condition || no < condition);
-    let mentions = |op: &Op| op.operands().contains(&condition);
     let is_own = own[0][yes.index()] || own[1][no.index()];
-    !is_known && !is_own && left.is_like(right) && !mentions(left) && !mentions(right)
+    !is_known && !is_own && left.is_like(right) && !left.mentions(condition) && !right.mentions(condition)
 }
 
 fn operands(graph: &Graph, (yes, no): (Node, Node)) -> impl Iterator<Item = (Node, Node)> + use<> {

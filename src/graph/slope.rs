@@ -10,7 +10,7 @@ impl Graph {
         mark(&mut needed, results);
         for place in (0..needed.len()).rev() {
             if needed[place] {
-                mark(&mut needed, &self.ops()[place].operands());
+                self.ops()[place].each_operand(|operand| needed[operand.index()] = true);
             }
         }
         (0..needed.len()).filter(|&place| needed[place]).map(Node::at).collect()
@@ -28,7 +28,7 @@ impl Graph {
                     let taken = if all[condition.index()] == 1.0 { x } else { y };
                     mark(&mut live, &[*condition, *taken]);
                 }
-                op => mark(&mut live, &op.operands()),
+                op => op.each_operand(|operand| live[operand.index()] = true),
             }
         }
         live

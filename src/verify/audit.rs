@@ -1,6 +1,7 @@
 //! The audit: every claim about a formula, checked at its cases, beside its kinks and at random points.
 
-use super::accuracy::{Exact, bends_at, check_accuracy};
+use super::accuracy::{Exact, check_accuracy};
+use super::bends::Bends;
 use super::branches::Branches;
 use super::claim::Claim;
 use super::difference::{Direction, differences, largest_of_field};
@@ -20,6 +21,7 @@ use crate::{Error, Octuple};
 use num_traits::{Signed, Zero};
 use serde::{Deserialize, Serialize};
 use std::cell::OnceCell;
+use std::iter;
 
 /// Closed form and automatic differentiation agree in 237 bits to this.
 const CLOSED_AGAINST_AD: f64 = 1e-60;
@@ -217,9 +219,9 @@ fn equation_of(subject: &Subject, options: &Options) -> [Claim; 2] {
         if printed.is_defined(point.kink.is_some()) {
             let (values, closed) = ((subject.exact_value)(&point.exact), (subject.exact_jacobian)(&point.exact));
             // Few numbers are so close to a cancellation that it is asked what rounding of the inputs does to them.
-            let (gradients, bends) = (OnceCell::new(), OnceCell::new());
+            let (gradients, bends) = (OnceCell::new(), Bends::at(&point));
             let gradients = || gradients.get_or_init(|| subject.derivative(&point.exact)).as_slice();
-            let bend = |k: usize| bends.get_or_init(|| bends_at(&point, &closed))[k];
+            let bend = |k: usize| bends.of(&point, &closed, k);
             check_equation(claims.each_mut(), &point, &names, [&values, &closed], gradients, bend, &printed);
         }
     }
@@ -312,9 +314,8 @@ impl Audit {
                 let scale = if own.size() < largest * NOTHING { own.plus(largest) } else { own };
                 scale.share_of(closed - ad)
             };
-            let at_most = || share_beside(Sensitivity::none());
-            let closer = || share_beside(exact.least_bend(point, k));
-            self.closed_against_ad.record_last([&at_most, &closer, &share], CLOSED_AGAINST_AD, describe);
+            let sizes = exact.bends_up_to(point, k).map(share_beside).chain(iter::once_with(share));
+            self.closed_against_ad.record_last(sizes, CLOSED_AGAINST_AD, describe);
         }
     }
 

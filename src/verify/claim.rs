@@ -77,30 +77,36 @@ impl Claim {
         self.worst = Some(Deviation { size: f64::MAX, entry: reason, point, found, expected, inputs });
     }
 
-    /// Records the last of sizes of which none is larger than the one before, but each takes longer to compute. Where one
-    /// that is too large is within the bound and not the largest deviation, the others are not asked for.
+    /// Records the last of sizes of which none is smaller than it, but each takes longer to compute, and returns it. Where one
+    /// is within the bound and not the largest deviation, it does as well, and the others are not asked for.
     pub(super) fn record_last(
         &mut self,
-        sizes: [&dyn Fn() -> f64; 3],
+        sizes: impl IntoIterator<Item = f64>,
         bound: f64,
         describe: impl FnOnce(f64) -> Deviation,
-    ) {
-        let known = self.worst.as_ref().map_or(f64::NEG_INFINITY, |worst| worst.size);
-        let mut size = f64::INFINITY;
-        for next in sizes {
-            size = next();
-            if size <= known.min(bound) {
+    ) -> f64 {
+        let enough = self.worst.as_ref().map_or(f64::NEG_INFINITY, |worst| worst.size).min(bound);
+        let mut last = f64::INFINITY;
+        for size in sizes {
+            last = size;
+            if size <= enough {
                 break;
             }
         }
-        self.record(size, bound, describe);
+        self.record(last, bound, describe);
+        last
+    }
+
+    /// Records a deviation that was recorded before once more.
+    pub(super) fn record_again(&mut self, size: f64, bound: f64) {
+        self.checks += 1;
+        self.failures += usize::from(size > bound);
     }
 
     /// What is not a number is no deviation that anybody knows, and within no bound.
     pub(super) fn record(&mut self, size: f64, bound: f64, describe: impl FnOnce(f64) -> Deviation) {
         let size = if size.is_nan() { f64::INFINITY } else { size };
-        self.checks += 1;
-        self.failures += usize::from(size > bound);
+        self.record_again(size, bound);
         if self.worst.as_ref().is_none_or(|worst| size > worst.size) {
             self.worst = Some(describe(size));
         }
@@ -192,8 +198,7 @@ mod tests {
                 asked.set(asked.get() + 1);
                 sizes[k]
             };
-            let asks: [&dyn Fn() -> f64; 3] = [&|| ask(0), &|| ask(1), &|| ask(2)];
-            claim.record_last(asks, 3.0, |size| deviation(size, "last"));
+            claim.record_last((0..3).map(ask), 3.0, |size| deviation(size, "last"));
             assert_eq!(claim.checks, before.len() + 1);
             let (size, entry) = worst(&claim);
             (asked.get(), (size, if entry == "last" { "last" } else { "before" }), claim.failures)

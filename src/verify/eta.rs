@@ -64,10 +64,14 @@ impl Sensitivity {
 /// smallest subnormal is added to the denominator, since no double is closer to an exact result than that.
 /// A computed NaN has η = ∞.
 pub fn eta(computed: f64, exact: Octuple, sensitivity: Sensitivity) -> f64 {
+    let deviation = (Octuple::from(computed) - exact).abs();
+    if deviation.is_zero() && !sensitivity.0.is_nan() {
+        return 0.0;
+    }
     // The smallest subnormal, 2⁻¹⁰⁷⁴.
     let underflow = Octuple::from(f64::from_bits(1));
     let unit = (sensitivity.0 + exact.abs()) * U + underflow * 0.5;
-    let eta = ((Octuple::from(computed) - exact).abs() / unit).to_f64();
+    let eta = (deviation / unit).to_f64();
     if eta.is_nan() { f64::INFINITY } else { eta }
 }
 

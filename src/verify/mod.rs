@@ -44,6 +44,7 @@
 
 mod accuracy;
 mod audit;
+mod bends;
 mod branches;
 mod claim;
 mod difference;
