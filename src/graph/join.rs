@@ -1,7 +1,7 @@
 //! Where two sides of a comparison come together.
 
 use super::node::{Graph, Node, Op};
-use std::collections::{HashMap, HashSet};
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// The results where the condition holds and where it does not, as one list.
 ///
@@ -12,7 +12,7 @@ use std::collections::{HashMap, HashSet};
 pub(super) fn join(graph: &mut Graph, condition: Node, yes: &[Node], no: &[Node]) -> Vec<Node> {
     let pairs: Vec<_> = yes.iter().copied().zip(no.iter().copied()).collect();
     let own = own(graph, condition, &pairs);
-    let mut join = Join { graph, condition, own, joined: HashMap::new() };
+    let mut join = Join { graph, condition, own, joined: FxHashMap::default() };
     pairs.into_iter().map(|pair| join.both(pair)).collect()
 }
 
@@ -23,7 +23,7 @@ struct Join<'a> {
     graph: &'a mut Graph,
     condition: Node,
     own: Own,
-    joined: HashMap<(Node, Node), Node>,
+    joined: FxHashMap<(Node, Node), Node>,
 }
 
 impl Join<'_> {
@@ -77,50 +77,54 @@ fn parted(graph: &Graph, condition: Node, (yes, no): (Node, Node)) -> (Second, N
 }
 
 /// Whether two results become one operation on joined operands.
-fn are_joined(graph: &Graph, condition: Node, own: &Own, (yes, no): (Node, Node)) -> bool {
+fn are_joined(graph: &Graph, condition: Node, own: &Own, pair: (Node, Node)) -> bool {
+    let (yes, no) = pair;
     let (left, right) = (graph.op(yes), graph.op(no));
     // A length that was there before the sides parted is there on both, and is not computed again.
     let is_known = matches!(left, Op::Norm(_)) && (yes < condition || no < condition);
-    let is_own = own[0][yes.index()] || own[1][no.index()];
-    !is_known && !is_own && left.is_like(right) && !left.mentions(condition) && !right.mentions(condition)
+    !is_known && !is_own(own, pair) && left.is_like(right) && !left.mentions(condition) && !right.mentions(condition)
 }
 
 fn operands(graph: &Graph, (yes, no): (Node, Node)) -> impl Iterator<Item = (Node, Node)> + use<> {
     graph.op(yes).operands().into_iter().zip(graph.op(no).operands())
 }
 
-/// What each side needs for itself: the more is not joined, the more that is, until nothing is added.
+/// What each side needs for itself: the more is not joined, the more that is, until nothing that was joined is among it.
 fn own(graph: &Graph, condition: Node, pairs: &[(Node, Node)]) -> Own {
     let mut own = [(); 2].map(|()| vec![false; graph.ops().len()]);
-    let mut is_settled = false;
-    while !is_settled {
-        is_settled = true;
-        let (mut open, mut seen) = (pairs.to_vec(), HashSet::new());
-        while let Some((yes, no)) = open.pop() {
-            if yes == no || !seen.insert((yes, no)) {
-                continue;
-            }
-            if are_joined(graph, condition, &own, (yes, no)) {
-                open.extend(operands(graph, (yes, no)));
-                continue;
-            }
-            let (_, yes, no) = parted(graph, condition, (yes, no));
-            for (own, node) in own.iter_mut().zip([yes, no]) {
-                is_settled &= !add_needed(graph, own, node);
-            }
-        }
-    }
+    while joined(graph, condition, &mut own, pairs).into_iter().any(|pair| is_own(&own, pair)) {}
     own
 }
 
-/// Adds an operation and all that it is computed from; whether it is new.
-fn add_needed(graph: &Graph, needed: &mut [bool], node: Node) -> bool {
-    let is_new = !graph.is_atom(node) && !needed[node.index()];
+/// The pairs that are joined as far as is known what each side needs for itself, to which all others are added.
+fn joined(graph: &Graph, condition: Node, own: &mut Own, pairs: &[(Node, Node)]) -> Vec<(Node, Node)> {
+    let (mut open, mut seen, mut joined) = (pairs.to_vec(), FxHashSet::default(), Vec::new());
+    while let Some(pair) = open.pop() {
+        if pair.0 == pair.1 || !seen.insert(pair) {
+            continue;
+        }
+        if are_joined(graph, condition, own, pair) {
+            joined.push(pair);
+            open.extend(operands(graph, pair));
+        } else {
+            let (_, yes, no) = parted(graph, condition, pair);
+            own.iter_mut().zip([yes, no]).for_each(|(own, node)| add_needed(graph, own, node));
+        }
+    }
+    joined
+}
+
+fn is_own(own: &Own, (yes, no): (Node, Node)) -> bool {
+    own[0][yes.index()] || own[1][no.index()]
+}
+
+/// Adds an operation and all that it is computed from.
+fn add_needed(graph: &Graph, needed: &mut [bool], node: Node) {
     let mut open = vec![node];
     while let Some(node) = open.pop() {
-        if !graph.is_atom(node) && !std::mem::replace(&mut needed[node.index()], true) {
+        if !needed[node.index()] && !graph.is_atom(node) {
+            needed[node.index()] = true;
             graph.op(node).each_operand(|operand| open.push(operand));
         }
     }
-    is_new
 }

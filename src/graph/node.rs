@@ -2,7 +2,7 @@
 
 use crate::Octuple;
 use crate::error::Error;
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 use std::fmt;
 use std::hash::{Hash, Hasher};
 
@@ -167,8 +167,15 @@ impl Op {
         match self {
             Self::Input(_) | Self::Number(_) => {}
             Self::Unary(_, x) => f(*x),
-            Self::Binary(_, x, y) | Self::Compare(_, x, y) => [*x, *y].into_iter().for_each(f),
-            Self::MultiplyAdd(x, y, z) | Self::Select(x, y, z) => [*x, *y, *z].into_iter().for_each(f),
+            Self::Binary(_, x, y) | Self::Compare(_, x, y) => {
+                f(*x);
+                f(*y);
+            }
+            Self::MultiplyAdd(x, y, z) | Self::Select(x, y, z) => {
+                f(*x);
+                f(*y);
+                f(*z);
+            }
             Self::Norm(parts) | Self::Search(_, parts) => parts.iter().copied().for_each(f),
             Self::ExactSum(products) => products.iter().flatten().copied().for_each(f),
         }
@@ -225,7 +232,7 @@ impl Op {
 #[derive(Clone, Debug, Default)]
 pub struct Graph {
     ops: Vec<Op>,
-    known: HashMap<Op, Node>,
+    known: FxHashMap<Op, Node>,
     /// The components of the value.
     pub value: Vec<Node>,
     /// The entries of the Jacobian.
@@ -285,7 +292,7 @@ impl Graph {
     pub(super) fn pruned(&self) -> Self {
         let results = [self.refusal.as_slice(), &self.value, &self.jacobian].concat();
         let mut pruned = Self::default();
-        let mut places = HashMap::new();
+        let mut places = FxHashMap::default();
         for node in self.needed(&results) {
             let op = self.op(node);
             let operands: Vec<_> = op.operands().iter().map(|node| places[node]).collect();

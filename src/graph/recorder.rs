@@ -2,8 +2,8 @@
 
 use super::join::join;
 use super::node::{Binary, Graph, Node, Op, Relation};
+use rustc_hash::FxHashMap;
 use std::cell::RefCell;
-use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 
 thread_local! {
@@ -46,7 +46,7 @@ struct Run {
     start: usize,
     /// The comparisons that were left open by those before, and how they came out.
     taken: Vec<(Node, bool)>,
-    facts: HashMap<Node, bool>,
+    facts: FxHashMap<Node, bool>,
 }
 
 /// Why recording was given up.

@@ -83,17 +83,22 @@ fn check_jacobian(claim: &mut Claim, point: &Point, names: &Names, exact: &Exact
             claim.record_last(sizes, claim.bound, describe)
         };
         let size = judge(alone);
-        if together.to_bits() == alone.to_bits() { claim.record_again(size, claim.bound) } else { judge(together); }
+        // The same number is not judged twice.
+        if together.to_bits() == alone.to_bits() {
+            claim.record_again(size, claim.bound);
+        } else {
+            judge(together);
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::verify::subject::Subject;
     use crate::coulomb::ReturnMap;
     use crate::power::power_of_two;
     use crate::slot::ContactForce;
+    use crate::verify::subject::Subject;
 
     #[test]
     fn the_largest_entry_is_that_of_the_output() {

@@ -112,7 +112,12 @@ mod tests {
                     // As far as differences have digits.
                     let most = bend + (bend + entry.abs()) * 1e-30;
                     let before: Vec<_> = bends.up_to(point, &here, k).map(Sensitivity::size).collect();
-                    assert!(before.iter().all(|&size| size <= most), "{} at {}: {bend:?}", subject.spec.id, point.label);
+                    assert!(
+                        before.iter().all(|&size| size <= most),
+                        "{} at {}: {bend:?}",
+                        subject.spec.id,
+                        point.label
+                    );
                     assert_eq!((before[0], before[before.len() - 1]), (Octuple::zero(), bend));
                 }
             }
