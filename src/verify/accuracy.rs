@@ -85,7 +85,7 @@ fn check_jacobian(claim: &mut Claim, point: &Point, names: &Names, exact: &Exact
         let size = judge(alone);
         // The same number is not judged twice.
         if together.to_bits() == alone.to_bits() {
-            claim.record_again(size, claim.bound);
+            claim.count(size, claim.bound);
         } else {
             judge(together);
         }

@@ -8,8 +8,8 @@ use std::cell::OnceCell;
 
 /// Of every entry of the Jacobian at a point, by how much it changes when every input changes by one part: its bend.
 ///
-/// It takes a Jacobian for every input. That an error is small beside it is often known from less: by fewer inputs it
-/// changes no more.
+/// It takes a Jacobian for every input. Often a part of it is enough: an error that is small beside what the first inputs
+/// do is small beside what all of them do.
 pub(super) struct Bends {
     /// By all inputs moving at once, then by the first one, by the first two, and so on. Near a kink, where differences tell
     /// nothing, by second derivatives alone.
@@ -27,7 +27,7 @@ impl Bends {
         self.step(point, here, self.steps.len() - 1)[k]
     }
 
-    /// Numbers that are not larger, each of which takes one Jacobian more, and in the end the bend.
+    /// Numbers that are not larger, from 0, each of which takes one Jacobian more, and in the end the bend.
     pub(super) fn up_to(&self, point: &Point, here: &[Octuple], k: usize) -> impl Iterator<Item = Sensitivity> {
         (0..=self.steps.len()).map(move |step| match step.checked_sub(1) {
             None => Sensitivity::none(),

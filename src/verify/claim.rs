@@ -97,19 +97,20 @@ impl Claim {
         last
     }
 
-    /// Records a deviation that was recorded before once more.
-    pub(super) fn record_again(&mut self, size: f64, bound: f64) {
-        self.checks += 1;
-        self.failures += usize::from(size > bound);
-    }
-
-    /// What is not a number is no deviation that anybody knows, and within no bound.
     pub(super) fn record(&mut self, size: f64, bound: f64, describe: impl FnOnce(f64) -> Deviation) {
-        let size = if size.is_nan() { f64::INFINITY } else { size };
-        self.record_again(size, bound);
+        let size = self.count(size, bound);
         if self.worst.as_ref().is_none_or(|worst| size > worst.size) {
             self.worst = Some(describe(size));
         }
+    }
+
+    /// Counts a deviation that is not the worst, or of which that is decided elsewhere, and returns it. What is not a number is
+    /// no deviation that anybody knows, and within no bound.
+    pub(super) fn count(&mut self, size: f64, bound: f64) -> f64 {
+        let size = if size.is_nan() { f64::INFINITY } else { size };
+        self.checks += 1;
+        self.failures += usize::from(size > bound);
+        size
     }
 }
 
@@ -180,6 +181,14 @@ mod tests {
         assert_eq!(worst(&both(&[1.0, 7.0], &[])), (7.0, "1"));
         assert_eq!(worst(&both(&[], &[2.0])), (2.0, "0"));
         assert_eq!(both(&[], &[]), checked(&[]));
+    }
+
+    #[test]
+    fn what_is_counted_is_not_the_worst_and_may_fail() {
+        let mut claim = checked(&[1.0]);
+        let counted = [0.5, 9.0, f64::NAN].map(|size| claim.count(size, 3.0));
+        assert_eq!(counted, [0.5, 9.0, f64::INFINITY]);
+        assert_eq!((claim.checks, claim.failures, worst(&claim)), (4, 2, (1.0, "0")));
     }
 
     #[test]
