@@ -3,6 +3,7 @@
 use crate::angle::{angle, angles};
 use crate::asin::asin;
 use crate::eft::exact_sum;
+use crate::exp::exp_m1;
 use crate::scalar::{Leaf, Scalar, itself};
 use crate::squares::Squares;
 
@@ -59,6 +60,10 @@ impl Scalar for f64 {
     #[expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
     fn asin_of(x: Self) -> Self {
         asin(x)
+    }
+    #[inline]
+    fn exp_m1_of(x: Self) -> Self {
+        exp_m1(x)
     }
     #[inline]
     fn abs_of(x: Self) -> Self {

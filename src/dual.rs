@@ -1,6 +1,6 @@
 //! [`Scalar`] of the numbers of `num-dual` that carry derivatives.
 
-use crate::scalar::{Scalar, asin, atan2, divide, norm, norm_and_direction};
+use crate::scalar::{Scalar, asin, atan2, divide, exp_m1, norm, norm_and_direction};
 use nalgebra::{Const, U1};
 use num_dual::{Derivative, Dual, Dual2, Dual2SVec, DualSVec, HyperDual};
 
@@ -73,6 +73,12 @@ macro_rules! first_order {
                 result.eps = x.eps * cosine.recip();
                 result
             }
+            #[inline]
+            fn exp_m1_of(x: Self) -> Self {
+                let mut result = Self::from_re(exp_m1(x.re));
+                result.eps = x.eps * x.re.exp();
+                result
+            }
         }
     };
 }
@@ -97,6 +103,9 @@ macro_rules! second_order {
             }
             fn asin_of(x: Self) -> Self {
                 $fold(asin($unfold(x)))
+            }
+            fn exp_m1_of(x: Self) -> Self {
+                $fold(exp_m1($unfold(x)))
             }
         }
     };

@@ -13,7 +13,7 @@ use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Sou
 use crate::quantity::{
     CLEARANCE, CLOSING_RATE, DAMPING_FRACTION, MU0, OVERCLOSURE, PRESSURE, PRESSURE_AT_TOUCH, STIFFNESS,
 };
-use crate::scalar::{Leaf, Scalar, abs, constant};
+use crate::scalar::{Leaf, Scalar, abs, choice, constant, exp_m1};
 
 const SOURCE: Source = Document::SLIDE_LINE.ours(
     "Defining nondefault mechanical surface interactions with slide line elements",
@@ -73,17 +73,20 @@ impl PressureExponential {
     #[inline]
     fn rise<D: Scalar>(i: &ExponentialContact<D>) -> Option<[D; 2]> {
         let [kappa, per] = growth::<D>();
-        if i.h * 2.0 >= -i.c0 {
-            let q = i.h / i.c0;
-            let (s, m) = (q + 1.0, q.exp_m1() * kappa);
-            return Some([s * (m + 1.0), s * (m + kappa) + (m + 1.0)]);
-        }
-        let s = (i.h + i.c0) / i.c0;
+        let [s, exponent, factor, beside] = choice(|| {
+            if i.h * 2.0 >= -i.c0 {
+                let q = i.h / i.c0;
+                [q + 1.0, q, kappa, D::one()]
+            } else {
+                let s = (i.h + i.c0) / i.c0;
+                [s, s, per, D::zero()]
+            }
+        });
         if s <= 0.0 {
             return None;
         }
-        let m = s.exp_m1() * per;
-        Some([s * m, (s + 1.0) * m + s * per])
+        let m = exp_m1(exponent) * factor;
+        Some([s * (m + beside), s * (m + factor) + (m + beside)])
     }
 
     #[cold]

@@ -75,6 +75,7 @@ pub mod element;
 #[cfg(feature = "verify")]
 pub mod equation;
 mod error;
+mod exp;
 pub mod formula;
 pub mod frame;
 #[cfg(feature = "verify")]

@@ -3,6 +3,7 @@
 use crate::angle::usual_angles;
 use crate::asin::asin;
 use crate::double::SQUARES;
+use crate::exp::exp_m1;
 use crate::newtype::{newtype_dual_num, newtype_number, newtype_text};
 use crate::scalar::Scalar;
 use num_traits::FromPrimitive;
@@ -57,6 +58,10 @@ impl Scalar for Ordinary {
     #[expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
     fn asin_of(x: Self) -> Self {
         Self(asin(x.0))
+    }
+    #[inline]
+    fn exp_m1_of(x: Self) -> Self {
+        Self(exp_m1(x.0))
     }
     #[inline]
     fn has_extremes() -> bool {

@@ -76,19 +76,6 @@ fn from<T: Component, X: Fields<T>>(components: impl IntoIterator<Item = T>) -> 
     X::from_components(&mut || all.next().expect("there are as many components as the struct has"))
 }
 
-/// The Jacobian of outputs, where the K numbers are the inputs in order.
-#[inline]
-pub(super) fn gradients<D, I, X, Y, const K: usize>(outputs: &X) -> Y
-where
-    D: Scalar,
-    I: Fields<D>,
-    X: Fields<Term<D, K>>,
-    Y: Fields<I>,
-{
-    let terms = components(outputs, Term::constant(D::zero()));
-    from(terms.as_ref().iter().map(|term| from(term.slope.iter().copied())))
-}
-
 /// What a formula gives at such numbers, from its value and its Jacobian at their values.
 #[inline]
 pub(super) fn through<F: Formula, D: Scalar, const K: usize>(
@@ -107,28 +94,8 @@ pub(super) fn through<F: Formula, D: Scalar, const K: usize>(
     from(value.as_ref().iter().zip(gradients.as_ref()).map(|(&value, gradient)| Term::new(value, slope(gradient))))
 }
 
-/// The inputs of a formula, by all of which derivatives are taken.
-#[inline]
-pub(super) fn variables<const K: usize, D: Scalar, X: Fields<D>, Y: Fields<Term<D, K>>>(inputs: &X) -> Y {
-    let values = components(inputs, D::zero());
-    from(values.as_ref().iter().enumerate().map(|(k, &value)| Term::variable(value, k)))
-}
-
 /// A formula of such numbers.
 #[inline]
 pub(super) fn chain<F: Formula, D: Scalar, const K: usize>(i: &F::Inputs<Term<D, K>>) -> F::Outputs<Term<D, K>> {
     through::<F, D, K>(i, F::linearized)
-}
-
-/// The struct of other numbers that are made of these one by one.
-#[inline]
-pub(super) fn each<A, B, X, Y>(x: &X, filler: A, of: impl Fn(A) -> B) -> Y
-where
-    A: Component,
-    B: Component,
-    X: Fields<A>,
-    Y: Fields<B>,
-{
-    let all = components(x, filler);
-    from(all.as_ref().iter().map(|&component| of(component)))
 }

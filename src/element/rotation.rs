@@ -108,14 +108,15 @@ impl Formula for EulerParameters {
     const SPEC: Spec = Spec::new("element.euler_parameters", "A moment on Euler parameters", OURS)
         .equation(r"m_{q0} = -2\,\mathbf{q}\cdot\mathbf{m},\quad \mathbf{m}_q = 2\,(q_0\,\mathbf{m} - \mathbf{q}\times\mathbf{m})")
         .eta(1.5, 1.0)
-        .scale(1e120)
+        .scale(1e250)
         .finite(Finite::Below);
     type Inputs<T: Component> = QuaternionLoad<T>;
     type Outputs<T: Component> = EulerMoment<T>;
 
     #[inline]
     fn eval<D: Scalar>(i: &QuaternionLoad<D>) -> EulerMoment<D> {
-        EulerMoment { m_q0: i.q.dot(&i.m) * -2.0, m_q: (i.m * i.q0 - i.q.cross(&i.m)) * D::from(2.0) }
+        let (q0, q) = (i.q0 * 2.0, i.q * D::from(2.0));
+        EulerMoment { m_q0: -q.dot(&i.m), m_q: i.m * q0 - q.cross(&i.m) }
     }
 
     #[inline]
@@ -123,8 +124,8 @@ impl Formula for EulerParameters {
         let (two, minus) = (D::from(2.0), D::from(-1.0));
         let (q0, q, m) = (i.q0 * two, i.q * two, i.m * two);
         let row = |k: usize| {
-            let [by_q, by_m] = cross_gradient(&q, &m, k);
-            QuaternionLoad { q0: m[k], q: by_q.times(minus), m: by_m.added_to(&along(k, q0), minus) }
+            let [by_q, by_m] = cross_gradient(&q, &m, k).map(|gradient| gradient.times(minus));
+            QuaternionLoad { q0: m[k], q: by_q, m: Vector3::from_fn(|j, _| if j == k { q0 } else { by_m[j] }) }
         };
         EulerMoment { m_q0: QuaternionLoad { q0: D::zero(), q: -m, m: -q }, m_q: Vector3::new(row(0), row(1), row(2)) }
     }

@@ -26,23 +26,18 @@ pub mod stiffness;
 use crate::scalar::{Scalar, abs, choice};
 use crate::slide_line::{LinearPlace, ParabolicPlace, Sides, length_and_tangent, shape};
 use nalgebra::Vector2;
-use std::ops::{Add, Mul, Neg};
-
-/// What products and sums are made of: numbers, or numbers with their derivatives.
-trait Number: Copy + Add<Output = Self> + Mul<Output = Self> + Neg<Output = Self> {}
-impl<T: Copy + Add<Output = T> + Mul<Output = T> + Neg<Output = T>> Number for T {}
 
 /// A place on a segment of N nodes.
 #[derive(Clone, Copy, Debug)]
-struct Spot<T, const N: usize> {
-    t: Vector2<T>,
-    n: Vector2<T>,
+struct Spot<D, const N: usize> {
+    t: Vector2<D>,
+    n: Vector2<D>,
     /// Nᵢ.
-    weights: [T; N],
+    weights: [D; N],
     /// Nᵢ′/|X′|: by the length of the line.
-    rates: [T; N],
+    rates: [D; N],
     /// The curvature n·X″/|X′|².
-    curvature: T,
+    curvature: D,
 }
 
 /// A place on a segment, and what its derivatives need beside it.
@@ -151,9 +146,4 @@ impl<D: Scalar> Place<D, 3> {
         let of = |i: usize| self.spot.n * self.spot.rates[i] * turned;
         ParabolicPlace { x1: of(0), x2: of(1), x3: of(2), g }
     }
-}
-
-/// a times a vector.
-fn times<T: Number + nalgebra::Scalar>(v: Vector2<T>, a: T) -> Vector2<T> {
-    v.map(|x| x * a)
 }

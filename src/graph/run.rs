@@ -2,7 +2,7 @@
 
 use super::node::{Binary, Graph, Node, Op, Relation, Search, Unary};
 use crate::Octuple;
-use crate::scalar::{Leaf, abs, asin, atan2, norm};
+use crate::scalar::{Leaf, abs, asin, atan2, exp_m1, norm};
 
 /// A number in which a graph can be computed.
 pub trait Number: Leaf {
@@ -44,7 +44,7 @@ impl Unary {
             Self::Cosine => x.cos(),
             Self::ArcSine => asin(x),
             Self::Exponential => x.exp(),
-            Self::ExponentialMinusOne => x.exp_m1(),
+            Self::ExponentialMinusOne => exp_m1(x),
             Self::PowerOfTwo => x.power_of_two_below()[0],
         }
     }

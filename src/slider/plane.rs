@@ -125,19 +125,20 @@ impl Formula for IncrementalConstraint2d {
     fn linearized<D: Scalar>(i: &MovingNodes2d<D>) -> ValueAndJacobian<Self, D> {
         let span = Span::new(&i.x1, &i.xn);
         let station = Station::new(&span, &i.x1, &i.xn, &i.xm);
-        let ([share, rest], [share_x1, share_xn, share_xm]) = (station.shares(), station.gradients(&span));
+        let ([share, rest], [by_x1, by_xn]) = (station.shares(), station.unscaled_gradients(&span));
         let v = i.dxm - station.blend(&i.dx1, &i.dxn);
         // Everything times the length of d, by which the row is divided in the end: what is zero stays it.
         let (root, ray) = (span.square.sqrt(), Vector2::new(-span.d.y, span.d.x));
         let per_root = root.recip();
-        let (gain, turn) = (span.d.perp(&(i.dxn - i.dx1)), v.dot(&span.d) * span.factor());
+        let (t, factor) = (ray * per_root, span.factor());
+        let (gain, turn) = (span.d.perp(&(i.dxn - i.dx1)) * factor, v.dot(&span.d) * factor);
         let by = MovingNodes2d {
-            x1: (ray * turn - share_x1 * gain) * per_root,
-            xn: (ray * -turn - share_xn * gain) * per_root,
-            xm: share_xm * -gain * per_root,
-            dx1: ray * -rest * per_root,
-            dxn: ray * -share * per_root,
-            dxm: ray * per_root,
+            x1: (ray * turn + by_x1 * gain) * per_root,
+            xn: (ray * -turn - by_xn * gain) * per_root,
+            xm: span.d * -gain * per_root,
+            dx1: t * -rest,
+            dxn: t * -share,
+            dxm: t,
         };
         (IncrementalResidual2d { r: span.d.perp(&v) / root }, IncrementalResidual2d { r: by })
     }

@@ -97,6 +97,7 @@ impl Claim {
         last
     }
 
+    /// Counts a deviation, and describes it if it is the worst so far.
     pub(super) fn record(&mut self, size: f64, bound: f64, describe: impl FnOnce(f64) -> Deviation) {
         let size = self.count(size, bound);
         if self.worst.as_ref().is_none_or(|worst| size > worst.size) {

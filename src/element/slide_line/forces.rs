@@ -3,7 +3,7 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::{Number, Place, Spot, times};
+use super::{Place, Spot};
 use crate::error::Error;
 use crate::fields;
 use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
@@ -45,21 +45,17 @@ fields! {
 }
 
 /// On the slave point A (S11 n − S12 t), on the nodes −Nᵢ times that.
-fn acting<T: Number + nalgebra::Scalar, const N: usize>(
-    spot: &Spot<T, N>,
-    [area, s11, s12]: [T; 3],
-) -> (Vector2<T>, [Vector2<T>; N]) {
-    let across = times(spot.n, area * s11);
-    let fs = across.zip_map(&times(spot.t, area * s12), |normal, shear| normal + -shear);
-    (fs, spot.weights.map(|weight| times(fs, -weight)))
+fn acting<D: Scalar, const N: usize>(spot: &Spot<D, N>, [area, s11, s12]: [D; 3]) -> (Vector2<D>, [Vector2<D>; N]) {
+    let fs = spot.n * (area * s11) - spot.t * (area * s12);
+    (fs, spot.weights.map(|weight| fs * -weight))
 }
 
 /// How the force on the slave point changes.
-struct Change<D> {
+pub(super) struct Change<D> {
     /// A S11 and −A S12, by which it is made of n and t.
     loads: [D; 2],
     /// By the turn of the tangent: −A (S11 t + S12 n).
-    turned: Vector2<D>,
+    pub(super) turned: Vector2<D>,
     by_area: Vector2<D>,
     by_s11: Vector2<D>,
     by_s12: Vector2<D>,
@@ -67,7 +63,7 @@ struct Change<D> {
 
 impl<D: Scalar> Change<D> {
     #[inline(always)]
-    fn new<const N: usize>(spot: &Spot<D, N>, [area, s11, s12]: [D; 3]) -> Self {
+    pub(super) fn new<const N: usize>(spot: &Spot<D, N>, [area, s11, s12]: [D; 3]) -> Self {
         let Spot { t, n, .. } = *spot;
         let (normal, shear) = (area * s11, area * s12);
         Self {
@@ -81,7 +77,7 @@ impl<D: Scalar> Change<D> {
 
     /// By area and stresses.
     #[inline(always)]
-    fn by_loads(&self, k: usize) -> [D; 3] {
+    pub(super) fn by_loads(&self, k: usize) -> [D; 3] {
         [self.by_area[k], self.by_s11[k], self.by_s12[k]]
     }
 }
@@ -91,7 +87,7 @@ impl<D: Scalar> Change<D> {
 pub struct Linear;
 
 impl Linear {
-    pub(super) fn at<T: Number + nalgebra::Scalar>(spot: &Spot<T, 2>, loads: [T; 3]) -> LinearForces<T> {
+    pub(super) fn at<D: Scalar>(spot: &Spot<D, 2>, loads: [D; 3]) -> LinearForces<D> {
         let (fs, [f1, f2]) = acting(spot, loads);
         LinearForces { fs, f1, f2 }
     }
@@ -147,7 +143,7 @@ impl Formula for Linear {
 pub struct Parabolic;
 
 impl Parabolic {
-    fn at<T: Number + nalgebra::Scalar>(spot: &Spot<T, 3>, loads: [T; 3]) -> ParabolicForces<T> {
+    fn at<D: Scalar>(spot: &Spot<D, 3>, loads: [D; 3]) -> ParabolicForces<D> {
         let (fs, [f1, f2, f3]) = acting(spot, loads);
         ParabolicForces { fs, f1, f2, f3 }
     }

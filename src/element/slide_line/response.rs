@@ -10,19 +10,18 @@ mod proof;
 use super::Spot;
 use super::forces::{self, LinearForces};
 use super::friction::{self, Rubbing};
-use crate::element::chain::{Term, chain, each, gradients, through, variables};
 use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec, ValueAndJacobian};
+use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Spec, ValueAndJacobian};
 use crate::interaction::{LinearContact, PressureLinear};
 use crate::quantity::{
     DSLIP, LINE_FORCE_1, LINE_FORCE_2, LINE_FORCE_S, LINE_G, LINE_G_BEFORE, MU, S11, S12, S12_BEFORE, SHEAR_STIFFNESS,
     STIFFNESS, X1, X2, XO, XS,
 };
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, choice};
 use crate::slide_line::{
-    Basis, ClosestLinear, ContactAreaLinear, Direction, LinearMotion, LinearNodes, LinearPoint, LinearSlave,
-    LocalBasis, SlipIncrementLinear, check_distinct, check_radii,
+    ContactAreaLinear, LinearMotion, LinearNodes, LinearPoint, LinearSlave, LocalBasis, Projection, SegmentFoot,
+    SlipIncrementLinear, check_distinct, check_radii, left, shape,
 };
 use nalgebra::Vector2;
 
@@ -45,32 +44,142 @@ fields! {
 #[derive(Clone, Copy, Debug)]
 pub struct Linear;
 
-impl Linear {
-    /// N₁ and N₂ at the place g, which changes as it does; from g alone the smaller one would lose digits.
-    fn weights<D: Scalar, const K: usize>(slave: &LinearSlave<Term<D, K>>, g: Term<D, K>) -> [Term<D, K>; 2] {
-        let values: LinearSlave<D> = each(slave, Term::constant(D::zero()), |term: Term<D, K>| term.value);
-        let [n1, n2] = ClosestLinear::weights_on_line(&values);
-        let half = g.slope * D::from(0.5);
-        [Term::new(n1, -half), Term::new(n2, half)]
+/// What value and Jacobian have in common.
+struct Contact<D> {
+    line: Projection<D>,
+    pressed: LinearContact<D>,
+    rubbing: Rubbing<D>,
+    nodes: LinearNodes<D>,
+    spot: Spot<D, 2>,
+    /// A, S11 and S12.
+    loads: [D; 3],
+}
+
+impl<D: Scalar> Contact<D> {
+    #[inline(always)]
+    fn new(i: &LinearPressed<D>) -> Self {
+        let LinearPressed { xs, xo, x1, x2, g_before, s12_before, k, k_el, mu } = *i;
+        let line = Projection::new(&LinearSlave { xs, x1, x2 });
+        let pressed = LinearContact { h: -line.separation, k };
+        let [s11] = choice(|| [PressureLinear::eval(&pressed).p]);
+        // From the place before, as it is now, to the slave point: positions in place of displacements.
+        let motion = LinearMotion { x1, x2, g: g_before, dxs: xs, dx1: x1, dx2: x2 };
+        let rubbing = Rubbing { s11, dslip: SlipIncrementLinear::eval(&motion).dslip, s12_before, k_el, mu };
+        let nodes = LinearNodes { x1: xs, x2: xo };
+        let [s12] = choice(|| [friction::Response::eval(&rubbing).s12]);
+        let loads = [ContactAreaLinear::eval(&nodes).a1, s11, s12];
+        let (zero, n) = (D::zero(), left(line.t));
+        // By its weights: from g alone the smaller one would lose digits.
+        let spot = Spot { t: line.t, n, weights: line.weights, rates: [zero; 2], curvature: zero };
+        Self { line, pressed, rubbing, nodes, spot, loads }
     }
 
     #[inline(always)]
-    #[expect(clippy::inline_always, reason = "where derivatives are 0 is seen where it is compiled in place")]
-    fn at<D: Scalar, const K: usize>(i: &LinearPressed<Term<D, K>>) -> LinearAnswer<Term<D, K>> {
-        let LinearPressed { xs, xo, x1, x2, g_before, s12_before, k, k_el, mu } = *i;
-        let slave = LinearSlave { xs, x1, x2 };
-        let foot = through::<ClosestLinear, _, K>(&slave, ClosestLinear::on_line);
-        let s11 = chain::<PressureLinear, _, K>(&LinearContact { h: -foot.separation, k }).p;
-        // From the place before, as it is now, to the slave point: positions in place of displacements.
-        let motion = LinearMotion { x1, x2, g: g_before, dxs: xs, dx1: x1, dx2: x2 };
-        let dslip = chain::<SlipIncrementLinear, _, K>(&motion).dslip;
-        let s12 = chain::<friction::Response, _, K>(&Rubbing { s11, dslip, s12_before, k_el, mu }).s12;
-        let area = chain::<ContactAreaLinear, _, K>(&LinearNodes { x1: xs, x2: xo }).a1;
-        let Basis { t, n } = chain::<LocalBasis, _, K>(&Direction { dx: x2.zip_map(&x1, |to, from| to + -from) });
-        let (zero, weights) = (Term::constant(D::zero()), Self::weights(&slave, foot.g));
-        let LinearForces { fs, f1, f2 } =
-            forces::Linear::at(&Spot { t, n, weights, rates: [zero; 2], curvature: zero }, [area, s11, s12]);
-        LinearAnswer { g: foot.g, dslip, s11, s12, fs, f1, f2 }
+    fn answer(&self) -> LinearAnswer<D> {
+        let ([_, s11, s12], LinearForces { fs, f1, f2 }) = (self.loads, forces::Linear::at(&self.spot, self.loads));
+        LinearAnswer { g: self.line.foot_on_line().g, dslip: self.rubbing.dslip, s11, s12, fs, f1, f2 }
+    }
+
+    #[inline(always)]
+    fn gradients(&self, i: &LinearPressed<D>, fs: Vector2<D>) -> Jacobian<Linear, D> {
+        let SegmentFoot { g, separation } = self.line.gradients_on_line();
+        let (dslip, s11) = (self.of_slip(i.g_before), self.of_pressure(&separation));
+        let s12 = self.of_shear(&s11, &dslip);
+        let slave = Vector2::new(self.of_force(0, &s11, &s12), self.of_force(1, &s11, &s12));
+        // −Nᵢ fs, where Nᵢ changes by ∓½ δg.
+        let node = |weight: D, half: f64| Vector2::from_fn(|k, _| slave[k].shared(-weight, &g, fs[k] * half));
+        let [n1, n2] = self.line.weights;
+        LinearAnswer {
+            g: LinearPressed::by_places(g),
+            dslip,
+            s11,
+            s12,
+            fs: slave,
+            f1: node(n1, 0.5),
+            f2: node(n2, -0.5),
+        }
+    }
+
+    /// t·(δxs − Σ Nᵢ δxᵢ) with the weights before, −½ℓ δg before, and E11 δφ: the segment turns by δφ = n·(δx2 − δx1)/ℓ.
+    #[inline(always)]
+    fn of_slip(&self, g_before: D) -> LinearPressed<D> {
+        let Projection { t, length, per_length, separation, .. } = self.line;
+        let ([n1, n2], turned) = (shape::linear(g_before), self.spot.n * (separation * per_length));
+        let places = LinearSlave { xs: t, x1: -(t * n1) - turned, x2: turned - t * n2 };
+        LinearPressed { g_before: length * -0.5, ..LinearPressed::by_places(places) }
+    }
+
+    #[inline(always)]
+    fn of_pressure(&self, separation: &LinearSlave<D>) -> LinearPressed<D> {
+        let [h, k] = choice(|| {
+            let LinearContact { h, k } = PressureLinear::jacobian(&self.pressed).p;
+            [h, k]
+        });
+        let [xs, x1, x2] = [separation.xs, separation.x1, separation.x2].map(|by_e11| by_e11 * -h);
+        LinearPressed { k, ..LinearPressed::by_places(LinearSlave { xs, x1, x2 }) }
+    }
+
+    #[inline(always)]
+    fn of_shear(&self, s11: &LinearPressed<D>, dslip: &LinearPressed<D>) -> LinearPressed<D> {
+        let [by_s11, by_dslip, s12_before, k_el, mu] = choice(|| {
+            let Rubbing { s11, dslip, s12_before, k_el, mu } = friction::Response::jacobian(&self.rubbing).s12;
+            [s11, dslip, s12_before, k_el, mu]
+        });
+        let places = s11.places_of_sum(by_s11, dslip, by_dslip);
+        let (g_before, k) = (dslip.g_before * by_dslip, s11.k * by_s11);
+        LinearPressed { g_before, s12_before, k, k_el, mu, ..LinearPressed::by_places(places) }
+    }
+
+    /// Of the c-th component of the force on the slave point.
+    #[inline(always)]
+    fn of_force(&self, c: usize, s11: &LinearPressed<D>, s12: &LinearPressed<D>) -> LinearPressed<D> {
+        let change = forces::Change::new(&self.spot, self.loads);
+        let [by_area, by_s11, by_s12] = change.by_loads(c);
+        let turned = self.spot.n * (change.turned[c] * self.line.per_length);
+        let area = ContactAreaLinear::jacobian(&self.nodes).a1;
+        let LinearSlave { xs, x1, x2 } = s11.places_of_sum(by_s11, s12, by_s12);
+        LinearPressed {
+            xs: xs + area.x1 * by_area,
+            xo: area.x2 * by_area,
+            x1: x1 - turned,
+            x2: x2 + turned,
+            g_before: s12.g_before * by_s12,
+            s12_before: s12.s12_before * by_s12,
+            k: s11.k * by_s11 + s12.k * by_s12,
+            k_el: s12.k_el * by_s12,
+            mu: s12.mu * by_s12,
+        }
+    }
+}
+
+/// As gradients.
+impl<D: Scalar> LinearPressed<D> {
+    /// By the slave point and the segment alone.
+    #[inline(always)]
+    fn by_places(LinearSlave { xs, x1, x2 }: LinearSlave<D>) -> Self {
+        Self { xs, x1, x2, ..Self::filled(D::zero()) }
+    }
+
+    /// What p times this and q times another have by these places.
+    #[inline(always)]
+    fn places_of_sum(&self, p: D, other: &Self, q: D) -> LinearSlave<D> {
+        LinearSlave { xs: self.xs * p + other.xs * q, x1: self.x1 * p + other.x1 * q, x2: self.x2 * p + other.x2 * q }
+    }
+
+    /// A share of this, and so much of that of g.
+    #[inline(always)]
+    fn shared(&self, share: D, g: &LinearSlave<D>, by_g: D) -> Self {
+        Self {
+            xs: self.xs * share + g.xs * by_g,
+            xo: self.xo * share,
+            x1: self.x1 * share + g.x1 * by_g,
+            x2: self.x2 * share + g.x2 * by_g,
+            g_before: self.g_before * share,
+            s12_before: self.s12_before * share,
+            k: self.k * share,
+            k_el: self.k_el * share,
+            mu: self.mu * share,
+        }
     }
 }
 
@@ -90,8 +199,7 @@ impl Formula for Linear {
 
     #[inline]
     fn eval<D: Scalar>(i: &LinearPressed<D>) -> LinearAnswer<D> {
-        let still: LinearPressed<Term<D, 0>> = each(i, D::zero(), Term::constant);
-        each(&Self::at(&still), Term::constant(D::zero()), |term: Term<D, 0>| term.value)
+        Contact::new(i).answer()
     }
 
     #[inline]
@@ -101,8 +209,9 @@ impl Formula for Linear {
 
     #[inline]
     fn linearized<D: Scalar>(i: &LinearPressed<D>) -> ValueAndJacobian<Self, D> {
-        let answer = Self::at(&variables::<13, _, _, _>(i));
-        (each(&answer, Term::constant(D::zero()), |term: Term<D, 13>| term.value), gradients(&answer))
+        let contact = Contact::new(i);
+        let answer = contact.answer();
+        (answer, contact.gradients(i, answer.fs))
     }
 
     #[inline]

@@ -30,26 +30,29 @@ fields! {
 pub struct ClosestLinear;
 
 /// What value and Jacobian have in common.
-struct Projection<D> {
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Projection<D> {
+    /// ℓ.
+    pub(crate) length: D,
     /// 1/ℓ.
-    per_length: D,
-    t: Vector2<D>,
+    pub(crate) per_length: D,
+    pub(crate) t: Vector2<D>,
     /// Distance of the slave point from the straight line, to the left of it.
-    separation: D,
+    pub(crate) separation: D,
     /// Weights of the nodes at the foot on the whole line: inside the segment where both are positive.
-    weights: [D; 2],
+    pub(crate) weights: [D; 2],
 }
 
 impl<D: Scalar> Projection<D> {
     #[inline]
-    fn new(i: &LinearSlave<D>) -> Self {
+    pub(crate) fn new(i: &LinearSlave<D>) -> Self {
         let (length, t) = length_and_tangent(i.x2 - i.x1);
         let per_length = length.recip();
         let (from_1, from_2) = (i.xs - i.x1, i.xs - i.x2);
         let (n1, n2) = (-from_2.dot(&t) * per_length, from_1.dot(&t) * per_length);
         // From the nearer node, so that the far one does not blur it.
         let gap = if n1 > n2 { from_1 } else { from_2 };
-        Self { per_length, t, separation: t.perp(&gap), weights: [n1, n2] }
+        Self { length, per_length, t, separation: t.perp(&gap), weights: [n1, n2] }
     }
 
     /// −1 or 1 at an end, 0 inside.
@@ -61,7 +64,7 @@ impl<D: Scalar> Projection<D> {
 
     /// On the whole line, past the ends of the segment too.
     #[inline]
-    fn foot_on_line(&self) -> SegmentFoot<D> {
+    pub(crate) fn foot_on_line(&self) -> SegmentFoot<D> {
         let [n1, n2] = self.weights;
         // From the smaller weight, which keeps g between the ends: the rounded weights do not add up to 1.
         let g = if n1 > n2 { n2 * 2.0 - 1.0 } else { -(n1 * 2.0) + 1.0 };
@@ -90,7 +93,7 @@ impl<D: Scalar> Projection<D> {
 
     /// ∂g/∂xs = 2t/ℓ, and a turn of the segment moves the foot by the separation.
     #[inline]
-    fn gradients_on_line(&self) -> SegmentFoot<LinearSlave<D>> {
+    pub(crate) fn gradients_on_line(&self) -> SegmentFoot<LinearSlave<D>> {
         let ([n1, n2], n) = (self.weights, left(self.t));
         let rate = self.per_length * 2.0;
         let along = self.t * rate;
@@ -106,12 +109,6 @@ impl ClosestLinear {
     pub(crate) fn on_line<D: Scalar>(i: &LinearSlave<D>) -> ValueAndJacobian<Self, D> {
         let projection = Projection::new(i);
         (projection.foot_on_line(), projection.gradients_on_line())
-    }
-
-    /// The weights of the nodes there, each in all its digits; their derivatives are ∓½ those of g.
-    #[inline]
-    pub(crate) fn weights_on_line<D: Scalar>(i: &LinearSlave<D>) -> [D; 2] {
-        Projection::new(i).weights
     }
 }
 

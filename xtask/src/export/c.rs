@@ -129,7 +129,7 @@ pub(super) const NAMES: Names = Names {
         Unary::Cosine => "cos",
         Unary::ArcSine => "jp_asin",
         Unary::Exponential => "exp",
-        Unary::ExponentialMinusOne => "expm1",
+        Unary::ExponentialMinusOne => "jp_expm1",
         Unary::PowerOfTwo => "jp_power_of_two",
     },
     angle: "jp_angle",

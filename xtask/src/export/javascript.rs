@@ -23,7 +23,7 @@ const NAMES: Names = Names {
         Unary::Cosine => "Math.cos",
         Unary::ArcSine => "asin",
         Unary::Exponential => "Math.exp",
-        Unary::ExponentialMinusOne => "Math.expm1",
+        Unary::ExponentialMinusOne => "expm1",
         Unary::PowerOfTwo => "powerOfTwo",
     },
     angle: "angle",
@@ -129,7 +129,7 @@ pub(super) fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
 
 fn imports<'a>(stem: &str, parts: impl Iterator<Item = &'a usize>) -> String {
     let parts = parts.map(|part| format!("import {{ part{part} }} from './jp_{stem}_part{part}.mjs';\n"));
-    "import {\n    angle, asin, exactSum, multiplyAdd, nearestPlace, norm2, norm3, norm4, powerOfTwo,\n} from './jp_runtime.mjs';\n"
+    "import {\n    angle, asin, exactSum, expm1, multiplyAdd, nearestPlace, norm2, norm3, norm4, powerOfTwo,\n} from './jp_runtime.mjs';\n"
         .to_owned()
         + &parts.collect::<String>()
 }

@@ -29,7 +29,7 @@ const NAMES: Names = Names {
         Unary::Cosine => "np.cos",
         Unary::ArcSine => "asin",
         Unary::Exponential => "np.exp",
-        Unary::ExponentialMinusOne => "np.expm1",
+        Unary::ExponentialMinusOne => "expm1",
         Unary::PowerOfTwo => "power_of_two",
     },
     angle: "angle",
@@ -86,7 +86,7 @@ fn source(one: &Recorded) -> String {
     let mut text = Text::from(format!("r\"\"\"{}\n\n0 is returned by refused(...), or\n", description(one).join("\n")));
     text.push_all(refusals(one).iter().map(|line| format!("{line}\n")));
     text.push(
-        "\"\"\"\n\nimport numpy as np\n\nfrom jp_runtime import (\n    angle, arrays, asin, code, exact_sum, multiply_add, nearest_place, norm2, \
+        "\"\"\"\n\nimport numpy as np\n\nfrom jp_runtime import (\n    angle, arrays, asin, code, exact_sum, expm1, multiply_add, nearest_place, norm2, \
          norm3, norm4,\n    over_arrays, power_of_two, stacked,\n)\n\n",
     );
     let fields = |name: &str, fields: &[Field]| {

@@ -28,8 +28,8 @@ impl Layer {
     /// The layer of a module at the root of the library; what is not named here is a room.
     fn of(module: &str) -> Self {
         match module {
-            "angle" | "asin" | "binade" | "double" | "eft" | "error" | "newtype" | "octuple" | "ordinary" | "power"
-            | "prefetch" | "quantity" | "scalar" | "single" | "squares" => Self::Ground,
+            "angle" | "asin" | "binade" | "double" | "eft" | "error" | "exp" | "newtype" | "octuple" | "ordinary"
+            | "power" | "prefetch" | "quantity" | "scalar" | "single" | "squares" => Self::Ground,
             "formula" => Self::Formula,
             "proof" => Self::Proof,
             "batch" | "equation" | "graph" | "verify" | "measure" => Self::Toolkit,

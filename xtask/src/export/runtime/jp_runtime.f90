@@ -14,11 +14,11 @@ module jp_runtime
             real(c_double), value :: x, y, z
             real(c_double) :: w
         end function jp_fma
-        pure function jp_expm1(x) bind(c, name='expm1') result(w)
+        pure function jp_library_expm1(x) bind(c, name='expm1') result(w)
             import :: c_double
             real(c_double), value :: x
             real(c_double) :: w
-        end function jp_expm1
+        end function jp_library_expm1
     end interface
 
     ! An exact sum, kept as parts that do not overlap, smaller ones first, none of them 0
@@ -143,6 +143,34 @@ contains
         lost = (turn - total) + way*s
         angle = sign(total + (lost + way*rest), x)
     end function jp_asin
+
+    ! e**x - 1: with x = k ln 2 + r it is 2**k (e**r - 1) + (2**k - 1), and e**r - 1 is r and a
+    ! polynomial.
+    pure function jp_expm1(x) result(grown)
+        real(dp), intent(in) :: x
+        real(dp) :: grown, shifted, k, above, below, r, beside, power, more, most, total
+        real(dp), parameter :: whole = 6755399441055744.0_dp
+        real(dp), parameter :: p(0:11) = [ &
+            0.5_dp, 0.16666666666666666_dp, 0.04166666666666667_dp, 0.008333333333333333_dp, &
+            0.0013888888888883748_dp, 0.00019841269841266415_dp, 2.4801587325547743e-05_dp, &
+            2.7557319239957097e-06_dp, 2.75572736431103e-07_dp, 2.5052078002329456e-08_dp, &
+            2.0914686968086876e-09_dp, 1.6084327883952603e-10_dp]
+        if (.not. (abs(x) > 1e-300_dp .and. abs(x) < 700.0_dp)) then
+            grown = jp_library_expm1(x)
+            return
+        end if
+        shifted = x*1.4426950408889634_dp + whole
+        k = shifted - whole
+        above = x - k*0.6931471803691238_dp
+        below = k*1.9082149292705877e-10_dp
+        r = above - below
+        beside = r*jp_beyond(p, r) + ((above - r) - below)
+        power = scale(1.0_dp, int(k))
+        more = power*r
+        most = power - 1.0_dp
+        total = most + more
+        grown = total + (power*beside + ((most - total) + more))
+    end function jp_expm1
 
     ! The largest power of two that is not above a positive number, within 2**(-1022) and 2**1022.
     pure function jp_power_of_two(x) result(power)

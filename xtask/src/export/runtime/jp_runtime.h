@@ -94,6 +94,25 @@ JP_UNUSED static double jp_asin(double x)
     return copysign(sum + (lost + way * rest), x);
 }
 
+/* e^x - 1: with x = k ln 2 + r it is 2^k (e^r - 1) + (2^k - 1), and e^r - 1 is r and a
+ * polynomial. */
+JP_UNUSED static double jp_expm1(double x)
+{
+    static const double p[12] = {
+        0.5, 0.16666666666666666, 0.04166666666666667, 0.008333333333333333,
+        0.0013888888888883748, 0.00019841269841266415, 2.4801587325547743e-05,
+        2.7557319239957097e-06, 2.75572736431103e-07, 2.5052078002329456e-08,
+        2.0914686968086876e-09, 1.6084327883952603e-10};
+    if (!(fabs(x) > 1e-300 && fabs(x) < 700.0)) return expm1(x);
+    const double shifted = x * 1.4426950408889634 + 0x1.8p52, k = shifted - 0x1.8p52;
+    const double above = x - k * 0.6931471803691238, below = k * 1.9082149292705877e-10;
+    const double r = above - below;
+    const double beside = r * jp_beyond(p, r) + ((above - r) - below);
+    const double power = ldexp(1.0, (int)k);
+    const double more = power * r, most = power - 1.0, sum = most + more;
+    return sum + (power * beside + ((most - sum) + more));
+}
+
 /* The largest power of two that is not above a positive number, within 2^-1022 and 2^1022. */
 JP_UNUSED static double jp_power_of_two(double x)
 {

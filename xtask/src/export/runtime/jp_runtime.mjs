@@ -89,6 +89,31 @@ export function asin(x) {
 
 const bits = new DataView(new ArrayBuffer(8));
 
+const exponential = [
+    0.5, 0.16666666666666666, 0.04166666666666667, 0.008333333333333333,
+    0.0013888888888883748, 0.00019841269841266415, 2.4801587325547743e-05,
+    2.7557319239957097e-06, 2.75572736431103e-07, 2.5052078002329456e-08,
+    2.0914686968086876e-09, 1.6084327883952603e-10,
+];
+
+// e^x - 1: with x = k ln 2 + r it is 2^k (e^r - 1) + (2^k - 1), and e^r - 1 is r and a polynomial.
+export function expm1(x) {
+    if (!(Math.abs(x) > 1e-300 && Math.abs(x) < 700)) return Math.expm1(x);
+    const shifted = x * 1.4426950408889634 + 6755399441055744;
+    const k = shifted - 6755399441055744;
+    const above = x - k * 0.6931471803691238;
+    const below = k * 1.9082149292705877e-10;
+    const r = above - below;
+    const beside = r * beyond(exponential, r) + ((above - r) - below);
+    bits.setUint32(0, (k + 1023) << 20);
+    bits.setUint32(4, 0);
+    const power = bits.getFloat64(0);
+    const more = power * r;
+    const most = power - 1;
+    const sum = most + more;
+    return sum + (power * beside + ((most - sum) + more));
+}
+
 // The largest power of two that is not above a positive number, within 2^-1022 and 2^1022.
 export function powerOfTwo(x) {
     bits.setFloat64(0, x);

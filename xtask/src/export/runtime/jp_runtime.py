@@ -126,6 +126,28 @@ def asin(x):
     return np.copysign(total + (lost + way * rest), x)
 
 
+EXPONENTIAL = (
+    0.5, 0.16666666666666666, 0.04166666666666667, 0.008333333333333333,
+    0.0013888888888883748, 0.00019841269841266415, 2.4801587325547743e-05,
+    2.7557319239957097e-06, 2.75572736431103e-07, 2.5052078002329456e-08,
+    2.0914686968086876e-09, 1.6084327883952603e-10,
+)
+
+
+def expm1(x):
+    """e^x - 1: with x = k ln 2 + r it is 2^k (e^r - 1) + (2^k - 1), and e^r - 1 is r and a polynomial."""
+    usual = (np.abs(x) > 1e-300) & (np.abs(x) < 700.0)
+    shifted = np.where(usual, x, 0.0) * 1.4426950408889634 + 6755399441055744.0
+    k = shifted - 6755399441055744.0
+    above, below = x - k * 0.6931471803691238, k * 1.9082149292705877e-10
+    r = above - below
+    beside = r * beyond(EXPONENTIAL, r) + ((above - r) - below)
+    power = np.ldexp(1.0, k.astype(int))
+    more, most = power * r, power - 1.0
+    total = most + more
+    return np.where(usual, total + (power * beside + ((most - total) + more)), np.expm1(x))
+
+
 def power_of_two(x):
     """The largest power of two that is not above a positive number, within 2^-1022 and 2^1022."""
     bits = np.ascontiguousarray(x, dtype=float).view(np.int64) & 0x7FF0000000000000
