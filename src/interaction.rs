@@ -69,8 +69,10 @@ impl PressureExponential {
     /// p/p0, and its derivative by s; `None` where nothing touches.
     ///
     /// With q = h/c0 it is (1 + q)(1 + κ (e^q − 1)), κ = e/(e − 1), which a rounding of 1 + q does not disturb. Near the onset, where
-    /// the second factor vanishes, it is s (eˢ − 1)/(e − 1): there the sum h + c0 is exact.
-    #[inline]
+    /// the second factor vanishes, it is s (eˢ − 1)/(e − 1): there the sum h + c0 is exact. So it is s (1 + m) or s m, with m = κ (e^q − 1)
+    /// or (eˢ − 1)/(e − 1).
+    #[inline(always)]
+    #[expect(clippy::inline_always, reason = "a call would write the results to memory, and wait for them there")]
     fn rise<D: Scalar>(i: &ExponentialContact<D>) -> Option<[D; 2]> {
         let [kappa, per] = growth::<D>();
         let [s, exponent, factor, beside] = choice(|| {

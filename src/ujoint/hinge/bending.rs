@@ -5,7 +5,7 @@ mod proof;
 
 use super::{HingeTwist, Twist, TwistLoads};
 use crate::fields;
-use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec, ValueAndJacobian};
 use crate::quantity::{CROSS_F_BEND, F_TOTAL_BEND, LA, LS, M_BEND_HINGE, M_TOTAL_HINGE, RP, TWIST_M2};
 use crate::scalar::{Scalar, abs, norm, norm_and_direction, sign};
 
@@ -83,16 +83,24 @@ impl Formula for HingeBending {
 
     #[inline]
     fn jacobian<D: Scalar>(i: &Bending<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &Bending<D>) -> ValueAndJacobian<Self, D> {
         let (twist, TwistLoads { m_twist_hinge: by_twist, .. }) = HingeTwist::linearized(&i.twist());
-        let (m_total, direction) = norm_and_direction(bending(i.f_bend, i.la, &twist));
+        let moments = bending(i.f_bend, i.la, &twist);
+        let (m_total_hinge, direction) = norm_and_direction(moments);
         let press = |slope: D| in_sleeve(slope, i.ls);
-        BendingLoads {
+        let f_total_bend = press(m_total_hinge);
+        let by = BendingLoads {
             m_bend_hinge: i.slope_of_moments([D::one(), D::zero()], &by_twist),
             m_total_hinge: i.slope_of_moments(direction, &by_twist),
             f_total_bend: Bending {
-                ls: if i.ls == 0.0 { D::zero() } else { -press(m_total) / i.ls },
+                ls: if i.ls == 0.0 { D::zero() } else { -f_total_bend / i.ls },
                 ..i.slope_of_moments(direction.map(press), &by_twist)
             },
-        }
+        };
+        (BendingLoads { m_bend_hinge: moments[0], m_total_hinge, f_total_bend }, by)
     }
 }

@@ -7,9 +7,9 @@ mod proof;
 
 use super::{AxialForces, HingeAxial, HingeTwist, Twist, TwistLoads};
 use crate::fields;
-use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec, ValueAndJacobian};
 use crate::quantity::{CROSS_F_BEND, F_AXIAL1, F_AXIAL3, F_TOTAL_HINGE1, F_TOTAL_HINGE3, LA, RP, TWIST_M2};
-use crate::scalar::{Scalar, direction, norm};
+use crate::scalar::{Scalar, norm, norm_and_direction};
 
 fields! {
     /// All loads at the centre of the cross, and an arm.
@@ -68,25 +68,31 @@ impl Formula for HingeTransverse {
         TransverseForces { f_total_hinge1: total(axial.f_transv_hinge1), f_total_hinge3: total(axial.f_transv_hinge3) }
     }
 
-    #[inline(always)]
+    #[inline]
     fn jacobian<D: Scalar>(i: &CentreLoads<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline(always)]
+    fn linearized<D: Scalar>(i: &CentreLoads<D>) -> ValueAndJacobian<Self, D> {
         let (twist, twist_slope) = HingeTwist::linearized(&i.twist());
         let (axial, axial_slope) = HingeAxial::linearized(&i.axial());
         let by_twist = twist_slope.f_twist_hinge;
-        let row = |f_transv, by_push: AxialForces<D>| {
-            let [bend, twist, push] = direction(transverse(i.f_bend, &twist, f_transv));
-            CentreLoads {
+        let total = |f_transv, by_push: AxialForces<D>| {
+            let (total, [bend, twist, push]) = norm_and_direction(transverse(i.f_bend, &twist, f_transv));
+            let by = CentreLoads {
                 f_axial1: push * by_push.f_axial1,
                 f_axial3: push * by_push.f_axial3,
                 f_bend: bend * 0.25,
                 m2: twist * by_twist.m2,
                 la: twist * by_twist.la + push * by_push.la,
                 rp: twist * by_twist.rp + push * by_push.rp,
-            }
+            };
+            (total, by)
         };
-        TransverseForces {
-            f_total_hinge1: row(axial.f_transv_hinge1, axial_slope.f_transv_hinge1),
-            f_total_hinge3: row(axial.f_transv_hinge3, axial_slope.f_transv_hinge3),
-        }
+        let (f_total_hinge1, by_hinge1) = total(axial.f_transv_hinge1, axial_slope.f_transv_hinge1);
+        let (f_total_hinge3, by_hinge3) = total(axial.f_transv_hinge3, axial_slope.f_transv_hinge3);
+        let by = TransverseForces { f_total_hinge1: by_hinge1, f_total_hinge3: by_hinge3 };
+        (TransverseForces { f_total_hinge1, f_total_hinge3 }, by)
     }
 }
