@@ -6,7 +6,9 @@ use crate::project::Project;
 use anyhow::{Context, bail};
 use indicatif::ProgressBar;
 use jointproof::measure::{Measurement, Options};
+use std::ffi::OsStr;
 use std::io::{BufRead, BufReader, IsTerminal};
+use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 /// What the measuring program was and what it found.
@@ -74,22 +76,20 @@ impl Record {
 }
 
 /// Builds this program in a profile of cargo and without what the commands need, by the same cargo, and asks it.
+///
+/// It runs as a copy, whose pages lie side by side in memory. Those of what a linker has written may lie anywhere, and then
+/// a formula whose code nearly fills the cache of instructions may take one and a half times as long until it is built again.
 fn ask(project: &Project, request: &Request, profile: &str, record: &mut Record) -> anyhow::Result<()> {
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let this = std::env::current_exe()?;
-    let program = this.file_stem().context("this program has no name")?;
-    let mut child = Command::new(&cargo)
-        .args(["run", "--profile", profile, "--no-default-features", "--features", "measure", "--manifest-path"])
-        .arg(project.manifest())
-        .arg("--bin")
-        .arg(program)
-        // Compiling takes a while the first time; somebody who watches should see that.
-        .args((!std::io::stderr().is_terminal()).then_some("--quiet"))
-        .args(["--", "measure"])
+    let built = build(project, profile)?;
+    let folder = tempfile::tempdir_in(built.parent().context("it is a file")?)?;
+    let copy = folder.path().join(built.file_name().context("it is a file")?);
+    std::fs::copy(&built, &copy).with_context(|| format!("cannot copy {}", built.display()))?;
+    let mut child = Command::new(&copy)
+        .arg("measure")
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .spawn()
-        .with_context(|| format!("cannot run {}", cargo.display()))?;
+        .with_context(|| format!("cannot run {}", copy.display()))?;
     // The end of the pipe must be dropped, so that the program sees the end of the request.
     serde_json::to_writer(child.stdin.take().context("the measuring program takes no input")?, request)?;
     let out = child.stdout.take().context("the measuring program has no output")?;
@@ -98,10 +98,64 @@ fn ask(project: &Project, request: &Request, profile: &str, record: &mut Record)
     }
     let status = child.wait()?;
     if !status.success() {
-        let manifest = project.manifest().display();
-        bail!(
-            "`cargo run --profile {profile} --no-default-features --features measure --manifest-path {manifest}` ended with {status}; what it said is above"
-        );
+        bail!("`{} measure` ended with {status}; what it said is above", built.display());
     }
     Ok(())
+}
+
+/// The program that was built.
+fn build(project: &Project, profile: &str) -> anyhow::Result<PathBuf> {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let this = std::env::current_exe()?;
+    let program = this.file_stem().and_then(OsStr::to_str).context("this program has no name")?;
+    let mut child = Command::new(&cargo)
+        .args(["build", "--profile", profile, "--no-default-features", "--features", "measure", "--manifest-path"])
+        .arg(project.manifest())
+        .args(["--bin", program, "--message-format", "json-render-diagnostics"])
+        // Compiling takes a while the first time; somebody who watches should see that.
+        .args((!std::io::stderr().is_terminal()).then_some("--quiet"))
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .spawn()
+        .with_context(|| format!("cannot run {}", cargo.display()))?;
+    let mut built = None;
+    for line in BufReader::new(child.stdout.take().context("cargo has no output")?).lines() {
+        built = executable(&line?, program).or(built);
+    }
+    let status = child.wait()?;
+    if !status.success() {
+        let manifest = project.manifest().display();
+        bail!(
+            "`cargo build --profile {profile} --no-default-features --features measure --manifest-path {manifest} --bin {program}` ended with {status}; what it said is above"
+        );
+    }
+    built.with_context(|| format!("cargo did not say where it built {program}"))
+}
+
+/// Where a program is, if this line of cargo's says so.
+fn executable(line: &str, program: &str) -> Option<PathBuf> {
+    let message: serde_json::Value = serde_json::from_str(line).ok()?;
+    let is_of_program = message["target"]["name"] == program;
+    message["executable"].as_str().filter(|_| is_of_program).map(PathBuf::from)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::executable;
+    use std::path::PathBuf;
+
+    #[test]
+    fn cargo_says_where_the_program_is() {
+        let line = |name: &str, executable: &str| {
+            format!(r#"{{"reason":"compiler-artifact","target":{{"name":"{name}"}},"executable":{executable}}}"#)
+        };
+        let found = |line: &str| executable(line, "jointproof");
+        assert_eq!(
+            found(&line("jointproof", r#""/target/release/jointproof""#)),
+            Some(PathBuf::from("/target/release/jointproof"))
+        );
+        assert_eq!(found(&line("jointproof", "null")), None);
+        assert_eq!(found(&line("other", r#""/target/release/other""#)), None);
+        assert_eq!(found("Compiling"), None);
+    }
 }
