@@ -90,10 +90,15 @@ impl Bench {
         let begun = json!({ "Begun": report["build"] });
         let measured = report["formulas"].as_array().unwrap().iter().map(|formula| json!({ "Measured": formula }));
         let events: Vec<_> = std::iter::once(begun).chain(measured).map(|event| event.to_string()).collect();
-        let [cargo, said] = ["cargo", "said"].map(|name| self.path(name));
+        let [cargo, built, program, said] = ["cargo", "built", "program", "said"].map(|name| self.path(name));
         fs::write(&said, events.join("\n")).unwrap();
-        fs::write(&cargo, format!("#!/bin/sh\ncat > /dev/null\ncat '{}'\nexit {code}\n", said.display())).unwrap();
-        fs::set_permissions(&cargo, fs::Permissions::from_mode(0o755)).unwrap();
+        fs::write(&built, json!({ "target": { "name": "jointproof" }, "executable": program }).to_string()).unwrap();
+        let script = |path: &Path, text: String| {
+            fs::write(path, format!("#!/bin/sh\n{text}\n")).unwrap();
+            fs::set_permissions(path, fs::Permissions::from_mode(0o755)).unwrap();
+        };
+        script(&cargo, format!("cat '{}'", built.display()));
+        script(&program, format!("cat > /dev/null\ncat '{}'\nexit {code}", said.display()));
         Ran::from(self.command(arguments).env("CARGO", &cargo).output().unwrap())
     }
 
