@@ -179,9 +179,9 @@ pub(super) fn is_near(one: &Recorded, epsilons: f64, [found, expected]: [f64; 2]
 
 /// Whether a formula calls functions that languages round in their own ways.
 fn has_functions(one: &Recorded) -> bool {
-    use jointproof::graph::Unary::{Cosine, Exponential, Sine};
+    use jointproof::graph::Unary::{Cosine, Exponential, ExponentialMinusOne, Sine};
     one.graph.ops().iter().any(|op| match op {
-        Op::Unary(function, _) => matches!(function, Sine | Cosine | Exponential),
+        Op::Unary(function, _) => matches!(function, Sine | Cosine | Exponential | ExponentialMinusOne),
         Op::Binary(operation, ..) => *operation == Binary::Angle,
         _ => false,
     })

@@ -1,6 +1,5 @@
-! What the formulas call: lengths that neither overflow nor underflow, and sums of products that
-! lose nothing, and the closest place of a curve. Printed by jointproof; free of conditions
-! (CC0-1.0).
+! What the formulas call: lengths that neither overflow nor underflow, sums of products that lose
+! nothing, the closest place of a curve. Printed by jointproof; free of conditions (CC0-1.0).
 module jp_runtime
     use, intrinsic :: iso_c_binding, only: c_double
     use, intrinsic :: iso_fortran_env, only: int64, dp => real64
@@ -21,8 +20,7 @@ module jp_runtime
         end function jp_library_expm1
     end interface
 
-    ! An exact sum, kept as parts that do not overlap, smaller ones first, none of them 0
-    ! (Shewchuk).
+    ! An exact sum: parts that do not overlap, smaller ones first, none of them 0 (Shewchuk).
     type :: jp_expansion
         real(dp) :: part(144)
         integer :: n = 0
@@ -42,8 +40,7 @@ contains
         equal = x <= y .and. x >= y
     end function jp_equal
 
-    ! The square root of a sum of squares that is rescaled where it would leave the range of
-    ! doubles.
+    ! The root of a sum of squares, rescaled where that would leave the range of doubles.
     pure function jp_norm(x) result(length)
         real(dp), intent(in) :: x(:)
         real(dp) :: length, total, factor
@@ -52,10 +49,8 @@ contains
         do k = 1, size(x)
             total = total + x(k)*x(k)
         end do
-        if (total > 2.0_dp**(-900) .and. total < 2.0_dp**1000) then
-            length = sqrt(total)
-            return
-        end if
+        length = sqrt(total)
+        if (total > 2.0_dp**(-900) .and. total < 2.0_dp**1000) return
         factor = 2.0_dp**600
         if (any(abs(x) > 1.0_dp)) factor = 2.0_dp**(-600)
         total = 0.0_dp
@@ -144,13 +139,11 @@ contains
         angle = sign(total + (lost + way*rest), x)
     end function jp_asin
 
-    ! e**x - 1: with x = k ln 2 + r it is 2**k (e**r - 1) + (2**k - 1), and e**r - 1 is r and a
-    ! polynomial.
+    ! e**x - 1: with x = k ln 2 + r it is 2**k (e**r - 1) + (2**k - 1).
     pure function jp_expm1(x) result(grown)
         real(dp), intent(in) :: x
-        real(dp) :: grown, shifted, k, above, below, r, beside, power, more, most, total
-        real(dp), parameter :: whole = 6755399441055744.0_dp
-        real(dp), parameter :: p(0:11) = [ &
+        real(dp) :: grown, k, above, below, r, power, total
+        real(dp), parameter :: whole = 6755399441055744.0_dp, p(0:11) = [ &
             0.5_dp, 0.16666666666666666_dp, 0.04166666666666667_dp, 0.008333333333333333_dp, &
             0.0013888888888883748_dp, 0.00019841269841266415_dp, 2.4801587325547743e-05_dp, &
             2.7557319239957097e-06_dp, 2.75572736431103e-07_dp, 2.5052078002329456e-08_dp, &
@@ -159,17 +152,14 @@ contains
             grown = jp_library_expm1(x)
             return
         end if
-        shifted = x*1.4426950408889634_dp + whole
-        k = shifted - whole
+        k = (x*1.4426950408889634_dp + whole) - whole
         above = x - k*0.6931471803691238_dp
         below = k*1.9082149292705877e-10_dp
         r = above - below
-        beside = r*jp_beyond(p, r) + ((above - r) - below)
         power = scale(1.0_dp, int(k))
-        more = power*r
-        most = power - 1.0_dp
-        total = most + more
-        grown = total + (power*beside + ((most - total) + more))
+        total = (power - 1.0_dp) + power*r
+        grown = power*(r*jp_beyond(p, r) + ((above - r) - below))
+        grown = total + (grown + (((power - 1.0_dp) - total) + power*r))
     end function jp_expm1
 
     ! The largest power of two that is not above a positive number, within 2**(-1022) and 2**1022.
@@ -270,10 +260,8 @@ contains
     pure function jp_length(p) result(n)
         real(dp), intent(in) :: p(:)
         integer :: n
-        n = size(p)
-        do while (n > 0)
-            if (.not. jp_equal(p(n), 0.0_dp)) exit
-            n = n - 1
+        do n = size(p), 1, -1
+            if (.not. jp_equal(p(n), 0.0_dp)) return
         end do
     end function jp_length
 
@@ -294,11 +282,8 @@ contains
         do k = 1, 1200
             call jp_polynomial(p, u, value, slope)
             if (jp_equal(value, 0.0_dp)) return
-            if ((value > 0.0_dp) .eqv. (low > 0.0_dp)) then
-                from = u
-            else
-                to = u
-            end if
+            if ((value > 0.0_dp) .eqv. (low > 0.0_dp)) from = u
+            if ((value > 0.0_dp) .neqv. (low > 0.0_dp)) to = u
             newton = u - value/slope
             halves = abs(newton - u) <= abs(step)*0.5_dp
             next = from + (to - from)*0.5_dp
@@ -332,9 +317,7 @@ contains
         found = 0
         place = 0.0_dp
         if (n > 2) then
-            do k = 1, n - 1
-                rate(k) = all(k + 1)*k
-            end do
+            rate(1:n - 1) = [(all(k + 1)*k, k=1, n - 1)]
             m = jp_length(rate(1:n - 1))
             call jp_crossings(rate(1:m), ends, &
                 [jp_value(rate(1:m), ends(1)), jp_value(rate(1:m), ends(2))], .false., inner, parts)
@@ -379,17 +362,12 @@ contains
         p(5) = -((factor*(x2*x3 + y2*y3))*5.0_dp)
         p(6) = -((factor*(x3*x3 + y3*y3))*3.0_dp)
         is_end = .false.
-        n = 0
-        if (low <= 0.0_dp) then
-            n = n + 1
-            is_end(n) = .true.
-            place(n) = from
-        end if
+        n = merge(1, 0, low <= 0.0_dp)
+        is_end(1) = n == 1
+        place(1) = from
         call jp_crossings(p, [from, to], [low, high], .true., inside, roots)
-        do k = 1, roots
-            n = n + 1
-            place(n) = inside(k)
-        end do
+        place(n + 1:n + roots) = inside(1:roots)
+        n = n + roots
         if (high >= 0.0_dp .or. n == 0) then
             n = n + 1
             is_end(n) = .true.
@@ -408,13 +386,7 @@ contains
                 -((abs(step(1))*size_(1) + abs(step(2))*size_(2))*2.0_dp**(-48))) best = k
         end do
         u = place(best)
-        if (is_end(best)) then
-            if (jp_equal(u, from)) then
-                u = from - 1.0_dp
-            else
-                u = to + 1.0_dp
-            end if
-        end if
+        if (is_end(best)) u = merge(from - 1.0_dp, to + 1.0_dp, jp_equal(u, from))
     contains
         ! c Y(u), with the coefficients of u, u^2, u^3 in Y.
         pure function jp_reach(v) result(reach)
