@@ -246,7 +246,7 @@ impl Formula for SymmetricStiffness {
 
     #[inline(always)]
     fn jacobian<D: Scalar>(i: &JoinLoads<D>) -> Jacobian<Self, D> {
-        // As above, this one.
+        // By components, as for the geometric stiffness: copied whole it goes through memory.
         let i = &JoinLoads { e2a: i.e2a.xyz(), ..*i };
         JoinSymmetric { s_ta_ta: symmetric_matrix!(i.of_s_ta_ta) }
     }

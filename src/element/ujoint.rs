@@ -316,6 +316,7 @@ impl Formula for SymmetricStiffness {
 
     #[inline(always)]
     fn jacobian<D: Scalar>(i: &JointLoads<D>) -> Jacobian<Self, D> {
+        // Of a copy, as for the geometric stiffness: more is kept in registers.
         let i = &JointLoads { ..*i };
         JointSymmetric { s_ta_ta: symmetric_matrix!(i.of_s_ta_ta), s_tb_tb: symmetric_matrix!(i.of_s_tb_tb) }
     }

@@ -21,7 +21,7 @@ use crate::quantity::{
 use crate::scalar::{Scalar, choice};
 use crate::slide_line::{
     ContactAreaLinear, LinearMotion, LinearNodes, LinearPoint, LinearSlave, LocalBasis, Projection, SegmentFoot,
-    SlipIncrementLinear, check_distinct, check_radii, left, shape,
+    SlipIncrementLinear, check_distinct, check_radii, left,
 };
 use nalgebra::Vector2;
 
@@ -48,6 +48,7 @@ pub struct Linear;
 struct Contact<D> {
     line: Projection<D>,
     pressed: LinearContact<D>,
+    motion: LinearMotion<D>,
     rubbing: Rubbing<D>,
     nodes: LinearNodes<D>,
     spot: Spot<D, 2>,
@@ -68,10 +69,11 @@ impl<D: Scalar> Contact<D> {
         let nodes = LinearNodes { x1: xs, x2: xo };
         let [s12] = choice(|| [friction::Response::eval(&rubbing).s12]);
         let loads = [ContactAreaLinear::eval(&nodes).a1, s11, s12];
-        let (zero, n) = (D::zero(), left(line.t));
         // By its weights: from g alone the smaller one would lose digits.
-        let spot = Spot { t: line.t, n, weights: line.weights, rates: [zero; 2], curvature: zero };
-        Self { line, pressed, rubbing, nodes, spot, loads }
+        let Projection { t, weights, per_length, .. } = line;
+        let rates = [-per_length, per_length];
+        let spot = Spot { t, n: left(t), weights, rates, curvature: D::zero() };
+        Self { line, pressed, motion, rubbing, nodes, spot, loads }
     }
 
     #[inline(always)]
@@ -81,11 +83,11 @@ impl<D: Scalar> Contact<D> {
     }
 
     #[inline(always)]
-    fn gradients(&self, i: &LinearPressed<D>, fs: Vector2<D>) -> Jacobian<Linear, D> {
+    fn gradients(&self, fs: Vector2<D>) -> Jacobian<Linear, D> {
         let SegmentFoot { g, separation } = self.line.gradients_on_line();
-        let (dslip, s11) = (self.of_slip(i.g_before), self.of_pressure(&separation));
+        let (dslip, s11) = (self.of_slip(), self.of_pressure(&separation));
         let s12 = self.of_shear(&s11, &dslip);
-        let slave = Vector2::new(self.of_force(0, &s11, &s12), self.of_force(1, &s11, &s12));
+        let slave = self.of_force(&s11, &s12);
         // −Nᵢ fs, where Nᵢ changes by ∓½ δg.
         let node = |weight: D, half: f64| Vector2::from_fn(|k, _| slave[k].shared(-weight, &g, fs[k] * half));
         let [n1, n2] = self.line.weights;
@@ -100,13 +102,11 @@ impl<D: Scalar> Contact<D> {
         }
     }
 
-    /// t·(δxs − Σ Nᵢ δxᵢ) with the weights before, −½ℓ δg before, and E11 δφ: the segment turns by δφ = n·(δx2 − δx1)/ℓ.
     #[inline(always)]
-    fn of_slip(&self, g_before: D) -> LinearPressed<D> {
-        let Projection { t, length, per_length, separation, .. } = self.line;
-        let ([n1, n2], turned) = (shape::linear(g_before), self.spot.n * (separation * per_length));
-        let places = LinearSlave { xs: t, x1: -(t * n1) - turned, x2: turned - t * n2 };
-        LinearPressed { g_before: length * -0.5, ..LinearPressed::by_places(places) }
+    fn of_slip(&self) -> LinearPressed<D> {
+        let LinearMotion { x1, x2, g, dxs, dx1, dx2 } = SlipIncrementLinear::jacobian(&self.motion).dslip;
+        let places = LinearSlave { xs: dxs, x1: x1 + dx1, x2: x2 + dx2 };
+        LinearPressed { g_before: g, ..LinearPressed::by_places(places) }
     }
 
     #[inline(always)]
@@ -130,25 +130,27 @@ impl<D: Scalar> Contact<D> {
         LinearPressed { g_before, s12_before, k, k_el, mu, ..LinearPressed::by_places(places) }
     }
 
-    /// Of the c-th component of the force on the slave point.
     #[inline(always)]
-    fn of_force(&self, c: usize, s11: &LinearPressed<D>, s12: &LinearPressed<D>) -> LinearPressed<D> {
+    fn of_force(&self, s11: &LinearPressed<D>, s12: &LinearPressed<D>) -> Vector2<LinearPressed<D>> {
         let change = forces::Change::new(&self.spot, self.loads);
-        let [by_area, by_s11, by_s12] = change.by_loads(c);
-        let turned = self.spot.n * (change.turned[c] * self.line.per_length);
         let area = ContactAreaLinear::jacobian(&self.nodes).a1;
-        let LinearSlave { xs, x1, x2 } = s11.places_of_sum(by_s11, s12, by_s12);
-        LinearPressed {
-            xs: xs + area.x1 * by_area,
-            xo: area.x2 * by_area,
-            x1: x1 - turned,
-            x2: x2 + turned,
-            g_before: s12.g_before * by_s12,
-            s12_before: s12.s12_before * by_s12,
-            k: s11.k * by_s11 + s12.k * by_s12,
-            k_el: s12.k_el * by_s12,
-            mu: s12.mu * by_s12,
-        }
+        let component = |k: usize| {
+            let [by_area, by_s11, by_s12] = change.by_loads(k);
+            let turned = self.spot.n * (change.turned[k] * self.line.per_length);
+            let LinearSlave { xs, x1, x2 } = s11.places_of_sum(by_s11, s12, by_s12);
+            LinearPressed {
+                xs: xs + area.x1 * by_area,
+                xo: area.x2 * by_area,
+                x1: x1 - turned,
+                x2: x2 + turned,
+                g_before: s12.g_before * by_s12,
+                s12_before: s12.s12_before * by_s12,
+                k: s11.k * by_s11 + s12.k * by_s12,
+                k_el: s12.k_el * by_s12,
+                mu: s12.mu * by_s12,
+            }
+        };
+        Vector2::new(component(0), component(1))
     }
 }
 
@@ -211,7 +213,7 @@ impl Formula for Linear {
     fn linearized<D: Scalar>(i: &LinearPressed<D>) -> ValueAndJacobian<Self, D> {
         let contact = Contact::new(i);
         let answer = contact.answer();
-        (answer, contact.gradients(i, answer.fs))
+        (answer, contact.gradients(answer.fs))
     }
 
     #[inline]

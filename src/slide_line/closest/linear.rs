@@ -32,8 +32,6 @@ pub struct ClosestLinear;
 /// What value and Jacobian have in common.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Projection<D> {
-    /// ℓ.
-    pub(crate) length: D,
     /// 1/ℓ.
     pub(crate) per_length: D,
     pub(crate) t: Vector2<D>,
@@ -52,7 +50,7 @@ impl<D: Scalar> Projection<D> {
         let (n1, n2) = (-from_2.dot(&t) * per_length, from_1.dot(&t) * per_length);
         // From the nearer node, so that the far one does not blur it.
         let gap = if n1 > n2 { from_1 } else { from_2 };
-        Self { length, per_length, t, separation: t.perp(&gap), weights: [n1, n2] }
+        Self { per_length, t, separation: t.perp(&gap), weights: [n1, n2] }
     }
 
     /// −1 or 1 at an end, 0 inside.
