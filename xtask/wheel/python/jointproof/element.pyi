@@ -120,7 +120,7 @@ class _EulerParameters(Formula):
         m_q0: what does the work of the moment on the first Euler parameter (unit FL; a finite number)
         m_q: what does the work of the moment on the other Euler parameters ([3], unit FL; a finite number)
 
-    Accuracy: η at most 1.5 of the value, 1 of the Jacobian, inputs from 1/1e120 to 1e120 in size.
+    Accuracy: η at most 1.5 of the value, 1 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: UJOINT, Description (ours: the page turns its nodes; programs have different unknowns for that).
     """
     def __call__(self, q0: ArrayLike, q: ArrayLike, m: ArrayLike, *, out: Any = None) -> _EulerParametersValue: ...
