@@ -6,7 +6,9 @@
 
 #[cfg(feature = "verify")]
 mod proof;
+mod tangent;
 
+use self::tangent::BySegment;
 use super::Spot;
 use super::forces::{self, LinearForces};
 use super::friction::{self, Rubbing};
@@ -41,6 +43,9 @@ fields! {
 }
 
 /// The response of a node of ISL21A on a straight segment, with its consistent tangent.
+///
+/// Where a derivative of a force is the product of two that vanish, as with a slave point at the corner of a right triangle whose
+/// legs are along the axes and equal, its η grows without limit. It is small there beside the others.
 #[derive(Clone, Copy, Debug)]
 pub struct Linear;
 
@@ -85,20 +90,56 @@ impl<D: Scalar> Contact<D> {
     #[inline(always)]
     fn gradients(&self, fs: Vector2<D>) -> Jacobian<Linear, D> {
         let SegmentFoot { g, separation } = self.line.gradients_on_line();
-        let (dslip, s11) = (self.of_slip(), self.of_pressure(&separation));
-        let s12 = self.of_shear(&s11, &dslip);
+        let [by_h, by_k] = choice(|| {
+            let LinearContact { h, k } = PressureLinear::jacobian(&self.pressed).p;
+            [h, k]
+        });
+        let [by_s11, by_dslip, by_before, by_k_el, by_mu] = choice(|| {
+            let Rubbing { s11, dslip, s12_before, k_el, mu } = friction::Response::jacobian(&self.rubbing).s12;
+            [s11, dslip, s12_before, k_el, mu]
+        });
+        let [xs, x1, x2] = [separation.xs, separation.x1, separation.x2].map(|by_e11| by_e11 * -by_h);
+        let s11 = LinearPressed { k: by_k, ..LinearPressed::by_places(LinearSlave { xs, x1, x2 }) };
+        let slip = self.of_slip();
+        let s12 = LinearPressed {
+            xs: s11.xs * by_s11 + slip.xs * by_dslip,
+            xo: slip.xo,
+            x1: s11.x1 * by_s11 + slip.x1 * by_dslip,
+            x2: s11.x2 * by_s11 + slip.x2 * by_dslip,
+            g_before: slip.g_before * by_dslip,
+            s12_before: by_before,
+            k: by_k * by_s11,
+            k_el: by_k_el,
+            mu: by_mu,
+        };
         let slave = self.of_force(&s11, &s12);
-        // −Nᵢ fs, where Nᵢ changes by ∓½ δg.
-        let node = |weight: D, half: f64| Vector2::from_fn(|k, _| slave[k].shared(-weight, &g, fs[k] * half));
         let [n1, n2] = self.line.weights;
+        // −Nᵢ fs, where Nᵢ changes by ∓½ δg.
+        let node = |weight: D, half: f64, by_segment: &[[Vector2<D>; 2]; 2]| {
+            Vector2::from_fn(|k, _| {
+                let by = &slave[k];
+                LinearPressed {
+                    xs: by.xs * -weight + g.xs * (fs[k] * half),
+                    xo: by.xo * -weight,
+                    x1: by_segment[0][k],
+                    x2: by_segment[1][k],
+                    g_before: by.g_before * -weight,
+                    s12_before: by.s12_before * -weight,
+                    k: by.k * -weight,
+                    k_el: by.k_el * -weight,
+                    mu: by.mu * -weight,
+                }
+            })
+        };
+        let BySegment { fs: [x1, x2], f1, f2 } = BySegment::new(self, by_h, [by_s11, by_dslip, by_before]);
         LinearAnswer {
             g: LinearPressed::by_places(g),
-            dslip,
+            dslip: slip,
             s11,
             s12,
-            fs: slave,
-            f1: node(n1, 0.5),
-            f2: node(n2, -0.5),
+            fs: Vector2::from_fn(|k, _| LinearPressed { x1: x1[k], x2: x2[k], ..slave[k] }),
+            f1: node(n1, 0.5, &f1),
+            f2: node(n2, -0.5, &f2),
         }
     }
 
@@ -109,45 +150,22 @@ impl<D: Scalar> Contact<D> {
         LinearPressed { g_before: g, ..LinearPressed::by_places(places) }
     }
 
-    #[inline(always)]
-    fn of_pressure(&self, separation: &LinearSlave<D>) -> LinearPressed<D> {
-        let [h, k] = choice(|| {
-            let LinearContact { h, k } = PressureLinear::jacobian(&self.pressed).p;
-            [h, k]
-        });
-        let [xs, x1, x2] = [separation.xs, separation.x1, separation.x2].map(|by_e11| by_e11 * -h);
-        LinearPressed { k, ..LinearPressed::by_places(LinearSlave { xs, x1, x2 }) }
-    }
-
-    #[inline(always)]
-    fn of_shear(&self, s11: &LinearPressed<D>, dslip: &LinearPressed<D>) -> LinearPressed<D> {
-        let [by_s11, by_dslip, s12_before, k_el, mu] = choice(|| {
-            let Rubbing { s11, dslip, s12_before, k_el, mu } = friction::Response::jacobian(&self.rubbing).s12;
-            [s11, dslip, s12_before, k_el, mu]
-        });
-        let places = s11.places_of_sum(by_s11, dslip, by_dslip);
-        let (g_before, k) = (dslip.g_before * by_dslip, s11.k * by_s11);
-        LinearPressed { g_before, s12_before, k, k_el, mu, ..LinearPressed::by_places(places) }
-    }
-
+    /// The gradients of the force on the slave point, apart from those by the segment.
     #[inline(always)]
     fn of_force(&self, s11: &LinearPressed<D>, s12: &LinearPressed<D>) -> Vector2<LinearPressed<D>> {
         let change = forces::Change::new(&self.spot, self.loads);
         let area = ContactAreaLinear::jacobian(&self.nodes).a1;
         let component = |k: usize| {
             let [by_area, by_s11, by_s12] = change.by_loads(k);
-            let turned = self.spot.n * (change.turned[k] * self.line.per_length);
-            let LinearSlave { xs, x1, x2 } = s11.places_of_sum(by_s11, s12, by_s12);
             LinearPressed {
-                xs: xs + area.x1 * by_area,
+                xs: s11.xs * by_s11 + s12.xs * by_s12 + area.x1 * by_area,
                 xo: area.x2 * by_area,
-                x1: x1 - turned,
-                x2: x2 + turned,
                 g_before: s12.g_before * by_s12,
                 s12_before: s12.s12_before * by_s12,
                 k: s11.k * by_s11 + s12.k * by_s12,
                 k_el: s12.k_el * by_s12,
                 mu: s12.mu * by_s12,
+                ..LinearPressed::filled(D::zero())
             }
         };
         Vector2::new(component(0), component(1))
@@ -161,28 +179,6 @@ impl<D: Scalar> LinearPressed<D> {
     fn by_places(LinearSlave { xs, x1, x2 }: LinearSlave<D>) -> Self {
         Self { xs, x1, x2, ..Self::filled(D::zero()) }
     }
-
-    /// What p times this and q times another have by these places.
-    #[inline(always)]
-    fn places_of_sum(&self, p: D, other: &Self, q: D) -> LinearSlave<D> {
-        LinearSlave { xs: self.xs * p + other.xs * q, x1: self.x1 * p + other.x1 * q, x2: self.x2 * p + other.x2 * q }
-    }
-
-    /// A share of this, and so much of that of g.
-    #[inline(always)]
-    fn shared(&self, share: D, g: &LinearSlave<D>, by_g: D) -> Self {
-        Self {
-            xs: self.xs * share + g.xs * by_g,
-            xo: self.xo * share,
-            x1: self.x1 * share + g.x1 * by_g,
-            x2: self.x2 * share + g.x2 * by_g,
-            g_before: self.g_before * share,
-            s12_before: self.s12_before * share,
-            k: self.k * share,
-            k_el: self.k_el * share,
-            mu: self.mu * share,
-        }
-    }
 }
 
 impl Formula for Linear {
@@ -194,7 +190,7 @@ impl Formula for Linear {
         .equation(r"\begin{aligned} g &= \frac{2\,(\mathbf{x}_s-\mathbf{x}_1)\cdot\mathbf{t}}{\ell} - 1,\quad \Delta E_{12} = \tfrac12\ell\,(g - g^{\mathrm{before}}),\quad S_{11} = \begin{cases} -k E_{11} & E_{11} < 0 \\ 0 & \text{otherwise}\end{cases},\quad S_{12} = \begin{cases} S^{\mathrm{trial}} & \lvert S^{\mathrm{trial}}\rvert < \mu S_{11} \\ \mu S_{11} \operatorname{sign} S^{\mathrm{trial}} & \text{otherwise}\end{cases}, \\ \mathbf{f}_s &= A\,(S_{11}\,\mathbf{n} - S_{12}\,\mathbf{t}),\quad \mathbf{f}_1 = -\tfrac12(1-g)\,\mathbf{f}_s,\quad \mathbf{f}_2 = -\tfrac12(1+g)\,\mathbf{f}_s, \\ E_{11} &= (\mathbf{x}_s-\mathbf{x}_1)\cdot\mathbf{n},\quad S^{\mathrm{trial}} = S_{12}^{\mathrm{before}} + k_{\mathrm{el}}\,\Delta E_{12},\quad A = \pi\,x_{s,1}\,\lvert\mathbf{x}_o-\mathbf{x}_s\rvert,\quad \ell = \lvert\mathbf{x}_2-\mathbf{x}_1\rvert \end{aligned}")
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &LinearPoint::SPEC)])
         .eta(4.0, 16.0)
-        .scale(1e3)
+        .scale(1e20)
         .not_objective();
     type Inputs<T: Component> = LinearPressed<T>;
     type Outputs<T: Component> = LinearAnswer<T>;

@@ -466,7 +466,7 @@ class _ContactResponseLinear(Formula):
         f1: force of the contact on the first node, around the whole circumference ([2], unit F; a finite number)
         f2: force of the contact on the second node, around the whole circumference ([2], unit F; a finite number)
 
-    Accuracy: η at most 4 of the value, 16 of the Jacobian, inputs from 1/1e3 to 1e3 in size.
+    Accuracy: η at most 4 of the value, 16 of the Jacobian, inputs from 1/1e20 to 1e20 in size.
     Source: Slide lines, Element output (ours: the section names what is put out; how it follows from places is ours).
     """
     def __call__(self, xs: ArrayLike, xo: ArrayLike, x1: ArrayLike, x2: ArrayLike, g_before: ArrayLike, s12_before: ArrayLike, k: ArrayLike, k_el: ArrayLike, mu: ArrayLike, *, out: Any = None) -> _ContactResponseLinearValue: ...
