@@ -131,7 +131,8 @@ impl<D: Scalar> Contact<D> {
                 }
             })
         };
-        let BySegment { fs: [x1, x2], f1, f2 } = BySegment::new(self, by_h, [by_s11, by_dslip, by_before]);
+        let (before, shear) = ([self.motion.g, self.rubbing.s12_before], [by_s11, by_dslip, by_before]);
+        let BySegment { fs: [x1, x2], f1, f2 } = BySegment::new(&self.line, before, self.loads, by_h, shear);
         LinearAnswer {
             g: LinearPressed::by_places(g),
             dslip: slip,

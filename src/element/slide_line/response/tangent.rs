@@ -3,8 +3,8 @@
 //! In stick S12 is what it was and k_el times the slip ½ℓ (g − g'), where g' is the place before and N' are its weights. Near a node
 //! k_el N' and S12/ℓ would cancel. Since ½ (g − g') is N₂ − N₂' and N₁' − N₁, together they are k_el N and what it was by ℓ.
 
-use super::Contact;
 use crate::scalar::Scalar;
+use crate::slide_line::Projection;
 use nalgebra::Vector2;
 
 /// What a force changes by along n and t, as a node moves along n and t: the force is named first.
@@ -62,8 +62,13 @@ const SIGNS: [f64; 2] = [-1.0, 1.0];
 
 impl<D: Scalar> Parts<D> {
     #[inline(always)]
-    fn new(contact: &Contact<D>, stiffness: D, [by_s11, by_dslip, by_before]: [D; 3]) -> Self {
-        let ([area, s11, s12], line, g) = (contact.loads, &contact.line, contact.motion.g);
+    fn new(
+        line: &Projection<D>,
+        [g, s12_before]: [D; 2],
+        [area, s11, s12]: [D; 3],
+        stiffness: D,
+        [by_s11, by_dslip, by_before]: [D; 3],
+    ) -> Self {
         let per = area * line.per_length;
         Self {
             weights: line.weights,
@@ -71,7 +76,7 @@ impl<D: Scalar> Parts<D> {
             lean: line.separation * line.per_length,
             normal: s11 * per,
             shear: s12 * per,
-            rest: (contact.rubbing.s12_before * by_before + s11 * by_s11) * per,
+            rest: (s12_before * by_before + s11 * by_s11) * per,
             by_s11,
             pressed: area * stiffness,
             stuck: area * by_dslip,
@@ -115,10 +120,11 @@ impl<D: Scalar> Parts<D> {
 }
 
 impl<D: Scalar> BySegment<D> {
-    /// S11 falls by `stiffness` times E11; S12 changes with S11, the slip, and what it was, by the last three.
+    /// With g and S12 before, and A, S11 and S12. S11 falls by `stiffness` times E11; S12 changes with S11, the slip, and what it
+    /// was, by the last three.
     #[inline(always)]
-    pub(super) fn new(contact: &Contact<D>, stiffness: D, shear: [D; 3]) -> Self {
-        let (t, parts) = (&contact.line.t, Parts::new(contact, stiffness, shear));
+    pub(super) fn new(line: &Projection<D>, before: [D; 2], loads: [D; 3], stiffness: D, shear: [D; 3]) -> Self {
+        let (t, parts) = (&line.t, Parts::new(line, before, loads, stiffness, shear));
         Self {
             fs: [parts.of_slave(0).rows(t), parts.of_slave(1).rows(t)],
             f1: [parts.of_node(0, 0).rows(t), parts.of_node(0, 1).rows(t)],
