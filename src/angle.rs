@@ -91,7 +91,7 @@ pub(crate) fn beyond(p: &[f64; 12], z: f64) -> f64 {
     let z2 = z * z;
     let z4 = z2 * z2;
     let four = |k: usize| (p[k] + p[k + 1] * z) + (p[k + 2] + p[k + 3] * z) * z2;
-    z * (four(0) + (four(4) + four(8) * z4) * z4)
+    z * ((four(0) + four(4) * z4) + four(8) * (z4 * z4))
 }
 
 #[inline(always)]

@@ -42,13 +42,13 @@ fn usual(x: f64) -> f64 {
     let k = shifted - WHOLE;
     let (above, below) = (x - k * LN_2_HIGH, k * LN_2_LOW);
     let r = above - below;
-    // With what r has lost.
-    let beside = r * beyond(&EXPONENTIAL, r) + ((above - r) - below);
     // What is above the lowest bits of the whole number falls out of the double, and 1023 is the exponent of 1.
     let power = f64::from_bits((shifted.to_bits() << 52).wrapping_add(1.0_f64.to_bits()));
     let (more, most) = (power * r, power - 1.0);
     let sum = most + more;
-    sum + (power * beside + ((most - sum) + more))
+    // What r and the sum have lost.
+    let lost = power * ((above - r) - below) + ((most - sum) + more);
+    sum + (more * beyond(&EXPONENTIAL, r) + lost)
 }
 
 /// Zero, beside it, beyond what has a power of two, or no number.

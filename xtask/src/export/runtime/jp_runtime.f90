@@ -84,9 +84,9 @@ contains
         real(dp) :: beyond, z2, z4
         z2 = z*z
         z4 = z2*z2
-        beyond = ((p(8) + p(9)*z) + (p(10) + p(11)*z)*z2)*z4
-        beyond = ((p(4) + p(5)*z) + (p(6) + p(7)*z)*z2) + beyond
-        beyond = z*(((p(0) + p(1)*z) + (p(2) + p(3)*z)*z2) + beyond*z4)
+        beyond = ((p(4) + p(5)*z) + (p(6) + p(7)*z)*z2)*z4
+        beyond = ((p(0) + p(1)*z) + (p(2) + p(3)*z)*z2) + beyond
+        beyond = z*(beyond + ((p(8) + p(9)*z) + (p(10) + p(11)*z)*z2)*(z4*z4))
     end function jp_beyond
 
     ! The angle of (x, y): beside the nearest sixteenth of a turn the arc tangent is a polynomial.
@@ -158,8 +158,8 @@ contains
         r = above - below
         power = scale(1.0_dp, int(k))
         total = (power - 1.0_dp) + power*r
-        grown = power*(r*jp_beyond(p, r) + ((above - r) - below))
-        grown = total + (grown + (((power - 1.0_dp) - total) + power*r))
+        grown = power*((above - r) - below) + (((power - 1.0_dp) - total) + power*r)
+        grown = total + (power*r*jp_beyond(p, r) + grown)
     end function jp_expm1
 
     ! The largest power of two that is not above a positive number, within 2**(-1022) and 2**1022.

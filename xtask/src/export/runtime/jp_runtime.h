@@ -52,7 +52,7 @@ JP_UNUSED static double jp_beyond(const double *p, double z)
     const double p0 = (p[0] + p[1] * z) + (p[2] + p[3] * z) * z2;
     const double p4 = (p[4] + p[5] * z) + (p[6] + p[7] * z) * z2;
     const double p8 = (p[8] + p[9] * z) + (p[10] + p[11] * z) * z2;
-    return z * (p0 + (p4 + p8 * z4) * z4);
+    return z * ((p0 + p4 * z4) + p8 * (z4 * z4));
 }
 
 /* The angle of (x, y): beside the nearest sixteenth of a turn the arc tangent is a polynomial. */
@@ -107,10 +107,10 @@ JP_UNUSED static double jp_expm1(double x)
     const double shifted = x * 1.4426950408889634 + 0x1.8p52, k = shifted - 0x1.8p52;
     const double above = x - k * 0.6931471803691238, below = k * 1.9082149292705877e-10;
     const double r = above - below;
-    const double beside = r * jp_beyond(p, r) + ((above - r) - below);
     const double power = ldexp(1.0, (int)k);
     const double more = power * r, most = power - 1.0, sum = most + more;
-    return sum + (power * beside + ((most - sum) + more));
+    const double lost = power * ((above - r) - below) + ((most - sum) + more);
+    return sum + (more * jp_beyond(p, r) + lost);
 }
 
 /* The largest power of two that is not above a positive number, within 2^-1022 and 2^1022. */

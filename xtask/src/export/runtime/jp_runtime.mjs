@@ -43,7 +43,7 @@ function beyond(p, z) {
     const z2 = z * z;
     const z4 = z2 * z2;
     const four = (k) => (p[k] + p[k + 1] * z) + (p[k + 2] + p[k + 3] * z) * z2;
-    return z * (four(0) + (four(4) + four(8) * z4) * z4);
+    return z * ((four(0) + four(4) * z4) + four(8) * (z4 * z4));
 }
 
 // The angle of (x, y): beside the nearest sixteenth of a turn the arc tangent is a polynomial.
@@ -104,14 +104,14 @@ export function expm1(x) {
     const above = x - k * 0.6931471803691238;
     const below = k * 1.9082149292705877e-10;
     const r = above - below;
-    const beside = r * beyond(exponential, r) + ((above - r) - below);
     bits.setUint32(0, (k + 1023) << 20);
     bits.setUint32(4, 0);
     const power = bits.getFloat64(0);
     const more = power * r;
     const most = power - 1;
     const sum = most + more;
-    return sum + (power * beside + ((most - sum) + more));
+    const lost = power * ((above - r) - below) + ((most - sum) + more);
+    return sum + (more * beyond(exponential, r) + lost);
 }
 
 // The largest power of two that is not above a positive number, within 2^-1022 and 2^1022.

@@ -84,7 +84,7 @@ def beyond(p, z):
     z2 = z * z
     z4 = z2 * z2
     p0, p4, p8 = ((p[k] + p[k + 1] * z) + (p[k + 2] + p[k + 3] * z) * z2 for k in (0, 4, 8))
-    return z * (p0 + (p4 + p8 * z4) * z4)
+    return z * ((p0 + p4 * z4) + p8 * (z4 * z4))
 
 
 def angle(y, x):
@@ -141,11 +141,11 @@ def expm1(x):
     k = shifted - 6755399441055744.0
     above, below = x - k * 0.6931471803691238, k * 1.9082149292705877e-10
     r = above - below
-    beside = r * beyond(EXPONENTIAL, r) + ((above - r) - below)
     power = np.ldexp(1.0, k.astype(int))
     more, most = power * r, power - 1.0
     total = most + more
-    return np.where(usual, total + (power * beside + ((most - total) + more)), np.expm1(x))
+    lost = power * ((above - r) - below) + ((most - total) + more)
+    return np.where(usual, total + (more * beyond(EXPONENTIAL, r) + lost), np.expm1(x))
 
 
 def power_of_two(x):
