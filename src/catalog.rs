@@ -6,7 +6,9 @@ use crate::equation::Claims;
 use crate::formula::{Field, Fields, Formula, Spec, check, entries, value, value_and_jacobian};
 use crate::graph::{self, Extremes, Graph, NotRecorded};
 #[cfg(feature = "measure")]
-use crate::measure::{self, Measurement};
+use crate::measure;
+#[cfg(feature = "measure-by-id")]
+use crate::measure::Measurement;
 use crate::proof::{Case, Convention, Flag, Proved};
 use crate::verify::{
     Audit, Claim, Judge, Kink, Options, Part, Printed, Shard, Sides, Subject, Trial, audit_at, audit_equation,
@@ -114,10 +116,10 @@ pub trait AnyFormula: Send + Sync {
     /// # Errors
     /// What in it cannot be written down.
     fn graph_with(&self, extremes: Extremes) -> Result<Graph, NotRecorded>;
-    #[cfg(feature = "measure")]
+    #[cfg(feature = "measure-by-id")]
     /// The errors of every way to compute it, found now.
     fn errors(&self, options: &measure::Options) -> Measurement;
-    #[cfg(feature = "measure")]
+    #[cfg(feature = "measure-by-id")]
     /// Times every way to compute it, now, and enters that where the errors are known.
     fn times(&self, options: &measure::Options, measurement: &mut Measurement);
     #[cfg(feature = "measure")]
@@ -247,11 +249,11 @@ impl<F: Proved> AnyFormula for F {
     ) -> Result<(), batch::Error> {
         batch::value_and_jacobian::<F>(inputs, value, jacobian)
     }
-    #[cfg(feature = "measure")]
+    #[cfg(feature = "measure-by-id")]
     fn errors(&self, options: &measure::Options) -> Measurement {
         measure::errors::<F>(options)
     }
-    #[cfg(feature = "measure")]
+    #[cfg(feature = "measure-by-id")]
     fn times(&self, options: &measure::Options, measurement: &mut Measurement) {
         measure::times::<F>(options, measurement);
     }

@@ -30,7 +30,8 @@
 //! | `verify` | `Octuple` (237 bits, the exact reference) and `Single`, `proof`, `graph`, `equation`, `verify`, and formulas by name: `catalog::AnyFormula` |
 //! | `catalog` | every formula by identifier, with its proof: `catalog::CATALOG` and `catalog::find` |
 //! | `batch-by-id` | batches by `catalog::AnyFormula`, and `batch` and `verify` with them |
-//! | `measure` | `measure`, and `batch-by-id` and `batch-avx512` with it |
+//! | `measure` | `measure`, and `batch` and `verify` with it |
+//! | `measure-by-id` | the same by `catalog::AnyFormula`, and `batch-by-id` and `batch-avx512` with it |
 //! | `scene` | `scene`, and `verify` with it: a scene can show the error of every number |
 //!
 //! ```

@@ -2,7 +2,7 @@
 
 use crate::outcome::{Outcome, Usage};
 use crate::project::Project;
-use crate::{audit, book, check, console, equation, export, formulas, golden, measuring, new, report, verify};
+use crate::{audit, book, check, console, equation, export, formulas, golden, new, report, verify};
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 use jointproof::formula::Field;
 use std::process::ExitCode;
@@ -35,6 +35,7 @@ enum Command {
     Formulas(formulas::Arguments),
     Complete(Complete),
     /// Measure what standard input asks for, for `report`
+    #[cfg(feature = "measuring")]
     #[command(hide = true)]
     Measure,
 }
@@ -82,7 +83,8 @@ fn run(project: &Project, matches: &ArgMatches) -> Outcome {
         Command::New(arguments) => new::run(project, &arguments),
         Command::Formulas(arguments) => formulas::run(project, &arguments),
         Command::Complete(arguments) => complete(project, &arguments),
-        Command::Measure => Ok(measuring::main(project)),
+        #[cfg(feature = "measuring")]
+        Command::Measure => Ok(crate::measuring::main(project)),
     }
 }
 

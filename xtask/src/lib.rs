@@ -15,7 +15,7 @@
 //! `report` times a program that is built with optimisation: the same one, with the feature `measure`
 //! alone.
 
-#[cfg(feature = "measuring")]
+#[cfg(any(feature = "commands", feature = "measuring"))]
 pub mod measuring;
 mod project;
 

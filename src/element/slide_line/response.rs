@@ -8,7 +8,7 @@
 mod proof;
 mod tangent;
 
-use self::tangent::BySegment;
+use self::tangent::{BySegment, Parts};
 use super::Spot;
 use super::forces::{self, LinearForces};
 use super::friction::{self, Rubbing};
@@ -94,54 +94,31 @@ impl<D: Scalar> Contact<D> {
             let LinearContact { h, k } = PressureLinear::jacobian(&self.pressed).p;
             [h, k]
         });
-        let [by_s11, by_dslip, by_before, by_k_el, by_mu] = choice(|| {
-            let Rubbing { s11, dslip, s12_before, k_el, mu } = friction::Response::jacobian(&self.rubbing).s12;
-            [s11, dslip, s12_before, k_el, mu]
-        });
         let [xs, x1, x2] = [separation.xs, separation.x1, separation.x2].map(|by_e11| by_e11 * -by_h);
         let s11 = LinearPressed { k: by_k, ..LinearPressed::by_places(LinearSlave { xs, x1, x2 }) };
-        let slip = self.of_slip();
-        let s12 = LinearPressed {
-            xs: s11.xs * by_s11 + slip.xs * by_dslip,
-            xo: slip.xo,
-            x1: s11.x1 * by_s11 + slip.x1 * by_dslip,
-            x2: s11.x2 * by_s11 + slip.x2 * by_dslip,
-            g_before: slip.g_before * by_dslip,
-            s12_before: by_before,
-            k: by_k * by_s11,
-            k_el: by_k_el,
-            mu: by_mu,
-        };
+        let (by, slip) = (self.of_stress(), self.of_slip());
+        let s12 = s12_by(&by, &s11, &slip);
         let slave = self.of_force(&s11, &s12);
-        let [n1, n2] = self.line.weights;
-        // −Nᵢ fs, where Nᵢ changes by ∓½ δg.
-        let node = |weight: D, half: f64, by_segment: &[[Vector2<D>; 2]; 2]| {
-            Vector2::from_fn(|k, _| {
-                let by = &slave[k];
-                LinearPressed {
-                    xs: by.xs * -weight + g.xs * (fs[k] * half),
-                    xo: by.xo * -weight,
-                    x1: by_segment[0][k],
-                    x2: by_segment[1][k],
-                    g_before: by.g_before * -weight,
-                    s12_before: by.s12_before * -weight,
-                    k: by.k * -weight,
-                    k_el: by.k_el * -weight,
-                    mu: by.mu * -weight,
-                }
-            })
-        };
-        let (before, shear) = ([self.motion.g, self.rubbing.s12_before], [by_s11, by_dslip, by_before]);
-        let BySegment { fs: [x1, x2], f1, f2 } = BySegment::new(&self.line, before, self.loads, by_h, shear);
+        let BySegment { fs: [x1, x2], f1, f2 } = self.parts(by_h, &by).by_segment(&self.line.t);
         LinearAnswer {
+            f1: self.of_node(0, fs, &g, &slave, &f1),
+            f2: self.of_node(1, fs, &g, &slave, &f2),
+            fs: Vector2::from_fn(|k, _| LinearPressed { x1: x1[k], x2: x2[k], ..slave[k] }),
             g: LinearPressed::by_places(g),
             dslip: slip,
             s11,
             s12,
-            fs: Vector2::from_fn(|k, _| LinearPressed { x1: x1[k], x2: x2[k], ..slave[k] }),
-            f1: node(n1, 0.5, &f1),
-            f2: node(n2, -0.5, &f2),
         }
+    }
+
+    /// The gradient of S12 by what the return map takes.
+    #[inline(always)]
+    fn of_stress(&self) -> Rubbing<D> {
+        let [s11, dslip, s12_before, k_el, mu] = choice(|| {
+            let Rubbing { s11, dslip, s12_before, k_el, mu } = friction::Response::jacobian(&self.rubbing).s12;
+            [s11, dslip, s12_before, k_el, mu]
+        });
+        Rubbing { s11, dslip, s12_before, k_el, mu }
     }
 
     #[inline(always)]
@@ -170,6 +147,56 @@ impl<D: Scalar> Contact<D> {
             }
         };
         Vector2::new(component(0), component(1))
+    }
+
+    /// What the tangent is made of, where S11 falls by `stiffness` times E11 and `by` is the gradient of S12.
+    #[inline(always)]
+    fn parts(&self, stiffness: D, by: &Rubbing<D>) -> Parts<D> {
+        let before = [self.motion.g, self.rubbing.s12_before];
+        Parts::new(&self.line, before, self.loads, stiffness, [by.s11, by.dslip, by.s12_before])
+    }
+
+    /// The gradients of the force on a node, −Nᵢ fs, where Nᵢ changes by ∓½ δg; `slave` are those of fs.
+    #[inline(always)]
+    fn of_node(
+        &self,
+        node: usize,
+        fs: Vector2<D>,
+        g: &LinearSlave<D>,
+        slave: &Vector2<LinearPressed<D>>,
+        by_segment: &[[Vector2<D>; 2]; 2],
+    ) -> Vector2<LinearPressed<D>> {
+        let (weight, half) = (self.line.weights[node], [0.5, -0.5][node]);
+        Vector2::from_fn(|k, _| {
+            let by = &slave[k];
+            LinearPressed {
+                xs: by.xs * -weight + g.xs * (fs[k] * half),
+                xo: by.xo * -weight,
+                x1: by_segment[0][k],
+                x2: by_segment[1][k],
+                g_before: by.g_before * -weight,
+                s12_before: by.s12_before * -weight,
+                k: by.k * -weight,
+                k_el: by.k_el * -weight,
+                mu: by.mu * -weight,
+            }
+        })
+    }
+}
+
+/// The gradient of S12, by those of S11 and of the slip.
+#[inline(always)]
+fn s12_by<D: Scalar>(by: &Rubbing<D>, s11: &LinearPressed<D>, slip: &LinearPressed<D>) -> LinearPressed<D> {
+    LinearPressed {
+        xs: s11.xs * by.s11 + slip.xs * by.dslip,
+        xo: slip.xo,
+        x1: s11.x1 * by.s11 + slip.x1 * by.dslip,
+        x2: s11.x2 * by.s11 + slip.x2 * by.dslip,
+        g_before: slip.g_before * by.dslip,
+        s12_before: by.s12_before,
+        k: s11.k * by.s11,
+        k_el: by.k_el,
+        mu: by.mu,
     }
 }
 

@@ -56,13 +56,14 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "FILE")]
     timing_json: Option<PathBuf>,
     /// Keep the report in the repository, too, for the book on machines where nothing was measured
-    #[arg(long, conflicts_with_all = ["here", "profile", "filter"])]
+    #[arg(long, conflicts_with_all = ["profile", "filter"])]
     reference: bool,
     /// Measure in this process without building an optimised one: starts quickly, for tests
-    #[arg(long)]
+    #[cfg(feature = "measuring")]
+    #[arg(long, conflicts_with_all = ["reference", "profile"])]
     here: bool,
     /// Profile of cargo that the measuring program is built in, such as one of yours that keeps symbols for a profiler
-    #[arg(long, value_name = "NAME", default_value = "release", conflicts_with = "here")]
+    #[arg(long, value_name = "NAME", default_value = "release")]
     profile: String,
     /// Print the schema of reports in JSON, and measure nothing
     #[arg(long)]
@@ -92,7 +93,11 @@ impl Arguments {
     }
 
     fn program(&self) -> Program<'_> {
-        if self.here { Program::This } else { Program::Built { profile: &self.profile } }
+        #[cfg(feature = "measuring")]
+        if self.here {
+            return Program::This;
+        }
+        Program::Built { profile: &self.profile }
     }
 }
 
@@ -101,8 +106,9 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         print(&serde_json::to_string_pretty(&schemars::schema_for!(Report))?)?;
         return Ok(verdict(true));
     }
-    if !arguments.here {
-        project.needs_repository("report", ", or take --here, which measures in this program")?;
+    let program = arguments.program();
+    if program.is_built() {
+        project.needs_repository("report", "")?;
     }
     let formulas = arguments.selection.formulas(project)?;
     let old = arguments.against.as_deref().map(Report::read).transpose()?;
@@ -110,8 +116,8 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     if let Some(folder) = &arguments.inputs {
         export::inputs(folder, &formulas, &options)?;
     }
-    let report = measure(project, &formulas, options, arguments.program())?;
-    if arguments.selection.is_all() && !arguments.here {
+    let report = measure(project, &formulas, options, program)?;
+    if arguments.selection.is_all() && program.is_built() {
         keep(project, &report, arguments.reference)?;
     }
     if let Some(path) = &arguments.timing_json {

@@ -1,7 +1,7 @@
 //! Has the measuring program built and run, and follows it.
 
 use crate::console::progress;
-use crate::measuring::{Build, Event, Request, measure};
+use crate::measuring::{Build, Event, Request};
 use crate::project::Project;
 use anyhow::{Context, bail};
 use indicatif::ProgressBar;
@@ -21,7 +21,8 @@ pub(super) fn run(
     let mut record = Record { build: None, measured: Vec::new(), bar: progress("report", 3 * formulas.len()) };
     let request = Request { formulas, options };
     match program {
-        Program::This => measure(project, &request, |event| {
+        #[cfg(feature = "measuring")]
+        Program::This => crate::measuring::measure(project, &request, |event| {
             record.note(event);
             Ok::<_, anyhow::Error>(())
         })?,
@@ -35,6 +36,7 @@ pub(super) fn run(
 #[derive(Clone, Copy)]
 pub(crate) enum Program<'p> {
     /// The one that runs.
+    #[cfg(feature = "measuring")]
     This,
     /// Another one, without the commands, that cargo builds in this profile.
     Built { profile: &'p str },
@@ -43,6 +45,11 @@ pub(crate) enum Program<'p> {
 impl Program<'_> {
     /// What is measured unless something else is asked for.
     pub(crate) const OPTIMISED: Self = Self::Built { profile: "release" };
+
+    /// Whether it is another one than that which runs.
+    pub(crate) fn is_built(self) -> bool {
+        matches!(self, Self::Built { .. })
+    }
 }
 
 /// What was said so far.

@@ -4,7 +4,7 @@
 //! k_el N' and S12/ℓ would cancel. Since ½ (g − g') is N₂ − N₂' and N₁' − N₁, together they are k_el N and what it was by ℓ.
 
 use crate::scalar::Scalar;
-use crate::slide_line::Projection;
+use crate::slide_line::{Projection, shape};
 use nalgebra::Vector2;
 
 /// What a force changes by along n and t, as a node moves along n and t: the force is named first.
@@ -39,7 +39,7 @@ pub(super) struct BySegment<D> {
 }
 
 /// What the blocks are made of; where there are two, of both nodes.
-struct Parts<D> {
+pub(super) struct Parts<D> {
     weights: [D; 2],
     /// Of the place before.
     before: [D; 2],
@@ -61,8 +61,10 @@ struct Parts<D> {
 const SIGNS: [f64; 2] = [-1.0, 1.0];
 
 impl<D: Scalar> Parts<D> {
+    /// With g and S12 before, and A, S11 and S12. S11 falls by `stiffness` times E11; S12 changes with S11, the slip, and what it
+    /// was, by the last three.
     #[inline(always)]
-    fn new(
+    pub(super) fn new(
         line: &Projection<D>,
         [g, s12_before]: [D; 2],
         [area, s11, s12]: [D; 3],
@@ -72,7 +74,7 @@ impl<D: Scalar> Parts<D> {
         let per = area * line.per_length;
         Self {
             weights: line.weights,
-            before: [(-g + 1.0) * 0.5, (g + 1.0) * 0.5],
+            before: shape::linear(g),
             lean: line.separation * line.per_length,
             normal: s11 * per,
             shear: s12 * per,
@@ -90,7 +92,8 @@ impl<D: Scalar> Parts<D> {
         self.weights[j] * self.stuck + self.rest * SIGNS[j]
     }
 
-    /// Of the force on the slave point, as node j moves. S11 is what it falls by with E11, times −E11.
+    /// Of the force on the slave point, as node j moves. S11 is what it falls by with E11, times −E11. The difference is
+    /// `pressed` less `held(j)`, where both stiffnesses may be nearly equal: they are subtracted before the weight is a factor.
     #[inline(always)]
     fn of_slave(&self, j: usize) -> Block<D> {
         let (sign, pressed) = (SIGNS[j], self.weights[j] * self.pressed);
@@ -117,18 +120,13 @@ impl<D: Scalar> Parts<D> {
             difference: shear * along - (slave.difference * weight + normal * across),
         }
     }
-}
 
-impl<D: Scalar> BySegment<D> {
-    /// With g and S12 before, and A, S11 and S12. S11 falls by `stiffness` times E11; S12 changes with S11, the slip, and what it
-    /// was, by the last three.
     #[inline(always)]
-    pub(super) fn new(line: &Projection<D>, before: [D; 2], loads: [D; 3], stiffness: D, shear: [D; 3]) -> Self {
-        let (t, parts) = (&line.t, Parts::new(line, before, loads, stiffness, shear));
-        Self {
-            fs: [parts.of_slave(0).rows(t), parts.of_slave(1).rows(t)],
-            f1: [parts.of_node(0, 0).rows(t), parts.of_node(0, 1).rows(t)],
-            f2: [parts.of_node(1, 0).rows(t), parts.of_node(1, 1).rows(t)],
+    pub(super) fn by_segment(&self, t: &Vector2<D>) -> BySegment<D> {
+        BySegment {
+            fs: [self.of_slave(0).rows(t), self.of_slave(1).rows(t)],
+            f1: [self.of_node(0, 0).rows(t), self.of_node(0, 1).rows(t)],
+            f2: [self.of_node(1, 0).rows(t), self.of_node(1, 1).rows(t)],
         }
     }
 }
