@@ -30,6 +30,13 @@ fields! {
 #[derive(Clone, Copy, Debug)]
 pub struct ConstraintMoment;
 
+/// cos α e2a + sin α e3a, as `shaft` × (e2a × e3a), where `shaft` is e3b by |(e3a·e3b, e2a·e3b)|: along an axis that the shaft
+/// nearly has, the two terms would cancel.
+#[inline(always)]
+fn line_of_nodes<D: Scalar>(i: &Twisted<D>, shaft: &Vector3<D>) -> Vector3<D> {
+    shaft.cross(&i.e2a.cross(&i.e3a))
+}
+
 /// |(e3a·e3b, e2a·e3b)|, cos α and sin α.
 #[inline]
 fn turn<D: Scalar>(i: &Twisted<D>) -> (D, [D; 2]) {
@@ -54,17 +61,17 @@ impl Formula for ConstraintMoment {
 
     #[inline(always)]
     fn eval<D: Scalar>(i: &Twisted<D>) -> Moment<D> {
-        let (_, [cosine, sine]) = turn(i);
-        Moment { m: (i.e2a * cosine + i.e3a * sine) * i.m2 }
+        let (length, _) = turn(i);
+        Moment { m: line_of_nodes(i, &(i.e3b / length)) * i.m2 }
     }
 
     #[inline(always)]
     fn jacobian<D: Scalar>(i: &Twisted<D>) -> Jacobian<Self, D> {
         let (length, [cosine, sine]) = turn(i);
-        let line_of_nodes = i.e2a * cosine + i.e3a * sine;
         let across = i.e3a * cosine - i.e2a * sine; // across·e3b = length
         let [_, _, by_e3b] = alpha_gradient(&i.e2a, &i.e3a, &i.e3b);
         let shaft = i.e3b / length;
+        let line_of_nodes = line_of_nodes(i, &shaft);
         // ∂α/∂e2a = −cos α e3b/length and ∂α/∂e3a = −sin α e3b/length, so both rows are those of I − across e3bᵀ/length.
         // Its diagonal is a sum over the other two axes, without the 1 that would cancel.
         let row = |k: usize| {
