@@ -37,7 +37,7 @@ impl Formula for Arm {
     )
     .equation(r"\mathbf{m}_{\mathrm{node}} = \mathbf{m} + \mathbf{r}\times\mathbf{f},\quad \mathbf{K}_{\mathrm{arm}} = \mathbf{r}\otimes\mathbf{f} - (\mathbf{r}\cdot\mathbf{f})\,\mathbf{I}")
     .eta(1.5, 1.0)
-    .scale(1e250)
+    .scale(1e120)
     .finite(Finite::Below);
     type Inputs<T: Component> = ArmLoads<T>;
     type Outputs<T: Component> = ArmActions<T>;

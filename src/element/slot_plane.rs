@@ -116,7 +116,7 @@ impl Formula for Forces {
     )
     .equation(r"\mathbf{f}_b = f_2\,\mathbf{e}_{2a},\quad \mathbf{f}_a = -\mathbf{f}_b,\quad m_a = (\mathbf{s}\times\mathbf{f}_b)\cdot(\mathbf{x}_b-\mathbf{x}_a)")
     .eta(1.5, 1.5)
-    .scale(1e250)
+    .scale(1e120)
     .finite(Finite::Below);
     type Inputs<T: Component> = PlaneLoads<T>;
     type Outputs<T: Component> = PlaneForces<T>;
@@ -152,7 +152,7 @@ impl Formula for GeometricStiffness {
     )
     .equation(r"\mathbf{f} = f_2\,\mathbf{e}_{2a},\quad \mathbf{k}_{ua,\theta a} = -\mathbf{s}\times\mathbf{f},\quad k_{\theta a,\theta a} = -\mathbf{f}\cdot(\mathbf{x}_b-\mathbf{x}_a)")
     .eta(1.5, 1.5)
-    .scale(1e250)
+    .scale(1e120)
     .finite(Finite::Below);
     type Inputs<T: Component> = PlaneLoads<T>;
     type Outputs<T: Component> = PlaneStiffness<T>;

@@ -303,7 +303,7 @@ impl Formula for SymmetricStiffness {
     )
     .equation(r"\mathbf{f} = f_1\,\mathbf{e}_{1a} + f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{d} = \mathbf{x}_b-\mathbf{x}_a,\quad \mathbf{S}_{\theta b,\theta b} = \lambda_{\mathrm{rot}}(\tfrac12(\mathbf{e}_{1a}\otimes\mathbf{e}_{3b} + \mathbf{e}_{3b}\otimes\mathbf{e}_{1a}) - (\mathbf{e}_{1a}\cdot\mathbf{e}_{3b})\,\mathbf{I}),\quad \mathbf{S}_{\theta a,\theta a} = \tfrac12(\mathbf{f}\otimes\mathbf{d} + \mathbf{d}\otimes\mathbf{f}) - (\mathbf{f}\cdot\mathbf{d})\,\mathbf{I} + \mathbf{S}_{\theta b,\theta b}")
     .eta(1.5, 1.5)
-    .scale(1e250)
+    .scale(1e120)
     .finite(Finite::Below);
     type Inputs<T: Component> = JointLoads<T>;
     type Outputs<T: Component> = JointSymmetric<T>;

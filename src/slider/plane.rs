@@ -102,7 +102,7 @@ impl Formula for IncrementalConstraint2d {
     )
     .given(&[Given::new(r"\xi", &IncrementalConstraint::SPEC), Given::new(r"\mathbf{n}", &Line::SPEC)])
     .eta(3.0, 5.0)
-    .scale(1e150)
+    .scale(1e50)
     .finite(Finite::Between);
     type Inputs<T: Component> = MovingNodes2d<T>;
     type Outputs<T: Component> = IncrementalResidual2d<T>;

@@ -26,7 +26,7 @@ impl Formula for ContactForce {
     const SPEC: Spec =
         Spec::new("slot.contact_force", "Contact force", Document::SLOT.reconstructed("Friction", "the root was lost"))
             .equation(r"F_C = \sqrt{f_2^2 + f_3^2}")
-            .eta(2.0, 2.0)
+            .eta(1.0, 3.0)
             .scale(1e250)
             .finite(Finite::Below);
     type Inputs<T: Component> = CrossForces<T>;

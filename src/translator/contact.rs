@@ -32,7 +32,7 @@ impl Formula for TorqueForce {
     )
         .equation(r"M_{\mathrm{torq}} = \lvert m_1\rvert,\quad F_{\mathrm{torq}} = \begin{cases} M_{\mathrm{torq}}/R_r & R_r > 0 \\ 0 & R_r = 0 \end{cases}")
         .eta(0.5, 0.5)
-        .scale(1e120)
+        .scale(1e80)
         .finite(Finite::Between);
     type Inputs<T: Component> = Torque<T>;
     type Outputs<T: Component> = TorqueContact<T>;
@@ -74,9 +74,9 @@ impl Formula for RadialForce {
         Document::TRANSLATOR.reconstructed("Friction", "the root was lost"),
     )
     .equation(r"F_r = \sqrt{f_2^2 + f_3^2}")
-    .eta(1.0, 3.0)
-    .scale(1e250)
-    .finite(Finite::Below);
+    .eta(slot::ContactForce::SPEC.eta, slot::ContactForce::SPEC.eta_jacobian)
+    .scale(slot::ContactForce::SPEC.scale)
+    .finite(slot::ContactForce::SPEC.finite);
     type Inputs<T: Component> = CrossForces<T>;
     type Outputs<T: Component> = RadialContact<T>;
 

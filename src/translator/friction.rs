@@ -56,7 +56,7 @@ impl Formula for ContactForce {
         .equation(r"\begin{aligned} F_C &= F_{\mathrm{torq}} + F_r + F_{\mathrm{bend}} = \begin{cases} \lvert m_1/R_r\rvert & R_r > 0 \\ 0 & R_r = 0 \end{cases} + \sqrt{f_2^2 + f_3^2} + \sqrt{(\beta m_2)^2 + (\beta m_3)^2}, \\ \beta &= \begin{cases} 2/L & L > 0 \\ 0 & L = 0 \end{cases} \end{aligned}")
 .given(&[Given::new(r"F_{\mathrm{torq}}", &TorqueForce::SPEC), Given::new(r"F_r", &RadialForce::SPEC), Given::new(r"F_{\mathrm{bend}}", &BendingForce::SPEC)])
         .eta(2.0, 3.0)
-        .scale(1e250)
+        .scale(1e120)
         .finite(Finite::Between);
     type Inputs<T: Component> = ContactLoads<T>;
     type Outputs<T: Component> = Contact<T>;

@@ -25,7 +25,7 @@ impl Formula for ContactMoments {
         .equation(r"M_{Ck} = F_{\mathrm{axial}k}^{\mathrm{hinge}} R_a + \left(F_{\mathrm{total}k}^{\mathrm{hinge}} + F_{\mathrm{total}}^{\mathrm{bend}}\right) R_p\quad (k = 1, 3)")
 .given(&[Given::new(r"F_{\mathrm{axial1}}^{\mathrm{hinge}},\ F_{\mathrm{axial3}}^{\mathrm{hinge}}", &HingeAxial::SPEC), Given::new(r"F_{\mathrm{total1}}^{\mathrm{hinge}},\ F_{\mathrm{total3}}^{\mathrm{hinge}}", &HingeTransverse::SPEC), Given::new(r"F_{\mathrm{total}}^{\mathrm{bend}}", &HingeBending::SPEC), Given::new(r"F_{\mathrm{axial1}},\ F_{\mathrm{axial3}},\ F_{\mathrm{bend}}", &Decomposition::SPEC)])
         .eta(2.0, 6.0)
-        .scale(1e80)
+        .scale(1e50)
         .finite(Finite::Between);
     type Inputs<T: Component> = JointLoads<T>;
     type Outputs<T: Component> = ContactMomentPair<T>;
