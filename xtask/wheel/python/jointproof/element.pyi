@@ -39,7 +39,7 @@ class _Arm(Formula):
         m_node: moment on the node from the force and the moment at the end of the arm, in the global frame ([3], unit FL; a finite number)
         k_arm: derivative of the moment of the force about the node by its spin, at constant force ([3, 3], unit FL; a finite number)
 
-    Accuracy: η at most 1.5 of the value, 1 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
+    Accuracy: η at most 1.5 of the value, 1 of the Jacobian, inputs from 1/1e120 to 1e120 in size.
     Source: UJOINT, Description (ours: the page has the connector at its nodes; programs put rigid arms between).
     """
     def __call__(self, r: ArrayLike, f: ArrayLike, m: ArrayLike, *, out: Any = None) -> _ArmValue: ...
@@ -79,7 +79,7 @@ class _RotationVector(Formula):
     Outputs:
         m_psi: what does the work of the moment on the rotation vector ([3], unit FL; a finite number)
 
-    Accuracy: η at most 4 of the value, 96 of the Jacobian, inputs from 1/1e80 to 1e80 in size.
+    Accuracy: η at most 4 of the value, 96 of the Jacobian, inputs from 1/1e10 to 1e10 in size.
     Source: UJOINT, Description (ours: the page turns its nodes; programs have different unknowns for that).
     """
     def __call__(self, psi: ArrayLike, m: ArrayLike, *, out: Any = None) -> _RotationVectorValue: ...
@@ -120,7 +120,7 @@ class _EulerParameters(Formula):
         m_q0: what does the work of the moment on the first Euler parameter (unit FL; a finite number)
         m_q: what does the work of the moment on the other Euler parameters ([3], unit FL; a finite number)
 
-    Accuracy: η at most 1.5 of the value, 1 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
+    Accuracy: η at most 1.5 of the value, 1 of the Jacobian, inputs from 1/1e120 to 1e120 in size.
     Source: UJOINT, Description (ours: the page turns its nodes; programs have different unknowns for that).
     """
     def __call__(self, q0: ArrayLike, q: ArrayLike, m: ArrayLike, *, out: Any = None) -> _EulerParametersValue: ...

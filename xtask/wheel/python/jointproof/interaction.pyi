@@ -118,7 +118,7 @@ class _Damping(Formula):
     Outputs:
         p: contact pressure, positive in compression (unit F/L^2; a finite number)
 
-    Accuracy: η at most 2 of the value, 2 of the Jacobian, inputs from 1/1e50 to 1e50 in size.
+    Accuracy: η at most 2 of the value, 2 of the Jacobian, inputs from 1/1e40 to 1e40 in size.
     Source: Slide lines, Defining nondefault mechanical surface interactions with slide line elements (ours: the section names the laws; those that it refers to were not given).
     """
     def __call__(self, h: ArrayLike, v: ArrayLike, mu0: ArrayLike, c0: ArrayLike, eta: ArrayLike, *, out: Any = None) -> _DampingValue: ...

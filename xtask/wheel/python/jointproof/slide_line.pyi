@@ -686,7 +686,7 @@ class _SmoothedParabolicPoint(Formula):
         x: point of the slide line, in the plane (r, z) ([2], unit L; a finite number)
         dx: derivative of the point with respect to its coordinate, along the tangent ([2], unit L; a finite number)
 
-    Accuracy: η at most 4 of the value, 5 of the Jacobian, inputs from 1/1e150 to 1e150 in size.
+    Accuracy: η at most 4 of the value, 5 of the Jacobian, inputs from 1/1e120 to 1e120 in size.
     Source: Slide lines, Smoothing the slide line (ours: the section on smoothing that it refers to was not given).
     """
     def __call__(self, x1: ArrayLike, x2: ArrayLike, x3: ArrayLike, x4: ArrayLike, x5: ArrayLike, f: ArrayLike, t: ArrayLike, *, out: Any = None) -> _SmoothedParabolicPointValue: ...

@@ -754,7 +754,7 @@ class _IncrementalConstraint2d(Formula):
     Outputs:
         r: residual of the incremental condition in the plane, positive to the left of the line (unit L; a finite number)
 
-    Accuracy: η at most 3 of the value, 5 of the Jacobian, inputs from 1/1e150 to 1e150 in size.
+    Accuracy: η at most 3 of the value, 5 of the Jacobian, inputs from 1/1e50 to 1e50 in size.
     Source: Sliding constraint (reconstructed: every symbol was lost; the words: the derivative of the one constraint).
     """
     def __call__(self, x1: ArrayLike, xn: ArrayLike, xm: ArrayLike, dx1: ArrayLike, dxn: ArrayLike, dxm: ArrayLike, *, out: Any = None) -> _IncrementalConstraint2dValue: ...

@@ -286,7 +286,7 @@ class _ContactForce(Formula):
     Outputs:
         fc: contact force that the connector's loads produce (unit F; a finite number ≥ 0)
 
-    Accuracy: η at most 2 of the value, 2 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
+    Accuracy: η at most 1 of the value, 3 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: SLOT, Friction (reconstructed: the root was lost).
     """
     def __call__(self, f2: ArrayLike, f3: ArrayLike, *, out: Any = None) -> _ContactForceValue: ...
@@ -517,7 +517,7 @@ class _NodalForces(Formula):
         ma: moment of the connector on node a, in the global frame ([3], unit FL; a finite number)
         fb: force of the connector on node b, in the global frame ([3], unit F; a finite number)
 
-    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
+    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e120 to 1e120 in size.
     Source: SLOT, Description (ours: the page prints the force on b; on a is what balances it).
     """
     def __call__(self, e2a: ArrayLike, e3a: ArrayLike, xa: ArrayLike, xb: ArrayLike, f2: ArrayLike, f3: ArrayLike, *, out: Any = None) -> _NodalForcesValue: ...
@@ -564,7 +564,7 @@ class _GeometricStiffness(Formula):
         k_ua_ta: derivative of the force on node a by the spin of node a, at constant multipliers ([3, 3], unit F; a finite number)
         k_ta_ta: derivative of the moment on node a by the spin of node a, at constant multipliers ([3, 3], unit FL; a finite number)
 
-    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e150 to 1e150 in size.
+    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e120 to 1e120 in size.
     Source: SLOT, Description (ours: the page prints the residuals; it is the derivative of their nodal forces).
     """
     def __call__(self, e2a: ArrayLike, e3a: ArrayLike, xa: ArrayLike, xb: ArrayLike, f2: ArrayLike, f3: ArrayLike, *, out: Any = None) -> _GeometricStiffnessValue: ...
@@ -608,7 +608,7 @@ class _SymmetricStiffness(Formula):
     Outputs:
         s_ta_ta: symmetric part of the derivative of the moment on node a by the spin of node a ([3, 3], unit FL; a finite number)
 
-    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
+    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e120 to 1e120 in size.
     Source: SLOT, Description (ours: the page prints the residuals; for programs that solve symmetric equations).
     """
     def __call__(self, e2a: ArrayLike, e3a: ArrayLike, xa: ArrayLike, xb: ArrayLike, f2: ArrayLike, f3: ArrayLike, *, out: Any = None) -> _SymmetricStiffnessValue: ...
@@ -698,7 +698,7 @@ class _NodalForces2d(Formula):
         ma: moment of the connector on node a in the plane, positive from the first axis to the second (unit FL; a finite number)
         fb: force of the connector on node b in the plane, in the global frame ([2], unit F; a finite number)
 
-    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
+    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e120 to 1e120 in size.
     Source: SLOT, Description (ours: the page prints the force on b; on a is what balances it).
     """
     def __call__(self, e2a: ArrayLike, xa: ArrayLike, xb: ArrayLike, f2: ArrayLike, *, out: Any = None) -> _NodalForces2dValue: ...
@@ -741,7 +741,7 @@ class _GeometricStiffness2d(Formula):
         k_ua_ta: derivative of the force on node a by the spin of node a in the plane, at constant multipliers ([2], unit F; a finite number)
         k_ta_ta: derivative of the moment on node a by the spin of node a in the plane, at constant multipliers (unit FL; a finite number)
 
-    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
+    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e120 to 1e120 in size.
     Source: SLOT, Description (ours: the page prints the residual; it is the derivative of its nodal forces).
     """
     def __call__(self, e2a: ArrayLike, xa: ArrayLike, xb: ArrayLike, f2: ArrayLike, *, out: Any = None) -> _GeometricStiffness2dValue: ...

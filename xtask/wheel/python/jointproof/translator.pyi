@@ -109,7 +109,7 @@ class _TorqueForce(Formula):
         m_torq: magnitude of the torque about the slot (unit FL; a finite number ≥ 0)
         f_torq: contact force that the torque produces (unit F; a finite number ≥ 0)
 
-    Accuracy: η at most 0.5 of the value, 0.5 of the Jacobian, inputs from 1/1e120 to 1e120 in size.
+    Accuracy: η at most 0.5 of the value, 0.5 of the Jacobian, inputs from 1/1e80 to 1e80 in size.
     Source: TRANSLATOR, Friction (reconstructed: the quotient by R_r was lost).
     """
     def __call__(self, m1: ArrayLike, rr: ArrayLike, *, out: Any = None) -> _TorqueForceValue: ...
@@ -236,7 +236,7 @@ class _ContactForce(Formula):
     Outputs:
         fc: contact force that the connector's loads produce (unit F; a finite number ≥ 0)
 
-    Accuracy: η at most 2 of the value, 3 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
+    Accuracy: η at most 2 of the value, 3 of the Jacobian, inputs from 1/1e120 to 1e120 in size.
     Source: TRANSLATOR, Friction (reconstructed: both roots and the quotients by R_r and L were lost).
     """
     def __call__(self, f2: ArrayLike, f3: ArrayLike, m1: ArrayLike, m2: ArrayLike, m3: ArrayLike, rr: ArrayLike, l: ArrayLike, *, out: Any = None) -> _ContactForceValue: ...

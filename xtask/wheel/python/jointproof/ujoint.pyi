@@ -162,7 +162,7 @@ class _TwistFactors(Formula):
         alpha_twist: share of the twisting moment that acts as bending moment on a hinge (unit 1; a finite number ≥ 0)
         beta_twist: transverse force on a hinge, divided by the twisting moment over the arm length (unit 1; a finite number ≥ 0)
 
-    Accuracy: η at most 2 of the value, 4 of the Jacobian, inputs from 1/1e150 to 1e150 in size.
+    Accuracy: η at most 2 of the value, 4 of the Jacobian, inputs from 1/1e120 to 1e120 in size.
     Source: UJOINT, Friction (ours: the page prints the limits and names the beam theories; the curve between is ours).
     """
     def __call__(self, la: ArrayLike, rp: ArrayLike, *, out: Any = None) -> _TwistFactorsValue: ...
@@ -201,7 +201,7 @@ class _AxialFactors(Formula):
         alpha_axial: share of a force along an axis of the cross for each hinge on that axis (unit 1; a finite number ≥ 0)
         beta_axial: share of a force along an axis of the cross for each hinge on the other axis (unit 1; a finite number ≥ 0)
 
-    Accuracy: η at most 2 of the value, 4 of the Jacobian, inputs from 1/1e120 to 1e120 in size.
+    Accuracy: η at most 2 of the value, 4 of the Jacobian, inputs from 1/1e50 to 1e50 in size.
     Source: UJOINT, Friction (ours: the page uses both factors and defines neither).
     """
     def __call__(self, la: ArrayLike, rp: ArrayLike, *, out: Any = None) -> _AxialFactorsValue: ...
@@ -439,7 +439,7 @@ class _HingeBending(Formula):
         m_total_hinge: total bending moment on each hinge (unit FL; a finite number ≥ 0)
         f_total_bend: contact force in a sleeve from the total bending moment (unit F; a finite number ≥ 0)
 
-    Accuracy: η at most 2 of the value, 4 of the Jacobian, inputs from 1/1e60 to 1e60 in size.
+    Accuracy: η at most 2 of the value, 4 of the Jacobian, inputs from 1/1e50 to 1e50 in size.
     Source: UJOINT, Friction (reconstructed: the root and the quotients 1/8 and by L_s were lost; the bars are ours).
     """
     def __call__(self, f_bend: ArrayLike, m2: ArrayLike, la: ArrayLike, rp: ArrayLike, ls: ArrayLike, *, out: Any = None) -> _HingeBendingValue: ...
@@ -498,7 +498,7 @@ class _ContactMoments(Formula):
         mc1: contact moment of a hinge along e1a, which the connector's loads produce (unit FL; a finite number)
         mc3: contact moment of a hinge along e3b, which the connector's loads produce (unit FL; a finite number)
 
-    Accuracy: η at most 2 of the value, 6 of the Jacobian, inputs from 1/1e80 to 1e80 in size.
+    Accuracy: η at most 2 of the value, 6 of the Jacobian, inputs from 1/1e50 to 1e50 in size.
     Source: UJOINT, Friction (printed).
     """
     def __call__(self, e1a: ArrayLike, e2a: ArrayLike, e3a: ArrayLike, e3b: ArrayLike, f1: ArrayLike, f2: ArrayLike, f3: ArrayLike, m2: ArrayLike, rp: ArrayLike, la: ArrayLike, ra: ArrayLike, ls: ArrayLike, *, out: Any = None) -> _ContactMomentsValue: ...
@@ -914,7 +914,7 @@ class _SymmetricStiffness(Formula):
         s_ta_ta: symmetric part of the derivative of the moment on node a by the spin of node a ([3, 3], unit FL; a finite number)
         s_tb_tb: symmetric part of the derivative of the moment on node b by the spin of node b ([3, 3], unit FL; a finite number)
 
-    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
+    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e120 to 1e120 in size.
     Source: UJOINT, Description (ours: the page names the residuals; for programs that solve symmetric equations).
     """
     def __call__(self, e1a: ArrayLike, e2a: ArrayLike, e3a: ArrayLike, e3b: ArrayLike, xa: ArrayLike, xb: ArrayLike, f1: ArrayLike, f2: ArrayLike, f3: ArrayLike, lambda_rot: ArrayLike, *, out: Any = None) -> _SymmetricStiffnessValue: ...
