@@ -34,10 +34,6 @@ enum Command {
     New(new::Arguments),
     Formulas(formulas::Arguments),
     Complete(Complete),
-    /// Measure what standard input asks for, for `report`
-    #[cfg(feature = "measuring")]
-    #[command(hide = true)]
-    Measure,
 }
 
 /// Write the completions for a shell, which reads them at its start
@@ -83,8 +79,6 @@ fn run(project: &Project, matches: &ArgMatches) -> Outcome {
         Command::New(arguments) => new::run(project, &arguments),
         Command::Formulas(arguments) => formulas::run(project, &arguments),
         Command::Complete(arguments) => complete(project, &arguments),
-        #[cfg(feature = "measuring")]
-        Command::Measure => Ok(crate::measuring::main(project)),
     }
 }
 

@@ -9,7 +9,7 @@ mod program;
 
 use jointproof::measure::{Measurement, Options};
 #[cfg(feature = "measuring")]
-pub use program::{main, measure};
+pub use program::main;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -15,6 +15,7 @@ mod mutate;
 mod new;
 mod port;
 mod prose;
+#[cfg(unix)]
 mod report;
 mod scene;
 mod schema;

@@ -44,7 +44,7 @@ pub(super) fn compare(project: &Project, folder: &Path, recorded: &[Recorded]) -
     };
     run()?;
     let formulas: Vec<_> = recorded.iter().map(|one| one.formula).collect();
-    let rust = report::measure(project, &formulas, options, report::Program::OPTIMISED)?;
+    let rust = report::measure(project, &formulas, options, report::OPTIMISED)?;
     run()?;
     bar.finish_and_clear();
     let mut rows = Vec::new();

@@ -35,10 +35,8 @@ fn answer(project: &Project, input: impl Read, mut out: impl Write) -> Result<()
 
 /// Measures: errors on all cores, then times, one formula after the other on a machine that does nothing else, and all of
 /// them once more: what disturbs the machine for some seconds falls on one half of the rounds only, and is seen in the spread.
-///
-/// # Errors
-/// What `tell` says; it is not told more after that.
-pub fn measure<E>(project: &Project, request: &Request, mut tell: impl FnMut(Event) -> Result<(), E>) -> Result<(), E> {
+/// What `tell` fails with ends it.
+fn measure<E>(project: &Project, request: &Request, mut tell: impl FnMut(Event) -> Result<(), E>) -> Result<(), E> {
     tell(Event::Begun(Build::this()))?;
     let formulas: Vec<_> = request.formulas.iter().filter_map(|id| project.find(id)).collect();
     let mut compared = compare(&formulas, &request.options, |id| tell(Event::Compared(id)))?;

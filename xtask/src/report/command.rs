@@ -1,7 +1,7 @@
 //! `report`: its arguments, and what it prints, writes and keeps.
 
 use super::data::Report;
-use super::measuring::{self, Program};
+use super::measuring::{self, OPTIMISED};
 use super::{against, export, tables};
 use crate::console::{print, say};
 use crate::outcome::{Outcome, verdict};
@@ -27,7 +27,6 @@ use std::path::PathBuf;
   {command} report --against old.json           what became worse; exit code 1 if anything did
   {command} report --inputs points              points for a program in another language
   {command} report --timing-json times.json     times of the closed forms at these points")]
-#[expect(clippy::struct_excessive_bools, reason = "they are switches")]
 pub(crate) struct Arguments {
     #[command(flatten)]
     selection: Selection,
@@ -58,12 +57,8 @@ pub(crate) struct Arguments {
     /// Keep the report in the repository, too, for the book on machines where nothing was measured
     #[arg(long, conflicts_with_all = ["profile", "filter"])]
     reference: bool,
-    /// Measure in this process without building an optimised one: starts quickly, for tests
-    #[cfg(feature = "measuring")]
-    #[arg(long, conflicts_with_all = ["reference", "profile"])]
-    here: bool,
     /// Profile of cargo that the measuring program is built in, such as one of yours that keeps symbols for a profiler
-    #[arg(long, value_name = "NAME", default_value = "release")]
+    #[arg(long, value_name = "NAME", default_value = OPTIMISED)]
     profile: String,
     /// Print the schema of reports in JSON, and measure nothing
     #[arg(long)]
@@ -91,14 +86,6 @@ impl Arguments {
             ..options
         }
     }
-
-    fn program(&self) -> Program<'_> {
-        #[cfg(feature = "measuring")]
-        if self.here {
-            return Program::This;
-        }
-        Program::Built { profile: &self.profile }
-    }
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
@@ -106,18 +93,15 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         print(&serde_json::to_string_pretty(&schemars::schema_for!(Report))?)?;
         return Ok(verdict(true));
     }
-    let program = arguments.program();
-    if program.is_built() {
-        project.needs_repository("report", "")?;
-    }
+    project.needs_repository("report", "")?;
     let formulas = arguments.selection.formulas(project)?;
     let old = arguments.against.as_deref().map(Report::read).transpose()?;
     let options = arguments.options();
     if let Some(folder) = &arguments.inputs {
         export::inputs(folder, &formulas, &options)?;
     }
-    let report = measure(project, &formulas, options, program)?;
-    if arguments.selection.is_all() && program.is_built() {
+    let report = measure(project, &formulas, options, &arguments.profile)?;
+    if arguments.selection.is_all() {
         keep(project, &report, arguments.reference)?;
     }
     if let Some(path) = &arguments.timing_json {
@@ -147,15 +131,15 @@ fn keep(project: &Project, report: &Report, is_reference: bool) -> anyhow::Resul
     Ok(())
 }
 
-/// Measures these formulas.
+/// Measures these formulas, in a program that cargo builds in this profile.
 pub(crate) fn measure(
     project: &Project,
     formulas: &[&dyn AnyFormula],
     options: Options,
-    program: Program<'_>,
+    profile: &str,
 ) -> anyhow::Result<Report> {
     let ids = formulas.iter().map(|formula| formula.spec().id.to_owned()).collect();
-    let (build, formulas) = measuring::run(project, ids, options, program).context("the measuring failed")?;
+    let (build, formulas) = measuring::run(project, ids, options, profile).context("the measuring failed")?;
     Ok(Report::new(project, build, options, formulas))
 }
 
@@ -166,7 +150,7 @@ pub(crate) fn kept_or_quick(project: &Project) -> anyhow::Result<Report> {
     }
     let command = project.command();
     say(&format!("no report on every formula is kept: measuring quickly; `{command} report` measures thoroughly"));
-    let report = measure(project, project.catalog(), Options::quick(), Program::OPTIMISED)?;
+    let report = measure(project, project.catalog(), Options::quick(), OPTIMISED)?;
     report.keep(project)?;
     Ok(report)
 }

@@ -11,45 +11,21 @@ use std::io::{BufRead, BufReader, IsTerminal};
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
-/// What the measuring program was and what it found.
+/// The profile of cargo that the measuring program is built in unless something else is asked for.
+pub(crate) const OPTIMISED: &str = "release";
+
+/// What the measuring program was, built in this profile, and what it found.
 pub(super) fn run(
     project: &Project,
     formulas: Vec<String>,
     options: Options,
-    program: Program<'_>,
+    profile: &str,
 ) -> anyhow::Result<(Build, Vec<Measurement>)> {
     let mut record = Record { build: None, measured: Vec::new(), bar: progress("report", 3 * formulas.len()) };
     let request = Request { formulas, options };
-    match program {
-        #[cfg(feature = "measuring")]
-        Program::This => crate::measuring::measure(project, &request, |event| {
-            record.note(event);
-            Ok::<_, anyhow::Error>(())
-        })?,
-        Program::Built { profile } => ask(project, &request, profile, &mut record)?,
-    }
+    ask(project, &request, profile, &mut record)?;
     record.bar.finish_and_clear();
     Ok((record.build.context("the measuring program did not say how it was built")?, record.measured))
-}
-
-/// Which program measures.
-#[derive(Clone, Copy)]
-pub(crate) enum Program<'p> {
-    /// The one that runs.
-    #[cfg(feature = "measuring")]
-    This,
-    /// Another one, without the commands, that cargo builds in this profile.
-    Built { profile: &'p str },
-}
-
-impl Program<'_> {
-    /// What is measured unless something else is asked for.
-    pub(crate) const OPTIMISED: Self = Self::Built { profile: "release" };
-
-    /// Whether it is another one than that which runs.
-    pub(crate) fn is_built(self) -> bool {
-        matches!(self, Self::Built { .. })
-    }
 }
 
 /// What was said so far.

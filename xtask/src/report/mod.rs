@@ -12,4 +12,4 @@ pub(crate) mod tables;
 pub(crate) mod verdict;
 
 pub(crate) use command::{Arguments, kept_or_quick, measure, run};
-pub(crate) use measuring::Program;
+pub(crate) use measuring::OPTIMISED;

@@ -86,19 +86,21 @@ impl Bench {
     /// this code.
     #[cfg(unix)]
     pub fn run_measured(&self, report: &Value, code: i32, arguments: &[&str]) -> Ran {
-        use std::os::unix::fs::PermissionsExt;
         let begun = json!({ "Begun": report["build"] });
         let measured = report["formulas"].as_array().unwrap().iter().map(|formula| json!({ "Measured": formula }));
         let events: Vec<_> = std::iter::once(begun).chain(measured).map(|event| event.to_string()).collect();
-        let [cargo, built, program, said] = ["cargo", "built", "program", "said"].map(|name| self.path(name));
+        let [program, said] = ["program", "said"].map(|name| self.path(name));
         fs::write(&said, events.join("\n")).unwrap();
+        script(&program, &format!("cat > /dev/null\ncat '{}'\nexit {code}", said.display()));
+        self.run_built(&program, arguments)
+    }
+
+    /// Runs the command so that nothing is built: this is the measuring program.
+    #[cfg(unix)]
+    pub fn run_built(&self, program: &Path, arguments: &[&str]) -> Ran {
+        let [cargo, built] = ["cargo", "built"].map(|name| self.path(name));
         fs::write(&built, json!({ "target": { "name": "jointproof" }, "executable": program }).to_string()).unwrap();
-        let script = |path: &Path, text: String| {
-            fs::write(path, format!("#!/bin/sh\n{text}\n")).unwrap();
-            fs::set_permissions(path, fs::Permissions::from_mode(0o755)).unwrap();
-        };
-        script(&cargo, format!("cat '{}'", built.display()));
-        script(&program, format!("cat > /dev/null\ncat '{}'\nexit {code}", said.display()));
+        script(&cargo, &format!("cat '{}'", built.display()));
         Ran::from(self.command(arguments).env("CARGO", &cargo).output().unwrap())
     }
 
@@ -110,6 +112,14 @@ impl Bench {
         };
         fs::read_dir(self.path(folder)).unwrap().map(|file| entry(file.unwrap())).collect()
     }
+}
+
+/// Writes a script of the shell.
+#[cfg(unix)]
+fn script(path: &Path, text: &str) {
+    use std::os::unix::fs::PermissionsExt;
+    fs::write(path, format!("#!/bin/sh\n{text}\n")).unwrap();
+    fs::set_permissions(path, fs::Permissions::from_mode(0o755)).unwrap();
 }
 
 /// Asserts that texts, each with a name, are those that were once looked at and accepted, of which digests are kept in
