@@ -72,6 +72,9 @@ pub struct Spec {
     pub eta: f64,
     /// The stated bound of η of every entry of the closed-form Jacobian in `f64`.
     pub eta_jacobian: f64,
+    /// Bounds of η of value and Jacobian by vectors, where no bound of every component is known: then those above hold at the golden
+    /// cases.
+    pub by_vectors: Option<[f64; 2]>,
     /// Both bounds of η hold where every component of the inputs is 0, or from one part in so many to so many in size.
     pub scale: f64,
     /// Whether moving and turning the whole model moves and turns the outputs with it (frame indifference). A formula
@@ -81,6 +84,9 @@ pub struct Spec {
     pub finite: Finite,
 }
 
+/// What is said of bounds [by vectors](Spec::by_vectors).
+pub(crate) const BY_VECTORS: &str = ", by vectors";
+
 impl Spec {
     /// The scale of a formula that says nothing of it: products of ten numbers of such sizes neither over- nor underflow.
     pub const SCALE: f64 = 1e30;
@@ -88,8 +94,8 @@ impl Spec {
     /// An objective formula; its equation and its bounds follow.
     pub const fn new(id: &'static str, title: &'static str, source: Source) -> Self {
         let (latex, given, eta, eta_jacobian) = ("", [].as_slice(), 0.0, 0.0);
-        let (scale, objective, finite) = (Self::SCALE, true, Finite::Unknown);
-        Self { id, title, source, latex, given, eta, eta_jacobian, scale, objective, finite }
+        let (by_vectors, scale, objective, finite) = (None, Self::SCALE, true, Finite::Unknown);
+        Self { id, title, source, latex, given, eta, eta_jacobian, by_vectors, scale, objective, finite }
     }
 
     /// The equation in LaTeX.
@@ -108,6 +114,36 @@ impl Spec {
     #[must_use]
     pub const fn eta(self, value: f64, jacobian: f64) -> Self {
         Self { eta: value, eta_jacobian: jacobian, ..self }
+    }
+
+    /// Bounds of η by vectors, of value and Jacobian: a component of a vector or matrix, or a derivative by one, that is beyond the
+    /// bound is judged beside the largest other one of it, as if it were as large and changed as much. Which component is small
+    /// depends on the axes, and what cancels in it does not in the others.
+    #[must_use]
+    pub const fn by_vectors(self, value: f64, jacobian: f64) -> Self {
+        Self { by_vectors: Some([value, jacobian]), ..self }
+    }
+
+    /// The bounds of η of value and Jacobian that the audit checks, in words.
+    ///
+    /// ```
+    /// use jointproof::element::slider::Rows;
+    /// use jointproof::formula::Formula;
+    /// use jointproof::ujoint::HingeAxial;
+    /// assert_eq!(HingeAxial::SPEC.accuracy(), "η at most 2 of the value, 6 of the Jacobian");
+    /// assert!(Rows::SPEC.accuracy().ends_with(", by vectors"));
+    /// ```
+    pub fn accuracy(&self) -> String {
+        let ([value, jacobian], by) = self.bounds();
+        format!("η at most {value} of the value, {jacobian} of the Jacobian{by}")
+    }
+
+    /// These bounds, and how they are to be understood.
+    pub const fn bounds(&self) -> ([f64; 2], &'static str) {
+        match self.by_vectors {
+            Some(bounds) => (bounds, BY_VECTORS),
+            None => ([self.eta, self.eta_jacobian], ""),
+        }
     }
 
     /// The sizes up to which the bounds of η hold: every component of the inputs is 0, or from 1/`scale` to `scale`. Beyond, a

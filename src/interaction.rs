@@ -180,6 +180,7 @@ impl Formula for Damping {
     const SPEC: Spec = Spec::new("interaction.damping", "Viscous contact damping", SOURCE)
         .equation(r"p = v \begin{cases} \mu_0 & -h \le \eta c_0 \\ \mu_0\,\dfrac{c_0 + h}{(1-\eta)\,c_0} & \eta c_0 < -h < c_0 \\ 0 & \text{otherwise}\end{cases}")
         .eta(2.0, 2.0)
+        // Beyond, 237 bits do not hold c0 + h, by which it is judged.
         .scale(1e40)
         .finite(Finite::Between);
     type Inputs<T: Component> = DampingContact<T>;

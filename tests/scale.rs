@@ -14,7 +14,7 @@ use std::path::PathBuf;
 /// Of these a formula states one.
 const SCALES: [f64; 15] = [1e3, 1e5, 1e10, 1e15, 1e20, 1e30, 1e40, 1e50, 1e60, 1e80, 1e100, 1e120, 1e150, 1e200, 1e250];
 /// At so many random points, taken to other sizes, a search finds a bound exceeded or not.
-const SEARCHED: Options = Options { samples: 300, seed: 5 };
+const SEARCHED: Options = Options { samples: 3000, seed: 5 };
 
 fn file() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/data/beyond.json")
@@ -59,9 +59,9 @@ fn beyond_the_sizes_that_are_stated_a_bound_is_exceeded() {
     }
 }
 
-/// A formula may state less, where inputs that are kept show why: ten times as many points find what these do not.
+/// A formula may state less, where inputs that are kept show why: other points find what these do not.
 #[test]
-#[ignore = "searches for a quarter of an hour"]
+#[ignore = "searches for hours, or a quarter of one where the library is optimised"]
 fn no_sizes_are_stated_beyond_those_that_a_search_finds() {
     let found: Vec<_> = CATALOG.par_iter().map(|formula| search(*formula)).collect();
     let before = kept();

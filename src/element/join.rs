@@ -162,7 +162,7 @@ impl Formula for Forces {
     )
     .equation(r"\mathbf{f}_b = f_1\,\mathbf{e}_{1a} + f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{f}_a = -\mathbf{f}_b,\quad \mathbf{m}_a = \mathbf{f}_b\times(\mathbf{x}_b-\mathbf{x}_a)")
     .eta(1.5, 1.5)
-    .scale(1e250)
+    .scale(1e120)
     .finite(Finite::Below);
     type Inputs<T: Component> = JoinLoads<T>;
     type Outputs<T: Component> = JoinForces<T>;
@@ -198,7 +198,7 @@ impl Formula for GeometricStiffness {
     )
     .equation(r"\mathbf{f} = f_1\,\mathbf{e}_{1a} + f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{d} = \mathbf{x}_b-\mathbf{x}_a,\quad \mathbf{K}_{ua,\theta a} = \mathbf{f}\times\mathbf{I},\quad \mathbf{K}_{\theta a,\theta a} = \mathbf{f}\otimes\mathbf{d} - (\mathbf{f}\cdot\mathbf{d})\,\mathbf{I}")
     .eta(1.5, 1.5)
-    .scale(1e150)
+    .scale(1e120)
     .finite(Finite::Below);
     type Inputs<T: Component> = JoinLoads<T>;
     type Outputs<T: Component> = JoinStiffness<T>;

@@ -36,7 +36,8 @@ impl Formula for LocalBasis {
         ),
     )
         .equation(r"\mathbf{t} = \frac{\mathbf{X}'}{\lvert\mathbf{X}'\rvert},\quad \mathbf{n} = \mathbf{s}\times\mathbf{t} = (-t_2, t_1)")
-        .eta(2.0, 4.0)
+        // Squares, a sum and a root are two roundings, and the quotient is one more.
+        .eta(3.0, 4.0)
         .scale(1e250)
         .finite(Finite::Between);
     type Inputs<T: Component> = Direction<T>;

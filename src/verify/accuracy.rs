@@ -2,11 +2,15 @@
 
 use super::bends::Bends;
 use super::claim::Claim;
+use super::eta::eta_beside;
 use super::point::{Names, Point};
 use super::{Sensitivity, eta};
 use crate::Octuple;
+use crate::formula::{Field, Spec};
 use crate::proof::Convention;
 use num_traits::{Signed, Zero};
+use std::iter;
+use std::ops::Range;
 
 /// What is known exactly at a point.
 pub(super) struct Exact {
@@ -46,10 +50,25 @@ impl Exact {
             .fold(Octuple::zero(), |most, entry| if entry.abs() > most { entry.abs() } else { most })
     }
 
+    /// The largest entry, with how much it changes, of those of the same output by the other components of the same input.
+    fn largest_beside(&self, point: &Point, k: usize) -> Sensitivity {
+        let (inputs, fields) = (point.exact.len(), point.subject.inputs);
+        let (row, input) = (k / inputs * inputs, k % inputs);
+        let beside = of_same_field(fields, input).filter(|&other| other != input).map(|other| row + other);
+        largest(beside.map(|entry| self.bend(point, entry).plus(self.ad[entry])))
+    }
+
     /// How much every output changes with the inputs.
     pub(super) fn sensitivities(&self, inputs: &[Octuple]) -> Vec<Sensitivity> {
         self.ad.chunks(inputs.len()).map(|gradient| Sensitivity::new(gradient, inputs)).collect()
     }
+}
+
+/// The bounds of η of value and Jacobian, claimed of sizes or of any.
+pub(super) fn claims(spec: &Spec, sizes: &str) -> [Claim; 2] {
+    let (bounds, by) = spec.bounds();
+    let claim = |of, bound| Claim::new(format!("η of the {of} in f64{by}{sizes}"), bound);
+    [claim("value", bounds[0]), claim("closed-form Jacobian", bounds[1])]
 }
 
 /// Value and Jacobian in `f64`, each alone and as they come together; on a switch there is no derivative.
@@ -64,11 +83,18 @@ pub(super) fn check_accuracy([value, jacobian]: [&mut Claim; 2], point: &Point, 
 
 fn check_value(claim: &mut Claim, point: &Point, names: &Names, exact: &Exact, values: [Vec<f64>; 2]) {
     let sizes = exact.sensitivities(&point.exact);
+    let beside = |output: usize| {
+        let others = of_same_field(point.subject.outputs, output).filter(|&other| other != output);
+        largest(others.map(|other| sizes[other].plus(exact.values[other])))
+    };
     for computed in values {
         for (output, ((&computed, &value), &sensitivity)) in computed.iter().zip(&exact.values).zip(&sizes).enumerate()
         {
             let describe = |size| point.deviation(size, names.outputs[output].clone(), computed, value.to_f64());
-            claim.record(eta(computed, value, sensitivity), claim.bound, describe);
+            let own = eta(computed, value, sensitivity);
+            let vector = || own.min(eta_beside(computed, value, beside(output)));
+            let sizes = iter::once(own).chain(point.subject.spec.by_vectors.iter().map(|_| vector()));
+            claim.record_last(sizes, claim.bound, describe);
         }
     }
 }
@@ -78,7 +104,12 @@ fn check_jacobian(claim: &mut Claim, point: &Point, names: &Names, exact: &Exact
     let [alone, together] = jacobians;
     for (entry, ((&alone, &together), &ad)) in alone.iter().zip(&together).zip(&exact.ad).enumerate() {
         let mut judge = |computed| {
-            let sizes = exact.bends_up_to(point, entry).map(|bend| eta(computed, ad, bend));
+            let own = exact.bends_up_to(point, entry).map(|bend| eta(computed, ad, bend));
+            let vector = || {
+                let own = eta(computed, ad, exact.bend(point, entry));
+                own.min(eta_beside(computed, ad, exact.largest_beside(point, entry)))
+            };
+            let sizes = own.chain(point.subject.spec.by_vectors.iter().map(|_| vector()));
             let describe = |size| point.deviation(size, names.entry(entry), computed, ad.to_f64());
             claim.record_last(sizes, claim.bound, describe)
         };
@@ -92,11 +123,29 @@ fn check_jacobian(claim: &mut Claim, point: &Point, names: &Names, exact: &Exact
     }
 }
 
+/// The components of the field that this one is of, with itself.
+fn of_same_field(fields: &[Field], component: usize) -> Range<usize> {
+    let mut first = 0;
+    for field in fields {
+        let end = first + field.len();
+        if component < end {
+            return first..end;
+        }
+        first = end;
+    }
+    component..component
+}
+
+fn largest(sizes: impl Iterator<Item = Sensitivity>) -> Sensitivity {
+    sizes.fold(Sensitivity::none(), |most, size| if size.size() > most.size() { size } else { most })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::coulomb::ReturnMap;
     use crate::power::power_of_two;
+    use crate::slide_line::LocalBasis;
     use crate::slot::ContactForce;
     use crate::verify::subject::Subject;
 
@@ -132,6 +181,34 @@ mod tests {
             assert!((worst.size / expected - 1.0).abs() < 1e-3, "{worst:?}");
             assert!((worst.found - number).abs() < 1e-15 && worst.expected > worst.found, "{worst:?}");
         }
+    }
+
+    /// The first component of a tangent that is nearly along the second axis, and its derivative by that, are off by less than a
+    /// rounding of the second component.
+    #[test]
+    fn by_vectors_a_component_that_cancels_is_judged_beside_the_largest() {
+        let failures = |by_vectors, off: f64| {
+            let mut subject = Subject::of::<LocalBasis>();
+            subject.spec.by_vectors = by_vectors;
+            let (point, names) = (point(&subject, false, &[3e-9, 4.0]), Names::new(&subject));
+            let mut claims = claims(&subject.spec, "");
+            let mut exact = Exact::at(&point);
+            exact.values[0] += off;
+            exact.ad[1] += off;
+            let [value, jacobian] = &mut claims;
+            check_accuracy([value, jacobian], &point, &names, &exact);
+            claims.map(|claim| (claim.failures, claim.claim.ends_with(", by vectors")))
+        };
+        assert_eq!(failures(None, 1e-17), [(2, false), (2, false)]);
+        assert_eq!(failures(Some([2.0, 2.0]), 1e-17), [(0, true), (0, true)]);
+        assert_eq!(failures(Some([2.0, 2.0]), 1e-15), [(2, true), (2, true)]);
+    }
+
+    #[test]
+    fn a_component_is_of_the_field_that_it_lies_in() {
+        let subject = Subject::of::<LocalBasis>();
+        let of = |component| of_same_field(subject.outputs, component);
+        assert_eq!([0, 1, 2, 3, 4].map(of), [0..2, 0..2, 2..4, 2..4, 4..4]);
     }
 
     #[test]

@@ -1,10 +1,10 @@
 //! The audit: every claim about a formula, checked at its cases, beside its kinks and at random points.
 
-use super::accuracy::{Exact, check_accuracy};
+use super::accuracy::{Exact, check_accuracy, claims};
 use super::bends::Bends;
 use super::branches::Branches;
 use super::claim::Claim;
-use super::difference::{Direction, differences, largest_of_field};
+use super::difference::{Differences, Direction, differences, largest_of_field};
 use super::kinks::{self, Comparison, Looked, SMOOTH};
 use super::point::{Names, Options, Point, random_points};
 use super::printed::{EQUATION, found};
@@ -39,8 +39,11 @@ const REACHED_FROM: usize = 64;
 /// Laws hold in 237 bits to this.
 const LAW: f64 = 1e-60;
 
-/// Steps of differences: the first one at random points, the best one at hard points.
+/// Steps of differences at hard points: the best one.
 const STEPS: [f64; 4] = [3e-19, 1e-22, 1e-26, 1e-30];
+/// At random points, the second one where the first is not near enough, as with a slave point near a centre of curvature, whose
+/// foot moves far.
+const STEPS_AT_RANDOM: [f64; 2] = [STEPS[0], 3e-20];
 
 /// What an audit of one formula found.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -166,6 +169,7 @@ fn audit_points(subject: &Subject, points: &Points<'_>) -> Audit {
     let general = if points.is_given() { named } else { random };
     let names = Names::new(subject);
     let (printed, [equation, equation_jacobian]) = read_equation(subject);
+    let [eta, eta_jacobian] = claims(&subject.spec, "");
     let mut audit = Audit {
         formula: subject.spec.id.into(),
         provenance: format!("{}; {}", subject.spec.source, subject.spec.source.provenance),
@@ -178,8 +182,8 @@ fn audit_points(subject: &Subject, points: &Points<'_>) -> Audit {
             "automatic differentiation = differences, in 237 bits",
             AD_AGAINST_DIFFERENCES,
         ),
-        eta: Claim::new("η of the value in f64", subject.spec.eta),
-        eta_jacobian: Claim::new("η of the closed-form Jacobian in f64", subject.spec.eta_jacobian),
+        eta,
+        eta_jacobian,
         scaled: (!points.is_given()).then(|| scaled(subject, &names, random, *before, *seed)),
         equation,
         equation_jacobian,
@@ -322,25 +326,33 @@ impl Audit {
     /// Differences by one input after another.
     fn check_ad(&mut self, point: &Point, names: &Names, exact: &Exact) {
         let (inputs, ad) = (point.exact.as_slice(), &exact.ad);
-        let steps = if point.random { &STEPS[..1] } else { &STEPS[..] };
         let bound = if point.random { AD_AGAINST_DIFFERENCES } else { AD_AGAINST_DIFFERENCES_HARD };
         let rounding = rounding_of_values(point, exact);
         for input in 0..inputs.len() {
             let along = Direction::of_one(point.subject, inputs, input);
             let attempt = |&step: &f64| differences(point.subject, inputs, &exact.values, &along, step);
-            let attempts: Vec<_> = steps.iter().map(attempt).collect();
-            for (output, rounding) in rounding.iter().enumerate() {
+            let scale = |output: usize| {
+                let (own, rounding) = (ad[output * inputs.len() + input], rounding[output]);
+                Sensitivity::none().plus(own).plus(rounding.per(along.unit()))
+            };
+            let deviation = |rows: &Differences, output: usize| {
+                scale(output).share_of(ad[output * inputs.len() + input] - rows.central[output])
+            };
+            let is_near = |rows: &Differences| (0..rounding.len()).all(|output| deviation(rows, output) <= bound);
+            let attempts: Vec<_> = if point.random {
+                tried(STEPS_AT_RANDOM.iter().map(attempt), is_near)
+            } else {
+                STEPS.iter().map(attempt).collect()
+            };
+            for output in 0..rounding.len() {
                 let entry = output * inputs.len() + input;
-                let scale = Sensitivity::none().plus(ad[entry]).plus(rounding.per(along.unit()));
-                let deviations = attempts.iter().map(|rows| (ad[entry] - rows.central[output]).abs());
-                let best = deviations.reduce(|best, next| if next < best { next } else { best });
-                let Some(best) = best else { continue };
+                let best = attempts.iter().map(|rows| deviation(rows, output)).fold(f64::INFINITY, f64::min);
                 let found = attempts[0].central[output].to_f64();
                 let describe = |size| point.deviation(size, names.entry(entry), ad[entry].to_f64(), found);
-                self.ad_against_differences.record(scale.share_of(best), bound, describe);
+                self.ad_against_differences.record(best, bound, describe);
                 if !point.random {
                     let sides: Vec<_> = attempts.iter().map(|rows| rows.sides_of(output)).collect();
-                    self.check_sides(point, names, entry, scale.size(), &sides);
+                    self.check_sides(point, names, entry, scale(output).size(), &sides);
                 }
             }
         }
@@ -351,14 +363,21 @@ impl Audit {
         let (subject, inputs) = (point.subject, point.exact.as_slice());
         let mut sampler = Sampler::named(&format!("{} along {}", subject.spec.id, point.label), 0);
         let along = Direction::of_all(subject, inputs, &mut sampler);
-        let found = differences(subject, inputs, &exact.values, &along, STEPS[0]).central;
-        let expected = exact.ad.chunks(inputs.len()).map(|gradient| along.derivative(gradient));
-        let compared = expected.zip(found).zip(rounding_of_values(point, exact));
-        for (output, ((expected, found), rounding)) in compared.enumerate() {
+        let expected: Vec<_> = exact.ad.chunks(inputs.len()).map(|gradient| along.derivative(gradient)).collect();
+        let rounding = rounding_of_values(point, exact);
+        let attempt = |&step: &f64| differences(subject, inputs, &exact.values, &along, step).central;
+        let deviation = |found: &[Octuple], output: usize| {
+            let scale = Sensitivity::none().plus(expected[output]).plus(rounding[output].per(along.unit()));
+            scale.share_of(expected[output] - found[output])
+        };
+        let is_near =
+            |found: &Vec<Octuple>| (0..found.len()).all(|output| deviation(found, output) <= AD_AGAINST_DIFFERENCES);
+        let attempts = tried(STEPS_AT_RANDOM.iter().map(attempt), is_near);
+        for (output, expected) in expected.iter().enumerate() {
+            let best = attempts.iter().map(|found| deviation(found, output)).fold(f64::INFINITY, f64::min);
             let entry = || format!("{} along a direction of all inputs", names.outputs[output]);
-            let describe = |size| point.deviation(size, entry(), expected.to_f64(), found.to_f64());
-            let scale = Sensitivity::none().plus(expected).plus(rounding.per(along.unit()));
-            self.ad_against_differences.record(scale.share_of(expected - found), AD_AGAINST_DIFFERENCES, describe);
+            let describe = |size| point.deviation(size, entry(), expected.to_f64(), attempts[0][output].to_f64());
+            self.ad_against_differences.record(best, AD_AGAINST_DIFFERENCES, describe);
         }
     }
 
@@ -377,6 +396,19 @@ impl Audit {
         let describe = |size| point.deviation(size, names.entry(entry), above.to_f64(), below.to_f64());
         self.kinks.record(size, SMOOTH, describe);
     }
+}
+
+/// Those up to the first that is good enough.
+fn tried<T>(attempts: impl Iterator<Item = T>, is_enough: impl Fn(&T) -> bool) -> Vec<T> {
+    let mut tried = Vec::new();
+    for attempt in attempts {
+        let enough = is_enough(&attempt);
+        tried.push(attempt);
+        if enough {
+            break;
+        }
+    }
+    tried
 }
 
 /// What rounding can do to the values, |y| and what rounding of the inputs does, by which differences are judged beside the

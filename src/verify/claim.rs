@@ -1,5 +1,6 @@
 //! A claim about a formula, and what was found about it.
 
+use crate::formula::BY_VECTORS;
 use serde::{Deserialize, Serialize};
 
 /// A claim about a formula.
@@ -45,6 +46,11 @@ impl Claim {
     /// Whether something was checked and nothing deviated by more than the bound.
     pub fn held(&self) -> bool {
         self.checks > 0 && self.failures == 0
+    }
+
+    /// Whether its bound is one [by vectors](crate::formula::Spec::by_vectors).
+    pub fn is_by_vectors(&self) -> bool {
+        self.claim.contains(BY_VECTORS)
     }
 
     /// The same claim, of which nothing was checked.

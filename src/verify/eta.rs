@@ -64,13 +64,18 @@ impl Sensitivity {
 /// smallest subnormal is added to the denominator, since no double is closer to an exact result than that.
 /// A computed NaN has η = ∞.
 pub fn eta(computed: f64, exact: Octuple, sensitivity: Sensitivity) -> f64 {
+    eta_beside(computed, exact, sensitivity.plus(exact))
+}
+
+/// The same of a number that is judged by the size of another one, |y| and what inputs do to it.
+pub(super) fn eta_beside(computed: f64, exact: Octuple, other: Sensitivity) -> f64 {
     let deviation = (Octuple::from(computed) - exact).abs();
-    if deviation.is_zero() && !sensitivity.0.is_nan() {
+    if deviation.is_zero() && !other.0.is_nan() {
         return 0.0;
     }
     // The smallest subnormal, 2⁻¹⁰⁷⁴.
     let underflow = Octuple::from(f64::from_bits(1));
-    let unit = (sensitivity.0 + exact.abs()) * U + underflow * 0.5;
+    let unit = other.0 * U + underflow * 0.5;
     let eta = (deviation / unit).to_f64();
     if eta.is_nan() { f64::INFINITY } else { eta }
 }

@@ -42,8 +42,7 @@ fn shown(formula: &dyn AnyFormula) -> String {
     let mut lines = vec![spec.latex.to_owned()];
     lines.extend(formula.inputs().iter().map(|field| described("in", field)));
     lines.extend(formula.outputs().iter().map(|field| described("out", field)));
-    let [value, jacobian] = [spec.eta, spec.eta_jacobian];
-    lines.push(format!("η of the value at most {value}, of the Jacobian {jacobian}, at sizes {}", spec.sizes()));
+    lines.push(format!("{}, at sizes {}", spec.accuracy(), spec.sizes()));
     lines.extend(formula.kinks().iter().map(|kink| format!("kink: {}", kink.condition)));
     text.extend(lines.iter().flat_map(|line| ["    ", line, "\n"]));
     text

@@ -154,6 +154,7 @@ impl Formula for Parabolic {
         .equation(r"\mathbf{f}_s = A\,(S_{11}\,\mathbf{n} - S_{12}\,\mathbf{t}),\quad \mathbf{f}_1 = -\tfrac12 g(g-1)\,\mathbf{f}_s,\quad \mathbf{f}_2 = -(1-g^2)\,\mathbf{f}_s,\quad \mathbf{f}_3 = -\tfrac12 g(g+1)\,\mathbf{f}_s")
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &ParabolicPoint::SPEC)])
         .eta(2.0, 8.0)
+        .by_vectors(2.0, 8.0)
         .scale(1e20)
         .finite(Finite::Between);
     type Inputs<T: Component> = ParabolicLoads<T>;

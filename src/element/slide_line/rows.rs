@@ -53,7 +53,7 @@ impl Formula for Linear {
     const SPEC: Spec = Spec::new("slide_line.rows_linear", "Rows of contact on a straight segment", OURS)
         .equation(r"\begin{aligned} \mathbf{e}_{11,us} &= \mathbf{n}, & \mathbf{e}_{11,u1} &= -N_1\,\mathbf{n}, & \mathbf{e}_{11,u2} &= -N_2\,\mathbf{n}, \\ \mathbf{e}_{12,us} &= \mathbf{t}, & \mathbf{e}_{12,u1} &= -N_1\,\mathbf{t}, & \mathbf{e}_{12,u2} &= -N_2\,\mathbf{t}, \\ N_1 &= \tfrac12(1-g), & N_2 &= \tfrac12(1+g) \end{aligned}")
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &LinearPoint::SPEC)])
-        .eta(3.0, 4.0)
+        .eta(4.0, 4.0)
         .scale(1e250)
         .finite(Finite::Between);
     type Inputs<T: Component> = LinearPlace<T>;
@@ -111,6 +111,7 @@ impl Formula for Parabolic {
         .equation(r"\begin{aligned} \mathbf{e}_{11,us} &= \mathbf{n}, & \mathbf{e}_{11,u1} &= -N_1\,\mathbf{n}, & \mathbf{e}_{11,u2} &= -N_2\,\mathbf{n}, & \mathbf{e}_{11,u3} &= -N_3\,\mathbf{n}, \\ \mathbf{e}_{12,us} &= \mathbf{t}, & \mathbf{e}_{12,u1} &= -N_1\,\mathbf{t}, & \mathbf{e}_{12,u2} &= -N_2\,\mathbf{t}, & \mathbf{e}_{12,u3} &= -N_3\,\mathbf{t}, \\ N_1 &= \tfrac12 g(g-1), & N_2 &= 1-g^2, & N_3 &= \tfrac12 g(g+1) \end{aligned}")
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &ParabolicPoint::SPEC)])
         .eta(3.0, 10.0)
+        .by_vectors(4.0, 10.0)
         .scale(1e20)
         .finite(Finite::Between);
     type Inputs<T: Component> = ParabolicPlace<T>;

@@ -110,7 +110,7 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
             missing: D::zero(),
             weights,
             rates: S::rates(view.f, u),
-            gap: view.gap(weights),
+            gap: place.gap,
             rate: place.rate,
             per_slope: D::zero(),
             beyond,

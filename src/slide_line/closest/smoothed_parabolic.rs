@@ -140,9 +140,9 @@ impl Formula for ClosestSmoothedParabolic {
     )
         .equation(r"t = \operatorname*{arg\,min}_{0 \le t \le 1}\,\lvert\mathbf{x}_s-\mathbf{X}(t)\rvert,\quad E_{11} = \bigl(\mathbf{x}_s-\mathbf{X}(t)\bigr)\cdot\mathbf{n}")
 .given(&[Given::new(r"\mathbf{X}(t),\ \mathbf{X}'", &SmoothedParabolicPoint::SPEC), Given::new(r"\mathbf{n}", &LocalBasis::SPEC)])
-        // Of 100,000 entries at random points a handful is above 24: derivatives by f between nodes whose distances
+        // Of a million entries at random points one is above 128: derivatives by f between nodes whose distances
         // differ by factors of 1e6, where the ends move nearly along the tangent.
-        .eta(4.0, 128.0)
+        .eta(4.0, 512.0)
         .scale(1e3)
         .finite(Finite::Between);
     type Inputs<T: Component> = ParabolicCornerSlave<T>;

@@ -191,12 +191,17 @@ fn evidence(ran: &Evidence) -> String {
 
 /// The worst deviation from a claim, its bound, and whether it failed.
 pub(crate) fn worst(claim: &Claim) -> String {
-    let bound = number(claim.bound);
+    let bound = bound(claim);
     match (&claim.worst, claim.failures) {
         (None, _) => "not checked".to_owned(),
         (Some(worst), 0) => format!("<b>{}</b> (bound {bound})", number(worst.size)),
         (Some(worst), _) => format!("<b class=\"missing\">{} exceeds {bound}</b>", number(worst.size)),
     }
+}
+
+/// The bound of a claim, and how it is to be understood.
+pub(crate) fn bound(claim: &Claim) -> String {
+    number(claim.bound) + if claim.is_by_vectors() { " by vectors" } else { "" }
 }
 
 /// The laws that were tried, with counts: its own, and how many of those that every formula has.
@@ -316,5 +321,11 @@ mod tests {
         };
         assert_eq!(of(&[&["a", "b", "c"], &["c", "d", "a"], &["c", "a", "b"]]), ["a", "c"]);
         assert!(of(&[&["a"], &["b"]]).is_empty() && of(&[&["a"]]).is_empty() && of(&[]).is_empty());
+    }
+
+    #[test]
+    fn a_bound_by_vectors_is_said_to_be_one() {
+        let of = |by: &str| bound(&Claim { claim: format!("η of the value in f64{by}"), ..sample::passed().eta });
+        assert_eq!(["", ", by vectors"].map(of), ["4", "4 by vectors"]);
     }
 }

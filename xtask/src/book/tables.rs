@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::content::{Content, Entry, Source, Symbol};
-use super::entry::{document, of_every, worst};
+use super::entry::{bound, document, of_every, worst};
 use super::html::{each, escape, number, row, table};
 use super::pages::{Pages, Place};
 use crate::extension::Table;
@@ -131,7 +131,7 @@ fn evidence_row(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
 /// The worst deviation and its bound, `0.9 ≤ 4`.
 fn bounded(claim: &Claim) -> String {
     match &claim.worst {
-        Some(worst) if claim.held() => format!("<b>{}</b>\u{a0}≤\u{a0}{}", number(worst.size), number(claim.bound)),
+        Some(worst) if claim.held() => format!("<b>{}</b>\u{a0}≤\u{a0}{}", number(worst.size), bound(claim)),
         _ => worst(claim),
     }
 }

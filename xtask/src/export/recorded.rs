@@ -97,8 +97,8 @@ pub(super) fn description(one: &Recorded) -> Vec<String> {
     lines.extend([String::new(), spec.latex.to_owned(), String::new()]);
     lines.extend(fields("in ", one.formula.inputs()).chain(fields("out", one.formula.outputs())));
     lines.push(String::new());
-    lines
-        .push(format!("eta <= {} of the value, <= {} of the Jacobian, in units of 2^-53", spec.eta, spec.eta_jacobian));
+    let ([value, jacobian], by) = spec.bounds();
+    lines.push(format!("eta <= {value} of the value, <= {jacobian} of the Jacobian{by}, in units of 2^-53"));
     lines.push(format!("where inputs are 0 or {} in size", spec.sizes()));
     lines.extend(one.formula.kinks().iter().map(|kink| format!("kink: {}", kink.condition)));
     lines.push(format!("Golden cases: golden/{}.json of jointproof {}", spec.id, env!("CARGO_PKG_VERSION")));

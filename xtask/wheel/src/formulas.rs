@@ -46,6 +46,7 @@ fn described(formula: &dyn AnyFormula, entries: &[[usize; 2]]) -> Value {
         "latex": spec.latex,
         "eta": spec.eta,
         "eta_jacobian": spec.eta_jacobian,
+        "accuracy": spec.accuracy(),
         "sizes": spec.sizes(),
         "inputs": fields(formula.inputs()),
         "outputs": fields(formula.outputs()),

@@ -122,6 +122,7 @@ class Formula:
         self.latex = said["latex"]
         self.eta = said["eta"]
         self.eta_jacobian = said["eta_jacobian"]
+        self.accuracy = said["accuracy"]
         self.sizes = said["sizes"]
         self.inputs = _fields(said["inputs"])
         self.outputs = _fields(said["outputs"])
@@ -359,7 +360,7 @@ def docstring(formula):
         for field in fields:
             shape = f"{list(field.shape)}, " if field.shape else ""
             lines.append(f"    {field.name}: {field.meaning} ({shape}unit {field.unit}; {field.allowed})")
-    lines += ["", f"Accuracy: η at most {formula.eta:g} of the value, {formula.eta_jacobian:g} of the Jacobian, inputs {formula.sizes} in size."]
+    lines += ["", f"Accuracy: {formula.accuracy}, inputs {formula.sizes} in size."]
     lines += [f"Source: {formula.source} ({formula.provenance})."]
     return "\n".join(lines)
 

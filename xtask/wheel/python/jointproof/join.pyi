@@ -162,7 +162,7 @@ class _NodalForces(Formula):
         ma: moment of the connector on node a, in the global frame ([3], unit FL; a finite number)
         fb: force of the connector on node b, in the global frame ([3], unit F; a finite number)
 
-    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
+    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e120 to 1e120 in size.
     Source: UJOINT, Description (ours: the page of JOIN was not given; these do the work of its multipliers).
     """
     def __call__(self, e1a: ArrayLike, e2a: ArrayLike, e3a: ArrayLike, xa: ArrayLike, xb: ArrayLike, f1: ArrayLike, f2: ArrayLike, f3: ArrayLike, *, out: Any = None) -> _NodalForcesValue: ...
@@ -213,7 +213,7 @@ class _GeometricStiffness(Formula):
         k_ua_ta: derivative of the force on node a by the spin of node a, at constant multipliers ([3, 3], unit F; a finite number)
         k_ta_ta: derivative of the moment on node a by the spin of node a, at constant multipliers ([3, 3], unit FL; a finite number)
 
-    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e150 to 1e150 in size.
+    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e120 to 1e120 in size.
     Source: UJOINT, Description (ours: the page of JOIN was not given; it is the derivative of its nodal forces).
     """
     def __call__(self, e1a: ArrayLike, e2a: ArrayLike, e3a: ArrayLike, xa: ArrayLike, xb: ArrayLike, f1: ArrayLike, f2: ArrayLike, f3: ArrayLike, *, out: Any = None) -> _GeometricStiffnessValue: ...

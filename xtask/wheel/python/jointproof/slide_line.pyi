@@ -53,7 +53,7 @@ class _RowsLinear(Formula):
         e12_u1: variation of the slip over a place that is held by the translation of the first node ([2], unit 1; a finite number)
         e12_u2: variation of the slip over a place that is held by the translation of the second node ([2], unit 1; a finite number)
 
-    Accuracy: η at most 3 of the value, 4 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
+    Accuracy: η at most 4 of the value, 4 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: Slide lines, Element output (ours: the section names separation and slip; these are their variations).
     """
     def __call__(self, x1: ArrayLike, x2: ArrayLike, g: ArrayLike, *, out: Any = None) -> _RowsLinearValue: ...
@@ -116,7 +116,7 @@ class _RowsParabolic(Formula):
         e12_u2: variation of the slip over a place that is held by the translation of the second node ([2], unit 1; a finite number)
         e12_u3: variation of the slip over a place that is held by the translation of the third node ([2], unit 1; a finite number)
 
-    Accuracy: η at most 3 of the value, 10 of the Jacobian, inputs from 1/1e20 to 1e20 in size.
+    Accuracy: η at most 4 of the value, 10 of the Jacobian, by vectors, inputs from 1/1e20 to 1e20 in size.
     Source: Slide lines, Element output (ours: the section names separation and slip; these are their variations).
     """
     def __call__(self, x1: ArrayLike, x2: ArrayLike, x3: ArrayLike, g: ArrayLike, *, out: Any = None) -> _RowsParabolicValue: ...
@@ -221,7 +221,7 @@ class _NodalForcesParabolic(Formula):
         f2: force of the contact on the second node, around the whole circumference ([2], unit F; a finite number)
         f3: force of the contact on the third node, around the whole circumference ([2], unit F; a finite number)
 
-    Accuracy: η at most 2 of the value, 8 of the Jacobian, inputs from 1/1e20 to 1e20 in size.
+    Accuracy: η at most 2 of the value, 8 of the Jacobian, by vectors, inputs from 1/1e20 to 1e20 in size.
     Source: Slide lines, Element output (ours: the section names pressure and shear stress, and prints no forces).
     """
     def __call__(self, x1: ArrayLike, x2: ArrayLike, x3: ArrayLike, g: ArrayLike, area: ArrayLike, s11: ArrayLike, s12: ArrayLike, *, out: Any = None) -> _NodalForcesParabolicValue: ...
@@ -274,7 +274,7 @@ class _GeometricStiffnessLinear(Formula):
         k_u1_u2: derivative of the force on the first node by the translation of the second node, at a constant contact force ([2, 2], unit F/L; a finite number)
         k_u2_u2: derivative of the force on the second node by the translation of the second node, at a constant contact force ([2, 2], unit F/L; a finite number)
 
-    Accuracy: η at most 4 of the value, 6 of the Jacobian, inputs from 1/1e80 to 1e80 in size.
+    Accuracy: η at most 4 of the value, 6 of the Jacobian, by vectors, inputs from 1/1e80 to 1e80 in size.
     Source: Slide lines, Element output (ours: the section names the separation; it is the derivative of the force along its normal).
     """
     def __call__(self, x1: ArrayLike, x2: ArrayLike, g: ArrayLike, separation: ArrayLike, lambda_: ArrayLike, *, out: Any = None) -> _GeometricStiffnessLinearValue: ...
@@ -350,7 +350,7 @@ class _GeometricStiffnessParabolic(Formula):
         k_u2_u3: derivative of the force on the second node by the translation of the third node, at a constant contact force ([2, 2], unit F/L; a finite number)
         k_u3_u3: derivative of the force on the third node by the translation of the third node, at a constant contact force ([2, 2], unit F/L; a finite number)
 
-    Accuracy: η at most 24 of the value, 512 of the Jacobian, inputs from 1/1e3 to 1e3 in size.
+    Accuracy: η at most 6 of the value, 256 of the Jacobian, by vectors, inputs from 1/1e3 to 1e3 in size.
     Source: Slide lines, Element output (ours: the section names the separation; it is the derivative of the force along its normal).
     """
     def __call__(self, x1: ArrayLike, x2: ArrayLike, x3: ArrayLike, g: ArrayLike, separation: ArrayLike, lambda_: ArrayLike, *, out: Any = None) -> _GeometricStiffnessParabolicValue: ...
@@ -466,7 +466,7 @@ class _ContactResponseLinear(Formula):
         f1: force of the contact on the first node, around the whole circumference ([2], unit F; a finite number)
         f2: force of the contact on the second node, around the whole circumference ([2], unit F; a finite number)
 
-    Accuracy: η at most 4 of the value, 16 of the Jacobian, inputs from 1/1e20 to 1e20 in size.
+    Accuracy: η at most 4 of the value, 8 of the Jacobian, by vectors, inputs from 1/1e20 to 1e20 in size.
     Source: Slide lines, Element output (ours: the section names what is put out; how it follows from places is ours).
     """
     def __call__(self, xs: ArrayLike, xo: ArrayLike, x1: ArrayLike, x2: ArrayLike, g_before: ArrayLike, s12_before: ArrayLike, k: ArrayLike, k_el: ArrayLike, mu: ArrayLike, *, out: Any = None) -> _ContactResponseLinearValue: ...
@@ -503,7 +503,7 @@ class _Basis(Formula):
         t: unit tangent of the slide line, in the sequence of its nodes ([2], unit 1; a finite number)
         n: unit normal of the slide line, 90° to the left of the tangent, towards the slave ([2], unit 1; a finite number)
 
-    Accuracy: η at most 2 of the value, 4 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
+    Accuracy: η at most 3 of the value, 4 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
     Source: Slide lines, Defining the local basis system (reconstructed: the symbol of the tangent was lost; its words: along the sequence of the nodes).
     """
     def __call__(self, dx: ArrayLike, *, out: Any = None) -> _BasisValue: ...
@@ -770,7 +770,7 @@ class _ClosestParabolic(Formula):
         g: coordinate along a segment, from -1 at its first node to 1 at its last (unit 1; a number ≥ -1 and ≤ 1)
         separation: separation of the slave point from the slide line along its normal, positive when open (unit L; a finite number)
 
-    Accuracy: η at most 4 of the value, 12 of the Jacobian, inputs from 1/1e5 to 1e5 in size.
+    Accuracy: η at most 4 of the value, 8 of the Jacobian, by vectors, inputs from 1/1e3 to 1e3 in size.
     Source: Slide lines, Element output (ours: the section says separation, and prints no equation).
     """
     def __call__(self, xs: ArrayLike, x1: ArrayLike, x2: ArrayLike, x3: ArrayLike, *, out: Any = None) -> _ClosestParabolicValue: ...
@@ -864,7 +864,7 @@ class _ClosestSmoothedParabolic(Formula):
         t: coordinate along a smoothed corner, from 0 at its start to 1 at its end (unit 1; a number ≥ 0 and ≤ 1)
         separation: separation of the slave point from the slide line along its normal, positive when open (unit L; a finite number)
 
-    Accuracy: η at most 4 of the value, 128 of the Jacobian, inputs from 1/1e3 to 1e3 in size.
+    Accuracy: η at most 4 of the value, 512 of the Jacobian, inputs from 1/1e3 to 1e3 in size.
     Source: Slide lines, Smoothing the slide line (ours: the section on smoothing that it refers to was not given).
     """
     def __call__(self, xs: ArrayLike, x1: ArrayLike, x2: ArrayLike, x3: ArrayLike, x4: ArrayLike, x5: ArrayLike, f: ArrayLike, *, out: Any = None) -> _ClosestSmoothedParabolicValue: ...
@@ -956,7 +956,7 @@ class _SlipIncrementParabolic(Formula):
     Outputs:
         dslip: increment of the tangential displacement of the slave point relative to the slide line (unit L; a finite number)
 
-    Accuracy: η at most 4 of the value, 5 of the Jacobian, inputs from 1/1e30 to 1e30 in size.
+    Accuracy: η at most 4 of the value, 5 of the Jacobian, inputs from 1/1e10 to 1e10 in size.
     Source: Slide lines, Element output (ours: the section says accumulated tangential displacement, and prints no equation).
     """
     def __call__(self, x1: ArrayLike, x2: ArrayLike, x3: ArrayLike, g: ArrayLike, dxs: ArrayLike, dx1: ArrayLike, dx2: ArrayLike, dx3: ArrayLike, *, out: Any = None) -> _SlipIncrementParabolicValue: ...
@@ -1079,7 +1079,7 @@ class _TorqueLinear(Formula):
     Outputs:
         t: largest torque about the z axis that the interface can transmit with friction coefficient 1 (unit FL; a finite number)
 
-    Accuracy: η at most 3 of the value, 8 of the Jacobian, inputs from 1/1e120 to 1e120 in size.
+    Accuracy: η at most 3 of the value, 12 of the Jacobian, inputs from 1/1e120 to 1e120 in size.
     Source: Slide lines, Obtaining the “maximum torque” that can be transmitted across axisymmetric slide lines (ours: the integral of r² p is printed; how r and p go along an element, and the integration, are ours).
     """
     def __call__(self, x1: ArrayLike, x2: ArrayLike, p1: ArrayLike, p2: ArrayLike, *, out: Any = None) -> _TorqueLinearValue: ...
@@ -1126,7 +1126,7 @@ class _TorqueParabolic(Formula):
     Outputs:
         t: largest torque about the z axis that the interface can transmit with friction coefficient 1 (unit FL; a finite number)
 
-    Accuracy: η at most 8 of the value, 48 of the Jacobian, inputs from 1/1e3 to 1e3 in size.
+    Accuracy: η at most 16 of the value, 96 of the Jacobian, inputs from 1/1e3 to 1e3 in size.
     Source: Slide lines, Obtaining the “maximum torque” that can be transmitted across axisymmetric slide lines (ours: the integral of r² p is printed; how r and p go along an element, and the integration, are ours).
     """
     def __call__(self, x1: ArrayLike, x2: ArrayLike, x3: ArrayLike, p1: ArrayLike, p2: ArrayLike, p3: ArrayLike, *, out: Any = None) -> _TorqueParabolicValue: ...

@@ -859,7 +859,7 @@ class _GeometricStiffness(Formula):
         k_ta_tb: derivative of the moment on node a by the spin of node b, at constant multipliers ([3, 3], unit FL; a finite number)
         k_tb_tb: derivative of the moment on node b by the spin of node b, at constant multipliers ([3, 3], unit FL; a finite number)
 
-    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
+    Accuracy: η at most 1.5 of the value, 1.5 of the Jacobian, inputs from 1/1e120 to 1e120 in size.
     Source: UJOINT, Description (ours: the page names the residuals; it is the derivative of their nodal forces).
     """
     def __call__(self, e1a: ArrayLike, e2a: ArrayLike, e3a: ArrayLike, e3b: ArrayLike, xa: ArrayLike, xb: ArrayLike, f1: ArrayLike, f2: ArrayLike, f3: ArrayLike, lambda_rot: ArrayLike, *, out: Any = None) -> _GeometricStiffnessValue: ...

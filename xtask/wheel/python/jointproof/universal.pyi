@@ -176,7 +176,7 @@ class _ConstraintMoment(Formula):
     Outputs:
         m: constraint moment on node b, its opposite on node a, in the global frame ([3], unit FL; a finite number)
 
-    Accuracy: η at most 6 of the value, 8 of the Jacobian, inputs from 1/1e250 to 1e250 in size.
+    Accuracy: η at most 4 of the value, 16 of the Jacobian, by vectors, inputs from 1/1e250 to 1e250 in size.
     Source: UJOINT, Friction (ours: the page prints the axis e1a × e3b; the sign follows the second Cardan angle).
     """
     def __call__(self, e2a: ArrayLike, e3a: ArrayLike, e3b: ArrayLike, m2: ArrayLike, *, out: Any = None) -> _ConstraintMomentValue: ...
