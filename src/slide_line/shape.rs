@@ -15,6 +15,9 @@ use nalgebra::Vector2;
 pub(super) trait Shape<const N: usize> {
     /// The coordinates of the ends.
     const ENDS: [f64; 2];
+    /// Whether the tangent at an end turns with f. Where it does not, nor does the separation from one of its points change with f,
+    /// not even in rounding; where it does, that of the end is more accurate.
+    const ENDS_TURN: bool = false;
 
     /// N(u).
     fn weights<D: Scalar>(f: D, u: D) -> [D; N];
@@ -223,6 +226,7 @@ impl ParabolicCorner {
 
 impl Shape<5> for ParabolicCorner {
     const ENDS: [f64; 2] = [0.0, 1.0];
+    const ENDS_TURN: bool = true;
 
     #[inline]
     fn weights<D: Scalar>(f: D, t: D) -> [D; 5] {

@@ -21,7 +21,7 @@ pub(super) struct Foot<D, const N: usize> {
     pub(super) weights: [D; N],
     /// The weights of the nodes in Y′.
     pub(super) rates: [D; N],
-    /// xs minus the point of these weights.
+    /// xs minus the foot or, beyond an end that does not turn with f, the closest point of the tangent.
     pub(super) gap: Vector2<D>,
     /// Y′.
     pub(super) rate: Vector2<D>,
@@ -110,7 +110,7 @@ impl<D: Scalar, const N: usize> Foot<D, N> {
             missing: D::zero(),
             weights,
             rates: S::rates(view.f, u),
-            gap: place.gap,
+            gap: if S::ENDS_TURN { place.gap } else { view.gap(weights) },
             rate: place.rate,
             per_slope: D::zero(),
             beyond,
