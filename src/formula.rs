@@ -130,7 +130,7 @@ impl Spec {
     /// use jointproof::element::slider::Rows;
     /// use jointproof::formula::Formula;
     /// use jointproof::ujoint::HingeAxial;
-    /// assert_eq!(HingeAxial::SPEC.accuracy(), "η at most 2 of the value, 6 of the Jacobian");
+    /// assert_eq!(HingeAxial::SPEC.accuracy(), "η at most 2 of the value, 3 of the Jacobian");
     /// assert!(Rows::SPEC.accuracy().ends_with(", by vectors"));
     /// ```
     pub fn accuracy(&self) -> String {
