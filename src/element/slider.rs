@@ -134,7 +134,7 @@ impl Formula for Rows {
             Given::new(r"\xi", &IncrementalConstraint::SPEC),
         ])
         // An entry is a sum of what turns the line and what moves m along it. Where the two cancel, and what inputs do to them
-        // with them, their roundings remain: of 7 million entries 10 are above 128. By vectors none is above 5.
+        // with them, their roundings remain: of 7 million entries 10 are above 128. By vectors none is above 6.
         .eta(6.0, 128.0)
         .by_vectors(5.0, 8.0)
         .scale(1e250)

@@ -86,7 +86,7 @@ impl Formula for Rows {
         .equation(r"\begin{aligned} \mathbf{g}_{y,ua} &= -\mathbf{e}_{2a}, & \mathbf{g}_{y,\theta a} &= \mathbf{e}_{2a}\times(\mathbf{x}_b-\mathbf{x}_a), & \mathbf{g}_{y,ub} &= \mathbf{e}_{2a},\\ \mathbf{g}_{z,ua} &= -\mathbf{e}_{3a}, & \mathbf{g}_{z,\theta a} &= \mathbf{e}_{3a}\times(\mathbf{x}_b-\mathbf{x}_a), & \mathbf{g}_{z,ub} &= \mathbf{e}_{3a},\\ \mathbf{u}_{r1,\theta b} &= \mathbf{e}_{3b}\times\mathbf{u}_1, & \mathbf{u}_{r2,\theta b} &= \frac{\mathbf{e}_{3b}\times\mathbf{e}_{1a}}{\sqrt{1-(\mathbf{e}_{1a}\cdot\mathbf{e}_{3b})^2}}, & \mathbf{u}_{r3,\theta b} &= \mathbf{u}_3\times\mathbf{e}_{1a} \end{aligned}")
         .given(&[Given::new(r"\mathbf{u}_1,\ \mathbf{u}_3", &align::Rows::SPEC)])
         // An entry is a sum of terms that may cancel, and what inputs do to them with them; then their roundings remain: in the
-        // rows at 45 000 random points up to 48. By vectors it is 5.
+        // rows at 45 000 random points up to 48. By vectors it is 7.
         .eta(8.0, 48.0)
         .by_vectors(4.0, 8.0)
         .scale(1e250)

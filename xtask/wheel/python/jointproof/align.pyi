@@ -253,7 +253,7 @@ class _GeometricStiffness(Formula):
     Outputs:
         k_tb_tb: derivative of the moment on node b by the spin of node b, at constant multipliers ([3, 3], unit FL; a finite number)
 
-    Accuracy: η at most 3 of the value, 16 of the Jacobian, by vectors, inputs from 1/1e250 to 1e250 in size.
+    Accuracy: η at most 3 of the value, 24 of the Jacobian, by vectors, inputs from 1/1e250 to 1e250 in size.
     Source: TRANSLATOR, Description (ours: the page of ALIGN was not given; these are derivatives of the angles that are held).
     """
     def __call__(self, e1a: ArrayLike, e2a: ArrayLike, e3a: ArrayLike, e1b: ArrayLike, e2b: ArrayLike, e3b: ArrayLike, lambda_r1: ArrayLike, lambda_r2: ArrayLike, lambda_r3: ArrayLike, *, out: Any = None) -> _GeometricStiffnessValue: ...
