@@ -320,7 +320,7 @@ impl Formula for Parabolic {
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &ParabolicPoint::SPEC)])
         // Third derivatives of a closest point: terms of either sign cancel.
         .eta(24.0, 512.0)
-        .by_vectors(6.0, 512.0)
+        .by_vectors(6.0, 256.0)
         .scale(1e3);
     type Inputs<T: Component> = ParabolicTouch<T>;
     type Outputs<T: Component> = ParabolicStiffness<T>;

@@ -350,7 +350,7 @@ class _GeometricStiffnessParabolic(Formula):
         k_u2_u3: derivative of the force on the second node by the translation of the third node, at a constant contact force ([2, 2], unit F/L; a finite number)
         k_u3_u3: derivative of the force on the third node by the translation of the third node, at a constant contact force ([2, 2], unit F/L; a finite number)
 
-    Accuracy: η at most 6 of the value, 512 of the Jacobian, by vectors, inputs from 1/1e3 to 1e3 in size.
+    Accuracy: η at most 6 of the value, 256 of the Jacobian, by vectors, inputs from 1/1e3 to 1e3 in size.
     Source: Slide lines, Element output (ours: the section names the separation; it is the derivative of the force along its normal).
     """
     def __call__(self, x1: ArrayLike, x2: ArrayLike, x3: ArrayLike, g: ArrayLike, separation: ArrayLike, lambda_: ArrayLike, *, out: Any = None) -> _GeometricStiffnessParabolicValue: ...
