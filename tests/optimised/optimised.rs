@@ -1,5 +1,5 @@
-//! What is promised of an optimised build. `cargo test --release --package xtask --no-default-features --features measure
-//! --test optimised` shares what it builds with the program that `report` measures.
+//! What is promised of an optimised build. `cargo test --release --package optimised` shares what it builds with the program that
+//! `report` measures.
 
 use jointproof::catalog::CATALOG;
 use jointproof::slide_line::{Interpolation, Nodes, PlacedLine, SlideLine};
@@ -9,7 +9,7 @@ use std::path::Path;
 #[test]
 #[cfg_attr(debug_assertions, ignore = "without optimisation `golden` of the library's tests does it")]
 fn golden_files_have_the_same_bytes() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../golden");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../golden");
     for formula in CATALOG {
         let path = folder.join(format!("{}.json", formula.spec().id));
         let committed = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
