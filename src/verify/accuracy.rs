@@ -2,15 +2,15 @@
 
 use super::bends::Bends;
 use super::claim::Claim;
+use super::difference::of_same_field;
 use super::eta::eta_beside;
 use super::point::{Names, Point};
 use super::{Sensitivity, eta};
 use crate::Octuple;
-use crate::formula::{Field, Spec};
+use crate::formula::Spec;
 use crate::proof::Convention;
 use num_traits::{Signed, Zero};
 use std::iter;
-use std::ops::Range;
 
 /// What is known exactly at a point.
 pub(super) struct Exact {
@@ -123,19 +123,6 @@ fn check_jacobian(claim: &mut Claim, point: &Point, names: &Names, exact: &Exact
     }
 }
 
-/// The components of the field that this one is of, with itself.
-fn of_same_field(fields: &[Field], component: usize) -> Range<usize> {
-    let mut first = 0;
-    for field in fields {
-        let end = first + field.len();
-        if component < end {
-            return first..end;
-        }
-        first = end;
-    }
-    component..component
-}
-
 fn largest(sizes: impl Iterator<Item = Sensitivity>) -> Sensitivity {
     sizes.fold(Sensitivity::none(), |most, size| if size.size() > most.size() { size } else { most })
 }
@@ -202,13 +189,6 @@ mod tests {
         assert_eq!(failures(None, 1e-17), [(2, false), (2, false)]);
         assert_eq!(failures(Some([2.0, 2.0]), 1e-17), [(0, true), (0, true)]);
         assert_eq!(failures(Some([2.0, 2.0]), 1e-15), [(2, true), (2, true)]);
-    }
-
-    #[test]
-    fn a_component_is_of_the_field_that_it_lies_in() {
-        let subject = Subject::of::<LocalBasis>();
-        let of = |component| of_same_field(subject.outputs, component);
-        assert_eq!([0, 1, 2, 3, 4].map(of), [0..2, 0..2, 2..4, 2..4, 4..4]);
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use super::accuracy::{Exact, check_accuracy, claims};
 use super::bends::Bends;
 use super::branches::Branches;
-use super::claim::Claim;
+use super::claim::{Claim, Deviation};
 use super::difference::{Differences, Direction, differences, largest_of_field};
 use super::kinks::{self, Comparison, Looked, SMOOTH};
 use super::point::{Names, Options, Point, random_points};
@@ -325,34 +325,19 @@ impl Audit {
 
     /// Differences by one input after another.
     fn check_ad(&mut self, point: &Point, names: &Names, exact: &Exact) {
-        let (inputs, ad) = (point.exact.as_slice(), &exact.ad);
+        let (inputs, rounding) = (point.exact.len(), rounding_of_values(point, exact));
         let bound = if point.random { AD_AGAINST_DIFFERENCES } else { AD_AGAINST_DIFFERENCES_HARD };
-        let rounding = rounding_of_values(point, exact);
-        for input in 0..inputs.len() {
-            let along = Direction::of_one(point.subject, inputs, input);
-            let attempt = |&step: &f64| differences(point.subject, inputs, &exact.values, &along, step);
-            let scale = |output: usize| {
-                let (own, rounding) = (ad[output * inputs.len() + input], rounding[output]);
-                Sensitivity::none().plus(own).plus(rounding.per(along.unit()))
-            };
-            let deviation = |rows: &Differences, output: usize| {
-                scale(output).share_of(ad[output * inputs.len() + input] - rows.central[output])
-            };
-            let is_near = |rows: &Differences| (0..rounding.len()).all(|output| deviation(rows, output) <= bound);
-            let attempts: Vec<_> = if point.random {
-                tried(STEPS_AT_RANDOM.iter().map(attempt), is_near)
-            } else {
-                STEPS.iter().map(attempt).collect()
-            };
+        for input in 0..inputs {
+            let along = Direction::of_one(point.subject, &point.exact, input);
+            let expected = exact.ad.chunks(inputs).map(|gradient| gradient[input]).collect();
+            let compared = Compared::new(point, exact, &along, &rounding, expected);
             for output in 0..rounding.len() {
-                let entry = output * inputs.len() + input;
-                let best = attempts.iter().map(|rows| deviation(rows, output)).fold(f64::INFINITY, f64::min);
-                let found = attempts[0].central[output].to_f64();
-                let describe = |size| point.deviation(size, names.entry(entry), ad[entry].to_f64(), found);
-                self.ad_against_differences.record(best, bound, describe);
+                let entry = output * inputs + input;
+                let describe = |size| compared.describe(point, names.entry(entry), output, size);
+                self.ad_against_differences.record(compared.deviation(output), bound, describe);
                 if !point.random {
-                    let sides: Vec<_> = attempts.iter().map(|rows| rows.sides_of(output)).collect();
-                    self.check_sides(point, names, entry, scale(output).size(), &sides);
+                    let sides: Vec<_> = compared.attempts.iter().map(|rows| rows.sides_of(output)).collect();
+                    self.check_sides(point, names, entry, compared.scales[output].size(), &sides);
                 }
             }
         }
@@ -363,21 +348,12 @@ impl Audit {
         let (subject, inputs) = (point.subject, point.exact.as_slice());
         let mut sampler = Sampler::named(&format!("{} along {}", subject.spec.id, point.label), 0);
         let along = Direction::of_all(subject, inputs, &mut sampler);
-        let expected: Vec<_> = exact.ad.chunks(inputs.len()).map(|gradient| along.derivative(gradient)).collect();
-        let rounding = rounding_of_values(point, exact);
-        let attempt = |&step: &f64| differences(subject, inputs, &exact.values, &along, step).central;
-        let deviation = |found: &[Octuple], output: usize| {
-            let scale = Sensitivity::none().plus(expected[output]).plus(rounding[output].per(along.unit()));
-            scale.share_of(expected[output] - found[output])
-        };
-        let is_near =
-            |found: &Vec<Octuple>| (0..found.len()).all(|output| deviation(found, output) <= AD_AGAINST_DIFFERENCES);
-        let attempts = tried(STEPS_AT_RANDOM.iter().map(attempt), is_near);
-        for (output, expected) in expected.iter().enumerate() {
-            let best = attempts.iter().map(|found| deviation(found, output)).fold(f64::INFINITY, f64::min);
-            let entry = || format!("{} along a direction of all inputs", names.outputs[output]);
-            let describe = |size| point.deviation(size, entry(), expected.to_f64(), attempts[0][output].to_f64());
-            self.ad_against_differences.record(best, AD_AGAINST_DIFFERENCES, describe);
+        let expected = exact.ad.chunks(inputs.len()).map(|gradient| along.derivative(gradient)).collect();
+        let compared = Compared::new(point, exact, &along, &rounding_of_values(point, exact), expected);
+        for (output, name) in names.outputs.iter().enumerate() {
+            let entry = || format!("{name} along a direction of all inputs");
+            let describe = |size| compared.describe(point, entry(), output, size);
+            self.ad_against_differences.record(compared.deviation(output), AD_AGAINST_DIFFERENCES, describe);
         }
     }
 
@@ -398,17 +374,46 @@ impl Audit {
     }
 }
 
-/// Those up to the first that is good enough.
-fn tried<T>(attempts: impl Iterator<Item = T>, is_enough: impl Fn(&T) -> bool) -> Vec<T> {
-    let mut tried = Vec::new();
-    for attempt in attempts {
-        let enough = is_enough(&attempt);
-        tried.push(attempt);
-        if enough {
-            break;
+/// The derivative of every output along a direction, and what differences say of it.
+struct Compared {
+    expected: Vec<Octuple>,
+    scales: Vec<Sensitivity>,
+    /// By one step after the other.
+    attempts: Vec<Differences>,
+}
+
+impl Compared {
+    fn new(point: &Point, exact: &Exact, along: &Direction, rounding: &[Sensitivity], expected: Vec<Octuple>) -> Self {
+        let scale = |(&expected, rounding): (&Octuple, &Sensitivity)| {
+            Sensitivity::none().plus(expected).plus(rounding.per(along.unit()))
+        };
+        let scales = expected.iter().zip(rounding).map(scale).collect();
+        let mut compared = Self { expected, scales, attempts: Vec::new() };
+        let steps = if point.random { &STEPS_AT_RANDOM[..] } else { &STEPS[..] };
+        for &step in steps {
+            compared.attempts.push(differences(point.subject, &point.exact, &exact.values, along, step));
+            if point.random && compared.is_near() {
+                break;
+            }
         }
+        compared
     }
-    tried
+
+    fn is_near(&self) -> bool {
+        (0..self.expected.len()).all(|output| self.deviation(output) <= AD_AGAINST_DIFFERENCES)
+    }
+
+    /// By the best step, unless the first one leads to no number.
+    fn deviation(&self, output: usize) -> f64 {
+        let deviations = self.attempts.iter().map(|rows| (self.expected[output] - rows.central[output]).abs());
+        let best = deviations.reduce(|best, next| if next < best { next } else { best });
+        best.map_or(f64::INFINITY, |best| self.scales[output].share_of(best))
+    }
+
+    fn describe(&self, point: &Point, entry: String, output: usize, size: f64) -> Deviation {
+        let found = self.attempts[0].central[output].to_f64();
+        point.deviation(size, entry, self.expected[output].to_f64(), found)
+    }
 }
 
 /// What rounding can do to the values, |y| and what rounding of the inputs does, by which differences are judged beside the

@@ -6,6 +6,7 @@ use crate::Octuple;
 use crate::formula::Field;
 use crate::proof::Proved;
 use num_traits::{Signed, Zero};
+use std::ops::Range;
 
 /// The gradient of every output with respect to input component `k`, by fourth-order central differences in 237 bits:
 /// (8(y₊₁ − y₋₁) − (y₊₂ − y₋₂)) / 12h, with h = `step` times the size of the input (where it is 0, of its field or of what has its unit).
@@ -92,12 +93,23 @@ pub(super) fn differences(
     Differences { central, one_sided: [from(&below, -1.0), from(&above, 1.0)] }
 }
 
+/// The components of the field that this one is of, with itself.
+pub(super) fn of_same_field(fields: &[Field], component: usize) -> Range<usize> {
+    let mut first = 0;
+    for field in fields {
+        let end = first + field.len();
+        if component < end {
+            return first..end;
+        }
+        first = end;
+    }
+    component..component
+}
+
 /// The largest number of the field of the k-th component.
 pub(super) fn largest_of_field(fields: &[Field], numbers: &[Octuple], k: usize) -> Octuple {
-    let field_of = fields.iter().enumerate().flat_map(|(f, field)| vec![f; field.len()]);
-    let fields: Vec<_> = field_of.collect();
-    let same = numbers.iter().zip(&fields).filter(|(_, field)| fields.get(k) == Some(*field));
-    same.fold(Octuple::zero(), |largest, (x, _)| if x.abs() > largest { x.abs() } else { largest })
+    let same = numbers.get(of_same_field(fields, k)).unwrap_or_default().iter();
+    same.map(Signed::abs).fold(Octuple::zero(), |largest, x| if x > largest { x } else { largest })
 }
 
 /// |x|, or the largest of its field where x is 0, or the largest of its unit where the whole field is 0, or 1.
@@ -121,6 +133,7 @@ mod tests {
     use super::*;
     use crate::coulomb::ReturnMap;
     use crate::quantity::{F2, MU, X, XA};
+    use crate::slide_line::LocalBasis;
     use crate::slot::ContactForce;
     use crate::verify::exact;
 
@@ -199,5 +212,12 @@ mod tests {
             let found = central_differences::<ContactForce>(&exact(&[3.0, 4.0]), k, 3e-19);
             assert!(found.len() == 1 && (found[0].to_f64() - expected).abs() < 1e-15, "{found:?}");
         }
+    }
+
+    #[test]
+    fn a_component_is_of_the_field_that_it_lies_in() {
+        let subject = Subject::of::<LocalBasis>();
+        let of = |component| of_same_field(subject.outputs, component);
+        assert_eq!([0, 1, 2, 3, 4].map(of), [0..2, 0..2, 2..4, 2..4, 4..4]);
     }
 }
