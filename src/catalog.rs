@@ -1,22 +1,27 @@
 //! Formulas whose types the compiler does not know; and, with the feature `catalog`, every one of ours in the order of the book.
 
-#[cfg(feature = "batch-by-id")]
-use crate::batch::{self, ArrayView1, ArrayViewMut1};
-use crate::equation::Claims;
+use crate::connector::align;
+#[cfg(feature = "catalog")]
+use crate::connector::{join, slider, slot, translator, ujoint, universal};
+#[cfg(feature = "catalog")]
+use crate::contact::{coulomb, interaction, slide_line};
+#[cfg(feature = "catalog")]
+use crate::element::{self, cardan};
+use crate::formula::proof::{Case, Convention, Flag, Proved};
 use crate::formula::{Field, Fields, Formula, Spec, check, entries, value, value_and_jacobian};
-use crate::graph::{self, Extremes, Graph, NotRecorded};
+#[cfg(feature = "batch-by-id")]
+use crate::toolkit::batch::{self, ArrayView1, ArrayViewMut1};
+use crate::toolkit::equation::Claims;
+use crate::toolkit::graph::{self, Extremes, Graph, NotRecorded};
 #[cfg(feature = "measure")]
-use crate::measure;
+use crate::toolkit::measure;
 #[cfg(feature = "measure-by-id")]
-use crate::measure::Measurement;
-use crate::proof::{Case, Convention, Flag, Proved};
-use crate::verify::{
+use crate::toolkit::measure::Measurement;
+use crate::toolkit::verify::{
     Audit, Claim, Judge, Kink, Options, Part, Printed, Shard, Sides, Subject, Trial, audit_at, audit_equation,
     claims_about, eta_at_scale, exact, golden, kinks_as_printed, number_of, sides,
 };
-use crate::{Error, Octuple, align};
-#[cfg(feature = "catalog")]
-use crate::{cardan, coulomb, element, interaction, join, slide_line, slider, slot, translator, ujoint, universal};
+use crate::{Error, Octuple};
 use std::borrow::Cow;
 
 /// A formula whose inputs and outputs are not known to the compiler; every [`Proved`] one is.

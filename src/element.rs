@@ -19,7 +19,9 @@
 pub mod align;
 mod along;
 mod assembly;
+pub mod cardan;
 mod chain;
+pub mod frame;
 pub mod join;
 mod lever;
 #[cfg(feature = "verify")]
@@ -42,7 +44,7 @@ pub mod ujoint_friction;
 pub mod universal;
 
 use crate::fields;
-use crate::quantity::{FORCE_A, FORCE_B, MOMENT_A, MOMENT_B};
+use crate::formula::quantity::{FORCE_A, FORCE_B, MOMENT_A, MOMENT_B};
 use nalgebra::{SMatrix, SVector, Vector3};
 
 fields! {

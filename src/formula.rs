@@ -6,9 +6,13 @@
 //! of the inputs. `jac.fc.f2` is ∂fc/∂f2.
 
 mod checked;
+pub(crate) mod error;
 mod few;
 mod fields;
 mod finite;
+#[cfg(feature = "verify")]
+pub mod proof;
+pub mod quantity;
 mod source;
 
 #[cfg(feature = "batch")]
@@ -23,8 +27,8 @@ pub use finite::Finite;
 pub(crate) use finite::bits_unless_finite;
 pub use source::{Document, Provenance, Source};
 
-use crate::error::Error;
-use crate::scalar::Scalar;
+use crate::formula::error::Error;
+use crate::number::scalar::Scalar;
 use nalgebra::SVector;
 
 /// Symbols that another formula defines: "where α from universal.angles".
@@ -129,7 +133,7 @@ impl Spec {
     /// ```
     /// use jointproof::element::slider::Rows;
     /// use jointproof::formula::Formula;
-    /// use jointproof::ujoint::HingeAxial;
+    /// use jointproof::connector::ujoint::HingeAxial;
     /// assert_eq!(HingeAxial::SPEC.accuracy(), "η at most 2 of the value, 3 of the Jacobian");
     /// assert!(Rows::SPEC.accuracy().ends_with(", by vectors"));
     /// ```
@@ -157,7 +161,7 @@ impl Spec {
     ///
     /// ```
     /// use jointproof::formula::Formula;
-    /// use jointproof::ujoint::HingeAxial;
+    /// use jointproof::connector::ujoint::HingeAxial;
     /// assert_eq!(HingeAxial::SPEC.sizes(), "from 1/1e50 to 1e50");
     /// ```
     pub fn sizes(&self) -> String {

@@ -6,17 +6,13 @@
 //!
 //! | module | what is in it |
 //! |---|---|
-//! | [`slot`], [`coulomb`], [`cardan`], [`align`], [`translator`], [`join`], [`universal`], [`ujoint`], [`slider`], [`slide_line`], [`interaction`] | the documents' rooms: formulas, Jacobians, and the typed connectors |
-//! | [`element`] | from equations to an element: rows, nodal forces and geometric stiffness by translations and spins |
-//! | [`isl`] | the axisymmetric elements that slide along a slide line |
-//! | [`frame`] | validated triads |
-//! | [`formula`], [`quantity`] | what a formula is; the vocabulary of symbols, units and domains |
-//! | [`scalar`] | the numbers a formula runs in: `f64`, dual numbers over it, and those of `verify` |
-//! | `proof` | what is said about a formula: cases, kinks, laws, other ways |
-//! | `verify`, `catalog` | the toolkit that proves a formula, yours too; every formula by identifier |
-//! | `equation` | the printed equation, read and executed |
-//! | `batch` | a formula at many points: columns in, columns out, on all cores |
-//! | `measure` | how fast and how wrong every way to compute a formula is |
+//! | [`number`] | what a formula may do to a number, and the numbers it runs in: `f64`, dual numbers over it, 237 bits |
+//! | [`formula`] | what a formula is; the vocabulary of symbols, units and domains; errors; what is said about a formula: cases, kinks, laws |
+//! | [`element`] | what elements are made of: frames, Cardan angles, rows, nodal forces and geometric stiffness by translations and spins |
+//! | [`contact`] | friction, interaction laws, slide lines and the axisymmetric elements that slide along them |
+//! | [`connector`] | SLOT, ALIGN, TRANSLATOR, JOIN, UNIVERSAL, UJOINT and SLIDER: formulas, Jacobians, and the typed connectors |
+//! | `toolkit` | for any formula: `verify` proves it, `graph` writes it down, `equation` executes its printed equation, `measure` finds how fast and how wrong it is, `batch` computes it at many points |
+//! | `catalog` | every formula by identifier |
 //! | `scene` | scene files: parsed, validated, planned, evaluated |
 //!
 //! # Features
@@ -36,7 +32,7 @@
 //!
 //! ```
 //! use jointproof::formula::value_and_jacobian;
-//! use jointproof::slot::{ContactForce, CrossForces};
+//! use jointproof::connector::slot::{ContactForce, CrossForces};
 //!
 //! let forces = CrossForces { f2: 3.0, f3: 4.0 };
 //! let (contact, jac) = value_and_jacobian::<ContactForce>(&forces)?;
@@ -51,74 +47,32 @@ The same definition, in 237 bits:
 
 ```
 use jointproof::formula::Formula;
-use jointproof::slot::{ContactForce, CrossForces};
+use jointproof::connector::slot::{ContactForce, CrossForces};
 
 let forces = CrossForces { f2: 3.0, f3: 4.0 };
-let exact = ContactForce::eval(&jointproof::verify::exactly::<ContactForce>(&forces));
+let exact = ContactForce::eval(&jointproof::toolkit::verify::exactly::<ContactForce>(&forces));
 assert_eq!(exact.fc.to_f64(), 5.0);
 ```"
 )]
 
-pub mod align;
-mod angle;
-mod asin;
-#[cfg(feature = "batch")]
-pub mod batch;
-mod binade;
-pub mod cardan;
 #[cfg(feature = "verify")]
 pub mod catalog;
-pub mod coulomb;
-mod double;
-mod dual;
-mod eft;
+pub mod connector;
+pub mod contact;
 pub mod element;
-#[cfg(feature = "verify")]
-pub mod equation;
-mod error;
-mod exp;
 pub mod formula;
-pub mod frame;
-#[cfg(feature = "verify")]
-pub mod graph;
-pub mod interaction;
-pub mod isl;
-pub mod join;
-#[cfg(feature = "measure")]
-pub mod measure;
-#[cfg(any(feature = "verify", feature = "batch"))]
-mod newtype;
-#[cfg(feature = "verify")]
-pub mod octuple;
-#[cfg(feature = "batch")]
-mod ordinary;
-mod power;
-#[cfg(any(feature = "batch", feature = "scene"))]
-mod prefetch;
-#[cfg(feature = "verify")]
-pub mod proof;
-pub mod quantity;
-pub mod scalar;
+pub mod number;
 #[cfg(feature = "scene")]
 pub mod scene;
-#[cfg(feature = "verify")]
-pub mod single;
-pub mod slide_line;
-pub mod slider;
-pub mod slot;
-mod squares;
-pub mod translator;
-pub mod ujoint;
-pub mod universal;
-#[cfg(feature = "verify")]
-pub mod verify;
+#[cfg(any(feature = "batch", feature = "verify"))]
+pub mod toolkit;
 
-pub use error::{Error, Name};
+pub use formula::error::{Error, Name};
 #[cfg(feature = "verify")]
-pub use octuple::Octuple;
-pub use scalar::Scalar;
+pub use number::octuple::Octuple;
+pub use number::scalar::Scalar;
 #[cfg(feature = "verify")]
-pub use single::Single;
+pub use number::single::Single;
 
 /// The examples of both READMEs are compiled and run.
 #[cfg(all(doctest, feature = "verify"))]

@@ -3,13 +3,14 @@
 
 use crate::common;
 use jointproof::catalog::CATALOG;
+use jointproof::fields;
+use jointproof::formula::proof::{Case, Convention, Flag, Kink, Proved};
+use jointproof::formula::quantity::{F2, F3, FC};
 use jointproof::formula::{Component, Document, Finite, Formula, Jacobian, Spec};
-use jointproof::proof::{Case, Convention, Flag, Kink, Proved};
-use jointproof::quantity::{F2, F3, FC};
-use jointproof::scalar::{Scalar, abs, direction, norm, sign};
-use jointproof::verify::golden::Record;
-use jointproof::verify::{Looked, Options, Rank, Sides, audit};
-use jointproof::{fields, verify};
+use jointproof::number::scalar::{Scalar, abs, direction, norm, sign};
+use jointproof::toolkit::verify;
+use jointproof::toolkit::verify::golden::Record;
+use jointproof::toolkit::verify::{Looked, Options, Rank, Sides, audit};
 use rayon::prelude::*;
 use std::collections::HashSet;
 use std::f64::consts::TAU;

@@ -1,8 +1,9 @@
 //! Parts of an audit, joined in any groups, are byte for byte the audit of one machine.
 
 use jointproof::catalog::AnyFormula;
-use jointproof::verify::{Audit, Options, Part, PartError, Shard};
-use jointproof::{coulomb, slot, translator};
+use jointproof::connector::{slot, translator};
+use jointproof::contact::coulomb;
+use jointproof::toolkit::verify::{Audit, Options, Part, PartError, Shard};
 
 const OPTIONS: Options = Options { samples: 40, seed: 7 };
 

@@ -3,13 +3,13 @@
 use crate::common;
 use jointproof::Error;
 use jointproof::catalog::{AnyFormula, CATALOG};
+use jointproof::connector::slot::{Pose, Pose2d, Slot, Slot2d, Stop, StopLengths};
+use jointproof::element::frame::{PlaneTriad, Triad};
+use jointproof::formula::proof::Flag;
+use jointproof::formula::quantity::Domain;
 use jointproof::formula::{Field, value, value_and_jacobian};
-use jointproof::frame::{PlaneTriad, Triad};
-use jointproof::proof::Flag;
-use jointproof::quantity::Domain;
-use jointproof::scalar::norm;
-use jointproof::slot::{Pose, Pose2d, Slot, Slot2d, Stop, StopLengths};
-use jointproof::verify::golden::components;
+use jointproof::number::scalar::norm;
+use jointproof::toolkit::verify::golden::components;
 use nalgebra::{Vector2, Vector3};
 
 fn pose() -> Pose {

@@ -1,11 +1,11 @@
 //! A batch gives every row the bits that it has alone, and refuses the same rows.
 
-use jointproof::batch::{ArrayView1, ArrayViewMut1, Error, Part, RowError, value, value_and_jacobian};
 use jointproof::catalog::{AnyFormula, CATALOG, find};
+use jointproof::connector::slot::ContactForce;
 use jointproof::formula::Field;
-use jointproof::measure::Options;
-use jointproof::slot::ContactForce;
-use jointproof::verify::golden::{File, components};
+use jointproof::toolkit::batch::{ArrayView1, ArrayViewMut1, Error, Part, RowError, value, value_and_jacobian};
+use jointproof::toolkit::measure::Options;
+use jointproof::toolkit::verify::golden::{File, components};
 use ndarray::{Array2, Axis, arr0};
 
 /// Numbers that many formulas refuse, or that are far from those of other rows.
@@ -132,7 +132,7 @@ fn every_row_has_its_own_bits_in_batches_of_any_length() {
 #[test]
 fn columns_begin_with_different_lines_of_the_cache() {
     for (count, rows) in [(0, 5), (3, 1), (4, 7), (5, 8), (2, 4096)] {
-        let table = jointproof::batch::columns(count, rows);
+        let table = jointproof::toolkit::batch::columns(count, rows);
         assert_eq!((table.dim(), table.iter().all(|x| *x == 0.0)), ((count, rows), true));
         let places: Vec<_> = table.rows().into_iter().map(|column| column.as_ptr() as usize).collect();
         assert!(places.iter().all(|place| place % 64 == 0), "{count} {rows}: {places:?}");

@@ -12,8 +12,8 @@
 //! cargo test --test all calculix:: -- --ignored
 //! ```
 
+use jointproof::connector::slider::{Increment, KeptIncrement, Pivots, Slider};
 use jointproof::formula::value;
-use jointproof::slider::{Increment, KeptIncrement, Pivots, Slider};
 use nalgebra::Vector3;
 use serde_json::{Value, json};
 use std::fmt::Write;

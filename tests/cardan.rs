@@ -5,13 +5,13 @@
 #[path = "../xtask/src/studies/near_right_angle.rs"]
 mod near_right_angle;
 
-use jointproof::cardan::turns;
-use jointproof::cardan::{
+use jointproof::element::cardan::turns;
+use jointproof::element::cardan::{
     Angles, BetaAxes, BetaTwoArgument, CardanAngles, Triads, accurate, accurate_jacobian, between, rotation, turned,
 };
+use jointproof::element::frame::Triad;
 use jointproof::formula::{Fields, Formula, check, value, value_and_jacobian};
-use jointproof::frame::Triad;
-use jointproof::verify::{eta, exactly};
+use jointproof::toolkit::verify::{eta, exactly};
 use jointproof::{Error, Octuple};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use near_right_angle::errors_near_right_angle;
@@ -255,7 +255,7 @@ proptest! {
         let inputs = exact.components();
         let values = CardanAngles::eval(&exact).components();
         for ((computed, exact), gradient) in CardanAngles::eval(&triads).components().into_iter().zip(values).zip(gradients) {
-            let size = eta(computed, exact, jointproof::verify::Sensitivity::new(&gradient.components(), &inputs));
+            let size = eta(computed, exact, jointproof::toolkit::verify::Sensitivity::new(&gradient.components(), &inputs));
             prop_assert!(size <= CardanAngles::SPEC.eta, "η = {size}");
         }
     }

@@ -1,12 +1,12 @@
 //! The closest point is the global one, on every kind of curve, and no input makes the search loop or panic.
 
-use jointproof::formula::{Component, Fields, Formula, Jacobian, check, value, value_and_jacobian};
-use jointproof::slide_line::{
+use jointproof::contact::slide_line::{
     ClosestLinear, ClosestParabolic, ClosestSmoothedLinear, ClosestSmoothedParabolic, CornerFoot, LinearCornerPlace,
     LinearCornerSlave, LinearPlace, LinearPoint, LinearSlave, ParabolicCornerPlace, ParabolicCornerSlave,
     ParabolicPlace, ParabolicPoint, ParabolicSlave, SegmentFoot, SmoothedLinearPoint, SmoothedParabolicPoint,
 };
-use jointproof::verify::{Sensitivity, eta, exactly};
+use jointproof::formula::{Component, Fields, Formula, Jacobian, check, value, value_and_jacobian};
+use jointproof::toolkit::verify::{Sensitivity, eta, exactly};
 use jointproof::{Error, Octuple};
 use nalgebra::Vector2;
 use proptest::prelude::*;

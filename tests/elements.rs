@@ -1,7 +1,9 @@
 //! Connectors as elements, as a solver calls them: what each refuses, and what it adds by rubbing.
 
-use jointproof::cardan::{Triads, rotation};
+use jointproof::connector::slider;
+use jointproof::connector::ujoint::Cross;
 use jointproof::element::align;
+use jointproof::element::cardan::{Triads, rotation};
 use jointproof::element::newton::{
     AlignElement, CrossContact, Element, JoinElement, Nodes, SliderElement, SliderElement2d, SlotContact, SlotElement,
     SlotElement2d, TranslatorContact, TranslatorElement, UJointElement, UJointState, UniversalElement,
@@ -11,8 +13,6 @@ use jointproof::element::slot_plane::PlanePlaces;
 use jointproof::element::translator_friction::{self, TranslatorSliding};
 use jointproof::element::ujoint_friction::{self, CrossSliding};
 use jointproof::formula::Formula;
-use jointproof::slider;
-use jointproof::ujoint::Cross;
 use nalgebra::{SVector, Vector2, Vector3};
 
 const START: Vector3<f64> = Vector3::new(0.125, 0.25, -0.5);

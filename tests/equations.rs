@@ -5,12 +5,12 @@
 mod mutations;
 
 use jointproof::catalog::{CATALOG, find};
-use jointproof::equation::{Claims, Equation, Setting, Signature, View};
+use jointproof::connector::slot::{Contact, ContactForce, CrossForces};
+use jointproof::formula::proof::{Case, Kink, Proved};
+use jointproof::formula::quantity::{self, Domain, Quantity, Unit};
 use jointproof::formula::{Component, Formula, Jacobian, Spec};
-use jointproof::proof::{Case, Kink, Proved};
-use jointproof::quantity::{self, Domain, Quantity, Unit};
-use jointproof::slot::{Contact, ContactForce, CrossForces};
-use jointproof::verify::{self, Options};
+use jointproof::toolkit::equation::{Claims, Equation, Setting, Signature, View};
+use jointproof::toolkit::verify::{self, Options};
 use jointproof::{Scalar, fields};
 use mutations::mutants;
 use rayon::prelude::*;

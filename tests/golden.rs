@@ -2,8 +2,8 @@
 
 use crate::common;
 use jointproof::catalog::{AnyFormula, CATALOG, find};
-use jointproof::proof::{Convention, Flag};
-use jointproof::verify::golden::{File, LEAST_CASES, Record};
+use jointproof::formula::proof::{Convention, Flag};
+use jointproof::toolkit::verify::golden::{File, LEAST_CASES, Record};
 use rayon::prelude::*;
 use std::collections::HashSet;
 use std::path::PathBuf;

@@ -2,10 +2,10 @@
 
 use crate::common;
 use jointproof::catalog::{AnyFormula, CATALOG};
+use jointproof::formula::proof::{Case, Proved};
+use jointproof::formula::quantity::{Domain, Quantity, Shape, Unit};
 use jointproof::formula::{Component, Document, Field, Formula, Jacobian, Spec};
-use jointproof::proof::{Case, Proved};
-use jointproof::quantity::{Domain, Quantity, Shape, Unit};
-use jointproof::verify::golden::{File, components};
+use jointproof::toolkit::verify::golden::{File, components};
 use jointproof::{Scalar, fields};
 use nalgebra::Matrix3;
 use serde_json::{Map, Value, json};

@@ -1,7 +1,7 @@
 //! The guarded functions: value, first and second derivative on the hard cases, over `f64` and 237 bits; and what
 //! num-dual does without the guard, so that we learn when it is mended.
 
-use jointproof::scalar::{Scalar, abs, asin, atan2, direction, norm, sign};
+use jointproof::number::scalar::{Scalar, abs, asin, atan2, direction, norm, sign};
 use jointproof::{Octuple, Single};
 use num_dual::{Dual, Dual2, Dual64, DualNum, DualSVec, DualStruct, HyperDual, hessian};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};

@@ -2,10 +2,10 @@
 
 #![expect(clippy::float_cmp, reason = "exact results are expected exactly")]
 
+use jointproof::contact::interaction::{Damping, DampingContact, ExponentialContact, PressureExponential};
+use jointproof::contact::isl::{Contact, ContactState, ElementSet, Increment, Interaction, IslElement, TorquePrint};
+use jointproof::contact::slide_line::{Interpolation, LinearMotion, Nodes, Place, SlideLine, SlipIncrementLinear};
 use jointproof::formula::value;
-use jointproof::interaction::{Damping, DampingContact, ExponentialContact, PressureExponential};
-use jointproof::isl::{Contact, ContactState, ElementSet, Increment, Interaction, IslElement, TorquePrint};
-use jointproof::slide_line::{Interpolation, LinearMotion, Nodes, Place, SlideLine, SlipIncrementLinear};
 use jointproof::{Error, Octuple};
 use nalgebra::Vector2;
 use proptest::prelude::*;

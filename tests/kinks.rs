@@ -2,11 +2,11 @@
 //! happen fails too.
 
 use jointproof::catalog::{CATALOG, KinkEntry};
+use jointproof::formula::proof::{Case, Convention, Kink, Proved};
+use jointproof::formula::quantity::{F2, F3, FC};
 use jointproof::formula::{Component, Document, Formula, Jacobian, Spec};
-use jointproof::proof::{Case, Convention, Kink, Proved};
-use jointproof::quantity::{F2, F3, FC};
-use jointproof::scalar::{Scalar, abs, atan2, direction, norm, sign};
-use jointproof::verify::{Audit, Looked, Options, Printed, audit, kink, kinks_as_printed};
+use jointproof::number::scalar::{Scalar, abs, atan2, direction, norm, sign};
+use jointproof::toolkit::verify::{Audit, Looked, Options, Printed, audit, kink, kinks_as_printed};
 use jointproof::{Error, fields};
 
 fields! { struct Inputs<T> { f2: T = F2, f3: T = F3 } }
@@ -75,7 +75,11 @@ fn assert_demanded<P: Plant>(place: &str, is_there: fn(f64, f64) -> bool) {
     assert!(with.kinks.held(), "{place}: {:#?}", with.kinks);
     let Some(Looked::Graph { search, .. }) = &with.looked else { panic!("it is recorded") };
     assert!(!search.found.is_empty(), "{place}: {search:?}");
-    assert!(with.register.as_ref().is_some_and(jointproof::verify::Claim::held), "{place}: {:#?}", with.register);
+    assert!(
+        with.register.as_ref().is_some_and(jointproof::toolkit::verify::Claim::held),
+        "{place}: {:#?}",
+        with.register
+    );
 }
 
 const AT: Inputs<f64> = Inputs { f2: 3.0, f3: 4.0 };

@@ -1,12 +1,12 @@
 //! Errors of ways that are wrong by a known amount, at random and at hard points, and what differences reach.
 
 use jointproof::fields;
+use jointproof::formula::proof::{Case, Kink, Proved, Way};
+use jointproof::formula::quantity::{Domain, Quantity, Unit};
 use jointproof::formula::{Component, Document, Fields, Formula, Jacobian, Spec};
-use jointproof::measure::{Errors, Measurement, Options, Scheme, errors, measure};
-use jointproof::proof::{Case, Kink, Proved, Way};
-use jointproof::quantity::{Domain, Quantity, Unit};
-use jointproof::scalar::Scalar;
-use jointproof::verify::Sampler;
+use jointproof::number::scalar::Scalar;
+use jointproof::toolkit::measure::{Errors, Measurement, Options, Scheme, errors, measure};
+use jointproof::toolkit::verify::Sampler;
 use std::sync::LazyLock;
 
 const A: Quantity = Quantity::scalar("a", Unit::ONE, Domain::Real, "a number");

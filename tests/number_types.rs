@@ -1,6 +1,6 @@
 //! Octuple and Single as numbers: special values, agreement with the hardware, and derivatives under num-dual.
 
-use jointproof::scalar::{e_minus_one, pi};
+use jointproof::number::scalar::{e_minus_one, pi};
 use jointproof::{Octuple, Single};
 use nalgebra::{SVector, vector};
 use num_dual::{DualNum, first_derivative, gradient, hessian, jacobian, second_derivative, second_partial_derivative};

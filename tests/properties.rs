@@ -3,8 +3,8 @@
 use crate::common;
 use jointproof::catalog::{AnyFormula, CATALOG};
 use jointproof::formula::Field;
-use jointproof::quantity::Unit;
-use jointproof::verify::golden;
+use jointproof::formula::quantity::Unit;
+use jointproof::toolkit::verify::golden;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestRunner};
 

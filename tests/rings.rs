@@ -1,9 +1,9 @@
 //! Rings on a slide line as elements: what they refuse, and where a segment ends.
 
+use jointproof::contact::interaction::{ExponentialContact, PressureExponential};
 use jointproof::element::newton::{Isl21a, Isl22a, LineContact, OnLine, PressureLaw, SlaveState};
 use jointproof::element::slide_line::friction;
 use jointproof::formula::{Fields, Formula};
-use jointproof::interaction::{ExponentialContact, PressureExponential};
 use nalgebra::Vector2;
 
 #[test]

@@ -5,8 +5,8 @@
 //! `cargo test --test all scale:: -- --ignored` searches for the scales and such inputs again.
 
 use jointproof::catalog::{AnyFormula, CATALOG};
-use jointproof::verify::golden::components;
-use jointproof::verify::{Claim, Deviation, Options};
+use jointproof::toolkit::verify::golden::components;
+use jointproof::toolkit::verify::{Claim, Deviation, Options};
 use rayon::prelude::*;
 use serde_json::{Map, Value};
 use std::path::PathBuf;

@@ -1,14 +1,14 @@
 //! What scenes have beside the connectors of the documents: parts of connectors, stops on one side, SLIDER with radius and
 //! axis, generated nodes, areas and bases on slide lines, the torque frequency.
 
-use jointproof::align::AlignFromStart;
-use jointproof::frame::Triad;
-use jointproof::isl::IslElement;
+use jointproof::connector::align::AlignFromStart;
+use jointproof::connector::slot::{Pose, Slot};
+use jointproof::connector::translator::{self, Translator};
+use jointproof::connector::ujoint::{Stops, UJoint};
+use jointproof::contact::isl::IslElement;
+use jointproof::contact::slide_line::Nodes;
+use jointproof::element::frame::Triad;
 use jointproof::scene::{Plan, Results, Scene};
-use jointproof::slide_line::Nodes;
-use jointproof::slot::{Pose, Slot};
-use jointproof::translator::{self, Translator};
-use jointproof::ujoint::{Stops, UJoint};
 use nalgebra::Vector3;
 
 fn scene(text: &str) -> Scene {

@@ -1,8 +1,8 @@
 //! Slide lines in scenes: the thread against closed forms, plans held to the least, hard contact, mistakes.
 
-use jointproof::isl::{Contact, ElementSet, Increment, Interaction, IslElement};
+use jointproof::contact::isl::{Contact, ElementSet, Increment, Interaction, IslElement};
+use jointproof::contact::slide_line::{Interpolation, Nodes, SlideLine};
 use jointproof::scene::{Plan, Results, Scene};
-use jointproof::slide_line::{Interpolation, Nodes, SlideLine};
 
 const THREAD: &str = include_str!("../golden/scenes/thread.json");
 

@@ -1,8 +1,8 @@
 //! UJOINT in scenes: plans held to the least, results of the typed connector, friction over a turn.
 
-use jointproof::frame::Triad;
+use jointproof::connector::ujoint::{Cross, Loads, Pose, Stops, UJoint};
+use jointproof::element::frame::Triad;
 use jointproof::scene::{Plan, Results, Scene};
-use jointproof::ujoint::{Cross, Loads, Pose, Stops, UJoint};
 use nalgebra::Vector3;
 
 const DRIVE_SHAFT: &str = include_str!("../golden/scenes/drive-shaft.json");

@@ -1,9 +1,9 @@
 //! Scenes: plans held to the least, histories, results against the typed API and against closed forms.
 
+use jointproof::connector::slot::{Pose, Slot};
 use jointproof::scene::rules::RULES;
 use jointproof::scene::{Columns, Plan, Results, Run, Scene, Stopped};
-use jointproof::slot::{Pose, Slot};
-use jointproof::verify::Options;
+use jointproof::toolkit::verify::Options;
 use nalgebra::Vector3;
 
 const TELESCOPE: &str = include_str!("../golden/scenes/telescope.json");
@@ -144,7 +144,7 @@ fn results_are_those_of_the_typed_api() {
     let given = r#""kind": "slot", "mu": 0.25, "fc_int": 2, "k_stick": 1"#;
     let scene = one("3d", given, r#"["GY", "GZ", "U1", "CSF1", "P", "FN", "PHI"]"#);
     let results = Results::of(&scene).unwrap();
-    let triad = jointproof::frame::Triad::global();
+    let triad = jointproof::element::frame::Triad::global();
     let mut pose = Pose { triad, xa: Vector3::zeros(), xb: Vector3::new(1.0, 2.0, 3.0) };
     let slot = Slot::new(&pose).unwrap().with_friction(0.25, 2.0).unwrap();
     pose.xb += Vector3::new(0.5, 0.0, 0.25);

@@ -5,7 +5,7 @@
 mod search;
 
 use jointproof::Error;
-use jointproof::slide_line::{ClosestPoint, Interpolation, Nodes, Place, SlideLine};
+use jointproof::contact::slide_line::{ClosestPoint, Interpolation, Nodes, Place, SlideLine};
 
 /// Nodes numbered from 1.
 fn numbered(places: &[[f64; 2]]) -> Nodes {

@@ -2,7 +2,7 @@
 //!
 //! `cargo test --release --test all slide_line_scaling:: -- --ignored --nocapture`
 
-use jointproof::slide_line::{Interpolation, Nodes, PlacedLine, SlideLine};
+use jointproof::contact::slide_line::{Interpolation, Nodes, PlacedLine, SlideLine};
 use nalgebra::Vector2;
 use std::hint::black_box;
 use std::time::Instant;

@@ -4,14 +4,14 @@
 mod routes;
 
 use crate::common;
-use jointproof::formula::{Fields, Formula};
-use jointproof::proof::Proved;
-use jointproof::scalar::{Scalar, abs};
-use jointproof::slider::{
+use jointproof::connector::slider::{
     Basis, Constraint, Coordinates, Distances, Eliminate, Increment, IncrementalConstraint, Increments, KeptCoordinate,
     KeptIncrement, LineDirection, MovingNodes, Nodes, Pivots, Pivots2d, Slider, Slider2d, documented,
 };
-use jointproof::verify::{Sampler, Sensitivity, derivative_of_jacobian, eta, exactly, jacobian_by_ad};
+use jointproof::formula::proof::Proved;
+use jointproof::formula::{Fields, Formula};
+use jointproof::number::scalar::{Scalar, abs};
+use jointproof::toolkit::verify::{Sampler, Sensitivity, derivative_of_jacobian, eta, exactly, jacobian_by_ad};
 use jointproof::{Error, Octuple};
 use nalgebra::{Const, SMatrix, SVector, U1, Vector2, Vector3};
 use num_dual::{Dual2, DualSVec};

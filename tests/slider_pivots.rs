@@ -1,6 +1,6 @@
 //! SLIDER: which coordinates are eliminated, and which one is kept.
 
-use jointproof::slider::{Pivots, Pivots2d, Slider, Slider2d};
+use jointproof::connector::slider::{Pivots, Pivots2d, Slider, Slider2d};
 use nalgebra::{Vector2, Vector3};
 
 /// Lines through a grid on the faces of a cube, in every direction, none of them special.

@@ -1,9 +1,9 @@
 //! SLOT as a program uses it: every method says what the documented formula says, in space and in the plane.
 
 use jointproof::catalog;
+use jointproof::connector::slot::{Gaps, Pose, Pose2d, Slot, Slot2d};
+use jointproof::element::frame::{PlaneTriad, Triad};
 use jointproof::formula::Fields;
-use jointproof::frame::{PlaneTriad, Triad};
-use jointproof::slot::{Gaps, Pose, Pose2d, Slot, Slot2d};
 use nalgebra::{Vector2, Vector3};
 
 /// What the catalog's formula of this identifier makes of these inputs.

@@ -5,18 +5,19 @@
 //! together here from the formulas and the convention alone: constraint forces act on b, kinetic ones on a, and their
 //! opposites, in equilibrium, on the other node.
 
-use jointproof::align;
-use jointproof::cardan::{rotation, turned};
-use jointproof::formula::Formula;
-use jointproof::join;
-use jointproof::slot::{
+use jointproof::Octuple;
+use jointproof::connector::align;
+use jointproof::connector::join;
+use jointproof::connector::slot::{
     Constraint, Constraint2d, ConstraintForce, CrossFrame, KineticForce, Positions, RelativeMotion, RelativePosition,
     SlotForce, SlotLengths, SlotPositions, SlotPositions2d,
 };
-use jointproof::translator;
-use jointproof::universal::{self, Driven, Shafts, TurnsSince, Twisted};
-use jointproof::{Octuple, ujoint};
-use jointproof::{cardan::Triads, cardan::accurate};
+use jointproof::connector::translator;
+use jointproof::connector::ujoint;
+use jointproof::connector::universal::{self, Driven, Shafts, TurnsSince, Twisted};
+use jointproof::element::cardan::{rotation, turned};
+use jointproof::element::{cardan::Triads, cardan::accurate};
+use jointproof::formula::Formula;
 use nalgebra::{Vector2, Vector3};
 use num_dual::Dual;
 use proptest::prelude::Rng;
@@ -412,9 +413,12 @@ fn friction_takes_up_work() {
         let pair = numbers.pair(angles);
         let motion = pair.slot_motion();
         // The trial force follows the motion, and so does what is left of it.
-        let trial =
-            jointproof::coulomb::Trial { f_trial: motion * 1e3, mu: Octuple::from(0.3), r#fn: Octuple::from(2.0) };
-        let f1 = jointproof::coulomb::ReturnMap::eval(&trial).f;
+        let trial = jointproof::contact::coulomb::Trial {
+            f_trial: motion * 1e3,
+            mu: Octuple::from(0.3),
+            r#fn: Octuple::from(2.0),
+        };
+        let f1 = jointproof::contact::coulomb::ReturnMap::eval(&trial).f;
         let zero = Octuple::from(0.0);
         let (kinetic, _) = pair.slot_forces([f1, zero, zero]);
         let work = pair.kinetic_work(kinetic, V::zeros());

@@ -13,14 +13,16 @@ pub(super) mod proof;
 use super::products::{column, double_cross, double_cross_gradient, matrix};
 use super::turn::{Curving, Turn};
 use super::universal::UniversalMoments;
-use crate::cardan::{CardanAngles, Triads, arc_sine_slope};
-use crate::error::Error;
+use crate::element::cardan::{CardanAngles, Triads, arc_sine_slope};
 use crate::fields;
+use crate::formula::error::Error;
+use crate::formula::quantity::{
+    E1A, E1B, E2A, E2B, E3A, E3B, K_TB_TB, LAMBDA_R1, LAMBDA_R2, LAMBDA_R3, UR1_TB, UR2_TB, UR3_TB,
+};
 use crate::formula::{
     Component, Document, Fields, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian, cross_gradient,
 };
-use crate::quantity::{E1A, E1B, E2A, E2B, E3A, E3B, K_TB_TB, LAMBDA_R1, LAMBDA_R2, LAMBDA_R3, UR1_TB, UR2_TB, UR3_TB};
-use crate::scalar::Scalar;
+use crate::number::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
 
 /// What all of them are derived from.

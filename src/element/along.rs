@@ -3,8 +3,8 @@
 
 #![expect(clippy::inline_always, reason = "the compiler shares what rows, forces and stiffness have of the line")]
 
-use crate::scalar::Scalar;
-use crate::slider::{Span, Station};
+use crate::connector::slider::{Span, Station};
+use crate::number::scalar::Scalar;
 use nalgebra::SVector;
 use std::array::from_fn;
 

@@ -7,7 +7,7 @@ use super::ujoint::{JointRows, JointStiffness};
 use super::universal::{UniversalMoments, UniversalStiffness};
 use super::{Forces, Rows, Stiffness};
 use crate::element::NodalForces;
-use crate::scalar::Scalar;
+use crate::number::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
 
 /// The places of the four motions, in threes.

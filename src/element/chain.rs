@@ -3,7 +3,7 @@
 //! What is composed of formulas has the derivative that is composed of theirs, closed form by closed form.
 
 use crate::formula::{Component, Fields, Formula, ValueAndJacobian};
-use crate::scalar::Scalar;
+use crate::number::scalar::Scalar;
 use nalgebra::SVector;
 use std::ops::{Add, Mul, Neg};
 

@@ -8,14 +8,14 @@ pub(super) mod proof;
 
 use super::lever::Lever;
 use super::products::{column, double_cross, matrix, skew, symmetric, symmetric_matrix};
+use crate::connector::slot::Positions;
 use crate::fields;
-use crate::formula::{Component, Document, Few, Fields, Finite, Formula, Jacobian, Sign, Spec, along, cross_gradient};
-use crate::quantity::{
+use crate::formula::quantity::{
     E1A, E2A, E3A, F2, F3, FORCE_A, FORCE_B, G1_TA, G1_UA, G1_UB, G2_TA, G2_UA, G2_UB, G3_TA, G3_UA, G3_UB, JOIN_F1,
     K_TA_TA, K_UA_TA, MOMENT_A, S_TA_TA, XA, XB,
 };
-use crate::scalar::Scalar;
-use crate::slot::Positions;
+use crate::formula::{Component, Document, Few, Fields, Finite, Formula, Jacobian, Sign, Spec, along, cross_gradient};
+use crate::number::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
 
 fields! {

@@ -4,7 +4,7 @@
 
 use super::products::{double_cross_gradient, skew_gradient, symmetric_gradient};
 use crate::formula::{Few, Fields, Sign, cross_gradient};
-use crate::scalar::Scalar;
+use crate::number::scalar::Scalar;
 use nalgebra::Vector3;
 
 /// Inputs that the force f on b and the vector d from a to b are made of.

@@ -2,7 +2,7 @@
 
 use super::{Forces, Stiffness};
 use crate::Octuple;
-use crate::proof::{Equation, law};
+use crate::formula::proof::{Equation, law};
 use nalgebra::{Matrix3, Vector3};
 use num_dual::Dual;
 use num_traits::{One, Zero};

@@ -38,11 +38,11 @@ pub use universal::UniversalElement;
 use super::join::JoinLoads;
 use super::offset::Arms;
 use super::universal::UniversalMoments;
-use crate::cardan::Triads;
-use crate::error::Error;
+use crate::connector::slot::Positions;
+use crate::element::cardan::Triads;
 use crate::formula::along;
-use crate::scalar::Scalar;
-use crate::slot::Positions;
+use crate::formula::error::Error;
+use crate::number::scalar::Scalar;
 use nalgebra::{SMatrix, SVector, Vector3};
 
 /// Where both nodes are, and how they are turned.

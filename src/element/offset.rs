@@ -11,9 +11,9 @@ mod proof;
 use super::products::{column, double_cross, double_cross_gradient, matrix};
 use super::{Forces, Rows, Stiffness};
 use crate::fields;
+use crate::formula::quantity::{ARM, ARM_FORCE, ARM_MOMENT, K_ARM, NODE_MOMENT};
 use crate::formula::{Component, Document, Few, Fields, Finite, Formula, Jacobian, Spec, along, cross_gradient};
-use crate::quantity::{ARM, ARM_FORCE, ARM_MOMENT, K_ARM, NODE_MOMENT};
-use crate::scalar::Scalar;
+use crate::number::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
 
 fields! {

@@ -3,7 +3,7 @@
 #![expect(clippy::inline_always, reason = "the compiler sees the indices, and computes no zeros")]
 
 use crate::formula::{Few, Sign, next};
-use crate::scalar::Scalar;
+use crate::number::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
 
 /// \[v×\]: what takes w to v × w.

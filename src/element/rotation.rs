@@ -16,11 +16,11 @@ pub(super) mod proof;
 mod stumpff;
 
 use crate::fields;
+use crate::formula::quantity::{EULER_MOMENT, EULER_MOMENT0, EULER_Q, EULER_Q0, PSI, PSI_MOMENT, SPIN_MOMENT};
 use crate::formula::{
     Component, Document, Finite, Formula, Jacobian, Source, Spec, ValueAndJacobian, along, cross_gradient,
 };
-use crate::quantity::{EULER_MOMENT, EULER_MOMENT0, EULER_Q, EULER_Q0, PSI, PSI_MOMENT, SPIN_MOMENT};
-use crate::scalar::Scalar;
+use crate::number::scalar::Scalar;
 use nalgebra::Vector3;
 use stumpff::Stumpff;
 

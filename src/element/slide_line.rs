@@ -3,10 +3,10 @@
 //! | | |
 //! |---|---|
 //! | unknowns | the translations of the slave point and of the nodes of the segment, in the plane (r, z) |
-//! | place | the closest point of the segment, g, which [`closest_*`](crate::slide_line) finds |
+//! | place | the closest point of the segment, g, which [`closest_*`](crate::contact::slide_line) finds |
 //! | rows | of the separation E11: n and −Nᵢ n; of the slip: t and −Nᵢ t |
 //! | zero position | E11 = 0: the slave point on the segment |
-//! | signs | as of [`isl`](crate::isl): S11 pushes the slave point along n, S12 along −t, which is against positive slip |
+//! | signs | as of [`isl`](crate::contact::isl): S11 pushes the slave point along n, S12 along −t, which is against positive slip |
 //!
 //! The separation has no first derivative by g: at the closest point it is stationary. So its row is exact, although g is held. The
 //! row of the slip is the velocity relative to the material at the place g, which is held, too. It is not the derivative
@@ -23,8 +23,8 @@ pub mod response;
 pub mod rows;
 pub mod stiffness;
 
-use crate::scalar::{Scalar, abs, choice};
-use crate::slide_line::{LinearPlace, ParabolicPlace, Sides, length_and_tangent, shape};
+use crate::contact::slide_line::{LinearPlace, ParabolicPlace, Sides, length_and_tangent, shape};
+use crate::number::scalar::{Scalar, abs, choice};
 use nalgebra::Vector2;
 
 /// A place on a segment of N nodes.

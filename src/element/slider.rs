@@ -15,15 +15,15 @@ pub(super) mod proof;
 
 use super::along::{Along, Loaded, LoadsGradient, Weight, turned};
 use super::products::{column, matrix, symmetric_matrix};
-use crate::error::Error;
+use crate::connector::slider::{Axis, Basis, IncrementalConstraint, Line, Nodes};
 use crate::fields;
-use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
-use crate::quantity::{
+use crate::formula::error::Error;
+use crate::formula::quantity::{
     FORCE_1, FORCE_M, FORCE_N, K_U1_U1, K_U1_UN, K_UM_UN, K_UN_UN, SLIDER_G1_U1, SLIDER_G1_UM, SLIDER_G1_UN,
     SLIDER_G2_U1, SLIDER_G2_UM, SLIDER_G2_UN, SLIDER_LAMBDA1, SLIDER_LAMBDA2, SLIDER_X1, SLIDER_XM, SLIDER_XN,
 };
-use crate::scalar::{Scalar, norm_and_direction};
-use crate::slider::{Axis, Basis, IncrementalConstraint, Line, Nodes};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
+use crate::number::scalar::{Scalar, norm_and_direction};
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 
 /// What all of them are derived from.

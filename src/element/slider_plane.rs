@@ -11,16 +11,16 @@ mod proof;
 
 use super::along::{Along, Loaded, LoadsGradient, Weight, turned};
 use super::slider::placed;
-use crate::error::Error;
+use crate::connector::slider::{IncrementalConstraint, Line, Nodes2d};
 use crate::fields;
-use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
-use crate::quantity::{
+use crate::formula::error::Error;
+use crate::formula::quantity::{
     FORCE_1_PLANE, FORCE_M_PLANE, FORCE_N_PLANE, K_U1_U1_PLANE, K_U1_UN_PLANE, K_UM_UN_PLANE, K_UN_UN_PLANE,
     SLIDER_G_U1_PLANE, SLIDER_G_UM_PLANE, SLIDER_G_UN_PLANE, SLIDER_LAMBDA, SLIDER_X1_PLANE, SLIDER_XM_PLANE,
     SLIDER_XN_PLANE,
 };
-use crate::scalar::{Scalar, norm_and_direction};
-use crate::slider::{IncrementalConstraint, Line, Nodes2d};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
+use crate::number::scalar::{Scalar, norm_and_direction};
 use nalgebra::{Matrix2, Matrix6, Vector2, Vector6};
 
 /// What all of them are derived from.

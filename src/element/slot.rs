@@ -10,9 +10,9 @@ use super::join::{JoinForces, JoinStiffness, JoinSymmetric};
 use super::lever::Lever;
 use super::products::{column, double_cross, matrix, skew, symmetric, symmetric_matrix};
 use crate::fields;
+use crate::formula::quantity::{E2A, E3A, F2, F3, GY_TA, GY_UA, GY_UB, GZ_TA, GZ_UA, GZ_UB, XA, XB};
 use crate::formula::{Component, Document, Few, Fields, Finite, Formula, Jacobian, Sign, Spec, along, cross_gradient};
-use crate::quantity::{E2A, E3A, F2, F3, GY_TA, GY_UA, GY_UB, GZ_TA, GZ_UA, GZ_UB, XA, XB};
-use crate::scalar::Scalar;
+use crate::number::scalar::Scalar;
 use nalgebra::Vector3;
 
 fields! {

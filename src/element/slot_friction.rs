@@ -8,12 +8,12 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use crate::coulomb::{self, Slid, Sliding};
+use crate::connector::slot::{Friction, FrictionOutputs, SlotLoads};
+use crate::contact::coulomb::{self, Slid, Sliding};
 use crate::fields;
+use crate::formula::quantity::{F1, F2, F3, FC_INT, K_EL, MU, U_SLIP, U_SLIP_BEFORE, U1};
 use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec, ValueAndJacobian};
-use crate::quantity::{F1, F2, F3, FC_INT, K_EL, MU, U_SLIP, U_SLIP_BEFORE, U1};
-use crate::scalar::Scalar;
-use crate::slot::{Friction, FrictionOutputs, SlotLoads};
+use crate::number::scalar::Scalar;
 
 fields! {
     /// The motion along the slot, the state before it, the constraint forces, and what the contact is made of.
@@ -38,7 +38,7 @@ impl<D: Scalar> SlotSliding<D> {
 
 /// The friction of a SLOT after a motion: F_N from the constraint forces, f1 and what has slipped from the return map.
 ///
-/// f1 is conjugate to u1, as [`KineticForce`](crate::slot::KineticForce) says: it acts on a, its opposite on b.
+/// f1 is conjugate to u1, as [`KineticForce`](crate::connector::slot::KineticForce) says: it acts on a, its opposite on b.
 #[derive(Clone, Copy, Debug)]
 pub struct Response;
 

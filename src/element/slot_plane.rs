@@ -8,12 +8,12 @@
 mod proof;
 
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec, along};
-use crate::quantity::{
+use crate::formula::quantity::{
     E2A_PLANE, F2, FORCE_A_PLANE, FORCE_B_PLANE, GY_TA_PLANE, GY_UA_PLANE, GY_UB_PLANE, K_TA_TA_PLANE, K_UA_TA_PLANE,
     MOMENT_A_PLANE, XA_PLANE, XB_PLANE,
 };
-use crate::scalar::Scalar;
+use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec, along};
+use crate::number::scalar::Scalar;
 use nalgebra::{Matrix6, Vector2, Vector6};
 
 fields! {

@@ -13,15 +13,15 @@ use super::lever::Lever;
 use super::products::{column, matrix};
 use super::slot::{self, SlotLoads, SlotPlaces, SlotRows};
 use super::universal::UniversalMoments;
-use crate::cardan::Triads;
-use crate::error::Error;
+use crate::element::cardan::Triads;
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
-use crate::quantity::{
+use crate::formula::error::Error;
+use crate::formula::quantity::{
     E1A, E1B, E2A, E2B, E3A, E3B, F2, F3, GY_TA, GY_UA, GY_UB, GZ_TA, GZ_UA, GZ_UB, K_TA_TA, K_TB_TB, K_UA_TA,
     LAMBDA_R1, LAMBDA_R2, LAMBDA_R3, UR1_TB, UR2_TB, UR3_TB, XA, XB,
 };
-use crate::scalar::Scalar;
+use crate::formula::{Component, Document, Fields, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
+use crate::number::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
 
 /// What all of them are derived from.

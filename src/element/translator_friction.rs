@@ -6,12 +6,12 @@
 mod proof;
 
 use super::slot_friction::SlotSlid;
-use crate::coulomb::{self, Slid, Sliding};
+use crate::connector::translator::{Friction, FrictionLoads};
+use crate::contact::coulomb::{self, Slid, Sliding};
 use crate::fields;
+use crate::formula::quantity::{F2, F3, FC_INT, K_EL, L_OVERLAP, M1, M2, M3, MU, RR, U_SLIP_BEFORE, U1};
 use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec, ValueAndJacobian};
-use crate::quantity::{F2, F3, FC_INT, K_EL, L_OVERLAP, M1, M2, M3, MU, RR, U_SLIP_BEFORE, U1};
-use crate::scalar::Scalar;
-use crate::translator::{Friction, FrictionLoads};
+use crate::number::scalar::Scalar;
 
 fields! {
     /// The motion along the slot, the state before it, the constraint forces and moments, and what the contact is made of.

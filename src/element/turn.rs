@@ -14,7 +14,7 @@
 
 use super::products::{double_cross, symmetric_matrix};
 use crate::formula::{cross_gradient, next};
-use crate::scalar::{Scalar, is_between, norm_and_direction, number_if};
+use crate::number::scalar::{Scalar, is_between, norm_and_direction, number_if};
 use nalgebra::{Matrix3, Vector3};
 
 /// W = k − i u and Y = h − i v.

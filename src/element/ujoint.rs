@@ -10,15 +10,15 @@ use super::join::{self, JoinForces, JoinLoads, JoinRows, JoinStiffness};
 use super::lever::Lever;
 use super::products::{column, matrix, symmetric, symmetric_matrix};
 use super::universal::{self, UniversalLoads, UniversalRow, UniversalStiffness};
+use crate::connector::slot::Positions;
+use crate::connector::ujoint::CrossAxes;
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec};
-use crate::quantity::{
+use crate::formula::quantity::{
     E1A, E2A, E3A, E3B, F2, F3, G_ROT_TA, G_ROT_TB, G1_TA, G1_UA, G1_UB, G2_TA, G2_UA, G2_UB, G3_TA, G3_UA, G3_UB,
     JOIN_F1, K_TA_TA, K_TA_TB, K_TB_TB, K_UA_TA, LAMBDA_ROT, S_TA_TA, S_TB_TB, XA, XB,
 };
-use crate::scalar::Scalar;
-use crate::slot::Positions;
-use crate::ujoint::CrossAxes;
+use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec};
+use crate::number::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
 
 fields! {

@@ -8,17 +8,17 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use crate::coulomb::{self, Slid, Sliding};
+use crate::connector::ujoint::{
+    AllContactMoments, ContactMomentPair, ContactMoments, JointLoads, NormalMomentPair, NormalMoments,
+};
+use crate::contact::coulomb::{self, Slid, Sliding};
 use crate::fields;
-use crate::formula::{Component, Document, Fields, Finite, Formula, Given, Jacobian, Spec, ValueAndJacobian};
-use crate::quantity::{
+use crate::formula::quantity::{
     CROSS_M1, CROSS_M3, E1A, E2A, E3A, E3B, F2, F3, JOIN_F1, K_EL_R1, K_EL_R3, LA, LS, MC1_INT, MC3_INT, MU, RA, RP,
     TURN1, TURN1_SLIP, TURN1_SLIP_BEFORE, TURN3, TURN3_SLIP, TURN3_SLIP_BEFORE, TWIST_M2,
 };
-use crate::scalar::Scalar;
-use crate::ujoint::{
-    AllContactMoments, ContactMomentPair, ContactMoments, JointLoads, NormalMomentPair, NormalMoments,
-};
+use crate::formula::{Component, Document, Fields, Finite, Formula, Given, Jacobian, Spec, ValueAndJacobian};
+use crate::number::scalar::Scalar;
 use nalgebra::Vector3;
 
 fields! {

@@ -8,13 +8,13 @@ pub(super) mod proof;
 use super::products::{
     column, double_cross, double_cross_gradient, matrix, symmetric, symmetric_gradient, symmetric_matrix,
 };
+use crate::connector::ujoint::CrossAxes;
 use crate::fields;
-use crate::formula::{Component, Document, Few, Finite, Formula, Jacobian, Sign, Spec, cross_gradient};
-use crate::quantity::{
+use crate::formula::quantity::{
     E1A, E3B, G_ROT_TA, G_ROT_TB, K_TA_TA, K_TA_TB, K_TB_TB, LAMBDA_ROT, MOMENT_A, MOMENT_B, S_TA_TA, S_TB_TB,
 };
-use crate::scalar::Scalar;
-use crate::ujoint::CrossAxes;
+use crate::formula::{Component, Document, Few, Finite, Formula, Jacobian, Sign, Spec, cross_gradient};
+use crate::number::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
 
 fields! {

@@ -7,7 +7,7 @@
 
 use super::finite::bits_unless_finite;
 use super::{Component, Field, Fields, Formula, ValueAndJacobian};
-use crate::error::Error;
+use crate::formula::error::Error;
 
 /// Value of a formula at inputs that were checked.
 ///
@@ -15,7 +15,7 @@ use crate::error::Error;
 /// [`Error`] naming the input that is not finite or not in its domain, or the output that overflowed.
 ///
 /// ```
-/// use jointproof::{formula::value, slot::{ContactForce, CrossForces}};
+/// use jointproof::{formula::value, connector::slot::{ContactForce, CrossForces}};
 /// assert_eq!(value::<ContactForce>(&CrossForces { f2: 3.0, f3: 4.0 })?.fc, 5.0);
 /// let error = value::<ContactForce>(&CrossForces { f2: f64::NAN, f3: 4.0 }).unwrap_err();
 /// assert_eq!(error.to_string(), "f2 is NaN; allowed is a finite number");

@@ -2,7 +2,7 @@
 
 #![expect(clippy::inline_always, reason = "the compiler sees the places, and where the zeros are")]
 
-use crate::scalar::Scalar;
+use crate::number::scalar::Scalar;
 use nalgebra::Vector3;
 use std::ops::Neg;
 

@@ -3,7 +3,7 @@
 #![expect(clippy::inline_always, reason = "beside the formula what is known of an input costs nothing")]
 
 use super::Fields;
-use crate::power::power_of_two;
+use crate::number::power::power_of_two;
 
 /// Inputs at which neither an output nor a derivative of a formula overflows.
 ///
@@ -72,7 +72,7 @@ fn are_between(i: &impl Fields<f64>) -> bool {
 #[cfg(test)]
 mod tests {
     use super::Finite;
-    use crate::slot::CrossForces;
+    use crate::connector::slot::CrossForces;
 
     #[test]
     fn the_limits_are_where_they_are_said_to_be() {

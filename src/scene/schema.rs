@@ -2,7 +2,7 @@
 
 use super::kind::{Dimension, Fallback, Kind};
 use super::read::keys;
-use crate::quantity::{Domain, FRACTION, Quantity};
+use crate::formula::quantity::{Domain, FRACTION, Quantity};
 use serde_json::{Map, Value, json};
 
 /// The schema: an editor that knows it completes names and marks mistakes while one writes.

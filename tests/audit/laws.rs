@@ -1,11 +1,13 @@
 //! The laws that every formula obeys see every unit, points, vectors and matrices; and what laws are stated with.
 
+use jointproof::formula::proof::law::{
+    equal, equal_vectors, equal_with, no_work, orthonormal, parallel, residual, vanish,
+};
+use jointproof::formula::proof::{Equation, Proved};
+use jointproof::formula::quantity::{Domain, Quantity, Shape, Unit};
 use jointproof::formula::{Component, Document, Formula, Jacobian, Spec};
-use jointproof::proof::law::{equal, equal_vectors, equal_with, no_work, orthonormal, parallel, residual, vanish};
-use jointproof::proof::{Equation, Proved};
-use jointproof::quantity::{Domain, Quantity, Shape, Unit};
-use jointproof::scalar::{Scalar, norm};
-use jointproof::verify::{Claim, Options, Sensitivity, audit, eta, relative};
+use jointproof::number::scalar::{Scalar, norm};
+use jointproof::toolkit::verify::{Claim, Options, Sensitivity, audit, eta, relative};
 use jointproof::{Octuple, fields};
 use nalgebra::{Matrix3, Vector3};
 use std::cell::Cell;

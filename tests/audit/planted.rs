@@ -1,12 +1,12 @@
 //! A fault for every claim of an audit that violates this claim alone: just within the bound it passes, at 3 and at 50
 //! times the bound it is caught, and the size that is reported is the size that was planted.
 
+use jointproof::formula::proof::law::equal;
+use jointproof::formula::proof::{Case, Kink, Law, Proved};
+use jointproof::formula::quantity::{Domain, Quantity, Shape, Unit};
 use jointproof::formula::{Component, Document, Finite, Formula, Jacobian, Spec, ValueAndJacobian};
-use jointproof::proof::law::equal;
-use jointproof::proof::{Case, Kink, Law, Proved};
-use jointproof::quantity::{Domain, Quantity, Shape, Unit};
-use jointproof::scalar::{Scalar, abs, constant, direction, leaf, norm, sign};
-use jointproof::verify::{Audit, Claim, Deviation, Looked, Options, Sampler, audit, audit_at};
+use jointproof::number::scalar::{Scalar, abs, constant, direction, leaf, norm, sign};
+use jointproof::toolkit::verify::{Audit, Claim, Deviation, Looked, Options, Sampler, audit, audit_at};
 use jointproof::{Octuple, fields};
 use nalgebra::Vector3;
 use std::cell::Cell;

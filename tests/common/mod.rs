@@ -2,8 +2,8 @@
 
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
-use jointproof::quantity::{Domain, Node, Shape};
-use jointproof::verify::golden::File;
+use jointproof::formula::quantity::{Domain, Node, Shape};
+use jointproof::toolkit::verify::golden::File;
 use proptest::prelude::*;
 
 /// The golden file of a formula as it stands in the repository, which takes far less time than to compute it. That it is what the

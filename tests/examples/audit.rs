@@ -4,9 +4,9 @@
 //! cargo run --example audit --features verify
 //! ```
 
+use jointproof::connector::slot::{ContactForce, CrossForces};
 use jointproof::formula::Formula;
-use jointproof::slot::{ContactForce, CrossForces};
-use jointproof::verify::{Options, audit, exactly};
+use jointproof::toolkit::verify::{Options, audit, exactly};
 
 fn main() {
     let audit = audit::<ContactForce>(&Options { samples: 200, seed: 1 });

@@ -1,10 +1,10 @@
 //! The contact force of a slot at many points: columns in, columns out.
 
-use jointproof::batch::{ArrayView1, ArrayViewMut1, entries, value_and_jacobian};
-use jointproof::slot::ContactForce;
+use jointproof::connector::slot::ContactForce;
+use jointproof::toolkit::batch::{ArrayView1, ArrayViewMut1, entries, value_and_jacobian};
 use ndarray::{Array2, arr0};
 
-fn main() -> Result<(), jointproof::batch::Error> {
+fn main() -> Result<(), jointproof::toolkit::batch::Error> {
     // ANCHOR: example
     let f2 = vec![3.0; 10_000];
     let f3 = arr0(4.0); // the same in all rows

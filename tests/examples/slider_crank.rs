@@ -6,10 +6,10 @@
 //! cargo run --example slider_crank
 //! ```
 
+use jointproof::connector::slot::{Constraint2d, SlotPositions2d};
 use jointproof::element::slot_friction::{Response2d, SlotSlid, SlotSliding2d};
 use jointproof::element::slot_plane::{Forces, PlaneLoads, PlanePlaces, Rows};
 use jointproof::formula::Formula;
-use jointproof::slot::{Constraint2d, SlotPositions2d};
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 use std::f64::consts::TAU;
 

@@ -4,9 +4,9 @@
 //! cargo run --example slot
 //! ```
 
+use jointproof::connector::slot::{ContactForce, CrossForces, Pose, Slot};
+use jointproof::element::frame::Triad;
 use jointproof::formula::value_and_jacobian;
-use jointproof::frame::Triad;
-use jointproof::slot::{ContactForce, CrossForces, Pose, Slot};
 use nalgebra::Vector3;
 
 fn main() -> Result<(), jointproof::Error> {

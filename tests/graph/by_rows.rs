@@ -1,6 +1,6 @@
 //! Of which formulas several rows may be computed together: what is NaN where a number is extreme must show in a result.
 
-use jointproof::graph::{Binary, Graph, Node, Op, Unary};
+use jointproof::toolkit::graph::{Binary, Graph, Node, Op, Unary};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// How several rows of a formula are computed together, if they are: the value alone, and the Jacobian too.

@@ -2,7 +2,7 @@
 //! `report` measures.
 
 use jointproof::catalog::CATALOG;
-use jointproof::slide_line::{Interpolation, Nodes, PlacedLine, SlideLine};
+use jointproof::contact::slide_line::{Interpolation, Nodes, PlacedLine, SlideLine};
 use std::path::Path;
 
 /// Golden values do not depend on how they are compiled.

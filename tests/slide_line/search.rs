@@ -1,11 +1,11 @@
 //! The closest point of whole lines against a dense search, derivatives, exact arithmetic and any input at all.
 
 use super::{line, numbered};
-use jointproof::formula::Formula;
-use jointproof::slide_line::{
+use jointproof::contact::slide_line::{
     ClosestPoint, Interpolation, LinearCornerPlace, LinearPlace, LinearPoint, Nodes, ParabolicCornerPlace,
     ParabolicPlace, ParabolicPoint, Place, SlideLine, SmoothedLinearPoint, SmoothedParabolicPoint,
 };
+use jointproof::formula::Formula;
 use jointproof::{Error, Octuple};
 use nalgebra::Vector2;
 use num_dual::Dual64;

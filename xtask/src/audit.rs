@@ -15,8 +15,8 @@ use anyhow::Context;
 use indicatif::ParallelProgressIterator;
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
-use jointproof::verify::golden::components;
-use jointproof::verify::{Audit, Claim, Options, Part, Shard};
+use jointproof::toolkit::verify::golden::components;
+use jointproof::toolkit::verify::{Audit, Claim, Options, Part, Shard};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -294,7 +294,7 @@ fn listed(changes: &[impl ToString]) -> String {
 mod tests {
     use super::*;
     use crate::sample;
-    use jointproof::slot::{ContactForce, Friction};
+    use jointproof::connector::slot::{ContactForce, Friction};
 
     /// What was found by the two audits of the sample.
     fn audits() -> [Audit; 2] {

@@ -2,7 +2,7 @@
 
 use crate::console::{bold, count, figure, green, red};
 use crate::looked;
-use jointproof::verify::{Audit, Claim, Deviation};
+use jointproof::toolkit::verify::{Audit, Claim, Deviation};
 use std::fmt::Write;
 
 /// What failed, in full, then a line a formula.

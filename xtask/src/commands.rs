@@ -131,7 +131,8 @@ fn aligned(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use jointproof::{slide_line::ClosestLinear, slot::ContactForce};
+    use jointproof::connector::slot::ContactForce;
+    use jointproof::contact::slide_line::ClosestLinear;
 
     #[test]
     fn what_examples_do_stands_in_a_column_and_the_first_is_not_indented() {

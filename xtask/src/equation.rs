@@ -6,9 +6,9 @@ use crate::outcome::{Outcome, Usage, verdict};
 use crate::project::Project;
 use crate::prose;
 use jointproof::catalog::AnyFormula;
-use jointproof::equation::Equation;
 use jointproof::formula::Field;
-use jointproof::verify::{Claim, Deviation, Options};
+use jointproof::toolkit::equation::Equation;
+use jointproof::toolkit::verify::{Claim, Deviation, Options};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::time::Instant;
 

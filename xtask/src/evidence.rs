@@ -5,7 +5,7 @@
 
 use crate::files;
 use crate::project::Project;
-use jointproof::verify::{Audit, Options};
+use jointproof::toolkit::verify::{Audit, Options};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hasher};

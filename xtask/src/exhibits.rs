@@ -3,7 +3,7 @@
 
 use crate::studies::agreement;
 use crate::{figures, museum, mutate, scene, statements, worked_example};
-use jointproof::verify::Audit;
+use jointproof::toolkit::verify::Audit;
 use kit::{Exhibits, Project, audited};
 
 /// All of it.

@@ -11,7 +11,7 @@ use crate::selection::Selection;
 use anyhow::Context;
 use indicatif::ParallelProgressIterator;
 use jointproof::catalog::AnyFormula;
-use jointproof::verify::golden::{Difference, File, LEAST_RANDOM};
+use jointproof::toolkit::verify::golden::{Difference, File, LEAST_RANDOM};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -265,7 +265,7 @@ pub(crate) fn changes(project: &Project, formula: &dyn AnyFormula) -> Result<Vec
 #[cfg(test)]
 mod tests {
     use super::*;
-    use jointproof::slot::ContactForce;
+    use jointproof::connector::slot::ContactForce;
 
     #[test]
     fn files_of_no_formula_are_named_in_order_and_no_others() {

@@ -1,7 +1,7 @@
 //! In words: how kinks of a formula were looked for, and which sides of its comparisons were taken.
 
 use crate::console::count;
-use jointproof::verify::{Coverage, Looked, Search};
+use jointproof::toolkit::verify::{Coverage, Looked, Search};
 
 /// So many of a kind are named before the rest is only counted.
 const NAMED: usize = 4;

@@ -7,7 +7,7 @@
 #[cfg(feature = "measuring")]
 mod program;
 
-use jointproof::measure::{Measurement, Options};
+use jointproof::toolkit::measure::{Measurement, Options};
 #[cfg(feature = "measuring")]
 pub use program::main;
 use schemars::JsonSchema;

@@ -4,8 +4,8 @@ use crate::book::coverage::directives;
 use crate::console::{bold, count, red};
 use crate::project::Project;
 use jointproof::catalog::AnyFormula;
+use jointproof::formula::proof::Flag;
 use jointproof::formula::{Field, Provenance};
-use jointproof::proof::Flag;
 use std::collections::HashSet;
 
 /// Something that every formula owes.
@@ -136,9 +136,9 @@ pub(crate) fn is_name(name: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use jointproof::formula::proof::Proved;
+    use jointproof::formula::quantity::{Domain, Quantity, Unit};
     use jointproof::formula::{Component, Document, Formula, Jacobian, Spec};
-    use jointproof::proof::Proved;
-    use jointproof::quantity::{Domain, Quantity, Unit};
     use jointproof::{Scalar, fields};
 
     const NAMELESS: Quantity = Quantity::scalar("", Unit::ONE, Domain::Real, "");

@@ -5,8 +5,8 @@ use crate::book::{Fault, Numeral, Origin, coverage, is_rounded};
 use crate::console::{count, figure};
 use crate::project::Project;
 use jointproof::catalog::AnyFormula;
-use jointproof::equation::{Claims, Signature, View};
-use jointproof::verify::{self, Claim, Options, Printed};
+use jointproof::toolkit::equation::{Claims, Signature, View};
+use jointproof::toolkit::verify::{self, Claim, Options, Printed};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -81,7 +81,7 @@ fn entry(formula: &dyn AnyFormula) -> (Tally, Vec<Fault>) {
 /// Executes what an entry shows below its equation: the same with everything put in, and its variation.
 fn views(formula: &dyn AnyFormula, tally: &mut Tally) -> Result<(), String> {
     let signature = Signature { spec: formula.spec(), inputs: formula.inputs(), outputs: formula.outputs() };
-    let unread = |error: jointproof::equation::Error| error.to_string();
+    let unread = |error: jointproof::toolkit::equation::Error| error.to_string();
     let view = View::of(&signature).map_err(unread)?;
     // Nothing is shown where two entries call different things by the same symbol.
     let Some(view) = view else { return Ok(()) };
@@ -200,10 +200,10 @@ fn collect(path: &Path, name: Option<&str>, texts: &mut Vec<String>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use jointproof::connector::slot::ContactForce;
+    use jointproof::formula::proof::{Case, Kink, Proved};
+    use jointproof::formula::quantity::{Domain, Quantity, Unit};
     use jointproof::formula::{Component, Document, Formula, Jacobian, Spec};
-    use jointproof::proof::{Case, Kink, Proved};
-    use jointproof::quantity::{Domain, Quantity, Unit};
-    use jointproof::slot::ContactForce;
     use jointproof::{Octuple, Scalar, fields};
 
     const SIDE: Quantity = Quantity::scalar("a", Unit::L, Domain::Real, "side of a square");

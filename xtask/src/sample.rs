@@ -5,10 +5,10 @@
 
 use crate::measuring::Build;
 use crate::report::data::{Machine, Report};
-use jointproof::measure::{
+use jointproof::toolkit::measure::{
     Curve, Errors, Figures, Measurement, Options, PointTime, Quantiles, Scheme, Step, Time, WayFigures,
 };
-use jointproof::verify::{Audit, Claim, Coverage, Deviation, Looked, Search};
+use jointproof::toolkit::verify::{Audit, Claim, Coverage, Deviation, Looked, Search};
 use std::path::Path;
 
 /// Asserts that a text is the one that is kept under this name.

@@ -8,7 +8,7 @@ use crate::project::Project;
 use crate::report::data::Report;
 use crate::selection::Selection;
 use crate::{audit, audited, owed, prose};
-use jointproof::verify::{Audit, Options};
+use jointproof::toolkit::verify::{Audit, Options};
 use std::time::{Duration, Instant};
 
 /// Check everything: completeness, golden files, audit, statements, chapters, book

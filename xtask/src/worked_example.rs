@@ -1,10 +1,10 @@
 //! The worked example of the chapter on code review: a derivative as somebody submitted it, and what the audit says.
 
+use jointproof::connector::slot::{Contact, CrossForces};
+use jointproof::formula::proof::Proved;
 use jointproof::formula::{Component, Document, Formula, Jacobian, Spec};
-use jointproof::proof::Proved;
-use jointproof::scalar::{Scalar, direction, norm};
-use jointproof::slot::{Contact, CrossForces};
-use jointproof::verify::{Audit, Options, audit};
+use jointproof::number::scalar::{Scalar, direction, norm};
+use jointproof::toolkit::verify::{Audit, Options, audit};
 
 // ANCHOR: submitted
 /// The contact force as submitted for review.

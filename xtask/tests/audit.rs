@@ -2,8 +2,8 @@
 
 use crate::common::Bench;
 use jointproof::catalog::CATALOG;
-use jointproof::verify::golden::File;
-use jointproof::verify::{Audit, Claim, Deviation};
+use jointproof::toolkit::verify::golden::File;
+use jointproof::toolkit::verify::{Audit, Claim, Deviation};
 
 /// A formula whose audit takes no time.
 const ID: &str = "slot.contact_force";

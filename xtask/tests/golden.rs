@@ -2,8 +2,8 @@
 
 use crate::common::{self, Bench};
 use jointproof::catalog::CATALOG;
-use jointproof::proof::Flag;
-use jointproof::verify::golden::File;
+use jointproof::formula::proof::Flag;
+use jointproof::toolkit::verify::golden::File;
 use std::collections::BTreeMap;
 use std::fs;
 

@@ -2,7 +2,7 @@
 
 use crate::common::Bench;
 use jointproof::catalog::CATALOG;
-use jointproof::verify::Options;
+use jointproof::toolkit::verify::Options;
 use std::fs;
 
 /// A copy of the chapters, and of what their numbers refer to.

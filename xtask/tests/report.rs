@@ -174,7 +174,7 @@ fn the_points_are_written_for_other_programs() {
     let bytes = fs::read(points.join(description["file"].as_str().unwrap())).unwrap();
     let doubles: Vec<_> = bytes.chunks(8).map(|b| f64::from_le_bytes(b.try_into().unwrap())).collect();
     assert_eq!(doubles.len(), count * stride);
-    let friction: &dyn AnyFormula = &jointproof::slot::Friction;
+    let friction: &dyn AnyFormula = &jointproof::connector::slot::Friction;
     for point in doubles.chunks(stride) {
         assert!(friction.value(point).is_ok(), "{point:?}");
     }

@@ -4,13 +4,13 @@
 //! numbers, and answers with bits.
 
 use crate::common::{Bench, is_here};
+use jointproof::connector::ujoint::Cross;
 use jointproof::element::newton::{
     CrossContact, Element, Nodes, SlotContact, SlotElement, TranslatorContact, TranslatorElement, UJointElement,
     UJointState,
 };
 use jointproof::element::offset::Arms;
 use jointproof::element::{Forces, Stiffness};
-use jointproof::ujoint::Cross;
 use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, SVector, Vector3};
 use std::fmt::Write as _;
 use std::io::{BufRead, BufReader, Write as _};

@@ -11,7 +11,7 @@ fn main() -> io::Result<()> {
     let list = catalog.split_once("static CATALOG").and_then(|(_, rest)| rest.split_once("];"));
     let (list, _) = list.ok_or_else(|| io::Error::other("no `static CATALOG` in src/catalog.rs"))?;
     let types = list.lines().filter_map(|line| line.trim().strip_prefix('&')?.strip_suffix(','));
-    let batches: Vec<_> = types.map(|path| format!("    Batch::of::<jointproof::{path}>(),\n")).collect();
+    let batches: Vec<_> = types.map(|path| format!("    Batch::of::<{path}>(),\n")).collect();
     let folder = env::var_os("OUT_DIR").ok_or_else(|| io::Error::other("cargo sets OUT_DIR"))?;
     fs::write(Path::new(&folder).join("batches.rs"), format!("&[\n{}]\n", batches.concat()))
 }

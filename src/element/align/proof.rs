@@ -2,12 +2,12 @@
 
 use super::{AlignLoads, AlignRows, GeometricStiffness, Moments, Rows};
 use crate::Octuple;
-use crate::align::{Constraint, Misalignment, Orientations};
-use crate::cardan::{Angles, CardanAngles, Triads, turns};
+use crate::connector::align::{Constraint, Misalignment, Orientations};
+use crate::element::cardan::{Angles, CardanAngles, Triads, turns};
 use crate::element::motion::{Motion, Moving, Tangent, derivative, still};
 use crate::element::{self, NodalForces};
+use crate::formula::proof::{Case, Equation, Law, Proved, hard, law};
 use crate::formula::{Fields, Formula};
-use crate::proof::{Case, Equation, Law, Proved, hard, law};
 use nalgebra::Vector3;
 use num_dual::DualNum;
 use num_traits::{One, Zero};

@@ -3,12 +3,12 @@
 use super::{Forces, GeometricStiffness, JoinForces, JoinLoads, JoinRows, Rows, SymmetricStiffness};
 use crate::Octuple;
 use crate::Scalar;
+use crate::connector::join::{Constraint, Joined};
+use crate::connector::slot::Positions;
 use crate::element::motion::{Motion, Moving, Tangent, derivative, is_symmetric_part, still};
 use crate::element::{self, NodalForces};
 use crate::formula::Formula;
-use crate::join::{Constraint, Joined};
-use crate::proof::{Case, Equation, Law, Proved, hard, law};
-use crate::slot::Positions;
+use crate::formula::proof::{Case, Equation, Law, Proved, hard, law};
 use nalgebra::Vector3;
 use num_traits::Zero;
 

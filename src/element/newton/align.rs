@@ -1,12 +1,12 @@
 //! ALIGN: the three Cardan angles, and moments about their axes.
 
 use super::{Contribution, Element, Nodes};
-use crate::align::{Constraint, Misalignment, Orientations};
-use crate::cardan::Angles;
+use crate::connector::align::{Constraint, Misalignment, Orientations};
 use crate::element::align::{self, AlignLoads};
-use crate::error::Error;
+use crate::element::cardan::Angles;
+use crate::formula::error::Error;
 use crate::formula::{Formula, check};
-use crate::scalar::Scalar;
+use crate::number::scalar::Scalar;
 use nalgebra::Vector3;
 
 /// ALIGN as an element: the multipliers of the three angles.

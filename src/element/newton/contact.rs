@@ -14,12 +14,12 @@ mod shape;
 #[cfg(all(test, feature = "verify"))]
 mod tests;
 
+use crate::contact::interaction::{ExponentialContact, LinearContact, PressureExponential, PressureLinear};
 use crate::element::chain::{Term, chain};
 use crate::element::slide_line::friction::{self, Rubbing};
-use crate::error::Error;
 use crate::formula::check;
-use crate::interaction::{ExponentialContact, LinearContact, PressureExponential, PressureLinear};
-use crate::scalar::Scalar;
+use crate::formula::error::Error;
+use crate::number::scalar::Scalar;
 use nalgebra::{SMatrix, SVector, Vector2};
 use shape::{Curved, Shape, Straight};
 

@@ -1,11 +1,11 @@
 //! JOIN: three residuals, and the forces along a's triad.
 
 use super::{Contribution, Element, Nodes};
+use crate::connector::join::{Constraint, Joined};
 use crate::element::join;
-use crate::error::Error;
+use crate::formula::error::Error;
 use crate::formula::{Formula, check};
-use crate::join::{Constraint, Joined};
-use crate::scalar::Scalar;
+use crate::number::scalar::Scalar;
 use nalgebra::Vector3;
 
 /// JOIN as an element: multipliers f1, f2 and f3.

@@ -5,12 +5,12 @@
 //! closed, it keeps the convergence quadratic, which Σ λ ∂²g does not.
 
 use super::{Contribution, Element};
+use crate::connector::slider::{Constraint, Constraint2d, Nodes, Nodes2d};
 use crate::element::slider::{Forces, Rows, SliderForces, SliderLoads};
 use crate::element::slider_plane::{self, SliderForces2d, SliderLoads2d};
-use crate::error::Error;
+use crate::formula::error::Error;
 use crate::formula::{Formula, check};
-use crate::scalar::Scalar;
-use crate::slider::{Constraint, Constraint2d, Nodes, Nodes2d};
+use crate::number::scalar::Scalar;
 use nalgebra::{SMatrix, Vector1, Vector2};
 
 /// SLIDER as an element: multipliers λ1 and λ2 across the line, and the translations of nodes 1, n and m.

@@ -1,13 +1,13 @@
 //! SLOT: JOIN's element, whose first force is not a multiplier but the friction along the slot.
 
 use super::{Contribution, Element, Nodes};
+use crate::connector::slot::{Constraint, Positions, RelativePosition, Residuals, SlotPositions};
 use crate::element::join;
 use crate::element::slot_friction::{Response, SlotSliding};
-use crate::error::Error;
+use crate::formula::error::Error;
+use crate::formula::quantity::Domain;
 use crate::formula::{Formula, check};
-use crate::quantity::Domain;
-use crate::scalar::Scalar;
-use crate::slot::{Constraint, Positions, RelativePosition, Residuals, SlotPositions};
+use crate::number::scalar::Scalar;
 use nalgebra::{Vector2, Vector3};
 
 /// SLOT as an element: multipliers f2 and f3.

@@ -1,13 +1,13 @@
 //! SLOT in the plane: one residual, and friction along the slot.
 
 use super::{Contribution, Element, SlotContact};
+use crate::connector::slot::{Constraint2d, SlotPositions2d};
 use crate::element::slot_friction::{Response2d, SlotSliding2d};
 use crate::element::slot_plane::{Forces, GeometricStiffness, PlaneLoads, PlanePlaces, Rows};
-use crate::error::Error;
+use crate::formula::error::Error;
+use crate::formula::quantity::Domain;
 use crate::formula::{Formula, check};
-use crate::quantity::Domain;
-use crate::scalar::Scalar;
-use crate::slot::{Constraint2d, SlotPositions2d};
+use crate::number::scalar::Scalar;
 use nalgebra::{Vector1, Vector2};
 
 /// SLOT in the plane as an element: the multiplier f2. Its nodes have a translation and a spin each, u_a, θ_a, u_b, θ_b.

@@ -6,17 +6,17 @@ use super::{
     SlotElement, SlotElement2d, TranslatorContact, TranslatorElement, UJointElement, UJointState, UniversalElement,
 };
 use crate::Octuple;
-use crate::cardan::rotation;
+use crate::connector::slider;
+use crate::connector::ujoint::Cross;
 use crate::element::Forces;
+use crate::element::cardan::rotation;
 use crate::element::motion::{Motion, Moving, still};
 use crate::element::products::skew;
 use crate::element::rotation::proof::{from_euler, rodrigues};
 use crate::element::slider::{GeometricStiffness, SliderLoads};
 use crate::element::slot_plane::PlanePlaces;
 use crate::formula::Formula;
-use crate::scalar::{Scalar, constant};
-use crate::slider;
-use crate::ujoint::Cross;
+use crate::number::scalar::{Scalar, constant};
 use nalgebra::{Matrix3, SMatrix, SVector, Vector1, Vector2, Vector3, Vector4};
 use num_dual::{Dual, Dual2};
 

@@ -1,17 +1,17 @@
 //! TRANSLATOR: SLOT's element and ALIGN's, with a friction along the slot that the moments press for as the forces do.
 
 use super::{Contribution, Element, Nodes, by_spins};
-use crate::align::Orientations;
-use crate::cardan::Angles;
+use crate::connector::align::Orientations;
+use crate::connector::slot::{RelativePosition, SlotPositions};
+use crate::connector::translator::{AllResiduals, Constraint, Placement};
 use crate::element::align::{self, AlignLoads, AlignRows};
+use crate::element::cardan::Angles;
 use crate::element::translator_friction::{Response, TranslatorSliding};
 use crate::element::{Rows, join};
-use crate::error::Error;
+use crate::formula::error::Error;
+use crate::formula::quantity::Domain;
 use crate::formula::{Formula, check};
-use crate::quantity::Domain;
-use crate::scalar::Scalar;
-use crate::slot::{RelativePosition, SlotPositions};
-use crate::translator::{AllResiduals, Constraint, Placement};
+use crate::number::scalar::Scalar;
 use nalgebra::{SVector, Vector3};
 
 /// TRANSLATOR as an element: multipliers f2, f3 and those of ALIGN's three angles.

@@ -4,17 +4,17 @@
 //! moments in place of the multipliers.
 
 use super::{Contribution, Element, Nodes, by_spins};
-use crate::cardan::nearest;
+use crate::connector::ujoint::{Constraint, Cross, Jointed};
+use crate::connector::universal::{Angles, Turns};
 use crate::element::Forces;
 use crate::element::align::{self, AlignLoads};
+use crate::element::cardan::nearest;
 use crate::element::ujoint::{self, JointLoads, JointPlaces};
 use crate::element::ujoint_friction::{CrossSlid, CrossSliding, Response};
-use crate::error::Error;
+use crate::formula::error::Error;
+use crate::formula::quantity::Domain;
 use crate::formula::{Formula, check};
-use crate::quantity::Domain;
-use crate::scalar::Scalar;
-use crate::ujoint::{Constraint, Cross, Jointed};
-use crate::universal::{Angles, Turns};
+use crate::number::scalar::Scalar;
 use nalgebra::{Vector3, Vector4};
 
 /// UJOINT as an element: multipliers f1, f2, f3 of JOIN and that of UNIVERSAL.

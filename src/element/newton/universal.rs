@@ -1,12 +1,12 @@
 //! UNIVERSAL: one residual, and moments about the line across both shafts.
 
 use super::{Contribution, Element, Nodes};
+use crate::connector::ujoint::CrossAxes;
+use crate::connector::universal::{Constraint, Shafts};
 use crate::element::universal::{self, UniversalLoads};
-use crate::error::Error;
+use crate::formula::error::Error;
 use crate::formula::{Formula, check};
-use crate::scalar::Scalar;
-use crate::ujoint::CrossAxes;
-use crate::universal::{Constraint, Shafts};
+use crate::number::scalar::Scalar;
 use nalgebra::{SMatrix, Vector1};
 
 /// UNIVERSAL as an element: the multiplier of e1a·e3b − c0.

@@ -3,7 +3,7 @@
 use super::Contribution;
 use crate::element::rotation::{EulerParameters, QuaternionLoad, RotationVector, TurnedLoad};
 use crate::formula::Formula;
-use crate::scalar::Scalar;
+use crate::number::scalar::Scalar;
 use nalgebra::{SMatrix, SVector, Vector3, Vector4};
 
 /// How a node turns with other unknowns.

@@ -3,7 +3,7 @@
 use super::{Arm, ArmActions, ArmLoads};
 use crate::element::motion::{Motion, derivative, still};
 use crate::formula::Formula;
-use crate::proof::{Case, Law, Proved, hard, law};
+use crate::formula::proof::{Case, Law, Proved, hard, law};
 use nalgebra::{Matrix3, Vector3};
 
 impl Proved for Arm {

@@ -3,9 +3,9 @@
 use super::{EulerParameters, QuaternionLoad, RotationVector, TurnedLoad};
 use crate::Octuple;
 use crate::element::products::skew;
+use crate::formula::proof::{Case, Equation, Law, Proved, hard, law};
 use crate::formula::{Formula, along};
-use crate::proof::{Case, Equation, Law, Proved, hard, law};
-use crate::scalar::Scalar;
+use crate::number::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
 use num_dual::{Dual, DualNum};
 use num_traits::{One, Zero};

@@ -3,7 +3,7 @@
 //! c_n(s) = Σ (−s)ᵏ/(2k+n)! and c_n = 1/n! − s c_(n+2), so that the series of c4 and c5 give all below them without
 //! cancellation while s is small; then sine and cosine do (K. Stumpff, Himmelsmechanik I, section 41).
 
-use crate::scalar::{Leaf, Scalar, constant};
+use crate::number::scalar::{Leaf, Scalar, constant};
 use num_dual::DualNum;
 
 /// The first three.

@@ -4,14 +4,16 @@
 mod proof;
 
 use super::{Place, Spot};
-use crate::error::Error;
-use crate::fields;
-use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
-use crate::quantity::{AREA, LINE_FORCE_1, LINE_FORCE_2, LINE_FORCE_3, LINE_FORCE_S, S11, S12, SEGMENT_G, X1, X2, X3};
-use crate::scalar::Scalar;
-use crate::slide_line::{
+use crate::contact::slide_line::{
     LinearPlace, LinearPoint, LocalBasis, ParabolicPlace, ParabolicPoint, check_distinct, check_tangent,
 };
+use crate::fields;
+use crate::formula::error::Error;
+use crate::formula::quantity::{
+    AREA, LINE_FORCE_1, LINE_FORCE_2, LINE_FORCE_3, LINE_FORCE_S, S11, S12, SEGMENT_G, X1, X2, X3,
+};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
+use crate::number::scalar::Scalar;
 use nalgebra::Vector2;
 
 const OURS: Source =

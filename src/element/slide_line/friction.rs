@@ -3,11 +3,11 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use crate::coulomb::{ReturnMap, Trial};
+use crate::contact::coulomb::{ReturnMap, Trial};
 use crate::fields;
+use crate::formula::quantity::{DSLIP, MU, S11, S12, S12_BEFORE, SHEAR_STIFFNESS};
 use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec};
-use crate::quantity::{DSLIP, MU, S11, S12, S12_BEFORE, SHEAR_STIFFNESS};
-use crate::scalar::Scalar;
+use crate::number::scalar::Scalar;
 
 fields! {
     /// Pressure, slip increment, shear stress before, and what the contact is made of.

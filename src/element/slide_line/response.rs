@@ -2,7 +2,7 @@
 //!
 //! The derivative is that of everything in a row: closest point, pressure, way along the line, shear stress, area, forces. The
 //! segment goes on straight past its ends here; past an end of a line nothing is transmitted, which is for whoever knows the
-//! line to say, as [`isl`](crate::isl) does.
+//! line to say, as [`isl`](crate::contact::isl) does.
 
 #[cfg(feature = "verify")]
 mod proof;
@@ -12,19 +12,19 @@ use self::tangent::{BySegment, Parts};
 use super::Spot;
 use super::forces::{self, LinearForces};
 use super::friction::{self, Rubbing};
-use crate::error::Error;
-use crate::fields;
-use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Spec, ValueAndJacobian};
-use crate::interaction::{LinearContact, PressureLinear};
-use crate::quantity::{
-    DSLIP, LINE_FORCE_1, LINE_FORCE_2, LINE_FORCE_S, LINE_G, LINE_G_BEFORE, MU, S11, S12, S12_BEFORE, SHEAR_STIFFNESS,
-    STIFFNESS, X1, X2, XO, XS,
-};
-use crate::scalar::{Scalar, choice};
-use crate::slide_line::{
+use crate::contact::interaction::{LinearContact, PressureLinear};
+use crate::contact::slide_line::{
     ContactAreaLinear, LinearMotion, LinearNodes, LinearPoint, LinearSlave, LocalBasis, Projection, SegmentFoot,
     SlipIncrementLinear, check_distinct, check_radii, left,
 };
+use crate::fields;
+use crate::formula::error::Error;
+use crate::formula::quantity::{
+    DSLIP, LINE_FORCE_1, LINE_FORCE_2, LINE_FORCE_S, LINE_G, LINE_G_BEFORE, MU, S11, S12, S12_BEFORE, SHEAR_STIFFNESS,
+    STIFFNESS, X1, X2, XO, XS,
+};
+use crate::formula::{Component, Document, Fields, Formula, Given, Jacobian, Spec, ValueAndJacobian};
+use crate::number::scalar::{Scalar, choice};
 use nalgebra::Vector2;
 
 fields! {

@@ -4,14 +4,14 @@
 pub(super) mod proof;
 
 use super::{Place, Spot};
-use crate::error::Error;
-use crate::fields;
-use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
-use crate::quantity::{E11_U1, E11_U2, E11_U3, E11_US, E12_U1, E12_U2, E12_U3, E12_US};
-use crate::scalar::Scalar;
-use crate::slide_line::{
+use crate::contact::slide_line::{
     LinearPlace, LinearPoint, LocalBasis, ParabolicPlace, ParabolicPoint, check_distinct, check_tangent,
 };
+use crate::fields;
+use crate::formula::error::Error;
+use crate::formula::quantity::{E11_U1, E11_U2, E11_U3, E11_US, E12_U1, E12_U2, E12_U3, E12_US};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
+use crate::number::scalar::Scalar;
 use nalgebra::Vector2;
 
 const OURS: Source =

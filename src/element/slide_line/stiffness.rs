@@ -10,15 +10,15 @@
 mod proof;
 
 use super::{Place, Spot};
-use crate::error::{Error, Name};
+use crate::contact::slide_line::{LinearPoint, LocalBasis, ParabolicPoint, check_distinct, check_tangent};
 use crate::fields;
-use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
-use crate::quantity::{
+use crate::formula::error::{Error, Name};
+use crate::formula::quantity::{
     CONTACT_LAMBDA, LINE_K_U1_U1, LINE_K_U1_U2, LINE_K_U1_U3, LINE_K_U2_U2, LINE_K_U2_U3, LINE_K_U3_U3, LINE_K_US_U1,
     LINE_K_US_U2, LINE_K_US_U3, LINE_K_US_US, SEGMENT_G, SEPARATION, X1, X2, X3,
 };
-use crate::scalar::Scalar;
-use crate::slide_line::{LinearPoint, LocalBasis, ParabolicPoint, check_distinct, check_tangent};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
+use crate::number::scalar::Scalar;
 use nalgebra::{Matrix2, Matrix6, SMatrix, Vector2};
 
 const OURS: Source = Document::SLIDE_LINE

@@ -2,12 +2,12 @@
 
 use super::{Forces, GeometricStiffness, Rows, SliderForces, SliderLoads, SliderRows};
 use crate::Octuple;
+use crate::connector::slider::hard::{lines, scenes};
+use crate::connector::slider::{Constraint, Distances, Ends, IncrementalConstraint, Line, MovingNodes, Nodes};
 use crate::element::motion::{Moving, still};
+use crate::formula::proof::{Case, Equation, Kink, Law, Proved, law};
 use crate::formula::{Fields, Formula};
-use crate::proof::{Case, Equation, Kink, Law, Proved, law};
-use crate::scalar::abs;
-use crate::slider::hard::{lines, scenes};
-use crate::slider::{Constraint, Distances, Ends, IncrementalConstraint, Line, MovingNodes, Nodes};
+use crate::number::scalar::abs;
 use nalgebra::{SVector, Vector3};
 use num_dual::Dual;
 use num_traits::{One, Zero};

@@ -2,13 +2,13 @@
 
 use super::{Forces, GeometricStiffness, Rows, SliderForces2d, SliderLoads2d, SliderRow2d};
 use crate::Octuple;
+use crate::connector::slider::hard::{plane_lines, scenes};
+use crate::connector::slider::{Constraint2d, IncrementalConstraint2d, MovingNodes2d, Nodes2d};
 use crate::element::motion::{Moving, still};
 use crate::element::slider::proof::is_oblique;
+use crate::formula::proof::{Case, Equation, Law, Proved, law};
 use crate::formula::{Fields, Formula};
-use crate::proof::{Case, Equation, Law, Proved, law};
-use crate::scalar::{abs, norm};
-use crate::slider::hard::{plane_lines, scenes};
-use crate::slider::{Constraint2d, IncrementalConstraint2d, MovingNodes2d, Nodes2d};
+use crate::number::scalar::{abs, norm};
 use nalgebra::{Vector2, Vector6};
 use num_dual::Dual;
 use num_traits::{One, Zero};

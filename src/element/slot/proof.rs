@@ -2,12 +2,12 @@
 
 use super::{Forces, GeometricStiffness, Rows, SlotLoads, SlotPlaces, SlotRows, SymmetricStiffness};
 use crate::Octuple;
+use crate::connector::slot::{Constraint, ConstraintForce, CrossFrame, Residuals, SlotPositions};
 use crate::element;
 use crate::element::join::proof::{balance, equal_motions, whole};
 use crate::element::motion::{Motion, Moving, Tangent, derivative, is_symmetric_part, still};
 use crate::formula::Formula;
-use crate::proof::{Case, Law, Proved, hard, law};
-use crate::slot::{Constraint, ConstraintForce, CrossFrame, Residuals, SlotPositions};
+use crate::formula::proof::{Case, Law, Proved, hard, law};
 use nalgebra::Vector3;
 use num_traits::Zero;
 

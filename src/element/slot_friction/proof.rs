@@ -2,11 +2,11 @@
 
 use super::{Response, Response2d, SlotSlid, SlotSliding, SlotSliding2d};
 use crate::Octuple;
-use crate::coulomb::response::proof::{dissipates, not_positive};
+use crate::connector::slot::Friction;
+use crate::contact::coulomb::response::proof::{dissipates, not_positive};
+use crate::formula::proof::{Case, Convention, Kink, Law, Proved, law};
 use crate::formula::{Fields, Formula};
-use crate::proof::{Case, Convention, Kink, Law, Proved, law};
-use crate::scalar::{abs, norm};
-use crate::slot::Friction;
+use crate::number::scalar::{abs, norm};
 use num_traits::Zero;
 
 /// Sticks: 2 × 0.5 = 1 < 0.25 × 8.
@@ -79,7 +79,7 @@ impl Proved for Response {
     fn laws() -> Vec<Law<Self>> {
         vec![
             Law::<Self>::new("what is transmitted never exceeds μ F_N: Φ ≤ 0", |i| {
-                let loads = crate::slot::SlotLoads { f1: Self::eval(i).f1, ..i.loads() };
+                let loads = crate::connector::slot::SlotLoads { f1: Self::eval(i).f1, ..i.loads() };
                 let friction = Friction::eval(&loads);
                 not_positive(friction.phi, friction.p)
             }),

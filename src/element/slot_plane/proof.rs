@@ -2,10 +2,10 @@
 
 use super::{Forces, GeometricStiffness, PlaneForces, PlaneLoads, PlanePlaces, Rows, left};
 use crate::Octuple;
+use crate::connector::slot::{Constraint2d, SlotPositions2d};
 use crate::element::motion::{Moving, still};
 use crate::formula::Formula;
-use crate::proof::{Case, Equation, Law, Proved, hard, law};
-use crate::slot::{Constraint2d, SlotPositions2d};
+use crate::formula::proof::{Case, Equation, Law, Proved, hard, law};
 use nalgebra::{Vector2, Vector6};
 use num_dual::Dual;
 use num_traits::{One, Zero};
@@ -68,7 +68,7 @@ fn equal(left: &Vector6<Octuple>, right: &Vector6<Octuple>, [force, moment]: [Oc
 }
 
 fn length(v: Vector) -> Octuple {
-    crate::scalar::norm([v.x, v.y])
+    crate::number::scalar::norm([v.x, v.y])
 }
 
 impl Proved for Rows {

@@ -2,15 +2,15 @@
 
 use super::{Forces, GeometricStiffness, Rows, TranslatorLoads, TranslatorPlaces, TranslatorRows};
 use crate::Octuple;
-use crate::cardan::{Triads, turns};
+use crate::connector::translator::{AllResiduals, Constraint, Placement};
 use crate::element;
 use crate::element::align::{self, AlignLoads, AlignRows};
+use crate::element::cardan::{Triads, turns};
 use crate::element::join::proof::balance;
 use crate::element::motion::{Motion, Moving, Tangent, derivative, still};
 use crate::element::slot::SlotLoads;
+use crate::formula::proof::{Case, Law, Proved, hard, law};
 use crate::formula::{Fields, Formula};
-use crate::proof::{Case, Law, Proved, hard, law};
-use crate::translator::{AllResiduals, Constraint, Placement};
 use nalgebra::Vector3;
 use num_traits::Zero;
 

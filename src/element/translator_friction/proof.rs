@@ -2,12 +2,12 @@
 
 use super::{Response, TranslatorSliding};
 use crate::Octuple;
-use crate::coulomb::response::proof::{dissipates, not_positive};
+use crate::connector::translator::{Friction, FrictionLoads};
+use crate::contact::coulomb::response::proof::{dissipates, not_positive};
 use crate::element::slot_friction::{self, SlotSlid, SlotSliding};
+use crate::formula::proof::{Case, Convention, Kink, Law, Proved, law};
 use crate::formula::{Fields, Formula};
-use crate::proof::{Case, Convention, Kink, Law, Proved, law};
-use crate::scalar::abs;
-use crate::translator::{Friction, FrictionLoads};
+use crate::number::scalar::abs;
 use num_traits::Zero;
 
 /// F_N = 12 + 5 + 13 + 2 = 32; sticks: 2 × 0.5 = 1 < 0.25 × 32.

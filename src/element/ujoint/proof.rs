@@ -2,13 +2,13 @@
 
 use super::{Forces, GeometricStiffness, JointLoads, JointPlaces, JointRows, Rows, SymmetricStiffness};
 use crate::Octuple;
-use crate::cardan::turns;
 use crate::element;
+use crate::element::cardan::turns;
 use crate::element::join::{JoinRows, proof::balance, proof::equal_motions, proof::residuals};
 use crate::element::motion::{Motion, Moving, Tangent, derivative, is_symmetric_part, still};
 use crate::element::universal::{UniversalRow, proof::residual};
 use crate::formula::Formula;
-use crate::proof::{Case, Law, Proved, hard, law};
+use crate::formula::proof::{Case, Law, Proved, hard, law};
 use nalgebra::Vector3;
 
 impl JointRows<Octuple> {
@@ -187,7 +187,7 @@ impl Proved for SymmetricStiffness {
 mod tests {
     use super::*;
     use crate::element::Stiffness;
-    use crate::verify::exactly;
+    use crate::toolkit::verify::exactly;
     use num_traits::One;
 
     fn here() -> JointLoads<Octuple> {

@@ -2,15 +2,15 @@
 
 use super::{CrossSlid, CrossSliding, Response};
 use crate::Octuple;
-use crate::coulomb::Sliding;
-use crate::coulomb::response::proof::{dissipates, not_positive};
-use crate::formula::{Fields, Formula};
-use crate::proof::{Case, Convention, Kink, Law, Proved, law};
-use crate::scalar::abs;
-use crate::ujoint::contact::proof::hard_cases;
-use crate::ujoint::{
+use crate::connector::ujoint::contact::proof::hard_cases;
+use crate::connector::ujoint::{
     ContactMoments, CrossForces, Friction, FrictionLoads, JointLoads, NormalMomentPair, NormalMoments,
 };
+use crate::contact::coulomb::Sliding;
+use crate::contact::coulomb::response::proof::{dissipates, not_positive};
+use crate::formula::proof::{Case, Convention, Kink, Law, Proved, law};
+use crate::formula::{Fields, Formula};
+use crate::number::scalar::abs;
 use nalgebra::Vector3;
 use num_traits::Zero;
 

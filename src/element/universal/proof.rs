@@ -3,13 +3,13 @@
 use super::{GeometricStiffness, Moments, Rows, SymmetricStiffness, UniversalLoads, UniversalMoments, UniversalRow};
 use crate::Octuple;
 use crate::Scalar;
-use crate::cardan::turns;
+use crate::connector::ujoint::CrossAxes;
+use crate::connector::universal::{Constraint, ConstraintMoment, Shafts, Twisted};
+use crate::element::cardan::turns;
 use crate::element::motion::{Motion, Moving, Tangent, derivative, is_symmetric_part, still};
 use crate::element::{self, NodalForces};
 use crate::formula::Formula;
-use crate::proof::{Case, Law, Proved, hard, law};
-use crate::ujoint::CrossAxes;
-use crate::universal::{Constraint, ConstraintMoment, Shafts, Twisted};
+use crate::formula::proof::{Case, Law, Proved, hard, law};
 use nalgebra::Vector3;
 use num_traits::Zero;
 

@@ -1,7 +1,7 @@
 //! The registers of a block of elements, and how a formula is wired to them.
 
 use crate::Scalar;
-use crate::error::Error;
+use crate::formula::error::Error;
 use nalgebra::Vector3;
 use std::ops::Range;
 

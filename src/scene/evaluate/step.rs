@@ -3,9 +3,9 @@
 #![expect(clippy::inline_always, reason = "what is not inlined is not compiled for vectors")]
 
 use super::lanes::{Column, Failure, LANES, Lanes, Wiring};
-use crate::error::Error;
+use crate::formula::error::Error;
 use crate::formula::{Field, Fields, Formula};
-use crate::scalar::abs;
+use crate::number::scalar::abs;
 use crate::{Octuple, Scalar};
 use std::cell::Cell;
 use std::marker::PhantomData;

@@ -1,7 +1,7 @@
 //! Where a reader is in the text, and the faults that it has found.
 
 use super::fault::{Fault, Faults};
-use crate::error::Error;
+use crate::formula::error::Error;
 use std::borrow::Cow;
 use std::fmt::Write;
 

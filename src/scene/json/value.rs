@@ -1,8 +1,8 @@
 //! Values of the type that is expected, or a fault that says what stands there instead.
 
 use super::reader::{Read, Reader, Segment, excerpt};
-use crate::error::Error;
-use crate::quantity::Domain;
+use crate::formula::error::Error;
+use crate::formula::quantity::Domain;
 use std::borrow::Cow;
 use std::fmt::Display;
 

@@ -1,12 +1,12 @@
 //! ISL21A and ISL22A, the axisymmetric elements that slide on a slide line.
 //!
 //! The formulas stand here for what they compute; which of them a node needs depends on where it is on its line, so that
-//! [`isl`](crate::isl) evaluates them, not the plan's registers.
+//! [`isl`](crate::contact::isl) evaluates them, not the plan's registers.
 
 use super::dimension::Dimension;
 use super::table::{Kind, Use, always, renamed};
-use crate::quantity::{Domain, NORMAL, Quantity, Shape, TANGENT, Unit};
-use crate::{coulomb, interaction, slide_line};
+use crate::contact::{coulomb, interaction, slide_line};
+use crate::formula::quantity::{Domain, NORMAL, Quantity, Shape, TANGENT, Unit};
 
 const STRESS: Unit = Unit::new(-2, 1, 0);
 

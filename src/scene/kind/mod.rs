@@ -2,7 +2,7 @@
 //!
 //! The tables say only what nothing else says. Formulas are wired by the names of their fields: an input `x` is read from
 //! the output `x` of another formula, or from what the element is given by that name. What a name means, its unit and its
-//! allowed values stand with the field's [`Quantity`](crate::quantity::Quantity).
+//! allowed values stand with the field's [`Quantity`](crate::formula::quantity::Quantity).
 
 mod dimension;
 mod isl;

@@ -4,10 +4,10 @@ use super::dimension::Dimension;
 use super::shared::{FORCES, Given, MOMENTS, NODES, SECOND_TRIAD};
 use super::slot::Outputs;
 use super::table::{Fallback, Kind, Origin, Use, always, renamed};
-use crate::cardan::{BetaTwoArgument, CardanAngles};
-use crate::quantity::{CROSS_M1, CROSS_M3, Domain, Quantity, Unit};
+use crate::connector::{align, join, universal};
+use crate::element::cardan::{BetaTwoArgument, CardanAngles};
+use crate::formula::quantity::{CROSS_M1, CROSS_M3, Domain, Quantity, Unit};
 use crate::scene::rules::{Alignment, Bearing, Follow, Joining, TurnedBack, Turns, scalar};
-use crate::{align, join, universal};
 use Fallback::As;
 use Origin::{Before, Initial, Parameter, Zero};
 

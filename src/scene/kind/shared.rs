@@ -1,10 +1,10 @@
 //! What several kinds have.
 
 use super::table::{Fallback, Origin, Use, When, always, renamed};
-use crate::coulomb::{ReturnMap, Yield};
-use crate::quantity::{Domain, Quantity, Unit};
+use crate::connector::slot::{ConstraintForce, KineticForce, NormalForce, Stop};
+use crate::contact::coulomb::{ReturnMap, Yield};
+use crate::formula::quantity::{Domain, Quantity, Unit};
 use crate::scene::rules::{Kinetic, Slip, Stick, Traction, scalar};
-use crate::slot::{ConstraintForce, KineticForce, NormalForce, Stop};
 use Fallback::{As, Number, Required};
 use Origin::{Axis, Before, Initial, Load, Parameter, Position, Zero};
 

@@ -2,8 +2,8 @@
 
 use super::dimension::Dimension;
 use super::table::{Kind, Origin, always};
+use crate::connector::slider;
 use crate::scene::rules::{KeptAxis, KeptAxis2d, PivotAxes, PivotAxis2d};
-use crate::slider;
 use Origin::{Increment, Position};
 
 pub(super) const SLIDER: Kind = Kind {

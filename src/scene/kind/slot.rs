@@ -6,7 +6,7 @@ use super::shared::{
     RETURN_MAP, SLIP, STOP, TRIAL, YIELD,
 };
 use super::table::{Kind, Origin, Use, always};
-use crate::slot;
+use crate::connector::slot;
 use Origin::Zero;
 
 /// Where b is along a slot, in every connector with one.

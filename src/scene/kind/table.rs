@@ -2,7 +2,7 @@
 
 use super::dimension::Dimension;
 use crate::formula::Field;
-use crate::quantity::{Domain, Quantity};
+use crate::formula::quantity::{Domain, Quantity};
 use crate::scene::evaluate::Step;
 
 /// Where a register gets its value from, if no formula computes it.

@@ -5,7 +5,7 @@ use super::parts::{ALIGNED, ALIGNING, MOMENT, TURNED, URS1, URS2, URS3};
 use super::shared::{CSF1, FORCES, FRICTION, INITIAL, LENGTHS, MOMENTS, NODES, ORDERED_LENGTHS, SECOND_TRIAD};
 use super::slot::{ALONG, KINETIC, MOVED, MOVED_3, PLACE, PLACE_3, RUBBED, RUBBING, STOPPED};
 use super::table::{Fallback, Kind, Origin, When, always};
-use crate::{slot, translator};
+use crate::connector::{slot, translator};
 use Fallback::Number;
 use Origin::Parameter;
 

@@ -6,10 +6,10 @@ use super::parts::{
 };
 use super::shared::{FORCES, MOMENTS, NODES, SECOND_TRIAD, WITH_FRICTION, WITHOUT_FRICTION};
 use super::table::{Fallback, Kind, Origin, Use, When, always, renamed};
-use crate::coulomb::{ReturnMap, Yield};
-use crate::quantity::{CROSS_M1, CROSS_M3, Domain, PHI1, PHI3, Quantity, TWIST_M2, Unit};
+use crate::connector::{ujoint, universal};
+use crate::contact::coulomb::{ReturnMap, Yield};
+use crate::formula::quantity::{CROSS_M1, CROSS_M3, Domain, PHI1, PHI3, Quantity, TWIST_M2, Unit};
 use crate::scene::rules::{Kinetic, Slip, Stick, TURN_STICK, Traction, scalar};
-use crate::{ujoint, universal};
 use Fallback::{Number, Required};
 use Origin::{Before, Parameter, Zero};
 

@@ -2,7 +2,7 @@
 
 use super::frame::{Frame, Quantity};
 use super::named::Members;
-use crate::quantity::Domain;
+use crate::formula::quantity::Domain;
 use crate::scene::npz::{Archive, Array, PIECE, Unfit};
 use indexmap::IndexMap;
 use std::sync::Arc;

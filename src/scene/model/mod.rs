@@ -13,7 +13,7 @@ pub(super) use named::{Members, Named};
 pub(super) use orientation::{Axes, Orientation, exactly, global, turned};
 
 use super::kind::{Dimension, Kind};
-use crate::isl::Surface;
+use crate::contact::isl::Surface;
 
 /// A model over a history of states, and what is wanted of it; made by [`Scene::parse`].
 #[derive(Clone, Debug)]

@@ -1,6 +1,6 @@
 //! Triads, and how they turn.
 
-use crate::scalar::norm_and_direction;
+use crate::number::scalar::norm_and_direction;
 use crate::scene::evaluate::Number;
 use nalgebra::Vector3;
 

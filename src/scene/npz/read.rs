@@ -2,7 +2,7 @@
 
 use super::unfit::{Unfit, tuple};
 use super::{PIECE, header};
-use crate::quantity::Domain;
+use crate::formula::quantity::Domain;
 use crate::scene::json::some_of;
 use flate2::read::DeflateDecoder;
 use rawzip::{CompressionMethod, FileReader, ZipArchive, ZipArchiveEntryWayfinder, ZipVerification};

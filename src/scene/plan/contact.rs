@@ -4,9 +4,9 @@
 //! where it is found is evaluated only as far as an output asks: slip, pressure, shear stress, torque.
 
 use super::line::PlanLine;
-use crate::coulomb::ReturnMap;
+use crate::contact::coulomb::ReturnMap;
+use crate::contact::isl::{IslElement, Slave, Stage, Surface, Wanted};
 use crate::formula::Formula;
-use crate::isl::{IslElement, Slave, Stage, Surface, Wanted};
 use crate::scene::model::{Members, Scene, SceneElement, SceneLine};
 use indexmap::IndexMap;
 use std::collections::HashMap;

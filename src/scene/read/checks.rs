@@ -1,6 +1,6 @@
 //! What the needed formulas say about parameters.
 
-use crate::error::Error;
+use crate::formula::error::Error;
 use crate::scene::json::Reader;
 use crate::scene::kind::{Fallback, Kind, Origin};
 use crate::scene::model::Parameter;

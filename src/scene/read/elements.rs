@@ -7,7 +7,7 @@ use super::keys;
 use super::names::{named_sets, refer, refer_all};
 use super::outputs::Outputs;
 use super::triads::Inherited;
-use crate::quantity::Domain;
+use crate::formula::quantity::Domain;
 use crate::scene::json::{Read, Reader};
 use crate::scene::kind::{Dimension, Kind};
 use crate::scene::model::{Members, Named, Parameter, SceneElement, SceneLine, SceneNode};

@@ -5,7 +5,7 @@ use super::given::Given;
 use super::keys;
 use super::names::look_up_all;
 use super::nodes::point;
-use crate::quantity::Domain;
+use crate::formula::quantity::Domain;
 use crate::scene::json::{Read, Reader};
 use crate::scene::kind::{Dimension, Kind};
 use crate::scene::model::{Frame, Members, Named, SceneNode, Unsorted};

@@ -1,6 +1,6 @@
 //! Numbers that a file may give.
 
-use crate::quantity::Domain;
+use crate::formula::quantity::Domain;
 use crate::scene::json::{Read, Reader};
 
 /// What a file gives where it may give a number.

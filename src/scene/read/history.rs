@@ -3,7 +3,7 @@
 use super::columns::{Columns, Reference};
 use super::frames::{Mentions, check_sliding, motions};
 use super::keys;
-use crate::quantity::Domain;
+use crate::formula::quantity::Domain;
 use crate::scene::json::{Mark, Read, Reader};
 use crate::scene::kind::Dimension;
 use crate::scene::model::{Components, History, HistoryColumn, HistoryColumns, OpenColumn, Places, Quantity};

@@ -1,7 +1,7 @@
 //! The keys of a scene file, which the schema has too.
 
-use crate::quantity::{CLEARANCE, DAMPING_FRACTION, Domain, MU, MU0, PRESSURE_AT_TOUCH, STIFFNESS};
-use crate::slide_line::Interpolation;
+use crate::contact::slide_line::Interpolation;
+use crate::formula::quantity::{CLEARANCE, DAMPING_FRACTION, Domain, MU, MU0, PRESSURE_AT_TOUCH, STIFFNESS};
 
 /// The keys of a scene.
 pub(in crate::scene) const SCENE: [&str; 9] =

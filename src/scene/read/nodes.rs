@@ -3,7 +3,7 @@
 use super::columns::Columns;
 use super::keys;
 use super::names::{named, named_sets, refer};
-use crate::quantity::Domain;
+use crate::formula::quantity::Domain;
 use crate::scene::json::{Read, Reader, Stop};
 use crate::scene::kind::Dimension;
 use crate::scene::model::{Named, Orientation, SceneNode};
@@ -139,7 +139,7 @@ fn axes(reader: &mut Reader) -> Read<Option<Orientation>> {
         }
         return Ok(None);
     };
-    let [a, b] = [first, second].map(|v| nalgebra::Vector3::from(crate::scalar::direction(v)));
+    let [a, b] = [first, second].map(|v| nalgebra::Vector3::from(crate::number::scalar::direction(v)));
     if a.cross(&b).norm() < PARALLEL {
         reader.fault(place, "two vectors that are parallel, or zero", "two vectors that span a plane");
         return Ok(None);

@@ -3,12 +3,12 @@
 use super::given::{Given, count, numbers};
 use super::keys;
 use super::names::{look_up, named, refer_all};
-use crate::error::Error;
-use crate::isl::{Interaction, Surface};
-use crate::quantity::{Domain, FRACTION};
+use crate::contact::isl::{Interaction, Surface};
+use crate::contact::slide_line::{Interpolation, SlideLine};
+use crate::formula::error::Error;
+use crate::formula::quantity::{Domain, FRACTION};
 use crate::scene::json::{Read, Reader};
 use crate::scene::model::{Members, Named, SceneLine, SceneNode};
-use crate::slide_line::{Interpolation, SlideLine};
 use std::ops::RangeInclusive;
 
 /// The slide lines of a scene; their nodes have the numbers of the scene's.

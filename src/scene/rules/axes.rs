@@ -2,12 +2,12 @@
 
 #![expect(clippy::inline_always, reason = "a call would write the inputs to memory, and wait for them there")]
 
-use crate::error::Error;
+use crate::connector::slider::{Eliminate, Eliminate2d, Pivots, Pivots2d};
 use crate::fields;
+use crate::formula::error::Error;
+use crate::formula::quantity::{Domain, Quantity, SLIDER_X1, SLIDER_X1_PLANE, SLIDER_XN, SLIDER_XN_PLANE, Shape, Unit};
 use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec};
-use crate::quantity::{Domain, Quantity, SLIDER_X1, SLIDER_X1_PLANE, SLIDER_XN, SLIDER_XN_PLANE, Shape, Unit};
-use crate::scalar::Scalar;
-use crate::slider::{Eliminate, Eliminate2d, Pivots, Pivots2d};
+use crate::number::scalar::Scalar;
 use nalgebra::{Vector2, Vector3};
 
 /// Which coordinates are eliminated.

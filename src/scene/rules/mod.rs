@@ -16,21 +16,21 @@ pub use axes::{AXES, AXIS, EliminatedAxes, EliminatedAxis, LineNodes, LineNodes2
 pub use list::RULES;
 pub use since::{Bearing, Carried, Q1, Q2, Q3, R1, R2, R3, R10, R20, R30, Seen, TurnedAxes, TurnedBack};
 
-use crate::align::{self, Misalignment, Moments, Orientations, wrapped};
-use crate::cardan::{
+use crate::connector::align::{self, Misalignment, Moments, Orientations, wrapped};
+use crate::connector::slider::{Eliminate, Increment2d, Pivots, Pivots2d};
+use crate::element::cardan::{
     Angles, BetaAxes, BetaTwoArgument, CardanAngles, Oriented, Triads, accurate, accurate_jacobian, check_start,
     check_turns, nearest,
 };
-use crate::error::Error;
 use crate::fields;
-use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec, along};
-use crate::quantity::{
+use crate::formula::error::Error;
+use crate::formula::quantity::{
     Domain, E1A, E2A, E3A, F_TANGENTIAL, F_TRIAL, F2, F3, FORCE, JOIN_F1, P, Quantity, SLIDER_DXM, SLIDER_DXM_PLANE,
     SLIDER_DXMK, SLIDER_X1, SLIDER_X1_PLANE, SLIDER_XM, SLIDER_XM_PLANE, SLIDER_XMK, SLIDER_XN, SLIDER_XN_PLANE, Shape,
     U1, Unit,
 };
-use crate::scalar::{Scalar, abs, sign};
-use crate::slider::{Eliminate, Increment2d, Pivots, Pivots2d};
+use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec, along};
+use crate::number::scalar::{Scalar, abs, sign};
 use nalgebra::{Vector2, Vector3};
 
 pub(in crate::scene) const fn scalar(

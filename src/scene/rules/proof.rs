@@ -5,11 +5,11 @@ use super::{
     Alignment, Bearing, Follow, Joining, KeptAxis, KeptAxis2d, KeptNodes, KeptNodes2d, Kinetic, PivotAxes, PivotAxis2d,
     Sighting, Slip, SlipLoads, Stick, Traction, Transmitted, TurnedBack, Turns,
 };
-use crate::align::Orientations;
-use crate::cardan::{Oriented, Triads, turns};
+use crate::connector::align::Orientations;
+use crate::connector::slider::hard::{change_of_pivot, changes_of_pivots};
+use crate::element::cardan::{Oriented, Triads, turns};
 use crate::formula::Fields;
-use crate::proof::{Case, Kink, Proved};
-use crate::slider::hard::{change_of_pivot, changes_of_pivots};
+use crate::formula::proof::{Case, Kink, Proved};
 use nalgebra::{Vector2, Vector3};
 use std::f64::consts::PI;
 

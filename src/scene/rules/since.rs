@@ -2,11 +2,11 @@
 
 #![expect(clippy::inline_always, reason = "a call would write the inputs to memory, and wait for them there")]
 
-use crate::cardan::Triads;
+use crate::element::cardan::Triads;
 use crate::fields;
+use crate::formula::quantity::{Domain, E1B, E2B, E3B, Quantity, Shape, Unit};
 use crate::formula::{Component, Document, Fields, Formula, Jacobian, Spec, along};
-use crate::quantity::{Domain, E1B, E2B, E3B, Quantity, Shape, Unit};
-use crate::scalar::Scalar;
+use crate::number::scalar::Scalar;
 use nalgebra::Vector3;
 
 const fn vector(latex: &'static str, domain: Domain, meaning: &'static str) -> Quantity {

@@ -1,7 +1,7 @@
 //! Elements block by block; while one is evaluated, the next is brought from memory into the cache.
 
 use super::nodes::NodeStates;
-use crate::prefetch::{LINE, prefetch};
+use crate::number::prefetch::{LINE, prefetch};
 use crate::scene::evaluate::{Column, LANES, Number};
 use crate::scene::plan::Group;
 

@@ -1,8 +1,8 @@
 //! A slide line that is evaluated state by state, in place.
 
 use super::nodes::NodeStates;
-use crate::error::Error;
-use crate::isl::{Failure, Motion, Slave, SlaveState, Tally, areas, torque, total_torque};
+use crate::contact::isl::{Failure, Motion, Slave, SlaveState, Tally, areas, torque, total_torque};
+use crate::formula::error::Error;
 use crate::scene::evaluate::Number;
 use crate::scene::model::Changes;
 use crate::scene::plan::{ContactPlan, Output, WantedElement};

@@ -20,7 +20,7 @@ pub use problem::{Culprit, Problem, Problems, Stopped, Unreadable};
 use super::evaluate::{Failure, Number};
 use super::model::{Frame, Scene};
 use super::plan::Plan;
-use crate::isl;
+use crate::contact::isl;
 use arrayvec::ArrayVec;
 use contact::{ContactRun, Increment};
 use group::{GroupState, Inputs};

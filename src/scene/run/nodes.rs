@@ -1,7 +1,7 @@
 //! Where the nodes are.
 
 use super::share::shared;
-use crate::prefetch::prefetch;
+use crate::number::prefetch::prefetch;
 use crate::scene::evaluate::Number;
 use crate::scene::kind::Origin;
 use crate::scene::model::{Axes, Changes, Frame, Orientation, Scene, exactly, global, turned};

@@ -1,6 +1,6 @@
 //! What goes wrong in a run.
 
-use crate::error::Error;
+use crate::formula::error::Error;
 use std::fmt;
 
 /// Where something went wrong.

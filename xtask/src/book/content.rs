@@ -7,7 +7,7 @@
 
 use crate::extension::Exhibits;
 use crate::report::data::Report;
-use jointproof::verify::Audit;
+use jointproof::toolkit::verify::Audit;
 
 /// What the book is made from, besides the chapters on disk.
 #[derive(Debug, Clone, Default)]

@@ -10,7 +10,7 @@ use super::source::listing_page;
 use super::speed;
 use crate::extension::Fact;
 use crate::looked;
-use jointproof::verify::{Audit, Claim, Looked};
+use jointproof::toolkit::verify::{Audit, Claim, Looked};
 
 /// The entry as one line of HTML.
 pub(crate) fn entry(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {

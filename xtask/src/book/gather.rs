@@ -12,12 +12,12 @@ use crate::project::Project;
 use crate::report::data::Report;
 use anyhow::Context;
 use jointproof::catalog::{AnyFormula, KinkEntry};
-use jointproof::equation::{Signature, View};
+use jointproof::formula::proof::Convention;
+use jointproof::formula::quantity::Shape;
 use jointproof::formula::{Field, Given, Source};
-use jointproof::proof::Convention;
-use jointproof::quantity::Shape;
-use jointproof::verify::golden::File;
-use jointproof::verify::{Rank, Sides};
+use jointproof::toolkit::equation::{Signature, View};
+use jointproof::toolkit::verify::golden::File;
+use jointproof::toolkit::verify::{Rank, Sides};
 use mdbook_driver::config::Config;
 use rayon::prelude::*;
 use std::path::Path;
@@ -161,7 +161,7 @@ fn source(source: Source) -> content::Source {
     }
 }
 
-/// The functions of a formula, from the path of its type: `jointproof::slot::friction::Friction` is in
+/// The functions of a formula, from the path of its type: `jointproof::connector::slot::friction::Friction` is in
 /// `src/slot/friction.rs`, in the `mod.rs` of that folder, or, where there is no module between, in the crate's own file.
 fn code(index: &Index<'_>, path: &str, type_name: &str) -> Vec<CodeSpan> {
     let spans = |file: &String| index.functions(&format!("src/{file}"), type_name, &["eval", "jacobian", "linearized"]);
@@ -255,8 +255,8 @@ fn counts(file: &File) -> GoldenCounts {
 mod tests {
     use super::*;
     use jointproof::catalog::CATALOG;
-    use jointproof::proof::Flag;
-    use jointproof::verify::golden::Record;
+    use jointproof::formula::proof::Flag;
+    use jointproof::toolkit::verify::golden::Record;
 
     fn entry_of(formula: &dyn AnyFormula) -> Entry {
         let project = Project::new("gather", env!("CARGO_MANIFEST_DIR"), CATALOG).in_folder("..");

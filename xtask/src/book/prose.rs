@@ -4,7 +4,7 @@ use super::fault::Fault;
 use super::markdown::{Found, Piece, scan};
 use super::numeral::{self, Numeral};
 use jointproof::catalog::AnyFormula;
-use jointproof::equation::{Setting, Signature};
+use jointproof::toolkit::equation::{Setting, Signature};
 
 /// What is said before a display about how it is held.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -7,7 +7,7 @@ use crate::report::data::Report;
 use crate::report::tables::{duration, spread, step};
 use crate::report::verdict::Verdict;
 use crate::report::{plot, price};
-use jointproof::measure::{Errors, Figures, Measurement, Scheme, Time, WayFigures};
+use jointproof::toolkit::measure::{Errors, Figures, Measurement, Scheme, Time, WayFigures};
 
 /// The folded part of an entry.
 pub(crate) fn folded(pages: &Pages<'_>, entry: &Entry) -> String {

@@ -7,7 +7,7 @@ use super::entry::{bound, document, of_every, worst};
 use super::html::{each, escape, number, row, table};
 use super::pages::{Pages, Place};
 use crate::extension::Table;
-use jointproof::verify::{Audit, Claim, Looked};
+use jointproof::toolkit::verify::{Audit, Claim, Looked};
 
 /// Links to several formulas.
 fn links(pages: &Pages<'_>, at: &Place, ids: &[&str]) -> String {

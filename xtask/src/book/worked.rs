@@ -2,8 +2,8 @@
 
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
-use jointproof::proof::Flag;
-use jointproof::verify::golden::{File, Record, components};
+use jointproof::formula::proof::Flag;
+use jointproof::toolkit::verify::golden::{File, Record, components};
 
 use super::content::Worked;
 

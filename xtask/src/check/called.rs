@@ -6,8 +6,8 @@ use super::question::{Question, Wanted, other_order, questions, sizes};
 use super::verdict::{Bounds, Court, Grade};
 use crate::console::plain;
 use jointproof::catalog::AnyFormula;
-use jointproof::verify::Options;
-use jointproof::verify::golden::named;
+use jointproof::toolkit::verify::Options;
+use jointproof::toolkit::verify::golden::named;
 
 /// What a function is asked, twice, the second time in another order.
 pub struct Called {

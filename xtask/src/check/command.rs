@@ -11,8 +11,8 @@ use crate::outcome::{Outcome, Usage, verdict};
 use crate::project::Project;
 use crate::review::{Finding, Place, annotations, rdjson, sarif, summarise};
 use jointproof::catalog::AnyFormula;
-use jointproof::verify::Options;
-use jointproof::verify::golden::components;
+use jointproof::toolkit::verify::Options;
+use jointproof::toolkit::verify::golden::components;
 use std::time::Duration;
 
 /// Check a program of your own, in any language, against a formula

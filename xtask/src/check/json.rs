@@ -4,7 +4,7 @@ use super::answer::Answer;
 use super::question::{Question, Wanted};
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
-use jointproof::verify::golden::named;
+use jointproof::toolkit::verify::golden::named;
 use serde_json::{Value, json};
 
 /// What is said first: the formula, what is wanted, and the fields in order.
@@ -132,7 +132,7 @@ mod tests {
         let formula = find("slider.line").unwrap();
         let case = formula.golden().cases.into_iter().find(|case| case.jac.is_some()).unwrap();
         let line = json!({ "seq": 3, "out": case.out, "jac": case.jac }).to_string();
-        let inputs = jointproof::verify::golden::components(formula.inputs(), &case.inputs).unwrap();
+        let inputs = jointproof::toolkit::verify::golden::components(formula.inputs(), &case.inputs).unwrap();
         let (value, jacobian) = formula.value_and_jacobian(&inputs).unwrap();
         let Answer::Numbers(found) = answer("slider.line", &line) else { panic!() };
         assert_eq!(found.len(), value.len() + jacobian.len());

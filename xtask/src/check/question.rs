@@ -5,7 +5,7 @@ use super::line::Digits;
 use jointproof::Error;
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
-use jointproof::verify::{Options, Sampler};
+use jointproof::toolkit::verify::{Options, Sampler};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 /// What is asked of a program.

@@ -5,7 +5,7 @@ use super::map::{map, names};
 use super::question::Own;
 use super::verdict::{Court, Grade, Verdict, Worst};
 use crate::console::{bold, count, figure, green, red};
-use jointproof::verify::golden::named;
+use jointproof::toolkit::verify::golden::named;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 

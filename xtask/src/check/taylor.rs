@@ -7,7 +7,7 @@ use super::map::names;
 use super::question::{Along, Own, Question, Wanted, sizes};
 use super::verdict::Court;
 use jointproof::catalog::AnyFormula;
-use jointproof::verify::Sampler;
+use jointproof::toolkit::verify::Sampler;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// So many points, each with a direction.
@@ -162,8 +162,8 @@ fn given(answer: &Answer, count: usize) -> Option<Vec<f64>> {
 mod tests {
     use super::*;
     use jointproof::catalog::find;
-    use jointproof::measure::Options;
-    use jointproof::verify;
+    use jointproof::toolkit::measure::Options;
+    use jointproof::toolkit::verify;
 
     #[test]
     fn a_remainder_falls_by_a_power_of_the_step() {

@@ -10,7 +10,7 @@ use super::verdict::{Bounds, Court};
 use crate::console::plain;
 use crate::sample::assert_printed;
 use jointproof::catalog::{AnyFormula, find};
-use jointproof::verify::Options;
+use jointproof::toolkit::verify::Options;
 use plants::PLANTS;
 use plants::Plant::{self, Nothing};
 

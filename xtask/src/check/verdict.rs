@@ -3,7 +3,7 @@
 use super::answer::Answer;
 use super::question::{Own, Question, Wanted, sizes};
 use jointproof::catalog::AnyFormula;
-use jointproof::verify::{Judge, Known, Truth};
+use jointproof::toolkit::verify::{Judge, Known, Truth};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 /// From this η on a number is wrong and not only inaccurate: a part in 10⁴ of what it is judged by.

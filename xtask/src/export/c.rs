@@ -7,7 +7,7 @@ use super::language::{File, Language, Operand, Syntax, Toolchain, files_of};
 use super::program::{Body, Lines, PartLines, WIDTH, folded};
 use super::recorded::{Recorded, Text, bounds, description, filled, refusals, stem, unreserved};
 use jointproof::formula::Field;
-use jointproof::graph::{Binary, Node, Op, Relation, Unary};
+use jointproof::toolkit::graph::{Binary, Node, Op, Relation, Unary};
 use std::path::Path;
 
 pub(super) struct C;

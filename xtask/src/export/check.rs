@@ -6,7 +6,7 @@ use super::recorded::Recorded;
 use crate::console::{count as counted, say};
 use anyhow::{Context, ensure};
 use jointproof::formula::Field;
-use jointproof::graph::{Binary, Op};
+use jointproof::toolkit::graph::{Binary, Op};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::path::Path;
@@ -179,7 +179,7 @@ pub(super) fn is_near(one: &Recorded, epsilons: f64, [found, expected]: [f64; 2]
 
 /// Whether a formula calls functions that languages round in their own ways.
 fn has_functions(one: &Recorded) -> bool {
-    use jointproof::graph::Unary::{Cosine, Exponential, ExponentialMinusOne, Sine};
+    use jointproof::toolkit::graph::Unary::{Cosine, Exponential, ExponentialMinusOne, Sine};
     one.graph.ops().iter().any(|op| match op {
         Op::Unary(function, _) => matches!(function, Sine | Cosine | Exponential | ExponentialMinusOne),
         Op::Binary(operation, ..) => *operation == Binary::Angle,

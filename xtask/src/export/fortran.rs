@@ -7,7 +7,7 @@ use super::language::{File, Language, Operand, Syntax, Toolchain, files_of};
 use super::program::{Body, Lines, PartLines, folded};
 use super::recorded::{Recorded, Text, bounds, description, refusals, stem, unreserved};
 use jointproof::formula::Field;
-use jointproof::graph::{Op, Relation, Unary};
+use jointproof::toolkit::graph::{Op, Relation, Unary};
 
 pub(super) struct Fortran;
 

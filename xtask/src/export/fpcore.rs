@@ -5,7 +5,7 @@ use super::c::NAMES;
 use super::language::{File, Language, Toolchain};
 use super::recorded::{Recorded, Text, bounds, stem};
 use jointproof::formula::Field;
-use jointproof::graph::{Binary, Node, Op, Relation, Unary};
+use jointproof::toolkit::graph::{Binary, Node, Op, Relation, Unary};
 
 pub(super) struct FpCore;
 
@@ -153,7 +153,7 @@ mod tests {
     use super::super::recorded::record;
     use super::*;
     use jointproof::catalog::find;
-    use jointproof::measure::Options;
+    use jointproof::toolkit::measure::Options;
     use std::collections::HashMap;
 
     /// A list, or a word.
@@ -207,9 +207,9 @@ mod tests {
             ("fma", [x, y, z]) => x.mul_add(*y, *z),
             ("sqrt", [x]) => x.sqrt(),
             ("fabs", [x]) => x.abs(),
-            ("asin", [x]) => jointproof::scalar::asin(*x),
-            ("expm1", [x]) => jointproof::scalar::exp_m1(*x),
-            ("atan2", [y, x]) => jointproof::scalar::atan2(*y, *x),
+            ("asin", [x]) => jointproof::number::scalar::asin(*x),
+            ("expm1", [x]) => jointproof::number::scalar::exp_m1(*x),
+            ("atan2", [y, x]) => jointproof::number::scalar::atan2(*y, *x),
             ("<", [x, y]) => answer(x < y),
             ("<=", [x, y]) => answer(x <= y),
             ("==", [x, y]) => answer(x == y),

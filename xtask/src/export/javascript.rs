@@ -5,7 +5,7 @@ use super::language::{File, Language, Operand, Syntax, Toolchain, files_of};
 use super::program::{Body, Lines, PartLines, folded};
 use super::recorded::{Recorded, Text, bounds, description, stem};
 use jointproof::formula::Field;
-use jointproof::graph::{Node, Op, Unary};
+use jointproof::toolkit::graph::{Node, Op, Unary};
 
 pub(super) struct JavaScript;
 

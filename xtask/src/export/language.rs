@@ -2,7 +2,7 @@
 
 use super::recorded::Recorded;
 use jointproof::formula::Field;
-use jointproof::graph::{Node, Op};
+use jointproof::toolkit::graph::{Node, Op};
 
 /// The text of the operand at a node.
 pub(super) type Operand<'a> = &'a dyn Fn(Node) -> String;

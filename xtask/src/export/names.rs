@@ -2,7 +2,7 @@
 
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
-use jointproof::graph::{Graph, Node};
+use jointproof::toolkit::graph::{Graph, Node};
 use std::collections::{HashMap, HashSet};
 
 /// A formula and its graph.

@@ -4,11 +4,11 @@ use super::c::{Names, common, signed};
 use super::language::{File, Language, Toolchain};
 use super::program::folded;
 use super::recorded::{Recorded, Text, bounds, description, refusals, stem, unreserved};
+use jointproof::connector::ujoint::Constraint;
 use jointproof::element::offset::Arm;
 use jointproof::element::ujoint::Rows;
 use jointproof::formula::{Field, Formula};
-use jointproof::graph::{Node, Op, Unary};
-use jointproof::ujoint::Constraint;
+use jointproof::toolkit::graph::{Node, Op, Unary};
 
 pub(super) struct NumPy;
 

@@ -1,6 +1,6 @@
 //! A long function in parts: statements that follow each other become a function of their own.
 
-use jointproof::graph::{Graph, Node, Op, Statement};
+use jointproof::toolkit::graph::{Graph, Node, Op, Statement};
 use std::collections::{HashMap, HashSet};
 
 /// A part has about so many lines.

@@ -3,7 +3,7 @@
 use super::recorded::Recorded;
 use jointproof::Error;
 use jointproof::formula::Field;
-use jointproof::measure::Options;
+use jointproof::toolkit::measure::Options;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 /// A point of a formula, and what Rust says of it.
@@ -104,8 +104,10 @@ mod tests {
     fn an_input_that_is_refused_is_told_by_its_position() {
         let formula = find("slot.friction").unwrap();
         let (recorded, _) = record(&[formula], None);
-        let valid = formula
-            .timing_inputs(&jointproof::measure::Options { timing_points: 1, ..jointproof::measure::Options::quick() });
+        let valid = formula.timing_inputs(&jointproof::toolkit::measure::Options {
+            timing_points: 1,
+            ..jointproof::toolkit::measure::Options::quick()
+        });
         let mut from = 0;
         for (k, field) in formula.inputs().iter().enumerate() {
             let mut inputs = valid.clone();

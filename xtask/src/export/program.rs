@@ -3,7 +3,7 @@
 use super::language::Syntax;
 use super::outline::{Outline, Part, Step};
 use jointproof::formula::Field;
-use jointproof::graph::{Graph, Node, Op};
+use jointproof::toolkit::graph::{Graph, Node, Op};
 use std::collections::{BTreeSet, HashMap};
 
 /// A function's body for some results of a graph.

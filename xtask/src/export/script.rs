@@ -4,7 +4,7 @@ use super::check::{entry, is_near};
 use super::javascript::{EPSILONS, RUNTIME, source};
 use super::recorded::{Recorded, record};
 use jointproof::catalog::AnyFormula;
-use jointproof::graph::NotRecorded;
+use jointproof::toolkit::graph::NotRecorded;
 
 /// A formula that is printed.
 pub(crate) struct Script(Recorded);

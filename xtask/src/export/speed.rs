@@ -9,7 +9,7 @@ use crate::project::Project;
 use crate::report;
 use crate::report::data::Report;
 use anyhow::{Context, ensure};
-use jointproof::measure::Options;
+use jointproof::toolkit::measure::Options;
 use std::collections::HashMap;
 use std::path::Path;
 use std::process::Command;

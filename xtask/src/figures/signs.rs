@@ -1,7 +1,7 @@
 //! The sign convention of forces: what a slot exerts on its two nodes, as the formulas give it.
 
+use jointproof::connector::slot::{ConstraintForce, CrossFrame, KineticForce, SlotForce};
 use jointproof::formula::Formula;
-use jointproof::slot::{ConstraintForce, CrossFrame, KineticForce, SlotForce};
 use nalgebra::{Vector2, Vector3};
 use std::fmt::Write;
 

@@ -1,14 +1,14 @@
 //! A slide line with smoothed corners and projections on it, and the laws of pressure and damping.
 
 use super::chart::{Axis, Chart, Curve};
-use jointproof::formula::{Formula, value};
-use jointproof::interaction::{
+use jointproof::contact::interaction::{
     Damping, DampingContact, ExponentialContact, LinearContact, PressureExponential, PressureLinear,
 };
-use jointproof::slide_line::{
+use jointproof::contact::slide_line::{
     ClosestLinear, ClosestSmoothedLinear, LinearCornerPlace, LinearCornerSlave, LinearPlace, LinearPoint, LinearSlave,
     SmoothedLinearPoint,
 };
+use jointproof::formula::{Formula, value};
 use nalgebra::Vector2;
 
 type Point = Vector2<f64>;

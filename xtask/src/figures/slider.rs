@@ -2,7 +2,7 @@
 
 use super::chart::{Axis, Chart, Curve};
 use crate::studies::routes::Setting;
-use jointproof::slider::{Nodes, Slider};
+use jointproof::connector::slider::{Nodes, Slider};
 use nalgebra::Vector3;
 use std::fmt::Write;
 

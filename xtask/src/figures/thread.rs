@@ -2,8 +2,8 @@
 
 use super::chart::{Axis, Chart, Curve};
 use jointproof::Error;
-use jointproof::isl::{Contact, ContactState, ElementSet, Increment, Interaction, IslElement, TorquePrint};
-use jointproof::slide_line::{Interpolation, Nodes, SlideLine};
+use jointproof::contact::isl::{Contact, ContactState, ElementSet, Increment, Interaction, IslElement, TorquePrint};
+use jointproof::contact::slide_line::{Interpolation, Nodes, SlideLine};
 use std::f64::consts::PI;
 
 /// Lengths in mm, forces in N. The load flank of the box runs from the radius 46 to 52, that of the pin from 47 to 51.

@@ -3,7 +3,7 @@
 use super::{Build, Event, Request};
 use crate::project::Project;
 use jointproof::catalog::AnyFormula;
-use jointproof::measure::{Measurement, Options};
+use jointproof::toolkit::measure::{Measurement, Options};
 use std::error::Error;
 use std::io::{Read, Write, stdin, stdout};
 use std::process::ExitCode;
@@ -96,7 +96,7 @@ mod tests {
     use crate::measuring::{Build, Event, Request};
     use crate::project::Project;
     use jointproof::catalog::{AnyFormula, CATALOG};
-    use jointproof::measure::Options;
+    use jointproof::toolkit::measure::Options;
     use std::thread;
 
     #[test]
@@ -120,7 +120,7 @@ mod tests {
     #[test]
     fn the_errors_of_every_formula_are_found() {
         let count = thread::available_parallelism().map_or(1, usize::from) + 2;
-        let formula: &dyn AnyFormula = &jointproof::slot::ContactForce;
+        let formula: &dyn AnyFormula = &jointproof::connector::slot::ContactForce;
         let mut told = Vec::new();
         let options = Options { random_points: 1, ..LEAST };
         let found = compare(&vec![formula; count], &options, |id| {

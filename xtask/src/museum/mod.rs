@@ -5,7 +5,7 @@ mod pieces;
 mod shipped;
 
 use anyhow::ensure;
-use jointproof::verify::{Audit, Claim};
+use jointproof::toolkit::verify::{Audit, Claim};
 use piece::Piece;
 use std::fmt::Write;
 

@@ -1,6 +1,6 @@
 //! What is said of an error.
 
-use jointproof::verify::Audit;
+use jointproof::toolkit::verify::Audit;
 
 /// An error, re-enacted.
 pub(crate) struct Piece {

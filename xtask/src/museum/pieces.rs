@@ -2,10 +2,12 @@
 
 use super::piece::Piece;
 use super::shipped::{Inputs, Mistake, Right, Rows, Shipped, changed, rows};
+use jointproof::connector::{slot, ujoint, universal};
+use jointproof::contact::{coulomb, slide_line};
+use jointproof::element;
 use jointproof::formula::Formula;
-use jointproof::scalar::{Scalar, norm};
-use jointproof::verify::{Audit, Options, audit};
-use jointproof::{coulomb, element, slide_line, slot, ujoint, universal};
+use jointproof::number::scalar::{Scalar, norm};
+use jointproof::toolkit::verify::{Audit, Options, audit};
 
 const OPTIONS: Options = Options { samples: 40, seed: 1 };
 

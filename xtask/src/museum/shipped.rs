@@ -1,9 +1,9 @@
 //! A formula of ours with an error in it.
 
 use jointproof::Error;
+use jointproof::formula::proof::{Case, Kink, Proved};
 use jointproof::formula::{Component, Fields, Finite, Formula, Jacobian, Spec, ValueAndJacobian};
-use jointproof::proof::{Case, Kink, Proved};
-use jointproof::scalar::Scalar;
+use jointproof::number::scalar::Scalar;
 
 /// Inputs of the formula in which an error is made again.
 pub(super) type Inputs<M, D> = <<M as Mistake>::Of as Formula>::Inputs<D>;

@@ -63,19 +63,16 @@ fn split<'a>(project: &Project, id: &'a str) -> anyhow::Result<(&'a str, &'a str
 /// Every file that is written or changed.
 fn changes(project: &Project, family: &str, name: &str) -> anyhow::Result<Vec<Change>> {
     let source = project.root().join("src");
-    let room = source.join(format!("{family}.rs"));
-    let (formula, proof) =
-        (source.join(format!("{family}/{name}.rs")), source.join(format!("{family}/{name}/proof.rs")));
-    if !room.exists() {
-        let shown = project.shown(&room);
-        bail!(
-            "there is no room {shown}; write it, with what all its formulas share, name it in the crate, and try again"
-        );
-    }
+    let room = room(&source, family)?.with_context(|| {
+        let shown = project.shown(&source);
+        format!("there is no module {family}.rs in {shown}; write it, with what all its formulas share, name it in the crate, and try again")
+    })?;
+    let folder = room.with_extension("");
+    let (formula, proof) = (folder.join(format!("{name}.rs")), folder.join(format!("{name}/proof.rs")));
     if let Some(present) = [&formula, &proof].into_iter().find(|path| path.exists()) {
         bail!("{} is there already; take another name, or move it away", project.shown(present));
     }
-    let neighbours = read_all(&room)? + &read_all(&source.join(family))?;
+    let neighbours = read_all(&room)? + &read_all(&folder)?;
     let skeleton = |template: &str| edit::filled(template, family, name, &neighbours);
     let catalog = catalog(&source)?;
     let chapter = chapter(project, family)?;
@@ -106,6 +103,18 @@ fn changes(project: &Project, family: &str, name: &str) -> anyhow::Result<Vec<Ch
         changes.push((permalinks, format!("{}\n{family}.{name}\n", text.trim_end())));
     }
     Ok(changes)
+}
+
+/// The file of the family's module: in `src`, or in a folder of `src`.
+fn room(source: &Path, family: &str) -> anyhow::Result<Option<PathBuf>> {
+    let name = format!("{family}.rs");
+    let mut folders = Vec::new();
+    for entry in std::fs::read_dir(source)? {
+        folders.push(entry?.path());
+    }
+    folders.sort();
+    let mut rooms = [source.to_path_buf()].into_iter().chain(folders).map(|folder| folder.join(&name));
+    Ok(rooms.find(|room| room.exists()))
 }
 
 /// The file that has the catalog.

@@ -10,7 +10,7 @@
 use super::data::Report;
 use super::tables::duration;
 use crate::console::{bold, figure, green, red};
-use jointproof::measure::{Errors, Figures, Measurement, Time, WayFigures};
+use jointproof::toolkit::measure::{Errors, Figures, Measurement, Time, WayFigures};
 
 /// What two reports differ by.
 #[derive(Clone, Debug, PartialEq)]
@@ -158,7 +158,7 @@ mod tests {
     use super::*;
     use crate::measuring::Build;
     use crate::report::data::Machine;
-    use jointproof::measure::{Options, Quantiles};
+    use jointproof::toolkit::measure::{Options, Quantiles};
 
     fn time(median: f64) -> Time {
         Time { median, low: 0.95 * median, high: 1.05 * median }

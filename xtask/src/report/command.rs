@@ -9,7 +9,7 @@ use crate::project::Project;
 use crate::selection::Selection;
 use anyhow::Context;
 use jointproof::catalog::AnyFormula;
-use jointproof::measure::Options;
+use jointproof::toolkit::measure::Options;
 use std::path::PathBuf;
 
 /// Measure speed and error of every method to compute a formula

@@ -4,7 +4,7 @@ use crate::measuring::Build;
 use crate::project::Project;
 use crate::{evidence, files};
 use anyhow::Context;
-use jointproof::measure::{Measurement, Options};
+use jointproof::toolkit::measure::{Measurement, Options};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;

@@ -7,7 +7,7 @@ use crate::measuring::Build;
 use anyhow::Context;
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
-use jointproof::measure::{Figures, Measurement, Options, Time};
+use jointproof::toolkit::measure::{Figures, Measurement, Options, Time};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::Path;

@@ -5,7 +5,7 @@ use crate::measuring::{Build, Event, Request};
 use crate::project::Project;
 use anyhow::{Context, bail};
 use indicatif::ProgressBar;
-use jointproof::measure::{Measurement, Options};
+use jointproof::toolkit::measure::{Measurement, Options};
 use std::ffi::OsStr;
 use std::io::{BufRead, BufReader, IsTerminal};
 use std::path::PathBuf;

@@ -2,7 +2,7 @@
 
 use super::data::Report;
 use crate::console::figure;
-use jointproof::measure::{Measurement, PointTime};
+use jointproof::toolkit::measure::{Measurement, PointTime};
 
 /// What is said to hold of every formula: time at the hardest ordinary point, in units of that at random ones.
 pub(crate) const HARDEST: f64 = 10.0;

@@ -4,7 +4,7 @@ use super::data::Report;
 use super::price;
 use super::verdict::Verdict;
 use crate::console::{bold, figure, green, red};
-use jointproof::measure::{Columns, Errors, Measurement, Time, WayFigures};
+use jointproof::toolkit::measure::{Columns, Errors, Measurement, Time, WayFigures};
 use std::fmt::Write;
 
 /// Nanoseconds in three digits, with the unit that suits them.
@@ -177,7 +177,7 @@ pub(super) fn markdown(report: &Report) -> anyhow::Result<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use jointproof::measure::Quantiles;
+    use jointproof::toolkit::measure::Quantiles;
 
     #[test]
     fn durations_have_three_digits_and_a_fitting_unit() {

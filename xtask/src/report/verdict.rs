@@ -1,6 +1,6 @@
 //! The claim "the closed form is faster than automatic differentiation, and at least as accurate", formula by formula.
 
-use jointproof::measure::{Figures, Measurement, Time};
+use jointproof::toolkit::measure::{Figures, Measurement, Time};
 
 /// What a run says about the claim.
 #[derive(Clone, Debug, PartialEq)]
@@ -114,7 +114,7 @@ fn failures(figures: &Figures) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use jointproof::measure::{Errors, Quantiles};
+    use jointproof::toolkit::measure::{Errors, Quantiles};
 
     fn time(low: f64, median: f64, high: f64) -> Time {
         Time { median, low, high }

@@ -58,14 +58,14 @@ mod tests {
     /// Without the wanted function it is the first that is there, without any the module, and without that the manifest.
     #[test]
     fn a_claim_stands_at_the_nearest_place_that_there_is() {
-        use jointproof::slot::ContactForce;
+        use jointproof::connector::slot::ContactForce;
         let root = tempfile::tempdir().unwrap();
         let project = Project::new("place", env!("CARGO_MANIFEST_DIR"), &[]).in_folder(root.path().to_str().unwrap());
         let place = |claim: &str| {
             let Place { file, line } = of_claim(&project, &ContactForce, claim).unwrap();
             format!("{file}:{line}")
         };
-        assert_eq!(ContactForce.path(), "jointproof::slot::friction::ContactForce");
+        assert_eq!(ContactForce.path(), "jointproof::connector::slot::friction::ContactForce");
         assert_eq!(place("symmetry"), "Cargo.toml:1");
         let write = |file: &str, text: &str| crate::files::write(&root.path().join(file), text).unwrap();
         write("src/slot.rs", "mod friction;\n");

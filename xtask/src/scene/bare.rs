@@ -6,16 +6,16 @@
 //! that nothing is checked. The benchmark compares the results bit for bit.
 
 use super::generate::{self, CAR, Connector as Sort, K_STICK, LENGTH, RADIUS, RAIL, STATES};
-use jointproof::align::Orientations;
-use jointproof::cardan::Triads;
-use jointproof::coulomb::{ReturnMap, Trial};
-use jointproof::formula::Formula;
-use jointproof::scene::rules::{Alignment, Slip, SlipLoads, Stick, StickLoads, Turns};
-use jointproof::slot::{
+use jointproof::connector::align::Orientations;
+use jointproof::connector::slot::{
     self, Constraint, ContactForces, CrossForces, NormalForce, Positions, RelativeMotion, RelativePosition,
     SlotLengths, SlotPositions,
 };
-use jointproof::translator::{self, ContactLoads};
+use jointproof::connector::translator::{self, ContactLoads};
+use jointproof::contact::coulomb::{ReturnMap, Trial};
+use jointproof::element::cardan::Triads;
+use jointproof::formula::Formula;
+use jointproof::scene::rules::{Alignment, Slip, SlipLoads, Stick, StickLoads, Turns};
 use nalgebra::Vector3;
 use rayon::prelude::*;
 

@@ -9,8 +9,8 @@ use super::erratum::{Erratum, at};
 use super::statement::{Statement, covered, mended, outside};
 use super::world::{World, anchors};
 use jointproof::catalog::CATALOG;
+use jointproof::connector::slot::{self, Slot};
 use jointproof::formula::Formula;
-use jointproof::slot::{self, Slot};
 use kit::Project;
 
 fn world() -> World {

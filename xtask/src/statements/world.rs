@@ -2,7 +2,7 @@
 
 use anyhow::Context;
 use jointproof::scene::Kind;
-use jointproof::verify::golden;
+use jointproof::toolkit::verify::golden;
 use kit::Project;
 use pulldown_cmark::{Event, HeadingLevel, Options, Parser, Tag, TagEnd};
 use std::collections::{BTreeMap, BTreeSet};

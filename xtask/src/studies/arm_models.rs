@@ -1,8 +1,8 @@
 //! The models of the arm side by side.
 
 use jointproof::Octuple;
+use jointproof::connector::ujoint::{Arm, AxialFactors, AxialShares, TwistFactors, TwistShares, arm};
 use jointproof::formula::Formula;
-use jointproof::ujoint::{Arm, AxialFactors, AxialShares, TwistFactors, TwistShares, arm};
 use num_dual::DualNum;
 
 /// The four shares by one model of the arm.
@@ -70,7 +70,7 @@ fn models(lambda: f64) -> Models {
 #[cfg(test)]
 mod tests {
     use super::{Model, Models, curves, models};
-    use jointproof::ujoint::{Arm, arm};
+    use jointproof::connector::ujoint::{Arm, arm};
 
     #[test]
     fn the_ends_are_the_printed_limits_but_for_timoshenko() {

@@ -1,9 +1,9 @@
 //! What both forms of β lose near 90°.
 
 use jointproof::Octuple;
-use jointproof::cardan::{CardanAngles, Triads, accurate, rotation, turned};
+use jointproof::element::cardan::{CardanAngles, Triads, accurate, rotation, turned};
 use jointproof::formula::value;
-use jointproof::scalar::abs;
+use jointproof::number::scalar::abs;
 use nalgebra::Vector3;
 
 /// What both forms of β make of triads that are rotations rounded to doubles.

@@ -1,9 +1,9 @@
 //! The errors of both routes, documented and direct, where a line is hard: near the x axis, short, far away, with m far out.
 
 use jointproof::Octuple;
+use jointproof::connector::slider::{Eliminate, Increment, KeptCoordinate, KeptIncrement, Pivots, documented};
 use jointproof::formula::{Fields, Formula};
-use jointproof::slider::{Eliminate, Increment, KeptCoordinate, KeptIncrement, Pivots, documented};
-use jointproof::verify::exactly;
+use jointproof::toolkit::verify::exactly;
 use nalgebra::Vector3;
 
 /// A line, and where m is on it. Every number is used as it is, so that the results are the same on every machine.

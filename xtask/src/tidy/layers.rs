@@ -25,16 +25,20 @@ enum Layer {
 }
 
 impl Layer {
-    /// The layer of a module at the root of the library; what is not named here is a room.
-    fn of(module: &str) -> Self {
-        match module {
-            "angle" | "asin" | "binade" | "double" | "eft" | "error" | "exp" | "newtype" | "octuple" | "ordinary"
-            | "power" | "prefetch" | "quantity" | "scalar" | "single" | "squares" => Self::Ground,
-            "formula" => Self::Formula,
-            "proof" => Self::Proof,
-            "batch" | "equation" | "graph" | "verify" | "measure" => Self::Toolkit,
-            "catalog" => Self::Catalog,
-            "scene" => Self::Scene,
+    /// The layer of a file below `src`.
+    fn of(path: &str) -> Self {
+        match path {
+            "formula/error.rs" | "formula/quantity.rs" => return Self::Ground,
+            _ if path.starts_with("formula/error/") || path.starts_with("formula/quantity/") => return Self::Ground,
+            _ if path.starts_with("formula/proof") => return Self::Proof,
+            _ => {}
+        }
+        match path.split(['/', '.']).next() {
+            Some("number") => Self::Ground,
+            Some("formula") => Self::Formula,
+            Some("toolkit") => Self::Toolkit,
+            Some("catalog") => Self::Catalog,
+            Some("scene") => Self::Scene,
             _ => Self::Room,
         }
     }
@@ -105,7 +109,7 @@ pub(super) fn crossed(tree: &Tree, edges: &Edges) -> Vec<Finding> {
 /// The layer of a file; `lib.rs`, which only lists the modules, and files of other crates have none.
 fn layer(path: &str) -> Option<Layer> {
     let path = path.strip_prefix("src/").filter(|path| *path != "lib.rs")?;
-    Some(Layer::of(path.split(['/', '.']).next()?))
+    Some(Layer::of(path))
 }
 
 /// What a file of the library is for the evidence of formulas.
@@ -121,7 +125,7 @@ pub(super) enum Part {
 pub(super) fn part(path: &str) -> Option<Part> {
     match layer(path)? {
         Layer::Room => Some(Part::Room),
-        Layer::Ground | Layer::Formula | Layer::Proof | Layer::Toolkit if !path.starts_with("src/measure") => {
+        Layer::Ground | Layer::Formula | Layer::Proof | Layer::Toolkit if !path.starts_with("src/toolkit/measure") => {
             Some(Part::Common)
         }
         Layer::Ground | Layer::Formula | Layer::Proof | Layer::Toolkit | Layer::Catalog | Layer::Scene => None,

@@ -55,7 +55,7 @@ pub(crate) fn reach(project: &Project) -> anyhow::Result<BTreeMap<String, Vec<Pa
 mod tests {
     use super::*;
     use jointproof::catalog::CATALOG;
-    use jointproof::slot::{ContactForce, Friction};
+    use jointproof::connector::slot::{ContactForce, Friction};
     use std::fs;
 
     #[test]
@@ -92,7 +92,7 @@ mod tests {
         ("src/formula.rs", "pub trait Formula {}\n"),
         ("src/verify.rs", "pub fn law() {}\n"),
         ("src/measure.rs", "pub fn way() {}\n"),
-        ("src/catalog.rs", "use crate::slot::ContactForce;\n"),
+        ("src/catalog.rs", "use crate::connector::slot::ContactForce;\n"),
         ("src/slot.rs", "mod contact_force;\nmod proof;\npub use contact_force::ContactForce;\n"),
         (
             "src/slot/contact_force.rs",
@@ -104,7 +104,7 @@ mod tests {
         ("src/lower.rs", "use crate::low::Low;\npub struct Lower(Low);\n"),
         ("src/hard.rs", "pub struct Hard;\n"),
         // One uses the formula and proves nothing, the other proves something else.
-        ("src/other.rs", "use crate::slot::ContactForce;\nuse crate::another::Another;\n"),
+        ("src/other.rs", "use crate::connector::slot::ContactForce;\nuse crate::another::Another;\n"),
     ];
 
     #[test]

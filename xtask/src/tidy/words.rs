@@ -4,7 +4,7 @@ use super::import::Import;
 use proc_macro2::{Delimiter, Ident, Literal, TokenStream, TokenTree};
 use std::collections::BTreeMap;
 
-/// A path of two or more segments, as `crate::slot::Friction` or `hard::triad`.
+/// A path of two or more segments, as `crate::connector::slot::Friction` or `hard::triad`.
 #[derive(Debug, Clone)]
 pub(super) struct Mention {
     /// Its segments up to the first `<`.

@@ -1,8 +1,8 @@
 //! A formula whose derivative has a wrong sign.
 
+use jointproof::formula::proof::{Case, Proved};
+use jointproof::formula::quantity::{Domain, Quantity, Unit};
 use jointproof::formula::{Component, Document, Formula, Jacobian, Spec};
-use jointproof::proof::{Case, Proved};
-use jointproof::quantity::{Domain, Quantity, Unit};
 use jointproof::{Scalar, fields};
 
 const SIDE: Quantity = Quantity::scalar("a", Unit::L, Domain::Real, "side of a square");

@@ -1,9 +1,9 @@
 //! A formula that owes nothing, and what can be wrong with it.
 
+use jointproof::formula::proof::law::equal;
+use jointproof::formula::proof::{Case, Law, Proved};
+use jointproof::formula::quantity::{Domain, Quantity, Unit};
 use jointproof::formula::{Component, Document, Formula, Jacobian, Spec};
-use jointproof::proof::law::equal;
-use jointproof::proof::{Case, Law, Proved};
-use jointproof::quantity::{Domain, Quantity, Unit};
 use jointproof::{Octuple, Scalar, fields};
 use std::sync::LazyLock;
 

@@ -5,7 +5,7 @@
 
 use crate::batches::Batch;
 use crate::rows::Refused;
-use jointproof::batch::{ArrayView1, ArrayViewMut1, Error};
+use jointproof::toolkit::batch::{ArrayView1, ArrayViewMut1, Error};
 use ndarray::{ArrayViewD, ArrayViewMutD, Axis, Ix1};
 
 /// What computes columns of results from columns of inputs.

@@ -1,7 +1,7 @@
 //! Audits, and parts of them, as JSON.
 
 use jointproof::catalog::{AnyFormula, CATALOG, find};
-use jointproof::verify::{Audit, Options, Part, Shard};
+use jointproof::toolkit::verify::{Audit, Options, Part, Shard};
 use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::prelude::*;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};

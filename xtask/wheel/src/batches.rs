@@ -1,7 +1,10 @@
 //! The batches of every formula, compiled with this crate: for speed, whatever the size of the evidence.
 
-use jointproof::batch::{self, ArrayView1, ArrayViewMut1};
+use jointproof::connector::{align, join, slider, slot, translator, ujoint, universal};
+use jointproof::contact::{coulomb, interaction, slide_line};
+use jointproof::element::{self, cardan};
 use jointproof::formula::Formula;
+use jointproof::toolkit::batch::{self, ArrayView1, ArrayViewMut1};
 
 /// A column per component of the inputs, then of the results.
 type Run = fn(&[ArrayView1<f64>], &mut [ArrayViewMut1<f64>]) -> Result<(), batch::Error>;

@@ -165,6 +165,7 @@ pub(crate) fn exact(
 ) -> OrTold<'_, (Vec<String>, Option<Vec<String>>)> {
     let formula = formula(place)?;
     let truth = py.detach(|| formula.judge().at(&inputs, with_jacobian));
-    let numbers = |known: Vec<jointproof::verify::Known>| known.iter().map(|known| known.exact.to_string()).collect();
+    let numbers =
+        |known: Vec<jointproof::toolkit::verify::Known>| known.iter().map(|known| known.exact.to_string()).collect();
     one(py, truth.map(|truth| (numbers(truth.value), truth.jacobian.map(numbers))))
 }

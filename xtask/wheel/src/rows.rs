@@ -1,7 +1,7 @@
 //! Rows that were refused, as Python is told of them.
 
 use jointproof::Error;
-use jointproof::batch::RowError;
+use jointproof::toolkit::batch::RowError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

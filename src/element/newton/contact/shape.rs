@@ -1,15 +1,15 @@
 //! Straight and parabolic segments, and the elements that slide on them: the formulas of each.
 
-use crate::element::chain::{Term, chain, through};
-use crate::element::slide_line::forces;
-use crate::error::Error;
-use crate::formula::check;
-use crate::scalar::Scalar;
-use crate::slide_line::{
+use crate::contact::slide_line::{
     ClosestLinear, ClosestParabolic, ContactAreaLinear, ContactAreaParabolic, CurvePoint, LinearMotion, LinearNodes,
     LinearPressures, LinearSlave, ParabolicMotion, ParabolicNodes, ParabolicPlace, ParabolicPoint, ParabolicPressures,
     ParabolicSlave, SlipIncrementLinear, SlipIncrementParabolic, TorqueLinear, TorqueParabolic, gauss,
 };
+use crate::element::chain::{Term, chain, through};
+use crate::element::slide_line::forces;
+use crate::formula::check;
+use crate::formula::error::Error;
+use crate::number::scalar::Scalar;
 use nalgebra::Vector2;
 
 type Point<D, const K: usize> = Vector2<Term<D, K>>;
@@ -114,7 +114,7 @@ impl Shape<3> for Curved {
         Touched { g: foot.g, separation: foot.separation, inside }
     }
 
-    /// By one rule of Gauss and Legendre, as [`isl`](crate::isl) has it where the segment turns little between the two places.
+    /// By one rule of Gauss and Legendre, as [`isl`](crate::contact::isl) has it where the segment turns little between the two places.
     fn way<D: Scalar, const K: usize>(
         _: Point<D, K>,
         &[x1, x2, x3]: &[Point<D, K>; 3],

@@ -2,9 +2,9 @@
 //! states are those of `isl`.
 
 use super::{Isl21a, Isl22a, LineContact, OnLine, Pressed, PressureLaw, SlaveState};
-use crate::isl::{Contact, ElementSet, Increment, Interaction, IslElement};
-use crate::scalar::Scalar;
-use crate::slide_line::{Interpolation, Nodes, SlideLine};
+use crate::contact::isl::{Contact, ElementSet, Increment, Interaction, IslElement};
+use crate::contact::slide_line::{Interpolation, Nodes, SlideLine};
+use crate::number::scalar::Scalar;
 use crate::{Error, Octuple};
 use nalgebra::{SVector, Vector2};
 use num_dual::Dual;

@@ -2,14 +2,14 @@
 
 use super::{Linear, LinearForces, LinearLoads, Parabolic, ParabolicForces, ParabolicLoads};
 use crate::Octuple;
+use crate::contact::slide_line::{LinearPlace, LinearPoint, ParabolicPlace, ParabolicPoint, left};
 use crate::element::slide_line::rows::{
     self,
     proof::{curved_places, equal_vectors, no_parabola, no_segment, straight_places},
 };
 use crate::formula::Formula;
-use crate::proof::{Case, Equation, Law, Proved, law};
-use crate::scalar::abs;
-use crate::slide_line::{LinearPlace, LinearPoint, ParabolicPlace, ParabolicPoint, left};
+use crate::formula::proof::{Case, Equation, Law, Proved, law};
+use crate::number::scalar::abs;
 use nalgebra::Vector2;
 use num_traits::Zero;
 

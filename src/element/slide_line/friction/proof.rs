@@ -2,10 +2,10 @@
 
 use super::{Response, Rubbing};
 use crate::Octuple;
-use crate::coulomb::response::proof::not_positive;
+use crate::contact::coulomb::response::proof::not_positive;
+use crate::formula::proof::{Case, Kink, Law, Proved, law};
 use crate::formula::{Fields, Formula};
-use crate::proof::{Case, Kink, Law, Proved, law};
-use crate::scalar::abs;
+use crate::number::scalar::abs;
 use num_traits::Zero;
 
 /// Sticks: 1 + 2 × 0.25 < 0.25 × 8.

@@ -2,11 +2,11 @@
 
 use super::{Linear, LinearAnswer, LinearPressed};
 use crate::Octuple;
-use crate::coulomb::response::proof::not_positive;
+use crate::contact::coulomb::response::proof::not_positive;
+use crate::contact::slide_line::{ClosestLinear, LinearSlave, left};
+use crate::formula::proof::{Case, Equation, Kink, Law, Proved, hard, law};
 use crate::formula::{Fields, Formula};
-use crate::proof::{Case, Equation, Kink, Law, Proved, hard, law};
-use crate::scalar::{abs, norm, pi};
-use crate::slide_line::{ClosestLinear, LinearSlave, left};
+use crate::number::scalar::{abs, norm, pi};
 use nalgebra::Vector2;
 use num_traits::{One, Zero};
 

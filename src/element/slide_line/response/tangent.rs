@@ -3,8 +3,8 @@
 //! In stick S12 is what it was and k_el times the slip ½ℓ (g − g'), where g' is the place before and N' are its weights. Near a node
 //! k_el N' and S12/ℓ would cancel. Since ½ (g − g') is N₂ − N₂' and N₁' − N₁, together they are k_el N and what it was by ℓ.
 
-use crate::scalar::Scalar;
-use crate::slide_line::{Projection, shape};
+use crate::contact::slide_line::{Projection, shape};
+use crate::number::scalar::Scalar;
 use nalgebra::Vector2;
 
 /// What a force changes by along n and t, as a node moves along n and t: the force is named first.

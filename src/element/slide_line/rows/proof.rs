@@ -2,13 +2,13 @@
 
 use super::{Linear, LinearRows, Parabolic, ParabolicRows};
 use crate::Octuple;
-use crate::formula::Formula;
-use crate::proof::{Case, Equation, Law, Proved, law};
-use crate::scalar::norm;
-use crate::slide_line::{
+use crate::contact::slide_line::{
     ClosestLinear, ClosestParabolic, LinearMotion, LinearPlace, LinearPoint, LinearSlave, ParabolicMotion,
     ParabolicPlace, ParabolicPoint, ParabolicSlave, SlipIncrementLinear, SlipIncrementParabolic, check_tangent, left,
 };
+use crate::formula::Formula;
+use crate::formula::proof::{Case, Equation, Law, Proved, law};
+use crate::number::scalar::norm;
 use nalgebra::Vector2;
 use num_traits::{One, Zero};
 

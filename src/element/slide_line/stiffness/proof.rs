@@ -2,6 +2,10 @@
 
 use super::{Linear, LinearTouch, Parabolic, ParabolicTouch};
 use crate::Octuple;
+use crate::contact::slide_line::{
+    ClosestLinear, ClosestParabolic, LinearPlace, LinearPoint, LinearSlave, ParabolicPlace, ParabolicPoint,
+    ParabolicSlave, left,
+};
 use crate::element::slide_line::rows::{
     self,
     proof::{curved_places, no_parabola, no_segment, straight_places},
@@ -9,12 +13,8 @@ use crate::element::slide_line::rows::{
 use crate::element::slide_line::{Place, forces};
 use crate::element::slider_plane::{self, SliderLoads2d};
 use crate::formula::Formula;
-use crate::proof::{Case, Equation, Law, Proved, law};
-use crate::scalar::{abs, norm};
-use crate::slide_line::{
-    ClosestLinear, ClosestParabolic, LinearPlace, LinearPoint, LinearSlave, ParabolicPlace, ParabolicPoint,
-    ParabolicSlave, left,
-};
+use crate::formula::proof::{Case, Equation, Law, Proved, law};
+use crate::number::scalar::{abs, norm};
 use nalgebra::{SMatrix, SVector, Vector2};
 use num_dual::Dual;
 use num_traits::{One, Zero};

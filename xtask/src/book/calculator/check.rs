@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context as _, Result, bail, ensure};
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
-use jointproof::verify::golden::{File, Record, components};
+use jointproof::toolkit::verify::golden::{File, Record, components};
 use serde_json::Value;
 
 use super::MARK;

@@ -11,8 +11,8 @@ mod tests;
 pub(crate) use check::{check, pages as chapters};
 
 use jointproof::catalog::{AnyFormula, KinkEntry};
-use jointproof::proof::Flag;
-use jointproof::verify::golden::{File, Record, components};
+use jointproof::formula::proof::Flag;
+use jointproof::toolkit::verify::golden::{File, Record, components};
 
 use super::content::{Calculator, Entry};
 use super::html::{each, escape};

@@ -5,8 +5,10 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use jointproof::catalog::{AnyFormula, find};
-use jointproof::verify::golden::components;
-use jointproof::{coulomb, element, slot};
+use jointproof::connector::slot;
+use jointproof::contact::coulomb;
+use jointproof::element;
+use jointproof::toolkit::verify::golden::components;
 use tempfile::TempDir;
 
 use super::check::{Checked, DRIVE, check, use_all};

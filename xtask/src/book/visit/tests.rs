@@ -5,7 +5,8 @@ use std::fs;
 use std::path::PathBuf;
 
 use jointproof::catalog::AnyFormula;
-use jointproof::{coulomb, slot};
+use jointproof::connector::slot;
+use jointproof::contact::coulomb;
 use tempfile::TempDir;
 
 use super::queries::Answers;

@@ -3,7 +3,7 @@
 use super::evidence::{Evidence, LEAST, Sample};
 use super::mistakes::{Mistake, mistakes};
 use jointproof::Octuple;
-use jointproof::graph::{Graph, Instead, Node, Op};
+use jointproof::toolkit::graph::{Graph, Instead, Node, Op};
 use rayon::iter::{IntoParallelIterator, IntoParallelRefIterator, ParallelIterator};
 
 /// Of a graph with more operations, mistakes in it are not looked for: that would take too long.

@@ -4,7 +4,7 @@ use crate::check::answer::Answer;
 use crate::check::map::names;
 use crate::check::question::{Own, sizes};
 use crate::check::verdict::{Court, Verdict};
-use jointproof::verify::{Judge, Known};
+use jointproof::toolkit::verify::{Judge, Known};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::ops::Range;
 

@@ -3,8 +3,8 @@
 use super::evidence::{Evidence, LEAST, Sample};
 use super::observed::rounded;
 use jointproof::formula::Field;
-use jointproof::quantity::{Domain, Unit};
-use jointproof::verify::Known;
+use jointproof::formula::quantity::{Domain, Unit};
+use jointproof::toolkit::verify::Known;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::f64::consts::PI;
 

@@ -3,7 +3,7 @@
 use super::observed::rounded;
 use super::wording::{component, expression};
 use jointproof::formula::Field;
-use jointproof::graph::{Binary, Graph, Instead, Node, Op, Unary};
+use jointproof::toolkit::graph::{Binary, Graph, Instead, Node, Op, Unary};
 
 /// A mistake: what it is, and what stands where.
 pub(super) struct Mistake {

@@ -178,7 +178,7 @@ fn is_near(sample: &Sample, place: usize, source: usize, sign: f64) -> bool {
 mod tests {
     use super::*;
     use jointproof::Octuple;
-    use jointproof::verify::Known;
+    use jointproof::toolkit::verify::Known;
 
     #[test]
     fn a_number_is_worth_a_look_where_nine_digits_are_right() {

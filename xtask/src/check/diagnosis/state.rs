@@ -6,7 +6,7 @@ use super::super::question::{Own, other_order};
 use super::super::verdict::{Court, Verdict};
 use super::evidence::LEAST;
 use super::factors::list;
-use jointproof::verify::Judge;
+use jointproof::toolkit::verify::Judge;
 use std::collections::BTreeSet;
 
 /// So many answers are looked at.

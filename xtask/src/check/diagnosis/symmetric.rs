@@ -12,7 +12,7 @@ use super::evidence::{Evidence, Sample};
 use super::permuted::transpose;
 use crate::check::question::sizes;
 use jointproof::formula::Field;
-use jointproof::verify::Known;
+use jointproof::toolkit::verify::Known;
 
 /// The blocks whose symmetric parts explain these numbers, in words.
 pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {

@@ -1,7 +1,7 @@
 //! What a result of a graph is, in a few symbols.
 
 use jointproof::formula::Field;
-use jointproof::graph::{Binary, Graph, Node, Op, Relation, Unary};
+use jointproof::toolkit::graph::{Binary, Graph, Node, Op, Relation, Unary};
 
 /// How deep it is written out.
 const DEPTH: usize = 4;
@@ -77,7 +77,7 @@ pub(super) fn component(inputs: &[Field], mut k: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use jointproof::graph::Instead;
+    use jointproof::toolkit::graph::Instead;
 
     #[test]
     fn sums_are_in_parentheses_within_products_alone() {

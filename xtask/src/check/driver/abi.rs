@@ -6,8 +6,10 @@
 use crate::check::question::sizes;
 use crate::outcome::Usage;
 use jointproof::catalog::AnyFormula;
+use jointproof::connector::slider;
+use jointproof::contact::{coulomb, interaction};
+use jointproof::element;
 use jointproof::formula::Formula;
-use jointproof::{coulomb, element, interaction, slider};
 
 /// An interface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]

@@ -1,11 +1,11 @@
 //! Friction, the pressure of interaction laws, and the torque of a slide-line element.
 
-use jointproof::coulomb::{ReturnMap, Tractions, Trial, Yield};
-use jointproof::formula::Formula;
-use jointproof::interaction::{
+use jointproof::contact::coulomb::{ReturnMap, Tractions, Trial, Yield};
+use jointproof::contact::interaction::{
     Damping, DampingContact, ExponentialContact, LinearContact, PressureExponential, PressureLinear,
 };
-use jointproof::slide_line::{LinearPressures, TorqueLinear};
+use jointproof::contact::slide_line::{LinearPressures, TorqueLinear};
+use jointproof::formula::Formula;
 use kit::Moving;
 use nalgebra::{Vector2, Vector3};
 

@@ -1,9 +1,9 @@
 //! Turned triads: the Cardan angles, UNIVERSAL and UJOINT.
 
-use jointproof::cardan::Triads;
+use jointproof::connector::ujoint::{CrossAxes, CrossDirection, CrossLoads, Decomposition};
+use jointproof::connector::universal::{Angles, Constraint, Shafts};
+use jointproof::element::cardan::Triads;
 use jointproof::formula::Formula;
-use jointproof::ujoint::{CrossAxes, CrossDirection, CrossLoads, Decomposition};
-use jointproof::universal::{Angles, Constraint, Shafts};
 use kit::Moving;
 
 use super::along::{Along, angles, moving, turned, upright};

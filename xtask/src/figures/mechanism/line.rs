@@ -1,11 +1,11 @@
 //! SLIDER, and the closest point of a slide line.
 
-use jointproof::formula::{Formula, value};
-use jointproof::slide_line::{
+use jointproof::connector::slider::Slider;
+use jointproof::contact::slide_line::{
     ClosestLinear, ClosestSmoothedLinear, LinearCornerPlace, LinearCornerSlave, LinearPlace, LinearPoint, LinearSlave,
     SmoothedLinearPoint,
 };
-use jointproof::slider::Slider;
+use jointproof::formula::{Formula, value};
 use kit::Moving;
 use nalgebra::{Vector2, Vector3};
 

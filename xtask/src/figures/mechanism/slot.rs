@@ -1,10 +1,10 @@
 //! SLOT and TRANSLATOR.
 
-use jointproof::formula::Formula;
-use jointproof::slot::{
+use jointproof::connector::slot::{
     Constraint, ConstraintForce, CrossForces, CrossFrame, Positions, RelativePosition, SlotPositions,
 };
-use jointproof::translator::{Bending, BendingForce, ContactForce, ContactLoads, RadialForce};
+use jointproof::connector::translator::{Bending, BendingForce, ContactForce, ContactLoads, RadialForce};
+use jointproof::formula::Formula;
 use kit::Moving;
 use nalgebra::{Rotation3, Vector3};
 

@@ -2,7 +2,7 @@
 
 use super::drawing::{Axis, Drawing, power, style};
 use crate::console::figure;
-use jointproof::measure::{Curve, Measurement};
+use jointproof::toolkit::measure::{Curve, Measurement};
 
 const WIDTH: f64 = 360.0;
 const HEIGHT: f64 = 270.0;

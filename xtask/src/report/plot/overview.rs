@@ -1,7 +1,7 @@
 //! One family at a glance: a row a formula, time from left to right.
 
 use super::drawing::{Axis, Drawing, style, time};
-use jointproof::measure::{Measurement, WayFigures};
+use jointproof::toolkit::measure::{Measurement, WayFigures};
 
 const WIDTH: f64 = 760.0;
 const LEFT: f64 = 190.0;

@@ -3,7 +3,7 @@
 use super::drawing::{Axis, Drawing, power, style, time};
 use crate::report::pareto::front;
 use crate::report::tables::duration;
-use jointproof::measure::Measurement;
+use jointproof::toolkit::measure::Measurement;
 
 const WIDTH: f64 = 360.0;
 const HEIGHT: f64 = 270.0;
@@ -24,7 +24,7 @@ struct Point<'a> {
 
 /// Time of value and Jacobian against η of the Jacobian, with the ways that no other beats joined by a line.
 pub(crate) fn plane(measurement: &Measurement) -> String {
-    let point = |way: &'_ jointproof::measure::WayFigures| {
+    let point = |way: &'_ jointproof::toolkit::measure::WayFigures| {
         let jacobian = way.jacobian.as_ref()?;
         Some((jacobian.time?.median, jacobian.random.eta.p99))
     };

@@ -2,10 +2,10 @@
 
 use crate::statements::document::Document;
 use crate::statements::statement::{Statement, covered, mended, outside};
+use jointproof::contact::isl::{Contact, ElementSet, Interaction, IslElement, TorquePrint};
+use jointproof::contact::slide_line::{self, Interpolation, Nodes, PlacedLine, SlideLine};
+use jointproof::contact::{coulomb, interaction};
 use jointproof::formula;
-use jointproof::isl::{Contact, ElementSet, Interaction, IslElement, TorquePrint};
-use jointproof::slide_line::{self, Interpolation, Nodes, PlacedLine, SlideLine};
-use jointproof::{coulomb, interaction};
 
 pub(super) fn document() -> Document {
     Document {

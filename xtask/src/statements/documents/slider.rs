@@ -3,8 +3,8 @@
 
 use crate::statements::document::Document;
 use crate::statements::statement::{Statement, covered, mended, outside};
+use jointproof::connector::slider::{self, Pivots, Slider, Slider2d, documented};
 use jointproof::formula;
-use jointproof::slider::{self, Pivots, Slider, Slider2d, documented};
 
 pub(super) fn document() -> Document {
     Document {

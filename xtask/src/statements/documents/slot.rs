@@ -2,9 +2,9 @@
 
 use crate::statements::document::Document;
 use crate::statements::statement::{Statement, covered, mended, outside};
-use jointproof::coulomb;
+use jointproof::connector::slot::{self, Slot, Slot2d};
+use jointproof::contact::coulomb;
 use jointproof::formula;
-use jointproof::slot::{self, Slot, Slot2d};
 
 pub(super) fn document() -> Document {
     Document {

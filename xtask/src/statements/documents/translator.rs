@@ -2,9 +2,11 @@
 
 use crate::statements::document::Document;
 use crate::statements::statement::{Statement, covered, mended, outside};
+use jointproof::connector::translator::{self, Translator};
+use jointproof::connector::{align, slot};
+use jointproof::contact::coulomb;
+use jointproof::element::cardan;
 use jointproof::formula;
-use jointproof::translator::{self, Translator};
-use jointproof::{align, cardan, coulomb, slot};
 
 pub(super) fn document() -> Document {
     Document {

@@ -2,9 +2,10 @@
 
 use crate::statements::document::Document;
 use crate::statements::statement::{Statement, covered, mended, outside};
+use jointproof::connector::ujoint::{self, Cross, UJoint};
+use jointproof::connector::{join, universal};
+use jointproof::contact::coulomb;
 use jointproof::formula;
-use jointproof::ujoint::{self, Cross, UJoint};
-use jointproof::{coulomb, join, universal};
 
 pub(super) fn document() -> Document {
     Document {

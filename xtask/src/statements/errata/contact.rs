@@ -1,8 +1,8 @@
 //! Slide lines.
 
 use crate::statements::erratum::{Erratum, apart, at, erratum};
+use jointproof::contact::slide_line::{self, LinearNodes};
 use jointproof::formula::Formula;
-use jointproof::slide_line::{self, LinearNodes};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 

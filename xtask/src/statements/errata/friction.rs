@@ -1,8 +1,8 @@
 //! Friction of SLOT, TRANSLATOR and UJOINT, and the stops.
 
 use crate::statements::erratum::{Erratum, apart, at, erratum};
+use jointproof::connector::{slot, translator, ujoint};
 use jointproof::formula::Formula;
-use jointproof::{slot, translator, ujoint};
 
 pub(super) fn errata() -> Vec<Erratum> {
     vec![roots(), quotients(), sign(), normal_forces(), beta(), stops()]

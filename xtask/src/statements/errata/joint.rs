@@ -1,8 +1,10 @@
 //! The hinges of UJOINT.
 
 use crate::statements::erratum::{Erratum, apart, at, erratum};
+use jointproof::connector::ujoint::{
+    self, Arm, AxialForces, AxialShares, Bending, CentreLoads, JointLoads, StopAngles, Twist,
+};
 use jointproof::formula::Formula;
-use jointproof::ujoint::{self, Arm, AxialForces, AxialShares, Bending, CentreLoads, JointLoads, StopAngles, Twist};
 use nalgebra::Vector3;
 
 pub(super) fn errata() -> Vec<Erratum> {

@@ -1,11 +1,12 @@
 //! Rules that this library began with, and that did not hold.
 
 use crate::statements::erratum::{Erratum, apart, at, erratum};
+use jointproof::Octuple;
+use jointproof::connector::slider::Pivots;
+use jointproof::connector::{align, slot, ujoint, universal};
+use jointproof::contact::slide_line::{self, ParabolicSlave};
 use jointproof::formula::Formula;
-use jointproof::slide_line::{self, ParabolicSlave};
-use jointproof::slider::Pivots;
-use jointproof::verify::{central_differences, jacobian_by_ad};
-use jointproof::{Octuple, align, slot, ujoint, universal};
+use jointproof::toolkit::verify::{central_differences, jacobian_by_ad};
 use nalgebra::{Vector2, Vector3};
 
 pub(super) fn errata() -> Vec<Erratum> {

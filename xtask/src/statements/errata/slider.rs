@@ -1,8 +1,8 @@
 //! The sliding constraint.
 
 use crate::statements::erratum::{Erratum, apart, at, erratum};
+use jointproof::connector::slider::{self, MovingNodes, Nodes, Nodes2d, Pivots};
 use jointproof::formula::Formula;
-use jointproof::slider::{self, MovingNodes, Nodes, Nodes2d, Pivots};
 use nalgebra::{Vector2, Vector3};
 
 pub(super) fn errata() -> Vec<Erratum> {

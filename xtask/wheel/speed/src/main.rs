@@ -1,11 +1,12 @@
 //! Times value and Jacobian of a formula by `batch` over columns of doubles in a file, for every line that is read:
 //! `compare.py` compares the Python package with it.
 
-use jointproof::batch::{ArrayView1, ArrayViewMut1, columns, entries, value_and_jacobian};
+use jointproof::toolkit::batch::{ArrayView1, ArrayViewMut1, columns, entries, value_and_jacobian};
 use jointproof::formula::{Fields, Formula};
-use jointproof::{
-    align, cardan, coulomb, element, interaction, join, slide_line, slider, slot, translator, ujoint, universal,
-};
+use jointproof::connector::{align, join, slider, slot, translator, ujoint, universal};
+use jointproof::element::cardan;
+use jointproof::contact::{coulomb, interaction, slide_line};
+use jointproof::element;
 use std::error::Error;
 use std::io::{self, BufRead, Write};
 use std::time::Instant;

@@ -2,7 +2,7 @@
 
 use super::*;
 use jointproof::catalog::find;
-use jointproof::slot;
+use jointproof::connector::slot;
 
 /// What is told when the calculator of a formula shows this in a case.
 fn told(formula: &'static dyn AnyFormula, case: &str, shown: &Shown) -> Result<Checked> {

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::sample::assert_printed;
-use jointproof::graph::{Node, Op};
+use jointproof::toolkit::graph::{Node, Op};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
@@ -95,7 +95,9 @@ fn every_product_of_an_exact_sum_may_be_left_out() {
     let left_out: Vec<_> = mistakes.into_iter().filter(|mistake| mistake.place == sum).collect();
     assert_eq!(left_out.len(), count);
     for mistake in left_out {
-        let jointproof::graph::Instead::Op(Op::ExactSum(rest)) = mistake.instead else { panic!("{}", mistake.what) };
+        let jointproof::toolkit::graph::Instead::Op(Op::ExactSum(rest)) = mistake.instead else {
+            panic!("{}", mistake.what)
+        };
         assert_eq!(rest.len(), count - 1, "{}", mistake.what);
     }
 }

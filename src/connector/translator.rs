@@ -1,0 +1,20 @@
+//! TRANSLATOR: SLOT and ALIGN together. Node b slides along a line of node a and keeps its orientation to it.
+//!
+//! Frames, matrices, zero positions and signs are those of [`slot`](crate::connector::slot) and [`align`](crate::connector::align), and so are the
+//! residuals, two and three, the forces and the moments. What is new is friction: beside the force across the slot, the
+//! torque m1 about it and the bending moments m2, m3 press the parts together, each through a lever of its own, the
+//! radius R_r and half the length L.
+//!
+//! [`Translator`] is what a program calls; the formulas behind it stand in the three rooms below.
+
+mod connector;
+mod contact;
+mod friction;
+mod kinematics;
+
+pub use connector::{Gradient, Loads, Pose, Translator};
+pub use contact::{
+    Bending, BendingContact, BendingForce, RadialContact, RadialForce, Torque, TorqueContact, TorqueForce,
+};
+pub use friction::{ContactForce, ContactLoads, Friction, FrictionLoads};
+pub use kinematics::{AllResiduals, Constraint, Placement};

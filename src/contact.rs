@@ -1,0 +1,6 @@
+//! Contact: friction, interaction laws, and slide lines with the elements that slide along them.
+
+pub mod coulomb;
+pub mod interaction;
+pub mod isl;
+pub mod slide_line;

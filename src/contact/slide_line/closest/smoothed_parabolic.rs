@@ -1,0 +1,182 @@
+//! The closest point of a smoothed corner between parabolic segments.
+
+#[cfg(feature = "verify")]
+mod proof;
+
+use super::foot::moved;
+use super::{CornerFoot, Foot, View};
+use crate::contact::slide_line::basis::LocalBasis;
+use crate::contact::slide_line::check_distinct;
+use crate::contact::slide_line::corners::SmoothedParabolicPoint;
+use crate::contact::slide_line::shape::{ParabolicCorner, Shape, Sides};
+use crate::fields;
+use crate::formula::error::Error;
+use crate::formula::quantity::{FRACTION, X1, X2, X3, X4, X5, XS};
+use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Spec, ValueAndJacobian};
+use crate::number::scalar::{Scalar, abs, choice};
+use nalgebra::Vector2;
+
+fields! {
+    /// The slave point and a smoothed corner between parabolic segments.
+    pub struct ParabolicCornerSlave<T> {
+        xs: Vector2<T> = XS, x1: Vector2<T> = X1, x2: Vector2<T> = X2, x3: Vector2<T> = X3, x4: Vector2<T> = X4,
+        x5: Vector2<T> = X5, f: T = FRACTION,
+    }
+}
+
+/// Closest point of a smoothed corner between parabolic segments: the nearest root of (xs − X)·X′ = 0, or an end.
+#[derive(Clone, Copy, Debug)]
+pub struct ClosestSmoothedParabolic;
+
+impl<D: Scalar> ParabolicCornerSlave<D> {
+    fn view(&self) -> View<D, ParabolicCorner, 5> {
+        View::new(self.xs, [self.x1, self.x2, self.x3, self.x4, self.x5], self.f)
+    }
+
+    /// ∂E11/∂f beyond an end: ∂Y′/∂f = ∓8 X″ there, with X″ of the segment that the corner is tangent to.
+    fn end_turning(&self, view: &View<D, ParabolicCorner, 5>, foot: &Foot<D, 5>) -> D {
+        let (sides, weight) =
+            if foot.u < 0.5 { ([self.x1, self.x2, self.x3], 32.0) } else { ([self.x3, self.x4, self.x5], -32.0) };
+        Sides::new(sides).turn(foot.speed(view)) * foot.beyond * weight
+    }
+}
+
+/// The nodes beside the corner.
+const BESIDE: [usize; 4] = [0, 1, 3, 4];
+
+/// n·∂X/∂f of these weights of the nodes in ∂X/∂f.
+///
+/// Since n ⟂ Y′, a multiple of Y′ may be taken out of ∂X/∂f: that which takes out its largest term, where what is left is smaller.
+/// So it is free of the cancellation where ∂X/∂f is nearly along the tangent.
+fn across<D: Scalar>(view: &View<D, ParabolicCorner, 5>, foot: &Foot<D, 5>, weights: [D; 5]) -> D {
+    let size = |k: usize| {
+        let arm = view.nodes[k] - view.nodes[2];
+        abs(arm.x) + abs(arm.y)
+    };
+    let without = |k: usize| {
+        let multiple = weights[k] / foot.rates[k];
+        let left: [D; 5] =
+            std::array::from_fn(|j| if j == k { D::zero() } else { weights[j] - multiple * foot.rates[j] });
+        let terms = |j: usize| (abs(weights[j]) + abs(multiple * foot.rates[j])) * size(j);
+        (left, BESIDE.into_iter().filter(|&j| j != k).fold(D::zero(), |sum, j| sum + terms(j)))
+    };
+    let all = BESIDE.into_iter().fold(D::zero(), |sum, j| sum + abs(weights[j]) * size(j));
+    let best = choice(|| {
+        let mut best = (weights, all);
+        for k in BESIDE.into_iter().filter(|&k| foot.rates[k] != 0.0) {
+            let other = without(k);
+            if other.1 < best.1 {
+                best = other;
+            }
+        }
+        best.0
+    });
+    foot.normal().dot(&view.combination(best))
+}
+
+impl<D: Scalar> ParabolicCornerSlave<D> {
+    /// The foot, unless two nodes coincide or the curve stands still there.
+    fn checked_foot(&self) -> Result<(View<D, ParabolicCorner, 5>, Foot<D, 5>), Error> {
+        check_distinct([("x1", self.x1), ("x2", self.x2), ("x3", self.x3)])?;
+        check_distinct([("x3", self.x3), ("x4", self.x4), ("x5", self.x5)])?;
+        let view = self.view();
+        let foot = Foot::with_tangent(&view, "t")?;
+        Ok((view, foot))
+    }
+}
+
+impl ClosestSmoothedParabolic {
+    fn value_at<D: Scalar>(view: &View<D, ParabolicCorner, 5>, foot: &Foot<D, 5>) -> CornerFoot<D> {
+        CornerFoot { t: foot.u, separation: foot.separation() * view.binade.unit }
+    }
+
+    /// Value and Jacobian at the foot.
+    ///
+    /// With respect to f an end moves along its own tangent, so only the turning of that matters there.
+    fn linearized_at<D: Scalar>(
+        i: &ParabolicCornerSlave<D>,
+        view: &View<D, ParabolicCorner, 5>,
+        foot: &Foot<D, 5>,
+    ) -> (CornerFoot<D>, Jacobian<Self, D>) {
+        let ([n1, n2, n3, n4, n5], [m1, m2, m3, m4, m5]) = (foot.weights, foot.rates);
+        let t = |n, m| view.per_unit(foot.coordinate_by(n, m));
+        let normal = foot.normal();
+        // By f: of X, Y′ and Y″, and of X′, which is f Y′ and hence quadratic in f.
+        let [by_f, rates, second_derivatives] = ParabolicCorner::by_fraction(i.f, foot.u);
+        let by_f = moved(by_f, ParabolicCorner::rates(i.f * 2.0, foot.u), foot.missing);
+        let (point, rate) = (view.combination(by_f), view.combination(moved(rates, second_derivatives, foot.missing)));
+        let gradients = CornerFoot {
+            t: ParabolicCornerSlave {
+                xs: t(-D::one(), D::zero()),
+                x1: t(n1, m1),
+                x2: t(n2, m2),
+                x3: t(n3, m3),
+                x4: t(n4, m4),
+                x5: t(n5, m5),
+                f: (point.dot(&foot.rate) - foot.gap.dot(&rate)) * foot.per_slope,
+            },
+            separation: ParabolicCornerSlave {
+                xs: normal,
+                x1: normal * -n1,
+                x2: normal * -n2,
+                x3: normal * -n3,
+                x4: normal * -n4,
+                x5: normal * -n5,
+                f: if foot.inside { -(across(view, foot, by_f) * view.binade.unit) } else { i.end_turning(view, foot) },
+            },
+        };
+        (Self::value_at(view, foot), gradients)
+    }
+}
+
+impl Formula for ClosestSmoothedParabolic {
+    const SPEC: Spec = Spec::new(
+        "slide_line.closest_smoothed_parabolic",
+        "Closest point of a smoothed corner between parabolic segments",
+        Document::SLIDE_LINE.ours(
+            "Smoothing the slide line",
+            "the section on smoothing that it refers to was not given",
+        ),
+    )
+        .equation(r"t = \operatorname*{arg\,min}_{0 \le t \le 1}\,\lvert\mathbf{x}_s-\mathbf{X}(t)\rvert,\quad E_{11} = \bigl(\mathbf{x}_s-\mathbf{X}(t)\bigr)\cdot\mathbf{n}")
+.given(&[Given::new(r"\mathbf{X}(t),\ \mathbf{X}'", &SmoothedParabolicPoint::SPEC), Given::new(r"\mathbf{n}", &LocalBasis::SPEC)])
+        // Of a million entries at random points one is above 128: derivatives by f between nodes whose distances
+        // differ by factors of 1e6, where the ends move nearly along the tangent.
+        .eta(4.0, 512.0)
+        .scale(1e3)
+        .finite(Finite::Between);
+    type Inputs<T: Component> = ParabolicCornerSlave<T>;
+    type Outputs<T: Component> = CornerFoot<T>;
+
+    #[inline]
+    fn eval<D: Scalar>(i: &ParabolicCornerSlave<D>) -> CornerFoot<D> {
+        let view = i.view();
+        Self::value_at(&view, &Foot::on(&view))
+    }
+
+    #[inline]
+    fn jacobian<D: Scalar>(i: &ParabolicCornerSlave<D>) -> Jacobian<Self, D> {
+        Self::linearized(i).1
+    }
+
+    #[inline]
+    fn linearized<D: Scalar>(i: &ParabolicCornerSlave<D>) -> (CornerFoot<D>, Jacobian<Self, D>) {
+        let view = i.view();
+        Self::linearized_at(i, &view, &Foot::on(&view))
+    }
+
+    #[inline]
+    fn validate<D: Scalar>(i: &ParabolicCornerSlave<D>) -> Result<(), Error> {
+        i.checked_foot().map(drop)
+    }
+
+    #[inline]
+    fn try_eval(i: &ParabolicCornerSlave<f64>) -> Result<CornerFoot<f64>, Error> {
+        i.checked_foot().map(|(view, foot)| Self::value_at(&view, &foot))
+    }
+
+    #[inline]
+    fn try_linearized(i: &ParabolicCornerSlave<f64>) -> Result<ValueAndJacobian<Self, f64>, Error> {
+        i.checked_foot().map(|(view, foot)| Self::linearized_at(i, &view, &foot))
+    }
+}

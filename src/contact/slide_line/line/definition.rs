@@ -1,0 +1,177 @@
+//! Slide lines as a model states them: node numbers in sequence.
+
+use super::interpolation::Interpolation;
+use super::nodes::{Nodes, check_position};
+use super::placed::PlacedLine;
+use crate::Scalar;
+use crate::contact::slide_line::{
+    ClosestLinear, ClosestParabolic, ClosestSmoothedLinear, ClosestSmoothedParabolic, SlipIncrementLinear,
+    SlipIncrementParabolic,
+};
+use crate::formula::Formula;
+use crate::formula::error::Error;
+use crate::formula::quantity::FRACTION;
+use nalgebra::Vector2;
+use std::sync::Arc;
+
+/// The nodes of a slide line in sequence.
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Sequence {
+    Listed(Arc<[u32]>),
+    /// Not written out, since a wrong one may count billions.
+    Generated {
+        first: u32,
+        increment: i64,
+        count: usize,
+    },
+}
+
+impl Sequence {
+    fn len(&self) -> usize {
+        match self {
+            Self::Listed(nodes) => nodes.len(),
+            Self::Generated { count, .. } => *count,
+        }
+    }
+
+    fn iter(&self) -> Box<dyn Iterator<Item = u32> + '_> {
+        match *self {
+            Self::Listed(ref nodes) => Box::new(nodes.iter().copied()),
+            Self::Generated { first, increment, count } => {
+                let numbers = std::iter::successors(Some(i64::from(first)), move |node| Some(node + increment));
+                let number = |node| u32::try_from(node).expect("every node is between the first and the last");
+                Box::new(numbers.take(count).map(number))
+            }
+        }
+    }
+
+    /// Written out; shared if it is already.
+    fn numbers(&self) -> Arc<[u32]> {
+        match self {
+            Self::Listed(nodes) => Arc::clone(nodes),
+            Self::Generated { .. } => self.iter().collect(),
+        }
+    }
+}
+
+/// A slide line (\*SLIDE LINE): the master surface, on which slide-line elements slide.
+///
+/// The sequence of the nodes gives the tangent, and with it the side of the slave: to the left. A line whose last node
+/// is its first is not taken to be closed.
+///
+/// ```
+/// use jointproof::contact::slide_line::{Interpolation, Nodes, Place, SlideLine};
+/// let nodes = Nodes::new([(10, [1.0, 0.0]), (20, [2.0, 0.0]), (30, [3.0, 1.0])])?;
+/// let line = SlideLine::generate(Interpolation::Linear, 10, 30, 10)?.smoothed(SlideLine::SMOOTHING)?;
+/// let closest = line.place(&nodes)?.closest([1.5, 0.25].into())?;
+/// assert_eq!((closest.place, closest.separation), (Place::Segment { index: 0, g: 0.0 }, 0.25));
+///
+/// let error = SlideLine::new(Interpolation::Parabolic, [10, 20]).unwrap_err();
+/// assert_eq!(
+///     error.to_string(),
+///     "2 nodes are given; allowed is an odd number of nodes, at least 3, in a parabolic slide line"
+/// );
+/// # Ok::<(), jointproof::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct SlideLine {
+    interpolation: Interpolation,
+    sequence: Sequence,
+    smoothing: Option<f64>,
+}
+
+impl SlideLine {
+    /// The smoothing fraction that is usual where none is given.
+    pub const SMOOTHING: f64 = 0.2;
+
+    /// A slide line through these nodes.
+    ///
+    /// # Errors
+    /// [`Error::NodeCount`]: fewer than two nodes, or of a parabolic line fewer than three or an even number.
+    pub fn new(interpolation: Interpolation, nodes: impl Into<Vec<u32>>) -> Result<Self, Error> {
+        Self::from_sequence(interpolation, Sequence::Listed(nodes.into().into()))
+    }
+
+    /// A slide line through the nodes `first`, `first + increment`, …, `last` (GENERATE).
+    ///
+    /// # Errors
+    /// [`Error::Increment`]: an increment of 0, of the wrong sign, or that misses `last`; [`Error::NodeCount`] as in
+    /// [`Self::new`].
+    pub fn generate(interpolation: Interpolation, first: u32, last: u32, increment: i64) -> Result<Self, Error> {
+        let way = i64::from(last) - i64::from(first);
+        let steps = way.checked_div(increment).filter(|&steps| steps >= 0 && steps * increment == way);
+        let steps = steps.ok_or(Error::Increment { first, last, increment })?;
+        let count = usize::try_from(steps).ok().and_then(|steps| steps.checked_add(1));
+        let count = count.ok_or(Error::Increment { first, last, increment })?;
+        Self::from_sequence(interpolation, Sequence::Generated { first, increment, count })
+    }
+
+    fn from_sequence(interpolation: Interpolation, sequence: Sequence) -> Result<Self, Error> {
+        if !interpolation.allows(sequence.len()) {
+            return Err(Error::NodeCount { count: sequence.len(), allowed: interpolation.allowed() });
+        }
+        Ok(Self { interpolation, sequence, smoothing: None })
+    }
+
+    /// Smooths the corners over the fraction `f` of each segment, 0 < f < ½; [`Self::SMOOTHING`] is usual.
+    ///
+    /// A corner between straight segments becomes a parabola, one between parabolas a cubic.
+    ///
+    /// # Errors
+    /// `f` outside these bounds.
+    pub fn smoothed(self, f: f64) -> Result<Self, Error> {
+        Error::check("f", None, f, FRACTION.domain)?;
+        Ok(Self { smoothing: Some(f), ..self })
+    }
+
+    /// Whether its segments are straight or parabolic.
+    pub fn interpolation(&self) -> Interpolation {
+        self.interpolation
+    }
+
+    /// The smoothing fraction, if its corners are smoothed.
+    pub fn smoothing(&self) -> Option<f64> {
+        self.smoothing
+    }
+
+    /// The numbers of its nodes in sequence.
+    pub fn nodes(&self) -> impl Iterator<Item = u32> {
+        self.sequence.iter()
+    }
+
+    /// The formula by which the closest point of a segment or corner is found; where corners are smoothed, theirs.
+    pub(crate) fn closest_formula(&self) -> &'static str {
+        match (self.interpolation, self.smoothing) {
+            (Interpolation::Linear, None) => ClosestLinear::SPEC.id,
+            (Interpolation::Linear, Some(_)) => ClosestSmoothedLinear::SPEC.id,
+            (Interpolation::Parabolic, None) => ClosestParabolic::SPEC.id,
+            (Interpolation::Parabolic, Some(_)) => ClosestSmoothedParabolic::SPEC.id,
+        }
+    }
+
+    /// The formula of the slip increment on a segment.
+    pub(crate) fn slip_formula(&self) -> &'static str {
+        match self.interpolation {
+            Interpolation::Linear => SlipIncrementLinear::SPEC.id,
+            Interpolation::Parabolic => SlipIncrementParabolic::SPEC.id,
+        }
+    }
+
+    /// The line where its nodes are now, ready to be asked for closest points.
+    ///
+    /// # Errors
+    /// [`Error::UnknownNode`], or [`Error::CoincidentNodes`] of one segment.
+    pub fn place<D: Scalar>(&self, nodes: &Nodes<D>) -> Result<PlacedLine<D>, Error> {
+        self.place_by(|node| nodes.position(node))
+    }
+
+    /// The same, with the nodes wherever the caller keeps them.
+    pub(crate) fn place_by<D: Scalar>(
+        &self,
+        position: impl Fn(u32) -> Result<Vector2<D>, Error>,
+    ) -> Result<PlacedLine<D>, Error> {
+        // Before the numbers are written out: the first that is unknown ends it.
+        let positions = self.nodes().map(|node| check_position(node, position(node)?)).collect::<Result<_, _>>()?;
+        PlacedLine::new(self.interpolation, self.smoothing, self.sequence.numbers(), positions)
+    }
+}

@@ -1,0 +1,162 @@
+//! The ways to compute a formula, each compiled as one piece, so that nothing is called through a pointer while it is timed.
+
+use super::forward::{Jet, differentiate};
+use crate::formula::{Fields, Formula, entries, typed};
+use std::hint::black_box;
+
+/// One way to compute a formula: its value, its Jacobian, or both.
+///
+/// A formula registers its own in [`Proved::ways`](super::Proved::ways), by one function that is generic over the scalar:
+///
+/// ```
+/// use jointproof::Scalar;
+/// use jointproof::formula::proof::Way;
+/// use jointproof::connector::slot::{Contact, ContactForce, CrossForces};
+///
+/// fn plain<D: Scalar>(i: &CrossForces<D>) -> Contact<D> {
+///     Contact { fc: (i.f2 * i.f2 + i.f3 * i.f3).sqrt() }
+/// }
+/// let way = Way::new::<ContactForce>("plain", "the square root of the sum", plain, plain);
+/// ```
+#[cfg_attr(not(feature = "measure"), expect(dead_code, reason = "what a way computes is read where it is measured"))]
+pub struct Way {
+    pub(crate) id: &'static str,
+    pub(crate) title: &'static str,
+    /// The step, if it is one of differences.
+    pub(crate) step: Option<f64>,
+    pub(crate) value: Option<Kernel>,
+    pub(crate) jacobian: Option<Kernel>,
+}
+
+impl Way {
+    /// A way to compute the value, given twice: for the value itself, and for automatic differentiation of it.
+    pub fn new<F: Formula>(
+        id: &'static str,
+        title: &'static str,
+        value: impl Fn(&F::Inputs<f64>) -> F::Outputs<f64> + Copy + 'static,
+        differentiated: impl Fn(&F::Inputs<Jet>) -> F::Outputs<Jet> + Copy + 'static,
+    ) -> Self {
+        let jacobian = move |i: &_| differentiate::<F>(i, differentiated);
+        Self::of(id, title).value(Kernel::new(typed, value, Fields::components)).jacobian(Kernel::new(
+            typed,
+            jacobian,
+            |(_, jacobian)| entries(jacobian),
+        ))
+    }
+
+    /// A way to compute the value whose derivative is another: equal where the inputs keep to conditions among themselves.
+    pub fn of_value<F: Formula>(
+        id: &'static str,
+        title: &'static str,
+        value: impl Fn(&F::Inputs<f64>) -> F::Outputs<f64> + Copy + 'static,
+    ) -> Self {
+        Self::of(id, title).value(Kernel::new(typed, value, Fields::components))
+    }
+
+    /// A way that computes nothing yet.
+    pub(crate) fn of(id: &'static str, title: &'static str) -> Self {
+        Self { id, title, step: None, value: None, jacobian: None }
+    }
+
+    /// The way with this value.
+    pub(crate) fn value(self, kernel: Kernel) -> Self {
+        Self { value: Some(kernel), ..self }
+    }
+
+    /// The way with this Jacobian.
+    pub(crate) fn jacobian(self, kernel: Kernel) -> Self {
+        Self { jacobian: Some(kernel), ..self }
+    }
+}
+
+/// Runs over so many of the points.
+pub(crate) type Runner = Box<dyn FnMut(usize)>;
+
+/// The results at components, as doubles in order.
+type Results = Box<dyn Fn(&[f64]) -> Vec<f64>>;
+/// Makes the loop to be timed over points.
+type MakeRunner = Box<dyn Fn(&[Vec<f64>]) -> Runner>;
+
+/// A computation, to be looked at and to be timed.
+#[cfg_attr(not(feature = "measure"), expect(dead_code, reason = "what a way computes is read where it is measured"))]
+pub(crate) struct Kernel {
+    /// What it computes of components, as doubles in order.
+    pub(crate) results: Results,
+    /// The loop to be timed, over inputs converted beforehand.
+    pub(crate) runner: MakeRunner,
+}
+
+impl Kernel {
+    /// `convert` makes the computation's own inputs, `compute` is what is timed, `doubles` reads the result.
+    pub(crate) fn new<I: 'static, O>(
+        convert: fn(&[f64]) -> I,
+        compute: impl Fn(&I) -> O + Copy + 'static,
+        doubles: impl Fn(&O) -> Vec<f64> + 'static,
+    ) -> Self {
+        let results = move |i: &_| doubles(&compute(i));
+        Self::of(convert, results, move |points| each(points, compute))
+    }
+
+    /// With a loop of its own, `over`, that calls the formula by its name: so it is compiled in the loop as in that of a program. What is
+    /// handed over as a value is called behind another call. As [`each`] it is not inlined. `compute` is a pointer, and not compiled a
+    /// second time.
+    #[cfg(feature = "measure")]
+    pub(crate) fn with_loop<I: 'static, O: 'static>(
+        convert: fn(&[f64]) -> I,
+        compute: fn(&I) -> O,
+        doubles: impl Fn(&O) -> Vec<f64> + 'static,
+        over: fn(&[I]),
+    ) -> Self {
+        Self::of(convert, move |i| doubles(&compute(i)), over)
+    }
+
+    /// `results` reads what is computed of converted inputs.
+    fn of<I: 'static>(
+        convert: fn(&[f64]) -> I,
+        results: impl Fn(&I) -> Vec<f64> + 'static,
+        over: impl Fn(&[I]) + Copy + 'static,
+    ) -> Self {
+        Self {
+            results: Box::new(move |i| results(&convert(i))),
+            runner: Box::new(move |points| {
+                let points = converted(points, convert);
+                Box::new(move |count| over(&points[..count]))
+            }),
+        }
+    }
+}
+
+/// The loop, a function that is not inlined, as a program has it: within another, which keeps the points, some formulas take a sixth
+/// longer.
+#[inline(never)]
+fn each<I, O>(points: &[I], compute: impl Fn(&I) -> O) {
+    // What looks at a result may have changed all memory, so every point is read anew.
+    for i in points {
+        black_box(&compute(i));
+    }
+}
+
+/// Compiled once a kind of inputs, and not once a way.
+fn converted<I>(points: &[Vec<f64>], convert: fn(&[f64]) -> I) -> Vec<I> {
+    points.iter().map(|point| convert(point)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Kernel;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    #[test]
+    fn a_loop_computes_every_point_that_it_is_asked_for() {
+        static COMPUTED: AtomicUsize = AtomicUsize::new(0);
+        let double = |x: &f64| {
+            COMPUTED.fetch_add(1, Ordering::Relaxed);
+            2.0 * x
+        };
+        let kernel = Kernel::new(|components| components[0], double, |y| vec![*y]);
+        assert_eq!((kernel.results)(&[3.0]), [6.0]);
+        let before = COMPUTED.load(Ordering::Relaxed);
+        (kernel.runner)(&[vec![1.0], vec![2.0], vec![3.0]])(2);
+        assert_eq!(COMPUTED.load(Ordering::Relaxed) - before, 2);
+    }
+}

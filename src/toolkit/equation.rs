@@ -1,0 +1,344 @@
+//! The printed equation, executed.
+//!
+//! An equation is read from its LaTeX, with the symbols of its entry, and evaluated over any [`Scalar`]: it gives the
+//! values and, in dual numbers, the Jacobian. So the equation that a reader sees is compared with the code, as the code
+//! is with its derivative.
+//!
+//! # What is read
+//!
+//! An equation is a row of statements, with commas or `\quad` between them.
+//!
+//! | written | means |
+//! |---|---|
+//! | `x = a = b` | x is a; a and b are equal |
+//! | `r(g) = …` | r is a function: elsewhere `r(g)` applies it, where `g(g-1)` is a product |
+//! | `(w_1, w_2) = (…, …)` | both at once |
+//! | `g_i = …,\quad i = 1, 2` or `…\ (i = 1, 2)` | one statement for each index |
+//! | `\begin{cases} a & x > 0,\ y > 0 \\ b & \text{otherwise} \end{cases}` | the first whose comparisons all hold |
+//! | `g = \operatorname*{arg\,min}_{-1\le g\le 1} …` | where the rest is smallest; given the place, this is checked |
+//! | `\sum_{q=1}^{5} …` | the sum of the product that follows |
+//! | `n_2`, `x_{m,k}` of **n**, **x**_m | components, by a number or by a symbol that is the number of an axis |
+//! | `\Delta x`, `\mathrm{d}x`, `X'`, `F_C^{\mathrm{int}}` | one symbol each; `f_2^2` is a power |
+//! | `\mathbf{a}\cdot\mathbf{b}`, `\times`, `\lvert\mathbf{a}\rvert` | products and length; of numbers, product and absolute value |
+//! | `\sqrt{}`, `\sin`, `\cos`, `\arcsin`, `\operatorname{atan2}`, `\operatorname{sign}`, `e^x` | functions |
+//! | `\mathbf{a}\otimes\mathbf{b}`, `\mathbf{I}`, `\mathbf{a}\times\mathbf{I}` | matrices: **a** **b**ᵀ of two vectors of a length, the unit matrix of three rows, and the one that takes **v** to **a** × **v** |
+//! | `\mathbf{i}`, `\mathbf{j}`, `\mathbf{k}`, `\mathbf{0}`, `\pi`, `e` | constants, where nobody defines the symbol |
+//! | `\mathbf{s}\times\mathbf{n}` | **n** turned by 90° to the left, in the plane |
+//! | `\text{…}` between statements | a remark, of words only |
+//!
+//! A symbol is an input of the entry, or a statement defines it, or it comes from another formula by
+//! [`Given`]. Anything else is an error with its place. Every input must be needed, and every
+//! statement.
+//!
+//! ```
+//! use jointproof::toolkit::equation::Equation;
+//! use jointproof::formula::{Fields, Formula};
+//! use jointproof::connector::slot::{Contact, ContactForce, CrossForces};
+//!
+//! let (inputs, outputs) = (CrossForces::<f64>::FIELDS, Contact::<f64>::FIELDS);
+//! let equation = Equation::of(&ContactForce::SPEC, inputs, outputs)?;
+//! assert_eq!(equation.values(&[3.0, 4.0], &[]), [5.0]);
+//! let error = Equation::read(r"F_C = \sqrt{f_2^2 + f_4^2}", &[], inputs, outputs).unwrap_err();
+//! assert_eq!(error.to_string(), "the equation of yours, byte 20: f_4 is nobody's symbol");
+//! # Ok::<(), jointproof::toolkit::equation::Error>(())
+//! ```
+
+mod claims;
+mod closed;
+mod cursor;
+mod derivative;
+mod error;
+mod latex;
+mod lower;
+mod name;
+mod parse;
+mod rounding;
+mod scope;
+mod statement;
+mod symbol;
+mod syntax;
+mod tape;
+mod token;
+mod value;
+mod variation;
+mod view;
+
+use crate::formula::quantity::Shape;
+use crate::formula::{Field, Given, Spec};
+use crate::number::octuple::Octuple;
+use crate::number::scalar::Scalar;
+pub(crate) use claims::{ClaimAt, Free};
+pub use claims::{Claims, Setting, Signature};
+pub use error::Error;
+use lower::{Place, Writer};
+use name::Name;
+use scope::Entries;
+use std::collections::BTreeSet;
+use syntax::ArgMin;
+use tape::{Id, Op, Tape};
+use value::Value;
+pub use view::View;
+
+/// An equation that can be executed.
+#[derive(Clone, Debug)]
+pub struct Equation {
+    tape: Tape,
+    /// The components of the outputs.
+    outputs: Vec<Id>,
+    /// Forms that are printed as equal.
+    equal: BTreeSet<(Id, Id)>,
+    smallest: Option<Smallest>,
+}
+
+/// An output that is the place where something is smallest.
+#[derive(Clone, Debug)]
+struct Smallest {
+    /// Which component of the outputs.
+    output: usize,
+    place: Id,
+    low: Id,
+    high: Id,
+    objective: Id,
+    /// The derivative of the objective by the place.
+    slope: Id,
+}
+
+/// What an equation gives at a point.
+pub(crate) struct Results<D> {
+    pub(crate) outputs: Vec<D>,
+    /// Numbers that are printed as equal.
+    pub(crate) equal: Vec<(D, D)>,
+    pub(crate) smallest: Option<SmallestAt<D>>,
+}
+
+/// The place of something smallest: known, not searched.
+pub(crate) struct SmallestAt<D> {
+    /// Which component of the outputs.
+    pub(crate) output: usize,
+    pub(crate) place: D,
+    pub(crate) low: D,
+    pub(crate) high: D,
+    pub(crate) objective: D,
+    /// The derivative of the objective by the place.
+    pub(crate) slope: D,
+}
+
+impl Equation {
+    /// The printed equation of a formula.
+    ///
+    /// # Errors
+    /// Where it cannot be read, or does not define every output from all inputs and nothing else.
+    pub fn of(spec: &Spec, inputs: &[Field], outputs: &[Field]) -> Result<Self, Error> {
+        Self::new(spec.id, spec.latex, spec.given, &named(inputs)?, &named(outputs)?)
+    }
+
+    /// Another equation with the symbols of a formula; some may be called otherwise: `("a", "f2")`. The only output of a
+    /// formula, if no statement defines it, is what the first one defines.
+    ///
+    /// # Errors
+    /// As [`Equation::of`].
+    pub fn read(latex: &str, renamed: &[(&str, &str)], inputs: &[Field], outputs: &[Field]) -> Result<Self, Error> {
+        let named = |fields| {
+            let mut all = named(fields)?;
+            for (name, field) in &mut all {
+                if let Some((symbol, _)) = renamed.iter().find(|(_, other)| *other == field.name) {
+                    *name = symbol_of(symbol)?;
+                }
+            }
+            Ok(all)
+        };
+        let mut outputs = named(outputs)?;
+        // The only output may be called as one likes.
+        let written = statement::statements(latex, Vec::new()).map_err(|error| error.of_entry("yours", "equation"))?;
+        if let ([(name, _)], Some(first)) = (&mut outputs[..], written.first())
+            && !written.iter().any(|statement| statement.names[0] == *name)
+        {
+            name.clone_from(&first.names[0]);
+        }
+        Self::new("yours", latex, &[], &named(inputs)?, &outputs)
+    }
+
+    /// An equation with the symbols of a formula, taken to be that formula's own.
+    ///
+    /// # Errors
+    /// As [`Equation::of`].
+    pub fn in_place_of(spec: &Spec, latex: &str, inputs: &[Field], outputs: &[Field]) -> Result<Self, Error> {
+        Self::new(spec.id, latex, spec.given, &named(inputs)?, &named(outputs)?)
+    }
+
+    fn new(
+        id: &'static str,
+        latex: &str,
+        given: &[Given],
+        inputs: &[(Name, Field)],
+        outputs: &[(Name, Field)],
+    ) -> Result<Self, Error> {
+        let entries = Entries::read(id, latex, given)?;
+        let mut writer = Writer::new(&entries, inputs);
+        let mut ids = Vec::new();
+        let mut smallest = None;
+        for (name, field) in outputs {
+            if let Some(place) = entries.arg_min(name) {
+                smallest = Some((ids.len(), place));
+            }
+            ids.extend(output(&mut writer, name, field).map_err(|error| error.of_entry(id, "equation"))?);
+        }
+        let smallest = match smallest {
+            None => None,
+            Some((output, found)) => Some(place_of_smallest(&mut writer, output, found, id)?),
+        };
+        let needed = ids.iter().copied().chain(smallest.iter().flat_map(|s| [s.low, s.high, s.slope]));
+        check_closed(&writer, needed.collect(), inputs).map_err(|error| error.of_entry(id, "equation"))?;
+        let Writer { tape, equal, .. } = writer;
+        Ok(Self { tape, outputs: ids, equal, smallest })
+    }
+
+    /// The outputs. Where one is the place of something smallest, it is not searched but taken from known outputs.
+    pub fn values<D: Scalar>(&self, inputs: &[D], known: &[D]) -> Vec<D> {
+        self.run(&self.point(inputs, known)).outputs
+    }
+
+    /// Whether it has one value: on a kink, several places may be the smallest of something.
+    pub(crate) fn is_defined(&self, on_kink: bool) -> bool {
+        !on_kink || self.smallest.is_none()
+    }
+
+    /// The inputs, and behind them the place of something smallest.
+    pub(crate) fn point<D: Scalar>(&self, inputs: &[D], known: &[D]) -> Vec<D> {
+        let nowhere = || D::from(f64::NAN);
+        let place = self.smallest.iter().map(|s| known.get(s.output).copied().unwrap_or_else(nowhere));
+        inputs.iter().copied().chain(place).collect()
+    }
+
+    /// Everything at a [`point`](Self::point).
+    pub(crate) fn run<D: Scalar>(&self, point: &[D]) -> Results<D> {
+        let all = self.tape.run(point);
+        let smallest = self.smallest.as_ref().map(|s| SmallestAt {
+            output: s.output,
+            place: all[s.place],
+            low: all[s.low],
+            high: all[s.high],
+            objective: all[s.objective],
+            slope: all[s.slope],
+        });
+        let outputs = self.outputs.iter().map(|&id| all[id]).collect();
+        Results { outputs, equal: self.equal.iter().map(|&(a, b)| (all[a], all[b])).collect(), smallest }
+    }
+}
+
+/// How large the terms are from which a number of the equation is summed, at a [`point`](Equation::point): rounding
+/// them may change it by so many roundings.
+impl Equation {
+    /// Of an output, or of its derivative by a number of the point.
+    pub(crate) fn terms_of_output(&self, output: usize, by: Option<usize>, point: &[Octuple]) -> Octuple {
+        self.terms(self.outputs[output], by, point)
+    }
+
+    /// Of the derivative of the slope that vanishes at the place of something smallest, and of that slope.
+    pub(crate) fn terms_of_slope(&self, by: Option<usize>, point: &[Octuple]) -> Octuple {
+        self.smallest.as_ref().map_or_else(Octuple::default, |smallest| self.terms(smallest.slope, by, point))
+    }
+
+    fn terms(&self, of: Id, by: Option<usize>, point: &[Octuple]) -> Octuple {
+        let Some(by) = by else { return rounding::terms(&self.tape, point, &[])[of] };
+        let mut tape = self.tape.clone();
+        let by = tape.push(Op::Input(by));
+        let slope = tape.derivative(of, by);
+        rounding::terms(&tape, point, &[])[slope]
+    }
+}
+
+/// The symbols of fields.
+fn named(fields: &[Field]) -> Result<Vec<(Name, Field)>, Error> {
+    fields.iter().map(|&field| Ok((symbol_of(field.quantity.latex)?, field))).collect()
+}
+
+/// A symbol by itself.
+fn symbol_of(latex: &str) -> Result<Name, Error> {
+    let one = statement::symbols(latex).map(|mut all| (all.len() == 1).then(|| all.swap_remove(0)));
+    match one {
+        Ok(Some((name, parameters))) if parameters.is_empty() => Ok(name),
+        Ok(_) => Err(Error::new(0, format!("`{latex}` is not one symbol"))),
+        Err(error) => Err(error.of_symbol(latex)),
+    }
+}
+
+/// The components of an output, which the equation must define: as a whole, or each by itself.
+fn output(writer: &mut Writer<'_>, name: &Name, field: &Field) -> Result<Vec<Id>, Error> {
+    let at = 0;
+    let wrong = || Error::new(at, format!("{name} should have {} components", field.len()));
+    if field.len() > 1 && writer.defines(&name.at(1)) {
+        let parts = (1..=field.len()).map(|k| match writer.symbol(&name.at(k), at, Place::ROOT)? {
+            Value::Scalar(id) => Ok(id),
+            _ => Err(wrong()),
+        });
+        return parts.collect();
+    }
+    if !writer.defines(name) {
+        return Err(Error::new(at, format!("the output {name} is not defined")));
+    }
+    match writer.symbol(name, at, Place::ROOT)? {
+        Value::Scalar(id) if field.len() == 1 => Ok(vec![id]),
+        Value::Vector(parts) if !is_matrix(field) && field.len() == parts.len() => Ok(parts),
+        Value::Matrix(parts) if is_matrix(field) && field.len() == parts.len() => Ok(parts),
+        _ => Err(wrong()),
+    }
+}
+
+const fn is_matrix(field: &Field) -> bool {
+    matches!(field.quantity.shape, Shape::Mat2 | Shape::Mat3)
+}
+
+fn place_of_smallest(writer: &mut Writer<'_>, output: usize, found: &ArgMin, id: &str) -> Result<Smallest, Error> {
+    let ArgMin { low, high, objective } = found;
+    let place = writer.tape.push(Op::Input(writer.solution));
+    let mut number = |e| writer.number(e, Place::ROOT).map_err(|error| error.of_entry(id, "equation"));
+    let (low, high, objective) = (number(low)?, number(high)?, number(objective)?);
+    // A length is smallest where its square is, which has a derivative at 0 too.
+    let objective = match writer.tape.op(objective) {
+        Op::Norm(parts) => {
+            let squares = parts.map(|part| writer.tape.multiply(part, part));
+            let zero = writer.tape.number(0.0);
+            squares.into_iter().fold(zero, |sum, square| writer.tape.add(sum, square))
+        }
+        _ => objective,
+    };
+    let slope = writer.tape.derivative(objective, place);
+    Ok(Smallest { output, place, low, high, objective, slope })
+}
+
+/// That every input, every statement and every symbol from elsewhere is needed.
+fn check_closed(writer: &Writer<'_>, needed: Vec<Id>, inputs: &[(Name, Field)]) -> Result<(), Error> {
+    let own = &writer.entries.0[0];
+    let idle = own.statements.iter().zip(&writer.used).find(|(_, used)| !*used);
+    if let Some((statement, _)) = idle {
+        return Err(Error::new(statement.at, format!("{} is defined and not needed", statement.names[0])));
+    }
+    let idle = own.given.iter().zip(&writer.taken).find(|(_, used)| !*used);
+    if let Some((taken, _)) = idle {
+        return Err(Error::new(0, format!("{} is taken from elsewhere and not needed", taken.name)));
+    }
+    let reached = writer.tape.inputs_of(needed);
+    let mut next = 0;
+    for (name, field) in inputs {
+        next += field.len();
+        if !reached.iter().any(|k| (next - field.len()..next).contains(k)) {
+            return Err(Error::new(0, format!("the input {name} is not needed for any output")));
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::formula::quantity::{F2, F3, FC};
+
+    #[test]
+    fn a_number_is_not_defined_by_what_looks_like_a_component_of_it() {
+        let (inputs, outputs) = ([Field::new("f2", &F2), Field::new("f3", &F3)], [Field::new("fc", &FC)]);
+        let latex = r"F = \sqrt{F_1 + f_3^2},\quad F_1 = f_2^2";
+        let equation = Equation::read(latex, &[("F", "fc")], &inputs, &outputs).expect("it can be read");
+        assert_eq!(equation.values(&[3.0, 4.0], &[]), [5.0]);
+    }
+}

@@ -1,0 +1,467 @@
+//! What prose claims in mathematics, beside the equation of an entry.
+
+use super::error::Error;
+use super::lower::{Place, Writer};
+use super::name::Name;
+use super::scope::{Entries, Entry, Taken};
+use super::statement::{apart, chains, statements, symbols};
+use super::syntax::{Body, Expr, Kind, Relation, Statement};
+use super::tape::{Beside, Id, Op, Tape};
+use super::value::Value;
+use super::{named, rounding};
+use crate::formula::{Field, Spec};
+use crate::number::octuple::Octuple;
+
+/// A formula as prose speaks of it: its symbols, and what its equation defines.
+#[derive(Clone, Copy, Debug)]
+pub struct Signature {
+    /// What is said about it.
+    pub spec: Spec,
+    /// Its inputs.
+    pub inputs: &'static [Field],
+    /// Its outputs.
+    pub outputs: &'static [Field],
+}
+
+/// What mathematics in prose is about.
+#[derive(Clone, Debug, Default)]
+pub struct Setting {
+    /// The formula whose symbols these are; an output is what the code gives.
+    pub of: Option<Signature>,
+    /// Symbols of other entries, with commas between them, and where they are from.
+    pub from: Vec<(String, Spec)>,
+    /// Definitions that the prose gives in words.
+    pub definitions: String,
+    /// Under which conditions it holds, with commas between them.
+    pub condition: String,
+    /// Symbols that may be any number or vector, with commas between them.
+    pub free: String,
+    /// Whether only inputs and outputs of the formula are known, and not what its equation defines.
+    pub is_closed: bool,
+    /// Whether what the equation refers to by way of other entries is known, too, where these agree on it.
+    pub is_deep: bool,
+    /// Whether triads are made orthonormal first: the claims hold for those only.
+    pub triads: bool,
+    /// Earlier displays, whose definitions count here too.
+    pub above: Vec<String>,
+    /// What is put in for inputs of the formula: `L_a = 20,\ R_p = 1`.
+    pub put: String,
+}
+
+/// Claims that can be checked at points.
+#[derive(Clone, Debug)]
+pub struct Claims {
+    tape: Tape,
+    all: Vec<Claimed>,
+    condition: Option<Id>,
+    /// Components of inputs, and what is put in for them.
+    put: Vec<(usize, Id)>,
+    inputs: usize,
+    outputs: usize,
+    free: Vec<Free>,
+    pub(crate) triads: bool,
+}
+
+/// A number that may be any.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Free {
+    /// Of either sign: a component of a vector, a change.
+    Signed,
+    /// Above 0.
+    Positive,
+}
+
+/// Two sides and how they relate.
+#[derive(Clone, Debug)]
+struct Claimed {
+    left: Id,
+    relation: Relation,
+    right: Id,
+    /// Both sides as they are written.
+    text: String,
+}
+
+/// A claim at a point.
+pub(crate) struct ClaimAt<'c> {
+    pub(crate) left: Octuple,
+    pub(crate) right: Octuple,
+    /// Whether it is claimed that both are equal; else `holds` says whether it is as claimed.
+    pub(crate) is_equality: bool,
+    pub(crate) holds: bool,
+    pub(crate) text: &'c str,
+    sides: [Id; 2],
+}
+
+impl Claims {
+    /// Reads what is claimed. What defines a new symbol claims nothing.
+    ///
+    /// # Errors
+    /// Where it cannot be read, or claims nothing.
+    pub fn read(latex: &str, setting: &Setting) -> Result<Self, Error> {
+        let claims = Self::compiled(latex, setting)?;
+        let is_empty = claims.all.is_empty();
+        if is_empty { Err(Error::new(0, "nothing is claimed: all of it defines new symbols")) } else { Ok(claims) }
+    }
+
+    /// Reads an expression, to ask what number it is.
+    ///
+    /// # Errors
+    /// Where it cannot be read.
+    pub fn expression(latex: &str, setting: &Setting) -> Result<Self, Error> {
+        Self::compiled(&format!("0 = {latex}"), setting)
+    }
+
+    fn compiled(latex: &str, setting: &Setting) -> Result<Self, Error> {
+        let mut known = Known::new(setting)?;
+        let mut entries = Entries::default();
+        entries.0.push(Entry { id: "prose", statements: Vec::new(), given: Vec::new() });
+        let mut given = known.given(setting, &mut entries)?;
+        let functions = || given.iter().filter(|taken| !taken.parameters.is_empty()).map(|taken| taken.name.clone());
+        let mut all =
+            statements(&setting.definitions, functions().collect()).map_err(|e| e.of_entry("words", "definition"))?;
+        let mut claimed = Vec::new();
+        for text in setting.above.iter().map(String::as_str).chain([latex]) {
+            let declared = all.iter().filter(|s| !s.parameters.is_empty()).map(|s| s.names[0].clone());
+            claimed.clear();
+            for statement in chains(text, functions().chain(declared).collect())? {
+                let is_defined = |name: &Name| all.iter().any(|statement| statement.names.contains(name));
+                let is_given = |name: &Name| known.has(name) || given.iter().any(|taken| taken.name == *name);
+                // Of a field, what is written is compared with its change.
+                let is_change = |name: &Name| match name.unchanged() {
+                    Some(of) => !name.is_variation() || known.has(&of),
+                    None => !name.change.is_empty(),
+                };
+                match definition(&statement, |name| is_defined(name) || is_given(name) || is_change(name)) {
+                    Some(definition) => all.extend(apart(definition)),
+                    None => claimed.push(statement),
+                }
+            }
+        }
+        given.retain(|taken| !all.iter().any(|statement| statement.names[0] == taken.name));
+        known.let_change(all.iter().chain(&claimed));
+        entries.0[0] = Entry { id: "prose", statements: all, given };
+        known.claims(&entries, &claimed, setting, latex)
+    }
+
+    /// How many numbers may be any, and which.
+    pub(crate) fn free(&self) -> &[Free] {
+        &self.free
+    }
+
+    /// The inputs of the formula, with what is put in.
+    pub(crate) fn inputs(&self, inputs: &[Octuple], free: &[Octuple]) -> Vec<Octuple> {
+        if self.put.is_empty() {
+            return inputs.to_vec();
+        }
+        let all = self.tape.run(&self.point(inputs, None, free));
+        let mut inputs = inputs.to_vec();
+        for &(component, id) in &self.put {
+            inputs[component] = all[id];
+        }
+        inputs
+    }
+
+    /// All that the claims are made from.
+    pub(crate) fn point(&self, inputs: &[Octuple], code: Option<[&[Octuple]; 2]>, free: &[Octuple]) -> Vec<Octuple> {
+        let nothing = vec![Octuple::NAN; self.outputs * (self.inputs + 1)];
+        let [values, jacobian] = code.unwrap_or_else(|| [&nothing[..self.outputs], &nothing[self.outputs..]]);
+        [inputs, values, jacobian, free].concat()
+    }
+
+    /// The claims at a point; none where their condition does not hold.
+    pub(crate) fn at(&self, point: &[Octuple]) -> Vec<ClaimAt<'_>> {
+        let all = self.tape.run(point);
+        if self.condition.is_some_and(|condition| all[condition] != 1.0) {
+            return Vec::new();
+        }
+        let at = self.all.iter().map(|claim| {
+            let (left, right) = (all[claim.left], all[claim.right]);
+            ClaimAt {
+                left,
+                right,
+                is_equality: claim.relation == Relation::Equal,
+                holds: super::tape::holds(claim.relation, left, right),
+                text: &claim.text,
+                sides: [claim.left, claim.right],
+            }
+        });
+        at.collect()
+    }
+
+    /// How large the terms are from which both sides of a claim are summed; `sizes` are those of the point itself.
+    pub(crate) fn terms(&self, claim: &ClaimAt<'_>, point: &[Octuple], sizes: &[Octuple]) -> Octuple {
+        let terms = rounding::terms(&self.tape, point, sizes);
+        terms[claim.sides[0]] + terms[claim.sides[1]]
+    }
+
+    /// The value of an [`expression`](Self::expression) at a point.
+    pub(crate) fn number(&self, point: &[Octuple]) -> Octuple {
+        let value = self.all.first().map(|claim| self.tape.run(point)[claim.right]);
+        value.unwrap_or(Octuple::NAN)
+    }
+}
+
+/// The symbols that prose need not define.
+struct Known {
+    inputs: Vec<(Name, Field)>,
+    outputs: Vec<(Name, Field)>,
+    free: Vec<Name>,
+    /// The changes of what changes.
+    changing: Vec<Name>,
+}
+
+impl Known {
+    fn new(setting: &Setting) -> Result<Self, Error> {
+        let fields = |fields: Option<&[Field]>| named(fields.unwrap_or_default());
+        let listed = if setting.free.is_empty() { Vec::new() } else { symbols(&setting.free)? };
+        Ok(Self {
+            inputs: fields(setting.of.map(|of| of.inputs))?,
+            outputs: fields(setting.of.map(|of| of.outputs))?,
+            free: listed.into_iter().map(|(name, _)| name).collect(),
+            changing: Vec::new(),
+        })
+    }
+
+    fn has(&self, name: &Name) -> bool {
+        let fields = self.inputs.iter().chain(&self.outputs).map(|(name, _)| name);
+        fields.chain(&self.free).any(|known| known == name || name.component().is_some_and(|(of, _)| of == *known))
+    }
+
+    /// What the equation of the formula defines, and what it or the setting takes from elsewhere.
+    fn given(&self, setting: &Setting, entries: &mut Entries) -> Result<Vec<Taken>, Error> {
+        let mut given: Vec<Taken> = Vec::new();
+        for (listed, spec) in &setting.from {
+            let from = entries.add_spec(spec)?;
+            let listed = symbols(listed).map_err(|error| error.of_entry(spec.id, "where"))?;
+            given.extend(listed.into_iter().map(|(name, parameters)| Taken { name, parameters, from }));
+        }
+        if let Some(of) = setting.of.filter(|_| !setting.is_closed) {
+            let from = entries.add_spec(&of.spec)?;
+            let entry = &entries.0[from];
+            let own = entry.statements.iter().map(|s| (s.names[0].clone(), s.parameters.clone()));
+            let others = entry.given.iter().map(|taken| (taken.name.clone(), taken.parameters.clone()));
+            for (name, parameters) in own.chain(others) {
+                let is_output = parameters.is_empty() && self.has(&name);
+                if !is_output && !given.iter().any(|taken| taken.name == name) {
+                    given.push(Taken { name, parameters, from });
+                }
+            }
+        }
+        if setting.is_deep {
+            for (from, entry) in entries.0.iter().enumerate() {
+                for statement in &entry.statements {
+                    let (name, parameters) = (statement.names[0].clone(), statement.parameters.clone());
+                    if !self.has(&name) && !given.iter().any(|taken| taken.name == name) {
+                        given.push(Taken { name, parameters, from });
+                    }
+                }
+            }
+        }
+        Ok(given)
+    }
+
+    /// Where a change is written, all inputs change, and what may be any number and has `\mathrm{d}` before it.
+    fn let_change<'s>(&mut self, statements: impl Iterator<Item = &'s Statement>) {
+        let mut names = Vec::new();
+        statements.flat_map(Statement::expressions).for_each(|e| collect_changes(e, &mut names));
+        if names.is_empty() {
+            return;
+        }
+        let is_variation = names.iter().any(Name::is_variation);
+        let inputs = self.inputs.iter().map(|(name, _)| name).filter(|name| is_variation || name.change.is_empty());
+        let is_written = |of: &&Name| names.iter().any(|name| name.base == of.base && name.below == of.below);
+        let changing = inputs.chain(self.free.iter().filter(is_written)).cloned();
+        self.changing =
+            changing.map(|name| if is_variation { name.varied() } else { Name { change: "d", ..name } }).collect();
+    }
+
+    /// Writes the operations.
+    fn claims(
+        &self,
+        entries: &Entries,
+        claimed: &[Statement],
+        setting: &Setting,
+        latex: &str,
+    ) -> Result<Claims, Error> {
+        let mut writer = Writer::new(entries, &self.inputs);
+        let inputs = writer.solution;
+        let (mut next, mut free) = (inputs, Vec::new());
+        let mut take = |writer: &mut Writer<'_>, count: usize| -> Vec<Id> {
+            next += count;
+            (next - count..next).map(|k| writer.tape.push(Op::Input(k))).collect()
+        };
+        let mut values = Vec::new();
+        for (name, field) in &self.outputs {
+            let parts = take(&mut writer, field.len());
+            values.extend(parts.iter().copied());
+            writer.inputs.push((name.clone(), value(parts)));
+        }
+        let rows: Vec<_> = values.iter().map(|&id| (id, take(&mut writer, inputs))).collect();
+        let outputs = rows.len();
+        for name in &self.free {
+            let parts = take(&mut writer, if name.bold { 3 } else { 1 });
+            let kind = if name.bold || !name.change.is_empty() { Free::Signed } else { Free::Positive };
+            free.extend(parts.iter().map(|_| kind));
+            writer.inputs.push((name.clone(), value(parts)));
+        }
+        let mut changes = Vec::new();
+        for change in &self.changing {
+            let name = change.unchanged();
+            let known = writer.inputs.iter().find(|(known, _)| Some(known) == name.as_ref());
+            let of = known.map(|(_, value)| parts(value.clone())).unwrap_or_default();
+            let own = writer.inputs.iter().find(|(known, _)| known == change).map(|(_, value)| value.clone());
+            let by = own.map_or_else(
+                || {
+                    free.extend(of.iter().map(|_| Free::Signed));
+                    take(&mut writer, of.len())
+                },
+                parts,
+            );
+            changes.extend(of.into_iter().zip(by.iter().copied()));
+            writer.inputs.push((change.clone(), value(by)));
+        }
+        writer.beside = Beside { outputs: rows, changes };
+        let put = put(&mut writer, &self.inputs, setting)?;
+        let condition = condition(&mut writer, &setting.condition)?;
+        let mut all = Vec::new();
+        for statement in claimed {
+            all.extend(sides(&mut writer, statement, latex)?);
+        }
+        // Definitions that nothing refers to may have two forms, too.
+        for statement in &entries.0[0].statements {
+            let name = &statement.names[0];
+            let is_whole = statement.parameters.iter().all(|p| writer.symbol(p, statement.at, Place::ROOT).is_ok());
+            if is_whole {
+                writer.symbol(name, statement.at, Place::ROOT)?;
+            }
+        }
+        let equal = writer.equal.iter().map(|&(left, right)| Claimed {
+            left,
+            relation: Relation::Equal,
+            right,
+            text: "two forms of a definition".into(),
+        });
+        all.extend(equal);
+        let triads = setting.triads;
+        Ok(Claims { tape: writer.tape, all, condition, put, inputs, outputs, free, triads })
+    }
+}
+
+fn value(mut parts: Vec<Id>) -> Value {
+    match parts.len() {
+        1 => Value::Scalar(parts.swap_remove(0)),
+        4 | 9 => Value::Matrix(parts),
+        _ => Value::Vector(parts),
+    }
+}
+
+fn parts(value: Value) -> Vec<Id> {
+    match value {
+        Value::Scalar(id) => vec![id],
+        Value::Vector(parts) | Value::Matrix(parts) => parts,
+        Value::Normal | Value::Zero => Vec::new(),
+    }
+}
+
+fn collect_changes(e: &Expr, names: &mut Vec<Name>) {
+    if let Kind::Symbol(name) = &e.kind
+        && name.unchanged().is_some()
+    {
+        names.push(name.clone());
+    }
+    if let Kind::Sum { index, from, to, body } = &e.kind {
+        return (*from..=*to).for_each(|k| collect_changes(&body.with_index(index, k), names));
+    }
+    e.parts().into_iter().for_each(|part| collect_changes(part, names));
+}
+
+/// The chain as a definition, if its first side is new: a symbol, a function of symbols, or some in brackets.
+fn definition(statement: &Statement, is_known: impl Fn(&Name) -> bool) -> Option<Statement> {
+    let Body::Chain(first, rest) = &statement.body else { return None };
+    let symbol = |e: &Expr| match &e.kind {
+        Kind::Symbol(name) if !is_known(name) => Some(name.clone()),
+        _ => None,
+    };
+    let (names, parameters) = match &first.kind {
+        Kind::Apply(name, arguments) if !is_known(name) => {
+            let parameter = |e: &Expr| if let Kind::Symbol(name) = &e.kind { Some(name.clone()) } else { None };
+            (vec![name.clone()], arguments.iter().map(parameter).collect::<Option<Vec<_>>>()?)
+        }
+        Kind::Tuple(items) => (items.iter().map(symbol).collect::<Option<Vec<_>>>()?, Vec::new()),
+        _ => (vec![symbol(first)?], Vec::new()),
+    };
+    let is_equal = !rest.is_empty() && rest.iter().all(|(relation, _)| *relation == Relation::Equal);
+    let sides = rest.iter().map(|(_, side)| side.clone()).collect();
+    is_equal.then_some(Statement { names, parameters, body: Body::Equal(sides), at: statement.at })
+}
+
+/// Both sides of every relation, number by number.
+fn sides(writer: &mut Writer<'_>, statement: &Statement, latex: &str) -> Result<Vec<Claimed>, Error> {
+    let Body::Chain(first, rest) = &statement.body else { return Ok(Vec::new()) };
+    let end = |k: usize| rest.get(k + 1).map_or(latex.len(), |(_, next)| next.at);
+    let (mut all, mut left, mut from) = (Vec::new(), writer.expression(first, Place::ROOT)?, first.at);
+    for (k, (relation, side)) in rest.iter().enumerate() {
+        let right = writer.expression(side, Place::ROOT)?;
+        let text = latex.get(from..end(k)).unwrap_or_default().split(r"\quad").next().unwrap_or_default();
+        let text = text.trim().trim_end_matches(['=', ',']).trim_end().to_owned();
+        let zero = writer.tape.number(0.0);
+        let pairs: Vec<_> = match (left, right.clone()) {
+            (Value::Scalar(a), Value::Scalar(b)) => vec![(a, b)],
+            (Value::Vector(a), Value::Vector(b)) | (Value::Matrix(a), Value::Matrix(b))
+                if a.len() == b.len() && *relation == Relation::Equal =>
+            {
+                a.into_iter().zip(b).collect()
+            }
+            (Value::Vector(a), Value::Scalar(b)) if b == zero && *relation == Relation::Equal => {
+                a.into_iter().map(|a| (a, zero)).collect()
+            }
+            (Value::Vector(a), Value::Zero) if *relation == Relation::Equal => {
+                a.into_iter().map(|a| (a, zero)).collect()
+            }
+            _ => return Err(Error::new(side.at, "the two sides have not the same shape")),
+        };
+        all.extend(pairs.into_iter().map(|(left, right)| Claimed {
+            left,
+            relation: *relation,
+            right,
+            text: text.clone(),
+        }));
+        (left, from) = (right, side.at);
+    }
+    Ok(all)
+}
+
+/// 1 where all conditions hold.
+fn condition(writer: &mut Writer<'_>, latex: &str) -> Result<Option<Id>, Error> {
+    let mut all = None;
+    for statement in chains(latex, Vec::new()).map_err(|error| error.of_entry("words", "condition"))? {
+        for Claimed { left, relation, right, .. } in sides(writer, &statement, latex)? {
+            let holds = writer.tape.push(Op::Compare(relation, left, right));
+            all = Some(all.map_or(holds, |all| writer.tape.multiply(all, holds)));
+        }
+    }
+    Ok(all)
+}
+
+/// Components of inputs, and what is put in for them.
+fn put(writer: &mut Writer<'_>, inputs: &[(Name, Field)], setting: &Setting) -> Result<Vec<(usize, Id)>, Error> {
+    let mut all = Vec::new();
+    for statement in statements(&setting.put, Vec::new()).map_err(|error| error.of_entry("words", "input"))? {
+        let Body::Equal(sides) = &statement.body else { continue };
+        let mut first = 0;
+        let place = inputs.iter().find_map(|(name, field)| {
+            first += field.len();
+            (*name == statement.names[0]).then(|| first - field.len()..first)
+        });
+        let place = place.ok_or_else(|| Error::new(statement.at, format!("{} is no input", statement.names[0])))?;
+        let parts = parts(writer.expression(&sides[0], Place::ROOT)?);
+        if parts.len() != place.len() {
+            return Err(Error::new(statement.at, format!("{} has {} components", statement.names[0], place.len())));
+        }
+        all.extend(place.zip(parts));
+    }
+    Ok(all)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,135 @@
+//! A formula, and why it may have no graph.
+
+use super::node::Graph;
+use super::recorder::{self, Escape, Extremes, Failure, MOST_RUNS};
+use super::traced::Traced;
+use crate::formula::error::Error;
+use crate::formula::{Fields, Formula, entries, typed};
+use std::any::TypeId;
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::fmt;
+use std::sync::{LazyLock, Mutex, OnceLock, PoisonError};
+
+/// Why a formula was not recorded.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum NotRecorded {
+    /// The value of a number that depends on the inputs leaves the graph.
+    Value,
+    /// It calls a function that the graph does not know.
+    Function(&'static str),
+    /// Its comparisons come out in more ways than this.
+    Ways(usize),
+    /// It does not end whatever comparisons say.
+    Endless,
+    /// It panics, whatever comparisons say.
+    Panics,
+}
+
+impl fmt::Display for NotRecorded {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Value => f.write_str("the value of a number that depends on the inputs leaves the graph as a double"),
+            Self::Function(name) => write!(f, "it calls {name}, which the graph does not know"),
+            Self::Ways(most) => write!(f, "its comparisons come out in more than {most} ways"),
+            Self::Endless => f.write_str("it does not end where comparisons come out as they like"),
+            Self::Panics => f.write_str("it panics where comparisons come out as they like"),
+        }
+    }
+}
+
+impl std::error::Error for NotRecorded {}
+
+/// The graph of a formula.
+///
+/// # Errors
+/// What in the formula cannot be written down.
+pub fn record<F: Formula>() -> Result<Graph, NotRecorded> {
+    record_with::<F>(Extremes::Computed)
+}
+
+/// The same, recorded once in a process and kept as long as it runs: where nothing is optimised, it takes seconds.
+pub(crate) fn recorded<F: Formula>() -> &'static Result<Graph, NotRecorded> {
+    type Place = OnceLock<Result<Graph, NotRecorded>>;
+    static GRAPHS: LazyLock<Mutex<HashMap<TypeId, &'static Place>>> = LazyLock::new(Mutex::default);
+    let place = *GRAPHS.lock().unwrap_or_else(PoisonError::into_inner).entry(TypeId::of::<F>()).or_insert_with(|| {
+        // As many as there are formulas.
+        Box::leak(Box::default())
+    });
+    place.get_or_init(record::<F>)
+}
+
+/// The graph of a formula, and what becomes of extreme numbers in it.
+///
+/// # Errors
+/// What in the formula cannot be written down.
+pub fn record_with<F: Formula>(extremes: Extremes) -> Result<Graph, NotRecorded> {
+    let inputs = || {
+        let inputs: Vec<_> = (0..F::Inputs::<f64>::LEN).map(Traced::input).collect();
+        typed::<_, F::Inputs<Traced>>(&inputs)
+    };
+    let errors = RefCell::new(Vec::new());
+    let refusal = || vec![Traced::from(refusal::<F>(&inputs(), &errors)).node()];
+    let results = || {
+        let (value, jacobian) = F::linearized(&inputs());
+        no_value_was_asked();
+        value.components().into_iter().chain(entries(&jacobian)).map(Traced::node).collect()
+    };
+    let (mut graph, [refusal, results]) = recorder::record(extremes, [&refusal, &results])?;
+    let (value, jacobian) = results.split_at(F::Outputs::<f64>::LEN);
+    (graph.value, graph.jacobian) = (value.to_vec(), jacobian.to_vec());
+    graph.refusals = errors.into_inner();
+    graph.refusal = refusal.first().copied().filter(|_| !graph.refusals.is_empty());
+    Ok(graph.pruned().gathered())
+}
+
+/// 0 where the inputs are valid together, else the position of the error among all that there are, from 1.
+fn refusal<F: Formula>(inputs: &F::Inputs<Traced>, errors: &RefCell<Vec<Error>>) -> f64 {
+    let Err(error) = F::validate(inputs) else {
+        no_value_was_asked();
+        return 0.0;
+    };
+    // An error tells values.
+    recorder::has_asked();
+    let mut errors = errors.borrow_mut();
+    let position = errors.iter().position(|known: &Error| known.is_alike(&error));
+    let position = position.unwrap_or(errors.len());
+    if position == errors.len() {
+        errors.push(error);
+    }
+    f64::from(u32::try_from(position + 1).expect("a formula has few refusals"))
+}
+
+fn no_value_was_asked() {
+    if recorder::has_asked() {
+        recorder::escape(Escape::Value);
+    }
+}
+
+impl From<Failure> for NotRecorded {
+    fn from(failure: Failure) -> Self {
+        match failure {
+            Failure::Panic => Self::Panics,
+            Failure::Escape(Escape::Value) => Self::Value,
+            Failure::Escape(Escape::Function(name)) => Self::Function(name),
+            Failure::Escape(Escape::Ways) => Self::Ways(MOST_RUNS),
+            Failure::Escape(Escape::Endless) => Self::Endless,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::connector::slot::ContactForce;
+    use crate::contact::coulomb::ReturnMap;
+
+    #[test]
+    fn the_graph_of_each_formula_is_kept() {
+        let (slips, touches, again) = (recorded::<ReturnMap>(), recorded::<ContactForce>(), recorded::<ReturnMap>());
+        assert!(std::ptr::eq(slips, again));
+        let value = |graph: &Result<Graph, _>, inputs: &[f64]| graph.as_ref().expect("it is recorded").run(inputs).0;
+        assert_eq!([value(slips, &[3.0, 0.5, 4.0]), value(touches, &[3.0, 4.0])], [[2.0], [5.0]]);
+    }
+}

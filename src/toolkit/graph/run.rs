@@ -1,0 +1,123 @@
+//! The operations of a graph, done in any number.
+
+use super::node::{Binary, Graph, Node, Op, Relation, Search, Unary};
+use crate::Octuple;
+use crate::number::scalar::{Leaf, abs, asin, atan2, exp_m1, norm};
+
+/// A number in which a graph can be computed.
+pub trait Number: Leaf {
+    /// What a search finds from these.
+    fn found(search: &Search, numbers: &[Self]) -> Self;
+}
+
+impl Number for f64 {
+    fn found(search: &Search, numbers: &[Self]) -> Self {
+        (search.find)(numbers)
+    }
+}
+
+impl Number for Octuple {
+    fn found(search: &Search, numbers: &[Self]) -> Self {
+        (search.find_exactly)(numbers)
+    }
+}
+
+impl Relation {
+    /// Whether it holds.
+    pub fn holds<T: PartialOrd + Copy>(self, x: T, y: T) -> bool {
+        match self {
+            Self::Less => x < y,
+            Self::LessOrEqual => x <= y,
+            Self::Equal => x == y,
+        }
+    }
+}
+
+impl Unary {
+    /// The function.
+    pub fn of<T: Leaf>(self, x: T) -> T {
+        match self {
+            Self::Negative => -x,
+            Self::Absolute => abs(x),
+            Self::Root => x.sqrt(),
+            Self::Sine => x.sin(),
+            Self::Cosine => x.cos(),
+            Self::ArcSine => asin(x),
+            Self::Exponential => x.exp(),
+            Self::ExponentialMinusOne => exp_m1(x),
+            Self::PowerOfTwo => x.power_of_two_below()[0],
+        }
+    }
+}
+
+impl Binary {
+    /// The operation.
+    pub fn of<T: Leaf>(self, x: T, y: T) -> T {
+        match self {
+            Self::Add => x + y,
+            Self::Subtract => x - y,
+            Self::Multiply => x * y,
+            Self::Divide => x / y,
+            Self::Angle => atan2(x, y),
+            Self::Maximum => x.or_larger(y),
+        }
+    }
+}
+
+impl Graph {
+    /// Value and Jacobian at the components of inputs, with the bits of the formula in `f64`.
+    ///
+    /// # Panics
+    /// If there are fewer components than the formula has.
+    pub fn run(&self, inputs: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let all = self.results(inputs, (0..self.ops().len()).map(Node::at));
+        let results = |nodes: &[Node]| nodes.iter().map(|node| all[node.index()]).collect();
+        (results(&self.value), results(&self.jacobian))
+    }
+
+    /// The results of these operations, which stand in order; of all others NaN. An answer is 1 or 0.
+    ///
+    /// # Panics
+    /// If there are fewer components than the formula has.
+    pub fn results<T: Number>(&self, inputs: &[T], nodes: impl IntoIterator<Item = Node>) -> Vec<T> {
+        let mut all = vec![T::from(f64::NAN); self.ops().len()];
+        for node in nodes {
+            all[node.index()] = self.op(node).result(inputs, &all);
+        }
+        all
+    }
+}
+
+impl Op {
+    /// What it gives, from the inputs and the results that stand before it.
+    ///
+    /// # Panics
+    /// If there are fewer of either than it needs.
+    pub fn result<T: Number>(&self, inputs: &[T], all: &[T]) -> T {
+        let at = |node: Node| all[node.index()];
+        match self {
+            Self::Input(k) => inputs[*k],
+            Self::Number(bits) => T::from(f64::from_bits(*bits)),
+            Self::Unary(function, x) => function.of(at(*x)),
+            Self::Binary(operation, x, y) => operation.of(at(*x), at(*y)),
+            Self::MultiplyAdd(x, y, z) => at(*x).mul_add(at(*y), at(*z)),
+            Self::Norm(parts) => norm_of(&parts.iter().map(|&part| at(part)).collect::<Vec<_>>()),
+            Self::ExactSum(products) => T::exact_sum(products.iter().map(|product| product.map(at))),
+            Self::Search(search, numbers) => {
+                T::found(search, &numbers.iter().map(|&node| at(node)).collect::<Vec<_>>())
+            }
+            Self::Compare(relation, x, y) => T::from(f64::from(u8::from(relation.holds(at(*x), at(*y))))),
+            Self::Select(condition, x, y) => at(if at(*condition) == 1.0 { *x } else { *y }),
+        }
+    }
+}
+
+/// The length of a vector of two to four components; formulas have no others.
+fn norm_of<T: Leaf>(parts: &[T]) -> T {
+    match *parts {
+        [x, y] => norm([x, y]),
+        [x, y, z] => norm([x, y, z]),
+        [x, y, z, w] => norm([x, y, z, w]),
+        _ => unreachable!("vectors of two to four components are recorded"),
+    }
+}

@@ -1,0 +1,272 @@
+//! Taking time: all ways take turns, round after round, so that a slow moment of the machine falls on all alike.
+
+use super::exact::HardPoint;
+use super::{Measurement, Options, PointTime, Time};
+use crate::formula::proof::Proved;
+use crate::formula::proof::way::{Kernel, Runner, Way};
+use crate::formula::{Fields, typed};
+use std::hint::black_box;
+use std::time::Instant;
+
+/// Tells the time in nanoseconds from some moment on.
+pub(super) type Clock<'a> = &'a dyn Fn() -> f64;
+
+/// The clock of the machine, from now on.
+pub(super) fn clock() -> impl Fn() -> f64 {
+    let start = Instant::now();
+    move || start.elapsed().as_secs_f64() * 1e9
+}
+
+/// What is timed beside the ways.
+const COPY: &str = "copy";
+const YARDSTICK: &str = "yardstick";
+
+/// The ways that are timed at every hard point too.
+const AT_HARD_POINTS: [&str; 2] = ["closed", "checked"];
+
+/// Where time is taken.
+pub(super) struct Points {
+    /// Over all of them.
+    pub(super) random: Vec<Vec<f64>>,
+    /// At each alone.
+    pub(super) hard: Vec<HardPoint>,
+}
+
+/// What is timed.
+#[derive(Clone, Copy, PartialEq)]
+struct Task {
+    way: &'static str,
+    with_jacobian: bool,
+    /// The hard point; `None` over random points.
+    hard: Option<usize>,
+}
+
+/// How long a turn is and how often it comes.
+#[derive(Clone, Copy)]
+struct Pace {
+    points: usize,
+    turn_ns: f64,
+    every: usize,
+    rounds: usize,
+}
+
+impl Pace {
+    fn new(options: &Options) -> Self {
+        let Options { timing_points, turn_ns, rounds, .. } = *options;
+        Self { points: timing_points.max(1), turn_ns, every: 1, rounds }
+    }
+
+    /// There are many hard points; each takes a short turn now and then.
+    fn short(self) -> Self {
+        Self { turn_ns: self.turn_ns / 8.0, every: 4, ..self }
+    }
+}
+
+/// How far the stack has grown: to another place within a line of the cache, in another eighth of a page. Results lie on it. Where
+/// they cross lines some formulas take a third longer, and at the end of a page three times as long: turn by turn it is another
+/// place, so that a time is not of the one that a build or a process happens to have.
+const PLACES: [fn(&mut dyn FnMut()); 8] = [
+    with_room::<0>,
+    with_room::<528>,
+    with_room::<1056>,
+    with_room::<1584>,
+    with_room::<2112>,
+    with_room::<2640>,
+    with_room::<3168>,
+    with_room::<3696>,
+];
+
+/// Runs with so many bytes more on the stack.
+#[inline(never)]
+fn with_room<const BYTES: usize>(run: &mut dyn FnMut()) {
+    let mut room = [0_u8; BYTES];
+    black_box(&mut room);
+    run();
+    black_box(&mut room);
+}
+
+/// A loop that takes its turn in every round, or in every n-th where a turn is long.
+struct Contestant {
+    task: Task,
+    run: Runner,
+    /// Points a call of the loop, and calls a turn.
+    points: usize,
+    calls: usize,
+    /// Takes part in every so-manieth round.
+    every: usize,
+    /// Nanoseconds an evaluation, with the round.
+    samples: Vec<(usize, f64)>,
+}
+
+/// Fills in the times of a measurement.
+pub(super) fn time(
+    ways: &[Way],
+    [copy, yardstick]: [Runner; 2],
+    points: &Points,
+    (options, clock): (&Options, Clock),
+    measurement: &mut Measurement,
+) {
+    let pace = Pace::new(options);
+    let mut contestants: Vec<_> = ways.iter().flat_map(|way| of_way(way, points, pace, clock)).collect();
+    let beside = |way, with_jacobian| Task { way, with_jacobian, hard: None };
+    for (task, run) in [(beside(COPY, true), copy), (beside(YARDSTICK, false), yardstick)] {
+        contestants.push(Contestant::new(task, run, pace, clock));
+    }
+    for round in 0..options.rounds.max(1) {
+        // Each round begins with another one, so that none always follows the same neighbour's caches.
+        let first = round % contestants.len();
+        let (head, tail) = contestants.split_at_mut(first);
+        tail.iter_mut().chain(head).for_each(|contestant| contestant.take_turn(round, clock));
+    }
+    enter(&contestants, &points.hard, measurement);
+}
+
+/// The value and the Jacobian of a way, over random points and at hard ones.
+fn of_way(way: &Way, points: &Points, pace: Pace, clock: Clock) -> Vec<Contestant> {
+    let mut contestants = Vec::new();
+    for (kernel, with_jacobian) in [(&way.value, false), (&way.jacobian, true)] {
+        let Some(kernel) = kernel else { continue };
+        let task = Task { way: way.id, with_jacobian, hard: None };
+        contestants.push(Contestant::new(task, (kernel.runner)(&points.random), pace, clock));
+        if AT_HARD_POINTS.contains(&way.id) {
+            contestants.extend(points.hard.iter().enumerate().map(|(k, point)| {
+                // The same loop as over random points, whose every point is this one.
+                let run = (kernel.runner)(&vec![point.inputs.clone(); pace.points]);
+                Contestant::new(Task { hard: Some(k), ..task }, run, pace.short(), clock)
+            }));
+        }
+    }
+    contestants
+}
+
+impl Contestant {
+    /// Finds how many evaluations fill a turn; that warms it up as well.
+    fn new(task: Task, run: Runner, pace: Pace, clock: Clock) -> Self {
+        let Pace { points: all, turn_ns, every, rounds } = pace;
+        let mut contestant = Self { task, run, points: 1, calls: 1, every, samples: Vec::new() };
+        let mut one = contestant.least(clock);
+        if one * number(all) < turn_ns {
+            contestant.points = all;
+            one = contestant.least(clock);
+        }
+        let call = (one * number(contestant.points)).max(1.0);
+        contestant.calls = whole(turn_ns / call);
+        if contestant.points == 1 {
+            contestant.points = whole(turn_ns / call).min(all);
+            contestant.calls = 1;
+        }
+        // A turn that is long even with one evaluation comes less often, but never fewer than five times.
+        let long = whole(one / turn_ns / 4.0);
+        contestant.every = long.min(rounds / 5).max(every);
+        contestant
+    }
+
+    /// The least of some turns: the first is cold, and another may be interrupted.
+    fn least(&mut self, clock: Clock) -> f64 {
+        (0..4).map(|turn| self.turn(turn, clock)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Nanoseconds an evaluation in its n-th turn.
+    fn turn(&mut self, n: usize, clock: Clock) -> f64 {
+        let mut time = 0.0;
+        PLACES[n % PLACES.len()](&mut || {
+            if self.calls > 1 {
+                // Its code and its points are back in the caches, from which others had pushed them.
+                (self.run)(self.points);
+            }
+            let start = clock();
+            (0..self.calls).for_each(|_| (self.run)(self.points));
+            time = clock() - start;
+        });
+        time / number(self.calls * self.points)
+    }
+
+    fn take_turn(&mut self, round: usize, clock: Clock) {
+        if round.is_multiple_of(self.every) {
+            let time = self.turn(self.samples.len(), clock);
+            self.samples.push((round, time));
+        }
+    }
+
+    /// Its time in units of another one's, round by round.
+    fn ratios(&self, unit: &Self) -> Vec<f64> {
+        let unit_in = |round| unit.samples.iter().find(|sample| sample.0 == round);
+        let ratio = |&(round, time): &(usize, f64)| Some(time / unit_in(round)?.1);
+        self.samples.iter().filter_map(ratio).collect()
+    }
+
+    fn time(&self) -> Option<Time> {
+        Time::of(self.samples.iter().map(|sample| sample.1).collect())
+    }
+}
+
+#[expect(clippy::cast_precision_loss, reason = "counts of points and calls are small")]
+fn number(count: usize) -> f64 {
+    count as f64
+}
+
+/// The count below, at least 1.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
+fn whole(x: f64) -> usize {
+    x.clamp(1.0, 1e9) as usize
+}
+
+/// Puts the times where they belong.
+fn enter(contestants: &[Contestant], hard: &[HardPoint], measurement: &mut Measurement) {
+    let find = |way: &str, with_jacobian, hard| {
+        let is_it = |task: Task| task.way == way && task.with_jacobian == with_jacobian && task.hard == hard;
+        contestants.iter().find(|contestant| is_it(contestant.task))
+    };
+    let unit = find("closed", false, None);
+    for way in &mut measurement.ways {
+        for (figures, with_jacobian) in [(&mut way.value, false), (&mut way.jacobian, true)] {
+            let (Some(figures), Some(contestant)) = (figures, find(&way.id, with_jacobian, None)) else { continue };
+            figures.time = contestant.time();
+            figures.ratio = unit.and_then(|unit| Time::of(contestant.ratios(unit)));
+            let point_time = |(k, point): (usize, &HardPoint)| {
+                let at_point = find(&way.id, with_jacobian, Some(k))?;
+                Some(PointTime {
+                    case: point.case.clone(),
+                    ordinary: point.is_ordinary(),
+                    time: at_point.time()?,
+                    ratio: Time::of(at_point.ratios(contestant))?,
+                })
+            };
+            figures.hard_times = hard.iter().enumerate().filter_map(point_time).collect();
+        }
+    }
+    measurement.copy = find(COPY, true, None).and_then(Contestant::time);
+    measurement.yardstick = find(YARDSTICK, false, None).and_then(Contestant::time);
+}
+
+/// What is timed beside the ways, over these points.
+pub(super) fn beside<F: Proved>(points: &Points) -> [Runner; 2] {
+    [(copy::<F>().runner)(&points.random), yardstick()]
+}
+
+/// Reads every input and writes every output and Jacobian entry, and does nothing else.
+fn copy<F: Proved>() -> Kernel {
+    let written = (F::Outputs::filled(1.0), F::Outputs::filled(F::Inputs::filled(1.0)));
+    let compute = move |i: &F::Inputs<f64>| {
+        black_box(&{ *i });
+        *black_box(&written)
+    };
+    Kernel::new(typed, compute, |_| Vec::new())
+}
+
+/// The same arithmetic for every formula.
+fn yardstick() -> Runner {
+    Box::new(|count| {
+        for _ in 0..count {
+            black_box(chain(black_box(2.0)));
+        }
+    })
+}
+
+/// A chain of multiplications, divisions and square roots, each waiting for the one before.
+fn chain(x: f64) -> f64 {
+    (0..4).fold(x, |x, _| (x * 1.5 + 1.0 / x).sqrt())
+}
+
+#[cfg(test)]
+mod tests;

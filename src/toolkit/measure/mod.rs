@@ -1,0 +1,89 @@
+//! How fast and how wrong: every way to compute a formula, timed and compared with the exact value.
+//!
+//! | way | value | Jacobian |
+//! |---|---|---|
+//! | `closed` | `eval` in `f64` | `jacobian` in `f64` |
+//! | `checked` | [`value`](crate::formula::value), as a program calls it | [`value_and_jacobian`](crate::formula::value_and_jacobian) |
+//! | `single` | `eval` in [`Single`](crate::Single) | `jacobian` in it |
+//! | `ad` | | forward automatic differentiation of `eval` in `f64` |
+//! | `forward`, `central`, `fourth` | | differences of `eval` in `f64` |
+//! | `octuple` | `eval` in 237 bits, rounded | `jacobian` in 237 bits, rounded |
+//! | `octuple-ad` | | automatic differentiation in 237 bits, rounded |
+//! | the formula's own, see [`Proved::ways`] | as given | its automatic differentiation in `f64` |
+//!
+//! Many points at once are timed apart, see [`Columns`].
+//!
+//! Errors are the same on every machine with the same mathematical library; they are found first, and may be found for
+//! many formulas at once. Times want a machine that does nothing else. They are taken over random points, and of `closed` and
+//! `checked` at every hard point alone too: see [`Figures::hardest`].
+//!
+//! ```
+//! use jointproof::toolkit::measure::{Options, measure};
+//! use jointproof::connector::slot::ContactForce;
+//!
+//! let measured = measure::<ContactForce>(&Options::quick());
+//! let closed = measured.way("closed").unwrap();
+//! let eta = closed.jacobian.as_ref().unwrap().random.eta;
+//! assert!(eta.median <= eta.max && eta.max < 2.0);
+//! ```
+
+mod clock;
+mod columns;
+mod difference;
+mod exact;
+mod figures;
+mod options;
+mod quantile;
+mod ways;
+
+pub use difference::Scheme;
+pub use figures::{Columns, Curve, Errors, Figures, Measurement, PointTime, Quantiles, Step, Time, WayFigures};
+pub use options::Options;
+
+use crate::formula::Field;
+use crate::formula::proof::{Proved, Way};
+use crate::toolkit::verify::Subject;
+
+/// Measures one formula: its errors, then its times.
+pub fn measure<F: Proved>(options: &Options) -> Measurement {
+    let mut measurement = errors::<F>(options);
+    times::<F>(options, &mut measurement);
+    measurement
+}
+
+/// The errors of every way; times are still missing.
+pub fn errors<F: Proved>(options: &Options) -> Measurement {
+    let subject = Subject::of::<F>();
+    let points = exact::Points::new(&subject, options);
+    let curves = curves(&ways::differences::<F>, &points, options);
+    let ways = ways::all::<F>(&curves);
+    measured(&subject, &points, &ways, curves)
+}
+
+fn curves(way: &dyn Fn(Scheme, f64) -> Way, points: &exact::Points, options: &Options) -> Vec<Curve> {
+    Scheme::ALL.iter().map(|&scheme| ways::curve(scheme, way, points, options)).collect()
+}
+
+fn measured(subject: &Subject, points: &exact::Points, ways: &[Way], curves: Vec<Curve>) -> Measurement {
+    Measurement {
+        formula: subject.spec.id.into(),
+        inputs: subject.inputs.iter().map(Field::len).sum(),
+        outputs: subject.outputs.iter().map(Field::len).sum(),
+        random_points: points.random.len(),
+        hard_points: points.hard.len(),
+        copy: None,
+        yardstick: None,
+        columns: None,
+        ways: ways.iter().map(|way| ways::errors(way, points)).collect(),
+        curves,
+    }
+}
+
+/// Times every way of a measurement whose errors are known.
+pub fn times<F: Proved>(options: &Options, measurement: &mut Measurement) {
+    let ways = ways::all::<F>(&measurement.curves);
+    let points = clock::Points { random: options.timing_inputs::<F>(), hard: exact::hard(&Subject::of::<F>()) };
+    let clock = clock::clock();
+    clock::time(&ways, clock::beside::<F>(&points), &points, (options, &clock), measurement);
+    measurement.columns = columns::time::<F>(options, &clock);
+}

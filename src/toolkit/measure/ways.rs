@@ -1,0 +1,158 @@
+//! Every way to compute a formula: the closed form in several numbers, derivatives by other means, and its own.
+
+use super::exact::{self, Exact, Point, Points};
+use super::{Curve, Errors, Figures, Options, Scheme, Step, WayFigures};
+use crate::formula::proof::way::Kernel;
+use crate::formula::proof::{Proved, Way, value_and_jacobian_by_ad};
+use crate::formula::{Fields, entries, typed, value, value_and_jacobian};
+use crate::toolkit::verify::{Subject, exact, rounded};
+use crate::{Octuple, Single};
+use std::hint::black_box;
+
+/// Every way to compute `F`, the closed form first.
+pub(super) fn all<F: Proved>(curves: &[Curve]) -> Vec<Way> {
+    let mut ways = vec![closed::<F>(), checked::<F>(), single::<F>(), ad::<F>()];
+    for (scheme, step) in best(curves) {
+        ways.push(differences::<F>(scheme, step));
+    }
+    ways.extend(octuple(&Subject::of::<F>()));
+    ways.extend(F::ways());
+    ways
+}
+
+/// The schemes of differences with their best steps.
+fn best(curves: &[Curve]) -> Vec<(Scheme, f64)> {
+    curves.iter().filter_map(|curve| Some((curve.scheme, curve.best()?.step))).collect()
+}
+
+/// The errors of a way, without times.
+pub(super) fn errors(way: &Way, points: &Points) -> WayFigures {
+    let figures = |kernel: &Kernel, exact: fn(&Point) -> Option<&Vec<Exact>>| Figures {
+        time: None,
+        ratio: None,
+        hard_times: Vec::new(),
+        random: errors_of(kernel, &points.random, exact),
+        hard: (!points.hard.is_empty()).then(|| errors_of(kernel, &points.hard, exact)),
+    };
+    WayFigures {
+        id: way.id.into(),
+        title: way.title.into(),
+        step: way.step,
+        value: way.value.as_ref().map(|kernel| figures(kernel, |point| Some(&point.value))),
+        jacobian: way.jacobian.as_ref().map(|kernel| figures(kernel, |point| point.jacobian.as_ref())),
+    }
+}
+
+/// The errors of a way's Jacobian at these points.
+fn jacobian_errors(way: &Way, points: &[Point]) -> Errors {
+    let errors = |kernel: &Kernel| errors_of(kernel, points, |point| point.jacobian.as_ref());
+    way.jacobian.as_ref().map_or_else(|| Errors::of([]), errors)
+}
+
+/// The error of a scheme over its step, from 1e-2 to 1e-16; `way` makes the way with a step.
+pub(super) fn curve(scheme: Scheme, way: &dyn Fn(Scheme, f64) -> Way, points: &Points, options: &Options) -> Curve {
+    let per_decade = options.steps_per_decade.max(1);
+    let steps = (0..=14 * per_decade).map(|n| {
+        let step = 10.0_f64.powf(-2.0 - f64::from(n) / f64::from(per_decade));
+        Step { step, errors: jacobian_errors(&way(scheme, step), &points.random) }
+    });
+    Curve { scheme, steps: steps.collect() }
+}
+
+fn errors_of(kernel: &Kernel, points: &[Point], exact: fn(&Point) -> Option<&Vec<Exact>>) -> Errors {
+    exact::errors(points.iter().filter_map(|point| Some((exact(point)?, (kernel.results)(&point.inputs)))))
+}
+
+fn closed<F: Proved>() -> Way {
+    let value = Kernel::with_loop(typed, F::eval::<f64>, Fields::components, values::<F>);
+    let entries = |(_, jacobian): &_| entries(jacobian);
+    let jacobian = Kernel::with_loop(typed, F::linearized::<f64>, entries, linearizations::<F>);
+    Way::of("closed", "closed form").value(value).jacobian(jacobian)
+}
+
+#[inline(never)]
+fn values<F: Proved>(points: &[F::Inputs<f64>]) {
+    for i in points {
+        black_box(&F::eval(i));
+    }
+}
+
+#[inline(never)]
+fn linearizations<F: Proved>(points: &[F::Inputs<f64>]) {
+    for i in points {
+        black_box(&F::linearized(i));
+    }
+}
+
+/// As a program calls it; NaN where it is told what is wrong.
+fn checked<F: Proved>() -> Way {
+    let or_nan = |found: Option<Vec<f64>>, len| found.unwrap_or_else(|| vec![f64::NAN; len]);
+    let [inputs, outputs] = [F::Inputs::<f64>::LEN, F::Outputs::<f64>::LEN];
+    let value =
+        Kernel::new(typed, value::<F>, move |found| or_nan(found.as_ref().ok().map(Fields::components), outputs));
+    let jacobian = Kernel::new(typed, value_and_jacobian::<F>, move |found| {
+        or_nan(found.as_ref().ok().map(|(_, jacobian)| entries(jacobian)), outputs * inputs)
+    });
+    Way::of("checked", "closed form, checked").value(value).jacobian(jacobian)
+}
+
+fn single<F: Proved>() -> Way {
+    let convert = |i: &[f64]| typed(&singles(i));
+    Way::of("single", "closed form in single precision")
+        .value(Kernel::new(convert, F::eval::<Single>, |out| doubles(&out.components())))
+        .jacobian(Kernel::new(convert, F::linearized::<Single>, |(_, jacobian)| doubles(&entries(jacobian))))
+}
+
+fn singles(x: &[f64]) -> Vec<Single> {
+    x.iter().map(|&x| Single::from(x)).collect()
+}
+
+fn doubles(x: &[Single]) -> Vec<f64> {
+    x.iter().map(|x| x.to_f64()).collect()
+}
+
+fn ad<F: Proved>() -> Way {
+    let jacobian = |i: &_| value_and_jacobian_by_ad::<F>(i);
+    Way::of("ad", "automatic differentiation").jacobian(Kernel::new(typed, jacobian, |(_, jacobian)| entries(jacobian)))
+}
+
+/// Differences with a step.
+pub(super) fn differences<F: Proved>(scheme: Scheme, step: f64) -> Way {
+    let jacobian = move |i: &_| scheme.value_and_jacobian::<F>(step, i);
+    let kernel = Kernel::new(typed, jacobian, |(_, jacobian)| entries(jacobian));
+    Way { step: Some(step), ..Way::of(scheme.id(), scheme.title()).jacobian(kernel) }
+}
+
+/// The ways in 237 bits. They go through slices, which costs nothing beside what a multiplication costs there.
+fn octuple(subject: &Subject) -> [Way; 2] {
+    let (value, jacobian, derivative) = (subject.exact_value, subject.exact_jacobian, subject.derivative_of());
+    let both = move |x: &Vec<Octuple>| (value(x), jacobian(x));
+    let differentiated = move |x: &Vec<Octuple>| (value(x), derivative(x));
+    [
+        Way::of("octuple", "closed form in 237 bits")
+            .value(Kernel::new(exact, move |x: &Vec<Octuple>| value(x), |out| rounded(out)))
+            .jacobian(Kernel::new(exact, both, |(_, jacobian)| rounded(jacobian))),
+        Way::of("octuple-ad", "automatic differentiation in 237 bits").jacobian(Kernel::new(
+            exact,
+            differentiated,
+            |(_, jacobian)| rounded(jacobian),
+        )),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::connector::slot::ContactForce;
+
+    /// A number that is missing would be no error at all.
+    #[test]
+    fn every_number_is_nan_where_the_checked_way_refuses() {
+        let Way { value, jacobian, .. } = checked::<ContactForce>();
+        let at = |inputs: &[f64]| [&value, &jacobian].map(|kernel| (kernel.as_ref().unwrap().results)(inputs));
+        assert_eq!(at(&[3.0, 4.0]), [vec![5.0], vec![0.6, 0.8]]);
+        let refused = at(&[f64::NAN, 4.0]);
+        assert_eq!(refused.each_ref().map(Vec::len), [1, 2]);
+        assert!(refused.concat().into_iter().all(f64::is_nan));
+    }
+}

@@ -1,0 +1,205 @@
+//! What is exact at a point, and the backward errors of value and Jacobian in `f64`.
+
+use super::bends::Bends;
+use super::claim::Claim;
+use super::difference::of_same_field;
+use super::eta::eta_beside;
+use super::point::{Names, Point};
+use super::{Sensitivity, eta};
+use crate::Octuple;
+use crate::formula::Spec;
+use crate::formula::proof::Convention;
+use num_traits::{Signed, Zero};
+use std::iter;
+
+/// What is known exactly at a point.
+pub(super) struct Exact {
+    pub(super) values: Vec<Octuple>,
+    /// The Jacobian by automatic differentiation, and by the closed form.
+    pub(super) ad: Vec<Octuple>,
+    pub(super) closed: Vec<Octuple>,
+    bends: Bends,
+}
+
+impl Exact {
+    pub(super) fn at(point: &Point) -> Self {
+        let (subject, inputs) = (point.subject, &point.exact);
+        Self {
+            values: (subject.exact_value)(inputs),
+            ad: subject.derivative(inputs),
+            closed: (subject.exact_jacobian)(inputs),
+            bends: Bends::at(point),
+        }
+    }
+
+    /// How much the k-th entry of the Jacobian changes with the inputs.
+    pub(super) fn bend(&self, point: &Point, k: usize) -> Sensitivity {
+        self.bends.of(point, &self.closed, k)
+    }
+
+    /// Numbers that are not larger, each of which takes longer, and in the end this number.
+    pub(super) fn bends_up_to(&self, point: &Point, k: usize) -> impl Iterator<Item = Sensitivity> {
+        self.bends.up_to(point, &self.closed, k)
+    }
+
+    /// The largest entry in the row of the k-th.
+    pub(super) fn largest_of_output(&self, k: usize, inputs: usize) -> Octuple {
+        let row = k / inputs * inputs;
+        self.ad[row..row + inputs]
+            .iter()
+            .fold(Octuple::zero(), |most, entry| if entry.abs() > most { entry.abs() } else { most })
+    }
+
+    /// The largest entry, with how much it changes, of those of the same output by the other components of the same input.
+    fn largest_beside(&self, point: &Point, k: usize) -> Sensitivity {
+        let (inputs, fields) = (point.exact.len(), point.subject.inputs);
+        let (row, input) = (k / inputs * inputs, k % inputs);
+        let beside = of_same_field(fields, input).filter(|&other| other != input).map(|other| row + other);
+        largest(beside.map(|entry| self.bend(point, entry).plus(self.ad[entry])))
+    }
+
+    /// How much every output changes with the inputs.
+    pub(super) fn sensitivities(&self, inputs: &[Octuple]) -> Vec<Sensitivity> {
+        self.ad.chunks(inputs.len()).map(|gradient| Sensitivity::new(gradient, inputs)).collect()
+    }
+}
+
+/// The bounds of η of value and Jacobian, claimed of sizes or of any.
+pub(super) fn claims(spec: &Spec, sizes: &str) -> [Claim; 2] {
+    let (bounds, by) = spec.bounds();
+    let claim = |of, bound| Claim::new(format!("η of the {of} in f64{by}{sizes}"), bound);
+    [claim("value", bounds[0]), claim("closed-form Jacobian", bounds[1])]
+}
+
+/// Value and Jacobian in `f64`, each alone and as they come together; on a switch there is no derivative.
+pub(super) fn check_accuracy([value, jacobian]: [&mut Claim; 2], point: &Point, names: &Names, exact: &Exact) {
+    let (subject, inputs) = (point.subject, &point.inputs);
+    let [with_jacobian, linearized] = (subject.linearized)(inputs);
+    check_value(value, point, names, exact, [(subject.value)(inputs), with_jacobian]);
+    if point.kink != Some(Convention::Switch) {
+        check_jacobian(jacobian, point, names, exact, [(subject.jacobian)(inputs), linearized]);
+    }
+}
+
+fn check_value(claim: &mut Claim, point: &Point, names: &Names, exact: &Exact, values: [Vec<f64>; 2]) {
+    let sizes = exact.sensitivities(&point.exact);
+    let beside = |output: usize| {
+        let others = of_same_field(point.subject.outputs, output).filter(|&other| other != output);
+        largest(others.map(|other| sizes[other].plus(exact.values[other])))
+    };
+    for computed in values {
+        for (output, ((&computed, &value), &sensitivity)) in computed.iter().zip(&exact.values).zip(&sizes).enumerate()
+        {
+            let describe = |size| point.deviation(size, names.outputs[output].clone(), computed, value.to_f64());
+            let own = eta(computed, value, sensitivity);
+            let vector = || own.min(eta_beside(computed, value, beside(output)));
+            let sizes = iter::once(own).chain(point.subject.spec.by_vectors.iter().map(|_| vector()));
+            claim.record_last(sizes, claim.bound, describe);
+        }
+    }
+}
+
+/// The closed form in `f64` is judged against automatic differentiation, so that a wrong one cannot be its own judge.
+fn check_jacobian(claim: &mut Claim, point: &Point, names: &Names, exact: &Exact, jacobians: [Vec<f64>; 2]) {
+    let [alone, together] = jacobians;
+    for (entry, ((&alone, &together), &ad)) in alone.iter().zip(&together).zip(&exact.ad).enumerate() {
+        let mut judge = |computed| {
+            let own = exact.bends_up_to(point, entry).map(|bend| eta(computed, ad, bend));
+            let vector = || {
+                let own = eta(computed, ad, exact.bend(point, entry));
+                own.min(eta_beside(computed, ad, exact.largest_beside(point, entry)))
+            };
+            let sizes = own.chain(point.subject.spec.by_vectors.iter().map(|_| vector()));
+            let describe = |size| point.deviation(size, names.entry(entry), computed, ad.to_f64());
+            claim.record_last(sizes, claim.bound, describe)
+        };
+        let size = judge(alone);
+        // The same number is not judged twice.
+        if together.to_bits() == alone.to_bits() {
+            claim.count(size, claim.bound);
+        } else {
+            judge(together);
+        }
+    }
+}
+
+fn largest(sizes: impl Iterator<Item = Sensitivity>) -> Sensitivity {
+    sizes.fold(Sensitivity::none(), |most, size| if size.size() > most.size() { size } else { most })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::connector::slot::ContactForce;
+    use crate::contact::coulomb::ReturnMap;
+    use crate::contact::slide_line::LocalBasis;
+    use crate::number::power::power_of_two;
+    use crate::toolkit::verify::subject::Subject;
+
+    #[test]
+    fn the_largest_entry_is_that_of_the_output() {
+        let ad = [1.0, -5.0, 2.0, 0.25, 0.5, -0.125].map(Octuple::from).to_vec();
+        let subject = Subject::of::<ContactForce>();
+        let exact = Exact { ad, ..Exact::at(&point(&subject, false, &[3.0, 4.0])) };
+        let largest: Vec<_> = (0..6).map(|k| exact.largest_of_output(k, 3).to_f64()).collect();
+        assert_eq!(largest, [5.0, 5.0, 5.0, 0.5, 0.5, 0.5]);
+    }
+
+    fn point<'a>(subject: &'a Subject, random: bool, inputs: &[f64]) -> Point<'a> {
+        Point::new(subject, "here".into(), random, inputs.to_vec())
+    }
+
+    /// What is off in one part of what is exact is found there, by its size.
+    #[test]
+    fn value_and_jacobian_are_judged_by_their_own_errors() {
+        let subject = Subject::of::<ContactForce>();
+        let (point, names) = (point(&subject, false, &[3.0, 4.0]), Names::new(&subject));
+        let off = |x: &mut Octuple| *x *= 1.0 + power_of_two(-40);
+        let [mut value, mut jacobian] = ["value", "Jacobian"].map(|claim| Claim::new(claim, 2.0));
+        let mut exact = Exact::at(&point);
+        exact.values.iter_mut().for_each(off);
+        off(&mut exact.ad[1]);
+        check_accuracy([&mut value, &mut jacobian], &point, &names, &exact);
+        // Alone and together; 2¹³ roundings, of which the sensitivity takes a share.
+        assert_eq!((value.checks, value.failures, jacobian.checks, jacobian.failures), (2, 2, 4, 2));
+        let worst = [value, jacobian].map(|claim| claim.worst.expect("it was checked"));
+        assert_eq!(worst.each_ref().map(|worst| worst.entry.as_str()), ["fc", "∂fc/∂f3"]);
+        for (worst, (expected, number)) in worst.iter().zip([(8192.0 / 2.0, 5.0), (8192.0 * 0.8 / 1.376, 0.8)]) {
+            assert!((worst.size / expected - 1.0).abs() < 1e-3, "{worst:?}");
+            assert!((worst.found - number).abs() < 1e-15 && worst.expected > worst.found, "{worst:?}");
+        }
+    }
+
+    /// The first component of a tangent that is nearly along the second axis, and its derivative by that, are off by less than a
+    /// rounding of the second component.
+    #[test]
+    fn by_vectors_a_component_that_cancels_is_judged_beside_the_largest() {
+        let failures = |by_vectors, off: f64| {
+            let mut subject = Subject::of::<LocalBasis>();
+            subject.spec.by_vectors = by_vectors;
+            let (point, names) = (point(&subject, false, &[3e-9, 4.0]), Names::new(&subject));
+            let mut claims = claims(&subject.spec, "");
+            let mut exact = Exact::at(&point);
+            exact.values[0] += off;
+            exact.ad[1] += off;
+            let [value, jacobian] = &mut claims;
+            check_accuracy([value, jacobian], &point, &names, &exact);
+            claims.map(|claim| (claim.failures, claim.claim.ends_with(", by vectors")))
+        };
+        assert_eq!(failures(None, 1e-17), [(2, false), (2, false)]);
+        assert_eq!(failures(Some([2.0, 2.0]), 1e-17), [(0, true), (0, true)]);
+        assert_eq!(failures(Some([2.0, 2.0]), 1e-15), [(2, true), (2, true)]);
+    }
+
+    #[test]
+    fn on_a_switch_no_derivative_is_judged() {
+        let subject = Subject::of::<ReturnMap>();
+        let checks = |f_trial| {
+            let (point, names) = (point(&subject, false, &[f_trial, 0.5, 4.0]), Names::new(&subject));
+            let [mut value, mut jacobian] = ["value", "Jacobian"].map(|claim| Claim::new(claim, 2.0));
+            check_accuracy([&mut value, &mut jacobian], &point, &names, &Exact::at(&point));
+            (value.checks, jacobian.checks)
+        };
+        assert_eq!((checks(2.0), checks(3.0)), ((2, 0), (2, 6)));
+    }
+}

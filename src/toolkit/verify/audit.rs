@@ -1,0 +1,464 @@
+//! The audit: every claim about a formula, checked at its cases, beside its kinks and at random points.
+
+use super::accuracy::{Exact, check_accuracy, claims};
+use super::bends::Bends;
+use super::branches::Branches;
+use super::claim::{Claim, Deviation};
+use super::difference::{Differences, Direction, differences, largest_of_field};
+use super::kinks::{self, Comparison, Looked, SMOOTH};
+use super::point::{Names, Options, Point, random_points};
+use super::printed::{EQUATION, found};
+use super::reach::{Reached, reach};
+use super::scale::scaled;
+use super::shard::Shard;
+use super::subject::{Law, Subject};
+use super::{Sampler, Sensitivity, finite, invariance};
+use crate::formula::proof::Proved;
+use crate::formula::proof::law::residual;
+use crate::formula::{Fields, check};
+use crate::toolkit::equation::Equation;
+use crate::{Error, Octuple};
+use num_traits::{Signed, Zero};
+use serde::{Deserialize, Serialize};
+use std::cell::OnceCell;
+use std::iter;
+
+/// Closed form and automatic differentiation agree in 237 bits to this.
+const CLOSED_AGAINST_AD: f64 = 1e-60;
+/// What is this part of a number, or less, is left by rounding it in 237 bits, a little more than 71 digits.
+const NOTHING: f64 = 1e-68;
+/// Automatic differentiation and differences agree in 237 bits to this at random points.
+const AD_AGAINST_DIFFERENCES: f64 = 1e-50;
+/// At hard points the step of differences must be shorter than the distance to the next kink, and digits are lost.
+const AD_AGAINST_DIFFERENCES_HARD: f64 = 1e-35;
+/// At so many of the random points, and at all named ones, the printed equation is compared, and differences one input after
+/// another; at the others differences are along one direction of all inputs.
+const CLOSELY_AT: usize = 200;
+/// Sides of comparisons that so many random points take need not be searched for.
+const REACHED_FROM: usize = 64;
+/// Laws hold in 237 bits to this.
+const LAW: f64 = 1e-60;
+
+/// Steps of differences at hard points: the best one.
+const STEPS: [f64; 4] = [3e-19, 1e-22, 1e-26, 1e-30];
+/// At random points, the second one where the first is not near enough, as with a slave point near a centre of curvature, whose
+/// foot moves far.
+const STEPS_AT_RANDOM: [f64; 2] = [STEPS[0], 3e-20];
+
+/// What an audit of one formula found.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Audit {
+    /// The formula's identifier.
+    pub formula: String,
+    /// Document and section, and how much of the equation is printed there.
+    pub provenance: String,
+    /// Named points: the cases, points on and beside kinks, and those that were searched for.
+    pub named_points: usize,
+    /// So many of them were searched for, since they take a side of a comparison that neither a case nor a random point takes.
+    pub searched_points: usize,
+    /// Random points.
+    pub random_points: usize,
+    /// The seed of the random points.
+    pub seed: u64,
+    /// The closed-form Jacobian is the derivative: it equals automatic differentiation, in 237 bits.
+    pub closed_against_ad: Claim,
+    /// Automatic differentiation is right: it equals differences, in 237 bits.
+    pub ad_against_differences: Claim,
+    /// The value in `f64` is accurate.
+    pub eta: Claim,
+    /// The closed-form Jacobian in `f64` is accurate.
+    pub eta_jacobian: Claim,
+    /// The same two at sizes up to the [scale](crate::formula::Spec::scale) that is stated; `None` at a single given point.
+    pub scaled: Option<[Claim; 2]>,
+    /// The printed equation is the value, in 237 bits.
+    pub equation: Claim,
+    /// The derivative of the printed equation is the closed form, in 237 bits.
+    pub equation_jacobian: Claim,
+    /// Homogeneity, frame indifference, and the formula's own laws.
+    pub laws: Vec<Claim>,
+    /// Nothing overflows where the formula [says](crate::formula::Spec::finite) so; `None` where it says nothing, and at a
+    /// single given point.
+    pub finite: Option<Claim>,
+    /// Every place where value or derivative jumps is registered, by one-sided differences in 237 bits.
+    pub kinks: Claim,
+    /// Something jumps on every registered kink; `None` where there is none.
+    pub register: Option<Claim>,
+    /// How kinks were looked for; `None` at a single given point.
+    pub looked: Option<Looked>,
+}
+
+impl Audit {
+    /// Every claim.
+    pub fn claims(&self) -> impl Iterator<Item = &Claim> {
+        let derivatives = [&self.closed_against_ad, &self.ad_against_differences, &self.eta, &self.eta_jacobian];
+        let printed = [&self.equation, &self.equation_jacobian];
+        derivatives
+            .into_iter()
+            .chain(self.scaled.iter().flatten())
+            .chain(printed)
+            .chain(&self.laws)
+            .chain(&self.finite)
+            .chain([&self.kinks])
+            .chain(&self.register)
+    }
+
+    /// Whether no claim failed. At a single point on a kink there may be claims that cannot be checked.
+    pub fn no_claim_failed(&self) -> bool {
+        self.claims().all(|claim| claim.failures == 0)
+    }
+
+    /// Whether every claim was checked, and none failed.
+    pub fn passed(&self) -> bool {
+        self.claims().all(Claim::held)
+    }
+}
+
+/// What is found at a share of the random points, and how the comparisons of the formula came out there.
+pub(super) fn audit_share(subject: &Subject, options: &Options, shard: Shard) -> (Audit, Vec<Comparison>) {
+    let (range, is_first) = (shard.range(options.samples), shard.is_first());
+    let mut named = if is_first { named_points(subject) } else { Vec::new() };
+    let starts = is_first.then(|| random_points(subject, options, 0..options.samples.min(kinks::STARTS_AT)));
+    let searched = starts.as_ref().map_or_else(Vec::new, |starts| searched_points(subject, &named, starts));
+    let number = searched.len();
+    named.extend(searched);
+    let random = random_points(subject, options, range.clone());
+    let points = Points { named, searched: number, random, before: range.start, seed: options.seed, starts };
+    (audit_points(subject, &points), points.comparisons(subject))
+}
+
+/// Audits one formula at one point.
+///
+/// # Errors
+/// The input that is not valid.
+pub fn audit_at<F: Proved>(inputs: &F::Inputs<f64>) -> Result<Audit, Error> {
+    check::<F>(inputs)?;
+    let subject = Subject::of::<F>();
+    let named = vec![Point::new(&subject, "given".into(), false, inputs.components())];
+    Ok(audit_points(&subject, &Points { named, searched: 0, random: Vec::new(), before: 0, seed: 0, starts: None }))
+}
+
+/// Where an audit, or a part of one, looks.
+struct Points<'a> {
+    named: Vec<Point<'a>>,
+    /// So many of these were searched for.
+    searched: usize,
+    random: Vec<Point<'a>>,
+    /// So many random points are before these, in other parts.
+    before: usize,
+    seed: u64,
+    /// Random points from which kinks are searched, by the first part alone.
+    starts: Option<Vec<Point<'a>>>,
+}
+
+impl Points<'_> {
+    /// Whether it is a single point that somebody gave.
+    fn is_given(&self) -> bool {
+        self.starts.is_none() && !self.named.is_empty()
+    }
+
+    /// What the comparisons of the formula came out as.
+    fn comparisons(&self, subject: &Subject) -> Vec<Comparison> {
+        let points = self.named.iter().chain(&self.random).map(|point| point.inputs.as_slice());
+        kinks::comparisons(subject, &Names::new(subject), points)
+    }
+}
+
+fn audit_points(subject: &Subject, points: &Points<'_>) -> Audit {
+    let Points { named, searched, random, before, seed, starts } = points;
+    // Laws hold at points in general position; at a single given point they are checked there.
+    let general = if points.is_given() { named } else { random };
+    let names = Names::new(subject);
+    let (printed, [equation, equation_jacobian]) = read_equation(subject);
+    let [eta, eta_jacobian] = claims(&subject.spec, "");
+    let mut audit = Audit {
+        formula: subject.spec.id.into(),
+        provenance: format!("{}; {}", subject.spec.source, subject.spec.source.provenance),
+        named_points: named.len(),
+        searched_points: *searched,
+        random_points: random.len(),
+        seed: *seed,
+        closed_against_ad: Claim::new("closed form = automatic differentiation, in 237 bits", CLOSED_AGAINST_AD),
+        ad_against_differences: Claim::new(
+            "automatic differentiation = differences, in 237 bits",
+            AD_AGAINST_DIFFERENCES,
+        ),
+        eta,
+        eta_jacobian,
+        scaled: (!points.is_given()).then(|| scaled(subject, &names, random, *before, *seed)),
+        equation,
+        equation_jacobian,
+        laws: invariance::of_all(subject).iter().chain(&subject.laws).map(|law| check_law(law, general)).collect(),
+        finite: (!points.is_given()).then(|| finite::claim(subject, &names, random, *before, *seed)).flatten(),
+        kinks: Claim::new("where value or derivative jumps a kink is registered, by one-sided differences", SMOOTH),
+        register: starts.is_some().then(|| kinks::register(subject, &names)).flatten(),
+        looked: None,
+    };
+    if let Some(starts) = starts {
+        audit.looked = Some(kinks::look(subject, &names, [named, starts], &mut audit.kinks));
+    } else if !points.is_given() {
+        // That an equation cannot be read is said once, by the first part.
+        audit.equation = audit.equation.begun_anew();
+    }
+    let closely = CLOSELY_AT.saturating_sub(*before).min(random.len());
+    for point in named.iter().chain(&random[..closely]) {
+        audit.check_closely(point, &names, printed.as_ref());
+    }
+    for point in &random[closely..] {
+        audit.check(point, &names);
+    }
+    audit
+}
+
+/// The printed equation alone: its value and its Jacobian, at all points at which an audit compares them.
+pub fn audit_equation<F: Proved>(options: &Options) -> [Claim; 2] {
+    equation_of(&Subject::of::<F>(), options)
+}
+
+fn equation_of(subject: &Subject, options: &Options) -> [Claim; 2] {
+    let (printed, mut claims) = read_equation(subject);
+    let Some(printed) = printed else { return claims };
+    let names = Names::new(subject);
+    let random = random_points(subject, options, 0..options.samples.min(CLOSELY_AT));
+    for point in named_points(subject).into_iter().chain(random) {
+        if printed.is_defined(point.kink.is_some()) {
+            let (values, closed) = ((subject.exact_value)(&point.exact), (subject.exact_jacobian)(&point.exact));
+            // Few numbers are so close to a cancellation that it is asked what rounding of the inputs does to them.
+            let (gradients, bends) = (OnceCell::new(), Bends::at(&point));
+            let gradients = || gradients.get_or_init(|| subject.derivative(&point.exact)).as_slice();
+            let bend = |k: usize| bends.of(&point, &closed, k);
+            check_equation(claims.each_mut(), &point, &names, [&values, &closed], gradients, bend, &printed);
+        }
+    }
+    claims
+}
+
+/// The printed equation, and what is claimed of it; that it can be read, too.
+fn read_equation(subject: &Subject) -> (Option<Equation>, [Claim; 2]) {
+    let mut values = Claim::new("printed equation = value, in 237 bits", EQUATION);
+    let jacobian = Claim::new("derivative of the printed equation = closed form, in 237 bits", EQUATION);
+    let equation = Equation::of(&subject.spec, subject.inputs, subject.outputs);
+    let equation = equation.map_err(|error| values.fail(error.to_string())).ok();
+    (equation, [values, jacobian])
+}
+
+/// The formula's own cases, and points on both sides of every kink and on it.
+pub(super) fn named_points(subject: &Subject) -> Vec<Point<'_>> {
+    let cases = (subject.cases)().into_iter().map(|case| (case.id, case.inputs));
+    cases
+        .chain(beside_kinks(subject))
+        .filter(|(_, inputs)| (subject.check)(inputs).is_ok())
+        .map(|(label, inputs)| Point::new(subject, label, false, inputs))
+        .collect()
+}
+
+/// Points on every kink and on both sides of it, near and nearer, each with its name; some may be invalid inputs.
+pub(crate) fn beside_kinks(subject: &Subject) -> impl Iterator<Item = (String, Vec<f64>)> {
+    subject.kinks.iter().flat_map(|kink| {
+        [0.0, 2e-3, -2e-3, 1e-9, -1e-9].map(|step| {
+            let moved = kink.at.iter().zip(&kink.across).map(|(x, direction)| x + step * direction).collect();
+            (format!("kink {} {step:+}", kink.condition), moved)
+        })
+    })
+}
+
+/// Points that take sides of comparisons which neither named points nor the first random ones take.
+fn searched_points<'a>(subject: &'a Subject, named: &[Point], random: &[Point]) -> Vec<Point<'a>> {
+    let Ok(graph) = subject.telling_graph() else { return Vec::new() };
+    let names = Names::new(subject);
+    let words = kinks::Words { graph, names: &names.inputs };
+    let starts: Vec<_> = random.iter().take(REACHED_FROM).chain(named).map(|point| point.inputs.as_slice()).collect();
+    let point = |reached: Reached| {
+        let side = if reached.answer { "so" } else { "otherwise" };
+        let label = format!("searched, {}: {side}", words.of(reached.comparison));
+        Point::new(subject, label, false, reached.inputs)
+    };
+    reach(subject, &Branches::of(graph), &starts).into_iter().map(point).collect()
+}
+
+/// The claims made about every formula.
+impl Audit {
+    /// All that is claimed of a point.
+    fn check_closely(&mut self, point: &Point, names: &Names, equation: Option<&Equation>) {
+        let exact = Exact::at(point);
+        self.check_code(point, names, &exact);
+        if point.kink.is_none() {
+            self.check_ad(point, names, &exact);
+        }
+        if let Some(equation) = equation.filter(|equation| equation.is_defined(point.kink.is_some())) {
+            let claims = [&mut self.equation, &mut self.equation_jacobian];
+            let bend = |k: usize| exact.bend(point, k);
+            let known = [&exact.values, &exact.closed].map(Vec::as_slice);
+            check_equation(claims, point, names, known, || exact.ad.as_slice(), bend, equation);
+        }
+    }
+
+    /// The same without the printed equation, and with differences in one direction alone.
+    fn check(&mut self, point: &Point, names: &Names) {
+        let exact = Exact::at(point);
+        self.check_code(point, names, &exact);
+        if point.kink.is_none() {
+            self.check_ad_along(point, names, &exact);
+        }
+    }
+
+    /// The closed form in 237 bits, and all that is computed in `f64`.
+    fn check_code(&mut self, point: &Point, names: &Names, exact: &Exact) {
+        self.check_closed_form(point, names, exact);
+        check_accuracy([&mut self.eta, &mut self.eta_jacobian], point, names, exact);
+    }
+
+    /// Judged against the entry and what rounding of the inputs can do to it: an entry may be what a cancellation left. One that is
+    /// nothing beside others of its output is what rounding in 237 bits left of their terms, and judged against them.
+    fn check_closed_form(&mut self, point: &Point, names: &Names, exact: &Exact) {
+        for (k, (&closed, &ad)) in exact.closed.iter().zip(&exact.ad).enumerate() {
+            let describe = |size| point.deviation(size, names.entry(k), closed.to_f64(), ad.to_f64());
+            let share_beside = |bend: Sensitivity| bend.plus(ad).share_of(closed - ad);
+            let share = || {
+                let (own, largest) = (exact.bend(point, k).plus(ad), exact.largest_of_output(k, point.exact.len()));
+                let scale = if own.size() < largest * NOTHING { own.plus(largest) } else { own };
+                scale.share_of(closed - ad)
+            };
+            let sizes = exact.bends_up_to(point, k).map(share_beside).chain(iter::once_with(share));
+            self.closed_against_ad.record_last(sizes, CLOSED_AGAINST_AD, describe);
+        }
+    }
+
+    /// Differences by one input after another.
+    fn check_ad(&mut self, point: &Point, names: &Names, exact: &Exact) {
+        let (inputs, rounding) = (point.exact.len(), rounding_of_values(point, exact));
+        let bound = if point.random { AD_AGAINST_DIFFERENCES } else { AD_AGAINST_DIFFERENCES_HARD };
+        for input in 0..inputs {
+            let along = Direction::of_one(point.subject, &point.exact, input);
+            let expected = exact.ad.chunks(inputs).map(|gradient| gradient[input]).collect();
+            let compared = Compared::new(point, exact, &along, &rounding, expected);
+            for output in 0..rounding.len() {
+                let entry = output * inputs + input;
+                let describe = |size| compared.describe(point, names.entry(entry), output, size);
+                self.ad_against_differences.record(compared.deviation(output), bound, describe);
+                if !point.random {
+                    let sides: Vec<_> = compared.attempts.iter().map(|rows| rows.sides_of(output)).collect();
+                    self.check_sides(point, names, entry, compared.scales[output].size(), &sides);
+                }
+            }
+        }
+    }
+
+    /// Differences along one direction of all inputs, other ones at every point.
+    fn check_ad_along(&mut self, point: &Point, names: &Names, exact: &Exact) {
+        let (subject, inputs) = (point.subject, point.exact.as_slice());
+        let mut sampler = Sampler::named(&format!("{} along {}", subject.spec.id, point.label), 0);
+        let along = Direction::of_all(subject, inputs, &mut sampler);
+        let expected = exact.ad.chunks(inputs.len()).map(|gradient| along.derivative(gradient)).collect();
+        let compared = Compared::new(point, exact, &along, &rounding_of_values(point, exact), expected);
+        for (output, name) in names.outputs.iter().enumerate() {
+            let entry = || format!("{name} along a direction of all inputs");
+            let describe = |size| compared.describe(point, entry(), output, size);
+            self.ad_against_differences.record(compared.deviation(output), AD_AGAINST_DIFFERENCES, describe);
+        }
+    }
+
+    /// At a named point, which may be a special position, the derivatives on both sides are the same.
+    fn check_sides(&mut self, point: &Point, names: &Names, entry: usize, scale: Octuple, sides: &[[Octuple; 2]]) {
+        let relative = |[below, above]: &[Octuple; 2]| {
+            let jump = (*above - *below).abs();
+            let size = if jump == 0.0 { 0.0 } else { (jump / (scale + below.abs() + above.abs())).to_f64() };
+            (size, [*below, *above])
+        };
+        let smallest = sides.iter().map(relative).reduce(|best, next| if next.0 < best.0 { next } else { best });
+        let Some((size, [below, above])) = smallest else { return };
+        let inputs = point.exact.len();
+        // The steps may be too long for what is near.
+        let size = if size <= SMOOTH { size } else { size.min(kinks::jump(point, entry / inputs, entry % inputs)) };
+        let describe = |size| point.deviation(size, names.entry(entry), above.to_f64(), below.to_f64());
+        self.kinks.record(size, SMOOTH, describe);
+    }
+}
+
+/// The derivative of every output along a direction, and what differences say of it.
+struct Compared {
+    expected: Vec<Octuple>,
+    scales: Vec<Sensitivity>,
+    /// By one step after the other.
+    attempts: Vec<Differences>,
+}
+
+impl Compared {
+    fn new(point: &Point, exact: &Exact, along: &Direction, rounding: &[Sensitivity], expected: Vec<Octuple>) -> Self {
+        let scale = |(&expected, rounding): (&Octuple, &Sensitivity)| {
+            Sensitivity::none().plus(expected).plus(rounding.per(along.unit()))
+        };
+        let scales = expected.iter().zip(rounding).map(scale).collect();
+        let mut compared = Self { expected, scales, attempts: Vec::new() };
+        let steps = if point.random { &STEPS_AT_RANDOM[..] } else { &STEPS[..] };
+        for &step in steps {
+            compared.attempts.push(differences(point.subject, &point.exact, &exact.values, along, step));
+            if point.random && compared.is_near() {
+                break;
+            }
+        }
+        compared
+    }
+
+    fn is_near(&self) -> bool {
+        (0..self.expected.len()).all(|output| self.deviation(output) <= AD_AGAINST_DIFFERENCES)
+    }
+
+    /// By the best step, unless the first one leads to no number.
+    fn deviation(&self, output: usize) -> f64 {
+        let deviations = self.attempts.iter().map(|rows| (self.expected[output] - rows.central[output]).abs());
+        let best = deviations.reduce(|best, next| if next < best { next } else { best });
+        best.map_or(f64::INFINITY, |best| self.scales[output].share_of(best))
+    }
+
+    fn describe(&self, point: &Point, entry: String, output: usize, size: f64) -> Deviation {
+        let found = self.attempts[0].central[output].to_f64();
+        point.deviation(size, entry, self.expected[output].to_f64(), found)
+    }
+}
+
+/// What rounding can do to the values, |y| and what rounding of the inputs does, by which differences are judged beside the
+/// derivative itself. Where that is 0, because the terms of y cancel, |y| is the largest of its field.
+fn rounding_of_values(point: &Point, exact: &Exact) -> Vec<Sensitivity> {
+    let sizes = exact.sensitivities(&point.exact);
+    let rounding = |(output, (size, &value)): (usize, (Sensitivity, &Octuple))| {
+        let own = size.plus(value);
+        let largest = || largest_of_field(point.subject.outputs, &exact.values, output);
+        if own.size().is_zero() { own.plus(largest()) } else { own }
+    };
+    sizes.into_iter().zip(&exact.values).enumerate().map(rounding).collect()
+}
+
+/// Value and Jacobian of the printed equation, each judged as those of the code are.
+fn check_equation<'g>(
+    [values, jacobian]: [&mut Claim; 2],
+    point: &Point,
+    names: &Names,
+    [exact, closed]: [&[Octuple]; 2],
+    gradients: impl Fn() -> &'g [Octuple],
+    bend: impl Fn(usize) -> Sensitivity,
+    equation: &Equation,
+) {
+    let found = found(equation, &point.exact, exact);
+    let size = |k: usize| Sensitivity::new(&gradients()[k * point.exact.len()..], &point.exact);
+    let describe = |size, entry, found, expected| point.deviation(size, entry, found, expected);
+    found.record_values(values, exact, size, &names.outputs, describe);
+    if point.kink.is_none() {
+        found.record_jacobian(jacobian, closed, bend, |k| names.entry(k), describe);
+    }
+}
+
+fn check_law(law: &Law, points: &[Point]) -> Claim {
+    let mut claim = Claim::new(law.statement.as_str(), LAW);
+    // On a kink or a cut a law may hold from one side only.
+    for point in points.iter().filter(|point| point.kink.is_none()) {
+        for (k, equation) in (law.sides)(&point.exact).iter().enumerate() {
+            let (left, right) = (equation.left.to_f64(), equation.right.to_f64());
+            let describe = |size| point.deviation(size, format!("equation {k}"), left, right);
+            claim.record(residual(equation), LAW, describe);
+        }
+    }
+    claim
+}
+
+#[cfg(test)]
+mod tests;

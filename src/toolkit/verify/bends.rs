@@ -1,0 +1,181 @@
+//! How much the entries of a Jacobian change with the inputs, computed as far as it is asked for.
+
+use super::Sensitivity;
+use super::point::Point;
+use crate::Octuple;
+use crate::number::power::power_of_two;
+use std::cell::OnceCell;
+
+/// Of every entry of the Jacobian at a point, by how much it changes when every input changes by one part: its bend.
+///
+/// It takes a Jacobian for every input. Often a part of it is enough: an error that is small beside what the first inputs
+/// do is small beside what all of them do.
+pub(super) struct Bends {
+    /// By all inputs moving at once, then by the first one, by the first two, and so on. Near a kink, where differences tell
+    /// nothing, by second derivatives alone.
+    steps: Vec<OnceCell<Vec<Sensitivity>>>,
+}
+
+impl Bends {
+    pub(super) fn at(point: &Point) -> Self {
+        let by_inputs = if has_no_kink_near(point) { point.exact.len() } else { 0 };
+        Self { steps: vec![OnceCell::new(); 1 + by_inputs] }
+    }
+
+    /// The bend of the k-th entry; `here` is the Jacobian.
+    pub(super) fn of(&self, point: &Point, here: &[Octuple], k: usize) -> Sensitivity {
+        self.step(point, here, self.steps.len() - 1)[k]
+    }
+
+    /// Numbers that are not larger, from 0, each of which takes one Jacobian more, and in the end the bend.
+    pub(super) fn up_to(&self, point: &Point, here: &[Octuple], k: usize) -> impl Iterator<Item = Sensitivity> {
+        (0..=self.steps.len()).map(move |step| match step.checked_sub(1) {
+            None => Sensitivity::none(),
+            Some(step) => self.step(point, here, step)[k],
+        })
+    }
+
+    fn step(&self, point: &Point, here: &[Octuple], step: usize) -> &[Sensitivity] {
+        self.steps[step].get_or_init(|| match step {
+            _ if self.steps.len() == 1 => by_second_derivatives(point),
+            0 => by_all_inputs(point, here),
+            1 => by_input(point, here, 0),
+            step => {
+                let before = self.step(point, here, step - 1);
+                before.iter().zip(by_input(point, here, step - 1)).map(|(sum, next)| sum.and(next)).collect()
+            }
+        })
+    }
+}
+
+/// At random points no kink is near, and a difference has 35 digits for a small part of the time.
+fn has_no_kink_near(point: &Point) -> bool {
+    point.random && point.kink.is_none()
+}
+
+fn by_second_derivatives(point: &Point) -> Vec<Sensitivity> {
+    let gradients = point.subject.second_derivative(&point.exact);
+    gradients.iter().map(|gradient| Sensitivity::new(gradient, &point.exact)).collect()
+}
+
+/// Inputs change by this part of them in differences of Jacobians.
+const PART: i64 = -118;
+
+/// Every other input moves up and every other one down.
+fn by_all_inputs(point: &Point, here: &[Octuple]) -> Vec<Sensitivity> {
+    let part = power_of_two(PART);
+    let parts = [part, -part].into_iter().cycle();
+    changes(point, here, &point.exact.iter().zip(parts).map(|(&x, part)| x + x * part).collect::<Vec<_>>())
+}
+
+fn by_input(point: &Point, here: &[Octuple], input: usize) -> Vec<Sensitivity> {
+    let mut moved = point.exact.clone();
+    moved[input] += point.exact[input] * power_of_two(PART);
+    changes(point, here, &moved)
+}
+
+/// What moved inputs do to every entry, per part.
+fn changes(point: &Point, here: &[Octuple], moved: &[Octuple]) -> Vec<Sensitivity> {
+    let there = (point.subject.exact_jacobian)(moved);
+    let parts = Octuple::from(power_of_two(PART).recip());
+    there.iter().zip(here).map(|(&there, &here)| Sensitivity::new(&[there - here], &[parts])).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::connector::slot::{ContactForce, Friction};
+    use crate::contact::coulomb::ReturnMap;
+    use crate::formula::proof::Proved;
+    use crate::toolkit::verify::Options;
+    use crate::toolkit::verify::audit::named_points;
+    use crate::toolkit::verify::point::random_points;
+    use crate::toolkit::verify::subject::Subject;
+    use num_traits::{Signed, Zero};
+
+    fn jacobian(point: &Point) -> Vec<Octuple> {
+        (point.subject.exact_jacobian)(&point.exact)
+    }
+
+    /// On a kink, beside it, and at random points.
+    #[test]
+    fn no_number_before_it_is_more_than_the_bend() {
+        fn compare<F: Proved>() {
+            let subject = Subject::of::<F>();
+            let random = random_points(&subject, &Options { samples: 20, seed: 1 }, 0..20);
+            let mut kinks = 0;
+            for point in named_points(&subject).iter().chain(&random) {
+                let (bends, here) = (Bends::at(point), jacobian(point));
+                kinks += usize::from(point.kink.is_some());
+                for (k, entry) in here.iter().enumerate() {
+                    let bend = bends.of(point, &here, k).size();
+                    // As far as differences have digits.
+                    let most = bend + (bend + entry.abs()) * 1e-30;
+                    let before: Vec<_> = bends.up_to(point, &here, k).map(Sensitivity::size).collect();
+                    assert!(
+                        before.iter().all(|&size| size <= most),
+                        "{} at {}: {bend:?}",
+                        subject.spec.id,
+                        point.label
+                    );
+                    assert_eq!((before[0], before[before.len() - 1]), (Octuple::zero(), bend));
+                }
+            }
+            assert!(kinks > 0, "{} has no point on a kink", subject.spec.id);
+        }
+        compare::<ReturnMap>();
+        compare::<ContactForce>();
+        compare::<Friction>();
+    }
+
+    fn point<'a>(subject: &'a Subject, random: bool, inputs: &[f64]) -> Point<'a> {
+        Point::new(subject, "here".into(), random, inputs.to_vec())
+    }
+
+    /// Of x/r and y/r at (3, 4): x y²/r³ and x² y/r³ by each of the two inputs, which also add up where one moves the other way.
+    #[test]
+    fn bends_are_what_each_input_does_to_a_derivative() {
+        let subject = Subject::of::<ContactForce>();
+        let point = point(&subject, true, &[3.0, 4.0]);
+        let (bends, here) = (Bends::at(&point), jacobian(&point));
+        for (k, half) in [0.384, 0.288].into_iter().enumerate() {
+            let found = bends.up_to(&point, &here, k).zip([0.0, 2.0 * half, half, 2.0 * half]);
+            assert_eq!(bends.up_to(&point, &here, k).count(), 4);
+            for (found, expected) in found {
+                assert!((found.size().to_f64() - expected).abs() < 1e-15, "{k}: {found:?} is not {expected}");
+            }
+        }
+    }
+
+    /// At a named point it is the second derivative to the last digit, and so on a kink, where a difference would be a jump.
+    #[test]
+    fn differences_tell_bends_at_random_points_alone() {
+        let subject = Subject::of::<ReturnMap>();
+        for (random, f_trial, by_differences) in [(true, 3.0, true), (false, 3.0, false), (true, 2.0, false)] {
+            let point = point(&subject, random, &[f_trial, 0.5, 4.0]);
+            let (bends, here) = (Bends::at(&point), jacobian(&point));
+            for k in 0..3 {
+                assert!(bends.of(&point, &here, k).size() <= 4.0, "{random} {f_trial}");
+                let numbers = if by_differences { 5 } else { 2 };
+                assert_eq!(bends.up_to(&point, &here, k).count(), numbers, "{random} {f_trial}");
+            }
+        }
+        let subject = Subject::of::<ContactForce>();
+        let point = point(&subject, false, &[3.0, 4.0]);
+        let expected = Sensitivity::new(&subject.second_derivative(&point.exact)[0], &point.exact);
+        assert_eq!(Bends::at(&point).of(&point, &jacobian(&point), 0).size(), expected.size());
+    }
+
+    /// What is known of the first inputs is enough for some, and the others are not moved.
+    #[test]
+    fn no_more_is_computed_than_is_asked_for() {
+        let subject = Subject::of::<ContactForce>();
+        let point = point(&subject, true, &[3.0, 4.0]);
+        let (bends, here) = (Bends::at(&point), jacobian(&point));
+        let known = || bends.steps.iter().filter(|step| step.get().is_some()).count();
+        for asked in 1..=4 {
+            bends.up_to(&point, &here, 0).take(asked).for_each(drop);
+            assert_eq!(known(), asked - 1);
+        }
+    }
+}

@@ -1,0 +1,334 @@
+//! The printed equation at a point, in 237 bits: its values, its Jacobian by dual numbers, and whether what it calls
+//! smallest is so.
+
+use super::claim::{Claim, Deviation};
+use super::eta::Sensitivity;
+use super::jet::differentiate;
+use crate::Octuple;
+use crate::toolkit::equation::{Equation, SmallestAt};
+use num_traits::{Signed, Zero};
+
+/// The printed equation and the code agree in 237 bits to this.
+pub(super) const EQUATION: f64 = 1e-55;
+
+/// What an equation gives.
+pub(super) struct Found<'a> {
+    equation: &'a Equation,
+    point: Vec<Octuple>,
+    /// The derivative of the slope that vanishes by the place of something smallest, how that place moves with each
+    /// input, and by the place the derivative of each output.
+    curvature: Octuple,
+    motion: Vec<Octuple>,
+    by_place: Vec<Octuple>,
+    values: Vec<Octuple>,
+    /// The entries, output by output.
+    jacobian: Vec<Octuple>,
+    /// Numbers that are printed as equal.
+    equal: Vec<(Octuple, Octuple)>,
+    /// By how much another place is better than the one that should be best, relatively.
+    better: Option<f64>,
+}
+
+/// So many steps between its bounds are tried for a better place.
+const STEPS: u8 = 24;
+
+/// An equation at inputs. Where an output is the place of something smallest, `known` are the outputs, from which it
+/// is taken and then checked.
+pub(super) fn found<'a>(equation: &'a Equation, inputs: &[Octuple], known: &[Octuple]) -> Found<'a> {
+    let point = equation.point(inputs, known);
+    let mut at = equation.run(&point);
+    let rows = differentiate(&point, &|moved| {
+        let at = equation.run(moved);
+        at.outputs.into_iter().chain(at.smallest.map(|smallest| smallest.slope)).collect()
+    });
+    let (rows, slopes) = rows.split_at(at.outputs.len());
+    let mut motion = vec![Octuple::zero(); inputs.len()];
+    if let (Some(smallest), Some(slope)) = (&at.smallest, slopes.first()) {
+        at.outputs[smallest.output] = settled(smallest, slope, &mut motion);
+    }
+    let by_place = |row: &Vec<Octuple>| row.get(inputs.len()).copied().unwrap_or_else(Octuple::zero);
+    let total = |row: &Vec<Octuple>| -> Vec<Octuple> {
+        row.iter().zip(&motion).map(|(&direct, &motion)| direct + by_place(row) * motion).collect()
+    };
+    let jacobian = rows.iter().flat_map(total).collect();
+    let better = at.smallest.as_ref().map(|smallest| excess(equation, smallest, point.clone()).to_f64());
+    Found {
+        equation,
+        point,
+        curvature: slopes.first().map_or_else(Octuple::zero, by_place),
+        by_place: rows.iter().map(by_place).collect(),
+        motion,
+        values: at.outputs,
+        jacobian,
+        equal: at.equal,
+        better,
+    }
+}
+
+impl Found<'_> {
+    /// Compares the values, and what the equation itself says is equal or smallest. `size` says what rounding of the
+    /// inputs can do to a value.
+    pub(super) fn record_values(
+        &self,
+        claim: &mut Claim,
+        values: &[Octuple],
+        size: impl Fn(usize) -> Sensitivity,
+        names: &[String],
+        describe: impl Fn(f64, String, f64, f64) -> Deviation,
+    ) {
+        for (output, &value) in values.iter().enumerate() {
+            let found = self.values[output];
+            let share = match Sensitivity::none().plus(value).share_of(found - value) {
+                share if share > EQUATION => judged(size(output).plus(value), found - value, || self.terms(output)),
+                share => share,
+            };
+            let entry = || names[output].clone();
+            claim.record(share, EQUATION, |share| describe(share, entry(), found.to_f64(), value.to_f64()));
+        }
+        for &(first, next) in &self.equal {
+            let share = Sensitivity::none().plus(first).plus(next).share_of(next - first);
+            let entry = || "the form after the next sign of equality".into();
+            claim.record(share, EQUATION, |share| describe(share, entry(), next.to_f64(), first.to_f64()));
+        }
+        if let Some(better) = self.better {
+            let entry = || "the objective at a better place".into();
+            claim.record(better, EQUATION, |share| describe(share, entry(), better, 0.0));
+        }
+    }
+
+    /// Compares the Jacobian; every entry is judged against itself and, where that is too strict, against what rounding
+    /// of the inputs can do to it, its bend.
+    pub(super) fn record_jacobian(
+        &self,
+        claim: &mut Claim,
+        closed: &[Octuple],
+        bend: impl Fn(usize) -> Sensitivity,
+        entry: impl Fn(usize) -> String,
+        describe: impl Fn(f64, String, f64, f64) -> Deviation,
+    ) {
+        for (k, (&found, &closed)) in self.jacobian.iter().zip(closed).enumerate() {
+            let share = match Sensitivity::none().plus(closed).share_of(found - closed) {
+                share if share > EQUATION => judged(bend(k).plus(closed), found - closed, || self.terms_of_entry(k)),
+                share => share,
+            };
+            claim.record(share, EQUATION, |share| describe(share, entry(k), found.to_f64(), closed.to_f64()));
+        }
+    }
+
+    /// Against which rounding is judged: the size of the terms from which an output is summed.
+    fn terms(&self, output: usize) -> Octuple {
+        let terms = self.equation.terms_of_output(output, None, &self.point);
+        if self.curvature.is_zero() {
+            return terms;
+        }
+        terms + (self.equation.terms_of_slope(None, &self.point) / self.curvature).abs()
+    }
+
+    /// The same of an entry of the Jacobian.
+    fn terms_of_entry(&self, entry: usize) -> Octuple {
+        let (output, input, place) = (entry / self.motion.len(), entry % self.motion.len(), self.motion.len());
+        let direct = self.equation.terms_of_output(output, Some(input), &self.point);
+        if self.motion[input].is_zero() {
+            return direct;
+        }
+        let by_place = self.equation.terms_of_output(output, Some(place), &self.point);
+        let slope = |by| self.equation.terms_of_slope(Some(by), &self.point);
+        let motion = (slope(input) + slope(place) * self.motion[input].abs()) / self.curvature.abs();
+        direct + by_place * self.motion[input].abs() + motion * self.by_place[output].abs()
+    }
+}
+
+/// A deviation relative to the size of the number; where that would be too much, relative to the terms too from which
+/// the equation sums it: evaluated as it stands, it may lose digits that the code keeps.
+fn judged(size: Sensitivity, deviation: Octuple, terms: impl FnOnce() -> Octuple) -> f64 {
+    match size.share_of(deviation) {
+        share if share > EQUATION => size.plus(terms()).share_of(deviation),
+        share => share,
+    }
+}
+
+/// The place of something smallest, by one step of Newton's method from where it is known to be, and how it moves with
+/// the inputs. At a bound it stays, if the objective rises from there.
+fn settled(smallest: &SmallestAt<Octuple>, slopes: &[Octuple], motion: &mut [Octuple]) -> Octuple {
+    let SmallestAt { place, low, high, slope, .. } = *smallest;
+    let zero = Octuple::zero();
+    if place == low && slope >= zero || place == high && slope <= zero {
+        return place;
+    }
+    let Some(&curvature) = slopes.last().filter(|_| low < place && place < high) else {
+        return Octuple::NAN;
+    };
+    for (motion, &by_input) in motion.iter_mut().zip(slopes) {
+        *motion = -by_input / curvature;
+    }
+    place - slope / curvature
+}
+
+/// The relative excess of the objective over the best of some other places, 0 where none is better.
+fn excess(equation: &Equation, smallest: &SmallestAt<Octuple>, mut point: Vec<Octuple>) -> Octuple {
+    let last = point.len() - 1;
+    let mut worst = Octuple::zero();
+    for step in 0..=STEPS {
+        point[last] = smallest.low + (smallest.high - smallest.low) * (f64::from(step) / f64::from(STEPS));
+        let Some(there) = equation.run(&point).smallest else { continue };
+        let excess = (smallest.objective - there.objective) / (smallest.objective + there.objective);
+        worst = if excess > worst { excess } else { worst };
+    }
+    worst
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::formula::Field;
+    use crate::formula::quantity::{F2, F3, FC, SEGMENT_G, X};
+
+    fn smallest(place: f64, slope: f64) -> SmallestAt<Octuple> {
+        let [place, low, high, objective, slope] = [place, -1.0, 1.0, 0.0, slope].map(Octuple::from);
+        SmallestAt { output: 0, place, low, high, objective, slope }
+    }
+
+    #[test]
+    fn a_place_stays_at_a_bound_from_which_the_objective_rises() {
+        let slopes = [2.0, 3.0, 4.0].map(Octuple::from);
+        let at = |place, slope| {
+            let mut motion = [Octuple::zero(); 2];
+            let settled = settled(&smallest(place, slope), &slopes, &mut motion).to_f64();
+            (settled, motion.map(Octuple::to_f64))
+        };
+        for (place, slope) in [(-1.0, 0.0), (-1.0, 2.0), (1.0, 0.0), (1.0, -2.0)] {
+            assert_eq!(at(place, slope), (place, [0.0; 2]), "{place} {slope}");
+        }
+        for (place, slope) in [(-1.0, -2.0), (1.0, 2.0), (-1.5, 2.0), (1.5, -2.0)] {
+            assert!(at(place, slope).0.is_nan(), "{place} {slope}");
+        }
+        // A step of Newton's method, and how the place moves with each input.
+        assert_eq!(at(0.5, 1.0), (0.25, [-0.5, -0.75]));
+    }
+
+    #[test]
+    fn a_deviation_is_judged_by_its_terms_where_its_own_size_is_too_small() {
+        let (one, deviation) = (Sensitivity::none().plus(1.0.into()), Octuple::from(1e-50));
+        assert_eq!(judged(one, Octuple::from(1e-56), || panic!("it is small enough")), 1e-56);
+        assert!((judged(one, deviation, || Octuple::from(9.0)) * 1e51 - 1.0).abs() < 1e-9);
+    }
+
+    const PLACE: [Field; 1] = [Field::new("g", &SEGMENT_G)];
+    const NEAREST: &str = r"g = \operatorname*{arg\,min}_{-1\le g\le 1} (x-g)^2";
+
+    #[test]
+    fn the_place_of_something_smallest_is_settled_from_where_it_is_known_to_be() {
+        let equation = Equation::read(NEAREST, &[], &[Field::new("x", &X)], &PLACE).expect("it can be read");
+        let at = |x: f64, place: f64| {
+            let found = found(&equation, &[x.into()], &[place.into()]);
+            let numbers = [&found.values, &found.jacobian, &found.motion, &found.by_place];
+            (numbers.map(|numbers| numbers[0].to_f64()), found.curvature.to_f64(), found.better)
+        };
+        assert_eq!(at(0.25, 0.25), ([0.25, 1.0, 1.0, 1.0], 2.0, Some(0.0)));
+        // It is not where it is said to be: a step leads there, and another place is better.
+        let (numbers, curvature, better) = at(0.5, 0.0);
+        assert_eq!((numbers, curvature), ([0.5, 1.0, 1.0, 1.0], 2.0));
+        assert_eq!(better, Some(1.0));
+        assert_eq!(at(3.0, 1.0), ([1.0, 0.0, 0.0, 1.0], 2.0, Some(0.0)));
+    }
+
+    fn described(size: f64, entry: String, found: f64, expected: f64) -> Deviation {
+        let (point, inputs) = ("there".into(), serde_json::Value::Null);
+        Deviation { size, entry, point, found, expected, inputs }
+    }
+
+    /// What is found of the equation of a number at (3, 4), where the code has this value, which rounding of the inputs
+    /// changes by as much as it is.
+    fn recorded(latex: &str, value: Octuple) -> (usize, usize, Deviation) {
+        let fields = [Field::new("f2", &F2), Field::new("f3", &F3)];
+        let equation = Equation::read(latex, &[], &fields, &[Field::new("fc", &FC)]).expect("it can be read");
+        let (mut claim, point) = (Claim::new("so", EQUATION), [3.0, 4.0].map(Octuple::from));
+        let size = |_| Sensitivity::none().plus(value);
+        found(&equation, &point, &[]).record_values(&mut claim, &[value], size, &["fc".into()], described);
+        (claim.checks, claim.failures, claim.worst.expect("it was compared"))
+    }
+
+    const ROOT: &str = r"F_C = \sqrt{f_2^2 + f_3^2}";
+
+    #[test]
+    fn values_are_judged_by_themselves_and_else_by_what_rounding_does() {
+        let five = Octuple::from(5.0);
+        let (checks, failures, worst) = recorded(ROOT, five);
+        assert_eq!((checks, failures, worst.entry.as_str(), worst.found, worst.expected), (1, 0, "fc", 5.0, 5.0));
+        let size = |part: f64| recorded(ROOT, five + five * part).2.size / part;
+        // Within the bound by themselves; else by twice their size; and else by the terms too, 5 or more.
+        assert!((size(5e-56) - 1.0).abs() < 1e-9);
+        assert!((size(1.5e-55) - 0.5).abs() < 1e-9);
+        assert!((0.05..0.4).contains(&size(1e-30)), "{}", size(1e-30));
+        assert_eq!(recorded(ROOT, 6.0.into()).1, 1);
+    }
+
+    #[test]
+    fn forms_that_are_printed_as_equal_are_compared() {
+        let (checks, failures, worst) = recorded(&format!("{ROOT} = f_2 + f_3"), 5.0.into());
+        assert_eq!((checks, failures, worst.found, worst.expected), (2, 1, 7.0, 5.0));
+        assert_eq!(worst.entry, "the form after the next sign of equality");
+        assert_eq!(recorded(&format!(r"{ROOT} = \sqrt{{f_3^2 + f_2^2}}"), 5.0.into()).1, 0);
+    }
+
+    #[test]
+    fn a_better_place_is_recorded_beside_the_values() {
+        let equation = Equation::read(NEAREST, &[], &[Field::new("x", &X)], &PLACE).expect("it can be read");
+        let recorded = |x: f64, place: f64| {
+            let (mut claim, place) = (Claim::new("so", EQUATION), [Octuple::from(place)]);
+            let size = |_| Sensitivity::none();
+            found(&equation, &[x.into()], &place).record_values(&mut claim, &place, size, &["g".into()], described);
+            (claim.checks, claim.failures, claim.worst.expect("it was compared"))
+        };
+        assert_eq!(recorded(0.25, 0.25).1, 0);
+        // At the lower end, which is among those that are tried.
+        let (checks, failures, worst) = recorded(-1.0, -0.5);
+        assert_eq!((checks, failures, worst.size, worst.expected), (2, 2, 1.0, 0.0));
+        assert_eq!(worst.entry, "the objective at a better place");
+    }
+
+    /// Of the root, whose first derivative is 0.6.
+    #[test]
+    fn entries_of_the_jacobian_are_compared() {
+        let fields = [Field::new("f2", &F2), Field::new("f3", &F3)];
+        let equation = Equation::read(ROOT, &[], &fields, &[Field::new("fc", &FC)]).expect("it can be read");
+        let found = found(&equation, &[3.0, 4.0].map(Octuple::from), &[]);
+        let off = |part: f64| {
+            let mut claim = Claim::new("so", EQUATION);
+            let closed = [Octuple::from(3.0) / 5.0 * (Octuple::from(1.0) + part), Octuple::from(4.0) / 5.0];
+            let bend = |k: usize| Sensitivity::none().plus(closed[k]);
+            found.record_jacobian(&mut claim, &closed, bend, |k| format!("entry {k}"), described);
+            let worst = claim.worst.expect("it was compared");
+            (claim.checks, claim.failures, worst.entry, worst.size / part)
+        };
+        let is_near = |(checks, failures, entry, size): (usize, usize, String, f64), expected: f64| {
+            (checks, failures, entry.as_str()) == (2, 0, "entry 0") && (size - expected).abs() < 1e-9
+        };
+        assert!(is_near(off(5e-56), 1.0) && is_near(off(1.5e-55), 0.5));
+        assert_eq!(off(1e-50).1, 1);
+    }
+
+    /// The slope 2 f (3 x + g) has terms of size 70, its derivatives by x, f and g such of 210, 14 and 60, and its derivative by the
+    /// place is −10. The place moves by −3 with x, and by 1/4 with f.
+    #[test]
+    fn terms_are_those_of_a_number_and_of_the_place_that_it_depends_on() {
+        let fields = [Field::new("x", &X), Field::new("f2", &F2)];
+        let latex = r"g = \operatorname*{arg\,min}_{-1\le g\le 1} f_2 (3 x+g)^2,\quad F_C = f_2 x - x g^3";
+        let equation = Equation::read(latex, &[], &fields, &[PLACE[0], Field::new("fc", &FC)]);
+        let equation = equation.expect("it can be read");
+        let found = found(&equation, &[0.25, -5.0].map(Octuple::from), &[0.5.into(), 0.0.into()]);
+        let sizes = |of: &dyn Fn(Option<usize>) -> Octuple| [None, Some(0), Some(1), Some(2)].map(|by| of(by).to_f64());
+        assert_eq!(sizes(&|by| equation.terms_of_slope(by, &found.point)), [70.0, 210.0, 14.0, 60.0]);
+        assert_eq!(sizes(&|by| equation.terms_of_output(1, by, &found.point)), [2.59375, 10.375, 0.25, 0.75]);
+        let place = [&found.curvature, &found.motion[0], &found.motion[1], &found.by_place[1]].map(|x| x.to_f64());
+        assert_eq!(place, [-10.0, -3.0, 0.25, -0.1875]);
+        let terms: Vec<_> = (0..2).map(|k| found.terms(k)).chain((0..4).map(|k| found.terms_of_entry(k))).collect();
+        // What the number itself has, and the place, which the number changes with.
+        let by_x = (210.0 + 60.0 * 3.0) / 10.0;
+        let by_f = (14.0 + 60.0 / 4.0) / 10.0;
+        let expected =
+            [7.0, 9.59375, by_x, by_f, 10.375 + 0.75 * 3.0 + by_x * 0.1875, 0.25 + 0.75 / 4.0 + by_f * 0.1875];
+        let is_close = |(found, expected): (&Octuple, f64)| (found.to_f64() - expected).abs() < 1e-12;
+        assert!(terms.iter().zip(expected).all(is_close), "{terms:?} is not {expected:?}");
+    }
+}
