@@ -66,7 +66,7 @@ fn line(formula: &dyn AnyFormula, graph: &Graph) -> String {
 
 #[test]
 fn batches_know_the_structure_of_every_formula() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/src/batch/structure.txt");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/src/toolkit/batch/structure.txt");
     let now: String = CATALOG.par_iter().zip(&*GRAPHS).map(|(formula, graph)| line(*formula, graph)).collect();
     if now != std::fs::read_to_string(path).unwrap() {
         let beside = std::env::temp_dir().join("structure.txt");

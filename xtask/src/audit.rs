@@ -357,8 +357,8 @@ mod tests {
             format!("{}: {}", place.file, text.lines().nth(place.line - 1).unwrap().trim())
         };
         let places: Vec<_> = found.iter().map(|finding| line(&finding.place)).collect();
-        assert!(places[0].starts_with("src/slot/friction.rs: fn jacobian<"), "{places:?}");
-        assert!(places[1].starts_with("src/slot/friction.rs: fn eval<"), "{places:?}");
+        assert!(places[0].starts_with("src/connector/slot/friction.rs: fn jacobian<"), "{places:?}");
+        assert!(places[1].starts_with("src/connector/slot/friction.rs: fn eval<"), "{places:?}");
         let claims: Vec<_> = found.iter().map(|finding| (finding.formula.as_str(), finding.claim.as_str())).collect();
         let expected = ["closed form = automatic differentiation", "η of the value in f64"];
         assert_eq!(claims, expected.map(|claim| ("slot.friction", claim)));

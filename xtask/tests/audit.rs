@@ -198,7 +198,7 @@ fn a_change_is_audited_where_it_reaches() {
         let text = std::fs::read_to_string(bench.path(file)).unwrap();
         std::fs::write(bench.path(file), text + "\n// Edited.\n").unwrap();
     };
-    edit("src/coulomb/proof.rs");
+    edit("src/contact/coulomb/proof.rs");
     let said = audited();
     assert!(said.contains("coulomb.yield") && !said.contains("join.") && !said.contains("slider."), "{said}");
     edit("golden/join.rows.json");

@@ -9,18 +9,20 @@ const PARTS: [&str; 3] = ["src", "book/src", "tests/python/oracle"];
 fn a_skeleton_is_written_in_the_places_of_its_neighbours() {
     let bench = Bench::with(&PARTS);
     let ran = bench.run(&["new", "slot.made_power"]).quiet();
-    let changed = ["src/slot.rs", "src/catalog.rs", "book/src/slot.md"].map(|file| format!("changed {file}\n"));
-    let written = ["src/slot/made_power.rs", "src/slot/made_power/proof.rs"].map(|file| format!("wrote   {file}\n"));
+    let changed =
+        ["src/connector/slot.rs", "src/catalog.rs", "book/src/slot.md"].map(|file| format!("changed {file}\n"));
+    let written = ["src/connector/slot/made_power.rs", "src/connector/slot/made_power/proof.rs"]
+        .map(|file| format!("wrote   {file}\n"));
     let reported = written.concat() + &changed.concat();
     assert!(ran.stdout.starts_with(&reported), "{ran:#?}");
     ran.prints("a case worked by hand")
         .prints("an independent implementation")
         .prints("golden --filter slot.made_power");
     for (file, expected) in [
-        ("src/slot/made_power.rs", "\n#[cfg(feature = \"verify\")]\nmod proof;\n\nuse crate::fields;\n"),
-        ("src/slot/made_power.rs", "Spec::new(\"slot.made_power\", \"\", "),
-        ("src/slot/made_power/proof.rs", "impl Proved for MadePower {"),
-        ("src/slot.rs", "pub use made_power::{MadePower, MadePowerInputs, MadePowerOutputs};\n"),
+        ("src/connector/slot/made_power.rs", "\n#[cfg(feature = \"verify\")]\nmod proof;\n\nuse crate::fields;\n"),
+        ("src/connector/slot/made_power.rs", "Spec::new(\"slot.made_power\", \"\", "),
+        ("src/connector/slot/made_power/proof.rs", "impl Proved for MadePower {"),
+        ("src/connector/slot.rs", "pub use made_power::{MadePower, MadePowerInputs, MadePowerOutputs};\n"),
         ("src/catalog.rs", "    &slot::Stop,\n    &slot::MadePower,\n"),
         ("book/src/slot.md", "{{#formula slot.friction}}\n\n{{#formula slot.made_power}}\n"),
     ] {
@@ -31,7 +33,7 @@ fn a_skeleton_is_written_in_the_places_of_its_neighbours() {
     }
     assert!(!bench.path("book/permalinks.txt").exists(), "there is no list, and none is made");
     // A second time, nothing is overwritten.
-    bench.run(&["new", "slot.made_power"]).exits(1).says("src/slot/made_power.rs is there already");
+    bench.run(&["new", "slot.made_power"]).exits(1).says("src/connector/slot/made_power.rs is there already");
 }
 
 #[test]
@@ -50,6 +52,6 @@ fn what_cannot_be_added_is_refused_with_advice_and_nothing_is_written() {
     for id in ["slot", "Slot.power", "slot.Power", "slot.", "slot.a-b"] {
         bench.run(&["new", id]).bad_usage("is no identifier; it is written family.name");
     }
-    bench.run(&["new", "spring.energy"]).exits(1).says("there is no room src/spring.rs; write it");
+    bench.run(&["new", "spring.energy"]).exits(1).says("there is no module spring.rs in src; write it");
     assert!(!bench.path("src/spring").exists());
 }

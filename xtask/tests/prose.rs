@@ -7,7 +7,7 @@ use std::fs;
 
 /// A copy of the chapters, and of what their numbers refer to.
 fn bench() -> Bench {
-    Bench::with(&["book/src", "tests/isl.rs", "src/verify"])
+    Bench::with(&["book/src", "tests/isl.rs", "src/toolkit/verify"])
 }
 
 /// Replaces what a chapter says once.

@@ -15,10 +15,10 @@ fn append(bench: &Bench, file: &str, line: &str) {
 fn a_circle_planted_in_the_repository_is_found() {
     let bench = Bench::with(&REPOSITORY);
     let before = bench.run(&["tidy", "circles"]);
-    assert!(!before.stdout.contains("src/quantity.rs"), "{before:#?}");
-    append(&bench, "src/quantity.rs", "use crate::connector::slot::Friction as Planted;");
+    assert!(!before.stdout.contains("src/formula/quantity.rs"), "{before:#?}");
+    append(&bench, "src/formula/quantity.rs", "use crate::connector::slot::Friction as Planted;");
     let ran = bench.run(&["tidy", "circles"]).exits(1);
-    ran.prints("src/quantity.rs → src/slot/")
+    ran.prints("src/formula/quantity.rs → src/connector/slot/")
         .prints("use crate::connector::slot::Friction as Planted")
         .prints("use crate::formula::quantity::");
 }
@@ -26,15 +26,15 @@ fn a_circle_planted_in_the_repository_is_found() {
 #[test]
 fn what_is_planted_in_the_repository_is_found_by_each_rule() {
     let bench = Bench::with(&REPOSITORY);
-    append(&bench, "src/scalar.rs", "const PLANTED: &str = \"slot.friction\";");
-    append(&bench, "src/scalar.rs", "type Planted = crate::connector::slot::Friction;");
-    append(&bench, "src/scalar.rs", &"// Planted.\n".repeat(500));
+    append(&bench, "src/number/scalar.rs", "const PLANTED: &str = \"slot.friction\";");
+    append(&bench, "src/number/scalar.rs", "type Planted = crate::connector::slot::Friction;");
+    append(&bench, "src/number/scalar.rs", &"// Planted.\n".repeat(500));
     append(&bench, "book/src/slot.md", "\n{{#formula slot.friction}}");
     let mut ran = bench.run(&["tidy", "ids", "layers", "lengths", "directives"]).exits(1);
     for expected in [
         "the identifier \"slot.friction\" is typed; write `Friction::SPEC.id`",
         "`crate::connector::slot::Friction`: numbers, quantities and errors stand below the formulas",
-        "src/scalar.rs: ",
+        "src/number/scalar.rs: ",
         "formula `slot.friction` has its entry already, at book/src/slot.md:",
     ] {
         ran = ran.prints(expected);

@@ -162,7 +162,7 @@ fn source(source: Source) -> content::Source {
 }
 
 /// The functions of a formula, from the path of its type: `jointproof::connector::slot::friction::Friction` is in
-/// `src/slot/friction.rs`, in the `mod.rs` of that folder, or, where there is no module between, in the crate's own file.
+/// `src/connector/slot/friction.rs`, in the `mod.rs` of that folder, or, where there is no module between, in the crate's own file.
 fn code(index: &Index<'_>, path: &str, type_name: &str) -> Vec<CodeSpan> {
     let spans = |file: &String| index.functions(&format!("src/{file}"), type_name, &["eval", "jacobian", "linearized"]);
     files(path).iter().map(spans).find(|spans| !spans.is_empty()).unwrap_or_default()

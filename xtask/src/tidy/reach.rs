@@ -64,20 +64,22 @@ mod tests {
         let reach = reach(&project).unwrap();
         assert_eq!(reach.len(), CATALOG.len());
         let rests = |id: &str, file: &str| reach[id].contains(&PathBuf::from(file));
-        assert!(rests("coulomb.yield", "src/coulomb.rs") && rests("coulomb.yield", "src/coulomb/proof.rs"));
+        assert!(
+            rests("coulomb.yield", "src/contact/coulomb.rs") && rests("coulomb.yield", "src/contact/coulomb/proof.rs")
+        );
         for id in ["coulomb.yield", "join.constraint", "slider.line"] {
             assert!(
-                rests(id, "src/scalar.rs")
-                    && rests(id, "src/verify/audit.rs")
+                rests(id, "src/number/scalar.rs")
+                    && rests(id, "src/toolkit/verify/audit.rs")
                     && rests(id, &format!("golden/{id}.json"))
             );
             assert!(
-                !rests(id, "src/slot.rs") && !rests(id, "src/catalog.rs") && !rests(id, "src/scene/mod.rs"),
+                !rests(id, "src/connector/slot.rs") && !rests(id, "src/catalog.rs") && !rests(id, "src/scene/mod.rs"),
                 "{id}"
             );
             assert!(reach[id].iter().all(|file| project.root().join(file).exists()), "{id}");
         }
-        assert!(!rests("coulomb.yield", "src/join.rs") && !rests("slider.line", "src/coulomb.rs"));
+        assert!(!rests("coulomb.yield", "src/connector/join.rs") && !rests("slider.line", "src/contact/coulomb.rs"));
         let alone = reach.values().filter(|files| files.len() < reach["coulomb.yield"].len() + 40).count();
         assert!(alone > CATALOG.len() / 2, "most formulas rest on few rooms: {alone} of {}", CATALOG.len());
     }
@@ -86,13 +88,13 @@ mod tests {
         ("Cargo.toml", "[package]\nname = \"jointproof\"\n"),
         (
             "src/lib.rs",
-            "mod formula;\nmod catalog;\nmod measure;\nmod verify;\nmod slot;\nmod low;\nmod lower;\nmod hard;\nmod other;\n\
+            "mod formula;\nmod catalog;\nmod toolkit;\nmod slot;\nmod low;\nmod lower;\nmod hard;\nmod other;\n\
              mod another;\n",
         ),
         ("src/formula.rs", "pub trait Formula {}\n"),
-        ("src/verify.rs", "pub fn law() {}\n"),
-        ("src/measure.rs", "pub fn way() {}\n"),
-        ("src/catalog.rs", "use crate::connector::slot::ContactForce;\n"),
+        ("src/toolkit.rs", "pub mod measure;\npub fn law() {}\n"),
+        ("src/toolkit/measure.rs", "pub fn way() {}\n"),
+        ("src/catalog.rs", "use crate::slot::ContactForce;\n"),
         ("src/slot.rs", "mod contact_force;\nmod proof;\npub use contact_force::ContactForce;\n"),
         (
             "src/slot/contact_force.rs",
@@ -104,7 +106,7 @@ mod tests {
         ("src/lower.rs", "use crate::low::Low;\npub struct Lower(Low);\n"),
         ("src/hard.rs", "pub struct Hard;\n"),
         // One uses the formula and proves nothing, the other proves something else.
-        ("src/other.rs", "use crate::connector::slot::ContactForce;\nuse crate::another::Another;\n"),
+        ("src/other.rs", "use crate::slot::ContactForce;\nuse crate::another::Another;\n"),
     ];
 
     #[test]
@@ -124,7 +126,7 @@ mod tests {
             files
         };
         let own = ["src/hard.rs", "src/low.rs", "src/lower.rs", "src/slot/contact_force.rs", "src/slot/proof.rs"];
-        let common = ["src/formula.rs", "src/verify.rs"];
+        let common = ["src/formula.rs", "src/toolkit.rs"];
         let sorted = |parts: &[&[&'static str]]| {
             let mut all = parts.concat();
             all.sort_unstable();

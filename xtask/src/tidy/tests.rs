@@ -12,21 +12,21 @@ const TIDY: [(&str, &str); 9] = [
     ("Cargo.toml", "[workspace]\nmembers = [\"tool\"]\n[package]\nname = \"lib-a\"\n"),
     (
         "src/lib.rs",
-        "//! Doc.\npub mod formula;\npub mod a;\n#[cfg(feature = \"verify\")]\npub mod verify;\npub use a::One;\n",
+        "//! Doc.\npub mod formula;\npub mod a;\n#[cfg(feature = \"verify\")]\npub mod toolkit;\npub use a::One;\n",
     ),
     (
         "src/formula.rs",
-        "pub trait Formula {}\n#[macro_export]\nmacro_rules! fields { () => { crate::verify::law() } }\n",
+        "pub trait Formula {}\n#[macro_export]\nmacro_rules! fields { () => { crate::toolkit::law() } }\n",
     ),
-    ("src/a.rs", "//! `crate::verify::law`\nmod one;\n#[cfg(feature = \"verify\")]\nmod proof;\npub use one::*;\n"),
+    ("src/a.rs", "//! `crate::toolkit::law`\nmod one;\n#[cfg(feature = \"verify\")]\nmod proof;\npub use one::*;\n"),
     (
         "src/a/one.rs",
         "use crate::fields;\nuse crate::formula::Formula;\npub struct One;\nfields! {}\nimpl Formula for One {\n    const SPEC: Spec = \
          Spec { id: \"a.one\" };\n    #[inline]\n    fn eval() {}\n    #[inline(always)]\n    fn jacobian() {}\n    fn laws() {}\n}\n\
-         #[cfg(test)]\nmod tests {\n    use crate::verify::law;\n    fn f() { law(\"a.one\") }\n}\n",
+         #[cfg(test)]\nmod tests {\n    use crate::toolkit::law;\n    fn f() { law(\"a.one\") }\n}\n",
     ),
-    ("src/a/proof.rs", "use super::One;\nuse crate::verify::law;\n"),
-    ("src/verify.rs", "use crate::formula::Formula;\npub fn law() {}\n"),
+    ("src/a/proof.rs", "use super::One;\nuse crate::toolkit::law;\n"),
+    ("src/toolkit.rs", "use crate::formula::Formula;\npub fn law() {}\n"),
     ("tool/src/main.rs", "fn main() { let _: (lib_a::One, &str) = (todo!(), \"b.txt\"); }\n"),
     ("book/src/a.md", "# A\n\n{{#formula a.one}}\n\n`{{#formula a.two}}`\n"),
 ];
@@ -250,22 +250,22 @@ fn a_name_leads_to_the_file_that_defines_it() {
 
 #[test]
 fn formulas_and_rooms_do_not_use_the_toolkit() {
-    let formula = one_rs("fn more() { crate::verify::law() }");
-    one(&[("src/a/one.rs", &formula)], &["src/a/one.rs:12: `crate::verify::law`: a file of formulas"]);
-    let specification = TIDY[4].1.replace("id: \"a.one\"", "id: \"a.one\", of: crate::verify::law()");
-    one(&[("src/a/one.rs", &specification)], &["`crate::verify::law`: a file of formulas"]);
+    let formula = one_rs("fn more() { crate::toolkit::law() }");
+    one(&[("src/a/one.rs", &formula)], &["src/a/one.rs:12: `crate::toolkit::law`: a file of formulas"]);
+    let specification = TIDY[4].1.replace("id: \"a.one\"", "id: \"a.one\", of: crate::toolkit::law()");
+    one(&[("src/a/one.rs", &specification)], &["`crate::toolkit::law`: a file of formulas"]);
     let ungated = "mod one;\nmod proof;\npub use one::*;\n";
     one(
         &[("src/a.rs", ungated)],
-        &["src/a/proof.rs:2: `use crate::verify::law`: formulas and connectors compile without"],
+        &["src/a/proof.rs:2: `use crate::toolkit::law`: formulas and connectors compile without"],
     );
-    let proving = "use super::One;\nuse crate::verify::law;\nimpl Proved for One {}\n";
+    let proving = "use super::One;\nuse crate::toolkit::law;\nimpl Proved for One {}\n";
     assert_eq!(found(&[("src/a.rs", ungated), ("src/a/proof.rs", proving)]), Vec::<String>::new());
     let verify = "use crate::One;\npub fn law() {}\n";
-    let unproved = "pub mod formula;\npub mod a;\npub mod verify;\npub use a::One;\n";
+    let unproved = "pub mod formula;\npub mod a;\npub mod toolkit;\npub use a::One;\n";
     one(
-        &[("src/verify.rs", verify), ("src/lib.rs", unproved), ("src/a.rs", "mod one;\npub use one::*;\n")],
-        &["src/verify.rs:1: `use crate::One`: the toolkit proves formulas of other crates too"],
+        &[("src/toolkit.rs", verify), ("src/lib.rs", unproved), ("src/a.rs", "mod one;\npub use one::*;\n")],
+        &["src/toolkit.rs:1: `use crate::One`: the toolkit proves formulas of other crates too"],
     );
 }
 
@@ -346,7 +346,7 @@ fn files_with_formulas_are_short() {
 
 #[test]
 fn a_file_that_is_not_rust_is_named_with_its_line() {
-    one(&[("src/verify.rs", "fn f() {}\nfn {\n")], &["src/verify.rs:2: this cannot be read"]);
+    one(&[("src/toolkit.rs", "fn f() {}\nfn {\n")], &["src/toolkit.rs:2: this cannot be read"]);
 }
 
 #[test]
