@@ -110,7 +110,7 @@ pub trait AnyFormula: Send + Sync {
         jacobian: &mut [ArrayViewMut1<f64>],
     ) -> Result<(), batch::Error>;
     /// The bounds of η of value and Jacobian, checked at so many points whose inputs are 0 or from 1/`scale` to `scale` in size.
-    fn eta_at_scale(&self, scale: f64, options: &Options) -> [Claim; 2];
+    fn eta_at_scale(&self, scale: f64, options: &Options) -> Vec<Claim>;
     /// What it does, written down: the value, the closed-form Jacobian, and which inputs it refuses.
     ///
     /// # Errors
@@ -180,7 +180,7 @@ impl<F: Proved> AnyFormula for F {
     fn audit(&self, options: &Options) -> Audit {
         Part::of(&subject::<F>(), options, Shard::WHOLE).told()
     }
-    fn eta_at_scale(&self, scale: f64, options: &Options) -> [Claim; 2] {
+    fn eta_at_scale(&self, scale: f64, options: &Options) -> Vec<Claim> {
         eta_at_scale::<F>(scale, options)
     }
     fn audit_part(&self, options: &Options, shard: Shard) -> Part {
@@ -384,7 +384,6 @@ pub static CATALOG: &[&dyn AnyFormula] = &[
     &element::slot::Rows,
     &element::slot::Forces,
     &element::slot::GeometricStiffness,
-    &element::slot::SymmetricStiffness,
     &element::slot_plane::Rows,
     &element::slot_plane::Forces,
     &element::slot_plane::GeometricStiffness,
@@ -397,15 +396,12 @@ pub static CATALOG: &[&dyn AnyFormula] = &[
     &element::join::Rows,
     &element::join::Forces,
     &element::join::GeometricStiffness,
-    &element::join::SymmetricStiffness,
     &element::universal::Rows,
     &element::universal::Moments,
     &element::universal::GeometricStiffness,
-    &element::universal::SymmetricStiffness,
     &element::ujoint::Rows,
     &element::ujoint::Forces,
     &element::ujoint::GeometricStiffness,
-    &element::ujoint::SymmetricStiffness,
     &element::slider::Rows,
     &element::slider::Forces,
     &element::slider::GeometricStiffness,

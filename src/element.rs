@@ -23,7 +23,6 @@ pub mod cardan;
 mod chain;
 pub mod frame;
 pub mod join;
-mod lever;
 #[cfg(feature = "verify")]
 mod motion;
 pub mod newton;

@@ -10,6 +10,7 @@ pub(crate) mod error;
 mod few;
 mod fields;
 mod finite;
+pub(crate) mod forward;
 #[cfg(feature = "verify")]
 pub mod proof;
 pub mod quantity;
@@ -18,7 +19,7 @@ mod source;
 #[cfg(feature = "batch")]
 pub(crate) use checked::{are_allowed, is_plain};
 pub use checked::{check, value, value_and_jacobian};
-pub(crate) use few::{Few, Sign, cross_gradient, next};
+pub(crate) use few::cross_gradient;
 pub use fields::{Component, Field, Fields, Part, Visitor};
 #[cfg(feature = "verify")]
 pub(crate) use fields::{entries, typed};
@@ -72,13 +73,10 @@ pub struct Spec {
     pub latex: &'static str,
     /// Where the symbols of the equation come from that are neither inputs nor defined in it.
     pub given: &'static [Given],
-    /// The stated bound of the backward error η of the value in `f64`, on random and hard cases.
-    pub eta: f64,
-    /// The stated bound of η of every entry of the closed-form Jacobian in `f64`.
-    pub eta_jacobian: f64,
-    /// Bounds of η of value and Jacobian by vectors, where no bound of every component is known: then those above hold at the golden
-    /// cases.
-    pub by_vectors: Option<[f64; 2]>,
+    /// The stated bounds of the backward error η in `f64`, on random and hard cases, of every component.
+    pub eta: Bounds,
+    /// Normwise bounds of η, where no bound of every component is known: then those above hold at the golden cases.
+    pub normwise: Option<Bounds>,
     /// Both bounds of η hold where every component of the inputs is 0, or from one part in so many to so many in size.
     pub scale: f64,
     /// Whether moving and turning the whole model moves and turns the outputs with it (frame indifference). A formula
@@ -88,8 +86,17 @@ pub struct Spec {
     pub finite: Finite,
 }
 
-/// What is said of bounds [by vectors](Spec::by_vectors).
-pub(crate) const BY_VECTORS: &str = ", by vectors";
+/// Bounds of the backward error η in `f64`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// Of the value.
+    pub value: f64,
+    /// Of the closed-form Jacobian; `None` where the Jacobian is automatic.
+    pub jacobian: Option<f64>,
+}
+
+/// What is said of [normwise](Spec::normwise) bounds.
+pub(crate) const NORMWISE: &str = ", normwise";
 
 impl Spec {
     /// The scale of a formula that says nothing of it: products of ten numbers of such sizes neither over- nor underflow.
@@ -97,9 +104,9 @@ impl Spec {
 
     /// An objective formula; its equation and its bounds follow.
     pub const fn new(id: &'static str, title: &'static str, source: Source) -> Self {
-        let (latex, given, eta, eta_jacobian) = ("", [].as_slice(), 0.0, 0.0);
-        let (by_vectors, scale, objective, finite) = (None, Self::SCALE, true, Finite::Unknown);
-        Self { id, title, source, latex, given, eta, eta_jacobian, by_vectors, scale, objective, finite }
+        let (latex, given, eta) = ("", [].as_slice(), Bounds { value: 0.0, jacobian: None });
+        let (normwise, scale, objective, finite) = (None, Self::SCALE, true, Finite::Unknown);
+        Self { id, title, source, latex, given, eta, normwise, scale, objective, finite }
     }
 
     /// The equation in LaTeX.
@@ -114,18 +121,29 @@ impl Spec {
         Self { given, ..self }
     }
 
-    /// The bounds of η: of the value, and of every entry of the Jacobian.
+    /// The bounds of η of a formula whose Jacobian is in closed form: of the value, and of every entry of the Jacobian.
     #[must_use]
     pub const fn eta(self, value: f64, jacobian: f64) -> Self {
-        Self { eta: value, eta_jacobian: jacobian, ..self }
+        Self { eta: Bounds { value, jacobian: Some(jacobian) }, ..self }
     }
 
-    /// Bounds of η by vectors, of value and Jacobian: a component of a vector or matrix, or a derivative by one, that is beyond the
+    /// The bound of η of the value of a formula whose Jacobian is automatic.
+    #[must_use]
+    pub const fn eta_of_value(self, value: f64) -> Self {
+        Self { eta: Bounds { value, jacobian: None }, ..self }
+    }
+
+    /// Whether the Jacobian is derived by hand; otherwise it is found by automatic differentiation.
+    pub const fn is_closed(&self) -> bool {
+        self.eta.jacobian.is_some()
+    }
+
+    /// Normwise bounds of η, of value and Jacobian: a component of a vector or matrix, or a derivative by one, that is beyond the
     /// bound is judged beside the largest other one of it, as if it were as large and changed as much. Which component is small
     /// depends on the axes, and what cancels in it does not in the others.
     #[must_use]
-    pub const fn by_vectors(self, value: f64, jacobian: f64) -> Self {
-        Self { by_vectors: Some([value, jacobian]), ..self }
+    pub const fn normwise(self, value: f64, jacobian: f64) -> Self {
+        Self { normwise: Some(Bounds { value, jacobian: Some(jacobian) }), ..self }
     }
 
     /// The bounds of η of value and Jacobian that the audit checks, in words.
@@ -135,19 +153,28 @@ impl Spec {
     /// use jointproof::formula::Formula;
     /// use jointproof::connector::ujoint::HingeAxial;
     /// assert_eq!(HingeAxial::SPEC.accuracy(), "η at most 2 of the value, 3 of the Jacobian");
-    /// assert!(Rows::SPEC.accuracy().ends_with(", by vectors"));
+    /// assert_eq!(Rows::SPEC.accuracy(), "η at most 5 of the value, normwise; the Jacobian is automatic");
     /// ```
     pub fn accuracy(&self) -> String {
-        let ([value, jacobian], by) = self.bounds();
-        format!("η at most {value} of the value, {jacobian} of the Jacobian{by}")
+        let (Bounds { value, jacobian }, by) = self.bounds();
+        match jacobian {
+            Some(jacobian) => format!("η at most {value} of the value, {jacobian} of the Jacobian{by}"),
+            None => format!("η at most {value} of the value{by}; the Jacobian is automatic"),
+        }
     }
 
     /// These bounds, and how they are to be understood.
-    pub const fn bounds(&self) -> ([f64; 2], &'static str) {
-        match self.by_vectors {
-            Some(bounds) => (bounds, BY_VECTORS),
-            None => ([self.eta, self.eta_jacobian], ""),
+    pub const fn bounds(&self) -> (Bounds, &'static str) {
+        match self.normwise {
+            Some(bounds) => (bounds, NORMWISE),
+            None => (self.eta, ""),
         }
+    }
+
+    /// The normwise bound of η of the value of a formula whose Jacobian is automatic.
+    #[must_use]
+    pub const fn normwise_of_value(self, value: f64) -> Self {
+        Self { normwise: Some(Bounds { value, jacobian: None }), ..self }
     }
 
     /// The sizes up to which the bounds of η hold: every component of the inputs is 0, or from 1/`scale` to `scale`. Beyond, a
@@ -187,7 +214,7 @@ pub type Jacobian<F, D> = <F as Formula>::Outputs<<F as Formula>::Inputs<D>>;
 /// Value and Jacobian of `F`.
 pub type ValueAndJacobian<F, D> = (<F as Formula>::Outputs<D>, Jacobian<F, D>);
 
-/// A documented equation: value and closed-form Jacobian. What is said about it stands in its `Proved`.
+/// A documented equation: its value, and its Jacobian in closed form where somebody calls or reads it. What is said about it stands in its `Proved`.
 pub trait Formula: Copy + Send + Sync + 'static {
     /// What is said about it.
     const SPEC: Spec;
@@ -199,8 +226,12 @@ pub trait Formula: Copy + Send + Sync + 'static {
     /// The equation.
     fn eval<D: Scalar>(i: &Self::Inputs<D>) -> Self::Outputs<D>;
 
-    /// Its derivative, derived by hand: `jacobian(i).out.input` is ∂out/∂input.
-    fn jacobian<D: Scalar>(i: &Self::Inputs<D>) -> Jacobian<Self, D>;
+    /// Its derivative: `jacobian(i).out.input` is ∂out/∂input. By default it is automatic; derived by hand, its
+    /// [bound](Spec::eta) is stated, and it is proved equal to the automatic one.
+    #[inline]
+    fn jacobian<D: Scalar>(i: &Self::Inputs<D>) -> Jacobian<Self, D> {
+        forward::differentiate::<Self, D>(i, Self::eval).1
+    }
 
     /// Both at once; overridden where they share work. The value has the bits of [`eval`](Self::eval).
     #[inline(always)]

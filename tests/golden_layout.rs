@@ -59,10 +59,11 @@ fn the_formulas_keep_their_bounds_by_what_stands_in_the_files() {
             let (out, scale) = (all(case.out.as_ref().unwrap()), all(case.out_scale.as_ref().unwrap()));
             let found = worst(&formula.value(&inputs).unwrap(), &out, &scale);
             assert!(found <= file.eta.value + 1.0, "{} {}: {found}", file.formula, case.id);
+            let Some(bound) = file.eta.jacobian else { continue };
             let Some((jac, scale)) = case.jac.as_ref().zip(case.jac_scale.as_ref()) else { continue };
             let computed = as_nested(*formula, &formula.jacobian(&inputs).unwrap());
             let found = worst(&computed, &all(jac), &all(scale));
-            assert!(found <= file.eta.jacobian + 1.0, "{} {}: Jacobian {found}", file.formula, case.id);
+            assert!(found <= bound + 1.0, "{} {}: Jacobian {found}", file.formula, case.id);
         }
     }
 }

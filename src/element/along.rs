@@ -6,7 +6,6 @@
 use crate::connector::slider::{Span, Station};
 use crate::number::scalar::Scalar;
 use nalgebra::SVector;
-use std::array::from_fn;
 
 /// ξ or 1 − ξ, with a sign: the value, and the derivative by ξ.
 #[derive(Clone, Copy, Debug)]
@@ -95,13 +94,6 @@ impl<D: Scalar, const N: usize, const M: usize> Loaded<D, N, M> {
         Self { value, by_d: turned, by_multipliers: numbers }
     }
 
-    /// Of the sum of two.
-    #[inline(always)]
-    pub(super) fn plus(&self, other: &Self) -> Self {
-        let by_multipliers = from_fn(|m| self.by_multipliers[m] + other.by_multipliers[m]);
-        Self { value: self.value + other.value, by_d: self.by_d + other.by_d, by_multipliers }
-    }
-
     /// The gradient of the number itself.
     #[inline(always)]
     pub(super) fn turned(&self) -> LoadsGradient<D, N, M> {
@@ -113,13 +105,5 @@ impl<D: Scalar, const N: usize, const M: usize> Loaded<D, N, M> {
     pub(super) fn weighted(&self, along: &Along<D, N>, weight: Weight<D>) -> LoadsGradient<D, N, M> {
         let by_multipliers = self.by_multipliers.map(|by| by * weight.value);
         (along.gradient(weight, self.value, &self.by_d), by_multipliers)
-    }
-
-    /// The gradient of ξ q − (1 − ξ) p, from p, whose derivative by ξ is p + q.
-    #[inline(always)]
-    pub(super) fn beside(&self, q: &Self, along: &Along<D, N>) -> LoadsGradient<D, N, M> {
-        let by_d = q.by_d * along.share - self.by_d * along.rest;
-        let mixed = |m: usize| q.by_multipliers[m] * along.share - self.by_multipliers[m] * along.rest;
-        (along.moved_and_turned(1.0, self.value + q.value, by_d), from_fn(mixed))
     }
 }

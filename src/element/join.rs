@@ -6,15 +6,14 @@
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 
-use super::lever::Lever;
-use super::products::{column, double_cross, matrix, skew, symmetric, symmetric_matrix};
+use super::products::{double_cross, skew};
 use crate::connector::slot::Positions;
 use crate::fields;
 use crate::formula::quantity::{
     E1A, E2A, E3A, F2, F3, FORCE_A, FORCE_B, G1_TA, G1_UA, G1_UB, G2_TA, G2_UA, G2_UB, G3_TA, G3_UA, G3_UB, JOIN_F1,
-    K_TA_TA, K_UA_TA, MOMENT_A, S_TA_TA, XA, XB,
+    K_TA_TA, K_UA_TA, MOMENT_A, XA, XB,
 };
-use crate::formula::{Component, Document, Few, Fields, Finite, Formula, Jacobian, Sign, Spec, along, cross_gradient};
+use crate::formula::{Component, Document, Finite, Formula, Spec};
 use crate::number::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
 
@@ -38,7 +37,7 @@ impl Formula for Rows {
         Document::UJOINT.ours("Description", "the page of JOIN was not given; these are the derivatives of its residuals"),
     )
     .equation(r"\mathbf{g}_{i,ua} = -\mathbf{e}_{ia},\quad \mathbf{g}_{i,\theta a} = \mathbf{e}_{ia}\times(\mathbf{x}_b-\mathbf{x}_a),\quad \mathbf{g}_{i,ub} = \mathbf{e}_{ia}\quad (i = 1, 2, 3)")
-    .eta(1.5, 1.0)
+    .eta_of_value(1.5)
     .scale(1e250)
     .finite(Finite::Below);
     type Inputs<T: Component> = Positions<T>;
@@ -59,57 +58,6 @@ impl Formula for Rows {
             g3_ub: i.e3a,
         }
     }
-
-    #[inline(always)]
-    fn jacobian<D: Scalar>(i: &Positions<D>) -> Jacobian<Self, D> {
-        let one = D::one();
-        JoinRows {
-            g1_ua: column!(i.of_axis, 0, -one),
-            g1_ta: column!(i.of_moment, 0),
-            g1_ub: column!(i.of_axis, 0, one),
-            g2_ua: column!(i.of_axis, 1, -one),
-            g2_ta: column!(i.of_moment, 1),
-            g2_ub: column!(i.of_axis, 1, one),
-            g3_ua: column!(i.of_axis, 2, -one),
-            g3_ta: column!(i.of_moment, 2),
-            g3_ub: column!(i.of_axis, 2, one),
-        }
-    }
-}
-
-impl<D: Scalar> Positions<D> {
-    #[inline(always)]
-    fn axis(&self, n: usize) -> Vector3<D> {
-        match n {
-            0 => self.e1a,
-            1 => self.e2a,
-            _ => self.e3a,
-        }
-    }
-
-    /// A gradient by the n-th axis alone.
-    #[inline(always)]
-    fn by_axis(n: usize, by_axis: Vector3<D>) -> Self {
-        let zero = Self::filled(D::zero());
-        match n {
-            0 => Self { e1a: by_axis, ..zero },
-            1 => Self { e2a: by_axis, ..zero },
-            _ => Self { e3a: by_axis, ..zero },
-        }
-    }
-
-    /// The gradient of the k-th component of the n-th axis, times a sign.
-    #[inline(always)]
-    pub(super) fn of_axis(&self, n: usize, sign: D, k: usize) -> Self {
-        Self::by_axis(n, along(k, sign))
-    }
-
-    /// The gradient of the k-th component of the n-th axis × (xb − xa).
-    #[inline(always)]
-    pub(super) fn of_moment(&self, n: usize, k: usize) -> Self {
-        let [by_axis, by_arm] = cross_gradient(&self.axis(n), &(self.xb - self.xa), k);
-        Self { xa: by_arm.times(-D::one()), xb: by_arm.vector(), ..Self::by_axis(n, by_axis.vector()) }
-    }
 }
 
 fields! {
@@ -124,7 +72,7 @@ fields! {
     pub struct JoinForces<T> { fa: Vector3<T> = FORCE_A, ma: Vector3<T> = MOMENT_A, fb: Vector3<T> = FORCE_B }
 }
 
-impl<D: Scalar> Lever<D> for JoinLoads<D> {
+impl<D: Scalar> JoinLoads<D> {
     #[inline(always)]
     fn force(&self) -> Vector3<D> {
         self.e1a * self.f1 + self.e2a * self.f2 + self.e3a * self.f3
@@ -133,20 +81,6 @@ impl<D: Scalar> Lever<D> for JoinLoads<D> {
     #[inline(always)]
     fn arm(&self) -> Vector3<D> {
         self.xb - self.xa
-    }
-
-    #[inline(always)]
-    fn gradient(&self, ([by_force, by_arm], sign): ([Few<D>; 2], Sign)) -> Self {
-        Self {
-            e1a: by_force.signed(sign, self.f1),
-            e2a: by_force.signed(sign, self.f2),
-            e3a: by_force.signed(sign, self.f3),
-            xa: by_arm.signed(-sign, D::one()),
-            xb: by_arm.signed(sign, D::one()),
-            f1: sign.of(by_force.dot(&self.e1a)),
-            f2: sign.of(by_force.dot(&self.e2a)),
-            f3: sign.of(by_force.dot(&self.e3a)),
-        }
     }
 }
 
@@ -161,7 +95,7 @@ impl Formula for Forces {
         Document::UJOINT.ours("Description", "the page of JOIN was not given; these do the work of its multipliers"),
     )
     .equation(r"\mathbf{f}_b = f_1\,\mathbf{e}_{1a} + f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{f}_a = -\mathbf{f}_b,\quad \mathbf{m}_a = \mathbf{f}_b\times(\mathbf{x}_b-\mathbf{x}_a)")
-    .eta(1.5, 1.5)
+    .eta_of_value(1.5)
     .scale(1e120)
     .finite(Finite::Below);
     type Inputs<T: Component> = JoinLoads<T>;
@@ -171,11 +105,6 @@ impl Formula for Forces {
     fn eval<D: Scalar>(i: &JoinLoads<D>) -> JoinForces<D> {
         let f = i.force();
         JoinForces { fa: -f, ma: f.cross(&i.arm()), fb: f }
-    }
-
-    #[inline(always)]
-    fn jacobian<D: Scalar>(i: &JoinLoads<D>) -> Jacobian<Self, D> {
-        JoinForces { fa: column!(i.of_fa), ma: column!(i.of_ma), fb: column!(i.of_fb) }
     }
 }
 
@@ -197,7 +126,7 @@ impl Formula for GeometricStiffness {
         Document::UJOINT.ours("Description", "the page of JOIN was not given; it is the derivative of its nodal forces"),
     )
     .equation(r"\mathbf{f} = f_1\,\mathbf{e}_{1a} + f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{d} = \mathbf{x}_b-\mathbf{x}_a,\quad \mathbf{K}_{ua,\theta a} = \mathbf{f}\times\mathbf{I},\quad \mathbf{K}_{\theta a,\theta a} = \mathbf{f}\otimes\mathbf{d} - (\mathbf{f}\cdot\mathbf{d})\,\mathbf{I}")
-    .eta(1.5, 1.5)
+    .eta_of_value(1.5)
     .scale(1e120)
     .finite(Finite::Below);
     type Inputs<T: Component> = JoinLoads<T>;
@@ -207,47 +136,5 @@ impl Formula for GeometricStiffness {
     fn eval<D: Scalar>(i: &JoinLoads<D>) -> JoinStiffness<D> {
         let f = i.force();
         JoinStiffness { k_ua_ta: skew(&f), k_ta_ta: double_cross(&f, &i.arm()) }
-    }
-
-    #[inline(always)]
-    fn jacobian<D: Scalar>(i: &JoinLoads<D>) -> Jacobian<Self, D> {
-        // These two by components: copied whole they go through memory, and results are stored 15 times more.
-        let i = &JoinLoads { e1a: i.e1a.xyz(), e2a: i.e2a.xyz(), ..*i };
-        JoinStiffness { k_ua_ta: matrix!(i.of_k_ua_ta), k_ta_ta: matrix!(i.of_k_ta_ta) }
-    }
-}
-
-fields! {
-    /// The block of the geometric stiffness that is not symmetric, made so.
-    pub struct JoinSymmetric<T> { s_ta_ta: Matrix3<T> = S_TA_TA }
-}
-
-/// The symmetric part of the geometric stiffness of JOIN; the other blocks are those of [`GeometricStiffness`].
-#[derive(Clone, Copy, Debug)]
-pub struct SymmetricStiffness;
-
-impl Formula for SymmetricStiffness {
-    const SPEC: Spec = Spec::new(
-        "join.symmetric_stiffness",
-        "Symmetric part of the geometric stiffness of JOIN",
-        Document::UJOINT.ours("Description", "the page of JOIN was not given; for programs that solve symmetric equations"),
-    )
-    .equation(r"\mathbf{f} = f_1\,\mathbf{e}_{1a} + f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{d} = \mathbf{x}_b-\mathbf{x}_a,\quad \mathbf{S}_{\theta a,\theta a} = \tfrac12(\mathbf{f}\otimes\mathbf{d} + \mathbf{d}\otimes\mathbf{f}) - (\mathbf{f}\cdot\mathbf{d})\,\mathbf{I}")
-    .eta(1.5, 1.5)
-    .scale(1e120)
-    .finite(Finite::Below);
-    type Inputs<T: Component> = JoinLoads<T>;
-    type Outputs<T: Component> = JoinSymmetric<T>;
-
-    #[inline]
-    fn eval<D: Scalar>(i: &JoinLoads<D>) -> JoinSymmetric<D> {
-        JoinSymmetric { s_ta_ta: symmetric(&GeometricStiffness::eval(i).k_ta_ta) }
-    }
-
-    #[inline(always)]
-    fn jacobian<D: Scalar>(i: &JoinLoads<D>) -> Jacobian<Self, D> {
-        // By components, as for the geometric stiffness: copied whole it goes through memory.
-        let i = &JoinLoads { e2a: i.e2a.xyz(), ..*i };
-        JoinSymmetric { s_ta_ta: symmetric_matrix!(i.of_s_ta_ta) }
     }
 }

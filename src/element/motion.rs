@@ -3,12 +3,11 @@
 use super::{Forces, Stiffness};
 use crate::Octuple;
 use crate::formula::proof::{Equation, law};
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 use num_dual::Dual;
 use num_traits::{One, Zero};
 
 type Vector = Vector3<Octuple>;
-type Matrix = Matrix3<Octuple>;
 /// A number that changes as the nodes move.
 pub(super) type Moving = Dual<Octuple>;
 
@@ -122,12 +121,4 @@ impl Tangent {
         });
         pairs.collect()
     }
-}
-
-/// S is K + ½ \[m×\], and symmetric.
-pub(super) fn is_symmetric_part(s: &Matrix, k: &Matrix, moment: &Vector, size: Octuple) -> Vec<Equation> {
-    let half = super::products::skew(moment) * Octuple::from(0.5);
-    let equal =
-        |left: Matrix, right: Matrix| law::equal_all_with(left.iter().copied().zip(right.iter().copied()), size);
-    [equal(*s, k + half), equal(*s, s.transpose())].concat()
 }

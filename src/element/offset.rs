@@ -8,11 +8,11 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::products::{column, double_cross, double_cross_gradient, matrix};
+use super::products::double_cross;
 use super::{Forces, Rows, Stiffness};
 use crate::fields;
 use crate::formula::quantity::{ARM, ARM_FORCE, ARM_MOMENT, K_ARM, NODE_MOMENT};
-use crate::formula::{Component, Document, Few, Fields, Finite, Formula, Jacobian, Spec, along, cross_gradient};
+use crate::formula::{Component, Document, Finite, Formula, Spec};
 use crate::number::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
 
@@ -36,7 +36,7 @@ impl Formula for Arm {
         Document::UJOINT.ours("Description", "the page has the connector at its nodes; programs put rigid arms between"),
     )
     .equation(r"\mathbf{m}_{\mathrm{node}} = \mathbf{m} + \mathbf{r}\times\mathbf{f},\quad \mathbf{K}_{\mathrm{arm}} = \mathbf{r}\otimes\mathbf{f} - (\mathbf{r}\cdot\mathbf{f})\,\mathbf{I}")
-    .eta(1.5, 1.0)
+    .eta_of_value(1.5)
     .scale(1e120)
     .finite(Finite::Below);
     type Inputs<T: Component> = ArmLoads<T>;
@@ -45,28 +45,6 @@ impl Formula for Arm {
     #[inline]
     fn eval<D: Scalar>(i: &ArmLoads<D>) -> ArmActions<D> {
         ArmActions { m_node: i.m + i.r.cross(&i.f), k_arm: double_cross(&i.r, &i.f) }
-    }
-
-    #[inline(always)]
-    fn jacobian<D: Scalar>(i: &ArmLoads<D>) -> Jacobian<Self, D> {
-        ArmActions { m_node: column!(i.of_moment), k_arm: matrix!(i.of_block) }
-    }
-}
-
-impl<D: Scalar> ArmLoads<D> {
-    /// The gradient of the k-th component of the moment.
-    #[inline(always)]
-    fn of_moment(&self, k: usize) -> Self {
-        let [by_arm, by_force] = cross_gradient(&self.r, &self.f, k);
-        Self { r: by_arm.vector(), f: by_force.vector(), m: along(k, D::one()) }
-    }
-
-    /// The gradient of an entry of the block.
-    #[inline(always)]
-    fn of_block(&self, row: usize, column: usize) -> Self {
-        let ([by_arm, by_force], sign) = double_cross_gradient(&self.r, &self.f, row, column);
-        let by = |few: Few<D>| few.signed(sign, D::one());
-        Self { r: by(by_arm), f: by(by_force), ..Self::filled(D::zero()) }
     }
 }
 

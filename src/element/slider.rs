@@ -13,8 +13,8 @@
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 
-use super::along::{Along, Loaded, LoadsGradient, Weight, turned};
-use super::products::{column, matrix, symmetric_matrix};
+use super::along::{Along, Loaded, LoadsGradient};
+use super::products::column;
 use crate::connector::slider::{Axis, Basis, IncrementalConstraint, Line, Nodes};
 use crate::fields;
 use crate::formula::error::Error;
@@ -41,16 +41,7 @@ fields! {
 /// The line, as its derivatives need it.
 struct View<D> {
     along: Along<D, 3>,
-    /// The directions along and across.
-    n: Vector3<D>,
     t: [Vector3<D>; 2],
-    /// e × t1, away from the axis e of t1 = n × e/|n × e|.
-    outward: Vector3<D>,
-    /// n·e.
-    lean: D,
-    /// 1/l, and 1/(l |n × e|).
-    per_length: D,
-    per_outward: D,
     /// ∂t1/∂d and ∂t2/∂d.
     turning: [Matrix3<D>; 2],
 }
@@ -70,7 +61,7 @@ impl<D: Scalar> View<D> {
         // With the axis e: ∂t1/∂d = −(e × t1) ⊗ t1/(l |n × e|) and ∂t2/∂d = (n·e t1 ⊗ t1/|n × e| − n ⊗ t2)/l.
         let along_t1 = t1.transpose() * per_outward;
         let turning = [-outward * along_t1, t1 * along_t1 * lean - n * t2.transpose() * per_length];
-        Self { along: Along::new(x1, xn, xm), n, t: [t1, t2], outward, lean, per_length, per_outward, turning }
+        Self { along: Along::new(x1, xn, xm), t: [t1, t2], turning }
     }
 
     #[inline(always)]
@@ -79,43 +70,11 @@ impl<D: Scalar> View<D> {
         SliderRows { g1_u1: t1 * on_1, g1_un: t1 * on_n, g1_um: t1, g2_u1: t2 * on_1, g2_un: t2 * on_n, g2_um: t2 }
     }
 
-    /// The gradient of the k-th component of t_q, from q = 0, by the nodes.
-    #[inline(always)]
-    fn of_t(&self, q: usize, k: usize) -> Nodes<D> {
-        let [x1, xn, xm] = turned(&self.turning[q].row(k).transpose());
-        Nodes { x1, xn, xm }
-    }
-
-    /// As [`of_t`](Self::of_t), with a weight.
-    #[inline(always)]
-    fn of_row(&self, q: usize, weight: Weight<D>, k: usize) -> Nodes<D> {
-        let [x1, xn, xm] = self.along.gradient(weight, self.t[q][k], &self.turning[q].row(k).transpose());
-        Nodes { x1, xn, xm }
-    }
-
     /// The k-th component of the force on m.
     #[inline(always)]
     fn loaded(&self, multipliers: [D; 2], k: usize) -> Loaded<D, 3, 2> {
         let ([t1, t2], [by_d1, by_d2]) = (&self.t, &self.turning);
         Loaded::new(multipliers, [t1[k], t2[k]], [by_d1.row(k).transpose(), by_d2.row(k).transpose()])
-    }
-
-    /// An entry of P.
-    #[inline(always)]
-    fn bent(&self, multipliers: [D; 2], i: usize, j: usize) -> Loaded<D, 3, 2> {
-        Loaded::new(multipliers, self.turning.map(|by| by[(i, j)]), self.bending(i, j))
-    }
-
-    /// ∂²t1/∂d² and ∂²t2/∂d²: the gradients of an entry of `turning` by d.
-    #[inline(always)]
-    fn bending(&self, i: usize, j: usize) -> [Vector3<D>; 2] {
-        let Self { n, t: [t1, t2], outward: c, lean, per_length, per_outward, .. } = self;
-        let (near, far) = (*per_outward * *per_outward, *per_length * *per_length);
-        let first = c * (c[i] * t1[j]) + t1 * (c[i] * c[j] - t1[i] * t1[j]);
-        let outer = c * (t1[i] * t1[j]) + t1 * (c[i] * t1[j] + t1[i] * c[j]);
-        let inner = t2 * (t1[i] * t1[j] + t2[i] * t2[j] - n[i] * n[j]) + t1 * (t1[i] * t2[j]) - n * (n[i] * t2[j]);
-        let mixed = t1 * (n[i] * t1[j] * *per_length * *per_outward * *lean);
-        [first * near, -outer * (near * *lean) - inner * far - mixed]
     }
 }
 
@@ -134,9 +93,9 @@ impl Formula for Rows {
             Given::new(r"\xi", &IncrementalConstraint::SPEC),
         ])
         // An entry is a sum of what turns the line and what moves m along it. Where the two cancel, and what inputs do to them
-        // with them, their roundings remain: of 7 million entries 10 are above 128. By vectors none is above 6.
-        .eta(6.0, 128.0)
-        .by_vectors(5.0, 8.0)
+        // with them, their roundings remain: of 7 million entries 10 are above 128. Normwise none is above 6.
+        .eta_of_value(6.0)
+        .normwise_of_value(5.0)
         .scale(1e250)
         .finite(Finite::Between)
         .not_objective();
@@ -146,26 +105,6 @@ impl Formula for Rows {
     #[inline]
     fn eval<D: Scalar>(i: &Nodes<D>) -> SliderRows<D> {
         View::new(&i.x1, &i.xn, &i.xm).rows()
-    }
-
-    #[inline]
-    fn jacobian<D: Scalar>(i: &Nodes<D>) -> Jacobian<Self, D> {
-        Self::linearized(i).1
-    }
-
-    #[inline(always)]
-    fn linearized<D: Scalar>(i: &Nodes<D>) -> ValueAndJacobian<Self, D> {
-        let view = View::new(&i.x1, &i.xn, &i.xm);
-        let [on_1, on_n] = view.along.lever();
-        let gradients = SliderRows {
-            g1_u1: column!(view.of_row, 0, on_1),
-            g1_un: column!(view.of_row, 0, on_n),
-            g1_um: column!(view.of_t, 0),
-            g2_u1: column!(view.of_row, 1, on_1),
-            g2_un: column!(view.of_row, 1, on_n),
-            g2_um: column!(view.of_t, 1),
-        };
-        (view.rows(), gradients)
     }
 
     #[inline]
@@ -226,26 +165,6 @@ impl<D: Scalar> SliderLoads<D> {
             k_um_un: p,
         }
     }
-
-    #[inline(always)]
-    fn linearized(&self) -> ValueAndJacobian<GeometricStiffness, D> {
-        let view = self.view();
-        let bent = Bent { along: &view.along, p: matrix!(view.bent, self.multipliers()) };
-        let gradients = SliderStiffness {
-            k_u1_u1: symmetric_matrix!(bent.of_k_u1_u1),
-            k_u1_un: matrix!(bent.of_k_u1_un),
-            k_un_un: symmetric_matrix!(bent.of_k_un_un),
-            k_um_un: matrix!(bent.of_k_um_un),
-        };
-        (self.stiffness(&view), gradients)
-    }
-
-    /// Where several rows are computed at once, what is called is not compiled for vectors. The results of one alone are too many
-    /// to be copied, as they are where it is compiled in place.
-    #[inline(never)]
-    fn linearized_by_call(&self) -> ValueAndJacobian<GeometricStiffness, D> {
-        self.linearized()
-    }
 }
 
 /// What SLIDER exerts on its nodes, Rowsᵀ λ: on m the force across the line, on nodes 1 and n what a lever needs.
@@ -261,7 +180,7 @@ impl Formula for Forces {
             Given::new(r"\xi", &IncrementalConstraint::SPEC),
         ])
         .eta(6.0, 16.0)
-        .by_vectors(4.0, 6.0)
+        .normwise(4.0, 6.0)
         .scale(1e80)
         .finite(Finite::Between)
         .not_objective();
@@ -307,39 +226,6 @@ fields! {
     }
 }
 
-/// The entries of P, with their derivatives.
-struct Bent<'a, D> {
-    along: &'a Along<D, 3>,
-    p: Matrix3<Loaded<D, 3, 2>>,
-}
-
-impl<D: Scalar> Bent<'_, D> {
-    /// An entry of P + Q.
-    #[inline(always)]
-    fn both(&self, i: usize, j: usize) -> Loaded<D, 3, 2> {
-        self.p[(i, j)].plus(&self.p[(j, i)])
-    }
-
-    // The gradients of the entries of the blocks.
-
-    #[inline(always)]
-    fn of_k_u1_u1(&self, i: usize, j: usize) -> SliderLoads<D> {
-        self.both(i, j).weighted(self.along, self.along.rest(1.0)).into()
-    }
-    #[inline(always)]
-    fn of_k_u1_un(&self, i: usize, j: usize) -> SliderLoads<D> {
-        self.p[(i, j)].beside(&self.p[(j, i)], self.along).into()
-    }
-    #[inline(always)]
-    fn of_k_un_un(&self, i: usize, j: usize) -> SliderLoads<D> {
-        self.both(i, j).weighted(self.along, self.along.share(-1.0)).into()
-    }
-    #[inline(always)]
-    fn of_k_um_un(&self, i: usize, j: usize) -> SliderLoads<D> {
-        self.p[(i, j)].turned().into()
-    }
-}
-
 /// The geometric stiffness of SLIDER, Σ λ ∂²g by translations, on the line: symmetric.
 #[derive(Clone, Copy, Debug)]
 pub struct GeometricStiffness;
@@ -353,8 +239,8 @@ impl Formula for GeometricStiffness {
             Given::new(r"\xi", &IncrementalConstraint::SPEC),
         ])
         // As those of the rows.
-        .eta(8.0, 128.0)
-        .by_vectors(5.0, 32.0)
+        .eta_of_value(8.0)
+        .normwise_of_value(5.0)
         .scale(1e20)
         .finite(Finite::Between)
         .not_objective();
@@ -364,16 +250,6 @@ impl Formula for GeometricStiffness {
     #[inline]
     fn eval<D: Scalar>(i: &SliderLoads<D>) -> SliderStiffness<D> {
         i.stiffness(&i.view())
-    }
-
-    #[inline]
-    fn jacobian<D: Scalar>(i: &SliderLoads<D>) -> Jacobian<Self, D> {
-        Self::linearized(i).1
-    }
-
-    #[inline(always)]
-    fn linearized<D: Scalar>(i: &SliderLoads<D>) -> ValueAndJacobian<Self, D> {
-        if D::has_extremes() { i.linearized_by_call() } else { i.linearized() }
     }
 
     #[inline]

@@ -9,7 +9,7 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::along::{Along, Loaded, LoadsGradient, Weight, turned};
+use super::along::{Along, Loaded, LoadsGradient};
 use super::slider::placed;
 use crate::connector::slider::{IncrementalConstraint, Line, Nodes2d};
 use crate::fields;
@@ -40,9 +40,7 @@ fields! {
 /// The line, as its derivatives need it.
 struct View<D> {
     along: Along<D, 2>,
-    n: Vector2<D>,
     t: Vector2<D>,
-    per_length: D,
     /// ∂t/∂d = −n ⊗ t/l.
     turning: Matrix2<D>,
 }
@@ -52,40 +50,13 @@ impl<D: Scalar> View<D> {
     fn new(x1: &Vector2<D>, xn: &Vector2<D>, xm: &Vector2<D>) -> Self {
         let (l, [c, s]) = norm_and_direction((xn - x1).into());
         let (n, t, per_length) = (Vector2::new(c, s), Vector2::new(-s, c), l.recip());
-        Self { along: Along::new(x1, xn, xm), n, t, per_length, turning: n * t.transpose() * -per_length }
-    }
-
-    /// The gradient of the k-th component of t by the nodes.
-    #[inline(always)]
-    fn of_t(&self, k: usize) -> Nodes2d<D> {
-        let [x1, xn, xm] = turned(&self.turning.row(k).transpose());
-        Nodes2d { x1, xn, xm }
-    }
-
-    /// As [`of_t`](Self::of_t), with a weight.
-    #[inline(always)]
-    fn of_row(&self, weight: Weight<D>, k: usize) -> Nodes2d<D> {
-        let [x1, xn, xm] = self.along.gradient(weight, self.t[k], &self.turning.row(k).transpose());
-        Nodes2d { x1, xn, xm }
+        Self { along: Along::new(x1, xn, xm), t, turning: n * t.transpose() * -per_length }
     }
 
     /// The k-th component of the force on m.
     #[inline(always)]
     fn loaded(&self, multiplier: D, k: usize) -> Loaded<D, 2, 1> {
         Loaded::new([multiplier], [self.t[k]], [self.turning.row(k).transpose()])
-    }
-
-    /// An entry of P.
-    #[inline(always)]
-    fn bent(&self, multiplier: D, row: usize, column: usize) -> Loaded<D, 2, 1> {
-        Loaded::new([multiplier], [self.turning[(row, column)]], [self.bending(row, column)])
-    }
-
-    /// ∂²t/∂d²: the gradient of an entry of `turning` by d.
-    #[inline(always)]
-    fn bending(&self, i: usize, j: usize) -> Vector2<D> {
-        let Self { n, t, per_length, .. } = self;
-        (n * (n[i] * t[j]) - t * (t[i] * t[j] - n[i] * n[j])) * (*per_length * *per_length)
     }
 }
 
@@ -97,7 +68,7 @@ impl Formula for Rows {
     const SPEC: Spec = Spec::new("slider.rows_2d", "Row of SLIDER in the plane", OURS)
         .equation(r"\mathbf{g}_{u1} = -(1-\xi)\,\mathbf{t},\quad \mathbf{g}_{un} = -\xi\,\mathbf{t},\quad \mathbf{g}_{um} = \mathbf{t},\quad \mathbf{t} = \mathbf{s}\times\mathbf{n}")
         .given(&GIVEN)
-        .eta(4.0, 8.0)
+        .eta_of_value(4.0)
         .scale(1e250)
         .finite(Finite::Between);
     type Inputs<T: Component> = Nodes2d<T>;
@@ -106,23 +77,6 @@ impl Formula for Rows {
     #[inline]
     fn eval<D: Scalar>(i: &Nodes2d<D>) -> SliderRow2d<D> {
         Self::linearized(i).0
-    }
-
-    #[inline]
-    fn jacobian<D: Scalar>(i: &Nodes2d<D>) -> Jacobian<Self, D> {
-        Self::linearized(i).1
-    }
-
-    #[inline(always)]
-    fn linearized<D: Scalar>(i: &Nodes2d<D>) -> ValueAndJacobian<Self, D> {
-        let view = View::new(&i.x1, &i.xn, &i.xm);
-        let [on_1, on_n] = view.along.lever();
-        let gradients = SliderRow2d {
-            g_u1: Vector2::new(view.of_row(on_1, 0), view.of_row(on_1, 1)),
-            g_un: Vector2::new(view.of_row(on_n, 0), view.of_row(on_n, 1)),
-            g_um: Vector2::new(view.of_t(0), view.of_t(1)),
-        };
-        (SliderRow2d { g_u1: view.t * on_1.value, g_un: view.t * on_n.value, g_um: view.t }, gradients)
     }
 
     #[inline]
@@ -233,7 +187,7 @@ impl Formula for GeometricStiffness {
     const SPEC: Spec = Spec::new("slider.geometric_stiffness_2d", "Geometric stiffness of SLIDER in the plane", OURS)
         .equation(r"\begin{aligned} \mathbf{P} &= -\frac{\lambda}{l}\,\mathbf{n}\otimes\mathbf{t},\quad \mathbf{Q} = -\frac{\lambda}{l}\,\mathbf{t}\otimes\mathbf{n},\quad \mathbf{t} = \mathbf{s}\times\mathbf{n}, \\ \mathbf{K}_{um,un} &= \mathbf{P},\quad \mathbf{K}_{u1,un} = \xi\,\mathbf{Q} - (1-\xi)\,\mathbf{P},\quad \mathbf{K}_{u1,u1} = (1-\xi)(\mathbf{P}+\mathbf{Q}),\quad \mathbf{K}_{un,un} = -\xi\,(\mathbf{P}+\mathbf{Q}) \end{aligned}")
         .given(&[Given::new(r"\mathbf{n},\ l", &Line::SPEC), Given::new(r"\xi", &IncrementalConstraint::SPEC)])
-        .eta(4.0, 12.0)
+        .eta_of_value(4.0)
         .scale(1e80)
         .finite(Finite::Between);
     type Inputs<T: Component> = SliderLoads2d<T>;
@@ -242,41 +196,6 @@ impl Formula for GeometricStiffness {
     #[inline]
     fn eval<D: Scalar>(i: &SliderLoads2d<D>) -> SliderStiffness2d<D> {
         Self::of(i, &i.view())
-    }
-
-    #[inline]
-    fn jacobian<D: Scalar>(i: &SliderLoads2d<D>) -> Jacobian<Self, D> {
-        Self::linearized(i).1
-    }
-
-    #[inline(always)]
-    fn linearized<D: Scalar>(i: &SliderLoads2d<D>) -> ValueAndJacobian<Self, D> {
-        let view = i.view();
-        let along = &view.along;
-        let p = Matrix2::new(
-            view.bent(i.lambda, 0, 0),
-            view.bent(i.lambda, 0, 1),
-            view.bent(i.lambda, 1, 0),
-            view.bent(i.lambda, 1, 1),
-        );
-        let both = [p.m11.plus(&p.m11), p.m12.plus(&p.m21), p.m22.plus(&p.m22)];
-        let weighted = |weight| {
-            let [xx, xy, yy] = both.map(|entry| entry.weighted(along, weight).into());
-            Matrix2::new(xx, xy, xy, yy)
-        };
-        let beside = |p: &Loaded<D, 2, 1>, q: &Loaded<D, 2, 1>| p.beside(q, along).into();
-        let by = SliderStiffness2d {
-            k_u1_u1: weighted(along.rest(1.0)),
-            k_u1_un: Matrix2::new(
-                beside(&p.m11, &p.m11),
-                beside(&p.m12, &p.m21),
-                beside(&p.m21, &p.m12),
-                beside(&p.m22, &p.m22),
-            ),
-            k_un_un: weighted(along.share(-1.0)),
-            k_um_un: p.map(|entry| entry.turned().into()),
-        };
-        (Self::of(i, &view), by)
     }
 
     #[inline]

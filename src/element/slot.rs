@@ -6,12 +6,11 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::join::{JoinForces, JoinStiffness, JoinSymmetric};
-use super::lever::Lever;
-use super::products::{column, double_cross, matrix, skew, symmetric, symmetric_matrix};
+use super::join::{JoinForces, JoinStiffness};
+use super::products::{double_cross, skew};
 use crate::fields;
 use crate::formula::quantity::{E2A, E3A, F2, F3, GY_TA, GY_UA, GY_UB, GZ_TA, GZ_UA, GZ_UB, XA, XB};
-use crate::formula::{Component, Document, Few, Fields, Finite, Formula, Jacobian, Sign, Spec, along, cross_gradient};
+use crate::formula::{Component, Document, Finite, Formula, Spec};
 use crate::number::scalar::Scalar;
 use nalgebra::Vector3;
 
@@ -40,7 +39,7 @@ impl Formula for Rows {
         Document::SLOT.ours("Description", "the page prints the residuals; these are their derivatives"),
     )
     .equation(r"\begin{aligned} \mathbf{g}_{y,ua} &= -\mathbf{e}_{2a}, & \mathbf{g}_{y,\theta a} &= \mathbf{e}_{2a}\times(\mathbf{x}_b-\mathbf{x}_a), & \mathbf{g}_{y,ub} &= \mathbf{e}_{2a},\\ \mathbf{g}_{z,ua} &= -\mathbf{e}_{3a}, & \mathbf{g}_{z,\theta a} &= \mathbf{e}_{3a}\times(\mathbf{x}_b-\mathbf{x}_a), & \mathbf{g}_{z,ub} &= \mathbf{e}_{3a} \end{aligned}")
-    .eta(1.5, 1.0)
+    .eta_of_value(1.5)
     .scale(1e250)
     .finite(Finite::Below);
     type Inputs<T: Component> = SlotPlaces<T>;
@@ -58,43 +57,6 @@ impl Formula for Rows {
             gz_ub: i.e3a,
         }
     }
-
-    #[inline(always)]
-    fn jacobian<D: Scalar>(i: &SlotPlaces<D>) -> Jacobian<Self, D> {
-        let one = D::one();
-        SlotRows {
-            gy_ua: column!(i.of_y, -one),
-            gy_ta: column!(i.of_moment_of_y),
-            gy_ub: column!(i.of_y, one),
-            gz_ua: column!(i.of_z, -one),
-            gz_ta: column!(i.of_moment_of_z),
-            gz_ub: column!(i.of_z, one),
-        }
-    }
-}
-
-/// The gradients of k-th components: of either axis, times a sign, and of its product with the vector from a to b.
-impl<D: Scalar> SlotPlaces<D> {
-    #[inline(always)]
-    pub(super) fn of_y(&self, sign: D, k: usize) -> Self {
-        Self { e2a: along(k, sign), ..Self::filled(D::zero()) }
-    }
-    #[inline(always)]
-    pub(super) fn of_z(&self, sign: D, k: usize) -> Self {
-        Self { e3a: along(k, sign), ..Self::filled(D::zero()) }
-    }
-    #[inline(always)]
-    pub(super) fn of_moment_of_y(&self, k: usize) -> Self {
-        let [by_axis, by_arm] = cross_gradient(&self.e2a, &(self.xb - self.xa), k);
-        let [xa, xb] = [by_arm.times(-D::one()), by_arm.vector()];
-        Self { e2a: by_axis.vector(), xa, xb, ..Self::filled(D::zero()) }
-    }
-    #[inline(always)]
-    pub(super) fn of_moment_of_z(&self, k: usize) -> Self {
-        let [by_axis, by_arm] = cross_gradient(&self.e3a, &(self.xb - self.xa), k);
-        let [xa, xb] = [by_arm.times(-D::one()), by_arm.vector()];
-        Self { e3a: by_axis.vector(), xa, xb, ..Self::filled(D::zero()) }
-    }
 }
 
 fields! {
@@ -104,7 +66,7 @@ fields! {
     }
 }
 
-impl<D: Scalar> Lever<D> for SlotLoads<D> {
+impl<D: Scalar> SlotLoads<D> {
     #[inline(always)]
     fn force(&self) -> Vector3<D> {
         self.e2a * self.f2 + self.e3a * self.f3
@@ -113,18 +75,6 @@ impl<D: Scalar> Lever<D> for SlotLoads<D> {
     #[inline(always)]
     fn arm(&self) -> Vector3<D> {
         self.xb - self.xa
-    }
-
-    #[inline(always)]
-    fn gradient(&self, ([by_force, by_arm], sign): ([Few<D>; 2], Sign)) -> Self {
-        Self {
-            e2a: by_force.signed(sign, self.f2),
-            e3a: by_force.signed(sign, self.f3),
-            xa: by_arm.signed(-sign, D::one()),
-            xb: by_arm.signed(sign, D::one()),
-            f2: sign.of(by_force.dot(&self.e2a)),
-            f3: sign.of(by_force.dot(&self.e3a)),
-        }
     }
 }
 
@@ -139,7 +89,7 @@ impl Formula for Forces {
         Document::SLOT.ours("Description", "the page prints the force on b; on a is what balances it"),
     )
     .equation(r"\mathbf{f}_b = f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{f}_a = -\mathbf{f}_b,\quad \mathbf{m}_a = \mathbf{f}_b\times(\mathbf{x}_b-\mathbf{x}_a)")
-    .eta(1.5, 1.5)
+    .eta_of_value(1.5)
     .scale(1e120)
     .finite(Finite::Below);
     type Inputs<T: Component> = SlotLoads<T>;
@@ -149,11 +99,6 @@ impl Formula for Forces {
     fn eval<D: Scalar>(i: &SlotLoads<D>) -> JoinForces<D> {
         let f = i.force();
         JoinForces { fa: -f, ma: f.cross(&i.arm()), fb: f }
-    }
-
-    #[inline(always)]
-    fn jacobian<D: Scalar>(i: &SlotLoads<D>) -> Jacobian<Self, D> {
-        JoinForces { fa: column!(i.of_fa), ma: column!(i.of_ma), fb: column!(i.of_fb) }
     }
 }
 
@@ -168,7 +113,7 @@ impl Formula for GeometricStiffness {
         Document::SLOT.ours("Description", "the page prints the residuals; it is the derivative of their nodal forces"),
     )
     .equation(r"\mathbf{f} = f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{d} = \mathbf{x}_b-\mathbf{x}_a,\quad \mathbf{K}_{ua,\theta a} = \mathbf{f}\times\mathbf{I},\quad \mathbf{K}_{\theta a,\theta a} = \mathbf{f}\otimes\mathbf{d} - (\mathbf{f}\cdot\mathbf{d})\,\mathbf{I}")
-    .eta(1.5, 1.5)
+    .eta_of_value(1.5)
     .scale(1e120)
     .finite(Finite::Below);
     type Inputs<T: Component> = SlotLoads<T>;
@@ -178,38 +123,5 @@ impl Formula for GeometricStiffness {
     fn eval<D: Scalar>(i: &SlotLoads<D>) -> JoinStiffness<D> {
         let f = i.force();
         JoinStiffness { k_ua_ta: skew(&f), k_ta_ta: double_cross(&f, &i.arm()) }
-    }
-
-    #[inline(always)]
-    fn jacobian<D: Scalar>(i: &SlotLoads<D>) -> Jacobian<Self, D> {
-        JoinStiffness { k_ua_ta: matrix!(i.of_k_ua_ta), k_ta_ta: matrix!(i.of_k_ta_ta) }
-    }
-}
-
-/// The symmetric part of the geometric stiffness of SLOT; the other blocks are those of [`GeometricStiffness`].
-#[derive(Clone, Copy, Debug)]
-pub struct SymmetricStiffness;
-
-impl Formula for SymmetricStiffness {
-    const SPEC: Spec = Spec::new(
-        "slot.symmetric_stiffness",
-        "Symmetric part of the geometric stiffness of SLOT",
-        Document::SLOT.ours("Description", "the page prints the residuals; for programs that solve symmetric equations"),
-    )
-    .equation(r"\mathbf{f} = f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{d} = \mathbf{x}_b-\mathbf{x}_a,\quad \mathbf{S}_{\theta a,\theta a} = \tfrac12(\mathbf{f}\otimes\mathbf{d} + \mathbf{d}\otimes\mathbf{f}) - (\mathbf{f}\cdot\mathbf{d})\,\mathbf{I}")
-    .eta(1.5, 1.5)
-    .scale(1e120)
-    .finite(Finite::Below);
-    type Inputs<T: Component> = SlotLoads<T>;
-    type Outputs<T: Component> = JoinSymmetric<T>;
-
-    #[inline]
-    fn eval<D: Scalar>(i: &SlotLoads<D>) -> JoinSymmetric<D> {
-        JoinSymmetric { s_ta_ta: symmetric(&GeometricStiffness::eval(i).k_ta_ta) }
-    }
-
-    #[inline(always)]
-    fn jacobian<D: Scalar>(i: &SlotLoads<D>) -> Jacobian<Self, D> {
-        JoinSymmetric { s_ta_ta: symmetric_matrix!(i.of_s_ta_ta) }
     }
 }

@@ -12,7 +12,7 @@ use crate::formula::quantity::{
     E2A_PLANE, F2, FORCE_A_PLANE, FORCE_B_PLANE, GY_TA_PLANE, GY_UA_PLANE, GY_UB_PLANE, K_TA_TA_PLANE, K_UA_TA_PLANE,
     MOMENT_A_PLANE, XA_PLANE, XB_PLANE,
 };
-use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec, along};
+use crate::formula::{Component, Document, Finite, Formula, Spec};
 use crate::number::scalar::Scalar;
 use nalgebra::{Matrix6, Vector2, Vector6};
 
@@ -46,7 +46,7 @@ impl Formula for Rows {
         Document::SLOT.ours("Description", "the page prints the residual; this is its derivative"),
     )
     .equation(r"\mathbf{g}_{y,ua} = -\mathbf{e}_{2a},\quad g_{y,\theta a} = (\mathbf{s}\times\mathbf{e}_{2a})\cdot(\mathbf{x}_b-\mathbf{x}_a),\quad \mathbf{g}_{y,ub} = \mathbf{e}_{2a}")
-    .eta(1.5, 1.0)
+    .eta_of_value(1.5)
     .scale(1e250)
     .finite(Finite::Below);
     type Inputs<T: Component> = PlanePlaces<T>;
@@ -55,18 +55,6 @@ impl Formula for Rows {
     #[inline]
     fn eval<D: Scalar>(i: &PlanePlaces<D>) -> PlaneRow<D> {
         PlaneRow { gy_ua: -i.e2a, gy_ta: i.e2a.perp(&(i.xb - i.xa)), gy_ub: i.e2a }
-    }
-
-    #[inline]
-    fn jacobian<D: Scalar>(i: &PlanePlaces<D>) -> Jacobian<Self, D> {
-        let (d, one, zero) = (i.xb - i.xa, D::one(), PlanePlaces::filled(D::zero()));
-        let of_axis = |sign: D| Vector2::from_fn(|k, _| PlanePlaces { e2a: along(k, sign), ..zero });
-        let by_d = left(&i.e2a);
-        PlaneRow {
-            gy_ua: of_axis(-one),
-            gy_ta: PlanePlaces { e2a: -left(&d), xa: -by_d, xb: by_d },
-            gy_ub: of_axis(one),
-        }
     }
 }
 
@@ -89,18 +77,6 @@ impl<D: Scalar> PlaneLoads<D> {
     fn force(&self) -> Vector2<D> {
         self.e2a * self.f2
     }
-
-    /// The gradient of something by what it is made of, the force on b and the vector from a to b, by the inputs.
-    #[inline]
-    fn gradient(&self, by_force: &Vector2<D>, by_arm: &Vector2<D>) -> Self {
-        Self { e2a: by_force * self.f2, xa: -by_arm, xb: *by_arm, f2: self.e2a.dot(by_force) }
-    }
-
-    /// The gradient of the k-th component of that force, times a sign.
-    #[inline]
-    fn of_force(&self, sign: D, k: usize) -> Self {
-        Self { e2a: along(k, self.f2 * sign), f2: self.e2a[k] * sign, ..Self::filled(D::zero()) }
-    }
 }
 
 /// What SLOT exerts on its nodes in the plane, the multiplier times the row: on b the documented force f2 e2a, on a its
@@ -115,7 +91,7 @@ impl Formula for Forces {
         Document::SLOT.ours("Description", "the page prints the force on b; on a is what balances it"),
     )
     .equation(r"\mathbf{f}_b = f_2\,\mathbf{e}_{2a},\quad \mathbf{f}_a = -\mathbf{f}_b,\quad m_a = (\mathbf{s}\times\mathbf{f}_b)\cdot(\mathbf{x}_b-\mathbf{x}_a)")
-    .eta(1.5, 1.5)
+    .eta_of_value(1.5)
     .scale(1e120)
     .finite(Finite::Below);
     type Inputs<T: Component> = PlaneLoads<T>;
@@ -125,13 +101,6 @@ impl Formula for Forces {
     fn eval<D: Scalar>(i: &PlaneLoads<D>) -> PlaneForces<D> {
         let f = i.force();
         PlaneForces { fa: -f, ma: f.perp(&(i.xb - i.xa)), fb: f }
-    }
-
-    #[inline]
-    fn jacobian<D: Scalar>(i: &PlaneLoads<D>) -> Jacobian<Self, D> {
-        let force = |sign: D| Vector2::from_fn(|k, _| i.of_force(sign, k));
-        let ma = i.gradient(&-left(&(i.xb - i.xa)), &left(&i.force()));
-        PlaneForces { fa: force(-D::one()), ma, fb: force(D::one()) }
     }
 }
 
@@ -151,7 +120,7 @@ impl Formula for GeometricStiffness {
         Document::SLOT.ours("Description", "the page prints the residual; it is the derivative of its nodal forces"),
     )
     .equation(r"\mathbf{f} = f_2\,\mathbf{e}_{2a},\quad \mathbf{k}_{ua,\theta a} = -\mathbf{s}\times\mathbf{f},\quad k_{\theta a,\theta a} = -\mathbf{f}\cdot(\mathbf{x}_b-\mathbf{x}_a)")
-    .eta(1.5, 1.5)
+    .eta_of_value(1.5)
     .scale(1e120)
     .finite(Finite::Below);
     type Inputs<T: Component> = PlaneLoads<T>;
@@ -161,14 +130,6 @@ impl Formula for GeometricStiffness {
     fn eval<D: Scalar>(i: &PlaneLoads<D>) -> PlaneStiffness<D> {
         let f = i.force();
         PlaneStiffness { k_ua_ta: -left(&f), k_ta_ta: -f.dot(&(i.xb - i.xa)) }
-    }
-
-    #[inline]
-    fn jacobian<D: Scalar>(i: &PlaneLoads<D>) -> Jacobian<Self, D> {
-        PlaneStiffness {
-            k_ua_ta: Vector2::new(i.of_force(D::one(), 1), i.of_force(-D::one(), 0)),
-            k_ta_ta: i.gradient(&(i.xa - i.xb), &-i.force()),
-        }
     }
 }
 

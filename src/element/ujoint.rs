@@ -7,17 +7,15 @@ mod proof;
 
 use super::NodalForces;
 use super::join::{self, JoinForces, JoinLoads, JoinRows, JoinStiffness};
-use super::lever::Lever;
-use super::products::{column, matrix, symmetric, symmetric_matrix};
 use super::universal::{self, UniversalLoads, UniversalRow, UniversalStiffness};
 use crate::connector::slot::Positions;
 use crate::connector::ujoint::CrossAxes;
 use crate::fields;
 use crate::formula::quantity::{
     E1A, E2A, E3A, E3B, F2, F3, G_ROT_TA, G_ROT_TB, G1_TA, G1_UA, G1_UB, G2_TA, G2_UA, G2_UB, G3_TA, G3_UA, G3_UB,
-    JOIN_F1, K_TA_TA, K_TA_TB, K_TB_TB, K_UA_TA, LAMBDA_ROT, S_TA_TA, S_TB_TB, XA, XB,
+    JOIN_F1, K_TA_TA, K_TA_TB, K_TB_TB, K_UA_TA, LAMBDA_ROT, XA, XB,
 };
-use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spec};
+use crate::formula::{Component, Document, Finite, Formula, Spec};
 use crate::number::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
 
@@ -71,7 +69,7 @@ impl Formula for Rows {
         Document::UJOINT.ours("Description", "the page names the residuals; these are their derivatives"),
     )
     .equation(r"\mathbf{g}_{i,ua} = -\mathbf{e}_{ia},\quad \mathbf{g}_{i,\theta a} = \mathbf{e}_{ia}\times(\mathbf{x}_b-\mathbf{x}_a),\quad \mathbf{g}_{i,ub} = \mathbf{e}_{ia}\quad (i = 1, 2, 3),\quad \mathbf{g}_{\mathrm{rot},\theta a} = \mathbf{e}_{1a}\times\mathbf{e}_{3b},\quad \mathbf{g}_{\mathrm{rot},\theta b} = \mathbf{e}_{3b}\times\mathbf{e}_{1a}")
-    .eta(1.5, 1.0)
+    .eta_of_value(1.5)
     .scale(1e250)
     .finite(Finite::Below);
     type Inputs<T: Component> = JointPlaces<T>;
@@ -81,47 +79,10 @@ impl Formula for Rows {
     fn eval<D: Scalar>(i: &JointPlaces<D>) -> JointRows<D> {
         JointRows::of(join::Rows::eval(&i.positions()), universal::Rows::eval(&i.axes()))
     }
-
-    #[inline(always)]
-    fn jacobian<D: Scalar>(i: &JointPlaces<D>) -> Jacobian<Self, D> {
-        let one = D::one();
-        JointRows {
-            g1_ua: column!(i.of_axis, 0, -one),
-            g1_ta: column!(i.of_moment, 0),
-            g1_ub: column!(i.of_axis, 0, one),
-            g2_ua: column!(i.of_axis, 1, -one),
-            g2_ta: column!(i.of_moment, 1),
-            g2_ub: column!(i.of_axis, 1, one),
-            g3_ua: column!(i.of_axis, 2, -one),
-            g3_ta: column!(i.of_moment, 2),
-            g3_ub: column!(i.of_axis, 2, one),
-            g_rot_ta: column!(i.of_cross, one),
-            g_rot_tb: column!(i.of_cross, -one),
-        }
-    }
 }
 
 impl<D: Scalar> JointPlaces<D> {
-    #[inline(always)]
-    fn by_positions(Positions { e1a, e2a, e3a, xa, xb }: Positions<D>) -> Self {
-        Self { e1a, e2a, e3a, xa, xb, ..Self::filled(D::zero()) }
-    }
-
     // The gradients of k-th components, as JOIN and UNIVERSAL have them.
-
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn of_axis(&self, n: usize, sign: D, k: usize) -> Self {
-        Self::by_positions(self.positions().of_axis(n, sign, k))
-    }
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn of_moment(&self, n: usize, k: usize) -> Self {
-        Self::by_positions(self.positions().of_moment(n, k))
-    }
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn of_cross(&self, sign: D, k: usize) -> Self {
-        let CrossAxes { e1a, e3b } = self.axes().of_cross(sign, k);
-        Self { e1a, e3b, ..Self::filled(D::zero()) }
-    }
 }
 
 fields! {
@@ -146,66 +107,7 @@ impl<T: Component> JointLoads<T> {
 }
 
 impl<D: Scalar> JointLoads<D> {
-    /// A gradient by the inputs of JOIN.
-    #[inline(always)]
-    fn by_join(JoinLoads { e1a, e2a, e3a, xa, xb, f1, f2, f3 }: JoinLoads<D>) -> Self {
-        Self { e1a, e2a, e3a, xa, xb, f1, f2, f3, ..Self::filled(D::zero()) }
-    }
-    /// A gradient by the inputs of UNIVERSAL.
-    #[inline(always)]
-    fn by_universal(UniversalLoads { e1a, e3b, lambda_rot }: UniversalLoads<D>) -> Self {
-        Self { e1a, e3b, lambda_rot, ..Self::filled(D::zero()) }
-    }
-    /// The gradient of a sum of something of JOIN and something of UNIVERSAL.
-    #[inline(always)]
-    fn by_both(join: JoinLoads<D>, universal: UniversalLoads<D>) -> Self {
-        let UniversalLoads { e1a, e3b, lambda_rot } = universal;
-        Self { e1a: join.e1a + e1a, e3b, lambda_rot, ..Self::by_join(join) }
-    }
-
     // The gradients of components and entries, as JOIN and UNIVERSAL have them.
-
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn of_fa(&self, k: usize) -> Self {
-        Self::by_join(self.of_join().of_fa(k))
-    }
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn of_ma(&self, k: usize) -> Self {
-        Self::by_both(self.of_join().of_ma(k), self.of_universal().of_ma(k))
-    }
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn of_fb(&self, k: usize) -> Self {
-        Self::by_join(self.of_join().of_fb(k))
-    }
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn of_mb(&self, k: usize) -> Self {
-        Self::by_universal(self.of_universal().of_mb(k))
-    }
-
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn of_k_ua_ta(&self, row: usize, column: usize) -> Self {
-        Self::by_join(self.of_join().of_k_ua_ta(row, column))
-    }
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn of_k_ta_ta(&self, row: usize, column: usize) -> Self {
-        Self::by_both(self.of_join().of_k_ta_ta(row, column), self.of_universal().of_k_ta_ta(row, column))
-    }
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn of_k_ta_tb(&self, row: usize, column: usize) -> Self {
-        Self::by_universal(self.of_universal().of_k_ta_tb(row, column))
-    }
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn of_k_tb_tb(&self, row: usize, column: usize) -> Self {
-        Self::by_universal(self.of_universal().of_k_tb_tb(row, column))
-    }
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn of_s_ta_ta(&self, row: usize, column: usize) -> Self {
-        Self::by_both(self.of_join().of_s_ta_ta(row, column), self.of_universal().of_symmetric(row, column))
-    }
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn of_s_tb_tb(&self, row: usize, column: usize) -> Self {
-        Self::by_universal(self.of_universal().of_symmetric(row, column))
-    }
 }
 
 /// What UJOINT exerts on its nodes, Rowsᵀ λ: the forces of JOIN and the moments of both.
@@ -219,7 +121,7 @@ impl Formula for Forces {
         Document::UJOINT.ours("Description", "the page names the residuals; these do the work of their multipliers"),
     )
     .equation(r"\mathbf{f}_b = f_1\,\mathbf{e}_{1a} + f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{f}_a = -\mathbf{f}_b,\quad \mathbf{m}_a = \mathbf{f}_b\times(\mathbf{x}_b-\mathbf{x}_a) + \lambda_{\mathrm{rot}}\,\mathbf{e}_{1a}\times\mathbf{e}_{3b},\quad \mathbf{m}_b = \lambda_{\mathrm{rot}}\,\mathbf{e}_{3b}\times\mathbf{e}_{1a}")
-    .eta(1.5, 1.5)
+    .eta_of_value(1.5)
     .scale(1e250)
     .finite(Finite::Below);
     type Inputs<T: Component> = JointLoads<T>;
@@ -230,11 +132,6 @@ impl Formula for Forces {
         let JoinForces { fa, ma, fb } = join::Forces::eval(&i.of_join());
         let moments = universal::Moments::eval(&i.of_universal());
         NodalForces { fa, ma: ma + moments.ma, fb, mb: moments.mb }
-    }
-
-    #[inline(always)]
-    fn jacobian<D: Scalar>(i: &JointLoads<D>) -> Jacobian<Self, D> {
-        NodalForces { fa: column!(i.of_fa), ma: column!(i.of_ma), fb: column!(i.of_fb), mb: column!(i.of_mb) }
     }
 }
 
@@ -259,7 +156,7 @@ impl Formula for GeometricStiffness {
         Document::UJOINT.ours("Description", "the page names the residuals; it is the derivative of their nodal forces"),
     )
     .equation(r"\mathbf{f} = f_1\,\mathbf{e}_{1a} + f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{d} = \mathbf{x}_b-\mathbf{x}_a,\quad \mathbf{K}_{ua,\theta a} = \mathbf{f}\times\mathbf{I},\quad \mathbf{K}_{\theta a,\theta a} = \mathbf{f}\otimes\mathbf{d} - (\mathbf{f}\cdot\mathbf{d})\,\mathbf{I} + \lambda_{\mathrm{rot}}(\mathbf{e}_{1a}\otimes\mathbf{e}_{3b} - (\mathbf{e}_{1a}\cdot\mathbf{e}_{3b})\,\mathbf{I}),\quad \mathbf{K}_{\theta b,\theta b} = \lambda_{\mathrm{rot}}(\mathbf{e}_{3b}\otimes\mathbf{e}_{1a} - (\mathbf{e}_{1a}\cdot\mathbf{e}_{3b})\,\mathbf{I}),\quad \mathbf{K}_{\theta a,\theta b} = -\mathbf{K}_{\theta b,\theta b}")
-    .eta(1.5, 1.5)
+    .eta_of_value(1.5)
     .scale(1e120)
     .finite(Finite::Below);
     type Inputs<T: Component> = JointLoads<T>;
@@ -271,53 +168,5 @@ impl Formula for GeometricStiffness {
         let turned = universal::GeometricStiffness::eval(&i.of_universal());
         let UniversalStiffness { k_ta_tb, k_tb_tb, .. } = turned;
         JointStiffness { k_ua_ta, k_ta_ta: k_ta_ta + turned.k_ta_ta, k_ta_tb, k_tb_tb }
-    }
-
-    #[inline(always)]
-    fn jacobian<D: Scalar>(i: &JointLoads<D>) -> Jacobian<Self, D> {
-        // Of a copy of the inputs the compiler keeps more in registers: it stores ten results fewer on the way.
-        let i = &JointLoads { ..*i };
-        JointStiffness {
-            k_ua_ta: matrix!(i.of_k_ua_ta),
-            k_ta_ta: matrix!(i.of_k_ta_ta),
-            k_ta_tb: matrix!(i.of_k_ta_tb),
-            k_tb_tb: matrix!(i.of_k_tb_tb),
-        }
-    }
-}
-
-fields! {
-    /// The blocks of the geometric stiffness that are not symmetric, made so.
-    pub struct JointSymmetric<T> { s_ta_ta: Matrix3<T> = S_TA_TA, s_tb_tb: Matrix3<T> = S_TB_TB }
-}
-
-/// The symmetric part of the geometric stiffness of UJOINT; the other blocks are those of [`GeometricStiffness`].
-#[derive(Clone, Copy, Debug)]
-pub struct SymmetricStiffness;
-
-impl Formula for SymmetricStiffness {
-    const SPEC: Spec = Spec::new(
-        "ujoint.symmetric_stiffness",
-        "Symmetric part of the geometric stiffness of UJOINT",
-        Document::UJOINT.ours("Description", "the page names the residuals; for programs that solve symmetric equations"),
-    )
-    .equation(r"\mathbf{f} = f_1\,\mathbf{e}_{1a} + f_2\,\mathbf{e}_{2a} + f_3\,\mathbf{e}_{3a},\quad \mathbf{d} = \mathbf{x}_b-\mathbf{x}_a,\quad \mathbf{S}_{\theta b,\theta b} = \lambda_{\mathrm{rot}}(\tfrac12(\mathbf{e}_{1a}\otimes\mathbf{e}_{3b} + \mathbf{e}_{3b}\otimes\mathbf{e}_{1a}) - (\mathbf{e}_{1a}\cdot\mathbf{e}_{3b})\,\mathbf{I}),\quad \mathbf{S}_{\theta a,\theta a} = \tfrac12(\mathbf{f}\otimes\mathbf{d} + \mathbf{d}\otimes\mathbf{f}) - (\mathbf{f}\cdot\mathbf{d})\,\mathbf{I} + \mathbf{S}_{\theta b,\theta b}")
-    .eta(1.5, 1.5)
-    .scale(1e120)
-    .finite(Finite::Below);
-    type Inputs<T: Component> = JointLoads<T>;
-    type Outputs<T: Component> = JointSymmetric<T>;
-
-    #[inline]
-    fn eval<D: Scalar>(i: &JointLoads<D>) -> JointSymmetric<D> {
-        let JointStiffness { k_ta_ta, k_tb_tb, .. } = GeometricStiffness::eval(i);
-        JointSymmetric { s_ta_ta: symmetric(&k_ta_ta), s_tb_tb: symmetric(&k_tb_tb) }
-    }
-
-    #[inline(always)]
-    fn jacobian<D: Scalar>(i: &JointLoads<D>) -> Jacobian<Self, D> {
-        // Of a copy, as for the geometric stiffness: more is kept in registers.
-        let i = &JointLoads { ..*i };
-        JointSymmetric { s_ta_ta: symmetric_matrix!(i.of_s_ta_ta), s_tb_tb: symmetric_matrix!(i.of_s_tb_tb) }
     }
 }

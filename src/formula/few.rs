@@ -4,7 +4,6 @@
 
 use crate::number::scalar::Scalar;
 use nalgebra::Vector3;
-use std::ops::Neg;
 
 /// A vector of which at most two components are not zero everywhere: their places and values.
 ///
@@ -12,46 +11,7 @@ use std::ops::Neg;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Few<D>([(usize, D); 2]);
 
-/// A sign that is taken out of a gradient, so that its products are those of others.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Sign {
-    Plus,
-    Minus,
-}
-
-impl Sign {
-    #[inline(always)]
-    pub(crate) fn of<X: Neg<Output = X>>(self, x: X) -> X {
-        match self {
-            Self::Plus => x,
-            Self::Minus => -x,
-        }
-    }
-}
-
-impl Neg for Sign {
-    type Output = Self;
-    #[inline(always)]
-    fn neg(self) -> Self {
-        match self {
-            Self::Plus => Self::Minus,
-            Self::Minus => Self::Plus,
-        }
-    }
-}
-
-/// No vector has a component there.
-const NOWHERE: usize = 3;
-
 impl<D: Scalar> Few<D> {
-    #[inline(always)]
-    pub(crate) fn none() -> Self {
-        Self([(NOWHERE, D::zero()); 2])
-    }
-    #[inline(always)]
-    pub(crate) fn one(place: usize, value: D) -> Self {
-        Self([(place, value), (NOWHERE, D::zero())])
-    }
     #[inline(always)]
     pub(crate) fn two(one: (usize, D), other: (usize, D)) -> Self {
         Self([one, other])
@@ -64,11 +24,6 @@ impl<D: Scalar> Few<D> {
     pub(crate) fn times(self, factor: D) -> Vector3<D> {
         self.made(|x| x * factor)
     }
-    /// As [`times`](Self::times), with this sign: products come first.
-    #[inline(always)]
-    pub(crate) fn signed(self, sign: Sign, factor: D) -> Vector3<D> {
-        self.made(|x| sign.of(x * factor))
-    }
     /// The vector of what is made of these components.
     #[inline(always)]
     fn made(self, make: impl Fn(D) -> D) -> Vector3<D> {
@@ -79,14 +34,6 @@ impl<D: Scalar> Few<D> {
             _ => D::zero(),
         };
         Vector3::new(at(0), at(1), at(2))
-    }
-    #[inline(always)]
-    pub(crate) fn dot(self, v: &Vector3<D>) -> D {
-        match self.0 {
-            [(NOWHERE, _), _] => D::zero(),
-            [(k, x), (NOWHERE, _)] => v[k] * x,
-            [(k, x), (l, y)] => v[k] * x + v[l] * y,
-        }
     }
     /// v + factor times this.
     #[inline(always)]

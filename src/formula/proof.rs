@@ -4,22 +4,19 @@
 //! door. [`verify`](crate::toolkit::verify) and [`measure`](crate::toolkit::measure) take any formula that has it, of other crates too.
 
 mod case;
-mod forward;
 pub mod hard;
 mod kink;
 pub mod law;
 pub(crate) mod way;
 
 pub use case::{Case, Flag};
-#[cfg(feature = "measure")]
-pub(crate) use forward::{Array, from_array, jacobian_of, no_rows, to_array};
-pub use forward::{Jet, value_and_jacobian_by_ad};
 pub use hard::Hard;
 pub use kink::{Condition, Convention, Kink};
 pub use law::{Equation, Law};
 pub use way::Way;
 
 use crate::formula::Formula;
+pub use crate::formula::forward::{Jet, value_and_jacobian_by_ad};
 
 /// The evidence for a formula.
 pub trait Proved: Formula {

@@ -211,8 +211,6 @@ quantities! {
     EULER_Q: r"\mathbf{q}", Vec3, ONE, Vector, "the other Euler parameters: the axis of the turn times the sine of half of it";
     EULER_MOMENT0: r"m_{q0}", Scalar, FL, Real, "what does the work of the moment on the first Euler parameter";
     EULER_MOMENT: r"\mathbf{m}_q", Vec3, FL, Vector, "what does the work of the moment on the other Euler parameters";
-    S_TA_TA: r"\mathbf{S}_{\theta a,\theta a}", Mat3, FL, Vector, "symmetric part of the derivative of the moment on node a by the spin of node a";
-    S_TB_TB: r"\mathbf{S}_{\theta b,\theta b}", Mat3, FL, Vector, "symmetric part of the derivative of the moment on node b by the spin of node b";
 
     TURN1: r"u_{r1}", Scalar, ONE, Real, "rotation of b relative to a about e1a, continued beyond half a turn";
     TURN3: r"u_{r3}", Scalar, ONE, Real, "rotation of b relative to a about e3b, continued beyond half a turn";

@@ -89,7 +89,7 @@ impl Formula for Constraint {
     .given(&[Given::new(r"\mathbf{t}_1,\ \mathbf{t}_2", &Basis::SPEC), Given::new(r"\mathbf{n}", &Line::SPEC)])
     // An entry of ∂g2 is a sum of a turn about i and one across it; where they cancel, the sum keeps their roundings.
     .eta(4.0, 24.0)
-    .by_vectors(4.0, 6.0)
+    .normwise(4.0, 6.0)
     .scale(1e250)
     .finite(Finite::Between)
     .not_objective();
@@ -190,7 +190,7 @@ impl Formula for IncrementalConstraint {
         .equation(r"r_q = \mathbf{t}_q\cdot\bigl(\mathrm{d}\mathbf{x}_m - (1-\xi)\,\mathrm{d}\mathbf{x}_1 - \xi\,\mathrm{d}\mathbf{x}_n\bigr),\quad \xi = (\mathbf{x}_m-\mathbf{x}_1)\cdot\mathbf{n}/l,\quad q = 1, 2")
 .given(&[Given::new(r"\mathbf{t}_1,\ \mathbf{t}_2", &Basis::SPEC), Given::new(r"\mathbf{n},\ l", &Line::SPEC)])
         .eta(4.0, 16.0)
-        .by_vectors(4.0, 6.0)
+        .normwise(4.0, 6.0)
         .scale(1e50)
         .finite(Finite::Between)
         .not_objective();

@@ -74,7 +74,7 @@ impl Formula for RadialForce {
         Document::TRANSLATOR.reconstructed("Friction", "the root was lost"),
     )
     .equation(r"F_r = \sqrt{f_2^2 + f_3^2}")
-    .eta(slot::ContactForce::SPEC.eta, slot::ContactForce::SPEC.eta_jacobian)
+    .eta(1.0, 1.0)
     .scale(slot::ContactForce::SPEC.scale)
     .finite(slot::ContactForce::SPEC.finite);
     type Inputs<T: Component> = CrossForces<T>;

@@ -54,7 +54,7 @@ impl Formula for ConstraintMoment {
     .equation(r"\mathbf{m} = m_2\,(\cos\alpha\,\mathbf{e}_{2a} + \sin\alpha\,\mathbf{e}_{3a})")
     .given(&[Given::new(r"\alpha", &Angles::SPEC)])
     .eta(6.0, 8.0)
-    .by_vectors(4.0, 16.0)
+    .normwise(4.0, 16.0)
     .scale(1e250)
     .finite(Finite::Between);
     type Inputs<T: Component> = Twisted<T>;

@@ -1,11 +1,11 @@
 //! Evidence for the formulas next door: cases, laws.
 
-use super::{Forces, GeometricStiffness, JoinForces, JoinLoads, JoinRows, Rows, SymmetricStiffness};
+use super::{Forces, GeometricStiffness, JoinForces, JoinLoads, JoinRows, Rows};
 use crate::Octuple;
 use crate::Scalar;
 use crate::connector::join::{Constraint, Joined};
 use crate::connector::slot::Positions;
-use crate::element::motion::{Motion, Moving, Tangent, derivative, is_symmetric_part, still};
+use crate::element::motion::{Motion, Moving, Tangent, derivative, still};
 use crate::element::{self, NodalForces};
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Equation, Law, Proved, hard, law};
@@ -187,18 +187,5 @@ impl Proved for GeometricStiffness {
                 tangent(i).turns_with_the_body([i.xa, i.xb], i.e1a + i.e2a)
             }),
         ]
-    }
-}
-
-impl Proved for SymmetricStiffness {
-    fn cases() -> Vec<Case<JoinLoads<f64>>> {
-        loads()
-    }
-
-    fn laws() -> Vec<Law<Self>> {
-        vec![Law::<Self>::new("it is K + ½ [m×] with the moment m on the node, and symmetric", |i| {
-            let (k, s, forces) = (GeometricStiffness::eval(i), Self::eval(i), Forces::eval(i));
-            is_symmetric_part(&s.s_ta_ta, &k.k_ta_ta, &forces.ma, tangent(i).sizes[1])
-        })]
     }
 }

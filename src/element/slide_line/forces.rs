@@ -3,16 +3,14 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::{Place, Spot};
-use crate::contact::slide_line::{
-    LinearPlace, LinearPoint, LocalBasis, ParabolicPlace, ParabolicPoint, check_distinct, check_tangent,
-};
+use super::Spot;
+use crate::contact::slide_line::{LinearPoint, LocalBasis, ParabolicPoint, check_distinct, check_tangent};
 use crate::fields;
 use crate::formula::error::Error;
 use crate::formula::quantity::{
     AREA, LINE_FORCE_1, LINE_FORCE_2, LINE_FORCE_3, LINE_FORCE_S, S11, S12, SEGMENT_G, X1, X2, X3,
 };
-use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
+use crate::formula::{Component, Document, Finite, Formula, Given, Source, Spec};
 use crate::number::scalar::Scalar;
 use nalgebra::Vector2;
 
@@ -54,10 +52,6 @@ fn acting<D: Scalar, const N: usize>(spot: &Spot<D, N>, [area, s11, s12]: [D; 3]
 
 /// How the force on the slave point changes.
 pub(super) struct Change<D> {
-    /// A S11 and −A S12, by which it is made of n and t.
-    loads: [D; 2],
-    /// By the turn of the tangent: −A (S11 t + S12 n).
-    pub(super) turned: Vector2<D>,
     by_area: Vector2<D>,
     by_s11: Vector2<D>,
     by_s12: Vector2<D>,
@@ -67,14 +61,7 @@ impl<D: Scalar> Change<D> {
     #[inline(always)]
     pub(super) fn new<const N: usize>(spot: &Spot<D, N>, [area, s11, s12]: [D; 3]) -> Self {
         let Spot { t, n, .. } = *spot;
-        let (normal, shear) = (area * s11, area * s12);
-        Self {
-            loads: [normal, -shear],
-            turned: -(t * normal + n * shear),
-            by_area: n * s11 - t * s12,
-            by_s11: n * area,
-            by_s12: t * -area,
-        }
+        Self { by_area: n * s11 - t * s12, by_s11: n * area, by_s12: t * -area }
     }
 
     /// By area and stresses.
@@ -99,7 +86,7 @@ impl Formula for Linear {
     const SPEC: Spec = Spec::new("slide_line.nodal_forces_linear", "Nodal forces of contact on a straight segment", OURS)
         .equation(r"\mathbf{f}_s = A\,(S_{11}\,\mathbf{n} - S_{12}\,\mathbf{t}),\quad \mathbf{f}_1 = -\tfrac12(1-g)\,\mathbf{f}_s,\quad \mathbf{f}_2 = -\tfrac12(1+g)\,\mathbf{f}_s")
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &LinearPoint::SPEC)])
-        .eta(2.0, 4.0)
+        .eta_of_value(2.0)
         .scale(1e120)
         .finite(Finite::Between);
     type Inputs<T: Component> = LinearLoads<T>;
@@ -107,31 +94,7 @@ impl Formula for Linear {
 
     #[inline]
     fn eval<D: Scalar>(i: &LinearLoads<D>) -> LinearForces<D> {
-        Self::at(&Place::linear([i.x1, i.x2], i.g).spot, [i.area, i.s11, i.s12])
-    }
-
-    #[inline]
-    fn jacobian<D: Scalar>(i: &LinearLoads<D>) -> Jacobian<Self, D> {
-        Self::linearized(i).1
-    }
-
-    #[inline(always)]
-    fn linearized<D: Scalar>(i: &LinearLoads<D>) -> ValueAndJacobian<Self, D> {
-        let place = Place::linear([i.x1, i.x2], i.g);
-        let by_g = place.by_g();
-        let change = Change::new(&place.spot, [i.area, i.s11, i.s12]);
-        let part = |k: usize, share: D, g: D| {
-            let LinearPlace { x1, x2, g } = place.by(change.turned[k] * share, g);
-            let [area, s11, s12] = change.by_loads(k).map(|by| by * share);
-            LinearLoads { x1, x2, g, area, s11, s12 }
-        };
-        let fs = Vector2::new(part(0, D::one(), D::zero()), part(1, D::one(), D::zero()));
-        let by = LinearForces {
-            fs,
-            f1: place.of_node(0, &by_g, change.loads, part),
-            f2: place.of_node(1, &by_g, change.loads, part),
-        };
-        (Self::at(&place.spot, [i.area, i.s11, i.s12]), by)
+        Self::at(&Spot::linear([i.x1, i.x2], i.g), [i.area, i.s11, i.s12])
     }
 
     #[inline]
@@ -155,8 +118,8 @@ impl Formula for Parabolic {
     const SPEC: Spec = Spec::new("slide_line.nodal_forces_parabolic", "Nodal forces of contact on a parabolic segment", OURS)
         .equation(r"\mathbf{f}_s = A\,(S_{11}\,\mathbf{n} - S_{12}\,\mathbf{t}),\quad \mathbf{f}_1 = -\tfrac12 g(g-1)\,\mathbf{f}_s,\quad \mathbf{f}_2 = -(1-g^2)\,\mathbf{f}_s,\quad \mathbf{f}_3 = -\tfrac12 g(g+1)\,\mathbf{f}_s")
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &ParabolicPoint::SPEC)])
-        .eta(2.0, 8.0)
-        .by_vectors(2.0, 8.0)
+        .eta_of_value(2.0)
+        .normwise_of_value(2.0)
         .scale(1e20)
         .finite(Finite::Between);
     type Inputs<T: Component> = ParabolicLoads<T>;
@@ -164,36 +127,7 @@ impl Formula for Parabolic {
 
     #[inline]
     fn eval<D: Scalar>(i: &ParabolicLoads<D>) -> ParabolicForces<D> {
-        Self::at(&Place::parabolic([i.x1, i.x2, i.x3], i.g).spot, [i.area, i.s11, i.s12])
-    }
-
-    #[inline]
-    fn jacobian<D: Scalar>(i: &ParabolicLoads<D>) -> Jacobian<Self, D> {
-        Self::linearized(i).1
-    }
-
-    #[inline(always)]
-    fn linearized<D: Scalar>(i: &ParabolicLoads<D>) -> ValueAndJacobian<Self, D> {
-        let nodes = [i.x1, i.x2, i.x3];
-        let place = Place::parabolic(nodes, i.g);
-        let by_g = place.by_g(nodes, i.g);
-        let change = Change::new(&place.spot, [i.area, i.s11, i.s12]);
-        let part = |k: usize, share: D, g: D| {
-            let ParabolicPlace { x1, x2, x3, g } = place.by(change.turned[k] * share, g);
-            let [area, s11, s12] = change.by_loads(k).map(|by| by * share);
-            ParabolicLoads { x1, x2, x3, g, area, s11, s12 }
-        };
-        let fs = Vector2::new(
-            part(0, D::one(), place.bend * change.turned.x),
-            part(1, D::one(), place.bend * change.turned.y),
-        );
-        let by = ParabolicForces {
-            fs,
-            f1: place.of_node(0, &by_g, change.loads, part),
-            f2: place.of_node(1, &by_g, change.loads, part),
-            f3: place.of_node(2, &by_g, change.loads, part),
-        };
-        (Self::at(&place.spot, [i.area, i.s11, i.s12]), by)
+        Self::at(&Spot::parabolic([i.x1, i.x2, i.x3], i.g), [i.area, i.s11, i.s12])
     }
 
     #[inline]

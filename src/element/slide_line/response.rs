@@ -45,7 +45,7 @@ fields! {
 /// The response of a node of ISL21A on a straight segment, with its consistent tangent.
 ///
 /// Where a derivative of a force is the product of two that vanish, as with a slave point at the corner of a right triangle whose
-/// legs are along the axes and equal, its η grows without limit. It is small there beside the others, so that bounds are by vectors.
+/// legs are along the axes and equal, its η grows without limit. It is small there beside the others, so that bounds are normwise.
 #[derive(Clone, Copy, Debug)]
 pub struct Linear;
 
@@ -218,7 +218,7 @@ impl Formula for Linear {
         .equation(r"\begin{aligned} g &= \frac{2\,(\mathbf{x}_s-\mathbf{x}_1)\cdot\mathbf{t}}{\ell} - 1,\quad \Delta E_{12} = \tfrac12\ell\,(g - g^{\mathrm{before}}),\quad S_{11} = \begin{cases} -k E_{11} & E_{11} < 0 \\ 0 & \text{otherwise}\end{cases},\quad S_{12} = \begin{cases} S^{\mathrm{trial}} & \lvert S^{\mathrm{trial}}\rvert < \mu S_{11} \\ \mu S_{11} \operatorname{sign} S^{\mathrm{trial}} & \text{otherwise}\end{cases}, \\ \mathbf{f}_s &= A\,(S_{11}\,\mathbf{n} - S_{12}\,\mathbf{t}),\quad \mathbf{f}_1 = -\tfrac12(1-g)\,\mathbf{f}_s,\quad \mathbf{f}_2 = -\tfrac12(1+g)\,\mathbf{f}_s, \\ E_{11} &= (\mathbf{x}_s-\mathbf{x}_1)\cdot\mathbf{n},\quad S^{\mathrm{trial}} = S_{12}^{\mathrm{before}} + k_{\mathrm{el}}\,\Delta E_{12},\quad A = \pi\,x_{s,1}\,\lvert\mathbf{x}_o-\mathbf{x}_s\rvert,\quad \ell = \lvert\mathbf{x}_2-\mathbf{x}_1\rvert \end{aligned}")
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &LinearPoint::SPEC)])
         .eta(4.0, 16.0)
-        .by_vectors(4.0, 32.0)
+        .normwise(4.0, 32.0)
         .scale(1e20)
         .not_objective();
     type Inputs<T: Component> = LinearPressed<T>;

@@ -3,14 +3,14 @@
 #[cfg(feature = "verify")]
 pub(super) mod proof;
 
-use super::{Place, Spot};
+use super::Spot;
 use crate::contact::slide_line::{
     LinearPlace, LinearPoint, LocalBasis, ParabolicPlace, ParabolicPoint, check_distinct, check_tangent,
 };
 use crate::fields;
 use crate::formula::error::Error;
 use crate::formula::quantity::{E11_U1, E11_U2, E11_U3, E11_US, E12_U1, E12_U2, E12_U3, E12_US};
-use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
+use crate::formula::{Component, Document, Finite, Formula, Given, Source, Spec};
 use crate::number::scalar::Scalar;
 use nalgebra::Vector2;
 
@@ -53,7 +53,7 @@ impl Formula for Linear {
     const SPEC: Spec = Spec::new("slide_line.rows_linear", "Rows of contact on a straight segment", OURS)
         .equation(r"\begin{aligned} \mathbf{e}_{11,us} &= \mathbf{n}, & \mathbf{e}_{11,u1} &= -N_1\,\mathbf{n}, & \mathbf{e}_{11,u2} &= -N_2\,\mathbf{n}, \\ \mathbf{e}_{12,us} &= \mathbf{t}, & \mathbf{e}_{12,u1} &= -N_1\,\mathbf{t}, & \mathbf{e}_{12,u2} &= -N_2\,\mathbf{t}, \\ N_1 &= \tfrac12(1-g), & N_2 &= \tfrac12(1+g) \end{aligned}")
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &LinearPoint::SPEC)])
-        .eta(4.0, 4.0)
+        .eta_of_value(4.0)
         .scale(1e250)
         .finite(Finite::Between);
     type Inputs<T: Component> = LinearPlace<T>;
@@ -61,32 +61,7 @@ impl Formula for Linear {
 
     #[inline]
     fn eval<D: Scalar>(i: &LinearPlace<D>) -> LinearRows<D> {
-        Self::at(&Place::linear([i.x1, i.x2], i.g).spot)
-    }
-
-    #[inline]
-    fn jacobian<D: Scalar>(i: &LinearPlace<D>) -> Jacobian<Self, D> {
-        Self::linearized(i).1
-    }
-
-    #[inline(always)]
-    fn linearized<D: Scalar>(i: &LinearPlace<D>) -> ValueAndJacobian<Self, D> {
-        let place = Place::linear([i.x1, i.x2], i.g);
-        let by_g = place.by_g();
-        let Spot { t, n, .. } = place.spot;
-        // n turns away from t, and t towards n.
-        let (zero, one) = (D::zero(), D::one());
-        let of_n = |k: usize, share: D, g: D| place.by(share * -t[k], g);
-        let of_t = |k: usize, share: D, g: D| place.by(share * n[k], g);
-        let by = LinearRows {
-            e11_us: Vector2::new(of_n(0, one, zero), of_n(1, one, zero)),
-            e11_u1: place.of_node(0, &by_g, [one, zero], of_n),
-            e11_u2: place.of_node(1, &by_g, [one, zero], of_n),
-            e12_us: Vector2::new(of_t(0, one, zero), of_t(1, one, zero)),
-            e12_u1: place.of_node(0, &by_g, [zero, one], of_t),
-            e12_u2: place.of_node(1, &by_g, [zero, one], of_t),
-        };
-        (Self::at(&place.spot), by)
+        Self::at(&Spot::linear([i.x1, i.x2], i.g))
     }
 
     #[inline]
@@ -110,8 +85,8 @@ impl Formula for Parabolic {
     const SPEC: Spec = Spec::new("slide_line.rows_parabolic", "Rows of contact on a parabolic segment", OURS)
         .equation(r"\begin{aligned} \mathbf{e}_{11,us} &= \mathbf{n}, & \mathbf{e}_{11,u1} &= -N_1\,\mathbf{n}, & \mathbf{e}_{11,u2} &= -N_2\,\mathbf{n}, & \mathbf{e}_{11,u3} &= -N_3\,\mathbf{n}, \\ \mathbf{e}_{12,us} &= \mathbf{t}, & \mathbf{e}_{12,u1} &= -N_1\,\mathbf{t}, & \mathbf{e}_{12,u2} &= -N_2\,\mathbf{t}, & \mathbf{e}_{12,u3} &= -N_3\,\mathbf{t}, \\ N_1 &= \tfrac12 g(g-1), & N_2 &= 1-g^2, & N_3 &= \tfrac12 g(g+1) \end{aligned}")
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &ParabolicPoint::SPEC)])
-        .eta(3.0, 10.0)
-        .by_vectors(4.0, 10.0)
+        .eta_of_value(3.0)
+        .normwise_of_value(4.0)
         .scale(1e20)
         .finite(Finite::Between);
     type Inputs<T: Component> = ParabolicPlace<T>;
@@ -119,34 +94,7 @@ impl Formula for Parabolic {
 
     #[inline]
     fn eval<D: Scalar>(i: &ParabolicPlace<D>) -> ParabolicRows<D> {
-        Self::at(&Place::parabolic([i.x1, i.x2, i.x3], i.g).spot)
-    }
-
-    #[inline]
-    fn jacobian<D: Scalar>(i: &ParabolicPlace<D>) -> Jacobian<Self, D> {
-        Self::linearized(i).1
-    }
-
-    #[inline(always)]
-    fn linearized<D: Scalar>(i: &ParabolicPlace<D>) -> ValueAndJacobian<Self, D> {
-        let nodes = [i.x1, i.x2, i.x3];
-        let place = Place::parabolic(nodes, i.g);
-        let by_g = place.by_g(nodes, i.g);
-        let Spot { t, n, .. } = place.spot;
-        let (zero, one) = (D::zero(), D::one());
-        let of_n = |k: usize, share: D, g: D| place.by(share * -t[k], g);
-        let of_t = |k: usize, share: D, g: D| place.by(share * n[k], g);
-        let by = ParabolicRows {
-            e11_us: Vector2::new(of_n(0, one, -t.x * place.bend), of_n(1, one, -t.y * place.bend)),
-            e11_u1: place.of_node(0, &by_g, [one, zero], of_n),
-            e11_u2: place.of_node(1, &by_g, [one, zero], of_n),
-            e11_u3: place.of_node(2, &by_g, [one, zero], of_n),
-            e12_us: Vector2::new(of_t(0, one, n.x * place.bend), of_t(1, one, n.y * place.bend)),
-            e12_u1: place.of_node(0, &by_g, [zero, one], of_t),
-            e12_u2: place.of_node(1, &by_g, [zero, one], of_t),
-            e12_u3: place.of_node(2, &by_g, [zero, one], of_t),
-        };
-        (Self::at(&place.spot), by)
+        Self::at(&Spot::parabolic([i.x1, i.x2, i.x3], i.g))
     }
 
     #[inline]

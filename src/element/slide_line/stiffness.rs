@@ -9,7 +9,7 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::{Place, Spot};
+use super::Spot;
 use crate::contact::slide_line::{LinearPoint, LocalBasis, ParabolicPoint, check_distinct, check_tangent};
 use crate::fields;
 use crate::formula::error::{Error, Name};
@@ -17,7 +17,7 @@ use crate::formula::quantity::{
     CONTACT_LAMBDA, LINE_K_U1_U1, LINE_K_U1_U2, LINE_K_U1_U3, LINE_K_U2_U2, LINE_K_U2_U3, LINE_K_U3_U3, LINE_K_US_U1,
     LINE_K_US_U2, LINE_K_US_U3, LINE_K_US_US, SEGMENT_G, SEPARATION, X1, X2, X3,
 };
-use crate::formula::{Component, Document, Finite, Formula, Given, Jacobian, Source, Spec, ValueAndJacobian};
+use crate::formula::{Component, Document, Finite, Formula, Given, Source, Spec};
 use crate::number::scalar::Scalar;
 use nalgebra::{Matrix2, Matrix6, SMatrix, Vector2};
 
@@ -83,8 +83,8 @@ impl Formula for Linear {
     const SPEC: Spec = Spec::new("slide_line.geometric_stiffness_linear", "Geometric stiffness of contact on a straight segment", OURS)
         .equation(r"\begin{aligned} \mathbf{P} &= \frac{\lambda}{\ell}\,\mathbf{t}\otimes\mathbf{n},\quad \mathbf{Q} = \frac{\lambda}{\ell}\,\mathbf{n}\otimes\mathbf{t},\quad \mathbf{R} = \frac{\lambda E_{11}}{\ell^2}\,\mathbf{n}\otimes\mathbf{n}, \\ \mathbf{K}_{us,u1} &= \mathbf{P},\quad \mathbf{K}_{u1,u1} = -N_1(\mathbf{P}+\mathbf{Q}) - \mathbf{R},\quad \mathbf{K}_{u1,u2} = N_1\,\mathbf{P} - N_2\,\mathbf{Q} + \mathbf{R},\quad \mathbf{K}_{u2,u2} = N_2(\mathbf{P}+\mathbf{Q}) - \mathbf{R}, \\ N_1 &= \tfrac12(1-g),\quad N_2 = \tfrac12(1+g),\quad \ell = \lvert\mathbf{x}_2-\mathbf{x}_1\rvert \end{aligned}")
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &LinearPoint::SPEC)])
-        .eta(4.0, 6.0)
-        .by_vectors(4.0, 6.0)
+        .eta_of_value(4.0)
+        .normwise_of_value(4.0)
         .scale(1e80)
         .finite(Finite::Between);
     type Inputs<T: Component> = LinearTouch<T>;
@@ -92,51 +92,7 @@ impl Formula for Linear {
 
     #[inline]
     fn eval<D: Scalar>(i: &LinearTouch<D>) -> LinearStiffness<D> {
-        Self::at(&Place::linear([i.x1, i.x2], i.g).spot, i)
-    }
-
-    /// Every block is made of t⊗n + n⊗t, which turns with the tangent by 2 (n⊗n − t⊗t) δφ, and of n⊗n, which turns by −(t⊗n + n⊗t) δφ.
-    /// The length changes by δℓ/ℓ = t·(δx₂ − δx₁)/ℓ.
-    #[inline]
-    fn jacobian<D: Scalar>(i: &LinearTouch<D>) -> Jacobian<Self, D> {
-        Self::linearized(i).1
-    }
-
-    #[inline(always)]
-    fn linearized<D: Scalar>(i: &LinearTouch<D>) -> ValueAndJacobian<Self, D> {
-        let spot = Place::linear([i.x1, i.x2], i.g).spot;
-        let Spot { t, n, weights: [n1, n2], rates: [_, per_length], .. } = spot;
-        let (half, per, bend) = (D::from(0.5), i.lambda * per_length, i.lambda * per_length * per_length);
-        let entry = |turned: D, stretched: D, [g, separation, lambda]: [D; 3]| {
-            let x2 = (n * turned + t * stretched) * per_length;
-            LinearTouch { x1: -x2, x2, g, separation, lambda }
-        };
-        let (cos, sin) = ((t.x - t.y) * (t.x + t.y), t.x * t.y * 2.0);
-        let (both, turn) = (Matrix2::new(-sin, cos, cos, sin), Matrix2::new(-cos, -sin, -sin, cos));
-        let across = Matrix2::new(n.x * n.x, n.x * n.y, n.x * n.y, n.y * n.y);
-        let block = |weight: D, weight_rate: D, sign: D, skew: D| {
-            let skew = Matrix2::new(D::zero(), skew, -skew, D::zero());
-            Matrix2::from_fn(|row, column| {
-                let at = (row, column);
-                let (shear, across) = (both[at] * weight + skew[at], across[at] * sign);
-                let by_separation = across * bend;
-                let turned = turn[at] * weight * per * 2.0 - both[at] * sign * bend * i.separation;
-                let stretched = -(shear * per + by_separation * i.separation * 2.0);
-                let by_lambda = (shear + across * (i.separation * per_length)) * per_length;
-                entry(turned, stretched, [both[at] * weight_rate * per, by_separation, by_lambda])
-            })
-        };
-        let of_slave = |row: usize, column: usize| {
-            let (shear, zero) = (t[row] * n[column], D::zero());
-            entry(turn[(row, column)] * per, -(shear * per), [zero, zero, shear * per_length])
-        };
-        let by = LinearStiffness {
-            k_us_u1: Matrix2::from_fn(of_slave),
-            k_u1_u1: block(-n1, half, -D::one(), D::zero()),
-            k_u1_u2: block(-(i.g * half), -half, D::one(), half),
-            k_u2_u2: block(n2, half, -D::one(), D::zero()),
-        };
-        (Self::at(&spot, i), by)
+        Self::at(&Spot::linear([i.x1, i.x2], i.g), i)
     }
 
     #[inline]
@@ -162,42 +118,6 @@ type Degree = Option<usize>;
 #[derive(Clone, Copy, Debug)]
 pub struct Parabolic;
 
-/// What there is of every block.
-trait Blocks<D: Scalar> {
-    type Entry: Component;
-
-    fn block(&self, degrees: [Degree; 2]) -> Matrix2<Self::Entry>;
-
-    /// All that differ.
-    #[inline(always)]
-    fn all(&self) -> ParabolicStiffness<Self::Entry> {
-        let [s, a, b, c] = [None, Some(0), Some(1), Some(2)];
-        ParabolicStiffness {
-            k_us_us: self.inlined_or_called([s, s]),
-            k_us_u1: self.inlined_or_called([s, a]),
-            k_us_u2: self.inlined_or_called([s, b]),
-            k_us_u3: self.inlined_or_called([s, c]),
-            k_u1_u1: self.inlined_or_called([a, a]),
-            k_u1_u2: self.inlined_or_called([a, b]),
-            k_u1_u3: self.inlined_or_called([a, c]),
-            k_u2_u2: self.inlined_or_called([b, b]),
-            k_u2_u3: self.inlined_or_called([b, c]),
-            k_u3_u3: self.inlined_or_called([c, c]),
-        }
-    }
-
-    /// Where several rows are computed at once, what is called is not compiled for vectors; one row alone is faster with calls.
-    #[inline(always)]
-    fn inlined_or_called(&self, degrees: [Degree; 2]) -> Matrix2<Self::Entry> {
-        if D::has_extremes() { self.called(degrees) } else { self.block(degrees) }
-    }
-
-    #[inline]
-    fn called(&self, degrees: [Degree; 2]) -> Matrix2<Self::Entry> {
-        self.block(degrees)
-    }
-}
-
 /// The blocks, where `by` is λ/(1 − κ E11).
 struct Values<'p, D> {
     spot: &'p Spot<D, 3>,
@@ -205,10 +125,24 @@ struct Values<'p, D> {
     by: D,
 }
 
-impl<D: Scalar> Blocks<D> for Values<'_, D> {
-    type Entry = D;
+impl<D: Scalar> Values<'_, D> {
+    /// All that differ.
+    fn all(&self) -> ParabolicStiffness<D> {
+        let [s, a, b, c] = [None, Some(0), Some(1), Some(2)];
+        ParabolicStiffness {
+            k_us_us: self.block([s, s]),
+            k_us_u1: self.block([s, a]),
+            k_us_u2: self.block([s, b]),
+            k_us_u3: self.block([s, c]),
+            k_u1_u1: self.block([a, a]),
+            k_u1_u2: self.block([a, b]),
+            k_u1_u3: self.block([a, c]),
+            k_u2_u2: self.block([b, b]),
+            k_u2_u3: self.block([b, c]),
+            k_u3_u3: self.block([c, c]),
+        }
+    }
 
-    #[inline(always)]
     fn block(&self, [i, j]: [Degree; 2]) -> Matrix2<D> {
         let Self { spot: Spot { t, n, weights, rates, curvature }, separation, by } = *self;
         let motion = |i: Degree, x: D| i.map_or(x, |i| -(x * weights[i]));
@@ -220,137 +154,28 @@ impl<D: Scalar> Blocks<D> for Values<'_, D> {
     }
 }
 
-/// What the motion of the slave point or of a node does.
-struct Motion<D> {
-    /// aᵢ and bᵢ.
-    held: [D; 2],
-    /// Their derivatives by g.
-    by_g: [D; 2],
-    /// How far the closest point moves along the line, (aᵢ t + E11 bᵢ n)/(1 − κ E11).
-    moved: Vector2<D>,
-    /// How far the line turns there, (bᵢ n + κ aᵢ t)/(1 − κ E11).
-    turned: Vector2<D>,
-}
-
-impl<D: Scalar> Motion<D> {
-    #[inline(always)]
-    fn new(place: &Place<D, 3>, separation: D, per: D, degree: Degree) -> Self {
-        let (one, zero) = (D::one(), D::zero());
-        let [a, b] = degree.map_or([one, zero], |i| [-place.spot.weights[i], place.spot.rates[i]]);
-        let by_g = degree.map_or([zero; 2], |i| [-place.weight_rates[i], place.spreads[i]]);
-        let Spot { t, n, curvature, .. } = place.spot;
-        let moved = (t * a + n * (separation * b)) * per;
-        Self { held: [a, b], by_g, moved, turned: (n * b + t * (curvature * a)) * per }
-    }
-}
-
-/// The derivatives of the blocks.
-struct Derivatives<'p, D> {
-    i: &'p ParabolicTouch<D>,
-    place: &'p Place<D, 3>,
-    /// 1/(1 − κ E11).
-    per: D,
-    /// The change of κ with g, for that of the length.
-    stretch: D,
-    /// Nᵢ′ t, Nᵢ′ n and the derivatives of Nᵢ′ by g, along n, over |X′|.
-    along: [Vector2<D>; 3],
-    across: [Vector2<D>; 3],
-    bent: [Vector2<D>; 3],
-    motions: [Motion<D>; 4],
-}
-
-impl<'p, D: Scalar> Derivatives<'p, D> {
-    #[inline(always)]
-    fn new(i: &'p ParabolicTouch<D>, place: &'p Place<D, 3>, per: D) -> Self {
-        let (Spot { t, n, curvature, rates, .. }, per_speed) = (place.spot, place.speed.recip());
-        let motion = |degree| Motion::new(place, i.separation, per, degree);
-        Self {
-            i,
-            place,
-            per,
-            stretch: curvature * place.stretch * 3.0,
-            along: rates.map(|rate| t * rate),
-            across: rates.map(|rate| n * rate),
-            bent: place.spreads.map(|spread| n * (spread * per_speed)),
-            motions: [motion(None), motion(Some(0)), motion(Some(1)), motion(Some(2))],
-        }
-    }
-}
-
-impl<D: Scalar> Blocks<D> for Derivatives<'_, D> {
-    type Entry = ParabolicTouch<D>;
-
-    #[inline(always)]
-    fn block(&self, degrees: [Degree; 2]) -> Matrix2<ParabolicTouch<D>> {
-        let Self { i, place, per, stretch, along, across, bent, motions } = self;
-        let Spot { t, n, curvature, .. } = place.spot;
-        let form =
-            |[a, b]: [D; 2], [c, d]: [D; 2]| Matrix2::new(curvature * a * c, a * d, b * c, i.separation * b * d) * *per;
-        let turning = |m: Matrix2<D>| {
-            let (shear, difference) = (m.m12 + m.m21, m.m11 - m.m22);
-            Matrix2::new(-shear, difference, difference, shear)
-        };
-        let stretching = |m: Matrix2<D>| Matrix2::new(D::zero(), m.m12, m.m21, m.m22 * 2.0);
-        // In the plane, from the basis of t and n; with the sign that all blocks have.
-        let in_plane = |m: Matrix2<D>| {
-            let [u, v] = [t * m.m11 + n * m.m21, t * m.m12 + n * m.m22];
-            Matrix2::from_fn(|row, column| -(u[row] * t[column] + v[row] * n[column]))
-        };
-        let [first, second] = degrees.map(|degree| &motions[degree.map_or(0, |node| node + 1)]);
-        let held = form(first.held, second.held);
-        let by_curvature = outer(&first.moved, &second.moved, -i.lambda);
-        let by_g = form(first.by_g, second.held) + form(first.held, second.by_g);
-        let by_g = in_plane(by_g * i.lambda) - by_curvature * *stretch;
-        let stretched = -in_plane(stretching(held) * i.lambda) - by_curvature * (curvature * 2.0);
-        let (turned, by_lambda) = (in_plane(turning(held) * i.lambda), in_plane(held));
-        let by_separation = outer(&first.turned, &second.turned, -i.lambda);
-        let entry = |row: usize, column: usize| {
-            let at = (row, column);
-            let of_node = |k: usize| across[k] * turned[at] + along[k] * stretched[at] + bent[k] * by_curvature[at];
-            let (g, separation, lambda) = (place.bend * turned[at] + by_g[at], by_separation[at], by_lambda[at]);
-            ParabolicTouch { x1: of_node(0), x2: of_node(1), x3: of_node(2), g, separation, lambda }
-        };
-        Matrix2::new(entry(0, 0), entry(0, 1), entry(1, 0), entry(1, 1))
-    }
-}
-
 impl Formula for Parabolic {
     const SPEC: Spec = Spec::new("slide_line.geometric_stiffness_parabolic", "Geometric stiffness of contact on a parabolic segment", OURS)
         .equation(r"\begin{aligned} \mathbf{K}_{us,us} &= -c\kappa\,\mathbf{t}\otimes\mathbf{t},\quad \mathbf{K}_{us,u1} = -c\,(\mathbf{t}\otimes\mathbf{b}_1 + \kappa\,\mathbf{t}\otimes\mathbf{a}_1),\quad \mathbf{K}_{us,u2} = -c\,(\mathbf{t}\otimes\mathbf{b}_2 + \kappa\,\mathbf{t}\otimes\mathbf{a}_2),\quad \mathbf{K}_{us,u3} = -c\,(\mathbf{t}\otimes\mathbf{b}_3 + \kappa\,\mathbf{t}\otimes\mathbf{a}_3), \\ \mathbf{K}_{u1,u1} &= -c\,(\mathbf{a}_1\otimes\mathbf{b}_1 + \mathbf{b}_1\otimes\mathbf{a}_1 + \kappa\,\mathbf{a}_1\otimes\mathbf{a}_1 + E_{11}\,\mathbf{b}_1\otimes\mathbf{b}_1),\quad \mathbf{K}_{u1,u2} = -c\,(\mathbf{a}_1\otimes\mathbf{b}_2 + \mathbf{b}_1\otimes\mathbf{a}_2 + \kappa\,\mathbf{a}_1\otimes\mathbf{a}_2 + E_{11}\,\mathbf{b}_1\otimes\mathbf{b}_2), \\ \mathbf{K}_{u1,u3} &= -c\,(\mathbf{a}_1\otimes\mathbf{b}_3 + \mathbf{b}_1\otimes\mathbf{a}_3 + \kappa\,\mathbf{a}_1\otimes\mathbf{a}_3 + E_{11}\,\mathbf{b}_1\otimes\mathbf{b}_3),\quad \mathbf{K}_{u2,u2} = -c\,(\mathbf{a}_2\otimes\mathbf{b}_2 + \mathbf{b}_2\otimes\mathbf{a}_2 + \kappa\,\mathbf{a}_2\otimes\mathbf{a}_2 + E_{11}\,\mathbf{b}_2\otimes\mathbf{b}_2), \\ \mathbf{K}_{u2,u3} &= -c\,(\mathbf{a}_2\otimes\mathbf{b}_3 + \mathbf{b}_2\otimes\mathbf{a}_3 + \kappa\,\mathbf{a}_2\otimes\mathbf{a}_3 + E_{11}\,\mathbf{b}_2\otimes\mathbf{b}_3),\quad \mathbf{K}_{u3,u3} = -c\,(\mathbf{a}_3\otimes\mathbf{b}_3 + \mathbf{b}_3\otimes\mathbf{a}_3 + \kappa\,\mathbf{a}_3\otimes\mathbf{a}_3 + E_{11}\,\mathbf{b}_3\otimes\mathbf{b}_3), \\ c &= \frac{\lambda}{1-\kappa E_{11}},\quad \kappa = \frac{\mathbf{n}\cdot(\mathbf{x}_1-2\,\mathbf{x}_2+\mathbf{x}_3)}{\lvert\mathbf{X}'\rvert^2},\quad \mathbf{a}_1 = -\tfrac12 g(g-1)\,\mathbf{t},\quad \mathbf{a}_2 = -(1-g^2)\,\mathbf{t},\quad \mathbf{a}_3 = -\tfrac12 g(g+1)\,\mathbf{t}, \\ \mathbf{b}_1 &= \frac{g-\tfrac12}{\lvert\mathbf{X}'\rvert}\,\mathbf{n},\quad \mathbf{b}_2 = -\frac{2g}{\lvert\mathbf{X}'\rvert}\,\mathbf{n},\quad \mathbf{b}_3 = \frac{g+\tfrac12}{\lvert\mathbf{X}'\rvert}\,\mathbf{n} \end{aligned}")
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &ParabolicPoint::SPEC)])
         // Third derivatives of a closest point: terms of either sign cancel.
-        .eta(24.0, 512.0)
-        .by_vectors(6.0, 256.0)
+        .eta_of_value(24.0)
+        .normwise_of_value(6.0)
         .scale(1e3);
     type Inputs<T: Component> = ParabolicTouch<T>;
     type Outputs<T: Component> = ParabolicStiffness<T>;
 
     #[inline]
     fn eval<D: Scalar>(i: &ParabolicTouch<D>) -> ParabolicStiffness<D> {
-        let spot = Place::parabolic([i.x1, i.x2, i.x3], i.g).spot;
+        let spot = Spot::parabolic([i.x1, i.x2, i.x3], i.g);
         let by = i.lambda * i.per_reach(&spot);
         Values { spot: &spot, separation: i.separation, by }.all()
-    }
-
-    /// By E11 and by κ a block changes by the products of how far the line turns there and how far the point moves, times −λ:
-    /// quotients that would cancel otherwise. By the length, bᵢ changes as 1/ℓ does, and κ as 1/ℓ².
-    #[inline]
-    fn jacobian<D: Scalar>(i: &ParabolicTouch<D>) -> Jacobian<Self, D> {
-        Self::linearized(i).1
-    }
-
-    #[inline(always)]
-    fn linearized<D: Scalar>(i: &ParabolicTouch<D>) -> ValueAndJacobian<Self, D> {
-        let place = Place::parabolic([i.x1, i.x2, i.x3], i.g);
-        let per = i.per_reach(&place.spot);
-        let value = Values { spot: &place.spot, separation: i.separation, by: i.lambda * per };
-        (value.all(), Derivatives::new(i, &place, per).all())
     }
 
     #[inline]
     fn validate<D: Scalar>(i: &ParabolicTouch<D>) -> Result<(), Error> {
         check_tangent([i.x1, i.x2, i.x3], i.g)?;
-        let spot = Place::parabolic([i.x1, i.x2, i.x3], i.g).spot;
+        let spot = Spot::parabolic([i.x1, i.x2, i.x3], i.g);
         if spot.curvature * i.separation < 1.0 { Ok(()) } else { Err(beyond_centre(i.separation)) }
     }
 }

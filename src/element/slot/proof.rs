@@ -1,11 +1,11 @@
 //! Evidence for the formulas next door: cases, laws.
 
-use super::{Forces, GeometricStiffness, Rows, SlotLoads, SlotPlaces, SlotRows, SymmetricStiffness};
+use super::{Forces, GeometricStiffness, Rows, SlotLoads, SlotPlaces, SlotRows};
 use crate::Octuple;
 use crate::connector::slot::{Constraint, ConstraintForce, CrossFrame, Residuals, SlotPositions};
 use crate::element;
 use crate::element::join::proof::{balance, equal_motions, whole};
-use crate::element::motion::{Motion, Moving, Tangent, derivative, is_symmetric_part, still};
+use crate::element::motion::{Motion, Moving, Tangent, derivative, still};
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Law, Proved, hard, law};
 use nalgebra::Vector3;
@@ -144,18 +144,5 @@ impl Proved for GeometricStiffness {
                 tangent(i).turns_with_the_body([i.xa, i.xb], i.e2a + i.e3a)
             }),
         ]
-    }
-}
-
-impl Proved for SymmetricStiffness {
-    fn cases() -> Vec<Case<SlotLoads<f64>>> {
-        loads()
-    }
-
-    fn laws() -> Vec<Law<Self>> {
-        vec![Law::<Self>::new("it is K + ½ [m×] with the moment m on the node, and symmetric", |i| {
-            let (k, s, forces) = (GeometricStiffness::eval(i), Self::eval(i), Forces::eval(i));
-            is_symmetric_part(&s.s_ta_ta, &k.k_ta_ta, &forces.ma, tangent(i).sizes[1])
-        })]
     }
 }

@@ -1,11 +1,11 @@
 //! Evidence for the formulas next door: cases, laws.
 
-use super::{Forces, GeometricStiffness, JointLoads, JointPlaces, JointRows, Rows, SymmetricStiffness};
+use super::{Forces, GeometricStiffness, JointLoads, JointPlaces, JointRows, Rows};
 use crate::Octuple;
 use crate::element;
 use crate::element::cardan::turns;
 use crate::element::join::{JoinRows, proof::balance, proof::equal_motions, proof::residuals};
-use crate::element::motion::{Motion, Moving, Tangent, derivative, is_symmetric_part, still};
+use crate::element::motion::{Motion, Moving, Tangent, derivative, still};
 use crate::element::universal::{UniversalRow, proof::residual};
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Law, Proved, hard, law};
@@ -168,21 +168,6 @@ impl Proved for GeometricStiffness {
     }
 }
 
-impl Proved for SymmetricStiffness {
-    fn cases() -> Vec<Case<JointLoads<f64>>> {
-        loads(apart())
-    }
-
-    fn laws() -> Vec<Law<Self>> {
-        vec![Law::<Self>::new("it is K + ½ [m×] with the moment m on the node, and symmetric", |i| {
-            let (k, s, forces) = (GeometricStiffness::eval(i), Self::eval(i), Forces::eval(i));
-            let size = tangent(i).sizes[1];
-            let on_a = is_symmetric_part(&s.s_ta_ta, &k.k_ta_ta, &forces.ma, size);
-            [on_a, is_symmetric_part(&s.s_tb_tb, &k.k_tb_tb, &forces.mb, size)].concat()
-        })]
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -217,15 +202,5 @@ mod tests {
             without.fixed_view_mut::<3, 3>(row, column).fill(Octuple::one() * 0.0);
             assert!(is_caught(&i, &without), "without the block at {row}, {column}");
         }
-    }
-
-    #[test]
-    fn the_symmetric_part_put_in_its_places_is_that_of_the_whole() {
-        let i = here();
-        let (k, s) = (GeometricStiffness::eval(&i), SymmetricStiffness::eval(&i));
-        let put = super::super::JointStiffness { k_ta_ta: s.s_ta_ta, k_tb_tb: s.s_tb_tb, ..k }.matrix();
-        let whole = (k.matrix() + k.matrix().transpose()) * Octuple::from(0.5);
-        let furthest = (put - whole).iter().map(|x| x.to_f64().abs()).fold(0.0, f64::max);
-        assert!(furthest < 1e-65, "{furthest:e}");
     }
 }

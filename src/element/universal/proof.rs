@@ -1,12 +1,12 @@
 //! Evidence for the formulas next door: cases, laws.
 
-use super::{GeometricStiffness, Moments, Rows, SymmetricStiffness, UniversalLoads, UniversalMoments, UniversalRow};
+use super::{GeometricStiffness, Moments, Rows, UniversalLoads, UniversalMoments, UniversalRow};
 use crate::Octuple;
 use crate::Scalar;
 use crate::connector::ujoint::CrossAxes;
 use crate::connector::universal::{Constraint, ConstraintMoment, Shafts, Twisted};
 use crate::element::cardan::turns;
-use crate::element::motion::{Motion, Moving, Tangent, derivative, is_symmetric_part, still};
+use crate::element::motion::{Motion, Moving, Tangent, derivative, still};
 use crate::element::{self, NodalForces};
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Law, Proved, hard, law};
@@ -161,20 +161,5 @@ impl Proved for GeometricStiffness {
                 tangent(i).turns_with_the_body([Vector3::from_element(Octuple::zero()); 2], i.e1a + i.e3b)
             }),
         ]
-    }
-}
-
-impl Proved for SymmetricStiffness {
-    fn cases() -> Vec<Case<UniversalLoads<f64>>> {
-        loads()
-    }
-
-    fn laws() -> Vec<Law<Self>> {
-        vec![Law::<Self>::new("it is K + ½ [m×] with the moment m on the node, and symmetric", |i| {
-            let (k, s, forces) = (GeometricStiffness::eval(i), Self::eval(i), Moments::eval(i));
-            let size = tangent(i).sizes[1];
-            let on_a = is_symmetric_part(&s.s_ta_ta, &k.k_ta_ta, &forces.ma, size);
-            [on_a, is_symmetric_part(&s.s_tb_tb, &k.k_tb_tb, &forces.mb, size)].concat()
-        })]
     }
 }

@@ -1,6 +1,6 @@
 //! The ways to compute a formula, each compiled as one piece, so that nothing is called through a pointer while it is timed.
 
-use super::forward::{Jet, differentiate};
+use crate::formula::forward::{Jet, differentiate};
 use crate::formula::{Fields, Formula, entries, typed};
 use std::hint::black_box;
 
@@ -36,7 +36,7 @@ impl Way {
         value: impl Fn(&F::Inputs<f64>) -> F::Outputs<f64> + Copy + 'static,
         differentiated: impl Fn(&F::Inputs<Jet>) -> F::Outputs<Jet> + Copy + 'static,
     ) -> Self {
-        let jacobian = move |i: &_| differentiate::<F>(i, differentiated);
+        let jacobian = move |i: &_| differentiate::<F, f64>(i, differentiated);
         Self::of(id, title).value(Kernel::new(typed, value, Fields::components)).jacobian(Kernel::new(
             typed,
             jacobian,

@@ -72,9 +72,14 @@ pub fn record_with<F: Formula>(extremes: Extremes) -> Result<Graph, NotRecorded>
     let errors = RefCell::new(Vec::new());
     let refusal = || vec![Traced::from(refusal::<F>(&inputs(), &errors)).node()];
     let results = || {
-        let (value, jacobian) = F::linearized(&inputs());
+        let numbers = if F::SPEC.is_closed() {
+            let (value, jacobian) = F::linearized(&inputs());
+            [value.components(), entries(&jacobian)].concat()
+        } else {
+            F::eval(&inputs()).components()
+        };
         no_value_was_asked();
-        value.components().into_iter().chain(entries(&jacobian)).map(Traced::node).collect()
+        numbers.into_iter().map(Traced::node).collect()
     };
     let (mut graph, [refusal, results]) = recorder::record(extremes, [&refusal, &results])?;
     let (value, jacobian) = results.split_at(F::Outputs::<f64>::LEN);

@@ -1,6 +1,6 @@
 //! Jacobians by differences in `f64`, as a program without derivatives computes them.
 
-use crate::formula::proof::{Array, from_array, jacobian_of, no_rows, to_array};
+use crate::formula::forward::{Array, from_array, jacobian_of, no_rows, to_array};
 use crate::formula::{Fields, Formula, ValueAndJacobian};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -49,7 +49,7 @@ impl Scheme {
     ) -> ValueAndJacobian<F, f64> {
         let mut x = to_array(i);
         let here = F::eval(i);
-        let mut rows = no_rows::<F>();
+        let mut rows = no_rows::<F, f64>();
         let mut k = 0;
         for field in F::Inputs::<f64>::FIELDS {
             let end = k + field.len();
@@ -62,7 +62,7 @@ impl Scheme {
                 k += 1;
             }
         }
-        (here, jacobian_of::<F>(&rows))
+        (here, jacobian_of::<F, f64>(&rows))
     }
 
     /// The derivatives with respect to input component `k`.

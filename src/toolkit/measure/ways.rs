@@ -112,7 +112,7 @@ fn doubles(x: &[Single]) -> Vec<f64> {
 }
 
 fn ad<F: Proved>() -> Way {
-    let jacobian = |i: &_| value_and_jacobian_by_ad::<F>(i);
+    let jacobian = |i: &_| value_and_jacobian_by_ad::<F, f64>(i);
     Way::of("ad", "automatic differentiation").jacobian(Kernel::new(typed, jacobian, |(_, jacobian)| entries(jacobian)))
 }
 

@@ -24,12 +24,9 @@ pub(super) struct Exact {
 impl Exact {
     pub(super) fn at(point: &Point) -> Self {
         let (subject, inputs) = (point.subject, &point.exact);
-        Self {
-            values: (subject.exact_value)(inputs),
-            ad: subject.derivative(inputs),
-            closed: (subject.exact_jacobian)(inputs),
-            bends: Bends::at(point),
-        }
+        let ad = subject.derivative(inputs);
+        let closed = if subject.spec.is_closed() { (subject.exact_jacobian)(inputs) } else { ad.clone() };
+        Self { values: (subject.exact_value)(inputs), ad, closed, bends: Bends::at(point) }
     }
 
     /// How much the k-th entry of the Jacobian changes with the inputs.
@@ -64,19 +61,25 @@ impl Exact {
     }
 }
 
-/// The bounds of η of value and Jacobian, claimed of sizes or of any.
-pub(super) fn claims(spec: &Spec, sizes: &str) -> [Claim; 2] {
+/// The bounds of η of the value and of a closed-form Jacobian, claimed of sizes or of any.
+pub(super) fn claims(spec: &Spec, sizes: &str) -> (Claim, Option<Claim>) {
     let (bounds, by) = spec.bounds();
     let claim = |of, bound| Claim::new(format!("η of the {of} in f64{by}{sizes}"), bound);
-    [claim("value", bounds[0]), claim("closed-form Jacobian", bounds[1])]
+    (claim("value", bounds.value), bounds.jacobian.map(|bound| claim("closed-form Jacobian", bound)))
 }
 
-/// Value and Jacobian in `f64`, each alone and as they come together; on a switch there is no derivative.
-pub(super) fn check_accuracy([value, jacobian]: [&mut Claim; 2], point: &Point, names: &Names, exact: &Exact) {
+/// Value and closed-form Jacobian in `f64`, each alone and as they come together; on a switch there is no derivative.
+pub(super) fn check_accuracy(
+    value: &mut Claim,
+    jacobian: Option<&mut Claim>,
+    point: &Point,
+    names: &Names,
+    exact: &Exact,
+) {
     let (subject, inputs) = (point.subject, &point.inputs);
     let [with_jacobian, linearized] = (subject.linearized)(inputs);
     check_value(value, point, names, exact, [(subject.value)(inputs), with_jacobian]);
-    if point.kink != Some(Convention::Switch) {
+    if let Some(jacobian) = jacobian.filter(|_| point.kink != Some(Convention::Switch)) {
         check_jacobian(jacobian, point, names, exact, [(subject.jacobian)(inputs), linearized]);
     }
 }
@@ -93,7 +96,7 @@ fn check_value(claim: &mut Claim, point: &Point, names: &Names, exact: &Exact, v
             let describe = |size| point.deviation(size, names.outputs[output].clone(), computed, value.to_f64());
             let own = eta(computed, value, sensitivity);
             let vector = || own.min(eta_beside(computed, value, beside(output)));
-            let sizes = iter::once(own).chain(point.subject.spec.by_vectors.iter().map(|_| vector()));
+            let sizes = iter::once(own).chain(point.subject.spec.normwise.iter().map(|_| vector()));
             claim.record_last(sizes, claim.bound, describe);
         }
     }
@@ -109,7 +112,7 @@ fn check_jacobian(claim: &mut Claim, point: &Point, names: &Names, exact: &Exact
                 let own = eta(computed, ad, exact.bend(point, entry));
                 own.min(eta_beside(computed, ad, exact.largest_beside(point, entry)))
             };
-            let sizes = own.chain(point.subject.spec.by_vectors.iter().map(|_| vector()));
+            let sizes = own.chain(point.subject.spec.normwise.iter().map(|_| vector()));
             let describe = |size| point.deviation(size, names.entry(entry), computed, ad.to_f64());
             claim.record_last(sizes, claim.bound, describe)
         };
@@ -133,6 +136,7 @@ mod tests {
     use crate::connector::slot::ContactForce;
     use crate::contact::coulomb::ReturnMap;
     use crate::contact::slide_line::LocalBasis;
+    use crate::formula::Bounds;
     use crate::number::power::power_of_two;
     use crate::toolkit::verify::subject::Subject;
 
@@ -159,7 +163,7 @@ mod tests {
         let mut exact = Exact::at(&point);
         exact.values.iter_mut().for_each(off);
         off(&mut exact.ad[1]);
-        check_accuracy([&mut value, &mut jacobian], &point, &names, &exact);
+        check_accuracy(&mut value, Some(&mut jacobian), &point, &names, &exact);
         // Alone and together; 2¹³ roundings, of which the sensitivity takes a share.
         assert_eq!((value.checks, value.failures, jacobian.checks, jacobian.failures), (2, 2, 4, 2));
         let worst = [value, jacobian].map(|claim| claim.worst.expect("it was checked"));
@@ -173,22 +177,23 @@ mod tests {
     /// The first component of a tangent that is nearly along the second axis, and its derivative by that, are off by less than a
     /// rounding of the second component.
     #[test]
-    fn by_vectors_a_component_that_cancels_is_judged_beside_the_largest() {
-        let failures = |by_vectors, off: f64| {
+    fn normwise_a_component_that_cancels_is_judged_beside_the_largest() {
+        let failures = |normwise, off: f64| {
             let mut subject = Subject::of::<LocalBasis>();
-            subject.spec.by_vectors = by_vectors;
+            subject.spec.normwise = normwise;
             let (point, names) = (point(&subject, false, &[3e-9, 4.0]), Names::new(&subject));
-            let mut claims = claims(&subject.spec, "");
+            let (mut value, jacobian) = claims(&subject.spec, "");
+            let mut jacobian = jacobian.expect("it is in closed form");
             let mut exact = Exact::at(&point);
             exact.values[0] += off;
             exact.ad[1] += off;
-            let [value, jacobian] = &mut claims;
-            check_accuracy([value, jacobian], &point, &names, &exact);
-            claims.map(|claim| (claim.failures, claim.claim.ends_with(", by vectors")))
+            check_accuracy(&mut value, Some(&mut jacobian), &point, &names, &exact);
+            [value, jacobian].map(|claim| (claim.failures, claim.claim.ends_with(", normwise")))
         };
+        let bounds = Some(Bounds { value: 2.0, jacobian: Some(2.0) });
         assert_eq!(failures(None, 1e-17), [(2, false), (2, false)]);
-        assert_eq!(failures(Some([2.0, 2.0]), 1e-17), [(0, true), (0, true)]);
-        assert_eq!(failures(Some([2.0, 2.0]), 1e-15), [(2, true), (2, true)]);
+        assert_eq!(failures(bounds, 1e-17), [(0, true), (0, true)]);
+        assert_eq!(failures(bounds, 1e-15), [(2, true), (2, true)]);
     }
 
     #[test]
@@ -197,7 +202,7 @@ mod tests {
         let checks = |f_trial| {
             let (point, names) = (point(&subject, false, &[f_trial, 0.5, 4.0]), Names::new(&subject));
             let [mut value, mut jacobian] = ["value", "Jacobian"].map(|claim| Claim::new(claim, 2.0));
-            check_accuracy([&mut value, &mut jacobian], &point, &names, &Exact::at(&point));
+            check_accuracy(&mut value, Some(&mut jacobian), &point, &names, &Exact::at(&point));
             (value.checks, jacobian.checks)
         };
         assert_eq!((checks(2.0), checks(3.0)), ((2, 0), (2, 6)));

@@ -60,19 +60,19 @@ pub struct Audit {
     pub random_points: usize,
     /// The seed of the random points.
     pub seed: u64,
-    /// The closed-form Jacobian is the derivative: it equals automatic differentiation, in 237 bits.
-    pub closed_against_ad: Claim,
+    /// The closed-form Jacobian is the derivative: it equals automatic differentiation, in 237 bits; `None` where it is automatic.
+    pub closed_against_ad: Option<Claim>,
     /// Automatic differentiation is right: it equals differences, in 237 bits.
     pub ad_against_differences: Claim,
     /// The value in `f64` is accurate.
     pub eta: Claim,
-    /// The closed-form Jacobian in `f64` is accurate.
-    pub eta_jacobian: Claim,
-    /// The same two at sizes up to the [scale](crate::formula::Spec::scale) that is stated; `None` at a single given point.
-    pub scaled: Option<[Claim; 2]>,
+    /// The closed-form Jacobian in `f64` is accurate; `None` where it is automatic.
+    pub eta_jacobian: Option<Claim>,
+    /// The same at sizes up to the [scale](crate::formula::Spec::scale) that is stated; none at a single given point.
+    pub scaled: Vec<Claim>,
     /// The printed equation is the value, in 237 bits.
     pub equation: Claim,
-    /// The derivative of the printed equation is the closed form, in 237 bits.
+    /// The derivative of the printed equation is the Jacobian, in 237 bits.
     pub equation_jacobian: Claim,
     /// Homogeneity, frame indifference, and the formula's own laws.
     pub laws: Vec<Claim>,
@@ -90,11 +90,11 @@ pub struct Audit {
 impl Audit {
     /// Every claim.
     pub fn claims(&self) -> impl Iterator<Item = &Claim> {
-        let derivatives = [&self.closed_against_ad, &self.ad_against_differences, &self.eta, &self.eta_jacobian];
         let printed = [&self.equation, &self.equation_jacobian];
-        derivatives
-            .into_iter()
-            .chain(self.scaled.iter().flatten())
+        (self.closed_against_ad.iter())
+            .chain([&self.ad_against_differences, &self.eta])
+            .chain(&self.eta_jacobian)
+            .chain(&self.scaled)
             .chain(printed)
             .chain(&self.laws)
             .chain(&self.finite)
@@ -169,7 +169,9 @@ fn audit_points(subject: &Subject, points: &Points<'_>) -> Audit {
     let general = if points.is_given() { named } else { random };
     let names = Names::new(subject);
     let (printed, [equation, equation_jacobian]) = read_equation(subject);
-    let [eta, eta_jacobian] = claims(&subject.spec, "");
+    let (eta, eta_jacobian) = claims(&subject.spec, "");
+    let closed = Claim::new("closed form = automatic differentiation, in 237 bits", CLOSED_AGAINST_AD);
+    let scaled = if points.is_given() { Vec::new() } else { scaled(subject, &names, random, *before, *seed) };
     let mut audit = Audit {
         formula: subject.spec.id.into(),
         provenance: format!("{}; {}", subject.spec.source, subject.spec.source.provenance),
@@ -177,14 +179,14 @@ fn audit_points(subject: &Subject, points: &Points<'_>) -> Audit {
         searched_points: *searched,
         random_points: random.len(),
         seed: *seed,
-        closed_against_ad: Claim::new("closed form = automatic differentiation, in 237 bits", CLOSED_AGAINST_AD),
+        closed_against_ad: subject.spec.is_closed().then_some(closed),
         ad_against_differences: Claim::new(
             "automatic differentiation = differences, in 237 bits",
             AD_AGAINST_DIFFERENCES,
         ),
         eta,
         eta_jacobian,
-        scaled: (!points.is_given()).then(|| scaled(subject, &names, random, *before, *seed)),
+        scaled,
         equation,
         equation_jacobian,
         laws: invariance::of_all(subject).iter().chain(&subject.laws).map(|law| check_law(law, general)).collect(),
@@ -235,7 +237,7 @@ fn equation_of(subject: &Subject, options: &Options) -> [Claim; 2] {
 /// The printed equation, and what is claimed of it; that it can be read, too.
 fn read_equation(subject: &Subject) -> (Option<Equation>, [Claim; 2]) {
     let mut values = Claim::new("printed equation = value, in 237 bits", EQUATION);
-    let jacobian = Claim::new("derivative of the printed equation = closed form, in 237 bits", EQUATION);
+    let jacobian = Claim::new("derivative of the printed equation = Jacobian, in 237 bits", EQUATION);
     let equation = Equation::of(&subject.spec, subject.inputs, subject.outputs);
     let equation = equation.map_err(|error| values.fail(error.to_string())).ok();
     (equation, [values, jacobian])
@@ -304,12 +306,13 @@ impl Audit {
     /// The closed form in 237 bits, and all that is computed in `f64`.
     fn check_code(&mut self, point: &Point, names: &Names, exact: &Exact) {
         self.check_closed_form(point, names, exact);
-        check_accuracy([&mut self.eta, &mut self.eta_jacobian], point, names, exact);
+        check_accuracy(&mut self.eta, self.eta_jacobian.as_mut(), point, names, exact);
     }
 
     /// Judged against the entry and what rounding of the inputs can do to it: an entry may be what a cancellation left. One that is
     /// nothing beside others of its output is what rounding in 237 bits left of their terms, and judged against them.
     fn check_closed_form(&mut self, point: &Point, names: &Names, exact: &Exact) {
+        let Some(claim) = &mut self.closed_against_ad else { return };
         for (k, (&closed, &ad)) in exact.closed.iter().zip(&exact.ad).enumerate() {
             let describe = |size| point.deviation(size, names.entry(k), closed.to_f64(), ad.to_f64());
             let share_beside = |bend: Sensitivity| bend.plus(ad).share_of(closed - ad);
@@ -319,7 +322,7 @@ impl Audit {
                 scale.share_of(closed - ad)
             };
             let sizes = exact.bends_up_to(point, k).map(share_beside).chain(iter::once_with(share));
-            self.closed_against_ad.record_last(sizes, CLOSED_AGAINST_AD, describe);
+            claim.record_last(sizes, CLOSED_AGAINST_AD, describe);
         }
     }
 

@@ -1,6 +1,6 @@
 //! A claim about a formula, and what was found about it.
 
-use crate::formula::BY_VECTORS;
+use crate::formula::NORMWISE;
 use serde::{Deserialize, Serialize};
 
 /// A claim about a formula.
@@ -48,9 +48,9 @@ impl Claim {
         self.checks > 0 && self.failures == 0
     }
 
-    /// Whether its bound is one [by vectors](crate::formula::Spec::by_vectors).
-    pub fn is_by_vectors(&self) -> bool {
-        self.claim.contains(BY_VECTORS)
+    /// Whether its bound is one [normwise](crate::formula::Spec::normwise).
+    pub fn is_normwise(&self) -> bool {
+        self.claim.contains(NORMWISE)
     }
 
     /// The same claim, of which nothing was checked.

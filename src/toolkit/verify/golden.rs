@@ -48,7 +48,7 @@ pub(crate) fn of(subject: &Subject, least_random: usize) -> File {
         source: spec.source.to_string(),
         provenance: spec.source.provenance.into(),
         latex: spec.latex.into(),
-        eta: Bounds { value: spec.eta, jacobian: spec.eta_jacobian },
+        eta: Bounds { value: spec.eta.value, jacobian: spec.eta.jacobian },
         inputs: describe(subject.inputs),
         outputs: describe(subject.outputs),
         cases: cases(subject, least_random).iter().map(|case| record(subject, case)).collect(),
@@ -131,7 +131,7 @@ fn record(subject: &Subject, case: &Case<Vec<f64>>) -> Record {
     let entries = (subject.exact_jacobian)(&exact);
     record.out = Some(named(subject.outputs, &rounded(&values)));
     record.out_scale = Some(named(subject.outputs, &scales(&values, entries.chunks(exact.len()), &exact)));
-    if kink != Some(Convention::Switch) {
+    if subject.spec.is_closed() && kink != Some(Convention::Switch) {
         let by_name = |numbers: &[f64]| Some(named_jacobian(subject.outputs, subject.inputs, numbers));
         let gradients = subject.second_derivative(&exact);
         record.jac = by_name(&rounded(&entries));
@@ -242,7 +242,7 @@ mod tests {
             (file.formula.as_str(), file.schema.as_str(), file.layout),
             ("slot.friction", "schema.json", LAYOUT)
         );
-        assert_eq!((file.eta.value, file.eta.jacobian), (Friction::SPEC.eta, Friction::SPEC.eta_jacobian));
+        assert_eq!((file.eta.value, file.eta.jacobian), (Friction::SPEC.eta.value, Friction::SPEC.eta.jacobian));
         assert_eq!((file.inputs.len(), file.inputs[0].name.as_str(), file.inputs[0].unit.as_str()), (5, "f1", "F"));
         assert_eq!((file.outputs.len(), file.cases.len()), (3, cases(&Subject::of::<Friction>(), LEAST_RANDOM).len()));
     }

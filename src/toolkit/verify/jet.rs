@@ -1,20 +1,17 @@
-//! Jacobians by forward automatic differentiation.
+//! Derivatives of functions of components, and of Jacobians, by forward automatic differentiation.
 
 use crate::Scalar;
+use crate::formula::forward::{self, WIDTH};
 use crate::formula::{Fields, Formula, Jacobian, entries, typed};
 use nalgebra::{Const, U1};
-use num_dual::DualSVec;
 
-/// Directions a sweep carries. Chunks of a fixed width keep the number of inputs out of the types.
-const WIDTH: usize = 4;
-pub(super) type Sweep<T> = DualSVec<T, WIDTH>;
+pub(super) type Sweep<T> = forward::Jet<T>;
 /// A function of components, in dual numbers.
 type Swept<'a, T> = dyn Fn(&[Sweep<T>]) -> Vec<Sweep<T>> + 'a;
 
 /// The Jacobian of `F` at `i`, by differentiating `F::eval`.
 pub fn jacobian_by_ad<F: Formula, T: Scalar>(i: &F::Inputs<T>) -> Jacobian<F, T> {
-    let rows = differentiate(&i.components(), &value::<F, _>);
-    typed(&rows.iter().map(|row| typed(row)).collect::<Vec<_>>())
+    forward::differentiate::<F, T>(i, F::eval).1
 }
 
 /// The derivative of every entry of the closed-form Jacobian: a row per output and input, in order.
@@ -37,6 +34,7 @@ pub(super) fn differentiate<T: Scalar>(inputs: &[T], function: &Swept<'_, T>) ->
     rows
 }
 
+/// Unlike a zero derivative, none at all costs no arithmetic.
 fn seed<T: Scalar>(x: T, direction: Option<usize>) -> Sweep<T> {
     match direction {
         Some(direction) if direction < WIDTH => Sweep::from_re(x).derivative(direction),

@@ -108,22 +108,25 @@ impl Audit {
             searched_points: self.searched_points + next.searched_points,
             random_points: self.random_points + next.random_points,
             seed: self.seed,
-            closed_against_ad: self.closed_against_ad.and(next.closed_against_ad),
+            closed_against_ad: either(self.closed_against_ad, next.closed_against_ad, Claim::and),
             ad_against_differences: self.ad_against_differences.and(next.ad_against_differences),
             eta: self.eta.and(next.eta),
-            eta_jacobian: self.eta_jacobian.and(next.eta_jacobian),
-            scaled: either(self.scaled, next.scaled, |[one, two], [next_one, next_two]| {
-                [one.and(next_one), two.and(next_two)]
-            }),
+            eta_jacobian: either(self.eta_jacobian, next.eta_jacobian, Claim::and),
+            scaled: one_by_one(self.scaled, next.scaled),
             equation: self.equation.and(next.equation),
             equation_jacobian: self.equation_jacobian.and(next.equation_jacobian),
-            laws: self.laws.into_iter().zip(next.laws).map(|(one, next)| one.and(next)).collect(),
+            laws: one_by_one(self.laws, next.laws),
             finite: either(self.finite, next.finite, Claim::and),
             kinks: self.kinks.and(next.kinks),
             register: either(self.register, next.register, Claim::and),
             looked: self.looked.or(next.looked),
         }
     }
+}
+
+/// The same claims, with what was found of each at points that follow.
+fn one_by_one(claims: Vec<Claim>, next: Vec<Claim>) -> Vec<Claim> {
+    claims.into_iter().zip(next).map(|(one, next)| one.and(next)).collect()
 }
 
 /// What was found of something by one part or by both.

@@ -201,7 +201,7 @@ pub(crate) fn worst(claim: &Claim) -> String {
 
 /// The bound of a claim, and how it is to be understood.
 pub(crate) fn bound(claim: &Claim) -> String {
-    number(claim.bound) + if claim.is_by_vectors() { " by vectors" } else { "" }
+    number(claim.bound) + if claim.is_normwise() { " normwise" } else { "" }
 }
 
 /// The laws that were tried, with counts: its own, and how many of those that every formula has.
@@ -324,8 +324,8 @@ mod tests {
     }
 
     #[test]
-    fn a_bound_by_vectors_is_said_to_be_one() {
+    fn a_normwise_bound_is_said_to_be_one() {
         let of = |by: &str| bound(&Claim { claim: format!("η of the value in f64{by}"), ..sample::passed().eta });
-        assert_eq!(["", ", by vectors"].map(of), ["4", "4 by vectors"]);
+        assert_eq!(["", ", normwise"].map(of), ["4", "4 normwise"]);
     }
 }

@@ -166,7 +166,7 @@ mod tests {
     fn the_tangent_of_stick_for_slip_is_caught() {
         let options = Options { samples: 50, ..Options::default() };
         assert!(audit::<Response>(&options).no_claim_failed());
-        assert!(audit::<AlwaysStick>(&options).closed_against_ad.failures > 0);
+        assert!(audit::<AlwaysStick>(&options).closed_against_ad.unwrap().failures > 0);
     }
 
     #[test]

@@ -1,16 +1,17 @@
 //! Evidence for the formulas next door: cases, laws.
 
+use super::super::Spot;
 use super::{Linear, LinearTouch, Parabolic, ParabolicTouch};
 use crate::Octuple;
 use crate::contact::slide_line::{
     ClosestLinear, ClosestParabolic, LinearPlace, LinearPoint, LinearSlave, ParabolicPlace, ParabolicPoint,
-    ParabolicSlave, left,
+    ParabolicSlave, Sides, left, length_and_tangent,
 };
+use crate::element::slide_line::forces;
 use crate::element::slide_line::rows::{
     self,
     proof::{curved_places, no_parabola, no_segment, straight_places},
 };
-use crate::element::slide_line::{Place, forces};
 use crate::element::slider_plane::{self, SliderLoads2d};
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Equation, Law, Proved, law};
@@ -160,7 +161,8 @@ impl ParabolicTouch<Octuple> {
     /// So near to the segment, and so far from its ends, that the place is the closest one of any curve that is drawn here.
     fn near(&self) -> Self {
         let g = self.g * (15.0 / 16.0);
-        let Place { spot, speed, .. } = Place::parabolic([self.x1, self.x2, self.x3], g);
+        let nodes = [self.x1, self.x2, self.x3];
+        let (spot, speed) = (Spot::parabolic(nodes, g), length_and_tangent(Sides::new(nodes).rate(g)).0);
         let bent = norm([spot.curvature, Octuple::one() / speed]) * self.separation * Octuple::from(2.0_f64.powi(40));
         Self { g, separation: self.separation / norm([bent, Octuple::one()]), ..*self }
     }

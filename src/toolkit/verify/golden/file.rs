@@ -16,7 +16,14 @@ pub const LEAST_CASES: usize = 32;
 /// The golden file of one formula.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(title = "Golden file", extend("$id" = "urn:jointproof:golden"))]
+#[schemars(title = "Golden file", extend("$id" = "urn:jointproof:golden"), extend(
+    "if" = {"properties": {"eta": {"required": ["jacobian"]}}},
+    "then" = {"properties": {"cases": {"items": {
+        "if": {"properties": {"flags": {"not": {"contains": {"enum": ["kink", "invalid"]}}}}},
+        "then": {"required": ["jac"]},
+    }}}},
+    "else" = {"properties": {"cases": {"items": {"properties": {"jac": false, "jac_scale": false}}}}},
+))]
 pub struct File {
     /// Where the schema of this file is.
     #[schemars(extend("const" = "schema.json"))]
@@ -82,9 +89,10 @@ pub struct Bounds {
     /// Of every output.
     #[schemars(range(min = 0))]
     pub value: f64,
-    /// Of every entry of the Jacobian.
-    #[schemars(range(min = 0))]
-    pub jacobian: f64,
+    /// Of every entry of the Jacobian; absent where the Jacobian is automatic, and cases have none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "f64", range(min = 0))]
+    pub jacobian: Option<f64>,
 }
 
 /// An input or output.
@@ -102,7 +110,7 @@ pub struct Description {
     pub unit: String,
 }
 
-/// A case: rejected with an error, or answered by `out` and, except on a kink, `jac`.
+/// A case: rejected with an error, or answered by `out` and, where the Jacobian is in closed form and except on a kink, `jac`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend(
@@ -114,8 +122,6 @@ pub struct Description {
     "else" = {
         "required": ["out", "out_scale"],
         "properties": {"error": false},
-        "if": {"properties": {"flags": {"not": {"contains": {"const": "kink"}}}}},
-        "then": {"required": ["jac"]},
     },
     "dependentRequired" = {"jac": ["jac_scale"], "jac_scale": ["jac"]},
 ))]
