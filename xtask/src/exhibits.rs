@@ -4,7 +4,8 @@
 use crate::studies::agreement;
 use crate::{figures, museum, mutate, scene, statements, worked_example};
 use jointproof::toolkit::verify::Audit;
-use kit::{Exhibits, Project, audited};
+use judge::audited;
+use kit::{Exhibits, Project};
 
 /// All of it.
 pub(crate) fn all(project: &Project) -> anyhow::Result<Exhibits> {

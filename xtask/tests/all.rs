@@ -15,8 +15,6 @@ mod mutate;
 mod new;
 mod port;
 mod prose;
-#[cfg(unix)]
-mod report;
 mod scene;
 mod schema;
 mod shells;

@@ -1,12 +1,35 @@
 //! `cargo xtask report`: its JSON, its completeness, its files, its place in the book, and what `--against` says. No
-//! time is judged here.
+//! time is judged here. This program is both the tests and the measuring program, not optimised: so it has no harness.
 
-use crate::common::{self, Bench, Ran, reference};
+mod common;
+
+use common::{Bench, IS_MEASURED, Ran, reference};
 use jointproof::catalog::{AnyFormula, CATALOG};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
+use std::process::ExitCode;
 use std::sync::LazyLock;
+
+fn main() -> ExitCode {
+    if std::env::var_os(IS_MEASURED).is_some() {
+        return measuring::main(CATALOG, <dyn AnyFormula>::errors, <dyn AnyFormula>::times);
+    }
+    // Who lists or filters tests asks for none of these, and a script of the shell needs one.
+    if cfg!(unix) && std::env::args().len() == 1 {
+        the_report_keeps_to_its_schema();
+        every_formula_of_the_catalog_is_in_it_with_finite_figures();
+        a_planted_loss_of_accuracy_is_named_and_exits_1();
+        a_planted_slowdown_is_named_and_exits_1();
+        a_formula_that_vanished_is_named_if_it_was_asked_for();
+        two_reports_on_everything_can_be_compared();
+        the_points_are_written_for_other_programs();
+        every_format_shows_every_way();
+        what_is_no_report_is_refused_with_advice();
+        a_report_on_everything_is_kept_for_the_book_unless_the_measuring_failed();
+    }
+    ExitCode::SUCCESS
+}
 
 /// As little as can be.
 const LEAST: [&str; 8] = ["report", "--quick", "--samples", "2", "--rounds", "2", "--columns", "1"];
@@ -24,12 +47,11 @@ fn quick(bench: &Bench, filter: &str, more: &[&str]) -> Ran {
     least(bench, &[&["--filter", filter], more].concat())
 }
 
-/// The measuring program is not optimised, and was built with the tests.
+/// The measuring program is this one.
 fn least(bench: &Bench, more: &[&str]) -> Ran {
-    bench.run_built(Path::new(env!("CARGO_BIN_EXE_measured")), &[&LEAST[..], more].concat())
+    bench.run_built(&std::env::current_exe().unwrap(), &[&LEAST[..], more].concat())
 }
 
-#[test]
 fn the_report_keeps_to_its_schema() {
     let schema: Value = serde_json::from_str(&Bench::new().run(&["report", "--schema"]).quiet().stdout).unwrap();
     let validator = jsonschema::validator_for(&schema).unwrap();
@@ -43,7 +65,6 @@ fn the_report_keeps_to_its_schema() {
     assert!(!validator.is_valid(&other), "an extra key is accepted");
 }
 
-#[test]
 fn every_formula_of_the_catalog_is_in_it_with_finite_figures() {
     let report = report();
     let formulas = report["formulas"].as_array().unwrap();
@@ -101,7 +122,6 @@ fn tampered(path: &Path, tamper: impl Fn(&mut Value)) {
     fs::write(path, report.to_string()).unwrap();
 }
 
-#[test]
 fn a_planted_loss_of_accuracy_is_named_and_exits_1() {
     let bench = Bench::new();
     let old = bench.path("old.json");
@@ -117,7 +137,6 @@ fn a_planted_loss_of_accuracy_is_named_and_exits_1() {
     serde_json::from_str::<serde_json::Value>(&ran.stdout).unwrap();
 }
 
-#[test]
 fn a_planted_slowdown_is_named_and_exits_1() {
     let bench = Bench::new();
     let old = bench.path("old.json");
@@ -132,7 +151,6 @@ fn a_planted_slowdown_is_named_and_exits_1() {
     assert!(ran.stdout.contains("slower"), "{ran:#?}");
 }
 
-#[test]
 fn a_formula_that_vanished_is_named_if_it_was_asked_for() {
     let bench = Bench::new();
     let old = bench.path("old.json");
@@ -143,7 +161,6 @@ fn a_formula_that_vanished_is_named_if_it_was_asked_for() {
     assert!(!ran.stdout.contains("missing"), "{ran:#?}");
 }
 
-#[test]
 fn two_reports_on_everything_can_be_compared() {
     let bench = Bench::new();
     let old = bench.path("old.json");
@@ -156,7 +173,6 @@ fn two_reports_on_everything_can_be_compared() {
     }
 }
 
-#[test]
 fn the_points_are_written_for_other_programs() {
     let bench = Bench::new();
     let (points, timing) = (bench.path("points"), bench.path("timing.json"));
@@ -184,7 +200,6 @@ fn the_points_are_written_for_other_programs() {
     }
 }
 
-#[test]
 fn every_format_shows_every_way() {
     let bench = Bench::new();
     for format in ["text", "markdown"] {
@@ -195,7 +210,6 @@ fn every_format_shows_every_way() {
     }
 }
 
-#[test]
 fn what_is_no_report_is_refused_with_advice() {
     let manifest = common::repository().join("Cargo.toml");
     let ran = Bench::new().run(&["report", "--against", manifest.to_str().unwrap()]).exits(1);
@@ -208,7 +222,6 @@ fn measured(bench: &Bench, code: i32, arguments: &[&str]) -> Ran {
     bench.run_measured(&reference(), code, arguments)
 }
 
-#[test]
 fn a_report_on_everything_is_kept_for_the_book_unless_the_measuring_failed() {
     let bench = Bench::new();
     let kept = bench.path("target/jointproof/report.json");

@@ -1,8 +1,8 @@
 //! Across the gap between two surfaces, heat takes two ways: through the gas, and through the spots that touch.
 
 use crate::formula::quantity::{A, C, G, KG, P, Q, T1, T2, TWO_WAYS};
-use jointproof::formula::{Component, Finite, Formula, Jacobian, Spec};
 use jointproof::formula::proof::{Case, Law, Proved, law};
+use jointproof::formula::{Component, Finite, Formula, Jacobian, Spec};
 use jointproof::{Scalar, fields};
 
 fields! { pub struct Gap<T> { t1: T = T1, t2: T = T2, c: T = C, g: T = G, kg: T = KG, p: T = P, a: T = A } }

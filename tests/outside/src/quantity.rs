@@ -1,8 +1,8 @@
 //! The quantities of this field. Temperatures are absolute; heat flows from side 1 to side 2.
 
-use jointproof::formula::{Document, Source};
 use jointproof::formula::quantity::Domain::{NonNegative, Positive, Real};
 use jointproof::formula::quantity::{Quantity, Unit};
+use jointproof::formula::{Document, Source};
 
 const TEXTBOOK: Document = Document::new("J. H. Lienhard, A Heat Transfer Textbook").link("https://ahtt.mit.edu/");
 /// Where the flux across a gap is from.

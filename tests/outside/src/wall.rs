@@ -1,9 +1,9 @@
 //! Through a wall of two layers in contact, the resistances of layers and contact add up.
 
-use crate::gap::Heat;
 use crate::formula::quantity::{H, IN_SERIES, KA, KB, LA, LB, T1, T2};
-use jointproof::formula::{Component, Finite, Formula, Jacobian, Spec};
+use crate::gap::Heat;
 use jointproof::formula::proof::{Case, Law, Proved, law};
+use jointproof::formula::{Component, Finite, Formula, Jacobian, Spec};
 use jointproof::{Scalar, fields};
 
 fields! { pub struct Wall<T> { t1: T = T1, t2: T = T2, la: T = LA, ka: T = KA, lb: T = LB, kb: T = KB, h: T = H } }

@@ -1,5 +1,5 @@
 //! The command as a user runs it, in surroundings that a test decides.
-#![allow(dead_code, reason = "`gates` and `review` are programs of their own and use what they need")]
+#![allow(dead_code, reason = "`gates`, `report` and `review` are programs of their own and use what they need")]
 
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
@@ -8,6 +8,9 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::LazyLock;
 use tempfile::TempDir;
+
+/// Set where a program of tests is to be the measuring program.
+pub const IS_MEASURED: &str = "JOINTPROOF_TEST_IS_MEASURED";
 
 /// The repository.
 pub fn repository() -> &'static Path {
@@ -84,7 +87,6 @@ impl Bench {
 
     /// Runs the command so that nothing is built or measured: the measuring program says what stands in this report, and ends with
     /// this code.
-    #[cfg(unix)]
     pub fn run_measured(&self, report: &Value, code: i32, arguments: &[&str]) -> Ran {
         let begun = json!({ "Begun": report["build"] });
         let measured = report["formulas"].as_array().unwrap().iter().map(|formula| json!({ "Measured": formula }));
@@ -96,12 +98,11 @@ impl Bench {
     }
 
     /// Runs the command so that nothing is built: this is the measuring program.
-    #[cfg(unix)]
     pub fn run_built(&self, program: &Path, arguments: &[&str]) -> Ran {
         let [cargo, built] = ["cargo", "built"].map(|name| self.path(name));
-        fs::write(&built, json!({ "target": { "name": "jointproof" }, "executable": program }).to_string()).unwrap();
+        fs::write(&built, json!({ "executable": program }).to_string()).unwrap();
         script(&cargo, &format!("cat '{}'", built.display()));
-        Ran::from(self.command(arguments).env("CARGO", &cargo).output().unwrap())
+        Ran::from(self.command(arguments).env("CARGO", &cargo).env(IS_MEASURED, "yes").output().unwrap())
     }
 
     /// Every file of a folder, by name, with its bytes and the time it was written.
@@ -115,11 +116,10 @@ impl Bench {
 }
 
 /// Writes a script of the shell.
-#[cfg(unix)]
 fn script(path: &Path, text: &str) {
-    use std::os::unix::fs::PermissionsExt;
     fs::write(path, format!("#!/bin/sh\n{text}\n")).unwrap();
-    fs::set_permissions(path, fs::Permissions::from_mode(0o755)).unwrap();
+    #[cfg(unix)]
+    fs::set_permissions(path, std::os::unix::fs::PermissionsExt::from_mode(0o755)).unwrap();
 }
 
 /// Asserts that texts, each with a name, are those that were once looked at and accepted, of which digests are kept in

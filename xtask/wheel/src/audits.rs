@@ -80,6 +80,6 @@ pub(crate) fn merge_all(parts: Vec<String>) -> PyResult<String> {
 #[pyfunction]
 pub(crate) fn audit_text(audits: &str) -> PyResult<(String, bool)> {
     let audits: Vec<Audit> = read(audits)?;
-    let text = kit::audited::text(&audits, Audit::passed).map_err(invalid)?;
-    Ok((kit::console::plain(&text), audits.iter().all(Audit::passed)))
+    let text = judge::audited::text(&audits, Audit::passed).map_err(invalid)?;
+    Ok((judge::console::plain(&text), audits.iter().all(Audit::passed)))
 }

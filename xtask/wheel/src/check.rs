@@ -2,7 +2,7 @@
 
 use crate::audits::options;
 use crate::formulas::formula;
-use kit::check::{self, Answer, Grade, Number};
+use judge::{Answer, Grade, Number};
 use numpy::PyArray2;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -10,7 +10,7 @@ use pyo3::prelude::*;
 /// The points at which a function is called.
 #[pyclass(frozen)]
 pub(crate) struct Called {
-    called: check::Called,
+    called: judge::Called,
     inputs: usize,
 }
 
@@ -71,7 +71,7 @@ impl Called {
         let formula = formula(place)?;
         let options = options(samples, seed);
         let inputs = formula.inputs().iter().map(jointproof::formula::Field::len).sum();
-        let called = py.detach(|| check::Called::new(formula, with_jacobian, &options, with_invalid_inputs));
+        let called = py.detach(|| judge::Called::new(formula, with_jacobian, &options, with_invalid_inputs));
         Ok(Self { called, inputs })
     }
 

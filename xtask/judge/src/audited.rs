@@ -1,0 +1,66 @@
+//! What an audit found, in words.
+
+use crate::console::{bold, count, figure, green, red};
+use crate::looked;
+use jointproof::toolkit::verify::{Audit, Claim, Deviation};
+use std::fmt::Write;
+
+/// What failed, in full, then a line a formula.
+///
+/// # Errors
+/// None in practice; those of formatting are passed on.
+pub fn text(audits: &[Audit], passed: fn(&Audit) -> bool) -> Result<String, std::fmt::Error> {
+    let mut text = String::new();
+    for audit in audits {
+        let mark = if passed(audit) { green("ok ") } else { red("off") };
+        let points = audit.named_points + audit.random_points;
+        writeln!(text, "{mark} {} at {}", bold(&audit.formula), count(points, "point"))?;
+        writeln!(text, "    {}", audit.provenance)?;
+        writeln!(text, "    {:>9} {:>8} {:>7}", "checked", "worst", "bound")?;
+        for claim in audit.claims() {
+            writeln!(text, "    {}", line(claim))?;
+        }
+        for line in audit.looked.iter().flat_map(looked::lines) {
+            writeln!(text, "    {line}")?;
+        }
+        for claim in audit.claims().filter(|claim| !claim.held() || is_error_figure(claim)) {
+            text += &claim.worst.as_ref().map_or(String::new(), |worst| in_full(claim, worst));
+        }
+    }
+    Ok(text + &total(audits, passed))
+}
+
+/// How much was audited, in a line.
+pub fn total(audits: &[Audit], passed: fn(&Audit) -> bool) -> String {
+    let failed = audits.iter().filter(|audit| !passed(audit)).count();
+    let checks: usize = audits.iter().flat_map(Audit::claims).map(|claim| claim.checks).sum();
+    let [audited, checks, off] = [(audits.len(), "formula"), (checks, "comparison"), (failed, "formula")]
+        .map(|(number, noun)| count(number, noun));
+    format!("{audited}, {checks}, {off} off\n")
+}
+
+/// A figure worth its worst point even if it is within its bound.
+fn is_error_figure(claim: &Claim) -> bool {
+    claim.claim.starts_with('η') && claim.worst.as_ref().is_some_and(|worst| worst.size > 0.0)
+}
+
+fn line(claim: &Claim) -> String {
+    let Claim { claim, bound, checks, failures, worst } = claim;
+    let verdict = match (checks, failures) {
+        (0, _) => red("NOT CHECKED: "),
+        (_, 0) => String::new(),
+        (_, failures) => red(format!("FAILED {failures} TIMES: ")),
+    };
+    let worst = figure(worst.as_ref().map_or(0.0, |worst| worst.size));
+    format!("{checks:>9} {worst:>8} {:>7}  {verdict}{claim}", figure(*bound))
+}
+
+/// The worst deviation of a claim, with the inputs there.
+pub fn in_full(claim: &Claim, worst: &Deviation) -> String {
+    let Deviation { size, entry, point, found, expected, inputs } = worst;
+    format!(
+        "    worst of {}: {} at {entry}, {point}\n      found {found:?}, expected {expected:?}\n      --point '{inputs}'\n",
+        claim.claim,
+        figure(*size),
+    )
+}

@@ -1,0 +1,143 @@
+//! A function that is called where it stands, judged as a program over a pipe is.
+
+use super::answer::{Answer, Heard};
+use super::map::names;
+use super::question::{Question, Wanted, other_order, questions, sizes};
+use super::verdict::{Bounds, Court, Grade};
+use crate::console::plain;
+use jointproof::catalog::AnyFormula;
+use jointproof::toolkit::verify::Options;
+use jointproof::toolkit::verify::golden::named;
+
+/// What a function is asked, twice, the second time in another order.
+pub struct Called {
+    formula: &'static dyn AnyFormula,
+    wanted: Wanted,
+    questions: Vec<Question>,
+}
+
+/// What its answers are worth.
+pub struct Judged {
+    /// Whether nothing is to be mended.
+    pub is_well: bool,
+    /// Everything that was found, without colours.
+    pub text: String,
+    /// What explains it, a line each.
+    pub causes: Vec<String>,
+    /// Every number of an answer: outputs, then the Jacobian row by row.
+    pub numbers: Vec<Number>,
+}
+
+/// What was found about one number of the answers.
+pub struct Number {
+    /// Its name: `fc`, `∂fc/∂f2`.
+    pub name: String,
+    /// How good it is.
+    pub grade: Grade,
+    /// How often it was given, and how often it was beyond its bound.
+    pub counts: [usize; 2],
+    /// The bound of η.
+    pub bound: f64,
+    /// The largest η, with what was found and what is exact there.
+    pub worst: Option<[f64; 3]>,
+    /// The inputs there, as golden files give them.
+    pub inputs: Option<serde_json::Value>,
+}
+
+impl Called {
+    /// The points at which a function for this formula is called. Products are asked of programs alone.
+    pub fn new(
+        formula: &'static dyn AnyFormula,
+        with_jacobian: bool,
+        options: &Options,
+        with_invalid_inputs: bool,
+    ) -> Self {
+        let wanted = if with_jacobian { Wanted::Jacobian } else { Wanted::Value };
+        let mut questions = questions(formula, wanted, options);
+        questions.retain(|question| with_invalid_inputs || !question.must_be_refused());
+        Self { formula, wanted, questions }
+    }
+
+    /// The inputs of every point, by components in order.
+    pub fn points(&self) -> impl ExactSizeIterator<Item = &[f64]> {
+        self.questions.iter().map(|question| question.inputs.as_slice())
+    }
+
+    /// The places of the points in the order in which they are asked for the second time.
+    pub fn other_order(&self) -> Vec<usize> {
+        other_order(self.questions.len())
+    }
+
+    /// How many numbers an answer has.
+    pub fn numbers(&self) -> usize {
+        self.wanted.numbers(sizes(self.formula))
+    }
+
+    /// Judges the answers of both times, in the order of the points. `None` where an answer is missing, or has another
+    /// number of numbers.
+    pub fn judge(&self, name: &str, answers: &[Vec<Answer>; 2]) -> Option<Judged> {
+        let is_whole = |answer: &Answer| match answer {
+            Answer::Numbers(numbers) => numbers.len() == self.numbers(),
+            _ => true,
+        };
+        let are_whole = |all: &Vec<Answer>| all.len() == self.questions.len() && all.iter().all(is_whole);
+        if !answers.iter().all(are_whole) {
+            return None;
+        }
+        let bounds = Bounds::of(self.formula);
+        let court = Court { formula: self.formula, wanted: self.wanted, bounds, questions: &self.questions };
+        let judgement = court.judged(&[name.to_owned()], answers, &Heard::default());
+        let names = names(self.formula.inputs(), self.formula.outputs(), self.wanted);
+        let tallies = judgement.found.tallies.iter().enumerate().zip(names);
+        let numbers = tallies.map(|((place, tally), name)| Number {
+            name,
+            grade: tally.grade,
+            counts: [tally.checked, tally.off],
+            bound: court.bound(place),
+            worst: tally.worst.as_ref().map(|worst| [worst.eta, worst.found, worst.exact]),
+            inputs: tally.worst.as_ref().map(|worst| self.inputs(worst.question)),
+        });
+        Some(Judged {
+            is_well: judgement.found.is_well(),
+            numbers: numbers.collect(),
+            text: plain(&judgement.text),
+            causes: judgement.causes,
+        })
+    }
+
+    fn inputs(&self, question: usize) -> serde_json::Value {
+        named(self.formula.inputs(), &self.questions[question].inputs).into()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use jointproof::catalog::find;
+
+    #[test]
+    fn a_refusal_is_an_answer_and_too_few_numbers_are_none() {
+        let formula = find("slot.contact_force").unwrap();
+        let called = Called::new(formula, false, &Options { samples: 10, ..Options::default() }, true);
+        let answer = |inputs: &[f64]| match formula.value_and_jacobian(inputs) {
+            Ok((value, _)) => Answer::Numbers(value.into_iter().map(Some).collect()),
+            Err(_) => Answer::Refused(None),
+        };
+        let right: Vec<_> = called.points().map(answer).collect();
+        assert!(right.iter().any(|answer| matches!(answer, Answer::Refused(_))));
+        let judged = called.judge("mine", &[right.clone(), right.clone()]).unwrap();
+        assert!(judged.is_well, "{}", judged.text);
+        let with_first = |first| [&[first][..], &right[1..]].concat();
+        assert!(called.judge("mine", &[right.clone(), with_first(Answer::Numbers(Vec::new()))]).is_none());
+        assert!(called.judge("mine", &[right.clone(), right[1..].to_vec()]).is_none());
+        let refused = called.judge("mine", &[with_first(Answer::Refused(None)), right.clone()]).unwrap();
+        assert!(!refused.is_well, "{}", refused.text);
+        let valid = Called::new(formula, false, &Options { samples: 10, ..Options::default() }, false);
+        let mut order = called.other_order();
+        assert!(!order.is_sorted());
+        order.sort_unstable();
+        assert!(order.into_iter().eq(0..called.points().len()), "each comes once");
+        let is_valid = |inputs: &[f64]| matches!(answer(inputs), Answer::Numbers(_));
+        assert!(valid.points().len() > 10 && valid.points().all(is_valid));
+    }
+}

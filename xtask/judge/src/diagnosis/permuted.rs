@@ -1,0 +1,212 @@
+//! Numbers that stand in each other's places.
+
+use super::evidence::{Evidence, LEAST, Sample};
+use super::factors::list;
+use crate::question::Wanted;
+use jointproof::formula::Field;
+use std::collections::BTreeSet;
+
+/// Where a number of an answer comes from.
+type Places = Vec<usize>;
+
+/// The exchange that explains these numbers, in words.
+pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
+    if evidence.court.wanted == Wanted::Products {
+        return None;
+    }
+    exchanges(evidence).into_iter().find(|(_, places)| explains(evidence, off, places)).map(|(what, _)| what)
+}
+
+/// Whether every number that is off is what stands in its place now, and those of the same part that are not stay right.
+fn explains(evidence: &Evidence<'_>, off: &[usize], places: &Places) -> bool {
+    if off.iter().any(|&place| places[place] == place) {
+        return false;
+    }
+    let m = evidence.parts()[0].end;
+    let parts: BTreeSet<bool> = off.iter().map(|&place| place < m).collect();
+    (0..places.len())
+        .filter(|&place| places[place] != place && parts.contains(&(place < m)))
+        .all(|place| evidence.is_always(place, |sample: &Sample| sample.expected[places[place]]))
+}
+
+/// Every exchange that has a name; one that moves nothing explains nothing.
+pub(super) fn exchanges(evidence: &Evidence<'_>) -> Vec<(String, Places)> {
+    let (inputs, outputs) = (evidence.court.formula.inputs(), evidence.court.formula.outputs());
+    let count = |fields: &[Field]| fields.iter().map(Field::len).sum::<usize>();
+    let (n, m) = (count(inputs), count(outputs));
+    let same: Places = (0..evidence.names.len()).collect();
+    let has_jacobian = same.len() > m;
+    let entry = |i: usize, j: usize| m + i * n + j;
+    let mut exchanges = Vec::new();
+    if has_jacobian {
+        let (mut written, mut read) = (same.clone(), same.clone());
+        for k in 0..m * n {
+            written[m + k] = entry(k % m, k / m);
+            read[m + k] = m + k / n + (k % n) * m;
+        }
+        let transposed = if m == n { "the Jacobian is transposed, or " } else { "" };
+        exchanges.push((format!("{transposed}the Jacobian is written column by column, not row by row"), written));
+        exchanges.push(("the Jacobian is read column by column from a list row by row".into(), read));
+        exchanges.extend(blocks(inputs, outputs, &same, entry));
+    }
+    exchanges.extend(matrices(outputs, &same, n, has_jacobian));
+    for (what, fields, is_row) in [("outputs", outputs, true), ("derivatives by", inputs, false)] {
+        if !is_row && !has_jacobian {
+            continue;
+        }
+        for (name, a, b) in pairs(fields) {
+            let mut swapped = same.clone();
+            if is_row {
+                swapped.swap(a, b);
+            }
+            let crossing = if !has_jacobian {
+                0
+            } else if is_row {
+                n
+            } else {
+                m
+            };
+            for k in 0..crossing {
+                let of = |line| if is_row { entry(line, k) } else { entry(k, line) };
+                swapped.swap(of(a), of(b));
+            }
+            exchanges.push((format!("exchanged: the {what} {name}"), swapped));
+        }
+    }
+    exchanges
+}
+
+/// Square blocks of the Jacobian transposed: all at once, or one.
+fn blocks(
+    inputs: &[Field],
+    outputs: &[Field],
+    same: &Places,
+    entry: impl Fn(usize, usize) -> usize,
+) -> Vec<(String, Places)> {
+    let (mut all, mut each) = (same.clone(), Vec::new());
+    let mut row = 0;
+    for output in outputs {
+        let mut column = 0;
+        for input in inputs {
+            if output.len() == input.len() && output.len() > 1 {
+                let mut one = same.clone();
+                for i in 0..output.len() {
+                    for j in 0..i {
+                        let (a, b) = (entry(row + i, column + j), entry(row + j, column + i));
+                        one.swap(a, b);
+                        all.swap(a, b);
+                    }
+                }
+                each.push((format!("transposed: the block ∂{}/∂{}", output.name, input.name), one));
+            }
+            column += input.len();
+        }
+        row += output.len();
+    }
+    each.push(("transposed: every square block of the Jacobian".into(), all));
+    each
+}
+
+/// Outputs that are matrices, transposed.
+fn matrices(outputs: &[Field], same: &Places, n: usize, has_jacobian: bool) -> Vec<(String, Places)> {
+    let (m, mut first, mut exchanges) = (outputs.iter().map(Field::len).sum::<usize>(), 0, Vec::new());
+    for output in outputs {
+        if output.len() == 9 {
+            let mut transposed = same.clone();
+            transpose(&mut transposed, first, [m, if has_jacobian { n } else { 0 }]);
+            exchanges.push((format!("transposed: the matrix {}", output.name), transposed));
+        }
+        first += output.len();
+    }
+    exchanges
+}
+
+/// Transposes an output that is a 3×3 matrix and begins here, with so many derivatives; there are m outputs.
+pub(super) fn transpose(places: &mut [usize], first: usize, [m, derivatives]: [usize; 2]) {
+    for (i, j) in [(0, 1), (0, 2), (1, 2)] {
+        let (a, b) = (first + 3 * i + j, first + 3 * j + i);
+        places.swap(a, b);
+        for k in 0..derivatives {
+            places.swap(m + a * derivatives + k, m + b * derivatives + k);
+        }
+    }
+}
+
+/// Two components each, with a name for both.
+fn pairs(fields: &[Field]) -> Vec<(String, usize, usize)> {
+    let component = |field: &Field| {
+        let name = field.name;
+        let of = |k: usize| if field.len() == 1 { name.to_owned() } else { format!("{name}[{k}]") };
+        (0..field.len()).map(of).collect::<Vec<_>>()
+    };
+    let names: Vec<_> = fields.iter().flat_map(component).collect();
+    let mut pairs = Vec::new();
+    for b in 0..names.len() {
+        pairs.extend((0..b).map(|a| (format!("{} and {}", names[a], names[b]), a, b)));
+    }
+    pairs
+}
+
+/// Every entry that is off holds another entry of the Jacobian, or its opposite.
+pub(super) fn entries(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
+    let [value, rest] = evidence.parts();
+    let mut told = Vec::new();
+    for &place in off {
+        let samples = evidence.off_samples(&[place]);
+        let part = if value.contains(&place) { value.clone() } else { rest.clone() };
+        let fits = |&(source, sign): &(usize, f64)| {
+            samples.len() >= LEAST
+                && source != place
+                && is_near(samples[0], place, source, sign)
+                && evidence.is_always(place, |sample| sample.expected[source].map(|known| known.times(sign)))
+        };
+        let (source, sign) = part.flat_map(|source| [(source, 1.0), (source, -1.0)]).find(fits)?;
+        let sign = if sign.is_sign_negative() { "−" } else { "" };
+        told.push(format!("{} holds {sign}{}", evidence.names[place], list(&evidence.names, &[source].into())));
+    }
+    (!told.is_empty() && told.len() <= 4).then(|| format!("an index is wrong: {}", told.join("; ")))
+}
+
+/// Whether it is worth a closer look.
+fn is_near(sample: &Sample, place: usize, source: usize, sign: f64) -> bool {
+    let (Some(found), Some(known)) = (sample.found[place], &sample.expected[source]) else { return false };
+    let known = known.exact.to_f64() * sign;
+    (found - known).abs() <= 1e-9 * (found.abs() + known.abs())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use jointproof::Octuple;
+    use jointproof::toolkit::verify::Known;
+
+    #[test]
+    fn a_number_is_worth_a_look_where_nine_digits_are_right() {
+        let known = Known::combined(std::iter::empty()).with(Octuple::from(3.0));
+        let is_near = |found: f64, sign: f64| {
+            let sample = Sample { question: 0, expected: vec![Some(known)], found: vec![Some(found)], kink: None };
+            is_near(&sample, 0, 0, sign)
+        };
+        assert!(is_near(3.0, 1.0) && is_near(3.0 + 3e-9, 1.0) && is_near(-3.0 - 3e-9, -1.0));
+        assert!(!is_near(3.0 + 1e-8, 1.0) && !is_near(3.0, -1.0));
+        let not_given = Sample { question: 0, expected: vec![Some(known)], found: vec![None], kink: None };
+        assert!(!super::is_near(&not_given, 0, 0, 1.0));
+    }
+
+    #[test]
+    fn a_matrix_is_transposed_where_it_stands() {
+        // A number, a matrix, another number, and their derivatives by two inputs.
+        let (first, m, n) = (1, 11, 2);
+        let same: Vec<usize> = (0..m + m * n).collect();
+        let of =
+            |k: usize| if (first..first + 9).contains(&k) { first + (k - first) % 3 * 3 + (k - first) / 3 } else { k };
+        let expected = |place: usize| {
+            if place < m { of(place) } else { m + of((place - m) / n) * n + (place - m) % n }
+        };
+        let mut places = same.clone();
+        transpose(&mut places, first, [m, n]);
+        assert_eq!(places, same.iter().copied().map(expected).collect::<Vec<_>>());
+        transpose(&mut places, first, [m, n]);
+        assert_eq!(places, same);
+    }
+}

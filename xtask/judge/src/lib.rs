@@ -1,0 +1,24 @@
+//! The judge: what audits found in words, and what somebody else computes for a formula, judged in 237 bits.
+//!
+//! It has no command line and no book: it is what the Python package compiles, and what the commands say results with.
+
+mod answer;
+pub mod audited;
+mod called;
+pub mod console;
+mod diagnosis;
+mod judgement;
+pub mod looked;
+mod map;
+mod question;
+mod report;
+mod taylor;
+#[cfg(test)]
+mod tests;
+mod verdict;
+
+pub use answer::{Answer, Heard, Manners};
+pub use called::{Called, Judged, Number};
+pub use judgement::Judgement;
+pub use question::{Question, Wanted, of_points, other_order, questions, sizes};
+pub use verdict::{Bounds, Court, Grade};

@@ -1,0 +1,170 @@
+//! What a program is asked, and what this one says of it.
+
+use super::taylor;
+use jointproof::Error;
+use jointproof::catalog::AnyFormula;
+use jointproof::formula::Field;
+use jointproof::toolkit::verify::{Options, Sampler};
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+
+/// What is asked of a program.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Wanted {
+    /// The outputs alone.
+    Value,
+    /// The outputs, then the Jacobian row by row.
+    #[default]
+    Jacobian,
+    /// The outputs, then J v and wᵀJ for directions v and w, which follow the inputs.
+    Products,
+}
+
+impl Wanted {
+    /// Each of them.
+    pub const ALL: [Self; 3] = [Self::Value, Self::Jacobian, Self::Products];
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Value => "value",
+            Self::Jacobian => "jacobian",
+            Self::Products => "products",
+        }
+    }
+
+    /// How many numbers an answer has, for so many inputs and outputs.
+    pub fn numbers(self, [n, m]: [usize; 2]) -> usize {
+        match self {
+            Self::Value => m,
+            Self::Jacobian => m + m * n,
+            Self::Products => m + m + n,
+        }
+    }
+}
+
+/// A point that is asked for.
+#[derive(Debug)]
+pub struct Question {
+    pub(super) name: String,
+    /// The inputs, by components in order.
+    pub inputs: Vec<f64>,
+    /// By what the Jacobian is multiplied, from the right and from the left.
+    pub directions: Option<[Vec<f64>; 2]>,
+    pub(super) own: Own,
+    /// The direction that it belongs to.
+    pub(super) along: Option<Along>,
+}
+
+/// That a question belongs to a direction: the first where it begins, the others behind its steps, in order.
+#[derive(Clone, Debug)]
+pub(super) struct Along {
+    /// Which direction.
+    pub(super) base: usize,
+    /// Below this the remainder of an output is rounding.
+    pub(super) noise: Vec<f64>,
+}
+
+/// What this program says of a point.
+#[derive(Debug)]
+pub(super) enum Own {
+    /// Value, and Jacobian where it is wanted.
+    Results(Vec<f64>),
+    Refused(Error),
+    /// Results are too large for doubles, which another program need not look for.
+    TooLarge,
+}
+
+impl Question {
+    /// Whether the inputs are invalid.
+    pub fn must_be_refused(&self) -> bool {
+        matches!(self.own, Own::Refused(_))
+    }
+}
+
+/// The numbers of inputs and outputs.
+pub fn sizes(formula: &dyn AnyFormula) -> [usize; 2] {
+    [formula.inputs(), formula.outputs()].map(|fields| fields.iter().map(Field::len).sum())
+}
+
+/// Every point that is asked for: two valid ones first, so that a program can show how it answers. Where products are wanted, points
+/// along directions follow.
+pub fn questions(formula: &dyn AnyFormula, wanted: Wanted, options: &Options) -> Vec<Question> {
+    let points = formula.judge().points(options);
+    let mut questions = of_points(formula, wanted, points, options.seed);
+    questions.sort_by_key(Question::must_be_refused);
+    if wanted == Wanted::Products {
+        questions.extend(taylor::questions(formula, &questions, options.seed));
+    }
+    questions
+}
+
+/// The questions of these points.
+pub fn of_points(
+    formula: &dyn AnyFormula,
+    wanted: Wanted,
+    points: Vec<(String, Vec<f64>)>,
+    seed: u64,
+) -> Vec<Question> {
+    let sizes = sizes(formula);
+    let mut directions = Sampler::named("directions", seed);
+    let own = |(_, inputs): &(String, Vec<f64>)| match (wanted, formula.value_and_jacobian(inputs)) {
+        (Wanted::Jacobian, Ok((value, jacobian))) => Own::Results([value, jacobian].concat()),
+        (_, Ok((value, _))) => Own::Results(value),
+        (_, Err(Error::Overflow { .. } | Error::DerivativeOverflow { .. })) => Own::TooLarge,
+        (_, Err(error)) => Own::Refused(error),
+    };
+    let owns: Vec<_> = points.par_iter().map(own).collect();
+    let question = |((name, inputs), own)| {
+        let mut drawn = || sizes.map(|length| (0..length).map(|_| directions.real()).collect());
+        let directions = (wanted == Wanted::Products).then(&mut drawn);
+        Question { name, inputs, directions, own, along: None }
+    };
+    points.into_iter().zip(owns).map(question).collect()
+}
+
+/// All places of a list in another order, in which hardly any follows the one that it followed before.
+pub fn other_order(count: usize) -> Vec<usize> {
+    let step = (count * 5 / 8..count).find(|step| gcd(*step, count) == 1).unwrap_or_default();
+    (0..count).map(|k| (k * step + count / 2) % count).collect()
+}
+
+fn gcd(a: usize, b: usize) -> usize {
+    if b == 0 { a } else { gcd(b, a % b) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use jointproof::catalog::find;
+
+    #[test]
+    fn what_is_valid_is_asked_first() {
+        let options = Options { samples: 10, ..Options::default() };
+        let formula = find("slot.friction").unwrap();
+        let asked = questions(formula, Wanted::Value, &options);
+        assert_eq!(asked.len(), formula.judge().points(&options).len());
+        assert!(!asked[0].must_be_refused() && asked[asked.len() - 1].must_be_refused());
+        assert!(asked.is_sorted_by_key(Question::must_be_refused));
+    }
+
+    #[test]
+    fn an_answer_has_the_outputs_and_what_is_wanted_beside() {
+        assert_eq!(Wanted::ALL.map(|wanted| wanted.numbers([5, 3])), [3, 18, 11]);
+    }
+
+    #[test]
+    fn the_other_order_begins_in_the_middle() {
+        assert_eq!(other_order(8), [4, 1, 6, 3, 0, 5, 2, 7]);
+    }
+
+    #[test]
+    fn the_other_order_has_every_place_once() {
+        for count in 0..200 {
+            let mut order = other_order(count);
+            let follows = order.windows(2).filter(|pair| pair[1] == pair[0] + 1).count();
+            assert!(count < 4 || follows == 0, "{count}: {follows}");
+            order.sort_unstable();
+            assert_eq!(order, (0..count).collect::<Vec<_>>());
+        }
+    }
+}

@@ -1,0 +1,331 @@
+//! One formula's entry: equation, symbols, source, kinks, evidence, golden cases, code and tests.
+
+use super::calculator;
+use super::content::{CodeSpan, Content, Entry, Evidence, GoldenCounts, Kink, Source, Symbol, TestRef};
+use super::glance;
+use super::html::{each, escape, number, relative};
+use super::pages::{Pages, Place};
+use super::rust;
+use super::source::listing_page;
+use super::speed;
+use crate::extension::Fact;
+use jointproof::toolkit::verify::{Audit, Claim, Looked};
+use judge::looked;
+
+/// The entry as one line of HTML.
+pub(crate) fn entry(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
+    let id = escape(&entry.id);
+    let title = pages.text(at, &entry.title);
+    let card = [
+        pages.block_math(at, &entry.latex),
+        given(pages, at, entry),
+        glance::worked(pages, at, entry),
+        glance::view(pages, at, "Variation", &entry.variation, true),
+        glance::view(pages, at, "Expanded equation", &entry.closed, false),
+        symbols(pages, at, entry),
+        format!("<dl class=\"facts\">{}</dl>", facts(pages, at, entry)),
+        calculator::folded(entry),
+        proof(pages, at, entry),
+        speed::folded(pages, entry),
+        each(&entry.code, |span| code(pages, at, span)),
+        glance::cite(pages, at, entry),
+    ];
+    format!(
+        "<section class=\"entry\"><h3 id=\"{id}\"><a class=\"header\" href=\"#{id}\">{title}</a> \
+         <code class=\"entry-id\">{id}</code></h3>{}</section>",
+        pages.later.keep(&card.concat(), &glance::in_words(entry))
+    )
+}
+
+/// Where the symbols come from that the equation does not define.
+fn given(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
+    match &*entry.given {
+        "" => String::new(),
+        given => format!("<p class=\"given\">{}</p>", pages.linked_text(at, given)),
+    }
+}
+
+/// Inputs and outputs in one table, so that their columns line up.
+fn symbols(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
+    let rows = |caption: &str, symbols: &[Symbol]| {
+        if symbols.is_empty() {
+            return String::new();
+        }
+        let rows = each(symbols, |symbol| symbol_row(pages, at, symbol));
+        format!("<tbody><tr class=\"group\"><th colspan=\"6\" scope=\"rowgroup\">{caption}</th></tr>{rows}</tbody>")
+    };
+    format!(
+        "<div class=\"table-wrapper\" tabindex=\"0\"><table class=\"symbols\"><thead><tr><th>Symbol</th><th>Name</th>\
+         <th>Shape</th><th>Unit</th><th>Meaning</th><th>Allowed</th></tr></thead>{}{}</table></div>",
+        rows("Inputs", &entry.inputs),
+        rows("Outputs", &entry.outputs)
+    )
+}
+
+/// One symbol.
+fn symbol_row(pages: &Pages<'_>, at: &Place, symbol: &Symbol) -> String {
+    let allowed = match &*symbol.allowed {
+        "" => "any finite",
+        allowed => allowed,
+    };
+    format!(
+        "<tr><td>{}</td><td><code>{}</code></td><td>{}</td><td>{}</td><td class=\"wide\">{}</td>\
+         <td class=\"allowed\">{}</td></tr>",
+        pages.inline_math(at, &symbol.latex),
+        escape(&symbol.name),
+        escape(&symbol.shape),
+        escape(&symbol.unit),
+        pages.text(at, &symbol.meaning),
+        pages.text(at, allowed)
+    )
+}
+
+/// What it uses, where it is used, and where it is from.
+fn facts(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
+    let source = &entry.source;
+    let place = if source.place.is_empty() { String::new() } else { format!(", {}", pages.text(at, &source.place)) };
+    let provenance = pages.text(at, &source.provenance);
+    let uses = [("Uses", glance::uses(pages, at, entry)), ("Used by", glance::used_by(pages, at, entry))];
+    let uses = each(uses, |(name, html)| if html.is_empty() { html } else { fact(name, &html) });
+    uses + &fact("Source", &format!("{}{place}; {provenance}", document(pages, at, source)))
+}
+
+/// The folded evidence: what the project adds, kinks, golden cases, figures, laws and tests.
+fn proof(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
+    let mut out = String::new();
+    for Fact { name, lines, .. } in pages.content.exhibits.facts.iter().filter(|fact| fact.formula == entry.id) {
+        let items = each(lines, |line| format!("<li>{}</li>", pages.text(at, line)));
+        out += &fact(&escape(name), &format!("<ul>{items}</ul>"));
+    }
+    out += &fact("Kinks", &kinks(pages, at, &entry.kinks, entry.evidence.audit.as_ref()));
+    out += &fact("Golden cases", &golden(at, entry.golden.as_ref()));
+    out += &fact("Executed", &evidence(&entry.evidence));
+    out += &fact("Laws", &laws(pages, at, entry.evidence.audit.as_ref()));
+    format!(
+        "<details class=\"proof\"><summary>Evidence <span class=\"chips\">{}</span></summary><dl class=\"facts\">{out}</dl>{}</details>",
+        glance::summary(entry),
+        tests(pages, at, entry)
+    )
+}
+
+/// The title of a document, as a link where it can be read.
+pub(crate) fn document(pages: &Pages<'_>, at: &Place, source: &Source) -> String {
+    let title = pages.text(at, &source.title);
+    match &*source.link {
+        "" => title,
+        link => format!("<a href=\"{}\">{title}</a>", escape(link)),
+    }
+}
+
+/// One row of the list of facts.
+fn fact(name: &str, html: &str) -> String {
+    format!("<dt>{name}</dt><dd>{html}</dd>")
+}
+
+/// Where value or derivative jumps, and what is returned there; where nothing is registered, how it was looked for.
+fn kinks(pages: &Pages<'_>, at: &Place, kinks: &[Kink], audit: Option<&Audit>) -> String {
+    let looked = audit.filter(|audit| audit.kinks.held()).and_then(|audit| audit.looked.as_ref());
+    if kinks.is_empty() {
+        return match looked {
+            None => "none registered; the search was not run on this version".to_owned(),
+            Some(Looked::NamedPoints { .. }) => {
+                "none at the named points; its comparisons were not searched".to_owned()
+            }
+            Some(Looked::Graph { .. }) => "none found: differentiable wherever it is defined".to_owned(),
+        };
+    }
+    let line = |kink: &Kink| {
+        format!(
+            "<li>{}: {} is {} from one side and {} from the other; {}</li>",
+            pages.text(at, &kink.at),
+            pages.text(at, &kink.derivative),
+            pages.text(at, &kink.left),
+            pages.text(at, &kink.right),
+            pages.text(at, &kink.convention)
+        )
+    };
+    format!("<ul class=\"kinks\">{}</ul>", each(kinks, line))
+}
+
+/// How many golden cases there are of each kind, and the file.
+fn golden(at: &Place, golden: Option<&GoldenCounts>) -> String {
+    let Some(golden) = golden else {
+        return "no golden file".to_owned();
+    };
+    let flag = |(name, count): &(String, usize)| format!("<li><b>{count}</b> {}</li>", escape(name));
+    let flags = each(&golden.flags, flag);
+    let link = relative(&at.page, &format!("golden/{}", golden.file));
+    format!(
+        "<ul class=\"chips\"><li><b>{}</b> in all</li>{flags}</ul> <a href=\"{}\"><code>{}</code></a>",
+        golden.total,
+        escape(&link),
+        escape(&golden.file)
+    )
+}
+
+/// What was executed, with the worst figures.
+fn evidence(ran: &Evidence) -> String {
+    let mut chips = vec![match ran.golden_cases {
+        Some(cases) => format!("<b>{cases}</b> golden cases regenerated, identical bytes"),
+        None => "golden file not checked on this version".to_owned(),
+    }];
+    let Some(audit) = &ran.audit else {
+        chips.push("not audited on this version".to_owned());
+        return format!("<ul class=\"chips\">{}</ul>", each(chips, |chip| format!("<li>{chip}</li>")));
+    };
+    let points = audit.named_points + audit.random_points;
+    chips.push(format!("<b>{points}</b> points audited (seed {})", audit.seed));
+    let claims = [
+        ("value within η =", &audit.eta),
+        ("Jacobian within η =", &audit.eta_jacobian),
+        ("closed form against AD", &audit.closed_against_ad),
+        ("AD against differences", &audit.ad_against_differences),
+        ("printed equation against value", &audit.equation),
+        ("its derivative against closed form", &audit.equation_jacobian),
+    ];
+    chips.extend(claims.iter().map(|(what, claim)| format!("{what} {}", worst(claim))));
+    chips.extend(audit.scaled.iter().flatten().map(|claim| format!("{}: {}", escape(&claim.claim), worst(claim))));
+    chips.extend(audit.looked.iter().flat_map(looked::lines).map(|line| escape(&line)));
+    format!("<ul class=\"chips\">{}</ul>", each(chips, |chip| format!("<li>{chip}</li>")))
+}
+
+/// The worst deviation from a claim, its bound, and whether it failed.
+pub(crate) fn worst(claim: &Claim) -> String {
+    let bound = bound(claim);
+    match (&claim.worst, claim.failures) {
+        (None, _) => "not checked".to_owned(),
+        (Some(worst), 0) => format!("<b>{}</b> (bound {bound})", number(worst.size)),
+        (Some(worst), _) => format!("<b class=\"missing\">{} exceeds {bound}</b>", number(worst.size)),
+    }
+}
+
+/// The bound of a claim, and how it is to be understood.
+pub(crate) fn bound(claim: &Claim) -> String {
+    number(claim.bound) + if claim.is_normwise() { " normwise" } else { "" }
+}
+
+/// The laws that were tried, with counts: its own, and how many of those that every formula has.
+fn laws(pages: &Pages<'_>, at: &Place, audit: Option<&Audit>) -> String {
+    let Some(audit) = audit else { return "not tested on this version".to_owned() };
+    let law = |law: &Claim| {
+        let verdict = if law.held() { "held" } else { "<b class=\"missing\">failed</b>" };
+        format!("<li>{}: {verdict}, {} times</li>", escape(&law.claim), law.checks)
+    };
+    let of_every: Vec<&str> = common_laws(pages.content);
+    let is_own = |law: &&Claim| !of_every.contains(&law.claim.as_str()) || !law.held();
+    let (own, common): (Vec<_>, Vec<_>) = audit.laws.iter().partition(is_own);
+    let times: usize = common.iter().map(|law| law.checks).sum();
+    let held = |words: &str| format!("<li>{}: held, {times} times</li>", everywhere(pages, at, words, COMMON));
+    let common = match common.len() {
+        0 => String::new(),
+        1 => held("the law of every formula"),
+        count => held(&format!("the {count} laws of every formula")),
+    };
+    format!("<ul>{}{common}</ul>", each(own, law))
+}
+
+/// Where the page of evidence says what every formula has.
+const COMMON: &str = "of-every-formula";
+
+/// Words as a link to what the page of evidence says about every formula, if there is such a page.
+fn everywhere(pages: &Pages<'_>, at: &Place, words: &str, anchor: &str) -> String {
+    match &pages.evidence {
+        Some(page) => format!("<a href=\"{}#{anchor}\">{words}</a>", escape(&relative(&at.page, page))),
+        None => words.to_owned(),
+    }
+}
+
+/// The laws that every audited formula has, if there are several formulas.
+fn common_laws(content: &Content) -> Vec<&str> {
+    let audits: Vec<_> = content.entries.iter().filter_map(|entry| entry.evidence.audit.as_ref()).collect();
+    let has = |audit: &&Audit, claim: &str| audit.laws.iter().any(|law| law.claim == claim);
+    let first = audits.first().filter(|_| audits.len() > 1).map(|audit| audit.laws.as_slice()).unwrap_or_default();
+    let claims = first.iter().map(|law| law.claim.as_str());
+    claims.filter(|claim| audits.iter().all(|audit| has(audit, claim))).collect()
+}
+
+/// The laws and tests of every formula, for the page of evidence.
+pub(crate) fn of_every(pages: &Pages<'_>, at: &Place) -> String {
+    let laws = each(common_laws(pages.content), |law| format!("<li>{}</li>", escape(law)));
+    let laws = if laws.is_empty() { laws } else { format!("<p>Laws of every formula:</p><ul>{laws}</ul>") };
+    let tests = test_list(pages, at, &pages.content.catalog_tests, "runs over every formula", "run over every formula");
+    format!("<div id=\"{COMMON}\" class=\"entry-like\">{laws}{tests}</div>")
+}
+
+/// A folded function with a link into the listing.
+fn code(pages: &Pages<'_>, at: &Place, span: &CodeSpan) -> String {
+    let Some(file) = pages.content.sources.iter().find(|source| source.path == span.file) else {
+        pages.fault(at, format!("no listing of `{}`, which holds `{}`", span.file, span.name));
+        return String::new();
+    };
+    let lines = rust::highlight(&file.text);
+    let Some(lines) = lines.get(span.first.wrapping_sub(1)..span.last) else {
+        pages.fault(at, format!("`{}` ends before line {}", span.file, span.last));
+        return String::new();
+    };
+    let link = format!("{}#L{}", relative(&at.page, &listing_page(&span.file)), span.first);
+    let listing = rust::block(lines);
+    format!(
+        "<details class=\"code\"><summary><code>{}</code></summary><p class=\"place\"><a href=\"{}\">{}:{}</a></p>{listing}</details>",
+        escape(&span.name),
+        escape(&link),
+        escape(&span.file),
+        span.first
+    )
+}
+
+/// The tests that name the formula, and how many run over all.
+fn tests(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
+    let named = test_list(pages, at, &entry.tests, "names this formula", "name this formula");
+    let over_all = match (pages.content.catalog_tests.len(), &pages.evidence) {
+        (0, _) | (_, None) => return named,
+        (count, _) => format!("{count} tests over every formula"),
+    };
+    format!("{named}<p class=\"over-all\">And {}.</p>", everywhere(pages, at, &over_all, COMMON))
+}
+
+/// A folded list of tests.
+fn test_list(pages: &Pages<'_>, at: &Place, tests: &[TestRef], singular: &str, plural: &str) -> String {
+    let items = each(tests, |test| {
+        let place = format!("{}:{}", escape(&test.file), test.line);
+        let link = format!("{}#L{}", relative(&at.page, &listing_page(&test.file)), test.line);
+        let listed = pages.content.sources.iter().any(|source| source.path == test.file);
+        let place = if listed { format!("<a href=\"{}\">{place}</a>", escape(&link)) } else { place };
+        format!("<li><code>{}</code> {place}</li>", escape(&test.name))
+    });
+    match tests.len() {
+        0 => String::new(),
+        1 => format!("<details><summary>1 test {singular}</summary><ul>{items}</ul></details>"),
+        count => format!("<details><summary>{count} tests {plural}</summary><ul>{items}</ul></details>"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sample;
+
+    #[test]
+    fn laws_of_every_formula_are_those_that_each_audit_has() {
+        let of = |laws: &[&[&str]]| {
+            let entry = |claims: &&[&str]| {
+                let mut audit = sample::passed();
+                let law = audit.laws[0].clone();
+                audit.laws = claims.iter().map(|claim| Claim { claim: (*claim).into(), ..law.clone() }).collect();
+                Entry { evidence: Evidence { audit: Some(audit), golden_cases: None }, ..Entry::default() }
+            };
+            let mut content = Content { entries: laws.iter().map(entry).collect(), ..Content::default() };
+            // One that was not audited is none that lacks a law.
+            content.entries.push(Entry::default());
+            common_laws(&content).into_iter().map(String::from).collect::<Vec<_>>()
+        };
+        assert_eq!(of(&[&["a", "b", "c"], &["c", "d", "a"], &["c", "a", "b"]]), ["a", "c"]);
+        assert!(of(&[&["a"], &["b"]]).is_empty() && of(&[&["a"]]).is_empty() && of(&[]).is_empty());
+    }
+
+    #[test]
+    fn a_normwise_bound_is_said_to_be_one() {
+        let of = |by: &str| bound(&Claim { claim: format!("η of the value in f64{by}"), ..sample::passed().eta });
+        assert_eq!(["", ", normwise"].map(of), ["4", "4 normwise"]);
+    }
+}

@@ -1,0 +1,226 @@
+//! `check`: a program of somebody else's, in any language, asked over a pipe and judged.
+
+use super::driver::abi::Abi;
+use super::driver::{self, Driver, Lang};
+use super::listen::{Manner, listen};
+use crate::console::print;
+use crate::outcome::{Outcome, Usage, verdict};
+use crate::project::Project;
+use crate::review::{Finding, Place, annotations, rdjson, sarif, summarise};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use jointproof::catalog::AnyFormula;
+use jointproof::toolkit::verify::Options;
+use jointproof::toolkit::verify::golden::components;
+use judge::{Bounds, Court, Question, Wanted, of_points, questions};
+use std::time::Duration;
+
+/// Check a program of your own, in any language, against a formula
+///
+/// The program reads lines from standard input and answers each with one line. An input line has the inputs as numbers, in
+/// the order of the formula's entry. The answer has the outputs, then the Jacobian row by row, or `refuse`; `-` stands for a
+/// number that is not computed. Every answer must be flushed. Each number is judged by its backward error η against 237 bits,
+/// within the bounds of the formula.
+///
+/// The inputs are golden cases, points on and next to kinks, random points and invalid inputs; then all of them again in
+/// another order. An error is named if one known mistake explains all results.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  {command} check --formula {formula} -- ./mine                     value and Jacobian
+  {command} check --formula {formula} --wanted value -- python3 mine.py
+  {command} check --formula {formula} --driver fortran > mine.f90   to begin with
+  {command} check --formula {formula} --json -- node mine.js        JSON lines
+  {command} check --formula {formula} --format github --at mine.f90:40 -- ./mine
+  {command} check --formula {formula} --point '{point}' -- ./mine")]
+#[expect(clippy::struct_excessive_bools, reason = "each is a switch of the command line")]
+pub(crate) struct Arguments {
+    /// The formula, by its identifier
+    #[arg(long, value_name = "ID")]
+    formula: String,
+    /// The program and its arguments, after `--`
+    #[arg(last = true, value_name = "PROGRAM", required_unless_present_any = ["driver", "abi"])]
+    program: Vec<String>,
+    /// Print a program in this language to start from; only the call of your own code is missing
+    #[arg(long, value_enum, value_name = "LANGUAGE", conflicts_with = "program")]
+    driver: Option<Lang>,
+    /// Print a Fortran program that calls a routine with this interface
+    #[arg(long, value_enum, value_name = "INTERFACE", conflicts_with_all = ["program", "driver"])]
+    abi: Option<Abi>,
+    /// In a driver, call the exported formula, as an example that passes
+    #[arg(long, requires = "driver")]
+    exported: bool,
+    /// What the program answers
+    #[arg(long, value_parser = wanted(), default_value = Wanted::default().name())]
+    wanted: Wanted,
+    /// Numbers are the 16 hexadecimal digits of their bits
+    #[arg(long, conflicts_with = "json")]
+    hex: bool,
+    /// Inputs and answers are JSON, one object per line
+    #[arg(long)]
+    json: bool,
+    /// Random points, in addition to the named ones
+    #[arg(long, value_name = "N", default_value_t = Options::default().samples)]
+    samples: usize,
+    /// Seed of the random points
+    #[arg(long, value_name = "S", default_value_t = Options::default().seed)]
+    seed: u64,
+    /// Time limit of an answer; four times this for the first one
+    #[arg(long, value_name = "SECONDS", default_value_t = 10.0)]
+    limit: f64,
+    /// Bounds of η instead of the formula's own: for the value, and for the Jacobian
+    #[arg(long, value_name = "BOUND", num_args = 1..=2, value_delimiter = ',')]
+    eta: Vec<f64>,
+    /// Do not send invalid inputs
+    #[arg(long)]
+    valid_only: bool,
+    /// Format of the result
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+    /// File and line of your routine, for formats that need a location
+    #[arg(long, value_name = "FILE[:LINE]", value_parser = at, required_if_eq_any([("format", "github"), ("format", "sarif"), ("format", "rdjson")]))]
+    at: Option<Place>,
+    /// Test this point only: its inputs as a JSON object, as in golden files and reports
+    #[arg(long, value_name = "JSON")]
+    point: Option<String>,
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+enum Format {
+    /// For a terminal
+    #[default]
+    Text,
+    /// Workflow commands: an annotation in a pull request, and the step's summary
+    Github,
+    /// SARIF 2.1.0, to be uploaded
+    Sarif,
+    /// RDFormat, for reviewdog
+    Rdjson,
+}
+
+/// What can be wanted, by name.
+fn wanted() -> impl TypedValueParser<Value = Wanted> {
+    let told = |wanted: Wanted| {
+        PossibleValue::new(wanted.name()).help(match wanted {
+            Wanted::Value => "The outputs alone",
+            Wanted::Jacobian => "The outputs, then the Jacobian row by row",
+            Wanted::Products => "The outputs, then J v and wᵀJ for directions v and w, which follow the inputs",
+        })
+    };
+    PossibleValuesParser::new(Wanted::ALL.map(told))
+        .map(|name| Wanted::ALL.into_iter().find(|wanted| wanted.name() == name).unwrap_or_default())
+}
+
+/// A file, and a line of it if a number stands behind the last colon.
+#[expect(clippy::unnecessary_wraps, reason = "a parser of clap's")]
+fn at(text: &str) -> Result<Place, String> {
+    let split = text.rsplit_once(':').and_then(|(file, line)| Some((file, line.parse().ok()?)));
+    let (file, line) = split.unwrap_or((text, 1));
+    Ok(Place { file: file.to_owned(), line: line.max(1) })
+}
+
+pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
+    let formula = formula(project, &arguments.formula)?;
+    if let Some(lang) = arguments.driver {
+        print(&driver(formula, arguments, lang)?)?;
+        return Ok(verdict(true));
+    }
+    if let Some(abi) = arguments.abi {
+        print(&driver::abi::text(abi, formula)?)?;
+        return Ok(verdict(true));
+    }
+    let limit = Duration::try_from_secs_f64(arguments.limit).ok().filter(|limit| !limit.is_zero());
+    let limit = limit.ok_or_else(|| Usage("--limit is not a time above 0 in seconds".into()))?;
+    let mut questions = asked(formula, arguments)?;
+    if arguments.valid_only {
+        questions.retain(|question| !question.must_be_refused());
+    }
+    let bounds = match *arguments.eta.as_slice() {
+        [both] => Bounds { value: both, jacobian: both },
+        [value, jacobian, ..] => Bounds { value, jacobian },
+        [] => Bounds::of(formula),
+    };
+    let court = Court { formula, wanted: arguments.wanted, bounds, questions: &questions };
+    let manner = Manner {
+        program: &arguments.program,
+        wanted: arguments.wanted,
+        is_json: arguments.json,
+        is_hex: arguments.hex,
+        limit,
+    };
+    let (answers, heard) = match listen(formula, &manner, &questions)? {
+        Ok(heard) => heard,
+        Err(why) => {
+            print(&written(arguments, &court.silent(&arguments.program, &why), "it does not answer", false)?)?;
+            return Ok(verdict(false));
+        }
+    };
+    let judged = court.judged(&arguments.program, &answers, &heard);
+    let claim = judged.causes.first().map_or("its answers are those of the formula", String::as_str);
+    print(&written(arguments, &judged.text, claim, judged.is_well())?)?;
+    Ok(verdict(judged.is_well()))
+}
+
+/// The result as it is asked for; where all is well there is no finding.
+fn written(arguments: &Arguments, text: &str, claim: &str, is_well: bool) -> anyhow::Result<String> {
+    let Some(place) = arguments.at.clone().filter(|_| arguments.format != Format::Text) else {
+        return Ok(text.to_owned());
+    };
+    let message = anstream::adapter::strip_str(text).to_string();
+    let finding = Finding { formula: arguments.formula.clone(), claim: claim.to_owned(), message, place };
+    let findings: Vec<_> = (!is_well).then_some(finding).into_iter().collect();
+    match arguments.format {
+        Format::Sarif => sarif(&findings),
+        Format::Rdjson => rdjson(&findings),
+        Format::Text | Format::Github => {
+            let first = text.lines().next().unwrap_or_default();
+            let fenced =
+                findings.iter().map(|finding| format!("```text\n{}```\n", finding.message)).collect::<Vec<_>>();
+            summarise(&format!("{}\n\n{}", anstream::adapter::strip_str(first), fenced.concat()))?;
+            Ok(annotations(&findings) + first + "\n")
+        }
+    }
+}
+
+fn driver(formula: &'static dyn AnyFormula, arguments: &Arguments, lang: Lang) -> anyhow::Result<String> {
+    let driver = Driver::new(formula, arguments.wanted, arguments.exported);
+    let driver = driver.ok_or_else(|| Usage("--driver is for a value or a Jacobian, not for products".into()))?;
+    let text = driver::text(&driver, lang);
+    Ok(text.ok_or_else(|| Usage("--exported: nothing is exported to this language".into()))?)
+}
+
+fn formula(project: &Project, id: &str) -> anyhow::Result<&'static dyn AnyFormula> {
+    project.find(id).ok_or_else(|| {
+        let ids: Vec<_> = project.catalog().iter().map(|formula| formula.spec().id).collect();
+        Usage(format!("--formula '{id}' is no formula; there are\n  {}", ids.join("\n  "))).into()
+    })
+}
+
+fn asked(formula: &dyn AnyFormula, arguments: &Arguments) -> anyhow::Result<Vec<Question>> {
+    let Some(point) = &arguments.point else {
+        let options = Options { samples: arguments.samples, seed: arguments.seed };
+        return Ok(questions(formula, arguments.wanted, &options));
+    };
+    let names = || formula.inputs().iter().map(|field| field.name).collect::<Vec<_>>().join(", ");
+    let inputs = serde_json::from_str(point)
+        .map_err(|error| Usage(format!("--point is not a JSON object of {}: {error}", names())))?;
+    let inputs = components(formula.inputs(), &inputs).map_err(|error| Usage(format!("--point: {error}")))?;
+    Ok(of_points(formula, arguments.wanted, vec![("given".into(), inputs)], arguments.seed))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_place_has_a_line_from_1_on() {
+        for (text, file, line) in [
+            ("mine.f90", "mine.f90", 1),
+            ("mine.f90:40", "mine.f90", 40),
+            ("mine.f90:0", "mine.f90", 1),
+            ("c:/mine.f90", "c:/mine.f90", 1),
+            ("c:/mine.f90:7", "c:/mine.f90", 7),
+        ] {
+            let place = at(text).unwrap();
+            assert_eq!((place.file.as_str(), place.line), (file, line), "{text}");
+        }
+    }
+}

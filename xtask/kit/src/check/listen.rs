@@ -1,0 +1,67 @@
+//! Asking everything, and reading what is answered.
+
+use super::json;
+use super::line::{self, Digits};
+use super::peer::{Peer, Replies, Reply};
+use jointproof::catalog::AnyFormula;
+use judge::{Answer, Heard, Manners, Question, Wanted, other_order, sizes};
+use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
+use std::time::Duration;
+
+/// How a program is spoken to.
+pub(super) struct Manner<'a> {
+    pub(super) program: &'a [String],
+    pub(super) wanted: Wanted,
+    pub(super) is_json: bool,
+    pub(super) is_hex: bool,
+    pub(super) limit: Duration,
+}
+
+/// What the program answers the first and the second time, or why it answers nothing.
+pub(super) type Listened = Result<([Vec<Answer>; 2], Heard), String>;
+
+/// Asks everything twice, the second time in another order.
+///
+/// # Errors
+/// That the program cannot be started.
+pub(super) fn listen(
+    formula: &dyn AnyFormula,
+    manner: &Manner<'_>,
+    questions: &[Question],
+) -> anyhow::Result<Listened> {
+    let again = other_order(questions.len());
+    let order: Vec<usize> = (0..questions.len()).chain(again).collect();
+    let digits = if manner.is_hex { Digits::Hex } else { Digits::Decimal };
+    let numbers = manner.wanted.numbers(sizes(formula));
+    let line = |(k, &place): (usize, &usize)| {
+        if manner.is_json { json::question(formula, k, &questions[place]) } else { digits.line(&questions[place]) }
+    };
+    let lines: Vec<_> = order.iter().enumerate().map(line).collect();
+    let head = manner.is_json.then(|| json::head(formula, manner.wanted));
+    let peer = Peer { command: manner.program, limit: manner.limit, head, numbers, digits };
+    let Replies { replies, noticed } = match peer.ask(&lines)? {
+        Ok(replies) => replies,
+        Err(why) => return Ok(Err(why)),
+    };
+    let mut heard = Heard { manners: Manners::new(), noticed: noticed.into_iter().collect() };
+    let mut answers = [(); 2].map(|()| vec![Answer::Skipped(String::new()); questions.len()]);
+    let read = |(k, reply)| {
+        let mut manners = Manners::new();
+        let answer = match reply {
+            Reply::Line(line) if manner.is_json => json::read(formula, manner.wanted, k, &line),
+            Reply::Line(line) => line::read(&line, numbers, digits, &mut manners),
+            Reply::Hangs => Answer::Bad("no answer within the limit".into()),
+            Reply::Ends(how) => Answer::Bad(how),
+            Reply::NotAsked => Answer::Skipped("not asked any more".into()),
+        };
+        (answer, manners)
+    };
+    let read: Vec<_> = replies.into_par_iter().enumerate().map(read).collect();
+    for (k, ((answer, manners), &place)) in read.into_iter().zip(&order).enumerate() {
+        answers[usize::from(k >= questions.len())][place] = answer;
+        for (manner, count) in manners {
+            *heard.manners.entry(manner).or_default() += count;
+        }
+    }
+    Ok(Ok((answers, heard)))
+}

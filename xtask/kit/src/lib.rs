@@ -1,0 +1,47 @@
+//! The kit: what proves a catalog of formulas, as commands.
+//!
+//! A crate with formulas of its own gets `verify`, `golden`, `audit`, `report`, `book` and `new` by a `main` like this:
+//!
+//! ```no_run
+//! use kit::Project;
+//! use std::process::ExitCode;
+//! # use jointproof::catalog::CATALOG;
+//!
+//! fn main() -> ExitCode {
+//!     kit::main(&Project::new(env!("CARGO_PKG_NAME"), env!("CARGO_MANIFEST_DIR"), CATALOG))
+//! }
+//! ```
+//!
+//! `report` times a program that is built with optimisation, without all this: a package of its own, whose `main` is
+//! [`measuring::main`], and which [`Project::measured_by`] names.
+
+mod audit;
+mod book;
+mod check;
+mod commands;
+pub mod console;
+mod equation;
+mod evidence;
+mod export;
+mod extension;
+pub mod files;
+mod formulas;
+mod golden;
+mod new;
+mod outcome;
+mod owed;
+mod project;
+mod prose;
+mod report;
+mod review;
+#[cfg(test)]
+mod sample;
+mod selection;
+mod since;
+mod verify;
+
+pub use book::{Fault, listing_page, uncovered};
+pub use commands::main;
+pub use extension::{Beside, Exhibits, Fact, Moving, Served, Slider, Table};
+pub use outcome::{Outcome, Usage};
+pub use project::{Catalog, Check, Project, Reach};

@@ -1,0 +1,228 @@
+//! What the commands work on: a catalog of formulas, and the folder that its sources, golden files and book are in.
+
+use crate::{
+    extension::{Beside, Exhibits},
+    outcome::{Outcome, Usage},
+};
+use clap::{ArgMatches, Args, FromArgMatches};
+use jointproof::catalog::AnyFormula;
+use std::path::{Path, PathBuf};
+
+/// Every formula of a project, in the order of its book.
+pub type Catalog = &'static [&'static dyn AnyFormula];
+
+/// A catalog of formulas and where everything about it is.
+///
+/// In its folder, `src` and `tests` hold the sources, `golden` the golden files and `book` the book.
+pub struct Project {
+    name: &'static str,
+    command: &'static str,
+    folder: PathBuf,
+    measured: Option<PathBuf>,
+    root: PathBuf,
+    catalog: Catalog,
+    pub(crate) extension: Extension,
+}
+
+/// What a project adds to the commands.
+#[derive(Default)]
+pub(crate) struct Extension {
+    pub(crate) commands: Vec<Command>,
+    pub(crate) beside: Option<(&'static str, Golden)>,
+    pub(crate) checks: Vec<(&'static str, Check)>,
+    pub(crate) exhibits: Option<fn(&Project) -> anyhow::Result<Exhibits>>,
+    pub(crate) reach: Option<Reach>,
+    pub(crate) debts: Vec<(&'static str, IsPaid, &'static str)>,
+}
+
+/// A command, and what runs it.
+type Command = (clap::Command, Box<dyn Fn(&Project, &ArgMatches) -> Outcome + Send + Sync>);
+
+/// Whether the formula of this identifier has what every formula owes.
+type IsPaid = fn(&Project, &str) -> bool;
+
+/// For every formula, by identifier, the files from the root on which its evidence rests.
+pub type Reach = fn(&Project) -> anyhow::Result<std::collections::BTreeMap<String, Vec<PathBuf>>>;
+
+/// What makes golden files that are not of formulas.
+type Golden = fn(&Project) -> anyhow::Result<Beside>;
+
+/// A step more of `verify`: whether all is well, and how much was looked at. What is off is said on standard error.
+pub type Check = fn(&Project) -> anyhow::Result<(bool, String)>;
+
+impl Project {
+    /// The project of a package: `Project::new(env!("CARGO_PKG_NAME"), env!("CARGO_MANIFEST_DIR"), CATALOG)`.
+    ///
+    /// The environment variable `JOINTPROOF_ROOT` lets the commands work on a copy of its folder.
+    pub fn new(name: &'static str, manifest_dir: &'static str, catalog: Catalog) -> Self {
+        let folder = Path::new(manifest_dir);
+        Self {
+            name,
+            command: "cargo run --",
+            folder: folder.to_path_buf(),
+            measured: None,
+            root: root_or(folder.to_path_buf()),
+            catalog,
+            extension: Extension::default(),
+        }
+    }
+
+    /// With sources, golden files and book not in the package's own folder but in this one, seen from there, as `..`.
+    #[must_use]
+    pub fn in_folder(self, relative: &str) -> Self {
+        Self { root: root_or(self.beside(relative)), ..self }
+    }
+
+    /// With the package, in this folder seen from the package's own, whose program `report` has built and times.
+    #[must_use]
+    pub fn measured_by(self, relative: &str) -> Self {
+        Self { measured: Some(self.beside(relative)), ..self }
+    }
+
+    /// A folder seen from the package's own, without `..` in its path.
+    fn beside(&self, relative: &str) -> PathBuf {
+        let mut folder = self.folder.clone();
+        for part in Path::new(relative) {
+            if part == ".." {
+                folder.pop();
+            } else {
+                folder.push(part);
+            }
+        }
+        folder
+    }
+
+    /// With another command to be named in help and messages than `cargo run --`.
+    #[must_use]
+    pub fn called(self, command: &'static str) -> Self {
+        Self { command, ..self }
+    }
+
+    /// The name, under which reports and evidence are kept.
+    pub fn name(&self) -> &'static str {
+        self.name
+    }
+
+    /// What one types before the name of a command.
+    pub fn command(&self) -> &'static str {
+        self.command
+    }
+
+    /// The manifest of the package whose program is measured, if there is one.
+    pub fn measured(&self) -> Option<PathBuf> {
+        Some(self.measured.as_ref()?.join("Cargo.toml"))
+    }
+
+    /// The folder of the project.
+    pub fn root(&self) -> &Path {
+        &self.root
+    }
+
+    /// Every formula.
+    pub fn catalog(&self) -> Catalog {
+        self.catalog
+    }
+
+    /// The formula of this identifier.
+    pub fn find(&self, id: &str) -> Option<&'static dyn AnyFormula> {
+        self.catalog.iter().copied().find(|formula| formula.spec().id == id)
+    }
+
+    /// The folder of the golden files.
+    pub fn golden(&self) -> PathBuf {
+        self.root.join("golden")
+    }
+
+    /// Whether there are chapters of a book.
+    pub fn has_book(&self) -> bool {
+        self.root.join("book/src").exists()
+    }
+
+    /// The golden file of the formula of this identifier.
+    pub fn golden_file(&self, id: &str) -> PathBuf {
+        self.golden().join(format!("{id}.json"))
+    }
+
+    /// Where what can be made again is put: the book, and below it reports and evidence.
+    pub fn target(&self) -> PathBuf {
+        std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| self.root.join("target"), PathBuf::from)
+    }
+
+    /// Where reports and evidence are kept between commands.
+    pub fn kept(&self, file: &str) -> PathBuf {
+        self.target().join(self.name).join(file)
+    }
+
+    /// A path as one would type it in the folder of the project.
+    pub fn shown(&self, path: &Path) -> String {
+        path.strip_prefix(&self.root).unwrap_or(path).display().to_string()
+    }
+
+    /// That the folder of the project is there, for a command that works on it: one that is installed may have outlived it.
+    ///
+    /// # Errors
+    /// That it is not there, and what to do instead.
+    pub fn needs_repository(&self, command: &str, instead: &str) -> Result<(), Usage> {
+        if self.root.exists() {
+            return Ok(());
+        }
+        let root = self.root.display();
+        Err(Usage(format!(
+            "{command} works on the repository, and {root} is not there; say where it is by JOINTPROOF_ROOT{instead}"
+        )))
+    }
+
+    /// With a command more. Its arguments are those that clap derives, whose examples name it as `{command} NAME …`.
+    #[must_use]
+    pub fn with_command<A: Args + FromArgMatches + 'static>(
+        mut self,
+        name: &'static str,
+        run: fn(&Self, &A) -> Outcome,
+    ) -> Self {
+        let command = A::augment_args(clap::Command::new(name));
+        let run = move |project: &Self, matches: &ArgMatches| run(project, &A::from_arg_matches(matches)?);
+        self.extension.commands.push((command, Box::new(run)));
+        self
+    }
+
+    /// With golden files beside those of the formulas, under a name for the summary of `verify`.
+    #[must_use]
+    pub fn with_golden(mut self, name: &'static str, files: Golden) -> Self {
+        self.extension.beside = Some((name, files));
+        self
+    }
+
+    /// With a step more in `verify`, under a name for its summary.
+    #[must_use]
+    pub fn with_check(mut self, name: &'static str, check: Check) -> Self {
+        self.extension.checks.push((name, check));
+        self
+    }
+
+    /// With the files on which the evidence of every formula rests, so that an edit makes only the evidence old that it touches.
+    /// Without this any edit of `src` or `golden` makes all of it old.
+    #[must_use]
+    pub fn with_reach(mut self, reach: Reach) -> Self {
+        self.extension.reach = Some(reach);
+        self
+    }
+
+    /// With something more that every formula owes: what it is, who has it by identifier, and how it is written.
+    #[must_use]
+    pub fn with_debt(mut self, what: &'static str, is_paid: IsPaid, how: &'static str) -> Self {
+        self.extension.debts.push((what, is_paid, how));
+        self
+    }
+
+    /// With exhibits for the book.
+    #[must_use]
+    pub fn with_exhibits(mut self, exhibits: fn(&Self) -> anyhow::Result<Exhibits>) -> Self {
+        self.extension.exhibits = Some(exhibits);
+        self
+    }
+}
+
+/// The folder of a project, unless commands are to work on a copy.
+fn root_or(folder: PathBuf) -> PathBuf {
+    std::env::var_os("JOINTPROOF_ROOT").map_or(folder, PathBuf::from)
+}

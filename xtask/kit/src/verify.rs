@@ -1,0 +1,150 @@
+//! `verify`: what formulas owe, golden files, audit, chapters and book, with a short summary.
+
+use crate::book::{Summary, build_book};
+use crate::console::{self, count, green, print, red, say};
+use crate::golden::{self, Checked};
+use crate::outcome::{Outcome, verdict};
+use crate::project::Project;
+use crate::report::data::Report;
+use crate::selection::Selection;
+use crate::{audit, owed, prose};
+use jointproof::toolkit::verify::{Audit, Options};
+use judge::audited;
+use std::time::{Duration, Instant};
+
+/// Check everything: completeness, golden files, audit, statements, chapters, book
+///
+/// A formula of which this very program has found already that every claim holds is not audited again: it would find the same.
+#[derive(clap::Args)]
+#[command(after_help = "Examples:
+  {command} verify                  the main job
+  {command} verify --samples 100    a quicker audit
+  {command} verify --fresh          audits again what it knows")]
+pub(crate) struct Arguments {
+    /// Random points per formula in the audit
+    #[arg(long, value_name = "N", default_value_t = Options::default().samples)]
+    samples: usize,
+    /// Audit every formula, also those of which it is known that every claim holds
+    #[arg(long)]
+    fresh: bool,
+}
+
+/// One line of the summary.
+struct Step {
+    name: &'static str,
+    passed: bool,
+    counts: String,
+    time: Duration,
+}
+
+pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
+    project.needs_repository("verify", "")?;
+    let mut steps = vec![step("owed", || check_owed(project))?];
+    steps.push(step("golden", || Ok(told(project, golden::check(project, &Selection::ALL)?)))?);
+    if let Some((name, beside)) = project.extension.beside {
+        steps.push(step(name, || Ok(told(project, golden::check_beside(project, &beside(project)?))))?);
+    }
+    steps.push(step("audit", || check_audit(project, arguments))?);
+    for (name, check) in &project.extension.checks {
+        steps.push(step(name, || check(project))?);
+    }
+    steps.push(step("prose", || check_prose(project))?);
+    steps.push(step("book", || Ok(check_book(project)))?);
+    print(&summary(&steps))?;
+    Ok(verdict(steps.iter().all(|step| step.passed)))
+}
+
+/// A line a step, with what was looked at in a column.
+fn summary(steps: &[Step]) -> String {
+    let width = steps.iter().map(|step| step.name.len()).max().unwrap_or_default();
+    let line = |Step { name, passed, counts, time }: &Step| {
+        let mark = if *passed { green("ok ") } else { red("off") };
+        format!("{mark} {name:<width$} {counts} in {:.1} s\n", time.as_secs_f64())
+    };
+    steps.iter().map(line).collect()
+}
+
+fn step(name: &'static str, job: impl FnOnce() -> anyhow::Result<(bool, String)>) -> anyhow::Result<Step> {
+    let start = Instant::now();
+    let (passed, counts) = job()?;
+    Ok(Step { name, passed, counts, time: start.elapsed() })
+}
+
+/// Says what is off with golden files, in full.
+fn told(project: &Project, Checked { passed, counts, report }: Checked) -> (bool, String) {
+    if !passed {
+        say(report.trim_end());
+        golden::say_what_mends(project);
+    }
+    (passed, counts)
+}
+
+fn check_owed(project: &Project) -> anyhow::Result<(bool, String)> {
+    let owed = owed::owed(project, project.catalog())?;
+    if !owed.is_empty() {
+        say(owed.concat().trim_end());
+    }
+    Ok((owed.is_empty(), owed::summary(project.catalog().len(), &owed)))
+}
+
+fn check_audit(project: &Project, arguments: &Arguments) -> anyhow::Result<(bool, String)> {
+    let options = Options { samples: arguments.samples, ..Options::default() };
+    let (audits, known) = if arguments.fresh {
+        (audit::audit(project, project.catalog(), &options)?, 0)
+    } else {
+        audit::audit_unknown(project, project.catalog(), &options)?
+    };
+    let failed: Vec<Audit> = audits.iter().filter(|audit| !audit.passed()).cloned().collect();
+    if !failed.is_empty() {
+        say(audited::text(&failed, Audit::passed)?.trim_end());
+    }
+    let comparisons = audits.iter().flat_map(Audit::claims).map(|claim| claim.checks).sum();
+    let [audited, comparisons, off] =
+        [(audits.len(), "formula"), (comparisons, "comparison"), (failed.len(), "formula")]
+            .map(|(number, noun)| count(number, noun));
+    let known = if known == 0 { String::new() } else { format!(", {known} known from before") };
+    Ok((failed.is_empty(), format!("{audited}, {comparisons}, {off} off{known}")))
+}
+
+/// Says what is off with the mathematics and the numbers of chapters.
+fn check_prose(project: &Project) -> anyhow::Result<(bool, String)> {
+    let (faults, counts) = prose::check(project)?;
+    for fault in &faults {
+        say(&fault.to_string());
+    }
+    Ok((faults.is_empty(), counts))
+}
+
+fn check_book(project: &Project) -> (bool, String) {
+    match build_book(project, None, Report::kept(project)) {
+        Ok(Summary { chapters, formulas, index, .. }) => {
+            let [chapters, formulas] =
+                [(chapters, "chapter"), (formulas, "formula")].map(|(number, noun)| count(number, noun));
+            (true, format!("{chapters}, {formulas}: {}", project.shown(&index)))
+        }
+        // The other verdicts stand whatever ails the book.
+        Err(error) => {
+            console::error(&format!("{error:#}"));
+            (false, "not built".into())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_summary_is_a_line_a_step_with_what_was_looked_at_in_a_column() {
+        let step = |name, passed, counts: &str, milliseconds| Step {
+            name,
+            passed,
+            counts: counts.into(),
+            time: Duration::from_millis(milliseconds),
+        };
+        let steps = [step("owed", true, "1 formula", 0), step("statements", false, "2 sides", 1234)];
+        let expected = "ok  owed       1 formula in 0.0 s\noff statements 2 sides in 1.2 s\n";
+        assert_eq!(console::plain(&summary(&steps)), expected);
+        assert_eq!(summary(&[]), "");
+    }
+}
