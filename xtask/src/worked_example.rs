@@ -43,7 +43,7 @@ mod tests {
     #[test]
     fn the_audit_names_the_wrong_entry() {
         let audit = super::run();
-        let worst = audit.closed_against_ad.worst.as_ref().unwrap();
+        let worst = audit.closed_against_ad.as_ref().unwrap().worst.as_ref().unwrap();
         assert_eq!((audit.passed(), worst.entry.as_str()), (false, "∂fc/∂f3"));
     }
 }

@@ -67,7 +67,12 @@ fn closed<F: Proved>() -> Way {
     let value = Kernel::with_loop(typed, F::eval::<f64>, Fields::components, values::<F>);
     let entries = |(_, jacobian): &_| entries(jacobian);
     let jacobian = Kernel::with_loop(typed, F::linearized::<f64>, entries, linearizations::<F>);
-    Way::of("closed", "closed form").value(value).jacobian(jacobian)
+    in_closed_form::<F>(Way::of("closed", "closed form").value(value), jacobian)
+}
+
+/// A way with its Jacobian, where this is in closed form: an automatic one is that of `ad`.
+fn in_closed_form<F: Proved>(way: Way, jacobian: Kernel) -> Way {
+    if F::SPEC.is_closed() { way.jacobian(jacobian) } else { way }
 }
 
 #[inline(never)]
@@ -93,14 +98,14 @@ fn checked<F: Proved>() -> Way {
     let jacobian = Kernel::new(typed, value_and_jacobian::<F>, move |found| {
         or_nan(found.as_ref().ok().map(|(_, jacobian)| entries(jacobian)), outputs * inputs)
     });
-    Way::of("checked", "closed form, checked").value(value).jacobian(jacobian)
+    in_closed_form::<F>(Way::of("checked", "closed form, checked").value(value), jacobian)
 }
 
 fn single<F: Proved>() -> Way {
     let convert = |i: &[f64]| typed(&singles(i));
-    Way::of("single", "closed form in single precision")
-        .value(Kernel::new(convert, F::eval::<Single>, |out| doubles(&out.components())))
-        .jacobian(Kernel::new(convert, F::linearized::<Single>, |(_, jacobian)| doubles(&entries(jacobian))))
+    let value = Kernel::new(convert, F::eval::<Single>, |out| doubles(&out.components()));
+    let jacobian = Kernel::new(convert, F::linearized::<Single>, |(_, jacobian)| doubles(&entries(jacobian)));
+    in_closed_form::<F>(Way::of("single", "closed form in single precision").value(value), jacobian)
 }
 
 fn singles(x: &[f64]) -> Vec<Single> {
@@ -128,10 +133,14 @@ fn octuple(subject: &Subject) -> [Way; 2] {
     let (value, jacobian, derivative) = (subject.exact_value, subject.exact_jacobian, subject.derivative_of());
     let both = move |x: &Vec<Octuple>| (value(x), jacobian(x));
     let differentiated = move |x: &Vec<Octuple>| (value(x), derivative(x));
+    let octuple = Way::of("octuple", "closed form in 237 bits").value(Kernel::new(
+        exact,
+        move |x: &Vec<Octuple>| value(x),
+        |out| rounded(out),
+    ));
+    let is_closed = subject.spec.is_closed();
     [
-        Way::of("octuple", "closed form in 237 bits")
-            .value(Kernel::new(exact, move |x: &Vec<Octuple>| value(x), |out| rounded(out)))
-            .jacobian(Kernel::new(exact, both, |(_, jacobian)| rounded(jacobian))),
+        if is_closed { octuple.jacobian(Kernel::new(exact, both, |(_, jacobian)| rounded(jacobian))) } else { octuple },
         Way::of("octuple-ad", "automatic differentiation in 237 bits").jacobian(Kernel::new(
             exact,
             differentiated,

@@ -30,11 +30,15 @@ pub struct Bounds {
     pub jacobian: f64,
 }
 
+/// A formula with an automatic Jacobian states no bound of it: somebody's closed form is inaccurate there where it loses more than
+/// two digits.
+const UNSTATED: f64 = 128.0;
+
 impl Bounds {
     /// Those that a formula states of itself.
     pub fn of(formula: &dyn AnyFormula) -> Self {
         let spec = formula.spec();
-        Self { value: spec.eta, jacobian: spec.eta_jacobian }
+        Self { value: spec.eta.value, jacobian: spec.eta.jacobian.unwrap_or(UNSTATED) }
     }
 }
 

@@ -316,7 +316,7 @@ mod tests {
     #[test]
     fn a_figure_of_0_has_no_point_to_look_at() {
         let mut audit = sample::passed();
-        let figures = [&mut audit.eta, &mut audit.eta_jacobian].into_iter().chain(audit.scaled.iter_mut().flatten());
+        let figures = [&mut audit.eta].into_iter().chain(&mut audit.eta_jacobian).chain(&mut audit.scaled);
         figures.filter_map(|claim| claim.worst.as_mut()).for_each(|worst| worst.size = 0.0);
         let printed = without_colours(&text(&[audit], Audit::passed).unwrap());
         assert!(printed.contains("103        0    4.00  η of the value in f64\n"), "{printed}");
@@ -350,7 +350,7 @@ mod tests {
         let project = Project::new("jointproof", env!("CARGO_MANIFEST_DIR"), &[]).in_folder("../..");
         let (mut well, mut badly) = (sample::passed(), sample::passed());
         (well.formula, badly.formula) = (ContactForce.spec().id.into(), Friction.spec().id.into());
-        badly.closed_against_ad.failures = 1;
+        badly.closed_against_ad.as_mut().unwrap().failures = 1;
         badly.eta.failures = 2;
         let found = findings(&project, &[&ContactForce, &Friction], &[well, badly]).unwrap();
         let line = |place: &crate::review::Place| {

@@ -26,14 +26,14 @@ pub(crate) fn passed() -> Audit {
         searched_points: 3,
         random_points: 20,
         seed: 9,
-        closed_against_ad: claim("closed form = automatic differentiation", 1e-60, [101, 0], 1.1e-61),
+        closed_against_ad: Some(claim("closed form = automatic differentiation", 1e-60, [101, 0], 1.1e-61)),
         ad_against_differences: claim("automatic differentiation = differences", 1e-50, [102, 0], 2.2e-52),
         eta: claim("η of the value in f64", 4.0, [103, 0], 1.25),
-        eta_jacobian: claim("η of the closed-form Jacobian in f64", 8.0, [104, 0], 2.75),
-        scaled: Some([
+        eta_jacobian: Some(claim("η of the closed-form Jacobian in f64", 8.0, [104, 0], 2.75)),
+        scaled: vec![
             claim("η of the value in f64, at sizes from 1/1e30 to 1e30", 4.0, [112, 0], 1.5),
             claim("η of the closed-form Jacobian in f64, at sizes from 1/1e30 to 1e30", 8.0, [113, 0], 3.25),
-        ]),
+        ],
         equation: claim("printed equation = value", 1e-55, [105, 0], 3.3e-57),
         equation_jacobian: claim("derivative of the printed equation", 1e-54, [106, 0], 4.4e-58),
         laws: vec![
@@ -63,14 +63,14 @@ pub(crate) fn failed() -> Audit {
         formula: "t.second".into(),
         named_points: 8,
         random_points: 30,
-        closed_against_ad: claim("closed form = automatic differentiation", 1e-60, [201, 11], 1.2e-7),
+        closed_against_ad: Some(claim("closed form = automatic differentiation", 1e-60, [201, 11], 1.2e-7)),
         ad_against_differences: claim("automatic differentiation = differences", 1e-50, [202, 12], 2.3e-8),
         eta: claim("η of the value in f64", 3.0, [203, 13], 31.5),
-        eta_jacobian: claim("η of the closed-form Jacobian in f64", 7.0, [204, 14], 71.5),
-        scaled: Some([
+        eta_jacobian: Some(claim("η of the closed-form Jacobian in f64", 7.0, [204, 14], 71.5)),
+        scaled: vec![
             claim("η of the value in f64, at sizes from 1/1e30 to 1e30", 3.0, [212, 18], 32.5),
             claim("η of the closed-form Jacobian in f64, at sizes from 1/1e30 to 1e30", 7.0, [213, 19], 72.5),
-        ]),
+        ],
         equation: claim("printed equation = value", 1e-55, [0, 0], 0.0),
         equation_jacobian: claim("derivative of the printed equation", 1e-54, [206, 15], 4.5e-3),
         laws: vec![

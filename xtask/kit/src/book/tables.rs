@@ -112,14 +112,15 @@ fn evidence_row(pages: &Pages<'_>, at: &Place, entry: &Entry) -> String {
             "<tr><td>{link}</td><td class=\"figure\">{golden}</td><td colspan=\"{columns}\" class=\"missing\">not audited on this version</td></tr>"
         );
     };
+    let automatic = || "automatic".to_owned();
     let held = audit.laws.iter().filter(|law| law.held()).count();
     row(&[
         ("", link),
         ("figure", golden),
         ("figure", (audit.named_points + audit.random_points).to_string()),
         ("figure", bounded(&audit.eta)),
-        ("figure", bounded(&audit.eta_jacobian)),
-        ("figure", gap(&audit.closed_against_ad)),
+        ("figure", audit.eta_jacobian.as_ref().map_or_else(automatic, bounded)),
+        ("figure", audit.closed_against_ad.as_ref().map_or_else(automatic, gap)),
         ("figure", gap(&audit.ad_against_differences)),
         ("figure", gap(&audit.equation)),
         ("figure", gap(&audit.equation_jacobian)),

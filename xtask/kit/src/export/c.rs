@@ -195,12 +195,12 @@ fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
     let stem = stem(one);
     let body = Body { language: &C, graph: &one.graph, inputs: one.formula.inputs(), names: &one.names, stem: &stem };
     let mut parts = Vec::new();
-    let functions = [false, true].map(|with_jacobian| {
-        let results = one.results(with_jacobian);
-        let (lines, more) = body.program(&results, limit, parts.len() + 1);
+    let mut functions = Vec::new();
+    for with_jacobian in one.functions() {
+        let (lines, more) = body.program(&one.results(with_jacobian), limit, parts.len() + 1);
         parts.extend(more);
-        function(one, &body, &lines, with_jacobian)
-    });
+        functions.push(function(one, &body, &lines, with_jacobian));
+    }
     let mut text = Text::from(comment(&description(one)));
     let with_parts = if parts.is_empty() { String::new() } else { format!("#include \"jp_{stem}_parts.h\"\n") };
     text.push(format!("#include \"jp_{stem}.h\"\n{with_parts}#include \"jp_runtime.h\"\n"));
@@ -310,7 +310,8 @@ fn header(one: &Recorded) -> String {
     let spec = one.formula.spec();
     let mut lines = vec![format!("{}: {}", spec.id, spec.title), String::new(), "Return code 0: done.".into()];
     lines.extend(refusals(one));
-    let text = format!("{};\n\n{};\n", prototype(one, false), prototype(one, true));
+    let prototypes: Vec<_> = one.functions().into_iter().map(|with| format!("{};\n", prototype(one, with))).collect();
+    let text = prototypes.join("\n");
     comment(&lines) + &guarded(&format!("jp_{}", stem(one)), &text)
 }
 
@@ -318,8 +319,8 @@ fn header(one: &Recorded) -> String {
 fn umbrella(recorded: &[Recorded]) -> String {
     let mut text = Text::from(
         "/*\n * Formulas with their Jacobians, printed by jointproof from the program that it proves.\n *\n\
-         \x20* ..._value gives the outputs; ..._jacobian the outputs and every derivative, output by output,\n\
-         \x20* each over all inputs in order. A return code is 0, or says why inputs are refused, as each header\n\
+         \x20* ..._value gives the outputs; ..._jacobian, where the derivative is in closed form, the outputs and\n\
+         \x20* every derivative, output by output, each over all inputs in order. A return code is 0, or says why inputs are refused, as each header\n\
          \x20* tells; nothing is written then. A result that is too large for a double is infinite.\n *\n\
          \x20* Compile without fused operations and without -ffast-math: -std=c99 -ffp-contract=off.\n */\n\
          #ifndef JOINTPROOF_H\n#define JOINTPROOF_H\n\n",

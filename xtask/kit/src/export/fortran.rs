@@ -147,18 +147,20 @@ fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
     let body =
         Body { language: &Fortran, graph: &one.graph, inputs: one.formula.inputs(), names: &one.names, stem: &name };
     let mut parts = Vec::new();
-    let functions = [false, true].map(|with_jacobian| {
+    let mut functions = Vec::new();
+    for with_jacobian in one.functions() {
         let (lines, more) = body.program(&one.results(with_jacobian), limit, parts.len() + 1);
         parts.extend(more);
-        (function(one, &body, &lines, with_jacobian), lines.calls)
-    });
+        functions.push((function(one, &body, &lines, with_jacobian), lines.calls));
+    }
     let lines: Vec<_> = description(one).iter().map(|line| format!("! {line}").trim_end().to_owned()).collect();
     let mut text = Text::from(lines.join("\n"));
     text.push("\n! The functions give 0, or\n");
     text.push_all(refusals(one).iter().map(|line| format!("! {line}\n")));
     text.push(format!("module jp_{name}\n    use jp_runtime\n"));
     text.push(uses(&name, functions.iter().flat_map(|(_, calls)| calls)));
-    text.push(format!("    implicit none\n    private\n    public :: jp_{name}_value, jp_{name}_jacobian\ncontains\n"));
+    let public: Vec<_> = one.functions().into_iter().map(|with| format!("jp_{name}_{}", named(with))).collect();
+    text.push(format!("    implicit none\n    private\n    public :: {}\ncontains\n", public.join(", ")));
     text.push_all(functions.iter().map(|(function, _)| function));
     text.push(format!("end module jp_{name}\n"));
     (text.finished(), parts)
@@ -186,9 +188,12 @@ fn temporaries(lines: &Lines) -> String {
     text + "\n"
 }
 
+const fn named(with_jacobian: bool) -> &'static str {
+    if with_jacobian { "jacobian" } else { "value" }
+}
+
 fn function(one: &Recorded, body: &Body, lines: &Lines, with_jacobian: bool) -> String {
-    let what = if with_jacobian { "jacobian" } else { "value" };
-    let name = format!("jp_{}_{what}", stem(one));
+    let name = format!("jp_{}_{}", stem(one), named(with_jacobian));
     let (inputs, outputs) = (one.formula.inputs(), one.formula.outputs());
     let names = inputs.iter().chain(outputs).map(name_of);
     let names: Vec<_> = names.chain(with_jacobian.then(|| "jacobian".to_owned())).collect();
@@ -270,7 +275,7 @@ fn part_source(stem: &str, part: &PartLines) -> String {
 fn module(recorded: &[Recorded]) -> String {
     let mut text = Text::from(
         "! Formulas with their Jacobians, printed by jointproof from the program that it proves.\n!\n\
-         ! ..._value gives the outputs; ..._jacobian the outputs and every derivative, output by output, each\n\
+         ! ..._value gives the outputs; ..._jacobian, where the derivative is in closed form, the outputs and every derivative, output by output, each\n\
          ! over all inputs in order. The result is 0, or says why inputs are refused, as each module\n\
          ! tells; the outputs are 0 then. A result that is too large for a double is infinite.\n!\n\
          ! Compile without fused operations and without -ffast-math: -ffp-contract=off.\nmodule jointproof\n",

@@ -114,11 +114,12 @@ pub(super) fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
     let body =
         Body { language: &JavaScript, graph: &one.graph, inputs: one.formula.inputs(), names: &one.names, stem: &stem };
     let mut parts = Vec::new();
-    let functions = [false, true].map(|with_jacobian| {
+    let mut functions = Vec::new();
+    for with_jacobian in one.functions() {
         let (lines, more) = body.program(&one.results(with_jacobian), limit, parts.len() + 1);
         parts.extend(more);
-        (function(one, &body, &lines, with_jacobian), lines.calls)
-    });
+        functions.push((function(one, &body, &lines, with_jacobian), lines.calls));
+    }
     let lines: Vec<_> = description(one).iter().map(|line| format!("// {line}").trim_end().to_owned()).collect();
     let mut text = Text::from(lines.join("\n") + "\n");
     text.push(imports(&stem, functions.iter().flat_map(|(_, calls)| calls)));
@@ -213,7 +214,7 @@ fn driver(recorded: &[Recorded]) -> String {
          \x20       for (const {{ name, length }} of formula.inputs) {{\n\
          \x20           i[name] = length === 1 ? next() : Array.from({{ length }}, next);\n        }}\n\
          \x20       const code = jp.refused(formula, i)?.position ?? 0;\n\
-         \x20       const {{ value, jacobian }} = formula.jacobian(i);\n\
+         \x20       const {{ value, jacobian = [] }} = (formula.jacobian ?? formula.value)(i);\n\
          \x20       found.push(code, ...value, ...jacobian);\n    }}\n}}\n\
          writeFileSync('found.bin', Buffer.from(new Float64Array(found).buffer));\n",
         formulas.join(",\n    ")

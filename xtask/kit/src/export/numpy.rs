@@ -97,7 +97,9 @@ fn source(one: &Recorded) -> String {
     text.push(fields("OUTPUTS", one.formula.outputs()));
     let graph = &one.graph;
     text.push(function(one, "value", &[&graph.value]));
-    text.push(function(one, "jacobian", &[&graph.value, &graph.jacobian]));
+    if !graph.jacobian.is_empty() {
+        text.push(function(one, "jacobian", &[&graph.value, &graph.jacobian]));
+    }
     text.push(refused(one));
     text.finished()
 }

@@ -4,8 +4,8 @@ use super::names;
 use crate::files;
 use jointproof::Error;
 use jointproof::catalog::AnyFormula;
-use jointproof::formula::Field;
 use jointproof::formula::quantity::Domain;
+use jointproof::formula::{Bounds, Field};
 use jointproof::toolkit::graph::{Graph, Node, NotRecorded};
 use rayon::iter::{Either, IntoParallelRefIterator, ParallelIterator};
 use std::collections::HashMap;
@@ -48,6 +48,16 @@ impl Recorded {
     pub(super) fn results(&self, with_jacobian: bool) -> Vec<Node> {
         let jacobian: &[Node] = if with_jacobian { &self.graph.jacobian } else { &[] };
         self.graph.refusal.iter().chain(&self.graph.value).chain(jacobian).copied().collect()
+    }
+
+    /// The functions that are printed, by whether they give the Jacobian: there is one that does where it is in closed form.
+    pub(super) fn functions(&self) -> Vec<bool> {
+        if self.formula.spec().is_closed() { vec![false, true] } else { vec![false] }
+    }
+
+    /// The function that gives most.
+    pub(super) fn largest_function(&self) -> &'static str {
+        if self.formula.spec().is_closed() { "jacobian" } else { "value" }
     }
 
     /// How many entries a row of the Jacobian has.
@@ -97,8 +107,9 @@ pub(super) fn description(one: &Recorded) -> Vec<String> {
     lines.extend([String::new(), spec.latex.to_owned(), String::new()]);
     lines.extend(fields("in ", one.formula.inputs()).chain(fields("out", one.formula.outputs())));
     lines.push(String::new());
-    let ([value, jacobian], by) = spec.bounds();
-    lines.push(format!("eta <= {value} of the value, <= {jacobian} of the Jacobian{by}, in units of 2^-53"));
+    let (Bounds { value, jacobian }, by) = spec.bounds();
+    let jacobian = jacobian.map_or(String::new(), |bound| format!(", <= {bound} of the Jacobian"));
+    lines.push(format!("eta <= {value} of the value{jacobian}{by}, in units of 2^-53"));
     lines.push(format!("where inputs are 0 or {} in size", spec.sizes()));
     lines.extend(one.formula.kinks().iter().map(|kink| format!("kink: {}", kink.condition)));
     lines.push(format!("Golden cases: golden/{}.json of jointproof {}", spec.id, env!("CARGO_PKG_VERSION")));

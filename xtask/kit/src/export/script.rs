@@ -29,12 +29,15 @@ impl Script {
     pub(crate) fn text(&self) -> String {
         let (module, _) = source(&self.0, usize::MAX);
         let (head, rest) = module.split_once("\nexport function value").expect("a module has a function for the value");
-        let (_, jacobian) = rest.split_once("\nexport function").expect("a module has a function for the Jacobian");
+        let largest = rest.split_once("\nexport function jacobian").map_or(rest, |(_, jacobian)| jacobian);
         let (before, import) = head.split_once("import ").expect("a module imports the runtime");
         let (imported, import) = import.split_once(" from ").expect("it is imported from a file");
         let (_, after) = import.split_once(";\n").expect("an import ends");
-        let body = classic(&format!("{before}{after}\nfunction{jacobian}"));
-        format!("({imported}) => {{\n{body}\nreturn {{ inputs, outputs, required, value: jacobian, jacobian }};\n}}")
+        let body = classic(&format!("{before}{after}\nfunction compute{largest}"));
+        format!(
+            "({imported}) => {{\n{body}\nreturn {{ inputs, outputs, required, compute, isClosed: {} }};\n}}",
+            self.0.formula.spec().is_closed()
+        )
     }
 
     /// Whether a number is what Rust finds, but for what the functions of the language may differ by.

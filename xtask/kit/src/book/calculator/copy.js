@@ -6,8 +6,12 @@ const COPIES = {
         const inputs = call.inputs.map((field) => (field.length === 1 ? real(field.x[0]) : `(const double[]){${list(field.x)}}`));
         const outputs = call.outputs.map((field) => (field.length === 1 ? `&${name(field)}` : name(field)));
         const declared = call.outputs.map((field) => (field.length === 1 ? name(field) : `${name(field)}[${field.length}]`));
-        return `double ${[...declared, `jacobian[${call.entries}]`].join(', ')};\n`
-            + `int code = jp_${call.stem}_jacobian(\n    ${[...inputs, ...outputs, 'jacobian'].join(',\n    ')});\n`;
+        if (call.entries > 0) {
+            declared.push(`jacobian[${call.entries}]`);
+            outputs.push('jacobian');
+        }
+        return `double ${declared.join(', ')};\n`
+            + `int code = jp_${call.stem}_${largest(call)}(\n    ${[...inputs, ...outputs].join(',\n    ')});\n`;
     },
     Fortran: (call) => {
         const name = unlike(call, ['code', 'dp', 'jacobian', 'real', 'result', 'huge', 'abs']);
@@ -15,10 +19,14 @@ const COPIES = {
         const inputs = call.inputs.map(({ x, length }) =>
             (length === 1 ? number(x[0]) : `[ &\n        ${x.map(number).join(', &\n        ')}]`));
         const declared = call.outputs.map((field) => (field.length === 1 ? name(field) : `${name(field)}(${field.length})`));
-        const passed = [...inputs, ...call.outputs.map(name), 'jacobian'].join(', &\n    ');
+        const outputs = call.outputs.map(name);
+        if (call.entries > 0) {
+            declared.push(`jacobian(${call.entries})`);
+            outputs.push('jacobian');
+        }
         return `integer, parameter :: dp = kind(1.0d0)\ninteger :: code\n`
-            + `${[...declared, `jacobian(${call.entries})`].map((one) => `real(dp) :: ${one}\n`).join('')}`
-            + `code = jp_${call.stem}_jacobian( &\n    ${passed})\n`;
+            + `${declared.map((one) => `real(dp) :: ${one}\n`).join('')}`
+            + `code = jp_${call.stem}_${largest(call)}( &\n    ${[...inputs, ...outputs].join(', &\n    ')})\n`;
     },
     Rust: (call) => {
         const line = ({ name, x }) => `    ${x.map(asRust).join(', ')}, // ${name}\n`;
@@ -28,6 +36,9 @@ const COPIES = {
     JSON: (call) => `${point(call)}\n`,
     '--point': (call) => `cargo xtask audit --filter ${call.id} --point '${point(call)}'\n`,
 };
+
+// The exported function that gives most: there is one for the Jacobian where it is in closed form.
+const largest = (call) => (call.entries > 0 ? 'jacobian' : 'value');
 
 // A decimal that every language takes for a real number.
 function real(x) {

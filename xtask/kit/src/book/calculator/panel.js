@@ -88,8 +88,10 @@ class Panel {
                 ...this.results.map((_, output) => cell(m + output * n + k))));
         const table = (label, ...parts) =>
             html('div', { class: 'table-wrapper', tabindex: 0, role: 'region', 'aria-label': label }, html('table', {}, ...parts));
-        const shown = html('div', { class: 'answers' }, table('Outputs', html('tbody', {}, ...value)),
-            table('Jacobian', html('thead', {}, html('tr', {}, html('td', {}, 'Jacobian'), ...head)), html('tbody', {}, ...rows)));
+        const shown = html('div', { class: 'answers' }, table('Outputs', html('tbody', {}, ...value)));
+        if (this.formula.isClosed) {
+            shown.append(table('Jacobian', html('thead', {}, html('tr', {}, html('td', {}, 'Jacobian'), ...head)), html('tbody', {}, ...rows)));
+        }
         this.cells = [...shown.querySelectorAll('[data-at]')].sort((a, b) => a.dataset.at - b.dataset.at);
         return shown;
     }
@@ -137,7 +139,8 @@ class Panel {
         const refused = this.runtime.refused(this.formula, i);
         if (refused?.position > this.inputs.length) return { refusal: `Refused; required is ${refused.name}` };
         if (refused) return this.refusal(refused.position - 1, i);
-        const { value, jacobian } = this.formula.jacobian(i);
+        // An automatic Jacobian is not computed here.
+        const { value, jacobian = [] } = this.formula.compute(i);
         const [m, n] = [this.results.length, this.names.length];
         const field = (k) => this.results[k].replace(/\[.*/, '');
         const output = value.findIndex((y) => !Number.isFinite(y));
@@ -240,12 +243,12 @@ class Panel {
         const cut = found.jumps.find(({ t }) => Math.abs(t) < 1e-6 * reach);
         const values = cut ? [cut.below.value, cut.above.value] : [value, value];
         const sides = kink ? kink.sides[output].map((slope, k) => ({ t: 0, value: values[k], slope }))
-            : found.jumps.flatMap(({ below, above }) => [below, above]);
+            : this.formula.isClosed ? found.jumps.flatMap(({ below, above }) => [below, above]) : [];
         const input = kink ? 't' : this.names[Number(this.along.value)];
         const tangents = sides.filter((one) => one.value !== undefined && Math.abs(one.slope) < UNBOUNDED);
         const names = { output: this.results[output], input, axis: kink ? 'step t across the kink' : input };
         const width = Math.min(600, this.figure.clientWidth || 300);
-        const drawn = drawing(found, { names, center, reach, width, tangents });
+        const drawn = drawing(found, { names, center, reach, width, tangents, hasSlope: this.formula.isClosed });
         this.figure.replaceChildren(drawn, html('figcaption', {}, ...this.caption(line, found.jumps, reach)));
     }
 
@@ -255,6 +258,7 @@ class Panel {
             const [below, above] = kink.sides[output].map((x) => (Math.abs(x) < UNBOUNDED ? short(x) : 'without bound'));
             return [`Slope of ${this.results[output]} ${below} before and ${above} behind the kink: `, ...copied(registered)];
         }
+        if (!this.formula.isClosed) return [];
         return jumps.slice(0, 4).map(({ t, below, above }) =>
             `At ${short(Math.abs(center + t) < 1e-9 * reach ? 0 : center + t)} the slope jumps from ${short(below.slope)} to ${short(above.slope)}. `);
     }
@@ -263,7 +267,7 @@ class Panel {
         if (!this.found) return;
         let at = 0;
         const inputs = this.inputs.map(({ name, length }) => ({ name, length, x: this.point.slice(at, (at += length)) }));
-        const entries = this.results.length * this.names.length;
+        const entries = this.formula.isClosed ? this.results.length * this.names.length : 0;
         const stem = this.id.replaceAll('.', '_');
         const text = COPIES[name]({ id: this.id, stem, inputs, outputs: this.outputs, entries });
         this.copied.textContent = text;

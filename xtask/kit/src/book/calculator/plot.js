@@ -9,7 +9,8 @@ function curve(panel, { output, direction, from }) {
         const at = from.map((x, k) => (direction[k] === 0 ? x : x + direction[k] * t));
         const found = panel.evaluate(at);
         if (found.refusal) return undefined;
-        const slope = direction.reduce((sum, by, k) => (by === 0 ? sum : sum + by * found.jacobian[output * n + k]), 0);
+        const entry = (k) => found.jacobian[output * n + k] ?? 0;
+        const slope = direction.reduce((sum, by, k) => (by === 0 ? sum : sum + by * entry(k)), 0);
         const value = found.value[output];
         return Number.isFinite(value) && Number.isFinite(slope) ? { t, value, slope } : undefined;
     };
@@ -83,8 +84,8 @@ function range(numbers) {
     return [low - room, high + room];
 }
 
-// The SVG: the value above, the slope below. `center` is what the axis shows at the point itself.
-function drawing(found, { names, center, reach, width, tangents }) {
+// The SVG: the value above, the slope below where there is one. `center` is what the axis shows at the point itself.
+function drawing(found, { names, center, reach, width, tangents, hasSlope }) {
     const height = 170;
     const left = 62;
     const right = 10;
@@ -101,7 +102,7 @@ function drawing(found, { names, center, reach, width, tangents }) {
         for (const tick of ticks(center - reach, center + reach)) {
             const at = x(tick - center).toFixed(1);
             parts.push(svg('path', { class: 'grid', d: `M${at} ${top}v${height}` }));
-            if (top > height) parts.push(svg('text', { class: 'tick middle', x: at, y: top + height + 16 }, short(tick)));
+            if (top > height || !hasSlope) parts.push(svg('text', { class: 'tick middle', x: at, y: top + height + 16 }, short(tick)));
         }
         parts.push(svg('text', { class: 'name', x: left, y: top - 7 }, title));
         let d = '';
@@ -116,15 +117,16 @@ function drawing(found, { names, center, reach, width, tangents }) {
     const y = frame(22, 'value', points.map((point) => point.value), names.output);
     const clip = [22, 22 + height];
     for (const { t, value, slope } of tangents) parts.push(tangent(x, y, { t, value, slope, reach, clip }));
-    const slopeY = frame(height + 62, 'slope', points.map((point) => point.slope), `∂${names.output}/∂${names.input}`);
+    const slopeY = hasSlope
+        && frame(height + 62, 'slope', points.map((point) => point.slope), `∂${names.output}/∂${names.input}`);
     const here = points.find((point) => point.t === 0);
     if (here) {
         parts.push(svg('circle', { class: 'here', cx: x(0), cy: y(here.value), r: 4 }));
-        parts.push(svg('circle', { class: 'here', cx: x(0), cy: slopeY(here.slope), r: 4 }));
+        if (hasSlope) parts.push(svg('circle', { class: 'here', cx: x(0), cy: slopeY(here.slope), r: 4 }));
     }
-    const foot = 2 * height + 98;
+    const foot = hasSlope ? 2 * height + 98 : height + 58;
     parts.push(svg('text', { class: 'name end', x: width - right, y: foot }, names.axis));
-    const label = `${names.output} and its slope over ${names.axis}`;
+    const label = `${names.output}${hasSlope ? ' and its slope' : ''} over ${names.axis}`;
     return svg('svg', { viewBox: `0 0 ${width} ${foot + 8}`, width, height: foot + 8, role: 'img', 'aria-label': label }, ...parts);
 }
 

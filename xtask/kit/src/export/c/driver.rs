@@ -79,6 +79,16 @@ pub(super) fn counts(one: &Recorded) -> [usize; 3] {
 
 fn function(one: &Recorded) -> String {
     let ([n, m, entries], name) = (counts(one), stem(one));
+    if entries == 0 {
+        return format!(
+            "\nvoid run_{name}(void);\nvoid run_{name}(void)\n{{\n    double x[{n}], y[{m}];\n\
+             \x20   for (uint64_t left = number_of_points(); left > 0; --left) {{\n        take(x, {n});\n\
+             \x20       for (int k = 0; k < {m}; ++k) y[k] = 0;\n\
+             \x20       const double code = jp_{name}_value(\n{});\n\
+             \x20       give(&code, 1);\n        give(y, {m});\n    }}\n}}\n",
+            arguments(one, "y"),
+        );
+    }
     format!(
         "\nvoid run_{name}(void);\nvoid run_{name}(void)\n{{\n    double x[{n}], y[{m}], both[{m} + {entries}];\n\
          \x20   for (uint64_t left = number_of_points(); left > 0; --left) {{\n        take(x, {n});\n\

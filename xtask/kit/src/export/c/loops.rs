@@ -25,10 +25,12 @@ pub(in crate::export) fn files(recorded: &[Recorded]) -> Vec<File> {
 
 fn one_loop(one: &Recorded) -> String {
     let ([n, m, entries], name) = (counts(one), stem(one));
+    let more = if entries > 0 { format!(",\n            both + {m}") } else { String::new() };
+    let what = one.largest_function();
     format!(
         "\nvoid loop_{name}(const double *x, size_t points);\nvoid loop_{name}(const double *x, size_t points)\n{{\n\
          \x20   double both[{m} + {entries}];\n    for (size_t k = 0; k < points; ++k, x += {n}) {{\n\
-         \x20       jp_{name}_jacobian(\n{},\n            both + {m});\n\
+         \x20       jp_{name}_{what}(\n{}{more});\n\
          \x20       __asm__ volatile(\"\" : : \"g\"(both) : \"memory\");\n    }}\n}}\n",
         arguments(one, "both"),
     )

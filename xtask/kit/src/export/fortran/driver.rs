@@ -57,14 +57,16 @@ fn subroutine(one: &Recorded) -> String {
         arguments.collect::<Vec<_>>()
     };
     let count = |fields: &[Field]| fields.iter().map(Field::len).sum::<usize>();
-    let arguments = [passed(inputs, "x"), passed(outputs, "y"), vec!["jacobian".into()]].concat();
     let [n, m, entries] = [count(inputs), count(outputs), one.graph.jacobian.len()];
+    let jacobian = if entries > 0 { vec!["jacobian".to_owned()] } else { Vec::new() };
+    let arguments = [passed(inputs, "x"), passed(outputs, "y"), jacobian].concat();
+    let what = one.largest_function();
     let name = stem(one);
     format!(
         "    subroutine run_{name}()\n        real(dp) :: x({n}), y({m}), jacobian({entries})\n\
          \x20       integer(int64) :: left\n        integer :: code\n\
          \x20       read (10) left\n        do while (left > 0)\n            read (10) x\n\
-         \x20           code = jp_{name}_jacobian( &\n                {})\n\
+         \x20           code = jp_{name}_{what}( &\n                {})\n\
          \x20           write (11) real(code, dp), y, jacobian\n            left = left - 1\n        end do\n\
          \x20   end subroutine run_{name}\n",
         arguments.join(", &\n                ")

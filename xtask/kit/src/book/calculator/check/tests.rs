@@ -162,7 +162,7 @@ fn the_backward_error_is_counted_in_units_of_the_last_place_and_never_below_the_
 #[test]
 fn the_largest_share_of_each_bound_is_kept_and_more_than_all_is_off() {
     let mut golden = AnyFormula::golden(&slot::ContactForce);
-    (golden.eta.value, golden.eta.jacobian) = (0.5, 4.0);
+    (golden.eta.value, golden.eta.jacobian) = (0.5, Some(4.0));
     let mut checked = Checked::default();
     let case = golden.cases[0].clone();
     let mut one = One { formula: &slot::ContactForce, golden: &golden, checked: &mut checked };
