@@ -5,6 +5,7 @@ pub(crate) const LINE: usize = 64;
 
 /// Asks the processor to bring a value from memory into its cache, because it will be read soon. It is a hint: where there
 /// is no such instruction nothing happens.
+#[cfg_attr(test, mutants::skip)] // No result depends on it.
 #[inline]
 pub(crate) fn prefetch<V>(value: &V) {
     #[cfg(target_arch = "x86_64")]

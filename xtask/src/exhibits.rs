@@ -2,7 +2,7 @@
 //! the documents say.
 
 use crate::studies::agreement;
-use crate::{figures, museum, mutate, scene, statements, worked_example};
+use crate::{figures, museum, scene, statements, worked_example};
 use jointproof::toolkit::verify::Audit;
 use judge::audited;
 use kit::{Exhibits, Project};
@@ -14,14 +14,8 @@ pub(crate) fn all(project: &Project) -> anyhow::Result<Exhibits> {
         figures: [figures::all(), scene::figures(project)?].concat(),
         moving: figures::moving(),
         outputs: [vec![audit], figures::outputs(), scene::outputs(project)?].concat(),
-        tables: [scene::tables(), scene::plans(project)?, agreement::tables(project)?, mutate::tables(project)?]
-            .concat(),
-        texts: [
-            statements::book::texts(project)?,
-            vec![("museum".to_owned(), museum::chapter()?)],
-            mutate::texts(project)?,
-        ]
-        .concat(),
+        tables: [scene::tables(), scene::plans(project)?, agreement::tables(project)?].concat(),
+        texts: [statements::book::texts(project)?, vec![("museum".to_owned(), museum::chapter()?)]].concat(),
         facts: statements::book::facts(project)?,
         served: scene::served(),
     })

@@ -4,7 +4,6 @@
 mod exhibits;
 mod figures;
 mod museum;
-mod mutate;
 mod scene;
 mod statements;
 mod studies;
@@ -28,7 +27,6 @@ fn ours(project: Project) -> Project {
         .called(if is_installed() { "jointproof" } else { "cargo xtask" })
         .with_command("scene", scene::run)
         .with_command("tidy", tidy::run)
-        .with_command("mutate", mutate::run)
         .with_golden("scenes", scene::golden)
         .with_check("statements", statements::verify)
         .with_reach(tidy::reach)

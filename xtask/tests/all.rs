@@ -11,7 +11,6 @@ mod export;
 mod golden;
 mod golden_readers;
 mod installed;
-mod mutate;
 mod new;
 mod port;
 mod prose;

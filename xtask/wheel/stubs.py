@@ -1,17 +1,12 @@
-"""Writes the type stubs of the formulas, from the catalog: python3 xtask/wheel/stubs.py [--check]
+"""The type stubs of the formulas, which the wheel is built with: what the catalog says of each."""
 
-They are what the installed package says of itself, so install it first; a test holds that they are current.
-"""
-
-import argparse
 import pathlib
-import sys
 
 import jointproof
 from jointproof.formula import docstring
 
 FOLDER = pathlib.Path(__file__).parent / "python" / "jointproof"
-HEAD = '''# Generated from the catalog by xtask/wheel/stubs.py; do not edit.
+HEAD = '''# Generated from the catalog when the wheel was built.
 from typing import Any, Callable, Final, NamedTuple, TypeAlias
 
 import numpy as np
@@ -23,30 +18,15 @@ Numbers: TypeAlias = float | np.ndarray[Any, np.dtype[np.float64]]
 '''
 
 
-def main():
-    parser = argparse.ArgumentParser(description="Write the type stubs of the formulas.")
-    parser.add_argument("--check", action="store_true", help="write nothing; fail where a stub is not current")
-    check = parser.parse_args().check
-    stale = [name for name, text in stubs().items() if not is_current(FOLDER / name, text, check)]
-    for name in stale if check else []:
-        print(f"{name} is not current; python3 xtask/wheel/stubs.py writes it", file=sys.stderr)
-    return 1 if check and stale else 0
-
-
-def is_current(path, text, check):
-    if path.exists() and path.read_text(encoding="utf-8") == text:
-        return True
-    if not check:
-        path.write_text(text, encoding="utf-8")
-    return False
-
-
-def stubs():
-    """The text of every stub, by the name of its file."""
+def write():
+    """Puts a stub for each family beside the sources of the package, from where maturin takes them."""
+    for former in FOLDER.glob("[!_]*.pyi"):
+        former.unlink()
     families = {}
     for id, formula in jointproof.formulas.items():
         families.setdefault(id.split(".")[0], []).append(formula)
-    return {f"{family}.pyi": HEAD + "".join(map(stub, formulas)) for family, formulas in families.items()}
+    for family, formulas in families.items():
+        (FOLDER / f"{family}.pyi").write_text(HEAD + "".join(map(stub, formulas)), encoding="utf-8")
 
 
 def stub(formula):
@@ -78,7 +58,3 @@ class _{kind}(Formula):
 
 {name}: Final[_{kind}]
 '''
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -23,7 +23,7 @@ pub struct Measurement {
     /// Time of a fixed piece of arithmetic, the same for every formula: how fast the machine was meanwhile.
     pub yardstick: Option<Time>,
     /// Many points at once.
-    #[serde(default)]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub columns: Option<Columns>,
     /// The ways, the closed form first.
     pub ways: Vec<WayFigures>,
@@ -105,6 +105,7 @@ pub struct WayFigures {
     /// What it is.
     pub title: String,
     /// Of differences: their step, the best of the sweep.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub step: Option<f64>,
     /// The value alone, where the way has one of its own.
     pub value: Option<Figures>,
@@ -119,9 +120,10 @@ pub struct Figures {
     /// Nanoseconds an evaluation.
     pub time: Option<Time>,
     /// Time in units of the closed form's value alone, measured in the same round.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub ratio: Option<Time>,
     /// Times at hard points, one by one: of the closed form, with and without checks.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub hard_times: Vec<PointTime>,
     /// Errors at random points.
     pub random: Errors,
@@ -198,13 +200,13 @@ pub struct Errors {
     pub not_finite: usize,
     /// Backward error in units of 2⁻⁵³, see [`eta`](crate::toolkit::verify::eta).
     pub eta: Quantiles,
-    /// Relative error, see [`relative`](crate::toolkit::verify::relative): 1 means that no digit is right.
-    pub relative: Quantiles,
+    /// The median relative error, see [`relative`](crate::toolkit::verify::relative): 1 means that no digit is right.
+    pub relative: f64,
 }
 
-/// What a set of errors looks like; zeros where it is empty.
+/// What a set of errors looks like; zeros where it is empty. In JSON these are three numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[serde(from = "[f64; 3]", into = "[f64; 3]")]
 pub struct Quantiles {
     /// The median.
     pub median: f64,
@@ -214,33 +216,48 @@ pub struct Quantiles {
     pub max: f64,
 }
 
+impl From<[f64; 3]> for Quantiles {
+    fn from([median, p99, max]: [f64; 3]) -> Self {
+        Self { median, p99, max }
+    }
+}
+
+impl From<Quantiles> for [f64; 3] {
+    fn from(Quantiles { median, p99, max }: Quantiles) -> Self {
+        [median, p99, max]
+    }
+}
+
+/// How many the steps of differences span.
+const DECADES: usize = 14;
+
 /// Error of a scheme of differences over its step.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Curve {
     /// The scheme.
     pub scheme: Scheme,
-    /// From the longest step to the shortest.
-    pub steps: Vec<Step>,
+    /// The median relative error of the Jacobian at random points, with each of the [`steps`](Self::steps).
+    pub errors: Vec<f64>,
+    /// Which step has the least error, of those with which the Jacobian is finite at most points.
+    pub best: usize,
 }
 
 impl Curve {
-    /// The step of the least median relative error at random points.
-    pub fn best(&self) -> Option<&Step> {
-        let error = |step: &&Step| (step.errors.not_finite, step.errors.relative.median);
-        self.steps.iter().min_by(|a, b| {
-            let (a, b) = (error(a), error(b));
-            a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
-        })
+    /// So many steps a decade from 1e-2 down to 1e-16, in units of the input's size.
+    pub fn steps(per_decade: usize) -> impl Iterator<Item = f64> {
+        #[expect(clippy::cast_precision_loss, reason = "a few steps")]
+        let step = move |k: usize| 10.0_f64.powf(-2.0 - k as f64 / per_decade as f64);
+        (0..=DECADES * per_decade).map(step)
     }
-}
 
-/// Error at one step.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Step {
-    /// The step, in units of the input's size.
-    pub step: f64,
-    /// Errors of the Jacobian at random points.
-    pub errors: Errors,
+    /// Every step with its error.
+    pub fn points(&self) -> impl Iterator<Item = (f64, f64)> {
+        Self::steps(self.errors.len() / DECADES).zip(self.errors.iter().copied())
+    }
+
+    /// The best step with its error.
+    pub fn best(&self) -> Option<(f64, f64)> {
+        self.points().nth(self.best)
+    }
 }

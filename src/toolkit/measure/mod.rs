@@ -37,7 +37,7 @@ mod quantile;
 mod ways;
 
 pub use difference::Scheme;
-pub use figures::{Columns, Curve, Errors, Figures, Measurement, PointTime, Quantiles, Step, Time, WayFigures};
+pub use figures::{Columns, Curve, Errors, Figures, Measurement, PointTime, Quantiles, Time, WayFigures};
 pub use options::Options;
 
 use crate::formula::Field;

@@ -16,7 +16,7 @@ pub struct Options {
     /// Random points over which time is taken; the first of the same sequence.
     pub timing_points: usize,
     /// Steps a decade in the sweep of differences from 1e-2 to 1e-16.
-    pub steps_per_decade: u32,
+    pub steps_per_decade: usize,
     /// How often each way is timed, all ways taking turns.
     pub rounds: usize,
     /// How long one turn lasts, in nanoseconds.

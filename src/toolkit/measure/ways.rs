@@ -1,7 +1,7 @@
 //! Every way to compute a formula: the closed form in several numbers, derivatives by other means, and its own.
 
 use super::exact::{self, Exact, Point, Points};
-use super::{Curve, Errors, Figures, Options, Scheme, Step, WayFigures};
+use super::{Curve, Errors, Figures, Options, Scheme, WayFigures};
 use crate::formula::proof::way::Kernel;
 use crate::formula::proof::{Proved, Way, value_and_jacobian_by_ad};
 use crate::formula::{Fields, entries, typed, value, value_and_jacobian};
@@ -22,7 +22,7 @@ pub(super) fn all<F: Proved>(curves: &[Curve]) -> Vec<Way> {
 
 /// The schemes of differences with their best steps.
 fn best(curves: &[Curve]) -> Vec<(Scheme, f64)> {
-    curves.iter().filter_map(|curve| Some((curve.scheme, curve.best()?.step))).collect()
+    curves.iter().filter_map(|curve| Some((curve.scheme, curve.best()?.0))).collect()
 }
 
 /// The errors of a way, without times.
@@ -51,12 +51,12 @@ fn jacobian_errors(way: &Way, points: &[Point]) -> Errors {
 
 /// The error of a scheme over its step, from 1e-2 to 1e-16; `way` makes the way with a step.
 pub(super) fn curve(scheme: Scheme, way: &dyn Fn(Scheme, f64) -> Way, points: &Points, options: &Options) -> Curve {
-    let per_decade = options.steps_per_decade.max(1);
-    let steps = (0..=14 * per_decade).map(|n| {
-        let step = 10.0_f64.powf(-2.0 - f64::from(n) / f64::from(per_decade));
-        Step { step, errors: jacobian_errors(&way(scheme, step), &points.random) }
-    });
-    Curve { scheme, steps: steps.collect() }
+    let errors = |step| jacobian_errors(&way(scheme, step), &points.random);
+    let found: Vec<_> = Curve::steps(options.steps_per_decade.max(1)).map(errors).collect();
+    let errors = found.iter().map(|found| found.relative).collect();
+    let least = |a: &&Errors, b: &&Errors| a.not_finite.cmp(&b.not_finite).then(a.relative.total_cmp(&b.relative));
+    let best = found.iter().enumerate().min_by(|(_, a), (_, b)| least(a, b)).map_or(0, |(k, _)| k);
+    Curve { scheme, errors, best }
 }
 
 fn errors_of(kernel: &Kernel, points: &[Point], exact: fn(&Point) -> Option<&Vec<Exact>>) -> Errors {

@@ -3,7 +3,7 @@
 
 use crate::report::data::{Machine, Report};
 use jointproof::toolkit::measure::{
-    Curve, Errors, Figures, Measurement, Options, PointTime, Quantiles, Scheme, Step, Time, WayFigures,
+    Curve, Errors, Figures, Measurement, Options, PointTime, Quantiles, Scheme, Time, WayFigures,
 };
 use jointproof::toolkit::verify::{Audit, Claim, Coverage, Deviation, Looked, Search};
 use measuring::Build;
@@ -93,7 +93,7 @@ fn time(median: f64) -> Time {
 /// Errors that grow with the number they are made from.
 fn errors(points: usize, not_finite: usize, size: f64) -> Errors {
     let quantiles = |x: f64| Quantiles { median: x, p99: 2.0 * x, max: 3.0 * x };
-    Errors { points, not_finite, eta: quantiles(size), relative: quantiles(size * 1e-16) }
+    Errors { points, not_finite, eta: quantiles(size), relative: size * 1e-16 }
 }
 
 /// A way whose value takes so long and has such an error; that of its Jacobian is more of both.
@@ -122,10 +122,10 @@ fn way(id: &str, title: &str, ns: f64, error: f64) -> WayFigures {
 
 /// The measurement of a formula; all times are so many times as long.
 pub(crate) fn measurement(formula: &str, slow: f64) -> Measurement {
-    let step = |step: f64, size: f64| Step { step, errors: errors(50, 0, size) };
-    let curve = |scheme, best: f64| Curve {
+    let curve = |scheme, best, least| Curve {
         scheme,
-        steps: vec![step(1e-2, 4e9), step(best, 3e6 / best.sqrt() * 1e-4), step(1e-15, 5e14)],
+        errors: (0..15).map(|k| if k == best { least } else { 5e-3 }).collect(),
+        best,
     };
     Measurement {
         formula: formula.into(),
@@ -145,7 +145,11 @@ pub(crate) fn measurement(formula: &str, slow: f64) -> Measurement {
             way("octuple", "237 bits", 9e4 * slow, 0.0),
             way("plain", "plain square root", 7.0 * slow, 0.9),
         ],
-        curves: vec![curve(Scheme::Forward, 1e-8), curve(Scheme::Central, 1e-5), curve(Scheme::Fourth, 1e-3)],
+        curves: vec![
+            curve(Scheme::Forward, 6, 3e-10),
+            curve(Scheme::Central, 3, 9e-12),
+            curve(Scheme::Fourth, 1, 1e-12),
+        ],
     }
 }
 
@@ -158,7 +162,7 @@ pub(crate) fn report() -> Report {
     // Automatic differentiation is the faster one there.
     (second.ways[0].id, second.ways[3].id) = (ids[3].clone(), ids[0].clone());
     Report {
-        version: 2,
+        version: 3,
         created: text("2026-11-01T02:03:04Z"),
         sources: text("0123"),
         machine: Machine { processor: text("a processor"), cores: 3, system: text("a system") },

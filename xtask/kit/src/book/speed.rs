@@ -48,7 +48,7 @@ fn ways(measurement: &Measurement) -> String {
             ("figure", worst(value.and_then(|figures| figures.hard.as_ref()))),
             ("figure", worst(jacobian.map(|figures| &figures.random))),
             ("figure", worst(jacobian.and_then(|figures| figures.hard.as_ref()))),
-            ("figure", jacobian.map_or(String::new(), |figures| number(figures.random.relative.median))),
+            ("figure", jacobian.map_or(String::new(), |figures| number(figures.random.relative))),
         ])
     });
     table("speed", &head, &rows)
@@ -224,9 +224,8 @@ fn differences(report: &Report) -> String {
     let rows = each(Scheme::ALL, |scheme| {
         let best = |measurement: &Measurement| {
             let curve = measurement.curves.iter().find(|curve| curve.scheme == scheme)?;
-            let best = curve.best()?;
             // A formula linear in its inputs has no truncation error, and any step will do.
-            (best.errors.relative.median > 0.0).then_some((best.step, best.errors.relative.median))
+            curve.best().filter(|(_, error)| *error > 0.0)
         };
         let best: Vec<_> = report.formulas.iter().filter_map(best).collect();
         let median = |of: fn(&(f64, f64)) -> f64| {

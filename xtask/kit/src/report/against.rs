@@ -165,12 +165,8 @@ mod tests {
     }
 
     fn report(scale: f64) -> Report {
-        let errors = Errors {
-            points: 24,
-            not_finite: 0,
-            eta: Quantiles { median: 0.3, p99: 1.0, max: 1.2 },
-            relative: Quantiles::default(),
-        };
+        let errors =
+            Errors { points: 24, not_finite: 0, eta: Quantiles { median: 0.3, p99: 1.0, max: 1.2 }, relative: 0.0 };
         let figures = |ns| {
             Some(Figures {
                 time: Some(time(ns * scale)),
@@ -352,12 +348,8 @@ mod tests {
 
     #[test]
     fn less_accurate_is_beyond_every_limit() {
-        let of = |median, p99, max| Errors {
-            points: 9,
-            not_finite: 0,
-            eta: Quantiles { median, p99, max },
-            relative: Quantiles::default(),
-        };
+        let of =
+            |median, p99, max| Errors { points: 9, not_finite: 0, eta: Quantiles { median, p99, max }, relative: 0.0 };
         let found = |before, now, same_points| errors("it", &before, &now, same_points).map(|change| change.figures);
         // The largest before and now.
         for (before, now, is_worse) in [

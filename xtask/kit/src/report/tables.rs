@@ -62,7 +62,7 @@ fn cells(way: &WayFigures) -> [String; 11] {
         eta(|errors| errors.eta.median),
         worst(random),
         worst(jacobian.and_then(|figures| figures.hard)),
-        eta(|errors| errors.relative.median),
+        eta(|errors| errors.relative),
     ]
 }
 
@@ -206,7 +206,7 @@ mod tests {
     #[test]
     fn the_worst_error_says_where_there_is_none() {
         let eta = Quantiles { median: 1.0, p99: 2.0, max: 3.0 };
-        let errors = |not_finite| Some(Errors { points: 9, not_finite, eta, relative: Quantiles::default() });
+        let errors = |not_finite| Some(Errors { points: 9, not_finite, eta, relative: 0.0 });
         let shown = [None, errors(0), errors(1), errors(8), errors(9)].map(worst);
         assert_eq!(shown, ["–", "3.00", "3.00, 1 not finite", "3.00, 8 not finite", "not finite"]);
     }

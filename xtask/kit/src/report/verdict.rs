@@ -193,7 +193,7 @@ mod tests {
     #[test]
     fn the_greatest_error_is_of_random_and_hard_points_where_there_are_any() {
         let of = |max: f64| Quantiles { max, ..Quantiles::default() };
-        let errors = |max| Errors { points: 1, not_finite: 0, eta: of(max), relative: Quantiles::default() };
+        let errors = |max| Errors { points: 1, not_finite: 0, eta: of(max), relative: 0.0 };
         let figures = |hard: Option<f64>| Figures {
             time: None,
             ratio: None,

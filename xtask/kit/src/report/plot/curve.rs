@@ -15,9 +15,9 @@ const FLOOR: f64 = 1e-17;
 /// Median relative error of the Jacobian over the step, for each scheme, with the least of each marked.
 pub(crate) fn curve(measurement: &Measurement) -> String {
     let curves = &measurement.curves;
-    let steps = curves.iter().flat_map(|curve| curve.steps.iter().map(|step| step.step));
+    let steps = curves.iter().flat_map(|curve| curve.points().map(|(step, _)| step));
     let x = Axis::around(steps, 1e-16, [LEFT, WIDTH - 12.0]);
-    let errors = curves.iter().flat_map(|curve| curve.steps.iter().map(|step| step.errors.relative.median));
+    let errors = curves.iter().flat_map(|curve| curve.errors.iter().copied());
     let y = Axis::around(errors.chain([FLOOR, 1.0]), FLOOR, [BOTTOM, 26.0]);
 
     let title = format!("{}: error of differences over their step", measurement.formula);
@@ -26,19 +26,19 @@ pub(crate) fn curve(measurement: &Measurement) -> String {
     drawing.left(&y, LEFT, x.ends[1], "relative error of the Jacobian (median)", power);
     let closed = measurement.way("closed").and_then(|way| way.jacobian.as_ref());
     if let Some(closed) = closed {
-        let error = closed.random.relative.median;
+        let error = closed.random.relative;
         let height = y.at(error.max(FLOOR));
         drawing.line("curve way-closed", [LEFT, height], [x.ends[1], height]);
         let name = if error == 0.0 { "closed form: exact" } else { "closed form" };
         drawing.text("label", [LEFT + 4.0, height - 5.0], name);
     }
     for curve in curves {
-        let at = |step: f64, error: f64| [x.at(step), y.at(error.max(FLOOR))];
-        let points: Vec<_> = curve.steps.iter().map(|step| at(step.step, step.errors.relative.median)).collect();
+        let at = |(step, error): (f64, f64)| [x.at(step), y.at(error.max(FLOOR))];
+        let points: Vec<_> = curve.points().map(at).collect();
         let id = curve.scheme.id();
         drawing.path(&format!("curve way-difference dash-{id}"), &points);
         if let Some(best) = curve.best() {
-            drawing.mark(&style(id), at(best.step, best.errors.relative.median));
+            drawing.mark(&style(id), at(best));
         }
     }
     legend(&mut drawing, curves);
@@ -59,9 +59,8 @@ fn legend(drawing: &mut Drawing, curves: &[Curve]) {
 
 fn description(curves: &[Curve]) -> String {
     let one = |curve: &Curve| {
-        let best = curve.best()?;
-        let error = figure(best.errors.relative.median);
-        Some(format!("{} are best at step {} with error {error}", curve.scheme.title(), figure(best.step)))
+        let (step, error) = curve.best()?;
+        Some(format!("{} are best at step {} with error {}", curve.scheme.title(), figure(step), figure(error)))
     };
     curves.iter().filter_map(one).collect::<Vec<_>>().join("; ")
 }
