@@ -2,11 +2,11 @@
 
 use crate::connector::align;
 #[cfg(feature = "catalog")]
-use crate::connector::{join, slider, slot, translator, ujoint, universal};
+use crate::connector::{cardan, join, slider, slot, translator, ujoint, universal};
 #[cfg(feature = "catalog")]
 use crate::contact::{coulomb, interaction, slide_line};
 #[cfg(feature = "catalog")]
-use crate::element::{self, cardan};
+use crate::element;
 use crate::formula::proof::{Case, Convention, Flag, Proved};
 use crate::formula::{Field, Fields, Formula, Spec, check, entries, value, value_and_jacobian};
 #[cfg(feature = "batch-by-id")]

@@ -19,9 +19,7 @@
 pub mod align;
 mod along;
 mod assembly;
-pub mod cardan;
 mod chain;
-pub mod frame;
 pub mod join;
 #[cfg(feature = "verify")]
 mod motion;

@@ -8,9 +8,9 @@
 //! |---|---|
 //! | [`number`] | what a formula may do to a number, and the numbers it runs in: `f64`, dual numbers over it, 237 bits |
 //! | [`formula`] | what a formula is; the vocabulary of symbols, units and domains; errors; what is said about a formula: cases, kinks, laws |
-//! | [`element`] | what elements are made of: frames, Cardan angles, rows, nodal forces and geometric stiffness by translations and spins |
 //! | [`contact`] | friction, interaction laws, slide lines and the axisymmetric elements that slide along them |
-//! | [`connector`] | SLOT, ALIGN, TRANSLATOR, JOIN, UNIVERSAL, UJOINT and SLIDER: formulas, Jacobians, and the typed connectors |
+//! | [`connector`] | SLOT, ALIGN, TRANSLATOR, JOIN, UNIVERSAL, UJOINT and SLIDER: formulas, Jacobians, and the typed connectors; frames and Cardan angles |
+//! | [`element`] | from equations to an element: rows, nodal forces and geometric stiffness by translations and spins |
 //! | `toolkit` | for any formula: `verify` proves it, `graph` writes it down, `equation` executes its printed equation, `measure` finds how fast and how wrong it is, `batch` computes it at many points |
 //! | `catalog` | every formula by identifier |
 //! | `scene` | scene files: parsed, validated, planned, evaluated |

@@ -1,9 +1,9 @@
 //! Connectors as elements, as a solver calls them: what each refuses, and what it adds by rubbing.
 
+use jointproof::connector::cardan::{Triads, rotation};
 use jointproof::connector::slider;
 use jointproof::connector::ujoint::Cross;
 use jointproof::element::align;
-use jointproof::element::cardan::{Triads, rotation};
 use jointproof::element::newton::{
     AlignElement, CrossContact, Element, JoinElement, Nodes, SliderElement, SliderElement2d, SlotContact, SlotElement,
     SlotElement2d, TranslatorContact, TranslatorElement, UJointElement, UJointState, UniversalElement,

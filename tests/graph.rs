@@ -57,6 +57,9 @@ fn line(formula: &dyn AnyFormula, graph: &Graph) -> String {
         digits[entry / 4] |= 1 << (entry % 4);
     }
     let mut line = format!("{} ", formula.spec().id);
+    if !formula.spec().is_closed() {
+        line.push('-');
+    }
     for digit in digits {
         write!(line, "{digit:x}").unwrap();
     }

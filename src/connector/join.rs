@@ -14,10 +14,10 @@
 #[cfg(feature = "verify")]
 mod proof;
 
+use crate::connector::frame::Triad;
 use crate::connector::slot::{
     ConstraintForce, CrossFrame, Force, KineticForce, Pose, Positions, RelativePosition, SlotForce,
 };
-use crate::element::frame::Triad;
 use crate::fields;
 use crate::formula::error::Error;
 use crate::formula::quantity::{D0, E1A, E2A, E3A, G_JOIN, XA, XB};
@@ -88,7 +88,7 @@ impl Formula for Constraint {
 /// A JOIN connector.
 ///
 /// ```
-/// use jointproof::{element::frame::Triad, connector::join::Join, connector::slot::Pose};
+/// use jointproof::connector::{frame::Triad, join::Join, slot::Pose};
 /// use nalgebra::Vector3;
 ///
 /// let mut pose = Pose { triad: Triad::global(), xa: Vector3::zeros(), xb: Vector3::new(1.0, 0.0, 0.0) };

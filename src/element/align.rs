@@ -13,7 +13,7 @@ pub(super) mod proof;
 use super::products::double_cross;
 use super::turn::Turn;
 use super::universal::UniversalMoments;
-use crate::element::cardan::{CardanAngles, Triads, arc_sine_slope};
+use crate::connector::cardan::{CardanAngles, Triads, arc_sine_slope};
 use crate::fields;
 use crate::formula::error::Error;
 use crate::formula::quantity::{

@@ -76,7 +76,9 @@ impl Formula for Rows {
 
     #[inline]
     fn eval<D: Scalar>(i: &Nodes2d<D>) -> SliderRow2d<D> {
-        Self::linearized(i).0
+        let View { along, t, .. } = View::new(&i.x1, &i.xn, &i.xm);
+        let [on_1, on_n] = along.lever().map(|weight| weight.value);
+        SliderRow2d { g_u1: t * on_1, g_un: t * on_n, g_um: t }
     }
 
     #[inline]
@@ -173,16 +175,6 @@ fields! {
 #[derive(Clone, Copy, Debug)]
 pub struct GeometricStiffness;
 
-impl GeometricStiffness {
-    #[inline(always)]
-    fn of<D: Scalar>(i: &SliderLoads2d<D>, view: &View<D>) -> SliderStiffness2d<D> {
-        let p = view.turning * i.lambda;
-        let (q, both) = (p.transpose(), p + p.transpose());
-        let [rest, share] = [view.along.rest(1.0), view.along.share(1.0)].map(|weight| weight.value);
-        SliderStiffness2d { k_u1_u1: both * rest, k_u1_un: q * share - p * rest, k_un_un: both * -share, k_um_un: p }
-    }
-}
-
 impl Formula for GeometricStiffness {
     const SPEC: Spec = Spec::new("slider.geometric_stiffness_2d", "Geometric stiffness of SLIDER in the plane", OURS)
         .equation(r"\begin{aligned} \mathbf{P} &= -\frac{\lambda}{l}\,\mathbf{n}\otimes\mathbf{t},\quad \mathbf{Q} = -\frac{\lambda}{l}\,\mathbf{t}\otimes\mathbf{n},\quad \mathbf{t} = \mathbf{s}\times\mathbf{n}, \\ \mathbf{K}_{um,un} &= \mathbf{P},\quad \mathbf{K}_{u1,un} = \xi\,\mathbf{Q} - (1-\xi)\,\mathbf{P},\quad \mathbf{K}_{u1,u1} = (1-\xi)(\mathbf{P}+\mathbf{Q}),\quad \mathbf{K}_{un,un} = -\xi\,(\mathbf{P}+\mathbf{Q}) \end{aligned}")
@@ -195,7 +187,11 @@ impl Formula for GeometricStiffness {
 
     #[inline]
     fn eval<D: Scalar>(i: &SliderLoads2d<D>) -> SliderStiffness2d<D> {
-        Self::of(i, &i.view())
+        let view = i.view();
+        let p = view.turning * i.lambda;
+        let (q, both) = (p.transpose(), p + p.transpose());
+        let [rest, share] = [view.along.rest(1.0), view.along.share(1.0)].map(|weight| weight.value);
+        SliderStiffness2d { k_u1_u1: both * rest, k_u1_un: q * share - p * rest, k_un_un: both * -share, k_um_un: p }
     }
 
     #[inline]

@@ -11,7 +11,7 @@ use super::align::{self, AlignLoads, AlignRows, AlignStiffness};
 use super::join::JoinStiffness;
 use super::slot::{self, SlotLoads, SlotPlaces, SlotRows};
 use super::universal::UniversalMoments;
-use crate::element::cardan::Triads;
+use crate::connector::cardan::Triads;
 use crate::fields;
 use crate::formula::error::Error;
 use crate::formula::quantity::{

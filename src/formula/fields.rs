@@ -209,7 +209,7 @@ impl<T: Component, const N: usize> Part<T> for SMatrix<T, N, N> {
 /// Declares a struct of named fields, each tied to its [`Quantity`].
 ///
 /// ```
-/// use jointproof::{fields, formula::Fields, formula::quantity};
+/// use jointproof::{fields, formula::{Fields, quantity}};
 /// fields! {
 ///     /// The force across a slot.
 ///     pub struct CrossForces<T> { f2: T = quantity::F2, f3: T = quantity::F3 }

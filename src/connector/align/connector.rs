@@ -1,8 +1,8 @@
 //! The ALIGN connector as a program uses it: validated once, then evaluated by the formulas.
 
 use super::{ConstraintMoment, Misalignment, Moment, Moments, wrapped};
-use crate::element::cardan::{Angles, Triads, accurate, accurate_jacobian, between, check_start, check_turns};
-use crate::element::frame::Triad;
+use crate::connector::cardan::{Angles, Triads, accurate, accurate_jacobian, between, check_start, check_turns};
+use crate::connector::frame::Triad;
 use crate::formula::error::Error;
 use crate::formula::value;
 use nalgebra::{Matrix3, Vector3};
@@ -10,7 +10,7 @@ use nalgebra::{Matrix3, Vector3};
 /// An ALIGN connector.
 ///
 /// ```
-/// use jointproof::{connector::align::Align, element::frame::Triad};
+/// use jointproof::connector::{align::Align, frame::Triad};
 /// use nalgebra::Vector3;
 ///
 /// let [a, b] = [Triad::global(), Triad::global()];
@@ -34,7 +34,7 @@ impl Align {
     ///
     /// # Errors
     /// [`Error::GimbalLock`]: the second initial angle is ±90°; [`Error::IllConditioned`]: it is so near that
-    /// [`condition`](crate::element::cardan::condition) is above [`MOST_CONDITION`](crate::element::cardan::MOST_CONDITION).
+    /// [`condition`](crate::connector::cardan::condition) is above [`MOST_CONDITION`](crate::connector::cardan::MOST_CONDITION).
     /// [`AlignFromStart`] is regular there.
     pub fn new(a: &Triad, b: &Triad) -> Result<Self, Error> {
         let initial = between(a, b)?;
@@ -50,7 +50,7 @@ impl Align {
     /// By how much b is out of alignment.
     ///
     /// These are the residuals of [`Constraint`](super::Constraint) made fit for programs: β by
-    /// [`BetaTwoArgument`](crate::element::cardan::BetaTwoArgument), and differences of α and γ as angles from −π to π, so that a joint
+    /// [`BetaTwoArgument`](crate::connector::cardan::BetaTwoArgument), and differences of α and γ as angles from −π to π, so that a joint
     /// that starts at half a turn has no jump at its start.
     ///
     /// # Errors
@@ -91,7 +91,7 @@ impl Align {
 /// their derivative by a spin of b is the triad of a, of condition number 1, so that m1, m2, m3 are conjugate to them there.
 ///
 /// ```
-/// use jointproof::{connector::align::{Align, AlignFromStart}, element::frame::Triad};
+/// use jointproof::connector::{align::{Align, AlignFromStart}, frame::Triad};
 /// use nalgebra::Vector3;
 ///
 /// let a = Triad::global();

@@ -5,7 +5,7 @@ use super::{
     Gaps, KineticForce, Positions, Relative, RelativeMotion, RelativePosition, Residual2d, Residuals, SlotForce,
     SlotLengths, SlotLoads, SlotPositions, SlotPositions2d, Stop, StopLengths,
 };
-use crate::element::frame::{PlaneTriad, Triad};
+use crate::connector::frame::{PlaneTriad, Triad};
 use crate::formula::error::Error;
 use crate::formula::quantity::Domain;
 use crate::formula::{Jacobian, value, value_and_jacobian};
@@ -145,7 +145,7 @@ macro_rules! line_options {
 /// A SLOT connector in space.
 ///
 /// ```
-/// use jointproof::{element::frame::Triad, connector::slot::{Pose, Slot}};
+/// use jointproof::connector::{frame::Triad, slot::{Pose, Slot}};
 /// use nalgebra::Vector3;
 ///
 /// let mut pose = Pose { triad: Triad::global(), xa: Vector3::zeros(), xb: Vector3::new(1.0, 2.0, 3.0) };
@@ -271,7 +271,7 @@ fn relative_position(pose: &Pose) -> Result<Relative<f64>, Error> {
 /// A SLOT connector in the plane: no third axis, no z and no f3.
 ///
 /// ```
-/// use jointproof::{element::frame::PlaneTriad, connector::slot::{Pose2d, Slot2d}};
+/// use jointproof::connector::{frame::PlaneTriad, slot::{Pose2d, Slot2d}};
 /// use nalgebra::Vector2;
 ///
 /// let mut pose = Pose2d { triad: PlaneTriad::global(), xa: Vector2::zeros(), xb: Vector2::new(1.0, 2.0) };

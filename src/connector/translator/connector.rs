@@ -2,11 +2,11 @@
 
 use super::{AllResiduals, Friction, FrictionLoads};
 use crate::connector::align::{Align, Misalignment, Moment};
+use crate::connector::cardan::Triads;
+use crate::connector::frame::Triad;
 use crate::connector::slot::{
     self, AlongForce, Displacements, Force, FrictionOutputs, Gaps, Relative, Residuals, Slot,
 };
-use crate::element::cardan::Triads;
-use crate::element::frame::Triad;
 use crate::formula::error::Error;
 use crate::formula::quantity::Domain;
 use crate::formula::{Fields, Jacobian, value, value_and_jacobian};
@@ -64,7 +64,7 @@ pub struct Gradient {
 /// A TRANSLATOR connector.
 ///
 /// ```
-/// use jointproof::{element::frame::Triad, connector::translator::{Loads, Pose, Translator}};
+/// use jointproof::connector::{frame::Triad, translator::{Loads, Pose, Translator}};
 /// use nalgebra::Vector3;
 ///
 /// let global = Triad::global();

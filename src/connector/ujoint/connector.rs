@@ -4,12 +4,12 @@ use super::{
     AngleGaps, ContactMomentPair, ContactMoments, Friction, FrictionLoads, JoinForces, JointResiduals, Reaction,
     ReactionForce, Stop, StopAngles, YieldPair,
 };
+use crate::connector::cardan::Triads;
+use crate::connector::frame::Triad;
 use crate::connector::join::{Displaced, Join, Joined};
 use crate::connector::slot::Force;
 use crate::connector::translator::{Gradient, Pose};
 use crate::connector::universal::{FreeMoment, Moment, Rotations, Shafts, Skew, Turns, Universal};
-use crate::element::cardan::Triads;
-use crate::element::frame::Triad;
 use crate::formula::error::Error;
 use crate::formula::quantity::Domain;
 use crate::formula::{Fields, Jacobian, value, value_and_jacobian};
@@ -129,7 +129,7 @@ impl Cross {
 /// A UJOINT connector.
 ///
 /// ```
-/// use jointproof::{element::frame::Triad, connector::ujoint::{Cross, Loads, Pose, Stops, UJoint}};
+/// use jointproof::connector::{frame::Triad, ujoint::{Cross, Loads, Pose, Stops, UJoint}};
 /// use nalgebra::Vector3;
 /// use std::f64::consts::FRAC_PI_2;
 ///

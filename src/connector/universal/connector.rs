@@ -4,8 +4,8 @@ use super::{
     Angles, Constraint, ConstraintMoment, Driven, FreeMoment, KineticMoment, Moment, RelativeMotion, Rotations, Shafts,
     Skew, Turns, TurnsSince, Twisted,
 };
-use crate::element::cardan::{Triads, nearest};
-use crate::element::frame::Triad;
+use crate::connector::cardan::{Triads, nearest};
+use crate::connector::frame::Triad;
 use crate::formula::error::Error;
 use crate::formula::quantity::Domain;
 use crate::formula::{ValueAndJacobian, value, value_and_jacobian};
@@ -13,7 +13,7 @@ use crate::formula::{ValueAndJacobian, value, value_and_jacobian};
 /// A UNIVERSAL connector.
 ///
 /// ```
-/// use jointproof::{element::frame::Triad, connector::universal::Universal};
+/// use jointproof::connector::{frame::Triad, universal::Universal};
 /// use nalgebra::Vector3;
 ///
 /// let a = Triad::global();

@@ -67,7 +67,7 @@ impl IslElement {
     /// ([`ContactAreaLinear`], [`ContactAreaParabolic`]).
     ///
     /// ```
-    /// use jointproof::{contact::isl::IslElement, contact::slide_line::Nodes};
+    /// use jointproof::contact::{isl::IslElement, slide_line::Nodes};
     /// let nodes = Nodes::new([(1, [1.0, 0.0]), (2, [4.0, 4.0])])?;
     /// let areas = IslElement::isl21a(10, [1, 2])?.areas(&nodes)?;
     /// assert_eq!(areas[1], 20.0 * std::f64::consts::PI); // π ℓ r₂

@@ -3,7 +3,7 @@
 use super::{AlignLoads, AlignRows, GeometricStiffness, Moments, Rows};
 use crate::Octuple;
 use crate::connector::align::{Constraint, Misalignment, Orientations};
-use crate::element::cardan::{Angles, CardanAngles, Triads, turns};
+use crate::connector::cardan::{Angles, CardanAngles, Triads, turns};
 use crate::element::motion::{Motion, Moving, Tangent, derivative, still};
 use crate::element::{self, NodalForces};
 use crate::formula::proof::{Case, Equation, Law, Proved, hard, law};

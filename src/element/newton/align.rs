@@ -2,8 +2,8 @@
 
 use super::{Contribution, Element, Nodes};
 use crate::connector::align::{Constraint, Misalignment, Orientations};
+use crate::connector::cardan::Angles;
 use crate::element::align::{self, AlignLoads};
-use crate::element::cardan::Angles;
 use crate::formula::error::Error;
 use crate::formula::{Formula, check};
 use crate::number::scalar::Scalar;

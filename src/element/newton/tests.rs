@@ -6,10 +6,10 @@ use super::{
     SlotElement, SlotElement2d, TranslatorContact, TranslatorElement, UJointElement, UJointState, UniversalElement,
 };
 use crate::Octuple;
+use crate::connector::cardan::rotation;
 use crate::connector::slider;
 use crate::connector::ujoint::Cross;
 use crate::element::Forces;
-use crate::element::cardan::rotation;
 use crate::element::motion::{Motion, Moving, still};
 use crate::element::products::skew;
 use crate::element::rotation::proof::{from_euler, rodrigues};

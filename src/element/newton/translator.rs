@@ -2,10 +2,10 @@
 
 use super::{Contribution, Element, Nodes, by_spins};
 use crate::connector::align::Orientations;
+use crate::connector::cardan::Angles;
 use crate::connector::slot::{RelativePosition, SlotPositions};
 use crate::connector::translator::{AllResiduals, Constraint, Placement};
 use crate::element::align::{self, AlignLoads, AlignRows};
-use crate::element::cardan::Angles;
 use crate::element::translator_friction::{Response, TranslatorSliding};
 use crate::element::{Rows, join};
 use crate::formula::error::Error;

@@ -4,11 +4,11 @@
 //! moments in place of the multipliers.
 
 use super::{Contribution, Element, Nodes, by_spins};
+use crate::connector::cardan::nearest;
 use crate::connector::ujoint::{Constraint, Cross, Jointed};
 use crate::connector::universal::{Angles, Turns};
 use crate::element::Forces;
 use crate::element::align::{self, AlignLoads};
-use crate::element::cardan::nearest;
 use crate::element::ujoint::{self, JointLoads, JointPlaces};
 use crate::element::ujoint_friction::{CrossSlid, CrossSliding, Response};
 use crate::formula::error::Error;

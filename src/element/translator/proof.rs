@@ -2,10 +2,10 @@
 
 use super::{Forces, GeometricStiffness, Rows, TranslatorLoads, TranslatorPlaces, TranslatorRows};
 use crate::Octuple;
+use crate::connector::cardan::{Triads, turns};
 use crate::connector::translator::{AllResiduals, Constraint, Placement};
 use crate::element;
 use crate::element::align::{self, AlignLoads, AlignRows};
-use crate::element::cardan::{Triads, turns};
 use crate::element::join::proof::balance;
 use crate::element::motion::{Motion, Moving, Tangent, derivative, still};
 use crate::element::slot::SlotLoads;

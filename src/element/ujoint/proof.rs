@@ -2,9 +2,12 @@
 
 use super::{Forces, GeometricStiffness, JointLoads, JointPlaces, JointRows, Rows};
 use crate::Octuple;
+use crate::connector::cardan::turns;
 use crate::element;
-use crate::element::cardan::turns;
-use crate::element::join::{JoinRows, proof::balance, proof::equal_motions, proof::residuals};
+use crate::element::join::{
+    JoinRows,
+    proof::{balance, equal_motions, residuals},
+};
 use crate::element::motion::{Motion, Moving, Tangent, derivative, still};
 use crate::element::universal::{UniversalRow, proof::residual};
 use crate::formula::Formula;

@@ -3,9 +3,9 @@
 use super::{GeometricStiffness, Moments, Rows, UniversalLoads, UniversalMoments, UniversalRow};
 use crate::Octuple;
 use crate::Scalar;
+use crate::connector::cardan::turns;
 use crate::connector::ujoint::CrossAxes;
 use crate::connector::universal::{Constraint, ConstraintMoment, Shafts, Twisted};
-use crate::element::cardan::turns;
 use crate::element::motion::{Motion, Moving, Tangent, derivative, still};
 use crate::element::{self, NodalForces};
 use crate::formula::Formula;

@@ -12,6 +12,8 @@ use std::marker::PhantomData;
 pub(crate) trait Job<F: Formula> {
     /// How many numbers that is, without those that are zero everywhere.
     const LEN: usize;
+    /// Whether several rows are computed together.
+    const IS_STRAIGHT: bool;
     /// Its numbers, zeros and all.
     type Results<D: Component>;
     /// Of inputs that are checked.
@@ -30,6 +32,7 @@ pub(super) struct Value;
 
 impl<F: Formula> Job<F> for Value {
     const LEN: usize = F::Outputs::<f64>::LEN;
+    const IS_STRAIGHT: bool = structure::is_straight::<F>();
     type Results<D: Component> = F::Outputs<D>;
     #[inline(always)]
     fn of(i: &F::Inputs<f64>) -> Result<Self::Results<f64>, Error> {
@@ -50,6 +53,8 @@ pub(crate) struct Linearized;
 
 impl<F: Formula> Job<F> for Linearized {
     const LEN: usize = F::Outputs::<f64>::LEN + structure::entries::<F>();
+    // Dual numbers in vectors would be much code for what nobody asks for at many points.
+    const IS_STRAIGHT: bool = structure::is_straight::<F>() && F::SPEC.is_closed();
     type Results<D: Component> = ValueAndJacobian<F, D>;
     #[inline(always)]
     fn of(i: &F::Inputs<f64>) -> Result<Self::Results<f64>, Error> {

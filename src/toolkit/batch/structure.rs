@@ -1,7 +1,7 @@
 //! Which entries of a Jacobian are zero everywhere, and of which formulas several rows are computed together.
 //!
 //! `structure.txt` has a line for every formula of the catalog: its identifier, and a bit for each entry, output by output over
-//! all inputs, four in a hexadecimal digit, the first the lowest. A formula of simple operations and comparisons has `straight` after
+//! all inputs, four in a hexadecimal digit, the first the lowest; `-` where the Jacobian is automatic, and every entry counts. A formula of simple operations and comparisons has `straight` after
 //! it, or `guarded` where an extreme number makes a result NaN. The file is written by a test, `tests/graph.rs`, from what is recorded
 //! of the formulas, and read by the compiler.
 
@@ -27,7 +27,10 @@ const fn line<F: Formula>() -> Option<&'static [u8]> {
 
 const fn digits<F: Formula>() -> Option<&'static [u8]> {
     match line::<F>() {
-        Some(line) => Some(cut(line, b' ').0),
+        Some(line) => match cut(line, b' ').0 {
+            b"-" => None,
+            digits => Some(digits),
+        },
         None => None,
     }
 }

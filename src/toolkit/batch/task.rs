@@ -5,7 +5,6 @@ use super::error::Refused;
 use super::job::Job;
 use super::row::one_by_one;
 use super::straight;
-use super::structure::is_straight;
 use crate::formula::Formula;
 use ndarray::{ArrayView1, ArrayViewMut1, Axis};
 
@@ -75,7 +74,7 @@ pub(super) fn rows<F: Formula, J: Job<F>>(
     is_far: bool,
 ) -> Refused {
     let all = 0..inputs.first().map_or(0, |column| column.len());
-    if const { is_straight::<F>() } {
+    if const { J::IS_STRAIGHT } {
         return straight::rows::<F, J>(inputs, outputs, all, first, is_far);
     }
     one_by_one::<F, J>(inputs, outputs, all, first)

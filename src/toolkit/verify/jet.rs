@@ -52,6 +52,11 @@ pub(super) fn jacobian<F: Formula, T: Scalar>(i: &[T]) -> Vec<T> {
     entries(&F::jacobian(&typed(i)))
 }
 
+/// As [`jacobian`], where an automatic one goes through slices: that is compiled once, and not for every formula.
+pub(super) fn exact_jacobian<F: Formula, T: Scalar>(i: &[T]) -> Vec<T> {
+    if const { F::SPEC.is_closed() } { jacobian::<F, T>(i) } else { differentiate(i, &value::<F, _>).concat() }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -3,7 +3,7 @@
 //! Everything else in the toolkit is written over slices and compiled once. Only what stands here is compiled once a
 //! formula.
 
-use super::jet::{Sweep, differentiate, jacobian, value};
+use super::jet::{Sweep, differentiate, exact_jacobian, jacobian, value};
 use crate::formula::proof::{self, Case, Convention, Equation, Proved};
 use crate::formula::{self, Field, Fields, Formula, Spec, entries, typed};
 use crate::toolkit::graph::{self, Graph, NotRecorded, Op};
@@ -78,9 +78,9 @@ impl Subject {
                 [value.components(), entries(&jacobian)]
             },
             exact_value: value::<F, _>,
-            exact_jacobian: jacobian::<F, _>,
+            exact_jacobian: exact_jacobian::<F, _>,
             dual_value: value::<F, _>,
-            dual_jacobian: jacobian::<F, _>,
+            dual_jacobian: exact_jacobian::<F, _>,
             cases: || F::cases().into_iter().map(flat::<F>).collect(),
             invalid_cases: || F::invalid_cases().into_iter().map(flat::<F>).collect(),
             record: || Cow::Owned(graph::record::<F>()),

@@ -71,10 +71,6 @@ def transpose(m):
     return [m[3 * column + row] for row in range(3) for column in range(3)]
 
 
-def symmetric(m):
-    return [(x + y) / 2 for x, y in zip(m, transpose(m), strict=True)]
-
-
 @formula("join.geometric_stiffness", PLACES + " f1 f2 f3", "k_ua_ta:9 k_ta_ta:9")
 def join_stiffness(e1a, e2a, e3a, xa, xb, f1, f2, f3):
     d = sub(xb, xa)
@@ -98,23 +94,6 @@ def universal_stiffness(e1a, e3b, lambda_rot):
 def stiffness(e1a, e2a, e3a, e3b, xa, xb, f1, f2, f3, lambda_rot):
     join, universal = join_stiffness(e1a, e2a, e3a, xa, xb, f1, f2, f3), universal_stiffness(e1a, e3b, lambda_rot)
     return join | universal | dict(k_ta_ta=add(join["k_ta_ta"], universal["k_ta_ta"]))
-
-
-@formula("join.symmetric_stiffness", PLACES + " f1 f2 f3", "s_ta_ta:9")
-def join_symmetric(**inputs):
-    return dict(s_ta_ta=symmetric(join_stiffness(**inputs)["k_ta_ta"]))
-
-
-@formula("universal.symmetric_stiffness", "e1a:3 e3b:3 lambda_rot", "s_ta_ta:9 s_tb_tb:9")
-def universal_symmetric(**inputs):
-    found = universal_stiffness(**inputs)
-    return dict(s_ta_ta=symmetric(found["k_ta_ta"]), s_tb_tb=symmetric(found["k_tb_tb"]))
-
-
-@formula("ujoint.symmetric_stiffness", CROSS_AXES + " xa:3 xb:3 f1 f2 f3 lambda_rot", "s_ta_ta:9 s_tb_tb:9")
-def symmetric_stiffness(**inputs):
-    found = stiffness(**inputs)
-    return dict(s_ta_ta=symmetric(found["k_ta_ta"]), s_tb_tb=symmetric(found["k_tb_tb"]))
 
 
 # Other unknowns than spins: along the axis of a turn a moment is felt as it is, across it turned by half the angle, and smaller.
@@ -153,11 +132,6 @@ def slot_nodal_forces(e2a, **inputs):
 @formula("slot.geometric_stiffness", SLOT_LOADS, "k_ua_ta:9 k_ta_ta:9")
 def slot_stiffness(e2a, **inputs):
     return join_stiffness(e1a=e2a, e2a=e2a, f1=mpf(0), **inputs)
-
-
-@formula("slot.symmetric_stiffness", SLOT_LOADS, "s_ta_ta:9")
-def slot_symmetric(**inputs):
-    return dict(s_ta_ta=symmetric(slot_stiffness(**inputs)["k_ta_ta"]))
 
 
 # SLOT in the plane: a spin of a turns e2a by 90 degrees to the left.

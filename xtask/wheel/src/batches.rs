@@ -1,8 +1,8 @@
 //! The batches of every formula, compiled with this crate: for speed, whatever the size of the evidence.
 
-use jointproof::connector::{align, join, slider, slot, translator, ujoint, universal};
+use jointproof::connector::{align, cardan, join, slider, slot, translator, ujoint, universal};
 use jointproof::contact::{coulomb, interaction, slide_line};
-use jointproof::element::{self, cardan};
+use jointproof::element;
 use jointproof::formula::Formula;
 use jointproof::toolkit::batch::{self, ArrayView1, ArrayViewMut1};
 

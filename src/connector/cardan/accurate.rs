@@ -1,7 +1,7 @@
 //! The three angles as programs should take them, β in the two-argument form; and what the arc sine loses.
 
 use super::{Angles, Beta, BetaAxes, BetaTwoArgument, Triads, check_turns};
-use crate::element::frame::Triad;
+use crate::connector::frame::Triad;
 use crate::formula::error::Error;
 use crate::formula::{Fields, Formula};
 use crate::number::scalar::Scalar;
@@ -9,7 +9,7 @@ use crate::number::scalar::Scalar;
 /// The Cardan angles of b relative to a.
 ///
 /// ```
-/// use jointproof::{element::cardan::between, element::frame::Triad};
+/// use jointproof::connector::{cardan::between, frame::Triad};
 /// use nalgebra::Vector3;
 ///
 /// let b = Triad::new(Vector3::x(), Vector3::z(), -Vector3::y())?; // a quarter turn about the first axis
@@ -40,7 +40,7 @@ pub const MOST_CONDITION: f64 = 1e3;
 /// The spin is `dα e1a + dβ n + dγ e3b` with n across e1a and e3b, so that only the angle between e1a and e3b counts.
 ///
 /// ```
-/// use jointproof::element::cardan::condition;
+/// use jointproof::connector::cardan::condition;
 /// for (degrees, expected) in [(0.0_f64, 1.0), (60.0, 3.7), (85.0, 23.0), (89.9, 1100.0)] {
 ///     assert!((condition(degrees.to_radians()) / expected - 1.0).abs() < 0.05);
 /// }

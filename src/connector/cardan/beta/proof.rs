@@ -2,7 +2,7 @@
 
 use super::{Beta, BetaAxes, BetaTwoArgument};
 use crate::Octuple;
-use crate::element::cardan::turns;
+use crate::connector::cardan::turns;
 use crate::formula::proof::{Case, Kink, Law, Proved, Way, law};
 use crate::formula::{Fields, Formula};
 use crate::number::scalar::{Scalar, norm};

@@ -2,7 +2,7 @@
 
 use super::{Angles, CardanAngles};
 use crate::Octuple;
-use crate::element::cardan::{Triads, rotation, turns};
+use crate::connector::cardan::{Triads, rotation, turns};
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Kink, Law, Proved, Way, hard, law};
 use crate::number::scalar::Scalar;

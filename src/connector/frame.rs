@@ -13,7 +13,7 @@ pub const TOLERANCE: f64 = 1e-10;
 /// A right-handed orthonormal triad in space.
 ///
 /// ```
-/// use jointproof::element::frame::Triad;
+/// use jointproof::connector::frame::Triad;
 /// use nalgebra::Vector3;
 /// let triad = Triad::new(Vector3::y(), -Vector3::x(), Vector3::z())?;
 /// assert_eq!(triad.e1(), Vector3::y());

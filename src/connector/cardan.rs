@@ -162,7 +162,7 @@ pub(crate) fn nearest<D: Scalar>(angle: D, to: D) -> D {
 /// before have left them. Row i, column j is `e_ia·e_jb`.
 ///
 /// ```
-/// use jointproof::element::cardan::rotation;
+/// use jointproof::connector::cardan::rotation;
 /// let quarter = std::f64::consts::FRAC_PI_2;
 /// let r = rotation(quarter, 0.0, 0.0); // b turned by 90° about the first axis: e2b is e3a, e3b is −e2a
 /// assert!((r[(2, 1)] - 1.0).abs() < 1e-15 && (r[(1, 2)] + 1.0).abs() < 1e-15);
