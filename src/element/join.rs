@@ -1,7 +1,6 @@
 //! JOIN as an element: three residuals, each the distance of b from its place along one axis of a.
 
 #![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
-#![expect(clippy::unused_self, reason = "all gradients are asked for by methods alike")]
 
 #[cfg(feature = "verify")]
 pub(super) mod proof;

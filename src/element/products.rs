@@ -1,6 +1,6 @@
-//! Products of vectors and their gradients.
+//! Matrices of products of vectors.
 
-#![expect(clippy::inline_always, reason = "the compiler sees the indices, and computes no zeros")]
+#![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
 
 use crate::number::scalar::Scalar;
 use nalgebra::{Matrix3, Vector3};
@@ -24,20 +24,3 @@ pub(super) fn double_cross<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> Matrix3
     m[(2, 2)] = diagonal(0, 1);
     m
 }
-
-/// The column of what a method gives for every index, after what else it takes. Each is a call of its own: in a loop, or through a closure, the
-/// compiler would not see the index, and look up at run time where the zeros are. It may for what is larger than a double, where
-/// one operation takes longer than that: nine times the code would be most of a program.
-///
-/// The method is always inlined where the compiler optimises; where it does not, each would only take its own room on the stack.
-macro_rules! column {
-    ($i:ident.$method:ident $(, $of:expr)*) => {
-        if const { size_of::<D>() > size_of::<f64>() } {
-            nalgebra::Vector3::from_fn(|row, _| $i.$method($($of,)* row))
-        } else {
-            nalgebra::Vector3::new($i.$method($($of,)* 0), $i.$method($($of,)* 1), $i.$method($($of,)* 2))
-        }
-    };
-}
-
-pub(super) use column;

@@ -14,7 +14,6 @@
 pub(super) mod proof;
 
 use super::along::{Along, Loaded, LoadsGradient};
-use super::products::column;
 use crate::connector::slider::{Axis, Basis, IncrementalConstraint, Line, Nodes};
 use crate::fields;
 use crate::formula::error::Error;
@@ -200,7 +199,8 @@ impl Formula for Forces {
     #[inline(always)]
     fn linearized<D: Scalar>(i: &SliderLoads<D>) -> ValueAndJacobian<Self, D> {
         let view = i.view();
-        let (force, along) = (column!(view.loaded, i.multipliers()), &view.along);
+        let (multipliers, along) = (i.multipliers(), &view.along);
+        let force = Vector3::new(view.loaded(multipliers, 0), view.loaded(multipliers, 1), view.loaded(multipliers, 2));
         let [on_1, on_n] = along.lever();
         let gradients = SliderForces {
             force_1: force.map(|part| part.weighted(along, on_1).into()),
@@ -241,7 +241,7 @@ impl Formula for GeometricStiffness {
         // As those of the rows.
         .eta_of_value(8.0)
         .normwise_of_value(5.0)
-        .scale(1e20)
+        .scale(1e120)
         .finite(Finite::Between)
         .not_objective();
     type Inputs<T: Component> = SliderLoads<T>;

@@ -180,7 +180,7 @@ impl Formula for GeometricStiffness {
         .equation(r"\begin{aligned} \mathbf{P} &= -\frac{\lambda}{l}\,\mathbf{n}\otimes\mathbf{t},\quad \mathbf{Q} = -\frac{\lambda}{l}\,\mathbf{t}\otimes\mathbf{n},\quad \mathbf{t} = \mathbf{s}\times\mathbf{n}, \\ \mathbf{K}_{um,un} &= \mathbf{P},\quad \mathbf{K}_{u1,un} = \xi\,\mathbf{Q} - (1-\xi)\,\mathbf{P},\quad \mathbf{K}_{u1,u1} = (1-\xi)(\mathbf{P}+\mathbf{Q}),\quad \mathbf{K}_{un,un} = -\xi\,(\mathbf{P}+\mathbf{Q}) \end{aligned}")
         .given(&[Given::new(r"\mathbf{n},\ l", &Line::SPEC), Given::new(r"\xi", &IncrementalConstraint::SPEC)])
         .eta_of_value(4.0)
-        .scale(1e80)
+        .scale(1e120)
         .finite(Finite::Between);
     type Inputs<T: Component> = SliderLoads2d<T>;
     type Outputs<T: Component> = SliderStiffness2d<T>;

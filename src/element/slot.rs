@@ -1,7 +1,6 @@
 //! SLOT as an element: two residuals, the distances of b from the slot along two axes of a.
 
 #![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
-#![expect(clippy::unused_self, reason = "all gradients are asked for by methods alike")]
 
 #[cfg(feature = "verify")]
 mod proof;

@@ -1,7 +1,6 @@
 //! TRANSLATOR as an element: rows, forces and stiffness of SLOT and of ALIGN, five residuals on twelve degrees of freedom.
 
 #![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
-#![expect(clippy::unused_self, reason = "all gradients are asked for by methods alike")]
 
 #[cfg(feature = "verify")]
 mod proof;

@@ -16,7 +16,7 @@ pub use law::{Equation, Law};
 pub use way::Way;
 
 use crate::formula::Formula;
-pub use crate::formula::forward::{Jet, value_and_jacobian_by_ad};
+pub use crate::formula::{Jet, value_and_jacobian_by_ad};
 
 /// The evidence for a formula.
 pub trait Proved: Formula {

@@ -36,7 +36,8 @@ thread_local! {
 struct Ratio;
 
 impl Formula for Ratio {
-    const SPEC: Spec = Spec::new("planted.ratio", "Ratio", Document::new("Ratios").printed("")).equation("y = 1");
+    const SPEC: Spec =
+        Spec::new("planted.ratio", "Ratio", Document::new("Ratios").printed("")).equation("y = 1").eta(0.0, 0.0);
     type Inputs<S: Component> = Inputs<S>;
     type Outputs<S: Component> = Outputs<S>;
     fn eval<D: Scalar>(i: &Inputs<D>) -> Outputs<D> {

@@ -74,9 +74,7 @@ impl Formula for RadialForce {
         Document::TRANSLATOR.reconstructed("Friction", "the root was lost"),
     )
     .equation(r"F_r = \sqrt{f_2^2 + f_3^2}")
-    .eta(1.0, 1.0)
-    .scale(slot::ContactForce::SPEC.scale)
-    .finite(slot::ContactForce::SPEC.finite);
+    .accurate_as(&slot::ContactForce::SPEC);
     type Inputs<T: Component> = CrossForces<T>;
     type Outputs<T: Component> = RadialContact<T>;
 

@@ -50,25 +50,11 @@ fn acting<D: Scalar, const N: usize>(spot: &Spot<D, N>, [area, s11, s12]: [D; 3]
     (fs, spot.weights.map(|weight| fs * -weight))
 }
 
-/// How the force on the slave point changes.
-pub(super) struct Change<D> {
-    by_area: Vector2<D>,
-    by_s11: Vector2<D>,
-    by_s12: Vector2<D>,
-}
-
-impl<D: Scalar> Change<D> {
-    #[inline(always)]
-    pub(super) fn new<const N: usize>(spot: &Spot<D, N>, [area, s11, s12]: [D; 3]) -> Self {
-        let Spot { t, n, .. } = *spot;
-        Self { by_area: n * s11 - t * s12, by_s11: n * area, by_s12: t * -area }
-    }
-
-    /// By area and stresses.
-    #[inline(always)]
-    pub(super) fn by_loads(&self, k: usize) -> [D; 3] {
-        [self.by_area[k], self.by_s11[k], self.by_s12[k]]
-    }
+/// How the force on the slave point changes with area, S11 and S12.
+#[inline(always)]
+pub(super) fn by_loads<D: Scalar, const N: usize>(spot: &Spot<D, N>, [area, s11, s12]: [D; 3]) -> [Vector2<D>; 3] {
+    let Spot { t, n, .. } = *spot;
+    [n * s11 - t * s12, n * area, t * -area]
 }
 
 /// What contact on a straight segment exerts: pressure along n and shear against t, times the area, shared out by the weights.
@@ -120,7 +106,7 @@ impl Formula for Parabolic {
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &ParabolicPoint::SPEC)])
         .eta_of_value(2.0)
         .normwise_of_value(2.0)
-        .scale(1e20)
+        .scale(1e150)
         .finite(Finite::Between);
     type Inputs<T: Component> = ParabolicLoads<T>;
     type Outputs<T: Component> = ParabolicForces<T>;

@@ -131,10 +131,10 @@ impl<D: Scalar> Contact<D> {
     /// The gradients of the force on the slave point, apart from those by the segment.
     #[inline(always)]
     fn of_force(&self, s11: &LinearPressed<D>, s12: &LinearPressed<D>) -> Vector2<LinearPressed<D>> {
-        let change = forces::Change::new(&self.spot, self.loads);
+        let change = forces::by_loads(&self.spot, self.loads);
         let area = ContactAreaLinear::jacobian(&self.nodes).a1;
         let component = |k: usize| {
-            let [by_area, by_s11, by_s12] = change.by_loads(k);
+            let [by_area, by_s11, by_s12] = change.map(|by| by[k]);
             LinearPressed {
                 xs: s11.xs * by_s11 + s12.xs * by_s12 + area.x1 * by_area,
                 xo: area.x2 * by_area,

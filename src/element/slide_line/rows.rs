@@ -87,7 +87,7 @@ impl Formula for Parabolic {
         .given(&[Given::new(r"\mathbf{t},\ \mathbf{n}", &LocalBasis::SPEC), Given::new(r"\mathbf{X}'", &ParabolicPoint::SPEC)])
         .eta_of_value(3.0)
         .normwise_of_value(4.0)
-        .scale(1e20)
+        .scale(1e250)
         .finite(Finite::Between);
     type Inputs<T: Component> = ParabolicPlace<T>;
     type Outputs<T: Component> = ParabolicRows<T>;

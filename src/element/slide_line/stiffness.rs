@@ -161,7 +161,7 @@ impl Formula for Parabolic {
         // Third derivatives of a closest point: terms of either sign cancel.
         .eta_of_value(24.0)
         .normwise_of_value(6.0)
-        .scale(1e3);
+        .scale(1e60);
     type Inputs<T: Component> = ParabolicTouch<T>;
     type Outputs<T: Component> = ParabolicStiffness<T>;
 

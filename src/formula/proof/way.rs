@@ -1,7 +1,7 @@
 //! The ways to compute a formula, each compiled as one piece, so that nothing is called through a pointer while it is timed.
 
-use crate::formula::forward::{Jet, differentiate};
 use crate::formula::{Fields, Formula, entries, typed};
+use crate::formula::{Jet, differentiate};
 use std::hint::black_box;
 
 /// One way to compute a formula: its value, its Jacobian, or both.

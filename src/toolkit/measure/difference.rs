@@ -1,6 +1,6 @@
 //! Jacobians by differences in `f64`, as a program without derivatives computes them.
 
-use crate::formula::forward::{Array, from_array, jacobian_of, no_rows, to_array};
+use crate::formula::{Array, from_array, jacobian_of, no_rows, to_array};
 use crate::formula::{Fields, Formula, ValueAndJacobian};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -1,17 +1,17 @@
 //! Derivatives of functions of components, and of Jacobians, by forward automatic differentiation.
 
 use crate::Scalar;
-use crate::formula::forward::{self, WIDTH};
+use crate::formula::{self, WIDTH};
 use crate::formula::{Fields, Formula, Jacobian, entries, typed};
 use nalgebra::{Const, U1};
 
-pub(super) type Sweep<T> = forward::Jet<T>;
+pub(super) type Sweep<T> = formula::Jet<T>;
 /// A function of components, in dual numbers.
 type Swept<'a, T> = dyn Fn(&[Sweep<T>]) -> Vec<Sweep<T>> + 'a;
 
 /// The Jacobian of `F` at `i`, by differentiating `F::eval`.
 pub fn jacobian_by_ad<F: Formula, T: Scalar>(i: &F::Inputs<T>) -> Jacobian<F, T> {
-    forward::differentiate::<F, T>(i, F::eval).1
+    formula::differentiate::<F, T>(i, F::eval).1
 }
 
 /// The derivative of every entry of the closed-form Jacobian: a row per output and input, in order.

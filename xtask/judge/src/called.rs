@@ -2,7 +2,8 @@
 
 use super::answer::{Answer, Heard};
 use super::map::names;
-use super::question::{Question, Wanted, other_order, questions, sizes};
+use super::question::{Question, Wanted, other_order, sizes};
+use super::taylor::questions;
 use super::verdict::{Bounds, Court, Grade};
 use crate::console::plain;
 use jointproof::catalog::AnyFormula;

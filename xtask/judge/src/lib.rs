@@ -20,5 +20,6 @@ mod verdict;
 pub use answer::{Answer, Heard, Manners};
 pub use called::{Called, Judged, Number};
 pub use judgement::Judgement;
-pub use question::{Question, Wanted, of_points, other_order, questions, sizes};
+pub use question::{Question, Wanted, of_points, other_order, sizes};
+pub use taylor::questions;
 pub use verdict::{Bounds, Court, Grade};

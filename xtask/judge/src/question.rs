@@ -1,10 +1,9 @@
 //! What a program is asked, and what this one says of it.
 
-use super::taylor;
 use jointproof::Error;
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
-use jointproof::toolkit::verify::{Options, Sampler};
+use jointproof::toolkit::verify::Sampler;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 /// What is asked of a program.
@@ -86,18 +85,6 @@ pub fn sizes(formula: &dyn AnyFormula) -> [usize; 2] {
     [formula.inputs(), formula.outputs()].map(|fields| fields.iter().map(Field::len).sum())
 }
 
-/// Every point that is asked for: two valid ones first, so that a program can show how it answers. Where products are wanted, points
-/// along directions follow.
-pub fn questions(formula: &dyn AnyFormula, wanted: Wanted, options: &Options) -> Vec<Question> {
-    let points = formula.judge().points(options);
-    let mut questions = of_points(formula, wanted, points, options.seed);
-    questions.sort_by_key(Question::must_be_refused);
-    if wanted == Wanted::Products {
-        questions.extend(taylor::questions(formula, &questions, options.seed));
-    }
-    questions
-}
-
 /// The questions of these points.
 pub fn of_points(
     formula: &dyn AnyFormula,
@@ -135,17 +122,6 @@ fn gcd(a: usize, b: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use jointproof::catalog::find;
-
-    #[test]
-    fn what_is_valid_is_asked_first() {
-        let options = Options { samples: 10, ..Options::default() };
-        let formula = find("slot.friction").unwrap();
-        let asked = questions(formula, Wanted::Value, &options);
-        assert_eq!(asked.len(), formula.judge().points(&options).len());
-        assert!(!asked[0].must_be_refused() && asked[asked.len() - 1].must_be_refused());
-        assert!(asked.is_sorted_by_key(Question::must_be_refused));
-    }
 
     #[test]
     fn an_answer_has_the_outputs_and_what_is_wanted_beside() {

@@ -4,10 +4,10 @@
 
 use super::answer::Answer;
 use super::map::names;
-use super::question::{Along, Own, Question, Wanted, sizes};
+use super::question::{Along, Own, Question, Wanted, of_points, sizes};
 use super::verdict::Court;
 use jointproof::catalog::AnyFormula;
-use jointproof::toolkit::verify::Sampler;
+use jointproof::toolkit::verify::{Options, Sampler};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// So many points, each with a direction.
@@ -37,8 +37,20 @@ impl Values<'_> {
     }
 }
 
+/// Every point that is asked for: two valid ones first, so that a program can show how it answers. Where products are wanted, points
+/// along directions follow.
+pub fn questions(formula: &dyn AnyFormula, wanted: Wanted, options: &Options) -> Vec<Question> {
+    let points = formula.judge().points(options);
+    let mut questions = of_points(formula, wanted, points, options.seed);
+    questions.sort_by_key(Question::must_be_refused);
+    if wanted == Wanted::Products {
+        questions.extend(along_directions(formula, &questions, options.seed));
+    }
+    questions
+}
+
 /// What is asked along directions from the first random points that are valid and have no kink near.
-pub(super) fn questions(formula: &dyn AnyFormula, asked: &[Question], seed: u64) -> Vec<Question> {
+fn along_directions(formula: &dyn AnyFormula, asked: &[Question], seed: u64) -> Vec<Question> {
     let mut sampler = Sampler::named("Taylor remainder", seed);
     let random = asked.iter().filter(|question| question.name.starts_with("random "));
     let from = |question: &Question| direction(formula, question, &mut sampler);
@@ -166,6 +178,16 @@ mod tests {
     use jointproof::toolkit::verify;
 
     #[test]
+    fn what_is_valid_is_asked_first() {
+        let options = verify::Options { samples: 10, ..verify::Options::default() };
+        let formula = find("slot.friction").unwrap();
+        let asked = questions(formula, Wanted::Value, &options);
+        assert_eq!(asked.len(), formula.judge().points(&options).len());
+        assert!(!asked[0].must_be_refused() && asked[asked.len() - 1].must_be_refused());
+        assert!(asked.is_sorted_by_key(Question::must_be_refused));
+    }
+
+    #[test]
     fn a_remainder_falls_by_a_power_of_the_step() {
         // The first output has no remainder.
         let slope = |remainder: fn(f64) -> f64, noise: f64| {
@@ -187,7 +209,7 @@ mod tests {
     fn there_are_directions_where_formulas_are_smooth() {
         for id in ["coulomb.yield", "slot.constraint", "cardan.angles"] {
             let formula = find(id).unwrap();
-            let asked = super::super::question::questions(formula, Wanted::Products, &verify::Options::default());
+            let asked = super::questions(formula, Wanted::Products, &verify::Options::default());
             let all = questions(formula, &asked, 1);
             assert_eq!(all.len(), BASES * (1 + STEPS.len()), "{id}");
         }
@@ -252,7 +274,7 @@ mod tests {
     fn what_is_not_given_behind_the_products_is_not_needed() {
         let formula = find("slot.friction").unwrap();
         let options = verify::Options { samples: 10, ..verify::Options::default() };
-        let asked = super::super::question::questions(formula, Wanted::Products, &options);
+        let asked = super::questions(formula, Wanted::Products, &options);
         let asked = questions(formula, &asked, 1);
         let court = Court {
             formula,

@@ -4,7 +4,8 @@ mod plants;
 
 use super::answer::{Answer, Heard};
 use super::question::Wanted::{self, Jacobian};
-use super::question::{Own, Question, other_order, questions, sizes};
+use super::question::{Own, Question, other_order, sizes};
+use super::taylor::questions;
 use super::verdict::{Bounds, Court};
 use crate::console::plain;
 use expect_test::expect_file;

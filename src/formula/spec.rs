@@ -1,0 +1,186 @@
+//! What is said about a formula, once: identifier, source, equation, and bounds of its accuracy.
+
+use super::{Finite, Source};
+
+/// Symbols that another formula defines: "where α from universal.angles".
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Given {
+    /// The symbols in LaTeX with commas between them, each perhaps a function: `\mathbf{X}(g)`.
+    pub symbols: &'static str,
+    /// The formula whose equation defines them.
+    pub from: &'static Spec,
+}
+
+impl Given {
+    /// Symbols, and the formula whose equation defines them. What that formula takes for its inputs are the symbols of the
+    /// same name in the equation that refers to it.
+    pub const fn new(symbols: &'static str, from: &'static Spec) -> Self {
+        Self { symbols, from }
+    }
+}
+
+/// What is said about a formula, once.
+///
+/// ```
+/// use jointproof::formula::{Document, Spec};
+/// const NOTES: Document = Document::new("My notes").link("https://example.org/notes");
+/// const SPEC: Spec = Spec::new("spring.energy", "Energy of a spring", NOTES.printed("Springs"))
+///     .equation(r"W = \tfrac12 k x^2")
+///     .eta(2.0, 2.0);
+/// assert!(SPEC.objective);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Spec {
+    /// The identifier, `family.name`.
+    pub id: &'static str,
+    /// A title of a few words.
+    pub title: &'static str,
+    /// Where it is documented, and how much of it.
+    pub source: Source,
+    /// The equation in LaTeX.
+    pub latex: &'static str,
+    /// Where the symbols of the equation come from that are neither inputs nor defined in it.
+    pub given: &'static [Given],
+    /// The stated bounds of the backward error η in `f64`, on random and hard cases, of every component.
+    pub eta: Bounds,
+    /// Normwise bounds of η, where no bound of every component is known: then those above hold at the golden cases.
+    pub normwise: Option<Bounds>,
+    /// Both bounds of η hold where every component of the inputs is 0, or from one part in so many to so many in size.
+    pub scale: f64,
+    /// Whether moving and turning the whole model moves and turns the outputs with it (frame indifference). A formula
+    /// that refers to the global axes is not objective.
+    pub objective: bool,
+    /// The inputs at which neither an output nor a derivative overflows.
+    pub finite: Finite,
+}
+
+/// Bounds of the backward error η in `f64`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// Of the value.
+    pub value: f64,
+    /// Of the closed-form Jacobian; `None` where the Jacobian is automatic.
+    pub jacobian: Option<f64>,
+}
+
+/// What is said of [normwise](Spec::normwise) bounds.
+pub(crate) const NORMWISE: &str = ", normwise";
+
+impl Spec {
+    /// The scale of a formula that says nothing of it: products of ten numbers of such sizes neither over- nor underflow.
+    pub const SCALE: f64 = 1e30;
+
+    /// An objective formula; its equation and its bounds follow.
+    pub const fn new(id: &'static str, title: &'static str, source: Source) -> Self {
+        let (latex, given, eta) = ("", [].as_slice(), Bounds { value: 0.0, jacobian: None });
+        let (normwise, scale, objective, finite) = (None, Self::SCALE, true, Finite::Unknown);
+        Self { id, title, source, latex, given, eta, normwise, scale, objective, finite }
+    }
+
+    /// The equation in LaTeX.
+    #[must_use]
+    pub const fn equation(self, latex: &'static str) -> Self {
+        Self { latex, ..self }
+    }
+
+    /// Where the symbols of the equation come from that are neither inputs nor defined in it.
+    #[must_use]
+    pub const fn given(self, given: &'static [Given]) -> Self {
+        Self { given, ..self }
+    }
+
+    /// The bounds of η of a formula whose Jacobian is in closed form: of the value, and of every entry of the Jacobian.
+    #[must_use]
+    pub const fn eta(self, value: f64, jacobian: f64) -> Self {
+        Self { eta: Bounds { value, jacobian: Some(jacobian) }, ..self }
+    }
+
+    /// The bound of η of the value of a formula whose Jacobian is automatic.
+    #[must_use]
+    pub const fn eta_of_value(self, value: f64) -> Self {
+        Self { eta: Bounds { value, jacobian: None }, ..self }
+    }
+
+    /// Whether the Jacobian is derived by hand; otherwise it is found by automatic differentiation.
+    pub const fn is_closed(&self) -> bool {
+        self.eta.jacobian.is_some()
+    }
+
+    /// Normwise bounds of η, of value and Jacobian: a component of a vector or matrix, or a derivative by one, that is beyond the
+    /// bound is judged beside the largest other one of it, as if it were as large and changed as much. Which component is small
+    /// depends on the axes, and what cancels in it does not in the others.
+    #[must_use]
+    pub const fn normwise(self, value: f64, jacobian: f64) -> Self {
+        Self { normwise: Some(Bounds { value, jacobian: Some(jacobian) }), ..self }
+    }
+
+    /// The bounds of η of value and Jacobian that the audit checks, in words.
+    ///
+    /// ```
+    /// use jointproof::element::slider::Rows;
+    /// use jointproof::formula::Formula;
+    /// use jointproof::connector::ujoint::HingeAxial;
+    /// assert_eq!(HingeAxial::SPEC.accuracy(), "η at most 2 of the value, 3 of the Jacobian");
+    /// assert_eq!(Rows::SPEC.accuracy(), "η at most 5 of the value, normwise; the Jacobian is automatic");
+    /// ```
+    pub fn accuracy(&self) -> String {
+        let (Bounds { value, jacobian }, by) = self.bounds();
+        match jacobian {
+            Some(jacobian) => format!("η at most {value} of the value, {jacobian} of the Jacobian{by}"),
+            None => format!("η at most {value} of the value{by}; the Jacobian is automatic"),
+        }
+    }
+
+    /// These bounds, and how they are to be understood.
+    pub const fn bounds(&self) -> (Bounds, &'static str) {
+        match self.normwise {
+            Some(bounds) => (bounds, NORMWISE),
+            None => (self.eta, ""),
+        }
+    }
+
+    /// The normwise bound of η of the value of a formula whose Jacobian is automatic.
+    #[must_use]
+    pub const fn normwise_of_value(self, value: f64) -> Self {
+        Self { normwise: Some(Bounds { value, jacobian: None }), ..self }
+    }
+
+    /// The sizes up to which the bounds of η hold: every component of the inputs is 0, or from 1/`scale` to `scale`. Beyond, a
+    /// product of some of them may under- or overflow on the way to a result that does not.
+    #[must_use]
+    pub const fn scale(self, scale: f64) -> Self {
+        Self { scale, ..self }
+    }
+
+    /// The sizes of inputs at which the bounds of η hold, in words.
+    ///
+    /// ```
+    /// use jointproof::formula::Formula;
+    /// use jointproof::connector::ujoint::HingeAxial;
+    /// assert_eq!(HingeAxial::SPEC.sizes(), "from 1/1e50 to 1e50");
+    /// ```
+    pub fn sizes(&self) -> String {
+        format!("from 1/{0:e} to {0:e}", self.scale)
+    }
+
+    /// The inputs at which neither an output nor a derivative overflows, which makes checked calls cheap there.
+    #[must_use]
+    pub const fn finite(self, finite: Finite) -> Self {
+        Self { finite, ..self }
+    }
+
+    /// With the bounds of another formula, and the sizes up to which they hold: it computes the same.
+    #[must_use]
+    pub const fn accurate_as(self, other: &Self) -> Self {
+        let Self { eta, normwise, scale, finite, .. } = *other;
+        Self { eta, normwise, scale, finite, ..self }
+    }
+
+    /// It refers to the global axes, so that turning the model does not turn the outputs with it.
+    #[must_use]
+    pub const fn not_objective(self) -> Self {
+        Self { objective: false, ..self }
+    }
+}
