@@ -1,8 +1,8 @@
 //! The printed equation, executed.
 //!
-//! An equation is read from its LaTeX, with the symbols of its entry, and evaluated over any [`Scalar`]: it gives the
-//! values and, in dual numbers, the Jacobian. So the equation that a reader sees is compared with the code, as the code
-//! is with its derivative.
+//! An equation is read from its LaTeX, with the symbols of its entry, and becomes a [`Graph`], as what a formula does: that
+//! gives the values and the Jacobian. So the equation that a reader sees is compared with the code, as the code is with its
+//! derivative.
 //!
 //! # What is read
 //!
@@ -57,7 +57,6 @@ mod scope;
 mod statement;
 mod symbol;
 mod syntax;
-mod tape;
 mod token;
 mod value;
 mod variation;
@@ -66,7 +65,7 @@ mod view;
 use crate::formula::quantity::Shape;
 use crate::formula::{Field, Given, Spec};
 use crate::number::octuple::Octuple;
-use crate::number::scalar::Scalar;
+use crate::toolkit::graph::{self, Graph, Node, Op, Unary};
 pub(crate) use claims::{ClaimAt, Free};
 pub use claims::{Claims, Setting, Signature};
 pub use error::Error;
@@ -75,18 +74,18 @@ use name::Name;
 use scope::Entries;
 use std::collections::BTreeSet;
 use syntax::ArgMin;
-use tape::{Id, Op, Tape};
 use value::Value;
 pub use view::View;
 
 /// An equation that can be executed.
 #[derive(Clone, Debug)]
 pub struct Equation {
-    tape: Tape,
-    /// The components of the outputs.
-    outputs: Vec<Id>,
+    /// Its value are the outputs.
+    graph: Graph,
+    /// All that is asked of it, in order.
+    needed: Vec<Node>,
     /// Forms that are printed as equal.
-    equal: BTreeSet<(Id, Id)>,
+    equal: BTreeSet<(Node, Node)>,
     smallest: Option<Smallest>,
 }
 
@@ -95,32 +94,34 @@ pub struct Equation {
 struct Smallest {
     /// Which component of the outputs.
     output: usize,
-    place: Id,
-    low: Id,
-    high: Id,
-    objective: Id,
+    place: Node,
+    low: Node,
+    high: Node,
+    objective: Node,
     /// The derivative of the objective by the place.
-    slope: Id,
+    slope: Node,
 }
 
 /// What an equation gives at a point.
-pub(crate) struct Results<D> {
-    pub(crate) outputs: Vec<D>,
+pub(crate) struct Results {
+    pub(crate) outputs: Vec<Octuple>,
     /// Numbers that are printed as equal.
-    pub(crate) equal: Vec<(D, D)>,
-    pub(crate) smallest: Option<SmallestAt<D>>,
+    pub(crate) equal: Vec<(Octuple, Octuple)>,
+    pub(crate) smallest: Option<SmallestAt>,
+    /// Those of all operations.
+    all: Vec<Octuple>,
 }
 
 /// The place of something smallest: known, not searched.
-pub(crate) struct SmallestAt<D> {
+pub(crate) struct SmallestAt {
     /// Which component of the outputs.
     pub(crate) output: usize,
-    pub(crate) place: D,
-    pub(crate) low: D,
-    pub(crate) high: D,
-    pub(crate) objective: D,
+    pub(crate) place: Octuple,
+    pub(crate) low: Octuple,
+    pub(crate) high: Octuple,
+    pub(crate) objective: Octuple,
     /// The derivative of the objective by the place.
-    pub(crate) slope: D,
+    pub(crate) slope: Octuple,
 }
 
 impl Equation {
@@ -188,14 +189,20 @@ impl Equation {
             Some((output, found)) => Some(place_of_smallest(&mut writer, output, found, id)?),
         };
         let needed = ids.iter().copied().chain(smallest.iter().flat_map(|s| [s.low, s.high, s.slope]));
-        check_closed(&writer, needed.collect(), inputs).map_err(|error| error.of_entry(id, "equation"))?;
-        let Writer { tape, equal, .. } = writer;
-        Ok(Self { tape, outputs: ids, equal, smallest })
+        check_closed(&writer, &needed.collect::<Vec<_>>(), inputs).map_err(|error| error.of_entry(id, "equation"))?;
+        let Writer { mut graph, equal, .. } = writer;
+        let of_smallest = smallest.iter().flat_map(|s| [s.place, s.low, s.high, s.objective, s.slope]);
+        let asked: Vec<_> =
+            ids.iter().copied().chain(equal.iter().flat_map(|&(a, b)| [a, b])).chain(of_smallest).collect();
+        let needed = graph.needed(&asked);
+        graph.value = ids;
+        Ok(Self { graph, needed, equal, smallest })
     }
 
     /// The outputs. Where one is the place of something smallest, it is not searched but taken from known outputs.
-    pub fn values<D: Scalar>(&self, inputs: &[D], known: &[D]) -> Vec<D> {
-        self.run(&self.point(inputs, known)).outputs
+    pub fn values<T: graph::Number>(&self, inputs: &[T], known: &[T]) -> Vec<T> {
+        let all = self.graph.results(&self.point(inputs, known), self.needed.iter().copied());
+        self.graph.value.iter().map(|output| all[output.index()]).collect()
     }
 
     /// Whether it has one value: on a kink, several places may be the smallest of something.
@@ -204,25 +211,34 @@ impl Equation {
     }
 
     /// The inputs, and behind them the place of something smallest.
-    pub(crate) fn point<D: Scalar>(&self, inputs: &[D], known: &[D]) -> Vec<D> {
-        let nowhere = || D::from(f64::NAN);
+    pub(crate) fn point<T: graph::Number>(&self, inputs: &[T], known: &[T]) -> Vec<T> {
+        let nowhere = || T::from(f64::NAN);
         let place = self.smallest.iter().map(|s| known.get(s.output).copied().unwrap_or_else(nowhere));
         inputs.iter().copied().chain(place).collect()
     }
 
     /// Everything at a [`point`](Self::point).
-    pub(crate) fn run<D: Scalar>(&self, point: &[D]) -> Results<D> {
-        let all = self.tape.run(point);
+    pub(crate) fn run(&self, point: &[Octuple]) -> Results {
+        let all = self.graph.results(point, self.needed.iter().copied());
+        let at = |node: Node| all[node.index()];
         let smallest = self.smallest.as_ref().map(|s| SmallestAt {
             output: s.output,
-            place: all[s.place],
-            low: all[s.low],
-            high: all[s.high],
-            objective: all[s.objective],
-            slope: all[s.slope],
+            place: at(s.place),
+            low: at(s.low),
+            high: at(s.high),
+            objective: at(s.objective),
+            slope: at(s.slope),
         });
-        let outputs = self.outputs.iter().map(|&id| all[id]).collect();
-        Results { outputs, equal: self.equal.iter().map(|&(a, b)| (all[a], all[b])).collect(), smallest }
+        let outputs = self.graph.value.iter().map(|&node| at(node)).collect();
+        let equal = self.equal.iter().map(|&(a, b)| (at(a), at(b))).collect();
+        Results { outputs, equal, smallest, all }
+    }
+
+    /// The derivatives of each output by the numbers of the point, and of the slope that vanishes at the place of something
+    /// smallest.
+    pub(crate) fn gradients(&self, at: &Results, point: &[Octuple]) -> Vec<Vec<Octuple>> {
+        let of = self.graph.value.iter().copied().chain(self.smallest.as_ref().map(|s| s.slope));
+        of.map(|node| self.graph.gradient(node, &self.graph.needed(&[node]), &at.all, point.len())).collect()
     }
 }
 
@@ -231,7 +247,7 @@ impl Equation {
 impl Equation {
     /// Of an output, or of its derivative by a number of the point.
     pub(crate) fn terms_of_output(&self, output: usize, by: Option<usize>, point: &[Octuple]) -> Octuple {
-        self.terms(self.outputs[output], by, point)
+        self.terms(self.graph.value[output], by, point)
     }
 
     /// Of the derivative of the slope that vanishes at the place of something smallest, and of that slope.
@@ -239,12 +255,12 @@ impl Equation {
         self.smallest.as_ref().map_or_else(Octuple::default, |smallest| self.terms(smallest.slope, by, point))
     }
 
-    fn terms(&self, of: Id, by: Option<usize>, point: &[Octuple]) -> Octuple {
-        let Some(by) = by else { return rounding::terms(&self.tape, point, &[])[of] };
-        let mut tape = self.tape.clone();
-        let by = tape.push(Op::Input(by));
-        let slope = tape.derivative(of, by);
-        rounding::terms(&tape, point, &[])[slope]
+    fn terms(&self, of: Node, by: Option<usize>, point: &[Octuple]) -> Octuple {
+        let Some(by) = by else { return rounding::terms(&self.graph, of, point, &[]) };
+        let mut graph = self.graph.clone();
+        let by = graph.enter(Op::Input(by));
+        let slope = graph.derivative(of, by);
+        rounding::terms(&graph, slope, point, &[])
     }
 }
 
@@ -264,7 +280,7 @@ fn symbol_of(latex: &str) -> Result<Name, Error> {
 }
 
 /// The components of an output, which the equation must define: as a whole, or each by itself.
-fn output(writer: &mut Writer<'_>, name: &Name, field: &Field) -> Result<Vec<Id>, Error> {
+fn output(writer: &mut Writer<'_>, name: &Name, field: &Field) -> Result<Vec<Node>, Error> {
     let at = 0;
     let wrong = || Error::new(at, format!("{name} should have {} components", field.len()));
     if field.len() > 1 && writer.defines(&name.at(1)) {
@@ -291,24 +307,26 @@ const fn is_matrix(field: &Field) -> bool {
 
 fn place_of_smallest(writer: &mut Writer<'_>, output: usize, found: &ArgMin, id: &str) -> Result<Smallest, Error> {
     let ArgMin { low, high, objective } = found;
-    let place = writer.tape.push(Op::Input(writer.solution));
+    let place = writer.graph.enter(Op::Input(writer.solution));
     let mut number = |e| writer.number(e, Place::ROOT).map_err(|error| error.of_entry(id, "equation"));
     let (low, high, objective) = (number(low)?, number(high)?, number(objective)?);
     // A length is smallest where its square is, which has a derivative at 0 too.
-    let objective = match writer.tape.op(objective) {
-        Op::Norm(parts) => {
-            let squares = parts.map(|part| writer.tape.multiply(part, part));
-            let zero = writer.tape.number(0.0);
-            squares.into_iter().fold(zero, |sum, square| writer.tape.add(sum, square))
+    let objective = match writer.graph.op(objective) {
+        Op::Norm(_) | Op::Unary(Unary::Absolute, _) => {
+            let (parts, zero) = (writer.graph.op(objective).operands(), writer.graph.number(0.0));
+            parts.into_iter().fold(zero, |sum, part| {
+                let square = writer.graph.product(part, part);
+                writer.graph.sum(sum, square)
+            })
         }
         _ => objective,
     };
-    let slope = writer.tape.derivative(objective, place);
+    let slope = writer.graph.derivative(objective, place);
     Ok(Smallest { output, place, low, high, objective, slope })
 }
 
 /// That every input, every statement and every symbol from elsewhere is needed.
-fn check_closed(writer: &Writer<'_>, needed: Vec<Id>, inputs: &[(Name, Field)]) -> Result<(), Error> {
+fn check_closed(writer: &Writer<'_>, needed: &[Node], inputs: &[(Name, Field)]) -> Result<(), Error> {
     let own = &writer.entries.0[0];
     let idle = own.statements.iter().zip(&writer.used).find(|(_, used)| !*used);
     if let Some((statement, _)) = idle {
@@ -318,7 +336,8 @@ fn check_closed(writer: &Writer<'_>, needed: Vec<Id>, inputs: &[(Name, Field)]) 
     if let Some((taken, _)) = idle {
         return Err(Error::new(0, format!("{} is taken from elsewhere and not needed", taken.name)));
     }
-    let reached = writer.tape.inputs_of(needed);
+    let input = |node| if let Op::Input(k) = writer.graph.op(node) { Some(*k) } else { None };
+    let reached: Vec<_> = writer.graph.needed(needed).into_iter().filter_map(input).collect();
     let mut next = 0;
     for (name, field) in inputs {
         next += field.len();

@@ -25,6 +25,7 @@ mod recorder;
 mod run;
 mod slope;
 mod traced;
+mod write;
 
 pub use alter::Instead;
 pub use node::{Binary, Graph, Node, Op, Relation, Search, Unary};

@@ -1,16 +1,17 @@
 //! What prose claims in mathematics, beside the equation of an entry.
 
+use super::derivative::Beside;
 use super::error::Error;
 use super::lower::{Place, Writer};
 use super::name::Name;
 use super::scope::{Entries, Entry, Taken};
 use super::statement::{apart, chains, statements, symbols};
 use super::syntax::{Body, Expr, Kind, Relation, Statement};
-use super::tape::{Beside, Id, Op, Tape};
-use super::value::Value;
+use super::value::{Value, compare};
 use super::{named, rounding};
 use crate::formula::{Field, Spec};
 use crate::number::octuple::Octuple;
+use crate::toolkit::graph::{Graph, Node, Op};
 
 /// A formula as prose speaks of it: its symbols, and what its equation defines.
 #[derive(Clone, Copy, Debug)]
@@ -51,11 +52,11 @@ pub struct Setting {
 /// Claims that can be checked at points.
 #[derive(Clone, Debug)]
 pub struct Claims {
-    tape: Tape,
+    graph: Graph,
     all: Vec<Claimed>,
-    condition: Option<Id>,
+    condition: Option<Node>,
     /// Components of inputs, and what is put in for them.
-    put: Vec<(usize, Id)>,
+    put: Vec<(usize, Node)>,
     inputs: usize,
     outputs: usize,
     free: Vec<Free>,
@@ -74,11 +75,21 @@ pub(crate) enum Free {
 /// Two sides and how they relate.
 #[derive(Clone, Debug)]
 struct Claimed {
-    left: Id,
-    relation: Relation,
-    right: Id,
+    left: Node,
+    right: Node,
+    /// Whether both are claimed to be equal.
+    is_equality: bool,
+    /// The answer whether it is as claimed.
+    holds: Node,
     /// Both sides as they are written.
     text: String,
+}
+
+impl Claimed {
+    fn new(graph: &mut Graph, left: Node, relation: Relation, right: Node, text: String) -> Self {
+        let holds = compare(graph, relation, left, right);
+        Self { left, right, is_equality: relation == Relation::Equal, holds, text }
+    }
 }
 
 /// A claim at a point.
@@ -89,7 +100,7 @@ pub(crate) struct ClaimAt<'c> {
     pub(crate) is_equality: bool,
     pub(crate) holds: bool,
     pub(crate) text: &'c str,
-    sides: [Id; 2],
+    sides: [Node; 2],
 }
 
 impl Claims {
@@ -153,10 +164,10 @@ impl Claims {
         if self.put.is_empty() {
             return inputs.to_vec();
         }
-        let all = self.tape.run(&self.point(inputs, None, free));
+        let all = self.results(&self.point(inputs, None, free));
         let mut inputs = inputs.to_vec();
         for &(component, id) in &self.put {
-            inputs[component] = all[id];
+            inputs[component] = all[id.index()];
         }
         inputs
     }
@@ -170,17 +181,17 @@ impl Claims {
 
     /// The claims at a point; none where their condition does not hold.
     pub(crate) fn at(&self, point: &[Octuple]) -> Vec<ClaimAt<'_>> {
-        let all = self.tape.run(point);
-        if self.condition.is_some_and(|condition| all[condition] != 1.0) {
+        let all = self.results(point);
+        if self.condition.is_some_and(|condition| all[condition.index()] != 1.0) {
             return Vec::new();
         }
         let at = self.all.iter().map(|claim| {
-            let (left, right) = (all[claim.left], all[claim.right]);
+            let [left, right] = [claim.left, claim.right].map(|side| all[side.index()]);
             ClaimAt {
                 left,
                 right,
-                is_equality: claim.relation == Relation::Equal,
-                holds: super::tape::holds(claim.relation, left, right),
+                is_equality: claim.is_equality,
+                holds: all[claim.holds.index()] == 1.0,
                 text: &claim.text,
                 sides: [claim.left, claim.right],
             }
@@ -188,15 +199,23 @@ impl Claims {
         at.collect()
     }
 
+    /// All numbers, at a point.
+    fn results(&self, point: &[Octuple]) -> Vec<Octuple> {
+        let holds = self.all.iter().map(|claim| claim.holds);
+        let put = self.put.iter().map(|&(_, node)| node);
+        let results: Vec<_> = holds.chain(self.condition).chain(put).collect();
+        self.graph.results(point, self.graph.needed(&results))
+    }
+
     /// How large the terms are from which both sides of a claim are summed; `sizes` are those of the point itself.
     pub(crate) fn terms(&self, claim: &ClaimAt<'_>, point: &[Octuple], sizes: &[Octuple]) -> Octuple {
-        let terms = rounding::terms(&self.tape, point, sizes);
-        terms[claim.sides[0]] + terms[claim.sides[1]]
+        let [left, right] = claim.sides.map(|side| rounding::terms(&self.graph, side, point, sizes));
+        left + right
     }
 
     /// The value of an [`expression`](Self::expression) at a point.
     pub(crate) fn number(&self, point: &[Octuple]) -> Octuple {
-        let value = self.all.first().map(|claim| self.tape.run(point)[claim.right]);
+        let value = self.all.first().map(|claim| self.results(point)[claim.right.index()]);
         value.unwrap_or(Octuple::NAN)
     }
 }
@@ -286,9 +305,9 @@ impl Known {
         let mut writer = Writer::new(entries, &self.inputs);
         let inputs = writer.solution;
         let (mut next, mut free) = (inputs, Vec::new());
-        let mut take = |writer: &mut Writer<'_>, count: usize| -> Vec<Id> {
+        let mut take = |writer: &mut Writer<'_>, count: usize| -> Vec<Node> {
             next += count;
-            (next - count..next).map(|k| writer.tape.push(Op::Input(k))).collect()
+            (next - count..next).map(|k| writer.graph.enter(Op::Input(k))).collect()
         };
         let mut values = Vec::new();
         for (name, field) in &self.outputs {
@@ -335,19 +354,16 @@ impl Known {
                 writer.symbol(name, statement.at, Place::ROOT)?;
             }
         }
-        let equal = writer.equal.iter().map(|&(left, right)| Claimed {
-            left,
-            relation: Relation::Equal,
-            right,
-            text: "two forms of a definition".into(),
-        });
-        all.extend(equal);
+        for (left, right) in std::mem::take(&mut writer.equal) {
+            let text = "two forms of a definition".into();
+            all.push(Claimed::new(&mut writer.graph, left, Relation::Equal, right, text));
+        }
         let triads = setting.triads;
-        Ok(Claims { tape: writer.tape, all, condition, put, inputs, outputs, free, triads })
+        Ok(Claims { graph: writer.graph, all, condition, put, inputs, outputs, free, triads })
     }
 }
 
-fn value(mut parts: Vec<Id>) -> Value {
+fn value(mut parts: Vec<Node>) -> Value {
     match parts.len() {
         1 => Value::Scalar(parts.swap_remove(0)),
         4 | 9 => Value::Matrix(parts),
@@ -355,7 +371,7 @@ fn value(mut parts: Vec<Id>) -> Value {
     }
 }
 
-fn parts(value: Value) -> Vec<Id> {
+fn parts(value: Value) -> Vec<Node> {
     match value {
         Value::Scalar(id) => vec![id],
         Value::Vector(parts) | Value::Matrix(parts) => parts,
@@ -404,7 +420,7 @@ fn sides(writer: &mut Writer<'_>, statement: &Statement, latex: &str) -> Result<
         let right = writer.expression(side, Place::ROOT)?;
         let text = latex.get(from..end(k)).unwrap_or_default().split(r"\quad").next().unwrap_or_default();
         let text = text.trim().trim_end_matches(['=', ',']).trim_end().to_owned();
-        let zero = writer.tape.number(0.0);
+        let zero = writer.graph.number(0.0);
         let pairs: Vec<_> = match (left, right.clone()) {
             (Value::Scalar(a), Value::Scalar(b)) => vec![(a, b)],
             (Value::Vector(a), Value::Vector(b)) | (Value::Matrix(a), Value::Matrix(b))
@@ -420,31 +436,26 @@ fn sides(writer: &mut Writer<'_>, statement: &Statement, latex: &str) -> Result<
             }
             _ => return Err(Error::new(side.at, "the two sides have not the same shape")),
         };
-        all.extend(pairs.into_iter().map(|(left, right)| Claimed {
-            left,
-            relation: *relation,
-            right,
-            text: text.clone(),
-        }));
+        let claimed = |(left, right)| Claimed::new(&mut writer.graph, left, *relation, right, text.clone());
+        all.extend(pairs.into_iter().map(claimed));
         (left, from) = (right, side.at);
     }
     Ok(all)
 }
 
 /// 1 where all conditions hold.
-fn condition(writer: &mut Writer<'_>, latex: &str) -> Result<Option<Id>, Error> {
+fn condition(writer: &mut Writer<'_>, latex: &str) -> Result<Option<Node>, Error> {
     let mut all = None;
     for statement in chains(latex, Vec::new()).map_err(|error| error.of_entry("words", "condition"))? {
-        for Claimed { left, relation, right, .. } in sides(writer, &statement, latex)? {
-            let holds = writer.tape.push(Op::Compare(relation, left, right));
-            all = Some(all.map_or(holds, |all| writer.tape.multiply(all, holds)));
+        for Claimed { holds, .. } in sides(writer, &statement, latex)? {
+            all = Some(all.map_or(holds, |all| writer.graph.enter(Op::both(all, holds))));
         }
     }
     Ok(all)
 }
 
 /// Components of inputs, and what is put in for them.
-fn put(writer: &mut Writer<'_>, inputs: &[(Name, Field)], setting: &Setting) -> Result<Vec<(usize, Id)>, Error> {
+fn put(writer: &mut Writer<'_>, inputs: &[(Name, Field)], setting: &Setting) -> Result<Vec<(usize, Node)>, Error> {
     let mut all = Vec::new();
     for statement in statements(&setting.put, Vec::new()).map_err(|error| error.of_entry("words", "input"))? {
         let Body::Equal(sides) = &statement.body else { continue };

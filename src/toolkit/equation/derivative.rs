@@ -4,8 +4,17 @@ use super::error::Error;
 use super::lower::{Place, Writer};
 use super::name::Name;
 use super::syntax::Expr;
-use super::tape::{Id, Op};
 use super::value::Value;
+use crate::toolkit::graph::{Node, Op};
+
+/// Numbers that do not follow from the inputs by an equation.
+#[derive(Debug, Default)]
+pub(super) struct Beside {
+    /// The outputs of the code, each with its row of the Jacobian of the code.
+    pub(super) outputs: Vec<(Node, Vec<Node>)>,
+    /// Numbers that change, and their changes.
+    pub(super) changes: Vec<(Node, Node)>,
+}
 
 impl Writer<'_> {
     /// A partial derivative: of an output of the code by an input, an entry of the Jacobian of the code; of anything
@@ -24,14 +33,14 @@ impl Writer<'_> {
         }
     }
 
-    fn entry(&mut self, of: Id, by: Id) -> Id {
+    fn entry(&mut self, of: Node, by: Node) -> Node {
         let row = self.beside.outputs.iter().find(|(output, _)| *output == of);
-        if let Op::Input(input) = self.tape.op(by)
+        if let &Op::Input(input) = self.graph.op(by)
             && let Some(&entry) = row.and_then(|(_, row)| row.get(input))
         {
             return entry;
         }
-        self.tape.derivative(of, by)
+        self.graph.derivative(of, by)
     }
 
     /// `\mathrm{d}x` or `\delta x` of something that is defined and changes with what changes.
@@ -63,22 +72,22 @@ impl Writer<'_> {
     }
 
     /// The change of a number with all that changes: directly, and by the outputs of the code in it.
-    fn total(&mut self, of: Id) -> Id {
-        let mut sum = self.tape.number(0.0);
+    fn total(&mut self, of: Node) -> Node {
+        let mut sum = self.graph.number(0.0);
         for (by, change) in self.beside.changes.clone() {
-            let slope = self.tape.derivative(of, by);
-            let term = self.tape.multiply(slope, change);
-            sum = self.tape.add(sum, term);
+            let slope = self.graph.derivative(of, by);
+            let term = self.graph.product(slope, change);
+            sum = self.graph.sum(sum, term);
         }
         for (output, row) in self.beside.outputs.clone() {
-            let slope = self.tape.derivative(of, output);
+            let slope = self.graph.derivative(of, output);
             for (by, change) in self.beside.changes.clone() {
-                if let Op::Input(input) = self.tape.op(by)
+                if let &Op::Input(input) = self.graph.op(by)
                     && let Some(&entry) = row.get(input)
                 {
-                    let step = self.tape.multiply(entry, change);
-                    let term = self.tape.multiply(slope, step);
-                    sum = self.tape.add(sum, term);
+                    let step = self.graph.product(entry, change);
+                    let term = self.graph.product(slope, step);
+                    sum = self.graph.sum(sum, term);
                 }
             }
         }

@@ -1,12 +1,14 @@
 //! Symbols get their meaning, vectors fall apart into components, and the list of operations is written.
 
+use super::derivative::Beside;
 use super::error::Error;
 use super::name::Name;
 use super::scope::Entries;
 use super::syntax::{Body, Condition, Expr, Function, Kind, Operator, Relation, Statement, small};
-use super::tape::{Beside, Id, Op, Tape};
-use super::value::{Value, binary, constant, each, norm, squares};
+use super::value::{Value, binary, compare, constant, each, euler, norm, power, squares};
 use crate::formula::Field;
+use crate::number::scalar::{self, Leaf};
+use crate::toolkit::graph::{Binary, Graph, Node, Op, Search, Unary};
 use std::collections::BTreeSet;
 
 /// Where a symbol is looked up: among the parameters, in an entry, and then where that entry is referred to.
@@ -29,7 +31,7 @@ const DEEP: usize = 40;
 
 /// Writes the list of operations.
 pub(super) struct Writer<'e> {
-    pub(super) tape: Tape,
+    pub(super) graph: Graph,
     pub(super) entries: &'e Entries,
     /// Symbols of the inputs.
     pub(super) inputs: Vec<(Name, Value)>,
@@ -40,25 +42,25 @@ pub(super) struct Writer<'e> {
     /// Symbols taken from other entries that were needed.
     pub(super) taken: Vec<bool>,
     /// Forms printed as equal in the equation itself.
-    pub(super) equal: BTreeSet<(Id, Id)>,
+    pub(super) equal: BTreeSet<(Node, Node)>,
     /// What is known besides, to prose.
     pub(super) beside: Beside,
 }
 
 impl<'e> Writer<'e> {
     pub(super) fn new(entries: &'e Entries, fields: &[(Name, Field)]) -> Self {
-        let mut tape = Tape::default();
+        let mut graph = Graph::default();
         let mut solution = 0;
         let mut inputs = Vec::new();
         for (name, field) in fields {
-            let components: Vec<_> = (solution..solution + field.len()).map(|k| tape.push(Op::Input(k))).collect();
+            let components: Vec<_> = (solution..solution + field.len()).map(|k| graph.enter(Op::Input(k))).collect();
             solution += field.len();
             let value = if field.len() == 1 { Value::Scalar(components[0]) } else { Value::Vector(components) };
             inputs.push((name.clone(), value));
         }
         let own = &entries.0[0];
         Self {
-            tape,
+            graph,
             entries,
             inputs,
             solution,
@@ -92,11 +94,11 @@ impl<'e> Writer<'e> {
         if let Some(value) = self.change_of_component(name, at, place)? {
             return Ok(value);
         }
-        constant(name, &mut self.tape).ok_or_else(|| Error::new(at, format!("{name} is nobody's symbol")))
+        constant(name, &mut self.graph).ok_or_else(|| Error::new(at, format!("{name} is nobody's symbol")))
     }
 
     /// A component by a number, or by a symbol that is one.
-    pub(super) fn component(&mut self, of: &[Id], index: &str, at: usize, place: Place<'_>) -> Result<Value, Error> {
+    pub(super) fn component(&mut self, of: &[Node], index: &str, at: usize, place: Place<'_>) -> Result<Value, Error> {
         if let Ok(k) = index.parse::<usize>() {
             let component = k.checked_sub(1).and_then(|k| of.get(k));
             return component
@@ -106,11 +108,11 @@ impl<'e> Writer<'e> {
         let Some(Value::Scalar(axis)) = self.defined(&Name::letter(index), at, place)? else {
             return Err(Error::new(at, format!("{index} is neither a number nor the number of an axis")));
         };
-        let nothing = self.tape.number(f64::NAN);
+        let nothing = self.graph.number(f64::NAN);
         let chosen = of.iter().enumerate().rev().fold(nothing, |other, (k, &id)| {
-            let number = self.tape.number(small(k + 1));
-            let is_it = self.tape.push(Op::Compare(Relation::Equal, axis, number));
-            self.tape.push(Op::Select(is_it, id, other))
+            let number = self.graph.number(small(k + 1));
+            let is_it = compare(&mut self.graph, Relation::Equal, axis, number);
+            self.graph.enter(Op::Select(is_it, id, other))
         });
         Ok(Value::Scalar(chosen))
     }
@@ -173,7 +175,7 @@ impl<'e> Writer<'e> {
     fn sides(&mut self, statement: &Statement, place: &Place<'_>) -> Result<Value, Error> {
         let sides = match &statement.body {
             Body::Equal(sides) => sides,
-            Body::ArgMin(_) => return Ok(Value::Scalar(self.tape.push(Op::Input(self.solution)))),
+            Body::ArgMin(_) => return Ok(Value::Scalar(self.graph.enter(Op::Input(self.solution)))),
             Body::Chain(..) => return Err(Error::new(statement.at, "this defines nothing")),
         };
         let mut value = None;
@@ -231,30 +233,26 @@ impl<'e> Writer<'e> {
 
     pub(super) fn expression(&mut self, e: &Expr, place: Place<'_>) -> Result<Value, Error> {
         match &e.kind {
-            Kind::Number(value) => Ok(Value::Scalar(self.tape.number(*value))),
+            Kind::Number(value) => Ok(Value::Scalar(self.graph.number(*value))),
             Kind::Symbol(name) => self.symbol(name, e.at, place),
             Kind::Apply(name, arguments) => self.apply(name, arguments, e.at, place),
             Kind::Call(Function::Sqrt, arguments) => self.root(&arguments[0], place),
             Kind::Call(function, arguments) => {
-                let first = self.number(&arguments[0], place)?;
-                let second = match arguments.get(1) {
-                    Some(second) => self.number(second, place)?,
-                    None => first,
-                };
-                Ok(Value::Scalar(self.tape.push(Op::Call(*function, first, second))))
+                let numbers = arguments.iter().map(|e| self.number(e, place)).collect::<Result<Vec<_>, _>>()?;
+                Ok(Value::Scalar(call(&mut self.graph, *function, &numbers)))
             }
             Kind::Negative(inside) => {
                 let value = self.expression(inside, place)?;
-                each(&mut self.tape, value, e.at, Tape::negative)
+                each(&mut self.graph, value, e.at, Graph::negative)
             }
             Kind::Binary(operator, a, b) => {
                 let (left, right) = (self.expression(a, place)?, self.expression(b, place)?);
-                binary(&mut self.tape, *operator, left, right, e.at)
+                binary(&mut self.graph, *operator, left, right, e.at)
             }
             Kind::Power(base, exponent) => self.power(base, exponent, place),
             Kind::Size(inside) => match self.expression(inside, place)? {
-                Value::Scalar(id) => Ok(Value::Scalar(self.tape.push(Op::Abs(id)))),
-                Value::Vector(parts) => Ok(Value::Scalar(norm(&mut self.tape, &parts))),
+                Value::Scalar(id) => Ok(Value::Scalar(self.graph.unary(Unary::Absolute, id))),
+                Value::Vector(parts) => Ok(Value::Scalar(norm(&mut self.graph, &parts))),
                 _ => Err(Error::new(e.at, "this has no size that is worth a sign")),
             },
             Kind::Cases(rows) => self.cases(rows, e.at, place),
@@ -264,7 +262,7 @@ impl<'e> Writer<'e> {
                     let next = self.expression(&body.with_index(index, k), place)?;
                     sum = Some(match sum {
                         None => next,
-                        Some(sum) => binary(&mut self.tape, Operator::Add, sum, next, e.at)?,
+                        Some(sum) => binary(&mut self.graph, Operator::Add, sum, next, e.at)?,
                     });
                 }
                 sum.ok_or_else(|| Error::new(e.at, "the sum is empty"))
@@ -282,7 +280,7 @@ impl<'e> Writer<'e> {
     }
 
     /// An expression that must be a number.
-    pub(super) fn number(&mut self, e: &Expr, place: Place<'_>) -> Result<Id, Error> {
+    pub(super) fn number(&mut self, e: &Expr, place: Place<'_>) -> Result<Node, Error> {
         match self.expression(e, place)? {
             Value::Scalar(id) => Ok(id),
             _ => Err(Error::new(e.at, "a number was expected here, not a vector")),
@@ -292,25 +290,24 @@ impl<'e> Writer<'e> {
     /// Whole powers, and the exponential function as a power of e.
     fn power(&mut self, base: &Expr, exponent: &Expr, place: Place<'_>) -> Result<Value, Error> {
         if let Kind::Number(value) = exponent.kind {
-            let whole = (2..=9).find(|&k| f64::from(k) == value);
+            let whole = (2..=9).find(|&k| small(k) == value);
             let whole = whole.ok_or_else(|| Error::new(exponent.at, "a power is a whole number from 2 to 9"))?;
             let base = self.number(base, place)?;
-            return Ok(Value::Scalar(self.tape.push(Op::Power(base, whole))));
+            return Ok(Value::Scalar(power(&mut self.graph, base, whole)));
         }
-        let (euler, base_value) = (self.tape.push(Op::Euler), self.number(base, place)?);
-        if base_value != euler {
+        if self.number(base, place)? != euler(&mut self.graph) {
             return Err(Error::new(exponent.at, "a power is a whole number, but for powers of e"));
         }
         let exponent = self.number(exponent, place)?;
-        Ok(Value::Scalar(self.tape.push(Op::Exp(exponent))))
+        Ok(Value::Scalar(self.graph.unary(Unary::Exponential, exponent)))
     }
 
     /// A square root; of a sum of squares it is a length, which has a derivative at 0 as lengths have.
     fn root(&mut self, inside: &Expr, place: Place<'_>) -> Result<Value, Error> {
         let radicand = self.number(inside, place)?;
-        Ok(Value::Scalar(match squares(&self.tape, radicand) {
-            Some(parts) => norm(&mut self.tape, &parts),
-            None => self.tape.push(Op::Call(Function::Sqrt, radicand, radicand)),
+        Ok(Value::Scalar(match squares(&self.graph, radicand) {
+            Some(parts) => norm(&mut self.graph, &parts),
+            None => self.graph.unary(Unary::Root, radicand),
         }))
     }
 
@@ -322,16 +319,16 @@ impl<'e> Writer<'e> {
         }
         let (last, condition) = values.pop().ok_or_else(|| Error::new(at, "there are no cases"))?;
         // Where no case holds there is no value.
-        let nothing = self.tape.number(f64::NAN);
+        let nothing = self.graph.number(f64::NAN);
         let last = match condition {
             None => last,
             Some(condition) => {
-                each(&mut self.tape, last, at, |tape, id| tape.push(Op::Select(condition, id, nothing)))?
+                each(&mut self.graph, last, at, |graph, id| graph.enter(Op::Select(condition, id, nothing)))?
             }
         };
         values.into_iter().rev().try_fold(last, |other, (value, condition)| {
             let Some(condition) = condition else { return Err(Error::new(at, "only the last case is \"otherwise\"")) };
-            let mut select = |a: Id, b: Id| self.tape.push(Op::Select(condition, a, b));
+            let mut select = |a: Node, b: Node| self.graph.enter(Op::Select(condition, a, b));
             match (value, other) {
                 (Value::Scalar(a), Value::Scalar(b)) => Ok(Value::Scalar(select(a, b))),
                 (Value::Vector(a), Value::Vector(b)) if a.len() == b.len() => {
@@ -343,25 +340,54 @@ impl<'e> Writer<'e> {
     }
 
     /// 1 where all comparisons hold; nothing for "otherwise".
-    fn condition(&mut self, condition: &Condition, place: Place<'_>) -> Result<Option<Id>, Error> {
+    fn condition(&mut self, condition: &Condition, place: Place<'_>) -> Result<Option<Node>, Error> {
         let mut all = None;
         for (left, relation, right) in condition {
             let holds = self.comparison(left, *relation, right, place)?;
-            all = Some(all.map_or(holds, |all| self.tape.multiply(all, holds)));
+            all = Some(all.map_or(holds, |all| self.graph.enter(Op::both(all, holds))));
         }
         Ok(all)
     }
 
-    fn comparison(&mut self, a: &Expr, relation: Relation, b: &Expr, place: Place<'_>) -> Result<Id, Error> {
+    fn comparison(&mut self, a: &Expr, relation: Relation, b: &Expr, place: Place<'_>) -> Result<Node, Error> {
         let (left, right) = (self.expression(a, place)?, self.expression(b, place)?);
         match (left, right) {
-            (Value::Scalar(left), Value::Scalar(right)) => Ok(self.tape.push(Op::Compare(relation, left, right))),
+            (Value::Scalar(left), Value::Scalar(right)) => Ok(compare(&mut self.graph, relation, left, right)),
             // A vector is compared with the zero vector only.
             (Value::Vector(parts), Value::Zero) if matches!(relation, Relation::Equal | Relation::Unequal) => {
-                let (length, zero) = (norm(&mut self.tape, &parts), self.tape.number(0.0));
-                Ok(self.tape.push(Op::Compare(relation, length, zero)))
+                let (length, zero) = (norm(&mut self.graph, &parts), self.graph.number(0.0));
+                Ok(compare(&mut self.graph, relation, length, zero))
             }
             _ => Err(Error::new(a.at, "numbers are compared, or a vector with the zero vector")),
         }
+    }
+}
+
+/// A function, but for the root, of which much depends on what it is of.
+fn call(graph: &mut Graph, function: Function, of: &[Node]) -> Node {
+    let first = of[0];
+    match function {
+        Function::Sqrt => graph.unary(Unary::Root, first),
+        Function::Sin => graph.unary(Unary::Sine, first),
+        Function::Cos => graph.unary(Unary::Cosine, first),
+        Function::ArcSin => graph.unary(Unary::ArcSine, first),
+        Function::Sign => graph.sign(first),
+        Function::Round => graph.enter(Op::Search(Search::of::<WholeNumber, 1>(), of.into())),
+        Function::Atan2 => {
+            // Zeros of mathematics have no sign.
+            let zero = graph.number(0.0);
+            let unsigned = graph.enter(Op::Binary(Binary::Add, first, zero));
+            graph.enter(Op::Binary(Binary::Angle, unsigned, of[1]))
+        }
+    }
+}
+
+/// The nearest whole number.
+struct WholeNumber;
+
+impl scalar::Search<1> for WholeNumber {
+    const NAME: &'static str = "round";
+    fn find<L: Leaf>([x]: [L; 1]) -> L {
+        x.re().round().into()
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::Octuple;
 use crate::formula::error::Error;
+use crate::number::scalar::{self, Leaf};
 use rustc_hash::FxHashMap;
 use std::fmt;
 use std::hash::{Hash, Hasher};
@@ -83,6 +84,18 @@ pub struct Search {
     pub(super) find_exactly: fn(&[Octuple]) -> Octuple,
 }
 
+impl Search {
+    /// A search of formulas, as an operation.
+    pub(crate) fn of<S: scalar::Search<N>, const N: usize>() -> Self {
+        Self { name: S::NAME, find: found::<_, S, N>, find_exactly: found::<_, S, N> }
+    }
+}
+
+/// What a search finds from a list of as many numbers as it takes.
+fn found<L: Leaf, S: scalar::Search<N>, const N: usize>(numbers: &[L]) -> L {
+    S::find(std::array::from_fn(|k| numbers[k]))
+}
+
 impl PartialEq for Search {
     fn eq(&self, other: &Self) -> bool {
         self.name == other.name
@@ -130,7 +143,7 @@ pub enum Op {
 
 impl Op {
     /// Whether two answers are yes; the second counts only where the first is.
-    pub(super) fn both(first: Node, second: Node) -> Self {
+    pub(crate) fn both(first: Node, second: Node) -> Self {
         Self::Select(first, second, first)
     }
 

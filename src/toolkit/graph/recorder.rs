@@ -83,6 +83,14 @@ pub(super) fn record<const N: usize>(
     }
 }
 
+/// What `run` results in, its operations written behind those of a graph.
+pub(super) fn extended<T>(graph: &mut Graph, run: impl FnOnce() -> T) -> T {
+    RECORDER.set(Some(Recorder { graph: std::mem::take(graph), ..Recorder::default() }));
+    let results = run();
+    *graph = RECORDER.take().expect("it was set before the run").graph;
+    results
+}
+
 /// The results of a side; `None` of one that nothing can reach, since the formula does not get through it.
 type Side = Option<Vec<Node>>;
 

@@ -1,7 +1,7 @@
 //! What a result of a graph depends on, and how it changes with the inputs.
 
 use super::node::{Binary, Graph, Node, Op, Unary};
-use crate::number::scalar::{Leaf, sign};
+use crate::number::scalar::{Leaf, choice, sign};
 
 impl Graph {
     /// All that these results are computed from, and they themselves, in order.
@@ -51,7 +51,7 @@ impl Graph {
                     slopes[if all[condition.index()] == 1.0 { x.index() } else { y.index() }] += slope;
                 }
                 op => {
-                    let by = derivatives(op, all[node.index()], all);
+                    let by = op.derivatives(all[node.index()], all);
                     op.operands().iter().zip(by).for_each(|(node, by)| slopes[node.index()] += slope * by);
                 }
             }
@@ -66,47 +66,52 @@ fn mark(marked: &mut [bool], nodes: &[Node]) {
     }
 }
 
-/// The derivatives of an operation, which gives this result, by its operands.
-fn derivatives<T: Leaf>(op: &Op, result: T, all: &[T]) -> Vec<T> {
-    let at = |node: &Node| all[node.index()];
-    let (zero, one) = (T::zero(), T::one());
-    match op {
-        Op::Unary(function, x) => {
-            let x = at(x);
-            vec![match function {
-                Unary::Negative => -one,
-                Unary::Absolute => sign(x),
-                Unary::Root => (result * 2.0).recip(),
-                Unary::Sine => x.cos(),
-                Unary::Cosine => -x.sin(),
-                Unary::ArcSine => (one - x * x).sqrt().recip(),
-                Unary::Exponential => result,
-                Unary::ExponentialMinusOne => x.exp(),
-                Unary::PowerOfTwo => zero,
-            }]
-        }
-        Op::Binary(operation, x, y) => {
-            let (x, y) = (at(x), at(y));
-            match operation {
-                Binary::Add => vec![one, one],
-                Binary::Subtract => vec![one, -one],
-                Binary::Multiply => vec![y, x],
-                Binary::Divide => vec![y.recip(), -result / y],
-                Binary::Angle => {
-                    let square = (x * x + y * y).recip();
-                    vec![y * square, -x * square]
-                }
-                Binary::Maximum if y > x => vec![zero, one],
-                Binary::Maximum => vec![one, zero],
+impl Op {
+    /// Its derivatives by its operands; it gives this result.
+    pub(crate) fn derivatives<T: Leaf>(&self, result: T, all: &[T]) -> Vec<T> {
+        let at = |node: &Node| all[node.index()];
+        let (zero, one, minus_one) = (T::zero(), T::one(), T::from(-1.0));
+        match self {
+            Self::Unary(function, x) => {
+                let x = at(x);
+                vec![match function {
+                    Unary::Negative => minus_one,
+                    Unary::Absolute => sign(x),
+                    Unary::Root => (result * 2.0).recip(),
+                    Unary::Sine => x.cos(),
+                    Unary::Cosine => -x.sin(),
+                    Unary::ArcSine => (one - x * x).sqrt().recip(),
+                    Unary::Exponential => result,
+                    Unary::ExponentialMinusOne => x.exp(),
+                    Unary::PowerOfTwo => zero,
+                }]
             }
-        }
-        Op::MultiplyAdd(x, y, _) => vec![at(y), at(x), one],
-        Op::Norm(parts) if result.is_zero() => vec![zero; parts.len()],
-        Op::Norm(parts) => parts.iter().map(|part| at(part) / result).collect(),
-        Op::ExactSum(products) => products.iter().flat_map(|product| by_factors(product.each_ref().map(at))).collect(),
-        // What is found is a constant, to which a step of Newton's method adds the derivatives.
-        Op::Input(_) | Op::Number(_) | Op::Compare(..) | Op::Select(..) | Op::Search(..) => {
-            vec![zero; op.operands().len()]
+            Self::Binary(operation, x, y) => {
+                let (x, y) = (at(x), at(y));
+                match operation {
+                    Binary::Add => vec![one, one],
+                    Binary::Subtract => vec![one, minus_one],
+                    Binary::Multiply => vec![y, x],
+                    Binary::Divide => vec![y.recip(), -result / y],
+                    Binary::Angle => {
+                        let square = (x * x + y * y).recip();
+                        vec![y * square, -x * square]
+                    }
+                    Binary::Maximum => choice(|| if y > x { [zero, one] } else { [one, zero] }).into(),
+                }
+            }
+            Self::MultiplyAdd(x, y, _) => vec![at(y), at(x), one],
+            Self::Norm(parts) => {
+                let by = |part| choice(|| [if result.is_zero() { zero } else { at(part) / result }])[0];
+                parts.iter().map(by).collect()
+            }
+            Self::ExactSum(products) => {
+                products.iter().flat_map(|product| by_factors(product.each_ref().map(at))).collect()
+            }
+            // What is found is a constant, to which a step of Newton's method adds the derivatives.
+            Self::Input(_) | Self::Number(_) | Self::Compare(..) | Self::Select(..) | Self::Search(..) => {
+                vec![zero; self.operands().len()]
+            }
         }
     }
 }

@@ -22,6 +22,10 @@ impl Traced {
         Self(Place::entered(Op::Input(k)))
     }
 
+    pub(super) fn at(node: Node) -> Self {
+        Self(Place::Node(node))
+    }
+
     pub(super) fn node(self) -> Node {
         self.0.node()
     }
@@ -188,11 +192,6 @@ mod function {
 newtype_number!(Traced(Place), zero: Place::Number(0.0), one: Place::Number(1.0), rem: Rem::rem);
 newtype_dual_num!(Traced, function);
 
-/// What a search finds from a list of as many numbers as it takes.
-fn found<L: Leaf, S: Search<N>, const N: usize>(numbers: &[L]) -> L {
-    S::find(std::array::from_fn(|k| numbers[k]))
-}
-
 impl Leaf for Traced {
     const EPSILON: f64 = f64::EPSILON;
     fn pi() -> Self {
@@ -215,8 +214,7 @@ impl Leaf for Traced {
         Self(Place::entered(Op::ExactSum(products.into_iter().map(|product| product.map(Self::node)).collect())))
     }
     fn find<S: Search<N>, const N: usize>(from: [Self; N]) -> Self {
-        let search = node::Search { name: S::NAME, find: found::<_, S, N>, find_exactly: found::<_, S, N> };
-        Self(Place::entered(Op::Search(search, from.map(Self::node).into())))
+        Self(Place::entered(Op::Search(node::Search::of::<S, N>(), from.map(Self::node).into())))
     }
 }
 

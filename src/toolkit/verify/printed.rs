@@ -1,9 +1,7 @@
-//! The printed equation at a point, in 237 bits: its values, its Jacobian by dual numbers, and whether what it calls
-//! smallest is so.
+//! The printed equation at a point, in 237 bits: its values, its Jacobian, and whether what it calls smallest is so.
 
 use super::claim::{Claim, Deviation};
 use super::eta::Sensitivity;
-use super::jet::differentiate;
 use crate::Octuple;
 use crate::toolkit::equation::{Equation, SmallestAt};
 use num_traits::{Signed, Zero};
@@ -37,10 +35,7 @@ const STEPS: u8 = 24;
 pub(super) fn found<'a>(equation: &'a Equation, inputs: &[Octuple], known: &[Octuple]) -> Found<'a> {
     let point = equation.point(inputs, known);
     let mut at = equation.run(&point);
-    let rows = differentiate(&point, &|moved| {
-        let at = equation.run(moved);
-        at.outputs.into_iter().chain(at.smallest.map(|smallest| smallest.slope)).collect()
-    });
+    let rows = equation.gradients(&at, &point);
     let (rows, slopes) = rows.split_at(at.outputs.len());
     let mut motion = vec![Octuple::zero(); inputs.len()];
     if let (Some(smallest), Some(slope)) = (&at.smallest, slopes.first()) {
@@ -149,7 +144,7 @@ fn judged(size: Sensitivity, deviation: Octuple, terms: impl FnOnce() -> Octuple
 
 /// The place of something smallest, by one step of Newton's method from where it is known to be, and how it moves with
 /// the inputs. At a bound it stays, if the objective rises from there.
-fn settled(smallest: &SmallestAt<Octuple>, slopes: &[Octuple], motion: &mut [Octuple]) -> Octuple {
+fn settled(smallest: &SmallestAt, slopes: &[Octuple], motion: &mut [Octuple]) -> Octuple {
     let SmallestAt { place, low, high, slope, .. } = *smallest;
     let zero = Octuple::zero();
     if place == low && slope >= zero || place == high && slope <= zero {
@@ -165,7 +160,7 @@ fn settled(smallest: &SmallestAt<Octuple>, slopes: &[Octuple], motion: &mut [Oct
 }
 
 /// The relative excess of the objective over the best of some other places, 0 where none is better.
-fn excess(equation: &Equation, smallest: &SmallestAt<Octuple>, mut point: Vec<Octuple>) -> Octuple {
+fn excess(equation: &Equation, smallest: &SmallestAt, mut point: Vec<Octuple>) -> Octuple {
     let last = point.len() - 1;
     let mut worst = Octuple::zero();
     for step in 0..=STEPS {
@@ -183,7 +178,7 @@ mod tests {
     use crate::formula::Field;
     use crate::formula::quantity::{F2, F3, FC, SEGMENT_G, X};
 
-    fn smallest(place: f64, slope: f64) -> SmallestAt<Octuple> {
+    fn smallest(place: f64, slope: f64) -> SmallestAt {
         let [place, low, high, objective, slope] = [place, -1.0, 1.0, 0.0, slope].map(Octuple::from);
         SmallestAt { output: 0, place, low, high, objective, slope }
     }
@@ -308,8 +303,24 @@ mod tests {
         assert_eq!(off(1e-50).1, 1);
     }
 
-    /// The slope 2 f (3 x + g) has terms of size 70, its derivatives by x, f and g such of 210, 14 and 60, and its derivative by the
-    /// place is −10. The place moves by −3 with x, and by 1/4 with f.
+    /// By hand at x = 1/4, f = −5 and g = 1/2. Every operation is off by one rounding of its result, and by what its operands are
+    /// off, times its derivatives by them:
+    ///
+    /// | number | value | terms |
+    /// |---|---|---|
+    /// | u = 3 x + g | 5/4 | 5/4 + 3/4 = 2 |
+    /// | u + u | 5/2 | 5/2 + 2 · 2 = 13/2 |
+    /// | the slope, f (u + u) | −25/2 | 25/2 + 5 · 13/2 = 45 |
+    /// | its derivative by x, f (3 + 3) | −30 | 30 + 5 · 6 = 60 |
+    /// | by f, u + u | 5/2 | 13/2 |
+    /// | by the place, f (1 + 1) | −10 | 10 + 5 · 2 = 20 |
+    /// | g³ = (g g) g | 1/8 | 1/8 + 1/2 · 1/4 = 1/4 |
+    /// | F_C = f x − x g³ | −41/32 | 41/32 + 5/4 + (1/32 + 1/4 · 1/4) = 21/8 |
+    /// | its derivative by x, f − g³ | −41/8 | 41/8 + 1/4 = 43/8 |
+    /// | by f, x | 1/4 | 0 |
+    /// | by the place, −x (g (g + g) + g g) | −3/16 | 3/16 + 1/4 · (3/4 + (1/2 + 1/2 · 1) + 1/4) = 11/16 |
+    ///
+    /// The place moves by −30/10 = −3 with x, and by (5/2)/10 = 1/4 with f.
     #[test]
     fn terms_are_those_of_a_number_and_of_the_place_that_it_depends_on() {
         let fields = [Field::new("x", &X), Field::new("f2", &F2)];
@@ -318,16 +329,15 @@ mod tests {
         let equation = equation.expect("it can be read");
         let found = found(&equation, &[0.25, -5.0].map(Octuple::from), &[0.5.into(), 0.0.into()]);
         let sizes = |of: &dyn Fn(Option<usize>) -> Octuple| [None, Some(0), Some(1), Some(2)].map(|by| of(by).to_f64());
-        assert_eq!(sizes(&|by| equation.terms_of_slope(by, &found.point)), [70.0, 210.0, 14.0, 60.0]);
-        assert_eq!(sizes(&|by| equation.terms_of_output(1, by, &found.point)), [2.59375, 10.375, 0.25, 0.75]);
+        assert_eq!(sizes(&|by| equation.terms_of_slope(by, &found.point)), [45.0, 60.0, 6.5, 20.0]);
+        assert_eq!(sizes(&|by| equation.terms_of_output(1, by, &found.point)), [2.625, 5.375, 0.0, 0.6875]);
         let place = [&found.curvature, &found.motion[0], &found.motion[1], &found.by_place[1]].map(|x| x.to_f64());
         assert_eq!(place, [-10.0, -3.0, 0.25, -0.1875]);
         let terms: Vec<_> = (0..2).map(|k| found.terms(k)).chain((0..4).map(|k| found.terms_of_entry(k))).collect();
         // What the number itself has, and the place, which the number changes with.
-        let by_x = (210.0 + 60.0 * 3.0) / 10.0;
-        let by_f = (14.0 + 60.0 / 4.0) / 10.0;
-        let expected =
-            [7.0, 9.59375, by_x, by_f, 10.375 + 0.75 * 3.0 + by_x * 0.1875, 0.25 + 0.75 / 4.0 + by_f * 0.1875];
+        let by_x = (60.0 + 20.0 * 3.0) / 10.0;
+        let by_f = (6.5 + 20.0 / 4.0) / 10.0;
+        let expected = [4.5, 7.125, by_x, by_f, 5.375 + 0.6875 * 3.0 + by_x * 0.1875, 0.6875 / 4.0 + by_f * 0.1875];
         let is_close = |(found, expected): (&Octuple, f64)| (found.to_f64() - expected).abs() < 1e-12;
         assert!(terms.iter().zip(expected).all(is_close), "{terms:?} is not {expected:?}");
     }

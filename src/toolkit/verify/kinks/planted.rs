@@ -4,7 +4,7 @@ use crate::connector::slot::ContactForce;
 use crate::formula::Fields;
 use crate::formula::proof::Convention;
 use crate::formula::quantity::{Domain, Quantity, Unit};
-use crate::toolkit::graph::{Binary, Graph, Node, Op, Relation, Unary};
+use crate::toolkit::graph::{Graph, Node, Op, Relation};
 use crate::toolkit::verify::{Kink, Subject};
 use crate::{Error, Octuple, fields};
 
@@ -62,18 +62,6 @@ pub(super) fn graph(value: impl FnOnce(&mut Graph, [Node; 3]) -> Vec<Node>) -> G
 impl Graph {
     pub(super) fn inputs<const N: usize>(&mut self) -> [Node; N] {
         std::array::from_fn(|k| self.enter(Op::Input(k)))
-    }
-
-    pub(super) fn number(&mut self, x: f64) -> Node {
-        self.enter(Op::Number(x.to_bits()))
-    }
-
-    pub(super) fn unary(&mut self, function: Unary, x: Node) -> Node {
-        self.enter(Op::Unary(function, x))
-    }
-
-    pub(super) fn binary(&mut self, operation: Binary, x: Node, y: Node) -> Node {
-        self.enter(Op::Binary(operation, x, y))
     }
 
     pub(super) fn compare(&mut self, relation: Relation, x: Node, y: Node) -> Node {

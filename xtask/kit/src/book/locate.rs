@@ -1,41 +1,35 @@
 //! Finds in the sources what an entry points at: the functions of an `impl Formula for …`, and the tests that name an id.
 
 use super::content::{CodeSpan, SourceFile, TestRef};
-use super::rust::{Kind, tokens};
-
-/// A token with the line it begins on, from 1.
-struct Token<'a> {
-    /// Its kind.
-    kind: Kind,
-    /// Its characters.
-    text: &'a str,
-    /// Its line.
-    line: usize,
-}
-
-/// The tokens that mean something, with their lines.
-fn significant(text: &str) -> Vec<Token<'_>> {
-    let mut line = 1;
-    let mut out = Vec::new();
-    for (kind, text) in tokens(text) {
-        if !matches!(kind, Kind::Space | Kind::Comment) {
-            out.push(Token { kind, text, line });
-        }
-        line += text.matches('\n').count();
-    }
-    out
-}
+use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
+use std::collections::HashSet;
+use syn::spanned::Spanned;
+use syn::{ImplItem, Item, ItemImpl, Type};
 
 /// The sources, read once for many questions.
 pub(crate) struct Index<'a> {
-    /// Each file with its tokens.
-    files: Vec<(&'a SourceFile, Vec<Token<'a>>)>,
+    sources: &'a [SourceFile],
+    tests: Vec<Test<'a>>,
+}
+
+/// A test function.
+struct Test<'a> {
+    place: TestRef,
+    source: &'a SourceFile,
+    /// The names and literals in its body.
+    words: HashSet<String>,
 }
 
 impl<'a> Index<'a> {
-    /// Reads the sources.
+    /// Reads the sources; one that is no Rust has no tests.
     pub(crate) fn new(sources: &'a [SourceFile]) -> Self {
-        Self { files: sources.iter().map(|source| (source, significant(&source.text))).collect() }
+        let mut tests = Vec::new();
+        for source in sources {
+            if let Ok(stream) = source.text.parse() {
+                collect_tests(stream, source, &mut tests);
+            }
+        }
+        Self { sources, tests }
     }
 
     /// Where the functions called `names` stand in `impl Formula for type_name` in `file`, with their doc comments and
@@ -43,12 +37,21 @@ impl<'a> Index<'a> {
     ///
     /// A name that is not there is left out; the caller decides whether that is a fault.
     pub(crate) fn functions(&self, file: &str, type_name: &str, names: &[&str]) -> Vec<CodeSpan> {
-        for (source, tokens) in self.files.iter().filter(|(source, _)| source.path == file) {
-            if let Some(body) = formula_impl(tokens, type_name) {
-                return names.iter().filter_map(|name| function(source, body, name)).collect();
-            }
-        }
-        Vec::new()
+        let source = self.sources.iter().find(|source| source.path == file);
+        let parsed = source.and_then(|source| syn::parse_file(&source.text).ok());
+        let Some(formula) = parsed.as_ref().and_then(|parsed| formula_impl(&parsed.items, type_name)) else {
+            return Vec::new();
+        };
+        let function = |name: &&str| {
+            formula.items.iter().find_map(|item| match item {
+                ImplItem::Fn(function) if function.sig.ident == name => {
+                    let [first, last] = [function.span().start().line, function.span().end().line];
+                    Some(CodeSpan { name: (*name).to_owned(), file: file.to_owned(), first, last })
+                }
+                _ => None,
+            })
+        };
+        names.iter().filter_map(function).collect()
     }
 
     /// Every test function that names the id of a formula, as a string, or its type in a file of its family (another
@@ -56,85 +59,91 @@ impl<'a> Index<'a> {
     pub(crate) fn tests_naming(&self, id: &str, type_name: &str) -> Vec<TestRef> {
         let literal = format!("\"{id}\"");
         let family = id.split('.').next().unwrap_or(id);
-        self.tests(|source| {
-            let of_family = source.path.contains(family);
-            let literal = &literal;
-            move |token| token.text == literal || (of_family && token.kind == Kind::Type && token.text == type_name)
+        self.tests(|test| {
+            test.words.contains(&literal) || test.source.path.contains(family) && test.words.contains(type_name)
         })
     }
 
     /// Every test function that runs over the whole catalog.
     pub(crate) fn tests_over_catalog(&self) -> Vec<TestRef> {
-        self.tests(|source| {
-            let of_tests = source.path.starts_with("tests/");
-            move |token| of_tests && ["CATALOG", "for_every_formula"].contains(&token.text)
+        self.tests(|test| {
+            let names = ["CATALOG", "for_every_formula"];
+            test.source.path.starts_with("tests/") && names.iter().any(|name| test.words.contains(*name))
         })
     }
 
-    /// Every test function with a token that counts; `counting` says for a file which do.
-    fn tests<C: Fn(&Token<'_>) -> bool>(&self, counting: impl Fn(&SourceFile) -> C) -> Vec<TestRef> {
-        let mut found: Vec<TestRef> = Vec::new();
-        for (source, tokens) in &self.files {
-            let counts = counting(source);
-            for (at, _) in tokens.iter().enumerate().filter(|(_, token)| counts(token)) {
-                found.extend(enclosing_test(source, tokens, at).filter(|test| !found.contains(test)));
+    fn tests(&self, counts: impl Fn(&Test<'a>) -> bool) -> Vec<TestRef> {
+        self.tests.iter().filter(|test| counts(test)).map(|test| test.place.clone()).collect()
+    }
+}
+
+/// `impl … Formula for type_name`, in modules too.
+fn formula_impl<'s>(items: &'s [Item], type_name: &str) -> Option<&'s ItemImpl> {
+    items.iter().find_map(|item| match item {
+        Item::Impl(item) if is_formula_of(item, type_name) => Some(item),
+        Item::Mod(module) => formula_impl(&module.content.as_ref()?.1, type_name),
+        _ => None,
+    })
+}
+
+fn is_formula_of(item: &ItemImpl, type_name: &str) -> bool {
+    let last = |path: &syn::Path, name: &str| path.segments.last().is_some_and(|segment| segment.ident == name);
+    let is_formula = item.trait_.as_ref().is_some_and(|(_, path, _)| last(path, "Formula"));
+    is_formula && matches!(&*item.self_ty, Type::Path(of) if last(&of.path, type_name))
+}
+
+/// The test functions, also in macros.
+fn collect_tests<'a>(stream: TokenStream, source: &'a SourceFile, tests: &mut Vec<Test<'a>>) {
+    let trees: Vec<_> = stream.into_iter().collect();
+    for (at, tree) in trees.iter().enumerate() {
+        match tree {
+            TokenTree::Ident(word) if word == "fn" && is_test(&trees[..at]) => {
+                if let Some(TokenTree::Ident(name)) = trees.get(at + 1)
+                    && let Some(body) = trees[at..].iter().find_map(braces)
+                {
+                    let (mut words, line) = (HashSet::new(), word.span().start().line);
+                    collect_words(body.stream(), &mut words);
+                    tests.push(Test {
+                        place: TestRef { name: name.to_string(), file: source.path.clone(), line },
+                        source,
+                        words,
+                    });
+                }
             }
-        }
-        found
-    }
-}
-
-/// The tokens between the braces of `impl … Formula for type_name`.
-fn formula_impl<'t, 'a>(tokens: &'t [Token<'a>], type_name: &str) -> Option<&'t [Token<'a>]> {
-    for (start, _) in tokens.iter().enumerate().filter(|(_, token)| token.text == "impl") {
-        let open = start + tokens[start..].iter().position(|token| token.text == "{")?;
-        let head: Vec<&str> = tokens[start..open].iter().map(|token| token.text).collect();
-        let split = head.iter().position(|text| *text == "for");
-        if split.is_some_and(|at| head[..at].contains(&"Formula") && head[at..].contains(&type_name)) {
-            return Some(&tokens[open + 1..closing(tokens, open)?]);
-        }
-    }
-    None
-}
-
-/// The index of the brace that closes the one at `open`.
-fn closing(tokens: &[Token<'_>], open: usize) -> Option<usize> {
-    let mut depth = 0_usize;
-    for (at, token) in tokens.iter().enumerate().skip(open) {
-        match token.text {
-            "{" => depth += 1,
-            "}" => depth = depth.saturating_sub(1),
+            TokenTree::Group(group) => collect_tests(group.stream(), source, tests),
             _ => {}
         }
-        if depth == 0 {
-            return Some(at);
+    }
+}
+
+/// Whether an attribute of what stands behind these says that it is a test.
+fn is_test(before: &[TokenTree]) -> bool {
+    let ends =
+        |tree: &TokenTree| braces(tree).is_some() || matches!(tree, TokenTree::Punct(mark) if mark.as_char() == ';');
+    let names_test = |tree: &TokenTree| {
+        let TokenTree::Group(group) = tree else { return false };
+        group.stream().into_iter().any(|tree| matches!(tree, TokenTree::Ident(word) if word == "test"))
+    };
+    before.iter().rev().take_while(|tree| !ends(tree)).any(names_test)
+}
+
+fn braces(tree: &TokenTree) -> Option<&Group> {
+    match tree {
+        TokenTree::Group(group) if group.delimiter() == Delimiter::Brace => Some(group),
+        _ => None,
+    }
+}
+
+fn collect_words(stream: TokenStream, words: &mut HashSet<String>) {
+    for tree in stream {
+        match tree {
+            TokenTree::Group(group) => collect_words(group.stream(), words),
+            TokenTree::Punct(_) => {}
+            TokenTree::Ident(_) | TokenTree::Literal(_) => {
+                words.insert(tree.to_string());
+            }
         }
     }
-    None
-}
-
-/// The lines of one function in the body of an `impl`.
-fn function(source: &SourceFile, body: &[Token<'_>], name: &str) -> Option<CodeSpan> {
-    let at = body.windows(2).position(|pair| pair[0].text == "fn" && pair[1].text == name)?;
-    let open = at + body[at..].iter().position(|token| token.text == "{")?;
-    let last = body[closing(body, open)?].line;
-    let lines: Vec<&str> = source.text.lines().collect();
-    let belongs = |line: &&&str| line.trim_start().starts_with("///") || line.trim_start().starts_with("#[");
-    let above = lines[..body[at].line - 1].iter().rev().take_while(belongs).count();
-    let first = body[at].line - above;
-    Some(CodeSpan { name: name.to_owned(), file: source.path.clone(), first, last })
-}
-
-/// The test function around the token `at`.
-fn enclosing_test(source: &SourceFile, tokens: &[Token<'_>], at: usize) -> Option<TestRef> {
-    let start = tokens[..at].windows(2).rposition(|pair| pair[0].text == "fn" && pair[1].kind == Kind::Name)?;
-    let open = start + tokens[start..].iter().position(|token| token.text == "{")?;
-    let attributes =
-        tokens[..start].iter().rev().map(|token| token.text).take_while(|text| !["{", "}", ";"].contains(text));
-    let is_test = attributes.into_iter().any(|text| text == "test");
-    let name = tokens[start + 1].text.to_owned();
-    let test = TestRef { name, file: source.path.clone(), line: tokens[start].line };
-    (is_test && open < at && at < closing(tokens, open)?).then_some(test)
 }
 
 #[cfg(test)]
