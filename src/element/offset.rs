@@ -3,8 +3,6 @@
 //! The connector's point moves with u + θ × r, where r is the arm, from the node to that point, and turns with the node. A
 //! force there has the moment r × f about the node, which changes as the arm turns.
 
-#![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
-
 #[cfg(feature = "verify")]
 mod proof;
 

@@ -1,7 +1,5 @@
 //! TRANSLATOR as an element: rows, forces and stiffness of SLOT and of ALIGN, five residuals on twelve degrees of freedom.
 
-#![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
-
 #[cfg(feature = "verify")]
 mod proof;
 

@@ -1,7 +1,5 @@
 //! UJOINT as an element: the rows and forces of JOIN and of UNIVERSAL, four residuals on twelve degrees of freedom.
 
-#![expect(clippy::inline_always, reason = "the compiler sees the indices, and where the zeros are")]
-
 #[cfg(feature = "verify")]
 mod proof;
 

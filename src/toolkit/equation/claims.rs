@@ -1,8 +1,7 @@
 //! What prose claims in mathematics, beside the equation of an entry.
 
-use super::derivative::Beside;
 use super::error::Error;
-use super::lower::{Place, Writer};
+use super::lower::{Beside, Place, Writer};
 use super::name::Name;
 use super::scope::{Entries, Entry, Taken};
 use super::statement::{apart, chains, statements, symbols};

@@ -7,15 +7,6 @@ use super::syntax::Expr;
 use super::value::Value;
 use crate::toolkit::graph::{Node, Op};
 
-/// Numbers that do not follow from the inputs by an equation.
-#[derive(Debug, Default)]
-pub(super) struct Beside {
-    /// The outputs of the code, each with its row of the Jacobian of the code.
-    pub(super) outputs: Vec<(Node, Vec<Node>)>,
-    /// Numbers that change, and their changes.
-    pub(super) changes: Vec<(Node, Node)>,
-}
-
 impl Writer<'_> {
     /// A partial derivative: of an output of the code by an input, an entry of the Jacobian of the code; of anything
     /// else, what follows from its equation, with all other symbols held.

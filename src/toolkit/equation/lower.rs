@@ -1,6 +1,5 @@
 //! Symbols get their meaning, vectors fall apart into components, and the list of operations is written.
 
-use super::derivative::Beside;
 use super::error::Error;
 use super::name::Name;
 use super::scope::Entries;
@@ -28,6 +27,15 @@ impl Place<'_> {
 
 /// So many references inside references are a circle.
 const DEEP: usize = 40;
+
+/// Numbers that do not follow from the inputs by an equation.
+#[derive(Debug, Default)]
+pub(super) struct Beside {
+    /// The outputs of the code, each with its row of the Jacobian of the code.
+    pub(super) outputs: Vec<(Node, Vec<Node>)>,
+    /// Numbers that change, and their changes.
+    pub(super) changes: Vec<(Node, Node)>,
+}
 
 /// Writes the list of operations.
 pub(super) struct Writer<'e> {
