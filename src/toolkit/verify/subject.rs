@@ -25,6 +25,8 @@ pub(crate) struct Subject {
     /// The value, and the closed-form Jacobian output by output.
     pub(crate) value: fn(&[f64]) -> Vec<f64>,
     pub(crate) jacobian: fn(&[f64]) -> Vec<f64>,
+    /// The Jacobian by automatic differentiation, of a formula that has no closed form of it.
+    pub(crate) automatic: fn(&[f64]) -> Vec<f64>,
     /// Both at once.
     pub(crate) linearized: fn(&[f64]) -> [Vec<f64>; 2],
     /// The same in 237 bits.
@@ -73,6 +75,12 @@ impl Subject {
             placed: |i| F::placed(typed(i)).components(),
             value: value::<F, _>,
             jacobian: jacobian::<F, _>,
+            automatic: |i| {
+                if const { F::SPEC.is_closed() } {
+                    return Vec::new();
+                }
+                entries(&proof::value_and_jacobian_by_ad::<F, f64>(&typed(i)).1)
+            },
             linearized: |i| {
                 let (value, jacobian) = F::linearized(&typed(i));
                 [value.components(), entries(&jacobian)]

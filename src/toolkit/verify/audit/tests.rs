@@ -56,6 +56,30 @@ impl Formula for Unreadable {
 }
 impl Proved for Unreadable {}
 
+/// A wrong derivative by hand, of which no bound is stated: what is said to be automatic is not compared with itself.
+#[derive(Clone, Copy)]
+struct Unstated;
+impl Formula for Unstated {
+    const SPEC: Spec = Spec::new("planted.unstated", "Unstated", Document::new("None").printed("")).eta_of_value(1.0);
+    type Inputs<T: Component> = One<T>;
+    type Outputs<T: Component> = Same<T>;
+    fn eval<D: Scalar>(i: &One<D>) -> Same<D> {
+        Same { f2: i.x * i.x }
+    }
+    fn jacobian<D: Scalar>(i: &One<D>) -> Jacobian<Self, D> {
+        Same { f2: One { x: i.x } }
+    }
+}
+impl Proved for Unstated {}
+
+#[test]
+fn a_derivative_by_hand_has_its_bound_stated() {
+    let closed = |x| audit_at::<Unstated>(&One { x }).expect("it is valid").closed_against_ad;
+    let claim = closed(3.0).expect("it is no automatic one");
+    assert!(claim.failures > 0 && claim.worst.expect("it says why").entry.contains("written by hand"));
+    assert!(closed(0.0).is_none());
+}
+
 #[test]
 fn that_an_equation_cannot_be_read_is_said_once() {
     let failures = |index| {
