@@ -151,9 +151,6 @@ impl<D: Scalar> TranslatorRows<D> {
 
 impl<D: Scalar> JointStiffness<D> {
     /// All blocks in their places: what Newton's matrix has beside the rows.
-    ///
-    /// With the blocks of [`SymmetricStiffness`](super::ujoint::SymmetricStiffness) in place of `k_ta_ta` and `k_tb_tb`
-    /// it is symmetric.
     pub fn matrix(&self) -> Stiffness<D> {
         let (force, turned, across) = (self.k_ua_ta, self.k_ua_ta.transpose(), self.k_ta_tb);
         stiffness([

@@ -210,7 +210,7 @@ mod tests {
         for id in ["coulomb.yield", "slot.constraint", "cardan.angles"] {
             let formula = find(id).unwrap();
             let asked = super::questions(formula, Wanted::Products, &verify::Options::default());
-            let all = questions(formula, &asked, 1);
+            let all = along_directions(formula, &asked, 1);
             assert_eq!(all.len(), BASES * (1 + STEPS.len()), "{id}");
         }
     }
@@ -275,7 +275,7 @@ mod tests {
         let formula = find("slot.friction").unwrap();
         let options = verify::Options { samples: 10, ..verify::Options::default() };
         let asked = super::questions(formula, Wanted::Products, &options);
-        let asked = questions(formula, &asked, 1);
+        let asked = along_directions(formula, &asked, 1);
         let court = Court {
             formula,
             wanted: Wanted::Products,
