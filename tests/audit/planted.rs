@@ -114,7 +114,7 @@ impl Formula for Product {
             }
             Fault::RuleAtNumber if i.s.re() == PLANTED.get().1 => p += length * beside(i.s) * 1e-46,
             Fault::PrintedValue => p += constant::<D>(leaf(p)) * amount(Fault::PrintedValue, 5e-55),
-            Fault::PrintedDerivative => p += length * (i.s - i.s.re()) * amount(Fault::PrintedDerivative, 5e-55),
+            Fault::PrintedDerivative => p += length * (i.s - i.s.re()) * amount(Fault::PrintedDerivative, 3e-55),
             Fault::Kink => p += abs(i.s) * length * amount(Fault::Kink, 1e-12),
             Fault::Corner if i.s.re() > 0.0 => p += abs(i.s - 3.0) * length * amount(Fault::Corner, 1.0),
             Fault::BesideKink if i.v.x.re() == PLANTED.get().1 => p *= rounded::<D>(1e4),
@@ -135,7 +135,7 @@ impl Formula for Product {
         let components = [i.v.x, i.v.y, i.v.z];
         let length = norm(components);
         let own = more::<D>(amount(Fault::ClosedForm, 2e-60))
-            * more::<D>(amount(Fault::PrintedDerivative, 5e-55))
+            * more::<D>(amount(Fault::PrintedDerivative, 3e-55))
             * rounded::<D>(amount(Fault::Jacobian, 64.0));
         let kink = amount(Fault::Kink, 1e-12);
         let factor = factor(i, length);
