@@ -29,7 +29,11 @@ pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
     }
     let m = graph.value.len();
     let results: Vec<Node> = graph.value.iter().chain(&graph.jacobian).copied().collect();
-    let wanted: Vec<Node> = off.iter().map(|&place| results[place]).collect();
+    // An automatic Jacobian is not in the graph; what is off in it may follow from a value that is.
+    let wanted: Vec<Node> = off.iter().filter_map(|&place| results.get(place).copied()).collect();
+    if wanted.is_empty() {
+        return None;
+    }
     let has_both = off.iter().any(|&place| place < m) && off.iter().any(|&place| place >= m);
     let mistakes = mistakes(&graph, evidence.court.formula.inputs(), &wanted);
     let screens: Vec<_> = samples[..LEAST].iter().map(|sample| Screen::new(evidence, &graph, sample)).collect();
@@ -40,7 +44,11 @@ pub(super) fn cause(evidence: &Evidence<'_>, off: &[usize]) -> Option<String> {
     };
     let mut fitting: Vec<&Mistake> = (&mistakes).into_par_iter().filter(screened).collect();
     fitting.sort_by_key(|mistake| mistake.sort);
-    let ways: &[Jacobian] = if has_both { &[Jacobian::Altered, Jacobian::Derived] } else { &[Jacobian::Altered] };
+    let ways: &[Jacobian] = match (has_both, graph.jacobian.is_empty()) {
+        (false, _) => &[Jacobian::Altered],
+        (true, false) => &[Jacobian::Altered, Jacobian::Derived],
+        (true, true) => &[Jacobian::Derived],
+    };
     let is_so = |mistake: &&&Mistake| {
         let altered = graph.altered(mistake.place, &mistake.instead);
         ways.iter().any(|&way| explains(evidence, off, &altered, way))
@@ -94,8 +102,8 @@ impl<'a> Screen<'a> {
 fn explains(evidence: &Evidence<'_>, off: &[usize], altered: &Graph, way: Jacobian) -> bool {
     let m = altered.value.len();
     let all_results: Vec<Node> = altered.value.iter().chain(&altered.jacobian).copied().collect();
-    let nodes =
-        altered.needed(&off.iter().map(|&place| all_results[place]).chain(altered.value.clone()).collect::<Vec<_>>());
+    let wanted = off.iter().filter_map(|&place| all_results.get(place).copied());
+    let nodes = altered.needed(&wanted.chain(altered.value.clone()).collect::<Vec<_>>());
     let fits = |sample: &Sample| {
         let inputs: Vec<Octuple> = sample.inputs(evidence).iter().map(|&x| x.into()).collect();
         let all = altered.results(&inputs, nodes.iter().copied());
