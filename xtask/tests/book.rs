@@ -118,7 +118,7 @@ fn every_formula_has_a_calculator() {
     for (formula, _) in one_each(&behind("<details class=\"calculator\" data-formula=\"", ">"), "calculators") {
         let id = formula.spec().id;
         let script = fs::read_to_string(BOOK.join(format!("calculator/{id}.js"))).unwrap();
-        assert!(script.contains("\nfunction jacobian(i) {\n"), "{script}");
+        assert!(script.contains("\nfunction compute(i) {\n"), "{script}");
     }
 }
 

@@ -79,6 +79,11 @@ fn every_formula_of_the_catalog_is_in_it_with_finite_figures() {
         for expected in ["closed", "checked", "single", "ad", "forward", "central", "fourth", "octuple", "octuple-ad"] {
             let way = ways.iter().find(|way| way["id"] == expected);
             let way = way.unwrap_or_else(|| panic!("{id} has no way {expected}"));
+            let is_automatic = !jointproof::catalog::find(id.as_str().unwrap()).unwrap().spec().is_closed();
+            if is_automatic && ["closed", "checked", "single", "octuple"].contains(&expected) {
+                assert!(way["jacobian"].is_null(), "{id} {expected}");
+                continue;
+            }
             assert_figures(&way["jacobian"], &format!("{id} {expected}"));
             assert_figures(&way["jacobian"]["ratio"], &format!("{id} {expected}"));
         }
@@ -86,6 +91,9 @@ fn every_formula_of_the_catalog_is_in_it_with_finite_figures() {
             assert_figures(&way["value"], &format!("{id} {way}"));
         }
         let hard_points = formula["hard_points"].as_u64().map(|count| usize::try_from(count).unwrap());
+        if ways[0]["jacobian"].is_null() {
+            continue;
+        }
         for way in &ways[..2] {
             let times = way["jacobian"]["hard_times"].as_array().map(Vec::len);
             assert_eq!(times, hard_points, "{id}: the closed form, checked or not, is timed at every hard point");

@@ -49,8 +49,8 @@ pub(crate) struct Arguments {
     #[arg(long, requires = "driver")]
     exported: bool,
     /// What the program answers
-    #[arg(long, value_parser = wanted(), default_value = Wanted::default().name())]
-    wanted: Wanted,
+    #[arg(long, value_parser = wanted())]
+    wanted: Option<Wanted>,
     /// Numbers are the 16 hexadecimal digits of their bits
     #[arg(long, conflicts_with = "json")]
     hex: bool,
@@ -117,6 +117,14 @@ fn at(text: &str) -> Result<Place, String> {
     Ok(Place { file: file.to_owned(), line: line.max(1) })
 }
 
+impl Arguments {
+    /// What is asked for, or what is exported of the formula: of an automatic Jacobian nothing is.
+    fn wanted(&self, formula: &dyn AnyFormula) -> Wanted {
+        let exported = if formula.spec().is_closed() { Wanted::Jacobian } else { Wanted::Value };
+        self.wanted.unwrap_or(exported)
+    }
+}
+
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     let formula = formula(project, &arguments.formula)?;
     if let Some(lang) = arguments.driver {
@@ -138,10 +146,10 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         [value, jacobian, ..] => Bounds { value, jacobian },
         [] => Bounds::of(formula),
     };
-    let court = Court { formula, wanted: arguments.wanted, bounds, questions: &questions };
+    let court = Court { formula, wanted: arguments.wanted(formula), bounds, questions: &questions };
     let manner = Manner {
         program: &arguments.program,
-        wanted: arguments.wanted,
+        wanted: arguments.wanted(formula),
         is_json: arguments.json,
         is_hex: arguments.hex,
         limit,
@@ -181,7 +189,10 @@ fn written(arguments: &Arguments, text: &str, claim: &str, is_well: bool) -> any
 }
 
 fn driver(formula: &'static dyn AnyFormula, arguments: &Arguments, lang: Lang) -> anyhow::Result<String> {
-    let driver = Driver::new(formula, arguments.wanted, arguments.exported);
+    if arguments.exported && arguments.wanted(formula) == Wanted::Jacobian && !formula.spec().is_closed() {
+        return Err(Usage("--exported: the Jacobian is automatic, and its value alone is exported".into()).into());
+    }
+    let driver = Driver::new(formula, arguments.wanted(formula), arguments.exported);
     let driver = driver.ok_or_else(|| Usage("--driver is for a value or a Jacobian, not for products".into()))?;
     let text = driver::text(&driver, lang);
     Ok(text.ok_or_else(|| Usage("--exported: nothing is exported to this language".into()))?)
@@ -197,13 +208,13 @@ fn formula(project: &Project, id: &str) -> anyhow::Result<&'static dyn AnyFormul
 fn asked(formula: &dyn AnyFormula, arguments: &Arguments) -> anyhow::Result<Vec<Question>> {
     let Some(point) = &arguments.point else {
         let options = Options { samples: arguments.samples, seed: arguments.seed };
-        return Ok(questions(formula, arguments.wanted, &options));
+        return Ok(questions(formula, arguments.wanted(formula), &options));
     };
     let names = || formula.inputs().iter().map(|field| field.name).collect::<Vec<_>>().join(", ");
     let inputs = serde_json::from_str(point)
         .map_err(|error| Usage(format!("--point is not a JSON object of {}: {error}", names())))?;
     let inputs = components(formula.inputs(), &inputs).map_err(|error| Usage(format!("--point: {error}")))?;
-    Ok(of_points(formula, arguments.wanted, vec![("given".into(), inputs)], arguments.seed))
+    Ok(of_points(formula, arguments.wanted(formula), vec![("given".into(), inputs)], arguments.seed))
 }
 
 #[cfg(test)]

@@ -320,8 +320,9 @@ fn umbrella(recorded: &[Recorded]) -> String {
     let mut text = Text::from(
         "/*\n * Formulas with their Jacobians, printed by jointproof from the program that it proves.\n *\n\
          \x20* ..._value gives the outputs; ..._jacobian, where the derivative is in closed form, the outputs and\n\
-         \x20* every derivative, output by output, each over all inputs in order. A return code is 0, or says why inputs are refused, as each header\n\
-         \x20* tells; nothing is written then. A result that is too large for a double is infinite.\n *\n\
+         \x20* every derivative, output by output, each over all inputs in order. A return code is 0, or says\n\
+         \x20* why inputs are refused, as each header tells; nothing is written then. A result that is too\n\
+         \x20* large for a double is infinite.\n *\n\
          \x20* Compile without fused operations and without -ffast-math: -std=c99 -ffp-contract=off.\n */\n\
          #ifndef JOINTPROOF_H\n#define JOINTPROOF_H\n\n",
     );
