@@ -319,7 +319,7 @@ fn header(one: &Recorded) -> String {
 fn umbrella(recorded: &[Recorded]) -> String {
     let mut text = Text::from(
         "/*\n * Formulas with their Jacobians, printed by jointproof from the program that it proves.\n *\n\
-         \x20* ..._value gives the outputs; ..._jacobian, where the derivative is in closed form, the outputs and\n\
+         \x20* ..._value gives the outputs; ..._jacobian, where it is in closed form, the outputs and\n\
          \x20* every derivative, output by output, each over all inputs in order. A return code is 0, or says\n\
          \x20* why inputs are refused, as each header tells; nothing is written then. A result that is too\n\
          \x20* large for a double is infinite.\n *\n\
