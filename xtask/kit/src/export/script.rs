@@ -35,7 +35,7 @@ impl Script {
         let (_, after) = import.split_once(";\n").expect("an import ends");
         let body = classic(&format!("{before}{after}\nfunction compute{largest}"));
         format!(
-            "({imported}) => {{\n{body}\nreturn {{ inputs, outputs, required, compute, isClosed: {} }};\n}}",
+            "({imported}) => {{\n{body}\nreturn {{ inputs, outputs, required, value: compute, isClosed: {} }};\n}}",
             self.0.formula.spec().is_closed()
         )
     }

@@ -140,7 +140,7 @@ class Panel {
         if (refused?.position > this.inputs.length) return { refusal: `Refused; required is ${refused.name}` };
         if (refused) return this.refusal(refused.position - 1, i);
         // An automatic Jacobian is not computed here.
-        const { value, jacobian = [] } = this.formula.compute(i);
+        const { value, jacobian = [] } = this.formula.value(i);
         const [m, n] = [this.results.length, this.names.length];
         const field = (k) => this.results[k].replace(/\[.*/, '');
         const output = value.findIndex((y) => !Number.isFinite(y));
