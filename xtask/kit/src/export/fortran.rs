@@ -275,8 +275,8 @@ fn part_source(stem: &str, part: &PartLines) -> String {
 fn module(recorded: &[Recorded]) -> String {
     let mut text = Text::from(
         "! Formulas with their Jacobians, printed by jointproof from the program that it proves.\n!\n\
-         ! ..._value gives the outputs; ..._jacobian, where the derivative is in closed form, the outputs and every derivative, output by output, each\n\
-         ! over all inputs in order. The result is 0, or says why inputs are refused, as each module\n\
+         ! ..._value gives the outputs; ..._jacobian, if in closed form, the outputs and every\n\
+         ! derivative, output by output, each over all inputs in order. The result is 0, or says why inputs are refused, as each module\n\
          ! tells; the outputs are 0 then. A result that is too large for a double is infinite.\n!\n\
          ! Compile without fused operations and without -ffast-math: -ffp-contract=off.\nmodule jointproof\n",
     );

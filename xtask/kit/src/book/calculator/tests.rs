@@ -150,27 +150,35 @@ fn what_is_copied_compiles_and_gives_the_same_numbers() {
         let (_, of_point) =
             text("--point").split_once('\'').map(|(head, tail)| (head.to_owned(), tail.to_owned())).unwrap();
         assert_eq!(of_point.trim_end().trim_end_matches('\''), text("JSON").trim_end());
-        let (_, jacobian) = find(id).unwrap().value_and_jacobian(&point).unwrap();
-        let expected: Vec<_> = jacobian.iter().map(|x| x.to_bits().cast_signed()).collect();
+        let (value, jacobian) = find(id).unwrap().value_and_jacobian(&point).unwrap();
+        let numbers = if formula.spec().is_closed() { &jacobian[..] } else { &value[..formula.outputs()[0].len()] };
+        let expected: Vec<_> = numbers.iter().map(|x| x.to_bits().cast_signed()).collect();
         assert_eq!(run_c(&book, *formula, &text("C")), expected, "{}", text("C"));
         assert_eq!(run_fortran(&book, *formula, &text("Fortran")), expected, "{}", text("Fortran"));
     }
 }
 
+/// What is compared: the Jacobian, or the first output where it is automatic.
+fn compared(formula: &dyn AnyFormula) -> &'static str {
+    if formula.spec().is_closed() { "jacobian" } else { formula.outputs()[0].name }
+}
+
 fn run_c(book: &Book, formula: &'static dyn AnyFormula, call: &str) -> Vec<i64> {
+    let of = compared(formula);
     let main = format!(
         "#include \"jointproof.h\"\n#include <stdio.h>\n#include <string.h>\nint main(void)\n{{\n{call}\
-         for (unsigned k = 0; code == 0 && k < sizeof jacobian / sizeof *jacobian; ++k) {{\n\
-         long long bits; memcpy(&bits, jacobian + k, 8); printf(\"%lld\\n\", bits); }}\nreturn code;\n}}\n"
+         for (unsigned k = 0; code == 0 && k < sizeof {of} / sizeof *{of}; ++k) {{\n\
+         long long bits; memcpy(&bits, {of} + k, 8); printf(\"%lld\\n\", bits); }}\nreturn code;\n}}\n"
     );
     ran(book, formula, "c", ("main.c", &main), "gcc -std=c99 -ffp-contract=off jp_*.c main.c -lm -o run && ./run")
 }
 
 fn run_fortran(book: &Book, formula: &'static dyn AnyFormula, call: &str) -> Vec<i64> {
+    let of = compared(formula);
     let (declared, called) = call.split_once("code = ").unwrap();
     let main = format!(
         "program main\nuse jointproof\nuse iso_fortran_env, only: int64\nimplicit none\n{declared}integer :: k\n\
-         code = {called}do k = 1, size(jacobian)\nprint '(i0)', transfer(jacobian(k), 0_int64)\nend do\nend program\n"
+         code = {called}do k = 1, size({of})\nprint '(i0)', transfer({of}(k), 0_int64)\nend do\nend program\n"
     );
     let build = "gfortran -ffp-contract=off jp_runtime.f90 $(ls jp_*.f90 | grep -v runtime) jointproof.f90 main.f90 -o run && ./run";
     ran(book, formula, "fortran", ("main.f90", &main), build)
