@@ -243,8 +243,7 @@ fn half_of_what_is_off_is_no_cause() {
         let bench = Bench::new();
         let program = port(&bench, *lang, id, After(more.leak()));
         let said = check(&bench, id, &program, &["--samples", "50"], 1);
-        assert!(said.contains("diagnosis: value: unexplained"), "{said}");
-        assert!(said.contains(&format!("diagnosis: Jacobian: {says}")), "{said}");
+        assert!(said.contains("unexplained") && !said.contains(says), "{said}");
     }
 }
 

@@ -276,8 +276,8 @@ fn module(recorded: &[Recorded]) -> String {
     let mut text = Text::from(
         "! Formulas with their Jacobians, printed by jointproof from the program that it proves.\n!\n\
          ! ..._value gives the outputs; ..._jacobian, if in closed form, the outputs and every\n\
-         ! derivative, output by output, each over all inputs in order. The result is 0, or says why inputs are refused, as each module\n\
-         ! tells; the outputs are 0 then. A result that is too large for a double is infinite.\n!\n\
+         ! derivative, output by output, each over all inputs in order. The result is 0, or says why\n\
+         ! inputs are refused, as each module tells; the outputs are 0 then. A result that is too large for a double is infinite.\n!\n\
          ! Compile without fused operations and without -ffast-math: -ffp-contract=off.\nmodule jointproof\n",
     );
     for one in recorded {
