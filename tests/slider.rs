@@ -9,9 +9,10 @@ use jointproof::connector::slider::{
     KeptIncrement, LineDirection, MovingNodes, Nodes, Pivots, Pivots2d, Slider, Slider2d, documented,
 };
 use jointproof::formula::proof::Proved;
+use jointproof::formula::proof::value_and_jacobian_by_ad;
 use jointproof::formula::{Fields, Formula};
 use jointproof::number::scalar::{Scalar, abs};
-use jointproof::toolkit::verify::{Sampler, Sensitivity, derivative_of_jacobian, eta, exactly, jacobian_by_ad};
+use jointproof::toolkit::verify::{Sampler, Sensitivity, derivative_of_jacobian, eta, exactly};
 use jointproof::{Error, Octuple};
 use nalgebra::{Const, SMatrix, SVector, U1, Vector2, Vector3};
 use num_dual::{Dual2, DualSVec};
@@ -101,7 +102,8 @@ fn coefficients_are_the_derivative_of_the_elimination() {
         let mut xm = Vector3::repeat(xmk);
         xm = slider.place(xm).unwrap();
         let matrix = slider.coefficients(xm).unwrap().matrix();
-        let rows = jacobian_by_ad::<Eliminate, Octuple>(&exactly::<Eliminate>(&KeptCoordinate { x1, xn, xmk }));
+        let rows =
+            value_and_jacobian_by_ad::<Eliminate, Octuple>(&exactly::<Eliminate>(&KeptCoordinate { x1, xn, xmk })).1;
         for (row, gradient) in [rows.xmi, rows.xmj].into_iter().enumerate() {
             let gradient = gradient.components().into_iter().map(Octuple::to_f64);
             for (found, expected) in matrix.row(row).iter().zip(gradient) {
@@ -287,7 +289,7 @@ fn the_direct_route_keeps_its_digits_where_the_documented_one_loses_them() {
 fn worst_eta<F: Formula>(i: &F::Inputs<f64>) -> f64 {
     let exact = exactly::<F>(i);
     let inputs = exact.components();
-    let gradients = jacobian_by_ad::<F, Octuple>(&exact).components();
+    let gradients = value_and_jacobian_by_ad::<F, Octuple>(&exact).1.components();
     let values = F::eval(i).components().into_iter().zip(F::eval(&exact).components());
     let of_values = values
         .zip(&gradients)

@@ -8,8 +8,9 @@ use jointproof::connector::ujoint::{
     ContactMoments, Cross, Friction, FrictionLoads, Gradient, JointLoads, JointResiduals, Loads, Pose, Stops, UJoint,
 };
 use jointproof::connector::universal::Universal;
+use jointproof::formula::proof::value_and_jacobian_by_ad;
 use jointproof::formula::{Fields, Formula, Jacobian, value};
-use jointproof::toolkit::verify::{exactly, jacobian_by_ad};
+use jointproof::toolkit::verify::exactly;
 use jointproof::{Error, Octuple, Scalar, catalog};
 use nalgebra::Vector3;
 use proptest::prelude::*;
@@ -247,9 +248,9 @@ fn derivatives_are_numbers<F: Formula>(i: &F::Inputs<f64>) -> bool {
     }
     let exact = exactly::<F>(i);
     are_numbers::<F, f64>(&F::jacobian(i))
-        && are_numbers::<F, f64>(&jacobian_by_ad::<F, f64>(i))
+        && are_numbers::<F, f64>(&value_and_jacobian_by_ad::<F, f64>(i).1)
         && are_numbers::<F, Octuple>(&F::jacobian(&exact))
-        && are_numbers::<F, Octuple>(&jacobian_by_ad::<F, Octuple>(&exact))
+        && are_numbers::<F, Octuple>(&value_and_jacobian_by_ad::<F, Octuple>(&exact).1)
 }
 
 #[test]

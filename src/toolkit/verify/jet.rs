@@ -2,17 +2,12 @@
 
 use crate::Scalar;
 use crate::formula::{self, WIDTH};
-use crate::formula::{Fields, Formula, Jacobian, entries, typed};
+use crate::formula::{Fields, Formula, entries, typed};
 use nalgebra::{Const, U1};
 
 pub(super) type Sweep<T> = formula::Jet<T>;
 /// A function of components, in dual numbers.
 type Swept<'a, T> = dyn Fn(&[Sweep<T>]) -> Vec<Sweep<T>> + 'a;
-
-/// The Jacobian of `F` at `i`, by differentiating `F::eval`.
-pub fn jacobian_by_ad<F: Formula, T: Scalar>(i: &F::Inputs<T>) -> Jacobian<F, T> {
-    formula::differentiate::<F, T>(i, F::eval).1
-}
 
 /// The derivative of every entry of the closed-form Jacobian: a row per output and input, in order.
 pub fn derivative_of_jacobian<F: Formula, T: Scalar>(i: &F::Inputs<T>) -> Vec<Vec<T>> {
@@ -84,11 +79,5 @@ mod tests {
         assert_eq!(found[0], [0.0, 6.0, 20.0, 42.0, 88.0, 130.0, 204.0]);
         assert_eq!(found[1], [17.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0]);
         assert_eq!(found.len(), 2);
-    }
-
-    #[test]
-    fn a_jacobian_by_automatic_differentiation_has_its_names() {
-        let found = jacobian_by_ad::<ContactForce, f64>(&CrossForces { f2: 3.0, f3: 4.0 });
-        assert!((found.fc.f2 - 0.6).abs() < 1e-15 && (found.fc.f3 - 0.8).abs() < 1e-15, "{found:?}");
     }
 }

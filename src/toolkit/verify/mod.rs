@@ -74,7 +74,7 @@ pub use difference::central_differences;
 #[cfg(feature = "measure")]
 pub(crate) use eta::U;
 pub use eta::{Sensitivity, eta, relative};
-pub use jet::{derivative_of_jacobian, jacobian_by_ad};
+pub use jet::derivative_of_jacobian;
 pub use judge::{Judge, Known, Truth};
 pub use kinks::{Comparison, Coverage, Looked, Rank, Search, Sides};
 pub use part::{Part, audit, audit_part};

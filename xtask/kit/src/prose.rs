@@ -217,7 +217,8 @@ mod tests {
 
     impl Formula for Wrong {
         const SPEC: Spec = Spec::new("t.wrong", "Area of a square", Document::new("Squares").ours("", "we say so"))
-            .equation("A = a^2");
+            .equation("A = a^2")
+            .eta(1.0, 1.0);
         type Inputs<T: Component> = Side<T>;
         type Outputs<T: Component> = Area<T>;
         #[inline]

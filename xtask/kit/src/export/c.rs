@@ -5,7 +5,7 @@ pub(super) mod loops;
 
 use super::language::{File, Language, Operand, Syntax, Toolchain, files_of};
 use super::program::{Body, Lines, PartLines, WIDTH, folded};
-use super::recorded::{Recorded, Text, bounds, description, filled, refusals, stem, unreserved};
+use super::recorded::{Recorded, Text, bounds, description, filled, function_name, refusals, stem, unreserved};
 use jointproof::formula::Field;
 use jointproof::toolkit::graph::{Binary, Node, Op, Relation, Unary};
 use std::path::Path;
@@ -292,7 +292,7 @@ fn prototype(one: &Recorded, with_jacobian: bool) -> String {
     let inputs = one.formula.inputs().iter().map(taken);
     let outputs = one.formula.outputs().iter().map(|field| argument(field, ["double *", "double "]));
     let jacobian = with_jacobian.then(|| format!("double jacobian[{}]", one.graph.jacobian.len()));
-    let what = if with_jacobian { "jacobian" } else { "value" };
+    let what = function_name(with_jacobian);
     let arguments: Vec<_> = inputs.chain(outputs).chain(jacobian).collect();
     format!("int jp_{}_{what}(\n    {})", stem(one), arguments.join(",\n    "))
 }

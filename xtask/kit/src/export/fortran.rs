@@ -5,7 +5,7 @@ mod driver;
 
 use super::language::{File, Language, Operand, Syntax, Toolchain, files_of};
 use super::program::{Body, Lines, PartLines, folded};
-use super::recorded::{Recorded, Text, bounds, description, refusals, stem, unreserved};
+use super::recorded::{Recorded, Text, bounds, description, function_name, refusals, stem, unreserved};
 use jointproof::formula::Field;
 use jointproof::toolkit::graph::{Op, Relation, Unary};
 
@@ -159,7 +159,7 @@ fn source(one: &Recorded, limit: usize) -> (String, Vec<PartLines>) {
     text.push_all(refusals(one).iter().map(|line| format!("! {line}\n")));
     text.push(format!("module jp_{name}\n    use jp_runtime\n"));
     text.push(uses(&name, functions.iter().flat_map(|(_, calls)| calls)));
-    let public: Vec<_> = one.functions().into_iter().map(|with| format!("jp_{name}_{}", named(with))).collect();
+    let public: Vec<_> = one.functions().into_iter().map(|with| format!("jp_{name}_{}", function_name(with))).collect();
     text.push(format!("    implicit none\n    private\n    public :: {}\ncontains\n", public.join(", ")));
     text.push_all(functions.iter().map(|(function, _)| function));
     text.push(format!("end module jp_{name}\n"));
@@ -188,12 +188,8 @@ fn temporaries(lines: &Lines) -> String {
     text + "\n"
 }
 
-const fn named(with_jacobian: bool) -> &'static str {
-    if with_jacobian { "jacobian" } else { "value" }
-}
-
 fn function(one: &Recorded, body: &Body, lines: &Lines, with_jacobian: bool) -> String {
-    let name = format!("jp_{}_{}", stem(one), named(with_jacobian));
+    let name = format!("jp_{}_{}", stem(one), function_name(with_jacobian));
     let (inputs, outputs) = (one.formula.inputs(), one.formula.outputs());
     let names = inputs.iter().chain(outputs).map(name_of);
     let names: Vec<_> = names.chain(with_jacobian.then(|| "jacobian".to_owned())).collect();
@@ -277,7 +273,8 @@ fn module(recorded: &[Recorded]) -> String {
         "! Formulas with their Jacobians, printed by jointproof from the program that it proves.\n!\n\
          ! ..._value gives the outputs; ..._jacobian, if in closed form, the outputs and every\n\
          ! derivative, output by output, each over all inputs in order. The result is 0, or says why\n\
-         ! inputs are refused, as each module tells; the outputs are 0 then. A result that is too large for a double is infinite.\n!\n\
+         ! inputs are refused, as each module tells; the outputs are 0 then. A result that is too large\n\
+         ! for a double is infinite.\n!\n\
          ! Compile without fused operations and without -ffast-math: -ffp-contract=off.\nmodule jointproof\n",
     );
     for one in recorded {

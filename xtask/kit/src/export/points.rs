@@ -31,13 +31,8 @@ pub(super) fn all(recorded: &[Recorded], samples: usize) -> Vec<Vec<Point>> {
 fn of(one: &Recorded, samples: usize) -> Vec<Point> {
     let formula = one.formula;
     let point = |name, inputs: Vec<f64>| {
-        let results = if one.formula.spec().is_closed() {
-            formula.value_and_jacobian(&inputs).map(|(value, jacobian)| [value, jacobian].concat())
-        } else {
-            formula.value(&inputs)
-        };
-        let expected = match results {
-            Ok(numbers) => Expected::Results(numbers),
+        let expected = match formula.value_and_closed_jacobian(&inputs) {
+            Ok((value, jacobian)) => Expected::Results([value, jacobian].concat()),
             Err(error) => code(one, &error).map_or(Expected::TooLarge, Expected::Refused),
         };
         Point { name, inputs, expected }

@@ -55,9 +55,9 @@ impl Recorded {
         if self.formula.spec().is_closed() { vec![false, true] } else { vec![false] }
     }
 
-    /// The function that gives most.
+    /// The name of the function that gives most.
     pub(super) fn largest_function(&self) -> &'static str {
-        if self.formula.spec().is_closed() { "jacobian" } else { "value" }
+        function_name(self.formula.spec().is_closed())
     }
 
     /// How many entries a row of the Jacobian has.
@@ -96,6 +96,11 @@ pub(super) fn refusals(one: &Recorded) -> Vec<String> {
 /// `slot_constraint` of `slot.constraint`.
 pub(super) fn stem(one: &Recorded) -> String {
     one.formula.spec().id.replace('.', "_")
+}
+
+/// What the function is called behind the name of the formula.
+pub(super) const fn function_name(with_jacobian: bool) -> &'static str {
+    if with_jacobian { "jacobian" } else { "value" }
 }
 
 /// What the head of a formula's file says, line by line.

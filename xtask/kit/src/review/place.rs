@@ -68,13 +68,16 @@ mod tests {
         assert_eq!(ContactForce.path(), "jointproof::connector::slot::friction::ContactForce");
         assert_eq!(place("symmetry"), "Cargo.toml:1");
         let write = |file: &str, text: &str| crate::files::write(&root.path().join(file), text).unwrap();
-        write("src/slot.rs", "mod friction;\n");
-        assert_eq!(place("symmetry"), "src/slot.rs:1");
-        write("src/slot/friction.rs", "made! {}\n");
-        assert_eq!(place("symmetry"), "src/slot/friction.rs:1");
+        write("src/connector/slot.rs", "mod friction;\n");
+        assert_eq!(place("symmetry"), "src/connector/slot.rs:1");
+        write("src/connector/slot/friction.rs", "made! {}\n");
+        assert_eq!(place("symmetry"), "src/connector/slot/friction.rs:1");
         let functions = "impl Formula for ContactForce {\n    fn eval() {}\n\n    fn linearized() {}\n}\n";
-        write("src/slot/friction.rs", functions);
-        assert_eq!([place("symmetry"), place("derivative of the printed equation")], ["src/slot/friction.rs:2"; 2]);
+        write("src/connector/slot/friction.rs", functions);
+        assert_eq!(
+            [place("symmetry"), place("derivative of the printed equation")],
+            ["src/connector/slot/friction.rs:2"; 2]
+        );
     }
 
     #[test]

@@ -6,7 +6,8 @@ use jointproof::connector::slider::Pivots;
 use jointproof::connector::{align, slot, ujoint, universal};
 use jointproof::contact::slide_line::{self, ParabolicSlave};
 use jointproof::formula::Formula;
-use jointproof::toolkit::verify::{central_differences, jacobian_by_ad};
+use jointproof::formula::proof::value_and_jacobian_by_ad;
+use jointproof::toolkit::verify::central_differences;
 use nalgebra::{Vector2, Vector3};
 
 pub(super) fn errata() -> Vec<Erratum> {
@@ -126,7 +127,7 @@ fn arch(xs: [f64; 2]) -> ParabolicSlave<f64> {
 fn beyond_an_end() -> Erratum {
     let i = arch([-3.0, 0.5]);
     let here = slide_line::ClosestParabolic::jacobian(&i).separation.x2.y;
-    let by_ad = jacobian_by_ad::<slide_line::ClosestParabolic, f64>(&i).separation.x2.y;
+    let by_ad = value_and_jacobian_by_ad::<slide_line::ClosestParabolic, f64>(&i).1.separation.x2.y;
     // At the first node the midside node has no weight.
     let literal = 0.0;
     erratum(

@@ -179,13 +179,8 @@ impl One<'_> {
                 self.off(case, "chosen from the menu, it shows something else");
             }
         }
-        let results = if self.formula.spec().is_closed() {
-            self.formula.value_and_jacobian(point).map(|(value, jacobian)| [value, jacobian].concat())
-        } else {
-            self.formula.value(point)
-        };
-        let expected = match results {
-            Ok(numbers) => numbers,
+        let (value, jacobian) = match self.formula.value_and_closed_jacobian(point) {
+            Ok(both) => both,
             Err(error) => {
                 let said = error.to_string();
                 if shown.refusal == said {
@@ -204,6 +199,7 @@ impl One<'_> {
             self.off(case, &format!("it refuses what is valid: {}", shown.refusal));
             return Ok(());
         }
+        let expected = [value, jacobian].concat();
         if shown.numbers.len() != expected.len() {
             self.off(case, &format!("it shows {} of {} numbers", shown.numbers.len(), expected.len()));
             return Ok(());
