@@ -27,6 +27,7 @@ pub use finite::Finite;
 #[cfg(feature = "batch")]
 pub(crate) use finite::bits_unless_finite;
 pub use source::{Document, Provenance, Source};
+#[cfg(feature = "verify")]
 pub(crate) use spec::NORMWISE;
 pub use spec::{Bounds, Given, Spec};
 
