@@ -1,5 +1,11 @@
 //! Formulas whose types the compiler does not know; and, with the feature `catalog`, every one of ours in the order of the book.
 
+mod elements;
+
+#[cfg(feature = "catalog")]
+pub use elements::ELEMENTS;
+pub use elements::{AnyElement, Erased};
+
 use crate::connector::align;
 #[cfg(feature = "catalog")]
 use crate::connector::{cardan, join, slider, slot, translator, ujoint, universal};

@@ -6,6 +6,7 @@
 //! of the inputs. `jac.fc.f2` is ∂fc/∂f2.
 
 mod checked;
+pub mod element;
 pub(crate) mod error;
 mod few;
 mod fields;

@@ -75,6 +75,14 @@ pub fn check<F: Formula>(i: &F::Inputs<f64>) -> Result<(), Error> {
 }
 
 /// Whether every component is finite and in its domain.
+///
+/// # Errors
+/// The first that is not.
+pub(super) fn check_fields(fields: &impl Fields<f64>) -> Result<(), Error> {
+    if are_allowed(fields) { Ok(()) } else { Err(not_allowed(fields)) }
+}
+
+/// Whether every component is finite and in its domain.
 #[inline(always)]
 pub(crate) fn are_allowed(i: &impl Fields<f64>) -> bool {
     are_in_domain(i) & are_finite(i)

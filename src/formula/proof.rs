@@ -4,12 +4,15 @@
 //! door. [`verify`](crate::toolkit::verify) and [`measure`](crate::toolkit::measure) take any formula that has it, of other crates too.
 
 mod case;
+mod element;
 pub mod hard;
 mod kink;
 pub mod law;
 pub(crate) mod way;
 
 pub use case::{Case, Flag};
+pub(crate) use element::inputs;
+pub use element::{ProvedElement, Rubbed, Step};
 pub use hard::Hard;
 pub use kink::{Condition, Convention, Kink};
 pub use law::{Equation, Law};

@@ -31,7 +31,7 @@ pub use alter::Instead;
 pub use node::{Binary, Graph, Node, Op, Relation, Search, Unary};
 pub use program::Statement;
 pub(crate) use record::recorded;
-pub use record::{NotRecorded, record, record_with};
+pub use record::{NotRecorded, record, record_element, record_with};
 pub use recorder::Extremes;
 pub use run::Number;
 pub use traced::Traced;

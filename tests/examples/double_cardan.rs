@@ -6,14 +6,16 @@
 //! cargo run --example double_cardan
 //! ```
 
-use jointproof::element::newton::{Contribution, Element, Nodes, UJointElement, UJointState};
+use jointproof::element::newton::{Contribution, Nodes, UJointElement, UJointStart, UJointState};
 use jointproof::element::offset::Arms;
 use nalgebra::{Rotation3, SMatrix, SVector, Vector3, Vector4};
 use std::f64::consts::TAU;
 
 /// Both joints: two points in one place, two pins at right angles.
-const JOINT: UJointElement =
-    UJointElement { d0: Vector3::new(0.0, 0.0, 0.0), c0: 0.0, angles0: [0.0; 2], contact: None };
+const JOINT: UJointElement = UJointElement {
+    start: UJointStart { d0: Vector3::new(0.0, 0.0, 0.0), c0: 0.0, alpha0: 0.0, gamma0: 0.0 },
+    contact: None,
+};
 /// The shafts lie along their second axes; the intermediate one is so long.
 const SHAFT: Vector3<f64> = Vector3::new(0.0, 2.0, 0.0);
 /// The angle between the intermediate shaft and the others: 40°.
@@ -59,17 +61,13 @@ impl Shafts {
         let [driving, driven] = [input, self.output].map(|angle| axes(&Rotation3::new(Vector3::y() * angle)));
         let (middle, arm) = (axes(&self.turn), self.turn * SHAFT);
         let (origin, none) = (Vector3::zeros(), Vector3::zeros());
-        let first = Nodes { a: driving, b: middle, xa: origin, xb: self.end };
+        let first = Nodes::new([driving, middle], [origin, self.end]);
         // The pins are e1 of node a and e3 of node b.
         let (second, arms) = match yokes {
-            Yokes::InPhase => {
-                (Nodes { a: driven, b: middle, xa: self.driven, xb: self.end + arm }, Arms { a: none, b: arm })
-            }
-            Yokes::Crossed => {
-                (Nodes { a: middle, b: driven, xa: self.end + arm, xb: self.driven }, Arms { a: arm, b: none })
-            }
+            Yokes::InPhase => (Nodes::new([driven, middle], [self.driven, self.end + arm]), Arms { a: none, b: arm }),
+            Yokes::Crossed => (Nodes::new([middle, driven], [self.end + arm, self.driven]), Arms { a: arm, b: none }),
         };
-        let state = UJointState { turns: [0.0; 2], slip: [0.0; 2] };
+        let state = UJointState { ur1: 0.0, ur3: 0.0, slip1: 0.0, slip3: 0.0 };
         let at = |nodes| JOINT.newton(&nodes, &Vector4::zeros(), &state).expect("the shafts are finite").0;
         [at(first), at(second).on_arms(&arms)]
     }

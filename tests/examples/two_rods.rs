@@ -5,7 +5,7 @@
 //! cargo run --example two_rods
 //! ```
 
-use jointproof::element::newton::{Contribution, Element, Nodes, UJointElement, UJointState};
+use jointproof::element::newton::{Contribution, Nodes, UJointElement, UJointStart, UJointState};
 use jointproof::element::offset::Arms;
 use nalgebra::{Matrix3, Rotation3, SMatrix, SVector, Vector3, Vector4};
 
@@ -21,8 +21,10 @@ const END: Vector3<f64> = Vector3::new(0.0, 1.0, 0.0);
 const SPRING: f64 = 6.0;
 
 /// The joint of both rods: it holds points in one place and two axes at right angles, and does not rub.
-const JOINT: UJointElement =
-    UJointElement { d0: Vector3::new(0.0, 0.0, 0.0), c0: 0.0, angles0: [0.0; 2], contact: None };
+const JOINT: UJointElement = UJointElement {
+    start: UJointStart { d0: Vector3::new(0.0, 0.0, 0.0), c0: 0.0, alpha0: 0.0, gamma0: 0.0 },
+    contact: None,
+};
 
 /// A body: where its node is and how it is turned, and the force on it.
 #[derive(Clone, Copy)]
@@ -55,8 +57,8 @@ impl Body {
 /// What the joint between the end of a, or the ground itself, and the beginning of b gives to the equations of both.
 fn joint(a: &Body, end: Vector3<f64>, b: &Body, multipliers: &Vector4<f64>) -> Contribution<f64, 4> {
     let arms = Arms { a: a.turn * end, b: b.turn * -END };
-    let nodes = Nodes { a: a.triad(), b: b.triad(), xa: a.x + arms.a, xb: b.x + arms.b };
-    let state = UJointState { turns: [0.0; 2], slip: [0.0; 2] };
+    let nodes = Nodes::new([a.triad(), b.triad()], [a.x + arms.a, b.x + arms.b]);
+    let state = UJointState { ur1: 0.0, ur3: 0.0, slip1: 0.0, slip3: 0.0 };
     let (at_points, _) = JOINT.newton(&nodes, multipliers, &state).expect("two bodies are in reach of each other");
     at_points.on_arms(&arms)
 }

@@ -1,48 +1,78 @@
 //! ALIGN: the three Cardan angles, and moments about their axes.
 
-use super::{Contribution, Element, Nodes};
+#[cfg(feature = "verify")]
+mod proof;
+
+use super::{Contribution, Element, FORCES, Nodes, Nothing, Parameters, UNKNOWNS};
 use crate::connector::align::{Constraint, Misalignment, Orientations};
 use crate::connector::cardan::Angles;
 use crate::element::align::{self, AlignLoads};
+use crate::fields;
 use crate::formula::error::Error;
-use crate::formula::{Formula, check};
+use crate::formula::quantity::{ALPHA0, BETA0, GAMMA0, LAMBDA_R1, LAMBDA_R2, LAMBDA_R3};
+use crate::formula::{Component, Document, Field, Fields, Formula, Spec};
 use crate::number::scalar::Scalar;
-use nalgebra::Vector3;
+use nalgebra::{SVector, Vector3};
 
 /// ALIGN as an element: the multipliers of the three angles.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct AlignElement {
-    /// The Cardan angles α0, β0 and γ0 at the start.
-    pub angles0: [f64; 3],
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Align;
+
+/// ALIGN with its start.
+pub type AlignElement<D = f64> = Parameters<Align, D, 3>;
+
+fields! {
+    /// The Cardan angles at the start.
+    pub struct AlignStart<T> { alpha0: T = ALPHA0, beta0: T = BETA0, gamma0: T = GAMMA0 }
 }
 
-impl AlignElement {
-    fn orientations<D: Scalar>(&self, nodes: &Nodes<D>) -> Orientations<D> {
-        let [alpha, beta, gamma] = self.angles0.map(D::from);
-        Orientations::new(&nodes.triads(), &Angles { alpha, beta, gamma })
+impl<T: Component> AlignStart<T> {
+    pub(super) const fn angles(&self) -> Angles<T> {
+        Angles { alpha: self.alpha0, beta: self.beta0, gamma: self.gamma0 }
     }
 }
 
-impl Element<3> for AlignElement {
-    type Nodes<D: Scalar> = Nodes<D>;
-    type State<D: Scalar> = ();
+/// The multipliers of the three angles.
+pub(super) const MULTIPLIERS: [Field; 3] =
+    [Field::new("lambda_r1", &LAMBDA_R1), Field::new("lambda_r2", &LAMBDA_R2), Field::new("lambda_r3", &LAMBDA_R3)];
 
-    fn check(&self, nodes: &Nodes<f64>, multipliers: &Vector3<f64>, (): &()) -> Result<(), Error> {
-        check::<Constraint>(&self.orientations(nodes))?;
-        check::<align::Moments>(&AlignLoads::new(&nodes.triads(), *multipliers.as_ref()))
+impl Element<3> for Align {
+    const SPEC: Spec = Spec::new(
+        "align",
+        "ALIGN as an element",
+        Document::TRANSLATOR.ours(
+            "Description",
+            "the page of ALIGN was not given; the element is derived from the angles that are held",
+        ),
+    )
+    .eta_of_value(12.0)
+    .normwise_of_value(4.0)
+    .scale(1e250);
+    const UNKNOWNS: &'static [Field] = UNKNOWNS;
+    const FORCES: &'static [Field] = FORCES;
+    const RESIDUALS: &'static [Field] = <Misalignment<f64> as Fields<f64>>::FIELDS;
+    const MULTIPLIERS: &'static [Field] = &MULTIPLIERS;
+    type Nodes<T: Component> = Nodes<T>;
+    type Start<T: Component> = AlignStart<T>;
+    type Contact<T: Component> = Nothing<T>;
+    type State<T: Component> = Nothing<T>;
+
+    fn moved<D: Scalar>(nodes: &Nodes<D>, motions: &SVector<D, 12>) -> Nodes<D> {
+        nodes.moved(motions)
     }
 
-    fn smooth(&self) -> Self {
-        *self
+    fn validate<D: Scalar>(nodes: &Nodes<D>, _: &AlignElement<D>) -> Result<(), Error> {
+        align::Rows::validate(&nodes.triads())
     }
 
     fn contribution<D: Scalar>(
-        &self,
         nodes: &Nodes<D>,
         multipliers: &Vector3<D>,
-        &(): &(),
-    ) -> (Contribution<D, 3>, ()) {
-        let (triads, Misalignment { ur1, ur2, ur3 }) = (nodes.triads(), Constraint::eval(&self.orientations(nodes)));
+        parameters: &AlignElement<D>,
+        before: &Nothing<D>,
+    ) -> (Contribution<D, 3>, Nothing<D>) {
+        let triads = nodes.triads();
+        let Misalignment { ur1, ur2, ur3 } = Constraint::eval(&Orientations::new(&triads, &parameters.start.angles()));
         let loads = AlignLoads::new(&triads, *multipliers.as_ref());
         let found = Contribution::smooth(
             Vector3::new(ur1, ur2, ur3),
@@ -50,6 +80,6 @@ impl Element<3> for AlignElement {
             align::Moments::eval(&loads).vector(),
             align::GeometricStiffness::eval(&loads).matrix(),
         );
-        (found, ())
+        (found, *before)
     }
 }

@@ -1,53 +1,65 @@
 //! JOIN: three residuals, and the forces along a's triad.
 
-use super::{Contribution, Element, Nodes};
-use crate::connector::join::{Constraint, Joined};
+#[cfg(feature = "verify")]
+mod proof;
+
+use super::{Contribution, Element, FORCES, Nodes, Nothing, Parameters, UNKNOWNS};
+use crate::connector::join::{Constraint, Displaced, Joined};
 use crate::element::join;
-use crate::formula::error::Error;
-use crate::formula::{Formula, check};
+use crate::fields;
+use crate::formula::quantity::{D0, F2, F3, JOIN_F1};
+use crate::formula::{Component, Document, Field, Fields, Formula, Spec};
 use crate::number::scalar::Scalar;
-use nalgebra::Vector3;
+use nalgebra::{SVector, Vector3};
 
 /// JOIN as an element: multipliers f1, f2 and f3.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct JoinElement {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Join;
+
+/// JOIN with its start.
+pub type JoinElement<D = f64> = Parameters<Join, D, 3>;
+
+fields! {
     /// The components of x_b − x_a in a's triad at the start.
-    pub d0: Vector3<f64>,
+    pub struct JoinStart<T> { d0: Vector3<T> = D0 }
 }
 
-impl JoinElement {
-    fn joined<D: Scalar>(&self, nodes: &Nodes<D>) -> Joined<D> {
-        let ([e1a, e2a, e3a], xa, xb) = (nodes.a, nodes.xa, nodes.xb);
-        Joined { e1a, e2a, e3a, xa, xb, d0: self.d0.map(D::from) }
-    }
-}
+impl Element<3> for Join {
+    const SPEC: Spec = Spec::new(
+        "join",
+        "JOIN as an element",
+        Document::UJOINT
+            .ours("Description", "the page of JOIN was not given; the element is derived from its residuals"),
+    )
+    .eta_of_value(2.0)
+    .scale(1e120);
+    const UNKNOWNS: &'static [Field] = UNKNOWNS;
+    const FORCES: &'static [Field] = FORCES;
+    const RESIDUALS: &'static [Field] = <Displaced<f64> as Fields<f64>>::FIELDS;
+    const MULTIPLIERS: &'static [Field] = &[Field::new("f1", &JOIN_F1), Field::new("f2", &F2), Field::new("f3", &F3)];
+    type Nodes<T: Component> = Nodes<T>;
+    type Start<T: Component> = JoinStart<T>;
+    type Contact<T: Component> = Nothing<T>;
+    type State<T: Component> = Nothing<T>;
 
-impl Element<3> for JoinElement {
-    type Nodes<D: Scalar> = Nodes<D>;
-    type State<D: Scalar> = ();
-
-    fn check(&self, nodes: &Nodes<f64>, multipliers: &Vector3<f64>, (): &()) -> Result<(), Error> {
-        check::<Constraint>(&self.joined(nodes))?;
-        check::<join::Forces>(&nodes.join_loads(*multipliers.as_ref()))
-    }
-
-    fn smooth(&self) -> Self {
-        *self
+    fn moved<D: Scalar>(nodes: &Nodes<D>, motions: &SVector<D, 12>) -> Nodes<D> {
+        nodes.moved(motions)
     }
 
     fn contribution<D: Scalar>(
-        &self,
         nodes: &Nodes<D>,
         multipliers: &Vector3<D>,
-        &(): &(),
-    ) -> (Contribution<D, 3>, ()) {
+        parameters: &JoinElement<D>,
+        before: &Nothing<D>,
+    ) -> (Contribution<D, 3>, Nothing<D>) {
+        let (Nodes { e1a, e2a, e3a, xa, xb, .. }, JoinStart { d0 }) = (*nodes, parameters.start);
         let loads = nodes.join_loads(*multipliers.as_ref());
         let found = Contribution::smooth(
-            Constraint::eval(&self.joined(nodes)).g,
+            Constraint::eval(&Joined { e1a, e2a, e3a, xa, xb, d0 }).g,
             join::Rows::eval(&nodes.positions()).matrix(),
             join::Forces::eval(&loads).vector(),
             join::GeometricStiffness::eval(&loads).matrix(),
         );
-        (found, ())
+        (found, *before)
     }
 }

@@ -4,46 +4,77 @@
 //! it does in every motion along the constraint what Σ λ ∂²g does there; beside it, by as much as Newton's method has not yet
 //! closed, it keeps the convergence quadratic, which Σ λ ∂²g does not.
 
-use super::{Contribution, Element};
-use crate::connector::slider::{Constraint, Constraint2d, Nodes, Nodes2d};
+#[cfg(feature = "verify")]
+mod proof;
+
+use super::{Contribution, Element, Nothing, Parameters};
+use crate::connector::slider::{Constraint, Constraint2d, Distance2d, Distances, Nodes, Nodes2d};
 use crate::element::slider::{Forces, Rows, SliderForces, SliderLoads};
 use crate::element::slider_plane::{self, SliderForces2d, SliderLoads2d};
 use crate::formula::error::Error;
-use crate::formula::{Formula, check};
+use crate::formula::quantity::{
+    SLIDER_LAMBDA, SLIDER_LAMBDA1, SLIDER_LAMBDA2, TRANSLATION_1, TRANSLATION_1_PLANE, TRANSLATION_M,
+    TRANSLATION_M_PLANE, TRANSLATION_N, TRANSLATION_N_PLANE,
+};
+use crate::formula::{Component, Document, Field, Fields, Formula, Spec};
 use crate::number::scalar::Scalar;
-use nalgebra::{SMatrix, Vector1, Vector2};
+use nalgebra::{SMatrix, SVector, Vector1, Vector2};
 
 /// SLIDER as an element: multipliers λ1 and λ2 across the line, and the translations of nodes 1, n and m.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct SliderElement;
+pub struct Slider;
 
-fn loads<D: Scalar>(nodes: &Nodes<D>, [lambda_1, lambda_2]: [D; 2]) -> SliderLoads<D> {
-    let Nodes { x1, xn, xm } = *nodes;
-    SliderLoads { x1, xn, xm, lambda_1, lambda_2 }
-}
+/// SLIDER, which has no parameters.
+pub type SliderElement<D = f64> = Parameters<Slider, D, 2, 9>;
 
-impl Element<2, 9> for SliderElement {
-    type Nodes<D: Scalar> = Nodes<D>;
-    type State<D: Scalar> = ();
+/// SLIDER in the plane, (x, y) or (r, z), as an element: the multiplier λ across the line, and the translations of nodes 1, n
+/// and m.
+///
+/// Of an axisymmetric model λ is the force on the whole circumference.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Slider2d;
 
-    fn check(&self, nodes: &Nodes<f64>, multipliers: &Vector2<f64>, (): &()) -> Result<(), Error> {
-        check::<Constraint>(nodes)?;
-        check::<Forces>(&loads(nodes, *multipliers.as_ref()))
+/// SLIDER in the plane, which has no parameters.
+pub type SliderElement2d<D = f64> = Parameters<Slider2d, D, 1, 6>;
+
+const WHY: &str = "the page prints the constraint; the element is derived from it";
+
+impl Element<2, 9> for Slider {
+    const SPEC: Spec = Spec::new("slider", "SLIDER as an element", Document::SLIDER.ours("", WHY))
+        .eta_of_value(8.0)
+        .normwise_of_value(8.0)
+        .scale(1e50)
+        .not_objective();
+    const UNKNOWNS: &'static [Field] =
+        &[Field::new("u1", &TRANSLATION_1), Field::new("un", &TRANSLATION_N), Field::new("um", &TRANSLATION_M)];
+    const FORCES: &'static [Field] = <SliderForces<f64> as Fields<f64>>::FIELDS;
+    const RESIDUALS: &'static [Field] = <Distances<f64> as Fields<f64>>::FIELDS;
+    const MULTIPLIERS: &'static [Field] =
+        &[Field::new("lambda_1", &SLIDER_LAMBDA1), Field::new("lambda_2", &SLIDER_LAMBDA2)];
+    type Nodes<T: Component> = Nodes<T>;
+    type Start<T: Component> = Nothing<T>;
+    type Contact<T: Component> = Nothing<T>;
+    type State<T: Component> = Nothing<T>;
+
+    fn moved<D: Scalar>(&Nodes { x1, xn, xm }: &Nodes<D>, motions: &SVector<D, 9>) -> Nodes<D> {
+        let [u1, un, um] = [0, 3, 6].map(|k| motions.fixed_rows::<3>(k));
+        Nodes { x1: x1 + u1, xn: xn + un, xm: xm + um }
     }
 
-    fn smooth(&self) -> Self {
-        Self
+    fn validate<D: Scalar>(nodes: &Nodes<D>, _: &SliderElement<D>) -> Result<(), Error> {
+        Constraint::validate(nodes)
     }
 
     fn contribution<D: Scalar>(
-        &self,
         nodes: &Nodes<D>,
         multipliers: &Vector2<D>,
-        &(): &(),
-    ) -> (Contribution<D, 2, 9>, ()) {
+        _: &SliderElement<D>,
+        before: &Nothing<D>,
+    ) -> (Contribution<D, 2, 9>, Nothing<D>) {
+        let (Nodes { x1, xn, xm }, [lambda_1, lambda_2]) = (*nodes, *multipliers.as_ref());
         let held = Constraint::eval(nodes);
         let (forces, SliderForces { force_1, force_n, force_m }) =
-            Forces::linearized(&loads(nodes, *multipliers.as_ref()));
+            Forces::linearized(&SliderLoads { x1, xn, xm, lambda_1, lambda_2 });
         let (by, places) = ([force_1, force_n, force_m], |by: SliderLoads<D>| [by.x1, by.xn, by.xm]);
         let found = Contribution::smooth(
             Vector2::new(held.g1, held.g2),
@@ -51,43 +82,46 @@ impl Element<2, 9> for SliderElement {
             forces.vector(),
             SMatrix::from_fn(|row, column| places(by[row / 3][row % 3])[column / 3][column % 3]),
         );
-        (found, ())
+        (found, *before)
     }
 }
 
-/// SLIDER in the plane, (x, y) or (r, z), as an element: the multiplier λ across the line, and the translations of nodes 1, n
-/// and m.
-///
-/// Of an axisymmetric model λ is the force on the whole circumference.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct SliderElement2d;
+impl Element<1, 6> for Slider2d {
+    const SPEC: Spec = Spec::new("slider_2d", "SLIDER in the plane as an element", Document::SLIDER.ours("", WHY))
+        .eta_of_value(8.0)
+        .normwise_of_value(8.0)
+        .scale(1e50);
+    const UNKNOWNS: &'static [Field] = &[
+        Field::new("u1", &TRANSLATION_1_PLANE),
+        Field::new("un", &TRANSLATION_N_PLANE),
+        Field::new("um", &TRANSLATION_M_PLANE),
+    ];
+    const FORCES: &'static [Field] = <SliderForces2d<f64> as Fields<f64>>::FIELDS;
+    const RESIDUALS: &'static [Field] = <Distance2d<f64> as Fields<f64>>::FIELDS;
+    const MULTIPLIERS: &'static [Field] = &[Field::new("lambda", &SLIDER_LAMBDA)];
+    type Nodes<T: Component> = Nodes2d<T>;
+    type Start<T: Component> = Nothing<T>;
+    type Contact<T: Component> = Nothing<T>;
+    type State<T: Component> = Nothing<T>;
 
-fn loads_2d<D: Scalar>(nodes: &Nodes2d<D>, multiplier: &Vector1<D>) -> SliderLoads2d<D> {
-    let Nodes2d { x1, xn, xm } = *nodes;
-    SliderLoads2d { x1, xn, xm, lambda: multiplier.x }
-}
-
-impl Element<1, 6> for SliderElement2d {
-    type Nodes<D: Scalar> = Nodes2d<D>;
-    type State<D: Scalar> = ();
-
-    fn check(&self, nodes: &Nodes2d<f64>, multiplier: &Vector1<f64>, (): &()) -> Result<(), Error> {
-        check::<Constraint2d>(nodes)?;
-        check::<slider_plane::Forces>(&loads_2d(nodes, multiplier))
+    fn moved<D: Scalar>(&Nodes2d { x1, xn, xm }: &Nodes2d<D>, motions: &SVector<D, 6>) -> Nodes2d<D> {
+        let [u1, un, um] = [0, 2, 4].map(|k| motions.fixed_rows::<2>(k));
+        Nodes2d { x1: x1 + u1, xn: xn + un, xm: xm + um }
     }
 
-    fn smooth(&self) -> Self {
-        Self
+    fn validate<D: Scalar>(nodes: &Nodes2d<D>, _: &SliderElement2d<D>) -> Result<(), Error> {
+        Constraint2d::validate(nodes)
     }
 
     fn contribution<D: Scalar>(
-        &self,
         nodes: &Nodes2d<D>,
         multiplier: &Vector1<D>,
-        &(): &(),
-    ) -> (Contribution<D, 1, 6>, ()) {
+        _: &SliderElement2d<D>,
+        before: &Nothing<D>,
+    ) -> (Contribution<D, 1, 6>, Nothing<D>) {
+        let (Nodes2d { x1, xn, xm }, lambda) = (*nodes, multiplier.x);
         let (forces, SliderForces2d { force_1, force_n, force_m }) =
-            slider_plane::Forces::linearized(&loads_2d(nodes, multiplier));
+            slider_plane::Forces::linearized(&SliderLoads2d { x1, xn, xm, lambda });
         let (by, places) = ([force_1, force_n, force_m], |by: SliderLoads2d<D>| [by.x1, by.xn, by.xm]);
         let found = Contribution::smooth(
             Vector1::new(Constraint2d::eval(nodes).g),
@@ -95,6 +129,6 @@ impl Element<1, 6> for SliderElement2d {
             forces.vector(),
             SMatrix::from_fn(|row, column| places(by[row / 2][row % 2])[column / 2][column % 2]),
         );
-        (found, ())
+        (found, *before)
     }
 }

@@ -1,87 +1,91 @@
 //! SLOT: JOIN's element, whose first force is not a multiplier but the friction along the slot.
 
-use super::{Contribution, Element, Nodes};
-use crate::connector::slot::{Constraint, Positions, RelativePosition, Residuals, SlotPositions};
+#[cfg(feature = "verify")]
+pub(super) mod proof;
+
+use super::{Contribution, Element, FORCES, Nodes, Parameters, UNKNOWNS};
+use crate::connector::slot::{Constraint, RelativePosition, Residuals, SlotPositions};
 use crate::element::join;
 use crate::element::slot_friction::{Response, SlotSliding};
-use crate::formula::error::Error;
-use crate::formula::quantity::Domain;
-use crate::formula::{Formula, check};
+use crate::fields;
+use crate::formula::quantity::{F2, F3, FC_INT, K_EL, MU, U_SLIP, X0, Y0, Z0};
+use crate::formula::{Component, Document, Field, Fields, Formula, Spec};
 use crate::number::scalar::Scalar;
-use nalgebra::{Vector2, Vector3};
+use nalgebra::{SVector, Vector2};
 
 /// SLOT as an element: multipliers f2 and f3.
-///
-/// Its state is the motion u1 along the slot at which the friction force would be 0: at the start, 0.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SlotElement {
-    /// The components of x_b − x_a in a's triad at the start: x0, y0 and z0.
-    pub start: Vector3<f64>,
-    /// How b rubs in the slot, if it does.
-    pub contact: Option<SlotContact>,
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Slot;
+
+/// SLOT with its start, and how it rubs.
+pub type SlotElement<D = f64> = Parameters<Slot, D, 2>;
+
+fields! {
+    /// The components of x_b − x_a in a's triad at the start.
+    pub struct SlotStart<T> { x0: T = X0, y0: T = Y0, z0: T = Z0 }
+}
+fields! {
+    /// How b rubs in the slot.
+    pub struct SlotContact<T> { k_el: T = K_EL, fc_int: T = FC_INT, mu: T = MU }
+}
+fields! {
+    /// The motion along the slot at which the friction force would be 0: at the start, 0.
+    pub struct Slipped<T> { slip: T = U_SLIP }
 }
 
-/// How b rubs in the slot.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SlotContact {
-    /// Stiffness while it sticks, > 0.
-    pub k_el: f64,
-    /// Internal contact force, as of a press fit.
-    pub fc_int: f64,
-    /// Friction coefficient, ≥ 0.
-    pub mu: f64,
-}
-
-impl SlotContact {
-    fn sliding<D: Scalar>(&self, u1: D, slip_before: D, [f2, f3]: [D; 2]) -> SlotSliding<D> {
-        let [k_el, fc_int, mu] = [self.k_el, self.fc_int, self.mu].map(D::from);
+impl<T: Component> SlotContact<T> {
+    const fn sliding(&self, u1: T, slip_before: T, [f2, f3]: [T; 2]) -> SlotSliding<T> {
+        let Self { k_el, fc_int, mu } = *self;
         SlotSliding { u1, slip_before, k_el, f2, f3, fc_int, mu }
     }
 }
 
-impl Element<2> for SlotElement {
-    type Nodes<D: Scalar> = Nodes<D>;
-    type State<D: Scalar> = D;
+impl Element<2> for Slot {
+    const SPEC: Spec = Spec::new(
+        "slot",
+        "SLOT as an element",
+        Document::SLOT.ours("Description", "the page prints residuals and friction; the element is derived from them"),
+    )
+    .eta_of_value(4.0)
+    .scale(1e80);
+    const UNKNOWNS: &'static [Field] = UNKNOWNS;
+    const FORCES: &'static [Field] = FORCES;
+    const RESIDUALS: &'static [Field] = <Residuals<f64> as Fields<f64>>::FIELDS;
+    const MULTIPLIERS: &'static [Field] = &[Field::new("f2", &F2), Field::new("f3", &F3)];
+    type Nodes<T: Component> = Nodes<T>;
+    type Start<T: Component> = SlotStart<T>;
+    type Contact<T: Component> = SlotContact<T>;
+    type State<T: Component> = Slipped<T>;
 
-    fn check(&self, nodes: &Nodes<f64>, multipliers: &Vector2<f64>, &before: &f64) -> Result<(), Error> {
-        let (Positions { e2a, e3a, xa, xb, .. }, [f2, f3]) = (nodes.positions(), *multipliers.as_ref());
-        let [x0, y0, z0] = *self.start.as_ref();
-        Error::check("x0", None, x0, Domain::Real)?;
-        check::<Constraint>(&SlotPositions { e2a, e3a, xa, xb, y0, z0 })?;
-        check::<join::Forces>(&nodes.join_loads([0.0, f2, f3]))?;
-        self.contact.map_or(Ok(()), |contact| check::<Response>(&contact.sliding(0.0, before, [f2, f3])))
-    }
-
-    fn smooth(&self) -> Self {
-        Self { contact: None, ..*self }
+    fn moved<D: Scalar>(nodes: &Nodes<D>, motions: &SVector<D, 12>) -> Nodes<D> {
+        nodes.moved(motions)
     }
 
     fn contribution<D: Scalar>(
-        &self,
         nodes: &Nodes<D>,
         multipliers: &Vector2<D>,
-        before: &D,
-    ) -> (Contribution<D, 2>, D) {
+        parameters: &SlotElement<D>,
+        before: &Slipped<D>,
+    ) -> (Contribution<D, 2>, Slipped<D>) {
         let (positions, [f2, f3]) = (nodes.positions(), *multipliers.as_ref());
-        let Positions { e2a, e3a, xa, xb, .. } = positions;
-        let [x0, y0, z0] = self.start.map(D::from).data.0[0];
+        let (Nodes { e2a, e3a, xa, xb, .. }, SlotStart { x0, y0, z0 }) = (*nodes, parameters.start);
         let Residuals { gy, gz } = Constraint::eval(&SlotPositions { e2a, e3a, xa, xb, y0, z0 });
         let all = join::Rows::eval(&positions).matrix();
         let (along, rows) = (all.row(0).transpose(), all.fixed_rows::<2>(1).into_owned());
 
         let u1 = RelativePosition::eval(&positions).x - x0;
-        let rubbed = self.contact.map(|contact| Response::linearized(&contact.sliding(u1, *before, [f2, f3])));
+        let rubbed =
+            parameters.contact.map(|contact| Response::linearized(&contact.sliding(u1, before.slip, [f2, f3])));
         let friction = rubbed.map_or(D::zero(), |(value, _)| value.f1);
         let loads = nodes.join_loads([-friction, f2, f3]);
-        let mut found = Contribution {
-            residuals: Vector2::new(gy, gz),
+        let mut found = Contribution::smooth(
+            Vector2::new(gy, gz),
             rows,
-            forces: join::Forces::eval(&loads).vector(),
-            stiffness: join::GeometricStiffness::eval(&loads).matrix(),
-            by_multipliers: rows.transpose(),
-        };
+            join::Forces::eval(&loads).vector(),
+            join::GeometricStiffness::eval(&loads).matrix(),
+        );
         let Some((value, by)) = rubbed else { return (found, *before) };
         found.follow_friction(&along, &(along * by.f1.u1), &Vector2::new(by.f1.f2, by.f1.f3));
-        (found, value.slip)
+        (found, Slipped { slip: value.slip })
     }
 }

@@ -1,84 +1,106 @@
 //! SLOT in the plane: one residual, and friction along the slot.
 
-use super::{Contribution, Element, SlotContact};
-use crate::connector::slot::{Constraint2d, SlotPositions2d};
+#[cfg(feature = "verify")]
+mod proof;
+
+use super::{Contribution, Element, Parameters, Slipped, SlotContact};
+use crate::connector::slot::{Constraint2d, Residual2d, SlotPositions2d};
 use crate::element::slot_friction::{Response2d, SlotSliding2d};
 use crate::element::slot_plane::{Forces, GeometricStiffness, PlaneLoads, PlanePlaces, Rows};
-use crate::formula::error::Error;
-use crate::formula::quantity::Domain;
-use crate::formula::{Formula, check};
+use crate::fields;
+use crate::formula::quantity::{
+    F2, FORCE_A_PLANE, FORCE_B_PLANE, MOMENT_A_PLANE, MOMENT_B_PLANE, SPIN_A_PLANE, SPIN_B_PLANE, TRANSLATION_A_PLANE,
+    TRANSLATION_B_PLANE, X0, Y0,
+};
+use crate::formula::{Component, Document, Field, Fields, Formula, Spec};
 use crate::number::scalar::Scalar;
-use nalgebra::{Vector1, Vector2};
+use nalgebra::{Vector1, Vector2, Vector6};
 
 /// SLOT in the plane as an element: the multiplier f2. Its nodes have a translation and a spin each, u_a, θ_a, u_b, θ_b.
-///
-/// Its state is the motion u1 along the slot at which the friction force would be 0: at the start, 0.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SlotElement2d {
-    /// The components of x_b − x_a along and across the slot at the start: x0 and y0.
-    pub start: Vector2<f64>,
-    /// How b rubs in the slot, if it does.
-    pub contact: Option<SlotContact>,
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Slot2d;
+
+/// SLOT in the plane with its start, and how it rubs.
+pub type SlotElement2d<D = f64> = Parameters<Slot2d, D, 1, 6>;
+
+fields! {
+    /// The components of x_b − x_a along and across the slot at the start.
+    pub struct SlotStart2d<T> { x0: T = X0, y0: T = Y0 }
 }
 
-impl SlotContact {
-    fn sliding_2d<D: Scalar>(&self, u1: D, slip_before: D, f2: D) -> SlotSliding2d<D> {
-        let [k_el, fc_int, mu] = [self.k_el, self.fc_int, self.mu].map(D::from);
+impl<T: Component> SlotContact<T> {
+    const fn sliding_2d(&self, u1: T, slip_before: T, f2: T) -> SlotSliding2d<T> {
+        let Self { k_el, fc_int, mu } = *self;
         SlotSliding2d { u1, slip_before, k_el, f2, fc_int, mu }
     }
 }
 
-impl SlotElement2d {
-    fn positions<D: Scalar>(&self, nodes: &PlanePlaces<D>) -> SlotPositions2d<D> {
-        let PlanePlaces { e2a, xa, xb } = *nodes;
-        SlotPositions2d { e2a, xa, xb, y0: self.start.y.into() }
-    }
-}
-
 /// Of a force along an axis of a.
-fn loads<D: Scalar>(nodes: &PlanePlaces<D>, f2: D) -> PlaneLoads<D> {
+const fn loads<T: Component>(nodes: &PlanePlaces<T>, f2: T) -> PlaneLoads<T> {
     let PlanePlaces { e2a, xa, xb } = *nodes;
     PlaneLoads { e2a, xa, xb, f2 }
 }
 
-impl Element<1, 6> for SlotElement2d {
-    type Nodes<D: Scalar> = PlanePlaces<D>;
-    type State<D: Scalar> = D;
+impl Element<1, 6> for Slot2d {
+    const SPEC: Spec = Spec::new(
+        "slot_2d",
+        "SLOT in the plane as an element",
+        Document::SLOT.ours("Description", "the page prints residuals and friction; the element is derived from them"),
+    )
+    .eta_of_value(4.0)
+    .scale(1e80);
+    const UNKNOWNS: &'static [Field] = &[
+        Field::new("ua", &TRANSLATION_A_PLANE),
+        Field::new("ta", &SPIN_A_PLANE),
+        Field::new("ub", &TRANSLATION_B_PLANE),
+        Field::new("tb", &SPIN_B_PLANE),
+    ];
+    const FORCES: &'static [Field] = &[
+        Field::new("fa", &FORCE_A_PLANE),
+        Field::new("ma", &MOMENT_A_PLANE),
+        Field::new("fb", &FORCE_B_PLANE),
+        Field::new("mb", &MOMENT_B_PLANE),
+    ];
+    const RESIDUALS: &'static [Field] = <Residual2d<f64> as Fields<f64>>::FIELDS;
+    const MULTIPLIERS: &'static [Field] = &[Field::new("f2", &F2)];
+    type Nodes<T: Component> = PlanePlaces<T>;
+    type Start<T: Component> = SlotStart2d<T>;
+    type Contact<T: Component> = SlotContact<T>;
+    type State<T: Component> = Slipped<T>;
 
-    fn check(&self, nodes: &PlanePlaces<f64>, multiplier: &Vector1<f64>, &before: &f64) -> Result<(), Error> {
-        Error::check("x0", None, self.start.x, Domain::Real)?;
-        check::<Constraint2d>(&self.positions(nodes))?;
-        check::<Forces>(&loads(nodes, multiplier.x))?;
-        self.contact.map_or(Ok(()), |contact| check::<Response2d>(&contact.sliding_2d(0.0, before, multiplier.x)))
-    }
-
-    fn smooth(&self) -> Self {
-        Self { contact: None, ..*self }
+    fn moved<D: Scalar>(nodes: &PlanePlaces<D>, motions: &Vector6<D>) -> PlanePlaces<D> {
+        let (PlanePlaces { e2a, xa, xb }, spin) = (*nodes, motions[2]);
+        PlanePlaces {
+            e2a: Vector2::new(e2a.x - e2a.y * spin, e2a.y + e2a.x * spin),
+            xa: xa + motions.fixed_rows::<2>(0),
+            xb: xb + motions.fixed_rows::<2>(3),
+        }
     }
 
     fn contribution<D: Scalar>(
-        &self,
         nodes: &PlanePlaces<D>,
         multiplier: &Vector1<D>,
-        before: &D,
-    ) -> (Contribution<D, 1, 6>, D) {
+        parameters: &SlotElement2d<D>,
+        before: &Slipped<D>,
+    ) -> (Contribution<D, 1, 6>, Slipped<D>) {
+        let (PlanePlaces { e2a, xa, xb }, SlotStart2d { x0, y0 }) = (*nodes, parameters.start);
         let across = loads(nodes, multiplier.x);
         let mut found = Contribution::smooth(
-            Vector1::new(Constraint2d::eval(&self.positions(nodes)).gy),
+            Vector1::new(Constraint2d::eval(&SlotPositions2d { e2a, xa, xb, y0 }).gy),
             Rows::eval(nodes).vector().transpose(),
             Forces::eval(&across).vector(),
             GeometricStiffness::eval(&across).matrix(),
         );
-        let Some(contact) = self.contact else { return (found, *before) };
+        let Some(contact) = parameters.contact else { return (found, *before) };
 
         // What holds across the slot holds along it: e1a is e2a turned by 90° to the right.
-        let slot = PlanePlaces { e2a: Vector2::new(nodes.e2a.y, -nodes.e2a.x), ..*nodes };
-        let u1 = slot.e2a.dot(&(slot.xb - slot.xa)) - D::from(self.start.x);
-        let (value, by) = Response2d::linearized(&contact.sliding_2d(u1, *before, multiplier.x));
+        let slot = PlanePlaces { e2a: Vector2::new(e2a.y, -e2a.x), ..*nodes };
+        let u1 = slot.e2a.dot(&(xb - xa)) - x0;
+        let (value, by) = Response2d::linearized(&contact.sliding_2d(u1, before.slip, multiplier.x));
         let (rubbing, row) = (loads(&slot, -value.f1), Rows::eval(&slot).vector());
         found.forces += Forces::eval(&rubbing).vector();
         found.stiffness += GeometricStiffness::eval(&rubbing).matrix();
         found.follow_friction(&row, &(row * by.f1.u1), &Vector1::new(by.f1.f2));
-        (found, value.slip)
+        (found, Slipped { slip: value.slip })
     }
 }

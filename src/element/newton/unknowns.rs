@@ -52,13 +52,14 @@ impl<D: Scalar, const MULTIPLIERS: usize> Contribution<D, MULTIPLIERS> {
     /// A node's triad is that at ψ = 0 turned by ψ. At a whole turn the rows have no full rank: a program changes ψ before.
     ///
     /// ```
-    /// use jointproof::element::newton::{Element, Nodes, UniversalElement};
+    /// use jointproof::element::newton::{Nodes, Nothing, UniversalElement, UniversalStart};
     /// use nalgebra::{Vector1, Vector3};
     /// let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
     /// // a has turned by a right angle about z.
     /// let (a, psi) = ([axes[1], -axes[0], axes[2]], Vector3::z() * std::f64::consts::FRAC_PI_2);
-    /// let nodes = Nodes { a, b: axes, xa: Vector3::zeros(), xb: Vector3::zeros() };
-    /// let (step, ()) = UniversalElement { c0: 0.0 }.newton(&nodes, &Vector1::new(2.0), &())?;
+    /// let nodes = Nodes::new([a, axes], [Vector3::zeros(); 2]);
+    /// let universal = UniversalElement { start: UniversalStart { c0: 0.0 }, contact: None };
+    /// let (step, _) = universal.newton(&nodes, &Vector1::new(2.0), &Nothing::new())?;
     /// let turned = step.by_rotation_vectors([psi, Vector3::zeros()]);
     /// assert_eq!(step.rows[(0, 3)], 1.0);
     /// assert!((turned.rows[(0, 3)] - 2.0 / std::f64::consts::PI).abs() < 1e-15); // sin ψ/ψ

@@ -97,6 +97,18 @@ pub fn triad() -> [Vector3<f64>; 3] {
     FIFTEENTHS.map(|row| Vector3::from(row) / 15.0)
 }
 
+/// The triad that a quaternion of any length turns the global one into, the same on every machine.
+pub fn turned(quaternion: [f64; 4]) -> [Vector3<f64>; 3] {
+    let [w, x, y, z] = quaternion;
+    let per = 2.0 / (w * w + x * x + y * y + z * z);
+    let diagonal = |p: f64, q: f64| 1.0 - (p * p + q * q) * per;
+    [
+        Vector3::new(diagonal(y, z), (x * y + z * w) * per, (x * z - y * w) * per),
+        Vector3::new((x * y - z * w) * per, diagonal(x, z), (y * z + x * w) * per),
+        Vector3::new((x * z + y * w) * per, (y * z - x * w) * per, diagonal(x, y)),
+    ]
+}
+
 /// The components of [`triad`] in fifteenths.
 pub(crate) const FIFTEENTHS: [[f64; 3]; 3] = [[-10.0, 10.0, 5.0], [2.0, -5.0, 14.0], [11.0, 10.0, 2.0]];
 

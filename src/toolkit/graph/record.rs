@@ -3,10 +3,12 @@
 use super::node::Graph;
 use super::recorder::{self, Escape, Extremes, Failure, MOST_RUNS};
 use super::traced::Traced;
+use crate::formula::element::Element;
 use crate::formula::error::Error;
-use crate::formula::{Fields, Formula, entries, typed};
+use crate::formula::proof::{self, Step};
+use crate::formula::{Field, Fields, Formula, entries};
 use std::any::TypeId;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
 use std::fmt;
 use std::sync::{LazyLock, Mutex, OnceLock, PoisonError};
@@ -65,24 +67,58 @@ pub(crate) fn recorded<F: Formula>() -> &'static Result<Graph, NotRecorded> {
 /// # Errors
 /// What in the formula cannot be written down.
 pub fn record_with<F: Formula>(extremes: Extremes) -> Result<Graph, NotRecorded> {
-    let inputs = || {
-        let inputs: Vec<_> = (0..F::Inputs::<f64>::LEN).map(Traced::input).collect();
-        typed::<_, F::Inputs<Traced>>(&inputs)
-    };
-    let errors = RefCell::new(Vec::new());
-    let refusal = || vec![Traced::from(refusal::<F>(&inputs(), &errors)).node()];
+    let inputs = || traced::<F::Inputs<Traced>>();
     let results = || {
-        let numbers = if const { F::SPEC.is_closed() } {
+        if const { F::SPEC.is_closed() } {
             let (value, jacobian) = F::linearized(&inputs());
-            [value.components(), entries(&jacobian)].concat()
+            [value.components(), entries(&jacobian)]
         } else {
-            F::eval(&inputs()).components()
-        };
+            [F::eval(&inputs()).components(), Vec::new()]
+        }
+    };
+    written(extremes, &|| F::validate(&inputs()), &results)
+}
+
+/// The graph of an element that rubs, or does not: its inputs are nodes, multipliers, start, contact and state, its results
+/// residuals, rows, forces, stiffness, derivative by the multipliers, and the state after.
+///
+/// # Errors
+/// What in the element cannot be written down.
+pub fn record_element<E: Element<M, DOFS>, const M: usize, const DOFS: usize>(
+    rubs: bool,
+    extremes: Extremes,
+) -> Result<Graph, NotRecorded> {
+    let number: usize = proof::inputs::<E, M, DOFS>(rubs).iter().map(Field::len).sum();
+    let step = || Step::<E, Traced, M, DOFS>::of(&(0..number).map(Traced::input).collect::<Vec<_>>(), rubs);
+    let validate = || {
+        let Step { nodes, parameters, .. } = step();
+        E::validate(&nodes, &parameters)
+    };
+    written(extremes, &validate, &|| [step().results(), Vec::new()])
+}
+
+/// The inputs of a formula.
+fn traced<I: Fields<Traced>>() -> I {
+    let inputs: Vec<_> = (0..I::LEN).map(Traced::input).collect();
+    I::from_slice(&inputs).expect("so many were made")
+}
+
+/// The graph of what tells whether inputs are valid, and of what computes value and Jacobian.
+fn written(
+    extremes: Extremes,
+    validate: &dyn Fn() -> Result<(), Error>,
+    results: &dyn Fn() -> [Vec<Traced>; 2],
+) -> Result<Graph, NotRecorded> {
+    let (errors, values) = (RefCell::new(Vec::new()), Cell::new(0));
+    let refusal = || vec![Traced::from(refusal(validate(), &errors)).node()];
+    let results = || {
+        let [value, jacobian] = results();
         no_value_was_asked();
-        numbers.into_iter().map(Traced::node).collect()
+        values.set(value.len());
+        value.into_iter().chain(jacobian).map(Traced::node).collect()
     };
     let (mut graph, [refusal, results]) = recorder::record(extremes, [&refusal, &results])?;
-    let (value, jacobian) = results.split_at(F::Outputs::<f64>::LEN);
+    let (value, jacobian) = results.split_at(values.get());
     (graph.value, graph.jacobian) = (value.to_vec(), jacobian.to_vec());
     graph.refusals = errors.into_inner();
     graph.refusal = refusal.first().copied().filter(|_| !graph.refusals.is_empty());
@@ -90,8 +126,8 @@ pub fn record_with<F: Formula>(extremes: Extremes) -> Result<Graph, NotRecorded>
 }
 
 /// 0 where the inputs are valid together, else the position of the error among all that there are, from 1.
-fn refusal<F: Formula>(inputs: &F::Inputs<Traced>, errors: &RefCell<Vec<Error>>) -> f64 {
-    let Err(error) = F::validate(inputs) else {
+fn refusal(found: Result<(), Error>, errors: &RefCell<Vec<Error>>) -> f64 {
+    let Err(error) = found else {
         no_value_was_asked();
         return 0.0;
     };

@@ -5,12 +5,15 @@
 //! without a derivative of its own.
 
 mod compare;
+mod element;
 mod file;
 mod layout;
 mod numbers;
 mod schema;
 
 pub use compare::{Difference, ulps};
+pub(crate) use element::of as of_element;
+pub use element::{ELEMENT_LAYOUT, ElementFile, ElementRecord, Out};
 pub use file::{Bounds, Description, File, LAYOUT, LEAST_CASES, Provenance, Record};
 pub use numbers::components;
 pub use numbers::named;

@@ -32,7 +32,7 @@ pub(crate) fn of_all(subject: &Subject) -> Vec<Law> {
 }
 
 /// Scales every field by its unit.
-fn rescale(fields: &[Field], components: &[Octuple]) -> Vec<Octuple> {
+pub(super) fn rescale(fields: &[Field], components: &[Octuple]) -> Vec<Octuple> {
     let factor = |unit: Unit| {
         Octuple::from(2.0_f64.powi(3 * unit.length - 5 * unit.force + 7 * unit.time + 11 * unit.temperature))
     };
@@ -41,7 +41,7 @@ fn rescale(fields: &[Field], components: &[Octuple]) -> Vec<Octuple> {
 }
 
 /// The largest coordinate of a point, or 1: the translation is in proportion, lest it swallow a small model.
-fn reach(fields: &[Field], components: &[Octuple]) -> Octuple {
+pub(super) fn reach(fields: &[Field], components: &[Octuple]) -> Octuple {
     let is_point = fields.iter().flat_map(|field| vec![field.quantity.domain == Domain::Point; field.len()]);
     let coordinates = components.iter().zip(is_point).filter(|(_, is_point)| *is_point).map(|(x, _)| x.abs());
     coordinates
@@ -51,7 +51,7 @@ fn reach(fields: &[Field], components: &[Octuple]) -> Octuple {
 }
 
 /// Turns vectors and matrices, and turns and moves points.
-fn moved(fields: &[Field], components: &[Octuple], reach: Octuple) -> Vec<Octuple> {
+pub(super) fn moved(fields: &[Field], components: &[Octuple], reach: Octuple) -> Vec<Octuple> {
     let mut rest = components;
     let mut result = Vec::new();
     for field in fields {

@@ -48,6 +48,7 @@ mod bends;
 mod branches;
 mod claim;
 mod difference;
+mod element;
 mod eta;
 mod finite;
 pub mod golden;
@@ -71,6 +72,8 @@ pub(crate) use audit::beside_kinks;
 pub use audit::{Audit, audit_at, audit_equation};
 pub use claim::{Claim, Deviation};
 pub use difference::central_differences;
+pub(crate) use element::ElementSubject;
+pub use element::{ElementAudit, Layout, audit_element};
 #[cfg(feature = "measure")]
 pub(crate) use eta::U;
 pub use eta::{Sensitivity, eta, relative};

@@ -74,7 +74,7 @@ impl Names {
     }
 }
 
-fn names(fields: &[Field]) -> Vec<String> {
+pub(super) fn names(fields: &[Field]) -> Vec<String> {
     let of_field = |field: &Field| match field.len() {
         1 => vec![field.name.to_string()],
         len => (0..len).map(|k| format!("{}[{k}]", field.name)).collect(),

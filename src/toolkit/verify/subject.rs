@@ -4,10 +4,10 @@
 //! formula.
 
 use super::jet::{Sweep, differentiate, exact_jacobian, jacobian, value};
-use crate::formula::proof::{self, Case, Convention, Equation, Proved};
+use crate::formula::proof::{self, Case, Convention, Equation, Proved, ProvedElement, Step};
 use crate::formula::{self, Field, Fields, Formula, Spec, entries, typed};
-use crate::toolkit::graph::{self, Graph, NotRecorded, Op};
-use crate::{Error, Octuple};
+use crate::toolkit::graph::{self, Extremes, Graph, NotRecorded, Op};
+use crate::{Error, Octuple, Scalar};
 use std::borrow::Cow;
 use std::cell::OnceCell;
 
@@ -98,6 +98,51 @@ impl Subject {
         }
     }
 
+    /// An element that rubs, or does not: its numbers as a formula that has no derivative in closed form.
+    pub(crate) fn of_element<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize, const RUBS: bool>() -> Self {
+        let derivative = |i: &[f64]| differentiate(i, &results::<E, _, M, DOFS, RUBS>).concat();
+        Self {
+            spec: E::SPEC,
+            inputs: proof::inputs::<E, M, DOFS>(RUBS),
+            outputs: &[],
+            check: |i| {
+                let Step { nodes, multipliers, parameters, before } = Step::<E, _, M, DOFS>::of(i, RUBS);
+                parameters.check(&nodes, &multipliers, &before)
+            },
+            is_valid: |i| {
+                let Step { nodes, parameters, .. } = Step::<E, _, M, DOFS>::of(i, RUBS);
+                E::validate(&nodes, &parameters).is_ok()
+            },
+            placed: |i| E::placed(Step::of(i, RUBS)).components(),
+            value: results::<E, _, M, DOFS, RUBS>,
+            jacobian: derivative,
+            automatic: derivative,
+            linearized: |i| {
+                [results::<E, _, M, DOFS, RUBS>(i), differentiate(i, &results::<E, _, M, DOFS, RUBS>).concat()]
+            },
+            exact_value: results::<E, _, M, DOFS, RUBS>,
+            exact_jacobian: |i| differentiate(i, &results::<E, _, M, DOFS, RUBS>).concat(),
+            dual_value: results::<E, _, M, DOFS, RUBS>,
+            dual_jacobian: |_| Vec::new(),
+            cases: || {
+                let cases = E::cases().into_iter().filter(|case| case.inputs.parameters.contact.is_some() == RUBS);
+                cases
+                    .map(|Case { id, flag, comment, inputs }| Case { id, flag, comment, inputs: inputs.components() })
+                    .collect()
+            },
+            invalid_cases: Vec::new,
+            record: || Cow::Owned(graph::record_element::<E, M, DOFS>(RUBS, Extremes::Nan)),
+            graph: OnceCell::new(),
+            kinks: Vec::new(),
+            laws: Vec::new(),
+        }
+    }
+
+    /// The values in dual numbers over 237 bits.
+    pub(crate) fn swept(&self, i: &[Sweep<Octuple>]) -> Vec<Sweep<Octuple>> {
+        (self.dual_value)(i)
+    }
+
     /// The Jacobian by automatic differentiation.
     pub(crate) fn derivative(&self, exact: &[Octuple]) -> Vec<Octuple> {
         self.derivative_of()(exact)
@@ -152,6 +197,13 @@ impl Law {
     fn of<F: Formula>(law: proof::Law<F>) -> Self {
         Self { statement: law.statement, sides: Box::new(move |i| (law.sides)(&typed(i))) }
     }
+}
+
+/// What an element makes of components.
+fn results<E: ProvedElement<M, DOFS>, D: Scalar, const M: usize, const DOFS: usize, const RUBS: bool>(
+    i: &[D],
+) -> Vec<D> {
+    Step::<E, D, M, DOFS>::of(i, RUBS).results()
 }
 
 fn flat<F: Formula>(case: Case<F::Inputs<f64>>) -> Case<Vec<f64>> {

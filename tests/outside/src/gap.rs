@@ -1,6 +1,6 @@
 //! Across the gap between two surfaces, heat takes two ways: through the gas, and through the spots that touch.
 
-use crate::formula::quantity::{A, C, G, KG, P, Q, T1, T2, TWO_WAYS};
+use crate::quantity::{A, C, G, KG, P, Q, T1, T2, TWO_WAYS};
 use jointproof::formula::proof::{Case, Law, Proved, law};
 use jointproof::formula::{Component, Finite, Formula, Jacobian, Spec};
 use jointproof::{Scalar, fields};

@@ -168,11 +168,7 @@ impl File {
     /// # Errors
     /// None in practice; those of `serde_json` are passed on.
     pub fn render(&self) -> serde_json::Result<String> {
-        let mut text = Vec::new();
-        let mut serializer = serde_json::Serializer::with_formatter(&mut text, Layout::default());
-        self.serialize(&mut serializer)?;
-        text.push(b'\n');
-        String::from_utf8(text).map_err(serde::ser::Error::custom)
+        Layout::render(self)
     }
 
     /// Reads a file.

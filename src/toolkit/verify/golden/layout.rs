@@ -1,5 +1,6 @@
 //! Which parts of a golden file stand on lines of their own.
 
+use serde::Serialize;
 use std::io::{Result, Write};
 
 /// Objects are opened down to the fields of a case, everything below stands on one line.
@@ -12,6 +13,14 @@ pub(super) struct Layout {
 const OPEN: usize = 4;
 
 impl Layout {
+    /// A golden file as text.
+    pub(super) fn render(file: &impl Serialize) -> serde_json::Result<String> {
+        let mut text = Vec::new();
+        file.serialize(&mut serde_json::Serializer::with_formatter(&mut text, Self::default()))?;
+        text.push(b'\n');
+        String::from_utf8(text).map_err(serde::ser::Error::custom)
+    }
+
     fn line<W: ?Sized + Write>(&self, writer: &mut W) -> Result<()> {
         write!(writer, "\n{:1$}", "", 2 * self.depth)
     }
@@ -68,7 +77,6 @@ impl serde_json::ser::Formatter for Layout {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use serde::Serialize;
     use serde_json::json;
 
     /// The root, its lists, and the cases are opened; what is below, and a list of numbers, are not.

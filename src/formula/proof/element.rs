@@ -1,0 +1,147 @@
+//! What is said about an element, so that the toolkit can check it.
+
+use super::Case;
+use crate::Octuple;
+use crate::formula::element::{Element, Parameters};
+use crate::formula::error::Error;
+use crate::formula::quantity::X0;
+use crate::formula::{Component, Field, Fields};
+use crate::number::scalar::Scalar;
+use nalgebra::SVector;
+use std::marker::PhantomData;
+
+/// All that an element computes from, at one step of Newton's method.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step<E: Element<M, DOFS>, D: Component, const M: usize, const DOFS: usize = 12> {
+    /// Where its nodes are, and how they are turned.
+    pub nodes: E::Nodes<D>,
+    /// The multipliers.
+    pub multipliers: SVector<D, M>,
+    /// What the element was made with.
+    pub parameters: Parameters<E, D, M, DOFS>,
+    /// What friction remembers; of no matter where it does not rub.
+    pub before: E::State<D>,
+}
+
+impl<E: Element<M, DOFS>, D: Scalar, const M: usize, const DOFS: usize> Step<E, D, M, DOFS> {
+    /// From components in the order of [`inputs`]; the state is 0 where it does not rub.
+    pub(crate) fn of(components: &[D], rubs: bool) -> Self {
+        let mut rest = components.iter().copied();
+        let mut next = || rest.next().expect("there is a component for every field");
+        Self {
+            nodes: Fields::from_components(&mut next),
+            multipliers: SVector::from_fn(|_, _| next()),
+            parameters: Parameters {
+                start: Fields::from_components(&mut next),
+                contact: rubs.then(|| Fields::from_components(&mut next)),
+            },
+            before: if rubs { Fields::from_components(&mut next) } else { Fields::filled(D::zero()) },
+        }
+    }
+
+    /// The components in the order of [`inputs`].
+    pub(crate) fn components(&self) -> Vec<D> {
+        let mut all = [self.nodes.components(), self.multipliers.iter().copied().collect()].concat();
+        all.extend(self.parameters.start.components());
+        if let Some(contact) = &self.parameters.contact {
+            all.extend(contact.components());
+            all.extend(self.before.components());
+        }
+        all
+    }
+
+    /// What the element makes of it: residuals, rows, forces, stiffness, derivative by the multipliers, and, where it rubs,
+    /// the state after.
+    pub(crate) fn results(&self) -> Vec<D> {
+        let mut all = Vec::new();
+        let (found, after) = self.parameters.contribution(&self.nodes, &self.multipliers, &self.before);
+        found.for_each(&mut |x| all.push(x));
+        if self.parameters.contact.is_some() {
+            all.extend(after.components());
+        }
+        all
+    }
+}
+
+impl<E: Element<M, DOFS>, const M: usize, const DOFS: usize> Step<E, f64, M, DOFS> {
+    /// The results at numbers that are checked.
+    ///
+    /// # Errors
+    /// As [`Parameters::newton`].
+    pub(crate) fn checked_results(&self) -> Result<Vec<f64>, Error> {
+        self.parameters.newton(&self.nodes, &self.multipliers, &self.before)?;
+        Ok(self.results())
+    }
+}
+
+/// No element has more fields.
+const MOST: usize = 64;
+
+/// What an element computes from, which the compiler puts together.
+struct Inputs<E, const M: usize, const DOFS: usize>(PhantomData<E>);
+
+impl<E: Element<M, DOFS>, const M: usize, const DOFS: usize> Inputs<E, M, DOFS> {
+    const SMOOTH: &'static ([Field; MOST], usize) =
+        &joined(&[<E::Nodes<f64> as Fields<f64>>::FIELDS, E::MULTIPLIERS, <E::Start<f64> as Fields<f64>>::FIELDS]);
+    const RUBBING: &'static ([Field; MOST], usize) = &joined(&[
+        Self::SMOOTH.0.split_at(Self::SMOOTH.1).0,
+        <E::Contact<f64> as Fields<f64>>::FIELDS,
+        <E::State<f64> as Fields<f64>>::FIELDS,
+    ]);
+}
+
+const fn joined(lists: &[&[Field]]) -> ([Field; MOST], usize) {
+    let (mut all, mut count, mut list) = ([Field::new("", &X0); MOST], 0, 0);
+    while list < lists.len() {
+        let mut k = 0;
+        while k < lists[list].len() {
+            all[count] = lists[list][k];
+            (count, k) = (count + 1, k + 1);
+        }
+        list += 1;
+    }
+    (all, count)
+}
+
+/// What an element computes from: nodes, multipliers, start, and, where it rubs, contact and state.
+pub(crate) const fn inputs<E: Element<M, DOFS>, const M: usize, const DOFS: usize>(rubs: bool) -> &'static [Field] {
+    let (all, count) = if rubs { Inputs::<E, M, DOFS>::RUBBING } else { Inputs::<E, M, DOFS>::SMOOTH };
+    all.split_at(*count).0
+}
+
+/// A friction, and the free motion that it works against.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rubbed<D> {
+    /// How far it has moved.
+    pub motion: D,
+    /// The friction.
+    pub force: D,
+    /// The yield function of the document, ≤ 0.
+    pub phi: D,
+    /// The motion at which the friction would be 0, before the step and after it.
+    pub slip: [D; 2],
+}
+
+/// The evidence for an element.
+pub trait ProvedElement<const M: usize, const DOFS: usize = 12>: Element<M, DOFS> {
+    /// Whether rows are the derivative of the residuals wherever the nodes are, and not only where the residuals vanish.
+    const EXACT_ROWS: bool = true;
+
+    /// Hand-worked and hard cases; random ones are added.
+    fn cases() -> Vec<Case<Step<Self, f64, M, DOFS>>>;
+
+    /// A step where the element is used, from one whose components were drawn one by one.
+    fn placed(drawn: Step<Self, f64, M, DOFS>) -> Step<Self, f64, M, DOFS> {
+        drawn
+    }
+
+    /// The same with the nodes where the residuals vanish, of an element that has no [`EXACT_ROWS`](Self::EXACT_ROWS).
+    fn held(step: Step<Self, Octuple, M, DOFS>) -> Step<Self, Octuple, M, DOFS> {
+        step
+    }
+
+    /// Its frictions after the step, by the formulas of the document.
+    fn rubbed<D: Scalar>(_: &Step<Self, D, M, DOFS>, _: &Self::State<D>) -> Vec<Rubbed<D>> {
+        Vec::new()
+    }
+}

@@ -1,0 +1,218 @@
+//! The audit of an element, which every element shares: its numbers fit together, in 237 bits.
+//!
+//! Rows are the derivative of the residuals, forces are rowsᵀ λ and friction, the matrix is the derivative of the forces; nothing
+//! is left of forces and moments in a rigid-body motion; friction costs work.
+
+mod form;
+mod laws;
+mod linear;
+#[cfg(test)]
+mod tests;
+
+pub(crate) use form::Form;
+pub use form::Layout;
+
+use super::Sensitivity;
+use super::claim::Claim;
+use super::eta::eta_beside;
+use super::point::{Options, Point, random_points};
+use crate::Octuple;
+use crate::formula::proof::ProvedElement;
+use crate::formula::{Fields, Spec};
+use form::{Here, Names};
+use laws::Laws;
+use linear::{Matrix, Vector, beside, column};
+use num_traits::{Signed, Zero};
+use serde::{Deserialize, Serialize};
+use std::iter;
+
+/// Closed forms and automatic differentiation agree in 237 bits to this, and laws hold.
+const EXACT: f64 = 1e-60;
+/// Automatic differentiation and differences agree in 237 bits to this: at hard points digits are lost.
+const DIFFERENCES: f64 = 1e-35;
+/// What is this part of the largest number, or less, is what rounding in 237 bits may have left of it.
+const NOTHING: f64 = 1e-8;
+
+/// What an audit of one element found.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ElementAudit {
+    /// The element's identifier.
+    pub element: String,
+    /// Document and section, and how much is printed there.
+    pub provenance: String,
+    /// Its own cases, smooth and rubbing.
+    pub named_points: usize,
+    /// Random points, smooth and rubbing.
+    pub random_points: usize,
+    /// The seed of the random points.
+    pub seed: u64,
+    /// Every claim.
+    pub claims: Vec<Claim>,
+}
+
+impl ElementAudit {
+    /// Whether every claim was checked, and none failed.
+    pub fn passed(&self) -> bool {
+        self.claims.iter().all(Claim::held)
+    }
+}
+
+/// An element without its types.
+pub(crate) struct ElementSubject {
+    pub(crate) spec: Spec,
+    pub(crate) layout: Layout,
+    /// Smooth, and rubbing where it can.
+    pub(crate) forms: Vec<Form>,
+}
+
+impl ElementSubject {
+    pub(crate) fn of<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize>() -> Self {
+        let rubs = !<E::Contact<f64> as Fields<f64>>::FIELDS.is_empty();
+        let mut forms = vec![Form::of::<E, M, DOFS, false>()];
+        if rubs {
+            forms.push(Form::of::<E, M, DOFS, true>());
+        }
+        Self { spec: E::SPEC, layout: Layout::of::<E, M, DOFS>(), forms }
+    }
+}
+
+/// Audits one element.
+pub fn audit_element<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize>(options: &Options) -> ElementAudit {
+    audit(&ElementSubject::of::<E, M, DOFS>(), options)
+}
+
+pub(crate) fn audit(element: &ElementSubject, options: &Options) -> ElementAudit {
+    let mut claims = Claims::new(element);
+    let (mut named_points, mut random) = (0, 0);
+    for form in &element.forms {
+        let cases = (form.subject.cases)().into_iter().filter(|case| (form.subject.check)(&case.inputs).is_ok());
+        let named: Vec<_> = cases.map(|case| Point::new(&form.subject, case.id, false, case.inputs)).collect();
+        let drawn = random_points(&form.subject, options, 0..options.samples);
+        (named_points, random) = (named_points + named.len(), random + drawn.len());
+        for point in named.iter().chain(&drawn) {
+            claims.check(&element.layout, form, point);
+        }
+    }
+    ElementAudit {
+        element: element.spec.id.into(),
+        provenance: format!("{}; {}", element.spec.source, element.spec.source.provenance),
+        named_points,
+        random_points: random,
+        seed: options.seed,
+        claims: claims.all(),
+    }
+}
+
+/// All that is claimed of an element.
+struct Claims {
+    rows: Claim,
+    forces: Claim,
+    stiffness: Claim,
+    differences: Claim,
+    laws: Laws,
+    eta: Claim,
+}
+
+impl Claims {
+    fn new(element: &ElementSubject) -> Self {
+        let (bounds, by) = element.spec.bounds();
+        Self {
+            rows: Claim::new("rows = derivative of the residuals by the degrees of freedom, in 237 bits", EXACT),
+            forces: Claim::new("forces = rowsᵀ λ, and friction against its motions, in 237 bits", EXACT),
+            stiffness: Claim::new(
+                "matrix = derivative of the forces by degrees of freedom and multipliers, in 237 bits",
+                EXACT,
+            ),
+            differences: Claim::new("automatic differentiation = differences, in 237 bits", DIFFERENCES),
+            laws: Laws::new(element),
+            eta: Claim::new(format!("η of every number in f64{by}"), bounds.value),
+        }
+    }
+
+    fn all(self) -> Vec<Claim> {
+        let mut all = vec![self.rows, self.forces, self.stiffness, self.differences];
+        all.extend(self.laws.all());
+        all.push(self.eta);
+        all
+    }
+
+    fn check(&mut self, layout: &Layout, form: &Form, point: &Point) {
+        let here = form.at(layout, &point.exact);
+        // Where the residuals vanish, if the rows are their derivative only there.
+        let elsewhere = (!form.has_exact_rows).then(|| form.at(layout, &(form.held)(&point.exact)));
+        let held = elsewhere.as_ref().unwrap_or(&here);
+        let names = layout.names();
+
+        let (by, zeros) = (&held.derivative.residuals, Matrix::zeros(layout.conditions(), layout.conditions()));
+        let rows = beside(&held.found.rows, &zeros);
+        compare(&mut self.rows, point, &rows, by, &beside(&held.sizes.rows, &zeros), |row, k| {
+            format!("∂{}/∂{}", names.residuals[row], names.variables[k])
+        });
+        let [forces, work, size] = [&here.found.forces, &here.work(), &here.sizes.forces].map(column);
+        compare(&mut self.forces, point, &forces, &work, &size, |row, _| names.forces[row].clone());
+        let [matrix, size] = [&here.found, &here.sizes].map(|found| beside(&found.stiffness, &found.by_multipliers));
+        compare(&mut self.stiffness, point, &matrix, &here.derivative.forces, &size, |row, k| {
+            format!("∂{}/∂{}", names.forces[row], names.variables[k])
+        });
+        let [found, expected, size] =
+            form.along(layout, &point.exact, &here, &point.label).map(|x| column(&Vector::from_vec(x)));
+        compare(&mut self.differences, point, &found, &expected, &size, |k, _| {
+            format!("{} along a motion of everything", names.conditions_and_forces(k))
+        });
+        self.laws.check(layout, form, point, &here, held);
+        self.check_eta(&names, form, point, &here);
+    }
+
+    /// Every number in `f64`, and where bounds are normwise beside the largest of its block.
+    fn check_eta(&mut self, names: &Names, form: &Form, point: &Point, here: &Here) {
+        let of_size = |size: Octuple| Sensitivity::none().plus(size);
+        let computed = (form.subject.value)(&point.inputs);
+        for (k, ((&computed, &exact), &size)) in computed.iter().zip(&here.results).zip(&here.scales).enumerate() {
+            let own = eta_beside(computed, exact, of_size(size));
+            let block = || {
+                let same = here.scales.iter().zip(&names.blocks).filter(|(_, block)| **block == names.blocks[k]);
+                own.min(eta_beside(computed, exact, of_size(largest(same.map(|(&size, _)| size)))))
+            };
+            let sizes = iter::once(own).chain(form.subject.spec.normwise.iter().map(|_| block()));
+            let describe = |size| point.deviation(size, names.results[k].clone(), computed, exact.to_f64());
+            self.eta.record_last(sizes, self.eta.bound, describe);
+        }
+    }
+}
+
+fn largest(numbers: impl Iterator<Item = Octuple>) -> Octuple {
+    numbers.fold(Octuple::zero(), |most, x| if x.abs() > most { x.abs() } else { most })
+}
+
+/// Every number beside its size; what is nothing beside the largest, beside that.
+fn compare(
+    claim: &mut Claim,
+    point: &Point,
+    found: &Matrix,
+    expected: &Matrix,
+    sizes: &Matrix,
+    name: impl Fn(usize, usize) -> String,
+) {
+    let nothing = largest(sizes.iter().copied()) * NOTHING;
+    for row in 0..found.nrows() {
+        for column in 0..found.ncols() {
+            let at = (row, column);
+            let pair = [found[at], expected[at]];
+            record(claim, point, || name(row, column), pair, sizes[at] + nothing);
+        }
+    }
+}
+
+/// Judged beside a size.
+fn record(
+    claim: &mut Claim,
+    point: &Point,
+    name: impl FnOnce() -> String,
+    [found, expected]: [Octuple; 2],
+    size: Octuple,
+) {
+    let off = (found - expected).abs();
+    let share = if off.is_zero() { 0.0 } else { (off / size).to_f64() };
+    let bound = claim.bound;
+    claim.record(share, bound, |share| point.deviation(share, name(), found.to_f64(), expected.to_f64()));
+}

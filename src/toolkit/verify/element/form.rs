@@ -1,0 +1,379 @@
+//! An element that rubs, or does not, at a point: its numbers in their places, and their derivatives.
+
+use super::linear::{Matrix, Vector, column};
+use super::{DIFFERENCES, largest};
+use crate::Octuple;
+use crate::formula::proof::{ProvedElement, Rubbed, Step};
+use crate::formula::quantity::Unit;
+use crate::formula::{Field, Fields};
+use crate::toolkit::verify::Sensitivity;
+use crate::toolkit::verify::jet::Sweep;
+use crate::toolkit::verify::point::names;
+use crate::toolkit::verify::sample::Sampler;
+use crate::toolkit::verify::subject::Subject;
+use nalgebra::{DMatrix, DVector, SVector, Vector4};
+use num_dual::Derivative;
+use num_traits::{One, Signed, Zero};
+
+/// The numbers of an element in order: what it computes from, and what stands in the rows and columns of its results.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Layout {
+    /// The degrees of freedom.
+    pub unknowns: &'static [Field],
+    /// What acts on them.
+    pub forces: &'static [Field],
+    /// The residuals.
+    pub residuals: &'static [Field],
+    /// Their multipliers.
+    pub multipliers: &'static [Field],
+    /// Where the nodes are, and how they are turned.
+    pub nodes: &'static [Field],
+    /// What was measured at the start.
+    pub start: &'static [Field],
+    /// How it rubs; empty where it cannot.
+    pub contact: &'static [Field],
+    /// What friction remembers.
+    pub state: &'static [Field],
+}
+
+/// Residuals, rows, forces, stiffness, derivative by the multipliers; then comes the state.
+const PARTS: usize = 5;
+
+/// So many components.
+pub(super) fn count(fields: &[Field]) -> usize {
+    fields.iter().map(Field::len).sum()
+}
+
+impl Layout {
+    pub(crate) fn of<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize>() -> Self {
+        let layout = Self {
+            unknowns: E::UNKNOWNS,
+            forces: E::FORCES,
+            residuals: E::RESIDUALS,
+            multipliers: E::MULTIPLIERS,
+            nodes: <E::Nodes<f64> as Fields<f64>>::FIELDS,
+            start: <E::Start<f64> as Fields<f64>>::FIELDS,
+            contact: <E::Contact<f64> as Fields<f64>>::FIELDS,
+            state: <E::State<f64> as Fields<f64>>::FIELDS,
+        };
+        let counts = [layout.unknowns, layout.forces, layout.residuals, layout.multipliers].map(count);
+        assert_eq!(
+            counts,
+            [DOFS, DOFS, M, M],
+            "{}: a name for every unknown, force, residual and multiplier",
+            E::SPEC.id
+        );
+        layout
+    }
+
+    pub(super) fn degrees(&self) -> usize {
+        count(self.unknowns)
+    }
+
+    pub(super) fn conditions(&self) -> usize {
+        count(self.residuals)
+    }
+
+    /// The matrix of what stands at these places of the results.
+    pub(crate) fn part<T: nalgebra::Scalar>(&self, results: &[T]) -> Found<T> {
+        let (n, m) = (self.degrees(), self.conditions());
+        let mut rest = results;
+        let mut next = |rows: usize, columns: usize| {
+            let (part, tail) = rest.split_at(rows * columns);
+            rest = tail;
+            DMatrix::from_row_slice(rows, columns, part)
+        };
+        Found {
+            residuals: next(m, 1).column(0).into_owned(),
+            rows: next(m, n),
+            forces: next(n, 1).column(0).into_owned(),
+            stiffness: next(n, n),
+            by_multipliers: next(n, m),
+            after: rest.to_vec(),
+        }
+    }
+
+    pub(super) fn names(&self) -> Names {
+        let blocks = |fields: &[Field]| {
+            fields.iter().enumerate().flat_map(|(k, field)| vec![k; field.len()]).collect::<Vec<_>>()
+        };
+        let [unknowns, forces, residuals, multipliers] =
+            [self.unknowns, self.forces, self.residuals, self.multipliers].map(names);
+        let variables = [unknowns, multipliers].concat();
+        let (mut results, mut kinds) = (Vec::new(), Vec::new());
+        let parts: [_; PARTS] = [
+            (&residuals, self.residuals, None),
+            (&residuals, self.residuals, Some((0, self.unknowns))),
+            (&forces, self.forces, None),
+            (&forces, self.forces, Some((0, self.unknowns))),
+            (&forces, self.forces, Some((self.degrees(), self.multipliers))),
+        ];
+        for (part, (rows, fields, by)) in parts.into_iter().enumerate() {
+            for (row, block) in rows.iter().zip(blocks(fields)) {
+                let Some((first, by)) = by else {
+                    results.push(row.clone());
+                    kinds.push([part, block, 0]);
+                    continue;
+                };
+                for (column, across) in blocks(by).into_iter().enumerate() {
+                    results.push(format!("∂{row}/∂{}", variables[first + column]));
+                    kinds.push([part, block, across]);
+                }
+            }
+        }
+        for (name, block) in names(self.state).into_iter().zip(blocks(self.state)) {
+            results.push(format!("{name} after"));
+            kinds.push([PARTS, block, 0]);
+        }
+        Names { residuals, forces, variables, results, blocks: kinds }
+    }
+
+    /// The units of degrees of freedom and multipliers.
+    pub(super) fn units_of_variables(&self) -> Vec<Unit> {
+        [self.unknowns, self.multipliers]
+            .concat()
+            .iter()
+            .flat_map(|field| vec![field.quantity.unit; field.len()])
+            .collect()
+    }
+}
+
+/// Names of components.
+pub(super) struct Names {
+    pub(super) residuals: Vec<String>,
+    pub(super) forces: Vec<String>,
+    /// Degrees of freedom, then multipliers.
+    pub(super) variables: Vec<String>,
+    pub(super) results: Vec<String>,
+    /// To which block of which part each result belongs.
+    pub(super) blocks: Vec<[usize; 3]>,
+}
+
+impl Names {
+    pub(super) fn conditions_and_forces(&self, k: usize) -> &str {
+        let conditions = self.residuals.len();
+        if k < conditions { &self.residuals[k] } else { &self.forces[k - conditions] }
+    }
+}
+
+/// The results in their places.
+pub(crate) struct Found<T = Octuple> {
+    pub(crate) residuals: DVector<T>,
+    pub(crate) rows: DMatrix<T>,
+    pub(crate) forces: DVector<T>,
+    pub(crate) stiffness: DMatrix<T>,
+    pub(crate) by_multipliers: DMatrix<T>,
+    pub(crate) after: Vec<T>,
+}
+
+impl Found {
+    /// Residuals, rows, forces, stiffness and derivative by the multipliers.
+    pub(super) fn matrices(&self) -> [Matrix; 5] {
+        let Self { residuals, rows, forces, stiffness, by_multipliers, .. } = self;
+        [column(residuals), rows.clone(), column(forces), stiffness.clone(), by_multipliers.clone()]
+    }
+}
+
+/// An element that rubs, or does not.
+pub(crate) struct Form {
+    pub(crate) rubs: bool,
+    pub(crate) subject: Subject,
+    pub(super) has_exact_rows: bool,
+    pub(super) held: fn(&[Octuple]) -> Vec<Octuple>,
+    /// How the inputs change with a degree of freedom.
+    motion: fn(&[Octuple], usize) -> Vec<Octuple>,
+    rubbed: fn(&[Sweep<Octuple>], &[Sweep<Octuple>]) -> Vec<Rubbed<Sweep<Octuple>>>,
+}
+
+impl Form {
+    pub(super) fn of<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize, const RUBS: bool>() -> Self {
+        Self {
+            rubs: RUBS,
+            subject: Subject::of_element::<E, M, DOFS, RUBS>(),
+            has_exact_rows: E::EXACT_ROWS,
+            held: |i| E::held(Step::of(i, RUBS)).components(),
+            motion: |i, degree| {
+                let still: Vec<_> = i.iter().map(|&x| Sweep::from_re(x)).collect();
+                let step = Step::<E, _, M, DOFS>::of(&still, RUBS);
+                let motions = SVector::from_fn(|k, _| {
+                    let zero = Sweep::from_re(Octuple::zero());
+                    if k == degree { zero.derivative(0) } else { zero }
+                });
+                let moved = Step { nodes: E::moved(&step.nodes, &motions), ..step };
+                let slope = |x: Sweep<Octuple>| x.eps.unwrap_generic(nalgebra::Const::<4>, nalgebra::U1)[0];
+                moved.components().into_iter().map(slope).collect()
+            },
+            rubbed: |i, after| {
+                let mut rest = after.iter().copied();
+                let after = Fields::from_components(&mut || rest.next().expect("the state after was computed"));
+                E::rubbed(&Step::of(i, RUBS), &after)
+            },
+        }
+    }
+
+    /// All that is known exactly at a point.
+    pub(super) fn at(&self, layout: &Layout, inputs: &[Octuple]) -> Here {
+        let values = (self.subject.exact_value)(inputs);
+        let gradients = self.subject.derivative(inputs);
+        let sizes = gradients.chunks(inputs.len()).zip(&values);
+        let scales: Vec<_> =
+            sizes.map(|(gradient, &value)| Sensitivity::new(gradient, inputs).plus(value).size()).collect();
+        let directions = self.directions(layout, inputs);
+        let (n, m) = (layout.degrees(), layout.conditions());
+        let mut derivative = Derivatives {
+            residuals: Matrix::zeros(m, n + m),
+            forces: Matrix::zeros(n, n + m),
+            motions: Matrix::zeros(0, n),
+        };
+        let mut rubbed = Vec::new();
+        for (chunk, four) in directions.chunks(4).enumerate() {
+            let seeded: Vec<_> = inputs.iter().enumerate().map(|(k, &x)| seed(x, four, k)).collect();
+            let results = self.subject.swept(&seeded);
+            let slopes = |x: &Sweep<Octuple>| x.eps.unwrap_generic(nalgebra::Const::<4>, nalgebra::U1);
+            let frictions = if self.rubs {
+                (self.rubbed)(&seeded, &results[results.len() - count(layout.state)..])
+            } else {
+                Vec::new()
+            };
+            if chunk == 0 {
+                derivative.motions = Matrix::zeros(frictions.len(), n);
+                rubbed = frictions.iter().map(real_part).collect();
+            }
+            for (k, column) in (4 * chunk..4 * chunk + four.len()).enumerate() {
+                for row in 0..m {
+                    derivative.residuals[(row, column)] = slopes(&results[row])[k];
+                }
+                for row in 0..n {
+                    derivative.forces[(row, column)] = slopes(&results[m + m * n + row])[k];
+                }
+                if column < n {
+                    for (row, friction) in frictions.iter().enumerate() {
+                        derivative.motions[(row, column)] = slopes(&friction.motion)[k];
+                    }
+                }
+            }
+        }
+        let multipliers = Vector::from_column_slice(&inputs[count(layout.nodes)..][..m]);
+        let (found, sizes) = (layout.part(&values), layout.part(&scales));
+        Here { multipliers, results: values, scales, found, sizes, derivative, rubbed }
+    }
+
+    /// The results alone.
+    pub(super) fn at_values(&self, layout: &Layout, inputs: &[Octuple]) -> Found {
+        layout.part(&(self.subject.exact_value)(inputs))
+    }
+
+    /// How the inputs change with every degree of freedom and every multiplier.
+    fn directions(&self, layout: &Layout, inputs: &[Octuple]) -> Vec<Vec<Octuple>> {
+        let first = count(layout.nodes);
+        let multiplier = |m: usize| {
+            let one = |k| if k == first + m { Octuple::one() } else { Octuple::zero() };
+            (0..inputs.len()).map(one).collect()
+        };
+        let degrees = (0..layout.degrees()).map(|degree| (self.motion)(inputs, degree));
+        degrees.chain((0..layout.conditions()).map(multiplier)).collect()
+    }
+
+    /// The derivatives of residuals and forces along a motion of everything, by differences and by automatic differentiation, and
+    /// what they are judged beside.
+    pub(super) fn along(&self, layout: &Layout, inputs: &[Octuple], here: &Here, label: &str) -> [Vec<Octuple>; 3] {
+        let mut sampler = Sampler::named(&format!("{} along {label}", self.subject.spec.id), 0);
+        let directions = self.directions(layout, inputs);
+        let reach = largest(inputs[..count(layout.nodes)].iter().copied());
+        let loads = largest(here.multipliers.iter().copied());
+        let length = Unit::L;
+        let way: Vec<_> = layout
+            .units_of_variables()
+            .iter()
+            .enumerate()
+            .map(|(k, unit)| {
+                let part = Octuple::from(if sampler.coin() { 0.5 } else { -0.5 } * (1.0 + sampler.unit()));
+                let size = if k >= layout.degrees() {
+                    loads
+                } else if *unit == length {
+                    reach
+                } else {
+                    Octuple::one()
+                };
+                part * size
+            })
+            .collect();
+        let moves = (0..inputs.len())
+            .map(|i| directions.iter().zip(&way).fold(Octuple::zero(), |sum, (d, &w)| sum + d[i] * w))
+            .collect::<Vec<_>>();
+        let (n, m) = (layout.degrees(), layout.conditions());
+        let values = |steps: Octuple| {
+            let moved: Vec<_> = inputs.iter().zip(&moves).map(|(&x, &by)| x + by * steps).collect();
+            let found = layout.part(&(self.subject.exact_value)(&moved));
+            [found.residuals.as_slice(), found.forces.as_slice()].concat()
+        };
+        let way = Vector::from_vec(way);
+        let expected =
+            [(&here.derivative.residuals * &way).as_slice(), (&here.derivative.forces * &way).as_slice()].concat();
+        let scales: Vec<_> = here
+            .sizes
+            .residuals
+            .iter()
+            .chain(here.sizes.forces.iter())
+            .zip(&expected)
+            .map(|(&scale, &slope)| scale + slope.abs())
+            .collect();
+        let attempt = |step: f64| {
+            let h = Octuple::from(step);
+            let [far_below, below, above, far_above] = [-2.0, -1.0, 1.0, 2.0].map(|steps| values(h * steps));
+            (0..m + n)
+                .map(|k| ((above[k] - below[k]) * 8.0 - (far_above[k] - far_below[k])) / (h * 12.0))
+                .collect::<Vec<_>>()
+        };
+        let is_near = |found: &[Octuple]| {
+            found
+                .iter()
+                .zip(&expected)
+                .zip(&scales)
+                .all(|((&found, &expected), &scale)| (found - expected).abs() <= scale * DIFFERENCES)
+        };
+        let first = attempt(3e-19);
+        let found = if is_near(&first) { first } else { attempt(1e-26) };
+        [found, expected, scales]
+    }
+}
+
+fn real_part(rubbed: &Rubbed<Sweep<Octuple>>) -> Rubbed<Octuple> {
+    let Rubbed { motion, force, phi, slip: [before, after] } = rubbed;
+    Rubbed { motion: motion.re, force: force.re, phi: phi.re, slip: [before.re, after.re] }
+}
+
+/// The k-th input, which changes along so many directions.
+fn seed(x: Octuple, directions: &[Vec<Octuple>], k: usize) -> Sweep<Octuple> {
+    let along = |d: usize| directions.get(d).map_or_else(Octuple::zero, |direction| direction[k]);
+    Sweep::new(x, Derivative::some(Vector4::from_fn(|d, _| along(d))))
+}
+
+/// Derivatives by the degrees of freedom and the multipliers.
+pub(super) struct Derivatives {
+    pub(super) residuals: Matrix,
+    pub(super) forces: Matrix,
+    /// Of the free motions that rub, by the degrees of freedom.
+    motions: Matrix,
+}
+
+/// What is known at a point.
+pub(super) struct Here {
+    multipliers: Vector,
+    pub(super) results: Vec<Octuple>,
+    /// Of every result, what it changes by when every input changes by one part, and its own size.
+    pub(super) scales: Vec<Octuple>,
+    /// Both in their places.
+    pub(super) found: Found,
+    pub(super) sizes: Found,
+    pub(super) derivative: Derivatives,
+    pub(super) rubbed: Vec<Rubbed<Octuple>>,
+}
+
+impl Here {
+    /// rowsᵀ λ, and frictions against their motions.
+    pub(super) fn work(&self) -> Vector {
+        let frictions = Vector::from_iterator(self.rubbed.len(), self.rubbed.iter().map(|rubbed| rubbed.force));
+        self.found.rows.transpose() * &self.multipliers - self.derivative.motions.transpose() * frictions
+    }
+}

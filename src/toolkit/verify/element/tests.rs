@@ -1,0 +1,221 @@
+//! Every element passes, and none with a mistake does.
+
+use super::{ElementAudit, audit_element};
+use crate::element::newton::{Align, Join, Parameters, Slider, Slider2d, Slot, Slot2d, Translator, UJoint, Universal};
+use crate::formula::element::{Contribution, Element};
+use crate::formula::error::Error;
+use crate::formula::proof::{Case, ProvedElement, Rubbed, Step};
+use crate::formula::{Component, Field, Fields, Spec};
+use crate::toolkit::verify::Options;
+use crate::{Octuple, Scalar};
+use nalgebra::SVector;
+use std::marker::PhantomData;
+
+const FEW: Options = Options { samples: 3, seed: 1 };
+
+fn failed(audit: &ElementAudit) -> Vec<String> {
+    let worst = |claim: &crate::toolkit::verify::Claim| {
+        let worst = claim.worst.as_ref();
+        let worst = worst.map(|worst| {
+            format!("{:e} at {} of {}: {} not {}", worst.size, worst.point, worst.entry, worst.found, worst.expected)
+        });
+        format!("{}, {} of {}: {}", claim.claim, claim.failures, claim.checks, worst.unwrap_or_default())
+    };
+    audit.claims.iter().filter(|claim| !claim.held()).map(worst).collect()
+}
+
+#[test]
+fn every_element_passes() {
+    let mut wrong = Vec::new();
+    for audit in [
+        audit_element::<Join, 3, 12>(&FEW),
+        audit_element::<Align, 3, 12>(&FEW),
+        audit_element::<Universal, 1, 12>(&FEW),
+        audit_element::<Slot, 2, 12>(&FEW),
+        audit_element::<Slot2d, 1, 6>(&FEW),
+        audit_element::<Translator, 5, 12>(&FEW),
+        audit_element::<UJoint, 4, 12>(&FEW),
+        audit_element::<Slider, 2, 9>(&FEW),
+        audit_element::<Slider2d, 1, 6>(&FEW),
+    ] {
+        wrong.extend(failed(&audit).into_iter().map(|claim| format!("{}: {claim}", audit.element)));
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// What is wrong with an element.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Mistake {
+    /// A row has the other sign, and all that follows from it.
+    Sign,
+    /// The block by the spin of the first node is transposed.
+    Transposed,
+    /// The matrix is symmetrised, as if by rotation vectors.
+    Symmetrised,
+    /// The moment on the first node, and what it changes with, are left out.
+    NoMoment,
+    /// Friction is left out, but not what is remembered.
+    NoFriction,
+    /// The tangent of stick in slip.
+    Stick,
+    /// What friction does is the same whatever presses.
+    FollowsNothing,
+    /// Friction has the other sign.
+    Pushes,
+}
+
+/// An element with a mistake, by its number in the list above.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Wrong<E, const MISTAKE: usize>(PhantomData<E>);
+
+const MISTAKES: [Mistake; 8] = [
+    Mistake::Sign,
+    Mistake::Transposed,
+    Mistake::Symmetrised,
+    Mistake::NoMoment,
+    Mistake::NoFriction,
+    Mistake::Stick,
+    Mistake::FollowsNothing,
+    Mistake::Pushes,
+];
+
+fn right<E, D: Component, const K: usize, const M: usize, const DOFS: usize>(
+    wrong: &Parameters<Wrong<E, K>, D, M, DOFS>,
+) -> Parameters<E, D, M, DOFS>
+where
+    E: Element<M, DOFS>,
+{
+    Parameters { start: wrong.start, contact: wrong.contact }
+}
+
+impl<E: Element<M, DOFS>, const K: usize, const M: usize, const DOFS: usize> Element<M, DOFS> for Wrong<E, K> {
+    const SPEC: Spec = E::SPEC;
+    const UNKNOWNS: &'static [Field] = E::UNKNOWNS;
+    const FORCES: &'static [Field] = E::FORCES;
+    const RESIDUALS: &'static [Field] = E::RESIDUALS;
+    const MULTIPLIERS: &'static [Field] = E::MULTIPLIERS;
+    type Nodes<T: Component> = E::Nodes<T>;
+    type Start<T: Component> = E::Start<T>;
+    type Contact<T: Component> = E::Contact<T>;
+    type State<T: Component> = E::State<T>;
+
+    fn moved<D: Scalar>(nodes: &Self::Nodes<D>, motions: &SVector<D, DOFS>) -> Self::Nodes<D> {
+        E::moved(nodes, motions)
+    }
+
+    fn validate<D: Scalar>(nodes: &Self::Nodes<D>, with: &Parameters<Self, D, M, DOFS>) -> Result<(), Error> {
+        E::validate(nodes, &right(with))
+    }
+
+    fn contribution<D: Scalar>(
+        nodes: &Self::Nodes<D>,
+        multipliers: &SVector<D, M>,
+        parameters: &Parameters<Self, D, M, DOFS>,
+        before: &Self::State<D>,
+    ) -> (Contribution<D, M, DOFS>, Self::State<D>) {
+        let parameters = right(parameters);
+        let (mut found, after) = parameters.contribution(nodes, multipliers, before);
+        let (smooth, _) = parameters.smooth().contribution(nodes, multipliers, before);
+        // Degrees of freedom of the spin of the first node, in space and in the plane.
+        let spin = if DOFS == 6 { 2..3 } else { 3..6 };
+        match MISTAKES[K] {
+            Mistake::Sign => found.rows.row_mut(0).neg_mut(),
+            Mistake::Transposed => {
+                let whole = found.stiffness;
+                for row in 0..DOFS {
+                    for column in spin.clone() {
+                        found.stiffness[(row, column)] = whole[(column, row)];
+                    }
+                }
+            }
+            Mistake::Symmetrised => found = found.symmetric(),
+            Mistake::NoMoment => {
+                for row in spin {
+                    found.forces[row] = D::zero();
+                    found.stiffness.row_mut(row).fill(D::zero());
+                    found.by_multipliers.row_mut(row).fill(D::zero());
+                }
+            }
+            Mistake::NoFriction => found = smooth,
+            // That it sticks is what the derivative by the multipliers does not show.
+            Mistake::Stick => found.stiffness += found.stiffness - smooth.stiffness,
+            Mistake::FollowsNothing => found.by_multipliers = smooth.by_multipliers,
+            Mistake::Pushes => found.forces = smooth.forces * D::from(2.0) - found.forces,
+        }
+        (found, after)
+    }
+}
+
+impl<E: ProvedElement<M, DOFS>, const K: usize, const M: usize, const DOFS: usize> ProvedElement<M, DOFS>
+    for Wrong<E, K>
+{
+    const EXACT_ROWS: bool = E::EXACT_ROWS;
+
+    fn cases() -> Vec<Case<Step<Self, f64, M, DOFS>>> {
+        let wrong = |Step { nodes, multipliers, parameters, before }: Step<E, f64, M, DOFS>| {
+            let parameters = Parameters { start: parameters.start, contact: parameters.contact };
+            Step { nodes, multipliers, parameters, before }
+        };
+        let cases = E::cases().into_iter().take(10);
+        cases.map(|Case { id, flag, comment, inputs }| Case { id, flag, comment, inputs: wrong(inputs) }).collect()
+    }
+
+    fn held(step: Step<Self, Octuple, M, DOFS>) -> Step<Self, Octuple, M, DOFS> {
+        let Step { nodes, multipliers, parameters, before } = step;
+        let held = E::held(Step { nodes, multipliers, parameters: right(&parameters), before });
+        Step { nodes: held.nodes, multipliers, parameters, before }
+    }
+
+    fn rubbed<D: Scalar>(step: &Step<Self, D, M, DOFS>, after: &Self::State<D>) -> Vec<Rubbed<D>> {
+        let Step { nodes, multipliers, parameters, before } = *step;
+        E::rubbed(&Step { nodes, multipliers, parameters: right(&parameters), before }, after)
+    }
+}
+
+/// The claims that do not hold of an element with a mistake.
+fn caught<E: ProvedElement<M, DOFS>, const K: usize, const M: usize, const DOFS: usize>() -> Vec<String> {
+    failed(&audit_element::<Wrong<E, K>, M, DOFS>(&Options { samples: 1, seed: 1 }))
+}
+
+/// Of an element that rubs, and of one that does not: which mistakes nobody noticed.
+fn unnoticed<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize>(
+    has_moments: bool,
+    is_symmetric: bool,
+) -> Vec<String> {
+    let rubs = !<E::Contact<f64> as Fields<f64>>::FIELDS.is_empty();
+    let found = [
+        caught::<E, 0, M, DOFS>(),
+        caught::<E, 1, M, DOFS>(),
+        caught::<E, 2, M, DOFS>(),
+        caught::<E, 3, M, DOFS>(),
+        caught::<E, 4, M, DOFS>(),
+        caught::<E, 5, M, DOFS>(),
+        caught::<E, 6, M, DOFS>(),
+        caught::<E, 7, M, DOFS>(),
+    ];
+    let is_one = |mistake: Mistake| match mistake {
+        Mistake::Sign => true,
+        Mistake::Transposed | Mistake::Symmetrised => !is_symmetric || rubs && mistake == Mistake::Symmetrised,
+        Mistake::NoMoment => has_moments,
+        _ => rubs,
+    };
+    let missed = MISTAKES.into_iter().zip(found).filter(|(mistake, found)| is_one(*mistake) && found.is_empty());
+    missed.map(|(mistake, _)| format!("{}: {mistake:?}", E::SPEC.id)).collect()
+}
+
+#[test]
+fn mistakes_are_caught_in_every_element() {
+    let missed = [
+        unnoticed::<Join, 3, 12>(true, false),
+        unnoticed::<Align, 3, 12>(true, false),
+        unnoticed::<Universal, 1, 12>(true, false),
+        unnoticed::<Slot, 2, 12>(true, false),
+        unnoticed::<Slot2d, 1, 6>(true, true),
+        unnoticed::<Translator, 5, 12>(true, false),
+        unnoticed::<UJoint, 4, 12>(true, false),
+        unnoticed::<Slider, 2, 9>(false, false),
+        unnoticed::<Slider2d, 1, 6>(false, false),
+    ]
+    .concat();
+    assert_eq!(missed, [""; 0]);
+}
