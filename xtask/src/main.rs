@@ -10,7 +10,7 @@ mod studies;
 mod tidy;
 mod worked_example;
 
-use jointproof::catalog::CATALOG;
+use jointproof::catalog::{CATALOG, ELEMENTS};
 use kit::Project;
 use kit::{Outcome, console, files};
 use std::process::ExitCode;
@@ -22,6 +22,7 @@ fn main() -> ExitCode {
 /// With what the repository has beside formulas.
 fn ours(project: Project) -> Project {
     project
+        .with_elements(ELEMENTS)
         .in_folder("..")
         .measured_by("measured")
         .called(if is_installed() { "jointproof" } else { "cargo xtask" })

@@ -12,11 +12,8 @@ use std::fmt::Write;
 pub fn text(audits: &[Audit], passed: fn(&Audit) -> bool) -> Result<String, std::fmt::Error> {
     let mut text = String::new();
     for audit in audits {
-        let mark = if passed(audit) { green("ok ") } else { red("off") };
         let points = audit.named_points + audit.random_points;
-        writeln!(text, "{mark} {} at {}", bold(&audit.formula), count(points, "point"))?;
-        writeln!(text, "    {}", audit.provenance)?;
-        writeln!(text, "    {:>9} {:>8} {:>7}", "checked", "worst", "bound")?;
+        text += &heading(&audit.formula, passed(audit), points, &audit.provenance)?;
         for claim in audit.claims() {
             writeln!(text, "    {}", line(claim))?;
         }
@@ -28,6 +25,36 @@ pub fn text(audits: &[Audit], passed: fn(&Audit) -> bool) -> Result<String, std:
         }
     }
     Ok(text + &total(audits, passed))
+}
+
+/// What failed of an element, in full, after a line a claim.
+///
+/// # Errors
+/// None in practice; those of formatting are passed on.
+pub fn claims(
+    name: &str,
+    passed: bool,
+    points: usize,
+    provenance: &str,
+    claims: &[Claim],
+) -> Result<String, std::fmt::Error> {
+    let mut text = heading(name, passed, points, provenance)?;
+    for claim in claims {
+        writeln!(text, "    {}", line(claim))?;
+    }
+    for claim in claims.iter().filter(|claim| !claim.held()) {
+        text += &claim.worst.as_ref().map_or(String::new(), |worst| in_full(claim, worst));
+    }
+    Ok(text)
+}
+
+fn heading(name: &str, passed: bool, points: usize, provenance: &str) -> Result<String, std::fmt::Error> {
+    let mut text = String::new();
+    let mark = if passed { green("ok ") } else { red("off") };
+    writeln!(text, "{mark} {} at {}", bold(name), count(points, "point"))?;
+    writeln!(text, "    {provenance}")?;
+    writeln!(text, "    {:>9} {:>8} {:>7}", "checked", "worst", "bound")?;
+    Ok(text)
 }
 
 /// How much was audited, in a line.

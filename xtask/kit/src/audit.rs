@@ -1,6 +1,7 @@
 //! `audit`: closed form against automatic differentiation against differences, and the laws.
 
 use crate::console::{count, figure, print, progress, say};
+use crate::elements;
 use crate::evidence::Evidence;
 use crate::golden;
 use crate::outcome::{Outcome, Usage, verdict};
@@ -14,7 +15,7 @@ use indicatif::ParallelProgressIterator;
 use jointproof::catalog::AnyFormula;
 use jointproof::formula::Field;
 use jointproof::toolkit::verify::golden::components;
-use jointproof::toolkit::verify::{Audit, Claim, Options, Part, Shard};
+use jointproof::toolkit::verify::{Audit, Claim, ElementAudit, Options, Part, Shard};
 use judge::audited::{in_full, text, total};
 use judge::looked;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
@@ -80,7 +81,7 @@ enum Format {
 }
 
 pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
-    let mut formulas = arguments.selection.formulas(project)?;
+    let (mut formulas, chosen) = arguments.selection.formulas_and_elements(project)?;
     if let Some(revision) = &arguments.since {
         formulas = touched(project, &formulas, revision)?;
     }
@@ -94,14 +95,24 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         None if !arguments.merge.is_empty() => merged(&formulas, &arguments.merge)?,
         None => audit(project, &formulas, &options)?,
     };
+    // A point, a share and a change are of formulas.
+    let is_of_formulas = arguments.point.is_some() || !arguments.merge.is_empty() || arguments.since.is_some();
+    let of_elements = if is_of_formulas { Vec::new() } else { elements::audit(&chosen, &options) };
+    let told = elements::text(&of_elements)?;
     // At a single point on a kink there is nothing to check some claims with.
     let passed = if arguments.point.is_some() { Audit::no_claim_failed } else { Audit::passed };
     // A point is looked at to find out something else.
     let owed = if arguments.point.is_some() { Vec::new() } else { owed(project, &formulas)? };
     print(&match arguments.format {
-        Format::Text => text(&audits, passed)? + &owed.concat(),
-        Format::Markdown => markdown(project, &formulas, &audits, passed)? + &fenced(&owed),
-        Format::Json => serde_json::to_string_pretty(&audits)?,
+        Format::Text => of_formulas(&audits, passed)? + &told + &owed.concat(),
+        Format::Markdown => {
+            markdown(project, &formulas, &audits, passed)? + &elements::markdown(&of_elements) + &fenced(&owed)
+        }
+        Format::Json => {
+            let formulas = audits.iter().map(serde_json::to_value);
+            let all = formulas.chain(of_elements.iter().map(serde_json::to_value)).collect::<Result<Vec<_>, _>>()?;
+            serde_json::to_string_pretty(&all)?
+        }
         Format::Github => {
             summarise(&(markdown(project, &formulas, &audits, passed)? + &fenced(&owed)))?;
             annotations(&findings(project, &formulas, &audits)?) + &total(&audits, passed)
@@ -112,7 +123,16 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     if !matches!(arguments.format, Format::Text | Format::Markdown) && !owed.is_empty() {
         say(owed.concat().trim_end());
     }
-    Ok(verdict(is_well(&owed, &audits, passed)))
+    let elements_passed = of_elements.iter().all(ElementAudit::passed);
+    if !matches!(arguments.format, Format::Text | Format::Markdown | Format::Json) && !elements_passed {
+        say(told.trim_end());
+    }
+    Ok(verdict(elements_passed && is_well(&owed, &audits, passed)))
+}
+
+/// What was found about formulas; nothing where there are none.
+fn of_formulas(audits: &[Audit], passed: fn(&Audit) -> bool) -> Result<String, std::fmt::Error> {
+    if audits.is_empty() { Ok(String::new()) } else { text(audits, passed) }
 }
 
 /// Whether nothing is owed, and every audit has passed.

@@ -1,6 +1,7 @@
 //! `golden`: the golden files, written or checked.
 
 use crate::console::{bold, count, green, print, progress, red, say};
+use crate::elements::GoldenFiles;
 use crate::evidence::{Evidence, GoldenCheck};
 use crate::extension::Beside;
 use crate::files;
@@ -55,7 +56,7 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         return Ok(verdict(true));
     }
     project.needs_repository("golden", ", or take --out FOLDER, which writes the files elsewhere")?;
-    let formulas = arguments.selection.formulas(project)?;
+    let (formulas, _) = arguments.selection.formulas_and_elements(project)?;
     if !arguments.check {
         let written = write(project, &arguments.selection)?;
         let owed = owed(project, &formulas)?;
@@ -88,14 +89,16 @@ fn regenerate(
     selection: &Selection,
     folder: &Path,
     least_random: usize,
-) -> anyhow::Result<Vec<Regenerated>> {
-    let formulas = selection.formulas(project)?;
+) -> anyhow::Result<(Vec<Regenerated>, GoldenFiles)> {
+    let (formulas, elements) = selection.formulas_and_elements(project)?;
+    let elements = GoldenFiles::made(&elements, folder)?;
     let bar = progress("golden", formulas.len());
     let one = |formula: &&dyn AnyFormula| {
         let file = formula.golden_with(least_random);
         Ok(Regenerated { path: folder.join(format!("{}.json", formula.spec().id)), text: file.render()?, file })
     };
-    formulas.par_iter().progress_with(bar).map(one).collect()
+    let formulas: anyhow::Result<_> = formulas.par_iter().progress_with(bar).map(one).collect();
+    Ok((formulas?, elements))
 }
 
 /// The schema of golden files, made from the types that write them.
@@ -124,7 +127,7 @@ fn orphans(project: &Project) -> anyhow::Result<Vec<PathBuf>> {
 }
 
 fn write(project: &Project, selection: &Selection) -> anyhow::Result<String> {
-    let regenerated = regenerate(project, selection, &project.golden(), LEAST_RANDOM)?;
+    let (regenerated, elements) = regenerate(project, selection, &project.golden(), LEAST_RANDOM)?;
     let mut report = String::new();
     let mut outputs: Vec<_> = regenerated.iter().map(|golden| (&golden.path, &golden.text)).collect();
     let (schema_path, schema) = schema(&project.golden())?;
@@ -139,25 +142,33 @@ fn write(project: &Project, selection: &Selection) -> anyhow::Result<String> {
             writeln!(report, "wrote {}", project.shown(path))?;
         }
     }
+    for path in elements.write()? {
+        writeln!(report, "wrote {}", project.shown(path))?;
+    }
     let orphans = if selection.is_all() { orphans(project)? } else { Vec::new() };
+    let of_elements = if selection.is_all() { GoldenFiles::orphans(project)? } else { Vec::new() };
     let of_formulas = orphans.iter().map(|path| (path, "no such formula"));
-    for (orphan, why) in of_formulas.chain(beside.orphans.iter().map(|path| (path, "nothing makes it"))) {
+    let of_elements = of_elements.iter().map(|path| (path, "no such element"));
+    for (orphan, why) in
+        of_formulas.chain(of_elements).chain(beside.orphans.iter().map(|path| (path, "nothing makes it")))
+    {
         let shown = project.shown(orphan);
         std::fs::remove_file(orphan).with_context(|| format!("cannot remove {shown}"))?;
         writeln!(report, "removed {shown}: {why}")?;
     }
-    writeln!(report, "{}", counts(&regenerated))?;
+    writeln!(report, "{}{}", counts(&regenerated), elements.counts())?;
     Ok(report)
 }
 
 /// Writes the files of some formulas into a folder that is not the project's own. Nothing is removed there.
 fn write_into(folder: &Path, project: &Project, selection: &Selection, least_random: usize) -> anyhow::Result<String> {
-    let regenerated = regenerate(project, selection, folder, least_random)?;
+    let (regenerated, elements) = regenerate(project, selection, folder, least_random)?;
+    elements.write()?;
     let (schema_path, schema) = schema(folder)?;
     for (path, text) in regenerated.iter().map(|golden| (&golden.path, &golden.text)).chain([(&schema_path, &schema)]) {
         files::write(path, text)?;
     }
-    Ok(format!("{} in {}\n", counts(&regenerated), folder.display()))
+    Ok(format!("{}{} in {}\n", counts(&regenerated), elements.counts(), folder.display()))
 }
 
 fn counts(regenerated: &[Regenerated]) -> String {
@@ -179,9 +190,9 @@ fn is_current(path: &Path, text: &str) -> bool {
     std::fs::read_to_string(path).is_ok_and(|committed| committed == text)
 }
 
-/// Checks the golden files of formulas, and keeps what was found as evidence.
+/// Checks the golden files of formulas and elements, and keeps what was found as evidence.
 pub(crate) fn check(project: &Project, selection: &Selection) -> anyhow::Result<Checked> {
-    let regenerated = regenerate(project, selection, &project.golden(), LEAST_RANDOM)?;
+    let (regenerated, elements) = regenerate(project, selection, &project.golden(), LEAST_RANDOM)?;
     let mut evidence = Evidence::load(project);
     let mut off = Vec::new();
     for golden in &regenerated {
@@ -198,8 +209,11 @@ pub(crate) fn check(project: &Project, selection: &Selection) -> anyhow::Result<
     }
     let orphan = |path: PathBuf| format!("{} has no formula\n", bold(project.shown(&path)));
     off.extend(orphans(project)?.into_iter().map(orphan));
+    off.extend(elements.off(project));
+    let orphan = |path: PathBuf| format!("{} has no element\n", bold(project.shown(&path)));
+    off.extend(GoldenFiles::orphans(project)?.into_iter().map(orphan));
     evidence.save(project)?;
-    Ok(checked(counts(&regenerated), &off))
+    Ok(checked(counts(&regenerated) + &elements.counts(), &off))
 }
 
 /// Checks the golden files that are not of formulas.

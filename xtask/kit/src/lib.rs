@@ -20,6 +20,7 @@ mod book;
 mod check;
 mod commands;
 pub mod console;
+mod elements;
 mod equation;
 mod evidence;
 mod export;

@@ -5,13 +5,16 @@ use crate::{
     outcome::{Outcome, Usage},
 };
 use clap::{ArgMatches, Args, FromArgMatches};
-use jointproof::catalog::AnyFormula;
+use jointproof::catalog::{AnyElement, AnyFormula};
 use std::path::{Path, PathBuf};
 
 /// Every formula of a project, in the order of its book.
 pub type Catalog = &'static [&'static dyn AnyFormula];
 
-/// A catalog of formulas and where everything about it is.
+/// Every element of a project, in the order of its book.
+pub type Elements = &'static [&'static dyn AnyElement];
+
+/// A catalog of formulas and elements, and where everything about it is.
 ///
 /// In its folder, `src` and `tests` hold the sources, `golden` the golden files and `book` the book.
 pub struct Project {
@@ -21,6 +24,7 @@ pub struct Project {
     measured: Option<PathBuf>,
     root: PathBuf,
     catalog: Catalog,
+    elements: Elements,
     pub(crate) extension: Extension,
 }
 
@@ -63,8 +67,15 @@ impl Project {
             measured: None,
             root: root_or(folder.to_path_buf()),
             catalog,
+            elements: &[],
             extension: Extension::default(),
         }
+    }
+
+    /// With elements beside the formulas.
+    #[must_use]
+    pub fn with_elements(self, elements: Elements) -> Self {
+        Self { elements, ..self }
     }
 
     /// With sources, golden files and book not in the package's own folder but in this one, seen from there, as `..`.
@@ -121,6 +132,11 @@ impl Project {
     /// Every formula.
     pub fn catalog(&self) -> Catalog {
         self.catalog
+    }
+
+    /// Every element.
+    pub fn elements(&self) -> Elements {
+        self.elements
     }
 
     /// The formula of this identifier.

@@ -1,13 +1,13 @@
-//! Which formulas a command works on.
+//! Which formulas and elements a command works on.
 
 use crate::outcome::Usage;
 use crate::project::Project;
-use jointproof::catalog::AnyFormula;
+use jointproof::catalog::{AnyElement, AnyFormula};
 
 /// `--filter`
 #[derive(clap::Args)]
 pub(crate) struct Selection {
-    /// Only formulas whose identifier matches this pattern; `*` matches anything
+    /// Only formulas, or elements, whose identifier matches this pattern; `*` matches anything
     #[arg(long, value_name = "GLOB")]
     filter: Option<String>,
 }
@@ -28,12 +28,26 @@ impl Selection {
         let is_asked = self.is_asked()?;
         let selected: Vec<_> = catalog.iter().copied().filter(|formula| is_asked(formula.spec().id)).collect();
         if selected.is_empty() {
-            let ids: Vec<_> = catalog.iter().map(|formula| formula.spec().id).collect();
+            let elements = project.elements().iter().map(|element| element.spec().id);
+            let ids: Vec<_> = catalog.iter().map(|formula| formula.spec().id).chain(elements).collect();
             return Err(
                 Usage(format!("--filter '{filter}' matches no formula; there are\n  {}", ids.join("\n  "))).into()
             );
         }
         Ok(selected)
+    }
+
+    /// The formulas and the elements selected, for a command that works on both.
+    pub(crate) fn formulas_and_elements(
+        &self,
+        project: &Project,
+    ) -> anyhow::Result<(Vec<&'static dyn AnyFormula>, Vec<&'static dyn AnyElement>)> {
+        let is_asked = self.is_asked()?;
+        let elements: Vec<_> =
+            project.elements().iter().copied().filter(|element| is_asked(element.spec().id)).collect();
+        let is_of_elements_alone = !elements.is_empty() && !project.catalog().iter().any(|one| is_asked(one.spec().id));
+        let formulas = if is_of_elements_alone { Vec::new() } else { self.formulas(project)? };
+        Ok((formulas, elements))
     }
 
     /// Whether a formula of this identifier is asked for, if there is one.

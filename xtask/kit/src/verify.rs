@@ -7,7 +7,7 @@ use crate::outcome::{Outcome, verdict};
 use crate::project::Project;
 use crate::report::data::Report;
 use crate::selection::Selection;
-use crate::{audit, owed, prose};
+use crate::{audit, elements, owed, prose};
 use jointproof::toolkit::verify::{Audit, Options};
 use judge::audited;
 use std::time::{Duration, Instant};
@@ -45,6 +45,9 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
         steps.push(step(name, || Ok(told(project, golden::check_beside(project, &beside(project)?))))?);
     }
     steps.push(step("audit", || check_audit(project, arguments))?);
+    if !project.elements().is_empty() {
+        steps.push(step("elements", || check_elements(project, arguments))?);
+    }
     for (name, check) in &project.extension.checks {
         steps.push(step(name, || check(project))?);
     }
@@ -104,6 +107,16 @@ fn check_audit(project: &Project, arguments: &Arguments) -> anyhow::Result<(bool
             .map(|(number, noun)| count(number, noun));
     let known = if known == 0 { String::new() } else { format!(", {known} known from before") };
     Ok((failed.is_empty(), format!("{audited}, {comparisons}, {off} off{known}")))
+}
+
+fn check_elements(project: &Project, arguments: &Arguments) -> anyhow::Result<(bool, String)> {
+    let options = Options { samples: arguments.samples, ..Options::default() };
+    let audits = elements::audit(project.elements(), &options);
+    let failed: Vec<_> = audits.iter().filter(|audit| !audit.passed()).cloned().collect();
+    if !failed.is_empty() {
+        say(elements::text(&failed)?.trim_end());
+    }
+    Ok((failed.is_empty(), elements::total(&audits)))
 }
 
 /// Says what is off with the mathematics and the numbers of chapters.
