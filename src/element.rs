@@ -30,13 +30,10 @@ pub mod rotation;
 pub mod slide_line;
 pub mod slider;
 pub mod slider_plane;
-pub mod slot;
 pub mod slot_friction;
 pub mod slot_plane;
-pub mod translator;
 pub mod translator_friction;
 mod turn;
-pub mod ujoint;
 pub mod ujoint_friction;
 pub mod universal;
 

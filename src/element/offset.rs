@@ -49,15 +49,16 @@ impl Formula for Arm {
 /// The rigid arms from nodes a and b to the points that a connector holds.
 ///
 /// ```
+/// use jointproof::connector::slot::Positions;
+/// use jointproof::element::join::Rows;
 /// use jointproof::element::offset::Arms;
-/// use jointproof::element::ujoint::{JointPlaces, Rows};
 /// use jointproof::formula::value;
 /// use nalgebra::Vector3;
 /// let [e1a, e2a, e3a] = [Vector3::x(), Vector3::y(), Vector3::z()];
 /// let xa = Vector3::zeros();
 /// let arms = Arms { a: e2a, b: Vector3::zeros() };
 /// // The connector's points are those at the ends of the arms.
-/// let rows = value::<Rows>(&JointPlaces { e1a, e2a, e3a, e3b: e3a, xa: xa + arms.a, xb: e2a })?.matrix();
+/// let rows = value::<Rows>(&Positions { e1a, e2a, e3a, xa: xa + arms.a, xb: e2a })?.matrix();
 /// // A turn of a about z takes the end of its arm along −x, so that b is ahead along e1a.
 /// assert_eq!((rows[(0, 5)], arms.rows(&rows)[(0, 5)]), (0.0, 1.0));
 /// # Ok::<(), jointproof::Error>(())

@@ -26,7 +26,7 @@ fn json_holds_what_was_asked_for() {
 #[test]
 fn shares_make_the_whole_and_files_of_something_else_are_named() {
     let bench = Bench::new();
-    let of = |more: &[&str]| bench.run(&[&["audit", "--filter", "{slot.contact_force,slot.rows}"], more].concat());
+    let of = |more: &[&str]| bench.run(&[&["audit", "--filter", "{slot.contact_force,join.rows}"], more].concat());
     let shares = ["1/2", "2/2"].map(|shard| {
         let file = bench.path(&shard.replace('/', "of"));
         std::fs::write(&file, of(&["--samples", "9", "--seed", "5", "--shard", shard]).quiet().stdout).unwrap();

@@ -282,7 +282,7 @@ fn every_driver_compiles_without_a_warning() {
     let bench = Bench::new();
     for abi in ["fric", "mpc", "uinter", "uel", "umpc_user"] {
         let other =
-            bench.run(&["check", "--formula", "slot.rows", "--abi", abi]).bad_usage("does not compute slot.rows");
+            bench.run(&["check", "--formula", "join.rows", "--abi", abi]).bad_usage("does not compute join.rows");
         let ids: Vec<_> = other.stderr.lines().skip(1).map(str::trim).collect();
         assert!(ids.len() > 1, "{other:?}");
         for id in ids {
@@ -301,7 +301,7 @@ fn what_a_routine_cannot_compute_is_told_with_what_it_can() {
         ("fric", "slider.line", "coulomb.return_map"),
         ("mpc", "slider.constraint", "slider.eliminate"),
         ("uinter", "interaction.damping", "interaction.pressure_linear"),
-        ("uel", "slot.rows", "slider.nodal_forces"),
+        ("uel", "join.rows", "slider.nodal_forces"),
         ("umpc_user", "slider.eliminate", "slider.constraint"),
     ] {
         let ran = Bench::new().run(&["check", "--formula", id, "--abi", abi]);

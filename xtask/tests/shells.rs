@@ -4,13 +4,10 @@
 //! numbers, and answers with bits.
 
 use crate::common::{Bench, is_here};
-use jointproof::connector::ujoint::Cross;
-use jointproof::element::newton::{
-    CrossContact, Element, Nodes, SlotContact, SlotElement, TranslatorContact, TranslatorElement, UJointElement,
-    UJointState,
-};
+use jointproof::element::newton::{Element, Nodes, Parameters, Slot, Translator, UJoint};
 use jointproof::element::offset::Arms;
 use jointproof::element::{Forces, Stiffness};
+use jointproof::formula::Fields;
 use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, SVector, Vector3};
 use std::fmt::Write as _;
 use std::io::{BufRead, BufReader, Write as _};
@@ -177,52 +174,28 @@ fn turned(rotation: &[f64], e: &Vector3<f64>) -> Vector3<f64> {
 fn nodes(point: &Point) -> Nodes<f64> {
     let Point { triads: [a, b], coords: [xa, xb], u, .. } = point;
     let moved = |x: &Vector3<f64>, u: &[f64]| x + Vector3::from_column_slice(u);
-    Nodes {
-        a: a.map(|e| turned(&u[3..6], &e)),
-        b: b.map(|e| turned(&u[9..12], &e)),
-        xa: moved(xa, &u[..3]),
-        xb: moved(xb, &u[6..9]),
-    }
+    let triads = [a.map(|e| turned(&u[3..6], &e)), b.map(|e| turned(&u[9..12], &e))];
+    Nodes::new(triads, [moved(xa, &u[..3]), moved(xb, &u[6..9])])
 }
 
-/// A state as SVARS has it.
-trait Svars: Sized {
-    fn from_svars(svars: &[f64]) -> Self;
-    fn svars(&self) -> Vec<f64>;
-}
-
-impl Svars for f64 {
-    fn from_svars(svars: &[f64]) -> Self {
-        svars[0]
-    }
-    fn svars(&self) -> Vec<f64> {
-        vec![*self]
-    }
-}
-
-impl Svars for UJointState<f64> {
-    fn from_svars(svars: &[f64]) -> Self {
-        Self { slip: [svars[0], svars[1]], turns: [svars[2], svars[3]] }
-    }
-    fn svars(&self) -> Vec<f64> {
-        [self.slip, self.turns].concat()
-    }
+/// An element of PROPS: first what was measured at the start, then how it rubs, if the stiffness in stick is not 0.
+fn made<E: Element<N>, const N: usize>(props: &[f64]) -> Parameters<E, f64, N> {
+    let (start, contact) = props.split_at(E::Start::<f64>::LEN);
+    let contact = (contact[0] > 0.0).then(|| Fields::from_slice(contact).unwrap());
+    Parameters { start: Fields::from_slice(start).unwrap(), contact }
 }
 
 /// What the element in Rust says at a point, in Abaqus's sense.
-fn in_rust<E: Element<N, Nodes<f64> = Nodes<f64>>, const N: usize>(element: &E, point: &Point) -> Answer
-where
-    E::State<f64>: Svars,
-{
+fn in_rust<E: Element<N, Nodes<f64> = Nodes<f64>>, const N: usize>(point: &Point) -> Answer {
     let multipliers = SVector::<f64, N>::from_column_slice(&point.u[12..]);
-    let before = E::State::from_svars(&point.svars);
-    let (found, after) = element.newton(&nodes(point), &multipliers, &before).unwrap();
+    let before = Fields::from_slice(&point.svars).unwrap();
+    let (found, after) = made::<E, N>(&point.props).newton(&nodes(point), &multipliers, &before).unwrap();
     let mut amatrx = DMatrix::zeros(12 + N, 12 + N);
     amatrx.view_mut((0, 0), (12, 12)).copy_from(&-found.stiffness);
     amatrx.view_mut((0, 12), (12, N)).copy_from(&-found.by_multipliers);
     amatrx.view_mut((12, 0), (N, 12)).copy_from(&-found.rows);
     let rhs = found.forces.iter().chain(&found.residuals).copied().collect();
-    Answer { rhs, amatrx: amatrx.as_slice().to_vec(), svars: after.svars(), pnewdt: 1.0 }
+    Answer { rhs, amatrx: amatrx.as_slice().to_vec(), svars: after.components(), pnewdt: 1.0 }
 }
 
 /// Numbers between −1 and 1, the same in every run.
@@ -254,17 +227,14 @@ fn axes(turn: &Rotation3<f64>) -> [Vector3<f64>; 3] {
 /// Asks both at points that stick and slip: every bit is the same, whatever is asked for.
 fn compare<E: Element<N, Nodes<f64> = Nodes<f64>>, const N: usize>(
     shell: &str,
-    element: impl Fn(&[f64]) -> E,
     props: impl Fn(&mut Numbers) -> Vec<f64>,
-) where
-    E::State<f64>: Svars,
-{
+) {
     if !is_here(COMPILER) {
         return;
     }
     let mut numbers = Numbers(7);
     let first = props(&mut numbers);
-    let states = if shell == "uel-ujoint" { 4 } else { 1 };
+    let states = E::State::<f64>::LEN;
     let mut peer = Peer::new(shell, [N, states, 18 + first.len()]);
     for _ in 0..200 {
         let point = Point {
@@ -274,7 +244,7 @@ fn compare<E: Element<N, Nodes<f64> = Nodes<f64>>, const N: usize>(
             coords: [numbers.vector(), numbers.vector()],
             u: numbers.some(12 + N),
         };
-        let expected = in_rust(&element(&point.props), &point);
+        let expected = in_rust::<E, N>(&point);
         let found = peer.ask(1, &point);
         assert_eq!(found.bits(), expected.bits(), "{point:?}\n{found:?}\n{expected:?}");
         assert_eq!(found.pnewdt, 1.0);
@@ -292,31 +262,6 @@ fn compare<E: Element<N, Nodes<f64> = Nodes<f64>>, const N: usize>(
     }
 }
 
-fn slot(props: &[f64]) -> SlotElement {
-    let contact = (props[3] > 0.0).then(|| SlotContact { k_el: props[3], fc_int: props[4], mu: props[5] });
-    SlotElement { start: Vector3::from_column_slice(&props[..3]), contact }
-}
-
-fn translator(props: &[f64]) -> TranslatorElement {
-    let [k_el, rr, l, fc_int, mu] = [props[6], props[7], props[8], props[9], props[10]];
-    TranslatorElement {
-        start: Vector3::from_column_slice(&props[..3]),
-        angles0: [props[3], props[4], props[5]],
-        contact: (k_el > 0.0).then_some(TranslatorContact { k_el, rr, l, fc_int, mu }),
-    }
-}
-
-fn ujoint(props: &[f64]) -> UJointElement {
-    let [rp, la, ra, ls, mc1_int, mc3_int, mu] = std::array::from_fn(|k| props[8 + k]);
-    let cross = Cross { rp, la, ra, ls, mu, mc1_int, mc3_int };
-    UJointElement {
-        d0: Vector3::from_column_slice(&props[..3]),
-        c0: props[3],
-        angles0: [props[4], props[5]],
-        contact: (props[6] > 0.0).then_some(CrossContact { cross, k_el1: props[6], k_el3: props[7] }),
-    }
-}
-
 /// A stiffness that sticks, slips, or, for a smooth contact, is 0.
 fn stiffness(numbers: &mut Numbers) -> f64 {
     let x = numbers.next();
@@ -325,7 +270,7 @@ fn stiffness(numbers: &mut Numbers) -> f64 {
 
 #[test]
 fn slot_has_every_bit_of_rust() {
-    compare("uel-slot", slot, |numbers| {
+    compare::<Slot, 2>("uel-slot", |numbers| {
         let start = numbers.some(3);
         [start, vec![stiffness(numbers), numbers.next(), numbers.next().abs()]].concat()
     });
@@ -333,7 +278,7 @@ fn slot_has_every_bit_of_rust() {
 
 #[test]
 fn translator_has_every_bit_of_rust() {
-    compare("uel-translator", translator, |numbers| {
+    compare::<Translator, 5>("uel-translator", |numbers| {
         let start = numbers.some(6);
         let k_el = stiffness(numbers);
         let positive: Vec<_> = numbers.some(2).iter().map(|x| x.abs()).collect();
@@ -343,7 +288,7 @@ fn translator_has_every_bit_of_rust() {
 
 #[test]
 fn ujoint_has_every_bit_of_rust() {
-    compare("uel-ujoint", ujoint, |numbers| {
+    compare::<UJoint, 4>("uel-ujoint", |numbers| {
         let start = numbers.some(6);
         let (k_el1, k_el3) = (stiffness(numbers), 10_f64.powf(2.0 * numbers.next()));
         let cross: Vec<_> = numbers.some(4).iter().map(|x| x.abs()).collect();
@@ -428,13 +373,13 @@ fn newton_converges_through_the_interface_as_in_rust() {
         let props = [&at_start[..], &[0.25, 2.0, fit, mu]].concat();
         let start = point(&props, 1, 5);
         let found = steps(&start, |at| peers[0].ask(1, at));
-        assert_eq!(found, steps(&start, |at| in_rust(&translator(&props), at)));
+        assert_eq!(found, steps(&start, |at| in_rust::<Translator, 5>(at)));
         assert!(is_quadratic(&found.0) && (found.1 != 0.0) == slips, "TRANSLATOR, {k_el}: {found:?}");
 
         let props = [&at_start[..], &[k_el, 0.125, 0.5, 0.25, 0.5, fit, fit, mu]].concat();
         let start = point(&props, 4, 4);
         let found = steps(&start, |at| peers[1].ask(1, at));
-        assert_eq!(found, steps(&start, |at| in_rust(&ujoint(&props), at)));
+        assert_eq!(found, steps(&start, |at| in_rust::<UJoint, 4>(at)));
         assert!(is_quadratic(&found.0) && (found.1 != 0.0) == slips, "UJOINT, {k_el}: {found:?}");
     }
 }

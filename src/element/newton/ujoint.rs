@@ -8,12 +8,13 @@ mod proof;
 
 use super::{Contribution, Element, FORCES, Nodes, Parameters, UNKNOWNS, by_spins};
 use crate::connector::cardan::nearest;
-use crate::connector::ujoint::{Constraint, Cross, JointResiduals, Jointed};
+use crate::connector::ujoint::{Constraint, Cross, CrossAxes, JointResiduals, Jointed};
 use crate::connector::universal::{Angles, Turns};
-use crate::element::Forces;
 use crate::element::align::{self, AlignLoads};
-use crate::element::ujoint::{self, JointLoads, JointPlaces};
+use crate::element::join::{self, JoinForces};
 use crate::element::ujoint_friction::{CrossSlid, CrossSliding, Response};
+use crate::element::universal::{self, UniversalLoads};
+use crate::element::{Forces, NodalForces, Rows};
 use crate::fields;
 use crate::formula::error::Error;
 use crate::formula::quantity::{
@@ -43,9 +44,9 @@ fields! {
     }
 }
 fields! {
-    /// By how much α and γ have grown since the start, followed beyond half a turn, and the turns at which the friction moments
-    /// would be 0. At the start all are 0.
-    pub struct UJointState<T> { ur1: T = TURN1, ur3: T = TURN3, slip1: T = TURN1_SLIP, slip3: T = TURN3_SLIP }
+    /// The turns at which the friction moments would be 0, and by how much α and γ have grown since the start, followed beyond half
+    /// a turn. At the start all are 0.
+    pub struct UJointState<T> { slip1: T = TURN1_SLIP, slip3: T = TURN3_SLIP, ur1: T = TURN1, ur3: T = TURN3 }
 }
 
 impl UJointContact<f64> {
@@ -142,13 +143,20 @@ impl Element<4> for UJoint {
         let Nodes { e1a, e2a, e3a, e3b, xa, xb, .. } = *nodes;
         let (UJointStart { d0, c0, .. }, [f1, f2, f3, lambda_rot]) = (parameters.start, *multipliers.as_ref());
         let held = Constraint::eval(&Jointed { e1a, e2a, e3a, e3b, xa, xb, d0, c0 });
-        let loads = JointLoads { e1a, e2a, e3a, e3b, xa, xb, f1, f2, f3, lambda_rot };
-        let rows = ujoint::Rows::eval(&JointPlaces { e1a, e2a, e3a, e3b, xa, xb }).matrix();
+        let (joined, crossed) = (nodes.join_loads([f1, f2, f3]), UniversalLoads { e1a, e3b, lambda_rot });
+        let across = universal::Rows::eval(&CrossAxes { e1a, e3b });
+        let mut rows = Rows::<D, 4>::zeros();
+        rows.fixed_rows_mut::<3>(0).copy_from(&join::Rows::eval(&nodes.positions()).matrix());
+        rows.set_row(3, &by_spins(across.g_rot_ta, across.g_rot_tb).transpose());
+        let JoinForces { fa, ma, fb } = join::Forces::eval(&joined);
+        let moments = universal::Moments::eval(&crossed);
+        let mut stiffness = join::GeometricStiffness::eval(&joined).matrix();
+        universal::GeometricStiffness::eval(&crossed).add_to(&mut stiffness);
         let mut found = Contribution::smooth(
             held.g.push(held.g_rot),
             rows,
-            ujoint::Forces::eval(&loads).vector(),
-            ujoint::GeometricStiffness::eval(&loads).matrix(),
+            NodalForces { fa, ma: ma + moments.ma, fb, mb: moments.mb }.vector(),
+            stiffness,
         );
         let Some(contact) = parameters.contact else { return (found, *before) };
 

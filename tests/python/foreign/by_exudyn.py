@@ -174,7 +174,7 @@ class Hung(Bodies):
 
 
 #: The formulas that the user functions call, and what is seen of them.
-CALLED = {"ujoint.constraint": None, "ujoint.rows": UJOINT.closed_rows(), "element.arm": ["m_node"]}
+CALLED = {"ujoint.constraint": None, "element.arm": ["m_node"]} | UJOINT.closed_rows()
 
 
 @contextmanager

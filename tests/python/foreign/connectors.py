@@ -34,38 +34,14 @@ def inputs(a: Node, b: Node) -> dict[str, np.ndarray]:
     return triads | dict(xa=a.x, xb=b.x)
 
 
-def rates(a: Node, b: Node) -> dict[str, np.ndarray]:
-    turns = {
-        f"e{k + 1}{n}": np.cross(node.spin, node.triad[:, k]) for n, node in (("a", a), ("b", b)) for k in range(3)
-    }
-    return turns | dict(xa=a.velocity, xb=b.velocity)
-
-
 @dataclass(frozen=True)
-class Connector:
-    """A connector by the names of its formulas and of its multipliers.
+class Block:
+    """What connectors are made of, by the names of its formulas and of its multipliers."""
 
-    `held` are the coordinates that its residuals are, of three translations along e1a, e2a, e3a and three Cardan
-    angles; `sine` is the place of the residual that is the sine of its angle.
-    """
-
-    name: str
-    residuals: str
     rows: str
     forces: str
+    stiffness: str
     multipliers: tuple[str, ...]
-    held: tuple[int, ...]
-    sine: int | None = None
-    stiffness: str | None = None
-
-    def closed_rows(self) -> list[str]:
-        """What is not zero where both nodes are at one place: the spin of a would turn a vector without length."""
-        return [name for name, _ in outputs(self.rows) if name not in ("g1_ta", "g2_ta", "g3_ta")]
-
-    def residual(self, export: Export, a: Node, b: Node) -> np.ndarray:
-        """With all initial values zero, so that it is the connector's coordinate."""
-        initial = dict(d0=ZERO) | dict.fromkeys(["y0", "z0", "c0", "alpha0", "beta0", "gamma0"], 0.0)
-        return np.hstack(list(export.value(self.residuals, **inputs(a, b), **initial).values()))
 
     def matrix(self, parts: dict[str, np.ndarray]) -> np.ndarray:
         """Rows in their places. Where turning both nodes alike changes nothing, only the spin of b is written."""
@@ -80,10 +56,6 @@ class Connector:
 
     def row_matrix(self, export: Export, a: Node, b: Node) -> np.ndarray:
         return self.matrix(export.value(self.rows, **inputs(a, b)))
-
-    def row_rates(self, export: Export, a: Node, b: Node) -> np.ndarray:
-        """How the rows change in time as the nodes move."""
-        return self.matrix(export.rate(self.rows, rates(a, b), **inputs(a, b)))
 
     def loads(self, multipliers: np.ndarray) -> dict[str, float]:
         return dict(zip(self.multipliers, multipliers, strict=True))
@@ -112,6 +84,66 @@ class Connector:
                 stiffness[DOFS["ub"], DOFS[column]] = -block
                 stiffness[DOFS[column], DOFS["ub"]] = -block.T
         return stiffness
+
+
+@dataclass(frozen=True)
+class Connector:
+    """A connector by the formula of its residuals, and the blocks that it is a sum of, each with the rows that it takes.
+
+    `held` are the coordinates that its residuals are, of three translations along e1a, e2a, e3a and three Cardan
+    angles; `sine` is the place of the residual that is the sine of its angle.
+    """
+
+    name: str
+    residuals: str
+    blocks: tuple[tuple[Block, tuple[int, ...]], ...]
+    held: tuple[int, ...]
+    sine: int | None = None
+
+    def rows(self) -> dict[str, list[str]]:
+        """The outputs of every block that are rows of it."""
+        taken = {}
+        for block, rows in self.blocks:
+            names = [name for name, _ in outputs(block.rows)]
+            residuals = list(dict.fromkeys(name.rpartition("_")[0] for name in names))
+            of_connector = [residuals[row] for row in rows]
+            taken[block.rows] = [name for name in names if name.rpartition("_")[0] in of_connector]
+        return taken
+
+    def closed_rows(self) -> dict[str, list[str]]:
+        """What is not zero where both nodes are at one place: the spin of a would turn a vector without length."""
+        turned = ("g1_ta", "g2_ta", "g3_ta")
+        return {id: [name for name in names if name not in turned] for id, names in self.rows().items()}
+
+    def forces(self) -> dict[str, None]:
+        return {block.forces: None for block, _ in self.blocks}
+
+    def stiffness(self) -> dict[str, None]:
+        return {block.stiffness: None for block, _ in self.blocks}
+
+    def residual(self, export: Export, a: Node, b: Node) -> np.ndarray:
+        """With all initial values zero, so that it is the connector's coordinate."""
+        initial = dict(d0=ZERO) | dict.fromkeys(["y0", "z0", "c0", "alpha0", "beta0", "gamma0"], 0.0)
+        return np.hstack(list(export.value(self.residuals, **inputs(a, b), **initial).values()))
+
+    def shares(self, multipliers: np.ndarray) -> list[tuple[Block, np.ndarray]]:
+        """The multipliers of every block; of rows that the connector does not take, zero."""
+        found, first = [], 0
+        for block, rows in self.blocks:
+            share = np.zeros(len(block.multipliers))
+            share[list(rows)] = multipliers[first : first + len(rows)]
+            first += len(rows)
+            found.append((block, share))
+        return found
+
+    def row_matrix(self, export: Export, a: Node, b: Node) -> np.ndarray:
+        return np.vstack([block.row_matrix(export, a, b)[list(rows)] for block, rows in self.blocks])
+
+    def nodal_forces(self, export: Export, a: Node, b: Node, multipliers: np.ndarray) -> np.ndarray:
+        return sum(block.nodal_forces(export, a, b, share) for block, share in self.shares(multipliers))
+
+    def geometric_stiffness(self, export: Export, a: Node, b: Node, multipliers: np.ndarray) -> np.ndarray:
+        return sum(block.geometric_stiffness(export, a, b, share) for block, share in self.shares(multipliers))
 
 
 def carried(export: Export, forces: np.ndarray, arms: dict[str, np.ndarray]) -> np.ndarray:
@@ -155,8 +187,9 @@ class Element:
             np.cross(end.spin, np.cross(end.spin, arm)) for end, arm in zip(ends, self.arms.values(), strict=True)
         ]
         accelerations = np.hstack([turning[0], ZERO, turning[1], ZERO])
-        rates = self.connector.row_rates(self.export, *ends)
-        return rates @ velocities + self.connector.row_matrix(self.export, *ends) @ accelerations
+        of_each = [self.connector.geometric_stiffness(self.export, *ends, one) for one in np.eye(len(self.connector.held))]
+        turning_rows = np.array([velocities @ stiffness @ velocities for stiffness in of_each])
+        return turning_rows + self.connector.row_matrix(self.export, *ends) @ accelerations
 
     def forces(self, multipliers: np.ndarray) -> np.ndarray:
         return carried(self.export, self.connector.nodal_forces(self.export, *self.ends, multipliers), self.arms)
@@ -173,60 +206,18 @@ class Element:
         return to_ends.T @ at_ends @ to_ends + turning
 
 
-JOIN = Connector(
-    "JOIN",
-    "join.constraint",
-    "join.rows",
-    "join.nodal_forces",
-    ("f1", "f2", "f3"),
-    (0, 1, 2),
-    stiffness="join.geometric_stiffness",
+LINE = Block("join.rows", "join.nodal_forces", "join.geometric_stiffness", ("f1", "f2", "f3"))
+ANGLES = Block(
+    "align.rows", "align.nodal_moments", "align.geometric_stiffness", ("lambda_r1", "lambda_r2", "lambda_r3")
 )
-UNIVERSAL = Connector(
-    "UNIVERSAL",
-    "universal.constraint",
-    "universal.rows",
-    "universal.nodal_moments",
-    ("lambda_rot",),
-    (4,),
-    sine=0,
-    stiffness="universal.geometric_stiffness",
-)
-UJOINT = Connector(
-    "UJOINT",
-    "ujoint.constraint",
-    "ujoint.rows",
-    "ujoint.nodal_forces",
-    ("f1", "f2", "f3", "lambda_rot"),
-    (0, 1, 2, 4),
-    sine=3,
-    stiffness="ujoint.geometric_stiffness",
-)
-SLOT = Connector(
-    "SLOT",
-    "slot.constraint",
-    "slot.rows",
-    "slot.nodal_forces",
-    ("f2", "f3"),
-    (1, 2),
-    stiffness="slot.geometric_stiffness",
-)
-ALIGN = Connector(
-    "ALIGN",
-    "align.constraint",
-    "align.rows",
-    "align.nodal_moments",
-    ("lambda_r1", "lambda_r2", "lambda_r3"),
-    (3, 4, 5),
-    stiffness="align.geometric_stiffness",
-)
+CROSS = Block("universal.rows", "universal.nodal_moments", "universal.geometric_stiffness", ("lambda_rot",))
+
+JOIN = Connector("JOIN", "join.constraint", ((LINE, (0, 1, 2)),), (0, 1, 2))
+UNIVERSAL = Connector("UNIVERSAL", "universal.constraint", ((CROSS, (0,)),), (4,), sine=0)
+UJOINT = Connector("UJOINT", "ujoint.constraint", ((LINE, (0, 1, 2)), (CROSS, (0,))), (0, 1, 2, 4), sine=3)
+SLOT = Connector("SLOT", "slot.constraint", ((LINE, (1, 2)),), (1, 2))
+ALIGN = Connector("ALIGN", "align.constraint", ((ANGLES, (0, 1, 2)),), (3, 4, 5))
 TRANSLATOR = Connector(
-    "TRANSLATOR",
-    "translator.constraint",
-    "translator.rows",
-    "translator.nodal_forces",
-    ("f2", "f3", "lambda_r1", "lambda_r2", "lambda_r3"),
-    (1, 2, 3, 4, 5),
-    stiffness="translator.geometric_stiffness",
+    "TRANSLATOR", "translator.constraint", ((LINE, (1, 2)), (ANGLES, (0, 1, 2))), (1, 2, 3, 4, 5)
 )
 ALL = (JOIN, SLOT, ALIGN, TRANSLATOR, UNIVERSAL, UJOINT)

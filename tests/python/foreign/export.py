@@ -63,10 +63,3 @@ class Export:
         if formula.refused(*inputs):
             raise ValueError(f"{id} refuses {given}")
         return split(formula.OUTPUTS, self.with_error(id, formula.value(*inputs)))
-
-    def rate(self, id: str, rates: dict[str, np.ndarray], **given) -> dict[str, np.ndarray]:
-        """How the value changes in time as the inputs do: its Jacobian by their rates."""
-        formula = module(id)
-        _, jacobian = formula.jacobian(*(given[name] for name, _ in formula.INPUTS))
-        rate = np.concatenate([np.atleast_1d(rates[name]) for name, _ in formula.INPUTS])
-        return split(formula.OUTPUTS, self.with_error(id, jacobian @ rate))

@@ -19,7 +19,7 @@ DOFS = {"1": slice(0, 3), "n": slice(3, 6), "m": slice(6, 9)}
 FORMULAS = {
     "rows": {"slider.rows": None},
     "forces": {"slider.nodal_forces": None},
-    "velocity term": {"slider.rows": None},
+    "velocity term": {"slider.rows": None, "slider.geometric_stiffness": None},
     # Node 1 moves by slides alone, so that what acts on it does not occur.
     "geometric stiffness": {"slider.nodal_forces": ["force_n", "force_m"], "slider.geometric_stiffness": None},
 }
@@ -87,23 +87,27 @@ class OnLine:
         return self.zero((self.stacked("jacobian").T, self.nodal_forces()))
 
     def velocity_term(self) -> float:
-        rates = {f"x{name}": moving.node.velocity for name, moving in zip(DOFS, self.nodes, strict=True)}
+        """The rates of the rows by the velocities are the stiffness of each multiplier alone, by the velocities."""
         rows = self.rows_of(self.export.value("slider.rows", **self.places))
-        changing = self.rows_of(self.export.rate("slider.rows", rates, **self.places))
-        v = self.pose.velocity
-        return self.zero((changing, self.stacked("jacobian"), v), (rows, self.stacked("rate"), v))
+        jacobian, v = self.stacked("jacobian"), self.pose.velocity
+        of_each = [self.stiffness(dict(lambda_1=one, lambda_2=other)) for one, other in np.eye(2)]
+        changing = np.array([v @ jacobian.T @ stiffness for stiffness in of_each])
+        return self.zero((changing, jacobian, v), (rows, self.stacked("rate"), v))
 
-    def geometric_stiffness(self) -> float:
+    def stiffness(self, loads: dict[str, float]) -> np.ndarray:
         """What acts on node m is opposite to what acts on 1 as 1 and n move alike, and blocks are transposed across."""
-        k = self.export.value("slider.geometric_stiffness", **self.places, **self.loads)
+        k = self.export.value("slider.geometric_stiffness", **self.places, **loads)
         m_n, zero = k["k_um_un"], np.zeros((3, 3))
-        stiffness = np.block(
+        return np.block(
             [
                 [k["k_u1_u1"], k["k_u1_un"], -m_n.T],
                 [k["k_u1_un"].T, k["k_un_un"], m_n.T],
                 [-m_n, m_n, zero],
             ]
         )
+
+    def geometric_stiffness(self) -> float:
+        stiffness = self.stiffness(self.loads)
         jacobian, v = self.stacked("jacobian"), self.pose.velocity
         return self.zero((jacobian.T, stiffness, jacobian, v), (self.stacked("rate").T, self.nodal_forces()))
 

@@ -136,12 +136,11 @@ def comparisons(tree: type) -> list[Comparison]:
     for connector in ALL:
         uses = {
             "residuals": {connector.residuals: None},
-            "rows": {connector.rows: None} | arm,
-            "forces": {connector.forces: None} | arm,
-            "velocity term": {connector.rows: None} | arm,
+            "rows": connector.rows() | arm,
+            "forces": connector.forces() | arm,
+            "velocity term": connector.stiffness() | arm,
+            "geometric stiffness": connector.forces() | connector.stiffness() | {"element.arm": None},
         }
-        if connector.stiffness:
-            uses["geometric stiffness"] = {connector.forces: None, connector.stiffness: None, "element.arm": None}
         for quantity, formulas in uses.items():
             found.append(Comparison.at_poses(connector.name, quantity, formulas, worst, connector, POSES))
     return found

@@ -86,7 +86,7 @@ def comparisons(tree: type) -> list[Comparison]:
 
     found = []
     for connector, joints in JOINTS.items():
-        formulas = {connector.rows: None, connector.forces: None, "element.arm": ["m_node"]}
+        formulas = connector.rows() | connector.forces() | {"element.arm": ["m_node"]}
         measure = partial(worst, connector, joints)
         bound = CONDITION * ROUNDINGS * UNIT
         found.append(

@@ -3,7 +3,6 @@
 from mpmath import mp, mpf
 
 from .core import OutsideDomain, add, cross, dot, formula, scale, sub
-from .ujoint import CROSS_AXES
 
 PLACES = "e1a:3 e2a:3 e3a:3 xa:3 xb:3"
 JOIN_ROWS = "g1_ua:3 g1_ta:3 g1_ub:3 g2_ua:3 g2_ta:3 g2_ub:3 g3_ua:3 g3_ta:3 g3_ub:3"
@@ -22,17 +21,6 @@ def universal_rows(e1a, e3b):
     return dict(g_rot_ta=cross(e1a, e3b), g_rot_tb=cross(e3b, e1a))
 
 
-@formula("ujoint.rows", CROSS_AXES + " xa:3 xb:3", JOIN_ROWS + " g_rot_ta:3 g_rot_tb:3")
-def rows(e1a, e2a, e3a, e3b, xa, xb):
-    return join_rows(e1a, e2a, e3a, xa, xb) | universal_rows(e1a, e3b)
-
-
-@formula("slot.rows", "e2a:3 e3a:3 xa:3 xb:3", "gy_ua:3 gy_ta:3 gy_ub:3 gz_ua:3 gz_ta:3 gz_ub:3")
-def slot_rows(e2a, e3a, xa, xb):
-    found = join_rows(e2a, e2a, e3a, xa, xb)  # the first axis has no row here
-    return {f"{g}_{by}": found[f"{row}_{by}"] for g, row in dict(gy="g2", gz="g3").items() for by in ("ua", "ta", "ub")}
-
-
 def transposed(rows, multipliers, motion):
     """Rows^T lambda, of the rows by this motion."""
     return add(*(scale(multiplier, rows[f"{g}_{motion}"]) for g, multiplier in multipliers.items()))
@@ -48,13 +36,6 @@ def join_nodal_forces(e1a, e2a, e3a, xa, xb, f1, f2, f3):
 def universal_nodal_moments(e1a, e3b, lambda_rot):
     found = universal_rows(e1a, e3b)
     return dict(ma=scale(lambda_rot, found["g_rot_ta"]), mb=scale(lambda_rot, found["g_rot_tb"]))
-
-
-@formula("ujoint.nodal_forces", CROSS_AXES + " xa:3 xb:3 f1 f2 f3 lambda_rot", "fa:3 ma:3 fb:3 mb:3")
-def nodal_forces(e1a, e2a, e3a, e3b, xa, xb, f1, f2, f3, lambda_rot):
-    join = join_nodal_forces(e1a, e2a, e3a, xa, xb, f1, f2, f3)
-    moments = universal_nodal_moments(e1a, e3b, lambda_rot)
-    return join | dict(ma=add(join["ma"], moments["ma"]), mb=moments["mb"])
 
 
 # The geometric stiffness: how Rows^T lambda changes with spins, multipliers held. A change of e by a spin about the k-th
@@ -86,16 +67,6 @@ def universal_stiffness(e1a, e3b, lambda_rot):
     return dict(k_ta_ta=by_columns(by_a), k_ta_tb=by_columns(by_b), k_tb_tb=by_columns([scale(-1, m) for m in by_b]))
 
 
-@formula(
-    "ujoint.geometric_stiffness",
-    CROSS_AXES + " xa:3 xb:3 f1 f2 f3 lambda_rot",
-    "k_ua_ta:9 k_ta_ta:9 k_ta_tb:9 k_tb_tb:9",
-)
-def stiffness(e1a, e2a, e3a, e3b, xa, xb, f1, f2, f3, lambda_rot):
-    join, universal = join_stiffness(e1a, e2a, e3a, xa, xb, f1, f2, f3), universal_stiffness(e1a, e3b, lambda_rot)
-    return join | universal | dict(k_ta_ta=add(join["k_ta_ta"], universal["k_ta_ta"]))
-
-
 # Other unknowns than spins: along the axis of a turn a moment is felt as it is, across it turned by half the angle, and smaller.
 
 
@@ -117,21 +88,6 @@ def rotation_vector(psi, m):
 def euler_parameters(q0, q, m):
     # The product of the quaternions (0, m) and (q0, q), twice.
     return dict(m_q0=-2 * dot(m, q), m_q=scale(2, add(scale(q0, m), cross(m, q))))
-
-
-# SLOT is JOIN without a force along the first axis, whichever that is.
-
-SLOT_LOADS = "e2a:3 e3a:3 xa:3 xb:3 f2 f3"
-
-
-@formula("slot.nodal_forces", SLOT_LOADS, "fa:3 ma:3 fb:3")
-def slot_nodal_forces(e2a, **inputs):
-    return join_nodal_forces(e1a=e2a, e2a=e2a, f1=mpf(0), **inputs)
-
-
-@formula("slot.geometric_stiffness", SLOT_LOADS, "k_ua_ta:9 k_ta_ta:9")
-def slot_stiffness(e2a, **inputs):
-    return join_stiffness(e1a=e2a, e2a=e2a, f1=mpf(0), **inputs)
 
 
 # SLOT in the plane: a spin of a turns e2a by 90 degrees to the left.
@@ -231,36 +187,6 @@ def align_stiffness(e1a, e2a, e3a, e1b, e2b, e3b, lambda_r1, lambda_r2, lambda_r
     second = arc_sine_stiffness(turned_products(e1a, e3b))
     third = turn_stiffness(turned_products(e1a, e2b), turned_products(e1a, e1b))
     return dict(k_tb_tb=add(scale(lambda_r1, first), scale(lambda_r2, second), scale(lambda_r3, third)))
-
-
-# TRANSLATOR is SLOT and ALIGN.
-
-
-@formula(
-    "translator.rows",
-    TRIADS + " xa:3 xb:3",
-    "gy_ua:3 gy_ta:3 gy_ub:3 gz_ua:3 gz_ta:3 gz_ub:3 ur1_tb:3 ur2_tb:3 ur3_tb:3",
-)
-def translator_rows(xa, xb, **triads):
-    return slot_rows(triads["e2a"], triads["e3a"], xa, xb) | align_rows(**triads)
-
-
-@formula("translator.nodal_forces", TRIADS + " xa:3 xb:3 f2 f3" + LAMBDAS, "fa:3 ma:3 fb:3 mb:3")
-def translator_nodal_forces(xa, xb, f2, f3, **inputs):
-    slot = slot_nodal_forces(e2a=inputs["e2a"], e3a=inputs["e3a"], xa=xa, xb=xb, f2=f2, f3=f3)
-    align = align_nodal_moments(**inputs)
-    return slot | dict(ma=add(slot["ma"], align["ma"]), mb=align["mb"])
-
-
-@formula(
-    "translator.geometric_stiffness",
-    TRIADS + " xa:3 xb:3 f2 f3" + LAMBDAS,
-    "k_ua_ta:9 k_ta_ta:9 k_tb_tb:9",
-)
-def translator_stiffness(xa, xb, f2, f3, **inputs):
-    slot = slot_stiffness(e2a=inputs["e2a"], e3a=inputs["e3a"], xa=xa, xb=xb, f2=f2, f3=f3)
-    align = align_stiffness(**inputs)
-    return slot | align | dict(k_ta_ta=add(slot["k_ta_ta"], transpose(align["k_tb_tb"])))
 
 
 # A rigid arm from a node to a connector.

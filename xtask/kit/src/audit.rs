@@ -99,22 +99,24 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     let is_of_formulas = arguments.point.is_some() || !arguments.merge.is_empty() || arguments.since.is_some();
     let of_elements = if is_of_formulas { Vec::new() } else { elements::audit(&chosen, &options) };
     let told = elements::text(&of_elements)?;
+    let of_elements_alone = formulas.is_empty() && !of_elements.is_empty();
     // At a single point on a kink there is nothing to check some claims with.
     let passed = if arguments.point.is_some() { Audit::no_claim_failed } else { Audit::passed };
     // A point is looked at to find out something else.
     let owed = if arguments.point.is_some() { Vec::new() } else { owed(project, &formulas)? };
     print(&match arguments.format {
-        Format::Text => of_formulas(&audits, passed)? + &told + &owed.concat(),
+        Format::Text if of_elements_alone => told.clone(),
+        Format::Text => text(&audits, passed)? + &told + &owed.concat(),
         Format::Markdown => {
             markdown(project, &formulas, &audits, passed)? + &elements::markdown(&of_elements) + &fenced(&owed)
         }
         Format::Json => {
-            let formulas = audits.iter().map(serde_json::to_value);
-            let all = formulas.chain(of_elements.iter().map(serde_json::to_value)).collect::<Result<Vec<_>, _>>()?;
-            serde_json::to_string_pretty(&all)?
+            let all = audits.iter().map(One::Formula).chain(of_elements.iter().map(One::Element));
+            serde_json::to_string_pretty(&all.collect::<Vec<_>>())?
         }
         Format::Github => {
-            summarise(&(markdown(project, &formulas, &audits, passed)? + &fenced(&owed)))?;
+            let of_both = markdown(project, &formulas, &audits, passed)? + &elements::markdown(&of_elements);
+            summarise(&(of_both + &fenced(&owed)))?;
             annotations(&findings(project, &formulas, &audits)?) + &total(&audits, passed)
         }
         Format::Sarif => sarif(&findings(project, &formulas, &audits)?)?,
@@ -130,9 +132,12 @@ pub(crate) fn run(project: &Project, arguments: &Arguments) -> Outcome {
     Ok(verdict(elements_passed && is_well(&owed, &audits, passed)))
 }
 
-/// What was found about formulas; nothing where there are none.
-fn of_formulas(audits: &[Audit], passed: fn(&Audit) -> bool) -> Result<String, std::fmt::Error> {
-    if audits.is_empty() { Ok(String::new()) } else { text(audits, passed) }
+/// What was audited, as JSON has it.
+#[derive(serde::Serialize)]
+#[serde(untagged)]
+enum One<'a> {
+    Formula(&'a Audit),
+    Element(&'a ElementAudit),
 }
 
 /// Whether nothing is owed, and every audit has passed.

@@ -371,7 +371,7 @@ mod tests {
 
     #[test]
     fn no_line_and_no_file_is_too_long() {
-        let ids = ["ujoint.friction", "ujoint.geometric_stiffness", "slider.increment", "cardan.angles"];
+        let ids = ["ujoint.friction", "join.geometric_stiffness", "slider.increment", "cardan.angles"];
         let (recorded, _) = record(&ids.map(|id| find(id).unwrap()), None);
         for language in [&C as &dyn Language, &Fortran, &JavaScript] {
             let files = language.files(&recorded);

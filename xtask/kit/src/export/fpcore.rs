@@ -235,7 +235,7 @@ mod tests {
     /// What is printed is read back and evaluated: at ordinary points it has the bits of the formula.
     #[test]
     fn expressions_have_the_bits_of_the_formula() {
-        for id in ["slot.friction", "coulomb.return_map", "cardan.angles", "interaction.damping", "slot.rows"] {
+        for id in ["slot.friction", "coulomb.return_map", "cardan.angles", "interaction.damping", "join.rows"] {
             let formula = find(id).unwrap();
             let (recorded, _) = record(&[formula], None);
             let one = &recorded[0];

@@ -9,8 +9,9 @@ about the cross product of both arms.
 Printed by jointproof; free of conditions (CC0-1.0)."""
 
 import jp_element_arm
+import jp_join_rows
 import jp_ujoint_constraint
-import jp_ujoint_rows
+import jp_universal_rows
 import numpy as np
 from exudyn.itemInterface import CoordinateVectorConstraint, MarkerNodeCoordinates
 from exudyn.rigidBodyUtilities import EulerParameters2G, EulerParameters2RotationMatrix
@@ -34,10 +35,12 @@ class UJoint:
         """Rows by coordinates: a spin is the matrix G times rates of Euler parameters."""
         r_a, r_b, places = self.places(q)
         g_a, g_b = EulerParameters2G(q[3:7]), EulerParameters2G(q[10:14])
-        rows, zero = jp_ujoint_rows.value(*places).reshape(11, 3), np.zeros(3)
+        e1a, e2a, e3a, e3b, x_a, x_b = places
         # JOIN's rows have no spin of b, and UNIVERSAL's no translations.
-        by_motions = [[*rows[3 * k : 3 * k + 3], zero] for k in range(3)]
-        by_motions.append([zero, rows[9], zero, rows[10]])
+        zero = np.zeros(3)
+        by_motions = [[*row, zero] for row in jp_join_rows.value(e1a, e2a, e3a, x_a, x_b).reshape(3, 3, 3)]
+        spin_of_a, spin_of_b = jp_universal_rows.value(e1a, e3b).reshape(2, 3)
+        by_motions.append([zero, spin_of_a, zero, spin_of_b])
         jacobian = []
         for u_a, t_a, u_b, t_b in by_motions:
             spin_a = jp_element_arm.value(r_a, u_a, t_a)[:3]

@@ -49,7 +49,8 @@ contains
             lambda(3), lambda(4), lambda(5), tb_tb)
         if (code /= 0) return
         if (props(7) > 0) then
-            m = [(dot(a(:, k), nb), k = 1, 3)]
+            ! A turn of b about e1a changes the first angle alone, by as much.
+            m = [lambda(3), dot(a(:, 2), nb), dot(a(:, 3), nb)]
             code = jp_translator_friction_response_jacobian(x - props(1), before(1), props(7), lambda(1), lambda(2), &
                 m(1), m(2), m(3), props(8), props(9), props(10), props(11), friction, after(1), slope)
             if (code /= 0) return
@@ -75,12 +76,13 @@ contains
         stiffness = along(block(ua_ta), block(ta_ta)) + aligning
         by_multipliers = transpose(rows)
         if (.not. props(7) > 0) return
-        ! The moments along the axes of a press too: they change with the moment on b, and with the axes as a turns.
+        ! The moments along the other axes of a press too: they change with the moment on b, and with the axes as a turns.
         row = [g(:, 1), zero]
-        pressing = a(:, 1) * slope(6) + a(:, 2) * slope(7) + a(:, 3) * slope(8)
+        pressing = a(:, 2) * slope(7) + a(:, 3) * slope(8)
         by_ta = cross(pressing, nb) - times(block(tb_tb), pressing)
         by_tb = times(transpose(block(tb_tb)), pressing)
         stiffness = stiffness - outer(row, row * slope(1) + spins(by_ta, by_tb))
-        by_multipliers = by_multipliers - outer(row, [slope(4:5), (dot(pressing, r(:, k)), k = 1, 3)])
+        by_multipliers = by_multipliers - outer(row, [slope(4:5), dot(pressing, r(:, 1)) + slope(6), &
+            (dot(pressing, r(:, k)), k = 2, 3)])
     end subroutine connect
 end module jp_connector

@@ -27,28 +27,33 @@ contains
         real(dp), intent(out) :: after(states), residual(multipliers), rows(multipliers, 12), force(12), &
             stiffness(12, 12), by_multipliers(12, multipliers)
         integer, intent(out) :: code
-        real(dp) :: g(9, 3), ta(3), tb(3), fa(3), ma(3), fb(3), mb(3), ua_ta(9), ta_ta(9), ta_tb(9), tb_tb(9), zero(3)
+        real(dp) :: g(9, 3), ta(3), tb(3), fa(3), ma(3), fb(3), na(3), nb(3), ua_ta(9), ta_ta(9), own(9), &
+            ta_tb(9), tb_tb(9)
 
-        zero = 0
         after = before
         code = jp_ujoint_constraint_value(a(:, 1), a(:, 2), a(:, 3), b(:, 3), xa, xb, props(1:3), props(4), &
             residual(1:3), residual(4))
         if (code /= 0) return
-        code = jp_ujoint_rows_value(a(:, 1), a(:, 2), a(:, 3), b(:, 3), xa, xb, g(1:3, 1), g(4:6, 1), g(7:9, 1), &
-            g(1:3, 2), g(4:6, 2), g(7:9, 2), g(1:3, 3), g(4:6, 3), g(7:9, 3), ta, tb)
+        code = jp_join_rows_value(a(:, 1), a(:, 2), a(:, 3), xa, xb, g(1:3, 1), g(4:6, 1), g(7:9, 1), &
+            g(1:3, 2), g(4:6, 2), g(7:9, 2), g(1:3, 3), g(4:6, 3), g(7:9, 3))
         if (code /= 0) return
-        code = jp_ujoint_nodal_forces_value(a(:, 1), a(:, 2), a(:, 3), b(:, 3), xa, xb, lambda(1), lambda(2), lambda(3), &
-            lambda(4), fa, ma, fb, mb)
+        code = jp_universal_rows_value(a(:, 1), b(:, 3), ta, tb)
         if (code /= 0) return
-        code = jp_ujoint_geometric_stiffness_value(a(:, 1), a(:, 2), a(:, 3), b(:, 3), xa, xb, lambda(1), lambda(2), &
-            lambda(3), lambda(4), ua_ta, ta_ta, ta_tb, tb_tb)
+        code = jp_join_nodal_forces_value(a(:, 1), a(:, 2), a(:, 3), xa, xb, lambda(1), lambda(2), lambda(3), fa, ma, fb)
+        if (code /= 0) return
+        code = jp_universal_nodal_moments_value(a(:, 1), b(:, 3), lambda(4), na, nb)
+        if (code /= 0) return
+        code = jp_join_geometric_stiffness_value(a(:, 1), a(:, 2), a(:, 3), xa, xb, lambda(1), lambda(2), lambda(3), &
+            ua_ta, ta_ta)
+        if (code /= 0) return
+        code = jp_universal_geometric_stiffness_value(a(:, 1), b(:, 3), lambda(4), own, ta_tb, tb_tb)
         if (code /= 0) return
 
         rows(1:3, :9) = transpose(g)
         rows(1:3, 10:) = 0
         rows(4, :) = spins(ta, tb)
-        force = nodal(fa, ma, fb, mb)
-        stiffness = along(block(ua_ta), block(ta_ta))
+        force = nodal(fa, ma + na, fb, nb)
+        stiffness = along(block(ua_ta), block(ta_ta + own))
         call put(stiffness, 2, 4, block(ta_tb))
         call put(stiffness, 4, 2, transpose(block(ta_tb)))
         call put(stiffness, 4, 4, block(tb_tb))
