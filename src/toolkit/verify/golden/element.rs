@@ -5,9 +5,11 @@ use super::file::{LEAST_CASES, Provenance};
 use super::layout::Layout as Lines;
 use super::numbers::four_digits_up;
 use super::{Description, LEAST_RANDOM, cases, describe, named, rounded};
+use crate::Octuple;
 use crate::formula::proof::{Case, Flag};
 use crate::toolkit::verify::element::{ElementSubject, Form, Layout};
 use crate::toolkit::verify::{Sensitivity, exact};
+use num_traits::{Signed, Zero};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
@@ -180,15 +182,23 @@ fn record(form: &Form, layout: &Layout, case: &Case<Vec<f64>>) -> ElementRecord 
         return record;
     }
     let inputs = exact(&case.inputs);
-    let results = (form.subject.exact_value)(&inputs);
     let gradients = form.subject.derivative(&inputs);
-    let scales = results
-        .iter()
-        .zip(gradients.chunks(inputs.len()))
-        .map(|(&y, gradient)| four_digits_up(Sensitivity::new(gradient, &inputs).plus(y).size().to_f64()));
-    record.out = Some(out(form, layout, &rounded(&results)));
-    record.out_scale = Some(out(form, layout, &scales.collect::<Vec<_>>()));
+    let results = (form.subject.exact_value)(&inputs).into_iter().zip(gradients.chunks(inputs.len()));
+    let (values, scales): (Vec<_>, Vec<_>) =
+        results.map(|(y, gradient)| exact_beside_scale(y, gradient, &inputs)).unzip();
+    record.out = Some(out(form, layout, &rounded(&values)));
+    record.out_scale = Some(out(form, layout, &scales));
     record
+}
+
+/// What is this part of its scale, or less, is what rounding in 237 bits has left of terms that cancel.
+const NOTHING: f64 = 1e-60;
+
+/// A number with its scale as golden files have it.
+fn exact_beside_scale(y: Octuple, gradient: &[Octuple], inputs: &[Octuple]) -> (Octuple, f64) {
+    let scale = Sensitivity::new(gradient, inputs).plus(y).size();
+    let is_nothing = y.abs() <= scale * NOTHING;
+    (if is_nothing { Octuple::zero() } else { y }, four_digits_up(scale.to_f64()))
 }
 
 /// Numbers in their places.

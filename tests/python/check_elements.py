@@ -1,0 +1,299 @@
+#!/usr/bin/env python3
+"""Recompute every number of the golden files of elements from residuals, free motions and the law of friction alone.
+
+Rows are differences of residuals, forces are Rows^T lambda and friction against its motions, and matrices are differences of
+forces, with hundreds of digits: nothing is derived by hand. SLIDER's rows are those of the oracle, since they are the
+derivative of its residuals on the line only.
+
+examples:
+  python check_elements.py                   all files of ../../golden/elements
+  python check_elements.py --filter 'slot*'  some of them
+"""
+
+from __future__ import annotations
+
+import argparse
+import fnmatch
+import json
+import multiprocessing
+import sys
+from pathlib import Path
+from typing import Any, Callable
+
+from check_golden import flatten, number
+from mpmath import mp, mpf
+from oracle import CATALOG
+from oracle.core import bits_of, cross, dot, sub, to_double
+
+GOLDEN = Path(__file__).resolve().parents[2] / "golden/elements"
+DIGITS = 420
+#: Steps of differences of residuals, and of forces, which are differences themselves.
+FINE, COARSE = mpf(10) ** -120, mpf(10) ** -60
+#: What is this part of the largest scale beside it, or less, is zero: differences leave nothing smaller.
+NOTHING = mpf(10) ** -90
+SHOWN = 10
+
+Values = dict[str, Any]
+
+
+def call(id: str, values: Values) -> Values:
+    entry = CATALOG[id]
+    return entry.function(**{name: values[name] for name in entry.inputs})
+
+
+def numbers(values: Values) -> list:
+    return [leaf for value in values.values() for _, leaf in flatten(value)]
+
+
+def moved(nodes: Values, unknowns: list[tuple[str, int]], step) -> Values:
+    """The nodes after a small motion: a translation, or a spin of a triad."""
+    (name, component), found = unknowns, dict(nodes)
+    kind, node = name[0], name[1:]
+    if kind == "u":
+        x = list(nodes[f"x{node}"])
+        x[component] += step
+        return found | {f"x{node}": x}
+    for axis in ("e1", "e2", "e3"):
+        e = nodes.get(axis + node)
+        if e is None:
+            continue
+        if len(e) == 2:
+            found[axis + node] = [e[0] - step * e[1], e[1] + step * e[0]]
+        else:
+            spin = [step if k == component else mpf(0) for k in range(3)]
+            found[axis + node] = [x + y for x, y in zip(e, cross(spin, e), strict=True)]
+    return found
+
+
+def nearest(angle, to):
+    return angle + 2 * mp.pi * mp.nint((to - angle) / (2 * mp.pi))
+
+
+class Element:
+    """An element at a case: its residuals, and what rubs."""
+
+    residuals: str
+    rows: str | None = None
+
+    def __init__(self, file: dict, case: dict):
+        exact = lambda value: [exact(x) for x in value] if isinstance(value, list) else mpf(number(value))  # noqa: E731
+        self.given = {name: exact(value) for name, value in case["in"].items()}
+        components = lambda fields: [(f["name"], k) for f in fields for k in range(f["shape"][0] if f["shape"] else 1)]  # noqa: E731
+        self.unknowns = components(file["unknowns"])
+        self.multipliers = [field["name"] for field in file["multipliers"]]
+        self.nodes = {field["name"]: self.given[field["name"]] for field in file["nodes"]}
+        self.rubs = "mu" in self.given
+
+    def residual(self, nodes: Values) -> list:
+        return numbers(call(self.residuals, self.given | nodes))
+
+    def motions(self, nodes: Values) -> list:
+        """The free motions that rub."""
+        return []
+
+    def friction(self, nodes: Values, multipliers: list) -> tuple[list, Values]:
+        """What works against each of them, and the state after."""
+        return [], {}
+
+    def by_unknowns(self, of: Callable[[Values], list], nodes: Values, step) -> list[list]:
+        """The derivative of every number by the degrees of freedom."""
+        columns = []
+        for unknown in self.unknowns:
+            ahead, behind = (of(moved(nodes, unknown, sign * step)) for sign in (1, -1))
+            columns.append([(x - y) / (2 * step) for x, y in zip(ahead, behind, strict=True)])
+        return [list(row) for row in zip(*columns, strict=True)]
+
+    def all_rows(self, nodes: Values) -> list[list]:
+        return self.by_unknowns(self.residual, nodes, FINE)
+
+    def forces(self, nodes: Values, multipliers: list) -> list:
+        rows, forces = self.all_rows(nodes), [mpf(0)] * len(self.unknowns)
+        for row, multiplier in zip(rows, multipliers, strict=True):
+            forces = [f + multiplier * x for f, x in zip(forces, row, strict=True)]
+        if self.rubs:
+            frictions, _ = self.friction(nodes, multipliers)
+            for row, friction in zip(self.by_unknowns(self.motions, nodes, FINE), frictions, strict=True):
+                forces = [f - friction * x for f, x in zip(forces, row, strict=True)]
+        return forces
+
+    def out(self) -> Values:
+        held = [self.given[name] for name in self.multipliers]
+        columns = []
+        for k in range(len(held)):
+            ahead, behind = (
+                self.forces(self.nodes, [x + sign * COARSE * (j == k) for j, x in enumerate(held)]) for sign in (1, -1)
+            )
+            columns.append([(x - y) / (2 * COARSE) for x, y in zip(ahead, behind, strict=True)])
+        found = dict(
+            residuals=self.residual(self.nodes),
+            rows=self.all_rows(self.nodes),
+            forces=self.forces(self.nodes, held),
+            stiffness=self.by_unknowns(lambda nodes: self.forces(nodes, held), self.nodes, COARSE),
+            by_multipliers=[list(row) for row in zip(*columns, strict=True)],
+        )
+        return found | ({"after": self.friction(self.nodes, held)[1]} if self.rubs else {})
+
+
+class Join(Element):
+    residuals = "join.constraint"
+
+
+class Align(Element):
+    residuals = "align.constraint"
+
+
+class Universal(Element):
+    residuals = "universal.constraint"
+
+
+class Slot(Element):
+    residuals = "slot.constraint"
+
+    def motions(self, nodes: Values) -> list:
+        return [dot(nodes["e1a"], sub(nodes["xb"], nodes["xa"])) - self.given["x0"]]
+
+    def loads(self, nodes: Values, multipliers: list) -> Values:
+        return dict(zip(self.multipliers, multipliers, strict=True))
+
+    response = "slot.friction_response"
+
+    def friction(self, nodes: Values, multipliers: list) -> tuple[list, Values]:
+        moved = dict(u1=self.motions(nodes)[0], slip_before=self.given["slip"])
+        found = call(self.response, self.given | self.loads(nodes, multipliers) | moved)
+        return [found["f1"]], {"slip": found["slip"]}
+
+
+class Slot2d(Slot):
+    residuals = "slot.constraint_2d"
+    response = "slot.friction_response_2d"
+
+    def motions(self, nodes: Values) -> list:
+        x, y = nodes["e2a"]
+        return [dot([y, -x], sub(nodes["xb"], nodes["xa"])) - self.given["x0"]]
+
+
+class Translator(Slot):
+    residuals = "translator.constraint"
+    response = "translator.friction_response"
+
+    def loads(self, nodes: Values, multipliers: list) -> Values:
+        """About e1a is the first multiplier of ALIGN; about the others, what all three do on b."""
+        f2, f3, *aligning = multipliers
+        given = self.given | nodes | dict(zip(self.multipliers[2:], aligning, strict=True))
+        moment = call("align.nodal_moments", given)["mb"]
+        return dict(f2=f2, f3=f3, m1=aligning[0], m2=dot(nodes["e2a"], moment), m3=dot(nodes["e3a"], moment))
+
+
+class UJoint(Element):
+    residuals = "ujoint.constraint"
+
+    def motions(self, nodes: Values) -> list:
+        alpha, gamma = call("universal.angles", self.given | nodes).values()
+        return [
+            nearest(alpha - self.given["alpha0"], self.given["ur1"]),
+            nearest(gamma - self.given["gamma0"], self.given["ur3"]),
+        ]
+
+    def friction(self, nodes: Values, multipliers: list) -> tuple[list, Values]:
+        """The twisting moment is conjugate to the second angle, the multiplier to its sine."""
+        f1, f2, f3, lambda_rot = multipliers
+        sine = dot(nodes["e1a"], nodes["e3b"])
+        ur1, ur3 = self.motions(nodes)
+        given = dict(f1=f1, f2=f2, f3=f3, m2=lambda_rot * mp.sqrt(1 - sine**2), ur1=ur1, ur3=ur3)
+        before = dict(slip1_before=self.given["slip1"], slip3_before=self.given["slip3"])
+        found = call("ujoint.friction_response", self.given | nodes | given | before)
+        after = dict(slip1=found["slip1"], slip3=found["slip3"], ur1=ur1, ur3=ur3)
+        return [found["m1"], found["m3"]], after
+
+
+class Slider(Element):
+    residuals = "slider.constraint"
+
+    def all_rows(self, nodes: Values) -> list[list]:
+        found = call("slider.rows", self.given | nodes)
+        return [[x for motion in ("u1", "un", "um") for x in found[f"{g}_{motion}"]] for g in ("g1", "g2")]
+
+
+class Slider2d(Element):
+    residuals = "slider.constraint_2d"
+
+    def all_rows(self, nodes: Values) -> list[list]:
+        found = call("slider.rows_2d", self.given | nodes)
+        return [[x for motion in ("u1", "un", "um") for x in found[f"g_{motion}"]]]
+
+
+ELEMENTS: dict[str, type[Element]] = dict(
+    slot=Slot,
+    slot_2d=Slot2d,
+    align=Align,
+    translator=Translator,
+    join=Join,
+    universal=Universal,
+    ujoint=UJoint,
+    slider=Slider,
+    slider_2d=Slider2d,
+)
+
+
+def check_case(job: tuple[dict, dict]) -> tuple[int, list[str]]:
+    """How many numbers are right, and what is wrong."""
+    file, case = job
+    mp.dps = DIGITS
+    found = ELEMENTS[file["element"]](file, case).out()
+    right, wrong = 0, []
+    for part, written in case["out"].items():
+        exact = found[part]
+        pairs = (
+            [(f"{part}.{name}", written[name], exact[name], case["out_scale"][part][name]) for name in written]
+            if part == "after"
+            else [
+                (part + path, x, y, scale)
+                for (path, x), (_, y), (_, scale) in zip(
+                    flatten(written), flatten(exact), flatten(case["out_scale"][part]), strict=True
+                )
+            ]
+        )
+        largest = max((mpf(scale) for *_, scale in pairs), default=mpf(0))
+        for name, golden, true, _ in pairs:
+            if abs(true) <= NOTHING * largest:
+                true = mpf(0)
+            have, want = number(golden), to_double(true)
+            if bits_of(have) == bits_of(want) or have == want == 0:
+                right += 1
+            else:
+                wrong.append(f"{file['element']}: case {case['id']}: {name}: golden {have!r}, oracle {want!r}")
+    return right, wrong
+
+
+def check(file: dict, workers: multiprocessing.pool.Pool) -> tuple[int, int, list[str]]:
+    """Valid cases, numbers that are right, and what is wrong."""
+    if file["element"] not in ELEMENTS:
+        return 0, 0, [f"{file['element']}: no such element here"]
+    jobs = [(file | {"cases": []}, case) for case in file["cases"] if "out" in case]
+    results = workers.map(check_case, jobs, chunksize=1)
+    return len(jobs), sum(right for right, _ in results), [line for _, wrong in results for line in wrong]
+
+
+def main(arguments: list[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--golden", type=Path, default=GOLDEN, help="directory of the files")
+    parser.add_argument("--filter", default="*", help="pattern of identifiers")
+    options = parser.parse_args(arguments)
+    paths = [path for path in sorted(options.golden.glob("*.json")) if path.stem != "schema"]
+    paths = [path for path in paths if fnmatch.fnmatch(path.stem, options.filter)]
+    if not paths:
+        print(f"no element matches {options.filter!r} in {options.golden}", file=sys.stderr)
+        return 2
+    all_right, all_wrong = 0, 0
+    with multiprocessing.Pool() as workers:
+        for path in paths:
+            cases, right, wrong = check(json.loads(path.read_text(encoding="utf-8")), workers)
+            all_right, all_wrong = all_right + right, all_wrong + len(wrong)
+            print(f"{'ok ' if not wrong else 'off'} {path.stem}: {cases} cases, {right} numbers", flush=True)
+            print("".join(f"    {line}\n" for line in wrong[:SHOWN]), end="")
+    print(f"{len(paths)} elements, {all_right} numbers correctly rounded, {all_wrong} off")
+    return 1 if all_wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
