@@ -16,7 +16,8 @@ use jointproof::element::slot_plane::PlanePlaces;
 use jointproof::element::translator_friction::{self, TranslatorSliding};
 use jointproof::element::ujoint_friction::{self, CrossSliding};
 use jointproof::formula::Formula;
-use jointproof::toolkit::verify::golden::{ElementFile, components};
+use jointproof::toolkit::verify::ElementFile;
+use jointproof::toolkit::verify::golden::components;
 use nalgebra::{SVector, Vector2, Vector3};
 
 const START: SlotStart<f64> = SlotStart { x0: 0.125, y0: 0.25, z0: -0.5 };

@@ -6,8 +6,7 @@ use crate::element::newton::{Align, Join, Slider, Slider2d, Slot, Slot2d, Transl
 use crate::formula::proof::{self, ProvedElement, Step};
 use crate::formula::{Field, Spec};
 use crate::toolkit::graph::{Extremes, Graph, NotRecorded, record_element};
-use crate::toolkit::verify::golden::{self, ElementFile};
-use crate::toolkit::verify::{ElementAudit, ElementSubject, Layout, Options, audit_element};
+use crate::toolkit::verify::{ElementAudit, ElementFile, ElementSubject, Layout, Options, audit_element, golden_of};
 
 /// An element whose nodes, parameters and state are not known to the compiler; every [`ProvedElement`] is one by [`Erased`].
 pub trait AnyElement: Send + Sync {
@@ -54,7 +53,7 @@ impl<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize> AnyElement fo
         proof::inputs::<E, M, DOFS>(rubs)
     }
     fn golden(&self) -> ElementFile {
-        golden::of_element(&ElementSubject::of::<E, M, DOFS>())
+        golden_of(&ElementSubject::of::<E, M, DOFS>())
     }
     fn audit(&self, options: &Options) -> ElementAudit {
         audit_element::<E, M, DOFS>(options)

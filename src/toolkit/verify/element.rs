@@ -3,14 +3,18 @@
 //! Rows are the derivative of the residuals, forces are rowsᵀ λ and friction, the matrix is the derivative of the forces; nothing
 //! is left of forces and moments in a rigid-body motion; friction costs work.
 
+mod compare;
 mod form;
+mod golden;
 mod laws;
 mod linear;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use form::Form;
+pub(crate) use form::ElementSubject;
 pub use form::Layout;
+pub(crate) use golden::of as golden_of;
+pub use golden::{ELEMENT_LAYOUT, ElementFile, ElementRecord, Out};
 
 use super::Sensitivity;
 use super::claim::Claim;
@@ -18,20 +22,12 @@ use super::eta::eta_beside;
 use super::point::{Options, Point, random_points};
 use crate::Octuple;
 use crate::formula::proof::ProvedElement;
-use crate::formula::{Fields, Spec};
-use form::{Here, Names};
+use compare::{DIFFERENCES, EXACT, compare, largest};
+use form::{Form, Here, Names};
 use laws::Laws;
 use linear::{Matrix, Vector, beside, column};
-use num_traits::{Signed, Zero};
 use serde::{Deserialize, Serialize};
 use std::iter;
-
-/// Closed forms and automatic differentiation agree in 237 bits to this, and laws hold.
-const EXACT: f64 = 1e-60;
-/// Automatic differentiation and differences agree in 237 bits to this: at hard points digits are lost.
-const DIFFERENCES: f64 = 1e-35;
-/// What is this part of the largest number, or less, is what rounding in 237 bits may have left of it.
-const NOTHING: f64 = 1e-8;
 
 /// What an audit of one element found.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -54,25 +50,6 @@ impl ElementAudit {
     /// Whether every claim was checked, and none failed.
     pub fn passed(&self) -> bool {
         self.claims.iter().all(Claim::held)
-    }
-}
-
-/// An element without its types.
-pub(crate) struct ElementSubject {
-    pub(crate) spec: Spec,
-    pub(crate) layout: Layout,
-    /// Smooth, and rubbing where it can.
-    pub(crate) forms: Vec<Form>,
-}
-
-impl ElementSubject {
-    pub(crate) fn of<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize>() -> Self {
-        let rubs = !<E::Contact<f64> as Fields<f64>>::FIELDS.is_empty();
-        let mut forms = vec![Form::of::<E, M, DOFS, false>()];
-        if rubs {
-            forms.push(Form::of::<E, M, DOFS, true>());
-        }
-        Self { spec: E::SPEC, layout: Layout::of::<E, M, DOFS>(), forms }
     }
 }
 
@@ -178,41 +155,4 @@ impl Claims {
             self.eta.record_last(sizes, self.eta.bound, describe);
         }
     }
-}
-
-fn largest(numbers: impl Iterator<Item = Octuple>) -> Octuple {
-    numbers.fold(Octuple::zero(), |most, x| if x.abs() > most { x.abs() } else { most })
-}
-
-/// Every number beside its size; what is nothing beside the largest, beside that.
-fn compare(
-    claim: &mut Claim,
-    point: &Point,
-    found: &Matrix,
-    expected: &Matrix,
-    sizes: &Matrix,
-    name: impl Fn(usize, usize) -> String,
-) {
-    let nothing = largest(sizes.iter().copied()) * NOTHING;
-    for row in 0..found.nrows() {
-        for column in 0..found.ncols() {
-            let at = (row, column);
-            let pair = [found[at], expected[at]];
-            record(claim, point, || name(row, column), pair, sizes[at] + nothing);
-        }
-    }
-}
-
-/// Judged beside a size.
-fn record(
-    claim: &mut Claim,
-    point: &Point,
-    name: impl FnOnce() -> String,
-    [found, expected]: [Octuple; 2],
-    size: Octuple,
-) {
-    let off = (found - expected).abs();
-    let share = if off.is_zero() { 0.0 } else { (off / size).to_f64() };
-    let bound = claim.bound;
-    claim.record(share, bound, |share| point.deviation(share, name(), found.to_f64(), expected.to_f64()));
 }

@@ -5,15 +5,12 @@
 //! without a derivative of its own.
 
 mod compare;
-mod element;
 mod file;
 mod layout;
 mod numbers;
 mod schema;
 
 pub use compare::{Difference, ulps};
-pub(crate) use element::of as of_element;
-pub use element::{ELEMENT_LAYOUT, ElementFile, ElementRecord, Out};
 pub use file::{Bounds, Description, File, LAYOUT, LEAST_CASES, Provenance, Record};
 pub use numbers::components;
 pub use numbers::named;
@@ -25,8 +22,9 @@ use crate::Octuple;
 use crate::formula::Field;
 use crate::formula::proof::{Case, Convention, Flag, Proved};
 use crate::formula::quantity::Domain;
-pub(super) use numbers::{double, number};
-use numbers::{four_digits_up, named_jacobian};
+pub(super) use layout::render;
+use numbers::named_jacobian;
+pub(super) use numbers::{double, four_digits_up, number};
 
 /// So many points are drawn for each that is taken, so that no side of a comparison is left to chance.
 const CANDIDATES: usize = 4;
@@ -58,7 +56,7 @@ pub(crate) fn of(subject: &Subject, least_random: usize) -> File {
     }
 }
 
-fn describe(fields: &[Field]) -> Vec<Description> {
+pub(super) fn describe(fields: &[Field]) -> Vec<Description> {
     let description = |field: &Field| Description {
         name: field.name.into(),
         shape: field.quantity.shape.dimensions(),

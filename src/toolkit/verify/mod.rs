@@ -72,8 +72,8 @@ pub(crate) use audit::beside_kinks;
 pub use audit::{Audit, audit_at, audit_equation};
 pub use claim::{Claim, Deviation};
 pub use difference::central_differences;
-pub(crate) use element::ElementSubject;
-pub use element::{ElementAudit, Layout, audit_element};
+pub use element::{ELEMENT_LAYOUT, ElementAudit, ElementFile, ElementRecord, Layout, Out, audit_element};
+pub(crate) use element::{ElementSubject, golden_of};
 #[cfg(feature = "measure")]
 pub(crate) use eta::U;
 pub use eta::{Sensitivity, eta, relative};

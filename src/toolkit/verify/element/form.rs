@@ -1,11 +1,11 @@
 //! An element that rubs, or does not, at a point: its numbers in their places, and their derivatives.
 
+use super::compare::{DIFFERENCES, largest};
 use super::linear::{Matrix, Vector, column};
-use super::{DIFFERENCES, largest};
 use crate::Octuple;
 use crate::formula::proof::{ProvedElement, Rubbed, Step};
 use crate::formula::quantity::Unit;
-use crate::formula::{Field, Fields};
+use crate::formula::{Field, Fields, Spec};
 use crate::toolkit::verify::Sensitivity;
 use crate::toolkit::verify::jet::Sweep;
 use crate::toolkit::verify::point::names;
@@ -375,5 +375,24 @@ impl Here {
     pub(super) fn work(&self) -> Vector {
         let frictions = Vector::from_iterator(self.rubbed.len(), self.rubbed.iter().map(|rubbed| rubbed.force));
         self.found.rows.transpose() * &self.multipliers - self.derivative.motions.transpose() * frictions
+    }
+}
+
+/// An element without its types.
+pub(crate) struct ElementSubject {
+    pub(crate) spec: Spec,
+    pub(crate) layout: Layout,
+    /// Smooth, and rubbing where it can.
+    pub(crate) forms: Vec<Form>,
+}
+
+impl ElementSubject {
+    pub(crate) fn of<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize>() -> Self {
+        let rubs = !<E::Contact<f64> as Fields<f64>>::FIELDS.is_empty();
+        let mut forms = vec![Form::of::<E, M, DOFS, false>()];
+        if rubs {
+            forms.push(Form::of::<E, M, DOFS, true>());
+        }
+        Self { spec: E::SPEC, layout: Layout::of::<E, M, DOFS>(), forms }
     }
 }

@@ -1,8 +1,8 @@
 //! What mechanics demands of an element.
 
-use super::form::{Form, Here, Layout, count};
+use super::compare::{EXACT, largest, record};
+use super::form::{ElementSubject, Form, Here, Layout, count};
 use super::linear::{Matrix, Vector, column, dot, independence};
-use super::{EXACT, ElementSubject, largest, record};
 use crate::Octuple;
 use crate::formula::Field;
 use crate::formula::quantity::{Domain, Unit};

@@ -1,6 +1,6 @@
 //! What is in a golden file, and its text.
 
-use super::layout::Layout;
+use super::layout::render;
 use super::schema;
 use crate::formula;
 use crate::formula::proof::Flag;
@@ -168,7 +168,7 @@ impl File {
     /// # Errors
     /// None in practice; those of `serde_json` are passed on.
     pub fn render(&self) -> serde_json::Result<String> {
-        Layout::render(self)
+        render(self)
     }
 
     /// Reads a file.

@@ -9,18 +9,18 @@ pub(super) struct Layout {
     depth: usize,
 }
 
+/// A golden file as text.
+pub(in crate::toolkit::verify) fn render(file: &impl Serialize) -> serde_json::Result<String> {
+    let mut text = Vec::new();
+    file.serialize(&mut serde_json::Serializer::with_formatter(&mut text, Layout::default()))?;
+    text.push(b'\n');
+    String::from_utf8(text).map_err(serde::ser::Error::custom)
+}
+
 /// Root, list of cases, case, its inputs.
 const OPEN: usize = 4;
 
 impl Layout {
-    /// A golden file as text.
-    pub(super) fn render(file: &impl Serialize) -> serde_json::Result<String> {
-        let mut text = Vec::new();
-        file.serialize(&mut serde_json::Serializer::with_formatter(&mut text, Self::default()))?;
-        text.push(b'\n');
-        String::from_utf8(text).map_err(serde::ser::Error::custom)
-    }
-
     fn line<W: ?Sized + Write>(&self, writer: &mut W) -> Result<()> {
         write!(writer, "\n{:1$}", "", 2 * self.depth)
     }

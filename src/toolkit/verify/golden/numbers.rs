@@ -44,7 +44,7 @@ fn nested(shape: &[usize], numbers: &mut dyn Iterator<Item = &f64>) -> Value {
 ///
 /// What is above four digits by less than a part in 2⁴⁰ is not rounded up, so that rounding in the last of 237 bits, where
 /// the scale has four digits or fewer, does not decide.
-pub(super) fn four_digits_up(scale: f64) -> f64 {
+pub(in crate::toolkit::verify) fn four_digits_up(scale: f64) -> f64 {
     let least = scale * (1.0 - 2.0_f64.powi(-40));
     let text = format!("{scale:.3e}");
     let parse = |text: &str| text.parse().expect("digits with an exponent are a number");

@@ -1,14 +1,13 @@
 //! Golden files of elements: state and parameters in, right-hand side and matrix out, which is what an element of another program
 //! is tested against.
 
-use super::file::{LEAST_CASES, Provenance};
-use super::layout::Layout as Lines;
-use super::numbers::four_digits_up;
-use super::{Description, LEAST_RANDOM, cases, describe, named, rounded};
+use super::form::{ElementSubject, Form, Layout};
 use crate::Octuple;
 use crate::formula::proof::{Case, Flag};
-use crate::toolkit::verify::element::{ElementSubject, Form, Layout};
-use crate::toolkit::verify::{Sensitivity, exact};
+use crate::toolkit::verify::golden::{
+    Description, LEAST_CASES, LEAST_RANDOM, Provenance, cases, describe, four_digits_up, named, render,
+};
+use crate::toolkit::verify::{Sensitivity, exact, rounded};
 use num_traits::{Signed, Zero};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -124,7 +123,7 @@ impl ElementFile {
     /// # Errors
     /// None in practice; those of `serde_json` are passed on.
     pub fn render(&self) -> serde_json::Result<String> {
-        Lines::render(self)
+        render(self)
     }
 }
 
