@@ -19,8 +19,11 @@ DOFS = {"1": slice(0, 3), "n": slice(3, 6), "m": slice(6, 9)}
 FORMULAS = {
     "rows": {"slider.rows": None},
     "forces": {"slider.nodal_forces": None},
-    "velocity term": {"slider.rows": None, "slider.geometric_stiffness": None},
-    # Node 1 moves by slides alone, so that what acts on it does not occur.
+    # Node 1 moves by slides alone: their rates do not turn, and what acts on it does not occur.
+    "velocity term": {
+        "slider.rows": ["g1_un", "g1_um", "g2_un", "g2_um"],
+        "slider.geometric_stiffness": None,
+    },
     "geometric stiffness": {"slider.nodal_forces": ["force_n", "force_m"], "slider.geometric_stiffness": None},
 }
 
