@@ -16,7 +16,7 @@ const RUNTIME: &str = include_str!("runtime/jp_runtime.py");
 const DRIVER: &str = include_str!("runtime/driver.py");
 /// User functions for Exudyn, and the formulas that they call.
 const EXUDYN: &str = include_str!("runtime/exudyn_ujoint.py");
-const EXUDYN_CALLS: [&str; 4] = [Arm::SPEC.id, Constraint::SPEC.id, join::Rows::SPEC.id, universal::Rows::SPEC.id];
+const EXUDYN_CALLS: [&str; 4] = [Arm::SPEC.id, join::Rows::SPEC.id, Constraint::SPEC.id, universal::Rows::SPEC.id];
 /// Words of Python, and what the functions themselves need.
 const RESERVED: [&str; 4] = ["lambda", "in", "np", "given"];
 
