@@ -67,9 +67,14 @@ pub(super) fn describe(fields: &[Field]) -> Vec<Description> {
 
 /// All cases of a formula: its own, random ones, and every way to be invalid.
 pub(crate) fn cases(subject: &Subject, least_random: usize) -> Vec<Case<Vec<f64>>> {
+    let own = (subject.cases)().len();
+    cases_with(subject, least_random.max(LEAST_CASES.saturating_sub(own)))
+}
+
+/// The same with so many random ones.
+pub(super) fn cases_with(subject: &Subject, random: usize) -> Vec<Case<Vec<f64>>> {
     let mut cases = (subject.cases)();
     let mut sampler = Sampler::for_formula(subject.spec.id, SEED);
-    let random = least_random.max(LEAST_CASES.saturating_sub(cases.len()));
     let drawn = (0..random * CANDIDATES).map(|_| sampler.components(subject)).collect();
     let chosen = spread(subject, drawn, random).into_iter().zip(1..);
     cases.extend(chosen.map(|(inputs, k)| Case::new(Flag::Random, format!("random-{k}"), "", inputs)));

@@ -1,7 +1,7 @@
 //! Through a wall of two layers in contact, the resistances of layers and contact add up.
 
-use crate::quantity::{H, IN_SERIES, KA, KB, LA, LB, T1, T2};
 use crate::gap::Heat;
+use crate::quantity::{H, IN_SERIES, KA, KB, LA, LB, T1, T2};
 use jointproof::formula::proof::{Case, Law, Proved, law};
 use jointproof::formula::{Component, Finite, Formula, Jacobian, Spec};
 use jointproof::{Scalar, fields};

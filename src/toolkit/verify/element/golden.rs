@@ -4,9 +4,7 @@
 use super::form::{ElementSubject, Form, Layout};
 use crate::Octuple;
 use crate::formula::proof::{Case, Flag};
-use crate::toolkit::verify::golden::{
-    Description, LEAST_CASES, LEAST_RANDOM, Provenance, cases, describe, four_digits_up, named, render,
-};
+use crate::toolkit::verify::golden::{Description, Provenance, cases_with, describe, four_digits_up, named, render};
 use crate::toolkit::verify::{Sensitivity, exact, rounded};
 use num_traits::{Signed, Zero};
 use schemars::JsonSchema;
@@ -15,6 +13,9 @@ use serde_json::{Map, Value};
 
 /// The version of the layout of golden files of elements.
 pub const ELEMENT_LAYOUT: u32 = 1;
+
+/// So many cases drawn at random, smooth and rubbing: each has hundreds of numbers.
+const RANDOM: usize = 8;
 
 /// The golden file of one element.
 ///
@@ -65,7 +66,7 @@ pub struct ElementFile {
     /// What friction remembers, before and after.
     pub state: Vec<Description>,
     /// The cases.
-    #[schemars(length(min = LEAST_CASES))]
+    #[schemars(length(min = RANDOM))]
     pub cases: Vec<ElementRecord>,
 }
 
@@ -162,7 +163,7 @@ pub(crate) fn of(element: &ElementSubject) -> ElementFile {
 /// All cases of a form, of which there are so many; what is refused stands in the file once, with all that can be.
 fn of_form<'a>(form: &'a Form, layout: &'a Layout, forms: usize) -> impl Iterator<Item = ElementRecord> + 'a {
     let is_last = form.rubs || forms == 1;
-    let all = cases(&form.subject, LEAST_RANDOM);
+    let all = cases_with(&form.subject, RANDOM);
     all.into_iter().filter(move |case| is_last || case.flag != Flag::Invalid).map(|case| record(form, layout, &case))
 }
 
