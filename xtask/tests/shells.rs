@@ -373,13 +373,13 @@ fn newton_converges_through_the_interface_as_in_rust() {
         let props = [&at_start[..], &[0.25, 2.0, fit, mu]].concat();
         let start = point(&props, 1, 5);
         let found = steps(&start, |at| peers[0].ask(1, at));
-        assert_eq!(found, steps(&start, |at| in_rust::<Translator, 5>(at)));
+        assert_eq!(found, steps(&start, in_rust::<Translator, 5>));
         assert!(is_quadratic(&found.0) && (found.1 != 0.0) == slips, "TRANSLATOR, {k_el}: {found:?}");
 
         let props = [&at_start[..], &[k_el, 0.125, 0.5, 0.25, 0.5, fit, fit, mu]].concat();
         let start = point(&props, 4, 4);
         let found = steps(&start, |at| peers[1].ask(1, at));
-        assert_eq!(found, steps(&start, |at| in_rust::<UJoint, 4>(at)));
+        assert_eq!(found, steps(&start, in_rust::<UJoint, 4>));
         assert!(is_quadratic(&found.0) && (found.1 != 0.0) == slips, "UJOINT, {k_el}: {found:?}");
     }
 }

@@ -46,8 +46,7 @@ impl Element<3> for Align {
         ),
     )
     .eta_of_value(12.0)
-    .normwise_of_value(4.0)
-    .scale(1e250);
+    .normwise_of_value(4.0);
     const UNKNOWNS: &'static [Field] = UNKNOWNS;
     const FORCES: &'static [Field] = FORCES;
     const RESIDUALS: &'static [Field] = <Misalignment<f64> as Fields<f64>>::FIELDS;

@@ -31,8 +31,7 @@ impl Element<3> for Join {
         Document::UJOINT
             .ours("Description", "the page of JOIN was not given; the element is derived from its residuals"),
     )
-    .eta_of_value(2.0)
-    .scale(1e120);
+    .eta_of_value(2.0);
     const UNKNOWNS: &'static [Field] = UNKNOWNS;
     const FORCES: &'static [Field] = FORCES;
     const RESIDUALS: &'static [Field] = <Displaced<f64> as Fields<f64>>::FIELDS;

@@ -43,7 +43,6 @@ impl Element<2, 9> for Slider {
     const SPEC: Spec = Spec::new("slider", "SLIDER as an element", Document::SLIDER.ours("", WHY))
         .eta_of_value(8.0)
         .normwise_of_value(8.0)
-        .scale(1e50)
         .not_objective();
     const UNKNOWNS: &'static [Field] =
         &[Field::new("u1", &TRANSLATION_1), Field::new("un", &TRANSLATION_N), Field::new("um", &TRANSLATION_M)];
@@ -89,8 +88,7 @@ impl Element<2, 9> for Slider {
 impl Element<1, 6> for Slider2d {
     const SPEC: Spec = Spec::new("slider_2d", "SLIDER in the plane as an element", Document::SLIDER.ours("", WHY))
         .eta_of_value(8.0)
-        .normwise_of_value(8.0)
-        .scale(1e50);
+        .normwise_of_value(8.0);
     const UNKNOWNS: &'static [Field] = &[
         Field::new("u1", &TRANSLATION_1_PLANE),
         Field::new("un", &TRANSLATION_N_PLANE),

@@ -46,8 +46,7 @@ impl Element<2> for Slot {
         "SLOT as an element",
         Document::SLOT.ours("Description", "the page prints residuals and friction; the element is derived from them"),
     )
-    .eta_of_value(4.0)
-    .scale(1e80);
+    .eta_of_value(4.0);
     const UNKNOWNS: &'static [Field] = UNKNOWNS;
     const FORCES: &'static [Field] = FORCES;
     const RESIDUALS: &'static [Field] = <Residuals<f64> as Fields<f64>>::FIELDS;

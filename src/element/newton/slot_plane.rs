@@ -47,8 +47,7 @@ impl Element<1, 6> for Slot2d {
         "SLOT in the plane as an element",
         Document::SLOT.ours("Description", "the page prints residuals and friction; the element is derived from them"),
     )
-    .eta_of_value(4.0)
-    .scale(1e80);
+    .eta_of_value(4.0);
     const UNKNOWNS: &'static [Field] = &[
         Field::new("ua", &TRANSLATION_A_PLANE),
         Field::new("ta", &SPIN_A_PLANE),

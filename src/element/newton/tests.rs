@@ -98,22 +98,21 @@ fn the_velocity_term_is_what_residuals_do_without_acceleration() {
 
 #[test]
 fn with_penalties_the_stiffness_is_the_derivative_of_the_forces() {
-    fn contact<D: Scalar>() -> Option<SlotContact<D>> {
-        Some(SlotContact { k_el: 1e3.into(), fc_int: 1.0.into(), mu: 0.25.into() })
+    fn rubbing<D: Scalar>() -> SlotElement<D> {
+        slot(Some(SlotContact { k_el: 1e3.into(), fc_int: 1.0.into(), mu: 0.25.into() }))
     }
     let exact = |numbers: [f64; 2]| SVector::from(numbers.map(Octuple::from));
     let (multipliers, penalties, slip) = (exact([3.0, -4.0]), exact([100.0, 300.0]), Octuple::from(0.5));
-    let rubbing = slot(contact());
-    let (found, _) = rubbing.penalised(&nodes(), &multipliers, &penalties, &Slipped { slip });
+    let (found, _) = rubbing().penalised(&nodes(), &multipliers, &penalties, &Slipped { slip });
     for (k, motion) in Motion::alone().iter().flatten().enumerate() {
         let (multipliers, penalties, before) =
             (multipliers.map(still), penalties.map(still), Slipped { slip: still(slip) });
-        let (moved, _) = slot(contact()).penalised(&moving(&nodes(), motion), &multipliers, &penalties, &before);
+        let (moved, _) = rubbing().penalised(&moving(&nodes(), motion), &multipliers, &penalties, &before);
         for (force, &entry) in moved.forces.iter().zip(&found.stiffness.column(k)) {
             assert!((force.eps - entry).to_f64().abs() < 1e-55);
         }
     }
-    let residuals = rubbing.contribution(&nodes(), &multipliers, &Slipped { slip }).0.residuals;
+    let residuals = rubbing().contribution(&nodes(), &multipliers, &Slipped { slip }).0.residuals;
     assert_eq!(found.multipliers, multipliers - penalties.component_mul(&residuals));
 }
 

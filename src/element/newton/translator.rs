@@ -61,8 +61,7 @@ impl Element<5> for Translator {
             .ours("Description", "the page names SLOT, ALIGN and friction; the element is derived from them"),
     )
     .eta_of_value(16.0)
-    .normwise_of_value(8.0)
-    .scale(1e80);
+    .normwise_of_value(8.0);
     const UNKNOWNS: &'static [Field] = UNKNOWNS;
     const FORCES: &'static [Field] = FORCES;
     const RESIDUALS: &'static [Field] = <AllResiduals<f64> as Fields<f64>>::FIELDS;

@@ -109,8 +109,7 @@ impl Element<4> for UJoint {
             .ours("Description", "the page names JOIN, UNIVERSAL and friction; the element is derived from them"),
     )
     .eta_of_value(16.0)
-    .normwise_of_value(8.0)
-    .scale(1e50);
+    .normwise_of_value(8.0);
     const UNKNOWNS: &'static [Field] = UNKNOWNS;
     const FORCES: &'static [Field] = FORCES;
     const RESIDUALS: &'static [Field] = <JointResiduals<f64> as Fields<f64>>::FIELDS;
@@ -182,6 +181,6 @@ impl Element<4> for UJoint {
         follow(rows_of_angles.ur1_tb, by.m1, by.m1.ur1);
         follow(rows_of_angles.ur3_tb, by.m3, by.m3.ur3);
         let [ur1, ur3] = turned;
-        (found, UJointState { ur1, ur3, slip1, slip3 })
+        (found, UJointState { slip1, slip3, ur1, ur3 })
     }
 }

@@ -32,8 +32,7 @@ impl Element<1> for Universal {
         Document::UJOINT
             .ours("Description", "the page of UNIVERSAL was not given; the element is derived from its residual"),
     )
-    .eta_of_value(2.0)
-    .scale(1e250);
+    .eta_of_value(2.0);
     const UNKNOWNS: &'static [Field] = UNKNOWNS;
     const FORCES: &'static [Field] = FORCES;
     const RESIDUALS: &'static [Field] = <Skew<f64> as Fields<f64>>::FIELDS;

@@ -4,6 +4,11 @@ use crate::outcome::Usage;
 use crate::project::Project;
 use jointproof::catalog::{AnyElement, AnyFormula};
 
+/// Some formulas of a catalog.
+pub(crate) type Formulas = Vec<&'static dyn AnyFormula>;
+/// Some elements of a catalog.
+pub(crate) type Elements = Vec<&'static dyn AnyElement>;
+
 /// `--filter`
 #[derive(clap::Args)]
 pub(crate) struct Selection {
@@ -22,7 +27,7 @@ impl Selection {
     }
 
     /// The formulas selected, in the order of the catalog.
-    pub(crate) fn formulas(&self, project: &Project) -> anyhow::Result<Vec<&'static dyn AnyFormula>> {
+    pub(crate) fn formulas(&self, project: &Project) -> anyhow::Result<Formulas> {
         let catalog = project.catalog();
         let Some(filter) = &self.filter else { return Ok(catalog.to_vec()) };
         let is_asked = self.is_asked()?;
@@ -38,10 +43,7 @@ impl Selection {
     }
 
     /// The formulas and the elements selected, for a command that works on both.
-    pub(crate) fn formulas_and_elements(
-        &self,
-        project: &Project,
-    ) -> anyhow::Result<(Vec<&'static dyn AnyFormula>, Vec<&'static dyn AnyElement>)> {
+    pub(crate) fn formulas_and_elements(&self, project: &Project) -> anyhow::Result<(Formulas, Elements)> {
         let is_asked = self.is_asked()?;
         let elements: Vec<_> =
             project.elements().iter().copied().filter(|element| is_asked(element.spec().id)).collect();

@@ -5,13 +5,13 @@ use super::linear::{Matrix, Vector, column};
 use crate::Octuple;
 use crate::formula::proof::{ProvedElement, Rubbed, Step};
 use crate::formula::quantity::Unit;
-use crate::formula::{Field, Fields, Spec};
+use crate::formula::{Field, Fields, Spec, WIDTH};
 use crate::toolkit::verify::Sensitivity;
 use crate::toolkit::verify::jet::Sweep;
 use crate::toolkit::verify::point::names;
 use crate::toolkit::verify::sample::Sampler;
 use crate::toolkit::verify::subject::Subject;
-use nalgebra::{DMatrix, DVector, SVector, Vector4};
+use nalgebra::{Const, DMatrix, DVector, SVector, U1};
 use num_dual::Derivative;
 use num_traits::{One, Signed, Zero};
 
@@ -182,8 +182,12 @@ pub(crate) struct Form {
     pub(super) held: fn(&[Octuple]) -> Vec<Octuple>,
     /// How the inputs change with a degree of freedom.
     motion: fn(&[Octuple], usize) -> Vec<Octuple>,
-    rubbed: fn(&[Sweep<Octuple>], &[Sweep<Octuple>]) -> Vec<Rubbed<Sweep<Octuple>>>,
+    /// What rubs, from the inputs and the state after.
+    rubbed: fn(&[Number], &[Number]) -> Vec<Rubbed<Number>>,
 }
+
+/// A number that changes along a few directions.
+type Number = Sweep<Octuple>;
 
 impl Form {
     pub(super) fn of<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize, const RUBS: bool>() -> Self {
@@ -200,8 +204,7 @@ impl Form {
                     if k == degree { zero.derivative(0) } else { zero }
                 });
                 let moved = Step { nodes: E::moved(&step.nodes, &motions), ..step };
-                let slope = |x: Sweep<Octuple>| x.eps.unwrap_generic(nalgebra::Const::<4>, nalgebra::U1)[0];
-                moved.components().into_iter().map(slope).collect()
+                moved.components().iter().map(|x| slope(x, 0)).collect()
             },
             rubbed: |i, after| {
                 let mut rest = after.iter().copied();
@@ -220,39 +223,25 @@ impl Form {
             sizes.map(|(gradient, &value)| Sensitivity::new(gradient, inputs).plus(value).size()).collect();
         let directions = self.directions(layout, inputs);
         let (n, m) = (layout.degrees(), layout.conditions());
-        let mut derivative = Derivatives {
-            residuals: Matrix::zeros(m, n + m),
-            forces: Matrix::zeros(n, n + m),
-            motions: Matrix::zeros(0, n),
-        };
-        let mut rubbed = Vec::new();
-        for (chunk, four) in directions.chunks(4).enumerate() {
-            let seeded: Vec<_> = inputs.iter().enumerate().map(|(k, &x)| seed(x, four, k)).collect();
+        let (mut slopes, mut motions, mut rubbed) = (Vec::new(), Vec::new(), Vec::new());
+        for directions in directions.chunks(WIDTH) {
+            let seeded: Vec<_> = inputs.iter().enumerate().map(|(k, &x)| seed(x, directions, k)).collect();
             let results = self.subject.swept(&seeded);
-            let slopes = |x: &Sweep<Octuple>| x.eps.unwrap_generic(nalgebra::Const::<4>, nalgebra::U1);
-            let frictions = if self.rubs {
-                (self.rubbed)(&seeded, &results[results.len() - count(layout.state)..])
-            } else {
-                Vec::new()
-            };
-            if chunk == 0 {
-                derivative.motions = Matrix::zeros(frictions.len(), n);
-                rubbed = frictions.iter().map(real_part).collect();
+            let after = &results[results.len() - count(layout.state)..];
+            let frictions = if self.rubs { (self.rubbed)(&seeded, after) } else { Vec::new() };
+            for direction in 0..directions.len() {
+                slopes.extend(results.iter().map(|x| slope(x, direction)));
+                motions.extend(frictions.iter().map(|friction| slope(&friction.motion, direction)));
             }
-            for (k, column) in (4 * chunk..4 * chunk + four.len()).enumerate() {
-                for row in 0..m {
-                    derivative.residuals[(row, column)] = slopes(&results[row])[k];
-                }
-                for row in 0..n {
-                    derivative.forces[(row, column)] = slopes(&results[m + m * n + row])[k];
-                }
-                if column < n {
-                    for (row, friction) in frictions.iter().enumerate() {
-                        derivative.motions[(row, column)] = slopes(&friction.motion)[k];
-                    }
-                }
-            }
+            rubbed = frictions.iter().map(real_part).collect();
         }
+        let slopes = Matrix::from_vec(values.len(), n + m, slopes);
+        let motions = Matrix::from_vec(rubbed.len(), n + m, motions);
+        let derivative = Derivatives {
+            residuals: slopes.rows(0, m).into_owned(),
+            forces: slopes.rows(m + m * n, n).into_owned(),
+            motions: motions.columns(0, n).into_owned(),
+        };
         let multipliers = Vector::from_column_slice(&inputs[count(layout.nodes)..][..m]);
         let (found, sizes) = (layout.part(&values), layout.part(&scales));
         Here { multipliers, results: values, scales, found, sizes, derivative, rubbed }
@@ -343,10 +332,15 @@ fn real_part(rubbed: &Rubbed<Sweep<Octuple>>) -> Rubbed<Octuple> {
     Rubbed { motion: motion.re, force: force.re, phi: phi.re, slip: [before.re, after.re] }
 }
 
+/// The derivative along a direction.
+fn slope(x: &Sweep<Octuple>, direction: usize) -> Octuple {
+    x.eps.unwrap_generic(Const::<WIDTH>, U1)[direction]
+}
+
 /// The k-th input, which changes along so many directions.
 fn seed(x: Octuple, directions: &[Vec<Octuple>], k: usize) -> Sweep<Octuple> {
     let along = |d: usize| directions.get(d).map_or_else(Octuple::zero, |direction| direction[k]);
-    Sweep::new(x, Derivative::some(Vector4::from_fn(|d, _| along(d))))
+    Sweep::new(x, Derivative::some(SVector::from_fn(|d, _| along(d))))
 }
 
 /// Derivatives by the degrees of freedom and the multipliers.

@@ -136,7 +136,9 @@ pub(crate) fn of(element: &ElementSubject) -> ElementFile {
         let rubs = if form.rubs { "rubbing-" } else { "smooth-" };
         let mut records: Vec<_> = of_form(form, layout, element.forms.len()).collect();
         if many {
-            records.iter_mut().for_each(|record| record.id.insert_str(0, rubs));
+            for record in &mut records {
+                record.id.insert_str(0, rubs);
+            }
         }
         records
     });
