@@ -81,10 +81,10 @@ const MOST: usize = 64;
 struct Inputs<E, const M: usize, const DOFS: usize>(PhantomData<E>);
 
 impl<E: Element<M, DOFS>, const M: usize, const DOFS: usize> Inputs<E, M, DOFS> {
-    const SMOOTH: &'static ([Field; MOST], usize) =
+    const SMOOTH_FIELDS: &'static ([Field; MOST], usize) =
         &joined(&[<E::Nodes<f64> as Fields<f64>>::FIELDS, E::MULTIPLIERS, <E::Start<f64> as Fields<f64>>::FIELDS]);
-    const RUBBING: &'static ([Field; MOST], usize) = &joined(&[
-        Self::SMOOTH.0.split_at(Self::SMOOTH.1).0,
+    const RUBBING_FIELDS: &'static ([Field; MOST], usize) = &joined(&[
+        Self::SMOOTH_FIELDS.0.split_at(Self::SMOOTH_FIELDS.1).0,
         <E::Contact<f64> as Fields<f64>>::FIELDS,
         <E::State<f64> as Fields<f64>>::FIELDS,
     ]);
@@ -105,7 +105,7 @@ const fn joined(lists: &[&[Field]]) -> ([Field; MOST], usize) {
 
 /// What an element computes from: nodes, multipliers, start, and, where it rubs, contact and state.
 pub(crate) const fn inputs<E: Element<M, DOFS>, const M: usize, const DOFS: usize>(rubs: bool) -> &'static [Field] {
-    let (all, count) = if rubs { Inputs::<E, M, DOFS>::RUBBING } else { Inputs::<E, M, DOFS>::SMOOTH };
+    let (all, count) = if rubs { Inputs::<E, M, DOFS>::RUBBING_FIELDS } else { Inputs::<E, M, DOFS>::SMOOTH_FIELDS };
     all.split_at(*count).0
 }
 
