@@ -14,8 +14,6 @@ pub trait AnyElement: Send + Sync {
     fn spec(&self) -> Spec;
     /// Its degrees of freedom, forces, residuals, multipliers, parameters and state in order.
     fn layout(&self) -> Layout;
-    /// The Rust path of the type that implements it.
-    fn path(&self) -> &'static str;
     /// What it computes from, in order: nodes, multipliers, start, and, where it rubs, contact and state.
     fn inputs(&self, rubs: bool) -> &'static [Field];
     /// Its golden file, computed now.
@@ -45,9 +43,6 @@ impl<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize> AnyElement fo
     }
     fn layout(&self) -> Layout {
         Layout::of::<E, M, DOFS>()
-    }
-    fn path(&self) -> &'static str {
-        std::any::type_name::<E>()
     }
     fn inputs(&self, rubs: bool) -> &'static [Field] {
         proof::inputs::<E, M, DOFS>(rubs)

@@ -156,10 +156,10 @@ impl<D: Scalar, const M: usize, const DOFS: usize> Contribution<D, M, DOFS> {
     pub(crate) fn for_each(&self, visit: &mut impl FnMut(D)) {
         let Self { residuals, rows, forces, stiffness, by_multipliers } = self;
         residuals.iter().for_each(|&x| visit(x));
-        rows.transpose().iter().for_each(|&x| visit(x));
+        rows.row_iter().for_each(|row| row.iter().for_each(|&x| visit(x)));
         forces.iter().for_each(|&x| visit(x));
-        stiffness.transpose().iter().for_each(|&x| visit(x));
-        by_multipliers.transpose().iter().for_each(|&x| visit(x));
+        stiffness.row_iter().for_each(|row| row.iter().for_each(|&x| visit(x)));
+        by_multipliers.row_iter().for_each(|row| row.iter().for_each(|&x| visit(x)));
     }
 }
 

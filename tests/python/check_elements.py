@@ -45,9 +45,9 @@ def numbers(values: Values) -> list:
     return [leaf for value in values.values() for _, leaf in flatten(value)]
 
 
-def moved(nodes: Values, unknowns: list[tuple[str, int]], step) -> Values:
+def moved(nodes: Values, unknown: tuple[str, int], step) -> Values:
     """The nodes after a small motion: a translation, or a spin of a triad."""
-    (name, component), found = unknowns, dict(nodes)
+    (name, component), found = unknown, dict(nodes)
     kind, node = name[0], name[1:]
     if kind == "u":
         x = list(nodes[f"x{node}"])
@@ -158,8 +158,8 @@ class Slot(Element):
     response = "slot.friction_response"
 
     def friction(self, nodes: Values, multipliers: list) -> tuple[list, Values]:
-        moved = dict(u1=self.motions(nodes)[0], slip_before=self.given["slip"])
-        found = call(self.response, self.given | self.loads(nodes, multipliers) | moved)
+        motion = dict(u1=self.motions(nodes)[0], slip_before=self.given["slip"])
+        found = call(self.response, self.given | self.loads(nodes, multipliers) | motion)
         return [found["f1"]], {"slip": found["slip"]}
 
 

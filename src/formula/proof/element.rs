@@ -2,7 +2,7 @@
 
 use super::Case;
 use crate::Octuple;
-use crate::formula::element::{Element, Parameters};
+use crate::formula::element::{Contribution, Element, Parameters};
 use crate::formula::error::Error;
 use crate::formula::quantity::X0;
 use crate::formula::{Component, Field, Fields};
@@ -53,8 +53,11 @@ impl<E: Element<M, DOFS>, D: Scalar, const M: usize, const DOFS: usize> Step<E, 
     /// What the element makes of it: residuals, rows, forces, stiffness, derivative by the multipliers, and, where it rubs,
     /// the state after.
     pub(crate) fn results(&self) -> Vec<D> {
+        self.in_order(self.parameters.contribution(&self.nodes, &self.multipliers, &self.before))
+    }
+
+    fn in_order(&self, (found, after): (Contribution<D, M, DOFS>, E::State<D>)) -> Vec<D> {
         let mut all = Vec::new();
-        let (found, after) = self.parameters.contribution(&self.nodes, &self.multipliers, &self.before);
         found.for_each(&mut |x| all.push(x));
         if self.parameters.contact.is_some() {
             all.extend(after.components());
@@ -69,8 +72,7 @@ impl<E: Element<M, DOFS>, const M: usize, const DOFS: usize> Step<E, f64, M, DOF
     /// # Errors
     /// As [`Parameters::newton`].
     pub(crate) fn checked_results(&self) -> Result<Vec<f64>, Error> {
-        self.parameters.newton(&self.nodes, &self.multipliers, &self.before)?;
-        Ok(self.results())
+        Ok(self.in_order(self.parameters.newton(&self.nodes, &self.multipliers, &self.before)?))
     }
 }
 

@@ -60,6 +60,7 @@ pub fn audit_element<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usiz
 
 pub(crate) fn audit(element: &ElementSubject, options: &Options) -> ElementAudit {
     let mut claims = Claims::new(element);
+    let names = element.layout.names();
     let (mut named_points, mut random) = (0, 0);
     for form in &element.forms {
         let cases = (form.subject.cases)().into_iter().filter(|case| (form.subject.check)(&case.inputs).is_ok());
@@ -67,7 +68,7 @@ pub(crate) fn audit(element: &ElementSubject, options: &Options) -> ElementAudit
         let drawn = random_points(&form.subject, options, 0..options.samples);
         (named_points, random) = (named_points + named.len(), random + drawn.len());
         for point in named.iter().chain(&drawn) {
-            claims.check(&element.layout, form, point);
+            claims.check(&element.layout, &names, form, point);
         }
     }
     ElementAudit {
@@ -113,12 +114,11 @@ impl Claims {
         all
     }
 
-    fn check(&mut self, layout: &Layout, form: &Form, point: &Point) {
-        let here = form.at(layout, &point.exact);
+    fn check(&mut self, layout: &Layout, names: &Names, form: &Form, point: &Point) {
+        let here = form.at(layout, point.exact.clone());
         // Where the residuals vanish, if the rows are their derivative only there.
-        let elsewhere = (!form.has_exact_rows).then(|| form.at(layout, &(form.held)(&point.exact)));
+        let elsewhere = (!form.has_exact_rows).then(|| form.at(layout, (form.held)(&point.exact)));
         let held = elsewhere.as_ref().unwrap_or(&here);
-        let names = layout.names();
 
         let (by, zeros) = (&held.derivative.residuals, Matrix::zeros(layout.conditions(), layout.conditions()));
         let rows = beside(&held.found.rows, &zeros);
@@ -131,13 +131,12 @@ impl Claims {
         compare(&mut self.stiffness, point, &matrix, &here.derivative.forces, &size, |row, k| {
             format!("∂{}/∂{}", names.forces[row], names.variables[k])
         });
-        let [found, expected, size] =
-            form.along(layout, &point.exact, &here, &point.label).map(|x| column(&Vector::from_vec(x)));
+        let [found, expected, size] = form.along(layout, &here, &point.label).map(|x| column(&Vector::from_vec(x)));
         compare(&mut self.differences, point, &found, &expected, &size, |k, _| {
             format!("{} along a motion of everything", names.conditions_and_forces(k))
         });
         self.laws.check(layout, form, point, &here, held);
-        self.check_eta(&names, form, point, &here);
+        self.check_eta(names, form, point, &here);
     }
 
     /// Every number in `f64`, and where bounds are normwise beside the largest of its block.

@@ -100,7 +100,6 @@ impl Subject {
 
     /// An element that rubs, or does not: its numbers as a formula that has no derivative in closed form.
     pub(crate) fn of_element<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize, const RUBS: bool>() -> Self {
-        let derivative = |i: &[f64]| differentiate(i, &results::<E, _, M, DOFS, RUBS>).concat();
         Self {
             spec: E::SPEC,
             inputs: proof::inputs::<E, M, DOFS>(RUBS),
@@ -115,14 +114,13 @@ impl Subject {
             },
             placed: |i| E::placed(Step::of(i, RUBS)).components(),
             value: results::<E, _, M, DOFS, RUBS>,
-            jacobian: derivative,
-            automatic: derivative,
-            linearized: |i| {
-                [results::<E, _, M, DOFS, RUBS>(i), differentiate(i, &results::<E, _, M, DOFS, RUBS>).concat()]
-            },
+            jacobian: derivatives::<E, _, M, DOFS, RUBS>,
+            automatic: derivatives::<E, _, M, DOFS, RUBS>,
+            linearized: |i| [results::<E, _, M, DOFS, RUBS>(i), derivatives::<E, _, M, DOFS, RUBS>(i)],
             exact_value: results::<E, _, M, DOFS, RUBS>,
-            exact_jacobian: |i| differentiate(i, &results::<E, _, M, DOFS, RUBS>).concat(),
+            exact_jacobian: derivatives::<E, _, M, DOFS, RUBS>,
             dual_value: results::<E, _, M, DOFS, RUBS>,
+            // Only of a closed form is the second derivative asked for.
             dual_jacobian: |_| Vec::new(),
             cases: || {
                 let cases = E::cases().into_iter().filter(|case| case.inputs.parameters.contact.is_some() == RUBS);
@@ -131,6 +129,7 @@ impl Subject {
                     .collect()
             },
             invalid_cases: Vec::new,
+            // With extremes, comparisons of TRANSLATOR come out in too many ways.
             record: || Cow::Owned(graph::record_element::<E, M, DOFS>(RUBS, Extremes::Nan)),
             graph: OnceCell::new(),
             kinks: Vec::new(),
@@ -204,6 +203,13 @@ fn results<E: ProvedElement<M, DOFS>, D: Scalar, const M: usize, const DOFS: usi
     i: &[D],
 ) -> Vec<D> {
     Step::<E, D, M, DOFS>::of(i, RUBS).results()
+}
+
+/// The derivatives of all that by all of these, output by output.
+fn derivatives<E: ProvedElement<M, DOFS>, D: Scalar, const M: usize, const DOFS: usize, const RUBS: bool>(
+    i: &[D],
+) -> Vec<D> {
+    differentiate(i, &results::<E, _, M, DOFS, RUBS>).concat()
 }
 
 fn flat<F: Formula>(case: Case<F::Inputs<f64>>) -> Case<Vec<f64>> {

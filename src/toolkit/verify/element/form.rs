@@ -215,21 +215,21 @@ impl Form {
     }
 
     /// All that is known exactly at a point.
-    pub(super) fn at(&self, layout: &Layout, inputs: &[Octuple]) -> Here {
-        let values = (self.subject.exact_value)(inputs);
-        let gradients = self.subject.derivative(inputs);
+    pub(super) fn at(&self, layout: &Layout, inputs: Vec<Octuple>) -> Here {
+        let values = (self.subject.exact_value)(&inputs);
+        let gradients = self.subject.derivative(&inputs);
         let sizes = gradients.chunks(inputs.len()).zip(&values);
         let scales: Vec<_> =
-            sizes.map(|(gradient, &value)| Sensitivity::new(gradient, inputs).plus(value).size()).collect();
-        let directions = self.directions(layout, inputs);
+            sizes.map(|(gradient, &value)| Sensitivity::new(gradient, &inputs).plus(value).size()).collect();
+        let directions = self.directions(layout, &inputs);
         let (n, m) = (layout.degrees(), layout.conditions());
         let (mut slopes, mut motions, mut rubbed) = (Vec::new(), Vec::new(), Vec::new());
-        for directions in directions.chunks(WIDTH) {
-            let seeded: Vec<_> = inputs.iter().enumerate().map(|(k, &x)| seed(x, directions, k)).collect();
+        for few in directions.chunks(WIDTH) {
+            let seeded: Vec<_> = inputs.iter().enumerate().map(|(k, &x)| seed(x, few, k)).collect();
             let results = self.subject.swept(&seeded);
             let after = &results[results.len() - count(layout.state)..];
             let frictions = if self.rubs { (self.rubbed)(&seeded, after) } else { Vec::new() };
-            for direction in 0..directions.len() {
+            for direction in 0..few.len() {
                 slopes.extend(results.iter().map(|x| slope(x, direction)));
                 motions.extend(frictions.iter().map(|friction| slope(&friction.motion, direction)));
             }
@@ -244,7 +244,7 @@ impl Form {
         };
         let multipliers = Vector::from_column_slice(&inputs[count(layout.nodes)..][..m]);
         let (found, sizes) = (layout.part(&values), layout.part(&scales));
-        Here { multipliers, results: values, scales, found, sizes, derivative, rubbed }
+        Here { inputs, directions, multipliers, results: values, scales, found, sizes, derivative, rubbed }
     }
 
     /// The results alone.
@@ -265,12 +265,11 @@ impl Form {
 
     /// The derivatives of residuals and forces along a motion of everything, by differences and by automatic differentiation, and
     /// what they are judged beside.
-    pub(super) fn along(&self, layout: &Layout, inputs: &[Octuple], here: &Here, label: &str) -> [Vec<Octuple>; 3] {
+    pub(super) fn along(&self, layout: &Layout, here: &Here, label: &str) -> [Vec<Octuple>; 3] {
         let mut sampler = Sampler::named(&format!("{} along {label}", self.subject.spec.id), 0);
-        let directions = self.directions(layout, inputs);
+        let Here { inputs, directions, .. } = here;
         let reach = largest(inputs[..count(layout.nodes)].iter().copied());
         let loads = largest(here.multipliers.iter().copied());
-        let length = Unit::L;
         let way: Vec<_> = layout
             .units_of_variables()
             .iter()
@@ -279,7 +278,7 @@ impl Form {
                 let part = Octuple::from(if sampler.coin() { 0.5 } else { -0.5 } * (1.0 + sampler.unit()));
                 let size = if k >= layout.degrees() {
                     loads
-                } else if *unit == length {
+                } else if *unit == Unit::L {
                     reach
                 } else {
                     Octuple::one()
@@ -353,6 +352,9 @@ pub(super) struct Derivatives {
 
 /// What is known at a point.
 pub(super) struct Here {
+    pub(super) inputs: Vec<Octuple>,
+    /// How these change with every degree of freedom and every multiplier.
+    directions: Vec<Vec<Octuple>>,
     multipliers: Vector,
     pub(super) results: Vec<Octuple>,
     /// Of every result, what it changes by when every input changes by one part, and its own size.

@@ -70,7 +70,7 @@ impl Laws {
     }
 
     pub(super) fn check(&mut self, layout: &Layout, form: &Form, point: &Point, here: &Here, held: &Here) {
-        self.check_balance(layout, form, point, held);
+        self.check_balance(layout, point, held);
         self.check_indifference(layout, form, point, here);
         self.check_homogeneity(layout, form, point, here);
         let independent = independence(&here.found.rows);
@@ -86,9 +86,8 @@ impl Laws {
     }
 
     /// Rigid-body motions about the first node.
-    fn check_balance(&mut self, layout: &Layout, form: &Form, point: &Point, held: &Here) {
-        let inputs = if form.has_exact_rows { point.exact.clone() } else { (form.held)(&point.exact) };
-        for motion in rigid_motions(layout, &inputs) {
+    fn check_balance(&mut self, layout: &Layout, point: &Point, held: &Here) {
+        for motion in rigid_motions(layout, &held.inputs) {
             let work = dot(motion.as_slice(), held.found.forces.as_slice());
             let terms = motion
                 .iter()
