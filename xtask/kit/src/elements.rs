@@ -3,7 +3,6 @@
 use crate::console::{bold, count, progress};
 use crate::files;
 use crate::project::Project;
-use anyhow::Context;
 use indicatif::ParallelProgressIterator;
 use jointproof::catalog::AnyElement;
 use jointproof::toolkit::verify::{Claim, ElementAudit, ElementFile, Options};
@@ -68,19 +67,8 @@ impl GoldenFiles {
 
     /// Files of elements that no longer exist.
     pub(crate) fn orphans(project: &Project) -> anyhow::Result<Vec<PathBuf>> {
-        let entries = match std::fs::read_dir(below(&project.golden())) {
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(Vec::new()),
-            entries => entries.context("cannot list golden/elements/")?,
-        };
         let known = |id: &str| id == "schema" || project.elements().iter().any(|element| element.spec().id == id);
-        let paths = entries.map(|entry| entry.map(|entry| entry.path())).collect::<Result<Vec<_>, _>>()?;
-        let mut orphans: Vec<_> = paths
-            .into_iter()
-            .filter(|path| path.extension().is_some_and(|extension| extension == "json"))
-            .filter(|path| path.file_stem().is_none_or(|id| !known(&id.to_string_lossy())))
-            .collect();
-        orphans.sort();
-        Ok(orphans)
+        files::json_but(&below(&project.golden()), known)
     }
 
     /// How much there is; nothing where there are no elements.

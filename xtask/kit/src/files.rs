@@ -5,7 +5,7 @@ use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
 use std::fs::File;
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The SHA-256 of a content, in hexadecimal digits.
 pub(crate) fn digest(content: impl AsRef<[u8]>) -> String {
@@ -20,6 +20,25 @@ pub(crate) fn short_digest(content: impl AsRef<[u8]>) -> String {
     let mut digest = digest(content);
     digest.truncate(16);
     digest
+}
+
+/// The JSON files of a folder, in order, but those whose name without its ending is known; none where there is no folder.
+pub(crate) fn json_but(folder: &Path, is_known: impl Fn(&str) -> bool) -> anyhow::Result<Vec<PathBuf>> {
+    let cannot = || format!("cannot list {}", folder.display());
+    let entries = match std::fs::read_dir(folder) {
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(Vec::new()),
+        entries => entries.with_context(cannot)?,
+    };
+    let mut found = Vec::new();
+    for entry in entries {
+        let path = entry.with_context(cannot)?.path();
+        let name = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+        if path.extension().is_some_and(|extension| extension == "json") && !is_known(&name) {
+            found.push(path);
+        }
+    }
+    found.sort();
+    Ok(found)
 }
 
 /// Writes a file under a temporary name beside it and renames it, so that an interrupted run leaves the old one whole.

@@ -109,21 +109,7 @@ fn schema(folder: &Path) -> anyhow::Result<(PathBuf, String)> {
 
 /// Golden files of formulas that no longer exist.
 fn orphans(project: &Project) -> anyhow::Result<Vec<PathBuf>> {
-    let entries = match std::fs::read_dir(project.golden()) {
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(Vec::new()),
-        entries => entries.context("cannot list golden/")?,
-    };
-    let mut orphans = Vec::new();
-    for entry in entries {
-        let path = entry?.path();
-        let id = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-        let golden = path.extension().is_some_and(|extension| extension == "json") && id != "schema";
-        if golden && project.find(&id).is_none() {
-            orphans.push(path);
-        }
-    }
-    orphans.sort();
-    Ok(orphans)
+    files::json_but(&project.golden(), |id| id == "schema" || project.find(id).is_some())
 }
 
 fn write(project: &Project, selection: &Selection) -> anyhow::Result<String> {
