@@ -30,11 +30,8 @@ pub mod rotation;
 pub mod slide_line;
 pub mod slider;
 pub mod slider_plane;
-pub mod slot_friction;
 pub mod slot_plane;
-pub mod translator_friction;
 mod turn;
-pub mod ujoint_friction;
 pub mod universal;
 
 use crate::fields;

@@ -3,41 +3,41 @@
 use jointproof::catalog::{AnyElement, ELEMENTS};
 use jointproof::connector::cardan::{Triads, rotation};
 use jointproof::connector::slider;
-use jointproof::connector::ujoint::Cross;
+use jointproof::connector::translator::{self, FrictionLoads};
+use jointproof::connector::ujoint::{AllContactMoments, ContactMoments, Cross, JointLoads, NormalMoments};
+use jointproof::contact::coulomb::{Response, Sliding};
 use jointproof::element::align;
 use jointproof::element::newton::{
     AlignElement, AlignStart, Element, JoinElement, JoinStart, Nodes, Nothing, Parameters, SliderElement,
-    SliderElement2d, Slipped, SlotContact, SlotElement, SlotElement2d, SlotStart, SlotStart2d, TranslatorContact,
+    SliderElement2d, SlotContact, SlotElement, SlotElement2d, SlotStart, SlotStart2d, SlotState, TranslatorContact,
     TranslatorElement, TranslatorStart, UJointContact, UJointElement, UJointStart, UJointState, UniversalElement,
     UniversalStart,
 };
 use jointproof::element::offset::Arms;
 use jointproof::element::slot_plane::PlanePlaces;
-use jointproof::element::translator_friction::{self, TranslatorSliding};
-use jointproof::element::ujoint_friction::{self, CrossSliding};
 use jointproof::formula::Formula;
 use jointproof::toolkit::verify::ElementFile;
 use jointproof::toolkit::verify::golden::components;
 use nalgebra::{SVector, Vector2, Vector3};
 
 const START: SlotStart<f64> = SlotStart { x0: 0.125, y0: 0.25, z0: -0.5 };
-const RUBS: SlotContact<f64> = SlotContact { k_el: 1e3, fc_int: 1.0, mu: 0.25 };
+const RUBS: SlotContact<f64> = SlotContact { k_stick: 1e3, fc_int: 1.0, mu: 0.25 };
 const SLOT: SlotElement = SlotElement { start: START, contact: None };
 const SLOT_2D: SlotElement2d = SlotElement2d { start: SlotStart2d { x0: 0.25, y0: -0.5 }, contact: None };
 const TRANSLATOR: TranslatorElement = TranslatorElement {
     start: TranslatorStart { x0: 0.125, y0: 0.25, z0: -0.5, alpha0: 0.4, beta0: 0.2, gamma0: -0.6 },
     contact: None,
 };
-const SLEEVE: TranslatorContact<f64> = TranslatorContact { k_el: 1e3, rr: 0.5, l: 2.0, fc_int: 1.0, mu: 0.25 };
+const SLEEVE: TranslatorContact<f64> = TranslatorContact { k_stick: 1e3, rr: 0.5, l: 2.0, fc_int: 1.0, mu: 0.25 };
 const UJOINT: UJointElement = UJointElement {
     start: UJointStart { d0: Vector3::new(0.125, 0.25, -0.5), c0: 0.0, alpha0: 0.1, gamma0: -0.2 },
     contact: None,
 };
 const CROSS: Cross = Cross { rp: 1.0, la: 2.0, ra: 0.5, ls: 4.0, mu: 0.25, mc1_int: 1.0, mc3_int: -2.0 };
 const HINGES: UJointContact<f64> = UJointContact::new(CROSS, [1e3, 500.0]);
-const AT_REST: UJointState<f64> = UJointState { ur1: 0.0, ur3: 0.0, slip1: 0.0, slip3: 0.0 };
+const AT_REST: UJointState<f64> = UJointState { ur1: 0.0, ur3: 0.0, m1: 0.0, m3: 0.0 };
 const NOTHING: Nothing<f64> = Nothing::new();
-const STUCK: Slipped<f64> = Slipped { slip: 0.5 };
+const BEFORE: SlotState<f64> = SlotState { u1: 0.5, f1: -0.25 };
 
 fn standing() -> Nodes<f64> {
     let a = rotation(0.3, -0.5, 0.7);
@@ -99,10 +99,10 @@ fn not_said<const N: usize>(cases: [(Option<String>, &str); N]) -> Vec<String> {
 #[test]
 fn without_friction_nobody_asks_for_what_it_needs() {
     const NAN: f64 = f64::NAN;
-    let nowhere = Slipped { slip: NAN };
+    let nowhere = SlotState { u1: NAN, f1: NAN };
     assert_eq!(refusal(&SLOT, &standing(), [3.0; 2], &nowhere), None);
     assert_eq!(refusal(&TRANSLATOR, &standing(), [3.0; 5], &nowhere), None);
-    let turned = UJointState { ur1: NAN, ur3: NAN, slip1: NAN, slip3: NAN };
+    let turned = UJointState { ur1: NAN, ur3: NAN, m1: NAN, m3: NAN };
     assert_eq!(refusal(&UJOINT, &standing(), [3.0; 4], &turned), None);
 }
 
@@ -123,7 +123,7 @@ fn nodes_are_refused_where_a_line_or_an_angle_is_not_defined() {
     let rubbing = UJointElement { contact: Some(HINGES), ..UJOINT };
     let wrong = not_said([
         (refusal(&align, &locked, [3.0; 3], &NOTHING), words),
-        (refusal(&TRANSLATOR, &locked, [3.0; 5], &STUCK), words),
+        (refusal(&TRANSLATOR, &locked, [3.0; 5], &BEFORE), words),
         (refusal(&rubbing, &locked, [3.0; 4], &AT_REST), words),
         (refusal(&slider, &in_space, [3.0; 2], &NOTHING), apart),
         (refusal(&slider_2d, &in_plane, [3.0], &NOTHING), apart),
@@ -153,47 +153,36 @@ fn a_smooth_element_does_not_rub() {
 #[test]
 fn slot_in_the_plane_rubs_against_the_motion() {
     let nodes = PlanePlaces { e2a: Vector2::y(), xa: Vector2::zeros(), xb: Vector2::new(5.0, 0.5) };
-    let contact = SlotContact { k_el: 100.0, fc_int: 0.0, mu: 0.25 };
+    let contact = SlotContact { k_stick: 100.0, fc_int: 0.0, mu: 0.25 };
     let slot = SlotElement2d { start: SlotStart2d { x0: 1.0, y0: 0.25 }, contact: Some(contact) };
-    let (step, after) = slot.newton(&nodes, &[40.0].into(), &Slipped { slip: 3.0 }).unwrap();
+    let (step, after) = slot.newton(&nodes, &[40.0].into(), &SlotState { u1: 3.75, f1: 1.0 }).unwrap();
     assert_eq!(step.residuals[0], 0.25);
     assert_eq!(step.forces, SVector::from([10.0, -40.0, -205.0, -10.0, 40.0, 0.0]));
     assert_eq!((step.by_multipliers[(3, 0)], step.by_multipliers[(4, 0)], step.rows[(0, 3)]), (-0.25, 1.0, 0.0));
-    assert_eq!(after.slip, 3.9);
+    assert_eq!(after, SlotState { u1: 4.0, f1: 10.0 });
 }
 
 #[test]
 fn translator_rubs_by_forces_and_moments_along_the_axes_of_a() {
     let nodes = standing();
     let multipliers = SVector::from([3.0, -4.0, 2.0, -1.0, 0.5]);
-    let (smooth, held) = TRANSLATOR.newton(&nodes, &multipliers, &STUCK).unwrap();
-    assert_eq!(held, STUCK);
+    let (smooth, held) = TRANSLATOR.newton(&nodes, &multipliers, &BEFORE).unwrap();
+    assert_eq!(held, BEFORE);
     let moment: Vector3<f64> = smooth.forces.fixed_rows::<3>(9).into_owned();
     let [m1, m2, m3] = nodes.a().map(|axis| axis.dot(&moment));
     let u1 = nodes.e1a.dot(&(nodes.xb - nodes.xa)) - START.x0;
-    for k_el in [0.125, 1e3] {
+    for k_stick in [0.125, 1e3] {
         let TranslatorContact { rr, l, fc_int, mu, .. } = SLEEVE;
-        let element = TranslatorElement { contact: Some(TranslatorContact { k_el, ..SLEEVE }), ..TRANSLATOR };
-        let (found, Slipped { slip }) = element.newton(&nodes, &multipliers, &STUCK).unwrap();
-        let (slip_before, f2, f3) = (0.5, 3.0, -4.0);
-        let expected = translator_friction::Response::eval(&TranslatorSliding {
-            u1,
-            slip_before,
-            k_el,
-            f2,
-            f3,
-            m1,
-            m2,
-            m3,
-            rr,
-            l,
-            fc_int,
-            mu,
-        });
-        assert!((slip - expected.slip).abs() < 1e-12, "{slip}: {expected:?}");
+        let element = TranslatorElement { contact: Some(TranslatorContact { k_stick, ..SLEEVE }), ..TRANSLATOR };
+        let (found, after) = element.newton(&nodes, &multipliers, &BEFORE).unwrap();
+        let loads = FrictionLoads { f1: 0.0, f2: 3.0, f3: -4.0, m1, m2, m3, rr, l, fc_int, mu };
+        let r#fn = translator::Friction::eval(&loads).r#fn;
+        let increment = Sliding { du: u1 - BEFORE.u1, f_before: BEFORE.f1, k_stick, mu, r#fn };
+        let expected = Response::eval(&increment).f;
+        assert!((after.f1 - expected).abs() < 1e-12 && (after.u1 - u1).abs() < 1e-12, "{after:?}: {expected}");
         let rubs = found.forces - smooth.forces;
-        assert!((rubs.fixed_rows::<3>(6) + nodes.e1a * expected.f1).amax() < 1e-12, "{rubs:?}");
-        assert!((rubs.fixed_rows::<3>(0) - nodes.e1a * expected.f1).amax() < 1e-12 && expected.f1.abs() > 0.01);
+        assert!((rubs.fixed_rows::<3>(6) + nodes.e1a * expected).amax() < 1e-12, "{rubs:?}");
+        assert!((rubs.fixed_rows::<3>(0) - nodes.e1a * expected).amax() < 1e-12 && expected.abs() > 0.01);
     }
 }
 
@@ -201,45 +190,28 @@ fn translator_rubs_by_forces_and_moments_along_the_axes_of_a() {
 fn ujoint_rubs_about_both_axes_and_counts_whole_turns() {
     let nodes = standing();
     let (multipliers, before) =
-        (SVector::from([3.0, -4.0, 12.0, 5.0]), UJointState { ur1: 0.5, ur3: 6.0, slip1: 0.25, slip3: 6.5 });
+        (SVector::from([3.0, -4.0, 12.0, 5.0]), UJointState { ur1: 0.5, ur3: 6.0, m1: 0.25, m3: -0.5 });
     let (smooth, held) = UJOINT.newton(&nodes, &multipliers, &before).unwrap();
     assert_eq!(held, before);
     // It stands at 0.4, 0.2 and −0.6, and began at 0.1 and −0.2.
     let turns = [0.3, std::f64::consts::TAU - 0.4];
     let Nodes { e1a, e2a, e3a, e1b, e2b, e3b, .. } = nodes;
     let rows = align::Rows::eval(&Triads { e1a, e2a, e3a, e1b, e2b, e3b });
-    for [k_el1, k_el3] in [[0.125, 0.25], [1e3, 0.25], [0.125, 1e3]] {
-        let element = UJointElement { contact: Some(UJointContact { k_el1, k_el3, ..HINGES }), ..UJOINT };
+    for [k_stick1, k_stick3] in [[0.125, 0.25], [1e3, 0.25], [0.125, 1e3]] {
+        let element = UJointElement { contact: Some(UJointContact { k_stick1, k_stick3, ..HINGES }), ..UJOINT };
         let (found, after) = element.newton(&nodes, &multipliers, &before).unwrap();
         let Cross { rp, la, ra, ls, mu, mc1_int, mc3_int } = CROSS;
-        let ([ur1, ur3], [slip1_before, slip3_before]) = (turns, [before.slip1, before.slip3]);
         let ([f1, f2, f3], m2) = ([3.0, -4.0, 12.0], 5.0 * 0.2_f64.cos());
-        let expected = ujoint_friction::Response::eval(&CrossSliding {
-            ur1,
-            ur3,
-            slip1_before,
-            slip3_before,
-            k_el1,
-            k_el3,
-            e1a,
-            e2a,
-            e3a,
-            e3b,
-            f1,
-            f2,
-            f3,
-            m2,
-            rp,
-            la,
-            ra,
-            ls,
-            mc1_int,
-            mc3_int,
-            mu,
-        });
-        let off = [after.ur1 - ur1, after.ur3 - ur3, after.slip1 - expected.slip1, after.slip3 - expected.slip3];
-        assert!(off.iter().all(|off| off.abs() < 1e-12), "{after:?}: {expected:?}");
-        let (rubs, on_b) = (found.forces - smooth.forces, -(rows.ur1_tb * expected.m1 + rows.ur3_tb * expected.m3));
+        let loads = JointLoads { e1a, e2a, e3a, e3b, f1, f2, f3, m2, rp, la, ra, ls };
+        let contact = ContactMoments::eval(&loads);
+        let normal = NormalMoments::eval(&AllContactMoments { mc1: contact.mc1, mc3: contact.mc3, mc1_int, mc3_int });
+        let about = |du, f_before, k_stick, r#fn| Response::eval(&Sliding { du, f_before, k_stick, mu, r#fn }).f;
+        let [ur1, ur3] = turns;
+        let m1 = about(ur1 - before.ur1, before.m1, k_stick1, normal.mn1);
+        let m3 = about(ur3 - before.ur3, before.m3, k_stick3, normal.mn3);
+        let off = [after.ur1 - ur1, after.ur3 - ur3, after.m1 - m1, after.m3 - m3];
+        assert!(off.iter().all(|off| off.abs() < 1e-12), "{after:?}: {m1}, {m3}");
+        let (rubs, on_b) = (found.forces - smooth.forces, -(rows.ur1_tb * m1 + rows.ur3_tb * m3));
         assert!((rubs.fixed_rows::<3>(9) - on_b).amax() < 1e-12 && (rubs.fixed_rows::<3>(3) + on_b).amax() < 1e-12);
         assert_eq!((rubs.fixed_rows::<3>(0).amax(), rubs.fixed_rows::<3>(6).amax()), (0.0, 0.0));
     }
@@ -250,7 +222,7 @@ fn ujoint_rubs_about_both_axes_and_counts_whole_turns() {
 fn on_arms_forces_and_what_follows_multipliers_have_moments() {
     let arms = Arms { a: Vector3::new(0.5, -1.0, 2.0), b: Vector3::new(-3.0, 0.25, 1.0) };
     let slot = SlotElement { contact: Some(RUBS), ..SLOT };
-    let (at_points, _) = slot.newton(&standing(), &[3.0, -4.0].into(), &STUCK).unwrap();
+    let (at_points, _) = slot.newton(&standing(), &[3.0, -4.0].into(), &BEFORE).unwrap();
     let on_arms = at_points.on_arms(&arms);
     assert_ne!(at_points.by_multipliers, at_points.rows.transpose(), "it slips");
     assert_eq!(on_arms.residuals, at_points.residuals);

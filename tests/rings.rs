@@ -2,23 +2,19 @@
 
 use jointproof::contact::interaction::{ExponentialContact, PressureExponential};
 use jointproof::element::newton::{Isl21a, Isl22a, LineContact, OnLine, PressureLaw, SlaveState};
-use jointproof::element::slide_line::friction;
 use jointproof::formula::{Fields, Formula};
 use nalgebra::Vector2;
 
 #[test]
 fn where_nothing_presses_no_shear_follows_anything() {
-    for s11 in [0.0, -0.0, -8.0] {
-        for dslip in [2.0, -2.0] {
-            let open = friction::Rubbing { s11, dslip, s12_before: 1.0, k_el: 2.0, mu: 0.25 };
-            let (value, by) = friction::Response::linearized(&open);
-            assert_eq!(value.s12.to_bits(), 0, "{open:?}");
-            assert_eq!(by.s12, friction::Rubbing::filled(0.0), "{open:?}");
-        }
-    }
+    // The ring is above the washer.
+    let ring = OnLine { nodes: [at(1.5, 0.125), at(2.5, 0.125)], ..ring(at(1.5, 0.125)) };
+    let found = Isl21a(LINE).newton(&ring, &[SlaveState { g: 0.25, s12: 1.0 }; 2]).unwrap();
+    assert_eq!(found.after.map(|slave| slave.s12.to_bits()), [0; 2]);
+    assert_eq!((found.forces.amax(), found.stiffness.amax()), (0.0, 0.0));
 }
 
-const LINE: LineContact = LineContact { law: PressureLaw::Linear { k: 64.0 }, k_el: 0.5, mu: 0.25 };
+const LINE: LineContact = LineContact { law: PressureLaw::Linear { k: 64.0 }, k_stick: 0.5, mu: 0.25 };
 
 fn at(r: f64, z: f64) -> Vector2<f64> {
     Vector2::new(r, z)
@@ -86,7 +82,7 @@ fn every_ring_asks_for_its_parameters_and_places() {
         (LineContact { law: linear(0.0), ..LINE }, Some("k is 0.0; allowed is a finite number > 0")),
         (LineContact { law: exponential(0.0, 1.0), ..LINE }, Some("c0 is 0.0; allowed is a finite number > 0")),
         (LineContact { law: exponential(1.0, -1.0), ..LINE }, Some("p0 is -1.0; allowed is a finite number > 0")),
-        (LineContact { k_el: 0.0, ..LINE }, Some("k_el is 0.0; allowed is a finite number > 0")),
+        (LineContact { k_stick: 0.0, ..LINE }, Some("k_stick is 0.0; allowed is a finite number > 0")),
         (LineContact { mu: -1.0, ..LINE }, Some("mu is -1.0; allowed is a finite number ≥ 0")),
     ] {
         assert_eq!(of_two(contact, &straight).as_deref(), words);

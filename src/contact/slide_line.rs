@@ -26,7 +26,6 @@ mod torque;
 pub use area::{ContactAreaLinear, ContactAreaParabolic, LinearNodes, ParabolicNodes, ThreeAreas, TwoAreas};
 pub(crate) use basis::length_and_tangent;
 pub use basis::{Basis, Direction, LocalBasis};
-pub(crate) use closest::Projection;
 pub use closest::{
     ClosestLinear, ClosestParabolic, ClosestSmoothedLinear, ClosestSmoothedParabolic, CornerFoot, LinearCornerSlave,
     LinearSlave, ParabolicCornerSlave, ParabolicSlave, SegmentFoot,

@@ -32,7 +32,7 @@ pub use align::{Align, AlignElement, AlignStart};
 pub use contact::{Isl21a, Isl22a, LineContact, OnLine, Pressed, PressureLaw, SlaveState};
 pub use join::{Join, JoinElement, JoinStart};
 pub use slider::{Slider, Slider2d, SliderElement, SliderElement2d};
-pub use slot::{Slipped, Slot, SlotContact, SlotElement, SlotStart};
+pub use slot::{Slot, SlotContact, SlotElement, SlotStart, SlotState};
 pub use slot_plane::{Slot2d, SlotElement2d, SlotStart2d};
 pub use translator::{Translator, TranslatorContact, TranslatorElement, TranslatorStart};
 pub use ujoint::{UJoint, UJointContact, UJointElement, UJointStart, UJointState};

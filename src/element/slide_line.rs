@@ -18,8 +18,6 @@
 #![expect(clippy::inline_always, reason = "a call would write the results to memory, and wait for them there")]
 
 pub mod forces;
-pub mod friction;
-pub mod response;
 pub mod rows;
 pub mod stiffness;
 

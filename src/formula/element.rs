@@ -16,18 +16,18 @@ use std::marker::PhantomData;
 /// [`ProvedElement`](super::proof::ProvedElement).
 ///
 /// ```
-/// use jointproof::element::newton::{Nodes, Slipped, SlotContact, SlotElement, SlotStart};
+/// use jointproof::element::newton::{Nodes, SlotState, SlotContact, SlotElement, SlotStart};
 /// use nalgebra::{Vector2, Vector3};
 /// let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
 /// let nodes = Nodes::new([axes; 2], [Vector3::zeros(), Vector3::new(5.0, 0.5, 0.0)]);
-/// let contact = SlotContact { k_el: 100.0, fc_int: 0.0, mu: 0.25 };
+/// let contact = SlotContact { k_stick: 100.0, fc_int: 0.0, mu: 0.25 };
 /// let slot = SlotElement { start: SlotStart { x0: 1.0, y0: 0.0, z0: 0.0 }, contact: Some(contact) };
-/// // It has slipped by 3 before, has moved by 4 now, and is pressed against the slot by 40.
-/// let (step, after) = slot.newton(&nodes, &Vector2::new(40.0, 0.0), &Slipped { slip: 3.0 })?;
+/// // It has moved by 4 since the start, by 0.25 in this increment, and is pressed against the slot by 40.
+/// let (step, after) = slot.newton(&nodes, &Vector2::new(40.0, 0.0), &SlotState { u1: 3.75, f1: 1.0 })?;
 /// assert_eq!(step.residuals[0], 0.5);
 /// assert_eq!(step.forces[6], -10.0); // friction on b, against the motion: μ times 40
 /// assert_eq!((step.by_multipliers[(6, 0)], step.rows[(0, 6)]), (-0.25, 0.0)); // it follows the multiplier
-/// assert_eq!(after.slip, 4.0 - 10.0 / 100.0);
+/// assert_eq!((after.u1, after.f1), (4.0, 10.0));
 /// # Ok::<(), jointproof::Error>(())
 /// ```
 pub trait Element<const M: usize, const DOFS: usize = 12>:

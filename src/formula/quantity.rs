@@ -66,10 +66,10 @@ quantities! {
     F_TANGENTIAL: r"f", Scalar, F, Real, "friction force, positive where it resists positive motion";
     F_TRIAL_SURFACE: r"\mathbf{f}^{\mathrm{trial}}", Vec2, F, Vector, "trial force on a surface: the tangential force if the contact sticks";
     F_TANGENTIAL_SURFACE: r"\mathbf{f}", Vec2, F, Vector, "friction force on a surface, in the direction of the motion that it resists";
-    MOTION: r"u", Scalar, L, Real, "relative motion in the direction of the tangential force";
-    U_SLIP_BEFORE: r"u_0^{\mathrm{slip}}", Scalar, L, Real, "slip before the increment: the motion at which the tangential force would be 0";
-    U_SLIP: r"u^{\mathrm{slip}}", Scalar, L, Real, "slip after the increment: the motion at which the tangential force would be 0";
-    K_EL: r"k_{\mathrm{el}}", Scalar, F.per(L), Positive, "stiffness in stick";
+    DU: r"\Delta u", Scalar, L, Real, "increment of the relative motion in the direction of the friction force";
+    F_BEFORE: r"f^-", Scalar, F, Real, "friction force before the increment, positive where it resists positive motion";
+    SLIP: r"\Delta s", Scalar, L, Real, "slip of the increment, 0 in stick";
+    K_STICK: r"k_{\mathrm{stick}}", Scalar, F.per(L), Positive, "stiffness in stick";
     // ANCHOR: example
     FC: r"F_C", Scalar, F, NonNegative, "contact force that the connector's loads produce";
     // ANCHOR_END: example
@@ -229,12 +229,8 @@ quantities! {
 
     TURN1: r"u_{r1}", Scalar, ONE, Real, "rotation of b relative to a about e1a, continued beyond half a turn";
     TURN3: r"u_{r3}", Scalar, ONE, Real, "rotation of b relative to a about e3b, continued beyond half a turn";
-    TURN1_SLIP_BEFORE: r"u_{r1,0}^{\mathrm{slip}}", Scalar, ONE, Real, "slip about e1a before the increment: the rotation at which m1 would be 0";
-    TURN3_SLIP_BEFORE: r"u_{r3,0}^{\mathrm{slip}}", Scalar, ONE, Real, "slip about e3b before the increment: the rotation at which m3 would be 0";
-    TURN1_SLIP: r"u_{r1}^{\mathrm{slip}}", Scalar, ONE, Real, "slip about e1a after the increment: the rotation at which m1 would be 0";
-    TURN3_SLIP: r"u_{r3}^{\mathrm{slip}}", Scalar, ONE, Real, "slip about e3b after the increment: the rotation at which m3 would be 0";
-    K_EL_R1: r"k_{\mathrm{el},1}", Scalar, FL, Positive, "stiffness about e1a in stick, moment per radian";
-    K_EL_R3: r"k_{\mathrm{el},3}", Scalar, FL, Positive, "stiffness about e3b in stick, moment per radian";
+    K_STICK_R1: r"k_{\mathrm{stick},1}", Scalar, FL, Positive, "stiffness about e1a in stick, moment per radian";
+    K_STICK_R3: r"k_{\mathrm{stick},3}", Scalar, FL, Positive, "stiffness about e3b in stick, moment per radian";
 
     // SLIDER
     SLIDER_X1: r"\mathbf{x}_1", Vec3, L, Point, "position of node 1, where the line begins";
@@ -328,7 +324,6 @@ quantities! {
     S11: r"S_{11}", Scalar, PRESSURE_UNIT, Real, "contact pressure, positive where it pushes the slave point along the normal";
     S12: r"S_{12}", Scalar, PRESSURE_UNIT, Real, "shear stress, positive where it resists positive slip and pushes the slave point against the tangent";
     S12_BEFORE: r"S_{12}^{\mathrm{before}}", Scalar, PRESSURE_UNIT, Real, "shear stress before the increment";
-    SHEAR_STIFFNESS: r"k_{\mathrm{el}}", Scalar, Unit::new(-3, 1, 0), Positive, "stiffness in stick, shear stress per slip";
     LINE_G: r"g", Scalar, ONE, Real, "coordinate along a straight segment and what goes on straight past its ends, from -1 at its first node to 1 at its last";
     LINE_G_BEFORE: r"g^{\mathrm{before}}", Scalar, ONE, Within(-1.0, 1.0), "coordinate on the segment before the increment, from -1 at its first node to 1 at its last";
     XO: r"\mathbf{x}_o", Vec2, L, Point, "position of the other node of the ISL21A element, in the plane (r, z)";

@@ -67,7 +67,7 @@ impl Shafts {
             Yokes::InPhase => (Nodes::new([driven, middle], [self.driven, self.end + arm]), Arms { a: none, b: arm }),
             Yokes::Crossed => (Nodes::new([middle, driven], [self.end + arm, self.driven]), Arms { a: arm, b: none }),
         };
-        let state = UJointState { ur1: 0.0, ur3: 0.0, slip1: 0.0, slip3: 0.0 };
+        let state = UJointState { ur1: 0.0, ur3: 0.0, m1: 0.0, m3: 0.0 };
         let at = |nodes| JOINT.newton(&nodes, &Vector4::zeros(), &state).expect("the shafts are finite").0;
         [at(first), at(second).on_arms(&arms)]
     }

@@ -11,7 +11,8 @@ use nalgebra::{SMatrix, Vector2, Vector4};
 /// The free degrees of freedom: the translations of both nodes of the ring. The washer stands still.
 const FREE: usize = 4;
 
-const CONTACT: LineContact = LineContact { law: PressureLaw::Exponential { c0: 0.05, p0: 40.0 }, k_el: 2e3, mu: 0.5 };
+const CONTACT: LineContact =
+    LineContact { law: PressureLaw::Exponential { c0: 0.05, p0: 40.0 }, k_stick: 2e3, mu: 0.5 };
 
 /// Springs tie each node to its place, which the load moves: how stiff they are.
 const SPRING: f64 = 500.0;
@@ -41,7 +42,7 @@ fn contact(law: LineContact, ring: &Vector4<f64>, before: &[SlaveState<f64>; 2])
 
 /// The same forces with a shear that is held: as if it stuck without a stiffness.
 fn shear_held(ring: &Vector4<f64>, found: &Pressed<f64, 2, 12>) -> Pressed<f64, 2, 12> {
-    contact(LineContact { k_el: 1e-12, mu: 1e12, ..CONTACT }, ring, &found.after)
+    contact(LineContact { k_stick: 1e-12, mu: 1e12, ..CONTACT }, ring, &found.after)
 }
 
 /// Whether a node slips.

@@ -6,8 +6,8 @@
 //! cargo run --example slider_crank
 //! ```
 
-use jointproof::connector::slot::{Constraint2d, SlotPositions2d};
-use jointproof::element::slot_friction::{Response2d, SlotSlid, SlotSliding2d};
+use jointproof::connector::slot::{Constraint2d, Friction, SlotLoads, SlotPositions2d};
+use jointproof::contact::coulomb::{Response, Slid, Sliding};
 use jointproof::element::slot_plane::{Forces, PlaneLoads, PlanePlaces, Rows};
 use jointproof::formula::Formula;
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
@@ -47,8 +47,13 @@ fn rod(piston: &Vector2<f64>, pin: &Vector2<f64>) -> (Vector2<f64>, Matrix2<f64>
 }
 
 // ANCHOR: step
-/// A step of Newton's method, and what the piston has slipped in the state before it.
-fn step(state: &State, pin: &Vector2<f64>, slip_before: f64, consistent: bool) -> (Vector3<f64>, f64) {
+/// A step of Newton's method, and the friction, from the motion and the friction in the last state.
+fn step(
+    state: &State,
+    pin: &Vector2<f64>,
+    [u1_before, f_before]: [f64; 2],
+    consistent: bool,
+) -> (Vector3<f64>, [f64; 2]) {
     let State { piston, f2 } = *state;
     let places = PlanePlaces { e2a: ACROSS, xa: GROUND, xb: piston };
     let row = Rows::eval(&places).gy_ub;
@@ -56,8 +61,9 @@ fn step(state: &State, pin: &Vector2<f64>, slip_before: f64, consistent: bool) -
     let off = Constraint2d::eval(&SlotPositions2d { e2a: ACROSS, xa: GROUND, xb: piston, y0: 0.0 }).gy;
 
     let u1 = piston.x - START.x;
-    let sliding = SlotSliding2d { u1, slip_before, k_el: STICK_STIFFNESS, f2, fc_int: 0.0, mu: MU };
-    let (SlotSlid { f1, slip }, SlotSlid { f1: by, .. }) = Response2d::linearized(&sliding);
+    let (friction, by_loads) = Friction::linearized(&SlotLoads { f1: 0.0, f2, f3: 0.0, fc_int: 0.0, mu: MU });
+    let sliding = Sliding { du: u1 - u1_before, f_before, k_stick: STICK_STIFFNESS, mu: MU, r#fn: friction.r#fn };
+    let (Slid { f: f1, .. }, Slid { f: by, .. }) = Response::linearized(&sliding);
 
     // f1 acts on the piston against the slot's axis, as it is conjugate to u1.
     let (rod, by_rod) = rod(&piston, pin);
@@ -66,27 +72,27 @@ fn step(state: &State, pin: &Vector2<f64>, slip_before: f64, consistent: bool) -
     matrix.fixed_view_mut::<2, 2>(0, 0).copy_from(&by_rod);
     matrix.fixed_view_mut::<2, 1>(0, 2).copy_from(&row);
     matrix.fixed_view_mut::<1, 2>(2, 0).copy_from(&row.transpose());
-    matrix[(0, 0)] -= by.u1;
+    matrix[(0, 0)] -= by.du;
     if consistent {
-        matrix[(0, 2)] -= by.f2;
+        matrix[(0, 2)] -= by.r#fn * by_loads.r#fn.f2;
     }
     let step = matrix.lu().solve(&-force.push(off)).expect("the rod holds the piston");
-    (step, slip)
+    (step, [u1, f1])
 }
 // ANCHOR_END: step
 
 /// How many steps each increment of a turn takes.
 pub fn steps(consistent: bool) -> Vec<u32> {
-    let (mut state, mut slip_before) = (State { piston: START, f2: 0.0 }, 0.0);
+    let (mut state, mut before) = (State { piston: START, f2: 0.0 }, [0.0; 2]);
     let increments = (1..=INCREMENTS).map(|increment| {
         let angle = TAU * f64::from(increment) / f64::from(INCREMENTS);
         let pin = Vector2::new(angle.cos(), angle.sin()) * RADIUS;
         for count in 1..100 {
-            let (step, slip) = step(&state, &pin, slip_before, consistent);
+            let (step, after) = step(&state, &pin, before, consistent);
             state.piston += step.xy();
             state.f2 += step.z;
             if step.xy().amax() < 1e-13 {
-                slip_before = slip;
+                before = after;
                 return count;
             }
         }

@@ -14,7 +14,8 @@ pub const TURNS: usize = 4;
 const FREE: usize = 4 * TURNS;
 
 /// In mm, N/mm², N/mm³.
-const CONTACT: LineContact = LineContact { law: PressureLaw::Exponential { c0: 1e-3, p0: 20.0 }, k_el: 1e5, mu: 0.1 };
+const CONTACT: LineContact =
+    LineContact { law: PressureLaw::Exponential { c0: 1e-3, p0: 20.0 }, k_stick: 1e5, mu: 0.1 };
 
 /// In N/mm: of the pin along its axis, from a node to that of the next turn, and of the hoop at a node.
 const AXIAL: f64 = 4e7;

@@ -58,7 +58,7 @@ impl Body {
 fn joint(a: &Body, end: Vector3<f64>, b: &Body, multipliers: &Vector4<f64>) -> Contribution<f64, 4> {
     let arms = Arms { a: a.turn * end, b: b.turn * -END };
     let nodes = Nodes::new([a.triad(), b.triad()], [a.x + arms.a, b.x + arms.b]);
-    let state = UJointState { ur1: 0.0, ur3: 0.0, slip1: 0.0, slip3: 0.0 };
+    let state = UJointState { ur1: 0.0, ur3: 0.0, m1: 0.0, m3: 0.0 };
     let (at_points, _) = JOINT.newton(&nodes, multipliers, &state).expect("two bodies are in reach of each other");
     at_points.on_arms(&arms)
 }

@@ -69,6 +69,11 @@ def nearest(angle, to):
     return angle + 2 * mp.pi * mp.nint((to - angle) / (2 * mp.pi))
 
 
+def slid(du, f_before, k_stick, mu, fn):
+    """The friction after an increment of motion."""
+    return call("coulomb.response", dict(du=du, f_before=f_before, k_stick=k_stick, mu=mu, fn=fn))["f"]
+
+
 class Element:
     """An element at a case: its residuals, and what rubs."""
 
@@ -155,17 +160,17 @@ class Slot(Element):
     def loads(self, nodes: Values, multipliers: list) -> Values:
         return dict(zip(self.multipliers, multipliers, strict=True))
 
-    response = "slot.friction_response"
+    normal = "slot.friction"
 
     def friction(self, nodes: Values, multipliers: list) -> tuple[list, Values]:
-        motion = dict(u1=self.motions(nodes)[0], slip_before=self.given["slip"])
-        found = call(self.response, self.given | self.loads(nodes, multipliers) | motion)
-        return [found["f1"]], {"slip": found["slip"]}
+        u1, given = self.motions(nodes)[0], self.given
+        normal = call(self.normal, given | dict(f1=mpf(0), f3=mpf(0)) | self.loads(nodes, multipliers))["fn"]
+        f1 = slid(u1 - given["u1"], given["f1"], given["k_stick"], given["mu"], normal)
+        return [f1], dict(u1=u1, f1=f1)
 
 
 class Slot2d(Slot):
     residuals = "slot.constraint_2d"
-    response = "slot.friction_response_2d"
 
     def motions(self, nodes: Values) -> list:
         x, y = nodes["e2a"]
@@ -174,7 +179,7 @@ class Slot2d(Slot):
 
 class Translator(Slot):
     residuals = "translator.constraint"
-    response = "translator.friction_response"
+    normal = "translator.friction"
 
     def loads(self, nodes: Values, multipliers: list) -> Values:
         """About e1a is the first multiplier of ALIGN; about the others, what all three do on b."""
@@ -199,11 +204,14 @@ class UJoint(Element):
         f1, f2, f3, lambda_rot = multipliers
         sine = dot(nodes["e1a"], nodes["e3b"])
         ur1, ur3 = self.motions(nodes)
-        given = dict(f1=f1, f2=f2, f3=f3, m2=lambda_rot * mp.sqrt(1 - sine**2), ur1=ur1, ur3=ur3)
-        before = dict(slip1_before=self.given["slip1"], slip3_before=self.given["slip3"])
-        found = call("ujoint.friction_response", self.given | nodes | given | before)
-        after = dict(slip1=found["slip1"], slip3=found["slip3"], ur1=ur1, ur3=ur3)
-        return [found["m1"], found["m3"]], after
+        loads = dict(f1=f1, f2=f2, f3=f3, m2=lambda_rot * mp.sqrt(1 - sine**2))
+        given = self.given | nodes | loads
+        normal = call("ujoint.normal_moments", given | call("ujoint.contact_moments", given))
+        m1, m3 = (
+            slid(turn - given[f"ur{k}"], given[f"m{k}"], given[f"k_stick{k}"], given["mu"], normal[f"mn{k}"])
+            for k, turn in ((1, ur1), (3, ur3))
+        )
+        return [m1, m3], dict(ur1=ur1, ur3=ur3, m1=m1, m3=m3)
 
 
 class Slider(Element):

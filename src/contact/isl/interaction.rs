@@ -1,13 +1,15 @@
 //! What acts between slave and master: pressure, damping and friction.
 
 use crate::Scalar;
-use crate::contact::coulomb::{ReturnMap, Trial};
+use crate::contact::coulomb::{Response, Sliding};
 use crate::contact::interaction::{
     Damping, DampingContact, ExponentialContact, LinearContact, PressureExponential, PressureLinear,
 };
 use crate::formula::Formula;
 use crate::formula::error::Error;
-use crate::formula::quantity::{CLEARANCE, DAMPING_FRACTION, Domain, MU, MU0, PRESSURE_AT_TOUCH, Quantity, STIFFNESS};
+use crate::formula::quantity::{
+    CLEARANCE, DAMPING_FRACTION, Domain, K_STICK, MU, MU0, PRESSURE_AT_TOUCH, Quantity, STIFFNESS,
+};
 
 /// How the pressure depends on the overclosure h = −E11.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,7 +43,7 @@ struct Viscous {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Frictional {
     mu: f64,
-    stiffness: f64,
+    k_stick: f64,
 }
 
 /// A mechanical surface interaction. By default it is hard and without friction or damping.
@@ -114,15 +116,15 @@ impl Interaction {
         Ok(Self { damping: Some(Viscous { mu0, c0, eta }), ..self })
     }
 
-    /// Adds Coulomb friction: the coefficient `mu` ≥ 0, and the shear stress per slip while it sticks, `stiffness` > 0
+    /// Adds Coulomb friction: the coefficient `mu` ≥ 0, and the stiffness in stick `k_stick` > 0, as shear stress per displacement
     /// (F/L³).
     ///
     /// # Errors
     /// A parameter outside its domain.
-    pub fn with_friction(self, mu: f64, stiffness: f64) -> Result<Self, Error> {
+    pub fn with_friction(self, mu: f64, k_stick: f64) -> Result<Self, Error> {
         check("mu", mu, &MU)?;
-        check("stiffness", stiffness, &STIFFNESS)?;
-        Ok(Self { friction: Some(Frictional { mu, stiffness }), ..self })
+        check("k_stick", k_stick, &K_STICK)?;
+        Ok(Self { friction: Some(Frictional { mu, k_stick }), ..self })
     }
 
     /// The law of the pressure.
@@ -178,17 +180,16 @@ impl Interaction {
     }
 
     pub(super) fn friction_formula(&self) -> Option<&'static str> {
-        self.friction.map(|_| ReturnMap::SPEC.id)
+        self.friction.map(|_| Response::SPEC.id)
     }
 
     /// The shear stress S12 under the pressure `p` after the slip increment `slip`, from the shear stress `s12` before.
     ///
-    /// The trial `s12 + stiffness·slip` is what would be transmitted if the contact stuck; the return map ([`ReturnMap`])
-    /// takes it back to μ p. Nothing is transmitted where the pressure does not push.
+    /// It is that of [`Response`]; nothing is transmitted where the pressure does not push.
     pub fn shear<D: Scalar>(&self, s12: D, slip: D, p: D) -> D {
-        let Some(Frictional { mu, stiffness }) = self.friction.filter(|_| p > 0.0) else {
+        let Some(Frictional { mu, k_stick }) = self.friction.filter(|_| p > 0.0) else {
             return D::zero();
         };
-        ReturnMap::eval(&Trial { f_trial: s12 + slip * stiffness, mu: mu.into(), r#fn: p }).f
+        Response::eval(&Sliding { du: slip, f_before: s12, k_stick: k_stick.into(), mu: mu.into(), r#fn: p }).f
     }
 }

@@ -14,9 +14,9 @@ mod shape;
 #[cfg(all(test, feature = "verify"))]
 mod tests;
 
+use crate::contact::coulomb::{Response, Sliding};
 use crate::contact::interaction::{ExponentialContact, LinearContact, PressureExponential, PressureLinear};
 use crate::element::chain::{Term, chain};
-use crate::element::slide_line::friction::{self, Rubbing};
 use crate::formula::check;
 use crate::formula::error::Error;
 use crate::number::scalar::Scalar;
@@ -46,7 +46,7 @@ pub struct LineContact {
     /// The pressure.
     pub law: PressureLaw,
     /// Shear stress per slip while it sticks, > 0.
-    pub k_el: f64,
+    pub k_stick: f64,
     /// Friction coefficient, ≥ 0.
     pub mu: f64,
 }
@@ -104,7 +104,7 @@ impl<D: Scalar, const N: usize> OnLine<D, N> {
 /// let washer = [place(1.0, 0.0), place(5.0, 0.0)];
 /// // A ring presses from above by 1/8, and has been dragged along by 1/4.
 /// let ring = OnLine { nodes: [place(2.25, -0.125), place(2.75, -0.125)], segments: [washer; 2] };
-/// let contact = LineContact { law: PressureLaw::Linear { k: 1000.0 }, k_el: 5000.0, mu: 0.25 };
+/// let contact = LineContact { law: PressureLaw::Linear { k: 1000.0 }, k_stick: 5000.0, mu: 0.25 };
 /// let before = [SlaveState { g: -0.5, s12: 0.0 }, SlaveState { g: -0.25, s12: 0.0 }];
 /// let found = Isl21a(contact).newton(&ring, &before)?;
 /// assert_eq!((found.pressures[0], found.after[0].s12), (125.0, 31.25)); // it slips: 0.25 × 125
@@ -167,8 +167,8 @@ impl LineContact {
                 check::<PressureExponential>(&ExponentialContact { h: 0.0, c0, p0 })?;
             }
         }
-        let Self { k_el, mu, .. } = *self;
-        check::<friction::Response>(&Rubbing { s11: 0.0, dslip: 0.0, s12_before: 0.0, k_el, mu })
+        let Self { k_stick, mu, .. } = *self;
+        check::<Response>(&Sliding { du: 0.0, f_before: 0.0, k_stick, mu, r#fn: 0.0 })
     }
 
     fn contribution<S: Shape<N>, D: Scalar, const N: usize, const K: usize>(
@@ -187,9 +187,13 @@ impl LineContact {
                 return SlaveState { g: foot.g.value, s12: D::zero() };
             }
             let s11 = self.pressure(-foot.separation);
-            let [k_el, mu] = [self.k_el, self.mu].map(|x| Term::constant(D::from(x)));
-            let (dslip, s12_before) = (S::way(nodes[slave], segment, before.g, foot.g), Term::constant(before.s12));
-            let s12 = chain::<friction::Response, _, K>(&Rubbing { s11, dslip, s12_before, k_el, mu }).s12;
+            let [k_stick, mu] = [self.k_stick, self.mu].map(|x| Term::constant(D::from(x)));
+            let (du, f_before) = (S::way(nodes[slave], segment, before.g, foot.g), Term::constant(before.s12));
+            let s12 = if s11.value > 0.0 {
+                chain::<Response, _, K>(&Sliding { du, f_before, k_stick, mu, r#fn: s11 }).f
+            } else {
+                zero
+            };
             let (on_slave, on_line) = S::forces(segment, foot.g, [areas[slave], s11, s12]);
             let mut add = |node: usize, force: Vector2<Term<D, K>>| {
                 for axis in 0..2 {

@@ -4,11 +4,11 @@
 pub(super) mod proof;
 
 use super::{Contribution, Element, FORCES, Nodes, Parameters, UNKNOWNS};
-use crate::connector::slot::{Constraint, RelativePosition, Residuals, SlotPositions};
+use crate::connector::slot::{Constraint, Friction, RelativePosition, Residuals, SlotLoads, SlotPositions};
+use crate::contact::coulomb::{Response, Sliding};
 use crate::element::join;
-use crate::element::slot_friction::{Response, SlotSliding};
 use crate::fields;
-use crate::formula::quantity::{F2, F3, FC_INT, K_EL, MU, U_SLIP, X0, Y0, Z0};
+use crate::formula::quantity::{F1, F2, F3, FC_INT, K_STICK, MU, U1, X0, Y0, Z0};
 use crate::formula::{Component, Document, Field, Fields, Formula, Spec};
 use crate::number::scalar::Scalar;
 use nalgebra::{SVector, Vector2};
@@ -26,17 +26,21 @@ fields! {
 }
 fields! {
     /// How b rubs in the slot.
-    pub struct SlotContact<T> { k_el: T = K_EL, fc_int: T = FC_INT, mu: T = MU }
+    pub struct SlotContact<T> { k_stick: T = K_STICK, fc_int: T = FC_INT, mu: T = MU }
 }
 fields! {
-    /// The motion along the slot at which the friction force would be 0: at the start, 0.
-    pub struct Slipped<T> { slip: T = U_SLIP }
+    /// The motion along the slot, and the friction force: both are 0 at the start.
+    pub struct SlotState<T> { u1: T = U1, f1: T = F1 }
 }
 
-impl<T: Component> SlotContact<T> {
-    const fn sliding(&self, u1: T, slip_before: T, [f2, f3]: [T; 2]) -> SlotSliding<T> {
-        let Self { k_el, fc_int, mu } = *self;
-        SlotSliding { u1, slip_before, k_el, f2, f3, fc_int, mu }
+impl<D: Scalar> SlotContact<D> {
+    /// The friction force after a motion, with its derivatives with respect to u1, f2 and f3.
+    pub(super) fn rub(&self, u1: D, before: &SlotState<D>, [f2, f3]: [D; 2]) -> (D, [D; 3]) {
+        let Self { k_stick, fc_int, mu } = *self;
+        let (friction, by_loads) = Friction::linearized(&SlotLoads { f1: D::zero(), f2, f3, fc_int, mu });
+        let increment = Sliding { du: u1 - before.u1, f_before: before.f1, k_stick, mu, r#fn: friction.r#fn };
+        let (slid, by) = Response::linearized(&increment);
+        (slid.f, [by.f.du, by.f.r#fn * by_loads.r#fn.f2, by.f.r#fn * by_loads.r#fn.f3])
     }
 }
 
@@ -54,7 +58,7 @@ impl Element<2> for Slot {
     type Nodes<T: Component> = Nodes<T>;
     type Start<T: Component> = SlotStart<T>;
     type Contact<T: Component> = SlotContact<T>;
-    type State<T: Component> = Slipped<T>;
+    type State<T: Component> = SlotState<T>;
 
     fn moved<D: Scalar>(nodes: &Nodes<D>, motions: &SVector<D, 12>) -> Nodes<D> {
         nodes.moved(motions)
@@ -64,8 +68,8 @@ impl Element<2> for Slot {
         nodes: &Nodes<D>,
         multipliers: &Vector2<D>,
         parameters: &SlotElement<D>,
-        before: &Slipped<D>,
-    ) -> (Contribution<D, 2>, Slipped<D>) {
+        before: &SlotState<D>,
+    ) -> (Contribution<D, 2>, SlotState<D>) {
         let (positions, [f2, f3]) = (nodes.positions(), *multipliers.as_ref());
         let (Nodes { e2a, e3a, xa, xb, .. }, SlotStart { x0, y0, z0 }) = (*nodes, parameters.start);
         let Residuals { gy, gz } = Constraint::eval(&SlotPositions { e2a, e3a, xa, xb, y0, z0 });
@@ -73,18 +77,16 @@ impl Element<2> for Slot {
         let (along, rows) = (all.row(0).transpose(), all.fixed_rows::<2>(1).into_owned());
 
         let u1 = RelativePosition::eval(&positions).x - x0;
-        let rubbed =
-            parameters.contact.map(|contact| Response::linearized(&contact.sliding(u1, before.slip, [f2, f3])));
-        let friction = rubbed.map_or(D::zero(), |(value, _)| value.f1);
-        let loads = nodes.join_loads([-friction, f2, f3]);
+        let rubbed = parameters.contact.map(|contact| contact.rub(u1, before, [f2, f3]));
+        let loads = nodes.join_loads([rubbed.map_or(D::zero(), |(f1, _)| -f1), f2, f3]);
         let mut found = Contribution::smooth(
             Vector2::new(gy, gz),
             rows,
             join::Forces::eval(&loads).vector(),
             join::GeometricStiffness::eval(&loads).matrix(),
         );
-        let Some((value, by)) = rubbed else { return (found, *before) };
-        found.follow_friction(&along, &(along * by.f1.u1), &Vector2::new(by.f1.f2, by.f1.f3));
-        (found, Slipped { slip: value.slip })
+        let Some((f1, [by_u1, by_f2, by_f3])) = rubbed else { return (found, *before) };
+        found.follow_friction(&along, &(along * by_u1), &Vector2::new(by_f2, by_f3));
+        (found, SlotState { u1, f1 })
     }
 }

@@ -3,9 +3,8 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::{Contribution, Element, Parameters, Slipped, SlotContact};
+use super::{Contribution, Element, Parameters, SlotContact, SlotState};
 use crate::connector::slot::{Constraint2d, Residual2d, SlotPositions2d};
-use crate::element::slot_friction::{Response2d, SlotSliding2d};
 use crate::element::slot_plane::{Forces, GeometricStiffness, PlaneLoads, PlanePlaces, Rows};
 use crate::fields;
 use crate::formula::quantity::{
@@ -26,13 +25,6 @@ pub type SlotElement2d<D = f64> = Parameters<Slot2d, D, 1, 6>;
 fields! {
     /// The components of x_b − x_a along and across the slot at the start.
     pub struct SlotStart2d<T> { x0: T = X0, y0: T = Y0 }
-}
-
-impl<T: Component> SlotContact<T> {
-    const fn sliding_2d(&self, u1: T, slip_before: T, f2: T) -> SlotSliding2d<T> {
-        let Self { k_el, fc_int, mu } = *self;
-        SlotSliding2d { u1, slip_before, k_el, f2, fc_int, mu }
-    }
 }
 
 /// Of a force along an axis of a.
@@ -65,7 +57,7 @@ impl Element<1, 6> for Slot2d {
     type Nodes<T: Component> = PlanePlaces<T>;
     type Start<T: Component> = SlotStart2d<T>;
     type Contact<T: Component> = SlotContact<T>;
-    type State<T: Component> = Slipped<T>;
+    type State<T: Component> = SlotState<T>;
 
     fn moved<D: Scalar>(nodes: &PlanePlaces<D>, motions: &Vector6<D>) -> PlanePlaces<D> {
         let (PlanePlaces { e2a, xa, xb }, spin) = (*nodes, motions[2]);
@@ -80,8 +72,8 @@ impl Element<1, 6> for Slot2d {
         nodes: &PlanePlaces<D>,
         multiplier: &Vector1<D>,
         parameters: &SlotElement2d<D>,
-        before: &Slipped<D>,
-    ) -> (Contribution<D, 1, 6>, Slipped<D>) {
+        before: &SlotState<D>,
+    ) -> (Contribution<D, 1, 6>, SlotState<D>) {
         let (PlanePlaces { e2a, xa, xb }, SlotStart2d { x0, y0 }) = (*nodes, parameters.start);
         let across = loads(nodes, multiplier.x);
         let mut found = Contribution::smooth(
@@ -95,11 +87,11 @@ impl Element<1, 6> for Slot2d {
         // What holds across the slot holds along it: e1a is e2a turned by 90° to the right.
         let slot = PlanePlaces { e2a: Vector2::new(e2a.y, -e2a.x), ..*nodes };
         let u1 = slot.e2a.dot(&(xb - xa)) - x0;
-        let (value, by) = Response2d::linearized(&contact.sliding_2d(u1, before.slip, multiplier.x));
-        let (rubbing, row) = (loads(&slot, -value.f1), Rows::eval(&slot).vector());
+        let (f1, [by_u1, by_f2, _]) = contact.rub(u1, before, [multiplier.x, D::zero()]);
+        let (rubbing, row) = (loads(&slot, -f1), Rows::eval(&slot).vector());
         found.forces += Forces::eval(&rubbing).vector();
         found.stiffness += GeometricStiffness::eval(&rubbing).matrix();
-        found.follow_friction(&row, &(row * by.f1.u1), &Vector1::new(by.f1.f2));
-        (found, Slipped { slip: value.slip })
+        found.follow_friction(&row, &(row * by_u1), &Vector1::new(by_f2));
+        (found, SlotState { u1, f1 })
     }
 }

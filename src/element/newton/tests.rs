@@ -1,7 +1,7 @@
 //! What the audit of elements does not look at: terms in velocities, penalties, other unknowns, and the convergence of SLIDER.
 
 use super::{
-    Contribution, Nodes, Nothing, Parameters, Slipped, SlotContact, SlotElement, SlotStart, TranslatorElement,
+    Contribution, Nodes, Nothing, Parameters, SlotContact, SlotElement, SlotStart, SlotState, TranslatorElement,
     TranslatorStart, UJointContact, UJointElement, UJointStart, UJointState,
 };
 use crate::Octuple;
@@ -99,20 +99,21 @@ fn the_velocity_term_is_what_residuals_do_without_acceleration() {
 #[test]
 fn with_penalties_the_stiffness_is_the_derivative_of_the_forces() {
     fn rubbing<D: Scalar>() -> SlotElement<D> {
-        slot(Some(SlotContact { k_el: 1e3.into(), fc_int: 1.0.into(), mu: 0.25.into() }))
+        slot(Some(SlotContact { k_stick: 1e3.into(), fc_int: 1.0.into(), mu: 0.25.into() }))
     }
     let exact = |numbers: [f64; 2]| SVector::from(numbers.map(Octuple::from));
-    let (multipliers, penalties, slip) = (exact([3.0, -4.0]), exact([100.0, 300.0]), Octuple::from(0.5));
-    let (found, _) = rubbing().penalised(&nodes(), &multipliers, &penalties, &Slipped { slip });
+    let (multipliers, penalties) = (exact([3.0, -4.0]), exact([100.0, 300.0]));
+    let before = SlotState { u1: Octuple::from(0.5), f1: Octuple::from(-0.25) };
+    let (found, _) = rubbing().penalised(&nodes(), &multipliers, &penalties, &before);
     for (k, motion) in Motion::alone().iter().flatten().enumerate() {
-        let (multipliers, penalties, before) =
-            (multipliers.map(still), penalties.map(still), Slipped { slip: still(slip) });
+        let (multipliers, penalties) = (multipliers.map(still), penalties.map(still));
+        let before = SlotState { u1: still(before.u1), f1: still(before.f1) };
         let (moved, _) = rubbing().penalised(&moving(&nodes(), motion), &multipliers, &penalties, &before);
         for (force, &entry) in moved.forces.iter().zip(&found.stiffness.column(k)) {
             assert!((force.eps - entry).to_f64().abs() < 1e-55);
         }
     }
-    let residuals = rubbing().contribution(&nodes(), &multipliers, &Slipped { slip }).0.residuals;
+    let residuals = rubbing().contribution(&nodes(), &multipliers, &before).0.residuals;
     assert_eq!(found.multipliers, multipliers - penalties.component_mul(&residuals));
 }
 
@@ -202,7 +203,7 @@ fn by_rotation_vectors_the_stiffness_without_friction_is_symmetric() {
     let (found, _) = translator().contribution(
         &Nodes::new(turned, [nodes().xa, nodes().xb]),
         &SVector::from([3.0, -4.0, 2.0, -1.0, 0.5]).map(Octuple::from),
-        &Slipped::filled(Octuple::from(0.0)),
+        &SlotState::filled(Octuple::from(0.0)),
     );
     let asymmetry =
         |k: SMatrix<Octuple, 12, 12>| (k - k.transpose()).iter().map(|x| x.to_f64().abs()).fold(0.0, f64::max);
@@ -214,7 +215,7 @@ fn by_rotation_vectors_the_stiffness_without_friction_is_symmetric() {
 #[test]
 fn the_symmetric_stiffness_adds_half_of_the_moments() {
     let multipliers = SVector::from([3.0, -4.0, 2.0, -1.0, 0.5]).map(Octuple::from);
-    let (found, _) = translator().contribution(&nodes(), &multipliers, &Slipped::filled(Octuple::from(0.0)));
+    let (found, _) = translator().contribution(&nodes(), &multipliers, &SlotState::filled(Octuple::from(0.0)));
     let mut expected = found.stiffness;
     for spin in [3, 9] {
         let moment: Vector3<Octuple> = found.forces.fixed_rows::<3>(spin).into_owned();

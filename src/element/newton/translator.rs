@@ -3,17 +3,17 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use super::{Contribution, Element, FORCES, Nodes, Parameters, Slipped, UNKNOWNS, align as aligned, by_spins};
+use super::{Contribution, Element, FORCES, Nodes, Parameters, SlotState, UNKNOWNS, align as aligned, by_spins};
 use crate::connector::align::Orientations;
 use crate::connector::cardan::Angles;
 use crate::connector::slot::{RelativePosition, SlotPositions};
-use crate::connector::translator::{AllResiduals, Constraint, Placement};
+use crate::connector::translator::{AllResiduals, Constraint, Friction, FrictionLoads, Placement};
+use crate::contact::coulomb::{Response, Sliding};
 use crate::element::align::{self, AlignLoads, AlignRows};
-use crate::element::translator_friction::{Response, TranslatorSliding};
 use crate::element::{Rows, join};
 use crate::fields;
 use crate::formula::error::Error;
-use crate::formula::quantity::{ALPHA0, BETA0, F2, F3, FC_INT, GAMMA0, K_EL, L_OVERLAP, MU, RR, X0, Y0, Z0};
+use crate::formula::quantity::{ALPHA0, BETA0, F2, F3, FC_INT, GAMMA0, K_STICK, L_OVERLAP, MU, RR, X0, Y0, Z0};
 use crate::formula::{Component, Document, Field, Fields, Formula, Spec};
 use crate::number::scalar::Scalar;
 use nalgebra::{SVector, Vector3};
@@ -34,14 +34,20 @@ fields! {
 fields! {
     /// How b rubs in the slot: a radius of 0 ignores the torque, a length of 0 bending.
     pub struct TranslatorContact<T> {
-        k_el: T = K_EL, rr: T = RR, l: T = L_OVERLAP, fc_int: T = FC_INT, mu: T = MU,
+        k_stick: T = K_STICK, rr: T = RR, l: T = L_OVERLAP, fc_int: T = FC_INT, mu: T = MU,
     }
 }
 
-impl<T: Component> TranslatorContact<T> {
-    fn sliding(&self, u1: T, slip_before: T, [f2, f3]: [T; 2], [m1, m2, m3]: [T; 3]) -> TranslatorSliding<T> {
-        let Self { k_el, rr, l, fc_int, mu } = *self;
-        TranslatorSliding { u1, slip_before, k_el, f2, f3, m1, m2, m3, rr, l, fc_int, mu }
+impl<D: Scalar> TranslatorContact<D> {
+    /// The friction force after a motion, with its derivatives with respect to u1, and to f2, f3, m1, m2 and m3.
+    fn rub(&self, u1: D, before: &SlotState<D>, [f2, f3]: [D; 2], [m1, m2, m3]: [D; 3]) -> (D, D, [D; 5]) {
+        let Self { k_stick, rr, l, fc_int, mu } = *self;
+        let loads = FrictionLoads { f1: D::zero(), f2, f3, m1, m2, m3, rr, l, fc_int, mu };
+        let (friction, by_loads) = Friction::linearized(&loads);
+        let increment = Sliding { du: u1 - before.u1, f_before: before.f1, k_stick, mu, r#fn: friction.r#fn };
+        let (slid, by) = Response::linearized(&increment);
+        let FrictionLoads { f2, f3, m1, m2, m3, .. } = by_loads.r#fn;
+        (slid.f, by.f.du, [f2, f3, m1, m2, m3].map(|x| by.f.r#fn * x))
     }
 }
 
@@ -75,7 +81,7 @@ impl Element<5> for Translator {
     type Nodes<T: Component> = Nodes<T>;
     type Start<T: Component> = TranslatorStart<T>;
     type Contact<T: Component> = TranslatorContact<T>;
-    type State<T: Component> = Slipped<T>;
+    type State<T: Component> = SlotState<T>;
 
     fn moved<D: Scalar>(nodes: &Nodes<D>, motions: &SVector<D, 12>) -> Nodes<D> {
         nodes.moved(motions)
@@ -89,8 +95,8 @@ impl Element<5> for Translator {
         nodes: &Nodes<D>,
         multipliers: &SVector<D, 5>,
         parameters: &TranslatorElement<D>,
-        before: &Slipped<D>,
-    ) -> (Contribution<D, 5>, Slipped<D>) {
+        before: &SlotState<D>,
+    ) -> (Contribution<D, 5>, SlotState<D>) {
         let (positions, triads) = (nodes.positions(), nodes.triads());
         let [f2, f3, l1, l2, l3] = multipliers.data.0[0];
         let AllResiduals { gy, gz, ur1, ur2, ur3 } = Constraint::eval(&parameters.start.placement(nodes));
@@ -107,28 +113,26 @@ impl Element<5> for Translator {
         let [_, e2a, e3a] = nodes.a();
         let along_axes = [l1, e2a.dot(&moments.mb), e3a.dot(&moments.mb)];
         let u1 = RelativePosition::eval(&positions).x - parameters.start.x0;
-        let sliding = |contact: TranslatorContact<D>| contact.sliding(u1, before.slip, [f2, f3], along_axes);
-        let rubbed = parameters.contact.map(|contact| Response::linearized(&sliding(contact)));
-        let friction = rubbed.map_or(D::zero(), |(value, _)| value.f1);
-        let loads = nodes.join_loads([-friction, f2, f3]);
+        let rubbed = parameters.contact.map(|contact| contact.rub(u1, before, [f2, f3], along_axes));
+        let loads = nodes.join_loads([rubbed.map_or(D::zero(), |(f1, ..)| -f1), f2, f3]);
         let mut found = Contribution::smooth(
             SVector::from([gy, gz, ur1, ur2, ur3]),
             rows,
             join::Forces::eval(&loads).vector() + moments.vector(),
             join::GeometricStiffness::eval(&loads).matrix() + k_align.matrix(),
         );
-        let Some((value, by)) = rubbed else { return (found, *before) };
+        let Some((f1, by_u1, [by_f2, by_f3, by_m1, by_m2, by_m3])) = rubbed else { return (found, *before) };
         // The other moments change with m_b, and with the axes as a turns.
-        let pressing: Vector3<D> = e2a * by.f1.m2 + e3a * by.f1.m3;
+        let pressing: Vector3<D> = e2a * by_m2 + e3a * by_m3;
         let by_ta = pressing.cross(&moments.mb) - k_align.k_tb_tb * pressing;
         let by_tb = k_align.k_tb_tb.transpose() * pressing;
         let along = join_rows.row(0).transpose();
         let [r1, r2, r3] = [ur1_tb, ur2_tb, ur3_tb].map(|row| pressing.dot(&row));
         found.follow_friction(
             &along,
-            &(along * by.f1.u1 + by_spins(by_ta, by_tb)),
-            &SVector::from([by.f1.f2, by.f1.f3, r1 + by.f1.m1, r2, r3]),
+            &(along * by_u1 + by_spins(by_ta, by_tb)),
+            &SVector::from([by_f2, by_f3, r1 + by_m1, r2, r3]),
         );
-        (found, Slipped { slip: value.slip })
+        (found, SlotState { u1, f1 })
     }
 }

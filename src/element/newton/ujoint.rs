@@ -8,18 +8,21 @@ mod proof;
 
 use super::{Contribution, Element, FORCES, Nodes, Parameters, UNKNOWNS, by_spins};
 use crate::connector::cardan::nearest;
-use crate::connector::ujoint::{Constraint, Cross, CrossAxes, JointResiduals, Jointed};
+use crate::connector::ujoint::{
+    AllContactMoments, Constraint, ContactMomentPair, ContactMoments, Cross, CrossAxes, JointLoads, JointResiduals,
+    Jointed, NormalMoments,
+};
 use crate::connector::universal::{Angles, Turns};
+use crate::contact::coulomb::{Response, Sliding};
 use crate::element::align::{self, AlignLoads};
 use crate::element::join::{self, JoinForces};
-use crate::element::ujoint_friction::{CrossSlid, CrossSliding, Response};
 use crate::element::universal::{self, UniversalLoads};
 use crate::element::{Forces, NodalForces, Rows};
 use crate::fields;
 use crate::formula::error::Error;
 use crate::formula::quantity::{
-    ALPHA0, C0, D0, F2, F3, GAMMA0, JOIN_F1, K_EL_R1, K_EL_R3, LA, LAMBDA_ROT, LS, MC1_INT, MC3_INT, MU, RA, RP, TURN1,
-    TURN1_SLIP, TURN3, TURN3_SLIP,
+    ALPHA0, C0, CROSS_M1, CROSS_M3, D0, F2, F3, GAMMA0, JOIN_F1, K_STICK_R1, K_STICK_R3, LA, LAMBDA_ROT, LS, MC1_INT,
+    MC3_INT, MU, RA, RP, TURN1, TURN3,
 };
 use crate::formula::{Component, Document, Field, Fields, Formula, Spec};
 use crate::number::scalar::Scalar;
@@ -39,59 +42,52 @@ fields! {
 fields! {
     /// How the hinges of the cross rub.
     pub struct UJointContact<T> {
-        k_el1: T = K_EL_R1, k_el3: T = K_EL_R3, rp: T = RP, la: T = LA, ra: T = RA, ls: T = LS,
+        k_stick1: T = K_STICK_R1, k_stick3: T = K_STICK_R3, rp: T = RP, la: T = LA, ra: T = RA, ls: T = LS,
         mc1_int: T = MC1_INT, mc3_int: T = MC3_INT, mu: T = MU,
     }
 }
 fields! {
-    /// The turns at which the friction moments would be 0, and by how much α and γ have grown since the start, followed beyond half
-    /// a turn. At the start all are 0.
-    pub struct UJointState<T> { slip1: T = TURN1_SLIP, slip3: T = TURN3_SLIP, ur1: T = TURN1, ur3: T = TURN3 }
+    /// By how much α and γ have grown since the start, followed beyond half a turn, and the friction moments: at the start all are 0.
+    pub struct UJointState<T> { ur1: T = TURN1, ur3: T = TURN3, m1: T = CROSS_M1, m3: T = CROSS_M3 }
 }
 
 impl UJointContact<f64> {
     /// Hinges that rub as those of this cross, and what they resist while they stick, in moment per radian.
-    pub const fn new(cross: Cross, [k_el1, k_el3]: [f64; 2]) -> Self {
+    pub const fn new(cross: Cross, [k_stick1, k_stick3]: [f64; 2]) -> Self {
         let Cross { rp, la, ra, ls, mu, mc1_int, mc3_int } = cross;
-        Self { k_el1, k_el3, rp, la, ra, ls, mc1_int, mc3_int, mu }
+        Self { k_stick1, k_stick3, rp, la, ra, ls, mc1_int, mc3_int, mu }
     }
 }
 
-impl<T: Component> UJointContact<T> {
-    /// Turned so far, after these slips.
-    fn sliding(
+/// Loads that press in the hinges, as a gradient, and how a friction moment changes with its own turn.
+struct Rubbed<D> {
+    moment: D,
+    by_turn: D,
+    by_loads: JointLoads<D>,
+}
+
+impl<D: Scalar> UJointContact<D> {
+    /// The friction moments about both axes of the cross after turns.
+    fn rub(
         &self,
-        nodes: &Nodes<T>,
-        [f1, f2, f3, m2]: [T; 4],
-        turned: [T; 2],
-        before: &UJointState<T>,
-    ) -> CrossSliding<T> {
-        let (Nodes { e1a, e2a, e3a, e3b, .. }, [ur1, ur3]) = (*nodes, turned);
-        let Self { k_el1, k_el3, rp, la, ra, ls, mc1_int, mc3_int, mu } = *self;
-        let UJointState { slip1: slip1_before, slip3: slip3_before, .. } = *before;
-        CrossSliding {
-            ur1,
-            ur3,
-            slip1_before,
-            slip3_before,
-            k_el1,
-            k_el3,
-            e1a,
-            e2a,
-            e3a,
-            e3b,
-            f1,
-            f2,
-            f3,
-            m2,
-            rp,
-            la,
-            ra,
-            ls,
-            mc1_int,
-            mc3_int,
-            mu,
-        }
+        nodes: &Nodes<D>,
+        [f1, f2, f3, m2]: [D; 4],
+        [ur1, ur3]: [D; 2],
+        before: &UJointState<D>,
+    ) -> [Rubbed<D>; 2] {
+        let Nodes { e1a, e2a, e3a, e3b, .. } = *nodes;
+        let Self { k_stick1, k_stick3, rp, la, ra, ls, mc1_int, mc3_int, mu } = *self;
+        let loads = JointLoads { e1a, e2a, e3a, e3b, f1, f2, f3, m2, rp, la, ra, ls };
+        let (ContactMomentPair { mc1, mc3 }, contact) = ContactMoments::linearized(&loads);
+        let (normal, by_contact) = NormalMoments::linearized(&AllContactMoments { mc1, mc3, mc1_int, mc3_int });
+        let about = |du, f_before, k_stick, r#fn, by_contact, contact: JointLoads<D>| {
+            let (slid, by) = Response::linearized(&Sliding { du, f_before, k_stick, mu, r#fn });
+            Rubbed { moment: slid.f, by_turn: by.f.du, by_loads: contact.times(by.f.r#fn * by_contact) }
+        };
+        [
+            about(ur1 - before.ur1, before.m1, k_stick1, normal.mn1, by_contact.mn1.mc1, contact.mc1),
+            about(ur3 - before.ur3, before.m3, k_stick3, normal.mn3, by_contact.mn3.mc3, contact.mc3),
+        ]
     }
 }
 
@@ -163,8 +159,8 @@ impl Element<4> for UJoint {
         let sine = e1a.dot(&e3b);
         let cosine = ((D::one() - sine) * (D::one() + sine)).sqrt();
         let (turned, m2) = (turned(nodes, &parameters.start, before), lambda_rot * cosine);
-        let sliding = contact.sliding(nodes, [f1, f2, f3, m2], turned, before);
-        let (CrossSlid { m1, m3, slip1, slip3 }, by) = Response::linearized(&sliding);
+        let rubbed = contact.rub(nodes, [f1, f2, f3, m2], turned, before);
+        let [m1, m3] = [rubbed[0].moment, rubbed[1].moment];
 
         let triads = nodes.triads();
         let rubbing = AlignLoads::new(&triads, [-m1, D::zero(), -m3]);
@@ -172,15 +168,15 @@ impl Element<4> for UJoint {
         found.stiffness += align::GeometricStiffness::eval(&rubbing).matrix();
         let rows_of_angles = align::Rows::eval(&triads);
         let by_m2 = rows.row(3).transpose() * (-(lambda_rot * sine) / cosine);
-        let mut follow = |row: Vector3<D>, by: CrossSliding<D>, by_turn: D| {
+        let mut follow = |row: Vector3<D>, Rubbed { by_turn, by_loads: by, .. }: &Rubbed<D>| {
             let row: Forces<D> = by_spins(-row, row);
             let by_ta = e1a.cross(&by.e1a) + e2a.cross(&by.e2a) + e3a.cross(&by.e3a);
-            let by_motions = row * by_turn + by_spins(by_ta, e3b.cross(&by.e3b)) + by_m2 * by.m2;
+            let by_motions = row * *by_turn + by_spins(by_ta, e3b.cross(&by.e3b)) + by_m2 * by.m2;
             found.follow_friction(&row, &by_motions, &Vector4::new(by.f1, by.f2, by.f3, by.m2 * cosine));
         };
-        follow(rows_of_angles.ur1_tb, by.m1, by.m1.ur1);
-        follow(rows_of_angles.ur3_tb, by.m3, by.m3.ur3);
+        follow(rows_of_angles.ur1_tb, &rubbed[0]);
+        follow(rows_of_angles.ur3_tb, &rubbed[1]);
         let [ur1, ur3] = turned;
-        (found, UJointState { slip1, slip3, ur1, ur3 })
+        (found, UJointState { ur1, ur3, m1, m3 })
     }
 }

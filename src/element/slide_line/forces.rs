@@ -50,13 +50,6 @@ fn acting<D: Scalar, const N: usize>(spot: &Spot<D, N>, [area, s11, s12]: [D; 3]
     (fs, spot.weights.map(|weight| fs * -weight))
 }
 
-/// How the force on the slave point changes with area, S11 and S12.
-#[inline(always)]
-pub(super) fn by_loads<D: Scalar, const N: usize>(spot: &Spot<D, N>, [area, s11, s12]: [D; 3]) -> [Vector2<D>; 3] {
-    let Spot { t, n, .. } = *spot;
-    [n * s11 - t * s12, n * area, t * -area]
-}
-
 /// What contact on a straight segment exerts: pressure along n and shear against t, times the area, shared out by the weights.
 #[derive(Clone, Copy, Debug)]
 pub struct Linear;

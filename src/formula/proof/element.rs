@@ -114,14 +114,14 @@ pub(crate) const fn inputs<E: Element<M, DOFS>, const M: usize, const DOFS: usiz
 /// A friction, and the free motion that it works against.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rubbed<D> {
-    /// How far it has moved.
+    /// How far it has moved in the step.
     pub motion: D,
-    /// The friction.
-    pub force: D,
+    /// The friction before the step and after it.
+    pub force: [D; 2],
+    /// The stiffness in stick.
+    pub k_stick: D,
     /// The yield function of the document, ≤ 0.
     pub phi: D,
-    /// The motion at which the friction would be 0, before the step and after it.
-    pub slip: [D; 2],
 }
 
 /// The evidence for an element.

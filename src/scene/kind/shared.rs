@@ -2,9 +2,9 @@
 
 use super::table::{Fallback, Origin, Use, When, always, renamed};
 use crate::connector::slot::{ConstraintForce, KineticForce, NormalForce, Stop};
-use crate::contact::coulomb::{ReturnMap, Yield};
+use crate::contact::coulomb::{Response, Yield};
 use crate::formula::quantity::{Domain, Quantity, Unit};
-use crate::scene::rules::{Kinetic, Slip, Stick, Traction, scalar};
+use crate::scene::rules::{Accumulated, Increment, Kinetic, Traction, scalar};
 use Fallback::{As, Number, Required};
 use Origin::{Axis, Before, Initial, Load, Parameter, Position, Zero};
 
@@ -42,9 +42,8 @@ pub(super) const STOP: [Use; 3] = [
 ];
 const STOPS: &[&str] = &["l1_min", "l1_max"];
 pub(super) const NORMAL: Use = always(&NormalForce);
-pub(super) const TRIAL: Use = always(&Stick);
-pub(super) const RETURN_MAP: Use = renamed(&ReturnMap, &[("f", "csf")]);
-pub(super) const SLIP: Use = always(&Slip);
+/// Friction after an increment of motion, and what has slipped so far.
+pub(super) const SLIDING: [Use; 3] = [always(&Increment), renamed(&Response, &[("f", "csf")]), always(&Accumulated)];
 pub(super) const CONSTRAINT_FORCE: Use = renamed(&ConstraintForce, &[("f", "rf")]);
 
 /// Where there is friction, what depends on it follows the friction force that was found; where μ is 0 there is none, and

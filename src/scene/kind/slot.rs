@@ -2,8 +2,8 @@
 
 use super::dimension::Dimension;
 use super::shared::{
-    CONSTRAINT_FORCE, CSF1, FORCES, FRICTION, INITIAL, KINETIC_FORCE, LENGTHS, NODES, NORMAL, ORDERED_LENGTHS,
-    RETURN_MAP, SLIP, STOP, TRIAL, YIELD,
+    CONSTRAINT_FORCE, CSF1, FORCES, FRICTION, INITIAL, KINETIC_FORCE, LENGTHS, NODES, NORMAL, ORDERED_LENGTHS, SLIDING,
+    STOP, YIELD,
 };
 use super::table::{Kind, Origin, Use, always};
 use crate::connector::slot;
@@ -21,9 +21,9 @@ pub(super) const RUBBING: &[Use] = &[
     YIELD[0],
     YIELD[1],
     YIELD[2],
-    TRIAL,
-    RETURN_MAP,
-    SLIP,
+    SLIDING[0],
+    SLIDING[1],
+    SLIDING[2],
 ];
 
 pub(super) type Outputs = &'static [(&'static str, &'static str)];

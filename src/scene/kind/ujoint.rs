@@ -7,36 +7,24 @@ use super::parts::{
 use super::shared::{FORCES, MOMENTS, NODES, SECOND_TRIAD, WITH_FRICTION, WITHOUT_FRICTION};
 use super::table::{Fallback, Kind, Origin, Use, When, always, renamed};
 use crate::connector::{ujoint, universal};
-use crate::contact::coulomb::{ReturnMap, Yield};
+use crate::contact::coulomb::{Response, Yield};
 use crate::formula::quantity::{CROSS_M1, CROSS_M3, Domain, PHI1, PHI3, Quantity, TWIST_M2, Unit};
-use crate::scene::rules::{Kinetic, Slip, Stick, TURN_STICK, Traction, scalar};
+use crate::scene::rules::{Accumulated, Increment, Kinetic, TURN_STICK, Traction, scalar};
 use Fallback::{Number, Required};
 use Origin::{Before, Parameter, Zero};
 
 /// What friction about an axis is called in the formulas that all connectors share, and here: the first axis, the third.
 const TURN: [&[(&str, &str)]; 2] = [
-    &[("u1", "ur1"), ("u1_before", "ur1_before"), ("f_before", "m1_before"), ("f_trial", "m1_trial")],
-    &[("u1", "ur3"), ("u1_before", "ur3_before"), ("f_before", "m3_before"), ("f_trial", "m3_trial")],
+    &[("u1", "ur1"), ("u1_before", "ur1_before"), ("du", "dur1")],
+    &[("u1", "ur3"), ("u1_before", "ur3_before"), ("du", "dur3")],
 ];
-const MAP: [&[(&str, &str)]; 2] = [
-    &[("f_trial", "m1_trial"), ("fn", "mn1"), ("f", "csm1")],
-    &[("f_trial", "m3_trial"), ("fn", "mn3"), ("f", "csm3")],
+const RESPONSE: [&[(&str, &str)]; 2] = [
+    &[("du", "dur1"), ("f_before", "m1_before"), ("fn", "mn1"), ("f", "csm1"), ("slip", "slip1")],
+    &[("du", "dur3"), ("f_before", "m3_before"), ("fn", "mn3"), ("f", "csm3"), ("slip", "slip3")],
 ];
 const SLIP: [&[(&str, &str)]; 2] = [
-    &[
-        ("f_trial", "m1_trial"),
-        ("csf", "csm1"),
-        ("slip_before", "slip1_before"),
-        ("slip", "slip1"),
-        ("slip_total", "slip1_total"),
-    ],
-    &[
-        ("f_trial", "m3_trial"),
-        ("csf", "csm3"),
-        ("slip_before", "slip3_before"),
-        ("slip", "slip3"),
-        ("slip_total", "slip3_total"),
-    ],
+    &[("slip", "slip1"), ("slip_before", "slip1_before"), ("slip_total", "slip1_total")],
+    &[("slip", "slip3"), ("slip_before", "slip3_before"), ("slip_total", "slip3_total")],
 ];
 
 const CSM1: Quantity = scalar(
@@ -65,8 +53,6 @@ const SLIP1: Quantity = scalar(r"\Delta s_1", Unit::ONE, Domain::Real, "slip abo
 const SLIP3: Quantity = scalar(r"\Delta s_3", Unit::ONE, Domain::Real, "slip about e3b in this increment, 0 in stick");
 const TOTAL1: Quantity = scalar(r"s_1", Unit::ONE, Domain::NonNegative, "accumulated slip about e1a, never falling");
 const TOTAL3: Quantity = scalar(r"s_3", Unit::ONE, Domain::NonNegative, "accumulated slip about e3b, never falling");
-
-const STICK: [Use; 2] = [renamed(&Stick, TURN[0]), renamed(&Stick, TURN[1])];
 
 const STOPS: &[&str] = &["theta1_min", "theta1_max", "theta3_min", "theta3_max"];
 /// One stop, which stands for the other of its angle too; the other angle's are 0.
@@ -142,12 +128,12 @@ const RUBBING: &[Use] = &[
     renamed(&Traction, &[("csf", "csm3"), ("p", "p3")]).when(WITH_FRICTION),
     renamed(&Yield, &[("p", "p1"), ("fn", "mn1"), ("phi", "phi1")]),
     renamed(&Yield, &[("p", "p3"), ("fn", "mn3"), ("phi", "phi3")]),
-    STICK[0],
-    STICK[1],
-    renamed(&ReturnMap, MAP[0]),
-    renamed(&ReturnMap, MAP[1]),
-    renamed(&Slip, SLIP[0]),
-    renamed(&Slip, SLIP[1]),
+    renamed(&Increment, TURN[0]),
+    renamed(&Increment, TURN[1]),
+    renamed(&Response, RESPONSE[0]),
+    renamed(&Response, RESPONSE[1]),
+    renamed(&Accumulated, SLIP[0]),
+    renamed(&Accumulated, SLIP[1]),
 ];
 
 pub(super) const UJOINT: Kind = Kind {

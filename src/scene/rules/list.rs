@@ -1,16 +1,16 @@
 //! Every formula that scenes add to the documented ones.
 
 use super::{
-    Alignment, Bearing, Follow, Joining, KeptAxis, KeptAxis2d, Kinetic, PivotAxes, PivotAxis2d, Slip, Stick, Traction,
-    TurnedBack, Turns,
+    Accumulated, Alignment, Bearing, Follow, Increment, Joining, KeptAxis, KeptAxis2d, Kinetic, PivotAxes, PivotAxis2d,
+    Traction, TurnedBack, Turns,
 };
 use crate::catalog::AnyFormula;
 
 /// The formulas of this module.
 pub const RULES: &[&dyn AnyFormula] = &[
-    &Stick,
+    &Increment,
     &Follow,
-    &Slip,
+    &Accumulated,
     &Kinetic,
     &Traction,
     &Joining,

@@ -25,9 +25,9 @@ use crate::connector::slider::{Eliminate, Increment2d, Pivots, Pivots2d};
 use crate::fields;
 use crate::formula::error::Error;
 use crate::formula::quantity::{
-    Domain, E1A, E2A, E3A, F_TANGENTIAL, F_TRIAL, F2, F3, FORCE, JOIN_F1, P, Quantity, SLIDER_DXM, SLIDER_DXM_PLANE,
-    SLIDER_DXMK, SLIDER_X1, SLIDER_X1_PLANE, SLIDER_XM, SLIDER_XM_PLANE, SLIDER_XMK, SLIDER_XN, SLIDER_XN_PLANE, Shape,
-    U1, Unit,
+    DU, Domain, E1A, E2A, E3A, F_TANGENTIAL, F2, F3, FORCE, JOIN_F1, P, Quantity, SLIDER_DXM, SLIDER_DXM_PLANE,
+    SLIDER_DXMK, SLIDER_X1, SLIDER_X1_PLANE, SLIDER_XM, SLIDER_XM_PLANE, SLIDER_XMK, SLIDER_XN, SLIDER_XN_PLANE, SLIP,
+    Shape, U1, Unit,
 };
 use crate::formula::{Component, Document, Formula, Given, Jacobian, Spec, along};
 use crate::number::scalar::{Scalar, abs, sign};
@@ -42,14 +42,8 @@ pub(in crate::scene) const fn scalar(
     Quantity { latex, shape: Shape::Scalar, unit, domain, meaning }
 }
 
-/// Stick stiffness.
-pub const K_STICK: Quantity = scalar(r"k", Unit::new(-1, 1, 0), Domain::Positive, "stiffness in stick");
 /// Displacement at the start of the increment.
 pub const U1_BEFORE: Quantity = scalar(r"u_1^-", Unit::L, Domain::Real, "available displacement in the last state");
-/// Friction force at the start of the increment.
-pub const F_BEFORE: Quantity = scalar(r"f^-", Unit::F, Domain::Real, "friction force in the last state");
-/// Slip of the increment.
-pub const SLIP: Quantity = scalar(r"\Delta s", Unit::L, Domain::Real, "slip of this increment, 0 in stick");
 /// Accumulated slip.
 pub const TOTAL: Quantity = scalar(r"s", Unit::L, Domain::NonNegative, "accumulated slip, never falling");
 /// Accumulated slip at the start of the increment.
@@ -63,33 +57,26 @@ const fn spec(id: &'static str, title: &'static str, latex: &'static str) -> Spe
 }
 
 fields! {
-    /// Displacement now and before, force before, stiffness.
-    pub struct StickLoads<T> { u1: T = U1, u1_before: T = U1_BEFORE, f_before: T = F_BEFORE, k_stick: T = K_STICK }
+    /// Displacement now and in the last state.
+    pub struct Displaced<T> { u1: T = U1, u1_before: T = U1_BEFORE }
 }
 fields! {
-    /// Force if the contact stuck.
-    pub struct TrialForce<T> { f_trial: T = F_TRIAL }
+    /// Displacement since the last state.
+    pub struct Moved<T> { du: T = DU }
 }
 
-/// The friction force if the contact sticks over the increment: f_trial = f⁻ + k (u1 − u1⁻).
+/// The motion along a free direction since the last state: Δu = u1 − u1⁻.
 #[derive(Clone, Copy, Debug)]
-pub struct Stick;
+pub struct Increment;
 
-impl Formula for Stick {
-    const SPEC: Spec =
-        spec("scene.stick", "Trial force of an increment", r"f^{\mathrm{trial}} = f^- + k\,(u_1 - u_1^-)");
-    type Inputs<T: Component> = StickLoads<T>;
-    type Outputs<T: Component> = TrialForce<T>;
+impl Formula for Increment {
+    const SPEC: Spec = spec("scene.increment", "Motion of an increment", r"\Delta u = u_1 - u_1^-");
+    type Inputs<T: Component> = Displaced<T>;
+    type Outputs<T: Component> = Moved<T>;
 
     #[inline(always)]
-    fn eval<D: Scalar>(i: &StickLoads<D>) -> TrialForce<D> {
-        TrialForce { f_trial: i.f_before + i.k_stick * (i.u1 - i.u1_before) }
-    }
-
-    #[inline]
-    fn jacobian<D: Scalar>(i: &StickLoads<D>) -> Jacobian<Self, D> {
-        let (u1, k_stick) = (i.k_stick, i.u1 - i.u1_before);
-        TrialForce { f_trial: StickLoads { u1, u1_before: -u1, f_before: D::one(), k_stick } }
+    fn eval<D: Scalar>(i: &Displaced<D>) -> Moved<D> {
+        Moved { du: i.u1 - i.u1_before }
     }
 }
 
@@ -142,49 +129,26 @@ impl Formula for Follow {
 }
 
 fields! {
-    /// What the increment did to displacement and force, and the slip so far.
-    pub struct SlipLoads<T> {
-        f_trial: T = F_TRIAL, csf: T = F_TANGENTIAL, k_stick: T = K_STICK, slip_before: T = TOTAL_BEFORE,
-    }
+    /// The slip of the increment, and the slip so far.
+    pub struct Slips<T> { slip: T = SLIP, slip_before: T = TOTAL_BEFORE }
 }
 fields! {
-    /// Slip.
-    pub struct SlipTotals<T> { slip: T = SLIP, slip_total: T = TOTAL }
+    /// The slip so far.
+    pub struct SlipTotal<T> { slip_total: T = TOTAL }
 }
 
-/// What the return map takes back is slip: Δs = (f_trial − f)/k, s = s⁻ + |Δs|.
+/// The slip accumulates, whatever its direction: s = s⁻ + |Δs|.
 #[derive(Clone, Copy, Debug)]
-pub struct Slip;
+pub struct Accumulated;
 
-impl Formula for Slip {
-    const SPEC: Spec = spec(
-        "scene.slip",
-        "Slip of an increment",
-        r"\Delta s = (f^{\mathrm{trial}} - f)/k,\quad s = s^- + \lvert\Delta s\rvert",
-    );
-    type Inputs<T: Component> = SlipLoads<T>;
-    type Outputs<T: Component> = SlipTotals<T>;
+impl Formula for Accumulated {
+    const SPEC: Spec = spec("scene.slip_total", "Accumulated slip", r"s = s^- + \lvert\Delta s\rvert");
+    type Inputs<T: Component> = Slips<T>;
+    type Outputs<T: Component> = SlipTotal<T>;
 
     #[inline(always)]
-    fn eval<D: Scalar>(i: &SlipLoads<D>) -> SlipTotals<D> {
-        let slip = (i.f_trial - i.csf) / i.k_stick;
-        SlipTotals { slip, slip_total: i.slip_before + abs(slip) }
-    }
-
-    #[inline]
-    fn jacobian<D: Scalar>(i: &SlipLoads<D>) -> Jacobian<Self, D> {
-        let f_trial = D::one() / i.k_stick;
-        let k_stick = -(i.f_trial - i.csf) / (i.k_stick * i.k_stick);
-        let s = sign(i.f_trial - i.csf);
-        SlipTotals {
-            slip: SlipLoads { f_trial, csf: -f_trial, k_stick, slip_before: D::zero() },
-            slip_total: SlipLoads {
-                f_trial: f_trial * s,
-                csf: -f_trial * s,
-                k_stick: k_stick * s,
-                slip_before: D::one(),
-            },
-        }
+    fn eval<D: Scalar>(i: &Slips<D>) -> SlipTotal<D> {
+        SlipTotal { slip_total: i.slip_before + abs(i.slip) }
     }
 }
 

@@ -2,8 +2,8 @@
 
 use super::axes::{LineNodes, LineNodes2d};
 use super::{
-    Alignment, Bearing, Follow, Joining, KeptAxis, KeptAxis2d, KeptNodes, KeptNodes2d, Kinetic, PivotAxes, PivotAxis2d,
-    Sighting, Slip, SlipLoads, Stick, Traction, Transmitted, TurnedBack, Turns,
+    Accumulated, Alignment, Bearing, Follow, Increment, Joining, KeptAxis, KeptAxis2d, KeptNodes, KeptNodes2d, Kinetic,
+    PivotAxes, PivotAxis2d, Sighting, Slips, Traction, Transmitted, TurnedBack, Turns,
 };
 use crate::connector::align::Orientations;
 use crate::connector::cardan::{Oriented, Triads, turns};
@@ -13,7 +13,7 @@ use crate::formula::proof::{Case, Kink, Proved};
 use nalgebra::{Vector2, Vector3};
 use std::f64::consts::PI;
 
-impl Proved for Stick {}
+impl Proved for Increment {}
 
 /// It rounds a number, which its graph does not hold: what jumps is looked for at these cases. It jumps by a full turn
 /// at half a turn, where no double lies.
@@ -31,14 +31,9 @@ impl Proved for Follow {
     }
 }
 
-impl Proved for Slip {
+impl Proved for Accumulated {
     fn kinks() -> Vec<Kink<Self>> {
-        vec![Kink::<Self>::subgradient(
-            r"f^{\mathrm{trial}} = f",
-            |i| i.f_trial == i.csf,
-            SlipLoads { f_trial: 1.5, csf: 1.5, k_stick: 8.0, slip_before: 0.25 },
-            SlipLoads { f_trial: 1.0, ..SlipLoads::filled(0.0) },
-        )]
+        vec![Kink::<Self>::of_abs(Slips { slip: 0.0, slip_before: 0.25 }, |i| [i.slip])]
     }
 }
 

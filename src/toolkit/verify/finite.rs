@@ -107,13 +107,13 @@ mod tests {
     use super::*;
     use crate::fields;
     use crate::formula::proof::Proved;
-    use crate::formula::quantity::{K_EL, MU, P, X};
+    use crate::formula::quantity::{K_STICK, MU, P, X};
     use crate::formula::{Component, Document, Formula, Jacobian, Spec};
     use crate::number::scalar::Scalar;
     use crate::toolkit::verify::Options;
     use crate::toolkit::verify::point::random_points;
 
-    fields! { struct Divisor<T> { k: T = K_EL, x: T = X } }
+    fields! { struct Divisor<T> { k: T = K_STICK, x: T = X } }
     fields! { struct Quotient<T> { mu: T = MU, p: T = P } }
 
     /// x, and k to the power of −10 or −1, whose derivative has k to the power of −11 or −2. Small as k may be, the value is a

@@ -96,7 +96,7 @@ mod tests {
     use crate::connector::slot::{ContactForce, RelativePosition};
     use crate::formula::proof::law::residual;
     use crate::formula::quantity::{
-        D0, E1A, FORCE, FORCE_M_PLANE, K_EL, K_U1_U1, K_U1_U1_PLANE, MU0, Quantity, X, XA, XA_PLANE,
+        D0, E1A, FORCE, FORCE_M_PLANE, K_STICK, K_U1_U1, K_U1_U1_PLANE, MU0, Quantity, X, XA, XA_PLANE,
     };
     use crate::toolkit::verify::exact;
 
@@ -106,7 +106,7 @@ mod tests {
     fn every_unit_is_scaled_by_a_factor_of_its_own() {
         let fields = [
             Field::new("xa", &XA),
-            Field::new("k_el", &K_EL),
+            Field::new("k_stick", &K_STICK),
             Field::new("mu0", &MU0),
             Field::new("h", &HEAT),
             Field::new("e1a", &E1A),

@@ -132,34 +132,3 @@ PARABOLIC_BLOCKS = [f"k_u{i}_u{j}" for k, i in enumerate("s123") for j in "s123"
 )
 def geometric_stiffness_parabolic(x1, x2, x3, g, separation, **force):
     return stiffness([x1, x2, x3], g, separation, force["lambda"])
-
-
-def shear(s11, dslip, s12_before, k_el, mu):
-    if not branch(s11 > 0):
-        return mpf(0)
-    return return_map(s12_before + k_el * dslip, mu, s11)["f"]
-
-
-@formula("slide_line.friction_response", "s11 dslip s12_before k_el mu", "s12")
-def friction_response(s11, dslip, s12_before, k_el, mu):
-    noteworthy("switch", s11 == 0)
-    return dict(s12=shear(s11, dslip, s12_before, k_el, mu))
-
-
-@formula(
-    "slide_line.contact_response_linear",
-    "xs:2 xo:2 x1:2 x2:2 g_before s12_before k k_el mu",
-    "g dslip s11 s12 fs:2 f1:2 f2:2",
-)
-def contact_response_linear(xs, xo, x1, x2, g_before, s12_before, k, k_el, mu):
-    if branch(xs[0] < 0):
-        raise OutsideDomain("left of the axis")
-    chord, gap = sub(x2, x1), sub(xs, x1)
-    g = 2 * dot(gap, chord) / dot(chord, chord) - 1
-    s11 = pressure_linear(-dot(gap, normal(unit(chord))), k)["p"]
-    # The material that the slave point was on has been left behind by this much.
-    still = [mpf(0)] * 2
-    dslip = slip_increment_linear(x1, x2, mpf(0), scale((g - g_before) / 2, chord), still, still)["dslip"]
-    s12 = shear(s11, dslip, s12_before, k_el, mu)
-    area = contact_area_linear(xs, xo)["a1"]
-    return dict(g=g, dslip=dslip, s11=s11, s12=s12, **nodal_forces([x1, x2], g, area, s11, s12))

@@ -81,22 +81,7 @@ def return_map_2d(f_trial, mu, fn):
     return dict(f=scale(mu * fn / size, f_trial))
 
 
-@formula("coulomb.response", "u slip_before k_el mu fn", "f slip")
-def response(u, slip_before, k_el, mu, fn):
-    f = return_map(k_el * (u - slip_before), mu, fn)["f"]
-    return dict(f=f, slip=u - f / k_el)
-
-
-def slides(u1, slip_before, k_el, mu, fn):
-    found = response(u1, slip_before, k_el, mu, fn)
-    return dict(f1=found["f"], slip=found["slip"])
-
-
-@formula("slot.friction_response", "u1 slip_before k_el f2 f3 fc_int mu", "f1 slip")
-def friction_response(u1, slip_before, k_el, f2, f3, fc_int, mu):
-    return slides(u1, slip_before, k_el, mu, magnitude(norm(f2, f3) + fc_int))
-
-
-@formula("slot.friction_response_2d", "u1 slip_before k_el f2 fc_int mu", "f1 slip")
-def friction_response_2d(u1, slip_before, k_el, f2, fc_int, mu):
-    return slides(u1, slip_before, k_el, mu, magnitude(magnitude(f2) + fc_int))
+@formula("coulomb.response", "du f_before k_stick mu fn", "f slip")
+def response(du, f_before, k_stick, mu, fn):
+    f = return_map(f_before + k_stick * du, mu, fn)["f"]
+    return dict(f=f, slip=du - (f - f_before) / k_stick)

@@ -7,7 +7,6 @@ R33 = cos alpha cos beta, R12 = -cos beta sin gamma, R11 = cos beta cos gamma.
 from mpmath import mp, mpf
 
 from .core import OutsideDomain, add, branch, dot, formula, magnitude, norm, noteworthy, scale, sub
-from .slot import slides
 
 TRIADS = "e1a:3 e2a:3 e3a:3 e1b:3 e2b:3 e3b:3"
 
@@ -101,9 +100,3 @@ def friction(f1, f2, f3, m1, m2, m3, rr, l, fc_int, mu):
     p = magnitude(f1)
     fn = magnitude(contact_force(f2, f3, m1, m2, m3, rr, l)["fc"] + fc_int)
     return dict(p=p, fn=fn, phi=p - mu * fn)
-
-
-@formula("translator.friction_response", "u1 slip_before k_el f2 f3 m1 m2 m3 rr l fc_int mu", "f1 slip")
-def friction_response(u1, slip_before, k_el, mu, **loads):
-    fn = friction(f1=mpf(0), mu=mu, **loads)["fn"]
-    return slides(u1, slip_before, k_el, mu, fn)

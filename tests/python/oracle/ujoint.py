@@ -6,7 +6,6 @@ The arm factors are the formulary's model: phi = (7 + 6 nu)/lambda^2 with nu = 3
 from mpmath import mpf
 
 from .core import OutsideDomain, add, branch, cross, dot, formula, magnitude, norm, noteworthy, scale, sub
-from .slot import slides
 from .translator import TRIADS, alpha_of, gamma_of, per_length
 
 CROSS_AXES = "e1a:3 e2a:3 e3a:3 e3b:3"
@@ -156,18 +155,6 @@ def friction(e1a, e2a, e3a, e3b, f1, f2, f3, m2, rp, la, ra, ls, m1, m3, mc1_int
     mc1, mc3 = contact_moments(e1a, e2a, e3a, e3b, f1, f2, f3, m2, rp, la, ra, ls).values()
     mn1, mn3 = normal_moments(mc1, mc3, mc1_int, mc3_int).values()
     return dict(phi1=magnitude(m1) - mu * mn1, phi3=magnitude(m3) - mu * mn3)
-
-
-@formula(
-    "ujoint.friction_response",
-    "ur1 ur3 slip1_before slip3_before k_el1 k_el3 " + CROSS_AXES + " f1 f2 f3 m2 rp la ra ls mc1_int mc3_int mu",
-    "m1 m3 slip1 slip3",
-)
-def friction_response(ur1, ur3, slip1_before, slip3_before, k_el1, k_el3, mc1_int, mc3_int, mu, **loads):
-    mn1, mn3 = normal_moments(**contact_moments(**loads), mc1_int=mc1_int, mc3_int=mc3_int).values()
-    m1, slip1 = slides(ur1, slip1_before, k_el1, mu, mn1).values()
-    m3, slip3 = slides(ur3, slip3_before, k_el3, mu, mn3).values()
-    return dict(m1=m1, m3=m3, slip1=slip1, slip3=slip3)
 
 
 @formula(

@@ -156,7 +156,7 @@ def test_exact_results_have_237_bits():
 
 def test_the_lock_is_released():
     """Another thread of Python runs while a batch is computed."""
-    formula = jointproof.find("ujoint.friction_response")
+    formula = jointproof.find("ujoint.friction")
     inputs = formula.unpack(np.repeat(points(formula, 1), 300_000, axis=0))
     counted, done = 0, threading.Event()
 

@@ -13,9 +13,9 @@ use jointproof::connector::slot::{
     SlotLengths, SlotPositions,
 };
 use jointproof::connector::translator::{self, ContactLoads};
-use jointproof::contact::coulomb::{ReturnMap, Trial};
+use jointproof::contact::coulomb::{Response, Sliding};
 use jointproof::formula::Formula;
-use jointproof::scene::rules::{Alignment, Slip, SlipLoads, Stick, StickLoads, Turns};
+use jointproof::scene::rules::{Accumulated, Alignment, Displaced, Increment, Slips, Turns};
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
@@ -198,9 +198,9 @@ impl<J: Joint> Connector<J> {
         let u1 = RelativeMotion::eval(&SlotLengths { x, x0, l1_ref: x0 }).u1;
         let fc = self.joint.contact_force(rail, car, loads);
         let normal = NormalForce::eval(&ContactForces { fc, fc_int: 0.0 }).r#fn;
-        let f_trial = Stick::eval(&StickLoads { u1, u1_before: self.u1, f_before: self.csf, k_stick }).f_trial;
-        let csf = ReturnMap::eval(&Trial { f_trial, mu: self.mu, r#fn: normal }).f;
-        let slip = Slip::eval(&SlipLoads { f_trial, csf, k_stick, slip_before: self.slip }).slip_total;
-        *self = Self { gy: residuals.gy, gz: residuals.gz, u1, csf, slip, ..*self };
+        let du = Increment::eval(&Displaced { u1, u1_before: self.u1 }).du;
+        let found = Response::eval(&Sliding { du, f_before: self.csf, k_stick, mu: self.mu, r#fn: normal });
+        let slip = Accumulated::eval(&Slips { slip: found.slip, slip_before: self.slip }).slip_total;
+        *self = Self { gy: residuals.gy, gz: residuals.gz, u1, csf: found.f, slip, ..*self };
     }
 }

@@ -27,10 +27,10 @@ def slot_friction(lib, f1, f2, f3, fc_int, mu):
     return [p, fn, p - mu * fn]
 
 
-def coulomb_response(lib, u, slip_before, k_el, mu, fn):
-    trial = k_el * (u - slip_before)
+def coulomb_response(lib, du, f_before, k_stick, mu, fn):
+    trial = f_before + k_stick * du
     f = lib.where(lib.abs(trial) < mu * fn, trial, mu * fn * lib.sign(trial))
-    return [f, u - f / k_el]
+    return [f, (trial - f) / k_stick]
 
 
 def cardan_angles(lib, *components):

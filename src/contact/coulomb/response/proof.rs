@@ -2,41 +2,38 @@
 
 use super::{Response, Slid, Sliding};
 use crate::Octuple;
-use crate::formula::Formula;
 use crate::formula::proof::{Case, Equation, Kink, Law, Proved, law};
+use crate::formula::{Fields, Formula};
 use crate::number::scalar::abs;
 use num_traits::Zero;
 
 impl Proved for Response {
     fn cases() -> Vec<Case<Sliding<f64>>> {
-        let hand = Sliding { u: 1.5, slip_before: 1.0, k_el: 2.0, mu: 0.5, r#fn: 4.0 };
+        let hand = Sliding { du: 0.5, f_before: 0.25, k_stick: 2.0, mu: 0.5, r#fn: 4.0 };
         vec![
-            Case::hand("stick", "2 × 0.5 = 1 < 2: what has slipped stays", hand),
-            Case::hand("slip", "2 × 3 = 6 > 2: slipped are 4 - 1", Sliding { u: 4.0, ..hand }),
-            Case::hand("slip-back", "2 × -3: the force is -2, slipped are -2 + 1", Sliding { u: -2.0, ..hand }),
-            Case::hand("frictionless", "μ = 0: all of the motion slips", Sliding { mu: 0.0, ..hand }),
-            Case::hand("open", "F_N = 0: all of the motion slips", Sliding { r#fn: 0.0, ..hand }),
-            Case::hard("unmoved", "at what has slipped: no force, sticks", Sliding { u: 1.0, ..hand }),
-            Case::hard("tie", "2 × 1 = μ F_N: the Jacobian is not defined", Sliding { u: 2.0, ..hand }),
-            Case::hard("tie-back", "the tie on the other side", Sliding { u: 0.0, ..hand }),
-            Case::hard("ulp-inside", "one ulp inside the tie", Sliding { u: 2.0_f64.next_down(), ..hand }),
-            Case::hard("ulp-outside", "one ulp outside the tie", Sliding { u: 2.0_f64.next_up(), ..hand }),
-            Case::hard("stiff", "a stiffness of 1e12: all but 2e-12 slips", Sliding { u: 4.0, k_el: 1e12, ..hand }),
-            Case::hard("soft", "a stiffness of 1e-12 sticks", Sliding { k_el: 1e-12, ..hand }),
-            Case::hard(
-                "far",
-                "after a long way: the difference is taken before the product",
-                Sliding { u: 1e8 + 0.25, slip_before: 1e8, ..hand },
-            ),
+            Case::hand("stick", "0.25 + 2 × 0.5 < 2: no slip", hand),
+            Case::hand("slip", "0.25 + 2 × 3 = 6.25 > 2: slipped are 4.25/2", Sliding { du: 3.0, ..hand }),
+            Case::hand("slip-back", "0.25 - 2 × 3: the force is -2, slipped are -3.75/2", Sliding { du: -3.0, ..hand }),
+            Case::hand("frictionless", "μ = 0: all of the motion slips", Sliding { f_before: 0.0, mu: 0.0, ..hand }),
+            Case::hand("open", "F_N = 0: the force is released, and slips too", Sliding { r#fn: 0.0, ..hand }),
+            Case::hard("unmoved", "no motion: the force stays", Sliding { du: 0.0, ..hand }),
+            Case::hard("released", "no motion, and less to hold it: it slips", Sliding { du: 0.0, r#fn: 0.25, ..hand }),
+            Case::hard("tie", "0.25 + 2 × 0.875 = μ F_N: the Jacobian is not defined", Sliding { du: 0.875, ..hand }),
+            Case::hard("tie-back", "the tie on the other side", Sliding { du: -1.125, ..hand }),
+            Case::hard("ulp-inside", "one ulp inside the tie", Sliding { du: 0.875_f64.next_down(), ..hand }),
+            Case::hard("ulp-outside", "one ulp outside the tie", Sliding { du: 0.875_f64.next_up(), ..hand }),
+            Case::hard("stiff", "a stiffness of 1e12: nearly all slips", Sliding { du: 4.0, k_stick: 1e12, ..hand }),
+            Case::hard("soft", "a stiffness of 1e-12 sticks", Sliding { k_stick: 1e-12, ..hand }),
+            Case::hard("turned-back", "the motion takes all of the force back", Sliding { du: -0.125, ..hand }),
         ]
     }
 
     fn kinks() -> Vec<Kink<Self>> {
         vec![Kink::<Self>::switch(
-            r"k_{\mathrm{el}}\lvert u-u_0^{\mathrm{slip}}\rvert = \mu F_N",
-            |i| i.k_el * abs(i.u - i.slip_before) == i.mu * i.r#fn,
-            Sliding { u: 2.0, slip_before: 1.0, k_el: 2.0, mu: 0.5, r#fn: 4.0 },
-            Sliding { u: 1.0, slip_before: 0.0, k_el: 0.0, mu: 0.0, r#fn: 0.0 },
+            r"\lvert f^- + k_{\mathrm{stick}}\,\Delta u\rvert = \mu F_N",
+            |i| abs(i.trial().f_trial) == i.mu * i.r#fn,
+            Sliding { du: 0.875, f_before: 0.25, k_stick: 2.0, mu: 0.5, r#fn: 4.0 },
+            Sliding { du: 1.0, ..Sliding::filled(0.0) },
         )]
     }
 
@@ -48,39 +45,39 @@ impl Proved for Response {
             }),
             Law::<Self>::new("slip dissipates: the force does no negative work on it", |i| {
                 let Slid { f, slip } = Self::eval(i);
-                dissipates(f, slip, i.slip_before, i.u)
+                not_positive(-f * slip, abs(f) * size(i))
             }),
-            Law::<Self>::new("the force is the stiffness times the elastic part of the motion", |i| {
+            Law::<Self>::new("what does not slip changes the force: f = f⁻ + k (Δu − Δs)", |i| {
                 let Slid { f, slip } = Self::eval(i);
-                law::equal_with(f, i.k_el * (i.u - slip), i.k_el * (abs(i.u) + abs(slip)))
+                law::equal_with(f, i.f_before + i.k_stick * (i.du - slip), i.k_stick * size(i))
             }),
-            Law::<Self>::new("the same motion from the state after it changes nothing", |i| {
+            Law::<Self>::new("without motion the state after it does not change, while it can hold the force", |i| {
                 let there = Self::eval(i);
-                let again = Self::eval(&Sliding { slip_before: there.slip, ..*i });
-                let size = abs(i.u) + abs(there.slip);
-                [
-                    law::equal_with(there.f, again.f, i.k_el * size),
-                    law::equal_with(there.slip, again.slip, size + there.f / i.k_el),
-                ]
-                .concat()
+                let again = Self::eval(&Sliding { du: Octuple::zero(), f_before: there.f, ..*i });
+                [law::equal(there.f, again.f), law::equal_with(again.slip, Octuple::zero(), size(i))].concat()
             }),
             Law::<Self>::new(
-                "a closed cycle in stick does not change the state and dissipates no energy, and the tangent is the elastic stiffness",
+                "a closed cycle in stick brings the force back and dissipates no energy, and the tangent is the stiffness in stick",
                 |i| {
-                    let reach = i.mu * i.r#fn / i.k_el;
-                    let at = |part: f64| Sliding { u: i.slip_before + reach * part, ..*i };
-                    let (out, back) = (Self::eval(&at(0.75)), Self::eval(&at(-0.5)));
-                    let tangent = Self::jacobian(&at(0.75));
-                    law::equal_all([
-                        (out.slip, i.slip_before),
-                        (back.slip, i.slip_before),
-                        (tangent.f.u, i.k_el),
-                        (tangent.slip.u, Octuple::zero()),
-                    ])
+                    let reach = i.mu * i.r#fn / i.k_stick;
+                    let from = |f_before, part: f64| Sliding { du: reach * part, f_before, ..*i };
+                    let (start, out) = (Octuple::zero(), Self::eval(&from(Octuple::zero(), 0.75)));
+                    let back = Self::eval(&from(out.f, -0.75));
+                    let tangent = Self::jacobian(&from(start, 0.75));
+                    [
+                        law::equal_with(back.f, start, i.mu * i.r#fn),
+                        law::equal_all([
+                            (out.slip, Octuple::zero()),
+                            (back.slip, Octuple::zero()),
+                            (tangent.f.du, i.k_stick),
+                            (tangent.slip.du, Octuple::zero()),
+                        ]),
+                    ]
+                    .concat()
                 },
             ),
-            Law::<Self>::new("it is odd in the motion and the state", |i| {
-                let there = Self::eval(&Sliding { u: -i.u, slip_before: -i.slip_before, ..*i });
+            Law::<Self>::new("it is odd in the motion and the force before", |i| {
+                let there = Self::eval(&Sliding { du: -i.du, f_before: -i.f_before, ..*i });
                 let Slid { f, slip } = Self::eval(i);
                 law::equal_all([(f, -there.f), (slip, -there.slip)])
             }),
@@ -88,15 +85,15 @@ impl Proved for Response {
     }
 }
 
+/// The size of what slips.
+fn size(i: &Sliding<Octuple>) -> Octuple {
+    abs(i.du) + (abs(i.f_before) + i.mu * i.r#fn) / i.k_stick
+}
+
 /// A number is not above 0, to the rounding of terms of this size.
 pub(crate) fn not_positive(x: Octuple, term: Octuple) -> Vec<Equation> {
     let excess = if x > 0.0 { x } else { Octuple::zero() };
     law::equal_with(excess, Octuple::zero(), term)
-}
-
-/// The force does no negative work on what slips.
-pub(crate) fn dissipates(f: Octuple, slip: Octuple, before: Octuple, u: Octuple) -> Vec<Equation> {
-    not_positive(-f * (slip - before), abs(f) * (abs(u) + abs(slip) + abs(before)))
 }
 
 #[cfg(test)]
@@ -120,7 +117,7 @@ mod tests {
         }
 
         fn jacobian<D: Scalar>(i: &Sliding<D>) -> Jacobian<Self, D> {
-            Response::jacobian(&Sliding { u: i.slip_before, ..*i })
+            Response::jacobian(&Sliding { du: D::zero(), f_before: D::zero(), ..*i })
         }
     }
 
@@ -130,7 +127,7 @@ mod tests {
         }
     }
 
-    /// [`Response`] whose state follows the motion with the other sign.
+    /// [`Response`] that slips against the force.
     #[derive(Clone, Copy)]
     struct SlipsBack;
 
@@ -141,7 +138,7 @@ mod tests {
 
         fn eval<D: Scalar>(i: &Sliding<D>) -> Slid<D> {
             let Slid { f, slip } = Response::eval(i);
-            Slid { f, slip: i.slip_before * 2.0 - slip }
+            Slid { f, slip: -slip }
         }
 
         fn jacobian<D: Scalar>(i: &Sliding<D>) -> Jacobian<Self, D> {
@@ -157,7 +154,7 @@ mod tests {
         fn laws() -> Vec<Law<Self>> {
             vec![Law::<Self>::new("slip dissipates", |i| {
                 let Slid { f, slip } = Self::eval(i);
-                dissipates(f, slip, i.slip_before, i.u)
+                not_positive(-f * slip, abs(f) * size(i))
             })]
         }
     }

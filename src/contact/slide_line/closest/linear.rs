@@ -31,19 +31,19 @@ pub struct ClosestLinear;
 
 /// What value and Jacobian have in common.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Projection<D> {
+struct Projection<D> {
     /// 1/ℓ.
-    pub(crate) per_length: D,
-    pub(crate) t: Vector2<D>,
+    per_length: D,
+    t: Vector2<D>,
     /// Distance of the slave point from the straight line, to the left of it.
-    pub(crate) separation: D,
+    separation: D,
     /// Weights of the nodes at the foot on the whole line: inside the segment where both are positive.
-    pub(crate) weights: [D; 2],
+    weights: [D; 2],
 }
 
 impl<D: Scalar> Projection<D> {
     #[inline]
-    pub(crate) fn new(i: &LinearSlave<D>) -> Self {
+    fn new(i: &LinearSlave<D>) -> Self {
         let (length, t) = length_and_tangent(i.x2 - i.x1);
         let per_length = length.recip();
         let (from_1, from_2) = (i.xs - i.x1, i.xs - i.x2);
@@ -62,7 +62,7 @@ impl<D: Scalar> Projection<D> {
 
     /// On the whole line, past the ends of the segment too.
     #[inline]
-    pub(crate) fn foot_on_line(&self) -> SegmentFoot<D> {
+    fn foot_on_line(&self) -> SegmentFoot<D> {
         let [n1, n2] = self.weights;
         // From the smaller weight, which keeps g between the ends: the rounded weights do not add up to 1.
         let g = if n1 > n2 { n2 * 2.0 - 1.0 } else { -(n1 * 2.0) + 1.0 };
@@ -91,7 +91,7 @@ impl<D: Scalar> Projection<D> {
 
     /// ∂g/∂xs = 2t/ℓ, and a turn of the segment moves the foot by the separation.
     #[inline]
-    pub(crate) fn gradients_on_line(&self) -> SegmentFoot<LinearSlave<D>> {
+    fn gradients_on_line(&self) -> SegmentFoot<LinearSlave<D>> {
         let ([n1, n2], n) = (self.weights, left(self.t));
         let rate = self.per_length * 2.0;
         let along = self.t * rate;

@@ -33,7 +33,6 @@ mod smoothed_linear;
 mod smoothed_parabolic;
 mod view;
 
-pub(crate) use linear::Projection;
 pub use linear::{ClosestLinear, LinearSlave, SegmentFoot};
 pub use parabolic::{ClosestParabolic, ParabolicSlave};
 pub(super) use piece::{PieceFoot, curved_foot, straight_foot};

@@ -9,8 +9,8 @@ use crate::{Error, Octuple};
 use nalgebra::{SVector, Vector2};
 use num_dual::Dual;
 
-const STICKS: LineContact = LineContact { law: PressureLaw::Linear { k: 64.0 }, k_el: 0.5, mu: 0.25 };
-const SLIPS: LineContact = LineContact { k_el: 1e3, ..STICKS };
+const STICKS: LineContact = LineContact { law: PressureLaw::Linear { k: 64.0 }, k_stick: 0.5, mu: 0.25 };
+const SLIPS: LineContact = LineContact { k_stick: 1e3, ..STICKS };
 const SOFT: LineContact = LineContact { law: PressureLaw::Exponential { c0: 0.5, p0: 20.0 }, ..SLIPS };
 
 fn at(r: f64, z: f64) -> Vector2<f64> {

@@ -1,5 +1,5 @@
 use super::super::proof::poses;
-use super::{Slipped, Slot, SlotContact, SlotElement, SlotStart};
+use super::{Slot, SlotContact, SlotElement, SlotStart, SlotState};
 use crate::connector::slot::{Friction, RelativePosition, SlotLoads};
 use crate::element::newton::Parameters;
 use crate::formula::Formula;
@@ -7,22 +7,21 @@ use crate::formula::proof::{Case, ProvedElement, Rubbed, Step};
 use crate::number::scalar::Scalar;
 use nalgebra::Vector2;
 
-/// The friction along a slot, by the state after the step.
+/// The friction along a slot, by the states before and after the step.
 pub(in super::super) fn along<D: Scalar>(
-    motion: D,
-    k_el: D,
-    [before, after]: [Slipped<D>; 2],
+    u1: D,
+    k_stick: D,
+    [before, after]: [SlotState<D>; 2],
     phi: impl FnOnce(D) -> D,
 ) -> Rubbed<D> {
-    let force = k_el * (motion - after.slip);
-    Rubbed { motion, force, phi: phi(force), slip: [before.slip, after.slip] }
+    Rubbed { motion: u1 - before.u1, force: [before.f1, after.f1], k_stick, phi: phi(after.f1) }
 }
 
 impl ProvedElement<2> for Slot {
     fn cases() -> Vec<Case<Step<Self, f64, 2>>> {
-        let (multipliers, before) = (Vector2::new(3.0, -4.0), Slipped { slip: 0.5 });
+        let (multipliers, before) = (Vector2::new(3.0, -4.0), SlotState { u1: 0.5, f1: -0.25 });
         let start = SlotStart { x0: 0.125, y0: 0.25, z0: -0.5 };
-        let rubs = |k_el| Some(SlotContact { k_el, fc_int: 1.0, mu: 0.25 });
+        let rubs = |k_stick| Some(SlotContact { k_stick, fc_int: 1.0, mu: 0.25 });
         let step = |nodes, contact| Step { nodes, multipliers, parameters: SlotElement { start, contact }, before };
         let all = poses().into_iter().flat_map(|pose| {
             [("", None), ("-soft", rubs(0.0625)), ("-stiff", rubs(1e3))]
@@ -31,12 +30,12 @@ impl ProvedElement<2> for Slot {
         all.collect()
     }
 
-    fn rubbed<D: Scalar>(step: &Step<Self, D, 2>, after: &Slipped<D>) -> Vec<Rubbed<D>> {
+    fn rubbed<D: Scalar>(step: &Step<Self, D, 2>, after: &SlotState<D>) -> Vec<Rubbed<D>> {
         let Parameters { start, contact } = step.parameters;
-        let Some(SlotContact { k_el, fc_int, mu }) = contact else { return Vec::new() };
+        let Some(SlotContact { k_stick, fc_int, mu }) = contact else { return Vec::new() };
         let motion = RelativePosition::eval(&step.nodes.positions()).x - start.x0;
         let [f2, f3] = *step.multipliers.as_ref();
         let phi = |f1| Friction::eval(&SlotLoads { f1, f2, f3, fc_int, mu }).phi;
-        vec![along(motion, k_el, [step.before, *after], phi)]
+        vec![along(motion, k_stick, [step.before, *after], phi)]
     }
 }

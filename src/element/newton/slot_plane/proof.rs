@@ -1,5 +1,5 @@
 use super::super::slot;
-use super::{Slipped, Slot2d, SlotContact, SlotElement2d, SlotStart2d};
+use super::{Slot2d, SlotContact, SlotElement2d, SlotStart2d, SlotState};
 use crate::connector::slot::{Friction, SlotLoads};
 use crate::element::slot_plane::PlanePlaces;
 use crate::formula::Formula;
@@ -26,9 +26,9 @@ impl ProvedElement<1, 6> for Slot2d {
             ("offset-1e8", "far from the origin", PlanePlaces { e2a, xa: near * 1e8, xb: near * 1e8 + near }),
             ("distance-1e8", "nodes far apart", PlanePlaces { e2a, xa: near, xb: near * 1e8 }),
         ];
-        let (multipliers, before) = (Vector1::new(-4.0), Slipped { slip: 0.5 });
+        let (multipliers, before) = (Vector1::new(-4.0), SlotState { u1: 0.5, f1: -0.25 });
         let start = SlotStart2d { x0: 0.25, y0: -0.5 };
-        let rubs = |k_el| Some(SlotContact { k_el, fc_int: 1.0, mu: 0.25 });
+        let rubs = |k_stick| Some(SlotContact { k_stick, fc_int: 1.0, mu: 0.25 });
         let step = |nodes, contact| Step { nodes, multipliers, parameters: SlotElement2d { start, contact }, before };
         let all = poses.into_iter().flat_map(|(id, comment, nodes)| {
             [("", None), ("-soft", rubs(0.0625)), ("-stiff", rubs(1e3))]
@@ -37,12 +37,12 @@ impl ProvedElement<1, 6> for Slot2d {
         all.collect()
     }
 
-    fn rubbed<D: Scalar>(step: &Step<Self, D, 1, 6>, after: &Slipped<D>) -> Vec<Rubbed<D>> {
+    fn rubbed<D: Scalar>(step: &Step<Self, D, 1, 6>, after: &SlotState<D>) -> Vec<Rubbed<D>> {
         let SlotElement2d { start, contact } = step.parameters;
-        let Some(SlotContact { k_el, fc_int, mu }) = contact else { return Vec::new() };
+        let Some(SlotContact { k_stick, fc_int, mu }) = contact else { return Vec::new() };
         let PlanePlaces { e2a, xa, xb } = step.nodes;
         let motion = e2a.perp(&(xa - xb)) - start.x0;
         let phi = |f1| Friction::eval(&SlotLoads { f1, f2: step.multipliers.x, f3: D::zero(), fc_int, mu }).phi;
-        vec![slot::proof::along(motion, k_el, [step.before, *after], phi)]
+        vec![slot::proof::along(motion, k_stick, [step.before, *after], phi)]
     }
 }

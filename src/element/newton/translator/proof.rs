@@ -1,5 +1,5 @@
 use super::super::{proof::poses, slot};
-use super::{Slipped, Translator, TranslatorContact, TranslatorElement, TranslatorStart};
+use super::{SlotState, Translator, TranslatorContact, TranslatorElement, TranslatorStart};
 use crate::connector::slot::RelativePosition;
 use crate::connector::translator::{Friction, FrictionLoads};
 use crate::element::align::{self, AlignLoads};
@@ -10,9 +10,9 @@ use nalgebra::SVector;
 
 impl ProvedElement<5> for Translator {
     fn cases() -> Vec<Case<Step<Self, f64, 5>>> {
-        let (multipliers, before) = (SVector::from([3.0, -4.0, 2.0, -1.0, 0.5]), Slipped { slip: 0.5 });
+        let (multipliers, before) = (SVector::from([3.0, -4.0, 2.0, -1.0, 0.5]), SlotState { u1: 0.5, f1: -0.25 });
         let start = TranslatorStart { x0: 0.125, y0: 0.25, z0: -0.5, alpha0: 0.375, beta0: 0.25, gamma0: -0.625 };
-        let rubs = |k_el, rr, l| Some(TranslatorContact { k_el, rr, l, fc_int: 1.0, mu: 0.25 });
+        let rubs = |k_stick, rr, l| Some(TranslatorContact { k_stick, rr, l, fc_int: 1.0, mu: 0.25 });
         let ways = [
             ("", None),
             ("-soft", rubs(0.0625, 0.5, 2.0)),
@@ -27,14 +27,14 @@ impl ProvedElement<5> for Translator {
         all.collect()
     }
 
-    fn rubbed<D: Scalar>(step: &Step<Self, D, 5>, after: &Slipped<D>) -> Vec<Rubbed<D>> {
+    fn rubbed<D: Scalar>(step: &Step<Self, D, 5>, after: &SlotState<D>) -> Vec<Rubbed<D>> {
         let TranslatorElement { start, contact } = step.parameters;
-        let Some(TranslatorContact { k_el, rr, l, fc_int, mu }) = contact else { return Vec::new() };
+        let Some(TranslatorContact { k_stick, rr, l, fc_int, mu }) = contact else { return Vec::new() };
         let motion = RelativePosition::eval(&step.nodes.positions()).x - start.x0;
         let [f2, f3, l1, l2, l3] = step.multipliers.data.0[0];
         let moment = align::Moments::eval(&AlignLoads::new(&step.nodes.triads(), [l1, l2, l3])).mb;
         let [m1, m2, m3] = [l1, step.nodes.e2a.dot(&moment), step.nodes.e3a.dot(&moment)];
         let phi = |f1| Friction::eval(&FrictionLoads { f1, f2, f3, m1, m2, m3, rr, l, fc_int, mu }).phi;
-        vec![slot::proof::along(motion, k_el, [step.before, *after], phi)]
+        vec![slot::proof::along(motion, k_stick, [step.before, *after], phi)]
     }
 }

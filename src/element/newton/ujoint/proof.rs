@@ -9,10 +9,10 @@ use nalgebra::{Vector3, Vector4};
 impl ProvedElement<4> for UJoint {
     fn cases() -> Vec<Case<Step<Self, f64, 4>>> {
         let multipliers = Vector4::new(3.0, -4.0, 12.0, 5.0);
-        let before = UJointState { ur1: 0.0, ur3: 6.0, slip1: -1.0, slip3: 8.0 };
+        let before = UJointState { ur1: 0.0, ur3: 6.0, m1: 0.5, m3: -0.25 };
         let start = UJointStart { d0: Vector3::new(0.5, 0.25, 0.125), c0: 0.0, alpha0: 0.125, gamma0: -0.25 };
         let cross = Cross { rp: 1.0, la: 2.0, ra: 0.5, ls: 4.0, mu: 0.25, mc1_int: 1.0, mc3_int: -2.0 };
-        let rubs = |k_el1, k_el3| Some(UJointContact::new(cross, [k_el1, k_el3]));
+        let rubs = |k_stick1, k_stick3| Some(UJointContact::new(cross, [k_stick1, k_stick3]));
         let ways = [
             ("", None),
             ("-soft", rubs(0.125, 0.0625)),
@@ -29,19 +29,19 @@ impl ProvedElement<4> for UJoint {
 
     fn rubbed<D: Scalar>(step: &Step<Self, D, 4>, after: &UJointState<D>) -> Vec<Rubbed<D>> {
         let UJointElement { start, contact } = step.parameters;
-        let Some(UJointContact { k_el1, k_el3, rp, la, ra, ls, mc1_int, mc3_int, mu }) = contact else {
+        let Some(UJointContact { k_stick1, k_stick3, rp, la, ra, ls, mc1_int, mc3_int, mu }) = contact else {
             return Vec::new();
         };
         let (Nodes { e1a, e2a, e3a, e3b, .. }, [f1, f2, f3, lambda_rot]) = (step.nodes, *step.multipliers.as_ref());
         let [ur1, ur3] = turned(&step.nodes, &start, &step.before);
-        let [m1, m3] = [k_el1 * (ur1 - after.slip1), k_el3 * (ur3 - after.slip3)];
+        let UJointState { m1, m3, .. } = *after;
         let sine = e1a.dot(&e3b);
         let m2 = lambda_rot * ((D::one() - sine) * (D::one() + sine)).sqrt();
         let loads = FrictionLoads { e1a, e2a, e3a, e3b, f1, f2, f3, m2, rp, la, ra, ls, m1, m3, mc1_int, mc3_int, mu };
         let YieldPair { phi1, phi3 } = Friction::eval(&loads);
         vec![
-            Rubbed { motion: ur1, force: m1, phi: phi1, slip: [step.before.slip1, after.slip1] },
-            Rubbed { motion: ur3, force: m3, phi: phi3, slip: [step.before.slip3, after.slip3] },
+            Rubbed { motion: ur1 - step.before.ur1, force: [step.before.m1, m1], k_stick: k_stick1, phi: phi1 },
+            Rubbed { motion: ur3 - step.before.ur3, force: [step.before.m3, m3], k_stick: k_stick3, phi: phi3 },
         ]
     }
 }

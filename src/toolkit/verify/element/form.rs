@@ -327,8 +327,8 @@ impl Form {
 }
 
 fn real_part(rubbed: &Rubbed<Sweep<Octuple>>) -> Rubbed<Octuple> {
-    let Rubbed { motion, force, phi, slip: [before, after] } = rubbed;
-    Rubbed { motion: motion.re, force: force.re, phi: phi.re, slip: [before.re, after.re] }
+    let Rubbed { motion, force: [before, after], k_stick, phi } = rubbed;
+    Rubbed { motion: motion.re, force: [before.re, after.re], k_stick: k_stick.re, phi: phi.re }
 }
 
 /// The derivative along a direction.
@@ -369,7 +369,7 @@ pub(super) struct Here {
 impl Here {
     /// rowsᵀ λ, and frictions against their motions.
     pub(super) fn work(&self) -> Vector {
-        let frictions = Vector::from_iterator(self.rubbed.len(), self.rubbed.iter().map(|rubbed| rubbed.force));
+        let frictions = Vector::from_iterator(self.rubbed.len(), self.rubbed.iter().map(|rubbed| rubbed.force[1]));
         self.found.rows.transpose() * &self.multipliers - self.derivative.motions.transpose() * frictions
     }
 }

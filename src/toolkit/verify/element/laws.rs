@@ -5,6 +5,7 @@ use super::form::{ElementSubject, Form, Here, Layout, count};
 use super::linear::{Matrix, Vector, column, dot, independence};
 use crate::Octuple;
 use crate::formula::Field;
+use crate::formula::proof::Rubbed;
 use crate::formula::quantity::{Domain, Unit};
 use crate::toolkit::verify::claim::Claim;
 use crate::toolkit::verify::invariance::{moved, reach, rescale};
@@ -157,17 +158,24 @@ impl Laws {
     fn check_friction(&mut self, point: &Point, here: &Here) {
         let Some([yields, slips, costs]) = &mut self.friction else { return };
         for rubbed in &here.rubbed {
-            let ([before, after], phi, size) = (rubbed.slip, rubbed.phi, rubbed.force.abs());
-            let (slipped, work) = (after - before, rubbed.force * (after - before));
-            let limit = size + phi.abs();
+            let (Rubbed { motion, force: [before, after], k_stick, phi }, size) = (*rubbed, rubbed.force[1].abs());
+            // What does not slip changes the friction.
+            let slipped = motion - (after - before) / k_stick;
+            let (work, limit) = (after * slipped, size + phi.abs());
             let beyond = if phi > Octuple::zero() { phi } else { Octuple::zero() };
             record(yields, point, || "phi".into(), [beyond, Octuple::zero()], limit);
             let has_slipped = phi.abs() <= limit * EXACT;
             self.sticks_and_slips[usize::from(has_slipped)] += 1;
             let idle = if has_slipped { Octuple::zero() } else { slipped };
-            record(slips, point, || "slip".into(), [idle, Octuple::zero()], rubbed.motion.abs() + before.abs());
+            record(slips, point, || "slip".into(), [idle, Octuple::zero()], motion.abs() + before.abs() / k_stick);
             let gained = if has_slipped && work < Octuple::zero() { -work } else { Octuple::zero() };
-            record(costs, point, || "work".into(), [gained, Octuple::zero()], work.abs());
+            record(
+                costs,
+                point,
+                || "work".into(),
+                [gained, Octuple::zero()],
+                size * (motion.abs() + before.abs() / k_stick),
+            );
         }
     }
 }

@@ -2,9 +2,9 @@
 !          10-18   triad of b at the start
 !          19-21   x0, y0, z0: components of xb - xa in a's triad at the start
 !          22-24   alpha0, beta0, gamma0: Cardan angles of b relative to a at the start
-!          25-29   k_el, rr, l, fc_int, mu: stiffness while it sticks, friction radius, overlap, internal contact force,
-!                  friction coefficient; k_el = 0: smooth
-! SVARS    1       what has slipped: the motion at which the friction would be 0
+!          25-29   k_stick, rr, l, fc_int, mu: stiffness in stick, friction radius, overlap, internal contact force,
+!                  friction coefficient; k_stick = 0: smooth
+! SVARS    1-2     u1, f1: the motion along the slot since the start, and the friction force
 ! internal f2, f3: forces on b along e2a and e3a; the moments on b about e1a, the line of nodes and e3b
 ---
 ! TRANSLATOR with friction, as it enters a step of Newton's method: JOIN, whose first force is the friction, and ALIGN.
@@ -15,7 +15,7 @@ module jp_connector
     implicit none
     private
     public :: connect
-    integer, parameter, public :: multipliers = 5, states = 1, properties = 29
+    integer, parameter, public :: multipliers = 5, states = 2, properties = 29
 contains
     subroutine connect(a, b, xa, xb, lambda, props, before, after, residual, rows, force, stiffness, &
             by_multipliers, code)
@@ -23,7 +23,7 @@ contains
         real(dp), intent(out) :: after(states), residual(multipliers), rows(multipliers, 12), force(12), &
             stiffness(12, 12), by_multipliers(12, multipliers)
         integer, intent(out) :: code
-        real(dp) :: x, y, z, friction, slope(24), g(9, 3), r(3, 3), fa(3), ma(3), fb(3), na(3), nb(3), ua_ta(9), &
+        real(dp) :: x, y, z, fn, p, phi, friction, slip, normal(30), slope(10), press(5), g(9, 3), r(3, 3), fa(3), ma(3), fb(3), na(3), nb(3), ua_ta(9), &
             ta_ta(9), tb_tb(9), row(12), aligning(12, 12), m(3), pressing(3), by_ta(3), by_tb(3), zero(3)
         integer :: k
 
@@ -51,9 +51,14 @@ contains
         if (props(7) > 0) then
             ! A turn of b about e1a changes the first angle alone, by as much.
             m = [lambda(3), dot(a(:, 2), nb), dot(a(:, 3), nb)]
-            code = jp_translator_friction_response_jacobian(x - props(1), before(1), props(7), lambda(1), lambda(2), &
-                m(1), m(2), m(3), props(8), props(9), props(10), props(11), friction, after(1), slope)
+            after(1) = x - props(1)
+            code = jp_translator_friction_jacobian(zero(1), lambda(1), lambda(2), m(1), m(2), m(3), props(8), props(9), &
+                props(10), props(11), p, fn, phi, normal)
             if (code /= 0) return
+            code = jp_coulomb_response_jacobian(after(1) - before(1), before(2), props(7), props(11), fn, friction, slip, slope)
+            if (code /= 0) return
+            after(2) = friction
+            press = slope(5) * normal(12:16)
         end if
         code = jp_join_nodal_forces_value(a(:, 1), a(:, 2), a(:, 3), xa, xb, -friction, lambda(1), lambda(2), &
             fa, ma, fb)
@@ -78,11 +83,11 @@ contains
         if (.not. props(7) > 0) return
         ! The moments along the other axes of a press too: they change with the moment on b, and with the axes as a turns.
         row = [g(:, 1), zero]
-        pressing = a(:, 2) * slope(7) + a(:, 3) * slope(8)
+        pressing = a(:, 2) * press(4) + a(:, 3) * press(5)
         by_ta = cross(pressing, nb) - times(block(tb_tb), pressing)
         by_tb = times(transpose(block(tb_tb)), pressing)
         stiffness = stiffness - outer(row, row * slope(1) + spins(by_ta, by_tb))
-        by_multipliers = by_multipliers - outer(row, [slope(4:5), dot(pressing, r(:, 1)) + slope(6), &
+        by_multipliers = by_multipliers - outer(row, [press(1:2), dot(pressing, r(:, 1)) + press(3), &
             (dot(pressing, r(:, k)), k = 2, 3)])
     end subroutine connect
 end module jp_connector
