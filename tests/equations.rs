@@ -29,7 +29,6 @@ const EQUIVALENT: &[(&str, &str, &str)] = &[
     ("slider.basis", "/ →  at 166", "|n×k| is 1 wherever n×i is 0, since n is a unit vector"),
     ("interaction.damping", "c_0 → h at 92", "the first case has taken −h ≤ η c0 already"),
     ("slider.rows", r"\mathbf{t}_q → \mathbf{g}_{q,um} at 75", "the row of m is t_q"),
-    ("slide_line.contact_response_linear", "1 → 2 at 615", "both nodes are on the line to which n is normal"),
     ("element.rotation_vector", "1 → 2 at 312", "ψ is 0, and B a factor of it: the derivative tells them apart"),
     ("element.rotation_vector", "2 → 3 at 313", "as above"),
     ("element.rotation_vector", "1 → 2 at 416", "ψ is 0, and C a factor of its square"),

@@ -2,7 +2,7 @@
 
 use jointproof::contact::interaction::{ExponentialContact, PressureExponential};
 use jointproof::element::newton::{Isl21a, Isl22a, LineContact, OnLine, PressureLaw, SlaveState};
-use jointproof::formula::{Fields, Formula};
+use jointproof::formula::Formula;
 use nalgebra::Vector2;
 
 #[test]

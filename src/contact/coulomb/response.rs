@@ -18,11 +18,11 @@ fields! {
     pub struct Slid<T> { f: T = F_TANGENTIAL, slip: T = SLIP }
 }
 
-/// The friction force after an increment of motion: the trial force is f⁻ + k Δu, the return map cuts it down to μ F_N, and what
-/// it cuts off has slipped, Δs = (f_trial − f)/k = Δu − (f − f⁻)/k.
+/// The friction force after an increment of motion: the trial force is f⁻ + k Δu, the return map cuts it down to μ F_N, and the part
+/// of the motion that does not change the force has slipped, Δs = Δu − (f − f⁻)/k.
 ///
-/// The state is the force f⁻ in the last converged increment, 0 at the start. In stick Δs is 0, to the last bit. It is the one law of
-/// friction here: of forces and displacements, of moments and rotations, of shear stresses along a slide line.
+/// The state is the force f⁻ in the last converged increment, 0 at the start. In stick Δs is exactly 0. It is the one law of friction
+/// here: of forces and displacements, of moments and rotations, of shear stresses along a slide line.
 #[derive(Clone, Copy, Debug)]
 pub struct Response;
 
@@ -42,9 +42,9 @@ impl Formula for Response {
             "the page says when it sticks; stick at a finite stiffness, from the force before and the motion since, is the usual one",
         ),
     )
-        .equation(r"f = \begin{cases} f^{\mathrm{trial}} & \lvert f^{\mathrm{trial}}\rvert < \mu F_N \\ \mu F_N \operatorname{sign} f^{\mathrm{trial}} & \text{otherwise}\end{cases},\quad f^{\mathrm{trial}} = f^- + k_{\mathrm{stick}}\,\Delta u,\quad \Delta s = \frac{f^{\mathrm{trial}} - f}{k_{\mathrm{stick}}}")
-        .eta(2.0, 2.0)
-        .scale(1e120)
+        .equation(r"f = \begin{cases} f^{\mathrm{trial}} & \lvert f^{\mathrm{trial}}\rvert < \mu F_N \\ \mu F_N \operatorname{sign} f^{\mathrm{trial}} & \text{otherwise}\end{cases},\quad f^{\mathrm{trial}} = f^- + k_{\mathrm{stick}}\,\Delta u,\quad \Delta s = \Delta u - \frac{f - f^-}{k_{\mathrm{stick}}}")
+        .eta(1.5, 1.5)
+        .scale(1e250)
         .finite(Finite::Between);
     type Inputs<T: Component> = Sliding<T>;
     type Outputs<T: Component> = Slid<T>;
@@ -53,7 +53,8 @@ impl Formula for Response {
     fn eval<D: Scalar>(i: &Sliding<D>) -> Slid<D> {
         let trial = i.trial();
         let f = ReturnMap::eval(&trial).f;
-        Slid { f, slip: (trial.f_trial - f) / i.k_stick }
+        // From the trial force the slip would lose the force before, where the motion is large.
+        Slid { f, slip: if trial.sticks() { D::zero() } else { i.du - (f - i.f_before) / i.k_stick } }
     }
 
     #[inline]

@@ -30,7 +30,7 @@ def slot_friction(lib, f1, f2, f3, fc_int, mu):
 def coulomb_response(lib, du, f_before, k_stick, mu, fn):
     trial = f_before + k_stick * du
     f = lib.where(lib.abs(trial) < mu * fn, trial, mu * fn * lib.sign(trial))
-    return [f, (trial - f) / k_stick]
+    return [f, du - (f - f_before) / k_stick]
 
 
 def cardan_angles(lib, *components):
