@@ -8,11 +8,11 @@ pub use elements::{AnyElement, Erased};
 
 use crate::connector::align;
 #[cfg(feature = "catalog")]
-use crate::connector::{cardan, join, slider, slot, translator, ujoint, universal};
+use crate::connector::{join, slider, slot, translator, ujoint, universal};
 #[cfg(feature = "catalog")]
 use crate::contact::{coulomb, interaction, slide_line};
 #[cfg(feature = "catalog")]
-use crate::element;
+use crate::element::{self, cardan};
 use crate::formula::proof::{Case, Convention, Flag, Proved};
 use crate::formula::{Field, Fields, Formula, Spec, check, entries, value, value_and_jacobian};
 #[cfg(feature = "batch-by-id")]
@@ -398,30 +398,30 @@ pub static CATALOG: &[&dyn AnyFormula] = &[
     &ujoint::Friction,
     &ujoint::Stop,
     // Elements
-    &element::slot_plane::Rows,
-    &element::slot_plane::Forces,
-    &element::slot_plane::GeometricStiffness,
-    &element::align::Rows,
-    &element::align::Moments,
-    &element::align::GeometricStiffness,
-    &element::join::Rows,
-    &element::join::Forces,
-    &element::join::GeometricStiffness,
-    &element::universal::Rows,
-    &element::universal::Moments,
-    &element::universal::GeometricStiffness,
-    &element::slider::Rows,
-    &element::slider::Forces,
-    &element::slider::GeometricStiffness,
-    &element::slider_plane::Rows,
-    &element::slider_plane::Forces,
-    &element::slider_plane::GeometricStiffness,
-    &element::slide_line::rows::Linear,
-    &element::slide_line::rows::Parabolic,
-    &element::slide_line::forces::Linear,
-    &element::slide_line::forces::Parabolic,
-    &element::slide_line::stiffness::Linear,
-    &element::slide_line::stiffness::Parabolic,
+    &slot::plane::Rows,
+    &slot::plane::Forces,
+    &slot::plane::GeometricStiffness,
+    &element::angle::Rows,
+    &element::angle::Moments,
+    &element::angle::GeometricStiffness,
+    &element::line::Rows,
+    &element::line::Forces,
+    &element::line::GeometricStiffness,
+    &element::cross::Rows,
+    &element::cross::Moments,
+    &element::cross::GeometricStiffness,
+    &slider::rows::Rows,
+    &slider::rows::Forces,
+    &slider::rows::GeometricStiffness,
+    &slider::rows_plane::Rows,
+    &slider::rows_plane::Forces,
+    &slider::rows_plane::GeometricStiffness,
+    &slide_line::element::rows::Linear,
+    &slide_line::element::rows::Parabolic,
+    &slide_line::element::forces::Linear,
+    &slide_line::element::forces::Parabolic,
+    &slide_line::element::stiffness::Linear,
+    &slide_line::element::stiffness::Parabolic,
     &element::offset::Arm,
     &element::rotation::RotationVector,
     &element::rotation::EulerParameters,

@@ -1,12 +1,13 @@
-//! The connectors and constraints of the documents, a folder each: formulas, typed connector, and the evidence
-//! beside them; and what they measure rotations by, triads ([`frame`]) and Cardan angles ([`cardan`]).
+//! The connectors and constraints of the documents, a folder each: formulas, friction, element, typed connector, and their
+//! evidence. What they are made of is in [`element`](crate::element).
 
 pub mod align;
-pub mod cardan;
-pub mod frame;
 pub mod join;
 pub mod slider;
 pub mod slot;
 pub mod translator;
 pub mod ujoint;
 pub mod universal;
+
+#[cfg(all(test, feature = "verify"))]
+mod tests;

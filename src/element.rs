@@ -16,23 +16,23 @@
 //! The stiffness K is symmetric but for the blocks of a node's own spin: there K − Kᵀ = −\[m×\] with the moment m on that node,
 //! since spins about different axes do not commute. Where nodal moments balance, it is symmetric after assembly.
 
-pub mod align;
-mod along;
+pub mod angle;
 mod assembly;
-mod chain;
-pub mod join;
+pub mod cardan;
+pub mod cross;
+pub mod frame;
+pub mod line;
 #[cfg(feature = "verify")]
-mod motion;
-pub mod newton;
+pub(crate) mod motion;
+pub(crate) mod nodes;
 pub mod offset;
-mod products;
+pub(crate) mod products;
 pub mod rotation;
-pub mod slide_line;
-pub mod slider;
-pub mod slider_plane;
-pub mod slot_plane;
 mod turn;
-pub mod universal;
+mod unknowns;
+
+pub use crate::formula::element::{Contribution, Element, Nothing, Parameters, Penalised};
+pub use nodes::Nodes;
 
 use crate::fields;
 use crate::formula::quantity::{FORCE_A, FORCE_B, MOMENT_A, MOMENT_B};

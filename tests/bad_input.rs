@@ -3,8 +3,8 @@
 use crate::common;
 use jointproof::Error;
 use jointproof::catalog::{AnyFormula, CATALOG};
-use jointproof::connector::frame::{PlaneTriad, Triad};
 use jointproof::connector::slot::{Pose, Pose2d, Slot, Slot2d, Stop, StopLengths};
+use jointproof::element::frame::{PlaneTriad, Triad};
 use jointproof::formula::proof::Flag;
 use jointproof::formula::quantity::Domain;
 use jointproof::formula::{Field, value, value_and_jacobian};

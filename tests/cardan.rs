@@ -5,11 +5,11 @@
 #[path = "../xtask/src/studies/near_right_angle.rs"]
 mod near_right_angle;
 
-use jointproof::connector::cardan::turns;
-use jointproof::connector::cardan::{
+use jointproof::element::cardan::turns;
+use jointproof::element::cardan::{
     Angles, BetaAxes, BetaTwoArgument, CardanAngles, Triads, accurate, accurate_jacobian, between, rotation, turned,
 };
-use jointproof::connector::frame::Triad;
+use jointproof::element::frame::Triad;
 use jointproof::formula::{Fields, Formula, check, value, value_and_jacobian};
 use jointproof::toolkit::verify::{eta, exactly};
 use jointproof::{Error, Octuple};

@@ -1,20 +1,21 @@
 //! Connectors as elements, as a solver calls them: what each refuses, and what it adds by rubbing.
 
 use jointproof::catalog::{AnyElement, ELEMENTS};
-use jointproof::connector::cardan::{Triads, rotation};
-use jointproof::connector::slider;
-use jointproof::connector::translator::{self, FrictionLoads};
-use jointproof::connector::ujoint::{AllContactMoments, ContactMoments, Cross, JointLoads, NormalMoments};
-use jointproof::contact::coulomb::{Response, Sliding};
-use jointproof::element::align;
-use jointproof::element::newton::{
-    AlignElement, AlignStart, Element, JoinElement, JoinStart, Nodes, Nothing, Parameters, SliderElement,
-    SliderElement2d, SlotContact, SlotElement, SlotElement2d, SlotStart, SlotStart2d, SlotState, TranslatorContact,
-    TranslatorElement, TranslatorStart, UJointContact, UJointElement, UJointStart, UJointState, UniversalElement,
-    UniversalStart,
+use jointproof::connector::align::{AlignElement, AlignStart};
+use jointproof::connector::join::{JoinElement, JoinStart};
+use jointproof::connector::slider::{self, SliderElement, SliderElement2d};
+use jointproof::connector::slot::plane::PlanePlaces;
+use jointproof::connector::slot::{SlotContact, SlotElement, SlotElement2d, SlotStart, SlotStart2d, SlotState};
+use jointproof::connector::translator::{self, FrictionLoads, TranslatorContact, TranslatorElement, TranslatorStart};
+use jointproof::connector::ujoint::{
+    AllContactMoments, ContactMoments, Cross, JointLoads, NormalMoments, UJointContact, UJointElement, UJointStart,
+    UJointState,
 };
+use jointproof::connector::universal::{UniversalElement, UniversalStart};
+use jointproof::contact::coulomb::{Response, Sliding};
+use jointproof::element::cardan::{Triads, rotation};
 use jointproof::element::offset::Arms;
-use jointproof::element::slot_plane::PlanePlaces;
+use jointproof::element::{Element, Nodes, Nothing, Parameters, angle};
 use jointproof::formula::Formula;
 use jointproof::toolkit::verify::ElementFile;
 use jointproof::toolkit::verify::golden::components;
@@ -22,14 +23,15 @@ use nalgebra::{SVector, Vector2, Vector3};
 
 const START: SlotStart<f64> = SlotStart { x0: 0.125, y0: 0.25, z0: -0.5 };
 const RUBS: SlotContact<f64> = SlotContact { k_stick: 1e3, fc_int: 1.0, mu: 0.25 };
-const SLOT: SlotElement = SlotElement { start: START, contact: None };
-const SLOT_2D: SlotElement2d = SlotElement2d { start: SlotStart2d { x0: 0.25, y0: -0.5 }, contact: None };
-const TRANSLATOR: TranslatorElement = TranslatorElement {
+const SLOT: Parameters<SlotElement, f64, 2> = Parameters { start: START, contact: None };
+const SLOT_2D: Parameters<SlotElement2d, f64, 1, 6> =
+    Parameters { start: SlotStart2d { x0: 0.25, y0: -0.5 }, contact: None };
+const TRANSLATOR: Parameters<TranslatorElement, f64, 5> = Parameters {
     start: TranslatorStart { x0: 0.125, y0: 0.25, z0: -0.5, alpha0: 0.4, beta0: 0.2, gamma0: -0.6 },
     contact: None,
 };
 const SLEEVE: TranslatorContact<f64> = TranslatorContact { k_stick: 1e3, rr: 0.5, l: 2.0, fc_int: 1.0, mu: 0.25 };
-const UJOINT: UJointElement = UJointElement {
+const UJOINT: Parameters<UJointElement, f64, 4> = Parameters {
     start: UJointStart { d0: Vector3::new(0.125, 0.25, -0.5), c0: 0.0, alpha0: 0.1, gamma0: -0.2 },
     contact: None,
 };
@@ -115,12 +117,17 @@ fn nodes_are_refused_where_a_line_or_an_angle_is_not_defined() {
     let (x1, xm) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(1.5, 1.75, 4.0));
     let (in_space, in_plane) =
         (slider::Nodes { x1, xn: x1, xm }, slider::Nodes2d { x1: x1.xy(), xn: x1.xy(), xm: xm.xy() });
-    let align = AlignElement { start: AlignStart { alpha0: 0.0, beta0: 0.0, gamma0: 0.0 }, contact: None };
-    let universal = UniversalElement { start: UniversalStart { c0: 0.0 }, contact: None };
-    let (slider, slider_2d) =
-        (SliderElement { start: NOTHING, contact: None }, SliderElement2d { start: NOTHING, contact: None });
+    let align = Parameters::<AlignElement, f64, 3> {
+        start: AlignStart { alpha0: 0.0, beta0: 0.0, gamma0: 0.0 },
+        contact: None,
+    };
+    let universal = Parameters::<UniversalElement, f64, 1> { start: UniversalStart { c0: 0.0 }, contact: None };
+    let (slider, slider_2d) = (
+        Parameters::<SliderElement, f64, 2, 9> { start: NOTHING, contact: None },
+        Parameters::<SliderElement2d, f64, 1, 6> { start: NOTHING, contact: None },
+    );
     let apart = "x1 and xn are 0.0 apart; allowed is a distance ≥ 2.2250738585072014e-308";
-    let rubbing = UJointElement { contact: Some(HINGES), ..UJOINT };
+    let rubbing = Parameters::<UJointElement, f64, 4> { contact: Some(HINGES), ..UJOINT };
     let wrong = not_said([
         (refusal(&align, &locked, [3.0; 3], &NOTHING), words),
         (refusal(&TRANSLATOR, &locked, [3.0; 5], &BEFORE), words),
@@ -136,17 +143,17 @@ fn nodes_are_refused_where_a_line_or_an_angle_is_not_defined() {
 #[test]
 fn what_overflows_is_told() {
     let apart = Nodes { xb: Vector3::new(5.0, 0.0, 0.0), ..standing() };
-    let join = JoinElement { start: JoinStart { d0: Vector3::zeros() }, contact: None };
+    let join = Parameters::<JoinElement, f64, 3> { start: JoinStart { d0: Vector3::zeros() }, contact: None };
     let error = join.newton(&apart, &[1e308; 3].into(), &NOTHING).unwrap_err();
     assert_eq!(error.found(), "contribution is too large for a double");
 }
 
 #[test]
 fn a_smooth_element_does_not_rub() {
-    assert_eq!(SlotElement { contact: Some(RUBS), ..SLOT }.smooth(), SLOT);
-    assert_eq!(SlotElement2d { contact: Some(RUBS), ..SLOT_2D }.smooth(), SLOT_2D);
-    assert_eq!(TranslatorElement { contact: Some(SLEEVE), ..TRANSLATOR }.smooth(), TRANSLATOR);
-    assert_eq!(UJointElement { contact: Some(HINGES), ..UJOINT }.smooth(), UJOINT);
+    assert_eq!(Parameters::<SlotElement, f64, 2> { contact: Some(RUBS), ..SLOT }.smooth(), SLOT);
+    assert_eq!(Parameters::<SlotElement2d, f64, 1, 6> { contact: Some(RUBS), ..SLOT_2D }.smooth(), SLOT_2D);
+    assert_eq!(Parameters::<TranslatorElement, f64, 5> { contact: Some(SLEEVE), ..TRANSLATOR }.smooth(), TRANSLATOR);
+    assert_eq!(Parameters::<UJointElement, f64, 4> { contact: Some(HINGES), ..UJOINT }.smooth(), UJOINT);
 }
 
 /// Pressed against the slot by 40 it slips under a friction of 10, and a carries the moment of both about itself.
@@ -154,7 +161,8 @@ fn a_smooth_element_does_not_rub() {
 fn slot_in_the_plane_rubs_against_the_motion() {
     let nodes = PlanePlaces { e2a: Vector2::y(), xa: Vector2::zeros(), xb: Vector2::new(5.0, 0.5) };
     let contact = SlotContact { k_stick: 100.0, fc_int: 0.0, mu: 0.25 };
-    let slot = SlotElement2d { start: SlotStart2d { x0: 1.0, y0: 0.25 }, contact: Some(contact) };
+    let slot =
+        Parameters::<SlotElement2d, f64, 1, 6> { start: SlotStart2d { x0: 1.0, y0: 0.25 }, contact: Some(contact) };
     let (step, after) = slot.newton(&nodes, &[40.0].into(), &SlotState { u1: 3.75, f1: 1.0 }).unwrap();
     assert_eq!(step.residuals[0], 0.25);
     assert_eq!(step.forces, SVector::from([10.0, -40.0, -205.0, -10.0, 40.0, 0.0]));
@@ -173,7 +181,10 @@ fn translator_rubs_by_forces_and_moments_along_the_axes_of_a() {
     let u1 = nodes.e1a.dot(&(nodes.xb - nodes.xa)) - START.x0;
     for k_stick in [0.125, 1e3] {
         let TranslatorContact { rr, l, fc_int, mu, .. } = SLEEVE;
-        let element = TranslatorElement { contact: Some(TranslatorContact { k_stick, ..SLEEVE }), ..TRANSLATOR };
+        let element = Parameters::<TranslatorElement, f64, 5> {
+            contact: Some(TranslatorContact { k_stick, ..SLEEVE }),
+            ..TRANSLATOR
+        };
         let (found, after) = element.newton(&nodes, &multipliers, &BEFORE).unwrap();
         let loads = FrictionLoads { f1: 0.0, f2: 3.0, f3: -4.0, m1, m2, m3, rr, l, fc_int, mu };
         let r#fn = translator::Friction::eval(&loads).r#fn;
@@ -196,9 +207,12 @@ fn ujoint_rubs_about_both_axes_and_counts_whole_turns() {
     // It stands at 0.4, 0.2 and −0.6, and began at 0.1 and −0.2.
     let turns = [0.3, std::f64::consts::TAU - 0.4];
     let Nodes { e1a, e2a, e3a, e1b, e2b, e3b, .. } = nodes;
-    let rows = align::Rows::eval(&Triads { e1a, e2a, e3a, e1b, e2b, e3b });
+    let rows = angle::Rows::eval(&Triads { e1a, e2a, e3a, e1b, e2b, e3b });
     for [k_stick1, k_stick3] in [[0.125, 0.25], [1e3, 0.25], [0.125, 1e3]] {
-        let element = UJointElement { contact: Some(UJointContact { k_stick1, k_stick3, ..HINGES }), ..UJOINT };
+        let element = Parameters::<UJointElement, f64, 4> {
+            contact: Some(UJointContact { k_stick1, k_stick3, ..HINGES }),
+            ..UJOINT
+        };
         let (found, after) = element.newton(&nodes, &multipliers, &before).unwrap();
         let Cross { rp, la, ra, ls, mu, mc1_int, mc3_int } = CROSS;
         let ([f1, f2, f3], m2) = ([3.0, -4.0, 12.0], 5.0 * 0.2_f64.cos());
@@ -221,7 +235,7 @@ fn ujoint_rubs_about_both_axes_and_counts_whole_turns() {
 #[test]
 fn on_arms_forces_and_what_follows_multipliers_have_moments() {
     let arms = Arms { a: Vector3::new(0.5, -1.0, 2.0), b: Vector3::new(-3.0, 0.25, 1.0) };
-    let slot = SlotElement { contact: Some(RUBS), ..SLOT };
+    let slot = Parameters::<SlotElement, f64, 2> { contact: Some(RUBS), ..SLOT };
     let (at_points, _) = slot.newton(&standing(), &[3.0, -4.0].into(), &BEFORE).unwrap();
     let on_arms = at_points.on_arms(&arms);
     assert_ne!(at_points.by_multipliers, at_points.rows.transpose(), "it slips");

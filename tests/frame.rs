@@ -1,6 +1,6 @@
 //! Triads: what is let in is orthonormal within the tolerance, whichever vector or pair of vectors is off, and to either side.
 
-use jointproof::connector::frame::{PlaneTriad, TOLERANCE, Triad};
+use jointproof::element::frame::{PlaneTriad, TOLERANCE, Triad};
 use nalgebra::{Vector2, Vector3};
 
 /// Within the tolerance, and outside of it.

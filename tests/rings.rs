@@ -1,7 +1,7 @@
 //! Rings on a slide line as elements: what they refuse, and where a segment ends.
 
 use jointproof::contact::interaction::{ExponentialContact, PressureExponential};
-use jointproof::element::newton::{Isl21a, Isl22a, LineContact, OnLine, PressureLaw, SlaveState};
+use jointproof::contact::slide_line::element::newton::{Isl21a, Isl22a, LineContact, OnLine, PressureLaw, SlaveState};
 use jointproof::formula::Formula;
 use nalgebra::Vector2;
 

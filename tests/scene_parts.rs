@@ -2,12 +2,12 @@
 //! axis, generated nodes, areas and bases on slide lines, the torque frequency.
 
 use jointproof::connector::align::AlignFromStart;
-use jointproof::connector::frame::Triad;
 use jointproof::connector::slot::{Pose, Slot};
 use jointproof::connector::translator::{self, Translator};
 use jointproof::connector::ujoint::{Stops, UJoint};
 use jointproof::contact::isl::IslElement;
 use jointproof::contact::slide_line::Nodes;
+use jointproof::element::frame::Triad;
 use jointproof::scene::{Plan, Results, Scene};
 use nalgebra::Vector3;
 

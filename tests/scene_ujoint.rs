@@ -1,7 +1,7 @@
 //! UJOINT in scenes: plans held to the least, results of the typed connector, friction over a turn.
 
-use jointproof::connector::frame::Triad;
 use jointproof::connector::ujoint::{Cross, Loads, Pose, Stops, UJoint};
+use jointproof::element::frame::Triad;
 use jointproof::scene::{Plan, Results, Scene};
 use nalgebra::Vector3;
 

@@ -144,7 +144,7 @@ fn results_are_those_of_the_typed_api() {
     let given = r#""kind": "slot", "mu": 0.25, "fc_int": 2, "k_stick": 1"#;
     let scene = one("3d", given, r#"["GY", "GZ", "U1", "CSF1", "P", "FN", "PHI"]"#);
     let results = Results::of(&scene).unwrap();
-    let triad = jointproof::connector::frame::Triad::global();
+    let triad = jointproof::element::frame::Triad::global();
     let mut pose = Pose { triad, xa: Vector3::zeros(), xb: Vector3::new(1.0, 2.0, 3.0) };
     let slot = Slot::new(&pose).unwrap().with_friction(0.25, 2.0).unwrap();
     pose.xb += Vector3::new(0.5, 0.0, 0.25);

@@ -1,8 +1,8 @@
 //! SLOT as a program uses it: every method says what the documented formula says, in space and in the plane.
 
 use jointproof::catalog;
-use jointproof::connector::frame::{PlaneTriad, Triad};
 use jointproof::connector::slot::{Gaps, Pose, Pose2d, Slot, Slot2d};
+use jointproof::element::frame::{PlaneTriad, Triad};
 use jointproof::formula::Fields;
 use nalgebra::{Vector2, Vector3};
 

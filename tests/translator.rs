@@ -3,13 +3,13 @@
 #![expect(clippy::float_cmp, reason = "exact results are expected exactly")]
 
 use jointproof::connector::align::{self, Align, AlignFromStart};
-use jointproof::connector::cardan::{Angles, MOST_CONDITION, Triads, condition, rotation, turned};
-use jointproof::connector::frame::Triad;
 use jointproof::connector::slot::Slot;
 use jointproof::connector::translator;
 use jointproof::connector::translator::{
     ContactForce, ContactLoads, Friction, FrictionLoads, Gradient, Loads, Pose, Translator,
 };
+use jointproof::element::cardan::{Angles, MOST_CONDITION, Triads, condition, rotation, turned};
+use jointproof::element::frame::Triad;
 use jointproof::formula::{Fields, check, value};
 use jointproof::{Error, catalog, formula};
 use nalgebra::{Rotation3, Vector3};
@@ -72,7 +72,7 @@ fn by_formula(id: &str, inputs: &[f64]) -> Vec<f64> {
 fn the_connectors_say_what_the_formulas_say() {
     let (start, now) = (Pose { triad_b: triad(0.1, 0.2, 0.3), xb: Vector3::zeros(), ..pose() }, pose());
     let translator = Translator::new(&start).unwrap().with_levers(0.5, 2.0).unwrap().with_friction(0.25, -3.0).unwrap();
-    let triads = jointproof::connector::cardan::Triads::from((&now.triad_a, &now.triad_b)).components();
+    let triads = jointproof::element::cardan::Triads::from((&now.triad_a, &now.triad_b)).components();
     let Angles { alpha, beta, gamma } = translator.align().initial();
     let initial = Slot::new(&start.slot()).unwrap().relative_position(&start.slot()).unwrap();
     let positions: Vec<_> = now.xa.iter().chain(now.xb.iter()).copied().collect();
@@ -117,7 +117,7 @@ fn the_documented_forces_do_the_work_of_the_residuals() {
     let loads = Loads { f1: 0.0, f2: 3.0, f3: -4.0, m1: 0.5, m2: 7.0, m3: -2.0 };
     let rows =
         [(rows.gy, loads.f2), (rows.gz, loads.f3), (rows.ur1, loads.m1), (rows.ur2, loads.m2), (rows.ur3, loads.m3)];
-    let triads = jointproof::connector::cardan::Triads::from((&pose.triad_a, &pose.triad_b));
+    let triads = jointproof::element::cardan::Triads::from((&pose.triad_a, &pose.triad_b));
     let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
     for (row, multiplier) in rows {
         force += row.xb * multiplier;

@@ -1,13 +1,13 @@
 //! UJOINT as a program uses it, what it rejects, and what its derivatives do at ordinary and at extreme positions.
 
 use crate::common;
-use jointproof::connector::cardan::{Triads, rotation, turned};
-use jointproof::connector::frame::Triad;
 use jointproof::connector::join::Join;
 use jointproof::connector::ujoint::{
     ContactMoments, Cross, Friction, FrictionLoads, Gradient, JointLoads, JointResiduals, Loads, Pose, Stops, UJoint,
 };
 use jointproof::connector::universal::Universal;
+use jointproof::element::cardan::{Triads, rotation, turned};
+use jointproof::element::frame::Triad;
 use jointproof::formula::proof::value_and_jacobian_by_ad;
 use jointproof::formula::{Fields, Formula, Jacobian, value};
 use jointproof::toolkit::verify::exactly;

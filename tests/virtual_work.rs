@@ -7,8 +7,6 @@
 
 use jointproof::Octuple;
 use jointproof::connector::align;
-use jointproof::connector::cardan::{Triads, accurate};
-use jointproof::connector::cardan::{rotation, turned};
 use jointproof::connector::join;
 use jointproof::connector::slot::{
     Constraint, Constraint2d, ConstraintForce, CrossFrame, KineticForce, Positions, RelativeMotion, RelativePosition,
@@ -17,6 +15,8 @@ use jointproof::connector::slot::{
 use jointproof::connector::translator;
 use jointproof::connector::ujoint;
 use jointproof::connector::universal::{self, Driven, Shafts, TurnsSince, Twisted};
+use jointproof::element::cardan::{Triads, accurate};
+use jointproof::element::cardan::{rotation, turned};
 use jointproof::formula::Formula;
 use nalgebra::{Vector2, Vector3};
 use num_dual::Dual;

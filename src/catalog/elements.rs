@@ -2,7 +2,13 @@
 
 use crate::Error;
 #[cfg(feature = "catalog")]
-use crate::element::newton::{Align, Join, Slider, Slider2d, Slot, Slot2d, Translator, UJoint, Universal};
+use crate::connector::align::AlignElement;
+use crate::connector::join::JoinElement;
+use crate::connector::slider::{SliderElement, SliderElement2d};
+use crate::connector::slot::{SlotElement, SlotElement2d};
+use crate::connector::translator::TranslatorElement;
+use crate::connector::ujoint::UJointElement;
+use crate::connector::universal::UniversalElement;
 use crate::formula::proof::{self, ProvedElement, Step};
 use crate::formula::{Field, Spec};
 use crate::toolkit::graph::{Extremes, Graph, NotRecorded, record_element};
@@ -65,13 +71,13 @@ impl<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize> AnyElement fo
 /// Every element.
 #[cfg(feature = "catalog")]
 pub static ELEMENTS: &[&dyn AnyElement] = &[
-    &Erased::<Slot, 2, 12>(Slot),
-    &Erased::<Slot2d, 1, 6>(Slot2d),
-    &Erased::<Align, 3, 12>(Align),
-    &Erased::<Translator, 5, 12>(Translator),
-    &Erased::<Join, 3, 12>(Join),
-    &Erased::<Universal, 1, 12>(Universal),
-    &Erased::<UJoint, 4, 12>(UJoint),
-    &Erased::<Slider, 2, 9>(Slider),
-    &Erased::<Slider2d, 1, 6>(Slider2d),
+    &Erased::<SlotElement, 2, 12>(SlotElement),
+    &Erased::<SlotElement2d, 1, 6>(SlotElement2d),
+    &Erased::<AlignElement, 3, 12>(AlignElement),
+    &Erased::<TranslatorElement, 5, 12>(TranslatorElement),
+    &Erased::<JoinElement, 3, 12>(JoinElement),
+    &Erased::<UniversalElement, 1, 12>(UniversalElement),
+    &Erased::<UJointElement, 4, 12>(UJointElement),
+    &Erased::<SliderElement, 2, 9>(SliderElement),
+    &Erased::<SliderElement2d, 1, 6>(SliderElement2d),
 ];

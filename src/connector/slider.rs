@@ -14,10 +14,12 @@
 #![expect(clippy::inline_always, reason = "a call would write the coordinates to memory, and wait for them there")]
 
 mod across;
+mod along;
 mod basis;
 mod connector;
 mod connector_plane;
 mod constraint;
+mod element;
 mod eliminate;
 mod equation;
 #[cfg(feature = "verify")]
@@ -26,6 +28,8 @@ mod line;
 mod pivots;
 mod place;
 mod plane;
+pub mod rows;
+pub mod rows_plane;
 mod slide;
 mod span;
 
@@ -34,6 +38,7 @@ pub use basis::{Basis, BasisVariation, LineDirection, TangentChanges, Tangents, 
 pub use connector::{Coefficients, Slider, Variations};
 pub use connector_plane::{Coefficients2d, Slider2d};
 pub use constraint::{Constraint, Distances, IncrementalConstraint, IncrementalResiduals, MovingNodes, Nodes};
+pub use element::{SliderElement, SliderElement2d};
 pub use eliminate::{Coordinates, Eliminate, Increment, Increments, KeptCoordinate, KeptIncrement, documented};
 pub use equation::{LineNode, LinearEquation, Term};
 pub use line::{Direction, DirectionChange, DirectionVariation, Ends, Line, MovingEnds};

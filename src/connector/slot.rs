@@ -14,15 +14,21 @@
 //! below: positions, constraint and forces in one, contact force and friction in the other.
 
 mod connector;
+pub(crate) mod element;
+mod element_plane;
 mod friction;
 mod kinematics;
+pub mod plane;
 
+pub use crate::element::line::Positions;
 pub use connector::{Pose, Pose2d, Slot, Slot2d};
+pub use element::{SlotContact, SlotElement, SlotStart, SlotState};
+pub use element_plane::{SlotElement2d, SlotStart2d};
 pub use friction::{
     Contact, ContactForce, ContactForces, CrossForces, Friction, FrictionOutputs, Normal, NormalForce, SlotLoads,
 };
 pub use kinematics::{
     AlongForce, Constraint, Constraint2d, ConstraintForce, CrossFrame, Displacements, Force, Gaps, KineticForce,
-    Positions, Relative, RelativeMotion, RelativePosition, Residual2d, Residuals, SlotForce, SlotLengths,
-    SlotPositions, SlotPositions2d, Stop, StopLengths,
+    Relative, RelativeMotion, RelativePosition, Residual2d, Residuals, SlotForce, SlotLengths, SlotPositions,
+    SlotPositions2d, Stop, StopLengths,
 };

@@ -9,6 +9,7 @@
 
 mod connector;
 mod contact;
+mod element;
 mod friction;
 mod kinematics;
 
@@ -16,5 +17,6 @@ pub use connector::{Gradient, Loads, Pose, Translator};
 pub use contact::{
     Bending, BendingContact, BendingForce, RadialContact, RadialForce, Torque, TorqueContact, TorqueForce,
 };
+pub use element::{TranslatorContact, TranslatorElement, TranslatorStart};
 pub use friction::{ContactForce, ContactLoads, Friction, FrictionLoads};
 pub use kinematics::{AllResiduals, Constraint, Placement};

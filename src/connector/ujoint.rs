@@ -3,7 +3,7 @@
 //! | | |
 //! |---|---|
 //! | frames | the triads of both nodes; the axes of the cross are e1a, in the yoke of a, and e3b, in the yoke of b, and across both lies e_cross = e1a × e3b |
-//! | matrix | `R_ij = e_ia·e_jb` = R1(α) R2(β) R3(γ), written out in [`cardan`](crate::connector::cardan); sin β = e1a·e3b stays 0 |
+//! | matrix | `R_ij = e_ia·e_jb` = R1(α) R2(β) R3(γ), written out in [`cardan`](crate::element::cardan); sin β = e1a·e3b stays 0 |
 //! | zero position | both triads equal: α = γ = 0, the shafts in line; then e_cross = −e2a |
 //! | signs | as [`join`](crate::connector::join) and [`universal`](crate::connector::universal): α about e1a and γ about e3b by the right-hand rule; f1, f2, f3 along a's triad and m2 about the line of nodes act on b and their opposites on a; m1 e1a + m3 e3b acts on a and its opposite on b |
 //!
@@ -26,6 +26,7 @@ pub mod arm;
 mod connector;
 pub(crate) mod contact;
 mod decomposition;
+mod element;
 mod friction;
 mod hinge;
 mod kinematics;
@@ -33,15 +34,17 @@ mod loads;
 mod normal;
 
 pub use crate::connector::translator::{Gradient, Pose};
+pub use crate::element::cross::CrossAxes;
 pub use arm::{Arm, AxialFactors, AxialShares, TwistFactors, TwistShares};
 pub use connector::{Cross, Loads, Stops, UJoint};
 pub use contact::{ContactMomentPair, ContactMoments, JointLoads};
 pub use decomposition::{CrossForces, CrossLoads, Decomposition};
+pub use element::{UJointContact, UJointElement, UJointStart, UJointState};
 pub use friction::{Friction, FrictionLoads, YieldPair};
 pub use hinge::{
     AxialForces, AxialLoads, Bending, BendingLoads, CentreLoads, HingeAxial, HingeBending, HingeTransverse, HingeTwist,
     TransverseForces, Twist, TwistLoads,
 };
 pub use kinematics::{AngleGaps, Constraint, JointResiduals, Jointed, Stop, StopAngles};
-pub use loads::{CrossAxes, CrossDirection, CrossNormal, JoinForces, Reaction, ReactionForce};
+pub use loads::{CrossDirection, CrossNormal, JoinForces, Reaction, ReactionForce};
 pub use normal::{AllContactMoments, NormalMomentPair, NormalMoments};

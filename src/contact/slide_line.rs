@@ -16,6 +16,7 @@ mod area;
 mod basis;
 mod closest;
 mod corners;
+pub mod element;
 mod line;
 mod plane;
 mod points;

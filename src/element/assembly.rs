@@ -1,8 +1,8 @@
 //! Twelve degrees of freedom in a row: the translation and the spin of a, the translation and the spin of b.
 
-use super::align::{AlignRows, AlignStiffness};
-use super::join::{JoinForces, JoinRows, JoinStiffness};
-use super::universal::{UniversalMoments, UniversalStiffness};
+use super::angle::{AlignRows, AlignStiffness};
+use super::cross::{UniversalMoments, UniversalStiffness};
+use super::line::{JoinForces, JoinRows, JoinStiffness};
 use super::{Forces, Rows, Stiffness};
 use crate::element::NodalForces;
 use crate::number::scalar::Scalar;
@@ -101,7 +101,7 @@ impl<D: Scalar> JoinStiffness<D> {
 
 impl<D: Scalar> UniversalStiffness<D> {
     /// Adds all blocks in their places.
-    pub(super) fn add_to(&self, all: &mut Stiffness<D>) {
+    pub(crate) fn add_to(&self, all: &mut Stiffness<D>) {
         let across = self.k_ta_tb;
         let mut own = all.fixed_view_mut::<3, 3>(3 * TA, 3 * TA);
         own += self.k_ta_ta;

@@ -9,25 +9,25 @@ use num_traits::{One, Zero};
 
 type Vector = Vector3<Octuple>;
 /// A number that changes as the nodes move.
-pub(super) type Moving = Dual<Octuple>;
+pub(crate) type Moving = Dual<Octuple>;
 
 /// Translations and spins of both nodes, or what belongs to each of them.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Motion {
-    pub(super) ua: Vector,
-    pub(super) ta: Vector,
-    pub(super) ub: Vector,
-    pub(super) tb: Vector,
+pub(crate) struct Motion {
+    pub(crate) ua: Vector,
+    pub(crate) ta: Vector,
+    pub(crate) ub: Vector,
+    pub(crate) tb: Vector,
 }
 
 impl Motion {
-    pub(super) fn none() -> Self {
+    pub(crate) fn none() -> Self {
         let none = Vector::from_element(Octuple::zero());
         Self { ua: none, ta: none, ub: none, tb: none }
     }
 
     /// All that moves alone: the k-th component of each.
-    pub(super) fn alone() -> [[Self; 3]; 4] {
+    pub(crate) fn alone() -> [[Self; 3]; 4] {
         let none = Self::none();
         let unit = |k: usize| Vector::from_fn(|j, _| if j == k { Octuple::one() } else { Octuple::zero() });
         [
@@ -39,45 +39,45 @@ impl Motion {
     }
 
     /// A position of a, of b.
-    pub(super) fn places(&self, [xa, xb]: [Vector; 2]) -> [Vector3<Moving>; 2] {
+    pub(crate) fn places(&self, [xa, xb]: [Vector; 2]) -> [Vector3<Moving>; 2] {
         [xa.zip_map(&self.ua, Dual::new), xb.zip_map(&self.ub, Dual::new)]
     }
 
     /// A vector of the triad of a: δe = δθ × e.
-    pub(super) fn of_a(&self, e: Vector) -> Vector3<Moving> {
+    pub(crate) fn of_a(&self, e: Vector) -> Vector3<Moving> {
         e.zip_map(&self.ta.cross(&e), Dual::new)
     }
 
     /// A vector of the triad of b.
-    pub(super) fn of_b(&self, e: Vector) -> Vector3<Moving> {
+    pub(crate) fn of_b(&self, e: Vector) -> Vector3<Moving> {
         e.zip_map(&self.tb.cross(&e), Dual::new)
     }
 }
 
 /// The derivative of a number by translations and spins.
-pub(super) fn derivative(number: impl Fn(&Motion) -> Moving) -> Motion {
+pub(crate) fn derivative(number: impl Fn(&Motion) -> Moving) -> Motion {
     let by = |motions: &[Motion; 3]| Vector::from_fn(|k, _| number(&motions[k]).eps);
     let [ua, ta, ub, tb] = Motion::alone();
     Motion { ua: by(&ua), ta: by(&ta), ub: by(&ub), tb: by(&tb) }
 }
 
 /// A number that stands still.
-pub(super) fn still(x: Octuple) -> Moving {
+pub(crate) fn still(x: Octuple) -> Moving {
     Dual::from_re(x)
 }
 
 /// How forces change with the twelve degrees of freedom.
-pub(super) fn stiffness(forces: impl Fn(&Motion) -> Forces<Moving>) -> Stiffness<Octuple> {
+pub(crate) fn stiffness(forces: impl Fn(&Motion) -> Forces<Moving>) -> Stiffness<Octuple> {
     let columns = Motion::alone().map(|motions| motions.map(|motion| forces(&motion).map(|force| force.eps)));
     Stiffness::from_fn(|row, column| columns[column / 3][column % 3][row])
 }
 
 /// What a geometric stiffness must obey, from the forces that it is the derivative of.
-pub(super) struct Tangent {
-    pub(super) matrix: Stiffness<Octuple>,
-    pub(super) forces: Forces<Octuple>,
+pub(crate) struct Tangent {
+    pub(crate) matrix: Stiffness<Octuple>,
+    pub(crate) forces: Forces<Octuple>,
     /// The sizes of the terms of forces and of moments.
-    pub(super) sizes: [Octuple; 2],
+    pub(crate) sizes: [Octuple; 2],
 }
 
 impl Tangent {
@@ -92,12 +92,12 @@ impl Tangent {
     }
 
     /// It is the derivative of the forces.
-    pub(super) fn derives(&self, forces: impl Fn(&Motion) -> Forces<Moving>) -> Vec<Equation> {
+    pub(crate) fn derives(&self, forces: impl Fn(&Motion) -> Forces<Moving>) -> Vec<Equation> {
         self.equal(&self.matrix, &stiffness(forces))
     }
 
     /// K − Kᵀ is −\[m×\] where the spin of a node works on its own moment m, and 0 elsewhere.
-    pub(super) fn is_symmetric_but_for_own_spins(&self) -> Vec<Equation> {
+    pub(crate) fn is_symmetric_but_for_own_spins(&self) -> Vec<Equation> {
         let mut expected = Stiffness::zeros();
         for spin in [3, 9] {
             let moment = self.forces.fixed_rows::<3>(spin).into_owned();
@@ -107,7 +107,7 @@ impl Tangent {
     }
 
     /// Where both nodes turn as one body about a point, forces and moments turn with them.
-    pub(super) fn turns_with_the_body(&self, [xa, xb]: [Vector; 2], spin: Vector) -> Vec<Equation> {
+    pub(crate) fn turns_with_the_body(&self, [xa, xb]: [Vector; 2], spin: Vector) -> Vec<Equation> {
         let (ua, ub) = (Vector::from_element(Octuple::zero()), spin.cross(&(xb - xa)));
         let parts = [ua, spin, ub, spin];
         let turned = self.matrix * Forces::from_fn(|k, _| parts[k / 3][k % 3]);

@@ -7,7 +7,7 @@ use nalgebra::{Matrix3, Vector3};
 
 /// \[v×\]: what takes w to v × w.
 #[inline(always)]
-pub(super) fn skew<D: Scalar>(v: &Vector3<D>) -> Matrix3<D> {
+pub(crate) fn skew<D: Scalar>(v: &Vector3<D>) -> Matrix3<D> {
     let zero = D::zero();
     Matrix3::new(zero, -v.z, v.y, v.z, zero, -v.x, -v.y, v.x, zero)
 }
@@ -16,7 +16,7 @@ pub(super) fn skew<D: Scalar>(v: &Vector3<D>) -> Matrix3<D> {
 ///
 /// Its diagonal is a sum over the other two axes, without the product that would cancel.
 #[inline(always)]
-pub(super) fn double_cross<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> Matrix3<D> {
+pub(crate) fn double_cross<D: Scalar>(a: &Vector3<D>, b: &Vector3<D>) -> Matrix3<D> {
     let diagonal = |j: usize, k: usize| -(a[j] * b[j] + a[k] * b[k]);
     let mut m = a * b.transpose();
     m[(0, 0)] = diagonal(1, 2);

@@ -12,7 +12,7 @@
 //! hold: Tᵀ by m, the other term by ψ. At a whole turn, |ψ| = 2π, T is singular: a program changes ψ by a whole turn before.
 
 #[cfg(feature = "verify")]
-pub(super) mod proof;
+pub(crate) mod proof;
 mod stumpff;
 
 use crate::fields;

@@ -16,12 +16,13 @@ use std::marker::PhantomData;
 /// [`ProvedElement`](super::proof::ProvedElement).
 ///
 /// ```
-/// use jointproof::element::newton::{Nodes, SlotState, SlotContact, SlotElement, SlotStart};
+/// use jointproof::connector::slot::{SlotContact, SlotElement, SlotStart, SlotState};
+/// use jointproof::element::{Nodes, Parameters};
 /// use nalgebra::{Vector2, Vector3};
 /// let axes = [Vector3::x(), Vector3::y(), Vector3::z()];
 /// let nodes = Nodes::new([axes; 2], [Vector3::zeros(), Vector3::new(5.0, 0.5, 0.0)]);
 /// let contact = SlotContact { k_stick: 100.0, fc_int: 0.0, mu: 0.25 };
-/// let slot = SlotElement { start: SlotStart { x0: 1.0, y0: 0.0, z0: 0.0 }, contact: Some(contact) };
+/// let slot = Parameters::<SlotElement, f64, 2> { start: SlotStart { x0: 1.0, y0: 0.0, z0: 0.0 }, contact: Some(contact) };
 /// // It has moved by 4 since the start, by 0.25 in this increment, and is pressed against the slot by 40.
 /// let (step, after) = slot.newton(&nodes, &Vector2::new(40.0, 0.0), &SlotState { u1: 3.75, f1: 1.0 })?;
 /// assert_eq!(step.residuals[0], 0.5);

@@ -6,13 +6,14 @@
 //! cargo run --example double_cardan
 //! ```
 
-use jointproof::element::newton::{Contribution, Nodes, UJointElement, UJointStart, UJointState};
+use jointproof::connector::ujoint::{UJointElement, UJointStart, UJointState};
 use jointproof::element::offset::Arms;
+use jointproof::element::{Contribution, Nodes, Parameters};
 use nalgebra::{Rotation3, SMatrix, SVector, Vector3, Vector4};
 use std::f64::consts::TAU;
 
 /// Both joints: two points in one place, two pins at right angles.
-const JOINT: UJointElement = UJointElement {
+const JOINT: Parameters<UJointElement, f64, 4> = Parameters {
     start: UJointStart { d0: Vector3::new(0.0, 0.0, 0.0), c0: 0.0, alpha0: 0.0, gamma0: 0.0 },
     contact: None,
 };

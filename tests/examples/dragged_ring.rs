@@ -5,7 +5,7 @@
 //! cargo run --example dragged_ring
 //! ```
 
-use jointproof::element::newton::{Isl21a, LineContact, OnLine, Pressed, PressureLaw, SlaveState};
+use jointproof::contact::slide_line::element::newton::{Isl21a, LineContact, OnLine, Pressed, PressureLaw, SlaveState};
 use nalgebra::{SMatrix, Vector2, Vector4};
 
 /// The free degrees of freedom: the translations of both nodes of the ring. The washer stands still.

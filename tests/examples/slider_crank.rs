@@ -6,9 +6,9 @@
 //! cargo run --example slider_crank
 //! ```
 
+use jointproof::connector::slot::plane::{Forces, PlaneLoads, PlanePlaces, Rows};
 use jointproof::connector::slot::{Constraint2d, Friction, SlotLoads, SlotPositions2d};
 use jointproof::contact::coulomb::{Response, Slid, Sliding};
-use jointproof::element::slot_plane::{Forces, PlaneLoads, PlanePlaces, Rows};
 use jointproof::formula::Formula;
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 use std::f64::consts::TAU;

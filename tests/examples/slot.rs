@@ -4,8 +4,8 @@
 //! cargo run --example slot
 //! ```
 
-use jointproof::connector::frame::Triad;
 use jointproof::connector::slot::{ContactForce, CrossForces, Pose, Slot};
+use jointproof::element::frame::Triad;
 use jointproof::formula::value_and_jacobian;
 use nalgebra::Vector3;
 

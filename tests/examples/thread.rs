@@ -5,7 +5,7 @@
 //! cargo run --example thread
 //! ```
 
-use jointproof::element::newton::{Isl21a, LineContact, OnLine, Pressed, PressureLaw, SlaveState};
+use jointproof::contact::slide_line::element::newton::{Isl21a, LineContact, OnLine, Pressed, PressureLaw, SlaveState};
 use nalgebra::{SMatrix, SVector, Vector2};
 
 /// Turns of the thread, each a ring; every one has a flank with two nodes.

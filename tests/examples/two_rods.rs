@@ -5,8 +5,9 @@
 //! cargo run --example two_rods
 //! ```
 
-use jointproof::element::newton::{Contribution, Nodes, UJointElement, UJointStart, UJointState};
+use jointproof::connector::ujoint::{UJointElement, UJointStart, UJointState};
 use jointproof::element::offset::Arms;
+use jointproof::element::{Contribution, Nodes, Parameters};
 use nalgebra::{Matrix3, Rotation3, SMatrix, SVector, Vector3, Vector4};
 
 /// The ground and both rods with six degrees of freedom each, then four multipliers for each joint.
@@ -21,7 +22,7 @@ const END: Vector3<f64> = Vector3::new(0.0, 1.0, 0.0);
 const SPRING: f64 = 6.0;
 
 /// The joint of both rods: it holds points in one place and two axes at right angles, and does not rub.
-const JOINT: UJointElement = UJointElement {
+const JOINT: Parameters<UJointElement, f64, 4> = Parameters {
     start: UJointStart { d0: Vector3::new(0.0, 0.0, 0.0), c0: 0.0, alpha0: 0.0, gamma0: 0.0 },
     contact: None,
 };

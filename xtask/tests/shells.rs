@@ -4,8 +4,11 @@
 //! numbers, and answers with bits.
 
 use crate::common::{Bench, is_here};
-use jointproof::element::newton::{Element, Nodes, Parameters, Slot, Translator, UJoint};
+use jointproof::connector::slot::SlotElement;
+use jointproof::connector::translator::TranslatorElement;
+use jointproof::connector::ujoint::UJointElement;
 use jointproof::element::offset::Arms;
+use jointproof::element::{Element, Nodes, Parameters};
 use jointproof::element::{Forces, Stiffness};
 use jointproof::formula::Fields;
 use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, SVector, Vector3};
@@ -270,7 +273,7 @@ fn stiffness(numbers: &mut Numbers) -> f64 {
 
 #[test]
 fn slot_has_every_bit_of_rust() {
-    compare::<Slot, 2>("uel-slot", |numbers| {
+    compare::<SlotElement, 2>("uel-slot", |numbers| {
         let start = numbers.some(3);
         [start, vec![stiffness(numbers), numbers.next(), numbers.next().abs()]].concat()
     });
@@ -278,7 +281,7 @@ fn slot_has_every_bit_of_rust() {
 
 #[test]
 fn translator_has_every_bit_of_rust() {
-    compare::<Translator, 5>("uel-translator", |numbers| {
+    compare::<TranslatorElement, 5>("uel-translator", |numbers| {
         let start = numbers.some(6);
         let k_stick = stiffness(numbers);
         let positive: Vec<_> = numbers.some(2).iter().map(|x| x.abs()).collect();
@@ -288,7 +291,7 @@ fn translator_has_every_bit_of_rust() {
 
 #[test]
 fn ujoint_has_every_bit_of_rust() {
-    compare::<UJoint, 4>("uel-ujoint", |numbers| {
+    compare::<UJointElement, 4>("uel-ujoint", |numbers| {
         let start = numbers.some(6);
         let (k_stick1, k_stick3) = (stiffness(numbers), 10_f64.powf(2.0 * numbers.next()));
         let cross: Vec<_> = numbers.some(4).iter().map(|x| x.abs()).collect();
@@ -373,7 +376,7 @@ fn newton_converges_through_the_interface_as_in_rust() {
         let props = [&at_start[..], &[0.25, 2.0, fit, mu]].concat();
         let start = point(&props, 2, 5);
         let found = steps(&start, |at| peers[0].ask(1, at));
-        assert_eq!(found, steps(&start, in_rust::<Translator, 5>));
+        assert_eq!(found, steps(&start, in_rust::<TranslatorElement, 5>));
         let has_slipped = |motion: f64, friction: f64| k_stick > 0.0 && k_stick * motion != friction;
         assert!(
             is_quadratic(&found.0) && has_slipped(found.1[0], found.1[1]) == slips,
@@ -383,7 +386,7 @@ fn newton_converges_through_the_interface_as_in_rust() {
         let props = [&at_start[..], &[k_stick, 0.125, 0.5, 0.25, 0.5, fit, fit, mu]].concat();
         let start = point(&props, 4, 4);
         let found = steps(&start, |at| peers[1].ask(1, at));
-        assert_eq!(found, steps(&start, in_rust::<UJoint, 4>));
+        assert_eq!(found, steps(&start, in_rust::<UJointElement, 4>));
         assert!(is_quadratic(&found.0) && has_slipped(found.1[0], found.1[2]) == slips, "UJOINT, {k_stick}: {found:?}");
     }
 }

@@ -1,8 +1,9 @@
 //! The ALIGN connector as a program uses it: validated once, then evaluated by the formulas.
 
-use super::{ConstraintMoment, Misalignment, Moment, Moments, wrapped};
-use crate::connector::cardan::{Angles, Triads, accurate, accurate_jacobian, between, check_start, check_turns};
-use crate::connector::frame::Triad;
+use super::{AlignElement, AlignStart, ConstraintMoment, Misalignment, Moment, Moments, wrapped};
+use crate::element::cardan::{Angles, Triads, accurate, accurate_jacobian, between, check_start, check_turns};
+use crate::element::frame::Triad;
+use crate::element::{Contribution, Nodes, Nothing, Parameters};
 use crate::formula::error::Error;
 use crate::formula::value;
 use nalgebra::{Matrix3, Vector3};
@@ -34,7 +35,7 @@ impl Align {
     ///
     /// # Errors
     /// [`Error::GimbalLock`]: the second initial angle is ±90°; [`Error::IllConditioned`]: it is so near that
-    /// [`condition`](crate::connector::cardan::condition) is above [`MOST_CONDITION`](crate::connector::cardan::MOST_CONDITION).
+    /// [`condition`](crate::element::cardan::condition) is above [`MOST_CONDITION`](crate::element::cardan::MOST_CONDITION).
     /// [`AlignFromStart`] is regular there.
     pub fn new(a: &Triad, b: &Triad) -> Result<Self, Error> {
         let initial = between(a, b)?;
@@ -50,7 +51,7 @@ impl Align {
     /// By how much b is out of alignment.
     ///
     /// These are the residuals of [`Constraint`](super::Constraint) made fit for programs: β by
-    /// [`BetaTwoArgument`](crate::connector::cardan::BetaTwoArgument), and differences of α and γ as angles from −π to π, so that a joint
+    /// [`BetaTwoArgument`](crate::element::cardan::BetaTwoArgument), and differences of α and γ as angles from −π to π, so that a joint
     /// that starts at half a turn has no jump at its start.
     ///
     /// # Errors
@@ -81,6 +82,21 @@ impl Align {
     /// A moment that is not finite.
     pub fn constraint_moment(&self, a: &Triad, m1: f64, m2: f64, m3: f64) -> Result<Moment<f64>, Error> {
         value::<ConstraintMoment>(&Moments { e1a: a.e1(), e2a: a.e2(), e3a: a.e3(), m1, m2, m3 })
+    }
+
+    /// The element that a solver calls, in any number.
+    pub const fn element(&self) -> Parameters<AlignElement, f64, 3> {
+        let Angles { alpha: alpha0, beta: beta0, gamma: gamma0 } = self.initial;
+        Parameters { start: AlignStart { alpha0, beta0, gamma0 }, contact: None }
+    }
+
+    /// What it adds to a step of Newton's method.
+    ///
+    /// # Errors
+    /// As [`Parameters::newton`].
+    pub fn newton(&self, a: &Triad, b: &Triad, multipliers: &Vector3<f64>) -> Result<Contribution<f64, 3>, Error> {
+        let nodes = Nodes::new([(*a).into(), (*b).into()], [Vector3::zeros(); 2]);
+        self.element().newton(&nodes, multipliers, &Nothing::new()).map(|(found, _)| found)
     }
 }
 

@@ -5,7 +5,7 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use crate::connector::cardan::{Angles, CardanAngles, Oriented, Triads};
+use crate::element::cardan::{Angles, CardanAngles, Oriented, Triads};
 use crate::fields;
 use crate::formula::error::Error;
 use crate::formula::quantity::{

@@ -2,8 +2,9 @@
 
 use super::{
     Basis, Constraint, Coordinates, Direction, Distances, Eliminate, Ends, Increment, Increments, KeptCoordinate,
-    KeptIncrement, Line, LineDirection, LinearEquation, Nodes, Pivots, Tangents,
+    KeptIncrement, Line, LineDirection, LinearEquation, Nodes, Pivots, SliderElement, Tangents,
 };
+use crate::element::{Contribution, Nothing, Parameters};
 use crate::formula::error::Error;
 use crate::formula::{Fields, Formula, Jacobian, value, value_and_jacobian};
 use nalgebra::{Matrix2x3, SMatrix, SVector, Vector2, Vector3};
@@ -262,6 +263,16 @@ impl Slider {
 
     fn nodes(&self, xm: Vector3<f64>) -> Nodes<f64> {
         Nodes { x1: self.x1, xn: self.xn, xm }
+    }
+
+    /// What the element with m here adds to a step of Newton's method.
+    ///
+    /// # Errors
+    /// As [`Parameters::newton`].
+    pub fn newton(&self, xm: Vector3<f64>, multipliers: &Vector2<f64>) -> Result<Contribution<f64, 2, 9>, Error> {
+        let (nodes, nothing) = (Nodes { x1: self.x1, xn: self.xn, xm }, Nothing::new());
+        let element = Parameters::<SliderElement, f64, 2, 9> { start: nothing, contact: None };
+        element.newton(&nodes, multipliers, &nothing).map(|(found, _)| found)
     }
 }
 

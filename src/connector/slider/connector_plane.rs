@@ -3,12 +3,13 @@
 use super::connector::placed;
 use super::{
     Constraint2d, Distance2d, Eliminate2d, Increment2d, IncrementalConstraint2d, KeptCoordinate2d, KeptIncrement2d,
-    LinearEquation, MovingNodes2d, Nodes2d, Pivots2d,
+    LinearEquation, MovingNodes2d, Nodes2d, Pivots2d, SliderElement2d,
 };
+use crate::element::{Contribution, Nothing, Parameters};
 use crate::formula::error::Error;
 use crate::formula::{Fields, Jacobian, value, value_and_jacobian};
 use crate::number::scalar::norm;
-use nalgebra::{SMatrix, Vector2};
+use nalgebra::{SMatrix, Vector1, Vector2};
 
 /// The line in the plane through nodes 1 and n, on which node m slides.
 ///
@@ -181,6 +182,16 @@ impl Slider2d {
     /// As [`Slider2d::coefficients`].
     pub fn equation(&self, xm: Vector2<f64>) -> Result<LinearEquation, Error> {
         Ok(self.coefficients(xm)?.equation())
+    }
+
+    /// What the element with m here adds to a step of Newton's method.
+    ///
+    /// # Errors
+    /// As [`Parameters::newton`].
+    pub fn newton(&self, xm: Vector2<f64>, multipliers: &Vector1<f64>) -> Result<Contribution<f64, 1, 6>, Error> {
+        let (nodes, nothing) = (Nodes2d { x1: self.x1, xn: self.xn, xm }, Nothing::new());
+        let element = Parameters::<SliderElement2d, f64, 1, 6> { start: nothing, contact: None };
+        element.newton(&nodes, multipliers, &nothing).map(|(found, _)| found)
     }
 }
 

@@ -1,15 +1,18 @@
 //! The SLOT connector as a program uses it: validated once, then evaluated by the formulas.
 
+use super::plane::PlanePlaces;
 use super::{
     AlongForce, Constraint, Constraint2d, ConstraintForce, CrossFrame, Displacements, Force, Friction, FrictionOutputs,
-    Gaps, KineticForce, Positions, Relative, RelativeMotion, RelativePosition, Residual2d, Residuals, SlotForce,
-    SlotLengths, SlotLoads, SlotPositions, SlotPositions2d, Stop, StopLengths,
+    Gaps, KineticForce, Positions, Relative, RelativeMotion, RelativePosition, Residual2d, Residuals, SlotContact,
+    SlotElement, SlotElement2d, SlotForce, SlotLengths, SlotLoads, SlotPositions, SlotPositions2d, SlotStart,
+    SlotStart2d, SlotState, Stop, StopLengths,
 };
-use crate::connector::frame::{PlaneTriad, Triad};
+use crate::element::frame::{PlaneTriad, Triad};
+use crate::element::{Contribution, Nodes, Parameters};
 use crate::formula::error::Error;
 use crate::formula::quantity::Domain;
 use crate::formula::{Jacobian, value, value_and_jacobian};
-use nalgebra::{Vector2, Vector3};
+use nalgebra::{Vector1, Vector2, Vector3};
 
 /// A state of the two nodes: a's triad, and where both are, in the global frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,13 +43,15 @@ struct Line {
     l1_ref: f64,
     /// The lower stop and the upper one.
     stops: [Option<f64>; 2],
+    /// 0 where it is not given.
+    k_stick: f64,
     mu: f64,
     fc_int: f64,
 }
 
 impl Line {
     fn new(x0: f64) -> Self {
-        Self { x0, l1_ref: x0, stops: [None; 2], mu: 0.0, fc_int: 0.0 }
+        Self { x0, l1_ref: x0, stops: [None; 2], k_stick: 0.0, mu: 0.0, fc_int: 0.0 }
     }
 
     fn reference_length(&mut self, l1_ref: f64) -> Result<(), Error> {
@@ -66,6 +71,17 @@ impl Line {
         Error::check("fc_int", None, fc_int, Domain::Real)?;
         (self.mu, self.fc_int) = (mu, fc_int);
         Ok(())
+    }
+
+    fn stick_stiffness(&mut self, k_stick: f64) -> Result<(), Error> {
+        Error::check("k_stick", None, k_stick, Domain::Positive)?;
+        self.k_stick = k_stick;
+        Ok(())
+    }
+
+    fn contact(&self) -> Option<SlotContact<f64>> {
+        let Self { k_stick, fc_int, mu, .. } = *self;
+        (mu > 0.0).then_some(SlotContact { k_stick, fc_int, mu })
     }
 
     fn motion(&self, x: f64) -> Result<Displacements<f64>, Error> {
@@ -139,14 +155,23 @@ macro_rules! line_options {
             self.line.friction(mu, fc_int)?;
             Ok(self)
         }
+
+        /// Sets the stiffness in stick, > 0 (F/L), which [`newton`](Self::newton) needs where there is friction.
+        ///
+        /// # Errors
+        /// `k_stick` not positive and finite.
+        pub fn with_stick_stiffness(mut self, k_stick: f64) -> Result<Self, Error> {
+            self.line.stick_stiffness(k_stick)?;
+            Ok(self)
+        }
     };
 }
 
 /// A SLOT connector in space.
 ///
 /// ```
-/// use jointproof::connector::{frame::Triad, slot::{Pose, Slot}};
-/// use nalgebra::Vector3;
+/// use jointproof::connector::{frame::Triad, slot::{Pose, Slot, SlotState}};
+/// use nalgebra::{Vector2, Vector3};
 ///
 /// let mut pose = Pose { triad: Triad::global(), xa: Vector3::zeros(), xb: Vector3::new(1.0, 2.0, 3.0) };
 /// let slot = Slot::new(&pose)?.with_stops(0.0, 4.0)?.with_friction(0.25, 1.0)?;
@@ -156,6 +181,11 @@ macro_rules! line_options {
 /// assert_eq!(slot.relative_motion(&pose)?.u1, 2.5);
 /// assert_eq!(slot.gaps(&pose)?.unwrap().gap_max, 0.5);
 /// assert_eq!(slot.friction(-2.0, 3.0, 4.0)?.phi, 0.5);
+///
+/// // What a solver adds: it has moved by 2.5 at once, and slips under (5 + 1)/4.
+/// let slot = slot.with_stick_stiffness(100.0)?;
+/// let (step, after) = slot.newton(&pose, &Vector2::new(3.0, 4.0), &SlotState { u1: 0.0, f1: 0.0 })?;
+/// assert_eq!((step.forces[6], after.f1), (-1.5, 1.5));
 ///
 /// let error = slot.with_stops(4.0, 0.0).unwrap_err();
 /// assert_eq!(error.to_string(), "l1_min = 4.0 is above l1_max = 0.0; allowed is l1_min ≤ l1_max");
@@ -261,6 +291,26 @@ impl Slot {
     ) -> Result<(FrictionOutputs<f64>, Jacobian<Friction, f64>), Error> {
         value_and_jacobian::<Friction>(&self.line.loads(f1, f2, f3))
     }
+
+    /// The element that a solver calls, in any number: its start, and its friction where μ is not 0.
+    pub fn element(&self) -> Parameters<SlotElement, f64, 2> {
+        let start = SlotStart { x0: self.line.x0, y0: self.y0, z0: self.z0 };
+        Parameters { start, contact: self.line.contact() }
+    }
+
+    /// What it adds to a step of Newton's method, and the state after it, from the multipliers and the state in the last converged
+    /// increment.
+    ///
+    /// # Errors
+    /// As [`Parameters::newton`]; where μ is not 0, a stiffness in stick that was not given.
+    pub fn newton(
+        &self,
+        pose: &Pose,
+        multipliers: &Vector2<f64>,
+        before: &SlotState<f64>,
+    ) -> Result<(Contribution<f64, 2>, SlotState<f64>), Error> {
+        self.element().newton(&pose.nodes(), multipliers, before)
+    }
 }
 
 fn relative_position(pose: &Pose) -> Result<Relative<f64>, Error> {
@@ -343,9 +393,41 @@ impl Slot2d {
     pub fn friction(&self, f1: f64, f2: f64) -> Result<FrictionOutputs<f64>, Error> {
         value::<Friction>(&self.line.loads(f1, f2, 0.0))
     }
+
+    /// The element that a solver calls, in any number: its start, and its friction where μ is not 0.
+    pub fn element(&self) -> Parameters<SlotElement2d, f64, 1, 6> {
+        let start = SlotStart2d { x0: self.line.x0, y0: self.y0 };
+        Parameters { start, contact: self.line.contact() }
+    }
+
+    /// What it adds to a step of Newton's method, and the state after it, from the multipliers and the state in the last converged
+    /// increment.
+    ///
+    /// # Errors
+    /// As [`Parameters::newton`]; where μ is not 0, a stiffness in stick that was not given.
+    pub fn newton(
+        &self,
+        pose: &Pose2d,
+        multipliers: &Vector1<f64>,
+        before: &SlotState<f64>,
+    ) -> Result<(Contribution<f64, 1, 6>, SlotState<f64>), Error> {
+        self.element().newton(&pose.nodes(), multipliers, before)
+    }
+}
+
+impl Pose {
+    /// The nodes of an element; b's triad has no part in it.
+    pub fn nodes(&self) -> Nodes<f64> {
+        Nodes::new([self.triad.into(); 2], [self.xa, self.xb])
+    }
 }
 
 impl Pose2d {
+    /// The nodes of an element.
+    pub fn nodes(&self) -> PlanePlaces<f64> {
+        PlanePlaces { e2a: self.triad.e2(), xa: self.xa, xb: self.xb }
+    }
+
     /// The same state in the plane z = 0 of space.
     fn in_space(&self) -> Pose {
         let space = |v: Vector2<f64>| Vector3::new(v.x, v.y, 0.0);

@@ -5,6 +5,7 @@
 #[cfg(feature = "verify")]
 mod proof;
 
+use crate::element::line::Positions;
 use crate::fields;
 use crate::formula::error::Error;
 use crate::formula::quantity::{
@@ -15,13 +16,6 @@ use crate::formula::{Component, Document, Fields, Finite, Formula, Jacobian, Spe
 use crate::number::scalar::Scalar;
 use nalgebra::{Vector2, Vector3};
 
-fields! {
-    /// Where the nodes are, and how node a is turned.
-    pub struct Positions<T> {
-        e1a: Vector3<T> = E1A, e2a: Vector3<T> = E2A, e3a: Vector3<T> = E3A,
-        xa: Vector3<T> = XA, xb: Vector3<T> = XB,
-    }
-}
 fields! {
     /// The relative position of b in the triad of a.
     pub struct Relative<T> { x: T = X, y: T = Y, z: T = Z }

@@ -1,16 +1,17 @@
 //! The TRANSLATOR connector as a program uses it: a [`Slot`] and an [`Align`], with friction of its own.
 
-use super::{AllResiduals, Friction, FrictionLoads};
+use super::{AllResiduals, Friction, FrictionLoads, TranslatorContact, TranslatorElement, TranslatorStart};
 use crate::connector::align::{Align, Misalignment, Moment};
-use crate::connector::cardan::Triads;
-use crate::connector::frame::Triad;
 use crate::connector::slot::{
-    self, AlongForce, Displacements, Force, FrictionOutputs, Gaps, Relative, Residuals, Slot,
+    self, AlongForce, Displacements, Force, FrictionOutputs, Gaps, Relative, Residuals, Slot, SlotStart, SlotState,
 };
+use crate::element::cardan::{Angles, Triads};
+use crate::element::frame::Triad;
+use crate::element::{Contribution, Nodes, Parameters};
 use crate::formula::error::Error;
 use crate::formula::quantity::Domain;
 use crate::formula::{Fields, Jacobian, value, value_and_jacobian};
-use nalgebra::Vector3;
+use nalgebra::{SVector, Vector3};
 
 /// A state of the two nodes: their triads and positions, in the global frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,6 +30,11 @@ impl Pose {
     /// What [`Slot`] sees of it.
     pub fn slot(&self) -> slot::Pose {
         slot::Pose { triad: self.triad_a, xa: self.xa, xb: self.xb }
+    }
+
+    /// The nodes of an element.
+    pub fn nodes(&self) -> Nodes<f64> {
+        Nodes::new([self.triad_a.into(), self.triad_b.into()], [self.xa, self.xb])
     }
 }
 
@@ -89,6 +95,8 @@ pub struct Translator {
     align: Align,
     rr: f64,
     l: f64,
+    /// 0 where it is not given.
+    k_stick: f64,
     mu: f64,
     fc_int: f64,
 }
@@ -101,7 +109,7 @@ impl Translator {
     pub fn new(initial: &Pose) -> Result<Self, Error> {
         let slot = Slot::new(&initial.slot())?;
         let align = Align::new(&initial.triad_a, &initial.triad_b)?;
-        Ok(Self { slot, align, rr: 0.0, l: 0.0, mu: 0.0, fc_int: 0.0 })
+        Ok(Self { slot, align, rr: 0.0, l: 0.0, k_stick: 0.0, mu: 0.0, fc_int: 0.0 })
     }
 
     /// Sets the constitutive reference length; the initial length otherwise.
@@ -144,6 +152,15 @@ impl Translator {
         Error::check("mu", None, mu, Domain::NonNegative)?;
         Error::check("fc_int", None, fc_int, Domain::Real)?;
         Ok(Self { mu, fc_int, ..self })
+    }
+
+    /// Sets the stiffness in stick, > 0 (F/L), which [`newton`](Self::newton) needs where there is friction.
+    ///
+    /// # Errors
+    /// `k_stick` not positive and finite.
+    pub fn with_stick_stiffness(self, k_stick: f64) -> Result<Self, Error> {
+        Error::check("k_stick", None, k_stick, Domain::Positive)?;
+        Ok(Self { k_stick, ..self })
     }
 
     /// Sets the levers of the moments in friction: the effective radius for torque, the overlapping length for bending.
@@ -269,5 +286,29 @@ impl Translator {
         let Loads { f1, f2, f3, m1, m2, m3 } = *loads;
         let Self { rr, l, fc_int, mu, .. } = *self;
         FrictionLoads { f1, f2, f3, m1, m2, m3, rr, l, fc_int, mu }
+    }
+
+    /// The element that a solver calls, in any number: its start, and its friction where μ is not 0.
+    pub fn element(&self) -> Parameters<TranslatorElement, f64, 5> {
+        let (SlotStart { x0, y0, z0 }, Self { rr, l, k_stick, fc_int, mu, .. }) = (self.slot.element().start, *self);
+        let Angles { alpha: alpha0, beta: beta0, gamma: gamma0 } = self.align.initial();
+        Parameters {
+            start: TranslatorStart { x0, y0, z0, alpha0, beta0, gamma0 },
+            contact: (mu > 0.0).then_some(TranslatorContact { k_stick, rr, l, fc_int, mu }),
+        }
+    }
+
+    /// What it adds to a step of Newton's method, and the state after it, from the multipliers and the state in the last converged
+    /// increment.
+    ///
+    /// # Errors
+    /// As [`Parameters::newton`]; where μ is not 0, a stiffness in stick that was not given.
+    pub fn newton(
+        &self,
+        pose: &Pose,
+        multipliers: &SVector<f64, 5>,
+        before: &SlotState<f64>,
+    ) -> Result<(Contribution<f64, 5>, SlotState<f64>), Error> {
+        self.element().newton(&pose.nodes(), multipliers, before)
     }
 }

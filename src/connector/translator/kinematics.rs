@@ -6,8 +6,8 @@
 mod proof;
 
 use crate::connector::align::{self, Misalignment, Orientations};
-use crate::connector::cardan::{CardanAngles, Oriented, Triads};
 use crate::connector::slot::{self, Residuals, SlotPositions};
+use crate::element::cardan::{CardanAngles, Oriented, Triads};
 use crate::fields;
 use crate::formula::error::Error;
 use crate::formula::quantity::{

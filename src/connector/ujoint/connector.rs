@@ -2,18 +2,19 @@
 
 use super::{
     AngleGaps, ContactMomentPair, ContactMoments, Friction, FrictionLoads, JoinForces, JointResiduals, Reaction,
-    ReactionForce, Stop, StopAngles, YieldPair,
+    ReactionForce, Stop, StopAngles, UJointContact, UJointElement, UJointStart, UJointState, YieldPair,
 };
-use crate::connector::cardan::Triads;
-use crate::connector::frame::Triad;
 use crate::connector::join::{Displaced, Join, Joined};
 use crate::connector::slot::Force;
 use crate::connector::translator::{Gradient, Pose};
 use crate::connector::universal::{FreeMoment, Moment, Rotations, Shafts, Skew, Turns, Universal};
+use crate::element::cardan::Triads;
+use crate::element::frame::Triad;
+use crate::element::{Contribution, Parameters};
 use crate::formula::error::Error;
 use crate::formula::quantity::Domain;
 use crate::formula::{Fields, Jacobian, value, value_and_jacobian};
-use nalgebra::Vector3;
+use nalgebra::{Vector3, Vector4};
 
 /// Forces and moments. Those of the constraint act on node b, their opposites on node a; the kinetic moments m1 and m3 act
 /// on a, their opposites on b.
@@ -126,6 +127,14 @@ impl Cross {
     }
 }
 
+impl UJointContact<f64> {
+    /// Hinges that rub as those of this cross, and what they resist while they stick, in moment per radian.
+    pub const fn new(cross: Cross, [k_stick1, k_stick3]: [f64; 2]) -> Self {
+        let Cross { rp, la, ra, ls, mu, mc1_int, mc3_int } = cross;
+        Self { k_stick1, k_stick3, rp, la, ra, ls, mc1_int, mc3_int, mu }
+    }
+}
+
 /// A UJOINT connector.
 ///
 /// ```
@@ -159,6 +168,8 @@ pub struct UJoint {
     universal: Universal,
     stops: Option<Stops>,
     cross: Option<Cross>,
+    /// 0 where they are not given.
+    k_stick: [f64; 2],
 }
 
 impl UJoint {
@@ -169,7 +180,7 @@ impl UJoint {
     pub fn new(initial: &Pose) -> Result<Self, Error> {
         let join = Join::new(&initial.slot())?;
         let universal = Universal::new(&initial.triad_a, &initial.triad_b)?;
-        Ok(Self { join, universal, stops: None, cross: None })
+        Ok(Self { join, universal, stops: None, cross: None, k_stick: [0.0; 2] })
     }
 
     /// Sets the constitutive reference angles; the initial ones otherwise.
@@ -196,6 +207,17 @@ impl UJoint {
     pub fn with_friction(self, cross: &Cross) -> Result<Self, Error> {
         cross.check()?;
         Ok(Self { cross: Some(*cross), ..self })
+    }
+
+    /// Sets the stiffnesses in stick about e1a and about e3b, > 0 (moment per radian), which [`newton`](Self::newton) needs where
+    /// there is friction.
+    ///
+    /// # Errors
+    /// A stiffness that is not positive and finite.
+    pub fn with_stick_stiffness(self, [k_stick1, k_stick3]: [f64; 2]) -> Result<Self, Error> {
+        Error::check("k_stick1", None, k_stick1, Domain::Positive)?;
+        Error::check("k_stick3", None, k_stick3, Domain::Positive)?;
+        Ok(Self { k_stick: [k_stick1, k_stick3], ..self })
     }
 
     /// The JOIN in it.
@@ -347,5 +369,30 @@ impl UJoint {
 
     fn friction_inputs(&self, pose: &Pose, loads: &Loads) -> Option<FrictionLoads<f64>> {
         self.cross.map(|cross| cross.inputs(&pose.triad_a, &pose.triad_b, loads))
+    }
+
+    /// The element that a solver calls, in any number: its start, and its friction where μ is not 0.
+    pub fn element(&self) -> Parameters<UJointElement, f64, 4> {
+        let Turns { alpha: alpha0, gamma: gamma0 } = self.universal.initial();
+        let (d0, c0) = (self.join.initial_position(), self.universal.initial_cosine());
+        let rubs = self.cross.filter(|cross| cross.mu > 0.0);
+        Parameters {
+            start: UJointStart { d0, c0, alpha0, gamma0 },
+            contact: rubs.map(|cross| UJointContact::new(cross, self.k_stick)),
+        }
+    }
+
+    /// What it adds to a step of Newton's method, and the state after it, from the multipliers and the state in the last converged
+    /// increment.
+    ///
+    /// # Errors
+    /// As [`Parameters::newton`]; where μ is not 0, a stiffness in stick that was not given.
+    pub fn newton(
+        &self,
+        pose: &Pose,
+        multipliers: &Vector4<f64>,
+        before: &UJointState<f64>,
+    ) -> Result<(Contribution<f64, 4>, UJointState<f64>), Error> {
+        self.element().newton(&pose.nodes(), multipliers, before)
     }
 }

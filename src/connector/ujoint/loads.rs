@@ -3,8 +3,9 @@
 #[cfg(feature = "verify")]
 mod proof;
 
+use crate::element::cross::CrossAxes;
 use crate::fields;
-use crate::formula::quantity::{E_CROSS, E1A, E3B, F2, F3, JOIN_F1, UJOINT_FR};
+use crate::formula::quantity::{E_CROSS, F2, F3, JOIN_F1, UJOINT_FR};
 use crate::formula::{Component, Document, Finite, Formula, Jacobian, Spec, cross_gradient};
 use crate::number::scalar::{Scalar, direction, norm};
 use nalgebra::Vector3;
@@ -44,10 +45,6 @@ impl Formula for Reaction {
     }
 }
 
-fields! {
-    /// The axes of the cross.
-    pub struct CrossAxes<T> { e1a: Vector3<T> = E1A, e3b: Vector3<T> = E3B }
-}
 fields! {
     /// The direction across them.
     pub struct CrossNormal<T> { e_cross: Vector3<T> = E_CROSS }

@@ -2,13 +2,15 @@
 
 use super::{
     Angles, Constraint, ConstraintMoment, Driven, FreeMoment, KineticMoment, Moment, RelativeMotion, Rotations, Shafts,
-    Skew, Turns, TurnsSince, Twisted,
+    Skew, Turns, TurnsSince, Twisted, UniversalElement, UniversalStart,
 };
-use crate::connector::cardan::{Triads, nearest};
-use crate::connector::frame::Triad;
+use crate::element::cardan::{Triads, nearest};
+use crate::element::frame::Triad;
+use crate::element::{Contribution, Nodes, Nothing, Parameters};
 use crate::formula::error::Error;
 use crate::formula::quantity::Domain;
 use crate::formula::{ValueAndJacobian, value, value_and_jacobian};
+use nalgebra::{Vector1, Vector3};
 
 /// A UNIVERSAL connector.
 ///
@@ -126,5 +128,19 @@ impl Universal {
     /// A moment that is not finite.
     pub fn kinetic_moment(&self, a: &Triad, b: &Triad, m1: f64, m3: f64) -> Result<FreeMoment<f64>, Error> {
         value::<KineticMoment>(&Driven { e1a: a.e1(), e3b: b.e3(), m1, m3 })
+    }
+
+    /// The element that a solver calls, in any number.
+    pub const fn element(&self) -> Parameters<UniversalElement, f64, 1> {
+        Parameters { start: UniversalStart { c0: self.c0 }, contact: None }
+    }
+
+    /// What it adds to a step of Newton's method.
+    ///
+    /// # Errors
+    /// As [`Parameters::newton`].
+    pub fn newton(&self, a: &Triad, b: &Triad, multipliers: &Vector1<f64>) -> Result<Contribution<f64, 1>, Error> {
+        let nodes = Nodes::new([(*a).into(), (*b).into()], [Vector3::zeros(); 2]);
+        self.element().newton(&nodes, multipliers, &Nothing::new()).map(|(found, _)| found)
     }
 }

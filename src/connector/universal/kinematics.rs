@@ -5,7 +5,7 @@
 #[cfg(feature = "verify")]
 mod proof;
 
-use crate::connector::cardan::{Triads, check_turns};
+use crate::element::cardan::{Triads, check_turns};
 use crate::fields;
 use crate::formula::error::Error;
 use crate::formula::quantity::{
@@ -59,7 +59,7 @@ fields! {
     pub struct Turns<T> { alpha: T = ALPHA, gamma: T = GAMMA }
 }
 
-/// The free angles: α about e1a and γ about e3b, as in [`CardanAngles`](crate::connector::cardan::CardanAngles).
+/// The free angles: α about e1a and γ about e3b, as in [`CardanAngles`](crate::element::cardan::CardanAngles).
 #[derive(Clone, Copy, Debug)]
 pub struct Angles;
 

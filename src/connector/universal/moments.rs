@@ -6,7 +6,7 @@
 mod proof;
 
 use super::kinematics::Angles;
-use crate::connector::cardan::{alpha_gradient, check_alpha};
+use crate::element::cardan::{alpha_gradient, check_alpha};
 use crate::fields;
 use crate::formula::error::Error;
 use crate::formula::quantity::{CROSS_M1, CROSS_M3, E1A, E2A, E3A, E3B, KINETIC_MOMENT, MOMENT, TWIST_M2};

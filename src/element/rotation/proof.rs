@@ -24,14 +24,14 @@ fn growing<const N: usize>(x: nalgebra::SVector<Octuple, N>, k: usize) -> nalgeb
 }
 
 /// The turn by a rotation vector, by Rodrigues' formula in half the angle.
-pub(in crate::element) fn rodrigues<D: Scalar>(psi: &Vector3<D>) -> Matrix3<D> {
+pub(crate) fn rodrigues<D: Scalar>(psi: &Vector3<D>) -> Matrix3<D> {
     let half = psi.dot(psi).sqrt() * 0.5;
     let (sin, cos) = half.sin_cos();
     from_euler(cos, &(psi * (sin / half * 0.5)))
 }
 
 /// The turn by Euler parameters.
-pub(in crate::element) fn from_euler<D: Scalar>(q0: D, q: &Vector3<D>) -> Matrix3<D> {
+pub(crate) fn from_euler<D: Scalar>(q0: D, q: &Vector3<D>) -> Matrix3<D> {
     let (cross, two) = (skew(q), D::from(2.0));
     Matrix3::identity() + cross * (q0 * two) + cross * cross * two
 }

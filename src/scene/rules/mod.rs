@@ -17,11 +17,11 @@ pub use list::RULES;
 pub use since::{Bearing, Carried, Q1, Q2, Q3, R1, R2, R3, R10, R20, R30, Seen, TurnedAxes, TurnedBack};
 
 use crate::connector::align::{self, Misalignment, Moments, Orientations, wrapped};
-use crate::connector::cardan::{
+use crate::connector::slider::{Eliminate, Increment2d, Pivots, Pivots2d};
+use crate::element::cardan::{
     Angles, BetaAxes, BetaTwoArgument, CardanAngles, Oriented, Triads, accurate, accurate_jacobian, check_start,
     check_turns, nearest,
 };
-use crate::connector::slider::{Eliminate, Increment2d, Pivots, Pivots2d};
 use crate::fields;
 use crate::formula::error::Error;
 use crate::formula::quantity::{

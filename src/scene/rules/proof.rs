@@ -6,8 +6,8 @@ use super::{
     PivotAxes, PivotAxis2d, Sighting, Slips, Traction, Transmitted, TurnedBack, Turns,
 };
 use crate::connector::align::Orientations;
-use crate::connector::cardan::{Oriented, Triads, turns};
 use crate::connector::slider::hard::{change_of_pivot, changes_of_pivots};
+use crate::element::cardan::{Oriented, Triads, turns};
 use crate::formula::Fields;
 use crate::formula::proof::{Case, Kink, Proved};
 use nalgebra::{Vector2, Vector3};

@@ -2,7 +2,7 @@
 
 #![expect(clippy::inline_always, reason = "a call would write the inputs to memory, and wait for them there")]
 
-use crate::connector::cardan::Triads;
+use crate::element::cardan::Triads;
 use crate::fields;
 use crate::formula::quantity::{Domain, E1B, E2B, E3B, Quantity, Shape, Unit};
 use crate::formula::{Component, Document, Fields, Formula, Jacobian, Spec, along};

@@ -153,7 +153,7 @@ impl DistanceFromOrigin {
     }
 }
 impl Mistake for DistanceFromOrigin {
-    type Of = element::join::Rows;
+    type Of = element::line::Rows;
     fn value<D: Scalar>(i: &Inputs<Self, D>) -> Vec<D> {
         use jointproof::formula::Fields;
         Self::Of::eval(&Self::there(i)).components()
@@ -199,7 +199,7 @@ impl CopiedStiffness {
     }
 }
 impl Mistake for CopiedStiffness {
-    type Of = element::join::GeometricStiffness;
+    type Of = element::line::GeometricStiffness;
     fn value<D: Scalar>(i: &Inputs<Self, D>) -> Vec<D> {
         use jointproof::formula::Fields;
         let right = Self::Of::eval(i).components();
@@ -223,7 +223,7 @@ impl Mistake for TwoResiduals {
 #[derive(Clone, Copy)]
 struct OtherConvention;
 impl Mistake for OtherConvention {
-    type Of = element::join::Forces;
+    type Of = element::line::Forces;
     fn rows<D: Scalar>(i: &Inputs<Self, D>) -> Rows<D> {
         let right = rows::<Self::Of, D>(i);
         right.into_iter().map(|row| row.into_iter().map(|entry| -entry).collect()).collect()

@@ -7,13 +7,13 @@
 
 use super::generate::{self, CAR, Connector as Sort, K_STICK, LENGTH, RADIUS, RAIL, STATES};
 use jointproof::connector::align::Orientations;
-use jointproof::connector::cardan::Triads;
 use jointproof::connector::slot::{
     self, Constraint, ContactForces, CrossForces, NormalForce, Positions, RelativeMotion, RelativePosition,
     SlotLengths, SlotPositions,
 };
 use jointproof::connector::translator::{self, ContactLoads};
 use jointproof::contact::coulomb::{Response, Sliding};
+use jointproof::element::cardan::Triads;
 use jointproof::formula::Formula;
 use jointproof::scene::rules::{Accumulated, Alignment, Displaced, Increment, Slips, Turns};
 use nalgebra::Vector3;

@@ -1,7 +1,7 @@
 //! What both forms of β lose near 90°.
 
 use jointproof::Octuple;
-use jointproof::connector::cardan::{CardanAngles, Triads, accurate, rotation, turned};
+use jointproof::element::cardan::{CardanAngles, Triads, accurate, rotation, turned};
 use jointproof::formula::value;
 use jointproof::number::scalar::abs;
 use nalgebra::Vector3;

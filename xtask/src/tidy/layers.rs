@@ -12,8 +12,12 @@ enum Layer {
     Ground,
     /// What a formula is.
     Formula,
-    /// The formulas and connectors of one document.
-    Room,
+    /// What connectors are made of: nodes, frames, angles, blocks.
+    Element,
+    /// Friction, pressure and slide lines.
+    Contact,
+    /// The connectors.
+    Connector,
     /// The vocabulary of evidence: cases, kinks, laws, other ways.
     Proof,
     /// What proves and measures a formula.
@@ -39,49 +43,86 @@ impl Layer {
             Some("toolkit") => Self::Toolkit,
             Some("catalog") => Self::Catalog,
             Some("scene") => Self::Scene,
-            _ => Self::Room,
+            Some("element") => Self::Element,
+            Some("contact") => Self::Contact,
+            _ => Self::Connector,
         }
+    }
+
+    /// Whether formulas are defined in it.
+    const fn has_formulas(self) -> bool {
+        matches!(self, Self::Element | Self::Contact | Self::Connector)
     }
 }
 
+/// The layers in which formulas are defined.
+const FORMULAS: [Layer; 3] = [Layer::Element, Layer::Contact, Layer::Connector];
+
 /// Layers that a layer may not use.
 struct Forbidden {
-    from: Layer,
+    from: &'static [Layer],
     to: &'static [Layer],
     /// What is wrong with it, and what to do.
     why: &'static str,
 }
 
-/// Every use that is forbidden between layers. Evidence is excepted: it stands in a room and uses the toolkit.
+/// Every use that is forbidden between layers. Evidence is excepted: it is next to a formula and uses the toolkit.
 const FORBIDDEN: &[Forbidden] = &[
     Forbidden {
-        from: Layer::Ground,
-        to: &[Layer::Formula, Layer::Room, Layer::Proof, Layer::Toolkit, Layer::Catalog, Layer::Scene],
+        from: &[Layer::Ground],
+        to: &[
+            Layer::Formula,
+            Layer::Element,
+            Layer::Contact,
+            Layer::Connector,
+            Layer::Proof,
+            Layer::Toolkit,
+            Layer::Catalog,
+            Layer::Scene,
+        ],
         why: "numbers, quantities and errors stand below the formulas; hand it in, or move it up",
     },
     Forbidden {
-        from: Layer::Formula,
-        to: &[Layer::Room, Layer::Proof, Layer::Toolkit, Layer::Catalog, Layer::Scene],
+        from: &[Layer::Formula],
+        to: &[
+            Layer::Element,
+            Layer::Contact,
+            Layer::Connector,
+            Layer::Proof,
+            Layer::Toolkit,
+            Layer::Catalog,
+            Layer::Scene,
+        ],
         why: "what a formula is does not depend on what is made of it or said about it; move it there",
     },
     Forbidden {
-        from: Layer::Room,
+        from: &FORMULAS,
         to: &[Layer::Proof, Layer::Toolkit],
         why: "formulas and connectors compile without what proves them; move it to the evidence beside them",
     },
     Forbidden {
-        from: Layer::Room,
+        from: &FORMULAS,
         to: &[Layer::Catalog, Layer::Scene],
-        why: "a room knows only what is below it; let the caller hand it in",
+        why: "a formula knows only what is below it; let the caller hand it in",
     },
     Forbidden {
-        from: Layer::Proof,
-        to: &[Layer::Room, Layer::Toolkit, Layer::Catalog, Layer::Scene],
+        from: &[Layer::Element],
+        to: &[Layer::Contact, Layer::Connector],
+        why: "what connectors are made of knows neither contact nor connectors; move it up, or what it uses down",
+    },
+    Forbidden {
+        from: &[Layer::Contact],
+        to: &[Layer::Connector],
+        why: "friction and slide lines know no connector; move it up, or what it uses down",
+    },
+    Forbidden {
+        from: &[Layer::Proof],
+        to: &[Layer::Element, Layer::Contact, Layer::Connector, Layer::Toolkit, Layer::Catalog, Layer::Scene],
         why: "in what words evidence is stated depends on no formula and on nothing that checks it; move it there",
     },
     Forbidden {
-        from: Layer::Toolkit,
-        to: &[Layer::Room, Layer::Catalog, Layer::Scene],
+        from: &[Layer::Toolkit],
+        to: &[Layer::Element, Layer::Contact, Layer::Connector, Layer::Catalog, Layer::Scene],
         why: "the toolkit proves formulas of other crates too and knows none by name; hand it in, or move it down",
     },
 ];
@@ -93,12 +134,12 @@ pub(super) fn crossed(tree: &Tree, edges: &Edges) -> Vec<Finding> {
         let path = &tree.sources[from].path;
         let (lower, upper) = (layer(path)?, layer(&tree.sources[to].path)?);
         let said = matches!(upper, Layer::Proof | Layer::Toolkit);
-        let why = if said && evidence.contains(&from) && lower == Layer::Room {
+        let why = if (said || upper.has_formulas()) && evidence.contains(&from) && lower.has_formulas() {
             None
-        } else if said && lower == Layer::Room && !tree.sources[from].formulas.is_empty() {
+        } else if said && lower.has_formulas() && !tree.sources[from].formulas.is_empty() {
             Some("a file of formulas imports neither `proof` nor `verify` nor `measure`; move the evidence to a file beside it")
         } else {
-            let rules = FORBIDDEN.iter().filter(|rule| rule.from == lower && rule.to.contains(&upper));
+            let rules = FORBIDDEN.iter().filter(|rule| rule.from.contains(&lower) && rule.to.contains(&upper));
             rules.map(|rule| rule.why).next()
         };
         why.map(|why| Finding::new(path, *line, format!("`{text}`: {why}")))
@@ -124,7 +165,7 @@ pub(super) enum Part {
 /// Of a file of the library; `None` for what knows formulas and is not known by them.
 pub(super) fn part(path: &str) -> Option<Part> {
     match layer(path)? {
-        Layer::Room => Some(Part::Room),
+        Layer::Element | Layer::Contact | Layer::Connector => Some(Part::Room),
         Layer::Ground | Layer::Formula | Layer::Proof | Layer::Toolkit if !path.starts_with("src/toolkit/measure") => {
             Some(Part::Common)
         }

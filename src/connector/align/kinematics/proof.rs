@@ -2,8 +2,8 @@
 
 use super::{Constraint, ConstraintMoment, Moments, Orientations};
 use crate::Octuple;
-use crate::connector::cardan::turns;
-use crate::connector::cardan::{Angles, CardanAngles, Oriented, Triads};
+use crate::element::cardan::turns;
+use crate::element::cardan::{Angles, CardanAngles, Oriented, Triads};
 use crate::formula::proof::{Case, Kink, Law, Proved, hard, law};
 use crate::formula::{Fields, Formula};
 use crate::number::scalar::norm;

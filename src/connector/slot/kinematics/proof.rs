@@ -1,9 +1,10 @@
 //! Evidence for the formulas next door: cases, laws.
 
 use super::{
-    Constraint, Constraint2d, ConstraintForce, CrossFrame, KineticForce, Positions, RelativeMotion, RelativePosition,
-    SlotForce, SlotLengths, SlotPositions, SlotPositions2d, Stop, StopLengths,
+    Constraint, Constraint2d, ConstraintForce, CrossFrame, KineticForce, RelativeMotion, RelativePosition, SlotForce,
+    SlotLengths, SlotPositions, SlotPositions2d, Stop, StopLengths,
 };
+use crate::element::line::Positions;
 use crate::formula::proof::{Case, Law, Proved, hard, law};
 use crate::formula::{Fields, Formula};
 use nalgebra::{Vector2, Vector3};

@@ -2,9 +2,9 @@
 
 use super::{Constraint, Jointed, Stop, StopAngles};
 use crate::Octuple;
-use crate::connector::cardan::turns;
 use crate::connector::join::{self, Joined};
 use crate::connector::universal::{self, Shafts};
+use crate::element::cardan::turns;
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Law, Proved, hard, law};
 use nalgebra::Vector3;

@@ -1,7 +1,8 @@
 //! Evidence for the formulas next door: cases, kinks, laws.
 
-use super::{CrossAxes, CrossDirection, JoinForces, Reaction};
+use super::{CrossDirection, JoinForces, Reaction};
 use crate::Octuple;
+use crate::element::cross::CrossAxes;
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Kink, Law, Proved, hard, law};
 use crate::number::scalar::norm;

@@ -2,8 +2,8 @@
 
 use super::{Angles, Constraint, RelativeMotion, Shafts, TurnsSince};
 use crate::Octuple;
-use crate::connector::cardan::Triads;
-use crate::connector::cardan::turns;
+use crate::element::cardan::Triads;
+use crate::element::cardan::turns;
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Kink, Law, Proved, law};
 use nalgebra::Vector3;

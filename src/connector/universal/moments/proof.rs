@@ -1,7 +1,7 @@
 //! Evidence for the formulas next door: cases, laws.
 
 use super::{ConstraintMoment, Driven, KineticMoment, Twisted};
-use crate::connector::cardan::turns;
+use crate::element::cardan::turns;
 use crate::formula::Formula;
 use crate::formula::proof::{Case, Law, Proved, hard, law};
 use crate::number::scalar::norm;

@@ -1,7 +1,14 @@
 //! Every element passes, and none with a mistake does.
 
 use super::{ElementAudit, audit_element};
-use crate::element::newton::{Align, Join, Parameters, Slider, Slider2d, Slot, Slot2d, Translator, UJoint, Universal};
+use crate::connector::align::AlignElement;
+use crate::connector::join::JoinElement;
+use crate::connector::slider::{SliderElement, SliderElement2d};
+use crate::connector::slot::{SlotElement, SlotElement2d};
+use crate::connector::translator::TranslatorElement;
+use crate::connector::ujoint::UJointElement;
+use crate::connector::universal::UniversalElement;
+use crate::formula::element::Parameters;
 use crate::formula::element::{Contribution, Element};
 use crate::formula::error::Error;
 use crate::formula::proof::{Case, ProvedElement, Rubbed, Step};
@@ -28,15 +35,15 @@ fn failed(audit: &ElementAudit) -> Vec<String> {
 fn every_element_passes() {
     let mut wrong = Vec::new();
     for audit in [
-        audit_element::<Join, 3, 12>(&FEW),
-        audit_element::<Align, 3, 12>(&FEW),
-        audit_element::<Universal, 1, 12>(&FEW),
-        audit_element::<Slot, 2, 12>(&FEW),
-        audit_element::<Slot2d, 1, 6>(&FEW),
-        audit_element::<Translator, 5, 12>(&FEW),
-        audit_element::<UJoint, 4, 12>(&FEW),
-        audit_element::<Slider, 2, 9>(&FEW),
-        audit_element::<Slider2d, 1, 6>(&FEW),
+        audit_element::<JoinElement, 3, 12>(&FEW),
+        audit_element::<AlignElement, 3, 12>(&FEW),
+        audit_element::<UniversalElement, 1, 12>(&FEW),
+        audit_element::<SlotElement, 2, 12>(&FEW),
+        audit_element::<SlotElement2d, 1, 6>(&FEW),
+        audit_element::<TranslatorElement, 5, 12>(&FEW),
+        audit_element::<UJointElement, 4, 12>(&FEW),
+        audit_element::<SliderElement, 2, 9>(&FEW),
+        audit_element::<SliderElement2d, 1, 6>(&FEW),
     ] {
         wrong.extend(failed(&audit).into_iter().map(|claim| format!("{}: {claim}", audit.element)));
     }
@@ -205,15 +212,15 @@ fn unnoticed<E: ProvedElement<M, DOFS>, const M: usize, const DOFS: usize>(
 #[test]
 fn mistakes_are_caught_in_every_element() {
     let missed = [
-        unnoticed::<Join, 3, 12>(true, false),
-        unnoticed::<Align, 3, 12>(true, false),
-        unnoticed::<Universal, 1, 12>(true, false),
-        unnoticed::<Slot, 2, 12>(true, false),
-        unnoticed::<Slot2d, 1, 6>(true, true),
-        unnoticed::<Translator, 5, 12>(true, false),
-        unnoticed::<UJoint, 4, 12>(true, false),
-        unnoticed::<Slider, 2, 9>(false, false),
-        unnoticed::<Slider2d, 1, 6>(false, true),
+        unnoticed::<JoinElement, 3, 12>(true, false),
+        unnoticed::<AlignElement, 3, 12>(true, false),
+        unnoticed::<UniversalElement, 1, 12>(true, false),
+        unnoticed::<SlotElement, 2, 12>(true, false),
+        unnoticed::<SlotElement2d, 1, 6>(true, true),
+        unnoticed::<TranslatorElement, 5, 12>(true, false),
+        unnoticed::<UJointElement, 4, 12>(true, false),
+        unnoticed::<SliderElement, 2, 9>(false, false),
+        unnoticed::<SliderElement2d, 1, 6>(false, true),
     ]
     .concat();
     assert_eq!(missed, [""; 0]);

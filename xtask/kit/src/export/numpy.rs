@@ -6,7 +6,7 @@ use super::program::folded;
 use super::recorded::{Recorded, Text, bounds, description, refusals, stem, unreserved};
 use jointproof::connector::ujoint::Constraint;
 use jointproof::element::offset::Arm;
-use jointproof::element::{join, universal};
+use jointproof::element::{cross, line};
 use jointproof::formula::{Field, Formula};
 use jointproof::toolkit::graph::{Node, Op, Unary};
 
@@ -16,7 +16,7 @@ const RUNTIME: &str = include_str!("runtime/jp_runtime.py");
 const DRIVER: &str = include_str!("runtime/driver.py");
 /// User functions for Exudyn, and the formulas that they call.
 const EXUDYN: &str = include_str!("runtime/exudyn_ujoint.py");
-const EXUDYN_CALLS: [&str; 4] = [Arm::SPEC.id, join::Rows::SPEC.id, Constraint::SPEC.id, universal::Rows::SPEC.id];
+const EXUDYN_CALLS: [&str; 4] = [Arm::SPEC.id, line::Rows::SPEC.id, Constraint::SPEC.id, cross::Rows::SPEC.id];
 /// Words of Python, and what the functions themselves need.
 const RESERVED: [&str; 4] = ["lambda", "in", "np", "given"];
 

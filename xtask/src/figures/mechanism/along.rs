@@ -1,6 +1,6 @@
 //! What the mechanisms share: sliders and turned triads.
 
-use jointproof::connector::cardan::{CardanAngles, Triads};
+use jointproof::element::cardan::{CardanAngles, Triads};
 use jointproof::formula::Formula;
 use kit::{Moving, Slider};
 use nalgebra::{Rotation3, Vector3};

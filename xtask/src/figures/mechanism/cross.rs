@@ -1,8 +1,8 @@
 //! Turned triads: the Cardan angles, UNIVERSAL and UJOINT.
 
-use jointproof::connector::cardan::Triads;
 use jointproof::connector::ujoint::{CrossAxes, CrossDirection, CrossLoads, Decomposition};
 use jointproof::connector::universal::{Angles, Constraint, Shafts};
+use jointproof::element::cardan::Triads;
 use jointproof::formula::Formula;
 use kit::Moving;
 

@@ -1,8 +1,8 @@
 //! JOIN and ALIGN: the place of node b is fixed in the triad of node a, or its orientation is.
 
 use jointproof::connector::align::{self, ConstraintMoment, Moments, Orientations};
-use jointproof::connector::cardan::{Angles, Triads};
 use jointproof::connector::join::{self, Joined};
+use jointproof::element::cardan::{Angles, Triads};
 use jointproof::formula::Formula;
 use kit::Moving;
 use nalgebra::{Rotation3, Vector3};

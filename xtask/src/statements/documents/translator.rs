@@ -2,10 +2,10 @@
 
 use crate::statements::document::Document;
 use crate::statements::statement::{Statement, covered, mended, outside};
-use jointproof::connector::cardan;
 use jointproof::connector::translator::{self, Translator};
 use jointproof::connector::{align, slot};
 use jointproof::contact::coulomb;
+use jointproof::element::cardan;
 use jointproof::formula;
 
 pub(super) fn document() -> Document {

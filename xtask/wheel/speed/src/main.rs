@@ -4,7 +4,7 @@
 use jointproof::toolkit::batch::{ArrayView1, ArrayViewMut1, columns, entries, value_and_jacobian};
 use jointproof::formula::{Fields, Formula};
 use jointproof::connector::{align, join, slider, slot, translator, ujoint, universal};
-use jointproof::connector::cardan;
+use jointproof::element::cardan;
 use jointproof::contact::{coulomb, interaction, slide_line};
 use jointproof::element;
 use std::error::Error;

@@ -19,7 +19,7 @@ use crate::book::output::write;
 use crate::export;
 use crate::project::Project;
 
-static FORMULAS: &[&dyn AnyFormula] = &[&slot::Friction, &coulomb::ReturnMap, &element::join::GeometricStiffness];
+static FORMULAS: &[&dyn AnyFormula] = &[&slot::Friction, &coulomb::ReturnMap, &element::line::GeometricStiffness];
 
 /// A book with an entry for each of these formulas.
 struct Book {

@@ -7,7 +7,6 @@ use crate::outcome::Usage;
 use jointproof::catalog::AnyFormula;
 use jointproof::connector::slider;
 use jointproof::contact::{coulomb, interaction};
-use jointproof::element;
 use jointproof::formula::Formula;
 use judge::sizes;
 
@@ -114,8 +113,8 @@ impl Abi {
                 routine: "UEL",
                 template: include_str!("abi/uel.f90"),
                 computes: &[
-                    (element::slider::Forces::SPEC.id, &[FORCES, SPACE]),
-                    (element::slider_plane::Forces::SPEC.id, &[FORCES, PLANE]),
+                    (slider::rows::Forces::SPEC.id, &[FORCES, SPACE]),
+                    (slider::rows_plane::Forces::SPEC.id, &[FORCES, PLANE]),
                     (slider::Constraint::SPEC.id, &[DISTANCES, SPACE]),
                     (slider::Constraint2d::SPEC.id, &[DISTANCES, PLANE]),
                 ],

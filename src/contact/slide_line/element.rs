@@ -1,0 +1,66 @@
+//! Contact along a slide line as an element: a slave point, and the two or three nodes of the segment that it touches.
+//!
+//! | | |
+//! |---|---|
+//! | unknowns | the translations of the slave point and of the nodes of the segment, in the plane (r, z) |
+//! | place | the closest point of the segment, g, which [`closest_*`](crate::contact::slide_line) finds |
+//! | rows | of the separation E11: n and −Nᵢ n; of the slip: t and −Nᵢ t |
+//! | zero position | E11 = 0: the slave point on the segment |
+//! | signs | as of [`isl`](crate::contact::isl): S11 pushes the slave point along n, S12 along −t, which is against positive slip |
+//!
+//! The separation has no first derivative by g: at the closest point it is stationary. So its row is exact, although g is held. The
+//! row of the slip is the velocity relative to the material at the place g, which is held, too. It is not the derivative
+//! of the way of the closest point along the line, which ends at g but begins elsewhere; a consistent tangent needs both.
+//!
+//! Forces are those of the whole circumference. Those on the slave point and on the segment add up to nothing, along the axis
+//! and along the radius: the nodes of a segment are rings, and what a ring takes up in its hoop is not the contact's.
+
+#![expect(clippy::inline_always, reason = "a call would write the results to memory, and wait for them there")]
+
+mod chain;
+pub mod forces;
+pub mod newton;
+pub mod rows;
+pub mod stiffness;
+
+use crate::contact::slide_line::{Sides, length_and_tangent, shape};
+use crate::number::scalar::Scalar;
+use nalgebra::Vector2;
+
+/// A place on a segment of N nodes.
+#[derive(Clone, Copy, Debug)]
+struct Spot<D, const N: usize> {
+    t: Vector2<D>,
+    n: Vector2<D>,
+    /// Nᵢ.
+    weights: [D; N],
+    /// Nᵢ′/|X′|: by the length of the line.
+    rates: [D; N],
+    /// The curvature n·X″/|X′|².
+    curvature: D,
+}
+
+impl<D: Scalar> Spot<D, 2> {
+    fn linear([x1, x2]: [Vector2<D>; 2], g: D) -> Self {
+        let (length, t) = length_and_tangent(x2 - x1);
+        let per_length = length.recip();
+        let (weights, rates) = (shape::linear(g), [-per_length, per_length]);
+        Self { t, n: Vector2::new(-t.y, t.x), weights, rates, curvature: D::zero() }
+    }
+}
+
+impl<D: Scalar> Spot<D, 3> {
+    #[inline(always)]
+    fn parabolic(nodes: [Vector2<D>; 3], g: D) -> Self {
+        let sides = Sides::new(nodes);
+        let (speed, t) = length_and_tangent(sides.rate(g));
+        let per_speed = speed.recip();
+        Self {
+            t,
+            n: Vector2::new(-t.y, t.x),
+            weights: shape::parabolic(g),
+            rates: shape::parabolic_rates(g).map(|rate| rate * per_speed),
+            curvature: sides.turn(speed) * per_speed * per_speed,
+        }
+    }
+}
