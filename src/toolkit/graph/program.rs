@@ -255,7 +255,7 @@ mod tests {
     use super::*;
     use crate::toolkit::graph::node::Relation;
 
-    /// What is used before it is there.
+    /// The results that statements use before they are computed.
     fn early(graph: &Graph, statements: &[Statement], there: &mut HashSet<Node>) -> Vec<Node> {
         let missing = |there: &HashSet<Node>, node: &Node| !graph.is_atom(*node) && !there.contains(node);
         let mut early = Vec::new();
@@ -279,8 +279,8 @@ mod tests {
         early
     }
 
-    /// A choice is made for all of its results where the first of them is needed. What only the last of them takes was entered
-    /// after the first.
+    /// A choice is made for all of its results where the first of them is needed; an operation that only the last of
+    /// them uses was added after the first.
     #[test]
     fn what_a_choice_takes_is_there_before_it() {
         for is_yes in [true, false] {
