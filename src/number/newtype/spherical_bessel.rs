@@ -1,9 +1,10 @@
 //! Spherical Bessel functions of the first kind, j₀, j₁ and j₂, for any scalar.
 //!
-//! jₙ(x) = xⁿ/(2n+1)!! · Σₖ (−1)ᵏ x²ᵏ / (2ᵏ k! (2n+3)(2n+5)…(2n+2k+1))  (Abramowitz & Stegun 10.1.2), and in closed
-//! form (10.1.11)  j₀ = sin x / x,  j₁ = sin x / x² − cos x / x, j₂ = (3/x³ − 1/x) sin x − 3 cos x / x². The closed
-//! forms of j₁ and j₂ lose the digits of 3/x² and 15/x⁴ to cancellation, so the series is used up to [`SERIES_UP_TO`];
-//! there its first term dominates and Horner's scheme keeps the error within two ulps.
+//! jₙ(x) = xⁿ/(2n+1)!! · Σₖ (−1)ᵏ x²ᵏ / (2ᵏ k! (2n+3)(2n+5)…(2n+2k+1))  (Abramowitz & Stegun 10.1.2),
+//! and in closed form (10.1.11)  j₀ = sin x / x,  j₁ = sin x / x² − cos x / x,
+//! j₂ = (3/x³ − 1/x) sin x − 3 cos x / x².
+//! The closed forms of j₁ and j₂ lose the digits of 3/x² and 15/x⁴ to cancellation, so the series is used up to
+//! [`SERIES_UP_TO`]; there its first term dominates and Horner's scheme keeps the error within two ulps.
 
 use num_dual::DualNum;
 
