@@ -15,15 +15,15 @@
 //! | `(w_1, w_2) = (…, …)` | both at once |
 //! | `g_i = …,\quad i = 1, 2` or `…\ (i = 1, 2)` | one statement for each index |
 //! | `\begin{cases} a & x > 0,\ y > 0 \\ b & \text{otherwise} \end{cases}` | the first whose comparisons all hold |
-//! | `g = \operatorname*{arg\,min}_{-1\le g\le 1} …` | where the rest is smallest; given the place, this is checked |
+//! | `g = \operatorname*{arg\,min}_{-1\le g\le 1} …` | the minimiser of the expression; a given value is checked |
 //! | `\sum_{q=1}^{5} …` | the sum of the product that follows |
 //! | `n_2`, `x_{m,k}` of **n**, **x**_m | components, by a number or by a symbol that is the number of an axis |
 //! | `\Delta x`, `\mathrm{d}x`, `X'`, `F_C^{\mathrm{int}}` | one symbol each; `f_2^2` is a power |
-//! | `\mathbf{a}\cdot\mathbf{b}`, `\times`, `\lvert\mathbf{a}\rvert` | products and length; of numbers, product and absolute value |
+//! | `\mathbf{a}\cdot\mathbf{b}`, `\times`, `\lvert\mathbf{a}\rvert` | products and length; for numbers, product and absolute value |
 //! | `\sqrt{}`, `\sin`, `\cos`, `\arcsin`, `\operatorname{atan2}`, `\operatorname{sign}`, `e^x` | functions |
-//! | `\mathbf{a}\otimes\mathbf{b}`, `\mathbf{I}`, `\mathbf{a}\times\mathbf{I}` | matrices: **a** **b**ᵀ of two vectors of a length, the unit matrix of three rows, and the one that takes **v** to **a** × **v** |
-//! | `\mathbf{i}`, `\mathbf{j}`, `\mathbf{k}`, `\mathbf{0}`, `\pi`, `e` | constants, where nobody defines the symbol |
-//! | `\mathbf{s}\times\mathbf{n}` | **n** turned by 90° to the left, in the plane |
+//! | `\mathbf{a}\otimes\mathbf{b}`, `\mathbf{I}`, `\mathbf{a}\times\mathbf{I}` | matrices: **a** **b**ᵀ for two vectors of the same length, the 3×3 unit matrix, and the one that maps **v** to **a** × **v** |
+//! | `\mathbf{i}`, `\mathbf{j}`, `\mathbf{k}`, `\mathbf{0}`, `\pi`, `e` | constants, unless the symbol is defined |
+//! | `\mathbf{s}\times\mathbf{n}` | **n** rotated by 90° to the left, in the plane |
 //! | `\text{…}` between statements | a remark, of words only |
 //!
 //! A symbol is an input of the entry, is defined by a statement, or comes from another formula by [`Given`]. Anything

@@ -1,6 +1,6 @@
 //! Speed and error: every method of computing a formula, timed and compared with the exact value.
 //!
-//! | way | value | Jacobian |
+//! | method | value | Jacobian |
 //! |---|---|---|
 //! | `closed` | `eval` in `f64` | `jacobian` in `f64` |
 //! | `checked` | [`value`](crate::formula::value), as a program calls it | [`value_and_jacobian`](crate::formula::value_and_jacobian) |

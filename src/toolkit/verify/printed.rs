@@ -312,14 +312,14 @@ mod tests {
     /// | u = 3 x + g | 5/4 | 5/4 + 3/4 = 2 |
     /// | u + u | 5/2 | 5/2 + 2 · 2 = 13/2 |
     /// | the slope, f (u + u) | −25/2 | 25/2 + 5 · 13/2 = 45 |
-    /// | its derivative by x, f (3 + 3) | −30 | 30 + 5 · 6 = 60 |
-    /// | by f, u + u | 5/2 | 13/2 |
-    /// | by the place, f (1 + 1) | −10 | 10 + 5 · 2 = 20 |
+    /// | its derivative with respect to x, f (3 + 3) | −30 | 30 + 5 · 6 = 60 |
+    /// | with respect to f, u + u | 5/2 | 13/2 |
+    /// | with respect to the minimiser, f (1 + 1) | −10 | 10 + 5 · 2 = 20 |
     /// | g³ = (g g) g | 1/8 | 1/8 + 1/2 · 1/4 = 1/4 |
     /// | F_C = f x − x g³ | −41/32 | 41/32 + 5/4 + (1/32 + 1/4 · 1/4) = 21/8 |
-    /// | its derivative by x, f − g³ | −41/8 | 41/8 + 1/4 = 43/8 |
-    /// | by f, x | 1/4 | 0 |
-    /// | by the place, −x (g (g + g) + g g) | −3/16 | 3/16 + 1/4 · (3/4 + (1/2 + 1/2 · 1) + 1/4) = 11/16 |
+    /// | its derivative with respect to x, f − g³ | −41/8 | 41/8 + 1/4 = 43/8 |
+    /// | with respect to f, x | 1/4 | 0 |
+    /// | with respect to the minimiser, −x (g (g + g) + g g) | −3/16 | 3/16 + 1/4 · (3/4 + (1/2 + 1/2 · 1) + 1/4) = 11/16 |
     ///
     /// The derivative of the minimiser with respect to x is −30/10 = −3, and with respect to f it is (5/2)/10 = 1/4.
     #[test]
